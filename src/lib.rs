@@ -86,6 +86,7 @@
 #![cfg_attr(
     not(feature = "trials"),
     doc = "",
+    doc = "[`claims`]: #judging",
     doc = "[`exact`]: #judging",
     doc = "[`certified`]: #judging",
     doc = "[`breaks`]: #judging"
@@ -104,6 +105,7 @@
 pub mod breaks;
 #[cfg(feature = "trials")]
 pub mod certified;
+#[cfg(feature = "trials")]
 pub mod claims;
 #[cfg(feature = "book")]
 mod commands;

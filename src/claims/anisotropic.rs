@@ -18,8 +18,9 @@ pub mod rows;
 pub mod simulated;
 mod slips;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::{SHARED, by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

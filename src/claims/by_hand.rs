@@ -2,7 +2,6 @@
 //! found one from the motion. The words are in the claims' entries; the judge reads none of this.
 
 use super::anisotropic::simulated::{self as drift, Curves};
-use super::compare::Failure;
 use super::constant::sense::sense_of_sliding;
 use super::escape::escapes::escapes;
 use super::escape::growth::{self, Quantity};
@@ -22,6 +21,7 @@ use crate::paper::{
 };
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 use trialbook::claims::by_hand::Numbers;
+use trialbook::claims::compare::Failure;
 
 /// Of `constant`, in the paper's order.
 pub static CONSTANT: [Numbers; 1] = [Numbers::new(

@@ -14,8 +14,9 @@ mod only_constant;
 pub mod sense;
 mod time;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand};
+use super::{SHARED, by_hand};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -9,8 +9,9 @@ pub mod onset;
 pub mod steps;
 pub mod straight;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::{SHARED, by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -9,8 +9,9 @@ mod planes;
 mod properties;
 pub mod strong;
 
-use super::read::claims;
-use super::{SHARED, Topic};
+use super::SHARED;
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -13,8 +13,9 @@ mod pulses;
 mod rest;
 pub mod threshold;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand};
+use super::{SHARED, by_hand};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

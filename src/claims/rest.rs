@@ -11,8 +11,9 @@ pub mod radius;
 pub mod stops;
 pub mod surfaces;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::{SHARED, by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

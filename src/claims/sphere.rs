@@ -12,8 +12,9 @@ mod rates;
 mod scaling;
 mod spheres;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::{SHARED, by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

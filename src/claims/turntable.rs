@@ -15,8 +15,9 @@ mod rates;
 mod standstill;
 pub mod stretches;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand};
+use super::{SHARED, by_hand};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

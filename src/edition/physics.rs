@@ -1,7 +1,8 @@
 //! The table of mistakes in the physics, as the committed record has it.
 
-use crate::claims::{PAPER, as_of};
+use crate::claims::PAPER;
 use trialbook::book::{escape, table};
+use trialbook::claims::as_of;
 use trialbook::edition::Filled;
 use trialbook::notation::plain_words;
 

@@ -1,8 +1,6 @@
 use super::EDITION;
-use crate::claims::read::File;
-use crate::claims::{Claim, PAPER, Paper, Topic};
+use crate::claims::PAPER;
 use crate::evidence::{Compared, Evidence, Route, Sample, Subject, Tolerance};
-use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -10,7 +8,10 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 use trialbook::book::{self, BookError};
+use trialbook::claims::read::File;
+use trialbook::claims::{Claim, Paper, Topic};
 use trialbook::edition::{Edition, Page};
+use trialbook::figures::Figure;
 
 /// A claim with everything that a box can show, some of it hostile.
 static FULL: Topic = Topic::new(

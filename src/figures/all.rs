@@ -11,11 +11,11 @@ mod sinusoidal;
 mod sphere;
 mod turntable;
 
-use super::{Figure, FigureError};
-use crate::claims::compare::Failure;
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
 use rayon::prelude::*;
+use trialbook::claims::compare::Failure;
+use trialbook::figures::{Figure, FigureError};
 
 /// Why a figure has no data or cannot be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -3,10 +3,10 @@
 //! All quantities are dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the ratio
 //! of backward to forward friction, φ the phase and 𝔴 the velocity.
 
-use super::{
+use std::f64::consts::PI;
+use trialbook::figures::{
     Area, Axis, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Stroke, Table,
 };
-use std::f64::consts::PI;
 
 /// Where the curves stand at one q; none where a curve has no point.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,8 +3,8 @@
 //! Units throughout: speeds in v₀, the initial speed; times in v₀/A. λ = μg/A is the friction over
 //! the acceleration, θ the angle between the velocity and the inertial force, θ₀ its initial value.
 
-use super::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
 use std::f64::consts::PI;
+use trialbook::figures::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
 
 /// How a trajectory ends.
 #[derive(Debug, Clone, Copy, PartialEq)]

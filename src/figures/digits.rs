@@ -1,6 +1,6 @@
 //! The figure of the digits that the calculators claim.
 
-use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+use trialbook::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
 
 /// How often an answer claimed so many digits, and so many were true.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,7 +45,7 @@ pub fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
     }
     let cells = cells(counts);
     let class = |cases: &usize| match cases {
-        0 => super::BLANK,
+        0 => trialbook::figures::BLANK,
         1..10 => 0,
         10..100 => 1,
         100..1000 => 2,

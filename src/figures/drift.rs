@@ -1,7 +1,9 @@
 //! The figure of the drift under anisotropic friction, and of what it costs. Dimensionless, as in [`super::anisotropic`].
 
 use super::anisotropic::Heights;
-use super::{Axis, BLANK, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+use trialbook::figures::{
+    Axis, BLANK, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table,
+};
 
 /// Drift and loss over a part of the plane of q and λ₀.
 #[derive(Debug, Clone, PartialEq)]

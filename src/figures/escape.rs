@@ -1,7 +1,9 @@
 //! The figures of section 4, escape. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table};
 use std::f64::consts::TAU;
+use trialbook::figures::{
+    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table,
+};
 
 /// A quantity over its power of the time, with the printed and the corrected limit.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,6 +1,6 @@
 //! The figure of the exam: what an answer costs each candidate.
 
-use super::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
+use trialbook::figures::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
 
 /// A candidate's runs of one task.
 #[derive(Debug, Clone, PartialEq)]

@@ -29,8 +29,3 @@ fn after(id: &str) -> String {
         "After figure {number} of the paper, by its caption and marks; its source has no pictures, and we have not seen that one."
     )
 }
-
-pub use trialbook::figures::{
-    Align, Area, Axis, BLANK, Cell, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points,
-    Raster, Rule, Stroke, Table,
-};

@@ -3,10 +3,10 @@
 //! All dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| = 1, λ₀ the
 //! friction, η the share of a half period that a pulse fills.
 
-use super::{
+use std::f64::consts::{PI, TAU};
+use trialbook::figures::{
     Area, Axis, Curve, Figure, FigureError, Note, Panel, Plot, Points, Raster, Stroke, Table,
 };
-use std::f64::consts::{PI, TAU};
 
 /// What becomes of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,8 @@
 //! The figures of section 4, rest. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table};
+use trialbook::figures::{
+    Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table,
+};
 
 /// A census of starts in the (α, A) plane at one ψ.
 #[derive(Debug, Clone, PartialEq)]

@@ -3,8 +3,8 @@
 //! Without units throughout: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one across it,
 //! λ₀ the friction over the drive's amplitude.
 
-use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
 use std::f64::consts::PI;
+use trialbook::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
 
 /// A motion that began with a velocity across the drive.
 #[derive(Debug, Clone, PartialEq)]
@@ -175,7 +175,7 @@ pub fn decay(decays: &[Decay]) -> Result<Figure, FigureError> {
         .panel(panel.curve(
             Curve::new(exponential)
                 .ink()
-                .stroke(super::Stroke::Dotted)
+                .stroke(trialbook::figures::Stroke::Dotted)
                 .label_at("'an exponential'", 0.9),
         ))
         .figure(table)
@@ -196,7 +196,7 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
     .curve(Curve::new(points.iter().copied()).series(0))
     .rule(
         Rule::vertical(critical)
-            .stroke(super::Stroke::Dotted)
+            .stroke(trialbook::figures::Stroke::Dotted)
             .label("λ_c"),
     )
     .height(220.0);

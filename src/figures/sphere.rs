@@ -1,7 +1,9 @@
 //! The figures of section 3: a sphere that slides and rolls.
 
-use super::{Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Stroke, Table};
 use std::f64::consts::PI;
+use trialbook::figures::{
+    Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Stroke, Table,
+};
 
 /// Two periods of a sphere on a plane that swings.
 #[derive(Debug, Clone, PartialEq)]

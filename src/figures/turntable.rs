@@ -2,8 +2,10 @@
 //!
 //! Dimensionless throughout: lengths in μg/Ω², times in 1/Ω.
 
-use super::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table};
 use std::f64::consts::PI;
+use trialbook::figures::{
+    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table,
+};
 
 /// A particle launched from the axis.
 #[derive(Debug, Clone, PartialEq)]

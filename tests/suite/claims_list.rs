@@ -2,8 +2,9 @@
 //!
 //! Every test gathers all offences before it fails, each with the id of its claim.
 
-use slipbook::claims::{Claim, PAPER};
+use slipbook::claims::PAPER;
 use slipbook::evidence::Kind;
+use trialbook::claims::Claim;
 use trialbook::notation::{plain_formula, plain_words};
 
 /// The claims without their topics.

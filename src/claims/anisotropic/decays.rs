@@ -1,14 +1,14 @@
 //! The velocity across the drive dies under every friction that depends on the direction, but is nowhere below some size.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use crate::claims::general::chains::{decays, ring_across};
 use crate::claims::general::law::eq1;
-use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Proof};
 use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
 
 /// v_y → 0.
 pub const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::new(

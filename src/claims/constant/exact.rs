@@ -10,19 +10,19 @@ mod sliding;
 #[cfg(test)]
 mod tests;
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
 pub use late::{AGAINST, ALIGNS, CANNOT_HOLD};
 use sliding::*;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
 
-use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::constant as paper;
 use crate::paper::general::eq1_velocity_rate;
 use crate::scalar::Scalar;
+use trialbook::claims::statement::Statement;
 
 /// The friction λ of a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

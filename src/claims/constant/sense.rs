@@ -1,14 +1,14 @@
 //! Trials of the sense in which a particle slides in the end: along the plane's acceleration, or against it.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Plane, Signal, State, run};
 use crate::numerics::dop853;
 use crate::paper::constant as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Trial};
+use trialbook::claims::points::Points;
 
 /// Launches of any direction on a plane with λ < 1, by λ, the directions of the acceleration and of the velocity, until
 /// friction has little left to turn: as printed and as corrected, by the sign of 𝐯·𝐀.

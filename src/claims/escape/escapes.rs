@@ -1,10 +1,10 @@
 //! The motions that the statements about escape are held against.
 
-use crate::claims::points::Points;
-use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::{Intrinsic, Run};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Failure, Runs, every};
 
 /// A start with p < ρ, by A, α and ψ.
 #[derive(Debug, Clone, Copy)]

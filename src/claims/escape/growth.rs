@@ -5,14 +5,14 @@
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
 use super::escapes::{Escape, LATE, Late, a, alpha, escapes};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::Start;
 use crate::numerics::fit::fit;
 use crate::paper::escape as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
 /// What is followed: a number at a late moment of a motion.
 pub type Quantity = fn(&Late) -> f64;

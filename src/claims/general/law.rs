@@ -1,9 +1,6 @@
 //! Trials of (1) and (2): the law seen from the plane against the law seen from the laboratory.
 
 use super::planes::{Case, bounded};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::statement::Statement;
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{ExactError, Expr, Proof, Ring};
@@ -12,6 +9,9 @@ use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::statement::Statement;
 
 /// g: so small that some coefficients of friction exceed 1.
 const GRAVITY: f64 = 0.5;

@@ -2,16 +2,16 @@
 
 use super::drives::{motion, pulses};
 use super::pulses::on_a_plane;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Trial};
-use crate::claims::excepted::no_inside;
-use crate::claims::points::Points;
 use crate::claims::tolerances::{GAINED, NONE};
 use crate::corrections::periodic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::periodic as printed;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Trial};
+use trialbook::claims::excepted::no_inside;
+use trialbook::claims::points::Points;
 
 /// Motions of small friction, λ₀ < η, in the gap before π and as far behind π, in the next pulse: what is said to become
 /// nonzero again there, with the pull. A short stretch of a motion that does not change its direction tells the acceleration.

@@ -5,16 +5,16 @@
 
 use super::chains::{for_both_signs, rate};
 use super::changes::CHANGES;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use crate::claims::general::apart::never_farther_apart;
 use crate::claims::general::law::{eq2, eq2_proof};
 use crate::claims::general::strong::MOVES;
-use crate::claims::statement::{Statement, given};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// The drive in the place of the sine, any number from −1 to 1.
 fn h() -> Expr {

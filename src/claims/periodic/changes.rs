@@ -7,16 +7,16 @@
 use super::borders::{never_part, slows};
 use super::chains::rate;
 use super::exact::EQ45;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use crate::claims::general::apart::never_farther_apart;
 use crate::claims::general::law::eq2;
 use crate::claims::general::strong::MOVES;
-use crate::claims::statement::{Statement, given};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// n/d.
 type Fraction = [i64; 2];

@@ -1,11 +1,11 @@
 //! What friction takes from the motion under pulses, of which the paper says nothing.
 
 use super::drives::{motion, pulses};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Trial};
-use crate::claims::points::Points;
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Subject};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Trial};
+use trialbook::claims::points::Points;
 
 /// (η, λ₀): random ones, and both ends of λ₀.
 fn cases(

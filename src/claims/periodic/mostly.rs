@@ -1,13 +1,13 @@
 //! Trials of how long a particle is at rest in a period when friction is slightly below the largest drive.
 
 use super::drives::{Harmonics, motion, rest_share, steps_between};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, SHARE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::Drive;
 use crate::paper::periodic as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// The share of rest at λ₀ = 1 − δ.
 fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {

@@ -1,13 +1,13 @@
 //! The motions that the statements about rest are held against: particles followed down to p = 10⁻³⁰.
 
-use crate::claims::compare::Failure;
 use crate::claims::escape::escapes::{a, alpha, rates};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, fate};
 use crate::numerics::roots::root;
 use std::sync::{Mutex, PoisonError};
+use trialbook::claims::compare::Failure;
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 /// A motion that ends at rest.
 #[derive(Debug)]

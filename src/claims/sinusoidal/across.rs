@@ -1,10 +1,6 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
 use super::settled::{Particle, drive, each, lambda_c, printed_late};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::PlanarState;
@@ -12,6 +8,10 @@ use crate::paper::general as law;
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_PI_2, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 /// A motion in the plane, once a period from φ = 0 on.
 pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<PlanarState>, Failure> {

@@ -9,14 +9,14 @@ use super::exact::{
     EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove_eq33, prove_eq38, ring_of_phi_t1, ring_of_phi1,
 };
 use super::order::slip;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use crate::claims::general::apart::never_farther_apart;
 use crate::claims::general::law::{eq1, eq2, eq2_proof};
-use crate::claims::statement::{Statement, given};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 type NoRest = ([Expr; 2], [Expr; 3]);
 

@@ -2,9 +2,6 @@
 
 use super::across::{Flight, flights_where, strobed};
 use super::settled::{ORIGIN, Particle, drive, forward, lambda_c, settled};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -12,6 +9,9 @@ use crate::motion::drive::{Attractor, PlanarState};
 use crate::numerics::quadrature::integral_within;
 use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// Frictions below λ_c, where the passages are not too steep to be followed.
 fn below(stream: u64, high: f64) -> impl Iterator<Item = f64> {

@@ -3,15 +3,15 @@
 use super::settled::{
     ORIGIN, Particle, Slip, dense, drive, end_spread, phi_t2, settled, small, starts,
 };
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;
 use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")

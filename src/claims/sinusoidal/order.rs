@@ -2,14 +2,14 @@
 //! can end, and how long a slip from rest lasts. All by φ₁ = β, λ₀ = sin β.
 
 use super::exact::{EQ31, EQ32, EQ36, ring_of_phi1, with_lambda_c};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::{Statement, given};
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Proof, Rational};
 use crate::paper::sinusoidal as paper;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// (27) to (30).
 fn phases() -> [Expr; 4] {

@@ -2,7 +2,7 @@
 
 use super::angle;
 use super::driven::{self, Swinging};
-use crate::claims::compare::Failure;
+use trialbook::claims::compare::Failure;
 
 /// One motion for each λ₀.
 ///

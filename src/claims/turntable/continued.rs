@@ -2,11 +2,11 @@
 
 use super::complex::Complex;
 use super::stretches::{FASTER, View, stretches, sum};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::turntable as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
 
 /// A and α by (122) and (123).
 fn inner(view: &View) -> [Complex; 2] {

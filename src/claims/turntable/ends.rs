@@ -2,10 +2,6 @@
 //! particle that stops stays.
 
 use super::stretches::{ANY, View, stretches, sum};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{ENDS, FRAMES, MOTION, OF_MANY};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::ensemble::{End, Horizon};
@@ -14,6 +10,10 @@ use crate::motion::turntable::moment::moment;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
 use crate::paper::turntable as printed;
 use std::f64::consts::FRAC_PI_2;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 /// A motion that starts by itself, from rest on the table beyond ρ = 1.
 #[derive(Debug)]

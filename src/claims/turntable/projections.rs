@@ -2,12 +2,12 @@
 
 use super::standstill::first_rate;
 use super::stretches::{ANY, View, stretches, sum};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::corrections::turntable as corrected;
 use crate::evidence::{Evidence, Subject};
 use crate::motion::turntable::{State, Table};
 use crate::paper::turntable as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
 /// ∫ rate dτ along stretches of motion with the change of the quantity.
 fn change(

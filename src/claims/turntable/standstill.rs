@@ -2,14 +2,14 @@
 //! and one launched from the axis.
 
 use super::stretches::View;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::{State, Table, rotating};
 use crate::paper::turntable as printed;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// How a motion begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

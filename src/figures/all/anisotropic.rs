@@ -5,7 +5,8 @@ use crate::claims::anisotropic::{
     census, drawn as anisotropic_drawn, panels, rows as anisotropic_rows,
     simulated as anisotropic_simulated,
 };
-use crate::figures::{Figure, anisotropic as anisotropic_figures, drift as anisotropic_drift};
+use crate::figures::{anisotropic as anisotropic_figures, drift as anisotropic_drift};
+use trialbook::figures::Figure;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![

@@ -2,12 +2,12 @@
 
 use super::AllFiguresError;
 use crate::claims::constant::drawn::{self, Curve};
-use crate::figures::Figure;
 use crate::figures::constant::{
     Ending, History, Hodograph, Hodographs, StoppingTimes, fig1, speed_and_angle, stopping_time,
 };
 use crate::motion::MotionError;
 use std::f64::consts::PI;
+use trialbook::figures::Figure;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![portraits()?, histories()?, stopping_times()?])

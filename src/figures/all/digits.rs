@@ -1,9 +1,9 @@
 //! The figure of the digits that the calculators claim, from the recorded counts.
 
 use super::AllFiguresError;
-use crate::claims::as_of;
-use crate::figures::Figure;
 use crate::figures::digits::{Count, digits};
+use trialbook::claims::as_of;
+use trialbook::figures::Figure;
 
 /// Counted by `tests/digits`, which in the deep tier also tries whether it still holds.
 const RECORD: &str = include_str!("../../../snapshots/digits.csv");

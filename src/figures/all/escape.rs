@@ -3,9 +3,10 @@
 use super::AllFiguresError;
 use crate::claims::escape::escapes::{Flight, Late, Launch};
 use crate::claims::escape::growth::{self, Quantity, lag, size, speed};
-use crate::figures::{Figure, escape as escape_figures};
+use crate::figures::escape as escape_figures;
 use crate::motion::MotionError;
 use crate::motion::turntable::{State, Table, critical_radius, inertial};
+use trialbook::figures::Figure;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     let moments = moments()?;

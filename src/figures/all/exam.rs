@@ -3,8 +3,8 @@
 use super::AllFiguresError;
 use crate::exam::results::{Candidate, ResultsError, candidates, ours, tasks};
 use crate::exam::{Answer, TASKS};
-use crate::figures::Figure;
 use crate::figures::exam::{Runs, Sat, exam};
+use trialbook::figures::Figure;
 
 /// The tasks drawn: a stop in the plane, and a stick and slip.
 const DRAWN: [&str; 2] = ["stop-place", "heat"];

@@ -2,7 +2,8 @@
 
 use super::AllFiguresError;
 use crate::claims::periodic::{drawn, drives::Phase};
-use crate::figures::{Figure, periodic as periodic_figures};
+use crate::figures::periodic as periodic_figures;
+use trialbook::figures::Figure;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![

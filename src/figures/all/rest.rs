@@ -3,12 +3,13 @@
 use super::AllFiguresError;
 use crate::claims::escape::straight::straight_in;
 use crate::claims::rest::{boundary, fates as maps};
-use crate::figures::{Figure, rest as rest_figures};
+use crate::figures::rest as rest_figures;
 use crate::motion::MotionError;
 use crate::motion::turntable::ensemble::rests;
 use crate::motion::turntable::intrinsic::{Intrinsic, Run};
 use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use std::f64::consts::PI;
+use trialbook::figures::Figure;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![

@@ -1,9 +1,10 @@
 //! The figures of section 2.2, from what its trials compare.
 
 use super::AllFiguresError;
-use crate::claims::compare::Failure;
 use crate::claims::sinusoidal::drawn;
-use crate::figures::{Figure, sinusoidal};
+use crate::figures::sinusoidal;
+use trialbook::claims::compare::Failure;
+use trialbook::figures::Figure;
 
 /// The figures of section 2.2.
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {

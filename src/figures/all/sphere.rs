@@ -2,8 +2,8 @@
 
 use super::AllFiguresError;
 use crate::claims::sphere::drawn;
-use crate::figures::Figure;
 use crate::figures::sphere::{Swinging, swinging, times};
+use trialbook::figures::Figure;
 
 /// λ₀ below λ_c, between λ_c and 1, above 1.
 const LAMBDAS: [f64; 3] = [0.3, 0.75, 1.2];

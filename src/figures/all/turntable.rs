@@ -2,8 +2,9 @@
 
 use super::AllFiguresError;
 use crate::claims::turntable::{drawn, fixed};
-use crate::figures::{Figure, turntable};
+use crate::figures::turntable;
 use crate::motion::MotionError;
+use trialbook::figures::Figure;
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     let [rests, escapes] = drawn::SPEEDS.map(launch);

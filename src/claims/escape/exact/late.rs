@@ -4,13 +4,13 @@
 //! coefficients of xᵏ are polynomials in L of degree k. The first order fixes q₀, u₀, d₀; a shift of τ leaves one constant
 //! of the second order free, b.
 
-use crate::claims::runs::Derived;
-use crate::claims::statement::given;
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::turntable as motion;
 use crate::scalar::Scalar;
+use trialbook::claims::runs::Derived;
+use trialbook::claims::statement::given;
 
 /// The laws are stated to the first order in x, logarithms being counted as numbers; two more follow.
 const ORDER: i64 = 3;
