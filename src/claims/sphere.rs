@@ -1,10 +1,9 @@
 //! A sphere that slips and rolls: the claims.
 
-mod angle;
+pub mod angle;
 mod any_drive;
 mod definitions;
-pub mod drawn;
-mod driven;
+pub mod driven;
 mod every_drive;
 pub mod exact;
 pub mod excepted;

@@ -457,7 +457,7 @@ fn every_claim_leads_to_its_code() {
         let html = page.split(&start).nth(1).unwrap();
         let html = html.split("</article>").next().unwrap();
         let leads =
-            |word: &str, room: &str| html.contains(&format!("{word} <a href=\"code/{room}/"));
+            |word: &str, module: &str| html.contains(&format!("{word} <a href=\"code/{module}/"));
         assert!(
             leads("motion", "motion") && leads("claim", "claims"),
             "{}",

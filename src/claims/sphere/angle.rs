@@ -457,7 +457,7 @@ pub fn corrected83() -> Evidence {
 }
 
 /// (γ, τ of the motion over τ of (82)) at the points of the trial.
-pub(super) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
+pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
     let known = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
     known
         .map(|turn| {

@@ -592,7 +592,7 @@ pub struct Swinging {
 }
 
 /// Two late periods of a solid sphere.
-pub(super) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
+pub fn swinging(lambda: f64) -> Result<Swinging, Failure> {
     let sphere = Sphere::with_kappa(0.4);
     let swing = Swing {
         sphere,
