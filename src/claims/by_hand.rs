@@ -2,14 +2,14 @@
 //! found one from the motion. The words are in the claims' entries; the judge reads none of this.
 
 use super::anisotropic::simulated::{self as drift, Curves};
-use super::constant::sense::sense_of_sliding;
-use super::escape::escapes::escapes;
+use super::constant::final_direction::sense_of_sliding;
 use super::escape::growth::{self, Quantity};
-use super::periodic::again::friction;
+use super::escape::trajectories::escapes;
 use super::periodic::drives::pulses;
+use super::periodic::pulse_remarks::friction;
 use super::rest::boundary::surfaces;
 use super::rest::surfaces::bend;
-use super::sinusoidal::settled::{ORIGIN, drive, settled};
+use super::sinusoidal::reference_motions::{ORIGIN, drive, settled};
 use super::turntable::projections;
 use super::values::boundary_example;
 use crate::motion::drive::{PlanarState, Sign};

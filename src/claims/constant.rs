@@ -5,16 +5,17 @@ pub mod drawn;
 pub mod exact;
 pub mod excepted;
 mod extremes;
+pub mod final_direction;
 mod from_rest;
 mod hodograph;
 mod incline;
 mod launches;
 mod limits;
 mod only_constant;
-pub mod sense;
 mod time;
 
-use super::{SHARED, by_hand};
+use super::by_hand;
+use super::shared::SHARED;
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 
@@ -34,7 +35,7 @@ pub static TOPIC: Topic = Topic::new(
         incline::TRIALS,
         limits::TRIALS,
         only_constant::TRIALS,
-        sense::TRIALS,
+        final_direction::TRIALS,
         time::TRIALS,
     ],
 )

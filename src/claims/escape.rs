@@ -1,15 +1,16 @@
 //! The turntable: escape: the claims.
 
 pub mod bounds;
-pub mod escapes;
 pub mod exact;
 pub mod excepted;
 pub mod growth;
 pub mod onset;
 pub mod steps;
 pub mod straight;
+pub mod trajectories;
 
-use super::{SHARED, by_hand, values};
+use super::shared::SHARED;
+use super::{by_hand, values};
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 

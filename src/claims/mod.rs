@@ -8,6 +8,7 @@ pub mod corners;
 mod failure;
 pub mod formulas;
 pub mod laid_over;
+mod shared;
 pub mod tolerances;
 pub mod values;
 pub mod variants;
@@ -22,10 +23,7 @@ pub mod sinusoidal;
 pub mod sphere;
 pub mod turntable;
 
-use trialbook::claims::{Paper, Topic, read};
-
-/// The conditions and reasons that claims of several topics have.
-const SHARED: read::File = read::claims!("../../claims/shared.toml");
+use trialbook::claims::{Paper, Topic};
 
 /// All topics, in the paper's order.
 static TOPICS: [&Topic; 9] = [

@@ -8,10 +8,11 @@ pub mod exact;
 pub mod excepted;
 pub mod fates;
 pub mod radius;
-pub mod stops;
 pub mod surfaces;
+pub mod trajectories;
 
-use super::{SHARED, by_hand, values};
+use super::shared::SHARED;
+use super::{by_hand, values};
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 

@@ -11,7 +11,8 @@ mod rates;
 mod scaling;
 mod spheres;
 
-use super::{SHARED, by_hand, values};
+use super::shared::SHARED;
+use super::{by_hand, values};
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 

@@ -3,7 +3,7 @@
 
 use super::anisotropic::simulated::touching;
 use super::escape::growth;
-use super::sinusoidal::settled::{ORIGIN, settled};
+use super::sinusoidal::reference_motions::{ORIGIN, settled};
 use crate::certified::numbers;
 use crate::corrections::{anisotropic as added, escape as corrected, rest as boundary};
 use crate::exact::Expr;

@@ -3,7 +3,7 @@
 //! All quantities are dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the ratio
 //! of backward to forward friction, φ the phase and 𝔴 the velocity.
 
-use super::{AllFiguresError, drift};
+use super::AllFiguresError;
 use crate::claims::anisotropic::simulated::Curves;
 use crate::claims::anisotropic::{census as counted, drawn, panels, rows};
 use std::f64::consts::PI;
@@ -17,11 +17,10 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
         region_waves()?,
         region_census()?,
         region_boundaries()?,
-        budgets()?,
     ])
 }
 
-fn heights(curves: &Curves) -> Heights {
+pub(super) fn heights(curves: &Curves) -> Heights {
     Heights {
         q: curves.q,
         a: curves.printed.a,
@@ -64,18 +63,6 @@ fn region_diagram() -> Result<Figure, AllFiguresError> {
 fn region_census() -> Result<Figure, AllFiguresError> {
     let map = region_map(90..330, 36, f64::INFINITY)?;
     Ok(census(&map)?)
-}
-
-/// How fast the particle creeps, and what it loses.
-fn budgets() -> Result<Figure, AllFiguresError> {
-    let all = drawn::budgets()?;
-    Ok(drift::drift(&drift::Budgets {
-        curves: all.curves.iter().map(heights).collect(),
-        shape: all.shape,
-        q: all.q,
-        lambda0: all.lambda0,
-        cells: all.cells,
-    })?)
 }
 
 /// fig-6.

@@ -1,8 +1,8 @@
 //! The figures of section 4, escape. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
 use super::AllFiguresError;
-use crate::claims::escape::escapes::{Flight, Late, Launch};
 use crate::claims::escape::growth::{self, Quantity, lag, size, speed};
+use crate::claims::escape::trajectories::{Flight, Late, Launch};
 use crate::motion::MotionError;
 use crate::motion::turntable::{self, State, critical_radius, inertial};
 use std::f64::consts::TAU;

@@ -57,6 +57,7 @@ pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
         sinusoidal::figures,
         periodic::figures,
         anisotropic::figures,
+        drift::figures,
         sphere::figures,
         turntable::figures,
         escape::figures,

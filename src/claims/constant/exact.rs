@@ -3,16 +3,16 @@
 //! Only Newton's law with A = −A x̂ and v = v (cos θ, sin θ) is entered here; the printed formulas come from
 //! [`crate::paper::constant`], as trees. All holds for 0 < θ, θ₀ < π, where tan(θ/2) is positive.
 
+mod alignment;
 mod cases;
 mod incline;
-mod late;
 mod sliding;
 #[cfg(test)]
 mod tests;
 
+pub use alignment::{AGAINST, ALIGNS, CANNOT_HOLD};
 use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
-pub use late::{AGAINST, ALIGNS, CANNOT_HOLD};
 use sliding::*;
 use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::compare::Compared;

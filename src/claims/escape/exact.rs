@@ -1,7 +1,7 @@
 //! The laws of escape, exactly: against the motion's own series at large times, which Newton's law gives.
 
+pub mod asymptotic_series;
 pub mod chains;
-pub mod late;
 pub mod spiral;
 
 use crate::claims::turntable::exact as turntable;
@@ -12,7 +12,7 @@ use crate::exact::{
 };
 use crate::paper::{escape as printed, turntable as motion};
 use crate::scalar::Scalar;
-use late::{Late, agree, from_series, law_series, rate};
+use asymptotic_series::{Late, agree, from_series, law_series, rate};
 use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::compare::Compared;
 use trialbook::claims::statement::{Statement, given};

@@ -1,6 +1,6 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
-use super::escapes::{a, alpha, flights, relaxed};
+use super::trajectories::{a, alpha, flights, relaxed};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use trialbook::claims::attempt::{Attempt, trials};

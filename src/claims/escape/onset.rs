@@ -1,11 +1,11 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
-use super::escapes::{
+use super::growth::{Quantity, a_rate, lag, limit, size};
+use super::straight::{StraightIn, beyond_one, time_to_stop};
+use super::trajectories::{
     LATE, Launch, a, alpha, escapes, flights, other_escapes, other_flights, others_relaxed, rates,
     relaxed, relaxed_ratios,
 };
-use super::growth::{Quantity, a_rate, lag, limit, size};
-use super::straight::{StraightIn, beyond_one, time_to_stop};
 use crate::claims::tolerances::{
     DIFFERENCES, ESCAPE_LIMIT, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED,
 };

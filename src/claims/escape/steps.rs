@@ -1,6 +1,6 @@
 //! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
 
-use super::escapes::{a, alpha, escapes};
+use super::trajectories::{a, alpha, escapes};
 use crate::claims::tolerances::{QUADRATURE, ROOT};
 use crate::evidence::{Evidence, Route, Subject, Tolerance};
 use crate::numerics::quadrature::integral;

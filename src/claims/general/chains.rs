@@ -1,7 +1,7 @@
 //! Theorems about every acceleration of the plane, as chains of inequalities: each link is an identity of the ring, with 𝐀 any
 //! vector at that instant, and a term that has a sign.
 
-use super::law::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
+use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::general as printed;

@@ -1,6 +1,6 @@
 //! Motions that several trials of the statements about every A(t) look at.
 
-use super::planes::{SHAPES, along_a_line, any_start};
+use super::accelerations::{SHAPES, along_a_line, any_start};
 use crate::motion::{Motion, Phase, Plane, Signal, State, run};
 use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Failure, Runs, every};

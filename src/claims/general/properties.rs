@@ -3,10 +3,10 @@
 //! Each is tried on constant, rotating, growing, decaying, oscillating and sign-changing accelerations, and on
 //! the one that we found to break it.
 
+use super::accelerations::{Case, SHAPES, along_a_line, any_start, bounded};
 use super::examples::{
     AT_REST, Pulled, Returning, others_pulled, others_returning, pulled, returning, violations,
 };
-use super::planes::{Case, SHAPES, along_a_line, any_start, bounded};
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};

@@ -4,12 +4,12 @@
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
 use super::boundary::{Border, angle_towards_one, border};
-use super::stops::{
+use super::trajectories::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
     other_approaches,
 };
-use crate::claims::escape::escapes::{a, alpha, rates};
 use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
+use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };

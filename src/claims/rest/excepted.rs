@@ -1,6 +1,6 @@
 //! What the conditions near rest except: single resting places, and starts that come straight in, which lie on a surface.
 
-use super::stops::approaches;
+use super::trajectories::approaches;
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::rest as printed;

@@ -1,7 +1,7 @@
 //! Trials of the steps of section 2.2 between its formulas: that a slip from rest outlasts half the period, that the motion
 //! along the drive does not die, and how friction acts across it.
 
-use super::settled::{ORIGIN, Particle, Slip, dense, drive, lambda_c, settled};
+use super::reference_motions::{ORIGIN, Particle, Slip, dense, drive, lambda_c, settled};
 use crate::claims::tolerances::{ACROSS, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Friction, PlanarState, Sign};
@@ -201,7 +201,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
 
 #[cfg(test)]
 mod tests {
-    use super::super::settled::small;
+    use super::super::reference_motions::small;
     use super::*;
 
     #[test]

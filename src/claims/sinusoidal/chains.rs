@@ -2,7 +2,7 @@
 //! nothing, and how friction acts across.
 
 use crate::claims::general::chains::{decays, ring_across, stops};
-use crate::claims::general::law::{eq1, eq2};
+use crate::claims::general::two_frames::{eq1, eq2};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::sinusoidal as paper;

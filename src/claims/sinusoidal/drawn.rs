@@ -1,6 +1,8 @@
 //! The curves of fig-2 to fig-4: what is tried here is what the book draws.
 
-use super::settled::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled};
+use super::reference_motions::{
+    ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled,
+};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{PlanarState, Sign};

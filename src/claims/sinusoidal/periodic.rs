@@ -1,6 +1,6 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
-use super::settled::{
+use super::reference_motions::{
     ORIGIN, Slip, drive, each, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
 use crate::claims::tolerances::{APPROACH, NONE, ROOT};

@@ -1,6 +1,6 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::settled::{ORIGIN, Particle, all, drive, each, lambda_c};
+use super::reference_motions::{ORIGIN, Particle, all, drive, each, lambda_c};
 use crate::claims::tolerances::{MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;

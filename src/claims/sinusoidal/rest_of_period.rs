@@ -1,6 +1,6 @@
 //! Trials of where the rest of the period ends that begins at φ₁: what follows the slip up to φ̃₂.
 
-use super::settled::{Slip, small};
+use super::reference_motions::{Slip, small};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};

@@ -1,6 +1,8 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
-use super::settled::{ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small};
+use super::reference_motions::{
+    ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small,
+};
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};

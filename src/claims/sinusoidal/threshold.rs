@@ -1,6 +1,8 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
-use super::settled::{ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small};
+use super::reference_motions::{
+    ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small,
+};
 use crate::claims::tolerances::{NONE, ONSET, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Sign};

@@ -1,6 +1,6 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
-use super::settled::{ORIGIN, Particle, drive, settled};
+use super::reference_motions::{ORIGIN, Particle, drive, settled};
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Motion;

@@ -2,7 +2,7 @@
 //!
 //! The motion is integrated twice: in Cartesian components, and in components along and across the velocity.
 
-use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
+use super::trajectories::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
 use crate::claims::tolerances::FRAMES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::Intrinsic;

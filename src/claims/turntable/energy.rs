@@ -1,6 +1,6 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::stretches::{ANY, Launch, Stretch, View, launches, stretches, sum};
+use super::trajectories::{ANY, Launch, Stretch, View, launches, stretches, sum};
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
 use crate::evidence::{Evidence, Route, Subject};

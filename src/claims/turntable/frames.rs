@@ -1,6 +1,6 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
-use super::stretches::{ANY, Launch, launches, stretches, sum};
+use super::trajectories::{ANY, Launch, launches, stretches, sum};
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;

@@ -1,7 +1,7 @@
 //! Trials of where (100) and (101) come from: which rate the two laws of motion are combined with.
 
-use super::standstill::first_rate;
-use super::stretches::{ANY, View, stretches, sum};
+use super::singular_starts::first_rate;
+use super::trajectories::{ANY, View, stretches, sum};
 use crate::corrections::turntable as corrected;
 use crate::evidence::{Evidence, Subject};
 use crate::motion::turntable::{State, Table};

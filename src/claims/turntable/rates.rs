@@ -1,6 +1,6 @@
 //! Printed rates, integrated along motions, against what changed.
 
-use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches, sum};
+use super::trajectories::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches, sum};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
 use crate::paper::turntable as printed;

@@ -2,9 +2,9 @@
 //!
 //! What is found by a few words around the number has to be right; where the words are no longer there, nothing is asked.
 
-use super::hold::Library;
 use super::items::List;
 use super::numbers::{literals, number, quotients, slots};
+use super::printed_part::Library;
 use super::text::{Page, Section, pages, sections_of};
 use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::census;

@@ -1,8 +1,6 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
 #[cfg(feature = "trials")]
-mod alone;
-#[cfg(feature = "trials")]
 pub mod deep;
 #[cfg(feature = "trials")]
 pub mod distrust;
@@ -14,20 +12,22 @@ pub(crate) mod example;
 mod key;
 #[cfg(feature = "book")]
 mod letter;
+#[cfg(feature = "trials")]
+mod parallel;
 mod record;
 #[cfg(feature = "trials")]
 mod row;
 #[cfg(feature = "trials")]
 mod run;
 #[cfg(feature = "trials")]
-mod said;
+pub mod sensitivity;
+#[cfg(feature = "trials")]
+mod sentences;
 #[cfg(feature = "trials")]
 mod sheet;
-#[cfg(feature = "trials")]
-mod short;
-#[cfg(feature = "trials")]
-pub mod slight;
 mod standing;
+#[cfg(feature = "trials")]
+mod summary;
 mod table;
 mod tally;
 #[cfg(feature = "trials")]
@@ -45,7 +45,7 @@ pub use record::{Difference, Record, RecordError};
 pub use row::{EvidenceRow, Row};
 #[cfg(feature = "trials")]
 #[cfg(feature = "book")]
-pub(crate) use said::{count, counted};
+pub(crate) use sentences::{count, counted};
 pub use standing::Standing;
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};

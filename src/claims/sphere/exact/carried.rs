@@ -3,8 +3,8 @@
 
 use super::{S3_REDUCTION, body};
 use crate::claims::anisotropic::{exact as anisotropy, motions};
-use crate::claims::periodic::borders::THRESHOLD;
 use crate::claims::periodic::chains::{MOSTLY_AT_REST, REST_ABOVE_ONE};
+use crate::claims::periodic::critical_friction::THRESHOLD;
 use crate::claims::periodic::exact as pulses;
 use crate::claims::sinusoidal::attraction;
 use crate::evidence::Subject;

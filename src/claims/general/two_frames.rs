@@ -1,6 +1,6 @@
 //! Trials of (1) and (2): the law seen from the plane against the law seen from the laboratory.
 
-use super::planes::{Case, bounded};
+use super::accelerations::{Case, bounded};
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::{ExactError, Expr, Proof, Ring};

@@ -1,9 +1,9 @@
 //! Where the elements of a proof come from, noted while they are formed: what its witness is made of.
 
 use super::calculus::Derivation;
+use super::constant_folding::folded;
 use super::error::ExactError;
 use super::expr::{Binary, Expr, Node};
-use super::folded::folded;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
 use super::ring::{KnownPower, PI, Ring, Rule};

@@ -1,7 +1,7 @@
 //! Two particles under one drive come no farther apart in velocity.
 
 use super::chains::at_most_its_size;
-use super::law::{NAMES, eq1, eq1_proof};
+use super::two_frames::{NAMES, eq1, eq1_proof};
 use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::scalar::Scalar;
 
@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 const OTHER: [&str; 2] = ["u_x", "u_y"];
 
 fn ring() -> Result<Ring, ExactError> {
-    let mut ring = super::law::ring()?;
+    let mut ring = super::two_frames::ring()?;
     let [ux, uy] = OTHER.map(|name| ring.symbol(name));
     ring.root(&(ux.pow(2) + uy.pow(2)), 2)?;
     Ok(ring)

@@ -1,7 +1,7 @@
 //! Theorems about drives that exceed the friction, as chains of identities of the ring and terms that have a sign: that no rest
 //! lasts, and that the speed grows in the end if the direction is fixed.
 
-use super::law::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
+use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::paper::general as printed;

@@ -4,10 +4,10 @@
 //! H is an antiderivative of h, and c its median: H is above c for half of each period at most, and below c for half at most.
 
 use super::chains::{for_both_signs, rate};
-use super::changes::CHANGES;
-use crate::claims::general::apart::never_farther_apart;
-use crate::claims::general::law::{eq2, eq2_proof};
-use crate::claims::general::strong::MOVES;
+use super::step_drive::CHANGES;
+use crate::claims::general::contraction::never_farther_apart;
+use crate::claims::general::strong_drives::MOVES;
+use crate::claims::general::two_frames::{eq2, eq2_proof};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;

@@ -1,6 +1,6 @@
 //! Trials of what section 2.2 says in words of the motion along the line.
 
-use super::settled::{
+use super::reference_motions::{
     ORIGIN, Particle, Slip, dense, drive, end_spread, phi_t2, settled, small, starts,
 };
 use crate::claims::tolerances::{NONE, ROOT};

@@ -1,6 +1,6 @@
 //! A claim in a line: what is wrong with it, and how that or the contrary is known.
 
-use super::said::{count, rounded_up};
+use super::sentences::{count, rounded_up};
 use super::{Entry, Standing, Verdict};
 use crate::claims::Sort;
 use crate::evidence::{Outcome, Subject};

@@ -2,8 +2,8 @@
 
 use super::formulas::{Found, Given, found};
 use super::given;
-use super::hold::Library;
 use super::mistakes::{mistakes, pieces};
+use super::printed_part::Library;
 use super::text::{formulas_of, sections};
 
 /// How formulas are tried that do not hold as they stand.

@@ -4,12 +4,12 @@
 //! more the short step brings the particle to rest; with more still it meets a faster one, which it does not stop; and near 1 each
 //! stop is early.
 
-use super::borders::{never_part, slows};
 use super::chains::rate;
+use super::critical_friction::{never_part, slows};
 use super::exact::EQ45;
-use crate::claims::general::apart::never_farther_apart;
-use crate::claims::general::law::eq2;
-use crate::claims::general::strong::MOVES;
+use crate::claims::general::contraction::never_farther_apart;
+use crate::claims::general::strong_drives::MOVES;
+use crate::claims::general::two_frames::eq2;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;

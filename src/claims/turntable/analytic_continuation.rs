@@ -1,7 +1,7 @@
 //! Trials of (122) and (123): the first case's formulas with complex A and α, along motions with p > ρ.
 
 use super::complex::Complex;
-use super::stretches::{FASTER, View, stretches, sum};
+use super::trajectories::{FASTER, View, stretches, sum};
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::turntable as printed;

@@ -1,7 +1,7 @@
 //! Trials of what replaces the second stage: an exponential of an exponential, or an end after a finite time.
 
-use super::across::{Flight, flights_where, strobed};
-use super::settled::{ORIGIN, Particle, drive, forward, lambda_c, settled};
+use super::reference_motions::{ORIGIN, Particle, drive, forward, lambda_c, settled};
+use super::transverse::{Flight, flights_where, strobed};
 use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};

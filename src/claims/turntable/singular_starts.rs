@@ -1,7 +1,7 @@
 //! Where the printed formulas divide by zero and the motion goes on: a particle put down at rest on the table,
 //! and one launched from the axis.
 
-use super::stretches::View;
+use super::trajectories::View;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::{State, Table, rotating};

@@ -1,6 +1,6 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
-use super::settled::{Particle, drive, each, lambda_c, printed_late};
+use super::reference_motions::{Particle, drive, each, lambda_c, printed_late};
 use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::PlanarState;

@@ -1,7 +1,7 @@
 //! The velocity across the drive dies under every friction that depends on the direction, but is nowhere below some size.
 
 use crate::claims::general::chains::{decays, ring_across};
-use crate::claims::general::law::eq1;
+use crate::claims::general::two_frames::eq1;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Proof};
 use crate::paper::anisotropic as printed;

@@ -1,6 +1,6 @@
 //! The motions that the statements about rest are held against: particles followed down to p = 10⁻³⁰.
 
-use crate::claims::escape::escapes::{a, alpha, rates};
+use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, fate};
 use crate::numerics::roots::root;

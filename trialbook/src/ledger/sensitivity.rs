@@ -1,6 +1,6 @@
 //! Measurements held against slight mistakes: a relative one of twice the tolerance, and one in a corner alone.
 
-use super::{Entry, Ledger, alone};
+use super::{Entry, Ledger, parallel};
 use crate::claims::variants::Variant;
 use crate::evidence::{Outcome, Subject};
 use crate::seeded::{Mistake, Seed};
@@ -51,7 +51,7 @@ impl Ledger {
         let mut all: Vec<_> = self.entries.iter().enumerate().flat_map(of).collect();
         let tolerance = |entry: usize, trial: usize| self.entries[entry].evidence[trial].tolerance;
         all.retain(|(entry, trial, ..)| tolerance(*entry, *trial).value > 0.0);
-        alone::each(all.len(), |i| {
+        parallel::each(all.len(), |i| {
             let (entry, trial, path, formula) = all[i];
             let part = (0.5 / tolerance(entry, trial).value).round() as i64;
             let noticed = [part, -part].into_iter().all(|part| {
@@ -69,7 +69,7 @@ impl Ledger {
 
     /// Which of these variants a measurement of their claim notices that agrees without; `None` where none reads the formula.
     pub fn noticed(&self, variants: &[Variant]) -> Vec<Option<bool>> {
-        alone::each(variants.len(), |i| {
+        parallel::each(variants.len(), |i| {
             let seed = variants[i].seed;
             let entry = self.entry(&variants[i].claim)?;
             let trials = entry.measured_by(seed.formula);

@@ -1,7 +1,7 @@
 //! The ends of motions on the turntable: where friction does not hold a particle at rest, it starts; where it does, a
 //! particle that stops stays.
 
-use super::stretches::{ANY, View, stretches, sum};
+use super::trajectories::{ANY, View, stretches, sum};
 use crate::claims::tolerances::{ENDS, FRAMES, MOTION, OF_MANY};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::ensemble::{End, Horizon};
