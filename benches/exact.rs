@@ -1,13 +1,13 @@
 //! Exact proofs: all identities, and those behind (11), (13), (14) from a cold start: `cargo bench --bench exact`.
 
 use slipbook::claims::PAPER;
-use slipbook::claims::attempt::Attempt;
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
-use slipbook::claims::statement::Statement;
 use slipbook::evidence::Evidence;
 use std::hint::black_box;
 use std::process::Command;
 use std::time::{Duration, Instant};
+use trialbook::claims::attempt::Attempt;
+use trialbook::claims::statement::Statement;
 
 /// How often each of the two is timed.
 const TIMES: usize = 100;

@@ -2,7 +2,6 @@
 //! true boundary, and the boundary itself: `cargo bench --bench turntable`.
 
 use rayon::prelude::*;
-use slipbook::claims::points::Points;
 use slipbook::claims::rest::boundary::is_clear;
 use slipbook::corrections::rest as corrected;
 use slipbook::motion::MotionError;
@@ -12,6 +11,7 @@ use slipbook::paper::rest as printed;
 use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
+use trialbook::claims::points::Points;
 
 type Failure = Box<dyn std::error::Error>;
 

@@ -2,7 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use slipbook::ledger::{plain_formula, plain_words};
+use trialbook::notation::{plain_formula, plain_words};
 
 fuzz_target!(|text: &str| {
     plain_formula(text);

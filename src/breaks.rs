@@ -2,15 +2,16 @@
 //! WebAssembly. Two sections take part, to keep the module small.
 
 use crate::claims::formulas::FORMULAS;
-use crate::claims::{Claim, Topic, constant, sphere};
+use crate::claims::{constant, sphere};
 use crate::evidence::{Evidence, Outcome};
-use crate::ledger::plain_words;
 use crate::scalar::Scalar;
 use crate::seeded::{Formula, Mistake, Seed, with};
 use crate::{corrections, paper};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use trialbook::claims::formulas::{Formulas, text};
+use trialbook::claims::{Claim, Topic};
+use trialbook::notation::plain_words;
 
 /// The topics that take part.
 pub static TOPICS: [&Topic; 2] = [&constant::TOPIC, &sphere::TOPIC];

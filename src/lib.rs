@@ -4,7 +4,7 @@
 //! rough plane that accelerates, and a particle on a rough turntable. This crate asks of each of its claims:
 //! is it true, how do we know, and what is right where it is not?
 //!
-//! The house has two wings that do not see each other:
+//! It has two sides that do not see each other:
 //!
 //! - [`paper`] holds the formulas as printed, errors included; [`corrections`] what replaces those that fail.
 //! - [`motion`] knows Newton's law and Coulomb friction and nothing else; [`numerics`] is its tool box.
@@ -15,7 +15,7 @@
 //! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
 //! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
 //! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`]
-//! what is this paper's own. For parameters of your own there are the calculators of [`claims::solve`].
+//! what is this paper's own. For parameters of your own there are the calculators of [`solve`].
 //!
 //! What knows no paper is a crate of its own, [`trialbook`]; its modules stand here under their names.
 //!
@@ -86,6 +86,7 @@
 #![cfg_attr(
     not(feature = "trials"),
     doc = "",
+    doc = "[`claims`]: #judging",
     doc = "[`exact`]: #judging",
     doc = "[`certified`]: #judging",
     doc = "[`breaks`]: #judging"
@@ -104,6 +105,7 @@
 pub mod breaks;
 #[cfg(feature = "trials")]
 pub mod certified;
+#[cfg(feature = "trials")]
 pub mod claims;
 #[cfg(feature = "book")]
 mod commands;
@@ -118,6 +120,7 @@ pub mod explorers;
 pub mod figures;
 pub mod motion;
 pub mod paper;
+pub mod solve;
 #[cfg(feature = "trials")]
 pub mod symbols;
 

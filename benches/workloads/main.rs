@@ -8,7 +8,6 @@ use rayon::prelude::*;
 use row::{Arcs, Column, Row};
 use slipbook::certified::numbers::{LAMBDA_C, Q_Y};
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
-use slipbook::claims::points::Points;
 use slipbook::motion::drive::{Attractor, Drive, DriveState, Friction, Sign};
 use slipbook::motion::turntable::ensemble::{End, Horizon};
 use slipbook::motion::turntable::intrinsic::Run;
@@ -18,6 +17,7 @@ use slipbook::paper::constant::eq13_time;
 use std::hint::black_box;
 use std::process::{Command, Stdio};
 use std::time::Duration;
+use trialbook::claims::points::Points;
 
 type Failure = Box<dyn std::error::Error>;
 

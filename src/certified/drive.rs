@@ -4,12 +4,12 @@
 //! a rest, which ends at φ₁ with sin φ₁ = λ₀, that is w(φ) = cos φ₁ − cos φ − λ₀ (φ − φ₁). Everything here is a zero
 //! of such an arc. Friction backwards is q times as large. Frictions and phases are dimensionless.
 
-use super::ball::Ball;
-use super::error::CertifiedError;
-use super::interval::Interval;
-use super::root::{Root, refine, refine_written};
 use crate::exact::Expr;
 use crate::scalar::Scalar;
+use trialbook::certified::ball::Ball;
+use trialbook::certified::error::CertifiedError;
+use trialbook::certified::interval::Interval;
+use trialbook::certified::root::{Root, refine, refine_written};
 
 /// Bits beyond those asked for that what follows a root may cost.
 const SPARE: usize = 16;

@@ -7,11 +7,9 @@
 //! use slipbook::certified::numbers::Q_Y;
 //!
 //! assert_eq!(Q_Y.decimal(50)?, "4.60333884875170035255658202910301651306739713416053");
-//! # Ok::<(), slipbook::certified::error::CertifiedError>(())
+//! # Ok::<(), trialbook::certified::error::CertifiedError>(())
 //! ```
 
 pub mod drive;
 pub mod numbers;
 pub mod turntable;
-
-pub use trialbook::certified::*;

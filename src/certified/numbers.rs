@@ -1,9 +1,9 @@
 //! Numbers of the drive, each with as many certain digits as one asks for.
 
-use super::ball::Ball;
 use super::drive::{self, Edge};
-use super::enclosure::Enclosure;
-use super::error::CertifiedError;
+use trialbook::certified::ball::Ball;
+use trialbook::certified::enclosure::Enclosure;
+use trialbook::certified::error::CertifiedError;
 
 /// The critical friction.
 pub const LAMBDA_C: Enclosure = Enclosure(drive::lambda_c);

@@ -23,14 +23,14 @@ mod strip;
 
 pub use strip::{Margins, Strip};
 
-use super::error::CertifiedError;
-use super::flow::{Taken, step_within};
-use super::interval::Interval;
-use super::written::{close_box, ends, number};
 use crate::exact::{Expr, tree};
 use crate::numerics::series::{product, square};
 use crate::numerics::taylor::System;
 use crate::scalar::Scalar;
+use trialbook::certified::error::CertifiedError;
+use trialbook::certified::flow::{Taken, step_within};
+use trialbook::certified::interval::Interval;
+use trialbook::certified::written::{close_box, ends, number};
 use trialbook::witness::{self, Motion, Tree, Witness};
 
 /// What becomes of a particle, proved.

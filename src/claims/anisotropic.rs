@@ -1,11 +1,9 @@
 //! Anisotropic friction: the claims.
 
-mod across;
 pub mod census;
 pub mod certified;
 mod corners;
 mod curves;
-mod decays;
 pub mod drawn;
 pub mod drift;
 pub mod exact;
@@ -17,9 +15,13 @@ mod regions;
 pub mod rows;
 pub mod simulated;
 mod slips;
+mod transverse;
+mod transverse_decay;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::shared::SHARED;
+use super::{by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(
@@ -27,12 +29,12 @@ pub static TOPIC: Topic = Topic::new(
     "Anisotropic friction",
     claims!("../../claims/anisotropic.toml"),
     &[
-        across::TRIALS,
+        transverse::TRIALS,
         certified::TRIALS,
         certified::points::TRIALS,
         corners::TRIALS,
         curves::TRIALS,
-        decays::TRIALS,
+        transverse_decay::TRIALS,
         exact::TRIALS,
         frictions::TRIALS,
         mirror::TRIALS,

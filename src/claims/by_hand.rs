@@ -2,15 +2,14 @@
 //! found one from the motion. The words are in the claims' entries; the judge reads none of this.
 
 use super::anisotropic::simulated::{self as drift, Curves};
-use super::compare::Failure;
-use super::constant::sense::sense_of_sliding;
-use super::escape::escapes::escapes;
+use super::constant::final_direction::sense_of_sliding;
 use super::escape::growth::{self, Quantity};
-use super::periodic::again::friction;
+use super::escape::trajectories::escapes;
 use super::periodic::drives::pulses;
+use super::periodic::pulse_remarks::friction;
 use super::rest::boundary::surfaces;
 use super::rest::surfaces::bend;
-use super::sinusoidal::settled::{ORIGIN, drive, settled};
+use super::sinusoidal::reference_motions::{ORIGIN, drive, settled};
 use super::turntable::projections;
 use super::values::boundary_example;
 use crate::motion::drive::{PlanarState, Sign};
@@ -22,6 +21,7 @@ use crate::paper::{
 };
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 use trialbook::claims::by_hand::Numbers;
+use trialbook::claims::compare::Failure;
 
 /// Of `constant`, in the paper's order.
 pub static CONSTANT: [Numbers; 1] = [Numbers::new(

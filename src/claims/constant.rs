@@ -5,17 +5,19 @@ pub mod drawn;
 pub mod exact;
 pub mod excepted;
 mod extremes;
+pub mod final_direction;
 mod from_rest;
 mod hodograph;
 mod incline;
 mod launches;
 mod limits;
 mod only_constant;
-pub mod sense;
 mod time;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand};
+use super::by_hand;
+use super::shared::SHARED;
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(
@@ -33,7 +35,7 @@ pub static TOPIC: Topic = Topic::new(
         incline::TRIALS,
         limits::TRIALS,
         only_constant::TRIALS,
-        sense::TRIALS,
+        final_direction::TRIALS,
         time::TRIALS,
     ],
 )

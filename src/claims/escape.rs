@@ -1,16 +1,18 @@
 //! The turntable: escape: the claims.
 
 pub mod bounds;
-pub mod escapes;
 pub mod exact;
 pub mod excepted;
 pub mod growth;
 pub mod onset;
 pub mod steps;
 pub mod straight;
+pub mod trajectories;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::shared::SHARED;
+use super::{by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

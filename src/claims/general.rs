@@ -1,16 +1,17 @@
 //! Sliding on an accelerating plane: the claims.
 
-pub(super) mod apart;
+mod accelerations;
 pub mod chains;
+pub(super) mod contraction;
 mod examples;
 pub mod excepted;
-pub mod law;
-mod planes;
 mod properties;
-pub mod strong;
+pub mod strong_drives;
+pub mod two_frames;
 
-use super::read::claims;
-use super::{SHARED, Topic};
+use super::shared::SHARED;
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(
@@ -20,9 +21,9 @@ pub static TOPIC: Topic = Topic::new(
     &[
         chains::TRIALS,
         excepted::TRIALS,
-        law::TRIALS,
+        two_frames::TRIALS,
         properties::TRIALS,
-        strong::TRIALS,
+        strong_drives::TRIALS,
     ],
 )
 .sharing(SHARED);

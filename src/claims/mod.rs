@@ -1,55 +1,31 @@
-//! Where the two wings meet: the claims of the paper, and the trials that try them.
+//! Where the two sides meet: the claims of the paper, and the trials that try them.
 //!
 //! A claim is data, an entry in `claims/<topic>.toml`; a trial is a function that returns
 //! [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
 
-#[cfg(feature = "trials")]
 pub mod by_hand;
-#[cfg(feature = "trials")]
 pub mod corners;
-#[cfg(feature = "trials")]
 mod failure;
-#[cfg(feature = "trials")]
 pub mod formulas;
-#[cfg(feature = "trials")]
 pub mod laid_over;
-pub mod solve;
-#[cfg(feature = "trials")]
+mod shared;
 pub mod tolerances;
-#[cfg(feature = "trials")]
 pub mod values;
-#[cfg(feature = "trials")]
 pub mod variants;
 
-#[cfg(feature = "trials")]
 pub mod anisotropic;
-#[cfg(feature = "trials")]
 pub mod constant;
-#[cfg(feature = "trials")]
 pub mod escape;
-#[cfg(feature = "trials")]
 pub mod general;
-#[cfg(feature = "trials")]
 pub mod periodic;
-#[cfg(feature = "trials")]
 pub mod rest;
-#[cfg(feature = "trials")]
 pub mod sinusoidal;
-#[cfg(feature = "trials")]
 pub mod sphere;
-#[cfg(feature = "trials")]
 pub mod turntable;
 
-pub use trialbook::claims::{Claim, Condition, Correction, Excuse, Paper, Sort, Topic, as_of};
-#[cfg(feature = "trials")]
-pub use trialbook::claims::{attempt, compare, enclosed, excepted, points, read, runs, statement};
-
-/// The conditions and reasons that claims of several topics have.
-#[cfg(feature = "trials")]
-const SHARED: read::File = read::claims!("../../claims/shared.toml");
+use trialbook::claims::{Paper, Topic};
 
 /// All topics, in the paper's order.
-#[cfg(feature = "trials")]
 static TOPICS: [&Topic; 9] = [
     &general::TOPIC,
     &constant::TOPIC,
@@ -63,7 +39,6 @@ static TOPICS: [&Topic; 9] = [
 ];
 
 /// The paper on trial.
-#[cfg(feature = "trials")]
 pub static PAPER: Paper = Paper {
     title: "Slipping and rolling on a rough accelerating surface",
     authors: "M. Khorrami, A. Aghamohammadi and C. Aghamohammadi",

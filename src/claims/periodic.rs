@@ -1,20 +1,22 @@
 //! Any periodic acceleration: the claims.
 
-pub mod again;
-pub mod borders;
 pub mod chains;
-mod changes;
+pub mod critical_friction;
+mod dissipation;
 pub mod drawn;
 pub mod drives;
 pub mod exact;
-mod losses;
-mod mostly;
+pub mod pulse_remarks;
 mod pulses;
 mod rest;
+mod rest_share;
+mod step_drive;
 pub mod threshold;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand};
+use super::by_hand;
+use super::shared::SHARED;
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(
@@ -22,14 +24,14 @@ pub static TOPIC: Topic = Topic::new(
     "Any periodic acceleration",
     claims!("../../claims/periodic.toml"),
     &[
-        again::TRIALS,
-        borders::TRIALS,
+        pulse_remarks::TRIALS,
+        critical_friction::TRIALS,
         chains::TRIALS,
-        changes::TRIALS,
+        step_drive::TRIALS,
         drawn::TRIALS,
         exact::TRIALS,
-        losses::TRIALS,
-        mostly::TRIALS,
+        dissipation::TRIALS,
+        rest_share::TRIALS,
         pulses::TRIALS,
         rest::TRIALS,
         threshold::TRIALS,

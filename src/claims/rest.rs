@@ -8,11 +8,13 @@ pub mod exact;
 pub mod excepted;
 pub mod fates;
 pub mod radius;
-pub mod stops;
 pub mod surfaces;
+pub mod trajectories;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::shared::SHARED;
+use super::{by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

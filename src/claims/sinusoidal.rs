@@ -1,27 +1,29 @@
 //! Sinusoidal acceleration: stick and slip: the claims.
 
-mod across;
 mod argument;
 pub mod attraction;
 pub mod certified;
 pub mod chains;
-mod decay;
 pub mod drawn;
 pub mod exact;
 pub mod excepted;
-mod kinds;
-pub mod order;
 mod periodic;
+pub mod phase_order;
 mod phases;
+pub(super) mod reference_motions;
+mod regimes;
 mod rest_of_period;
-pub(super) mod settled;
+mod second_stage;
 mod slip;
-pub mod stages;
 mod threshold;
+mod transverse;
+pub mod transverse_decay;
 mod units;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::shared::SHARED;
+use super::{by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(
@@ -29,22 +31,22 @@ pub static TOPIC: Topic = Topic::new(
     "Sinusoidal acceleration: stick and slip",
     claims!("../../claims/sinusoidal.toml"),
     &[
-        across::TRIALS,
+        transverse::TRIALS,
         argument::TRIALS,
         attraction::TRIALS,
         certified::TRIALS,
         chains::TRIALS,
-        decay::TRIALS,
+        second_stage::TRIALS,
         drawn::TRIALS,
         exact::TRIALS,
         excepted::TRIALS,
-        kinds::TRIALS,
-        order::TRIALS,
+        regimes::TRIALS,
+        phase_order::TRIALS,
         periodic::TRIALS,
         phases::TRIALS,
         rest_of_period::TRIALS,
         slip::TRIALS,
-        stages::TRIALS,
+        transverse_decay::TRIALS,
         threshold::TRIALS,
         units::TRIALS,
     ],

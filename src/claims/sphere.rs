@@ -1,10 +1,9 @@
 //! A sphere that slips and rolls: the claims.
 
-mod angle;
+pub mod angle;
 mod any_drive;
 mod definitions;
-pub mod drawn;
-mod driven;
+pub mod driven;
 mod every_drive;
 pub mod exact;
 pub mod excepted;
@@ -12,8 +11,10 @@ mod rates;
 mod scaling;
 mod spheres;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand, values};
+use super::shared::SHARED;
+use super::{by_hand, values};
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -1,10 +1,9 @@
 //! The turntable: equations: the claims.
 
+mod analytic_continuation;
 mod complex;
-mod continued;
 mod definitions;
 pub mod drawn;
-mod ends;
 mod energy;
 pub mod exact;
 pub mod excepted;
@@ -12,11 +11,14 @@ pub mod fixed;
 mod frames;
 pub mod projections;
 mod rates;
-mod standstill;
-pub mod stretches;
+mod singular_starts;
+mod start_and_stop;
+pub mod trajectories;
 
-use super::read::claims;
-use super::{SHARED, Topic, by_hand};
+use super::by_hand;
+use super::shared::SHARED;
+use trialbook::claims::Topic;
+use trialbook::claims::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(
@@ -24,10 +26,10 @@ pub static TOPIC: Topic = Topic::new(
     "The turntable: equations",
     claims!("../../claims/turntable.toml"),
     &[
-        continued::TRIALS,
+        analytic_continuation::TRIALS,
         definitions::TRIALS,
         drawn::TRIALS,
-        ends::TRIALS,
+        start_and_stop::TRIALS,
         energy::TRIALS,
         exact::TRIALS,
         excepted::TRIALS,
@@ -35,7 +37,7 @@ pub static TOPIC: Topic = Topic::new(
         frames::TRIALS,
         projections::TRIALS,
         rates::TRIALS,
-        standstill::TRIALS,
+        singular_starts::TRIALS,
     ],
 )
 .sharing(SHARED)

@@ -1,8 +1,8 @@
 //! Numbers of the command line: one, or equally spaced ones; and the grid that several such make.
 
-use crate::claims::solve::{Double, SolveError};
 use crate::numerics::error::plain;
 use crate::numerics::expression::expression;
+use crate::solve::{Double, SolveError};
 use std::str::FromStr;
 
 /// One number, or equally spaced ones.

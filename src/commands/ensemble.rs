@@ -3,9 +3,9 @@
 
 use super::axis::{Axis, Point, is_it_degrees};
 use super::sweep::told;
-use crate::claims::solve::turntable::{End, Horizon, LENGTH, MotionError, SPEED, Start, TIME};
-use crate::claims::solve::{Double, RADIANS, head, known};
 use crate::numerics::error::plain as number;
+use crate::solve::turntable::{End, Horizon, LENGTH, MotionError, SPEED, Start, TIME};
+use crate::solve::{Double, RADIANS, head, known};
 use clap::Args;
 use rayon::prelude::*;
 use serde_json::json;

@@ -1,8 +1,8 @@
 //! Plots of an answer: an SVG file, or dots of Braille in the terminal.
 
-use crate::claims::solve::Curve;
 use crate::figures;
 use crate::numerics::error::plain as number;
+use crate::solve::Curve;
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};

@@ -1,6 +1,6 @@
 //! What is asked of a calculator at one point of a grid.
 
-use crate::claims::solve::{
+use crate::solve::{
     Curve, Double, Field, Report, SolveError, Unit, Value, anisotropic, constant, periodic, rest,
     sinusoidal, sphere, turntable,
 };

@@ -1,16 +1,16 @@
-//! The command `solve`: the calculators of [`crate::claims::solve`].
+//! The command `solve`: the calculators of [`crate::solve`].
 
 use super::axis::{Axis, Point, is_it_degrees};
 use super::plot;
 use super::question::{Asked, Question};
 use super::sweep::{self, aligned};
-use crate::claims::solve::constant::At;
-use crate::claims::solve::turntable::MotionError;
-use crate::claims::solve::{
+use crate::numerics::error::plain as number;
+use crate::solve::constant::At;
+use crate::solve::turntable::MotionError;
+use crate::solve::{
     DIMENSIONLESS, Double, Field, RADIANS, Report, SolveError, Unit, Value, anisotropic, constant,
     periodic, rest, sinusoidal, sphere, turntable,
 };
-use crate::numerics::error::plain as number;
 use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;

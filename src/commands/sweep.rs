@@ -3,8 +3,8 @@
 use super::axis::Point;
 use super::question::Question;
 use super::solve::word;
-use crate::claims::solve::{Field, Report, SolveError, VERSION, Value, head};
 use crate::numerics::error::plain as number;
+use crate::solve::{Field, Report, SolveError, VERSION, Value, head};
 use rayon::prelude::*;
 use serde_json::{Map, json};
 use std::fmt::Write as _;

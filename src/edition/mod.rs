@@ -128,13 +128,14 @@ pub static EDITION: Edition = Edition {
 /// All sources of the crate.
 static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
 
-/// The modules whose sources are shown: what the two sides are made of, and where they meet.
-const SHOWN: [&str; 6] = [
+/// The modules whose sources are shown: what the two sides are made of, where they meet, and the calculators.
+const SHOWN: [&str; 7] = [
     "certified",
     "claims",
     "corrections",
     "motion",
     "paper",
+    "solve",
     "symbols",
 ];
 

@@ -1,9 +1,10 @@
 //! The table of mistakes in the physics, as the committed record has it.
 
-use crate::claims::{PAPER, as_of};
+use crate::claims::PAPER;
 use trialbook::book::{escape, table};
+use trialbook::claims::as_of;
 use trialbook::edition::Filled;
-use trialbook::ledger::plain_words;
+use trialbook::notation::plain_words;
 
 /// What the tool `mutants` wrote.
 const RECORD: &str = include_str!("../../snapshots/physics.csv");

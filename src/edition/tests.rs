@@ -1,8 +1,6 @@
 use super::EDITION;
-use crate::claims::read::File;
-use crate::claims::{Claim, PAPER, Paper, Topic};
+use crate::claims::PAPER;
 use crate::evidence::{Compared, Evidence, Route, Sample, Subject, Tolerance};
-use crate::figures::Figure;
 use crate::ledger::{Entry, Ledger};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -10,7 +8,10 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 use trialbook::book::{self, BookError};
+use trialbook::claims::read::File;
+use trialbook::claims::{Claim, Paper, Topic};
 use trialbook::edition::{Edition, Page};
+use trialbook::figures::Figure;
 
 /// A claim with everything that a box can show, some of it hostile.
 static FULL: Topic = Topic::new(
@@ -126,25 +127,10 @@ fn figures() -> Vec<Figure> {
 
 /// Every file below a folder, by its path from there.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
-    let mut found = BTreeMap::new();
-    let mut open = vec![folder.to_owned()];
-    while let Some(next) = open.pop() {
-        for item in fs::read_dir(next).unwrap() {
-            let path = item.unwrap().path();
-            if path.is_dir() {
-                open.push(path);
-            } else {
-                let name = path
-                    .strip_prefix(folder)
-                    .unwrap()
-                    .to_str()
-                    .unwrap()
-                    .replace('\\', "/");
-                found.insert(name, fs::read(path).unwrap());
-            }
-        }
-    }
-    found
+    let files = book::files_below(folder).unwrap().into_iter();
+    files
+        .map(|(name, path)| (name, fs::read(path).unwrap()))
+        .collect()
 }
 
 /// The values of an attribute in a page.
@@ -471,7 +457,7 @@ fn every_claim_leads_to_its_code() {
         let html = page.split(&start).nth(1).unwrap();
         let html = html.split("</article>").next().unwrap();
         let leads =
-            |word: &str, room: &str| html.contains(&format!("{word} <a href=\"code/{room}/"));
+            |word: &str, module: &str| html.contains(&format!("{word} <a href=\"code/{module}/"));
         assert!(
             leads("motion", "motion") && leads("claim", "claims"),
             "{}",

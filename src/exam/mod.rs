@@ -21,13 +21,13 @@ mod sphere;
 mod tray;
 mod turntable;
 
-use crate::certified::enclosure::Enclosure;
-use crate::certified::error::CertifiedError;
-use crate::certified::interval::Interval;
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
 use crate::numerics::NumericsError;
 use serde::Serialize;
+use trialbook::certified::enclosure::Enclosure;
+use trialbook::certified::error::CertifiedError;
+use trialbook::certified::interval::Interval;
 
 /// A set-up, a question with one answer, and two ways to it. All quantities are dimensionless, in the units that the
 /// set-up names.
@@ -264,8 +264,8 @@ macro_rules! fraction {
 use fraction;
 
 /// n/m as a ball.
-fn ratio(n: i64, m: i64, bits: usize) -> Result<crate::certified::ball::Ball, CertifiedError> {
-    valued(crate::certified::ball::Ball::ratio(n, m, bits))
+fn ratio(n: i64, m: i64, bits: usize) -> Result<trialbook::certified::ball::Ball, CertifiedError> {
+    valued(trialbook::certified::ball::Ball::ratio(n, m, bits))
 }
 
 /// What an operation without a value is.

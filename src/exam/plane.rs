@@ -1,12 +1,12 @@
 //! A block on a plane of constant acceleration, which in its frame is a steady pull.
 
 use super::{Answer, Other, Task, fraction};
-use crate::certified::ball::Ball;
-use crate::certified::enclosure::Enclosure;
-use crate::certified::interval::Interval;
-use crate::certified::root::refine;
 use crate::motion::{Launch, MotionError, Plane, Signal, State, run};
 use std::f64::consts::FRAC_PI_2;
+use trialbook::certified::ball::Ball;
+use trialbook::certified::enclosure::Enclosure;
+use trialbook::certified::interval::Interval;
+use trialbook::certified::root::refine;
 
 /// The block of strong friction, launched across the pull.
 const ACROSS: &str = "A block slides on a horizontal plane with friction λ = μg/A = 3/2 under a steady pull A along x (an inclined \

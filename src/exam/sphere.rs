@@ -1,9 +1,9 @@
 //! A solid ball that slips until it rolls.
 
 use super::{Answer, ExamError, Other, Task, fraction};
-use crate::certified::enclosure::Enclosure;
 use crate::motion::sphere::{Ball, BallMotion, Contact, Sphere};
 use crate::motion::{MotionError, Plane};
+use trialbook::certified::enclosure::Enclosure;
 
 /// The ball of the bowling alley.
 const BOWLED: &str = "A solid ball is put down on a horizontal plane with the velocity v₀ along x and without spin. Units: μg = v₀ = 1.";

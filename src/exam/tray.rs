@@ -1,13 +1,13 @@
 //! A block on a tray that is shaken to and fro.
 
 use super::{Answer, DIMENSIONLESS, ExamError, Other, Task, fraction, valued};
-use crate::certified::ball::Ball;
-use crate::certified::enclosure::Enclosure;
-use crate::certified::error::CertifiedError;
 use crate::certified::{drive, numbers};
 use crate::motion::drive::{Attractor, Drive, DriveError, DriveState, Friction, PlanarState, Sign};
 use crate::motion::{self, Plane, Signal, run};
 use std::f64::consts::TAU;
+use trialbook::certified::ball::Ball;
+use trialbook::certified::enclosure::Enclosure;
+use trialbook::certified::error::CertifiedError;
 
 /// The set-up of a friction λ₀.
 macro_rules! shaken {

@@ -1,7 +1,7 @@
 //! What the book's explorers ask: a few numbers in, the values and curves to show out.
 //!
 //! An explorer is a figure that answers to the hand. Its pictures are drawn in the reader's browser, but nothing is
-//! computed there in another language: the questions below are put to this room, compiled to WebAssembly (see
+//! computed there in another language: the questions below are put to this module, compiled to WebAssembly (see
 //! `book/explorers`). The answers come from [`motion`](crate::motion) alone.
 //!
 //! A question is a number of [`QUESTIONS`] with up to four arguments, its answer a list of values and a list of

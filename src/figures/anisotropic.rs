@@ -3,10 +3,89 @@
 //! All quantities are dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the ratio
 //! of backward to forward friction, φ the phase and 𝔴 the velocity.
 
-use super::{
+use super::AllFiguresError;
+use crate::claims::anisotropic::simulated::Curves;
+use crate::claims::anisotropic::{census as counted, drawn, panels, rows};
+use std::f64::consts::PI;
+use trialbook::figures::{
     Area, Axis, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Stroke, Table,
 };
-use std::f64::consts::PI;
+
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    Ok(vec![
+        region_diagram()?,
+        region_waves()?,
+        region_census()?,
+        region_boundaries()?,
+    ])
+}
+
+pub(super) fn heights(curves: &Curves) -> Heights {
+    Heights {
+        q: curves.q,
+        a: curves.printed.a,
+        b: curves.printed.b,
+        c: curves.printed.c,
+        d: curves.printed.d,
+        e: drawn::on_e(&curves.corrected),
+    }
+}
+
+fn region_map(
+    columns: std::ops::Range<usize>,
+    rows: usize,
+    largest_q: f64,
+) -> Result<Map, AllFiguresError> {
+    let map = drawn::map(columns, rows)?;
+    let count = counted::count(largest_q)?;
+    // A region is at most 5.
+    let cell = |&(at, found, printed): &drawn::Cell| Cell {
+        at,
+        found: found as u8,
+        printed: printed.unwrap_or(0) as u8,
+    };
+    Ok(Map {
+        curves: map.curves.iter().map(heights).collect(),
+        q: map.q,
+        lambda0: map.lambda0,
+        cells: map.cells.iter().map(cell).collect(),
+        corners: drawn::corners()?,
+        count: [count.points, count.printed_wrong, count.corrected_wrong],
+    })
+}
+
+/// fig-5.
+fn region_diagram() -> Result<Figure, AllFiguresError> {
+    Ok(fig5(&region_map(0..180, 180, 7.0)?)?)
+}
+
+/// The census beyond Y.
+fn region_census() -> Result<Figure, AllFiguresError> {
+    let map = region_map(90..330, 36, f64::INFINITY)?;
+    Ok(census(&map)?)
+}
+
+/// fig-6.
+fn region_waves() -> Result<Figure, AllFiguresError> {
+    let waves: Vec<_> = drawn::waves()?.into_iter().zip(panels::PANELS).collect();
+    Ok(fig6(&waves)?)
+}
+
+/// The boundaries for large q.
+fn region_boundaries() -> Result<Figure, AllFiguresError> {
+    let seen = |row: &rows::Row| -> Result<_, AllFiguresError> {
+        Ok(Seen {
+            curves: heights(&Curves::at(row.q)?),
+            rest: row.changes.rest,
+            reversal: row.changes.reversal,
+            backward: row.changes.backward,
+            motion: row.changes.motion,
+        })
+    };
+    let rows = drawn::boundaries()?;
+    let seen = rows.iter().map(seen).collect::<Result<Vec<_>, _>>()?;
+    Ok(far(&seen, rows::far_laws()?)?)
+}
 
 /// Where the curves stand at one q; none where a curve has no point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -321,20 +400,11 @@ pub struct Seen {
     pub motion: f64,
 }
 
-/// A measured power of q + 1.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Law {
-    /// The exponent and its error.
-    pub exponent: (f64, f64),
-    /// The prefactor and its error.
-    pub prefactor: (f64, f64),
-}
-
 /// The boundaries for large q, formulas and simulation.
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn far(seen: &[Seen], laws: [Law; 2]) -> Result<Figure, FigureError> {
+pub fn far(seen: &[Seen], laws: [rows::Law; 2]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "q",
         "lambda_0 on A",
@@ -402,7 +472,7 @@ pub fn far(seen: &[Seen], laws: [Law; 2]) -> Result<Figure, FigureError> {
     )
     .points(found(|s| s.rest).series(0).size(2.4).key("rest appears"));
     let number = |(value, error): (f64, f64)| format!("{value:.7} \\pm {error:.0e}");
-    let law = |law: Law| {
+    let law = |law: rows::Law| {
         format!(
             "$\\lambda_0\\propto(q+1)^n$ with $n={}$ and the prefactor ${}$",
             scientific(&number(law.exponent)),
@@ -433,22 +503,11 @@ fn scientific(number: &str) -> String {
     }
 }
 
-/// One panel of fig-6.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wave {
-    /// The ratio q.
-    pub q: f64,
-    /// The friction λ₀.
-    pub lambda0: f64,
-    /// (φ, 𝔴) over two periods.
-    pub points: Vec<[f64; 2]>,
-}
-
 /// fig-6: the motion over two periods, one panel for each region.
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
+pub fn fig6(waves: &[(Vec<[f64; 2]>, (f64, f64))]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["region", "q", "lambda_0", "phi (rad)", "w"]);
     let ticks = [
         (0.0, "0"),
@@ -469,11 +528,12 @@ pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
              rests; in II it rests once a period, in III twice, in IV it is never negative, in V it is zero.",
         );
     for (name, wave) in ["I", "II", "III", "IV", "V"].into_iter().zip(waves) {
-        for [phi, w] in &wave.points {
-            let head = [name.into(), wave.q.into(), wave.lambda0.into()];
+        let (points, (q, lambda0)) = wave;
+        for [phi, w] in points {
+            let head = [name.into(), q.into(), lambda0.into()];
             table.row(head.into_iter().chain([phi.into(), w.into()]))?;
         }
-        let title = format!("'{name}'\u{2003}q = {}, λ_0 = {}", wave.q, wave.lambda0);
+        let title = format!("'{name}'\u{2003}q = {q}, λ_0 = {lambda0}");
         plot = plot.panel(
             Panel::new(
                 Axis::linear("φ").range(0.0, 4.0 * PI).ticks(ticks),
@@ -481,7 +541,7 @@ pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
             )
             .title(title)
             .height(120.0)
-            .curve(Curve::new(wave.points.iter().copied())),
+            .curve(Curve::new(points.iter().copied())),
         );
     }
     plot.figure(table)

@@ -1,6 +1,28 @@
-//! The figure of the digits that the calculators claim.
+//! The figure of the digits that the calculators claim, from the recorded counts.
 
-use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+use super::AllFiguresError;
+use trialbook::claims::as_of;
+use trialbook::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+
+/// Counted by `tests/digits`, which in the deep tier also tries whether it still holds.
+const RECORD: &str = include_str!("../../snapshots/digits.csv");
+
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    let counts: Vec<Count> = RECORD.lines().skip(1).filter_map(count).collect();
+    Ok(vec![digits(&counts, as_of(RECORD))?])
+}
+
+/// A line of the record, if it is one.
+fn count(line: &str) -> Option<Count> {
+    let mut cells = line.rsplitn(4, ',');
+    let [cases, true_digits, claimed] = [cells.next()?, cells.next()?, cells.next()?];
+    Some(Count {
+        calculator: cells.next()?.to_owned(),
+        claimed: claimed.parse().ok()?,
+        true_digits: true_digits.parse().ok()?,
+        cases: cases.parse().ok()?,
+    })
+}
 
 /// How often an answer claimed so many digits, and so many were true.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -45,7 +67,7 @@ pub fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
     }
     let cells = cells(counts);
     let class = |cases: &usize| match cases {
-        0 => super::BLANK,
+        0 => trialbook::figures::BLANK,
         1..10 => 0,
         10..100 => 1,
         100..1000 => 2,

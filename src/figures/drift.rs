@@ -1,21 +1,14 @@
 //! The figure of the drift under anisotropic friction, and of what it costs. Dimensionless, as in [`super::anisotropic`].
 
-use super::anisotropic::Heights;
-use super::{Axis, BLANK, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+use super::AllFiguresError;
+use super::anisotropic::{Heights, heights};
+use crate::claims::anisotropic::drawn::{self, Budgets};
+use trialbook::figures::{
+    Axis, BLANK, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table,
+};
 
-/// Drift and loss over a part of the plane of q and λ₀.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Budgets {
-    /// The curves, in order of q.
-    pub curves: Vec<Heights>,
-    /// The cells' number along q and along λ₀.
-    pub shape: (usize, usize),
-    /// The ends along q.
-    pub q: (f64, f64),
-    /// The ends along λ₀.
-    pub lambda0: (f64, f64),
-    /// The mean velocity and what friction takes in a period, row by row from the lowest λ₀.
-    pub cells: Vec<[f64; 2]>,
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    Ok(vec![drift(&drawn::budgets()?)?])
 }
 
 /// Ends of the bands of the mean velocity, from 0 on.
@@ -74,7 +67,8 @@ fn map(budgets: &Budgets, title: &str, which: usize, ends: &[f64]) -> Result<Pan
         let points = budgets
             .curves
             .iter()
-            .filter_map(move |h| Some([h.q, of(h)?]));
+            .map(heights)
+            .filter_map(move |h| Some([h.q, of(&h)?]));
         Curve::new(points).ink().width(1.0)
     };
     Ok(Panel::new(

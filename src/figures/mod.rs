@@ -1,26 +1,74 @@
-//! The figures of the book: functions from data to a drawing with its numbers, made with the tools of
-//! [`trialbook::figures`].
-//!
-//! A figure never computes physics. Whoever calls it integrates, counts or bisects, and hands plain data over; a function
-//! here, such as [`constant::fig1`], turns them into a [`Figure`].
+//! The figures of the book, a file for each topic: from the data that the trials use, or that are integrated, counted and bisected here, to a
+//! drawing with its numbers, made with the tools of [`trialbook::figures`].
 
-mod all;
-pub mod anisotropic;
-pub mod constant;
-pub mod digits;
-pub mod drift;
-pub mod escape;
-pub mod exam;
-pub mod periodic;
-pub mod rest;
-pub mod sinusoidal;
+mod anisotropic;
+mod constant;
+mod digits;
+mod drift;
+mod escape;
+mod exam;
+mod fates;
+mod periodic;
+mod rest;
+mod sinusoidal;
 pub mod solve;
-pub mod sphere;
+mod sphere;
 #[cfg(test)]
 mod tests;
-pub mod turntable;
+mod turntable;
 
-pub use all::{AllFiguresError, all};
+use crate::motion::MotionError;
+use crate::motion::drive::DriveError;
+use rayon::prelude::*;
+use trialbook::claims::compare::Failure;
+use trialbook::figures::{Figure, FigureError};
+
+/// Why a figure has no data or cannot be drawn.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum AllFiguresError {
+    /// A motion that cannot be followed.
+    #[error("a figure's motion: {0}")]
+    Motion(#[from] MotionError),
+    /// A driven motion that cannot be followed.
+    #[error("a figure's driven motion: {0}")]
+    Drive(#[from] DriveError),
+    /// Data that a trial could not provide.
+    #[error("a figure's data: {0}")]
+    Data(String),
+    /// Data that cannot be drawn.
+    #[error("a figure: {0}")]
+    Figure(#[from] FigureError),
+}
+
+impl From<Failure> for AllFiguresError {
+    fn from(failure: Failure) -> Self {
+        Self::Data(failure.to_string())
+    }
+}
+
+/// Every figure, in the order of the book.
+///
+/// # Errors
+/// [`AllFiguresError`] if a motion cannot be followed or its data not be drawn.
+pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
+    let topics = [
+        constant::figures,
+        sinusoidal::figures,
+        periodic::figures,
+        anisotropic::figures,
+        drift::figures,
+        sphere::figures,
+        turntable::figures,
+        escape::figures,
+        fates::figures,
+        rest::figures,
+        digits::figures,
+        exam::figures,
+    ];
+    let made: Result<Vec<_>, _> = topics.into_par_iter().map(|figures| figures()).collect();
+    Ok(made?.into_iter().flatten().collect())
+}
 
 /// Which figure of the paper one of ours is drawn after: by its caption and the marks on its axes alone.
 fn after(id: &str) -> String {
@@ -29,8 +77,3 @@ fn after(id: &str) -> String {
         "After figure {number} of the paper, by its caption and marks; its source has no pictures, and we have not seen that one."
     )
 }
-
-pub use trialbook::figures::{
-    Align, Area, Axis, BLANK, Cell, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points,
-    Raster, Rule, Stroke, Table,
-};

@@ -3,29 +3,22 @@
 //! All dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| = 1, λ₀ the
 //! friction, η the share of a half period that a pulse fills.
 
-use super::{
+use super::AllFiguresError;
+use crate::claims::periodic::drawn::{self, Row, Wave};
+use crate::claims::periodic::drives::Phase;
+use std::f64::consts::{PI, TAU};
+use trialbook::figures::{
     Area, Axis, Curve, Figure, FigureError, Note, Panel, Plot, Points, Raster, Stroke, Table,
 };
-use std::f64::consts::{PI, TAU};
 
-/// What becomes of a motion.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fate {
-    /// It grows for ever.
-    Drifts,
-    /// It becomes periodic, with this many rests per period.
-    Rests(usize),
-}
-
-/// One drive of the census.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CensusRow {
-    /// The drive's name.
-    pub name: String,
-    /// The mean of |h| over a period.
-    pub mean_size: f64,
-    /// What becomes of the motion in equally wide cells of 0 < λ₀ < 1.
-    pub fates: Vec<Fate>,
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    let side = 140;
+    Ok(vec![
+        census(&drawn::census(400)?)?,
+        pulse_waves(drawn::ETA, &drawn::pulse_waves()?)?,
+        rest_shares(side, &drawn::shares(side)?)?,
+        come_and_go(&drawn::come_and_go()?)?,
+    ])
 }
 
 /// Kinds in the census: no rest, one to four or more, drift.
@@ -35,30 +28,26 @@ const DRIFT: u8 = 5;
 /// How often a motion rests in each period, for several drives over 0 < λ₀ < 1; the first drive on top.
 ///
 /// Fails as [`Plot::figure`] does, and as [`Raster::new`] for rows of different lengths.
-pub fn census(rows: &[CensusRow]) -> Result<Figure, FigureError> {
+pub fn census(rows: &[Row]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["drive", "lambda_0", "rests per period"]);
     let mut cells = Vec::new();
-    let columns = rows.first().map_or(0, |row| row.fates.len());
+    let columns = rows.first().map_or(0, |row| row.phases.len());
     for row in rows.iter().rev() {
-        for (k, fate) in row.fates.iter().enumerate() {
-            let lambda = (k as f64 + 0.5) / row.fates.len() as f64;
-            let (class, words) = match *fate {
-                Fate::Drifts => (DRIFT, "drifts".into()),
-                Fate::Rests(n) => (n.min(FOUR_OR_MORE) as u8, n.to_string()),
+        for (k, phase) in row.phases.iter().enumerate() {
+            let lambda = (k as f64 + 0.5) / row.phases.len() as f64;
+            let (class, words) = match rests_of(*phase) {
+                None => (DRIFT, "drifts".into()),
+                Some(n) => (n.min(FOUR_OR_MORE) as u8, n.to_string()),
             };
             cells.push(class);
-            table.row([
-                row.name.as_str().into(),
-                lambda.into(),
-                words.as_str().into(),
-            ])?;
+            table.row([row.name.into(), lambda.into(), words.as_str().into()])?;
         }
     }
     let names: Vec<(f64, String)> = rows
         .iter()
         .rev()
         .enumerate()
-        .map(|(k, row)| (k as f64 + 0.5, row.name.clone()))
+        .map(|(k, row)| (k as f64 + 0.5, row.name.to_owned()))
         .collect();
     let bounds = rows.iter().rev().enumerate();
     let bounds: Vec<[f64; 2]> = bounds
@@ -86,11 +75,8 @@ pub fn census(rows: &[CensusRow]) -> Result<Figure, FigureError> {
         panel = panel.curve(Curve::new([[0.0, y], [1.0, y]]).ink().width(0.8));
     }
     for (k, row) in rows.iter().rev().enumerate() {
-        for (at, fate) in wide_bands(&row.fates) {
-            let words = match fate {
-                Fate::Drifts => "∞".to_owned(),
-                Fate::Rests(n) => n.to_string(),
-            };
+        for (at, rests) in wide_bands(&row.phases) {
+            let words = rests.map_or("∞".to_owned(), |n| n.to_string());
             let clear = (at - row.mean_size).abs() > 0.03;
             let at = if clear { at } else { row.mean_size - 0.05 };
             panel = panel.note(Note::new([at, k as f64 + 0.5], words));
@@ -114,8 +100,18 @@ pub fn census(rows: &[CensusRow]) -> Result<Figure, FigureError> {
         .figure(table)
 }
 
+/// Rests per period; at rest for ever is one rest, and a motion that drifts has no number of them.
+fn rests_of(phase: Phase) -> Option<usize> {
+    match phase {
+        Phase::Rests(rests) => Some(rests),
+        Phase::Still => Some(1),
+        Phase::Drifts => None,
+    }
+}
+
 /// The middles of the bands of one fate that have room for a number.
-fn wide_bands(fates: &[Fate]) -> Vec<(f64, Fate)> {
+fn wide_bands(phases: &[Phase]) -> Vec<(f64, Option<usize>)> {
+    let fates: Vec<_> = phases.iter().copied().map(rests_of).collect();
     let cell = 1.0 / fates.len() as f64;
     let mut start = 0.0;
     let bands = fates.chunk_by(|a, b| a == b).map(|band| {
@@ -125,17 +121,6 @@ fn wide_bands(fates: &[Fate]) -> Vec<(f64, Fate)> {
     });
     let wide = bands.filter(|(_, width, _)| *width > 0.06);
     wide.map(|(middle, _, fate)| (middle, fate)).collect()
-}
-
-/// A periodic motion and its drive over two periods.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Wave {
-    /// λ₀.
-    pub lambda: f64,
-    /// Rests per period.
-    pub rests: usize,
-    /// (φ, h, 𝔴) from φ = 0 to 4π.
-    pub points: Vec<[f64; 3]>,
 }
 
 fn phases(label: &str) -> Axis {

@@ -1,6 +1,185 @@
-//! The figures of section 4, rest. All dimensionless: lengths in μg/Ω², times in 1/Ω.
+//! The figures of section 4, the boundary of rest. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table};
+use super::AllFiguresError;
+use crate::claims::rest::boundary;
+use crate::motion::MotionError;
+use crate::motion::turntable::ensemble::rests;
+use crate::motion::turntable::intrinsic::Run;
+use crate::motion::turntable::{Fate, Start, fate};
+use std::f64::consts::PI;
+use trialbook::figures::{
+    Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table,
+};
+
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    Ok(vec![censuses()?, borders()?, phase_space()?])
+}
+
+/// Angles at which the level lines of the boundary are found: enough that no corner is seen.
+const ANGLES: i32 = 192;
+
+/// Largest α of the picture of the phase space.
+const REACH: f64 = 0.75;
+
+/// Steps in α from rest, one of which goes across a level line.
+const STEP: f64 = 0.05;
+const STEPS: i32 = 30;
+
+/// Halvings of such a step.
+const HALVINGS: i32 = 9;
+
+/// The level line of the boundary at this A: for each angle the first α from which the particle escapes.
+fn level(a: f64) -> Result<Level, AllFiguresError> {
+    let angle = |k: i32| 2.0 * PI * f64::from(k) / f64::from(ANGLES) - PI;
+    let angles: Vec<f64> = (0..=ANGLES).map(angle).collect();
+    let escapes = |alphas: &[f64]| -> Result<Vec<bool>, MotionError> {
+        let start = |(alpha, psi): (&f64, &f64)| Start::hyperbolic(a, *alpha, *psi);
+        let starts: Result<Vec<_>, _> = alphas.iter().zip(&angles).map(start).collect();
+        Ok(rests(&starts?)?
+            .iter()
+            .map(|rests| *rests == Some(false))
+            .collect())
+    };
+    // A particle at rest (α = 0) stays so for A < 1.
+    let mut alphas = vec![f64::NAN; angles.len()];
+    for step in 1..=STEPS {
+        let alpha = STEP * f64::from(step);
+        let all = vec![alpha; angles.len()];
+        for (first, escapes) in alphas.iter_mut().zip(escapes(&all)?) {
+            if escapes && first.is_nan() {
+                *first = alpha;
+            }
+        }
+    }
+    if alphas.iter().any(|alpha| alpha.is_nan()) {
+        return Err(AllFiguresError::Data(format!(
+            "A = {a}: no particle escapes"
+        )));
+    }
+    for halving in 1..=HALVINGS {
+        let width = STEP / f64::from(1 << halving);
+        let below: Vec<f64> = alphas.iter().map(|alpha| alpha - width).collect();
+        for ((alpha, below), escapes) in alphas.iter_mut().zip(&below).zip(escapes(&below)?) {
+            if escapes {
+                *alpha = *below;
+            }
+        }
+    }
+    Ok(Level {
+        a,
+        found: std::iter::zip(alphas, angles)
+            .map(|(alpha, psi)| [alpha, psi])
+            .collect(),
+        printed: boundary::printed_alpha(a),
+    })
+}
+
+/// The phase space from above: level lines of the boundary, and motions.
+fn phase_space() -> Result<Figure, AllFiguresError> {
+    let motion = |[a, alpha, psi]: [f64; 3]| -> Result<_, MotionError> {
+        let start = Start::hyperbolic(a, alpha, psi)?;
+        let rests = matches!(fate(&start)?, Fate::Rest { .. });
+        let run = Run::new(&start, 8.0)?;
+        let there = |tau: f64| run.at(tau).map(|x| x.alpha().map(|alpha| [alpha, x.psi()]));
+        let way = (0..=800).map(|i| there(0.01 * f64::from(i)));
+        let way: Vec<_> = way.collect::<Result<_, _>>()?;
+        // Angle and α of a particle at rest are no more.
+        let way = way.into_iter().flatten().filter(|[alpha, _]| *alpha > 1e-4);
+        Ok(Motion {
+            rests,
+            way: way.take_while(|[alpha, _]| *alpha < REACH).collect(),
+        })
+    };
+    let levels: Result<Vec<_>, AllFiguresError> =
+        [0.9, 0.8, 0.7, 0.6].into_iter().map(level).collect();
+    let starts = [
+        [0.7, 0.6, 2.4],
+        [0.7, 0.6, 1.2],
+        [0.8, 0.4, -2.4],
+        [0.9, 0.3, -1.2],
+    ];
+    let motions: Result<Vec<_>, _> = starts.into_iter().map(motion).collect();
+    Ok(space(&levels?, &motions?, REACH)?)
+}
+
+/// Cells along each side of the census.
+const SIDE: usize = 60;
+
+fn censuses() -> Result<Figure, AllFiguresError> {
+    let (alphas, sizes) = ((0.0, 0.3), (0.6, 1.05));
+    let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / SIDE as f64;
+    let one = |(name, psi): (&'static str, f64)| -> Result<_, AllFiguresError> {
+        let start = |k: usize| Start::hyperbolic(at(sizes, k / SIDE), at(alphas, k % SIDE), psi);
+        let starts: Result<Vec<_>, _> = (0..SIDE * SIDE).map(start).collect();
+        let certain: Option<Vec<bool>> = rests(&starts?)?.into_iter().collect();
+        let undecided = || AllFiguresError::Data("the fate of a cell is not certain".into());
+        let line = |f: &dyn Fn(f64) -> f64| {
+            let alphas = (0..=60).map(|i| 0.005 * f64::from(i));
+            alphas.map(|alpha| [alpha, f(alpha)]).collect()
+        };
+        Ok(Census {
+            psi: name,
+            side: SIDE,
+            rests: certain.ok_or_else(undecided)?,
+            alpha: alphas,
+            a: sizes,
+            printed: line(&boundary::printed_a),
+            corrected: line(&|alpha| boundary::corrected_a(alpha, psi)),
+            found: edge(alphas.1, sizes, psi)?,
+        })
+    };
+    let angles = [("0", 0.0), ("π/2", PI / 2.0), ("5π/6", 5.0 * PI / 6.0)];
+    let list: Result<Vec<_>, _> = angles.into_iter().map(one).collect();
+    Ok(census(&list?)?)
+}
+
+/// The A at which rest turns into escape, for α out to `far`; at rest it is 1.
+fn edge(far: f64, (low, high): (f64, f64), psi: f64) -> Result<Vec<[f64; 2]>, AllFiguresError> {
+    let alphas: Vec<f64> = (1..=30).map(|k| far * f64::from(k) / 30.0).collect();
+    let mut bounds = vec![(low, high); alphas.len()];
+    for _ in 0..=HALVINGS {
+        let start = |(alpha, (low, high)): (&f64, &(f64, f64))| {
+            Start::hyperbolic(0.5 * (low + high), *alpha, psi)
+        };
+        let starts: Result<Vec<_>, _> = alphas.iter().zip(&bounds).map(start).collect();
+        for ((low, high), rest) in bounds.iter_mut().zip(rests(&starts?)?) {
+            let middle = 0.5 * (*low + *high);
+            if rest == Some(true) {
+                *low = middle;
+            } else {
+                *high = middle;
+            }
+        }
+    }
+    let found = alphas.iter().zip(&bounds);
+    let found = found.map(|(alpha, (low, high))| [*alpha, 0.5 * (low + high)]);
+    Ok(std::iter::once([0.0, 1.0]).chain(found).collect())
+}
+
+/// The boundary by bisection at the trials' points.
+fn borders() -> Result<Figure, AllFiguresError> {
+    let mut list: Vec<Around> = Vec::new();
+    for border in boundary::borders() {
+        let border = border?;
+        let known = list.iter().position(|one| one.alpha == border.alpha);
+        let index = known.unwrap_or_else(|| {
+            let angles = (0..=120).map(|k| PI * (f64::from(k) - 60.0) / 60.0);
+            let corrected = |psi| [psi, boundary::corrected_a(border.alpha, psi)];
+            list.push(Around {
+                alpha: border.alpha,
+                found: Vec::new(),
+                corrected: angles.map(corrected).collect(),
+                printed: boundary::printed_a(border.alpha),
+            });
+            list.len() - 1
+        });
+        list[index].found.push([border.psi, border.a]);
+    }
+    // The smallest first: it is the nearest to the limit. The largest is beyond the reach of second order.
+    list.retain(|one| one.alpha < 0.2);
+    list.reverse();
+    Ok(around(&list)?)
+}
 
 /// A census of starts in the (α, A) plane at one ψ.
 #[derive(Debug, Clone, PartialEq)]
@@ -232,278 +411,6 @@ pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure,
             "A polar diagram. Closed lines around the middle, one for each A, the narrower the larger A is; each \
              bulges far to the left, where the particle moves inwards. The printed circles do not follow them. Four curves with arrows \
              run in from the left; some end in the middle, some leave to the right.",
-        )
-        .panel(panel)
-        .figure(table)
-}
-
-/// Resting places against a start.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Resting {
-    /// What is varied, for the axis.
-    pub axis: &'static str,
-    /// The same for the table.
-    pub name: &'static str,
-    /// (start, σ).
-    pub points: Vec<[f64; 2]>,
-    /// The start beyond which it escapes.
-    pub critical: f64,
-}
-
-/// Where a particle comes to rest against how it starts in the laboratory.
-///
-/// Fails as [`Plot::figure`] does.
-pub fn resting(list: &[Resting]) -> Result<Figure, FigureError> {
-    let mut table = Table::new(&["start", "value", "sigma"]);
-    let mut plot = Plot::new("rest-radius", "Where a particle comes to rest")
-        .caption(
-            "Distance $\\sigma$ from the axis at which a particle comes to rest on the table: put down at rest in the \
-             laboratory at the distance $\\rho_0$, and launched from the axis with the speed $u_0$. At the dashed line \
-             $\\sigma$ reaches 1, with a vertical tangent; beyond it the particle goes away.",
-        )
-        .alt(
-            "Two panels. In each a curve rises from the origin, ever more steeply, and ends at σ = 1 on a dashed \
-             vertical line.",
-        );
-    for one in list {
-        for [start, sigma] in &one.points {
-            table.row([one.name.into(), (*start).into(), (*sigma).into()])?;
-        }
-        let panel = Panel::new(
-            Axis::linear(one.axis).range(0.0, 1.25),
-            Axis::linear("σ").range(0.0, 1.05),
-        )
-        .height(230.0)
-        .curve(Curve::new(one.points.iter().copied()))
-        .rule(Rule::vertical(one.critical).key(format!("critical: {:.6}", one.critical)));
-        plot = plot.panel(panel);
-    }
-    plot.figure(table)
-}
-
-/// Which starts come to rest, at a distance from the axis with a velocity in the laboratory in one direction.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Basin {
-    /// The direction of the velocity, for the axis and the title.
-    pub axis: &'static str,
-    /// The same in words.
-    pub name: &'static str,
-    /// Cells along each side; cells row by row from the lowest velocity, true for rest.
-    pub side: usize,
-    /// Rest or not.
-    pub rests: Vec<bool>,
-    /// Ends of the axis of the distance.
-    pub distance: (f64, f64),
-    /// Ends of the axis of the velocity.
-    pub speed: (f64, f64),
-    /// Points on the axes beyond which a particle escapes.
-    pub critical: Vec<[f64; 2]>,
-}
-
-/// Who comes to rest, by place and velocity in the laboratory; the second panel has the velocity of the table too.
-///
-/// Fails as [`Plot::figure`] and [`Raster::new`] do.
-pub fn basin(list: &[Basin]) -> Result<Figure, FigureError> {
-    let mut table = Table::new(&["velocity", "distance", "size", "rests"]);
-    let mut plot = Plot::new("rest-basin", "Who comes to rest, seen from the laboratory")
-        .caption(
-            "What becomes of a particle that starts at the distance $\\rho$ from the axis with a velocity in the laboratory \
-             straight outwards (first panel) or along the motion of the table (second panel). The dots are the critical \
-             radius and the critical speed. On the dotted line the particle moves with the table; it stays \
-             there as long as $\\rho\\le1$.",
-        )
-        .alt(
-            "Two panels with the distance from 0 to 1.3 along the horizontal axis and the velocity from −1.6 to 1.6 along the \
-             vertical one. In the first the border of the shaded region of rest slopes from the critical speed through the \
-             critical radius, and inward velocities of any size shown lead to rest from some distance on; in the second the \
-             region ends in a tip that follows the dotted line.",
-        );
-    for (n, basin) in list.iter().enumerate() {
-        let side = basin.side as f64;
-        let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / side;
-        for (k, rests) in basin.rests.iter().enumerate() {
-            table.row([
-                basin.name.into(),
-                at(basin.distance, k % basin.side).into(),
-                at(basin.speed, k / basin.side).into(),
-                f64::from(u8::from(*rests)).into(),
-            ])?;
-        }
-        let cells = basin.rests.iter().map(|rests| u8::from(!rests)).collect();
-        let raster = Raster::new(basin.side, basin.side, basin.distance, basin.speed, cells)?
-            .class("rest", 0, 0.35)
-            .class("escape", 1, 0.08);
-        let mut panel = Panel::new(
-            Axis::linear("ρ").range(basin.distance.0, basin.distance.1),
-            Axis::linear(basin.axis).range(basin.speed.0, basin.speed.1),
-        )
-        .title(basin.name)
-        .height(270.0)
-        .raster(raster)
-        .points(Points::new(basin.critical.iter().copied()).ink());
-        if n == 1 {
-            panel = panel.curve(
-                Curve::new([[0.0, 0.0], [1.0, 1.0]])
-                    .ink()
-                    .stroke(Stroke::Dotted),
-            );
-        }
-        plot = plot.panel(panel);
-    }
-    plot.figure(table)
-}
-
-/// Fates at one A: simulated, and proved on both sides of a line.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fates {
-    /// A.
-    pub a: f64,
-    /// Cells along each side; cells row by row from the lowest α, true for rest.
-    pub side: usize,
-    /// Rest or not, by simulation.
-    pub simulated: Vec<bool>,
-    /// Largest α.
-    pub reach: f64,
-    /// (ψ, α) below which all are proved to come to rest.
-    pub rests: Vec<[f64; 2]>,
-    /// (ψ, α) above which all are proved to escape.
-    pub escapes: Vec<[f64; 2]>,
-    /// (ψ, α) on the boundary, by simulation, in the part that is shown larger.
-    pub found: Vec<[f64; 2]>,
-}
-
-/// Maps of fates, and a part of the last one so large that the gap between what is proved on both sides is seen;
-/// `as_of` says when it was proved.
-///
-/// Fails as [`Plot::figure`] and [`Raster::new`] do.
-pub fn fates(list: &[Fates], as_of: &str) -> Result<Figure, FigureError> {
-    use std::f64::consts::PI;
-    let mut table = Table::new(&["A", "psi (rad)", "alpha", "proved"]);
-    let mut plot = Plot::new("rest-fates", "Who comes to rest, proved")
-        .caption(format!(
-            "Sections through the phase space. Shaded: cells whose middle comes to rest, by simulation. The two lines, \
-             which cannot be told apart, are proved by validated integration: from every start below the lower one the \
-             particle comes to rest, from every start shown above the upper one it escapes. The last panel magnifies a piece of the \
-             third until the two lines separate, solid for rest and dashed for escape; the dots between them, just above the \
-             solid one, are the simulated boundary. {as_of}.",
-        ))
-        .alt(
-            "Three panels with ψ from −π to π to the right and α from 0 to 1.5 upwards. Shaded is what lies below a curve that \
-             is lowest near ψ = 0 and rises towards both sides; the larger A, the lower it runs. In a fourth panel two lines \
-             run side by side, with dots between them.",
-        );
-    let section = |reach| {
-        let angles = [(-PI, "−π"), (0.0, "0"), (PI, "π")];
-        let psi = Axis::linear("ψ").range(-PI, PI).ticks(angles);
-        Panel::new(psi, Axis::linear("α").range(0.0, reach)).height(240.0)
-    };
-    for map in list {
-        for (proved, edge) in [
-            ("rest", &map.rests),
-            ("escape", &map.escapes),
-            ("neither: the boundary by simulation", &map.found),
-        ] {
-            for [psi, alpha] in edge {
-                table.row([map.a.into(), (*psi).into(), (*alpha).into(), proved.into()])?;
-            }
-        }
-        let cells = map.simulated.iter().map(|rests| u8::from(!rests)).collect();
-        let raster = Raster::new(map.side, map.side, (-PI, PI), (0.0, map.reach), cells)?
-            .class("rest", 0, 0.35)
-            .class("escape", 1, 0.08);
-        let within = |edge: &[[f64; 2]]| {
-            Curve::new(edge.iter().map(|&[psi, alpha]| [psi.clamp(-PI, PI), alpha])).ink()
-        };
-        let panel = section(map.reach)
-            .title(format!("A = {}", map.a))
-            .raster(raster)
-            .curve(within(&map.rests))
-            .curve(within(&map.escapes));
-        plot = plot.panel(panel);
-    }
-    // Without a record the section is bare.
-    let last = list.last().map_or_else(|| section(1.0), larger);
-    plot.panel(last).figure(table)
-}
-
-/// The part of a map about the dots.
-fn larger(map: &Fates) -> Panel {
-    let ends = |axis: usize| {
-        let along = map.found.iter().map(|point| point[axis]);
-        along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
-            (low.min(x), high.max(x))
-        })
-    };
-    let (from, to) = ends(0);
-    let (low, high) = ends(1);
-    let room = 5e-4 * map.reach;
-    let edge = |edge: &[[f64; 2]]| Curve::new(between(edge, (from, to))).ink();
-    Panel::new(
-        Axis::linear("ψ").range(from, to),
-        Axis::linear("α").range(low - room, high + room),
-    )
-    .title(format!("A = {}, larger", map.a))
-    .height(240.0)
-    .curve(edge(&map.rests))
-    .curve(edge(&map.escapes).stroke(Stroke::Dashed))
-    .points(Points::new(map.found.iter().copied()).ink())
-}
-
-/// The piece of a line between two values of its first coordinate.
-fn between(line: &[[f64; 2]], (from, to): (f64, f64)) -> Vec<[f64; 2]> {
-    let mut piece = Vec::new();
-    for ends in line.windows(2) {
-        let [[x0, y0], [x1, y1]] = [ends[0], ends[1]];
-        let (left, right) = (x0.max(from), x1.min(to));
-        if left < right {
-            piece.extend([left, right].map(|x| [x, y0 + (x - x0) / (x1 - x0) * (y1 - y0)]));
-        }
-    }
-    piece
-}
-
-/// A stop: the velocity on the table, along the position and counterclockwise across it.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Stop {
-    /// How it began.
-    pub name: String,
-    /// (τ, outward, across).
-    pub points: Vec<[f64; 3]>,
-}
-
-/// Hodographs of stops on the table.
-///
-/// Fails as [`Plot::figure`] does.
-pub fn hodographs(stops: &[Stop]) -> Result<Figure, FigureError> {
-    let mut table = Table::new(&["start", "tau", "outward", "across"]);
-    let mut panel = Panel::new(
-        Axis::linear("p cos ψ").range(-0.4, 0.4),
-        Axis::linear("−p sin ψ").range(-0.9, 0.2),
-    )
-    .height(330.0);
-    for (n, stop) in stops.iter().enumerate() {
-        for [tau, outward, across] in &stop.points {
-            table.row([
-                stop.name.as_str().into(),
-                (*tau).into(),
-                (*outward).into(),
-                (*across).into(),
-            ])?;
-        }
-        let curve = Curve::new(stop.points.iter().map(|&[_, x, y]| [x, y]));
-        panel = panel.curve(curve.series(n).arrows(&[0.5]).key(stop.name.clone()));
-    }
-    Plot::new("rest-hodograph", "The velocity of a stopping particle")
-        .caption(
-            "Hodographs on the table: the velocity's outward component and the one in the sense of the table's rotation. \
-             Particles put down at rest in the laboratory, and one that slides straight in. A stop is the point in the middle. \
-             All but the last arrive there moving outwards, with $\\psi\\to0$; for $\\sigma$ close to 1 the turn is done long before the stop. The \
-             last one, with $\\psi\\to\\pi$, arrives from the other side.",
-        )
-        .alt(
-            "Curves in the plane of the velocity. They start on the negative vertical axis, bend towards positive horizontal \
-             velocities and run into the origin along the horizontal axis. A single curve comes from negative horizontal \
-             velocities.",
         )
         .panel(panel)
         .figure(table)

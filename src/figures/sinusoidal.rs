@@ -3,18 +3,54 @@
 //! Without units throughout: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one across it,
 //! λ₀ the friction over the drive's amplitude.
 
-use super::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
+use super::AllFiguresError;
+use crate::claims::sinusoidal::drawn::{self, Transient};
 use std::f64::consts::PI;
+use trialbook::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
 
-/// A motion that began with a velocity across the drive.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Transient {
-    /// λ₀.
-    pub lambda: f64,
-    /// 𝔴_y at the start.
-    pub w_y: f64,
-    /// (φ, 𝔴) in order.
-    pub points: Vec<[f64; 2]>,
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    let curves = drawn::transients()?;
+    let panel = |lambda: f64, title: &'static str| {
+        let own = curves.iter().filter(|curve| curve.lambda == lambda);
+        (title, own.collect())
+    };
+    let small = drawn::two_periods(drawn::SMALL)?;
+    let large = drawn::two_periods(drawn::LARGE)?;
+    let depths =
+        |lambda: f64| -> Result<_, AllFiguresError> { Ok((lambda, drawn::depths(lambda)?)) };
+    let periodic = |lambda: f64| -> Result<_, AllFiguresError> {
+        let mut points = drawn::two_periods(lambda)?;
+        points.truncate(points.len() / 2 + 1);
+        Ok((lambda, points))
+    };
+    let decays: Result<Vec<_>, _> = [0.1, 0.2, 0.3, 0.45].into_iter().map(depths).collect();
+    let motions: Result<Vec<_>, _> = [0.1, 0.3, 0.5, 0.6, 0.8]
+        .into_iter()
+        .map(periodic)
+        .collect();
+    Ok(vec![
+        fig2(&[
+            panel(drawn::SMALL, "λ_0 = 1/π"),
+            panel(drawn::LARGE, "λ_0 = 1/√2"),
+        ])?,
+        two_periods(&TwoPeriods {
+            id: "fig-3",
+            lambda: "1/π",
+            top: 1.0,
+            mark: 0.8,
+            points: &small,
+        })?,
+        two_periods(&TwoPeriods {
+            id: "fig-4",
+            lambda: "1/√2",
+            top: 0.35,
+            mark: 0.3,
+            points: &large,
+        })?,
+        decay(&decays?)?,
+        rest_share(&drawn::rest_shares()?, drawn::critical())?,
+        family(&motions?)?,
+    ])
 }
 
 /// Ticks at whole multiples of π, every second one with a label.
@@ -30,7 +66,7 @@ fn multiples_of_pi(last: i32) -> Vec<(f64, String)> {
 /// fig-2: 𝔴 against φ, one panel for each λ₀, one curve for each initial 𝔴_y.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
-pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> {
+pub fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "w_y at phi = 0", "phi (rad)", "w"]);
     let mut plot = Plot::new("fig-2", "The way to the large-time motion")
         .caption(format!(
@@ -49,14 +85,19 @@ pub fn fig2(panels: &[(String, Vec<Transient>)]) -> Result<Figure, FigureError> 
                 .ticks(multiples_of_pi(8)),
             Axis::linear("𝔴"),
         )
-        .title(title.clone())
+        .title(*title)
         .height(210.0);
         for (n, curve) in curves.iter().enumerate() {
-            for [phi, w] in &curve.points {
-                table.row([curve.lambda.into(), curve.w_y.into(), phi.into(), w.into()])?;
+            for state in &curve.states {
+                let row = [curve.lambda, curve.w_y, state.phi, state.w_x];
+                table.row(row.map(|value| value.into()))?;
             }
             let key = format!("𝔴_y = {}", curve.w_y);
-            panel = panel.curve(Curve::new(curve.points.iter().copied()).series(n).key(key));
+            panel = panel.curve(
+                Curve::new(curve.states.iter().map(|s| [s.phi, s.w_x]))
+                    .series(n)
+                    .key(key),
+            );
         }
         plot = plot.panel(panel);
     }
@@ -130,31 +171,25 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
         .figure(table)
 }
 
-/// How ln 𝔴_y falls, for one λ₀.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Decay {
-    /// λ₀.
-    pub lambda: f64,
-    /// (periods, −ln 𝔴_y) at whole periods, as long as 𝔴_y is not zero.
-    pub points: Vec<[f64; 2]>,
-}
+/// λ₀, and points.
+type Curved = (f64, Vec<[f64; 2]>);
 
-/// The growth of −ln 𝔴_y, period by period, on a logarithmic axis.
+/// The growth of −ln 𝔴_y, period by period, on a logarithmic axis: (periods, −ln 𝔴_y) as long as 𝔴_y is not zero.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn decay(decays: &[Decay]) -> Result<Figure, FigureError> {
+pub fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "periods", "-ln w_y"]);
     let mut panel = Panel::new(
         Axis::linear("'periods'").range(0.0, 20.0),
         Axis::log("−ln 𝔴_y").range(1.0, 1e20),
     );
-    for (n, decay) in decays.iter().enumerate() {
-        for [period, depth] in &decay.points {
-            table.row([decay.lambda.into(), period.into(), depth.into()])?;
+    for (n, (lambda, points)) in decays.iter().enumerate() {
+        for [period, depth] in points {
+            table.row([lambda.into(), period.into(), depth.into()])?;
         }
-        let label = format!("λ_0 = {}", decay.lambda);
+        let label = format!("λ_0 = {lambda}");
         panel = panel.curve(
-            Curve::new(decay.points.iter().copied())
+            Curve::new(points.iter().copied())
                 .series(n)
                 .label_at(label, 0.7),
         );
@@ -175,7 +210,7 @@ pub fn decay(decays: &[Decay]) -> Result<Figure, FigureError> {
         .panel(panel.curve(
             Curve::new(exponential)
                 .ink()
-                .stroke(super::Stroke::Dotted)
+                .stroke(trialbook::figures::Stroke::Dotted)
                 .label_at("'an exponential'", 0.9),
         ))
         .figure(table)
@@ -196,7 +231,7 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
     .curve(Curve::new(points.iter().copied()).series(0))
     .rule(
         Rule::vertical(critical)
-            .stroke(super::Stroke::Dotted)
+            .stroke(trialbook::figures::Stroke::Dotted)
             .label("λ_c"),
     )
     .height(220.0);
@@ -210,19 +245,10 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
         .figure(table)
 }
 
-/// The large-time motion for one λ₀.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Periodic {
-    /// λ₀.
-    pub lambda: f64,
-    /// (φ, 𝔴) over a period.
-    pub points: Vec<[f64; 2]>,
-}
-
-/// The large-time motions for several λ₀ over one period.
+/// The large-time motions for several λ₀ over one period: (φ, 𝔴).
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn family(motions: &[Periodic]) -> Result<Figure, FigureError> {
+pub fn family(motions: &[Curved]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "phi (rad)", "w"]);
     let mut panel = Panel::new(
         Axis::linear("φ")
@@ -230,12 +256,12 @@ pub fn family(motions: &[Periodic]) -> Result<Figure, FigureError> {
             .ticks(multiples_of_pi(2)),
         Axis::linear("𝔴").range(-1.1, 1.1),
     );
-    for (n, motion) in motions.iter().enumerate() {
-        for [phi, w] in &motion.points {
-            table.row([motion.lambda.into(), phi.into(), w.into()])?;
+    for (n, (lambda, points)) in motions.iter().enumerate() {
+        for [phi, w] in points {
+            table.row([lambda.into(), phi.into(), w.into()])?;
         }
-        let key = format!("λ_0 = {}", motion.lambda);
-        panel = panel.curve(Curve::new(motion.points.iter().copied()).series(n).key(key));
+        let key = format!("λ_0 = {lambda}");
+        panel = panel.curve(Curve::new(points.iter().copied()).series(n).key(key));
     }
     Plot::new("sinusoidal-family", "Large-time motions")
         .caption(

@@ -1,17 +1,22 @@
 //! The figures of section 3: a sphere that slides and rolls.
 
-use super::{Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Stroke, Table};
+use super::AllFiguresError;
+use crate::claims::sphere::angle;
+use crate::claims::sphere::driven::{self, Swinging};
 use std::f64::consts::PI;
+use trialbook::figures::{
+    Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Stroke, Table,
+};
 
-/// Two periods of a sphere on a plane that swings.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Swinging {
-    /// λ₀, dimensionless.
-    pub lambda: f64,
-    /// (φ, slip, velocity of the centre less its mean), φ in radians, velocities in A₀/ϖ.
-    pub points: Vec<[f64; 3]>,
-    /// The phases, in radians, between which the sphere rolls.
-    pub rolls: Vec<[f64; 2]>,
+/// λ₀ below λ_c, between λ_c and 1, above 1.
+const LAMBDAS: [f64; 3] = [0.3, 0.75, 1.2];
+
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    let motions: Result<Vec<_>, _> = LAMBDAS.into_iter().map(driven::swinging).collect();
+    Ok(vec![
+        times(&angle::times_over_printed()?)?,
+        swinging(&motions?)?,
+    ])
 }
 
 /// Slip and velocity of the centre against the phase, one panel for each λ₀.

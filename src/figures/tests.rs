@@ -3,6 +3,7 @@
 use super::*;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
+use trialbook::figures::*;
 
 /// The figures of the book.
 static GALLERY: LazyLock<Vec<Figure>> =
@@ -270,7 +271,7 @@ proptest::proptest! {
 #[test]
 fn figures_of_records_are_drawn_without_them() {
     assert!(digits::digits(&[], "").is_ok());
-    assert!(rest::fates(&[], "").is_ok());
+    assert!(fates::fates(&[], "").is_ok());
 }
 
 /// What the tables beside the figures call the columns is what stands there.

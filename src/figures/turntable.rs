@@ -2,18 +2,24 @@
 //!
 //! Dimensionless throughout: lengths in μg/Ω², times in 1/Ω.
 
-use super::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table};
+use super::AllFiguresError;
+use crate::claims::turntable::drawn::{self, Launched, Moment};
+use crate::claims::turntable::fixed::{self, Following};
 use std::f64::consts::PI;
+use trialbook::figures::{
+    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table,
+};
 
-/// A particle launched from the axis.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Launch {
-    /// Its speed.
-    pub speed: f64,
-    /// (τ, x and y on the table, X and Y in the laboratory, p, ρ, s), in order of time.
-    pub points: Vec<[f64; 8]>,
-    /// When it comes to rest on the table, if it does.
-    pub rest: Option<f64>,
+pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+    let [rests, escapes] = drawn::SPEEDS.map(drawn::launched);
+    let launches = [rests?, escapes?];
+    let escape = |start: [f64; 3]| Ok((start[0], fixed::following(start)?));
+    let escapes: Result<Vec<_>, AllFiguresError> = fixed::ESCAPES.into_iter().map(escape).collect();
+    Ok(vec![
+        energy(&launches[0])?,
+        paths(&launches)?,
+        following(&escapes?)?,
+    ])
 }
 
 /// How far from the axis the paths are shown.
@@ -22,7 +28,7 @@ const SHOWN: f64 = 2.5;
 /// Paths of the launches, on the table above and in the laboratory below.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
-pub fn paths(launches: &[Launch]) -> Result<Figure, FigureError> {
+pub fn paths(launches: &[Launched]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "launch speed (mu g/Omega)",
         "tau",
@@ -32,27 +38,27 @@ pub fn paths(launches: &[Launch]) -> Result<Figure, FigureError> {
         "Y in the laboratory (mu g/Omega^2)",
     ]);
     for launch in launches {
-        for [tau, x, y, bx, by, ..] in &launch.points {
-            let row = [tau, x, y, bx, by].map(|value| value.into());
+        for moment in &launch.moments {
+            let ([x, y], [bx, by]) = (moment.table, moment.laboratory);
+            let row = [moment.tau, x, y, bx, by].map(|value| value.into());
             table.row([launch.speed.into()].into_iter().chain(row))?;
         }
     }
-    let panel = |title: &str, at: usize, labels: [&str; 2]| {
+    let panel = |title: &str, place: fn(&Moment) -> [f64; 2], labels: [&str; 2]| {
         let axis = |label: &str| Axis::linear(label).range(-SHOWN, SHOWN);
         let mut panel = Panel::new(axis(labels[0]), axis(labels[1]))
             .title(title)
             .equal();
         for (n, launch) in launches.iter().enumerate() {
-            let place = |p: &[f64; 8]| [p[at], p[at + 1]];
             let label = format!("p = {} at the start", launch.speed);
             panel = panel.curve(
-                Curve::new(launch.points.iter().map(place))
+                Curve::new(launch.moments.iter().map(place))
                     .series(n)
                     .arrows(&[0.5])
                     .key(label),
             );
             if let Some(rest) = launch.rest {
-                let stopped = launch.points.iter().find(|p| p[0] >= rest).map(place);
+                let stopped = launch.moments.iter().find(|m| m.tau >= rest).map(place);
                 let disc = Points::new(stopped)
                     .series(n)
                     .marker(Marker::Disc)
@@ -75,21 +81,21 @@ pub fn paths(launches: &[Launch]) -> Result<Figure, FigureError> {
              the short one runs into a circle about the axis, the long one winds outwards \
              counterclockwise.",
         )
-        .panel(panel("'(a)'\u{2003}on the table", 1, ["Ω^2x/(μg)", "Ω^2y/(μg)"]))
-        .panel(panel("'(b)'\u{2003}in the laboratory", 3, ["Ω^2X/(μg)", "Ω^2Y/(μg)"]))
+        .panel(panel("'(a)'\u{2003}on the table", |m| m.table, ["Ω^2x/(μg)", "Ω^2y/(μg)"]))
+        .panel(panel("'(b)'\u{2003}in the laboratory", |m| m.laboratory, ["Ω^2X/(μg)", "Ω^2Y/(μg)"]))
         .figure(table)
 }
 
 /// The terms of (104) along one launch.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn energy(launch: &Launch) -> Result<Figure, FigureError> {
+pub fn energy(launch: &Launched) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["tau", "p^2/2", "-rho^2/2", "s", "sum"]);
     let rows: Vec<[f64; 5]> = launch
-        .points
+        .moments
         .iter()
-        .take_while(|p| p[0] <= launch.rest.unwrap_or(f64::INFINITY) + 0.3)
-        .map(|&[tau, .., p, rho, s]| {
+        .take_while(|m| m.tau <= launch.rest.unwrap_or(f64::INFINITY) + 0.3)
+        .map(|&Moment { tau, p, rho, s, .. }| {
             let (kinetic, centrifugal) = (0.5 * p * p, -0.5 * rho * rho);
             [tau, kinetic, centrifugal, s, kinetic + centrifugal + s]
         })
@@ -121,19 +127,10 @@ pub fn energy(launch: &Launch) -> Result<Figure, FigureError> {
         .figure(table)
 }
 
-/// How ψ follows ψ₁ in one escape.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Following {
-    /// A at the start.
-    pub a: f64,
-    /// (τ, ψ, ψ₁, (π/2 − ψ)/(π/2 − ψ₁)) in order of time; angles in radians.
-    pub points: Vec<[f64; 4]>,
-}
-
-/// ψ and ψ₁ against time in escapes, and what is left of each to π/2.
+/// ψ and ψ₁ against time in escapes, and what is left of each to π/2; `escapes` are A at the start and the moments.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn following(escapes: &[Following]) -> Result<Figure, FigureError> {
+pub fn following(escapes: &[(f64, Vec<Following>)]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "A at the start",
         "tau",
@@ -141,10 +138,9 @@ pub fn following(escapes: &[Following]) -> Result<Figure, FigureError> {
         "psi_1 (rad)",
         "(pi/2-psi)/(pi/2-psi_1)",
     ]);
-    for escape in escapes {
-        for point in &escape.points {
-            let row = point.map(|value| value.into());
-            table.row([escape.a.into()].into_iter().chain(row))?;
+    for (a, moments) in escapes {
+        for m in moments {
+            table.row([a, &m.tau, &m.psi, &m.psi1, &m.ratio].map(|value| value.into()))?;
         }
     }
     let quarters = [
@@ -161,13 +157,13 @@ pub fn following(escapes: &[Following]) -> Result<Figure, FigureError> {
         Axis::log("τ"),
         Axis::linear("(π/2 − ψ)/(π/2 − ψ_1)").range(0.0, 2.0),
     );
-    for (n, escape) in escapes.iter().enumerate() {
-        let against_time = |k: usize| escape.points.iter().map(move |p| [p[0], p[k]]);
-        let key = |what: &str| format!("{what}, A = {} at the start", escape.a);
+    for (n, (a, moments)) in escapes.iter().enumerate() {
+        let against_time = |of: fn(&Following) -> f64| moments.iter().map(move |m| [m.tau, of(m)]);
+        let key = |what: &str| format!("{what}, A = {a} at the start");
         angles = angles
-            .curve(Curve::new(against_time(1)).series(n).key(key("ψ")))
-            .curve(Curve::new(against_time(2)).series(n).width(0.8));
-        ratios = ratios.curve(Curve::new(against_time(3)).series(n));
+            .curve(Curve::new(against_time(|m| m.psi)).series(n).key(key("ψ")))
+            .curve(Curve::new(against_time(|m| m.psi1)).series(n).width(0.8));
+        ratios = ratios.curve(Curve::new(against_time(|m| m.ratio)).series(n));
     }
     let follows = Rule::horizontal(1.0).stroke(Stroke::Dotted);
     Plot::new("turntable-following", "How the angle follows its quasi-fixed point")

@@ -2,7 +2,7 @@
 //!
 //! The plane is pulled with the acceleration A(t); in its frame a body feels −A per unit of mass. Dry friction
 //! adds μg against the velocity while the body slides. At rest, friction holds it as long as it can, up to the
-//! same μg: the body starts to slide when |A| exceeds μg, and not before. That is all the physics in this room:
+//! same μg: the body starts to slide when |A| exceeds μg, and not before. That is all the physics in this module:
 //!
 //! ```text
 //! sliding:   dv/dt = −A(t) − μg v/|v|

@@ -18,11 +18,11 @@ mod visit;
 
 use chrome::{Browser, Failure, Page};
 use libtest_mimic::{Arguments, Trial};
+use slipbook::book::files_below;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::env;
 use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 use std::sync::{Arc, OnceLock};
@@ -193,8 +193,11 @@ impl Book {
         if output.status.code() == Some(2) {
             return Err(String::from_utf8_lossy(&output.stderr).into_owned());
         }
-        let mut pages = Vec::new();
-        pages_below(&out, "", &mut pages).map_err(|error| error.to_string())?;
+        let files = files_below(&out).map_err(|error| error.to_string())?;
+        let mut pages: Vec<_> = files
+            .into_keys()
+            .filter(|name| name.ends_with(".html"))
+            .collect();
         // The longest first, so that no tab is left alone with one in the end.
         let length = |page: &String| fs::metadata(out.join(page)).map_or(0, |file| file.len());
         pages.sort_by_cached_key(|page| (Reverse(length(page)), page.clone()));
@@ -219,20 +222,6 @@ impl Book {
     pub fn is_chapter(&self, page: &str) -> bool {
         !page.contains('/') && !["print.html", "toc.html"].contains(&page)
     }
-}
-
-/// Collects the pages in a folder and in those below it.
-fn pages_below(folder: &Path, prefix: &str, pages: &mut Vec<String>) -> io::Result<()> {
-    for entry in fs::read_dir(folder)? {
-        let entry = entry?;
-        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
-        if entry.file_type()?.is_dir() {
-            pages_below(&entry.path(), &format!("{name}/"), pages)?;
-        } else if name.ends_with(".html") {
-            pages.push(name);
-        }
-    }
-    Ok(())
 }
 
 /// The address of a file.

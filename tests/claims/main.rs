@@ -4,9 +4,8 @@
 
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
-use slipbook::claims::statement::Proved;
+use slipbook::claims::PAPER;
 use slipbook::claims::variants::Variant;
-use slipbook::claims::{Claim, PAPER, Sort};
 use slipbook::evidence::{Evidence, Outcome, Sample, Subject};
 use slipbook::ledger::{Entry, Ledger, Record, Standing};
 use slipbook::seeded::{reading::of, with};
@@ -18,6 +17,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::path::Path;
 use std::sync::Arc;
 use std::thread;
+use trialbook::claims::statement::Proved;
+use trialbook::claims::{Claim, Sort};
 
 fn main() {
     // One after another, or the differences of several claims are printed into each other.

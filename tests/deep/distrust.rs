@@ -2,14 +2,15 @@
 //! its comparisons disagree with the mistakes is recorded: a trial that has been made more lenient has fewer.
 
 use insta::{Settings, assert_snapshot};
-use slipbook::claims::attempt::Attempt;
+use slipbook::claims::PAPER;
 use slipbook::claims::variants::Variant;
-use slipbook::claims::{Claim, Excuse, PAPER, Topic};
 use slipbook::ledger::distrust::{Extent, Tried};
 use slipbook::ledger::{Key, Ledger};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use trialbook::claims::attempt::Attempt;
+use trialbook::claims::{Claim, Excuse, Topic};
 
 #[test]
 fn every_trial_notices_mistakes_and_is_as_strict_as_recorded() {

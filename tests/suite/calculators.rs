@@ -1,9 +1,9 @@
 //! The calculators: their curves are those of the motion that they answer for, and their answers say how they were found.
 
-use slipbook::claims::solve::{
+use slipbook::motion::turntable::{Fate, Start, fate};
+use slipbook::solve::{
     Curve, SolveError, anisotropic, constant, periodic, rest, sinusoidal, sphere, turntable,
 };
-use slipbook::motion::turntable::{Fate, Start, fate};
 use std::f64::consts::{PI, TAU};
 
 #[track_caller]

@@ -1,10 +1,6 @@
 //! What is enclosed is what was meant, and no wider than it has to be: held against ordinary numbers and the motion.
 
-use slipbook::certified::ball::Ball;
 use slipbook::certified::drive;
-use slipbook::certified::error::CertifiedError;
-use slipbook::certified::interval::Interval;
-use slipbook::certified::jet::over;
 use slipbook::certified::turntable::{self, fate_launched, fate_put_down};
 use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::simulated::{curve_a, curve_b, curve_e, touching};
@@ -17,6 +13,10 @@ use slipbook::paper::sinusoidal::eq37_lambda_c;
 use slipbook::scalar::Scalar;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
+use trialbook::certified::ball::Ball;
+use trialbook::certified::error::CertifiedError;
+use trialbook::certified::interval::Interval;
+use trialbook::certified::jet::over;
 
 /// The middle of the enclosure.
 fn certain(name: &str) -> f64 {

@@ -2,9 +2,10 @@
 //!
 //! Every test gathers all offences before it fails, each with the id of its claim.
 
-use slipbook::claims::{Claim, PAPER};
+use slipbook::claims::PAPER;
 use slipbook::evidence::Kind;
-use slipbook::ledger::{plain_formula, plain_words};
+use trialbook::claims::Claim;
+use trialbook::notation::{plain_formula, plain_words};
 
 /// The claims without their topics.
 fn all() -> impl Iterator<Item = &'static Claim> {

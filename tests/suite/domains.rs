@@ -2,7 +2,6 @@
 //! the corrections that it tries have values, by enclosure. It is given in sixteenths, but for the phases that follow from λ₀.
 
 use insta::{Settings, assert_snapshot};
-use slipbook::certified::interval::Interval;
 use slipbook::claims::PAPER;
 use slipbook::claims::corners::DOMAINS;
 use slipbook::claims::formulas::formulas;
@@ -12,6 +11,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::path::Path;
+use trialbook::certified::interval::Interval;
 
 /// The range of a symbol in a claim: as stated, else the open unit interval, where the paper's ratios lie.
 fn range(claim: &str, letter: &str) -> [f64; 2] {

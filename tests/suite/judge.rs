@@ -1,12 +1,12 @@
 //! The judge, tried on evidence made by hand: case by case in `judge/rules.txt`, and what no case says.
 
-use slipbook::claims::compare::{Pair, Trial};
-use slipbook::claims::{Condition, Sort};
 use slipbook::evidence::{Change, Compared, Evidence, Kind, Outcome, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
 use slipbook::numerics::roots::root;
 use std::fmt::Debug;
 use std::panic::Location;
+use trialbook::claims::compare::{Pair, Trial};
+use trialbook::claims::{Condition, Sort};
 
 const GOOD: f64 = 1e-13;
 const BAD: f64 = 1e-3;

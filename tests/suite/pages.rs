@@ -1,41 +1,19 @@
 //! A verdict in the book's prose stands in a placeholder; and the letters hold what fails. Numbers in prose: `tests/prose`.
 
+use crate::prose::text::pages;
 use crate::{BOOK, LEDGER};
 use slipbook::claims::PAPER;
-use slipbook::ledger::{Format, Piece, pieces, plain_formula, plain_words};
+use slipbook::ledger::Format;
 use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
 use std::process::Command;
+use trialbook::notation::{Piece, pieces, plain_formula, plain_words};
 
 /// Pages that explain what verdicts are, and so name them.
 const ON_VERDICTS: [&str; 6] = ["methods", "adding", "own", "snapshots", "errata", "map"];
 
 /// How many lines of the plain letter two pages of the set one hold, nearly.
 const TWO_PAGES: usize = 201;
-
-/// The pages: stem, and prose with formulas.
-fn pages() -> Vec<(String, String)> {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("book/src");
-    let mut pages = Vec::new();
-    for file in fs::read_dir(folder).unwrap() {
-        let path = file.unwrap().path();
-        let text = fs::read_to_string(&path).unwrap();
-        let (mut prose, mut fenced) = (String::new(), false);
-        for line in text.lines() {
-            if line.starts_with("```") {
-                fenced = !fenced;
-            } else if !fenced {
-                prose.push_str(line);
-                prose.push('\n');
-            }
-        }
-        let stem = path.file_stem().unwrap().to_str().unwrap().to_owned();
-        pages.push((stem, without(&without(&prose, "{{", "}}"), "`", "`")));
-    }
-    pages.sort();
-    pages
-}
 
 /// A text without what stands between two marks.
 fn without(text: &str, open: &str, close: &str) -> String {
@@ -99,16 +77,15 @@ fn the_errata_take_nothing_for_its_opposite() {
 
 #[test]
 fn no_page_passes_a_verdict_of_its_own() {
-    for (stem, prose) in pages() {
-        if ON_VERDICTS.contains(&stem.as_str()) {
-            continue;
-        }
-        for word in ["refuted", "misprint", "confirmed", "undecided"] {
-            assert!(
-                !prose.to_lowercase().contains(word),
-                "{stem}.md says \"{word}\" in its own words"
-            );
-        }
+    let pages = pages().into_iter();
+    for page in pages.filter(|page| !ON_VERDICTS.contains(&page.name.as_str())) {
+        let mut words = page.words.iter().map(|word| &word.text);
+        let verdict = |word: &&String| {
+            let verdicts = ["refuted", "misprint", "confirmed", "undecided"];
+            !word.starts_with('{') && verdicts.iter().any(|verdict| word.contains(verdict))
+        };
+        let own = words.find(verdict);
+        assert_eq!(own, None, "{}.md says it in its own words", page.name);
     }
 }
 

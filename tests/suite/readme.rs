@@ -1,6 +1,7 @@
 //! The README's table of verdicts is the ledger's.
 
 use crate::LEDGER;
+use slipbook::book::files_below;
 use slipbook::claims::PAPER;
 use slipbook::ledger::{Standing, Verdict};
 use std::collections::BTreeMap;
@@ -168,25 +169,14 @@ fn the_package_has_all_sources() {
     let list = String::from_utf8(list.stdout).unwrap();
     let packed: std::collections::BTreeSet<_> =
         list.lines().map(|line| line.replace('\\', "/")).collect();
-    let mut open = ["src", "claims", "book/src", "snapshots", "examples"]
-        .map(|f| Path::new(env!("CARGO_MANIFEST_DIR")).join(f))
-        .to_vec();
-    let mut missing = Vec::new();
-    while let Some(path) = open.pop() {
-        if path.is_dir() {
-            open.extend(
-                fs::read_dir(path)
-                    .unwrap()
-                    .map(|entry| entry.unwrap().path()),
-            );
-            continue;
-        }
-        let name = path.strip_prefix(env!("CARGO_MANIFEST_DIR")).unwrap();
-        let name = name.to_str().unwrap().replace('\\', "/");
-        if !packed.contains(&name) && !name.ends_with(".new") {
-            missing.push(name);
-        }
-    }
+    let below = |folder: &str| {
+        let files = files_below(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();
+        let named = files.into_keys().map(|name| format!("{folder}/{name}"));
+        named.collect::<Vec<_>>()
+    };
+    let sources = ["src", "claims", "book/src", "snapshots", "examples"];
+    let mut missing: Vec<_> = sources.into_iter().flat_map(below).collect();
+    missing.retain(|name| !packed.contains(name) && !name.ends_with(".new"));
     assert!(missing.is_empty(), "{missing:#?}");
     for file in [
         "Cargo.lock",

@@ -138,7 +138,7 @@ fn the_shortest_backward_slips_are_not_missed() {
     let q = 0.9999 / 0.226;
     let arcs = row.at(&Column::new(q).unwrap());
     let length = arcs.backward[1] - arcs.backward[0];
-    let problem = slipbook::claims::solve::anisotropic::AnisotropicProblem { q, lambda0: 0.226 };
+    let problem = slipbook::solve::anisotropic::AnisotropicProblem { q, lambda0: 0.226 };
     let period = problem.solve().unwrap().best;
     assert_eq!(period.region, "III");
     assert!(

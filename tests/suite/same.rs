@@ -1,21 +1,10 @@
 //! The same results everywhere: in two runs, on one thread and on many, in the debug and in the release profile, on every machine.
 
+use slipbook::book::files_below;
 use slipbook::ledger::Entry;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
-
-fn read(folder: &Path, below: &str, files: &mut BTreeMap<String, Vec<u8>>) {
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        let name = format!("{below}/{}", path.file_name().unwrap().to_str().unwrap());
-        if path.is_dir() {
-            read(&path, &name, files);
-        } else {
-            files.insert(name, fs::read(&path).unwrap());
-        }
-    }
-}
 
 /// The book on one thread, and its ledger, against those that many have made in another process.
 #[test]
@@ -24,10 +13,11 @@ fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
     let out = folder.path().join("book");
     let output = crate::slipbook(&["--json", "--out", out.to_str().unwrap(), "--jobs", "1"]);
     assert_eq!(output.status.code(), Some(0));
-    let files = |book: &Path| {
-        let mut files = BTreeMap::new();
-        read(book, "", &mut files);
+    let files = |book: &Path| -> BTreeMap<_, _> {
+        let files = files_below(book).unwrap().into_iter();
         files
+            .map(|(name, path)| (name, fs::read(path).unwrap()))
+            .collect()
     };
     let (book, other) = (files(&out), files(&crate::BOOK));
     assert!(book.keys().any(|name| name.ends_with(".csv")) && book.keys().eq(other.keys()));

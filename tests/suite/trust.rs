@@ -1,5 +1,6 @@
 //! The page "What you have to trust" against the code: what it lists is tried, and is complete. How long it is, the book counts.
 
+use slipbook::book::files_below;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -26,20 +27,6 @@ fn rows() -> Vec<Row> {
         })
     };
     page.lines().filter_map(row).collect()
-}
-
-/// The files of Rust in a folder and in those within it.
-fn sources(folder: &Path) -> Vec<PathBuf> {
-    let mut files = Vec::new();
-    for entry in fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            files.extend(sources(&path));
-        } else if path.extension().is_some_and(|e| e == "rs") {
-            files.push(path);
-        }
-    }
-    files
 }
 
 #[test]
@@ -78,11 +65,9 @@ fn the_page_is_complete() {
             let mut above = path.ancestors();
             above.any(|above| listed.iter().any(|module| Path::new(module) == above))
         };
-        missing.extend(
-            sources(Path::new(folder))
-                .into_iter()
-                .filter(|path| !is_listed(path)),
-        );
+        let files = files_below(Path::new(folder)).unwrap().into_values();
+        let sources = files.filter(|path| path.extension().is_some_and(|e| e == "rs"));
+        missing.extend(sources.filter(|path| !is_listed(path)));
     }
     assert!(missing.is_empty(), "not on the page: {missing:?}");
 }

@@ -1,5 +1,6 @@
 //! The symbols' units: in other units of length, time and mass every formula gives the same quantity.
 
+use slipbook::book::files_below;
 use slipbook::claims::formulas::formulas;
 use slipbook::seeded::{Formula, symbol};
 use slipbook::symbols::SYMBOLS;
@@ -93,33 +94,22 @@ fn a_formula_gives_the_same_in_other_units() {
     assert!(asked > 40, "{asked}");
 }
 
-/// Every text that names the table's unit of length or of speed: the pages, and what the code says and comments.
-fn texts_in(folder: &Path, texts: &mut Vec<(String, String)>) {
-    for entry in std::fs::read_dir(folder).unwrap() {
-        let path = entry.unwrap().path();
-        if path.is_dir() {
-            texts_in(&path, texts);
-        } else if path
-            .extension()
-            .is_some_and(|end| end == "md" || end == "rs")
-        {
-            let text = std::fs::read_to_string(&path).unwrap();
-            let words: Vec<_> = text.split_whitespace().collect();
-            texts.push((path.display().to_string(), words.join(" ")));
-        }
-    }
+/// What pages say, and what the code says and comments, each text on one line.
+fn texts_in(folder: &str) -> impl Iterator<Item = (String, String)> {
+    let files = files_below(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();
+    let texts = files
+        .into_iter()
+        .filter(|(name, _)| name.ends_with(".md") || name.ends_with(".rs"));
+    texts.map(|(name, path)| {
+        let text = std::fs::read_to_string(path).unwrap();
+        let words: Vec<_> = text.split_whitespace().collect();
+        (name, words.join(" "))
+    })
 }
 
 /// A distance is one over μg/Ω², a speed one over μg/Ω, where the words before the unit speak of one of them alone.
 #[test]
 fn lengths_and_speeds_of_the_table_have_their_own_units() {
-    let mut all = Vec::new();
-    for folder in ["book/src", "src"] {
-        texts_in(
-            &Path::new(env!("CARGO_MANIFEST_DIR")).join(folder),
-            &mut all,
-        );
-    }
     let lengths = [
         "distance",
         "length",
@@ -133,7 +123,7 @@ fn lengths_and_speeds_of_the_table_have_their_own_units() {
     ];
     let speeds = ["speed", "velocity", "how fast", "p, in"];
     let mut asked = 0;
-    for (path, text) in &all {
+    for (path, text) in ["book/src", "src"].into_iter().flat_map(texts_in) {
         for unit in [r"\mu g/\Omega", r"\\mu g/\\Omega", "μg/Ω"] {
             for (at, _) in text.match_indices(unit) {
                 let squared = text[at + unit.len()..].starts_with(['^', '²']);

@@ -15,7 +15,7 @@
 //!
 //! With `default-features = false` there are the formulas, the numerics that
 //! a motion needs, and the judge alone; the feature `trials` brings the trials, `book` all that rests on them.
-// Where a room is not built, its name leads to the feature that brings it.
+// Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),
     doc = "",
@@ -46,9 +46,9 @@ pub mod exact;
 #[cfg(feature = "book")]
 pub mod figures;
 pub mod ledger;
-pub mod numerics;
 #[cfg(feature = "trials")]
-pub mod plain;
+pub mod notation;
+pub mod numerics;
 #[cfg(feature = "book")]
 pub mod prelude;
 pub mod scalar;

@@ -1,11 +1,11 @@
 //! Fates on both sides of a line that follows the boundary between rest and escape: cells along it are decided nearly
 //! up to it, where cells of a grid, which it crosses, are not.
 
-use super::super::flow::Tilted;
-use super::super::interval::Interval;
-use super::super::jet::Jet;
 use super::{Judged, Law, judge};
 use crate::scalar::Scalar;
+use trialbook::certified::flow::Tilted;
+use trialbook::certified::interval::Interval;
+use trialbook::certified::jet::Jet;
 
 /// Starts with one A, a range of ψ, and α from 0 to a largest one.
 #[derive(Debug, Clone, Copy)]
@@ -212,7 +212,7 @@ fn number(x: f64) -> Jet<2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certified::written::decimal;
+    use trialbook::certified::written::decimal;
 
     /// Near ψ = 0, where the boundary at A = 0.5 is at α = 0.7547.
     fn strip(line: f64) -> Strip {

@@ -14,19 +14,19 @@ pub(super) mod arcs;
 pub mod points;
 
 use super::{exact, motions};
-use crate::certified::cover::{Said, everywhere, everywhere_written};
 use crate::certified::drive::{self, Edge, arc};
-use crate::certified::error::CertifiedError;
-use crate::certified::interval::Interval;
-use crate::certified::jet::{Jet, over};
-use crate::certified::written::{Of, sign, slope};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::enclosed::{certified, citing};
 use crate::evidence::{Evidence, Subject};
 use crate::exact::{Expr, Proof};
 use crate::paper::anisotropic as printed;
 use crate::scalar::Scalar;
+use trialbook::certified::cover::{Said, everywhere, everywhere_written};
+use trialbook::certified::error::CertifiedError;
+use trialbook::certified::interval::Interval;
+use trialbook::certified::jet::{Jet, over};
+use trialbook::certified::written::{Of, sign, slope};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::enclosed::{certified, citing};
 
 type Two = Jet<2>;
 type Outcome = Result<usize, CertifiedError>;

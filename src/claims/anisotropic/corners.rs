@@ -3,10 +3,6 @@
 use super::simulated::{
     START, attractor, bisect, change, order, own_y, restless, reverses, simulated_y, touching,
 };
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -14,6 +10,10 @@ use crate::motion::drive::{DriveState, Interval};
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 /// Seeded starts, the plain one first.
 fn starts(stream: u64) -> impl Iterator<Item = DriveState> {

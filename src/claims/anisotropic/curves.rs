@@ -5,12 +5,12 @@ use super::simulated::{
     Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, printed_list,
     simulated,
 };
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::{FAR_A, FAR_E, NONE, ROOT};
 use crate::corrections::anisotropic as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::anisotropic as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
 /// λ₀ on (53); NaN where it has no root.
 fn on_a(q: f64) -> f64 {

@@ -4,10 +4,10 @@ use super::census::{self, Column, LAMBDA0, Q};
 use super::panels::{PANELS, motion};
 use super::rows::{Row, far_rows, rows};
 use super::simulated::{Curves, START, attractor, fits, printed_list, touching};
-use crate::claims::compare::Failure;
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
+use trialbook::claims::compare::Failure;
 
 /// One point of the census in a map: q and λ₀, found and printed region.
 pub type Cell = ([f64; 2], usize, Option<usize>);

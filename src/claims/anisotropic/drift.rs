@@ -2,11 +2,11 @@
 //! the regions but no motion. The paper says nothing of either.
 
 use super::simulated::Curves;
-use crate::claims::compare::Failure;
 use crate::corrections::anisotropic::{self as corrected, slip_distance};
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use trialbook::claims::compare::Failure;
 
 /// What a period brings, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]

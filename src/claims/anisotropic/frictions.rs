@@ -1,15 +1,15 @@
 //! Trials of (47) to (52): the two frictions, and the rates while sliding either way.
 
 use super::simulated::{START, attractor, attractor_from};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, Friction, Sign};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::{PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 const fn consistency(compared: Compared) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)

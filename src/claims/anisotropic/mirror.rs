@@ -1,14 +1,14 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
 use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// (q, λ₀) with q < 1, and so that the mirrored λ₀ lies between 0 and 1.4.
 fn small_ratio(points: &mut Points) -> (f64, f64) {

@@ -1,9 +1,6 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
 use super::simulated::{START, attractor_from, listed_digits, own_digits};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, QUADRATURE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, DriveState, Friction};
@@ -11,6 +8,9 @@ use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::{PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
 pub const PANELS: [(f64, f64); 5] = [

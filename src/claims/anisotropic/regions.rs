@@ -6,13 +6,13 @@ use super::simulated::{
     Regions, attractor_from, corrected_list, curves_as_corrected, curves_as_printed, listed_digits,
     own_digits, own_y, printed_list, simulated,
 };
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial, where_defined};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial, where_defined};
+use trialbook::claims::points::Points;
 
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
 type Says = Box<dyn Fn(f64) -> Option<f64>>;

@@ -1,10 +1,10 @@
 //! The changes of the simulated motion at many values of q, and the laws far out.
 
 use super::simulated::{Changes, START, own_y};
-use crate::claims::compare::Failure;
-use crate::claims::points::Points;
-use crate::claims::runs::Runs;
 use crate::numerics::fit::fit;
+use trialbook::claims::compare::Failure;
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::Runs;
 
 /// One q and what the simulation finds there.
 #[derive(Debug, Clone, Copy)]

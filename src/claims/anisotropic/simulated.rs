@@ -1,12 +1,12 @@
 //! The simulated motions of section 2.4, one by one, and the curves and lists that they are held against.
 
-use crate::claims::compare::{Failure, where_defined};
-use crate::claims::runs::Runs;
 use crate::corrections::anisotropic as corrected;
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Outcome, Sign};
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
+use trialbook::claims::compare::{Failure, where_defined};
+use trialbook::claims::runs::Runs;
 
 /// The start of every motion unless another is said.
 pub const START: DriveState = DriveState { phi: 0.0, w: 0.0 };

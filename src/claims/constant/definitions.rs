@@ -1,13 +1,13 @@
 //! Trials of (3) to (5): the definitions are consistent with the use made of them.
 
 use super::launches::turns;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 const fn consistency(compared: Compared) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)

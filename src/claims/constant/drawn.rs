@@ -1,8 +1,6 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
 use super::launches::Turn;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Motion;
@@ -10,6 +8,8 @@ use crate::motion::MotionError;
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
 
 /// A motion in units of v₀ and A.
 #[derive(Debug, Clone)]

@@ -3,26 +3,26 @@
 //! Only Newton's law with A = −A x̂ and v = v (cos θ, sin θ) is entered here; the printed formulas come from
 //! [`crate::paper::constant`], as trees. All holds for 0 < θ, θ₀ < π, where tan(θ/2) is positive.
 
+mod alignment;
 mod cases;
 mod incline;
-mod late;
 mod sliding;
 #[cfg(test)]
 mod tests;
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
+pub use alignment::{AGAINST, ALIGNS, CANNOT_HOLD};
 use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
-pub use late::{AGAINST, ALIGNS, CANNOT_HOLD};
 use sliding::*;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
 
-use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::constant as paper;
 use crate::paper::general::eq1_velocity_rate;
 use crate::scalar::Scalar;
+use trialbook::claims::statement::Statement;
 
 /// The friction λ of a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,13 +1,13 @@
 //! What the conditions of section 2.1 except: points at which the formulas have no value, or that fill no stretch.
 
-use crate::certified::interval::Interval;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::excepted::{no_inside, no_value};
 use crate::evidence::Evidence;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;
+use trialbook::certified::interval::Interval;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::excepted::{no_inside, no_value};
 
 const LAMBDA: [f64; 2] = [0.1, 0.9];
 const SPEED: [f64; 2] = [0.5, 2.0];

@@ -1,13 +1,13 @@
 //! Trials of whether friction keeps a particle at rest that begins so.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::excepted::no_inside;
-use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::excepted::no_inside;
+use trialbook::claims::points::Points;
 
 /// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, whose size is 1.
 fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {

@@ -2,14 +2,14 @@
 //! angle.
 
 use super::launches::{Turn, straight, turns, turns_where};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// What is read from a turn: stated, found, and the scale in units of A (1 + λ).
 type Reading = fn(&Turn) -> [f64; 3];

@@ -3,14 +3,14 @@
 //! are right too is not known here.
 
 use super::launches::Turn;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::paper::{constant as printed, general};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::points::Points;
 
 type Vector = [f64; 3];
 

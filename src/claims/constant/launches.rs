@@ -1,8 +1,6 @@
 //! The motions that the printed formulas of section 2.1 are held against: launches at a speed v₀ and an
 //! angle θ₀, followed until the velocity has turned to an angle θ.
 
-use crate::claims::points::Points;
-use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::{Launch, Motion, MotionError, PhaseKind, State};
 use crate::numerics::NumericsError;
 use crate::numerics::dop853;
@@ -10,6 +8,8 @@ use crate::numerics::double::Double;
 use crate::numerics::quadrature::integral_within;
 use std::cell::Cell;
 use std::f64::consts::PI;
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Failure, Runs, every};
 
 /// Values of an integrand that are asked for at most.
 const EVALUATIONS: usize = 20_000;

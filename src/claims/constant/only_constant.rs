@@ -1,13 +1,13 @@
 //! Trials of how a motion under a drive that changes with time differs from all on an inclined plane: along the slope the sense
 //! of sliding changes once at most, under a drive again and again.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Motion, Plane, Signal, State, run};
 use std::f64::consts::TAU;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// Periods, or as many units of time on an incline.
 const PERIODS: f64 = 6.0;

@@ -1,8 +1,6 @@
 //! Trials of (12) to (14): the time against the angle.
 
 use super::launches::{Turn, late_turns, straight, turns, turns_where};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -10,6 +8,8 @@ use crate::numerics::double::Double;
 use crate::numerics::roots::root;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
 /// True where (13) has a value.
 fn eq13_has_a_value(turn: &Turn) -> bool {

@@ -1,12 +1,9 @@
 //! The laws of escape, exactly: against the motion's own series at large times, which Newton's law gives.
 
+pub mod asymptotic_series;
 pub mod chains;
-pub mod late;
 pub mod spiral;
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
 use crate::evidence::Subject;
@@ -15,7 +12,10 @@ use crate::exact::{
 };
 use crate::paper::{escape as printed, turntable as motion};
 use crate::scalar::Scalar;
-use late::{Late, agree, from_series, law_series, rate};
+use asymptotic_series::{Late, agree, from_series, law_series, rate};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 fn tau() -> Expr {
     Expr::symbol("τ")

@@ -1,10 +1,10 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
-use super::escapes::{a, alpha, flights, relaxed};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
+use super::trajectories::{a, alpha, flights, relaxed};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {

@@ -4,15 +4,15 @@
 //! that lags behind τ by a multiple of ln τ (see [`crate::corrections::escape`]); a fit that knows only powers
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
-use super::escapes::{Escape, LATE, Late, a, alpha, escapes};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use super::trajectories::{Escape, LATE, Late, a, alpha, escapes};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::Start;
 use crate::numerics::fit::fit;
 use crate::paper::escape as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
 /// What is followed: a number at a late moment of a motion.
 pub type Quantity = fn(&Late) -> f64;
@@ -569,7 +569,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::escape::escapes::Launch;
+    use crate::claims::escape::trajectories::Launch;
     use crate::motion::turntable::intrinsic::Run;
 
     /// The moments of an escape, with one and the same state.

@@ -1,14 +1,11 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
-use super::escapes::{
+use super::growth::{Quantity, a_rate, lag, limit, size};
+use super::straight::{StraightIn, beyond_one, time_to_stop};
+use super::trajectories::{
     LATE, Launch, a, alpha, escapes, flights, other_escapes, other_flights, others_relaxed, rates,
     relaxed, relaxed_ratios,
 };
-use super::growth::{Quantity, a_rate, lag, limit, size};
-use super::straight::{StraightIn, beyond_one, time_to_stop};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{
     DIFFERENCES, ESCAPE_LIMIT, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED,
 };
@@ -20,6 +17,9 @@ use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, rotating};
 use crate::paper::{escape as printed, turntable};
 use std::f64::consts::{FRAC_PI_2, PI};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// (126) with the rate of α after ψ has relaxed, at α below a millionth.
 fn eq126_relaxed() -> Evidence {

@@ -1,14 +1,14 @@
 //! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
 
-use super::escapes::{a, alpha, escapes};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
+use super::trajectories::{a, alpha, escapes};
 use crate::claims::tolerances::{QUADRATURE, ROOT};
 use crate::evidence::{Evidence, Route, Subject, Tolerance};
 use crate::numerics::quadrature::integral;
 use crate::paper::{escape as printed, turntable};
 use std::f64::consts::FRAC_PI_2;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// Compares what is printed with what its predecessors give, relatively, at twenty values in a range of powers of ten.
 fn step(

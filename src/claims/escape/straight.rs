@@ -3,13 +3,13 @@
 //! They are found by shooting. Near ψ = π the angle runs away to one side or to the other; between two starts that
 //! do the one and the other lies one that does neither.
 
-use super::escapes::alpha;
-use crate::claims::points::Points;
-use crate::claims::runs::{Failure, Runs, every};
+use super::trajectories::alpha;
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::{Intrinsic, Run};
 use std::f64::consts::PI;
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Failure, Runs, every};
 
 /// A start that comes straight in.
 #[derive(Debug)]

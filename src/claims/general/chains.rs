@@ -1,14 +1,14 @@
 //! Theorems about every acceleration of the plane, as chains of inequalities: each link is an identity of the ring, with 𝐀 any
 //! vector at that instant, and a term that has a sign.
 
-use super::law::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::Statement;
+use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::general as printed;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
 
 /// A weak drive lets the particle stop.
 pub const STOPS: Statement = Statement::new(

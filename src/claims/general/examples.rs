@@ -1,9 +1,9 @@
 //! Motions that several trials of the statements about every A(t) look at.
 
-use super::planes::{SHAPES, along_a_line, any_start};
-use crate::claims::points::Points;
-use crate::claims::runs::{Failure, Runs, every};
+use super::accelerations::{SHAPES, along_a_line, any_start};
 use crate::motion::{Motion, Phase, Plane, Signal, State, run};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Failure, Runs, every};
 
 /// Five periods of a motion from rest.
 pub struct Returning {

@@ -3,18 +3,18 @@
 //! Each is tried on constant, rotating, growing, decaying, oscillating and sign-changing accelerations, and on
 //! the one that we found to break it.
 
+use super::accelerations::{Case, SHAPES, along_a_line, any_start, bounded};
 use super::examples::{
     AT_REST, Pulled, Returning, others_pulled, others_returning, pulled, returning, violations,
 };
-use super::planes::{Case, SHAPES, along_a_line, any_start, bounded};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// μ and g of unit friction, without rounding.
 const UNIT: [f64; 2] = [0.5, 2.0];

@@ -2,16 +2,16 @@
 //! rest; and what the pulses are at their two extremes.
 
 use super::exact::{EQ44, EQ46};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use crate::claims::general::chains::STOPS;
-use crate::claims::statement::{Statement, given};
 use crate::corrections::periodic as corrected;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
 use crate::paper::periodic as printed;
 use crate::paper::sinusoidal::eq26_rate;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// d𝔴/dφ by (26) where h is the sine of some angle ψ: any number from −1 to 1 is one.
 pub(super) fn rate() -> Expr {

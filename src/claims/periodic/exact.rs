@@ -3,14 +3,14 @@
 //! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
 //! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::Statement;
 use crate::corrections::periodic as supplied;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
 
 fn symbols() -> [Expr; 3] {
     Expr::symbols(["λ₀", "η", "φ"])

@@ -1,10 +1,6 @@
 //! Trials of (42) to (46): the train of pulses.
 
 use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::excepted::no_inside;
-use crate::claims::points::Points;
 use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Route, Subject};
@@ -13,6 +9,10 @@ use crate::motion::{Plane, Signal, run};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::excepted::no_inside;
+use trialbook::claims::points::Points;
 
 /// Phases per half period at which a whole motion is compared; the joints are added.
 const PHASES: u32 = 48;

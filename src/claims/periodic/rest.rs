@@ -3,9 +3,6 @@
 //! While w > 0, w' = h − λ₀ ≤ 1 − λ₀, and likewise for w < 0: |w| is used up within |w₀|/(λ₀ − 1).
 
 use super::drives::{Harmonics, Phase, named, phase};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::points::{Points, round};
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction, Interval, Sign};
@@ -14,6 +11,9 @@ use crate::numerics::roots::root;
 use crate::paper::general as law;
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::points::{Points, round};
 
 fn at(name: &str, lambda: f64, start: DriveState) -> String {
     let DriveState { phi, w } = start;

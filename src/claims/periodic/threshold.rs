@@ -4,9 +4,6 @@ use super::drives::{
     Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps_between,
     third_harmonic,
 };
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{NONE, THRESHOLD};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, DriveError};
@@ -14,6 +11,9 @@ use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use crate::paper::periodic as printed;
 use std::f64::consts::{PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// Samples of a drive over its period.
 const SAMPLES: usize = 4096;

@@ -4,16 +4,12 @@
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
 use super::boundary::{Border, angle_towards_one, border};
-use super::stops::{
+use super::trajectories::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
     other_approaches,
 };
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::escape::escapes::{a, alpha, rates};
 use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
+use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
@@ -24,6 +20,10 @@ use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
 use crate::paper::rest as printed;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 /// What an equation says and what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> (f64, f64, f64);

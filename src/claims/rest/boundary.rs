@@ -1,10 +1,9 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::runs::{Runs, every};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::runs::{Runs, every};
 
-use crate::claims::points::Points;
 use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, NONE, THIRD_ORDER};
 use crate::corrections::rest as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -15,6 +14,7 @@ use crate::motion::turntable::{Fate, Start, fate};
 use crate::numerics::roots::root;
 use crate::paper::rest as printed;
 use std::f64::consts::PI;
+use trialbook::claims::points::Points;
 
 /// A point of the boundary.
 #[derive(Debug, Clone, Copy)]

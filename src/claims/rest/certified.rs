@@ -2,11 +2,11 @@
 
 use super::boundary::{border, corrected_a, printed_a};
 use crate::certified::turntable::{Fate, fate};
-use crate::certified::written::decimal;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
+use trialbook::certified::written::decimal;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
 pub const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];
@@ -63,11 +63,11 @@ pub(super) const TRIALS: &[Attempt] = trials![printed, corrected];
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certified::error::CertifiedError;
-    use crate::certified::interval::Interval;
     use crate::certified::turntable::{fate_launched, fate_put_down};
     use crate::claims::rest::boundary::resting_place;
     use crate::motion::turntable::{critical_radius, critical_speed};
+    use trialbook::certified::error::CertifiedError;
+    use trialbook::certified::interval::Interval;
 
     #[test]
     fn the_simulated_radius_lies_in_the_proved_interval() {

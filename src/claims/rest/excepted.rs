@@ -1,15 +1,15 @@
 //! What the conditions near rest except: single resting places, and starts that come straight in, which lie on a surface.
 
-use super::stops::approaches;
-use crate::certified::interval::Interval;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::excepted::{no_inside, no_value};
+use super::trajectories::approaches;
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::rest as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::FRAC_PI_2;
+use trialbook::certified::interval::Interval;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::excepted::{no_inside, no_value};
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub fn straight_in() -> Evidence {

@@ -2,12 +2,12 @@
 //! proves the fates on both sides of it.
 
 use crate::certified::turntable::{Margins, Strip};
-use crate::certified::written::decimal;
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::boundary::between;
 use rayon::prelude::*;
 use std::fmt;
+use trialbook::certified::written::decimal;
 
 /// Largest α of a map. Simulation decides whether the boundary lies below it.
 pub const REACH: f64 = 1.5;
@@ -168,7 +168,7 @@ pub fn open(rows: &[Row]) -> f64 {
 
 /// Of which commit the recorded maps are.
 pub fn as_of() -> &'static str {
-    crate::claims::as_of(RECORD)
+    trialbook::claims::as_of(RECORD)
 }
 
 /// The maps that the book shows, as `examples/fates.rs` made them; nothing where a line is not one of theirs.

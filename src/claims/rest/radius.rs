@@ -1,10 +1,6 @@
 //! Trials of where rest is possible, (139) and its words.
 
 use super::boundary::census;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{NEAR_CORNER, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
@@ -12,6 +8,10 @@ use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
 use crate::paper::rest as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 /// (139) with the largest distance from which a nudged particle comes back to rest.
 fn eq139_nudge() -> Evidence {

@@ -1,16 +1,16 @@
 //! Trials of the steps of section 2.2 between its formulas: that a slip from rest outlasts half the period, that the motion
 //! along the drive does not die, and how friction acts across it.
 
-use super::settled::{ORIGIN, Particle, Slip, dense, drive, lambda_c, settled};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::excepted::no_inside;
-use crate::claims::points::Points;
+use super::reference_motions::{ORIGIN, Particle, Slip, dense, drive, lambda_c, settled};
 use crate::claims::tolerances::{ACROSS, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Friction, PlanarState, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::excepted::no_inside;
+use trialbook::claims::points::Points;
 
 fn is(truth: bool) -> f64 {
     f64::from(u8::from(truth))
@@ -201,7 +201,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
 
 #[cfg(test)]
 mod tests {
-    use super::super::settled::small;
+    use super::super::reference_motions::small;
     use super::*;
 
     #[test]

@@ -8,15 +8,15 @@ use super::chains::{VX_STAYS, WEAK_DRIVE_STOPS, eq21, in_units};
 use super::exact::{
     EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove_eq33, prove_eq38, ring_of_phi_t1, ring_of_phi1,
 };
-use super::order::slip;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::general::apart::never_farther_apart;
-use crate::claims::general::law::{eq1, eq2, eq2_proof};
-use crate::claims::statement::{Statement, given};
+use super::phase_order::slip;
+use crate::claims::general::contraction::never_farther_apart;
+use crate::claims::general::two_frames::{eq1, eq2, eq2_proof};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 type NoRest = ([Expr; 2], [Expr; 3]);
 

@@ -12,22 +12,22 @@
 
 mod premises;
 
-use crate::certified::cover::{Said, everywhere_written};
-use crate::certified::error::CertifiedError;
-use crate::certified::interval::Interval;
-use crate::certified::jet::{Jet, over};
 use crate::certified::numbers::LAMBDA_C;
-use crate::certified::taylor::Taylor;
-use crate::certified::written::{Of, agree, coefficient, sign, slope};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::enclosed::{certified, numbers, on_balls, resting_on};
 use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::exact::Expr;
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use premises::by_phi1;
+use trialbook::certified::cover::{Said, everywhere_written};
+use trialbook::certified::error::CertifiedError;
+use trialbook::certified::interval::Interval;
+use trialbook::certified::jet::{Jet, over};
+use trialbook::certified::taylor::Taylor;
+use trialbook::certified::written::{Of, agree, coefficient, sign, slope};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::enclosed::{certified, numbers, on_balls, resting_on};
 
 type One = Jet<1>;
 type Outcome = Result<usize, CertifiedError>;
@@ -247,9 +247,9 @@ mod tests {
     use super::*;
 
     const NOTHING: Compared = Compared::shown("");
-    use crate::certified::ball::Ball;
     use crate::claims::PAPER;
     use crate::seeded::with;
+    use trialbook::certified::ball::Ball;
 
     fn refused(evidence: &Evidence) {
         assert_eq!(evidence.worst, f64::INFINITY, "{}", evidence.at);

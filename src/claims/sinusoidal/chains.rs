@@ -1,15 +1,15 @@
 //! Theorems about every motion under the sinusoidal drive (21), by the law (1): v_y dies, a weak drive ends all, a strong one
 //! nothing, and how friction acts across.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use crate::claims::general::chains::{decays, ring_across, stops};
-use crate::claims::general::law::{eq1, eq2};
-use crate::claims::statement::Statement;
+use crate::claims::general::two_frames::{eq1, eq2};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::sinusoidal as paper;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
 
 /// (21) at the phase φ.
 pub(super) fn eq21() -> [Expr; 2] {

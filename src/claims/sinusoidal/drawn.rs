@@ -1,9 +1,8 @@
 //! The curves of fig-2 to fig-4: what is tried here is what the book draws.
 
-use super::settled::{ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::runs::{Runs, every};
+use super::reference_motions::{
+    ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled,
+};
 use crate::claims::tolerances::{FORGOTTEN, MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{PlanarState, Sign};
@@ -11,6 +10,9 @@ use crate::numerics::number::Real;
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::runs::{Runs, every};
 
 /// λ₀ of fig-3.
 pub const SMALL: f64 = FRAC_1_PI;

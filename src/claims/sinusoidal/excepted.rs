@@ -1,9 +1,9 @@
 //! What the conditions of sections 2.2 and 3 except.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::excepted::no_inside;
 use crate::evidence::Evidence;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::excepted::no_inside;
 
 /// No friction at all.
 pub fn no_friction() -> Evidence {

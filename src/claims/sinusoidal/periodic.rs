@@ -1,11 +1,8 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
-use super::settled::{
+use super::reference_motions::{
     ORIGIN, Slip, drive, each, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{APPROACH, NONE, ROOT};
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -13,6 +10,9 @@ use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// Phases over a period at which a periodic form is compared.
 const PHASES: u32 = 256;

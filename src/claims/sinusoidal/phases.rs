@@ -1,9 +1,6 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::settled::{ORIGIN, Particle, all, drive, each, lambda_c};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
+use super::reference_motions::{ORIGIN, Particle, all, drive, each, lambda_c};
 use crate::claims::tolerances::{MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;
@@ -13,6 +10,9 @@ use crate::numerics::number::Real;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 type Formula = fn(Double) -> Double;
 

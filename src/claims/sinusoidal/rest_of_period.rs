@@ -1,8 +1,6 @@
 //! Trials of where the rest of the period ends that begins at φ₁: what follows the slip up to φ̃₂.
 
-use super::settled::{Slip, small};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Trial};
+use super::reference_motions::{Slip, small};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::sinusoidal as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -10,6 +8,8 @@ use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Trial};
 
 /// What is said of the end, at a phase inside the slip that begins at φ₁ for this λ₀.
 type Stated = fn(f64, f64) -> f64;

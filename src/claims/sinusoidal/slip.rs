@@ -1,15 +1,17 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
-use super::settled::{ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::points::Points;
+use super::reference_motions::{
+    ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small,
+};
 use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::points::Points;
 
 fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")

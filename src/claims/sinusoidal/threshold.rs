@@ -1,10 +1,8 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
-use super::settled::{ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
+use super::reference_motions::{
+    ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small,
+};
 use crate::claims::tolerances::{NONE, ONSET, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Sign};
@@ -12,6 +10,10 @@ use crate::numerics::double::Double;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 /// A start, and the friction from which on the motion that it leads to has rests.
 #[derive(Debug, Clone, Copy)]

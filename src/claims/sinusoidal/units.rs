@@ -1,10 +1,6 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
-use super::settled::{ORIGIN, Particle, drive, settled};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
+use super::reference_motions::{ORIGIN, Particle, drive, settled};
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Motion;
@@ -12,6 +8,10 @@ use crate::motion::drive::{Friction, Sign};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 const fn consistency(compared: Compared) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)

@@ -1,10 +1,6 @@
 //! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
 
 use super::spheres::{Units, braking, sphere};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
-use crate::claims::runs::{Runs, every};
 use crate::claims::tolerances::{MOTION, ROOT};
 use crate::corrections::constant::{speed, time};
 use crate::corrections::sphere as corrected;
@@ -17,6 +13,10 @@ use crate::numerics::roots::root;
 use crate::paper::sphere as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Runs, every};
 
 /// A sphere under A = −A x̂, and what its slip has become.
 #[derive(Debug, Clone)]
@@ -457,7 +457,7 @@ pub fn corrected83() -> Evidence {
 }
 
 /// (γ, τ of the motion over τ of (82)) at the points of the trial.
-pub(super) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
+pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
     let known = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
     known
         .map(|turn| {

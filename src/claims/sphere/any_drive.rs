@@ -2,16 +2,16 @@
 
 use super::driven::{Swing, of_settled, part};
 use super::every_drive::rolling_time;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::periodic::threshold::{Bounds, bounds};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, Sign};
 use crate::paper::periodic;
 use std::f64::consts::TAU;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// A drive of three harmonics at random, and the frictions between which section 2.3 leaves it open whether it rests.
 fn any(points: &mut Points) -> Result<(Harmonics, Drive, Bounds), Failure> {

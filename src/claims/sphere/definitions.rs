@@ -1,9 +1,6 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
 use super::spheres::{Run, braking, length, mixed, sphere, weighed};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, MOTION};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Plane;
@@ -11,6 +8,9 @@ use crate::motion::sphere::{Ball, Contact};
 use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::points::Points;
 
 const fn consistency(compared: Compared) -> Trial {
     Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)

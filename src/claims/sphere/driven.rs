@@ -3,11 +3,7 @@
 use super::every_drive::rolling_time;
 use super::spheres::{braking, sphere};
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::claims::periodic::drives::Harmonics;
-use crate::claims::points::Points;
-use crate::claims::runs::Runs;
 use crate::claims::tolerances::{MOTION, NONE};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
@@ -16,6 +12,10 @@ use crate::motion::{Plane, Signal};
 use crate::numerics::roots::root;
 use crate::paper::{periodic, sinusoidal, sphere as printed};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::Runs;
 
 /// Periods after which the motion counts as settled.
 const SETTLED: f64 = 10.0;
@@ -592,7 +592,7 @@ pub struct Swinging {
 }
 
 /// Two late periods of a solid sphere.
-pub(super) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
+pub fn swinging(lambda: f64) -> Result<Swinging, Failure> {
     let sphere = Sphere::with_kappa(0.4);
     let swing = Swing {
         sphere,

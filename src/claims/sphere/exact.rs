@@ -10,11 +10,11 @@ mod newton;
 #[cfg(test)]
 mod tests;
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::Expr;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
 
 /// Components of a vector, as trees; a scalar has one.
 pub type Components = Vec<Expr>;

@@ -1,12 +1,12 @@
 //! What the conditions of section 3 except.
 
-use crate::certified::interval::Interval;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::excepted::no_value;
 use crate::evidence::Evidence;
 use crate::paper::sphere as printed;
 use crate::scalar::Scalar;
+use trialbook::certified::interval::Interval;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::excepted::no_value;
 
 /// (81), from the line of the acceleration.
 pub fn eq81() -> Evidence {

@@ -1,14 +1,14 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
 use super::spheres::{Run, length, mixed, sliding, times, weighed};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Subject};
 use crate::motion::State;
 use crate::motion::sphere::Ball;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
 /// What a printed rate, summed over time along sliding motions, has to be: the change of a quantity.
 fn summed(

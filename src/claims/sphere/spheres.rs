@@ -1,12 +1,12 @@
 //! The motions of the rigid sphere that section 3 is held against, with m, R, I, μ and g that are not 1.
 
-use crate::claims::points::Points;
-use crate::claims::runs::{Failure, Runs, every};
 use crate::motion::MotionError;
 use crate::motion::sphere::{Ball, BallMotion, Sphere};
 use crate::motion::{Acceleration, Plane, Signal};
 use crate::paper::sphere as printed;
 use std::f64::consts::{PI, TAU};
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Failure, Runs, every};
 
 /// A sphere on a plane, from a start.
 #[derive(Debug, Clone)]

@@ -2,13 +2,13 @@
 //!
 //! The motion is integrated twice: in Cartesian components, and in components along and across the velocity.
 
-use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
+use super::trajectories::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
 use crate::claims::tolerances::FRAMES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::Intrinsic;
 use crate::paper::turntable as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
 
 /// At both ends of each stretch: what a formula gives from one integration with what the other has.
 fn ends(

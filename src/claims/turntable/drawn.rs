@@ -1,12 +1,12 @@
 //! The motions that the chapter draws: two launches from the axis, one that comes to rest and one that escapes.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, inertial, rotating};
 use crate::paper::turntable as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
 
 /// The speeds of the launches.
 pub const SPEEDS: [f64; 2] = [1.0, 1.5];

@@ -1,15 +1,15 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::stretches::{ANY, Launch, Stretch, View, launches, stretches, sum};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
+use super::trajectories::{ANY, Launch, Stretch, View, launches, stretches, sum};
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::{State, Table};
 use crate::numerics::quadrature::integral;
 use crate::paper::turntable as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// (104), with the arc length of the integration by components.
 pub fn eq104() -> Evidence {

@@ -14,12 +14,12 @@ mod setting;
 #[cfg(test)]
 mod tests;
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::Statement;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover};
 pub use setting::Setting;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
 
 /// A statement about the turntable: formulas, or the two components of one.
 pub type Law = Statement<Vec<Expr>>;

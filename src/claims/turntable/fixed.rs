@@ -1,9 +1,6 @@
 //! Trials of the quasi-fixed points (124) and (125): where ψ stands still, and what deviations do. And how well ψ follows
 //! ψ₁ when α moves, for a figure.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
 use crate::claims::tolerances::{FOREIGN, NONE, STANDS_STILL};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
@@ -12,6 +9,9 @@ use crate::motion::turntable::intrinsic::Run;
 use crate::numerics::{NumericsError, dop853, roots};
 use crate::paper::turntable as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 /// dψ/dτ at the begin of a motion, by its first five values.
 fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {

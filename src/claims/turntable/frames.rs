@@ -1,9 +1,6 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
-use super::stretches::{ANY, Launch, launches, stretches, sum};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
-use crate::claims::points::Points;
+use super::trajectories::{ANY, Launch, launches, stretches, sum};
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
@@ -11,6 +8,9 @@ use crate::motion::turntable::{Path, State, Table, inertial, rotating};
 use crate::numerics::dop853;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
 
 fn law(table: &Table, state: &State) -> [f64; 2] {
     printed::eq86_acceleration(table.omega, table.mu, table.g, state.x, state.v)

@@ -1,13 +1,13 @@
 //! Trials of where (100) and (101) come from: which rate the two laws of motion are combined with.
 
-use super::standstill::first_rate;
-use super::stretches::{ANY, View, stretches, sum};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Failure, Pair, Trial};
+use super::singular_starts::first_rate;
+use super::trajectories::{ANY, View, stretches, sum};
 use crate::corrections::turntable as corrected;
 use crate::evidence::{Evidence, Subject};
 use crate::motion::turntable::{State, Table};
 use crate::paper::turntable as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
 /// ∫ rate dτ along stretches of motion with the change of the quantity.
 fn change(

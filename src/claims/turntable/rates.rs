@@ -1,12 +1,12 @@
 //! Printed rates, integrated along motions, against what changed.
 
-use super::stretches::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches, sum};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::{Compared, Pair, Trial};
+use super::trajectories::{ANY, Class, FASTER, SLOWER, Stretch, View, samples, stretches, sum};
 use crate::evidence::{Evidence, Subject};
 use crate::motion::MotionError;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Pair, Trial};
 
 /// What the quadratures are asked for.
 const ASKED: f64 = 1e-13;

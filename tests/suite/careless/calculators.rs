@@ -4,9 +4,9 @@ use super::{config, each, finite};
 use proptest::prelude::*;
 use proptest::test_runner::TestRunner;
 use rayon::prelude::*;
-use slipbook::claims::solve::constant::At;
-use slipbook::claims::solve::*;
 use slipbook::explorers::{QUESTIONS, answer};
+use slipbook::solve::constant::At;
+use slipbook::solve::*;
 
 /// Questions of the boundary at a time.
 const MANY: usize = 32;

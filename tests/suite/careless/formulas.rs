@@ -2,11 +2,11 @@
 
 use super::{any, config, each};
 use proptest::prelude::*;
-use slipbook::certified::ball::Ball;
-use slipbook::certified::interval::Interval;
 use slipbook::claims::PAPER;
 use slipbook::claims::formulas::formulas;
 use slipbook::scalar::Scalar;
+use trialbook::certified::ball::Ball;
+use trialbook::certified::interval::Interval;
 
 /// A pair of bounds in order, or the whole line.
 fn bounded(x: Interval) -> bool {

@@ -7,8 +7,9 @@ use slipbook::claims::PAPER;
 use slipbook::claims::values::{decimal_of, search};
 use slipbook::cli;
 use slipbook::edition::EDITION;
-use slipbook::figures::{Cell, Table};
-use slipbook::ledger::{Record, pieces, plain_formula, plain_words};
+use slipbook::ledger::Record;
+use trialbook::figures::{Cell, Table};
+use trialbook::notation::{pieces, plain_formula, plain_words};
 
 /// Any text, or one that is nearly a number, a range, a record or a formula.
 fn text() -> impl Strategy<Value = String> {

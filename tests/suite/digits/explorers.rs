@@ -2,12 +2,12 @@
 
 use super::vectors::rows;
 use super::{Room, TERMS, cases};
-use slipbook::claims::solve::turntable::TurntableProblem;
 use slipbook::explorers::{anisotropic, constant, sphere, turntable};
 use slipbook::numerics::double::Double;
 use slipbook::numerics::number::Real;
 use slipbook::numerics::series::{product, sqrt, square, value};
 use slipbook::numerics::taylor::{Control, Integrator, Step, System};
+use slipbook::solve::turntable::TurntableProblem;
 use std::f64::consts::{PI, TAU};
 
 /// Half a unit of the fourth digit after the point, with room for its rounding.

@@ -1,6 +1,6 @@
 //! How many digits were claimed, and how many are true.
 
-use slipbook::claims::solve::{Answer, Field, Fields, Value};
+use slipbook::solve::{Answer, Field, Fields, Value};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

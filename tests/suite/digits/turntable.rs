@@ -3,13 +3,13 @@
 
 use super::tally::Tally;
 use super::{Room, TERMS, cases};
-use slipbook::claims::solve::known;
-use slipbook::claims::solve::turntable::{End, Horizon, Start, TurntableProblem};
 use slipbook::motion::turntable::{Fate, boundary, fate};
 use slipbook::numerics::double::Double;
 use slipbook::numerics::number::Real;
 use slipbook::numerics::series::{product, sqrt, square, value};
 use slipbook::numerics::taylor::{Control, Integrator, Step, System};
+use slipbook::solve::known;
+use slipbook::solve::turntable::{End, Horizon, Start, TurntableProblem};
 use std::f64::consts::PI;
 
 /// x′ = v, v′ = x + 2 v×ẑ − v/|v|, in a time s with dt = |v| ds; components t, x, y, v_x, v_y.
@@ -338,8 +338,8 @@ fn rests(rho: Double, p: Double, psi: f64) -> bool {
 /// The boundary has rest below and escape above, by the other law.
 #[test]
 fn the_boundary_has_rest_below_and_escape_above() {
-    use slipbook::claims::solve::rest::BoundaryProblem;
     use slipbook::scalar::Scalar;
+    use slipbook::solve::rest::BoundaryProblem;
     let mut rng = fastrand::Rng::with_seed(22);
     let [mut solved, mut library] = [(); 2].map(|()| Tally::default());
     let wanted = cases(60);

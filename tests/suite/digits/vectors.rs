@@ -2,8 +2,8 @@
 
 use super::cases;
 use super::tally::Tally;
-use slipbook::claims::solve::constant::At;
-use slipbook::claims::solve::{
+use slipbook::solve::constant::At;
+use slipbook::solve::{
     Answer, Fields, SolveError, anisotropic, constant, known, periodic, rest, sinusoidal, sphere,
     turntable,
 };

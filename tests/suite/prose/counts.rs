@@ -2,9 +2,9 @@
 //!
 //! What is found by a few words around the number has to be right; where the words are no longer there, nothing is asked.
 
-use super::hold::Library;
 use super::items::List;
 use super::numbers::{literals, number, quotients, slots};
+use super::printed_part::Library;
 use super::text::{Page, Section, pages, sections_of};
 use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::census;
@@ -13,8 +13,6 @@ use slipbook::claims::corners::CORNERS;
 use slipbook::claims::periodic::drawn;
 use slipbook::claims::periodic::drives::{Phase, motion, third_harmonic};
 use slipbook::claims::rest::fates::recorded;
-use slipbook::claims::solve::sinusoidal::SinusoidalProblem;
-use slipbook::claims::solve::{Double, VERSION};
 use slipbook::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use slipbook::evidence::{Compared, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Verdict, judge};
@@ -25,6 +23,8 @@ use slipbook::motion::{Launch, Plane};
 use slipbook::numerics::fit::fit;
 use slipbook::paper::{sinusoidal, sphere};
 use slipbook::seeded::Corner;
+use slipbook::solve::sinusoidal::SinusoidalProblem;
+use slipbook::solve::{Double, VERSION};
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 use std::sync::LazyLock;

@@ -1,7 +1,8 @@
 //! The numbers behind a figure, and what a curve does.
 
-use slipbook::figures::{Figure, all};
+use slipbook::figures::all;
 use std::sync::LazyLock;
+use trialbook::figures::Figure;
 
 /// All figures.
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| all().unwrap());

@@ -1,8 +1,8 @@
 //! The curves of a figure against its numbers: read back from the drawing by the ticks and the words at the axes.
 
 use super::data::FIGURES;
-use slipbook::figures::Figure;
 use std::f64::consts::PI;
+use trialbook::figures::Figure;
 
 /// What the words at an axis call the columns of the numbers.
 const AXES: &str = "

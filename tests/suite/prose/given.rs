@@ -6,7 +6,7 @@
 
 use super::compare;
 use super::formulas::{Found, Given, found, number, read};
-use super::hold::Library;
+use super::printed_part::Library;
 use slipbook::exact::Expr;
 use slipbook::exact::latex::{Value, statements};
 

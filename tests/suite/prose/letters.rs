@@ -1,9 +1,10 @@
 //! The letters of each page: each is in the table of symbols, and none has a meaning of its own where a box uses it.
 
 use super::text::{formulas_of, sections};
-use slipbook::claims::{PAPER, Topic};
+use slipbook::claims::PAPER;
 use slipbook::symbols::SYMBOLS;
 use std::collections::{BTreeMap, BTreeSet};
+use trialbook::claims::Topic;
 
 /// The page with the table of the letters of our own.
 const TABLE: &str = include_str!("../../../book/src/symbols.md");

@@ -1,6 +1,6 @@
 //! What the names of a printed formula mean: the arguments of the formula that it is held against.
 
-use super::hold::Library;
+use super::printed_part::Library;
 use slipbook::exact::Expr;
 use slipbook::exact::latex::{LatexError, Lexicon, Statement, Value};
 use slipbook::scalar::Scalar;

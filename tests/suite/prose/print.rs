@@ -4,7 +4,7 @@
 //! or, where it is computed, in its snapshot alone.
 
 use super::compare::Same;
-use super::hold::Library;
+use super::printed_part::Library;
 use super::table::{self, Line, Place};
 use super::words;
 use slipbook::claims::PAPER;

@@ -1,8 +1,8 @@
 //! That the comparison can fail: slips of the pen in the prints, mistakes in the formulas of the code.
 
-use super::hold::Library;
 use super::mistakes::mistakes;
 use super::print::{corrected, corrections, in_the_same_words, lines, printed};
+use super::printed_part::Library;
 use super::table::{self, Line};
 use super::{compare, meaning, words};
 use slipbook::claims::{PAPER, formulas::formulas};

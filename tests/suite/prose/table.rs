@@ -2,7 +2,7 @@
 //!
 //! An equation without a line is held by the default: its right side is its only formula.
 
-use super::late;
+use super::corrections;
 use slipbook::exact::Expr;
 use slipbook::seeded::Formula;
 
@@ -205,31 +205,31 @@ pub fn joined() -> Vec<Formula<Expr>> {
             "slipbook::corrections::constant::time_of_ln_r",
             &["lambda", "a", "v0", "theta0", "r"],
             &["λ", "A", "v₀", "θ₀", "r"],
-            late::time,
+            corrections::time,
         ),
         formula(
             "slipbook::corrections::escape::late_a",
             &["tau"],
             &["τ"],
-            late::late_a,
+            corrections::late_a,
         ),
         formula(
             "slipbook::corrections::escape::late_lag",
             &["tau"],
             &["τ"],
-            late::late_lag,
+            corrections::late_lag,
         ),
         formula(
             "slipbook::corrections::escape::late_rho",
             &["tau"],
             &["τ"],
-            late::late_rho,
+            corrections::late_rho,
         ),
         formula(
             "slipbook::corrections::escape::late_s",
             &["tau"],
             &["τ"],
-            late::late_s,
+            corrections::late_s,
         ),
     ]
 }

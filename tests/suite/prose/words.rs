@@ -3,7 +3,7 @@
 //! So a row's plain text is held against its LaTeX, and of each print what no formula of the code says: the left sides,
 //! the relations, the conditions of cases.
 
-use slipbook::ledger::plain_words;
+use trialbook::notation::plain_words;
 
 /// The same in different letters.
 const SPELLINGS: &[(&str, &str)] = &[

@@ -1,7 +1,7 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
+use super::certificates;
 use super::changes;
-use super::checked;
 use super::code::Place;
 use super::context::{Context, verdict};
 use super::deep;
@@ -226,7 +226,7 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         .into_iter()
         .chain(others)
         .map(|(i, e)| {
-            let checked = checked::line(context, entry, e);
+            let checked = certificates::line(context, entry, e);
             trial(context, e, (conditional, &checked), code(i).as_ref())
         })
         .collect();

@@ -75,9 +75,13 @@ impl<'a> Code<'a> {
         Code { edition, files }
     }
 
-    /// The sources of a topic in a room: `claims/escape.rs` and all in `claims/escape`. All where there are no rooms.
-    fn of_topic(&self, room: &str, topic: &Topic) -> impl Iterator<Item = (&'static str, &Source)> {
-        let stem = format!("{room}/{}", topic.stem);
+    /// The sources of a topic in a module: `claims/escape.rs` and all in `claims/escape`. All where there are no modules.
+    fn of_topic(
+        &self,
+        module: &str,
+        topic: &Topic,
+    ) -> impl Iterator<Item = (&'static str, &Source)> {
+        let stem = format!("{module}/{}", topic.stem);
         let flat = self.files.keys().all(|file| !file.contains('/'));
         let files = self.files.iter().map(|(file, source)| (*file, source));
         files.filter(move |(file, _)| {

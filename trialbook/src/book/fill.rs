@@ -4,7 +4,7 @@ use super::claim_box;
 use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::{count, escape, in_words, size};
-use super::{checked, deep, errata, lemmas, map, overview, symbols, tables, values};
+use super::{certificates, deep, errata, lemmas, map, overview, symbols, tables, values};
 use crate::edition::Filled;
 use crate::evidence::Kind;
 use crate::figures::{Figure, panels};
@@ -70,7 +70,7 @@ impl<'a> Filler<'a> {
             ["strongest"] => block(tables::strongest(context)?),
             ["measured"] => block(tables::measured(context)?),
             ["accuracy"] => block(tables::accuracy(context)?),
-            ["certified"] => block(checked::summary(context)?),
+            ["certified"] => block(certificates::summary(context)?),
             ["deep"] => block(deep::table_of(context)?),
             ["survivors"] => block(tables::excused(context, "survivors")?),
             ["spared"] => block(tables::excused(context, "spared")?),

@@ -1,5 +1,6 @@
 //! The book in two steps: what stands on its pages whatever the verdicts, and all that fills them.
 
+use super::atomic_replace::{Staging, unwritable};
 use super::code::Code;
 use super::context::Context;
 use super::error::{BookError, Fault};
@@ -9,8 +10,7 @@ use super::links::dead_links;
 use super::maths::{Forms, Maths};
 use super::pages;
 use super::search::Search;
-use super::swap::{Staging, unwritable};
-use super::{assets, head, map, overview, put};
+use super::{assets, map, metadata, overview, put};
 use crate::edition::{Edition, Filled, Page};
 use crate::figures::Figure;
 use crate::ledger::deep::Deep;
@@ -209,7 +209,7 @@ impl<'a> Frame<'a> {
             let html = if chapter { with_folds(&html) } else { html };
             (
                 name.clone(),
-                head::with_head(self.edition, stem, &html, forms),
+                metadata::with_head(self.edition, stem, &html, forms),
             )
         };
         let pages: Vec<_> = self.html.par_iter().map(whole).collect();

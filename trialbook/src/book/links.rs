@@ -6,33 +6,40 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+/// All files in a folder and in those within it, by their paths from there, with `/` between the names.
+///
+/// # Errors
+/// What the system says where a folder cannot be read.
+pub fn files_below(folder: &Path) -> io::Result<BTreeMap<String, PathBuf>> {
+    let mut files = BTreeMap::new();
+    let mut open = vec![folder.to_owned()];
+    while let Some(next) = open.pop() {
+        for item in fs::read_dir(next)? {
+            let path = item?.path();
+            if path.is_dir() {
+                open.push(path);
+            } else {
+                let below = path.strip_prefix(folder).unwrap_or(&path);
+                let name = below.to_string_lossy().replace('\\', "/");
+                files.insert(name, path);
+            }
+        }
+    }
+    Ok(files)
+}
+
 /// The links of the pages in a folder that lead nowhere, each once, as `page: link`: to a file or a place that is not there. What
 /// is loaded from out of the book is dead too; where a link leads out of it, nobody is asked.
 ///
 /// # Errors
 /// What the system says where a file cannot be read.
 pub fn dead_links(folder: &Path) -> io::Result<Vec<String>> {
-    let mut files = BTreeSet::new();
-    let mut open = vec![folder.to_owned()];
-    while let Some(next) = open.pop() {
-        for item in fs::read_dir(next)? {
-            let path = item?.path();
-            match path.is_dir() {
-                true => open.push(path),
-                false => drop(files.insert(path)),
-            }
-        }
-    }
-    let name = |path: &Path| {
-        let below = path.strip_prefix(folder).unwrap_or(path);
-        below.to_string_lossy().replace('\\', "/")
-    };
-    let read = |path: &PathBuf| Ok((name(path), fs::read_to_string(path)?));
-    let html = |path: &&PathBuf| path.extension().is_some_and(|e| e == "html");
-    let pages: io::Result<Vec<(String, String)>> =
-        files.par_iter().filter(html).map(read).collect();
+    let files = files_below(folder)?;
+    let pages = files.par_iter().filter(|(name, _)| name.ends_with(".html"));
+    let pages: io::Result<Vec<(&String, String)>> = pages
+        .map(|(name, path)| Ok((name, fs::read_to_string(path)?)))
+        .collect();
     let pages = pages?;
-    let files: BTreeSet<String> = files.iter().map(|path| name(path)).collect();
     let places = pages
         .par_iter()
         .map(|(page, html)| (page.as_str(), values(html, "id").collect()));
@@ -48,7 +55,7 @@ pub fn dead_links(folder: &Path) -> io::Result<Vec<String>> {
                 .get(target.as_str())
                 .is_some_and(|places| places.contains(place))
         };
-        files.contains(&target) && (place.is_empty() || there())
+        files.contains_key(&target) && (place.is_empty() || there())
     };
     let dead = pages.par_iter().flat_map_iter(|(page, html)| {
         let own = values(html, "href").filter(|link| !OUTSIDE.iter().any(|o| link.starts_with(o)));

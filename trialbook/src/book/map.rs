@@ -6,7 +6,8 @@ use super::tables::table;
 use super::text::{count, counted};
 use crate::figures::map::{Node, map};
 use crate::figures::{Figure, FigureError};
-use crate::ledger::{Ledger, Verdict, plain_words};
+use crate::ledger::{Ledger, Verdict};
+use crate::notation::plain_words;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The figure.

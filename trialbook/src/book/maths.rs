@@ -5,7 +5,7 @@ use super::error::Fault;
 use super::rows::in_rows;
 use super::text::{escape, scientific};
 use crate::claims::{Claim, Paper};
-use crate::ledger::{Piece, pieces, plain_formula};
+use crate::notation::{Piece, pieces, plain_formula};
 use katex::macro_expander::MacroMap;
 use katex::macros::MacroDefinition;
 use katex::{KatexContext, OutputFormat, Settings, TrustSetting, render_to_string};

@@ -46,8 +46,9 @@
 //! fills the placeholders: it then reads a tenth of the text, and the rest is put in last.
 
 mod assets;
+mod atomic_replace;
+mod certificates;
 mod changes;
-mod checked;
 mod claim_box;
 mod code;
 mod context;
@@ -57,17 +58,16 @@ mod error;
 mod expand;
 mod fill;
 mod frame;
-mod head;
 mod lemmas;
 mod links;
 mod map;
 mod maths;
+mod metadata;
 mod overview;
 mod pages;
 mod register;
 mod rows;
 mod search;
-mod swap;
 mod symbols;
 mod tables;
 #[cfg(test)]
@@ -75,20 +75,20 @@ mod tests;
 mod text;
 mod values;
 
+pub use atomic_replace::bare;
 pub use error::BookError;
 pub use frame::Frame;
-pub use links::dead_links;
+pub use links::{dead_links, files_below};
 pub use register::register;
-pub use swap::bare;
 pub use tables::table;
 pub use text::escape;
 
 use crate::edition::Edition;
 use crate::figures::Figure;
 use crate::ledger::Ledger;
+use atomic_replace::{Staging, unwritable};
 use std::fs;
 use std::path::{Path, PathBuf};
-use swap::{Staging, unwritable};
 
 /// Writes the book into the folder `out` and returns the path of its first page.
 ///
@@ -128,7 +128,7 @@ pub(crate) fn replace(
     kind: &str,
     files: &[(String, Vec<u8>)],
 ) -> Result<PathBuf, BookError> {
-    let staging = swap::Staging::beside(out, name)?;
+    let staging = atomic_replace::Staging::beside(out, name)?;
     let (places, folder) = (staging.places(), staging.path(kind));
     let written = || {
         for (file, bytes) in files {

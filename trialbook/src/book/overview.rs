@@ -7,7 +7,8 @@ use super::error::Fault;
 use super::text::{escape, sentence};
 use crate::claims::Topic;
 use crate::edition::Edition;
-use crate::ledger::{Entry, Verdict, plain_words};
+use crate::ledger::{Entry, Verdict};
+use crate::notation::plain_words;
 use serde::Serialize;
 
 /// Where the answers lie within the book.

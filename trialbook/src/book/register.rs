@@ -2,7 +2,8 @@
 
 use crate::edition::Edition;
 use crate::figures::{Cell, FigureError, Table};
-use crate::ledger::{Erratum, plain_words};
+use crate::ledger::Erratum;
+use crate::notation::plain_words;
 
 /// The register as CSV: where it stands, what is printed, what is right, why, on what evidence, and by which command that is
 /// tried again.

@@ -6,7 +6,8 @@
 use super::context::Context;
 use super::text::unescape;
 use crate::evidence::Change;
-use crate::ledger::plain_words;
+use crate::notation::letters::{GREEK, HIGH, large};
+use crate::notation::plain_words;
 use elasticlunr::lang::English;
 use elasticlunr::{Index, IndexBuilder, Language, Pipeline};
 use serde_json::json;
@@ -103,46 +104,15 @@ fn words(text: &str) -> Vec<String> {
 fn typed(word: &str) -> String {
     let mut out = String::new();
     for c in word.chars() {
-        match (
-            SMALL_HIGH.find(c),
-            GREEK.iter().find(|(letter, _)| *letter == c),
-        ) {
-            (Some(_), _) => {
-                let digit = SMALL_HIGH.chars().position(|high| high == c).unwrap_or(0);
-                out.push_str(&format!("^{digit}"));
-            }
-            (_, Some((_, name))) => out.push_str(name),
-            _ => out.push(flat_digit(c)),
+        let is = |(_, letter): &&(&str, &str)| letter.chars().eq([c]);
+        match (large(c, HIGH), GREEK.iter().find(is)) {
+            (Some(digit), _) => out.extend(['^', digit]),
+            (None, Some((name, _))) => out.push_str(name),
+            (None, None) => out.push(flat_digit(c)),
         }
     }
     out
 }
-
-/// The digits as powers.
-const SMALL_HIGH: &str = "⁰¹²³⁴⁵⁶⁷⁸⁹";
-
-/// Greek letters and their names.
-const GREEK: [(char, &str); 19] = [
-    ('α', "alpha"),
-    ('β', "beta"),
-    ('γ', "gamma"),
-    ('δ', "delta"),
-    ('ζ', "zeta"),
-    ('η', "eta"),
-    ('θ', "theta"),
-    ('κ', "kappa"),
-    ('λ', "lambda"),
-    ('μ', "mu"),
-    ('ξ', "xi"),
-    ('π', "pi"),
-    ('ρ', "rho"),
-    ('σ', "sigma"),
-    ('τ', "tau"),
-    ('φ', "phi"),
-    ('ψ', "psi"),
-    ('ω', "omega"),
-    ('ϖ', "varpi"),
-];
 
 /// A digit of an index as one on the line.
 fn flat_digit(c: char) -> char {

@@ -1,7 +1,7 @@
 //! Text and numbers for HTML.
 
-use crate::ledger::decimal;
 pub(super) use crate::ledger::{count, counted};
+use crate::notation::decimal;
 
 /// Data as text in HTML, on one line.
 pub fn escape(text: &str) -> String {

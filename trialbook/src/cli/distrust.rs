@@ -7,7 +7,7 @@ use crate::claims::variants::Variant;
 use crate::edition::{Edition, Failure, Format};
 use crate::ledger::Ledger;
 use crate::ledger::distrust::{Extent, Tried};
-use crate::ledger::slight::Slight;
+use crate::ledger::sensitivity::Slight;
 use serde::Serialize;
 use std::fmt::Write;
 

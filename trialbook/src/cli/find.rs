@@ -5,7 +5,7 @@ use super::screen::screen;
 use crate::claims::Paper;
 use crate::claims::values::{Form, Match, Value, decimal_of, search};
 use crate::edition::{Failure, Format};
-use crate::ledger::plain_words;
+use crate::notation::plain_words;
 use std::fmt::Write;
 
 /// What is given, which may begin with a minus, unless it is a misspelt option.

@@ -3,8 +3,8 @@
 use super::error::ExactError;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
+use super::recording;
 use super::ring::{Ring, Rule};
-use super::tape;
 use std::collections::BTreeMap;
 
 /// The rates of the free symbols along a motion, or with respect to one of them; 0 for all others.
@@ -23,7 +23,7 @@ impl Derivation {
 impl Ring {
     /// The normal form: powers of roots below their degree above the line, and as bare factors below it.
     pub fn normal(&self, x: &Rational) -> Rational {
-        tape::kept(x, || self.reduced(x))
+        recording::kept(x, || self.reduced(x))
     }
 
     fn reduced(&self, x: &Rational) -> Rational {
@@ -91,7 +91,7 @@ impl Ring {
             })?;
             Ok(self.normal(&(x * &inverse)))
         };
-        tape::formed(|| tape::quotient(x, y), divide)
+        recording::formed(|| recording::quotient(x, y), divide)
     }
 
     /// The derivation with respect to a free symbol, all others fixed.
@@ -118,7 +118,7 @@ impl Ring {
     /// # Errors
     /// [`ExactError::VaryingExponent`] for b^e with varying e, unless ln b is declared.
     pub fn derivative(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
-        tape::formed(|| tape::derivative(x, by), || self.slope(x, by))
+        recording::formed(|| recording::derivative(x, by), || self.slope(x, by))
     }
 
     fn slope(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
@@ -186,7 +186,7 @@ impl Ring {
         x: &Rational,
         values: &[(&Rational, &Rational)],
     ) -> Result<Rational, ExactError> {
-        tape::formed(|| tape::put(x, values), || self.replaced(x, values))
+        recording::formed(|| recording::put(x, values), || self.replaced(x, values))
     }
 
     fn replaced(

@@ -3,9 +3,9 @@
 use super::error::ExactError;
 use super::expr::{Binary, Expr, Function, Node};
 use super::rational::Rational;
+use super::recording;
 use super::ring::Ring;
 use super::series::Series;
-use super::tape;
 
 impl Ring {
     /// Reads a formula in which some symbols stand for series; what else occurs is read as by [`Ring::read`] and does
@@ -19,7 +19,7 @@ impl Ring {
         series: &[(&str, &Series)],
         order: i64,
     ) -> Result<Series, ExactError> {
-        tape::expanded((formula, series, order), || {
+        recording::expanded((formula, series, order), || {
             self.expanded(formula, series, order)
         })
     }

@@ -2,8 +2,8 @@
 
 use super::error::ExactError;
 use super::rational::Rational;
+use super::recording;
 use super::ring::Ring;
-use super::tape;
 
 impl Ring {
     /// Solves equations that are linear in free symbols, each with the coefficients of the powers of `monomials`
@@ -17,7 +17,7 @@ impl Ring {
         powers_of: Option<&Rational>,
         unknowns: &[&str],
     ) -> Result<Vec<(Rational, Rational)>, ExactError> {
-        tape::solved(equations, || self.solved(equations, powers_of, unknowns))
+        recording::solved(equations, || self.solved(equations, powers_of, unknowns))
     }
 
     fn solved(

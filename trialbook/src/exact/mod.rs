@@ -21,28 +21,28 @@
 //! ```
 
 mod calculus;
+mod constant_folding;
 mod error;
 mod expand;
 mod expr;
 mod factor;
-mod folded;
 pub mod latex;
 mod linear;
 mod polynomial;
 mod proof;
 mod rational;
 mod read;
+mod recording;
 mod ring;
 mod series;
-mod tape;
 
 pub use calculus::Derivation;
+pub use constant_folding::folded;
 pub use error::ExactError;
 pub use expr::{Binary, Expr, Function, Node};
-pub use folded::folded;
 pub use polynomial::Polynomial;
 pub use proof::{Obstacle, Proof, Prover, Step};
 pub use rational::Rational;
+pub use recording::tree;
 pub use ring::Ring;
 pub use series::Series;
-pub use tape::tree;

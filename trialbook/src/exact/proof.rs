@@ -4,9 +4,9 @@ use super::calculus::Derivation;
 use super::error::ExactError;
 use super::expr::Expr;
 use super::rational::Rational;
+use super::recording;
 use super::ring::Ring;
 use super::series::Series;
-use super::tape;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
@@ -87,7 +87,7 @@ impl Proof {
             premises: Vec::new(),
             compared: false,
         };
-        tape::begin();
+        recording::begin();
         let outcome = steps(&mut prover);
         let empty = (!prover.compared).then_some(Obstacle::Empty);
         let proof = Proof {
@@ -97,9 +97,11 @@ impl Proof {
             obstacle: outcome.err().or(empty),
         };
         match proof.obstacle {
-            None => tape::end(&proof.title, ring, tape::Outcome::Holds),
-            Some(Obstacle::NotZero { .. }) => tape::end(&proof.title, ring, tape::Outcome::Fails),
-            Some(_) => tape::end(&proof.title, ring, tape::Outcome::Open),
+            None => recording::end(&proof.title, ring, recording::Outcome::Holds),
+            Some(Obstacle::NotZero { .. }) => {
+                recording::end(&proof.title, ring, recording::Outcome::Fails)
+            }
+            Some(_) => recording::end(&proof.title, ring, recording::Outcome::Open),
         }
         proof
     }
@@ -239,7 +241,7 @@ impl<'a> Prover<'a> {
                 title: other.title.clone(),
             });
         }
-        tape::given(&other.title);
+        recording::given(&other.title);
         self.steps.push(other.as_step());
         self.premises.push(Arc::new(other.clone()));
         Ok(())
@@ -250,7 +252,7 @@ impl<'a> Prover<'a> {
     /// # Errors
     /// [`Obstacle`] of the other proof, if that does not hold.
     pub fn carry_on(&mut self, other: &Proof) -> Result<(), Obstacle> {
-        tape::given(&other.title);
+        recording::given(&other.title);
         self.steps.extend_from_slice(&other.steps);
         self.premises.extend_from_slice(&other.premises);
         match &other.obstacle {
@@ -344,10 +346,10 @@ impl<'a> Prover<'a> {
         let difference = x - y;
         self.compared = true;
         let is_zero = self.ring.is_zero(&difference)?;
-        if is_zero && tape::is_plain(x, y, &difference, self.ring) {
+        if is_zero && recording::is_plain(x, y, &difference, self.ring) {
             return Ok(());
         }
-        tape::compared(says, x, y);
+        recording::compared(says, x, y);
         if is_zero {
             self.note(says, "the difference is 0");
             Ok(())

@@ -5,7 +5,7 @@
 //! divisor of polynomials, and zero is zero, because it has the numerator 0.
 
 use super::polynomial::Polynomial;
-use super::tape::{self, Origin};
+use super::recording::{self, Origin};
 use crate::witness::Part;
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
@@ -320,14 +320,14 @@ impl Rational {
 impl Add for &Rational {
     type Output = Rational;
     fn add(self, other: Self) -> Rational {
-        tape::joined(Part::Sum, self, other, self.plus(other))
+        recording::joined(Part::Sum, self, other, self.plus(other))
     }
 }
 
 impl Neg for &Rational {
     type Output = Rational;
     fn neg(self) -> Rational {
-        tape::negative(self, self.negated())
+        recording::negative(self, self.negated())
     }
 }
 
@@ -335,7 +335,7 @@ impl Sub for &Rational {
     type Output = Rational;
     fn sub(self, other: Self) -> Rational {
         let difference = self.plus(&other.negated());
-        tape::joined(Part::Difference, self, other, difference)
+        recording::joined(Part::Difference, self, other, difference)
     }
 }
 
@@ -356,7 +356,7 @@ impl Mul for &Rational {
             origin: Origin::default(),
         };
         product.cancel();
-        tape::joined(Part::Product, self, other, product)
+        recording::joined(Part::Product, self, other, product)
     }
 }
 

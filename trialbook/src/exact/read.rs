@@ -3,8 +3,8 @@
 use super::error::ExactError;
 use super::expr::{Binary, Expr, Function, Node};
 use super::rational::Rational;
+use super::recording::{self, Made};
 use super::ring::{PI, Ring};
-use super::tape::{self, Made};
 use dashu_int::IBig;
 
 /// The largest whole exponent that is multiplied out.
@@ -21,7 +21,10 @@ impl Ring {
     /// [`ExactError`] for a symbol, an angle, a power, a logarithm that is not declared, and for a division
     /// by zero.
     pub fn read(&self, formula: Expr) -> Result<Rational, ExactError> {
-        let read = tape::formed(|| tape::read(formula, self), || self.understood(formula))?;
+        let read = recording::formed(
+            || recording::read(formula, self),
+            || self.understood(formula),
+        )?;
         let origin = read.origin().made(Made::Read(formula.index()));
         Ok(read.formed(origin))
     }
@@ -78,7 +81,7 @@ impl Ring {
                 let known = self.inverses.iter().enumerate();
                 for (i, known) in known.filter(|(_, k)| k.function == function) {
                     if self.is_zero(&(&known.of - x))? {
-                        tape::met(tape::Known::Inverse(i));
+                        recording::met(recording::Known::Inverse(i));
                         return Ok(known.angle.clone());
                     }
                 }
@@ -167,8 +170,8 @@ impl Ring {
         base: &Rational,
         exponent: &Rational,
     ) -> Result<Rational, ExactError> {
-        tape::formed(
-            || tape::raised(base, exponent),
+        recording::formed(
+            || recording::raised(base, exponent),
             || self.raised(base, exponent),
         )
     }
@@ -221,7 +224,7 @@ impl Ring {
             };
             let k = rest.valuation(prime);
             if k != 0 {
-                tape::met(tape::Known::Power(i));
+                recording::met(recording::Known::Power(i));
                 rest = self.divide(&rest, &self.whole_power(&known.base, k)?)?;
                 product = product * self.whole_power(&known.value, k)?;
             }
@@ -235,7 +238,7 @@ impl Ring {
         }
         for (i, known) in numbers {
             if let Some(root) = whole_root(&self.divide(&rest, &known.base)?) {
-                tape::met(tape::Known::Power(i));
+                recording::met(recording::Known::Power(i));
                 return Ok(Some(product * &known.value * root));
             }
         }

@@ -18,7 +18,7 @@ use super::error::ExactError;
 use super::expr::Function;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
-use super::tape;
+use super::recording;
 use std::collections::BTreeMap;
 
 /// How a generator behaves.
@@ -214,7 +214,7 @@ impl Ring {
         }
         let own = Rational::generator(self.generator(name, rule));
         self.push_power(radicand, exponent.clone(), own.clone());
-        tape::formed(|| tape::raised(radicand, &exponent), || Ok(own))
+        recording::formed(|| recording::raised(radicand, &exponent), || Ok(own))
     }
 
     /// Says which element of the ring is the positive root of a radicand.

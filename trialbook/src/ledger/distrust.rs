@@ -1,7 +1,7 @@
 //! Trials held against the mistakes that can be seeded in what they read: each has to notice, and what it finds without
 //! the paper has to stay where it is.
 
-use super::{Entry, Ledger, alone};
+use super::{Entry, Ledger, parallel};
 use crate::claims::variants::Variant;
 use crate::evidence::{Evidence, Outcome, Subject};
 use crate::seeded::{self, Seed};
@@ -129,7 +129,7 @@ impl Ledger {
         let trials: Vec<_> = entries
             .flat_map(|(entry, e)| (0..e.evidence.len()).map(move |trial| (entry, trial)))
             .collect();
-        alone::each(trials.len(), |i| {
+        parallel::each(trials.len(), |i| {
             let (entry, trial) = trials[i];
             let evidence = &self.entries[entry].evidence[trial];
             let read = evidence.read.iter();

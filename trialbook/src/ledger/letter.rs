@@ -1,10 +1,10 @@
 //! The errata as a letter that can be sent: plain text, LaTeX, or data as JSON.
 
 use super::errata::{ErrataError, Erratum};
-use super::pieces::{Piece, decimal, pieces};
 use super::{Ledger, Verdict};
 use crate::claims::Paper;
-use crate::plain::{self, plain_words};
+use crate::notation::{Piece, decimal, pieces};
+use crate::notation::{command, plain_words};
 use std::collections::BTreeSet;
 
 /// A form of the letter.
@@ -407,7 +407,7 @@ fn tex_char(c: char) -> String {
         '”' => "''".into(),
         '<' | '>' | '|' => format!("${c}$"),
         c if c.is_ascii() => c.into(),
-        c => plain::command(c).map_or_else(|| c.into(), |command| format!("${command}$")),
+        c => command(c).map_or_else(|| c.into(), |command| format!("${command}$")),
     }
 }
 

@@ -1,8 +1,6 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
 #[cfg(feature = "trials")]
-mod alone;
-#[cfg(feature = "trials")]
 pub mod deep;
 #[cfg(feature = "trials")]
 pub mod distrust;
@@ -15,45 +13,39 @@ mod key;
 #[cfg(feature = "book")]
 mod letter;
 #[cfg(feature = "trials")]
-mod notation;
-#[cfg(feature = "trials")]
-mod pieces;
+mod parallel;
 mod record;
 #[cfg(feature = "trials")]
 mod row;
 #[cfg(feature = "trials")]
 mod run;
 #[cfg(feature = "trials")]
-mod said;
+pub mod sensitivity;
+#[cfg(feature = "trials")]
+mod sentences;
 #[cfg(feature = "trials")]
 mod sheet;
-#[cfg(feature = "trials")]
-mod short;
-#[cfg(feature = "trials")]
-pub mod slight;
 mod standing;
+#[cfg(feature = "trials")]
+mod summary;
 mod table;
 mod tally;
 #[cfg(feature = "trials")]
 mod variants;
 mod verdict;
 
-#[cfg(feature = "trials")]
-pub use crate::plain::{plain_formula, plain_words};
 #[cfg(feature = "book")]
 pub use errata::{ErrataError, Erratum};
 #[cfg(feature = "trials")]
 pub use key::Key;
 #[cfg(feature = "book")]
 pub use letter::Format;
-#[cfg(feature = "trials")]
-pub use pieces::{Piece, decimal, pieces};
 pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "trials")]
 pub use row::{EvidenceRow, Row};
 #[cfg(feature = "trials")]
 #[cfg(feature = "book")]
-pub(crate) use said::{count, counted};
+pub(crate) use sentences::{count, counted};
 pub use standing::Standing;
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};

@@ -1,7 +1,8 @@
 //! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
 
-use super::{Entry, Standing, plain_words};
+use super::{Entry, Standing};
 use crate::claims::Condition;
+use crate::notation::plain_words;
 use serde::Serialize;
 
 /// A claim with its verdict and its evidence.
@@ -142,11 +143,12 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::example::tried;
-    use super::super::{Entry, Judgement, Verdict, plain_words};
+    use super::super::{Entry, Judgement, Verdict};
     use super::{EvidenceRow, Row, evidence};
     use crate::claims::read::File;
     use crate::claims::{Paper, Topic};
     use crate::evidence::{Compared, Evidence, Route, Subject, Tolerance};
+    use crate::notation::plain_words;
     use std::panic::Location;
 
     static TOPIC: Topic = Topic::new(

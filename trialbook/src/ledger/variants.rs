@@ -1,6 +1,6 @@
 //! Trying claims on wrong variants of their formulas.
 
-use super::{Entry, Ledger, alone};
+use super::{Entry, Ledger, parallel};
 use crate::claims::variants::Variant;
 use crate::evidence::{Evidence, Outcome, Subject};
 use crate::seeded;
@@ -9,7 +9,7 @@ impl Ledger {
     /// Which of the variants are rejected. The ledger has to hold every claim: what trials keep of the motion has
     /// then been made without a mistake.
     pub fn rejected(&self, variants: &[Variant]) -> Vec<bool> {
-        alone::each(variants.len(), |i| {
+        parallel::each(variants.len(), |i| {
             let entry = self.entry(&variants[i].claim);
             entry.is_some_and(|entry| entry.rejects(&variants[i]))
         })

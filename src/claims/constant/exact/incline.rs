@@ -1,12 +1,12 @@
 //! An inclined plane at rest has the law of a drive that is constant, and none that of a drive that changes with time.
 
-use crate::claims::compare::Compared;
-use crate::claims::general::law::{self, eq1};
-use crate::claims::statement::Statement;
+use crate::claims::general::two_frames::{self, eq1};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::paper::constant as paper;
 use crate::scalar::Scalar;
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
 
 /// Weight, normal force and friction in space give (1) with (3).
 pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
@@ -21,7 +21,7 @@ pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
 fn on_an_incline(law: [Expr; 2], drive: [Expr; 2]) -> Proof {
     let title = "An incline is a constant drive";
     let ring = || -> Result<Ring, ExactError> {
-        let mut ring = law::ring()?;
+        let mut ring = two_frames::ring()?;
         ring.angle("β");
         Ok(ring)
     };
@@ -86,7 +86,7 @@ pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::new(
 fn only_constant(law: [Expr; 2]) -> Proof {
     let title = "No incline has a drive that changes";
     let ring = || -> Result<Ring, ExactError> {
-        let mut ring = law::ring()?;
+        let mut ring = two_frames::ring()?;
         for name in ["P_x", "P_y", "k"] {
             ring.symbol(name);
         }

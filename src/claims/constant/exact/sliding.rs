@@ -1,11 +1,11 @@
 //! Any friction: (6) to (14), and the form of (11) that replaces it.
 
 use super::{Friction, Newton, at_start, prove};
-use crate::claims::compare::where_defined;
 use crate::corrections;
 use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::constant as paper;
 use crate::scalar::Scalar;
+use trialbook::claims::compare::where_defined;
 
 pub(super) fn eq6() -> Expr {
     let [lambda, a, theta] = Expr::symbols(["λ", "A", "θ"]);

@@ -1,15 +1,15 @@
 //! Theorems about every motion that begins with p < ρ and A > 1, or near α = 0: each link is an identity of the ring, and a
 //! term that has a sign.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use crate::claims::rest::exact::eq139;
-use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact::{self as turntable, Setting};
 use crate::evidence::Subject;
 use crate::exact::{Expr, Obstacle, Proof, Prover, Ring};
 use crate::paper::{escape as printed, turntable as motion};
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// What the theorems on escape say of a bound, by the printed law of motion.
 #[derive(Debug, Clone, Copy)]

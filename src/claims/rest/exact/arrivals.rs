@@ -5,14 +5,14 @@
 //! (143) solves, and to whose solutions every other comes as fast as those terms fall.
 
 use super::{chains, series};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::{rest as printed, turntable as motion};
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// What is shown of every motion to rest.
 macro_rules! of_every_rest {

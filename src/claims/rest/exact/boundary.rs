@@ -3,15 +3,15 @@
 //! With t = tan(ψ/2), Fₖ = (aₖ + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ. The equation of the order k gives the xₙ of Fₖ, and the
 //! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::runs::Derived;
-use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
 use crate::evidence::Subject;
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::turntable as motion;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::runs::Derived;
+use trialbook::claims::statement::{Statement, given};
 
 /// The boundary is stated to the second order; two more follow.
 const ORDER: i64 = 4;

@@ -1,16 +1,16 @@
 //! Theorems about every motion on the table: that it rests or goes away, and how it stops.
 
 use super::arrivals;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
 use crate::claims::escape::exact::chains::{
     acceleration, comes_to_rest, polar, pushed, stops_along,
 };
-use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
 use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::{rest as printed, turntable as motion};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// Rest or escape.
 pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(

@@ -1,13 +1,13 @@
 //! The least A of the boundary between rest and escape, over all ψ: what there is in place of the envelope (147).
 
 use super::boundary;
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::Statement;
 use crate::corrections::rest as corrected;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
 
 /// The boundary is stated to this power of α.
 const ORDER: i64 = 2;

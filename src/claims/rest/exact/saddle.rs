@@ -1,14 +1,14 @@
 //! The surfaces of starts that come to rest close to ρ = 1: hyperbolas around a saddle.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Rational, Ring, Series};
 use crate::paper::turntable as motion;
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// The lowest order is wanted; one more follows.
 const ORDER: i64 = 2;

@@ -4,14 +4,14 @@
 //! that (143) prints. The coefficients are found order by order from the equations of motion (113) to (115), which are
 //! proved from Newton's law.
 
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::runs::Derived;
-use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
 use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
 use crate::paper::{rest as printed, turntable as motion};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::runs::Derived;
+use trialbook::claims::statement::{Statement, given};
 
 /// Coefficients to be found at one order.
 const UNKNOWN: [&str; 7] = ["x₀", "x₁", "x₂", "x₃", "x₄", "x₅", "x₆"];

@@ -4,14 +4,14 @@
 //! finite at ψ = 0, where the motions to rest arrive.
 
 use super::boundary::{ENOUGH, imbalance};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::statement::{Statement, given};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Rational, Ring, Series};
 use crate::paper::rest as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// The power of α to which the surface is stated.
 const ORDER: i64 = 2;

@@ -3,11 +3,11 @@
 
 use super::{Components, body};
 use crate::claims::constant::exact as constant;
-use crate::claims::statement::Statement;
 use crate::corrections::sphere as corrected;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
 use crate::paper::constant as particle;
 use crate::paper::sphere as paper;
+use trialbook::claims::statement::Statement;
 
 /// The ring of λ, γ, u₀, θ, θ₀ and τ, with the powers of the half tangents.
 pub(super) fn ring() -> Result<Ring, ExactError> {

@@ -3,17 +3,17 @@
 
 use super::{S3_REDUCTION, body};
 use crate::claims::anisotropic::{exact as anisotropy, motions};
-use crate::claims::attempt::{Attempt, trials};
-use crate::claims::compare::Compared;
-use crate::claims::periodic::borders::THRESHOLD;
 use crate::claims::periodic::chains::{MOSTLY_AT_REST, REST_ABOVE_ONE};
+use crate::claims::periodic::critical_friction::THRESHOLD;
 use crate::claims::periodic::exact as pulses;
 use crate::claims::sinusoidal::attraction;
-use crate::claims::statement::{Statement, given};
 use crate::evidence::Subject;
 use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::{anisotropic, sinusoidal, sphere as paper};
 use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
 
 /// The pulse train.
 const PULSE: Statement = Statement::new(

@@ -169,7 +169,7 @@ fn growing(x: Interval, domain: Interval, at: fn(f64) -> Interval) -> Interval {
     Interval::new(bound(x.lo).lo, bound(x.hi).hi)
 }
 
-/// Enclosures: the formulas of both wings can be evaluated on intervals.
+/// Enclosures: the formulas of both sides can be evaluated on intervals.
 impl Scalar for Interval {
     fn int(n: i64) -> Self {
         let x = n as f64;

@@ -3,40 +3,13 @@
 use super::super::Function;
 use super::statement::Relation;
 use super::{LatexError, Problem};
+use crate::notation::letters::GREEK;
 
 /// The most parts within each other.
 const DEEPEST: usize = 32;
 
-/// Commands that are names.
-const LETTERS: &[&str] = &[
-    "alpha",
-    "beta",
-    "gamma",
-    "delta",
-    "epsilon",
-    "varepsilon",
-    "zeta",
-    "eta",
-    "theta",
-    "kappa",
-    "lambda",
-    "mu",
-    "nu",
-    "xi",
-    "pi",
-    "rho",
-    "sigma",
-    "tau",
-    "phi",
-    "chi",
-    "psi",
-    "omega",
-    "Omega",
-    "varpi",
-    "ell",
-    "infty",
-    "perp",
-];
+/// Commands that are names, besides the Greek letters.
+const NAMES: &[&str] = &["infty", "perp"];
 
 /// Commands that change the name in their argument.
 const ACCENTS: &[&str] = &["bm", "hat", "tilde", "dot", "ddot", "mathrm", "mathfrak"];
@@ -323,7 +296,7 @@ impl Lister {
         if let Some(accent) = ACCENTS.iter().find(|name| **name == command) {
             return Ok(Kind::Accent(accent, self.argument()?));
         }
-        if LETTERS.contains(&command) {
+        if NAMES.contains(&command) || GREEK.iter().any(|(name, _)| *name == command) {
             return Ok(Kind::Letter(command.into()));
         }
         Ok(match command {

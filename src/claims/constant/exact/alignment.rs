@@ -1,0 +1,126 @@
+//! Small friction, λ ≤ 1: it cannot hold the particle, and the velocity aligns with the pull.
+
+use super::cases::late_speed;
+use super::sliding::{eq6, eq7, prove_eq6, prove_eq7};
+use super::{Friction, definitions, prove, prove_definitions};
+use crate::corrections::constant as corrected;
+use crate::evidence::Subject;
+use crate::exact::{Expr, Proof};
+use crate::paper::constant as paper;
+use crate::scalar::Scalar;
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
+
+/// The pull less the greatest friction is A times the difference of the sides.
+pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",
+    ),
+    || paper::s21_cannot_hold_sides(Expr::symbol("λ")),
+    cannot_hold,
+);
+
+fn cannot_hold([left, right]: [Expr; 2]) -> Proof {
+    prove("Friction cannot hold", Friction::Any, |p, _| {
+        p.rests_on(&prove_definitions(definitions()))?;
+        p.rests_on(&prove_eq6(eq6()))?;
+        let [a, lambda] = Expr::symbols(["A", "λ"]);
+        p.note("μg by (5)", "λA");
+        let lack = p.read("The pull less the greatest friction", a - lambda * a)?;
+        let stated = p.read(
+            "A times the right side less the left one",
+            a * (right - left),
+        )?;
+        p.equal("The two", &lack, &stated)?;
+        let begins = p.read("(6) at θ = 0", eq6().with("θ", Expr::int(0)))?;
+        p.equal("The rate from rest is that too", &begins, &lack)
+    })
+}
+
+/// λ ≤ 1: v_x grows for ever, or, at λ = 1, the angle falls below every other.
+pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"for every $\lambda<1$ and every start $v_x$ grows by $A(1-\lambda)$ in each unit of time at least and $v_y^2$ never grows, so that $\tan\theta=v_y/v_x\to0$; for $\lambda=1$ and $\theta_0\neq\pi$ the time at which the velocity has the angle $\theta$ is finite for every $\theta$ between $\theta_0$ and 0, and beyond all bounds as $\theta\to0$",
+    ),
+    || {
+        let sides = paper::s21_keeps_moving_sides(Expr::symbol("λ"));
+        (sides, paper::s21_late_angle())
+    },
+    |(sides, angle)| aligns(sides, angle),
+);
+
+fn aligns([left, right]: [Expr; 2], angle: Expr) -> Proof {
+    prove("The velocity aligns", Friction::Any, |p, newton| {
+        p.rests_on(&prove_eq6(eq6()))?;
+        p.rests_on(&prove_eq7(eq7()))?;
+        p.rests_on(&at_the_border())?;
+        let [a, lambda, v, theta] = Expr::symbols(["A", "λ", "v", "θ"]);
+        let [vx, vy] = [v * theta.cos(), v * theta.sin()];
+        let along = p.read("(6)", eq6())?;
+        let terms = a * (right - left) + a * lambda * (Expr::int(1) - theta.cos());
+        let terms = p.read(
+            "A times the right side less the left one, and Aλ (1 − cos θ), which is not negative",
+            terms,
+        )?;
+        p.equal("The two", &along, &terms)?;
+        p.note("So, for λ < 1", "v_x grows beyond all bounds");
+        let square = p.read("v_y²", vy.squared())?;
+        let fall = p.derivative("Its rate", &square, &newton.motion)?;
+        let by_eq7 = p.read("By (7)", Expr::int(2) * vy * eq7())?;
+        p.equal("The two", &fall, &by_eq7)?;
+        let lost = Expr::int(2) * a * lambda * v * theta.sin().squared();
+        let lost = p.read("2Aλ v sin²θ, which is not negative", lost)?;
+        p.equal("The rate is less than 0 by that", &-&fall, &lost)?;
+        let tangent = p.read("tan θ", theta.tan())?;
+        let quotient = p.read("v_y/v_x", vy / vx)?;
+        p.equal("The two", &tangent, &quotient)?;
+        let zero = p.read("tan θ → 0 with v_x > 0; the stated angle", angle)?;
+        p.zero("It", &zero)
+    })
+}
+
+/// λ = 1, from 0 < θ₀ < π; from θ₀ < 0 the mirror, and at θ₀ = 0 nothing changes.
+fn at_the_border() -> Proof {
+    prove(
+        "The velocity aligns at λ = 1",
+        Friction::One,
+        |p, newton| {
+            late_speed(p, newton)?;
+            p.note("For every θ between θ₀ and 0", "that time has a value");
+            let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
+            let falls = p.read("A sin θ/v, which is positive", a * theta.sin() / v)?;
+            p.equal("dθ/dt is less than 0 by that", &-&newton.angle_rate, &falls)?;
+            p.note("So", "θ falls all the time, and below every positive angle");
+            Ok(())
+        },
+    )
+}
+
+/// In the end the particle slides against the plane's acceleration.
+pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
+    Subject::Corrected,
+    Compared::shown(
+        r"for every $\lambda\le1$, but for $\lambda=1$ with $\theta_0=\pi$: by (3) the cosine of the angle between $\bm v$ and $\bm A$ is $-\cos\theta$, and $\theta\to0$ is proved",
+    ),
+    || {
+        let drive = paper::eq3_acceleration(Expr::symbol("A"));
+        (corrected::late_sense(), drive)
+    },
+    |(sense, drive)| against(sense, drive),
+);
+
+fn against(sense: Expr, [ax, ay]: [Expr; 2]) -> Proof {
+    prove("The sense of the sliding", Friction::Any, |p, _| {
+        given(p, &[&ALIGNS])?;
+        let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
+        let product = v * theta.cos() * ax + v * theta.sin() * ay;
+        let cosine = p.read("The cosine of the angle between the two", product / (v * a))?;
+        let stated = p.read("−cos θ", -theta.cos())?;
+        p.equal("The two", &cosine, &stated)?;
+        let limit = p.read("It at θ = 0", (product / (v * a)).with("θ", Expr::int(0)))?;
+        let sense = p.read("The stated sense", sense)?;
+        p.equal("The two", &limit, &sense)
+    })
+}

@@ -1,0 +1,110 @@
+//! Trials of the sense in which a particle slides in the end: along the plane's acceleration, or against it.
+
+use crate::claims::tolerances::NONE;
+use crate::corrections::constant as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::{Plane, Signal, State, run};
+use crate::numerics::dop853;
+use crate::paper::constant as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Trial};
+use trialbook::claims::points::Points;
+
+/// Launches of any direction on a plane with λ < 1, by λ, the directions of the acceleration and of the velocity, until
+/// friction has little left to turn: as printed and as corrected, by the sign of 𝐯·𝐀.
+fn senses(
+    subject: Subject,
+    route: Route,
+    compared: Compared,
+    stated: f64,
+    velocity: impl Fn(f64, [f64; 2], [f64; 2]) -> Result<[f64; 2], Failure>,
+) -> Evidence {
+    let trial = Trial::by(route, subject, compared, NONE);
+    let launches = Points::stream(711).within(30, [[0.0, 0.8], [-3.0, 3.0], [-3.0, 3.0]]);
+    trial.at(
+        ["λ", "angle of A", "angle of v₀"],
+        launches,
+        1.0,
+        |[lambda, pull, start]| {
+            let unit = |angle: f64| [libm::cos(angle), libm::sin(angle)];
+            let [ax, ay] = unit(pull);
+            let [vx, vy] = velocity(lambda, [ax, ay], unit(start))?;
+            Ok([stated, (vx * ax + vy * ay).signum()])
+        },
+    )
+}
+
+/// When the sense is looked at, in units of v₀/A: a particle with λ ≤ 0.8 has long turned by then.
+const LATE: f64 = 50.0;
+
+fn by_motion(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2], Failure> {
+    let plane = Plane::along(pull, Signal::constant(1.0));
+    let start = State {
+        t: 0.0,
+        v,
+        x: [0.0; 2],
+    };
+    Ok(run(&plane, lambda, start, LATE)?.end().v)
+}
+
+/// The particle's velocity V and the plane's U = 𝐀t in the laboratory, where friction alone acts.
+fn in_the_laboratory(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2], Failure> {
+    let relative = |t: f64, y: &[f64; 2]| [y[0] - pull[0] * t, y[1] - pull[1] * t];
+    let rate = |t: f64, y: &[f64; 2]| {
+        let [x, y] = relative(t, y);
+        let slip = libm::hypot(x, y);
+        [-lambda * x / slip, -lambda * y / slip]
+    };
+    let end = dop853::end(rate, 0.0, v, LATE, 1e-10, 1e-12)?;
+    Ok(relative(LATE, &end))
+}
+
+/// As printed, three times: along the acceleration.
+pub fn along() -> Evidence {
+    let compared = Compared::constant(
+        r"the expected 1, for along $\bm A$",
+        r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$",
+    );
+    let stated = printed::s21_late_sense();
+    senses(Subject::Printed, Route::Census, compared, stated, by_motion)
+}
+
+/// As corrected, by the motion on the plane.
+pub fn against() -> Evidence {
+    let compared = Compared::constant(
+        r"the expected $-1$, for against $\bm A$",
+        r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$",
+    );
+    let stated = corrected::late_sense();
+    senses(
+        Subject::Corrected,
+        Route::Census,
+        compared,
+        stated,
+        by_motion,
+    )
+}
+
+/// As corrected, in the laboratory.
+fn against_in_the_laboratory() -> Evidence {
+    let compared = Compared::constant(
+        r"the expected $-1$, for against $\bm A$",
+        r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts,",
+    );
+    let stated = corrected::late_sense();
+    senses(
+        Subject::Corrected,
+        Route::Integration,
+        compared,
+        stated,
+        in_the_laboratory,
+    )
+}
+
+/// The cosine of the angle between 𝐯 and 𝐀 = −A x̂ of a particle with λ = ½ that begins along x̂.
+pub fn sense_of_sliding() -> Result<f64, Failure> {
+    let [x, y] = by_motion(0.5, [-1.0, 0.0], [1.0, 0.0])?;
+    Ok(-x / libm::hypot(x, y))
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![along, against, against_in_the_laboratory];

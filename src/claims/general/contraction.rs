@@ -1,0 +1,93 @@
+//! Two particles under one drive come no farther apart in velocity.
+
+use super::chains::at_most_its_size;
+use super::two_frames::{NAMES, eq1, eq1_proof};
+use crate::exact::{ExactError, Expr, Proof, Ring};
+use crate::scalar::Scalar;
+
+/// The other velocity.
+const OTHER: [&str; 2] = ["u_x", "u_y"];
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = super::two_frames::ring()?;
+    let [ux, uy] = OTHER.map(|name| ring.symbol(name));
+    ring.root(&(ux.pow(2) + uy.pow(2)), 2)?;
+    Ok(ring)
+}
+
+/// By (1), |𝐯 − 𝐮|² of two motions 𝐯 and 𝐮 under one 𝐀(t), whatever that is, never grows.
+pub fn never_farther_apart() -> Proof {
+    by_law(eq1())
+}
+
+fn by_law(law: [Expr; 2]) -> Proof {
+    Proof::in_ring(
+        "The velocities of two motions under one drive never move apart",
+        ring(),
+        |p| {
+            p.rests_on(&eq1_proof(law))?;
+            let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+            let [ux, uy] = OTHER.map(Expr::symbol);
+            let two = Expr::int(2);
+            let mut rates = Vec::new();
+            for (i, (name, other)) in ["v_x", "v_y"].into_iter().zip(OTHER).enumerate() {
+                let own = p.read("A component of (1), for v", law[i])?;
+                let same = law[i].with("v_x", ux).with("v_y", uy);
+                let same = p.read("The same for u", same)?;
+                rates.extend([(name, own), (other, same)]);
+            }
+            let both = p.ring().along(&rates)?;
+            let square = (vx - ux).squared() + (vy - uy).squared();
+            let square = p.read("The distance squared", square)?;
+            let rate = p.derivative("Its rate", &square, &both)?;
+            let [v, u] = [[vx, vy], [ux, uy]].map(|[x, y]| (x.squared() + y.squared()).sqrt());
+            let cosine = (vx * ux + vy * uy) / (v * u);
+            let stated = -(two * mu * g * (v + u) * (Expr::int(1) - cosine));
+            let stated = p.read(
+                "−2μg (v + u) (1 − cos), cos that of the angle between them",
+                stated,
+            )?;
+            p.equal("The two", &rate, &stated)?;
+            let rest = p.read("1 − cos²", Expr::int(1) - cosine.squared())?;
+            let across = ((vx * uy - vy * ux) / (v * u)).squared();
+            let across = p.read("A square, so that cos is at most 1", across)?;
+            p.equal("The two", &rest, &across)?;
+            p.note(
+                "So, while both slide",
+                "the rate of the distance is not positive",
+            );
+
+            let own: Vec<_> = rates.into_iter().step_by(2).collect();
+            let alone = p.ring().along(&own)?;
+            let square = p.read(
+                "With u at rest, the distance squared",
+                vx.squared() + vy.squared(),
+            )?;
+            let rate = p.derivative("Its rate", &square, &alone)?;
+            let along = (ax * vx + ay * vy) / v;
+            let stated = p.read("−2v (𝐀·𝐯/v + μg)", -(two * v * (along + mu * g)))?;
+            p.equal("The two", &rate, &stated)?;
+            at_most_its_size(p)?;
+            p.note(
+            "A rest lasts only where |𝐀| ≤ μg",
+            "so that this rate is not positive either; and with both at rest the distance stays 0",
+        );
+            Ok(())
+        },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn no_two_motions_part_and_a_friction_that_grows_with_the_speed_is_another_matter() {
+        let proof = never_farther_apart();
+        assert!(proof.holds(), "{proof}");
+        let [x, y] = eq1();
+        let more = Expr::symbol("v_x") / Expr::int(1_000_000);
+        assert!(!by_law([x - more, y]).holds());
+        assert!(!by_law([x, y - more]).holds());
+    }
+}

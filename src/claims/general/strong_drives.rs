@@ -1,0 +1,148 @@
+//! Theorems about drives that exceed the friction, as chains of identities of the ring and terms that have a sign: that no rest
+//! lasts, and that the speed grows in the end if the direction is fixed.
+
+use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Proof, Ring};
+use crate::paper::general as printed;
+use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::Statement;
+
+/// What friction must give to keep a particle at rest exceeds what it can give exactly where |𝐀| exceeds the stated bound.
+pub const MOVES: Statement = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"at rest friction has to balance $-\bm A$, and can give $\mu g$ at most: for every $\bm A$ the lack $\lvert\bm A\rvert-\mu g$ is positive exactly where $\lvert\bm A\rvert$ exceeds the stated bound, so that no rest outlasts the beginning of a stretch of time on which it does",
+    ),
+    || printed::s2_rest_ends_above(Expr::symbol("μ"), Expr::symbol("g")),
+    moves,
+);
+
+fn moves(bound: Expr) -> Proof {
+    let ring = || {
+        let mut ring = Ring::new();
+        let [_, _, ax, ay] = ["μ", "g", "A_x", "A_y"].map(|name| ring.symbol(name));
+        ring.root(&(ax.pow(2) + ay.pow(2)), 2)?;
+        Ok(ring)
+    };
+    Proof::in_ring("A strong drive ends every rest", ring(), |p| {
+        let [ax, ay, mu, g, ..] = NAMES.map(Expr::symbol);
+        p.note(
+            "A particle at rest moves as the plane does",
+            "by Newton's law in the laboratory friction gives it the plane's acceleration",
+        );
+        let size = (ax.squared() + ay.squared()).sqrt();
+        let needed = p.read("Its size squared", size.squared())?;
+        let components = p.ring().read(ax.squared() + ay.squared())?;
+        p.equal("The squares of the components, added", &needed, &components)?;
+        let lack = p.read("What is needed less the greatest friction", size - mu * g)?;
+        let beyond = p.read(
+            "What the size of the drive is above the stated bound",
+            size - bound,
+        )?;
+        p.equal("The two", &lack, &beyond)?;
+        p.note(
+            "So",
+            "while the drive is above the bound no friction of μg at most keeps the particle at rest",
+        );
+        Ok(())
+    })
+}
+
+/// A drive of fixed direction that exceeds the friction by a margin makes the speed grow in the end.
+const SPEEDS_UP: Statement<(Expr, [Expr; 2], Expr)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"with $\bm A=-a\,\hat{\bm x}$ and $a\ge\mu g+\delta$, $\delta>0$, at all times, from every start: by (1) $\mathrm dv_x/\mathrm dt\ge\delta$, $v_y^2$ never grows, and $v_x/v$ never falls; it comes above $\mu g/(\mu g+\delta)$ and stays there, and by (2) $\mathrm dv/\mathrm dt>0$ from then on",
+    ),
+    || {
+        let bound = printed::s2_speeds_up_above(Expr::symbol("μ"), Expr::symbol("g"));
+        (bound, eq1(), eq2())
+    },
+    |(bound, law, speed)| speeds_up(bound, law, speed),
+);
+
+/// The ring of the law, with the margin δ and what the drive has beyond it, e.
+pub(in crate::claims) fn with_margin() -> Result<Ring, ExactError> {
+    let mut ring = ring()?;
+    for name in ["δ", "e"] {
+        ring.symbol(name);
+    }
+    Ok(ring)
+}
+
+pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr) -> Proof {
+    Proof::in_ring(
+        "A strong drive speeds the particle up",
+        with_margin(),
+        |p| {
+            p.rests_on(&eq1_proof(law))?;
+            p.rests_on(&eq2_proof(speed_rate))?;
+            let [_, _, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+            let [margin, more] = Expr::symbols(["δ", "e"]);
+            let (one, two) = (Expr::int(1), Expr::int(2));
+            let speed = (vx.squared() + vy.squared()).sqrt();
+            let (cosine, most) = (vx / speed, mu * g);
+            p.note(
+                "The pull of the drive",
+                "along x, of the size a: the stated bound, δ > 0 and some e ≥ 0, added",
+            );
+            let pull = bound + margin + more;
+            let driven = |rate: Expr| rate.with("A_x", -pull).with("A_y", Expr::int(0));
+
+            let along = p.read("dv_x/dt by (1)", driven(law[0]))?;
+            let terms = margin + more + most * (one - cosine);
+            let terms = p.read(
+                "δ + e + μg (1 − v_x/v), of which no term is negative",
+                terms,
+            )?;
+            p.equal("The two", &along, &terms)?;
+            p.note(
+                "So",
+                "v_x grows by δ in each unit of time at least, beyond all bounds",
+            );
+
+            let across = p.read("dv_y/dt by (1)", driven(law[1]))?;
+            let motion = p.ring().along(&[("v_x", along), ("v_y", across)])?;
+            let square = p.read("v_y²", vy.squared())?;
+            let fall = p.derivative("Its rate", &square, &motion)?;
+            let lost = -(two * most * vy.squared() / speed);
+            let lost = p.read("−2μg v_y²/v, which is not positive", lost)?;
+            p.equal("The two", &fall, &lost)?;
+
+            let direction = p.read("v_x/v", cosine)?;
+            let turn = p.derivative("Its rate", &direction, &motion)?;
+            let stated = p.read(
+                "a v_y²/v³, which is not negative",
+                pull * vy.squared() / speed.pow(Expr::int(3)),
+            )?;
+            p.equal("The two", &turn, &stated)?;
+            let enough = most / (most + margin);
+            let least = cosine.squared() - enough.squared();
+            let least = p.read("(v_x/v)² less the square of μg/(μg + δ)", least)?;
+            let room = vx.squared() * (one - enough.squared()) - enough.squared() * vy.squared();
+            let room = p.read(
+            "positive from some time on, as v_x grows beyond all bounds, v_y does not and μg/(μg + δ) < 1",
+            room / speed.squared(),
+        )?;
+            p.equal("The two", &least, &room)?;
+
+            let growth = p.read("dv/dt by (2)", driven(speed_rate))?;
+            let terms = (most + margin) * (cosine - enough) + more * cosine;
+            let terms = p.read(
+            "(μg + δ) (v_x/v − μg/(μg + δ)) + e v_x/v, the first term positive and the other not negative from that time on",
+            terms,
+        )?;
+            p.equal("The two", &growth, &terms)?;
+            p.note(
+            "A particle that is at rest at some time",
+            "is set in motion along the drive at once: v_x = v from then on, and the same holds",
+        );
+            Ok(())
+        },
+    )
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![&MOVES, &SPEEDS_UP];

@@ -1,0 +1,321 @@
+//! That some λ_c divides large friction, with rests, from small friction, without: above the mean of |h| there are rests, and none
+//! where |h| exceeds the friction wherever H is near its median.
+//!
+//! H is an antiderivative of h, and c its median: H is above c for half of each period at most, and below c for half at most.
+
+use super::chains::{for_both_signs, rate};
+use super::step_drive::CHANGES;
+use crate::claims::general::contraction::never_farther_apart;
+use crate::claims::general::strong_drives::MOVES;
+use crate::claims::general::two_frames::{eq2, eq2_proof};
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::periodic as printed;
+use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
+
+/// The drive in the place of the sine, any number from −1 to 1.
+fn h() -> Expr {
+    Expr::symbol("ψ").sin()
+}
+
+/// By (26) two velocities under one h come no farther apart, and closer by 2λ₀ while they have opposite signs.
+pub(super) fn never_part(rate: Expr) -> Proof {
+    for_both_signs(|sign| {
+        let ring = || -> Result<Ring, ExactError> {
+            let mut ring = Ring::new();
+            ring.symbol("λ₀");
+            ring.angle("ψ");
+            for (name, sign) in [("𝔴", sign), ("𝔴₁", sign), ("𝔴₂", -sign)] {
+                let w = ring.symbol(name);
+                ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
+            }
+            Ok(ring)
+        };
+        Proof::in_ring("Two velocities under one h", ring(), |p| {
+            p.note(
+                "Under one drive h = sin ψ",
+                "three velocities: 𝔴 and 𝔴₁ of one sign, 𝔴₂ of the other",
+            );
+            p.note("The sign of 𝔴 and 𝔴₁, against that of 𝔴₂", sign.to_string());
+            let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
+            let apart = p.read("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
+            p.zero("It", &apart)?;
+            let signed = Expr::int(sign);
+            let closer = signed * (rate - rate.with("𝔴", other));
+            let closer = p.read("The rate of the distance from 𝔴₂", closer)?;
+            let stated = p.read("−2λ₀", -(Expr::int(2) * lambda0))?;
+            p.equal("The two", &closer, &stated)?;
+            let alone = p.read("That of the distance from rest", signed * rate)?;
+            let held = p.read(
+                "±h − λ₀, not positive where a rest lasts",
+                signed * h() - lambda0,
+            )?;
+            p.equal("The two", &alone, &held)
+        })
+    })
+}
+
+/// By (2), with a velocity across the drive too, the speed has no larger rate than |h| − λ₀.
+pub(super) fn slows(law: Expr) -> Proof {
+    let ring = || -> Result<Ring, ExactError> {
+        let mut ring = Ring::new();
+        let [_, vx, vy] = ["λ₀", "v_x", "v_y"].map(|name| ring.symbol(name));
+        ring.angle("ψ");
+        ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
+        Ok(ring)
+    };
+    Proof::in_ring("The speed under h and friction", ring(), |p| {
+        p.rests_on(&eq2_proof(law))?;
+        let [lambda0, vx, vy] = Expr::symbols(["λ₀", "v_x", "v_y"]);
+        let speed = (vx.squared() + vy.squared()).sqrt();
+        let in_units = law.with("μ", lambda0).with("g", Expr::int(1));
+        let driven = in_units.with("A_x", -h()).with("A_y", Expr::int(0));
+        let growth = p.read("dv/dφ by (2)", driven)?;
+        let along = p.read("h v_x/v − λ₀", h() * vx / speed - lambda0)?;
+        p.equal("The two", &growth, &along)?;
+        let rest = p.read("1 − (v_x/v)²", Expr::int(1) - (vx / speed).squared())?;
+        let square = p.read(
+            "A square, so that v_x/v is 1 at most",
+            (vy / speed).squared(),
+        )?;
+        p.equal("The two", &rest, &square)
+    })
+}
+
+/// A threshold.
+pub const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every piecewise continuous $h$ of the period $2\pi$, at each phase one of its one-sided limits, with the largest size 1, which is smaller for some time, and which, if its mean $m$ is 0, does not vanish, nor has the limit 0 from one side, where its antiderivative $H$ is at its median $c$: from every start, with any velocity across, there is rest for some time and motion for some time in every late period if $\langle\lvert h\rvert\rangle<\lambda_0<1$, and from some time on no rest if $0<\lambda_0<\min(\delta,\eta/\pi)$, where $\lvert h\rvert\ge\delta$ wherever $\lvert H-c\rvert\le\eta$, or if $m\ne0$ and $0<\lambda_0<\lvert m\rvert$. So there is a least number $\lambda_\mathrm c$ such that all $\lambda_0$ between it and 1 have rests, with $0<\lambda_\mathrm c<1$; and for one $h$ the behaviour changes at two more values at least",
+    ),
+    || (eq2(), rate(), printed::s23_rests()),
+    |(law, rate, kinds)| for_both_signs(|sign| threshold(law, rate, kinds, sign)),
+);
+
+/// The ring of (26), with the sign of 𝔴.
+fn ring(sign: i64) -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["λ₀", "M", "m", "𝔴₀", "n", "H", "c", "ℓ", "P", "η"] {
+        ring.symbol(name);
+    }
+    ring.angle("ψ");
+    let w = ring.symbol("𝔴");
+    ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
+    Ok(ring)
+}
+
+fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Proof {
+    Proof::in_ring("Between small and large friction", ring(sign), |p| {
+        p.rests_on(&never_part(rate))?;
+        p.rests_on(&never_farther_apart())?;
+        p.rests_on(&slows(law))?;
+        given(p, &[&MOVES])?;
+        p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
+        above_the_mean(p, rate, sign)?;
+        let stated = p.read("What is stated for much friction, 1 for rests", much)?;
+        p.equal("It and 1", &stated, &Rational::int(1))?;
+        near_the_median(p, rate, sign)?;
+        against_a_mean(p, rate, sign)?;
+        let stated = p.read("What is stated for little friction, 0 for none", little)?;
+        p.zero("It", &stated)?;
+        p.note(
+            "Let λ_c be the least number",
+            "such that all λ₀ between it and 1 have rests, in every late period and from every start: it is M at most, and not below those λ₀ without",
+        );
+        given(p, &[&CHANGES])
+    })
+}
+
+/// M < λ₀ < 1: rests.
+fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obstacle> {
+    let [lambda0, mean, start, n] = Expr::symbols(["λ₀", "M", "𝔴₀", "n"]);
+    let period = Expr::int(2) * Expr::pi();
+    p.note(
+        "First, λ₀ above M, the mean of |h|",
+        "M < 1, as |h| ≤ 1, and |h| < 1 for some time",
+    );
+    let signed = Expr::int(sign);
+    let size = p.read("d|𝔴|/dφ by (26)", signed * rate)?;
+    let most = p.read("±h − λ₀, at most |h| − λ₀", signed * h() - lambda0)?;
+    p.equal("The two", &size, &most)?;
+    p.note(
+        "Without a rest",
+        "the velocity is 0 only where |h| ≥ λ₀, but for single instants, as it stays 0 where |h| < λ₀; where it is 0 its size has the rate 0, which is again |h| − λ₀ at most",
+    );
+    let gain = period * (mean - lambda0);
+    p.note(
+        "So in each period without a rest",
+        "the size changes by 2π (M − λ₀) at most, with a velocity across as well",
+    );
+    let left = p.read(
+        "With 𝔴₀ for the size at first, no more is left after n = 𝔴₀/(2π (λ₀ − M)) periods than",
+        start + gain * (start / (period * (lambda0 - mean))),
+    )?;
+    p.zero("It", &left)?;
+    p.note("So there is a rest", "within the next period at the latest");
+    let after = p.read(
+        "From 0, where a rest ends, a period without another would leave at most",
+        (start + gain * n)
+            .with("𝔴₀", Expr::int(0))
+            .with("n", Expr::int(1)),
+    )?;
+    let below = p.read(
+        "−2π (λ₀ − M), negative, as no size is",
+        -(period * (lambda0 - mean)),
+    )?;
+    p.equal("The two", &after, &below)?;
+    p.note(
+        "So there is another rest within a period",
+        "and motion too for λ₀ < 1: |h| > λ₀ for some time, as one of its one-sided limits is ±1, and no rest lasts there",
+    );
+    Ok(())
+}
+
+/// m = 0 and little friction: no rest.
+fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obstacle> {
+    let [lambda0, m, level, median, w] = Expr::symbols(["λ₀", "m", "H", "c", "𝔴"]);
+    let [length, forward, near] = Expr::symbols(["ℓ", "P", "η"]);
+    let [zero, two, pi] = [Expr::int(0), Expr::int(2), Expr::pi()];
+    let signed = Expr::int(sign);
+    p.note(
+        "Second, m, the mean of h, is 0",
+        "and friction is little; H, which h makes, returns after a period",
+    );
+    p.note(
+        "A velocity across",
+        "a motion that never rests has no rest, and from a rest on it is one on the line",
+    );
+    let falls = two * pi * signed * (rate - h() + m);
+    let falls = p.read(
+        "In a period of one sign |𝔴| changes by 2π times its rate by (26), with m for h,",
+        falls.with("m", zero),
+    )?;
+    let stated = p.read("−2πλ₀", -(two * pi * lambda0))?;
+    p.equal("The two", &falls, &stated)?;
+    p.note(
+        "So 𝔴 stays bounded",
+        "it changes by 2π (1 + λ₀) at most in a period, and while its size is above that, the size falls",
+    );
+    p.note(
+        "The velocity after a period by that before",
+        "is a function that never falls and never spreads, as the velocities of two motions neither move apart nor cross; done again and again it goes one way, and being bounded, to a value that it leaves as it is",
+    );
+    p.note(
+        "So every motion tends to one of the period 2π",
+        "which is looked at first",
+    );
+
+    let motion = [("𝔴", p.ring().read(rate)?), ("H", p.ring().read(h())?)];
+    let motion = p.ring().along(&motion)?;
+    let friction = p.read("G = 𝔴 − (H − c)", w - (level - median))?;
+    let slope = p.derivative("Its rate by (26), with h for that of H", &friction, &motion)?;
+    let stated = p.read(
+        "−λ₀ by the sign of 𝔴, and in a rest not larger in size",
+        -(signed * lambda0),
+    )?;
+    p.equal("The two", &slope, &stated)?;
+    let room = pi.squared() - length * (two * pi - length);
+    let room = p.read(
+        "π² less ℓ (2π − ℓ), of the phases ℓ from one place to another and those back to it",
+        room,
+    )?;
+    let square = p.read("A square, which is not negative", (pi - length).squared())?;
+    p.equal("The two", &room, &square)?;
+    p.note(
+        "So one of the two is π at most",
+        "and G, which returns, is nowhere more than πλ₀ above or below what it is elsewhere",
+    );
+    let taken = p.read(
+        "P: for how long 𝔴 > 0 in a period. Friction changes G by at most",
+        lambda0 * (two * pi - forward) - lambda0 * forward,
+    )?;
+    let stated = p.read(
+        "−2λ₀ (P − π), and as G returns, P ≤ π",
+        -(two * lambda0 * (forward - pi)),
+    )?;
+    p.equal("The two", &taken, &stated)?;
+    p.note(
+        "If G were above πλ₀ somewhere",
+        "it would be above 0 everywhere, and 𝔴 > H − c: 𝔴 > 0 wherever H ≥ c, for π at least, and, as H is continuous, for somewhat longer, so that P > π",
+    );
+    p.note(
+        "Likewise below −πλ₀",
+        "with 𝔴 < 0 and H ≤ c: so |G| ≤ πλ₀ everywhere",
+    );
+    p.note(
+        "There are δ > 0 and η > 0 with |h| ≥ δ wherever |H − c| ≤ η",
+        "otherwise there were phases with h as near to 0 and H as near to c as one likes, and one to which they tend: there H = c and h = 0, or its limit from one side",
+    );
+    let margin = near - pi * lambda0;
+    let together = p.read(
+        "For λ₀ < η/π: E = η − πλ₀, which is positive, and πλ₀",
+        margin + pi * lambda0,
+    )?;
+    let near = p.read("η", near)?;
+    p.equal("The two", &together, &near)?;
+    p.note(
+        "A late motion is within E of the periodic one",
+        "where it is 0 the periodic one has the size E at most, and |H − c| ≤ E + πλ₀ = η: there |h| ≥ δ, which is above λ₀ for λ₀ < δ, and no rest lasts",
+    );
+    Ok(())
+}
+
+/// 0 < λ₀ < |m|: no rest either.
+fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obstacle> {
+    let lambda0 = Expr::symbol("λ₀");
+    let signed = Expr::int(sign);
+    p.note(
+        "Third, m is not 0 and λ₀ < |m|",
+        "the drive wins in each period",
+    );
+    for (says, way) in [("m > 0", 1), ("m < 0", -1)] {
+        let way = Expr::int(way);
+        p.note("With", says);
+        let beyond = way * rate - (way * h() - lambda0);
+        let beyond = p.read("The rate of ±𝔴 by (26), the way of m, less ±h − λ₀", beyond)?;
+        let stated = lambda0 * (Expr::int(1) - way * signed);
+        let stated = p.read("0 or 2λ₀, not negative", stated)?;
+        p.equal("The two", &beyond, &stated)?;
+    }
+    p.note(
+        "In a rest |h| ≤ λ₀",
+        "and the rate, 0, is not below that either: in each period the velocity grows the way of m by 2π (|m| − λ₀) at least, beyond all bounds",
+    );
+    p.note("So from some time on", "there is no rest");
+    Ok(())
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![&THRESHOLD];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn small() -> Expr {
+        Expr::symbol("λ₀") / Expr::int(1_000_000)
+    }
+
+    /// Each argument by itself needs the friction of (26), which is as strong at every velocity.
+    #[test]
+    fn each_part_refuses_a_friction_that_grows_with_the_velocity() {
+        let w = Expr::symbol("𝔴");
+        let (rate, wrong) = (rate(), rate() - small() * w);
+        type Steps = fn(&mut Prover<'_>, Expr, i64) -> Result<(), Obstacle>;
+        let parts: [Steps; 3] = [above_the_mean, near_the_median, against_a_mean];
+        for steps in parts {
+            for sign in [1, -1] {
+                let holds =
+                    |rate| Proof::in_ring("A part", ring(sign), |p| steps(p, rate, sign)).holds();
+                assert!(holds(rate));
+                assert!(!holds(wrong));
+            }
+        }
+        assert!(never_part(rate).holds());
+        assert!(!never_part(wrong).holds());
+        assert!(slows(eq2()).holds());
+        assert!(!slows(eq2() - Expr::symbol("v_x") * Expr::symbol("g")).holds());
+    }
+}

@@ -1,0 +1,205 @@
+//! Trials of two remarks on the pulses: what becomes nonzero again at φ = π, and that their largest size is 1.
+
+use super::drives::{motion, pulses};
+use super::pulses::on_a_plane;
+use crate::claims::tolerances::{GAINED, NONE};
+use crate::corrections::periodic as corrected;
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::{DriveState, Friction};
+use crate::paper::periodic as printed;
+use std::f64::consts::PI;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Trial};
+use trialbook::claims::excepted::no_inside;
+use trialbook::claims::points::Points;
+
+/// Motions of small friction, λ₀ < η, in the gap before π and as far behind π, in the next pulse: what is said to become
+/// nonzero again there, with the pull. A short stretch of a motion that does not change its direction tells the acceleration.
+fn around_pi(
+    route: Route,
+    subject: Subject,
+    compared: Compared,
+    pair: impl Fn([f64; 3]) -> Result<[f64; 2], Failure>,
+) -> Evidence {
+    let trial = Trial::by(route, subject, compared, GAINED);
+    let points = Points::stream(712).within(40, [[0.3, 0.8], [0.05, 0.6], [0.1, 0.8]]);
+    let points = points
+        .into_iter()
+        .enumerate()
+        .map(|(i, [eta, share, place])| {
+            let before = (1.0 - eta).min(eta) * place * PI;
+            let phi = if i % 2 == 0 {
+                PI - before
+            } else {
+                PI + 0.5 * before
+            };
+            [eta, eta * share, phi]
+        });
+    trial.at(["η", "λ₀", "φ"], points, 1.0, pair)
+}
+
+/// The length of such a stretch, in phase.
+const STEP: f64 = 1e-2;
+
+/// The acceleration of friction in the periodic motion: what the drive does not give.
+pub fn friction([eta, lambda, phi]: [f64; 3]) -> Result<f64, Failure> {
+    let drive = pulses(eta)?;
+    let motion = motion(&drive, lambda)?.ok_or("the motion drifts")?;
+    Ok((motion.w(phi + STEP) - motion.w(phi)) / STEP - drive.h(phi))
+}
+
+/// The acceleration of the pull: that of a particle without friction.
+fn pull([eta, _, phi]: [f64; 3]) -> Result<f64, Failure> {
+    let start = DriveState { phi, w: 0.0 };
+    let end = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, start, phi + STEP)?;
+    Ok(end.end.w / STEP)
+}
+
+/// The same, on a plane of some direction.
+fn pull_on_a_plane([eta, _, phi]: [f64; 3]) -> Result<f64, Failure> {
+    let at = |phi| on_a_plane((eta, 0.0), 0.3, phi);
+    Ok((at(phi + STEP)? - at(phi)?) / STEP)
+}
+
+/// As printed: friction.
+fn friction_again() -> Evidence {
+    let compared = Compared::one(
+        r"the acceleration of friction, which is said to become nonzero again at $\pi$,",
+        r"the acceleration of a particle without friction, before and after $\pi$",
+    );
+    around_pi(Route::Integration, Subject::Printed, compared, |point| {
+        Ok([printed::s23_nonzero_again(friction(point)?), pull(point)?])
+    })
+}
+
+/// As corrected: the drive.
+fn pull_again() -> Evidence {
+    let compared = Compared::one(
+        r"the drive, which becomes nonzero again at $\pi$,",
+        r"the acceleration of a particle without friction, before and after $\pi$",
+    );
+    around_pi(Route::Integration, Subject::Corrected, compared, |point| {
+        let [eta, _, phi] = point;
+        Ok([corrected::nonzero_again(pulses(eta)?.h(phi)), pull(point)?])
+    })
+}
+
+/// The same, with a particle on a plane.
+fn pull_again_on_a_plane() -> Evidence {
+    let compared = Compared::one(
+        r"the drive in the middle of a short stretch before or after $\pi$",
+        "what a particle gains on a smooth plane over the stretch, divided by its length",
+    );
+    around_pi(Route::Quadrature, Subject::Corrected, compared, |point| {
+        let [eta, _, phi] = point;
+        let drive = pulses(eta)?;
+        let middle = corrected::nonzero_again(drive.h(phi + 0.5 * STEP));
+        Ok([middle, pull_on_a_plane(point)?])
+    })
+}
+
+/// The largest |h| of pulses, against what section 2.3 assumes.
+fn largest(
+    route: Route,
+    subject: Subject,
+    compared: Compared,
+    etas: Vec<[f64; 1]>,
+    found: impl Fn(f64) -> Result<f64, Failure>,
+) -> Evidence {
+    let trial = Trial::by(route, subject, compared, NONE);
+    trial.at(["η"], etas, 1.0, |[eta]| {
+        Ok([printed::s23_largest(), found(eta)?])
+    })
+}
+
+fn widths() -> Vec<[f64; 1]> {
+    let mut widths = Points::stream(713).within(40, [[0.0, 1.0]]);
+    widths.extend([[1e-6], [1.0]]);
+    widths
+}
+
+/// In the middle of each quarter of the cases.
+fn seen(eta: f64) -> Result<f64, Failure> {
+    let drive = pulses(eta)?;
+    let middles = [0.5 * eta, 0.5 * (1.0 + eta)].map(|share| PI * share);
+    let phases = middles.into_iter().flat_map(|phi| [phi, PI + phi]);
+    Ok(phases.map(|phi| drive.h(phi).abs()).fold(0.0, f64::max))
+}
+
+/// By the pulses' values.
+fn largest_census() -> Evidence {
+    let compared = Compared::one(
+        r"the largest $\lvert h\rvert$ that is assumed, 1,",
+        "that of the pulses",
+    );
+    largest(Route::Census, Subject::Within, compared, widths(), seen)
+}
+
+/// By what a pulse gives a smooth particle, over its length.
+fn largest_integration() -> Evidence {
+    let compared = Compared::one(
+        r"the largest $\lvert h\rvert$ that is assumed, 1,",
+        "what a pulse gives a particle without friction, divided by the length of the pulse, to 12 digits",
+    );
+    largest(
+        Route::Integration,
+        Subject::Within,
+        compared,
+        widths(),
+        |eta| {
+            let rest = DriveState { phi: 0.0, w: 0.0 };
+            let end = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, rest, eta * PI)?;
+            Ok(twelve_digits(end.end.w / (eta * PI)))
+        },
+    )
+}
+
+/// What rounding leaves of a number of order one.
+fn twelve_digits(x: f64) -> f64 {
+    libm::round(1e12 * x) / 1e12
+}
+
+/// Pulses of no width.
+fn largest_outside() -> Evidence {
+    let compared = Compared::one(
+        r"the largest $\lvert h\rvert$ that is assumed, 1,",
+        "that of pulses of no width",
+    );
+    let none = vec![[0.0]; 20];
+    largest(Route::Census, Subject::Outside, compared, none, seen)
+}
+
+/// Pulses of no width, among all.
+fn no_width() -> Evidence {
+    no_inside(
+        Compared::one(
+            "whether pulses have a width",
+            r"the expected answer, no for $\eta=0$ and yes for others",
+        ),
+        ["η"],
+        [[0.0, 1.0]],
+        &[[0.0]],
+        |[eta]| eta > 0.0,
+    )
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    friction_again,
+    pull_again,
+    pull_again_on_a_plane,
+    largest_census,
+    largest_integration,
+    largest_outside,
+    no_width
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_thirteenth_digit_is_rounded_and_no_other() {
+        let rounded = [1.0 + 4e-13, 1.0 + 2e-12].map(twelve_digits);
+        assert_eq!(rounded, [1.0, 1.000_000_000_002]);
+    }
+}

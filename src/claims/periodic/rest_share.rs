@@ -1,0 +1,83 @@
+//! Trials of how long a particle is at rest in a period when friction is slightly below the largest drive.
+
+use super::drives::{Harmonics, motion, rest_share, steps_between};
+use crate::claims::tolerances::{NONE, SHARE};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::drive::Drive;
+use crate::paper::periodic as printed;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+
+/// The share of rest at λ₀ = 1 − δ.
+fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {
+    let motion = motion(drive, 1.0 - delta)?.ok_or("it drifts")?;
+    Ok(rest_share(&motion))
+}
+
+/// λ₀ → 1: the motion that is left lasts as √δ, and then as powers of it.
+pub fn limit() -> Evidence {
+    let compared = Compared::one(
+        "the whole period, 1,",
+        r"the limit of the share of a period that is rest, as $\lambda_0\to1$",
+    )
+    .over("three harmonics at random");
+    let trial = Trial::by(Route::Limit, Subject::Printed, compared, SHARE);
+    let mut points = Points::stream(228);
+    trial.over(0..30, |i| {
+        let drive = Harmonics::random(&mut points)?.drive()?;
+        let delta = 1e-8;
+        let [far, near] = [share(&drive, 4.0 * delta)?, share(&drive, delta)?];
+        Ok(Pair {
+            at: format!("drive {i}"),
+            stated: printed::s23_late_share(),
+            found: 2.0 * near - far,
+            scale: 1.0,
+        })
+    })
+}
+
+/// More than half of the period, a thousandth below 1 or closer.
+pub fn census() -> Evidence {
+    let compared = Compared::one(
+        r"whether the share of rest is more than half of the period, as stated for $\lambda_0\to1$ (1 if so),",
+        r"whether it is at $\lambda_0$ between $1-10^{-3}$ and 1",
+    )
+    .over("three harmonics at random");
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(229);
+    trial.over(0..60, |i| {
+        let drive = Harmonics::random(&mut points)?.drive()?;
+        let delta = points.log_uniform(1e-9, 1e-3);
+        let is = |share: f64| f64::from(u8::from(share > 0.5));
+        Ok(Pair {
+            at: format!("drive {i}, λ₀ = 1 − {delta:.3e}"),
+            stated: is(printed::s23_late_share()),
+            found: is(share(&drive, delta)?),
+            scale: 1.0,
+        })
+    })
+}
+
+/// |h| = 1 throughout: no rest, however near λ₀ is to 1.
+pub fn two_valued() -> Evidence {
+    let compared = Compared::constant(
+        "the expected 0",
+        r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",
+    );
+    let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
+    let mut points = Points::stream(230);
+    trial.over(0..24, |_| {
+        let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
+        let drive = steps_between(x, y)?;
+        let delta = points.log_uniform(1e-6, 1e-1);
+        Ok(Pair {
+            at: format!("steps at {x:.6} and {y:.6}, λ₀ = 1 − {delta:.3e}"),
+            stated: 0.0,
+            found: share(&drive, delta)?.abs(),
+            scale: 1.0,
+        })
+    })
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![limit, census, two_valued];

@@ -1,0 +1,410 @@
+//! A drive in steps under which rests come, go and come again as the friction grows, exactly.
+//!
+//! |h| is 1 but for a short step against the push in each half period, where it is 1/6. Friction below that holds nothing. With somewhat
+//! more the short step brings the particle to rest; with more still it meets a faster one, which it does not stop; and near 1 each
+//! stop is early.
+
+use super::chains::rate;
+use super::critical_friction::{never_part, slows};
+use super::exact::EQ45;
+use crate::claims::general::contraction::never_farther_apart;
+use crate::claims::general::strong_drives::MOVES;
+use crate::claims::general::two_frames::eq2;
+use crate::evidence::Subject;
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::paper::periodic as printed;
+use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
+
+/// n/d.
+type Fraction = [i64; 2];
+
+/// A fraction that its type keeps from being negative.
+type Size = [u32; 2];
+
+fn ratio([n, d]: Fraction) -> Expr {
+    Expr::int(n) / Expr::int(d)
+}
+
+fn size([n, d]: Size) -> Expr {
+    ratio([n.into(), d.into()])
+}
+
+/// A step of the drive in the first half period.
+#[derive(Debug, Clone, Copy)]
+struct DriveStep {
+    /// Where it ends, as a part of the half period.
+    end: Fraction,
+    h: Fraction,
+    /// h² less the square of 1/8.
+    excess: Size,
+}
+
+/// The drive; its second half period is by (43).
+const DRIVE: [DriveStep; 3] = [
+    DriveStep {
+        end: [3, 8],
+        h: [1, 1],
+        excess: [63, 64],
+    },
+    DriveStep {
+        end: [1, 2],
+        h: [-1, 6],
+        excess: [7, 576],
+    },
+    DriveStep {
+        end: [1, 1],
+        h: [1, 1],
+        excess: [63, 64],
+    },
+];
+
+/// What the particle does for a while.
+#[derive(Debug, Clone, Copy)]
+enum Does {
+    /// 𝔴 has this sign, and in the end this size, over π.
+    Slides(i64, Size),
+    /// 𝔴 = 0, and λ₀² − h² is this.
+    Rests(Size),
+}
+use Does::{Rests, Slides};
+
+/// Half a period of a motion, from a zero of 𝔴 on; the other half is by (45).
+#[derive(Debug, Clone, Copy)]
+struct Half {
+    lambda0: Fraction,
+    /// How many parts the half period has; phases are counted by them.
+    parts: i64,
+    from: i64,
+    /// Up to which phase it does what, each within one step of the drive.
+    stretches: &'static [(i64, Does)],
+}
+
+const HALVES: [Half; 3] = [
+    Half {
+        lambda0: [1, 5],
+        parts: 264,
+        from: 132,
+        stretches: &[
+            (264, Slides(1, [2, 5])),
+            (352, Slides(1, [0, 1])),
+            (363, Slides(-1, [1, 30])),
+            (387, Slides(-1, [0, 1])),
+            (396, Rests([11, 900])),
+        ],
+    },
+    Half {
+        lambda0: [1, 2],
+        parts: 96,
+        from: 17,
+        stretches: &[
+            (36, Slides(1, [19, 192])),
+            (48, Slides(1, [1, 64])),
+            (96, Slides(1, [17, 64])),
+            (113, Slides(1, [0, 1])),
+        ],
+    },
+    Half {
+        lambda0: [2, 3],
+        parts: 200,
+        from: 100,
+        stretches: &[
+            (200, Slides(1, [1, 6])),
+            (220, Slides(1, [0, 1])),
+            (275, Slides(-1, [11, 120])),
+            (297, Slides(-1, [0, 1])),
+            (300, Rests([5, 12])),
+        ],
+    },
+];
+
+impl Half {
+    /// h from one phase to another, if it is the same on all the way.
+    fn h(&self, from: i64, until: i64) -> Result<Expr, ExactError> {
+        let turn = from.div_euclid(self.parts);
+        let [from, until] = [from, until].map(|phase| phase - turn * self.parts);
+        let ends_by = |step: &DriveStep, phase| step.end[0] * self.parts <= phase * step.end[1];
+        let step = DRIVE.iter().find(|step| !ends_by(step, from));
+        let same = |step: &&DriveStep| until * step.end[1] <= step.end[0] * self.parts;
+        let step = step
+            .filter(same)
+            .ok_or_else(|| ExactError::BadDeclaration {
+                what: format!("h from {from} to {until} of {} parts", self.parts),
+            })?;
+        let h = ratio(step.h);
+        Ok(if turn % 2 == 0 { h } else { printed::eq43_h(h) })
+    }
+
+    /// Whether there are rests, 1 if so.
+    fn kind(&self) -> i64 {
+        let rests = |(_, does): &(i64, Does)| matches!(does, Rests(_));
+        i64::from(self.stretches.iter().any(rests))
+    }
+}
+
+/// Rests that come, go and come again.
+pub const CHANGES: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for the $h$ that for $0<\phi<\pi$ is $-1/6$ between $3\pi/8$ and $\pi/2$ and else 1, with (43): from every start, with any velocity across, there is no rest at $\lambda_0=1/8$, there are two rests in every late period at $1/5$, none from some time on at $1/2$, and two again at $2/3$",
+    ),
+    || (eq2(), rate(), printed::s23_rests()),
+    |(law, rate, kinds)| changes(law, rate, kinds, HALVES),
+)
+.of_a_part();
+
+fn ring() -> Result<Ring, ExactError> {
+    let mut ring = Ring::new();
+    for name in ["λ₀", "D"] {
+        ring.symbol(name);
+    }
+    ring.angle("ψ");
+    for (name, sign) in [("𝔴", 1), ("𝔴₁", -1)] {
+        let w = ring.symbol(name);
+        ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
+    }
+    Ok(ring)
+}
+
+fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) -> Proof {
+    Proof::in_ring("Rests that come, go and come again", ring(), |p| {
+        p.rests_on(&never_part(rate))?;
+        p.rests_on(&never_farther_apart())?;
+        p.rests_on(&slows(law))?;
+        given(p, &[&MOVES, &EQ45])?;
+        p.note(
+            "The drive",
+            "h = 1 up to 3π/8, −1/6 from there to π/2, and 1 up to π; then the same with the other sign",
+        );
+        p.note("For λ₀ = 1/8", "friction holds nothing in any step:");
+        for step in DRIVE {
+            let room = ratio(step.h).squared() - ratio([1, 8]).squared();
+            let room = p.read("h² − λ₀² in a step", room)?;
+            let stated = p.read("positive: friction is too weak", size(step.excess))?;
+            p.equal("The two", &room, &stated)?;
+        }
+        let stated = p.read("What is stated for little friction, 0 for no rest", little)?;
+        p.zero("It", &stated)?;
+        for half in &halves {
+            follow(p, rate, half)?;
+        }
+        let seen = halves.map(|half| half.kind().to_string()).join(", ");
+        p.note("Rests at these three λ₀, 1 if there are", seen);
+        let [come, go, again] = halves.map(|half| Expr::int(half.kind()));
+        let turns = p.read(
+            "Changes among them",
+            (come - go).squared() + (go - again).squared(),
+        )?;
+        p.equal("It and 2", &turns, &Rational::int(2))?;
+        let stated = p.read("What is stated for much friction", much)?;
+        let last = p.ring().read(again)?;
+        p.equal("It and the last", &stated, &last)
+    })
+}
+
+/// That a half period is a motion, and that all others tend to it.
+fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
+    let Half {
+        lambda0: [n, d],
+        parts,
+        from,
+        ..
+    } = *half;
+    let lambda0 = ratio([n, d]);
+    let own = |of: Expr| of.with("λ₀", lambda0);
+    let sine = Expr::symbol("ψ").sin();
+    p.note(
+        &format!("For λ₀ = {n}/{d}, in parts π/{parts} of the half period"),
+        format!("a motion with 𝔴 = 0 at the part {from}:"),
+    );
+    let (mut at, mut w, mut way) = (from, Expr::int(0), 1);
+    for (until, does) in half.stretches.iter().copied() {
+        let h = half.h(at, until)?;
+        match does {
+            Slides(sign, left) => {
+                if sign != way {
+                    let turn = p.read(&format!("It turns at the part {at}, from"), w)?;
+                    p.zero("𝔴", &turn)?;
+                }
+                way = sign;
+                let signed = if sign > 0 {
+                    rate
+                } else {
+                    rate.with("𝔴", Expr::symbol("𝔴₁"))
+                };
+                let slope = own(signed) - sine + h;
+                let end = w + slope * ratio([until - at, parts]);
+                w = Expr::int(sign) * size(left);
+                let end = p.read(&format!("By (26), at the part {until}, for 𝔴 over π"), end)?;
+                let stated = p.read("of the sign that friction was given, or 0", w)?;
+                p.equal("The two", &end, &stated)?;
+            }
+            Rests(room) => {
+                let still = p.read(&format!("It rests up to the part {until}"), w)?;
+                p.zero("𝔴", &still)?;
+                let spare = p.read("λ₀² − h² there", lambda0.squared() - h.squared())?;
+                let stated = p.read("positive: friction holds it", size(room))?;
+                p.equal("The two", &spare, &stated)?;
+            }
+        }
+        at = until;
+    }
+    let end = p.read("In the end", w)?;
+    p.zero("𝔴", &end)?;
+    let length = p.read(
+        "From its beginning it is, over π,",
+        ratio([at - from, parts]),
+    )?;
+    p.equal("Half a period: that and 1", &length, &Rational::int(1))?;
+    p.note("By (45) it goes on", "with the other sign, and so for ever");
+    if half.kind() == 1 {
+        p.note(
+            "While it rests",
+            "the speed of any other motion falls by λ₀ − |h| > 0 at least, in each half period for as long: after a finite time it rests too, and is the same from then on",
+        );
+        return Ok(());
+    }
+    drawn(p, rate, half)
+}
+
+/// That all motions tend to one without rest that slides forward for half a period and backward for the other.
+fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
+    let [lambda0, psi, other, d] = Expr::symbols(["λ₀", "ψ", "𝔴₁", "D"]);
+    let (one, two, h) = (Expr::int(1), Expr::int(2), psi.sin());
+    p.note(
+        "A motion with a velocity across",
+        "if it never rests there is nothing to show; from a rest on it is one on the line",
+    );
+    for (says, sign, rate) in [
+        ("The sign 1", one, rate),
+        ("The sign −1", -one, rate.with("𝔴", other)),
+    ] {
+        p.note("With", says);
+        for (says, left, room) in [
+            (
+                "1 + λ₀ less the rate of the size by (26)",
+                one + lambda0 - sign * rate,
+                one - sign * h + two * lambda0,
+            ),
+            (
+                "1 + λ₀ and that rate",
+                one + lambda0 + sign * rate,
+                one + sign * h,
+            ),
+        ] {
+            let left = p.read(says, left)?;
+            let room = p.read("Terms of which none is negative", room)?;
+            p.equal("The two", &left, &room)?;
+        }
+    }
+    let length = d / (two * (one + lambda0));
+    let rest = p.read(
+        "D less 1 + λ₀ times D/(2 (1 + λ₀))",
+        d - (one + lambda0) * length,
+    )?;
+    let stated = p.read("D/2", d / two)?;
+    p.equal("The two", &rest, &stated)?;
+    p.note(
+        "Where this motion is 0 let the size of another be D",
+        "that one keeps its sign for D/(2 (1 + λ₀)) before and after, this one has the other sign on one side, and meanwhile the distance falls at the rate 2λ₀ by (26); or for half a period, if that is shorter",
+    );
+    let Half {
+        lambda0: [n, d],
+        from,
+        ..
+    } = *half;
+    p.note(
+        "In each period the distance falls by at least what depends on D alone",
+        "so that it goes to 0",
+    );
+    let room = p.read(
+        "Where this motion is 0, h² − λ₀²",
+        half.h(from, from + 1)?.squared() - ratio([n, d]).squared(),
+    )?;
+    let stated = p.read("positive: friction is too weak", ratio([3, 4]))?;
+    p.equal("The two", &room, &stated)?;
+    p.note(
+        "So a late motion is 0 only near these places, inside the steps",
+        "and no rest lasts there",
+    );
+    Ok(())
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![&CHANGES];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rests_that_do_not_come_go_and_come_again_are_refused() {
+        let (law, rate, kinds) = (CHANGES.formulas)();
+        let [come, go, again] = HALVES;
+        for halves in [[come, again, again], [go, come, go]] {
+            assert!(!changes(law, rate, kinds, halves).holds());
+        }
+    }
+
+    /// With another friction, another beginning, over a jump of h, at rest for too long, or for too short a time.
+    #[test]
+    fn a_half_period_that_is_no_motion_is_refused() {
+        let [come, go, again] = HALVES;
+        const OVER_A_JUMP: [(i64, Does); 3] = [
+            (36, Slides(1, [19, 192])),
+            (96, Slides(1, [17, 64])),
+            (113, Slides(1, [0, 1])),
+        ];
+        const STAYS: [(i64, Does); 1] = [(396, Rests([11, 900]))];
+        const SHORT: [(i64, Does); 4] = [
+            (264, Slides(1, [2, 5])),
+            (352, Slides(1, [0, 1])),
+            (363, Slides(-1, [1, 30])),
+            (387, Slides(-1, [0, 1])),
+        ];
+        for wrong in [
+            Half {
+                lambda0: [1, 3],
+                ..come
+            },
+            Half {
+                lambda0: again.lambda0,
+                ..go
+            },
+            Half { from: 18, ..go },
+            Half {
+                stretches: &OVER_A_JUMP,
+                ..go
+            },
+            Half {
+                stretches: &STAYS,
+                ..come
+            },
+            Half {
+                stretches: &SHORT,
+                ..come
+            },
+        ] {
+            let holds = |half: &Half| {
+                Proof::in_ring("Half a period", ring(), |p| follow(p, rate(), half)).holds()
+            };
+            assert!(HALVES.iter().all(holds));
+            assert!(!holds(&wrong), "{wrong:?}");
+        }
+    }
+
+    #[test]
+    fn a_slide_through_zero_is_refused() {
+        let through = Half {
+            lambda0: [1, 4],
+            parts: 8,
+            from: 6,
+            stretches: &[(8, Slides(1, [3, 16])), (11, Slides(-1, [3, 32]))],
+        };
+        let proof = Proof::in_ring("Half a period", ring(), |p| follow(p, rate(), &through));
+        let said = proof.obstacle().unwrap();
+        let turned = proof.steps().last().unwrap();
+        assert!(turned.says.starts_with("It turns"), "{said}");
+    }
+}

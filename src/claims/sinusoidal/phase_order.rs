@@ -1,0 +1,279 @@
+//! What of section 2.2 is an order of phases, for the whole range of λ₀ at once: where drive and friction are equal, where a rest
+//! can end, and how long a slip from rest lasts. All by φ₁ = β, λ₀ = sin β.
+
+use super::exact::{EQ31, EQ32, EQ36, ring_of_phi1, with_lambda_c};
+use crate::corrections::sinusoidal as corrected;
+use crate::evidence::Subject;
+use crate::exact::{Expr, Proof, Rational};
+use crate::paper::sinusoidal as paper;
+use crate::scalar::Scalar;
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::Compared;
+use trialbook::claims::statement::{Statement, given};
+
+/// (27) to (30).
+fn phases() -> [Expr; 4] {
+    let lambda0 = Expr::symbol("λ₀");
+    [
+        paper::eq27_phi1(lambda0),
+        paper::eq28_phi2(lambda0),
+        paper::eq29_phi3(lambda0),
+        paper::eq30_phi4(lambda0),
+    ]
+}
+
+/// The four phases, and no other.
+const FOUR_POINTS: Statement<([Expr; 4], Expr)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"for every $0<\lambda_0<1$: $\sin^2\phi-\lambda_0^2=\sin(\phi-\phi_1)\sin(\phi+\phi_1)$, whose factors vanish twice each in a period, at $\phi_1$ and $\phi_3$ and at $\phi_2$ and $\phi_4$ of (27) to (30), which are four different phases",
+    ),
+    || (phases(), paper::s22_points()),
+    |(phases, number)| four_points(phases, number),
+);
+
+fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
+    Proof::in_ring(
+        "The drive equals friction four times",
+        ring_of_phi1(),
+        |p| {
+            let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
+            let pi = Expr::pi();
+            let excess = p.read("sin²φ − λ₀²", phi.sin().squared() - lambda0.squared())?;
+            let product = (phi - beta).sin() * (phi + beta).sin();
+            let product = p.read("sin(φ − β) sin(φ + β)", product)?;
+            p.equal("The two", &excess, &product)?;
+            p.note(
+                "Of the phases from 0 to 2π",
+                "the first sine vanishes at β and π + β only, the second at π − β and 2π − β only",
+            );
+            let zeros = [beta, pi - beta, pi + beta, Expr::int(2) * pi - beta];
+            for (i, (printed, zero)) in phases.into_iter().zip(zeros).enumerate() {
+                let printed = p.read(&format!("The printed phase {}", i + 1), printed)?;
+                let zero = p.read("The zero of a sine", zero)?;
+                p.equal("The two", &printed, &zero)?;
+            }
+            for (says, earlier, later) in [
+                (
+                    "From the first to the second, and from the third to the fourth",
+                    0,
+                    1,
+                ),
+                ("The same", 2, 3),
+            ] {
+                let gap = p.read(says, zeros[later] - zeros[earlier])?;
+                let length = p.read("π − 2β, positive for β < π/2", pi - Expr::int(2) * beta)?;
+                p.equal("The two", &gap, &length)?;
+            }
+            let gap = p.read("From the second to the third", zeros[2] - zeros[1])?;
+            let length = p.read("2β, positive for β > 0", Expr::int(2) * beta)?;
+            p.equal("The two", &gap, &length)?;
+            let number = p.read("The stated number", number)?;
+            let counted = p.read(
+                "Two zeros of each sine, none in common",
+                Expr::int(2) + Expr::int(2),
+            )?;
+            p.equal("The two", &number, &counted)
+        },
+    )
+}
+
+/// |sin φ| rises above λ₀ at φ₁ and φ₃, and sinks below it at φ₂ and φ₄.
+const REST_ENDS: Statement<[Expr; 4]> = Statement::new(
+    Subject::Printed,
+    Compared::shown(
+        r"for every $0<\lambda_0<1$ a rest can end only where $\lvert\sin\phi\rvert$ rises above $\lambda_0$: of the four phases (27) to (30) at which the two are equal, $\sin^2\phi$ rises with the slope $2\sin\phi_1\cos\phi_1>0$ at $\phi_1$ and $\phi_3$ and falls with it at $\phi_2$ and $\phi_4$; for $\lambda_0\ge1$ no rest ends, and for $\lambda_0=0$ there is none",
+    ),
+    phases,
+    rest_ends,
+);
+
+fn rest_ends(phases: [Expr; 4]) -> Proof {
+    Proof::in_ring("Where a rest can end", ring_of_phi1(), |p| {
+        p.rests_on(&four_points(phases, Expr::int(4)))?;
+        let [beta, phi] = Expr::symbols(["β", "φ"]);
+        p.note(
+            "Static friction holds a particle as long as |sin φ| ≤ λ₀, and no longer",
+            "a rest ends at a phase at which |sin φ| is λ₀, and above λ₀ just after it",
+        );
+        let drive = p.read("sin²φ", phi.sin().squared())?;
+        let slope = p.derivative("Its slope", &drive, &p.ring().by("φ")?)?;
+        let stated = Expr::int(2) * phi.sin() * phi.cos();
+        let twice = p.read("2 sin φ cos φ", stated)?;
+        p.equal("The two", &slope, &twice)?;
+        let steep = p.read(
+            "2 sin β cos β, positive for 0 < β < π/2",
+            stated.with("φ", beta),
+        )?;
+        for (i, (phase, way)) in phases.into_iter().zip([1, -1, 1, -1]).enumerate() {
+            let there = p.read(
+                &format!("At the printed phase {}", i + 1),
+                stated.with("φ", phase),
+            )?;
+            let signed = &steep * &Rational::int(way);
+            p.equal(&format!("It is {way} times that"), &there, &signed)?;
+        }
+        p.note(
+            "Beyond that range",
+            "|sin φ| ≤ 1 ≤ λ₀ ends no rest, and without friction |sin φ| ≤ λ₀ on no interval",
+        );
+        Ok(())
+    })
+}
+
+/// Where the period ends that begins with the slip at φ₁.
+const PERIOD_ENDS: Statement = Statement::new(
+    Subject::Corrected,
+    Compared::shown(
+        r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above $+\lambda_0$ at $\phi_1$ only, and again a period later; in between it gives nothing, and the slip ends before",
+    ),
+    || corrected::rest_of_period_end(paper::eq27_phi1(Expr::symbol("λ₀"))),
+    period_ends,
+);
+
+fn period_ends(end: Expr) -> Proof {
+    let title = "The period of the slip ends where the next slip begins";
+    Proof::in_ring(title, ring_of_phi1(), |p| {
+        let [first, second, third, fourth] = phases();
+        p.rests_on(&four_points([first, second, third, fourth], Expr::int(4)))?;
+        p.rests_on(&slip())?;
+        p.note(
+            "The slip ends before φ₁ + 2π",
+            "and an interval is left until then",
+        );
+        let [beta, lambda0] = Expr::symbols(["β", "λ₀"]);
+        for (says, phase) in [("φ₁", first), ("the stated end", end)] {
+            let drive = p.read(&format!("The drive, sin φ, at {says}"), phase.sin())?;
+            let friction = p.read("λ₀", lambda0)?;
+            p.equal("The two", &drive, &friction)?;
+            let slope = p.read("Its slope there", phase.cos())?;
+            let rises = p.read("cos β, positive for 0 < β < π/2", beta.cos())?;
+            p.equal("The two", &slope, &rises)?;
+        }
+        let slope = p.read("The slope at φ₂", second.cos())?;
+        let falls = p.read("−cos β: there the drive falls", -beta.cos())?;
+        p.equal("The two", &slope, &falls)?;
+        for (says, phase) in [("φ₃", third), ("φ₄", fourth)] {
+            let drive = p.read(&format!("The drive at {says}"), phase.sin())?;
+            let backward = p.read("−λ₀: there it is backward", -lambda0)?;
+            p.equal("The two", &drive, &backward)?;
+        }
+        let length = p.read("From φ₁ to the stated end", end - first)?;
+        let period = p.read(
+            "2π, so that it is the next such phase",
+            Expr::int(2) * Expr::pi(),
+        )?;
+        p.equal("The two", &length, &period)?;
+        let given = p.read("What the drive gives on the way", first.cos() - end.cos())?;
+        p.zero("It", &given)
+    })
+}
+
+/// The slip (31) from rest rises to φ₂ and falls from there on to φ₁ + 2π, and has sunk below zero at φ₄: it ends between the two.
+pub fn slip() -> Proof {
+    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+    ends_once(paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi))
+}
+
+fn ends_once(w: Expr) -> Proof {
+    Proof::in_ring("A slip from rest ends once", ring_of_phi1(), |p| {
+        given(p, &[&EQ31])?;
+        let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
+        let two = Expr::int(2);
+        let printed = p.read("(31), with sin β = λ₀", w)?;
+        let slope = p.derivative("Its slope", &printed, &p.ring().by("φ")?)?;
+        let halves = ((phi - beta) / two).sin() * ((phi + beta) / two).cos();
+        let product = p.read(
+            "2 sin((φ − β)/2) cos((φ + β)/2), positive from β to π − β, negative from there to 2π + β",
+            two * halves,
+        )?;
+        p.equal("The two", &slope, &product)?;
+        let late = p.read("(31) at 2π − β", w.with("φ", two * Expr::pi() - beta))?;
+        let below = p.read(
+            "−2λ₀ (π − β), negative",
+            -(two * lambda0 * (Expr::pi() - beta)),
+        )?;
+        p.equal("The two", &late, &below)?;
+        p.note(
+            "So, as (31) is 0 at β",
+            "it is positive up to a phase between π − β and 2π − β, and negative from there to 2π + β",
+        );
+        Ok(())
+    })
+}
+
+/// A slip from rest outlasts half the period below λ_c.
+const OUTLASTS: Statement<(Expr, Expr)> = Statement::new(
+    Subject::Within,
+    Compared::shown(
+        r"for every $0<\lambda_0<\lambda_\mathrm c$ the slip (31) is still positive at $\phi_1+\pi$, where it is the left side of (35), and has not been zero since $\phi_1$; and with the largest possible forward friction $+\lambda_0$ from $\tilde\phi_2$ on, $\mathfrak w(\phi_1+2\pi)=-2\lambda_0(\tilde\phi_2-\phi_1-\pi)<0$",
+    ),
+    || {
+        let [lambda0, phi, end] = Expr::symbols(["λ₀", "φ", "φ̃₂"]);
+        let phi1 = paper::eq27_phi1(lambda0);
+        (
+            paper::eq31_w(lambda0, phi1, phi),
+            paper::eq32_left(lambda0, phi1, end),
+        )
+    },
+    |(w, left)| outlasts(w, left),
+);
+
+fn outlasts(w: Expr, left: Expr) -> Proof {
+    let ring = || {
+        let mut ring = with_lambda_c(ring_of_phi1()?)?;
+        ring.angle("φ̃₂");
+        Ok(ring)
+    };
+    Proof::in_ring("A slip outlasts half the period", ring(), |p| {
+        given(p, &[&EQ32, &EQ36])?;
+        p.rests_on(&ends_once(w))?;
+        let [beta, lambda0, phi, end] = Expr::symbols(["β", "λ₀", "φ", "φ̃₂"]);
+        let (two, pi) = (Expr::int(2), Expr::pi());
+        let there = p.read("(31) at β + π", w.with("φ", beta + pi))?;
+        let eq35 = p.read("The left side of (35)", paper::eq35_left(lambda0))?;
+        p.equal("The two", &there, &eq35)?;
+        let [friction, critical] = paper::eq36_sides(lambda0);
+        let sum = p.read("Its terms, added", two * beta.cos() + pi * lambda0)?;
+        let factor = Expr::int(4) + pi.squared();
+        let apart = factor * (critical.squared() - friction.squared());
+        let apart = p.read(
+            "(4 + π²) (λ_c² − λ₀²), positive where (36) does not hold",
+            apart,
+        )?;
+        p.equal(
+            "That times their sum, which is positive",
+            &(&there * &sum),
+            &apart,
+        )?;
+        p.note(
+            "So (31) is positive from β to β + π",
+            "and zero later: φ̃₂ − β > π",
+        );
+
+        p.note(
+            "From φ̃₂ on the velocity gains at most sin φ + λ₀",
+            "whatever friction does: its size is at most λ₀",
+        );
+        let most = lambda0 * (phi - end) + end.cos() - phi.cos();
+        let rate = p.read("From 0 at φ̃₂ that gives at most", most)?;
+        let rate = p.derivative("Its slope", &rate, &p.ring().by("φ")?)?;
+        let gain = p.read("sin φ + λ₀", phi.sin() + lambda0)?;
+        p.equal("The two", &rate, &gain)?;
+        let zero = p.read("At φ̃₂", most.with("φ", end))?;
+        p.zero("It", &zero)?;
+        let later = p.read("At β + 2π", most.with("φ", beta + two * pi))?;
+        let left = p.read("The left side of (32), which is 0,", left)?;
+        let stated = p.read(
+            "−2λ₀ (φ̃₂ − β − π), which is negative",
+            -(two * lambda0 * (end - beta - pi)),
+        )?;
+        p.equal(
+            "The value there and that less the left side",
+            &later,
+            &(&stated - &left),
+        )
+    })
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![&FOUR_POINTS, &REST_ENDS, &OUTLASTS, &PERIOD_ENDS];

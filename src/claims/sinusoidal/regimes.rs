@@ -1,0 +1,274 @@
+//! Trials of what section 2.2 says in words of the motion along the line.
+
+use super::reference_motions::{
+    ORIGIN, Particle, Slip, dense, drive, end_spread, phi_t2, settled, small, starts,
+};
+use crate::claims::tolerances::{NONE, ROOT};
+use crate::evidence::{Evidence, Route, Subject};
+use crate::motion::PhaseKind;
+use crate::motion::drive::{DriveState, Friction, Interval, Sign};
+use crate::paper::sinusoidal as printed;
+use std::f64::consts::{PI, TAU};
+use trialbook::claims::attempt::{Attempt, trials};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::points::Points;
+
+fn at(lambda: f64) -> String {
+    format!("λ₀ = {lambda:.6}")
+}
+
+/// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
+fn no_rest_census() -> Evidence {
+    let compared = Compared::constant(
+        r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
+        "whether the simulated motions from seven starts have no rest at large times (1 if so)",
+    );
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    trial.over(dense().into_iter().step_by(4), |lambda| {
+        let is = |truth: bool| f64::from(u8::from(truth));
+        Ok(Pair {
+            at: at(lambda),
+            stated: is(lambda < printed::eq37_lambda_c()),
+            found: is(all_rests(lambda)? == 0),
+            scale: 1.0,
+        })
+    })
+}
+
+/// The rests in a period at large times, of all starts together.
+fn all_rests(lambda: f64) -> Result<usize, Failure> {
+    let mut rests = 0;
+    for start in starts() {
+        let attractor = settled(lambda, start)?;
+        let list = attractor.intervals().iter();
+        rests += list.filter(|i| i.sign == Sign::Rest).count();
+    }
+    Ok(rests)
+}
+
+/// The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
+fn no_rest_motion() -> Evidence {
+    let compared = Compared::one(
+        r"$-2\lambda_0(\tilde\phi_2-\phi_1-\pi)$, with the root $\tilde\phi_2$ of (32),",
+        r"$\mathfrak w$ a period after a rest has ended at $\phi_1$, where it has to be negative",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ROOT);
+    trial.over(small(), |lambda| {
+        let (phi1, end) = (printed::eq27_phi1(lambda), phi_t2(lambda));
+        let friction = Friction::new(lambda, lambda)?;
+        let slip = Slip::of(lambda)?;
+        let w = drive()?.advance(friction, ORIGIN, slip.start + TAU)?.end.w;
+        Ok(Pair {
+            at: at(lambda),
+            stated: -2.0 * lambda * (end - phi1 - PI),
+            found: if w < 0.0 { w } else { f64::NAN },
+            scale: 10.0 + lambda * end_spread(lambda, slip.end),
+        })
+    })
+}
+
+/// A kind of large-time motion as a number: zeros in a period, ten times the rests, or −1 for rest throughout.
+fn kind(zeros: usize, rests: usize, still: bool) -> f64 {
+    if still {
+        -1.0
+    } else {
+        (zeros + 10 * rests) as f64
+    }
+}
+
+fn stated_kind(lambda: f64) -> f64 {
+    let [left, right] = printed::eq25_sides(lambda);
+    if lambda < printed::eq37_lambda_c() {
+        kind(2, 0, false)
+    } else if left < right {
+        kind(0, 2, false)
+    } else {
+        kind(0, 0, true)
+    }
+}
+
+/// The kind, read off a list of intervals.
+fn listed_kind(list: &[Interval]) -> f64 {
+    let rests = list.iter().filter(|i| i.sign == Sign::Rest).count();
+    let pairs = list.iter().zip(list.iter().cycle().skip(1));
+    let turns = pairs.filter(|(a, b)| a.sign.factor() * b.sign.factor() < 0.0);
+    kind(turns.count(), rests, list.len() == 1 && rests == 1)
+}
+
+/// Frictions from 0 to 5, the two thresholds approached to 1e-9 from both sides.
+fn frictions() -> Vec<f64> {
+    let mut points = Points::stream(150);
+    let mut list = dense();
+    list.extend((0..200).map(|_| points.uniform(1.0, 5.0)));
+    list.extend((0..30).map(|i| 1.0 + libm::pow(10.0, -3.0 - 0.2 * f64::from(i))));
+    list
+}
+
+/// The three kinds, over more than 1500 frictions.
+pub fn trichotomy_census() -> Evidence {
+    let compared = Compared::one(
+        r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
+        "the same of the simulated list of intervals",
+    );
+    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    trial.over(
+        frictions().into_iter().zip(starts().into_iter().cycle()),
+        |(lambda, start)| {
+            let attractor = settled(lambda, start)?;
+            Ok(Pair {
+                at: at(lambda),
+                stated: stated_kind(lambda),
+                found: listed_kind(attractor.intervals()),
+                scale: 1.0,
+            })
+        },
+    )
+}
+
+/// The three kinds by the other integrator: stops and rests of a particle over its third period.
+pub fn trichotomy_motion() -> Evidence {
+    let compared = Compared::one(
+        r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
+        "that of a particle on the plane, over its third period",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
+    let mut points = Points::stream(151);
+    trial.over(0..20, |_| {
+        let lambda = points.uniform(0.1, 1.5);
+        let start = points.uniform(0.0, TAU);
+        let (from, to) = (start + 2.0 * TAU, start + 3.0 * TAU);
+        let motion = Particle::plain(lambda).run(start, [0.0; 2], to)?;
+        let within = |t: f64| t > from && t <= to;
+        let stops = motion.stops().iter().filter(|t| within(**t)).count();
+        let phases = motion.phases().iter();
+        let rests = phases.filter(|p| p.kind == PhaseKind::Stick);
+        let begun = rests.filter(|p| within(p.from)).count();
+        let still = stops == 0 && motion.end().speed() == 0.0;
+        Ok(Pair {
+            at: format!("λ₀ = {lambda:.6}, from φ = {start:.6}"),
+            stated: stated_kind(lambda),
+            found: kind(stops.saturating_sub(begun), begun, still),
+            scale: 1.0,
+        })
+    })
+}
+
+/// λ₀ = 0: a fast particle never turns.
+pub fn trichotomy_outside() -> Evidence {
+    let compared = Compared::constant(
+        "the stated 2",
+        r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
+    );
+    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let mut points = Points::stream(152);
+    trial.over(0..24, |_| {
+        let w = points.uniform(0.1, 3.0);
+        let attractor = settled(0.0, DriveState { phi: 0.0, w })?;
+        Ok(Pair {
+            at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
+            stated: stated_kind(0.0),
+            found: listed_kind(attractor.intervals()),
+            scale: 1.0,
+        })
+    })
+}
+
+/// A₀ < μg: a particle with any velocity comes to rest and stays there.
+fn weak_drive_motion() -> Evidence {
+    let compared = Compared::one(
+        "whether (25) fails (1 if so)",
+        "whether a particle, launched in any direction, is at rest over the last period of four",
+    );
+    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
+    let mut points = Points::stream(153);
+    trial.over(0..30, |i| {
+        let range = if i % 3 == 0 { [0.1, 0.95] } else { [1.05, 4.0] };
+        let lambda = points.uniform(range[0], range[1]);
+        let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
+        let from = points.uniform(0.0, TAU);
+        let motion = Particle::plain(lambda).run(from, v, from + 4.0 * TAU)?;
+        let mut largest = 0.0_f64;
+        for phi in fourth_period(from) {
+            largest = largest.max(motion.at(phi)?.speed());
+        }
+        Ok(Pair {
+            at: format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
+            stated: stated_still(lambda),
+            found: f64::from(u8::from(largest == 0.0)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// 1 where (25) does not hold, so that nothing moves at large times.
+fn stated_still(lambda: f64) -> f64 {
+    let [left, right] = printed::eq25_sides(lambda);
+    f64::from(u8::from(left >= right))
+}
+
+/// Phases all over the fourth period after a phase.
+fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
+    (0..=32).map(move |k| from + TAU * (3.0 + f64::from(k) / 32.0))
+}
+
+/// A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
+fn weak_drive_census() -> Evidence {
+    let compared = Compared::one(
+        "whether (25) fails (1 if so)",
+        "whether the simulated large-time motion is rest throughout, from seven starts",
+    );
+    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let frictions = frictions().into_iter().enumerate();
+    let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);
+    trial.over(some, |(_, lambda)| {
+        Ok(Pair {
+            at: at(lambda),
+            stated: stated_still(lambda),
+            found: f64::from(u8::from(all_still(lambda)?)),
+            scale: 1.0,
+        })
+    })
+}
+
+/// Whether it is at rest throughout at large times, from every start.
+fn all_still(lambda: f64) -> Result<bool, Failure> {
+    let mut still = true;
+    for start in starts() {
+        still &= listed_kind(settled(lambda, start)?.intervals()) == kind(0, 0, true);
+    }
+    Ok(still)
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    weak_drive_motion,
+    weak_drive_census,
+    no_rest_motion,
+    no_rest_census,
+    trichotomy_census,
+    trichotomy_motion,
+    trichotomy_outside
+];
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between λ_c and 1 each of the seven rests twice a period, above 1 all the time.
+    #[test]
+    fn the_rests_of_all_starts_are_counted() {
+        assert_eq!([0.3, 0.8, 1.5].map(|l| all_rests(l).unwrap()), [0, 14, 7]);
+        assert_eq!(
+            [0.3, 0.8, 1.5].map(|l| all_still(l).unwrap()),
+            [false, false, true]
+        );
+    }
+
+    #[test]
+    fn the_fourth_period_is_looked_at_from_end_to_end() {
+        let phases: Vec<_> = fourth_period(1.0).collect();
+        assert_eq!((phases[0], phases[32]), (1.0 + 3.0 * TAU, 1.0 + 4.0 * TAU));
+        for pair in phases.windows(2) {
+            assert!((pair[1] - pair[0] - TAU / 32.0).abs() < 1e-14);
+        }
+    }
+}

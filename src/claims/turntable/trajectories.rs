@@ -1,0 +1,364 @@
+//! Motions on the turntable by which the printed formulas are tried.
+//!
+//! Each is integrated three times by programs that share no equation: in the frame of the table, in the
+//! laboratory, and by components along the velocity. The printed formulas see only its states.
+
+use crate::motion::MotionError;
+use crate::motion::turntable::intrinsic::Run;
+use crate::motion::turntable::{Intrinsic, Path, Start, State, Table, inertial, rotating};
+use crate::numerics::quadrature::integral_within;
+use trialbook::claims::points::Points;
+use trialbook::claims::runs::{Failure, Runs};
+
+/// The particle's speed relative to the table against that of the table under it, ρ, over a stretch.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Class {
+    /// p < ρ throughout.
+    Slower,
+    /// p > ρ throughout.
+    Faster,
+    /// p = ρ at some time.
+    Through,
+}
+
+/// All of them.
+pub const ANY: &[Class] = &[Class::Slower, Class::Faster, Class::Through];
+/// The first case, (110).
+pub const SLOWER: &[Class] = &[Class::Slower];
+/// The second case, (116).
+pub const FASTER: &[Class] = &[Class::Faster];
+
+/// A state on the dimensionless table, in the quantities of section 4, from position and velocity alone.
+#[derive(Debug, Clone, Copy)]
+pub struct View {
+    /// 𝛒.
+    pub position: [f64; 2],
+    /// d𝛒/dτ.
+    pub rate: [f64; 2],
+    /// Its length.
+    pub p: f64,
+    /// Distance from the axis.
+    pub rho: f64,
+    /// Angle from the velocity to the position; 0 where one of them is zero.
+    pub psi: f64,
+    /// Position along the velocity; ρ where that is zero.
+    pub xi: f64,
+    /// Moment of the velocity about the axis over p; 0 where that is zero.
+    pub ell: f64,
+}
+
+impl View {
+    /// Of a state relative to the table with Ω = μ = g = 1.
+    pub fn of(state: &State) -> Self {
+        let (position, rate) = (state.x, state.v);
+        let ([x, y], [u, v]) = (position, rate);
+        let (p, rho) = (state.speed(), state.radius());
+        let (along, moment) = (x * u + y * v, x * v - y * u);
+        let moves = p > 0.0;
+        let turned = moves && rho > 0.0;
+        View {
+            position,
+            rate,
+            p,
+            rho,
+            psi: if turned {
+                libm::atan2(-moment, along)
+            } else {
+                0.0
+            },
+            xi: if moves { along / p } else { rho },
+            ell: if moves { moment / p } else { 0.0 },
+        }
+    }
+
+    /// 𝛒·d𝛒/dτ.
+    pub fn along(&self) -> f64 {
+        self.position[0] * self.rate[0] + self.position[1] * self.rate[1]
+    }
+
+    /// ẑ·(𝛒 × d𝛒/dτ).
+    pub fn moment(&self) -> f64 {
+        self.position[0] * self.rate[1] - self.position[1] * self.rate[0]
+    }
+
+    /// A and α, for p < ρ.
+    pub fn inner(&self) -> (f64, f64) {
+        let a = libm::sqrt((self.rho - self.p) * (self.rho + self.p));
+        (a, libm::asinh(self.p / a))
+    }
+
+    /// B and β, for p > ρ.
+    pub fn outer(&self) -> (f64, f64) {
+        let b = libm::sqrt((self.p - self.rho) * (self.p + self.rho));
+        (b, libm::asinh(self.rho / b))
+    }
+}
+
+/// Part of a motion on the dimensionless table, off rest and off the axis.
+#[derive(Debug)]
+pub struct Stretch {
+    /// Which sort it is.
+    pub class: Class,
+    /// The motion by the frame of the table.
+    pub turning: Path,
+    /// The motion by the laboratory.
+    pub still: Path,
+    /// The motion by components along the velocity.
+    pub parts: Run,
+    /// Its begin.
+    pub from: f64,
+    /// Its end.
+    pub to: f64,
+}
+
+impl Stretch {
+    /// By the frame of the table.
+    pub fn view(&self, tau: f64) -> Result<View, MotionError> {
+        Ok(View::of(&self.turning.at(tau)?))
+    }
+
+    /// By components along the velocity.
+    pub fn part(&self, tau: f64) -> Result<Intrinsic, MotionError> {
+        self.parts.at(tau)
+    }
+
+    /// The point in the claims' symbols.
+    pub fn at(&self) -> String {
+        match self.view(self.from) {
+            Ok(View { rho, p, psi, .. }) => format!(
+                "ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}, then for τ = {:.6}",
+                self.to - self.from
+            ),
+            Err(error) => error.to_string(),
+        }
+    }
+}
+
+/// How many stretches there are of each class.
+const EACH: usize = 20;
+/// How many motions may be tried to find them.
+const TRIES: usize = 5000;
+/// How far from rest, from the axis and (but for the last class) from p = ρ a stretch stays.
+const OFF: f64 = 0.1;
+
+static STRETCHES: Runs<Vec<Stretch>> = Runs::new(|| {
+    let mut points = Points::stream(500);
+    let mut found: Vec<Stretch> = Vec::new();
+    for _ in 0..TRIES {
+        if ANY.iter().all(|class| count(&found, *class) == EACH) {
+            break;
+        }
+        let mut any = || points.uniform(-1.5, 1.5);
+        let start = State {
+            t: 0.0,
+            x: [any(), any()],
+            v: [any(), any()],
+        };
+        let from = points.uniform(0.0, 1.0);
+        let to = from + points.uniform(0.3, 1.5);
+        let table = Table::default();
+        let turning = rotating::run(&table, &start, to)?;
+        if let Some(class) = class(&turning, from, to)?
+            && count(&found, class) < EACH
+        {
+            found.push(Stretch {
+                class,
+                turning,
+                still: inertial::run(&table, &table.to_laboratory(&start), to)?,
+                parts: Run::new(&Start::cartesian(start.x, start.v)?, to)?,
+                from,
+                to,
+            });
+        }
+    }
+    for [rho, p] in FAR {
+        let start = State {
+            t: 0.0,
+            x: [rho, 0.0],
+            v: [0.8 * p, -0.6 * p],
+        };
+        let (table, to) = (Table::default(), 0.002);
+        found.push(Stretch {
+            class: if p < rho {
+                Class::Slower
+            } else {
+                Class::Faster
+            },
+            turning: rotating::run(&table, &start, to)?,
+            still: inertial::run(&table, &table.to_laboratory(&start), to)?,
+            parts: Run::new(&Start::cartesian(start.x, start.v)?, to)?,
+            from: 0.0,
+            to,
+        });
+    }
+    Ok(found)
+});
+
+/// ρ and p at which α or β is below 0.01 or above 3.
+const FAR: [[f64; 2]; 4] = [[30.0, 0.15], [1.84, 1.8315], [0.15, 30.0], [1.8315, 1.84]];
+
+fn count(found: &[Stretch], class: Class) -> usize {
+    found.iter().filter(|s| s.class == class).count()
+}
+
+/// Times all over a stretch, its ends included.
+pub fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
+    (0..=40).map(move |i| (from + (to - from) * f64::from(i) / 40.0).min(to))
+}
+
+/// ∫ of a rate that a formula gives; not a number where it gives none.
+pub fn sum(rate: impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> f64 {
+    integral_within(rate, from, to, error).map_or(f64::NAN, |sum| sum.value)
+}
+
+/// The class of a stretch; nothing if it comes too close to where formulas divide by zero.
+fn class(path: &Path, from: f64, to: f64) -> Result<Option<Class>, MotionError> {
+    let mut lead = [f64::INFINITY, f64::NEG_INFINITY];
+    for t in samples(from, to) {
+        let view = View::of(&path.at(t)?);
+        if view.p < OFF || view.rho < OFF {
+            return Ok(None);
+        }
+        lead = [
+            lead[0].min(view.p - view.rho),
+            lead[1].max(view.p - view.rho),
+        ];
+    }
+    Ok(match lead {
+        [_, most] if most < -OFF => Some(Class::Slower),
+        [least, _] if least > OFF => Some(Class::Faster),
+        [least, most] if least < -OFF && most > OFF => Some(Class::Through),
+        _ => None,
+    })
+}
+
+/// The stretches of these classes, the classes in turn.
+pub fn stretches(classes: &[Class]) -> impl Iterator<Item = Result<&'static Stretch, Failure>> {
+    let (all, error) = match STRETCHES.get() {
+        Ok(all) => (&all[..], None),
+        Err(error) => (&[][..], Some(Err(error))),
+    };
+    let of = |class: &Class| -> Vec<&'static Stretch> {
+        all.iter().filter(|s| s.class == *class).collect()
+    };
+    let groups: Vec<_> = classes.iter().map(of).collect();
+    let in_turn = (0..all.len()).flat_map(move |i| {
+        let row: Vec<_> = groups
+            .iter()
+            .filter_map(|group| group.get(i).copied())
+            .collect();
+        row
+    });
+    in_turn.map(Ok).chain(error)
+}
+
+/// A motion on a table whose Ω, μ, g, and whose particle's m, are any numbers.
+#[derive(Debug)]
+pub struct Launch {
+    /// The table and the particle.
+    pub table: Table,
+    /// Relative to the table.
+    pub start: State,
+    /// The motion by the frame of the table.
+    pub turning: Path,
+    /// The motion by the laboratory.
+    pub still: Path,
+    /// Its end.
+    pub to: f64,
+}
+
+impl Launch {
+    /// The point in the claims' symbols.
+    pub fn at(&self) -> String {
+        let Table {
+            omega,
+            mu,
+            g,
+            mass: m,
+        } = self.table;
+        let (r, v) = (self.start.radius(), self.start.speed());
+        format!(
+            "Ω = {omega:.6}, μ = {mu:.6}, g = {g:.6}, m = {m:.6}, r = {r:.6}, v = {v:.6}, t = {:.6}",
+            self.to
+        )
+    }
+}
+
+static LAUNCHES: Runs<Vec<Launch>> = Runs::new(|| {
+    let mut points = Points::stream(501);
+    let mut found = Vec::new();
+    while found.len() < 2 * EACH {
+        let table = Table {
+            omega: points.log_uniform(0.05, 3.0),
+            mu: points.uniform(0.1, 1.4),
+            g: points.uniform(1.5, 20.0),
+            mass: points.log_uniform(0.2, 5.0),
+        };
+        let length = table.length();
+        let mut any = |unit: f64| unit * points.uniform(-1.5, 1.5);
+        let start = State {
+            t: 0.0,
+            x: [any(length), any(length)],
+            v: [any(length * table.omega), any(length * table.omega)],
+        };
+        let to = points.uniform(0.5, 1.5) / table.omega;
+        let turning = rotating::run(&table, &start, to)?;
+        let slowest = samples(0.0, to).try_fold(f64::INFINITY, |least, t| {
+            Ok::<_, MotionError>(turning.at(t)?.speed().min(least))
+        })?;
+        if slowest > OFF * length * table.omega {
+            found.push(Launch {
+                table,
+                start,
+                turning,
+                still: inertial::run(&table, &table.to_laboratory(&start), to)?,
+                to,
+            });
+        }
+    }
+    Ok(found)
+});
+
+/// The launches.
+pub fn launches() -> impl Iterator<Item = Result<&'static Launch, Failure>> {
+    LAUNCHES.each()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_stretch_is_looked_at_from_end_to_end() {
+        let times: Vec<_> = samples(1.5, 2.0).collect();
+        assert_eq!((times[0], times[40], times.len()), (1.5, 2.0, 41));
+        for pair in times.windows(2) {
+            assert!((pair[1] - pair[0] - 0.0125).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn stretches_are_counted_by_their_class() {
+        let (table, start) = (
+            Table::default(),
+            State {
+                t: 0.0,
+                x: [1.0, 0.0],
+                v: [0.5, 0.5],
+            },
+        );
+        let stretch = |class| Stretch {
+            class,
+            turning: rotating::run(&table, &start, 0.1).unwrap(),
+            still: inertial::run(&table, &table.to_laboratory(&start), 0.1).unwrap(),
+            parts: Run::new(&Start::cartesian(start.x, start.v).unwrap(), 0.1).unwrap(),
+            from: 0.0,
+            to: 0.1,
+        };
+        let some = [Class::Slower, Class::Through, Class::Slower].map(stretch);
+        assert_eq!(
+            [Class::Slower, Class::Faster, Class::Through].map(|c| count(&some, c)),
+            [2, 0, 1]
+        );
+    }
+}

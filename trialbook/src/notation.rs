@@ -1,0 +1,10 @@
+//! Formulas as LaTeX and as plain text, and the way from each to the other.
+
+mod latex;
+pub(crate) mod letters;
+mod pieces;
+mod plain;
+
+pub(crate) use latex::command;
+pub use pieces::{Piece, decimal, pieces};
+pub use plain::{plain_formula, plain_words};
