@@ -48,7 +48,7 @@ pub mod figures;
 pub mod ledger;
 pub mod numerics;
 #[cfg(feature = "trials")]
-pub mod plain;
+pub mod plain_text;
 #[cfg(feature = "book")]
 pub mod prelude;
 pub mod scalar;

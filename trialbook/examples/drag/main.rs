@@ -72,17 +72,17 @@ fn top(throw: [f64; 3]) -> Result<f64, Failure> {
 }
 /// How the claims are tried, which name them.
 const TRIALS: &[Attempt] = trials! {
-    &EQ1 = proved(|| laws()[0]), &EQ2 = proved(|| laws()[1]),
-    &EQ3 = proved(|| laws()[2]), &EQ4 = proved(|| laws()[3]),
-    eq5_motion = tried(Trial::motion, Printed, paper::eq5_rise, |throw| {
-        Ok(root(|t| motion(throw, t).map_or(f64::NAN, |[v, _]| v), 1e-3, 4.0)?)
-    }),
+    &EQ1 = proved(|| laws()[0]),
+    &EQ2 = proved(|| laws()[1]),
+    &EQ3 = proved(|| laws()[2]),
+    &EQ4 = proved(|| laws()[3]),
+    eq5_motion = tried(Trial::motion, Printed, paper::eq5_rise,
+        |throw| Ok(root(|t| motion(throw, t).map_or(f64::NAN, |[v, _]| v), 1e-3, 4.0)?)),
     eq5_quadrature = tried(Trial::quadrature, Printed, paper::eq5_rise, rise),
     eq6_motion = tried(Trial::motion, Printed, paper::eq6_top, top),
     right_motion = tried(Trial::motion, Corrected, corrections::eq6_top, top),
-    right_quadrature = tried(Trial::quadrature, Corrected, corrections::eq6_top, |[k, g, w]| {
-        Ok(integral(|v| v / (g + k * v), 0.0, w)?.value)
-    })
+    right_quadrature = tried(Trial::quadrature, Corrected, corrections::eq6_top,
+        |[k, g, w]| Ok(integral(|v| v / (g + k * v), 0.0, w)?.value))
 };
 static STONE: Topic = Topic::new("stone", "The stone", claims!("claims.toml"), &[TRIALS]);
 static PAPER: Paper = Paper {

@@ -25,7 +25,7 @@ use super::by_hand::ByHand;
 use super::values::Value;
 use super::{Claim, Condition, Correction, Excuse, Sort, Topic};
 use crate::evidence::{Change, Kind};
-use crate::plain::{plain_formula, plain_words};
+use crate::plain_text::{plain_formula, plain_words};
 use serde::Deserialize;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};

@@ -4,7 +4,7 @@ use super::errata::{ErrataError, Erratum};
 use super::pieces::{Piece, decimal, pieces};
 use super::{Ledger, Verdict};
 use crate::claims::Paper;
-use crate::plain::{self, plain_words};
+use crate::plain_text::{self, plain_words};
 use std::collections::BTreeSet;
 
 /// A form of the letter.
@@ -407,7 +407,7 @@ fn tex_char(c: char) -> String {
         '”' => "''".into(),
         '<' | '>' | '|' => format!("${c}$"),
         c if c.is_ascii() => c.into(),
-        c => plain::command(c).map_or_else(|| c.into(), |command| format!("${command}$")),
+        c => plain_text::command(c).map_or_else(|| c.into(), |command| format!("${command}$")),
     }
 }
 

@@ -39,7 +39,7 @@ mod variants;
 mod verdict;
 
 #[cfg(feature = "trials")]
-pub use crate::plain::{plain_formula, plain_words};
+pub use crate::plain_text::{plain_formula, plain_words};
 #[cfg(feature = "book")]
 pub use errata::{ErrataError, Erratum};
 #[cfg(feature = "trials")]

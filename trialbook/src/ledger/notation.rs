@@ -5,7 +5,7 @@ mod scripts;
 #[cfg(test)]
 mod tests;
 
-use crate::plain::command;
+use crate::plain_text::command;
 use factors::{is_differential, is_letter};
 
 /// Signs between the two sides of a statement.

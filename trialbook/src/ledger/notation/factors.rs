@@ -2,7 +2,7 @@
 
 use super::scripts::is_small;
 use super::{Factor, Reader};
-use crate::plain::command;
+use crate::plain_text::command;
 
 /// Functions by their names, which LaTeX knows too.
 const FUNCTIONS: &[&str] = &[

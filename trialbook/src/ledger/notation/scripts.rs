@@ -1,7 +1,7 @@
 //! Indices and powers in our plain notation.
 
 use super::{Factor, Reader};
-use crate::plain::command;
+use crate::plain_text::command;
 
 /// Small letters and digits below and above the line, each behind what it stands for.
 const LOW: &str = "0₀1₁2₂3₃4₄5₅6₆7₇8₈9₉+₊-₋xₓnₙkₖ";
