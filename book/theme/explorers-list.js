@@ -228,15 +228,15 @@ window.slipbookExplorers = (() => {
                 title: 'distance; friction can hold it below 1', label: 'The distance from the axis against the time, with that within which friction can hold the particle.',
                 x: { label: 'τ' }, y: { label: 'ρ' }, height: 310,
             }],
-            film: ({ rho, u, v }, ask, { printed, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
-                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set }),
+            film: ({ rho, u, v }, ask, { printed, moving, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
+                { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set }),
             now: ({ rho, u, v }, ask) => {
                 const { values, curves: [table] } = ask(4, rho, u, v);
                 return [null, i => [i * values.at(-1), Math.hypot(...at(table, i))]];
             },
-            show({ rho, u, v }, ask, { printed }) {
+            show({ rho, u, v }, ask, { printed, moving }) {
                 const { values: [fate, sigma, tau, step], curves: [table] } = ask(4, rho, u, v);
-                const [boundary = []] = ask.later(5, rho).curves;
+                const [boundary = []] = ask.later(5, rho, Number(moving)).curves;
                 const paper = border(printed, rho);
                 const words = FATES[fate](sigma, tau);
                 const speed = { now: u, text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${words}` };
@@ -266,8 +266,8 @@ window.slipbookExplorers = (() => {
             },
             bare: true,
             plots: () => [],
-            film: ({ rho, u, v }, ask, { printed, set }) => scenes.record(ask(4, rho, u, v), true, true,
-                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.4], set }),
+            film: ({ rho, u, v }, ask, { printed, moving, set }) => scenes.record(ask(4, rho, u, v), true, true,
+                { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.4], set }),
             show({ rho, u, v }, ask, { printed }) {
                 const { values: [fate, sigma, tau] } = ask(4, rho, u, v);
                 const paper = Math.hypot(u, v) < border(printed, rho) ? 'rests' : 'escapes';

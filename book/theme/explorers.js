@@ -156,20 +156,36 @@
         const stage = explorer.film && new SlipbookStage(host.querySelector('.theatre'), host.querySelector(explorer.bare ? '.theatre' : '.controls'),
             i => panels.forEach((panel, k) => panel.now(places[k] && i > 0 ? places[k](i) : null)), () => drawn());
 
-        let due = false;
+        let due = null;
         let anew = false;
         const draw = () => {
             anew = true;
             // What is shown is no longer what is asked for.
             delete host.dataset.shown;
             delete host.dataset.whole;
-            if (due) return;
-            due = true;
+            // At once, and what follows before the next picture is drawn with it.
+            if (due) {
+                due = 'again';
+                return;
+            }
+            due = 'once';
+            drawn();
             requestAnimationFrame(() => {
-                due = false;
-                drawn();
+                const again = due === 'again';
+                due = null;
+                if (again) drawn();
             });
         };
+        // While a hand moves, answers may be coarse.
+        let moving = false;
+        host.addEventListener('pointerdown', () => { moving = true; }, { capture: true });
+        for (const end of ['pointerup', 'pointercancel']) {
+            addEventListener(end, () => {
+                if (!moving) return;
+                moving = false;
+                drawn();
+            });
+        }
         const drawn = () => {
             for (const key of keys) {
                 sliders[key].value = state[key];
@@ -180,9 +196,9 @@
             ask.whole = true;
             // All parts send for their answers before any waits.
             const made = [
-                () => show(state, ask, { printed }),
+                () => show(state, ask, { printed, moving }),
                 () => explorer.now ? explorer.now(state, ask) : [],
-                () => stage && explorer.film(state, ask, { printed, set, narrow: stage.narrow, held: stage.held }),
+                () => stage && explorer.film(state, ask, { printed, moving, set, narrow: stage.narrow, held: stage.held }),
             ].map(part => {
                 try {
                     return part();
