@@ -23,11 +23,11 @@ window.slipbookScenes = (() => {
         return [path(`arrow ${kind}`, `${line([x, y, ex, ey])}M${n(ex - head * (u + 0.5 * v))} ${n(ey - head * (v - 0.5 * u))}L${n(ex)} ${n(ey)}L${n(ex - head * (u - 0.5 * v))} ${n(ey - head * (v + 0.5 * u))}`)];
     };
     // The points up to a picture, as a trail.
-    const trail = (points, i, place) => {
+    const trail = (points, i, place, kind = '') => {
         const shown = [];
-        for (let k = 0; k <= i; k++) shown.push(...place(points[2 * k], points[2 * k + 1]));
+        for (let k = 0; k <= Math.min(i, points.length / 2 - 1); k++) shown.push(...place(points[2 * k], points[2 * k + 1]));
         shown.push(...place(...at(points, i)));
-        return path('trail', line(shown));
+        return path(`trail ${kind}`, line(shown));
     };
 
     // A floor seen from the side, with a mark at each of its own units; `shift` is where it has gone to.
@@ -55,7 +55,7 @@ window.slipbookScenes = (() => {
         return [disc('disc', x, y, radius), path('teeth', spokes.join('')), disc('limit', x, y, scale), disc('axis', x, y, 3),
             text(x, y - scale - 5, 'can be held', { class: 'small', ...MIDDLE })];
     };
-    const coin = (x, y) => disc('body', x, y, 9);
+    const coin = (x, y, kind = '') => disc(`body ${kind}`, x, y, 9);
     const note = (x, y, words) => text(x, y, words, { class: 'note', ...MIDDLE });
     // The stage's width in its own units: text is as large on a phone as on a desk.
     const width = narrow => narrow ? 380 : 760;
@@ -172,14 +172,16 @@ window.slipbookScenes = (() => {
             };
         },
         // The record from the laboratory, where it turns, and from the table, where it stands still; or the first alone. Before
-        // the coin moves, its velocity is drawn, and the border of those from which it comes to rest: the motion's, and the paper's.
-        record({ values, curves: [table, laboratory] }, narrow, alone, { border = [], paper, velocity, range, set } = {}) {
-            const step = values.at(-1), count = table.length / 2;
+        // the coin moves, its velocity is drawn, and the border of those from which it comes to rest: the motion's, and the paper's,
+        // once they are told. Beside it there may be another coin.
+        record({ values, curves: [table, laboratory] }, narrow, alone, { border = [], paper, velocity, range, set, told = true, beside } = {}) {
+            const step = values.at(-1), count = Math.max(table.length, beside?.curves[0].length || 0) / 2;
+            const later = beside ? step / beside.values.at(-1) : 1;
             const [size, left, right, y, scale] = alone ? [[0, 0, 360, 340], 180, 180, 170, 76]
                 : narrow ? [[0, 0, 380, 224], 94, 286, 98, 42] : [[0, 0, 740, 310], 180, 560, 144, 62];
             const put = x0 => (x, v) => [x0 + scale * x, y - scale * v];
             const slip = i => {
-                const k = Math.min(i, count - 2);
+                const k = Math.min(i, table.length / 2 - 2);
                 if (k < 0) return 0;
                 const [a, b] = [at(table, k), at(table, k + 1)];
                 return Math.hypot(a[0] - b[0], a[1] - b[1]) / step;
@@ -190,12 +192,12 @@ window.slipbookScenes = (() => {
                 const around = border.map((c, i) => i % 2 ? y - scale * c : from + scale * c);
                 const low = Math.max(...around.filter((_, i) => i % 2));
                 const middle = around.filter((_, i) => i % 2 === 0).reduce((sum, x, _, all) => sum + x / all.length, 0);
-                if (around.length) start.push(path('border', `${line(around)}Z`));
-                if (paper) start.push(disc('printed', from, y, scale * paper));
+                if (told && around.length) start.push(path('border', `${line(around)}Z`));
+                if (told && paper) start.push(disc('printed', from, y, scale * paper));
                 start.push(...arrow(from, y, scale * velocity[0], -scale * velocity[1], 'velocity'));
-                if (alone && around.length) start.push(note(middle, Math.min(low - 14, 326), 'rests'));
-                if (alone && paper) start.push(note(from, y - scale * paper - 8, 'the paper’s'));
-                if (alone) start.push(note(right, y - RADIUS * scale + 22, 'flies off'));
+                if (alone && told && around.length) start.push(note(middle, Math.min(low - 14, 326), 'rests'));
+                if (alone && told && paper) start.push(note(from, y - scale * paper - 8, 'the paper’s'));
+                if (alone && told) start.push(note(right, y - RADIUS * scale + 22, 'flies off'));
             }
             const hands = set && [{
                 at: [from, y], label: 'the coin: its distance from the axis', range, now: rho, text: SlipbookPlot.fixed(rho, 2),
@@ -208,12 +210,14 @@ window.slipbookScenes = (() => {
                 step: (du, dv) => set({ u: [du], v: [dv] }),
             }] : [])];
             return {
-                step, count, rate: 1.6, time: t => `τ = ${t}`, box: size, slip, hands, alone,
+                step, count, rate: 1.6, time: t => `τ = ${t}`, box: size, slip, hands,
                 label: `The coin on the turning record, from above, in the laboratory${alone ? '' : ' and on the table'}. Inside the dotted circle friction can hold it.`,
                 draw: i => {
-                    const view = (x0, points, angle) => [...record(x0, y, angle, scale), trail(points, i, put(x0)), coin(...put(x0)(...at(points, i)))];
+                    const view = (x0, k, angle) => [...record(x0, y, angle, scale),
+                        ...(beside ? [trail(beside.curves[k], i * later, put(x0), 'other'), coin(...put(x0)(...at(beside.curves[k], i * later)), 'other')] : []),
+                        trail([table, laboratory][k], i, put(x0)), coin(...put(x0)(...at([table, laboratory][k], i)))];
                     const first = i > 0 ? [] : start, foot = size[3] - 6;
-                    return [...view(left, laboratory, i * step), ...(alone ? [] : [...view(right, table, 0),
+                    return [...view(left, 1, i * step), ...(alone ? [] : [...view(right, 0, 0),
                         text(left, foot, 'in the laboratory', MIDDLE), text(right, foot, 'on the table', MIDDLE)]), ...first];
                 },
             };

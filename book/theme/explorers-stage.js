@@ -73,12 +73,13 @@ window.SlipbookStage = (() => {
                 this.loud = on;
                 this.sound.play(0);
             });
-            // What nobody sees any more need not move.
-            new IntersectionObserver(([entry]) => {
-                if (this.seen && !entry.isIntersecting) this.pause();
-                this.seen = entry.isIntersecting;
-                if (this.seen) this.begin();
-            }).observe(this.svg);
+            // What nobody sees any more need not move; what is seen for the most part may begin.
+            new IntersectionObserver(entries => {
+                const { isIntersecting, intersectionRatio } = entries.at(-1);
+                if (!isIntersecting) this.pause();
+                this.seen = intersectionRatio >= 0.6;
+                this.begin();
+            }, { threshold: [0, 0.6] }).observe(this.svg);
             this.pause();
         }
 
@@ -205,6 +206,7 @@ window.SlipbookStage = (() => {
         play() {
             clearTimeout(this.back);
             if (this.i >= this.film.count - 1) this.show(0);
+            if (this.playing) return;
             this.playing = true;
             this.button.textContent = '❚❚';
             this.button.setAttribute('aria-label', 'Pause');
@@ -220,6 +222,7 @@ window.SlipbookStage = (() => {
                 }
                 const rewind = this.rewind;
                 this.pause();
+                this.ended?.();
                 if (rewind) this.back = setTimeout(() => this.show(0), 1500);
             };
             requestAnimationFrame(next);

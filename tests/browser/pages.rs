@@ -27,6 +27,8 @@ pub fn links(page: &mut Page, book: &Book) -> Result<(), Failure> {
             return address.starts_with("data:") || address.starts_with("https://arxiv.org/");
         };
         let (file, fragment) = path.split_once('#').unwrap_or((path, ""));
+        // The state of an explorer.
+        let fragment = fragment.split('?').next().unwrap_or("");
         let file = if file.is_empty() { "index.html" } else { file };
         let place = fragment.is_empty()
             || visits

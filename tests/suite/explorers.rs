@@ -305,6 +305,13 @@ fn the_guesses_have_the_answers_that_are_given() {
         assert_eq!(turntable::motion(rho, [0.0, -1.2]).unwrap().values[0], 1.0);
         assert_eq!(turntable::motion(rho, [0.0, 1.2]).unwrap().values[0], 0.0);
     }
+    // Thrown from the axis, its path is bent with the turning in the laboratory and against it on the record.
+    let thrown = turntable::motion(0.0, [1.5, 0.0]).unwrap().curves;
+    let side = |curve: &[[f64; 2]]| curve[40][1];
+    assert!(side(&thrown[0]) < -0.1 && side(&thrown[1]) > 0.1);
+    // Put down a hair apart, one coin rests and one does not.
+    let put_down = |rho| turntable::motion(rho, [0.0, -0.87]).unwrap().values[0];
+    assert_eq!([0.87, 0.88].map(put_down), [1.0, 0.0]);
     // Of τ, τ² and an exponential, the ratio to τ² settles.
     let curves = turntable::growth(1.1).unwrap().curves;
     let [.., [x, before], [y, last]] = curves[0][..] else {
@@ -346,11 +353,13 @@ fn the_guesses_have_the_answers_that_are_given() {
         [
             "later",
             "weak",
-            "can come to rest even when flicked hard",
+            "bent with the turning",
+            "It comes to rest",
             "τ²",
             "faster than any exponential",
             "disappear",
-            "less far, with the floor"
+            "less far, with the floor",
+            "one at rest, one gone for ever"
         ]
     );
 }

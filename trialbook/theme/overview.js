@@ -1,4 +1,4 @@
-// The first page's field and marks. Without this script the ledger and the indexes say the same.
+// The marks of claims, and the first page's field. Without this script the ledger and the indexes say the same.
 (() => {
     'use strict';
     const all = (selector, within = document) => [...within.querySelectorAll(selector)];
@@ -10,7 +10,8 @@
         const says = document.createElement('p');
         says.className = 'skeleton-says';
         says.textContent = strip.getAttribute('aria-label');
-        strip.after(says);
+        // A chapter has no room for it, and the claims themselves below.
+        if (strip.closest('.front')) strip.after(says);
         const go = i => {
             const mark = marks[Math.max(0, Math.min(marks.length - 1, i))];
             marks.forEach(other => { other.tabIndex = other === mark ? 0 : -1; });

@@ -325,7 +325,7 @@ impl Search {
 
 /// What leads to addresses, with the numbers of these; what leads nowhere is left out.
 fn placed<'a>(named: &'a [(String, String)], addresses: &[&str]) -> Vec<(&'a str, usize)> {
-    let place = |address: &String| addresses.iter().position(|a| a == address);
+    let place = |address: &String| addresses.iter().position(|a| *a == address.as_str());
     let named = named.iter();
     let named = named.filter_map(|(words, address)| Some((words.as_str(), place(address)?)));
     named.collect()
@@ -345,6 +345,7 @@ fn left_out(name: &str, tag: &str) -> bool {
             "wrapper equations",
             "wrapper falls",
             "wrapper rests",
+            "class=\"skeleton",
         ]),
         "section" => has(&["erratum"]),
         _ => false,
