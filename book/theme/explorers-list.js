@@ -201,7 +201,7 @@ window.slipbookExplorers = (() => {
         },
 
         turntable: {
-            name: 'Rest or escape?',
+            name: 'Throw the coin.',
             predict: {
                 asks: 'First your guess: a coin is thrown from the axis straight outwards. Seen from the laboratory its path is',
                 options: ['straight', 'bent with the turning', 'bent against the turning'],
