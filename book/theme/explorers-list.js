@@ -201,19 +201,19 @@ window.slipbookExplorers = (() => {
         },
 
         turntable: {
-            name: 'Rest or escape?',
+            name: 'Throw the coin.',
             predict: {
-                asks: 'First your guess: a coin at rest on the record, well inside the dashed circle, is flicked backwards, against the turning. It',
-                options: ['always flies off', 'can come to rest even when flicked hard', 'comes to rest only if flicked very gently'],
+                asks: 'First your guess: a coin is thrown from the axis straight outwards. Seen from the laboratory its path is',
+                options: ['straight', 'bent with the turning', 'bent against the turning'],
                 right: 1,
-                says: 'Seen from the laboratory it then hardly moves, and the record drags it along.',
-                at: { rho: 0.5, u: 0, v: -1.2 },
+                says: 'The record drags it along. On the record the same path bends the other way.',
+                at: { rho: 0, u: 1.5, v: 0 },
             },
-            hint: 'Drag the coin or the tip of its velocity on the table, and let go; or focus a circle and use the arrow keys. The small dashed circle is the paper’s border, (147).',
+            hint: 'Drag the coin or the tip of its velocity on the table, and let go; or focus a circle and use the arrow keys. The dashed circle is the paper’s border, (147).',
             inputs: {
-                rho: { label: 'distance ρ', range: [0, 1.6], step: 0.01, start: 0.8 },
-                u: { label: 'velocity outwards', range: [-2, 2], step: 0.01, start: -0.6 },
-                v: { label: 'along the turning', range: [-2.5, 1.5], step: 0.01, start: 0.4 },
+                rho: { label: 'distance ρ', range: [0, 1.6], step: 0.01, start: 0.1 },
+                u: { label: 'velocity outwards', range: [-2, 2], step: 0.01, start: 1.4 },
+                v: { label: 'along the turning', range: [-2.5, 1.5], step: 0.01, start: 0 },
             },
             plots: set => [{
                 title: 'start velocity; inside it rests', equal: true,
@@ -228,15 +228,15 @@ window.slipbookExplorers = (() => {
                 title: 'distance; friction can hold it below 1', label: 'The distance from the axis against the time, with that within which friction can hold the particle.',
                 x: { label: 'τ' }, y: { label: 'ρ' }, height: 310,
             }],
-            film: ({ rho, u, v }, ask, { printed, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
-                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set }),
+            film: ({ rho, u, v }, ask, { printed, moving, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
+                { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set }),
             now: ({ rho, u, v }, ask) => {
                 const { values, curves: [table] } = ask(4, rho, u, v);
                 return [null, i => [i * values.at(-1), Math.hypot(...at(table, i))]];
             },
-            show({ rho, u, v }, ask, { printed }) {
+            show({ rho, u, v }, ask, { printed, moving }) {
                 const { values: [fate, sigma, tau, step], curves: [table] } = ask(4, rho, u, v);
-                const [boundary = []] = ask.later(5, rho).curves;
+                const [boundary = []] = ask.later(5, rho, Number(moving)).curves;
                 const paper = border(printed, rho);
                 const words = FATES[fate](sigma, tau);
                 const speed = { now: u, text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${words}` };
@@ -257,24 +257,32 @@ window.slipbookExplorers = (() => {
         },
 
         record: {
-            name: 'Rest or escape?',
-            hint: 'Drag the coin or the tip of its velocity, and let go. The shaded area has the velocities from which it comes to rest; the paper’s is the small dashed circle.',
+            name: 'Does it stay?',
+            asksFirst: true,
+            predict: {
+                asks: 'A coin lies on a turning record, half as far out as friction can hold it. It is flicked hard, against the turning.',
+                options: ['It flies off', 'It comes to rest', 'It slides for ever'],
+                right: 1,
+                says: 'In the room it hardly moves, and the record carries it along.',
+                at: { rho: 0.5, u: 0, v: -1.2 },
+            },
+            hint: 'Now drag the coin or the tip of its velocity. Shaded: it comes to rest. Dashed: it does so by the paper.',
             inputs: {
                 rho: { label: 'distance ρ from the axis', range: [0, 1.4], step: 0.01, start: 0.5 },
-                u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01, start: 0.45 },
-                v: { label: 'velocity along the turning', range: [-2.5, 2.5], step: 0.01, start: -0.75 },
+                u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01, start: 0 },
+                v: { label: 'velocity along the turning', range: [-2.5, 2.5], step: 0.01, start: -1.2 },
             },
             bare: true,
             plots: () => [],
-            film: ({ rho, u, v }, ask, { printed, set }) => scenes.record(ask(4, rho, u, v), true, true,
-                { border: ask.later(5, rho).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.4], set }),
+            film: ({ rho, u, v }, ask, { printed, moving, told, set }) => scenes.record(ask(4, rho, u, v), true, true,
+                { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.4], set, told }),
             show({ rho, u, v }, ask, { printed }) {
                 const { values: [fate, sigma, tau] } = ask(4, rho, u, v);
                 const paper = Math.hypot(u, v) < border(printed, rho) ? 'rests' : 'escapes';
                 return {
                     draw: [],
                     values: {},
-                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}) relative to the record ${FATES[fate](sigma, tau)}. By the paper’s border it ${paper}.`,
+                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}) relative to the record ${FATES[fate](sigma, tau)}. By the paper it ${paper}.`,
                 };
             },
         },
@@ -453,7 +461,28 @@ window.slipbookExplorers = (() => {
             },
         },
     };
-    // The chapter on rest asks the same as the one before, where its answer is explained.
-    explorers.rest = { ...explorers.turntable, name: 'Over the border.' };
+    // The same record, with a second coin a hair farther out: the border runs between the two.
+    const { turntable } = explorers;
+    const HAIR = 0.01;
+    explorers.rest = {
+        ...turntable,
+        name: 'On the border.',
+        hint: `${turntable.hint} The second coin starts a hair farther out.`,
+        predict: {
+            asks: 'First your guess: two coins are put down side by side, at rest in the laboratory, one a hair farther out. In the end they are',
+            options: ['still side by side', 'a little farther apart', 'one at rest, one gone for ever'],
+            right: 2,
+            says: 'The border runs between them.',
+            at: { rho: 0.87, u: 0, v: -0.87 },
+        },
+        inputs: {
+            rho: { ...turntable.inputs.rho, start: 0.87 },
+            u: { ...turntable.inputs.u, start: 0 },
+            v: { ...turntable.inputs.v, start: -0.87 },
+        },
+        film: ({ rho, u, v }, ask, { printed, moving, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
+            { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set,
+                beside: ask.beside(4, rho + HAIR, u, v) }),
+    };
     return explorers;
 })();

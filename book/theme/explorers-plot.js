@@ -126,12 +126,16 @@ window.SlipbookPlot = (() => {
 
         // Where the bodies on the stage are now.
         now(point) {
-            this.spot?.remove();
-            this.spot = null;
-            if (!point) return;
-            const [u, v] = this.at(...point);
-            this.back.insertAdjacentHTML('beforeend', `<circle class="now" cx="${u}" cy="${v}" r="6"/>`);
-            this.spot = this.back.lastElementChild;
+            if (!point) {
+                this.spot?.remove();
+                this.spot = null;
+                return;
+            }
+            if (!this.spot) {
+                this.back.insertAdjacentHTML('beforeend', '<circle class="now" r="6"/>');
+                this.spot = this.back.lastElementChild;
+            }
+            this.spot.setAttribute('transform', `translate(${this.at(...point).join(' ')})`);
         }
 
         mark({ points = [], series, fill, dash, faint, dots, text, band }, at) {

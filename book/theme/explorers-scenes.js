@@ -1,4 +1,5 @@
-// What the stages show: bodies on their floors, drawn from the films that the crate makes.
+// What the stages show: bodies on their floors, drawn from the films that the crate makes. A picture is a list of shapes: name,
+// attributes, words.
 'use strict';
 
 window.slipbookScenes = (() => {
@@ -9,19 +10,24 @@ window.slipbookScenes = (() => {
         for (let i = 0; i < points.length; i += 2) pairs.push(`${n(points[i])} ${n(points[i + 1])}`);
         return `M${pairs.join('L')}`;
     };
+    const path = (kind, d) => ['path', { class: kind, d }];
+    const disc = (kind, x, y, r) => ['circle', { class: kind, cx: n(x), cy: n(y), r: n(r) }];
+    const box = (kind, x, y, width, height, rx) => ['rect', { class: kind, x: n(x), y: n(y), width, height, rx }];
+    const text = (x, y, words, more) => ['text', { x: n(x), y: n(y), ...more }, words];
+    const MIDDLE = { 'text-anchor': 'middle' }, END = { 'text-anchor': 'end' };
     const arrow = (x, y, dx, dy, kind) => {
         const length = Math.hypot(dx, dy);
-        if (length < 1) return '';
+        if (length < 1) return [];
         const [u, v] = [dx / length, dy / length], head = Math.min(9, length);
         const [ex, ey] = [x + dx, y + dy];
-        return `<path class="arrow ${kind}" d="${line([x, y, ex, ey])}M${n(ex - head * (u + 0.5 * v))} ${n(ey - head * (v - 0.5 * u))}L${n(ex)} ${n(ey)}L${n(ex - head * (u - 0.5 * v))} ${n(ey - head * (v + 0.5 * u))}"/>`;
+        return [path(`arrow ${kind}`, `${line([x, y, ex, ey])}M${n(ex - head * (u + 0.5 * v))} ${n(ey - head * (v - 0.5 * u))}L${n(ex)} ${n(ey)}L${n(ex - head * (u - 0.5 * v))} ${n(ey - head * (v + 0.5 * u))}`)];
     };
     // The points up to a picture, as a trail.
-    const trail = (points, i, place) => {
+    const trail = (points, i, place, kind = '') => {
         const shown = [];
-        for (let k = 0; k <= i; k++) shown.push(...place(points[2 * k], points[2 * k + 1]));
+        for (let k = 0; k <= Math.min(i, points.length / 2 - 1); k++) shown.push(...place(points[2 * k], points[2 * k + 1]));
         shown.push(...place(...at(points, i)));
-        return `<path class="trail" d="${line(shown)}"/>`;
+        return path(`trail ${kind}`, line(shown));
     };
 
     // A floor seen from the side, with a mark at each of its own units; `shift` is where it has gone to.
@@ -31,12 +37,12 @@ window.slipbookScenes = (() => {
         for (let x = first; x < width + unit; x += unit / 2) {
             marks.push(teeth ? `M${n(x)} ${y}l${n(0.4 * unit)} -7l${n(0.02 * unit)} 7` : `M${n(x)} ${y}v9`);
         }
-        return `<path class="ground" d="M0 ${y}H${width}V${y + 16}H0Z"/><path class="teeth" d="${marks.join('')}"/>`;
+        return [path('ground', `M0 ${y}H${width}V${y + 16}H0Z`), path('teeth', marks.join(''))];
     };
     // Something that drifts comes back on the other side.
     const wrapped = (x, width) => ((x % width) + width) % width;
     // Near a side, what is drawn at a place stands at the other side too.
-    const around = (x, width, drawn) => drawn(x) + (x < 80 ? drawn(x + width) : x > width - 80 ? drawn(x - width) : '');
+    const around = (x, width, drawn) => [...drawn(x), ...(x < 80 ? drawn(x + width) : x > width - 80 ? drawn(x - width) : [])];
 
     // The record, seen from above; `angle` in radians, the radius in units of the circle within which friction can hold a coin.
     const RADIUS = 2.2;
@@ -46,12 +52,11 @@ window.slipbookScenes = (() => {
             const turn = angle + k * Math.PI / 1.5;
             return `M${n(x)} ${n(y)}L${n(x + radius * Math.cos(turn))} ${n(y - radius * Math.sin(turn))}`;
         });
-        return `<circle class="disc" cx="${x}" cy="${y}" r="${n(radius)}"/><path class="teeth" d="${spokes.join('')}"/>
-            <circle class="limit" cx="${x}" cy="${y}" r="${scale}"/><circle cx="${x}" cy="${y}" r="3" fill="currentColor"/>`;
+        return [disc('disc', x, y, radius), path('teeth', spokes.join('')), disc('limit', x, y, scale), disc('axis', x, y, 3),
+            text(x, y - scale - 5, 'can be held', { class: 'small', ...MIDDLE })];
     };
-    const coin = (x, y) => `<circle class="body" cx="${n(x)}" cy="${n(y)}" r="9"/>`;
-    const note = (x, y, words) => `<text class="note" x="${n(x)}" y="${n(y)}" text-anchor="middle">${words}</text>`;
-    const circle = (x, y, radius) => `<circle class="printed" cx="${n(x)}" cy="${n(y)}" r="${n(radius)}"/>`;
+    const coin = (x, y, kind = '') => disc(`body ${kind}`, x, y, 9);
+    const note = (x, y, words) => text(x, y, words, { class: 'note', ...MIDDLE });
     // The stage's width in its own units: text is as large on a phone as on a desk.
     const width = narrow => narrow ? 380 : 760;
     // The length of a velocity of 1, where it is drawn as an arrow; the tip of the one at the start is taken by hand.
@@ -81,10 +86,9 @@ window.slipbookScenes = (() => {
                 slip: i => Math.hypot(...at(velocities, i)),
                 draw: i => {
                     const [x, y] = put(...at(places, i)), [u, v] = at(velocities, i), t = i * step;
-                    return `<rect class="disc" x="10" y="6" width="${wide - 20}" height="184" rx="6"/>${floor(t * t / 2 * scale / 60, 202, wide, 60)}
-                        ${arrow(80, 24, -52, 0, 'pull')}<text x="90" y="29">the table is pulled this way</text>
-                        ${trail(places, i, put)}<rect class="body" x="${n(x - 11)}" y="${n(y - 8)}" width="22" height="16" rx="2"/>
-                        ${arrow(x, y, ARROW * u, -ARROW * v, 'velocity')}`;
+                    return [box('disc', 10, 6, wide - 20, 184, 6), ...floor(t * t / 2 * scale / 60, 202, wide, 60),
+                        ...arrow(80, 24, -52, 0, 'pull'), text(90, 29, 'the table is pulled this way'),
+                        trail(places, i, put), box('body', x - 11, y - 8, 22, 16, 2), ...arrow(x, y, ARROW * u, -ARROW * v, 'velocity')];
                 },
             };
         },
@@ -103,11 +107,9 @@ window.slipbookScenes = (() => {
                 draw: i => {
                     const [tray, x] = at(places, i), w = at(velocities, i)[1], rests = Math.abs(w) < 1e-6;
                     const centre = wrapped(wide / 2 + (tray + x) * unit, wide);
-                    return `${floor(tray, 104, wide, unit, teeth)}
-                        ${around(centre, wide, x => `<rect class="body ${rests ? 'still' : ''}" x="${n(x - 26)}" y="66" width="52" height="38" rx="3"/>
-                            ${rests ? '' : arrow(x, 50, ARROW * w, 0, 'velocity')}`)}
-                        ${rests ? `<text x="${n(Math.min(wide - 70, Math.max(70, centre)))}" y="52" text-anchor="middle">rests on the floor</text>` : ''}
-                        <text x="4" y="140">floor, shaken</text>`;
+                    return [...floor(tray, 104, wide, unit, teeth), text(4, 140, 'floor, shaken'),
+                        ...around(centre, wide, x => [box(`body ${rests ? 'still' : ''}`, x - 26, 66, 52, 38, 3), ...(rests ? [] : arrow(x, 50, ARROW * w, 0, 'velocity'))]),
+                        ...(rests ? [text(Math.min(wide - 70, Math.max(70, centre)), 52, 'rests on the floor', MIDDLE)] : [])];
                 },
             };
         },
@@ -134,11 +136,10 @@ window.slipbookScenes = (() => {
                     const lines = [], first = ((tray * unit) % unit) - unit;
                     for (let k = first; k < wide + unit; k += unit) lines.push(`M${n(k)} 6V${high - 8}`);
                     const over = gone >= 0 && i * step >= gone;
-                    return `<rect class="ground" x="0" y="6" width="${wide}" height="${high - 14}"/><path class="teeth" d="${lines.join('')}"/>
-                        ${around(px, wide, x => `<rect class="body ${rests ? 'still' : ''}" x="${n(x - 17)}" y="${n(py - 17)}" width="34" height="34" rx="3"/>
-                            ${arrow(x, py, ARROW * w, 0, 'velocity')}${arrow(x, py, 0, -ARROW * v, 'velocity')}`)}
-                        <text x="4" y="${high + 9}">tray, shaken ↔</text>
-                        <text x="${wide - 4}" y="${high + 9}" text-anchor="end">${over ? 'velocity across: exactly 0' : v < 1e-6 ? 'velocity across: hardly a trace' : ''}</text>`;
+                    return [box('ground', 0, 6, wide, high - 14, 0), path('teeth', lines.join('')), text(4, high + 9, 'tray, shaken ↔'),
+                        text(wide - 4, high + 9, over ? 'velocity across: exactly 0' : v < 1e-6 ? 'velocity across: hardly a trace' : '', END),
+                        ...around(px, wide, x => [box(`body ${rests ? 'still' : ''}`, x - 17, py - 17, 34, 34, 3),
+                            ...arrow(x, py, ARROW * w, 0, 'velocity'), ...arrow(x, py, 0, -ARROW * v, 'velocity')])];
                 },
             };
         },
@@ -163,39 +164,40 @@ window.slipbookScenes = (() => {
                         const turn = turned + k * Math.PI / 2;
                         return `M${n(x)} ${y}L${n(x + radius * Math.cos(turn))} ${n(y + radius * Math.sin(turn))}`;
                     });
-                    return `${floor(tray, ground, wide, unit)}
-                        ${around(centre, wide, x => `<circle class="body ${rolls ? 'still' : ''}" cx="${n(x)}" cy="${y}" r="${radius}"/>
-                            <path class="spokes" d="${spokes(x).join('')}"/>${arrow(x, ground + 30, ARROW * slip, 0, 'velocity')}`)}
-                        <text x="${n(Math.min(wide - 24, Math.max(24, centre)))}" y="14" text-anchor="middle">${rolls ? 'rolls' : 'slips'}</text>
-                        <text x="4" y="${ground + 38}">slip along the swing</text>`;
+                    return [...floor(tray, ground, wide, unit), text(Math.min(wide - 24, Math.max(24, centre)), 14, rolls ? 'rolls' : 'slips', MIDDLE),
+                        text(4, ground + 38, 'slip along the swing'),
+                        ...around(centre, wide, x => [disc(`body ${rolls ? 'still' : ''}`, x, y, radius), path('spokes', spokes(x).join('')),
+                            ...arrow(x, ground + 30, ARROW * slip, 0, 'velocity')])];
                 },
             };
         },
         // The record from the laboratory, where it turns, and from the table, where it stands still; or the first alone. Before
-        // the coin moves, its velocity is drawn, and the border of those from which it comes to rest: the motion's, and the paper's.
-        record({ values, curves: [table, laboratory] }, narrow, alone, { border = [], paper, velocity, range, set } = {}) {
-            const step = values.at(-1), count = table.length / 2;
-            const [box, left, right, y, scale] = alone ? [[0, 0, 360, 340], 180, 180, 170, 76]
+        // the coin moves, its velocity is drawn, and the border of those from which it comes to rest: the motion's, and the paper's,
+        // once they are told. Beside it there may be another coin.
+        record({ values, curves: [table, laboratory] }, narrow, alone, { border = [], paper, velocity, range, set, told = true, beside } = {}) {
+            const step = values.at(-1), count = Math.max(table.length, beside?.curves[0].length || 0) / 2;
+            const later = beside ? step / beside.values.at(-1) : 1;
+            const [size, left, right, y, scale] = alone ? [[0, 0, 360, 340], 180, 180, 170, 76]
                 : narrow ? [[0, 0, 380, 224], 94, 286, 98, 42] : [[0, 0, 740, 310], 180, 560, 144, 62];
             const put = x0 => (x, v) => [x0 + scale * x, y - scale * v];
             const slip = i => {
-                const k = Math.min(i, count - 2);
+                const k = Math.min(i, table.length / 2 - 2);
                 if (k < 0) return 0;
                 const [a, b] = [at(table, k), at(table, k + 1)];
                 return Math.hypot(a[0] - b[0], a[1] - b[1]) / step;
             };
             const [rho] = at(table, 0), from = right + scale * rho;
-            let start = '';
+            const start = [];
             if (velocity) {
                 const around = border.map((c, i) => i % 2 ? y - scale * c : from + scale * c);
                 const low = Math.max(...around.filter((_, i) => i % 2));
                 const middle = around.filter((_, i) => i % 2 === 0).reduce((sum, x, _, all) => sum + x / all.length, 0);
-                start = `${around.length ? `<path class="border" d="${line(around)}Z"/>` : ''}${paper ? circle(from, y, scale * paper) : ''}
-                    ${arrow(from, y, scale * velocity[0], -scale * velocity[1], 'velocity')}`;
-                if (alone) {
-                    start += `${around.length ? note(middle, Math.min(low - 14, 326), 'rests') : ''}${paper ? note(from, y - scale * paper - 8, 'the paper’s') : ''}
-                        ${note(right, y - RADIUS * scale + 22, 'flies off')}`;
-                }
+                if (told && around.length) start.push(path('border', `${line(around)}Z`));
+                if (told && paper) start.push(disc('printed', from, y, scale * paper));
+                start.push(...arrow(from, y, scale * velocity[0], -scale * velocity[1], 'velocity'));
+                if (alone && told && around.length) start.push(note(middle, Math.min(low - 14, 326), 'rests'));
+                if (alone && told && paper) start.push(note(from, y - scale * paper - 8, 'the paper’s'));
+                if (alone && told) start.push(note(right, y - RADIUS * scale + 22, 'flies off'));
             }
             const hands = set && [{
                 at: [from, y], label: 'the coin: its distance from the axis', range, now: rho, text: SlipbookPlot.fixed(rho, 2),
@@ -208,13 +210,15 @@ window.slipbookScenes = (() => {
                 step: (du, dv) => set({ u: [du], v: [dv] }),
             }] : [])];
             return {
-                step, count, rate: 1.6, time: t => `τ = ${t}`, box, slip, hands, alone,
-                label: `The coin on the turning record, from above, in the laboratory${alone ? '' : ' and on the table'}. Inside the dashed circle friction can hold it.`,
+                step, count, rate: 1.6, time: t => `τ = ${t}`, box: size, slip, hands,
+                label: `The coin on the turning record, from above, in the laboratory${alone ? '' : ' and on the table'}. Inside the dotted circle friction can hold it.`,
                 draw: i => {
-                    const view = (x0, points, angle) => `${record(x0, y, angle, scale)}${trail(points, i, put(x0))}${coin(...put(x0)(...at(points, i)))}`;
-                    const first = i > 0 ? '' : start, foot = box[3] - 6;
-                    return alone ? view(left, laboratory, i * step) + first : `${view(left, laboratory, i * step)}${view(right, table, 0)}${first}
-                        <text x="${left}" y="${foot}" text-anchor="middle">in the laboratory</text><text x="${right}" y="${foot}" text-anchor="middle">on the table</text>`;
+                    const view = (x0, k, angle) => [...record(x0, y, angle, scale),
+                        ...(beside ? [trail(beside.curves[k], i * later, put(x0), 'other'), coin(...put(x0)(...at(beside.curves[k], i * later)), 'other')] : []),
+                        trail([table, laboratory][k], i, put(x0)), coin(...put(x0)(...at([table, laboratory][k], i)))];
+                    const first = i > 0 ? [] : start, foot = size[3] - 6;
+                    return [...view(left, 1, i * step), ...(alone ? [] : [...view(right, 0, 0),
+                        text(left, foot, 'in the laboratory', MIDDLE), text(right, foot, 'on the table', MIDDLE)]), ...first];
                 },
             };
         },

@@ -73,12 +73,13 @@ window.SlipbookStage = (() => {
                 this.loud = on;
                 this.sound.play(0);
             });
-            // What nobody sees any more need not move.
-            new IntersectionObserver(([entry]) => {
-                if (this.seen && !entry.isIntersecting) this.pause();
-                this.seen = entry.isIntersecting;
-                if (this.seen) this.begin();
-            }).observe(this.svg);
+            // What nobody sees any more need not move; what is seen for the most part may begin.
+            new IntersectionObserver(entries => {
+                const { isIntersecting, intersectionRatio } = entries.at(-1);
+                if (!isIntersecting) this.pause();
+                this.seen = intersectionRatio >= 0.6;
+                this.begin();
+            }, { threshold: [0, 0.6] }).observe(this.svg);
             this.pause();
         }
 
@@ -165,15 +166,36 @@ window.SlipbookStage = (() => {
 
         show(i) {
             this.i = Math.max(0, Math.min(this.film.count - 1, i));
-            this.scene.innerHTML = this.film.draw(this.i);
+            this.picture(this.film.draw(this.i));
             // A hand sets the start, and is faint while the bodies are elsewhere.
             this.hands.classList.toggle('gone', this.i > 0);
             this.slider.value = this.i;
             const time = this.film.time(SlipbookPlot.fixed(this.i * this.film.step, 1));
-            this.clock.textContent = time;
-            this.slider.setAttribute('aria-valuetext', time);
+            if (this.clock.textContent !== time) {
+                this.clock.textContent = time;
+                this.slider.setAttribute('aria-valuetext', time);
+            }
             if (this.loud) this.sound.play(this.playing ? this.film.slip(this.i) : 0);
             this.told(this.i);
+        }
+
+        // What the picture before has too is kept and moved: this costs a third of drawing it anew.
+        picture(shapes) {
+            shapes.forEach(([name, attributes, words = ''], k) => {
+                let shape = this.scene.children[k];
+                if (shape?.tagName !== name) {
+                    const made = document.createElementNS(this.svg.namespaceURI, name);
+                    if (shape) shape.replaceWith(made);
+                    else this.scene.append(made);
+                    shape = made;
+                }
+                const before = shape.attributed || {};
+                for (const key in before) if (!(key in attributes)) shape.removeAttribute(key);
+                for (const key in attributes) if (attributes[key] !== before[key]) shape.setAttribute(key, attributes[key]);
+                shape.attributed = attributes;
+                if (shape.textContent !== words) shape.textContent = words;
+            });
+            while (this.scene.children.length > shapes.length) this.scene.lastChild.remove();
         }
 
         step(way) {
@@ -184,6 +206,7 @@ window.SlipbookStage = (() => {
         play() {
             clearTimeout(this.back);
             if (this.i >= this.film.count - 1) this.show(0);
+            if (this.playing) return;
             this.playing = true;
             this.button.textContent = '❚❚';
             this.button.setAttribute('aria-label', 'Pause');
@@ -199,6 +222,7 @@ window.SlipbookStage = (() => {
                 }
                 const rewind = this.rewind;
                 this.pause();
+                this.ended?.();
                 if (rewind) this.back = setTimeout(() => this.show(0), 1500);
             };
             requestAnimationFrame(next);

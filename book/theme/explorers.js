@@ -6,6 +6,8 @@
     const here = document.currentScript.src;
     const fixed = SlipbookPlot.fixed;
 
+    // Questions and second ones are kept apart by their numbers.
+    const BESIDE = 100;
     const PENDING = Symbol('the answer is not there yet');
 
     // The door to the crate.
@@ -29,7 +31,7 @@
             const work = `${opened}; let put; onmessage = async ({ data }) => {
                 // Questions that come while it opens wait for the same module.
                 put ||= opened(data.bytes);
-                const list = (await put)(data.number, data.given);
+                const list = (await put)(data.number % ${BESIDE}, data.given);
                 postMessage({ ...data, bytes: null, list }, [list.buffer]);
             };`;
             worker = new Worker(URL.createObjectURL(new Blob([work], { type: 'text/javascript' })));
@@ -58,7 +60,7 @@
         }
         // The answer, if it is there; else it is sent for, and those who wait hear of it.
         const answer = (number, given, needed) => {
-            if (!known(number, given) && put) keep(number, given, apart(put(number, given)));
+            if (!known(number, given) && put) keep(number, given, apart(put(number % BESIDE, given)));
             if (!known(number, given) && worker) {
                 const idle = !wanted[number];
                 wanted[number] = { given, needed };
@@ -78,6 +80,8 @@
             ask.whole &&= Boolean(found);
             return found || last[number]?.answer || { values: [], curves: [] };
         };
+        // A second answer to the same question, beside the first.
+        ask.beside = (number, ...given) => ask(number + BESIDE, ...given);
         ask.heard = heard;
         return ask;
     }
@@ -112,17 +116,26 @@
             return Number((from + Math.round((Math.min(to, Math.max(from, value)) - from) / step) * step).toFixed(digits(key)));
         };
 
-        host.innerHTML = `<p><span class="name">${explorer.name}</span> <span class="hint">${explorer.hint}</span></p>
+        const hint = `<span class="hint">${explorer.hint}</span>`;
+        host.innerHTML = `<p><span class="name">${explorer.name}</span> ${explorer.asksFirst ? '' : hint}</p>
             <div class="theatre"></div><div class="plots"></div>
             <div class="controls"><div class="inputs">${keys.map(key => `<label>${inputs[key].label} <output></output>
                 <input type="range" name="${key}" min="${inputs[key].range[0]}" max="${inputs[key].range[1]}" step="${inputs[key].step}"></label>`).join('')}
                 <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button></div></div></div>`;
         host.classList.toggle('bare', Boolean(explorer.bare));
+        // What is asked about is not told before it has been seen.
+        let told = !explorer.asksFirst;
+        const tell = () => {
+            told = true;
+            host.classList.remove('untold', 'guessed');
+        };
+        host.classList.toggle('untold', !told);
         const printed = (host.dataset.printed || '').split(/[ ,]+/).filter(Boolean).map(Number);
         const sliders = Object.fromEntries([...host.querySelectorAll('input')].map(slider => [slider.name, slider]));
         let noted;
         // A number sets an input, a list of one number moves it by so many steps.
         const set = changes => {
+            if (!curtain) tell();
             for (const [key, value] of Object.entries(changes)) {
                 state[key] = snap(key, Array.isArray(value) ? state[key] + value[0] * inputs[key].step : value);
             }
@@ -135,7 +148,7 @@
         };
         const address = () => `#${host.id}?${keys.map(key => `${key}=${state[key]}`).join('&')}`;
         const panels = plots(set).map((options, i) => new SlipbookPlot(host.querySelector('.plots'), `${host.id}-${i}`, options));
-        host.querySelector('.plots').insertAdjacentHTML('beforeend', '<div class="readout"><p class="says" role="status"></p><dl></dl></div>');
+        host.querySelector('.plots').insertAdjacentHTML('beforeend', `<div class="readout">${explorer.asksFirst ? `<p>${hint}</p>` : ''}<p class="says" role="status"></p><dl></dl></div>`);
 
         // Where an intuition is usually wrong, the reader guesses before the bodies move.
         if (explorer.predict) {
@@ -148,6 +161,7 @@
                 box.querySelector('[role=status]').textContent = `${i === right ? 'Yes.' : `No: ${options[right]}.`} ${says}`;
                 // What was asked about is what one sees.
                 curtain = true;
+                host.classList.add('guessed');
                 set(at);
             }));
         }
@@ -155,21 +169,44 @@
         let places = [], curtain = false;
         const stage = explorer.film && new SlipbookStage(host.querySelector('.theatre'), host.querySelector(explorer.bare ? '.theatre' : '.controls'),
             i => panels.forEach((panel, k) => panel.now(places[k] && i > 0 ? places[k](i) : null)), () => drawn());
+        if (stage && !told) {
+            stage.ended = () => {
+                if (told) return;
+                tell();
+                drawn();
+            };
+        }
 
-        let due = false;
+        let due = null;
         let anew = false;
         const draw = () => {
             anew = true;
             // What is shown is no longer what is asked for.
             delete host.dataset.shown;
             delete host.dataset.whole;
-            if (due) return;
-            due = true;
+            // At once, and what follows before the next picture is drawn with it.
+            if (due) {
+                due = 'again';
+                return;
+            }
+            due = 'once';
+            drawn();
             requestAnimationFrame(() => {
-                due = false;
-                drawn();
+                const again = due === 'again';
+                due = null;
+                if (again) drawn();
             });
         };
+        // While a hand moves, answers may be coarse.
+        let moving = false;
+        host.addEventListener('pointerdown', () => { moving = true; }, { capture: true });
+        for (const end of ['pointerup', 'pointercancel']) {
+            addEventListener(end, () => {
+                if (!moving) return;
+                moving = false;
+                drawn();
+            });
+        }
         const drawn = () => {
             for (const key of keys) {
                 sliders[key].value = state[key];
@@ -180,9 +217,9 @@
             ask.whole = true;
             // All parts send for their answers before any waits.
             const made = [
-                () => show(state, ask, { printed }),
+                () => show(state, ask, { printed, moving }),
                 () => explorer.now ? explorer.now(state, ask) : [],
-                () => stage && explorer.film(state, ask, { printed, set, narrow: stage.narrow, held: stage.held }),
+                () => stage && explorer.film(state, ask, { printed, moving, told, set, narrow: stage.narrow, held: stage.held }),
             ].map(part => {
                 try {
                     return part();
@@ -195,7 +232,7 @@
             const [shown, now, film] = made;
             panels.forEach((panel, i) => panel.draw(shown.draw[i]));
             places = now;
-            stage?.load(film, !anew);
+            stage?.load({ ...film, alone: !explorer.asksFirst }, !anew);
             anew = false;
             host.querySelector('dl').innerHTML = Object.entries(shown.values)
                 .map(([term, value]) => `<div><dt>${term.replace(/_(.)/g, '<sub>$1</sub>')}</dt><dd>${value}</dd></div>`).join('');
@@ -205,6 +242,7 @@
             if (curtain) {
                 curtain = false;
                 stage.play();
+                stage.rewind = !told;
             }
         };
 
@@ -216,6 +254,11 @@
                 // Nothing behind the sign is not 0.
                 const value = given.get(key) ? Number(given.get(key)) : NaN;
                 state[key] = snap(key, Number.isFinite(value) ? value : inputs[key].start);
+            }
+            // Who follows a link to a state wants to watch it.
+            if (query && id === host.id) {
+                tell();
+                curtain = !matchMedia('(prefers-reduced-motion: reduce)').matches;
             }
             draw();
             if (id === host.id) host.scrollIntoView();

@@ -32,17 +32,82 @@ pub static EDITION: Edition = Edition {
             "errata.html#errata",
             &[
                 "what is wrong",
+                "wrong",
                 "error",
                 "errors",
                 "mistake",
                 "mistakes",
+                "misprint",
+                "misprints",
                 "errata",
+                "erratum",
+                "corrections",
             ],
         ),
-        ("anisotropic.html#eq-58", &["Y", "point Y"]),
-        ("sinusoidal.html#eq-37", &["λ_c"]),
-        ("escape.html#eq-135", &["τ²", "2/9"]),
+        (
+            "trust.html#what-you-have-to-trust",
+            &["who is right", "trust"],
+        ),
+        ("constant.html#s21-portrait-consistent", &["undecided"]),
+        ("constant.html#eq-11", &["v(θ)"]),
+        ("constant.html#eq-13", &["θ(t)", "t(θ)"]),
         ("sinusoidal.html#sinusoidal", &["stick slip"]),
+        ("sinusoidal.html#eq-37", &["λ_c", "critical friction"]),
+        (
+            "sinusoidal.html#across",
+            &["double exponential", "exponential of an exponential"],
+        ),
+        ("periodic.html#threshold", &["median"]),
+        ("anisotropic.html#eq-58", &["Y", "point Y"]),
+        (
+            "anisotropic.html#missing",
+            &["missing border", "curve E", "border E"],
+        ),
+        ("anisotropic.html#drift", &["ratchet", "drift"]),
+        (
+            "general.html#law",
+            &["friction", "law of friction", "Coulomb friction"],
+        ),
+        ("sphere.html#eq-75", &["sphere sign", "sign of the sphere"]),
+        ("turntable.html#turntable", &["turntable", "record", "coin"]),
+        ("escape.html#eq-132", &["τ^{3/2}"]),
+        ("escape.html#eq-135", &["τ²", "2/9"]),
+        ("rest.html#s4-rest-radius", &["critical radius"]),
+    ],
+    watch: &[
+        (
+            "s21-along-acceleration",
+            "constant.html#explore-constant?lambda=0.7&theta=120",
+        ),
+        (
+            "s22-rest-of-period",
+            "sinusoidal.html#explore-sinusoidal?lambda=0.3&w=0.5&across=0",
+        ),
+        (
+            "s22-vy-two-stages",
+            "sinusoidal.html#explore-sinusoidal?lambda=0.3&w=0.5&across=1",
+        ),
+        ("eq-55", BEYOND_Y),
+        ("s24-region-2", BEYOND_Y),
+        ("fig-5", BEYOND_Y),
+        (
+            "eq-75",
+            "sphere.html#explore-sphere?lambda=1.5&kappa=0.4&u=-1&v=0",
+        ),
+        ("eq-128", ESCAPE),
+        ("eq-129", ESCAPE),
+        ("eq-130", ESCAPE),
+        ("eq-131", ESCAPE),
+        ("eq-132", ESCAPE),
+        ("eq-133", ESCAPE),
+        ("eq-134", ESCAPE),
+        ("eq-135", ESCAPE),
+        ("eq-136", ESCAPE),
+        ("eq-137", ESCAPE),
+        ("eq-146", BETWEEN),
+        ("eq-147", BETWEEN),
+        ("s4-psi-free", BETWEEN),
+        ("s4-envelope-is-boundary", BETWEEN),
     ],
     sources: Sources {
         files: sources,
@@ -124,6 +189,15 @@ pub static EDITION: Edition = Edition {
     ],
     ..Edition::of("slipbook", &PAPER)
 };
+
+/// Between the borders C and E of anisotropic friction: region IV, which the paper takes for II.
+const BEYOND_Y: &str = "anisotropic.html#explore-anisotropic?q=6.5&lambda=0.152&w=0.3";
+
+/// A particle that escapes.
+const ESCAPE: &str = "escape.html#explore-escape?rho=1.1";
+
+/// A particle that comes to rest though it is beyond the printed border: A = 0.88 at α = 0.1, ψ = 0.2, to two digits.
+const BETWEEN: &str = "rest.html#explore-rest?rho=0.88&u=0.09&v=-0.02";
 
 /// All sources of the crate.
 static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");

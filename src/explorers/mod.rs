@@ -70,7 +70,7 @@ pub const QUESTIONS: [Question; 14] = [
     |[q, lambda, w, _]| anisotropic::motion(q, lambda, w),
     |[to, ..]| anisotropic::map(to),
     |[rho, u, v, _]| turntable::motion(rho, [u, v]),
-    |[rho, ..]| turntable::boundary(rho),
+    |[rho, coarse, ..]| turntable::boundary(rho, coarse != 0.0),
     |[lambda, kappa, u, v]| sphere::motion(lambda, kappa, [u, v]),
     |[lambda, theta, ..]| constant::film(lambda, theta),
     |[q, lambda, w, _]| anisotropic::film(q, lambda, w),

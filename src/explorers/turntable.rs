@@ -20,6 +20,8 @@ const SURVEY: u32 = 10;
 const LARGEST: f64 = 3.0;
 /// Points of the boundary, and to what its distance from the middle is found: less than a picture shows.
 const AROUND: u32 = 96;
+/// Points while a hand moves.
+const COARSE: u32 = 48;
 const WIDTH: f64 = 2e-3;
 
 /// The motion from the place (ρ, 0) with the given velocity relative to the table.
@@ -86,12 +88,12 @@ pub fn growth(rho: f64) -> Result<Answer, ExplorerError> {
 
 /// The boundary between rest and escape among the velocities of a particle at the distance ρ from the axis.
 ///
-/// Curves: the boundary, to 2 · 10⁻³, as seen from the middle of the velocities that lead to rest, empty if a survey finds
-/// none with both components below 3; and the circle within which friction holds a particle at rest.
+/// Curves: the boundary, to 2 · 10⁻³ at half as many points if it may be coarse, as seen from the middle of the velocities
+/// that lead to rest, empty if a survey finds none with both components below 3; and the circle within which friction holds a particle at rest.
 ///
 /// # Errors
 /// ρ negative, not finite or above 10⁹.
-pub fn boundary(rho: f64) -> Result<Answer, ExplorerError> {
+pub fn boundary(rho: f64, coarse: bool) -> Result<Answer, ExplorerError> {
     let (mut middle, mut count) = ([0.0; 2], 0.0);
     for u in spread(-LARGEST, LARGEST, SURVEY) {
         for v in spread(-LARGEST, LARGEST, SURVEY) {
@@ -106,7 +108,7 @@ pub fn boundary(rho: f64) -> Result<Answer, ExplorerError> {
         let [u, v] = middle.map(|sum| sum / count);
         // The distances of the last two points from the middle say where the next will be.
         let mut last = [f64::NAN; 2];
-        for angle in spread(0.0, TAU, AROUND) {
+        for angle in spread(0.0, TAU, if coarse { COARSE } else { AROUND }) {
             let (sine, cosine) = libm::sincos(angle);
             let at = |p: f64| [u + p * cosine, v + p * sine];
             let rests = |p: f64| Ok(rests(&start(rho, at(p))?)? == Some(true));

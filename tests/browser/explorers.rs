@@ -645,7 +645,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
             let place = explorer.value(
                 "(coin => [Number(coin.getAttribute('cx')), Number(coin.getAttribute('cy'))])(host.querySelector('.scene .body'))",
             )?;
-            let found = answer(4, [0.8, -0.6, 0.4, 0.0]).map_err(|error| error.to_string())?;
+            let found = answer(4, [0.1, 1.4, 0.0, 0.0]).map_err(|error| error.to_string())?;
             let [x, y] = found.curves[1].last().copied().unwrap_or_default();
             let (there, scale) = ([180.0 + 62.0 * x, 144.0 - 62.0 * y], 0.06);
             let place: [f64; 2] = serde_json::from_value(place).map_err(|e| e.to_string())?;
@@ -669,25 +669,58 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
     }
     let time = "Number(document.querySelector('#explore-record .film input').value)";
     explorer.page.wait_for(&format!("{time} > 1"))?;
-    // For who has nothing against it, the record turns by itself, and the coin is back at its start when it is taken.
+    untold(page, book)?;
+    // For who has nothing against it, bodies that come into view move once, and are back at their start when one is taken.
     page.still(false)?;
-    page.open(&book.address("index.html"))?;
-    page.wait_for(&format!("{time} > 1"))?;
-    page.wait_for("document.querySelector('#explore-record .stage .hand') !== null")?;
-    page.value("document.querySelector('#explore-record .stage .hand').focus()")?;
-    page.wait_for(&format!("{time} === 0"))?;
-    page.still(true)?;
-    page.open(&book.address("index.html"))?;
-    page.explored()?;
-    page.wait_for("document.querySelector('#explore-record').dataset.whole !== undefined")?;
-    match page.value(&format!(
-        "new Promise(done => setTimeout(() => done({time}), 300))"
-    ))? {
+    let time = "Number(document.querySelector('#explore-escape .film input').value)";
+    let seen = "document.querySelector('.stage svg').scrollIntoView({ block: 'center', behavior: 'instant' })";
+    for still in [false, true] {
+        page.still(still)?;
+        page.open(&book.address("escape.html"))?;
+        page.explored()?;
+        page.value(seen)?;
+        if still {
+            break;
+        }
+        page.wait_for(&format!("{time} > 1"))?;
+        page.value("document.querySelector('#explore-escape .stage .hand').focus()")?;
+        page.wait_for(&format!("{time} === 0"))?;
+    }
+    // What is in view has been told so by then.
+    page.value("new Promise(seen => new IntersectionObserver(seen).observe(document.querySelector('.stage svg'))).then(() => new Promise(requestAnimationFrame))")?;
+    match page.value(time)? {
         zero if zero.as_f64() == Some(0.0) => Ok(()),
         moved => Err(format!(
-            "the record has turned to {moved} by itself for who does not want it"
+            "the bodies have moved to {moved} by themselves for who does not want it"
         )),
     }
+}
+
+/// The first page asks, and neither border is drawn before the film has been seen; then both are, and what is said is seen.
+fn untold(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let mut explorer = Explorer::open(page, book, "record", "")?;
+    let told = "[...host.querySelectorAll('.scene :is(.border, .printed)')].map(e => e.getAttribute('class')).join()
+        + ['.hint', '.says'].map(part => host.querySelector(part).checkVisibility()).join()";
+    let before = explorer.value(told)?;
+    if before != "false,false" {
+        return Err(format!("before the question {before} is told"));
+    }
+    explorer.value("host.querySelector('.predict button').click()")?;
+    explorer
+        .page
+        .wait_for("Number(document.querySelector('#explore-record .film input').value) > 1")?;
+    let during = explorer.value(told)?;
+    if during != before {
+        return Err(format!("while the bodies move {during} is told"));
+    }
+    explorer.page.wait_for(
+        "document.querySelector('#explore-record .border') && document.querySelector('#explore-record .printed') !== null",
+    )?;
+    let after = explorer.value(told)?;
+    if after != "border,printedtrue,true" {
+        return Err(format!("in the end {after} is told"));
+    }
+    Ok(())
 }
 
 /// Where the reader is asked to guess, whatever they say is answered, and what was asked about is shown.

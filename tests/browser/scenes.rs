@@ -60,7 +60,7 @@ fn tray(film: &Answer, i: usize) -> (Vec<[f64; 2]>, Vec<[f64; 2]>) {
 }
 
 /// Each explorer with its address, the question that its film answers, and what is to be seen.
-const SCENES: [(&str, &str, usize, [f64; 4], Expected); 6] = [
+const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
     (
         "constant",
         "lambda=0.7&theta=120",
@@ -137,6 +137,35 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 6] = [
             // The velocity at the start, while it has not begun to move.
             let start = [62.0 * -0.6, -62.0 * 0.4];
             (places, if i == 0 { vec![start] } else { Vec::new() })
+        },
+    ),
+    (
+        "rest",
+        "rho=0.87&u=0&v=-0.87",
+        4,
+        [0.87, 0.0, -0.87, 0.0],
+        |film, i| {
+            let at = |x: f64, [u, v]: [f64; 2]| [x + 62.0 * u, 144.0 - 62.0 * v];
+            let mut places = vec![at(180.0, film.curves[1][i]), at(560.0, film.curves[0][i])];
+            // The second coin is shown at the same time; its film has steps of its own.
+            if let Ok(other) = answer(4, [0.88, 0.0, -0.87, 0.0]) {
+                let k = i as f64 * film.values[3] / other.values[3];
+                for (x, curve) in [(180.0, &other.curves[1]), (560.0, &other.curves[0])] {
+                    let last = curve.len() - 1;
+                    let (j, part) = ((k as usize).min(last - 1), k.min(last as f64));
+                    let part = part - j as f64;
+                    let [a, b] = [curve[j], curve[j + 1]];
+                    places.push(at(x, [0, 1].map(|n| a[n] + part * (b[n] - a[n]))));
+                }
+            }
+            (
+                places,
+                if i == 0 {
+                    vec![[0.0, 62.0 * 0.87]]
+                } else {
+                    Vec::new()
+                },
+            )
         },
     ),
 ];

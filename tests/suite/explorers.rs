@@ -201,8 +201,10 @@ const POINTS: usize = 600;
 
 #[test]
 fn the_boundary_parts_rest_from_escape() {
-    for rho in [0.0, 0.3, 0.8, 0.9, 0.97, 1.0, 1.05, 1.3, 1.6] {
-        let curves = turntable::boundary(rho).unwrap().curves;
+    let distances = [0.0, 0.3, 0.8, 0.9, 0.97, 1.0, 1.05, 1.3, 1.6];
+    let all = distances.map(|rho| [(rho, false), (rho, true)]);
+    for (rho, coarse) in all.into_iter().flatten() {
+        let curves = turntable::boundary(rho, coarse).unwrap().curves;
         let boundary = &curves[0];
         let mut generator = fastrand::Rng::with_seed(1);
         let mut wrong = 0;
@@ -215,10 +217,11 @@ fn the_boundary_parts_rest_from_escape() {
             wrong += usize::from(rests != inside(boundary, v));
         }
         // A polygon cuts corners.
-        assert!(wrong <= POINTS / 200, "ρ = {rho}: {wrong} of {POINTS}");
+        let allowed = if coarse { POINTS / 100 } else { POINTS / 200 };
+        assert!(wrong <= allowed, "ρ = {rho}: {wrong} of {POINTS}");
     }
     let [speed, radius] = [critical_speed().unwrap(), critical_radius().unwrap()];
-    for [u, v] in &turntable::boundary(0.0).unwrap().curves[0] {
+    for [u, v] in &turntable::boundary(0.0, false).unwrap().curves[0] {
         assert!((u.hypot(*v) - speed).abs() < 2e-3);
     }
     for (rho, rests) in [(radius - 0.01, 1.0), (radius + 0.01, 0.0)] {
@@ -302,6 +305,13 @@ fn the_guesses_have_the_answers_that_are_given() {
         assert_eq!(turntable::motion(rho, [0.0, -1.2]).unwrap().values[0], 1.0);
         assert_eq!(turntable::motion(rho, [0.0, 1.2]).unwrap().values[0], 0.0);
     }
+    // Thrown from the axis, its path is bent with the turning in the laboratory and against it on the record.
+    let thrown = turntable::motion(0.0, [1.5, 0.0]).unwrap().curves;
+    let side = |curve: &[[f64; 2]]| curve[40][1];
+    assert!(side(&thrown[0]) < -0.1 && side(&thrown[1]) > 0.1);
+    // Put down a hair apart, one coin rests and one does not.
+    let put_down = |rho| turntable::motion(rho, [0.0, -0.87]).unwrap().values[0];
+    assert_eq!([0.87, 0.88].map(put_down), [1.0, 0.0]);
     // Of τ, τ² and an exponential, the ratio to τ² settles.
     let curves = turntable::growth(1.1).unwrap().curves;
     let [.., [x, before], [y, last]] = curves[0][..] else {
@@ -343,11 +353,13 @@ fn the_guesses_have_the_answers_that_are_given() {
         [
             "later",
             "weak",
-            "can come to rest even when flicked hard",
+            "bent with the turning",
+            "It comes to rest",
             "τ²",
             "faster than any exponential",
             "disappear",
-            "less far, with the floor"
+            "less far, with the floor",
+            "one at rest, one gone for ever"
         ]
     );
 }

@@ -57,6 +57,9 @@ pub struct Edition {
     /// Phrases to which a place answers first in the search, whether or not they stand there: its address, such as
     /// `errata.html#errata`, and the phrases.
     pub aliases: &'static [(&'static str, &'static [&'static str])],
+    /// Where one sees a claim fail: the claim's id, and the address of an explorer in that state, such as
+    /// `rest.html#explore-rest?rho=0.5`.
+    pub watch: &'static [(&'static str, &'static str)],
     /// The code to show.
     pub sources: Sources,
     /// The placeholders of its own.
@@ -88,6 +91,7 @@ impl Edition {
             figures: || Ok(Vec::new()),
             symbols: &[],
             aliases: &[],
+            watch: &[],
             sources: Sources::NONE,
             placeholders: &[],
             files: Vec::new,

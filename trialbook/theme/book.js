@@ -65,6 +65,16 @@
     addEventListener('hashchange', unfold);
     unfold();
 
+    // What stands above a link's target is laid out when one comes there: the target is looked for until it stays where it is.
+    const land = (pictures = 6) => {
+        const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+        if (!target || !pictures) return;
+        target.scrollIntoView({ behavior: 'instant' });
+        requestAnimationFrame(() => land(pictures - 1));
+    };
+    addEventListener('hashchange', () => land());
+    addEventListener('load', () => land());
+
     // Who reads sees the boxes folded, who audits unfolded: a switch, remembered.
     const folds = all('.evidence, .proof, .samples, .listing').filter(fold => fold.matches('.listing') || fold.closest('.claim'));
     const place = document.querySelector('#mdbook-menu-bar .right-buttons');

@@ -1,4 +1,4 @@
-// The first page's field and marks. Without this script the ledger and the indexes say the same.
+// The marks of claims, and the first page's field. Without this script the ledger and the indexes say the same.
 (() => {
     'use strict';
     const all = (selector, within = document) => [...within.querySelectorAll(selector)];
@@ -10,7 +10,8 @@
         const says = document.createElement('p');
         says.className = 'skeleton-says';
         says.textContent = strip.getAttribute('aria-label');
-        strip.after(says);
+        // A chapter has no room for it, and the claims themselves below.
+        if (strip.closest('.front')) strip.after(says);
         const go = i => {
             const mark = marks[Math.max(0, Math.min(marks.length - 1, i))];
             marks.forEach(other => { other.tabIndex = other === mark ? 0 : -1; });
@@ -31,70 +32,34 @@
         });
     });
 
-    // The field: an equation's number, a symbol, a number to as many digits as one has, or words.
-    const NAMES = { alpha: 'α', theta: 'θ', kappa: 'κ', lambda: 'λ', mu: 'μ', xi: 'ξ', pi: 'π', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', psi: 'ψ', omega: 'ω', varpi: 'ϖ' };
-    const HIGH = { '⁰': 0, '¹': 1, '²': 2, '³': 3, '⁴': 4, '⁵': 5, '⁶': 6, '⁷': 7, '⁸': 8, '⁹': 9 };
-    const LOW = { '₀': 0, '₁': 1, '₂': 2, '₃': 3, '₄': 4 };
-    const flat = text => text.toLowerCase()
-        .replace(/[a-z]{2,}/g, word => NAMES[word] || word)
-        .replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, c => `^${HIGH[c]}`).replace(/[₀-₄]/g, c => LOW[c])
-        .replace(/[\s_()\[\]]+/g, '');
-
-    function found({ claims, symbols, values }, asked) {
-        const of = (id, why) => ({ claim: claims.find(claim => claim.id === id), why });
-        const number = asked.match(/^\W*(?:eq(?:uation|n)?s?\W*)?(\d{1,3})\W*$/i) || asked.match(/(?:eq\w*\W*|\()(\d{1,3})\b/i);
-        if (number) {
-            const claim = claims.find(claim => claim.equation === Number(number[1]));
-            if (claim) return [{ claim }];
-        }
-        const decimal = asked.trim().replace('−', '-').match(/^-?\d*\.(\d+)$/);
-        if (decimal) {
-            // As a reader rounds, or cuts off.
-            const unit = 10 ** -decimal[1].length;
-            return values.map(value => [Math.abs(Number(value.is) - Number(decimal[0])), value])
-                .filter(([off]) => off < unit).sort(([a], [b]) => a - b)
-                .map(([, value]) => of(value.id, `${value.is}: ${value.means}`));
-        }
-        const plain = flat(asked);
-        if (!plain) return [];
-        const bySymbol = symbols.filter(symbol => flat(symbol.is) === plain).map(symbol => of(symbol.id, `${symbol.is}: ${symbol.means}`));
-        if (bySymbol.length) {
-            const ids = new Set(bySymbol.map(({ claim }) => claim?.id));
-            const defines = claims.filter(claim => !ids.has(claim.id) && flat(claim.plain).startsWith(`${plain}=`));
-            return [...bySymbol.filter(({ claim }) => claim), ...defines.map(claim => ({ claim }))];
-        }
-        const words = asked.toLowerCase().split(/[\s-]+/).filter(word => word && !['is', 'the', 'of', 'right', 'wrong', 'true', 'in', 'paper', 'what'].includes(word));
-        const score = claim => {
-            const text = `${claim.name} ${claim.title} ${claim.id}`.toLowerCase();
-            if (words.length && words.every(word => text.includes(word))) return 2;
-            return plain.length > 1 && flat(claim.plain).includes(plain) ? 1 : 0;
-        };
-        const byWords = claims.map(claim => [score(claim), claim]).filter(([points]) => points)
-            .sort(([a], [b]) => b - a).map(([, claim]) => ({ claim }));
-        return byWords;
-    }
-
+    // The field answers with the first that the search of the book finds.
     all('form.ask').forEach(form => {
         const field = form.querySelector('input'), answers = form.querySelector('.answers');
         let loading;
-        const load = () => loading ||= new Promise((done, failed) => {
+        const load = () => loading ||= Promise.all([window.trialbookSearch.load(), new Promise((done, failed) => {
             const script = document.createElement('script');
             script.src = form.dataset.answers;
             script.onload = done;
             script.onerror = failed;
             document.head.append(script);
-        });
+        })]);
         const answer = async () => {
             const asked = field.value;
+            delete answers.dataset.asked;
             if (!asked.trim()) { answers.replaceChildren(); return; }
             await load();
+            const hits = await window.trialbookSearch(asked);
             if (asked !== field.value) return;
-            const hits = found(window.trialbookAnswers, asked);
-            const item = ({ claim, why }) => `<li>${claim.verdict} <a href="${claim.at}">${escape(claim.name === claim.title ? claim.title : `${claim.name} ${claim.title}`)}</a>
-                <span class="formula">${claim.formula}</span>${why ? `<small>${escape(why)}</small>` : ''}<small>${escape(claim.says)}</small></li>`;
+            const { claims } = window.trialbookAnswers;
+            const item = ({ at, title }) => {
+                const claim = claims.find(claim => claim.at === at);
+                return claim ? `<li>${claim.verdict} <a href="${at}">${escape(claim.name === claim.title ? claim.title : `${claim.name} ${claim.title}`)}</a>
+                    <span class="formula">${claim.formula}</span><small>${escape(claim.says)}</small></li>` : `<li><a href="${at}">${escape(title)}</a></li>`;
+            };
             const more = hits.length > 4 ? `<p>${hits.length - 4} more: the search of the book has them.</p>` : '';
             answers.innerHTML = hits.length ? `<ul>${hits.slice(0, 4).map(item).join('')}</ul>${more}`
                 : '<p>Nothing found: try an equation’s number, a symbol such as λc, a value such as 0.537, or a word.</p>';
+            answers.dataset.asked = asked;
         };
         field.addEventListener('focus', load, { once: true });
         field.addEventListener('input', answer);

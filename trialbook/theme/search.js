@@ -1,18 +1,21 @@
-// What one means comes first: a claim by its number, its id or its name, a symbol by the claim that introduces it, and the places
-// that are to answer to certain words. Without this script the search ranks by words alone.
+// What one means comes first: a claim by its number, its id or its name, a symbol by the claim that introduces it, a number by as many
+// digits as one has, the places that are to answer to certain words, a part of a formula; then what has the words. The search of the
+// book and the field of the first page ask here. Without this script the search ranks by words alone.
 (() => {
     'use strict';
     if (!window.elasticlunr) return;
     const GREEK = { alpha: 'α', beta: 'β', gamma: 'γ', delta: 'δ', zeta: 'ζ', eta: 'η', theta: 'θ', kappa: 'κ', lambda: 'λ', mu: 'μ', xi: 'ξ',
         pi: 'π', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', psi: 'ψ', omega: 'ω', varpi: 'ϖ' };
     const HIGH = '⁰¹²³⁴⁵⁶⁷⁸⁹', LOW = '₀₁₂₃₄₅₆₇₈₉';
-    // What one asks around the name of what one means.
-    const AROUND = new Set(['eq', 'equation', 'is', 'are', 'the', 'a', 'in', 'of', 'paper', 'right', 'wrong', 'true', 'false', 'correct']);
+    // What one says around the name of what one means, and what one asks about it.
+    const AROUND = new Set(['eq', 'equation', 'the', 'a', 'an', 'this', 'in', 'of', 'paper']);
+    const ASKED = new Set(['what', 'is', 'are', 'does', 'right', 'wrong', 'true', 'false', 'correct', 'hold', 'proof', 'prove']);
     // However it is typed: `λ_c`, `lambda c` and `λc` are the same, `Y` and `y` are not.
-    const key = words => words.map(word => word.replace(/[A-Za-z]+/g, name => GREEK[name.toLowerCase()] || name)).join('')
+    const flat = text => text.replace(/[A-Za-z]+/g, name => GREEK[name.toLowerCase()] || name)
         .replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, c => `^${HIGH.indexOf(c)}`)
         .replace(/[₀₁₂₃₄₅₆₇₈₉]/g, c => LOW.indexOf(c))
-        .replace(/[_()[\]]/g, '');
+        .replace(/−/g, '-').replace(/[\s_()[\]{}*·]/g, '');
+    const key = words => flat(words.join(''));
     const split = text => text.split(/[\s\-_]+/).map(word => word.replace(/^["'“]+|[.,;:!?"'”]+$/g, '')).filter(Boolean);
 
     let places;
@@ -24,17 +27,48 @@
             window.search.exact.forEach(([phrase, place]) => put(key(split(phrase)), place));
             window.search.exact.forEach(([phrase, place]) => put(`any ${key(split(phrase)).toLowerCase()}`, place));
         }
-        const words = split(asked), meant = words.filter(word => !AROUND.has(word.toLowerCase()));
-        const names = [words, meant].map(key).flatMap(name => [name, `any ${name.toLowerCase()}`]);
+        const without = (words, some) => words.filter(word => !some.has(word.toLowerCase()));
+        const words = split(asked), meant = without(words, AROUND);
+        const names = [words, meant, without(meant, ASKED)].map(key).flatMap(name => [name, `any ${name.toLowerCase()}`]);
         return places.get(names.find(name => places.has(name))) || [];
+    };
+    const valued = asked => {
+        const decimal = asked.trim().replace('−', '-').match(/^-?\d*\.(\d+)$/);
+        if (!decimal) return [];
+        // As a reader rounds, or cuts off.
+        const off = value => Math.abs(Number(value) - Number(decimal[0]));
+        return window.search.values.filter(([value]) => off(value) < 10 ** -decimal[1].length)
+            .sort(([a], [b]) => off(a) - off(b)).map(([, place]) => String(place));
+    };
+    const written = asked => {
+        const part = flat(asked).toLowerCase();
+        // Words are no formula.
+        if (part.length < 2 || !/[^a-z'?!.,;-]/.test(part) || /^\d+$/.test(part) || !/[α-ωϖ=+~^√/\d]/.test(part)) return [];
+        const formulas = window.search.formulas.map(([formula, place]) => [flat(formula).toLowerCase(), String(place)]);
+        const begins = formulas.filter(([formula]) => formula.startsWith(part));
+        const has = formulas.filter(([formula]) => !formula.startsWith(part) && formula.includes(part));
+        return [...begins, ...has].map(([, place]) => place);
     };
 
     const { prototype } = elasticlunr.Index;
     const byWords = prototype.search;
     prototype.search = function (asked, options) {
         const found = byWords.call(this, asked, options);
-        const first = named(asked);
+        const first = [...new Set([named, valued, written].flatMap(look => look(asked)))];
         const result = ref => found.find(one => one.ref === ref) || { ref, score: 0, doc: this.documentStore.getDoc(ref) };
         return [...first.map(result), ...found.filter(one => !first.includes(one.ref))];
     };
+
+    // The addresses and titles of what is found; the index is loaded when one first asks.
+    let index;
+    const load = () => index ||= (window.search.index ? Promise.resolve() : new Promise((done, failed) => {
+        const script = document.createElement('script');
+        script.src = window.path_to_searchindex_js;
+        script.onload = done;
+        script.onerror = failed;
+        document.head.append(script);
+    })).then(() => elasticlunr.Index.load(window.search.index));
+    window.trialbookSearch = async asked => (await load()).search(asked, window.search.search_options)
+        .map(({ ref, doc }) => ({ at: window.search.doc_urls[ref], title: doc.title }));
+    window.trialbookSearch.load = load;
 })();

@@ -176,9 +176,10 @@ fn by_hand(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         .words()
         .map_err(|failure| Fault::Placeholder(failure.to_string()))?;
     Ok(format!(
-        "<div class=\"by-hand\"><p><strong>Why:</strong> {}.</p><p><strong>By hand:</strong> {}.</p></div>",
+        "<div class=\"by-hand\"><p><strong>Why:</strong> {}.</p><p><strong>By hand:</strong> {}.{}</p></div>",
         context.maths.words(&sentence(case.reason))?,
-        context.maths.words(&sentence(&words))?
+        context.maths.words(&sentence(&words))?,
+        context.watch(entry.claim.id)
     ))
 }
 

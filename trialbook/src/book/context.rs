@@ -28,6 +28,18 @@ impl<'a> Context<'a> {
         self.ledger.entry(id).ok_or_else(unknown)
     }
 
+    /// The link to where one sees a claim fail, if there is such a place.
+    pub(super) fn watch(&self, id: &str) -> String {
+        let mut places = self.edition.watch.iter();
+        let place = places.find(|(claim, _)| *claim == id);
+        place.map_or_else(String::new, |(_, address)| {
+            format!(
+                " <a class=\"watch\" href=\"{}\">▶ watch</a>",
+                escape(address)
+            )
+        })
+    }
+
     /// A link to a claim's box.
     pub(super) fn link(&self, entry: &Entry) -> Result<String, Fault> {
         Ok(format!(

@@ -66,7 +66,8 @@ fn item(context: &Context<'_>, stem: &str, erratum: &Erratum) -> Result<String, 
         verdict = verdict(erratum.verdict),
     );
     let wrong = maths.words(&erratum.wrong)?;
-    html.push_str(&format!("<p><strong>{wrong}</strong></p>"));
+    let watch = context.watch(erratum.id);
+    html.push_str(&format!("<p><strong>{wrong}</strong>{watch}</p>"));
     for (label, words) in [
         ("Reason", Some(&erratum.reason)),
         ("By hand", erratum.case.as_ref()),

@@ -46,6 +46,8 @@ pub fn dead_links(folder: &Path) -> io::Result<Vec<String>> {
     let places: BTreeMap<&str, BTreeSet<&str>> = places.collect();
     let leads = |page: &str, link: &str| {
         let (file, place) = link.split_once('#').unwrap_or((link, ""));
+        // What follows is for a script.
+        let place = place.split('?').next().unwrap_or("");
         let target = match file {
             "" => page.to_owned(),
             file => from(page, file),

@@ -1,6 +1,6 @@
 //! What the first page shows of the whole: the errors in a line each, a mark for each equation, and a field that answers.
 
-use super::claim_box::is_formula;
+use super::claim_box::{heading, is_formula};
 use super::context::{Context, sign, verdict};
 use super::errata;
 use super::error::Fault;
@@ -40,24 +40,40 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String,
     Ok(format!("<ul class=\"errors\">{}</ul>\n", lines?))
 }
 
+/// A mark that leads to a claim, by its verdict.
+fn mark(entry: &Entry, name: &str, more: &str) -> String {
+    let verdict = entry.judgement.verdict;
+    let name = escape(&format!("{name}: {}", verdict.words()));
+    format!(
+        "<a class=\"{}\" href=\"{}.html#{}\" title=\"{name}\" aria-label=\"{name}\"{more}>{}</a>",
+        verdict.slug(),
+        entry.topic.stem,
+        entry.claim.id,
+        sign(verdict),
+    )
+}
+
+/// A mark for each claim of a topic.
+pub(super) fn strip(entries: &[&Entry]) -> String {
+    let marks = entries.iter().enumerate().map(|(i, entry)| {
+        let more = if i == 0 { "" } else { " tabindex=\"-1\"" };
+        mark(entry, &plain_words(&heading(entry.claim)), more)
+    });
+    format!(
+        "<div class=\"skeleton\" role=\"group\" aria-label=\"The claims, by verdict\">{}</div>",
+        marks.collect::<String>()
+    )
+}
+
 /// A mark for each numbered equation, by its verdict, topic by topic. One of them can be reached by keyboard; a script leads on
 /// from it.
 pub(super) fn skeleton(context: &Context<'_>) -> String {
-    let mark = |(number, entry): (u16, &Entry)| {
-        let verdict = entry.judgement.verdict;
-        let name = format!(
-            "({number}) {}: {}",
-            plain_words(entry.claim.title),
-            verdict.words()
-        );
-        format!(
-            "<a class=\"{}\" href=\"{}.html#{}\" title=\"{name}\" aria-label=\"{name}\"{}>{}</a>",
-            verdict.slug(),
-            entry.topic.stem,
-            entry.claim.id,
-            if number == 1 { "" } else { " tabindex=\"-1\"" },
-            sign(verdict),
-            name = escape(&name),
+    let marked = |(number, entry): (u16, &Entry)| {
+        let more = if number == 1 { "" } else { " tabindex=\"-1\"" };
+        mark(
+            entry,
+            &format!("({number}) {}", plain_words(entry.claim.title)),
+            more,
         )
     };
     let part = |topic: &&Topic| {
@@ -80,7 +96,7 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
             || section.to_owned(),
             |(_, part)| format!("{section} {part}"),
         );
-        let marks: String = numbered.into_iter().map(mark).collect();
+        let marks: String = numbered.into_iter().map(marked).collect();
         match marks.is_empty() {
             true => marks,
             false => format!(
@@ -132,7 +148,6 @@ struct Answer {
     name: String,
     equation: Option<u16>,
     title: String,
-    plain: &'static str,
     verdict: String,
     /// The verdict in a line.
     says: String,
@@ -140,10 +155,10 @@ struct Answer {
     formula: String,
 }
 
-/// What leads to a claim besides its own words: a symbol or a number.
+/// A symbol with the claim that introduces it.
 #[derive(Serialize)]
 struct Hint {
-    /// The symbol or the number, as plain text.
+    /// The symbol, as plain text.
     is: String,
     /// What it means.
     means: String,
@@ -155,7 +170,6 @@ struct Hint {
 struct Answers {
     claims: Vec<Answer>,
     symbols: Vec<Hint>,
-    values: Vec<Hint>,
 }
 
 /// The script with all that the field knows.
@@ -176,7 +190,6 @@ pub(super) fn answers(context: &Context<'_>) -> Result<String, Fault> {
             name: plain_words(&claim.name()),
             equation: claim.equation,
             title: plain_words(claim.title),
-            plain: claim.plain,
             verdict: verdict(entry.judgement.verdict),
             says: plain_words(&says.unwrap_or_else(|| sentence(&entry.brief()))),
             formula: forms.with_mathml(statement),
@@ -188,17 +201,9 @@ pub(super) fn answers(context: &Context<'_>) -> Result<String, Fault> {
         means: plain_words(symbol.meaning),
         id: symbol.claim,
     });
-    let values = context.ledger.paper.values().filter_map(|value| {
-        Some(Hint {
-            is: value.shown().ok()?,
-            means: plain_words(value.meaning),
-            id: value.claim,
-        })
-    });
     let all = Answers {
         claims,
         symbols: symbols.collect(),
-        values: values.collect(),
     };
     let text =
         serde_json::to_string(&all).map_err(|error| Fault::Placeholder(error.to_string()))?;

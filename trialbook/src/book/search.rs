@@ -33,6 +33,10 @@ struct Searched<'a> {
     verdicts: &'a BTreeMap<String, [&'static str; 2]>,
     /// What comes first for who asks for just that: words, and the number of the place; of several places the first.
     exact: Vec<(&'a str, usize)>,
+    /// Values, by as many digits as are known, with their places.
+    values: Vec<(&'a str, usize)>,
+    /// Formulas as plain text, with their places.
+    formulas: Vec<(&'a str, usize)>,
     index: &'a Index,
 }
 
@@ -44,6 +48,9 @@ pub(super) struct Search {
     aliases: BTreeMap<String, String>,
     /// Names of places, with their addresses.
     exact: Vec<(String, String)>,
+    /// Values and formulas, with the addresses of their claims.
+    values: Vec<(String, String)>,
+    formulas: Vec<(String, String)>,
     verdicts: BTreeMap<String, [&'static str; 2]>,
 }
 
@@ -146,17 +153,10 @@ impl Search {
             let number = claim.equation;
             let number = number.map(|n| format!("eq eq{n} equation {n} ({n}) right true wrong"));
             let values = claim.values.iter();
-            // As many digits as one remembers, rounded off or cut.
-            let values = values.filter_map(|value| value.shown().ok()).map(|text| {
-                let lengths = (4..=text.len()).filter(|n| text.is_char_boundary(*n));
-                let cut = lengths.map(|n| text[..n].to_owned());
-                let number: f64 = text.parse().unwrap_or(f64::NAN);
-                let decimals = text
-                    .split_once('.')
-                    .map_or(0, |(_, decimals)| decimals.len());
-                let rounded = (2..decimals).map(|n| format!("{number:.n$}"));
-                cut.chain(rounded).collect::<Vec<_>>().join(" ")
-            });
+            let values = values.filter_map(|value| Some((value.shown().ok()?, address.clone())));
+            search.values.extend(values);
+            let formula = (claim.plain.to_owned(), address.clone());
+            search.formulas.push(formula);
             let sign = claim.correction.filter(|_| verdict.is_wrong());
             let sign = sign.filter(|correction| correction.change == Change::Sign);
             // What one means by it is in a formula, not in a sentence.
@@ -169,7 +169,7 @@ impl Search {
                 .iter()
                 .map(|symbol| (symbol.clone(), address.clone()));
             search.exact.extend(exact);
-            let words = number.into_iter().chain(values).chain(symbols).chain(sign);
+            let words = number.into_iter().chain(symbols).chain(sign);
             let words: Vec<_> = words.collect();
             let aliases = search.aliases.entry(address.clone()).or_default();
             aliases.push_str(&format!(" {} {}", verdict.slug(), words.join(" ")));
@@ -271,9 +271,6 @@ impl Search {
             index.add_doc(&i.to_string(), texts);
         }
         let addresses: Vec<_> = self.stretches.iter().map(|s| s.address.as_str()).collect();
-        let place = |address: &String| addresses.iter().position(|a| a == address);
-        let exact = self.exact.iter();
-        let exact = exact.filter_map(|(words, address)| Some((words.as_str(), place(address)?)));
         // The title counts most: "(37)" is to find the equation before what refers to it.
         let data = serde_json::to_string(&Searched {
             results_options: json!({ "limit_results": 30, "teaser_word_count": 30 }),
@@ -283,7 +280,9 @@ impl Search {
                 "fields": { "title": { "boost": 4 }, "aliases": { "boost": 8 }, "body": { "boost": 1 }, "breadcrumbs": { "boost": 1 } }
             }),
             verdicts: &self.verdicts,
-            exact: exact.collect(),
+            exact: placed(&self.exact, &addresses),
+            values: placed(&self.values, &addresses),
+            formulas: placed(&self.formulas, &addresses),
             doc_urls: &addresses,
             index: &index,
         })?;
@@ -292,6 +291,14 @@ impl Search {
             "window.search = Object.assign(window.search, JSON.parse('{quoted}'));"
         ))
     }
+}
+
+/// What leads to addresses, with the numbers of these; what leads nowhere is left out.
+fn placed<'a>(named: &'a [(String, String)], addresses: &[&str]) -> Vec<(&'a str, usize)> {
+    let place = |address: &String| addresses.iter().position(|a| *a == address.as_str());
+    let named = named.iter();
+    let named = named.filter_map(|(words, address)| Some((words.as_str(), place(address)?)));
+    named.collect()
 }
 
 /// What a reader would not search for: drawings, what was compared where, the steps of proofs, sources, and
@@ -308,6 +315,7 @@ fn left_out(name: &str, tag: &str) -> bool {
             "wrapper equations",
             "wrapper falls",
             "wrapper rests",
+            "class=\"skeleton",
         ]),
         "section" => has(&["erratum"]),
         _ => false,

@@ -3,6 +3,7 @@
 use super::claim_box::is_formula;
 use super::context::{Context, verdict};
 use super::error::Fault;
+use super::overview::strip;
 use super::text::{count, counted, escape, size};
 use crate::claims::Topic;
 use crate::claims::attempt::Attempt;
@@ -81,23 +82,24 @@ fn meaning(verdict: Verdict) -> &'static str {
     }
 }
 
-/// The claims of the topic of this stem, folded away behind their count.
+/// The claims of the topic of this stem: a mark for each, and the table folded away behind their count.
 pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
     let table = topic(context, stem)?;
-    let entries = context
-        .ledger
-        .entries
+    let of_topic = |entry: &&Entry| entry.topic.stem == stem;
+    let entries: Vec<_> = context.ledger.entries.iter().filter(of_topic).collect();
+    let wrong = entries
         .iter()
-        .filter(|e| e.topic.stem == stem);
-    let verdicts: Vec<_> = entries.map(|e| e.judgement.verdict).collect();
-    let parts = Verdict::ALL.iter().filter_map(|v| {
-        let n = verdicts.iter().filter(|found| *found == v).count();
-        (n > 0).then(|| format!("{} {}", count(n), v.of_many(n)))
-    });
+        .filter(|entry| entry.judgement.verdict.is_wrong())
+        .count();
     Ok(format!(
-        "<details class=\"contents\"><summary>{}: {}</summary>{table}</details>\n",
-        counted(verdicts.len(), "claim"),
-        parts.collect::<Vec<_>>().join(", ")
+        "<div class=\"claims\">{}<details class=\"contents\"><summary>{}, {} false</summary>{table}</details></div>\n",
+        strip(&entries),
+        counted(entries.len(), "claim"),
+        if wrong == 0 {
+            "none".to_owned()
+        } else {
+            count(wrong)
+        },
     ))
 }
 
