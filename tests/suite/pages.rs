@@ -4,7 +4,7 @@ use crate::prose::text::pages;
 use crate::{BOOK, LEDGER};
 use slipbook::claims::PAPER;
 use slipbook::ledger::Format;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::process::Command;
 use trialbook::notation::{Piece, pieces, plain_formula, plain_words};
@@ -60,6 +60,16 @@ fn the_letter_has_two_pages() {
     let said = String::from_utf8_lossy(&set.stdout).replace('\n', "");
     assert!(set.status.success(), "{said}");
     assert!(said.contains("(2 pages,"), "{said}");
+}
+
+/// It names all that has to be changed, and nothing else.
+#[test]
+fn the_letter_names_every_error() {
+    let links = PAPER.letter.split("](#").skip(1);
+    let named: BTreeSet<_> = links.filter_map(|link| link.split(')').next()).collect();
+    let errata = LEDGER.errata().unwrap();
+    let wrong: BTreeSet<_> = errata.iter().map(|erratum| erratum.id).collect();
+    assert_eq!(named, wrong);
 }
 
 #[test]

@@ -53,7 +53,7 @@ pub enum ErrataError {
         /// What failed.
         reason: Failure,
     },
-    /// The letter asks for what there is not, or says too much or too little.
+    /// The letter asks for what there is not.
     #[error("the letter: {says}")]
     Letter {
         /// What is wrong with it.
@@ -201,7 +201,7 @@ impl Ledger {
 }
 
 /// A statement with its formulas in `$…$`.
-fn statement(latex: &str, equation: Option<u16>) -> String {
+pub(super) fn statement(latex: &str, equation: Option<u16>) -> String {
     match equation {
         Some(_) if !latex.contains('$') => format!("${latex}$"),
         _ => latex.to_owned(),
