@@ -285,12 +285,9 @@ impl<'p, 'b> Explorer<'p, 'b> {
         };
         let file = format!("{}.html", page_of(name));
         page.open(&format!("{}{query}", book.address(&file)))?;
-        // It is made when it comes near.
-        page.value(&format!(
-            "document.getElementById('explore-{name}').nextElementSibling.scrollIntoView({{ behavior: 'instant' }})"
-        ))?;
+        // It is made when it comes near, which it does not stay while the page still looks for the place of its address.
         page.wait_for(&format!(
-            "document.getElementById('explore-{name}').dataset.shown !== undefined"
+            "(host => (host.nextElementSibling.scrollIntoView({{ behavior: 'instant' }}), host.dataset.shown !== undefined))(document.getElementById('explore-{name}'))"
         ))?;
         Ok(Explorer { page, name })
     }

@@ -95,7 +95,7 @@ pub fn search(page: &mut Page, book: &Book) -> Result<(), Failure> {
         page.press("ArrowRight")?;
         page.wait_for(&format!(
             "document.getElementById('mdbook-searchresults-header').textContent.includes({})",
-            json!(format!("results for '{asked}'"))
+            json!(format!(" for '{asked}'"))
         ))?;
         let results = "[...document.querySelectorAll('#mdbook-searchresults a')]";
         let found = page.texts(&format!("{results}.map(a => a.href)"))?;

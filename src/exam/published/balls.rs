@@ -1,7 +1,7 @@
 //! Balls that slide until they roll.
 
 use super::Printed::{Decimal, Fraction};
-use super::follow::{case, solve};
+use super::follow::{case, zero_of};
 use super::{Case, Source};
 use crate::exam::ExamError;
 use crate::motion::Plane;
@@ -399,7 +399,7 @@ fn orbit() -> Result<f64, ExamError> {
         pull: [0.0; 2],
     };
     let path = table.roll(&Sphere::with_kappa(0.4), [[1.0, 0.0], [0.5, 0.0]], 14.0)?;
-    Ok(PI / solve(|t| Ok(path.at(t)?[3]), 8.0, 14.0)?)
+    Ok(PI / zero_of(|t| Ok(path.at(t)?[3]), 8.0, 14.0)?)
 }
 
 /// How fast a pull drives it away, over an orbit that starts at rest.

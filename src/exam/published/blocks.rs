@@ -1,7 +1,7 @@
 //! Blocks on floors, slopes, trucks and springs.
 
 use super::Printed::{Decimal, Formula};
-use super::follow::{border, case, moving, solve};
+use super::follow::{border, case, moving, zero_of};
 use super::{Case, Source};
 use crate::exam::ExamError;
 use crate::motion::spring::{Spring, SpringState};
@@ -240,7 +240,7 @@ pub(super) static CASES: [Case; 28] = [
         "at twice its frequency: friction, in the force, from which on it stops for a while at each turn",
         Formula("√(V²/(U² + S²/r⁴)), S = 1", 0.596_284_793_999_943_9),
         "",
-        || solve(
+        || zero_of(
             |friction| Ok(left_over(2.0, friction)? - friction),
             0.55,
             0.65
@@ -299,13 +299,13 @@ fn slope() -> Result<f64, ExamError> {
 
 /// The μg that stops a body of velocity `v` after this way.
 fn friction_that_stops(v: f64, after: f64) -> Result<f64, ExamError> {
-    solve(|friction| Ok(way(stop(v, friction)?) - after), 0.1, 100.0)
+    zero_of(|friction| Ok(way(stop(v, friction)?) - after), 0.1, 100.0)
 }
 
 /// When a body at rest has slid this far.
 fn slid(pull: f64, friction: f64, far: f64) -> Result<f64, ExamError> {
     let motion = pulled(pull, friction, 100.0)?;
-    solve(|t| Ok(motion.at(t)?.x[0] - far), 0.0, 100.0)
+    zero_of(|t| Ok(motion.at(t)?.x[0] - far), 0.0, 100.0)
 }
 
 /// The largest pull that friction holds.

@@ -24,7 +24,7 @@ macro_rules! case {
 pub(super) use case;
 
 /// A root of something that may fail.
-pub(super) fn solve(
+pub(super) fn zero_of(
     mut f: impl FnMut(f64) -> Result<f64, ExamError>,
     low: f64,
     high: f64,
