@@ -378,7 +378,8 @@ pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
 /// which a proof does not reject every wrong variant; `cornered`, the mistakes in a corner that no measurement notices, and
 /// then the formulas that none reads.
 pub(super) fn excused(context: &Context<'_>, name: &'static str) -> Result<String, Fault> {
-    let (head, lists): (_, &[fn(&Claim) -> &[Excuse]]) = match name {
+    type Lists = &'static [fn(&Claim) -> &[Excuse]];
+    let (head, lists): (_, Lists) = match name {
         "spared" => (
             ["Claim", "Formula", "Why the proof does not reject all"],
             &[|claim| claim.spared],

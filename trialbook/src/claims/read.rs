@@ -259,8 +259,11 @@ fn value<T: for<'de> Deserialize<'de>>(
     })
 }
 
-/// What claims have in common, and the entries in their order, each with the line in which it begins.
-fn entries(file: &File) -> Result<(Common, Vec<(usize, &'static str, Entry)>), ReadError> {
+/// An entry with its id, and with the line in which it begins.
+type Row = (usize, &'static str, Entry);
+
+/// What claims have in common, and the entries in their order.
+fn entries(file: &File) -> Result<(Common, Vec<Row>), ReadError> {
     let table = DeTable::parse(file.text).map_err(|error| {
         let at = error.span().map_or(0, |span| span.start);
         file.error(file.line(at), Fault::Form(error.message().to_owned()))
