@@ -27,7 +27,7 @@ use trialbook::claims::compare::Failure;
 pub static CONSTANT: [Numbers; 1] = [Numbers::new(
     "s21-along-acceleration",
     || Ok(constant::s21_late_sense()),
-    || sense_of_sliding(),
+    sense_of_sliding,
 )];
 
 /// Of `sinusoidal`, in the paper's order.
@@ -193,7 +193,7 @@ pub static REST: [Numbers; 4] = [
             Ok(surface.slope)
         },
     ),
-    Numbers::new("eq-147", || Ok(rest::eq147_a(0.1)), || boundary_example()),
+    Numbers::new("eq-147", || Ok(rest::eq147_a(0.1)), boundary_example),
     Numbers::new(
         "s4-psi-free",
         || Ok(0.5 - rest::eq145_a(0.5, 1.0)),
@@ -202,7 +202,7 @@ pub static REST: [Numbers; 4] = [
     Numbers::new(
         "s4-envelope-is-boundary",
         || Ok(rest::eq147_a(0.1)),
-        || boundary_example(),
+        boundary_example,
     ),
 ];
 

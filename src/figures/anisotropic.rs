@@ -503,11 +503,14 @@ fn scientific(number: &str) -> String {
     }
 }
 
+/// The velocity over the phase, and the friction: q and λ₀.
+pub type Wave = (Vec<[f64; 2]>, (f64, f64));
+
 /// fig-6: the motion over two periods, one panel for each region.
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn fig6(waves: &[(Vec<[f64; 2]>, (f64, f64))]) -> Result<Figure, FigureError> {
+pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["region", "q", "lambda_0", "phi (rad)", "w"]);
     let ticks = [
         (0.0, "0"),
