@@ -76,7 +76,7 @@ window.SlipbookStage = (() => {
             // What nobody sees any more need not move; what is seen for the most part may begin.
             new IntersectionObserver(entries => {
                 const { isIntersecting, intersectionRatio } = entries.at(-1);
-                if (!isIntersecting) this.pause();
+                if (!isIntersecting && this.playing) this.pause();
                 this.seen = intersectionRatio >= 0.6;
                 this.begin();
             }, { threshold: [0, 0.6] }).observe(this.svg);
