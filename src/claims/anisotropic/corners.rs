@@ -31,25 +31,11 @@ fn at(start: DriveState) -> String {
     format!("start φ = {:.6}, 𝔴 = {:.6}", start.phi, start.w)
 }
 
-/// (57) with the change of the motion with equal frictions.
-fn x_root() -> Evidence {
-    let compared = Compared::one(
-        r"$\lambda_0$ of X",
-        r"the $\lambda_0$ at which, for $q=1$, a rest appears in the simulated motion",
-    );
-    x(compared, 308, restless)
-}
-
-/// At X both A and B end.
-fn x_both() -> Evidence {
-    let compared = Compared::one(
-        r"$\lambda_0$ of X",
-        r"the $\lambda_0$ at which, for $q=1$, direct reversals end in the simulated motion",
-    );
-    x(compared, 309, reverses)
-}
-
-fn x(compared: Compared, stream: u64, holds: fn(&[Interval]) -> bool) -> Evidence {
+/// (57) with a change of the motion with equal frictions.
+fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Evidence {
+    const EQUAL: &str = r"the $\lambda_0$ at which, for $q=1$, ";
+    const X: [&str; 3] = [r"$\lambda_0$ of X", "", ""];
+    let compared = Compared::composed(X, [EQUAL, change_of, " in the simulated motion"]);
     let [_, lambda0] = printed::eq57_x();
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(starts(stream), |start| {
@@ -221,10 +207,10 @@ fn opening(eta: f64) -> Result<[f64; 2], Failure> {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    x_root,
+    x_root = x("a rest appears", 308, restless),
     y_decimals,
     y_limit,
-    x_both,
+    x_both = x("direct reversals end", 309, reverses),
     y_digits,
     y_by_slip,
     y_contact,

@@ -2,15 +2,16 @@
 
 use super::rows::{Row, far_rows, rows};
 use super::simulated::{
-    Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, printed_list,
-    simulated,
+    Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, orders,
+    printed_list, simulated,
 };
-use crate::claims::tolerances::{FAR_A, FAR_E, NONE, ROOT};
+use crate::claims::tolerances::{FAR_A, FAR_E, ROOT};
 use crate::corrections::anisotropic as corrected;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Corrected, Printed, Remark};
+use crate::evidence::{Evidence, Route};
 use crate::paper::anisotropic as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 
 /// λ₀ on (53); NaN where it has no root.
 fn on_a(q: f64) -> f64 {
@@ -27,15 +28,37 @@ fn on_b_or_e(q: f64) -> f64 {
     curves_as_corrected(q).map_or(f64::NAN, |curves| curves.b_or_e)
 }
 
+/// Where the order of the simulated motion changes: what happens there, and at which λ₀ of a row.
+type Change = (&'static str, fn(&Row) -> f64);
+
+const REST: Change = ("at which a rest appears in the simulated motion", |row| {
+    row.changes.rest
+});
+const REVERSAL: Change = (
+    "at which forward motion ceases to turn straight into backward motion",
+    |row| row.changes.reversal,
+);
+const BACKWARD: Change = (
+    "beyond which the simulated motion has no backward part",
+    |row| row.changes.backward,
+);
+const MOTION: Change = (
+    "beyond which the simulated particle is at rest for ever",
+    |row| row.changes.motion,
+);
+
+const fn lambda0_of(law: &'static str, change: &'static str) -> Compared {
+    Compared::composed([law, "", ""], [r"the $\lambda_0$ ", change, ""])
+}
+
 /// A formula's λ₀ with the λ₀ at which the simulation changes, at those q that are wanted.
 fn change(
     subject: Subject,
-    compared: Compared,
     wanted: fn(&Row) -> bool,
-    stated: fn(f64) -> f64,
-    found: fn(&Row) -> f64,
+    (law, stated): (&'static str, fn(f64) -> f64),
+    (name, found): Change,
 ) -> Evidence {
-    let trial = Trial::by(Route::Root, subject, compared, ROOT);
+    let trial = Trial::by(Route::Root, subject, lambda0_of(law, name), ROOT);
     over(&trial, rows(), wanted, &[stated], found)
 }
 
@@ -64,15 +87,23 @@ fn over(
 /// How far from a change the motion is looked at.
 const DISTANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
+const PRINTED: (&str, fn(f64) -> Regions) = ("the printed list", printed_list);
+const CORRECTED: (&str, fn(f64) -> Regions) = ("the corrected list", corrected_list);
+
 /// The words of a list with the simulated motion, on both sides of a λ₀.
 fn sides(
     subject: Subject,
-    compared: Compared,
+    (name, list): (&'static str, fn(f64) -> Regions),
     wanted: fn(&Row) -> bool,
-    height: fn(&Row) -> f64,
-    list: fn(f64) -> Regions,
+    (of, height): Change,
 ) -> Evidence {
-    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    let around = [
+        r"$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of the $\lambda_0$ ",
+        of,
+        "",
+    ];
+    let compared = orders(name).over_composed(around);
+    let trial = Trial::census(subject, compared);
     let rows = match rows() {
         Ok(rows) => rows,
         Err(error) => return trial.over([error], Err),
@@ -107,78 +138,14 @@ fn beyond_y(row: &Row) -> bool {
     !row.before_y
 }
 
-fn rest(row: &Row) -> f64 {
-    row.changes.rest
-}
-
-fn reversal(row: &Row) -> f64 {
-    row.changes.reversal
-}
-
-fn backward(row: &Row) -> f64 {
-    row.changes.backward
-}
-
-fn motion(row: &Row) -> f64 {
-    row.changes.motion
-}
-
-const SIDES: Compared = Compared::one(
-    "the order of slips and rests in a period by the printed list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-    "that of the simulated motion",
-)
-.over("$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of where the order changes");
-
-/// (53) with the onset of rest.
-fn eq53_root() -> Evidence {
-    let compared = Compared::one(
-        "the root of (53)",
-        r"the $\lambda_0$ at which a rest appears in the simulated motion",
-    );
-    change(Subject::Printed, compared, everywhere, on_a, rest)
-}
-
-/// (53) on both sides.
-fn eq53_census() -> Evidence {
-    sides(Subject::Printed, SIDES, everywhere, rest, printed_list)
-}
-
-/// (53) for large q.
-fn eq53_limit() -> Evidence {
-    let compared = Compared::one(
-        "the root of (53)",
-        r"the $\lambda_0$ at which a rest appears in the simulated motion",
-    );
-    far_out(Subject::Printed, compared, on_a)
-}
-
-/// Its asymptotic form, which is ours.
-fn a_far_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$\pi/(q+1)^2\,[1-\pi^2/(3(q+2)^2)]$, to which curve A tends,",
-        r"the $\lambda_0$ at which a rest appears in the simulated motion",
-    );
-    far_out(Subject::Remark, compared, corrected::a_far)
-}
-
-fn far_out(subject: Subject, compared: Compared, stated: fn(f64) -> f64) -> Evidence {
-    let compared = compared.over("$q$ from 200 to 20,000");
+fn far_out(
+    subject: Subject,
+    (law, stated): (&'static str, fn(f64) -> f64),
+    (name, found): Change,
+) -> Evidence {
+    let compared = lambda0_of(law, name).over("$q$ from 200 to 20,000");
     let trial = Trial::by(Route::Limit, subject, compared, FAR_A);
-    over(&trial, far_rows(), everywhere, &[stated], rest)
-}
-
-/// (54) up to Y with the end of direct reversals.
-fn eq54_root() -> Evidence {
-    let compared = Compared::one(
-        "the root of (54)",
-        r"the $\lambda_0$ at which forward motion ceases to turn straight into backward motion",
-    );
-    change(Subject::Printed, compared, before_y, on_b, reversal)
-}
-
-/// (54) on both sides, up to Y.
-fn eq54_census() -> Evidence {
-    sides(Subject::Printed, SIDES, before_y, reversal, printed_list)
+    over(&trial, far_rows(), everywhere, &[stated], found)
 }
 
 /// Where (54) ends.
@@ -187,40 +154,19 @@ fn eq54_ends() -> Evidence {
         "whether (54) has a root (1 if so)",
         "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
     );
-    let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
+    let trial = Trial::census(Remark, compared);
     let rows = match rows() {
         Ok(rows) => rows,
         Err(error) => return trial.over([error], Err),
     };
-    let yes = |yes: bool| f64::from(u8::from(yes));
     trial.over(rows, |row| {
         Ok(Pair {
             at: format!("q = {:.6}", row.q),
-            stated: yes(!on_b(row.q).is_nan()),
-            found: yes(row.before_y),
+            stated: is(!on_b(row.q).is_nan()),
+            found: is(row.before_y),
             scale: 1.0,
         })
     })
-}
-
-/// E with the end of direct reversals, beyond Y.
-fn e_root() -> Evidence {
-    let compared = Compared::one(
-        "the root of E",
-        r"the $\lambda_0$ at which forward motion ceases to turn straight into backward motion",
-    );
-    change(Subject::Corrected, compared, beyond_y, on_b_or_e, reversal)
-}
-
-/// B and E on both sides, with the corrected list, over the whole range of q.
-fn e_census() -> Evidence {
-    let compared = Compared::one(
-        "the order of slips and rests in a period by the corrected list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-        "that of the simulated motion",
-    )
-    .over("$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of where direct reversals end");
-    let subject = Subject::Corrected;
-    sides(subject, compared, everywhere, reversal, corrected_list)
 }
 
 /// E for large q, and its asymptotic form.
@@ -230,80 +176,56 @@ fn e_limit() -> Evidence {
         r"the $\lambda_0$ at which direct reversals end",
     )
     .over("$q$ from 200 to 20,000");
-    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, FAR_E);
+    let trial = Trial::by(Route::Limit, Corrected, compared, FAR_E);
     let both = [on_b_or_e, corrected::e_far];
-    over(&trial, far_rows(), everywhere, &both, reversal)
+    over(&trial, far_rows(), everywhere, &both, REVERSAL.1)
 }
 
-/// (55) with the end of backward motion.
-fn eq55_root() -> Evidence {
-    eq55(Subject::Printed, everywhere)
-}
-
-/// The same up to Y.
-fn eq55_corrected_root() -> Evidence {
-    eq55(Subject::Corrected, before_y)
-}
-
-fn eq55(subject: Subject, wanted: fn(&Row) -> bool) -> Evidence {
-    let compared = Compared::one(
-        "(55)",
-        r"the $\lambda_0$ beyond which the simulated motion has no backward part",
-    );
-    change(subject, compared, wanted, printed::eq55_lambda0, backward)
-}
-
-/// The printed list on both sides of where friction backwards is as strong as the drive.
-fn eq55_census() -> Evidence {
-    let compared = Compared::one(
-        "the order of slips and rests in a period by the printed list (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-        "that of the simulated motion",
-    )
-    .over(r"$10^{-3}$, $10^{-6}$ and $10^{-9}$ on both sides of $q\lambda_0=1$");
-    let as_strong = |row: &Row| 1.0 / row.q;
-    sides(Subject::Printed, compared, off_one, as_strong, printed_list)
-}
-
-/// The same up to Y, by where backward motion ends.
-fn eq55_corrected_census() -> Evidence {
-    sides(Subject::Corrected, SIDES, before_y, backward, printed_list)
-}
+/// Where friction backwards is as strong as the drive.
+const AS_STRONG: Change = (r"at which $q\lambda_0=1$", |row| 1.0 / row.q);
 
 /// At q = 1, C and D are one.
 fn off_one(row: &Row) -> bool {
     row.q > 1.01
 }
 
-/// (56) with the end of all motion.
-fn eq56_root() -> Evidence {
-    let compared = Compared::one(
-        "(56)",
-        r"the $\lambda_0$ beyond which the simulated particle is at rest for ever",
-    );
-    let on_d = |_: f64| printed::eq56_lambda0();
-    change(Subject::Printed, compared, everywhere, on_d, motion)
-}
-
-/// (56) on both sides.
-fn eq56_census() -> Evidence {
-    sides(Subject::Printed, SIDES, everywhere, motion, printed_list)
-}
-
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq53_root,
-    eq53_census,
-    eq53_limit,
-    a_far_limit,
-    eq54_root,
-    eq54_census,
+    eq53_root = change(Printed, everywhere, ("the root of (53)", on_a), REST),
+    eq53_census = sides(Printed, PRINTED, everywhere, REST),
+    eq53_limit = far_out(Printed, ("the root of (53)", on_a), REST),
+    a_far_limit = far_out(
+        Remark,
+        (
+            r"$\pi/(q+1)^2\,[1-\pi^2/(3(q+2)^2)]$, to which curve A tends,",
+            corrected::a_far
+        ),
+        REST
+    ),
+    eq54_root = change(Printed, before_y, ("the root of (54)", on_b), REVERSAL),
+    eq54_census = sides(Printed, PRINTED, before_y, REVERSAL),
     eq54_ends,
-    eq55_root,
-    eq55_census,
-    eq55_corrected_root,
-    eq55_corrected_census,
-    eq56_root,
-    eq56_census,
-    e_root,
-    e_census,
+    eq55_root = change(
+        Printed,
+        everywhere,
+        ("(55)", printed::eq55_lambda0),
+        BACKWARD
+    ),
+    eq55_census = sides(Printed, PRINTED, off_one, AS_STRONG),
+    eq55_corrected_root = change(
+        Corrected,
+        before_y,
+        ("(55)", printed::eq55_lambda0),
+        BACKWARD
+    ),
+    eq55_corrected_census = sides(Corrected, PRINTED, before_y, BACKWARD),
+    eq56_root = change(
+        Printed,
+        everywhere,
+        ("(56)", |_| printed::eq56_lambda0()),
+        MOTION
+    ),
+    eq56_census = sides(Printed, PRINTED, everywhere, MOTION),
+    e_root = change(Corrected, beyond_y, ("the root of E", on_b_or_e), REVERSAL),
+    e_census = sides(Corrected, CORRECTED, everywhere, REVERSAL),
     e_limit
 ];

@@ -1,8 +1,7 @@
 //! Trials of (47) to (52): the two frictions, and the rates while sliding either way.
 
 use super::simulated::{START, attractor, attractor_from};
-use crate::claims::tolerances::MOTION;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::{Evidence, Subject};
 use crate::motion::drive::{Drive, Friction, Sign};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::anisotropic as printed;
@@ -10,10 +9,6 @@ use std::f64::consts::{PI, TAU};
 use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 use trialbook::claims::points::Points;
-
-const fn consistency(compared: Compared) -> Trial {
-    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
-}
 
 /// A ratio q: moderate, 1 where λ₀ is close to 1, and large in every tenth case.
 fn ratio(i: usize, points: &mut Points) -> f64 {
@@ -61,11 +56,18 @@ fn dimensional([mu_plus, mu_minus, g, a0, phi]: [f64; 5]) -> Result<f64, Failure
 }
 
 fn against_dimensional(
-    compared: Compared,
+    with: &'static str,
     stream: u64,
     friction: fn([f64; 5]) -> (f64, f64),
 ) -> Evidence {
-    consistency(compared).over(laboratory(stream), |case| {
+    const DIMENSIONAL: &str =
+        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$";
+    let compared = Compared::composed(
+        [r"$A_0\mathfrak w$ of the motion with ", with, ""],
+        [DIMENSIONAL, "", ""],
+    );
+    let trial = Trial::consistency(Subject::Printed, compared);
+    trial.over(laboratory(stream), |case| {
         let [mu_plus, mu_minus, g, a0, phi] = case;
         let (plus, minus) = friction(case);
         let w = || -> Result<f64, Failure> {
@@ -84,60 +86,11 @@ fn against_dimensional(
     })
 }
 
-/// (47), with λ₋ entered by hand.
-fn eq47() -> Evidence {
-    let compared = Compared::one(
-        r"$A_0\mathfrak w$ of the motion with $\lambda_+$ of (47)",
-        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
-    );
-    against_dimensional(compared, 302, |[mu_plus, mu_minus, g, a0, _]| {
-        let minus = mu_minus / a0 * g;
-        (printed::eq47_lambda_plus(mu_plus, g, a0), minus)
-    })
-}
-
-/// (48), with λ₊ entered by hand.
-fn eq48() -> Evidence {
-    let compared = Compared::one(
-        r"$A_0\mathfrak w$ of the motion with $\lambda_-$ of (48)",
-        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
-    );
-    against_dimensional(compared, 303, |[mu_plus, mu_minus, g, a0, _]| {
-        let plus = mu_plus / a0 * g;
-        (plus, printed::eq48_lambda_minus(mu_minus, g, a0))
-    })
-}
-
-/// (49), with λ₀ the ratio of the forward friction to the drive.
-fn eq49() -> Evidence {
-    let compared = Compared::one(
-        r"$A_0\mathfrak w$ of the motion with $\lambda_+$ of (49), $\lambda_0=\mu_+g/A_0$,",
-        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
-    );
-    against_dimensional(compared, 304, |[mu_plus, mu_minus, g, a0, _]| {
-        let plus = printed::eq49_lambda_plus(mu_plus * g / a0);
-        (plus, mu_minus / a0 * g)
-    })
-}
-
-/// (50), with q the ratio of the frictions.
-fn eq50() -> Evidence {
-    let compared = Compared::one(
-        r"$A_0\mathfrak w$ of the motion with $\lambda_-$ of (50), $q=\mu_-/\mu_+$,",
-        r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$",
-    );
-    against_dimensional(compared, 305, |[mu_plus, mu_minus, g, a0, _]| {
-        let lambda0 = mu_plus * g / a0;
-        let minus = printed::eq50_lambda_minus(mu_minus / mu_plus, lambda0);
-        (lambda0, minus)
-    })
-}
-
 /// A printed rate, integrated within an interval of this sign, with the change of 𝔴 there.
 fn summed_rate(
-    compared: Compared,
+    law: &'static str,
     stream: u64,
-    sign: Sign,
+    (way, sign): (&'static str, Sign),
     rate: fn(f64, f64, f64) -> f64,
 ) -> Evidence {
     let mut points = Points::stream(stream);
@@ -158,6 +111,14 @@ fn summed_rate(
         let [a, b] = [0.0; 2].map(|_| points.uniform(0.0, 1.0));
         (q, lambda0, a.min(b), a.max(b))
     });
+    let compared = Compared::composed(
+        [
+            "the integral of ",
+            law,
+            r" over $\phi$ along a stretch of motion",
+        ],
+        [r"the change of $\mathfrak w$ there, ", way, ""],
+    );
     Trial::quadrature(Subject::Printed, compared).over(cases, |(q, lambda0, a, b)| {
         let motion = attractor(q, lambda0)?;
         let found = motion.intervals().iter().find(|i| i.sign == sign);
@@ -173,31 +134,52 @@ fn summed_rate(
     })
 }
 
-/// (51) along the forward motion.
-fn eq51_quadrature() -> Evidence {
-    summed_rate(
-        Compared::one(
-            r"the integral of (51) over $\phi$ along a stretch of forward motion",
-            r"its change of $\mathfrak w$",
-        ),
+pub(super) const TRIALS: &[Attempt] = trials![
+    // The other friction is entered by hand.
+    eq47 = against_dimensional(
+        r"$\lambda_+$ of (47)",
+        302,
+        |[mu_plus, mu_minus, g, a0, _]| {
+            (printed::eq47_lambda_plus(mu_plus, g, a0), mu_minus / a0 * g)
+        }
+    ),
+    eq48 = against_dimensional(
+        r"$\lambda_-$ of (48)",
+        303,
+        |[mu_plus, mu_minus, g, a0, _]| {
+            (
+                mu_plus / a0 * g,
+                printed::eq48_lambda_minus(mu_minus, g, a0),
+            )
+        }
+    ),
+    eq49 = against_dimensional(
+        r"$\lambda_+$ of (49), $\lambda_0=\mu_+g/A_0$,",
+        304,
+        |[mu_plus, mu_minus, g, a0, _]| {
+            let plus = printed::eq49_lambda_plus(mu_plus * g / a0);
+            (plus, mu_minus / a0 * g)
+        },
+    ),
+    eq50 = against_dimensional(
+        r"$\lambda_-$ of (50), $q=\mu_-/\mu_+$,",
+        305,
+        |[mu_plus, mu_minus, g, a0, _]| {
+            let lambda0 = mu_plus * g / a0;
+            let minus = printed::eq50_lambda_minus(mu_minus / mu_plus, lambda0);
+            (lambda0, minus)
+        },
+    ),
+    eq51_quadrature = summed_rate(
+        "(51)",
         306,
-        Sign::Positive,
-        |_, lambda0, phi| printed::eq51_rate(lambda0, phi),
-    )
-}
-
-/// (52) along the backward motion.
-fn eq52_quadrature() -> Evidence {
-    summed_rate(
-        Compared::one(
-            r"the integral of (52) over $\phi$ along a stretch of backward motion",
-            r"its change of $\mathfrak w$",
-        ),
+        ("forwards", Sign::Positive),
+        |_, lambda0, phi| { printed::eq51_rate(lambda0, phi) }
+    ),
+    eq52_quadrature = summed_rate(
+        "(52)",
         307,
-        Sign::Negative,
-        printed::eq52_rate,
-    )
-}
-
-pub(super) const TRIALS: &[Attempt] =
-    trials![eq47, eq48, eq49, eq50, eq51_quadrature, eq52_quadrature];
+        ("backwards", Sign::Negative),
+        printed::eq52_rate
+    ),
+];

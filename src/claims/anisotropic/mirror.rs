@@ -1,7 +1,7 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
 use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
-use crate::claims::tolerances::{MOTION, NONE};
+use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
@@ -73,7 +73,7 @@ pub fn census() -> Evidence {
         r"the order of slips and rests in a period by the corrected list at $(1/q,q\lambda_0)$ (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         r"that of the simulated motion at $(q,\lambda_0)$, forward and backward exchanged",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(313);
     let words = listed_digits();
     trial.over(0..2000, |_| {

@@ -1,7 +1,7 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
 use super::simulated::{START, attractor_from, listed_digits, own_digits};
-use crate::claims::tolerances::{NONE, QUADRATURE};
+use crate::claims::tolerances::QUADRATURE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, DriveState, Friction};
 use crate::numerics::quadrature::integral_within;
@@ -149,7 +149,7 @@ pub fn census() -> Evidence {
         r"the order of slips and rests in a period by the words of the panel's region (3 for a forward slip, 2 for a rest, 1 for a backward slip), and $\lvert\mathfrak w\rvert$, but not more than 1,",
         r"those of the simulated motion, and the largest $\lvert\mathfrak w\rvert$, from eight starts",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(314);
     let words = listed_digits();
     let mut cases = Vec::new();

@@ -4,10 +4,11 @@ use super::census;
 use super::rows::{Row, rows};
 use super::simulated::{
     Regions, attractor_from, corrected_list, curves_as_corrected, curves_as_printed, listed_digits,
-    own_digits, own_y, printed_list, simulated,
+    orders, own_digits, own_y, printed_list, simulated,
 };
-use crate::claims::tolerances::{NONE, ROOT};
-use crate::evidence::{Evidence, Route, Subject};
+use crate::claims::tolerances::ROOT;
+use crate::evidence::Subject::{self, Corrected, Printed, Remark};
+use crate::evidence::{Evidence, Route};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
 use trialbook::claims::attempt::{Attempt, trials};
@@ -68,21 +69,6 @@ const BESIDE: usize = 2;
 /// One point in so many is put first.
 const GENERIC: usize = 997;
 
-const fn by_census(subject: Subject, compared: Compared) -> Trial {
-    Trial::by(Route::Census, subject, compared, NONE)
-}
-
-const BY_REGION: Compared = Compared::one(
-    "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-    "that of the simulated motion",
-)
-.over("in the region as printed and next to it");
-const BY_CORRECTED_REGION: Compared = Compared::one(
-    "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-    "that of the simulated motion",
-)
-.over("in the region as corrected and next to it");
-
 /// What the words of one region say where a list has it.
 fn words_of(region: usize, list: Regions) -> Says {
     let words = listed_digits()[region - 1];
@@ -98,21 +84,38 @@ fn all_words(list: Regions) -> Says {
     Box::new(move |lambda0| Some(list(lambda0).map_or(f64::NAN, |region| words[region - 1])))
 }
 
-/// A region of the printed list, where the motion has the digits `own` and beside.
-fn printed_census(region: usize, own: f64) -> Evidence {
-    let trial = by_census(Subject::Printed, BY_REGION);
-    let says = |q| words_of(region, printed_list(q));
-    census(&trial, |_, _, found| found == own, says)
+/// A region of a list, where the motion has the digits `own` and beside.
+fn one_census(
+    subject: Subject,
+    list: (&'static str, fn(f64) -> Regions),
+    region: usize,
+    own: f64,
+) -> Evidence {
+    let (points, list) = list;
+    let trial = Trial::census(subject, orders("the claim").over(points));
+    census(
+        &trial,
+        |_, _, found| found == own,
+        |q| words_of(region, list(q)),
+    )
 }
+
+const AS_PRINTED: (&str, fn(f64) -> Regions) =
+    ("in the region as printed and next to it", printed_list);
+const AS_CORRECTED: (&str, fn(f64) -> Regions) =
+    ("in the region as corrected and next to it", corrected_list);
 
 /// The ends of a region along λ₀ with the ends of its kind of motion.
 fn ends(
-    region: usize,
     subject: Subject,
-    compared: Compared,
-    list: fn(&Row) -> [f64; 4],
+    (name, list): (&'static str, fn(&Row) -> [f64; 4]),
+    region: usize,
     wanted: fn(&Row) -> bool,
 ) -> Evidence {
+    let compared = Compared::composed(
+        [r"each end of the region in $\lambda_0$ by the ", name, ""],
+        ["that of its kind of motion in the simulation", "", ""],
+    );
     let trial = Trial::by(Route::Root, subject, compared, ROOT);
     let rows = match rows() {
         Ok(rows) => rows,
@@ -147,15 +150,6 @@ fn ends(
     })
 }
 
-const BY_ENDS: Compared = Compared::many(
-    r"the region's ends in $\lambda_0$ by the printed curves",
-    "those of its kind of motion in the simulation",
-);
-const BY_CORRECTED_ENDS: Compared = Compared::many(
-    r"the region's ends in $\lambda_0$ by the corrected list",
-    "those of its kind of motion in the simulation",
-);
-
 /// The upper ends of the regions I to IV by the printed list. Without B, II reaches up to C and III is empty.
 fn printed_bounds(row: &Row) -> [f64; 4] {
     let bounds = curves_as_printed(row.q).map(|curves| {
@@ -173,6 +167,9 @@ fn corrected_bounds(row: &Row) -> [f64; 4] {
     });
     bounds.unwrap_or([f64::NAN; 4])
 }
+
+const PRINTED: (&str, fn(&Row) -> [f64; 4]) = ("printed curves", printed_bounds);
+const CORRECTED: (&str, fn(&Row) -> [f64; 4]) = ("corrected list", corrected_bounds);
 
 fn everywhere(_: &Row) -> bool {
     true
@@ -198,23 +195,13 @@ fn begins_below_c(row: &Row) -> bool {
     !row.before_y
 }
 
-/// Region I at the points of the census.
-fn first_census() -> Evidence {
-    printed_census(1, 31.0)
-}
-
-/// Region I by its ends.
-fn first_ends() -> Evidence {
-    ends(1, Subject::Printed, BY_ENDS, printed_bounds, everywhere)
-}
-
 /// Region I without friction.
 fn first_outside() -> Evidence {
     let compared = Compared::one(
         "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
         "that of the motion without friction that begins with $1<\\mathfrak w<3$ at $\\phi=0$",
     );
-    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let trial = Trial::census(Subject::Outside, compared);
     let starts = Points::stream(719).within(24, [[1.0, 3.0]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
         let motion = attractor_from(DriveState { phi: 0.0, w }, Friction::new(0.0, 0.0)?)?;
@@ -222,51 +209,11 @@ fn first_outside() -> Evidence {
     })
 }
 
-/// Region II at the points of the census.
-fn second_census() -> Evidence {
-    printed_census(2, 312.0)
-}
-
-/// Region II by its ends.
-fn second_ends() -> Evidence {
-    ends(2, Subject::Printed, BY_ENDS, printed_bounds, has_second)
-}
-
-/// Region II of the corrected list at the points of the census.
-fn second_corrected_census() -> Evidence {
-    let trial = by_census(Subject::Corrected, BY_CORRECTED_REGION);
-    let says = |q| words_of(2, corrected_list(q));
-    census(&trial, |_, _, found| found == 312.0, says)
-}
-
-/// Region II of the corrected list by its ends.
-fn second_corrected_ends() -> Evidence {
-    ends(
-        2,
-        Subject::Corrected,
-        BY_CORRECTED_ENDS,
-        corrected_bounds,
-        has_second,
-    )
-}
-
 /// What region II has too much: between E and C.
-fn between_e_and_c() -> Evidence {
-    beyond_e(Subject::Corrected)
-}
-
-/// The same, as what is remarked beside region IV.
-fn down_to_e() -> Evidence {
-    beyond_e(Subject::Remark)
-}
-
 fn beyond_e(subject: Subject) -> Evidence {
-    let compared = Compared::one(
-        "the order of slips and rests in a period by the words of IV (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-        "that of the simulated motion",
-    )
-    .over("between E and C; elsewhere beyond Y this says nothing");
-    let trial = by_census(subject, compared);
+    let compared =
+        orders("the words of IV").over("between E and C; elsewhere beyond Y this says nothing");
+    let trial = Trial::census(subject, compared);
     let y = match own_y() {
         Ok(y) => y,
         Err(error) => return trial.over([error], Err),
@@ -287,58 +234,13 @@ fn beyond_e(subject: Subject) -> Evidence {
     census(&trial, wanted, says)
 }
 
-/// Region III at the points of the census.
-fn third_census() -> Evidence {
-    printed_census(3, 3212.0)
-}
-
-/// Region III by its ends.
-fn third_ends() -> Evidence {
-    ends(3, Subject::Printed, BY_ENDS, printed_bounds, has_third)
-}
-
-/// Region IV at the points of the census.
-fn fourth_census() -> Evidence {
-    printed_census(4, 32.0)
-}
-
-/// Region IV by its upper end, and by its lower one where other motion is next to it.
-fn fourth_ends() -> Evidence {
-    ends(4, Subject::Printed, BY_ENDS, printed_bounds, begins_at_c)
-}
-
-/// The same motion by its ends, beyond Y.
-fn fourth_ends_beyond() -> Evidence {
-    ends(
-        4,
-        Subject::Remark,
-        BY_CORRECTED_ENDS,
-        corrected_bounds,
-        begins_below_c,
-    )
-}
-
-/// Region V at the points of the census.
-fn fifth_census() -> Evidence {
-    printed_census(5, 2.0)
-}
-
-/// Region V by its lower end.
-fn fifth_ends() -> Evidence {
-    ends(5, Subject::Printed, BY_ENDS, printed_bounds, everywhere)
-}
-
 /// The axes of the diagram end here.
 pub const LARGEST_Q: f64 = 7.0;
 
 /// The printed diagram at the points of the census.
 pub fn diagram() -> Evidence {
-    let compared = Compared::one(
-        "the order of slips and rests in a period by the printed diagram (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-        "that of the simulated motion",
-    )
-    .over("all over the diagram's axes");
-    let trial = by_census(Subject::Printed, compared);
+    let compared = orders("the printed diagram").over("all over the diagram's axes");
+    let trial = Trial::census(Printed, compared);
     let says = |q| all_words(printed_list(q));
     census(&trial, |q, _, _| q <= LARGEST_Q, says)
 }
@@ -350,7 +252,7 @@ fn diagram_step() -> Evidence {
         r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
         "the expected 1",
     );
-    let trial = by_census(Subject::Step, compared);
+    let trial = Trial::census(Subject::Step, compared);
     let points = Points::stream(704).within(400, [[1.0, LARGEST_Q], [0.0, 1.4]]);
     trial.at(["q", "λ₀"], points, 1.0, |[q, lambda0]| {
         let beyond_the_crossed = |curves: printed::Curves| {
@@ -365,23 +267,16 @@ fn diagram_step() -> Evidence {
 
 /// The corrected diagram at all points of the census.
 fn corrected_diagram() -> Evidence {
-    let compared = Compared::one(
-        "the order of slips and rests in a period by the corrected diagram (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-        "that of the simulated motion",
-    )
-    .over("$q$ from 1 to 12");
-    let trial = by_census(Subject::Corrected, compared);
+    let compared = orders("the corrected diagram").over("$q$ from 1 to 12");
+    let trial = Trial::census(Corrected, compared);
     let says = |q| all_words(corrected_list(q));
     census(&trial, |_, _, _| true, says)
 }
 
 /// The corrected diagram farther out.
 pub fn far() -> Evidence {
-    let compared = Compared::one(
-        "the order of slips and rests in a period by the corrected diagram (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-        "that of the simulated motion",
-    );
-    let trial = by_census(Subject::Corrected, compared);
+    let compared = orders("the corrected diagram");
+    let trial = Trial::census(Corrected, compared);
     let points = Points::stream(718).within(1000, [[12.0, 30.0], [1e-6, 1.0]]);
     trial.at(["q", "qλ₀/2"], points, 1.0, |[q, share]| {
         let lambda0 = 2.0 * share / q;
@@ -396,7 +291,7 @@ fn corrected_curves() -> Evidence {
         r"$\lambda_0$ on A, on B or E, on C (on E beyond Y) and on D",
         r"the $\lambda_0$ at which a rest appears, direct reversals end, backward motion ends and all motion ends",
     );
-    let trial = Trial::by(Route::Root, Subject::Corrected, compared, ROOT);
+    let trial = Trial::by(Route::Root, Corrected, compared, ROOT);
     let rows = match rows() {
         Ok(rows) => rows,
         Err(error) => return trial.over([error], Err),
@@ -419,22 +314,22 @@ fn corrected_curves() -> Evidence {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    first_census,
-    first_ends,
+    first_census = one_census(Printed, AS_PRINTED, 1, 31.0),
+    first_ends = ends(Printed, PRINTED, 1, everywhere),
     first_outside,
-    second_census,
-    second_ends,
-    second_corrected_census,
-    second_corrected_ends,
-    between_e_and_c,
-    third_census,
-    third_ends,
-    fourth_census,
-    fourth_ends,
-    down_to_e,
-    fourth_ends_beyond,
-    fifth_census,
-    fifth_ends,
+    second_census = one_census(Printed, AS_PRINTED, 2, 312.0),
+    second_ends = ends(Printed, PRINTED, 2, has_second),
+    second_corrected_census = one_census(Corrected, AS_CORRECTED, 2, 312.0),
+    second_corrected_ends = ends(Corrected, CORRECTED, 2, has_second),
+    between_e_and_c = beyond_e(Corrected),
+    third_census = one_census(Printed, AS_PRINTED, 3, 3212.0),
+    third_ends = ends(Printed, PRINTED, 3, has_third),
+    fourth_census = one_census(Printed, AS_PRINTED, 4, 32.0),
+    fourth_ends = ends(Printed, PRINTED, 4, begins_at_c),
+    down_to_e = beyond_e(Remark),
+    fourth_ends_beyond = ends(Remark, CORRECTED, 4, begins_below_c),
+    fifth_census = one_census(Printed, AS_PRINTED, 5, 2.0),
+    fifth_ends = ends(Printed, PRINTED, 5, everywhere),
     diagram,
     corrected_diagram,
     far,

@@ -5,8 +5,20 @@ use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Out
 use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::compare::{Failure, where_defined};
+use trialbook::claims::compare::{Compared, Failure, where_defined};
 use trialbook::claims::runs::Runs;
+
+/// The order of slips and rests by what is said of it, against that of the simulated motion.
+pub const fn orders(by: &'static str) -> Compared {
+    Compared::composed(
+        [
+            "the order of slips and rests in a period by ",
+            by,
+            " (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
+        ],
+        ["that of the simulated motion", "", ""],
+    )
+}
 
 /// The start of every motion unless another is said.
 pub const START: DriveState = DriveState { phi: 0.0, w: 0.0 };

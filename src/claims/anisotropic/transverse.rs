@@ -1,6 +1,6 @@
 //! Trials of the velocity across the drive under a friction that depends on the direction of the velocity.
 
-use crate::claims::tolerances::{GONE, NONE};
+use crate::claims::tolerances::GONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
 use crate::paper::{anisotropic as printed, general as law};
@@ -128,7 +128,7 @@ fn never_grows() -> Evidence {
         r"the number of states at which (1), with the friction of their direction, lets $\mathfrak w_y>0$ grow",
         r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     static MOTIONS: Runs<Vec<Slowed>> = Runs::new(|| {
         let mut points = Points::stream(321);
         every((0..24).map(|_| {

@@ -1,24 +1,22 @@
 //! Trials of (3) to (5): the definitions are consistent with the use made of them.
 
-use super::launches::turns;
-use crate::claims::tolerances::MOTION;
-use crate::evidence::{Evidence, Route, Subject};
+use super::launches::{Turn, turns};
+use crate::evidence::{Evidence, Subject};
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
 use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 use trialbook::claims::points::Points;
 
-const fn consistency(compared: Compared) -> Trial {
-    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
-}
-
 /// (3): a particle at rest on a smooth plane is left behind, against this acceleration.
 fn eq3() -> Evidence {
-    let trial = consistency(Compared::one(
-        "(3) times $-t$",
-        "the velocity of a particle from rest without friction, on a plane that is pulled towards $-x$",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            "(3) times $-t$",
+            "the velocity of a particle from rest without friction, on a plane that is pulled towards $-x$",
+        ),
+    );
     let mut points = Points::stream(8);
     trial.over(0..1000, |_| {
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 5.0));
@@ -44,29 +42,33 @@ fn along_alone(v: [f64; 2]) -> f64 {
 
 /// (4): the angle of the vector built from v and θ is θ, its length v.
 fn eq4() -> Evidence {
-    let trial = consistency(Compared::one(
-        "the size of (4) times the exponential of its angle",
-        r"$v\,\mathrm e^\theta$ along motions",
-    ));
-    trial.over(turns(), |turn| {
-        let turn = turn?;
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            "the size of (4) times the exponential of its angle",
+            r"$v\,\mathrm e^\theta$ along motions",
+        ),
+    );
+    trial.each(turns(), Turn::at, |turn| {
         let [vx, vy] = printed::eq4_velocity(turn.v, turn.theta);
         let found = turn.v * libm::exp(turn.theta);
-        Ok(Pair {
-            at: turn.at(),
-            stated: libm::hypot(vx, vy) * libm::exp(libm::atan2(vy, vx)),
+        Ok([
+            libm::hypot(vx, vy) * libm::exp(libm::atan2(vy, vx)),
             found,
-            scale: found,
-        })
+            found,
+        ])
     })
 }
 
 /// (5): motions with the same λ are the same in units of v₀ and A, whatever μ, g and A are.
 fn eq5() -> Evidence {
-    let trial = consistency(Compared::one(
-        "$v_x/v_0$ of a motion",
-        r"that of another with the same $\lambda$ of (5) and different $\mu$, $g$, $A$, $v_0$, at the same $At/v_0$",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            "$v_x/v_0$ of a motion",
+            r"that of another with the same $\lambda$ of (5) and different $\mu$, $g$, $A$, $v_0$, at the same $At/v_0$",
+        ),
+    );
     let mut points = Points::stream(9);
     trial.over(0..1000, |_| {
         let (theta0, mu, g) = (

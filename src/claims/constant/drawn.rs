@@ -1,15 +1,14 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
 use super::launches::Turn;
-use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::{Evidence, Subject};
 use crate::motion::Motion;
 use crate::motion::MotionError;
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use std::f64::consts::PI;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::compare::{Compared, Pair, Trial, is};
 
 /// A motion in units of v₀ and A.
 #[derive(Debug, Clone)]
@@ -112,10 +111,9 @@ pub fn ends() -> Evidence {
         "whether a curve ends in motion, as in panel (a), or at rest, as in panel (b) (1 for motion),",
         "what the motion does",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     trial.over(both_panels(), |curve| {
         let curve = curve?;
-        let is = |truth: bool| f64::from(u8::from(truth));
         let [left, right] = printed::s21_keeps_moving_sides(curve.lambda);
         Ok(Pair {
             at: format!("λ = {}, θ₀ = {:.6}", curve.lambda, curve.theta0),

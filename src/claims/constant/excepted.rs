@@ -1,18 +1,20 @@
 //! What the conditions of section 2.1 except: points at which the formulas have no value, or that fill no stretch.
 
-use crate::evidence::Evidence;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;
 use trialbook::certified::interval::Interval;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
 use trialbook::claims::excepted::{no_inside, no_value};
 
-const LAMBDA: [f64; 2] = [0.1, 0.9];
-const SPEED: [f64; 2] = [0.5, 2.0];
+const LAMBDA: (&str, [f64; 2]) = ("λ", [0.1, 0.9]);
+const SPEED: (&str, [f64; 2]) = ("v₀", [0.5, 2.0]);
 /// Angles that are neither 0 nor π, and on one side of where cos θ = −λ.
 const ANGLE: [f64; 2] = [0.3, 1.5];
+const START: (&str, [f64; 2]) = ("θ₀", ANGLE);
+const END: (&str, [f64; 2]) = ("θ", ANGLE);
+
+const HOLDS: &str = "the condition holds";
 
 fn int(n: i64) -> Interval {
     Interval::int(n)
@@ -32,184 +34,104 @@ fn straight() -> [Interval; 2] {
     [int(0), Interval::pi()]
 }
 
-/// (8), where dv_x and dv_y both vanish.
-pub fn eq8() -> Evidence {
-    no_value(
-        Compared::one(
-            "whether (8) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\lambda=1$, $\theta=0$"),
-        ["λ", "θ"],
-        [LAMBDA, ANGLE],
+/// (12), with d/dθ of its power put in.
+fn eq12_rate([lambda, v0, theta0, theta]: [Interval; 4]) -> Interval {
+    let tangent = (theta / int(2)).tan();
+    let secant = int(1) + tangent * tangent;
+    let rate = lambda * tangent.pow(lambda - int(1)) * secant / int(2);
+    printed::eq12_time_rate(lambda, v0, theta0, theta, rate)
+}
+
+fn eq13_time([lambda, theta0, theta]: [Interval; 3]) -> Interval {
+    printed::eq13_time(lambda, int(1), int(1), theta0, theta)
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq8 = no_value(
+        "(8)",
+        HOLDS,
+        r"with $\lambda=1$, $\theta=0$",
+        [LAMBDA, END],
         [[int(1), int(0)]],
         |[lambda, theta]| printed::eq8_hodograph_slope(lambda, theta),
-    )
-}
-
-/// (9), along the line of the acceleration.
-pub fn eq9() -> Evidence {
-    no_value(
-        Compared::one(
-            "whether (9) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\theta=0,\pi$"),
-        ["λ", "θ"],
-        [LAMBDA, ANGLE],
+    ),
+    eq9 = no_value(
+        "(9)",
+        HOLDS,
+        r"with $\theta=0,\pi$",
+        [LAMBDA, END],
         straight().map(|theta| [half(), theta]),
         |[lambda, theta]| printed::eq9_log_speed_rate(lambda, theta),
-    )
-}
-
-/// (10), for angles that are not between 0 and π.
-pub fn eq10() -> Evidence {
-    no_value(
-        Compared::one(
-            "whether (10) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\theta=-1,0,\pi$"),
-        ["λ", "v", "θ"],
-        [LAMBDA, SPEED, ANGLE],
+    ),
+    eq10 = no_value(
+        "(10)",
+        HOLDS,
+        r"with $\theta=-1,0,\pi$",
+        [LAMBDA, ("v", [0.5, 2.0]), END],
         [int(-1), int(0), Interval::pi()].map(|theta| [half(), int(1), theta]),
         |[lambda, v, theta]| printed::eq10_invariant(lambda, v, theta),
-    )
-}
-
-/// (11), from the line of the acceleration.
-pub fn eq11() -> Evidence {
-    no_value(
-        Compared::one(
-            "whether (11) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\theta=\theta_0=0,\pi$"),
-        ["λ", "v₀", "θ₀", "θ"],
-        [LAMBDA, SPEED, ANGLE, ANGLE],
+    ),
+    eq11 = no_value(
+        "(11)",
+        HOLDS,
+        r"with $\theta=\theta_0=0,\pi$",
+        [LAMBDA, SPEED, START, END],
         straight().map(|theta| [half(), int(1), theta, theta]),
         |[lambda, v0, theta0, theta]| printed::eq11_speed(lambda, v0, theta0, theta),
-    )
-}
-
-/// (12), for angles that are not between 0 and π, and without friction.
-pub fn eq12() -> Evidence {
-    let at = |lambda, theta| [lambda, int(1), int(1), theta];
-    no_value(
-        Compared::one(
-            "whether (12) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\theta=-1,0,\pi$ or $\lambda=0$"),
-        ["λ", "v₀", "θ₀", "θ"],
-        [LAMBDA, SPEED, ANGLE, ANGLE],
+    ),
+    eq12 = no_value(
+        "(12)",
+        HOLDS,
+        r"with $\theta=-1,0,\pi$ or $\lambda=0$",
+        [LAMBDA, SPEED, START, END],
         [
-            at(half(), int(-1)),
-            at(half(), int(0)),
-            at(half(), Interval::pi()),
-            at(int(0), half()),
+            [half(), int(1), int(1), int(-1)],
+            [half(), int(1), int(1), int(0)],
+            [half(), int(1), int(1), Interval::pi()],
+            [int(0), int(1), int(1), half()],
         ],
-        |[lambda, v0, theta0, theta]| {
-            let tangent = (theta / int(2)).tan();
-            let secant = int(1) + tangent * tangent;
-            // d/dθ of the power.
-            let rate = lambda * tangent.pow(lambda - int(1)) * secant / int(2);
-            printed::eq12_time_rate(lambda, v0, theta0, theta, rate)
-        },
-    )
-}
-
-fn eq13(compared: Compared, excepted: [[Interval; 3]; 2]) -> Evidence {
-    let usual = [LAMBDA, ANGLE, ANGLE];
-    no_value(
-        compared,
-        ["λ", "θ₀", "θ"],
-        usual,
-        excepted,
-        |[lambda, theta0, theta]| printed::eq13_time(lambda, int(1), int(1), theta0, theta),
-    )
-}
-
-/// (13), at the critical friction, and from the angle at which its first factor vanishes.
-fn eq13_friction() -> Evidence {
-    eq13(
-        Compared::one(
-            "whether (13) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\lambda=1$ or $\cos\theta_0=-\lambda$"),
+        eq12_rate,
+    ),
+    eq13_friction = no_value(
+        "(13)",
+        HOLDS,
+        r"with $\lambda=1$ or $\cos\theta_0=-\lambda$",
+        [LAMBDA, START, END],
         [[int(1), int(2), int(1)], [half(), two_thirds(), int(1)]],
-    )
-}
-
-/// (13), from the line of the acceleration.
-pub fn eq13_straight() -> Evidence {
-    eq13(
-        Compared::one(
-            "whether (13) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\theta=\theta_0=0,\pi$"),
+        eq13_time,
+    ),
+    eq13_straight = no_value(
+        "(13)",
+        HOLDS,
+        r"with $\theta=\theta_0=0,\pi$",
+        [LAMBDA, START, END],
         straight().map(|theta| [half(), theta, theta]),
-    )
-}
-
-/// (14), at the angle at which its denominator vanishes.
-pub fn eq14() -> Evidence {
-    no_value(
-        Compared::one(
-            "whether (14) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\cos\theta=-\lambda$"),
-        ["λ", "θ₀", "θ", "t"],
-        [LAMBDA, ANGLE, ANGLE, [0.0, 1.0]],
+        eq13_time,
+    ),
+    eq14 = no_value(
+        "(14)",
+        HOLDS,
+        r"with $\cos\theta=-\lambda$",
+        [LAMBDA, START, END, ("t", [0.0, 1.0])],
         [[half(), int(2), two_thirds(), int(1)]],
         |[lambda, theta0, theta, t]| {
             printed::eq14_speed_at_time(lambda, int(1), int(1), theta0, theta, t)
         },
-    )
-}
-
-/// The one start with λ ≤ 1 that stops for good.
-pub fn small_friction() -> Evidence {
-    no_inside(
-        Compared::one(
-            "whether a start meets the condition (1 if so)",
-            r"the expectation that only $\lambda=1$, $\theta_0=\pi$ does not",
-        )
-        .over("random ones, that one, and some close to it"),
-        ["λ", "θ₀"],
-        [[0.0, 1.0], [0.0, PI]],
+    ),
+    // The one start with λ ≤ 1 that stops for good.
+    small_friction = no_inside(
+        "a start",
+        r"$\lambda=1$, $\theta_0=\pi$",
+        [("λ", [0.0, 1.0]), ("θ₀", [0.0, PI])],
         &[[1.0, PI]],
         |start| start != [1.0, PI],
-    )
-}
-
-/// Starts straight against the inertial force.
-fn large_friction() -> Evidence {
-    no_inside(
-        Compared::one(
-            "whether a start meets the condition (1 if so)",
-            r"the expectation that only $\theta_0=\pi$ does not",
-        )
-        .over("random ones, that one, and some close to it"),
-        ["λ", "θ₀"],
-        [[1.0, 10.0], [0.0, PI]],
+    ),
+    // Starts straight against the inertial force.
+    large_friction = no_inside(
+        "a start",
+        r"$\theta_0=\pi$",
+        [("λ", [1.0, 10.0]), ("θ₀", [0.0, PI])],
         &[[1.5, PI], [5.0, PI]],
         |[_, theta0]| theta0 != PI,
-    )
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq8,
-    eq9,
-    eq10,
-    eq11,
-    eq12,
-    eq13_friction,
-    eq13_straight,
-    eq14,
-    small_friction,
-    large_friction
+    ),
 ];

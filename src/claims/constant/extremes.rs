@@ -9,7 +9,7 @@ use crate::motion::State;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::compare::{Compared, Pair, Trial, is};
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 fn small_friction_limit() -> Evidence {
@@ -32,14 +32,13 @@ fn small_friction_census() -> Evidence {
         r"whether $\lambda\le1$ (1 if so)",
         "whether the particle never rests and its angle grows on no step",
     );
-    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let trial = Trial::census(Subject::Within, compared);
     let moving = others_aligned().map(|aligned| aligned.map(|a| (a.start, a.aligns())));
     let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
     let stopping = stops().map(|stop| stop.map(|s| (s.start, !at_rest(s))));
     trial.over(moving.chain(stopping), |motion| {
         let (start, aligns) = motion?;
         let [left, right] = printed::s21_keeps_moving_sides(start.lambda);
-        let is = |truth: bool| f64::from(u8::from(truth));
         Ok(Pair {
             at: start.at(),
             stated: is(left <= right),
@@ -60,7 +59,7 @@ fn small_friction_outside() -> Evidence {
         let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
         Ok(Pair {
             at: launch.at(),
-            stated: f64::from(u8::from(left <= right)),
+            stated: is(left <= right),
             found: moves_late(&launch)?,
             scale: 1.0,
         })
@@ -86,15 +85,13 @@ fn large_friction_limit() -> Evidence {
         let wanted = |s: &&Stop| turns(s) && !s.start.is_straight();
         s.as_ref().map_or(true, wanted)
     });
-    trial.over(turning, |stop| {
-        let stop = stop?;
+    trial.each(turning, Stop::at, |stop| {
         let found = last_slope(stop);
-        Ok(Pair {
-            at: stop.start.at(),
-            stated: corrected::turning_slope(stop.start.lambda, 0.0),
+        Ok([
+            corrected::turning_slope(stop.start.lambda, 0.0),
             found,
-            scale: found,
-        })
+            found,
+        ])
     })
 }
 
@@ -106,8 +103,7 @@ fn large_friction_turns() -> Evidence {
     );
     let trial = Trial::by(Route::Integration, Subject::Within, compared, ROOT);
     let turning = stops().filter(|s| s.as_ref().map_or(true, |s| !s.start.is_straight()));
-    trial.over(turning, |stop| {
-        let stop = stop?;
+    trial.each(turning, Stop::at, |stop| {
         let Turn {
             lambda, v0, theta0, ..
         } = stop.start;
@@ -120,12 +116,7 @@ fn large_friction_turns() -> Evidence {
         let rate = |y: f64| 1.0 / corrected::turning_slope(lambda, side * libm::atan(libm::exp(y)));
         let scale = (1.0 + found.abs()) * stop.start.condition();
         let stated = integral_within(rate, tangent(theta0), turned, 1e-14 * scale);
-        Ok(Pair {
-            at: stop.start.at(),
-            stated: stated.map_or(f64::NAN, |sum| sum.value),
-            found,
-            scale,
-        })
+        Ok([stated.map_or(f64::NAN, |sum| sum.value), found, scale])
     })
 }
 
@@ -159,14 +150,12 @@ fn large_friction_outside() -> Evidence {
         s.as_ref()
             .map_or(true, |s| s.start.is_straight() && s.start.theta0 != 0.0)
     });
-    trial.over(backwards, |stop| {
-        let stop = stop?;
-        Ok(Pair {
-            at: stop.start.at(),
-            stated: 0.0,
-            found: stop.start.motion_to_rest()?.at(0.99 * stop.t)?.direction(),
-            scale: 1.0,
-        })
+    trial.each(backwards, Stop::at, |stop| {
+        Ok([
+            0.0,
+            stop.start.motion_to_rest()?.at(0.99 * stop.t)?.direction(),
+            1.0,
+        ])
     })
 }
 

@@ -1,11 +1,11 @@
 //! Trials of whether friction keeps a particle at rest that begins so.
 
-use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Evidence;
+use crate::evidence::Subject::{self, Outside};
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::excepted::no_inside;
 use trialbook::claims::points::Points;
 
@@ -21,13 +21,9 @@ fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {
         .v[0])
 }
 
-fn is(truth: bool) -> f64 {
-    f64::from(u8::from(truth))
-}
-
 /// Whether it moves.
 fn moves(subject: Subject, compared: Compared, frictions: Vec<f64>) -> Evidence {
-    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    let trial = Trial::census(subject, compared);
     trial.over(frictions, |lambda| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);
         Ok(Pair {
@@ -53,15 +49,6 @@ pub fn census() -> Evidence {
     moves(Subject::Within, compared, frictions)
 }
 
-/// λ = 1, with 𝐀 of any size.
-pub fn outside() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lambda\le1$ (1 if so)",
-        "whether a particle that begins at rest moves",
-    );
-    moves(Subject::Outside, compared, vec![1.0; 20])
-}
-
 /// λ < 1: as fast as the law along the line has it.
 pub fn velocity() -> Evidence {
     let compared = Compared::one(
@@ -80,19 +67,23 @@ pub fn velocity() -> Evidence {
     })
 }
 
-/// What is excepted.
-pub fn critical() -> Evidence {
-    no_inside(
+pub(super) const TRIALS: &[Attempt] = trials![
+    census,
+    velocity,
+    // λ = 1, with 𝐀 of any size.
+    outside = moves(
+        Outside,
         Compared::one(
-            "whether a friction meets the condition (1 if so)",
-            r"the expectation that only $\lambda=1$ does not",
-        )
-        .over("random ones, that one, and some close to it"),
-        ["λ"],
-        [[0.0, 2.0]],
+            r"whether $\lambda\le1$ (1 if so)",
+            "whether a particle that begins at rest moves",
+        ),
+        vec![1.0; 20]
+    ),
+    critical = no_inside(
+        "a friction",
+        r"$\lambda=1$",
+        [("λ", [0.0, 2.0])],
         &[[1.0]],
         |[lambda]| lambda != 1.0,
     )
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![census, velocity, outside, critical];
+];

@@ -3,7 +3,8 @@
 
 use super::launches::{Turn, straight, turns, turns_where};
 use crate::claims::tolerances::DIFFERENCES;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Outside, Within};
+use crate::evidence::{Evidence, Route};
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
@@ -19,52 +20,9 @@ fn rates(compared: Compared, reading: Reading) -> Evidence {
     let trial = Trial::by(Route::Integration, Subject::Printed, compared, DIFFERENCES);
     // Later, the time itself is too coarse for differences.
     let turning = turns_where(|turn| turn.v > 0.01 * turn.v0).map(|turn| turn.copied());
-    trial.over(turning.chain(straight()), |turn| {
-        let turn = turn?;
+    trial.each(turning.chain(straight()), Turn::at, |turn| {
         let [stated, found, scale] = reading(&turn);
-        Ok(Pair {
-            at: turn.at(),
-            stated,
-            found,
-            scale: scale * turn.a * (1.0 + turn.lambda),
-        })
-    })
-}
-
-/// (6) with the motion.
-pub fn eq6_motion() -> Evidence {
-    rates(
-        Compared::one("(6)", r"$\mathrm dv_x/\mathrm dt$ of the motion"),
-        |turn| {
-            let rate = printed::eq6_vx_rate(turn.lambda, turn.a, turn.theta);
-            [rate, turn.rate[0], 1.0]
-        },
-    )
-}
-
-/// (7) with the motion.
-fn eq7_motion() -> Evidence {
-    rates(
-        Compared::one("(7)", r"$\mathrm dv_y/\mathrm dt$ of the motion"),
-        |turn| {
-            let rate = printed::eq7_vy_rate(turn.lambda, turn.a, turn.theta);
-            [rate, turn.rate[1], 1.0]
-        },
-    )
-}
-
-/// (8) with the motion, as an angle, so that an infinite slope is one like any other.
-fn eq8_motion() -> Evidence {
-    let compared = Compared::one(
-        "the angle whose tangent is (8)",
-        r"that of $(\mathrm dv_x,\mathrm dv_y)$ of the motion, up to half turns",
-    );
-    rates(compared, |turn| {
-        let slope = printed::eq8_hodograph_slope(turn.lambda, turn.theta);
-        let [x, y] = turn.rate;
-        let found = libm::atan2(y, x);
-        let off = libm::remainder(libm::atan(slope) - found, std::f64::consts::PI);
-        [found + off, found, 1.0 / libm::hypot(x, y)]
+        Ok([stated, found, scale * turn.a * (1.0 + turn.lambda)])
     })
 }
 
@@ -75,7 +33,7 @@ fn eq8_outside() -> Evidence {
         "the change of the velocity in half a unit of time",
     );
     let mut points = Points::stream(15);
-    Trial::motion(Subject::Outside, compared).over(0..20, |_| {
+    Trial::motion(Outside, compared).over(0..20, |_| {
         let (a, v0) = (points.uniform(0.5, 2.0), points.uniform(0.5, 2.0));
         let launch = Turn::launch(1.0, a, v0, 0.0);
         let end = launch.motion(0.5)?.at(0.5)?;
@@ -94,17 +52,15 @@ fn eq9_quadrature() -> Evidence {
         r"the exponential of the integral of (9) over $\theta$",
         "$v/v_0$ of the motion",
     );
-    Trial::quadrature(Subject::Within, compared).over(turns_where(Turn::is_gentle), |turn| {
-        let turn = turn?;
+    Trial::quadrature(Within, compared).each(turns_where(Turn::is_gentle), Turn::at, |turn| {
         let rate = |theta| printed::eq9_log_speed_rate(turn.lambda, theta);
         let log_ratio = turn.integral(rate, 1e-13 * turn.condition());
         let found = turn.v / turn.v0;
-        Ok(Pair {
-            at: turn.at(),
-            stated: libm::exp(log_ratio.unwrap_or(f64::NAN)),
+        Ok([
+            libm::exp(log_ratio.unwrap_or(f64::NAN)),
             found,
-            scale: found * turn.condition(),
-        })
+            found * turn.condition(),
+        ])
     })
 }
 
@@ -114,17 +70,11 @@ fn eq9_outside() -> Evidence {
         r"the exponential of (9) with $\mathrm d\theta=0$",
         "$v/v_0$ of the motion half a unit of time after the launch",
     );
-    Trial::motion(Subject::Outside, compared).over(straight(), |turn| {
-        let turn = turn?;
+    Trial::motion(Outside, compared).each(straight(), Turn::at, |turn| {
         let found = turn.v / turn.v0;
         let exponent =
             printed::eq9_log_speed_rate(turn.lambda, turn.theta) * (turn.theta - turn.theta0);
-        Ok(Pair {
-            at: turn.at(),
-            stated: libm::exp(exponent),
-            found,
-            scale: found,
-        })
+        Ok([libm::exp(exponent), found, found])
     })
 }
 
@@ -143,25 +93,13 @@ fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
     })
 }
 
-/// (10) for θ > 0.
-fn eq10_motion() -> Evidence {
-    eq10(Subject::Within, |turn| turn.theta0 > 0.0)
-}
-
-/// (10) for θ < 0, with friction.
-fn eq10_outside() -> Evidence {
-    eq10(Subject::Outside, |turn| {
-        turn.theta0 < 0.0 && turn.lambda > 0.0
-    })
-}
-
 /// (11) with the speed of the motion.
 fn eq11_motion() -> Evidence {
     let compared = Compared::one(
         "(11)",
         r"the speed of the motion when it has turned to $\theta$",
     );
-    Trial::motion(Subject::Within, compared).over(turns(), |turn| {
+    Trial::motion(Within, compared).over(turns(), |turn| {
         let turn = turn?;
         let speed = turn.formula(printed::eq11_speed);
         Ok(Pair::wide(turn.at(), speed, turn.v).within(turn.v * turn.condition()))
@@ -174,7 +112,7 @@ fn eq11_quadrature() -> Evidence {
         "(11)",
         r"$v_0\exp\int\mathrm dv/v$, with $\mathrm dv/v$ from the two components of Newton's law",
     );
-    Trial::quadrature(Subject::Within, compared).over(turns_where(Turn::is_gentle), |turn| {
+    Trial::quadrature(Within, compared).over(turns_where(Turn::is_gentle), |turn| {
         let turn = turn?;
         // Along and across the velocity, with A along x: dv/dt = A cos θ − λA, v dθ/dt = −A sin θ.
         let rate = |theta: f64| -(Scalar::cos(theta) - turn.lambda) / Scalar::sin(theta);
@@ -191,7 +129,7 @@ fn eq11_outside() -> Evidence {
         r"(11) at $\theta=\theta_0$",
         "the speed of the motion half a unit of time after the launch",
     );
-    Trial::motion(Subject::Outside, compared).over(straight(), |turn| {
+    Trial::motion(Outside, compared).over(straight(), |turn| {
         let turn = &turn?;
         let speed = turn.formula(printed::eq11_speed);
         Ok(Pair::wide(turn.at(), speed, turn.v))
@@ -199,14 +137,39 @@ fn eq11_outside() -> Evidence {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq6_motion,
-    eq7_motion,
-    eq8_motion,
+    eq6_motion = rates(
+        Compared::one("(6)", r"$\mathrm dv_x/\mathrm dt$ of the motion"),
+        |turn| {
+            let rate = printed::eq6_vx_rate(turn.lambda, turn.a, turn.theta);
+            [rate, turn.rate[0], 1.0]
+        },
+    ),
+    eq7_motion = rates(
+        Compared::one("(7)", r"$\mathrm dv_y/\mathrm dt$ of the motion"),
+        |turn| {
+            let rate = printed::eq7_vy_rate(turn.lambda, turn.a, turn.theta);
+            [rate, turn.rate[1], 1.0]
+        },
+    ),
+    // (8) with the motion, as an angle, so that an infinite slope is one like any other.
+    eq8_motion = rates(
+        Compared::one(
+            "the angle whose tangent is (8)",
+            r"that of $(\mathrm dv_x,\mathrm dv_y)$ of the motion, up to half turns",
+        ),
+        |turn| {
+            let slope = printed::eq8_hodograph_slope(turn.lambda, turn.theta);
+            let [x, y] = turn.rate;
+            let found = libm::atan2(y, x);
+            let off = libm::remainder(libm::atan(slope) - found, std::f64::consts::PI);
+            [found + off, found, 1.0 / libm::hypot(x, y)]
+        }
+    ),
     eq8_outside,
     eq9_quadrature,
     eq9_outside,
-    eq10_motion,
-    eq10_outside,
+    eq10_motion = eq10(Within, |turn| turn.theta0 > 0.0),
+    eq10_outside = eq10(Outside, |turn| { turn.theta0 < 0.0 && turn.lambda > 0.0 }),
     eq11_motion,
     eq11_quadrature,
     eq11_outside

@@ -3,7 +3,7 @@
 //! are right too is not known here.
 
 use super::launches::Turn;
-use crate::claims::tolerances::{FOREIGN, MOTION};
+use crate::claims::tolerances::FOREIGN;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
 use crate::numerics::double::Double;
@@ -165,7 +165,7 @@ pub fn law() -> Evidence {
         r"(1), with $g\sin\beta$ against the slope for $\bm A$ and $g\cos\beta$ for $g$, as the component down the slope plus twice that across,",
         "the same sum for weight, normal force and friction",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(716);
     trial.over(0..200, |_| {
         let incline = Incline::any(&mut points);
@@ -223,7 +223,7 @@ pub fn forces() -> Evidence {
         "(6) plus twice (7)",
         "the same sum of the components of weight, normal force and friction",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(13);
     trial
         .over(0..1000, |_| {

@@ -441,6 +441,13 @@ pub struct Stop {
     pub t: f64,
 }
 
+impl Stop {
+    /// Its start in the paper's symbols.
+    pub fn at(&self) -> String {
+        self.start.at()
+    }
+}
+
 /// Launches with λ > 1, from both ends of the angles and from friction just above the critical one, to rest.
 pub fn stops() -> impl Iterator<Item = Result<&'static Stop, Failure>> {
     static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));

@@ -6,7 +6,7 @@ use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Motion, Plane, Signal, State, run};
 use std::f64::consts::TAU;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 /// Periods, or as many units of time on an incline.
@@ -56,14 +56,14 @@ pub fn turns() -> Evidence {
         "0 for a constant pull, 1 for a sine",
         "whether the sense of sliding changes more than once (1 if so)",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(723);
     trial.over(0..60, |i| {
         let (driven, at, motion) = motion(&mut points, i)?;
         Ok(Pair {
             at,
-            stated: f64::from(u8::from(driven)),
-            found: f64::from(u8::from(senses(&motion)?.len() > 2)),
+            stated: is(driven),
+            found: is(senses(&motion)?.len() > 2),
             scale: 1.0,
         })
     })

@@ -40,19 +40,14 @@ fn eq12_quadrature() -> Evidence {
         Subject::Within,
         Compared::one(r"the integral of (12) over $\theta$", "$At$ of the motion"),
     );
-    trial.over(
+    trial.each(
         turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
+        Turn::at,
         |turn| {
-            let turn = turn?;
             let found = turn.a * turn.t;
             let enough = 1e-14 * turn.condition() * found;
             let stated = turn.integral(|theta| eq12_rate(turn, theta), enough);
-            Ok(Pair {
-                at: turn.at(),
-                stated: stated.unwrap_or(f64::NAN),
-                found,
-                scale: found,
-            })
+            Ok([stated.unwrap_or(f64::NAN), found, found])
         },
     )
 }
@@ -68,15 +63,9 @@ fn eq12_outside() -> Evidence {
     );
     let wanted =
         |turn: &Turn| turn.lambda == 0.0 || turn.lambda.fract() != 0.0 && turn.theta0 < 0.0;
-    trial.over(turns_where(wanted), |turn| {
-        let turn = turn?;
+    trial.each(turns_where(wanted), Turn::at, |turn| {
         let found = -turn.v / Scalar::sin(turn.theta);
-        Ok(Pair {
-            at: turn.at(),
-            stated: eq12_rate(turn, turn.theta),
-            found,
-            scale: found.abs(),
-        })
+        Ok([eq12_rate(turn, turn.theta), found, found.abs()])
     })
 }
 
@@ -128,8 +117,7 @@ fn eq13_root() -> Evidence {
     let wanted = |turn: &Turn| {
         eq13_has_a_value(turn) && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle()
     };
-    trial.over(turns_where(wanted), |turn| {
-        let turn = turn?;
+    trial.each(turns_where(wanted), Turn::at, |turn| {
         let late =
             |theta| printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t;
         let (low, high) = (0.9 * turn.theta, turn.theta0);
@@ -137,12 +125,7 @@ fn eq13_root() -> Evidence {
         // What rounding, enlarged by 1/(1 − λ), leaves of the time leaves an angle open by dθ/dt.
         let slope = turn.v / (turn.a * Scalar::sin(turn.theta).abs());
         let open = turn.t * turn.condition() / (1.0 - turn.lambda).abs().min(1.0);
-        Ok(Pair {
-            at: turn.at(),
-            stated,
-            found: turn.theta,
-            scale: turn.theta.abs().max(open / slope),
-        })
+        Ok([stated, turn.theta, turn.theta.abs().max(open / slope)])
     })
 }
 
@@ -152,14 +135,6 @@ fn eq13_singular() -> Evidence {
         .over(r"$\lambda=1$ or $\cos\theta_0=-\lambda$");
     let singular = turns_where(|turn| !eq13_has_a_value(turn));
     eq13_outside(compared, singular.map(|turn| turn.copied()))
-}
-
-/// (13) along the line of the acceleration.
-pub fn eq13_straight() -> Evidence {
-    eq13_outside(
-        Compared::one("(13)", "the time of the motion").over(r"$\theta_0=0$ or $\pi$"),
-        straight(),
-    )
 }
 
 fn eq13_outside<E: std::fmt::Display + Into<Failure>>(
@@ -225,14 +200,8 @@ fn eq14_outside() -> Evidence {
             "the speed of the motion",
         ),
     );
-    trial.over(super::launches::turns_to_the_gap(), |turn| {
-        let turn = &turn?;
-        Ok(Pair {
-            at: turn.at(),
-            stated: eq14::<f64>(turn),
-            found: turn.v,
-            scale: turn.v,
-        })
+    trial.each(super::launches::turns_to_the_gap(), Turn::at, |turn| {
+        Ok([eq14::<f64>(turn), turn.v, turn.v])
     })
 }
 
@@ -243,14 +212,12 @@ pub fn regular_time() -> Evidence {
         "that of the motion",
     );
     let trial = Trial::motion(Subject::Corrected, compared);
-    trial.over(turns(), |turn| {
-        let turn = turn?;
-        Ok(Pair {
-            at: turn.at(),
-            stated: regular(turn, turn.ln_fall()),
-            found: turn.t,
-            scale: turn.t * turn.condition(),
-        })
+    trial.each(turns(), Turn::at, |turn| {
+        Ok([
+            regular(turn, turn.ln_fall()),
+            turn.t,
+            turn.t * turn.condition(),
+        ])
     })
 }
 
@@ -263,14 +230,12 @@ fn regular(turn: &Turn, ln_r: f64) -> f64 {
 fn regular_late() -> Evidence {
     let compared = Compared::one("the regular form of the time", "that of the motion")
         .over("turns to a hundredth of the angle down to $10^{-80}$");
-    Trial::motion(Subject::Corrected, compared).over(late_turns(), |turn| {
-        let turn = turn?;
-        Ok(Pair {
-            at: turn.at(),
-            stated: regular(turn, turn.ln_fall()),
-            found: turn.t,
-            scale: turn.t * turn.condition(),
-        })
+    Trial::motion(Subject::Corrected, compared).each(late_turns(), Turn::at, |turn| {
+        Ok([
+            regular(turn, turn.ln_fall()),
+            turn.t,
+            turn.t * turn.condition(),
+        ])
     })
 }
 
@@ -280,15 +245,17 @@ fn regular_speed_by_log() -> Evidence {
         r"the regular form of the speed, by $\ln r$,",
         "that of the motion",
     );
-    Trial::motion(Subject::Corrected, compared).over(late_turns().chain(turns()), |turn| {
-        let turn = turn?;
-        Ok(Pair {
-            at: turn.at(),
-            stated: corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
-            found: turn.v,
-            scale: turn.v.max(turn.v0) * turn.condition(),
-        })
-    })
+    Trial::motion(Subject::Corrected, compared).each(
+        late_turns().chain(turns()),
+        Turn::at,
+        |turn| {
+            Ok([
+                corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
+                turn.v,
+                turn.v.max(turn.v0) * turn.condition(),
+            ])
+        },
+    )
 }
 
 /// The regular forms solved for the angle at a time.
@@ -299,16 +266,14 @@ fn regular_angle() -> Evidence {
     );
     let trial = Trial::by(Route::Root, Subject::Corrected, compared, ROOT);
     let wanted = |turn: &Turn| turn.lambda <= 1.0 && turn.is_gentle();
-    trial.over(turns_where(wanted), |turn| {
-        let turn = turn?;
+    trial.each(turns_where(wanted), Turn::at, |turn| {
         let ln_r = root(|ln_r| regular(turn, ln_r) - turn.t, -100.0, 0.0).unwrap_or(f64::NAN);
         let [sine, cosine] = corrected::half_angle(turn.theta0, libm::exp(ln_r));
-        Ok(Pair {
-            at: turn.at(),
-            stated: 2.0 * libm::atan2(sine, cosine),
-            found: turn.theta,
-            scale: turn.theta0.abs(),
-        })
+        Ok([
+            2.0 * libm::atan2(sine, cosine),
+            turn.theta,
+            turn.theta0.abs(),
+        ])
     })
 }
 
@@ -344,15 +309,13 @@ pub fn regular_straight() -> Evidence {
 fn regular_speed() -> Evidence {
     let compared = Compared::one("the regular form of the speed", "that of the motion");
     let trial = Trial::motion(Subject::Corrected, compared);
-    trial.over(turns(), |turn| {
-        let turn = turn?;
+    trial.each(turns(), Turn::at, |turn| {
         let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
-        Ok(Pair {
-            at: turn.at(),
-            stated: corrected::speed(turn.lambda, turn.v0, turn.theta0, r),
-            found: turn.v,
-            scale: turn.v * turn.condition(),
-        })
+        Ok([
+            corrected::speed(turn.lambda, turn.v0, turn.theta0, r),
+            turn.v,
+            turn.v * turn.condition(),
+        ])
     })
 }
 
@@ -366,7 +329,10 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq13_quadrature,
     eq13_root,
     eq13_singular,
-    eq13_straight,
+    eq13_straight = eq13_outside(
+        Compared::one("(13)", "the time of the motion").over(r"$\theta_0=0$ or $\pi$"),
+        straight(),
+    ),
     regular_time,
     regular_late,
     regular_angle,

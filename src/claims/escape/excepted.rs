@@ -1,10 +1,9 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
-use super::trajectories::{a, alpha, flights, relaxed};
-use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
+use super::trajectories::{Flight, Relaxed, a, alpha, flights, relaxed};
+use crate::evidence::{Evidence, Subject};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::compare::{Compared, Trial, is};
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {
@@ -13,16 +12,10 @@ pub fn escaping() -> Evidence {
         "whether $A$ of the motion exceeds $10^4$ (1 if so)",
     )
     .over("random starts with $A>1$ that do not come straight in");
-    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
+    let trial = Trial::census(Subject::Excepted, compared);
     let beyond = flights().filter(|flight| flight.as_ref().map_or(true, |f| f.launch.a > 1.0));
-    trial.over(beyond, |flight| {
-        let flight = flight?;
-        Ok(Pair {
-            at: flight.launch.at(),
-            stated: 1.0,
-            found: f64::from(u8::from(a(&flight.run.end()) > 1e4)),
-            scale: 1.0,
-        })
+    trial.each(beyond, Flight::at, |flight| {
+        Ok([1.0, is(a(&flight.run.end()) > 1e4), 1.0])
     })
 }
 
@@ -33,16 +26,10 @@ fn small_alpha() -> Evidence {
         r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",
     )
     .over(r"random starts with tiny $\alpha$ that do not come straight in");
-    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
-    trial.over(relaxed(), |relaxed| {
-        let relaxed = relaxed?;
+    let trial = Trial::census(Subject::Excepted, compared);
+    trial.each(relaxed(), Relaxed::at, |relaxed| {
         let near = alpha(&relaxed.state) < 1e-3 && relaxed.state.psi().abs() < 1e-3;
-        Ok(Pair {
-            at: relaxed.launch.at(),
-            stated: 1.0,
-            found: f64::from(u8::from(near)),
-            scale: 1.0,
-        })
+        Ok([1.0, is(near), 1.0])
     })
 }
 

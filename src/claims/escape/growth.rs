@@ -7,12 +7,13 @@
 use super::trajectories::{Escape, LATE, Late, a, alpha, escapes};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Corrected, Printed};
+use crate::evidence::{Evidence, Route, Tolerance};
 use crate::motion::turntable::Start;
 use crate::numerics::fit::fit;
 use crate::paper::escape as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Trial};
 
 /// What is followed: a number at a late moment of a motion.
 pub type Quantity = fn(&Late) -> f64;
@@ -157,413 +158,229 @@ pub fn corrected_lag() -> f64 {
     corrected::lag(LATE) * LATE
 }
 
-/// A stated limit against the limit of what the motion does.
-fn against(
-    subject: Subject,
+/// What is followed, with its name.
+pub type Named = (&'static str, Quantity);
+
+const SPEED: Named = (r"$p/\tau^2$", speed);
+const DISTANCE: Named = (r"$\rho/\tau^2$", distance);
+const WAY: Named = (r"$s/\tau^3$", way);
+/// What A is over its power of τ.
+pub const SIZE: Named = (r"$A/\tau^{3/2}$", size);
+const EXCESS: Named = (r"$\alpha-\frac12\ln\tau$", excess);
+const LAG: Named = (r"$(\pi/2-\psi)\tau$", lag);
+const ALPHA_BY_A: Named = (r"$\alpha-\frac13\ln A$", alpha_by_a);
+/// What α grows by, per unit of ln τ.
+pub const ALPHA_RATE: Named = (r"$\tau\,\mathrm d\alpha/\mathrm d\tau$", alpha_rate);
+const A_RATE: Named = (r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$", a_rate);
+const PRODUCT: Named = (r"$\cosh\alpha\cosh2\alpha/A$", product);
+const WINDING: Named = (
+    r"$\tau$ times the rate of turn about the axis, in the laboratory,",
+    winding,
+);
+
+/// What is stated and what is found for each escape.
+fn each(
     compared: Compared,
-    quantity: Quantity,
-    stated: impl Fn(&Escape) -> Result<f64, Failure>,
+    subject: Subject,
+    tolerance: Tolerance,
+    pair: impl Fn(&Escape) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
-    let trial = Trial::by(Route::Limit, subject, compared, ESCAPE_LIMIT);
-    trial.over(escapes(), |flight| {
-        let flight = flight?;
-        let found = limit(flight, quantity)?;
-        Ok(Pair {
-            at: flight.launch.at(),
-            // A formula of which there is no limit states nothing.
-            stated: stated(flight).unwrap_or(f64::NAN),
-            found: found.value,
-            scale: 1.0,
-        })
+    let trial = Trial::by(Route::Limit, subject, compared, tolerance);
+    trial.each(escapes(), Escape::at, |flight| {
+        let [stated, found] = pair(flight)?;
+        Ok([stated, found, 1.0])
+    })
+}
+
+const LATE_MOTION: &str = r" of the motion, for $\tau\to\infty$";
+
+/// A stated limit against the limit of what the motion does.
+pub fn limits(
+    stated: &'static str,
+    subject: Subject,
+    (name, quantity): Named,
+    value: f64,
+) -> Evidence {
+    let compared = Compared::composed([stated, "", ""], [name, LATE_MOTION, ""]);
+    each(compared, subject, ESCAPE_LIMIT, |flight| {
+        Ok([value, limit(flight, quantity)?.value])
+    })
+}
+
+/// The limit of a formula, evaluated along the motion; one that has none states nothing.
+fn followed(flight: &Escape, formula: Quantity) -> f64 {
+    limit(flight, formula).map_or(f64::NAN, |limit| limit.value)
+}
+
+/// The same of a formula that is followed along the motion.
+fn following(
+    stated: &'static str,
+    subject: Subject,
+    (name, quantity): Named,
+    formula: Quantity,
+) -> Evidence {
+    let compared = Compared::composed([stated, "", ""], [name, LATE_MOTION, ""]);
+    each(compared, subject, ESCAPE_LIMIT, |flight| {
+        let found = limit(flight, quantity)?.value;
+        Ok([followed(flight, formula), found])
     })
 }
 
 /// The limit of the ratio of an equation's sides, of which one is the motion's own, against 1.
-fn sides(compared: Compared, ratio: Quantity) -> Evidence {
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, ESCAPE_LIMIT);
-    trial.over(escapes(), |flight| {
-        let flight = flight?;
-        Ok(Pair {
-            at: flight.launch.at(),
-            stated: limit(flight, ratio).map_or(f64::NAN, |limit| limit.value),
-            found: 1.0,
-            scale: 1.0,
-        })
+fn sides(ratio: &'static str, formula: Quantity) -> Evidence {
+    let compared = Compared::composed([ratio, r", for $\tau\to\infty$,", ""], ["1", "", ""]);
+    each(compared, Printed, ESCAPE_LIMIT, |flight| {
+        Ok([followed(flight, formula), 1.0])
     })
 }
 
-/// A stated exponent against the exponent of what the motion does.
-fn powers(
+/// A stated exponent against that of what the motion does, of which a power of τ is taken out.
+fn exponents(
+    stated: &'static str,
     subject: Subject,
-    compared: Compared,
-    quantity: Quantity,
+    found: &'static str,
+    (_, quantity): Named,
     taken_out: f64,
     law: fn(f64) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Limit, subject, compared, ESCAPE_LIMIT);
-    trial.over(escapes(), |flight| {
-        let flight = flight?;
+    let compared = Compared::composed(
+        [r"the exponent of $\tau$ in ", stated, ""],
+        ["that in ", found, " of the motion"],
+    );
+    each(compared, subject, ESCAPE_LIMIT, |flight| {
         let (found, _) = exponent(flight, quantity)?;
-        Ok(Pair {
-            at: flight.launch.at(),
-            stated: libm::log(law(LATE) / law(1.0)) / libm::log(LATE),
-            found: found + taken_out,
-            scale: 1.0,
-        })
+        let stated = libm::log(law(LATE) / law(1.0)) / libm::log(LATE);
+        Ok([stated, found + taken_out])
     })
 }
 
 /// The coefficient of (ln τ)/τ, relative to the limit, against `power` times the delay of the law's own time.
-fn delays(compared: Compared, quantity: Quantity, power: f64) -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Subject::Corrected,
-        compared,
-        ESCAPE_CORRECTION,
+fn delays(stated: &'static str, (name, quantity): Named, power: f64) -> Evidence {
+    let compared = Compared::composed(
+        [stated, "", ""],
+        [
+            r"the coefficient of $(\ln\tau)/\tau$ in ",
+            name,
+            ", over the limit",
+        ],
     );
-    trial.over(escapes(), |flight| {
-        let flight = flight?;
+    each(compared, Corrected, ESCAPE_CORRECTION, |flight| {
         let found = limit(flight, quantity)?;
-        Ok(Pair {
-            at: flight.launch.at(),
-            stated: -power * corrected::delay::<f64>(),
-            found: found.log / found.value,
-            scale: 1.0,
-        })
+        let delay = corrected::delay::<f64>();
+        Ok([-power * delay, found.log / found.value])
     })
-}
-
-/// (128): τ dα/dτ.
-fn eq128_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$\tau$ times (128)",
-        r"$\tau\,\mathrm d\alpha/\mathrm d\tau$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, alpha_rate, |f| {
-        Ok(limit(f, eq128)?.value)
-    })
-}
-/// The same of what replaces it.
-fn corrected128_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$\tau(\sqrt2/\cosh2\alpha-\cosh\alpha/A)$",
-        r"$\tau\,\mathrm d\alpha/\mathrm d\tau$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, alpha_rate, |f| {
-        Ok(limit(f, corrected128)?.value)
-    })
-}
-/// (129): the ratio of its two sides.
-fn eq129_limit() -> Evidence {
-    let compared = Compared::one(r"$\cosh\alpha\cosh2\alpha/A$, for $\tau\to\infty$,", "1");
-    sides(compared, eq129)
-}
-/// The same of what replaces it.
-fn corrected129_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$3\sqrt2/4$",
-        r"$\cosh\alpha\cosh2\alpha/A$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, product, |_| {
-        Ok(corrected::product_over_a())
-    })
-}
-/// (130): what is added to ⅓ ln A.
-fn eq130_limit() -> Evidence {
-    let compared = Compared::one(
-        r"(130) less $\frac13\ln A$",
-        r"$\alpha-\frac13\ln A$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, alpha_by_a, |_| {
-        Ok(printed::eq130_alpha(LATE) - libm::log(LATE) / 3.0)
-    })
-}
-/// The same of what replaces it.
-fn corrected130_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$\frac13\ln(3\sqrt2)$",
-        r"$\alpha-\frac13\ln A$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, alpha_by_a, |_| {
-        Ok(corrected::alpha_by_a(LATE) - libm::log(LATE) / 3.0)
-    })
-}
-/// (131): the factor of A^(1/3).
-fn eq131_limit() -> Evidence {
-    let compared = Compared::one(
-        "(131) over $A^{1/3}$",
-        r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, a_rate, |_| {
-        Ok(printed::eq131_a_rate(LATE) / libm::cbrt(LATE))
-    })
-}
-/// The same of what replaces it.
-fn corrected131_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$\frac12(3\sqrt2)^{1/3}$",
-        r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, a_rate, |_| {
-        Ok(corrected::a_rate(LATE) / libm::cbrt(LATE))
-    })
-}
-/// (132): the prefactor.
-fn eq132_limit() -> Evidence {
-    let compared = Compared::one(
-        r"(132) over $\tau^{3/2}$",
-        r"$A/\tau^{3/2}$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, size, |_| Ok(printed_size()))
-}
-/// (132): the exponent.
-fn eq132_exponent() -> Evidence {
-    let compared = Compared::one(
-        r"the exponent of $\tau$ in (132)",
-        "that in $A$ of the motion",
-    );
-    powers(Subject::Printed, compared, size, 1.5, printed::eq132_a)
-}
-/// The prefactor of what replaces it.
-fn corrected132_limit() -> Evidence {
-    let compared = Compared::one(
-        "$2^{1/4}/3$",
-        r"$A/\tau^{3/2}$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, size, |_| Ok(corrected_size()))
-}
-/// Its first correction.
-fn corrected132_delay() -> Evidence {
-    let compared = Compared::one(
-        r"$-9\sqrt2/8$",
-        r"the coefficient of $(\ln\tau)/\tau$ in $A/\tau^{3/2}$, over the limit",
-    );
-    delays(compared, size, 1.5)
-}
-/// (133): what is added to ½ ln τ.
-fn eq133_limit() -> Evidence {
-    let compared = Compared::one(
-        r"(133) less $\frac12\ln\tau$",
-        r"$\alpha-\frac12\ln\tau$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, excess, |_| {
-        Ok(printed::eq133_alpha(LATE) - 0.5 * libm::log(LATE))
-    })
-}
-/// The same of what replaces it.
-fn corrected133_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$\frac12\ln\sqrt2$",
-        r"$\alpha-\frac12\ln\tau$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, excess, |_| {
-        Ok(corrected::alpha(LATE) - 0.5 * libm::log(LATE))
-    })
-}
-/// (134): the exponent of π/2 − ψ.
-fn eq134_exponent() -> Evidence {
-    let compared = Compared::one(
-        r"the exponent of $\tau$ in $\pi/2-\psi$ by (134)",
-        "that of the motion",
-    );
-    powers(Subject::Printed, compared, lag, -1.0, printed::eq134_lag)
-}
-/// (134) as a whole, late.
-fn eq134_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$(\pi/2-\psi)\tau$ by (134), at $\tau=10^8$,",
-        r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, lag, |_| {
-        Ok(printed::eq134_lag(LATE) * LATE)
-    })
-}
-/// The exponent of what replaces it.
-fn corrected134_exponent() -> Evidence {
-    let compared = Compared::constant(
-        "the stated $-1$",
-        r"the exponent of $\tau$ in $\pi/2-\psi$ of the motion",
-    );
-    powers(Subject::Corrected, compared, lag, -1.0, corrected::lag)
-}
-/// Its prefactor.
-fn corrected134_limit() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 2",
-        r"$(\pi/2-\psi)\tau$ of the motion, for $\tau\to\infty$,",
-    );
-    against(Subject::Corrected, compared, lag, |_| Ok(corrected_lag()))
-}
-/// Its first correction.
-fn corrected134_delay() -> Evidence {
-    let compared = Compared::one(
-        r"$3\sqrt2/4$",
-        r"the coefficient of $(\ln\tau)/\tau$ in $(\pi/2-\psi)\tau$, over the limit",
-    );
-    delays(compared, lag, -1.0)
-}
-/// (135): the prefactor.
-fn eq135_limit() -> Evidence {
-    let compared = Compared::one(
-        r"(135) over $\tau^2$",
-        r"$p/\tau^2$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, speed, |_| Ok(printed_speed()))
-}
-/// (135): the exponent.
-fn eq135_exponent() -> Evidence {
-    let compared = Compared::one(
-        r"the exponent of $\tau$ in (135)",
-        "that in $p$ of the motion",
-    );
-    powers(Subject::Printed, compared, speed, 2.0, printed::eq135_p)
-}
-/// The prefactor of what replaces it.
-fn corrected135_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$1/(3\sqrt2)$",
-        r"$p/\tau^2$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, speed, |_| {
-        Ok(corrected_speed())
-    })
-}
-/// Its first correction.
-fn corrected135_delay() -> Evidence {
-    let compared = Compared::one(
-        r"$-3\sqrt2/2$",
-        r"the coefficient of $(\ln\tau)/\tau$ in $p/\tau^2$, over the limit",
-    );
-    delays(compared, speed, 2.0)
-}
-/// (136): the prefactor.
-fn eq136_limit() -> Evidence {
-    let compared = Compared::one(
-        r"(136) over $\tau^2$",
-        r"$\rho/\tau^2$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, distance, |_| {
-        Ok(printed::eq136_rho(1.0))
-    })
-}
-/// (136): the exponent.
-fn eq136_exponent() -> Evidence {
-    let compared = Compared::one(
-        r"the exponent of $\tau$ in (136)",
-        r"that in $\rho$ of the motion",
-    );
-    powers(
-        Subject::Printed,
-        compared,
-        distance,
-        2.0,
-        printed::eq136_rho,
-    )
-}
-/// The prefactor of what replaces it.
-fn corrected136_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$1/(3\sqrt2)$",
-        r"$\rho/\tau^2$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, distance, |_| {
-        Ok(corrected_speed())
-    })
-}
-/// Its first correction.
-fn corrected136_delay() -> Evidence {
-    let compared = Compared::one(
-        r"$-3\sqrt2/2$",
-        r"the coefficient of $(\ln\tau)/\tau$ in $\rho/\tau^2$, over the limit",
-    );
-    delays(compared, distance, 2.0)
-}
-/// The turn of the spiral.
-fn winding_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$\sqrt2$",
-        r"$\tau$ times the rate at which the particle circles the axis in the laboratory, for $\tau\to\infty$",
-    );
-    against(Subject::Remark, compared, winding, |_| {
-        Ok(corrected::winding())
-    })
-}
-/// (137): the prefactor.
-fn eq137_limit() -> Evidence {
-    let compared = Compared::one(
-        r"(137) over $\tau^3$",
-        r"$s/\tau^3$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Printed, compared, way, |_| {
-        Ok(printed::eq137_s(1.0))
-    })
-}
-/// (137): the exponent.
-fn eq137_exponent() -> Evidence {
-    let compared = Compared::one(
-        r"the exponent of $\tau$ in (137)",
-        "that in $s$ of the motion",
-    );
-    powers(Subject::Printed, compared, way, 3.0, printed::eq137_s)
-}
-/// The prefactor of what replaces it.
-fn corrected137_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$1/(9\sqrt2)$",
-        r"$s/\tau^3$ of the motion, for $\tau\to\infty$",
-    );
-    against(Subject::Corrected, compared, way, |_| {
-        Ok(corrected::s(LATE) / libm::pow(LATE, 3.0))
-    })
-}
-/// Its first correction.
-fn corrected137_delay() -> Evidence {
-    let compared = Compared::one(
-        r"$-9\sqrt2/4$",
-        r"the coefficient of $(\ln\tau)/\tau$ in $s/\tau^3$, over the limit",
-    );
-    delays(compared, way, 3.0)
-}
-/// (138): the ratio of its two sides.
-fn eq138_limit() -> Evidence {
-    let compared = Compared::one(r"$(A^2/2)/s$, for $\tau\to\infty$,", "1");
-    sides(compared, eq138)
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq128_limit,
-    corrected128_limit,
-    eq129_limit,
-    corrected129_limit,
-    eq130_limit,
-    corrected130_limit,
-    eq131_limit,
-    corrected131_limit,
-    eq132_limit,
-    eq132_exponent,
-    corrected132_limit,
-    corrected132_delay,
-    eq133_limit,
-    corrected133_limit,
-    eq134_exponent,
-    eq134_limit,
-    corrected134_exponent,
-    corrected134_limit,
-    corrected134_delay,
-    eq135_limit,
-    eq135_exponent,
-    corrected135_limit,
-    corrected135_delay,
-    eq136_limit,
-    eq136_exponent,
-    corrected136_limit,
-    corrected136_delay,
-    winding_limit,
-    eq137_limit,
-    eq137_exponent,
-    corrected137_limit,
-    corrected137_delay,
-    eq138_limit
+    eq128_limit = following(r"$\tau$ times (128)", Printed, ALPHA_RATE, eq128),
+    corrected128_limit = following(
+        r"$\tau(\sqrt2/\cosh2\alpha-\cosh\alpha/A)$",
+        Corrected,
+        ALPHA_RATE,
+        corrected128
+    ),
+    eq129_limit = sides(r"$\cosh\alpha\cosh2\alpha/A$", eq129),
+    corrected129_limit = limits(
+        r"$3\sqrt2/4$",
+        Corrected,
+        PRODUCT,
+        corrected::product_over_a()
+    ),
+    eq130_limit = limits(
+        r"(130) less $\frac13\ln A$",
+        Printed,
+        ALPHA_BY_A,
+        printed::eq130_alpha(LATE) - libm::log(LATE) / 3.0
+    ),
+    corrected130_limit = limits(
+        r"$\frac13\ln(3\sqrt2)$",
+        Corrected,
+        ALPHA_BY_A,
+        corrected::alpha_by_a(LATE) - libm::log(LATE) / 3.0
+    ),
+    eq131_limit = limits(
+        "(131) over $A^{1/3}$",
+        Printed,
+        A_RATE,
+        printed::eq131_a_rate(LATE) / libm::cbrt(LATE)
+    ),
+    corrected131_limit = limits(
+        r"$\frac12(3\sqrt2)^{1/3}$",
+        Corrected,
+        A_RATE,
+        corrected::a_rate(LATE) / libm::cbrt(LATE)
+    ),
+    eq132_limit = limits(r"(132) over $\tau^{3/2}$", Printed, SIZE, printed_size()),
+    eq132_exponent = exponents("(132)", Printed, "$A$", SIZE, 1.5, printed::eq132_a),
+    corrected132_limit = limits("$2^{1/4}/3$", Corrected, SIZE, corrected_size()),
+    corrected132_delay = delays(r"$-9\sqrt2/8$", SIZE, 1.5),
+    eq133_limit = limits(
+        r"(133) less $\frac12\ln\tau$",
+        Printed,
+        EXCESS,
+        printed::eq133_alpha(LATE) - 0.5 * libm::log(LATE)
+    ),
+    corrected133_limit = limits(
+        r"$\frac12\ln\sqrt2$",
+        Corrected,
+        EXCESS,
+        corrected::alpha(LATE) - 0.5 * libm::log(LATE)
+    ),
+    eq134_exponent = exponents(
+        "(134)",
+        Printed,
+        r"$\pi/2-\psi$",
+        LAG,
+        -1.0,
+        printed::eq134_lag
+    ),
+    eq134_limit = limits(
+        r"(134) times $\tau$, at $\tau=10^8$,",
+        Printed,
+        LAG,
+        printed::eq134_lag(LATE) * LATE
+    ),
+    corrected134_exponent = exponents(
+        r"$2/\tau$",
+        Corrected,
+        r"$\pi/2-\psi$",
+        LAG,
+        -1.0,
+        corrected::lag
+    ),
+    corrected134_limit = limits("the stated 2", Corrected, LAG, corrected_lag()),
+    corrected134_delay = delays(r"$3\sqrt2/4$", LAG, -1.0),
+    eq135_limit = limits(r"(135) over $\tau^2$", Printed, SPEED, printed_speed()),
+    eq135_exponent = exponents("(135)", Printed, "$p$", SPEED, 2.0, printed::eq135_p),
+    corrected135_limit = limits(r"$1/(3\sqrt2)$", Corrected, SPEED, corrected_speed()),
+    corrected135_delay = delays(r"$-3\sqrt2/2$", SPEED, 2.0),
+    eq136_limit = limits(
+        r"(136) over $\tau^2$",
+        Printed,
+        DISTANCE,
+        printed::eq136_rho(1.0)
+    ),
+    eq136_exponent = exponents(
+        "(136)",
+        Printed,
+        r"$\rho$",
+        DISTANCE,
+        2.0,
+        printed::eq136_rho
+    ),
+    corrected136_limit = limits(r"$1/(3\sqrt2)$", Corrected, DISTANCE, corrected_speed()),
+    corrected136_delay = delays(r"$-3\sqrt2/2$", DISTANCE, 2.0),
+    winding_limit = limits(r"$\sqrt2$", Subject::Remark, WINDING, corrected::winding()),
+    eq137_limit = limits(r"(137) over $\tau^3$", Printed, WAY, printed::eq137_s(1.0)),
+    eq137_exponent = exponents("(137)", Printed, "$s$", WAY, 3.0, printed::eq137_s),
+    corrected137_limit = limits(
+        r"$1/(9\sqrt2)$",
+        Corrected,
+        WAY,
+        corrected::s(LATE) / libm::pow(LATE, 3.0)
+    ),
+    corrected137_delay = delays(r"$-9\sqrt2/4$", WAY, 3.0),
+    eq138_limit = sides("$(A^2/2)/s$", eq138),
 ];
 
 #[cfg(test)]

@@ -1,16 +1,15 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
-use super::growth::{Quantity, a_rate, lag, limit, size};
+use super::growth::{ALPHA_RATE, SIZE, a_rate, lag, limits, size};
 use super::straight::{StraightIn, beyond_one, time_to_stop};
 use super::trajectories::{
-    LATE, Launch, a, alpha, escapes, flights, other_escapes, other_flights, others_relaxed, rates,
-    relaxed, relaxed_ratios,
+    Escape, Flight, LATE, Launch, Relaxed, a, alpha, flights, other_escapes, other_flights,
+    others_relaxed, rates, relaxed, relaxed_ratios,
 };
-use crate::claims::tolerances::{
-    DIFFERENCES, ESCAPE_LIMIT, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED,
-};
+use crate::claims::tolerances::{DIFFERENCES, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED};
 use crate::corrections::escape as corrected;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Printed, Within};
+use crate::evidence::{Evidence, Route};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
@@ -18,28 +17,20 @@ use crate::motion::turntable::{Start, State, Table, rotating};
 use crate::paper::{escape as printed, turntable};
 use std::f64::consts::{FRAC_PI_2, PI};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::compare::{Compared, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
-/// (126) with the rate of α after ψ has relaxed, at α below a millionth.
-fn eq126_relaxed() -> Evidence {
-    let compared = Compared::one(
-        "(126)",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion, when $\psi$ has relaxed and $\alpha$ is below a millionth",
-    );
-    after_relaxing(Subject::Printed, compared)
-}
-
-fn after_relaxing(subject: Subject, compared: Compared) -> Evidence {
+/// (126) with the rate of α after ψ has relaxed.
+fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
+    const RATE: &str = r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed";
+    let compared = Compared::composed(["(126)", "", ""], [RATE, when, ""]);
     let trial = Trial::by(Route::Integration, subject, compared, RELAXED);
-    trial.over(relaxed(), |relaxed| {
-        let relaxed = relaxed?;
-        Ok(Pair {
-            at: relaxed.launch.at(),
-            stated: printed::eq126_alpha_rate(a(&relaxed.state)),
-            found: relaxed.alpha_rate,
-            scale: relaxed.alpha_rate.abs(),
-        })
+    trial.each(relaxed(), Relaxed::at, |relaxed| {
+        Ok([
+            printed::eq126_alpha_rate(a(&relaxed.state)),
+            relaxed.alpha_rate,
+            relaxed.alpha_rate.abs(),
+        ])
     })
 }
 
@@ -49,7 +40,7 @@ fn eq126_order() -> Evidence {
         "(126)",
         r"$\mathrm d\alpha/\mathrm d\tau$ of the motion from $\psi=\psi_1$, in units of $100(\alpha^2+\psi^2)$",
     );
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, FIRST_OMITTED);
+    let trial = Trial::by(Route::Limit, Printed, compared, FIRST_OMITTED);
     let mut points = Points::stream(607);
     trial.over(0..60, |_| {
         let alpha0 = points.log_uniform(1e-3, 3e-2);
@@ -72,30 +63,13 @@ fn eq126_order() -> Evidence {
     })
 }
 
-/// (127) and the statement: launches with A > 1 that have stopped, or not gone far, when τ = 300.
-fn above_one_census() -> Evidence {
-    above_one(
-        Subject::Printed,
-        Compared::constant(
-            "0 where (127) holds, and with itself elsewhere",
-            r"whether a launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
-        ),
-    )
-}
-
-/// The same under the condition that the start does not come straight in.
-fn above_one_within() -> Evidence {
-    above_one(
-        Subject::Within,
-        Compared::constant(
-            "0 where (127) holds, and with itself elsewhere",
-            r"whether a random launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
-        ),
-    )
-}
-
-fn above_one(subject: Subject, compared: Compared) -> Evidence {
-    let trial = Trial::by(Route::Census, subject, compared, NONE);
+/// (127): launches with A > 1 that have stopped, or not gone far, when τ = 300.
+fn above_one(subject: Subject) -> Evidence {
+    let compared = Compared::constant(
+        "0 where (127) holds, and with itself elsewhere",
+        r"whether a random launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
+    );
+    let trial = Trial::census(subject, compared);
     trial.over(launches_around_one(), |launch| {
         let found = stays(&Run::new(&launch.start()?, 300.0)?);
         Ok(Pair {
@@ -133,7 +107,7 @@ fn said_to_stay(a: f64, found: f64) -> f64 {
 /// 1 for a particle that is almost at rest at a moment, or near at the end, else 0.
 fn stays(run: &Run) -> f64 {
     let stops = run.nodes().any(|s| s.p() < 1e-9);
-    f64::from(u8::from(stops || run.end().rho() < 30.0))
+    is(stops || run.end().rho() < 30.0)
 }
 
 /// (127) where it decides: close to α = 0, the A at which rest gives way to escape.
@@ -143,7 +117,7 @@ fn eq127_root() -> Evidence {
         "the $A$ at which the motion passes from rest to escape",
     )
     .over(r"$\alpha=10^{-4}$");
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, NEAR_CORNER);
+    let trial = Trial::by(Route::Root, Printed, compared, NEAR_CORNER);
     let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
     trial.over(Points::stream(745).grid(angles), |psi| {
         let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
@@ -163,17 +137,15 @@ fn never_decreases_way() -> Evidence {
         "$A^2$ at the start, and more by $2s$,",
         "$A^2$ at the end, along the motion",
     );
-    let trial = Trial::motion(Subject::Printed, compared);
-    trial.over(flights(), |flight| {
-        let flight = flight?;
+    let trial = Trial::motion(Printed, compared);
+    trial.each(flights(), Flight::at, |flight| {
         let end = flight.run.end();
         let (before, found) = (flight.launch.a * flight.launch.a, end.parts.energy());
-        Ok(Pair {
-            at: flight.launch.at(),
-            stated: before + 2.0 * printed::s4_a_trend::<f64>() * end.s,
+        Ok([
+            before + 2.0 * printed::s4_a_trend::<f64>() * end.s,
             found,
-            scale: found,
-        })
+            found,
+        ])
     })
 }
 
@@ -183,17 +155,15 @@ fn never_decreases_census() -> Evidence {
         "1, for growth",
         r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    trial.over(other_flights(), |flight| {
-        let flight = flight?;
+    let trial = Trial::census(Printed, compared);
+    trial.each(other_flights(), Flight::at, |flight| {
         let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
         let end = flight.run.end();
-        Ok(Pair {
-            at: flight.launch.at(),
-            stated: printed::s4_a_trend(),
-            found: trend(&energies, [end.p(), alpha(&end), a(&end)]),
-            scale: 1.0,
-        })
+        Ok([
+            printed::s4_a_trend(),
+            trend(&energies, [end.p(), alpha(&end), a(&end)]),
+            1.0,
+        ])
     })
 }
 
@@ -216,15 +186,13 @@ fn small_alpha_angle() -> Evidence {
         r"$\psi_1$",
         r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
     );
-    let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
-    trial.over(others_relaxed(), |relaxed| {
-        let relaxed = relaxed?;
-        Ok(Pair {
-            at: relaxed.launch.at(),
-            stated: turntable::eq124_psi1(alpha(&relaxed.state)),
-            found: relaxed.state.psi(),
-            scale: 1.0,
-        })
+    let trial = Trial::by(Route::Limit, Within, compared, RELAXED);
+    trial.each(others_relaxed(), Relaxed::at, |relaxed| {
+        Ok([
+            turntable::eq124_psi1(alpha(&relaxed.state)),
+            relaxed.state.psi(),
+            1.0,
+        ])
     })
 }
 
@@ -235,18 +203,16 @@ pub fn relaxed_ratio() -> Evidence {
         r"$\psi$ of a motion in which the ratio $\psi/\psi_1$ has relaxed, $\alpha$ below a millionth",
     );
     let trial = Trial::by(Route::Limit, Subject::Remark, compared, RELAXED);
-    trial.over(relaxed_ratios(), |relaxed| {
-        let relaxed = relaxed?;
+    trial.each(relaxed_ratios(), Relaxed::at, |relaxed| {
         let (found, psi1) = (
             relaxed.state.psi(),
             turntable::eq124_psi1(alpha(&relaxed.state)),
         );
-        Ok(Pair {
-            at: relaxed.launch.at(),
-            stated: corrected::relaxed_ratio(a(&relaxed.state)) * psi1,
+        Ok([
+            corrected::relaxed_ratio(a(&relaxed.state)) * psi1,
             found,
-            scale: found,
-        })
+            found,
+        ])
     })
 }
 
@@ -266,15 +232,6 @@ fn relaxed_ratio_rate() -> Evidence {
     })
 }
 
-/// (126) at the same states.
-fn small_alpha_rate() -> Evidence {
-    let compared = Compared::one(
-        "(126)",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed after a start with $\alpha<10^{-11}$",
-    );
-    after_relaxing(Subject::Within, compared)
-}
-
 /// ψ when a particle that comes straight in has almost stopped.
 fn small_alpha_straight() -> Evidence {
     let compared = Compared::one(
@@ -282,77 +239,15 @@ fn small_alpha_straight() -> Evidence {
         r"$\psi$ of a motion that comes straight in, when $\alpha$ has fallen below a ten-thousandth",
     );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, RELAXED);
-    trial.over(beyond_one(), |straight| {
-        let straight = straight?;
+    trial.each(beyond_one(), StraightIn::at, |straight| {
         let state = straight.with_alpha_below(1e-4);
-        Ok(Pair {
-            at: straight.at(),
-            stated: turntable::eq124_psi1(alpha(&state)),
-            found: state.psi(),
-            scale: 1.0,
-        })
+        Ok([turntable::eq124_psi1(alpha(&state)), state.psi(), 1.0])
     })
 }
 
-/// The growth of A from A > 1: its limit over τ^(3/2).
-fn a_grows() -> Evidence {
-    grows(
-        Compared::one("$2^{1/4}/3$", r"the limit of $A/\tau^{3/2}$"),
-        size,
-        corrected::a(1.0),
-        Subject::Within,
-    )
-}
-
-/// (130) as a ratio: what it has before ln A.
-fn alpha_by_a_grows() -> Evidence {
-    let law = printed::eq130_alpha::<f64>;
-    grows(
-        Compared::one(
-            r"the factor that (130) has before $\ln A$",
-            r"the limit of $\mathrm d\alpha/\mathrm d\ln A$",
-        ),
-        |l| l.alpha_rate * size(l) / a_rate(l),
-        (law(LATE) - law(1.0)) / libm::log(LATE),
-        Subject::Printed,
-    )
-}
-
-/// That ψ → π/2, as (134) has it.
-fn psi_goes_upright() -> Evidence {
-    grows(
-        Compared::one("the limit of (134)", r"that of $\psi$"),
-        |l| FRAC_PI_2 - lag(l),
-        FRAC_PI_2 - printed::eq134_lag(LATE * LATE),
-        Subject::Printed,
-    )
-}
-
-/// The growth of α from A > 1: its limit over ln τ.
-pub fn alpha_grows() -> Evidence {
-    let law = printed::eq133_alpha::<f64>;
-    grows(
-        Compared::one(
-            r"the factor of $\ln\tau$ in (133)",
-            r"the limit of $\tau\,\mathrm d\alpha/\mathrm d\tau$",
-        ),
-        |l| l.tau * l.alpha_rate,
-        (law(LATE) - law(1.0)) / libm::log(LATE),
-        Subject::Printed,
-    )
-}
-
-fn grows(compared: Compared, quantity: Quantity, stated: f64, subject: Subject) -> Evidence {
-    let trial = Trial::by(Route::Limit, subject, compared, ESCAPE_LIMIT);
-    trial.over(escapes(), |escape| {
-        let escape = escape?;
-        Ok(Pair {
-            at: escape.launch.at(),
-            stated,
-            found: limit(escape, quantity)?.value,
-            scale: 1.0,
-        })
-    })
+/// What a law of the logarithm has before it.
+fn factor(law: fn(f64) -> f64) -> f64 {
+    (law(LATE) - law(1.0)) / libm::log(LATE)
 }
 
 /// Decades of τ over which α grows.
@@ -361,19 +256,13 @@ fn alpha_census() -> Evidence {
         r"the number of decades of $\tau$ from 100 to $10^8$ over which $\alpha$ of (133) grows by more than 1",
         r"that of those over which $\alpha$ of the motion does",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Printed, compared);
     let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
-    trial.over(other_escapes(), |escape| {
-        let escape = escape?;
+    trial.each(other_escapes(), Escape::at, |escape| {
         let stated: Vec<f64> = times().map(printed::eq133_alpha).collect();
         let found: Result<Vec<_>, MotionError> =
             times().map(|tau| Ok(alpha(&escape.run.at(tau)?))).collect();
-        Ok(Pair {
-            at: escape.launch.at(),
-            stated: grown(&stated) as f64,
-            found: grown(&found?) as f64,
-            scale: 1.0,
-        })
+        Ok([grown(&stated) as f64, grown(&found?) as f64, 1.0])
     })
 }
 
@@ -389,14 +278,8 @@ fn straight_stops() -> Evidence {
         "the number of stops of a particle that comes straight in from $A>1$",
     );
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
-    trial.over(beyond_one(), |straight| {
-        let straight = straight?;
-        Ok(Pair {
-            at: straight.at(),
-            stated: 0.0,
-            found: table_stops(straight)? as f64,
-            scale: 1.0,
-        })
+    trial.each(beyond_one(), StraightIn::at, |straight| {
+        Ok([0.0, table_stops(straight)? as f64, 1.0])
     })
 }
 
@@ -406,16 +289,14 @@ fn above_one_straight() -> Evidence {
         "whether (127) holds at the start (1 if so, for an escape)",
         "what becomes of a particle that comes straight in (0 if it stops)",
     );
-    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
-    trial.over(beyond_one(), |straight| {
-        let straight = straight?;
+    let trial = Trial::census(Subject::Outside, compared);
+    trial.each(beyond_one(), StraightIn::at, |straight| {
         let start = libm::sqrt((straight.rho - straight.p) * (straight.rho + straight.p));
-        Ok(Pair {
-            at: straight.at(),
-            stated: f64::from(u8::from(start > printed::eq127_least_a())),
-            found: f64::from(u8::from(table_stops(straight)? == 0)),
-            scale: 1.0,
-        })
+        Ok([
+            is(start > printed::eq127_least_a()),
+            is(table_stops(straight)? == 0),
+            1.0,
+        ])
     })
 }
 
@@ -447,40 +328,52 @@ fn straight_rate() -> Evidence {
         compared,
         DIFFERENCES,
     );
-    trial.over(beyond_one(), |straight| {
-        let straight = straight?;
+    trial.each(beyond_one(), StraightIn::at, |straight| {
         let state = straight.with_alpha_below(1e-5);
         let time = time_to_stop(&state);
         let run = Run::new(&state.parts, 0.5 * time)?;
         let [rate] = rates(0.25 * time, 1e-2 * time, |t| Ok([alpha(&run.at(t)?)]))?;
         let stated = crate::corrections::rest::alpha_rate_straight_in(state.rho());
-        Ok(Pair {
-            at: straight.at(),
-            stated,
-            found: rate,
-            scale: rate.abs(),
-        })
+        Ok([stated, rate, rate.abs()])
     })
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq126_relaxed,
+    eq126_relaxed = after_relaxing(Printed, r" and $\alpha$ is below a millionth"),
     eq126_order,
-    above_one_census,
+    above_one_census = above_one(Printed),
     eq127_root,
     above_one_straight,
-    alpha_by_a_grows,
-    alpha_grows,
-    psi_goes_upright,
+    alpha_by_a_grows = limits(
+        r"the factor that (130) has before $\ln A$",
+        Printed,
+        (r"$\mathrm d\alpha/\mathrm d\ln A$", |l| {
+            l.alpha_rate * size(l) / a_rate(l)
+        }),
+        factor(printed::eq130_alpha)
+    ),
+    alpha_grows = limits(
+        r"the factor of $\ln\tau$ in (133)",
+        Printed,
+        ALPHA_RATE,
+        factor(printed::eq133_alpha)
+    ),
+    psi_goes_upright = limits(
+        "the limit of (134)",
+        Printed,
+        (r"$\psi$", |l| FRAC_PI_2 - lag(l)),
+        FRAC_PI_2 - printed::eq134_lag(LATE * LATE)
+    ),
     never_decreases_way,
     never_decreases_census,
     small_alpha_angle,
-    small_alpha_rate,
+    small_alpha_rate = after_relaxing(Within, r" after a start with $\alpha<10^{-11}$"),
     small_alpha_straight,
     relaxed_ratio,
     relaxed_ratio_rate,
-    above_one_within,
-    a_grows,
+    // Under the condition that the start does not come straight in.
+    above_one_within = above_one(Within),
+    a_grows = limits("$2^{1/4}/3$", Within, SIZE, corrected::a(1.0)),
     straight_stops,
     straight_rate,
     alpha_census

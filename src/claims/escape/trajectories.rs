@@ -47,6 +47,11 @@ pub struct Flight {
 }
 
 impl Flight {
+    /// Its start in the paper's symbols.
+    pub fn at(&self) -> String {
+        self.launch.at()
+    }
+
     /// Follows a launch to the time `until`, or to its rest.
     ///
     /// # Errors
@@ -108,6 +113,13 @@ pub struct Escape {
     pub run: Run,
     /// The late moments.
     pub late: Vec<Late>,
+}
+
+impl Escape {
+    /// Its start in the paper's symbols.
+    pub fn at(&self) -> String {
+        self.launch.at()
+    }
 }
 
 /// Escapes from A > 1.
@@ -192,6 +204,13 @@ pub struct Relaxed {
     pub state: Intrinsic,
     /// dα/dτ there.
     pub alpha_rate: f64,
+}
+
+impl Relaxed {
+    /// Its start in the paper's symbols.
+    pub fn at(&self) -> String {
+        self.launch.at()
+    }
 }
 
 /// Launches with tiny α and any ψ but near π, with the state when ψ has relaxed: for A > 1, where α grows meanwhile

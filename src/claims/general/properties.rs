@@ -13,19 +13,15 @@ use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, r
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 /// μ and g of unit friction, without rounding.
 const UNIT: [f64; 2] = [0.5, 2.0];
 
-const fn census(subject: Subject, compared: Compared) -> Trial {
-    Trial::by(Route::Census, subject, compared, NONE)
-}
-
 /// Whether something is so by the claim, and by the motion.
 fn whether(at: String, stated: bool, found: bool) -> Pair {
-    let [stated, found] = [stated, found].map(|is| f64::from(u8::from(is)));
+    let [stated, found] = [stated, found].map(is);
     Pair {
         at,
         stated,
@@ -57,7 +53,7 @@ fn stops_census() -> Evidence {
     )
     .over(r"where, above $\mu g$, $\bm A$ is constant, against the velocity");
     let weak = bounded(21, 0.95).map(|case| (0.95, case));
-    census(Subject::Printed, compared).over(weak.chain(pulled_along()), |(largest, case)| {
+    Trial::census(Subject::Printed, compared).over(weak.chain(pulled_along()), |(largest, case)| {
         let stops = unlike_a_stop(&case)? == 0;
         Ok(whether(case.name, largest < stops_below(), stops))
     })
@@ -123,7 +119,7 @@ fn rest_census() -> Evidence {
         r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
         "whether no rest lasts longer than a period",
     );
-    census(Subject::Within, compared).over(returning(), |returning| {
+    Trial::census(Subject::Within, compared).over(returning(), |returning| {
         let Returning {
             name,
             size,
@@ -217,7 +213,7 @@ fn grows_census() -> Evidence {
         r"whether $\lvert\bm A\rvert>\mu g$ at all times (1 if so)",
         "whether the speed grows on every step from $t=200$ to 400",
     );
-    census(Subject::Within, compared).over(pulled(), |pulled| {
+    Trial::census(Subject::Within, compared).over(pulled(), |pulled| {
         let pulled = pulled?;
         let stated = pulled.least > speeds_up_above();
         Ok(whether(pulled.name.clone(), stated, pulled.grows()))
@@ -283,7 +279,7 @@ fn across_census() -> Evidence {
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
     );
-    census(Subject::Printed, compared).over(fixed_direction(27), |case| {
+    Trial::census(Subject::Printed, compared).over(fixed_direction(27), |case| {
         let falls = grows_across(&case)? == 0;
         Ok(Pair {
             at: case.name,
@@ -311,7 +307,7 @@ fn across_outside() -> Evidence {
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ in ten units of time without friction",
     );
-    census(Subject::Outside, compared).over(fixed_direction(29), |case| {
+    Trial::census(Subject::Outside, compared).over(fixed_direction(29), |case| {
         let end = run(&case.plane, 0.0, case.start, 10.0)?.end();
         let (before, after) = (case.across(&case.start), case.across(&end));
         Ok(Pair {

@@ -87,42 +87,6 @@ fn in_the_laboratory(case: &Case, until: f64) -> Result<[f64; 2], Failure> {
     Ok([end[0] - end[2], end[1] - end[3]])
 }
 
-/// (1): its right-hand side, summed over time along the motion, is the change of the velocity.
-fn eq1_quadrature() -> Evidence {
-    let compared = Compared::one(
-        "the integral of (1), its second component taken twice,",
-        "the change of $v_x+2v_y$ of the motion",
-    );
-    summed(compared, eq1_rate, components)
-}
-
-/// (1): its right-hand side is the rate of the velocity of the motion.
-fn eq1_motion() -> Evidence {
-    let compared = Compared::one(
-        "(1), its second component taken twice,",
-        "the rate of $v_x+2v_y$ of the motion",
-    );
-    followed(compared, eq1_rate, components)
-}
-
-/// (2): its right-hand side, summed over time along the motion, is the change of the speed.
-fn eq2_quadrature() -> Evidence {
-    let compared = Compared::one(
-        "the integral of (2) over $t$ along the motion",
-        "its change of speed",
-    );
-    summed(compared, eq2_rate, State::speed)
-}
-
-/// (2): its right-hand side is the rate of the speed of the motion.
-fn eq2_motion() -> Evidence {
-    followed(
-        Compared::one("(2)", "the rate of the speed of the motion"),
-        eq2_rate,
-        State::speed,
-    )
-}
-
 fn eq1_rate(case: &Case, state: &State) -> f64 {
     let a = acceleration(case, state.t);
     let [x, y] = printed::eq1_velocity_rate(a, case.friction / GRAVITY, GRAVITY, state.v);
@@ -297,9 +261,34 @@ pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
 pub(super) const TRIALS: &[Attempt] = trials![
     &EQ1,
     eq1_laboratory,
-    eq1_quadrature,
-    eq1_motion,
+    eq1_quadrature = summed(
+        Compared::one(
+            "the integral of (1), its second component taken twice,",
+            "the change of $v_x+2v_y$ of the motion",
+        ),
+        eq1_rate,
+        components
+    ),
+    eq1_motion = followed(
+        Compared::one(
+            "(1), its second component taken twice,",
+            "the rate of $v_x+2v_y$ of the motion",
+        ),
+        eq1_rate,
+        components
+    ),
     &EQ2,
-    eq2_quadrature,
-    eq2_motion
+    eq2_quadrature = summed(
+        Compared::one(
+            "the integral of (2) over $t$ along the motion",
+            "its change of speed",
+        ),
+        eq2_rate,
+        State::speed
+    ),
+    eq2_motion = followed(
+        Compared::one("(2)", "the rate of the speed of the motion"),
+        eq2_rate,
+        State::speed,
+    )
 ];

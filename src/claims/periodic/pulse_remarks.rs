@@ -4,7 +4,8 @@ use super::drives::{motion, pulses};
 use super::pulses::on_a_plane;
 use crate::claims::tolerances::{GAINED, NONE};
 use crate::corrections::periodic as corrected;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Corrected, Printed, Within};
+use crate::evidence::{Evidence, Route};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::periodic as printed;
 use std::f64::consts::PI;
@@ -61,43 +62,6 @@ fn pull_on_a_plane([eta, _, phi]: [f64; 3]) -> Result<f64, Failure> {
     Ok((at(phi + STEP)? - at(phi)?) / STEP)
 }
 
-/// As printed: friction.
-fn friction_again() -> Evidence {
-    let compared = Compared::one(
-        r"the acceleration of friction, which is said to become nonzero again at $\pi$,",
-        r"the acceleration of a particle without friction, before and after $\pi$",
-    );
-    around_pi(Route::Integration, Subject::Printed, compared, |point| {
-        Ok([printed::s23_nonzero_again(friction(point)?), pull(point)?])
-    })
-}
-
-/// As corrected: the drive.
-fn pull_again() -> Evidence {
-    let compared = Compared::one(
-        r"the drive, which becomes nonzero again at $\pi$,",
-        r"the acceleration of a particle without friction, before and after $\pi$",
-    );
-    around_pi(Route::Integration, Subject::Corrected, compared, |point| {
-        let [eta, _, phi] = point;
-        Ok([corrected::nonzero_again(pulses(eta)?.h(phi)), pull(point)?])
-    })
-}
-
-/// The same, with a particle on a plane.
-fn pull_again_on_a_plane() -> Evidence {
-    let compared = Compared::one(
-        r"the drive in the middle of a short stretch before or after $\pi$",
-        "what a particle gains on a smooth plane over the stretch, divided by its length",
-    );
-    around_pi(Route::Quadrature, Subject::Corrected, compared, |point| {
-        let [eta, _, phi] = point;
-        let drive = pulses(eta)?;
-        let middle = corrected::nonzero_again(drive.h(phi + 0.5 * STEP));
-        Ok([middle, pull_on_a_plane(point)?])
-    })
-}
-
 /// The largest |h| of pulses, against what section 2.3 assumes.
 fn largest(
     route: Route,
@@ -126,34 +90,6 @@ fn seen(eta: f64) -> Result<f64, Failure> {
     Ok(phases.map(|phi| drive.h(phi).abs()).fold(0.0, f64::max))
 }
 
-/// By the pulses' values.
-fn largest_census() -> Evidence {
-    let compared = Compared::one(
-        r"the largest $\lvert h\rvert$ that is assumed, 1,",
-        "that of the pulses",
-    );
-    largest(Route::Census, Subject::Within, compared, widths(), seen)
-}
-
-/// By what a pulse gives a smooth particle, over its length.
-fn largest_integration() -> Evidence {
-    let compared = Compared::one(
-        r"the largest $\lvert h\rvert$ that is assumed, 1,",
-        "what a pulse gives a particle without friction, divided by the length of the pulse, to 12 digits",
-    );
-    largest(
-        Route::Integration,
-        Subject::Within,
-        compared,
-        widths(),
-        |eta| {
-            let rest = DriveState { phi: 0.0, w: 0.0 };
-            let end = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, rest, eta * PI)?;
-            Ok(twelve_digits(end.end.w / (eta * PI)))
-        },
-    )
-}
-
 /// What rounding leaves of a number of order one.
 fn twelve_digits(x: f64) -> f64 {
     libm::round(1e12 * x) / 1e12
@@ -169,28 +105,79 @@ fn largest_outside() -> Evidence {
     largest(Route::Census, Subject::Outside, compared, none, seen)
 }
 
-/// Pulses of no width, among all.
-fn no_width() -> Evidence {
-    no_inside(
+pub(super) const TRIALS: &[Attempt] = trials![
+    // As printed: friction.
+    friction_again = around_pi(
+        Route::Integration,
+        Printed,
         Compared::one(
-            "whether pulses have a width",
-            r"the expected answer, no for $\eta=0$ and yes for others",
+            r"the acceleration of friction, which is said to become nonzero again at $\pi$,",
+            r"the acceleration of a particle without friction, before and after $\pi$",
         ),
-        ["η"],
-        [[0.0, 1.0]],
+        |point| { Ok([printed::s23_nonzero_again(friction(point)?), pull(point)?]) }
+    ),
+    // As corrected: the drive.
+    pull_again = around_pi(
+        Route::Integration,
+        Corrected,
+        Compared::one(
+            r"the drive, which becomes nonzero again at $\pi$,",
+            r"the acceleration of a particle without friction, before and after $\pi$",
+        ),
+        |point| {
+            let [eta, _, phi] = point;
+            Ok([corrected::nonzero_again(pulses(eta)?.h(phi)), pull(point)?])
+        }
+    ),
+    // The same, with a particle on a plane.
+    pull_again_on_a_plane = around_pi(
+        Route::Quadrature,
+        Corrected,
+        Compared::one(
+            r"the drive in the middle of a short stretch before or after $\pi$",
+            "what a particle gains on a smooth plane over the stretch, divided by its length",
+        ),
+        |point| {
+            let [eta, _, phi] = point;
+            let drive = pulses(eta)?;
+            let middle = corrected::nonzero_again(drive.h(phi + 0.5 * STEP));
+            Ok([middle, pull_on_a_plane(point)?])
+        }
+    ),
+    // By the pulses' values.
+    largest_census = largest(
+        Route::Census,
+        Within,
+        Compared::one(
+            r"the largest $\lvert h\rvert$ that is assumed, 1,",
+            "that of the pulses",
+        ),
+        widths(),
+        seen
+    ),
+    // By what a pulse gives a smooth particle, over its length.
+    largest_integration = largest(
+        Route::Integration,
+        Within,
+        Compared::one(
+            r"the largest $\lvert h\rvert$ that is assumed, 1,",
+            "what a pulse gives a particle without friction, divided by the length of the pulse, to 12 digits",
+        ),
+        widths(),
+        |eta| {
+            let rest = DriveState { phi: 0.0, w: 0.0 };
+            let end = pulses(eta)?.advance(Friction::new(0.0, 0.0)?, rest, eta * PI)?;
+            Ok(twelve_digits(end.end.w / (eta * PI)))
+        },
+    ),
+    largest_outside,
+    no_width = no_inside(
+        "a pulse",
+        r"$\eta=0$",
+        [("η", [0.0, 1.0])],
         &[[0.0]],
         |[eta]| eta > 0.0,
     )
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
-    friction_again,
-    pull_again,
-    pull_again_on_a_plane,
-    largest_census,
-    largest_integration,
-    largest_outside,
-    no_width
 ];
 
 #[cfg(test)]

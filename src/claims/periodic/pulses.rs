@@ -1,7 +1,7 @@
 //! Trials of (42) to (46): the train of pulses.
 
 use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
-use crate::claims::tolerances::{LIMIT_OF_WIDTH, MOTION, NONE, THRESHOLD};
+use crate::claims::tolerances::{LIMIT_OF_WIDTH, THRESHOLD};
 use crate::corrections::periodic as supplied;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, DriveError, DriveState, Friction};
@@ -106,10 +106,13 @@ fn joints((eta, lambda): (f64, f64)) -> [f64; 2] {
 
 /// (42): a smooth particle gains what the printed pulse gives until φ.
 fn eq42() -> Evidence {
-    let trial = consistency(Compared::one(
-        r"the area of (42) up to $\phi$",
-        r"$\mathfrak w$ of a smooth particle that starts at rest under pulses that fill the share $\eta$",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"the area of (42) up to $\phi$",
+            r"$\mathfrak w$ of a smooth particle that starts at rest under pulses that fill the share $\eta$",
+        ),
+    );
     gains(&trial, |eta, phi| {
         (phi, area(printed::eq42_cases(), eta, phi))
     })
@@ -117,10 +120,13 @@ fn eq42() -> Evidence {
 
 /// (43): the second half takes back what the first has given.
 fn eq43() -> Evidence {
-    let trial = consistency(Compared::one(
-        r"the area of (42) and, up to $\pi+\phi$, of (43)",
-        r"$\mathfrak w$ of a smooth particle there",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"the area of (42) and, up to $\pi+\phi$, of (43)",
+            r"$\mathfrak w$ of a smooth particle there",
+        ),
+    );
     gains(&trial, |eta, phi| {
         let first = printed::eq42_cases();
         let second = first.map(printed::eq43_h);
@@ -132,10 +138,6 @@ fn eq43() -> Evidence {
 fn area([pulse, gap]: [f64; 2], eta: f64, phi: f64) -> f64 {
     let end = phi.min(printed::eq42_end(eta));
     pulse * end + gap * (phi - end)
-}
-
-const fn consistency(compared: Compared) -> Trial {
-    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
 }
 
 /// Gains of a smooth particle from rest at φ = 0: `expected` says until when, and how much.
@@ -228,26 +230,6 @@ fn from_rest(compared: Compared, value: impl Fn((f64, f64), f64) -> [f64; 2]) ->
     })
 }
 
-/// (44) with a particle on a plane, whose acceleration jumps.
-fn eq44_plane() -> Evidence {
-    let compared = Compared::one(
-        "(44)",
-        r"$\mathfrak w$ of a particle on a plane in the direction of the pull, from rest at $\phi=0$",
-    );
-    from_rest(compared, |point, phi| [phi, eq44(point, phi)])
-}
-
-/// (45) with a particle on a plane.
-fn eq45_plane() -> Evidence {
-    let compared = Compared::one(
-        "(45), with (44),",
-        r"$\mathfrak w$ of a particle on a plane in the direction of the pull, from rest at $\phi=0$",
-    );
-    from_rest(compared, |point, phi| {
-        [PI + phi, printed::eq45_w(eq44(point, phi))]
-    })
-}
-
 /// Widths of pulses at which λ_c is bracketed.
 fn widths() -> Vec<f64> {
     let mut points = Points::stream(203);
@@ -289,7 +271,7 @@ fn eq46_census() -> Evidence {
         r"2 for $\lambda_0$ above (46) and 0 below",
         "the number of rests in a period of the motion",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let points = above().into_iter().zip(below()).flat_map(|(a, b)| [a, b]);
     trial.over(points, |(eta, lambda)| {
         let found = match phase(&pulses(eta)?, lambda)? {
@@ -337,7 +319,7 @@ fn extremes_census() -> Evidence {
         "the number of rests in a period (1 for a particle at rest for ever)",
     )
     .over(r"$\eta=1$ and $\eta=0$");
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(204);
     let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
     let frictions = (0..200).map(|_| points.uniform(0.0, 1.0)).chain(edges);
@@ -369,7 +351,7 @@ fn extremes_census() -> Evidence {
 fn extremes_outside() -> Evidence {
     let compared = Compared::constant("the stated 1", "the number of rests in a period")
         .over(r"$\eta=0$ and $\lambda_0=0$");
-    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let trial = Trial::census(Subject::Outside, compared);
     let starts = Points::stream(227).within(24, [[0.1, 3.0]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
         let drive = pulses(0.0)?;
@@ -383,21 +365,6 @@ fn extremes_outside() -> Evidence {
         };
         Ok([if small { 0.0 } else { 1.0 }, rests])
     })
-}
-
-/// What is excepted.
-pub fn neither() -> Evidence {
-    no_inside(
-        Compared::one(
-            "whether pulses and friction meet the condition (1 if so)",
-            r"the expectation that only $\lambda_0=0$ does not",
-        )
-        .over("random ones, that one, and some close to it"),
-        ["η", "λ₀"],
-        [[0.0, 1.0]; 2],
-        &[[0.0, 0.0]],
-        |[_, lambda0]| lambda0 > 0.0,
-    )
 }
 
 /// η → 1 and η → 0: the phase that is to vanish is as narrow as 1 − η, or as η.
@@ -435,16 +402,35 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq42,
     eq43,
     eq44_motion,
-    eq44_plane,
+    // (44) with a particle on a plane, whose acceleration jumps.
+    eq44_plane = from_rest(
+        Compared::one(
+            "(44)",
+            r"$\mathfrak w$ of a particle on a plane in the direction of the pull, from rest at $\phi=0$",
+        ),
+        |point, phi| [phi, eq44(point, phi)]
+    ),
     eq45_motion,
-    eq45_plane,
+    eq45_plane = from_rest(
+        Compared::one(
+            "(45), with (44),",
+            r"$\mathfrak w$ of a particle on a plane in the direction of the pull, from rest at $\phi=0$",
+        ),
+        |point, phi| { [PI + phi, printed::eq45_w(eq44(point, phi))] }
+    ),
     eq46_root,
     eq46_census,
     below_motion,
     extremes_census,
     extremes_limit,
     extremes_outside,
-    neither
+    neither = no_inside(
+        "a pair of width and friction",
+        r"$\lambda_0=0$",
+        [("η", [0.0, 1.0]), ("λ₀", [0.0, 1.0])],
+        &[[0.0, 0.0]],
+        |[_, lambda0]| lambda0 > 0.0,
+    )
 ];
 
 #[cfg(test)]

@@ -12,7 +12,7 @@ use crate::paper::general as law;
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::compare::{Compared, Pair, Trial, is};
 use trialbook::claims::points::{Points, round};
 
 fn at(name: &str, lambda: f64, start: DriveState) -> String {
@@ -70,7 +70,7 @@ fn stated_rest(lambda: f64) -> f64 {
 }
 
 fn number(truth: bool) -> f64 {
-    f64::from(u8::from(truth))
+    is(truth)
 }
 
 /// |𝔴|, and how long it moves later.
@@ -125,7 +125,7 @@ pub fn sharp() -> Evidence {
         r"1 for $\lambda_0\ge1$ and 0 below",
         "whether the motion is at rest for ever (1 if so)",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let drives = named();
     let excess = [1e-3, -1e-3, 0.0, 1e-9, -1e-6, 1e-6, -0.1, 0.1, 9.0, -1e-5];
     let excess = Points::stream(748).grid(excess);

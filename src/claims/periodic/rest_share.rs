@@ -1,12 +1,12 @@
 //! Trials of how long a particle is at rest in a period when friction is slightly below the largest drive.
 
 use super::drives::{Harmonics, motion, rest_share, steps_between};
-use crate::claims::tolerances::{NONE, SHARE};
+use crate::claims::tolerances::SHARE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::Drive;
 use crate::paper::periodic as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 /// The share of rest at λ₀ = 1 − δ.
@@ -44,16 +44,16 @@ pub fn census() -> Evidence {
         r"whether it is at $\lambda_0$ between $1-10^{-3}$ and 1",
     )
     .over("three harmonics at random");
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(229);
     trial.over(0..60, |i| {
         let drive = Harmonics::random(&mut points)?.drive()?;
         let delta = points.log_uniform(1e-9, 1e-3);
-        let is = |share: f64| f64::from(u8::from(share > 0.5));
+        let most = |share: f64| is(share > 0.5);
         Ok(Pair {
             at: format!("drive {i}, λ₀ = 1 − {delta:.3e}"),
-            stated: is(printed::s23_late_share()),
-            found: is(share(&drive, delta)?),
+            stated: most(printed::s23_late_share()),
+            found: most(share(&drive, delta)?),
             scale: 1.0,
         })
     })
@@ -65,7 +65,7 @@ pub fn two_valued() -> Evidence {
         "the expected 0",
         r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",
     );
-    let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
+    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(230);
     trial.over(0..24, |_| {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));

@@ -4,7 +4,7 @@ use super::drives::{
     Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps_between,
     third_harmonic,
 };
-use crate::claims::tolerances::{NONE, THRESHOLD};
+use crate::claims::tolerances::THRESHOLD;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, DriveError};
 use crate::numerics::quadrature::integral_within;
@@ -12,7 +12,7 @@ use crate::numerics::roots::root;
 use crate::paper::periodic as printed;
 use std::f64::consts::{PI, TAU};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 /// Samples of a drive over its period.
@@ -55,7 +55,7 @@ pub fn mean_size(drive: &Drive) -> f64 {
 }
 
 fn number(truth: bool) -> f64 {
-    f64::from(u8::from(truth))
+    is(truth)
 }
 
 /// A drive at a friction, which is much or little: whether rests are stated, and whether they are there.
@@ -94,7 +94,7 @@ fn both_ends() -> Evidence {
         r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
         "whether the motion has rests (1 if so)",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let drives = match admitted() {
         Ok(drives) => drives,
         Err(error) => return trial.over([error], |error| Err(error.into())),
@@ -172,7 +172,7 @@ fn again_and_again() -> Evidence {
         "the stated 3",
         r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let amplitudes = (0..20).map(|k| 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0);
     trial.over(Points::stream(747).grid(amplitudes), |a| {
         let drive = third_harmonic(a)?;
@@ -196,7 +196,7 @@ fn with_mean() -> Evidence {
         "whether the motion has rests (1 if so; one that drifts has none)",
     )
     .over("sines with a mean");
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(222);
     trial.over(0..60, |i| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
@@ -221,7 +221,7 @@ fn with_mean_drift() -> Evidence {
         "the expected $-1$, for a drift",
         r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
     );
-    let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
+    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(226);
     trial.over(0..60, |_| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
@@ -236,7 +236,7 @@ fn with_mean_close() -> Evidence {
         "the expected $-1$, for a drift",
         r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
     );
-    let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
+    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(225);
     trial.over(0..24, |_| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
@@ -259,7 +259,7 @@ pub fn two_valued() -> Evidence {
         "the expected 0",
         r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1,",
     );
-    let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
+    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(223);
     trial.over(0..60, |_| {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
@@ -279,7 +279,7 @@ pub fn level() -> Evidence {
         "the expected 1",
         r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$,",
     );
-    let trial = Trial::by(Route::Census, Subject::Remark, compared, NONE);
+    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(224);
     trial.over(0..60, |_| {
         let p = points.uniform(0.1, 1.5);

@@ -3,7 +3,7 @@
 //! Each equation is tried in two ways: where what it leaves out is below the tolerance (p = 10⁻²⁰), and where it is
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
-use super::boundary::{Border, angle_towards_one, border};
+use super::boundary::{angle_towards_one, border};
 use super::trajectories::{
     Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
     other_approaches,
@@ -14,7 +14,8 @@ use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
 use crate::corrections::rest as corrected;
-use crate::evidence::{Evidence, Route, Subject, Tolerance};
+use crate::evidence::Subject::{self, Corrected, Outside, Within};
+use crate::evidence::{Evidence, Route, Tolerance};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
@@ -28,19 +29,26 @@ use trialbook::claims::runs::{Runs, every};
 /// What an equation says and what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> (f64, f64, f64);
 
+/// An equation: what it states and what is found, in words, and both in numbers.
+type Equation = (&'static str, &'static str, Sides);
+
 /// At p = 10⁻²⁰, for σ not so small that ψ has not relaxed even there.
-fn exactly(route: Route, compared: Compared, sides: Sides) -> Evidence {
-    let trial = Trial::by(route, Subject::Within, compared, DIFFERENCES);
+fn exactly(subject: Subject, (law, found, sides): Equation) -> Evidence {
+    let compared = Compared::composed([r"at $p=10^{-20}$, ", law, ""], [found, "", ""]);
+    let trial = Trial::by(Route::Integration, subject, compared, DIFFERENCES);
     trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
         pair(approach?, 1e-20, |_, _| 1.0, sides)
     })
 }
 
-/// At p = `speed`, in units of the order of what is left out.
-fn by_order(compared: Compared, speed: f64, sides: Sides) -> Evidence {
-    let trial = Trial::by(Route::Limit, Subject::Within, compared, FIRST_OMITTED);
+/// At p = 10⁻³, in units of the order of what is left out.
+fn by_order((law, found, sides): Equation) -> Evidence {
+    const AT: &str =
+        r"at $p=10^{-3}$, relatively and in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$, ";
+    let compared = Compared::composed([AT, law, ""], [found, "", ""]);
+    let trial = Trial::by(Route::Limit, Within, compared, FIRST_OMITTED);
     trial.over(approaches(), |approach| {
-        pair(approach?, speed, |s, c| 100.0 * c.omitted(s), sides)
+        pair(approach?, 1e-3, |s, c| 100.0 * c.omitted(s), sides)
     })
 }
 
@@ -60,9 +68,11 @@ fn pair(
     })
 }
 
-/// The same equation on the way into a rest with ψ → π.
-fn straight(compared: Compared, sides: Sides) -> Evidence {
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, RELAXED);
+/// On the way into a rest with ψ → π.
+fn straight((law, found, sides): Equation) -> Evidence {
+    const AT: &str = r"on the way into a rest with $\psi\to\pi$, ";
+    let compared = Compared::composed([AT, law, ""], [found, "", ""]);
+    let trial = Trial::by(Route::Integration, Outside, compared, RELAXED);
     trial.over(within_one(), |straight| {
         let straight = straight?;
         let (sigma, close) = close(straight)?;
@@ -73,6 +83,18 @@ fn straight(compared: Compared, sides: Sides) -> Evidence {
             found,
             scale,
         })
+    })
+}
+
+/// What holds there instead.
+fn straight_corrected(law: &'static str, found: &'static str, sides: Sides) -> Evidence {
+    const WITH: &str = r" of a motion that comes to rest with $\psi\to\pi$";
+    let compared = Compared::composed([law, "", ""], [found, WITH, ""]);
+    let trial = Trial::by(Route::Integration, Corrected, compared, RELAXED);
+    trial.each(within_one(), StraightIn::at, |straight| {
+        let (sigma, close) = close(straight)?;
+        let (stated, found, scale) = sides(sigma, &close);
+        Ok([stated, found, scale])
     })
 }
 
@@ -142,26 +164,18 @@ fn eq145_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
     (printed::eq145_a(sigma, 1.0) - sigma, found, found.abs())
 }
 
-/// A point of the boundary, and how A, α and ψ change there.
-#[derive(Debug, Clone, Copy)]
-struct Leaving {
-    border: Border,
-    a_rate: f64,
-    alpha_rate: f64,
-    psi_rate: f64,
-}
-
 /// On the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
-fn borders_near_one() -> impl Iterator<Item = Result<&'static Leaving, Failure>> {
-    static BORDERS: Runs<Vec<Leaving>> = Runs::new(|| {
+fn borders_near_one() -> impl Iterator<Item = Result<&'static Close, Failure>> {
+    static BORDERS: Runs<Vec<Close>> = Runs::new(|| {
         let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
         every(Points::stream(743).grid(alphas).into_iter().map(leaving))
     });
     BORDERS.each()
 }
 
-/// A moment after the point of the boundary with this α: the motion stays on the boundary.
-fn leaving(alpha0: f64) -> Result<Leaving, Failure> {
+/// A moment after the point of the boundary with this α: the motion stays on the boundary. It never comes to rest; where (141)
+/// asks for the time that is left, any will do.
+fn leaving(alpha0: f64) -> Result<Close, Failure> {
     let psi = angle_towards_one(alpha0);
     let a0 = border(alpha0, psi)?.a;
     let h = 1e-3 * alpha0;
@@ -171,27 +185,29 @@ fn leaving(alpha0: f64) -> Result<Leaving, Failure> {
         Ok([a(&state), alpha(&state), state.psi()])
     })?;
     let now = run.at(2.0 * h)?;
-    Ok(Leaving {
-        border: Border {
-            alpha: alpha(&now),
-            psi: now.psi(),
-            a: a(&now),
-        },
-        a_rate,
+    Ok(Close {
+        left: 1.0,
+        alpha: alpha(&now),
+        psi: now.psi(),
+        a: a(&now),
         alpha_rate,
-        psi_rate,
+        psi_slope: psi_rate / alpha_rate,
+        ratio_slope: f64::NAN,
+        a_slope: a_rate / alpha_rate,
+        a_slope_by_way: f64::NAN,
+        way_left: f64::NAN,
     })
 }
 
 /// At σ = 1, where the motion takes for ever: on the boundary.
-fn at_one(compared: Compared, sides: fn(&Leaving) -> (f64, f64, f64)) -> Evidence {
-    let trial = Trial::by(Route::Root, Subject::Outside, compared, BOUNDARY);
-    trial.over(borders_near_one(), |leaving| {
-        let leaving = leaving?;
-        let Border { alpha, psi, .. } = leaving.border;
-        let (stated, found, scale) = sides(leaving);
+fn at_one((law, found, sides): Equation) -> Evidence {
+    let compared = Compared::composed(["on the boundary, ", law, ""], [found, "", ""]);
+    let trial = Trial::by(Route::Root, Outside, compared, BOUNDARY);
+    trial.over(borders_near_one(), |close| {
+        let close = close?;
+        let (stated, found, scale) = sides(1.0, close);
         Ok(Pair {
-            at: format!("σ = 1, α = {alpha:.3}, ψ = {psi:.6}"),
+            at: format!("σ = 1, α = {:.3}, ψ = {:.6}", close.alpha, close.psi),
             stated,
             found,
             scale,
@@ -199,225 +215,39 @@ fn at_one(compared: Compared, sides: fn(&Leaving) -> (f64, f64, f64)) -> Evidenc
     })
 }
 
-/// (140) at σ = 1.
-fn eq140_at_one() -> Evidence {
-    let compared = Compared::one(
-        "(140)",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion on the boundary, relative to it",
-    );
-    at_one(compared, |l| {
-        let rate = l.alpha_rate;
-        (printed::eq140_alpha_rate(1.0), rate, rate.abs())
-    })
-}
-/// (141) at σ = 1.
-fn eq141_at_one() -> Evidence {
-    let compared = Compared::one(
-        r"(141), for any $\tau$,",
-        r"$\alpha$ on the boundary, relative to it",
-    );
-    at_one(compared, |l| {
-        let alpha = l.border.alpha;
-        (printed::eq141_alpha(1.0, -1.0), alpha, alpha)
-    })
-}
-/// (142) at σ = 1.
-fn eq142_at_one() -> Evidence {
-    let compared = Compared::one(
-        r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion on the boundary,",
-        "0",
-    );
-    at_one(compared, |l| {
-        let Border { alpha, psi, .. } = l.border;
-        let left = printed::eq142_left(1.0, l.psi_rate / l.alpha_rate);
-        let size = 2.0 + psi / alpha;
-        (left - printed::eq142_right(alpha, psi), 0.0, size)
-    })
-}
-/// (144) at σ = 1.
-fn eq144_at_one() -> Evidence {
-    let compared = Compared::one(
-        r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion on the boundary,",
-        "0",
-    );
-    at_one(compared, |l| {
-        let alpha = l.border.alpha;
-        let left = printed::eq144_left(1.0, l.a_rate / l.alpha_rate);
-        (left - printed::eq144_right(alpha), 0.0, alpha)
-    })
-}
-/// (145) at σ = 1.
-fn eq145_at_one() -> Evidence {
-    let compared = Compared::one("(145)", "$A$ on the boundary");
-    at_one(compared, |l| {
-        (printed::eq145_a(1.0, l.border.alpha), l.border.a, 1.0)
-    })
-}
-/// (141) with another origin of time.
-fn eq141_clock() -> Evidence {
-    let compared = Compared::one(
-        r"(141), with $\tau$ counted from one unit of time after the stop,",
-        r"$\alpha$ of the motion at $p=10^{-20}$",
-    );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
-    trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
-        pair(
-            approach?,
-            1e-20,
-            |_, _| 1.0,
-            |sigma, c| (printed::eq141_alpha(sigma, -c.left - 1.0), c.alpha, c.alpha),
-        )
-    })
-}
-
-/// (140) at p = 10⁻²⁰.
-pub fn eq140_motion() -> Evidence {
-    let compared = Compared::one(
-        "(140)",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion at $p=10^{-20}$",
-    );
-    exactly(Route::Integration, compared, eq140)
-}
-/// (140) by order.
-fn eq140_order() -> Evidence {
-    let compared = Compared::one(
-        "(140)",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion at $p=10^{-3}$, relative, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
-    );
-    by_order(compared, 1e-3, eq140)
-}
-/// (140), ψ → π.
-fn eq140_straight() -> Evidence {
-    straight(
-        Compared::one(
-            "(140)",
-            r"$\mathrm d\alpha/\mathrm d\tau$ of a motion that comes to rest with $\psi\to\pi$",
-        ),
-        eq140,
-    )
-}
-/// What holds there.
-fn corrected140() -> Evidence {
-    let compared = Compared::one(
-        r"$-1-1/\sigma$",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of a motion that comes to rest with $\psi\to\pi$",
-    );
-    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, RELAXED);
-    trial.over(within_one(), |straight| {
-        let straight = straight?;
-        let (sigma, close) = close(straight)?;
-        Ok(Pair {
-            at: straight.at(),
-            stated: corrected::alpha_rate_straight_in(sigma),
-            found: close.alpha_rate,
-            scale: close.alpha_rate.abs(),
-        })
-    })
-}
-/// (141) at p = 10⁻²⁰.
-fn eq141_motion() -> Evidence {
-    let compared = Compared::one(
-        r"(141), with $\tau$ counted from the stop,",
-        r"$\alpha$ of the motion at $p=10^{-20}$",
-    );
-    exactly(Route::Integration, compared, eq141)
-}
-/// (141) by order.
-fn eq141_order() -> Evidence {
-    let compared = Compared::one(
-        "(141)",
-        r"$\alpha$ of the motion at $p=10^{-3}$, relative, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
-    );
-    by_order(compared, 1e-3, eq141)
-}
-/// (141), ψ → π.
-fn eq141_straight() -> Evidence {
-    straight(
-        Compared::one(
-            "(141)",
-            r"$\alpha$ of a motion that comes to rest with $\psi\to\pi$",
-        ),
-        eq141,
-    )
-}
-/// (142) at p = 10⁻²⁰.
-fn eq142_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion at $p=10^{-20}$,",
-        "0",
-    );
-    exactly(Route::Integration, compared, eq142)
-}
-/// (142) by order.
-fn eq142_order() -> Evidence {
-    let compared = Compared::one(
-        r"the difference of the sides of (142) at $p=10^{-3}$, over $2+\psi/\alpha$,",
-        r"0, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
-    );
-    by_order(compared, 1e-3, eq142)
-}
-/// (142), ψ → π.
-fn eq142_straight() -> Evidence {
-    straight(
-        Compared::one(
-            r"the difference of the sides of (142) for a motion that comes to rest with $\psi\to\pi$",
-            "0",
-        ),
-        eq142,
-    )
-}
-/// (144) at p = 10⁻²⁰, by the way.
-fn eq144_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the relative difference of the sides of (144) at $p=10^{-20}$, with $A\,\mathrm dA=\mathrm ds$ from the path still to go,",
-        "0",
-    );
-    exactly(Route::Integration, compared, eq144_way)
-}
-/// (144) by order.
-fn eq144_order() -> Evidence {
-    let compared = Compared::one(
-        r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion at $p=10^{-3}$,",
-        r"0, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
-    );
-    by_order(compared, 1e-3, eq144)
-}
-/// (144), ψ → π.
-fn eq144_straight() -> Evidence {
-    straight(
-        Compared::one(
-            r"the difference of the sides of (144) for a motion that comes to rest with $\psi\to\pi$",
-            "0",
-        ),
-        eq144,
-    )
-}
-/// (145) at p = 10⁻²⁰, by the way.
-fn eq145_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the coefficient of $\alpha^2$ in (145)",
-        r"$(A-\sigma)/\alpha^2$ at $p=10^{-20}$, where $A^2$ is $\sigma^2$ less twice the length of the path still to go",
-    );
-    exactly(Route::Integration, compared, eq145_way)
-}
-/// (145) by order.
-fn eq145_order() -> Evidence {
-    let compared = Compared::one(
-        "(145)",
-        r"$A$ of the motion at $p=10^{-3}$, over $A-\sigma$, in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$",
-    );
-    by_order(compared, 1e-3, eq145)
-}
-/// (145), ψ → π.
-fn eq145_straight() -> Evidence {
-    straight(
-        Compared::one(
-            r"the coefficient of $\alpha^2$ in (145)",
-            r"$(A-\sigma)/\alpha^2$ of a motion that comes to rest with $\psi\to\pi$",
-        ),
-        eq145_way,
-    )
-}
+const EQ140: Equation = (
+    "(140)",
+    r"$\mathrm d\alpha/\mathrm d\tau$ of the motion",
+    eq140,
+);
+const EQ141: Equation = (
+    r"(141), with $\tau$ counted from the stop,",
+    r"$\alpha$ of the motion",
+    eq141,
+);
+const EQ142: Equation = (
+    r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion,",
+    "0",
+    eq142,
+);
+const EQ144: Equation = (
+    r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion,",
+    "0",
+    eq144,
+);
+/// By the path.
+const EQ144_WAY: Equation = (
+    r"the relative difference of the sides of (144), with $A\,\mathrm dA=\mathrm ds$ from the path still to go,",
+    "0",
+    eq144_way,
+);
+const EQ145: Equation = ("(145)", r"$A$ of the motion, over $A-\sigma$", eq145);
+/// By the path.
+const EQ145_WAY: Equation = (
+    r"the coefficient of $\alpha^2$ in (145)",
+    r"$(A-\sigma)/\alpha^2$ of the motion, where $A^2$ is $\sigma^2$ less twice the length of the path still to go",
+    eq145_way,
+);
 
 /// Two levels of p at which the terms of (143) are well apart from rounding and from what is left out.
 fn levels(sigma: f64) -> [f64; 2] {
@@ -442,6 +272,11 @@ fn constant(approach: &Approach) -> Result<[f64; 3], Failure> {
     Ok([found, near.alpha, left_out])
 }
 
+const CONSTANT: Compared = Compared::one(
+    r"$\sigma/(2\sigma-1)$",
+    r"the limit of $\psi/(2\alpha)$ without its power of $\alpha$",
+);
+
 fn constants(subject: Subject, compared: Compared, ranges: &'static [(f64, f64)]) -> Evidence {
     let trial = Trial::by(Route::Limit, subject, compared, NEAR_REST);
     trial.over(gentle_approaches_to(ranges), |approach| {
@@ -464,6 +299,11 @@ fn unit(subject: Subject, size: f64, left_out: f64, tolerance: Tolerance) -> f64
         _ => size,
     }
 }
+
+const EXPONENT: Compared = Compared::one(
+    r"$(2\sigma-1)/(1-\sigma)$",
+    r"the exponent of $\alpha$ in $\psi/\alpha$ of the motion",
+);
 
 /// The exponent of α beside c, from the slope of ψ/α at two moments.
 fn exponents(
@@ -488,51 +328,15 @@ fn exponents(
     })
 }
 
-/// (143): the constant.
-pub fn eq143_constant() -> Evidence {
-    let compared = Compared::one(
-        r"$\sigma/(2\sigma-1)$",
-        r"the limit of $\psi/(2\alpha)$ without its power of $\alpha$",
-    );
-    constants(Subject::Within, compared, &[(0.36, 0.47), (0.53, 0.7)])
+/// Two levels of p for the exponent.
+fn early_levels(sigma: f64) -> [f64; 2] {
+    if sigma < 0.5 {
+        [1e-10, 1e-11]
+    } else {
+        [1e-6, 1e-7]
+    }
 }
-/// (143): the exponent.
-pub fn eq143_exponent() -> Evidence {
-    let compared = Compared::one(
-        r"$(2\sigma-1)/(1-\sigma)$",
-        r"the exponent of $\alpha$ in $\psi/\alpha$ of the motion",
-    );
-    exponents(
-        Subject::Within,
-        compared,
-        &[(0.36, 0.47), (0.53, 0.62)],
-        |sigma| {
-            if sigma < 0.5 {
-                [1e-10, 1e-11]
-            } else {
-                [1e-6, 1e-7]
-            }
-        },
-    )
-}
-/// σ < 1/4: what is left out exceeds the first term.
-fn eq143_small_sigma() -> Evidence {
-    let compared = Compared::one(
-        r"$\sigma/(2\sigma-1)$",
-        r"the limit of $\psi/(2\alpha)$ without its power of $\alpha$",
-    )
-    .over(r"$\sigma<1/4$");
-    constants(Subject::Outside, compared, &[(0.05, 0.24)])
-}
-/// σ > 3/4: what is left out exceeds the second term.
-fn eq143_large_sigma() -> Evidence {
-    let compared = Compared::one(
-        r"$(2\sigma-1)/(1-\sigma)$",
-        r"the exponent of $\alpha$ in $\psi/\alpha$ of the motion",
-    )
-    .over(r"$\sigma>3/4$");
-    exponents(Subject::Outside, compared, &[(0.8, 0.98)], |_| [1e-3, 1e-4])
-}
+
 /// σ = 1/2: no value.
 fn eq143_one_half() -> Evidence {
     let compared = Compared::one(
@@ -541,15 +345,13 @@ fn eq143_one_half() -> Evidence {
     )
     .over(r"$\sigma=1/2$");
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, NEAR_REST);
-    trial.over(approaches_to_one_half(), |approach| {
-        let approach = approach?;
+    trial.each(approaches_to_one_half(), Approach::at, |approach| {
         let close = approach.close(1e-10)?;
-        Ok(Pair {
-            at: approach.at(),
-            stated: printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
-            found: close.ratio(),
-            scale: close.ratio().abs(),
-        })
+        Ok([
+            printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
+            close.ratio(),
+            close.ratio().abs(),
+        ])
     })
 }
 /// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
@@ -560,30 +362,13 @@ fn eq143_regular() -> Evidence {
     )
     .over(r"$\sigma=1/2$");
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NEAR_REST);
-    trial.over(approaches_to_one_half(), |approach| {
-        let approach = approach?;
+    trial.each(approaches_to_one_half(), Approach::at, |approach| {
         let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
         let ratio = |c: f64, alpha: f64| corrected::psi_at_one_half(c, alpha) / (2.0 * alpha);
         let c = far.ratio() - ratio(0.0, far.alpha);
-        Ok(Pair {
-            at: approach.at(),
-            stated: ratio(c, near.alpha),
-            found: near.ratio(),
-            scale: near.ratio().abs(),
-        })
+        Ok([ratio(c, near.alpha), near.ratio(), near.ratio().abs()])
     })
 }
-/// ψ → π: (143) has no such motion.
-fn eq143_straight() -> Evidence {
-    straight(
-        Compared::one(
-            "(143)",
-            r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
-        ),
-        |sigma, c| (printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0),
-    )
-}
-
 /// α and ψ at the end of a motion to rest.
 fn near_rest_angle() -> Evidence {
     let compared = Compared::many(
@@ -609,21 +394,14 @@ fn near_rest_census() -> Evidence {
         r"the number of tenfold falls of $p$, from $10^{-10}$ on, over which $\alpha$ and $\psi$ both come nearer to their limits 0,",
         "that of all such falls",
     );
-    let trial = Trial::by(
-        Route::Census,
-        Subject::Within,
-        compared,
-        crate::claims::tolerances::NONE,
-    );
-    trial.over(other_approaches(), |approach| {
-        let approach = approach?;
+    let trial = Trial::census(Subject::Within, compared);
+    trial.each(other_approaches(), Approach::at, |approach| {
         let states = tenfold(&approach.run);
-        Ok(Pair {
-            at: approach.at(),
-            stated: nearing(&states, printed::s4_near_rest_limits()) as f64,
-            found: states.len().saturating_sub(2) as f64,
-            scale: 1.0,
-        })
+        Ok([
+            nearing(&states, printed::s4_near_rest_limits()) as f64,
+            states.len().saturating_sub(2) as f64,
+            1.0,
+        ])
     })
 }
 
@@ -652,69 +430,77 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
         .filter(|&n| [0, 1].iter().all(|&i| nears(n, i)))
         .count()
 }
-/// ψ of motions that come straight in to rest.
-fn near_rest_straight() -> Evidence {
-    straight(
-        Compared::constant(
-            "the stated 0",
-            r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
-        ),
-        |_, c| (printed::s4_near_rest_limits()[1], c.psi, 1.0),
-    )
-}
-/// The angle of those motions by its own law.
-fn corrected_near_rest() -> Evidence {
-    let compared = Compared::one(
-        r"$\pi-2\alpha/(2+1/\sigma)$",
-        r"$\psi$ of a motion that comes to rest with $\psi\to\pi$",
-    );
-    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, RELAXED);
-    trial.over(within_one(), |straight| {
-        let straight = straight?;
-        let (sigma, close) = close(straight)?;
-        Ok(Pair {
-            at: straight.at(),
-            stated: PI - corrected::angle_straight_in(sigma, close.alpha),
-            found: close.psi,
-            scale: close.alpha,
-        })
-    })
-}
-
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq140_motion,
-    eq140_order,
-    eq140_straight,
-    corrected140,
-    eq140_at_one,
-    eq141_motion,
-    eq141_order,
-    eq141_straight,
-    eq141_at_one,
-    eq141_clock,
-    eq142_motion,
-    eq142_order,
-    eq142_straight,
-    eq142_at_one,
-    eq143_constant,
-    eq143_exponent,
-    eq143_small_sigma,
-    eq143_large_sigma,
+    eq140_motion = exactly(Within, EQ140),
+    eq140_order = by_order(EQ140),
+    eq140_straight = straight(EQ140),
+    corrected140 = straight_corrected(
+        r"$-1-1/\sigma$",
+        r"$\mathrm d\alpha/\mathrm d\tau$",
+        |sigma, c| {
+            let stated = corrected::alpha_rate_straight_in(sigma);
+            (stated, c.alpha_rate, c.alpha_rate.abs())
+        }
+    ),
+    eq140_at_one = at_one(EQ140),
+    eq141_motion = exactly(Within, EQ141),
+    eq141_order = by_order(EQ141),
+    eq141_straight = straight(EQ141),
+    eq141_at_one = at_one((r"(141), for any $\tau$,", r"$\alpha$", eq141)),
+    eq141_clock = exactly(
+        Outside,
+        (
+            r"(141), with $\tau$ counted from one unit of time after the stop,",
+            r"$\alpha$ of the motion",
+            |sigma, c| (printed::eq141_alpha(sigma, -c.left - 1.0), c.alpha, c.alpha)
+        )
+    ),
+    eq142_motion = exactly(Within, EQ142),
+    eq142_order = by_order(EQ142),
+    eq142_straight = straight(EQ142),
+    eq142_at_one = at_one(EQ142),
+    eq143_constant = constants(Within, CONSTANT, &[(0.36, 0.47), (0.53, 0.7)]),
+    eq143_exponent = exponents(
+        Within,
+        EXPONENT,
+        &[(0.36, 0.47), (0.53, 0.62)],
+        early_levels
+    ),
+    // What is left out exceeds the first term.
+    eq143_small_sigma = constants(Outside, CONSTANT.over(r"$\sigma<1/4$"), &[(0.05, 0.24)]),
+    // What is left out exceeds the second term.
+    eq143_large_sigma = exponents(
+        Outside,
+        EXPONENT.over(r"$\sigma>3/4$"),
+        &[(0.8, 0.98)],
+        |_| [1e-3, 1e-4]
+    ),
     eq143_one_half,
-    eq143_straight,
+    // (143) has no such motion.
+    eq143_straight = straight(("(143)", r"$\psi$ of the motion", |sigma, c| {
+        (printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0)
+    })),
     eq143_regular,
-    eq144_motion,
-    eq144_order,
-    eq144_straight,
-    eq144_at_one,
-    eq145_motion,
-    eq145_order,
-    eq145_straight,
-    eq145_at_one,
+    eq144_motion = exactly(Within, EQ144_WAY),
+    eq144_order = by_order(EQ144),
+    eq144_straight = straight(EQ144),
+    eq144_at_one = at_one(EQ144),
+    eq145_motion = exactly(Within, EQ145_WAY),
+    eq145_order = by_order(EQ145),
+    eq145_straight = straight(EQ145_WAY),
+    eq145_at_one = at_one(("(145)", "$A$", |sigma, c| {
+        (printed::eq145_a(sigma, c.alpha), c.a, 1.0)
+    })),
     near_rest_angle,
     near_rest_census,
-    near_rest_straight,
-    corrected_near_rest
+    near_rest_straight = straight(("the stated 0", r"$\psi$ of the motion", |_, c| {
+        (printed::s4_near_rest_limits()[1], c.psi, 1.0)
+    })),
+    corrected_near_rest =
+        straight_corrected(r"$\pi-2\alpha/(2+1/\sigma)$", r"$\psi$", |sigma, c| {
+            let stated = PI - corrected::angle_straight_in(sigma, c.alpha);
+            (stated, c.psi, c.alpha)
+        }),
 ];
 
 #[cfg(test)]

@@ -1,10 +1,10 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::runs::{Runs, every};
 
-use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, NONE, THIRD_ORDER};
+use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, THIRD_ORDER};
 use crate::corrections::rest as corrected;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
@@ -266,8 +266,8 @@ fn counted(case: &Case, rests: bool) -> Pair {
     let [a, alpha, psi] = case.start;
     Pair {
         at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
-        stated: f64::from(u8::from(rests)),
-        found: f64::from(u8::from(case.rests)),
+        stated: is(rests),
+        found: is(case.rests),
         scale: 1.0,
     }
 }
@@ -278,7 +278,7 @@ pub fn printed_census() -> Evidence {
         "the fate by (147) (1 for rest, 0 for escape)",
         "that of the motion",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
     let small =
         |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.start[1] < 0.3);
@@ -299,7 +299,7 @@ fn corrected_census() -> Evidence {
         r"the fate by the corrected boundary, to the order $\alpha^2$ (1 for rest, 0 for escape),",
         r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
     );
-    let trial = Trial::by(Route::Census, Subject::Corrected, compared, NONE);
+    let trial = Trial::census(Subject::Corrected, compared);
     let clear = |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.clear);
     trial.over(census().filter(clear), |case| {
         let case = case?;

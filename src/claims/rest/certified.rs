@@ -6,7 +6,7 @@ use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use trialbook::certified::written::decimal;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
 pub const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];
@@ -22,7 +22,7 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
     };
     Ok(Pair {
         at: format!("A = {a:.6}, α = {alpha}, ψ = {psi}"),
-        stated: f64::from(u8::from(a < border)),
+        stated: is(a < border),
         found,
         scale: 1.0,
     })

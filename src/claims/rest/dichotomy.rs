@@ -9,7 +9,7 @@ use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial};
 use crate::paper::rest as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 /// Starts all over the inner part of the states, by ρ, p and ψ.
@@ -23,7 +23,7 @@ pub fn fates() -> Evidence {
         "the expected 0, for no third fate",
         "whether the fate is neither rest nor escape by the bounds on its energy (1 if so)",
     );
-    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let trial = Trial::census(Subject::Within, compared);
     let points = starts(714, 5000);
     let begun = points
         .iter()
@@ -39,7 +39,7 @@ pub fn fates() -> Evidence {
         Ok(Pair {
             at: format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}"),
             stated: printed::s4_third_fates(),
-            found: f64::from(u8::from(end.is_none())),
+            found: is(end.is_none()),
             scale: 1.0,
         })
     })
@@ -69,7 +69,7 @@ fn third_fate(path: &Path, tau: f64) -> Result<f64, MotionError> {
     let State { x, v, .. } = path.on_table(tau)?;
     let [rho, p] = [x, v].map(|[x, y]| libm::hypot(x, y));
     let fates = [path.resting_place().is_some(), rho * rho - p * p > 1.0];
-    let [rests, escapes] = fates.map(|so| f64::from(u8::from(so)));
+    let [rests, escapes] = fates.map(|so| is(so));
     Ok(1.0 - rests - escapes)
 }
 
@@ -89,7 +89,7 @@ fn on_the_boundary() -> Evidence {
         Ok(Pair {
             at: format!("α = {alpha:.6}, ψ = {psi:.6} on the boundary"),
             stated: printed::s4_third_fates(),
-            found: f64::from(u8::from(creeps)),
+            found: is(creeps),
             scale: 1.0,
         })
     })
@@ -106,7 +106,7 @@ fn beside_the_boundary() -> Evidence {
         "the expected 1",
         "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
     );
-    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
+    let trial = Trial::census(Subject::Excepted, compared);
     let places = Points::stream(742).grid((0..40).map(f64::from));
     trial.over(places, |i| {
         let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 2.0);
@@ -119,7 +119,7 @@ fn beside_the_boundary() -> Evidence {
         Ok(Pair {
             at: format!("α = {alpha:.6}, ψ = {psi:.6}"),
             stated: 1.0,
-            found: f64::from(u8::from(apart)),
+            found: is(apart),
             scale: 1.0,
         })
     })

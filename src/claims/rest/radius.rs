@@ -9,7 +9,7 @@ use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
 use crate::paper::rest as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
 
@@ -94,8 +94,8 @@ fn eq139_stays() -> Evidence {
                 "σ = {sigma:.6}, Ω = {:.6}, μ = {:.6}, g = {:.6}",
                 table.omega, table.mu, table.g
             ),
-            stated: f64::from(u8::from(*sigma <= printed::eq139_largest_sigma())),
-            found: f64::from(u8::from(stayed(*moved))),
+            stated: is(*sigma <= printed::eq139_largest_sigma()),
+            found: is(stayed(*moved)),
             scale: 1.0,
         })
     })
@@ -138,8 +138,8 @@ fn eq139_at_the_edge() -> Evidence {
         };
         Ok(Pair {
             at: format!("σ − 1 = {off:.6e}"),
-            stated: f64::from(u8::from(sigma <= printed::eq139_largest_sigma())),
-            found: f64::from(u8::from(stays)),
+            stated: is(sigma <= printed::eq139_largest_sigma()),
+            found: is(stays),
             scale: 1.0,
         })
     })
@@ -162,7 +162,7 @@ fn resting_places() -> Evidence {
         r"$\sigma$, but at most that of (139),",
         r"$\sigma$ of random starts that come to rest",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let resting = census().filter(|case| case.as_ref().map_or(true, |case| case.rests));
     trial.over(resting.step_by(EVERY), |case| {
         let [a, alpha, psi] = case?.start;

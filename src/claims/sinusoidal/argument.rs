@@ -8,13 +8,9 @@ use crate::motion::drive::{Friction, PlanarState, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::excepted::no_inside;
 use trialbook::claims::points::Points;
-
-fn is(truth: bool) -> f64 {
-    f64::from(u8::from(truth))
-}
 
 fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")
@@ -34,7 +30,7 @@ fn outlasts_census() -> Evidence {
         r"whether $\lambda_0<\lambda_\mathrm c$ (1 if so)",
         r"whether the slip from $\phi_1$ on lasts longer than $\pi$ and $\mathfrak w<0$ a period after $\phi_1$",
     );
-    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let trial = Trial::census(Subject::Within, compared);
     trial.over(dense().into_iter().step_by(3), |lambda| {
         Ok(Pair {
             at: at(lambda),
@@ -51,7 +47,7 @@ fn outlasts_outside() -> Evidence {
         "1, as the claim has it",
         r"whether, without friction, $\mathfrak w<0$ (1 if so) one to twenty periods after a start from rest at the phase 0",
     );
-    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let trial = Trial::census(Subject::Outside, compared);
     trial.over(1..=20, |periods| {
         let friction = Friction::new(0.0, 0.0)?;
         let later = f64::from(periods) * TAU;
@@ -65,29 +61,13 @@ fn outlasts_outside() -> Evidence {
     })
 }
 
-/// What is excepted.
-fn neither_end() -> Evidence {
-    let c = lambda_c();
-    no_inside(
-        Compared::one(
-            "whether a friction meets the condition (1 if so)",
-            r"the expectation that only $\lambda_0=0$ and $\lambda_0=\lambda_\mathrm c$ do not",
-        )
-        .over("random ones, those two, and some close to them"),
-        ["λ₀"],
-        [[0.0, c]],
-        &[[0.0], [c]],
-        |[lambda]| lambda > 0.0 && lambda != c,
-    )
-}
-
 /// Motion for ever below λ₀ = 1, and none above.
 fn stays_census() -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda_0<1$ (1 if so)",
         "whether the large-time motion along the drive moves",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(178);
     let large = (0..60).map(|_| points.uniform(1.0, 3.0));
     let frictions: Vec<_> = dense().into_iter().step_by(5).chain(large).collect();
@@ -196,7 +176,13 @@ pub(super) const TRIALS: &[Attempt] = trials![
     across_proportional,
     outlasts_census,
     outlasts_outside,
-    neither_end
+    neither_end = no_inside(
+        "a friction",
+        r"$\lambda_0=0$ and $\lambda_0=\lambda_\mathrm c$",
+        [("λ₀", [0.0, lambda_c()])],
+        &[[0.0], [lambda_c()]],
+        |[lambda]| lambda > 0.0 && lambda != lambda_c(),
+    )
 ];
 
 #[cfg(test)]

@@ -14,7 +14,8 @@ mod premises;
 
 use crate::certified::numbers::LAMBDA_C;
 use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Printed};
+use crate::evidence::{Evidence, Route};
 use crate::exact::Expr;
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
@@ -26,7 +27,7 @@ use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::taylor::Taylor;
 use trialbook::certified::written::{Of, agree, coefficient, sign, slope};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::compare::{Compared, Pair, Trial, is};
 use trialbook::claims::enclosed::{certified, numbers, on_balls, resting_on};
 
 type One = Jet<1>;
@@ -98,7 +99,7 @@ fn prove_bracket(phases: [Expr; 3], left: Expr, compared: Compared) -> Evidence 
         premises::vanishing(fourth, 1),
     ];
     let signs = || Ok(prove_sign(second, 3, 1.0)? + prove_sign(fourth, 1, -1.0)?);
-    resting_on(&premises, signs, Subject::Printed, compared)
+    resting_on(&premises, signs, Printed, compared)
 }
 
 /// φ₂ < φ̃₂ < φ₄.
@@ -124,7 +125,7 @@ fn bracket_outside() -> Evidence {
         Ok(Pair {
             at: "λ₀ = 0".into(),
             stated: 1.0,
-            found: f64::from(u8::from(!proof.holds())),
+            found: is(!proof.holds()),
             scale: 1.0,
         })
     })
@@ -176,7 +177,7 @@ pub fn threshold() -> Evidence {
         r"the left side of (35) falls for all $0\le\lambda_0\le1$ and changes its sign within $10^{-14}$ of (37)",
     );
     let proof = prove_threshold(printed::eq35_left, printed::eq37_lambda_c());
-    certified(proof, Subject::Printed, compared)
+    certified(proof, Printed, compared)
 }
 
 /// φ̃₁ − φ₁.
@@ -200,12 +201,7 @@ fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence
         let falls = prove_slope(turn_by_itself::<One>, written, 1.0, angles())?;
         Ok(falls + prove_change(turn, turn(lambda0), critical)?)
     };
-    resting_on(
-        &[premises::turn(phi_t1)],
-        change,
-        Subject::Printed,
-        compared,
-    )
+    resting_on(&[premises::turn(phi_t1)], change, Printed, compared)
 }
 
 /// (41) holds exactly below λ_c.
@@ -223,12 +219,9 @@ pub fn lambda_c() -> Evidence {
         "(37), to 50 digits,",
         r"the enclosure of $\sin\phi_1$ for the one $\phi_1$ in $(0.5,0.6)$ from which an arc of Newton's law ends half a period later",
     );
-    let evidence = numbers(
-        [("lambda-c", LAMBDA_C)],
-        Subject::Printed,
-        compared,
-        |bits| [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)],
-    );
+    let evidence = numbers([("lambda-c", LAMBDA_C)], Printed, compared, |bits| {
+        [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)]
+    });
     agree(printed::eq37_lambda_c(), Expr::symbol("x").sin());
     evidence
 }

@@ -3,15 +3,16 @@
 use super::reference_motions::{
     ORIGIN, Slip, drive, each, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
-use crate::claims::tolerances::{APPROACH, NONE, ROOT};
+use crate::claims::tolerances::{APPROACH, ROOT};
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Printed, Within};
+use crate::evidence::{Evidence, Route};
 use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 /// Phases over a period at which a periodic form is compared.
@@ -48,7 +49,7 @@ fn eq33_motion() -> Evidence {
         r"(33), with $\tilde\phi_2$ by (32),",
         "the simulated large-time motion at 256 phases of the period",
     );
-    let trial = Trial::motion(Subject::Printed, compared);
+    let trial = Trial::motion(Printed, compared);
     each(
         &trial,
         large().into_iter().zip(starts().into_iter().cycle()),
@@ -68,7 +69,7 @@ fn eq38_motion() -> Evidence {
         "(38) with (39)",
         "the simulated large-time motion at 256 phases of the period",
     );
-    let trial = Trial::motion(Subject::Within, compared);
+    let trial = Trial::motion(Within, compared);
     each(
         &trial,
         small().into_iter().zip(starts().into_iter().cycle()),
@@ -111,27 +112,17 @@ fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
         "the expected 1",
         "whether seven starts, near and far, end in the same motion (1 if so)",
     );
-    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    let trial = Trial::census(subject, compared);
     trial.over(frictions, |lambda| {
         let friction = Friction::new(lambda, lambda)?;
         let agreement = drive()?.attractors_agree(friction, &starts(), 200)?;
         Ok(Pair {
             at: format!("λ₀ = {lambda:.6}"),
             stated: 1.0,
-            found: f64::from(u8::from(agreement.agree)),
+            found: is(agreement.agree),
             scale: 1.0,
         })
     })
-}
-
-/// (33) is where every start ends.
-fn eq33_unique() -> Evidence {
-    one_motion(large(), Subject::Printed)
-}
-
-/// (38) is where every start ends.
-fn eq38_unique() -> Evidence {
-    one_motion(small(), Subject::Within)
 }
 
 /// Periods after which the motion has to be near the periodic one: twice what the least friction tried takes.
@@ -143,7 +134,7 @@ fn eq38_approach() -> Evidence {
         r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
         "the factor by which a simulated motion's distance to the periodic one shrinks in a period",
     );
-    let trial = Trial::by(Route::Limit, Subject::Within, compared, APPROACH);
+    let trial = Trial::by(Route::Limit, Within, compared, APPROACH);
     let frictions = small().into_iter().filter(|l| (0.02..0.5).contains(l));
     trial.over(frictions, |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
@@ -181,7 +172,7 @@ fn eq39_motion() -> Evidence {
         "(39)",
         "the phase at which the simulated large-time motion turns positive",
     );
-    let trial = Trial::motion(Subject::Printed, compared);
+    let trial = Trial::motion(Printed, compared);
     trial.over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let found = interval(&attractor, Sign::Positive)?.start;
@@ -212,7 +203,7 @@ fn rest_interval_root() -> Evidence {
         r"the ends of $[\tilde\phi_2,\phi_3]$ and $[\tilde\phi_2+\pi,\phi_1+2\pi]$, with the root $\tilde\phi_2$ of (32),",
         "the ends of the simulated rests",
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    let trial = Trial::by(Route::Root, Printed, compared, ROOT);
     each(&trial, large(), |lambda| {
         let end = phi_t2(lambda);
         let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
@@ -238,7 +229,7 @@ fn rest_interval_reached() -> Evidence {
         "(33)",
         r"$\mathfrak w$ at 40 phases of the period that follows the first rest on the way from any start",
     );
-    let trial = Trial::motion(Subject::Printed, compared);
+    let trial = Trial::motion(Printed, compared);
     let mut points = Points::stream(141);
     each(&trial, large(), |lambda| {
         let start = DriveState {
@@ -263,9 +254,9 @@ fn rest_interval_reached() -> Evidence {
 
 pub(super) const TRIALS: &[Attempt] = trials![
     eq33_motion,
-    eq33_unique,
+    eq33_unique = one_motion(large(), Printed),
     eq38_motion,
-    eq38_unique,
+    eq38_unique = one_motion(small(), Within),
     eq38_approach,
     eq38_outside,
     eq39_motion,

@@ -1,7 +1,7 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
 use super::reference_motions::{ORIGIN, Particle, all, drive, each, lambda_c};
-use crate::claims::tolerances::{MOTION, NONE, ROOT};
+use crate::claims::tolerances::{MOTION, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;
 use crate::motion::drive::{Drive, DriveState, Friction, Sign};
@@ -17,7 +17,15 @@ use trialbook::claims::points::Points;
 type Formula = fn(Double) -> Double;
 
 /// A printed phase with the zero of |sin φ| − λ₀ in its quarter of the period.
-fn by_root(formula: Formula, quarter: u8, compared: Compared) -> Evidence {
+fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
+    const QUARTERS: [&str; 4] = [
+        r"$[0,\pi/2]$",
+        r"$[\pi/2,\pi]$",
+        r"$[\pi,3\pi/2]$",
+        r"$[3\pi/2,2\pi]$",
+    ];
+    const ZERO: &str = r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in ";
+    let compared = Compared::composed([law, "", ""], [ZERO, QUARTERS[usize::from(quarter)], ""]);
     let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(all(), |lambda| {
         let from = FRAC_PI_2 * f64::from(quarter);
@@ -34,56 +42,10 @@ fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")
 }
 
-/// (27) by root-finding.
-fn eq27_root() -> Evidence {
-    by_root(
-        printed::eq27_phi1,
-        0,
-        Compared::one(
-            "(27)",
-            r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in $[0,\pi/2]$",
-        ),
-    )
-}
-
-/// (28) by root-finding.
-fn eq28_root() -> Evidence {
-    by_root(
-        printed::eq28_phi2,
-        1,
-        Compared::one(
-            "(28)",
-            r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in $[\pi/2,\pi]$",
-        ),
-    )
-}
-
-/// (29) by root-finding.
-fn eq29_root() -> Evidence {
-    by_root(
-        printed::eq29_phi3,
-        2,
-        Compared::one(
-            "(29)",
-            r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in $[\pi,3\pi/2]$",
-        ),
-    )
-}
-
-/// (30) by root-finding.
-fn eq30_root() -> Evidence {
-    by_root(
-        printed::eq30_phi4,
-        3,
-        Compared::one(
-            "(30)",
-            r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in $[3\pi/2,2\pi]$",
-        ),
-    )
-}
-
 /// A printed phase with the end of a simulated rest that began at `from`.
-fn by_release(formula: Formula, from: f64, compared: Compared) -> Evidence {
+fn by_release(law: &'static str, formula: Formula, (name, from): (&'static str, f64)) -> Evidence {
+    const REST: &str = r"the end of a simulated rest that holds at $\phi=";
+    let compared = Compared::composed([law, "", ""], [REST, name, "$"]);
     let trial = Trial::motion(Subject::Printed, compared);
     trial.over(all(), |lambda| {
         let rest = DriveState {
@@ -104,32 +66,15 @@ fn beside_a_motion(lambda: f64, formula: Formula, found: f64) -> Pair {
     Pair::wide(at(lambda), stated, found).within(scale)
 }
 
-/// (27): a rest that began at phase 0 ends there.
-fn eq27_motion() -> Evidence {
-    by_release(
-        printed::eq27_phi1,
-        0.0,
-        Compared::one(
-            "(27)",
-            r"the end of a simulated rest that holds at $\phi=0$",
-        ),
-    )
-}
-
-/// (29): a rest that began at phase π ends there.
-fn eq29_motion() -> Evidence {
-    by_release(
-        printed::eq29_phi3,
-        PI,
-        Compared::one(
-            "(29)",
-            r"the end of a simulated rest that holds at $\phi=\pi$",
-        ),
-    )
-}
-
 /// A printed phase with the place of the largest |𝔴| where friction forbids the other direction.
-fn by_extremum(formula: Formula, side: Sign, compared: Compared) -> Evidence {
+fn by_extremum(
+    law: &'static str,
+    formula: Formula,
+    (name, side): (&'static str, Sign),
+) -> Evidence {
+    const FASTEST: &str =
+        r"the phase of the largest $\lvert\mathfrak w\rvert$ of a particle that can only slip ";
+    let compared = Compared::composed([law, "", ""], [FASTEST, name, ""]);
     let trial = Trial::motion(Subject::Printed, compared);
     // Nearer to a zero of the drive, rounding hides which of two values of 𝔴 is the larger.
     let frictions = all().into_iter().filter(|lambda| *lambda > 1e-5);
@@ -152,30 +97,6 @@ fn by_extremum(formula: Formula, side: Sign, compared: Compared) -> Evidence {
         };
         Ok(beside_a_motion(lambda, formula, found))
     })
-}
-
-/// (28): a forward slip is fastest there.
-fn eq28_motion() -> Evidence {
-    by_extremum(
-        printed::eq28_phi2,
-        Sign::Positive,
-        Compared::one(
-            "(28)",
-            r"the phase of the largest $\mathfrak w$ of a particle that can only slip forwards",
-        ),
-    )
-}
-
-/// (30): a backward slip is fastest there.
-fn eq30_motion() -> Evidence {
-    by_extremum(
-        printed::eq30_phi4,
-        Sign::Negative,
-        Compared::one(
-            "(30)",
-            r"the phase of the smallest $\mathfrak w$ of a particle that can only slip backwards",
-        ),
-    )
 }
 
 /// The distinct phases in [0, 2π) at which |h| equals the friction, from the monotone pieces of h.
@@ -212,7 +133,7 @@ fn four_points_census() -> Evidence {
         "the stated 4",
         r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
     );
-    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let trial = Trial::census(Subject::Within, compared);
     trial.over(all(), |lambda| {
         Ok(Pair {
             at: at(lambda),
@@ -252,7 +173,7 @@ fn four_points_outside() -> Evidence {
         "the stated 4",
         r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
     );
-    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let trial = Trial::census(Subject::Outside, compared);
     let mut points = Points::stream(120);
     trial.over(0..24, |_| {
         let a = points.uniform(0.0, TAU);
@@ -317,7 +238,7 @@ fn rest_ends_census() -> Evidence {
         r"the number of rests that end elsewhere than at (27) and (29), of a particle that began with $v_y\ne0$ and rests at least once,",
         "0",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(122);
     trial.over(0..20, |_| {
         let lambda = points.uniform(lambda_c() + 0.02, 0.97);
@@ -345,14 +266,14 @@ fn rest_ends_census() -> Evidence {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq27_root,
-    eq27_motion,
-    eq28_root,
-    eq28_motion,
-    eq29_root,
-    eq29_motion,
-    eq30_root,
-    eq30_motion,
+    eq27_root = by_root("(27)", printed::eq27_phi1, 0),
+    eq27_motion = by_release("(27)", printed::eq27_phi1, ("0", 0.0)),
+    eq28_root = by_root("(28)", printed::eq28_phi2, 1),
+    eq28_motion = by_extremum("(28)", printed::eq28_phi2, ("forwards", Sign::Positive)),
+    eq29_root = by_root("(29)", printed::eq29_phi3, 2),
+    eq29_motion = by_release("(29)", printed::eq29_phi3, (r"\pi", PI)),
+    eq30_root = by_root("(30)", printed::eq30_phi4, 3),
+    eq30_motion = by_extremum("(30)", printed::eq30_phi4, ("backwards", Sign::Negative)),
     four_points_census,
     four_points_root,
     four_points_outside,

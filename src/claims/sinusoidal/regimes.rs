@@ -10,7 +10,7 @@ use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 fn at(lambda: f64) -> String {
@@ -23,9 +23,8 @@ fn no_rest_census() -> Evidence {
         r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
         "whether the simulated motions from seven starts have no rest at large times (1 if so)",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     trial.over(dense().into_iter().step_by(4), |lambda| {
-        let is = |truth: bool| f64::from(u8::from(truth));
         Ok(Pair {
             at: at(lambda),
             stated: is(lambda < printed::eq37_lambda_c()),
@@ -110,7 +109,7 @@ pub fn trichotomy_census() -> Evidence {
         r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
         "the same of the simulated list of intervals",
     );
-    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let trial = Trial::census(Subject::Within, compared);
     trial.over(
         frictions().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
@@ -159,7 +158,7 @@ pub fn trichotomy_outside() -> Evidence {
         "the stated 2",
         r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
     );
-    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let trial = Trial::census(Subject::Outside, compared);
     let mut points = Points::stream(152);
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 3.0);
@@ -194,7 +193,7 @@ fn weak_drive_motion() -> Evidence {
         Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
             stated: stated_still(lambda),
-            found: f64::from(u8::from(largest == 0.0)),
+            found: is(largest == 0.0),
             scale: 1.0,
         })
     })
@@ -203,7 +202,7 @@ fn weak_drive_motion() -> Evidence {
 /// 1 where (25) does not hold, so that nothing moves at large times.
 fn stated_still(lambda: f64) -> f64 {
     let [left, right] = printed::eq25_sides(lambda);
-    f64::from(u8::from(left >= right))
+    is(left >= right)
 }
 
 /// Phases all over the fourth period after a phase.
@@ -217,14 +216,14 @@ fn weak_drive_census() -> Evidence {
         "whether (25) fails (1 if so)",
         "whether the simulated large-time motion is rest throughout, from seven starts",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let frictions = frictions().into_iter().enumerate();
     let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);
     trial.over(some, |(_, lambda)| {
         Ok(Pair {
             at: at(lambda),
             stated: stated_still(lambda),
-            found: f64::from(u8::from(all_still(lambda)?)),
+            found: is(all_still(lambda)?),
             scale: 1.0,
         })
     })

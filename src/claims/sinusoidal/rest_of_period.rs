@@ -3,7 +3,8 @@
 use super::reference_motions::{Slip, small};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Corrected, Printed};
+use crate::evidence::{Evidence, Route};
 use crate::numerics::quadrature::integral_within;
 use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
@@ -12,7 +13,7 @@ use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::compare::{Compared, Failure, Trial};
 
 /// What is said of the end, at a phase inside the slip that begins at φ₁ for this λ₀.
-type Stated = fn(f64, f64) -> f64;
+type Stated = (&'static str, fn(f64, f64) -> f64);
 
 fn at_each(
     route: Route,
@@ -31,12 +32,19 @@ fn at_each(
 }
 
 /// As printed: φ itself, whichever of the slip it is.
-const PRINTED: Stated = |_, phi| printed::s22_rest_of_period_end(phi);
+const PRINTED: Stated = (
+    r"$\phi+2\pi$, with $\phi$ in the middle of the slip,",
+    |_, phi| printed::s22_rest_of_period_end(phi),
+);
 
-const CORRECTED: Stated = |lambda, _| corrected::rest_of_period_end(printed::eq27_phi1(lambda));
+const CORRECTED: Stated = (r"$\phi_1+2\pi$", |lambda, _| {
+    corrected::rest_of_period_end(printed::eq27_phi1(lambda))
+});
 
 /// Where the drive next overcomes friction forward, after it has done so at φ₁.
-fn next_start(subject: Subject, compared: Compared, stated: Stated) -> Evidence {
+fn next_start(subject: Subject, (end, stated): Stated) -> Evidence {
+    const NEXT: &str = r"the phase after $\phi_1$ at which the drive next exceeds friction forward";
+    let compared = Compared::one(end, NEXT);
     at_each(Route::Root, subject, compared, |lambda, phi| {
         let found = root(|phi| libm::sin(phi) - lambda, 1.5 * PI, 2.5 * PI)?;
         Ok([stated(lambda, phi), found])
@@ -44,7 +52,11 @@ fn next_start(subject: Subject, compared: Compared, stated: Stated) -> Evidence 
 }
 
 /// The drive gives nothing in a whole period.
-fn nothing_given(subject: Subject, compared: Compared, stated: Stated) -> Evidence {
+fn nothing_given(subject: Subject, (end, stated): Stated) -> Evidence {
+    let compared = Compared::composed(
+        [r"what the drive gives from $\phi_1$ to ", end, ""],
+        ["the 0 of a whole period", "", ""],
+    );
     at_each(Route::Quadrature, subject, compared, |lambda, phi| {
         let start = Slip::of(lambda)?.start;
         let given = integral_within(libm::sin, start, stated(lambda, phi), 1e-13);
@@ -52,45 +64,9 @@ fn nothing_given(subject: Subject, compared: Compared, stated: Stated) -> Eviden
     })
 }
 
-/// As printed.
-pub fn printed_root() -> Evidence {
-    let compared = Compared::one(
-        r"$\phi+2\pi$, with $\phi$ in the middle of the slip,",
-        r"the phase after $\phi_1$ at which the drive next exceeds friction forward",
-    );
-    next_start(Subject::Printed, compared, PRINTED)
-}
-
-/// As printed.
-fn printed_quadrature() -> Evidence {
-    let compared = Compared::one(
-        r"what the drive gives from $\phi_1$ to $\phi+2\pi$, with $\phi$ in the middle of the slip,",
-        "the 0 of a whole period",
-    );
-    nothing_given(Subject::Printed, compared, PRINTED)
-}
-
-/// As corrected.
-pub fn corrected_root() -> Evidence {
-    let compared = Compared::one(
-        r"$\phi_1+2\pi$",
-        r"the phase after $\phi_1$ at which the drive next exceeds friction forward",
-    );
-    next_start(Subject::Corrected, compared, CORRECTED)
-}
-
-/// As corrected.
-fn corrected_quadrature() -> Evidence {
-    let compared = Compared::one(
-        r"what the drive gives from $\phi_1$ to $\phi_1+2\pi$",
-        "the 0 of a whole period",
-    );
-    nothing_given(Subject::Corrected, compared, CORRECTED)
-}
-
 pub(super) const TRIALS: &[Attempt] = trials![
-    printed_root,
-    printed_quadrature,
-    corrected_root,
-    corrected_quadrature
+    printed_root = next_start(Printed, PRINTED),
+    printed_quadrature = nothing_given(Printed, PRINTED),
+    corrected_root = next_start(Corrected, CORRECTED),
+    corrected_quadrature = nothing_given(Corrected, CORRECTED),
 ];

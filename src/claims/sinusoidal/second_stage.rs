@@ -10,7 +10,7 @@ use crate::numerics::quadrature::integral_within;
 use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 /// Frictions below λ_c, where the passages are not too steep to be followed.
@@ -64,8 +64,7 @@ fn period_factor_reached() -> Evidence {
         r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
     );
     let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
-    trial.over(flights_where(Flight::never_rests), |flight| {
-        let flight = flight?;
+    trial.each(flights_where(Flight::never_rests), Flight::at, |flight| {
         let strobe: Vec<_> = flight.strobe().collect();
         let last = strobe
             .iter()
@@ -75,12 +74,7 @@ fn period_factor_reached() -> Evidence {
             Some(before) => strobe[last].ln_w_y / strobe[before].ln_w_y,
             None => f64::NAN,
         };
-        Ok(Pair {
-            at: flight.at(),
-            stated: 1.0 / corrected::contraction(flight.lambda),
-            found: factor,
-            scale: factor,
-        })
+        Ok([1.0 / corrected::contraction(flight.lambda), factor, factor])
     })
 }
 
@@ -173,18 +167,13 @@ fn finite_end() -> Evidence {
         r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
     );
     let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NONE);
-    trial.over(
+    trial.each(
         flights_where(|flight| flight.lambda > lambda_c()),
+        Flight::at,
         |flight| {
-            let flight = flight?;
             let last = flight.last()?;
             let line = settled(flight.lambda, ORIGIN)?.w(last.phi);
-            Ok(Pair {
-                at: flight.at(),
-                stated: 1.0,
-                found: f64::from(u8::from(ended([last.ln_w_y, last.w_x], line))),
-                scale: 1.0,
-            })
+            Ok([1.0, is(ended([last.ln_w_y, last.w_x], line)), 1.0])
         },
     )
 }

@@ -3,14 +3,14 @@
 use super::reference_motions::{
     ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small,
 };
-use crate::claims::tolerances::{EDGE, MOTION, NONE, ROOT};
+use crate::claims::tolerances::{EDGE, MOTION, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::PI;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::claims::compare::{Compared, Pair, Trial, is};
 use trialbook::claims::points::Points;
 
 fn at(lambda: f64) -> String {
@@ -82,7 +82,7 @@ fn eq32_census() -> Evidence {
         "the number of phases, of 1000 between the ends of the simulated slip, at which (32) is not positive",
         "0",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let frictions = all().into_iter().filter(|l| (1e-3..=0.999).contains(l));
     trial.over(frictions, |lambda| {
         let slip = Slip::of(lambda)?;
@@ -109,13 +109,13 @@ fn bracket_census() -> Evidence {
         "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
         "1",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     trial.over(dense(), |lambda| {
         let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
         let end = Slip::of(lambda)?.end;
         Ok(Pair {
             at: at(lambda),
-            stated: f64::from(u8::from(low < end && end < high)),
+            stated: is(low < end && end < high),
             found: 1.0,
             scale: 1.0,
         })
@@ -175,34 +175,9 @@ fn eq34_of(lambda: Double) -> Double {
     )
 }
 
-/// (34): its left side is what is left of 𝔴 when the drive could start the next slip.
-fn eq34_motion() -> Evidence {
-    left_with_motion(
-        eq34_of,
-        Compared::one(
-            "the left side of (34)",
-            r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest",
-        )
-        .over(r"$\lambda_0<\lambda_\mathrm c$"),
-    )
-}
-
-/// (35): the same, in the friction alone.
-fn eq35_motion() -> Evidence {
-    left_with_motion(
-        printed::eq35_left,
-        Compared::one(
-            "the left side of (35)",
-            r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest",
-        )
-        .over(r"$\lambda_0<\lambda_\mathrm c$"),
-    )
-}
-
 /// A printed inequality holds exactly where the simulated slip ends before the next can begin.
 pub fn ends_early(inequality: fn(f64) -> bool, compared: Compared) -> Evidence {
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    let is = |truth: bool| f64::from(u8::from(truth));
+    let trial = Trial::census(Subject::Printed, compared);
     trial.over(dense(), |lambda| {
         let slip = Slip::of(lambda)?;
         // The backward slip could begin half a period after the forward one did.
@@ -265,9 +240,24 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq32_root,
     eq32_motion,
     eq32_census,
-    eq34_motion,
+    // (34): its left side is what is left of 𝔴 when the drive could start the next slip.
+    eq34_motion = left_with_motion(
+        eq34_of,
+        Compared::one(
+            "the left side of (34)",
+            r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest",
+        )
+        .over(r"$\lambda_0<\lambda_\mathrm c$"),
+    ),
     eq34_census,
-    eq35_motion,
+    eq35_motion = left_with_motion(
+        printed::eq35_left,
+        Compared::one(
+            "the left side of (35)",
+            r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest",
+        )
+        .over(r"$\lambda_0<\lambda_\mathrm c$"),
+    ),
     eq35_census,
     eq36_census,
     bracket_census,

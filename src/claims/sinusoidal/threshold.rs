@@ -3,7 +3,7 @@
 use super::reference_motions::{
     ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small,
 };
-use crate::claims::tolerances::{NONE, ONSET, ROOT};
+use crate::claims::tolerances::{ONSET, ROOT};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Sign};
 use crate::numerics::double::Double;
@@ -11,7 +11,7 @@ use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
 
@@ -123,8 +123,7 @@ fn eq40_census() -> Evidence {
         "whether (40) holds (1 if so)",
         "whether the simulated large-time motion has no rest",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    let is = |truth: bool| f64::from(u8::from(truth));
+    let trial = Trial::census(Subject::Printed, compared);
     trial.over(dense(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let [left, right] = printed::eq40_sides(lambda);
@@ -164,8 +163,7 @@ fn eq41_census() -> Evidence {
         "whether the simulated motion turns later than a rest would end",
     )
     .over(r"$\lambda_0<\lambda_\mathrm c$");
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    let is = |truth: bool| f64::from(u8::from(truth));
+    let trial = Trial::census(Subject::Printed, compared);
     let below = dense().into_iter().filter(|lambda| *lambda < lambda_c());
     trial.over(below, |lambda| {
         let attractor = settled(lambda, ORIGIN)?;

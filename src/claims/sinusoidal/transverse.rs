@@ -1,15 +1,16 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
 use super::reference_motions::{Particle, drive, each, lambda_c, printed_late};
-use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE, NONE};
-use crate::evidence::{Evidence, Route, Subject};
+use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE};
+use crate::evidence::Subject::{self, Outside, Printed};
+use crate::evidence::{Evidence, Route};
 use crate::motion::drive::PlanarState;
 use crate::paper::general as law;
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
 
@@ -121,15 +122,13 @@ fn vanishes_limit() -> Evidence {
         "the stated 0",
         r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
     );
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
-    trial.over(flights_where(|_| true), |flight| {
-        let flight = flight?;
-        Ok(Pair {
-            at: flight.at(),
-            stated: printed::s22_late_vy(),
-            found: Scalar::exp(flight.last()?.ln_w_y),
-            scale: flight.start[1],
-        })
+    let trial = Trial::by(Route::Limit, Printed, compared, GONE);
+    trial.each(flights_where(|_| true), Flight::at, |flight| {
+        Ok([
+            printed::s22_late_vy(),
+            Scalar::exp(flight.last()?.ln_w_y),
+            flight.start[1],
+        ])
     })
 }
 
@@ -139,7 +138,7 @@ fn vanishes_motion() -> Evidence {
         "the stated 0",
         "$v_y$ of a particle on the plane after five periods",
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, GONE);
+    let trial = Trial::by(Route::Integration, Printed, compared, GONE);
     let mut points = Points::stream(161);
     trial.over(0..20, |_| {
         let lambda = points.uniform(0.25, 1.4);
@@ -160,7 +159,7 @@ fn vanishes_outside() -> Evidence {
         "the expected 0",
         "$v_y$ of a particle on the plane after five periods without friction",
     );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, GONE);
+    let trial = Trial::by(Route::Integration, Outside, compared, GONE);
     let starts = Points::stream(167).within(20, [[-1.0, 1.0], [0.05, 1.0]]);
     trial.over(starts, |v| {
         let end = Particle::plain(0.0).run(0.0, v, 5.0 * TAU)?.end();
@@ -179,23 +178,21 @@ fn vanishes_census() -> Evidence {
         r"the number of states at which (1) lets $\mathfrak w_y>0$ grow",
         r"that of the steps of an eighth of a period on which $\ln\mathfrak w_y$ grows, over ten periods",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
-    trial.over(flights_where(|_| true), |flight| {
-        let flight = flight?;
+    let trial = Trial::census(Printed, compared);
+    trial.each(flights_where(|_| true), Flight::at, |flight| {
         let steps = flight.states.windows(2);
         // Beside a huge logarithm a change of order one is lost in rounding.
         let rounding = |s: &PlanarState| 1e-13 * s.ln_w_y.abs().min(f64::MAX);
         let grows = steps.filter(|s| s[1].ln_w_y > s[0].ln_w_y + rounding(&s[0]));
-        Ok(Pair {
-            at: flight.at(),
-            stated: flight
+        Ok([
+            flight
                 .states
                 .iter()
                 .filter(|s| flight.is_to_grow(s))
                 .count() as f64,
-            found: grows.count() as f64,
-            scale: 1.0,
-        })
+            grows.count() as f64,
+            1.0,
+        ])
     })
 }
 
@@ -205,7 +202,7 @@ pub fn first_stage() -> Evidence {
         r"$-\lambda_0$",
         r"the mean slope of $\mathfrak w_y$ over a period, or eight where friction is next to none, in which it stays above $10^4\lvert\mathfrak w\rvert$",
     );
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, FIRST_STAGE);
+    let trial = Trial::by(Route::Limit, Printed, compared, FIRST_STAGE);
     let mut points = Points::stream(163);
     trial.over(0..36, |i| {
         // With next to no friction next to nothing is lost: less of it drowns in the rounding of a smaller velocity, and
@@ -234,16 +231,14 @@ fn second_stage() -> Evidence {
         "the stated 1",
         r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$,",
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, EXPONENTIAL);
-    trial.over(flights_where(Flight::never_rests), |flight| {
-        let flight = flight?;
+    let trial = Trial::by(Route::Integration, Printed, compared, EXPONENTIAL);
+    trial.each(flights_where(Flight::never_rests), Flight::at, |flight| {
         let strobe: Vec<_> = flight.strobe().map(|s| s.ln_w_y).collect();
-        Ok(Pair {
-            at: flight.at(),
-            stated: printed::s22_second_stage_ratio(),
-            found: third_over_second(&strobe)?,
-            scale: 1.0,
-        })
+        Ok([
+            printed::s22_second_stage_ratio(),
+            third_over_second(&strobe)?,
+            1.0,
+        ])
     })
 }
 
@@ -264,7 +259,7 @@ fn ignores_motion() -> Evidence {
         r"$\mathfrak w$ by (38), (33) or rest, as $\lambda_0$ says,",
         r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FORGOTTEN);
+    let trial = Trial::by(Route::Integration, Printed, compared, FORGOTTEN);
     each(&trial, flights_where(|_| true), |flight| {
         let flight = flight?;
         let last = flight.states.iter().rev().take(A_PERIOD as usize);
@@ -278,26 +273,8 @@ fn ignores_motion() -> Evidence {
     })
 }
 
-/// On the way v_x does depend on v_y.
-fn ignores_census() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 1",
-        r"whether the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
-    );
-    ignores(Subject::Printed, compared, 166, [0.15, 1.4])
-}
-
-/// Without friction it does not.
-fn ignores_outside() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 1",
-        r"whether, without friction, the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
-    );
-    ignores(Subject::Outside, compared, 168, [0.0, 0.0])
-}
-
 fn ignores(subject: Subject, compared: Compared, stream: u64, [low, high]: [f64; 2]) -> Evidence {
-    let trial = Trial::by(Route::Census, subject, compared, NONE);
+    let trial = Trial::census(subject, compared);
     let mut points = Points::stream(stream);
     trial.over(0..20, |_| {
         let (lambda, w_x) = (points.uniform(low, high), points.uniform(-1.0, 1.0));
@@ -315,7 +292,7 @@ fn ignores(subject: Subject, compared: Compared, stream: u64, [low, high]: [f64;
         Ok(Pair {
             at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6} at φ = 0"),
             stated: 1.0,
-            found: f64::from(u8::from(each_differs(&curves))),
+            found: is(each_differs(&curves)),
             scale: 1.0,
         })
     })
@@ -340,8 +317,26 @@ pub(super) const TRIALS: &[Attempt] = trials![
     first_stage,
     second_stage,
     ignores_motion,
-    ignores_census,
-    ignores_outside
+    // On the way v_x does depend on v_y.
+    ignores_census = ignores(
+        Printed,
+        Compared::constant(
+            "the expected 1",
+            r"whether the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
+        ),
+        166,
+        [0.15, 1.4]
+    ),
+    // Without friction it does not.
+    ignores_outside = ignores(
+        Outside,
+        Compared::constant(
+            "the expected 1",
+            r"whether, without friction, the first period's $\mathfrak w$ differs by more than 0.01 between $\mathfrak w_y=0.1$, 1 and 5 at the start (1 if so)",
+        ),
+        168,
+        [0.0, 0.0]
+    )
 ];
 
 #[cfg(test)]

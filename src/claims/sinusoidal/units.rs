@@ -1,7 +1,7 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
 use super::reference_motions::{ORIGIN, Particle, drive, settled};
-use crate::claims::tolerances::{MOTION, NONE};
+use crate::claims::tolerances::NONE;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Motion;
 use crate::motion::drive::{Friction, Sign};
@@ -9,20 +9,19 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
 use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
 
-const fn consistency(compared: Compared) -> Trial {
-    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
-}
-
 /// (21): what a particle on a smooth plane gains is the integral of −A.
 pub fn eq21() -> Evidence {
-    let trial = consistency(Compared::one(
-        "the integral of (21) over $t$, its $x$ component with the sign changed,",
-        "the gain of $v_x+v_y$ of a particle without friction",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            "the integral of (21) over $t$, its $x$ component with the sign changed,",
+            "the gain of $v_x+v_y$ of a particle without friction",
+        ),
+    );
     let mut points = Points::stream(110);
     trial.over(0..40, |_| {
         let (a0, varpi) = (points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0));
@@ -109,10 +108,13 @@ fn twins(points: &mut Points) -> Result<Twins, Failure> {
 
 /// (22): the motion without units, with the friction (22), is the motion in units.
 fn eq22() -> Evidence {
-    let trial = consistency(Compared::one(
-        r"$\mathfrak w$ of $\mathfrak w'=h\mp\lambda_0$, with $\lambda_0$ by (22),",
-        r"$\varpi v_x/A_0$ of the particle",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"$\mathfrak w$ of $\mathfrak w'=h\mp\lambda_0$, with $\lambda_0$ by (22),",
+            r"$\varpi v_x/A_0$ of the particle",
+        ),
+    );
     trial.over(all_twins(), |twins| {
         let twins = twins?;
         let lambda = printed::eq22_lambda0(twins.mu, twins.g, twins.a0);
@@ -131,10 +133,13 @@ fn eq22() -> Evidence {
 
 /// (23): both start to slide at the same phase.
 fn eq23() -> Evidence {
-    let trial = consistency(Compared::one(
-        "(23) of the time at which the particle starts",
-        "the phase at which its twin does",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            "(23) of the time at which the particle starts",
+            "the phase at which its twin does",
+        ),
+    );
     trial.over(all_twins(), |twins| {
         let twins = twins?;
         Ok(Pair {
@@ -148,10 +153,13 @@ fn eq23() -> Evidence {
 
 /// (24): the velocities are the same.
 fn eq24() -> Evidence {
-    let trial = consistency(Compared::one(
-        "(24) of the particle's $v_x$",
-        "the velocity of its twin without units",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            "(24) of the particle's $v_x$",
+            "the velocity of its twin without units",
+        ),
+    );
     trial.over(all_twins(), |twins| {
         let twins = twins?;
         Ok(Pair {
@@ -164,7 +172,7 @@ fn eq24() -> Evidence {
 }
 
 fn holds(truth: bool) -> f64 {
-    f64::from(u8::from(truth))
+    is(truth)
 }
 
 /// Frictions on both sides of 1, 1 itself included.
@@ -200,7 +208,7 @@ fn eq25_census() -> Evidence {
         "whether (25) holds (1 if so)",
         "whether the large-time motion is not rest for ever",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     trial.over(around_one(115), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);

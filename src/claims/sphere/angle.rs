@@ -1,7 +1,7 @@
 //! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
 
 use super::spheres::{Units, braking, sphere};
-use crate::claims::tolerances::{MOTION, ROOT};
+use crate::claims::tolerances::ROOT;
 use crate::corrections::constant::{speed, time};
 use crate::corrections::sphere as corrected;
 use crate::evidence::{Evidence, Route, Subject};
@@ -237,9 +237,8 @@ fn eq80() -> Evidence {
         r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
         "$u/u_0$ of a sphere at the same $At/v_0$",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
-    trial.over(turns(), |turn| {
-        let turn = turn?;
+    let trial = Trial::consistency(Subject::Printed, compared);
+    trial.each(turns(), Turn::at, |turn| {
         let start = State {
             t: 0.0,
             v: [libm::cos(turn.theta0), libm::sin(turn.theta0)],
@@ -251,13 +250,12 @@ fn eq80() -> Evidence {
         let b = printed::eq67_factor(kappa);
         let lambda = printed::eq80_lambda(b, sphere.mu, sphere.g, turn.a);
         let particle = run(&Plane::constant([-1.0, 0.0]), lambda, start, t);
-        Ok(Pair {
-            at: turn.at(),
-            // No particle has a friction below zero.
-            stated: particle.map_or(f64::NAN, |particle| particle.end().speed()),
-            found: turn.u / turn.u0,
-            scale: 1.0,
-        })
+        // No particle has a friction below zero.
+        Ok([
+            particle.map_or(f64::NAN, |particle| particle.end().speed()),
+            turn.u / turn.u0,
+            1.0,
+        ])
     })
 }
 
@@ -284,14 +282,12 @@ fn eq81_outside() -> Evidence {
             "the slip of the motion",
         ),
     );
-    trial.over(straight(), |turn| {
-        let turn = turn?;
-        Ok(Pair {
-            at: turn.at(),
-            stated: printed::eq81_slip(turn.lambda, turn.u0, turn.theta0, turn.theta),
-            found: turn.u,
-            scale: turn.u0,
-        })
+    trial.each(straight(), Turn::at, |turn| {
+        Ok([
+            printed::eq81_slip(turn.lambda, turn.u0, turn.theta0, turn.theta),
+            turn.u,
+            turn.u0,
+        ])
     })
 }
 
@@ -299,14 +295,12 @@ fn eq81_outside() -> Evidence {
 fn regular_slip() -> Evidence {
     let compared = Compared::one("the regular form of $u$", "the slip of the motion");
     let trial = Trial::motion(Subject::Corrected, compared);
-    trial.over(turns(), |turn| {
-        let turn = turn?;
-        Ok(Pair {
-            at: turn.at(),
-            stated: speed(turn.lambda, turn.u0, turn.theta0, turn.r()),
-            found: turn.u,
-            scale: turn.u.max(turn.u0) * turn.condition(),
-        })
+    trial.each(turns(), Turn::at, |turn| {
+        Ok([
+            speed(turn.lambda, turn.u0, turn.theta0, turn.r()),
+            turn.u,
+            turn.u.max(turn.u0) * turn.condition(),
+        ])
     })
 }
 
@@ -316,8 +310,7 @@ pub fn regular_straight() -> Evidence {
         r"the regular form of $u$ along the line of the acceleration, with $r$ from the regular form of $\tau$,",
         "the slip of the motion",
     );
-    Trial::motion(Subject::Corrected, compared).over(straight(), |turn| {
-        let turn = turn?;
+    Trial::motion(Subject::Corrected, compared).each(straight(), Turn::at, |turn| {
         let Turn {
             lambda,
             gamma,
@@ -328,12 +321,7 @@ pub fn regular_straight() -> Evidence {
         } = *turn;
         let late = |ln_r: f64| time(lambda, gamma, u0, theta0, ln_r) - tau;
         let r = libm::exp(root(late, -20.0, 0.0).unwrap_or(f64::NAN));
-        Ok(Pair {
-            at: turn.at(),
-            stated: speed(lambda, u0, theta0, r),
-            found: turn.u,
-            scale: u0,
-        })
+        Ok([speed(lambda, u0, theta0, r), turn.u, u0])
     })
 }
 
@@ -412,20 +400,18 @@ pub fn regular_time() -> Evidence {
         r"the regular form of $\tau$",
         r"that of the motion, $\lambda=1$ and $\cos\theta_0=-\lambda$ included",
     );
-    Trial::motion(Subject::Corrected, compared).over(turns(), |turn| {
-        let turn = turn?;
-        Ok(Pair {
-            at: turn.at(),
-            stated: time(
+    Trial::motion(Subject::Corrected, compared).each(turns(), Turn::at, |turn| {
+        Ok([
+            time(
                 turn.lambda,
                 turn.gamma,
                 turn.u0,
                 turn.theta0,
                 libm::log(turn.r()),
             ),
-            found: turn.tau,
-            scale: turn.tau * turn.condition(),
-        })
+            turn.tau,
+            turn.tau * turn.condition(),
+        ])
     })
 }
 

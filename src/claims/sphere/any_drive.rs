@@ -4,7 +4,7 @@ use super::driven::{Swing, of_settled, part};
 use super::every_drive::rolling_time;
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::periodic::threshold::{Bounds, bounds};
-use crate::claims::tolerances::{MOTION, NONE};
+use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, Sign};
 use crate::paper::periodic;
@@ -48,7 +48,7 @@ pub fn census() -> Evidence {
         r"0 below the lower bound of section 2.3 for $\lambda_0$ of (84), 1 above the upper one and 2 above 1",
         "what a sphere does in a late period (0 if it never rolls, 1 if it rolls at times, 2 if it always does)",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(420);
     trial.over(0..30, |i| {
         let (shape, _, Bounds { low, high }) = any(&mut points)?;

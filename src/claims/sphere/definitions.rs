@@ -1,7 +1,7 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
 use super::spheres::{Run, braking, length, mixed, sphere, weighed};
-use crate::claims::tolerances::{FOREIGN, MOTION};
+use crate::claims::tolerances::FOREIGN;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact};
@@ -11,10 +11,6 @@ use crate::paper::sphere as printed;
 use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::compare::{Compared, Pair, Trial};
 use trialbook::claims::points::Points;
-
-const fn consistency(compared: Compared) -> Trial {
-    Trial::by(Route::Consistency, Subject::Printed, compared, MOTION)
-}
 
 /// Friction on the sphere whose lowest point has this velocity relative to the plane.
 fn friction(run: &Run, slip: [f64; 3]) -> [f64; 3] {
@@ -107,10 +103,13 @@ pub fn eq60() -> Evidence {
 
 /// (61): the point at **R** from the centre of a rolling sphere is at rest.
 fn eq61() -> Evidence {
-    let trial = consistency(Compared::one(
-        r"$-\bm\omega\times$ (61)",
-        "the velocity of the centre of a rolling sphere, each vector by the one number $x+2y$",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"$-\bm\omega\times$ (61)",
+            "the velocity of the centre of a rolling sphere, each vector by the one number $x+2y$",
+        ),
+    );
     let rolling = mixed().flat_map(|run| match run {
         Ok(run) => {
             let times = (1..=8).map(|k| f64::from(k) / 8.0 * run.until);
@@ -135,10 +134,13 @@ fn eq61() -> Evidence {
 
 /// (67): on a plane at rest the slip velocity w lasts for w/(bμg).
 fn eq67() -> Evidence {
-    let trial = consistency(Compared::one(
-        r"$w/(b\mu g)$, with $b$ by (67),",
-        "the time at which a sphere on a plane at rest begins to roll",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"$w/(b\mu g)$, with $b$ by (67),",
+            "the time at which a sphere on a plane at rest begins to roll",
+        ),
+    );
     let mut points = Points::stream(402);
     trial.over(0..60, |i| {
         let sphere = sphere(i, &mut points);
@@ -169,10 +171,13 @@ fn eq67() -> Evidence {
 
 /// (76): what the plane gains on a body that feels no friction.
 fn eq76() -> Evidence {
-    let trial = consistency(Compared::one(
-        r"the integral of (76) over $\tau$",
-        r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
-    ));
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"the integral of (76) over $\tau$",
+            r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
+        ),
+    );
     trial.over(mixed(), |run| {
         let run = run?;
         let (_, mu, g) = run.case.parameters();

@@ -4,7 +4,7 @@ use super::every_drive::rolling_time;
 use super::spheres::{braking, sphere};
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
 use crate::claims::periodic::drives::Harmonics;
-use crate::claims::tolerances::{MOTION, NONE};
+use crate::claims::tolerances::MOTION;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
 use crate::motion::sphere::{Ball, BallMotion, Contact, Directed, Sphere};
@@ -247,7 +247,7 @@ fn eq84() -> Evidence {
         r"$\mathfrak w$ of the one-dimensional drive with $\lambda_0$ by (84)",
         r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(410);
     trial.over(0..20, |i| {
         let lambda = points.uniform(0.05, 1.5);
@@ -288,7 +288,7 @@ fn eq85() -> Evidence {
         r"$\mathfrak w$ of the drive with $\lambda_+=\lambda_0$ of (85) and $\lambda_-=q\lambda_0$",
         r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(411);
     trial.over(0..30, |i| {
         let (q, lambda) = (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4));
@@ -331,7 +331,7 @@ pub fn trichotomy_census() -> Evidence {
         r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (37), 20 above, $-1$ for rest throughout above 1)",
         "the same count of changes between sliding and rolling of a sphere in a late period",
     );
-    let trial = Trial::by(Route::Census, Subject::Within, compared, NONE);
+    let trial = Trial::census(Subject::Within, compared);
     let mut points = Points::stream(412);
     let cases = match lambda_c() {
         Ok(own) => frictions(own).into_iter().enumerate(),
@@ -384,7 +384,7 @@ pub fn trichotomy_outside() -> Evidence {
         "the stated 2",
         r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
     );
-    let trial = Trial::by(Route::Census, Subject::Outside, compared, NONE);
+    let trial = Trial::census(Subject::Outside, compared);
     let mut points = Points::stream(414);
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 2.5);
@@ -447,7 +447,7 @@ fn pulse_census() -> Evidence {
         r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (46), 20 above, $-1$ for rest throughout above 1)",
         "that of a sphere's late period under the pulses",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(416);
     let all = pulse_points(&mut points, 20);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
@@ -539,7 +539,7 @@ fn anisotropic_census() -> Evidence {
         r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (3 for a forward slip, 2 for a rest, 1 for a backward slip),",
         "that of the sphere's slip",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(418);
     let all = map_points(&mut points, 40);
     trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {

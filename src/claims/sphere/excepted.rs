@@ -1,27 +1,23 @@
 //! What the conditions of section 3 except.
 
-use crate::evidence::Evidence;
 use crate::paper::sphere as printed;
 use crate::scalar::Scalar;
 use trialbook::certified::interval::Interval;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
 use trialbook::claims::excepted::no_value;
 
-/// (81), from the line of the acceleration.
-pub fn eq81() -> Evidence {
-    let straight = [Interval::int(0), Interval::pi()];
-    no_value(
-        Compared::one(
-            "whether (81) has a value (1 if so)",
-            "whether the condition holds",
-        )
-        .over(r"some of them random, the others with $\theta=\theta_0=0,\pi$"),
-        ["λ", "u₀", "θ₀", "θ"],
-        [[0.1, 0.9], [0.5, 2.0], [0.3, 1.5], [0.3, 1.5]],
-        straight.map(|theta| [Interval::ratio(1, 2), Interval::int(1), theta, theta]),
-        |[lambda, u0, theta0, theta]| printed::eq81_slip(lambda, u0, theta0, theta),
-    )
+const LAMBDA: (&str, [f64; 2]) = ("λ", [0.1, 0.9]);
+const START: (&str, [f64; 2]) = ("θ₀", [0.3, 1.5]);
+const END: (&str, [f64; 2]) = ("θ", [0.3, 1.5]);
+
+const HOLDS: &str = "the condition holds";
+
+fn int(n: i64) -> Interval {
+    Interval::int(n)
+}
+
+fn half() -> Interval {
+    Interval::ratio(1, 2)
 }
 
 /// cos θ = −½.
@@ -29,36 +25,36 @@ fn two_thirds() -> Interval {
     Interval::pi() * Interval::ratio(2, 3)
 }
 
-/// (82), from the line of the acceleration, at the critical friction, and where its first factor vanishes.
-pub fn eq82() -> Evidence {
-    let (one, half) = (Interval::int(1), Interval::ratio(1, 2));
-    no_value(
-        Compared::one("whether (82) has a value", "whether the condition holds").over(
-            r"at random, at $\theta=\theta_0=0,\pi$, at $\lambda=1$ and at $\cos\theta_0=-\lambda$",
-        ),
-        ["λ", "θ₀", "θ"],
-        [[0.1, 0.9], [0.3, 1.5], [0.3, 1.5]],
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq81 = no_value(
+        "(81)",
+        HOLDS,
+        r"with $\theta=\theta_0=0,\pi$",
+        [LAMBDA, ("u₀", [0.5, 2.0]), START, END],
+        [int(0), Interval::pi()].map(|theta| [half(), int(1), theta, theta]),
+        |[lambda, u0, theta0, theta]| printed::eq81_slip(lambda, u0, theta0, theta),
+    ),
+    eq82 = no_value(
+        "(82)",
+        HOLDS,
+        r"with $\theta=\theta_0=0,\pi$, $\lambda=1$ or $\cos\theta_0=-\lambda$",
+        [LAMBDA, START, END],
         [
-            [half, Interval::int(0), Interval::int(0)],
-            [half, Interval::pi(), Interval::pi()],
-            [one, Interval::int(2), one],
-            [half, two_thirds(), one],
+            [half(), int(0), int(0)],
+            [half(), Interval::pi(), Interval::pi()],
+            [int(1), int(2), int(1)],
+            [half(), two_thirds(), int(1)],
         ],
-        |[lambda, theta0, theta]| printed::eq82_time(lambda, one, theta0, theta),
-    )
-}
-
-/// (83), where its denominator vanishes.
-pub fn eq83() -> Evidence {
-    let one = Interval::int(1);
-    no_value(
-        Compared::one("whether (83) has a value", "whether the condition holds")
-            .over(r"at random and at $\cos\theta=-\lambda$"),
-        ["λ", "θ₀", "θ", "τ"],
-        [[0.1, 0.9], [0.3, 1.5], [0.3, 1.5], [0.0, 1.0]],
-        [[Interval::ratio(1, 2), Interval::int(2), two_thirds(), one]],
-        |[lambda, theta0, theta, tau]| printed::eq83_slip_at_time(lambda, one, theta0, theta, tau),
-    )
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![eq81, eq82, eq83];
+        |[lambda, theta0, theta]| printed::eq82_time(lambda, int(1), theta0, theta),
+    ),
+    eq83 = no_value(
+        "(83)",
+        HOLDS,
+        r"with $\cos\theta=-\lambda$",
+        [LAMBDA, START, END, ("τ", [0.0, 1.0])],
+        [[half(), int(2), two_thirds(), int(1)]],
+        |[lambda, theta0, theta, tau]| {
+            printed::eq83_slip_at_time(lambda, int(1), theta0, theta, tau)
+        },
+    ),
+];

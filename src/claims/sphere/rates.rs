@@ -2,7 +2,8 @@
 
 use super::spheres::{Run, length, mixed, sliding, times, weighed};
 use crate::corrections::sphere as corrected;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::Evidence;
+use crate::evidence::Subject::{self, Corrected, Printed};
 use crate::motion::State;
 use crate::motion::sphere::Ball;
 use crate::numerics::quadrature::integral_within;
@@ -10,13 +11,32 @@ use crate::paper::sphere as printed;
 use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 
+/// A vector of a state of the sphere: its name and its value.
+type Vector = (&'static str, fn(&Run, &Ball) -> [f64; 3]);
+
+const VELOCITY: Vector = (r"$\mathrm d\bm r/\mathrm dt$", |_, ball| flat(ball.v));
+const SPIN: Vector = (r"$\kappa R^2\bm\omega$", |run, ball| {
+    let per_mass = run.case.sphere.inertia / run.case.sphere.mass;
+    ball.omega.map(|c| per_mass * c)
+});
+const SPIN_SHARE: Vector = (r"$(-R\omega_y,R\omega_x)$", spin_share);
+const SLIP: Vector = ("the velocity of the sphere's lowest point", slip);
+const RHO_RATE: Vector = (r"$\mathrm d\bm\rho/\mathrm d\tau$", rho_rate);
+const U: Vector = (r"$\bm u$", u);
+
+const BY_ONE_NUMBER: &str = " along the motion, each vector by the one number $x+2y+3z$";
+
 /// What a printed rate, summed over time along sliding motions, has to be: the change of a quantity.
 fn summed(
-    compared: Compared,
+    law: &'static str,
+    (name, quantity): Vector,
     rate: impl Fn(&Run, &Ball, [f64; 3], f64) -> [f64; 3],
-    quantity: impl Fn(&Run, &Ball) -> [f64; 3],
 ) -> Evidence {
-    Trial::quadrature(Subject::Printed, compared).over(sliding(), |run| {
+    let compared = Compared::composed(
+        ["the integral of ", law, ""],
+        ["the change of ", name, BY_ONE_NUMBER],
+    );
+    Trial::quadrature(Printed, compared).over(sliding(), |run| {
         let run = run?;
         let along = |t: f64| {
             let ball = run.motion.at(t);
@@ -52,63 +72,6 @@ fn slip(run: &Run, ball: &Ball) -> [f64; 3] {
     flat(run.case.sphere.contact(ball))
 }
 
-/// (63).
-pub fn eq63() -> Evidence {
-    let compared = Compared::one(
-        "the integral of (63) over $t$",
-        r"the change of $\mathrm d\bm r/\mathrm dt$ of the motion, each vector by the one number $x+2y+3z$",
-    );
-    let rate = |run: &Run, ball: &Ball, _, t| {
-        let (_, mu, g) = run.case.parameters();
-        let a = run.case.acceleration(t);
-        printed::eq63_velocity_rate(a, mu, g, flat(ball.v), ball.omega, run.case.contact())
-    };
-    summed(compared, rate, |_, ball| flat(ball.v))
-}
-
-/// (64).
-pub fn eq64() -> Evidence {
-    let compared = Compared::one(
-        "the integral of (64) over $t$",
-        r"the change of $\kappa R^2\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
-    );
-    let rate = |run: &Run, ball: &Ball, _, _| {
-        let (_, mu, g) = run.case.parameters();
-        printed::eq64_spin_rate(mu, g, flat(ball.v), ball.omega, run.case.contact())
-    };
-    summed(compared, rate, |run, ball| {
-        let per_mass = run.case.sphere.inertia / run.case.sphere.mass;
-        ball.omega.map(|c| per_mass * c)
-    })
-}
-
-/// (65).
-pub fn eq65() -> Evidence {
-    let compared = Compared::one(
-        "the integral of (65) over $t$",
-        r"the change of $(-R\omega_y,R\omega_x)$ of the motion, each vector by the one number $x+2y+3z$",
-    );
-    let rate = |run: &Run, ball: &Ball, _, _| {
-        let (_, mu, g) = run.case.parameters();
-        let (v, contact) = (flat(ball.v), run.case.contact());
-        printed::eq65_spin_slip_rate(run.case.kappa(), mu, g, v, ball.omega, contact)
-    };
-    summed(compared, rate, spin_share)
-}
-
-/// (66).
-pub fn eq66() -> Evidence {
-    let compared = Compared::one(
-        "the integral of (66) over $t$",
-        "the change of the velocity of the sphere's lowest point, each vector by the one number $x+2y+3z$",
-    );
-    let rate = |run: &Run, _: &Ball, slip, t| {
-        let (_, mu, g) = run.case.parameters();
-        printed::eq66_slip_rate(run.case.acceleration(t), run.case.b(), mu, g, slip)
-    };
-    summed(compared, rate, slip)
-}
-
 /// γ and u by (71) and (72).
 fn gamma_u(run: &Run, slip: [f64; 3], t: f64) -> ([f64; 3], [f64; 3]) {
     let (radius, mu, g) = run.case.parameters();
@@ -132,65 +95,13 @@ fn u(run: &Run, ball: &Ball) -> [f64; 3] {
     slip(run, ball).map(|c| c / run.units().speed)
 }
 
-/// (73).
-pub fn eq73() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (73) over $\tau$",
-        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ of the motion, each vector by the one number $x+2y+3z$",
-    );
-    let rate = |run: &Run, _: &Ball, slip, t| {
-        let (gamma, u) = gamma_u(run, slip, t);
-        per_time(run, printed::eq73_velocity_rate(gamma, u))
-    };
-    summed(compared, rate, rho_rate)
-}
-
-/// (74).
-pub fn eq74() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (74) over $\tau$",
-        r"the change of $\bm u$ of the motion, each vector by the one number $x+2y+3z$",
-    );
-    let rate = |run: &Run, _: &Ball, slip, t| {
-        let (gamma, u) = gamma_u(run, slip, t);
-        per_time(run, printed::eq74_slip_rate(run.case.b(), gamma, u))
-    };
-    summed(compared, rate, u)
-}
-
-/// (77): its right-hand side less γ, the rate of ν, changes dρ/dτ.
-pub fn eq77() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (77) less (76) over $\tau$",
-        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ of the motion, each vector by the one number $x+2y+3z$",
-    );
-    let rate = |run: &Run, _: &Ball, slip, t| {
-        let (gamma, u) = gamma_u(run, slip, t);
-        let (both, nu) = (printed::eq77_rate(u), printed::eq76_nu_rate(gamma));
-        per_time(run, [0, 1, 2].map(|i| both[i] - nu[i]))
-    };
-    summed(compared, rate, rho_rate)
-}
-
-/// (78), likewise.
-pub fn eq78() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (78) less (76) over $\tau$",
-        r"the change of $\bm u$ of the motion, each vector by the one number $x+2y+3z$",
-    );
-    let rate = |run: &Run, _: &Ball, slip, t| {
-        let (gamma, u) = gamma_u(run, slip, t);
-        let both = printed::eq78_rate(run.case.b(), u);
-        let nu = printed::eq76_nu_rate(gamma);
-        per_time(run, [0, 1, 2].map(|i| both[i] - nu[i]))
-    };
-    summed(compared, rate, u)
-}
-
 type Spin = fn(f64, [f64; 3], [f64; 3]) -> [f64; 3];
 
 /// A formula for ζ, sliding and rolling.
-fn spin(subject: Subject, compared: Compared, formula: Spin) -> Evidence {
+fn spin(subject: Subject, law: &'static str, formula: Spin) -> Evidence {
+    const ZETA: &str =
+        r"$\bm\zeta$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$";
+    let compared = Compared::one(law, ZETA);
     let states = mixed().flat_map(|run| match run {
         Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
         Err(error) => vec![Err(error)],
@@ -205,24 +116,6 @@ fn spin(subject: Subject, compared: Compared, formula: Spin) -> Evidence {
             scale: length(own.zeta) + length(own.rho_rate),
         })
     })
-}
-
-/// (75) as printed.
-pub fn eq75() -> Evidence {
-    let compared = Compared::one(
-        "(75)",
-        r"$\bm\zeta$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",
-    );
-    spin(Subject::Printed, compared, printed::eq75_spin)
-}
-
-/// (75) with the other sign.
-pub fn corrected75() -> Evidence {
-    let compared = Compared::one(
-        r"$\hat{\bm z}\zeta_3-\hat{\bm z}\times(\bm u-\mathrm d\bm\rho/\mathrm d\tau)$",
-        r"$\bm\zeta$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",
-    );
-    spin(Subject::Corrected, compared, corrected::spin)
 }
 
 /// ν at a time, zero at the start: what a body without friction loses to the plane, in units of √(μgR).
@@ -247,7 +140,7 @@ pub fn eq79() -> Evidence {
         Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
         Err(error) => vec![Err(error)],
     });
-    Trial::motion(Subject::Printed, compared).over(states, |state| {
+    Trial::motion(Printed, compared).over(states, |state| {
         let (run, t) = state?;
         let (start, now, b) = (run.dimensionless(0.0)?, run.dimensionless(t)?, run.case.b());
         let (own, own_start) = (run.own(t)?, run.own(0.0)?);
@@ -264,16 +157,56 @@ pub fn eq79() -> Evidence {
     })
 }
 
+/// A rate by (77) or (78) less γ, the rate of ν.
+fn less_nu(run: &Run, gamma: [f64; 3], both: [f64; 3]) -> [f64; 3] {
+    let nu = printed::eq76_nu_rate(gamma);
+    per_time(run, [0, 1, 2].map(|i| both[i] - nu[i]))
+}
+
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq63,
-    eq64,
-    eq65,
-    eq66,
-    eq73,
-    eq74,
-    eq75,
-    corrected75,
-    eq77,
-    eq78,
-    eq79
+    eq63 = summed("(63) over $t$", VELOCITY, |run, ball, _, t| {
+        let (_, mu, g) = run.case.parameters();
+        let a = run.case.acceleration(t);
+        printed::eq63_velocity_rate(a, mu, g, flat(ball.v), ball.omega, run.case.contact())
+    }),
+    eq64 = summed("(64) over $t$", SPIN, |run, ball, _, _| {
+        let (_, mu, g) = run.case.parameters();
+        printed::eq64_spin_rate(mu, g, flat(ball.v), ball.omega, run.case.contact())
+    }),
+    eq65 = summed("(65) over $t$", SPIN_SHARE, |run, ball, _, _| {
+        let (_, mu, g) = run.case.parameters();
+        let (v, contact) = (flat(ball.v), run.case.contact());
+        printed::eq65_spin_slip_rate(run.case.kappa(), mu, g, v, ball.omega, contact)
+    }),
+    eq66 = summed("(66) over $t$", SLIP, |run, _, slip, t| {
+        let (_, mu, g) = run.case.parameters();
+        printed::eq66_slip_rate(run.case.acceleration(t), run.case.b(), mu, g, slip)
+    }),
+    eq73 = summed(r"(73) over $\tau$", RHO_RATE, |run, _, slip, t| {
+        let (gamma, u) = gamma_u(run, slip, t);
+        per_time(run, printed::eq73_velocity_rate(gamma, u))
+    }),
+    eq74 = summed(r"(74) over $\tau$", U, |run, _, slip, t| {
+        let (gamma, u) = gamma_u(run, slip, t);
+        per_time(run, printed::eq74_slip_rate(run.case.b(), gamma, u))
+    }),
+    eq75 = spin(Printed, "(75)", printed::eq75_spin),
+    corrected75 = spin(
+        Corrected,
+        r"$\hat{\bm z}\zeta_3-\hat{\bm z}\times(\bm u-\mathrm d\bm\rho/\mathrm d\tau)$",
+        corrected::spin
+    ),
+    eq77 = summed(
+        r"(77) less (76) over $\tau$",
+        RHO_RATE,
+        |run, _, slip, t| {
+            let (gamma, u) = gamma_u(run, slip, t);
+            less_nu(run, gamma, printed::eq77_rate(u))
+        }
+    ),
+    eq78 = summed(r"(78) less (76) over $\tau$", U, |run, _, slip, t| {
+        let (gamma, u) = gamma_u(run, slip, t);
+        less_nu(run, gamma, printed::eq78_rate(run.case.b(), u))
+    }),
+    eq79,
 ];

@@ -2,8 +2,7 @@
 //! of them has 1 for each unit.
 
 use super::spheres::{Case, Dimensionless, Run, Units, length, sliding, sphere, weighed};
-use crate::claims::tolerances::MOTION;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::{Evidence, Subject};
 use crate::motion::sphere::{Ball, Directed, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::quadrature::integral_within;
@@ -111,13 +110,18 @@ fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
     TWINS.each()
 }
 
+const PLANE: &str = ", at the same time in these, each vector by the one number $x+2y$";
+const SPACE: &str = ", at the same time in these, each vector by the one number $x+2y+3z$";
+
 /// What a definition makes of the motion of the one with the same quantity of the other, at their ends.
 fn alike(
-    compared: Compared,
+    [by_definition, own, each]: [&'static str; 3],
     stated: impl Fn(&Run, &Dimensionless) -> [f64; 3],
     found: impl Fn(&Run, &Dimensionless) -> [f64; 3],
 ) -> Evidence {
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    const TWIN: &str = r" of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units";
+    let compared = Compared::composed([by_definition, " of a sphere", ""], [own, TWIN, each]);
+    let trial = Trial::consistency(Subject::Printed, compared);
     trial.over(twins(), |twins| {
         let twins = twins?;
         let Twins { ours, unit, .. } = twins;
@@ -140,36 +144,13 @@ fn first_change(run: &Run) -> f64 {
     run.motion.transitions().first().map_or(0.0, |c| c.t)
 }
 
-/// (62).
-pub fn eq62() -> Evidence {
-    let compared = Compared::many(
-        r"$\kappa$ by (62) and $\mathrm d\bm\rho/\mathrm d\tau$ of a sphere",
-        r"$I$ and $\bm v$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, each vector by the one number $x+2y$, with $\kappa$ added to $x$",
-    );
-    let both = |kappa: f64, [x, y, _]: [f64; 3]| [kappa + x, y, 0.0];
-    alike(
-        compared,
-        |run, state| both(run.case.kappa(), state.rho_rate),
-        |run, state| both(run.case.sphere.inertia, state.rho_rate),
-    )
-}
-
-/// (68).
-pub fn eq68() -> Evidence {
-    let compared = Compared::one(
-        r"$\bm\rho$ by (68) of a sphere",
-        r"$\bm r$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector by the one number $x+2y$",
-    );
-    alike(compared, |_, state| state.rho, |_, state| state.rho)
-}
-
 /// (68) as what the velocity adds up to.
 fn eq68_way() -> Evidence {
     let compared = Compared::one(
         "the change of (68)",
         r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let trial = Trial::consistency(Subject::Printed, compared);
     trial.over(sliding(), |run| {
         let run = run?;
         let (radius, ..) = run.case.parameters();
@@ -196,7 +177,7 @@ fn eq71_both_ways() -> Evidence {
         r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
         r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, MOTION);
+    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(421);
     trial.over(0..24, |i| {
         let sphere = sphere(i, &mut points);
@@ -232,51 +213,62 @@ fn eq71_both_ways() -> Evidence {
     })
 }
 
-/// (69).
-pub fn eq69() -> Evidence {
-    let compared = Compared::one(
-        r"$\tau$ by (69) at which a sphere begins to roll or slide",
-        r"that time of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units",
-    );
-    alike(
-        compared,
+/// A vector with a number added to its first component.
+fn both(kappa: f64, [x, y, _]: [f64; 3]) -> [f64; 3] {
+    [kappa + x, y, 0.0]
+}
+
+fn driven(_: &Run, state: &Dimensionless) -> [f64; 3] {
+    [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k])
+}
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq62 = alike(
+        [
+            r"the sum of $\kappa$ by (62), along $x$, and $\mathrm d\bm\rho/\mathrm d\tau$",
+            r"that of $I$ and $\bm v$",
+            PLANE
+        ],
+        |run, state| both(run.case.kappa(), state.rho_rate),
+        |run, state| both(run.case.sphere.inertia, state.rho_rate),
+    ),
+    eq68 = alike(
+        [r"$\bm\rho$ by (68)", r"$\bm r$", PLANE],
+        |_, state| state.rho,
+        |_, state| state.rho
+    ),
+    eq68_way,
+    eq69 = alike(
+        [
+            r"the time $\tau$ by (69) of the first change between sliding and rolling",
+            "that time",
+            "",
+        ],
         |run, _| {
             let (radius, mu, g) = run.case.parameters();
             let tau = printed::eq69_time(radius, mu, g, first_change(run));
             [tau, 0.0, 0.0]
         },
         |run, _| [first_change(run), 0.0, 0.0],
-    )
-}
-
-/// (70).
-pub fn eq70() -> Evidence {
-    let compared = Compared::one(
-        r"$\bm\zeta$ by (70) of a sphere",
-        r"$\bm\omega$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector by the one number $x+2y+3z$",
-    );
-    alike(compared, |_, state| state.zeta, |_, state| state.zeta)
-}
-
-/// (71).
-pub fn eq71() -> Evidence {
-    let compared = Compared::one(
-        r"$\bm u$ by (71) of a sphere",
-        r"the slip of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, at the same time in these, each vector by the one number $x+2y$",
-    );
-    alike(compared, |_, state| state.u, |_, state| state.u)
-}
-
-/// (72).
-pub fn eq72() -> Evidence {
-    let compared = Compared::many(
-        r"$\bm\gamma$ by (72) at the end, and $\mathrm d\bm\rho/\mathrm d\tau$,",
-        r"$\bm A$ and $\bm v$ of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units, each vector by the one number $x+2y$",
-    );
-    let both =
-        |_: &Run, state: &Dimensionless| [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k]);
-    alike(compared, both, both)
-}
-
-pub(super) const TRIALS: &[Attempt] =
-    trials![eq62, eq68, eq68_way, eq69, eq70, eq71, eq71_both_ways, eq72];
+    ),
+    eq70 = alike(
+        [r"$\bm\zeta$ by (70)", r"$\bm\omega$", SPACE],
+        |_, state| state.zeta,
+        |_, state| state.zeta
+    ),
+    eq71 = alike(
+        [r"$\bm u$ by (71)", "the slip", PLANE],
+        |_, state| state.u,
+        |_, state| state.u
+    ),
+    eq71_both_ways,
+    eq72 = alike(
+        [
+            r"the sum of $\bm\gamma$ by (72) and $\mathrm d\bm\rho/\mathrm d\tau$",
+            r"that of $\bm A$ and $\bm v$",
+            PLANE
+        ],
+        driven,
+        driven
+    ),
+];

@@ -3,32 +3,27 @@
 use super::trajectories::{ANY, Launch, Stretch, View, launches, stretches, sum};
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::Subject::{self, Corrected, Printed};
+use crate::evidence::{Evidence, Route};
 use crate::motion::turntable::{State, Table};
 use crate::numerics::quadrature::integral;
 use crate::paper::turntable as printed;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::claims::compare::{Compared, Failure, Trial};
 use trialbook::claims::points::Points;
 
 /// (104), with the arc length of the integration by components.
 pub fn eq104() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one("the change of (104) over a stretch of motion", "0"),
     );
-    trial.over(stretches(ANY), |stretch| {
-        let stretch = stretch?;
+    trial.each(stretches(ANY), Stretch::at, |stretch| {
         let value = |tau: f64| -> Result<f64, Failure> {
             let part = stretch.part(tau)?;
             Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
         };
-        Ok(Pair {
-            at: stretch.at(),
-            stated: value(stretch.to)? - value(stretch.from)?,
-            found: 0.0,
-            scale: 1.0,
-        })
+        Ok([value(stretch.to)? - value(stretch.from)?, 0.0, 1.0])
     })
 }
 
@@ -38,7 +33,7 @@ fn eq104_kept() -> Evidence {
         "the change of (104), with $s$, over a stretch of motion",
         "the expected 0",
     );
-    let trial = Trial::motion(Subject::Printed, compared);
+    let trial = Trial::motion(Printed, compared);
     balance(&trial, |stretch| {
         let value = |tau| -> Result<f64, Failure> {
             let part = stretch.part(tau)?;
@@ -68,16 +63,10 @@ fn eq104_without_s() -> Evidence {
 }
 
 fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) -> Evidence {
-    trial.over(stretches(ANY), |stretch| {
-        let stretch = stretch?;
+    trial.each(stretches(ANY), Stretch::at, |stretch| {
         let size = 0.5 * stretch.part(stretch.to)?.rho().powi(2);
         let [stated, found] = pair(stretch)?;
-        Ok(Pair {
-            at: stretch.at(),
-            stated,
-            found,
-            scale: size.max(1.0),
-        })
+        Ok([stated, found, size.max(1.0)])
     })
 }
 
@@ -87,19 +76,17 @@ fn eq105() -> Evidence {
         r"the integral of (105) over $\tau$ in the frame of the table",
         "the arc length by components along the velocity",
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
-    trial.over(stretches(ANY), |stretch| {
-        let stretch = stretch?;
+    let trial = Trial::by(Route::Consistency, Printed, compared, FRAMES);
+    trial.each(stretches(ANY), Stretch::at, |stretch| {
         let rate = |tau: f64| {
             let view = stretch.view(tau);
             view.map_or(f64::NAN, |v| printed::eq105_arc_rate(v.p))
         };
-        Ok(Pair {
-            at: stretch.at(),
-            stated: sum(rate, stretch.from, stretch.to, 1e-13),
-            found: stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
-            scale: 1.0,
-        })
+        Ok([
+            sum(rate, stretch.from, stretch.to, 1e-13),
+            stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
+            1.0,
+        ])
     })
 }
 
@@ -133,36 +120,16 @@ fn kept(
     energy: impl Fn(&Table, &State, f64) -> f64,
 ) -> Evidence {
     let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
-    trial.over(launches(), |launch| {
-        let launch = launch?;
+    trial.each(launches(), Launch::at, |launch| {
         let Table { omega, mass: m, .. } = launch.table;
         let end = launch.still.on_table(launch.to)?;
         let size =
             |s: &State| 0.5 * m * (s.speed() * s.speed() + omega * omega * s.radius() * s.radius());
-        Ok(Pair {
-            at: launch.at(),
-            stated: energy(&launch.table, &end, way(launch)?)
-                - energy(&launch.table, &launch.start, 0.0),
-            found: 0.0,
-            scale: size(&launch.start).max(size(&end)),
-        })
-    })
-}
-
-/// (106) as printed.
-fn eq106() -> Evidence {
-    let compared = Compared::one("the change of (106) over a motion", "0");
-    kept(Subject::Printed, compared, |table, state, s| {
-        printed::eq106_constant(table.mass, table.g, table.omega, state.x, state.v, s)
-    })
-}
-
-/// (106) with m μ g s.
-fn eq106_corrected() -> Evidence {
-    let compared = Compared::one(r"the change of (106) with $m\mu gs$ over a motion", "0");
-    kept(Subject::Corrected, compared, |table, state, s| {
-        let Table { omega, mu, g, mass } = *table;
-        corrections::constant(mass, mu, g, omega, state.x, state.v, s)
+        Ok([
+            energy(&launch.table, &end, way(launch)?) - energy(&launch.table, &launch.start, 0.0),
+            0.0,
+            size(&launch.start).max(size(&end)),
+        ])
     })
 }
 
@@ -180,15 +147,13 @@ fn friction_work(launch: &Launch) -> Result<f64, Failure> {
 
 fn work(subject: Subject, compared: Compared, formula: impl Fn(&Table, f64) -> f64) -> Evidence {
     let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
-    trial.over(launches(), |launch| {
-        let launch = launch?;
+    trial.each(launches(), Launch::at, |launch| {
         let found = friction_work(launch)?;
-        Ok(Pair {
-            at: launch.at(),
-            stated: formula(&launch.table, way(launch)?),
+        Ok([
+            formula(&launch.table, way(launch)?),
             found,
-            scale: found.abs().max(launch.table.energy(&launch.start).abs()),
-        })
+            found.abs().max(launch.table.energy(&launch.start).abs()),
+        ])
     })
 }
 
@@ -198,19 +163,8 @@ pub fn friction() -> Evidence {
         "$-mgs$",
         "the work of friction along the path of length $s$ on the table, found in the laboratory",
     );
-    work(Subject::Printed, compared, |table, s| {
+    work(Printed, compared, |table, s| {
         printed::friction_work(table.mass, table.g, s)
-    })
-}
-
-/// −mμgs as the work of friction.
-fn friction_corrected() -> Evidence {
-    let compared = Compared::one(
-        r"$-m\mu gs$",
-        "the work of friction along the path of length $s$ on the table, found in the laboratory",
-    );
-    work(Subject::Corrected, compared, |table, s| {
-        corrections::friction_work(table.mass, table.mu, table.g, s)
     })
 }
 
@@ -221,9 +175,8 @@ pub fn coriolis() -> Evidence {
         "the work of the Coriolis force of (86)",
         "the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction",
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FRAMES);
-    trial.over(launches(), |launch| {
-        let launch = launch?;
+    let trial = Trial::by(Route::Integration, Printed, compared, FRAMES);
+    trial.each(launches(), Launch::at, |launch| {
         let Table { omega, mass: m, .. } = launch.table;
         let (begin, end) = (&launch.start, launch.turning.at(launch.to)?);
         let kinetic = |s: &State| 0.5 * m * s.speed() * s.speed();
@@ -236,24 +189,40 @@ pub fn coriolis() -> Evidence {
         let found =
             kinetic(&end) - kinetic(begin) - (centrifugal(&end) - centrifugal(begin)) - friction;
         let scale = kinetic(begin) + centrifugal(begin) + kinetic(&end) + centrifugal(&end);
-        Ok(Pair {
-            at: launch.at(),
-            stated: sum(power, 0.0, launch.to, 1e-15 * scale),
-            found,
-            scale,
-        })
+        Ok([sum(power, 0.0, launch.to, 1e-15 * scale), found, scale])
     })
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
     eq104,
     eq105,
-    eq106,
-    eq106_corrected,
+    eq106 = kept(
+        Printed,
+        Compared::one("the change of (106) over a motion", "0"),
+        |table, state, s| {
+            printed::eq106_constant(table.mass, table.g, table.omega, state.x, state.v, s)
+        }
+    ),
+    eq106_corrected = kept(
+        Corrected,
+        Compared::one(r"the change of (106) with $m\mu gs$ over a motion", "0"),
+        |table, state, s| {
+            let Table { omega, mu, g, mass } = *table;
+            corrections::constant(mass, mu, g, omega, state.x, state.v, s)
+        }
+    ),
     eq104_kept,
     eq104_without_s,
     friction,
     coriolis,
-    friction_corrected,
+    // −mμgs as the work of friction.
+    friction_corrected = work(
+        Corrected,
+        Compared::one(
+            r"$-m\mu gs$",
+            "the work of friction along the path of length $s$ on the table, found in the laboratory",
+        ),
+        |table, s| { corrections::friction_work(table.mass, table.mu, table.g, s) }
+    ),
     work_step
 ];

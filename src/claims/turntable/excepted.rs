@@ -5,7 +5,6 @@ use crate::paper::turntable as printed;
 use crate::scalar::Scalar;
 use trialbook::certified::interval::Interval;
 use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
 use trialbook::claims::excepted::{no_inside, no_value};
 
 const FAR: [f64; 2] = [0.5, 2.0];
@@ -14,170 +13,109 @@ fn int(n: i64) -> Interval {
     Interval::int(n)
 }
 
-/// A formula by position and velocity, where that velocity vanishes.
-fn at_rest(compared: Compared, law: impl Fn([Interval; 2], [Interval; 2]) -> Interval) -> Evidence {
-    no_value(
-        compared,
-        ["x", "y", "v_x", "v_y"],
-        [FAR; 4],
-        [[int(1), int(2), int(0), int(0)]],
-        |[x, y, u, v]| law([x, y], [u, v]),
-    )
+/// A law in these coordinates, at one point that is excepted.
+fn at<const N: usize>(
+    excepted: &'static str,
+    name: &'static str,
+    holds: &'static str,
+    coordinates: [&str; N],
+    point: [i64; N],
+    law: impl Fn([Interval; N]) -> Interval,
+) -> Evidence {
+    let coordinates = coordinates.map(|name| (name, FAR));
+    no_value(name, holds, excepted, coordinates, [point.map(int)], law)
 }
+
+const REST: &str = "at rest";
+const AXIS: &str = "on the axis";
+const MOVES: &str = "$p>0$";
+
+fn eq109([p, rho, psi]: [Interval; 3]) -> Interval {
+    printed::eq109_psi_rate(p, rho, psi)
+}
+
+/// Position and velocity, and a point of rest.
+const MOTION: [&str; 4] = ["x", "y", "v_x", "v_y"];
+const STILL: [i64; 4] = [1, 2, 0, 0];
 
 fn sum([x, y]: [Interval; 2]) -> Interval {
     x + y
 }
 
-/// (86), at rest.
-pub fn eq86() -> Evidence {
-    at_rest(
-        Compared::one(
-            "whether (86) has a value (1 if so)",
-            "whether the particle slides",
-        )
-        .over("some of them random, the others at rest"),
-        |r, v| sum(printed::eq86_acceleration(int(1), int(1), int(1), r, v)),
-    )
-}
-
-/// (89), at rest.
-pub fn eq89() -> Evidence {
-    at_rest(
-        Compared::one(
-            "whether (89) has a value (1 if so)",
-            "whether the particle slides",
-        )
-        .over("some of them random, the others at rest"),
-        |r, v| sum(printed::eq89_acceleration(r, v)),
-    )
-}
-
-/// (91), at rest.
-pub fn eq91() -> Evidence {
-    at_rest(
-        Compared::one("whether (91) has a value (1 if so)", "whether $p>0$")
-            .over("some of them random, the others at rest"),
-        printed::eq91_moment,
-    )
-}
-
-/// (92), at rest.
-pub fn eq92() -> Evidence {
-    at_rest(
-        Compared::one("whether (92) has a value (1 if so)", "whether $p>0$")
-            .over("some of them random, the others at rest"),
-        printed::eq92_virial,
-    )
-}
-
-/// A particle at rest, among all.
-pub fn rest() -> Evidence {
-    no_inside(
-        Compared::one(
-            "whether a particle meets the condition (1 if so)",
-            "the expectation that only rest does not",
-        )
-        .over("random ones, that one, and some close to it"),
-        ["ρ", "p"],
-        [[0.0, 3.0]; 2],
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq86 = at(
+        REST,
+        "(86)",
+        "the particle slides",
+        MOTION,
+        STILL,
+        |[x, y, u, v]| {
+            let one = int(1);
+            sum(printed::eq86_acceleration(one, one, one, [x, y], [u, v]))
+        }
+    ),
+    eq89 = at(
+        REST,
+        "(89)",
+        "the particle slides",
+        MOTION,
+        STILL,
+        |[x, y, u, v]| { sum(printed::eq89_acceleration([x, y], [u, v])) }
+    ),
+    eq91 = at(REST, "(91)", MOVES, MOTION, STILL, |[x, y, u, v]| {
+        printed::eq91_moment([x, y], [u, v])
+    }),
+    eq92 = at(REST, "(92)", MOVES, MOTION, STILL, |[x, y, u, v]| {
+        printed::eq92_virial([x, y], [u, v])
+    }),
+    rest = no_inside(
+        "a particle",
+        "one at rest",
+        ["ρ", "p"].map(|name| (name, [0.0, 3.0])),
         &[[0.5, 0.0], [2.0, 0.0]],
         |[_, p]| p > 0.0,
-    )
-}
-
-/// A particle on the axis, among all.
-pub fn axis() -> Evidence {
-    no_inside(
-        Compared::one(
-            "whether a particle meets the condition (1 if so)",
-            "the expectation that only the axis does not",
-        )
-        .over("random ones, that one, and some close to it"),
-        ["ρ", "p"],
-        [[0.0, 3.0]; 2],
+    ),
+    eq100 = at(
+        REST,
+        "(100)",
+        MOVES,
+        ["p", "ℓ", "ξ"],
+        [0, 1, 1],
+        |[p, ell, xi]| { printed::eq100_ell_rate(p, ell, xi) }
+    ),
+    eq101 = at(REST, "(101)", MOVES, ["p", "ℓ"], [0, 1], |[p, ell]| {
+        printed::eq101_xi_rate(p, ell)
+    }),
+    axis = no_inside(
+        "a particle",
+        "one on the axis",
+        ["ρ", "p"].map(|name| (name, [0.0, 3.0])),
         &[[0.0, 0.5], [0.0, 2.0]],
         |[rho, _]| rho > 0.0,
-    )
-}
-
-/// (100), at rest.
-pub fn eq100() -> Evidence {
-    no_value(
-        Compared::one("whether (100) has a value (1 if so)", "whether $p>0$")
-            .over("some of them random, the others at rest"),
-        ["p", "ℓ", "ξ"],
-        [FAR; 3],
-        [[int(0), int(1), int(1)]],
-        |[p, ell, xi]| printed::eq100_ell_rate(p, ell, xi),
-    )
-}
-
-/// (101), at rest.
-pub fn eq101() -> Evidence {
-    no_value(
-        Compared::one("whether (101) has a value (1 if so)", "whether $p>0$")
-            .over("some of them random, the others at rest"),
-        ["p", "ℓ"],
-        [FAR; 2],
-        [[int(0), int(1)]],
-        |[p, ell]| printed::eq101_xi_rate(p, ell),
-    )
-}
-
-fn eq109(compared: Compared, excepted: [Interval; 2]) -> Evidence {
-    let [p, rho] = excepted;
-    no_value(
-        compared,
+    ),
+    eq109_rest = at(REST, "(109)", MOVES, ["p", "ρ", "ψ"], [0, 1, 1], eq109),
+    eq109_axis = at(
+        AXIS,
+        "(109)",
+        r"$\rho>0$",
         ["p", "ρ", "ψ"],
-        [FAR; 3],
-        [[p, rho, int(1)]],
-        |[p, rho, psi]| printed::eq109_psi_rate(p, rho, psi),
-    )
-}
-
-/// (109), at rest.
-fn eq109_rest() -> Evidence {
-    eq109(
-        Compared::one("whether (109) has a value (1 if so)", "whether $p>0$")
-            .over("some of them random, the others at rest"),
-        [int(0), int(1)],
-    )
-}
-
-/// (109), on the axis.
-fn eq109_axis() -> Evidence {
-    eq109(
-        Compared::one("whether (109) has a value (1 if so)", r"whether $\rho>0$")
-            .over("some of them random, the others on the axis"),
-        [int(1), int(0)],
-    )
-}
-
-/// (115), at rest.
-pub fn eq115() -> Evidence {
-    no_value(
-        Compared::one("whether (115) has a value (1 if so)", r"whether $\alpha>0$")
-            .over("some of them random, the others at rest"),
+        [1, 0, 1],
+        eq109
+    ),
+    eq115 = at(
+        REST,
+        "(115)",
+        r"$\alpha>0$",
         ["α", "ψ"],
-        [FAR; 2],
-        [[int(0), int(1)]],
-        |[alpha, psi]| printed::eq115_psi_rate(alpha, psi),
-    )
-}
-
-/// (121), on the axis.
-pub fn eq121() -> Evidence {
-    no_value(
-        Compared::one("whether (121) has a value (1 if so)", r"whether $\beta>0$")
-            .over("some of them random, the others on the axis"),
+        [0, 1],
+        |[alpha, psi]| { printed::eq115_psi_rate(alpha, psi) }
+    ),
+    eq121 = at(
+        AXIS,
+        "(121)",
+        r"$\beta>0$",
         ["β", "ψ"],
-        [FAR; 2],
-        [[int(0), int(1)]],
-        |[beta, psi]| printed::eq121_psi_rate(beta, psi),
-    )
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq86, eq89, eq91, eq92, rest, eq100, eq101, axis, eq109_rest, eq109_axis, eq115, eq121
+        [0, 1],
+        |[beta, psi]| { printed::eq121_psi_rate(beta, psi) }
+    ),
 ];

@@ -1,7 +1,7 @@
 //! Trials of the quasi-fixed points (124) and (125): where ψ stands still, and what deviations do. And how well ψ follows
 //! ψ₁ when α moves, for a figure.
 
-use crate::claims::tolerances::{FOREIGN, NONE, STANDS_STILL};
+use crate::claims::tolerances::{FOREIGN, STANDS_STILL};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
@@ -97,15 +97,6 @@ pub fn psi1() -> Evidence {
     stands_still(compared, 530, BELOW_AND_ABOVE[0], printed::eq124_psi1)
 }
 
-/// (125).
-pub fn psi2() -> Evidence {
-    let compared = Compared::one(
-        "(125)",
-        r"the angle above $\pi/2$ at which $\psi$ of the motion stands still for a moment",
-    );
-    stands_still(compared, 531, BELOW_AND_ABOVE[1], printed::eq125_psi2)
-}
-
 /// Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
 /// shrinks.
 fn separation() -> Evidence {
@@ -113,7 +104,7 @@ fn separation() -> Evidence {
         r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
         r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
     );
-    let trial = Trial::by(Route::Census, Subject::Printed, compared, NONE);
+    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(532);
     trial.over(0..40, |i| {
         let (a, alpha) = state(&mut points);
@@ -210,7 +201,20 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
     (0..=80).map(moment).collect()
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![psi1, psi2, separation, frozen];
+pub(super) const TRIALS: &[Attempt] = trials![
+    psi1,
+    psi2 = stands_still(
+        Compared::one(
+            "(125)",
+            r"the angle above $\pi/2$ at which $\psi$ of the motion stands still for a moment",
+        ),
+        531,
+        BELOW_AND_ABOVE[1],
+        printed::eq125_psi2
+    ),
+    separation,
+    frozen
+];
 
 #[cfg(test)]
 mod tests {

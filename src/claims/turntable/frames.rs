@@ -1,6 +1,6 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
-use super::trajectories::{ANY, Launch, launches, stretches, sum};
+use super::trajectories::{ANY, Launch, Stretch, launches, stretches, sum};
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
@@ -136,8 +136,7 @@ pub fn eq89() -> Evidence {
     );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     let weighed = |[x, y]: [f64; 2]| x + 2.0 * y;
-    trial.over(stretches(ANY), |stretch| {
-        let stretch = stretch?;
+    trial.each(stretches(ANY), Stretch::at, |stretch| {
         let rate = |tau: f64| {
             let view = stretch.view(tau);
             view.map_or(f64::NAN, |v| {
@@ -145,12 +144,11 @@ pub fn eq89() -> Evidence {
             })
         };
         let [begin, end] = [stretch.from, stretch.to].map(|tau| stretch.still.on_table(tau));
-        Ok(Pair {
-            at: stretch.at(),
-            stated: sum(rate, stretch.from, stretch.to, 1e-13),
-            found: weighed(end?.v) - weighed(begin?.v),
-            scale: 1.0,
-        })
+        Ok([
+            sum(rate, stretch.from, stretch.to, 1e-13),
+            weighed(end?.v) - weighed(begin?.v),
+            1.0,
+        ])
     })
 }
 

@@ -1,7 +1,7 @@
 //! Where the printed formulas divide by zero and the motion goes on: a particle put down at rest on the table,
 //! and one launched from the axis.
 
-use super::trajectories::View;
+use super::trajectories::{ALONG, ALPHA, BETA, ELL, MOMENT, P, PSI, Quantity, RHO, View, XI};
 use crate::claims::tolerances::DIFFERENCES;
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::{State, Table, rotating};
@@ -54,26 +54,27 @@ pub fn first_rate(
 
 /// What a formula gives at the beginning, against the rate of a quantity.
 fn first_moment(
-    compared: Compared,
+    law: &'static str,
     stream: u64,
     begins: &[Begin],
-    quantity: fn(&View) -> f64,
+    (name, quantity): Quantity,
     formula: fn(&View) -> f64,
 ) -> Evidence {
+    let compared = Compared::composed([law, "", ""], ["the rate of ", name, ""]);
     let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
     let mut points = Points::stream(stream);
     trial.over(0..30, |i| {
         let begin = begins[i % begins.len()];
         let start = state(begin, &mut points);
         let (rho, p) = (start.radius(), start.speed());
-        let name = match begin {
+        let begun = match begin {
             Begin::Held => "held",
             Begin::Released => "released",
             Begin::Launched => "launched",
         };
         let found = first_rate(&Table::default(), &start, |s| quantity(&View::of(s)))?;
         Ok(Pair {
-            at: format!("ρ = {rho:.6}, p = {p:.6} ({name})"),
+            at: format!("ρ = {rho:.6}, p = {p:.6} ({begun})"),
             stated: formula(&View::of(&start)),
             found,
             scale: 1f64.max(found.abs()),
@@ -81,6 +82,9 @@ fn first_moment(
     })
 }
 
+const HELD: &[Begin] = &[Begin::Held];
+const RELEASED: &[Begin] = &[Begin::Released];
+const LAUNCHED: &[Begin] = &[Begin::Launched];
 const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
 
 /// (86) at rest, on tables of any Ω, μ, g.
@@ -119,247 +123,84 @@ pub fn eq86() -> Evidence {
     })
 }
 
-/// (89) at rest.
-pub fn eq89() -> Evidence {
-    let compared = Compared::one(
-        "(89) at rest",
-        "the acceleration, as the sum of its components",
-    );
-    first_moment(
-        compared,
-        511,
-        AT_REST,
-        |v| v.rate[0] + v.rate[1],
-        |v| {
-            let [ax, ay] = printed::eq89_acceleration(v.position, v.rate);
-            ax + ay
-        },
-    )
+fn eq109(v: &View) -> f64 {
+    printed::eq109_psi_rate(v.p, v.rho, v.psi)
 }
 
-/// (91) at rest.
-pub fn eq91() -> Evidence {
-    let compared = Compared::one(
-        "(91) at rest",
-        r"the rate of $\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$",
-    );
-    first_moment(compared, 512, AT_REST, View::moment, |v| {
-        printed::eq91_moment(v.position, v.rate)
-    })
-}
-
-/// (92) at rest.
-pub fn eq92() -> Evidence {
-    let compared = Compared::one(
-        "(92) at rest",
-        r"the rate of $\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$",
-    );
-    first_moment(compared, 513, AT_REST, View::along, |v| {
-        printed::eq92_virial(v.position, v.rate)
-    })
-}
-
-/// (99) for a particle that friction holds. ξ has no value; its largest possible one is taken.
-pub fn eq99() -> Evidence {
-    let compared = Compared::one(
-        r"(99) at rest, with $\rho$ for $\xi$,",
-        r"$\mathrm dp/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        514,
-        &[Begin::Held],
-        |v| v.p,
-        |v| printed::eq99_p_rate(v.xi),
-    )
-}
-
-/// The projection on the velocity at rest.
-pub fn tangential() -> Evidence {
-    let compared = Compared::one(
-        "the projection of (89) on the velocity at rest",
-        r"$\mathrm dp/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        514,
-        &[Begin::Held],
-        |v| v.p,
-        |v| printed::s4_tangential_rate([v.xi, -v.ell], [v.p, 0.0]),
-    )
-}
-
-/// (100) at the moment of a start.
-pub fn eq100() -> Evidence {
-    let compared = Compared::one(
-        "(100) at a start from rest",
-        r"$\mathrm d\ell/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        515,
-        &[Begin::Released],
-        |v| v.ell,
-        |v| printed::eq100_ell_rate(v.p, v.ell, v.xi),
-    )
-}
-
-/// (101) at the moment of a start.
-pub fn eq101() -> Evidence {
-    let compared = Compared::one(
-        "(101) at a start from rest",
-        r"$\mathrm d\xi/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        516,
-        &[Begin::Released],
-        |v| v.xi,
-        |v| printed::eq101_xi_rate(v.p, v.ell),
-    )
-}
-
-/// (107) for a particle that friction holds. ψ has no value; 0 is taken, which makes it largest.
-pub fn eq107() -> Evidence {
-    let compared = Compared::one(
-        r"(107) at rest, with $\psi=0$,",
-        r"$\mathrm dp/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        517,
-        &[Begin::Held],
-        |v| v.p,
-        |v| printed::eq107_p_rate(v.rho, v.psi),
-    )
-}
-
-/// (108) on the axis, with the ψ = π of a particle that is about to arrive there.
-pub fn eq108() -> Evidence {
-    let compared = Compared::one(
-        r"(108) on the axis, with $\psi=\pi$,",
-        r"$\mathrm d\rho/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        523,
-        &[Begin::Launched],
-        |v| v.rho,
-        |v| printed::eq108_rho_rate(v.p, PI),
-    )
-}
-
-/// (120) on the axis, with the same ψ.
-pub fn eq120() -> Evidence {
-    let compared = Compared::one(
-        r"(120) on the axis, with $\psi=\pi$,",
-        r"$\mathrm d\beta/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        524,
-        &[Begin::Launched],
-        |v| v.outer().1,
-        |v| {
-            let (b, beta) = v.outer();
-            printed::eq120_beta_rate(b, beta, PI)
-        },
-    )
-}
-
-/// (109) at the moment of a start.
-pub fn eq109() -> Evidence {
-    eq109_from(
-        Compared::one(
-            "(109) at a start from rest",
-            r"$\mathrm d\psi/\mathrm d\tau$",
-        ),
-        518,
-        &[Begin::Released],
-    )
-}
-
-/// (109) on the axis.
-fn eq109_on_the_axis() -> Evidence {
-    eq109_from(
-        Compared::one("(109) on the axis", r"$\mathrm d\psi/\mathrm d\tau$"),
-        522,
-        &[Begin::Launched],
-    )
-}
-
-fn eq109_from(compared: Compared, stream: u64, begins: &'static [Begin]) -> Evidence {
-    first_moment(
-        compared,
-        stream,
-        begins,
-        |v| v.psi,
-        |v| printed::eq109_psi_rate(v.p, v.rho, v.psi),
-    )
-}
-
-/// (114) for a particle that friction holds, with ψ = 0.
-pub fn eq114() -> Evidence {
-    let compared = Compared::one(
-        r"(114) at rest, with $\psi=0$,",
-        r"$\mathrm d\alpha/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        519,
-        &[Begin::Held],
-        |v| v.inner().1,
-        |v| {
-            let (a, alpha) = v.inner();
-            printed::eq114_alpha_rate(a, alpha, v.psi)
-        },
-    )
-}
-
-/// (115) at the moment of a start.
-pub fn eq115() -> Evidence {
-    let compared = Compared::one(
-        "(115) at a start from rest",
-        r"$\mathrm d\psi/\mathrm d\tau$",
-    );
-    first_moment(
-        compared,
-        520,
-        &[Begin::Released],
-        |v| v.psi,
-        |v| printed::eq115_psi_rate(v.inner().1, v.psi),
-    )
-}
-
-/// (121) on the axis.
-pub fn eq121() -> Evidence {
-    let compared = Compared::one("(121) on the axis", r"$\mathrm d\psi/\mathrm d\tau$");
-    first_moment(
-        compared,
-        521,
-        &[Begin::Launched],
-        |v| v.psi,
-        |v| printed::eq121_psi_rate(v.outer().1, v.psi),
-    )
-}
+/// The sum of the components of the velocity.
+const COMPONENTS: Quantity = ("the sum of the components of the velocity", |v| {
+    v.rate[0] + v.rate[1]
+});
 
 pub(super) const TRIALS: &[Attempt] = trials![
     eq86,
-    eq89,
-    eq91,
-    eq92,
-    eq99,
-    eq100,
-    eq101,
-    eq107,
-    eq108,
-    eq109,
-    eq109_on_the_axis,
-    eq114,
-    eq115,
-    eq120,
-    eq121,
-    tangential
+    eq89 = first_moment(
+        "(89) at rest, summed as well,",
+        511,
+        AT_REST,
+        COMPONENTS,
+        |v| {
+            let [ax, ay] = printed::eq89_acceleration(v.position, v.rate);
+            ax + ay
+        }
+    ),
+    eq91 = first_moment("(91) at rest", 512, AT_REST, MOMENT, |v| {
+        printed::eq91_moment(v.position, v.rate)
+    }),
+    eq92 = first_moment("(92) at rest", 513, AT_REST, ALONG, |v| {
+        printed::eq92_virial(v.position, v.rate)
+    }),
+    // Where friction holds the particle, ξ has no value; its largest possible one is taken.
+    eq99 = first_moment(r"(99) at rest, with $\rho$ for $\xi$,", 514, HELD, P, |v| {
+        printed::eq99_p_rate(v.xi)
+    }),
+    eq100 = first_moment("(100) at a start from rest", 515, RELEASED, ELL, |v| {
+        printed::eq100_ell_rate(v.p, v.ell, v.xi)
+    }),
+    eq101 = first_moment("(101) at a start from rest", 516, RELEASED, XI, |v| {
+        printed::eq101_xi_rate(v.p, v.ell)
+    }),
+    // Nor has ψ; 0 is taken, which makes the rate largest.
+    eq107 = first_moment(r"(107) at rest, with $\psi=0$,", 517, HELD, P, |v| {
+        printed::eq107_p_rate(v.rho, v.psi)
+    }),
+    // With the ψ of a particle that is about to arrive on the axis.
+    eq108 = first_moment(
+        r"(108) on the axis, with $\psi=\pi$,",
+        523,
+        LAUNCHED,
+        RHO,
+        |v| { printed::eq108_rho_rate(v.p, PI) }
+    ),
+    eq109 = first_moment("(109) at a start from rest", 518, RELEASED, PSI, eq109),
+    eq109_on_the_axis = first_moment("(109) on the axis", 522, LAUNCHED, PSI, eq109),
+    eq114 = first_moment(r"(114) at rest, with $\psi=0$,", 519, HELD, ALPHA, |v| {
+        let (a, alpha) = v.inner();
+        printed::eq114_alpha_rate(a, alpha, v.psi)
+    }),
+    eq115 = first_moment("(115) at a start from rest", 520, RELEASED, PSI, |v| {
+        printed::eq115_psi_rate(v.inner().1, v.psi)
+    }),
+    eq120 = first_moment(
+        r"(120) on the axis, with $\psi=\pi$,",
+        524,
+        LAUNCHED,
+        BETA,
+        |v| {
+            let (b, beta) = v.outer();
+            printed::eq120_beta_rate(b, beta, PI)
+        }
+    ),
+    eq121 = first_moment("(121) on the axis", 521, LAUNCHED, PSI, |v| {
+        printed::eq121_psi_rate(v.outer().1, v.psi)
+    }),
+    tangential = first_moment(
+        "the projection of (89) on the velocity at rest",
+        514,
+        HELD,
+        P,
+        |v| printed::s4_tangential_rate([v.xi, -v.ell], [v.p, 0.0]),
+    ),
 ];
 
 #[cfg(test)]

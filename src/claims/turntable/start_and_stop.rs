@@ -1,7 +1,7 @@
 //! The ends of motions on the turntable: where friction does not hold a particle at rest, it starts; where it does, a
 //! particle that stops stays.
 
-use super::trajectories::{ANY, View, stretches, sum};
+use super::trajectories::{ANY, Stretch, View, stretches, sum};
 use crate::claims::tolerances::{ENDS, FRAMES, MOTION, OF_MANY};
 use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::ensemble::{End, Horizon};
@@ -86,14 +86,12 @@ fn eq89_from_rest() -> Evidence {
         r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
     );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
-    trial.over(loose(), |loose| {
-        let loose = loose?;
-        Ok(Pair {
-            at: loose.at(),
-            stated: loose.sum(|v| weighed(printed::eq89_acceleration(v.position, v.rate))),
-            found: weighed(loose.still.on_table(loose.to)?.v),
-            scale: 1.0,
-        })
+    trial.each(loose(), Loose::at, |loose| {
+        Ok([
+            loose.sum(|v| weighed(printed::eq89_acceleration(v.position, v.rate))),
+            weighed(loose.still.on_table(loose.to)?.v),
+            1.0,
+        ])
     })
 }
 
@@ -104,8 +102,7 @@ fn eq89_by_components() -> Evidence {
         r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector by the one number $x+2y$",
     );
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
-    trial.over(stretches(ANY), |stretch| {
-        let stretch = stretch?;
+    trial.each(stretches(ANY), Stretch::at, |stretch| {
         let rate = |tau: f64| {
             stretch.view(tau).map_or(f64::NAN, |v| {
                 weighed(printed::eq89_acceleration(v.position, v.rate))
@@ -117,12 +114,11 @@ fn eq89_by_components() -> Evidence {
             let (sine, cosine) = libm::sincos(libm::atan2(v, u) + part.turned);
             Ok(part.p() * weighed([cosine, sine]))
         };
-        Ok(Pair {
-            at: stretch.at(),
-            stated: sum(rate, stretch.from, stretch.to, 1e-13),
-            found: velocity(stretch.to)? - velocity(stretch.from)?,
-            scale: 1.0,
-        })
+        Ok([
+            sum(rate, stretch.from, stretch.to, 1e-13),
+            velocity(stretch.to)? - velocity(stretch.from)?,
+            1.0,
+        ])
     })
 }
 
@@ -137,43 +133,15 @@ fn from_rest(
     quantity: fn([f64; 3]) -> f64,
 ) -> Evidence {
     let trial = Trial::by(Route::Quadrature, Subject::Within, compared, MOTION);
-    trial.over(loose(), |loose| {
-        let loose = loose?;
+    trial.each(loose(), Loose::at, |loose| {
         let start = Exact::from(&Start::polar(loose.rho, 0.0, 0.0)?);
         let end = moment::<f64, TERMS>(&start, loose.to)?;
-        Ok(Pair {
-            at: loose.at(),
-            stated: loose.sum(rate),
-            found: quantity([end.p, end.xi, end.eta]),
-            scale: loose.rho * loose.rho,
-        })
+        Ok([
+            loose.sum(rate),
+            quantity([end.p, end.xi, end.eta]),
+            loose.rho * loose.rho,
+        ])
     })
-}
-
-/// (91) from a start on.
-fn eq91_from_rest() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (91) over $\tau$ along a motion that starts from rest, in the frame of the table,",
-        r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$ by components along the velocity",
-    );
-    from_rest(
-        compared,
-        |v| printed::eq91_moment(v.position, v.rate),
-        |[p, _, eta]| -p * eta,
-    )
-}
-
-/// (92) from a start on.
-fn eq92_from_rest() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (92) over $\tau$ along a motion that starts from rest, in the frame of the table,",
-        r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity",
-    );
-    from_rest(
-        compared,
-        |v| printed::eq92_virial(v.position, v.rate),
-        |[p, xi, _]| p * xi,
-    )
 }
 
 /// Long after every one of these motions has stopped.
@@ -400,8 +368,22 @@ fn eq104_of_many() -> Evidence {
 pub(super) const TRIALS: &[Attempt] = trials![
     eq89_from_rest,
     eq89_by_components,
-    eq91_from_rest,
-    eq92_from_rest,
+    eq91_from_rest = from_rest(
+        Compared::one(
+            r"the integral of (91) over $\tau$ along a motion that starts from rest, in the frame of the table,",
+            r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$ by components along the velocity",
+        ),
+        |v| printed::eq91_moment(v.position, v.rate),
+        |[p, _, eta]| -p * eta,
+    ),
+    eq92_from_rest = from_rest(
+        Compared::one(
+            r"the integral of (92) over $\tau$ along a motion that starts from rest, in the frame of the table,",
+            r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity",
+        ),
+        |v| printed::eq92_virial(v.position, v.rate),
+        |[p, xi, _]| p * xi,
+    ),
     eq99_until_rest,
     eq99_of_many,
     eq104_at_rest,

@@ -94,6 +94,31 @@ impl View {
     }
 }
 
+/// A quantity of a state: its name and its value.
+pub type Quantity = (&'static str, fn(&View) -> f64);
+
+/// The speed relative to the table.
+pub const P: Quantity = ("$p$", |v| v.p);
+/// The distance from the axis.
+pub const RHO: Quantity = (r"$\rho$", |v| v.rho);
+/// The angle from the velocity to the position.
+pub const PSI: Quantity = (r"$\psi$", |v| v.psi);
+/// The moment of the velocity about the axis over p.
+pub const ELL: Quantity = (r"$\ell$", |v| v.ell);
+/// The position along the velocity.
+pub const XI: Quantity = (r"$\xi$", |v| v.xi);
+/// 𝛒·d𝛒/dτ.
+pub const ALONG: Quantity = (r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$", View::along);
+/// ẑ·(𝛒 × d𝛒/dτ).
+pub const MOMENT: Quantity = (
+    r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$",
+    View::moment,
+);
+/// α, for p < ρ.
+pub const ALPHA: Quantity = (r"$\alpha$", |v| v.inner().1);
+/// β, for p > ρ.
+pub const BETA: Quantity = (r"$\beta$", |v| v.outer().1);
+
 /// Part of a motion on the dimensionless table, off rest and off the axis.
 #[derive(Debug)]
 pub struct Stretch {

@@ -8,6 +8,7 @@ use crate::exact::{Obstacle, Proof, Step};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
 use crate::seeded::reading;
+use std::borrow::Borrow;
 
 /// One comparison.
 pub struct Pair {
@@ -40,6 +41,11 @@ pub fn where_defined<T, E>(found: Result<T, E>) -> Option<T> {
     found.ok()
 }
 
+/// Whether something is so, as a number to compare: 1 if it is, else 0.
+pub fn is(truth: bool) -> f64 {
+    f64::from(u8::from(truth))
+}
+
 /// A trial in the making: how, about what, and how close.
 pub struct Trial {
     /// The route.
@@ -61,6 +67,16 @@ impl Trial {
     /// A formula against a quadrature.
     pub const fn quadrature(subject: Subject, compared: Compared) -> Self {
         Self::by(Route::Quadrature, subject, compared, tolerances::QUADRATURE)
+    }
+
+    /// Something that is so or not, or is counted, case by case.
+    pub const fn census(subject: Subject, compared: Compared) -> Self {
+        Self::by(Route::Census, subject, compared, tolerances::NONE)
+    }
+
+    /// Two ways to the same, of which each may have the motion in it.
+    pub const fn consistency(subject: Subject, compared: Compared) -> Self {
+        Self::by(Route::Consistency, subject, compared, tolerances::MOTION)
     }
 
     /// By any route, to any tolerance.
@@ -88,7 +104,26 @@ impl Trial {
         self.gather(&mut || points.next().map(&mut pair))
     }
 
-    /// The same, compiled once for all.
+    /// The same for runs and their like, of which `at` tells the point, and `values` what is stated, what is found and the scale.
+    pub fn each<X, P: Borrow<X>, E: Into<Failure>>(
+        &self,
+        runs: impl IntoIterator<Item = Result<P, E>>,
+        at: impl Fn(&X) -> String,
+        values: impl Fn(&X) -> Result<[f64; 3], Failure>,
+    ) -> Evidence {
+        self.over(runs, |run| {
+            let run = run.map_err(Into::into)?;
+            let [stated, found, scale] = values(run.borrow())?;
+            Ok(Pair {
+                at: at(run.borrow()),
+                stated,
+                found,
+                scale,
+            })
+        })
+    }
+
+    /// Compares all pairs that come; compiled once for all.
     fn gather(&self, next: &mut dyn FnMut() -> Option<Result<Pair, Failure>>) -> Evidence {
         let mut evidence = Evidence::new(self.route, self.subject, self.compared, self.tolerance);
         let mut kept = Kept::default();

@@ -12,15 +12,22 @@ const POINTS: usize = 40;
 /// How far from what is excepted its neighbours lie, in parts of the domain.
 const NEAR: [f64; 3] = [1e-2, 1e-5, 1e-8];
 
-/// That what a condition excepts has no inside: no point drawn from the `domain` is excepted, nor any that is drawn close to
-/// one of the `excepted` points, while those are themselves. `holds` says whether the condition holds.
+/// That what a condition excepts has no inside: no point drawn from the ranges of the `coordinates` is excepted, nor any that is
+/// drawn close to one of the `excepted` points, while those are themselves. `holds` says whether the condition holds. The
+/// words say `what` is drawn, and what `alone` is excepted.
 pub fn no_inside<const N: usize>(
-    compared: Compared,
-    names: [&str; N],
-    domain: [[f64; 2]; N],
+    what: &'static str,
+    alone: &'static str,
+    coordinates: [(&str, [f64; 2]); N],
     excepted: &[[f64; N]],
     holds: impl Fn([f64; N]) -> bool,
 ) -> Evidence {
+    let compared = Compared::composed(
+        ["whether ", what, " meets the condition (1 if so)"],
+        ["the expectation that all do but ", alone, ""],
+    );
+    let compared = compared.over("random ones, those that are excepted, and some close to them");
+    let domain = coordinates.map(|(_, range)| range);
     let mut random = Points::stream(700);
     let mut points: Vec<_> = excepted.iter().map(|point| (*point, false)).collect();
     for i in 0..POINTS {
@@ -35,48 +42,59 @@ pub fn no_inside<const N: usize>(
         }
         points.push((neighbour, true));
     }
-    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
-    trial.over(points, |(point, expected)| {
-        Ok(Pair {
-            at: named(names, point),
-            stated: f64::from(u8::from(holds(point))),
-            found: f64::from(u8::from(expected)),
-            scale: 1.0,
-        })
-    })
+    let looked_at = points
+        .into_iter()
+        .map(|(point, expected)| (point, holds(point), expected));
+    whether(compared, coordinates, looked_at)
 }
 
-/// That a claim has no value at the `excepted` points, and has one at the `usual` ones, by arithmetic that is exact about
-/// what is zero.
+/// That a law has no value at the `excepted` points, and has one at usual ones, drawn from the ranges of the `coordinates`,
+/// by arithmetic that is exact about what is zero. The words say what `holds` at the usual points, and where the `others` are.
 pub fn no_value<const N: usize>(
-    compared: Compared,
-    names: [&str; N],
-    usual: [[f64; 2]; N],
+    name: &'static str,
+    holds: &'static str,
+    others: &'static str,
+    coordinates: [(&str, [f64; 2]); N],
     excepted: impl IntoIterator<Item = [Interval; N]>,
     law: impl Fn([Interval; N]) -> Interval,
 ) -> Evidence {
-    let usual = Points::stream(701).within(POINTS, usual);
+    let compared = Compared::composed(
+        ["whether ", name, " has a value (1 if so)"],
+        ["whether ", holds, ""],
+    );
+    let compared = compared.over_composed(["some of them random, the others ", others, ""]);
+    let usual = Points::stream(701).within(POINTS, coordinates.map(|(_, range)| range));
     let usual = usual
         .into_iter()
         .map(|point| (point.map(Interval::point), true));
-    let excepted = excepted.into_iter().map(|point| (point, false));
-    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
-    trial.over(usual.chain(excepted), |(point, expected)| {
+    let points = usual.chain(excepted.into_iter().map(|point| (point, false)));
+    let looked_at = points.map(|(point, expected)| {
         let value = law(point);
         let bounded = value.lo().is_finite() && value.hi().is_finite();
+        (point.map(Interval::mid), bounded, expected)
+    });
+    whether(compared, coordinates, looked_at)
+}
+
+/// Whether something is so at each point, with whether that is expected.
+fn whether<const N: usize>(
+    compared: Compared,
+    coordinates: [(&str, [f64; 2]); N],
+    points: impl IntoIterator<Item = ([f64; N], bool, bool)>,
+) -> Evidence {
+    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
+    trial.over(points, |(point, is_so, expected)| {
+        let named = coordinates.iter().zip(point);
+        let at: Vec<_> = named
+            .map(|((name, _), x)| format!("{name} = {x:.6}"))
+            .collect();
         Ok(Pair {
-            at: named(names, point.map(|x| x.mid())),
-            stated: f64::from(u8::from(bounded)),
+            at: at.join(", "),
+            stated: f64::from(u8::from(is_so)),
             found: f64::from(u8::from(expected)),
             scale: 1.0,
         })
     })
-}
-
-fn named<const N: usize>(names: [&str; N], point: [f64; N]) -> String {
-    let named = names.iter().zip(point);
-    let named: Vec<_> = named.map(|(name, x)| format!("{name} = {x:.6}")).collect();
-    named.join(", ")
 }
 
 #[cfg(test)]
@@ -88,14 +106,8 @@ mod tests {
     #[test]
     fn a_set_with_an_inside_is_not_degenerate() {
         let outcome = |excepted: &[[f64; 2]], holds: fn([f64; 2]) -> bool| {
-            no_inside(
-                Compared::shown(""),
-                ["x", "y"],
-                [[0.0, 1.0]; 2],
-                excepted,
-                holds,
-            )
-            .outcome()
+            let plane = ["x", "y"].map(|name| (name, [0.0, 1.0]));
+            no_inside("a point", "one", plane, excepted, holds).outcome()
         };
         // An edge, a line, a point.
         assert_eq!(outcome(&[[0.0, 0.3]], |[x, _]| x > 0.0), Outcome::Agrees);
@@ -116,10 +128,8 @@ mod tests {
     fn a_claim_that_has_a_value_where_it_is_said_to_have_none_is_found() {
         let at = |excepted: i64, law: fn(Interval) -> Interval| {
             let excepted = [[Interval::int(excepted)]];
-            no_value(Compared::shown(""), ["x"], [[0.5, 1.0]], excepted, |[x]| {
-                law(x)
-            })
-            .outcome()
+            let line = [("x", [0.5, 1.0])];
+            no_value("(1)", "it holds", "not", line, excepted, |[x]| law(x)).outcome()
         };
         assert_eq!(at(0, |x| x / x), Outcome::Agrees);
         assert_eq!(at(0, Scalar::ln), Outcome::Agrees);

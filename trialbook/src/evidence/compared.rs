@@ -1,6 +1,7 @@
 //! What a trial compares with what, and where, in words.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
+use std::fmt::{self, Display};
 
 /// The two sides of a comparison, as parts of a sentence; formulas as LaTeX in `$…$`.
 ///
@@ -14,13 +15,39 @@ use serde::Serialize;
 pub struct Compared {
     /// What the claim states; a comma at its end parts what was added to it from the verb. Or, without a found side, all
     /// that is to be proved.
-    stated: &'static str,
+    stated: Words,
     /// What is found without the claim.
-    found: Option<&'static str>,
+    found: Option<Words>,
     /// Which of the two a sentence begins with.
     form: Form,
     /// Where the two are compared, if more is to be said than what can be read from the points.
-    over: Option<&'static str>,
+    over: Option<Words>,
+}
+
+/// Words of which a part may be a trial's own, between parts that it shares with others.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Words([&'static str; 3]);
+
+impl Words {
+    const fn of(words: &'static str) -> Self {
+        Words([words, "", ""])
+    }
+
+    fn without_comma(&self) -> String {
+        self.to_string().trim_end_matches(',').to_owned()
+    }
+}
+
+impl Display for Words {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.iter().try_for_each(|part| f.write_str(part))
+    }
+}
+
+impl Serialize for Words {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
 }
 
 /// How the sentence is built.
@@ -37,9 +64,21 @@ enum Form {
 impl Compared {
     /// One thing that is stated, and what is found.
     pub const fn one(stated: &'static str, found: &'static str) -> Self {
+        Self::composed([stated, "", ""], [found, "", ""])
+    }
+
+    /// The same from parts, of which one is a row's own and the others are those of its table.
+    ///
+    /// ```
+    /// use trialbook::evidence::Compared;
+    ///
+    /// let change = |rate, of| Compared::composed(["the integral of ", rate, ""], ["the change of ", of, ""]);
+    /// assert_eq!(change("(3)", "$p$").words(), "the integral of (3) was compared with the change of $p$");
+    /// ```
+    pub const fn composed(stated: [&'static str; 3], found: [&'static str; 3]) -> Self {
         Compared {
-            stated,
-            found: Some(found),
+            stated: Words(stated),
+            found: Some(Words(found)),
             form: Form::One,
             over: None,
         }
@@ -74,29 +113,35 @@ impl Compared {
 
     /// The same, at these points; the words stand behind their number.
     pub const fn over(self, points: &'static str) -> Self {
-        let over = Some(points);
+        let over = Some(Words::of(points));
+        Compared { over, ..self }
+    }
+
+    /// The same, at these points, in words from parts.
+    pub const fn over_composed(self, points: [&'static str; 3]) -> Self {
+        let over = Some(Words(points));
         Compared { over, ..self }
     }
 
     /// What is stated; formulas in `$…$`.
-    pub fn stated(&self) -> &'static str {
-        self.stated.trim_end_matches(',')
+    pub fn stated(&self) -> String {
+        self.stated.without_comma()
     }
 
     /// What is found; nothing for a proof in which no two sides are compared.
-    pub fn found(&self) -> Option<&'static str> {
-        self.found.map(|found| found.trim_end_matches(','))
+    pub fn found(&self) -> Option<String> {
+        self.found.map(|found| found.without_comma())
     }
 
     /// Where, if the trial says so; formulas in `$…$`.
-    pub fn points(&self) -> Option<&'static str> {
-        self.over
+    pub fn points(&self) -> Option<String> {
+        self.over.map(|words| words.to_string())
     }
 
     /// What was compared with what, as a clause; formulas in `$…$`.
     pub fn words(&self) -> String {
         let Some(found) = self.found else {
-            return self.stated.to_owned();
+            return self.stated.to_string();
         };
         match self.form {
             Form::One => format!("{} was compared with {found}", self.stated),

@@ -117,14 +117,14 @@ impl Entry {
 }
 
 fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
-    let over = e.compared.points().map(plain_words);
+    let over = e.compared.points().map(|words| plain_words(&words));
     EvidenceRow {
         trial: e.trial,
         route: e.route.name(),
         subject: e.subject,
         compared: plain_words(&e.comparison()),
-        stated: plain_words(e.compared.stated()),
-        found: e.compared.found().map(plain_words),
+        stated: plain_words(&e.compared.stated()),
+        found: e.compared.found().map(|words| plain_words(&words)),
         over: over.or_else(|| e.ranges.words()),
         points: e.points,
         failed: e.failed,

@@ -34,7 +34,7 @@ impl Evidence {
             1 => ", at one point".to_owned(),
             n => format!(", at {} points", count(n)),
         };
-        let ranges = self.compared.points().map(str::to_owned);
+        let ranges = self.compared.points();
         let ranges = ranges.or_else(|| self.ranges.words());
         let points = match ranges {
             Some(ranges) if !points.is_empty() => format!("{points}, {ranges}"),
