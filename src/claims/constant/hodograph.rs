@@ -21,7 +21,7 @@ fn rates(compared: Compared, reading: Reading) -> Evidence {
     // Later, the time itself is too coarse for differences.
     let turning = turns_where(|turn| turn.v > 0.01 * turn.v0).map(|turn| turn.copied());
     trial.each(turning.chain(straight()), Turn::at, |turn| {
-        let [stated, found, scale] = reading(&turn);
+        let [stated, found, scale] = reading(turn);
         Ok([stated, found, scale * turn.a * (1.0 + turn.lambda)])
     })
 }

@@ -69,7 +69,7 @@ fn third_fate(path: &Path, tau: f64) -> Result<f64, MotionError> {
     let State { x, v, .. } = path.on_table(tau)?;
     let [rho, p] = [x, v].map(|[x, y]| libm::hypot(x, y));
     let fates = [path.resting_place().is_some(), rho * rho - p * p > 1.0];
-    let [rests, escapes] = fates.map(|so| is(so));
+    let [rests, escapes] = fates.map(is);
     Ok(1.0 - rests - escapes)
 }
 

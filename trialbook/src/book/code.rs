@@ -226,7 +226,11 @@ fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
         let constant = words.strip_prefix("const ");
         let item = constant.unwrap_or(words).strip_prefix("fn ").or(constant);
         let name = item.and_then(|item| item.split(['(', '<', ':']).next());
-        let row = || Some(words.trim_start_matches('&').split_once(" = ")?.0);
+        let row = words.trim_start_matches('&');
+        let row = || {
+            row.split_once(" = ")
+                .map_or(row.strip_suffix(" ="), |row| Some(row.0))
+        };
         let is_name = |name: &&str| name.chars().all(|c| c.is_alphanumeric() || c == '_');
         Some((i, name.or_else(row).filter(is_name)?))
     })
