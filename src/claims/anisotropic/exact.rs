@@ -79,8 +79,7 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
             let found = p.read("d𝔴/dφ by Newton's law", newton)?;
             let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
             let found = ring.put(&found, &values)?;
-            let stated = p.read("The printed rate", rates[i])?;
-            p.equal("The two", &found, &stated)?;
+            p.same(&found, rates[i], "the printed rate")?;
         }
         Ok(())
     })
@@ -119,11 +118,8 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
         let two = Expr::int(2);
         let lost = lambda0 * two * k_formula;
         let gained = q * lambda0 * (two * Expr::pi() - two * k_formula);
-        let [lost, gained] = [
-            p.read("Taken forwards, with the printed K", lost)?,
-            p.read("Taken backwards", gained)?,
-        ];
-        p.equal("The two", &lost, &gained)
+        let lost = p.read("Taken forwards, with the printed K", lost)?;
+        p.same(&lost, gained, "what is given backwards")
     });
     let angles = || {
         let mut ring = frictions()?;
@@ -149,8 +145,7 @@ pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("(54): curve B", frictions(), |p| {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         let end = p.read("𝔴 at π + β", arc(alpha, Expr::pi() + beta, lambda0))?;
-        let stated = p.read("Left less right side", left - right)?;
-        p.equal("The two", &end, &stated)
+        p.same(&end, left - right, "the left side less the right one")
     })
 }
 
@@ -160,8 +155,7 @@ pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         let late = Expr::int(2) * Expr::pi() - beta;
         let end = p.read("𝔴 at 2π − β", arc(alpha, late, lambda0))?;
-        let stated = p.read("Left less right side", left - right)?;
-        p.equal("The two", &end, &stated)
+        p.same(&end, left - right, "the left side less the right one")
     })
 }
 
@@ -322,11 +316,11 @@ pub(super) fn plane() -> Result<Ring, ExactError> {
 fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
     Proof::in_ring(title, plane(), |p| {
         let rate = p.read("The rate by (51) or (52)", rate)?;
-        let parts = p.read(
-            "By how far λ₀ is from the curve, and a square",
+        p.same(
+            &rate,
             excess + square,
-        )?;
-        p.equal("The two", &rate, &parts)
+            "by how far λ₀ is from the curve, and a square",
+        )
     })
 }
 
@@ -387,8 +381,7 @@ fn prove_mirror([forward, backward]: [Expr; 2], [other_q, other_lambda0]: [Expr;
             ("Backward motion", backward, forward),
         ] {
             let here = p.read(says, here)?;
-            let there = p.read("The other's in the mirror", mirrored(there))?;
-            p.equal("The two", &here, &there)?;
+            p.same(&here, mirrored(there), "that of the other, mirrored")?;
         }
         Ok(())
     })

@@ -165,8 +165,7 @@ fn drawn([forward, backward]: Rates) -> Proof {
                 p.equal("It is that rate", &slope, rate)?;
                 let change = velocity.with("φ", phi + whole) - velocity;
                 let change = p.read("Its change in a period", change)?;
-                let lost = p.read("What friction takes or gives", -whole * friction)?;
-                p.equal("The two", &change, &lost)?;
+                p.same(&change, -whole * friction, "what friction takes or gives")?;
             }
             p.note(
             "So",
@@ -197,13 +196,12 @@ fn slips() -> Result<Ring, ExactError> {
 }
 
 /// A slip in the ring of both frictions: its rate as a product, and the velocity that it leads to.
-fn slip(title: &str, rate: Expr, product: [&str; 2], of: Expr, friction: Expr) -> Proof {
+fn slip(title: &str, rate: Expr, (product, so): (Expr, &str), friction: Expr) -> Proof {
     Proof::in_ring(title, slips(), |p| {
         let [phi, s] = Expr::symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
-        let factors = p.read(product[0], of)?;
-        p.equal("The two", &rate, &factors)?;
-        p.note("So", product[1]);
+        p.same(&rate, product, "")?;
+        p.note("So", so);
         let velocity = arc(s, phi, friction);
         let element = p.read("The velocity since a start at s", velocity)?;
         let slope = p.derivative("Its rate", &element, &p.ring().by("φ")?)?;
@@ -228,11 +226,10 @@ fn forward_slip(rate: Expr) -> Proof {
     slip(
         "Forward motion speeds up and slows down once",
         rate,
-        [
-            "2 cos((φ + α)/2) sin((φ − α)/2)",
+        (
+            product,
             "it is positive from α to π − α, negative from there to 2π + α: a forward slip from α on, or from later on before π − α, ends between π − α and 2π + α, and its velocity has no other zero within a period, at whose end it would have risen to −2πλ₀",
-        ],
-        product,
+        ),
         lambda0,
     )
 }
@@ -244,11 +241,10 @@ fn backward_slip(rate: Expr) -> Proof {
     slip(
         "Backward motion speeds up and slows down once",
         rate,
-        [
-            "2 sin((φ + β)/2) cos((φ − β)/2)",
+        (
+            product,
             "it is negative from π + β to 2π − β, positive from there to 3π + β: a backward slip from between the first two ends between 2π − β and 3π + β, and its velocity has no other zero within a period, at whose end it would have fallen to 2πqλ₀",
-        ],
-        product,
+        ),
         -q_lambda0,
     )
 }
@@ -274,11 +270,7 @@ fn middle([left, right]: Sides) -> Proof {
         let spare = p.read("1 − (λ₀K/sin K)²", spare)?;
         let square = (lambda0 * (k.sin() - k * k.cos()) / k.sin().squared()).squared();
         let parts = lambda0.squared() * (left.squared() - right.squared()) + square;
-        let parts = p.read(
-            "λ₀² times the difference of the squared sides of (53), which is positive below A, and a square",
-            parts,
-        )?;
-        p.equal("The two", &spare, &parts)
+        p.same(&spare, parts, "λ₀² times the difference of the squared sides of (53), which is positive below A, and a square")
     })
 }
 
@@ -314,10 +306,10 @@ fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> 
         let (begin, turn) = (m - k, m + k);
         let whole = int(2) * Expr::pi();
         let ahead = p.read("Forward from m − K: 𝔴 at m + K", arc(begin, turn, lambda0))?;
-        p.zero("It", &ahead)?;
+        p.same(&ahead, Expr::int(0), "")?;
         let back = arc(turn, begin + whole, -q * lambda0);
         let back = p.read("Backward from there: 𝔴 at m − K + 2π", back)?;
-        p.zero("It", &back)?;
+        p.same(&back, Expr::int(0), "")?;
         let pull = p.read("The pull at m − K, sin(m − K) − λ₀,", begin.sin() - lambda0)?;
         let factor = -m.cos() * k.sin() + lambda0 * (int(1) + k * y.tan());
         let factor = p.read("−cos m sin K + λ₀ (1 + K tan y), which is positive", factor)?;
@@ -339,11 +331,7 @@ fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> 
         let chord = int(2) * y / Expr::pi();
         let terms =
             (quarter - y.squared()) * (y.sin() - chord) + y * (near - y.cos()) + near * chord * y;
-        let terms = p.read(
-            "(π²/4 − y²)(sin y − 2y/π) + y (π/2 − y − cos y) + (π/2 − y) 2y²/π, of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y",
-            terms,
-        )?;
-        p.equal("The two", &rest, &terms)?;
+        p.same(&rest, terms, "of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y")?;
         p.note(
             "So the drive exceeds friction where each slip begins, and each slip ends where the other begins",
             "this motion repeats itself, without rest",
@@ -391,8 +379,7 @@ fn second(rates: Rates, (k_formula, a): CurveA, [b, e]: [Sides; 2], signs: Lists
             both,
         )?;
         let left = (int(1) + q) * lambda0 * (alpha + int(2) * k_formula - end);
-        let left = p.read("(1 + q) λ₀ times (α + 2K less the end)", left)?;
-        p.equal("The two", &both, &left)?;
+        p.same(&both, left, "")?;
         p.note(
             "Above A",
             "left is less than right side of (53), and the slip ends before α + 2K: backward motion ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
@@ -413,11 +400,11 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
         p.rests_on(&b_falls())?;
         let [alpha, beta, q, lambda0] = Expr::symbols(["α", "β", "q", "λ₀"]);
         let below = p.read("q (C − λ₀), by (55)", q * (c - lambda0))?;
-        let square = p.read(
-            "(cos(β/2) − sin(β/2))²: below C there is a β < π/2 with sin β = qλ₀",
+        p.same(
+            &below,
             ((beta / int(2)).cos() - (beta / int(2)).sin()).squared(),
+            "positive, as below C there is a β < π/2 with sin β = qλ₀",
         )?;
-        p.equal("The two", &below, &square)?;
         p.note(
             "Above B left is less than right side of (54)",
             "the slip from α ends before π + β, and after π − α, where −qλ₀ < sin φ < λ₀: static friction holds until π + β, where a backward slip begins",
@@ -448,11 +435,11 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
             product * tangent - int(2) * d,
         )?;
         let terms = product * (tangent - d / int(2)) + d / int(2) * (product - int(4));
-        let terms = p.read(
-            "(π² − d²)(tan(d/2) − d/2) + (d/2)(π² − d² − 4), of which no term is negative, as 0 ≤ d < π/2",
+        p.same(
+            &excess,
             terms,
+            "of which no term is negative, as 0 ≤ d < π/2",
         )?;
-        p.equal("The two", &excess, &terms)?;
         p.note(
             "So 𝔴 is positive there",
             "the backward slip ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
@@ -477,17 +464,17 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
         let [alpha, phi, q, lambda0] = Expr::symbols(["α", "φ", "q", "λ₀"]);
         let square = |x: Expr| ((x / int(2)).sin() + (x / int(2)).cos()).squared();
         let below = p.read("D − λ₀, by (56)", d - lambda0)?;
-        let room = p.read(
-            "(sin(α/2) − cos(α/2))²: below D there is an α < π/2 with sin α = λ₀",
+        p.same(
+            &below,
             square(-alpha),
+            "positive, as below D there is an α < π/2 with sin α = λ₀",
         )?;
-        p.equal("The two", &below, &room)?;
         let back = p.read("(52)", rates[1])?;
-        let terms = p.read(
-            "q (λ₀ − C), by (55), and a square",
+        p.same(
+            &back,
             q * (lambda0 - c) + square(phi),
+            "q times λ₀ less C by (55), and a square",
         )?;
-        p.equal("The two", &back, &terms)?;
         p.note(
             "So above C",
             "backward motion ends after a finite time, and never begins again: −qλ₀ < −1 ≤ sin φ",
@@ -532,7 +519,7 @@ fn border(c: Expr) -> Proof {
         p.rests_on(&corner_falls())?;
         let q = Expr::symbol("q");
         let product = p.read("q times (55): there qλ₀ is the drive's amplitude", q * c)?;
-        p.equal("It is 1", &product, &Rational::int(1))?;
+        p.same(&product, Expr::int(1), "")?;
         p.note(
             "Before q_Y B ends below C, at q_Y on it",
             "just below C lies region III, at q_Y region II, or I if A were above it, all with backward motion; above C region IV, without",

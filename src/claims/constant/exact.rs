@@ -209,8 +209,7 @@ fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
         ];
         for (rate, printed) in rates.into_iter().zip(printed) {
             let rate = p.read("A component of (1), with (3) and (4)", rate)?;
-            let printed = p.read("(6) or (7)", printed)?;
-            p.equal("The two", &rate, &printed)?;
+            p.same(&rate, printed, "by (6) or (7)")?;
         }
         Ok(())
     })

@@ -172,8 +172,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     );
     let own = p.read("w²", at.w().squared())?;
     let [_, predator, h, _] = at.state();
-    let stated = p.read("4Ph", int(4) * predator * h)?;
-    p.equal("The two", &own, &stated)?;
+    p.same(&own, int(4) * predator * h, "")?;
     let [q0, v0] = middle();
     let height = over_n(8, 3) * (at.q - q0).squared() + (at.v - v0).squared();
     let read = p.read("Q", height)?;
@@ -191,15 +190,13 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let edge = edge();
     let on_edge = height.with("q", edge.q).with("v", edge.v);
     let on_edge = p.read("Q at q₀ + (√6/16) cos f, v₀ + (1/4) sin f", on_edge)?;
-    let stated = p.read("1/16", over_n(1, 16))?;
-    p.equal("The two", &on_edge, &stated)?;
+    p.same(&on_edge, over_n(1, 16), "")?;
     let rate = int(2) - int(2) * (int(1) - at.t.squared()) * predator;
     let slower = p.read(
         "1 less the rate of 1/t in τ, over t",
         (int(1) - rate) / at.t,
     )?;
-    let stated = p.read("2v − t − 2v t²", at.slower())?;
-    p.equal("The two", &slower, &stated)?;
+    p.same(&slower, at.slower(), "")?;
     p.note(
         "It is between 0 and 8/5 where |q − q₀| < 0.154, |v − v₀| ≤ 1/4, 0 < t ≤ 1/20, as in the region, where |q − q₀| ≤ √6/16",
         "by intervals: 1/t grows, at 23/25 of the rate of τ at least; so t falls, also where it is 1/20, and as Q falls where it is 1/16, again by intervals, no motion leaves the region",

@@ -197,8 +197,7 @@ pub fn eq138(formula: Expr) -> Proof {
         let rate = p.read("dA/dτ by (113)", motion::eq113_a_rate(alpha))?;
         let motion = p.ring().along(&[("A", rate)])?;
         let growth = p.derivative("The rate of (138)", &half, &motion)?;
-        let speed = p.read("ds/dτ = p = A sinh α", a * alpha.sinh())?;
-        p.equal("The two", &growth, &speed)
+        p.same(&growth, a * alpha.sinh(), "ds/dτ = p = A sinh α")
     })
 }
 
@@ -228,27 +227,22 @@ fn never_decreases(formula: Expr) -> Proof {
         let rate = p.read("dA/dτ by (113)", formula)?;
         let half = (alpha / two).exp();
         let factors = (half - one) * (half + one) * (half.squared() + one);
-        let factors = p.read(
-            "(h − 1)(h + 1)(h² + 1)/2h² with h = exp(α/2) ≥ 1, of which no factor is negative",
+        p.same(
+            &rate,
             factors / (two * half.squared()),
+            "with h = exp(α/2) ≥ 1, of which no factor is negative",
         )?;
-        p.equal("The two", &rate, &factors)?;
         let slow = one - motion::eq114_alpha_rate(a, alpha, psi);
         let slow = p.read("1 − dα/dτ by (114)", slow)?;
         let terms = two * (psi / two).sin().squared() + alpha.cosh() / a;
-        let terms = p.read(
-            "2 sin²(ψ/2) + cosh α/A, of which no term is negative",
-            terms,
-        )?;
-        p.equal("The two", &slow, &terms)?;
+        p.same(&slow, terms, "of which no term is negative")?;
         p.note(
             "So",
             "if α is b at a time, it was at least b − s at the time s before, and A has grown since with the rate sinh(b − s) or more",
         );
         let grown = p.read("cosh s − 1, which is 0 at s = 0", s.cosh() - one)?;
         let slope = p.derivative("Its rate", &grown, &p.ring().by("s")?)?;
-        let stated = p.read("sinh s", s.sinh())?;
-        p.equal("The two", &slope, &stated)?;
+        p.same(&slope, s.sinh(), "")?;
         p.note(
             "So",
             "A grows by cosh b − 1 or more each time: without end, unless α stays below every b from some time on",

@@ -51,11 +51,11 @@ pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obst
         "The squares' product less the square of the scalar product",
         rest,
     )?;
-    let square = p.read(
-        "A square, which is not negative: the part along the velocity is at most all of it",
+    p.same(
+        &rest,
         (ax * vy - ay * vx).squared(),
-    )?;
-    p.equal("The two", &rest, &square)
+        "a square, which is not negative: the part along the velocity is at most all of it",
+    )
 }
 
 pub(in crate::claims) fn stops(formula: Expr) -> Proof {
@@ -66,11 +66,11 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
         let rate = p.read("dv/dt by (2)", formula)?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let above = p.read("a − μg less that", a - mu * g)? - &rate;
-        let room = p.read(
-            "a and the acceleration's part along the velocity",
+        p.same(
+            &above,
             a + (ax * vx + ay * vy) / speed,
+            "a and the part of the acceleration along the velocity",
         )?;
-        p.equal("The two", &above, &room)?;
         at_most_its_size(p)?;
         p.note(
             "So, with an acceleration of a at most",
@@ -79,13 +79,12 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
         let bound = v0 - (mu * g - a) * t;
         let line = p.read("The line v₀ − (μg − a) t", bound)?;
         let slope = p.derivative("Its rate", &line, &p.ring().by("t")?)?;
-        let stated = p.read("a − μg", a - mu * g)?;
-        p.equal("The two", &slope, &stated)?;
+        p.same(&slope, a - mu * g, "")?;
         let end = p.read(
             "At t = v₀/(μg − a) it is",
             bound.with("t", v0 / (mu * g - a)),
         )?;
-        p.zero("It", &end)?;
+        p.same(&end, Expr::int(0), "")?;
         p.note(
             "So",
             "v, which lies below the line, is 0 by then; at rest the inertial force is below the greatest static friction",
@@ -124,8 +123,7 @@ pub(in crate::claims) fn decays(
     let square = p.read("v_y²", vy.squared())?;
     let fall = p.derivative("Its rate", &square, &motion)?;
     let stated = trend * (two * mu * g * vy.squared() / speed);
-    let stated = p.read("−2μg v_y²/v, which is not positive", stated)?;
-    p.equal("The two", &fall, &stated)?;
+    p.same(&fall, stated, "which is not positive")?;
     at_most_its_size(p)?;
     p.note(
         "So, with an acceleration of a at most and by (2)",

@@ -38,11 +38,11 @@ fn moves(bound: Expr) -> Proof {
         let components = p.ring().read(ax.squared() + ay.squared())?;
         p.equal("The squares of the components, added", &needed, &components)?;
         let lack = p.read("What is needed less the greatest friction", size - mu * g)?;
-        let beyond = p.read(
-            "What the size of the drive is above the stated bound",
+        p.same(
+            &lack,
             size - bound,
+            "what the size of the drive is above the stated bound",
         )?;
-        p.equal("The two", &lack, &beyond)?;
         p.note(
             "So",
             "while the drive is above the bound no friction of μg at most keeps the particle at rest",
@@ -94,11 +94,7 @@ pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr
 
             let along = p.read("dv_x/dt by (1)", driven(law[0]))?;
             let terms = margin + more + most * (one - cosine);
-            let terms = p.read(
-                "δ + e + μg (1 − v_x/v), of which no term is negative",
-                terms,
-            )?;
-            p.equal("The two", &along, &terms)?;
+            p.same(&along, terms, "of which no term is negative")?;
             p.note(
                 "So",
                 "v_x grows by δ in each unit of time at least, beyond all bounds",
@@ -109,33 +105,28 @@ pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr
             let square = p.read("v_y²", vy.squared())?;
             let fall = p.derivative("Its rate", &square, &motion)?;
             let lost = -(two * most * vy.squared() / speed);
-            let lost = p.read("−2μg v_y²/v, which is not positive", lost)?;
-            p.equal("The two", &fall, &lost)?;
+            p.same(&fall, lost, "which is not positive")?;
 
             let direction = p.read("v_x/v", cosine)?;
             let turn = p.derivative("Its rate", &direction, &motion)?;
-            let stated = p.read(
-                "a v_y²/v³, which is not negative",
+            p.same(
+                &turn,
                 pull * vy.squared() / speed.pow(Expr::int(3)),
+                "which is not negative",
             )?;
-            p.equal("The two", &turn, &stated)?;
             let enough = most / (most + margin);
             let least = cosine.squared() - enough.squared();
             let least = p.read("(v_x/v)² less the square of μg/(μg + δ)", least)?;
             let room = vx.squared() * (one - enough.squared()) - enough.squared() * vy.squared();
-            let room = p.read(
-            "positive from some time on, as v_x grows beyond all bounds, v_y does not and μg/(μg + δ) < 1",
-            room / speed.squared(),
-        )?;
-            p.equal("The two", &least, &room)?;
+            p.same(&least, room / speed.squared(), "positive from some time on, as v_x grows beyond all bounds, v_y does not and μg/(μg + δ) < 1")?;
 
             let growth = p.read("dv/dt by (2)", driven(speed_rate))?;
             let terms = (most + margin) * (cosine - enough) + more * cosine;
-            let terms = p.read(
-            "(μg + δ) (v_x/v − μg/(μg + δ)) + e v_x/v, the first term positive and the other not negative from that time on",
-            terms,
-        )?;
-            p.equal("The two", &growth, &terms)?;
+            p.same(
+                &growth,
+                terms,
+                "the first term positive and the other not negative from that time on",
+            )?;
             p.note(
             "A particle that is at rest at some time",
             "is set in motion along the drive at once: v_x = v from then on, and the same holds",

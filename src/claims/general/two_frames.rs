@@ -219,8 +219,7 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
         for (name, own) in [("U_x", vx), ("U_y", vy)] {
             let seen = p.read("A component of the velocity", Expr::symbol(name) + own)?;
             let rate = p.derivative("Its rate", &seen, &along)?;
-            let friction = p.read("Friction per mass, against v", -mu * g * own / speed)?;
-            p.equal("The two", &rate, &friction)?;
+            p.same(&rate, -mu * g * own / speed, "friction per mass, against v")?;
         }
         Ok(())
     })

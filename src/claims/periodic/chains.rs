@@ -64,7 +64,7 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
             "The line |𝔴₀| − (right − left) φ at φ = |𝔴₀|/(right − left), with 𝔴₀ for its size",
             start - (right - left) * time,
         )?;
-        p.zero("It", &end)?;
+        p.same(&end, Expr::int(0), "")?;
         p.note(
             "So",
             "𝔴 is 0 by then, and at rest the drive is below the greatest static friction; with a velocity across it falls as fast, by (2)",
@@ -89,11 +89,11 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
         let [one, two] = [1, 2].map(Expr::int);
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
         let speed = p.read("d|𝔴|/dφ by (26)", Expr::int(sign) * rate)?;
-        let most = p.read(
-            "±h − λ₀, at most |h| − λ₀",
+        p.same(
+            &speed,
             Expr::int(sign) * psi.sin() - lambda0,
+            "at most |h| − λ₀",
         )?;
-        p.equal("The two", &speed, &most)?;
         p.note("While the particle rests", "|𝔴| stays 0");
 
         let friction = one - s.squared();
@@ -115,11 +115,11 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
         let by_parts = &p.ring().read(two * Expr::pi())? * &fast + &p.ring().read(m)? * &slow;
         p.equal("What is not negative, and that", &by_parts, &gain)?;
         let bound = two * Expr::pi() * s / (one - s);
-        let room = p.read(
-            "s (1 − s) times what m is below 2π s/(1 − s)",
+        p.same(
+            &gain,
             s * (one - s) * (bound - m),
+            "s (1 − s) times what m is below 2πs/(1 − s)",
         )?;
-        p.equal("The two", &gain, &room)?;
         p.note(
             "E: the share of the phases with |h| > 1 − s",
             "it tends to 0 with s, if |h| is 1 at single instants",
@@ -156,19 +156,20 @@ fn normalised([pulse, gap]: [Expr; 2], largest: Expr) -> Proof {
             printed::eq42_end(Expr::symbol("η")),
         )?;
         let growth = p.derivative("grows with η at the rate", &length, &p.ring().by("η")?)?;
-        let pi = p.read("π, positive", Expr::pi())?;
-        p.equal("The two", &growth, &pi)?;
+        p.same(&growth, Expr::pi(), "positive")?;
         let eta = p.ring().named("η")?;
         let none = p.ring().put(&length, &[(&eta, &Rational::int(0))])?;
         p.zero("The length at η = 0", &none)?;
         let size = p.read("The stated size", largest)?;
-        let first = p.read("h in a pulse by (42)", pulse)?;
-        p.equal("The two", &first, &size)?;
+        p.same(&size, pulse, "h in a pulse by (42)")?;
         let none = p.read("In a gap", gap)?;
         p.zero("h", &none)?;
         let own = p.read("The square of h", h.squared())?;
-        let mirrored = p.read("The same, mirrored by (43)", printed::eq43_h(h).squared())?;
-        p.equal("The two", &mirrored, &own)
+        p.same(
+            &own,
+            printed::eq43_h(h).squared(),
+            "the same, mirrored by (43)",
+        )
     })
 }
 
@@ -211,8 +212,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
         p.note("The sign of 𝔴", sign.to_string());
 
         let end = p.read("At η = 1 a pulse ends at", at(pulses.end, one))?;
-        let half = p.read("Half a period", Expr::pi())?;
-        p.equal("The two", &end, &half)?;
+        p.same(&end, Expr::pi(), "half a period")?;
         for (says, h, way) in [
             ("h in a pulse", pulses.h[0], 1),
             ("h half a period later", pulses.h[2], -1),
@@ -232,25 +232,24 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
         )?;
 
         let end = p.read("At η = 0 a pulse ends at", at(pulses.end, zero))?;
-        p.zero("It", &end)?;
+        p.same(&end, Expr::int(0), "")?;
         for (says, h) in [
             ("h in a gap", pulses.h[1]),
             ("h half a period later", pulses.h[3]),
         ] {
             let h = p.read(says, h)?;
-            p.zero("It", &h)?;
+            p.same(&h, Expr::int(0), "")?;
         }
         let slows = p.read(
             "d|𝔴|/dφ by (26) with h = 0",
             Expr::int(sign) * rate.with("ψ", zero),
         )?;
-        let friction = p.read("−λ₀", -lambda0)?;
-        p.equal("The two", &slows, &friction)?;
+        p.same(&slows, -lambda0, "")?;
         let stop = p.read(
             "The size left after |𝔴₀|/λ₀, with 𝔴₀ for its size",
             start - lambda0 * (start / lambda0),
         )?;
-        p.zero("It", &stop)?;
+        p.same(&stop, Expr::int(0), "")?;
         p.note(
             "So, for λ₀ > 0",
             "the particle comes to rest and stays: |h| = 0 < λ₀",
@@ -281,26 +280,24 @@ fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
             "d𝔴/dφ by (26) without friction",
             rate.with("λ₀", Expr::int(0)),
         )?;
-        let stated = p.read("What is said to become nonzero again", again)?;
-        p.equal("The two", &drive, &stated)?;
+        p.same(&drive, again, "what is said to become nonzero again")?;
         let gap = p.read("h in the gap", pulses.h[1])?;
-        p.zero("It", &gap)?;
+        p.same(&gap, Expr::int(0), "")?;
         let there = p.read("What is said, with that h", again.with("ψ", Expr::int(0)))?;
-        p.zero("It", &there)?;
+        p.same(&there, Expr::int(0), "")?;
         let pulse = p.read("h in the pulse from π on", pulses.h[2])?;
         p.equal("It is not 0, but", &pulse, &Rational::int(-1))?;
         let friction = p.read("What friction gives by (26)", rate - psi.sin())?;
-        let constant = p.read(
-            "λ₀ against the velocity, at every h",
+        p.same(
+            &friction,
             -(Expr::int(sign) * lambda0),
+            "λ₀ against the velocity, at every h",
         )?;
-        p.equal("The two", &friction, &constant)?;
         given(p, &[&EQ44, &EQ46])?;
         let [_, stop] = printed::eq44_ends(lambda0, Expr::symbol("η"));
         let room = p.read("π less the end of the slip by (44)", Expr::pi() - stop)?;
         let excess = Expr::pi() * (lambda0 - pulses.critical) / lambda0;
-        let excess = p.read("π (λ₀ − λ_c)/λ₀, positive for λ₀ > λ_c only", excess)?;
-        p.equal("The two", &room, &excess)
+        p.same(&room, excess, "positive for λ₀ > λ_c only")
     })
 }
 

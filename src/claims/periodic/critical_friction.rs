@@ -42,18 +42,17 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             p.note("The sign of 𝔴 and 𝔴₁, against that of 𝔴₂", sign.to_string());
             let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
             let apart = p.read("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
-            p.zero("It", &apart)?;
+            p.same(&apart, Expr::int(0), "")?;
             let signed = Expr::int(sign);
             let closer = signed * (rate - rate.with("𝔴", other));
             let closer = p.read("The rate of the distance from 𝔴₂", closer)?;
-            let stated = p.read("−2λ₀", -(Expr::int(2) * lambda0))?;
-            p.equal("The two", &closer, &stated)?;
+            p.same(&closer, -(Expr::int(2) * lambda0), "")?;
             let alone = p.read("That of the distance from rest", signed * rate)?;
-            let held = p.read(
-                "±h − λ₀, not positive where a rest lasts",
+            p.same(
+                &alone,
                 signed * h() - lambda0,
-            )?;
-            p.equal("The two", &alone, &held)
+                "not positive where a rest lasts",
+            )
         })
     })
 }
@@ -74,14 +73,13 @@ pub(super) fn slows(law: Expr) -> Proof {
         let in_units = law.with("μ", lambda0).with("g", Expr::int(1));
         let driven = in_units.with("A_x", -h()).with("A_y", Expr::int(0));
         let growth = p.read("dv/dφ by (2)", driven)?;
-        let along = p.read("h v_x/v − λ₀", h() * vx / speed - lambda0)?;
-        p.equal("The two", &growth, &along)?;
+        p.same(&growth, h() * vx / speed - lambda0, "")?;
         let rest = p.read("1 − (v_x/v)²", Expr::int(1) - (vx / speed).squared())?;
-        let square = p.read(
-            "A square, so that v_x/v is 1 at most",
+        p.same(
+            &rest,
             (vy / speed).squared(),
-        )?;
-        p.equal("The two", &rest, &square)
+            "a square, so that v_x/v is 1 at most",
+        )
     })
 }
 
@@ -116,11 +114,11 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
         above_the_mean(p, rate, sign)?;
         let stated = p.read("What is stated for much friction, 1 for rests", much)?;
-        p.equal("It and 1", &stated, &Rational::int(1))?;
+        p.same(&stated, Expr::int(1), "")?;
         near_the_median(p, rate, sign)?;
         against_a_mean(p, rate, sign)?;
         let stated = p.read("What is stated for little friction, 0 for none", little)?;
-        p.zero("It", &stated)?;
+        p.same(&stated, Expr::int(0), "")?;
         p.note(
             "Let λ_c be the least number",
             "such that all λ₀ between it and 1 have rests, in every late period and from every start: it is M at most, and not below those λ₀ without",
@@ -139,8 +137,7 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
     );
     let signed = Expr::int(sign);
     let size = p.read("d|𝔴|/dφ by (26)", signed * rate)?;
-    let most = p.read("±h − λ₀, at most |h| − λ₀", signed * h() - lambda0)?;
-    p.equal("The two", &size, &most)?;
+    p.same(&size, signed * h() - lambda0, "at most |h| − λ₀")?;
     p.note(
         "Without a rest",
         "the velocity is 0 only where |h| ≥ λ₀, but for single instants, as it stays 0 where |h| < λ₀; where it is 0 its size has the rate 0, which is again |h| − λ₀ at most",
@@ -154,7 +151,7 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         "With 𝔴₀ for the size at first, no more is left after n = 𝔴₀/(2π (λ₀ − M)) periods than",
         start + gain * (start / (period * (lambda0 - mean))),
     )?;
-    p.zero("It", &left)?;
+    p.same(&left, Expr::int(0), "")?;
     p.note("So there is a rest", "within the next period at the latest");
     let after = p.read(
         "From 0, where a rest ends, a period without another would leave at most",
@@ -162,11 +159,11 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
             .with("𝔴₀", Expr::int(0))
             .with("n", Expr::int(1)),
     )?;
-    let below = p.read(
-        "−2π (λ₀ − M), negative, as no size is",
+    p.same(
+        &after,
         -(period * (lambda0 - mean)),
+        "negative, as no size is",
     )?;
-    p.equal("The two", &after, &below)?;
     p.note(
         "So there is another rest within a period",
         "and motion too for λ₀ < 1: |h| > λ₀ for some time, as one of its one-sided limits is ±1, and no rest lasts there",
@@ -193,8 +190,7 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         "In a period of one sign |𝔴| changes by 2π times its rate by (26), with m for h,",
         falls.with("m", zero),
     )?;
-    let stated = p.read("−2πλ₀", -(two * pi * lambda0))?;
-    p.equal("The two", &falls, &stated)?;
+    p.same(&falls, -(two * pi * lambda0), "")?;
     p.note(
         "So 𝔴 stays bounded",
         "it changes by 2π (1 + λ₀) at most in a period, and while its size is above that, the size falls",
@@ -212,18 +208,21 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
     let motion = p.ring().along(&motion)?;
     let friction = p.read("G = 𝔴 − (H − c)", w - (level - median))?;
     let slope = p.derivative("Its rate by (26), with h for that of H", &friction, &motion)?;
-    let stated = p.read(
-        "−λ₀ by the sign of 𝔴, and in a rest not larger in size",
+    p.same(
+        &slope,
         -(signed * lambda0),
+        "by the sign of 𝔴, and in a rest not larger in size",
     )?;
-    p.equal("The two", &slope, &stated)?;
     let room = pi.squared() - length * (two * pi - length);
     let room = p.read(
         "π² less ℓ (2π − ℓ), of the phases ℓ from one place to another and those back to it",
         room,
     )?;
-    let square = p.read("A square, which is not negative", (pi - length).squared())?;
-    p.equal("The two", &room, &square)?;
+    p.same(
+        &room,
+        (pi - length).squared(),
+        "a square, which is not negative",
+    )?;
     p.note(
         "So one of the two is π at most",
         "and G, which returns, is nowhere more than πλ₀ above or below what it is elsewhere",
@@ -232,11 +231,11 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         "P: for how long 𝔴 > 0 in a period. Friction changes G by at most",
         lambda0 * (two * pi - forward) - lambda0 * forward,
     )?;
-    let stated = p.read(
-        "−2λ₀ (P − π), and as G returns, P ≤ π",
+    p.same(
+        &taken,
         -(two * lambda0 * (forward - pi)),
+        "and as G returns, P ≤ π",
     )?;
-    p.equal("The two", &taken, &stated)?;
     p.note(
         "If G were above πλ₀ somewhere",
         "it would be above 0 everywhere, and 𝔴 > H − c: 𝔴 > 0 wherever H ≥ c, for π at least, and, as H is continuous, for somewhat longer, so that P > π",
@@ -254,8 +253,7 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         "For λ₀ < η/π: E = η − πλ₀, which is positive, and πλ₀",
         margin + pi * lambda0,
     )?;
-    let near = p.read("η", near)?;
-    p.equal("The two", &together, &near)?;
+    p.same(&together, near, "")?;
     p.note(
         "A late motion is within E of the periodic one",
         "where it is 0 the periodic one has the size E at most, and |H − c| ≤ E + πλ₀ = η: there |h| ≥ δ, which is above λ₀ for λ₀ < δ, and no rest lasts",
@@ -277,8 +275,7 @@ fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         let beyond = way * rate - (way * h() - lambda0);
         let beyond = p.read("The rate of ±𝔴 by (26), the way of m, less ±h − λ₀", beyond)?;
         let stated = lambda0 * (Expr::int(1) - way * signed);
-        let stated = p.read("0 or 2λ₀, not negative", stated)?;
-        p.equal("The two", &beyond, &stated)?;
+        p.same(&beyond, stated, "0 or 2λ₀, not negative")?;
     }
     p.note(
         "In a rest |h| ≤ λ₀",

@@ -55,8 +55,7 @@ impl Chain {
             let after = self.cases.get(i).copied();
             let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
             let before = p.read("Where two cases meet, the first", at(before))?;
-            let after = p.read("and the second", at(after))?;
-            p.equal("The two", &before, &after)?;
+            p.same(&before, at(after), "the second")?;
         }
         Ok(())
     }
@@ -80,7 +79,7 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
             "|h| ≤ λ₀: what is at rest stays at rest",
         );
         let rest = p.read("The printed rest", cases[2])?;
-        p.zero("It", &rest)
+        p.same(&rest, Expr::int(0), "")
     })
 }
 
@@ -93,13 +92,13 @@ pub fn eq45_mirror(mirrored: Expr) -> Proof {
         let motion = p.ring().along(&[("𝔴", force)])?;
         let w = p.read("The printed velocity there", mirrored)?;
         let rate = p.derivative("Its rate, with 𝔴' = h − λ₀", &w, &motion)?;
-        let other = p.read(
-            "The force there, for negative velocity and h of (43)",
+        p.same(
+            &rate,
             printed::eq43_h(h) + friction,
+            "the force there, for negative velocity and h of (43)",
         )?;
-        p.equal("The two", &rate, &other)?;
         let zero = p.read("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))?;
-        p.zero("It", &zero)
+        p.same(&zero, Expr::int(0), "")
     })
 }
 

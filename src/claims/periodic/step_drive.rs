@@ -182,11 +182,10 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
         for step in DRIVE {
             let room = ratio(step.h).squared() - ratio([1, 8]).squared();
             let room = p.read("h² − λ₀² in a step", room)?;
-            let stated = p.read("positive: friction is too weak", size(step.excess))?;
-            p.equal("The two", &room, &stated)?;
+            p.same(&room, size(step.excess), "positive: friction is too weak")?;
         }
         let stated = p.read("What is stated for little friction, 0 for no rest", little)?;
-        p.zero("It", &stated)?;
+        p.same(&stated, Expr::int(0), "")?;
         for half in &halves {
             follow(p, rate, half)?;
         }
@@ -197,7 +196,7 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
             "Changes among them",
             (come - go).squared() + (go - again).squared(),
         )?;
-        p.equal("It and 2", &turns, &Rational::int(2))?;
+        p.same(&turns, Expr::int(2), "")?;
         let stated = p.read("What is stated for much friction", much)?;
         let last = p.ring().read(again)?;
         p.equal("It and the last", &stated, &last)
@@ -238,15 +237,13 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
                 let end = w + slope * ratio([until - at, parts]);
                 w = Expr::int(sign) * size(left);
                 let end = p.read(&format!("By (26), at the part {until}, for 𝔴 over π"), end)?;
-                let stated = p.read("of the sign that friction was given, or 0", w)?;
-                p.equal("The two", &end, &stated)?;
+                p.same(&end, w, "of the sign that friction was given, or 0")?;
             }
             Rests(room) => {
                 let still = p.read(&format!("It rests up to the part {until}"), w)?;
                 p.zero("𝔴", &still)?;
                 let spare = p.read("λ₀² − h² there", lambda0.squared() - h.squared())?;
-                let stated = p.read("positive: friction holds it", size(room))?;
-                p.equal("The two", &spare, &stated)?;
+                p.same(&spare, size(room), "positive: friction holds it")?;
             }
         }
         at = until;
@@ -295,8 +292,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
             ),
         ] {
             let left = p.read(says, left)?;
-            let room = p.read("Terms of which none is negative", room)?;
-            p.equal("The two", &left, &room)?;
+            p.same(&left, room, "of which no term is negative")?;
         }
     }
     let length = d / (two * (one + lambda0));
@@ -304,8 +300,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         "D less 1 + λ₀ times D/(2 (1 + λ₀))",
         d - (one + lambda0) * length,
     )?;
-    let stated = p.read("D/2", d / two)?;
-    p.equal("The two", &rest, &stated)?;
+    p.same(&rest, d / two, "")?;
     p.note(
         "Where this motion is 0 let the size of another be D",
         "that one keeps its sign for D/(2 (1 + λ₀)) before and after, this one has the other sign on one side, and meanwhile the distance falls at the rate 2λ₀ by (26); or for half a period, if that is shorter",
@@ -323,8 +318,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         "Where this motion is 0, h² − λ₀²",
         half.h(from, from + 1)?.squared() - ratio([n, d]).squared(),
     )?;
-    let stated = p.read("positive: friction is too weak", ratio([3, 4]))?;
-    p.equal("The two", &room, &stated)?;
+    p.same(&room, ratio([3, 4]), "positive: friction is too weak")?;
     p.note(
         "So a late motion is 0 only near these places, inside the steps",
         "and no rest lasts there",

@@ -41,8 +41,11 @@ pub fn eq139(bound: Expr) -> Proof {
         let rate = p.read("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi))?;
         let excess = sigma - bound;
         let less = Expr::int(2) * sigma * (psi / Expr::int(2)).sin().squared();
-        let parts = p.read("σ less the bound, less what is not negative", excess - less)?;
-        p.equal("The two", &rate, &parts)?;
+        p.same(
+            &rate,
+            excess - less,
+            "σ less the bound, less what is not negative",
+        )?;
         p.note(
             "So",
             "dp/dτ ≤ 0 for every ψ where σ is not above the bound; at ψ = 0 it is > 0 above",
@@ -57,8 +60,7 @@ pub fn eq146(formula: Expr) -> Proof {
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         let a = p.read("(145)", printed::eq145_a(sigma, alpha))?;
         let slope = p.derivative("∂A/∂σ", &a, &p.ring().by("σ")?)?;
-        let right = p.read("Right side of (146)", formula)?;
-        p.equal("The two", &slope, &right)
+        p.same(&slope, formula, "the right side of (146)")
     })
 }
 
@@ -75,8 +77,7 @@ pub fn eq147(formula: Expr) -> Proof {
             "(145) there",
             printed::eq145_a(sigma, alpha).with("σ", solved),
         )?;
-        let envelope = p.read("(147)", formula)?;
-        p.equal("The two", &a, &envelope)
+        p.same(&a, formula, "by (147)")
     })
 }
 

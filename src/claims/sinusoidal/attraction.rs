@@ -31,8 +31,7 @@ fn passes((cases, ends): NoRest) -> Proof {
         let by = p.ring().by("φ")?;
         let slope = p.derivative("Its slope", &w, &by)?;
         let bend = p.derivative("The slope of that", &slope, &by)?;
-        let cosine = p.read("cos φ", phi.cos())?;
-        p.equal("The two", &bend, &cosine)?;
+        p.same(&bend, phi.cos(), "")?;
         p.note(
             "From φ̃₁, where the slope sin φ̃₁ − λ₀ is not negative, to π/2",
             "the slope grows: the case rises from 0 at φ̃₁",
@@ -81,11 +80,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             let pull = (speed + other) * (one + sign * cosine);
             let pull = p.read("(v + W) (1 − cos)", pull)?;
             let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
-            let terms = p.read(
-                "v ± v_x and W (1 ± v_x/v), which is not negative",
-                least + more,
-            )?;
-            p.equal("The two", &pull, &terms)?;
+            p.same(&pull, least + more, "v ± v_x and what is not negative")?;
         }
 
         let drive = eq21();
@@ -130,8 +125,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             "D less that much for D/(4 (1 + λ₀))",
             d - two * most * length,
         )?;
-        let half = p.read("D/2", d / two)?;
-        p.equal("The two", &rest, &half)?;
+        p.same(&rest, d / two, "")?;
         p.note(
             "At φ̃₁ u = 0 and v is the distance, D",
             "if v_x ≥ 0 there, v + v_x is D at least, and D/2 at least for D/(4 (1 + λ₀)) before; if v_x < 0, v − v_x after",
@@ -140,11 +134,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             "The squared distance falls by 2λ₀ (D/2) for so long",
             two * lambda0 * (d / two) * length,
         )?;
-        let stated = p.read(
-            "λ₀ D²/(4 (1 + λ₀))",
-            lambda0 * d.squared() / (Expr::int(4) * most),
-        )?;
-        p.equal("The two", &lost, &stated)?;
+        p.same(&lost, lambda0 * d.squared() / (Expr::int(4) * most), "")?;
         p.note(
             "Or, if that is longer than the half period for which u keeps its sign",
             "by πλ₀ D: in each period by the smaller of the two at least, so that D → 0",
@@ -178,8 +168,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         let excess = (pi + beta - x).sin().squared() - lambda0.squared();
         let excess = p.read("sin²φ − λ₀² at φ = π + β − x", excess)?;
         let product = -(x.sin() * (Expr::int(2) * beta - x).sin());
-        let product = p.read("−sin x sin(2β − x), negative for 0 < x < 2β", product)?;
-        p.equal("The two", &excess, &product)?;
+        p.same(&excess, product, "negative for 0 < x < 2β")?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let drive = eq21();
         let [rate] = in_units([law], drive);
@@ -194,8 +183,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
             "sin²φ less its square",
             phi.sin().squared() - (phi.sin() * vx / speed).squared(),
         )?;
-        let square = p.read("A square", (phi.sin() * vy / speed).squared())?;
-        p.equal("The two", &whole, &square)?;
+        p.same(&whole, (phi.sin() * vy / speed).squared(), "a square")?;
         p.note(
             "So v falls by λ₀ − |sin φ| > 0 at least",
             "in each rest by at least the same amount, or to 0: from then on the motion is (33)",
@@ -246,8 +234,7 @@ fn no_rest_below(law: [Expr; 2], motion: NoRest) -> Proof {
         let [phi, zero] = [Expr::symbol("φ"), Expr::int(0)];
         let [rate, _] = in_units(law, eq21());
         let free = p.read("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero))?;
-        let sine = p.read("sin φ", phi.sin())?;
-        p.equal("The two", &free, &sine)?;
+        p.same(&free, phi.sin(), "")?;
         p.note("It is 0", "on no interval, and so v_x neither");
         Ok(())
     })
@@ -275,18 +262,17 @@ fn trichotomy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
         let one = Expr::int(1);
         for (says, size, more) in [
             (
-                "sin φ − λ₀, positive beside φ̃₁, and λ₀ (1 − v_x/v), which is not negative",
+                "sin φ − λ₀, which is positive beside φ̃₁, and what is not negative",
                 phi.sin() - lambda0,
                 lambda0 * (one - cosine),
             ),
             (
-                "sin φ + λ₀, negative beside φ̃₁ + π, less λ₀ (1 + v_x/v), which is not negative",
+                "sin φ + λ₀, which is negative beside φ̃₁ + π, less what is not negative",
                 phi.sin() + lambda0,
                 -(lambda0 * (one + cosine)),
             ),
         ] {
-            let terms = p.read(says, size + more)?;
-            p.equal("The two", &rate, &terms)?;
+            p.same(&rate, size + more, says)?;
         }
         p.note(
             "So v_x, late and close to (38), is monotone beside each zero of (38)",
@@ -319,22 +305,18 @@ fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
         let drive = eq21();
         let [growth] = in_units([eq2()], drive);
         let growth = p.read("For λ₀ ≥ 1, dv/dφ by (2)", growth)?;
-        let along = p.read(
-            "sin φ v_x/v less λ₀, at most |sin φ| − λ₀",
+        p.same(
+            &growth,
             phi.sin() * vx / speed - lambda0,
+            "at most |sin φ| − λ₀",
         )?;
-        p.equal("The two", &growth, &along)?;
         let whole = -phi.cos() - lambda0 * phi;
         let gain = whole.with("φ", Expr::pi()) - whole.with("φ", Expr::int(0));
         let gain = p.read(
             "So in half a period v grows by −cos φ − λ₀φ from 0 to π at most",
             gain,
         )?;
-        let lost = p.read(
-            "2 − πλ₀, at most 2 − π",
-            Expr::int(2) - Expr::pi() * lambda0,
-        )?;
-        p.equal("The two", &gain, &lost)?;
+        p.same(&gain, Expr::int(2) - Expr::pi() * lambda0, "at most 2 − π")?;
         p.note(
             "So v is 0 after a finite time",
             "and stays, as |sin φ| ≤ λ₀",
@@ -344,8 +326,7 @@ fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
         let rate = p.read("On the way: dv_x/dφ by (1)", rate)?;
         let slope = p.derivative("Its slope by v_y", &rate, &p.ring().by("v_y")?)?;
         let stated = lambda0 * vx * vy / speed.pow(Expr::int(3));
-        let stated = p.read("λ₀ v_x v_y/v³, not 0 but where v_x or v_y is", stated)?;
-        p.equal("The two", &slope, &stated)?;
+        p.same(&slope, stated, "not 0 but where v_x or v_y is")?;
         p.note(
             "Two motions with the same v_x ≠ 0",
             "and another |v_y| do not keep the same v_x",

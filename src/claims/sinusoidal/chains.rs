@@ -28,13 +28,13 @@ fn bounded([ax, ay]: [Expr; 2]) -> Proof {
     Proof::in_ring("The size of (21)", ring(), |p| {
         let [a0, phi] = Expr::symbols(["A₀", "φ"]);
         let across = p.read("(21) across x, at the phase φ", ay)?;
-        p.zero("It", &across)?;
+        p.same(&across, Expr::int(0), "")?;
         let below = p.read("A₀² less the square of (21)", a0.squared() - ax.squared())?;
-        let square = p.read(
-            "A square, which is not negative",
+        p.same(
+            &below,
             (a0 * phi.cos()).squared(),
-        )?;
-        p.equal("The two", &below, &square)
+            "a square, which is not negative",
+        )
     })
 }
 
@@ -84,7 +84,7 @@ fn weak_drive_stops(drive: [Expr; 2], speed: Expr) -> Proof {
             "The line below which v lies, with a = A₀, at t = v₀/(μg − A₀)",
             v0 - (mu * g - a0) * time,
         )?;
-        p.zero("It", &end)?;
+        p.same(&end, Expr::int(0), "")?;
         p.note("So v is 0 by then", "and with it v_x");
         Ok(())
     })
@@ -131,11 +131,7 @@ fn vx_stays(law: [Expr; 2], drive: [Expr; 2], [phi1, phi2]: [Expr; 2]) -> Proof 
         let rate = p.read("d𝔴/dφ by (1) and (21)", rate)?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let terms = phi.sin() - lambda0 + lambda0 * (one - vx / speed);
-        let terms = p.read(
-            "sin φ − λ₀ and λ₀ (1 − v_x/v), which is not negative",
-            terms,
-        )?;
-        p.equal("The two", &rate, &terms)?;
+        p.same(&rate, terms, "sin φ − λ₀ and what is not negative")?;
         p.note(
             "Where sin φ > λ₀",
             "no rest lasts: the rate is so from φ₁ to φ₂, but for single instants",
@@ -143,17 +139,12 @@ fn vx_stays(law: [Expr; 2], drive: [Expr; 2], [phi1, phi2]: [Expr; 2]) -> Proof 
         let whole = -phi.cos() - lambda0 * phi;
         let slope = p.read("−cos φ − λ₀ φ", whole)?;
         let slope = p.derivative("Its slope", &slope, &p.ring().by("φ")?)?;
-        let least = p.read("sin φ − λ₀", phi.sin() - lambda0)?;
-        p.equal("The two", &slope, &least)?;
+        p.same(&slope, phi.sin() - lambda0, "")?;
         let gain = whole.with("φ", phi2) - whole.with("φ", phi1);
         let gain = p.read("From φ₁ to φ₂ it grows by", gain)?;
         let b = Expr::pi() / two - beta;
-        let stated = p.read(
-            "2 (sin b − b cos b), b = π/2 − β",
-            two * (b.sin() - b * b.cos()),
-        )?;
-        p.equal("The two", &gain, &stated)?;
-        let slope = p.derivative("Its slope by β", &stated, &p.ring().by("β")?)?;
+        p.same(&gain, two * (b.sin() - b * b.cos()), "with b = π/2 − β")?;
+        let slope = p.derivative("Its slope by β", &gain, &p.ring().by("β")?)?;
         let falls = p.read("2 b sin b, positive for 0 < b ≤ π/2", two * b * b.sin())?;
         p.equal("The slope is less than 0 by that", &-&slope, &falls)?;
         let end = p.read(
@@ -210,8 +201,7 @@ fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {
             ("along the drive", friction[0], along),
         ] {
             let exact = p.read(&format!("Friction {says}, by (1)"), exact)?;
-            let part = p.read("What is stated, over r", stated / ratio)?;
-            p.equal("The two", &exact, &part)?;
+            p.same(&exact, stated / ratio, "what is stated, over r")?;
         }
         close(p, ratio, (wy / w).squared())
     })
@@ -222,15 +212,10 @@ fn close(p: &mut Prover<'_>, r: Expr, s: Expr) -> Result<(), Obstacle> {
     let (one, two) = (Expr::int(1), Expr::int(2));
     let off = one - one / r;
     let part = p.read("1 − 1/r", off)?;
-    let positive = p.read(
-        "(𝔴_y/𝔴)²/(r (r + 1)), which is not negative",
-        s / (r * (r + one)),
-    )?;
-    p.equal("The two", &part, &positive)?;
+    p.same(&part, s / (r * (r + one)), "which is not negative")?;
     let room = p.read("Half of (𝔴_y/𝔴)² less that", s / two - off)?;
     let square = (r - one).squared() * (r + two) / (two * r);
-    let square = p.read("(r − 1)² (r + 2)/(2r), which is not negative", square)?;
-    p.equal("The two", &room, &square)
+    p.same(&room, square, "which is not negative")
 }
 
 pub(super) const TRIALS: &[Attempt] =

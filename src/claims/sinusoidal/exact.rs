@@ -78,8 +78,7 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
         let scaled = read(p, "d𝔴/dv_x by (24)", scaled, "v_x")?;
         let clock = read(p, "dφ/dt by (23)", phase, "t")?;
         let expected = p.quotient("d𝔴/dφ by (1)", &(newton * scaled), &clock)?;
-        let rate = p.read("The printed rate", rate)?;
-        p.equal("The two", &rate, &expected)
+        p.same(&expected, rate, "the printed rate")
     })
 }
 
@@ -120,12 +119,14 @@ fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
     Proof::in_ring("The drive at the printed phase", ring_of_phi1(), |p| {
         let slope = p.read("The slope of the drive there", phase.cos())?;
         let first = Expr::symbol("λ₀").asin().cos();
-        let expected = p.read("That at asin λ₀, with its sign", Expr::int(growth) * first)?;
-        p.equal("The two", &slope, &expected)?;
+        p.same(
+            &slope,
+            Expr::int(growth) * first,
+            "that at asin λ₀, with its sign",
+        )?;
         let sine = p.read("The drive at the printed phase", phase.sin())?;
         let signed = Expr::int(sign) * Expr::symbol("λ₀");
-        let expected = p.read("Friction, with its sign", signed)?;
-        p.equal("The two", &sine, &expected)
+        p.same(&sine, signed, "friction, with its sign")
     })
 }
 
@@ -178,10 +179,13 @@ fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obsta
     let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
     let value = p.read("The printed 𝔴", w)?;
     let slope = p.derivative("Its slope", &value, &p.ring().by("φ")?)?;
-    let expected = p.read("The slope by (26)", phi.sin() - Expr::int(sign) * lambda0)?;
-    p.equal("The two", &slope, &expected)?;
+    p.same(
+        &slope,
+        phi.sin() - Expr::int(sign) * lambda0,
+        "the slope by (26)",
+    )?;
     let at_start = p.read("Where the slip begins", w.with("φ", start))?;
-    p.zero("It is zero there", &at_start)
+    p.same(&at_start, Expr::int(0), "")
 }
 
 fn prove_eq31(w: Expr) -> Proof {
@@ -216,8 +220,7 @@ fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
         let slip = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
         p.rests_on(&prove_eq31(slip))?;
         let value = p.read("(31) there", slip.with("φ", end))?;
-        let left = p.read("The left side", left)?;
-        p.equal("The two", &value, &left)
+        p.same(&value, left, "the left side")
     })
 }
 
@@ -272,8 +275,11 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
         let excess = p.read("The drive less friction, by (26)", phi.sin() - lambda0)?;
         let half = phi / Expr::int(2);
         let square = (half.sin() - half.cos()).squared();
-        let parts = p.read("Right less left side, less a square", right - left - square)?;
-        p.equal("The two", &excess, &parts)?;
+        p.same(
+            &excess,
+            right - left - square,
+            "the right side less the left one, less a square",
+        )?;
         p.note(
             "The square vanishes at φ = π/2",
             "so the drive exceeds friction somewhere exactly where left < right",
@@ -355,8 +361,7 @@ fn prove_eq35(left: Expr) -> Proof {
             "The left side of (34)",
             paper::eq34_left(lambda0, phi1, phi3),
         )?;
-        let second = p.read("The left side of (35)", left)?;
-        p.equal("The two", &first, &second)
+        p.same(&first, left, "the left side of (35)")
     })
 }
 
@@ -382,7 +387,7 @@ fn prove_eq37(critical: Expr) -> Proof {
         with_lambda_c(Ring::new()),
         |p| {
             let left = p.read("The left side of (35) at λ_c", paper::eq35_left(critical))?;
-            p.zero("It", &left)
+            p.same(&left, Expr::int(0), "")
         },
     )
 }
@@ -404,8 +409,7 @@ fn beside_lambda_c(
     let found = p.read("The difference of squares", found)?;
     let factor = Expr::int(1) + Expr::pi().squared() / Expr::int(4);
     let expected = factor * (right.squared() - left.squared());
-    let expected = p.read("By the printed sides", expected)?;
-    p.equal("The two", &found, &expected)
+    p.same(&found, expected, "by the printed sides")
 }
 
 fn prove_eq36(sides: [Expr; 2]) -> Proof {
@@ -463,7 +467,7 @@ pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
         slip(p, backward, -1, ends[1])?;
         for (w, end) in [(forward, ends[1]), (backward, ends[2])] {
             let value = p.read("Where the slip ends", w.with("φ", end))?;
-            p.zero("It is zero there", &value)?;
+            p.same(&value, Expr::int(0), "")?;
         }
         let length = p.read("From where it begins to where it ends", ends[2] - ends[0])?;
         let period = p.read("A period", Expr::int(2) * Expr::pi())?;
@@ -494,7 +498,7 @@ fn prove_eq39(turn: Expr) -> Proof {
         let lambda0 = Expr::symbol("λ₀");
         let [forward, _] = paper::eq38_w(lambda0, turn, turn + Expr::pi());
         let end = p.read("(38) half a period after φ̃₁", forward)?;
-        p.zero("It", &end)
+        p.same(&end, Expr::int(0), "")
     })
 }
 

@@ -74,11 +74,11 @@ fn first_stage(law: Law, slope: Expr) -> Proof {
             let most = lambda0 * vx.squared() / (two * vy.squared());
             let room = p.read("λ₀ (v_x/v_y)²/2 less that", most - excess)?;
             let terms = lambda0 * vx.squared() * (v - vy) * (v + two * vy);
-            let terms = p.read(
-                "A product of which no factor is negative",
+            p.same(
+                &room,
                 terms / (two * vy.squared() * v * (v + vy)),
+                "a product of which no factor is negative",
             )?;
-            p.equal("The two", &room, &terms)?;
             p.note(
             "So as v_x/v_y tends to 0",
             "the slope tends to the stated one, and over any phase v_y falls by that much, up to λ₀/2 times the sum of (v_x/v_y)²",
@@ -100,11 +100,11 @@ fn turning(law: Law) -> Proof {
             let rates = in_units(law, eq21());
             let along = p.read("dv_x/dφ by (1) and (21)", rates[0])?;
             let across = p.read("dv_y/dφ by (1) and (21)", rates[1])?;
-            let share = p.read(
-                "−λ₀ v_y/v, so that v_y falls, and ln v_y by λ₀/v",
+            p.same(
+                &across,
                 -(lambda0 * vy / v),
+                "so that v_y falls, and ln v_y at the rate λ₀/v",
             )?;
-            p.equal("The two", &across, &share)?;
             let motion = p
                 .ring()
                 .along(&[("v_x", along.clone()), ("v_y", across.clone())])?;
@@ -113,11 +113,11 @@ fn turning(law: Law) -> Proof {
                 vy / (v + vx),
             )?;
             let turn = p.derivative("Its rate", &tangent, &motion)?;
-            let stated = p.read(
-                "−(sin φ/v) T, so that ln T has the rate −sin φ/v",
+            p.same(
+                &turn,
                 -(phi.sin() / v) * vy / (v + vx),
+                "so that ln T has the rate −sin φ/v",
             )?;
-            p.equal("The two", &turn, &stated)?;
             let ring = p.ring();
             let [of_y, of_t] = [
                 ring.divide(&across, &ring.read(vy)?)?,
@@ -131,11 +131,11 @@ fn turning(law: Law) -> Proof {
                 &drift,
             )?;
             let before = p.read("T v_y", vy / (v + vx) * vy)?;
-            let size = p.read(
-                "v − v_x, the sum of v and of the size of v_x where v_x < 0",
+            p.same(
+                &before,
                 v - vx,
+                "the sum of v and of the size of v_x where v_x < 0",
             )?;
-            p.equal("The two", &before, &size)?;
             // The other zero is the mirror image.
             let pi = Expr::pi();
             for (says, rate, sign) in [("dv_x/dφ", rates[0], -1), ("dv_y/dφ", rates[1], 1)] {
@@ -144,11 +144,11 @@ fn turning(law: Law) -> Proof {
                     &format!("{says} half a period later with v_x reversed"),
                     mirrored,
                 )?;
-                let same = p.read(
-                    "That before, with the sign of a mirror image",
+                p.same(
+                    &mirrored,
                     Expr::int(sign) * rate,
+                    "that before, with the sign of a mirror image",
                 )?;
-                p.equal("The two", &mirrored, &same)?;
             }
             Ok(())
         },
@@ -161,20 +161,14 @@ fn near_zero(p: &mut Prover<'_>, [d, ..]: Passage) -> Result<(), Obstacle> {
     let [lambda0, turn, phi] = Expr::symbols(["λ₀", "φ̃₁", "φ"]);
     let two = Expr::int(2);
     let size = p.read("The stated size of the drive at a zero, d", d)?;
-    let sine = p.read("sin φ̃₁", paper::eq39_phi_t1(lambda0).sin())?;
-    p.equal("The two", &size, &sine)?;
+    p.same(&size, paper::eq39_phi_t1(lambda0).sin(), "")?;
     p.note("By (40)", "d is above λ₀ below λ_c");
     let apart = p.read("sin φ − d", phi.sin() - d)?;
     let halves = two * ((phi - turn) / two).sin() * ((phi + turn) / two).cos();
-    let product = p.read(
-        "2 sin((φ − φ̃₁)/2) cos((φ + φ̃₁)/2), of the size of φ − φ̃₁ at most",
-        halves,
-    )?;
-    p.equal("The two", &apart, &product)?;
+    p.same(&apart, halves, "of the size of φ − φ̃₁ at most")?;
     let margin = (d - lambda0) / two;
     let least = p.read("With m = (d − λ₀)/2: d − m", d - margin)?;
-    let above = p.read("λ₀ + m", lambda0 + margin)?;
-    p.equal("The two", &least, &above)?;
+    p.same(&least, lambda0 + margin, "")?;
     p.note(
         "So no farther from φ̃₁ than m",
         "sin φ ≥ λ₀ + m, and as dv_x/dφ ≥ sin φ − λ₀ the size of v_x is m times the distance from its zero at least",
@@ -209,17 +203,12 @@ fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
             let sign = Expr::int(sign);
             let lack = one - sign * vx / v;
             let terms = phi.sin() - sign * lambda0 + sign * lambda0 * lack;
-            let terms = p.read(
-                &format!("Where {says}, the slope on the line, and λ₀ times what 1 has beyond the size of v_x/v, with a sign"),
-                terms,
-            )?;
-            p.equal("The two", &along, &terms)?;
+            p.same(&along, terms, &format!("where {says} the slope on the line, and λ₀ times what 1 has beyond the size of v_x/v, with a sign"))?;
             let room = p.read(
                 "(v_y + |v_x|)² less v²",
                 (vy + sign * vx).squared() - v.squared(),
             )?;
-            let product = p.read("2 v_y |v_x|, not negative", two * vy * sign * vx)?;
-            p.equal("The two", &room, &product)?;
+            p.same(&room, two * vy * sign * vx, "not negative")?;
         }
         p.note(
             "So λ₀ times what 1 has beyond the size of v_x/v is λ₀ v_y/v at most, the rate at which v_y falls",
@@ -230,19 +219,19 @@ fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
         let pi = Expr::pi();
         let after = p.read("(38) at φ̃₁ + Z", forward.with("φ", turn + z))?;
         let rise = turn.cos() - (turn + z).cos();
-        let slow = p.read(
-            "The sum of the drive from φ̃₁ to there, less λ₀ Z",
+        p.same(
+            &after,
             rise - lambda0 * z,
+            "the integral of the drive from φ̃₁ to there, less λ₀Z",
         )?;
-        p.equal("The two", &after, &slow)?;
         let before = backward.with("φ", turn + two * pi - z);
         let before = p.read("(38) at φ̃₁ − Z, a period later", before)?;
         let rise = (turn - z).cos() - turn.cos();
-        let fast = p.read(
-            "The negative sum of the drive from there to φ̃₁, less λ₀ Z",
+        p.same(
+            &before,
             -rise - lambda0 * z,
+            "the negative integral of the drive from there to φ̃₁, less λ₀Z",
         )?;
-        p.equal("The two", &before, &fast)?;
         p.note(
             "A zero that is late or early by Z",
             "so on the line v_x is off (38) by the drive's sum and λ₀ Z before, and by the drive's sum less λ₀ Z after; both sums are Z times a mean of sin φ, and so d Z up to Z² at most",
@@ -254,8 +243,7 @@ fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
         let [d, factor, contraction] = passage;
         let ratio = (d - lambda0) / (d + lambda0);
         let twice = p.read("(d − λ₀)/(d + λ₀), twice", ratio.squared())?;
-        let stated = p.read("The stated contraction in a period", contraction)?;
-        p.equal("The two", &twice, &stated)?;
+        p.same(&twice, contraction, "the stated contraction in a period")?;
         let inverse = p.read(
             "The stated factor of ln v_y times (d − λ₀)/(d + λ₀)",
             factor * ratio,
@@ -322,28 +310,27 @@ fn passages(law: Law, motion: NoRest, passage: Passage) -> Proof {
         let terms = sum * difference * z * before * (one + z / difference)
             + bound * z * (difference + z)
             + y * (sum * before + bound);
-        let terms = p.read(
-            "(d² − λ₀²) Z L (1 + Z/(d − λ₀)), and terms whose sum over all passages is finite",
+        p.same(
+            &product,
             terms,
+            "where all terms but the first have a finite sum over all passages",
         )?;
-        p.equal("The two", &product, &terms)?;
         let left = p.read(
             "The factors of Z′ L′ on the left sides",
             (sum - next) * (difference - z),
         )?;
         let close = sum * difference * (one - next / sum) * (one - z / difference);
-        let close = p.read("(d² − λ₀²) (1 − Z′/(d + λ₀)) (1 − Z/(d − λ₀))", close)?;
-        p.equal("The two", &left, &close)?;
+        p.same(&left, close, "")?;
         p.note(
             "So from one passage to the next Z L grows by a factor 1 + O(Z + Z′) at most, and by terms with a finite sum",
             "the product of all these factors is finite: Z L stays bounded, and with it Z M and e",
         );
         let growth = p.read("The stated factor less 1", factor - one)?;
-        let positive = p.read(
-            "2λ₀/(d − λ₀), which is positive",
+        p.same(
+            &growth,
             Expr::int(2) * lambda0 / difference,
+            "which is positive",
         )?;
-        p.equal("The two", &growth, &positive)?;
         p.note(
             "So L grows as the powers of the factor",
             "v_y falls as the exponential of an exponential",
@@ -366,11 +353,7 @@ fn lost_at_rest(law: Law) -> Proof {
         let [along, _] = in_units(law, eq21());
         let along = p.read("dv_x/dφ by (1) and (21)", along)?;
         let terms = phi.sin() - lambda0 + lambda0 * (one - vx / v);
-        let terms = p.read(
-            "sin φ − λ₀ and λ₀ (1 − v_x/v), which is not negative",
-            terms,
-        )?;
-        p.equal("The two", &along, &terms)?;
+        p.same(&along, terms, "sin φ − λ₀ and what is not negative")?;
         let [grows] = in_units([eq2()], eq21());
         let grows = p.read("dv/dφ by (2)", grows)?;
         let room = p.ring().read(one + lambda0)? + grows;
@@ -419,8 +402,7 @@ fn last_stage(law: Law, phase: Expr) -> Proof {
                 "At v_x = 0, where v is v_y, it is",
                 (lambda0 * vy) / (lambda0.squared() - d.squared()),
             )?;
-            let stated = p.read("The stated phase", phase)?;
-            p.equal("The two", &start, &stated)?;
+            p.same(&start, phase, "the stated phase")?;
             let ring = p.ring();
             let same = ring.put(&room, &[(&ring.named("h")?, &ring.read(sign * d)?)])?;
             p.zero(
@@ -455,7 +437,7 @@ fn two_stages(law: Law, slope: Expr, motion: NoRest, passage: Passage, phase: Ex
             "At rest and in (33), which is along the line, v_y",
             paper::s22_late_vy(),
         )?;
-        p.zero("It", &zero)
+        p.same(&zero, Expr::int(0), "")
     })
 }
 
@@ -497,8 +479,7 @@ fn ratio_of_falls(ratio: Expr, law: Law, motion: NoRest, passage: Passage) -> Pr
             let positive = Expr::int(4) * d * lambda0 / (d - lambda0).squared();
             let positive = p.read("4 d λ₀/(d − λ₀)², positive for every λ₀ > 0", positive)?;
             p.equal("It is above 1 by that", &excess, &positive)?;
-            let stated = p.read("The stated ratio", ratio)?;
-            p.equal("The two", &stated, &found)
+            p.same(&found, ratio, "the stated ratio")
         },
     )
 }
@@ -532,8 +513,7 @@ mod tests {
         let proof = TWO_STAGES.proof();
         assert!(proof.holds(), "{proof}");
         let proof = EXPONENTIAL.proof();
-        let refused =
-            matches!(proof.obstacle(), Some(Obstacle::NotZero { says, .. }) if says == "The two");
+        let refused = matches!(proof.obstacle(), Some(Obstacle::NotZero { says, .. }) if says == "The square");
         assert!(refused, "{proof}");
         let (_, law, motion, passage) = (EXPONENTIAL.formulas)();
         let square = passage[1].squared();

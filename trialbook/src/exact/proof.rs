@@ -14,6 +14,27 @@ use std::sync::Arc;
 /// The longest text of a step in characters: more than that nobody reads.
 const LONGEST: usize = 500;
 
+/// A very long formula up to the last whole term that is read, or its length if not even one is.
+fn shortened(text: &str) -> String {
+    let mut depth = 0_i32;
+    let mut end = 0;
+    for (at, c) in text.char_indices().take(LONGEST) {
+        depth += match c {
+            '(' | '[' => 1,
+            ')' | ']' => -1,
+            _ => 0,
+        };
+        if depth == 0 && c == ' ' {
+            end = at;
+        }
+    }
+    let left_out = text[end..].chars().count();
+    match end {
+        0 => format!("an expression of {left_out} characters"),
+        end => format!("{} … and {left_out} characters more", &text[..end]),
+    }
+}
+
 /// One step of a proof.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Step {
@@ -84,6 +105,8 @@ impl Proof {
         let mut prover = Prover {
             ring,
             steps: Vec::new(),
+            brought: Vec::new(),
+            bare: false,
             premises: Vec::new(),
             compared: false,
         };
@@ -206,6 +229,10 @@ impl fmt::Display for Proof {
 pub struct Prover<'a> {
     ring: &'a Ring,
     steps: Vec<Step>,
+    /// Elements, with the step that brought each and the formula that stands there for it.
+    brought: Vec<(usize, Rational, String)>,
+    /// Whether the last of these has not been compared yet.
+    bare: bool,
     premises: Vec<Arc<Proof>>,
     /// Whether anything was compared.
     compared: bool,
@@ -217,18 +244,34 @@ impl<'a> Prover<'a> {
         self.ring
     }
 
-    /// Writes down a remark: an assumption, the meaning of a symbol, or a result, of which a very long one is cut.
+    /// Writes down a remark: an assumption, the meaning of a symbol, or a result, of which a very long one is shortened.
     pub fn note(&mut self, says: &str, gives: impl Into<String>) {
         let mut gives = gives.into();
-        if let Some((end, _)) = gives.char_indices().nth(LONGEST) {
-            let left_out = gives[end..].chars().count();
-            gives.truncate(end);
-            gives.push_str(&format!("… and {left_out} characters more"));
+        if gives.chars().count() > LONGEST {
+            gives = shortened(&gives);
         }
         self.steps.push(Step {
             says: says.into(),
             gives,
         });
+    }
+
+    /// Writes down an element, and the formula from which it was read if there is one that looks different.
+    fn bring(&mut self, says: &str, formula: Option<Expr>, x: &Rational) {
+        let normal = self.ring.text(x);
+        let formula = formula.map_or_else(|| normal.clone(), |formula| formula.to_string());
+        let known = formula == normal;
+        self.note(
+            says,
+            if known {
+                normal
+            } else {
+                format!("{formula} = {normal}")
+            },
+        );
+        self.brought
+            .push((self.steps.len() - 1, x.clone(), formula));
+        self.bare = true;
     }
 
     /// Rests on another proof.
@@ -245,20 +288,6 @@ impl<'a> Prover<'a> {
         self.steps.push(other.as_step());
         self.premises.push(Arc::new(other.clone()));
         Ok(())
-    }
-
-    /// Carries on where another proof in this ring ends, whose steps are taken over.
-    ///
-    /// # Errors
-    /// [`Obstacle`] of the other proof, if that does not hold.
-    pub fn carry_on(&mut self, other: &Proof) -> Result<(), Obstacle> {
-        recording::given(&other.title);
-        self.steps.extend_from_slice(&other.steps);
-        self.premises.extend_from_slice(&other.premises);
-        match &other.obstacle {
-            Some(obstacle) => Err(obstacle.clone()),
-            None => Ok(()),
-        }
     }
 
     /// Expands a formula in powers of a small quantity `small`, in which some symbols stand for series.
@@ -304,7 +333,7 @@ impl<'a> Prover<'a> {
     /// As [`Ring::read`].
     pub fn read(&mut self, says: &str, formula: Expr) -> Result<Rational, Obstacle> {
         let element = self.ring.read(formula)?;
-        self.note(says, format!("{formula} = {}", self.ring.text(&element)));
+        self.bring(says, Some(formula), &element);
         Ok(element)
     }
 
@@ -319,7 +348,7 @@ impl<'a> Prover<'a> {
         by: &Derivation,
     ) -> Result<Rational, Obstacle> {
         let slope = self.ring.derivative(x, by)?;
-        self.note(says, self.ring.text(&slope));
+        self.bring(says, None, &slope);
         Ok(slope)
     }
 
@@ -334,7 +363,7 @@ impl<'a> Prover<'a> {
         y: &Rational,
     ) -> Result<Rational, Obstacle> {
         let quotient = self.ring.divide(x, y)?;
-        self.note(says, self.ring.text(&quotient));
+        self.bring(says, None, &quotient);
         Ok(quotient)
     }
 
@@ -343,22 +372,61 @@ impl<'a> Prover<'a> {
     /// # Errors
     /// [`Obstacle::NotZero`] with the difference, if they are not.
     pub fn equal(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<(), Obstacle> {
+        if self.compare(says, x, y)? {
+            self.note(says, "the difference is 0");
+        }
+        Ok(())
+    }
+
+    /// Demands that an element is what a formula says, and writes the formula beside it, with what is to be seen of it.
+    ///
+    /// # Errors
+    /// As [`Prover::equal`] and [`Ring::read`].
+    pub fn same(&mut self, x: &Rational, formula: Expr, seen: &str) -> Result<(), Obstacle> {
+        let y = self.ring.read(formula)?;
+        let brought = self
+            .brought
+            .iter()
+            .rev()
+            .find(|(_, element, _)| element.is_written_as(x));
+        let (step, left) = match brought {
+            Some((step, _, left)) => (*step, left.clone()),
+            None => (usize::MAX, self.ring.text(x)),
+        };
+        let says = self
+            .steps
+            .get(step)
+            .map_or("So", |step| &step.says)
+            .to_owned();
+        self.compare(&says, x, &y)?;
+        if std::mem::take(&mut self.bare) && step + 1 == self.steps.len() {
+            self.steps.pop();
+        }
+        let mut parts = vec![formula.to_string()];
+        if left != parts[0] {
+            parts[0] = format!("{left} = {formula}");
+        }
+        parts.extend((!seen.is_empty()).then(|| seen.into()));
+        self.note(&says, parts.join(", "));
+        Ok(())
+    }
+
+    /// Demands that two elements are equal; whether they look different.
+    fn compare(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<bool, Obstacle> {
         let difference = x - y;
         self.compared = true;
         let is_zero = self.ring.is_zero(&difference)?;
         if is_zero && recording::is_plain(x, y, &difference, self.ring) {
-            return Ok(());
+            return Ok(false);
         }
         recording::compared(says, x, y);
         if is_zero {
-            self.note(says, "the difference is 0");
-            Ok(())
-        } else {
-            Err(Obstacle::NotZero {
-                says: says.into(),
-                normal_form: self.ring.text(&self.ring.normal(&difference)),
-            })
+            return Ok(true);
         }
+        Err(Obstacle::NotZero {
+            says: says.into(),
+            normal_form: self.ring.text(&self.ring.normal(&difference)),
+        })
     }
 
     /// Demands that an element is zero.
@@ -446,7 +514,43 @@ mod tests {
         }
     }
 
-    /// In its steps and in its certificate, whichever way it is made use of; where one of them fails, nothing is proved.
+    /// The formula stands beside what it is compared with, in the step that brought this or in one more.
+    #[test]
+    fn what_is_the_same_is_one_step() {
+        let mut ring = Ring::new();
+        ring.symbol("x");
+        let (x, two) = (Expr::symbol("x"), Expr::int(2));
+        let proof = Proof::of("t", &ring, |p| {
+            let square = p.read("A square", (x + two).squared())?;
+            p.same(&square, x * x + (x + Expr::int(1)) * Expr::int(4), "")?;
+            p.same(&square, (two + x).squared(), "not negative")?;
+            let slope = p.derivative("Its slope", &square, &p.ring().by("x")?)?;
+            p.same(&slope, two * (x + two), "")?;
+            p.same(&(&slope * &slope), Expr::int(4) * (x + two).squared(), "")
+        });
+        let steps: Vec<_> = proof.steps().iter().map(Step::to_string).collect();
+        assert_eq!(
+            steps,
+            [
+                "A square: (x + 2)^2 = x x + (x + 1) 4",
+                "A square: (x + 2)^2 = (2 + x)^2, not negative",
+                "Its slope: 2x + 4 = 2 (x + 2)",
+                "So: 4x^2 + 16x + 16 = 4 (x + 2)^2",
+            ]
+        );
+        let wrong = Proof::of("t", &ring, |p| {
+            let double = p.read("Twice", two * x)?;
+            p.same(&double, x, "")
+        });
+        assert!(
+            wrong
+                .to_string()
+                .contains("Not proved: Twice: the difference is x"),
+            "{wrong}"
+        );
+    }
+
+    /// In its steps and in its certificate; where one of them fails, nothing is proved.
     #[test]
     fn a_proof_names_all_that_it_rests_on() {
         let ring = Ring::new();
@@ -454,21 +558,18 @@ mod tests {
         let [first, second] =
             ["first", "second"].map(|title| Proof::of(title, &ring, |p| p.zero("It", &zero)));
         let fails = Proof::of("false", &ring, |p| p.zero("It", &one));
-        let resting_on = |premises: &[&Proof], carried_on: Option<&Proof>| {
+        let resting_on = |premises: &[&Proof]| {
             Proof::of("last", &ring, |p| {
                 premises.iter().try_for_each(|other| p.rests_on(other))?;
-                carried_on.map_or(Ok(()), |other| p.carry_on(other))?;
                 p.equal("It", &one, &one)
             })
         };
-        for (premises, carried_on, titles) in [
-            (vec![], None, vec![]),
-            (vec![&first], None, vec!["first"]),
-            (vec![&first, &second], None, vec!["first", "second"]),
-            (vec![], Some(&second), vec!["second"]),
-            (vec![&first], Some(&second), vec!["first", "second"]),
+        for (premises, titles) in [
+            (vec![], vec![]),
+            (vec![&first], vec!["first"]),
+            (vec![&first, &second], vec!["first", "second"]),
         ] {
-            let (proof, left) = witness::of(|| resting_on(&premises, carried_on));
+            let (proof, left) = witness::of(|| resting_on(&premises));
             assert!(proof.holds());
             let [Witness::Identity(left)] = &left[..] else {
                 panic!("{left:?}")
@@ -478,13 +579,8 @@ mod tests {
                 assert!(proof.to_string().contains(title), "{proof}");
             }
         }
-        for (premises, carried_on) in [
-            (vec![&fails], None),
-            (vec![&first, &fails], None),
-            (vec![&fails, &first], None),
-            (vec![&first], Some(&fails)),
-        ] {
-            let (proof, left) = witness::of(|| resting_on(&premises, carried_on));
+        for premises in [vec![&fails], vec![&first, &fails], vec![&fails, &first]] {
+            let (proof, left) = witness::of(|| resting_on(&premises));
             assert!(
                 !proof.holds()
                     && left

@@ -62,6 +62,12 @@ impl Rational {
         Rational { origin, ..self }
     }
 
+    /// Whether both are written alike, however they were formed.
+    pub(super) fn is_written_as(&self, other: &Rational) -> bool {
+        (&self.numerator, &self.number, &self.factors)
+            == (&other.numerator, &other.number, &other.factors)
+    }
+
     /// True if the numerator is 0. Says nothing about relations among generators.
     pub fn is_literally_zero(&self) -> bool {
         self.numerator.is_zero()

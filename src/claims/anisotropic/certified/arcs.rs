@@ -24,7 +24,7 @@ pub fn b_falls() -> Proof {
         p.note("Let", "sin α = λ₀ and sin β = qλ₀, both angles below π/2");
         let zero = Expr::int(0);
         let first = p.read("The arc from 0 to π", to_b(zero, zero))?;
-        p.equal("It is 2", &first, &Rational::int(2))?;
+        p.same(&first, Expr::int(2), "")?;
         let rate = p.read("dα/dβ, as sin α = sin β/q", beta.cos() / (q * alpha.cos()))?;
         let along = p.ring().along(&[("α", rate), ("β", Rational::int(1))])?;
         let ratio = p.ring().read(q)?;
@@ -89,16 +89,14 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("The sides of (53)", ring(), |p| {
         let [alpha, k] = Expr::symbols(["α", "K"]);
         let left = p.read("The left side", left)?;
-        let cotangent = p.read("cot α", alpha.cot())?;
-        p.equal("The two", &left, &cotangent)?;
-        let slope = p.derivative("Its slope", &cotangent, &p.ring().by("α")?)?;
+        p.same(&left, alpha.cot(), "")?;
+        let slope = p.derivative("Its slope", &left, &p.ring().by("α")?)?;
         let square = p.read("1/sin²α", Expr::int(1) / alpha.sin().squared())?;
         p.equal("The slope is less than 0 by that", &-&slope, &square)?;
         let right = p.read("The right side", right)?;
         let twice = Expr::int(2) * k;
         let stated = (twice - twice.sin()) / (Expr::int(2) * k.sin().squared());
-        let stated = p.read("(2K − sin 2K)/(2 sin²K), which is positive", stated)?;
-        p.equal("The two", &right, &stated)
+        p.same(&right, stated, "which is positive")
     })
 }
 
@@ -149,8 +147,7 @@ pub fn a_below() -> Proof {
             first + alpha + beta - Expr::int(2) * Expr::pi(),
         )?;
         let by_ratio = e_beyond([Expr::int(1) / q, alpha.sin() * q.squared()]);
-        let by_ratio = p.read("By 1/q and λ₀q²", by_ratio)?;
-        p.equal("The two", &by_angles, &by_ratio)?;
+        p.same(&by_angles, by_ratio, "by 1/q and λ₀q²")?;
         p.note(
             "On A",
             "tan α = 2 sin²K/(2K − sin 2K), K = πq/(q+1) from π/2 to π, where sin 2K ≤ 0 and sin K = sin(π/(q+1))",

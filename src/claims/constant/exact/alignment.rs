@@ -28,11 +28,11 @@ fn cannot_hold([left, right]: [Expr; 2]) -> Proof {
         let [a, lambda] = Expr::symbols(["A", "λ"]);
         p.note("μg by (5)", "λA");
         let lack = p.read("The pull less the greatest friction", a - lambda * a)?;
-        let stated = p.read(
-            "A times the right side less the left one",
+        p.same(
+            &lack,
             a * (right - left),
+            "A times the right side less the left one",
         )?;
-        p.equal("The two", &lack, &stated)?;
         let begins = p.read("(6) at θ = 0", eq6().with("θ", Expr::int(0)))?;
         p.equal("The rate from rest is that too", &begins, &lack)
     })
@@ -60,24 +60,22 @@ fn aligns([left, right]: [Expr; 2], angle: Expr) -> Proof {
         let [vx, vy] = [v * theta.cos(), v * theta.sin()];
         let along = p.read("(6)", eq6())?;
         let terms = a * (right - left) + a * lambda * (Expr::int(1) - theta.cos());
-        let terms = p.read(
-            "A times the right side less the left one, and Aλ (1 − cos θ), which is not negative",
+        p.same(
+            &along,
             terms,
+            "A times the right side less the left one, and what is not negative",
         )?;
-        p.equal("The two", &along, &terms)?;
         p.note("So, for λ < 1", "v_x grows beyond all bounds");
         let square = p.read("v_y²", vy.squared())?;
         let fall = p.derivative("Its rate", &square, &newton.motion)?;
-        let by_eq7 = p.read("By (7)", Expr::int(2) * vy * eq7())?;
-        p.equal("The two", &fall, &by_eq7)?;
+        p.same(&fall, Expr::int(2) * vy * eq7(), "by (7)")?;
         let lost = Expr::int(2) * a * lambda * v * theta.sin().squared();
         let lost = p.read("2Aλ v sin²θ, which is not negative", lost)?;
         p.equal("The rate is less than 0 by that", &-&fall, &lost)?;
         let tangent = p.read("tan θ", theta.tan())?;
-        let quotient = p.read("v_y/v_x", vy / vx)?;
-        p.equal("The two", &tangent, &quotient)?;
+        p.same(&tangent, vy / vx, "")?;
         let zero = p.read("tan θ → 0 with v_x > 0; the stated angle", angle)?;
-        p.zero("It", &zero)
+        p.same(&zero, Expr::int(0), "")
     })
 }
 
@@ -117,10 +115,8 @@ fn against(sense: Expr, [ax, ay]: [Expr; 2]) -> Proof {
         let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
         let product = v * theta.cos() * ax + v * theta.sin() * ay;
         let cosine = p.read("The cosine of the angle between the two", product / (v * a))?;
-        let stated = p.read("−cos θ", -theta.cos())?;
-        p.equal("The two", &cosine, &stated)?;
+        p.same(&cosine, -theta.cos(), "")?;
         let limit = p.read("It at θ = 0", (product / (v * a)).with("θ", Expr::int(0)))?;
-        let sense = p.read("The stated sense", sense)?;
-        p.equal("The two", &limit, &sense)
+        p.same(&limit, sense, "the stated sense")
     })
 }

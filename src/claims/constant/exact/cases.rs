@@ -93,8 +93,7 @@ pub(super) fn prove_eq18(printed: Expr) -> Proof {
             let vx = p.read("v_x", speed * Expr::symbol("θ").cos())?;
             let limit = newton.at_zero_angle(&vx)?;
             p.note("For θ → 0", p.ring().text(&limit));
-            let printed = p.read("The printed limit", printed)?;
-            p.equal("The two", &limit, &printed)
+            p.same(&limit, printed, "the printed limit")
         },
     )
 }
@@ -112,8 +111,7 @@ pub(super) fn prove_eq19(printed: Expr) -> Proof {
             let vy = p.read("v_y", speed * Expr::symbol("θ").sin())?;
             let limit = newton.at_zero_angle(&vy)?;
             p.note("For θ → 0", p.ring().text(&limit));
-            let printed = p.read("The printed limit", printed)?;
-            p.equal("The two", &limit, &printed)
+            p.same(&limit, printed, "the printed limit")
         },
     )
 }
@@ -135,8 +133,7 @@ pub(super) fn prove_eq20(printed: Expr) -> Proof {
             let time = p.read("The time by (13)", eq13())?;
             let stop = newton.at_zero_angle(&time)?;
             p.note("For θ → 0", p.ring().text(&stop));
-            let printed = p.read("The printed time", printed)?;
-            p.equal("The two", &stop, &printed)
+            p.same(&stop, printed, "the printed time")
         },
     )
 }

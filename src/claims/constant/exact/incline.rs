@@ -56,15 +56,13 @@ fn on_an_incline(law: [Expr; 2], drive: [Expr; 2]) -> Proof {
             ("along the normal", normal, zero),
         ] {
             let found = p.read(&format!("All forces per mass, {says}"), along(sum, axis))?;
-            let stated = p.read("(1) with (3), and 0 along the normal", stated)?;
-            p.equal("The two", &found, &stated)?;
+            p.same(&found, stated, "(1) with (3), and 0 along the normal")?;
         }
         let pull = p.read(
             "At rest: the weight's part down the slope",
             along(weight, down),
         )?;
-        let inertial = p.read("−A_x of (3)", -ax)?;
-        p.equal("The two", &pull, &inertial)?;
+        p.same(&pull, -ax, "−A_x of (3)")?;
         p.note(
             "The greatest friction",
             "μ times the normal force, μg cos β, there and here",
@@ -106,8 +104,7 @@ fn only_constant(law: [Expr; 2]) -> Proof {
         {
             for (rate, sum) in [(plane, -(two * a)), (incline, two * pull)] {
                 let both = p.read("A component at v and at −v, added", rate + opposite(rate))?;
-                let stated = p.read("Without friction, twice", sum)?;
-                p.equal("The two", &both, &stated)?;
+                p.same(&both, sum, "without friction, twice")?;
             }
         }
         p.note(

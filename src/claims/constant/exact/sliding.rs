@@ -203,8 +203,7 @@ pub(super) fn prove_eq14(printed: Expr) -> Proof {
                 "The printed speed, with t from (13)",
                 printed.with("t", eq13()),
             )?;
-            let speed = p.read("The speed by (11)", eq11())?;
-            p.equal("The two", &found, &speed)
+            p.same(&found, eq11(), "the speed by (11)")
         },
     )
 }
@@ -231,8 +230,7 @@ pub(super) fn prove_corrected_speed(corrected: Expr) -> Proof {
             p.equal("Against (dv/v)/dθ by (1)", &rate, &expected)?;
             let start = p.read("At θ = θ₀", at_start(corrected))?;
             p.equal("Against v₀", &start, &p.ring().named("v₀")?)?;
-            let printed = p.read("The speed by (11)", eq11())?;
-            p.equal("The two", &speed, &printed)
+            p.same(&speed, eq11(), "the speed by (11)")
         },
     )
 }

@@ -257,7 +257,7 @@ fn finish(p: &mut Prover<'_>, [rho, u, delta]: &[Series; 3]) -> Result<Late, Obs
 
 /// The series, and how they were found.
 static SOLUTION: Derived<(Option<Late>, Proof)> =
-    Derived::new(|| Proof::finding("the escape in powers of 1/τ and ln τ", ring(), solve));
+    Derived::new(|| Proof::finding("The escape in powers of 1/τ and ln τ", ring(), solve));
 
 /// A proof that starts from the series.
 pub fn from_series(
@@ -268,7 +268,7 @@ pub fn from_series(
         Err(error) => Proof::impossible(title, error),
         Ok(ring) => Proof::of(title, &ring, |p| {
             SOLUTION.with(|(late, proof)| {
-                p.carry_on(proof)?;
+                p.rests_on(proof)?;
                 steps(p, late.as_ref().ok_or(Obstacle::Empty)?)
             })
         }),

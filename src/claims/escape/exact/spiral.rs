@@ -228,8 +228,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         -motion::eq115_psi_rate(alpha, psi),
     )?;
     let parts = int(2) * push * delta().cos() - int(4) * (delta() / int(2)).sin().squared();
-    let parts = p.read("With m = 2/(exp(4α) − 1), 2m cos δ − 4 sin²(δ/2)", parts)?;
-    p.equal("The two", &turn, &parts)?;
+    p.same(&turn, parts, "with m = 2/(exp(4α) − 1)")?;
     p.note(
         "ξ = ρ cos ψ grows without end",
         "so that, from some time on, p > 0 and 0 < δ < π, up to whole turns",
@@ -248,8 +247,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let tangent = p.read("t = tan(δ/2), then between 0 and 1", t)?;
     let rate = p.derivative("dt/dτ", &tangent, &along)?;
     let parts = push * (int(1) - t.squared()) - int(2) * t.squared();
-    let parts = p.read("m (1 − t²) − 2t²", parts)?;
-    p.equal("The two", &rate, &parts)?;
+    p.same(&rate, parts, "")?;
     p.note(
         "As α → ∞, m → 0; and where t ≥ η, with any η > 0",
         "once m < η² t falls at the rate η² at least, to η, and stays below: t → 0",
@@ -271,17 +269,14 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         let number = p.read(name, formula)?;
         let rate = p.derivative("Its rate in τ", &number, &along)?;
         let rate = p.quotient("In θ, over itself", &rate, &(&number * &clock))?;
-        let stated = p.read("Stated, with h = tanh α", stated)?;
-        p.equal("The two", &rate, &stated)?;
+        p.same(&rate, stated, "as stated, with h = tanh α")?;
     }
     let lag = p.read("((1 − h)/t)²", ((int(1) - h) / t).squared())?;
-    let stated = p.read("4Ph", int(4) * predator * h)?;
-    p.equal("The two", &lag, &stated)?;
+    p.same(&lag, int(4) * predator * h, "")?;
     let inverse = p.ring().read(int(1) / t)?;
     let grows = p.derivative("The rate of 1/t in τ", &inverse, &along)?;
     let stated = int(2) - int(2) * (int(1) - t.squared()) * predator;
-    let stated = p.read("2 − 2 (1 − t²) P", stated)?;
-    p.equal("The two", &grows, &stated)
+    p.same(&grows, stated, "")
 }
 
 /// The rates in θ, of N, P and t as symbols.
@@ -308,7 +303,7 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     }
     for rate in found.rates_at(found.limit()) {
         let rate = p.read("There, at N = 3/4 and P = 1/2", rate)?;
-        p.zero("It", &rate)?;
+        p.same(&rate, Expr::int(0), "")?;
     }
     let height = int(4) * (n - n0 * n.ln()) + predator - p0 * predator.ln();
     let height = p.read("V", height)?;
@@ -318,8 +313,11 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     ];
     for (name, stated) in slopes {
         let slope = p.derivative("Its slope", &height, &p.ring().by(name)?)?;
-        let stated = p.read("Negative before the rest, positive behind", stated)?;
-        p.equal("The two", &slope, &stated)?;
+        p.same(
+            &slope,
+            stated,
+            "negative before the rest, positive after it",
+        )?;
     }
     p.note(
         "So V is least at the rest",
@@ -333,11 +331,9 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let stated = int(4) * (n - n0) * first + int(2) * (predator - p0) * second
         - int(8) * (n - n0).squared()
         - int(2) * (predator - p0).squared();
-    let stated = p.read("Two squares, and two brackets", stated)?;
-    p.equal("The two", &falls, &stated)?;
+    p.same(&falls, stated, "two squares, and two products")?;
     let last = p.read("1 − (1 + t² P) k", last)?;
-    let small = p.read("k (t² − t² P)", k * (t.squared() - little))?;
-    p.equal("The two", &last, &small)?;
+    p.same(&last, k * (t.squared() - little), "")?;
     p.note(
         "In the brackets 1, N and P have the factors 1 − kh, 1 − h, t², 1 − (1 + t² P) k and t² P = 1/(exp(4α) − 1)",
         "all go to 0: let η be the largest of their sizes",
@@ -353,8 +349,7 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let squares = int(6) * (int(1) - x).squared()
         + int(4) * (int(1) - y).squared()
         + int(4) * (x - y).squared();
-    let squares = p.read("Squares", squares)?;
-    p.equal("The two", &spare, &squares)?;
+    p.same(&spare, squares, "squares")?;
     p.note(
         "So dV/dθ ≤ −8x² − 2y² + η (10 + 18x² + 10y²)",
         "once 10η ≤ 1, V falls at the rate x² + y² − 10η at least",
@@ -364,7 +359,7 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "x² + y² is above a fixed number, and 10η below half of it from some time on: V falls below that amount in a finite θ, and stays there",
     );
     let unity = p.read("2 − 2P at the rest", int(2) - int(2) * p0)?;
-    p.equal("It is 1", &unity, &Rational::int(1))?;
+    p.same(&unity, Expr::int(1), "")?;
     p.note(
         "So N → 3/4 and P → 1/2",
         "1/t has the rate 1 in the end: tτ → 1",
@@ -397,8 +392,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     for ((name, formula), stated) in names.into_iter().zip(deviations).zip(stated) {
         let deviation = p.read(name, formula)?;
         let rate = p.derivative("Its rate in θ", &deviation, &along)?;
-        let stated = p.read("With w = (1 − h)/t", stated)?;
-        p.equal("The two", &rate, &stated)?;
+        p.same(&rate, stated, "with w = (1 − h)/t")?;
     }
     let [q, v, w, x, y] = Expr::symbols(["q", "v", "w", "x", "y"]);
     let root = int(2).sqrt();
@@ -425,7 +419,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     for rate in linear {
         let rate = rate.with("x", int(0)).with("y", int(0));
         let rate = p.read("A rate with the limits, at q = 3√2/32, v = 3√2/8", rate)?;
-        p.zero("It", &rate)?;
+        p.same(&rate, Expr::int(0), "")?;
     }
     let along = p.ring().along(&[
         ("x", p.read("Of x = q − 3√2/32", linear[0])?),
@@ -435,8 +429,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let size = p.read("Q", size)?;
     let shrinks = p.derivative("Its rate with the limits", &size, &along)?;
     let stated = -(int(16) / int(3) * x.squared()) - y.squared();
-    let stated = p.read("Squares", stated)?;
-    p.equal("The two", &shrinks, &stated)?;
+    p.same(&shrinks, stated, "squares")?;
     p.note(
         "What goes to 0 changes the two rates by η (1 + |x| + |y|) at most, with another η → 0",
         "and dQ/dθ by 6η (|x| + |y|) (1 + |x| + |y|), as 16/3 and 2 are below 6",
@@ -448,8 +441,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         spare,
     )?;
     let squares = int(3) * (int(1) - x - y).squared() + int(9) * (x - y).squared();
-    let squares = p.read("Squares", squares)?;
-    p.equal("The two", &spare, &squares)?;
+    p.same(&spare, squares, "squares")?;
     p.note(
         "Once 36η ≤ 1",
         "Q falls at the rate (x² + y²)/2 − 3η at least: Q → 0, as V went to its least value",
@@ -458,8 +450,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let inverse = int(2) - int(2) * (int(1) - t.squared()) * predator;
     let behind = p.read("The rate of 1/t less 1, over t", (inverse - int(1)) / t)?;
     let stated = int(2) * predator * t - int(2) * deviations[1];
-    let stated = p.read("2Pt − 2v", stated)?;
-    p.equal("The two", &behind, &stated)?;
+    p.same(&behind, stated, "")?;
     p.note(
         "In the limit that is −κ with κ = 3√2/4",
         "as tτ → 1, 1/t − τ has the rate −κ/τ + o(1/τ): 1/t = τ − κ ln τ + o(ln τ)",
@@ -489,15 +480,14 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let turn = int(1) + speed() * across / rho.squared();
     let turn = p.read("The rate 1 + pℓ/ρ², over t", turn / t)?;
     let stated = (int(1) - h) / t + int(2) * h * cosine(t) * t;
-    let stated = p.read("w + 2hkt", stated)?;
-    p.equal("The two", &turn, &stated)?;
+    p.same(&turn, stated, "")?;
     let [_, predator, h, _] = found.limit();
     let square = p.read("The square of w, 4Ph, in the limit", int(4) * predator * h)?;
-    let stated = p.read(
-        "The square of the winding",
+    p.same(
+        &square,
         law::winding::<Expr>().squared(),
+        "the square of the winding",
     )?;
-    p.equal("The two", &square, &stated)?;
     p.note(
         "As the square of w is 4Ph, and v and w are bounded, w is √2 up to the order of t; and t is 1/τ, up to (ln τ)/τ of it",
         "so the rate is √2/τ, up to the order of (ln τ)/τ of it: the angle in the laboratory less √2 ln τ converges",
@@ -553,16 +543,14 @@ fn has_limit(
     let own = state();
     let exact = quantity.pow(int(m)) * own[3].pow(int(n));
     let exact = p.read("At any time", exact)?;
-    let stated = p.read("In N, P, h and t", value(own))?;
-    p.equal("The two", &exact, &stated)?;
+    p.same(&exact, value(own), "in N, P, h and t")?;
     let mut limit = value(Species::found().limit());
     for _ in 0..m.ilog2() {
         limit = limit.sqrt();
     }
     let limit = limit * tau().pow(int(n) / int(m));
     let limit = p.read("The positive root in the limit, with 1/τ for t", limit)?;
-    let first = p.read("The law's first term", first)?;
-    p.equal("The two", &limit, &first)
+    p.same(&limit, first, "the first term of the law")
 }
 
 /// A law's first term.
@@ -598,20 +586,17 @@ fn eq128(law: Expr) -> Proof {
         let psi = Expr::pi() / int(2) - delta();
         let rate = motion::eq114_alpha_rate(a, alpha, psi) / t;
         let rate = p.read("dα/dτ over t, by (114)", rate)?;
-        let stated = p.read("2k − 2N, with k = 1/(1 + t²)", int(2) * (cosine(t) - n))?;
-        p.equal("The two", &rate, &stated)?;
+        p.same(&rate, int(2) * (cosine(t) - n), "with k = 1/(1 + t²)")?;
         let friction = alpha.cosh() / a;
         let second = p.read("cosh α/A, over t", friction / t)?;
-        let stated = p.read("2N", int(2) * n)?;
-        p.equal("The two", &second, &stated)?;
+        p.same(&second, int(2) * n, "")?;
         let square = |[_, predator, h, _]: State| {
             let squares = int(1) + h.squared();
             int(4) * predator * h * (int(1) + h).squared() / squares.squared()
         };
         let slow = int(1) / (t * (int(2) * alpha).cosh()).squared();
         let slow = p.read("1/(t cosh 2α)²", slow)?;
-        let stated = p.read("4Ph (1 + h)²/(1 + h²)²", square([n, predator, h, t]))?;
-        p.equal("The two", &slow, &stated)?;
+        p.same(&slow, square([n, predator, h, t]), "")?;
         let limit = Species::found().limit();
         let slow = p.read("The positive root, in the limit", square(limit).sqrt())?;
         let factor = (law + friction) * (int(2) * alpha).cosh();
@@ -622,8 +607,7 @@ fn eq128(law: Expr) -> Proof {
         )?;
         p.equal("The product of the two, and that", &(&slow * &factor), &own)?;
         let left = p.read("2 − 2N in the limit", int(2) - int(2) * limit[0])?;
-        let half = p.read("Not 0", half())?;
-        p.equal("The two", &left, &half)?;
+        p.same(&left, half(), "not 0")?;
         p.note("So, as tτ → 1", "both sides times τ tend to 1/2");
         Ok(())
     })
@@ -670,17 +654,9 @@ fn eq131(law: Expr) -> Proof {
         let [alpha] = Expr::symbols(["α"]);
         let rate = int(2) * motion::eq113_a_rate(alpha) * (-alpha).exp();
         let rate = p.read("Twice dA/dτ by (113), over exp α", rate)?;
-        let stated = p.read(
-            "1 − exp(−2α), which tends to 1",
-            int(1) - (int(-2) * alpha).exp(),
-        )?;
-        p.equal("The two", &rate, &stated)?;
+        p.same(&rate, int(1) - (int(-2) * alpha).exp(), "which tends to 1")?;
         let cube = p.read("The cube of twice the law", (int(2) * law).pow(int(3)))?;
-        let stated = p.read(
-            "exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1",
-            exponential((EQ130.formulas)(), 3),
-        )?;
-        p.equal("The two", &cube, &stated)
+        p.same(&cube, exponential((EQ130.formulas)(), 3), "exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1")
     })
 }
 
@@ -715,16 +691,14 @@ fn eq133(law: Expr) -> Proof {
     })
 }
 
-/// The theorem's own steps stand here.
 fn eq134(law: Expr) -> Proof {
-    Proof::in_ring("(134) in every escape", ring(), |p| {
-        SPIRAL.with(|proof| p.carry_on(proof))?;
+    after("(134) in every escape", |p| {
         p.note("t = tan(δ/2) → 0", "δ is 2t, up to the order of t³");
         let half_lag = p.read(
             "Half the law's first term, times τ",
             first(law) * tau() / int(2),
         )?;
-        p.equal("It is 1, as tτ in the limit", &half_lag, &Rational::int(1))?;
+        p.same(&half_lag, int(1), "as tτ in the limit")?;
         in_its_time(p, law)
     })
 }
@@ -771,7 +745,7 @@ fn eq137(law: Expr) -> Proof {
         let left = p.quotient("The difference over τ", &(&rate - &speed), &by)?;
         for name in ["τ", "L"] {
             let slope = p.derivative(&format!("Its rate by {name}"), &left, &p.ring().by(name)?)?;
-            p.zero("It", &slope)?;
+            p.same(&slope, Expr::int(0), "")?;
         }
         p.note(
             "So the law's rate is p, up to less than τ ln τ by any factor in the end",

@@ -141,8 +141,7 @@ fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
 fn eq140(formula: Expr) -> Proof {
     arriving("(140) of every motion to rest", |p| {
         let limit = inwards(p)?;
-        let stated = p.read("(140)", formula)?;
-        p.equal("The two", &limit, &stated)
+        p.same(&limit, formula, "by (140)")
     })
 }
 
@@ -153,8 +152,7 @@ fn eq141(formula: Expr) -> Proof {
             "With τ = 0 at rest",
             "by the mean-value theorem α/τ is dα/dτ at a time between: it has the same limit",
         );
-        let stated = p.read("(141) over τ", formula / Expr::symbol("τ"))?;
-        p.equal("The two", &limit, &stated)
+        p.same(&limit, formula / Expr::symbol("τ"), "(141) over τ")
     })
 }
 
@@ -182,8 +180,7 @@ fn eq142([left, right]: [Expr; 2]) -> Proof {
             "dψ/dτ = 2 − (1 + o(1)) ψ/α, and the left side is (1 + o(1)) dψ/dτ",
         );
         let right = p.read("Right side", right)?;
-        let stated = p.read("2 − ψ/α", Expr::int(2) - psi / alpha)?;
-        p.equal("The two", &right, &stated)
+        p.same(&right, Expr::int(2) - psi / alpha, "")
     })
 }
 
@@ -225,8 +222,11 @@ fn eq145(formula: Expr) -> Proof {
         let twice = limit * Rational::int(2);
         let coefficient = p.quotient("1 over that", &Rational::int(1), &twice)?;
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
-        let stated = p.read("(145) less σ, over α²", (formula - sigma) / alpha.squared())?;
-        p.equal("The two", &coefficient, &stated)
+        p.same(
+            &coefficient,
+            (formula - sigma) / alpha.squared(),
+            "(145) less σ, over α²",
+        )
     })
 }
 
@@ -265,8 +265,11 @@ fn eq143(formula: Expr) -> Proof {
         let right = ring.read(Expr::int(-2) * k * alpha)?;
         p.equal("α times that, less k times (143), is −2kα", &left, &right)?;
         let free = p.derivative("Its slope by c", &stated, &ring.by("c")?)?;
-        let power = p.read("2α^k", Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)))?;
-        p.equal("The two", &free, &power)?;
+        p.same(
+            &free,
+            Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)),
+            "",
+        )?;
         p.note(
             "So (ψ less (143) with c = 0) over α^k",
             "has the slope R/α^(k+1) by α, and converges: to 2c. What is left is α^k times the integral of R/α^(k+1) from 0",

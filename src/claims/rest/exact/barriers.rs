@@ -87,20 +87,14 @@ fn moved() -> Proof {
         let residual = growth + b * falls(surface) - d * turning;
         let pull = -(b * alpha.cosh() / (a * surface)) * (a - surface);
         let parts = residual + pull + int(3) * s * k * alpha.squared() * falls(a);
-        let parts = p.read(
-            "The residual R, which is that of the surface at A = P; m (A − P) with m = −b cosh α/(AP); and 3sKα² f with f = −dα/dτ",
-            parts,
-        )?;
-        p.equal("The two", &rate, &parts)?;
+        p.same(&rate, parts, "the sum of the residual R, which is that of the surface at A = P; of m (A − P) with m = −b cosh α/(AP); and of 3sKα² f with f = −dα/dτ")?;
         let fall = p.read("f", falls(a))?;
         let parts = int(2) * (psi / int(2)).sin().squared()
             + int(2) * (alpha / int(2)).sinh().squared() / a
             + (int(1) / a - int(1));
-        let parts = p.read("Two squares, and 1/A − 1", parts)?;
-        p.equal("The two", &fall, &parts)?;
+        p.same(&fall, parts, "two squares and 1/A − 1")?;
         let more = p.read("1/A − 1 less 1/σ − 1", int(1) / a - int(1) / sigma)?;
-        let stated = p.read("(σ − A)/(σA)", (sigma - a) / (sigma * a))?;
-        p.equal("The two", &more, &stated)
+        p.same(&more, (sigma - a) / (sigma * a), "")
     })
 }
 
@@ -226,11 +220,7 @@ fn lower_than_one(formula: Expr) -> Proof {
         - alpha.pow(int(3)) * h.squared() / int(4);
     Proof::in_ring("The formula is below 1", least::ring(), |p| {
         let gap = p.read("1 less the formula", int(1) - formula)?;
-        let parts = p.read(
-            "With c = cos(ψ/2), α (c − αH/2)² + α²/4 − α³H²/4, H being bounded",
-            parts,
-        )?;
-        p.equal("The two", &gap, &parts)
+        p.same(&gap, parts, "where H is bounded")
     })
 }
 

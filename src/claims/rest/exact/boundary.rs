@@ -123,7 +123,7 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
 
 /// The series, and how they were found.
 static SOLUTION: Derived<(Option<Series>, Proof)> =
-    Derived::new(|| Proof::finding("the boundary in powers of α", ring(), solve));
+    Derived::new(|| Proof::finding("The boundary in powers of α", ring(), solve));
 
 /// Carries out a proof that starts from the series of A on the boundary.
 pub(super) fn with_series(
@@ -132,7 +132,7 @@ pub(super) fn with_series(
 ) -> Proof {
     Proof::in_ring(title, ring(), |p| {
         SOLUTION.with(|(series, proof)| {
-            p.carry_on(proof)?;
+            p.rests_on(proof)?;
             steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
         })
     })

@@ -6,8 +6,9 @@ use crate::claims::escape::exact::chains::{
 };
 use crate::claims::turntable::exact as turntable;
 use crate::evidence::Subject;
-use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
+use crate::exact::{Expr, Obstacle, Proof, Prover};
 use crate::paper::{rest as printed, turntable as motion};
+use crate::scalar::Scalar;
 use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::compare::Compared;
 use trialbook::claims::statement::{Statement, given};
@@ -48,9 +49,9 @@ fn dichotomy(third: Expr, bound: Expr, acceleration: [Expr; 2]) -> Proof {
             "At the bound it creeps for ever: this is excepted. The bound",
             bound,
         )?;
-        p.equal("It is 1", &one, &Rational::int(1))?;
+        p.same(&one, Expr::int(1), "")?;
         let third = p.read("The number of other fates, as stated", third)?;
-        p.zero("It", &third)
+        p.same(&third, Expr::int(0), "")
     })
 }
 
@@ -91,11 +92,11 @@ fn settle(p: &mut Prover<'_>, [alpha, psi]: [Expr; 2], ahead: Expr) -> Result<()
         "ρ = σ > 0, as A² = ρ² − p² is positive and never falls; so A → σ and tanh α = p/ρ → 0",
     );
     let alpha = p.read("The stated limit of α", alpha)?;
-    p.zero("It", &alpha)?;
+    p.same(&alpha, Expr::int(0), "")?;
     stops_along(p, ahead)?;
     p.note("Straight in, ψ → π, is excepted", "ψ → 0");
     let psi = p.read("The stated limit of ψ", psi)?;
-    p.zero("It", &psi)
+    p.same(&psi, Expr::int(0), "")
 }
 
 fn near_rest(limits: [Expr; 2], ahead: Expr) -> Proof {

@@ -65,7 +65,7 @@ pub fn prove(formula: Expr) -> Proof {
         let [a, x, sigma] = Expr::symbols(["a", "x", "σ"]);
         let kept = p.read("a² − x²", a.squared() - x.squared())?;
         let rate = p.derivative("Its rate", &kept, &saddle)?;
-        p.zero("It", &rate)?;
+        p.same(&rate, Expr::int(0), "")?;
         p.note(
             "At rest α = 0 and A = σ",
             "so (A − 1)² − α² is (1 − σ)²: A = 1 − √((1 − σ)² + α²)",
@@ -76,12 +76,10 @@ pub fn prove(formula: Expr) -> Proof {
             "(A − 1)² − α² with this A",
             (surface - Expr::int(1)).squared() - alpha.squared(),
         )?;
-        let stated = p.read("(1 − σ)²", deficit.squared())?;
-        p.equal("The two", &square, &stated)?;
+        p.same(&square, deficit.squared(), "")?;
         let surface = p.read("A", surface)?;
         let slope = p.derivative("∂A/∂σ", &surface, &ring.by("σ")?)?;
-        let stated = p.read("The corrected formula", formula)?;
-        p.equal("The two", &slope, &stated)
+        p.same(&slope, formula, "the corrected formula")
     })
 }
 

@@ -161,7 +161,7 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
 
 /// The series, and how they were found.
 static SOLUTION: Derived<(Option<[Series; 3]>, Proof)> =
-    Derived::new(|| Proof::finding("the motions to rest in powers of α", ring(), solve));
+    Derived::new(|| Proof::finding("The motions to rest in powers of α", ring(), solve));
 
 /// Carries out a proof that starts from the series of ψ, A and dα/dτ.
 fn from_series(
@@ -172,7 +172,7 @@ fn from_series(
         Err(error) => Proof::impossible(title, error),
         Ok(ring) => Proof::of(title, &ring, |p| {
             SOLUTION.with(|(series, proof)| {
-                p.carry_on(proof)?;
+                p.rests_on(proof)?;
                 steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
             })
         }),

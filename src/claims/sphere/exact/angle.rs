@@ -50,8 +50,7 @@ fn prove(
 fn same(p: &mut Prover<'_>, formula: Components, particle: Expr) -> Result<(), Obstacle> {
     let particle = p.read("The particle's formula", particle)?;
     for formula in formula {
-        let formula = p.read("The formula", formula)?;
-        p.equal("The two", &particle, &formula)?;
+        p.same(&particle, formula, "the formula")?;
     }
     Ok(())
 }

@@ -257,8 +257,7 @@ pub(super) fn prove_eq75(formula: Components) -> Proof {
     prove("(75): ζ", Friction::Any, |p, _| {
         for ((axis, zeta), formula) in AXES.iter().zip(zeta()).zip(formula) {
             let zeta = p.read(&format!("ζ {axis}, by (70)"), zeta)?;
-            let formula = p.read(&format!("The formula {axis}"), formula)?;
-            p.equal("The two", &zeta, &formula)?;
+            p.same(&zeta, formula, "the formula")?;
         }
         Ok(())
     })
@@ -306,7 +305,7 @@ pub(super) fn prove_eq79(printed: Components) -> Proof {
             let printed = p.read(&format!("Printed {axis}"), printed)?;
             let rate =
                 p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
-            p.equal("The two", &own, &rate)?;
+            p.equal("The two rates", &own, &rate)?;
         }
         upright(p, rho_rate()[2])?;
         upright(p, along_z)
@@ -340,9 +339,7 @@ pub(super) fn prove_eq68(rate: Components) -> Proof {
         for ((axis, rate), stated) in AXES.iter().zip(rho_rate).zip(eq73()) {
             let rate = p.read(&format!("dρ/dτ {axis}"), rate)?;
             let change = p.derivative("Its rate", &rate, &body.motion)?;
-            let clock = p.read("over dτ/dt", tau_rate())?;
-            let stated = p.read("(73)", stated)?;
-            p.equal("The two", &change, &(stated * clock))?;
+            p.same(&change, stated * tau_rate(), "(73) times dτ/dt")?;
         }
         upright(p, rate[2])
     })
@@ -379,8 +376,7 @@ pub(super) fn prove_eq70(zeta: Components) -> Proof {
     prove("(70): ζ dτ = ω dt", Friction::Any, |p, _| {
         for ((axis, zeta), omega) in AXES.iter().zip(zeta).zip(omega()) {
             let turned = p.read(&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate())?;
-            let omega = p.read("ω", omega)?;
-            p.equal("The two", &turned, &omega)?;
+            p.same(&turned, omega, "")?;
         }
         Ok(())
     })
@@ -422,8 +418,7 @@ pub(super) fn prove_reduction(particle: Components) -> Proof {
             for ((axis, w), particle) in AXES.iter().zip(slip()).zip(particle) {
                 let w = p.read(&format!("w {axis}"), w)?;
                 let rate = p.derivative("Its rate", &w, &body.motion)?;
-                let particle = p.read(&format!("(1) {axis}, with bμ"), particle)?;
-                p.equal("The two", &rate, &particle)?;
+                p.same(&rate, particle, &format!("(1) {axis}, with bμ"))?;
             }
             Ok(())
         },
@@ -441,8 +436,7 @@ pub(super) fn prove_rolling() -> Proof {
                 let rate = p.derivative("Its rate", &w, &body.motion)?;
                 let force = ["F_x", "F_y"][usize::from(*axis != AXES[0])];
                 let force = Expr::symbol("b") * Expr::symbol(force) / Expr::symbol("m");
-                let balance = p.read("b F/m − A", force - a)?;
-                p.equal("The two", &rate, &balance)?;
+                p.same(&rate, force - a, "")?;
             }
             p.note(
                 "So w = 0 is kept by F = mA/b",
@@ -476,7 +470,7 @@ pub(super) fn prove_spin_constant(stated: Components) -> Proof {
                     &rate,
                     &p.ring().by("ω_z")?,
                 )?;
-                p.zero("It", &slope)?;
+                p.same(&slope, Expr::int(0), "")?;
             }
             Ok(())
         },

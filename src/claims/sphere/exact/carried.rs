@@ -8,7 +8,7 @@ use crate::claims::periodic::critical_friction::THRESHOLD;
 use crate::claims::periodic::exact as pulses;
 use crate::claims::sinusoidal::attraction;
 use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
 use crate::paper::{anisotropic, sinusoidal, sphere as paper};
 use crate::scalar::Scalar;
 use trialbook::claims::attempt::{Attempt, trials};
@@ -99,8 +99,7 @@ fn as_of_a_particle(p: &mut Prover<'_>, lambda0: Expr) -> Result<(), Obstacle> {
     let [b, mu, g, a0] = symbols();
     let stated = p.read("λ₀ by (84)", lambda0)?;
     let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
-    let particle = p.read("λ₀ of the particle with bμ, by (22)", particle)?;
-    p.equal("The two", &stated, &particle)
+    p.same(&stated, particle, "λ₀ of the particle with bμ, by (22)")
 }
 
 fn pulse(lambda0: Expr) -> Proof {
@@ -123,10 +122,9 @@ fn trichotomy([lambda0, critical]: [Expr; 2]) -> Proof {
         given(p, &[&attraction::TRICHOTOMY, &anisotropy::X])?;
         let [q, at] = anisotropic::eq57_x::<Expr>();
         let same = p.read("q of X, where A and B meet", q)?;
-        p.equal("It is 1", &same, &Rational::int(1))?;
+        p.same(&same, Expr::int(1), "")?;
         let at = p.read("λ₀ there", at)?;
-        let critical = p.read("λ_c by (37)", critical)?;
-        p.equal("The two", &at, &critical)?;
+        p.same(&at, critical, "λ_c by (37)")?;
         Ok(())
     })
 }
@@ -154,8 +152,7 @@ fn regions(lambda0: Expr) -> Proof {
             ),
         ] {
             let particle = p.read(says, particle)?;
-            let stated = p.read("By (85) and (49) or (50)", stated)?;
-            p.equal("The two", &particle, &stated)?;
+            p.same(&particle, stated, "by (85) and (49) or (50)")?;
         }
         given(
             p,

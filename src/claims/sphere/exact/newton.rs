@@ -68,7 +68,7 @@ pub(super) fn prove_eq59(printed: Components) -> Proof {
         for ((axis, own), printed) in AXES.iter().zip(own).zip(printed) {
             p.note("m d²r/dt²", p.ring().text(&own));
             let printed = p.read(&format!("Printed {axis}"), printed)?;
-            p.equal("The two", &own, &printed)?;
+            p.equal("They are equal", &own, &printed)?;
         }
         Ok(())
     })

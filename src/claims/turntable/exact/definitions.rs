@@ -14,8 +14,7 @@ fn is(
 ) -> Proof {
     prove(title, setting, |p, _| {
         let printed = p.read("The printed formula", printed)?;
-        let expected = p.read(says, expected)?;
-        p.equal("The two", &printed, &expected)
+        p.same(&printed, expected, says)
     })
 }
 
@@ -27,7 +26,7 @@ pub(super) fn eq93() -> Vec<Expr> {
     vec![paper::eq93_speed(vectors()[1])]
 }
 pub(super) fn prove_eq93(printed: Vec<Expr>) -> Proof {
-    let expected = ("The size p of the velocity p (cos χ, sin χ)", speed());
+    let expected = ("the size of the velocity p (cos χ, sin χ)", speed());
     is("(93): p", Setting::polar(), printed[0], expected)
 }
 
@@ -38,7 +37,7 @@ pub(super) fn eq94() -> Vec<Expr> {
 pub(super) fn prove_eq94(printed: Vec<Expr>) -> Proof {
     let [[x, y], [u, v]] = vectors();
     let along = (x * u + y * v) / speed();
-    let expected = ("The position along the velocity", along);
+    let expected = ("the position along the velocity", along);
     is("(94): ξ", Setting::polar(), printed[0], expected)
 }
 
@@ -49,7 +48,7 @@ pub(super) fn eq95() -> Vec<Expr> {
 pub(super) fn prove_eq95(printed: Vec<Expr>) -> Proof {
     let [[x, y], [u, v]] = vectors();
     let across = (x * v - y * u) / speed();
-    let expected = ("The moment of the velocity about the axis, over p", across);
+    let expected = ("the moment of the velocity about the axis, over p", across);
     is("(95): ℓ", Setting::polar(), printed[0], expected)
 }
 
@@ -65,8 +64,7 @@ fn sums(
     ] {
         let sum = p.read(says, sum)?;
         let expected = size * (Expr::int(sign) * argument).exp();
-        let expected = p.read("It should be", expected)?;
-        p.equal("The two", &sum, &expected)?;
+        p.same(&sum, expected, "as it should be")?;
     }
     Ok(())
 }
@@ -76,7 +74,7 @@ pub(super) fn eq110() -> Vec<Expr> {
     vec![paper::eq110_case(p, rho)]
 }
 pub(super) fn prove_eq110(printed: Vec<Expr>) -> Proof {
-    let expected = ("−A², negative", -Expr::symbol("A").squared());
+    let expected = ("negative", -Expr::symbol("A").squared());
     is(
         "(110): with (111) and (112)",
         Setting::slower(),
@@ -110,7 +108,7 @@ pub(super) fn eq116() -> Vec<Expr> {
     vec![paper::eq116_case(p, rho)]
 }
 pub(super) fn prove_eq116(printed: Vec<Expr>) -> Proof {
-    let expected = ("B², positive", Expr::symbol("B").squared());
+    let expected = ("positive", Expr::symbol("B").squared());
     is(
         "(116): with (117) and (118)",
         Setting::faster(),
