@@ -78,20 +78,29 @@ pub const EQ145: Statement = Statement::new(
 /// Powers of ε, the size of α and ψ, to which is compared.
 const ORDER: i64 = 3;
 
-fn ring() -> Result<Ring, ExactError> {
+fn ring() -> Ring {
     let mut ring = Ring::new();
-    for name in ["σ", "c", "τ", "slope", "ψ", "x", "y", "a"] {
+    for name in ["σ", "c", "τ", "slope", "ψ", "x", "y", "a", "α"] {
         ring.symbol(name);
     }
-    let alpha = ring.symbol("α");
+    ring
+}
+
+/// The same, with the power of α that (143) has.
+fn with_power() -> Result<Ring, ExactError> {
+    let mut ring = ring();
     let exponent = ring.read(printed::eq143_exponent(Expr::symbol("σ")))?;
-    ring.power(&alpha, &exponent)?;
+    ring.power(&ring.named("α")?, &exponent)?;
     Ok(ring)
 }
 
 /// A step about a motion to rest.
-fn arriving(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
-    Proof::in_ring(title, ring(), |p| {
+fn arriving(
+    title: &str,
+    ring: Result<Ring, ExactError>,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+) -> Proof {
+    Proof::in_ring(title, ring, |p| {
         p.rests_on(&chains::settles())?;
         given(
             p,
@@ -139,7 +148,7 @@ fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
 }
 
 fn eq140(formula: Expr) -> Proof {
-    arriving("(140) of every motion to rest", |p| {
+    arriving("(140) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
         let stated = p.read("(140)", formula)?;
         p.equal("The two", &limit, &stated)
@@ -147,7 +156,7 @@ fn eq140(formula: Expr) -> Proof {
 }
 
 fn eq141(formula: Expr) -> Proof {
-    arriving("(141) of every motion to rest", |p| {
+    arriving("(141) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
         p.note(
             "With τ = 0 at rest",
@@ -170,7 +179,7 @@ fn left_side(p: &mut Prover<'_>, left: Expr) -> Result<(), Obstacle> {
 }
 
 fn eq142([left, right]: [Expr; 2]) -> Proof {
-    arriving("(142) of every motion to rest", |p| {
+    arriving("(142) of every motion to rest", Ok(ring()), |p| {
         left_side(p, left)?;
         let [alpha, psi] = Expr::symbols(["α", "ψ"]);
         let turning = motion::eq115_psi_rate(alpha, psi);
@@ -188,7 +197,7 @@ fn eq142([left, right]: [Expr; 2]) -> Proof {
 }
 
 fn eq144([left, right]: [Expr; 2]) -> Proof {
-    arriving("(144) of every motion to rest", |p| {
+    arriving("(144) of every motion to rest", Ok(ring()), |p| {
         left_side(p, left)?;
         growth(p)?;
         let right = p.read("Right side", right)?;
@@ -215,7 +224,7 @@ fn growth(p: &mut Prover<'_>) -> Result<(), Obstacle> {
 }
 
 fn eq145(formula: Expr) -> Proof {
-    arriving("(145) of every motion to rest", |p| {
+    arriving("(145) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
         growth(p)?;
         p.note(
@@ -231,7 +240,7 @@ fn eq145(formula: Expr) -> Proof {
 }
 
 fn eq143(formula: Expr) -> Proof {
-    arriving("(143) of every motion to rest", |p| {
+    arriving("(143) of every motion to rest", with_power(), |p| {
         p.rests_on(&EQ145.proof())?;
         let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
         let k = sigma / (Expr::int(1) - sigma);
