@@ -6,13 +6,9 @@
 
 use super::{chains, series};
 use crate::claims::turntable::exact as turntable;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::exact::Series;
 use crate::paper::{rest as printed, turntable as motion};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// What is shown of every motion to rest.
 macro_rules! of_every_rest {
