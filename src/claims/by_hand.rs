@@ -15,13 +15,12 @@ use super::values::boundary_example;
 use crate::motion::drive::{PlanarState, Sign};
 use crate::motion::sphere::{Ball, BallMotion, Sphere};
 use crate::motion::{Plane, State, run};
-use crate::numerics::roots::root;
 use crate::paper::{
     anisotropic, constant, escape, periodic, rest, sinusoidal, sphere, turntable as table,
 };
 use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 use trialbook::claims::by_hand::Numbers;
-use trialbook::claims::compare::Failure;
+use trialbook::prelude::*;
 
 /// Of `constant`, in the paper's order.
 pub static CONSTANT: [Numbers; 1] = [Numbers::new(

@@ -1,6 +1,6 @@
 //! Every formula, printed and corrected, and the claim that tries it.
 
-use super::corners::{CORNERS, DOMAINS};
+use super::corners::CORNERS;
 use super::variants::{UP_TO_A_FACTOR, UP_TO_A_POSITIVE_FACTOR, argument};
 use crate::scalar::Scalar;
 use crate::seeded::Formula;
@@ -39,7 +39,6 @@ pub const FORMULAS: Formulas = Formulas {
     up_to_a_factor: &UP_TO_A_FACTOR,
     up_to_a_positive_factor: &UP_TO_A_POSITIVE_FACTOR,
     corners: CORNERS,
-    domains: DOMAINS,
     argument,
 };
 

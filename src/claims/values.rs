@@ -6,18 +6,16 @@ use super::escape::growth;
 use super::sinusoidal::reference_motions::{ORIGIN, settled};
 use crate::certified::numbers;
 use crate::corrections::{anisotropic as added, escape as corrected, rest as boundary};
-use crate::exact::Expr;
 use crate::motion::turntable;
 use crate::paper::{anisotropic, escape, rest, sinusoidal, sphere};
-use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, PI, SQRT_2, TAU};
 use trialbook::certified::ball::Ball;
 use trialbook::certified::enclosure::Enclosure;
 use trialbook::certified::error::CertifiedError;
-use trialbook::claims::compare::Failure;
 use trialbook::claims::enclosed::on_balls;
 use trialbook::claims::runs::Runs;
 pub use trialbook::claims::values::{Form, Match, NotDecimal, Number, Value, decimal_of, search};
+use trialbook::prelude::*;
 
 /// Of `sinusoidal`.
 pub static SINUSOIDAL: [Number; 14] = [

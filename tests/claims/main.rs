@@ -300,108 +300,14 @@ fn as_recorded(ledger: &Ledger) -> Vec<&Entry> {
     ledger.entries.iter().filter(same).collect()
 }
 
-/// Foreign formulas of which a proof does not reject every wrong variant where it speaks of them, or none where it reads them; the claims
-/// of the proofs; and what of the formula does not enter.
-const PASSED_OVER: &[(&str, &[&str], &str)] = &[
-    (
-        "eq1_velocity_rate",
-        &["s21-incline"],
-        "an incline pulls along x alone",
-    ),
-    (
-        "eq1_velocity_rate",
-        &["s21-incline-only-constant"],
-        "rates at opposite velocities are added, so that any friction that turns with the velocity cancels",
-    ),
-    (
-        "eq1_velocity_rate",
-        &[
-            "s22-vx-stays",
-            "s22-attractor-ignores-vy",
-            "s22-no-rest-below",
-            "s22-trichotomy",
-        ],
-        "it is used along the drive, in units in which g is 1",
-    ),
-    (
-        "eq1_velocity_rate",
-        &["s22-friction-across"],
-        "friction alone is used, in units in which g is 1",
-    ),
-    (
-        "eq21_acceleration",
-        &["eq-22", "eq-23", "eq-24", "eq-26"],
-        "what pulls across the drive does not enter",
-    ),
-    (
-        "eq21_acceleration",
-        &["s22-vy-vanishes", "s22-weak-drive-stops"],
-        "its direction and its size are used, not its sign and its frequency",
-    ),
-    (
-        "eq21_acceleration",
-        &["s22-vx-stays"],
-        "it is used in units in which A₀ and ϖ are 1",
-    ),
-    (
-        "eq37_lambda_c",
-        &["eq-36", "eq-40"],
-        "it enters by its square",
-    ),
-    (
-        "eq39_phi_t1",
-        &[
-            "eq-38",
-            "s22-attractor-ignores-vy",
-            "s22-no-rest-below",
-            "s22-trichotomy",
-        ],
-        "it enters by its cosine",
-    ),
-    (
-        "eq42_end",
-        &["s23-nonzero-again"],
-        "where a pulse ends is read with what h is, and does not enter",
-    ),
-    (
-        "eq42_end",
-        &["s23-pulse-phases"],
-        "it is used at η = 0 and η = 1",
-    ),
-    (
-        "eq46_lambda_c",
-        &["s23-pulse-phases"],
-        "it is used at η = 0 and η = 1",
-    ),
-    (
-        "eq26_rate",
-        &["s23-pulse-phases"],
-        "it is used where h is 0",
-    ),
-    ("eq57_x", &["s24-X"], "λ₀ enters by its square"),
-    (
-        "eq71_slip",
-        &["eq-73", "eq-74", "eq-77", "eq-78"],
-        "its direction is used, not its unit",
-    ),
-    (
-        "eq71_slip",
-        &["eq-75"],
-        "the components in the plane are used",
-    ),
-    (
-        "eq68_position",
-        &["eq-75"],
-        "the components in the plane are used",
-    ),
-    ("eq70_spin", &["eq-75"], "ζ₃ is taken from it"),
-    ("eq69_time", &["eq-75"], "its unit is used"),
-    (
-        "eq143_exponent",
-        &["eq-140", "eq-141", "eq-142", "eq-144", "eq-145"],
-        "it is read for ψ, of which they say nothing",
-    ),
-];
+/// A formula that a proof reads: the proof by its claim and its name, its statement, whether it speaks of the formula, and the wrong
+/// variants of it.
+type Read<'a> = (
+    (&'static str, &'static str),
+    &'static dyn Proved,
+    bool,
+    Vec<&'a Variant>,
+);
 
 /// Every proof by algebra fails for every wrong variant of the formulas of its claim that it reads, and of those of which it speaks also
 /// where nothing else that it reads is wrong; and of any other formula that it reads for one at least. Where it does not, a reason is given.
@@ -411,28 +317,32 @@ fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
     let agreeing = as_recorded.iter().flat_map(|entry| {
         let trials = entry.claim.trials.iter().zip(&entry.evidence);
         let agree = trials.filter(|(_, e)| e.outcome() == Outcome::Agrees);
-        agree.filter_map(|(trial, e)| Some((entry.claim.id, trial.statement()?, &e.read)))
+        agree.filter_map(|(trial, e)| Some((entry.claim.id, trial, trial.statement()?, &e.read)))
     });
     let mut proofs = Vec::new();
-    for (claim, statement, read) in agreeing {
+    for (claim, trial, statement, read) in agreeing {
         let spoken = statement.speaks_of();
         for formula in read {
             let own = |v: &&Variant| v.seed.formula == *formula;
             let wrong: Vec<_> = variants.iter().filter(own).collect();
-            proofs.push((claim, statement, spoken.contains(formula), wrong));
+            proofs.push((
+                (claim, trial.name()),
+                statement,
+                spoken.contains(formula),
+                wrong,
+            ));
         }
     }
-    let passes =
-        |(claim, statement, spoken, wrong): &(&'static str, &dyn Proved, bool, Vec<&Variant>)| {
-            let holds = |v: &&Variant| with(v.seed, || statement.proof().holds());
-            let alone = |v: &&Variant| statement.with_mistake(v.seed).holds();
-            let formula = wrong.first()?;
-            let own = formula.claim == *claim;
-            let passes = own && wrong.iter().any(holds)
-                || *spoken && wrong.iter().any(alone)
-                || !own && wrong.iter().all(holds);
-            passes.then_some((*claim, formula.formula))
-        };
+    let passes = |(proof, statement, spoken, wrong): &Read<'_>| {
+        let holds = |v: &&Variant| with(v.seed, || statement.proof().holds());
+        let alone = |v: &&Variant| statement.with_mistake(v.seed).holds();
+        let formula = wrong.first()?;
+        let own = formula.claim == proof.0;
+        let passes = own && wrong.iter().any(holds)
+            || *spoken && wrong.iter().any(alone)
+            || !own && wrong.iter().all(holds);
+        passes.then_some((*proof, formula.formula))
+    };
     let threads = thread::available_parallelism()?.get();
     let spared: BTreeSet<_> = thread::scope(|scope| {
         let part = |k| {
@@ -443,19 +353,18 @@ fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
         let all = parts.into_iter().map(|part| part.join().expect("no panic"));
         all.flatten().collect()
     });
-    let told = |id: &str| as_recorded.iter().any(|entry| entry.claim.id == id);
-    let of_others = PASSED_OVER
-        .iter()
-        .flat_map(|(formula, claims, _)| claims.iter().map(move |claim| (*claim, *formula)));
-    let of_own = PAPER
-        .claims()
-        .flat_map(|(_, claim)| claim.spared.iter().map(|s| (claim.id, s.of)));
-    let excused = of_own.chain(of_others);
-    let excused: BTreeSet<_> = excused.filter(|(claim, _)| told(claim)).collect();
+    let attempts = as_recorded.iter().flat_map(|entry| {
+        let attempts = entry.claim.trials.iter();
+        attempts.map(|attempt| ((entry.claim.id, attempt.name()), attempt.spared))
+    });
+    let excused = attempts.flat_map(|(proof, spared)| spared.iter().map(move |s| (proof, s.of)));
+    let excused: BTreeSet<_> = excused.collect();
     let without: Vec<_> = spared.difference(&excused).collect();
     let for_nothing: Vec<_> = excused.difference(&spared).collect();
-    let twice = |(claim, _, spoken, wrong): &(&str, _, bool, Vec<&Variant>)| {
-        let own = wrong.first().is_some_and(|formula| formula.claim == *claim);
+    let twice = |(proof, _, spoken, wrong): &Read<'_>| {
+        let own = wrong
+            .first()
+            .is_some_and(|formula| formula.claim == proof.0);
         wrong.len() * (usize::from(own) + usize::from(*spoken))
     };
     let tried: usize = proofs.iter().map(twice).sum();

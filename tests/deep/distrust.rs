@@ -47,7 +47,7 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
     let excused: BTreeSet<_> = excused.collect();
     let coarse: Vec<_> = coarse.symmetric_difference(&excused).collect();
 
-    let mut corners = PAPER.formulas.corners();
+    let mut corners = PAPER.corners();
     corners.retain(|variant| of_topic(&variant.claim));
     let noticed = ledger.noticed(&corners);
     let those = |noticed_by: Option<bool>| {

@@ -3,7 +3,6 @@
 
 use insta::{Settings, assert_snapshot};
 use slipbook::claims::PAPER;
-use slipbook::claims::corners::DOMAINS;
 use slipbook::claims::formulas::formulas;
 use slipbook::numerics::roots::root;
 use slipbook::seeded::Formula;
@@ -21,12 +20,11 @@ fn range(claim: &str, letter: &str) -> [f64; 2] {
         ("eq-41", "λ₀") => return [0.0, 0.53],
         _ => {}
     }
-    let stated = DOMAINS
-        .iter()
-        .find(|domain| domain.claim == claim && domain.letter == letter);
-    stated.map_or([0.0, 1.0], |domain| {
-        let low = domain.low.max(domain.high.min(0.0) - 2.0);
-        [low, domain.high.min(low + 2.0)]
+    let domain = PAPER.find(claim).map_or(&[][..], |(_, claim)| claim.domain);
+    let stated = domain.iter().find(|part| part.letter == letter);
+    stated.map_or([0.0, 1.0], |part| {
+        let low = part.low.max(part.high.min(0.0) - 2.0);
+        [low, part.high.min(low + 2.0)]
     })
 }
 
@@ -95,6 +93,16 @@ fn every_claim_with_formulas_speaks_of_a_point() {
     for formula in formulas::<Interval>() {
         let claim = formula.claim().unwrap_or_else(|| formula.path.to_owned());
         of_claim.entry(claim).or_default().push(formula);
+    }
+    for (_, claim) in PAPER.claims() {
+        let read = |letter| {
+            let formulas = of_claim.get(claim.id).into_iter().flatten();
+            formulas
+                .flat_map(|formula| &formula.symbols)
+                .any(|of| *of == letter)
+        };
+        let other = claim.domain.iter().find(|part| !read(part.letter));
+        assert_eq!(other, None, "no formula of {} reads it", claim.id);
     }
     let mut record = String::new();
     for (claim, formulas) in &of_claim {

@@ -49,7 +49,7 @@ pub mod ledger;
 #[cfg(feature = "trials")]
 pub mod notation;
 pub mod numerics;
-#[cfg(feature = "book")]
+#[cfg(feature = "trials")]
 pub mod prelude;
 pub mod scalar;
 pub mod seeded;

@@ -5,11 +5,13 @@ pub use crate::claims::compare::{Compared, Failure, Pair, Trial};
 pub use crate::claims::formulas::{Formulas, formulas_of};
 pub use crate::claims::points::Points;
 pub use crate::claims::read::{File, claims};
-pub use crate::claims::statement::Statement;
+pub use crate::claims::statement::{Statement, given};
 pub use crate::claims::{Claim, Condition, Correction, Paper, Topic};
+#[cfg(feature = "book")]
 pub use crate::edition::{Edition, Page, Sources, sources};
-pub use crate::evidence::{Change, Evidence, Kind, Route, Subject};
-pub use crate::exact::{Expr, Proof, Ring};
+pub use crate::evidence::{Change, Evidence, Kind, Route, Subject, Tolerance};
+pub use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+#[cfg(feature = "book")]
 pub use crate::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Table};
 pub use crate::ledger::{Ledger, Record, Verdict};
 pub use crate::numerics::dop853;

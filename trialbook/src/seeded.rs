@@ -23,7 +23,7 @@ mod parts;
 pub mod reading;
 
 #[cfg(feature = "trials")]
-pub use corner::{Corner, Domain};
+pub use corner::Corner;
 #[cfg(feature = "trials")]
 pub use number::{Seeded, evaluate};
 #[cfg(feature = "trials")]

@@ -15,18 +15,14 @@ pub mod points;
 
 use super::{exact, motions};
 use crate::certified::drive::{self, Edge, arc};
-use crate::evidence::{Evidence, Subject};
-use crate::exact::{Expr, Proof};
 use crate::paper::anisotropic as printed;
-use crate::scalar::Scalar;
 use trialbook::certified::cover::{Said, everywhere, everywhere_written};
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::written::{Of, sign, slope};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
 use trialbook::claims::enclosed::{certified, citing};
+use trialbook::prelude::*;
 
 type Two = Jet<2>;
 type Outcome = Result<usize, CertifiedError>;

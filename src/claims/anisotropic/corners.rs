@@ -5,15 +5,11 @@ use super::simulated::{
 };
 use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};
 use crate::corrections::anisotropic as corrected;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Interval};
-use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// Seeded starts, the plain one first.
 fn starts(stream: u64) -> impl Iterator<Item = DriveState> {

@@ -7,11 +7,10 @@ use super::simulated::{
 };
 use crate::claims::tolerances::{FAR_A, FAR_E, ROOT};
 use crate::corrections::anisotropic as corrected;
-use crate::evidence::Subject::{self, Corrected, Printed, Remark};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Corrected, Printed, Remark};
 use crate::paper::anisotropic as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// λ₀ on (53); NaN where it has no root.
 fn on_a(q: f64) -> f64 {

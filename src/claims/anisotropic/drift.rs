@@ -3,10 +3,9 @@
 
 use super::simulated::Curves;
 use crate::corrections::anisotropic::{self as corrected, slip_distance};
-use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::claims::compare::Failure;
+use trialbook::prelude::*;
 
 /// What a period brings, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -5,13 +5,9 @@
 //! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
 
 use crate::corrections::anisotropic as corrected;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::exact::{Function, Series};
 use crate::paper::anisotropic as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// A ring with the friction of forward motion as sin α and that of backward motion as sin β.
 pub(super) fn frictions() -> Result<Ring, ExactError> {

@@ -2,13 +2,10 @@
 
 use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
 use crate::claims::tolerances::MOTION;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// (q, λ₀) with q < 1, and so that the mirrored λ₀ lies between 0 and 1.4.
 fn small_ratio(points: &mut Points) -> (f64, f64) {

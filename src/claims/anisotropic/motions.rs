@@ -8,13 +8,8 @@ use super::exact::{
     arc, frictions, plane, printed_rates, prove_e, prove_eq53, prove_eq54, sides_of_a, sides_of_b,
     sides_of_e,
 };
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::anisotropic as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 type Rates = [Expr; 2];
 type Sides = [Expr; 2];

@@ -2,15 +2,11 @@
 
 use super::simulated::{START, attractor_from, listed_digits, own_digits};
 use crate::claims::tolerances::QUADRATURE;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, DriveState, Friction};
 use crate::numerics::quadrature::integral_within;
-use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
 pub const PANELS: [(f64, f64); 5] = [

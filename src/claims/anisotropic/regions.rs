@@ -7,13 +7,11 @@ use super::simulated::{
     orders, own_digits, own_y, printed_list, simulated,
 };
 use crate::claims::tolerances::ROOT;
-use crate::evidence::Subject::{self, Corrected, Printed, Remark};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Corrected, Printed, Remark};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial, where_defined};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::where_defined;
+use trialbook::prelude::*;
 
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
 type Says = Box<dyn Fn(f64) -> Option<f64>>;

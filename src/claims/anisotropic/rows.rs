@@ -2,9 +2,8 @@
 
 use super::simulated::{Changes, START, own_y};
 use crate::numerics::fit::fit;
-use trialbook::claims::compare::Failure;
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::Runs;
+use trialbook::prelude::*;
 
 /// One q and what the simulation finds there.
 #[derive(Debug, Clone, Copy)]

@@ -2,11 +2,11 @@
 
 use crate::corrections::anisotropic as corrected;
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Outcome, Sign};
-use crate::numerics::roots::root;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::compare::{Compared, Failure, where_defined};
+use trialbook::claims::compare::where_defined;
 use trialbook::claims::runs::Runs;
+use trialbook::prelude::*;
 
 /// The order of slips and rests by what is said of it, against that of the simulated motion.
 pub const fn orders(by: &'static str) -> Compared {

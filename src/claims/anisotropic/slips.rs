@@ -3,13 +3,10 @@
 use super::rows::rows;
 use super::simulated::attractor;
 use crate::corrections::anisotropic as corrected;
-use crate::evidence::{Evidence, Subject};
 use crate::motion::drive::Sign;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// The less friction takes in a period, the less the motion itself knows of its velocity.
 fn blurred(friction: f64) -> f64 {

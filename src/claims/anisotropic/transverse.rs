@@ -1,14 +1,11 @@
 //! Trials of the velocity across the drive under a friction that depends on the direction of the velocity.
 
 use crate::claims::tolerances::GONE;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
 use crate::paper::{anisotropic as printed, general as law};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// A friction over the drive's amplitude, by the direction of the velocity, against which it acts: never 0.
 #[derive(Debug, Clone, Copy)]

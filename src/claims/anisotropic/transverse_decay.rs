@@ -2,13 +2,8 @@
 
 use crate::claims::general::chains::{decays, ring_across};
 use crate::claims::general::two_frames::eq1;
-use crate::evidence::Subject;
-use crate::exact::{Expr, Proof};
 use crate::paper::anisotropic as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// v_y → 0.
 pub const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::new(

@@ -1,12 +1,9 @@
 //! Trials of (3) to (5): the definitions are consistent with the use made of them.
 
 use super::launches::{Turn, turns};
-use crate::evidence::{Evidence, Subject};
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// (3): a particle at rest on a smooth plane is left behind, against this acceleration.
 fn eq3() -> Evidence {

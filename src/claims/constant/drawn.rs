@@ -1,14 +1,13 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
 use super::launches::Turn;
-use crate::evidence::{Evidence, Subject};
 use crate::motion::Motion;
 use crate::motion::MotionError;
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial, is};
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// A motion in units of v₀ and A.
 #[derive(Debug, Clone)]

@@ -14,15 +14,11 @@ pub use alignment::{AGAINST, ALIGNS, CANNOT_HOLD};
 use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
 use sliding::*;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
+use trialbook::prelude::*;
 
-use crate::evidence::Subject;
-use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::exact::Derivation;
 use crate::paper::constant as paper;
 use crate::paper::general::eq1_velocity_rate;
-use crate::scalar::Scalar;
-use trialbook::claims::statement::Statement;
 
 /// The friction λ of a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

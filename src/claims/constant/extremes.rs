@@ -3,13 +3,12 @@
 use super::launches::{Aligned, Stop, Turn, aligned, held, others_aligned, stops};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::corrections::constant as corrected;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::State;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial, is};
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 fn small_friction_limit() -> Evidence {

@@ -2,13 +2,10 @@
 
 use crate::claims::tolerances::NONE;
 use crate::corrections::constant as corrected;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Plane, Signal, State, run};
 use crate::numerics::dop853;
 use crate::paper::constant as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// Launches of any direction on a plane with λ < 1, by λ, the directions of the acceleration and of the velocity, until
 /// friction has little left to turn: as printed and as corrected, by the sign of 𝐯·𝐀.

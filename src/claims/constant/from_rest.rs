@@ -1,13 +1,11 @@
 //! Trials of whether friction keeps a particle at rest that begins so.
 
-use crate::evidence::Evidence;
-use crate::evidence::Subject::{self, Outside};
+use crate::evidence::Subject::Outside;
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
+use trialbook::claims::compare::is;
 use trialbook::claims::excepted::no_inside;
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, whose size is 1.
 fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {

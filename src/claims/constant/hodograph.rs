@@ -3,14 +3,10 @@
 
 use super::launches::{Turn, straight, turns, turns_where};
 use crate::claims::tolerances::DIFFERENCES;
-use crate::evidence::Subject::{self, Outside, Within};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Outside, Within};
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// What is read from a turn: stated, found, and the scale in units of A (1 + λ).
 type Reading = fn(&Turn) -> [f64; 3];

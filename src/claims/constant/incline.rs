@@ -4,13 +4,10 @@
 
 use super::launches::Turn;
 use crate::claims::tolerances::FOREIGN;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::paper::{constant as printed, general};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 type Vector = [f64; 3];
 

@@ -2,12 +2,10 @@
 
 use super::launches::{Turn, frictionless, settled, stops, stops_over_the_angle};
 use crate::claims::tolerances::TERMINAL;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::double::Double;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::prelude::*;
 
 /// (15) with v_x of the motion without friction.
 fn eq15_motion() -> Evidence {

@@ -2,12 +2,10 @@
 //! of sliding changes once at most, under a drive again and again.
 
 use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Motion, Plane, Signal, State, run};
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// Periods, or as many units of time on an incline.
 const PERIODS: f64 = 6.0;

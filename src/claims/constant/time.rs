@@ -3,13 +3,9 @@
 use super::launches::{Turn, late_turns, straight, turns, turns_where};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::numerics::double::Double;
-use crate::numerics::roots::root;
 use crate::paper::constant as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::prelude::*;
 
 /// True where (13) has a value.
 fn eq13_has_a_value(turn: &Turn) -> bool {

@@ -6,17 +6,13 @@
 //! both by intervals, on the whole region at once.
 
 use super::exact::spiral::{self, State};
-use crate::evidence::{Evidence, Subject};
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
-use crate::scalar::Scalar;
 use trialbook::certified::cover::{Said, everywhere_written};
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::written::{Condition, Of, sign};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
 use trialbook::claims::enclosed::resting_on;
+use trialbook::prelude::*;
 
 /// What is shown from the time on at which the region is entered.
 macro_rules! from_then_on {

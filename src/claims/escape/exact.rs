@@ -6,16 +6,10 @@ pub mod spiral;
 
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
-use crate::evidence::Subject;
-use crate::exact::{
-    Binary, ExactError, Expr, Function, Node, Obstacle, Proof, Prover, Rational, Ring, Series,
-};
+use crate::exact::{Binary, Function, Node, Series};
 use crate::paper::{escape as printed, turntable as motion};
-use crate::scalar::Scalar;
 use asymptotic_series::{Late, agree, from_series, law_series, rate};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 fn tau() -> Expr {
     Expr::symbol("τ")

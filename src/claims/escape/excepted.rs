@@ -1,9 +1,8 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
 use super::trajectories::{Flight, Relaxed, a, alpha, flights, relaxed};
-use crate::evidence::{Evidence, Subject};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Trial, is};
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {

@@ -7,13 +7,11 @@
 use super::trajectories::{Escape, LATE, Late, a, alpha, escapes};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
-use crate::evidence::Subject::{self, Corrected, Printed};
-use crate::evidence::{Evidence, Route, Tolerance};
+use crate::evidence::Subject::{Corrected, Printed};
 use crate::motion::turntable::Start;
 use crate::numerics::fit::fit;
 use crate::paper::escape as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Trial};
+use trialbook::prelude::*;
 
 /// What is followed: a number at a late moment of a motion.
 pub type Quantity = fn(&Late) -> f64;

@@ -8,17 +8,15 @@ use super::trajectories::{
 };
 use crate::claims::tolerances::{DIFFERENCES, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED};
 use crate::corrections::escape as corrected;
-use crate::evidence::Subject::{self, Printed, Within};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Printed, Within};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, rotating};
 use crate::paper::{escape as printed, turntable};
 use std::f64::consts::{FRAC_PI_2, PI};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// (126) with the rate of α after ψ has relaxed.
 fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {

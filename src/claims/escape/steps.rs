@@ -2,13 +2,9 @@
 
 use super::trajectories::{a, alpha, escapes};
 use crate::claims::tolerances::{QUADRATURE, ROOT};
-use crate::evidence::{Evidence, Route, Subject, Tolerance};
-use crate::numerics::quadrature::integral;
 use crate::paper::{escape as printed, turntable};
 use std::f64::consts::FRAC_PI_2;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// What is printed against what its predecessors give, relatively, at twenty values in a range of powers of ten.
 fn step(

@@ -2,13 +2,8 @@
 //! vector at that instant, and a term that has a sign.
 
 use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::general as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// A weak drive lets the particle stop.
 pub const STOPS: Statement = Statement::new(

@@ -2,8 +2,7 @@
 
 use super::chains::at_most_its_size;
 use super::two_frames::{NAMES, eq1, eq1_proof};
-use crate::exact::{ExactError, Expr, Proof, Ring};
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 /// The other velocity.
 const OTHER: [&str; 2] = ["u_x", "u_y"];

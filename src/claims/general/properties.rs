@@ -8,13 +8,11 @@ use super::examples::{
     AT_REST, Pulled, Returning, others_pulled, others_returning, pulled, returning, violations,
 };
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// μ and g of unit friction, without rounding.
 const UNIT: [f64; 2] = [0.5, 2.0];

@@ -2,13 +2,8 @@
 //! lasts, and that the speed grows in the end if the direction is fixed.
 
 use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::paper::general as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// What friction must give to keep a particle at rest exceeds what it can give exactly where |𝐀| exceeds the stated bound.
 pub const MOVES: Statement = Statement::new(

@@ -2,16 +2,11 @@
 
 use super::accelerations::{Case, bounded};
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
-use crate::evidence::{Evidence, Route, Subject};
-use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::motion::{Acceleration, Motion, State, run};
 use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// g: so small that some coefficients of friction exceed 1.
 const GRAVITY: f64 = 0.5;

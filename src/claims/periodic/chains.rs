@@ -4,14 +4,9 @@
 use super::exact::{EQ44, EQ46};
 use crate::claims::general::chains::STOPS;
 use crate::corrections::periodic as corrected;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
 use crate::paper::periodic as printed;
 use crate::paper::sinusoidal::eq26_rate;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// d𝔴/dφ by (26) where h is the sine of some angle ψ: any number from −1 to 1 is one.
 pub(super) fn rate() -> Expr {

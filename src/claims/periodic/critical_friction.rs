@@ -8,13 +8,8 @@ use super::step_drive::CHANGES;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
 use crate::claims::general::two_frames::{eq2, eq2_proof};
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// The drive in the place of the sine, any number from −1 to 1.
 fn h() -> Expr {

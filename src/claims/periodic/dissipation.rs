@@ -2,10 +2,7 @@
 
 use super::drives::{motion, pulses};
 use crate::corrections::periodic as supplied;
-use crate::evidence::{Evidence, Subject};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// (η, λ₀): random ones, and both ends of λ₀.
 fn cases(

@@ -1,12 +1,10 @@
 //! What the chapter's figures show: the same drives and motions that are tried.
 
 use super::drives::{Phase, motion, named, phase, phase_of, pulses, rest_share, third_harmonic};
-use crate::evidence::{Evidence, Subject};
 use crate::motion::drive::{Drive, DriveError};
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::prelude::*;
 
 /// One drive of the census.
 #[derive(Debug, Clone)]

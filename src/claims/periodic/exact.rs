@@ -4,13 +4,8 @@
 //! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
 use crate::corrections::periodic as supplied;
-use crate::evidence::Subject;
-use crate::exact::{Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 fn symbols() -> [Expr; 3] {
     Expr::symbols(["λ₀", "η", "φ"])

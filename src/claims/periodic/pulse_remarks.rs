@@ -4,15 +4,12 @@ use super::drives::{motion, pulses};
 use super::pulses::on_a_plane;
 use crate::claims::tolerances::{GAINED, NONE};
 use crate::corrections::periodic as corrected;
-use crate::evidence::Subject::{self, Corrected, Printed, Within};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Corrected, Printed, Within};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::periodic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Trial};
 use trialbook::claims::excepted::no_inside;
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// Motions of small friction, λ₀ < η, in the gap before π and as far behind π, in the next pulse: what is said to become
 /// nonzero again there, with the pull. A short stretch of a motion that does not change its direction tells the acceleration.

@@ -3,16 +3,12 @@
 use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
 use crate::claims::tolerances::{LIMIT_OF_WIDTH, THRESHOLD};
 use crate::corrections::periodic as supplied;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, DriveError, DriveState, Friction};
 use crate::motion::{Plane, Signal, run};
 use crate::paper::periodic as printed;
-use crate::scalar::Scalar;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
 use trialbook::claims::excepted::no_inside;
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// Phases per half period at which a whole motion is compared; the joints are added.
 const PHASES: u32 = 48;

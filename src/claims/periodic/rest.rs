@@ -4,16 +4,14 @@
 
 use super::drives::{Harmonics, Phase, named, phase};
 use crate::claims::tolerances::{NONE, ROOT};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::numerics::quadrature::integral_within;
-use crate::numerics::roots::root;
 use crate::paper::general as law;
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial, is};
-use trialbook::claims::points::{Points, round};
+use trialbook::claims::compare::is;
+use trialbook::claims::points::round;
+use trialbook::prelude::*;
 
 fn at(name: &str, lambda: f64, start: DriveState) -> String {
     let DriveState { phi, w } = start;

@@ -2,12 +2,10 @@
 
 use super::drives::{Harmonics, motion, rest_share, steps_between};
 use crate::claims::tolerances::SHARE;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::Drive;
 use crate::paper::periodic as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// The share of rest at λ₀ = 1 − δ.
 fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {

@@ -10,13 +10,8 @@ use super::exact::EQ45;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
 use crate::claims::general::two_frames::eq2;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::periodic as printed;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// n/d.
 type Fraction = [i64; 2];

@@ -5,15 +5,12 @@ use super::drives::{
     third_harmonic,
 };
 use crate::claims::tolerances::THRESHOLD;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, DriveError};
 use crate::numerics::quadrature::integral_within;
-use crate::numerics::roots::root;
 use crate::paper::periodic as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// Samples of a drive over its period.
 const SAMPLES: usize = 4096;

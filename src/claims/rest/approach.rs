@@ -14,17 +14,14 @@ use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
 use crate::corrections::rest as corrected;
-use crate::evidence::Subject::{self, Corrected, Outside, Within};
-use crate::evidence::{Evidence, Route, Tolerance};
+use crate::evidence::Subject::{Corrected, Outside, Within};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
 use crate::paper::rest as printed;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// What an equation says and what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> (f64, f64, f64);

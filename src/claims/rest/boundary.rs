@@ -1,20 +1,17 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
+use trialbook::claims::compare::is;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, THIRD_ORDER};
 use crate::corrections::rest as corrected;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::fate::rests;
 use crate::motion::turntable::{Fate, Start, fate};
-use crate::numerics::roots::root;
 use crate::paper::rest as printed;
 use std::f64::consts::PI;
-use trialbook::claims::points::Points;
 
 /// A point of the boundary.
 #[derive(Debug, Clone, Copy)]

@@ -3,10 +3,9 @@
 use super::boundary::{border, corrected_a, printed_a};
 use crate::certified::turntable::{Fate, fate};
 use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
 use trialbook::certified::written::decimal;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
 pub const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];

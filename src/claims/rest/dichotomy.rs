@@ -1,16 +1,14 @@
 //! Trials of the statement that every start leads to rest or to an unbounded motion.
 
 use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::boundary;
 use crate::motion::turntable::ensemble::rests;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial};
 use crate::paper::rest as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// Starts all over the inner part of the states, by ρ, p and ψ.
 fn starts(stream: u64, count: usize) -> Vec<[f64; 3]> {

@@ -11,13 +11,8 @@ pub mod series;
 pub mod surfaces;
 
 use crate::claims::turntable::exact as turntable;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::{rest as printed, turntable as motion};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();

@@ -1,14 +1,12 @@
 //! What the conditions near rest except: single resting places, and starts that come straight in, which lie on a surface.
 
 use super::trajectories::{Approach, approaches};
-use crate::evidence::{Evidence, Subject};
 use crate::paper::rest as printed;
-use crate::scalar::Scalar;
 use std::f64::consts::FRAC_PI_2;
 use trialbook::certified::interval::Interval;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Trial, is};
+use trialbook::claims::compare::is;
 use trialbook::claims::excepted::{no_inside, no_value};
+use trialbook::prelude::*;
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub fn straight_in() -> Evidence {

@@ -2,16 +2,14 @@
 
 use super::boundary::census;
 use crate::claims::tolerances::{NEAR_CORNER, NONE};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
 use crate::paper::rest as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// (139) with the largest distance from which a nudged particle comes back to rest.
 fn eq139_nudge() -> Evidence {

@@ -3,12 +3,8 @@
 use super::boundary::resting_place;
 use crate::claims::tolerances::{SURFACE, THIRD_ORDER};
 use crate::corrections::rest as corrected;
-use crate::evidence::{Evidence, Route, Subject};
-use crate::numerics::roots::root;
 use crate::paper::rest as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// The A from which a start with these α and ψ comes to rest at σ, by the motion. A grows on the way, so it is below σ.
 fn on_the_surface(sigma: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {

@@ -3,11 +3,9 @@
 use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, fate};
-use crate::numerics::roots::root;
 use std::sync::{Mutex, PoisonError};
-use trialbook::claims::compare::Failure;
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// A motion that ends at rest.
 #[derive(Debug)]

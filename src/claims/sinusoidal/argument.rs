@@ -3,14 +3,12 @@
 
 use super::reference_motions::{ORIGIN, Particle, Slip, dense, drive, lambda_c, settled};
 use crate::claims::tolerances::{ACROSS, NONE};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Friction, PlanarState, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
+use trialbook::claims::compare::is;
 use trialbook::claims::excepted::no_inside;
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")

@@ -11,12 +11,7 @@ use super::exact::{
 use super::phase_order::slip;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::two_frames::{eq1, eq2, eq2_proof};
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 type NoRest = ([Expr; 2], [Expr; 3]);
 

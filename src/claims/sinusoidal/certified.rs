@@ -14,11 +14,8 @@ mod premises;
 
 use crate::certified::numbers::LAMBDA_C;
 use crate::claims::tolerances::NONE;
-use crate::evidence::Subject::{self, Printed};
-use crate::evidence::{Evidence, Route};
-use crate::exact::Expr;
+use crate::evidence::Subject::Printed;
 use crate::paper::sinusoidal as printed;
-use crate::scalar::Scalar;
 use premises::by_phi1;
 use trialbook::certified::cover::{Said, everywhere_written};
 use trialbook::certified::error::CertifiedError;
@@ -26,9 +23,9 @@ use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::taylor::Taylor;
 use trialbook::certified::written::{Of, agree, coefficient, sign, slope};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial, is};
+use trialbook::claims::compare::is;
 use trialbook::claims::enclosed::{certified, numbers, on_balls, resting_on};
+use trialbook::prelude::*;
 
 type One = Jet<1>;
 type Outcome = Result<usize, CertifiedError>;

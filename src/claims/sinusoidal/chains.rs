@@ -3,13 +3,8 @@
 
 use crate::claims::general::chains::{decays, ring_across, stops};
 use crate::claims::general::two_frames::{eq1, eq2};
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::sinusoidal as paper;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// (21) at the phase φ.
 pub(super) fn eq21() -> [Expr; 2] {

@@ -4,15 +4,13 @@ use super::reference_motions::{
     ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled,
 };
 use crate::claims::tolerances::{FORGOTTEN, MOTION};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{PlanarState, Sign};
 use crate::numerics::number::Real;
 use crate::paper::sinusoidal as printed;
-use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
+use trialbook::claims::compare::is;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// λ₀ of fig-3.
 pub const SMALL: f64 = FRAC_1_PI;

@@ -3,13 +3,9 @@
 //! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
 //! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
 
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Function, Obstacle, Proof, Prover, Rational, Ring};
+use crate::exact::Function;
 use crate::paper::sinusoidal as paper;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// The ring in which λ₀ = sin φ₁, so that arcsin λ₀ = φ₁ and √(1 − λ₀²) = cos φ₁.
 pub(super) fn ring_of_phi1() -> Result<Ring, ExactError> {

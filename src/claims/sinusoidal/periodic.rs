@@ -5,15 +5,13 @@ use super::reference_motions::{
 };
 use crate::claims::tolerances::{APPROACH, ROOT};
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::Subject::{self, Printed, Within};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Printed, Within};
 use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// Phases over a period at which a periodic form is compared.
 const PHASES: u32 = 256;

@@ -3,13 +3,8 @@
 
 use super::exact::{EQ31, EQ32, EQ36, ring_of_phi1, with_lambda_c};
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::Subject;
-use crate::exact::{Expr, Proof, Rational};
 use crate::paper::sinusoidal as paper;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// (27) to (30).
 fn phases() -> [Expr; 4] {

@@ -2,17 +2,13 @@
 
 use super::reference_motions::{ORIGIN, Particle, all, drive, each, lambda_c};
 use crate::claims::tolerances::{MOTION, ROOT};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;
 use crate::motion::drive::{Drive, DriveState, Friction, Sign};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
-use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 type Formula = fn(Double) -> Double;
 

@@ -1,16 +1,13 @@
 //! The motions that the printed formulas of section 2.2 are held against, and the frictions at which they are tried.
 
-use crate::evidence::Evidence;
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
 use crate::motion::{Motion, Plane, Signal, particle, trajectory};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
-use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::compare::{Failure, Pair, Trial};
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::Runs;
+use trialbook::prelude::*;
 
 /// The sine as a drive: the motion knows it as a function to evaluate, no more.
 pub fn drive() -> Result<&'static Drive, Failure> {

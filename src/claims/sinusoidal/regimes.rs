@@ -4,14 +4,12 @@ use super::reference_motions::{
     ORIGIN, Particle, Slip, dense, drive, end_spread, phi_t2, settled, small, starts,
 };
 use crate::claims::tolerances::{NONE, ROOT};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::PhaseKind;
 use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")

@@ -3,14 +3,11 @@
 use super::reference_motions::{Slip, small};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::Subject::{self, Corrected, Printed};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Corrected, Printed};
 use crate::numerics::quadrature::integral_within;
-use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Trial};
+use trialbook::prelude::*;
 
 /// What is said of the end, at a phase inside the slip that begins at φ₁ for this λ₀.
 type Stated = (&'static str, fn(f64, f64) -> f64);

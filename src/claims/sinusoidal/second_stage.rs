@@ -4,14 +4,11 @@ use super::reference_motions::{ORIGIN, Particle, drive, forward, lambda_c, settl
 use super::transverse::{Flight, flights_where, strobed};
 use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, PlanarState};
 use crate::numerics::quadrature::integral_within;
-use crate::scalar::Scalar;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 /// Frictions below λ_c, where the passages are not too steep to be followed.
 fn below(stream: u64, high: f64) -> impl Iterator<Item = f64> {

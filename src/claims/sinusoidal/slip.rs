@@ -4,14 +4,12 @@ use super::reference_motions::{
     ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small,
 };
 use crate::claims::tolerances::{EDGE, MOTION, ROOT};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Friction};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
+use trialbook::prelude::*;
 
 fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")

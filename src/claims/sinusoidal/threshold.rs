@@ -4,16 +4,13 @@ use super::reference_motions::{
     ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small,
 };
 use crate::claims::tolerances::{ONSET, ROOT};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{DriveState, Sign};
 use crate::numerics::double::Double;
-use crate::numerics::roots::root;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// A start, and the friction from which on the motion that it leads to has rests.
 #[derive(Debug, Clone, Copy)]

@@ -2,17 +2,14 @@
 
 use super::reference_motions::{Particle, drive, each, lambda_c, printed_late};
 use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE};
-use crate::evidence::Subject::{self, Outside, Printed};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Outside, Printed};
 use crate::motion::drive::PlanarState;
 use crate::paper::general as law;
 use crate::paper::sinusoidal as printed;
-use crate::scalar::Scalar;
 use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// A motion in the plane, once a period from φ = 0 on.
 pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<PlanarState>, Failure> {

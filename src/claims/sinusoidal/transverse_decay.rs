@@ -9,13 +9,8 @@ use super::chains::{VY_VANISHES, eq21, in_units};
 use super::exact::{EQ40, eq38, prove_eq38, ring_of_phi_t1};
 use crate::claims::general::two_frames::{eq1, eq1_proof, eq2, eq2_proof};
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
 use crate::paper::sinusoidal as paper;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 type Law = [Expr; 2];
 type NoRest = ([Expr; 2], [Expr; 3]);

@@ -2,16 +2,14 @@
 
 use super::reference_motions::{ORIGIN, Particle, drive, settled};
 use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Motion;
 use crate::motion::drive::{Friction, Sign};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial, is};
-use trialbook::claims::points::Points;
+use trialbook::claims::compare::is;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// (21): what a particle on a smooth plane gains is the integral of −A.
 pub fn eq21() -> Evidence {

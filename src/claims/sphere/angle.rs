@@ -4,19 +4,14 @@ use super::spheres::{Units, braking, sphere};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant::{speed, time};
 use crate::corrections::sphere as corrected;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::sphere::{Ball, Sphere};
 use crate::motion::{Plane, State, run};
 use crate::numerics::dop853;
 use crate::numerics::double::Double;
-use crate::numerics::roots::root;
 use crate::paper::sphere as printed;
-use crate::scalar::Scalar;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// A sphere under A = −A x̂, and what its slip has become.
 #[derive(Debug, Clone)]

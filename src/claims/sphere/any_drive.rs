@@ -5,13 +5,10 @@ use super::every_drive::rolling_time;
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::periodic::threshold::{Bounds, bounds};
 use crate::claims::tolerances::MOTION;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Drive, Sign};
 use crate::paper::periodic;
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// A drive of three harmonics at random, and the frictions between which section 2.3 leaves it open whether it rests.
 fn any(points: &mut Points) -> Result<(Harmonics, Drive, Bounds), Failure> {

@@ -2,15 +2,12 @@
 
 use super::spheres::{Run, braking, length, mixed, sphere, weighed};
 use crate::claims::tolerances::FOREIGN;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact};
 use crate::numerics::dop853;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// Friction on the sphere whose lowest point has this velocity relative to the plane.
 fn friction(run: &Run, slip: [f64; 3]) -> [f64; 3] {

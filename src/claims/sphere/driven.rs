@@ -5,17 +5,13 @@ use super::spheres::{braking, sphere};
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::tolerances::MOTION;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
 use crate::motion::sphere::{Ball, BallMotion, Contact, Directed, Sphere};
 use crate::motion::{Plane, Signal};
-use crate::numerics::roots::root;
 use crate::paper::{periodic, sinusoidal, sphere as printed};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::Runs;
+use trialbook::prelude::*;
 
 /// Periods after which the motion counts as settled.
 const SETTLED: f64 = 10.0;

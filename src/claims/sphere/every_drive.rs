@@ -2,14 +2,11 @@
 
 use super::spheres::{Case, Run, braking, case, length, mixed, sphere, times, weighed};
 use crate::corrections::sphere as corrected;
-use crate::evidence::{Evidence, Subject};
 use crate::motion::sphere::{Ball, Contact};
 use crate::motion::{PhaseKind, Plane, Signal, State, run};
 use crate::paper::sphere as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// The particle with bμ that begins with the sphere's slip velocity; none if bμ is below zero.
 fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failure> {

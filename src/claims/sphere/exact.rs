@@ -10,11 +10,7 @@ mod newton;
 #[cfg(test)]
 mod tests;
 
-use crate::evidence::Subject;
-use crate::exact::Expr;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// Components of a vector, as trees; a scalar has one.
 pub type Components = Vec<Expr>;

@@ -1,10 +1,9 @@
 //! What the conditions of section 3 except.
 
 use crate::paper::sphere as printed;
-use crate::scalar::Scalar;
 use trialbook::certified::interval::Interval;
-use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::excepted::no_value;
+use trialbook::prelude::*;
 
 const LAMBDA: (&str, [f64; 2]) = ("λ", [0.1, 0.9]);
 const START: (&str, [f64; 2]) = ("θ₀", [0.3, 1.5]);

@@ -2,14 +2,12 @@
 
 use super::spheres::{Run, length, mixed, sliding, times, weighed};
 use crate::corrections::sphere as corrected;
-use crate::evidence::Evidence;
-use crate::evidence::Subject::{self, Corrected, Printed};
+use crate::evidence::Subject::{Corrected, Printed};
 use crate::motion::State;
 use crate::motion::sphere::Ball;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
+use trialbook::prelude::*;
 
 /// A vector of a state of the sphere: its name and its value.
 type Vector = (&'static str, fn(&Run, &Ball) -> [f64; 3]);

@@ -2,15 +2,12 @@
 //! of them has 1 for each unit.
 
 use super::spheres::{Case, Dimensionless, Run, Units, length, sliding, sphere, weighed};
-use crate::evidence::{Evidence, Subject};
 use crate::motion::sphere::{Ball, Directed, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// A sphere and the one with m = R = μ = g = 1 and the same κ, with the same drive and start in their own units, until
 /// the same time in these: what the definitions make of the motion of the one is the motion of the other itself.

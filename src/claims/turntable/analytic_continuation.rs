@@ -3,10 +3,8 @@
 use super::complex::Complex;
 use super::trajectories::{FASTER, View, stretches, sum};
 use crate::claims::tolerances::MOTION;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::paper::turntable as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::prelude::*;
 
 /// A and α by (122) and (123).
 fn inner(view: &View) -> [Complex; 2] {

@@ -4,11 +4,9 @@
 
 use super::trajectories::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
 use crate::claims::tolerances::FRAMES;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::Intrinsic;
 use crate::paper::turntable as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial};
+use trialbook::prelude::*;
 
 /// At both ends of each stretch: what a formula gives from one integration with what the other has.
 fn ends(

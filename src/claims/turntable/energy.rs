@@ -3,14 +3,10 @@
 use super::trajectories::{ANY, Launch, Stretch, View, launches, stretches, sum};
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
-use crate::evidence::Subject::{self, Corrected, Printed};
-use crate::evidence::{Evidence, Route};
+use crate::evidence::Subject::{Corrected, Printed};
 use crate::motion::turntable::{State, Table};
-use crate::numerics::quadrature::integral;
 use crate::paper::turntable as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// (104), with the arc length of the integration by components.
 pub fn eq104() -> Evidence {

@@ -14,12 +14,8 @@ mod setting;
 #[cfg(test)]
 mod tests;
 
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover};
 pub use setting::Setting;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// A statement about the turntable: formulas, or the two components of one.
 pub type Law = Statement<Vec<Expr>>;

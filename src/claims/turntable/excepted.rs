@@ -1,11 +1,9 @@
 //! What the conditions of section 4 except: a particle at rest on the table, and one on the axis.
 
-use crate::evidence::Evidence;
 use crate::paper::turntable as printed;
-use crate::scalar::Scalar;
 use trialbook::certified::interval::Interval;
-use trialbook::claims::attempt::{Attempt, trials};
 use trialbook::claims::excepted::{no_inside, no_value};
+use trialbook::prelude::*;
 
 const FAR: [f64; 2] = [0.5, 2.0];
 

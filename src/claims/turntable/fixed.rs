@@ -2,16 +2,13 @@
 //! ψ₁ when α moves, for a figure.
 
 use crate::claims::tolerances::{FOREIGN, STANDS_STILL};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
 use crate::numerics::{NumericsError, dop853, roots};
 use crate::paper::turntable as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// dψ/dτ at the begin of a motion, by its first five values.
 fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {

@@ -2,15 +2,12 @@
 
 use super::trajectories::{ANY, Launch, Stretch, launches, stretches, sum};
 use crate::claims::tolerances::{FOREIGN, FRAMES};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::MotionError;
 use crate::motion::turntable::{Path, State, Table, inertial, rotating};
 use crate::numerics::dop853;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 fn law(table: &Table, state: &State) -> [f64; 2] {
     printed::eq86_acceleration(table.omega, table.mu, table.g, state.x, state.v)

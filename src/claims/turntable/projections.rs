@@ -7,8 +7,7 @@ use crate::corrections::turntable as corrected;
 use crate::evidence::Subject::{Corrected, Printed, Within};
 use crate::motion::turntable::{State, Table};
 use crate::paper::turntable as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Failure;
+use trialbook::prelude::*;
 
 /// The rate of u: section 4 has no u, and so no value for it.
 const U_RATE: f64 = f64::NAN;

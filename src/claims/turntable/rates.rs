@@ -4,13 +4,11 @@ use super::trajectories::{
     ALONG, ALPHA, ANY, BETA, Class, ELL, FASTER, MOMENT, P, PSI, Quantity, RHO, SLOWER, Stretch,
     View, XI, samples, stretches, sum,
 };
-use crate::evidence::Evidence;
-use crate::evidence::Subject::{self, Printed, Within};
+use crate::evidence::Subject::{Printed, Within};
 use crate::motion::MotionError;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Trial};
+use trialbook::prelude::*;
 
 /// What the quadratures are asked for.
 const ASKED: f64 = 1e-13;

@@ -3,13 +3,10 @@
 
 use super::trajectories::{ALONG, ALPHA, BETA, ELL, MOMENT, P, PSI, Quantity, RHO, View, XI};
 use crate::claims::tolerances::DIFFERENCES;
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::{State, Table, rotating};
 use crate::paper::turntable as printed;
 use std::f64::consts::PI;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// How a motion begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

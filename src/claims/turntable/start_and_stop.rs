@@ -3,17 +3,14 @@
 
 use super::trajectories::{ANY, Stretch, View, stretches, sum};
 use crate::claims::tolerances::{ENDS, FRAMES, MOTION, OF_MANY};
-use crate::evidence::{Evidence, Route, Subject};
 use crate::motion::turntable::ensemble::{End, Horizon};
 use crate::motion::turntable::intrinsic::{Exact, Run};
 use crate::motion::turntable::moment::moment;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
 use crate::paper::turntable as printed;
 use std::f64::consts::FRAC_PI_2;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Failure, Pair, Trial};
-use trialbook::claims::points::Points;
 use trialbook::claims::runs::{Runs, every};
+use trialbook::prelude::*;
 
 /// A motion that starts by itself, from rest on the table beyond ρ = 1.
 #[derive(Debug)]

@@ -374,24 +374,14 @@ pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
     Ok(table("accuracy", head, rows?))
 }
 
-/// What need not be noticed of each claim, and why: `survivors`, the wrong variants that are not rejected; `spared`, the formulas of
-/// which a proof does not reject every wrong variant; `cornered`, the mistakes in a corner that no measurement notices, and
-/// then the formulas that none reads.
+/// What need not be noticed of each claim, and why: `survivors`, the wrong variants that are not rejected; `cornered`, the mistakes
+/// in a corner that no measurement notices, and then the formulas that none reads.
 pub(super) fn excused(context: &Context<'_>, name: &'static str) -> Result<String, Fault> {
     type Lists = &'static [fn(&Claim) -> &[Excuse]];
-    let (head, lists): (_, Lists) = match name {
-        "spared" => (
-            ["Claim", "Formula", "Why the proof does not reject all"],
-            &[|claim| claim.spared],
-        ),
-        "survivors" => (
-            ["Claim", "Wrong variant", "Why it stands"],
-            &[|claim| claim.survivors],
-        ),
-        _ => (
-            ["Claim", "Wrong variant", "Why it stands"],
-            &[|claim| claim.cornered, |claim| claim.unread],
-        ),
+    let head = ["Claim", "Wrong variant", "Why it stands"];
+    let lists: Lists = match name {
+        "survivors" => &[|claim| claim.survivors],
+        _ => &[|claim| claim.cornered, |claim| claim.unread],
     };
     let entries = || context.ledger.entries.iter();
     let all = lists.iter().flat_map(|list| {
@@ -414,23 +404,37 @@ fn trials<'a>(context: &Context<'a>) -> impl Iterator<Item = (&'a Entry, &'stati
     entries.flat_map(|entry| entry.claim.trials.iter().map(move |trial| (entry, trial)))
 }
 
-/// The measurements that do not notice a mistake of twice their tolerance.
-pub(super) fn coarse(context: &Context<'_>) -> Result<String, Fault> {
-    let coarse = trials(context).flat_map(|(entry, trial)| {
-        let formulas = trial.coarse.iter();
-        formulas.map(move |excuse| (entry, trial.name(), excuse.of, excuse.why))
-    });
-    let rows = coarse.map(|(entry, trial, formula, why)| {
+/// What of a formula trials need not notice: `coarse`, where measurements do not notice a mistake of twice their tolerance; `spared`, where
+/// proofs do not reject every wrong variant.
+pub(super) fn excused_trials(context: &Context<'_>, name: &'static str) -> Result<String, Fault> {
+    type List = fn(&Attempt) -> &'static [Excuse];
+    let (head, list): (_, List) = match name {
+        "spared" => (
+            [
+                "Claim",
+                "Proof",
+                "Formula",
+                "Why the proof does not reject all",
+            ],
+            |trial| trial.spared,
+        ),
+        _ => (
+            ["Claim", "Trial", "Formula", "Why it does not show"],
+            |trial| trial.coarse,
+        ),
+    };
+    let all = trials(context)
+        .flat_map(|(entry, trial)| list(trial).iter().map(move |excuse| (entry, trial, excuse)));
+    let rows = all.map(|(entry, trial, excuse)| {
         Ok([
             context.link(entry)?,
-            format!("<code>{}</code>", escape(trial)),
-            format!("<code>{}</code>", escape(formula)),
-            context.maths.words(why)?,
+            format!("<code>{}</code>", escape(trial.name())),
+            format!("<code>{}</code>", escape(excuse.of)),
+            context.maths.words(excuse.why)?,
         ])
     });
     let rows: Result<Vec<_>, Fault> = rows.collect();
-    let head = ["Claim", "Trial", "Formula", "Why it does not show"];
-    Ok(table("coarse", head, rows?))
+    Ok(table(name, head, rows?))
 }
 
 /// The trials that agree and notice no mistake in a formula.

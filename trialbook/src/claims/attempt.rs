@@ -21,6 +21,9 @@ pub struct Attempt {
     pub elsewhere: Option<&'static str>,
     /// The formulas of its claim that may be wrong by twice its tolerance without its noticing, by their names.
     pub coarse: &'static [Excuse],
+    /// The formulas of which it, a proof, does not reject every wrong variant, or of another claim's none, by their names; with what
+    /// of them does not enter. Other trials reject what it lets pass.
+    pub spared: &'static [Excuse],
 }
 
 #[derive(Clone, Copy)]
@@ -51,6 +54,7 @@ impl Attempt {
             idle: None,
             elsewhere: None,
             coarse: &[],
+            spared: &[],
         }
     }
 

@@ -1,7 +1,7 @@
 //! The formulas of a paper, printed and corrected, and the claims that try them.
 
 use crate::exact::Expr;
-use crate::seeded::{Corner, Domain, Formula};
+use crate::seeded::{Corner, Formula};
 
 /// All formulas of a paper.
 #[derive(Debug, Clone, Copy)]
@@ -19,8 +19,6 @@ pub struct Formulas {
     pub up_to_a_positive_factor: &'static [&'static str],
     /// The corners in which mistakes are made.
     pub corners: &'static [Corner],
-    /// Where claims are stated for some values of a symbol only.
-    pub domains: &'static [Domain],
     /// A random value of the argument of this letter, between 0 and 1, as the formulas are stated for it.
     pub argument: fn(&str, &mut fastrand::Rng) -> f64,
 }
@@ -34,7 +32,6 @@ impl Formulas {
         up_to_a_factor: &[],
         up_to_a_positive_factor: &[],
         corners: &[],
-        domains: &[],
         argument: |_, random| 0.5 + 0.5 * random.f64(),
     };
 

@@ -38,6 +38,7 @@ pub mod variants;
 use crate::evidence::{Change, Kind};
 #[cfg(feature = "trials")]
 use {
+    crate::seeded::Corner,
     attempt::Attempt,
     by_hand::{ByHand, Numbers},
     formulas::Formulas,
@@ -163,9 +164,9 @@ pub struct Claim {
     pub values: &'static [Value],
     /// The wrong variants of its formulas that no trial rejects, by their text.
     pub survivors: &'static [Excuse],
-    /// Its formulas of which a proof does not reject every wrong variant, which the other trials do; with what of it does not
-    /// enter the proof.
-    pub spared: &'static [Excuse],
+    /// The values of symbols for which it is stated, where those are not all that the symbols can have.
+    #[cfg(feature = "trials")]
+    pub domain: &'static [Corner],
     /// The mistakes in a corner that no measurement notices, by their text.
     pub cornered: &'static [Excuse],
     /// Its formulas that no measurement reads that agrees, so that none can notice a mistake in a corner of them.
@@ -271,6 +272,11 @@ impl Topic {
     pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'static Claim)> {
         let lines = self.read().map_or(&[][..], |read| &read.lines);
         lines.iter().copied().zip(self.claims())
+    }
+
+    /// The trials and proofs of its modules.
+    fn attempts(&self) -> impl Iterator<Item = &'static Attempt> + use<> {
+        self.trials.iter().copied().flatten()
     }
 
     /// What its file says.
@@ -390,7 +396,7 @@ impl Paper {
                     return Err(topic.file.error(*line, Fault::Twice(claim.id.into())));
                 }
             }
-            used.extend(&read.shared);
+            used.extend(&read.used);
         }
         for topic in self.topics {
             let read = topic.read().map_err(ReadError::clone)?;

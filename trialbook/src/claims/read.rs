@@ -11,13 +11,14 @@
 //! title = "terminal velocity"
 //! latex = 'v_x(\infty)=\frac{v_0}{2}'     # as printed; of a claim in words, our words with the formulas in `$…$`
 //! conditions = ["late", { degenerate = '$v_0>0$: at rest it is $0/0$' }]
+//! domain = { "θ" = [0, 3.14] }            # the values of a symbol for which it is stated, if not for all
 //! from = ["eq-17"]                        # what it is derived from or refers to
 //! trials = ["limits::eq18_limit", { trial = "exact::EQ18", coarse = { eq18_speed = "half" } }]
 //! corrected = 'v_x(\infty)=v_0'           # what is right in its place
 //! ```
 //!
 //! An entry may also have `kind`, `section`, `plain` and `corrected-plain`, where the plain text that is computed reads badly,
-//! `argument`, `unproved`, `by-hand`, `values`, `survivors`, `spared`, `cornered` and `unread`: as [`Claim`] has them. A reason of
+//! `argument`, `unproved`, `by-hand`, `values`, `survivors`, `cornered` and `unread`: as [`Claim`] has them. A reason of
 //! a single word is a name. Text in `'''…'''` may be broken into lines.
 
 use super::attempt::Attempt;
@@ -26,6 +27,7 @@ use super::values::Value;
 use super::{Claim, Condition, Correction, Excuse, Sort, Topic};
 use crate::evidence::{Change, Kind};
 use crate::notation::{plain_formula, plain_words};
+use crate::seeded::Corner;
 use serde::Deserialize;
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet};
@@ -148,8 +150,8 @@ pub(crate) struct Read {
     pub lines: Vec<usize>,
     /// The claims that they name, each with its line.
     pub from: Vec<(usize, &'static str)>,
-    /// What they use of the file that is shared.
-    pub shared: BTreeSet<String>,
+    /// The names that they use.
+    pub used: Used,
 }
 
 /// What several claims have in common.
@@ -176,7 +178,7 @@ enum Given {
 #[derive(Deserialize)]
 #[serde(
     untagged,
-    expecting = "the name of a trial, or `{ trial = \"name\", … }`, with `idle`, `elsewhere` or `coarse`"
+    expecting = "the name of a trial, or `{ trial = \"name\", … }`, with `idle`, `elsewhere`, `coarse` or `spared`"
 )]
 enum Tried {
     Named(String),
@@ -191,6 +193,8 @@ struct Excused {
     elsewhere: Option<String>,
     #[serde(default)]
     coarse: BTreeMap<String, String>,
+    #[serde(default)]
+    spared: BTreeMap<String, String>,
 }
 
 #[derive(Deserialize)]
@@ -222,6 +226,8 @@ struct Entry {
     #[serde(default)]
     conditions: Vec<Spanned<Given>>,
     #[serde(default)]
+    domain: BTreeMap<String, [f64; 2]>,
+    #[serde(default)]
     from: Vec<Spanned<String>>,
     corrected: Option<String>,
     corrected_plain: Option<String>,
@@ -234,8 +240,6 @@ struct Entry {
     values: BTreeMap<Spanned<String>, Shown>,
     #[serde(default)]
     survivors: BTreeMap<String, Spanned<String>>,
-    #[serde(default)]
-    spared: BTreeMap<String, Spanned<String>>,
     #[serde(default)]
     cornered: BTreeMap<String, Spanned<String>>,
     #[serde(default)]
@@ -283,25 +287,31 @@ fn entries(file: &File) -> Result<(Common, Vec<Row>), ReadError> {
     Ok((common, entries))
 }
 
+/// What names were used, each with what it names.
+pub(super) type Used = BTreeSet<(&'static str, String)>;
+
 /// Whether all that a shared file offers is used.
-pub(super) fn all_used(file: &File, used: &BTreeSet<&String>) -> Result<(), ReadError> {
-    let (common, _) = entries(file)?;
-    common.unused(file, &|name| used.contains(name))
+pub(super) fn all_used(
+    file: &File,
+    used: &BTreeSet<&(&'static str, String)>,
+) -> Result<(), ReadError> {
+    entries(file)?.0.unused(file, &|name| used.contains(name))
 }
 
 impl Common {
-    fn unused(&self, file: &File, used: &dyn Fn(&String) -> bool) -> Result<(), ReadError> {
+    fn unused(
+        &self,
+        file: &File,
+        used: &dyn Fn(&(&'static str, String)) -> bool,
+    ) -> Result<(), ReadError> {
         let conditions = self.conditions.keys().map(|name| ("condition", name));
         let mut all = conditions.chain(self.reasons.keys().map(|name| ("reason", name)));
-        match all.find(|(_, name)| !used(name.get_ref())) {
+        match all.find(|(what, name)| !used(&(what, name.get_ref().clone()))) {
             None => Ok(()),
-            Some((what, name)) => Err(file.error(
-                file.line(name.span().start),
-                Fault::Unused {
-                    what,
-                    name: name.get_ref().clone(),
-                },
-            )),
+            Some((what, name)) => {
+                let (line, name) = (file.line(name.span().start), name.get_ref().clone());
+                Err(file.error(line, Fault::Unused { what, name }))
+            }
         }
     }
 }
@@ -311,7 +321,7 @@ struct Reader<'a> {
     topic: &'a Topic,
     common: Common,
     shared: Common,
-    used: RefCell<BTreeSet<String>>,
+    used: RefCell<Used>,
 }
 
 impl Read {
@@ -327,25 +337,49 @@ impl Read {
         };
         let (mut claims, mut lines, mut from) = (Vec::new(), Vec::new(), Vec::new());
         for (line, id, entry) in entries {
-            let claim = reader.claim(id, entry, &mut from)?;
-            claims.push(claim);
+            claims.push(reader.claim(id, entry, &mut from)?);
             lines.push(line);
         }
-        reader.all_named(&claims)?;
-        let used = reader.used.into_inner();
+        let used = reader.used.take();
+        reader.all_used(&used)?;
         Ok(Self {
             claims: claims.leak(),
             lines,
             from,
-            shared: used,
+            used,
         })
     }
 }
 
+/// What each of the list stands for.
+fn each<T, U>(
+    list: impl IntoIterator<Item = T>,
+    of: impl FnMut(T) -> Result<U, ReadError>,
+) -> Result<&'static [U], ReadError> {
+    let all: Result<Vec<_>, _> = list.into_iter().map(of).collect();
+    Ok(all?.leak())
+}
+
+/// The pair of numbers of a case by hand.
+const PAIR: &str = "pair of numbers of the case of";
+
 impl Reader<'_> {
-    fn error(&self, at: usize, what: &'static str, name: &str) -> ReadError {
+    /// What a name stands for: what was found under it.
+    fn named<T>(
+        &self,
+        at: usize,
+        what: &'static str,
+        name: &str,
+        found: Option<T>,
+    ) -> Result<T, ReadError> {
+        self.used.borrow_mut().insert((what, name.to_owned()));
         let file = &self.topic.file;
-        file.error(file.line(at), Fault::unknown(what, name))
+        found.ok_or_else(|| file.error(file.line(at), Fault::unknown(what, name)))
+    }
+
+    /// What is common to the claims of the topic, or of several topics.
+    fn common<T>(&self, of: impl Fn(&Common) -> Option<&T>) -> Option<&T> {
+        of(&self.common).or_else(|| of(&self.shared))
     }
 
     fn claim(
@@ -372,25 +406,12 @@ impl Reader<'_> {
                 plain: plain(entry.corrected_plain, right),
             }
         });
-        let conditions = entry
-            .conditions
-            .into_iter()
-            .map(|given| self.condition(given));
-        let trials = entry.trials.into_iter().map(|tried| self.attempt(tried));
-        let values = entry
-            .values
-            .into_iter()
-            .map(|(name, shown)| self.value(id, &name, shown));
-        let depends_on = entry.from.into_iter().map(|on| {
-            let (line, on) = (file.line(on.span().start), text(on.into_inner()));
-            from.push((line, on));
-            on
-        });
         let usual = match id {
             _ if equation.is_some() => Kind::Equation,
             _ if id.starts_with("fig-") => Kind::Figure,
             _ => Kind::Property,
         };
+        let reason = |why: Option<_>| why.map(|why| self.reason(why)).transpose();
         Ok(Claim {
             id,
             section: entry.section.map_or(self.common.section, text),
@@ -399,19 +420,26 @@ impl Reader<'_> {
             title: text(entry.title),
             latex,
             plain: plain(entry.plain, latex),
-            depends_on: depends_on.collect::<Vec<_>>().leak(),
-            conditions: conditions.collect::<Result<Vec<_>, _>>()?.leak(),
+            depends_on: each(entry.from, |on| {
+                let (line, on) = (file.line(on.span().start), text(on.into_inner()));
+                from.push((line, on));
+                Ok(on)
+            })?,
+            conditions: each(entry.conditions, |given| self.condition(given))?,
+            domain: each(entry.domain, |(letter, [low, high])| {
+                let letter = text(letter);
+                Ok(Corner { letter, low, high })
+            })?,
             correction,
-            argument: entry.argument.map_or(Ok(""), |why| self.reason(why))?,
-            trials: trials.collect::<Result<Vec<_>, _>>()?.leak(),
-            unproved: entry.unproved.map(|why| self.reason(why)).transpose()?,
+            argument: reason(entry.argument)?.unwrap_or_default(),
+            trials: each(entry.trials, |tried| self.attempt(tried))?,
+            unproved: reason(entry.unproved)?,
             by_hand: entry
                 .by_hand
                 .map(|case| self.by_hand(id, case))
                 .transpose()?,
-            values: values.collect::<Result<Vec<_>, _>>()?.leak(),
+            values: each(entry.values, |(name, shown)| self.value(id, &name, shown))?,
             survivors: self.excuses(entry.survivors)?,
-            spared: self.excuses(entry.spared)?,
             cornered: self.excuses(entry.cornered)?,
             unread: self.excuses(entry.unread)?,
         })
@@ -422,51 +450,38 @@ impl Reader<'_> {
         let said = match given.into_inner() {
             Given::Said(said) => said,
             Given::Named(name) => {
-                let all = [&self.common, &self.shared];
-                let known = all.iter().find_map(|common| common.conditions.get(&*name));
-                let known = known
-                    .ok_or_else(|| self.error(at, "condition", &name))?
-                    .clone();
-                self.used.borrow_mut().insert(name);
-                known
+                let known = self.common(|common| common.conditions.get(&*name));
+                self.named(at, "condition", &name, known)?.clone()
             }
         };
-        let mut all = said.into_iter().map(|(sort, said)| Condition {
-            text: text(said),
-            sort,
-        });
+        let mut all = said.into_iter();
         match (all.next(), all.next()) {
-            (Some(condition), None) => Ok(condition),
-            _ => Err(self.error(at, "condition with", "none or several sorts")),
+            (Some((sort, said)), None) => Ok(Condition {
+                text: text(said),
+                sort,
+            }),
+            _ => self.named(at, "condition with", "none or several sorts", None),
         }
     }
 
     /// A reason as it stands, or by its name, which is a single word.
     fn reason(&self, why: Spanned<String>) -> Result<&'static str, ReadError> {
-        let at = why.span().start;
-        let why = why.into_inner();
+        let (at, why) = (why.span().start, why.into_inner());
         if why.trim().contains(' ') {
             return Ok(text(why));
         }
-        let all = [&self.common, &self.shared];
-        let known = all.iter().find_map(|common| common.reasons.get(&*why));
-        let known = known.ok_or_else(|| self.error(at, "reason", &why))?.clone();
-        self.used.borrow_mut().insert(why);
-        Ok(text(known))
+        let known = self.common(|common| common.reasons.get(&*why));
+        Ok(text(self.named(at, "reason", &why, known)?.clone()))
     }
 
     fn excuses(
         &self,
         all: BTreeMap<String, Spanned<String>>,
     ) -> Result<&'static [Excuse], ReadError> {
-        let excuse = |(of, why)| {
-            Ok(Excuse {
-                of: text(of),
-                why: self.reason(why)?,
-            })
-        };
-        let all: Vec<_> = all.into_iter().map(excuse).collect::<Result<_, _>>()?;
-        Ok(all.leak())
+        each(all, |(of, why)| {
+            let (of, why) = (text(of), self.reason(why)?);
+            Ok(Excuse { of, why })
+        })
     }
 
     fn attempt(&self, tried: Spanned<Tried>) -> Result<Attempt, ReadError> {
@@ -478,18 +493,20 @@ impl Reader<'_> {
             },
             Tried::Excused(excused) => excused,
         };
-        let mut listed = self.topic.trials.iter().copied().flatten();
-        let attempt = listed.find(|attempt| attempt.name() == excused.trial);
-        let attempt = attempt.ok_or_else(|| self.error(at.start, "trial", &excused.trial))?;
-        let why = |why: String| self.reason(Spanned::new(at.clone(), why));
-        let coarse = excused.coarse.into_iter();
-        let coarse = coarse
-            .map(|(of, why)| (of, Spanned::new(at.clone(), why)))
-            .collect();
+        let name = &excused.trial;
+        let listed = self.topic.attempts().find(|attempt| attempt.name() == name);
+        let attempt = self.named(at.start, "trial", name, listed)?;
+        // Where in the entry a reason stands is not known within a list.
+        let here = |why: String| Spanned::new(at.clone(), why);
+        let reason = |why: Option<_>| why.map(|why| self.reason(here(why))).transpose();
+        let excuses = |all: BTreeMap<_, _>| {
+            self.excuses(all.into_iter().map(|(of, why)| (of, here(why))).collect())
+        };
         Ok(Attempt {
-            idle: excused.idle.map(why).transpose()?,
-            elsewhere: excused.elsewhere.map(why).transpose()?,
-            coarse: self.excuses(coarse)?,
+            idle: reason(excused.idle)?,
+            elsewhere: reason(excused.elsewhere)?,
+            coarse: excuses(excused.coarse)?,
+            spared: excuses(excused.spared)?,
             ..*attempt
         })
     }
@@ -497,8 +514,6 @@ impl Reader<'_> {
     fn by_hand(&self, id: &str, case: Spanned<Worked>) -> Result<ByHand, ReadError> {
         let at = case.span().start;
         let computed = self.topic.cases.iter().find(|numbers| numbers.claim == id);
-        let computed =
-            computed.ok_or_else(|| self.error(at, "pair of numbers of the case of", id))?;
         let Worked {
             wrong,
             reason,
@@ -510,7 +525,7 @@ impl Reader<'_> {
             reason: text(reason),
             case: text(case),
             digits,
-            computed: *computed,
+            computed: *self.named(at, PAIR, id, computed)?,
         })
     }
 
@@ -520,70 +535,27 @@ impl Reader<'_> {
         name: &Spanned<String>,
         shown: Shown,
     ) -> Result<Value, ReadError> {
-        let number = self
-            .topic
-            .numbers
-            .iter()
-            .find(|number| number.id == name.get_ref());
-        let unknown = || self.error(name.span().start, "number", name.get_ref());
+        let (at, name) = (name.span().start, name.get_ref());
+        let number = self.topic.numbers.iter().find(|number| number.id == name);
+        let number = *self.named(at, "number", name, number)?;
         let (meaning, closed) = (text(shown.meaning), shown.closed.map(text));
-        Ok(Value::new(
-            *number.ok_or_else(unknown)?,
-            id,
-            shown.decimals,
-            meaning,
-            closed,
-        ))
+        Ok(Value::new(number, id, shown.decimals, meaning, closed))
     }
 
     /// Whether all that there is to be named is named.
-    fn all_named(&self, claims: &[Claim]) -> Result<(), ReadError> {
-        let used = self.used.borrow();
-        self.common
-            .unused(&self.topic.file, &|name| used.contains(name))?;
-        let named: BTreeSet<_> = claims
-            .iter()
-            .flat_map(|claim| claim.trials)
-            .map(Attempt::name)
-            .collect();
-        let trials = self.topic.trials.iter().copied().flatten();
-        let trials = trials.map(|trial| {
-            (
-                "trial",
-                trial.name(),
-                trial.place,
-                named.contains(trial.name()),
-            )
-        });
-        let with_case = |id| {
-            claims
-                .iter()
-                .any(|claim| claim.id == id && claim.by_hand.is_some())
-        };
+    fn all_used(&self, used: &Used) -> Result<(), ReadError> {
+        let is_used = |name: &_| used.contains(name);
+        self.common.unused(&self.topic.file, &is_used)?;
+        let trials = self.topic.attempts();
+        let trials = trials.map(|trial| ("trial", trial.name(), trial.place));
         let cases = self.topic.cases.iter();
-        let cases = cases.map(|case| {
-            (
-                "case by hand",
-                case.claim,
-                case.place,
-                with_case(case.claim),
-            )
-        });
-        let shown = |id| {
-            claims
-                .iter()
-                .flat_map(|claim| claim.values)
-                .any(|value| value.id == id)
-        };
+        let cases = cases.map(|case| (PAIR, case.claim, case.place));
         let numbers = self.topic.numbers.iter();
-        let numbers = numbers.map(|number| ("number", number.id, number.place, shown(number.id)));
-        match trials
-            .chain(cases)
-            .chain(numbers)
-            .find(|(.., named)| !named)
-        {
+        let numbers = numbers.map(|number| ("number", number.id, number.place));
+        let mut all = trials.chain(cases).chain(numbers);
+        match all.find(|(what, name, _)| !is_used(&(what, (*name).to_owned()))) {
             None => Ok(()),
-            Some((what, name, place, _)) => Err(ReadError {
+            Some((what, name, place)) => Err(ReadError {
                 file: place.file().to_owned(),
                 line: place.line() as usize,
                 fault: Fault::Unused {
@@ -627,8 +599,9 @@ corrected = 'v=-gt'
 argument = """
 It is
 so."""
+domain."τ" = [-inf, 0]
 trials = ["tests::rise", { trial = "tests::fall", idle = "half", coarse = { g = "for this" } }]
-spared.g = "half"
+survivors.g = "half"
 values.g = { decimals = 2, meaning = "gravity", closed = "9.81" }
 [eq-7.by-hand]
 wrong = "the sign"
@@ -711,7 +684,7 @@ unproved = "it is a picture"
                 why: "for this"
             }]
         );
-        assert_eq!(speed.spared, [Excuse { of: "g", why: half }]);
+        assert_eq!(speed.survivors, [Excuse { of: "g", why: half }]);
         assert_eq!(
             (
                 speed.values[0].id,
@@ -779,8 +752,8 @@ unproved = "it is a picture"
                 "fall.toml, line 17: there is no reason `halve`",
             ),
             (
-                "spared.g = \"half\"",
-                "spared.g = \"halve\"",
+                "survivors.g = \"half\"",
+                "survivors.g = \"halve\"",
                 "fall.toml, line 18: there is no reason `halve`",
             ),
             (

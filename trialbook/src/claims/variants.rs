@@ -1,8 +1,10 @@
 //! Wrong variants of the formulas: each differs from its formula in a single place, and in what it states.
 
+use super::Paper;
 use super::formulas::{Formulas, text};
 use crate::exact::Expr;
-use crate::seeded::{Corner, Domain, Formula, Mistake, Seed, with};
+use crate::seeded::{Corner, Formula, Mistake, Seed, with};
+use std::collections::BTreeMap;
 
 /// A wrong variant of a formula.
 #[derive(Debug, Clone)]
@@ -62,55 +64,6 @@ impl Formulas {
         found
     }
 
-    /// Every formula with its inverse functions on another branch over half of their range, and with a mistake of a
-    /// hundredth in each corner that its claim is stated for.
-    pub fn corners(&self) -> Vec<Variant> {
-        let numbers = (self.numbers)();
-        let of = |formula: &Formula<f64>| {
-            let Some(claim) = formula.claim() else {
-                return Vec::new();
-            };
-            let sample = self.sample(formula);
-            let values =
-                || -> Vec<Vec<f64>> { sample.iter().map(|p| (formula.value)(p)).collect() };
-            let right = values();
-            let branches = formula.branches(&sample[0]).into_iter().enumerate();
-            let branches = branches
-                .filter(|(_, seed)| !self.same(formula.name, &right, &with(*seed, values)))
-                .map(|(i, seed)| (seed, branch(i / 2 + 1, seed.mistake)));
-            let letters = formula.symbols.iter().enumerate();
-            let corners = letters.flat_map(|(i, letter)| {
-                let corners = self.corners.iter().filter(|c| c.letter == *letter);
-                corners.map(move |corner| (i, corner))
-            });
-            let corners = corners
-                .filter(|(_, corner)| self.has_a_size(formula) && self.is_stated(&claim, corner))
-                .map(|(i, corner)| {
-                    let seed = Seed::of_value(formula.path, Mistake::Corner(corner, i));
-                    (seed, format!("1 % more where {corner}"))
-                });
-            let all = branches.chain(corners);
-            all.map(|(seed, text)| Variant {
-                claim: claim.clone(),
-                formula: formula.name,
-                printed: self.is_printed(formula.path),
-                seed,
-                text: format!("{} {text}", formula.name),
-            })
-            .collect()
-        };
-        numbers.iter().flat_map(of).collect()
-    }
-
-    /// True if the claim of this id is stated in the corner.
-    fn is_stated(&self, claim: &str, corner: &Corner) -> bool {
-        let own = |d: &&Domain| d.claim == claim && d.letter == corner.letter;
-        self.domains
-            .iter()
-            .find(own)
-            .is_none_or(|d| corner.meets(d))
-    }
-
     /// True if a factor makes the formula wrong: it is not zero, and no two sides that are compared.
     pub fn has_a_size(&self, formula: &Formula<f64>) -> bool {
         let name = formula.name;
@@ -152,6 +105,60 @@ impl Formulas {
     }
 }
 
+impl Paper {
+    /// Every formula with its inverse functions on another branch over half of their range, and with a mistake of a
+    /// hundredth in each corner that its claim is stated for.
+    pub fn corners(&self) -> Vec<Variant> {
+        let all = &self.formulas;
+        let stated: BTreeMap<_, _> = self
+            .claims()
+            .map(|(_, claim)| (claim.id, claim.domain))
+            .collect();
+        let of = |formula: &Formula<f64>| {
+            let Some(claim) = formula.claim() else {
+                return Vec::new();
+            };
+            let domain = stated.get(&*claim).copied().unwrap_or_default();
+            let sample = all.sample(formula);
+            let values =
+                || -> Vec<Vec<f64>> { sample.iter().map(|p| (formula.value)(p)).collect() };
+            let right = values();
+            let branches = formula.branches(&sample[0]).into_iter().enumerate();
+            let branches = branches
+                .filter(|(_, seed)| !all.same(formula.name, &right, &with(*seed, values)))
+                .map(|(i, seed)| (seed, branch(i / 2 + 1, seed.mistake)));
+            let letters = formula.symbols.iter().enumerate();
+            let corners = letters.flat_map(|(i, letter)| {
+                let corners = all.corners.iter().filter(|c| c.letter == *letter);
+                corners.map(move |corner| (i, corner))
+            });
+            let corners = corners
+                .filter(|(_, corner)| all.has_a_size(formula) && is_stated(domain, corner))
+                .map(|(i, corner)| {
+                    let seed = Seed::of_value(formula.path, Mistake::Corner(corner, i));
+                    (seed, format!("1 % more where {corner}"))
+                });
+            branches
+                .chain(corners)
+                .map(|(seed, text)| Variant {
+                    claim: claim.clone(),
+                    formula: formula.name,
+                    printed: all.is_printed(formula.path),
+                    seed,
+                    text: format!("{} {text}", formula.name),
+                })
+                .collect()
+        };
+        (all.numbers)().iter().flat_map(of).collect()
+    }
+}
+
+/// True if what is stated there is stated in the corner.
+fn is_stated(domain: &[Corner], corner: &Corner) -> bool {
+    let own = domain.iter().find(|part| part.letter == corner.letter);
+    own.is_none_or(|part| part.meets(corner))
+}
+
 /// Where an inverse function is on the other branch.
 fn branch(number: usize, mistake: Mistake) -> String {
     let half = if mistake == Mistake::Branch(true) {
@@ -173,7 +180,6 @@ mod tests {
         up_to_a_factor: &["eq104_constant"],
         up_to_a_positive_factor: &["eq116_case"],
         corners: &[],
-        domains: &[],
         argument: |_, _| 0.0,
     };
 

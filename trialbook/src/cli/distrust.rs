@@ -84,7 +84,7 @@ pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Resul
     let rows: Vec<_> = tried.iter().map(|tried| row(&ledger, tried)).collect();
     let slight = ledger.slight();
     let slight: Vec<_> = slight.iter().map(|s| slight_row(&ledger, s)).collect();
-    let mut corners = paper.formulas.corners();
+    let mut corners = paper.corners();
     corners.retain(|variant| ledger.entry(&variant.claim).is_some());
     let noticed = ledger.noticed(&corners);
     let pairs = corners.iter().zip(noticed);

@@ -13,28 +13,15 @@ pub struct Corner {
     pub high: f64,
 }
 
-/// The values of a symbol for which a claim is stated, where those are not all that the symbol can have.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Domain {
-    /// The id of the claim.
-    pub claim: &'static str,
-    /// The symbol's letter.
-    pub letter: &'static str,
-    /// The least value.
-    pub low: f64,
-    /// The largest one.
-    pub high: f64,
-}
-
 impl Corner {
     /// True if the value lies in it.
     pub fn holds(&self, value: f64) -> bool {
         self.low < value && value < self.high
     }
 
-    /// True if some values of the domain lie in it.
-    pub fn meets(&self, domain: &Domain) -> bool {
-        self.low.max(domain.low) < self.high.min(domain.high)
+    /// True if it has values in common with another part.
+    pub fn meets(&self, other: &Corner) -> bool {
+        self.low.max(other.low) < self.high.min(other.high)
     }
 }
 

@@ -4,9 +4,9 @@
 //! see that every term of a sum has the same sign.
 
 use super::super::exact::{arc, frictions};
-use crate::exact::{ExactError, Expr, Function, Proof, Rational, Ring};
+use crate::exact::Function;
 use crate::paper::anisotropic as printed;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 /// The ring of both frictions, with q as their ratio.
 fn ratios() -> Result<Ring, ExactError> {

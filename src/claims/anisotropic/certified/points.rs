@@ -5,17 +5,14 @@ use super::{Two, on_a, prove_b, q_y};
 use crate::certified::drive::arc;
 use crate::certified::numbers::{LAMBDA_Y, Q_Y};
 use crate::claims::tolerances::NONE;
-use crate::evidence::{Evidence, Route, Subject};
-use crate::exact::Expr;
 use crate::paper::anisotropic as printed;
-use crate::scalar::Scalar;
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::{Interval, PI};
 use trialbook::certified::krawczyk;
 use trialbook::certified::written::agree;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::{Compared, Pair, Trial, where_defined};
+use trialbook::claims::compare::where_defined;
 use trialbook::claims::enclosed::{DIGITS, certified, numbers, on_balls};
+use trialbook::prelude::*;
 
 /// The two sides of an equation of λ₀ and qλ₀, or of K and λ₀.
 type Sides = fn(Two, Two) -> [Two; 2];

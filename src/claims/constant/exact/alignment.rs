@@ -4,12 +4,8 @@ use super::cases::late_speed;
 use super::sliding::{eq6, eq7, prove_eq6, prove_eq7};
 use super::{Friction, definitions, prove, prove_definitions};
 use crate::corrections::constant as corrected;
-use crate::evidence::Subject;
-use crate::exact::{Expr, Proof};
 use crate::paper::constant as paper;
-use crate::scalar::Scalar;
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// The pull less the greatest friction is A times the difference of the sides.
 pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(

@@ -2,9 +2,8 @@
 
 use super::sliding::{constant_of_motion, eq11, eq13, prove_eq11, prove_eq13};
 use super::{Friction, Newton, prove};
-use crate::exact::{Expr, Obstacle, Proof, Prover};
 use crate::paper::constant as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 pub(super) fn eq15() -> Expr {
     let [a, v0x, t] = Expr::symbols(["A", "v₀x", "t"]);

@@ -1,12 +1,8 @@
 //! An inclined plane at rest has the law of a drive that is constant, and none that of a drive that changes with time.
 
 use crate::claims::general::two_frames::{self, eq1};
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Proof, Ring};
 use crate::paper::constant as paper;
-use crate::scalar::Scalar;
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// Weight, normal force and friction in space give (1) with (3).
 pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(

@@ -2,10 +2,9 @@
 
 use super::{Friction, Newton, at_start, prove};
 use crate::corrections;
-use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::constant as paper;
-use crate::scalar::Scalar;
 use trialbook::claims::compare::where_defined;
+use trialbook::prelude::*;
 
 pub(super) fn eq6() -> Expr {
     let [lambda, a, theta] = Expr::symbols(["λ", "A", "θ"]);

@@ -6,11 +6,10 @@
 
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::exact::Series;
 use crate::paper::turntable as motion;
-use crate::scalar::Scalar;
 use trialbook::claims::runs::Derived;
-use trialbook::claims::statement::given;
+use trialbook::prelude::*;
 
 /// The laws are stated to the first order in x, logarithms being counted as numbers; two more follow.
 const ORDER: i64 = 3;

@@ -3,13 +3,8 @@
 
 use crate::claims::rest::exact::eq139;
 use crate::claims::turntable::exact::{self as turntable, Setting};
-use crate::evidence::Subject;
-use crate::exact::{Expr, Obstacle, Proof, Prover, Ring};
 use crate::paper::{escape as printed, turntable as motion};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// What the theorems on escape say of a bound, by the printed law of motion.
 #[derive(Debug, Clone, Copy)]

@@ -12,14 +12,10 @@ use super::chains::ALPHA_GROWS;
 use super::{exponential, tau};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as law;
-use crate::evidence::Subject;
-use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::exact::Derivation;
 use crate::paper::turntable as motion;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
 use trialbook::claims::runs::Derived;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// N, P, h = tanh α, and t.
 pub type State = [Expr; 4];

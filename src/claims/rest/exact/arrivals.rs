@@ -6,13 +6,9 @@
 
 use super::{chains, series};
 use crate::claims::turntable::exact as turntable;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::exact::Series;
 use crate::paper::{rest as printed, turntable as motion};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// What is shown of every motion to rest.
 macro_rules! of_every_rest {
@@ -78,20 +74,29 @@ pub const EQ145: Statement = Statement::new(
 /// Powers of ε, the size of α and ψ, to which is compared.
 const ORDER: i64 = 3;
 
-fn ring() -> Result<Ring, ExactError> {
+fn ring() -> Ring {
     let mut ring = Ring::new();
-    for name in ["σ", "c", "τ", "slope", "ψ", "x", "y", "a"] {
+    for name in ["σ", "c", "τ", "slope", "ψ", "x", "y", "a", "α"] {
         ring.symbol(name);
     }
-    let alpha = ring.symbol("α");
+    ring
+}
+
+/// The same, with the power of α that (143) has.
+fn with_power() -> Result<Ring, ExactError> {
+    let mut ring = ring();
     let exponent = ring.read(printed::eq143_exponent(Expr::symbol("σ")))?;
-    ring.power(&alpha, &exponent)?;
+    ring.power(&ring.named("α")?, &exponent)?;
     Ok(ring)
 }
 
 /// A step about a motion to rest.
-fn arriving(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
-    Proof::in_ring(title, ring(), |p| {
+fn arriving(
+    title: &str,
+    ring: Result<Ring, ExactError>,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+) -> Proof {
+    Proof::in_ring(title, ring, |p| {
         p.rests_on(&chains::settles())?;
         given(
             p,
@@ -139,14 +144,14 @@ fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
 }
 
 fn eq140(formula: Expr) -> Proof {
-    arriving("(140) of every motion to rest", |p| {
+    arriving("(140) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
         p.same(&limit, formula, "by (140)")
     })
 }
 
 fn eq141(formula: Expr) -> Proof {
-    arriving("(141) of every motion to rest", |p| {
+    arriving("(141) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
         p.note(
             "With τ = 0 at rest",
@@ -168,7 +173,7 @@ fn left_side(p: &mut Prover<'_>, left: Expr) -> Result<(), Obstacle> {
 }
 
 fn eq142([left, right]: [Expr; 2]) -> Proof {
-    arriving("(142) of every motion to rest", |p| {
+    arriving("(142) of every motion to rest", Ok(ring()), |p| {
         left_side(p, left)?;
         let [alpha, psi] = Expr::symbols(["α", "ψ"]);
         let turning = motion::eq115_psi_rate(alpha, psi);
@@ -185,7 +190,7 @@ fn eq142([left, right]: [Expr; 2]) -> Proof {
 }
 
 fn eq144([left, right]: [Expr; 2]) -> Proof {
-    arriving("(144) of every motion to rest", |p| {
+    arriving("(144) of every motion to rest", Ok(ring()), |p| {
         left_side(p, left)?;
         growth(p)?;
         let right = p.read("Right side", right)?;
@@ -212,7 +217,7 @@ fn growth(p: &mut Prover<'_>) -> Result<(), Obstacle> {
 }
 
 fn eq145(formula: Expr) -> Proof {
-    arriving("(145) of every motion to rest", |p| {
+    arriving("(145) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
         growth(p)?;
         p.note(
@@ -231,7 +236,7 @@ fn eq145(formula: Expr) -> Proof {
 }
 
 fn eq143(formula: Expr) -> Proof {
-    arriving("(143) of every motion to rest", |p| {
+    arriving("(143) of every motion to rest", with_power(), |p| {
         p.rests_on(&EQ145.proof())?;
         let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
         let k = sigma / (Expr::int(1) - sigma);

@@ -8,13 +8,9 @@ use super::boundary::{self, imbalance};
 use super::{least, surfaces};
 use crate::claims::escape::exact::chains as fates;
 use crate::claims::turntable::exact as turntable;
-use crate::evidence::Subject;
-use crate::exact::{Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::exact::Series;
 use crate::paper::{rest as printed, turntable as motion};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// The surface of starts that come to rest at σ.
 pub const SURFACE: Statement = Statement::new(

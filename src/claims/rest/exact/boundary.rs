@@ -5,13 +5,10 @@
 
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
-use crate::evidence::Subject;
-use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::exact::{Derivation, Series};
 use crate::paper::turntable as motion;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
 use trialbook::claims::runs::Derived;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// The boundary is stated to the second order; two more follow.
 const ORDER: i64 = 4;

@@ -5,13 +5,8 @@ use crate::claims::escape::exact::chains::{
     acceleration, comes_to_rest, polar, pushed, stops_along,
 };
 use crate::claims::turntable::exact as turntable;
-use crate::evidence::Subject;
-use crate::exact::{Expr, Obstacle, Proof, Prover};
 use crate::paper::{rest as printed, turntable as motion};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// Rest or escape.
 pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(

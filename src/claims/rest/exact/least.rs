@@ -2,12 +2,8 @@
 
 use super::boundary;
 use crate::corrections::rest as corrected;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::Statement;
+use crate::exact::Series;
+use trialbook::prelude::*;
 
 /// The boundary is stated to this power of α.
 const ORDER: i64 = 2;

@@ -2,13 +2,9 @@
 
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Rational, Ring, Series};
+use crate::exact::Series;
 use crate::paper::turntable as motion;
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// The lowest order is wanted; one more follows.
 const ORDER: i64 = 2;

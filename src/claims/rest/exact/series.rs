@@ -5,13 +5,10 @@
 //! proved from Newton's law.
 
 use crate::claims::turntable::exact as turntable;
-use crate::evidence::Subject;
-use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring, Series};
+use crate::exact::{Derivation, Series};
 use crate::paper::{rest as printed, turntable as motion};
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
 use trialbook::claims::runs::Derived;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// Coefficients to be found at one order.
 const UNKNOWN: [&str; 7] = ["x₀", "x₁", "x₂", "x₃", "x₄", "x₅", "x₆"];

@@ -6,12 +6,9 @@
 use super::boundary::{ENOUGH, imbalance};
 use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Rational, Ring, Series};
+use crate::exact::Series;
 use crate::paper::rest as printed;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// The power of α to which the surface is stated.
 const ORDER: i64 = 2;

@@ -4,10 +4,9 @@
 use super::{Components, body};
 use crate::claims::constant::exact as constant;
 use crate::corrections::sphere as corrected;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
 use crate::paper::constant as particle;
 use crate::paper::sphere as paper;
-use trialbook::claims::statement::Statement;
+use trialbook::prelude::*;
 
 /// The ring of λ, γ, u₀, θ, θ₀ and τ, with the powers of the half tangents.
 pub(super) fn ring() -> Result<Ring, ExactError> {

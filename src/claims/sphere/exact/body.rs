@@ -2,10 +2,10 @@
 
 use super::{AXES, Components};
 use crate::corrections::sphere as corrected;
-use crate::exact::{Derivation, ExactError, Expr, Obstacle, Proof, Prover, Rational, Ring};
+use crate::exact::Derivation;
 use crate::paper::general::eq1_velocity_rate;
 use crate::paper::sphere as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 /// The friction force on the sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -7,13 +7,8 @@ use crate::claims::periodic::chains::{MOSTLY_AT_REST, REST_ABOVE_ONE};
 use crate::claims::periodic::critical_friction::THRESHOLD;
 use crate::claims::periodic::exact as pulses;
 use crate::claims::sinusoidal::attraction;
-use crate::evidence::Subject;
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Ring};
 use crate::paper::{anisotropic, sinusoidal, sphere as paper};
-use crate::scalar::Scalar;
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::compare::Compared;
-use trialbook::claims::statement::{Statement, given};
+use trialbook::prelude::*;
 
 /// The pulse train.
 const PULSE: Statement = Statement::new(

@@ -1,9 +1,8 @@
 //! The laws themselves: (59) from the laboratory, (60) from the sphere's parts.
 
 use super::{AXES, Components};
-use crate::exact::{ExactError, Expr, Proof, Rational, Ring};
 use crate::paper::sphere as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 type Vector = [Rational; 3];
 

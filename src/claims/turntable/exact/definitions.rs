@@ -1,9 +1,8 @@
 //! The definitions (93) to (95), (110) to (112), (116) to (118), by what they have to be consistent with.
 
 use super::{Setting, prove, vectors};
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover};
 use crate::paper::turntable as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 /// A formula against what it has to be.
 fn is(

@@ -2,9 +2,8 @@
 
 use super::{Setting, prove, vectors};
 use crate::corrections::turntable as corrections;
-use crate::exact::{Expr, Proof};
 use crate::paper::turntable as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 pub(super) fn eq103() -> Vec<Expr> {
     let [p, rho] = Expr::symbols(["p", "ρ"]);

@@ -1,9 +1,9 @@
 //! The quasi-fixed points (124) and (125), and their stability.
 
 use super::{Setting, prove};
-use crate::exact::{Expr, Node, Obstacle, Proof, Prover, Rational};
+use crate::exact::Node;
 use crate::paper::turntable as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 pub(super) fn eq124() -> Vec<Expr> {
     vec![paper::eq124_psi1(Expr::symbol("α"))]

@@ -2,9 +2,8 @@
 //! mirror image.
 
 use super::{Setting, prove, vectors};
-use crate::exact::{Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::turntable as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 pub(super) fn eq86() -> Vec<Expr> {
     let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);

@@ -2,9 +2,8 @@
 //! (122) and (123).
 
 use super::{Setting, prove};
-use crate::exact::{ExactError, Expr, Obstacle, Proof, Prover, Rational};
 use crate::paper::turntable as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 /// The printed rate of something against its rate by (89).
 fn rate(

@@ -1,9 +1,9 @@
 //! The rings in which the proofs are carried out, each with the motion in it.
 
 use super::vectors;
-use crate::exact::{Derivation, ExactError, Expr, Rational, Ring};
+use crate::exact::Derivation;
 use crate::paper::turntable as paper;
-use crate::scalar::Scalar;
+use trialbook::prelude::*;
 
 /// A ring and the motion in it.
 #[derive(Debug)]
