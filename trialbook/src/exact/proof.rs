@@ -525,17 +525,17 @@ mod tests {
             p.same(&square, x * x + (x + Expr::int(1)) * Expr::int(4), "")?;
             p.same(&square, (two + x).squared(), "not negative")?;
             let slope = p.derivative("Its slope", &square, &p.ring().by("x")?)?;
-            p.same(&slope, two * (x + two), "")?;
+            p.same(&slope, two * x + two * two, "")?;
             p.same(&(&slope * &slope), Expr::int(4) * (x + two).squared(), "")
         });
         let steps: Vec<_> = proof.steps().iter().map(Step::to_string).collect();
         assert_eq!(
             steps,
             [
-                "A square: (x + 2)^2 = x x + (x + 1) 4",
+                "A square: (x + 2)^2 = x^2 + (x + 1) 4",
                 "A square: (x + 2)^2 = (2 + x)^2, not negative",
-                "Its slope: 2x + 4 = 2 (x + 2)",
-                "So: 4x^2 + 16x + 16 = 4 (x + 2)^2",
+                "Its slope: 2 (x + 2) = 2 x + 2 2",
+                "So: 4 (x^2 + 4 x + 4) = 4 (x + 2)^2",
             ]
         );
         let wrong = Proof::of("t", &ring, |p| {

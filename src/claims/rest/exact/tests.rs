@@ -14,8 +14,14 @@ fn the_printed_envelope_is_not_the_boundary() {
 #[test]
 fn the_boundary_is_told_by_the_coefficients_that_are_stated() {
     let proof = boundary::prove(boundary::stated(), 2);
+    let steps = || {
+        proof
+            .premises()
+            .into_iter()
+            .flat_map(|premise| premise.steps())
+    };
     let step = |says: &str| {
-        let found = proof.steps().iter().find(|step| step.says == says);
+        let found = steps().find(|step| step.says == says);
         found.unwrap().gives.as_str()
     };
     // f₂ = 7/6 c⁴ + 2 c³ s − c² s² + 2/3 c s³ − 1/4 s⁴, c and s being the cosine and the sine of ψ/2.
