@@ -201,6 +201,20 @@ impl fmt::Display for Proof {
     }
 }
 
+/// Where a text that goes on ends best: behind its last whole term that stands in no brackets, if it has one.
+fn before_a_term(text: &str) -> usize {
+    let (mut depth, mut end) = (0_usize, text.len());
+    for (at, c) in text.char_indices() {
+        match c {
+            '(' | '[' | '{' => depth += 1,
+            ')' | ']' | '}' => depth = depth.saturating_sub(1),
+            ' ' if depth == 0 && text[at + 1..].starts_with(['+', '−', '-']) => end = at + 1,
+            _ => {}
+        }
+    }
+    end
+}
+
 /// Carries out steps in a ring and writes them down.
 #[derive(Debug)]
 pub struct Prover<'a> {
@@ -221,6 +235,7 @@ impl<'a> Prover<'a> {
     pub fn note(&mut self, says: &str, gives: impl Into<String>) {
         let mut gives = gives.into();
         if let Some((end, _)) = gives.char_indices().nth(LONGEST) {
+            let end = before_a_term(&gives[..end]);
             let left_out = gives[end..].chars().count();
             gives.truncate(end);
             gives.push_str(&format!("… and {left_out} characters more"));
@@ -375,6 +390,17 @@ mod tests {
     use super::*;
     use crate::scalar::Scalar;
     use crate::witness::{self, Part, Witness};
+
+    #[test]
+    fn what_is_long_is_cut_between_terms() {
+        for (text, end) in [
+            ("a + (b + c) - [d + (e", "a + (b + c) "),
+            ("a + b + c", "a + b "),
+            ("[a + b", "[a + b"),
+        ] {
+            assert_eq!(&text[..before_a_term(text)], end);
+        }
+    }
 
     #[test]
     fn a_proof_compares_something() {
