@@ -1,8 +1,8 @@
 //! A formula that the reader breaks, and which trials of its claim notice: what a page of the book asks, compiled to
-//! WebAssembly. Two sections take part, to keep the module small.
+//! WebAssembly. Some topics take part, to keep the module small.
 
 use crate::claims::formulas::FORMULAS;
-use crate::claims::{constant, sphere};
+use crate::claims::{constant, escape, rest, sphere};
 use crate::evidence::{Evidence, Outcome};
 use crate::scalar::Scalar;
 use crate::seeded::{Formula, Mistake, Seed, with};
@@ -14,14 +14,23 @@ use trialbook::claims::{Claim, Topic};
 use trialbook::notation::plain_words;
 
 /// The topics that take part.
-pub static TOPICS: [&Topic; 2] = [&constant::TOPIC, &sphere::TOPIC];
+pub static TOPICS: [&Topic; 4] = [
+    &constant::TOPIC,
+    &sphere::TOPIC,
+    &escape::TOPIC,
+    &rest::TOPIC,
+];
 
 fn own<S: Scalar>() -> Vec<Formula<S>> {
     [
         paper::constant::formulas(),
         paper::sphere::formulas(),
+        paper::escape::formulas(),
+        paper::rest::formulas(),
         corrections::constant::formulas(),
         corrections::sphere::formulas(),
+        corrections::escape::formulas(),
+        corrections::rest::formulas(),
     ]
     .into_iter()
     .flatten()

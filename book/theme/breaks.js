@@ -6,9 +6,12 @@
     const here = document.currentScript.src;
     const host = document.getElementById('broken');
     host.hidden = false;
-    host.innerHTML = `<p>Two sections take part, 2.1 and 3, with all the trials of their claims.
+    host.innerHTML = `<p>Sections 2.1 and 3 take part, and escape and rest of section 4, with all the trials of their claims.
         <button type="button">Load the trials (${host.dataset.size})</button> <span role="status"></span></p>`;
     host.querySelector('button').addEventListener('click', load, { once: true });
+    // An address may name a claim: `#broken?claim=eq-135`.
+    const asked = new URLSearchParams(location.hash.split('?')[1]).get('claim');
+    if (asked) host.querySelector('button').click();
 
     async function load() {
         host.querySelector('[role=status]').textContent = 'Loading…';
@@ -85,6 +88,8 @@
         const is = text => list[at]?.text === text;
         const dressed = (html, ...own) => {
             const kind = own.some(part => part?.marked) ? 'wrong' : own.some(part => part?.cut) ? 'cut' : '';
+            const ways = own.flatMap(part => part?.ways || []);
+            if (ways.length) return `<mrow class="sign" data-ways="${ways.join(' ')}">${html}</mrow>`;
             return kind ? `<mrow class="${kind}">${html}</mrow>` : html;
         };
         const row = html => `<mrow>${html}</mrow>`;
@@ -103,7 +108,8 @@
                 // A vector that is multiplied as a whole.
                 while (is('; ')) html += sign(list[at++]) + sum().html;
                 const end = list[at++];
-                return { html: row(`${dressed('<mo>(</mo>', part)}${html}${dressed('<mo>)</mo>', end)}`), bare: dressed(row(html), part, end) };
+                const as = html.includes('<mfrac') ? '' : ' stretchy="false"';
+                return { html: row(`${dressed(`<mo${as}>(</mo>`, part)}${html}${dressed(`<mo${as}>)</mo>`, end)}`), bare: dressed(row(html), part, end) };
             }
             if (part.text.startsWith('(d')) {
                 const html = dressed('<mfrac><mrow><mi>d</mi><msup><mrow><mo>(</mo><mi>tan</mi><mfrac><mi>θ</mi><mn>2</mn></mfrac><mo>)</mo></mrow><mi>λ</mi></msup></mrow><mrow><mi>d</mi><mi>θ</mi></mrow></mfrac>', part);
@@ -146,6 +152,18 @@
         return components.map((html, i) => `<math display="block"${i ? '' : ` alttext="${escaped(plain)}"`}>${html}</math>`).join('');
     }
 
+    // The parts of a formula, each with the ways to break it there.
+    function breakable(formula, ways) {
+        const out = parts(ways.find(way => way.formula === formula).right).map(text => ({ text, ways: [] }));
+        ways.forEach((way, number) => {
+            if (way.formula !== formula) return;
+            compared(way.wrong, way.right).forEach((part, i) => {
+                if ((part.marked || part.cut) && part.text.trim()) out[i].ways.push(number);
+            });
+        });
+        return out;
+    }
+
     // A sentence of the trials: powers of ten as such, and of a place as many digits as one looks at.
     const said = text => escaped(text).replace(/\d+\.\d{6}/g, number => Number(Number(number).toPrecision(3)))
         .replace(/(\d)e(-?)(\d+)/g, (_, digit, minus, power) => `${digit} × 10<sup>${minus && '−'}${power}</sup>`)
@@ -162,42 +180,53 @@
                 options.filter(([own]) => own === section).map(([, html]) => html).join('')}</optgroup>`).join('')}</select></label>
             <label>Mistake <output></output><input type="range" name="way" min="0" step="1"></label>
             <div><button type="button">One at random</button></div></div>
-            <dl><div><dt>As it stands</dt><dd class="stands"></dd></div><div><dt>Broken; what is changed is marked</dt><dd class="broken"></dd></div></dl>
+            <dl><div><dt>As it stands: click on a sign <select aria-label="Which formula" name="formula"></select></dt><dd class="stands"></dd></div><div><dt>Broken; what is changed is marked</dt><dd class="broken"></dd></div></dl>
             <p class="says" role="status"></p><ul class="said"></ul>`;
-        const claim = host.querySelector('select'), way = host.querySelector('input');
+        const [claim, formula] = host.querySelectorAll('select'), way = host.querySelector('input');
         const find = name => host.querySelector(name);
-        let ways = [], asked = 0;
+        let ways = [], last = 0;
 
         async function choose(number) {
             delete host.dataset.shown;
-            const chosen = ++asked;
+            const chosen = ++last;
             ways = await ask('ways', Number(claim.value));
-            if (chosen !== asked) return;
+            if (chosen !== last) return;
             way.max = ways.length - 1;
+            const names = [...new Set(ways.map(way => way.formula))];
+            formula.innerHTML = names.map(name => `<option>${name}</option>`).join('');
+            formula.hidden = names.length < 2;
+            stand(names[0]);
             show(number ?? Math.floor(Math.random() * ways.length));
+        }
+
+        function stand(name) {
+            formula.value = name;
+            find('.stands').innerHTML = typeset(breakable(name, ways));
         }
 
         async function show(number) {
             delete host.dataset.shown;
-            const now = ++asked;
+            const now = ++last;
             way.value = number;
-            const { right, wrong } = ways[way.value];
+            const { formula: name, right, wrong } = ways[way.value];
+            if (formula.value !== name) stand(name);
             find('output').textContent = `${Number(way.value) + 1} of ${ways.length}`;
             way.setAttribute('aria-valuetext', wrong);
-            find('.stands').innerHTML = typeset(compared(right, right));
+            host.querySelectorAll('.sign').forEach(sign => sign.classList.toggle('chosen', sign.dataset.ways.split(' ').includes(way.value)));
             find('.broken').innerHTML = typeset(compared(right, wrong));
             find('.says').textContent = 'The trials run…';
             // Only the last of many mistakes that are passed over.
             await new Promise(rest => setTimeout(rest, 120));
-            if (now !== asked) return;
+            if (now !== last) return;
             const { verdicts, trials } = await ask('broken', Number(claim.value), Number(way.value));
-            if (now !== asked) return;
+            if (now !== last) return;
             const red = trials.filter(({ agrees }) => agrees[0] && !agrees[1]).length;
             const read = trials.filter(({ reads }) => reads).length;
             const [before, after] = verdicts;
             find('.says').textContent = `${red} of ${read} ${read === 1 ? 'trial' : 'trials'} that read the formula ${red === 1 ? 'turns' : 'turn'} red. `
                 + (before === after ? `The verdict of the claim alone stays: ${before}.` : `The verdict of the claim alone: ${before} before, ${after} now.`);
-            find('.said').innerHTML = trials.map(({ trial, compared, reads, agrees, measured }) => {
+            const redFirst = [...trials].sort((a, b) => (b.agrees[0] && !b.agrees[1]) - (a.agrees[0] && !a.agrees[1]));
+            find('.said').innerHTML = redFirst.map(({ trial, compared, reads, agrees, measured }) => {
                 const [mark, word, kind] = !reads ? ['–', 'does not read it', 'idle'] : agrees[1] ? ['✓', 'agrees', 'green']
                     : agrees[0] ? ['✗', 'turns red', 'red'] : ['✗', 'disagrees, as before', 'idle'];
                 return `<li class="${kind}"><b>${mark} ${word}</b> <code>${escaped(trial)}</code> ${said(compared)} <em>${said(measured[reads ? 1 : 0])}</em></li>`;
@@ -207,8 +236,14 @@
 
         claim.addEventListener('change', () => choose());
         way.addEventListener('input', () => show(way.value));
+        formula.addEventListener('change', () => show(ways.findIndex(way => way.formula === formula.value)));
+        // The ways to break it at a sign, one after the other.
+        find('.stands').addEventListener('click', event => {
+            const own = event.target.closest('.sign')?.dataset.ways.split(' ');
+            if (own) show(Number(own[(own.indexOf(way.value) + 1) % own.length]));
+        });
         find('button').addEventListener('click', () => show(Math.floor(Math.random() * ways.length)));
-        claim.value = claims.findIndex(([id]) => id === 'eq-13');
+        claim.value = claims.findIndex(([id]) => id === (asked || 'eq-13'));
         choose(0);
     }
 })();

@@ -76,7 +76,7 @@ pub(super) fn errors() -> Result<Filled, Failure> {
         "from event to event".to_owned(),
     ];
     for (task, _) in &tasks {
-        own.push(digit(our_error(task)?));
+        own.push(shaded(our_error(task)?));
     }
     rows.push(own);
     for candidate in results::candidates()? {
@@ -84,11 +84,18 @@ pub(super) fn errors() -> Result<Filled, Failure> {
         for (task, _) in &tasks {
             let marks = candidate.marks(task)?;
             let best = results::kept(&marks).map(|mark| mark.error);
-            row.push(best.map_or(String::new(), digit));
+            row.push(best.map_or(String::new(), shaded));
         }
         rows.push(row);
     }
     Ok(Filled::Block(wide(&head, &rows)))
+}
+
+/// An error on a ground that is the darker the more digits are right.
+fn shaded(error: f64) -> String {
+    let digits = (-libm::log10(error)).clamp(0.0, 16.0);
+    let error = digit(error);
+    format!("<span class=\"heat\" style=\"--digits: {digits:.0}\">{error}</span>")
 }
 
 /// The accuracy at which costs are compared: what most candidates reach.

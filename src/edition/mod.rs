@@ -24,6 +24,7 @@ pub static EDITION: Edition = Edition {
     address: None,
     repository: None,
     pages: pages::WRITTEN,
+    moved: pages::MOVED,
     usual: &[],
     figures: || Ok(figures::all()?),
     symbols: symbols::SYMBOLS,
@@ -45,7 +46,7 @@ pub static EDITION: Edition = Edition {
             ],
         ),
         (
-            "trust.html#what-you-have-to-trust",
+            "methods.html#what-you-have-to-trust",
             &["who is right", "trust"],
         ),
         ("constant.html#s21-portrait-consistent", &["undecided"]),

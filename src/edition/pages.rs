@@ -1,59 +1,95 @@
-//! The pages as they are written.
+//! The pages as they are written, and where those of earlier books are now.
 
-use trialbook::edition::Page;
+use trialbook::edition::{Page, Part};
 
 /// One list of the written pages, for the book and for the doctests; a topic has its title elsewhere.
 macro_rules! written {
-    ($($stem:ident $($title:literal)?),+ $(,)?) => {
+    ($($part:ident: $($stem:ident $($title:literal)?),+;)+) => {
         /// The written pages. A topic that is not named here gets a page made from its claims alone.
-        pub(super) const WRITTEN: &[Page] = &[$(Page::new(
+        pub(super) const WRITTEN: &[Page] = &[$($(Page::of(
+            Part::$part,
             stringify!($stem),
             concat!($($title)?),
             include_str!(concat!("../../book/src/", stringify!($stem), ".md")),
-        )),+];
+        )),+),+];
 
         /// The code on the pages runs as tests.
         #[cfg(doctest)]
         mod doctests {
-            $(
+            $($(
                 #[doc = include_str!(concat!("../../book/src/", stringify!($stem), ".md"))]
                 mod $stem {}
-            )+
+            )+)+
         }
     };
 }
 
 written!(
-    index "Slipbook",
-    general,
-    constant,
-    sinusoidal,
-    periodic,
-    anisotropic,
-    sphere,
-    turntable,
-    escape,
-    rest,
-    new "What is new here",
-    related "Related work",
-    ledger "The ledger",
-    proved "What is proved, argued, measured",
-    lemmas "Lemmas",
-    certificates "Certificates",
-    trust "What you have to trust",
-    accuracy "How accurately it was measured",
-    errata "Errata",
-    findings "The findings, to print",
-    map "The map of claims",
-    equations "Index of equations",
-    symbols "Index of symbols",
-    values "Index of values",
-    methods "How a verdict comes about",
-    snapshots "How to read a snapshot",
-    adding "How to add a claim",
-    own "Your own paper",
-    json "Answers as JSON",
-    python "From Python",
-    speed "How fast",
-    exam "An exam in dry friction",
+    Read:
+        index "Slipbook",
+        general,
+        constant,
+        sinusoidal,
+        periodic,
+        anisotropic,
+        sphere,
+        turntable,
+        escape,
+        rest,
+        new "What is new here",
+        related "Related work",
+        breaking "Break it yourself";
+    Check:
+        errata "Errata",
+        ledger "The ledger",
+        map "The map of claims",
+        lookup "Look up";
+    Trust:
+        methods "How we know",
+        lemmas "Lemmas",
+        exam "An exam in dry friction";
+    Use:
+        own "Your own paper",
+        adding "Claims and snapshots",
+        json "JSON, CSV, Python",
+        certificates "Certificates";
 );
+
+/// Addresses of earlier books.
+pub(super) const MOVED: &[(&str, &str)] = &[
+    ("accuracy.html", "methods.html#accuracy"),
+    (
+        "accuracy.html#how-accurately-it-was-measured",
+        "methods.html#accuracy",
+    ),
+    ("equations.html", "ledger.html"),
+    (
+        "equations.html#index-of-equations",
+        "ledger.html#the-ledger",
+    ),
+    ("findings.html", "errata.html"),
+    ("findings.html#findings-", "errata.html#erratum-"),
+    ("findings.html#print-errors", "errata.html#corrections"),
+    ("findings.html#print-verdicts", "ledger.html#the-ledger"),
+    ("findings.html#print-", "errata.html#"),
+    ("findings.html#print", "errata.html#errata"),
+    ("proved.html", "methods.html"),
+    (
+        "proved.html#what-is-proved-argued-measured",
+        "methods.html#how-a-verdict-comes-about",
+    ),
+    ("proved.html#strongest", "ledger.html#the-ledger"),
+    ("python.html", "json.html#python"),
+    ("python.html#from-python", "json.html#python"),
+    ("snapshots.html", "adding.html#sheet"),
+    ("snapshots.html#how-to-read-a-snapshot", "adding.html#sheet"),
+    ("speed.html", "json.html#speed"),
+    ("speed.html#how-fast", "json.html#speed"),
+    ("symbols.html", "lookup.html#symbols"),
+    ("symbols.html#index-of-symbols", "lookup.html#symbols"),
+    ("trust.html", "methods.html#what-you-have-to-trust"),
+    ("trust.html#break-it", "breaking.html#break-it"),
+    ("trust.html#broken", "breaking.html#broken"),
+    ("values.html", "lookup.html#values"),
+    ("values.html#index-of-values", "lookup.html#values"),
+];

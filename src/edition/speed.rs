@@ -1,4 +1,4 @@
-//! The table of the page "How fast", from the committed result file.
+//! The tables under "How fast", from the committed result file.
 
 use serde::Deserialize;
 use trialbook::book::{escape, table};

@@ -10,7 +10,7 @@ use tempfile::TempDir;
 use trialbook::book::{self, BookError};
 use trialbook::claims::read::File;
 use trialbook::claims::{Claim, Paper, Topic};
-use trialbook::edition::{Edition, Page};
+use trialbook::edition::{Edition, Page, Part};
 use trialbook::figures::Figure;
 
 /// A claim with everything that a box can show, some of it hostile.
@@ -193,9 +193,13 @@ fn the_book_is_whole() {
         .keys()
         .filter(|name| name.ends_with(".html"))
         .collect();
-    // Those of the edition, the print page and the table of contents.
+    // Those of the edition, those that lead on, the print page and the table of contents.
     let of_code = pages.iter().filter(|name| name.starts_with("code/"));
-    assert_eq!(pages.len() - of_code.count(), EDITION.pages.len() + 2);
+    let moved = EDITION.moved.iter().filter(|(from, _)| !from.contains('#'));
+    assert_eq!(
+        pages.len() - of_code.count(),
+        EDITION.pages.len() + moved.count() + 2
+    );
 
     for page in &pages {
         let html = text(page);
@@ -242,6 +246,34 @@ fn the_book_is_whole() {
     assert_eq!(text("figures/fig-1.csv"), "x,y\n0,0\n4,2\n");
 }
 
+/// Figures are numbered through a page, whichever of them a script folds away.
+#[test]
+fn figures_have_the_numbers_of_their_places() {
+    let files = whole();
+    for page in EDITION.pages {
+        let html = std::str::from_utf8(&files[&format!("{}.html", page.stem)]).unwrap();
+        let captions = html.split("<figcaption>").skip(1);
+        for (i, caption) in captions.enumerate() {
+            let number = format!("<strong>Fig. {}.</strong>", i + 1);
+            assert!(caption.starts_with(&number), "{}: {}", page.stem, i + 1);
+        }
+    }
+}
+
+/// Numbers in the text lead to their equations, but where another paper's are meant; there are no cards there either.
+#[test]
+fn numbers_are_links_where_the_paper_is_spoken_of() {
+    let files = whole();
+    for page in EDITION.pages {
+        let html = std::str::from_utf8(&files[&format!("{}.html", page.stem)]).unwrap();
+        let about = page.part != Part::Use;
+        assert_eq!(html.contains("theme/cards.js"), about, "{}", page.stem);
+        assert!(about || !html.contains("class=\"cite\""), "{}", page.stem);
+    }
+    let escape = std::str::from_utf8(&files["escape.html"]).unwrap();
+    assert!(escape.contains("<a class=\"cite\" href=\"turntable.html#eq-113\">(113)</a>"));
+}
+
 #[test]
 fn the_page_for_printing_leads_to_places_within_itself() {
     let files = whole();
@@ -257,13 +289,42 @@ fn the_page_for_printing_leads_to_places_within_itself() {
     assert!(main.contains("href=\"#eq-11\"") && main.contains("id=\"eq-11\""));
 }
 
+/// Whatever was an address leads to its place, on a page that has moved elsewhere; the book itself knows the new ones alone.
 #[test]
 fn addresses_stay() {
     let files = whole();
+    let moved = |address: &str| {
+        let (page, _) = address.split_once('#')?;
+        let own = EDITION.moved.iter().find(|(from, _)| *from == address);
+        let begins = || {
+            EDITION
+                .moved
+                .iter()
+                .find(|(from, _)| from.ends_with('-') && address.starts_with(from))
+        };
+        let (from, to) = own
+            .or_else(begins)
+            .or_else(|| EDITION.moved.iter().find(|(from, _)| *from == page))?;
+        Some(match from.contains('#') {
+            true => address.replacen(from, to, 1),
+            false => address.replacen(page, to.split('#').next()?, 1),
+        })
+    };
     for address in include_str!("../../tests/data/addresses.txt").lines() {
-        let (page, id) = address.split_once('#').unwrap();
+        let now = moved(address).unwrap_or_else(|| address.to_owned());
+        let (page, id) = now.split_once('#').unwrap();
         let html = std::str::from_utf8(&files[page]).unwrap();
         assert!(html.contains(&format!(" id=\"{id}\"")), "{address} is gone");
+    }
+    let old = EDITION.moved.iter().filter(|(from, _)| !from.contains('#'));
+    for (old, _) in old {
+        let link = format!("href=\"{old}");
+        for (name, text) in files.iter().filter(|(name, _)| name.ends_with(".html")) {
+            assert!(
+                !String::from_utf8_lossy(text).contains(&link),
+                "{name} leads to {old}"
+            );
+        }
     }
 }
 
@@ -395,7 +456,9 @@ fn a_published_book_says_where_it_is() {
         assert!(!description.starts_with('"'), "{stem}");
     }
     assert!(out.join("share.png").is_file());
-    assert!(read("index").contains("<a href=\"https://code.example/slip\">this repository</a>"));
+    assert!(
+        read("index").contains("<a href=\"https://code.example/slip\">the program’s sources</a>")
+    );
 }
 
 /// What comes of writing the book with one page changed.

@@ -74,6 +74,6 @@ pub fn all() -> Result<Vec<Figure>, AllFiguresError> {
 fn after(id: &str) -> String {
     let number = id.trim_start_matches("fig-");
     format!(
-        "After figure {number} of the paper, by its caption and marks; its source has no pictures, and we have not seen that one."
+        "After the paper's Figure {number}, by its caption and marks; its source has no pictures, and we have not seen that one."
     )
 }

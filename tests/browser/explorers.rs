@@ -868,7 +868,7 @@ pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
 
 /// Break it yourself: what turns red in the page is what turns red in the crate.
 pub fn broken(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    page.open(&book.address("trust.html"))?;
+    page.open(&book.address("breaking.html"))?;
     page.wait_for("document.querySelector('#broken button') !== null")?;
     page.value("document.querySelector('#broken button').click()")?;
     page.wait_for("document.querySelector('#broken').dataset.shown === '0'")?;
@@ -917,6 +917,28 @@ pub fn broken(page: &mut Page, book: &Book) -> Result<(), Failure> {
         }
         page.value("document.querySelector('#broken input').focus()")?;
         page.press("ArrowRight")?;
+    }
+    // An address that names a claim opens it; a click on a sign breaks the formula there.
+    page.open(&book.address("breaking.html#broken?claim=eq-135"))?;
+    let shown = "document.querySelector('#broken').dataset.shown";
+    page.wait_for(&format!("{shown} === '0'"))?;
+    let ways = breaks("eq-135");
+    let signs = page
+        .texts("[...document.querySelectorAll('#broken .sign')].map(sign => sign.dataset.ways)")?;
+    if signs.is_empty() {
+        wrong.push("there is no sign to click on".to_owned());
+    }
+    for (i, own) in signs.iter().enumerate() {
+        page.value(&format!(
+            "document.querySelectorAll('#broken .sign')[{i}].dispatchEvent(new MouseEvent('click', {{ bubbles: true }}))"
+        ))?;
+        page.wait_for(&format!("{shown} !== undefined"))?;
+        let seen = page.value(&format!("Number({shown})"))?.as_f64();
+        let way = ways.get(seen.unwrap_or(f64::MAX) as usize);
+        let is_own = own.split(' ').any(|own| own.parse().ok() == seen);
+        if !is_own || way.is_none_or(|way| way.formula != ways[0].formula) {
+            wrong.push(format!("the sign {i} shows {seen:?}, not {own}"));
+        }
     }
     wrong.extend(page.complaints());
     none(wrong)

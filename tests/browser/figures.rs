@@ -12,7 +12,7 @@ pub fn apart(page: &mut Page, book: &Book) -> Result<(), Failure> {
     let (mut wrong, mut count) = (Vec::new(), 0);
     for name in crate::explorers::PAGES
         .into_iter()
-        .chain(["accuracy", "exam"])
+        .chain(["methods", "exam"])
     {
         page.resize(1400, 900)?;
         page.open(&book.address(&format!("{name}.html")))?;

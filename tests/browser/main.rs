@@ -19,6 +19,7 @@ mod visit;
 use chrome::{Browser, Failure, Page};
 use libtest_mimic::{Arguments, Trial};
 use slipbook::book::files_below;
+use slipbook::edition::EDITION;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
 use std::env;
@@ -36,7 +37,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 29] = [
+const TESTS: [(&str, Test); 30] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -70,6 +71,7 @@ const TESTS: [(&str, Test); 29] = [
     ("the_first_page_answers", pages::front),
     ("a_formula_can_be_broken", explorers::broken),
     ("long_tables_filter_and_sort", pages::filters),
+    ("old_addresses_lead_on", pages::moved),
     ("no_explorer_shows_its_markup", explorers::labels),
     (
         "a_view_can_be_linked_and_fragments_still_work",
@@ -79,7 +81,7 @@ const TESTS: [(&str, Test); 29] = [
     ("every_slider_shows_its_picture_in_time", measures::sliders),
     ("every_picture_is_drawn_in_time", measures::frames),
     ("a_phone_shows_all", measures::phone),
-    ("paper_holds_the_findings", measures::paper),
+    ("paper_holds_the_errata", measures::paper),
     ("nothing_on_paper_is_too_small_to_read", paper::sizes),
     ("what_one_points_at_is_said", measures::cards),
     ("pages_are_accessible", access::pages),
@@ -91,7 +93,7 @@ const TIMED: [&str; 4] = [
     "every_answer_comes_in_time",
     "every_slider_shows_its_picture_in_time",
     "every_picture_is_drawn_in_time",
-    "paper_holds_the_findings",
+    "paper_holds_the_errata",
 ];
 
 /// Whether times are measured, with nothing else at the same time.
@@ -194,9 +196,10 @@ impl Book {
             return Err(String::from_utf8_lossy(&output.stderr).into_owned());
         }
         let files = files_below(&out).map_err(|error| error.to_string())?;
+        let leads_on = |name: &String| EDITION.moved.iter().any(|(from, _)| from == name);
         let mut pages: Vec<_> = files
             .into_keys()
-            .filter(|name| name.ends_with(".html"))
+            .filter(|name| name.ends_with(".html") && !leads_on(name))
             .collect();
         // The longest first, so that no tab is left alone with one in the end.
         let length = |page: &String| fs::metadata(out.join(page)).map_or(0, |file| file.len());

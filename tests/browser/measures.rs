@@ -224,9 +224,9 @@ pub fn phone(page: &mut Page, book: &Book) -> Result<(), Failure> {
     none(wrong)
 }
 
-/// The findings fill few pages of paper, and all pages in one are there in time.
+/// The errata fill few pages of paper, and all pages in one are there in time.
 pub fn paper(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    page.open(&book.address("findings.html"))?;
+    page.open(&book.address("errata.html"))?;
     let printed = page.call("Page.printToPDF", json!({ "preferCSSPageSize": true }))?;
     let data = printed["data"].as_str().ok_or("nothing is printed")?;
     let pages = page.value(&format!(
@@ -237,7 +237,7 @@ pub fn paper(page: &mut Page, book: &Book) -> Result<(), Failure> {
         .as_u64()
         .is_none_or(|pages| !(5..=40).contains(&pages))
     {
-        wrong.push(format!("the findings have {pages} pages"));
+        wrong.push(format!("the errata have {pages} pages"));
     }
     // The time of the page's own thread: what else this machine does is not counted.
     page.call("Performance.enable", json!({ "timeDomain": "threadTicks" }))?;
@@ -261,7 +261,7 @@ pub fn cards(page: &mut Page, book: &Book) -> Result<(), Failure> {
     let mut wrong = Vec::new();
     for (pointed, says) in [
         (
-            "[...document.querySelectorAll('.cite')].find(cite => cite.textContent === '(113)')",
+            "[...document.querySelectorAll('a.cite')].find(cite => cite.textContent === '(113)')",
             "(113)",
         ),
         (

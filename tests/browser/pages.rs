@@ -259,26 +259,99 @@ pub fn front(page: &mut Page, book: &Book) -> Result<(), Failure> {
 
 /// The long tables keep the rows that one asks for, and sort.
 pub fn filters(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    page.open(&book.address("equations.html"))?;
-    page.value(
-        "(field => { field.value = 'misprint'; field.dispatchEvent(new Event('input')); })(document.querySelector('.filter input'))",
-    )?;
-    let rows = page.texts(
-        "[...document.querySelectorAll('.equations tbody tr')].filter(row => row.checkVisibility()).map(row => row.textContent)",
-    )?;
-    let mut wrong: Vec<_> = rows
-        .iter()
-        .filter(|row| !row.contains("misprint"))
-        .cloned()
-        .collect();
-    if rows.is_empty() {
-        wrong.push("no row is left".to_owned());
+    page.open(&book.address("ledger.html"))?;
+    let mut wrong = Vec::new();
+    let shown =
+        "[...document.querySelectorAll('.ledger tbody tr')].filter(row => row.checkVisibility())";
+    let type_in = |words: &str| {
+        format!(
+            "(field => {{ field.value = '{words}'; field.dispatchEvent(new Event('input')); }})(document.querySelector('.filter input'))"
+        )
+    };
+    let press = |name: &str| format!("document.querySelector('.counts button.{name}').click()");
+    let numbered = "document.querySelector('.filter [type=checkbox]').click()".to_owned();
+    let fails = ".misprint, .misderived, .inherited, .refuted";
+    for (act, undo, expected) in [
+        (
+            type_in("misprint"),
+            type_in(""),
+            "row.querySelector('.misprint')".to_owned(),
+        ),
+        (
+            type_in("wrong"),
+            type_in(""),
+            format!("row.querySelector('{fails}')"),
+        ),
+        (
+            type_in("tau"),
+            type_in(""),
+            "row.textContent.includes('τ')".to_owned(),
+        ),
+        (
+            press("inherited"),
+            press("inherited"),
+            "row.querySelector('.inherited')".to_owned(),
+        ),
+        (
+            numbered.clone(),
+            numbered,
+            "row.cells[0].textContent.startsWith('(')".to_owned(),
+        ),
+    ] {
+        page.value(&act)?;
+        let [right, all, there] = [
+            format!("{shown}.filter(row => {expected}).length"),
+            format!("{shown}.length"),
+            format!("[...document.querySelectorAll('.ledger tbody tr')].filter(row => {expected}).length"),
+        ]
+        .map(|count| page.value(&count));
+        let [right, all, there] = [right?, all?, there?];
+        if right != all || right == 0 || all != there {
+            wrong.push(format!(
+                "{act}: {right} of {all} rows shown are right, and there are {there}"
+            ));
+        }
+        page.value(&undo)?;
     }
-    page.value("[...document.querySelectorAll('.equations .sort')].at(-1).click()")?;
-    let sorted = page
-        .value("document.querySelector('.equations tbody tr').textContent.includes('confirmed')")?;
-    if sorted != true {
+    page.value("document.querySelectorAll('.ledger .sort')[1].click()")?;
+    let first = page.value("document.querySelector('.ledger tbody tr .verdict').textContent")?;
+    if first != "confirmed" {
         wrong.push("the table is not sorted by verdict".to_owned());
+    }
+    none(wrong)
+}
+
+/// The addresses of earlier books lead to where things are now; without scripts to the page.
+pub fn moved(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let mut wrong = Vec::new();
+    for scripts in [true, false] {
+        page.call(
+            "Emulation.setScriptExecutionDisabled",
+            json!({ "value": !scripts }),
+        )?;
+        for (old, new, place) in [
+            (
+                "findings.html#findings-eq-82",
+                "errata.html",
+                "erratum-eq-82",
+            ),
+            ("accuracy.html#digits", "methods.html", "digits"),
+            ("values.html", "lookup.html", "values"),
+            ("trust.html#break-it", "breaking.html", "break-it"),
+        ] {
+            page.call("Page.navigate", json!({ "url": book.address(old) }))?;
+            let there = match scripts {
+                true => format!(
+                    "location.href === {} && document.getElementById('{place}') !== null",
+                    json!(book.address(&format!("{new}#{place}")))
+                ),
+                // Where a page has gone, not where each of its parts has.
+                false => "document.querySelector('main h1') !== null".to_owned(),
+            };
+            if page.wait_for(&there).is_err() {
+                wrong.push(format!("{old} does not lead to {place}, scripts {scripts}"));
+            }
+        }
     }
     none(wrong)
 }

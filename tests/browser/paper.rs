@@ -9,15 +9,7 @@ use serde_json::json;
 const SHEET: u32 = 665;
 
 /// Pages with what is hard to set: long formulas, wide tables, figures.
-const HARD: [&str; 7] = [
-    "findings",
-    "errata",
-    "ledger",
-    "equations",
-    "accuracy",
-    "exam",
-    "map",
-];
+const HARD: [&str; 6] = ["errata", "ledger", "methods", "lookup", "exam", "map"];
 
 /// Words, figures and formulas are printed in eight points at least, but for indices and powers, and no formula is wider than its
 /// place, for which a browser would set the whole page smaller.
@@ -31,6 +23,14 @@ pub fn sizes(page: &mut Page, book: &Book) -> Result<(), Failure> {
             "(() => {
                 dispatchEvent(new Event('beforeprint'));
                 const main = document.querySelector('main'), found = [];
+                // As it is seen: folded, but for the answers. Then as who has unfolded all of it prints it.
+                const folds = [...main.querySelectorAll('details:is(:not([class]), .evidence, .proof, .listing)')];
+                folds.forEach(fold => {
+                    const answers = fold.closest('.exercise') !== null;
+                    const seen = fold.checkVisibility() && [...fold.children].some(part => !part.matches('summary') && part.checkVisibility());
+                    if (seen !== answers && !fold.parentElement.closest('details')) found.push(`${fold.textContent.slice(0, 60)} is ${seen ? '' : 'not '}printed`);
+                    fold.open = true;
+                });
                 const points = part => {
                     const matrix = part.ownerSVGElement?.getScreenCTM();
                     return 0.75 * parseFloat(getComputedStyle(part).fontSize) * (matrix ? Math.hypot(matrix.a, matrix.b) : 1);

@@ -36,7 +36,11 @@ fn sections() -> Vec<Section> {
             described: part.lines().filter_map(row).collect(),
         }
     };
-    parts.map(section).collect()
+    // Others have no fields.
+    let sections = parts.map(section);
+    sections
+        .filter(|section| !section.described.is_empty())
+        .collect()
 }
 
 fn note(shape: &mut Shape, path: &str, value: &Value) {

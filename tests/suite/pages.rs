@@ -10,7 +10,7 @@ use std::process::Command;
 use trialbook::notation::{Piece, pieces, plain_formula, plain_words};
 
 /// Pages that explain what verdicts are, and so name them.
-const ON_VERDICTS: [&str; 6] = ["methods", "adding", "own", "snapshots", "errata", "map"];
+const ON_VERDICTS: [&str; 5] = ["methods", "adding", "own", "errata", "map"];
 
 /// How many lines of the plain letter two pages of the set one hold, nearly.
 const TWO_PAGES: usize = 201;

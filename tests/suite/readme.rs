@@ -194,7 +194,7 @@ fn the_package_has_all_sources() {
 #[test]
 fn the_script_is_on_its_page() {
     let script = include_str!("../../book/python/figures.py");
-    let page = include_str!("../../book/src/python.md");
+    let page = include_str!("../../book/src/json.md");
     assert!(page.contains(&format!("```python\n{script}```\n")));
     assert!(script.lines().count() <= 40);
 }

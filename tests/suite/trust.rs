@@ -1,4 +1,4 @@
-//! The page "What you have to trust" against the code: what it lists is tried, and is complete. How long it is, the book counts.
+//! The section "What you have to trust" against the code: what it lists is tried, and is complete. How long it is, the book counts.
 
 use slipbook::book::files_below;
 use std::fs;
@@ -13,7 +13,7 @@ struct Row {
 }
 
 fn rows() -> Vec<Row> {
-    let page = fs::read_to_string("book/src/trust.md").unwrap();
+    let page = fs::read_to_string("book/src/methods.md").unwrap();
     let row = |line: &str| {
         let (_, rest) = line.split_once("{{lines ")?;
         let (modules, rest) = rest.split_once("}}")?;
@@ -75,7 +75,7 @@ fn the_page_is_complete() {
 /// Libraries that compute stand on the page; the others give no number to a verdict.
 #[test]
 fn libraries_that_compute_are_named() {
-    let page = fs::read_to_string("book/src/trust.md").unwrap();
+    let page = fs::read_to_string("book/src/methods.md").unwrap();
     let manifests =
         ["Cargo.toml", "trialbook/Cargo.toml"].map(|file| fs::read_to_string(file).unwrap());
     const NO_NUMBERS: &[&str] = &[

@@ -45,9 +45,12 @@ pub struct Edition {
     pub repository: Option<&'static str>,
     /// The paper.
     pub paper: &'static Paper,
-    /// The pages: `index` stands first, then those of the topics, whose titles are the topics', then all others in this
-    /// order. Where `index` or the page of a topic is missing, one is made.
+    /// The pages: `index` stands first, then those of the topics, whose titles are the topics', then all others, part by
+    /// part, in this order. Where `index` or the page of a topic is missing, one is made.
     pub pages: &'static [Page],
+    /// Addresses of earlier books, and where what was there is now: `values.html` is a whole page, whose places keep their
+    /// names on the new one but for those that are listed, such as `values.html#index`, and `values.html#old-` for all that begin so.
+    pub moved: &'static [(&'static str, &'static str)],
     /// The pages behind those; one whose stem is among them is left out.
     pub usual: &'static [Page],
     /// Draws the figures. The map of claims is drawn anyway.
@@ -87,6 +90,7 @@ impl Edition {
             repository: None,
             paper,
             pages: &[],
+            moved: &[],
             usual: Page::USUAL,
             figures: || Ok(Vec::new()),
             symbols: &[],
@@ -108,12 +112,27 @@ impl Edition {
     }
 }
 
+/// A part of the table of contents.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Part {
+    /// The paper, and what follows from it.
+    Read,
+    /// The verdicts in lists.
+    Check,
+    /// What they rest on.
+    Trust,
+    /// For whoever programs: nothing there is about the paper.
+    Use,
+}
+
 /// A written page, in Markdown; [`crate::book`] lists its placeholders.
 #[derive(Debug, Clone)]
 pub struct Page {
     /// The file's name without its extension.
     pub stem: &'static str,
-    /// Its name in the table of contents.
+    /// The part of the table of contents that it belongs to.
+    pub part: Part,
+    /// Its name there.
     pub title: &'static str,
     /// Its text.
     pub text: Cow<'static, str>,
@@ -123,13 +142,29 @@ impl Page {
     /// The verdicts at a glance.
     pub const INDEX: Page = Page::new("index", "Overview", include_str!("../pages/index.md"));
     /// Every claim with its verdict.
-    pub const LEDGER: Page = Page::new("ledger", "The ledger", include_str!("../pages/ledger.md"));
+    pub const LEDGER: Page = Page::of(
+        Part::Check,
+        "ledger",
+        "The ledger",
+        include_str!("../pages/ledger.md"),
+    );
     /// All that is known of each claim.
-    pub const SHEETS: Page = Page::new("sheets", "The sheets", include_str!("../pages/sheets.md"));
+    pub const SHEETS: Page = Page::of(
+        Part::Check,
+        "sheets",
+        "The sheets",
+        include_str!("../pages/sheets.md"),
+    );
     /// What is wrong, with the letters to the journal.
-    pub const ERRATA: Page = Page::new("errata", "Errata", include_str!("../pages/errata.md"));
+    pub const ERRATA: Page = Page::of(
+        Part::Check,
+        "errata",
+        "Errata",
+        include_str!("../pages/errata.md"),
+    );
     /// What the verdicts rest on.
-    pub const METHODS: Page = Page::new(
+    pub const METHODS: Page = Page::of(
+        Part::Trust,
         "methods",
         "How a verdict comes about",
         include_str!("../pages/methods.md"),
@@ -138,10 +173,24 @@ impl Page {
     /// The pages that serve any paper, but for the first one.
     pub const USUAL: &'static [Page] = &[Self::LEDGER, Self::SHEETS, Self::ERRATA, Self::METHODS];
 
-    /// A page by its stem, its title and its text.
+    /// A page to read, by its stem, its title and its text.
     pub const fn new(stem: &'static str, title: &'static str, text: &'static str) -> Self {
-        let text = Cow::Borrowed(text);
-        Self { stem, title, text }
+        Self::of(Part::Read, stem, title, text)
+    }
+
+    /// A page of a part, by its stem, its title and its text.
+    pub const fn of(
+        part: Part,
+        stem: &'static str,
+        title: &'static str,
+        text: &'static str,
+    ) -> Self {
+        Self {
+            stem,
+            part,
+            title,
+            text: Cow::Borrowed(text),
+        }
     }
 
     /// The file's name as Markdown.

@@ -47,10 +47,10 @@
     all('.katex-display, .steps, .claim-words, .table-wrapper, .says, .map-window').forEach(box => widths.observe(box));
     addEventListener('scroll', ({ target }) => target.matches?.('.table-wrapper') && fades(target), { capture: true, passive: true });
 
-    // On paper answers and lists are not folded away, for browsers whose styles cannot say so.
+    // On paper answers are not folded away, for browsers whose styles cannot say so; all else is as it is seen.
     let closed = [];
     addEventListener('beforeprint', () => {
-        closed = all('details:is(:not([class]), .evidence, .proof, .listing):not([open])');
+        closed = all('.exercise details:not([open])');
         closed.forEach(box => { box.open = true; });
     });
     addEventListener('afterprint', () => closed.forEach(box => { box.open = false; }));
@@ -165,40 +165,63 @@
         box.before(button);
     });
 
-    // Long tables: a field that keeps the rows with all its words, and headings that sort.
-    const bars = new Set(['ledger', 'equations', 'values', 'symbols', 'strongest', 'accuracy']);
+    // Long tables: a field that keeps the rows with all its words, and headings that sort. In the ledger the table of counts keeps
+    // the rows of a verdict, and a switch the numbered claims.
+    const bars = new Set(['ledger', 'values', 'symbols', 'accuracy']);
     const tables = all('.table-wrapper').filter(box => [...box.classList].some(name => bars.has(name)));
     const long = tables.some(box => all('tbody tr', box).length > 12);
     if (long && !document.querySelector('.claim')) {
         const bar = document.createElement('div');
         bar.className = 'filter';
-        bar.innerHTML = '<label>Only rows with <input type="search" autocomplete="off" placeholder="inherits, 2.2, τ"></label> <span role="status"></span>';
-        const field = bar.querySelector('input'), said = bar.querySelector('span');
+        const ledger = tables[0].matches('.ledger');
+        bar.innerHTML = `<label>Only rows with <input type="search" autocomplete="off" placeholder="inherits, 2.2, τ"></label>
+            ${ledger ? '<label><input type="checkbox"> numbered only</label>' : ''} <span role="status"></span>`;
+        const [field, numbered] = all('input', bar), said = bar.querySelector('span');
+        const kinds = (ledger ? all('.counts .verdict') : []).map(mark => {
+            const button = document.createElement('button');
+            button.type = 'button';
+            button.className = mark.className;
+            button.innerHTML = mark.innerHTML;
+            button.setAttribute('aria-pressed', false);
+            mark.replaceWith(button);
+            return button;
+        });
         // Where no script of the page's own reads the formula, its source would be read twice: as MathML and as HTML.
         const text = row => {
             const copy = row.cloneNode(true);
             all('.katex-html, annotation', copy).forEach(part => part.remove());
-            return copy.textContent.toLowerCase();
+            const fails = copy.querySelector('.verdict:is(.misprint, .misderived, .inherited, .refuted)');
+            return `${copy.textContent} ${fails ? 'wrong false' : ''}`.toLowerCase();
         };
         let rows;
         const filter = () => {
             rows ||= tables.flatMap(box => all('tbody tr', box)).map(row => [row, text(row)]);
+            // `tau` is τ.
+            const letters = window.trialbookSearch?.letters || (word => word);
             const words = field.value.toLowerCase().split(/\s+/).filter(Boolean);
+            const kind = kinds.find(button => button.getAttribute('aria-pressed') === 'true')?.classList[1];
             let shown = 0;
             rows.forEach(([row, has]) => {
-                row.hidden = !words.every(word => has.includes(word));
+                row.hidden = !words.every(word => has.includes(word) || has.includes(letters(word)))
+                    || Boolean(kind && !row.querySelector(`.verdict.${kind}`)) || Boolean(numbered?.checked && !/^\(\d/.test(has));
                 shown += !row.hidden;
             });
-            said.textContent = words.length ? `${shown} of ${rows.length}` : '';
+            said.textContent = shown < rows.length ? `${shown} of ${rows.length}` : '';
             // A table of which no row is left goes, with a heading of its own.
             tables.forEach(box => {
                 box.hidden = all('tbody tr', box).every(row => row.hidden);
                 const above = box.previousElementSibling;
-                if (above?.matches('h2')) above.hidden = box.hidden;
+                if (ledger && above?.matches('h2')) above.hidden = box.hidden;
             });
         };
         field.addEventListener('input', filter);
         field.addEventListener('keydown', event => event.stopPropagation());
+        numbered?.addEventListener('change', filter);
+        kinds.forEach(button => button.addEventListener('click', () => {
+            const on = button.getAttribute('aria-pressed') === 'true';
+            kinds.forEach(other => other.setAttribute('aria-pressed', other === button && !on));
+            filter();
+        }));
         // Above the heading of the first of several tables, beside the only one.
         const first = tables[0].previousElementSibling;
         (tables.length > 1 && first?.matches('h2') ? first : tables[0]).before(bar);

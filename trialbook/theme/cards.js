@@ -1,10 +1,10 @@
-// A card beside a number in brackets, a link to a claim or a symbol: what it is, while one points at it.
+// A card beside a link to a claim or a symbol: what it is, while one points at it.
 (() => {
     'use strict';
     const here = document.currentScript.src;
     const main = document.querySelector('main');
     const page = location.pathname.split('/').pop() || 'index.html';
-    if (!main || page === 'print.html') return;
+    if (!main) return;
 
     let loading;
     const load = () => loading ||= window.trialbookAnswers ? Promise.resolve() : new Promise((done, failed) => {
@@ -14,23 +14,6 @@
         script.onerror = failed;
         document.head.append(script);
     });
-
-    // Numbers of equations in the text, which are no links.
-    const texts = document.createTreeWalker(main, NodeFilter.SHOW_TEXT, node =>
-        /\(\d{1,3}\)/.test(node.data) && node.parentElement.closest('p, li') && !node.parentElement.closest('a, code, pre, .katex, .explorer, summary, script')
-            ? NodeFilter.FILTER_ACCEPT : NodeFilter.FILTER_REJECT);
-    const found = [];
-    while (texts.nextNode()) found.push(texts.currentNode);
-    for (const node of found) {
-        const parts = node.data.split(/(\(\d{1,3}\))/).map((part, i) => {
-            if (i % 2 === 0) return part;
-            const cite = document.createElement('span');
-            cite.className = 'cite';
-            cite.textContent = part;
-            return cite;
-        });
-        node.replaceWith(...parts);
-    }
 
     const escape = text => String(text).replace(/[&<>"]/g, c => `&#${c.charCodeAt(0)};`);
     // λ_c and λc, θ₀ and θ0 are one.
@@ -47,9 +30,8 @@
             const symbol = same.find(({ claim }) => claim.at.startsWith(page)) || same[0];
             return symbol && `<p><b>${escape(symbol.is)}</b> ${escape(symbol.means)}, ${named(symbol.claim)}</p>`;
         }
-        const number = target.matches('.cite') && Number(target.textContent.slice(1, -1));
         const address = target.getAttribute('href');
-        const claim = claims.find(claim => number ? claim.equation === number : claim.at === address || address === `#${claim.id}`);
+        const claim = claims.find(claim => claim.at === address || address === `#${claim.id}`);
         return claim && `<p>${named(claim)}</p><p class="formula">${claim.formula}</p><p>${escape(claim.says)}</p>`;
     }
 
@@ -84,7 +66,7 @@
         waiting = setTimeout(act, delay);
         if (target) target.waits = waiting;
     };
-    const KINDS = 'a[href*="#"]:not(.header), .cite, p .katex, li .katex';
+    const KINDS = 'a[href*="#"]:not(.header), p .katex, li .katex';
     main.addEventListener('pointerover', event => {
         if (event.target.closest('.card')) {
             clearTimeout(waiting);

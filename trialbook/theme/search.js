@@ -11,7 +11,8 @@
     const AROUND = new Set(['eq', 'equation', 'the', 'a', 'an', 'this', 'in', 'of', 'paper']);
     const ASKED = new Set(['what', 'is', 'are', 'does', 'right', 'wrong', 'true', 'false', 'correct', 'hold', 'proof', 'prove']);
     // However it is typed: `λ_c`, `lambda c` and `λc` are the same, `Y` and `y` are not.
-    const flat = text => text.replace(/[A-Za-z]+/g, name => GREEK[name.toLowerCase()] || name)
+    const letters = text => text.replace(/[A-Za-z]+/g, name => GREEK[name.toLowerCase()] || name);
+    const flat = text => letters(text)
         .replace(/[⁰¹²³⁴⁵⁶⁷⁸⁹]/g, c => `^${HIGH.indexOf(c)}`)
         .replace(/[₀₁₂₃₄₅₆₇₈₉]/g, c => LOW.indexOf(c))
         .replace(/−/g, '-').replace(/[\s_()[\]{}*·]/g, '');
@@ -70,5 +71,5 @@
     })).then(() => elasticlunr.Index.load(window.search.index));
     window.trialbookSearch = async asked => (await load()).search(asked, window.search.search_options)
         .map(({ ref, doc }) => ({ at: window.search.doc_urls[ref], title: doc.title }));
-    window.trialbookSearch.load = load;
+    Object.assign(window.trialbookSearch, { load, letters });
 })();

@@ -54,27 +54,27 @@ macro_rules! counts {
 }
 
 counts! {
-    "accuracy", "asked {} times" => Among(|_| digits().asked);
-    "accuracy", "has all its {} digits" => Among(|_| digits().most);
+    "methods", "asked {} times" => Among(|_| digits().asked);
+    "methods", "has all its {} digits" => Among(|_| digits().most);
     "json", "number of up to {} digits" => Among(|_| digits().most);
     "json", "relative to that {} if" => Among(|_| digits().most);
-    "accuracy", "with numbers of {} digits" => Is(digits_of_two);
-    "accuracy", "computed in numbers of {} digits" => Is(digits_of_two);
+    "methods", "with numbers of {} digits" => Is(digits_of_two);
+    "methods", "computed in numbers of {} digits" => Is(digits_of_two);
     "json", "in numbers of {} digits" => Is(digits_of_two);
-    "accuracy", "sums of {} floating-point" => Is(parts_of_two);
-    "accuracy", "{} time scales" => Of(List::Items);
+    "methods", "sums of {} floating-point" => Is(parts_of_two);
+    "methods", "{} time scales" => Of(List::Items);
     "adding", "{} independent routes" => Is(routes_needed);
     "methods", "{} independent routes or by a proof" => Is(routes_needed);
     "own", "{} independent routes" => Is(routes_needed);
     "methods", "{} rules look at" => Of(List::Items);
-    "proved", "part in {} too strong" => Among(slips);
-    "proved", "part in {} too early" => Among(slips);
-    "proved", "a {} of 0 or of 1" => Is(|| edges("λ₀").map(|c| c.high - c.low).fold(0.0, f64::max));
-    "proved", "coefficient of friction above {}" => Is(|| edges("μ").next().unwrap().low);
-    "proved", "or § above {}" => Is(|| edges("α").find(|c| c.high.is_infinite()).unwrap().low);
-    "proved", "or § above {} or" => Is(|| edges("β").find(|c| c.high.is_infinite()).unwrap().low);
-    "proved", "or below a {}" => Is(|| edges("α").find(|c| c.low == 0.0).unwrap().high);
-    "proved", "below a {} and" => Is(|| edges("β").find(|c| c.low == 0.0).unwrap().high);
+    "methods", "part in {} too strong" => Among(slips);
+    "methods", "part in {} too early" => Among(slips);
+    "methods", "a {} of 0 or of 1" => Is(|| edges("λ₀").map(|c| c.high - c.low).fold(0.0, f64::max));
+    "methods", "coefficient of friction above {}" => Is(|| edges("μ").next().unwrap().low);
+    "methods", "or § above {}" => Is(|| edges("α").find(|c| c.high.is_infinite()).unwrap().low);
+    "methods", "or § above {} or" => Is(|| edges("β").find(|c| c.high.is_infinite()).unwrap().low);
+    "methods", "or below a {}" => Is(|| edges("α").find(|c| c.low == 0.0).unwrap().high);
+    "methods", "below a {} and" => Is(|| edges("β").find(|c| c.low == 0.0).unwrap().high);
     "general", "draws {} conclusions" => Is(|| without_number("general"));
     "general", "{} statements about every" => Is(|| without_number("general"));
     "general", "{} things act on" => Of(List::Items);
@@ -111,15 +111,10 @@ counts! {
     "rest", "less than a {} of each" => Code;
     "rest", "0.4 to {} below" => Code;
     "rest", "from 0.9 to {}" => Code;
-    "speed", "takes some {} steps" => Is(|| 10.0 * (steps() / 10.0).round());
-    "speed", "same for a {} starts" => Among(|_| timed().into_iter().take(1).collect());
-    "speed", "as for a {}" => Among(|_| timed().into_iter().skip(1).collect());
-    "speed", "follows a {} starts" => Among(|page| {
-        let command = behind(&page.text, "slipbook ensemble ").lines().next();
-        let starts = |line: &str| line.split(':').skip(2).step_by(2).map(leading).product();
-        command.map(starts).into_iter().collect()
-    });
-    "speed", "{} things make" => Of(List::Entries);
+    "json", "takes some {} steps" => Is(|| 10.0 * (steps() / 10.0).round());
+    "json", "same for a {} starts" => Among(|_| timed().into_iter().take(1).collect());
+    "json", "as for a {}" => Among(|_| timed().into_iter().skip(1).collect());
+    "json", "{} things make" => Of(List::Entries);
     "turntable", "next {} chapters" => Is(|| {
         let stems = PAPER.topics.iter().map(|topic| topic.stem);
         stems.skip_while(|stem| *stem != "turntable").skip(1).count() as f64
@@ -150,7 +145,7 @@ counts! {
         let text = file("certificates/corrupted.txt");
         behind(&text, ": of ").split(' ').take(1).filter_map(|n| n.replace(',', "").parse().ok()).collect()
     });
-    "trust", "mpmath to a {} decimals" => Among(|_| {
+    "methods", "mpmath to a {} decimals" => Among(|_| {
         let text = file("tests/data/digits/certified.csv");
         let long = text.lines().skip(1).filter_map(|row| row.split(',').nth(2)?.split_once('.'));
         let least = long.map(|(_, decimals)| decimals.len()).min();
@@ -265,22 +260,17 @@ counts! {
     "errata", "{} because what they rest on" => Filled("count heirs");
     "errata", "{} by a slip in print" => Filled("count misprint");
     "errata", "{} need" => Filled("count conditional");
-    "findings", "{} independent ones" => Filled("count roots");
-    "findings", "{} statements that they spoil" => Filled("count heirs");
-    "findings", "slips in print {}" => Filled("count misprint");
-    "findings", "to be stated {}" => Filled("count conditional");
-    "findings", "on all {} claims" => Filled("count claims");
     "new", "up to the distance {}" => Filled("value critical-radius");
     "new", "up to the speed {}" => Filled("value critical-speed");
     "rest", "the critical radius {}" => Filled("value critical-radius");
-    "proved", "of the {} claims" => Filled("count claims");
-    "proved", "proved {} of the" => Filled("count proved");
-    "proved", "argued {}" => Filled("count argued");
-    "proved", "measured {}" => Filled("count measured");
-    "proved", "of {} wrong variants" => Filled("count variants");
-    "proved", "variants {} are rejected" => Filled("count rejected");
-    "proved", "each of these {} mistakes" => Filled("count corners");
-    "proved", "{} times in all" => Filled("count put");
+    "methods", "of the {} claims" => Filled("count claims");
+    "methods", "proved {} of the" => Filled("count proved");
+    "methods", "argued {}" => Filled("count argued");
+    "methods", "measured {}" => Filled("count measured");
+    "methods", "of {} wrong variants" => Filled("count variants");
+    "methods", "variants {} are rejected" => Filled("count rejected");
+    "methods", "each of these {} mistakes" => Filled("count corners");
+    "methods", "{} times in all" => Filled("count put");
     "index", "all {} claims" => Filled("count claims");
     "index", "in {} comparisons" => Filled("count points");
     "index", "proved for {}" => Filled("count proved");

@@ -225,10 +225,8 @@ said! {
     "methods": "when their routes differ {and|or} they have read no motion" =>
         || !confirm(Route::Quadrature, true) && !confirm(Route::Integration, false),
         || confirm(Route::Quadrature, true) && confirm(Route::Integration, false);
-    "proved": "rational function of the {tangent|cosine|sine} of half" =>
+    "methods": "rational function of the {tangent|cosine|sine} of half" =>
         || decides(f64::tan), || decides(f64::cos), || decides(f64::sin);
-    "accuracy": "from times so {early|late} that the omitted" =>
-        || omitted(1e2) > 10.0 * omitted(1e6), || omitted(1e6) > 10.0 * omitted(1e2);
     "by hand": "holds only while § stays {away from|close to} zero" =>
         || proportional(1.0) && !proportional(1e-3), || proportional(1e-3) && !proportional(1.0);
     "src/corrections/sphere.rs": "hold only for A = {μg|bμg}" => || printed_time_is_right(1.0), || printed_time_is_right(3.5);
@@ -565,16 +563,6 @@ fn decides(of: fn(f64) -> f64) -> bool {
         })
     })
 }
-
-/// What the leading law of an escape leaves out of the distance, relative.
-fn omitted(tau: f64) -> f64 {
-    let rho = Run::new(&Start::put_down(1.5).unwrap(), tau)
-        .unwrap()
-        .end()
-        .rho();
-    (rho * 3.0 * SQRT_2 / (tau * tau) - 1.0).abs()
-}
-
 /// Whether friction across the drive is proportional to a small velocity across, beside this one along.
 fn proportional(along: f64) -> bool {
     let v = [along, 1e-2];

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use trialbook::claims::Topic;
 
 /// The page with the table of the letters of our own.
-const TABLE: &str = include_str!("../../../book/src/symbols.md");
+const TABLE: &str = include_str!("../../../book/src/lookup.md");
 
 /// What needs no declaration: numbers with names, axes, orders of magnitude, and what a text calls by a capital.
 const PLAIN: [&str; 8] = ["pi", "O", "bm x", "bm y", "bm z", "x", "y", "z"];
@@ -201,7 +201,7 @@ fn every_letter_of_a_page_is_in_the_table_of_symbols() {
     let mut wrong = BTreeSet::new();
     for section in sections()
         .into_iter()
-        .filter(|section| section.page != "symbols")
+        .filter(|section| section.page != "lookup")
     {
         let here = own.get(&section.page).cloned().unwrap_or_default();
         for letter in section

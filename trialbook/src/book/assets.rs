@@ -24,6 +24,7 @@ const THEME: &[(&str, &[u8])] = files![
     "theme/katex/NOTICE.txt",
     "theme/katex/LICENSE-MIT.txt",
     "theme/katex/LICENSE-OFL.txt",
+    "theme/katex/LICENSE-GUST.txt",
     "theme/katex/fonts/KaTeX_AMS-Regular.woff2",
     "theme/katex/fonts/KaTeX_Caligraphic-Bold.woff2",
     "theme/katex/fonts/KaTeX_Caligraphic-Regular.woff2",
@@ -44,6 +45,7 @@ const THEME: &[(&str, &[u8])] = files![
     "theme/katex/fonts/KaTeX_Size3-Regular.woff2",
     "theme/katex/fonts/KaTeX_Size4-Regular.woff2",
     "theme/katex/fonts/KaTeX_Typewriter-Regular.woff2",
+    "theme/katex/fonts/TrialbookMath-Regular.woff2",
 ];
 
 /// The settings of this book.

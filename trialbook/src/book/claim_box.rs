@@ -57,13 +57,13 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, 
     ))
 }
 
-/// `(11) Speed as a function of direction`, `Figure 1: Portraits of the velocity`.
+/// `(11) Speed as a function of direction`, `The paper's Figure 1: Portraits of the velocity`.
 pub(super) fn heading(claim: &Claim) -> String {
     let label = claim.name();
     let title = sentence(claim.title);
     match claim.kind {
         _ if title.is_empty() => label,
-        Kind::Figure => format!("{label}: {title}"),
+        Kind::Figure => format!("The paper's {label}: {title}"),
         _ if label == claim.title => title,
         _ => format!("{label} {title}"),
     }
@@ -132,6 +132,10 @@ pub(super) fn forms(
     let formulas = [claim.latex, corrected]
         .iter()
         .all(|latex| is_formula(claim, latex));
+    let (corrected, words) = match formulas {
+        true => apart(corrected),
+        false => (corrected, None),
+    };
     let leading = leading(corrected).filter(|_| formulas);
     let [old, new] = match formulas {
         true => changes::marked(claim.latex, leading.unwrap_or(corrected)),
@@ -144,7 +148,21 @@ pub(super) fn forms(
             "<p class=\"claim-label\">To the next order</p>{next}"
         ));
     }
+    if let Some(words) = words {
+        let words = context.maths.words(words)?;
+        new.push_str(&format!("<p class=\"claim-words\">{words}</p>"));
+    }
     Ok([statement(context, claim, &old)?, new])
+}
+
+/// A formula without the words that stand behind it, which may be too long for its line, and these.
+fn apart(latex: &str) -> (&str, Option<&str>) {
+    let parts = latex.split_once(r"\quad\text{");
+    let parts = parts.and_then(|(formula, words)| Some((formula, words.strip_suffix('}')?)));
+    match parts {
+        Some((formula, words)) if !words.contains(['{', '}']) => (formula, Some(words)),
+        _ => (latex, None),
+    }
 }
 
 /// What is left of an asymptotic law when the bracket behind it, `\left[1-…\right]`, is taken for 1: that is what the printed

@@ -5,6 +5,7 @@ use super::error::Fault;
 use super::maths::Maths;
 use super::text::escape;
 use crate::edition::Edition;
+use crate::evidence::Kind;
 use crate::figures::Figure;
 use crate::ledger::deep::Deep;
 use crate::ledger::{Entry, Erratum, Ledger, Verdict};
@@ -42,8 +43,13 @@ impl<'a> Context<'a> {
 
     /// A link to a claim's box.
     pub(super) fn link(&self, entry: &Entry) -> Result<String, Fault> {
+        // The book has figures of its own.
+        let whose = match entry.claim.kind {
+            Kind::Figure => "the paper's ",
+            _ => "",
+        };
         Ok(format!(
-            "<a href=\"{}.html#{}\" title=\"{}: {}\">{}</a>",
+            "<a href=\"{}.html#{}\" title=\"{}: {}\">{whose}{}</a>",
             entry.topic.stem,
             entry.claim.id,
             escape(entry.claim.plain),

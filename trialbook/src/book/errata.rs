@@ -6,31 +6,26 @@ use super::error::Fault;
 use super::text::sentence;
 use crate::ledger::{Erratum, Verdict};
 
-/// The errata with these verdicts, in the paper's order; `stem` begins their addresses.
-pub(super) fn list(
-    context: &Context<'_>,
-    stem: &str,
-    errata: &[Erratum],
-    verdicts: &[Verdict],
-) -> Result<String, Fault> {
-    let chosen = errata.iter().filter(|e| verdicts.contains(&e.verdict));
-    let items = chosen.map(|erratum| item(context, stem, erratum));
-    let items: Result<Vec<_>, _> = items.collect();
-    let none = "<p>None.</p>\n".to_owned();
-    let items = items?;
-    Ok(if items.is_empty() {
-        none
-    } else {
-        items.concat()
-    })
+/// The errata with these verdicts, in the paper's order.
+pub(super) fn list(context: &Context<'_>, verdicts: &[Verdict]) -> Result<String, Fault> {
+    let mut chosen = context
+        .errata
+        .iter()
+        .filter(|e| verdicts.contains(&e.verdict))
+        .peekable();
+    if chosen.peek().is_none() {
+        return Ok("<p>None.</p>\n".to_owned());
+    }
+    chosen.map(|erratum| item(context, erratum)).collect()
 }
 
-/// The number under which an erratum can be found on paper: errors come first, then slips in print, then conditions, each in
-/// the paper's order.
+/// The number under which an erratum can be found on paper: errors come first, then what inherits them, slips in print and
+/// conditions, each in the paper's order.
 pub(super) fn number(context: &Context<'_>, id: &str) -> usize {
     let rank = |erratum: &&Erratum| match erratum.verdict {
-        Verdict::Misprint => 1,
-        Verdict::Conditional => 2,
+        Verdict::Inherited => 1,
+        Verdict::Misprint => 2,
+        Verdict::Conditional => 3,
         _ => 0,
     };
     let mut all: Vec<_> = context.errata.iter().collect();
@@ -38,7 +33,7 @@ pub(super) fn number(context: &Context<'_>, id: &str) -> usize {
     1 + all.iter().take_while(|erratum| erratum.id != id).count()
 }
 
-fn item(context: &Context<'_>, stem: &str, erratum: &Erratum) -> Result<String, Fault> {
+fn item(context: &Context<'_>, erratum: &Erratum) -> Result<String, Fault> {
     let maths = context.maths;
     let entry = context.entry(erratum.id)?;
     let title = maths.words(&heading(entry.claim))?;
@@ -53,7 +48,7 @@ fn item(context: &Context<'_>, stem: &str, erratum: &Erratum) -> Result<String, 
         (_, Some(correction)) => forms(context, entry.claim, correction.latex)?,
     };
     let mut html = format!(
-        "<section class=\"erratum {slug}\" aria-labelledby=\"{stem}-{id}\"><h3 id=\"{stem}-{id}\"><a href=\"{page}.html#{id}\">{title}</a></h3>\
+        "<section class=\"erratum {slug}\" aria-labelledby=\"erratum-{id}\"><h3 id=\"erratum-{id}\"><a href=\"{page}.html#{id}\">{title}</a></h3>\
          <p class=\"claim-place\">No. {number}, section {section} {verdict}</p>\
          <div class=\"{beside}\"><div class=\"printed\"><p class=\"claim-label\">Printed</p>{old}</div>\
          <div class=\"corrected\"><p class=\"claim-label\">Should be</p>{new}</div></div>",

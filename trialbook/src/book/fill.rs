@@ -5,7 +5,7 @@ use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::{count, escape, in_words, size};
 use super::{certificates, deep, errata, lemmas, map, overview, symbols, tables, values};
-use crate::edition::Filled;
+use crate::edition::{Filled, Page};
 use crate::evidence::Kind;
 use crate::figures::{Figure, panels};
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
@@ -18,14 +18,18 @@ const FIRST: &str = include_str!("../../examples/fall.rs");
 /// Fills placeholders from the ledger and the figures.
 pub(super) struct Filler<'a> {
     context: &'a Context<'a>,
+    pages: &'a [Page],
     /// The claims that a page has shown so far.
     boxed: Mutex<BTreeSet<&'static str>>,
 }
 
 impl<'a> Filler<'a> {
-    pub(super) fn new(context: &'a Context<'a>) -> Self {
-        let boxed = Mutex::default();
-        Filler { context, boxed }
+    pub(super) fn new(context: &'a Context<'a>, pages: &'a [Page]) -> Self {
+        Filler {
+            context,
+            pages,
+            boxed: Mutex::default(),
+        }
     }
 
     /// The first claim that no page has shown so far.
@@ -53,7 +57,7 @@ impl<'a> Filler<'a> {
                 self.place(page, entry)?;
                 block(claim_box::claim_box(context, entry)?)
             }
-            ["figure", id] => block(self.figure(id)?),
+            ["figure", id] => block(self.figure(page, id)?),
             ["contents"] => inline(self.contents(page)?),
             ["title"] => inline(escape(ledger.paper.title)),
             ["authors"] => inline(escape(ledger.paper.authors)),
@@ -67,7 +71,6 @@ impl<'a> Filler<'a> {
             ["ledger", topic] => block(tables::folded_topic(context, topic)?),
             ["lemmas"] => block(lemmas::all(context)?),
             ["proofs"] => block(tables::proofs(ledger)),
-            ["strongest"] => block(tables::strongest(context)?),
             ["measured"] => block(tables::measured(context)?),
             ["accuracy"] => block(tables::accuracy(context)?),
             ["certified"] => block(certificates::summary(context)?),
@@ -80,7 +83,6 @@ impl<'a> Filler<'a> {
             ["sheet", id] => block(tables::code(&context.entry(id)?.sheet())),
             ["sheets"] => block(tables::sheets(context)?),
             ["first-paper"] => block(tables::code(FIRST)),
-            ["equations"] => block(tables::equations(context)?),
             ["symbols"] => block(symbols::table_of(context)?),
             ["values"] => block(values::table_of(context)?),
             ["falls"] => block(map::what_falls(context)?),
@@ -89,9 +91,7 @@ impl<'a> Filler<'a> {
             ["errata", slugs @ ..] => {
                 let verdicts: Result<Vec<_>, _> =
                     slugs.iter().map(|slug| verdict_of(slug)).collect();
-                // Whichever pages list them, an address is given once.
-                let stem = if page == "errata" { "erratum" } else { page };
-                block(errata::list(context, stem, context.errata, &verdicts?)?)
+                block(errata::list(context, &verdicts?)?)
             }
             ["lines", modules @ ..] => inline(context.code.lines(modules)?),
             ["routes"] => block(tables::routes(ledger)),
@@ -175,7 +175,14 @@ impl<'a> Filler<'a> {
         Ok(parts.into_iter().flatten().collect::<Vec<_>>().join(", "))
     }
 
-    fn figure(&self, id: &str) -> Result<String, Fault> {
+    /// The figure of this id, with its number on the page.
+    fn figure(&self, page: &str, id: &str) -> Result<String, Fault> {
+        let text = self.pages.iter().find(|other| other.stem == page);
+        let mut placed = text
+            .into_iter()
+            .flat_map(|page| page.text.split("{{figure ").skip(1));
+        let before = placed.position(|rest| rest.starts_with(&format!("{id}}}}}")));
+        let number = 1 + before.unwrap_or_default();
         let found = self.context.figures.iter().find(|figure| figure.id == id);
         let figure =
             found.ok_or_else(|| Fault::Placeholder(format!("there is no figure `{id}`")))?;
@@ -193,7 +200,7 @@ impl<'a> Filler<'a> {
         let parts = parts.concat();
         Ok(format!(
             "<figure class=\"plot\" id=\"plot-{id}\"><div {window} aria-label=\"{}\">{}</div>\
-             <figcaption>{} <a href=\"{}\" download>Data (CSV)</a></figcaption></figure>\n",
+             <figcaption><strong>Fig. {number}.</strong> {} <a href=\"{}\" download>Data (CSV)</a></figcaption></figure>\n",
             escape(&figure.alt),
             parts.lines().map(str::trim).collect::<Vec<_>>().join(" "),
             self.context.maths.words(&figure.caption)?,

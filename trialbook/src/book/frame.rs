@@ -10,8 +10,8 @@ use super::links::dead_links;
 use super::maths::{Forms, Maths};
 use super::pages;
 use super::search::Search;
-use super::{assets, map, metadata, overview, put};
-use crate::edition::{Edition, Filled, Page};
+use super::{assets, map, metadata, moved, numbers, overview, put};
+use crate::edition::{Edition, Filled, Page, Part};
 use crate::figures::Figure;
 use crate::ledger::deep::Deep;
 use crate::ledger::{Format, Ledger};
@@ -61,10 +61,7 @@ impl<'a> Frame<'a> {
             let expanded = expand(page, &maths, &mut blanks)?;
             put(&text.join(page.1.file()), expanded.as_bytes())?;
         }
-        put(
-            &text.join("SUMMARY.md"),
-            pages::summary(edition, &pages).as_bytes(),
-        )?;
+        put(&text.join("SUMMARY.md"), pages::summary(&pages).as_bytes())?;
         for (name, bytes) in assets::theme(edition) {
             // mdBook takes style sheets, scripts and its theme from beside `src`, all other files from within it.
             let within = name.contains("katex") && !name.ends_with(".css");
@@ -121,7 +118,7 @@ impl<'a> Frame<'a> {
             maths: &self.maths,
             deep,
         };
-        let filler = Filler::new(&context);
+        let filler = Filler::new(&context, &self.pages);
         let filled = self.filled(&filler)?;
         if let Some(entry) = filler.without_box() {
             return Err(BookError::ClaimNowhere {
@@ -148,6 +145,9 @@ impl<'a> Frame<'a> {
             }
             for (name, text) in (self.edition.files)() {
                 put(&book.join(name), text.as_bytes())?;
+            }
+            for (name, html) in moved::pages(self.edition) {
+                put(&book.join(name), html.as_bytes())?;
             }
             let mut pages = code.pages();
             pages.try_for_each(|(name, html)| put(&book.join(name), html.as_bytes()))
@@ -190,6 +190,7 @@ impl<'a> Frame<'a> {
         filled: &[Filled],
         forms: &Forms,
     ) -> Result<(), BookError> {
+        let numbered = numbers::addresses(context.ledger);
         let whole = |(name, html): &(String, String)| {
             let put_in = |number: usize| {
                 let (html, block) = match filled.get(number)? {
@@ -204,12 +205,20 @@ impl<'a> Frame<'a> {
             };
             let html = with_blanks(html, put_in);
             let stem = name.trim_end_matches(".html");
+            let page = self.pages.iter().find(|page| page.stem == stem);
             let mut topics = self.edition.paper.topics.iter();
-            let chapter = name == PRINT || topics.any(|topic| topic.stem == stem);
+            let chapter = page.is_none() || topics.any(|topic| topic.stem == stem);
             let html = if chapter { with_folds(&html) } else { html };
+            // The page of all pages is for paper, and the last part is not about this one.
+            let about = page.is_some_and(|page| page.part != Part::Use);
+            let html = if about {
+                numbers::linked(name, &html, &numbered)
+            } else {
+                html
+            };
             (
                 name.clone(),
-                metadata::with_head(self.edition, stem, &html, forms),
+                metadata::with_head(self.edition, stem, about, &html, forms),
             )
         };
         let pages: Vec<_> = self.html.par_iter().map(whole).collect();

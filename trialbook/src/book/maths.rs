@@ -126,6 +126,7 @@ impl Setter {
             Place::Folded => in_rows(&html),
             Place::Inline | Place::Display => html,
         };
+        let html = with_room(html);
         Ok((
             html,
             escape(&plain_formula(&latex.replace(changes::MARK, ""))),
@@ -288,6 +289,17 @@ impl Forms {
         }
         out
     }
+}
+
+/// MathML with the names of functions as operators: browsers put room before these.
+fn with_room(html: String) -> String {
+    const FUNCTIONS: [&str; 10] = [
+        "arcsin", "arccos", "cos", "cosh", "cot", "exp", "ln", "sin", "sinh", "tan",
+    ];
+    FUNCTIONS.iter().fold(html, |html, name| {
+        let operator = format!("<mo lspace=\"0.17em\" rspace=\"0em\">{name}</mo>");
+        html.replace(&format!("<mi>{name}</mi>"), &operator)
+    })
 }
 
 /// Puts braces around what stands under a root: katex-rs loses the room for the sign before a bare symbol.

@@ -8,6 +8,8 @@ use crate::edition::Edition;
 const PRINT: &str = "print";
 /// mdBook's highlighter.
 const HIGHLIGHTER: &str = "<script src=\"highlight.js\"></script>";
+/// The cards of this paper's claims and symbols.
+const CARDS: &str = "<script src=\"theme/cards.js\"></script>";
 /// What mdBook's script asks of it.
 const NO_HIGHLIGHTER: &str =
     "<script>window.hljs = { configure() {}, highlightBlock() {} };</script>";
@@ -15,12 +17,23 @@ const NO_HIGHLIGHTER: &str =
 const DESCRIPTION: &str = "<meta name=\"description\" content=\"";
 
 /// A page with its stem for the style sheets, a title and a description of its own, what those need who share a link to it,
-/// and no highlighter where there is no code, nor on the page of all pages, which is for paper and long enough.
-pub(super) fn with_head(edition: &Edition, stem: &str, html: &str, forms: &Forms) -> String {
+/// and no highlighter where there is no code, nor on the page of all pages, which is for paper and long enough. What is not
+/// `about` the paper has no cards.
+pub(super) fn with_head(
+    edition: &Edition,
+    stem: &str,
+    about: bool,
+    html: &str,
+    forms: &Forms,
+) -> String {
     let html = html.replacen("<html ", &format!("<html data-page=\"{stem}\" "), 1);
     let html = match stem != PRINT && html.contains("<pre") {
         true => html,
         false => html.replacen(HIGHLIGHTER, NO_HIGHLIGHTER, 1),
+    };
+    let html = match about {
+        true => html,
+        false => html.replacen(CARDS, "", 1),
     };
     let Some((before, rest)) = html.split_once("<title>") else {
         return html;
@@ -99,14 +112,14 @@ mod tests {
             picture: Some(("share.png", &[])),
             ..Edition::of("stones", &PAPER)
         };
-        let head = with_head(&edition, "fall", page, &Forms::default());
+        let head = with_head(&edition, "fall", true, page, &Forms::default());
         assert!(head.contains("\"og:image\" content=\"share.png\"") && !head.contains("og:url"));
         assert!(head.contains("\"og:description\" content=\"They &quot;fall&quot;.\""));
         let edition = Edition {
             address: Some("https://stones.example/"),
             ..edition
         };
-        let head = with_head(&edition, "fall", page, &Forms::default());
+        let head = with_head(&edition, "fall", true, page, &Forms::default());
         for part in [
             "\"og:image\" content=\"https://stones.example/share.png\"",
             "\"og:url\" content=\"https://stones.example/fall.html\"",

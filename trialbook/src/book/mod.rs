@@ -7,7 +7,7 @@
 //! | `{{claim eq-11}}` | the claim's box; every claim has one, on the page of its topic |
 //! | `{{figure fig-1}}` | the figure with its caption, text alternative and data |
 //! | `{{title}}`, `{{authors}}` | of the paper |
-//! | `{{repository}}` | "this repository", with a link where the edition has its address |
+//! | `{{repository}}` | where the program is kept: a link, or that no public address is known |
 //! | `{{counts}}` | a table of the verdicts with the number of claims |
 //! | `{{errors}}`, `{{errors fallen}}` | the independent errors, a line each with link; and with what falls with each |
 //! | `{{skeleton}}` | a mark for each numbered equation, by its verdict |
@@ -17,9 +17,8 @@
 //! | `{{ledger}}` | the tables of all topics under headings |
 //! | `{{certified}}` | how many proofs a second engine has checked |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
-//! | `{{strongest}}` | a table of all claims with the strongest route of each |
 //! | `{{measured}}` | a table of the claims without a proof, by the reason |
-//! | `{{equations}}`, `{{symbols}}`, `{{values}}` | the indexes |
+//! | `{{symbols}}`, `{{values}}` | the indexes |
 //! | `{{errata misprint refuted}}` | the errata with these verdicts |
 //! | `{{map key}}`, `{{map list}}`, `{{falls}}` | the signs of the map of claims, and what it shows as tables |
 //! | `{{routes}}`, `{{tolerances}}` | tables of what the trials of this ledger use |
@@ -63,6 +62,8 @@ mod links;
 mod map;
 mod maths;
 mod metadata;
+mod moved;
+mod numbers;
 mod overview;
 mod pages;
 mod register;

@@ -40,12 +40,12 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String,
     Ok(format!("<ul class=\"errors\">{}</ul>\n", lines?))
 }
 
-/// A mark that leads to a claim, by its verdict.
-fn mark(entry: &Entry, name: &str, more: &str) -> String {
+/// A mark that leads to a claim, by its verdict, with what stands on it before the sign.
+fn mark(entry: &Entry, name: &str, more: &str, label: &str) -> String {
     let verdict = entry.judgement.verdict;
     let name = escape(&format!("{name}: {}", verdict.words()));
     format!(
-        "<a class=\"{}\" href=\"{}.html#{}\" title=\"{name}\" aria-label=\"{name}\"{more}>{}</a>",
+        "<a class=\"{}\" href=\"{}.html#{}\" title=\"{name}\" aria-label=\"{name}\"{more}>{label}{}</a>",
         verdict.slug(),
         entry.topic.stem,
         entry.claim.id,
@@ -57,7 +57,7 @@ fn mark(entry: &Entry, name: &str, more: &str) -> String {
 pub(super) fn strip(entries: &[&Entry]) -> String {
     let marks = entries.iter().enumerate().map(|(i, entry)| {
         let more = if i == 0 { "" } else { " tabindex=\"-1\"" };
-        mark(entry, &plain_words(&heading(entry.claim)), more)
+        mark(entry, &plain_words(&heading(entry.claim)), more, "")
     });
     format!(
         "<div class=\"skeleton\" role=\"group\" aria-label=\"The claims, by verdict\">{}</div>",
@@ -70,11 +70,12 @@ pub(super) fn strip(entries: &[&Entry]) -> String {
 pub(super) fn skeleton(context: &Context<'_>) -> String {
     let marked = |(number, entry): (u16, &Entry)| {
         let more = if number == 1 { "" } else { " tabindex=\"-1\"" };
-        mark(
-            entry,
-            &format!("({number}) {}", plain_words(entry.claim.title)),
-            more,
-        )
+        let label = match number % 10 {
+            0 => format!("<b>{number}</b>"),
+            _ => String::new(),
+        };
+        let name = format!("({number}) {}", plain_words(entry.claim.title));
+        mark(entry, &name, more, &label)
     };
     let part = |topic: &&Topic| {
         let entries = context.ledger.entries.iter();
@@ -122,11 +123,11 @@ fn first_section(topic: &Topic) -> &'static str {
     topic.claims().first().map_or("", |claim| claim.section)
 }
 
-/// What the program is kept in, with a link where that is known.
+/// Where the program is kept, as far as that is known.
 pub(super) fn repository(edition: &Edition) -> String {
     match edition.repository {
-        Some(address) => format!("<a href=\"{}\">this repository</a>", escape(address)),
-        None => "this repository".to_owned(),
+        Some(address) => format!("<a href=\"{}\">the program’s sources</a>", escape(address)),
+        None => "the program’s sources, which have no public address yet,".to_owned(),
     }
 }
 

@@ -1,12 +1,8 @@
 //! The pages: which there are, in which order, and their text.
 
 use crate::claims::Topic;
-use crate::edition::{Edition, Page};
+use crate::edition::{Edition, Page, Part};
 use crate::figures::Figure;
-
-/// The parts of the table of contents, by their headings.
-const CLAIMS: &str = "The paper, claim by claim";
-const REFERENCE: &str = "Reference";
 
 /// All pages, in the order of the book.
 pub(super) fn pages(edition: &Edition, figures: &[Figure]) -> Vec<Page> {
@@ -18,20 +14,22 @@ pub(super) fn pages(edition: &Edition, figures: &[Figure]) -> Vec<Page> {
         let mut topics = edition.paper.topics.iter();
         page.stem != index.stem && topics.all(|topic| topic.stem != page.stem)
     });
+    let mut others: Vec<_> = others.cloned().collect();
+    others.sort_by_key(|page| page.part);
     let pages = std::iter::once(index.clone()).chain(of_topics);
-    pages.chain(others.cloned()).collect()
+    pages.chain(others).collect()
 }
 
 /// The table of contents, as mdBook reads it.
-pub(super) fn summary(edition: &Edition, pages: &[Page]) -> String {
-    let topics = edition.paper.topics.len();
+pub(super) fn summary(pages: &[Page]) -> String {
     let mut text = String::from("# Summary\n\n");
+    let mut last = None;
     for (i, page) in pages.iter().enumerate() {
         let link = format!("[{}]({})\n", page.title, page.file());
         text.push_str(&match i {
-            0 => format!("{link}\n# {CLAIMS}\n\n"),
-            i if i == topics + 1 => format!("\n# {REFERENCE}\n\n- {link}"),
-            _ => format!("- {link}"),
+            0 => link,
+            _ if last.replace(page.part) == Some(page.part) => format!("- {link}"),
+            _ => format!("\n# {:?}\n\n- {link}", page.part),
         });
     }
     text
@@ -48,6 +46,7 @@ fn topic_page(edition: &Edition, topic: &'static Topic, figures: &[Figure]) -> P
     };
     Page {
         stem: topic.stem,
+        part: Part::Read,
         title: topic.title,
         text,
     }

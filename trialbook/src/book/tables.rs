@@ -111,7 +111,11 @@ fn topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
         return Err(Fault::Placeholder(format!("there is no topic `{stem}`")));
     }
     let rows: Result<Vec<_>, _> = entries.iter().map(|entry| row(context, entry)).collect();
-    Ok(table("ledger", ["Claim", "Verdict", "Tried by"], rows?))
+    Ok(table(
+        "ledger",
+        ["Claim", "Verdict", "How that is known"],
+        rows?,
+    ))
 }
 
 fn row(context: &Context<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
@@ -127,51 +131,30 @@ fn row(context: &Context<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
         Some(_) => maths.words(claim.title)?,
         None => String::new(),
     };
+    let wrong = match entry.in_short() {
+        Some(words) => format!("<div class=\"says\">{}</div>", maths.words(&words)?),
+        None => String::new(),
+    };
     let link = context.link(entry)?;
-    let claim = format!("{link} {title}<div class=\"says\">{statement}</div>");
-    let routes: BTreeSet<_> = entry.evidence.iter().map(|e| e.route.name()).collect();
-    let routes: Vec<_> = routes.into_iter().collect();
-    let points = entry.evidence.iter().map(|e| e.points).sum();
-    let tried = match entry.evidence.len() {
-        0 => String::new(),
-        _ => format!("{}; {}", routes.join(", "), counted(points, "point")),
-    };
-    let verdict = verdict(entry.judgement.verdict);
-    let verdict = match entry.in_short() {
-        Some(words) => format!(
-            "{verdict}<div class=\"says\">{}</div>",
-            maths.words(&words)?
-        ),
-        None => verdict,
-    };
-    Ok([claim, verdict, tried])
+    let claim = format!("{link} {title}<div class=\"says\">{statement}</div>{wrong}");
+    Ok([claim, verdict(entry.judgement.verdict), known(entry)])
 }
 
-/// The numbered equations: number, formula, verdict.
-pub(super) fn equations(context: &Context<'_>) -> Result<String, Fault> {
-    let numbered = context
-        .ledger
-        .entries
-        .iter()
-        .filter(|e| e.claim.equation.is_some());
-    let rows: Result<Vec<_>, Fault> = numbered
-        .map(|entry| {
-            let formula = match is_formula(entry.claim, entry.claim.latex) {
-                true => context.maths.inline(entry.claim.latex)?,
-                false => context.maths.words(entry.claim.latex)?,
-            };
-            Ok([
-                context.link(entry)?,
-                format!("<div class=\"says\">{formula}</div>"),
-                verdict(entry.judgement.verdict),
-            ])
-        })
+/// How the answer is known: the strongest route first, then the others, and at how many points.
+fn known(entry: &Entry) -> String {
+    let strongest = entry.strongest().map(Route::name);
+    let routes: BTreeSet<_> = entry.evidence.iter().map(|e| e.route.name()).collect();
+    let others: Vec<_> = routes
+        .into_iter()
+        .filter(|route| Some(*route) != strongest)
         .collect();
-    Ok(table(
-        "equations",
-        ["Number", "Formula as printed", "Verdict"],
-        rows?,
-    ))
+    let first = entry.standing().zip(strongest);
+    let first = first.map(|(known, route)| format!("{}, {route}", known.word()));
+    let others = (!others.is_empty()).then(|| format!("also {}", others.join(", ")));
+    let points: usize = entry.evidence.iter().map(|e| e.points).sum();
+    let points = (points > 0).then(|| counted(points, "point"));
+    let parts = [first, others, points].into_iter().flatten();
+    parts.collect::<Vec<_>>().join("; ")
 }
 
 /// All claims, topic by topic.
@@ -291,31 +274,6 @@ pub(super) fn proofs(ledger: &Ledger) -> String {
         ["Claims", "Proved", "Argued", "Measured", "All"],
         rows,
     )
-}
-
-/// Every claim with its strongest route.
-pub(super) fn strongest(context: &Context<'_>) -> Result<String, Fault> {
-    let row = |entry: &Entry| {
-        let title = match entry.claim.equation {
-            Some(_) => format!(
-                "{} {}",
-                context.link(entry)?,
-                context.maths.words(entry.claim.title)?
-            ),
-            None => context.link(entry)?,
-        };
-        let how = match (entry.standing(), entry.strongest()) {
-            (Some(known), Some(route)) => format!("{}, {}", known.word(), route.name()),
-            _ => String::new(),
-        };
-        Ok([title, verdict(entry.judgement.verdict), how])
-    };
-    let rows: Result<Vec<_>, Fault> = context.ledger.entries.iter().map(row).collect();
-    Ok(table(
-        "ledger",
-        ["Claim", "Verdict", "Strongest route"],
-        rows?,
-    ))
 }
 
 /// The claims without a proof, by the reason.

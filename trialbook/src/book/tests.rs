@@ -1,7 +1,7 @@
 //! Writing a book: what is refused, and what is left of it. The paper is the example's.
 
 use super::{BookError, write};
-use crate::edition::{Edition, Page};
+use crate::edition::{Edition, Page, Part};
 use crate::ledger::example::{PAPER, ledger};
 use std::collections::BTreeMap;
 use std::fs;
@@ -14,6 +14,7 @@ const EDITION: Edition = Edition::of("example", &PAPER);
 fn with(pages: &[(&'static str, &str)], out: &Path) -> Result<PathBuf, BookError> {
     let pages = pages.iter().map(|(stem, text)| Page {
         stem,
+        part: Part::Read,
         title: stem,
         text: text.to_string().into(),
     });

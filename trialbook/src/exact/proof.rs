@@ -445,6 +445,17 @@ mod tests {
     use crate::witness::{self, Part, Witness};
 
     #[test]
+    fn what_is_long_is_cut_between_terms() {
+        let long = format!("[{}]", "a + ".repeat(LONGEST));
+        for (text, expected) in [
+            (format!("a + b {long}"), "a + b … and 2003 characters more"),
+            (long, "an expression of 2002 characters"),
+        ] {
+            assert_eq!(shortened(&text), expected);
+        }
+    }
+
+    #[test]
     fn a_proof_compares_something() {
         let ring = Ring::new();
         let one = Rational::int(1);

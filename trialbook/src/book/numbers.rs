@@ -1,0 +1,117 @@
+//! Numbers of equations in the text, as links.
+
+use crate::ledger::Ledger;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What is no running text, or a link already.
+const APART: [&str; 13] = [
+    "a", "button", "code", "figure", "h1", "h2", "h3", "h4", "math", "pre", "script", "summary",
+    "svg",
+];
+
+/// Where running text stands.
+const TEXT: [&str; 2] = ["p", "li"];
+
+/// The addresses of the numbered equations.
+pub(super) fn addresses(ledger: &Ledger) -> BTreeMap<u16, String> {
+    let entries = ledger.entries.iter();
+    let numbered = entries.filter_map(|entry| {
+        let address = format!("{}.html#{}", entry.topic.stem, entry.claim.id);
+        Some((entry.claim.equation?, address))
+    });
+    numbered.collect()
+}
+
+/// A page with each number in brackets that is an equation's, in its running text, as a link to that. In the order of tabs is
+/// the first that leads to an equation on another page: the marks at the top of a chapter lead to its own.
+pub(super) fn linked(page: &str, html: &str, addresses: &BTreeMap<u16, String>) -> String {
+    let mut out = String::with_capacity(html.len() + html.len() / 16);
+    let mut seen = BTreeSet::new();
+    let (mut apart, mut running, mut folded) = (0_usize, 0_usize, 0_usize);
+    for (i, part) in html.split('<').enumerate() {
+        let (tag, text) = match i {
+            0 => ("", part),
+            _ => part.split_once('>').unwrap_or((part, "")),
+        };
+        let name = tag.trim_start_matches('/');
+        let name = name.split([' ', '/']).next().unwrap_or_default();
+        for (names, depth) in [
+            (&APART[..], &mut apart),
+            (&TEXT[..], &mut running),
+            (&["details"][..], &mut folded),
+        ] {
+            if names.contains(&name) && !tag.ends_with('/') {
+                *depth = match tag.starts_with('/') {
+                    true => depth.saturating_sub(1),
+                    false => *depth + 1,
+                };
+            }
+        }
+        if i > 0 {
+            out.push('<');
+            out.push_str(&part[..part.len() - text.len()]);
+        }
+        if apart > 0 || running == 0 {
+            out.push_str(text);
+            continue;
+        }
+        let mut parts = text.split('(');
+        out.push_str(parts.next().unwrap_or_default());
+        for part in parts {
+            let number = part.split_once(')').and_then(|(number, after)| {
+                let is_number = number.len() < 4 && number.bytes().all(|b| b.is_ascii_digit());
+                let address = addresses.get(&number.parse().ok()?)?;
+                is_number.then_some((number, address, after))
+            });
+            let Some((number, address, after)) = number else {
+                out.push('(');
+                out.push_str(part);
+                continue;
+            };
+            let own = address.split('#').next() == Some(page);
+            let stop = folded > 0 || !own && seen.insert(address);
+            let stop = if stop { "" } else { " tabindex=\"-1\"" };
+            out.push_str(&format!(
+                "<a class=\"cite\" href=\"{address}\"{stop}>({number})</a>{after}"
+            ));
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_number_in_the_text_leads_to_its_equation() {
+        let addresses = BTreeMap::from([(7, "falls.html#eq-7".to_owned())]);
+        let [link, again] = ["", " tabindex=\"-1\""]
+            .map(|stop| format!("<a class=\"cite\" href=\"falls.html#eq-7\"{stop}>(7)</a>"));
+        for (page, html, expected) in [
+            (
+                "rises.html",
+                "<p>By (7), (8) and (+7), (7).</p>",
+                format!("<p>By {link}, (8) and (+7), {again}.</p>"),
+            ),
+            (
+                "falls.html",
+                "<li>As <em>in (7)</em><br/> (a)</li>",
+                format!("<li>As <em>in {again}</em><br/> (a)</li>"),
+            ),
+            (
+                "rises.html",
+                "<details><p>(7)</p></details><p>(7)",
+                format!("<details><p>{link}</p></details><p>{link}"),
+            ),
+            (
+                "rises.html",
+                "<h2>On (7)</h2>(7)<p><a href=\"x\">(7)</a> <code>(7)</code></p>",
+                String::new(),
+            ),
+        ] {
+            let expected = if expected.is_empty() { html } else { &expected };
+            assert_eq!(linked(page, html, &addresses), expected);
+        }
+    }
+}
