@@ -34,6 +34,7 @@ written!(
     turntable,
     escape,
     rest,
+    beyond "Beyond the paper",
     new "What is new here",
     related "Related work",
     ledger "The ledger",
