@@ -404,6 +404,7 @@ impl Constant {
                 let units = vec![
                     Unit::new(constant::SPEED, one, "m/s"),
                     Unit::new(constant::TIME, one, "s"),
+                    Unit::new(constant::LENGTH, one, "m"),
                     Unit::new(ACCELERATION, one, "m/s²"),
                 ];
                 (weight / accel, units)

@@ -36,6 +36,7 @@ written!(
         turntable,
         escape,
         rest,
+        beyond "Beyond the paper",
         new "What is new here",
         related "Related work",
         breaking "Break it yourself";

@@ -3,7 +3,10 @@
 use super::AllFiguresError;
 use crate::claims::sphere::angle;
 use crate::claims::sphere::driven::{self, Swinging};
-use std::f64::consts::PI;
+use crate::motion::MotionError;
+use crate::motion::sphere::{Sphere, Turning};
+use crate::motion::turntable::{State, Table as Turntable, inertial};
+use std::f64::consts::{PI, TAU};
 use trialbook::figures::{
     Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Stroke, Table,
 };
@@ -16,7 +19,76 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![
         times(&angle::times_over_printed()?)?,
         swinging(&motions?)?,
+        let_go(&ball()?, &coin()?)?,
     ])
+}
+
+/// Where a ball and a coin ride with the table, in units of μg/Ω²: the coin's friction does not suffice for it.
+const RIDES: f64 = 1.2;
+/// Points of each path.
+const SHOWN: u32 = 180;
+/// Where the picture ends.
+const EDGE: f64 = 8.0;
+
+/// (τ, x, y) of the ball that is let go, until it is back.
+fn ball() -> Result<Vec<[f64; 3]>, MotionError> {
+    let (solid, turning) = (
+        Sphere::with_kappa(0.4),
+        Turning {
+            omega: 1.0,
+            pull: [0.0; 2],
+        },
+    );
+    let lasts = 3.5 * TAU;
+    let path = turning.roll(&solid, [[RIDES, 0.0], [0.0, RIDES]], lasts)?;
+    let times = (0..=SHOWN).map(|i| lasts * f64::from(i) / f64::from(SHOWN));
+    Ok(times
+        .map(|t| path.at(t).map(|[x, y, ..]| [t, x, y]))
+        .collect::<Result<_, _>>()?)
+}
+
+/// (τ, x, y) of the coin, until it has left the picture.
+fn coin() -> Result<Vec<[f64; 3]>, MotionError> {
+    let start = State {
+        t: 0.0,
+        x: [RIDES, 0.0],
+        v: [0.0, RIDES],
+    };
+    let lasts = 10.0;
+    let path = inertial::run(&Turntable::default(), &start, lasts)?;
+    let times = (0..=SHOWN).map(|i| lasts * f64::from(i) / f64::from(SHOWN));
+    let points = times.map(|t| path.at(t).map(|at| [t, at.x[0], at.x[1]]));
+    let mut points = points.collect::<Result<Vec<_>, _>>()?;
+    points.retain(|[_, x, y]| x.abs().max(y.abs()) <= EDGE);
+    Ok(points)
+}
+
+/// The paths of a solid ball and of a coin that rode with a turntable and were let go, in the laboratory: (τ, x, y).
+///
+/// Fails as [`Plot::figure`] does.
+pub fn let_go(ball: &[[f64; 3]], coin: &[[f64; 3]]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["body", "tau", "x", "y"]);
+    let axis = |name| Axis::linear(name).range(-EDGE, EDGE);
+    let mut panel = Panel::new(axis("x"), axis("y")).equal();
+    for (n, (body, path)) in [("ball", ball), ("coin", coin)].into_iter().enumerate() {
+        for [tau, x, y] in path {
+            table.row([body.into(), (*tau).into(), (*x).into(), (*y).into()])?;
+        }
+        let curve = Curve::new(path.iter().map(|&[_, x, y]| [x, y]));
+        panel = panel.curve(curve.series(n).stroke(Stroke::Solid).key(body));
+    }
+    Plot::new("sphere-turntable", "A ball and a coin let go on a turntable")
+        .caption(
+            "A solid ball and a coin that ride with the table at $\\rho=1.2$ and are let go, seen from the laboratory. \
+             The ball rolls round a circle of $\\frac72$ times that radius, about a point beyond the axis, once in $\\frac72$ turns \
+             of the table. The coin slides, and spirals away. Lengths in units of $\\mu g/\\Omega^2$.",
+        )
+        .alt(
+            "Two curves from a point to the right of the axis. One is a closed circle, most of it to the left of the axis, \
+             the other winds outwards and leaves the picture.",
+        )
+        .panel(panel.points(Points::new([[0.0, 0.0]]).ink().size(3.0)))
+        .figure(table)
 }
 
 /// Slip and velocity of the centre against the phase, one panel for each λ₀.

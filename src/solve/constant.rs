@@ -1,4 +1,4 @@
-//! Constant acceleration: where a launched particle is in its velocity, at an angle or at a time.
+//! Constant acceleration: the velocity of a launched particle and its place, at an angle or at a time.
 
 use super::{
     Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, RADIANS, SMALL, Said, SolveError, UNITS,
@@ -60,19 +60,30 @@ pub struct ConstantState {
     pub vx: f64,
     /// Component along y, in length/time.
     pub vy: f64,
+    /// Place along x since the launch, in length.
+    pub x: f64,
+    /// Place along y.
+    pub y: f64,
     /// When the particle stops for good, if it does.
     pub stop_time: Option<f64>,
     /// Where it turns round, speeds are differences of larger ones: those that count beside them. Else 0.
     turning: f64,
+    /// The initial speed.
+    start: f64,
 }
 
 /// The units of speeds and times, which are whatever those of v₀ and A make them.
 pub const SPEED: &str = "unit of v0";
 /// See [`SPEED`].
 pub const TIME: &str = "unit of v0/A";
+/// See [`SPEED`].
+pub const LENGTH: &str = "unit of v0²/A";
 
 impl Fields for ConstantState {
     fn fields(&self) -> Vec<Field> {
+        // As far as it may have come.
+        let lasts = self.stop_time.map_or(self.t, |stop| stop.min(self.t));
+        let way = self.v.max(self.start) * lasts;
         vec![
             Field::within(self.turning, "v", self.v).of(SPEED),
             Field::within(LEAST_ANGLE, "theta", self.theta)
@@ -81,6 +92,8 @@ impl Fields for ConstantState {
             Field::new("t", self.t).of(TIME),
             Field::within(self.v.max(self.turning), "vx", self.vx).of(SPEED),
             Field::within(self.v.max(self.turning), "vy", self.vy).of(SPEED),
+            Field::within(way, "x", self.x).of(LENGTH),
+            Field::within(way, "y", self.y).of(LENGTH),
             Field::new("stop_time", self.stop_time).of(TIME),
         ]
     }
@@ -106,7 +119,7 @@ impl<T: Quantity> ConstantProblem<T> {
                     nudged.formulas().at(near.at.map(Into::into))
                 }
             };
-            there.map(|exactly| exactly.rounded(near.turning()))
+            there.map(|exactly| exactly.rounded(&near))
         })?;
         let note = near.note(&said.given);
         Answer::by_either(said, near.motions(), 0.0, note)
@@ -189,7 +202,10 @@ impl ConstantProblem {
             v: state.v / UNITS,
             vx: state.vx / UNITS,
             vy: state.vy / UNITS,
+            x: state.x / UNITS,
+            y: state.y / UNITS,
             turning: self.turning(),
+            start: self.v0,
             ..state
         };
         let motion = followed(self.by_motion())?;
@@ -226,8 +242,11 @@ impl ConstantProblem {
             t: state.t,
             vx: state.v[0],
             vy: state.v[1],
+            x: state.x[0],
+            y: state.x[1],
             stop_time,
             turning: self.turning(),
+            start: self.v0,
         }))
     }
 
@@ -292,20 +311,25 @@ pub(super) struct Exactly {
     pub(super) theta: Double,
     pub(super) t: Double,
     pub(super) velocity: [Double; 2],
+    place: [Double; 2],
     pub(super) stop_time: Option<Double>,
 }
 
 impl Exactly {
-    fn rounded(&self, turning: f64) -> ConstantState {
+    fn rounded(&self, launch: &ConstantProblem) -> ConstantState {
         let [vx, vy] = self.velocity.map(Double::to_f64);
+        let [x, y] = self.place.map(Double::to_f64);
         ConstantState {
             v: self.v.to_f64(),
             theta: self.theta.to_f64(),
             t: self.t.to_f64(),
             vx,
             vy,
+            x,
+            y,
             stop_time: self.stop_time.map(Double::to_f64),
-            turning,
+            turning: launch.turning(),
+            start: launch.v0,
         }
     }
 }
@@ -328,12 +352,32 @@ impl Formulas {
         corrected::time(self.lambda, self.a, self.v0, self.theta0, ln_r)
     }
 
+    /// The place by ln r, see [`time`](Self::time): v_x is v₀ (c r^(λ−1) − s r^(λ+1)) and v_y is v₀ sin θ₀ r^λ, with c and s
+    /// the squares of the cosine and the sine of θ₀/2, and A dt = −v dr/r.
+    fn place(&self, ln_r: Double) -> [Double; 2] {
+        let Formulas {
+            lambda,
+            v0,
+            theta0,
+            a,
+        } = *self;
+        let (one, two) = (Double::from(1.0), Double::from(2.0));
+        let half = theta0 / two;
+        let [c, s] = [half.cos().squared(), half.sin().squared()];
+        let fall = |k: Double| ln_r.exp_fall(k);
+        [
+            c.squared() * fall(two * (lambda - one)) - s.squared() * fall(two * (lambda + one)),
+            theta0.sin() * (c * fall(two * lambda - one) + s * fall(two * lambda + one)),
+        ]
+        .map(|part| part * v0.squared() / a)
+    }
+
     /// Whether the launch is straight against the inertial force: at the angle that stands for π.
     fn straight_against(&self) -> bool {
         self.theta0.to_f64() == PI
     }
 
-    fn state(&self, v: Double, theta: Double, t: Double) -> Exactly {
+    fn state(&self, v: Double, theta: Double, t: Double, place: [Double; 2]) -> Exactly {
         let velocity = match theta.to_f64() {
             PI => [-v, 0.0.into()],
             _ => printed::eq4_velocity(v, theta),
@@ -343,13 +387,15 @@ impl Formulas {
             theta,
             t,
             velocity,
+            place,
             stop_time: self.stop_time(),
         }
     }
 
     /// At rest: the angle is what it tended to.
-    fn stopped(&self, t: Double) -> Exactly {
-        self.state(0.0.into(), last_angle(self.theta0.to_f64()).into(), t)
+    fn stopped(&self, t: Double, place: [Double; 2]) -> Exactly {
+        let theta = last_angle(self.theta0.to_f64());
+        self.state(0.0.into(), theta.into(), t, place)
     }
 
     /// On the axis from the start: before the stop if there is one, and after it.
@@ -360,16 +406,23 @@ impl Formulas {
             v0,
             theta0,
         } = *self;
-        let (one, zero) = (Double::from(1.0), 0.0.into());
+        let (one, two, zero) = (Double::from(1.0), Double::from(2.0), 0.0.into());
         let stop = v0 / (a * (lambda + one));
-        if self.stop_time().is_some_and(|stop| stop <= t) {
-            self.stopped(t)
+        // The mean speed for so long, along x.
+        let way = |speed: Double, lasts: Double| [speed / two * lasts, zero];
+        if let Some(end) = self.stop_time().filter(|end| *end <= t) {
+            let sense = if theta0 == zero { v0 } else { -v0 };
+            self.stopped(t, way(sense, end))
         } else if theta0 == zero {
-            self.state(v0 + a * (one - lambda) * t, zero, t)
+            let v = v0 + a * (one - lambda) * t;
+            self.state(v, zero, t, way(v0 + v, t))
         } else if t < stop {
-            self.state(v0 - a * (one + lambda) * t, PI.into(), t)
+            let v = v0 - a * (one + lambda) * t;
+            self.state(v, PI.into(), t, way(-(v0 + v), t))
         } else {
-            self.state(a * (one - lambda) * (t - stop), zero, t)
+            let v = a * (one - lambda) * (t - stop);
+            let place = [way(v, t - stop)[0] - way(v0, stop)[0], zero];
+            self.state(v, zero, t, place)
         }
     }
 
@@ -380,7 +433,7 @@ impl Formulas {
     /// Where tan(θ/2) has fallen to a part of its initial value, by the logarithm of that part.
     fn at_log(&self, ln_r: Double, theta: Double, t: Double) -> Exactly {
         let v = corrected::speed_by_log(self.lambda, self.v0, self.theta0, ln_r);
-        self.state(v, theta, t)
+        self.state(v, theta, t, self.place(ln_r))
     }
 
     /// The state at a moment.
@@ -400,7 +453,7 @@ impl Formulas {
         } = *self;
         let (one, zero) = (Double::from(1.0), Double::from(0.0));
         if theta == theta0 {
-            return Ok(self.state(v0, theta, zero));
+            return Ok(self.state(v0, theta, zero, [zero; 2]));
         }
         if self.straight_against() && theta == zero && lambda < one {
             return Ok(self.on_axis(v0 / (a * (lambda + one))));
@@ -425,11 +478,11 @@ impl Formulas {
             return self.on_axis(t);
         }
         if t == zero {
-            return self.state(self.v0, self.theta0, zero);
+            return self.state(self.v0, self.theta0, zero, [zero; 2]);
         }
         let stopped = self.stop_time().is_some_and(|stop| stop <= t);
         let Some(ln_r) = self.log_at(t).filter(|_| !stopped) else {
-            return self.stopped(t);
+            return self.stopped(t, self.place(f64::NEG_INFINITY.into()));
         };
         let [sine, cosine] = corrected::half_angle(self.theta0, ln_r.exp());
         let theta = sine.atan2(cosine) * 2.0.into();

@@ -477,7 +477,7 @@ fn a_row_of_a_sweep_is_what_is_answered_alone() {
             row[0], row[1]
         ));
         assert_eq!(row[2].parse(), Ok(alone["v"].as_f64().unwrap()), "{row:?}");
-        assert_eq!(row[8], alone["digits"].to_string());
+        assert_eq!(row[10], alone["digits"].to_string());
     }
 }
 

@@ -203,8 +203,17 @@ def on_line(lam, v0, a, t, backwards):
     return a * (1 - lam) * (t - turn), mpf(0), None
 
 
+def place_on_line(lam, v0, a, t, backwards):
+    """x at the time t of such a launch, piece by piece at the mean speed."""
+    v, _, stop = on_line(lam, v0, a, t, backwards)
+    if not backwards:
+        return (v0 + v) / 2 * (t if stop is None else min(t, stop))
+    turn = v0 / (a * (1 + lam))
+    return -(v0 + v) / 2 * t if t < turn else v / 2 * (t - turn) - v0 / 2 * turn
+
+
 def moved(lam, v0, theta0, a, at, moment):
-    """v, theta, t, v_x, v_y, stop."""
+    """v, theta, t, v_x, v_y, x, y, stop."""
     if theta0 in (0, PI):
         if at == "time":
             t = mpf(moment)
@@ -214,24 +223,25 @@ def moved(lam, v0, theta0, a, at, moment):
             # It turns round and has the angle 0 from then on.
             assert theta0 == PI and moment == 0 and lam < 1
             t = v0 / (a * (1 + lam))
-            return mpf(0), mpf(0), t, mpf(0), mpf(0), None
+            return mpf(0), mpf(0), t, mpf(0), mpf(0), -v0 / 2 * t, mpf(0), None
         v, theta, stop = on_line(lam, v0, a, t, theta0 == PI)
-        return v, theta, t, v if theta == 0 else -v, mpf(0), stop
+        x = place_on_line(lam, v0, a, t, theta0 == PI)
+        return v, theta, t, v if theta == 0 else -v, mpf(0), x, mpf(0), stop
     theta0 = mpf(theta0)
     launch = Launch(lam, a, v0, theta0)
     moment = mpf(moment)
     if moment == (0 if at == "time" else theta0):
-        return v0, theta0, mpf(0), v0 * mp.cos(theta0), v0 * mp.sin(theta0), launch.stop
+        return v0, theta0, mpf(0), v0 * mp.cos(theta0), v0 * mp.sin(theta0), mpf(0), mpf(0), launch.stop
     if at == "theta":
         s, theta = mp.log(launch.tan / mp.tan(moment / 2)), moment
         t = launch.time(s)
     else:
         t = moment
         if launch.stop is not None and t >= launch.stop:
-            return mpf(0), mpf(0), t, mpf(0), mpf(0), launch.stop
+            return mpf(0), mpf(0), t, mpf(0), mpf(0), *launch.place(mp.inf), launch.stop
         s = launch.when(t)
         theta = launch.angle(s)
-    return launch.speed(s), theta, t, *launch.velocity(s), launch.stop
+    return launch.speed(s), theta, t, *launch.velocity(s), *launch.place(s), launch.stop
 
 
 def constant(lam, v0, theta0, a, at, moment):
@@ -240,7 +250,7 @@ def constant(lam, v0, theta0, a, at, moment):
 
 def sphere(gamma, u0, theta0, kappa, at, moment):
     gamma, u0, kappa = mpf(gamma), mpf(u0), mpf(kappa)
-    u, theta, tau, ux, uy, rolls = moved((1 + 1 / kappa) / gamma, u0, theta0, gamma, at, moment)
+    u, theta, tau, ux, uy, _, _, rolls = moved((1 + 1 / kappa) / gamma, u0, theta0, gamma, at, moment)
     if tau == 0:
         zeta = [mpf(0), mpf(0)]
     else:
@@ -726,7 +736,7 @@ def ask_explorer_anisotropic(rng):
             return q, lam, w
 
 
-STATE = "v,theta,t,vx,vy,stop_time"
+STATE = "v,theta,t,vx,vy,x,y,stop_time"
 SWING = "regime,positive_start,positive_end,rest_fraction,w_max"
 KINDS = [
     ("constant", ask_constant, constant, f"lambda,v0,theta0,accel,at,moment,{STATE}", ROWS),
