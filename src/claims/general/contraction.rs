@@ -42,15 +42,16 @@ fn by_law(law: [Expr; 2]) -> Proof {
             let [v, u] = [[vx, vy], [ux, uy]].map(|[x, y]| (x.squared() + y.squared()).sqrt());
             let cosine = (vx * ux + vy * uy) / (v * u);
             let stated = -(two * mu * g * (v + u) * (Expr::int(1) - cosine));
-            let stated = p.read(
+            p.reads_as(
+                &rate,
                 "−2μg (v + u) (1 − cos), cos that of the angle between them",
                 stated,
             )?;
-            p.equal("The two", &rate, &stated)?;
-            let rest = p.read("1 − cos²", Expr::int(1) - cosine.squared())?;
             let across = ((vx * uy - vy * ux) / (v * u)).squared();
-            let across = p.read("A square, so that cos is at most 1", across)?;
-            p.equal("The two", &rest, &across)?;
+            p.identity(
+                ("1 − cos²", Expr::int(1) - cosine.squared()),
+                ("A square, so that cos is at most 1", across),
+            )?;
             p.note(
                 "So, while both slide",
                 "the rate of the distance is not positive",
@@ -64,8 +65,7 @@ fn by_law(law: [Expr; 2]) -> Proof {
             )?;
             let rate = p.derivative("Its rate", &square, &alone)?;
             let along = (ax * vx + ay * vy) / v;
-            let stated = p.read("−2v (𝐀·𝐯/v + μg)", -(two * v * (along + mu * g)))?;
-            p.equal("The two", &rate, &stated)?;
+            p.reads_as(&rate, "−2v (𝐀·𝐯/v + μg)", -(two * v * (along + mu * g)))?;
             at_most_its_size(p)?;
             p.note(
             "A rest lasts only where |𝐀| ≤ μg",

@@ -34,19 +34,21 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
         |p| {
             let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
             let pi = Expr::pi();
-            let excess = p.read("sin²φ − λ₀²", phi.sin().squared() - lambda0.squared())?;
             let product = (phi - beta).sin() * (phi + beta).sin();
-            let product = p.read("sin(φ − β) sin(φ + β)", product)?;
-            p.equal("The two", &excess, &product)?;
+            p.identity(
+                ("sin²φ − λ₀²", phi.sin().squared() - lambda0.squared()),
+                ("sin(φ − β) sin(φ + β)", product),
+            )?;
             p.note(
                 "Of the phases from 0 to 2π",
                 "the first sine vanishes at β and π + β only, the second at π − β and 2π − β only",
             );
             let zeros = [beta, pi - beta, pi + beta, Expr::int(2) * pi - beta];
             for (i, (printed, zero)) in phases.into_iter().zip(zeros).enumerate() {
-                let printed = p.read(&format!("The printed phase {}", i + 1), printed)?;
-                let zero = p.read("The zero of a sine", zero)?;
-                p.equal("The two", &printed, &zero)?;
+                p.identity(
+                    (&format!("The printed phase {}", i + 1), printed),
+                    ("The zero of a sine", zero),
+                )?;
             }
             for (says, earlier, later) in [
                 (
@@ -56,19 +58,22 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
                 ),
                 ("The same", 2, 3),
             ] {
-                let gap = p.read(says, zeros[later] - zeros[earlier])?;
-                let length = p.read("π − 2β, positive for β < π/2", pi - Expr::int(2) * beta)?;
-                p.equal("The two", &gap, &length)?;
+                p.identity(
+                    (says, zeros[later] - zeros[earlier]),
+                    ("π − 2β, positive for β < π/2", pi - Expr::int(2) * beta),
+                )?;
             }
-            let gap = p.read("From the second to the third", zeros[2] - zeros[1])?;
-            let length = p.read("2β, positive for β > 0", Expr::int(2) * beta)?;
-            p.equal("The two", &gap, &length)?;
-            let number = p.read("The stated number", number)?;
-            let counted = p.read(
-                "Two zeros of each sine, none in common",
-                Expr::int(2) + Expr::int(2),
+            p.identity(
+                ("From the second to the third", zeros[2] - zeros[1]),
+                ("2β, positive for β > 0", Expr::int(2) * beta),
             )?;
-            p.equal("The two", &number, &counted)
+            p.identity(
+                ("The stated number", number),
+                (
+                    "Two zeros of each sine, none in common",
+                    Expr::int(2) + Expr::int(2),
+                ),
+            )
         },
     )
 }
@@ -92,10 +97,9 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
             "a rest ends at a phase at which |sin φ| is λ₀, and above λ₀ just after it",
         );
         let drive = p.read("sin²φ", phi.sin().squared())?;
-        let slope = p.derivative("Its slope", &drive, &p.ring().by("φ")?)?;
+        let slope = p.slope("Its slope", &drive, "φ")?;
         let stated = Expr::int(2) * phi.sin() * phi.cos();
-        let twice = p.read("2 sin φ cos φ", stated)?;
-        p.equal("The two", &slope, &twice)?;
+        p.reads_as(&slope, "2 sin φ cos φ", stated)?;
         let steep = p.read(
             "2 sin β cos β, positive for 0 < β < π/2",
             stated.with("φ", beta),
@@ -138,29 +142,33 @@ fn period_ends(end: Expr) -> Proof {
         );
         let [beta, lambda0] = Expr::symbols(["β", "λ₀"]);
         for (says, phase) in [("φ₁", first), ("the stated end", end)] {
-            let drive = p.read(&format!("The drive, sin φ, at {says}"), phase.sin())?;
-            let friction = p.read("λ₀", lambda0)?;
-            p.equal("The two", &drive, &friction)?;
-            let slope = p.read("Its slope there", phase.cos())?;
-            let rises = p.read("cos β, positive for 0 < β < π/2", beta.cos())?;
-            p.equal("The two", &slope, &rises)?;
+            p.identity(
+                (&format!("The drive, sin φ, at {says}"), phase.sin()),
+                ("λ₀", lambda0),
+            )?;
+            p.identity(
+                ("Its slope there", phase.cos()),
+                ("cos β, positive for 0 < β < π/2", beta.cos()),
+            )?;
         }
-        let slope = p.read("The slope at φ₂", second.cos())?;
-        let falls = p.read("−cos β: there the drive falls", -beta.cos())?;
-        p.equal("The two", &slope, &falls)?;
-        for (says, phase) in [("φ₃", third), ("φ₄", fourth)] {
-            let drive = p.read(&format!("The drive at {says}"), phase.sin())?;
-            let backward = p.read("−λ₀: there it is backward", -lambda0)?;
-            p.equal("The two", &drive, &backward)?;
-        }
-        let length = p.read("From φ₁ to the stated end", end - first)?;
-        let period = p.read(
-            "2π, so that it is the next such phase",
-            Expr::int(2) * Expr::pi(),
+        p.identity(
+            ("The slope at φ₂", second.cos()),
+            ("−cos β: there the drive falls", -beta.cos()),
         )?;
-        p.equal("The two", &length, &period)?;
-        let given = p.read("What the drive gives on the way", first.cos() - end.cos())?;
-        p.zero("It", &given)
+        for (says, phase) in [("φ₃", third), ("φ₄", fourth)] {
+            p.identity(
+                (&format!("The drive at {says}"), phase.sin()),
+                ("−λ₀: there it is backward", -lambda0),
+            )?;
+        }
+        p.identity(
+            ("From φ₁ to the stated end", end - first),
+            (
+                "2π, so that it is the next such phase",
+                Expr::int(2) * Expr::pi(),
+            ),
+        )?;
+        p.vanishes("What the drive gives on the way", first.cos() - end.cos())
     })
 }
 
@@ -176,19 +184,17 @@ fn ends_once(w: Expr) -> Proof {
         let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
         let two = Expr::int(2);
         let printed = p.read("(31), with sin β = λ₀", w)?;
-        let slope = p.derivative("Its slope", &printed, &p.ring().by("φ")?)?;
+        let slope = p.slope("Its slope", &printed, "φ")?;
         let halves = ((phi - beta) / two).sin() * ((phi + beta) / two).cos();
-        let product = p.read(
-            "2 sin((φ − β)/2) cos((φ + β)/2), positive from β to π − β, negative from there to 2π + β",
-            two * halves,
+        p.reads_as(&slope, "2 sin((φ − β)/2) cos((φ + β)/2), positive from β to π − β, negative from there to 2π + β",
+            two * halves)?;
+        p.identity(
+            ("(31) at 2π − β", w.with("φ", two * Expr::pi() - beta)),
+            (
+                "−2λ₀ (π − β), negative",
+                -(two * lambda0 * (Expr::pi() - beta)),
+            ),
         )?;
-        p.equal("The two", &slope, &product)?;
-        let late = p.read("(31) at 2π − β", w.with("φ", two * Expr::pi() - beta))?;
-        let below = p.read(
-            "−2λ₀ (π − β), negative",
-            -(two * lambda0 * (Expr::pi() - beta)),
-        )?;
-        p.equal("The two", &late, &below)?;
         p.note(
             "So, as (31) is 0 at β",
             "it is positive up to a phase between π − β and 2π − β, and negative from there to 2π + β",
@@ -211,10 +217,10 @@ const OUTLASTS: Statement<(Expr, Expr)> = Statement::new(
             paper::eq32_left(lambda0, phi1, end),
         )
     },
-    |(w, left)| outlasts(w, left),
+    outlasts,
 );
 
-fn outlasts(w: Expr, left: Expr) -> Proof {
+fn outlasts((w, left): (Expr, Expr)) -> Proof {
     let ring = || {
         let mut ring = with_lambda_c(ring_of_phi1()?)?;
         ring.angle("φ̃₂");
@@ -226,8 +232,7 @@ fn outlasts(w: Expr, left: Expr) -> Proof {
         let [beta, lambda0, phi, end] = Expr::symbols(["β", "λ₀", "φ", "φ̃₂"]);
         let (two, pi) = (Expr::int(2), Expr::pi());
         let there = p.read("(31) at β + π", w.with("φ", beta + pi))?;
-        let eq35 = p.read("The left side of (35)", paper::eq35_left(lambda0))?;
-        p.equal("The two", &there, &eq35)?;
+        p.reads_as(&there, "The left side of (35)", paper::eq35_left(lambda0))?;
         let [friction, critical] = paper::eq36_sides(lambda0);
         let sum = p.read("Its terms, added", two * beta.cos() + pi * lambda0)?;
         let factor = Expr::int(4) + pi.squared();
@@ -252,11 +257,9 @@ fn outlasts(w: Expr, left: Expr) -> Proof {
         );
         let most = lambda0 * (phi - end) + end.cos() - phi.cos();
         let rate = p.read("From 0 at φ̃₂ that gives at most", most)?;
-        let rate = p.derivative("Its slope", &rate, &p.ring().by("φ")?)?;
-        let gain = p.read("sin φ + λ₀", phi.sin() + lambda0)?;
-        p.equal("The two", &rate, &gain)?;
-        let zero = p.read("At φ̃₂", most.with("φ", end))?;
-        p.zero("It", &zero)?;
+        let rate = p.slope("Its slope", &rate, "φ")?;
+        p.reads_as(&rate, "sin φ + λ₀", phi.sin() + lambda0)?;
+        p.vanishes("At φ̃₂", most.with("φ", end))?;
         let later = p.read("At β + 2π", most.with("φ", beta + two * pi))?;
         let left = p.read("The left side of (32), which is 0,", left)?;
         let stated = p.read(

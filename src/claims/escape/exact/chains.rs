@@ -72,10 +72,7 @@ pub fn acceleration() -> [Expr; 2] {
 /// A particle on a bounded path beyond `bound` is pushed outwards for good, at rest or not: friction is 1 at most.
 pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
     let ring = || {
-        let mut ring = Ring::new();
-        for name in ["x", "y"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["x", "y"]);
         let p = ring.symbol("p");
         for name in ["χ", "θ"] {
             ring.angle(name);
@@ -125,10 +122,7 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
 /// p + ρ below the bound: rest, inside the bound.
 pub fn comes_to_rest(bound: Expr) -> Proof {
     let ring = || {
-        let mut ring = Ring::new();
-        for name in ["p", "ρ"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["p", "ρ"]);
         ring.angle("ψ");
         Ok(ring)
     };
@@ -159,18 +153,19 @@ pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
     given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
     let [speed, ell, rho, xi] = Expr::symbols(["p", "ℓ", "ρ", "ξ"]);
     let rate = p.read("dξ/dτ by (101)", ahead)?;
-    let square = p.read(
+    p.reads_as(
+        &rate,
         "A square over p: ξ never falls",
         (speed + ell).squared() / speed,
     )?;
-    p.equal("The two", &rate, &square)?;
     let least = p.read("ℓ²/2p less p", ell.squared() / (int(2) * speed) - speed)?;
     let rest = (int(2) * speed + ell).squared() / (int(2) * speed);
     let rest = p.read("Another square over 2p", rest)?;
     p.equal("dξ/dτ exceeds it by that", &(&rate - &least), &rest)?;
-    let across = p.read("ℓ²", ell.squared())?;
-    let left = p.read("ρ² − ξ²", rho.squared() - xi.squared())?;
-    p.equal("The two", &across, &left)?;
+    p.identity(
+        ("ℓ²", ell.squared()),
+        ("ρ² − ξ²", rho.squared() - xi.squared()),
+    )?;
     p.note(
         "Let p → 0 as τ → T, at ρ > 0",
         "ξ, never falling and at most ρ, converges; by (99) p ≤ (1 + R)(T − τ) with the largest ρ as R, so that ℓ²/2p has no finite integral unless ℓ → 0",
@@ -203,9 +198,10 @@ fn escapes(beyond: Beyond) -> Proof {
         );
         stops_along(p, ahead)?;
         let [xi] = Expr::symbols(["ξ"]);
-        let faster = p.read("dp/dτ by (99)", motion::eq99_p_rate(xi))?;
-        let excess = p.read("ξ less the bound", xi - bound)?;
-        p.equal("The two", &faster, &excess)?;
+        p.identity(
+            ("dp/dτ by (99)", motion::eq99_p_rate(xi)),
+            ("ξ less the bound", xi - bound),
+        )?;
         p.note(
             "At ψ → 0 beyond the bound",
             "ξ → ρ, and p grows: so p → 0 with ψ → π only, where the particle comes straight in",
@@ -242,9 +238,10 @@ fn sum(p_formula: Expr, rho: Expr) -> Proof {
                 ("ρ + p", rho + p_formula, alpha),
                 ("ρ − p", rho - p_formula, -alpha),
             ] {
-                let combined = p.read(says, combined)?;
-                let stated = p.read("A times an exponential", a * power.exp())?;
-                p.equal("The two", &combined, &stated)?;
+                p.identity(
+                    (says, combined),
+                    ("A times an exponential", a * power.exp()),
+                )?;
             }
             Ok(())
         },

@@ -75,11 +75,7 @@ pub const EQ145: Statement = Statement::new(
 const ORDER: i64 = 3;
 
 fn ring() -> Ring {
-    let mut ring = Ring::new();
-    for name in ["σ", "c", "τ", "slope", "ψ", "x", "y", "a", "α"] {
-        ring.symbol(name);
-    }
-    ring
+    Ring::of(["σ", "c", "τ", "slope", "ψ", "x", "y", "a", "α"])
 }
 
 /// The same, with the power of α that (143) has.
@@ -146,8 +142,7 @@ fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
 fn eq140(formula: Expr) -> Proof {
     arriving("(140) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
-        let stated = p.read("(140)", formula)?;
-        p.equal("The two", &limit, &stated)
+        p.reads_as(&limit, "(140)", formula)
     })
 }
 
@@ -158,8 +153,7 @@ fn eq141(formula: Expr) -> Proof {
             "With τ = 0 at rest",
             "by the mean-value theorem α/τ is dα/dτ at a time between: it has the same limit",
         );
-        let stated = p.read("(141) over τ", formula / Expr::symbol("τ"))?;
-        p.equal("The two", &limit, &stated)
+        p.reads_as(&limit, "(141) over τ", formula / Expr::symbol("τ"))
     })
 }
 
@@ -186,9 +180,10 @@ fn eq142([left, right]: [Expr; 2]) -> Proof {
             "So, whatever ψ/α is",
             "dψ/dτ = 2 − (1 + o(1)) ψ/α, and the left side is (1 + o(1)) dψ/dτ",
         );
-        let right = p.read("Right side", right)?;
-        let stated = p.read("2 − ψ/α", Expr::int(2) - psi / alpha)?;
-        p.equal("The two", &right, &stated)
+        p.identity(
+            ("Right side", right),
+            ("2 − ψ/α", Expr::int(2) - psi / alpha),
+        )
     })
 }
 
@@ -230,8 +225,11 @@ fn eq145(formula: Expr) -> Proof {
         let twice = limit * Rational::int(2);
         let coefficient = p.quotient("1 over that", &Rational::int(1), &twice)?;
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
-        let stated = p.read("(145) less σ, over α²", (formula - sigma) / alpha.squared())?;
-        p.equal("The two", &coefficient, &stated)
+        p.reads_as(
+            &coefficient,
+            "(145) less σ, over α²",
+            (formula - sigma) / alpha.squared(),
+        )
     })
 }
 
@@ -265,13 +263,16 @@ fn eq143(formula: Expr) -> Proof {
         );
         let stated = p.read("(143)", formula)?;
         let ring = p.ring();
-        let slope = p.derivative("Its slope", &stated, &ring.by("α")?)?;
+        let slope = p.slope("Its slope", &stated, "α")?;
         let left = slope * ring.named("α")? - ring.read(k)? * &stated;
         let right = ring.read(Expr::int(-2) * k * alpha)?;
         p.equal("α times that, less k times (143), is −2kα", &left, &right)?;
-        let free = p.derivative("Its slope by c", &stated, &ring.by("c")?)?;
-        let power = p.read("2α^k", Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)))?;
-        p.equal("The two", &free, &power)?;
+        let free = p.slope("Its slope by c", &stated, "c")?;
+        p.reads_as(
+            &free,
+            "2α^k",
+            Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)),
+        )?;
         p.note(
             "So (ψ less (143) with c = 0) over α^k",
             "has the slope R/α^(k+1) by α, and converges: to 2c. What is left is α^k times the integral of R/α^(k+1) from 0",

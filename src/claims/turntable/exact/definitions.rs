@@ -12,9 +12,7 @@ fn is(
     (says, expected): (&str, Expr),
 ) -> Proof {
     prove(title, setting, |p, _| {
-        let printed = p.read("The printed formula", printed)?;
-        let expected = p.read(says, expected)?;
-        p.equal("The two", &printed, &expected)
+        p.identity(("The printed formula", printed), (says, expected))
     })
 }
 
@@ -62,10 +60,8 @@ fn sums(
         ("The sum of the two", larger + smaller, 1),
         ("The difference of the two", larger - smaller, -1),
     ] {
-        let sum = p.read(says, sum)?;
         let expected = size * (Expr::int(sign) * argument).exp();
-        let expected = p.read("It should be", expected)?;
-        p.equal("The two", &sum, &expected)?;
+        p.identity((says, sum), ("It should be", expected))?;
     }
     Ok(())
 }
