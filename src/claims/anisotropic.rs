@@ -10,6 +10,7 @@ pub mod exact;
 mod frictions;
 mod mirror;
 pub mod motions;
+mod numbers;
 pub mod panels;
 mod regions;
 pub mod rows;
@@ -19,7 +20,6 @@ mod transverse;
 mod transverse_decay;
 
 use super::shared::SHARED;
-use super::{by_hand, values};
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 
@@ -46,5 +46,5 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&by_hand::ANISOTROPIC)
-.numbers(&values::ANISOTROPIC);
+.by_hand(&numbers::CASES)
+.numbers(&numbers::VALUES);

@@ -11,10 +11,10 @@ mod hodograph;
 mod incline;
 mod launches;
 mod limits;
+mod numbers;
 mod only_constant;
 mod time;
 
-use super::by_hand;
 use super::shared::SHARED;
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
@@ -40,4 +40,4 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&by_hand::CONSTANT);
+.by_hand(&numbers::CASES);

@@ -4,13 +4,13 @@ pub mod bounds;
 pub mod exact;
 pub mod excepted;
 pub mod growth;
+mod numbers;
 pub mod onset;
 pub mod steps;
 pub mod straight;
 pub mod trajectories;
 
 use super::shared::SHARED;
-use super::{by_hand, values};
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 
@@ -31,5 +31,5 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&by_hand::ESCAPE)
-.numbers(&values::ESCAPE);
+.by_hand(&numbers::CASES)
+.numbers(&numbers::VALUES);

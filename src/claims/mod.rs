@@ -3,14 +3,12 @@
 //! A claim is data, an entry in `claims/<topic>.toml`; a trial is a function that returns
 //! [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
 
-pub mod by_hand;
 pub mod corners;
 mod failure;
 pub mod formulas;
 pub mod laid_over;
 mod shared;
 pub mod tolerances;
-pub mod values;
 pub mod variants;
 
 pub mod anisotropic;
@@ -23,6 +21,7 @@ pub mod sinusoidal;
 pub mod sphere;
 pub mod turntable;
 
+pub use trialbook::claims::values;
 use trialbook::claims::{Paper, Topic};
 
 /// All topics, in the paper's order.

@@ -6,6 +6,7 @@ mod dissipation;
 pub mod drawn;
 pub mod drives;
 pub mod exact;
+mod numbers;
 pub mod pulse_remarks;
 mod pulses;
 mod rest;
@@ -13,7 +14,6 @@ mod rest_share;
 mod step_drive;
 pub mod threshold;
 
-use super::by_hand;
 use super::shared::SHARED;
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
@@ -38,4 +38,4 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&by_hand::PERIODIC);
+.by_hand(&numbers::CASES);

@@ -7,12 +7,12 @@ mod dichotomy;
 pub mod exact;
 pub mod excepted;
 pub mod fates;
+mod numbers;
 pub mod radius;
 pub mod surfaces;
 pub mod trajectories;
 
 use super::shared::SHARED;
-use super::{by_hand, values};
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 
@@ -41,5 +41,5 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&by_hand::REST)
-.numbers(&values::REST);
+.by_hand(&numbers::CASES)
+.numbers(&numbers::VALUES);

@@ -7,6 +7,7 @@ pub mod chains;
 pub mod drawn;
 pub mod exact;
 pub mod excepted;
+mod numbers;
 mod periodic;
 pub mod phase_order;
 mod phases;
@@ -21,7 +22,6 @@ pub mod transverse_decay;
 mod units;
 
 use super::shared::SHARED;
-use super::{by_hand, values};
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 
@@ -52,5 +52,5 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&by_hand::SINUSOIDAL)
-.numbers(&values::SINUSOIDAL);
+.by_hand(&numbers::CASES)
+.numbers(&numbers::VALUES);

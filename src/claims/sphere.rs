@@ -7,12 +7,12 @@ pub mod driven;
 mod every_drive;
 pub mod exact;
 pub mod excepted;
+mod numbers;
 mod rates;
 mod scaling;
 mod spheres;
 
 use super::shared::SHARED;
-use super::{by_hand, values};
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
 
@@ -36,5 +36,5 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&by_hand::SPHERE)
-.numbers(&values::SPHERE);
+.by_hand(&numbers::CASES)
+.numbers(&numbers::VALUES);

@@ -9,13 +9,13 @@ pub mod exact;
 pub mod excepted;
 pub mod fixed;
 mod frames;
+mod numbers;
 pub mod projections;
 mod rates;
 mod singular_starts;
 mod start_and_stop;
 pub mod trajectories;
 
-use super::by_hand;
 use super::shared::SHARED;
 use trialbook::claims::Topic;
 use trialbook::claims::read::claims;
@@ -41,4 +41,4 @@ pub static TOPIC: Topic = Topic::new(
     ],
 )
 .sharing(SHARED)
-.by_hand(&by_hand::TURNTABLE);
+.by_hand(&numbers::CASES);

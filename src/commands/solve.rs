@@ -60,7 +60,7 @@ enum Problem {
     #[command(after_help = "Examples:
   slipbook solve sinusoidal --lambda0 0.7 --plot
   slipbook solve sinusoidal --mu 0.3 --a0 5 --omega 2*pi --json")]
-    Sinusoidal(Friction),
+    Sinusoidal(FrictionArgs),
     /// The large-time motion under a train of pulses
     #[command(after_help = "Example:\n  slipbook solve pulse --eta 0.5 --lambda0 0.3")]
     Pulse {
@@ -68,7 +68,7 @@ enum Problem {
         #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
         eta: Axis,
         #[command(flatten)]
-        friction: Friction,
+        friction: FrictionArgs,
     },
     /// The large-time motion with a friction that depends on the direction
     #[command(after_help = "Example:\n  slipbook solve anisotropic --q 2 --lambda0 0.45")]
@@ -77,7 +77,7 @@ enum Problem {
         #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
         q: Axis,
         #[command(flatten)]
-        friction: Friction,
+        friction: FrictionArgs,
     },
     /// A sphere that starts without spin on a plane of constant acceleration
     #[command(after_help = "Examples:
@@ -132,7 +132,7 @@ impl Weight {
 /// Friction over the drive's amplitude: as it is, or by both in SI units.
 #[derive(Args)]
 #[command(mut_arg("mu", |mu| mu.requires_all(["a0", "omega"])), mut_arg("g", |g| g.conflicts_with("lambda0")))]
-struct Friction {
+struct FrictionArgs {
     /// λ₀ = μg/A₀, friction over the drive's amplitude; with anisotropic friction, the forward one
     #[arg(
         long,
@@ -164,7 +164,7 @@ struct Friction {
     omega: Option<Axis>,
 }
 
-impl Friction {
+impl FrictionArgs {
     fn on(&self, point: &mut Point) -> (Double, Vec<Unit>) {
         let (Some(a0), Some(omega)) = (&self.a0, &self.omega) else {
             let lambda0 = point.on("lambda0", &self.lambda0.unwrap_or_default());

@@ -404,7 +404,7 @@ pub struct Seen {
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn far(seen: &[Seen], laws: [rows::Law; 2]) -> Result<Figure, FigureError> {
+pub fn far(seen: &[Seen], laws: [rows::PowerLaw; 2]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "q",
         "lambda_0 on A",
@@ -472,7 +472,7 @@ pub fn far(seen: &[Seen], laws: [rows::Law; 2]) -> Result<Figure, FigureError> {
     )
     .points(found(|s| s.rest).series(0).size(2.4).key("rest appears"));
     let number = |(value, error): (f64, f64)| format!("{value:.7} \\pm {error:.0e}");
-    let law = |law: rows::Law| {
+    let law = |law: rows::PowerLaw| {
         format!(
             "$\\lambda_0\\propto(q+1)^n$ with $n={}$ and the prefactor ${}$",
             scientific(&number(law.exponent)),

@@ -2,8 +2,10 @@
 
 use slipbook::claims::PAPER;
 use slipbook::claims::values::search;
+use slipbook::numerics::expression::expression;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, LN_2, PI, SQRT_2, TAU};
+use trialbook::claims::by_hand::Numbers;
 
 /// 𝔴 at the end of a forward motion that begins at rest at `from`.
 fn gained(lambda: f64, from: f64, to: f64) -> f64 {
@@ -150,4 +152,161 @@ fn a_number_is_found_by_its_digits_sign_and_size() {
     ] {
         assert!(search(PAPER.values(), no_number).is_err(), "{no_number}");
     }
+}
+
+#[test]
+fn every_value_has_its_digits() {
+    let ids: BTreeSet<_> = PAPER.values().map(|value| value.id).collect();
+    assert_eq!(ids.len(), PAPER.values().count());
+    for value in PAPER.values() {
+        let shown: f64 = value.shown().unwrap().parse().unwrap();
+        let half = 0.5 * libm::exp10(-(value.decimals as f64));
+        let off = (shown - value.number().unwrap()).abs();
+        assert!(off <= half * (1.0 + 1e-9), "{}: {shown}", value.id);
+        if let Some(enclosure) = value.enclosure {
+            let [number, middle] = [value.number().unwrap(), enclosure.interval().unwrap().mid()];
+            let off = (number - middle).abs();
+            assert!(
+                off < 1e-11 * middle.abs(),
+                "{}: {number}, {middle}",
+                value.id
+            );
+        }
+
+        if let Some(form) = value.closed {
+            let closed: f64 = expression(form, |digits| digits.parse().ok()).unwrap();
+            let number = value.number().unwrap();
+            assert!(
+                (closed - number).abs() < 1e-12 * number.abs(),
+                "{}",
+                value.id
+            );
+        }
+
+        // As many digits as are known, cut off; nines may be rounded up if there are two of them or more.
+        let digits = value.digits().unwrap();
+        let significant = digits.trim_start_matches(['-', '0', '.']).replace('.', "");
+        assert_eq!(significant.len(), value.known(), "{} {digits}", value.id);
+        let number = value.number().unwrap();
+        let cut = number - digits.parse::<f64>().unwrap();
+        let unit = libm::exp10(-(digits.split_once('.').unwrap().1.len() as f64));
+        // The work number is rounded too.
+        let rounding = 4.0 * f64::EPSILON * number.abs();
+        assert!(
+            cut >= -0.005 * unit - rounding && cut < unit + rounding,
+            "{} {number} {digits}",
+            value.id
+        );
+    }
+    // 1/√2 = 0.70710678118654752440|08…, e^(√2 π) = 85.0196952232…, 7/6 = 1.1666…; 14/33 = 0.4242…
+    for (id, cut, rounded) in [
+        (
+            "fig-4-friction",
+            "0.70710678118654752440",
+            "0.70710678118654752440",
+        ),
+        ("turn", "85.019695223207217582", "85.019695223207217583"),
+        ("y-q-printed", "4.6030000000000000000", "4.603"),
+        ("b-solid", "3.5000000000000000000", "3.5"),
+        (
+            "boundary-curvature",
+            "1.1666666666666666666",
+            "1.1666666666666666667",
+        ),
+        (
+            "slip-end",
+            "0.42424242424242424242",
+            "0.42424242424242424242",
+        ),
+        ("critical-speed", "1.1653079259", "1.1653079259"),
+    ] {
+        let value = PAPER.value(id).unwrap();
+        assert_eq!(value.digits().unwrap(), cut);
+        assert_eq!(value.rounded().unwrap(), rounded);
+    }
+}
+
+#[test]
+fn every_case_shows_a_difference() {
+    for (claim, case) in PAPER.cases() {
+        let Numbers { stated, found, .. } = case.computed;
+        let (stated, found) = (stated().unwrap(), found().unwrap());
+        let step = 0.1_f64.powi(case.digits as i32);
+        assert!(
+            (stated - found).abs() > 3.0 * step || case.digits == 0 && stated != found,
+            "{}: {stated}, {found}",
+            claim.id
+        );
+        let words = case.words().unwrap();
+        assert!(!words.contains("{stated}") && !words.contains("{found}"));
+        assert_eq!(words.matches('$').count() % 2, 0, "{words}");
+    }
+}
+
+#[test]
+fn the_two_numbers_of_a_case_are_those_of_pencil_and_paper() {
+    let (third, fourth) = (1.0 / 3.0, 2.0_f64.powf(0.25));
+    let s = 0.5 * 3.0_f64.sqrt();
+    let passage = (s + FRAC_1_PI) / (s - FRAC_1_PI);
+    let by_hand = [
+        ("s21-along-acceleration", 1.0, -1.0),
+        ("s22-vy-two-stages", 1.0, passage * passage),
+        ("s22-rest-of-period", 2.5 * PI, PI / 6.0 + TAU),
+        ("s23-nonzero-again", -0.25, 0.0),
+        ("s4-projection-azimuthal", -5.0, -5.0 - 1.0),
+        ("s4-projection-radial", 6.0, 6.0 - 2.0),
+        ("s24-region-2", 1.0, 0.0),
+        ("eq-55", 1.0 / 9.0, 0.096_159),
+        ("fig-5", 2.0, 4.0),
+        ("eq-75", -1.0, 1.0),
+        ("eq-82", 28.0 / 33.0, 14.0 / 33.0),
+        (
+            "eq-83",
+            ((1.0 - 49.0 / 16.0) * 14.0 / 33.0 + 1.75) / 2.75,
+            0.0,
+        ),
+        ("eq-106", 25.0, 12.5),
+        ("s4-coriolis-no-work", -25.0, -12.5),
+        ("eq-128", SQRT_2 - 1.5, 0.5),
+        ("eq-129", 1.0, 1.5 / SQRT_2),
+        ("eq-130", third * 4.0_f64.ln(), third * (3.0 * SQRT_2).ln()),
+        ("eq-131", 0.5 * 4.0_f64.cbrt(), 0.5 * (3.0 * SQRT_2).cbrt()),
+        ("eq-132", 2.0 / 27.0_f64.sqrt(), third * fourth),
+        ("eq-133", 0.5 * (4.0 * third).ln(), 0.25 * LN_2),
+        ("eq-134", 0.05, 1.0 / 600.0),
+        ("eq-135", 3.0 * SQRT_2 * 2.0 / 9.0, 1.0),
+        ("eq-136", 2.0 / 9.0, SQRT_2 / 6.0),
+        ("eq-137", 2.0 / 27.0, SQRT_2 / 18.0),
+        ("eq-146", 0.0, third.sqrt()),
+        ("eq-147", (1.0 - 0.1 / SQRT_2).powi(2), 0.910_959_636),
+        ("s4-psi-free", 0.5, 7.0 / 24.0),
+        (
+            "s4-envelope-is-boundary",
+            (1.0 - 0.1 / SQRT_2).powi(2),
+            0.910_959_636,
+        ),
+    ];
+    for (id, stated, found) in by_hand {
+        let case = PAPER.find(id).unwrap().1.by_hand.unwrap();
+        let [left, right] = case.numbers().unwrap();
+        let decimals = left.find('.').map_or(0, |point| left.len() - point - 1);
+        assert_eq!(
+            [&left, &right],
+            [
+                &format!("{stated:.decimals$}"),
+                &format!("{found:.decimals$}")
+            ],
+            "{id}"
+        );
+        let words = case.words().unwrap();
+        assert!(
+            words.contains(&left) && words.contains(&right) && words.len() > 100,
+            "{id}: {words}"
+        );
+        assert!(
+            !words.contains("{stated}") && !words.contains("{found}"),
+            "{id}: {words}"
+        );
+    }
+    assert_eq!(PAPER.cases().count(), by_hand.len());
 }

@@ -47,11 +47,15 @@ fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Ev
 
 /// (58) with Y by simulation, from several starts.
 fn y_decimals() -> Evidence {
-    let compared = Compared::one(
-        "(58)",
-        r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            "(58)",
+            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+        ),
+        THREE_DECIMALS,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, THREE_DECIMALS);
     let [q, lambda0] = printed::eq58_y();
     let both = |start| [(start, true), (start, false)];
     trial.over(starts(310).flat_map(both), |(start, is_q)| {
@@ -72,12 +76,16 @@ fn y_decimals() -> Evidence {
 
 /// (58) with the place to which region II narrows along qλ₀ = 1 − η.
 fn y_limit() -> Evidence {
-    let compared = Compared::one(
-        "$q$ of (58)",
-        r"the middle of region II on $q\lambda_0=1-\eta$, whose ends come from simulation",
-    )
-    .over(r"$\eta$ from $10^{-5}$ to $10^{-10}$");
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, THREE_DECIMALS);
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one(
+            "$q$ of (58)",
+            r"the middle of region II on $q\lambda_0=1-\eta$, whose ends come from simulation",
+        )
+        .over(r"$\eta$ from $10^{-5}$ to $10^{-10}$"),
+        THREE_DECIMALS,
+    );
     trial.over(steps(732), |k| {
         let eta = 1e-5 * libm::exp10(-k / 5.0);
         let [low, high] = opening(eta)?;
@@ -92,11 +100,15 @@ fn y_limit() -> Evidence {
 
 /// Y from (54) and (55), to all digits, with Y by simulation.
 pub fn y_digits() -> Evidence {
-    let compared = Compared::one(
-        "the root of (54) on (55)",
-        r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            "the root of (54) on (55)",
+            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+        ),
+        MOTION,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, MOTION);
     trial.over(simulated_points(), |point| {
         let (start, found) = *point?;
         Ok(Pair {
@@ -110,11 +122,15 @@ pub fn y_digits() -> Evidence {
 
 /// Both coordinates of Y by the length x of its forward slip, with tan x = x.
 fn y_by_slip() -> Evidence {
-    let compared = Compared::many(
-        r"$q_Y=\sqrt{1+x^2}$ and $\lambda_0=1/q_Y$, with the root of $\tan x=x$ between $\pi$ and $3\pi/2$,",
-        r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Remark,
+        Compared::many(
+            r"$q_Y=\sqrt{1+x^2}$ and $\lambda_0=1/q_Y$, with the root of $\tan x=x$ between $\pi$ and $3\pi/2$,",
+            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+        ),
+        MOTION,
     );
-    let trial = Trial::by(Route::Root, Subject::Remark, compared, MOTION);
     let both = simulated_points().flat_map(|point| [(point.clone(), 0), (point, 1)]);
     trial.over(both, |(point, i)| {
         let &(start, q) = point?;
@@ -146,12 +162,16 @@ fn printed_y() -> f64 {
 /// Curves that touch: region II between them on qλ₀ = 1 − η opens as the root of η; as η, if they crossed. C lies above
 /// both B and E by c (q − q_Y)², to lowest order, so that it opens for |q − q_Y| < √(η/(q_Y c)).
 fn y_contact() -> Evidence {
-    let compared = Compared::one(
-        r"$2\sqrt{\eta/(q_Yc)}$, with $c=(q_Y-1)/[2q_Y^3(q_Y+1)]$,",
-        r"the width in $q$ of region II on $q\lambda_0=1-\eta$ in the simulation",
-    )
-    .over(r"$\eta$ from $10^{-3}$ to $10^{-10}$");
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, CONTACT);
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one(
+            r"$2\sqrt{\eta/(q_Yc)}$, with $c=(q_Y-1)/[2q_Y^3(q_Y+1)]$,",
+            r"the width in $q$ of region II on $q\lambda_0=1-\eta$ in the simulation",
+        )
+        .over(r"$\eta$ from $10^{-3}$ to $10^{-10}$"),
+        CONTACT,
+    );
     trial.over(steps(733), |k| {
         let eta = 1e-3 * libm::exp2(-k);
         let y = printed_y();
@@ -167,12 +187,11 @@ fn y_contact() -> Evidence {
 
 /// How closely they touch, as a number: C − B and C − E over (q − q_Y)², the mean of both sides.
 fn y_curvature() -> Evidence {
-    let compared = Compared::one(
+    let trial = Trial::by(Route::Root, Subject::Printed, Compared::one(
         r"$\lambda_0$ on C less $(q_Y-1)\delta^2/[2q_Y^3(q_Y+1)]$",
         r"the $\lambda_0$ at which direct reversals end in the simulation, in units of its distance from $q\lambda_0=1$",
     )
-    .over(r"$q=q_Y\pm\delta$");
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, CONTACT);
+    .over(r"$q=q_Y\pm\delta$"), CONTACT);
     trial.over(steps(734), |k| {
         let (y, own) = (printed_y(), own_y()?);
         let delta = 1e-2 * libm::exp10(-k / 24.0);

@@ -101,8 +101,7 @@ fn sides(
         of,
         "",
     ];
-    let compared = orders(name).over_composed(around);
-    let trial = Trial::census(subject, compared);
+    let trial = Trial::census(subject, orders(name).over_composed(around));
     let rows = match rows() {
         Ok(rows) => rows,
         Err(error) => return trial.over([error], Err),
@@ -142,18 +141,24 @@ fn far_out(
     (law, stated): (&'static str, fn(f64) -> f64),
     (name, found): Change,
 ) -> Evidence {
-    let compared = lambda0_of(law, name).over("$q$ from 200 to 20,000");
-    let trial = Trial::by(Route::Limit, subject, compared, FAR_A);
+    let trial = Trial::by(
+        Route::Limit,
+        subject,
+        lambda0_of(law, name).over("$q$ from 200 to 20,000"),
+        FAR_A,
+    );
     over(&trial, far_rows(), everywhere, &[stated], found)
 }
 
 /// Where (54) ends.
 fn eq54_ends() -> Evidence {
-    let compared = Compared::one(
-        "whether (54) has a root (1 if so)",
-        "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
+    let trial = Trial::census(
+        Remark,
+        Compared::one(
+            "whether (54) has a root (1 if so)",
+            "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
+        ),
     );
-    let trial = Trial::census(Remark, compared);
     let rows = match rows() {
         Ok(rows) => rows,
         Err(error) => return trial.over([error], Err),
@@ -170,12 +175,16 @@ fn eq54_ends() -> Evidence {
 
 /// E for large q, and its asymptotic form.
 fn e_limit() -> Evidence {
-    let compared = Compared::many(
-        r"the root of E, and $4\pi/(q+1)^2\,[1-4\pi^2/(q+7/3)^2]$, to which it tends,",
-        r"the $\lambda_0$ at which direct reversals end",
-    )
-    .over("$q$ from 200 to 20,000");
-    let trial = Trial::by(Route::Limit, Corrected, compared, FAR_E);
+    let trial = Trial::by(
+        Route::Limit,
+        Corrected,
+        Compared::many(
+            r"the root of E, and $4\pi/(q+1)^2\,[1-4\pi^2/(q+7/3)^2]$, to which it tends,",
+            r"the $\lambda_0$ at which direct reversals end",
+        )
+        .over("$q$ from 200 to 20,000"),
+        FAR_E,
+    );
     let both = [on_b_or_e, corrected::e_far];
     over(&trial, far_rows(), everywhere, &both, REVERSAL.1)
 }

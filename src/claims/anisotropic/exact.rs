@@ -47,10 +47,7 @@ fn definitions() -> [Expr; 4] {
 /// by the definitions.
 fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
     let ring = || {
-        let mut ring = Ring::new();
-        for name in ["A₀", "g", "μ₊", "μ₋", "q", "λ₀"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["A₀", "g", "μ₊", "μ₋", "q", "λ₀"]);
         ring.angle("φ");
         Ok(ring)
     };
@@ -75,7 +72,7 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
             let found = p.read("d𝔴/dφ by Newton's law", newton)?;
             let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
             let found = ring.put(&found, &values)?;
-            p.same(&found, rates[i], "the printed rate")?;
+            p.reads_as(&found, "The printed rate", rates[i])?;
         }
         Ok(())
     })
@@ -140,8 +137,10 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
 pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("(54): curve B", frictions(), |p| {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
-        let end = p.read("𝔴 at π + β", arc(alpha, Expr::pi() + beta, lambda0))?;
-        p.same(&end, left - right, "the left side less the right one")
+        p.identity(
+            ("𝔴 at π + β", arc(alpha, Expr::pi() + beta, lambda0)),
+            ("Left less right side", left - right),
+        )
     })
 }
 
@@ -150,8 +149,10 @@ pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("Curve E", frictions(), |p| {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         let late = Expr::int(2) * Expr::pi() - beta;
-        let end = p.read("𝔴 at 2π − β", arc(alpha, late, lambda0))?;
-        p.same(&end, left - right, "the left side less the right one")
+        p.identity(
+            ("𝔴 at 2π − β", arc(alpha, late, lambda0)),
+            ("Left less right side", left - right),
+        )
     })
 }
 
@@ -217,8 +218,8 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
     };
     Proof::in_ring("B and C touch at Y", ring(), |p| {
         let b = p.read("B: left less right side", left - right)?;
-        let by_alpha = p.derivative("Its slope along α", &b, &p.ring().by("α")?)?;
-        let by_beta = p.derivative("Its slope along β", &b, &p.ring().by("β")?)?;
+        let by_alpha = p.slope("Its slope along α", &b, "α")?;
+        let by_beta = p.slope("Its slope along β", &b, "β")?;
         let turn = p.quotient("dβ/dα along B", &-&by_alpha, &by_beta)?;
         let on_c = |p: &mut Prover<'_>, x: &Rational| -> Result<Rational, ExactError> {
             // β = π/2, where the tangent of the half is 1 and its cosine 1/√2; only cos²(β/2) occurs.
@@ -311,11 +312,12 @@ pub(super) fn plane() -> Result<Ring, ExactError> {
 /// start that slip exactly where the excess is positive.
 fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
     Proof::in_ring(title, plane(), |p| {
-        let rate = p.read("The rate by (51) or (52)", rate)?;
-        p.same(
-            &rate,
-            excess + square,
-            "by how far λ₀ is from the curve, and a square",
+        p.identity(
+            ("The rate by (51) or (52)", rate),
+            (
+                "By how far λ₀ is from the curve, and a square",
+                excess + square,
+            ),
         )
     })
 }
@@ -361,7 +363,7 @@ const EQ56: Statement = Statement::new(
 );
 
 /// The mirror takes each printed rate into the other.
-fn prove_mirror([forward, backward]: [Expr; 2], [other_q, other_lambda0]: [Expr; 2]) -> Proof {
+fn prove_mirror(([forward, backward], [other_q, other_lambda0]): ([Expr; 2], [Expr; 2])) -> Proof {
     Proof::in_ring("The mirror", plane(), |p| {
         let [phi] = Expr::symbols(["φ"]);
         let mirrored = |rate: Expr| {
@@ -376,8 +378,7 @@ fn prove_mirror([forward, backward]: [Expr; 2], [other_q, other_lambda0]: [Expr;
             ("Forward motion", forward, backward),
             ("Backward motion", backward, forward),
         ] {
-            let here = p.read(says, here)?;
-            p.same(&here, mirrored(there), "that of the other, mirrored")?;
+            p.identity((says, here), ("The other's in the mirror", mirrored(there)))?;
         }
         Ok(())
     })
@@ -483,7 +484,7 @@ pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
         let [q, lambda0] = Expr::symbols(["q", "λ₀"]);
         (printed_rates(), printed::s24_mirrored(q, lambda0))
     },
-    |(rates, mirrored)| prove_mirror(rates, mirrored),
+    prove_mirror,
 );
 
 pub(super) const TRIALS: &[Attempt] = trials![

@@ -59,11 +59,13 @@ fn against_dimensional(
 ) -> Evidence {
     const DIMENSIONAL: &str =
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$";
-    let compared = Compared::composed(
-        [r"$A_0\mathfrak w$ of the motion with ", with, ""],
-        [DIMENSIONAL, "", ""],
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::composed(
+            [r"$A_0\mathfrak w$ of the motion with ", with, ""],
+            [DIMENSIONAL, "", ""],
+        ),
     );
-    let trial = Trial::consistency(Subject::Printed, compared);
     trial.over(laboratory(stream), |case| {
         let [mu_plus, mu_minus, g, a0, phi] = case;
         let (plus, minus) = friction(case);
@@ -108,15 +110,18 @@ fn summed_rate(
         let [a, b] = [0.0; 2].map(|_| points.uniform(0.0, 1.0));
         (q, lambda0, a.min(b), a.max(b))
     });
-    let compared = Compared::composed(
-        [
-            "the integral of ",
-            law,
-            r" over $\phi$ along a stretch of motion",
-        ],
-        [r"the change of $\mathfrak w$ there, ", way, ""],
-    );
-    Trial::quadrature(Subject::Printed, compared).over(cases, |(q, lambda0, a, b)| {
+    Trial::quadrature(
+        Subject::Printed,
+        Compared::composed(
+            [
+                "the integral of ",
+                law,
+                r" over $\phi$ along a stretch of motion",
+            ],
+            [r"the change of $\mathfrak w$ there, ", way, ""],
+        ),
+    )
+    .over(cases, |(q, lambda0, a, b)| {
         let motion = attractor(q, lambda0)?;
         let found = motion.intervals().iter().find(|i| i.sign == sign);
         let interval = found.ok_or_else(|| format!("no such motion at {q}, {lambda0}"))?;

@@ -15,11 +15,15 @@ fn small_ratio(points: &mut Points) -> (f64, f64) {
 
 /// A motion with q < 1 from any start, and its mirror image with 1/q, some time later.
 pub fn integration() -> Evidence {
-    let compared = Compared::one(
-        r"$-\mathfrak w(\phi+\pi)$ of the motion with $1/q$ and $q\lambda_0$ from the mirrored start",
-        r"$\mathfrak w(\phi)$ of the motion with $q<1$ and $\lambda_0$",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"$-\mathfrak w(\phi+\pi)$ of the motion with $1/q$ and $q\lambda_0$ from the mirrored start",
+            r"$\mathfrak w(\phi)$ of the motion with $q<1$ and $\lambda_0$",
+        ),
+        MOTION,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(312);
     trial.over(0..400, |i| {
         let (q, lambda0) = small_ratio(&mut points);
@@ -66,11 +70,13 @@ pub fn integration() -> Evidence {
 
 /// The intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
 pub fn census() -> Evidence {
-    let compared = Compared::one(
-        r"the order of slips and rests in a period by the corrected list at $(1/q,q\lambda_0)$ (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-        r"that of the simulated motion at $(q,\lambda_0)$, forward and backward exchanged",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            r"the order of slips and rests in a period by the corrected list at $(1/q,q\lambda_0)$ (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
+            r"that of the simulated motion at $(q,\lambda_0)$, forward and backward exchanged",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(313);
     let words = listed_digits();
     trial.over(0..2000, |_| {

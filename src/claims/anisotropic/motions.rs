@@ -24,7 +24,7 @@ pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::new(
         r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion along $x$ is drawn; the drive exceeds friction at both phases",
     ),
     || (printed_rates(), curve_a(), printed::s24_first_signs()),
-    |(rates, a, signs)| first(rates, a, signs),
+    first,
 );
 
 /// Region II, as corrected.
@@ -42,7 +42,7 @@ pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::new
             signs,
         )
     },
-    |(rates, a, ends, signs)| second(rates, a, ends, signs),
+    second,
 );
 
 /// The signs of region II and of region IV.
@@ -91,7 +91,7 @@ pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
             printed::s24_fifth_signs(),
         )
     },
-    |(rates, d, signs)| fifth(rates, d, signs),
+    fifth,
 );
 
 /// C, as far as it is a border.
@@ -156,11 +156,13 @@ fn drawn([forward, backward]: Rates) -> Proof {
             for (rate, friction) in [(&ahead, lambda0), (&back, -q * lambda0)] {
                 let velocity = -phi.cos() - friction * phi;
                 let element = p.read("A velocity", velocity)?;
-                let slope = p.derivative("Its rate", &element, &p.ring().by("φ")?)?;
+                let slope = p.slope("Its rate", &element, "φ")?;
                 p.equal("It is that rate", &slope, rate)?;
                 let change = velocity.with("φ", phi + whole) - velocity;
-                let change = p.read("Its change in a period", change)?;
-                p.same(&change, -whole * friction, "what friction takes or gives")?;
+                p.identity(
+                    ("Its change in a period", change),
+                    ("What friction takes or gives", -whole * friction),
+                )?;
             }
             p.note(
             "So",
@@ -195,11 +197,11 @@ fn slip(title: &str, rate: Expr, (product, so): (Expr, &str), friction: Expr) ->
     Proof::in_ring(title, slips(), |p| {
         let [phi, s] = Expr::symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
-        p.same(&rate, product, "")?;
-        p.note("So", so);
+        p.reads_as(&rate, product[0], of)?;
+        p.note("So", product[1]);
         let velocity = arc(s, phi, friction);
         let element = p.read("The velocity since a start at s", velocity)?;
-        let slope = p.derivative("Its rate", &element, &p.ring().by("φ")?)?;
+        let slope = p.slope("Its rate", &element, "φ")?;
         p.equal("It is the printed rate", &slope, &rate)?;
         let whole = int(2) * Expr::pi();
         for (says, end, left) in [
@@ -262,10 +264,10 @@ fn middle([left, right]: Sides) -> Proof {
     Proof::in_ring("Below A: λ₀K < sin K", ring(), |p| {
         let [k, lambda0] = Expr::symbols(["K", "λ₀"]);
         let spare = int(1) - (lambda0 * k / k.sin()).squared();
-        let spare = p.read("1 − (λ₀K/sin K)²", spare)?;
         let square = (lambda0 * (k.sin() - k * k.cos()) / k.sin().squared()).squared();
         let parts = lambda0.squared() * (left.squared() - right.squared()) + square;
-        p.same(&spare, parts, "λ₀² times the difference of the squared sides of (53), which is positive below A, and a square")
+        p.identity(("1 − (λ₀K/sin K)²", spare), ("λ₀² times the difference of the squared sides of (53), which is positive below A, and a square",
+            parts))
     })
 }
 
@@ -284,7 +286,7 @@ fn whole_period() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> Proof {
+fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2])) -> Proof {
     Proof::in_ring("Region I", whole_period(), |p| {
         rests_on_slips(p, rates)?;
         p.rests_on(&prove_eq53(k_formula, [left, right]))?;
@@ -300,11 +302,9 @@ fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> 
         p.equal("It is K", &length, &own)?;
         let (begin, turn) = (m - k, m + k);
         let whole = int(2) * Expr::pi();
-        let ahead = p.read("Forward from m − K: 𝔴 at m + K", arc(begin, turn, lambda0))?;
-        p.same(&ahead, Expr::int(0), "")?;
+        p.vanishes("Forward from m − K: 𝔴 at m + K", arc(begin, turn, lambda0))?;
         let back = arc(turn, begin + whole, -q * lambda0);
-        let back = p.read("Backward from there: 𝔴 at m − K + 2π", back)?;
-        p.same(&back, Expr::int(0), "")?;
+        p.vanishes("Backward from there: 𝔴 at m − K + 2π", back)?;
         let pull = p.read("The pull at m − K, sin(m − K) − λ₀,", begin.sin() - lambda0)?;
         let factor = -m.cos() * k.sin() + lambda0 * (int(1) + k * y.tan());
         let factor = p.read("−cos m sin K + λ₀ (1 + K tan y), which is positive", factor)?;
@@ -326,7 +326,8 @@ fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> 
         let chord = int(2) * y / Expr::pi();
         let terms =
             (quarter - y.squared()) * (y.sin() - chord) + y * (near - y.cos()) + near * chord * y;
-        p.same(&rest, terms, "of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y")?;
+        p.reads_as(&rest, "(π²/4 − y²)(sin y − 2y/π) + y (π/2 − y − cos y) + (π/2 − y) 2y²/π, of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y",
+            terms)?;
         p.note(
             "So the drive exceeds friction where each slip begins, and each slip ends where the other begins",
             "this motion repeats itself, without rest",
@@ -335,7 +336,7 @@ fn first(rates: Rates, (k_formula, [left, right]): CurveA, signs: [Expr; 2]) -> 
     })
 }
 
-fn second(rates: Rates, (k_formula, a): CurveA, [b, e]: [Sides; 2], signs: Lists) -> Proof {
+fn second((rates, (k_formula, a), [b, e], signs): (Rates, CurveA, [Sides; 2], Lists)) -> Proof {
     let ring = || {
         let mut ring = slips()?;
         ring.angle("end");
@@ -369,12 +370,14 @@ fn second(rates: Rates, (k_formula, a): CurveA, [b, e]: [Sides; 2], signs: Lists
         let [alpha, end, q, lambda0] = Expr::symbols(["α", "end", "q", "λ₀"]);
         let whole = int(2) * Expr::pi();
         let both = arc(alpha, end, lambda0) + arc(end, alpha + whole, -q * lambda0);
-        let both = p.read(
-            "𝔴 at 2π + α, if the backward motion lasted until then,",
-            both,
-        )?;
         let left = (int(1) + q) * lambda0 * (alpha + int(2) * k_formula - end);
-        p.same(&both, left, "")?;
+        p.identity(
+            (
+                "𝔴 at 2π + α, if the backward motion lasted until then,",
+                both,
+            ),
+            ("(1 + q) λ₀ times (α + 2K less the end)", left),
+        )?;
         p.note(
             "Above A",
             "left is less than right side of (53), and the slip ends before α + 2K: backward motion ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
@@ -394,11 +397,12 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
         p.rests_on(&prove_eq54(b))?;
         p.rests_on(&b_falls())?;
         let [alpha, beta, q, lambda0] = Expr::symbols(["α", "β", "q", "λ₀"]);
-        let below = p.read("q (C − λ₀), by (55)", q * (c - lambda0))?;
-        p.same(
-            &below,
-            ((beta / int(2)).cos() - (beta / int(2)).sin()).squared(),
-            "positive, as below C there is a β < π/2 with sin β = qλ₀",
+        p.identity(
+            ("q (C − λ₀), by (55)", q * (c - lambda0)),
+            (
+                "(cos(β/2) − sin(β/2))²: below C there is a β < π/2 with sin β = qλ₀",
+                ((beta / int(2)).cos() - (beta / int(2)).sin()).squared(),
+            ),
         )?;
         p.note(
             "Above B left is less than right side of (54)",
@@ -425,16 +429,10 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
             &weighted,
             &(&first + &second),
         )?;
-        let excess = p.read(
-            "Here (π² − d²) tan(d/2) − 2d",
-            product * tangent - int(2) * d,
-        )?;
         let terms = product * (tangent - d / int(2)) + d / int(2) * (product - int(4));
-        p.same(
-            &excess,
-            terms,
-            "of which no term is negative, as 0 ≤ d < π/2",
-        )?;
+        p.identity(("Here (π² − d²) tan(d/2) − 2d",
+            product * tangent - int(2) * d), ("(π² − d²)(tan(d/2) − d/2) + (d/2)(π² − d² − 4), of which no term is negative, as 0 ≤ d < π/2",
+            terms))?;
         p.note(
             "So 𝔴 is positive there",
             "the backward slip ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
@@ -458,17 +456,19 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
         p.rests_on(&forward_slip(rates[0]))?;
         let [alpha, phi, q, lambda0] = Expr::symbols(["α", "φ", "q", "λ₀"]);
         let square = |x: Expr| ((x / int(2)).sin() + (x / int(2)).cos()).squared();
-        let below = p.read("D − λ₀, by (56)", d - lambda0)?;
-        p.same(
-            &below,
-            square(-alpha),
-            "positive, as below D there is an α < π/2 with sin α = λ₀",
+        p.identity(
+            ("D − λ₀, by (56)", d - lambda0),
+            (
+                "(sin(α/2) − cos(α/2))²: below D there is an α < π/2 with sin α = λ₀",
+                square(-alpha),
+            ),
         )?;
-        let back = p.read("(52)", rates[1])?;
-        p.same(
-            &back,
-            q * (lambda0 - c) + square(phi),
-            "q times λ₀ less C by (55), and a square",
+        p.identity(
+            ("(52)", rates[1]),
+            (
+                "q (λ₀ − C), by (55), and a square",
+                q * (lambda0 - c) + square(phi),
+            ),
         )?;
         p.note(
             "So above C",
@@ -482,7 +482,7 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
     })
 }
 
-fn fifth([forward, backward]: Rates, d: Expr, signs: [Expr; 1]) -> Proof {
+fn fifth(([forward, backward], d, signs): (Rates, Expr, [Expr; 1])) -> Proof {
     Proof::in_ring("Region V", plane(), |p| {
         let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
         let half = phi / int(2);

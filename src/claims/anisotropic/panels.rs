@@ -99,11 +99,15 @@ impl Rates {
 
 /// 𝔴(φ) over two periods, as the region's words and the printed rates have it, with the simulation.
 pub fn quadrature() -> Evidence {
-    let compared = Compared::one(
-        r"$\mathfrak w(\phi)$ in each panel, made of the integrals of (51) and (52) over $\phi$ and of rests, in the order of the list,",
-        "the simulated motion over two periods",
+    let trial = Trial::by(
+        Route::Quadrature,
+        Subject::Printed,
+        Compared::one(
+            r"$\mathfrak w(\phi)$ in each panel, made of the integrals of (51) and (52) over $\phi$ and of rests, in the order of the list,",
+            "the simulated motion over two periods",
+        ),
+        QUADRATURE,
     );
-    let trial = Trial::by(Route::Quadrature, Subject::Printed, compared, QUADRATURE);
     let panels = PANELS.into_iter().zip(printed::signs());
     let periods: Vec<_> = panels
         .map(|((q, lambda0), signs)| Rates { q, lambda0 }.period(&signs))
@@ -141,11 +145,13 @@ pub fn motion(panel: usize, start: DriveState) -> Result<Attractor<'static>, Fai
 
 /// The intervals in each panel, and whether the motion stays within the mark, from several starts.
 pub fn census() -> Evidence {
-    let compared = Compared::many(
-        r"the order of slips and rests in a period by the words of the panel's region (3 for a forward slip, 2 for a rest, 1 for a backward slip), and $\lvert\mathfrak w\rvert$, but not more than 1,",
-        r"those of the simulated motion, and the largest $\lvert\mathfrak w\rvert$, from eight starts",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::many(
+            r"the order of slips and rests in a period by the words of the panel's region (3 for a forward slip, 2 for a rest, 1 for a backward slip), and $\lvert\mathfrak w\rvert$, but not more than 1,",
+            r"those of the simulated motion, and the largest $\lvert\mathfrak w\rvert$, from eight starts",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(314);
     let words = listed_digits();
     let mut cases = Vec::new();

@@ -110,11 +110,15 @@ fn ends(
     region: usize,
     wanted: fn(&Row) -> bool,
 ) -> Evidence {
-    let compared = Compared::composed(
-        [r"each end of the region in $\lambda_0$ by the ", name, ""],
-        ["that of its kind of motion in the simulation", "", ""],
+    let trial = Trial::by(
+        Route::Root,
+        subject,
+        Compared::composed(
+            [r"each end of the region in $\lambda_0$ by the ", name, ""],
+            ["that of its kind of motion in the simulation", "", ""],
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Root, subject, compared, ROOT);
     let rows = match rows() {
         Ok(rows) => rows,
         Err(error) => return trial.over([error], Err),
@@ -195,11 +199,13 @@ fn begins_below_c(row: &Row) -> bool {
 
 /// Region I without friction.
 fn first_outside() -> Evidence {
-    let compared = Compared::one(
-        "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-        "that of the motion without friction that begins with $1<\\mathfrak w<3$ at $\\phi=0$",
+    let trial = Trial::census(
+        Subject::Outside,
+        Compared::one(
+            "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
+            "that of the motion without friction that begins with $1<\\mathfrak w<3$ at $\\phi=0$",
+        ),
     );
-    let trial = Trial::census(Subject::Outside, compared);
     let starts = Points::stream(719).within(24, [[1.0, 3.0]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
         let motion = attractor_from(DriveState { phi: 0.0, w }, Friction::new(0.0, 0.0)?)?;
@@ -237,8 +243,10 @@ pub const LARGEST_Q: f64 = 7.0;
 
 /// The printed diagram at the points of the census.
 pub fn diagram() -> Evidence {
-    let compared = orders("the printed diagram").over("all over the diagram's axes");
-    let trial = Trial::census(Printed, compared);
+    let trial = Trial::census(
+        Printed,
+        orders("the printed diagram").over("all over the diagram's axes"),
+    );
     let says = |q| all_words(printed_list(q));
     census(&trial, |q, _, _| q <= LARGEST_Q, says)
 }
@@ -246,11 +254,13 @@ pub fn diagram() -> Evidence {
 /// The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
 /// Where B has ended, it enters two at C.
 fn diagram_step() -> Evidence {
-    let compared = Compared::one(
-        r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
-        "the expected 1",
+    let trial = Trial::census(
+        Subject::Step,
+        Compared::one(
+            r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
+            "the expected 1",
+        ),
     );
-    let trial = Trial::census(Subject::Step, compared);
     let points = Points::stream(704).within(400, [[1.0, LARGEST_Q], [0.0, 1.4]]);
     trial.at(["q", "λ₀"], points, 1.0, |[q, lambda0]| {
         let beyond_the_crossed = |curves: printed::Curves| {
@@ -265,16 +275,17 @@ fn diagram_step() -> Evidence {
 
 /// The corrected diagram at all points of the census.
 fn corrected_diagram() -> Evidence {
-    let compared = orders("the corrected diagram").over("$q$ from 1 to 12");
-    let trial = Trial::census(Corrected, compared);
+    let trial = Trial::census(
+        Corrected,
+        orders("the corrected diagram").over("$q$ from 1 to 12"),
+    );
     let says = |q| all_words(corrected_list(q));
     census(&trial, |_, _, _| true, says)
 }
 
 /// The corrected diagram farther out.
 pub fn far() -> Evidence {
-    let compared = orders("the corrected diagram");
-    let trial = Trial::census(Corrected, compared);
+    let trial = Trial::census(Corrected, orders("the corrected diagram"));
     let points = Points::stream(718).within(1000, [[12.0, 30.0], [1e-6, 1.0]]);
     trial.at(["q", "qλ₀/2"], points, 1.0, |[q, share]| {
         let lambda0 = 2.0 * share / q;
@@ -285,11 +296,15 @@ pub fn far() -> Evidence {
 
 /// The corrected diagram's curves with the changes of the motion, none left out.
 fn corrected_curves() -> Evidence {
-    let compared = Compared::many(
-        r"$\lambda_0$ on A, on B or E, on C (on E beyond Y) and on D",
-        r"the $\lambda_0$ at which a rest appears, direct reversals end, backward motion ends and all motion ends",
+    let trial = Trial::by(
+        Route::Root,
+        Corrected,
+        Compared::many(
+            r"$\lambda_0$ on A, on B or E, on C (on E beyond Y) and on D",
+            r"the $\lambda_0$ at which a rest appears, direct reversals end, backward motion ends and all motion ends",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Root, Corrected, compared, ROOT);
     let rows = match rows() {
         Ok(rows) => rows,
         Err(error) => return trial.over([error], Err),

@@ -90,7 +90,7 @@ fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {
 
 /// A power law λ₀ = prefactor · (q + 1)^exponent, with standard errors.
 #[derive(Debug, Clone, Copy)]
-pub struct Law {
+pub struct PowerLaw {
     /// The exponent and its error.
     pub exponent: (f64, f64),
     /// The prefactor and its error.
@@ -112,9 +112,9 @@ const TERMS: [&dyn Fn(f64) -> f64; 5] = [
 ///
 /// # Errors
 /// As [`far_rows`].
-pub fn far_laws() -> Result<[Law; 2], Failure> {
+pub fn far_laws() -> Result<[PowerLaw; 2], Failure> {
     let rows = far_rows()?;
-    let law = |height: fn(&Changes) -> f64| -> Result<Law, Failure> {
+    let law = |height: fn(&Changes) -> f64| -> Result<PowerLaw, Failure> {
         let data: Vec<_> = rows
             .iter()
             .map(|row| (row.q + 1.0, libm::log(height(&row.changes))))
@@ -126,7 +126,7 @@ pub fn far_laws() -> Result<[Law; 2], Failure> {
         };
         let (logarithm, error) = measured(0);
         let prefactor = libm::exp(logarithm);
-        Ok(Law {
+        Ok(PowerLaw {
             exponent: measured(1),
             prefactor: (prefactor, prefactor * error),
         })

@@ -42,11 +42,10 @@ fn slips() -> Vec<(f64, f64, Sign)> {
 
 /// How far a slip goes, by how long it takes.
 pub fn distances() -> Evidence {
-    let compared = Compared::one(
+    Trial::motion(Subject::Remark, Compared::one(
         r"$2(\sin K-K\cos K)\sqrt{1-(\lambda K/\sin K)^2}$ for a slip of length $2K$ under the friction $\lambda$",
         "how far the particle goes in that slip of the motion",
-    );
-    Trial::motion(Subject::Remark, compared).over(slips(), |(q, lambda0, sign)| {
+    )).over(slips(), |(q, lambda0, sign)| {
         let motion = attractor(q, lambda0)?;
         let slip = motion.intervals().iter().find(|i| i.sign == sign);
         let length = slip.ok_or("no such slip")?.length();
@@ -66,12 +65,11 @@ pub fn distances() -> Evidence {
 
 /// How fast the particle creeps where it never rests, and what friction takes, by (53)'s K.
 pub fn without_rest() -> Evidence {
-    let compared = Compared::many(
+    let trial = Trial::motion(Subject::Remark, Compared::many(
         r"the mean velocity $-\cos K\sqrt{1-(\lambda_0K/\sin K)^2}$ and what friction takes in a period, $2(1+q)\lambda_0\sin K$ times that root, with $K$ of (53),",
         "those of the motion",
     )
-    .over("region I");
-    let trial = Trial::motion(Subject::Remark, compared);
+    .over("region I"));
     let mut points = Points::stream(751);
     let rows = match rows() {
         Ok(rows) => rows,

@@ -2,7 +2,7 @@
 
 use crate::claims::tolerances::GONE;
 use crate::numerics::dop853;
-use crate::paper::{anisotropic as printed, general as law};
+use crate::paper::{anisotropic as printed, general};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
@@ -92,11 +92,15 @@ fn start(points: &mut Points) -> [f64; 2] {
 
 /// What is left in the end.
 pub fn vanishes() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 0",
-        r"$\mathfrak w_y$ after sixty periods under a friction that depends on the direction",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::constant(
+            "the stated 0",
+            r"$\mathfrak w_y$ after sixty periods under a friction that depends on the direction",
+        ),
+        GONE,
     );
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, GONE);
     let mut points = Points::stream(320);
     trial.over(0..24, |_| {
         let (rough, v) = (Rough::any(&mut points), start(&mut points));
@@ -121,11 +125,13 @@ struct Slowed {
 
 /// On the way it never grows.
 fn never_grows() -> Evidence {
-    let compared = Compared::one(
-        r"the number of states at which (1), with the friction of their direction, lets $\mathfrak w_y>0$ grow",
-        r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            r"the number of states at which (1), with the friction of their direction, lets $\mathfrak w_y>0$ grow",
+            r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     static MOTIONS: Runs<Vec<Slowed>> = Runs::new(|| {
         let mut points = Points::stream(321);
         every((0..24).map(|_| {
@@ -154,16 +160,20 @@ fn lets_grow(rough: &Rough, [a, b, phi]: Logarithms) -> bool {
     let theta = 2.0 * libm::atan(libm::exp(0.5 * (b - a)));
     let v = [libm::cos(theta), libm::sin(theta)];
     let drive = [-libm::sin(phi), 0.0];
-    law::eq1_velocity_rate(drive, rough.towards(theta), 1.0, v)[1] > 0.0
+    general::eq1_velocity_rate(drive, rough.towards(theta), 1.0, v)[1] > 0.0
 }
 
 /// Without friction it keeps its value.
 pub fn outside() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 0",
-        r"$\mathfrak w_y$ after sixty periods without friction",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Outside,
+        Compared::constant(
+            "the stated 0",
+            r"$\mathfrak w_y$ after sixty periods without friction",
+        ),
+        GONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, GONE);
     let mut points = Points::stream(322);
     trial.over(0..20, |_| {
         let v = start(&mut points);

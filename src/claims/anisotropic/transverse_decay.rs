@@ -12,10 +12,10 @@ pub const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::new(
         r"with $\bm A$ along $x$, $\lvert\bm A\rvert\le a$, and in (1) a coefficient $\mu\ge m>0$ that may change with the direction of the velocity and with time: $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2mg/a}$ never grows, so that $v_y\to0$ from every start",
     ),
     || (eq1(), printed::s24_late_vy()),
-    |(law, limit)| vanishes(law, limit),
+    vanishes,
 );
 
-fn vanishes(law: [Expr; 2], limit: Expr) -> Proof {
+fn vanishes((law, limit): ([Expr; 2], Expr)) -> Proof {
     let least = Expr::symbol("m");
     let title = "v_y vanishes under a friction that depends on the direction";
     Proof::in_ring(title, ring_across(least), |p| {

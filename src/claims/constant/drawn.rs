@@ -106,11 +106,13 @@ pub fn points() -> Evidence {
 
 /// How the curves end: in panel (a) the particle still moves, in panel (b) it rests.
 pub fn ends() -> Evidence {
-    let compared = Compared::one(
-        "whether a curve ends in motion, as in panel (a), or at rest, as in panel (b) (1 for motion),",
-        "what the motion does",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            "whether a curve ends in motion, as in panel (a), or at rest, as in panel (b) (1 for motion),",
+            "what the motion does",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     trial.over(both_panels(), |curve| {
         let curve = curve?;
         let [left, right] = printed::s21_keeps_moving_sides(curve.lambda);

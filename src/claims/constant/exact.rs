@@ -22,7 +22,7 @@ use crate::paper::general::eq1_velocity_rate;
 
 /// The friction λ of a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Friction {
+pub enum Regime {
     /// Any λ; (tan θ/2)^λ is a generator.
     Any,
     /// λ > 1; (tan θ/2)^(λ−1), which tends to 0 with θ, is a generator.
@@ -34,7 +34,7 @@ pub enum Friction {
 }
 
 #[track_caller]
-const fn law(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
+const fn by_newton(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
     let compared = Compared::one(
         "the printed formula",
         r"Newton's law (1), as rational functions of $\tan(\theta/2)$ and its powers",
@@ -42,22 +42,23 @@ const fn law(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> Proof) 
     Statement::new(subject, compared, formula, prove)
 }
 
-const EQ6: Statement = law(Subject::Printed, eq6, prove_eq6);
-const EQ7: Statement = law(Subject::Printed, eq7, prove_eq7);
-const EQ8: Statement = law(Subject::Printed, eq8, prove_eq8);
-pub const EQ9: Statement = law(Subject::Within, eq9, prove_eq9);
-const EQ10: Statement = law(Subject::Within, eq10, prove_eq10);
-pub const EQ11: Statement = law(Subject::Within, eq11, prove_eq11);
-pub const EQ12: Statement = law(Subject::Within, eq12, prove_eq12);
-pub const EQ13: Statement = law(Subject::Within, eq13, prove_eq13);
-pub const EQ14: Statement = law(Subject::Within, eq14, prove_eq14);
-const EQ15: Statement = law(Subject::Printed, eq15, prove_eq15);
-const EQ16: Statement = law(Subject::Printed, eq16, prove_eq16);
-const EQ17: Statement = law(Subject::Printed, eq17, prove_eq17);
-const EQ18: Statement = law(Subject::Printed, eq18, prove_eq18);
-const EQ19: Statement = law(Subject::Printed, eq19, prove_eq19);
-pub const EQ20: Statement = law(Subject::Printed, eq20, prove_eq20);
-pub const CORRECTED_11: Statement = law(Subject::Corrected, corrected_speed, prove_corrected_speed);
+const EQ6: Statement = by_newton(Subject::Printed, eq6, prove_eq6);
+const EQ7: Statement = by_newton(Subject::Printed, eq7, prove_eq7);
+const EQ8: Statement = by_newton(Subject::Printed, eq8, prove_eq8);
+pub const EQ9: Statement = by_newton(Subject::Within, eq9, prove_eq9);
+const EQ10: Statement = by_newton(Subject::Within, eq10, prove_eq10);
+pub const EQ11: Statement = by_newton(Subject::Within, eq11, prove_eq11);
+pub const EQ12: Statement = by_newton(Subject::Within, eq12, prove_eq12);
+pub const EQ13: Statement = by_newton(Subject::Within, eq13, prove_eq13);
+pub const EQ14: Statement = by_newton(Subject::Within, eq14, prove_eq14);
+const EQ15: Statement = by_newton(Subject::Printed, eq15, prove_eq15);
+const EQ16: Statement = by_newton(Subject::Printed, eq16, prove_eq16);
+const EQ17: Statement = by_newton(Subject::Printed, eq17, prove_eq17);
+const EQ18: Statement = by_newton(Subject::Printed, eq18, prove_eq18);
+const EQ19: Statement = by_newton(Subject::Printed, eq19, prove_eq19);
+pub const EQ20: Statement = by_newton(Subject::Printed, eq20, prove_eq20);
+pub const CORRECTED_11: Statement =
+    by_newton(Subject::Corrected, corrected_speed, prove_corrected_speed);
 /// The same for a claim of which it says more.
 const EQ20_WITHIN: Statement = EQ20.about(Subject::Within);
 
@@ -76,7 +77,7 @@ struct Newton {
 }
 
 impl Newton {
-    fn new(friction: Friction) -> Result<Self, ExactError> {
+    fn new(friction: Regime) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
         let [a, v] = ["A", "v"].map(|name| ring.symbol(name));
         for name in ["v₀", "v₀x", "v₀y", "t"] {
@@ -87,20 +88,20 @@ impl Newton {
         }
         let tangents = [ring.half_tangent("θ")?, ring.half_tangent("θ₀")?];
         match friction {
-            Friction::Any => {
+            Regime::Any => {
                 let lambda = ring.symbol("λ");
                 for u in &tangents {
                     ring.power(u, &lambda)?;
                 }
             }
-            Friction::BeyondOne => {
+            Regime::BeyondOne => {
                 let excess = ring.symbol("λ") - Rational::int(1);
                 for u in &tangents {
                     ring.power(u, &excess)?;
                 }
             }
-            Friction::Zero => ring.define("λ", Rational::int(0))?,
-            Friction::One => {
+            Regime::Zero => ring.define("λ", Rational::int(0))?,
+            Regime::One => {
                 ring.define("λ", Rational::int(1))?;
                 for u in &tangents {
                     ring.logarithm(u)?;
@@ -150,7 +151,7 @@ impl Newton {
 
 fn prove(
     title: &str,
-    friction: Friction,
+    friction: Regime,
     steps: impl FnOnce(&mut Prover<'_>, &Newton) -> Result<(), Obstacle>,
 ) -> Proof {
     match Newton::new(friction) {
@@ -158,10 +159,10 @@ fn prove(
         Ok(newton) => Proof::of(title, &newton.ring, |p| {
             let ring = p.ring();
             match friction {
-                Friction::Any => p.note("Friction", "any λ = μg/A"),
-                Friction::BeyondOne => p.note("Friction", "λ > 1"),
-                Friction::Zero => p.note("Friction", "λ = 0"),
-                Friction::One => p.note("Friction", "λ = 1"),
+                Regime::Any => p.note("Friction", "any λ = μg/A"),
+                Regime::BeyondOne => p.note("Friction", "λ > 1"),
+                Regime::Zero => p.note("Friction", "λ = 0"),
+                Regime::One => p.note("Friction", "λ = 1"),
             }
             let theta = Expr::symbol("θ");
             p.read("The sine, made rational", theta.sin())?;
@@ -185,10 +186,7 @@ fn definitions() -> [Expr; 5] {
 fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
     let title = "(6) and (7) from (1), with (3) to (5)";
     let setting = || -> Result<Ring, ExactError> {
-        let mut ring = Ring::new();
-        for name in ["A", "v", "μ", "g"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["A", "v", "μ", "g"]);
         ring.angle("θ");
         let v = ring.named("v")?;
         ring.root_is(&(&v * &v), 2, &v)?;
@@ -204,8 +202,10 @@ fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
             paper::eq7_vy_rate(lambda, a, theta),
         ];
         for (rate, printed) in rates.into_iter().zip(printed) {
-            let rate = p.read("A component of (1), with (3) and (4)", rate)?;
-            p.same(&rate, printed, "by (6) or (7)")?;
+            p.identity(
+                ("A component of (1), with (3) and (4)", rate),
+                ("(6) or (7)", printed),
+            )?;
         }
         Ok(())
     })

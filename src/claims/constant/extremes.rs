@@ -12,8 +12,12 @@ use trialbook::prelude::*;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 fn small_friction_limit() -> Evidence {
-    let compared = Compared::constant("the stated 0", "the angle of the velocity at $At/v_0=10^8$");
-    let trial = Trial::by(Route::Limit, Subject::Within, compared, LATE_ANGLE);
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Within,
+        Compared::constant("the stated 0", "the angle of the velocity at $At/v_0=10^8$"),
+        LATE_ANGLE,
+    );
     trial.over(aligned(), |aligned| {
         let Aligned { start, angle, .. } = aligned?;
         Ok(Pair {
@@ -27,11 +31,13 @@ fn small_friction_limit() -> Evidence {
 
 /// λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving; for λ > 1 it does not.
 fn small_friction_census() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lambda\le1$ (1 if so)",
-        "whether the particle never rests and its angle grows on no step",
+    let trial = Trial::census(
+        Subject::Within,
+        Compared::one(
+            r"whether $\lambda\le1$ (1 if so)",
+            "whether the particle never rests and its angle grows on no step",
+        ),
     );
-    let trial = Trial::census(Subject::Within, compared);
     let moving = others_aligned().map(|aligned| aligned.map(|a| (a.start, a.aligns())));
     let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
     let stopping = stops().map(|stop| stop.map(|s| (s.start, !at_rest(s))));
@@ -49,11 +55,15 @@ fn small_friction_census() -> Evidence {
 
 /// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
 fn small_friction_outside() -> Evidence {
-    let compared = Compared::constant(
-        "1, for motion",
-        "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Outside,
+        Compared::constant(
+            "1, for motion",
+            "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.over(held(), |launch: Turn| {
         let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
         Ok(Pair {
@@ -73,11 +83,15 @@ fn moves_late(launch: &Turn) -> Result<f64, MotionError> {
 
 /// λ > 1: towards the stop, d ln θ/d ln v is positive and that of a motion that turns into the x axis, so θ → 0.
 fn large_friction_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$1/(\lambda-1)$",
-        r"$\mathrm d\ln\theta/\mathrm d\ln v$ over the last steps before the stop, extrapolated to $\theta=0$",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Within,
+        Compared::one(
+            r"$1/(\lambda-1)$",
+            r"$\mathrm d\ln\theta/\mathrm d\ln v$ over the last steps before the stop, extrapolated to $\theta=0$",
+        ),
+        SLOPE,
     );
-    let trial = Trial::by(Route::Limit, Subject::Within, compared, SLOPE);
     // Others have not turned yet when their speed is lost in rounding.
     let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
     let turning = stops().filter(|s| {
@@ -96,11 +110,15 @@ fn large_friction_limit() -> Evidence {
 
 /// λ > 1, however large: all the way down ln v falls as ln tan(θ/2) says, so that θ → 0 with v.
 fn large_friction_turns() -> Evidence {
-    let compared = Compared::one(
-        r"$\int(\lambda-\cos\theta)\,\mathrm d\ln\tan(\theta/2)$ from the launch to the last step",
-        r"$\ln v/v_0$ of the motion there",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Within,
+        Compared::one(
+            r"$\int(\lambda-\cos\theta)\,\mathrm d\ln\tan(\theta/2)$ from the launch to the last step",
+            r"$\ln v/v_0$ of the motion there",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, ROOT);
     let turning = stops().filter(|s| s.as_ref().map_or(true, |s| !s.start.is_straight()));
     trial.each(turning, Stop::at, |stop| {
         let Turn {
@@ -140,11 +158,15 @@ fn last_slope(stop: &Stop) -> f64 {
 
 /// λ > 1 and θ₀ = π: the particle stops without turning.
 fn large_friction_outside() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 0",
-        "the angle of the velocity at 99 % of the time of stopping",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Outside,
+        Compared::constant(
+            "the stated 0",
+            "the angle of the velocity at 99 % of the time of stopping",
+        ),
+        LATE_ANGLE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, LATE_ANGLE);
     let backwards = stops().filter(|s| {
         s.as_ref()
             .map_or(true, |s| s.start.is_straight() && s.start.theta0 != 0.0)

@@ -49,11 +49,13 @@ pub fn census() -> Evidence {
 
 /// λ < 1: as fast as the law along the line has it.
 pub fn velocity() -> Evidence {
-    let compared = Compared::one(
-        r"$t$ times the rate (6) at $\theta=0$, or 0 where $\lambda\le1$ does not hold,",
-        "the velocity at the time $t$ of a particle that begins at rest",
+    let trial = Trial::motion(
+        Subject::Within,
+        Compared::one(
+            r"$t$ times the rate (6) at $\theta=0$, or 0 where $\lambda\le1$ does not hold,",
+            "the velocity at the time $t$ of a particle that begins at rest",
+        ),
     );
-    let trial = Trial::motion(Subject::Within, compared);
     let launches = Points::stream(722).within(40, [[0.0, 2.0], [0.1, 5.0]]);
     trial.at(["λ", "t"], launches, 5.0, |[lambda, t]| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);

@@ -44,11 +44,14 @@ fn eq8_outside() -> Evidence {
 
 /// (9), integrated over the angle.
 fn eq9_quadrature() -> Evidence {
-    let compared = Compared::one(
-        r"the exponential of the integral of (9) over $\theta$",
-        "$v/v_0$ of the motion",
-    );
-    Trial::quadrature(Within, compared).each(turns_where(Turn::is_gentle), Turn::at, |turn| {
+    Trial::quadrature(
+        Within,
+        Compared::one(
+            r"the exponential of the integral of (9) over $\theta$",
+            "$v/v_0$ of the motion",
+        ),
+    )
+    .each(turns_where(Turn::is_gentle), Turn::at, |turn| {
         let rate = |theta| printed::eq9_log_speed_rate(turn.lambda, theta);
         let log_ratio = turn.integral(rate, 1e-13 * turn.condition());
         let found = turn.v / turn.v0;
@@ -62,11 +65,14 @@ fn eq9_quadrature() -> Evidence {
 
 /// (9) where dθ = 0 all the way, although the speed changes.
 fn eq9_outside() -> Evidence {
-    let compared = Compared::one(
-        r"the exponential of (9) with $\mathrm d\theta=0$",
-        "$v/v_0$ of the motion half a unit of time after the launch",
-    );
-    Trial::motion(Outside, compared).each(straight(), Turn::at, |turn| {
+    Trial::motion(
+        Outside,
+        Compared::one(
+            r"the exponential of (9) with $\mathrm d\theta=0$",
+            "$v/v_0$ of the motion half a unit of time after the launch",
+        ),
+    )
+    .each(straight(), Turn::at, |turn| {
         let found = turn.v / turn.v0;
         let exponent =
             printed::eq9_log_speed_rate(turn.lambda, turn.theta) * (turn.theta - turn.theta0);
@@ -76,11 +82,14 @@ fn eq9_outside() -> Evidence {
 
 /// (10): the invariant at θ over that at θ₀.
 fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
-    let compared = Compared::one(
-        r"(10) at $\theta$ over (10) at $\theta_0$, along the motion,",
-        "1",
-    );
-    Trial::motion(subject, compared).over(turns_where(wanted), |turn| {
+    Trial::motion(
+        subject,
+        Compared::one(
+            r"(10) at $\theta$ over (10) at $\theta_0$, along the motion,",
+            "1",
+        ),
+    )
+    .over(turns_where(wanted), |turn| {
         let turn = turn?;
         let number = Double::from;
         let at = |v, theta| printed::eq10_invariant(number(turn.lambda), number(v), number(theta));
@@ -91,11 +100,14 @@ fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
 
 /// (11) with the speed of the motion.
 fn eq11_motion() -> Evidence {
-    let compared = Compared::one(
-        "(11)",
-        r"the speed of the motion when it has turned to $\theta$",
-    );
-    Trial::motion(Within, compared).over(turns(), |turn| {
+    Trial::motion(
+        Within,
+        Compared::one(
+            "(11)",
+            r"the speed of the motion when it has turned to $\theta$",
+        ),
+    )
+    .over(turns(), |turn| {
         let turn = turn?;
         let speed = turn.formula(printed::eq11_speed);
         Ok(Pair::wide(turn.at(), speed, turn.v).within(turn.v * turn.condition()))
@@ -104,11 +116,10 @@ fn eq11_motion() -> Evidence {
 
 /// (11) with the integral of dv/v.
 fn eq11_quadrature() -> Evidence {
-    let compared = Compared::one(
+    Trial::quadrature(Within, Compared::one(
         "(11)",
         r"$v_0\exp\int\mathrm dv/v$, with $\mathrm dv/v$ from the two components of Newton's law",
-    );
-    Trial::quadrature(Within, compared).over(turns_where(Turn::is_gentle), |turn| {
+    )).over(turns_where(Turn::is_gentle), |turn| {
         let turn = turn?;
         // Along and across the velocity, with A along x: dv/dt = A cos θ − λA, v dθ/dt = −A sin θ.
         let rate = |theta: f64| -(Scalar::cos(theta) - turn.lambda) / Scalar::sin(theta);
@@ -121,11 +132,14 @@ fn eq11_quadrature() -> Evidence {
 
 /// (11) where the particle starts along the line of the acceleration: the angle stays, the speed does not.
 fn eq11_outside() -> Evidence {
-    let compared = Compared::one(
-        r"(11) at $\theta=\theta_0$",
-        "the speed of the motion half a unit of time after the launch",
-    );
-    Trial::motion(Outside, compared).over(straight(), |turn| {
+    Trial::motion(
+        Outside,
+        Compared::one(
+            r"(11) at $\theta=\theta_0$",
+            "the speed of the motion half a unit of time after the launch",
+        ),
+    )
+    .over(straight(), |turn| {
         let turn = &turn?;
         let speed = turn.formula(printed::eq11_speed);
         Ok(Pair::wide(turn.at(), speed, turn.v))

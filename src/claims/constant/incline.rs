@@ -158,11 +158,13 @@ fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)
 
 /// (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
 pub fn law() -> Evidence {
-    let compared = Compared::one(
-        r"(1), with $g\sin\beta$ against the slope for $\bm A$ and $g\cos\beta$ for $g$, as the component down the slope plus twice that across,",
-        "the same sum for weight, normal force and friction",
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"(1), with $g\sin\beta$ against the slope for $\bm A$ and $g\cos\beta$ for $g$, as the component down the slope plus twice that across,",
+            "the same sum for weight, normal force and friction",
+        ),
     );
-    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(716);
     trial.over(0..200, |_| {
         let incline = Incline::any(&mut points);
@@ -185,11 +187,15 @@ pub fn law() -> Evidence {
 
 /// The motion by (1) with the motion on the incline.
 fn same_motion() -> Evidence {
-    let compared = Compared::one(
-        "the velocity by (1), integrated in the plane, as the component down the slope plus twice that across,",
-        "the same sum for the motion on an incline in three dimensions",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            "the velocity by (1), integrated in the plane, as the component down the slope plus twice that across,",
+            "the same sum for the motion on an incline in three dimensions",
+        ),
+        FOREIGN,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(717);
     trial.over(0..60, |_| {
         let incline = Incline::any(&mut points);
@@ -216,11 +222,13 @@ fn same_motion() -> Evidence {
 
 /// (6) and (7) with the forces on the incline.
 pub fn forces() -> Evidence {
-    let compared = Compared::one(
-        "(6) plus twice (7)",
-        "the same sum of the components of weight, normal force and friction",
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            "(6) plus twice (7)",
+            "the same sum of the components of weight, normal force and friction",
+        ),
     );
-    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(13);
     trial
         .over(0..1000, |_| {

@@ -285,6 +285,12 @@ fn rate(motion: &Motion, t: f64, h: f64) -> Result<[f64; 2], MotionError> {
     Ok([0, 1].map(|i| (4.0 * near[i] - far[i]) / 3.0))
 }
 
+/// A launch with any A and v₀.
+fn at_random(lambda: f64, theta0: f64, points: &mut Points) -> Turn {
+    let [a, v0] = [0.1, 0.1].map(|low| points.log_uniform(low, 10.0));
+    Turn::launch(lambda, a, v0, theta0)
+}
+
 /// The times of those stops with λ > 1.1, over the angle; later than forty times the time in which the speed falls to an
 /// e-th nothing is left.
 pub fn stops_over_the_angle() -> impl Iterator<Item = Result<&'static (Turn, f64), Failure>> {
@@ -385,12 +391,7 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
             1 => PI,
             _ => points.sign() * points.uniform(0.0, PI),
         };
-        let launch = Turn::launch(
-            0.0,
-            points.log_uniform(0.1, 10.0),
-            points.log_uniform(0.1, 10.0),
-            theta0,
-        );
+        let launch = at_random(0.0, theta0, &mut points);
         let late = match i % 4 {
             0 => points.log_uniform(5.0, 1e5),
             _ => points.uniform(0.1, 5.0),
@@ -419,12 +420,7 @@ fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
             3 => 1e-6,
             _ => points.sign() * points.uniform(0.0, PI),
         };
-        let launch = Turn::launch(
-            1.0,
-            points.log_uniform(0.1, 10.0),
-            points.log_uniform(0.1, 10.0),
-            theta0,
-        );
+        let launch = at_random(1.0, theta0, &mut points);
         let t = launch.time(LATE);
         Ok((launch, launch.motion(t)?.at(t)?))
     })
@@ -470,12 +466,7 @@ fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
             3 => 1e-6,
             _ => points.sign() * points.uniform(0.0, PI),
         };
-        let start = Turn::launch(
-            lambda,
-            points.log_uniform(0.1, 10.0),
-            points.log_uniform(0.1, 10.0),
-            theta0,
-        );
+        let start = at_random(lambda, theta0, &mut points);
         let motion = start.motion_to_rest()?;
         Ok(Stop {
             start,
@@ -556,26 +547,14 @@ fn launches_below_critical(stream: u64) -> impl Iterator<Item = Turn> {
             2 if lambda < 1.0 => PI - 1e-6,
             _ => points.sign() * points.uniform(0.0, PI - 0.1),
         };
-        Turn::launch(
-            lambda,
-            points.log_uniform(0.1, 10.0),
-            points.log_uniform(0.1, 10.0),
-            theta0,
-        )
+        at_random(lambda, theta0, &mut points)
     })
 }
 
 /// Launches at λ = 1 straight against the inertial force.
 pub fn held() -> impl Iterator<Item = Turn> {
     let mut points = Points::stream(11);
-    (0..40).map(move |_| {
-        Turn::launch(
-            1.0,
-            points.log_uniform(0.1, 10.0),
-            points.log_uniform(0.1, 10.0),
-            PI,
-        )
-    })
+    (0..40).map(move |_| at_random(1.0, PI, &mut points))
 }
 
 #[cfg(test)]

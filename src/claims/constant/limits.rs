@@ -2,6 +2,7 @@
 
 use super::launches::{Turn, frictionless, settled, stops, stops_over_the_angle};
 use crate::claims::tolerances::TERMINAL;
+use crate::motion::State;
 use crate::numerics::double::Double;
 use crate::numerics::quadrature::integral_within;
 use crate::paper::constant as printed;
@@ -42,18 +43,24 @@ fn eq16_motion() -> Evidence {
     })
 }
 
+/// The flights without friction that are not straight.
+fn parabolas() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
+    frictionless().filter(|flight| {
+        let bent = |(start, _): &(Turn, State)| libm::sin(start.theta0).abs() > 0.01;
+        flight.as_ref().map_or(true, bent)
+    })
+}
+
 /// The parabola: v_y² x − v_y v_0x y − A y²/2 vanishes along the path, the time being eliminated.
 fn parabola_motion() -> Evidence {
-    let compared = Compared::one(
-        "$x(y)$ of the path without friction",
-        "the parabola through the launch",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            "$x(y)$ of the path without friction",
+            "the parabola through the launch",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
-    let flights = frictionless().filter(|f| {
-        f.as_ref()
-            .map_or(true, |(s, _)| libm::sin(s.theta0).abs() > 0.01)
-    });
-    trial.over(flights, |flight| {
+    trial.over(parabolas(), |flight| {
         let (start, state) = flight?;
         let [vx, vy] = start.velocity0()?;
         Ok(Pair {
@@ -67,16 +74,14 @@ fn parabola_motion() -> Evidence {
 
 /// The same path by quadrature of its slope dx/dy = v_x/v_y.
 fn parabola_quadrature() -> Evidence {
-    let compared = Compared::one(
-        r"$\int v_x\,\mathrm dy/v_y$, with (15) and (16), over the path",
-        "its $x$",
+    let trial = Trial::quadrature(
+        Subject::Printed,
+        Compared::one(
+            r"$\int v_x\,\mathrm dy/v_y$, with (15) and (16), over the path",
+            "its $x$",
+        ),
     );
-    let trial = Trial::quadrature(Subject::Printed, compared);
-    let flights = frictionless().filter(|f| {
-        f.as_ref()
-            .map_or(true, |(s, _)| libm::sin(s.theta0).abs() > 0.01)
-    });
-    trial.over(flights, |flight| {
+    trial.over(parabolas(), |flight| {
         let (start, state) = flight?;
         let [vx, vy] = start.velocity0()?;
         let scale = (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs();
@@ -93,11 +98,13 @@ fn parabola_quadrature() -> Evidence {
 
 /// (17): the invariant at θ over that at θ₀.
 fn eq17_motion() -> Evidence {
-    let compared = Compared::one(
-        r"(17) at $\theta$ over (17) at $\theta_0$, along the motion,",
-        "1",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            r"(17) at $\theta$ over (17) at $\theta_0$, along the motion,",
+            "1",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     trial.over(
         super::launches::critical_turns(),
         |turn: Result<Turn, _>| {
@@ -112,8 +119,12 @@ fn eq17_motion() -> Evidence {
 
 /// (18) with v_x after a long time.
 fn eq18_limit() -> Evidence {
-    let compared = Compared::one("(18)", "$v_x$ of the motion at 40 times $v_0/A$");
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one("(18)", "$v_x$ of the motion at 40 times $v_0/A$"),
+        TERMINAL,
+    );
     trial.over(settled(), |late| {
         let (start, state) = late?;
         Ok(Pair {
@@ -127,11 +138,13 @@ fn eq18_limit() -> Evidence {
 
 /// (18) with the speed that Newton's law over the angle leaves at θ = 0.
 fn eq18_quadrature() -> Evidence {
-    let compared = Compared::one(
-        "(18)",
-        r"$v_0\exp\int\mathrm dv/v$ over the angle, along and across the velocity",
+    let trial = Trial::quadrature(
+        Subject::Printed,
+        Compared::one(
+            "(18)",
+            r"$v_0\exp\int\mathrm dv/v$ over the angle, along and across the velocity",
+        ),
     );
-    let trial = Trial::quadrature(Subject::Printed, compared);
     // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
     let gentle = settled().filter(|s| s.as_ref().map_or(true, |(start, _)| start.is_gentle()));
     trial.over(gentle, |late| {
@@ -147,8 +160,12 @@ fn eq18_quadrature() -> Evidence {
 
 /// (19) with v_y after a long time.
 fn eq19_limit() -> Evidence {
-    let compared = Compared::one("(19)", "$v_y$ of the motion at 40 times $v_0/A$");
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, TERMINAL);
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one("(19)", "$v_y$ of the motion at 40 times $v_0/A$"),
+        TERMINAL,
+    );
     trial.over(settled(), |late| {
         let (start, state) = late?;
         Ok(Pair {
@@ -178,11 +195,13 @@ pub fn eq20_motion() -> Evidence {
 
 /// (20) with the integral of dt over the whole turn.
 fn eq20_quadrature() -> Evidence {
-    let compared = Compared::one(
-        "(20)",
-        r"$\int\mathrm dt$ over the angle, along and across the velocity",
+    let trial = Trial::quadrature(
+        Subject::Printed,
+        Compared::one(
+            "(20)",
+            r"$\int\mathrm dt$ over the angle, along and across the velocity",
+        ),
     );
-    let trial = Trial::quadrature(Subject::Printed, compared);
     trial.over(stops_over_the_angle(), |stop| {
         let (start, time) = stop?;
         // ln v falls by λ − 1 per unit of ln tan(θ/2), and the errors of the integrator grow with it.

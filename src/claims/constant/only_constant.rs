@@ -50,11 +50,13 @@ fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
 
 /// How often the sense changes.
 pub fn turns() -> Evidence {
-    let compared = Compared::constant(
-        "0 for a constant pull, 1 for a sine",
-        "whether the sense of sliding changes more than once (1 if so)",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            "0 for a constant pull, 1 for a sine",
+            "whether the sense of sliding changes more than once (1 if so)",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(723);
     trial.over(0..60, |i| {
         let (driven, at, motion) = motion(&mut points, i)?;
@@ -69,11 +71,15 @@ pub fn turns() -> Evidence {
 
 /// Half a period, late.
 fn both_ways() -> Evidence {
-    let compared = Compared::constant(
-        r"$-1$ for a sine, 1 for a constant pull",
-        "the sign of the product of the velocities at two late times, half a period apart, at which the particle slides,",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::constant(
+            r"$-1$ for a sine, 1 for a constant pull",
+            "the sign of the product of the velocities at two late times, half a period apart, at which the particle slides,",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(724);
     trial.over(0..60, |i| {
         let (driven, at, motion) = motion(&mut points, i)?;

@@ -203,11 +203,13 @@ fn eq14_outside() -> Evidence {
 
 /// The regular form of the time at all points, those included where (13) has no value.
 pub fn regular_time() -> Evidence {
-    let compared = Compared::one(
-        "the regular form of the time, where (13) has a value and where not,",
-        "that of the motion",
+    let trial = Trial::motion(
+        Subject::Corrected,
+        Compared::one(
+            "the regular form of the time, where (13) has a value and where not,",
+            "that of the motion",
+        ),
     );
-    let trial = Trial::motion(Subject::Corrected, compared);
     trial.each(turns(), Turn::at, |turn| {
         Ok([
             regular(turn, turn.ln_fall()),
@@ -224,9 +226,12 @@ fn regular(turn: &Turn, ln_r: f64) -> f64 {
 
 /// The regular form of the time, so late that next to no angle is left.
 fn regular_late() -> Evidence {
-    let compared = Compared::one("the regular form of the time", "that of the motion")
-        .over("turns to a hundredth of the angle down to $10^{-80}$");
-    Trial::motion(Subject::Corrected, compared).each(late_turns(), Turn::at, |turn| {
+    Trial::motion(
+        Subject::Corrected,
+        Compared::one("the regular form of the time", "that of the motion")
+            .over("turns to a hundredth of the angle down to $10^{-80}$"),
+    )
+    .each(late_turns(), Turn::at, |turn| {
         Ok([
             regular(turn, turn.ln_fall()),
             turn.t,
@@ -237,30 +242,33 @@ fn regular_late() -> Evidence {
 
 /// The regular form of the speed by the logarithm, at those points and at all others.
 fn regular_speed_by_log() -> Evidence {
-    let compared = Compared::one(
-        r"the regular form of the speed, by $\ln r$,",
-        "that of the motion",
-    );
-    Trial::motion(Subject::Corrected, compared).each(
-        late_turns().chain(turns()),
-        Turn::at,
-        |turn| {
-            Ok([
-                corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
-                turn.v,
-                turn.v.max(turn.v0) * turn.condition(),
-            ])
-        },
+    Trial::motion(
+        Subject::Corrected,
+        Compared::one(
+            r"the regular form of the speed, by $\ln r$,",
+            "that of the motion",
+        ),
     )
+    .each(late_turns().chain(turns()), Turn::at, |turn| {
+        Ok([
+            corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
+            turn.v,
+            turn.v.max(turn.v0) * turn.condition(),
+        ])
+    })
 }
 
 /// The regular forms solved for the angle at a time.
 fn regular_angle() -> Evidence {
-    let compared = Compared::one(
-        r"$\theta$ with $\tan(\theta/2)=r\tan(\theta_0/2)$, at the root $r$ of the regular form of the time,",
-        "the angle of the motion then",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Corrected,
+        Compared::one(
+            r"$\theta$ with $\tan(\theta/2)=r\tan(\theta_0/2)$, at the root $r$ of the regular form of the time,",
+            "the angle of the motion then",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Root, Subject::Corrected, compared, ROOT);
     let wanted = |turn: &Turn| turn.lambda <= 1.0 && turn.is_gentle();
     trial.each(turns_where(wanted), Turn::at, |turn| {
         let ln_r = root(|ln_r| regular(turn, ln_r) - turn.t, -100.0, 0.0).unwrap_or(f64::NAN);
@@ -275,11 +283,13 @@ fn regular_angle() -> Evidence {
 
 /// The regular forms along the line of the acceleration: the speed at the r that they give for a time.
 pub fn regular_straight() -> Evidence {
-    let compared = Compared::one(
-        "the regular form of the speed along the line of the acceleration, at the root $r$ of the regular time,",
-        "that of the motion",
+    let trial = Trial::motion(
+        Subject::Corrected,
+        Compared::one(
+            "the regular form of the speed along the line of the acceleration, at the root $r$ of the regular time,",
+            "that of the motion",
+        ),
     );
-    let trial = Trial::motion(Subject::Corrected, compared);
     trial.over(straight(), |turn| {
         let Turn {
             lambda,
@@ -303,8 +313,10 @@ pub fn regular_straight() -> Evidence {
 
 /// The regular form of the speed.
 fn regular_speed() -> Evidence {
-    let compared = Compared::one("the regular form of the speed", "that of the motion");
-    let trial = Trial::motion(Subject::Corrected, compared);
+    let trial = Trial::motion(
+        Subject::Corrected,
+        Compared::one("the regular form of the speed", "that of the motion"),
+    );
     trial.each(turns(), Turn::at, |turn| {
         let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
         Ok([

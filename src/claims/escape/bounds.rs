@@ -30,7 +30,7 @@ macro_rules! from_then_on {
 
 /// A law of the spiral with its bounds.
 #[derive(Clone, Copy)]
-struct Law {
+struct BoundedLaw {
     /// What is known of it as τ → ∞.
     limit: fn() -> Proof,
     /// The law at the time 1/t; where 1/t alone matters, none.
@@ -144,10 +144,7 @@ fn product_less_one(t: Expr, parts: Vec<Expr>) -> Expr {
 }
 
 fn ring() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["q", "v", "t"] {
-        ring.symbol(name);
-    }
+    let mut ring = Ring::of(["q", "v", "t"]);
     ring.angle("f");
     for number in [2, 6] {
         let number = ring.read(int(number))?;
@@ -166,9 +163,8 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         "Let t be positive, q₀ = 3√2/32, v₀ = 3√2/8, q = (N − 3/4)/t, v = (P − 1/2)/t, and dθ = 2t dτ",
         "N, P, h = 1 − wt, and w, positive, the square of which is 4Ph",
     );
-    let own = p.read("w²", at.w().squared())?;
     let [_, predator, h, _] = at.state();
-    p.same(&own, int(4) * predator * h, "")?;
+    p.identity(("w²", at.w().squared()), ("4Ph", int(4) * predator * h))?;
     let [q0, v0] = middle();
     let height = over_n(8, 3) * (at.q - q0).squared() + (at.v - v0).squared();
     let read = p.read("Q", height)?;
@@ -185,14 +181,18 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     )?;
     let edge = edge();
     let on_edge = height.with("q", edge.q).with("v", edge.v);
-    let on_edge = p.read("Q at q₀ + (√6/16) cos f, v₀ + (1/4) sin f", on_edge)?;
-    p.same(&on_edge, over_n(1, 16), "")?;
-    let rate = int(2) - int(2) * (int(1) - at.t.squared()) * predator;
-    let slower = p.read(
-        "1 less the rate of 1/t in τ, over t",
-        (int(1) - rate) / at.t,
+    p.identity(
+        ("Q at q₀ + (√6/16) cos f, v₀ + (1/4) sin f", on_edge),
+        ("1/16", over_n(1, 16)),
     )?;
-    p.same(&slower, at.slower(), "")?;
+    let rate = int(2) - int(2) * (int(1) - at.t.squared()) * predator;
+    p.identity(
+        (
+            "1 less the rate of 1/t in τ, over t",
+            (int(1) - rate) / at.t,
+        ),
+        ("2v − t − 2v t²", at.slower()),
+    )?;
     p.note(
         "It is between 0 and 8/5 where |q − q₀| < 0.154, |v − v₀| ≤ 1/4, 0 < t ≤ 1/20, as in the region, where |q − q₀| ≤ √6/16",
         "by intervals: 1/t grows, at 23/25 of the rate of τ at least; so t falls, also where it is 1/20, and as Q falls where it is 1/16, again by intervals, no motion leaves the region",
@@ -236,7 +236,7 @@ impl Ratio {
     }
 }
 
-impl Law {
+impl BoundedLaw {
     fn premise(&self) -> Proof {
         Proof::in_ring("The region that every escape comes into", ring(), |p| {
             region(p)?;
@@ -297,7 +297,7 @@ fn everywhere<const N: usize>(
     })
 }
 
-const A: Law = Law {
+const A: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ132.proof(),
     ratio: Some(Ratio {
         inverse: |state| int(1) / spiral::fourth_power(state),
@@ -311,7 +311,7 @@ const A: Law = Law {
     so: "A⁴ over its law's is (1 − b/τ)⁶/(1 + tE), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, at most 1 + 3/(4τ), and at least 1 − 3b/(2τ) − 1/(8τ), as (1 − b/τ) t = 1/τ",
 };
 
-const ALPHA: Law = Law {
+const ALPHA: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ133.proof(),
     ratio: Some(Ratio {
         inverse: |state| int(1) / spiral::fourth_exponential(state),
@@ -325,13 +325,13 @@ const ALPHA: Law = Law {
     so: "exp(4α) over its law's is (1 − b/τ)²/(1 + tE): 4 times the difference of α is 2 ln(1 − b/τ) − ln(1 + tE), not above 0 and at least −2 (27/26) (b + 1)/τ",
 };
 
-const LAG: Law = Law {
+const LAG: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ134.proof(),
     ratio: None,
     so: "tτ is 1/(1 − b/τ), between 1 and 1 + (27/26) b/τ; and δ = 2 arctan t is between 2t (1 − t²/3) and 2t, with t ≤ (27/26)/τ",
 };
 
-const SPEED: Law = Law {
+const SPEED: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ135.proof(),
     ratio: Some(Ratio {
         inverse: |state| int(1) / spiral::square_of_speed(state),
@@ -345,7 +345,7 @@ const SPEED: Law = Law {
     so: "p² over its law's is (1 − b/τ)⁴/(1 + tE): at most 1 and, by the root, p over its law's at least 1 − 2b/τ − 5/(4τ), as (1 − b/τ) t = 1/τ",
 };
 
-const RHO: Law = Law {
+const RHO: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ136.proof(),
     ratio: Some(Ratio {
         inverse: |state| int(1) / spiral::square_of_distance(state),
@@ -403,7 +403,7 @@ mod tests {
     use crate::motion::turntable::{Start, intrinsic::Run};
     use std::f64::consts::FRAC_PI_2;
 
-    const ALL: [&Law; 5] = [&A, &ALPHA, &LAG, &SPEED, &RHO];
+    const ALL: [&BoundedLaw; 5] = [&A, &ALPHA, &LAG, &SPEED, &RHO];
 
     #[test]
     fn all_bounds_are_proved_and_tighter_ones_are_not() {
@@ -416,7 +416,7 @@ mod tests {
             let middle = (least + most) / 2;
             for between in [[least, middle], [middle, most]] {
                 let ratio = Some(Ratio { between, ..ratio });
-                let tighter = Law { ratio, ..*law };
+                let tighter = BoundedLaw { ratio, ..*law };
                 assert!(tighter.enclosed().is_err(), "{proof}");
             }
         }
@@ -428,7 +428,7 @@ mod tests {
             let Some(ratio) = law.ratio else { continue };
             let inverse = |[n, p, h, t]: State| n * p.squared() * h + t;
             let ratio = Some(Ratio { inverse, ..ratio });
-            assert!(!Law { ratio, ..*law }.premise().holds());
+            assert!(!BoundedLaw { ratio, ..*law }.premise().holds());
         }
     }
 

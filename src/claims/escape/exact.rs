@@ -5,7 +5,7 @@ pub mod chains;
 pub mod spiral;
 
 use crate::claims::turntable::exact as turntable;
-use crate::corrections::escape as law;
+use crate::corrections::escape as corrected;
 use crate::exact::{Binary, Function, Node, Series};
 use crate::paper::{escape as printed, turntable as motion};
 use asymptotic_series::{Late, agree, from_series, law_series, rate};
@@ -21,7 +21,7 @@ fn int(n: i64) -> Expr {
 
 /// A law with its first correction, as it holds in the time τ − (3√2/4) ln τ: `power` is twice the power of τ in it.
 fn delayed(law: Expr, power: i64) -> Expr {
-    let delay = law::delay::<Expr>() * Expr::symbol("L") / tau();
+    let delay = corrected::delay::<Expr>() * Expr::symbol("L") / tau();
     law * (int(1) - int(power) / int(2) * delay)
 }
 
@@ -36,33 +36,36 @@ fn exponential(law: Expr, n: i64) -> Expr {
 }
 
 #[track_caller]
-const fn law(corrected: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
+const fn as_series(formula: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
     let compared = Compared::one(
         "the corrected law",
         r"the series in $1/\tau$ and $\ln\tau$ that solves (107) to (109), of which it has the first terms",
     );
-    Statement::new(Subject::Corrected, compared, corrected, prove)
+    Statement::new(Subject::Corrected, compared, formula, prove)
 }
 
 /// (128) as corrected.
-pub const EQ128: Statement = law(
-    || law::alpha_rate(Expr::symbol("α"), Expr::symbol("A")),
+pub const EQ128: Statement = as_series(
+    || corrected::alpha_rate(Expr::symbol("α"), Expr::symbol("A")),
     eq128,
 );
 /// (129) as corrected.
-pub const EQ129: Statement = law(|| law::product_over_a::<Expr>() * Expr::symbol("A"), eq129);
+pub const EQ129: Statement = as_series(
+    || corrected::product_over_a::<Expr>() * Expr::symbol("A"),
+    eq129,
+);
 /// (130) as corrected.
-pub const EQ130: Statement = law(|| law::alpha_by_a(Expr::symbol("A")), eq130);
+pub const EQ130: Statement = as_series(|| corrected::alpha_by_a(Expr::symbol("A")), eq130);
 /// (131) as corrected.
-pub const EQ131: Statement = law(|| law::a_rate(Expr::symbol("A")), eq131);
+pub const EQ131: Statement = as_series(|| corrected::a_rate(Expr::symbol("A")), eq131);
 /// (132) as corrected.
-pub const EQ132: Statement = law(
-    || delayed(law::a(tau()), 3),
+pub const EQ132: Statement = as_series(
+    || delayed(corrected::a(tau()), 3),
     |law| in_time(law, "A", true, |late| &late.a),
 );
 /// (133) as corrected.
-pub const EQ133: Statement = law(
-    || law::alpha(tau()),
+pub const EQ133: Statement = as_series(
+    || corrected::alpha(tau()),
     |law| {
         in_time(exponential(law, 2), "e^(2α)", false, |late| {
             &late.twice_alpha_exp
@@ -70,23 +73,23 @@ pub const EQ133: Statement = law(
     },
 );
 /// (134) as corrected.
-pub const EQ134: Statement = law(
-    || delayed(law::lag(tau()), -2),
+pub const EQ134: Statement = as_series(
+    || delayed(corrected::lag(tau()), -2),
     |law| in_time(law, "π/2 − ψ", true, |late| &late.lag),
 );
 /// (135) as corrected.
-pub const EQ135: Statement = law(
-    || delayed(law::rho(tau()), 4),
+pub const EQ135: Statement = as_series(
+    || delayed(corrected::rho(tau()), 4),
     |law| in_time(law, "p", true, |late| &late.p),
 );
 /// (136) as corrected.
-pub const EQ136: Statement = law(
-    || delayed(law::rho(tau()), 4),
+pub const EQ136: Statement = as_series(
+    || delayed(corrected::rho(tau()), 4),
     |law| in_time(law, "ρ", true, |late| &late.rho),
 );
 /// (137) as corrected.
-pub const EQ137: Statement = law(
-    || delayed(law::s(tau()), 6),
+pub const EQ137: Statement = as_series(
+    || delayed(corrected::s(tau()), 6),
     |law| in_time(law, "s", true, |late| &late.s),
 );
 
@@ -149,14 +152,8 @@ fn eq131(law: Expr) -> Proof {
 
 /// (126): dα/dτ where ψ is at ψ₁, to the first order in α.
 pub fn eq126(formula: Expr) -> Proof {
-    let ring = || {
-        let mut ring = Ring::new();
-        for name in ["A", "α", "ψ"] {
-            ring.symbol(name);
-        }
-        ring
-    };
-    Proof::of("(126): dα/dτ near α = 0", &ring(), |p| {
+    let ring = Ring::of(["A", "α", "ψ"]);
+    Proof::of("(126): dα/dτ near α = 0", &ring, |p| {
         given(p, &[&turntable::EQ114, &turntable::EQ124])?;
         let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
         let small = Series::monomial(Rational::int(1), 1, 6);
@@ -191,7 +188,7 @@ pub fn eq138(formula: Expr) -> Proof {
         let rate = p.read("dA/dτ by (113)", motion::eq113_a_rate(alpha))?;
         let motion = p.ring().along(&[("A", rate)])?;
         let growth = p.derivative("The rate of (138)", &half, &motion)?;
-        p.same(&growth, a * alpha.sinh(), "ds/dτ = p = A sinh α")
+        p.reads_as(&growth, "ds/dτ = p = A sinh α", a * alpha.sinh())
     })
 }
 
@@ -218,25 +215,31 @@ fn never_decreases(formula: Expr) -> Proof {
         given(p, &[&turntable::EQ113, &turntable::EQ114])?;
         let [a, alpha, psi, s] = Expr::symbols(["A", "α", "ψ", "s"]);
         let (one, two) = (int(1), int(2));
-        let rate = p.read("dA/dτ by (113)", formula)?;
         let half = (alpha / two).exp();
         let factors = (half - one) * (half + one) * (half.squared() + one);
-        p.same(
-            &rate,
-            factors / (two * half.squared()),
-            "with h = exp(α/2) ≥ 1, of which no factor is negative",
+        p.identity(
+            ("dA/dτ by (113)", formula),
+            (
+                "(h − 1)(h + 1)(h² + 1)/2h² with h = exp(α/2) ≥ 1, of which no factor is negative",
+                factors / (two * half.squared()),
+            ),
         )?;
         let slow = one - motion::eq114_alpha_rate(a, alpha, psi);
-        let slow = p.read("1 − dα/dτ by (114)", slow)?;
         let terms = two * (psi / two).sin().squared() + alpha.cosh() / a;
-        p.same(&slow, terms, "of which no term is negative")?;
+        p.identity(
+            ("1 − dα/dτ by (114)", slow),
+            (
+                "2 sin²(ψ/2) + cosh α/A, of which no term is negative",
+                terms,
+            ),
+        )?;
         p.note(
             "So",
             "if α is b at a time, it was at least b − s at the time s before, and A has grown since with the rate sinh(b − s) or more",
         );
         let grown = p.read("cosh s − 1, which is 0 at s = 0", s.cosh() - one)?;
-        let slope = p.derivative("Its rate", &grown, &p.ring().by("s")?)?;
-        p.same(&slope, s.sinh(), "")?;
+        let slope = p.slope("Its rate", &grown, "s")?;
+        p.reads_as(&slope, "sinh s", s.sinh())?;
         p.note(
             "So",
             "A grows by cosh b − 1 or more each time: without end, unless α stays below every b from some time on",

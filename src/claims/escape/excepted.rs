@@ -6,12 +6,14 @@ use trialbook::prelude::*;
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 1, for an escape",
-        "whether $A$ of the motion exceeds $10^4$ (1 if so)",
-    )
-    .over("random starts with $A>1$ that do not come straight in");
-    let trial = Trial::census(Subject::Excepted, compared);
+    let trial = Trial::census(
+        Subject::Excepted,
+        Compared::constant(
+            "the expected 1, for an escape",
+            "whether $A$ of the motion exceeds $10^4$ (1 if so)",
+        )
+        .over("random starts with $A>1$ that do not come straight in"),
+    );
     let beyond = flights().filter(|flight| flight.as_ref().map_or(true, |f| f.launch.a > 1.0));
     trial.each(beyond, Flight::at, |flight| {
         Ok([1.0, is(a(&flight.run.end()) > 1e4), 1.0])
@@ -20,12 +22,14 @@ pub fn escaping() -> Evidence {
 
 /// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
 fn small_alpha() -> Evidence {
-    let compared = Compared::constant(
-        r"the expected 1, for a fall of $\psi$ to 0",
-        r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",
-    )
-    .over(r"random starts with tiny $\alpha$ that do not come straight in");
-    let trial = Trial::census(Subject::Excepted, compared);
+    let trial = Trial::census(
+        Subject::Excepted,
+        Compared::constant(
+            r"the expected 1, for a fall of $\psi$ to 0",
+            r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",
+        )
+        .over(r"random starts with tiny $\alpha$ that do not come straight in"),
+    );
     trial.each(relaxed(), Relaxed::at, |relaxed| {
         let near = alpha(&relaxed.state) < 1e-3 && relaxed.state.psi().abs() < 1e-3;
         Ok([1.0, is(near), 1.0])

@@ -21,8 +21,12 @@ use trialbook::prelude::*;
 /// (126) with the rate of α after ψ has relaxed.
 fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
     const RATE: &str = r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed";
-    let compared = Compared::composed(["(126)", "", ""], [RATE, when, ""]);
-    let trial = Trial::by(Route::Integration, subject, compared, RELAXED);
+    let trial = Trial::by(
+        Route::Integration,
+        subject,
+        Compared::composed(["(126)", "", ""], [RATE, when, ""]),
+        RELAXED,
+    );
     trial.each(relaxed(), Relaxed::at, |relaxed| {
         Ok([
             printed::eq126_alpha_rate(a(&relaxed.state)),
@@ -34,11 +38,15 @@ fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
 
 /// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
 fn eq126_order() -> Evidence {
-    let compared = Compared::one(
-        "(126)",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion from $\psi=\psi_1$, in units of $100(\alpha^2+\psi^2)$",
+    let trial = Trial::by(
+        Route::Limit,
+        Printed,
+        Compared::one(
+            "(126)",
+            r"$\mathrm d\alpha/\mathrm d\tau$ of the motion from $\psi=\psi_1$, in units of $100(\alpha^2+\psi^2)$",
+        ),
+        FIRST_OMITTED,
     );
-    let trial = Trial::by(Route::Limit, Printed, compared, FIRST_OMITTED);
     let mut points = Points::stream(607);
     trial.over(0..60, |_| {
         let alpha0 = points.log_uniform(1e-3, 3e-2);
@@ -63,11 +71,13 @@ fn eq126_order() -> Evidence {
 
 /// (127): launches with A > 1 that have stopped, or not gone far, when τ = 300.
 fn above_one(subject: Subject) -> Evidence {
-    let compared = Compared::constant(
-        "0 where (127) holds, and with itself elsewhere",
-        r"whether a random launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
+    let trial = Trial::census(
+        subject,
+        Compared::constant(
+            "0 where (127) holds, and with itself elsewhere",
+            r"whether a random launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
+        ),
     );
-    let trial = Trial::census(subject, compared);
     trial.over(launches_around_one(), |launch| {
         let found = stays(&Run::new(&launch.start()?, 300.0)?);
         Ok(Pair {
@@ -110,12 +120,16 @@ fn stays(run: &Run) -> f64 {
 
 /// (127) where it decides: close to α = 0, the A at which rest gives way to escape.
 fn eq127_root() -> Evidence {
-    let compared = Compared::one(
-        "the bound of (127)",
-        "the $A$ at which the motion passes from rest to escape",
-    )
-    .over(r"$\alpha=10^{-4}$");
-    let trial = Trial::by(Route::Root, Printed, compared, NEAR_CORNER);
+    let trial = Trial::by(
+        Route::Root,
+        Printed,
+        Compared::one(
+            "the bound of (127)",
+            "the $A$ at which the motion passes from rest to escape",
+        )
+        .over(r"$\alpha=10^{-4}$"),
+        NEAR_CORNER,
+    );
     let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
     trial.over(Points::stream(745).grid(angles), |psi| {
         let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
@@ -131,11 +145,13 @@ fn eq127_root() -> Evidence {
 
 /// A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
 fn never_decreases_way() -> Evidence {
-    let compared = Compared::one(
-        "$A^2$ at the start, and more by $2s$,",
-        "$A^2$ at the end, along the motion",
+    let trial = Trial::motion(
+        Printed,
+        Compared::one(
+            "$A^2$ at the start, and more by $2s$,",
+            "$A^2$ at the end, along the motion",
+        ),
     );
-    let trial = Trial::motion(Printed, compared);
     trial.each(flights(), Flight::at, |flight| {
         let end = flight.run.end();
         let (before, found) = (flight.launch.a * flight.launch.a, end.parts.energy());
@@ -149,11 +165,13 @@ fn never_decreases_way() -> Evidence {
 
 /// A grows from each start to the end, and falls on no step by more than its rounding.
 fn never_decreases_census() -> Evidence {
-    let compared = Compared::constant(
-        "1, for growth",
-        r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
+    let trial = Trial::census(
+        Printed,
+        Compared::constant(
+            "1, for growth",
+            r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
+        ),
     );
-    let trial = Trial::census(Printed, compared);
     trial.each(other_flights(), Flight::at, |flight| {
         let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
         let end = flight.run.end();
@@ -180,11 +198,15 @@ fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
 
 /// ψ after many relaxation times, against ψ₁.
 fn small_alpha_angle() -> Evidence {
-    let compared = Compared::one(
-        r"$\psi_1$",
-        r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
+    let trial = Trial::by(
+        Route::Limit,
+        Within,
+        Compared::one(
+            r"$\psi_1$",
+            r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
+        ),
+        RELAXED,
     );
-    let trial = Trial::by(Route::Limit, Within, compared, RELAXED);
     trial.each(others_relaxed(), Relaxed::at, |relaxed| {
         Ok([
             turntable::eq124_psi1(alpha(&relaxed.state)),
@@ -196,11 +218,15 @@ fn small_alpha_angle() -> Evidence {
 
 /// ψ over ψ₁, which both vanish.
 pub fn relaxed_ratio() -> Evidence {
-    let compared = Compared::one(
-        r"$\psi_1A/(2A-1)$",
-        r"$\psi$ of a motion in which the ratio $\psi/\psi_1$ has relaxed, $\alpha$ below a millionth",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Remark,
+        Compared::one(
+            r"$\psi_1A/(2A-1)$",
+            r"$\psi$ of a motion in which the ratio $\psi/\psi_1$ has relaxed, $\alpha$ below a millionth",
+        ),
+        RELAXED,
     );
-    let trial = Trial::by(Route::Limit, Subject::Remark, compared, RELAXED);
     trial.each(relaxed_ratios(), Relaxed::at, |relaxed| {
         let (found, psi1) = (
             relaxed.state.psi(),
@@ -216,11 +242,15 @@ pub fn relaxed_ratio() -> Evidence {
 
 /// That ratio by the equations of motion: with it, ψ and α fall or grow alike.
 fn relaxed_ratio_rate() -> Evidence {
-    let compared = Compared::one(
-        r"the relative rate of $\psi$ by (115) at $\psi=\psi_1A/(2A-1)$ over that of $\alpha$ by (126)",
-        "the expected 1",
+    let trial = Trial::by(
+        Route::Consistency,
+        Subject::Remark,
+        Compared::one(
+            r"the relative rate of $\psi$ by (115) at $\psi=\psi_1A/(2A-1)$ over that of $\alpha$ by (126)",
+            "the expected 1",
+        ),
+        RELAXED,
     );
-    let trial = Trial::by(Route::Consistency, Subject::Remark, compared, RELAXED);
     let points = Points::stream(706).within(40, [[1.2, 5.0], [-8.0, -4.0]]);
     trial.at(["A", "lg α"], points, 1.0, |[size, power]| {
         let small = libm::exp10(power);
@@ -232,11 +262,15 @@ fn relaxed_ratio_rate() -> Evidence {
 
 /// ψ when a particle that comes straight in has almost stopped.
 fn small_alpha_straight() -> Evidence {
-    let compared = Compared::one(
-        r"$\psi_1$",
-        r"$\psi$ of a motion that comes straight in, when $\alpha$ has fallen below a ten-thousandth",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Outside,
+        Compared::one(
+            r"$\psi_1$",
+            r"$\psi$ of a motion that comes straight in, when $\alpha$ has fallen below a ten-thousandth",
+        ),
+        RELAXED,
     );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, RELAXED);
     trial.each(beyond_one(), StraightIn::at, |straight| {
         let state = straight.with_alpha_below(1e-4);
         Ok([turntable::eq124_psi1(alpha(&state)), state.psi(), 1.0])
@@ -250,11 +284,13 @@ fn factor(law: fn(f64) -> f64) -> f64 {
 
 /// Decades of τ over which α grows.
 fn alpha_census() -> Evidence {
-    let compared = Compared::one(
-        r"the number of decades of $\tau$ from 100 to $10^8$ over which $\alpha$ of (133) grows by more than 1",
-        r"that of those over which $\alpha$ of the motion does",
+    let trial = Trial::census(
+        Printed,
+        Compared::one(
+            r"the number of decades of $\tau$ from 100 to $10^8$ over which $\alpha$ of (133) grows by more than 1",
+            r"that of those over which $\alpha$ of the motion does",
+        ),
     );
-    let trial = Trial::census(Printed, compared);
     let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
     trial.each(other_escapes(), Escape::at, |escape| {
         let stated: Vec<f64> = times().map(printed::eq133_alpha).collect();
@@ -271,11 +307,15 @@ fn grown(values: &[f64]) -> usize {
 
 /// Stops of particles that come straight in from A > 1, in the frame of the table.
 fn straight_stops() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 0",
-        "the number of stops of a particle that comes straight in from $A>1$",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Outside,
+        Compared::constant(
+            "the stated 0",
+            "the number of stops of a particle that comes straight in from $A>1$",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, NONE);
     trial.each(beyond_one(), StraightIn::at, |straight| {
         Ok([0.0, table_stops(straight)? as f64, 1.0])
     })
@@ -283,11 +323,13 @@ fn straight_stops() -> Evidence {
 
 /// (127) where a particle comes straight in.
 fn above_one_straight() -> Evidence {
-    let compared = Compared::one(
-        "whether (127) holds at the start (1 if so, for an escape)",
-        "what becomes of a particle that comes straight in (0 if it stops)",
+    let trial = Trial::census(
+        Subject::Outside,
+        Compared::one(
+            "whether (127) holds at the start (1 if so, for an escape)",
+            "what becomes of a particle that comes straight in (0 if it stops)",
+        ),
     );
-    let trial = Trial::census(Subject::Outside, compared);
     trial.each(beyond_one(), StraightIn::at, |straight| {
         let start = libm::sqrt((straight.rho - straight.p) * (straight.rho + straight.p));
         Ok([
@@ -316,14 +358,13 @@ pub fn table_stops(straight: &StraightIn) -> Result<usize, MotionError> {
 
 /// A particle that comes straight in from A > 1: the way in which it slows down, against its own law.
 fn straight_rate() -> Evidence {
-    let compared = Compared::one(
-        r"$-1-1/\rho$",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of a particle that has almost stopped, coming straight in",
-    );
     let trial = Trial::by(
         Route::Integration,
         Subject::Corrected,
-        compared,
+        Compared::one(
+            r"$-1-1/\rho$",
+            r"$\mathrm d\alpha/\mathrm d\tau$ of a particle that has almost stopped, coming straight in",
+        ),
         DIFFERENCES,
     );
     trial.each(beyond_one(), StraightIn::at, |straight| {

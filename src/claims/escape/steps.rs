@@ -52,11 +52,15 @@ fn relatively(
 
 /// (129) from (128): a step that is wrong by itself. It puts 0 for dα/dτ, which is a third of cosh α/A at late times.
 pub fn eq129() -> Evidence {
-    let compared = Compared::one(
-        r"(128) over $(\cosh\alpha)/A$ at the $A$ of (129), where it vanishes,",
-        r"$\mathrm d\alpha/\mathrm d\tau$ of the motion over $(\cosh\alpha)/A$, late in escapes",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Step,
+        Compared::one(
+            r"(128) over $(\cosh\alpha)/A$ at the $A$ of (129), where it vanishes,",
+            r"$\mathrm d\alpha/\mathrm d\tau$ of the motion over $(\cosh\alpha)/A$, late in escapes",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Limit, Subject::Step, compared, ROOT);
     trial.over(escapes(), |escape| {
         let escape = escape?;
         let late = escape.late.first().ok_or("no late moment")?;

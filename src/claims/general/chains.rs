@@ -25,7 +25,7 @@ pub const ACROSS: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
         let said = [printed::s2_across_trend(), printed::s2_across_limit()];
         (eq1(), said)
     },
-    |(law, said)| across(law, said),
+    across,
 );
 
 /// The ring of the law, with a bound a of |𝐀|, the speed v₀ at the beginning, and the time.
@@ -42,14 +42,15 @@ pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obst
     let [ax, ay, _, _, vx, vy] = NAMES.map(Expr::symbol);
     let sizes = (ax.squared() + ay.squared()) * (vx.squared() + vy.squared());
     let rest = sizes - (ax * vx + ay * vy).squared();
-    let rest = p.read(
-        "The squares' product less the square of the scalar product",
-        rest,
-    )?;
-    p.same(
-        &rest,
-        (ax * vy - ay * vx).squared(),
-        "a square, which is not negative: the part along the velocity is at most all of it",
+    p.identity(
+        (
+            "The squares' product less the square of the scalar product",
+            rest,
+        ),
+        (
+            "A square, which is not negative: the part along the velocity is at most all of it",
+            (ax * vy - ay * vx).squared(),
+        ),
     )
 }
 
@@ -61,8 +62,9 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
         let rate = p.read("dv/dt by (2)", formula)?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let above = p.read("a − μg less that", a - mu * g)? - &rate;
-        p.same(
+        p.reads_as(
             &above,
+            "a and the acceleration's part along the velocity",
             a + (ax * vx + ay * vy) / speed,
             "a and the part of the acceleration along the velocity",
         )?;
@@ -73,13 +75,12 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
         );
         let bound = v0 - (mu * g - a) * t;
         let line = p.read("The line v₀ − (μg − a) t", bound)?;
-        let slope = p.derivative("Its rate", &line, &p.ring().by("t")?)?;
-        p.same(&slope, a - mu * g, "")?;
-        let end = p.read(
+        let slope = p.slope("Its rate", &line, "t")?;
+        p.reads_as(&slope, "a − μg", a - mu * g)?;
+        p.vanishes(
             "At t = v₀/(μg − a) it is",
             bound.with("t", v0 / (mu * g - a)),
         )?;
-        p.same(&end, Expr::int(0), "")?;
         p.note(
             "So",
             "v, which lies below the line, is 0 by then; at rest the inertial force is below the greatest static friction",
@@ -118,7 +119,7 @@ pub(in crate::claims) fn decays(
     let square = p.read("v_y²", vy.squared())?;
     let fall = p.derivative("Its rate", &square, &motion)?;
     let stated = trend * (two * mu * g * vy.squared() / speed);
-    p.same(&fall, stated, "which is not positive")?;
+    p.reads_as(&fall, "−2μg v_y²/v, which is not positive", stated)?;
     at_most_its_size(p)?;
     p.note(
         "So, with an acceleration of a at most and by (2)",
@@ -152,7 +153,7 @@ pub(in crate::claims) fn decays(
     p.equal("It and the bound at ε = 0", &limit, &late)
 }
 
-fn across(law: [Expr; 2], said: [Expr; 2]) -> Proof {
+fn across((law, said): ([Expr; 2], [Expr; 2])) -> Proof {
     let mu = Expr::symbol("μ");
     Proof::in_ring(
         "The velocity across the drive decays",

@@ -42,14 +42,17 @@ fn by_law(law: [Expr; 2]) -> Proof {
             let [v, u] = [[vx, vy], [ux, uy]].map(|[x, y]| (x.squared() + y.squared()).sqrt());
             let cosine = (vx * ux + vy * uy) / (v * u);
             let stated = -(two * mu * g * (v + u) * (Expr::int(1) - cosine));
-            p.same(
+            p.reads_as(
                 &rate,
+                "−2μg (v + u) (1 − cos), cos that of the angle between them",
                 stated,
                 "−2μg (v + u) (1 − cos), with the cosine of the angle between them",
             )?;
-            let rest = p.read("1 − cos²", Expr::int(1) - cosine.squared())?;
             let across = ((vx * uy - vy * ux) / (v * u)).squared();
-            p.same(&rest, across, "a square, so that cos is at most 1")?;
+            p.identity(
+                ("1 − cos²", Expr::int(1) - cosine.squared()),
+                ("A square, so that cos is at most 1", across),
+            )?;
             p.note(
                 "So, while both slide",
                 "the rate of the distance is not positive",
@@ -63,7 +66,7 @@ fn by_law(law: [Expr; 2]) -> Proof {
             )?;
             let rate = p.derivative("Its rate", &square, &alone)?;
             let along = (ax * vx + ay * vy) / v;
-            p.same(&rate, -(two * v * (along + mu * g)), "−2v times 𝐀·𝐯/v + μg")?;
+            p.reads_as(&rate, "−2v (𝐀·𝐯/v + μg)", -(two * v * (along + mu * g)))?;
             at_most_its_size(p)?;
             p.note(
             "A rest lasts only where |𝐀| ≤ μg",

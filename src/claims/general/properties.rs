@@ -92,11 +92,13 @@ fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
 
 /// The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
 fn stops_integration() -> Evidence {
-    let compared = Compared::one(
-        "the time at which the motion stops, moved into the bounds that (2) sets where it lies outside,",
-        "that time itself",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            "the time at which the motion stops, moved into the bounds that (2) sets where it lies outside,",
+            "that time itself",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     trial.over(bounded(22, 0.9), |case| {
         let v0 = case.start.speed();
         let motion = run_to_stop(&case.plane, case.friction, case.start, 100.0 * v0)?;
@@ -113,11 +115,14 @@ fn stops_integration() -> Evidence {
 
 /// Motions, from rest, under accelerations that exceed μg again and again, where every rest ends, or never, where none does.
 fn rest_census() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
-        "whether no rest lasts longer than a period",
-    );
-    Trial::census(Subject::Within, compared).over(returning(), |returning| {
+    Trial::census(
+        Subject::Within,
+        Compared::one(
+            r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
+            "whether no rest lasts longer than a period",
+        ),
+    )
+    .over(returning(), |returning| {
         let Returning {
             name,
             size,
@@ -139,11 +144,15 @@ fn long_rests(phases: &[Phase], period: f64) -> usize {
 
 /// Others move in every period, or do not.
 fn rest_integration() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
-        "whether the motion has slid in each of five periods",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Within,
+        Compared::one(
+            r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
+            "whether the motion has slid in each of five periods",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     trial.over(others_returning(), |returning| {
         let Returning {
             name,
@@ -170,11 +179,15 @@ fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
 
 /// A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
 fn rest_outside() -> Evidence {
-    let compared = Compared::constant(
-        r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant",
-        "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0,",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Outside,
+        Compared::constant(
+            r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant",
+            "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0,",
+        ),
+        SHORT_PUSH,
     );
-    let trial = Trial::by(Route::Limit, Subject::Outside, compared, SHORT_PUSH);
     let mut points = Points::stream(30);
     trial.over(0..40, |_| {
         let (strength, length) = (points.uniform(1.1, 5.0), points.log_uniform(1e-6, 1.0));
@@ -207,11 +220,14 @@ fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
 /// Accelerations of fixed direction: where |A| ≥ 1.2 μg, from some time on, every step raises the speed; where |A| ≤ 0.9 μg,
 /// none does.
 fn grows_census() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lvert\bm A\rvert>\mu g$ at all times (1 if so)",
-        "whether the speed grows on every step from $t=200$ to 400",
-    );
-    Trial::census(Subject::Within, compared).over(pulled(), |pulled| {
+    Trial::census(
+        Subject::Within,
+        Compared::one(
+            r"whether $\lvert\bm A\rvert>\mu g$ at all times (1 if so)",
+            "whether the speed grows on every step from $t=200$ to 400",
+        ),
+    )
+    .over(pulled(), |pulled| {
         let pulled = pulled?;
         let stated = pulled.least > speeds_up_above();
         Ok(whether(pulled.name.clone(), stated, pulled.grows()))
@@ -220,11 +236,13 @@ fn grows_census() -> Evidence {
 
 /// Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
 fn grows_integration() -> Evidence {
-    let compared = Compared::one(
-        r"the larger of $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$ and the speed gained from $t=200$ to 400",
-        "the speed gained",
+    let trial = Trial::motion(
+        Subject::Within,
+        Compared::one(
+            r"the larger of $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$ and the speed gained from $t=200$ to 400",
+            "the speed gained",
+        ),
     );
-    let trial = Trial::motion(Subject::Within, compared);
     trial.over(others_pulled(), |pulled| {
         let Pulled {
             name,
@@ -243,8 +261,10 @@ fn grows_integration() -> Evidence {
 
 /// |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
 fn grows_outside() -> Evidence {
-    let compared = Compared::one("the larger of the speeds at $t$ and $t+1$", "that at $t+1$");
-    let trial = Trial::motion(Subject::Outside, compared);
+    let trial = Trial::motion(
+        Subject::Outside,
+        Compared::one("the larger of the speeds at $t$ and $t+1$", "that at $t+1$"),
+    );
     let mut points = Points::stream(26);
     trial.over(0..100, |_| {
         let (theta0, t) = (points.uniform(0.8, 2.4), points.uniform(3.0, 8.0));
@@ -273,11 +293,10 @@ fn grows_outside() -> Evidence {
 
 /// Across a fixed direction, every step lowers what velocity there is.
 fn across_census() -> Evidence {
-    let compared = Compared::constant(
+    Trial::census(Subject::Printed, Compared::constant(
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
-    );
-    Trial::census(Subject::Printed, compared).over(fixed_direction(27), |case| {
+    )).over(fixed_direction(27), |case| {
         let falls = grows_across(&case)? == 0;
         Ok(Pair {
             at: case.name,
@@ -301,11 +320,10 @@ fn grows_across(case: &Across) -> Result<usize, Failure> {
 
 /// Without friction the velocity across stays as it is.
 fn across_outside() -> Evidence {
-    let compared = Compared::constant(
+    Trial::census(Subject::Outside, Compared::constant(
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ in ten units of time without friction",
-    );
-    Trial::census(Subject::Outside, compared).over(fixed_direction(29), |case| {
+    )).over(fixed_direction(29), |case| {
         let end = run(&case.plane, 0.0, case.start, 10.0)?.end();
         let (before, after) = (case.across(&case.start), case.across(&end));
         Ok(Pair {
@@ -328,11 +346,14 @@ fn sense(change: f64, speed: f64) -> f64 {
 
 /// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
 fn across_quadrature() -> Evidence {
-    let compared = Compared::one(
-        r"$-\int\mu g/v\,\mathrm dt$ along the motion",
-        r"the change of $\ln\lvert v_\perp\rvert$",
-    );
-    Trial::quadrature(Subject::Printed, compared).over(fixed_direction(28), |case| {
+    Trial::quadrature(
+        Subject::Printed,
+        Compared::one(
+            r"$-\int\mu g/v\,\mathrm dt$ along the motion",
+            r"the change of $\ln\lvert v_\perp\rvert$",
+        ),
+    )
+    .over(fixed_direction(28), |case| {
         let until = 0.5 * case.start.speed() / (1.0 + case.largest);
         let until = case.plane.next_break(0.0).map_or(until, |b| until.min(b));
         let motion = run(&case.plane, 1.0, case.start, until)?;
@@ -349,11 +370,15 @@ fn across_quadrature() -> Evidence {
 
 /// Bounded A: what is left of v⊥ after a long time.
 fn across_limit() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 0",
-        r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$,",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::constant(
+            "the stated 0",
+            r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$,",
+        ),
+        VANISHES,
     );
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, VANISHES);
     let bounded = fixed_direction(29).filter(|case| case.largest.is_finite());
     trial.over(bounded, |case| {
         let size = case.start.speed();
@@ -375,11 +400,13 @@ fn across_limit() -> Evidence {
 
 /// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
 fn across_integration() -> Evidence {
-    let compared = Compared::one(
-        r"the smaller of $\lvert v_\perp\rvert$ at a late time and the bound $v_{\perp0}(1+At/v_0)^{-\mu g/A}$, with $A$ up to $30\mu g$,",
-        r"$\lvert v_\perp\rvert$ itself",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            r"the smaller of $\lvert v_\perp\rvert$ at a late time and the bound $v_{\perp0}(1+At/v_0)^{-\mu g/A}$, with $A$ up to $30\mu g$,",
+            r"$\lvert v_\perp\rvert$ itself",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(31);
     let bounded = fixed_direction(32).filter(|case| case.largest.is_finite());
     trial.over(bounded, |case| {

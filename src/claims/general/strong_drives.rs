@@ -32,11 +32,12 @@ fn moves(bound: Expr) -> Proof {
         let needed = p.read("Its size squared", size.squared())?;
         let components = p.ring().read(ax.squared() + ay.squared())?;
         p.equal("The squares of the components, added", &needed, &components)?;
-        let lack = p.read("What is needed less the greatest friction", size - mu * g)?;
-        p.same(
-            &lack,
-            size - bound,
-            "what the size of the drive is above the stated bound",
+        p.identity(
+            ("What is needed less the greatest friction", size - mu * g),
+            (
+                "What the size of the drive is above the stated bound",
+                size - bound,
+            ),
         )?;
         p.note(
             "So",
@@ -56,7 +57,7 @@ const SPEEDS_UP: Statement<(Expr, [Expr; 2], Expr)> = Statement::new(
         let bound = printed::s2_speeds_up_above(Expr::symbol("μ"), Expr::symbol("g"));
         (bound, eq1(), eq2())
     },
-    |(bound, law, speed)| speeds_up(bound, law, speed),
+    speeds_up,
 );
 
 /// The ring of the law, with the margin δ and what the drive has beyond it, e.
@@ -68,7 +69,7 @@ pub(in crate::claims) fn with_margin() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr) -> Proof {
+pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], Expr)) -> Proof {
     Proof::in_ring(
         "A strong drive speeds the particle up",
         with_margin(),
@@ -89,7 +90,11 @@ pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr
 
             let along = p.read("dv_x/dt by (1)", driven(law[0]))?;
             let terms = margin + more + most * (one - cosine);
-            p.same(&along, terms, "of which no term is negative")?;
+            p.reads_as(
+                &along,
+                "δ + e + μg (1 − v_x/v), of which no term is negative",
+                terms,
+            )?;
             p.note(
                 "So",
                 "v_x grows by δ in each unit of time at least, beyond all bounds",
@@ -100,28 +105,25 @@ pub(in crate::claims) fn speeds_up(bound: Expr, law: [Expr; 2], speed_rate: Expr
             let square = p.read("v_y²", vy.squared())?;
             let fall = p.derivative("Its rate", &square, &motion)?;
             let lost = -(two * most * vy.squared() / speed);
-            p.same(&fall, lost, "which is not positive")?;
+            p.reads_as(&fall, "−2μg v_y²/v, which is not positive", lost)?;
 
             let direction = p.read("v_x/v", cosine)?;
             let turn = p.derivative("Its rate", &direction, &motion)?;
-            p.same(
+            p.reads_as(
                 &turn,
+                "a v_y²/v³, which is not negative",
                 pull * vy.squared() / speed.pow(Expr::int(3)),
                 "which is not negative",
             )?;
             let enough = most / (most + margin);
             let least = cosine.squared() - enough.squared();
-            let least = p.read("(v_x/v)² less the square of μg/(μg + δ)", least)?;
             let room = vx.squared() * (one - enough.squared()) - enough.squared() * vy.squared();
-            p.same(&least, room / speed.squared(), "positive from some time on, as v_x grows beyond all bounds, v_y does not and μg/(μg + δ) < 1")?;
+            p.identity(("(v_x/v)² less the square of μg/(μg + δ)", least), ("positive from some time on, as v_x grows beyond all bounds, v_y does not and μg/(μg + δ) < 1",
+            room / speed.squared()))?;
 
-            let growth = p.read("dv/dt by (2)", driven(speed_rate))?;
             let terms = (most + margin) * (cosine - enough) + more * cosine;
-            p.same(
-                &growth,
-                terms,
-                "the first term positive and the other not negative from that time on",
-            )?;
+            p.identity(("dv/dt by (2)", driven(speed_rate)), ("(μg + δ) (v_x/v − μg/(μg + δ)) + e v_x/v, the first term positive and the other not negative from that time on",
+            terms))?;
             p.note(
             "A particle that is at rest at some time",
             "is set in motion along the drive at once: v_x = v from then on, and the same holds",

@@ -31,11 +31,15 @@ fn acceleration(case: &Case, t: f64) -> [f64; 2] {
 /// (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
 /// points against V − U, where U is the plane's velocity.
 fn eq1_laboratory() -> Evidence {
-    let compared = Compared::one(
-        r"$\bm v$ of (1), integrated,",
-        r"$\bm V-\bm U$ of the laboratory, where friction alone acts, component by component",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"$\bm v$ of (1), integrated,",
+            r"$\bm V-\bm U$ of the laboratory, where friction alone acts, component by component",
+        ),
+        FOREIGN,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     trial.over(
         cases().flat_map(|(case, until)| components_at_the_end(&case, until)),
         |component| component,
@@ -214,7 +218,7 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
         for (name, own) in [("U_x", vx), ("U_y", vy)] {
             let seen = p.read("A component of the velocity", Expr::symbol(name) + own)?;
             let rate = p.derivative("Its rate", &seen, &along)?;
-            p.same(&rate, -mu * g * own / speed, "friction per mass, against v")?;
+            p.reads_as(&rate, "Friction per mass, against v", -mu * g * own / speed)?;
         }
         Ok(())
     })

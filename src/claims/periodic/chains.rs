@@ -16,10 +16,7 @@ pub(super) fn rate() -> Expr {
 
 /// The ring of (26), with the sign of 𝔴.
 fn ring(sign: i64) -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["λ₀", "η", "φ", "𝔴₀", "s", "m", "E", "h"] {
-        ring.symbol(name);
-    }
+    let mut ring = Ring::of(["λ₀", "η", "φ", "𝔴₀", "s", "m", "E", "h"]);
     ring.angle("ψ");
     let w = ring.symbol("𝔴");
     ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
@@ -55,11 +52,10 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
         let square = p.read("A square, which is not negative", square)?;
         p.equal("That less the rate, and the square", &room, &square)?;
         let time = start / (right - left);
-        let end = p.read(
+        p.vanishes(
             "The line |𝔴₀| − (right − left) φ at φ = |𝔴₀|/(right − left), with 𝔴₀ for its size",
             start - (right - left) * time,
         )?;
-        p.same(&end, Expr::int(0), "")?;
         p.note(
             "So",
             "𝔴 is 0 by then, and at rest the drive is below the greatest static friction; with a velocity across it falls as fast, by (2)",
@@ -83,11 +79,12 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
         let [lambda0, psi, s, m, e] = Expr::symbols(["λ₀", "ψ", "s", "m", "E"]);
         let [one, two] = [1, 2].map(Expr::int);
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
-        let speed = p.read("d|𝔴|/dφ by (26)", Expr::int(sign) * rate)?;
-        p.same(
-            &speed,
-            Expr::int(sign) * psi.sin() - lambda0,
-            "at most |h| − λ₀",
+        p.identity(
+            ("d|𝔴|/dφ by (26)", Expr::int(sign) * rate),
+            (
+                "±h − λ₀, at most |h| − λ₀",
+                Expr::int(sign) * psi.sin() - lambda0,
+            ),
         )?;
         p.note("While the particle rests", "|𝔴| stays 0");
 
@@ -110,8 +107,9 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
         let by_parts = &p.ring().read(two * Expr::pi())? * &fast + &p.ring().read(m)? * &slow;
         p.equal("What is not negative, and that", &by_parts, &gain)?;
         let bound = two * Expr::pi() * s / (one - s);
-        p.same(
+        p.reads_as(
             &gain,
+            "s (1 − s) times what m is below 2π s/(1 − s)",
             s * (one - s) * (bound - m),
             "s (1 − s) times what m is below 2πs/(1 − s)",
         )?;
@@ -140,18 +138,18 @@ const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
         r"for every $\eta>0$ the pulse of (42), which has the length $\eta\pi>0$, has the stated size, and the gap and both mirrored by (43) have none that is larger",
     ),
     || (printed::eq42_cases(), printed::s23_largest()),
-    |(cases, largest)| normalised(cases, largest),
+    normalised,
 );
 
-fn normalised([pulse, gap]: [Expr; 2], largest: Expr) -> Proof {
+fn normalised(([pulse, gap], largest): ([Expr; 2], Expr)) -> Proof {
     let h = Expr::symbol("h");
     Proof::in_ring("The size of the pulses", ring(1), |p| {
         let length = p.read(
             "The length of a pulse by (42)",
             printed::eq42_end(Expr::symbol("η")),
         )?;
-        let growth = p.derivative("grows with η at the rate", &length, &p.ring().by("η")?)?;
-        p.same(&growth, Expr::pi(), "positive")?;
+        let growth = p.slope("grows with η at the rate", &length, "η")?;
+        p.reads_as(&growth, "π, positive", Expr::pi())?;
         let eta = p.ring().named("η")?;
         let none = p.ring().put(&length, &[(&eta, &Rational::int(0))])?;
         p.zero("The length at η = 0", &none)?;
@@ -206,8 +204,10 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
         let at = |formula: Expr, eta: Expr| formula.with("η", eta);
         p.note("The sign of 𝔴", sign.to_string());
 
-        let end = p.read("At η = 1 a pulse ends at", at(pulses.end, one))?;
-        p.same(&end, Expr::pi(), "half a period")?;
+        p.identity(
+            ("At η = 1 a pulse ends at", at(pulses.end, one)),
+            ("Half a period", Expr::pi()),
+        )?;
         for (says, h, way) in [
             ("h in a pulse", pulses.h[0], 1),
             ("h half a period later", pulses.h[2], -1),
@@ -226,25 +226,24 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
             &Rational::int(1),
         )?;
 
-        let end = p.read("At η = 0 a pulse ends at", at(pulses.end, zero))?;
-        p.same(&end, Expr::int(0), "")?;
+        p.vanishes("At η = 0 a pulse ends at", at(pulses.end, zero))?;
         for (says, h) in [
             ("h in a gap", pulses.h[1]),
             ("h half a period later", pulses.h[3]),
         ] {
-            let h = p.read(says, h)?;
-            p.same(&h, Expr::int(0), "")?;
+            p.vanishes(says, h)?;
         }
-        let slows = p.read(
-            "d|𝔴|/dφ by (26) with h = 0",
-            Expr::int(sign) * rate.with("ψ", zero),
+        p.identity(
+            (
+                "d|𝔴|/dφ by (26) with h = 0",
+                Expr::int(sign) * rate.with("ψ", zero),
+            ),
+            ("−λ₀", -lambda0),
         )?;
-        p.same(&slows, -lambda0, "")?;
-        let stop = p.read(
+        p.vanishes(
             "The size left after |𝔴₀|/λ₀, with 𝔴₀ for its size",
             start - lambda0 * (start / lambda0),
         )?;
-        p.same(&stop, Expr::int(0), "")?;
         p.note(
             "So, for λ₀ > 0",
             "the particle comes to rest and stays: |h| = 0 < λ₀",
@@ -271,28 +270,31 @@ fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
     Proof::in_ring("What becomes nonzero again", ring(sign), |p| {
         let [lambda0, psi] = Expr::symbols(["λ₀", "ψ"]);
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
-        let drive = p.read(
-            "d𝔴/dφ by (26) without friction",
-            rate.with("λ₀", Expr::int(0)),
+        p.identity(
+            (
+                "d𝔴/dφ by (26) without friction",
+                rate.with("λ₀", Expr::int(0)),
+            ),
+            ("What is said to become nonzero again", again),
         )?;
-        p.same(&drive, again, "what is said to become nonzero again")?;
-        let gap = p.read("h in the gap", pulses.h[1])?;
-        p.same(&gap, Expr::int(0), "")?;
-        let there = p.read("What is said, with that h", again.with("ψ", Expr::int(0)))?;
-        p.same(&there, Expr::int(0), "")?;
+        p.vanishes("h in the gap", pulses.h[1])?;
+        p.vanishes("What is said, with that h", again.with("ψ", Expr::int(0)))?;
         let pulse = p.read("h in the pulse from π on", pulses.h[2])?;
         p.equal("It is not 0, but", &pulse, &Rational::int(-1))?;
-        let friction = p.read("What friction gives by (26)", rate - psi.sin())?;
-        p.same(
-            &friction,
-            -(Expr::int(sign) * lambda0),
-            "λ₀ against the velocity, at every h",
+        p.identity(
+            ("What friction gives by (26)", rate - psi.sin()),
+            (
+                "λ₀ against the velocity, at every h",
+                -(Expr::int(sign) * lambda0),
+            ),
         )?;
         given(p, &[&EQ44, &EQ46])?;
         let [_, stop] = printed::eq44_ends(lambda0, Expr::symbol("η"));
-        let room = p.read("π less the end of the slip by (44)", Expr::pi() - stop)?;
         let excess = Expr::pi() * (lambda0 - pulses.critical) / lambda0;
-        p.same(&room, excess, "positive for λ₀ > λ_c only")
+        p.identity(
+            ("π less the end of the slip by (44)", Expr::pi() - stop),
+            ("π (λ₀ − λ_c)/λ₀, positive for λ₀ > λ_c only", excess),
+        )
     })
 }
 

@@ -36,17 +36,19 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             );
             p.note("The sign of 𝔴 and 𝔴₁, against that of 𝔴₂", sign.to_string());
             let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
-            let apart = p.read("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
-            p.same(&apart, Expr::int(0), "")?;
+            p.vanishes("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
             let signed = Expr::int(sign);
             let closer = signed * (rate - rate.with("𝔴", other));
-            let closer = p.read("The rate of the distance from 𝔴₂", closer)?;
-            p.same(&closer, -(Expr::int(2) * lambda0), "")?;
-            let alone = p.read("That of the distance from rest", signed * rate)?;
-            p.same(
-                &alone,
-                signed * h() - lambda0,
-                "not positive where a rest lasts",
+            p.identity(
+                ("The rate of the distance from 𝔴₂", closer),
+                ("−2λ₀", -(Expr::int(2) * lambda0)),
+            )?;
+            p.identity(
+                ("That of the distance from rest", signed * rate),
+                (
+                    "±h − λ₀, not positive where a rest lasts",
+                    signed * h() - lambda0,
+                ),
             )
         })
     })
@@ -67,13 +69,16 @@ pub(super) fn slows(law: Expr) -> Proof {
         let speed = (vx.squared() + vy.squared()).sqrt();
         let in_units = law.with("μ", lambda0).with("g", Expr::int(1));
         let driven = in_units.with("A_x", -h()).with("A_y", Expr::int(0));
-        let growth = p.read("dv/dφ by (2)", driven)?;
-        p.same(&growth, h() * vx / speed - lambda0, "")?;
-        let rest = p.read("1 − (v_x/v)²", Expr::int(1) - (vx / speed).squared())?;
-        p.same(
-            &rest,
-            (vy / speed).squared(),
-            "a square, so that v_x/v is 1 at most",
+        p.identity(
+            ("dv/dφ by (2)", driven),
+            ("h v_x/v − λ₀", h() * vx / speed - lambda0),
+        )?;
+        p.identity(
+            ("1 − (v_x/v)²", Expr::int(1) - (vx / speed).squared()),
+            (
+                "A square, so that v_x/v is 1 at most",
+                (vy / speed).squared(),
+            ),
         )
     })
 }
@@ -90,10 +95,7 @@ pub const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
 
 /// The ring of (26), with the sign of 𝔴.
 fn ring(sign: i64) -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["λ₀", "M", "m", "𝔴₀", "n", "H", "c", "ℓ", "P", "η"] {
-        ring.symbol(name);
-    }
+    let mut ring = Ring::of(["λ₀", "M", "m", "𝔴₀", "n", "H", "c", "ℓ", "P", "η"]);
     ring.angle("ψ");
     let w = ring.symbol("𝔴");
     ring.root_is(&w.pow(2), 2, &(&w * &Rational::int(sign)))?;
@@ -112,8 +114,7 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
         p.same(&stated, Expr::int(1), "")?;
         near_the_median(p, rate, sign)?;
         against_a_mean(p, rate, sign)?;
-        let stated = p.read("What is stated for little friction, 0 for none", little)?;
-        p.same(&stated, Expr::int(0), "")?;
+        p.vanishes("What is stated for little friction, 0 for none", little)?;
         p.note(
             "Let λ_c be the least number",
             "such that all λ₀ between it and 1 have rests, in every late period and from every start: it is M at most, and not below those λ₀ without",
@@ -131,8 +132,10 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         "M < 1, as |h| ≤ 1, and |h| < 1 for some time",
     );
     let signed = Expr::int(sign);
-    let size = p.read("d|𝔴|/dφ by (26)", signed * rate)?;
-    p.same(&size, signed * h() - lambda0, "at most |h| − λ₀")?;
+    p.identity(
+        ("d|𝔴|/dφ by (26)", signed * rate),
+        ("±h − λ₀, at most |h| − λ₀", signed * h() - lambda0),
+    )?;
     p.note(
         "Without a rest",
         "the velocity is 0 only where |h| ≥ λ₀, but for single instants, as it stays 0 where |h| < λ₀; where it is 0 its size has the rate 0, which is again |h| − λ₀ at most",
@@ -142,22 +145,22 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         "So in each period without a rest",
         "the size changes by 2π (M − λ₀) at most, with a velocity across as well",
     );
-    let left = p.read(
+    p.vanishes(
         "With 𝔴₀ for the size at first, no more is left after n = 𝔴₀/(2π (λ₀ − M)) periods than",
         start + gain * (start / (period * (lambda0 - mean))),
     )?;
-    p.same(&left, Expr::int(0), "")?;
     p.note("So there is a rest", "within the next period at the latest");
-    let after = p.read(
-        "From 0, where a rest ends, a period without another would leave at most",
-        (start + gain * n)
-            .with("𝔴₀", Expr::int(0))
-            .with("n", Expr::int(1)),
-    )?;
-    p.same(
-        &after,
-        -(period * (lambda0 - mean)),
-        "negative, as no size is",
+    p.identity(
+        (
+            "From 0, where a rest ends, a period without another would leave at most",
+            (start + gain * n)
+                .with("𝔴₀", Expr::int(0))
+                .with("n", Expr::int(1)),
+        ),
+        (
+            "−2π (λ₀ − M), negative, as no size is",
+            -(period * (lambda0 - mean)),
+        ),
     )?;
     p.note(
         "So there is another rest within a period",
@@ -181,11 +184,13 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         "a motion that never rests has no rest, and from a rest on it is one on the line",
     );
     let falls = two * pi * signed * (rate - h() + m);
-    let falls = p.read(
-        "In a period of one sign |𝔴| changes by 2π times its rate by (26), with m for h,",
-        falls.with("m", zero),
+    p.identity(
+        (
+            "In a period of one sign |𝔴| changes by 2π times its rate by (26), with m for h,",
+            falls.with("m", zero),
+        ),
+        ("−2πλ₀", -(two * pi * lambda0)),
     )?;
-    p.same(&falls, -(two * pi * lambda0), "")?;
     p.note(
         "So 𝔴 stays bounded",
         "it changes by 2π (1 + λ₀) at most in a period, and while its size is above that, the size falls",
@@ -203,33 +208,33 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
     let motion = p.ring().along(&motion)?;
     let friction = p.read("G = 𝔴 − (H − c)", w - (level - median))?;
     let slope = p.derivative("Its rate by (26), with h for that of H", &friction, &motion)?;
-    p.same(
+    p.reads_as(
         &slope,
+        "−λ₀ by the sign of 𝔴, and in a rest not larger in size",
         -(signed * lambda0),
         "by the sign of 𝔴, and in a rest not larger in size",
     )?;
     let room = pi.squared() - length * (two * pi - length);
-    let room = p.read(
-        "π² less ℓ (2π − ℓ), of the phases ℓ from one place to another and those back to it",
-        room,
-    )?;
-    p.same(
-        &room,
-        (pi - length).squared(),
-        "a square, which is not negative",
+    p.identity(
+        (
+            "π² less ℓ (2π − ℓ), of the phases ℓ from one place to another and those back to it",
+            room,
+        ),
+        ("A square, which is not negative", (pi - length).squared()),
     )?;
     p.note(
         "So one of the two is π at most",
         "and G, which returns, is nowhere more than πλ₀ above or below what it is elsewhere",
     );
-    let taken = p.read(
-        "P: for how long 𝔴 > 0 in a period. Friction changes G by at most",
-        lambda0 * (two * pi - forward) - lambda0 * forward,
-    )?;
-    p.same(
-        &taken,
-        -(two * lambda0 * (forward - pi)),
-        "and as G returns, P ≤ π",
+    p.identity(
+        (
+            "P: for how long 𝔴 > 0 in a period. Friction changes G by at most",
+            lambda0 * (two * pi - forward) - lambda0 * forward,
+        ),
+        (
+            "−2λ₀ (P − π), and as G returns, P ≤ π",
+            -(two * lambda0 * (forward - pi)),
+        ),
     )?;
     p.note(
         "If G were above πλ₀ somewhere",
@@ -244,11 +249,13 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         "otherwise there were phases with h as near to 0 and H as near to c as one likes, and one to which they tend: there H = c and h = 0, or its limit from one side",
     );
     let margin = near - pi * lambda0;
-    let together = p.read(
-        "For λ₀ < η/π: E = η − πλ₀, which is positive, and πλ₀",
-        margin + pi * lambda0,
+    p.identity(
+        (
+            "For λ₀ < η/π: E = η − πλ₀, which is positive, and πλ₀",
+            margin + pi * lambda0,
+        ),
+        ("η", near),
     )?;
-    p.same(&together, near, "")?;
     p.note(
         "A late motion is within E of the periodic one",
         "where it is 0 the periodic one has the size E at most, and |H − c| ≤ E + πλ₀ = η: there |h| ≥ δ, which is above λ₀ for λ₀ < δ, and no rest lasts",
@@ -268,9 +275,11 @@ fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         let way = Expr::int(way);
         p.note("With", says);
         let beyond = way * rate - (way * h() - lambda0);
-        let beyond = p.read("The rate of ±𝔴 by (26), the way of m, less ±h − λ₀", beyond)?;
         let stated = lambda0 * (Expr::int(1) - way * signed);
-        p.same(&beyond, stated, "0 or 2λ₀, not negative")?;
+        p.identity(
+            ("The rate of ±𝔴 by (26), the way of m, less ±h − λ₀", beyond),
+            ("0 or 2λ₀, not negative", stated),
+        )?;
     }
     p.note(
         "In a rest |h| ≤ λ₀",

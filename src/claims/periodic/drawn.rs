@@ -107,11 +107,13 @@ pub fn shares(side: usize) -> Result<Vec<f64>, DriveError> {
 
 /// The drawn shares with those that follow from (44): 1 − η/λ₀ for λ₀ above (46), else 0.
 fn shares_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the share of the third case of (44), 0 for $\lambda_0$ below (46),",
-        "the share of the period at rest in the motion",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            r"the share of the third case of (44), 0 for $\lambda_0$ below (46),",
+            "the share of the period at rest in the motion",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     let side = 33;
     let shares = match shares(side) {
         Ok(shares) => shares,

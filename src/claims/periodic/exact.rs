@@ -12,11 +12,7 @@ fn symbols() -> [Expr; 3] {
 }
 
 fn ring() -> Ring {
-    let mut ring = Ring::new();
-    for name in ["λ₀", "η", "φ", "h", "𝔴"] {
-        ring.symbol(name);
-    }
-    ring
+    Ring::of(["λ₀", "η", "φ", "h", "𝔴"])
 }
 
 /// A motion in cases: each solves the equation, they join, and it begins and ends at 0.
@@ -49,8 +45,10 @@ impl Chain {
             let before = i.checked_sub(1).map(|i| self.cases[i]);
             let after = self.cases.get(i).copied();
             let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
-            let before = p.read("Where two cases meet, the first", at(before))?;
-            p.same(&before, at(after), "the second")?;
+            p.identity(
+                ("Where two cases meet, the first", at(before)),
+                ("and the second", at(after)),
+            )?;
         }
         Ok(())
     }
@@ -73,8 +71,7 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
             "In the gap h = 0",
             "|h| ≤ λ₀: what is at rest stays at rest",
         );
-        let rest = p.read("The printed rest", cases[2])?;
-        p.same(&rest, Expr::int(0), "")
+        p.vanishes("The printed rest", cases[2])
     })
 }
 
@@ -87,13 +84,13 @@ pub fn eq45_mirror(mirrored: Expr) -> Proof {
         let motion = p.ring().along(&[("𝔴", force)])?;
         let w = p.read("The printed velocity there", mirrored)?;
         let rate = p.derivative("Its rate, with 𝔴' = h − λ₀", &w, &motion)?;
-        p.same(
+        p.reads_as(
             &rate,
+            "The force there, for negative velocity and h of (43)",
             printed::eq43_h(h) + friction,
             "the force there, for negative velocity and h of (43)",
         )?;
-        let zero = p.read("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))?;
-        p.same(&zero, Expr::int(0), "")
+        p.vanishes("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))
     })
 }
 

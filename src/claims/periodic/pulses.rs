@@ -159,11 +159,13 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
 
 /// (44) with the simulated motion, over half a period.
 fn eq44_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the largest difference of (44) from $\mathfrak w$ of the motion, over the first half period,",
-        "0",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            r"the largest difference of (44) from $\mathfrak w$ of the motion, over the first half period,",
+            "0",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
             let ends = joints(point);
@@ -177,11 +179,13 @@ fn eq44_motion() -> Evidence {
 
 /// (45), with (44) in it, with the simulated motion over the other half.
 fn eq45_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the largest difference of (45), with (44), from $\mathfrak w$ of the motion, over the second half period,",
-        "0",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            r"the largest difference of (45), with (44), from $\mathfrak w$ of the motion, over the second half period,",
+            "0",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     trial.over(above(), |point| {
         with_motion(point, |motion| {
             let ends = joints(point);
@@ -246,11 +250,15 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
 
 /// (46) with the place where rests appear.
 fn eq46_root() -> Evidence {
-    let compared = Compared::one(
-        "(46)",
-        r"the $\lambda_0$ at which rests appear in the motion",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            "(46)",
+            r"the $\lambda_0$ at which rests appear in the motion",
+        ),
+        THRESHOLD,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, THRESHOLD);
     trial.over(widths(), |eta| {
         Ok(Pair {
             at: format!("η = {eta:.6}"),
@@ -263,11 +271,13 @@ fn eq46_root() -> Evidence {
 
 /// (46) over the whole square: two rests per period above λ_c, none below.
 fn eq46_census() -> Evidence {
-    let compared = Compared::constant(
-        r"2 for $\lambda_0$ above (46) and 0 below",
-        "the number of rests in a period of the motion",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            r"2 for $\lambda_0$ above (46) and 0 below",
+            "the number of rests in a period of the motion",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let points = above().into_iter().zip(below()).flat_map(|(a, b)| [a, b]);
     trial.over(points, |(eta, lambda)| {
         let found = match phase(&pulses(eta)?, lambda)? {
@@ -289,11 +299,13 @@ fn eq46_census() -> Evidence {
 
 /// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
 fn below_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the largest difference between our own formula for the motion without rest, for $\lambda_0$ below (46), and $\mathfrak w$ of the motion",
-        "0",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            r"the largest difference between our own formula for the motion without rest, for $\lambda_0$ below (46), and $\mathfrak w$ of the motion",
+            "0",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     trial.over(below(), |(eta, lambda)| {
         with_motion((eta, lambda), |motion| {
             let start = motion.intervals().first().map_or(0.0, |i| i.start);
@@ -310,12 +322,14 @@ fn below_motion() -> Evidence {
 
 /// η = 1 and η = 0 themselves.
 fn extremes_census() -> Evidence {
-    let compared = Compared::constant(
-        "0 below (46) and 1 above",
-        "the number of rests in a period (1 for a particle at rest for ever)",
-    )
-    .over(r"$\eta=1$ and $\eta=0$");
-    let trial = Trial::census(Subject::Printed, compared);
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            "0 below (46) and 1 above",
+            "the number of rests in a period (1 for a particle at rest for ever)",
+        )
+        .over(r"$\eta=1$ and $\eta=0$"),
+    );
     let mut points = Points::stream(204);
     let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
     let frictions = (0..200).map(|_| points.uniform(0.0, 1.0)).chain(edges);
@@ -345,9 +359,11 @@ fn extremes_census() -> Evidence {
 
 /// No pulses and no friction.
 fn extremes_outside() -> Evidence {
-    let compared = Compared::constant("the stated 1", "the number of rests in a period")
-        .over(r"$\eta=0$ and $\lambda_0=0$");
-    let trial = Trial::census(Subject::Outside, compared);
+    let trial = Trial::census(
+        Subject::Outside,
+        Compared::constant("the stated 1", "the number of rests in a period")
+            .over(r"$\eta=0$ and $\lambda_0=0$"),
+    );
     let starts = Points::stream(227).within(24, [[0.1, 3.0]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
         let drive = pulses(0.0)?;
@@ -365,12 +381,16 @@ fn extremes_outside() -> Evidence {
 
 /// η → 1 and η → 0: the phase that is to vanish is as narrow as 1 − η, or as η.
 fn extremes_limit() -> Evidence {
-    let compared = Compared::one(
-        r"the width of the vanishing phase by (46), over $\delta$,",
-        "that in the motion",
-    )
-    .over(r"$\eta=1-\delta$ (large friction) and $\eta=\delta$ (small friction)");
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, LIMIT_OF_WIDTH);
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one(
+            r"the width of the vanishing phase by (46), over $\delta$,",
+            "that in the motion",
+        )
+        .over(r"$\eta=1-\delta$ (large friction) and $\eta=\delta$ (small friction)"),
+        LIMIT_OF_WIDTH,
+    );
     let distances = (1..13).map(|k| Scalar::pow(10.0, -0.25 * f64::from(k)));
     let distances = Points::stream(746).grid(distances).into_iter();
     trial.over(

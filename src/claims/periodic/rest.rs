@@ -6,7 +6,7 @@ use super::drives::{Harmonics, Phase, named, phase};
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::numerics::quadrature::integral_within;
-use crate::paper::general as law;
+use crate::paper::general;
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
 use trialbook::claims::compare::is;
@@ -20,11 +20,15 @@ fn at(name: &str, lambda: f64, start: DriveState) -> String {
 
 /// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
 fn within_time() -> Evidence {
-    let compared = Compared::constant(
-        r"1 for $\lambda_0>1$ and 0 below",
-        r"whether the motion, from any start, is at rest (1 if so) from a millionth past the phase $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ on, or for $\lambda_0<1$ from a period on,",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::constant(
+            r"1 for $\lambda_0>1$ and 0 below",
+            r"whether the motion, from any start, is at rest (1 if so) from a millionth past the phase $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ on, or for $\lambda_0<1$ from a period on,",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(210);
     let drives = named();
     trial.over(0..1000, |i| {
@@ -79,11 +83,15 @@ fn left(w: f64, later: &[Interval]) -> f64 {
 
 /// When it comes to rest: the motion's first rest with the root of the equation's integral.
 pub fn stopping_time() -> Evidence {
-    let compared = Compared::one(
-        r"the root of $\lvert\mathfrak w_0\rvert+\int(1)\,\mathrm d\phi$, taken along the velocity,",
-        "the phase at which the motion comes to rest",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            r"the root of $\lvert\mathfrak w_0\rvert+\int(1)\,\mathrm d\phi$, taken along the velocity,",
+            "the phase at which the motion comes to rest",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     let mut points = Points::stream(211);
     trial.over(0..60, |_| {
         let shape = Harmonics::random(&mut points)?;
@@ -101,7 +109,7 @@ pub fn stopping_time() -> Evidence {
         let stop = path.intervals.iter().find(|i| i.sign == Sign::Rest);
         // Along the velocity, by (1), in units in which the drive is h.
         let force = |x: f64| {
-            let rate = law::eq1_velocity_rate([-shape.h(x), 0.0], lambda, 1.0, [w, 0.0]);
+            let rate = general::eq1_velocity_rate([-shape.h(x), 0.0], lambda, 1.0, [w, 0.0]);
             w.signum() * rate[0]
         };
         let size = |x: f64| match integral_within(force, phi, x, 1e-14) {
@@ -119,11 +127,13 @@ pub fn stopping_time() -> Evidence {
 
 /// 1 is the exact bound: from 1 on all is still, below it something moves.
 pub fn sharp() -> Evidence {
-    let compared = Compared::constant(
-        r"1 for $\lambda_0\ge1$ and 0 below",
-        "whether the motion is at rest for ever (1 if so)",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            r"1 for $\lambda_0\ge1$ and 0 below",
+            "whether the motion is at rest for ever (1 if so)",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let drives = named();
     let excess = [1e-3, -1e-3, 0.0, 1e-9, -1e-6, 1e-6, -0.1, 0.1, 9.0, -1e-5];
     let excess = Points::stream(748).grid(excess);

@@ -15,12 +15,16 @@ fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {
 
 /// λ₀ → 1: the motion that is left lasts as √δ, and then as powers of it.
 pub fn limit() -> Evidence {
-    let compared = Compared::one(
-        "the whole period, 1,",
-        r"the limit of the share of a period that is rest, as $\lambda_0\to1$",
-    )
-    .over("three harmonics at random");
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, SHARE);
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one(
+            "the whole period, 1,",
+            r"the limit of the share of a period that is rest, as $\lambda_0\to1$",
+        )
+        .over("three harmonics at random"),
+        SHARE,
+    );
     let mut points = Points::stream(228);
     trial.over(0..30, |i| {
         let drive = Harmonics::random(&mut points)?.drive()?;
@@ -37,12 +41,11 @@ pub fn limit() -> Evidence {
 
 /// More than half of the period, a thousandth below 1 or closer.
 pub fn census() -> Evidence {
-    let compared = Compared::one(
+    let trial = Trial::census(Subject::Printed, Compared::one(
         r"whether the share of rest is more than half of the period, as stated for $\lambda_0\to1$ (1 if so),",
         r"whether it is at $\lambda_0$ between $1-10^{-3}$ and 1",
     )
-    .over("three harmonics at random");
-    let trial = Trial::census(Subject::Printed, compared);
+    .over("three harmonics at random"));
     let mut points = Points::stream(229);
     trial.over(0..60, |i| {
         let drive = Harmonics::random(&mut points)?.drive()?;
@@ -59,11 +62,13 @@ pub fn census() -> Evidence {
 
 /// |h| = 1 throughout: no rest, however near λ₀ is to 1.
 pub fn two_valued() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 0",
-        r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",
+    let trial = Trial::census(
+        Subject::Remark,
+        Compared::constant(
+            "the expected 0",
+            r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",
+        ),
     );
-    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(230);
     trial.over(0..24, |_| {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));

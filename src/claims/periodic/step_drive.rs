@@ -151,10 +151,7 @@ pub const CHANGES: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
 .of_a_part();
 
 fn ring() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["λ₀", "D"] {
-        ring.symbol(name);
-    }
+    let mut ring = Ring::of(["λ₀", "D"]);
     ring.angle("ψ");
     for (name, sign) in [("𝔴", 1), ("𝔴₁", -1)] {
         let w = ring.symbol(name);
@@ -176,11 +173,12 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
         p.note("For λ₀ = 1/8", "friction holds nothing in any step:");
         for step in DRIVE {
             let room = ratio(step.h).squared() - ratio([1, 8]).squared();
-            let room = p.read("h² − λ₀² in a step", room)?;
-            p.same(&room, size(step.excess), "positive: friction is too weak")?;
+            p.identity(
+                ("h² − λ₀² in a step", room),
+                ("positive: friction is too weak", size(step.excess)),
+            )?;
         }
-        let stated = p.read("What is stated for little friction, 0 for no rest", little)?;
-        p.same(&stated, Expr::int(0), "")?;
+        p.vanishes("What is stated for little friction, 0 for no rest", little)?;
         for half in &halves {
             follow(p, rate, half)?;
         }
@@ -231,14 +229,18 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
                 let slope = own(signed) - sine + h;
                 let end = w + slope * ratio([until - at, parts]);
                 w = Expr::int(sign) * size(left);
-                let end = p.read(&format!("By (26), at the part {until}, for 𝔴 over π"), end)?;
-                p.same(&end, w, "of the sign that friction was given, or 0")?;
+                p.identity(
+                    (&format!("By (26), at the part {until}, for 𝔴 over π"), end),
+                    ("of the sign that friction was given, or 0", w),
+                )?;
             }
             Rests(room) => {
                 let still = p.read(&format!("It rests up to the part {until}"), w)?;
                 p.zero("𝔴", &still)?;
-                let spare = p.read("λ₀² − h² there", lambda0.squared() - h.squared())?;
-                p.same(&spare, size(room), "positive: friction holds it")?;
+                p.identity(
+                    ("λ₀² − h² there", lambda0.squared() - h.squared()),
+                    ("positive: friction holds it", size(room)),
+                )?;
             }
         }
         at = until;
@@ -286,16 +288,17 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
                 one + sign * h,
             ),
         ] {
-            let left = p.read(says, left)?;
-            p.same(&left, room, "of which no term is negative")?;
+            p.identity((says, left), ("Terms of which none is negative", room))?;
         }
     }
     let length = d / (two * (one + lambda0));
-    let rest = p.read(
-        "D less 1 + λ₀ times D/(2 (1 + λ₀))",
-        d - (one + lambda0) * length,
+    p.identity(
+        (
+            "D less 1 + λ₀ times D/(2 (1 + λ₀))",
+            d - (one + lambda0) * length,
+        ),
+        ("D/2", d / two),
     )?;
-    p.same(&rest, d / two, "")?;
     p.note(
         "Where this motion is 0 let the size of another be D",
         "that one keeps its sign for D/(2 (1 + λ₀)) before and after, this one has the other sign on one side, and meanwhile the distance falls at the rate 2λ₀ by (26); or for half a period, if that is shorter",
@@ -309,11 +312,13 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         "In each period the distance falls by at least what depends on D alone",
         "so that it goes to 0",
     );
-    let room = p.read(
-        "Where this motion is 0, h² − λ₀²",
-        half.h(from, from + 1)?.squared() - ratio([n, d]).squared(),
+    p.identity(
+        (
+            "Where this motion is 0, h² − λ₀²",
+            half.h(from, from + 1)?.squared() - ratio([n, d]).squared(),
+        ),
+        ("positive: friction is too weak", ratio([3, 4])),
     )?;
-    p.same(&room, ratio([3, 4]), "positive: friction is too weak")?;
     p.note(
         "So a late motion is 0 only near these places, inside the steps",
         "and no rest lasts there",

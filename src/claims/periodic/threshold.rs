@@ -87,11 +87,13 @@ fn admitted() -> Result<Vec<Named>, DriveError> {
 
 /// Every admitted drive: no rest below the one bound, motion with rest above the other.
 fn both_ends() -> Evidence {
-    let compared = Compared::constant(
-        r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
-        "whether the motion has rests (1 if so)",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
+            "whether the motion has rests (1 if so)",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let drives = match admitted() {
         Ok(drives) => drives,
         Err(error) => return trial.over([error], |error| Err(error.into())),
@@ -140,11 +142,15 @@ fn two_zero_threshold(shape: &Harmonics) -> Result<f64, Failure> {
 
 /// λ_c from that condition, with the place where rests appear in the simulation.
 fn two_zeros_root() -> Evidence {
-    let compared = Compared::one(
-        r"the $\lambda_0$ at which $\int h=\pi\lambda_0$ between zeros half a period apart and $h$ is $\lambda_0$ at one",
-        r"the $\lambda_0$ at which rests appear in the motion",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            r"the $\lambda_0$ at which $\int h=\pi\lambda_0$ between zeros half a period apart and $h$ is $\lambda_0$ at one",
+            r"the $\lambda_0$ at which rests appear in the motion",
+        ),
+        THRESHOLD,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, THRESHOLD);
     let mut points = Points::stream(221);
     trial.over(0..20, |_| {
         let (a, p) = (points.uniform(0.0, 0.3), points.uniform(0.0, TAU));
@@ -165,11 +171,13 @@ fn two_zeros_root() -> Evidence {
 
 /// More than one change: rests come, go, and come again as the friction grows.
 fn again_and_again() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 3",
-        r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            "the stated 3",
+            r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let amplitudes = (0..20).map(|k| 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0);
     trial.over(Points::stream(747).grid(amplitudes), |a| {
         let drive = third_harmonic(a)?;
@@ -188,12 +196,14 @@ fn again_and_again() -> Evidence {
 
 /// With a mean: no rest below it, and rests above the mean of |h|.
 fn with_mean() -> Evidence {
-    let compared = Compared::constant(
-        r"0 below the mean of $h$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
-        "whether the motion has rests (1 if so; one that drifts has none)",
-    )
-    .over("sines with a mean");
-    let trial = Trial::census(Subject::Printed, compared);
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            r"0 below the mean of $h$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
+            "whether the motion has rests (1 if so; one that drifts has none)",
+        )
+        .over("sines with a mean"),
+    );
     let mut points = Points::stream(222);
     trial.over(0..60, |i| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
@@ -214,11 +224,13 @@ fn with_mean() -> Evidence {
 
 /// With a mean: how it goes on below it.
 fn with_mean_drift() -> Evidence {
-    let compared = Compared::constant(
-        "the expected $-1$, for a drift",
-        r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
+    let trial = Trial::census(
+        Subject::Remark,
+        Compared::constant(
+            "the expected $-1$, for a drift",
+            r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
+        ),
     );
-    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(226);
     trial.over(0..60, |_| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
@@ -229,11 +241,13 @@ fn with_mean_drift() -> Evidence {
 
 /// The same close to where the friction is as strong as the mean.
 fn with_mean_close() -> Evidence {
-    let compared = Compared::constant(
-        "the expected $-1$, for a drift",
-        r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
+    let trial = Trial::census(
+        Subject::Remark,
+        Compared::constant(
+            "the expected $-1$, for a drift",
+            r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
+        ),
     );
-    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(225);
     trial.over(0..24, |_| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
@@ -252,11 +266,13 @@ fn drifting(drive: &Drive, lambda: f64) -> Result<Pair, Failure> {
 
 /// |h| = 1 throughout: no rest at any λ₀ < 1.
 pub fn two_valued() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 0",
-        r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1,",
+    let trial = Trial::census(
+        Subject::Remark,
+        Compared::constant(
+            "the expected 0",
+            r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1,",
+        ),
     );
-    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(223);
     trial.over(0..60, |_| {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
@@ -272,11 +288,13 @@ pub fn two_valued() -> Evidence {
 /// minimum π − p between them. With little friction w rises through 0 at π/2 − πλ₀/2; at π − p it would then be
 /// λ₀ (p − (π/2) sin p) < 0, all before scaling.
 pub fn level() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 1",
-        r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$,",
+    let trial = Trial::census(
+        Subject::Remark,
+        Compared::constant(
+            "the expected 1",
+            r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$,",
+        ),
     );
-    let trial = Trial::census(Subject::Remark, compared);
     let mut points = Points::stream(224);
     trial.over(0..60, |_| {
         let p = points.uniform(0.1, 1.5);

@@ -31,8 +31,12 @@ type Equation = (&'static str, &'static str, Sides);
 
 /// At p = 10⁻²⁰, for σ not so small that ψ has not relaxed even there.
 fn exactly(subject: Subject, (law, found, sides): Equation) -> Evidence {
-    let compared = Compared::composed([r"at $p=10^{-20}$, ", law, ""], [found, "", ""]);
-    let trial = Trial::by(Route::Integration, subject, compared, DIFFERENCES);
+    let trial = Trial::by(
+        Route::Integration,
+        subject,
+        Compared::composed([r"at $p=10^{-20}$, ", law, ""], [found, "", ""]),
+        DIFFERENCES,
+    );
     trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
         pair(approach?, 1e-20, |_, _| 1.0, sides)
     })
@@ -42,8 +46,12 @@ fn exactly(subject: Subject, (law, found, sides): Equation) -> Evidence {
 fn by_order((law, found, sides): Equation) -> Evidence {
     const AT: &str =
         r"at $p=10^{-3}$, relatively and in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$, ";
-    let compared = Compared::composed([AT, law, ""], [found, "", ""]);
-    let trial = Trial::by(Route::Limit, Within, compared, FIRST_OMITTED);
+    let trial = Trial::by(
+        Route::Limit,
+        Within,
+        Compared::composed([AT, law, ""], [found, "", ""]),
+        FIRST_OMITTED,
+    );
     trial.over(approaches(), |approach| {
         pair(approach?, 1e-3, |s, c| 100.0 * c.omitted(s), sides)
     })
@@ -68,8 +76,12 @@ fn pair(
 /// On the way into a rest with ψ → π.
 fn straight((law, found, sides): Equation) -> Evidence {
     const AT: &str = r"on the way into a rest with $\psi\to\pi$, ";
-    let compared = Compared::composed([AT, law, ""], [found, "", ""]);
-    let trial = Trial::by(Route::Integration, Outside, compared, RELAXED);
+    let trial = Trial::by(
+        Route::Integration,
+        Outside,
+        Compared::composed([AT, law, ""], [found, "", ""]),
+        RELAXED,
+    );
     trial.over(within_one(), |straight| {
         let straight = straight?;
         let (sigma, close) = close(straight)?;
@@ -86,8 +98,12 @@ fn straight((law, found, sides): Equation) -> Evidence {
 /// What holds there instead.
 fn straight_corrected(law: &'static str, found: &'static str, sides: Sides) -> Evidence {
     const WITH: &str = r" of a motion that comes to rest with $\psi\to\pi$";
-    let compared = Compared::composed([law, "", ""], [found, WITH, ""]);
-    let trial = Trial::by(Route::Integration, Corrected, compared, RELAXED);
+    let trial = Trial::by(
+        Route::Integration,
+        Corrected,
+        Compared::composed([law, "", ""], [found, WITH, ""]),
+        RELAXED,
+    );
     trial.each(within_one(), StraightIn::at, |straight| {
         let (sigma, close) = close(straight)?;
         let (stated, found, scale) = sides(sigma, &close);
@@ -198,8 +214,12 @@ fn leaving(alpha0: f64) -> Result<Close, Failure> {
 
 /// At σ = 1, where the motion takes for ever: on the boundary.
 fn at_one((law, found, sides): Equation) -> Evidence {
-    let compared = Compared::composed(["on the boundary, ", law, ""], [found, "", ""]);
-    let trial = Trial::by(Route::Root, Outside, compared, BOUNDARY);
+    let trial = Trial::by(
+        Route::Root,
+        Outside,
+        Compared::composed(["on the boundary, ", law, ""], [found, "", ""]),
+        BOUNDARY,
+    );
     trial.over(borders_near_one(), |close| {
         let close = close?;
         let (stated, found, scale) = sides(1.0, close);
@@ -336,12 +356,16 @@ fn early_levels(sigma: f64) -> [f64; 2] {
 
 /// σ = 1/2: no value.
 fn eq143_one_half() -> Evidence {
-    let compared = Compared::one(
-        r"(143) over $2\alpha$",
-        r"$\psi/(2\alpha)$ of the motion at $p=10^{-10}$",
-    )
-    .over(r"$\sigma=1/2$");
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, NEAR_REST);
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Outside,
+        Compared::one(
+            r"(143) over $2\alpha$",
+            r"$\psi/(2\alpha)$ of the motion at $p=10^{-10}$",
+        )
+        .over(r"$\sigma=1/2$"),
+        NEAR_REST,
+    );
     trial.each(approaches_to_one_half(), Approach::at, |approach| {
         let close = approach.close(1e-10)?;
         Ok([
@@ -353,12 +377,16 @@ fn eq143_one_half() -> Evidence {
 }
 /// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
 fn eq143_regular() -> Evidence {
-    let compared = Compared::one(
-        r"the regular form of (143) over $2\alpha$, its constant taken at $p=10^{-10}$,",
-        r"$\psi/(2\alpha)$ at $p=10^{-12}$",
-    )
-    .over(r"$\sigma=1/2$");
-    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NEAR_REST);
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Corrected,
+        Compared::one(
+            r"the regular form of (143) over $2\alpha$, its constant taken at $p=10^{-10}$,",
+            r"$\psi/(2\alpha)$ at $p=10^{-12}$",
+        )
+        .over(r"$\sigma=1/2$"),
+        NEAR_REST,
+    );
     trial.each(approaches_to_one_half(), Approach::at, |approach| {
         let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
         let ratio = |c: f64, alpha: f64| corrected::psi_at_one_half(c, alpha) / (2.0 * alpha);
@@ -368,11 +396,15 @@ fn eq143_regular() -> Evidence {
 }
 /// α and ψ at the end of a motion to rest.
 fn near_rest_angle() -> Evidence {
-    let compared = Compared::many(
-        r"the limits 0 of $\alpha$ and $\psi$",
-        r"$\alpha$ and $\psi$ of the motion at $p=10^{-30}$",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Within,
+        Compared::many(
+            r"the limits 0 of $\alpha$ and $\psi$",
+            r"$\alpha$ and $\psi$ of the motion at $p=10^{-30}$",
+        ),
+        RELAXED,
     );
-    let trial = Trial::by(Route::Limit, Subject::Within, compared, RELAXED);
     let both = approaches_to(&[(0.3, 0.98)]).flat_map(|a| [0, 1].map(|i| (a.clone(), i)));
     trial.over(both, |(approach, i)| {
         let approach = approach?;
@@ -387,11 +419,13 @@ fn near_rest_angle() -> Evidence {
 }
 /// Random motions to rest, on which ψ and α come nearer to their limits at the end.
 fn near_rest_census() -> Evidence {
-    let compared = Compared::one(
-        r"the number of tenfold falls of $p$, from $10^{-10}$ on, over which $\alpha$ and $\psi$ both come nearer to their limits 0,",
-        "that of all such falls",
+    let trial = Trial::census(
+        Subject::Within,
+        Compared::one(
+            r"the number of tenfold falls of $p$, from $10^{-10}$ on, over which $\alpha$ and $\psi$ both come nearer to their limits 0,",
+            "that of all such falls",
+        ),
     );
-    let trial = Trial::census(Subject::Within, compared);
     trial.each(other_approaches(), Approach::at, |approach| {
         let states = tenfold(&approach.run);
         Ok([

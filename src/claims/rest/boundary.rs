@@ -81,11 +81,15 @@ fn at(alpha: f64, psi: f64) -> String {
 
 /// (147) against the boundary.
 pub fn printed_root() -> Evidence {
-    let compared = Compared::one(
-        "(147)",
-        "the $A$ at which the motion passes from rest to escape",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            "(147)",
+            "the $A$ at which the motion passes from rest to escape",
+        ),
+        BOUNDARY,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
     trial.over(borders(), |border| {
         let Border { alpha, psi, a } = *border?;
         Ok(Pair {
@@ -99,12 +103,16 @@ pub fn printed_root() -> Evidence {
 
 /// (147) on the slow motion, ψ = 2α, which its derivation is about.
 fn printed_slow() -> Evidence {
-    let compared = Compared::one(
-        "(147)",
-        "the $A$ at which the motion passes from rest to escape",
-    )
-    .over(r"$\psi=2\alpha$");
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, BOUNDARY);
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            "(147)",
+            "the $A$ at which the motion passes from rest to escape",
+        )
+        .over(r"$\psi=2\alpha$"),
+        BOUNDARY,
+    );
     let alphas = (0..20).map(|i| 0.02 + 0.01 * f64::from(i));
     trial.over(Points::stream(737).grid(alphas), |alpha| {
         let found = border(alpha, 2.0 * alpha)?.a;
@@ -119,11 +127,15 @@ fn printed_slow() -> Evidence {
 
 /// The second-order boundary against the boundary.
 pub fn corrected_root() -> Evidence {
-    let compared = Compared::one(
-        r"the corrected boundary, to the order $\alpha^2$,",
-        r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Corrected,
+        Compared::one(
+            r"the corrected boundary, to the order $\alpha^2$,",
+            r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
+        ),
+        THIRD_ORDER,
     );
-    let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
     trial.over(borders(), |border| {
         let Border { alpha, psi, a } = *border?;
         Ok(Pair {
@@ -137,11 +149,15 @@ pub fn corrected_root() -> Evidence {
 
 /// The least A of the boundary over ψ: the least of those at twelve angles all round, and at some of the order of α.
 fn least_root() -> Evidence {
-    let compared = Compared::one(
-        r"$1-\alpha+\frac76\alpha^2$",
-        r"the least $A$, over 21 $\psi$, at which the motion passes from rest to escape, in units of $1000\alpha^3$",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Corrected,
+        Compared::one(
+            r"$1-\alpha+\frac76\alpha^2$",
+            r"the least $A$, over 21 $\psi$, at which the motion passes from rest to escape, in units of $1000\alpha^3$",
+        ),
+        THIRD_ORDER,
     );
-    let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
     let alphas = (0..20).map(|i| 0.01 + 0.01 * f64::from(i));
     trial.over(Points::stream(738).grid(alphas), |alpha| {
         let round = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
@@ -166,12 +182,16 @@ fn least_root() -> Evidence {
 
 /// The second-order boundary so close to A = 1, α = 0 that it is one to a part in 10⁸ or less.
 fn corrected_close() -> Evidence {
-    let compared = Compared::one(
-        r"the corrected boundary, to the order $\alpha^2$,",
-        r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
-    )
-    .over(r"$\alpha=10^{-3}$ and $10^{-4}$");
-    let trial = Trial::by(Route::Root, Subject::Corrected, compared, THIRD_ORDER);
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Corrected,
+        Compared::one(
+            r"the corrected boundary, to the order $\alpha^2$,",
+            r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
+        )
+        .over(r"$\alpha=10^{-3}$ and $10^{-4}$"),
+        THIRD_ORDER,
+    );
     let angles = (0..10).map(|k| PI * (f64::from(k) - 4.0) / 5.0);
     let angles = Points::stream(739).grid(angles).into_iter();
     // A start may be counted several turns on.
@@ -271,11 +291,13 @@ fn counted(case: &Case, rests: bool) -> Pair {
 
 /// Who comes to rest by (147), and who does.
 pub fn printed_census() -> Evidence {
-    let compared = Compared::one(
-        "the fate by (147) (1 for rest, 0 for escape)",
-        "that of the motion",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            "the fate by (147) (1 for rest, 0 for escape)",
+            "that of the motion",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
     let small =
         |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.start[1] < 0.3);
@@ -292,11 +314,13 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 
 /// Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
 fn corrected_census() -> Evidence {
-    let compared = Compared::one(
-        r"the fate by the corrected boundary, to the order $\alpha^2$ (1 for rest, 0 for escape),",
-        r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
+    let trial = Trial::census(
+        Subject::Corrected,
+        Compared::one(
+            r"the fate by the corrected boundary, to the order $\alpha^2$ (1 for rest, 0 for escape),",
+            r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
+        ),
     );
-    let trial = Trial::census(Subject::Corrected, compared);
     let clear = |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.clear);
     trial.over(census().filter(clear), |case| {
         let case = case?;

@@ -29,22 +29,32 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
 
 /// (147) with proved fates.
 pub fn printed() -> Evidence {
-    let compared = Compared::one(
-        "the fate by (147) (1 for rest, 0 for escape)",
-        "that by validated integration",
+    let trial = Trial::by(
+        Route::Certified,
+        Subject::Printed,
+        Compared::one(
+            "the fate by (147) (1 for rest, 0 for escape)",
+            "that by validated integration",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
     trial.over(WRONG, |start| proved(start, printed_a(start[1])))
 }
 
 /// The second-order boundary with proved fates on both sides of it.
 pub fn corrected() -> Evidence {
-    let compared = Compared::one(
-        r"the fate by $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ (1 for rest, 0 for escape)",
-        "that by validated integration",
-    )
-    .over(r"0.03 on both sides of where the motion passes from one to the other, at $\alpha=0.1$");
-    let trial = Trial::by(Route::Certified, Subject::Corrected, compared, NONE);
+    let trial = Trial::by(
+        Route::Certified,
+        Subject::Corrected,
+        Compared::one(
+            r"the fate by $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ (1 for rest, 0 for escape)",
+            "that by validated integration",
+        )
+        .over(
+            r"0.03 on both sides of where the motion passes from one to the other, at $\alpha=0.1$",
+        ),
+        NONE,
+    );
     let sides = [-1.0, 0.2, 2.0]
         .into_iter()
         .flat_map(|psi| [(psi, -0.03), (psi, 0.03)]);

@@ -17,11 +17,13 @@ fn starts(stream: u64, count: usize) -> Vec<[f64; 3]> {
 
 /// By bounds on the energy, which make a fate certain: many starts together.
 pub fn fates() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 0, for no third fate",
-        "whether the fate is neither rest nor escape by the bounds on its energy (1 if so)",
+    let trial = Trial::census(
+        Subject::Within,
+        Compared::constant(
+            "the expected 0, for no third fate",
+            "whether the fate is neither rest nor escape by the bounds on its energy (1 if so)",
+        ),
     );
-    let trial = Trial::census(Subject::Within, compared);
     let points = starts(714, 5000);
     let begun = points
         .iter()
@@ -45,11 +47,15 @@ pub fn fates() -> Evidence {
 
 /// In the laboratory, up to τ = 100: each has one of the two fates, and not both. From ρ² − p² > 1 none comes back to rest.
 pub fn followed() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 0, for no third fate",
-        r"1 less how many of two things hold of a particle at $\tau=100$, that it rests on the table and that $\rho^2-p^2>1$,",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Within,
+        Compared::constant(
+            "the expected 0, for no third fate",
+            r"1 less how many of two things hold of a particle at $\tau=100$, that it rests on the table and that $\rho^2-p^2>1$,",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     trial.at(["ρ", "p", "ψ"], starts(715, 200), 1.0, |[rho, p, psi]| {
         let start = State {
             t: 0.0,
@@ -73,11 +79,15 @@ fn third_fate(path: &Path, tau: f64) -> Result<f64, MotionError> {
 
 /// Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
 fn on_the_boundary() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 0, for no third fate",
-        r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Outside,
+        Compared::constant(
+            "the expected 0, for no third fate",
+            r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Root, Subject::Outside, compared, NONE);
     let places = Points::stream(741).grid((0..20).map(f64::from));
     trial.over(places, |i| {
         let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 1.0);
@@ -100,11 +110,13 @@ fn creeps([[far, fast], [near, slow]]: [[f64; 2]; 2]) -> bool {
 
 /// That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
 fn beside_the_boundary() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 1",
-        "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
+    let trial = Trial::census(
+        Subject::Excepted,
+        Compared::constant(
+            "the expected 1",
+            "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
+        ),
     );
-    let trial = Trial::census(Subject::Excepted, compared);
     let places = Points::stream(742).grid((0..40).map(f64::from));
     trial.over(places, |i| {
         let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 2.0);

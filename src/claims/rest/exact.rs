@@ -15,10 +15,7 @@ use crate::paper::{rest as printed, turntable as motion};
 use trialbook::prelude::*;
 
 fn ring() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["σ", "α"] {
-        ring.symbol(name);
-    }
+    let mut ring = Ring::of(["σ", "α"]);
     ring.angle("ψ");
     ring.root(&Rational::int(2), 2)?;
     Ok(ring)
@@ -33,13 +30,11 @@ pub fn eq139(bound: Expr) -> Proof {
     prove("(139): where a push starts no motion", |p| {
         given(p, &[&turntable::EQ107])?;
         let [sigma, psi] = Expr::symbols(["σ", "ψ"]);
-        let rate = p.read("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi))?;
         let excess = sigma - bound;
         let less = Expr::int(2) * sigma * (psi / Expr::int(2)).sin().squared();
-        p.same(
-            &rate,
-            excess - less,
-            "σ less the bound, less what is not negative",
+        p.identity(
+            ("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi)),
+            ("σ less the bound, less what is not negative", excess - less),
         )?;
         p.note(
             "So",
@@ -54,8 +49,8 @@ pub fn eq146(formula: Expr) -> Proof {
     prove("(146) is the derivative of (145) by σ", |p| {
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         let a = p.read("(145)", printed::eq145_a(sigma, alpha))?;
-        let slope = p.derivative("∂A/∂σ", &a, &p.ring().by("σ")?)?;
-        p.same(&slope, formula, "the right side of (146)")
+        let slope = p.slope("∂A/∂σ", &a, "σ")?;
+        p.reads_as(&slope, "Right side of (146)", formula)
     })
 }
 
@@ -68,11 +63,13 @@ pub fn eq147(formula: Expr) -> Proof {
         let right = printed::eq146_right(sigma, alpha).with("σ", solved);
         let right = p.read("(146) there", right)?;
         p.zero("It holds", &right)?;
-        let a = p.read(
-            "(145) there",
-            printed::eq145_a(sigma, alpha).with("σ", solved),
-        )?;
-        p.same(&a, formula, "by (147)")
+        p.identity(
+            (
+                "(145) there",
+                printed::eq145_a(sigma, alpha).with("σ", solved),
+            ),
+            ("(147)", formula),
+        )
     })
 }
 

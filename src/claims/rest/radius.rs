@@ -13,11 +13,15 @@ use trialbook::prelude::*;
 
 /// (139) with the largest distance from which a nudged particle comes back to rest.
 fn eq139_nudge() -> Evidence {
-    let compared = Compared::one(
-        "(139)",
-        r"the $\rho$ up to which a particle nudged by $p=10^{-4}$ comes to rest",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            "(139)",
+            r"the $\rho$ up to which a particle nudged by $p=10^{-4}$ comes to rest",
+        ),
+        NEAR_CORNER,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, NEAR_CORNER);
     let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
     trial.over(Points::stream(744).grid(angles), |psi| {
         let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
@@ -76,11 +80,15 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
 
 /// (139) with a particle that rides with a table: whether it stays, seen from the laboratory.
 fn eq139_stays() -> Evidence {
-    let compared = Compared::one(
-        "whether a particle stays, by (139) (1 if so),",
-        "whether one stays that rides with the table, seen from the laboratory",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            "whether a particle stays, by (139) (1 if so),",
+            "whether one stays that rides with the table, seen from the laboratory",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     trial.over(riders(), |rider| {
         let Rider {
             table,
@@ -110,11 +118,15 @@ const SOON: f64 = 0.1;
 
 /// (139) where it decides: at rest on the table, a part in 10⁹ or less from the edge.
 fn eq139_at_the_edge() -> Evidence {
-    let compared = Compared::one(
-        "whether a particle stays, by (139) (1 if so),",
-        r"whether one stays that is put at rest on the table within $10^{-9}$ of $\sigma=1$: in the frame of the table, in the laboratory, and by its fate",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            "whether a particle stays, by (139) (1 if so),",
+            r"whether one stays that is put at rest on the table within $10^{-9}$ of $\sigma=1$: in the frame of the table, in the laboratory, and by its fate",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(642);
     trial.over(0..40, |i| {
         let table = Table::default();
@@ -156,11 +168,13 @@ const LONG: f64 = 1e3;
 
 /// Where particles come to rest: never beyond the largest σ.
 fn resting_places() -> Evidence {
-    let compared = Compared::one(
-        r"$\sigma$, but at most that of (139),",
-        r"$\sigma$ of random starts that come to rest",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            r"$\sigma$, but at most that of (139),",
+            r"$\sigma$ of random starts that come to rest",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let resting = census().filter(|case| case.as_ref().map_or(true, |case| case.rests));
     trial.over(resting.step_by(EVERY), |case| {
         let [a, alpha, psi] = case?.start;

@@ -70,11 +70,15 @@ fn with_psi() -> Evidence {
 
 /// The coefficient of α².
 pub fn bends() -> Evidence {
-    let compared = Compared::one(
-        r"the corrected coefficient of $-\alpha^2$",
-        r"the limit of $(\sigma-A)/\alpha^2$ on the surface that the motion makes",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Corrected,
+        Compared::one(
+            r"the corrected coefficient of $-\alpha^2$",
+            r"the limit of $(\sigma-A)/\alpha^2$ on the surface that the motion makes",
+        ),
+        SURFACE,
     );
-    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, SURFACE);
     trial.over(places(646), |[sigma, psi]| {
         Ok(Pair {
             at: format!("σ = {sigma:.6}, ψ = {psi:.6}"),

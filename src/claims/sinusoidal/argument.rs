@@ -24,11 +24,13 @@ fn outlasts(lambda: f64) -> Result<bool, Failure> {
 
 /// λ₀ < λ_c, and beyond.
 fn outlasts_census() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lambda_0<\lambda_\mathrm c$ (1 if so)",
-        r"whether the slip from $\phi_1$ on lasts longer than $\pi$ and $\mathfrak w<0$ a period after $\phi_1$",
+    let trial = Trial::census(
+        Subject::Within,
+        Compared::one(
+            r"whether $\lambda_0<\lambda_\mathrm c$ (1 if so)",
+            r"whether the slip from $\phi_1$ on lasts longer than $\pi$ and $\mathfrak w<0$ a period after $\phi_1$",
+        ),
     );
-    let trial = Trial::census(Subject::Within, compared);
     trial.over(dense().into_iter().step_by(3), |lambda| {
         Ok(Pair {
             at: at(lambda),
@@ -41,11 +43,13 @@ fn outlasts_census() -> Evidence {
 
 /// Without friction it lasts for the whole period, and nothing is lost.
 fn outlasts_outside() -> Evidence {
-    let compared = Compared::constant(
-        "1, as the claim has it",
-        r"whether, without friction, $\mathfrak w<0$ (1 if so) one to twenty periods after a start from rest at the phase 0",
+    let trial = Trial::census(
+        Subject::Outside,
+        Compared::constant(
+            "1, as the claim has it",
+            r"whether, without friction, $\mathfrak w<0$ (1 if so) one to twenty periods after a start from rest at the phase 0",
+        ),
     );
-    let trial = Trial::census(Subject::Outside, compared);
     trial.over(1..=20, |periods| {
         let friction = Friction::new(0.0, 0.0)?;
         let later = f64::from(periods) * TAU;
@@ -61,11 +65,13 @@ fn outlasts_outside() -> Evidence {
 
 /// Motion for ever below λ₀ = 1, and none above.
 fn stays_census() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lambda_0<1$ (1 if so)",
-        "whether the large-time motion along the drive moves",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            r"whether $\lambda_0<1$ (1 if so)",
+            "whether the large-time motion along the drive moves",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(178);
     let large = (0..60).map(|_| points.uniform(1.0, 3.0));
     let frictions: Vec<_> = dense().into_iter().step_by(5).chain(large).collect();
@@ -84,11 +90,15 @@ fn stays_census() -> Evidence {
 
 /// The same of a particle that was pushed across the drive too, in its sixth period.
 fn stays_motion() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lambda_0<1$ (1 if so)",
-        "whether $v_x$ of a particle on the plane has another value than 0 in its sixth period",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"whether $\lambda_0<1$ (1 if so)",
+            "whether $v_x$ of a particle on the plane has another value than 0 in its sixth period",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(179);
     trial.over(0..24, |_| {
         let lambda = points.uniform(0.25, 1.4);
@@ -119,11 +129,15 @@ fn away_from_zeros(points: &mut Points) -> Result<[f64; 3], Failure> {
 
 /// The rate of ln 𝔴_y, where that is −20.
 fn across_rate() -> Evidence {
-    let compared = Compared::one(
-        r"the relative rate $-\lambda_0/\lvert\mathfrak w\rvert$ of $\mathfrak w_y$ by a friction proportional to $\mathfrak w_y$",
-        r"$\mathrm d\ln\mathfrak w_y/\mathrm d\phi$ of the motion, by differences, at $\mathfrak w_y=\mathrm e^{-20}$",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"the relative rate $-\lambda_0/\lvert\mathfrak w\rvert$ of $\mathfrak w_y$ by a friction proportional to $\mathfrak w_y$",
+            r"$\mathrm d\ln\mathfrak w_y/\mathrm d\phi$ of the motion, by differences, at $\mathfrak w_y=\mathrm e^{-20}$",
+        ),
+        ACROSS,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ACROSS);
     let mut points = Points::stream(180);
     trial.over(0..30, |_| {
         let [lambda, phi, w_x] = away_from_zeros(&mut points)?;
@@ -144,11 +158,15 @@ fn across_rate() -> Evidence {
 
 /// What a particle on the plane loses across the drive, of 10⁻³ and of 10⁻⁵.
 fn across_proportional() -> Evidence {
-    let compared = Compared::one(
-        r"the ratio of the friction across the drive at two velocities that are as 100 to 1",
-        r"that of what $v_y=10^{-4}$ and $v_y=10^{-6}$ lose in a hundredth of a period away from the zeros of $v_x$",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one(
+            r"the ratio of the friction across the drive at two velocities that are as 100 to 1",
+            r"that of what $v_y=10^{-4}$ and $v_y=10^{-6}$ lose in a hundredth of a period away from the zeros of $v_x$",
+        ),
+        ACROSS,
     );
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, ACROSS);
     let mut points = Points::stream(181);
     trial.over(0..30, |_| {
         let [lambda, phi, w_x] = away_from_zeros(&mut points)?;

@@ -26,7 +26,7 @@ fn passes((cases, ends): NoRest) -> Proof {
         let by = p.ring().by("φ")?;
         let slope = p.derivative("Its slope", &w, &by)?;
         let bend = p.derivative("The slope of that", &slope, &by)?;
-        p.same(&bend, phi.cos(), "")?;
+        p.reads_as(&bend, "cos φ", phi.cos())?;
         p.note(
             "From φ̃₁, where the slope sin φ̃₁ − λ₀ is not negative, to π/2",
             "the slope grows: the case rises from 0 at φ̃₁",
@@ -75,7 +75,11 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             let pull = (speed + other) * (one + sign * cosine);
             let pull = p.read("(v + W) (1 − cos)", pull)?;
             let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
-            p.same(&pull, least + more, "v ± v_x and what is not negative")?;
+            p.reads_as(
+                &pull,
+                "v ± v_x and W (1 ± v_x/v), which is not negative",
+                least + more,
+            )?;
         }
 
         let drive = eq21();
@@ -116,20 +120,27 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         );
 
         let length = d / (Expr::int(4) * most);
-        let rest = p.read(
-            "D less that much for D/(4 (1 + λ₀))",
-            d - two * most * length,
+        p.identity(
+            (
+                "D less that much for D/(4 (1 + λ₀))",
+                d - two * most * length,
+            ),
+            ("D/2", d / two),
         )?;
-        p.same(&rest, d / two, "")?;
         p.note(
             "At φ̃₁ u = 0 and v is the distance, D",
             "if v_x ≥ 0 there, v + v_x is D at least, and D/2 at least for D/(4 (1 + λ₀)) before; if v_x < 0, v − v_x after",
         );
-        let lost = p.read(
-            "The squared distance falls by 2λ₀ (D/2) for so long",
-            two * lambda0 * (d / two) * length,
+        p.identity(
+            (
+                "The squared distance falls by 2λ₀ (D/2) for so long",
+                two * lambda0 * (d / two) * length,
+            ),
+            (
+                "λ₀ D²/(4 (1 + λ₀))",
+                lambda0 * d.squared() / (Expr::int(4) * most),
+            ),
         )?;
-        p.same(&lost, lambda0 * d.squared() / (Expr::int(4) * most), "")?;
         p.note(
             "Or, if that is longer than the half period for which u keeps its sign",
             "by πλ₀ D: in each period by the smaller of the two at least, so that D → 0",
@@ -161,9 +172,11 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         );
         let x = Expr::symbol("x");
         let excess = (pi + beta - x).sin().squared() - lambda0.squared();
-        let excess = p.read("sin²φ − λ₀² at φ = π + β − x", excess)?;
         let product = -(x.sin() * (Expr::int(2) * beta - x).sin());
-        p.same(&excess, product, "negative for 0 < x < 2β")?;
+        p.identity(
+            ("sin²φ − λ₀² at φ = π + β − x", excess),
+            ("−sin x sin(2β − x), negative for 0 < x < 2β", product),
+        )?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let drive = eq21();
         let [rate] = in_units([law], drive);
@@ -174,11 +187,13 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         let along = p.read("sin φ v_x/v", phi.sin() * vx / speed)?;
         let friction = p.ring().read(lambda0)?;
         p.equal("The rate and that less λ₀", &rate, &(&along - &friction))?;
-        let whole = p.read(
-            "sin²φ less its square",
-            phi.sin().squared() - (phi.sin() * vx / speed).squared(),
+        p.identity(
+            (
+                "sin²φ less its square",
+                phi.sin().squared() - (phi.sin() * vx / speed).squared(),
+            ),
+            ("A square", (phi.sin() * vy / speed).squared()),
         )?;
-        p.same(&whole, (phi.sin() * vy / speed).squared(), "a square")?;
         p.note(
             "So v falls by λ₀ − |sin φ| > 0 at least",
             "in each rest by at least the same amount, or to 0: from then on the motion is (33)",
@@ -204,7 +219,7 @@ const NO_REST_BELOW: Statement<([Expr; 2], NoRest)> = Statement::new(
         r"for every $0<\lambda_0<\lambda_\mathrm c$: the velocities of two motions under one drive never move apart, and in each period the distance $D$ of any motion from (38) shrinks by at least an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",
     ),
     || (eq1(), eq38()),
-    |(law, motion)| no_rest_below(law, motion),
+    no_rest_below,
 );
 
 fn empty() -> Result<Ring, ExactError> {
@@ -219,7 +234,7 @@ fn empty() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-fn no_rest_below(law: [Expr; 2], motion: NoRest) -> Proof {
+fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
     Proof::in_ring("No periodic motion rests below λ_c", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, motion))?;
         p.note(
@@ -228,8 +243,10 @@ fn no_rest_below(law: [Expr; 2], motion: NoRest) -> Proof {
         );
         let [phi, zero] = [Expr::symbol("φ"), Expr::int(0)];
         let [rate, _] = in_units(law, eq21());
-        let free = p.read("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero))?;
-        p.same(&free, phi.sin(), "")?;
+        p.identity(
+            ("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero)),
+            ("sin φ", phi.sin()),
+        )?;
         p.note("It is 0", "on no interval, and so v_x neither");
         Ok(())
     })
@@ -242,10 +259,10 @@ pub const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new
         r"from every start, with any $v_y$: for every $0<\lambda_0<\lambda_\mathrm c$ the motion tends to (38), and beside its two zeros in a period, where $\mathrm dv_x/\mathrm d\phi$ has a sign by (1), $v_x$ has one zero each; for every $\lambda_\mathrm c<\lambda_0<1$ it has become (33), with two intervals of rest, after a finite time; for every $\lambda_0>1$ it rests after a finite time for ever",
     ),
     || (eq1(), eq38(), eq33()),
-    |(law, no_rest, rests)| trichotomy(law, no_rest, rests),
+    trichotomy,
 );
 
-fn trichotomy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
+fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
     Proof::in_ring("Small, large and very large friction", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, no_rest))?;
         p.rests_on(&drawn_to_rests(eq2(), rests))?;
@@ -267,7 +284,7 @@ fn trichotomy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
                 -(lambda0 * (one + cosine)),
             ),
         ] {
-            p.same(&rate, size + more, says)?;
+            p.reads_as(&rate, says, size + more)?;
         }
         p.note(
             "So v_x, late and close to (38), is monotone beside each zero of (38)",
@@ -288,10 +305,10 @@ pub const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new
         r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$, both of which they become after a finite time; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
     ),
     || (eq1(), eq38(), eq33()),
-    |(law, no_rest, rests)| ignores_vy(law, no_rest, rests),
+    ignores_vy,
 );
 
-fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
+fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
     Proof::in_ring("The start across the drive is forgotten", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, no_rest))?;
         p.rests_on(&drawn_to_rests(eq2(), rests))?;
@@ -299,19 +316,25 @@ fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
         let speed = (vx.squared() + vy.squared()).sqrt();
         let drive = eq21();
         let [growth] = in_units([eq2()], drive);
-        let growth = p.read("For λ₀ ≥ 1, dv/dφ by (2)", growth)?;
-        p.same(
-            &growth,
-            phi.sin() * vx / speed - lambda0,
-            "at most |sin φ| − λ₀",
+        p.identity(
+            ("For λ₀ ≥ 1, dv/dφ by (2)", growth),
+            (
+                "sin φ v_x/v less λ₀, at most |sin φ| − λ₀",
+                phi.sin() * vx / speed - lambda0,
+            ),
         )?;
         let whole = -phi.cos() - lambda0 * phi;
         let gain = whole.with("φ", Expr::pi()) - whole.with("φ", Expr::int(0));
-        let gain = p.read(
-            "So in half a period v grows by −cos φ − λ₀φ from 0 to π at most",
-            gain,
+        p.identity(
+            (
+                "So in half a period v grows by −cos φ − λ₀φ from 0 to π at most",
+                gain,
+            ),
+            (
+                "2 − πλ₀, at most 2 − π",
+                Expr::int(2) - Expr::pi() * lambda0,
+            ),
         )?;
-        p.same(&gain, Expr::int(2) - Expr::pi() * lambda0, "at most 2 − π")?;
         p.note(
             "So v is 0 after a finite time",
             "and stays, as |sin φ| ≤ λ₀",
@@ -319,9 +342,13 @@ fn ignores_vy(law: [Expr; 2], no_rest: NoRest, rests: [Expr; 4]) -> Proof {
 
         let [rate, _] = in_units(law, drive);
         let rate = p.read("On the way: dv_x/dφ by (1)", rate)?;
-        let slope = p.derivative("Its slope by v_y", &rate, &p.ring().by("v_y")?)?;
+        let slope = p.slope("Its slope by v_y", &rate, "v_y")?;
         let stated = lambda0 * vx * vy / speed.pow(Expr::int(3));
-        p.same(&slope, stated, "not 0 but where v_x or v_y is")?;
+        p.reads_as(
+            &slope,
+            "λ₀ v_x v_y/v³, not 0 but where v_x or v_y is",
+            stated,
+        )?;
         p.note(
             "Two motions with the same v_x ≠ 0",
             "and another |v_y| do not keep the same v_x",

@@ -109,12 +109,16 @@ pub fn bracket() -> Evidence {
 
 /// φ̃₂ = φ₄ without friction, where (32) has the solution 2π.
 fn bracket_outside() -> Evidence {
-    let compared = Compared::constant(
-        r"1, for $\tilde\phi_2<\phi_4$",
-        r"whether $\phi_4$ is no solution of (32) (1 if so)",
-    )
-    .over(r"$\lambda_0=0$");
-    let trial = Trial::by(Route::Certified, Subject::Outside, compared, NONE);
+    let trial = Trial::by(
+        Route::Certified,
+        Subject::Outside,
+        Compared::constant(
+            r"1, for $\tilde\phi_2<\phi_4$",
+            r"whether $\phi_4$ is no solution of (32) (1 if so)",
+        )
+        .over(r"$\lambda_0=0$"),
+        NONE,
+    );
     let zero = Expr::int(0);
     let end = printed::eq30_phi4(zero);
     let left = printed::eq32_left(zero, printed::eq27_phi1(zero), end);

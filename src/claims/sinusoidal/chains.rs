@@ -22,13 +22,13 @@ fn bounded([ax, ay]: [Expr; 2]) -> Proof {
     };
     Proof::in_ring("The size of (21)", ring(), |p| {
         let [a0, phi] = Expr::symbols(["A₀", "φ"]);
-        let across = p.read("(21) across x, at the phase φ", ay)?;
-        p.same(&across, Expr::int(0), "")?;
-        let below = p.read("A₀² less the square of (21)", a0.squared() - ax.squared())?;
-        p.same(
-            &below,
-            (a0 * phi.cos()).squared(),
-            "a square, which is not negative",
+        p.vanishes("(21) across x, at the phase φ", ay)?;
+        p.identity(
+            ("A₀² less the square of (21)", a0.squared() - ax.squared()),
+            (
+                "A square, which is not negative",
+                (a0 * phi.cos()).squared(),
+            ),
         )
     })
 }
@@ -40,10 +40,10 @@ pub const VY_VANISHES: Statement<([Expr; 2], [Expr; 2], Expr)> = Statement::new(
         r"(21) is along $x$ and of the size $A_0$ at most, and with $\mu>0$ and any start (1) lets $v_y^2\,(v_0+A_0t)^{2\mu g/A_0}$ never grow, so that $v_y\to0$",
     ),
     || (eq21(), eq1(), paper::s22_late_vy()),
-    |(drive, law, limit)| vy_vanishes(drive, law, limit),
+    vy_vanishes,
 );
 
-fn vy_vanishes(drive: [Expr; 2], law: [Expr; 2], limit: Expr) -> Proof {
+fn vy_vanishes((drive, law, limit): ([Expr; 2], [Expr; 2], Expr)) -> Proof {
     let mu = Expr::symbol("μ");
     Proof::in_ring("v_y vanishes under the sine", ring_across(mu), |p| {
         p.rests_on(&bounded(drive))?;
@@ -59,27 +59,20 @@ pub const WEAK_DRIVE_STOPS: Statement<([Expr; 2], Expr)> = Statement::new(
         r"(21) is of the size $A_0$ at most, so that for every $A_0<\mu g$ and every start the particle, with its $v_x$, is at rest after $v_0/(\mu g-A_0)$ at the latest, and stays",
     ),
     || (eq21(), eq2()),
-    |(drive, speed)| weak_drive_stops(drive, speed),
+    weak_drive_stops,
 );
 
-fn weak_drive_stops(drive: [Expr; 2], speed: Expr) -> Proof {
-    let ring = || {
-        let mut ring = Ring::new();
-        for name in ["μ", "g", "A₀", "v₀"] {
-            ring.symbol(name);
-        }
-        Ok(ring)
-    };
-    Proof::in_ring("A weak sine lets the particle stop", ring(), |p| {
+fn weak_drive_stops((drive, speed): ([Expr; 2], Expr)) -> Proof {
+    let ring = Ring::of(["μ", "g", "A₀", "v₀"]);
+    Proof::of("A weak sine lets the particle stop", &ring, |p| {
         p.rests_on(&bounded(drive))?;
         p.rests_on(&stops(speed))?;
         let [mu, g, a0, v0] = Expr::symbols(["μ", "g", "A₀", "v₀"]);
         let time = v0 / (mu * g - a0);
-        let end = p.read(
+        p.vanishes(
             "The line below which v lies, with a = A₀, at t = v₀/(μg − A₀)",
             v0 - (mu * g - a0) * time,
         )?;
-        p.same(&end, Expr::int(0), "")?;
         p.note("So v is 0 by then", "and with it v_x");
         Ok(())
     })
@@ -96,7 +89,7 @@ pub const VX_STAYS: Statement<([Expr; 2], [Expr; 2], [Expr; 2])> = Statement::ne
         let phases = [paper::eq27_phi1(lambda0), paper::eq28_phi2(lambda0)];
         (eq1(), eq21(), phases)
     },
-    |(law, drive, phases)| vx_stays(law, drive, phases),
+    vx_stays,
 );
 
 /// Rates by (1) or (2) in units in which A₀ and ϖ are 1, so that μg is λ₀, with (21) or another acceleration in those units.
@@ -108,7 +101,7 @@ pub(super) fn in_units<const N: usize>(law: [Expr; N], [ax, ay]: [Expr; 2]) -> [
     })
 }
 
-fn vx_stays(law: [Expr; 2], drive: [Expr; 2], [phi1, phi2]: [Expr; 2]) -> Proof {
+fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = super::exact::ring_of_phi1()?;
         let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
@@ -123,23 +116,32 @@ fn vx_stays(law: [Expr; 2], drive: [Expr; 2], [phi1, phi2]: [Expr; 2]) -> Proof 
             "μg is λ₀ = sin β, 0 < β < π/2 or β = 0",
         );
         let [rate, _] = in_units(law, drive);
-        let rate = p.read("d𝔴/dφ by (1) and (21)", rate)?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let terms = phi.sin() - lambda0 + lambda0 * (one - vx / speed);
-        p.same(&rate, terms, "sin φ − λ₀ and what is not negative")?;
+        p.identity(
+            ("d𝔴/dφ by (1) and (21)", rate),
+            (
+                "sin φ − λ₀ and λ₀ (1 − v_x/v), which is not negative",
+                terms,
+            ),
+        )?;
         p.note(
             "Where sin φ > λ₀",
             "no rest lasts: the rate is so from φ₁ to φ₂, but for single instants",
         );
         let whole = -phi.cos() - lambda0 * phi;
         let slope = p.read("−cos φ − λ₀ φ", whole)?;
-        let slope = p.derivative("Its slope", &slope, &p.ring().by("φ")?)?;
-        p.same(&slope, phi.sin() - lambda0, "")?;
+        let slope = p.slope("Its slope", &slope, "φ")?;
+        p.reads_as(&slope, "sin φ − λ₀", phi.sin() - lambda0)?;
         let gain = whole.with("φ", phi2) - whole.with("φ", phi1);
         let gain = p.read("From φ₁ to φ₂ it grows by", gain)?;
         let b = Expr::pi() / two - beta;
-        p.same(&gain, two * (b.sin() - b * b.cos()), "with b = π/2 − β")?;
-        let slope = p.derivative("Its slope by β", &gain, &p.ring().by("β")?)?;
+        let stated = p.read(
+            "2 (sin b − b cos b), b = π/2 − β",
+            two * (b.sin() - b * b.cos()),
+        )?;
+        p.equal("The two", &gain, &stated)?;
+        let slope = p.slope("Its slope by β", &stated, "β")?;
         let falls = p.read("2 b sin b, positive for 0 < b ≤ π/2", two * b * b.sin())?;
         p.equal("The slope is less than 0 by that", &-&slope, &falls)?;
         let end = p.read(
@@ -195,8 +197,10 @@ fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {
             ("across the drive", friction[1], stated),
             ("along the drive", friction[0], along),
         ] {
-            let exact = p.read(&format!("Friction {says}, by (1)"), exact)?;
-            p.same(&exact, stated / ratio, "what is stated, over r")?;
+            p.identity(
+                (&format!("Friction {says}, by (1)"), exact),
+                ("What is stated, over r", stated / ratio),
+            )?;
         }
         close(p, ratio, (wy / w).squared())
     })
@@ -206,11 +210,18 @@ fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {
 fn close(p: &mut Prover<'_>, r: Expr, s: Expr) -> Result<(), Obstacle> {
     let (one, two) = (Expr::int(1), Expr::int(2));
     let off = one - one / r;
-    let part = p.read("1 − 1/r", off)?;
-    p.same(&part, s / (r * (r + one)), "which is not negative")?;
-    let room = p.read("Half of (𝔴_y/𝔴)² less that", s / two - off)?;
+    p.identity(
+        ("1 − 1/r", off),
+        (
+            "(𝔴_y/𝔴)²/(r (r + 1)), which is not negative",
+            s / (r * (r + one)),
+        ),
+    )?;
     let square = (r - one).squared() * (r + two) / (two * r);
-    p.same(&room, square, "which is not negative")
+    p.identity(
+        ("Half of (𝔴_y/𝔴)² less that", s / two - off),
+        ("(r − 1)² (r + 2)/(2r), which is not negative", square),
+    )
 }
 
 pub(super) const TRIALS: &[Attempt] =

@@ -95,12 +95,16 @@ fn over_curves(trial: &Trial, of: impl Fn(&Transient) -> Result<Vec<Pair>, Failu
 
 /// fig-2: every eighth drawn point with a particle on the plane.
 fn fig2_motion() -> Evidence {
-    let compared = Compared::one(
-        r"$\mathfrak w$ of the drawn motion",
-        "$v_x$ of a particle on the plane",
-    )
-    .over("every eighth drawn one");
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"$\mathfrak w$ of the drawn motion",
+            "$v_x$ of a particle on the plane",
+        )
+        .over("every eighth drawn one"),
+        MOTION,
+    );
     over_curves(&trial, |curve| {
         let until = TAU * f64::from(PERIODS);
         let motion = Particle::plain(curve.lambda).run(0.0, [W_X, curve.w_y], until)?;
@@ -118,11 +122,15 @@ fn fig2_motion() -> Evidence {
 
 /// fig-2: where all its curves end, by a particle on the plane that starts like each of them.
 fn fig2_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$\mathfrak w$ by (38) or (33), as $\lambda_0$ says,",
-        "$v_x$ of a particle on the plane 15 to 16 periods after it started like a drawn motion",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one(
+            r"$\mathfrak w$ by (38) or (33), as $\lambda_0$ says,",
+            "$v_x$ of a particle on the plane 15 to 16 periods after it started like a drawn motion",
+        ),
+        FORGOTTEN,
     );
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, FORGOTTEN);
     let starts = [SMALL, LARGE].into_iter();
     let starts = starts.flat_map(|lambda| W_Y.into_iter().map(move |w_y| (lambda, w_y)));
     let late = |(lambda, w_y)| {

@@ -48,10 +48,7 @@ fn units() -> [Expr; 4] {
 /// (26) from (1) and (21) to (24), for the sign ±1 of the velocity.
 fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -> Proof {
     let ring = || {
-        let mut ring = Ring::new();
-        for name in ["A₀", "ϖ", "t", "μ", "g", "v_x", "𝔴"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["A₀", "ϖ", "t", "μ", "g", "v_x", "𝔴"]);
         ring.angle("φ");
         let w = ring.named("𝔴")?;
         ring.root_is(&(&w * &w), 2, &(&w * &Rational::int(sign)))?;
@@ -69,7 +66,7 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
         let newton = p.read("dv_x/dt by (1) and (21)", newton)?;
         let read = |p: &mut Prover<'_>, says: &str, formula: Expr, name: &str| {
             let element = p.ring().read(formula)?;
-            p.derivative(says, &element, &p.ring().by(name)?)
+            p.slope(says, &element, name)
         };
         let scaled = read(p, "d𝔴/dv_x by (24)", scaled, "v_x")?;
         let clock = read(p, "dφ/dt by (23)", phase, "t")?;
@@ -113,16 +110,16 @@ pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
 /// two phases in a period have the same sine.
 fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
     Proof::in_ring("The drive at the printed phase", ring_of_phi1(), |p| {
-        let slope = p.read("The slope of the drive there", phase.cos())?;
         let first = Expr::symbol("λ₀").asin().cos();
-        p.same(
-            &slope,
-            Expr::int(growth) * first,
-            "that at asin λ₀, with its sign",
+        p.identity(
+            ("The slope of the drive there", phase.cos()),
+            ("That at asin λ₀, with its sign", Expr::int(growth) * first),
         )?;
-        let sine = p.read("The drive at the printed phase", phase.sin())?;
         let signed = Expr::int(sign) * Expr::symbol("λ₀");
-        p.same(&sine, signed, "friction, with its sign")
+        p.identity(
+            ("The drive at the printed phase", phase.sin()),
+            ("Friction, with its sign", signed),
+        )
     })
 }
 
@@ -174,11 +171,11 @@ const EQ30: Statement = Statement::new(
 fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obstacle> {
     let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
     let value = p.read("The printed 𝔴", w)?;
-    let slope = p.derivative("Its slope", &value, &p.ring().by("φ")?)?;
-    p.same(
+    let slope = p.slope("Its slope", &value, "φ")?;
+    p.reads_as(
         &slope,
+        "The slope by (26)",
         phi.sin() - Expr::int(sign) * lambda0,
-        "the slope by (26)",
     )?;
     let at_start = p.read("Where the slip begins", w.with("φ", start))?;
     p.same(&at_start, Expr::int(0), "")
@@ -215,8 +212,7 @@ fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let slip = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
         p.rests_on(&prove_eq31(slip))?;
-        let value = p.read("(31) there", slip.with("φ", end))?;
-        p.same(&value, left, "the left side")
+        p.identity(("(31) there", slip.with("φ", end)), ("The left side", left))
     })
 }
 
@@ -268,13 +264,11 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
     };
     Proof::in_ring("(25): where the drive can start a slip", ring(), |p| {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        let excess = p.read("The drive less friction, by (26)", phi.sin() - lambda0)?;
         let half = phi / Expr::int(2);
         let square = (half.sin() - half.cos()).squared();
-        p.same(
-            &excess,
-            right - left - square,
-            "the right side less the left one, less a square",
+        p.identity(
+            ("The drive less friction, by (26)", phi.sin() - lambda0),
+            ("Right less left side, less a square", right - left - square),
         )?;
         p.note(
             "The square vanishes at φ = π/2",
@@ -353,11 +347,13 @@ fn prove_eq35(left: Expr) -> Proof {
     Proof::in_ring("(35): (34) in the friction alone", ring_of_phi1(), |p| {
         let lambda0 = Expr::symbol("λ₀");
         let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
-        let first = p.read(
-            "The left side of (34)",
-            paper::eq34_left(lambda0, phi1, phi3),
-        )?;
-        p.same(&first, left, "the left side of (35)")
+        p.identity(
+            (
+                "The left side of (34)",
+                paper::eq34_left(lambda0, phi1, phi3),
+            ),
+            ("The left side of (35)", left),
+        )
     })
 }
 
@@ -381,10 +377,7 @@ fn prove_eq37(critical: Expr) -> Proof {
     Proof::in_ring(
         "(37): the critical friction",
         with_lambda_c(Ring::new()),
-        |p| {
-            let left = p.read("The left side of (35) at λ_c", paper::eq35_left(critical))?;
-            p.same(&left, Expr::int(0), "")
-        },
+        |p| p.vanishes("The left side of (35) at λ_c", paper::eq35_left(critical)),
     )
 }
 
@@ -402,10 +395,12 @@ fn beside_lambda_c(
     found: Expr,
     [left, right]: [Expr; 2],
 ) -> Result<(), Obstacle> {
-    let found = p.read("The difference of squares", found)?;
     let factor = Expr::int(1) + Expr::pi().squared() / Expr::int(4);
     let expected = factor * (right.squared() - left.squared());
-    p.same(&found, expected, "by the printed sides")
+    p.identity(
+        ("The difference of squares", found),
+        ("By the printed sides", expected),
+    )
 }
 
 fn prove_eq36(sides: [Expr; 2]) -> Proof {
@@ -493,8 +488,7 @@ fn prove_eq39(turn: Expr) -> Proof {
     Proof::in_ring("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
         let lambda0 = Expr::symbol("λ₀");
         let [forward, _] = paper::eq38_w(lambda0, turn, turn + Expr::pi());
-        let end = p.read("(38) half a period after φ̃₁", forward)?;
-        p.same(&end, Expr::int(0), "")
+        p.vanishes("(38) half a period after φ̃₁", forward)
     })
 }
 

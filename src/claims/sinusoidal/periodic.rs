@@ -43,11 +43,13 @@ fn over_a_period(
 
 /// (33) over a whole period.
 fn eq33_motion() -> Evidence {
-    let compared = Compared::one(
-        r"(33), with $\tilde\phi_2$ by (32),",
-        "the simulated large-time motion at 256 phases of the period",
+    let trial = Trial::motion(
+        Printed,
+        Compared::one(
+            r"(33), with $\tilde\phi_2$ by (32),",
+            "the simulated large-time motion at 256 phases of the period",
+        ),
     );
-    let trial = Trial::motion(Printed, compared);
     each(
         &trial,
         large().into_iter().zip(starts().into_iter().cycle()),
@@ -63,11 +65,13 @@ fn eq33_motion() -> Evidence {
 
 /// (38) over a whole period.
 fn eq38_motion() -> Evidence {
-    let compared = Compared::one(
-        "(38) with (39)",
-        "the simulated large-time motion at 256 phases of the period",
+    let trial = Trial::motion(
+        Within,
+        Compared::one(
+            "(38) with (39)",
+            "the simulated large-time motion at 256 phases of the period",
+        ),
     );
-    let trial = Trial::motion(Within, compared);
     each(
         &trial,
         small().into_iter().zip(starts().into_iter().cycle()),
@@ -83,11 +87,13 @@ fn eq38_motion() -> Evidence {
 
 /// λ₀ = 0: every start keeps its own motion.
 fn eq38_outside() -> Evidence {
-    let compared = Compared::one(
-        "(38) with (39)",
-        "the motion without friction, from any start, at 256 phases of the period",
+    let trial = Trial::motion(
+        Subject::Outside,
+        Compared::one(
+            "(38) with (39)",
+            "the motion without friction, from any start, at 256 phases of the period",
+        ),
     );
-    let trial = Trial::motion(Subject::Outside, compared);
     let mut points = Points::stream(140);
     each(&trial, 0..24, |_| {
         let start = DriveState {
@@ -106,11 +112,13 @@ fn eq38_outside() -> Evidence {
 
 /// Seven starts end in one motion.
 fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
-    let compared = Compared::constant(
-        "the expected 1",
-        "whether seven starts, near and far, end in the same motion (1 if so)",
+    let trial = Trial::census(
+        subject,
+        Compared::constant(
+            "the expected 1",
+            "whether seven starts, near and far, end in the same motion (1 if so)",
+        ),
     );
-    let trial = Trial::census(subject, compared);
     trial.over(frictions, |lambda| {
         let friction = Friction::new(lambda, lambda)?;
         let agreement = drive()?.attractors_agree(friction, &starts(), 200)?;
@@ -128,11 +136,15 @@ const PERIODS: u32 = 320;
 
 /// How fast the periodic motion is approached: the distance to it, period by period.
 fn eq38_approach() -> Evidence {
-    let compared = Compared::one(
-        r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
-        "the factor by which a simulated motion's distance to the periodic one shrinks in a period",
+    let trial = Trial::by(
+        Route::Limit,
+        Within,
+        Compared::one(
+            r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
+            "the factor by which a simulated motion's distance to the periodic one shrinks in a period",
+        ),
+        APPROACH,
     );
-    let trial = Trial::by(Route::Limit, Within, compared, APPROACH);
     let frictions = small().into_iter().filter(|l| (0.02..0.5).contains(l));
     trial.over(frictions, |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
@@ -166,11 +178,13 @@ fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
 
 /// (39) with the phase at which the simulated motion turns positive.
 fn eq39_motion() -> Evidence {
-    let compared = Compared::one(
-        "(39)",
-        "the phase at which the simulated large-time motion turns positive",
+    let trial = Trial::motion(
+        Printed,
+        Compared::one(
+            "(39)",
+            "the phase at which the simulated large-time motion turns positive",
+        ),
     );
-    let trial = Trial::motion(Printed, compared);
     trial.over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let found = interval(&attractor, Sign::Positive)?.start;
@@ -182,11 +196,13 @@ fn eq39_motion() -> Evidence {
 
 /// (39) without friction.
 fn eq39_outside() -> Evidence {
-    let compared = Compared::one(
-        "(39)",
-        r"the phase at which the motion without friction turns positive, from any start with $-2<\mathfrak w<0$ at $\phi=0$",
+    let trial = Trial::motion(
+        Subject::Outside,
+        Compared::one(
+            "(39)",
+            r"the phase at which the motion without friction turns positive, from any start with $-2<\mathfrak w<0$ at $\phi=0$",
+        ),
     );
-    let trial = Trial::motion(Subject::Outside, compared);
     let starts = Points::stream(720).within(24, [[-1.9, -0.1]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
         let motion = settled(0.0, DriveState { phi: 0.0, w })?;
@@ -197,11 +213,15 @@ fn eq39_outside() -> Evidence {
 
 /// Where the rests lie: [φ̃₂, φ₃], and half a period later.
 fn rest_interval_root() -> Evidence {
-    let compared = Compared::many(
-        r"the ends of $[\tilde\phi_2,\phi_3]$ and $[\tilde\phi_2+\pi,\phi_1+2\pi]$, with the root $\tilde\phi_2$ of (32),",
-        "the ends of the simulated rests",
+    let trial = Trial::by(
+        Route::Root,
+        Printed,
+        Compared::many(
+            r"the ends of $[\tilde\phi_2,\phi_3]$ and $[\tilde\phi_2+\pi,\phi_1+2\pi]$, with the root $\tilde\phi_2$ of (32),",
+            "the ends of the simulated rests",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Root, Printed, compared, ROOT);
     each(&trial, large(), |lambda| {
         let end = phi_t2(lambda);
         let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
@@ -223,11 +243,13 @@ fn rest_interval_root() -> Evidence {
 
 /// After its first rest a motion is the periodic one, from whatever start.
 fn rest_interval_reached() -> Evidence {
-    let compared = Compared::one(
-        "(33)",
-        r"$\mathfrak w$ at 40 phases of the period that follows the first rest on the way from any start",
+    let trial = Trial::motion(
+        Printed,
+        Compared::one(
+            "(33)",
+            r"$\mathfrak w$ at 40 phases of the period that follows the first rest on the way from any start",
+        ),
     );
-    let trial = Trial::motion(Printed, compared);
     let mut points = Points::stream(141);
     each(&trial, large(), |lambda| {
         let start = DriveState {

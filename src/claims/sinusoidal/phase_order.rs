@@ -34,17 +34,21 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
         |p| {
             let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
             let pi = Expr::pi();
-            let excess = p.read("sin²φ − λ₀²", phi.sin().squared() - lambda0.squared())?;
             let product = (phi - beta).sin() * (phi + beta).sin();
-            p.same(&excess, product, "")?;
+            p.identity(
+                ("sin²φ − λ₀²", phi.sin().squared() - lambda0.squared()),
+                ("sin(φ − β) sin(φ + β)", product),
+            )?;
             p.note(
                 "Of the phases from 0 to 2π",
                 "the first sine vanishes at β and π + β only, the second at π − β and 2π − β only",
             );
             let zeros = [beta, pi - beta, pi + beta, Expr::int(2) * pi - beta];
             for (i, (printed, zero)) in phases.into_iter().zip(zeros).enumerate() {
-                let printed = p.read(&format!("The printed phase {}", i + 1), printed)?;
-                p.same(&printed, zero, "the zero of a sine")?;
+                p.identity(
+                    (&format!("The printed phase {}", i + 1), printed),
+                    ("The zero of a sine", zero),
+                )?;
             }
             for (says, earlier, later) in [
                 (
@@ -54,16 +58,21 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
                 ),
                 ("The same", 2, 3),
             ] {
-                let gap = p.read(says, zeros[later] - zeros[earlier])?;
-                p.same(&gap, pi - Expr::int(2) * beta, "positive for β < π/2")?;
+                p.identity(
+                    (says, zeros[later] - zeros[earlier]),
+                    ("π − 2β, positive for β < π/2", pi - Expr::int(2) * beta),
+                )?;
             }
-            let gap = p.read("From the second to the third", zeros[2] - zeros[1])?;
-            p.same(&gap, Expr::int(2) * beta, "positive for β > 0")?;
-            let number = p.read("The stated number", number)?;
-            p.same(
-                &number,
-                Expr::int(2) + Expr::int(2),
-                "two zeros of each sine, none in common",
+            p.identity(
+                ("From the second to the third", zeros[2] - zeros[1]),
+                ("2β, positive for β > 0", Expr::int(2) * beta),
+            )?;
+            p.identity(
+                ("The stated number", number),
+                (
+                    "Two zeros of each sine, none in common",
+                    Expr::int(2) + Expr::int(2),
+                ),
             )
         },
     )
@@ -88,9 +97,9 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
             "a rest ends at a phase at which |sin φ| is λ₀, and above λ₀ just after it",
         );
         let drive = p.read("sin²φ", phi.sin().squared())?;
-        let slope = p.derivative("Its slope", &drive, &p.ring().by("φ")?)?;
+        let slope = p.slope("Its slope", &drive, "φ")?;
         let stated = Expr::int(2) * phi.sin() * phi.cos();
-        p.same(&slope, stated, "")?;
+        p.reads_as(&slope, "2 sin φ cos φ", stated)?;
         let steep = p.read(
             "2 sin β cos β, positive for 0 < β < π/2",
             stated.with("φ", beta),
@@ -133,25 +142,33 @@ fn period_ends(end: Expr) -> Proof {
         );
         let [beta, lambda0] = Expr::symbols(["β", "λ₀"]);
         for (says, phase) in [("φ₁", first), ("the stated end", end)] {
-            let drive = p.read(&format!("The drive, sin φ, at {says}"), phase.sin())?;
-            p.same(&drive, lambda0, "")?;
-            let slope = p.read("Its slope there", phase.cos())?;
-            p.same(&slope, beta.cos(), "positive for 0 < β < π/2")?;
+            p.identity(
+                (&format!("The drive, sin φ, at {says}"), phase.sin()),
+                ("λ₀", lambda0),
+            )?;
+            p.identity(
+                ("Its slope there", phase.cos()),
+                ("cos β, positive for 0 < β < π/2", beta.cos()),
+            )?;
         }
-        let slope = p.read("The slope at φ₂", second.cos())?;
-        p.same(&slope, -beta.cos(), "so that the drive falls there")?;
-        for (says, phase) in [("φ₃", third), ("φ₄", fourth)] {
-            let drive = p.read(&format!("The drive at {says}"), phase.sin())?;
-            p.same(&drive, -lambda0, "so that it is backward there")?;
-        }
-        let length = p.read("From φ₁ to the stated end", end - first)?;
-        p.same(
-            &length,
-            Expr::int(2) * Expr::pi(),
-            "so that it is the next such phase",
+        p.identity(
+            ("The slope at φ₂", second.cos()),
+            ("−cos β: there the drive falls", -beta.cos()),
         )?;
-        let given = p.read("What the drive gives on the way", first.cos() - end.cos())?;
-        p.same(&given, Expr::int(0), "")
+        for (says, phase) in [("φ₃", third), ("φ₄", fourth)] {
+            p.identity(
+                (&format!("The drive at {says}"), phase.sin()),
+                ("−λ₀: there it is backward", -lambda0),
+            )?;
+        }
+        p.identity(
+            ("From φ₁ to the stated end", end - first),
+            (
+                "2π, so that it is the next such phase",
+                Expr::int(2) * Expr::pi(),
+            ),
+        )?;
+        p.vanishes("What the drive gives on the way", first.cos() - end.cos())
     })
 }
 
@@ -167,15 +184,17 @@ fn ends_once(w: Expr) -> Proof {
         let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
         let two = Expr::int(2);
         let printed = p.read("(31), with sin β = λ₀", w)?;
-        let slope = p.derivative("Its slope", &printed, &p.ring().by("φ")?)?;
+        let slope = p.slope("Its slope", &printed, "φ")?;
         let halves = ((phi - beta) / two).sin() * ((phi + beta) / two).cos();
-        p.same(
-            &slope,
-            two * halves,
-            "positive from β to π − β, negative from there to 2π + β",
+        p.reads_as(&slope, "2 sin((φ − β)/2) cos((φ + β)/2), positive from β to π − β, negative from there to 2π + β",
+            two * halves)?;
+        p.identity(
+            ("(31) at 2π − β", w.with("φ", two * Expr::pi() - beta)),
+            (
+                "−2λ₀ (π − β), negative",
+                -(two * lambda0 * (Expr::pi() - beta)),
+            ),
         )?;
-        let late = p.read("(31) at 2π − β", w.with("φ", two * Expr::pi() - beta))?;
-        p.same(&late, -(two * lambda0 * (Expr::pi() - beta)), "negative")?;
         p.note(
             "So, as (31) is 0 at β",
             "it is positive up to a phase between π − β and 2π − β, and negative from there to 2π + β",
@@ -198,10 +217,10 @@ const OUTLASTS: Statement<(Expr, Expr)> = Statement::new(
             paper::eq32_left(lambda0, phi1, end),
         )
     },
-    |(w, left)| outlasts(w, left),
+    outlasts,
 );
 
-fn outlasts(w: Expr, left: Expr) -> Proof {
+fn outlasts((w, left): (Expr, Expr)) -> Proof {
     let ring = || {
         let mut ring = with_lambda_c(ring_of_phi1()?)?;
         ring.angle("φ̃₂");
@@ -213,7 +232,7 @@ fn outlasts(w: Expr, left: Expr) -> Proof {
         let [beta, lambda0, phi, end] = Expr::symbols(["β", "λ₀", "φ", "φ̃₂"]);
         let (two, pi) = (Expr::int(2), Expr::pi());
         let there = p.read("(31) at β + π", w.with("φ", beta + pi))?;
-        p.same(&there, paper::eq35_left(lambda0), "the left side of (35)")?;
+        p.reads_as(&there, "The left side of (35)", paper::eq35_left(lambda0))?;
         let [friction, critical] = paper::eq36_sides(lambda0);
         let sum = p.read("Its terms, added", two * beta.cos() + pi * lambda0)?;
         let factor = Expr::int(4) + pi.squared();
@@ -238,10 +257,9 @@ fn outlasts(w: Expr, left: Expr) -> Proof {
         );
         let most = lambda0 * (phi - end) + end.cos() - phi.cos();
         let rate = p.read("From 0 at φ̃₂ that gives at most", most)?;
-        let rate = p.derivative("Its slope", &rate, &p.ring().by("φ")?)?;
-        p.same(&rate, phi.sin() + lambda0, "")?;
-        let zero = p.read("At φ̃₂", most.with("φ", end))?;
-        p.same(&zero, Expr::int(0), "")?;
+        let rate = p.slope("Its slope", &rate, "φ")?;
+        p.reads_as(&rate, "sin φ + λ₀", phi.sin() + lambda0)?;
+        p.vanishes("At φ̃₂", most.with("φ", end))?;
         let later = p.read("At β + 2π", most.with("φ", beta + two * pi))?;
         let left = p.read("The left side of (32), which is 0,", left)?;
         let stated = p.read(

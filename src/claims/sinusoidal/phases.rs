@@ -21,8 +21,12 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
         r"$[3\pi/2,2\pi]$",
     ];
     const ZERO: &str = r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in ";
-    let compared = Compared::composed([law, "", ""], [ZERO, QUARTERS[usize::from(quarter)], ""]);
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::composed([law, "", ""], [ZERO, QUARTERS[usize::from(quarter)], ""]),
+        ROOT,
+    );
     trial.over(all(), |lambda| {
         let from = FRAC_PI_2 * f64::from(quarter);
         let excess = |phi: f64| libm::sin(phi).abs() - lambda;
@@ -41,8 +45,10 @@ fn at(lambda: f64) -> String {
 /// A printed phase with the end of a simulated rest that began at `from`.
 fn by_release(law: &'static str, formula: Formula, (name, from): (&'static str, f64)) -> Evidence {
     const REST: &str = r"the end of a simulated rest that holds at $\phi=";
-    let compared = Compared::composed([law, "", ""], [REST, name, "$"]);
-    let trial = Trial::motion(Subject::Printed, compared);
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::composed([law, "", ""], [REST, name, "$"]),
+    );
     trial.over(all(), |lambda| {
         let rest = DriveState {
             phi: from,
@@ -70,8 +76,10 @@ fn by_extremum(
 ) -> Evidence {
     const FASTEST: &str =
         r"the phase of the largest $\lvert\mathfrak w\rvert$ of a particle that can only slip ";
-    let compared = Compared::composed([law, "", ""], [FASTEST, name, ""]);
-    let trial = Trial::motion(Subject::Printed, compared);
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::composed([law, "", ""], [FASTEST, name, ""]),
+    );
     // Nearer to a zero of the drive, rounding hides which of two values of 𝔴 is the larger.
     let frictions = all().into_iter().filter(|lambda| *lambda > 1e-5);
     trial.over(frictions, |lambda| {
@@ -125,11 +133,13 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
 
 /// Four points, by counting.
 fn four_points_census() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 4",
-        r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
+    let trial = Trial::census(
+        Subject::Within,
+        Compared::constant(
+            "the stated 4",
+            r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
+        ),
     );
-    let trial = Trial::census(Subject::Within, compared);
     trial.over(all(), |lambda| {
         Ok(Pair {
             at: at(lambda),
@@ -142,11 +152,15 @@ fn four_points_census() -> Evidence {
 
 /// The four points, each in its place.
 fn four_points_root() -> Evidence {
-    let compared = Compared::many(
-        "(27) to (30)",
-        r"the crossings of $h$ with $\pm\lambda_0$, in order",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Within,
+        Compared::many(
+            "(27) to (30)",
+            r"the crossings of $h$ with $\pm\lambda_0$, in order",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Root, Subject::Within, compared, ROOT);
     each(&trial, all(), |lambda| {
         let stated: [Formula; 4] = [
             printed::eq27_phi1,
@@ -165,11 +179,13 @@ fn four_points_root() -> Evidence {
 
 /// λ₀ = 0: the points meet in pairs.
 fn four_points_outside() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 4",
-        r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
+    let trial = Trial::census(
+        Subject::Outside,
+        Compared::constant(
+            "the stated 4",
+            r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
+        ),
     );
-    let trial = Trial::census(Subject::Outside, compared);
     let mut points = Points::stream(120);
     trial.over(0..24, |_| {
         let a = points.uniform(0.0, TAU);
@@ -186,8 +202,12 @@ fn four_points_outside() -> Evidence {
 
 /// Every rest of a motion on the line ends at φ₁ or φ₃.
 fn rest_ends_motion() -> Evidence {
-    let compared = Compared::one("the nearer of (27) and (29)", "the end of a simulated rest");
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one("the nearer of (27) and (29)", "the end of a simulated rest"),
+        MOTION,
+    );
     let mut points = Points::stream(121);
     let mut ends = Vec::new();
     for _ in 0..100 {
@@ -230,11 +250,13 @@ fn rests_from(lambda: f64, start: DriveState) -> Vec<Result<(f64, f64), Failure>
 
 /// In the plane too: no rest ends elsewhere.
 fn rest_ends_census() -> Evidence {
-    let compared = Compared::one(
-        r"the number of rests that end elsewhere than at (27) and (29), of a particle that began with $v_y\ne0$ and rests at least once,",
-        "0",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            r"the number of rests that end elsewhere than at (27) and (29), of a particle that began with $v_y\ne0$ and rests at least once,",
+            "0",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(122);
     trial.over(0..20, |_| {
         let lambda = points.uniform(lambda_c() + 0.02, 0.97);

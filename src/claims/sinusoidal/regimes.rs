@@ -17,11 +17,13 @@ fn at(lambda: f64) -> String {
 
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
 fn no_rest_census() -> Evidence {
-    let compared = Compared::constant(
-        r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
-        "whether the simulated motions from seven starts have no rest at large times (1 if so)",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
+            "whether the simulated motions from seven starts have no rest at large times (1 if so)",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     trial.over(dense().into_iter().step_by(4), |lambda| {
         Ok(Pair {
             at: at(lambda),
@@ -45,11 +47,15 @@ fn all_rests(lambda: f64) -> Result<usize, Failure> {
 
 /// The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
 fn no_rest_motion() -> Evidence {
-    let compared = Compared::one(
-        r"$-2\lambda_0(\tilde\phi_2-\phi_1-\pi)$, with the root $\tilde\phi_2$ of (32),",
-        r"$\mathfrak w$ a period after a rest has ended at $\phi_1$, where it has to be negative",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"$-2\lambda_0(\tilde\phi_2-\phi_1-\pi)$, with the root $\tilde\phi_2$ of (32),",
+            r"$\mathfrak w$ a period after a rest has ended at $\phi_1$, where it has to be negative",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ROOT);
     trial.over(small(), |lambda| {
         let (phi1, end) = (printed::eq27_phi1(lambda), phi_t2(lambda));
         let friction = Friction::new(lambda, lambda)?;
@@ -103,11 +109,13 @@ fn frictions() -> Vec<f64> {
 
 /// The three kinds, over more than 1500 frictions.
 pub fn trichotomy_census() -> Evidence {
-    let compared = Compared::one(
-        r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
-        "the same of the simulated list of intervals",
+    let trial = Trial::census(
+        Subject::Within,
+        Compared::one(
+            r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
+            "the same of the simulated list of intervals",
+        ),
     );
-    let trial = Trial::census(Subject::Within, compared);
     trial.over(
         frictions().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
@@ -124,11 +132,15 @@ pub fn trichotomy_census() -> Evidence {
 
 /// The three kinds by the other integrator: stops and rests of a particle over its third period.
 pub fn trichotomy_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
-        "that of a particle on the plane, over its third period",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Within,
+        Compared::one(
+            r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
+            "that of a particle on the plane, over its third period",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, NONE);
     let mut points = Points::stream(151);
     trial.over(0..20, |_| {
         let lambda = points.uniform(0.1, 1.5);
@@ -152,11 +164,13 @@ pub fn trichotomy_motion() -> Evidence {
 
 /// λ₀ = 0: a fast particle never turns.
 pub fn trichotomy_outside() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 2",
-        r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
+    let trial = Trial::census(
+        Subject::Outside,
+        Compared::constant(
+            "the stated 2",
+            r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
+        ),
     );
-    let trial = Trial::census(Subject::Outside, compared);
     let mut points = Points::stream(152);
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 3.0);
@@ -172,11 +186,15 @@ pub fn trichotomy_outside() -> Evidence {
 
 /// A₀ < μg: a particle with any velocity comes to rest and stays there.
 fn weak_drive_motion() -> Evidence {
-    let compared = Compared::one(
-        "whether (25) fails (1 if so)",
-        "whether a particle, launched in any direction, is at rest over the last period of four",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            "whether (25) fails (1 if so)",
+            "whether a particle, launched in any direction, is at rest over the last period of four",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     let mut points = Points::stream(153);
     trial.over(0..30, |i| {
         let range = if i % 3 == 0 { [0.1, 0.95] } else { [1.05, 4.0] };
@@ -210,11 +228,13 @@ fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
 
 /// A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
 fn weak_drive_census() -> Evidence {
-    let compared = Compared::one(
-        "whether (25) fails (1 if so)",
-        "whether the simulated large-time motion is rest throughout, from seven starts",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            "whether (25) fails (1 if so)",
+            "whether the simulated large-time motion is rest throughout, from seven starts",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let frictions = frictions().into_iter().enumerate();
     let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);
     trial.over(some, |(_, lambda)| {

@@ -29,11 +29,15 @@ fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
 
 /// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
 fn period_factor() -> Evidence {
-    let compared = Compared::one(
-        r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
-        r"the factor by which $\ln\mathfrak w_y$ grows in a period, from $\ln\mathfrak w_y=-10^9$ on",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Corrected,
+        Compared::one(
+            r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
+            r"the factor by which $\ln\mathfrak w_y$ grows in a period, from $\ln\mathfrak w_y=-10^9$ on",
+        ),
+        LOGARITHM,
     );
-    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, LOGARITHM);
     let next_to_none = [2e-4, 5e-4, 9e-4];
     let frictions = below(170, lambda_c() - 1e-3).chain(next_to_none);
     trial.over(frictions, |lambda| {
@@ -56,11 +60,15 @@ fn period_factor() -> Evidence {
 
 /// The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
 fn period_factor_reached() -> Evidence {
-    let compared = Compared::one(
-        r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
-        r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Corrected,
+        Compared::one(
+            r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
+            r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
+        ),
+        PASSAGE,
     );
-    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
     trial.each(flights_where(Flight::never_rests), Flight::at, |flight| {
         let strobe: Vec<_> = flight.strobe().collect();
         let last = strobe
@@ -77,11 +85,15 @@ fn period_factor_reached() -> Evidence {
 
 /// The correction of the first stage: friction leans towards the drive by half the square of the ratio of the velocities.
 fn first_stage_correction() -> Evidence {
-    let compared = Compared::one(
-        r"$-\frac12[(\mathfrak w+1)^2+\frac12]$, with $\mathfrak w$ at $\phi=0$,",
-        r"$\mathfrak w_y^2$ times the relative excess of the mean slope of $\mathfrak w_y$ over a period above $-\lambda_0$",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Corrected,
+        Compared::one(
+            r"$-\frac12[(\mathfrak w+1)^2+\frac12]$, with $\mathfrak w$ at $\phi=0$,",
+            r"$\mathfrak w_y^2$ times the relative excess of the mean slope of $\mathfrak w_y$ over a period above $-\lambda_0$",
+        ),
+        SECOND_ORDER,
     );
-    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, SECOND_ORDER);
     let mut points = Points::stream(176);
     trial.over(0..30, |_| {
         let lambda = points.uniform(0.2, 1.4);
@@ -103,11 +115,15 @@ fn first_stage_correction() -> Evidence {
 
 /// λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
 fn passage_limit() -> Evidence {
-    let compared = Compared::one(
-        r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
-        r"the ratio of $\Delta\ln v_y$ after and before a passage of a particle with $v_y=10^{-6}$ and $10^{-8}$",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Corrected,
+        Compared::one(
+            r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
+            r"the ratio of $\Delta\ln v_y$ after and before a passage of a particle with $v_y=10^{-6}$ and $10^{-8}$",
+        ),
+        PASSAGE,
     );
-    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, PASSAGE);
     trial.over(below(172, 0.42), |lambda| {
         let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
         let through = |v_y: f64| -> Result<_, Failure> {
@@ -127,11 +143,15 @@ fn passage_limit() -> Evidence {
 
 /// λ₀ < λ_c, by quadrature of d ln 𝔴_y = −λ₀ dφ/|𝔴| towards and from a zero of the simulated motion on the line.
 fn passage_quadrature() -> Evidence {
-    let compared = Compared::one(
-        r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
-        r"$(1+q)/(1-p)$, where $p$ and $q$ are the coefficients of the logarithm in $\lambda_0\int\mathrm d\phi/\lvert\mathfrak w\rvert$ before and after a zero of $\mathfrak w$",
+    let trial = Trial::by(
+        Route::Quadrature,
+        Subject::Corrected,
+        Compared::one(
+            r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
+            r"$(1+q)/(1-p)$, where $p$ and $q$ are the coefficients of the logarithm in $\lambda_0\int\mathrm d\phi/\lvert\mathfrak w\rvert$ before and after a zero of $\mathfrak w$",
+        ),
+        PASSAGE,
     );
-    let trial = Trial::by(Route::Quadrature, Subject::Corrected, compared, PASSAGE);
     trial.over(below(173, lambda_c() - 1e-2), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let zero = forward(attractor.intervals()).ok_or("no slip")?.end;
@@ -159,11 +179,15 @@ fn passage_quadrature() -> Evidence {
 
 /// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
 fn finite_end() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 1",
-        r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Corrected,
+        Compared::constant(
+            "the expected 1",
+            r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Corrected, compared, NONE);
     trial.each(
         flights_where(|flight| flight.lambda > lambda_c()),
         Flight::at,
@@ -182,11 +206,15 @@ fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
 
 /// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
 pub fn last_stage() -> Evidence {
-    let compared = Compared::one(
-        r"$\lambda_0/(\lambda_0^2-d^2)$, with $d=\lvert h\rvert$,",
-        r"the time, over $v_y$, that a particle with $v_x=0$ and a small $v_y$ takes to stop where $d<\lambda_0$",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Corrected,
+        Compared::one(
+            r"$\lambda_0/(\lambda_0^2-d^2)$, with $d=\lvert h\rvert$,",
+            r"the time, over $v_y$, that a particle with $v_x=0$ and a small $v_y$ takes to stop where $d<\lambda_0$",
+        ),
+        LAST_STAGE,
     );
-    let trial = Trial::by(Route::Limit, Subject::Corrected, compared, LAST_STAGE);
     let mut points = Points::stream(175);
     trial.over(0..20, |_| {
         let lambda = points.uniform(lambda_c(), 1.4);

@@ -17,11 +17,13 @@ fn at(lambda: f64) -> String {
 
 /// (31) at 40 phases of the slip.
 fn eq31_motion() -> Evidence {
-    let compared = Compared::one(
-        "(31)",
-        r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            "(31)",
+            r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     each(&trial, all(), |lambda| {
         let slip = Slip::of(lambda)?;
         let friction = Friction::new(lambda, lambda)?;
@@ -40,11 +42,15 @@ fn eq31_motion() -> Evidence {
 
 /// (32): its root with the end of the simulated slip.
 fn eq32_root() -> Evidence {
-    let compared = Compared::one(
-        r"the root of (32) between $\phi_2$ and $\phi_4$",
-        "the end of the simulated slip",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            r"the root of (32) between $\phi_2$ and $\phi_4$",
+            "the end of the simulated slip",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     trial.over(all(), |lambda| {
         let found = Slip::of(lambda)?.end;
         Ok(Pair {
@@ -58,8 +64,12 @@ fn eq32_root() -> Evidence {
 
 /// (32) at the time at which a particle, followed by the other integrator, comes back to rest.
 fn eq32_motion() -> Evidence {
-    let compared = Compared::one("(32) at the end of a slip of a particle from rest", "0");
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one("(32) at the end of a slip of a particle from rest", "0"),
+        MOTION,
+    );
     // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
     let frictions = all().into_iter().enumerate();
     let some = frictions
@@ -76,11 +86,13 @@ fn eq32_motion() -> Evidence {
 
 /// (32): nowhere before its root, as found by simulation, does its left side vanish.
 fn eq32_census() -> Evidence {
-    let compared = Compared::one(
-        "the number of phases, of 1000 between the ends of the simulated slip, at which (32) is not positive",
-        "0",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            "the number of phases, of 1000 between the ends of the simulated slip, at which (32) is not positive",
+            "0",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let frictions = all().into_iter().filter(|l| (1e-3..=0.999).contains(l));
     trial.over(frictions, |lambda| {
         let slip = Slip::of(lambda)?;
@@ -103,11 +115,13 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
 
 /// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
 fn bracket_census() -> Evidence {
-    let compared = Compared::one(
-        "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
-        "1",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
+            "1",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     trial.over(dense(), |lambda| {
         let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
         let end = Slip::of(lambda)?.end;
@@ -122,11 +136,15 @@ fn bracket_census() -> Evidence {
 
 /// How close φ̃₂ comes: √(4πλ₀) to φ₄ as λ₀ → 0, √(2(1 − λ₀)) to φ₂ as λ₀ → 1.
 fn bracket_limit() -> Evidence {
-    let compared = Compared::one(
-        r"the gap between $\tilde\phi_2$ of the simulated slip and (30) or (28), over $\sqrt{4\pi\lambda_0}$ for $\lambda_0\to0$ and over $\sqrt{2(1-\lambda_0)}$ for $\lambda_0\to1$,",
-        "1",
+    let trial = Trial::by(
+        Route::Limit,
+        Subject::Printed,
+        Compared::one(
+            r"the gap between $\tilde\phi_2$ of the simulated slip and (30) or (28), over $\sqrt{4\pi\lambda_0}$ for $\lambda_0\to0$ and over $\sqrt{2(1-\lambda_0)}$ for $\lambda_0\to1$,",
+            "1",
+        ),
+        EDGE,
     );
-    let trial = Trial::by(Route::Limit, Subject::Printed, compared, EDGE);
     let exponents = (0..15).map(|i| -9.0 - 0.1 * f64::from(i));
     let exponents = Points::stream(749).grid(exponents).into_iter();
     let cases = exponents.flat_map(|exponent| [true, false].map(|near_0| (exponent, near_0)));

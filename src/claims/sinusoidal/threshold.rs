@@ -53,11 +53,15 @@ fn at(onset: &Onset) -> String {
 
 /// (37) with the onset of rest.
 fn eq37_motion() -> Evidence {
-    let compared = Compared::one(
-        "(37)",
-        "the friction at which simulated rests appear, by bisection",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            "(37)",
+            "the friction at which simulated rests appear, by bisection",
+        ),
+        ONSET,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ONSET);
     trial.over(onsets(), |onset| {
         let onset = onset?;
         Ok(Pair {
@@ -79,11 +83,15 @@ fn eq34_of(lambda: f64) -> f64 {
 
 /// (37) with the friction from which on a slip ends before the next one can begin, from several brackets.
 fn eq37_root() -> Evidence {
-    let compared = Compared::one(
-        "(37)",
-        "the root of how much longer than half a period a simulated slip lasts, from several brackets",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            "(37)",
+            "the root of how much longer than half a period a simulated slip lasts, from several brackets",
+        ),
+        ROOT,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
     let mut points = Points::stream(131);
     trial.over(0..24, |_| {
         let (low, high) = (points.uniform(0.01, 0.5), points.uniform(0.6, 0.99));
@@ -98,11 +106,15 @@ fn eq37_root() -> Evidence {
 
 /// (34): its root with the onset of rest.
 fn eq34_root() -> Evidence {
-    let compared = Compared::one(
-        "the root of the left side of (34)",
-        "the friction at which simulated rests appear",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Printed,
+        Compared::one(
+            "the root of the left side of (34)",
+            "the friction at which simulated rests appear",
+        ),
+        ONSET,
     );
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ONSET);
     trial.over(onsets(), |onset| {
         let onset = onset?;
         Ok(Pair {
@@ -116,11 +128,13 @@ fn eq34_root() -> Evidence {
 
 /// (40) holds exactly where the simulated motion passes through zero without rest.
 fn eq40_census() -> Evidence {
-    let compared = Compared::one(
-        "whether (40) holds (1 if so)",
-        "whether the simulated large-time motion has no rest",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            "whether (40) holds (1 if so)",
+            "whether the simulated large-time motion has no rest",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     trial.over(dense(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let [left, right] = printed::eq40_sides(lambda);
@@ -135,11 +149,13 @@ fn eq40_census() -> Evidence {
 
 /// (41): φ̃₁ − φ₁ with what the simulation finds for both.
 fn eq41_motion() -> Evidence {
-    let compared = Compared::one(
-        "the difference of the sides of (41)",
-        "the same of the simulation, where it has to be positive",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            "the difference of the sides of (41)",
+            "the same of the simulation, where it has to be positive",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     trial.over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let turn = forward(attractor.intervals());
@@ -155,12 +171,14 @@ fn eq41_motion() -> Evidence {
 
 /// (41): its sign, everywhere below λ_c.
 fn eq41_census() -> Evidence {
-    let compared = Compared::one(
-        "whether (41) holds (1 if so)",
-        "whether the simulated motion turns later than a rest would end",
-    )
-    .over(r"$\lambda_0<\lambda_\mathrm c$");
-    let trial = Trial::census(Subject::Printed, compared);
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            "whether (41) holds (1 if so)",
+            "whether the simulated motion turns later than a rest would end",
+        )
+        .over(r"$\lambda_0<\lambda_\mathrm c$"),
+    );
     let below = dense().into_iter().filter(|lambda| *lambda < lambda_c());
     trial.over(below, |lambda| {
         let attractor = settled(lambda, ORIGIN)?;

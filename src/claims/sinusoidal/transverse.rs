@@ -4,7 +4,7 @@ use super::reference_motions::{Particle, drive, each, lambda_c, printed_late};
 use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE};
 use crate::evidence::Subject::{Outside, Printed};
 use crate::motion::drive::PlanarState;
-use crate::paper::general as law;
+use crate::paper::general;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use trialbook::claims::compare::is;
@@ -74,7 +74,7 @@ impl Flight {
     fn is_to_grow(&self, state: &PlanarState) -> bool {
         let w = [state.w_x, Scalar::exp(state.ln_w_y)];
         let drive = [-Scalar::sin(state.phi), 0.0];
-        w[1] * law::eq1_velocity_rate(drive, self.lambda, 1.0, w)[1] > 0.0
+        w[1] * general::eq1_velocity_rate(drive, self.lambda, 1.0, w)[1] > 0.0
     }
 
     /// The flight in the claims' symbols.
@@ -115,11 +115,15 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
 
 /// v_y → 0: what is left after ten periods.
 fn vanishes_limit() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 0",
-        r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
+    let trial = Trial::by(
+        Route::Limit,
+        Printed,
+        Compared::constant(
+            "the stated 0",
+            r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
+        ),
+        GONE,
     );
-    let trial = Trial::by(Route::Limit, Printed, compared, GONE);
     trial.each(flights_where(|_| true), Flight::at, |flight| {
         Ok([
             printed::s22_late_vy(),
@@ -131,11 +135,15 @@ fn vanishes_limit() -> Evidence {
 
 /// The same by the other integrator, with little friction too.
 fn vanishes_motion() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 0",
-        "$v_y$ of a particle on the plane after five periods",
+    let trial = Trial::by(
+        Route::Integration,
+        Printed,
+        Compared::constant(
+            "the stated 0",
+            "$v_y$ of a particle on the plane after five periods",
+        ),
+        GONE,
     );
-    let trial = Trial::by(Route::Integration, Printed, compared, GONE);
     let mut points = Points::stream(161);
     trial.over(0..20, |_| {
         let lambda = points.uniform(0.25, 1.4);
@@ -152,11 +160,15 @@ fn vanishes_motion() -> Evidence {
 
 /// Without friction v_y keeps its value.
 fn vanishes_outside() -> Evidence {
-    let compared = Compared::constant(
-        "the expected 0",
-        "$v_y$ of a particle on the plane after five periods without friction",
+    let trial = Trial::by(
+        Route::Integration,
+        Outside,
+        Compared::constant(
+            "the expected 0",
+            "$v_y$ of a particle on the plane after five periods without friction",
+        ),
+        GONE,
     );
-    let trial = Trial::by(Route::Integration, Outside, compared, GONE);
     let starts = Points::stream(167).within(20, [[-1.0, 1.0], [0.05, 1.0]]);
     trial.over(starts, |v| {
         let end = Particle::plain(0.0).run(0.0, v, 5.0 * TAU)?.end();
@@ -171,11 +183,13 @@ fn vanishes_outside() -> Evidence {
 
 /// On the way v_y never grows.
 fn vanishes_census() -> Evidence {
-    let compared = Compared::one(
-        r"the number of states at which (1) lets $\mathfrak w_y>0$ grow",
-        r"that of the steps of an eighth of a period on which $\ln\mathfrak w_y$ grows, over ten periods",
+    let trial = Trial::census(
+        Printed,
+        Compared::one(
+            r"the number of states at which (1) lets $\mathfrak w_y>0$ grow",
+            r"that of the steps of an eighth of a period on which $\ln\mathfrak w_y$ grows, over ten periods",
+        ),
     );
-    let trial = Trial::census(Printed, compared);
     trial.each(flights_where(|_| true), Flight::at, |flight| {
         let steps = flight.states.windows(2);
         // Beside a huge logarithm a change of order one is lost in rounding.
@@ -195,11 +209,15 @@ fn vanishes_census() -> Evidence {
 
 /// First stage: the mean slope of 𝔴_y over a period, while 𝔴_y is ten thousand times 𝔴_x or more.
 pub fn first_stage() -> Evidence {
-    let compared = Compared::one(
-        r"$-\lambda_0$",
-        r"the mean slope of $\mathfrak w_y$ over a period, or eight where friction is next to none, in which it stays above $10^4\lvert\mathfrak w\rvert$",
+    let trial = Trial::by(
+        Route::Limit,
+        Printed,
+        Compared::one(
+            r"$-\lambda_0$",
+            r"the mean slope of $\mathfrak w_y$ over a period, or eight where friction is next to none, in which it stays above $10^4\lvert\mathfrak w\rvert$",
+        ),
+        FIRST_STAGE,
     );
-    let trial = Trial::by(Route::Limit, Printed, compared, FIRST_STAGE);
     let mut points = Points::stream(163);
     trial.over(0..36, |i| {
         // With next to no friction next to nothing is lost: less of it drowns in the rounding of a smaller velocity, and
@@ -224,11 +242,15 @@ pub fn first_stage() -> Evidence {
 
 /// Second stage, as printed: an exponential falls by the same factor in every period.
 fn second_stage() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 1",
-        r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$,",
+    let trial = Trial::by(
+        Route::Integration,
+        Printed,
+        Compared::constant(
+            "the stated 1",
+            r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$,",
+        ),
+        EXPONENTIAL,
     );
-    let trial = Trial::by(Route::Integration, Printed, compared, EXPONENTIAL);
     trial.each(flights_where(Flight::never_rests), Flight::at, |flight| {
         let strobe: Vec<_> = flight.strobe().map(|s| s.ln_w_y).collect();
         Ok([
@@ -252,11 +274,15 @@ fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
 
 /// The large-time v_x, from several v_y, is that of a motion on the line.
 fn ignores_motion() -> Evidence {
-    let compared = Compared::one(
-        r"$\mathfrak w$ by (38), (33) or rest, as $\lambda_0$ says,",
-        r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
+    let trial = Trial::by(
+        Route::Integration,
+        Printed,
+        Compared::one(
+            r"$\mathfrak w$ by (38), (33) or rest, as $\lambda_0$ says,",
+            r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
+        ),
+        FORGOTTEN,
     );
-    let trial = Trial::by(Route::Integration, Printed, compared, FORGOTTEN);
     each(&trial, flights_where(|_| true), |flight| {
         let flight = flight?;
         let last = flight.states.iter().rev().take(A_PERIOD as usize);

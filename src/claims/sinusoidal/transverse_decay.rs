@@ -12,7 +12,8 @@ use crate::corrections::sinusoidal as corrected;
 use crate::paper::sinusoidal as paper;
 use trialbook::prelude::*;
 
-type Law = [Expr; 2];
+/// Of the velocity, by (1).
+type Rate = [Expr; 2];
 type NoRest = ([Expr; 2], [Expr; 3]);
 
 /// Of a passage through zero: the size of the drive there, the factor of ln v_y, and that of a distance to (38) in a period.
@@ -48,7 +49,7 @@ fn velocity() -> [Expr; 3] {
 }
 
 /// While v_y is large its slope is the stated one.
-fn first_stage(law: Law, slope: Expr) -> Proof {
+fn first_stage(law: Rate, slope: Expr) -> Proof {
     Proof::in_ring(
         "A large velocity across falls linearly",
         ring_of_motion(),
@@ -67,12 +68,13 @@ fn first_stage(law: Law, slope: Expr) -> Proof {
                 &above,
             )?;
             let most = lambda0 * vx.squared() / (two * vy.squared());
-            let room = p.read("λ₀ (v_x/v_y)²/2 less that", most - excess)?;
             let terms = lambda0 * vx.squared() * (v - vy) * (v + two * vy);
-            p.same(
-                &room,
-                terms / (two * vy.squared() * v * (v + vy)),
-                "a product of which no factor is negative",
+            p.identity(
+                ("λ₀ (v_x/v_y)²/2 less that", most - excess),
+                (
+                    "A product of which no factor is negative",
+                    terms / (two * vy.squared() * v * (v + vy)),
+                ),
             )?;
             p.note(
             "So as v_x/v_y tends to 0",
@@ -84,7 +86,7 @@ fn first_stage(law: Law, slope: Expr) -> Proof {
 }
 
 /// How v_y and the direction of the velocity change together.
-fn turning(law: Law) -> Proof {
+fn turning(law: Rate) -> Proof {
     Proof::in_ring(
         "The velocity across and the direction",
         ring_of_motion(),
@@ -95,8 +97,9 @@ fn turning(law: Law) -> Proof {
             let rates = in_units(law, eq21());
             let along = p.read("dv_x/dφ by (1) and (21)", rates[0])?;
             let across = p.read("dv_y/dφ by (1) and (21)", rates[1])?;
-            p.same(
+            p.reads_as(
                 &across,
+                "−λ₀ v_y/v, so that v_y falls, and ln v_y by λ₀/v",
                 -(lambda0 * vy / v),
                 "so that v_y falls, and ln v_y at the rate λ₀/v",
             )?;
@@ -108,8 +111,9 @@ fn turning(law: Law) -> Proof {
                 vy / (v + vx),
             )?;
             let turn = p.derivative("Its rate", &tangent, &motion)?;
-            p.same(
+            p.reads_as(
                 &turn,
+                "−(sin φ/v) T, so that ln T has the rate −sin φ/v",
                 -(phi.sin() / v) * vy / (v + vx),
                 "so that ln T has the rate −sin φ/v",
             )?;
@@ -125,24 +129,26 @@ fn turning(law: Law) -> Proof {
                 &apart,
                 &drift,
             )?;
-            let before = p.read("T v_y", vy / (v + vx) * vy)?;
-            p.same(
-                &before,
-                v - vx,
-                "the sum of v and of the size of v_x where v_x < 0",
+            p.identity(
+                ("T v_y", vy / (v + vx) * vy),
+                (
+                    "v − v_x, the sum of v and of the size of v_x where v_x < 0",
+                    v - vx,
+                ),
             )?;
             // The other zero is the mirror image.
             let pi = Expr::pi();
             for (says, rate, sign) in [("dv_x/dφ", rates[0], -1), ("dv_y/dφ", rates[1], 1)] {
                 let mirrored = rate.with("v_x", -vx).with("φ", phi + pi);
-                let mirrored = p.read(
-                    &format!("{says} half a period later with v_x reversed"),
-                    mirrored,
-                )?;
-                p.same(
-                    &mirrored,
-                    Expr::int(sign) * rate,
-                    "that before, with the sign of a mirror image",
+                p.identity(
+                    (
+                        &format!("{says} half a period later with v_x reversed"),
+                        mirrored,
+                    ),
+                    (
+                        "That before, with the sign of a mirror image",
+                        Expr::int(sign) * rate,
+                    ),
                 )?;
             }
             Ok(())
@@ -155,15 +161,24 @@ fn near_zero(p: &mut Prover<'_>, [d, ..]: Passage) -> Result<(), Obstacle> {
     given(p, &[&EQ40])?;
     let [lambda0, turn, phi] = Expr::symbols(["λ₀", "φ̃₁", "φ"]);
     let two = Expr::int(2);
-    let size = p.read("The stated size of the drive at a zero, d", d)?;
-    p.same(&size, paper::eq39_phi_t1(lambda0).sin(), "")?;
+    p.identity(
+        ("The stated size of the drive at a zero, d", d),
+        ("sin φ̃₁", paper::eq39_phi_t1(lambda0).sin()),
+    )?;
     p.note("By (40)", "d is above λ₀ below λ_c");
-    let apart = p.read("sin φ − d", phi.sin() - d)?;
     let halves = two * ((phi - turn) / two).sin() * ((phi + turn) / two).cos();
-    p.same(&apart, halves, "of the size of φ − φ̃₁ at most")?;
+    p.identity(
+        ("sin φ − d", phi.sin() - d),
+        (
+            "2 sin((φ − φ̃₁)/2) cos((φ + φ̃₁)/2), of the size of φ − φ̃₁ at most",
+            halves,
+        ),
+    )?;
     let margin = (d - lambda0) / two;
-    let least = p.read("With m = (d − λ₀)/2: d − m", d - margin)?;
-    p.same(&least, lambda0 + margin, "")?;
+    p.identity(
+        ("With m = (d − λ₀)/2: d − m", d - margin),
+        ("λ₀ + m", lambda0 + margin),
+    )?;
     p.note(
         "So no farther from φ̃₁ than m",
         "sin φ ≥ λ₀ + m, and as dv_x/dφ ≥ sin φ − λ₀ the size of v_x is m times the distance from its zero at least",
@@ -172,7 +187,7 @@ fn near_zero(p: &mut Prover<'_>, [d, ..]: Passage) -> Result<(), Obstacle> {
 }
 
 /// Late zeros of v_x come close to those of (38): an inequality for their distances Z and Z′ from them, one after the other.
-fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
+fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_passage()?;
         let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
@@ -198,12 +213,15 @@ fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
             let sign = Expr::int(sign);
             let lack = one - sign * vx / v;
             let terms = phi.sin() - sign * lambda0 + sign * lambda0 * lack;
-            p.same(&along, terms, &format!("where {says} the slope on the line, and λ₀ times what 1 has beyond the size of v_x/v, with a sign"))?;
-            let room = p.read(
-                "(v_y + |v_x|)² less v²",
-                (vy + sign * vx).squared() - v.squared(),
+            p.reads_as(&along, &format!("Where {says}, the slope on the line, and λ₀ times what 1 has beyond the size of v_x/v, with a sign"),
+                terms)?;
+            p.identity(
+                (
+                    "(v_y + |v_x|)² less v²",
+                    (vy + sign * vx).squared() - v.squared(),
+                ),
+                ("2 v_y |v_x|, not negative", two * vy * sign * vx),
             )?;
-            p.same(&room, two * vy * sign * vx, "not negative")?;
         }
         p.note(
             "So λ₀ times what 1 has beyond the size of v_x/v is λ₀ v_y/v at most, the rate at which v_y falls",
@@ -212,20 +230,22 @@ fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
 
         let [forward, backward] = cases;
         let pi = Expr::pi();
-        let after = p.read("(38) at φ̃₁ + Z", forward.with("φ", turn + z))?;
         let rise = turn.cos() - (turn + z).cos();
-        p.same(
-            &after,
-            rise - lambda0 * z,
-            "the integral of the drive from φ̃₁ to there, less λ₀Z",
+        p.identity(
+            ("(38) at φ̃₁ + Z", forward.with("φ", turn + z)),
+            (
+                "The sum of the drive from φ̃₁ to there, less λ₀ Z",
+                rise - lambda0 * z,
+            ),
         )?;
         let before = backward.with("φ", turn + two * pi - z);
-        let before = p.read("(38) at φ̃₁ − Z, a period later", before)?;
         let rise = (turn - z).cos() - turn.cos();
-        p.same(
-            &before,
-            -rise - lambda0 * z,
-            "the negative integral of the drive from there to φ̃₁, less λ₀Z",
+        p.identity(
+            ("(38) at φ̃₁ − Z, a period later", before),
+            (
+                "The negative sum of the drive from there to φ̃₁, less λ₀ Z",
+                -rise - lambda0 * z,
+            ),
         )?;
         p.note(
             "A zero that is late or early by Z",
@@ -237,8 +257,10 @@ fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
         );
         let [d, factor, contraction] = passage;
         let ratio = (d - lambda0) / (d + lambda0);
-        let twice = p.read("(d − λ₀)/(d + λ₀), twice", ratio.squared())?;
-        p.same(&twice, contraction, "the stated contraction in a period")?;
+        p.identity(
+            ("(d − λ₀)/(d + λ₀), twice", ratio.squared()),
+            ("The stated contraction in a period", contraction),
+        )?;
         let inverse = p.read(
             "The stated factor of ln v_y times (d − λ₀)/(d + λ₀)",
             factor * ratio,
@@ -248,7 +270,7 @@ fn zeros_settle(law: Law, (cases, ends): NoRest, passage: Passage) -> Proof {
 }
 
 /// Below λ_c: a passage multiplies ln v_y by the factor, up to terms that stay bounded.
-fn passages(law: Law, motion: NoRest, passage: Passage) -> Proof {
+fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_passage()?;
         for name in ["L", "b", "e", "Z", "Z′", "Y", "B"] {
@@ -298,33 +320,37 @@ fn passages(law: Law, motion: NoRest, passage: Passage) -> Proof {
             "so that the sums of Y and of L Y over all passages are finite, and with them that of Z, which shrinks by a factor below 1, but for Y",
         );
         let product = (z * (difference + z) + y) * (sum * before + bound);
-        let product = p.read(
-            "The right sides of the inequalities for Z′ and L′, multiplied",
-            product,
-        )?;
         let terms = sum * difference * z * before * (one + z / difference)
             + bound * z * (difference + z)
             + y * (sum * before + bound);
-        p.same(
-            &product,
-            terms,
-            "where all terms but the first have a finite sum over all passages",
-        )?;
-        let left = p.read(
-            "The factors of Z′ L′ on the left sides",
-            (sum - next) * (difference - z),
+        p.identity(
+            (
+                "The right sides of the inequalities for Z′ and L′, multiplied",
+                product,
+            ),
+            (
+                "(d² − λ₀²) Z L (1 + Z/(d − λ₀)), and terms whose sum over all passages is finite",
+                terms,
+            ),
         )?;
         let close = sum * difference * (one - next / sum) * (one - z / difference);
-        p.same(&left, close, "")?;
+        p.identity(
+            (
+                "The factors of Z′ L′ on the left sides",
+                (sum - next) * (difference - z),
+            ),
+            ("(d² − λ₀²) (1 − Z′/(d + λ₀)) (1 − Z/(d − λ₀))", close),
+        )?;
         p.note(
             "So from one passage to the next Z L grows by a factor 1 + O(Z + Z′) at most, and by terms with a finite sum",
             "the product of all these factors is finite: Z L stays bounded, and with it Z M and e",
         );
-        let growth = p.read("The stated factor less 1", factor - one)?;
-        p.same(
-            &growth,
-            Expr::int(2) * lambda0 / difference,
-            "which is positive",
+        p.identity(
+            ("The stated factor less 1", factor - one),
+            (
+                "2λ₀/(d − λ₀), which is positive",
+                Expr::int(2) * lambda0 / difference,
+            ),
         )?;
         p.note(
             "So L grows as the powers of the factor",
@@ -335,7 +361,7 @@ fn passages(law: Law, motion: NoRest, passage: Passage) -> Proof {
 }
 
 /// v_y is lost only where the particle sticks.
-fn lost_at_rest(law: Law) -> Proof {
+fn lost_at_rest(law: Rate) -> Proof {
     Proof::in_ring("Where the velocity across is lost", ring_of_motion(), |p| {
         p.rests_on(&turning(law))?;
         p.rests_on(&eq2_proof(eq2()))?;
@@ -346,9 +372,14 @@ fn lost_at_rest(law: Law) -> Proof {
             "while v > 0 it stays finite: v_y becomes 0 only where v does, and then all of it is lost",
         );
         let [along, _] = in_units(law, eq21());
-        let along = p.read("dv_x/dφ by (1) and (21)", along)?;
         let terms = phi.sin() - lambda0 + lambda0 * (one - vx / v);
-        p.same(&along, terms, "sin φ − λ₀ and what is not negative")?;
+        p.identity(
+            ("dv_x/dφ by (1) and (21)", along),
+            (
+                "sin φ − λ₀ and λ₀ (1 − v_x/v), which is not negative",
+                terms,
+            ),
+        )?;
         let [grows] = in_units([eq2()], eq21());
         let grows = p.read("dv/dφ by (2)", grows)?;
         let room = p.ring().read(one + lambda0)? + grows;
@@ -370,7 +401,7 @@ fn lost_at_rest(law: Law) -> Proof {
 }
 
 /// How long what is left of v_y lasts where friction exceeds the drive; `phase` is the stated bound.
-fn last_stage(law: Law, phase: Expr) -> Proof {
+fn last_stage(law: Rate, phase: Expr) -> Proof {
     Proof::in_ring("The last of the velocity across", ring_of_motion(), |p| {
         p.rests_on(&eq1_proof(law))?;
         let [lambda0, d, h] = Expr::symbols(["λ₀", "d", "h"]);
@@ -393,11 +424,13 @@ fn last_stage(law: Law, phase: Expr) -> Proof {
             )?;
             let fall = -p.ring().read(one)? - rate;
             p.equal("By that it falls faster than the phase grows", &fall, &room)?;
-            let start = p.read(
-                "At v_x = 0, where v is v_y, it is",
-                (lambda0 * vy) / (lambda0.squared() - d.squared()),
+            p.identity(
+                (
+                    "At v_x = 0, where v is v_y, it is",
+                    (lambda0 * vy) / (lambda0.squared() - d.squared()),
+                ),
+                ("The stated phase", phase),
             )?;
-            p.same(&start, phase, "the stated phase")?;
             let ring = p.ring();
             let same = ring.put(&room, &[(&ring.named("h")?, &ring.read(sign * d)?)])?;
             p.zero(
@@ -417,7 +450,7 @@ fn last_stage(law: Law, phase: Expr) -> Proof {
     })
 }
 
-fn two_stages(law: Law, slope: Expr, motion: NoRest, passage: Passage, phase: Expr) -> Proof {
+fn two_stages((law, slope, motion, passage, phase): (Rate, Expr, NoRest, Passage, Expr)) -> Proof {
     Proof::in_ring("The two stages, as corrected", ring_of_motion(), |p| {
         p.rests_on(&first_stage(law, slope))?;
         p.rests_on(&passages(law, motion, passage))?;
@@ -428,16 +461,15 @@ fn two_stages(law: Law, slope: Expr, motion: NoRest, passage: Passage, phase: Ex
             "For λ₀ > λ_c",
             "the motion has become (33), or rests, after a finite time: v_y = 0",
         );
-        let zero = p.read(
+        p.vanishes(
             "At rest and in (33), which is along the line, v_y",
             paper::s22_late_vy(),
-        )?;
-        p.same(&zero, Expr::int(0), "")
+        )
     })
 }
 
 /// The two stages, as corrected.
-const TWO_STAGES: Statement<(Law, Expr, NoRest, Passage, Expr)> = Statement::new(
+const TWO_STAGES: Statement<(Rate, Expr, NoRest, Passage, Expr)> = Statement::new(
     Subject::Corrected,
     Compared::shown(
         r"for every $\lambda_0>0$ and $v_y>0$ the rate of $\mathfrak w_y$ is $-\lambda_0$ up to $\frac12\lambda_0(v_x/v_y)^2$; for every $0<\lambda_0<\lambda_\mathrm c$ and every motion whose speed never becomes 0 each passage, from some time on, multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, $d=\sin\tilde\phi_1$, up to terms that stay bounded, and a particle whose speed becomes 0 loses all of $v_y$; for every $\lambda_0>\lambda_\mathrm c$ $v_y=0$ after a finite time, and with $v_x=0$ and $\lvert\sin\phi\rvert\le d<\lambda_0$ as long as it slides within a phase of $\lambda_0\mathfrak w_y/(\lambda_0^2-d^2)$",
@@ -452,11 +484,11 @@ const TWO_STAGES: Statement<(Law, Expr, NoRest, Passage, Expr)> = Statement::new
             corrected::last_stage(lambda0, d, vy),
         )
     },
-    |(law, slope, motion, passage, phase)| two_stages(law, slope, motion, passage, phase),
+    two_stages,
 );
 
 /// Below λ_c: by what factor the fall of ln v_y in a period grows in the limit.
-fn ratio_of_falls(ratio: Expr, law: Law, motion: NoRest, passage: Passage) -> Proof {
+fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> Proof {
     Proof::in_ring(
         "The falls of the logarithm in two periods",
         ring_of_passage(),
@@ -480,7 +512,7 @@ fn ratio_of_falls(ratio: Expr, law: Law, motion: NoRest, passage: Passage) -> Pr
 }
 
 /// The second stage as printed.
-pub const EXPONENTIAL: Statement<(Expr, Law, NoRest, Passage)> = Statement::new(
+pub const EXPONENTIAL: Statement<(Expr, Rate, NoRest, Passage)> = Statement::new(
     Subject::Printed,
     Compared::one(
         "the stated 1",

@@ -183,11 +183,15 @@ fn around_one(stream: u64) -> Vec<f64> {
 
 /// (25): exactly then a particle at rest is set in motion.
 fn eq25_motion() -> Evidence {
-    let compared = Compared::one(
-        "whether (25) holds (1 if so)",
-        "whether a particle at rest starts to slide within a period",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            "whether (25) holds (1 if so)",
+            "whether a particle at rest starts to slide within a period",
+        ),
+        NONE,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, NONE);
     trial.over(around_one(114), |lambda| {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
         let [left, right] = printed::eq25_sides(lambda);
@@ -202,11 +206,13 @@ fn eq25_motion() -> Evidence {
 
 /// (25): exactly then the large-time motion is not rest.
 fn eq25_census() -> Evidence {
-    let compared = Compared::one(
-        "whether (25) holds (1 if so)",
-        "whether the large-time motion is not rest for ever",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            "whether (25) holds (1 if so)",
+            "whether the large-time motion is not rest for ever",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     trial.over(around_one(115), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);

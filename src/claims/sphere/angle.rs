@@ -228,11 +228,13 @@ fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
 
 /// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
 fn eq80() -> Evidence {
-    let compared = Compared::one(
-        r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
-        "$u/u_0$ of a sphere at the same $At/v_0$",
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
+            "$u/u_0$ of a sphere at the same $At/v_0$",
+        ),
     );
-    let trial = Trial::consistency(Subject::Printed, compared);
     trial.each(turns(), Turn::at, |turn| {
         let start = State {
             t: 0.0,
@@ -288,8 +290,10 @@ fn eq81_outside() -> Evidence {
 
 /// The form of (81) without singular points.
 fn regular_slip() -> Evidence {
-    let compared = Compared::one("the regular form of $u$", "the slip of the motion");
-    let trial = Trial::motion(Subject::Corrected, compared);
+    let trial = Trial::motion(
+        Subject::Corrected,
+        Compared::one("the regular form of $u$", "the slip of the motion"),
+    );
     trial.each(turns(), Turn::at, |turn| {
         Ok([
             speed(turn.lambda, turn.u0, turn.theta0, turn.r()),
@@ -301,11 +305,10 @@ fn regular_slip() -> Evidence {
 
 /// The regular forms along the line of the acceleration: r from the regular time, u from r.
 pub fn regular_straight() -> Evidence {
-    let compared = Compared::one(
+    Trial::motion(Subject::Corrected, Compared::one(
         r"the regular form of $u$ along the line of the acceleration, with $r$ from the regular form of $\tau$,",
         "the slip of the motion",
-    );
-    Trial::motion(Subject::Corrected, compared).each(straight(), Turn::at, |turn| {
+    )).each(straight(), Turn::at, |turn| {
         let Turn {
             lambda,
             gamma,
@@ -391,11 +394,14 @@ fn corrected82_quadrature() -> Evidence {
 
 /// The form of (82) without singular points: at λ = 1 and cos θ₀ = −λ too.
 pub fn regular_time() -> Evidence {
-    let compared = Compared::one(
-        r"the regular form of $\tau$",
-        r"that of the motion, $\lambda=1$ and $\cos\theta_0=-\lambda$ included",
-    );
-    Trial::motion(Subject::Corrected, compared).each(turns(), Turn::at, |turn| {
+    Trial::motion(
+        Subject::Corrected,
+        Compared::one(
+            r"the regular form of $\tau$",
+            r"that of the motion, $\lambda=1$ and $\cos\theta_0=-\lambda$ included",
+        ),
+    )
+    .each(turns(), Turn::at, |turn| {
         Ok([
             time(
                 turn.lambda,
@@ -451,8 +457,12 @@ pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
 
 /// (83) from (81) and (82): with the time of (82) it has to give the slip of (81).
 fn eq83_step() -> Evidence {
-    let compared = Compared::one("$u$ by (83) at the time of (82)", "$u$ by (81)");
-    let trial = Trial::by(Route::Consistency, Subject::Step, compared, ROOT);
+    let trial = Trial::by(
+        Route::Consistency,
+        Subject::Step,
+        Compared::one("$u$ by (83) at the time of (82)", "$u$ by (81)"),
+        ROOT,
+    );
     let points = Points::stream(703).within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
     trial.at(
         ["λ", "u₀", "θ₀", "θ"],

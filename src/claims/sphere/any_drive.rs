@@ -41,11 +41,13 @@ fn start(points: &mut Points) -> [f64; 2] {
 
 /// How long it rolls in a period, as a kind: never, for a part, always.
 pub fn census() -> Evidence {
-    let compared = Compared::constant(
-        r"0 below the lower bound of section 2.3 for $\lambda_0$ of (84), 1 above the upper one and 2 above 1",
-        "what a sphere does in a late period (0 if it never rolls, 1 if it rolls at times, 2 if it always does)",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::constant(
+            r"0 below the lower bound of section 2.3 for $\lambda_0$ of (84), 1 above the upper one and 2 above 1",
+            "what a sphere does in a late period (0 if it never rolls, 1 if it rolls at times, 2 if it always does)",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(420);
     trial.over(0..30, |i| {
         let (shape, _, Bounds { low, high }) = any(&mut points)?;
@@ -84,11 +86,15 @@ pub fn census() -> Evidence {
 
 /// How long exactly, where it rolls at all.
 pub fn parts() -> Evidence {
-    let compared = Compared::one(
-        r"the part of a period in which a particle rests under the same drive, with $\lambda_0$ of (84),",
-        "that of a late period in which a sphere rolls",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"the part of a period in which a particle rests under the same drive, with $\lambda_0$ of (84),",
+            "that of a late period in which a sphere rolls",
+        ),
+        MOTION,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(421);
     trial.over(0..20, |i| {
         let (shape, drive, Bounds { high, .. }) = any(&mut points)?;

@@ -1,6 +1,6 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
-use super::spheres::{Run, braking, length, mixed, sphere, weighed};
+use super::spheres::{Followed, braking, length, mixed, sphere, weighed};
 use crate::claims::tolerances::FOREIGN;
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact};
@@ -10,14 +10,14 @@ use crate::paper::sphere as printed;
 use trialbook::prelude::*;
 
 /// Friction on the sphere whose lowest point has this velocity relative to the plane.
-fn friction(run: &Run, slip: [f64; 3]) -> [f64; 3] {
+fn friction(run: &Followed, slip: [f64; 3]) -> [f64; 3] {
     let sphere = run.case.sphere;
     let size = length(slip);
     slip.map(|c| -sphere.mu * sphere.mass * sphere.g * c / size)
 }
 
 /// v and ω at the end of a motion by (59) and (60), with a foreign integrator; NaN if it finds none.
-fn by_the_laws(run: &Run) -> [f64; 5] {
+fn by_the_laws(run: &Followed) -> [f64; 5] {
     let sphere = run.case.sphere;
     let plane = |_: f64, y: &[f64; 6]| {
         let (v, omega) = ([y[0], y[1], 0.0], [y[2], y[3], y[4]]);
@@ -44,11 +44,15 @@ fn by_the_laws(run: &Run) -> [f64; 5] {
 
 /// (59): the laboratory knows no inertial force. There the centre's velocity V changes by friction alone.
 pub fn eq59() -> Evidence {
-    let compared = Compared::one(
-        r"$\bm v$ by (59) and (60)",
-        r"$\bm V-\bm U$ of the laboratory, where friction alone acts, each vector by the one number $x+2y$",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"$\bm v$ by (59) and (60)",
+            r"$\bm V-\bm U$ of the laboratory, where friction alone acts, each vector by the one number $x+2y$",
+        ),
+        FOREIGN,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     trial.over(super::spheres::sliding(), |run| {
         let run = run?;
         let sphere = run.case.sphere;
@@ -80,11 +84,15 @@ pub fn eq59() -> Evidence {
 
 /// (60): against the rigid body's own integrator.
 pub fn eq60() -> Evidence {
-    let compared = Compared::one(
-        r"$\bm\omega$ by (59) and (60), by another library's integrator,",
-        r"$\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"$\bm\omega$ by (59) and (60), by another library's integrator,",
+            r"$\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
+        ),
+        FOREIGN,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     trial.over(super::spheres::sliding(), |run| {
         let run = run?;
         let [_, _, x, y, z] = by_the_laws(run);

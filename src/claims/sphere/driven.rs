@@ -239,11 +239,13 @@ fn lambda_c() -> Result<f64, Failure> {
 
 /// (84): the slip obeys the drive of section 2.2 with this λ₀.
 fn eq84() -> Evidence {
-    let compared = Compared::one(
-        r"$\mathfrak w$ of the one-dimensional drive with $\lambda_0$ by (84)",
-        r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"$\mathfrak w$ of the one-dimensional drive with $\lambda_0$ by (84)",
+            r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
+        ),
     );
-    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(410);
     trial.over(0..20, |i| {
         let lambda = points.uniform(0.05, 1.5);
@@ -280,11 +282,13 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
 
 /// (85): the slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
 fn eq85() -> Evidence {
-    let compared = Compared::one(
-        r"$\mathfrak w$ of the drive with $\lambda_+=\lambda_0$ of (85) and $\lambda_-=q\lambda_0$",
-        r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"$\mathfrak w$ of the drive with $\lambda_+=\lambda_0$ of (85) and $\lambda_-=q\lambda_0$",
+            r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
+        ),
     );
-    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(411);
     trial.over(0..30, |i| {
         let (q, lambda) = (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4));
@@ -323,11 +327,13 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
 
 /// Every kind: with a start along x.
 pub fn trichotomy_census() -> Evidence {
-    let compared = Compared::one(
-        r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (37), 20 above, $-1$ for rest throughout above 1)",
-        "the same count of changes between sliding and rolling of a sphere in a late period",
+    let trial = Trial::census(
+        Subject::Within,
+        Compared::one(
+            r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (37), 20 above, $-1$ for rest throughout above 1)",
+            "the same count of changes between sliding and rolling of a sphere in a late period",
+        ),
     );
-    let trial = Trial::census(Subject::Within, compared);
     let mut points = Points::stream(412);
     let cases = match lambda_c() {
         Ok(own) => frictions(own).into_iter().enumerate(),
@@ -350,11 +356,15 @@ pub fn trichotomy_census() -> Evidence {
 
 /// How long it rolls in a period, from a start in any direction, against the rests of the drive.
 pub fn trichotomy_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
-        "that of a late period in which a sphere, started in any direction, rolls",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Within,
+        Compared::one(
+            r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
+            "that of a late period in which a sphere, started in any direction, rolls",
+        ),
+        MOTION,
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, MOTION);
     let mut points = Points::stream(413);
     trial.over(0..20, |i| {
         let lambda = points.uniform(0.25, 1.5);
@@ -376,11 +386,13 @@ pub fn trichotomy_motion() -> Evidence {
 
 /// λ₀ = 0: the slip of a fast sphere never changes its sign.
 pub fn trichotomy_outside() -> Evidence {
-    let compared = Compared::constant(
-        "the stated 2",
-        r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
+    let trial = Trial::census(
+        Subject::Outside,
+        Compared::constant(
+            "the stated 2",
+            r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
+        ),
     );
-    let trial = Trial::census(Subject::Outside, compared);
     let mut points = Points::stream(414);
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 2.5);
@@ -398,11 +410,15 @@ pub fn trichotomy_outside() -> Evidence {
 
 /// Rolling holds as long as friction suffices: the sphere set rolling at φ = 0 begins to slide where sin φ = λ₀.
 fn rolling_ends() -> Evidence {
-    let compared = Compared::one(
-        r"the root $\phi$ of $\sin\phi=\lambda_0$, with $\lambda_0$ by (84),",
-        r"the phase at which a sphere that rolls at $\phi=0$ begins to slide",
+    let trial = Trial::by(
+        Route::Root,
+        Subject::Within,
+        Compared::one(
+            r"the root $\phi$ of $\sin\phi=\lambda_0$, with $\lambda_0$ by (84),",
+            r"the phase at which a sphere that rolls at $\phi=0$ begins to slide",
+        ),
+        MOTION,
     );
-    let trial = Trial::by(Route::Root, Subject::Within, compared, MOTION);
     let mut points = Points::stream(415);
     trial.over(0..24, |i| {
         let lambda = points.uniform(0.05, 0.95);
@@ -439,11 +455,13 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The pulse train: kinds on both sides of λ₀ = η.
 fn pulse_census() -> Evidence {
-    let compared = Compared::one(
-        r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (46), 20 above, $-1$ for rest throughout above 1)",
-        "that of a sphere's late period under the pulses",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (46), 20 above, $-1$ for rest throughout above 1)",
+            "that of a sphere's late period under the pulses",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(416);
     let all = pulse_points(&mut points, 20);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
@@ -465,11 +483,15 @@ fn pulse_census() -> Evidence {
 
 /// The pulse train: the part of a period in which the drive rests.
 fn pulse_motion() -> Evidence {
-    let compared = Compared::one(
-        r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
-        "that of a late period in which the sphere rolls, under the pulses",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
+            "that of a late period in which the sphere rolls, under the pulses",
+        ),
+        MOTION,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(417);
     let all = pulse_points(&mut points, 20);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
@@ -531,11 +553,13 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The order of forward slip, backward slip and rolling in a period, as the particle has it.
 fn anisotropic_census() -> Evidence {
-    let compared = Compared::one(
-        r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (3 for a forward slip, 2 for a rest, 1 for a backward slip),",
-        "that of the sphere's slip",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (3 for a forward slip, 2 for a rest, 1 for a backward slip),",
+            "that of the sphere's slip",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(418);
     let all = map_points(&mut points, 40);
     trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
@@ -553,11 +577,15 @@ fn anisotropic_census() -> Evidence {
 
 /// How long each lasts.
 fn anisotropic_motion() -> Evidence {
-    let compared = Compared::many(
-        r"the parts of a period of backward motion and rest, the second one taken twice, of the drive with $\lambda_0$ of (85), where it rests at all,",
-        "those of the sphere's slip",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::many(
+            r"the parts of a period of backward motion and rest, the second one taken twice, of the drive with $\lambda_0$ of (85), where it rests at all,",
+            "those of the sphere's slip",
+        ),
+        MOTION,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
     let mut points = Points::stream(419);
     let resting = |(q, lambda): &(f64, f64)| q * lambda > 1.0;
     let all = map_points(&mut points, 40).into_iter().filter(resting);

@@ -1,6 +1,6 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
-use super::spheres::{Case, Run, braking, case, length, mixed, sphere, times, weighed};
+use super::spheres::{Case, Followed, braking, case, length, mixed, sphere, times, weighed};
 use crate::corrections::sphere as corrected;
 use crate::motion::sphere::{Ball, Contact};
 use crate::motion::{PhaseKind, Plane, Signal, State, run};
@@ -9,7 +9,7 @@ use std::f64::consts::TAU;
 use trialbook::prelude::*;
 
 /// The particle with bμ that begins with the sphere's slip velocity; none if bμ is below zero.
-fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failure> {
+fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, Failure> {
     let case = &run_of.case;
     let start = State {
         t: 0.0,
@@ -22,11 +22,10 @@ fn particle(run_of: &super::spheres::Run) -> Result<crate::motion::Motion, Failu
 
 /// The slip velocity is the particle's velocity, sliding and rolling.
 fn reduction_motion() -> Evidence {
-    let compared = Compared::one(
+    Trial::motion(Subject::Printed, Compared::one(
         r"$\bm v$ of a particle with $b\mu$ under the same $\bm A$",
         "the slip velocity of the motion, sliding and rolling, each vector by the one number $x+2y$",
-    );
-    Trial::motion(Subject::Printed, compared).over(
+    )).over(
         mixed().flat_map(|run| match run {
             Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
             Err(error) => vec![Err(error)],
@@ -49,7 +48,7 @@ fn reduction_motion() -> Evidence {
 }
 
 /// A sphere that rolls when the plane begins to pull, more than friction can follow, along a direction that turns.
-fn released() -> impl Iterator<Item = Result<Run, Failure>> {
+fn released() -> impl Iterator<Item = Result<Followed, Failure>> {
     let mut points = Points::stream(419);
     (0..24).map(move |i| {
         let case = case(i, &mut points);
@@ -78,13 +77,12 @@ fn released() -> impl Iterator<Item = Result<Run, Failure>> {
 
 /// The slip that begins by itself is the particle's velocity from rest.
 fn reduction_from_rest() -> Evidence {
-    let compared = Compared::one(
+    Trial::motion(Subject::Printed, Compared::one(
         r"$\bm v$ of a particle with $b\mu$, from rest, under the same turning $\bm A$",
         "the slip velocity of a sphere that rolls at the start, each vector by the one number $x+2y$",
-    );
-    Trial::motion(Subject::Printed, compared).over(released(), |run| {
+    )).over(released(), |run| {
         let run = run?;
-        let Run {
+        let Followed {
             case,
             motion,
             until,
@@ -109,11 +107,13 @@ fn reduction_from_rest() -> Evidence {
 
 /// A slip that is small beside the velocity lasts as long as the particle's velocity does.
 fn reduction_small_slip() -> Evidence {
-    let compared = Compared::one(
-        r"the time in which a particle with $b\mu$ that is as slow as the slip stops",
-        "that in which the sphere, a billion times as fast, comes to roll",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            r"the time in which a particle with $b\mu$ that is as slow as the slip stops",
+            "that in which the sphere, a billion times as fast, comes to roll",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     let mut points = Points::stream(420);
     trial.over(0..20, |i| {
         let sphere = sphere(i, &mut points);
@@ -151,11 +151,14 @@ fn reduction_small_slip() -> Evidence {
 
 /// The sphere rolls while the particle rests.
 fn reduction_rolling() -> Evidence {
-    let compared = Compared::one(
-        r"the time that a particle with $b\mu$ rests",
-        "the time that the sphere rolls",
-    );
-    Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
+    Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            r"the time that a particle with $b\mu$ rests",
+            "the time that the sphere rolls",
+        ),
+    )
+    .over(mixed(), |run| {
         let run = run?;
         let rests = |particle: crate::motion::Motion| {
             let phases = particle.phases().iter();
@@ -197,11 +200,10 @@ pub(super) fn rolling_time(
 
 /// The rest follows from u: dρ/dτ by (79), then ζ by the corrected (75), both from the particle's velocity.
 fn reduction_rest() -> Evidence {
-    let compared = Compared::many(
+    Trial::motion(Subject::Printed, Compared::many(
         r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
         "those of the motion, all components in one weighted sum",
-    );
-    Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
+    )).over(mixed(), |run| {
         let run = run?;
         let (b, t, zero) = (run.case.b(), run.until, [0.0; 3]);
         let (start, own_start, own) = (run.dimensionless(0.0)?, run.own(0.0)?, run.own(t)?);
@@ -228,11 +230,10 @@ fn reduction_rest() -> Evidence {
 
 /// The vertical spin keeps its value, and another one changes nothing else.
 fn spin_constant() -> Evidence {
-    let compared = Compared::many(
+    Trial::motion(Subject::Printed, Compared::many(
         r"a kept $\omega_z$, and the $x$, $\bm v$, $\omega_x$ and $\omega_y$ in which a motion with three times that $\omega_z$ ends,",
         "those of the motion, all in one weighted sum",
-    );
-    Trial::motion(Subject::Printed, compared).over(mixed(), |run| {
+    )).over(mixed(), |run| {
         let run = run?;
         let case = &run.case;
         let start = with_three_times_the_spin(case.start);

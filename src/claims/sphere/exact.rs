@@ -15,8 +15,8 @@ use trialbook::prelude::*;
 /// Components of a vector, as trees; a scalar has one.
 pub type Components = Vec<Expr>;
 
-/// A statement about the sphere.
-pub type Law = Statement<Components>;
+/// A statement about the sphere, by components.
+pub type Vectorial = Statement<Components>;
 
 const BY_COMPONENTS: Compared = Compared::one(
     "the formula",
@@ -31,7 +31,7 @@ const AS_A_PARTICLE: Compared = Compared::one(
     r"(11), (13) and (14), proved from (1), with $\gamma$ for $A$, $b$ for $\mu g$ and $\tau$ for $t$, as (74) has them",
 );
 
-const EQ59: Law = Law::new(
+const EQ59: Vectorial = Vectorial::new(
     Subject::Printed,
     Compared::one(
         "the formula",
@@ -40,7 +40,7 @@ const EQ59: Law = Law::new(
     newton::eq59,
     newton::prove_eq59,
 );
-const EQ60: Law = Law::new(
+const EQ60: Vectorial = Vectorial::new(
     Subject::Printed,
     Compared::one(
         "the formula",
@@ -49,7 +49,7 @@ const EQ60: Law = Law::new(
     newton::eq60,
     newton::prove_eq60,
 );
-const EQ62: Law = Law::new(
+const EQ62: Vectorial = Vectorial::new(
     Subject::Printed,
     Compared::one(
         r"(64), with $\kappa$ by the definition,",
@@ -58,31 +58,31 @@ const EQ62: Law = Law::new(
     body::eq62,
     body::prove_eq62,
 );
-const EQ63: Law = Law::new(
+const EQ63: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq63,
     body::prove_eq63,
 );
-const EQ64: Law = Law::new(
+const EQ64: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq64,
     body::prove_eq64,
 );
-const EQ65: Law = Law::new(
+const EQ65: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq65,
     body::prove_eq65,
 );
-const EQ66: Law = Law::new(
+const EQ66: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq66,
     body::prove_eq66,
 );
-const EQ68: Law = Law::new(
+const EQ68: Vectorial = Vectorial::new(
     Subject::Printed,
     Compared::one(
         r"(73), with $\bm\rho$ by the definition,",
@@ -91,13 +91,13 @@ const EQ68: Law = Law::new(
     body::eq68,
     body::prove_eq68,
 );
-const EQ69: Law = Law::new(
+const EQ69: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq69,
     body::prove_eq69,
 );
-const EQ70: Law = Law::new(
+const EQ70: Vectorial = Vectorial::new(
     Subject::Printed,
     Compared::one(
         r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
@@ -106,97 +106,97 @@ const EQ70: Law = Law::new(
     body::eq70,
     body::prove_eq70,
 );
-const EQ71: Law = Law::new(
+const EQ71: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq71,
     body::prove_eq71,
 );
-const EQ72: Law = Law::new(
+const EQ72: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_DEFINITION,
     body::eq72,
     body::prove_eq72,
 );
-const EQ73: Law = Law::new(
+const EQ73: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq73,
     body::prove_eq73,
 );
-const EQ74: Law = Law::new(
+const EQ74: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq74,
     body::prove_eq74,
 );
-const EQ75: Law = Law::new(
+const EQ75: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq75,
     body::prove_eq75,
 );
-const CORRECTED_75: Law = Law::new(
+const CORRECTED_75: Vectorial = Vectorial::new(
     Subject::Corrected,
     BY_COMPONENTS,
     body::corrected75,
     body::prove_eq75,
 );
-const EQ77: Law = Law::new(
+const EQ77: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq77,
     body::prove_eq77,
 );
-const EQ78: Law = Law::new(
+const EQ78: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq78,
     body::prove_eq78,
 );
-const EQ79: Law = Law::new(
+const EQ79: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::eq79,
     body::prove_eq79,
 );
-const EQ81: Law = Law::new(
+const EQ81: Vectorial = Vectorial::new(
     Subject::Within,
     AS_A_PARTICLE,
     angle::eq81,
     angle::prove_eq81,
 );
-const EQ82: Law = Law::new(
+const EQ82: Vectorial = Vectorial::new(
     Subject::Printed,
     AS_A_PARTICLE,
     angle::eq82,
     angle::prove_eq82,
 );
-const CORRECTED_82: Law = Law::new(
+const CORRECTED_82: Vectorial = Vectorial::new(
     Subject::Corrected,
     AS_A_PARTICLE,
     angle::corrected82,
     angle::prove_eq82,
 );
-const EQ83: Law = Law::new(
+const EQ83: Vectorial = Vectorial::new(
     Subject::Printed,
     AS_A_PARTICLE,
     angle::eq83,
     angle::prove_eq83,
 );
-const CORRECTED_83: Law = Law::new(
+const CORRECTED_83: Vectorial = Vectorial::new(
     Subject::Corrected,
     AS_A_PARTICLE,
     angle::corrected83,
     angle::prove_eq83,
 );
-pub const S3_REDUCTION: Law = Law::new(
+pub const S3_REDUCTION: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::reduction,
     body::prove_reduction,
 );
-const S3_SPIN_CONSTANT: Law = Law::new(
+const S3_SPIN_CONSTANT: Vectorial = Vectorial::new(
     Subject::Printed,
     BY_COMPONENTS,
     body::spin_rate,

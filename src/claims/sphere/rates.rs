@@ -1,6 +1,6 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
-use super::spheres::{Run, length, mixed, sliding, times, weighed};
+use super::spheres::{Followed, length, mixed, sliding, times, weighed};
 use crate::corrections::sphere as corrected;
 use crate::evidence::Subject::{Corrected, Printed};
 use crate::motion::State;
@@ -10,7 +10,7 @@ use crate::paper::sphere as printed;
 use trialbook::prelude::*;
 
 /// A vector of a state of the sphere: its name and its value.
-type Vector = (&'static str, fn(&Run, &Ball) -> [f64; 3]);
+type Vector = (&'static str, fn(&Followed, &Ball) -> [f64; 3]);
 
 const VELOCITY: Vector = (r"$\mathrm d\bm r/\mathrm dt$", |_, ball| flat(ball.v));
 const SPIN: Vector = (r"$\kappa R^2\bm\omega$", |run, ball| {
@@ -28,13 +28,16 @@ const BY_ONE_NUMBER: &str = " along the motion, each vector by the one number $x
 fn summed(
     law: &'static str,
     (name, quantity): Vector,
-    rate: impl Fn(&Run, &Ball, [f64; 3], f64) -> [f64; 3],
+    rate: impl Fn(&Followed, &Ball, [f64; 3], f64) -> [f64; 3],
 ) -> Evidence {
-    let compared = Compared::composed(
-        ["the integral of ", law, ""],
-        ["the change of ", name, BY_ONE_NUMBER],
-    );
-    Trial::quadrature(Printed, compared).over(sliding(), |run| {
+    Trial::quadrature(
+        Printed,
+        Compared::composed(
+            ["the integral of ", law, ""],
+            ["the change of ", name, BY_ONE_NUMBER],
+        ),
+    )
+    .over(sliding(), |run| {
         let run = run?;
         let along = |t: f64| {
             let ball = run.motion.at(t);
@@ -60,18 +63,18 @@ fn flat([x, y]: [f64; 2]) -> [f64; 3] {
     [x, y, 0.0]
 }
 
-fn spin_share(run: &Run, ball: &Ball) -> [f64; 3] {
+fn spin_share(run: &Followed, ball: &Ball) -> [f64; 3] {
     // The lowest point's velocity about the centre, (−R ω_y, R ω_x).
     let radius = run.case.sphere.radius;
     [-radius * ball.omega[1], radius * ball.omega[0], 0.0]
 }
 
-fn slip(run: &Run, ball: &Ball) -> [f64; 3] {
+fn slip(run: &Followed, ball: &Ball) -> [f64; 3] {
     flat(run.case.sphere.contact(ball))
 }
 
 /// γ and u by (71) and (72).
-fn gamma_u(run: &Run, slip: [f64; 3], t: f64) -> ([f64; 3], [f64; 3]) {
+fn gamma_u(run: &Followed, slip: [f64; 3], t: f64) -> ([f64; 3], [f64; 3]) {
     let (radius, mu, g) = run.case.parameters();
     (
         printed::eq72_acceleration(mu, g, run.case.acceleration(t)),
@@ -79,17 +82,17 @@ fn gamma_u(run: &Run, slip: [f64; 3], t: f64) -> ([f64; 3], [f64; 3]) {
     )
 }
 
-fn per_time(run: &Run, rate: [f64; 3]) -> [f64; 3] {
+fn per_time(run: &Followed, rate: [f64; 3]) -> [f64; 3] {
     rate.map(|c| c * run.tau_rate())
 }
 
 /// dρ/dτ of a state, in the sphere's own units.
-fn rho_rate(run: &Run, ball: &Ball) -> [f64; 3] {
+fn rho_rate(run: &Followed, ball: &Ball) -> [f64; 3] {
     flat(ball.v).map(|c| c / run.units().speed)
 }
 
 /// u, likewise.
-fn u(run: &Run, ball: &Ball) -> [f64; 3] {
+fn u(run: &Followed, ball: &Ball) -> [f64; 3] {
     slip(run, ball).map(|c| c / run.units().speed)
 }
 
@@ -117,7 +120,7 @@ fn spin(subject: Subject, law: &'static str, formula: Spin) -> Evidence {
 }
 
 /// ν at a time, zero at the start: what a body without friction loses to the plane, in units of √(μgR).
-pub(super) fn nu(run: &Run, t: f64) -> Result<[f64; 3], Failure> {
+pub(super) fn nu(run: &Followed, t: f64) -> Result<[f64; 3], Failure> {
     let rest = State {
         t: 0.0,
         v: [0.0; 2],
@@ -156,7 +159,7 @@ pub fn eq79() -> Evidence {
 }
 
 /// A rate by (77) or (78) less γ, the rate of ν.
-fn less_nu(run: &Run, gamma: [f64; 3], both: [f64; 3]) -> [f64; 3] {
+fn less_nu(run: &Followed, gamma: [f64; 3], both: [f64; 3]) -> [f64; 3] {
     let nu = printed::eq76_nu_rate(gamma);
     per_time(run, [0, 1, 2].map(|i| both[i] - nu[i]))
 }

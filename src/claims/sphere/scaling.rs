@@ -1,7 +1,7 @@
 //! Trials of (62) and (68) to (72): two spheres that differ in all but the dimensionless quantities move alike, and one
 //! of them has 1 for each unit.
 
-use super::spheres::{Case, Dimensionless, Run, Units, length, sliding, sphere, weighed};
+use super::spheres::{Case, Dimensionless, Followed, Units, length, sliding, sphere, weighed};
 use crate::motion::sphere::{Ball, Directed, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::quadrature::integral_within;
@@ -17,8 +17,8 @@ struct Twins {
     /// γτ, the size that velocities may reach, and τ.
     speed: f64,
     tau: f64,
-    ours: Run,
-    unit: Run,
+    ours: Followed,
+    unit: Followed,
 }
 
 /// A state, drive and time in the paper's units.
@@ -52,7 +52,7 @@ impl Plan {
     }
 
     /// The plan for one sphere of its κ.
-    fn follow(&self, sphere: Sphere) -> Result<Run, Failure> {
+    fn follow(&self, sphere: Sphere) -> Result<Followed, Failure> {
         let Units {
             length,
             push,
@@ -113,12 +113,14 @@ const SPACE: &str = ", at the same time in these, each vector by the one number 
 /// What a definition makes of the motion of the one with the same quantity of the other, at their ends.
 fn alike(
     [by_definition, own, each]: [&'static str; 3],
-    stated: impl Fn(&Run, &Dimensionless) -> [f64; 3],
-    found: impl Fn(&Run, &Dimensionless) -> [f64; 3],
+    stated: impl Fn(&Followed, &Dimensionless) -> [f64; 3],
+    found: impl Fn(&Followed, &Dimensionless) -> [f64; 3],
 ) -> Evidence {
     const TWIN: &str = r" of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units";
-    let compared = Compared::composed([by_definition, " of a sphere", ""], [own, TWIN, each]);
-    let trial = Trial::consistency(Subject::Printed, compared);
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::composed([by_definition, " of a sphere", ""], [own, TWIN, each]),
+    );
     trial.over(twins(), |twins| {
         let twins = twins?;
         let Twins { ours, unit, .. } = twins;
@@ -137,17 +139,19 @@ fn alike(
 }
 
 /// When it first begins to roll or to slide; 0 if it does not.
-fn first_change(run: &Run) -> f64 {
+fn first_change(run: &Followed) -> f64 {
     run.motion.transitions().first().map_or(0.0, |c| c.t)
 }
 
 /// (68) as what the velocity adds up to.
 fn eq68_way() -> Evidence {
-    let compared = Compared::one(
-        "the change of (68)",
-        r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            "the change of (68)",
+            r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
+        ),
     );
-    let trial = Trial::consistency(Subject::Printed, compared);
     trial.over(sliding(), |run| {
         let run = run?;
         let (radius, ..) = run.case.parameters();
@@ -170,11 +174,13 @@ fn eq68_way() -> Evidence {
 
 /// (71) where the sphere slides with one friction forwards and with another backwards.
 fn eq71_both_ways() -> Evidence {
-    let compared = Compared::one(
-        r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
-        r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",
+    let trial = Trial::consistency(
+        Subject::Printed,
+        Compared::one(
+            r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
+            r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",
+        ),
     );
-    let trial = Trial::consistency(Subject::Printed, compared);
     let mut points = Points::stream(421);
     trial.over(0..24, |i| {
         let sphere = sphere(i, &mut points);
@@ -215,7 +221,7 @@ fn both(kappa: f64, [x, y, _]: [f64; 3]) -> [f64; 3] {
     [kappa + x, y, 0.0]
 }
 
-fn driven(_: &Run, state: &Dimensionless) -> [f64; 3] {
+fn driven(_: &Followed, state: &Dimensionless) -> [f64; 3] {
     [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k])
 }
 

@@ -25,7 +25,7 @@ pub struct Case {
 
 /// A case and its motion.
 #[derive(Debug)]
-pub struct Run {
+pub struct Followed {
     /// The case.
     pub case: Case,
     /// The motion.
@@ -67,9 +67,9 @@ impl Case {
     }
 
     /// The motion until a time.
-    pub fn run(self, until: f64) -> Result<Run, MotionError> {
+    pub fn run(self, until: f64) -> Result<Followed, MotionError> {
         let motion = self.sphere.run(&self.plane, &self.start, until)?;
-        Ok(Run {
+        Ok(Followed {
             case: self,
             motion,
             until,
@@ -123,7 +123,7 @@ impl Units {
     }
 }
 
-impl Run {
+impl Followed {
     /// The state at a time in the sphere's own units, without the paper's formulas.
     pub fn own(&self, t: f64) -> Result<Dimensionless, MotionError> {
         let Units {
@@ -242,8 +242,8 @@ pub fn case(i: usize, points: &mut Points) -> Case {
 }
 
 /// Motions that end before sliding does.
-pub fn sliding() -> impl Iterator<Item = Result<&'static Run, Failure>> {
-    static RUNS: Runs<Vec<Run>> = Runs::new(|| {
+pub fn sliding() -> impl Iterator<Item = Result<&'static Followed, Failure>> {
+    static RUNS: Runs<Vec<Followed>> = Runs::new(|| {
         let mut points = Points::stream(400);
         let run = |i| {
             let case = case(i, &mut points);
@@ -264,8 +264,8 @@ pub fn sliding() -> impl Iterator<Item = Result<&'static Run, Failure>> {
 }
 
 /// Motions that slide and roll.
-pub fn mixed() -> impl Iterator<Item = Result<&'static Run, Failure>> {
-    static RUNS: Runs<Vec<Run>> = Runs::new(|| {
+pub fn mixed() -> impl Iterator<Item = Result<&'static Followed, Failure>> {
+    static RUNS: Runs<Vec<Followed>> = Runs::new(|| {
         let mut points = Points::stream(401);
         let run = |i| {
             let case = case(i, &mut points);
@@ -278,7 +278,7 @@ pub fn mixed() -> impl Iterator<Item = Result<&'static Run, Failure>> {
 }
 
 /// The times of a motion at which something is compared: three between its start and its end.
-pub fn times(run: &Run) -> [f64; 3] {
+pub fn times(run: &Followed) -> [f64; 3] {
     [0.31, 0.62, 1.0].map(|share| share * run.until)
 }
 

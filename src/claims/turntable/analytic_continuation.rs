@@ -17,12 +17,11 @@ fn inner(view: &View) -> [Complex; 2] {
 
 /// (111) and (112) give p and ρ, both real.
 pub fn eq122() -> Evidence {
-    let compared = Compared::many(
+    let trial = Trial::by(Route::Integration, Subject::Printed, Compared::many(
         r"the real and imaginary part of (111) plus twice (112), with the complex $A$ and $\alpha$ of (122) and (123),",
         r"$p+2\rho$ and 0",
     )
-    .over(r"$p>\rho$");
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, MOTION);
+    .over(r"$p>\rho$"), MOTION);
     let all = stretches(FASTER).flat_map(|s| [(s.clone(), true), (s, false)]);
     trial.over(all, |(stretch, real)| {
         let stretch = stretch?;
@@ -41,12 +40,11 @@ pub fn eq122() -> Evidence {
 
 /// (114) gives the rate of α, real.
 pub fn eq123() -> Evidence {
-    let compared = Compared::many(
+    let trial = Trial::quadrature(Subject::Printed, Compared::many(
         r"the real and imaginary part of the integral of (114) over $\tau$, with the complex $A$ and $\alpha$ of (122) and (123),",
         r"the change of $\beta$, and 0",
     )
-    .over(r"$p>\rho$");
-    let trial = Trial::quadrature(Subject::Printed, compared);
+    .over(r"$p>\rho$"));
     let all = stretches(FASTER).flat_map(|s| [(s.clone(), true), (s, false)]);
     trial.over(all, |(stretch, real)| {
         let stretch = stretch?;

@@ -14,8 +14,12 @@ fn ends(
     classes: &[Class],
     pair: impl Fn(&View, &Intrinsic) -> [f64; 2],
 ) -> Evidence {
-    let compared = Compared::one(stated, found);
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
+    let trial = Trial::by(
+        Route::Consistency,
+        Subject::Printed,
+        Compared::one(stated, found),
+        FRAMES,
+    );
     let both =
         stretches(classes).flat_map(|s| [Stretch::first, Stretch::last].map(|f| (s.clone(), f)));
     trial.over(both, |(stretch, end)| {

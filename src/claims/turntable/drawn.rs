@@ -72,11 +72,13 @@ pub fn launched(speed: f64) -> Result<Launched, MotionError> {
 
 /// (104) at every drawn moment, rest included.
 pub fn kept() -> Evidence {
-    let compared = Compared::one(
-        "(104) at each drawn moment, on the way to rest and at rest,",
-        "its value at the launch",
+    let trial = Trial::motion(
+        Subject::Printed,
+        Compared::one(
+            "(104) at each drawn moment, on the way to rest and at rest,",
+            "its value at the launch",
+        ),
     );
-    let trial = Trial::motion(Subject::Printed, compared);
     let all = SPEEDS.into_iter().flat_map(|speed| match launched(speed) {
         Ok(launch) => launch.moments.into_iter().map(|m| Ok((speed, m))).collect(),
         Err(error) => vec![Err(error)],

@@ -8,6 +8,12 @@ use crate::motion::turntable::{State, Table};
 use crate::paper::turntable as printed;
 use trialbook::prelude::*;
 
+fn change_of_eq104(stretch: &Stretch) -> Result<f64, Failure> {
+    let [from, to] = [stretch.part(stretch.from)?, stretch.part(stretch.to)?];
+    let [from, to] = [from, to].map(|part| printed::eq104_constant(part.p(), part.rho(), part.s));
+    Ok(to - from)
+}
+
 /// (104), with the arc length of the integration by components.
 pub fn eq104() -> Evidence {
     let trial = Trial::motion(
@@ -15,37 +21,31 @@ pub fn eq104() -> Evidence {
         Compared::one("the change of (104) over a stretch of motion", "0"),
     );
     trial.each(stretches(ANY), Stretch::at, |stretch| {
-        let value = |tau: f64| -> Result<f64, Failure> {
-            let part = stretch.part(tau)?;
-            Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
-        };
-        Ok([value(stretch.to)? - value(stretch.from)?, 0.0, 1.0])
+        Ok([change_of_eq104(stretch)?, 0.0, 1.0])
     })
 }
 
 /// (104) with the length of the path, in the words that call it a constant of motion.
 fn eq104_kept() -> Evidence {
-    let compared = Compared::one(
-        "the change of (104), with $s$, over a stretch of motion",
-        "the expected 0",
+    let trial = Trial::motion(
+        Printed,
+        Compared::one(
+            "the change of (104), with $s$, over a stretch of motion",
+            "the expected 0",
+        ),
     );
-    let trial = Trial::motion(Printed, compared);
-    balance(&trial, |stretch| {
-        let value = |tau| -> Result<f64, Failure> {
-            let part = stretch.part(tau)?;
-            Ok(printed::eq104_constant(part.p(), part.rho(), part.s))
-        };
-        Ok([value(stretch.to)? - value(stretch.from)?, 0.0])
-    })
+    balance(&trial, |stretch| Ok([change_of_eq104(stretch)?, 0.0]))
 }
 
 /// What p, ℓ and ξ give alone.
 fn eq104_without_s() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of $-p$ over a stretch of motion",
-        r"the change of $\frac12(p^2-\ell^2-\xi^2)$",
+    let trial = Trial::quadrature(
+        Subject::Remark,
+        Compared::one(
+            r"the integral of $-p$ over a stretch of motion",
+            r"the change of $\frac12(p^2-\ell^2-\xi^2)$",
+        ),
     );
-    let trial = Trial::quadrature(Subject::Remark, compared);
     balance(&trial, |stretch| {
         let view = |tau| stretch.view(tau);
         let [begin, end] = [view(stretch.from)?, view(stretch.to)?];
@@ -68,11 +68,15 @@ fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) 
 
 /// (105).
 fn eq105() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (105) over $\tau$ in the frame of the table",
-        "the arc length by components along the velocity",
+    let trial = Trial::by(
+        Route::Consistency,
+        Printed,
+        Compared::one(
+            r"the integral of (105) over $\tau$ in the frame of the table",
+            "the arc length by components along the velocity",
+        ),
+        FRAMES,
     );
-    let trial = Trial::by(Route::Consistency, Printed, compared, FRAMES);
     trial.each(stretches(ANY), Stretch::at, |stretch| {
         let rate = |tau: f64| {
             let view = stretch.view(tau);
@@ -94,11 +98,15 @@ pub fn way(launch: &Launch) -> Result<f64, Failure> {
 
 /// The work of friction by (106): what the terms without s gain, if (106) keeps its value.
 fn work_step() -> Evidence {
-    let compared = Compared::one(
-        "$-mgs$, the work of friction, over what kinetic and centrifugal energy gain by (106)",
-        "the expected 1",
+    let trial = Trial::by(
+        Route::Consistency,
+        Subject::Step,
+        Compared::one(
+            "$-mgs$, the work of friction, over what kinetic and centrifugal energy gain by (106)",
+            "the expected 1",
+        ),
+        FRAMES,
     );
-    let trial = Trial::by(Route::Consistency, Subject::Step, compared, FRAMES);
     let points = Points::stream(705).within(40, [[0.2, 3.0]; 3]);
     trial.at(["m", "g", "s"], points, 1.0, |[m, g, s]| {
         let at_rest = |s| printed::eq106_constant(m, g, 1.0, [0.0; 2], [0.0; 2], s);
@@ -167,11 +175,15 @@ pub fn friction() -> Evidence {
 /// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken
 /// off is the work of the Coriolis force.
 pub fn coriolis() -> Evidence {
-    let compared = Compared::one(
-        "the work of the Coriolis force of (86)",
-        "the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction",
+    let trial = Trial::by(
+        Route::Integration,
+        Printed,
+        Compared::one(
+            "the work of the Coriolis force of (86)",
+            "the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction",
+        ),
+        FRAMES,
     );
-    let trial = Trial::by(Route::Integration, Printed, compared, FRAMES);
     trial.each(launches(), Launch::at, |launch| {
         let Table { omega, mass: m, .. } = launch.table;
         let (begin, end) = (&launch.start, launch.turning.at(launch.to)?);

@@ -1,6 +1,7 @@
 //! Trials of the quasi-fixed points (124) and (125): where ψ stands still, and what deviations do. And how well ψ follows
 //! ψ₁ when α moves, for a figure.
 
+use super::singular_starts::rate_at_start;
 use crate::claims::tolerances::{FOREIGN, STANDS_STILL};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
@@ -10,17 +11,15 @@ use crate::paper::turntable as printed;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use trialbook::prelude::*;
 
-/// dψ/dτ at the begin of a motion, by its first five values.
+/// dψ/dτ at the beginning of a motion.
 fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
     let h = 1e-3 * alpha.min(1.0);
     let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 5.0 * h)?;
-    let mut sum = 0.0;
-    for (i, weight) in [-25.0, 48.0, -36.0, 16.0, -3.0].into_iter().enumerate() {
+    Ok(rate_at_start(h, |t| {
         // ψ is compared with its first value, so that its turns do not matter.
-        let change = run.at(h * i as f64)?.psi() - psi;
-        sum += weight * (change - TAU * libm::round(change / TAU));
-    }
-    Ok(sum / (12.0 * h))
+        let change = run.at(t)?.psi() - psi;
+        Ok(change - TAU * libm::round(change / TAU))
+    })?)
 }
 
 /// A state's A and α.
@@ -97,11 +96,13 @@ pub fn psi1() -> Evidence {
 /// Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
 /// shrinks.
 fn separation() -> Evidence {
-    let compared = Compared::one(
-        r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
-        r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
+    let trial = Trial::census(
+        Subject::Printed,
+        Compared::one(
+            r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
+            r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
+        ),
     );
-    let trial = Trial::census(Subject::Printed, compared);
     let mut points = Points::stream(532);
     trial.over(0..40, |i| {
         let (a, alpha) = state(&mut points);
@@ -128,11 +129,15 @@ fn separation() -> Evidence {
 /// (115) with α held fixed, from any angle: forwards in time it ends where ψ stands still and attracts, backwards where it
 /// repels.
 fn frozen() -> Evidence {
-    let compared = Compared::many(
-        r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
-        r"the angles below and above $\pi/2$ at which the forces turn velocity and position equally fast",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::many(
+            r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
+            r"the angles below and above $\pi/2$ at which the forces turn velocity and position equally fast",
+        ),
+        FOREIGN,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
     let mut points = Points::stream(533);
     trial.over(0..40, |i| {
         let (alpha, start) = (points.log_uniform(0.1, 1.5), points.uniform(-3.1, 3.1));

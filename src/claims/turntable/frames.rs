@@ -9,7 +9,7 @@ use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
 use trialbook::prelude::*;
 
-fn law(table: &Table, state: &State) -> [f64; 2] {
+fn acceleration(table: &Table, state: &State) -> [f64; 2] {
     printed::eq86_acceleration(table.omega, table.mu, table.g, state.x, state.v)
 }
 
@@ -54,7 +54,7 @@ fn summed(
         let of = |state: State| image(launch.table, state);
         let rate = |t: f64| {
             let here = launch.turning.at(t).map(of);
-            here.map_or(f64::NAN, |(table, state)| law(&table, &state)[i])
+            here.map_or(f64::NAN, |(table, state)| acceleration(&table, &state)[i])
         };
         let velocity = |state: State| of(state).1.v[i];
         let unit = launch.table.length() * launch.table.omega;
@@ -69,11 +69,15 @@ fn summed(
 
 /// (86) as an equation for the motion, through several turns of the table.
 fn eq86_turns() -> Evidence {
-    let compared = Compared::one(
-        "the place on the table by (86), through three turns,",
-        "that found in the laboratory, as the sum of its components",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Within,
+        Compared::one(
+            "the place on the table by (86), through three turns,",
+            "that found in the laboratory, as the sum of its components",
+        ),
+        FOREIGN,
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, FOREIGN);
     let mut points = Points::stream(502);
     trial.over(0..20, |_| {
         let table = Table {
@@ -117,7 +121,7 @@ fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
             x: [y[0], y[1]],
             v: [y[2], y[3]],
         };
-        let [ax, ay] = law(table, &state);
+        let [ax, ay] = acceleration(table, &state);
         [y[2], y[3], ax, ay]
     };
     let begin = [start.x[0], start.x[1], start.v[0], start.v[1]];
@@ -127,11 +131,15 @@ fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
 
 /// (89), likewise.
 pub fn eq89() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
-        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
+    let trial = Trial::by(
+        Route::Quadrature,
+        Subject::Within,
+        Compared::one(
+            r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
+            r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
+        ),
+        FRAMES,
     );
-    let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     let weighed = |[x, y]: [f64; 2]| x + 2.0 * y;
     trial.each(stretches(ANY), Stretch::at, |stretch| {
         let rate = |tau: f64| {
@@ -163,11 +171,15 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
 
 /// (87): motions on any table are one and the same in these units.
 pub fn eq87() -> Evidence {
-    let compared = Compared::one(
-        "(87) of a motion on any table",
-        r"the motion for $\Omega=\mu g=1$, component by component",
+    let trial = Trial::by(
+        Route::Consistency,
+        Subject::Printed,
+        Compared::one(
+            "(87) of a motion on any table",
+            r"the motion for $\Omega=\mu g=1$, component by component",
+        ),
+        FRAMES,
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
     trial.over(components(), |(launch, i)| {
         let launch = launch?;
         let Table { omega, mu, g, .. } = launch.table;
@@ -183,11 +195,15 @@ pub fn eq87() -> Evidence {
 
 /// (88), likewise.
 pub fn eq88() -> Evidence {
-    let compared = Compared::one(
-        r"the place at the time (88) for $\Omega=\mu g=1$",
-        r"the place at the time $t$ on any table, over $\mu g/\Omega^2$, component by component",
+    let trial = Trial::by(
+        Route::Consistency,
+        Subject::Printed,
+        Compared::one(
+            r"the place at the time (88) for $\Omega=\mu g=1$",
+            r"the place at the time $t$ on any table, over $\mu g/\Omega^2$, component by component",
+        ),
+        FRAMES,
     );
-    let trial = Trial::by(Route::Consistency, Subject::Printed, compared, FRAMES);
     trial.over(components(), |(launch, i)| {
         let launch = launch?;
         let tau = printed::eq88_time(launch.table.omega, launch.to);

@@ -44,11 +44,14 @@ fn integral(
     change: impl Fn(&Stretch) -> Result<(f64, f64), MotionError>,
     rate: impl Fn(&View) -> f64,
 ) -> Evidence {
-    let compared = Compared::composed(
-        ["the integral of ", law, r" over $\tau$ along the motion"],
-        ["the change of ", of, ""],
-    );
-    Trial::quadrature(subject, compared).each(stretches(classes), Stretch::at, |stretch| {
+    Trial::quadrature(
+        subject,
+        Compared::composed(
+            ["the integral of ", law, r" over $\tau$ along the motion"],
+            ["the change of ", of, ""],
+        ),
+    )
+    .each(stretches(classes), Stretch::at, |stretch| {
         let (found, scale) = change(stretch)?;
         let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
         Ok([

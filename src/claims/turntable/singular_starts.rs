@@ -3,6 +3,7 @@
 
 use super::trajectories::{ALONG, ALPHA, BETA, ELL, MOMENT, P, PSI, Quantity, RHO, View, XI};
 use crate::claims::tolerances::DIFFERENCES;
+use crate::motion::MotionError;
 use crate::motion::turntable::{State, Table, rotating};
 use crate::paper::turntable as printed;
 use std::f64::consts::PI;
@@ -34,7 +35,7 @@ fn state(begin: Begin, points: &mut Points) -> State {
 /// The time between the states that are compared, in units of 1/Ω.
 const H: f64 = 1e-3;
 
-/// The rate of a quantity at the beginning, by its first five values.
+/// The rate of a quantity of a motion at its beginning.
 pub fn first_rate(
     table: &Table,
     start: &State,
@@ -42,9 +43,17 @@ pub fn first_rate(
 ) -> Result<f64, Failure> {
     let h = H / table.omega;
     let path = rotating::run(table, start, 5.0 * h)?;
+    Ok(rate_at_start(h, |t| Ok(quantity(&path.at(t)?)))?)
+}
+
+/// The rate at the beginning by five values, there and at times `h` apart.
+pub fn rate_at_start(
+    h: f64,
+    value: impl Fn(f64) -> Result<f64, MotionError>,
+) -> Result<f64, MotionError> {
     let mut sum = 0.0;
     for (i, weight) in [-25.0, 48.0, -36.0, 16.0, -3.0].into_iter().enumerate() {
-        sum += weight * quantity(&path.at(h * i as f64)?);
+        sum += weight * value(h * i as f64)?;
     }
     Ok(sum / (12.0 * h))
 }
@@ -57,8 +66,12 @@ fn first_moment(
     (name, quantity): Quantity,
     formula: fn(&View) -> f64,
 ) -> Evidence {
-    let compared = Compared::composed([law, "", ""], ["the rate of ", name, ""]);
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Outside,
+        Compared::composed([law, "", ""], ["the rate of ", name, ""]),
+        DIFFERENCES,
+    );
     let mut points = Points::stream(stream);
     trial.over(0..30, |i| {
         let begin = begins[i % begins.len()];
@@ -86,11 +99,15 @@ const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
 
 /// (86) at rest, on tables of any Ω, μ, g.
 pub fn eq86() -> Evidence {
-    let compared = Compared::one(
-        "(86) at rest",
-        "the acceleration, as the sum of its components",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Outside,
+        Compared::one(
+            "(86) at rest",
+            "the acceleration, as the sum of its components",
+        ),
+        DIFFERENCES,
     );
-    let trial = Trial::by(Route::Integration, Subject::Outside, compared, DIFFERENCES);
     let mut points = Points::stream(510);
     trial.over(0..30, |i| {
         let table = Table {

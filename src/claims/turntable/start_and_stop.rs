@@ -78,11 +78,15 @@ fn weighed([x, y]: [f64; 2]) -> f64 {
 
 /// (89) from the moment of a start on: friction is overcome, and has its full size at once.
 fn eq89_from_rest() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (89) over $\tau$ along a motion that starts from rest, in the frame of the table,",
-        r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
+    let trial = Trial::by(
+        Route::Quadrature,
+        Subject::Within,
+        Compared::one(
+            r"the integral of (89) over $\tau$ along a motion that starts from rest, in the frame of the table,",
+            r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
+        ),
+        FRAMES,
     );
-    let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     trial.each(loose(), Loose::at, |loose| {
         Ok([
             loose.sum(|v| weighed(printed::eq89_acceleration(v.position, v.rate))),
@@ -94,11 +98,15 @@ fn eq89_from_rest() -> Evidence {
 
 /// (89) with the direction of the velocity that the components along it keep.
 fn eq89_by_components() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
-        r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector by the one number $x+2y$",
+    let trial = Trial::by(
+        Route::Quadrature,
+        Subject::Within,
+        Compared::one(
+            r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
+            r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector by the one number $x+2y$",
+        ),
+        FRAMES,
     );
-    let trial = Trial::by(Route::Quadrature, Subject::Within, compared, FRAMES);
     trial.each(stretches(ANY), Stretch::at, |stretch| {
         let rate = |tau: f64| {
             stretch.view(tau).map_or(f64::NAN, |v| {
@@ -275,11 +283,15 @@ fn by_each(programs: usize) -> impl Iterator<Item = (usize, Result<&'static Stop
 
 /// (104) where a motion has come to rest.
 fn eq104_at_rest() -> Evidence {
-    let compared = Compared::one(
-        "the change of (104) from the start to the place of rest, by four programs,",
-        "0",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            "the change of (104) from the start to the place of rest, by four programs,",
+            "0",
+        ),
+        ENDS,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, ENDS);
     trial.over(by_each(4), |(i, stop)| {
         let stop = stop?;
         Ok(match stop.ends.get(i) {
@@ -291,11 +303,15 @@ fn eq104_at_rest() -> Evidence {
 
 /// (99) until a motion stops.
 fn eq99_until_rest() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (99) over $\tau$ along a motion until it stops, by three programs,",
-        "$-p$ at the start",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Within,
+        Compared::one(
+            r"the integral of (99) over $\tau$ along a motion until it stops, by three programs,",
+            "$-p$ at the start",
+        ),
+        ENDS,
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, ENDS);
     trial.over(by_each(3), |(i, stop)| {
         let stop = stop?;
         let (by, time, _) = stop.ends[i];
@@ -307,11 +323,15 @@ const MANY: &str = "many at once";
 
 /// (99) until motions of which many are followed at once stop.
 fn eq99_of_many() -> Evidence {
-    let compared = Compared::one(
-        r"the integral of (99) over $\tau$ along a motion until it stops, of many followed at once,",
-        "$-p$ at the start",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Within,
+        Compared::one(
+            r"the integral of (99) over $\tau$ along a motion until it stops, of many followed at once,",
+            "$-p$ at the start",
+        ),
+        OF_MANY,
     );
-    let trial = Trial::by(Route::Integration, Subject::Within, compared, OF_MANY);
     trial.over(to_rest(), |stop| {
         let stop = stop?;
         let [time, _, error] = stop.of_many;
@@ -326,11 +346,15 @@ const HORIZON: Horizon = Horizon { rho: 3.0, tau: 2.0 };
 
 /// (104) where motions end of which many are followed at once: at rest, at a distance, at a time.
 fn eq104_of_many() -> Evidence {
-    let compared = Compared::one(
-        r"the change of (104) from the start to rest, to $\rho=3$ or to $\tau=2$, of many followed at once,",
-        "0",
+    let trial = Trial::by(
+        Route::Integration,
+        Subject::Printed,
+        Compared::one(
+            r"the change of (104) from the start to rest, to $\rho=3$ or to $\tau=2$, of many followed at once,",
+            "0",
+        ),
+        OF_MANY,
     );
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, OF_MANY);
     let resting = to_rest().map(|stop| -> Result<_, Failure> {
         let stop = stop?;
         Ok(stop.kept(MANY, stop.of_many[1]))

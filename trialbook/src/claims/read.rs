@@ -684,6 +684,9 @@ unproved = "it is a picture"
                 why: "for this"
             }]
         );
+        let (low, high) = (f64::NEG_INFINITY, 0.0);
+        let letter = "τ";
+        assert_eq!(speed.domain, [Corner { letter, low, high }]);
         assert_eq!(speed.survivors, [Excuse { of: "g", why: half }]);
         assert_eq!(
             (
@@ -701,7 +704,7 @@ unproved = "it is a picture"
             topic
                 .lines()
                 .map(|(line, claim)| (line, claim.id))
-                .eq([(8, "eq-7"), (26, "fig-1")])
+                .eq([(8, "eq-7"), (27, "fig-1")])
         );
     }
 
@@ -744,27 +747,27 @@ unproved = "it is a picture"
             (
                 "tests::rise",
                 "tests::raise",
-                "fall.toml, line 17: there is no trial `tests::raise`",
+                "fall.toml, line 18: there is no trial `tests::raise`",
             ),
             (
                 "idle = \"half\"",
                 "idle = \"halve\"",
-                "fall.toml, line 17: there is no reason `halve`",
+                "fall.toml, line 18: there is no reason `halve`",
             ),
             (
                 "survivors.g = \"half\"",
                 "survivors.g = \"halve\"",
-                "fall.toml, line 18: there is no reason `halve`",
+                "fall.toml, line 19: there is no reason `halve`",
             ),
             (
                 "values.g =",
                 "values.h =",
-                "fall.toml, line 19: there is no number `h`",
+                "fall.toml, line 20: there is no number `h`",
             ),
             (
                 "[eq-7.by-hand]",
                 "[fig-1.by-hand]",
-                "fall.toml, line 20: there is no pair of numbers of the case of `fig-1`",
+                "fall.toml, line 21: there is no pair of numbers of the case of `fig-1`",
             ),
         ] {
             let text = WHOLE.replace(from, to);

@@ -352,6 +352,15 @@ impl<'a> Prover<'a> {
         Ok(slope)
     }
 
+    /// Differentiates an element by a symbol.
+    ///
+    /// # Errors
+    /// As [`Ring::by`] and [`Ring::derivative`].
+    pub fn slope(&mut self, says: &str, x: &Rational, by: &str) -> Result<Rational, Obstacle> {
+        let by = self.ring.by(by)?;
+        self.derivative(says, x, &by)
+    }
+
     /// Divides an element by another.
     ///
     /// # Errors
@@ -429,12 +438,39 @@ impl<'a> Prover<'a> {
         })
     }
 
+    /// Demands that an element is what a formula says, which it reads.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read) and [`equal`](Self::equal).
+    pub fn reads_as(&mut self, x: &Rational, says: &str, formula: Expr) -> Result<(), Obstacle> {
+        let stated = self.read(says, formula)?;
+        self.equal("The two", x, &stated)
+    }
+
+    /// Demands that two formulas, each with what is said of it, are the same.
+    ///
+    /// # Errors
+    /// As [`reads_as`](Self::reads_as).
+    pub fn identity(&mut self, left: (&str, Expr), right: (&str, Expr)) -> Result<(), Obstacle> {
+        let element = self.read(left.0, left.1)?;
+        self.reads_as(&element, right.0, right.1)
+    }
+
     /// Demands that an element is zero.
     ///
     /// # Errors
     /// [`Obstacle::NotZero`], if it is not.
     pub fn zero(&mut self, says: &str, x: &Rational) -> Result<(), Obstacle> {
         self.equal(says, x, &Rational::int(0))
+    }
+
+    /// Demands that a formula is zero, which it reads.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read) and [`zero`](Self::zero).
+    pub fn vanishes(&mut self, says: &str, formula: Expr) -> Result<(), Obstacle> {
+        let element = self.read(says, formula)?;
+        self.zero("It", &element)
     }
 }
 

@@ -98,6 +98,15 @@ impl Ring {
         }
     }
 
+    /// That ring with free symbols.
+    pub fn of(symbols: impl IntoIterator<Item = &'static str>) -> Self {
+        let mut ring = Self::new();
+        for name in symbols {
+            ring.symbol(name);
+        }
+        ring
+    }
+
     fn generator(&mut self, name: String, rule: Rule) -> usize {
         self.names.push(name);
         self.rules.push(rule);

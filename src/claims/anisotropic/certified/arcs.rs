@@ -73,7 +73,7 @@ pub fn corner_falls() -> Proof {
         let factor = p.read("cot α + α − 3π/2", alpha.cot() + alpha - three)?;
         let sine = p.ring().read(alpha.sin())?;
         p.equal("The arc is sin α times that", &all, &(&sine * &factor))?;
-        let slope = p.derivative("Its slope", &factor, &p.ring().by("α")?)?;
+        let slope = p.slope("Its slope", &factor, "α")?;
         let square = p.read("cot²α", alpha.cot().squared())?;
         p.equal("The slope is less than 0 by that", &-&slope, &square)
     })
@@ -89,14 +89,17 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("The sides of (53)", ring(), |p| {
         let [alpha, k] = Expr::symbols(["α", "K"]);
         let left = p.read("The left side", left)?;
-        p.same(&left, alpha.cot(), "")?;
-        let slope = p.derivative("Its slope", &left, &p.ring().by("α")?)?;
+        let cotangent = p.read("cot α", alpha.cot())?;
+        p.equal("The two", &left, &cotangent)?;
+        let slope = p.slope("Its slope", &cotangent, "α")?;
         let square = p.read("1/sin²α", Expr::int(1) / alpha.sin().squared())?;
         p.equal("The slope is less than 0 by that", &-&slope, &square)?;
-        let right = p.read("The right side", right)?;
         let twice = Expr::int(2) * k;
         let stated = (twice - twice.sin()) / (Expr::int(2) * k.sin().squared());
-        p.same(&right, stated, "which is positive")
+        p.identity(
+            ("The right side", right),
+            ("(2K − sin 2K)/(2 sin²K), which is positive", stated),
+        )
     })
 }
 
@@ -112,7 +115,7 @@ pub fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
         let first = p.read("C at q = 1", on_c(Expr::int(1)))?;
         p.equal("It is D", &first, &p.ring().read(printed::eq56_lambda0())?)?;
         let c = p.read("C", on_c(q))?;
-        let slope = p.derivative("Its slope by q", &c, &p.ring().by("q")?)?;
+        let slope = p.slope("Its slope by q", &c, "q")?;
         let square = p.read("1/q²", Expr::int(1) / q.squared())?;
         p.equal("The slope is less than 0 by that", &-&slope, &square)
     })
@@ -142,12 +145,14 @@ pub fn a_below() -> Proof {
     Proof::in_ring("A far out", ring(), |p| {
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let first = (q.squared() - Expr::int(1)) * alpha.sin() / (alpha.cos() + beta.cos());
-        let by_angles = p.read(
-            "By the angles",
-            first + alpha + beta - Expr::int(2) * Expr::pi(),
-        )?;
         let by_ratio = e_beyond([Expr::int(1) / q, alpha.sin() * q.squared()]);
-        p.same(&by_angles, by_ratio, "by 1/q and λ₀q²")?;
+        p.identity(
+            (
+                "By the angles",
+                first + alpha + beta - Expr::int(2) * Expr::pi(),
+            ),
+            ("By 1/q and λ₀q²", by_ratio),
+        )?;
         p.note(
             "On A",
             "tan α = 2 sin²K/(2K − sin 2K), K = πq/(q+1) from π/2 to π, where sin 2K ≤ 0 and sin K = sin(π/(q+1))",

@@ -71,8 +71,12 @@ fn length_to_q() -> Expr {
 
 /// The decimals of (58), to the last one.
 pub fn y_rounding() -> Evidence {
-    let compared = Compared::one("(58)", "the enclosure of Y, rounded to three decimals");
-    let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
+    let trial = Trial::by(
+        Route::Certified,
+        Subject::Printed,
+        Compared::one("(58)", "the enclosure of Y, rounded to three decimals"),
+        NONE,
+    );
     let points = [("q of Y", Q_Y), ("λ₀ of Y", LAMBDA_Y)]
         .into_iter()
         .zip(printed::eq58_y());
@@ -127,12 +131,11 @@ fn sign_of(velocity: Interval) -> f64 {
 
 /// A point of the printed region II where the drive never pulls the particle back.
 pub fn no_way_back() -> Evidence {
-    let compared = Compared::one(
+    let trial = Trial::by(Route::Certified, Subject::Printed, Compared::one(
         r"the sign of $\mathfrak w$ at the last moment at which the drive could pull backward, $-1$ in the printed region II, whose forward motion is over by then,",
         "the sign that the arc of Newton's law has there",
     )
-    .over(r"$q=9$, $\lambda_0=1/10$");
-    let trial = Trial::by(Route::Certified, Subject::Printed, compared, NONE);
+    .over(r"$q=9$, $\lambda_0=1/10$"), NONE);
     trial.over([(9, Interval::ratio(1, 10))], |(q, lambda0)| {
         let q = Interval::int(q);
         // There is no B beyond q_Y.

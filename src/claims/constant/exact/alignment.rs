@@ -2,7 +2,7 @@
 
 use super::cases::late_speed;
 use super::sliding::{eq6, eq7, prove_eq6, prove_eq7};
-use super::{Friction, definitions, prove, prove_definitions};
+use super::{Regime, definitions, prove, prove_definitions};
 use crate::corrections::constant as corrected;
 use crate::paper::constant as paper;
 use trialbook::prelude::*;
@@ -18,14 +18,15 @@ pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
 );
 
 fn cannot_hold([left, right]: [Expr; 2]) -> Proof {
-    prove("Friction cannot hold", Friction::Any, |p, _| {
+    prove("Friction cannot hold", Regime::Any, |p, _| {
         p.rests_on(&prove_definitions(definitions()))?;
         p.rests_on(&prove_eq6(eq6()))?;
         let [a, lambda] = Expr::symbols(["A", "λ"]);
         p.note("μg by (5)", "λA");
         let lack = p.read("The pull less the greatest friction", a - lambda * a)?;
-        p.same(
+        p.reads_as(
             &lack,
+            "A times the right side less the left one",
             a * (right - left),
             "A times the right side less the left one",
         )?;
@@ -44,52 +45,42 @@ pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::new(
         let sides = paper::s21_keeps_moving_sides(Expr::symbol("λ"));
         (sides, paper::s21_late_angle())
     },
-    |(sides, angle)| aligns(sides, angle),
+    aligns,
 );
 
-fn aligns([left, right]: [Expr; 2], angle: Expr) -> Proof {
-    prove("The velocity aligns", Friction::Any, |p, newton| {
+fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
+    prove("The velocity aligns", Regime::Any, |p, newton| {
         p.rests_on(&prove_eq6(eq6()))?;
         p.rests_on(&prove_eq7(eq7()))?;
         p.rests_on(&at_the_border())?;
         let [a, lambda, v, theta] = Expr::symbols(["A", "λ", "v", "θ"]);
         let [vx, vy] = [v * theta.cos(), v * theta.sin()];
-        let along = p.read("(6)", eq6())?;
         let terms = a * (right - left) + a * lambda * (Expr::int(1) - theta.cos());
-        p.same(
-            &along,
-            terms,
-            "A times the right side less the left one, and what is not negative",
-        )?;
+        p.identity(("(6)", eq6()), ("A times the right side less the left one, and Aλ (1 − cos θ), which is not negative",
+            terms))?;
         p.note("So, for λ < 1", "v_x grows beyond all bounds");
         let square = p.read("v_y²", vy.squared())?;
         let fall = p.derivative("Its rate", &square, &newton.motion)?;
-        p.same(&fall, Expr::int(2) * vy * eq7(), "by (7)")?;
+        p.reads_as(&fall, "By (7)", Expr::int(2) * vy * eq7())?;
         let lost = Expr::int(2) * a * lambda * v * theta.sin().squared();
         let lost = p.read("2Aλ v sin²θ, which is not negative", lost)?;
         p.equal("The rate is less than 0 by that", &-&fall, &lost)?;
-        let tangent = p.read("tan θ", theta.tan())?;
-        p.same(&tangent, vy / vx, "")?;
-        let zero = p.read("tan θ → 0 with v_x > 0; the stated angle", angle)?;
-        p.same(&zero, Expr::int(0), "")
+        p.identity(("tan θ", theta.tan()), ("v_y/v_x", vy / vx))?;
+        p.vanishes("tan θ → 0 with v_x > 0; the stated angle", angle)
     })
 }
 
 /// λ = 1, from 0 < θ₀ < π; from θ₀ < 0 the mirror, and at θ₀ = 0 nothing changes.
 fn at_the_border() -> Proof {
-    prove(
-        "The velocity aligns at λ = 1",
-        Friction::One,
-        |p, newton| {
-            late_speed(p, newton)?;
-            p.note("For every θ between θ₀ and 0", "that time has a value");
-            let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
-            let falls = p.read("A sin θ/v, which is positive", a * theta.sin() / v)?;
-            p.equal("dθ/dt is less than 0 by that", &-&newton.angle_rate, &falls)?;
-            p.note("So", "θ falls all the time, and below every positive angle");
-            Ok(())
-        },
-    )
+    prove("The velocity aligns at λ = 1", Regime::One, |p, newton| {
+        late_speed(p, newton)?;
+        p.note("For every θ between θ₀ and 0", "that time has a value");
+        let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
+        let falls = p.read("A sin θ/v, which is positive", a * theta.sin() / v)?;
+        p.equal("dθ/dt is less than 0 by that", &-&newton.angle_rate, &falls)?;
+        p.note("So", "θ falls all the time, and below every positive angle");
+        Ok(())
+    })
 }
 
 /// In the end the particle slides against the plane's acceleration.
@@ -102,17 +93,21 @@ pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
         let drive = paper::eq3_acceleration(Expr::symbol("A"));
         (corrected::late_sense(), drive)
     },
-    |(sense, drive)| against(sense, drive),
+    against,
 );
 
-fn against(sense: Expr, [ax, ay]: [Expr; 2]) -> Proof {
-    prove("The sense of the sliding", Friction::Any, |p, _| {
+fn against((sense, [ax, ay]): (Expr, [Expr; 2])) -> Proof {
+    prove("The sense of the sliding", Regime::Any, |p, _| {
         given(p, &[&ALIGNS])?;
         let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
         let product = v * theta.cos() * ax + v * theta.sin() * ay;
-        let cosine = p.read("The cosine of the angle between the two", product / (v * a))?;
-        p.same(&cosine, -theta.cos(), "")?;
-        let limit = p.read("It at θ = 0", (product / (v * a)).with("θ", Expr::int(0)))?;
-        p.same(&limit, sense, "the stated sense")
+        p.identity(
+            ("The cosine of the angle between the two", product / (v * a)),
+            ("−cos θ", -theta.cos()),
+        )?;
+        p.identity(
+            ("It at θ = 0", (product / (v * a)).with("θ", Expr::int(0))),
+            ("The stated sense", sense),
+        )
     })
 }

@@ -1,7 +1,7 @@
 //! The special cases: λ = 0, (15) and (16); λ = 1, (17) to (19); λ > 1, (20).
 
 use super::sliding::{constant_of_motion, eq11, eq13, prove_eq11, prove_eq13};
-use super::{Friction, Newton, prove};
+use super::{Newton, Regime, prove};
 use crate::paper::constant as paper;
 use trialbook::prelude::*;
 
@@ -19,14 +19,14 @@ fn component(
     let component = p.read("The component", component)?;
     let expected = p.derivative("Its rate by (1)", &component, &newton.motion)?;
     let value = p.read("As printed", printed)?;
-    let rate = p.derivative("The rate of that", &value, &p.ring().by("t")?)?;
+    let rate = p.slope("The rate of that", &value, "t")?;
     p.equal("Rate by (1) against printed rate", &expected, &rate)?;
     let at_start = p.read("At t = 0", printed.with("t", Expr::int(0)))?;
     p.equal("Against the start", &at_start, &p.ring().read(start)?)
 }
 
 pub(super) fn prove_eq15(printed: Expr) -> Proof {
-    prove("(15): v_x without friction", Friction::Zero, |p, newton| {
+    prove("(15): v_x without friction", Regime::Zero, |p, newton| {
         let [v, theta, start] = Expr::symbols(["v", "θ", "v₀x"]);
         component(p, newton, [v * theta.cos(), start, printed])
     })
@@ -37,7 +37,7 @@ pub(super) fn eq16() -> Expr {
 }
 
 pub(super) fn prove_eq16(printed: Expr) -> Proof {
-    prove("(16): v_y without friction", Friction::Zero, |p, newton| {
+    prove("(16): v_y without friction", Regime::Zero, |p, newton| {
         let [v, theta, start] = Expr::symbols(["v", "θ", "v₀y"]);
         component(p, newton, [v * theta.sin(), start, printed])
     })
@@ -51,7 +51,7 @@ pub(super) fn eq17() -> Expr {
 pub(super) fn prove_eq17(printed: Expr) -> Proof {
     prove(
         "(17): an expression keeps its value, λ = 1",
-        Friction::One,
+        Regime::One,
         |p, newton| constant_of_motion(p, newton, printed),
     )
 }
@@ -74,7 +74,7 @@ pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Ob
         * (half0.sin().squared() * (Expr::int(1) - r.squared()) / two
             - half0.cos().squared() * r.ln());
     let time = p.read("The time at angle θ is", time)?;
-    let rate = p.derivative("for its derivative", &time, &p.ring().by("θ")?)?;
+    let rate = p.slope("for its derivative", &time, "θ")?;
     p.equal("is dt/dθ by (1)", &rate, &newton.time_rate(&read)?)?;
     p.note(
         "For θ → 0 it grows beyond bounds",
@@ -86,13 +86,13 @@ pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Ob
 pub(super) fn prove_eq18(printed: Expr) -> Proof {
     prove(
         "(18): v_x at large times, λ = 1",
-        Friction::One,
+        Regime::One,
         |p, newton| {
             let speed = late_speed(p, newton)?;
             let vx = p.read("v_x", speed * Expr::symbol("θ").cos())?;
             let limit = newton.at_zero_angle(&vx)?;
             p.note("For θ → 0", p.ring().text(&limit));
-            p.same(&limit, printed, "the printed limit")
+            p.reads_as(&limit, "The printed limit", printed)
         },
     )
 }
@@ -104,13 +104,13 @@ pub(super) fn eq19() -> Expr {
 pub(super) fn prove_eq19(printed: Expr) -> Proof {
     prove(
         "(19): v_y at large times, λ = 1",
-        Friction::One,
+        Regime::One,
         |p, newton| {
             let speed = late_speed(p, newton)?;
             let vy = p.read("v_y", speed * Expr::symbol("θ").sin())?;
             let limit = newton.at_zero_angle(&vy)?;
             p.note("For θ → 0", p.ring().text(&limit));
-            p.same(&limit, printed, "the printed limit")
+            p.reads_as(&limit, "The printed limit", printed)
         },
     )
 }
@@ -123,7 +123,7 @@ pub(super) fn eq20() -> Expr {
 pub(super) fn prove_eq20(printed: Expr) -> Proof {
     prove(
         "(20): the time at which the particle stops",
-        Friction::BeyondOne,
+        Regime::BeyondOne,
         |p, newton| {
             p.rests_on(&prove_eq11(eq11()))?;
             p.rests_on(&prove_eq13(eq13()))?;
@@ -132,7 +132,7 @@ pub(super) fn prove_eq20(printed: Expr) -> Proof {
             let time = p.read("The time by (13)", eq13())?;
             let stop = newton.at_zero_angle(&time)?;
             p.note("For θ → 0", p.ring().text(&stop));
-            p.same(&stop, printed, "the printed time")
+            p.reads_as(&stop, "The printed time", printed)
         },
     )
 }

@@ -11,10 +11,10 @@ pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
         r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
     ),
     || (eq1(), paper::eq3_acceleration(Expr::symbol("A"))),
-    |(law, drive)| on_an_incline(law, drive),
+    on_an_incline,
 );
 
-fn on_an_incline(law: [Expr; 2], drive: [Expr; 2]) -> Proof {
+fn on_an_incline((law, drive): ([Expr; 2], [Expr; 2])) -> Proof {
     let title = "An incline is a constant drive";
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = two_frames::ring()?;
@@ -51,14 +51,18 @@ fn on_an_incline(law: [Expr; 2], drive: [Expr; 2]) -> Proof {
             ("across it", across, on_plane(law[1])),
             ("along the normal", normal, zero),
         ] {
-            let found = p.read(&format!("All forces per mass, {says}"), along(sum, axis))?;
-            p.same(&found, stated, "(1) with (3), and 0 along the normal")?;
+            p.identity(
+                (&format!("All forces per mass, {says}"), along(sum, axis)),
+                ("(1) with (3), and 0 along the normal", stated),
+            )?;
         }
-        let pull = p.read(
-            "At rest: the weight's part down the slope",
-            along(weight, down),
+        p.identity(
+            (
+                "At rest: the weight's part down the slope",
+                along(weight, down),
+            ),
+            ("−A_x of (3)", -ax),
         )?;
-        p.same(&pull, -ax, "−A_x of (3)")?;
         p.note(
             "The greatest friction",
             "μ times the normal force, μg cos β, there and here",
@@ -99,8 +103,10 @@ fn only_constant(law: [Expr; 2]) -> Proof {
         for ((plane, incline), [a, pull]) in law.into_iter().zip(incline).zip([[ax, px], [ay, py]])
         {
             for (rate, sum) in [(plane, -(two * a)), (incline, two * pull)] {
-                let both = p.read("A component at v and at −v, added", rate + opposite(rate))?;
-                p.same(&both, sum, "without friction, twice")?;
+                p.identity(
+                    ("A component at v and at −v, added", rate + opposite(rate)),
+                    ("Without friction, twice", sum),
+                )?;
             }
         }
         p.note(

@@ -1,6 +1,6 @@
 //! Any friction: (6) to (14), and the form of (11) that replaces it.
 
-use super::{Friction, Newton, at_start, prove};
+use super::{Newton, Regime, at_start, prove};
 use crate::corrections;
 use crate::paper::constant as paper;
 use trialbook::claims::compare::where_defined;
@@ -12,7 +12,7 @@ pub(super) fn eq6() -> Expr {
 }
 
 pub(super) fn prove_eq6(printed: Expr) -> Proof {
-    prove("(6): d(v cos θ)/dt", Friction::Any, |p, newton| {
+    prove("(6): d(v cos θ)/dt", Regime::Any, |p, newton| {
         let [v, theta] = Expr::symbols(["v", "θ"]);
         let vx = p.read("The component along x", v * theta.cos())?;
         let rate = p.derivative("Its rate by (1)", &vx, &newton.motion)?;
@@ -27,7 +27,7 @@ pub(super) fn eq7() -> Expr {
 }
 
 pub(super) fn prove_eq7(printed: Expr) -> Proof {
-    prove("(7): d(v sin θ)/dt", Friction::Any, |p, newton| {
+    prove("(7): d(v sin θ)/dt", Regime::Any, |p, newton| {
         let [v, theta] = Expr::symbols(["v", "θ"]);
         let vy = p.read("The component along y", v * theta.sin())?;
         let rate = p.derivative("Its rate by (1)", &vy, &newton.motion)?;
@@ -42,19 +42,15 @@ pub(super) fn eq8() -> Expr {
 }
 
 pub(super) fn prove_eq8(printed: Expr) -> Proof {
-    prove(
-        "(8): d(v sin θ)/d(v cos θ)",
-        Friction::Any,
-        |p, newton| {
-            let [v, theta] = Expr::symbols(["v", "θ"]);
-            let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
-            let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
-            let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
-            let slope = p.quotient("Their quotient", &y, &x)?;
-            let printed = p.read("The printed slope", printed)?;
-            p.equal("Quotient against printed slope", &slope, &printed)
-        },
-    )
+    prove("(8): d(v sin θ)/d(v cos θ)", Regime::Any, |p, newton| {
+        let [v, theta] = Expr::symbols(["v", "θ"]);
+        let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
+        let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
+        let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
+        let slope = p.quotient("Their quotient", &y, &x)?;
+        let printed = p.read("The printed slope", printed)?;
+        p.equal("Quotient against printed slope", &slope, &printed)
+    })
 }
 
 pub(super) fn eq9() -> Expr {
@@ -69,7 +65,7 @@ fn log_speed_rate(p: &mut Prover<'_>, newton: &Newton) -> Result<Rational, Obsta
 }
 
 pub(super) fn prove_eq9(printed: Expr) -> Proof {
-    prove("(9): (dv/v)/dθ", Friction::Any, |p, newton| {
+    prove("(9): (dv/v)/dθ", Regime::Any, |p, newton| {
         let rate = log_speed_rate(p, newton)?;
         let printed = p.read("The printed rate", printed)?;
         p.equal("Rate by (1) against printed rate", &rate, &printed)
@@ -105,7 +101,7 @@ pub(super) fn constant_of_motion(
 pub(super) fn prove_eq10(printed: Expr) -> Proof {
     prove(
         "(10): an expression keeps its value",
-        Friction::Any,
+        Regime::Any,
         |p, newton| constant_of_motion(p, newton, printed),
     )
 }
@@ -116,14 +112,10 @@ pub(super) fn eq11() -> Expr {
 }
 
 pub(super) fn prove_eq11(printed: Expr) -> Proof {
-    prove("(11): the speed at angle θ", Friction::Any, |p, newton| {
+    prove("(11): the speed at angle θ", Regime::Any, |p, newton| {
         let expected = log_speed_rate(p, newton)?;
         let speed = p.read("The printed speed", printed)?;
-        let slope = p.derivative(
-            "Its derivative with respect to θ",
-            &speed,
-            &p.ring().by("θ")?,
-        )?;
+        let slope = p.slope("Its derivative with respect to θ", &speed, "θ")?;
         let rate = p.quotient("Divided by itself", &slope, &speed)?;
         p.equal("Against (dv/v)/dθ by (1)", &rate, &expected)?;
         let start = p.read("At θ = θ₀", at_start(printed))?;
@@ -139,7 +131,7 @@ pub(super) fn eq12() -> Expr {
 pub(super) fn prove_eq12(printed: Expr) -> Proof {
     let title = "(12): A dt/dθ";
     let with_power = || {
-        let mut newton = Newton::new(Friction::Any)?;
+        let mut newton = Newton::new(Regime::Any)?;
         let power = (Expr::symbol("θ") / Expr::int(2))
             .tan()
             .pow(Expr::symbol("λ"));
@@ -169,17 +161,13 @@ pub(super) fn eq13() -> Expr {
 }
 
 pub(super) fn prove_eq13(printed: Expr) -> Proof {
-    prove("(13): the time at angle θ", Friction::Any, |p, newton| {
+    prove("(13): the time at angle θ", Regime::Any, |p, newton| {
         p.rests_on(&prove_eq11(eq11()))?;
         let speed = p.read("The speed", eq11())?;
         let expected = newton.time_rate(&speed)?;
         p.note("dt/dθ by (1), with that speed", p.ring().text(&expected));
         let time = p.read("The printed time", printed)?;
-        let rate = p.derivative(
-            "Its derivative with respect to θ",
-            &time,
-            &p.ring().by("θ")?,
-        )?;
+        let rate = p.slope("Its derivative with respect to θ", &time, "θ")?;
         p.equal("Against dt/dθ by (1)", &rate, &expected)?;
         let start = p.read("At θ = θ₀", at_start(printed))?;
         p.zero("The printed time at the start", &start)
@@ -194,15 +182,17 @@ pub(super) fn eq14() -> Expr {
 pub(super) fn prove_eq14(printed: Expr) -> Proof {
     prove(
         "(14): the speed at angle θ and time t",
-        Friction::Any,
+        Regime::Any,
         |p, _| {
             p.rests_on(&prove_eq11(eq11()))?;
             p.rests_on(&prove_eq13(eq13()))?;
-            let found = p.read(
-                "The printed speed, with t from (13)",
-                printed.with("t", eq13()),
-            )?;
-            p.same(&found, eq11(), "the speed by (11)")
+            p.identity(
+                (
+                    "The printed speed, with t from (13)",
+                    printed.with("t", eq13()),
+                ),
+                ("The speed by (11)", eq11()),
+            )
         },
     )
 }
@@ -216,20 +206,16 @@ pub(super) fn corrected_speed() -> Expr {
 pub(super) fn prove_corrected_speed(corrected: Expr) -> Proof {
     prove(
         "The speed in powers of r = tan(θ/2)/tan(θ₀/2)",
-        Friction::Any,
+        Regime::Any,
         |p, newton| {
             let expected = log_speed_rate(p, newton)?;
             let speed = p.read("The speed", corrected)?;
-            let slope = p.derivative(
-                "Its derivative with respect to θ",
-                &speed,
-                &p.ring().by("θ")?,
-            )?;
+            let slope = p.slope("Its derivative with respect to θ", &speed, "θ")?;
             let rate = p.quotient("Divided by itself", &slope, &speed)?;
             p.equal("Against (dv/v)/dθ by (1)", &rate, &expected)?;
             let start = p.read("At θ = θ₀", at_start(corrected))?;
             p.equal("Against v₀", &start, &p.ring().named("v₀")?)?;
-            p.same(&speed, eq11(), "the speed by (11)")
+            p.reads_as(&speed, "The speed by (11)", eq11())
         },
     )
 }

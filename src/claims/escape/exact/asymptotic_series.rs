@@ -5,7 +5,7 @@
 //! of the second order free, b.
 
 use crate::claims::turntable::exact as turntable;
-use crate::corrections::escape as law;
+use crate::corrections::escape as corrected;
 use crate::exact::Series;
 use crate::paper::turntable as motion;
 use trialbook::claims::runs::Derived;
@@ -159,7 +159,7 @@ fn first(p: &mut Prover<'_>) -> Result<[Vec<Rational>; 3], Obstacle> {
     )?;
     let last = put(ring, &left[2], &solved)?;
     p.note("First order of dδ/dτ, which must vanish", ring.text(&last));
-    let amplitude = p.read("Its positive root q", law::amplitude::<Expr>())?;
+    let amplitude = p.read("Its positive root q", corrected::amplitude::<Expr>())?;
     let known = [(ring.named("q")?, amplitude)];
     p.zero("With that", &put(ring, &last, &known)?)?;
     for series in &mut ansatz {

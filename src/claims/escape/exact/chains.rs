@@ -72,10 +72,7 @@ pub fn acceleration() -> [Expr; 2] {
 /// A particle on a bounded path beyond `bound` is pushed outwards for good, at rest or not: friction is 1 at most.
 pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
     let ring = || {
-        let mut ring = Ring::new();
-        for name in ["x", "y"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["x", "y"]);
         let p = ring.symbol("p");
         for name in ["χ", "θ"] {
             ring.angle(name);
@@ -125,10 +122,7 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
 /// p + ρ below the bound: rest, inside the bound.
 pub fn comes_to_rest(bound: Expr) -> Proof {
     let ring = || {
-        let mut ring = Ring::new();
-        for name in ["p", "ρ"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["p", "ρ"]);
         ring.angle("ψ");
         Ok(ring)
     };
@@ -159,8 +153,9 @@ pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
     given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
     let [speed, ell, rho, xi] = Expr::symbols(["p", "ℓ", "ρ", "ξ"]);
     let rate = p.read("dξ/dτ by (101)", ahead)?;
-    p.same(
+    p.reads_as(
         &rate,
+        "A square over p: ξ never falls",
         (speed + ell).squared() / speed,
         "a square over p, so that ξ never falls",
     )?;
@@ -168,8 +163,10 @@ pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
     let rest = (int(2) * speed + ell).squared() / (int(2) * speed);
     let rest = p.read("Another square over 2p", rest)?;
     p.equal("dξ/dτ exceeds it by that", &(&rate - &least), &rest)?;
-    let across = p.read("ℓ²", ell.squared())?;
-    p.same(&across, rho.squared() - xi.squared(), "")?;
+    p.identity(
+        ("ℓ²", ell.squared()),
+        ("ρ² − ξ²", rho.squared() - xi.squared()),
+    )?;
     p.note(
         "Let p → 0 as τ → T, at ρ > 0",
         "ξ, never falling and at most ρ, converges; by (99) p ≤ (1 + R)(T − τ) with the largest ρ as R, so that ℓ²/2p has no finite integral unless ℓ → 0",
@@ -202,8 +199,10 @@ fn escapes(beyond: Beyond) -> Proof {
         );
         stops_along(p, ahead)?;
         let [xi] = Expr::symbols(["ξ"]);
-        let faster = p.read("dp/dτ by (99)", motion::eq99_p_rate(xi))?;
-        p.same(&faster, xi - bound, "ξ less the bound")?;
+        p.identity(
+            ("dp/dτ by (99)", motion::eq99_p_rate(xi)),
+            ("ξ less the bound", xi - bound),
+        )?;
         p.note(
             "At ψ → 0 beyond the bound",
             "ξ → ρ, and p grows: so p → 0 with ψ → π only, where the particle comes straight in",
@@ -240,8 +239,10 @@ fn sum(p_formula: Expr, rho: Expr) -> Proof {
                 ("ρ + p", rho + p_formula, alpha),
                 ("ρ − p", rho - p_formula, -alpha),
             ] {
-                let combined = p.read(says, combined)?;
-                p.same(&combined, a * power.exp(), "A times an exponential")?;
+                p.identity(
+                    (says, combined),
+                    ("A times an exponential", a * power.exp()),
+                )?;
             }
             Ok(())
         },

@@ -11,7 +11,7 @@
 use super::chains::ALPHA_GROWS;
 use super::{exponential, tau};
 use crate::claims::turntable::exact as turntable;
-use crate::corrections::escape as law;
+use crate::corrections::escape as corrected;
 use crate::exact::Derivation;
 use crate::paper::turntable as motion;
 use trialbook::claims::runs::Derived;
@@ -133,15 +133,16 @@ struct Species {
 
 impl Species {
     fn found() -> Self {
-        let [n, p, h, t] = Expr::symbols(NAMES);
+        let [n, predator, h, t] = Expr::symbols(NAMES);
         let (k, less) = (cosine(t), int(1) - t.squared());
-        let more = int(1) + t.squared() * p;
-        let prey = int(1) + k * h - int(2) * h * n - less * p;
-        let predator = int(2) * (int(1) - less * p - int(2) * more * k + int(2) * more * n);
+        let more = int(1) + t.squared() * predator;
+        let prey_rate = int(1) + k * h - int(2) * h * n - less * predator;
+        let predator_rate =
+            int(2) * (int(1) - less * predator - int(2) * more * k + int(2) * more * n);
         Species {
-            rates: [prey, predator],
+            rates: [prey_rate, predator_rate],
             rest: [int(3) / int(4), half()],
-            delay: law::delay(),
+            delay: corrected::delay(),
         }
     }
 
@@ -154,8 +155,8 @@ impl Species {
 
     /// The state to which every escape comes.
     fn limit(&self) -> State {
-        let [n, p] = self.rest;
-        [n, p, int(1), int(0)]
+        let [n, predator] = self.rest;
+        [n, predator, int(1), int(0)]
     }
 }
 
@@ -165,8 +166,8 @@ fn cosine(t: Expr) -> Expr {
 }
 
 /// dt/dθ.
-fn fall(p: Expr, t: Expr) -> Expr {
-    -(t * (int(1) - (int(1) - t.squared()) * p))
+fn fall(predator: Expr, t: Expr) -> Expr {
+    -(t * (int(1) - (int(1) - t.squared()) * predator))
 }
 
 fn delta() -> Expr {
@@ -224,7 +225,11 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         -motion::eq115_psi_rate(alpha, psi),
     )?;
     let parts = int(2) * push * delta().cos() - int(4) * (delta() / int(2)).sin().squared();
-    p.same(&turn, parts, "with m = 2/(exp(4α) − 1)")?;
+    p.reads_as(
+        &turn,
+        "With m = 2/(exp(4α) − 1), 2m cos δ − 4 sin²(δ/2)",
+        parts,
+    )?;
     p.note(
         "ξ = ρ cos ψ grows without end",
         "so that, from some time on, p > 0 and 0 < δ < π, up to whole turns",
@@ -243,7 +248,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let tangent = p.read("t = tan(δ/2), then between 0 and 1", t)?;
     let rate = p.derivative("dt/dτ", &tangent, &along)?;
     let parts = push * (int(1) - t.squared()) - int(2) * t.squared();
-    p.same(&rate, parts, "")?;
+    p.reads_as(&rate, "m (1 − t²) − 2t²", parts)?;
     p.note(
         "As α → ∞, m → 0; and where t ≥ η, with any η > 0",
         "once m < η² t falls at the rate η² at least, to η, and stays below: t → 0",
@@ -265,14 +270,16 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         let number = p.read(name, formula)?;
         let rate = p.derivative("Its rate in τ", &number, &along)?;
         let rate = p.quotient("In θ, over itself", &rate, &(&number * &clock))?;
-        p.same(&rate, stated, "as stated, with h = tanh α")?;
+        p.reads_as(&rate, "Stated, with h = tanh α", stated)?;
     }
-    let lag = p.read("((1 − h)/t)²", ((int(1) - h) / t).squared())?;
-    p.same(&lag, int(4) * predator * h, "")?;
+    p.identity(
+        ("((1 − h)/t)²", ((int(1) - h) / t).squared()),
+        ("4Ph", int(4) * predator * h),
+    )?;
     let inverse = p.ring().read(int(1) / t)?;
     let grows = p.derivative("The rate of 1/t in τ", &inverse, &along)?;
     let stated = int(2) - int(2) * (int(1) - t.squared()) * predator;
-    p.same(&grows, stated, "")
+    p.reads_as(&grows, "2 − 2 (1 − t²) P", stated)
 }
 
 /// The rates in θ, of N, P and t as symbols.
@@ -298,8 +305,7 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         p.read("A rate for h = 1 and t = 0", rate)?;
     }
     for rate in found.rates_at(found.limit()) {
-        let rate = p.read("There, at N = 3/4 and P = 1/2", rate)?;
-        p.same(&rate, Expr::int(0), "")?;
+        p.vanishes("There, at N = 3/4 and P = 1/2", rate)?;
     }
     let height = int(4) * (n - n0 * n.ln()) + predator - p0 * predator.ln();
     let height = p.read("V", height)?;
@@ -308,12 +314,8 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         ("P", (predator - p0) / predator),
     ];
     for (name, stated) in slopes {
-        let slope = p.derivative("Its slope", &height, &p.ring().by(name)?)?;
-        p.same(
-            &slope,
-            stated,
-            "negative before the rest, positive after it",
-        )?;
+        let slope = p.slope("Its slope", &height, name)?;
+        p.reads_as(&slope, "Negative before the rest, positive behind", stated)?;
     }
     p.note(
         "So V is least at the rest",
@@ -327,9 +329,11 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let stated = int(4) * (n - n0) * first + int(2) * (predator - p0) * second
         - int(8) * (n - n0).squared()
         - int(2) * (predator - p0).squared();
-    p.same(&falls, stated, "two squares, and two products")?;
-    let last = p.read("1 − (1 + t² P) k", last)?;
-    p.same(&last, k * (t.squared() - little), "")?;
+    p.reads_as(&falls, "Two squares, and two brackets", stated)?;
+    p.identity(
+        ("1 − (1 + t² P) k", last),
+        ("k (t² − t² P)", k * (t.squared() - little)),
+    )?;
     p.note(
         "In the brackets 1, N and P have the factors 1 − kh, 1 − h, t², 1 − (1 + t² P) k and t² P = 1/(exp(4α) − 1)",
         "all go to 0: let η be the largest of their sizes",
@@ -341,11 +345,13 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [x, y] = Expr::symbols(["x", "y"]);
     let most = int(4) * x * (int(3) + int(2) * x + y) + int(2) * y * (int(4) + int(2) * x + y);
     let spare = int(10) + int(18) * x.squared() + int(10) * y.squared() - most;
-    let spare = p.read("10 + 18x² + 10y² less both, with their factors", spare)?;
     let squares = int(6) * (int(1) - x).squared()
         + int(4) * (int(1) - y).squared()
         + int(4) * (x - y).squared();
-    p.same(&spare, squares, "squares")?;
+    p.identity(
+        ("10 + 18x² + 10y² less both, with their factors", spare),
+        ("Squares", squares),
+    )?;
     p.note(
         "So dV/dθ ≤ −8x² − 2y² + η (10 + 18x² + 10y²)",
         "once 10η ≤ 1, V falls at the rate x² + y² − 10η at least",
@@ -364,14 +370,14 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
 }
 
 /// The rates in θ of q = (N − ¾)/t and v = (P − ½)/t, with w = (1 − h)/t.
-pub fn follow([q, v, w]: [Expr; 3], [n, p, h, t]: State) -> [Expr; 2] {
+pub fn follow([q, v, w]: [Expr; 3], [n, predator, h, t]: State) -> [Expr; 2] {
     let (k, less) = (cosine(t), int(1) - t.squared());
-    let feeds = p + int(2) * (int(1) - p) * k + int(2) * p * n;
-    let prey = -(int(2) * q) - v + w * (int(2) * n - int(1)) + t * (p - k * h);
-    let predator = int(4) * q - int(2) * v + int(2) * t * feeds;
+    let feeds = predator + int(2) * (int(1) - predator) * k + int(2) * predator * n;
+    let prey_rate = -(int(2) * q) - v + w * (int(2) * n - int(1)) + t * (predator - k * h);
+    let predator_rate = int(4) * q - int(2) * v + int(2) * t * feeds;
     [
-        n * prey + q * (int(1) - less * p),
-        p * predator + v * (int(1) - less * p),
+        n * prey_rate + q * (int(1) - less * predator),
+        predator * predator_rate + v * (int(1) - less * predator),
     ]
 }
 
@@ -388,7 +394,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     for ((name, formula), stated) in names.into_iter().zip(deviations).zip(stated) {
         let deviation = p.read(name, formula)?;
         let rate = p.derivative("Its rate in θ", &deviation, &along)?;
-        p.same(&rate, stated, "with w = (1 − h)/t")?;
+        p.reads_as(&rate, "With w = (1 − h)/t", stated)?;
     }
     let [q, v, w, x, y] = Expr::symbols(["q", "v", "w", "x", "y"]);
     let root = int(2).sqrt();
@@ -414,8 +420,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let linear = limit.map(|rate| rate.with("q", q0 + x).with("v", v0 + y));
     for rate in linear {
         let rate = rate.with("x", int(0)).with("y", int(0));
-        let rate = p.read("A rate with the limits, at q = 3√2/32, v = 3√2/8", rate)?;
-        p.same(&rate, Expr::int(0), "")?;
+        p.vanishes("A rate with the limits, at q = 3√2/32, v = 3√2/8", rate)?;
     }
     let along = p.ring().along(&[
         ("x", p.read("Of x = q − 3√2/32", linear[0])?),
@@ -425,28 +430,32 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let size = p.read("Q", size)?;
     let shrinks = p.derivative("Its rate with the limits", &size, &along)?;
     let stated = -(int(16) / int(3) * x.squared()) - y.squared();
-    p.same(&shrinks, stated, "squares")?;
+    p.reads_as(&shrinks, "Squares", stated)?;
     p.note(
         "What goes to 0 changes the two rates by η (1 + |x| + |y|) at most, with another η → 0",
         "and dQ/dθ by 6η (|x| + |y|) (1 + |x| + |y|), as 16/3 and 2 are below 6",
     );
     let most = int(6) * (x + y) * (int(1) + x + y);
     let spare = int(3) + int(18) * (x.squared() + y.squared()) - most;
-    let spare = p.read(
-        "3 + 18 (x² + y²) less that without η, with x for |x| and y for |y|",
-        spare,
-    )?;
     let squares = int(3) * (int(1) - x - y).squared() + int(9) * (x - y).squared();
-    p.same(&spare, squares, "squares")?;
+    p.identity(
+        (
+            "3 + 18 (x² + y²) less that without η, with x for |x| and y for |y|",
+            spare,
+        ),
+        ("Squares", squares),
+    )?;
     p.note(
         "Once 36η ≤ 1",
         "Q falls at the rate (x² + y²)/2 − 3η at least: Q → 0, as V went to its least value",
     );
     p.note("So", "q → 3√2/32, v → 3√2/8; and N, P and h differ from their limits by an amount of the order of t");
     let inverse = int(2) - int(2) * (int(1) - t.squared()) * predator;
-    let behind = p.read("The rate of 1/t less 1, over t", (inverse - int(1)) / t)?;
     let stated = int(2) * predator * t - int(2) * deviations[1];
-    p.same(&behind, stated, "")?;
+    p.identity(
+        ("The rate of 1/t less 1, over t", (inverse - int(1)) / t),
+        ("2Pt − 2v", stated),
+    )?;
     p.note(
         "In the limit that is −κ with κ = 3√2/4",
         "as tτ → 1, 1/t − τ has the rate −κ/τ + o(1/τ): 1/t = τ − κ ln τ + o(ln τ)",
@@ -474,15 +483,18 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "and on it, where pℓ is ρ² times the rate by (96)",
     );
     let turn = int(1) + speed() * across / rho.squared();
-    let turn = p.read("The rate 1 + pℓ/ρ², over t", turn / t)?;
     let stated = (int(1) - h) / t + int(2) * h * cosine(t) * t;
-    p.same(&turn, stated, "")?;
+    p.identity(
+        ("The rate 1 + pℓ/ρ², over t", turn / t),
+        ("w + 2hkt", stated),
+    )?;
     let [_, predator, h, _] = found.limit();
-    let square = p.read("The square of w, 4Ph, in the limit", int(4) * predator * h)?;
-    p.same(
-        &square,
-        law::winding::<Expr>().squared(),
-        "the square of the winding",
+    p.identity(
+        ("The square of w, 4Ph, in the limit", int(4) * predator * h),
+        (
+            "The square of the winding",
+            corrected::winding::<Expr>().squared(),
+        ),
     )?;
     p.note(
         "As the square of w is 4Ph, and v and w are bounded, w is √2 up to the order of t; and t is 1/τ, up to (ln τ)/τ of it",
@@ -538,15 +550,16 @@ fn has_limit(
 ) -> Result<(), Obstacle> {
     let own = state();
     let exact = quantity.pow(int(m)) * own[3].pow(int(n));
-    let exact = p.read("At any time", exact)?;
-    p.same(&exact, value(own), "in N, P, h and t")?;
+    p.identity(("At any time", exact), ("In N, P, h and t", value(own)))?;
     let mut limit = value(Species::found().limit());
     for _ in 0..m.ilog2() {
         limit = limit.sqrt();
     }
     let limit = limit * tau().pow(int(n) / int(m));
-    let limit = p.read("The positive root in the limit, with 1/τ for t", limit)?;
-    p.same(&limit, first, "the first term of the law")
+    p.identity(
+        ("The positive root in the limit, with 1/τ for t", limit),
+        ("The law's first term", first),
+    )
 }
 
 /// A law's first term.
@@ -558,8 +571,8 @@ fn first(law: Expr) -> Expr {
 fn in_its_time(p: &mut Prover<'_>, law: Expr) -> Result<(), Obstacle> {
     let stated = p.read("The law, with L = ln τ", law)?;
     let start = p.read("Its first term", first(law))?;
-    let slope = p.derivative("The rate of that", &start, &p.ring().by("τ")?)?;
-    let shift = p.read("κ ln τ", law::delay::<Expr>() * Expr::symbol("L"))?;
+    let slope = p.slope("The rate of that", &start, "τ")?;
+    let shift = p.read("κ ln τ", corrected::delay::<Expr>() * Expr::symbol("L"))?;
     let later = start - slope * shift;
     p.equal("The law and its first term at τ − κ ln τ", &stated, &later)?;
     p.note(
@@ -581,18 +594,21 @@ fn eq128(law: Expr) -> Proof {
         let [n, predator, h, t] = state();
         let psi = Expr::pi() / int(2) - delta();
         let rate = motion::eq114_alpha_rate(a, alpha, psi) / t;
-        let rate = p.read("dα/dτ over t, by (114)", rate)?;
-        p.same(&rate, int(2) * (cosine(t) - n), "with k = 1/(1 + t²)")?;
+        p.identity(
+            ("dα/dτ over t, by (114)", rate),
+            ("2k − 2N, with k = 1/(1 + t²)", int(2) * (cosine(t) - n)),
+        )?;
         let friction = alpha.cosh() / a;
-        let second = p.read("cosh α/A, over t", friction / t)?;
-        p.same(&second, int(2) * n, "")?;
+        p.identity(("cosh α/A, over t", friction / t), ("2N", int(2) * n))?;
         let square = |[_, predator, h, _]: State| {
             let squares = int(1) + h.squared();
             int(4) * predator * h * (int(1) + h).squared() / squares.squared()
         };
         let slow = int(1) / (t * (int(2) * alpha).cosh()).squared();
-        let slow = p.read("1/(t cosh 2α)²", slow)?;
-        p.same(&slow, square([n, predator, h, t]), "")?;
+        p.identity(
+            ("1/(t cosh 2α)²", slow),
+            ("4Ph (1 + h)²/(1 + h²)²", square([n, predator, h, t])),
+        )?;
         let limit = Species::found().limit();
         let slow = p.read("The positive root, in the limit", square(limit).sqrt())?;
         let factor = (law + friction) * (int(2) * alpha).cosh();
@@ -602,8 +618,10 @@ fn eq128(law: Expr) -> Proof {
             int(2) * cosine(limit[3]),
         )?;
         p.equal("The product of the two, and that", &(&slow * &factor), &own)?;
-        let left = p.read("2 − 2N in the limit", int(2) - int(2) * limit[0])?;
-        p.same(&left, half(), "not 0")?;
+        p.identity(
+            ("2 − 2N in the limit", int(2) - int(2) * limit[0]),
+            ("Not 0", half()),
+        )?;
         p.note("So, as tτ → 1", "both sides times τ tend to 1/2");
         Ok(())
     })
@@ -649,10 +667,15 @@ fn eq131(law: Expr) -> Proof {
         given(p, &[&turntable::EQ113, &EQ130])?;
         let [alpha] = Expr::symbols(["α"]);
         let rate = int(2) * motion::eq113_a_rate(alpha) * (-alpha).exp();
-        let rate = p.read("Twice dA/dτ by (113), over exp α", rate)?;
-        p.same(&rate, int(1) - (int(-2) * alpha).exp(), "which tends to 1")?;
-        let cube = p.read("The cube of twice the law", (int(2) * law).pow(int(3)))?;
-        p.same(&cube, exponential((EQ130.formulas)(), 3), "exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1")
+        p.identity(
+            ("Twice dA/dτ by (113), over exp α", rate),
+            (
+                "1 − exp(−2α), which tends to 1",
+                int(1) - (int(-2) * alpha).exp(),
+            ),
+        )?;
+        p.identity(("The cube of twice the law", (int(2) * law).pow(int(3))), ("exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1",
+            exponential((EQ130.formulas)(), 3)))
     })
 }
 
@@ -740,8 +763,8 @@ fn eq137(law: Expr) -> Proof {
         let by = p.ring().named("τ")?;
         let left = p.quotient("The difference over τ", &(&rate - &speed), &by)?;
         for name in ["τ", "L"] {
-            let slope = p.derivative(&format!("Its rate by {name}"), &left, &p.ring().by(name)?)?;
-            p.same(&slope, Expr::int(0), "")?;
+            let slope = p.slope(&format!("Its rate by {name}"), &left, name)?;
+            p.zero("It", &slope)?;
         }
         p.note(
             "So the law's rate is p, up to less than τ ln τ by any factor in the end",

@@ -75,11 +75,7 @@ pub const EQ145: Statement = Statement::new(
 const ORDER: i64 = 3;
 
 fn ring() -> Ring {
-    let mut ring = Ring::new();
-    for name in ["σ", "c", "τ", "slope", "ψ", "x", "y", "a", "α"] {
-        ring.symbol(name);
-    }
-    ring
+    Ring::of(["σ", "c", "τ", "slope", "ψ", "x", "y", "a", "α"])
 }
 
 /// The same, with the power of α that (143) has.
@@ -146,7 +142,7 @@ fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
 fn eq140(formula: Expr) -> Proof {
     arriving("(140) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
-        p.same(&limit, formula, "by (140)")
+        p.reads_as(&limit, "(140)", formula)
     })
 }
 
@@ -157,7 +153,7 @@ fn eq141(formula: Expr) -> Proof {
             "With τ = 0 at rest",
             "by the mean-value theorem α/τ is dα/dτ at a time between: it has the same limit",
         );
-        p.same(&limit, formula / Expr::symbol("τ"), "(141) over τ")
+        p.reads_as(&limit, "(141) over τ", formula / Expr::symbol("τ"))
     })
 }
 
@@ -184,8 +180,10 @@ fn eq142([left, right]: [Expr; 2]) -> Proof {
             "So, whatever ψ/α is",
             "dψ/dτ = 2 − (1 + o(1)) ψ/α, and the left side is (1 + o(1)) dψ/dτ",
         );
-        let right = p.read("Right side", right)?;
-        p.same(&right, Expr::int(2) - psi / alpha, "")
+        p.identity(
+            ("Right side", right),
+            ("2 − ψ/α", Expr::int(2) - psi / alpha),
+        )
     })
 }
 
@@ -227,10 +225,10 @@ fn eq145(formula: Expr) -> Proof {
         let twice = limit * Rational::int(2);
         let coefficient = p.quotient("1 over that", &Rational::int(1), &twice)?;
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
-        p.same(
+        p.reads_as(
             &coefficient,
-            (formula - sigma) / alpha.squared(),
             "(145) less σ, over α²",
+            (formula - sigma) / alpha.squared(),
         )
     })
 }
@@ -265,15 +263,15 @@ fn eq143(formula: Expr) -> Proof {
         );
         let stated = p.read("(143)", formula)?;
         let ring = p.ring();
-        let slope = p.derivative("Its slope", &stated, &ring.by("α")?)?;
+        let slope = p.slope("Its slope", &stated, "α")?;
         let left = slope * ring.named("α")? - ring.read(k)? * &stated;
         let right = ring.read(Expr::int(-2) * k * alpha)?;
         p.equal("α times that, less k times (143), is −2kα", &left, &right)?;
-        let free = p.derivative("Its slope by c", &stated, &ring.by("c")?)?;
-        p.same(
+        let free = p.slope("Its slope by c", &stated, "c")?;
+        p.reads_as(
             &free,
+            "2α^k",
             Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)),
-            "",
         )?;
         p.note(
             "So (ψ less (143) with c = 0) over α^k",

@@ -53,10 +53,7 @@ fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
 /// How far a motion is from a barrier, and how that changes.
 fn moved() -> Proof {
     let ring = || {
-        let mut ring = Ring::new();
-        for name in ["A", "P", "b", "d", "K", "s", "σ"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["A", "P", "b", "d", "K", "s", "σ"]);
         ring.hyperbolic("α");
         ring.angle("ψ");
         Ok(ring)
@@ -79,18 +76,19 @@ fn moved() -> Proof {
         ];
         let rate =
             growth + b * falls(a) - d * turning + int(3) * s * k * alpha.squared() * falls(a);
-        let rate = p.read("du/dτ by (113) to (115)", rate)?;
         let residual = growth + b * falls(surface) - d * turning;
         let pull = -(b * alpha.cosh() / (a * surface)) * (a - surface);
         let parts = residual + pull + int(3) * s * k * alpha.squared() * falls(a);
-        p.same(&rate, parts, "the sum of the residual R, which is that of the surface at A = P; of m (A − P) with m = −b cosh α/(AP); and of 3sKα² f with f = −dα/dτ")?;
-        let fall = p.read("f", falls(a))?;
+        p.identity(("du/dτ by (113) to (115)", rate), ("The residual R, which is that of the surface at A = P; m (A − P) with m = −b cosh α/(AP); and 3sKα² f with f = −dα/dτ",
+            parts))?;
         let parts = int(2) * (psi / int(2)).sin().squared()
             + int(2) * (alpha / int(2)).sinh().squared() / a
             + (int(1) / a - int(1));
-        p.same(&fall, parts, "two squares and 1/A − 1")?;
-        let more = p.read("1/A − 1 less 1/σ − 1", int(1) / a - int(1) / sigma)?;
-        p.same(&more, (sigma - a) / (sigma * a), "")
+        p.identity(("f", falls(a)), ("Two squares, and 1/A − 1", parts))?;
+        p.identity(
+            ("1/A − 1 less 1/σ − 1", int(1) / a - int(1) / sigma),
+            ("(σ − A)/(σA)", (sigma - a) / (sigma * a)),
+        )
     })
 }
 
@@ -215,8 +213,13 @@ fn lower_than_one(formula: Expr) -> Proof {
     let parts = alpha * (c - alpha * h / int(2)).squared() + alpha.squared() / int(4)
         - alpha.pow(int(3)) * h.squared() / int(4);
     Proof::in_ring("The formula is below 1", least::ring(), |p| {
-        let gap = p.read("1 less the formula", int(1) - formula)?;
-        p.same(&gap, parts, "where H is bounded")
+        p.identity(
+            ("1 less the formula", int(1) - formula),
+            (
+                "With c = cos(ψ/2), α (c − αH/2)² + α²/4 − α³H²/4, H being bounded",
+                parts,
+            ),
+        )
     })
 }
 

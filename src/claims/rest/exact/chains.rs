@@ -21,10 +21,10 @@ pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
             acceleration(),
         )
     },
-    |(third, bound, acceleration)| dichotomy(third, bound, acceleration),
+    dichotomy,
 );
 
-fn dichotomy(third: Expr, bound: Expr, acceleration: [Expr; 2]) -> Proof {
+fn dichotomy((third, bound, acceleration): (Expr, Expr, [Expr; 2])) -> Proof {
     polar("Rest, escape, or creeping towards ρ = 1", |p| {
         p.note(
             "Let a motion never come to rest, and ρ stay bounded",
@@ -44,9 +44,8 @@ fn dichotomy(third: Expr, bound: Expr, acceleration: [Expr; 2]) -> Proof {
             "At the bound it creeps for ever: this is excepted. The bound",
             bound,
         )?;
-        p.same(&one, Expr::int(1), "")?;
-        let third = p.read("The number of other fates, as stated", third)?;
-        p.same(&third, Expr::int(0), "")
+        p.equal("It is 1", &one, &Rational::int(1))?;
+        p.vanishes("The number of other fates, as stated", third)
     })
 }
 
@@ -63,7 +62,7 @@ pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::new(
             motion::eq101_xi_rate(p, ell),
         )
     },
-    |(limits, ahead)| near_rest(limits, ahead),
+    near_rest,
 );
 
 /// α and ψ at rest, of which all else follows.
@@ -86,15 +85,13 @@ fn settle(p: &mut Prover<'_>, [alpha, psi]: [Expr; 2], ahead: Expr) -> Result<()
         "At rest",
         "ρ = σ > 0, as A² = ρ² − p² is positive and never falls; so A → σ and tanh α = p/ρ → 0",
     );
-    let alpha = p.read("The stated limit of α", alpha)?;
-    p.same(&alpha, Expr::int(0), "")?;
+    p.vanishes("The stated limit of α", alpha)?;
     stops_along(p, ahead)?;
     p.note("Straight in, ψ → π, is excepted", "ψ → 0");
-    let psi = p.read("The stated limit of ψ", psi)?;
-    p.same(&psi, Expr::int(0), "")
+    p.vanishes("The stated limit of ψ", psi)
 }
 
-fn near_rest(limits: [Expr; 2], ahead: Expr) -> Proof {
+fn near_rest((limits, ahead): ([Expr; 2], Expr)) -> Proof {
     polar("How the particle comes to rest", |p| {
         settle(p, limits, ahead)?;
         given(

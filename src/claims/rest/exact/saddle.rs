@@ -10,10 +10,7 @@ use trialbook::prelude::*;
 const ORDER: i64 = 2;
 
 fn ring() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["a", "x", "y", "σ", "α"] {
-        ring.symbol(name);
-    }
+    let mut ring = Ring::of(["a", "x", "y", "σ", "α"]);
     let [sigma, alpha] = Expr::symbols(["σ", "α"]);
     let square = ring.read((Expr::int(1) - sigma).squared() + alpha.squared())?;
     ring.root(&square, 2)?;
@@ -68,14 +65,16 @@ pub fn prove(formula: Expr) -> Proof {
         );
         let deficit = Expr::int(1) - sigma;
         let surface = Expr::int(1) - (deficit.squared() + alpha.squared()).sqrt();
-        let square = p.read(
-            "(A − 1)² − α² with this A",
-            (surface - Expr::int(1)).squared() - alpha.squared(),
+        p.identity(
+            (
+                "(A − 1)² − α² with this A",
+                (surface - Expr::int(1)).squared() - alpha.squared(),
+            ),
+            ("(1 − σ)²", deficit.squared()),
         )?;
-        p.same(&square, deficit.squared(), "")?;
         let surface = p.read("A", surface)?;
-        let slope = p.derivative("∂A/∂σ", &surface, &ring.by("σ")?)?;
-        p.same(&slope, formula, "the corrected formula")
+        let slope = p.slope("∂A/∂σ", &surface, "σ")?;
+        p.reads_as(&slope, "The corrected formula", formula)
     })
 }
 

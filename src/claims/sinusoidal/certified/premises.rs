@@ -16,7 +16,7 @@ pub fn phases(printed: [Expr; 3], left: Expr) -> Proof {
             p.equal("It, with λ₀ = sin β", &printed, &ours)?;
         }
         let left = p.read("The left side of (32)", left.with("φ₁", beta))?;
-        let slope = p.derivative("Its slope by φ", &left, &p.ring().by("φ")?)?;
+        let slope = p.slope("Its slope by φ", &left, "φ")?;
         let stated = p.ring().read(phi.sin() - lambda0)?;
         p.equal("The slope and sin φ − λ₀", &slope, &stated)
     })
@@ -53,7 +53,6 @@ pub fn vanishing(f: Expr, order: usize) -> Proof {
 /// A number is zero.
 pub fn solution(left: Expr) -> Proof {
     Proof::in_ring("without friction", Ok(Ring::new()), |p| {
-        let left = p.read("The left side of (32) at φ₄", folded(left, &|_| None))?;
-        p.same(&left, Expr::int(0), "")
+        p.vanishes("The left side of (32) at φ₄", folded(left, &|_| None))
     })
 }

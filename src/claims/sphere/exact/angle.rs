@@ -10,10 +10,7 @@ use trialbook::prelude::*;
 
 /// The ring of λ, γ, u₀, θ, θ₀ and τ, with the powers of the half tangents.
 pub(super) fn ring() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["γ", "u₀", "τ"] {
-        ring.symbol(name);
-    }
+    let mut ring = Ring::of(["γ", "u₀", "τ"]);
     for name in ["θ", "θ₀"] {
         ring.angle(name);
     }
@@ -49,7 +46,7 @@ fn prove(
 fn same(p: &mut Prover<'_>, formula: Components, particle: Expr) -> Result<(), Obstacle> {
     let particle = p.read("The particle's formula", particle)?;
     for formula in formula {
-        p.same(&particle, formula, "the formula")?;
+        p.reads_as(&particle, "The formula", formula)?;
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ use trialbook::prelude::*;
 
 /// The friction force on the sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Friction {
+enum Force {
     /// Coulomb's, while the sphere slides.
     Sliding,
     /// Any force, as while the sphere rolls.
@@ -24,7 +24,7 @@ pub(super) struct Body {
 }
 
 impl Body {
-    fn new(friction: Friction) -> Result<Self, ExactError> {
+    fn new(friction: Force) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
         let [m, inertia, radius, mu, k] = ["m", "I", "R", "μ", "k"].map(|name| ring.symbol(name));
         let [ax, ay] = ["A_x", "A_y"].map(|name| ring.symbol(name));
@@ -47,12 +47,12 @@ impl Body {
         let square = slip[0].pow(2) + slip[1].pow(2);
         let size = ring.root(&square, 2)?;
         let force = match friction {
-            Friction::Sliding => {
+            Force::Sliding => {
                 let pressed = &m * &k;
                 let along = |w: &Rational| ring.divide(&-(&pressed * w), &size);
                 [along(&slip[0])?, along(&slip[1])?]
             }
-            Friction::Any => ["F_x", "F_y"].map(|name| ring.symbol(name)),
+            Force::Any => ["F_x", "F_y"].map(|name| ring.symbol(name)),
         };
         // Newton: m dv/dt = F − m A. Euler: I dω/dt = R × F = (R F_y, −R F_x, 0).
         let lever = ring.divide(&radius, &inertia)?;
@@ -75,15 +75,15 @@ impl Body {
 
 fn prove(
     title: &str,
-    friction: Friction,
+    friction: Force,
     steps: impl FnOnce(&mut Prover<'_>, &Body) -> Result<(), Obstacle>,
 ) -> Proof {
     match Body::new(friction) {
         Err(error) => Proof::impossible(title, error),
         Ok(body) => Proof::of(title, &body.ring, |p| {
             match friction {
-                Friction::Sliding => p.note("Friction", "F = −μ m g w/|w| at the contact"),
-                Friction::Any => p.note("Friction", "any force F at the contact"),
+                Force::Sliding => p.note("Friction", "F = −μ m g w/|w| at the contact"),
+                Force::Any => p.note("Friction", "any force F at the contact"),
             }
             p.note("k", "stands for μ g");
             p.note("Newton", "m dv/dt = F − m A");
@@ -96,7 +96,7 @@ fn prove(
 /// d(quantity)/dt times `factor` against the printed rate, by components.
 fn rates(
     title: &str,
-    friction: Friction,
+    friction: Force,
     quantity: [Expr; 3],
     factor: Expr,
     printed: Components,
@@ -172,7 +172,7 @@ pub(super) fn eq63() -> Components {
 }
 pub(super) fn prove_eq63(printed: Components) -> Proof {
     let one = Expr::int(1);
-    rates("(63): d²r/dt²", Friction::Sliding, velocity(), one, printed)
+    rates("(63): d²r/dt²", Force::Sliding, velocity(), one, printed)
 }
 
 pub(super) fn eq64() -> Components {
@@ -181,13 +181,7 @@ pub(super) fn eq64() -> Components {
 }
 pub(super) fn prove_eq64(printed: Components) -> Proof {
     let factor = Expr::symbol("κ") * Expr::symbol("R").squared();
-    rates(
-        "(64): κ R² dω/dt",
-        Friction::Sliding,
-        omega(),
-        factor,
-        printed,
-    )
+    rates("(64): κ R² dω/dt", Force::Sliding, omega(), factor, printed)
 }
 
 pub(super) fn eq65() -> Components {
@@ -200,7 +194,7 @@ pub(super) fn prove_eq65(printed: Components) -> Proof {
     let one = Expr::int(1);
     rates(
         "(65): d(ω × R)/dt",
-        Friction::Sliding,
+        Force::Sliding,
         spin_share,
         one,
         printed,
@@ -215,7 +209,7 @@ pub(super) fn prove_eq66(printed: Components) -> Proof {
     let one = Expr::int(1);
     rates(
         "(66): d(dr/dt + ω × R)/dt",
-        Friction::Sliding,
+        Force::Sliding,
         slip(),
         one,
         printed,
@@ -228,7 +222,7 @@ pub(super) fn eq73() -> Components {
 pub(super) fn prove_eq73(printed: Components) -> Proof {
     rates(
         "(73): d²ρ/dτ²",
-        Friction::Sliding,
+        Force::Sliding,
         rho_rate(),
         per_tau(),
         printed,
@@ -239,7 +233,7 @@ pub(super) fn eq74() -> Components {
     paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u()).into()
 }
 pub(super) fn prove_eq74(printed: Components) -> Proof {
-    rates("(74): du/dτ", Friction::Sliding, u(), per_tau(), printed)
+    rates("(74): du/dτ", Force::Sliding, u(), per_tau(), printed)
 }
 
 /// ζ₃ by (70).
@@ -254,10 +248,12 @@ pub(super) fn corrected75() -> Components {
     corrected::spin(zeta()[2], u(), rho_rate()).into()
 }
 pub(super) fn prove_eq75(formula: Components) -> Proof {
-    prove("(75): ζ", Friction::Any, |p, _| {
+    prove("(75): ζ", Force::Any, |p, _| {
         for ((axis, zeta), formula) in AXES.iter().zip(zeta()).zip(formula) {
-            let zeta = p.read(&format!("ζ {axis}, by (70)"), zeta)?;
-            p.same(&zeta, formula, "the formula")?;
+            p.identity(
+                (&format!("ζ {axis}, by (70)"), zeta),
+                (&format!("The formula {axis}"), formula),
+            )?;
         }
         Ok(())
     })
@@ -270,7 +266,7 @@ pub(super) fn prove_eq77(printed: Components) -> Proof {
     let quantity = sum(rho_rate(), nu());
     rates(
         "(77): d(dρ/dτ + ν)/dτ",
-        Friction::Sliding,
+        Force::Sliding,
         quantity,
         per_tau(),
         printed,
@@ -284,7 +280,7 @@ pub(super) fn prove_eq78(printed: Components) -> Proof {
     let quantity = sum(u(), nu());
     rates(
         "(78): d(u + ν)/dτ",
-        Friction::Sliding,
+        Force::Sliding,
         quantity,
         per_tau(),
         printed,
@@ -298,7 +294,7 @@ pub(super) fn eq79() -> Components {
 /// Both sides change alike under any friction force, so that they differ by a constant.
 pub(super) fn prove_eq79(printed: Components) -> Proof {
     let along_z = printed[2];
-    prove("(79): dρ/dτ", Friction::Any, |p, body| {
+    prove("(79): dρ/dτ", Force::Any, |p, body| {
         for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed).take(2) {
             let own = p.read(&format!("dρ/dτ {axis}"), own)?;
             let own = p.derivative("Its rate", &own, &body.motion)?;
@@ -320,7 +316,7 @@ pub(super) fn eq62() -> Components {
 pub(super) fn prove_eq62(kappa: Components) -> Proof {
     let factor = kappa[0] * Expr::symbol("R").squared();
     let title = "(62): κ in κ R² dω/dt by (64)";
-    rates(title, Friction::Sliding, omega(), factor, eq64())
+    rates(title, Force::Sliding, omega(), factor, eq64())
 }
 
 pub(super) fn eq68() -> Components {
@@ -335,7 +331,7 @@ fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
 /// dρ/dτ, which has the form of (68) by its linearity, makes (73) the law for the centre.
 pub(super) fn prove_eq68(rate: Components) -> Proof {
     let rho_rate = [0, 1, 2].map(|i| rate[i] / tau_rate());
-    prove("(68): d²ρ/dτ² by (73)", Friction::Sliding, |p, body| {
+    prove("(68): d²ρ/dτ² by (73)", Force::Sliding, |p, body| {
         for ((axis, rate), stated) in AXES.iter().zip(rho_rate).zip(eq73()) {
             let rate = p.read(&format!("dρ/dτ {axis}"), rate)?;
             let change = p.derivative("Its rate", &rate, &body.motion)?;
@@ -353,10 +349,10 @@ pub(super) fn eq69() -> Components {
 pub(super) fn prove_eq69(tau: Components) -> Proof {
     prove(
         "(69): du/dt over dτ/dt by (74)",
-        Friction::Sliding,
+        Force::Sliding,
         |p, body| {
             let tau = p.read("τ", tau[0])?;
-            let clock = p.derivative("dτ/dt", &tau, &p.ring().by("t")?)?;
+            let clock = p.slope("dτ/dt", &tau, "t")?;
             for ((axis, u), stated) in AXES.iter().zip(u()).zip(eq74()) {
                 let u = p.read(&format!("u {axis}"), u)?;
                 let rate = p.derivative("du/dt", &u, &body.motion)?;
@@ -373,10 +369,12 @@ pub(super) fn eq70() -> Components {
 }
 /// ζ is the rate of turning in the time τ.
 pub(super) fn prove_eq70(zeta: Components) -> Proof {
-    prove("(70): ζ dτ = ω dt", Friction::Any, |p, _| {
+    prove("(70): ζ dτ = ω dt", Force::Any, |p, _| {
         for ((axis, zeta), omega) in AXES.iter().zip(zeta).zip(omega()) {
-            let turned = p.read(&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate())?;
-            p.same(&turned, omega, "")?;
+            p.identity(
+                (&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate()),
+                ("ω", omega),
+            )?;
         }
         Ok(())
     })
@@ -390,7 +388,7 @@ pub(super) fn prove_eq71(slip: Components) -> Proof {
     let u = [0, 1, 2].map(|i| slip[i]);
     let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u).into();
     let title = "(71): du/dτ by (74)";
-    rates(title, Friction::Sliding, u, per_tau(), stated)
+    rates(title, Force::Sliding, u, per_tau(), stated)
 }
 
 pub(super) fn eq72() -> Components {
@@ -401,7 +399,7 @@ pub(super) fn prove_eq72(pull: Components) -> Proof {
     let gamma = [0, 1, 2].map(|i| pull[i]);
     let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma, u()).into();
     let title = "(72): γ in du/dτ by (74)";
-    rates(title, Friction::Sliding, u(), per_tau(), stated)
+    rates(title, Force::Sliding, u(), per_tau(), stated)
 }
 
 /// dv/dt of a particle with the velocity w and the friction coefficient bμ, by (1).
@@ -413,12 +411,12 @@ pub(super) fn reduction() -> Components {
 pub(super) fn prove_reduction(particle: Components) -> Proof {
     prove(
         "The slip velocity moves as a particle's velocity with bμ for μ",
-        Friction::Sliding,
+        Force::Sliding,
         |p, body| {
             for ((axis, w), particle) in AXES.iter().zip(slip()).zip(particle) {
                 let w = p.read(&format!("w {axis}"), w)?;
                 let rate = p.derivative("Its rate", &w, &body.motion)?;
-                p.same(&rate, particle, &format!("(1) {axis}, with bμ"))?;
+                p.reads_as(&rate, &format!("(1) {axis}, with bμ"), particle)?;
             }
             Ok(())
         },
@@ -429,14 +427,14 @@ pub(super) fn prove_reduction(particle: Components) -> Proof {
 pub(super) fn prove_rolling() -> Proof {
     prove(
         "A sphere rolls on where a particle with bμ stays at rest",
-        Friction::Any,
+        Force::Any,
         |p, body| {
             for ((axis, w), a) in AXES.iter().zip(slip()).zip(acceleration()).take(2) {
                 let w = p.read(&format!("w {axis}"), w)?;
                 let rate = p.derivative("Its rate", &w, &body.motion)?;
                 let force = ["F_x", "F_y"][usize::from(*axis != AXES[0])];
                 let force = Expr::symbol("b") * Expr::symbol(force) / Expr::symbol("m");
-                p.same(&rate, force - a, "")?;
+                p.reads_as(&rate, "b F/m − A", force - a)?;
             }
             p.note(
                 "So w = 0 is kept by F = mA/b",
@@ -454,7 +452,7 @@ pub(super) fn spin_rate() -> Components {
 pub(super) fn prove_spin_constant(stated: Components) -> Proof {
     prove(
         "ζ₃ is constant and enters nothing else",
-        Friction::Sliding,
+        Force::Sliding,
         |p, body| {
             let spin = p.read("The vertical spin", omega()[2])?;
             let rate = p.derivative("Its rate", &spin, &body.motion)?;
@@ -465,12 +463,8 @@ pub(super) fn prove_spin_constant(stated: Components) -> Proof {
             for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
                 let q = p.read("Of", q)?;
                 let rate = p.derivative("the rate", &q, &body.motion)?;
-                let slope = p.derivative(
-                    "has with respect to ω_z the slope",
-                    &rate,
-                    &p.ring().by("ω_z")?,
-                )?;
-                p.same(&slope, Expr::int(0), "")?;
+                let slope = p.slope("has with respect to ω_z the slope", &rate, "ω_z")?;
+                p.zero("It", &slope)?;
             }
             Ok(())
         },

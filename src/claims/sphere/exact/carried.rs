@@ -70,10 +70,7 @@ fn symbols() -> [Expr; 4] {
 }
 
 fn ring() -> Result<Ring, ExactError> {
-    let mut ring = Ring::new();
-    for name in ["b", "μ", "g", "A₀", "q"] {
-        ring.symbol(name);
-    }
+    let mut ring = Ring::of(["b", "μ", "g", "A₀", "q"]);
     // For (37).
     let square = ring.read(Expr::int(4) + Expr::pi() * Expr::pi())?;
     ring.root(&square, 2)?;
@@ -92,9 +89,11 @@ fn carried(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstac
 /// That (84) is (22) with bμ in place of μ.
 fn as_of_a_particle(p: &mut Prover<'_>, lambda0: Expr) -> Result<(), Obstacle> {
     let [b, mu, g, a0] = symbols();
-    let stated = p.read("λ₀ by (84)", lambda0)?;
     let particle = sinusoidal::eq22_lambda0(b * mu, g, a0);
-    p.same(&stated, particle, "λ₀ of the particle with bμ, by (22)")
+    p.identity(
+        ("λ₀ by (84)", lambda0),
+        ("λ₀ of the particle with bμ, by (22)", particle),
+    )
 }
 
 fn pulse(lambda0: Expr) -> Proof {
@@ -117,9 +116,8 @@ fn trichotomy([lambda0, critical]: [Expr; 2]) -> Proof {
         given(p, &[&attraction::TRICHOTOMY, &anisotropy::X])?;
         let [q, at] = anisotropic::eq57_x::<Expr>();
         let same = p.read("q of X, where A and B meet", q)?;
-        p.same(&same, Expr::int(1), "")?;
-        let at = p.read("λ₀ there", at)?;
-        p.same(&at, critical, "λ_c by (37)")?;
+        p.equal("It is 1", &same, &Rational::int(1))?;
+        p.identity(("λ₀ there", at), ("λ_c by (37)", critical))?;
         Ok(())
     })
 }
@@ -146,8 +144,7 @@ fn regions(lambda0: Expr) -> Proof {
                 anisotropic::eq50_lambda_minus(q, lambda0),
             ),
         ] {
-            let particle = p.read(says, particle)?;
-            p.same(&particle, stated, "by (85) and (49) or (50)")?;
+            p.identity((says, particle), ("By (85) and (49) or (50)", stated))?;
         }
         given(
             p,

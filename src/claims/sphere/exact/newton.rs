@@ -66,8 +66,7 @@ pub(super) fn prove_eq59(printed: Components) -> Proof {
         p.note("In the laboratory", "F = m d²(X + r)/dt², with d²X/dt² = A");
         for ((axis, own), printed) in AXES.iter().zip(own).zip(printed) {
             p.note("m d²r/dt²", p.ring().text(&own));
-            let printed = p.read(&format!("Printed {axis}"), printed)?;
-            p.equal("They are equal", &own, &printed)?;
+            p.reads_as(&own, &format!("Printed {axis}"), printed)?;
         }
         Ok(())
     })

@@ -12,8 +12,7 @@ fn is(
     (says, expected): (&str, Expr),
 ) -> Proof {
     prove(title, setting, |p, _| {
-        let printed = p.read("The printed formula", printed)?;
-        p.same(&printed, expected, says)
+        p.identity(("The printed formula", printed), (says, expected))
     })
 }
 
@@ -61,9 +60,8 @@ fn sums(
         ("The sum of the two", larger + smaller, 1),
         ("The difference of the two", larger - smaller, -1),
     ] {
-        let sum = p.read(says, sum)?;
         let expected = size * (Expr::int(sign) * argument).exp();
-        p.same(&sum, expected, "as it should be")?;
+        p.identity((says, sum), ("It should be", expected))?;
     }
     Ok(())
 }

@@ -36,7 +36,7 @@ fn keeps_its_value(
 ) -> Proof {
     prove(title, setting, |p, setting| {
         let value = p.read("The expression", formula)?;
-        let slope = p.derivative("Its change with s alone", &value, &p.ring().by("s")?)?;
+        let slope = p.slope("Its change with s alone", &value, "s")?;
         if slope.is_literally_zero() {
             // Without the work it could be any number; that would say nothing about the motion.
             return p.equal(

@@ -83,11 +83,10 @@ pub(super) fn slope() -> Vec<Expr> {
 pub(super) fn prove_slope(printed: Vec<Expr>) -> Proof {
     let title = "the slope of (115) at its zeros, α held fixed";
     prove(title, Setting::fixed(), |p, _| {
-        let ring = p.ring();
         let [alpha, psi] = Expr::symbols(["α", "ψ"]);
         let expected = Expr::int(2) / (Expr::int(2) * alpha).sinh();
         let read = p.read("(115)", printed[0])?;
-        let found = p.derivative("Its derivative with respect to ψ", &read, &ring.by("ψ")?)?;
+        let found = p.slope("Its derivative with respect to ψ", &read, "ψ")?;
         // The same derivative as a tree, to be taken at an angle.
         let tree = -(Expr::int(2) * psi.cos() * (Expr::int(2) * alpha).coth());
         let as_tree = p.read("The same, written out", tree)?;

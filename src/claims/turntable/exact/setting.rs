@@ -68,10 +68,7 @@ impl Setting {
 
     /// The velocity has the size p and the direction χ, the position the size ρ and the direction χ + ψ.
     pub fn polar() -> Result<Self, ExactError> {
-        let mut ring = Ring::new();
-        for name in ["p", "ρ", "s"] {
-            ring.symbol(name);
-        }
+        let mut ring = Ring::of(["p", "ρ", "s"]);
         let Rates { p, rho, psi, chi } = rates(&mut ring)?;
         let speed = ring.named("p")?;
         let motion = ring.along(&[
@@ -188,11 +185,7 @@ impl Setting {
 
 /// A ring with x, y, u, v.
 fn plain() -> Ring {
-    let mut ring = Ring::new();
-    for name in ["x", "y", "u", "v"] {
-        ring.symbol(name);
-    }
-    ring
+    Ring::of(["x", "y", "u", "v"])
 }
 
 /// Declares the positive root of u² + v².
