@@ -40,12 +40,12 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String,
     Ok(format!("<ul class=\"errors\">{}</ul>\n", lines?))
 }
 
-/// A mark that leads to a claim, by its verdict, with what stands on it before the sign.
-fn mark(entry: &Entry, name: &str, more: &str, label: &str) -> String {
+/// A mark that leads to a claim, by its verdict.
+fn mark(entry: &Entry, name: &str, more: &str) -> String {
     let verdict = entry.judgement.verdict;
     let name = escape(&format!("{name}: {}", verdict.words()));
     format!(
-        "<a class=\"{}\" href=\"{}.html#{}\" title=\"{name}\" aria-label=\"{name}\"{more}>{label}{}</a>",
+        "<a class=\"{}\" href=\"{}.html#{}\" title=\"{name}\" aria-label=\"{name}\"{more}>{}</a>",
         verdict.slug(),
         entry.topic.stem,
         entry.claim.id,
@@ -57,7 +57,7 @@ fn mark(entry: &Entry, name: &str, more: &str, label: &str) -> String {
 pub(super) fn strip(entries: &[&Entry]) -> String {
     let marks = entries.iter().enumerate().map(|(i, entry)| {
         let more = if i == 0 { "" } else { " tabindex=\"-1\"" };
-        mark(entry, &plain_words(&heading(entry.claim)), more, "")
+        mark(entry, &plain_words(&heading(entry.claim)), more)
     });
     format!(
         "<div class=\"skeleton\" role=\"group\" aria-label=\"The claims, by verdict\">{}</div>",
@@ -70,12 +70,13 @@ pub(super) fn strip(entries: &[&Entry]) -> String {
 pub(super) fn skeleton(context: &Context<'_>) -> String {
     let marked = |(number, entry): (u16, &Entry)| {
         let more = if number == 1 { "" } else { " tabindex=\"-1\"" };
-        let label = match number % 10 {
-            0 => format!("<b>{number}</b>"),
-            _ => String::new(),
+        // Each tenth shows which it is.
+        let more = match number % 10 {
+            0 => format!("{more} data-number=\"{number}\""),
+            _ => more.to_owned(),
         };
         let name = format!("({number}) {}", plain_words(entry.claim.title));
-        mark(entry, &name, more, &label)
+        mark(entry, &name, &more)
     };
     let part = |topic: &&Topic| {
         let entries = context.ledger.entries.iter();
