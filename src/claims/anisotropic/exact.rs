@@ -72,7 +72,7 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
             let found = p.read("d𝔴/dφ by Newton's law", newton)?;
             let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
             let found = ring.put(&found, &values)?;
-            p.reads_as(&found, "The printed rate", rates[i])?;
+            p.reads_as(&found, "the printed rate", rates[i])?;
         }
         Ok(())
     })
@@ -112,7 +112,7 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
         let lost = lambda0 * two * k_formula;
         let gained = q * lambda0 * (two * Expr::pi() - two * k_formula);
         let lost = p.read("Taken forwards, with the printed K", lost)?;
-        p.same(&lost, gained, "what is given backwards")
+        p.reads_as(&lost, "what is given backwards", gained)
     });
     let angles = || {
         let mut ring = frictions()?;
@@ -139,7 +139,7 @@ pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         p.identity(
             ("𝔴 at π + β", arc(alpha, Expr::pi() + beta, lambda0)),
-            ("Left less right side", left - right),
+            ("the left side less the right one", left - right),
         )
     })
 }
@@ -151,7 +151,7 @@ pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
         let late = Expr::int(2) * Expr::pi() - beta;
         p.identity(
             ("𝔴 at 2π − β", arc(alpha, late, lambda0)),
-            ("Left less right side", left - right),
+            ("the left side less the right one", left - right),
         )
     })
 }
@@ -315,7 +315,7 @@ fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
         p.identity(
             ("The rate by (51) or (52)", rate),
             (
-                "By how far λ₀ is from the curve, and a square",
+                "by how far λ₀ is from the curve, and a square",
                 excess + square,
             ),
         )
@@ -378,7 +378,10 @@ fn prove_mirror(([forward, backward], [other_q, other_lambda0]): ([Expr; 2], [Ex
             ("Forward motion", forward, backward),
             ("Backward motion", backward, forward),
         ] {
-            p.identity((says, here), ("The other's in the mirror", mirrored(there)))?;
+            p.identity(
+                (says, here),
+                ("that of the other, mirrored", mirrored(there)),
+            )?;
         }
         Ok(())
     })

@@ -161,7 +161,7 @@ fn drawn([forward, backward]: Rates) -> Proof {
                 let change = velocity.with("φ", phi + whole) - velocity;
                 p.identity(
                     ("Its change in a period", change),
-                    ("What friction takes or gives", -whole * friction),
+                    ("what friction takes or gives", -whole * friction),
                 )?;
             }
             p.note(
@@ -197,8 +197,8 @@ fn slip(title: &str, rate: Expr, (product, so): (Expr, &str), friction: Expr) ->
     Proof::in_ring(title, slips(), |p| {
         let [phi, s] = Expr::symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
-        p.reads_as(&rate, product[0], of)?;
-        p.note("So", product[1]);
+        p.reads_as(&rate, "", product)?;
+        p.note("So", so);
         let velocity = arc(s, phi, friction);
         let element = p.read("The velocity since a start at s", velocity)?;
         let slope = p.slope("Its rate", &element, "φ")?;
@@ -266,8 +266,7 @@ fn middle([left, right]: Sides) -> Proof {
         let spare = int(1) - (lambda0 * k / k.sin()).squared();
         let square = (lambda0 * (k.sin() - k * k.cos()) / k.sin().squared()).squared();
         let parts = lambda0.squared() * (left.squared() - right.squared()) + square;
-        p.identity(("1 − (λ₀K/sin K)²", spare), ("λ₀² times the difference of the squared sides of (53), which is positive below A, and a square",
-            parts))
+        p.identity(("1 − (λ₀K/sin K)²", spare), ("λ₀² times the difference of the squared sides of (53), which is positive below A, and a square", parts))
     })
 }
 
@@ -326,8 +325,7 @@ fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2]))
         let chord = int(2) * y / Expr::pi();
         let terms =
             (quarter - y.squared()) * (y.sin() - chord) + y * (near - y.cos()) + near * chord * y;
-        p.reads_as(&rest, "(π²/4 − y²)(sin y − 2y/π) + y (π/2 − y − cos y) + (π/2 − y) 2y²/π, of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y",
-            terms)?;
+        p.reads_as(&rest, "of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y", terms)?;
         p.note(
             "So the drive exceeds friction where each slip begins, and each slip ends where the other begins",
             "this motion repeats itself, without rest",
@@ -376,7 +374,7 @@ fn second((rates, (k_formula, a), [b, e], signs): (Rates, CurveA, [Sides; 2], Li
                 "𝔴 at 2π + α, if the backward motion lasted until then,",
                 both,
             ),
-            ("(1 + q) λ₀ times (α + 2K less the end)", left),
+            ("", left),
         )?;
         p.note(
             "Above A",
@@ -400,7 +398,7 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
         p.identity(
             ("q (C − λ₀), by (55)", q * (c - lambda0)),
             (
-                "(cos(β/2) − sin(β/2))²: below C there is a β < π/2 with sin β = qλ₀",
+                "positive, as below C there is a β < π/2 with sin β = qλ₀",
                 ((beta / int(2)).cos() - (beta / int(2)).sin()).squared(),
             ),
         )?;
@@ -430,9 +428,13 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
             &(&first + &second),
         )?;
         let terms = product * (tangent - d / int(2)) + d / int(2) * (product - int(4));
-        p.identity(("Here (π² − d²) tan(d/2) − 2d",
-            product * tangent - int(2) * d), ("(π² − d²)(tan(d/2) − d/2) + (d/2)(π² − d² − 4), of which no term is negative, as 0 ≤ d < π/2",
-            terms))?;
+        p.identity(
+            (
+                "Here (π² − d²) tan(d/2) − 2d",
+                product * tangent - int(2) * d,
+            ),
+            ("of which no term is negative, as 0 ≤ d < π/2", terms),
+        )?;
         p.note(
             "So 𝔴 is positive there",
             "the backward slip ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
@@ -459,14 +461,14 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
         p.identity(
             ("D − λ₀, by (56)", d - lambda0),
             (
-                "(sin(α/2) − cos(α/2))²: below D there is an α < π/2 with sin α = λ₀",
+                "positive, as below D there is an α < π/2 with sin α = λ₀",
                 square(-alpha),
             ),
         )?;
         p.identity(
             ("(52)", rates[1]),
             (
-                "q (λ₀ − C), by (55), and a square",
+                "q times λ₀ less C by (55), and a square",
                 q * (lambda0 - c) + square(phi),
             ),
         )?;
@@ -514,7 +516,7 @@ fn border(c: Expr) -> Proof {
         p.rests_on(&corner_falls())?;
         let q = Expr::symbol("q");
         let product = p.read("q times (55): there qλ₀ is the drive's amplitude", q * c)?;
-        p.same(&product, Expr::int(1), "")?;
+        p.reads_as(&product, "", Expr::int(1))?;
         p.note(
             "Before q_Y B ends below C, at q_Y on it",
             "just below C lies region III, at q_Y region II, or I if A were above it, all with backward motion; above C region IV, without",

@@ -204,7 +204,7 @@ fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
         for (rate, printed) in rates.into_iter().zip(printed) {
             p.identity(
                 ("A component of (1), with (3) and (4)", rate),
-                ("(6) or (7)", printed),
+                ("by (6) or (7)", printed),
             )?;
         }
         Ok(())

@@ -164,7 +164,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         "N, P, h = 1 − wt, and w, positive, the square of which is 4Ph",
     );
     let [_, predator, h, _] = at.state();
-    p.identity(("w²", at.w().squared()), ("4Ph", int(4) * predator * h))?;
+    p.identity(("w²", at.w().squared()), ("", int(4) * predator * h))?;
     let [q0, v0] = middle();
     let height = over_n(8, 3) * (at.q - q0).squared() + (at.v - v0).squared();
     let read = p.read("Q", height)?;
@@ -183,7 +183,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let on_edge = height.with("q", edge.q).with("v", edge.v);
     p.identity(
         ("Q at q₀ + (√6/16) cos f, v₀ + (1/4) sin f", on_edge),
-        ("1/16", over_n(1, 16)),
+        ("", over_n(1, 16)),
     )?;
     let rate = int(2) - int(2) * (int(1) - at.t.squared()) * predator;
     p.identity(
@@ -191,7 +191,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
             "1 less the rate of 1/t in τ, over t",
             (int(1) - rate) / at.t,
         ),
-        ("2v − t − 2v t²", at.slower()),
+        ("", at.slower()),
     )?;
     p.note(
         "It is between 0 and 8/5 where |q − q₀| < 0.154, |v − v₀| ≤ 1/4, 0 < t ≤ 1/20, as in the region, where |q − q₀| ≤ √6/16",

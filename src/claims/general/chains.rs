@@ -48,7 +48,7 @@ pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obst
             rest,
         ),
         (
-            "A square, which is not negative: the part along the velocity is at most all of it",
+            "a square, which is not negative: the part along the velocity is at most all of it",
             (ax * vy - ay * vx).squared(),
         ),
     )
@@ -64,9 +64,8 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
         let above = p.read("a − μg less that", a - mu * g)? - &rate;
         p.reads_as(
             &above,
-            "a and the acceleration's part along the velocity",
-            a + (ax * vx + ay * vy) / speed,
             "a and the part of the acceleration along the velocity",
+            a + (ax * vx + ay * vy) / speed,
         )?;
         at_most_its_size(p)?;
         p.note(
@@ -76,7 +75,7 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
         let bound = v0 - (mu * g - a) * t;
         let line = p.read("The line v₀ − (μg − a) t", bound)?;
         let slope = p.slope("Its rate", &line, "t")?;
-        p.reads_as(&slope, "a − μg", a - mu * g)?;
+        p.reads_as(&slope, "", a - mu * g)?;
         p.vanishes(
             "At t = v₀/(μg − a) it is",
             bound.with("t", v0 / (mu * g - a)),
@@ -119,7 +118,7 @@ pub(in crate::claims) fn decays(
     let square = p.read("v_y²", vy.squared())?;
     let fall = p.derivative("Its rate", &square, &motion)?;
     let stated = trend * (two * mu * g * vy.squared() / speed);
-    p.reads_as(&fall, "−2μg v_y²/v, which is not positive", stated)?;
+    p.reads_as(&fall, "which is not positive", stated)?;
     at_most_its_size(p)?;
     p.note(
         "So, with an acceleration of a at most and by (2)",

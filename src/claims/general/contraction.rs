@@ -44,14 +44,13 @@ fn by_law(law: [Expr; 2]) -> Proof {
             let stated = -(two * mu * g * (v + u) * (Expr::int(1) - cosine));
             p.reads_as(
                 &rate,
-                "−2μg (v + u) (1 − cos), cos that of the angle between them",
-                stated,
                 "−2μg (v + u) (1 − cos), with the cosine of the angle between them",
+                stated,
             )?;
             let across = ((vx * uy - vy * ux) / (v * u)).squared();
             p.identity(
                 ("1 − cos²", Expr::int(1) - cosine.squared()),
-                ("A square, so that cos is at most 1", across),
+                ("a square, so that cos is at most 1", across),
             )?;
             p.note(
                 "So, while both slide",
@@ -66,7 +65,7 @@ fn by_law(law: [Expr; 2]) -> Proof {
             )?;
             let rate = p.derivative("Its rate", &square, &alone)?;
             let along = (ax * vx + ay * vy) / v;
-            p.reads_as(&rate, "−2v (𝐀·𝐯/v + μg)", -(two * v * (along + mu * g)))?;
+            p.reads_as(&rate, "−2v times 𝐀·𝐯/v + μg", -(two * v * (along + mu * g)))?;
             at_most_its_size(p)?;
             p.note(
             "A rest lasts only where |𝐀| ≤ μg",

@@ -35,7 +35,7 @@ fn moves(bound: Expr) -> Proof {
         p.identity(
             ("What is needed less the greatest friction", size - mu * g),
             (
-                "What the size of the drive is above the stated bound",
+                "what the size of the drive is above the stated bound",
                 size - bound,
             ),
         )?;
@@ -90,11 +90,7 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
 
             let along = p.read("dv_x/dt by (1)", driven(law[0]))?;
             let terms = margin + more + most * (one - cosine);
-            p.reads_as(
-                &along,
-                "δ + e + μg (1 − v_x/v), of which no term is negative",
-                terms,
-            )?;
+            p.reads_as(&along, "of which no term is negative", terms)?;
             p.note(
                 "So",
                 "v_x grows by δ in each unit of time at least, beyond all bounds",
@@ -105,25 +101,28 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
             let square = p.read("v_y²", vy.squared())?;
             let fall = p.derivative("Its rate", &square, &motion)?;
             let lost = -(two * most * vy.squared() / speed);
-            p.reads_as(&fall, "−2μg v_y²/v, which is not positive", lost)?;
+            p.reads_as(&fall, "which is not positive", lost)?;
 
             let direction = p.read("v_x/v", cosine)?;
             let turn = p.derivative("Its rate", &direction, &motion)?;
             p.reads_as(
                 &turn,
-                "a v_y²/v³, which is not negative",
-                pull * vy.squared() / speed.pow(Expr::int(3)),
                 "which is not negative",
+                pull * vy.squared() / speed.pow(Expr::int(3)),
             )?;
             let enough = most / (most + margin);
             let least = cosine.squared() - enough.squared();
             let room = vx.squared() * (one - enough.squared()) - enough.squared() * vy.squared();
-            p.identity(("(v_x/v)² less the square of μg/(μg + δ)", least), ("positive from some time on, as v_x grows beyond all bounds, v_y does not and μg/(μg + δ) < 1",
-            room / speed.squared()))?;
+            p.identity(("(v_x/v)² less the square of μg/(μg + δ)", least), ("positive from some time on, as v_x grows beyond all bounds, v_y does not and μg/(μg + δ) < 1", room / speed.squared()))?;
 
             let terms = (most + margin) * (cosine - enough) + more * cosine;
-            p.identity(("dv/dt by (2)", driven(speed_rate)), ("(μg + δ) (v_x/v − μg/(μg + δ)) + e v_x/v, the first term positive and the other not negative from that time on",
-            terms))?;
+            p.identity(
+                ("dv/dt by (2)", driven(speed_rate)),
+                (
+                    "the first term positive and the other not negative from that time on",
+                    terms,
+                ),
+            )?;
             p.note(
             "A particle that is at rest at some time",
             "is set in motion along the drive at once: v_x = v from then on, and the same holds",

@@ -218,7 +218,7 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
         for (name, own) in [("U_x", vx), ("U_y", vy)] {
             let seen = p.read("A component of the velocity", Expr::symbol(name) + own)?;
             let rate = p.derivative("Its rate", &seen, &along)?;
-            p.reads_as(&rate, "Friction per mass, against v", -mu * g * own / speed)?;
+            p.reads_as(&rate, "friction per mass, against v", -mu * g * own / speed)?;
         }
         Ok(())
     })

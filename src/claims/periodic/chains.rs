@@ -81,10 +81,7 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
         p.identity(
             ("d|𝔴|/dφ by (26)", Expr::int(sign) * rate),
-            (
-                "±h − λ₀, at most |h| − λ₀",
-                Expr::int(sign) * psi.sin() - lambda0,
-            ),
+            ("at most |h| − λ₀", Expr::int(sign) * psi.sin() - lambda0),
         )?;
         p.note("While the particle rests", "|𝔴| stays 0");
 
@@ -109,9 +106,8 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
         let bound = two * Expr::pi() * s / (one - s);
         p.reads_as(
             &gain,
-            "s (1 − s) times what m is below 2π s/(1 − s)",
-            s * (one - s) * (bound - m),
             "s (1 − s) times what m is below 2πs/(1 − s)",
+            s * (one - s) * (bound - m),
         )?;
         p.note(
             "E: the share of the phases with |h| > 1 − s",
@@ -149,19 +145,19 @@ fn normalised(([pulse, gap], largest): ([Expr; 2], Expr)) -> Proof {
             printed::eq42_end(Expr::symbol("η")),
         )?;
         let growth = p.slope("grows with η at the rate", &length, "η")?;
-        p.reads_as(&growth, "π, positive", Expr::pi())?;
+        p.reads_as(&growth, "positive", Expr::pi())?;
         let eta = p.ring().named("η")?;
         let none = p.ring().put(&length, &[(&eta, &Rational::int(0))])?;
         p.zero("The length at η = 0", &none)?;
         let size = p.read("The stated size", largest)?;
-        p.same(&size, pulse, "h in a pulse by (42)")?;
+        p.reads_as(&size, "h in a pulse by (42)", pulse)?;
         let none = p.read("In a gap", gap)?;
         p.zero("h", &none)?;
         let own = p.read("The square of h", h.squared())?;
-        p.same(
+        p.reads_as(
             &own,
-            printed::eq43_h(h).squared(),
             "the same, mirrored by (43)",
+            printed::eq43_h(h).squared(),
         )
     })
 }
@@ -206,7 +202,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
 
         p.identity(
             ("At η = 1 a pulse ends at", at(pulses.end, one)),
-            ("Half a period", Expr::pi()),
+            ("half a period", Expr::pi()),
         )?;
         for (says, h, way) in [
             ("h in a pulse", pulses.h[0], 1),
@@ -238,7 +234,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
                 "d|𝔴|/dφ by (26) with h = 0",
                 Expr::int(sign) * rate.with("ψ", zero),
             ),
-            ("−λ₀", -lambda0),
+            ("", -lambda0),
         )?;
         p.vanishes(
             "The size left after |𝔴₀|/λ₀, with 𝔴₀ for its size",
@@ -275,7 +271,7 @@ fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
                 "d𝔴/dφ by (26) without friction",
                 rate.with("λ₀", Expr::int(0)),
             ),
-            ("What is said to become nonzero again", again),
+            ("what is said to become nonzero again", again),
         )?;
         p.vanishes("h in the gap", pulses.h[1])?;
         p.vanishes("What is said, with that h", again.with("ψ", Expr::int(0)))?;
@@ -293,7 +289,7 @@ fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
         let excess = Expr::pi() * (lambda0 - pulses.critical) / lambda0;
         p.identity(
             ("π less the end of the slip by (44)", Expr::pi() - stop),
-            ("π (λ₀ − λ_c)/λ₀, positive for λ₀ > λ_c only", excess),
+            ("positive for λ₀ > λ_c only", excess),
         )
     })
 }

@@ -41,14 +41,11 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             let closer = signed * (rate - rate.with("𝔴", other));
             p.identity(
                 ("The rate of the distance from 𝔴₂", closer),
-                ("−2λ₀", -(Expr::int(2) * lambda0)),
+                ("", -(Expr::int(2) * lambda0)),
             )?;
             p.identity(
                 ("That of the distance from rest", signed * rate),
-                (
-                    "±h − λ₀, not positive where a rest lasts",
-                    signed * h() - lambda0,
-                ),
+                ("not positive where a rest lasts", signed * h() - lambda0),
             )
         })
     })
@@ -69,14 +66,11 @@ pub(super) fn slows(law: Expr) -> Proof {
         let speed = (vx.squared() + vy.squared()).sqrt();
         let in_units = law.with("μ", lambda0).with("g", Expr::int(1));
         let driven = in_units.with("A_x", -h()).with("A_y", Expr::int(0));
-        p.identity(
-            ("dv/dφ by (2)", driven),
-            ("h v_x/v − λ₀", h() * vx / speed - lambda0),
-        )?;
+        p.identity(("dv/dφ by (2)", driven), ("", h() * vx / speed - lambda0))?;
         p.identity(
             ("1 − (v_x/v)²", Expr::int(1) - (vx / speed).squared()),
             (
-                "A square, so that v_x/v is 1 at most",
+                "a square, so that v_x/v is 1 at most",
                 (vy / speed).squared(),
             ),
         )
@@ -111,7 +105,7 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
         p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
         above_the_mean(p, rate, sign)?;
         let stated = p.read("What is stated for much friction, 1 for rests", much)?;
-        p.same(&stated, Expr::int(1), "")?;
+        p.reads_as(&stated, "", Expr::int(1))?;
         near_the_median(p, rate, sign)?;
         against_a_mean(p, rate, sign)?;
         p.vanishes("What is stated for little friction, 0 for none", little)?;
@@ -134,7 +128,7 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
     let signed = Expr::int(sign);
     p.identity(
         ("d|𝔴|/dφ by (26)", signed * rate),
-        ("±h − λ₀, at most |h| − λ₀", signed * h() - lambda0),
+        ("at most |h| − λ₀", signed * h() - lambda0),
     )?;
     p.note(
         "Without a rest",
@@ -157,10 +151,7 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
                 .with("𝔴₀", Expr::int(0))
                 .with("n", Expr::int(1)),
         ),
-        (
-            "−2π (λ₀ − M), negative, as no size is",
-            -(period * (lambda0 - mean)),
-        ),
+        ("negative, as no size is", -(period * (lambda0 - mean))),
     )?;
     p.note(
         "So there is another rest within a period",
@@ -189,7 +180,7 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
             "In a period of one sign |𝔴| changes by 2π times its rate by (26), with m for h,",
             falls.with("m", zero),
         ),
-        ("−2πλ₀", -(two * pi * lambda0)),
+        ("", -(two * pi * lambda0)),
     )?;
     p.note(
         "So 𝔴 stays bounded",
@@ -210,9 +201,8 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
     let slope = p.derivative("Its rate by (26), with h for that of H", &friction, &motion)?;
     p.reads_as(
         &slope,
-        "−λ₀ by the sign of 𝔴, and in a rest not larger in size",
-        -(signed * lambda0),
         "by the sign of 𝔴, and in a rest not larger in size",
+        -(signed * lambda0),
     )?;
     let room = pi.squared() - length * (two * pi - length);
     p.identity(
@@ -220,7 +210,7 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
             "π² less ℓ (2π − ℓ), of the phases ℓ from one place to another and those back to it",
             room,
         ),
-        ("A square, which is not negative", (pi - length).squared()),
+        ("a square, which is not negative", (pi - length).squared()),
     )?;
     p.note(
         "So one of the two is π at most",
@@ -231,10 +221,7 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
             "P: for how long 𝔴 > 0 in a period. Friction changes G by at most",
             lambda0 * (two * pi - forward) - lambda0 * forward,
         ),
-        (
-            "−2λ₀ (P − π), and as G returns, P ≤ π",
-            -(two * lambda0 * (forward - pi)),
-        ),
+        ("and as G returns, P ≤ π", -(two * lambda0 * (forward - pi))),
     )?;
     p.note(
         "If G were above πλ₀ somewhere",
@@ -254,7 +241,7 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
             "For λ₀ < η/π: E = η − πλ₀, which is positive, and πλ₀",
             margin + pi * lambda0,
         ),
-        ("η", near),
+        ("", near),
     )?;
     p.note(
         "A late motion is within E of the periodic one",

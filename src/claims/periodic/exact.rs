@@ -47,7 +47,7 @@ impl Chain {
             let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
             p.identity(
                 ("Where two cases meet, the first", at(before)),
-                ("and the second", at(after)),
+                ("the second", at(after)),
             )?;
         }
         Ok(())
@@ -86,9 +86,8 @@ pub fn eq45_mirror(mirrored: Expr) -> Proof {
         let rate = p.derivative("Its rate, with 𝔴' = h − λ₀", &w, &motion)?;
         p.reads_as(
             &rate,
-            "The force there, for negative velocity and h of (43)",
-            printed::eq43_h(h) + friction,
             "the force there, for negative velocity and h of (43)",
+            printed::eq43_h(h) + friction,
         )?;
         p.vanishes("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))
     })

@@ -189,7 +189,7 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
             "Changes among them",
             (come - go).squared() + (go - again).squared(),
         )?;
-        p.same(&turns, Expr::int(2), "")?;
+        p.reads_as(&turns, "", Expr::int(2))?;
         let stated = p.read("What is stated for much friction", much)?;
         let last = p.ring().read(again)?;
         p.equal("It and the last", &stated, &last)
@@ -288,7 +288,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
                 one + sign * h,
             ),
         ] {
-            p.identity((says, left), ("Terms of which none is negative", room))?;
+            p.identity((says, left), ("of which no term is negative", room))?;
         }
     }
     let length = d / (two * (one + lambda0));
@@ -297,7 +297,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
             "D less 1 + λ₀ times D/(2 (1 + λ₀))",
             d - (one + lambda0) * length,
         ),
-        ("D/2", d / two),
+        ("", d / two),
     )?;
     p.note(
         "Where this motion is 0 let the size of another be D",

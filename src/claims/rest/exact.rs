@@ -50,7 +50,7 @@ pub fn eq146(formula: Expr) -> Proof {
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         let a = p.read("(145)", printed::eq145_a(sigma, alpha))?;
         let slope = p.slope("∂A/∂σ", &a, "σ")?;
-        p.reads_as(&slope, "Right side of (146)", formula)
+        p.reads_as(&slope, "the right side of (146)", formula)
     })
 }
 
@@ -68,7 +68,7 @@ pub fn eq147(formula: Expr) -> Proof {
                 "(145) there",
                 printed::eq145_a(sigma, alpha).with("σ", solved),
             ),
-            ("(147)", formula),
+            ("by (147)", formula),
         )
     })
 }

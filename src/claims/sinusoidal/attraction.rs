@@ -26,7 +26,7 @@ fn passes((cases, ends): NoRest) -> Proof {
         let by = p.ring().by("φ")?;
         let slope = p.derivative("Its slope", &w, &by)?;
         let bend = p.derivative("The slope of that", &slope, &by)?;
-        p.reads_as(&bend, "cos φ", phi.cos())?;
+        p.reads_as(&bend, "", phi.cos())?;
         p.note(
             "From φ̃₁, where the slope sin φ̃₁ − λ₀ is not negative, to π/2",
             "the slope grows: the case rises from 0 at φ̃₁",
@@ -75,11 +75,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             let pull = (speed + other) * (one + sign * cosine);
             let pull = p.read("(v + W) (1 − cos)", pull)?;
             let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
-            p.reads_as(
-                &pull,
-                "v ± v_x and W (1 ± v_x/v), which is not negative",
-                least + more,
-            )?;
+            p.reads_as(&pull, "v ± v_x and what is not negative", least + more)?;
         }
 
         let drive = eq21();
@@ -125,7 +121,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
                 "D less that much for D/(4 (1 + λ₀))",
                 d - two * most * length,
             ),
-            ("D/2", d / two),
+            ("", d / two),
         )?;
         p.note(
             "At φ̃₁ u = 0 and v is the distance, D",
@@ -136,10 +132,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
                 "The squared distance falls by 2λ₀ (D/2) for so long",
                 two * lambda0 * (d / two) * length,
             ),
-            (
-                "λ₀ D²/(4 (1 + λ₀))",
-                lambda0 * d.squared() / (Expr::int(4) * most),
-            ),
+            ("", lambda0 * d.squared() / (Expr::int(4) * most)),
         )?;
         p.note(
             "Or, if that is longer than the half period for which u keeps its sign",
@@ -175,7 +168,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         let product = -(x.sin() * (Expr::int(2) * beta - x).sin());
         p.identity(
             ("sin²φ − λ₀² at φ = π + β − x", excess),
-            ("−sin x sin(2β − x), negative for 0 < x < 2β", product),
+            ("negative for 0 < x < 2β", product),
         )?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let drive = eq21();
@@ -192,7 +185,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
                 "sin²φ less its square",
                 phi.sin().squared() - (phi.sin() * vx / speed).squared(),
             ),
-            ("A square", (phi.sin() * vy / speed).squared()),
+            ("a square", (phi.sin() * vy / speed).squared()),
         )?;
         p.note(
             "So v falls by λ₀ − |sin φ| > 0 at least",
@@ -245,7 +238,7 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
         let [rate, _] = in_units(law, eq21());
         p.identity(
             ("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero)),
-            ("sin φ", phi.sin()),
+            ("", phi.sin()),
         )?;
         p.note("It is 0", "on no interval, and so v_x neither");
         Ok(())
@@ -318,10 +311,7 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
         let [growth] = in_units([eq2()], drive);
         p.identity(
             ("For λ₀ ≥ 1, dv/dφ by (2)", growth),
-            (
-                "sin φ v_x/v less λ₀, at most |sin φ| − λ₀",
-                phi.sin() * vx / speed - lambda0,
-            ),
+            ("at most |sin φ| − λ₀", phi.sin() * vx / speed - lambda0),
         )?;
         let whole = -phi.cos() - lambda0 * phi;
         let gain = whole.with("φ", Expr::pi()) - whole.with("φ", Expr::int(0));
@@ -330,10 +320,7 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
                 "So in half a period v grows by −cos φ − λ₀φ from 0 to π at most",
                 gain,
             ),
-            (
-                "2 − πλ₀, at most 2 − π",
-                Expr::int(2) - Expr::pi() * lambda0,
-            ),
+            ("at most 2 − π", Expr::int(2) - Expr::pi() * lambda0),
         )?;
         p.note(
             "So v is 0 after a finite time",
@@ -344,11 +331,7 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
         let rate = p.read("On the way: dv_x/dφ by (1)", rate)?;
         let slope = p.slope("Its slope by v_y", &rate, "v_y")?;
         let stated = lambda0 * vx * vy / speed.pow(Expr::int(3));
-        p.reads_as(
-            &slope,
-            "λ₀ v_x v_y/v³, not 0 but where v_x or v_y is",
-            stated,
-        )?;
+        p.reads_as(&slope, "not 0 but where v_x or v_y is", stated)?;
         p.note(
             "Two motions with the same v_x ≠ 0",
             "and another |v_y| do not keep the same v_x",

@@ -26,7 +26,7 @@ fn bounded([ax, ay]: [Expr; 2]) -> Proof {
         p.identity(
             ("A₀² less the square of (21)", a0.squared() - ax.squared()),
             (
-                "A square, which is not negative",
+                "a square, which is not negative",
                 (a0 * phi.cos()).squared(),
             ),
         )
@@ -120,10 +120,7 @@ fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Pr
         let terms = phi.sin() - lambda0 + lambda0 * (one - vx / speed);
         p.identity(
             ("d𝔴/dφ by (1) and (21)", rate),
-            (
-                "sin φ − λ₀ and λ₀ (1 − v_x/v), which is not negative",
-                terms,
-            ),
+            ("sin φ − λ₀ and what is not negative", terms),
         )?;
         p.note(
             "Where sin φ > λ₀",
@@ -132,16 +129,12 @@ fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Pr
         let whole = -phi.cos() - lambda0 * phi;
         let slope = p.read("−cos φ − λ₀ φ", whole)?;
         let slope = p.slope("Its slope", &slope, "φ")?;
-        p.reads_as(&slope, "sin φ − λ₀", phi.sin() - lambda0)?;
+        p.reads_as(&slope, "", phi.sin() - lambda0)?;
         let gain = whole.with("φ", phi2) - whole.with("φ", phi1);
         let gain = p.read("From φ₁ to φ₂ it grows by", gain)?;
         let b = Expr::pi() / two - beta;
-        let stated = p.read(
-            "2 (sin b − b cos b), b = π/2 − β",
-            two * (b.sin() - b * b.cos()),
-        )?;
-        p.equal("The two", &gain, &stated)?;
-        let slope = p.slope("Its slope by β", &stated, "β")?;
+        p.reads_as(&gain, "with b = π/2 − β", two * (b.sin() - b * b.cos()))?;
+        let slope = p.slope("Its slope by β", &gain, "β")?;
         let falls = p.read("2 b sin b, positive for 0 < b ≤ π/2", two * b * b.sin())?;
         p.equal("The slope is less than 0 by that", &-&slope, &falls)?;
         let end = p.read(
@@ -199,7 +192,7 @@ fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {
         ] {
             p.identity(
                 (&format!("Friction {says}, by (1)"), exact),
-                ("What is stated, over r", stated / ratio),
+                ("what is stated, over r", stated / ratio),
             )?;
         }
         close(p, ratio, (wy / w).squared())
@@ -212,15 +205,12 @@ fn close(p: &mut Prover<'_>, r: Expr, s: Expr) -> Result<(), Obstacle> {
     let off = one - one / r;
     p.identity(
         ("1 − 1/r", off),
-        (
-            "(𝔴_y/𝔴)²/(r (r + 1)), which is not negative",
-            s / (r * (r + one)),
-        ),
+        ("which is not negative", s / (r * (r + one))),
     )?;
     let square = (r - one).squared() * (r + two) / (two * r);
     p.identity(
         ("Half of (𝔴_y/𝔴)² less that", s / two - off),
-        ("(r − 1)² (r + 2)/(2r), which is not negative", square),
+        ("which is not negative", square),
     )
 }
 

@@ -71,7 +71,7 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
         let scaled = read(p, "d𝔴/dv_x by (24)", scaled, "v_x")?;
         let clock = read(p, "dφ/dt by (23)", phase, "t")?;
         let expected = p.quotient("d𝔴/dφ by (1)", &(newton * scaled), &clock)?;
-        p.same(&expected, rate, "the printed rate")
+        p.reads_as(&expected, "the printed rate", rate)
     })
 }
 
@@ -113,12 +113,12 @@ fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
         let first = Expr::symbol("λ₀").asin().cos();
         p.identity(
             ("The slope of the drive there", phase.cos()),
-            ("That at asin λ₀, with its sign", Expr::int(growth) * first),
+            ("that at asin λ₀, with its sign", Expr::int(growth) * first),
         )?;
         let signed = Expr::int(sign) * Expr::symbol("λ₀");
         p.identity(
             ("The drive at the printed phase", phase.sin()),
-            ("Friction, with its sign", signed),
+            ("friction, with its sign", signed),
         )
     })
 }
@@ -174,11 +174,11 @@ fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obsta
     let slope = p.slope("Its slope", &value, "φ")?;
     p.reads_as(
         &slope,
-        "The slope by (26)",
+        "the slope by (26)",
         phi.sin() - Expr::int(sign) * lambda0,
     )?;
     let at_start = p.read("Where the slip begins", w.with("φ", start))?;
-    p.same(&at_start, Expr::int(0), "")
+    p.reads_as(&at_start, "", Expr::int(0))
 }
 
 fn prove_eq31(w: Expr) -> Proof {
@@ -212,7 +212,7 @@ fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let slip = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
         p.rests_on(&prove_eq31(slip))?;
-        p.identity(("(31) there", slip.with("φ", end)), ("The left side", left))
+        p.identity(("(31) there", slip.with("φ", end)), ("the left side", left))
     })
 }
 
@@ -268,7 +268,10 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
         let square = (half.sin() - half.cos()).squared();
         p.identity(
             ("The drive less friction, by (26)", phi.sin() - lambda0),
-            ("Right less left side, less a square", right - left - square),
+            (
+                "the right side less the left one, less a square",
+                right - left - square,
+            ),
         )?;
         p.note(
             "The square vanishes at φ = π/2",
@@ -352,7 +355,7 @@ fn prove_eq35(left: Expr) -> Proof {
                 "The left side of (34)",
                 paper::eq34_left(lambda0, phi1, phi3),
             ),
-            ("The left side of (35)", left),
+            ("the left side of (35)", left),
         )
     })
 }
@@ -399,7 +402,7 @@ fn beside_lambda_c(
     let expected = factor * (right.squared() - left.squared());
     p.identity(
         ("The difference of squares", found),
-        ("By the printed sides", expected),
+        ("by the printed sides", expected),
     )
 }
 
@@ -458,7 +461,7 @@ pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
         slip(p, backward, -1, ends[1])?;
         for (w, end) in [(forward, ends[1]), (backward, ends[2])] {
             let value = p.read("Where the slip ends", w.with("φ", end))?;
-            p.same(&value, Expr::int(0), "")?;
+            p.reads_as(&value, "", Expr::int(0))?;
         }
         let length = p.read("From where it begins to where it ends", ends[2] - ends[0])?;
         let period = p.read("A period", Expr::int(2) * Expr::pi())?;

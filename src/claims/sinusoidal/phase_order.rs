@@ -37,7 +37,7 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
             let product = (phi - beta).sin() * (phi + beta).sin();
             p.identity(
                 ("sin²φ − λ₀²", phi.sin().squared() - lambda0.squared()),
-                ("sin(φ − β) sin(φ + β)", product),
+                ("", product),
             )?;
             p.note(
                 "Of the phases from 0 to 2π",
@@ -47,7 +47,7 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
             for (i, (printed, zero)) in phases.into_iter().zip(zeros).enumerate() {
                 p.identity(
                     (&format!("The printed phase {}", i + 1), printed),
-                    ("The zero of a sine", zero),
+                    ("the zero of a sine", zero),
                 )?;
             }
             for (says, earlier, later) in [
@@ -60,17 +60,17 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
             ] {
                 p.identity(
                     (says, zeros[later] - zeros[earlier]),
-                    ("π − 2β, positive for β < π/2", pi - Expr::int(2) * beta),
+                    ("positive for β < π/2", pi - Expr::int(2) * beta),
                 )?;
             }
             p.identity(
                 ("From the second to the third", zeros[2] - zeros[1]),
-                ("2β, positive for β > 0", Expr::int(2) * beta),
+                ("positive for β > 0", Expr::int(2) * beta),
             )?;
             p.identity(
                 ("The stated number", number),
                 (
-                    "Two zeros of each sine, none in common",
+                    "two zeros of each sine, none in common",
                     Expr::int(2) + Expr::int(2),
                 ),
             )
@@ -99,7 +99,7 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
         let drive = p.read("sin²φ", phi.sin().squared())?;
         let slope = p.slope("Its slope", &drive, "φ")?;
         let stated = Expr::int(2) * phi.sin() * phi.cos();
-        p.reads_as(&slope, "2 sin φ cos φ", stated)?;
+        p.reads_as(&slope, "", stated)?;
         let steep = p.read(
             "2 sin β cos β, positive for 0 < β < π/2",
             stated.with("φ", beta),
@@ -144,27 +144,27 @@ fn period_ends(end: Expr) -> Proof {
         for (says, phase) in [("φ₁", first), ("the stated end", end)] {
             p.identity(
                 (&format!("The drive, sin φ, at {says}"), phase.sin()),
-                ("λ₀", lambda0),
+                ("", lambda0),
             )?;
             p.identity(
                 ("Its slope there", phase.cos()),
-                ("cos β, positive for 0 < β < π/2", beta.cos()),
+                ("positive for 0 < β < π/2", beta.cos()),
             )?;
         }
         p.identity(
             ("The slope at φ₂", second.cos()),
-            ("−cos β: there the drive falls", -beta.cos()),
+            ("so that the drive falls there", -beta.cos()),
         )?;
         for (says, phase) in [("φ₃", third), ("φ₄", fourth)] {
             p.identity(
                 (&format!("The drive at {says}"), phase.sin()),
-                ("−λ₀: there it is backward", -lambda0),
+                ("so that it is backward there", -lambda0),
             )?;
         }
         p.identity(
             ("From φ₁ to the stated end", end - first),
             (
-                "2π, so that it is the next such phase",
+                "so that it is the next such phase",
                 Expr::int(2) * Expr::pi(),
             ),
         )?;
@@ -186,14 +186,14 @@ fn ends_once(w: Expr) -> Proof {
         let printed = p.read("(31), with sin β = λ₀", w)?;
         let slope = p.slope("Its slope", &printed, "φ")?;
         let halves = ((phi - beta) / two).sin() * ((phi + beta) / two).cos();
-        p.reads_as(&slope, "2 sin((φ − β)/2) cos((φ + β)/2), positive from β to π − β, negative from there to 2π + β",
-            two * halves)?;
+        p.reads_as(
+            &slope,
+            "positive from β to π − β, negative from there to 2π + β",
+            two * halves,
+        )?;
         p.identity(
             ("(31) at 2π − β", w.with("φ", two * Expr::pi() - beta)),
-            (
-                "−2λ₀ (π − β), negative",
-                -(two * lambda0 * (Expr::pi() - beta)),
-            ),
+            ("negative", -(two * lambda0 * (Expr::pi() - beta))),
         )?;
         p.note(
             "So, as (31) is 0 at β",
@@ -232,7 +232,7 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
         let [beta, lambda0, phi, end] = Expr::symbols(["β", "λ₀", "φ", "φ̃₂"]);
         let (two, pi) = (Expr::int(2), Expr::pi());
         let there = p.read("(31) at β + π", w.with("φ", beta + pi))?;
-        p.reads_as(&there, "The left side of (35)", paper::eq35_left(lambda0))?;
+        p.reads_as(&there, "the left side of (35)", paper::eq35_left(lambda0))?;
         let [friction, critical] = paper::eq36_sides(lambda0);
         let sum = p.read("Its terms, added", two * beta.cos() + pi * lambda0)?;
         let factor = Expr::int(4) + pi.squared();
@@ -258,7 +258,7 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
         let most = lambda0 * (phi - end) + end.cos() - phi.cos();
         let rate = p.read("From 0 at φ̃₂ that gives at most", most)?;
         let rate = p.slope("Its slope", &rate, "φ")?;
-        p.reads_as(&rate, "sin φ + λ₀", phi.sin() + lambda0)?;
+        p.reads_as(&rate, "", phi.sin() + lambda0)?;
         p.vanishes("At φ̃₂", most.with("φ", end))?;
         let later = p.read("At β + 2π", most.with("φ", beta + two * pi))?;
         let left = p.read("The left side of (32), which is 0,", left)?;

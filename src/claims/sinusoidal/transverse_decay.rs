@@ -72,7 +72,7 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
             p.identity(
                 ("λ₀ (v_x/v_y)²/2 less that", most - excess),
                 (
-                    "A product of which no factor is negative",
+                    "a product of which no factor is negative",
                     terms / (two * vy.squared() * v * (v + vy)),
                 ),
             )?;
@@ -99,9 +99,8 @@ fn turning(law: Rate) -> Proof {
             let across = p.read("dv_y/dφ by (1) and (21)", rates[1])?;
             p.reads_as(
                 &across,
-                "−λ₀ v_y/v, so that v_y falls, and ln v_y by λ₀/v",
-                -(lambda0 * vy / v),
                 "so that v_y falls, and ln v_y at the rate λ₀/v",
+                -(lambda0 * vy / v),
             )?;
             let motion = p
                 .ring()
@@ -113,9 +112,8 @@ fn turning(law: Rate) -> Proof {
             let turn = p.derivative("Its rate", &tangent, &motion)?;
             p.reads_as(
                 &turn,
-                "−(sin φ/v) T, so that ln T has the rate −sin φ/v",
-                -(phi.sin() / v) * vy / (v + vx),
                 "so that ln T has the rate −sin φ/v",
+                -(phi.sin() / v) * vy / (v + vx),
             )?;
             let ring = p.ring();
             let [of_y, of_t] = [
@@ -131,10 +129,7 @@ fn turning(law: Rate) -> Proof {
             )?;
             p.identity(
                 ("T v_y", vy / (v + vx) * vy),
-                (
-                    "v − v_x, the sum of v and of the size of v_x where v_x < 0",
-                    v - vx,
-                ),
+                ("the sum of v and of the size of v_x where v_x < 0", v - vx),
             )?;
             // The other zero is the mirror image.
             let pi = Expr::pi();
@@ -146,7 +141,7 @@ fn turning(law: Rate) -> Proof {
                         mirrored,
                     ),
                     (
-                        "That before, with the sign of a mirror image",
+                        "that before, with the sign of a mirror image",
                         Expr::int(sign) * rate,
                     ),
                 )?;
@@ -163,21 +158,18 @@ fn near_zero(p: &mut Prover<'_>, [d, ..]: Passage) -> Result<(), Obstacle> {
     let two = Expr::int(2);
     p.identity(
         ("The stated size of the drive at a zero, d", d),
-        ("sin φ̃₁", paper::eq39_phi_t1(lambda0).sin()),
+        ("", paper::eq39_phi_t1(lambda0).sin()),
     )?;
     p.note("By (40)", "d is above λ₀ below λ_c");
     let halves = two * ((phi - turn) / two).sin() * ((phi + turn) / two).cos();
     p.identity(
         ("sin φ − d", phi.sin() - d),
-        (
-            "2 sin((φ − φ̃₁)/2) cos((φ + φ̃₁)/2), of the size of φ − φ̃₁ at most",
-            halves,
-        ),
+        ("of the size of φ − φ̃₁ at most", halves),
     )?;
     let margin = (d - lambda0) / two;
     p.identity(
         ("With m = (d − λ₀)/2: d − m", d - margin),
-        ("λ₀ + m", lambda0 + margin),
+        ("", lambda0 + margin),
     )?;
     p.note(
         "So no farther from φ̃₁ than m",
@@ -213,14 +205,13 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
             let sign = Expr::int(sign);
             let lack = one - sign * vx / v;
             let terms = phi.sin() - sign * lambda0 + sign * lambda0 * lack;
-            p.reads_as(&along, &format!("Where {says}, the slope on the line, and λ₀ times what 1 has beyond the size of v_x/v, with a sign"),
-                terms)?;
+            p.reads_as(&along, &format!("Where {says}, the slope on the line, and λ₀ times what 1 has beyond the size of v_x/v, with a sign"), terms)?;
             p.identity(
                 (
                     "(v_y + |v_x|)² less v²",
                     (vy + sign * vx).squared() - v.squared(),
                 ),
-                ("2 v_y |v_x|, not negative", two * vy * sign * vx),
+                ("not negative", two * vy * sign * vx),
             )?;
         }
         p.note(
@@ -234,7 +225,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         p.identity(
             ("(38) at φ̃₁ + Z", forward.with("φ", turn + z)),
             (
-                "The sum of the drive from φ̃₁ to there, less λ₀ Z",
+                "the integral of the drive from φ̃₁ to there, less λ₀Z",
                 rise - lambda0 * z,
             ),
         )?;
@@ -243,7 +234,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         p.identity(
             ("(38) at φ̃₁ − Z, a period later", before),
             (
-                "The negative sum of the drive from there to φ̃₁, less λ₀ Z",
+                "the negative integral of the drive from there to φ̃₁, less λ₀Z",
                 -rise - lambda0 * z,
             ),
         )?;
@@ -259,7 +250,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         let ratio = (d - lambda0) / (d + lambda0);
         p.identity(
             ("(d − λ₀)/(d + λ₀), twice", ratio.squared()),
-            ("The stated contraction in a period", contraction),
+            ("the stated contraction in a period", contraction),
         )?;
         let inverse = p.read(
             "The stated factor of ln v_y times (d − λ₀)/(d + λ₀)",
@@ -329,7 +320,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
                 product,
             ),
             (
-                "(d² − λ₀²) Z L (1 + Z/(d − λ₀)), and terms whose sum over all passages is finite",
+                "where all terms but the first have a finite sum over all passages",
                 terms,
             ),
         )?;
@@ -339,7 +330,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
                 "The factors of Z′ L′ on the left sides",
                 (sum - next) * (difference - z),
             ),
-            ("(d² − λ₀²) (1 − Z′/(d + λ₀)) (1 − Z/(d − λ₀))", close),
+            ("", close),
         )?;
         p.note(
             "So from one passage to the next Z L grows by a factor 1 + O(Z + Z′) at most, and by terms with a finite sum",
@@ -347,10 +338,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
         );
         p.identity(
             ("The stated factor less 1", factor - one),
-            (
-                "2λ₀/(d − λ₀), which is positive",
-                Expr::int(2) * lambda0 / difference,
-            ),
+            ("which is positive", Expr::int(2) * lambda0 / difference),
         )?;
         p.note(
             "So L grows as the powers of the factor",
@@ -375,10 +363,7 @@ fn lost_at_rest(law: Rate) -> Proof {
         let terms = phi.sin() - lambda0 + lambda0 * (one - vx / v);
         p.identity(
             ("dv_x/dφ by (1) and (21)", along),
-            (
-                "sin φ − λ₀ and λ₀ (1 − v_x/v), which is not negative",
-                terms,
-            ),
+            ("sin φ − λ₀ and what is not negative", terms),
         )?;
         let [grows] = in_units([eq2()], eq21());
         let grows = p.read("dv/dφ by (2)", grows)?;
@@ -429,7 +414,7 @@ fn last_stage(law: Rate, phase: Expr) -> Proof {
                     "At v_x = 0, where v is v_y, it is",
                     (lambda0 * vy) / (lambda0.squared() - d.squared()),
                 ),
-                ("The stated phase", phase),
+                ("the stated phase", phase),
             )?;
             let ring = p.ring();
             let same = ring.put(&room, &[(&ring.named("h")?, &ring.read(sign * d)?)])?;
@@ -506,7 +491,7 @@ fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> P
             let positive = Expr::int(4) * d * lambda0 / (d - lambda0).squared();
             let positive = p.read("4 d λ₀/(d − λ₀)², positive for every λ₀ > 0", positive)?;
             p.equal("It is above 1 by that", &excess, &positive)?;
-            p.same(&found, ratio, "the stated ratio")
+            p.reads_as(&found, "the stated ratio", ratio)
         },
     )
 }

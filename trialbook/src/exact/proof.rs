@@ -7,6 +7,7 @@ use super::rational::Rational;
 use super::recording;
 use super::ring::Ring;
 use super::series::Series;
+use crate::scalar::Scalar;
 use std::collections::BTreeSet;
 use std::fmt;
 use std::sync::Arc;
@@ -387,18 +388,14 @@ impl<'a> Prover<'a> {
         Ok(())
     }
 
-    /// Demands that an element is what a formula says, and writes the formula beside it, with what is to be seen of it.
+    /// Demands that an element is what a formula says, which it reads and writes beside it, with what is to be seen of it.
     ///
     /// # Errors
-    /// As [`Prover::equal`] and [`Ring::read`].
-    pub fn same(&mut self, x: &Rational, formula: Expr, seen: &str) -> Result<(), Obstacle> {
+    /// As [`read`](Self::read) and [`equal`](Self::equal).
+    pub fn reads_as(&mut self, x: &Rational, seen: &str, formula: Expr) -> Result<(), Obstacle> {
         let y = self.ring.read(formula)?;
-        let brought = self
-            .brought
-            .iter()
-            .rev()
-            .find(|(_, element, _)| element.is_written_as(x));
-        let (step, left) = match brought {
+        let mut brought = self.brought.iter().rev();
+        let (step, left) = match brought.find(|(_, element, _)| element.is_written_as(x)) {
             Some((step, _, left)) => (*step, left.clone()),
             None => (usize::MAX, self.ring.text(x)),
         };
@@ -438,15 +435,6 @@ impl<'a> Prover<'a> {
         })
     }
 
-    /// Demands that an element is what a formula says, which it reads.
-    ///
-    /// # Errors
-    /// As [`read`](Self::read) and [`equal`](Self::equal).
-    pub fn reads_as(&mut self, x: &Rational, says: &str, formula: Expr) -> Result<(), Obstacle> {
-        let stated = self.read(says, formula)?;
-        self.equal("The two", x, &stated)
-    }
-
     /// Demands that two formulas, each with what is said of it, are the same.
     ///
     /// # Errors
@@ -467,17 +455,15 @@ impl<'a> Prover<'a> {
     /// Demands that a formula is zero, which it reads.
     ///
     /// # Errors
-    /// As [`read`](Self::read) and [`zero`](Self::zero).
+    /// As [`reads_as`](Self::reads_as).
     pub fn vanishes(&mut self, says: &str, formula: Expr) -> Result<(), Obstacle> {
-        let element = self.read(says, formula)?;
-        self.zero("It", &element)
+        self.identity((says, formula), ("", Expr::int(0)))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scalar::Scalar;
     use crate::witness::{self, Part, Witness};
 
     #[test]
@@ -569,11 +555,11 @@ mod tests {
         let (x, two) = (Expr::symbol("x"), Expr::int(2));
         let proof = Proof::of("t", &ring, |p| {
             let square = p.read("A square", (x + two).squared())?;
-            p.same(&square, x * x + (x + Expr::int(1)) * Expr::int(4), "")?;
-            p.same(&square, (two + x).squared(), "not negative")?;
+            p.reads_as(&square, "", x * x + (x + Expr::int(1)) * Expr::int(4))?;
+            p.reads_as(&square, "not negative", (two + x).squared())?;
             let slope = p.derivative("Its slope", &square, &p.ring().by("x")?)?;
-            p.same(&slope, two * x + two * two, "")?;
-            p.same(&(&slope * &slope), Expr::int(4) * (x + two).squared(), "")
+            p.reads_as(&slope, "", two * x + two * two)?;
+            p.reads_as(&(&slope * &slope), "", Expr::int(4) * (x + two).squared())
         });
         let steps: Vec<_> = proof.steps().iter().map(Step::to_string).collect();
         assert_eq!(
@@ -587,7 +573,7 @@ mod tests {
         );
         let wrong = Proof::of("t", &ring, |p| {
             let double = p.read("Twice", two * x)?;
-            p.same(&double, x, "")
+            p.reads_as(&double, "", x)
         });
         assert!(
             wrong

@@ -24,7 +24,7 @@ pub fn b_falls() -> Proof {
         p.note("Let", "sin α = λ₀ and sin β = qλ₀, both angles below π/2");
         let zero = Expr::int(0);
         let first = p.read("The arc from 0 to π", to_b(zero, zero))?;
-        p.same(&first, Expr::int(2), "")?;
+        p.reads_as(&first, "", Expr::int(2))?;
         let rate = p.read("dα/dβ, as sin α = sin β/q", beta.cos() / (q * alpha.cos()))?;
         let along = p.ring().along(&[("α", rate), ("β", Rational::int(1))])?;
         let ratio = p.ring().read(q)?;
@@ -89,17 +89,13 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("The sides of (53)", ring(), |p| {
         let [alpha, k] = Expr::symbols(["α", "K"]);
         let left = p.read("The left side", left)?;
-        let cotangent = p.read("cot α", alpha.cot())?;
-        p.equal("The two", &left, &cotangent)?;
-        let slope = p.slope("Its slope", &cotangent, "α")?;
+        p.reads_as(&left, "", alpha.cot())?;
+        let slope = p.slope("Its slope", &left, "α")?;
         let square = p.read("1/sin²α", Expr::int(1) / alpha.sin().squared())?;
         p.equal("The slope is less than 0 by that", &-&slope, &square)?;
         let twice = Expr::int(2) * k;
         let stated = (twice - twice.sin()) / (Expr::int(2) * k.sin().squared());
-        p.identity(
-            ("The right side", right),
-            ("(2K − sin 2K)/(2 sin²K), which is positive", stated),
-        )
+        p.identity(("The right side", right), ("which is positive", stated))
     })
 }
 
@@ -151,7 +147,7 @@ pub fn a_below() -> Proof {
                 "By the angles",
                 first + alpha + beta - Expr::int(2) * Expr::pi(),
             ),
-            ("By 1/q and λ₀q²", by_ratio),
+            ("by 1/q and λ₀q²", by_ratio),
         )?;
         p.note(
             "On A",

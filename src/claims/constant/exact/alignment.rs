@@ -28,7 +28,6 @@ fn cannot_hold([left, right]: [Expr; 2]) -> Proof {
             &lack,
             "A times the right side less the left one",
             a * (right - left),
-            "A times the right side less the left one",
         )?;
         let begins = p.read("(6) at θ = 0", eq6().with("θ", Expr::int(0)))?;
         p.equal("The rate from rest is that too", &begins, &lack)
@@ -56,16 +55,21 @@ fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
         let [a, lambda, v, theta] = Expr::symbols(["A", "λ", "v", "θ"]);
         let [vx, vy] = [v * theta.cos(), v * theta.sin()];
         let terms = a * (right - left) + a * lambda * (Expr::int(1) - theta.cos());
-        p.identity(("(6)", eq6()), ("A times the right side less the left one, and Aλ (1 − cos θ), which is not negative",
-            terms))?;
+        p.identity(
+            ("(6)", eq6()),
+            (
+                "A times the right side less the left one, and what is not negative",
+                terms,
+            ),
+        )?;
         p.note("So, for λ < 1", "v_x grows beyond all bounds");
         let square = p.read("v_y²", vy.squared())?;
         let fall = p.derivative("Its rate", &square, &newton.motion)?;
-        p.reads_as(&fall, "By (7)", Expr::int(2) * vy * eq7())?;
+        p.reads_as(&fall, "by (7)", Expr::int(2) * vy * eq7())?;
         let lost = Expr::int(2) * a * lambda * v * theta.sin().squared();
         let lost = p.read("2Aλ v sin²θ, which is not negative", lost)?;
         p.equal("The rate is less than 0 by that", &-&fall, &lost)?;
-        p.identity(("tan θ", theta.tan()), ("v_y/v_x", vy / vx))?;
+        p.identity(("tan θ", theta.tan()), ("", vy / vx))?;
         p.vanishes("tan θ → 0 with v_x > 0; the stated angle", angle)
     })
 }
@@ -103,11 +107,11 @@ fn against((sense, [ax, ay]): (Expr, [Expr; 2])) -> Proof {
         let product = v * theta.cos() * ax + v * theta.sin() * ay;
         p.identity(
             ("The cosine of the angle between the two", product / (v * a)),
-            ("−cos θ", -theta.cos()),
+            ("", -theta.cos()),
         )?;
         p.identity(
             ("It at θ = 0", (product / (v * a)).with("θ", Expr::int(0))),
-            ("The stated sense", sense),
+            ("the stated sense", sense),
         )
     })
 }

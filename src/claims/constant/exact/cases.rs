@@ -92,7 +92,7 @@ pub(super) fn prove_eq18(printed: Expr) -> Proof {
             let vx = p.read("v_x", speed * Expr::symbol("θ").cos())?;
             let limit = newton.at_zero_angle(&vx)?;
             p.note("For θ → 0", p.ring().text(&limit));
-            p.reads_as(&limit, "The printed limit", printed)
+            p.reads_as(&limit, "the printed limit", printed)
         },
     )
 }
@@ -110,7 +110,7 @@ pub(super) fn prove_eq19(printed: Expr) -> Proof {
             let vy = p.read("v_y", speed * Expr::symbol("θ").sin())?;
             let limit = newton.at_zero_angle(&vy)?;
             p.note("For θ → 0", p.ring().text(&limit));
-            p.reads_as(&limit, "The printed limit", printed)
+            p.reads_as(&limit, "the printed limit", printed)
         },
     )
 }
@@ -132,7 +132,7 @@ pub(super) fn prove_eq20(printed: Expr) -> Proof {
             let time = p.read("The time by (13)", eq13())?;
             let stop = newton.at_zero_angle(&time)?;
             p.note("For θ → 0", p.ring().text(&stop));
-            p.reads_as(&stop, "The printed time", printed)
+            p.reads_as(&stop, "the printed time", printed)
         },
     )
 }

@@ -53,7 +53,7 @@ fn on_an_incline((law, drive): ([Expr; 2], [Expr; 2])) -> Proof {
         ] {
             p.identity(
                 (&format!("All forces per mass, {says}"), along(sum, axis)),
-                ("(1) with (3), and 0 along the normal", stated),
+                ("by (1) with (3), and 0 along the normal", stated),
             )?;
         }
         p.identity(
@@ -105,7 +105,7 @@ fn only_constant(law: [Expr; 2]) -> Proof {
             for (rate, sum) in [(plane, -(two * a)), (incline, two * pull)] {
                 p.identity(
                     ("A component at v and at −v, added", rate + opposite(rate)),
-                    ("Without friction, twice", sum),
+                    ("without friction, twice", sum),
                 )?;
             }
         }

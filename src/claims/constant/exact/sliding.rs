@@ -191,7 +191,7 @@ pub(super) fn prove_eq14(printed: Expr) -> Proof {
                     "The printed speed, with t from (13)",
                     printed.with("t", eq13()),
                 ),
-                ("The speed by (11)", eq11()),
+                ("the speed by (11)", eq11()),
             )
         },
     )
@@ -215,7 +215,7 @@ pub(super) fn prove_corrected_speed(corrected: Expr) -> Proof {
             p.equal("Against (dv/v)/dθ by (1)", &rate, &expected)?;
             let start = p.read("At θ = θ₀", at_start(corrected))?;
             p.equal("Against v₀", &start, &p.ring().named("v₀")?)?;
-            p.reads_as(&speed, "The speed by (11)", eq11())
+            p.reads_as(&speed, "the speed by (11)", eq11())
         },
     )
 }

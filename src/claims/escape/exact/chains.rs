@@ -155,18 +155,14 @@ pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
     let rate = p.read("dξ/dτ by (101)", ahead)?;
     p.reads_as(
         &rate,
-        "A square over p: ξ never falls",
-        (speed + ell).squared() / speed,
         "a square over p, so that ξ never falls",
+        (speed + ell).squared() / speed,
     )?;
     let least = p.read("ℓ²/2p less p", ell.squared() / (int(2) * speed) - speed)?;
     let rest = (int(2) * speed + ell).squared() / (int(2) * speed);
     let rest = p.read("Another square over 2p", rest)?;
     p.equal("dξ/dτ exceeds it by that", &(&rate - &least), &rest)?;
-    p.identity(
-        ("ℓ²", ell.squared()),
-        ("ρ² − ξ²", rho.squared() - xi.squared()),
-    )?;
+    p.identity(("ℓ²", ell.squared()), ("", rho.squared() - xi.squared()))?;
     p.note(
         "Let p → 0 as τ → T, at ρ > 0",
         "ξ, never falling and at most ρ, converges; by (99) p ≤ (1 + R)(T − τ) with the largest ρ as R, so that ℓ²/2p has no finite integral unless ℓ → 0",

@@ -225,11 +225,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         -motion::eq115_psi_rate(alpha, psi),
     )?;
     let parts = int(2) * push * delta().cos() - int(4) * (delta() / int(2)).sin().squared();
-    p.reads_as(
-        &turn,
-        "With m = 2/(exp(4α) − 1), 2m cos δ − 4 sin²(δ/2)",
-        parts,
-    )?;
+    p.reads_as(&turn, "with m = 2/(exp(4α) − 1)", parts)?;
     p.note(
         "ξ = ρ cos ψ grows without end",
         "so that, from some time on, p > 0 and 0 < δ < π, up to whole turns",
@@ -248,7 +244,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let tangent = p.read("t = tan(δ/2), then between 0 and 1", t)?;
     let rate = p.derivative("dt/dτ", &tangent, &along)?;
     let parts = push * (int(1) - t.squared()) - int(2) * t.squared();
-    p.reads_as(&rate, "m (1 − t²) − 2t²", parts)?;
+    p.reads_as(&rate, "", parts)?;
     p.note(
         "As α → ∞, m → 0; and where t ≥ η, with any η > 0",
         "once m < η² t falls at the rate η² at least, to η, and stays below: t → 0",
@@ -270,16 +266,16 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         let number = p.read(name, formula)?;
         let rate = p.derivative("Its rate in τ", &number, &along)?;
         let rate = p.quotient("In θ, over itself", &rate, &(&number * &clock))?;
-        p.reads_as(&rate, "Stated, with h = tanh α", stated)?;
+        p.reads_as(&rate, "as stated, with h = tanh α", stated)?;
     }
     p.identity(
         ("((1 − h)/t)²", ((int(1) - h) / t).squared()),
-        ("4Ph", int(4) * predator * h),
+        ("", int(4) * predator * h),
     )?;
     let inverse = p.ring().read(int(1) / t)?;
     let grows = p.derivative("The rate of 1/t in τ", &inverse, &along)?;
     let stated = int(2) - int(2) * (int(1) - t.squared()) * predator;
-    p.reads_as(&grows, "2 − 2 (1 − t²) P", stated)
+    p.reads_as(&grows, "", stated)
 }
 
 /// The rates in θ, of N, P and t as symbols.
@@ -315,7 +311,11 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     ];
     for (name, stated) in slopes {
         let slope = p.slope("Its slope", &height, name)?;
-        p.reads_as(&slope, "Negative before the rest, positive behind", stated)?;
+        p.reads_as(
+            &slope,
+            "negative before the rest, positive after it",
+            stated,
+        )?;
     }
     p.note(
         "So V is least at the rest",
@@ -329,11 +329,8 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let stated = int(4) * (n - n0) * first + int(2) * (predator - p0) * second
         - int(8) * (n - n0).squared()
         - int(2) * (predator - p0).squared();
-    p.reads_as(&falls, "Two squares, and two brackets", stated)?;
-    p.identity(
-        ("1 − (1 + t² P) k", last),
-        ("k (t² − t² P)", k * (t.squared() - little)),
-    )?;
+    p.reads_as(&falls, "two squares, and two products", stated)?;
+    p.identity(("1 − (1 + t² P) k", last), ("", k * (t.squared() - little)))?;
     p.note(
         "In the brackets 1, N and P have the factors 1 − kh, 1 − h, t², 1 − (1 + t² P) k and t² P = 1/(exp(4α) − 1)",
         "all go to 0: let η be the largest of their sizes",
@@ -350,7 +347,7 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         + int(4) * (x - y).squared();
     p.identity(
         ("10 + 18x² + 10y² less both, with their factors", spare),
-        ("Squares", squares),
+        ("squares", squares),
     )?;
     p.note(
         "So dV/dθ ≤ −8x² − 2y² + η (10 + 18x² + 10y²)",
@@ -361,7 +358,7 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "x² + y² is above a fixed number, and 10η below half of it from some time on: V falls below that amount in a finite θ, and stays there",
     );
     let unity = p.read("2 − 2P at the rest", int(2) - int(2) * p0)?;
-    p.same(&unity, Expr::int(1), "")?;
+    p.reads_as(&unity, "", Expr::int(1))?;
     p.note(
         "So N → 3/4 and P → 1/2",
         "1/t has the rate 1 in the end: tτ → 1",
@@ -394,7 +391,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     for ((name, formula), stated) in names.into_iter().zip(deviations).zip(stated) {
         let deviation = p.read(name, formula)?;
         let rate = p.derivative("Its rate in θ", &deviation, &along)?;
-        p.reads_as(&rate, "With w = (1 − h)/t", stated)?;
+        p.reads_as(&rate, "with w = (1 − h)/t", stated)?;
     }
     let [q, v, w, x, y] = Expr::symbols(["q", "v", "w", "x", "y"]);
     let root = int(2).sqrt();
@@ -430,7 +427,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let size = p.read("Q", size)?;
     let shrinks = p.derivative("Its rate with the limits", &size, &along)?;
     let stated = -(int(16) / int(3) * x.squared()) - y.squared();
-    p.reads_as(&shrinks, "Squares", stated)?;
+    p.reads_as(&shrinks, "squares", stated)?;
     p.note(
         "What goes to 0 changes the two rates by η (1 + |x| + |y|) at most, with another η → 0",
         "and dQ/dθ by 6η (|x| + |y|) (1 + |x| + |y|), as 16/3 and 2 are below 6",
@@ -443,7 +440,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
             "3 + 18 (x² + y²) less that without η, with x for |x| and y for |y|",
             spare,
         ),
-        ("Squares", squares),
+        ("squares", squares),
     )?;
     p.note(
         "Once 36η ≤ 1",
@@ -454,7 +451,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let stated = int(2) * predator * t - int(2) * deviations[1];
     p.identity(
         ("The rate of 1/t less 1, over t", (inverse - int(1)) / t),
-        ("2Pt − 2v", stated),
+        ("", stated),
     )?;
     p.note(
         "In the limit that is −κ with κ = 3√2/4",
@@ -484,15 +481,12 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     );
     let turn = int(1) + speed() * across / rho.squared();
     let stated = (int(1) - h) / t + int(2) * h * cosine(t) * t;
-    p.identity(
-        ("The rate 1 + pℓ/ρ², over t", turn / t),
-        ("w + 2hkt", stated),
-    )?;
+    p.identity(("The rate 1 + pℓ/ρ², over t", turn / t), ("", stated))?;
     let [_, predator, h, _] = found.limit();
     p.identity(
         ("The square of w, 4Ph, in the limit", int(4) * predator * h),
         (
-            "The square of the winding",
+            "the square of the winding",
             corrected::winding::<Expr>().squared(),
         ),
     )?;
@@ -550,7 +544,7 @@ fn has_limit(
 ) -> Result<(), Obstacle> {
     let own = state();
     let exact = quantity.pow(int(m)) * own[3].pow(int(n));
-    p.identity(("At any time", exact), ("In N, P, h and t", value(own)))?;
+    p.identity(("At any time", exact), ("in N, P, h and t", value(own)))?;
     let mut limit = value(Species::found().limit());
     for _ in 0..m.ilog2() {
         limit = limit.sqrt();
@@ -558,7 +552,7 @@ fn has_limit(
     let limit = limit * tau().pow(int(n) / int(m));
     p.identity(
         ("The positive root in the limit, with 1/τ for t", limit),
-        ("The law's first term", first),
+        ("the first term of the law", first),
     )
 }
 
@@ -596,19 +590,16 @@ fn eq128(law: Expr) -> Proof {
         let rate = motion::eq114_alpha_rate(a, alpha, psi) / t;
         p.identity(
             ("dα/dτ over t, by (114)", rate),
-            ("2k − 2N, with k = 1/(1 + t²)", int(2) * (cosine(t) - n)),
+            ("with k = 1/(1 + t²)", int(2) * (cosine(t) - n)),
         )?;
         let friction = alpha.cosh() / a;
-        p.identity(("cosh α/A, over t", friction / t), ("2N", int(2) * n))?;
+        p.identity(("cosh α/A, over t", friction / t), ("", int(2) * n))?;
         let square = |[_, predator, h, _]: State| {
             let squares = int(1) + h.squared();
             int(4) * predator * h * (int(1) + h).squared() / squares.squared()
         };
         let slow = int(1) / (t * (int(2) * alpha).cosh()).squared();
-        p.identity(
-            ("1/(t cosh 2α)²", slow),
-            ("4Ph (1 + h)²/(1 + h²)²", square([n, predator, h, t])),
-        )?;
+        p.identity(("1/(t cosh 2α)²", slow), ("", square([n, predator, h, t])))?;
         let limit = Species::found().limit();
         let slow = p.read("The positive root, in the limit", square(limit).sqrt())?;
         let factor = (law + friction) * (int(2) * alpha).cosh();
@@ -620,7 +611,7 @@ fn eq128(law: Expr) -> Proof {
         p.equal("The product of the two, and that", &(&slow * &factor), &own)?;
         p.identity(
             ("2 − 2N in the limit", int(2) - int(2) * limit[0]),
-            ("Not 0", half()),
+            ("not 0", half()),
         )?;
         p.note("So, as tτ → 1", "both sides times τ tend to 1/2");
         Ok(())
@@ -669,13 +660,9 @@ fn eq131(law: Expr) -> Proof {
         let rate = int(2) * motion::eq113_a_rate(alpha) * (-alpha).exp();
         p.identity(
             ("Twice dA/dτ by (113), over exp α", rate),
-            (
-                "1 − exp(−2α), which tends to 1",
-                int(1) - (int(-2) * alpha).exp(),
-            ),
+            ("which tends to 1", int(1) - (int(-2) * alpha).exp()),
         )?;
-        p.identity(("The cube of twice the law", (int(2) * law).pow(int(3))), ("exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1",
-            exponential((EQ130.formulas)(), 3)))
+        p.identity(("The cube of twice the law", (int(2) * law).pow(int(3))), ("exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1", exponential((EQ130.formulas)(), 3)))
     })
 }
 
@@ -717,7 +704,7 @@ fn eq134(law: Expr) -> Proof {
             "Half the law's first term, times τ",
             first(law) * tau() / int(2),
         )?;
-        p.same(&half_lag, int(1), "as tτ in the limit")?;
+        p.reads_as(&half_lag, "as tτ in the limit", int(1))?;
         in_its_time(p, law)
     })
 }
@@ -764,7 +751,7 @@ fn eq137(law: Expr) -> Proof {
         let left = p.quotient("The difference over τ", &(&rate - &speed), &by)?;
         for name in ["τ", "L"] {
             let slope = p.slope(&format!("Its rate by {name}"), &left, name)?;
-            p.zero("It", &slope)?;
+            p.reads_as(&slope, "", int(0))?;
         }
         p.note(
             "So the law's rate is p, up to less than τ ln τ by any factor in the end",

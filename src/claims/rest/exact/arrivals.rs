@@ -142,7 +142,7 @@ fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
 fn eq140(formula: Expr) -> Proof {
     arriving("(140) of every motion to rest", Ok(ring()), |p| {
         let limit = inwards(p)?;
-        p.reads_as(&limit, "(140)", formula)
+        p.reads_as(&limit, "by (140)", formula)
     })
 }
 
@@ -180,10 +180,7 @@ fn eq142([left, right]: [Expr; 2]) -> Proof {
             "So, whatever ψ/α is",
             "dψ/dτ = 2 − (1 + o(1)) ψ/α, and the left side is (1 + o(1)) dψ/dτ",
         );
-        p.identity(
-            ("Right side", right),
-            ("2 − ψ/α", Expr::int(2) - psi / alpha),
-        )
+        p.identity(("Right side", right), ("", Expr::int(2) - psi / alpha))
     })
 }
 
@@ -270,7 +267,7 @@ fn eq143(formula: Expr) -> Proof {
         let free = p.slope("Its slope by c", &stated, "c")?;
         p.reads_as(
             &free,
-            "2α^k",
+            "",
             Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)),
         )?;
         p.note(

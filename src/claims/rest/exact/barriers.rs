@@ -79,15 +79,14 @@ fn moved() -> Proof {
         let residual = growth + b * falls(surface) - d * turning;
         let pull = -(b * alpha.cosh() / (a * surface)) * (a - surface);
         let parts = residual + pull + int(3) * s * k * alpha.squared() * falls(a);
-        p.identity(("du/dτ by (113) to (115)", rate), ("The residual R, which is that of the surface at A = P; m (A − P) with m = −b cosh α/(AP); and 3sKα² f with f = −dα/dτ",
-            parts))?;
+        p.identity(("du/dτ by (113) to (115)", rate), ("the sum of the residual R, which is that of the surface at A = P; of m (A − P) with m = −b cosh α/(AP); and of 3sKα² f with f = −dα/dτ", parts))?;
         let parts = int(2) * (psi / int(2)).sin().squared()
             + int(2) * (alpha / int(2)).sinh().squared() / a
             + (int(1) / a - int(1));
-        p.identity(("f", falls(a)), ("Two squares, and 1/A − 1", parts))?;
+        p.identity(("f", falls(a)), ("two squares and 1/A − 1", parts))?;
         p.identity(
             ("1/A − 1 less 1/σ − 1", int(1) / a - int(1) / sigma),
-            ("(σ − A)/(σA)", (sigma - a) / (sigma * a)),
+            ("", (sigma - a) / (sigma * a)),
         )
     })
 }
@@ -215,10 +214,7 @@ fn lower_than_one(formula: Expr) -> Proof {
     Proof::in_ring("The formula is below 1", least::ring(), |p| {
         p.identity(
             ("1 less the formula", int(1) - formula),
-            (
-                "With c = cos(ψ/2), α (c − αH/2)² + α²/4 − α³H²/4, H being bounded",
-                parts,
-            ),
+            ("where H is bounded", parts),
         )
     })
 }

@@ -57,7 +57,7 @@ pub fn prove(formula: Expr) -> Proof {
         p.read("G, of which the size is 25/4 at most", g)?;
         let square = alpha * (s + alpha * g / Expr::int(2)).squared();
         let parts = square - alpha.pow(Expr::int(3)) * g.squared() / Expr::int(4);
-        p.reads_as(&above, "α (S + α G/2)², less α³ G²/4", parts)?;
+        p.reads_as(&above, "", parts)?;
         p.note(
             "So A is nowhere less than the formula",
             "but for terms of the order of α³, as are those left out of the boundary",

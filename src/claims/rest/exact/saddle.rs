@@ -58,7 +58,7 @@ pub fn prove(formula: Expr) -> Proof {
         let [a, x, sigma] = Expr::symbols(["a", "x", "σ"]);
         let kept = p.read("a² − x²", a.squared() - x.squared())?;
         let rate = p.derivative("Its rate", &kept, &saddle)?;
-        p.same(&rate, Expr::int(0), "")?;
+        p.reads_as(&rate, "", Expr::int(0))?;
         p.note(
             "At rest α = 0 and A = σ",
             "so (A − 1)² − α² is (1 − σ)²: A = 1 − √((1 − σ)² + α²)",
@@ -70,11 +70,11 @@ pub fn prove(formula: Expr) -> Proof {
                 "(A − 1)² − α² with this A",
                 (surface - Expr::int(1)).squared() - alpha.squared(),
             ),
-            ("(1 − σ)²", deficit.squared()),
+            ("", deficit.squared()),
         )?;
         let surface = p.read("A", surface)?;
         let slope = p.slope("∂A/∂σ", &surface, "σ")?;
-        p.reads_as(&slope, "The corrected formula", formula)
+        p.reads_as(&slope, "the corrected formula", formula)
     })
 }
 

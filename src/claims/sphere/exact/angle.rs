@@ -46,7 +46,7 @@ fn prove(
 fn same(p: &mut Prover<'_>, formula: Components, particle: Expr) -> Result<(), Obstacle> {
     let particle = p.read("The particle's formula", particle)?;
     for formula in formula {
-        p.reads_as(&particle, "The formula", formula)?;
+        p.reads_as(&particle, "the formula", formula)?;
     }
     Ok(())
 }

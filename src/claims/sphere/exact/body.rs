@@ -335,7 +335,7 @@ pub(super) fn prove_eq68(rate: Components) -> Proof {
         for ((axis, rate), stated) in AXES.iter().zip(rho_rate).zip(eq73()) {
             let rate = p.read(&format!("dρ/dτ {axis}"), rate)?;
             let change = p.derivative("Its rate", &rate, &body.motion)?;
-            p.same(&change, stated * tau_rate(), "(73) times dτ/dt")?;
+            p.reads_as(&change, "(73) times dτ/dt", stated * tau_rate())?;
         }
         upright(p, rate[2])
     })
@@ -373,7 +373,7 @@ pub(super) fn prove_eq70(zeta: Components) -> Proof {
         for ((axis, zeta), omega) in AXES.iter().zip(zeta).zip(omega()) {
             p.identity(
                 (&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate()),
-                ("ω", omega),
+                ("", omega),
             )?;
         }
         Ok(())
@@ -434,7 +434,7 @@ pub(super) fn prove_rolling() -> Proof {
                 let rate = p.derivative("Its rate", &w, &body.motion)?;
                 let force = ["F_x", "F_y"][usize::from(*axis != AXES[0])];
                 let force = Expr::symbol("b") * Expr::symbol(force) / Expr::symbol("m");
-                p.reads_as(&rate, "b F/m − A", force - a)?;
+                p.reads_as(&rate, "", force - a)?;
             }
             p.note(
                 "So w = 0 is kept by F = mA/b",
@@ -464,7 +464,7 @@ pub(super) fn prove_spin_constant(stated: Components) -> Proof {
                 let q = p.read("Of", q)?;
                 let rate = p.derivative("the rate", &q, &body.motion)?;
                 let slope = p.slope("has with respect to ω_z the slope", &rate, "ω_z")?;
-                p.zero("It", &slope)?;
+                p.reads_as(&slope, "", Expr::int(0))?;
             }
             Ok(())
         },

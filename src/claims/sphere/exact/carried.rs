@@ -144,7 +144,7 @@ fn regions(lambda0: Expr) -> Proof {
                 anisotropic::eq50_lambda_minus(q, lambda0),
             ),
         ] {
-            p.identity((says, particle), ("By (85) and (49) or (50)", stated))?;
+            p.identity((says, particle), ("by (85) and (49) or (50)", stated))?;
         }
         given(
             p,

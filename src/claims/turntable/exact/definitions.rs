@@ -61,7 +61,7 @@ fn sums(
         ("The difference of the two", larger - smaller, -1),
     ] {
         let expected = size * (Expr::int(sign) * argument).exp();
-        p.identity((says, sum), ("It should be", expected))?;
+        p.identity((says, sum), ("as it should be", expected))?;
     }
     Ok(())
 }

@@ -96,7 +96,7 @@ pub(super) fn prove_works(work: Vec<Expr>) -> Proof {
         // On the axis and without friction the Coriolis force is alone.
         let coriolis = power(paper::eq86_acceleration(omega, zero, g, [zero; 2], v));
         let coriolis = p.read("The power of the Coriolis force", coriolis)?;
-        p.same(&coriolis, Expr::int(0), "")?;
+        p.reads_as(&coriolis, "", Expr::int(0))?;
         let smooth = power(paper::eq86_acceleration(omega, zero, g, r, v));
         let rough = power(paper::eq86_acceleration(omega, mu, g, r, v));
         let friction = p.read("The power of friction", rough - smooth)?;

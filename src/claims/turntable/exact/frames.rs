@@ -89,7 +89,7 @@ fn without_dimensions(title: &str, position: &[Expr], time: Expr, rates: &[Expr]
         let time = p.read("(88), with s for the time", time)?;
         let clock = p.slope("dτ/dt", &time, "s")?;
         let ratio = p.quotient("dτ/dt over Ω", &clock, &ring.named("Ω")?)?;
-        p.same(&ratio, Expr::int(1), "")?;
+        p.reads_as(&ratio, "", Expr::int(1))?;
         // (87) is linear in 𝐫: the same factor takes d𝐫/dt to d𝛒/dt, and 1/Ω takes that to d𝛒/dτ.
         let own = vectors();
         let velocity = |place: Expr| put_vectors(place, [own[1], own[1]]) / Expr::symbol("Ω");
