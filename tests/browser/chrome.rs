@@ -217,8 +217,12 @@ impl Page<'_> {
         if let Some(error) = answer.get("errorText") {
             return Err(format!("{address}: {error}"));
         }
-        // From one fragment to another of the same page nothing is loaded.
+        // From one fragment to another of the same page nothing is loaded; the page is there once its address says so.
         if answer.get("loaderId").is_none() {
+            self.wait_for(&format!(
+                "location.href === new URL({}).href",
+                json!(address)
+            ))?;
             self.call("Page.reload", json!({}))?;
         }
         let loaded = |messages: &mut Messages| {
