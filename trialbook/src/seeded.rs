@@ -228,6 +228,9 @@ macro_rules! where_seeded {
 /// Formulas in which a mistake can be seeded, and `formulas()`, the list of them. Each is generic over `S: Scalar`,
 /// its arguments and its value are of type `S` or arrays of `S`. The arguments' letters are those of the symbols. A
 /// formula whose name has no number says before it which claim tries it, `claim "some-id";`, if one does.
+///
+/// `eq13_time::tree()` is the formula `eq13_time` as a tree, in the letters of its arguments; `eq13_time::parts()` the
+/// same as a list, which has one tree for a formula that is no vector.
 #[macro_export]
 macro_rules! formulas {
     (symbols $symbols:expr; $(
@@ -251,9 +254,42 @@ macro_rules! formulas {
                 }
                 written($($argument),*)
             }
+
+            $crate::where_seeded! {
+            #[doc(hidden)]
+            pub mod $name {
+                // Where the types have names.
+                #[allow(unused_imports)]
+                use super::*;
+                type S = $crate::exact::Expr;
+
+                /// The formula as a tree, in the letters of its arguments.
+                pub fn tree() -> $value {
+                    use $crate::seeded::{Parts, letters};
+                    let own: [Vec<_>; 0 $(+ { stringify!($argument); 1 })*] = [$(letters(
+                        $symbols,
+                        super::MODULE,
+                        stringify!($argument),
+                        <$type as Parts<S>>::COUNT,
+                    )),*];
+                    let mut _own = own.into_iter().flatten();
+                    let _next = &mut || S::symbol(_own.next().expect("one for each number"));
+                    super::$name::<S>($({ let $argument = Parts::of(_next); $argument }),*)
+                }
+
+                /// The same, laid flat.
+                pub fn parts() -> Vec<S> {
+                    let mut parts = Vec::new();
+                    $crate::seeded::Parts::lay(tree(), &mut parts);
+                    parts
+                }
+            }
+            }
         )*
 
         $crate::where_seeded! {
+        const MODULE: &str = module_path!();
+
         /// The formulas of this file.
         pub fn formulas<S: Scalar>() -> Vec<$crate::seeded::Formula<S>> {
             use $crate::seeded::{Formula, Parts, letters};
@@ -264,7 +300,7 @@ macro_rules! formulas {
                 arguments: &[$(stringify!($argument)),*],
                 symbols: [Vec::new(), $(letters(
                     $symbols,
-                    module_path!(),
+                    MODULE,
                     stringify!($argument),
                     <$type as Parts<S>>::COUNT,
                 )),*].concat(),

@@ -1,135 +1,138 @@
 //! The definitions (93) to (95), (110) to (112), (116) to (118), by what they have to be consistent with.
 
-use super::{Setting, prove, vectors};
+use super::{Setting, Vectorial, prove, vectors};
 use crate::paper::turntable as paper;
 use trialbook::prelude::*;
+
+#[track_caller]
+const fn consistent(
+    compared: Compared,
+    formulas: fn() -> Vec<Expr>,
+    prove: fn(Vec<Expr>) -> Proof,
+) -> Vectorial {
+    Vectorial::new(Subject::Printed, compared, formulas, prove)
+}
 
 /// A formula against what it has to be.
 fn is(
     title: &str,
     setting: Result<Setting, ExactError>,
-    printed: Expr,
+    printed: &[Expr],
     (says, expected): (&str, Expr),
 ) -> Proof {
     prove(title, setting, |p, _| {
-        p.identity(("The printed formula", printed), (says, expected))
+        p.identity(("The printed formula", printed[0]), (says, expected))
     })
 }
 
-fn speed() -> Expr {
-    Expr::symbol("p")
-}
+pub const EQ93: Vectorial = consistent(
+    Compared::one("(93)", "the size of the velocity"),
+    || vec![paper::eq93_speed(vectors()[1])],
+    |printed| {
+        let size = Expr::symbol("p");
+        let expected = ("the size of the velocity p (cos χ, sin χ)", size);
+        is("(93): p", Setting::polar(), &printed, expected)
+    },
+);
+pub const EQ94: Vectorial = consistent(
+    Compared::one("(94)", r"$\bm\rho\cdot(\mathrm d\bm\rho/\mathrm d\tau)/p$"),
+    paper::eq94_xi::parts,
+    |printed| {
+        let [[x, y], [u, v]] = vectors();
+        let along = (x * u + y * v) / Expr::symbol("p");
+        let expected = ("the position along the velocity", along);
+        is("(94): ξ", Setting::polar(), &printed, expected)
+    },
+);
+pub const EQ95: Vectorial = consistent(
+    Compared::one(
+        "(95)",
+        r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)/p$",
+    ),
+    paper::eq95_ell::parts,
+    |printed| {
+        let [[x, y], [u, v]] = vectors();
+        let across = (x * v - y * u) / Expr::symbol("p");
+        let expected = ("the moment of the velocity about the axis, over p", across);
+        is("(95): ℓ", Setting::polar(), &printed, expected)
+    },
+);
 
-pub(super) fn eq93() -> Vec<Expr> {
-    vec![paper::eq93_speed(vectors()[1])]
-}
-pub(super) fn prove_eq93(printed: Vec<Expr>) -> Proof {
-    let expected = ("the size of the velocity p (cos χ, sin χ)", speed());
-    is("(93): p", Setting::polar(), printed[0], expected)
-}
-
-pub(super) fn eq94() -> Vec<Expr> {
-    let [rho, psi] = Expr::symbols(["ρ", "ψ"]);
-    vec![paper::eq94_xi(rho, psi)]
-}
-pub(super) fn prove_eq94(printed: Vec<Expr>) -> Proof {
-    let [[x, y], [u, v]] = vectors();
-    let along = (x * u + y * v) / speed();
-    let expected = ("the position along the velocity", along);
-    is("(94): ξ", Setting::polar(), printed[0], expected)
-}
-
-pub(super) fn eq95() -> Vec<Expr> {
-    let [rho, psi] = Expr::symbols(["ρ", "ψ"]);
-    vec![paper::eq95_ell(rho, psi)]
-}
-pub(super) fn prove_eq95(printed: Vec<Expr>) -> Proof {
-    let [[x, y], [u, v]] = vectors();
-    let across = (x * v - y * u) / speed();
-    let expected = ("the moment of the velocity about the axis, over p", across);
-    is("(95): ℓ", Setting::polar(), printed[0], expected)
-}
+pub const EQ110: Vectorial = consistent(
+    Compared::one("(110), by (111) and (112),", "$-A^2$"),
+    paper::eq110_case::parts,
+    |printed| {
+        let expected = ("negative", -Expr::symbol("A").squared());
+        let title = "(110): with (111) and (112)";
+        is(title, Setting::slower(), &printed, expected)
+    },
+);
+pub const EQ116: Vectorial = consistent(
+    Compared::one("(116), by (117) and (118),", "$B^2$"),
+    paper::eq116_case::parts,
+    |printed| {
+        let expected = ("positive", Expr::symbol("B").squared());
+        let title = "(116): with (117) and (118)";
+        is(title, Setting::faster(), &printed, expected)
+    },
+);
 
 /// The sum and the difference of two of the formulas are `size` × exp(±`argument`).
 fn sums(
-    p: &mut Prover<'_>,
+    title: &str,
+    setting: Result<Setting, ExactError>,
     [larger, smaller]: [Expr; 2],
-    [size, argument]: [Expr; 2],
-) -> Result<(), Obstacle> {
-    for (says, sum, sign) in [
-        ("The sum of the two", larger + smaller, 1),
-        ("The difference of the two", larger - smaller, -1),
-    ] {
-        let expected = size * (Expr::int(sign) * argument).exp();
-        p.identity((says, sum), ("as it should be", expected))?;
-    }
-    Ok(())
+    symbols: [&'static str; 2],
+) -> Proof {
+    prove(title, setting, |p, _| {
+        let [size, argument] = Expr::symbols(symbols);
+        for (says, sum, sign) in [
+            ("The sum of the two", larger + smaller, 1),
+            ("The difference of the two", larger - smaller, -1),
+        ] {
+            let expected = size * (Expr::int(sign) * argument).exp();
+            p.identity((says, sum), ("as it should be", expected))?;
+        }
+        Ok(())
+    })
 }
 
-pub(super) fn eq110() -> Vec<Expr> {
-    let [p, rho] = Expr::symbols(["p", "ρ"]);
-    vec![paper::eq110_case(p, rho)]
-}
-pub(super) fn prove_eq110(printed: Vec<Expr>) -> Proof {
-    let expected = ("negative", -Expr::symbol("A").squared());
-    is(
-        "(110): with (111) and (112)",
+const SLOWER: Compared = Compared::one(r"$\rho\pm p$ by (111) and (112)", r"$A\exp(\pm\alpha)$");
+const FASTER: Compared = Compared::one(r"$p\pm\rho$ by (117) and (118)", r"$B\exp(\pm\beta)$");
+
+pub const EQ111: Vectorial = consistent(SLOWER, paper::eq111_p::parts, |printed| {
+    let both = [paper::eq112_rho::tree(), printed[0]];
+    sums(
+        "(111): ρ ± p = A exp(±α)",
         Setting::slower(),
-        printed[0],
-        expected,
+        both,
+        ["A", "α"],
     )
-}
-
-pub(super) fn eq111() -> Vec<Expr> {
-    let [a, alpha] = Expr::symbols(["A", "α"]);
-    vec![paper::eq111_p(a, alpha)]
-}
-pub(super) fn prove_eq111(printed: Vec<Expr>) -> Proof {
-    prove("(111): ρ ± p = A exp(±α)", Setting::slower(), |p, _| {
-        sums(p, [eq112()[0], printed[0]], Expr::symbols(["A", "α"]))
-    })
-}
-
-pub(super) fn eq112() -> Vec<Expr> {
-    let [a, alpha] = Expr::symbols(["A", "α"]);
-    vec![paper::eq112_rho(a, alpha)]
-}
-pub(super) fn prove_eq112(printed: Vec<Expr>) -> Proof {
-    prove("(112): ρ ± p = A exp(±α)", Setting::slower(), |p, _| {
-        sums(p, [printed[0], eq111()[0]], Expr::symbols(["A", "α"]))
-    })
-}
-
-pub(super) fn eq116() -> Vec<Expr> {
-    let [p, rho] = Expr::symbols(["p", "ρ"]);
-    vec![paper::eq116_case(p, rho)]
-}
-pub(super) fn prove_eq116(printed: Vec<Expr>) -> Proof {
-    let expected = ("positive", Expr::symbol("B").squared());
-    is(
-        "(116): with (117) and (118)",
+});
+pub const EQ112: Vectorial = consistent(SLOWER, paper::eq112_rho::parts, |printed| {
+    let both = [printed[0], paper::eq111_p::tree()];
+    sums(
+        "(112): ρ ± p = A exp(±α)",
+        Setting::slower(),
+        both,
+        ["A", "α"],
+    )
+});
+pub const EQ117: Vectorial = consistent(FASTER, paper::eq117_p::parts, |printed| {
+    let both = [printed[0], paper::eq118_rho::tree()];
+    sums(
+        "(117): p ± ρ = B exp(±β)",
         Setting::faster(),
-        printed[0],
-        expected,
+        both,
+        ["B", "β"],
     )
-}
-
-pub(super) fn eq117() -> Vec<Expr> {
-    let [b, beta] = Expr::symbols(["B", "β"]);
-    vec![paper::eq117_p(b, beta)]
-}
-pub(super) fn prove_eq117(printed: Vec<Expr>) -> Proof {
-    prove("(117): p ± ρ = B exp(±β)", Setting::faster(), |p, _| {
-        sums(p, [printed[0], eq118()[0]], Expr::symbols(["B", "β"]))
-    })
-}
-
-pub(super) fn eq118() -> Vec<Expr> {
-    let [b, beta] = Expr::symbols(["B", "β"]);
-    vec![paper::eq118_rho(b, beta)]
-}
-pub(super) fn prove_eq118(printed: Vec<Expr>) -> Proof {
-    prove("(118): p ± ρ = B exp(±β)", Setting::faster(), |p, _| {
-        sums(p, [eq117()[0], printed[0]], Expr::symbols(["B", "β"]))
-    })
-}
+});
+pub const EQ118: Vectorial = consistent(FASTER, paper::eq118_rho::parts, |printed| {
+    let both = [paper::eq117_p::tree(), printed[0]];
+    sums(
+        "(118): p ± ρ = B exp(±β)",
+        Setting::faster(),
+        both,
+        ["B", "β"],
+    )
+});

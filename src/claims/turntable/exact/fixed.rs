@@ -1,17 +1,9 @@
 //! The quasi-fixed points (124) and (125), and their stability.
 
-use super::{Setting, prove};
+use super::{Setting, Vectorial, prove};
 use crate::exact::Node;
 use crate::paper::turntable as paper;
 use trialbook::prelude::*;
-
-pub(super) fn eq124() -> Vec<Expr> {
-    vec![paper::eq124_psi1(Expr::symbol("α"))]
-}
-
-pub(super) fn eq125() -> Vec<Expr> {
-    vec![paper::eq125_psi2(Expr::symbol("α"))]
-}
 
 /// A formula with the angle q wherever it has an arcsine, and what that is the arcsine of.
 pub(super) fn name_arcsine(formula: Expr) -> (Expr, Option<Expr>) {
@@ -63,24 +55,33 @@ fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstac
     Ok(value)
 }
 
+const ZERO: Compared = Compared::one("(115) at this angle", "0");
+pub const EQ124: Vectorial =
+    Vectorial::new(Subject::Printed, ZERO, paper::eq124_psi1::parts, prove_zero);
+pub const EQ125: Vectorial =
+    Vectorial::new(Subject::Printed, ZERO, paper::eq125_psi2::parts, prove_zero);
+
 /// (115) is zero at the given angle, α held fixed.
-pub(super) fn prove_zero(printed: Vec<Expr>) -> Proof {
+fn prove_zero(printed: Vec<Expr>) -> Proof {
     let title = "(115) is zero at a quasi-fixed point";
     prove(title, Setting::fixed(), |p, _| {
-        let [alpha, psi] = Expr::symbols(["α", "ψ"]);
-        let rate = at_angle(p, paper::eq115_psi_rate(alpha, psi), printed[0])?;
+        let rate = at_angle(p, paper::eq115_psi_rate::tree(), printed[0])?;
         p.zero("dψ/dτ", &rate)
     })
 }
 
-/// dψ̇/dψ of (115), and its value at ψ₁ and ψ₂.
-pub(super) fn slope() -> Vec<Expr> {
-    let [alpha, psi] = Expr::symbols(["α", "ψ"]);
-    vec![paper::eq115_psi_rate(alpha, psi)]
-}
+pub const S4_QUASI_FIXED_STABILITY: Vectorial = Vectorial::new(
+    Subject::Within,
+    Compared::many(
+        r"the slopes of (115) at $\psi_1$ and $\psi_2$",
+        r"$-2/\sinh2\alpha$ and $2/\sinh2\alpha$",
+    ),
+    paper::eq115_psi_rate::parts,
+    prove_slope,
+);
 
 /// A deviation from ψ₁ shrinks at the rate 2/sinh 2α, one from ψ₂ grows at that rate.
-pub(super) fn prove_slope(printed: Vec<Expr>) -> Proof {
+fn prove_slope(printed: Vec<Expr>) -> Proof {
     let title = "the slope of (115) at its zeros, α held fixed";
     prove(title, Setting::fixed(), |p, _| {
         let [alpha, psi] = Expr::symbols(["α", "ψ"]);
@@ -91,11 +92,12 @@ pub(super) fn prove_slope(printed: Vec<Expr>) -> Proof {
         let tree = -(Expr::int(2) * psi.cos() * (Expr::int(2) * alpha).coth());
         let as_tree = p.read("The same, written out", tree)?;
         p.equal("They are the same", &found, &as_tree)?;
-        for (name, angle, sign) in [("ψ₁", eq124(), -1), ("ψ₂", eq125(), 1)] {
+        let angles = [paper::eq124_psi1::tree(), paper::eq125_psi2::tree()];
+        for (name, angle, sign) in [("ψ₁", angles[0], -1), ("ψ₂", angles[1], 1)] {
             p.note("At", name);
-            let rate = at_angle(p, printed[0], angle[0])?;
+            let rate = at_angle(p, printed[0], angle)?;
             p.zero("dψ/dτ there", &rate)?;
-            let value = at_angle(p, tree, angle[0])?;
+            let value = at_angle(p, tree, angle)?;
             let rate = p.read("The rate expected", Expr::int(sign) * expected)?;
             p.equal("Slope against that", &value, &rate)?;
         }

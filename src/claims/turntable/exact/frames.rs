@@ -1,11 +1,30 @@
 //! The law of motion in the two frames and without dimensions, (86) and (89); its projections (90) to (92); its
 //! mirror image.
 
-use super::{Setting, prove, vectors};
+use super::{Setting, Vectorial, prove, vectors};
 use crate::paper::turntable as paper;
 use trialbook::prelude::*;
 
-pub(super) fn eq86() -> Vec<Expr> {
+pub const EQ86: Vectorial = Vectorial::new(
+    Subject::Within,
+    Compared::one(
+        "the acceleration in the laboratory that (86) leads to",
+        "that by friction alone",
+    ),
+    eq86,
+    prove_eq86,
+);
+pub const S4_MIRROR: Vectorial = Vectorial::new(
+    Subject::Printed,
+    Compared::many(
+        "the mirrored accelerations of (86)",
+        r"those of (86) for $-\Omega$ at the mirrored state",
+    ),
+    eq86,
+    prove_mirror,
+);
+
+fn eq86() -> Vec<Expr> {
     let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);
     let [r, v] = vectors();
     paper::eq86_acceleration(omega, mu, g, r, v).into()
@@ -13,7 +32,7 @@ pub(super) fn eq86() -> Vec<Expr> {
 
 /// The second derivative of a position in the laboratory, X = (x cos φ − y sin φ, x sin φ + y cos φ), if (u, v)
 /// has the given rates, against friction alone.
-pub(super) fn prove_eq86(printed: Vec<Expr>) -> Proof {
+fn prove_eq86(printed: Vec<Expr>) -> Proof {
     let title = "(86): friction alone acts in the laboratory";
     prove(title, Setting::dimensional(), |p, _| {
         let ring = p.ring();
@@ -48,37 +67,39 @@ pub(super) fn prove_eq86(printed: Vec<Expr>) -> Proof {
     })
 }
 
-pub(super) fn eq89() -> Vec<Expr> {
-    let [position, rate] = vectors();
-    paper::eq89_acceleration(position, rate).into()
-}
+const SYMBOLS: Compared = Compared::one("(86) in the symbols (87) and (88)", "(89)");
+pub const EQ87: Vectorial = Vectorial::new(Subject::Printed, SYMBOLS, eq87, |printed| {
+    let title = "(86) becomes (89) with (87)";
+    without_dimensions(title, &printed, eq88()[0], &eq89())
+});
+pub const EQ88: Vectorial = Vectorial::new(Subject::Printed, SYMBOLS, eq88, |printed| {
+    let title = "(86) becomes (89) with (88)";
+    without_dimensions(title, &eq87(), printed[0], &eq89())
+});
+pub const EQ89: Vectorial = Vectorial::new(
+    Subject::Within,
+    Compared::one("(89)", "(86) in the units of (87) and (88)"),
+    eq89,
+    |printed| {
+        let title = "(89) from (86), (87) and (88)";
+        without_dimensions(title, &eq87(), eq88()[0], &printed)
+    },
+);
 
-pub(super) fn prove_eq89(printed: Vec<Expr>) -> Proof {
-    without_dimensions(
-        "(89) from (86), (87) and (88)",
-        &eq87(),
-        eq88()[0],
-        &printed,
-    )
-}
-
-pub(super) fn eq87() -> Vec<Expr> {
+fn eq87() -> Vec<Expr> {
     let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);
     paper::eq87_position(omega, mu, g, vectors()[0]).into()
 }
 
-pub(super) fn prove_eq87(printed: Vec<Expr>) -> Proof {
-    without_dimensions("(86) becomes (89) with (87)", &printed, eq88()[0], &eq89())
-}
-
 /// With s for the time.
-pub(super) fn eq88() -> Vec<Expr> {
+fn eq88() -> Vec<Expr> {
     let [omega, time] = Expr::symbols(["Ω", "s"]);
     vec![paper::eq88_time(omega, time)]
 }
 
-pub(super) fn prove_eq88(printed: Vec<Expr>) -> Proof {
-    without_dimensions("(86) becomes (89) with (88)", &eq87(), printed[0], &eq89())
+fn eq89() -> Vec<Expr> {
+    let [position, rate] = vectors();
+    paper::eq89_acceleration(position, rate).into()
 }
 
 /// The formulas of (89) with a position and a time for (87) and (88) and their rate for the velocity, against the second
@@ -138,53 +159,60 @@ fn dot(a: &[Rational; 2], b: &[Rational; 2]) -> Rational {
     &a[0] * &b[0] + &a[1] * &b[1]
 }
 
-pub(super) fn eq90() -> Vec<Expr> {
-    let [position, rate] = vectors();
-    vec![paper::eq90_power(position, rate)]
+#[track_caller]
+const fn projection(
+    subject: Subject,
+    formulas: fn() -> Vec<Expr>,
+    prove: fn(Vec<Expr>) -> Proof,
+) -> Vectorial {
+    let compared = Compared::one("the left side", "the right side, with (89)");
+    Vectorial::new(subject, compared, formulas, prove)
 }
 
-pub(super) fn prove_eq90(printed: Vec<Expr>) -> Proof {
-    prove("(90) from (89)", Setting::cartesian(), |p, setting| {
-        let [_, rate, acceleration] = elements(p, setting)?;
-        let printed = p.read("The printed right-hand side", printed[0])?;
-        p.equal(
-            "Against the left-hand side",
-            &printed,
-            &dot(&rate, &acceleration),
-        )
-    })
-}
-
-pub(super) fn eq91() -> Vec<Expr> {
-    let [position, rate] = vectors();
-    vec![paper::eq91_moment(position, rate)]
-}
-
-pub(super) fn prove_eq91(printed: Vec<Expr>) -> Proof {
-    prove("(91) from (89)", Setting::cartesian(), |p, setting| {
-        let [position, _, a] = elements(p, setting)?;
-        let moment = &position[0] * &a[1] - &position[1] * &a[0];
-        let printed = p.read("The printed right-hand side", printed[0])?;
-        p.equal("Against the left-hand side", &printed, &moment)
-    })
-}
-
-pub(super) fn eq92() -> Vec<Expr> {
-    let [position, rate] = vectors();
-    vec![paper::eq92_virial(position, rate)]
-}
-
-pub(super) fn prove_eq92(printed: Vec<Expr>) -> Proof {
-    prove("(92) from (89)", Setting::cartesian(), |p, setting| {
-        let [position, rate, acceleration] = elements(p, setting)?;
-        let left = dot(&position, &acceleration) + dot(&rate, &rate);
+/// The printed right-hand side against the left, of position, velocity and acceleration.
+fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational) -> Proof {
+    prove(title, Setting::cartesian(), |p, setting| {
+        let left = left(elements(p, setting)?);
         let printed = p.read("The printed right-hand side", printed[0])?;
         p.equal("Against the left-hand side", &printed, &left)
     })
 }
 
+pub const EQ90: Vectorial = projection(
+    Subject::Printed,
+    || {
+        let [position, rate] = vectors();
+        vec![paper::eq90_power(position, rate)]
+    },
+    |printed| sides("(90) from (89)", &printed, |[_, rate, a]| dot(&rate, &a)),
+);
+pub const EQ91: Vectorial = projection(
+    Subject::Within,
+    || {
+        let [position, rate] = vectors();
+        vec![paper::eq91_moment(position, rate)]
+    },
+    |printed| {
+        sides("(91) from (89)", &printed, |[[x, y], _, [ax, ay]]| {
+            &x * &ay - &y * &ax
+        })
+    },
+);
+pub const EQ92: Vectorial = projection(
+    Subject::Within,
+    || {
+        let [position, rate] = vectors();
+        vec![paper::eq92_virial(position, rate)]
+    },
+    |printed| {
+        sides("(92) from (89)", &printed, |[position, rate, a]| {
+            dot(&position, &a) + dot(&rate, &rate)
+        })
+    },
+);
+
 /// The mirror image of a solution, y → −y, has the accelerations that the formulas give with −Ω.
-pub(super) fn prove_mirror(printed: Vec<Expr>) -> Proof {
+fn prove_mirror(printed: Vec<Expr>) -> Proof {
     let title = "(86) in the mirror y → −y";
     prove(title, Setting::dimensional(), |p, setting| {
         let [[x, y], [u, v]] = vectors();
