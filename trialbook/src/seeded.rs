@@ -256,10 +256,10 @@ macro_rules! formulas {
             }
 
             $crate::where_seeded! {
+            // Not every formula is wanted as a tree, nor has its value a type with a name.
+            #[allow(dead_code, unused_imports)]
             #[doc(hidden)]
             pub mod $name {
-                // Where the types have names.
-                #[allow(unused_imports)]
                 use super::*;
                 type S = $crate::exact::Expr;
 

@@ -11,9 +11,9 @@ mod sliding;
 mod tests;
 
 pub use alignment::{AGAINST, ALIGNS, CANNOT_HOLD};
-use cases::*;
+pub use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
-use sliding::*;
+pub use sliding::*;
 use trialbook::prelude::*;
 
 use crate::exact::Derivation;
@@ -42,23 +42,6 @@ const fn by_newton(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> P
     Statement::new(subject, compared, formula, prove)
 }
 
-const EQ6: Statement = by_newton(Subject::Printed, eq6, prove_eq6);
-const EQ7: Statement = by_newton(Subject::Printed, eq7, prove_eq7);
-const EQ8: Statement = by_newton(Subject::Printed, eq8, prove_eq8);
-pub const EQ9: Statement = by_newton(Subject::Within, eq9, prove_eq9);
-const EQ10: Statement = by_newton(Subject::Within, eq10, prove_eq10);
-pub const EQ11: Statement = by_newton(Subject::Within, eq11, prove_eq11);
-pub const EQ12: Statement = by_newton(Subject::Within, eq12, prove_eq12);
-pub const EQ13: Statement = by_newton(Subject::Within, eq13, prove_eq13);
-pub const EQ14: Statement = by_newton(Subject::Within, eq14, prove_eq14);
-const EQ15: Statement = by_newton(Subject::Printed, eq15, prove_eq15);
-const EQ16: Statement = by_newton(Subject::Printed, eq16, prove_eq16);
-const EQ17: Statement = by_newton(Subject::Printed, eq17, prove_eq17);
-const EQ18: Statement = by_newton(Subject::Printed, eq18, prove_eq18);
-const EQ19: Statement = by_newton(Subject::Printed, eq19, prove_eq19);
-pub const EQ20: Statement = by_newton(Subject::Printed, eq20, prove_eq20);
-pub const CORRECTED_11: Statement =
-    by_newton(Subject::Corrected, corrected_speed, prove_corrected_speed);
 /// The same for a claim of which it says more.
 const EQ20_WITHIN: Statement = EQ20.about(Subject::Within);
 
@@ -182,41 +165,39 @@ fn definitions() -> [Expr; 5] {
     [ax, ay, vx, vy, paper::eq5_lambda(mu, g, a)]
 }
 
-/// With (3) to (5), (1) becomes (6) and (7).
-fn prove_definitions([ax, ay, vx, vy, lambda]: [Expr; 5]) -> Proof {
-    let title = "(6) and (7) from (1), with (3) to (5)";
-    let setting = || -> Result<Ring, ExactError> {
-        let mut ring = Ring::of(["A", "v", "μ", "g"]);
-        ring.angle("θ");
-        let v = ring.named("v")?;
-        ring.root_is(&(&v * &v), 2, &v)?;
-        ring.define("λ", ring.read(lambda)?)?;
-        Ok(ring)
-    };
-    Proof::in_ring(title, setting(), |p| {
-        let [lambda, a, theta, mu, g] = Expr::symbols(["λ", "A", "θ", "μ", "g"]);
-        p.read("λ by (5)", lambda)?;
-        let rates = eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
-        let printed = [
-            paper::eq6_vx_rate(lambda, a, theta),
-            paper::eq7_vy_rate(lambda, a, theta),
-        ];
-        for (rate, printed) in rates.into_iter().zip(printed) {
-            p.identity(
-                ("A component of (1), with (3) and (4)", rate),
-                ("by (6) or (7)", printed),
-            )?;
-        }
-        Ok(())
-    })
-}
-
 /// (3) to (5) by the use made of them.
+/// With (3) to (5), (1) becomes (6) and (7).
 pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
     Subject::Printed,
     Compared::one("(1) in the symbols (3) to (5)", "(6) and (7)"),
     definitions,
-    prove_definitions,
+    |[ax, ay, vx, vy, lambda]| {
+        let title = "(6) and (7) from (1), with (3) to (5)";
+        let setting = || -> Result<Ring, ExactError> {
+            let mut ring = Ring::of(["A", "v", "μ", "g"]);
+            ring.angle("θ");
+            let v = ring.named("v")?;
+            ring.root_is(&(&v * &v), 2, &v)?;
+            ring.define("λ", ring.read(lambda)?)?;
+            Ok(ring)
+        };
+        Proof::in_ring(title, setting(), |p| {
+            let [lambda, a, theta, mu, g] = Expr::symbols(["λ", "A", "θ", "μ", "g"]);
+            p.read("λ by (5)", lambda)?;
+            let rates = eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
+            let printed = [
+                paper::eq6_vx_rate(lambda, a, theta),
+                paper::eq7_vy_rate(lambda, a, theta),
+            ];
+            for (rate, printed) in rates.into_iter().zip(printed) {
+                p.identity(
+                    ("A component of (1), with (3) and (4)", rate),
+                    ("by (6) or (7)", printed),
+                )?;
+            }
+            Ok(())
+        })
+    },
 );
 
 fn at_start(formula: Expr) -> Expr {

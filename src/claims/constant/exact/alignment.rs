@@ -1,8 +1,7 @@
 //! Small friction, λ ≤ 1: it cannot hold the particle, and the velocity aligns with the pull.
 
 use super::cases::late_speed;
-use super::sliding::{eq6, eq7, prove_eq6, prove_eq7};
-use super::{Regime, definitions, prove, prove_definitions};
+use super::{DEFINED, EQ6, EQ7, Regime, prove};
 use crate::corrections::constant as corrected;
 use crate::paper::constant as paper;
 use trialbook::prelude::*;
@@ -14,25 +13,25 @@ pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
         r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",
     ),
     || paper::s21_cannot_hold_sides(Expr::symbol("λ")),
-    cannot_hold,
+    |[left, right]| {
+        prove("Friction cannot hold", Regime::Any, |p, _| {
+            given(p, &[&DEFINED, &EQ6])?;
+            let [a, lambda] = Expr::symbols(["A", "λ"]);
+            p.note("μg by (5)", "λA");
+            let lack = p.read("The pull less the greatest friction", a - lambda * a)?;
+            p.reads_as(
+                &lack,
+                "A times the right side less the left one",
+                a * (right - left),
+            )?;
+            let begins = p.read(
+                "(6) at θ = 0",
+                paper::eq6_vx_rate::tree().with("θ", Expr::int(0)),
+            )?;
+            p.equal("The rate from rest is that too", &begins, &lack)
+        })
+    },
 );
-
-fn cannot_hold([left, right]: [Expr; 2]) -> Proof {
-    prove("Friction cannot hold", Regime::Any, |p, _| {
-        p.rests_on(&prove_definitions(definitions()))?;
-        p.rests_on(&prove_eq6(eq6()))?;
-        let [a, lambda] = Expr::symbols(["A", "λ"]);
-        p.note("μg by (5)", "λA");
-        let lack = p.read("The pull less the greatest friction", a - lambda * a)?;
-        p.reads_as(
-            &lack,
-            "A times the right side less the left one",
-            a * (right - left),
-        )?;
-        let begins = p.read("(6) at θ = 0", eq6().with("θ", Expr::int(0)))?;
-        p.equal("The rate from rest is that too", &begins, &lack)
-    })
-}
 
 /// λ ≤ 1: v_x grows for ever, or, at λ = 1, the angle falls below every other.
 pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::new(
@@ -49,14 +48,13 @@ pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::new(
 
 fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
     prove("The velocity aligns", Regime::Any, |p, newton| {
-        p.rests_on(&prove_eq6(eq6()))?;
-        p.rests_on(&prove_eq7(eq7()))?;
+        given(p, &[&EQ6, &EQ7])?;
         p.rests_on(&at_the_border())?;
         let [a, lambda, v, theta] = Expr::symbols(["A", "λ", "v", "θ"]);
         let [vx, vy] = [v * theta.cos(), v * theta.sin()];
         let terms = a * (right - left) + a * lambda * (Expr::int(1) - theta.cos());
         p.identity(
-            ("(6)", eq6()),
+            ("(6)", paper::eq6_vx_rate::tree()),
             (
                 "A times the right side less the left one, and what is not negative",
                 terms,
@@ -65,7 +63,11 @@ fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
         p.note("So, for λ < 1", "v_x grows beyond all bounds");
         let square = p.read("v_y²", vy.squared())?;
         let fall = p.derivative("Its rate", &square, &newton.motion)?;
-        p.reads_as(&fall, "by (7)", Expr::int(2) * vy * eq7())?;
+        p.reads_as(
+            &fall,
+            "by (7)",
+            Expr::int(2) * vy * paper::eq7_vy_rate::tree(),
+        )?;
         let lost = Expr::int(2) * a * lambda * v * theta.sin().squared();
         let lost = p.read("2Aλ v sin²θ, which is not negative", lost)?;
         p.equal("The rate is less than 0 by that", &-&fall, &lost)?;

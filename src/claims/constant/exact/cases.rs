@@ -1,7 +1,7 @@
 //! The special cases: λ = 0, (15) and (16); λ = 1, (17) to (19); λ > 1, (20).
 
-use super::sliding::{constant_of_motion, eq11, eq13, prove_eq11, prove_eq13};
-use super::{Newton, Regime, prove};
+use super::sliding::constant_of_motion;
+use super::{EQ11, EQ13, Newton, Regime, by_newton, prove};
 use crate::paper::constant as paper;
 use trialbook::prelude::*;
 
@@ -25,46 +25,32 @@ fn component(
     p.equal("Against the start", &at_start, &p.ring().read(start)?)
 }
 
-pub(super) fn prove_eq15(printed: Expr) -> Proof {
+pub const EQ15: Statement = by_newton(Subject::Printed, eq15, |printed| {
     prove("(15): v_x without friction", Regime::Zero, |p, newton| {
         let [v, theta, start] = Expr::symbols(["v", "θ", "v₀x"]);
         component(p, newton, [v * theta.cos(), start, printed])
     })
-}
+});
 
-pub(super) fn eq16() -> Expr {
-    paper::eq16_vy(Expr::symbol("v₀y"))
-}
-
-pub(super) fn prove_eq16(printed: Expr) -> Proof {
+pub const EQ16: Statement = by_newton(Subject::Printed, paper::eq16_vy::tree, |printed| {
     prove("(16): v_y without friction", Regime::Zero, |p, newton| {
         let [v, theta, start] = Expr::symbols(["v", "θ", "v₀y"]);
         component(p, newton, [v * theta.sin(), start, printed])
     })
-}
+});
 
-pub(super) fn eq17() -> Expr {
-    let [v, theta] = Expr::symbols(["v", "θ"]);
-    paper::eq17_invariant(v, theta)
-}
-
-pub(super) fn prove_eq17(printed: Expr) -> Proof {
+pub const EQ17: Statement = by_newton(Subject::Printed, paper::eq17_invariant::tree, |printed| {
     prove(
         "(17): an expression keeps its value, λ = 1",
         Regime::One,
         |p, newton| constant_of_motion(p, newton, printed),
     )
-}
-
-pub(super) fn eq18() -> Expr {
-    let [v0, theta0] = Expr::symbols(["v₀", "θ₀"]);
-    paper::eq18_vx_limit(v0, theta0)
-}
+});
 
 /// λ = 1: the speed, after a proof that θ reaches 0 at no finite time.
 pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Obstacle> {
     let [lambda, v0, theta0, theta, a] = Expr::symbols(["λ", "v₀", "θ₀", "θ", "A"]);
-    p.rests_on(&prove_eq11(eq11()))?;
+    given(p, &[&EQ11])?;
     let speed = paper::eq11_speed(lambda, v0, theta0, theta);
     let read = p.read("The speed by (11)", speed)?;
     let two = Expr::int(2);
@@ -83,7 +69,7 @@ pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Ob
     Ok(speed)
 }
 
-pub(super) fn prove_eq18(printed: Expr) -> Proof {
+pub const EQ18: Statement = by_newton(Subject::Printed, paper::eq18_vx_limit::tree, |printed| {
     prove(
         "(18): v_x at large times, λ = 1",
         Regime::One,
@@ -95,13 +81,9 @@ pub(super) fn prove_eq18(printed: Expr) -> Proof {
             p.reads_as(&limit, "the printed limit", printed)
         },
     )
-}
+});
 
-pub(super) fn eq19() -> Expr {
-    paper::eq19_vy_limit()
-}
-
-pub(super) fn prove_eq19(printed: Expr) -> Proof {
+pub const EQ19: Statement = by_newton(Subject::Printed, paper::eq19_vy_limit::tree, |printed| {
     prove(
         "(19): v_y at large times, λ = 1",
         Regime::One,
@@ -113,26 +95,20 @@ pub(super) fn prove_eq19(printed: Expr) -> Proof {
             p.reads_as(&limit, "the printed limit", printed)
         },
     )
-}
+});
 
-pub(super) fn eq20() -> Expr {
-    let [lambda, a, v0, theta0] = Expr::symbols(["λ", "A", "v₀", "θ₀"]);
-    paper::eq20_stop_time(lambda, a, v0, theta0)
-}
-
-pub(super) fn prove_eq20(printed: Expr) -> Proof {
+pub const EQ20: Statement = by_newton(Subject::Printed, paper::eq20_stop_time::tree, |printed| {
     prove(
         "(20): the time at which the particle stops",
         Regime::BeyondOne,
         |p, newton| {
-            p.rests_on(&prove_eq11(eq11()))?;
-            p.rests_on(&prove_eq13(eq13()))?;
-            let speed = p.read("The speed by (11)", eq11())?;
+            given(p, &[&EQ11, &EQ13])?;
+            let speed = p.read("The speed by (11)", paper::eq11_speed::tree())?;
             p.zero("For θ → 0 the speed", &newton.at_zero_angle(&speed)?)?;
-            let time = p.read("The time by (13)", eq13())?;
+            let time = p.read("The time by (13)", paper::eq13_time::tree())?;
             let stop = newton.at_zero_angle(&time)?;
             p.note("For θ → 0", p.ring().text(&stop));
             p.reads_as(&stop, "the printed time", printed)
         },
     )
-}
+});

@@ -78,41 +78,40 @@ pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::new(
         r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: at a time at which $-\bm A$ is not that pull a motion that passes with the velocity $\bm v$, or one with $-\bm v$, is none on the inclined plane",
     ),
     eq1,
-    only_constant,
-);
-
-fn only_constant(law: [Expr; 2]) -> Proof {
-    let title = "No incline has a drive that changes";
-    let ring = || -> Result<Ring, ExactError> {
-        let mut ring = two_frames::ring()?;
-        for name in ["P_x", "P_y", "k"] {
-            ring.symbol(name);
-        }
-        Ok(ring)
-    };
-    Proof::in_ring(title, ring(), |p| {
-        let [ax, ay, vx, vy] = Expr::symbols(["A_x", "A_y", "v_x", "v_y"]);
-        let [px, py, k] = Expr::symbols(["P_x", "P_y", "k"]);
-        let (two, speed) = (Expr::int(2), (vx.squared() + vy.squared()).sqrt());
-        p.note(
+    |law| {
+        let title = "No incline has a drive that changes";
+        let ring = || -> Result<Ring, ExactError> {
+            let mut ring = two_frames::ring()?;
+            for name in ["P_x", "P_y", "k"] {
+                ring.symbol(name);
+            }
+            Ok(ring)
+        };
+        Proof::in_ring(title, ring(), |p| {
+            let [ax, ay, vx, vy] = Expr::symbols(["A_x", "A_y", "v_x", "v_y"]);
+            let [px, py, k] = Expr::symbols(["P_x", "P_y", "k"]);
+            let (two, speed) = (Expr::int(2), (vx.squared() + vy.squared()).sqrt());
+            p.note(
             "On an inclined plane",
             "weight gives the pull P along the slope, friction k against the velocity, both constant",
         );
-        let incline = [px - k * vx / speed, py - k * vy / speed];
-        let opposite = |rate: Expr| rate.with("v_x", -vx).with("v_y", -vy);
-        for ((plane, incline), [a, pull]) in law.into_iter().zip(incline).zip([[ax, px], [ay, py]])
-        {
-            for (rate, sum) in [(plane, -(two * a)), (incline, two * pull)] {
-                p.identity(
-                    ("A component at v and at −v, added", rate + opposite(rate)),
-                    ("without friction, twice", sum),
-                )?;
+            let incline = [px - k * vx / speed, py - k * vy / speed];
+            let opposite = |rate: Expr| rate.with("v_x", -vx).with("v_y", -vy);
+            for ((plane, incline), [a, pull]) in
+                law.into_iter().zip(incline).zip([[ax, px], [ay, py]])
+            {
+                for (rate, sum) in [(plane, -(two * a)), (incline, two * pull)] {
+                    p.identity(
+                        ("A component at v and at −v, added", rate + opposite(rate)),
+                        ("without friction, twice", sum),
+                    )?;
+                }
             }
-        }
-        p.note(
-            "With the same rates at all velocities",
-            "the drive would be the opposite of the pull at every time",
-        );
-        Ok(())
-    })
-}
+            p.note(
+                "With the same rates at all velocities",
+                "the drive would be the opposite of the pull at every time",
+            );
+            Ok(())
+        })
+    },
+);

@@ -1,17 +1,12 @@
 //! Any friction: (6) to (14), and the form of (11) that replaces it.
 
-use super::{Newton, Regime, at_start, prove};
+use super::{Newton, Regime, at_start, by_newton, prove};
 use crate::corrections;
 use crate::paper::constant as paper;
 use trialbook::claims::compare::where_defined;
 use trialbook::prelude::*;
 
-pub(super) fn eq6() -> Expr {
-    let [lambda, a, theta] = Expr::symbols(["λ", "A", "θ"]);
-    paper::eq6_vx_rate(lambda, a, theta)
-}
-
-pub(super) fn prove_eq6(printed: Expr) -> Proof {
+pub const EQ6: Statement = by_newton(Subject::Printed, paper::eq6_vx_rate::tree, |printed| {
     prove("(6): d(v cos θ)/dt", Regime::Any, |p, newton| {
         let [v, theta] = Expr::symbols(["v", "θ"]);
         let vx = p.read("The component along x", v * theta.cos())?;
@@ -19,14 +14,9 @@ pub(super) fn prove_eq6(printed: Expr) -> Proof {
         let printed = p.read("The printed rate", printed)?;
         p.equal("Rate by (1) against printed rate", &rate, &printed)
     })
-}
+});
 
-pub(super) fn eq7() -> Expr {
-    let [lambda, a, theta] = Expr::symbols(["λ", "A", "θ"]);
-    paper::eq7_vy_rate(lambda, a, theta)
-}
-
-pub(super) fn prove_eq7(printed: Expr) -> Proof {
+pub const EQ7: Statement = by_newton(Subject::Printed, paper::eq7_vy_rate::tree, |printed| {
     prove("(7): d(v sin θ)/dt", Regime::Any, |p, newton| {
         let [v, theta] = Expr::symbols(["v", "θ"]);
         let vy = p.read("The component along y", v * theta.sin())?;
@@ -34,29 +24,23 @@ pub(super) fn prove_eq7(printed: Expr) -> Proof {
         let printed = p.read("The printed rate", printed)?;
         p.equal("Rate by (1) against printed rate", &rate, &printed)
     })
-}
+});
 
-pub(super) fn eq8() -> Expr {
-    let [lambda, theta] = Expr::symbols(["λ", "θ"]);
-    paper::eq8_hodograph_slope(lambda, theta)
-}
-
-pub(super) fn prove_eq8(printed: Expr) -> Proof {
-    prove("(8): d(v sin θ)/d(v cos θ)", Regime::Any, |p, newton| {
-        let [v, theta] = Expr::symbols(["v", "θ"]);
-        let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
-        let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
-        let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
-        let slope = p.quotient("Their quotient", &y, &x)?;
-        let printed = p.read("The printed slope", printed)?;
-        p.equal("Quotient against printed slope", &slope, &printed)
-    })
-}
-
-pub(super) fn eq9() -> Expr {
-    let [lambda, theta] = Expr::symbols(["λ", "θ"]);
-    paper::eq9_log_speed_rate(lambda, theta)
-}
+pub const EQ8: Statement = by_newton(
+    Subject::Printed,
+    paper::eq8_hodograph_slope::tree,
+    |printed| {
+        prove("(8): d(v sin θ)/d(v cos θ)", Regime::Any, |p, newton| {
+            let [v, theta] = Expr::symbols(["v", "θ"]);
+            let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
+            let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
+            let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
+            let slope = p.quotient("Their quotient", &y, &x)?;
+            let printed = p.read("The printed slope", printed)?;
+            p.equal("Quotient against printed slope", &slope, &printed)
+        })
+    },
+);
 
 /// d ln v/dθ by (1).
 fn log_speed_rate(p: &mut Prover<'_>, newton: &Newton) -> Result<Rational, Obstacle> {
@@ -64,18 +48,17 @@ fn log_speed_rate(p: &mut Prover<'_>, newton: &Newton) -> Result<Rational, Obsta
     p.quotient("(dv/v)/dθ by (1)", &growth, &newton.angle_rate)
 }
 
-pub(super) fn prove_eq9(printed: Expr) -> Proof {
-    prove("(9): (dv/v)/dθ", Regime::Any, |p, newton| {
-        let rate = log_speed_rate(p, newton)?;
-        let printed = p.read("The printed rate", printed)?;
-        p.equal("Rate by (1) against printed rate", &rate, &printed)
-    })
-}
-
-pub(super) fn eq10() -> Expr {
-    let [lambda, v, theta] = Expr::symbols(["λ", "v", "θ"]);
-    paper::eq10_invariant(lambda, v, theta)
-}
+pub const EQ9: Statement = by_newton(
+    Subject::Within,
+    paper::eq9_log_speed_rate::tree,
+    |printed| {
+        prove("(9): (dv/v)/dθ", Regime::Any, |p, newton| {
+            let rate = log_speed_rate(p, newton)?;
+            let printed = p.read("The printed rate", printed)?;
+            p.equal("Rate by (1) against printed rate", &rate, &printed)
+        })
+    },
+);
 
 pub(super) fn constant_of_motion(
     p: &mut Prover<'_>,
@@ -98,20 +81,15 @@ pub(super) fn constant_of_motion(
     p.zero("The rate", &rate)
 }
 
-pub(super) fn prove_eq10(printed: Expr) -> Proof {
+pub const EQ10: Statement = by_newton(Subject::Within, paper::eq10_invariant::tree, |printed| {
     prove(
         "(10): an expression keeps its value",
         Regime::Any,
         |p, newton| constant_of_motion(p, newton, printed),
     )
-}
+});
 
-pub(super) fn eq11() -> Expr {
-    let [lambda, v0, theta0, theta] = Expr::symbols(["λ", "v₀", "θ₀", "θ"]);
-    paper::eq11_speed(lambda, v0, theta0, theta)
-}
-
-pub(super) fn prove_eq11(printed: Expr) -> Proof {
+pub const EQ11: Statement = by_newton(Subject::Within, paper::eq11_speed::tree, |printed| {
     prove("(11): the speed at angle θ", Regime::Any, |p, newton| {
         let expected = log_speed_rate(p, newton)?;
         let speed = p.read("The printed speed", printed)?;
@@ -121,14 +99,14 @@ pub(super) fn prove_eq11(printed: Expr) -> Proof {
         let start = p.read("At θ = θ₀", at_start(printed))?;
         p.equal("Against v₀", &start, &p.ring().named("v₀")?)
     })
-}
+});
 
 pub(super) fn eq12() -> Expr {
     let [lambda, v0, theta0, theta, d_power] = Expr::symbols(["λ", "v₀", "θ₀", "θ", "D"]);
     paper::eq12_time_rate(lambda, v0, theta0, theta, d_power)
 }
 
-pub(super) fn prove_eq12(printed: Expr) -> Proof {
+pub const EQ12: Statement = by_newton(Subject::Within, eq12, |printed| {
     let title = "(12): A dt/dθ";
     let with_power = || {
         let mut newton = Newton::new(Regime::Any)?;
@@ -145,25 +123,20 @@ pub(super) fn prove_eq12(printed: Expr) -> Proof {
         Err(error) => return Proof::impossible(title, error),
     };
     Proof::of(title, &newton.ring, |p| {
-        p.rests_on(&prove_eq11(eq11()))?;
-        let speed = p.read("The speed", eq11())?;
+        given(p, &[&EQ11])?;
+        let speed = p.read("The speed", paper::eq11_speed::tree())?;
         let rate = newton.time_rate(&speed)? * p.ring().named("A")?;
         p.note("A dt/dθ by (1), with that speed", p.ring().text(&rate));
         p.read("D, the derivative of tan(θ/2)^λ", Expr::symbol("D"))?;
         let printed = p.read("The printed rate", printed)?;
         p.equal("Rate by (1) against printed rate", &rate, &printed)
     })
-}
+});
 
-pub(super) fn eq13() -> Expr {
-    let [lambda, a, v0, theta0, theta] = Expr::symbols(["λ", "A", "v₀", "θ₀", "θ"]);
-    paper::eq13_time(lambda, a, v0, theta0, theta)
-}
-
-pub(super) fn prove_eq13(printed: Expr) -> Proof {
+pub const EQ13: Statement = by_newton(Subject::Within, paper::eq13_time::tree, |printed| {
     prove("(13): the time at angle θ", Regime::Any, |p, newton| {
-        p.rests_on(&prove_eq11(eq11()))?;
-        let speed = p.read("The speed", eq11())?;
+        given(p, &[&EQ11])?;
+        let speed = p.read("The speed", paper::eq11_speed::tree())?;
         let expected = newton.time_rate(&speed)?;
         p.note("dt/dθ by (1), with that speed", p.ring().text(&expected));
         let time = p.read("The printed time", printed)?;
@@ -172,30 +145,28 @@ pub(super) fn prove_eq13(printed: Expr) -> Proof {
         let start = p.read("At θ = θ₀", at_start(printed))?;
         p.zero("The printed time at the start", &start)
     })
-}
+});
 
-pub(super) fn eq14() -> Expr {
-    let [lambda, a, v0, theta0, theta, t] = Expr::symbols(["λ", "A", "v₀", "θ₀", "θ", "t"]);
-    paper::eq14_speed_at_time(lambda, a, v0, theta0, theta, t)
-}
-
-pub(super) fn prove_eq14(printed: Expr) -> Proof {
-    prove(
-        "(14): the speed at angle θ and time t",
-        Regime::Any,
-        |p, _| {
-            p.rests_on(&prove_eq11(eq11()))?;
-            p.rests_on(&prove_eq13(eq13()))?;
-            p.identity(
-                (
-                    "The printed speed, with t from (13)",
-                    printed.with("t", eq13()),
-                ),
-                ("the speed by (11)", eq11()),
-            )
-        },
-    )
-}
+pub const EQ14: Statement = by_newton(
+    Subject::Within,
+    paper::eq14_speed_at_time::tree,
+    |printed| {
+        prove(
+            "(14): the speed at angle θ and time t",
+            Regime::Any,
+            |p, _| {
+                given(p, &[&EQ11, &EQ13])?;
+                p.identity(
+                    (
+                        "The printed speed, with t from (13)",
+                        printed.with("t", paper::eq13_time::tree()),
+                    ),
+                    ("the speed by (11)", paper::eq11_speed::tree()),
+                )
+            },
+        )
+    },
+);
 
 pub(super) fn corrected_speed() -> Expr {
     let [lambda, v0, theta0, theta] = Expr::symbols(["λ", "v₀", "θ₀", "θ"]);
@@ -203,7 +174,7 @@ pub(super) fn corrected_speed() -> Expr {
     corrections::constant::speed(lambda, v0, theta0, half_tan(theta) / half_tan(theta0))
 }
 
-pub(super) fn prove_corrected_speed(corrected: Expr) -> Proof {
+pub const CORRECTED_11: Statement = by_newton(Subject::Corrected, corrected_speed, |corrected| {
     prove(
         "The speed in powers of r = tan(θ/2)/tan(θ₀/2)",
         Regime::Any,
@@ -215,7 +186,7 @@ pub(super) fn prove_corrected_speed(corrected: Expr) -> Proof {
             p.equal("Against (dv/v)/dθ by (1)", &rate, &expected)?;
             let start = p.read("At θ = θ₀", at_start(corrected))?;
             p.equal("Against v₀", &start, &p.ring().named("v₀")?)?;
-            p.reads_as(&speed, "the speed by (11)", eq11())
+            p.reads_as(&speed, "the speed by (11)", paper::eq11_speed::tree())
         },
     )
-}
+});

@@ -10,7 +10,7 @@ fn a_proof_reads_as_steps() {
         "{text}"
     );
     assert!(text.ends_with("Proved.\n"), "{text}");
-    let wrong = prove_eq9(-eq9()).to_string();
+    let wrong = (EQ9.prove)(-(EQ9.formulas)()).to_string();
     assert!(
         wrong.contains("Not proved: Rate by (1) against printed rate: the difference is "),
         "{wrong}"
@@ -19,7 +19,7 @@ fn a_proof_reads_as_steps() {
 
 #[test]
 fn the_component_along_x_is_the_speed_times_the_cosine() {
-    let proof = prove_eq18(eq18());
+    let proof = EQ18.proof();
     let step = proof.steps().iter().find(|step| step.says == "v_x");
     let gives = &step.unwrap().gives;
     assert!(gives.contains("^λ cos(θ) = "), "{gives}");

@@ -1,7 +1,7 @@
 //! Constant acceleration, (81) to (83): (74) is (1) with γ for A, b for μg and τ for t, so that (11), (13) and (14)
 //! say what has to be proved.
 
-use super::{Components, body};
+use super::{AS_A_PARTICLE, Components, EQ74, S3_REDUCTION, Vectorial};
 use crate::claims::constant::exact as constant;
 use crate::corrections::sphere as corrected;
 use crate::paper::constant as particle;
@@ -30,9 +30,7 @@ fn prove(
     match ring() {
         Err(error) => Proof::impossible(title, error),
         Ok(ring) => Proof::of(title, &ring, |p| {
-            p.rests_on(&body::prove_eq74(body::eq74()))?;
-            p.rests_on(&body::prove_reduction(body::reduction()))?;
-            p.rests_on(&rests_on.proof())?;
+            given(p, &[&EQ74, &S3_REDUCTION, rests_on])?;
             p.note(
                 "(74) is (1) with",
                 "u for v, γ for A, b for μg, τ for t; λ = b/γ",
@@ -51,26 +49,33 @@ fn same(p: &mut Prover<'_>, formula: Components, particle: Expr) -> Result<(), O
     Ok(())
 }
 
-pub(super) fn eq81() -> Components {
-    let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
-    vec![paper::eq81_slip(lambda, u0, theta0, theta)]
-}
-pub(super) fn prove_eq81(formula: Components) -> Proof {
-    let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
-    prove("(81): u at the angle θ", &constant::EQ11, |p| {
-        same(p, formula, particle::eq11_speed(lambda, u0, theta0, theta))
-    })
-}
+pub const EQ81: Vectorial = Vectorial::new(
+    Subject::Within,
+    AS_A_PARTICLE,
+    paper::eq81_slip::parts,
+    |formula| {
+        let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
+        prove("(81): u at the angle θ", &constant::EQ11, |p| {
+            same(p, formula, particle::eq11_speed(lambda, u0, theta0, theta))
+        })
+    },
+);
 
-pub(super) fn eq82() -> Components {
-    let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
-    vec![paper::eq82_time(lambda, u0, theta0, theta)]
-}
-pub(super) fn corrected82() -> Components {
-    let [lambda, gamma, u0, theta0, theta] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
-    vec![corrected::time(lambda, gamma, u0, theta0, theta)]
-}
-pub(super) fn prove_eq82(formula: Components) -> Proof {
+pub const EQ82: Vectorial = Vectorial::new(
+    Subject::Printed,
+    AS_A_PARTICLE,
+    paper::eq82_time::parts,
+    prove_eq82,
+);
+
+pub const CORRECTED_82: Vectorial = Vectorial::new(
+    Subject::Corrected,
+    AS_A_PARTICLE,
+    corrected::time::parts,
+    prove_eq82,
+);
+
+fn prove_eq82(formula: Components) -> Proof {
     let [lambda, gamma, u0, theta0, theta] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
     prove("(82): τ at the angle θ", &constant::EQ13, |p| {
         same(
@@ -81,17 +86,21 @@ pub(super) fn prove_eq82(formula: Components) -> Proof {
     })
 }
 
-pub(super) fn eq83() -> Components {
-    let [lambda, u0, theta0, theta, tau] = Expr::symbols(["λ", "u₀", "θ₀", "θ", "τ"]);
-    vec![paper::eq83_slip_at_time(lambda, u0, theta0, theta, tau)]
-}
-pub(super) fn corrected83() -> Components {
-    let [lambda, gamma, u0, theta0, theta, tau] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
-    vec![corrected::slip_at_time(
-        lambda, gamma, u0, theta0, theta, tau,
-    )]
-}
-pub(super) fn prove_eq83(formula: Components) -> Proof {
+pub const EQ83: Vectorial = Vectorial::new(
+    Subject::Printed,
+    AS_A_PARTICLE,
+    paper::eq83_slip_at_time::parts,
+    prove_eq83,
+);
+
+pub const CORRECTED_83: Vectorial = Vectorial::new(
+    Subject::Corrected,
+    AS_A_PARTICLE,
+    corrected::slip_at_time::parts,
+    prove_eq83,
+);
+
+fn prove_eq83(formula: Components) -> Proof {
     let [lambda, gamma, u0, theta0, theta, tau] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
     prove(
         "(83): u at the angle θ and the time τ",

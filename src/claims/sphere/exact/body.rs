@@ -1,6 +1,6 @@
 //! The sliding sphere, (63) to (79): rates by the laws of motion against printed rates.
 
-use super::{AXES, Components};
+use super::{AXES, BY_COMPONENTS, BY_DEFINITION, Components, Vectorial};
 use crate::corrections::sphere as corrected;
 use crate::exact::Derivation;
 use crate::paper::general::eq1_velocity_rate;
@@ -166,60 +166,72 @@ pub(super) fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-pub(super) fn eq63() -> Components {
-    let [mu, g, _] = mu_g_radius();
-    paper::eq63_velocity_rate(acceleration(), mu, g, velocity(), omega(), contact()).into()
-}
-pub(super) fn prove_eq63(printed: Components) -> Proof {
-    let one = Expr::int(1);
-    rates("(63): d²r/dt²", Force::Sliding, velocity(), one, printed)
-}
+pub const EQ63: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    || {
+        let [mu, g, _] = mu_g_radius();
+        paper::eq63_velocity_rate(acceleration(), mu, g, velocity(), omega(), contact()).into()
+    },
+    |printed| {
+        let one = Expr::int(1);
+        rates("(63): d²r/dt²", Force::Sliding, velocity(), one, printed)
+    },
+);
 
 pub(super) fn eq64() -> Components {
     let [mu, g, _] = mu_g_radius();
     paper::eq64_spin_rate(mu, g, velocity(), omega(), contact()).into()
 }
-pub(super) fn prove_eq64(printed: Components) -> Proof {
+pub const EQ64: Vectorial = Vectorial::new(Subject::Printed, BY_COMPONENTS, eq64, |printed| {
     let factor = Expr::symbol("κ") * Expr::symbol("R").squared();
     rates("(64): κ R² dω/dt", Force::Sliding, omega(), factor, printed)
-}
+});
 
-pub(super) fn eq65() -> Components {
-    let [mu, g, _] = mu_g_radius();
-    let kappa = Expr::symbol("κ");
-    paper::eq65_spin_slip_rate(kappa, mu, g, velocity(), omega(), contact()).into()
-}
-pub(super) fn prove_eq65(printed: Components) -> Proof {
-    let spin_share = paper::slip([zero(); 3], omega(), contact());
-    let one = Expr::int(1);
-    rates(
-        "(65): d(ω × R)/dt",
-        Force::Sliding,
-        spin_share,
-        one,
-        printed,
-    )
-}
+pub const EQ65: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    || {
+        let [mu, g, _] = mu_g_radius();
+        let kappa = Expr::symbol("κ");
+        paper::eq65_spin_slip_rate(kappa, mu, g, velocity(), omega(), contact()).into()
+    },
+    |printed| {
+        let spin_share = paper::slip([zero(); 3], omega(), contact());
+        let one = Expr::int(1);
+        rates(
+            "(65): d(ω × R)/dt",
+            Force::Sliding,
+            spin_share,
+            one,
+            printed,
+        )
+    },
+);
 
-pub(super) fn eq66() -> Components {
-    let [mu, g, _] = mu_g_radius();
-    paper::eq66_slip_rate(acceleration(), Expr::symbol("b"), mu, g, slip()).into()
-}
-pub(super) fn prove_eq66(printed: Components) -> Proof {
-    let one = Expr::int(1);
-    rates(
-        "(66): d(dr/dt + ω × R)/dt",
-        Force::Sliding,
-        slip(),
-        one,
-        printed,
-    )
-}
+pub const EQ66: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    || {
+        let [mu, g, _] = mu_g_radius();
+        paper::eq66_slip_rate(acceleration(), Expr::symbol("b"), mu, g, slip()).into()
+    },
+    |printed| {
+        let one = Expr::int(1);
+        rates(
+            "(66): d(dr/dt + ω × R)/dt",
+            Force::Sliding,
+            slip(),
+            one,
+            printed,
+        )
+    },
+);
 
 pub(super) fn eq73() -> Components {
     paper::eq73_velocity_rate(gamma(), u()).into()
 }
-pub(super) fn prove_eq73(printed: Components) -> Proof {
+pub const EQ73: Vectorial = Vectorial::new(Subject::Printed, BY_COMPONENTS, eq73, |printed| {
     rates(
         "(73): d²ρ/dτ²",
         Force::Sliding,
@@ -227,27 +239,37 @@ pub(super) fn prove_eq73(printed: Components) -> Proof {
         per_tau(),
         printed,
     )
-}
+});
 
 pub(super) fn eq74() -> Components {
     paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u()).into()
 }
-pub(super) fn prove_eq74(printed: Components) -> Proof {
+
+pub const EQ74: Vectorial = Vectorial::new(Subject::Printed, BY_COMPONENTS, eq74, |printed| {
     rates("(74): du/dτ", Force::Sliding, u(), per_tau(), printed)
-}
+});
 
 /// ζ₃ by (70).
 fn zeta() -> [Expr; 3] {
     let [mu, g, radius] = mu_g_radius();
     paper::eq70_spin(radius, mu, g, omega())
 }
-pub(super) fn eq75() -> Components {
-    paper::eq75_spin(zeta()[2], u(), rho_rate()).into()
-}
-pub(super) fn corrected75() -> Components {
-    corrected::spin(zeta()[2], u(), rho_rate()).into()
-}
-pub(super) fn prove_eq75(formula: Components) -> Proof {
+
+pub const EQ75: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    || paper::eq75_spin(zeta()[2], u(), rho_rate()).into(),
+    prove_eq75,
+);
+
+pub const CORRECTED_75: Vectorial = Vectorial::new(
+    Subject::Corrected,
+    BY_COMPONENTS,
+    || corrected::spin(zeta()[2], u(), rho_rate()).into(),
+    prove_eq75,
+);
+
+fn prove_eq75(formula: Components) -> Proof {
     prove("(75): ζ", Force::Any, |p, _| {
         for ((axis, zeta), formula) in AXES.iter().zip(zeta()).zip(formula) {
             p.identity(
@@ -259,69 +281,78 @@ pub(super) fn prove_eq75(formula: Components) -> Proof {
     })
 }
 
-pub(super) fn eq77() -> Components {
-    paper::eq77_rate(u()).into()
-}
-pub(super) fn prove_eq77(printed: Components) -> Proof {
-    let quantity = sum(rho_rate(), nu());
-    rates(
-        "(77): d(dρ/dτ + ν)/dτ",
-        Force::Sliding,
-        quantity,
-        per_tau(),
-        printed,
-    )
-}
+pub const EQ77: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    || paper::eq77_rate(u()).into(),
+    |printed| {
+        let quantity = sum(rho_rate(), nu());
+        rates(
+            "(77): d(dρ/dτ + ν)/dτ",
+            Force::Sliding,
+            quantity,
+            per_tau(),
+            printed,
+        )
+    },
+);
 
-pub(super) fn eq78() -> Components {
-    paper::eq78_rate(Expr::symbol("b"), u()).into()
-}
-pub(super) fn prove_eq78(printed: Components) -> Proof {
-    let quantity = sum(u(), nu());
-    rates(
-        "(78): d(u + ν)/dτ",
-        Force::Sliding,
-        quantity,
-        per_tau(),
-        printed,
-    )
-}
+pub const EQ78: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    || paper::eq78_rate(Expr::symbol("b"), u()).into(),
+    |printed| {
+        let quantity = sum(u(), nu());
+        rates(
+            "(78): d(u + ν)/dτ",
+            Force::Sliding,
+            quantity,
+            per_tau(),
+            printed,
+        )
+    },
+);
 
-pub(super) fn eq79() -> Components {
-    let [cx, cy] = Expr::symbols(["c_x", "c_y"]);
-    paper::eq79_velocity(Expr::symbol("b"), nu(), u(), [cx, cy, zero()]).into()
-}
 /// Both sides change alike under any friction force, so that they differ by a constant.
-pub(super) fn prove_eq79(printed: Components) -> Proof {
-    let along_z = printed[2];
-    prove("(79): dρ/dτ", Force::Any, |p, body| {
-        for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed).take(2) {
-            let own = p.read(&format!("dρ/dτ {axis}"), own)?;
-            let own = p.derivative("Its rate", &own, &body.motion)?;
-            let printed = p.read(&format!("Printed {axis}"), printed)?;
-            let rate =
-                p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
-            p.equal("The two rates", &own, &rate)?;
-        }
-        upright(p, rho_rate()[2])?;
-        upright(p, along_z)
-    })
-}
+pub const EQ79: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    || {
+        let [cx, cy] = Expr::symbols(["c_x", "c_y"]);
+        paper::eq79_velocity(Expr::symbol("b"), nu(), u(), [cx, cy, zero()]).into()
+    },
+    |printed| {
+        let along_z = printed[2];
+        prove("(79): dρ/dτ", Force::Any, |p, body| {
+            for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed).take(2) {
+                let own = p.read(&format!("dρ/dτ {axis}"), own)?;
+                let own = p.derivative("Its rate", &own, &body.motion)?;
+                let printed = p.read(&format!("Printed {axis}"), printed)?;
+                let rate =
+                    p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
+                p.equal("The two rates", &own, &rate)?;
+            }
+            upright(p, rho_rate()[2])?;
+            upright(p, along_z)
+        })
+    },
+);
 
-pub(super) fn eq62() -> Components {
-    let [inertia, m, radius] = Expr::symbols(["I", "m", "R"]);
-    vec![paper::eq62_kappa(inertia, m, radius)]
-}
 /// κ makes (64) the law for the spin.
-pub(super) fn prove_eq62(kappa: Components) -> Proof {
-    let factor = kappa[0] * Expr::symbol("R").squared();
-    let title = "(62): κ in κ R² dω/dt by (64)";
-    rates(title, Force::Sliding, omega(), factor, eq64())
-}
+pub const EQ62: Vectorial = Vectorial::new(
+    Subject::Printed,
+    Compared::one(
+        r"(64), with $\kappa$ by the definition,",
+        "Euler's law for the sphere",
+    ),
+    paper::eq62_kappa::parts,
+    |kappa| {
+        let factor = kappa[0] * Expr::symbol("R").squared();
+        let title = "(62): κ in κ R² dω/dt by (64)";
+        rates(title, Force::Sliding, omega(), factor, eq64())
+    },
+);
 
-pub(super) fn eq68() -> Components {
-    paper::eq68_position(Expr::symbol("R"), velocity()).into()
-}
 /// A quantity has no component along z.
 fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
     let along_z = p.read("Along z", along_z)?;
@@ -329,99 +360,124 @@ fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
 }
 
 /// dρ/dτ, which has the form of (68) by its linearity, makes (73) the law for the centre.
-pub(super) fn prove_eq68(rate: Components) -> Proof {
-    let rho_rate = [0, 1, 2].map(|i| rate[i] / tau_rate());
-    prove("(68): d²ρ/dτ² by (73)", Force::Sliding, |p, body| {
-        for ((axis, rate), stated) in AXES.iter().zip(rho_rate).zip(eq73()) {
-            let rate = p.read(&format!("dρ/dτ {axis}"), rate)?;
-            let change = p.derivative("Its rate", &rate, &body.motion)?;
-            p.reads_as(&change, "(73) times dτ/dt", stated * tau_rate())?;
-        }
-        upright(p, rate[2])
-    })
-}
+pub const EQ68: Vectorial = Vectorial::new(
+    Subject::Printed,
+    Compared::one(
+        r"(73), with $\bm\rho$ by the definition,",
+        "Newton's law for the sphere",
+    ),
+    || paper::eq68_position(Expr::symbol("R"), velocity()).into(),
+    |rate| {
+        let rho_rate = [0, 1, 2].map(|i| rate[i] / tau_rate());
+        prove("(68): d²ρ/dτ² by (73)", Force::Sliding, |p, body| {
+            for ((axis, rate), stated) in AXES.iter().zip(rho_rate).zip(eq73()) {
+                let rate = p.read(&format!("dρ/dτ {axis}"), rate)?;
+                let change = p.derivative("Its rate", &rate, &body.motion)?;
+                p.reads_as(&change, "(73) times dτ/dt", stated * tau_rate())?;
+            }
+            upright(p, rate[2])
+        })
+    },
+);
 
-pub(super) fn eq69() -> Components {
-    let [mu, g, radius] = mu_g_radius();
-    vec![paper::eq69_time(radius, mu, g, Expr::symbol("t"))]
-}
 /// τ makes (74) the law for the slip.
-pub(super) fn prove_eq69(tau: Components) -> Proof {
-    prove(
-        "(69): du/dt over dτ/dt by (74)",
-        Force::Sliding,
-        |p, body| {
-            let tau = p.read("τ", tau[0])?;
-            let clock = p.slope("dτ/dt", &tau, "t")?;
-            for ((axis, u), stated) in AXES.iter().zip(u()).zip(eq74()) {
-                let u = p.read(&format!("u {axis}"), u)?;
-                let rate = p.derivative("du/dt", &u, &body.motion)?;
-                let stated = p.read("(74)", stated)?;
-                p.equal("du/dt against (74) times dτ/dt", &rate, &(stated * &clock))?;
+pub const EQ69: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_DEFINITION,
+    || {
+        let [mu, g, radius] = mu_g_radius();
+        vec![paper::eq69_time(radius, mu, g, Expr::symbol("t"))]
+    },
+    |tau| {
+        prove(
+            "(69): du/dt over dτ/dt by (74)",
+            Force::Sliding,
+            |p, body| {
+                let tau = p.read("τ", tau[0])?;
+                let clock = p.slope("dτ/dt", &tau, "t")?;
+                for ((axis, u), stated) in AXES.iter().zip(u()).zip(eq74()) {
+                    let u = p.read(&format!("u {axis}"), u)?;
+                    let rate = p.derivative("du/dt", &u, &body.motion)?;
+                    let stated = p.read("(74)", stated)?;
+                    p.equal("du/dt against (74) times dτ/dt", &rate, &(stated * &clock))?;
+                }
+                Ok(())
+            },
+        )
+    },
+);
+
+/// ζ is the rate of turning in the time τ.
+pub const EQ70: Vectorial = Vectorial::new(
+    Subject::Printed,
+    Compared::one(
+        r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
+        r"$\bm\omega\,\mathrm dt$",
+    ),
+    || zeta().into(),
+    |zeta| {
+        prove("(70): ζ dτ = ω dt", Force::Any, |p, _| {
+            for ((axis, zeta), omega) in AXES.iter().zip(zeta).zip(omega()) {
+                p.identity(
+                    (&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate()),
+                    ("", omega),
+                )?;
             }
             Ok(())
-        },
-    )
-}
+        })
+    },
+);
 
-pub(super) fn eq70() -> Components {
-    zeta().into()
-}
-/// ζ is the rate of turning in the time τ.
-pub(super) fn prove_eq70(zeta: Components) -> Proof {
-    prove("(70): ζ dτ = ω dt", Force::Any, |p, _| {
-        for ((axis, zeta), omega) in AXES.iter().zip(zeta).zip(omega()) {
-            p.identity(
-                (&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate()),
-                ("", omega),
-            )?;
-        }
-        Ok(())
-    })
-}
-
-pub(super) fn eq71() -> Components {
-    u().into()
-}
 /// u makes (74) the law for the slip.
-pub(super) fn prove_eq71(slip: Components) -> Proof {
-    let u = [0, 1, 2].map(|i| slip[i]);
-    let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u).into();
-    let title = "(71): du/dτ by (74)";
-    rates(title, Force::Sliding, u, per_tau(), stated)
-}
+pub const EQ71: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_DEFINITION,
+    || u().into(),
+    |slip| {
+        let u = [0, 1, 2].map(|i| slip[i]);
+        let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u).into();
+        let title = "(71): du/dτ by (74)";
+        rates(title, Force::Sliding, u, per_tau(), stated)
+    },
+);
 
-pub(super) fn eq72() -> Components {
-    gamma().into()
-}
 /// γ makes (74) the law for the slip.
-pub(super) fn prove_eq72(pull: Components) -> Proof {
-    let gamma = [0, 1, 2].map(|i| pull[i]);
-    let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma, u()).into();
-    let title = "(72): γ in du/dτ by (74)";
-    rates(title, Force::Sliding, u(), per_tau(), stated)
-}
+pub const EQ72: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_DEFINITION,
+    || gamma().into(),
+    |pull| {
+        let gamma = [0, 1, 2].map(|i| pull[i]);
+        let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma, u()).into();
+        let title = "(72): γ in du/dτ by (74)";
+        rates(title, Force::Sliding, u(), per_tau(), stated)
+    },
+);
 
 /// dv/dt of a particle with the velocity w and the friction coefficient bμ, by (1).
-pub(super) fn reduction() -> Components {
-    let [mu, g, _] = mu_g_radius();
-    let ([ax, ay, _], [wx, wy, _]) = (acceleration(), slip());
-    eq1_velocity_rate([ax, ay], Expr::symbol("b") * mu, g, [wx, wy]).into()
-}
-pub(super) fn prove_reduction(particle: Components) -> Proof {
-    prove(
-        "The slip velocity moves as a particle's velocity with bμ for μ",
-        Force::Sliding,
-        |p, body| {
-            for ((axis, w), particle) in AXES.iter().zip(slip()).zip(particle) {
-                let w = p.read(&format!("w {axis}"), w)?;
-                let rate = p.derivative("Its rate", &w, &body.motion)?;
-                p.reads_as(&rate, &format!("(1) {axis}, with bμ"), particle)?;
-            }
-            Ok(())
-        },
-    )
-}
+pub const S3_REDUCTION: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    || {
+        let [mu, g, _] = mu_g_radius();
+        let ([ax, ay, _], [wx, wy, _]) = (acceleration(), slip());
+        eq1_velocity_rate([ax, ay], Expr::symbol("b") * mu, g, [wx, wy]).into()
+    },
+    |particle| {
+        prove(
+            "The slip velocity moves as a particle's velocity with bμ for μ",
+            Force::Sliding,
+            |p, body| {
+                for ((axis, w), particle) in AXES.iter().zip(slip()).zip(particle) {
+                    let w = p.read(&format!("w {axis}"), w)?;
+                    let rate = p.derivative("Its rate", &w, &body.motion)?;
+                    p.reads_as(&rate, &format!("(1) {axis}, with bμ"), particle)?;
+                }
+                Ok(())
+            },
+        )
+    },
+);
 
 /// The force m𝐀/b, which static friction can give up to |𝐀| = bμg, keeps the slip velocity as it is.
 pub(super) fn prove_rolling() -> Proof {
@@ -445,28 +501,29 @@ pub(super) fn prove_rolling() -> Proof {
     )
 }
 
-/// dω_z/dt.
-pub(super) fn spin_rate() -> Components {
-    vec![paper::s3_zeta3_rate()]
-}
-pub(super) fn prove_spin_constant(stated: Components) -> Proof {
-    prove(
-        "ζ₃ is constant and enters nothing else",
-        Force::Sliding,
-        |p, body| {
-            let spin = p.read("The vertical spin", omega()[2])?;
-            let rate = p.derivative("Its rate", &spin, &body.motion)?;
-            for stated in stated {
-                let stated = p.read("Stated", stated)?;
-                p.equal("Rate against stated rate", &rate, &stated)?;
-            }
-            for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
-                let q = p.read("Of", q)?;
-                let rate = p.derivative("the rate", &q, &body.motion)?;
-                let slope = p.slope("has with respect to ω_z the slope", &rate, "ω_z")?;
-                p.reads_as(&slope, "", Expr::int(0))?;
-            }
-            Ok(())
-        },
-    )
-}
+pub const S3_SPIN_CONSTANT: Vectorial = Vectorial::new(
+    Subject::Printed,
+    BY_COMPONENTS,
+    paper::s3_zeta3_rate::parts,
+    |stated| {
+        prove(
+            "ζ₃ is constant and enters nothing else",
+            Force::Sliding,
+            |p, body| {
+                let spin = p.read("The vertical spin", omega()[2])?;
+                let rate = p.derivative("Its rate", &spin, &body.motion)?;
+                for stated in stated {
+                    let stated = p.read("Stated", stated)?;
+                    p.equal("Rate against stated rate", &rate, &stated)?;
+                }
+                for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
+                    let q = p.read("Of", q)?;
+                    let rate = p.derivative("the rate", &q, &body.motion)?;
+                    let slope = p.slope("has with respect to ω_z the slope", &rate, "ω_z")?;
+                    p.reads_as(&slope, "", Expr::int(0))?;
+                }
+                Ok(())
+            },
+        )
+    },
+);
