@@ -159,10 +159,9 @@ fn prove(
 
 /// (3), (4), (5): two components, two components, λ.
 fn definitions() -> [Expr; 5] {
-    let [a, v, theta, mu, g] = Expr::symbols(["A", "v", "θ", "μ", "g"]);
-    let [ax, ay] = paper::eq3_acceleration(a);
-    let [vx, vy] = paper::eq4_velocity(v, theta);
-    [ax, ay, vx, vy, paper::eq5_lambda(mu, g, a)]
+    let [ax, ay] = paper::eq3_acceleration::tree();
+    let [vx, vy] = paper::eq4_velocity::tree();
+    [ax, ay, vx, vy, paper::eq5_lambda::tree()]
 }
 
 /// (3) to (5) by the use made of them.
@@ -182,13 +181,10 @@ pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
             Ok(ring)
         };
         Proof::in_ring(title, setting(), |p| {
-            let [lambda, a, theta, mu, g] = Expr::symbols(["λ", "A", "θ", "μ", "g"]);
+            let [lambda, mu, g] = Expr::symbols(["λ", "μ", "g"]);
             p.read("λ by (5)", lambda)?;
             let rates = eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
-            let printed = [
-                paper::eq6_vx_rate(lambda, a, theta),
-                paper::eq7_vy_rate(lambda, a, theta),
-            ];
+            let printed = [paper::eq6_vx_rate::tree(), paper::eq7_vy_rate::tree()];
             for (rate, printed) in rates.into_iter().zip(printed) {
                 p.identity(
                     ("A component of (1), with (3) and (4)", rate),

@@ -12,7 +12,7 @@ pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
     Compared::shown(
         r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",
     ),
-    || paper::s21_cannot_hold_sides(Expr::symbol("λ")),
+    paper::s21_cannot_hold_sides::tree,
     |[left, right]| {
         prove("Friction cannot hold", Regime::Any, |p, _| {
             given(p, &[&DEFINED, &EQ6])?;
@@ -40,7 +40,7 @@ pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::new(
         r"for every $\lambda<1$ and every start $v_x$ grows by $A(1-\lambda)$ in each unit of time at least and $v_y^2$ never grows, so that $\tan\theta=v_y/v_x\to0$; for $\lambda=1$ and $\theta_0\neq\pi$ the time at which the velocity has the angle $\theta$ is finite for every $\theta$ between $\theta_0$ and 0, and beyond all bounds as $\theta\to0$",
     ),
     || {
-        let sides = paper::s21_keeps_moving_sides(Expr::symbol("λ"));
+        let sides = paper::s21_keeps_moving_sides::tree();
         (sides, paper::s21_late_angle())
     },
     aligns,
@@ -96,7 +96,7 @@ pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
         r"for every $\lambda\le1$, but for $\lambda=1$ with $\theta_0=\pi$: by (3) the cosine of the angle between $\bm v$ and $\bm A$ is $-\cos\theta$, and $\theta\to0$ is proved",
     ),
     || {
-        let drive = paper::eq3_acceleration(Expr::symbol("A"));
+        let drive = paper::eq3_acceleration::tree();
         (corrected::late_sense(), drive)
     },
     against,

@@ -49,9 +49,9 @@ pub const EQ17: Statement = by_newton(Subject::Printed, paper::eq17_invariant::t
 
 /// λ = 1: the speed, after a proof that θ reaches 0 at no finite time.
 pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Obstacle> {
-    let [lambda, v0, theta0, theta, a] = Expr::symbols(["λ", "v₀", "θ₀", "θ", "A"]);
+    let [v0, theta0, theta, a] = Expr::symbols(["v₀", "θ₀", "θ", "A"]);
     given(p, &[&EQ11])?;
-    let speed = paper::eq11_speed(lambda, v0, theta0, theta);
+    let speed = paper::eq11_speed::tree();
     let read = p.read("The speed by (11)", speed)?;
     let two = Expr::int(2);
     let (half, half0) = (theta / two, theta0 / two);

@@ -10,7 +10,7 @@ pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     Compared::shown(
         r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
     ),
-    || (eq1(), paper::eq3_acceleration(Expr::symbol("A"))),
+    || (eq1(), paper::eq3_acceleration::tree()),
     on_an_incline,
 );
 

@@ -128,7 +128,7 @@ fn omega() -> [Expr; 3] {
     Expr::symbols(["ω_x", "ω_y", "ω_z"])
 }
 fn contact() -> [Expr; 3] {
-    paper::eq61_contact(Expr::symbol("R"))
+    paper::eq61_contact::tree()
 }
 fn slip() -> [Expr; 3] {
     paper::slip(velocity(), omega(), contact())

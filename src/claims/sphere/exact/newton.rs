@@ -87,8 +87,8 @@ pub const EQ60: Vectorial = Vectorial::new(
         "Newton's law for six point masses that move as one body",
     ),
     || {
-        let [radius, fx, fy] = Expr::symbols(["R", "F_x", "F_y"]);
-        let contact = paper::eq61_contact(radius);
+        let [fx, fy] = Expr::symbols(["F_x", "F_y"]);
+        let contact = paper::eq61_contact::tree();
         paper::eq60_spin_rate(contact, [fx, fy, Expr::int(0)]).into()
     },
     |printed| {

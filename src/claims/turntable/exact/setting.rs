@@ -96,10 +96,10 @@ impl Setting {
         let mut ring = Ring::new();
         let a = ring.symbol("A");
         ring.hyperbolic("α");
-        let [a_tree, alpha] = Expr::symbols(["A", "α"]);
+        let alpha = Expr::symbol("α");
         for (name, formula) in [
-            ("p", paper::eq111_p(a_tree, alpha)),
-            ("ρ", paper::eq112_rho(a_tree, alpha)),
+            ("p", paper::eq111_p::tree()),
+            ("ρ", paper::eq112_rho::tree()),
         ] {
             let value = ring.read(formula)?;
             ring.define(name, value)?;
@@ -122,10 +122,10 @@ impl Setting {
         let mut ring = Ring::new();
         let b = ring.symbol("B");
         ring.hyperbolic("β");
-        let [b_tree, beta] = Expr::symbols(["B", "β"]);
+        let beta = Expr::symbol("β");
         for (name, formula) in [
-            ("p", paper::eq117_p(b_tree, beta)),
-            ("ρ", paper::eq118_rho(b_tree, beta)),
+            ("p", paper::eq117_p::tree()),
+            ("ρ", paper::eq118_rho::tree()),
         ] {
             let value = ring.read(formula)?;
             ring.define(name, value)?;
@@ -216,8 +216,8 @@ fn rates(ring: &mut Ring) -> Result<Rates, ExactError> {
         ("y", rho_tree * outwards.sin()),
         ("u", p_tree * chi.cos()),
         ("v", p_tree * chi.sin()),
-        ("ξ", paper::eq94_xi(rho_tree, psi)),
-        ("ℓ", paper::eq95_ell(rho_tree, psi)),
+        ("ξ", paper::eq94_xi::tree()),
+        ("ℓ", paper::eq95_ell::tree()),
     ] {
         let value = ring.read(formula)?;
         ring.define(name, value)?;
