@@ -42,9 +42,6 @@ const fn by_newton(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> P
     Statement::new(subject, compared, formula, prove)
 }
 
-/// The same for a claim of which it says more.
-const EQ20_WITHIN: Statement = EQ20.about(Subject::Within);
-
 /// Newton's law in a ring.
 #[derive(Debug)]
 struct Newton {

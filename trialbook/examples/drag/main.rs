@@ -24,24 +24,23 @@ mod corrections {
 }
 /// Proves that a formula changes at this rate, and what it begins with.
 fn law([formula, rate, start]: [Expr; 3]) -> Proof {
-    let mut ring = Ring::new();
-    let [k, ..] = ["k", "g", "u", "w"].map(|name| ring.symbol(name));
+    let mut ring = Ring::of(["k", "g", "u", "w"]);
     ring.hyperbolic("kt");
-    let at = |x: Expr, kt: Expr| x.with("t", kt / Expr::symbol("k"));
+    let [k, kt] = Expr::symbols(["k", "kt"]);
+    let at = |x: Expr, kt: Expr| x.with("t", kt / k);
     Proof::of("Newton's law", &ring, |p| {
-        let now = p.read("the formula", at(formula, Expr::symbol("kt")))?;
-        let change = p.derivative("its change with kt", &now, &ring.by("kt")?)?;
-        let rate = p.read("its rate", at(rate, Expr::symbol("kt")))?;
-        p.equal("the change is the rate over k", &(change * k), &rate)?;
+        let now = p.read("the formula", at(formula, kt))?;
+        let change = p.slope("its change with kt", &now, "kt")?;
+        p.reads_as(&change, "the rate over k", at(rate / k, kt))?;
         let first = p.read("the formula at t = 0", at(formula, Expr::int(0)))?;
-        p.equal("it begins so", &first, &p.ring().read(start)?)
+        p.reads_as(&first, "the start", start)
     })
 }
 /// What (1) to (4) are, with their rates and what they begin with.
 fn laws() -> [[Expr; 3]; 4] {
-    let [k, g, u, w, t] = ["k", "g", "u", "w", "t"].map(Expr::symbol);
-    let (across, upwards) = (paper::eq1_across(k, u, t), paper::eq2_upwards(k, g, w, t));
-    let (way, height) = (paper::eq3_way(k, u, t), paper::eq4_height(k, g, w, t));
+    let [k, g, u, w] = Expr::symbols(["k", "g", "u", "w"]);
+    let (across, upwards) = (paper::eq1_across::tree(), paper::eq2_upwards::tree());
+    let (way, height) = (paper::eq3_way::tree(), paper::eq4_height::tree());
     let (zero, fall) = (Expr::int(0), [upwards, -g - k * upwards, w]);
     let ways = [[way, across, zero], [height, upwards, zero]];
     [[across, -k * across, u], fall, ways[0], ways[1]]

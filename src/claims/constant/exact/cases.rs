@@ -112,3 +112,6 @@ pub const EQ20: Statement = by_newton(Subject::Printed, paper::eq20_stop_time::t
         },
     )
 });
+
+/// The same for a claim of which it says more.
+pub const EQ20_WITHIN: Statement = EQ20.about(Subject::Within);
