@@ -11,7 +11,7 @@ use crate::solve::{
     DIMENSIONLESS, Double, Field, RADIANS, Report, SolveError, Unit, Value, anisotropic, constant,
     periodic, rest, sinusoidal, sphere, turntable,
 };
-use clap::{ArgMatches, Args, FromArgMatches, Subcommand};
+use clap::{Arg, ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;
 use trialbook::cli::{Shard, complain, csv, json, say, screen, show};
@@ -38,7 +38,9 @@ struct Also {
 
 /// The command `solve` with its problems.
 pub(super) fn command() -> clap::Command {
-    Solve::augment_args(clap::Command::new("solve")).mut_subcommands(Also::augment_args)
+    let range = |arg: Arg| arg.value_name("RANGE").allow_hyphen_values(true);
+    Solve::augment_args(clap::Command::new("solve"))
+        .mut_subcommands(|problem| Also::augment_args(problem.mut_args(range)))
 }
 
 /// Answers, and plots if that is wanted.
@@ -65,7 +67,7 @@ enum Problem {
     #[command(after_help = "Example:\n  slipbook solve pulse --eta 0.5 --lambda0 0.3")]
     Pulse {
         /// η, the share of a half period that a pulse fills, from 0 to 1
-        #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+        #[arg(long)]
         eta: Axis,
         #[command(flatten)]
         friction: FrictionArgs,
@@ -74,7 +76,7 @@ enum Problem {
     #[command(after_help = "Example:\n  slipbook solve anisotropic --q 2 --lambda0 0.45")]
     Anisotropic {
         /// q, backward friction over forward friction
-        #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+        #[arg(long)]
         q: Axis,
         #[command(flatten)]
         friction: FrictionArgs,
@@ -95,10 +97,10 @@ enum Problem {
     #[command(after_help = "Example:\n  slipbook solve turntable-boundary --alpha 0.5 --psi 1")]
     TurntableBoundary {
         /// α, with p = A sinh α and ρ = A cosh α
-        #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+        #[arg(long)]
         alpha: Axis,
         /// ψ, the angle from the velocity to the position (radians; `120deg` are degrees)
-        #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+        #[arg(long)]
         psi: Axis,
     },
 }
@@ -113,10 +115,10 @@ const GRAVITY: &str = "9.80665";
 #[derive(Args)]
 struct Weight {
     /// The coefficient of friction μ instead: everything is in SI units then, what is given and what is answered
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     mu: Option<Axis>,
     /// The acceleration of gravity g in m/s², beside --mu
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY)]
+    #[arg(long, default_value = GRAVITY)]
     g: Axis,
 }
 
@@ -134,33 +136,15 @@ impl Weight {
 #[command(mut_arg("mu", |mu| mu.requires_all(["a0", "omega"])), mut_arg("g", |g| g.conflicts_with("lambda0")))]
 struct FrictionArgs {
     /// λ₀ = μg/A₀, friction over the drive's amplitude; with anisotropic friction, the forward one
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        required_unless_present = "mu",
-        conflicts_with = "mu"
-    )]
+    #[arg(long, required_unless_present = "mu", conflicts_with = "mu")]
     lambda0: Option<Axis>,
     #[command(flatten)]
     weight: Weight,
     /// The drive's amplitude A₀ in m/s²
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "mu",
-        conflicts_with = "lambda0"
-    )]
+    #[arg(long, requires = "mu", conflicts_with = "lambda0")]
     a0: Option<Axis>,
     /// The drive's angular frequency ω in 1/s
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "mu",
-        conflicts_with = "lambda0"
-    )]
+    #[arg(long, requires = "mu", conflicts_with = "lambda0")]
     omega: Option<Axis>,
 }
 
@@ -185,24 +169,18 @@ impl FrictionArgs {
 #[command(mut_arg("mu", |mu| mu.requires("accel")), mut_arg("g", |g| g.conflicts_with("lambda")))]
 struct Constant {
     /// λ = μg/A, friction over acceleration
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        required_unless_present = "mu",
-        conflicts_with = "mu"
-    )]
+    #[arg(long, required_unless_present = "mu", conflicts_with = "mu")]
     lambda: Option<Axis>,
     #[command(flatten)]
     weight: Weight,
     /// Initial speed, in m/s beside --mu
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     v0: Axis,
     /// Initial angle of the velocity with the x axis, in (−π, π]; `120deg` are degrees
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     theta0: Axis,
     /// The plane's acceleration A, in m/s² beside --mu [default: 1]
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     accel: Option<Axis>,
     #[command(flatten)]
     moment: Moment,
@@ -212,47 +190,24 @@ struct Constant {
 #[command(mut_arg("mu", |mu| mu.requires("accel")), mut_arg("g", |g| g.conflicts_with("gamma")))]
 struct Sphere {
     /// γ = A/(μg)
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        required_unless_present = "mu",
-        conflicts_with = "mu"
-    )]
+    #[arg(long, required_unless_present = "mu", conflicts_with = "mu")]
     gamma: Option<Axis>,
     #[command(flatten)]
     weight: Weight,
     /// The plane's acceleration A in m/s², beside --mu
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "mu",
-        conflicts_with = "gamma"
-    )]
+    #[arg(long, requires = "mu", conflicts_with = "gamma")]
     accel: Option<Axis>,
     /// Initial slip, in √(μgR), or in m/s beside --mu
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     u0: Axis,
     /// Initial angle of the slip with the x axis, in (−π, π]; `120deg` are degrees
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     theta0: Axis,
     /// The sphere's radius R in m, beside --mu: the spin is answered in 1/s then, else the speed ωR that it gives the rim
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        requires = "mu",
-        conflicts_with = "gamma"
-    )]
+    #[arg(long, requires = "mu", conflicts_with = "gamma")]
     radius: Option<Axis>,
     /// κ = I/(mR²): 0.4 for a solid sphere
-    #[arg(
-        long,
-        value_name = "RANGE",
-        allow_hyphen_values = true,
-        default_value = "0.4"
-    )]
+    #[arg(long, default_value = "0.4")]
     kappa: Axis,
     #[command(flatten)]
     moment: Moment,
@@ -263,10 +218,10 @@ struct Sphere {
 #[group(required = true, multiple = false)]
 struct Moment {
     /// When the angle has fallen to this (radians)
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     theta: Option<Axis>,
     /// At this time: in s beside --mu, else as v/A counts it, or for a sphere in √(R/(μg))
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     time: Option<Axis>,
 }
 
@@ -284,37 +239,37 @@ struct Turntable {
     #[command(flatten)]
     start: Start,
     /// ψ, the angle from the velocity to the position, counterclockwise (radians; `120deg` are degrees)
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, conflicts_with_all = ["x", "y", "vx", "vy"])]
+    #[arg(long, conflicts_with_all = ["x", "y", "vx", "vy"])]
     psi: Option<Axis>,
     /// Speed p of a start by --rho, in units of μg/Ω
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "rho", conflicts_with_all = ["A", "x", "r"])]
+    #[arg(long, requires = "rho", conflicts_with_all = ["A", "x", "r"])]
     p: Option<Axis>,
     /// α of a start by --A
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "A", conflicts_with_all = ["rho", "x", "r"])]
+    #[arg(long, requires = "A", conflicts_with_all = ["rho", "x", "r"])]
     alpha: Option<Axis>,
     /// Position y of a start by --x, in units of μg/Ω²
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
+    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     y: Option<Axis>,
     /// Velocity along x, relative to the table, in units of μg/Ω
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
+    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     vx: Option<Axis>,
     /// Velocity along y, relative to the table, in units of μg/Ω
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
+    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
     vy: Option<Axis>,
     /// Speed relative to the table in m/s, of a start by --r
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
+    #[arg(long, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
     speed: Option<Axis>,
     /// The coefficient of friction μ, of a start by --r
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
+    #[arg(long, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
     mu: Option<Axis>,
     /// The table's angular velocity Ω in 1/s, of a start by --r
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
+    #[arg(long, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
     omega: Option<Axis>,
     /// The acceleration of gravity g in m/s², of a start by --r
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, default_value = GRAVITY, conflicts_with_all = ["rho", "A", "x"])]
+    #[arg(long, default_value = GRAVITY, conflicts_with_all = ["rho", "A", "x"])]
     g: Axis,
     /// Ask for the state at this time: in s for a start by --r, else in units of 1/Ω
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long)]
     time: Option<Axis>,
 }
 
@@ -323,16 +278,16 @@ struct Turntable {
 #[group(required = true, multiple = false)]
 struct Start {
     /// Distance ρ from the axis in units of μg/Ω², with --p and --psi
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["p", "psi"])]
+    #[arg(long, requires_all = ["p", "psi"])]
     rho: Option<Axis>,
     /// A, with --alpha and --psi
-    #[arg(id = "A", long = "A", value_name = "RANGE", allow_hyphen_values = true, requires_all = ["alpha", "psi"])]
+    #[arg(id = "A", long = "A", requires_all = ["alpha", "psi"])]
     a: Option<Axis>,
     /// Position x in the table's axes in units of μg/Ω², with --y, --vx and --vy
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["y", "vx", "vy"])]
+    #[arg(long, requires_all = ["y", "vx", "vy"])]
     x: Option<Axis>,
     /// Distance from the axis in m, with --speed, --psi, --mu and --omega: everything is in SI units then, what is given and what is answered
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, requires_all = ["speed", "psi", "mu", "omega"])]
+    #[arg(long, requires_all = ["speed", "psi", "mu", "omega"])]
     r: Option<Axis>,
 }
 
