@@ -124,7 +124,7 @@ fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Pr
         )?;
         p.note(
             "Where sin φ > λ₀",
-            "no rest lasts: the rate is so from φ₁ to φ₂, but for single instants",
+            "no rest lasts: this holds from φ₁ to φ₂, but for single instants",
         );
         let whole = -phi.cos() - lambda0 * phi;
         let slope = p.read("−cos φ − λ₀ φ", whole)?;
