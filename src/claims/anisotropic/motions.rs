@@ -142,8 +142,10 @@ fn drawn([forward, backward]: Rates) -> Proof {
         |p| {
             let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
             let [ahead, back] = [p.read("(51)", forward)?, p.read("(52)", backward)?];
-            let apart = p.read("(1 + q) λ₀, which is positive", (int(1) + q) * lambda0)?;
-            p.equal("(52) exceeds (51) by that", &(&back - &ahead), &apart)?;
+            p.identity(
+                ("(52) less (51)", backward - forward),
+                ("which is positive", (int(1) + q) * lambda0),
+            )?;
             p.note(
                 "At rest",
                 "friction balances the drive, and the rate, 0, is not below (51) and not above (52)",
@@ -170,7 +172,7 @@ fn drawn([forward, backward]: Rates) -> Proof {
             );
             p.note(
                 "Let two different motions repeat themselves, with the velocities 𝔴 and 𝔴 + d, d > 0",
-                "their distance d stays, so that they never have different directions: 𝔴 is never between −d and 0. So 𝔴 ≥ 0 for ever, and the other goes forward for ever; or 𝔴 ≤ −d for ever, and itself goes backward for ever: a contradiction. One motion alone repeats itself",
+                "their distance d stays, so that they never have different directions: 𝔴 is never between −d and 0. So 𝔴 ≥ 0 for ever, and the other goes forward for ever; or 𝔴 ≤ −d for ever, and itself goes backward for ever: a contradiction. Only one motion repeats itself",
             );
             p.note(
                 "Any other motion",
@@ -209,9 +211,8 @@ fn slip(title: &str, rate: Expr, (product, so): (Expr, &str), friction: Expr) ->
             ("At s it is", s, int(0)),
             ("A period later it is", s + whole, -whole * friction),
         ] {
-            let end = p.read(says, velocity.with("φ", end))?;
-            let left = p.ring().read(left)?;
-            p.equal("It is 0, or what friction alone gives", &end, &left)?;
+            let says = (says, velocity.with("φ", end));
+            p.identity(says, ("", left))?;
         }
         Ok(())
     })
@@ -297,9 +298,7 @@ fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2]))
             "as λ₀K < sin K, there is an m between π/2 and π with sin m = λ₀K/sin K. Let K = π/2 + y: 0 ≤ y < π/2, as q ≥ 1",
         );
         let [y, m, k, q, lambda0] = Expr::symbols(["y", "m", "K", "q", "λ₀"]);
-        let length = p.read("K by (53), for q = K/(π − K)", k_formula)?;
-        let own = p.ring().named("K")?;
-        p.equal("It is K", &length, &own)?;
+        p.identity(("K by (53), for q = K/(π − K)", k_formula), ("", k))?;
         let (begin, turn) = (m - k, m + k);
         let whole = int(2) * Expr::pi();
         p.vanishes("Forward from m − K: 𝔴 at m + K", arc(begin, turn, lambda0))?;

@@ -47,8 +47,11 @@ impl Chain {
             let after = self.cases.get(i).copied();
             let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
             p.identity(
-                ("𝔴 where a case ends, 0 before the first", at(before)),
-                ("𝔴 where the next one begins, 0 after the last", at(after)),
+                ("𝔴 where a case ends, or 0 before the first", at(before)),
+                (
+                    "𝔴 where the next one begins, or 0 after the last",
+                    at(after),
+                ),
             )?;
         }
         Ok(())

@@ -76,9 +76,11 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
                 format!("𝐮 points {way}"),
             );
             let pull = (speed + other) * (one + sign * cosine);
-            let pull = p.read("(v + W) (1 − cos)", pull)?;
             let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
-            p.reads_as(&pull, "at least v ± v_x", least + more)?;
+            p.identity(
+                ("(v + W) (1 − cos)", pull),
+                ("at least v ± v_x", least + more),
+            )?;
         }
 
         let drive = eq21();

@@ -58,14 +58,13 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
             let lambda0 = Expr::symbol("λ₀");
             let ([vx, vy, v], two) = (velocity(), Expr::int(2));
             let [_, across] = in_units(law, eq21());
-            let across = p.read("dv_y/dφ by (1) and (21)", across)?;
-            let stated = p.read("The stated slope", slope)?;
             let excess = lambda0 * vx.squared() / (v * (v + vy));
-            let above = p.read("λ₀ v_x²/(v (v + v_y)), which is not negative", excess)?;
-            p.equal(
-                "The one is above the other by that",
-                &(&across - &stated),
-                &above,
+            p.identity(
+                (
+                    "dv_y/dφ by (1) and (21), less the stated slope",
+                    across - slope,
+                ),
+                ("which is not negative", excess),
             )?;
             let most = lambda0 * vx.squared() / (two * vy.squared());
             let terms = lambda0 * vx.squared() * (v - vy) * (v + two * vy);
@@ -223,7 +222,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         }
         p.note(
             "So λ₀ (1 − |v_x|/v) is λ₀ v_y/v at most, the rate at which v_y falls",
-            "let Y be v_y at the phase m before a zero of (38): from there on v_x departs from a motion on the line by Y at most",
+            "so, with Y for v_y at the phase m before a zero of (38), v_x departs from there on by Y at most from a motion on the line",
         );
 
         let [forward, backward] = cases;
@@ -259,11 +258,13 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
             ("The square of (d − λ₀)/(d + λ₀)", ratio.squared()),
             ("the stated contraction in a period", contraction),
         )?;
-        let inverse = p.read(
-            "The stated factor of ln v_y times (d − λ₀)/(d + λ₀)",
-            factor * ratio,
-        )?;
-        p.equal("They are inverse", &inverse, &p.ring().read(one)?)
+        p.identity(
+            (
+                "The stated factor of ln v_y times (d − λ₀)/(d + λ₀)",
+                factor * ratio,
+            ),
+            ("", one),
+        )
     })
 }
 
@@ -291,18 +292,16 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
         );
         p.note(
             "Let e/d be the integral of λ₀ (sin φ − d)/(d v) between the two, and r the distance from the zero of v_x",
-            "|sin φ − d| ≤ r + Z, |v_x| ≥ mr, and the integral of λ₀/v is M − L: so |e| ≤ 2λ₀ + Z (M − L)",
+            "|sin φ − d| ≤ r + Z, |v_x| ≥ m r, and the integral of λ₀/v is M − L: so |e| ≤ 2λ₀ + Z (M − L)",
         );
         let after = factor * before - (lambda0 * b + e) / (d - lambda0);
         let left = before - after;
         let right = lambda0 / d * (b - before - after) + e / d;
         p.note(
             "By the rates of ln v_y and ln T",
-            "L − M = (λ₀/d) (b − L − M) + e/d. The solution is M = FL − (λ₀ b + e)/(d − λ₀), with F for the stated factor:",
+            "L − M = (λ₀/d) (b − L − M) + e/d. The solution is M = F L − (λ₀ b + e)/(d − λ₀), with F for the stated factor:",
         );
-        let left = p.read("L − M with this M", left)?;
-        let right = p.read("The right side with it", right)?;
-        p.equal("The two", &left, &right)?;
+        p.identity(("L − M with it", left), ("the right side", right))?;
         p.note(
             "From there to the next passage",
             "ln v_y changes by a bounded amount, as |v_x| has a positive lower bound",
@@ -342,7 +341,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
         )?;
         p.note(
             "So Z L grows from one passage to the next by a factor 1 + O(Z + Z′) at most, and by terms with a finite sum",
-            "the product of all these factors is finite: Z L stays bounded, and so do Z M, e and M − FL",
+            "the product of all these factors is finite: Z L stays bounded, and so do Z M, e and M − F L",
         );
         p.identity(
             ("The stated factor less 1", factor - one),
@@ -375,13 +374,10 @@ fn lost_at_rest(law: Rate) -> Proof {
             ("sin φ − λ₀ and what is not negative", terms),
         )?;
         let [grows] = in_units([eq2()], eq21());
-        let grows = p.read("dv/dφ by (2)", grows)?;
-        let room = p.ring().read(one + lambda0)? + grows;
-        let terms = p.read(
-            "1 + sin φ v_x/v, which is not negative",
-            one + phi.sin() * vx / v,
+        p.identity(
+            ("1 + λ₀ and dv/dφ by (2)", one + lambda0 + grows),
+            ("which is not negative", one + phi.sin() * vx / v),
         )?;
-        p.equal("1 + λ₀ and dv/dφ", &room, &terms)?;
         p.note(
             "Suppose that v becomes 0 where sin φ > λ₀",
             "v_x rises to 0, so that T ≥ 1 before; and v is at most (1 + λ₀) times the phase that is left, so that sin φ/v, at which rate ln T falls, has an infinite integral: T comes below 1, a contradiction. Where sin φ < −λ₀ the mirror image holds",
@@ -413,33 +409,26 @@ fn last_stage(law: Rate, phase: Expr) -> Proof {
             let sign = Expr::int(sign);
             p.note("The case", says);
             let left = (lambda0 * v + sign * d * vx) / (lambda0.squared() - d.squared());
-            let left = p.read("(λ₀ v + d |v_x|)/(λ₀² − d²)", left)?;
+            let left = p.read("X = (λ₀ v + d |v_x|)/(λ₀² − d²)", left)?;
             let rate = p.derivative("Its rate", &left, &motion)?;
             let room = (d - sign * h) * (d + lambda0 * sign * vx / v);
-            let room = p.read(
-                "(d ∓ h) (d + λ₀ |v_x|/v)/(λ₀² − d²), which is not negative",
-                room / (lambda0.squared() - d.squared()),
-            )?;
-            let fall = -p.ring().read(one)? - rate;
-            p.equal(
-                "By that the first falls faster than the phase grows",
-                &fall,
-                &room,
+            let room = room / (lambda0.squared() - d.squared());
+            p.reads_as(&rate, "at most −1", -one - room)?;
+            p.vanishes(
+                "If h is d along v_x, it is −1: the rest",
+                room.with("h", sign * d),
             )?;
             p.identity(
                 (
-                    "At v_x = 0, where v is v_y, it is",
+                    "At v_x = 0, where v is v_y, X is",
                     (lambda0 * vy) / (lambda0.squared() - d.squared()),
                 ),
                 ("the stated phase", phase),
             )?;
-            let ring = p.ring();
-            let same = ring.put(&room, &[(&ring.named("h")?, &ring.read(sign * d)?)])?;
-            p.zero("If h is d along v_x, by nothing: the second", &same)?;
         }
         p.note(
             "So within the stated phase the particle comes to rest",
-            "as the first is not negative, and 0 at rest only; it stays at rest as long as |h| ≤ λ₀",
+            "as X is not negative, and 0 at rest only; it stays at rest as long as |h| ≤ λ₀",
         );
         p.note(
             "If |sin φ| = d where v_x = 0",

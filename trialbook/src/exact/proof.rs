@@ -37,9 +37,10 @@ fn shortened(text: &str) -> String {
     }
 }
 
-/// A formula as a reader sees it: without idle parts.
+/// A formula as a reader sees it: without idle parts, and with one sign in a place.
 fn written(formula: Expr) -> String {
-    folded(formula, &|_| None).to_string()
+    let text = folded(formula, &|_| None).to_string();
+    text.replace("+ −", "− ").replace("− −", "+ ")
 }
 
 /// One step of a proof.

@@ -34,11 +34,7 @@ pub fn b_falls() -> Proof {
         let slope = p.derivative("Its slope", &all, &along)?;
         let way = Expr::pi() + beta - alpha;
         let terms = beta.sin() + alpha.sin() + beta.cos() * way / q;
-        let terms = p.read(
-            "sin β + sin α + cos β (π + β − α)/q, of which no term is negative",
-            terms,
-        )?;
-        p.equal("The slope is less than 0 by these", &-&slope, &terms)
+        p.reads_as(&slope, "where no term of the sum is negative", -terms)
     })
 }
 
@@ -79,8 +75,7 @@ pub fn corner_falls() -> Proof {
         let sine = p.ring().read(alpha.sin())?;
         p.equal("The arc is sin α times that", &all, &(&sine * &factor))?;
         let slope = p.slope("Its slope", &factor, "α")?;
-        let square = p.read("cot²α", alpha.cot().squared())?;
-        p.equal("The slope is less than 0 by that", &-&slope, &square)
+        p.reads_as(&slope, "so that it falls", -alpha.cot().squared())
     })
 }
 
@@ -97,8 +92,8 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
         let left = p.read("The left side", left)?;
         p.reads_as(&left, "", alpha.cot())?;
         let slope = p.slope("Its slope", &left, "α")?;
-        let square = p.read("1/sin²α", Expr::int(1) / alpha.sin().squared())?;
-        p.equal("The slope is less than 0 by that", &-&slope, &square)?;
+        let fall = -(Expr::int(1) / alpha.sin().squared());
+        p.reads_as(&slope, "so that it falls", fall)?;
         let twice = Expr::int(2) * k;
         let stated = (twice - twice.sin()) / (Expr::int(2) * k.sin().squared());
         p.identity(("The right side", right), ("which is positive", stated))
@@ -118,8 +113,8 @@ pub fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
         p.equal("It is D", &first, &p.ring().read(printed::eq56_lambda0())?)?;
         let c = p.read("C", on_c(q))?;
         let slope = p.slope("Its slope by q", &c, "q")?;
-        let square = p.read("1/q²", Expr::int(1) / q.squared())?;
-        p.equal("The slope is less than 0 by that", &-&slope, &square)
+        let fall = -(Expr::int(1) / q.squared());
+        p.reads_as(&slope, "so that it falls", fall)
     })
 }
 

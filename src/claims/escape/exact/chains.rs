@@ -143,8 +143,7 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
             let rate = p.read("The rate of p + ρ by (107) and (108)", rate)?;
             let sum = speed + rho;
             let fall = bound - sum + int(2) * sum * (psi / int(2)).sin().squared();
-            let fall = p.read("The bound less p + ρ, and what is not negative", fall)?;
-            p.equal("p + ρ falls at this rate", &-&rate, &fall)?;
+            p.reads_as(&rate, "at most p + ρ less the bound", -fall)?;
             p.rests_on(&eq139(bound))?;
             p.note(
                 "So, once p + ρ is below the bound",
@@ -160,16 +159,21 @@ pub fn stops_along(ahead: Expr) -> Proof {
     polar("Where a particle stops, ψ → 0 or ψ → π", |p| {
         given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
         let [speed, ell, rho, xi] = Expr::symbols(["p", "ℓ", "ρ", "ξ"]);
-        let rate = p.read("dξ/dτ by (101)", ahead)?;
-        p.reads_as(
-            &rate,
-            "a square over p, so that ξ never falls",
-            (speed + ell).squared() / speed,
+        p.identity(
+            ("dξ/dτ by (101)", ahead),
+            (
+                "a square over p, so that ξ never falls",
+                (speed + ell).squared() / speed,
+            ),
         )?;
-        let least = p.read("ℓ²/2p less p", ell.squared() / (int(2) * speed) - speed)?;
-        let rest = (int(2) * speed + ell).squared() / (int(2) * speed);
-        let rest = p.read("Another square over 2p", rest)?;
-        p.equal("dξ/dτ exceeds it by that", &(&rate - &least), &rest)?;
+        let least = ell.squared() / (int(2) * speed) - speed;
+        p.identity(
+            ("dξ/dτ less ℓ²/2p, plus p", ahead - least),
+            (
+                "which is not negative",
+                (int(2) * speed + ell).squared() / (int(2) * speed),
+            ),
+        )?;
         p.identity(("ℓ²", ell.squared()), ("", rho.squared() - xi.squared()))?;
         p.note(
             "Let p → 0 as τ → T, a finite time, at ρ > 0",
@@ -191,7 +195,7 @@ fn escapes(beyond: Beyond) -> Proof {
         acceleration,
         ahead,
     } = beyond;
-    polar("Beyond the bound of (127)", |p| {
+    polar("Beyond the bound of (127) the particle escapes", |p| {
         given(p, &[&turntable::EQ110])?;
         p.rests_on(&pushed(bound, acceleration))?;
         p.note(

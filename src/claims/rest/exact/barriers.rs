@@ -106,11 +106,11 @@ fn surface(formula: Expr) -> Proof {
         p.zero("R at the order α^0", &order(&left, 0)?)?;
         p.note(
             "Nor has R a term of the order α, as shown before",
-            "its coefficients as a series in α are polynomials in cos(ψ/2) and sin(ψ/2): |R| ≤ Cα² for all ψ, with a constant C",
+            "its coefficients as a series in α are polynomials in cos(ψ/2) and sin(ψ/2), so that |R| ≤ Cα² for all ψ, with a constant C",
         );
         p.note(
             "While A ≤ σ",
-            "f ≥ 1/σ − 1 > 0: α falls to 0 within the time α/(1/σ − 1), and there, if still A ≤ σ, the particle is at rest at ρ = A. By (113) A never falls",
+            "f ≥ 1/σ − 1 > 0, so that α falls, to 0 within the time α/(1/σ − 1). If A ≤ σ still, the particle is at rest there, at ρ = A. By (113) A never falls",
         );
         p.note(
             "Where A ≥ σ/2, as P is if α₀ is small, |m| ≤ C′α with a constant C′, as b is of the order of α",
@@ -122,7 +122,7 @@ fn surface(formula: Expr) -> Proof {
         );
         p.note(
             "Let s = −1, and u < 0 at the start",
-            "where A ≤ σ/2, u < 0 if α₀ is small; where A ≥ σ/2, du/dτ ≤ C′α|u| by the same bounds: u stays negative, and A < P < σ until α is 0. The particle comes to rest inside σ, as u = A − σ < 0 there",
+            "where A ≤ σ/2, u is negative if α₀ is small; where A ≥ σ/2, du/dτ ≤ −C′αu by the same bounds. So u stays negative, and A < P < σ until α is 0, as P is σ less a positive multiple of α². The particle comes to rest inside σ, as u = A − σ < 0 there",
         );
         p.note(
             "So, if it comes to rest at σ, neither holds",
@@ -151,7 +151,7 @@ fn rest_or_escape(formula: Expr) -> Proof {
         );
         p.note(
             "R has no term below the order α^4, as shown before",
-            "the coefficients of P and R as series in α are polynomials in cos(ψ/2) and sin(ψ/2): |R| ≤ Cα^4 for all ψ, with a constant C",
+            "the coefficients of P and R as series in α are polynomials in cos(ψ/2) and sin(ψ/2), so that |R| ≤ Cα^4 for all ψ, with a constant C",
         );
         let slope = p.ring().normal(&-&order(a, 1)?);
         let psi = Expr::symbol("ψ");
@@ -240,7 +240,7 @@ fn below(p: &mut Prover<'_>, formula: Expr) -> Result<(), Obstacle> {
     );
     p.note(
         "Let s = −1, and u < 0 at the start",
-        "u stays negative: where A ≤ 1/2 it is, if α₀ is small; where A ≥ 1/2, outside, du/dτ ≤ C′α|u| + (C + C′) α^4 − 3α² ≤ C′α|u|; inside, for every A < 1, du/dτ ≤ m (u − α³) + Cα^4 ≤ u/4",
+        "where A ≤ 1/2, u is negative if α₀ is small; where A ≥ 1/2, outside, du/dτ ≤ −C′αu + (C + C′) α^4 − 3α² ≤ −C′αu; inside, for every A < 1, du/dτ ≤ m (u − α³) + Cα^4 ≤ u/4. So u stays negative",
     );
     p.note(
         "Inside u would fall without end, but it is above −2",
