@@ -43,9 +43,12 @@ pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obst
     let sizes = (ax.squared() + ay.squared()) * (vx.squared() + vy.squared());
     let rest = sizes - (ax * vx + ay * vy).squared();
     p.identity(
-        ("|𝐀|²v² less the square of 𝐀·𝐯", rest),
         (
-            "a square, so that |𝐀·𝐯|/v ≤ |𝐀|",
+            "A²v² less the squared scalar product, with A for the size of the acceleration",
+            rest,
+        ),
+        (
+            "a square, so that the component along the velocity is A at most",
             (ax * vy - ay * vx).squared(),
         ),
     )

@@ -26,22 +26,22 @@ fn by_law(law: [Expr; 2]) -> Proof {
         |p| {
             p.rests_on(&eq1_proof(law))?;
             p.note(
-                "Let 𝐯 and 𝐮 be the velocities, v and u their sizes, 𝐀 any drive",
-                "and cos be the cosine of the angle between them",
+                "Let v and u be the speeds of two particles under any drive",
+                "and cos the cosine of the angle between their velocities",
             );
             let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
             let [ux, uy] = OTHER.map(Expr::symbol);
             let two = Expr::int(2);
             let mut rates = Vec::new();
             for (i, (name, other)) in ["v_x", "v_y"].into_iter().zip(OTHER).enumerate() {
-                let own = p.read("A component of (1), for 𝐯", law[i])?;
+                let own = p.read("A component of (1), for the first", law[i])?;
                 let same = law[i].with("v_x", ux).with("v_y", uy);
-                let same = p.read("The same for 𝐮", same)?;
+                let same = p.read("The same for the second", same)?;
                 rates.extend([(name, own), (other, same)]);
             }
             let both = p.ring().along(&rates)?;
             let square = (vx - ux).squared() + (vy - uy).squared();
-            let square = p.read("The squared distance, of 𝐯 and 𝐮", square)?;
+            let square = p.read("The squared distance of the velocities", square)?;
             let rate = p.derivative("Its rate", &square, &both)?;
             let [v, u] = [[vx, vy], [ux, uy]].map(|[x, y]| (x.squared() + y.squared()).sqrt());
             let cosine = (vx * ux + vy * uy) / (v * u);
@@ -60,19 +60,19 @@ fn by_law(law: [Expr; 2]) -> Proof {
             let own: Vec<_> = rates.into_iter().step_by(2).collect();
             let alone = p.ring().along(&own)?;
             let square = p.read(
-                "While 𝐮 = 0, the squared distance",
+                "While the second is at rest, the squared distance",
                 vx.squared() + vy.squared(),
             )?;
             let rate = p.derivative("Its rate", &square, &alone)?;
             let along = (ax * vx + ay * vy) / v;
             p.reads_as(
                 &rate,
-                "which is −2v (𝐀·𝐯/v + μg)",
+                "which is −2v times μg and the component of the drive along the velocity",
                 -(two * v * (along + mu * g)),
             )?;
             at_most_its_size(p)?;
             p.note(
-                "A rest lasts only while |𝐀| ≤ μg",
+                "A rest lasts only while the drive is μg at most",
                 "so this rate is not positive either; and while both are at rest, the distance is 0",
             );
             Ok(())

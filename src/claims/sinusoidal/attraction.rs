@@ -66,14 +66,14 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         let speed = (vx.squared() + vy.squared()).sqrt();
         let cosine = vx / speed;
         p.note(
-            "Let 𝐯 be the velocity of any motion, 𝐮 that of (38), v and W their sizes, D = |𝐯 − 𝐮|",
-            "the rate of D² is −2λ₀ (v + W) (1 − cos), with the cosine of the angle between 𝐯 and 𝐮",
+            "Let v be the speed of any motion, W that of (38), and D the distance of their velocities",
+            "the rate of D² is −2λ₀ (v + W) (1 − cos), with the cosine of the angle between them",
         );
         for (says, way, sign) in [("before", "backward", 1), ("after", "forward", -1)] {
             let sign = Expr::int(sign);
             p.note(
                 &format!("In the half period {says} φ̃₁"),
-                format!("𝐮 points {way}"),
+                format!("(38) goes {way}"),
             );
             let pull = (speed + other) * (one + sign * cosine);
             let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
@@ -140,7 +140,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             ("", lambda0 * d.squared() / (Expr::int(4) * most)),
         )?;
         p.note(
-            "Or, if that phase exceeds the half period in which 𝐮 keeps its sense",
+            "Or, if that phase exceeds the half period in which (38) keeps its sense",
             "by πλ₀ D: so in each period by the smaller of the two at least, where D is the distance at φ̃₁; and D → 0",
         );
         Ok(())

@@ -574,7 +574,7 @@ mod tests {
             [
                 "A square: (x + 2)^2 = x^2 + (x + 1) 4",
                 "A square: (x + 2)^2 = (2 + x)^2, not negative",
-                "Its slope: 2 (x + 2) = 2 x + 2^2",
+                "Its slope: 2 (x + 2) = 2 x + 4",
                 "So: 4 (x^2 + 4 x + 4) = 4 (x + 2)^2",
             ]
         );
