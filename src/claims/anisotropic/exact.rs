@@ -27,6 +27,14 @@ pub(super) fn frictions() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
+/// Writes down which angles α and β are.
+pub(super) fn with_angles(p: &mut Prover<'_>) {
+    p.note(
+        "Let sin α = λ₀ and sin β = qλ₀",
+        "with α and β between 0 and π/2",
+    );
+}
+
 /// 𝔴 after an arc from rest at `from` to `to`, with the deceleration `friction` (its sign included).
 pub(super) fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
     from.cos() - to.cos() - friction * (to - from)
@@ -106,7 +114,7 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
         let [q, lambda0] = Expr::symbols(["q", "λ₀"]);
         p.note(
             "Over a period",
-            "the drive gives nothing, so λ₀ 2K = qλ₀ (2π − 2K)",
+            "the drive gives nothing, and so friction takes forwards in 2K what it gives backwards in 2π − 2K: λ₀ 2K = qλ₀ (2π − 2K)",
         );
         let two = Expr::int(2);
         let lost = lambda0 * two * k_formula;
@@ -121,9 +129,13 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     };
     Proof::in_ring("(53): curve A", angles(), |p| {
         p.rests_on(&balanced)?;
+        with_angles(p);
         let [alpha, k, lambda0] = Expr::symbols(["α", "K", "λ₀"]);
         let two = Expr::int(2);
-        let end = p.read("𝔴 at α + 2K", arc(alpha, alpha + two * k, lambda0))?;
+        let end = p.read(
+            "𝔴 at α + 2K after a start at α",
+            arc(alpha, alpha + two * k, lambda0),
+        )?;
         let factor = two * k.sin().squared() * alpha.sin();
         let stated = p.read(
             "2 sin²K sin α times left less right side",
@@ -136,9 +148,13 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
 /// (54): forward motion from α ends where backward motion could begin, at π + β.
 pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("(54): curve B", frictions(), |p| {
+        with_angles(p);
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         p.identity(
-            ("𝔴 at π + β", arc(alpha, Expr::pi() + beta, lambda0)),
+            (
+                "𝔴 at π + β after a start at α",
+                arc(alpha, Expr::pi() + beta, lambda0),
+            ),
             ("the left side less the right one", left - right),
         )
     })
@@ -147,10 +163,11 @@ pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
 /// E: forward motion from α ends where backward motion could begin for the last time, at 2π − β.
 pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("Curve E", frictions(), |p| {
+        with_angles(p);
         let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
         let late = Expr::int(2) * Expr::pi() - beta;
         p.identity(
-            ("𝔴 at 2π − β", arc(alpha, late, lambda0)),
+            ("𝔴 at 2π − β after a start at α", arc(alpha, late, lambda0)),
             ("the left side less the right one", left - right),
         )
     })

@@ -6,7 +6,7 @@
 use super::certified::arcs::{a_falls, b_falls, corner_falls, e_grows};
 use super::exact::{
     arc, frictions, plane, printed_rates, prove_e, prove_eq53, prove_eq54, sides_of_a, sides_of_b,
-    sides_of_e,
+    sides_of_e, with_angles,
 };
 use crate::paper::anisotropic as printed;
 use trialbook::prelude::*;
@@ -142,16 +142,18 @@ fn drawn([forward, backward]: Rates) -> Proof {
         |p| {
             let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
             let [ahead, back] = [p.read("(51)", forward)?, p.read("(52)", backward)?];
-            let apart = p.read("(1 + q) λ₀, which is positive", (int(1) + q) * lambda0)?;
-            p.equal("(52) exceeds (51) by that", &(&back - &ahead), &apart)?;
+            p.identity(
+                ("(52) less (51)", backward - forward),
+                ("which is positive", (int(1) + q) * lambda0),
+            )?;
             p.note(
                 "At rest",
-                "friction balances the drive: the rate is 0, not below (51) and not above (52)",
+                "friction balances the drive, and the rate, 0, is not below (51) and not above (52)",
             );
             p.note(
-            "So",
-            "the distance of two velocities never grows, and shrinks while one particle goes forward and the other backward",
-        );
+                "So the velocities of two motions",
+                "never move apart, and approach each other while one particle goes forward and the other backward",
+            );
             let whole = int(2) * Expr::pi();
             for (rate, friction) in [(&ahead, lambda0), (&back, -q * lambda0)] {
                 let velocity = -phi.cos() - friction * phi;
@@ -165,17 +167,17 @@ fn drawn([forward, backward]: Rates) -> Proof {
                 )?;
             }
             p.note(
-            "So",
-            "nothing goes one way for ever, and great velocities are smaller a period later: some velocity is the same a period later, as the change is continuous",
-        );
+                "So no motion goes one way for ever",
+                "and a great velocity is smaller in size a period later. The velocity after a period is a continuous function of that before: some velocity is the same a period later",
+            );
             p.note(
-            "Two motions that repeat themselves",
-            "have a fixed distance d: so never different directions, and the slower one has no velocity between −d and 0; it would stay ≥ 0, and the other go forward for ever, or stay ≤ −d, and go backward for ever: there is one only",
-        );
+                "Let two different motions repeat themselves, with the velocities 𝔴 and 𝔴 + d, d > 0",
+                "their distance d stays, so that they never have different directions: 𝔴 is never between −d and 0. So 𝔴 ≥ 0 for ever, and the other goes forward for ever; or 𝔴 ≤ −d for ever, and itself goes backward for ever: a contradiction. Only one motion repeats itself",
+            );
             p.note(
-            "Any other motion",
-            "never crosses it and comes no farther: period by period its velocity falls or rises to a limit, which repeats itself",
-        );
+                "Any other motion",
+                "never crosses it, and comes no farther from it: from period to period its velocity falls, or rises, to a limit, which repeats itself and so is that one",
+            );
             Ok(())
         },
     )
@@ -195,6 +197,7 @@ fn slips() -> Result<Ring, ExactError> {
 /// A slip in the ring of both frictions: its rate as a product, and the velocity that it leads to.
 fn slip(title: &str, rate: Expr, (product, so): (Expr, &str), friction: Expr) -> Proof {
     Proof::in_ring(title, slips(), |p| {
+        with_angles(p);
         let [phi, s] = Expr::symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
         p.reads_as(&rate, "", product)?;
@@ -208,9 +211,8 @@ fn slip(title: &str, rate: Expr, (product, so): (Expr, &str), friction: Expr) ->
             ("At s it is", s, int(0)),
             ("A period later it is", s + whole, -whole * friction),
         ] {
-            let end = p.read(says, velocity.with("φ", end))?;
-            let left = p.ring().read(left)?;
-            p.equal("which is 0, or what friction does", &end, &left)?;
+            let says = (says, velocity.with("φ", end));
+            p.identity(says, ("", left))?;
         }
         Ok(())
     })
@@ -225,7 +227,7 @@ fn forward_slip(rate: Expr) -> Proof {
         rate,
         (
             product,
-            "it is positive from α to π − α, negative from there to 2π + α: a forward slip from α on, or from later on before π − α, ends between π − α and 2π + α, and its velocity has no other zero within a period, at whose end it would have risen to −2πλ₀",
+            "it is positive from α to π − α and negative from there to 2π + α: a forward slip that begins at α, or later but before π − α, ends between π − α and 2π + α. The velocity has no other zero within a period from its beginning, at whose end it would have risen to −2πλ₀",
         ),
         lambda0,
     )
@@ -240,7 +242,7 @@ fn backward_slip(rate: Expr) -> Proof {
         rate,
         (
             product,
-            "it is negative from π + β to 2π − β, positive from there to 3π + β: a backward slip from between the first two ends between 2π − β and 3π + β, and its velocity has no other zero within a period, at whose end it would have fallen to 2πqλ₀",
+            "it is negative from π + β to 2π − β and positive from there to 3π + β: a backward slip that begins at π + β, or later but before 2π − β, ends between 2π − β and 3π + β. The velocity has no other zero within a period from its beginning, at whose end it would have fallen to 2πqλ₀",
         ),
         -q_lambda0,
     )
@@ -266,7 +268,7 @@ fn middle([left, right]: Sides) -> Proof {
         let spare = int(1) - (lambda0 * k / k.sin()).squared();
         let square = (lambda0 * (k.sin() - k * k.cos()) / k.sin().squared()).squared();
         let parts = lambda0.squared() * (left.squared() - right.squared()) + square;
-        p.identity(("1 − (λ₀K/sin K)²", spare), ("λ₀² times the difference of the squared sides of (53), which is positive below A, and a square", parts))
+        p.identity(("1 − (λ₀K/sin K)²", spare), ("λ₀² times the difference of the squared sides of (53), which is positive below A, and a square: so λ₀K < sin K", parts))
     })
 }
 
@@ -292,28 +294,23 @@ fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2]))
         p.rests_on(&a_falls([left, right]))?;
         p.rests_on(&middle([left, right]))?;
         p.note(
-            "Below A the left side L of (53) exceeds the right side R > 0",
-            "so there is an m between π/2 and π with sin m = λ₀K/sin K; K = π/2 + y, 0 ≤ y < π/2, as q ≥ 1",
+            "Below A the left side L of (53) exceeds the right side R, which is positive",
+            "as λ₀K < sin K, there is an m between π/2 and π with sin m = λ₀K/sin K. Let K = π/2 + y: 0 ≤ y < π/2, as q ≥ 1",
         );
         let [y, m, k, q, lambda0] = Expr::symbols(["y", "m", "K", "q", "λ₀"]);
-        let length = p.read("K by (53), for q = K/(π − K)", k_formula)?;
-        let own = p.ring().named("K")?;
-        p.equal("It is K", &length, &own)?;
+        p.identity(("K by (53), for q = K/(π − K)", k_formula), ("", k))?;
         let (begin, turn) = (m - k, m + k);
         let whole = int(2) * Expr::pi();
         p.vanishes("Forward from m − K: 𝔴 at m + K", arc(begin, turn, lambda0))?;
         let back = arc(turn, begin + whole, -q * lambda0);
         p.vanishes("Backward from there: 𝔴 at m − K + 2π", back)?;
-        let pull = p.read("The pull at m − K, sin(m − K) − λ₀,", begin.sin() - lambda0)?;
+        let pull = p.read("The pull at m − K", begin.sin() - lambda0)?;
         let factor = -m.cos() * k.sin() + lambda0 * (int(1) + k * y.tan());
         let factor = p.read("−cos m sin K + λ₀ (1 + K tan y), which is positive", factor)?;
         let both = (lambda0 * k.sin()).squared() * (left - right) * (left + right);
         let both = p.read("(λ₀ sin K)² (L − R)(L + R), which is positive", both)?;
         p.equal("Their product is that", &(&pull * &factor), &both)?;
-        let other = p.read(
-            "The pull back at m + K, −sin(m + K) − qλ₀,",
-            -turn.sin() - q * lambda0,
-        )?;
+        let other = p.read("The pull back at m + K", -turn.sin() - q * lambda0)?;
         let (quarter, near) = (Expr::pi().squared() / int(4), Expr::pi() / int(2) - y);
         let rest = (quarter - y.squared()) * y.sin() - y * y.cos();
         let more = p.read(
@@ -328,7 +325,7 @@ fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2]))
         p.reads_as(&rest, "of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y", terms)?;
         p.note(
             "So the drive exceeds friction where each slip begins, and each slip ends where the other begins",
-            "this motion repeats itself, without rest",
+            "this motion repeats itself, without rest; every other one is drawn to it",
         );
         listed(p, signs, [1, -1])
     })
@@ -337,7 +334,7 @@ fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2]))
 fn second((rates, (k_formula, a), [b, e], signs): (Rates, CurveA, [Sides; 2], Lists)) -> Proof {
     let ring = || {
         let mut ring = slips()?;
-        ring.angle("end");
+        ring.angle("z");
         Ok(ring)
     };
     Proof::in_ring("Region II, and between E and C", ring(), |p| {
@@ -353,37 +350,38 @@ fn second((rates, (k_formula, a), [b, e], signs): (Rates, CurveA, [Sides; 2], Li
         ] {
             p.rests_on(&premise)?;
         }
+        with_angles(p);
         p.note(
-            "A forward slip begins at α, and ends at a phase “end”",
-            "before π + β, where backward motion can begin, exactly if 𝔴 would be negative there, left less right side of (54); before 2π − β, where it can no longer begin, exactly if left less right side of E is negative",
+            "Backward motion can begin between π + β and 2π − β only. A forward slip begins at α; let it end at z",
+            "that is before π + β exactly if left less right side of (54), 𝔴 at π + β, is negative; and before 2π − β exactly if left less right side of E, 𝔴 at 2π − β, is negative",
         );
         p.note(
-            "At β = π/2 both are sin α (cot α + α − 3π/2), negative before q_Y and positive beyond",
-            "so up to q_Y E's is negative for all β, and B's positive below B; beyond, B's is positive for all β, and E's negative below E and positive above",
+            "At β = π/2 both are sin α (cot α + α − 3π/2), which is 0 at q_Y, negative before and positive beyond, as the bracket falls with α, and sin α = 1/q",
+            "B's arc falls from 2 as β grows, E's over λ₀ grows from −2π. So up to q_Y E's is negative for all β, and B's positive below B; beyond, B's is positive for all β, and E's negative below E and positive above",
         );
         p.note(
             "So, in region II",
-            "the slip ends between π + β and 2π − β, where by (52) backward motion follows at once",
+            "the slip ends between π + β and 2π − β, where backward motion follows at once",
         );
-        let [alpha, end, q, lambda0] = Expr::symbols(["α", "end", "q", "λ₀"]);
+        let [alpha, end, q, lambda0] = Expr::symbols(["α", "z", "q", "λ₀"]);
         let whole = int(2) * Expr::pi();
         let both = arc(alpha, end, lambda0) + arc(end, alpha + whole, -q * lambda0);
         let left = (int(1) + q) * lambda0 * (alpha + int(2) * k_formula - end);
         p.identity(
             (
-                "𝔴 at 2π + α, if the backward motion lasted until then,",
+                "𝔴 at 2π + α if the backward motion from z lasted until then",
                 both,
             ),
             ("", left),
         )?;
         p.note(
-            "Above A",
-            "left is less than right side of (53), and the slip ends before α + 2K: backward motion ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
+            "Above A the left side of (53) is below the right one",
+            "so the slip ends before α + 2K, and the backward motion before 2π + α; it ends after 2π − β, where −qλ₀ < sin φ < λ₀, and static friction holds the particle until the slip from 2π + α",
         );
         listed(p, signs.0, [1, -1, 0])?;
         p.note(
             "Between E and C",
-            "the slip ends between 2π − β and 2π + α: static friction holds until the slip from 2π + α",
+            "the slip ends between 2π − β and 2π + α, and static friction holds the particle until the slip from 2π + α",
         );
         listed(p, signs.1, [1, 0])
     })
@@ -394,6 +392,7 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
         rests_on_slips(p, rates)?;
         p.rests_on(&prove_eq54(b))?;
         p.rests_on(&b_falls())?;
+        with_angles(p);
         let [alpha, beta, q, lambda0] = Expr::symbols(["α", "β", "q", "λ₀"]);
         p.identity(
             ("q (C − λ₀), by (55)", q * (c - lambda0)),
@@ -403,13 +402,13 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
             ),
         )?;
         p.note(
-            "Above B left is less than right side of (54)",
-            "the slip from α ends before π + β, and after π − α, where −qλ₀ < sin φ < λ₀: static friction holds until π + β, where a backward slip begins",
+            "Above B the left side of (54), less the right one, is negative: B's arc, which falls as β grows",
+            "so the slip from α ends before π + β; it ends after π − α, where −qλ₀ < sin φ < λ₀, and static friction holds the particle until π + β, where a backward slip begins",
         );
         let d = beta - alpha;
         let size = alpha.cos() + beta.cos();
         let end = arc(Expr::pi() + beta, int(2) * Expr::pi() + alpha, -q * lambda0);
-        let end = p.read("Its 𝔴 at 2π + α", end)?;
+        let end = p.read("𝔴 of that slip at 2π + α", end)?;
         let weighted = &p.ring().read(Expr::pi() + d)? * &end;
         let short = p.read(
             "Right less left side of (54), which is positive",
@@ -423,7 +422,7 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
             size * (product * tangent - int(2) * d),
         )?;
         p.equal(
-            "π + d times 𝔴 is π − d times that, and this",
+            "π + d times 𝔴 is π − d times the second, and the third",
             &weighted,
             &(&first + &second),
         )?;
@@ -436,8 +435,8 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
             ("of which no term is negative, as 0 ≤ d < π/2", terms),
         )?;
         p.note(
-            "So 𝔴 is positive there",
-            "the backward slip ends before 2π + α, and after 2π − β, where −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
+            "So 𝔴 would be positive at 2π + α",
+            "the backward slip ends before; it ends after 2π − β, where −qλ₀ < sin φ < λ₀, and static friction holds the particle until the slip from 2π + α",
         );
         listed(p, signs, [1, 0, -1, 0])
     })
@@ -474,11 +473,11 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
         )?;
         p.note(
             "So above C",
-            "backward motion ends after a finite time, and never begins again: −qλ₀ < −1 ≤ sin φ",
+            "backward motion ends after a finite time and never begins again, as −qλ₀ < −1 ≤ sin φ",
         );
         p.note(
-            "The forward slip from α ends between π − α and 2π + α",
-            "there −qλ₀ < sin φ < λ₀: static friction holds until the slip from 2π + α",
+            "With sin α = λ₀, the forward slip from α ends between π − α and 2π + α",
+            "there −qλ₀ < sin φ < λ₀, and static friction holds the particle until the slip from 2π + α",
         );
         listed(p, signs, [1, 0])
     })
@@ -518,8 +517,8 @@ fn border(c: Expr) -> Proof {
         let product = p.read("q times (55): there qλ₀ is the drive's amplitude", q * c)?;
         p.reads_as(&product, "", Expr::int(1))?;
         p.note(
-            "Before q_Y B ends below C, at q_Y on it",
-            "just below C lies region III, at q_Y region II, or I if A were above it, all with backward motion; above C region IV, without",
+            "For q < q_Y B lies below C, for q = q_Y it meets C",
+            "just below C there is region III, or for q = q_Y region II (or I, were A above it), all with backward motion; above C there is region IV, without",
         );
         Ok(())
     })

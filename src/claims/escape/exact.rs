@@ -231,15 +231,15 @@ fn never_decreases(formula: Expr) -> Proof {
             ("of which no term is negative", terms),
         )?;
         p.note(
-            "So",
-            "if α is b at a time, it was at least b − s at the time s before, and A has grown since with the rate sinh(b − s) or more",
+            "Let α be b at some time",
+            "at the time s before, α was at least b − s, and the rate of A at least sinh(b − s)",
         );
         let grown = p.read("cosh s − 1, which is 0 at s = 0", s.cosh() - one)?;
         let slope = p.slope("Its rate", &grown, "s")?;
         p.reads_as(&slope, "", s.sinh())?;
         p.note(
-            "So",
-            "A grows by cosh b − 1 or more each time: without end, unless α stays below every b from some time on",
+            "So A grows by cosh b − 1 or more within the time b before each such moment",
+            "and without end, unless for every b > 0 α stays below b from some time on",
         );
         Ok(())
     })

@@ -44,11 +44,11 @@ pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obst
     let rest = sizes - (ax * vx + ay * vy).squared();
     p.identity(
         (
-            "The squares' product less the square of the scalar product",
+            "A²v² less the squared scalar product, with A for the size of the acceleration",
             rest,
         ),
         (
-            "a square, which is not negative: the part along the velocity is at most all of it",
+            "a square, so that the component along the velocity is A at most",
             (ax * vy - ay * vx).squared(),
         ),
     )
@@ -126,7 +126,7 @@ pub(in crate::claims) fn decays(
     );
     let base = v0 + a * t;
     let weight = base.pow(two * least * g / a);
-    let weighted = p.read("v_y² by a growing weight", vy.squared() * weight)?;
+    let weighted = p.read("v_y² times a growing weight", vy.squared() * weight)?;
     let motion = p.ring().along(&[("v_y", rate), ("t", Rational::int(1))])?;
     let growth = p.derivative("Its rate", &weighted, &motion)?;
     let excess = (mu - least) / speed + least * (Expr::int(1) / speed - Expr::int(1) / base);
@@ -136,7 +136,7 @@ pub(in crate::claims) fn decays(
     )?;
     let lost = p.read("−2g times them", -(two * g))? * &factor * &weighted;
     p.equal(
-        "The rate and −2g times them, by the weighted square",
+        "The rate is −2g times them and the weighted square",
         &growth,
         &lost,
     )?;

@@ -25,52 +25,56 @@ fn by_law(law: [Expr; 2]) -> Proof {
         ring(),
         |p| {
             p.rests_on(&eq1_proof(law))?;
+            p.note(
+                "Let v and u be the speeds of two particles under any drive",
+                "and cos the cosine of the angle between their velocities",
+            );
             let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
             let [ux, uy] = OTHER.map(Expr::symbol);
             let two = Expr::int(2);
             let mut rates = Vec::new();
             for (i, (name, other)) in ["v_x", "v_y"].into_iter().zip(OTHER).enumerate() {
-                let own = p.read("A component of (1), for v", law[i])?;
+                let own = p.read("A component of (1), for the first", law[i])?;
                 let same = law[i].with("v_x", ux).with("v_y", uy);
-                let same = p.read("The same for u", same)?;
+                let same = p.read("The same for the second", same)?;
                 rates.extend([(name, own), (other, same)]);
             }
             let both = p.ring().along(&rates)?;
             let square = (vx - ux).squared() + (vy - uy).squared();
-            let square = p.read("The distance squared", square)?;
+            let square = p.read("The squared distance of the velocities", square)?;
             let rate = p.derivative("Its rate", &square, &both)?;
             let [v, u] = [[vx, vy], [ux, uy]].map(|[x, y]| (x.squared() + y.squared()).sqrt());
             let cosine = (vx * ux + vy * uy) / (v * u);
             let stated = -(two * mu * g * (v + u) * (Expr::int(1) - cosine));
-            p.reads_as(
-                &rate,
-                "−2μg (v + u) (1 − cos), with the cosine of the angle between them",
-                stated,
-            )?;
+            p.reads_as(&rate, "which is −2μg (v + u) (1 − cos)", stated)?;
             let across = ((vx * uy - vy * ux) / (v * u)).squared();
             p.identity(
                 ("1 − cos²", Expr::int(1) - cosine.squared()),
                 ("a square, so that cos is at most 1", across),
             )?;
             p.note(
-                "So, while both slide",
-                "the rate of the distance is not positive",
+                "So, while both particles slide",
+                "the distance does not grow",
             );
 
             let own: Vec<_> = rates.into_iter().step_by(2).collect();
             let alone = p.ring().along(&own)?;
             let square = p.read(
-                "With u at rest, the distance squared",
+                "While the second is at rest, the squared distance",
                 vx.squared() + vy.squared(),
             )?;
             let rate = p.derivative("Its rate", &square, &alone)?;
             let along = (ax * vx + ay * vy) / v;
-            p.reads_as(&rate, "−2v times 𝐀·𝐯/v + μg", -(two * v * (along + mu * g)))?;
+            p.reads_as(
+                &rate,
+                "which is −2v times μg and the component of the drive along the velocity",
+                -(two * v * (along + mu * g)),
+            )?;
             at_most_its_size(p)?;
             p.note(
-            "A rest lasts only where |𝐀| ≤ μg",
-            "so that this rate is not positive either; and with both at rest the distance stays 0",
-        );
+                "A rest lasts only while the drive is μg at most",
+                "so this rate is not positive either; and while both are at rest, the distance is 0",
+            );
             Ok(())
         },
     )

@@ -29,6 +29,14 @@ pub(super) fn for_both_signs(prove: impl Fn(i64) -> Proof) -> Proof {
     if forward.holds() { prove(-1) } else { forward }
 }
 
+/// Writes down for which sign of 𝔴 a proof is, which [`for_both_signs`] carries out.
+pub(super) fn with_sign(p: &mut Prover<'_>, sign: i64) {
+    p.note(
+        "For both signs of 𝔴, here with the sign",
+        format!("{sign}; h is sin ψ, any number from −1 to 1"),
+    );
+}
+
 /// λ₀ > 1: rest.
 pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
     Subject::Printed,
@@ -43,7 +51,7 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
     Proof::in_ring("Very large friction: rest", ring(sign), |p| {
         given(p, &[&STOPS])?;
         let [psi, start] = Expr::symbols(["ψ", "𝔴₀"]);
-        p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
+        with_sign(p, sign);
         let signed = Expr::int(sign);
         let speed = p.read("d|𝔴|/dφ by (26)", signed * rate)?;
         let room = p.read("The left less the right side", left - right)? - &speed;
@@ -78,7 +86,7 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
     Proof::in_ring("Rest for most of the time", ring(sign), |p| {
         let [lambda0, psi, s, m, e] = Expr::symbols(["λ₀", "ψ", "s", "m", "E"]);
         let [one, two] = [1, 2].map(Expr::int);
-        p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
+        with_sign(p, sign);
         p.identity(
             ("d|𝔴|/dφ by (26)", Expr::int(sign) * rate),
             ("at most |h| − λ₀", Expr::int(sign) * psi.sin() - lambda0),
@@ -198,7 +206,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
         let [lambda0, start] = Expr::symbols(["λ₀", "𝔴₀"]);
         let [zero, one] = [0, 1].map(Expr::int);
         let at = |formula: Expr, eta: Expr| formula.with("η", eta);
-        p.note("The sign of 𝔴", sign.to_string());
+        with_sign(p, sign);
 
         p.identity(
             ("At η = 1 a pulse ends at", at(pulses.end, one)),
@@ -265,7 +273,7 @@ const AGAIN: Statement<(Expr, Pulses, Expr)> = Statement::new(
 fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
     Proof::in_ring("What becomes nonzero again", ring(sign), |p| {
         let [lambda0, psi] = Expr::symbols(["λ₀", "ψ"]);
-        p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
+        with_sign(p, sign);
         p.identity(
             (
                 "d𝔴/dφ by (26) without friction",

@@ -3,7 +3,7 @@
 //!
 //! H is an antiderivative of h, and c its median: H is above c for half of each period at most, and below c for half at most.
 
-use super::chains::{for_both_signs, rate};
+use super::chains::{for_both_signs, rate, with_sign};
 use super::step_drive::CHANGES;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
@@ -29,25 +29,32 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             }
             Ok(ring)
         };
-        Proof::in_ring("Two velocities under one h", ring(), |p| {
-            p.note(
-                "Under one drive h = sin ψ",
-                "three velocities: 𝔴 and 𝔴₁ of one sign, 𝔴₂ of the other",
-            );
-            p.note("The sign of 𝔴 and 𝔴₁, against that of 𝔴₂", sign.to_string());
-            let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
-            p.vanishes("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
-            let signed = Expr::int(sign);
-            let closer = signed * (rate - rate.with("𝔴", other));
-            p.identity(
-                ("The rate of the distance from 𝔴₂", closer),
-                ("", -(Expr::int(2) * lambda0)),
-            )?;
-            p.identity(
-                ("That of the distance from rest", signed * rate),
-                ("not positive where a rest lasts", signed * h() - lambda0),
-            )
-        })
+        Proof::in_ring(
+            "Two velocities under one drive h along the line",
+            ring(),
+            |p| {
+                with_sign(p, sign);
+                p.note(
+                    "Under the same h let 𝔴₁ have the sign of 𝔴",
+                    "and 𝔴₂ the other one",
+                );
+                let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
+                p.vanishes("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
+                let signed = Expr::int(sign);
+                let closer = signed * (rate - rate.with("𝔴", other));
+                p.identity(
+                    ("The rate of the distance of 𝔴 from 𝔴₂", closer),
+                    ("", -(Expr::int(2) * lambda0)),
+                )?;
+                p.identity(
+                    ("That of its distance from 0", signed * rate),
+                    (
+                        "not positive while another particle rests, as |h| ≤ λ₀ then",
+                        signed * h() - lambda0,
+                    ),
+                )
+            },
+        )
     })
 }
 
@@ -102,16 +109,20 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&slows(law))?;
         given(p, &[&MOVES])?;
-        p.note("The sign of 𝔴, and h", format!("{sign}, sin ψ"));
+        with_sign(p, sign);
         above_the_mean(p, rate, sign)?;
         let stated = p.read("What is stated for much friction, 1 for rests", much)?;
         p.reads_as(&stated, "", Expr::int(1))?;
+        p.note(
+            "Little friction, for motions along the line",
+            "a motion with a velocity across has no rest, or is one along the line from a rest on",
+        );
         near_the_median(p, rate, sign)?;
         against_a_mean(p, rate, sign)?;
         p.vanishes("What is stated for little friction, 0 for none", little)?;
         p.note(
-            "Let λ_c be the least number",
-            "such that all λ₀ between it and 1 have rests, in every late period and from every start: it is M at most, and not below those λ₀ without",
+            "Let λ_c be the least number such that for each λ₀ between it and 1 there are rests in every late period, from every start",
+            "it is M at most, and not below the λ₀ for which there are none",
         );
         given(p, &[&CHANGES])
     })
@@ -122,7 +133,7 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
     let [lambda0, mean, start, n] = Expr::symbols(["λ₀", "M", "𝔴₀", "n"]);
     let period = Expr::int(2) * Expr::pi();
     p.note(
-        "First, λ₀ above M, the mean of |h|",
+        "First, let λ₀ exceed M, the mean of |h|",
         "M < 1, as |h| ≤ 1, and |h| < 1 for some time",
     );
     let signed = Expr::int(sign);
@@ -131,22 +142,25 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         ("at most |h| − λ₀", signed * h() - lambda0),
     )?;
     p.note(
-        "Without a rest",
-        "the velocity is 0 only where |h| ≥ λ₀, but for single instants, as it stays 0 where |h| < λ₀; where it is 0 its size has the rate 0, which is again |h| − λ₀ at most",
+        "In a time without rest",
+        "𝔴 is 0 only where |h| ≥ λ₀, but for single instants, as it stays 0 where |h| < λ₀: there, too, the rate of |𝔴|, 0, is |h| − λ₀ at most",
     );
     let gain = period * (mean - lambda0);
     p.note(
-        "So in each period without a rest",
-        "the size changes by 2π (M − λ₀) at most, with a velocity across as well",
+        "So in each period without rest",
+        "|𝔴| changes by 2π (M − λ₀) < 0 at most, and so does the speed if there is a velocity across",
     );
     p.vanishes(
-        "With 𝔴₀ for the size at first, no more is left after n = 𝔴₀/(2π (λ₀ − M)) periods than",
+        "With the speed 𝔴₀ at first, after n = 𝔴₀/(2π (λ₀ − M)) periods without rest there is left at most",
         start + gain * (start / (period * (lambda0 - mean))),
     )?;
-    p.note("So there is a rest", "within the next period at the latest");
+    p.note(
+        "So there is a rest",
+        "in the period after them at the latest",
+    );
     p.identity(
         (
-            "From 0, where a rest ends, a period without another would leave at most",
+            "From 0, where a rest ends, a period without rest would leave at most",
             (start + gain * n)
                 .with("𝔴₀", Expr::int(0))
                 .with("n", Expr::int(1)),
@@ -154,8 +168,8 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         ("negative, as no size is", -(period * (lambda0 - mean))),
     )?;
     p.note(
-        "So there is another rest within a period",
-        "and motion too for λ₀ < 1: |h| > λ₀ for some time, as one of its one-sided limits is ±1, and no rest lasts there",
+        "So there is rest in every late period",
+        "and for λ₀ < 1 motion too: |h| > λ₀ for some time, as one of the one-sided limits of h is ±1, and no rest lasts then",
     );
     Ok(())
 }
@@ -167,32 +181,28 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
     let [zero, two, pi] = [Expr::int(0), Expr::int(2), Expr::pi()];
     let signed = Expr::int(sign);
     p.note(
-        "Second, m, the mean of h, is 0",
-        "and friction is little; H, which h makes, returns after a period",
-    );
-    p.note(
-        "A velocity across",
-        "a motion that never rests has no rest, and from a rest on it is one on the line",
+        "Second, let m, the mean of h, be 0, and λ₀ be small",
+        "H, the antiderivative of h, has the period 2π; c is its median: H ≥ c for π at least in each period, and H ≤ c for π at least",
     );
     let falls = two * pi * signed * (rate - h() + m);
     p.identity(
         (
-            "In a period of one sign |𝔴| changes by 2π times its rate by (26), with m for h,",
+            "In a period of one sign |𝔴| changes by 2π times its rate by (26), with m for h",
             falls.with("m", zero),
         ),
         ("", -(two * pi * lambda0)),
     )?;
     p.note(
         "So 𝔴 stays bounded",
-        "it changes by 2π (1 + λ₀) at most in a period, and while its size is above that, the size falls",
+        "it changes by 2π (1 + λ₀) at most in a period; where |𝔴| is above that, it keeps its sign for a period, and |𝔴| is smaller after it",
     );
     p.note(
-        "The velocity after a period by that before",
-        "is a function that never falls and never spreads, as the velocities of two motions neither move apart nor cross; done again and again it goes one way, and being bounded, to a value that it leaves as it is",
+        "The velocity after a period is a function of that before",
+        "it never falls, as two velocities do not cross, and is continuous, as they never move apart. So from period to period the velocity of a motion rises, or falls, to a limit, which the function leaves as it is",
     );
     p.note(
         "So every motion tends to one of the period 2π",
-        "which is looked at first",
+        "of which the following holds:",
     );
 
     let motion = [("𝔴", p.ring().read(rate)?), ("H", p.ring().read(h())?)];
@@ -201,51 +211,54 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
     let slope = p.derivative("Its rate by (26), with h for that of H", &friction, &motion)?;
     p.reads_as(
         &slope,
-        "by the sign of 𝔴, and in a rest not larger in size",
+        "the other way round for the other sign, and no larger in size during a rest",
         -(signed * lambda0),
     )?;
     let room = pi.squared() - length * (two * pi - length);
     p.identity(
         (
-            "π² less ℓ (2π − ℓ), of the phases ℓ from one place to another and those back to it",
+            "Let ℓ be the phase from one place to another in a period: π² less ℓ (2π − ℓ)",
             room,
         ),
         ("a square, which is not negative", (pi - length).squared()),
     )?;
     p.note(
-        "So one of the two is π at most",
-        "and G, which returns, is nowhere more than πλ₀ above or below what it is elsewhere",
+        "So ℓ or 2π − ℓ is π at most",
+        "and two values of G, which has the period 2π, differ by πλ₀ at most",
     );
     p.identity(
         (
-            "P: for how long 𝔴 > 0 in a period. Friction changes G by at most",
+            "Let 𝔴 > 0 for the phase P in each period, in which G then rises by at most",
             lambda0 * (two * pi - forward) - lambda0 * forward,
         ),
-        ("and as G returns, P ≤ π", -(two * lambda0 * (forward - pi))),
+        (
+            "so that P ≤ π, as G returns",
+            -(two * lambda0 * (forward - pi)),
+        ),
     )?;
     p.note(
-        "If G were above πλ₀ somewhere",
-        "it would be above 0 everywhere, and 𝔴 > H − c: 𝔴 > 0 wherever H ≥ c, for π at least, and, as H is continuous, for somewhat longer, so that P > π",
+        "Suppose that G > πλ₀ somewhere",
+        "then G > 0 everywhere, and 𝔴 > H − c: 𝔴 > 0 wherever H ≥ c, for π at least, and, as both are continuous, for somewhat longer. So P > π, a contradiction",
     );
     p.note(
-        "Likewise below −πλ₀",
-        "with 𝔴 < 0 and H ≤ c: so |G| ≤ πλ₀ everywhere",
+        "Likewise for G < −πλ₀, with 𝔴 < 0 and H ≤ c",
+        "so |G| ≤ πλ₀ everywhere",
     );
     p.note(
         "There are δ > 0 and η > 0 with |h| ≥ δ wherever |H − c| ≤ η",
-        "otherwise there were phases with h as near to 0 and H as near to c as one likes, and one to which they tend: there H = c and h = 0, or its limit from one side",
+        "otherwise phases with h as near to 0 and H as near to c as one likes would have a limit, where H = c, and h or its limit from one side is 0",
     );
     let margin = near - pi * lambda0;
     p.identity(
         (
-            "For λ₀ < η/π: E = η − πλ₀, which is positive, and πλ₀",
+            "For λ₀ < η/π let E = η − πλ₀, which is positive; E and πλ₀",
             margin + pi * lambda0,
         ),
         ("", near),
     )?;
     p.note(
         "A late motion is within E of the periodic one",
-        "where it is 0 the periodic one has the size E at most, and |H − c| ≤ E + πλ₀ = η: there |h| ≥ δ, which is above λ₀ for λ₀ < δ, and no rest lasts",
+        "where it is 0, the periodic one is E at most in size, and |H − c| ≤ E + πλ₀ = η. So |h| ≥ δ there, and for λ₀ < δ no rest lasts",
     );
     Ok(())
 }
@@ -255,22 +268,25 @@ fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
     let lambda0 = Expr::symbol("λ₀");
     let signed = Expr::int(sign);
     p.note(
-        "Third, m is not 0 and λ₀ < |m|",
-        "the drive wins in each period",
+        "Third, let m differ from 0, and λ₀ be below |m|",
+        "in each period the drive exceeds friction on the whole",
     );
     for (says, way) in [("m > 0", 1), ("m < 0", -1)] {
         let way = Expr::int(way);
-        p.note("With", says);
+        p.note("The case", says);
         let beyond = way * rate - (way * h() - lambda0);
         let stated = lambda0 * (Expr::int(1) - way * signed);
         p.identity(
-            ("The rate of ±𝔴 by (26), the way of m, less ±h − λ₀", beyond),
+            (
+                "The rate of ±𝔴 by (26), with the sign of m, less ±h − λ₀",
+                beyond,
+            ),
             ("0 or 2λ₀, not negative", stated),
         )?;
     }
     p.note(
-        "In a rest |h| ≤ λ₀",
-        "and the rate, 0, is not below that either: in each period the velocity grows the way of m by 2π (|m| − λ₀) at least, beyond all bounds",
+        "During a rest |h| ≤ λ₀, and the rate, 0, is not below ±h − λ₀ either",
+        "so in each period ±𝔴 grows by 2π (|m| − λ₀) at least, beyond all bounds",
     );
     p.note("So from some time on", "there is no rest");
     Ok(())

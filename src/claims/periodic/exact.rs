@@ -35,19 +35,23 @@ impl Chain {
     fn steps(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
         let by = p.ring().by("φ")?;
         let friction = p.ring().named("λ₀")?;
+        p.note("Under the pulses of (42) and (43)", "with 𝔴 > 0");
         for (w, h) in self.cases.iter().zip(self.drive) {
-            let w = p.read("While 𝔴 > 0 the velocity is", *w)?;
+            let w = p.read(&format!("While h = {h}, 𝔴 is"), *w)?;
             let slope = p.derivative("Its rate", &w, &by)?;
             let force = Rational::int(*h) - friction.clone();
-            p.equal("Against h − λ₀", &slope, &force)?;
+            p.equal("It is h − λ₀", &slope, &force)?;
         }
         for (i, end) in self.ends.iter().enumerate() {
             let before = i.checked_sub(1).map(|i| self.cases[i]);
             let after = self.cases.get(i).copied();
             let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
             p.identity(
-                ("Where two cases meet, the first", at(before)),
-                ("the second", at(after)),
+                ("𝔴 where a case ends, or 0 before the first", at(before)),
+                (
+                    "𝔴 where the next one begins, or 0 after the last",
+                    at(after),
+                ),
             )?;
         }
         Ok(())
@@ -123,7 +127,7 @@ fn small_friction_chain(cases: [Expr; 3]) -> Proof {
     let start = supplied::small_friction_start(lambda, eta);
     let [peak, pulse] = supplied::small_friction_ends(eta);
     Chain {
-        title: "Small friction: from zero to zero in half a period",
+        title: "Small friction under the pulses: from zero to zero in half a period",
         cases: cases.to_vec(),
         ends: vec![start, peak, pulse, start + Expr::pi()],
         drive: &[1, 0, -1],

@@ -245,10 +245,10 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         }
         at = until;
     }
-    let end = p.read("In the end", w)?;
+    let end = p.read("In the end it is, over π", w)?;
     p.zero("𝔴", &end)?;
     let length = p.read(
-        "From its beginning it is, over π,",
+        "The time from its beginning, over π",
         ratio([at - from, parts]),
     )?;
     p.equal("Half a period: that and 1", &length, &Rational::int(1))?;
@@ -256,7 +256,7 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
     if half.kind() == 1 {
         p.note(
             "While it rests",
-            "the speed of any other motion falls by λ₀ − |h| > 0 at least, in each half period for as long: after a finite time it rests too, and is the same from then on",
+            "the speed of any other motion falls, at the rate λ₀ − |h| > 0 at least, and by the same amount in each half period: after a finite time it rests too, and is the same from then on",
         );
         return Ok(());
     }
@@ -269,7 +269,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
     let (one, two, h) = (Expr::int(1), Expr::int(2), psi.sin());
     p.note(
         "A motion with a velocity across",
-        "if it never rests there is nothing to show; from a rest on it is one on the line",
+        "has no rest, or is one along the line from a rest on",
     );
     for (says, sign, rate) in [
         ("The sign 1", one, rate),
@@ -300,8 +300,8 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         ("", d / two),
     )?;
     p.note(
-        "Where this motion is 0 let the size of another be D",
-        "that one keeps its sign for D/(2 (1 + λ₀)) before and after, this one has the other sign on one side, and meanwhile the distance falls at the rate 2λ₀ by (26); or for half a period, if that is shorter",
+        "Where this motion is 0, let another have the size D",
+        "it keeps its sign for the phase D/(2 (1 + λ₀)) before and after, while this one has the other sign on one of the two sides: there the distance falls at the rate 2λ₀ by (26), for that phase or, if this is shorter, half a period",
     );
     let Half {
         lambda0: [n, d],
@@ -309,8 +309,8 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         ..
     } = *half;
     p.note(
-        "In each period the distance falls by at least what depends on D alone",
-        "so that it goes to 0",
+        "So in each period the distance falls by an amount that depends on D alone",
+        "and so it goes to 0",
     );
     p.identity(
         (

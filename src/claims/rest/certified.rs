@@ -47,7 +47,7 @@ pub fn corrected() -> Evidence {
         Route::Certified,
         Subject::Corrected,
         Compared::one(
-            r"the fate by $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ (1 for rest, 0 for escape)",
+            "the fate by the corrected formula (1 for rest, 0 for escape)",
             "that by validated integration",
         )
         .over(

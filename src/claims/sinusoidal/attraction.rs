@@ -28,12 +28,12 @@ fn passes((cases, ends): NoRest) -> Proof {
         let bend = p.derivative("The slope of that", &slope, &by)?;
         p.reads_as(&bend, "", phi.cos())?;
         p.note(
-            "From φ̃₁, where the slope sin φ̃₁ − λ₀ is not negative, to π/2",
-            "the slope grows: the case rises from 0 at φ̃₁",
+            "From φ̃₁, where the slope sin φ̃₁ − λ₀ is not negative by (40), to π/2",
+            "the slope grows, and the forward case rises from 0",
         );
         p.note(
             "From π/2 to φ̃₁ + π, where it is 0 again",
-            "it is concave, so that it is positive between",
+            "it is concave, and so positive in between",
         );
         let later = p.read(
             "The backward case, half a period later",
@@ -42,7 +42,7 @@ fn passes((cases, ends): NoRest) -> Proof {
         p.equal("It is the negative", &later, &-&w)?;
         p.note(
             "At φ̃₁ the drive is not below friction, and rises",
-            "so the particle does not stay there, nor half a period later",
+            "so (38) does not rest there, nor half a period later",
         );
         Ok(())
     })
@@ -66,16 +66,21 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         let speed = (vx.squared() + vy.squared()).sqrt();
         let cosine = vx / speed;
         p.note(
-            "Beside v let u be (38), W its size, and D the distance between the two",
+            "Let v be the speed of any motion, W that of (38), and D the distance of their velocities",
             "the rate of D² is −2λ₀ (v + W) (1 − cos), with the cosine of the angle between them",
         );
-        for (says, sign) in [("u backward, before φ̃₁", 1), ("u forward, after φ̃₁", -1)] {
+        for (says, way, sign) in [("before", "backward", 1), ("after", "forward", -1)] {
             let sign = Expr::int(sign);
-            p.note("With", says);
+            p.note(
+                &format!("In the half period {says} φ̃₁"),
+                format!("(38) goes {way}"),
+            );
             let pull = (speed + other) * (one + sign * cosine);
-            let pull = p.read("(v + W) (1 − cos)", pull)?;
             let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
-            p.reads_as(&pull, "v ± v_x and what is not negative", least + more)?;
+            p.identity(
+                ("(v + W) (1 − cos)", pull),
+                ("at least v ± v_x", least + more),
+            )?;
         }
 
         let drive = eq21();
@@ -112,31 +117,31 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         }
         p.note(
             "So v ± v_x",
-            "changes by 2 (1 + λ₀) at most in each unit of the phase, and at rest not at all",
+            "has a rate of the size 2 (1 + λ₀) at most, and at rest stays 0",
         );
 
         let length = d / (Expr::int(4) * most);
         p.identity(
             (
-                "D less that much for D/(4 (1 + λ₀))",
+                "D less that rate times the phase D/(4 (1 + λ₀))",
                 d - two * most * length,
             ),
             ("", d / two),
         )?;
         p.note(
-            "At φ̃₁ u = 0 and v is the distance, D",
-            "if v_x ≥ 0 there, v + v_x is D at least, and D/2 at least for D/(4 (1 + λ₀)) before; if v_x < 0, v − v_x after",
+            "At φ̃₁, where W = 0 and v = D",
+            "if v_x ≥ 0, v + v_x ≥ D, and v + v_x ≥ D/2 for the phase D/(4 (1 + λ₀)) before; if v_x < 0, the same holds of v − v_x after",
         );
         p.identity(
             (
-                "The squared distance falls by 2λ₀ (D/2) for so long",
+                "Meanwhile the squared distance falls, at the rate 2λ₀ (D/2) at least, by",
                 two * lambda0 * (d / two) * length,
             ),
             ("", lambda0 * d.squared() / (Expr::int(4) * most)),
         )?;
         p.note(
-            "Or, if that is longer than the half period for which u keeps its sign",
-            "by πλ₀ D: in each period by the smaller of the two at least, so that D → 0",
+            "Or, if that phase exceeds the half period in which (38) keeps its sense",
+            "by πλ₀ D: so in each period by the smaller of the two at least, where D is the distance at φ̃₁; and D → 0",
         );
         Ok(())
     })
@@ -160,8 +165,8 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         let [beta, lambda0, vx, vy, phi] = Expr::symbols(["β", "λ₀", "v_x", "v_y", "φ"]);
         let pi = Expr::pi();
         p.note(
-            "φ̃₂ < φ₃, where (31) is negative at φ₃: for λ₀ > λ_c",
-            "with π − β < φ̃₂ (33) rests from φ̃₂ to φ₃ = π + β, within the phases at which |sin φ| < λ₀:",
+            "For λ₀ > λ_c, (31) is negative at φ₃, and so φ̃₂ < φ₃",
+            "with β = φ₁, (33) rests from φ̃₂ > π − β to φ₃ = π + β, where |sin φ| < λ₀:",
         );
         let x = Expr::symbol("x");
         let excess = (pi + beta - x).sin().squared() - lambda0.squared();
@@ -174,7 +179,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         let drive = eq21();
         let [rate] = in_units([law], drive);
         let rate = p.read(
-            "While (33) rests the distance is v, with the rate by (2)",
+            "While (33) rests, the distance of a motion from it is v, with the rate by (2)",
             rate,
         )?;
         let along = p.read("sin φ v_x/v", phi.sin() * vx / speed)?;
@@ -188,8 +193,8 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
             ("a square", (phi.sin() * vy / speed).squared()),
         )?;
         p.note(
-            "So v falls by λ₀ − |sin φ| > 0 at least",
-            "in each rest by at least the same amount, or to 0: from then on the motion is (33)",
+            "So v falls, at the rate λ₀ − |sin φ| > 0 at least",
+            "in each rest by at least the same amount, or to 0. Between the rests the distance does not grow: after a finite number of them it is 0, and from then on the motion is (33)",
         );
         Ok(())
     })
@@ -231,8 +236,8 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
     Proof::in_ring("No periodic motion rests below λ_c", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, motion))?;
         p.note(
-            "A motion with the period P, as its distance from (38) goes to 0",
-            "so does the change of (38) over P, which repeats itself every 2π and so is 0: P is a period of (38), and the distance, which returns after P, is 0: the motion is (38), which is at rest on no interval",
+            "Let a motion have the period P; its distance from (38) goes to 0",
+            "so does the change of (38) over P, which has the period 2π and so is 0: P is a period of (38), too. So the distance returns after P, and is 0: the motion is (38), which rests on no interval",
         );
         let [phi, zero] = [Expr::symbol("φ"), Expr::int(0)];
         let [rate, _] = in_units(law, eq21());
@@ -240,7 +245,7 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
             ("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero)),
             ("", phi.sin()),
         )?;
-        p.note("It is 0", "on no interval, and so v_x neither");
+        p.note("It is 0 on no interval", "and so v_x is not");
         Ok(())
     })
 }
@@ -281,11 +286,11 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
         }
         p.note(
             "So v_x, late and close to (38), is monotone beside each zero of (38)",
-            "and has one zero there; elsewhere (38) is far from zero, and so is v_x",
+            "and has one zero there; elsewhere (38), and with it v_x, is bounded away from 0",
         );
         p.note(
             "For λ_c < λ₀ < 1 v_x becomes (33) exactly",
-            "which is not zero during its slips, and rests in between, twice in a period",
+            "which is not 0 during its slips, and rests in between, twice in a period; for λ₀ > 1 it stops for good",
         );
         Ok(())
     })
@@ -324,7 +329,7 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
         )?;
         p.note(
             "So v is 0 after a finite time",
-            "and stays, as |sin φ| ≤ λ₀",
+            "and stays 0, as |sin φ| ≤ λ₀",
         );
 
         let [rate, _] = in_units(law, drive);

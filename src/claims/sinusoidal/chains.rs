@@ -124,7 +124,7 @@ fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Pr
         )?;
         p.note(
             "Where sin φ > λ₀",
-            "no rest lasts: the rate is so from φ₁ to φ₂, but for single instants",
+            "no rest lasts: this holds from φ₁ to φ₂, but for single instants",
         );
         let whole = -phi.cos() - lambda0 * phi;
         let slope = p.read("−cos φ − λ₀ φ", whole)?;
@@ -181,7 +181,7 @@ fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {
     };
     let still = [Expr::int(0), Expr::int(0)];
     Proof::in_ring("Friction across the drive", ring(), |p| {
-        p.note("The sign of 𝔴", sign.to_string());
+        p.note("For both signs of 𝔴, here with the sign", sign.to_string());
         let [w, wy, lambda0] = Expr::symbols(["𝔴", "𝔴_y", "λ₀"]);
         let friction = in_units(law, still).map(|c| c.with("v_x", w).with("v_y", wy));
         let ratio = (w.squared() + wy.squared()).sqrt() / (Expr::int(sign) * w);

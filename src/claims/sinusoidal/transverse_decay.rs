@@ -58,14 +58,13 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
             let lambda0 = Expr::symbol("λ₀");
             let ([vx, vy, v], two) = (velocity(), Expr::int(2));
             let [_, across] = in_units(law, eq21());
-            let across = p.read("dv_y/dφ by (1) and (21)", across)?;
-            let stated = p.read("The stated slope", slope)?;
             let excess = lambda0 * vx.squared() / (v * (v + vy));
-            let above = p.read("λ₀ v_x²/(v (v + v_y)), which is not negative", excess)?;
-            p.equal(
-                "The one is above the other by that",
-                &(&across - &stated),
-                &above,
+            p.identity(
+                (
+                    "dv_y/dφ by (1) and (21), less the stated slope",
+                    across - slope,
+                ),
+                ("which is not negative", excess),
             )?;
             let most = lambda0 * vx.squared() / (two * vy.squared());
             let terms = lambda0 * vx.squared() * (v - vy) * (v + two * vy);
@@ -77,9 +76,9 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
                 ),
             )?;
             p.note(
-            "So as v_x/v_y tends to 0",
-            "the slope tends to the stated one, and over any phase v_y falls by that much, up to λ₀/2 times the sum of (v_x/v_y)²",
-        );
+                "So, as v_x/v_y → 0",
+                "the slope tends to the stated one, and over any phase v_y falls by that much, up to λ₀/2 times the integral of (v_x/v_y)²",
+            );
             Ok(())
         },
     )
@@ -88,7 +87,7 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
 /// How v_y and the direction of the velocity change together.
 fn turning(law: Rate) -> Proof {
     Proof::in_ring(
-        "The velocity across and the direction",
+        "How v_y and the direction of the velocity change together",
         ring_of_motion(),
         |p| {
             p.rests_on(&eq1_proof(law))?;
@@ -106,7 +105,7 @@ fn turning(law: Rate) -> Proof {
                 .ring()
                 .along(&[("v_x", along.clone()), ("v_y", across.clone())])?;
             let tangent = p.read(
-                "T, the tangent of half the angle with the drive",
+                "T, the tangent of half the angle of the velocity with the drive",
                 vy / (v + vx),
             )?;
             let turn = p.derivative("Its rate", &tangent, &motion)?;
@@ -123,13 +122,13 @@ fn turning(law: Rate) -> Proof {
             let apart = of_y - ring.read(lambda0 / d)? * of_t;
             let drift = p.read("λ₀ (sin φ − d)/(d v)", lambda0 * (phi.sin() - d) / (d * v))?;
             p.equal(
-                "The rate of ln v_y less λ₀/d times that of ln T",
+                "The rate of ln v_y less λ₀/d times that of ln T, with any d > 0",
                 &apart,
                 &drift,
             )?;
             p.identity(
                 ("T v_y", vy / (v + vx) * vy),
-                ("the sum of v and of the size of v_x where v_x < 0", v - vx),
+                ("which is v + |v_x| where v_x < 0", v - vx),
             )?;
             // The other zero is the mirror image.
             let pi = Expr::pi();
@@ -152,30 +151,33 @@ fn turning(law: Rate) -> Proof {
 }
 
 /// The drive stays near its size d at the zeros of (38), and above friction.
-fn near_zero(p: &mut Prover<'_>, [d, ..]: Passage) -> Result<(), Obstacle> {
-    given(p, &[&EQ40])?;
-    let [lambda0, turn, phi] = Expr::symbols(["λ₀", "φ̃₁", "φ"]);
-    let two = Expr::int(2);
-    p.identity(
-        ("The stated size of the drive at a zero, d", d),
-        ("", paper::eq39_phi_t1(lambda0).sin()),
-    )?;
-    p.note("By (40)", "d is above λ₀ below λ_c");
-    let halves = two * ((phi - turn) / two).sin() * ((phi + turn) / two).cos();
-    p.identity(
-        ("sin φ − d", phi.sin() - d),
-        ("of the size of φ − φ̃₁ at most", halves),
-    )?;
-    let margin = (d - lambda0) / two;
-    p.identity(
-        ("With m = (d − λ₀)/2: d − m", d - margin),
-        ("", lambda0 + margin),
-    )?;
-    p.note(
-        "So no farther from φ̃₁ than m",
-        "sin φ ≥ λ₀ + m, and as dv_x/dφ ≥ sin φ − λ₀ the size of v_x is m times the distance from its zero at least",
-    );
-    Ok(())
+fn near_zero([d, ..]: Passage) -> Proof {
+    let title = "The drive beside a zero of (38)";
+    Proof::in_ring(title, ring_of_passage(), |p| {
+        given(p, &[&EQ40])?;
+        let [lambda0, turn, phi] = Expr::symbols(["λ₀", "φ̃₁", "φ"]);
+        let two = Expr::int(2);
+        p.identity(
+            ("The stated size d of the drive at a zero", d),
+            ("", paper::eq39_phi_t1(lambda0).sin()),
+        )?;
+        p.note("By (40)", "d > λ₀ below λ_c");
+        let halves = two * ((phi - turn) / two).sin() * ((phi + turn) / two).cos();
+        p.identity(
+            ("sin φ − d", phi.sin() - d),
+            ("of the size |φ − φ̃₁| at most", halves),
+        )?;
+        let margin = (d - lambda0) / two;
+        p.identity(
+            ("With m = (d − λ₀)/2: d − m", d - margin),
+            ("", lambda0 + margin),
+        )?;
+        p.note(
+            "So, where |φ − φ̃₁| ≤ m",
+            "sin φ ≥ λ₀ + m; and as dv_x/dφ ≥ sin φ − λ₀, friction being λ₀ at most, |v_x| is at least m times the distance from the zero of v_x",
+        );
+        Ok(())
+    })
 }
 
 /// Late zeros of v_x come close to those of (38): an inequality for their distances Z and Z′ from them, one after the other.
@@ -187,17 +189,17 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
-    Proof::in_ring("The zeros of v_x settle", ring(), |p| {
+    Proof::in_ring("The zeros of v_x approach those of (38)", ring(), |p| {
         p.rests_on(&turning(law))?;
         p.rests_on(&prove_eq38(cases, ends))?;
         given(p, &[&TRICHOTOMY])?;
-        near_zero(p, passage)?;
+        p.rests_on(&near_zero(passage))?;
         let [lambda0, phi, turn, z] = Expr::symbols(["λ₀", "φ", "φ̃₁", "Z"]);
         let [vx, vy, v] = velocity();
         let (one, two) = (Expr::int(1), Expr::int(2));
         p.note(
-            "Late, v is close to (38)",
-            "v_x has one zero within m of each zero of (38), at the distance Z from it, which tends to 0; farther from them the size of v_x has a positive bound from below",
+            "Late, the motion is close to (38)",
+            "v_x has one zero within m of each zero of (38), at a distance Z from it that tends to 0; elsewhere |v_x| has a positive lower bound",
         );
         let [along, _] = in_units(law, eq21());
         let along = p.read("dv_x/dφ by (1) and (21)", along)?;
@@ -205,7 +207,11 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
             let sign = Expr::int(sign);
             let lack = one - sign * vx / v;
             let terms = phi.sin() - sign * lambda0 + sign * lambda0 * lack;
-            p.reads_as(&along, &format!("Where {says}, the slope on the line, and λ₀ times what 1 has beyond the size of v_x/v, with a sign"), terms)?;
+            p.reads_as(
+                &along,
+                &format!("where {says}: the slope on the line, and λ₀ (1 − |v_x|/v) with a sign"),
+                terms,
+            )?;
             p.identity(
                 (
                     "(v_y + |v_x|)² less v²",
@@ -215,8 +221,8 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
             )?;
         }
         p.note(
-            "So λ₀ times what 1 has beyond the size of v_x/v is λ₀ v_y/v at most, the rate at which v_y falls",
-            "all that v_x departs from the motion on the line from the beginning of a passage on is v_y there at most: Y",
+            "So λ₀ (1 − |v_x|/v) is λ₀ v_y/v at most, the rate at which v_y falls",
+            "so, with Y for v_y at the phase m before a zero of (38), v_x departs from there on by Y at most from a motion on the line",
         );
 
         let [forward, backward] = cases;
@@ -239,24 +245,26 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
             ),
         )?;
         p.note(
-            "A zero that is late or early by Z",
-            "so on the line v_x is off (38) by the drive's sum and λ₀ Z before, and by the drive's sum less λ₀ Z after; both sums are Z times a mean of sin φ, and so d Z up to Z² at most",
+            "Let v_x, on the line, have its zero Z later or earlier than (38)",
+            "before both zeros the two differ by the integral of the drive from one to the other and λ₀ Z, after both by this integral less λ₀ Z. It is Z times a mean of sin φ, and so d Z up to Z² at most",
         );
         p.note(
-            "Between two passages v_x on the line keeps its distance from (38)",
-            "so of one zero and the next, with Y for what is across: Z′ (d + λ₀ − Z′) ≤ Z (d − λ₀ + Z) + Y",
+            "From one zero to the next, at the distance Z′, the difference stays the same on the line",
+            "so, with the departure from the line, Z′ (d + λ₀ − Z′) ≤ Z (d − λ₀ + Z) + Y",
         );
         let [d, factor, contraction] = passage;
         let ratio = (d - lambda0) / (d + lambda0);
         p.identity(
-            ("(d − λ₀)/(d + λ₀), twice", ratio.squared()),
+            ("The square of (d − λ₀)/(d + λ₀)", ratio.squared()),
             ("the stated contraction in a period", contraction),
         )?;
-        let inverse = p.read(
-            "The stated factor of ln v_y times (d − λ₀)/(d + λ₀)",
-            factor * ratio,
-        )?;
-        p.equal("They are inverse", &inverse, &p.ring().read(one)?)
+        p.identity(
+            (
+                "The stated factor of ln v_y times (d − λ₀)/(d + λ₀)",
+                factor * ratio,
+            ),
+            ("", one),
+        )
     })
 }
 
@@ -269,46 +277,45 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
         }
         Ok(ring)
     };
-    let title = "A passage multiplies the logarithm of the velocity across";
+    let title = "A passage of v_x through zero multiplies ln v_y";
     Proof::in_ring(title, ring(), |p| {
         p.rests_on(&turning(law))?;
         p.rests_on(&zeros_settle(law, motion, passage))?;
         given(p, &[&VY_VANISHES])?;
-        near_zero(p, passage)?;
+        p.rests_on(&near_zero(passage))?;
         let [lambda0, before, b, e] = Expr::symbols(["λ₀", "L", "b", "e"]);
         let [d, factor, _] = passage;
         let one = Expr::int(1);
         p.note(
-            "From m before φ̃₁ to m after",
-            "−ln v_y goes from L to M, and ln T from L to −M, up to bounded terms, as |v_x| has bounds there: in all ln T changes by b − L − M, with a bounded b",
+            "Let −ln v_y be L at the phase m before φ̃₁, and M at the phase m after",
+            "as |v_x| has positive bounds at both, ln T is L at the one and −M at the other, up to bounded terms: it changes by b − L − M, with a bounded b",
         );
         p.note(
-            "The sum of λ₀ (sin φ − d)/(d v)",
-            "is e/d: |sin φ − d| is |φ − zero of v_x| + Z at most and |v_x| ≥ m |φ − zero of v_x|, so that |e| ≤ 2λ₀ + Z (M − L), as λ₀/v has the sum M − L",
+            "Let e/d be the integral of λ₀ (sin φ − d)/(d v) between the two, and r the distance from the zero of v_x",
+            "|sin φ − d| ≤ r + Z, |v_x| ≥ m r, and the integral of λ₀/v is M − L: so |e| ≤ 2λ₀ + Z (M − L)",
         );
         let after = factor * before - (lambda0 * b + e) / (d - lambda0);
         let left = before - after;
         let right = lambda0 / d * (b - before - after) + e / d;
-        let left = p.read(
-            "With M = (stated factor) L − (λ₀ b + e)/(d − λ₀): L − M",
-            left,
-        )?;
-        let right = p.read("λ₀/d times the change of ln T, and e/d", right)?;
-        p.equal("The two, as the rates say", &left, &right)?;
         p.note(
-            "From one passage to the next",
-            "ln v_y changes by a bounded amount, as |v_x| has a positive bound from below",
+            "By the rates of ln v_y and ln T",
+            "L − M = (λ₀/d) (b − L − M) + e/d. The solution is M = F L − (λ₀ b + e)/(d − λ₀), with F for the stated factor:",
+        );
+        p.identity(("L − M with it", left), ("the right side", right))?;
+        p.note(
+            "From there to the next passage",
+            "ln v_y changes by a bounded amount, as |v_x| has a positive lower bound",
         );
 
         let [z, next, y, bound] = Expr::symbols(["Z", "Z′", "Y", "B"]);
         let (sum, difference) = (d + lambda0, d - lambda0);
         p.note(
-            "So L′ (d − λ₀ − Z) ≤ (d + λ₀) L + B and L′ (d − λ₀ + Z) ≥ (d + λ₀) L − B",
-            "L′ belongs to the next passage, B is some constant; L tends to infinity as v_y tends to 0, and Z to 0: L grows by a factor above 1 from some passage on",
+            "So, with L′ for the next passage and a constant B",
+            "L′ (d − λ₀ − Z) ≤ (d + λ₀) L + B and L′ (d − λ₀ + Z) ≥ (d + λ₀) L − B. As v_y → 0, L grows beyond all bounds, and Z → 0: from some passage on each L is above the one before by a factor above 1",
         );
         p.note(
             "Y is exp(−L)",
-            "so that the sums of Y and of L Y over all passages are finite, and with them that of Z, which shrinks by a factor below 1, but for Y",
+            "so the sums of Y and of L Y over all passages are finite; and so is that of Z, which but for Y shrinks by a factor below 1",
         );
         let product = (z * (difference + z) + y) * (sum * before + bound);
         let terms = sum * difference * z * before * (one + z / difference)
@@ -333,16 +340,16 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
             ("", close),
         )?;
         p.note(
-            "So from one passage to the next Z L grows by a factor 1 + O(Z + Z′) at most, and by terms with a finite sum",
-            "the product of all these factors is finite: Z L stays bounded, and with it Z M and e",
+            "So Z L grows from one passage to the next by a factor 1 + O(Z + Z′) at most, and by terms with a finite sum",
+            "the product of all these factors is finite: Z L stays bounded, and so do Z M, e and M − F L",
         );
         p.identity(
             ("The stated factor less 1", factor - one),
             ("which is positive", Expr::int(2) * lambda0 / difference),
         )?;
         p.note(
-            "So L grows as the powers of the factor",
-            "v_y falls as the exponential of an exponential",
+            "So L grows like the powers of F",
+            "and v_y falls like the exponential of an exponential",
         );
         Ok(())
     })
@@ -350,14 +357,15 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
 
 /// v_y is lost only where the particle sticks.
 fn lost_at_rest(law: Rate) -> Proof {
-    Proof::in_ring("Where the velocity across is lost", ring_of_motion(), |p| {
+    let title = "v_y becomes 0 only where the particle stops";
+    Proof::in_ring(title, ring_of_motion(), |p| {
         p.rests_on(&turning(law))?;
         p.rests_on(&eq2_proof(eq2()))?;
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
         let ([vx, _, v], one) = (velocity(), Expr::int(1));
         p.note(
-            "ln v_y has the rate −λ₀/v",
-            "while v > 0 it stays finite: v_y becomes 0 only where v does, and then all of it is lost",
+            "ln v_y has the rate −λ₀/v, and is finite while v > 0",
+            "so v_y becomes 0 only where v does, and there all of it is lost",
         );
         let [along, _] = in_units(law, eq21());
         let terms = phi.sin() - lambda0 + lambda0 * (one - vx / v);
@@ -366,16 +374,13 @@ fn lost_at_rest(law: Rate) -> Proof {
             ("sin φ − λ₀ and what is not negative", terms),
         )?;
         let [grows] = in_units([eq2()], eq21());
-        let grows = p.read("dv/dφ by (2)", grows)?;
-        let room = p.ring().read(one + lambda0)? + grows;
-        let terms = p.read(
-            "1 + sin φ v_x/v, which is not negative",
-            one + phi.sin() * vx / v,
+        p.identity(
+            ("1 + λ₀ and dv/dφ by (2)", one + lambda0 + grows),
+            ("which is not negative", one + phi.sin() * vx / v),
         )?;
-        p.equal("1 + λ₀ and dv/dφ", &room, &terms)?;
         p.note(
-            "If v became 0 where sin φ > λ₀",
-            "v_x would rise to 0, so that T ≥ 1 before; v would be (1 + λ₀) times the phase that is left at most, so that sin φ/v, by which ln T falls, had no finite sum: T would come below 1. Where sin φ < −λ₀ the mirror image holds",
+            "Suppose that v becomes 0 where sin φ > λ₀",
+            "v_x rises to 0, so that T ≥ 1 before; and v is at most (1 + λ₀) times the phase that is left, so that sin φ/v, at which rate ln T falls, has an infinite integral: T comes below 1, a contradiction. Where sin φ < −λ₀ the mirror image holds",
         );
         p.note(
             "So v becomes 0 only where |sin φ| ≤ λ₀",
@@ -387,49 +392,47 @@ fn lost_at_rest(law: Rate) -> Proof {
 
 /// How long what is left of v_y lasts where friction exceeds the drive; `phase` is the stated bound.
 fn last_stage(law: Rate, phase: Expr) -> Proof {
-    Proof::in_ring("The last of the velocity across", ring_of_motion(), |p| {
+    let title = "Where friction exceeds the drive, v_y vanishes within the stated phase";
+    Proof::in_ring(title, ring_of_motion(), |p| {
         p.rests_on(&eq1_proof(law))?;
         let [lambda0, d, h] = Expr::symbols(["λ₀", "d", "h"]);
         let ([vx, vy, v], one) = (velocity(), Expr::int(1));
-        p.note("Let |h| ≤ d < λ₀, h the drive", "while the particle slides");
+        p.note(
+            "Let h be the drive, and |h| ≤ d < λ₀",
+            "as long as the particle slides",
+        );
         let [x, y] = in_units(law, [-h, Expr::int(0)]);
         let along = p.read("dv_x/dφ by (1)", x)?;
         let across = p.read("dv_y/dφ by (1)", y)?;
         let motion = p.ring().along(&[("v_x", along), ("v_y", across)])?;
         for (says, sign) in [("v_x ≥ 0", 1), ("v_x ≤ 0", -1)] {
             let sign = Expr::int(sign);
-            p.note("Where", says);
+            p.note("The case", says);
             let left = (lambda0 * v + sign * d * vx) / (lambda0.squared() - d.squared());
-            let left = p.read("(λ₀ v + d |v_x|)/(λ₀² − d²)", left)?;
+            let left = p.read("X = (λ₀ v + d |v_x|)/(λ₀² − d²)", left)?;
             let rate = p.derivative("Its rate", &left, &motion)?;
             let room = (d - sign * h) * (d + lambda0 * sign * vx / v);
-            let room = p.read(
-                "(d − h) (d + λ₀ |v_x|/v)/(λ₀² − d²), with h along v_x, not negative",
-                room / (lambda0.squared() - d.squared()),
+            let room = room / (lambda0.squared() - d.squared());
+            p.reads_as(&rate, "at most −1", -one - room)?;
+            p.vanishes(
+                "If h is d along v_x, it is −1: the rest",
+                room.with("h", sign * d),
             )?;
-            let fall = -p.ring().read(one)? - rate;
-            p.equal("By that it falls faster than the phase grows", &fall, &room)?;
             p.identity(
                 (
-                    "At v_x = 0, where v is v_y, it is",
+                    "At v_x = 0, where v is v_y, X is",
                     (lambda0 * vy) / (lambda0.squared() - d.squared()),
                 ),
                 ("the stated phase", phase),
             )?;
-            let ring = p.ring();
-            let same = ring.put(&room, &[(&ring.named("h")?, &ring.read(sign * d)?)])?;
-            p.zero(
-                "With h = d all along, that is the phase exactly: the room",
-                &same,
-            )?;
         }
         p.note(
-            "So by then the particle is at rest",
-            "it is not negative, and 0 at rest only; there it stays as long as |h| ≤ λ₀",
+            "So within the stated phase the particle comes to rest",
+            "as X is not negative, and 0 at rest only; it stays at rest as long as |h| ≤ λ₀",
         );
         p.note(
-            "If |sin φ| is d where v_x = 0",
-            "it is below any D > d for some phase, D < λ₀, and v_y, if small enough, is lost before, within the stated phase with D for d: that with d, to leading order",
+            "If |sin φ| = d where v_x = 0",
+            "|sin φ| stays for a while below any D between d and λ₀; in it v_y, if small enough, is lost, within the stated phase with D for d: that with d, to leading order",
         );
         Ok(())
     })
@@ -482,9 +485,9 @@ fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> P
             let lambda0 = Expr::symbol("λ₀");
             let [d, factor, _] = passage;
             p.note(
-            "Two passages in a period multiply ln v_y by the square of the factor, up to bounded terms",
-            "so they do the fall in a period, which grows beyond all bounds: in the limit its ratio to the one before is that square",
-        );
+                "Two passages in a period multiply ln v_y by the square of the factor, up to bounded terms",
+                "and so they do its fall in a period. That grows beyond all bounds, so that its ratio to the one before tends to the square",
+            );
             let one = Expr::int(1);
             let found = p.read("The square", factor.squared())?;
             let excess = found.clone() - p.ring().read(one)?;

@@ -1,6 +1,7 @@
 //! A proof: steps that a reader can follow, each carried out, and whether all differences came out zero.
 
 use super::calculus::Derivation;
+use super::constant_folding::folded;
 use super::error::ExactError;
 use super::expr::Expr;
 use super::rational::Rational;
@@ -34,6 +35,12 @@ fn shortened(text: &str) -> String {
         0 => format!("an expression of {left_out} characters"),
         end => format!("{} … and {left_out} characters more", &text[..end]),
     }
+}
+
+/// A formula as a reader sees it: without idle parts, and with one sign in a place.
+fn written(formula: Expr) -> String {
+    let text = folded(formula, &|_| None).to_string();
+    text.replace("+ −", "− ").replace("− −", "+ ")
 }
 
 /// One step of a proof.
@@ -260,7 +267,7 @@ impl<'a> Prover<'a> {
     /// Writes down an element, and the formula from which it was read if there is one that looks different.
     fn bring(&mut self, says: &str, formula: Option<Expr>, x: &Rational) {
         let normal = self.ring.text(x);
-        let formula = formula.map_or_else(|| normal.clone(), |formula| formula.to_string());
+        let formula = formula.map_or_else(|| normal.clone(), written);
         let known = formula == normal;
         self.note(
             says,
@@ -304,7 +311,7 @@ impl<'a> Prover<'a> {
     ) -> Result<Series, Obstacle> {
         let expansion = self.ring.expand(formula, series, order)?;
         let text = expansion.text(small, self.ring);
-        self.note(says, format!("{formula} = {text}"));
+        self.note(says, format!("{} = {text}", written(formula)));
         Ok(expansion)
     }
 
@@ -408,9 +415,9 @@ impl<'a> Prover<'a> {
         if std::mem::take(&mut self.bare) && step + 1 == self.steps.len() {
             self.steps.pop();
         }
-        let mut parts = vec![formula.to_string()];
+        let mut parts = vec![written(formula)];
         if left != parts[0] {
-            parts[0] = format!("{left} = {formula}");
+            parts[0] = format!("{left} = {}", parts[0]);
         }
         parts.extend((!seen.is_empty()).then(|| seen.into()));
         self.note(&says, parts.join(", "));
@@ -567,7 +574,7 @@ mod tests {
             [
                 "A square: (x + 2)^2 = x^2 + (x + 1) 4",
                 "A square: (x + 2)^2 = (2 + x)^2, not negative",
-                "Its slope: 2 (x + 2) = 2 x + 2^2",
+                "Its slope: 2 (x + 2) = 2 x + 4",
                 "So: 4 (x^2 + 4 x + 4) = 4 (x + 2)^2",
             ]
         );

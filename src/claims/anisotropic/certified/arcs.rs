@@ -3,7 +3,7 @@
 //! With sin α = λ₀ and sin β = qλ₀, both angles from 0 to π/2 and α ≤ β. Each link is an identity of the ring; what is left is to
 //! see that every term of a sum has the same sign.
 
-use super::super::exact::{arc, frictions};
+use super::super::exact::{arc, frictions, with_angles};
 use crate::exact::Function;
 use crate::paper::anisotropic as printed;
 use trialbook::prelude::*;
@@ -21,7 +21,7 @@ pub fn b_falls() -> Proof {
     Proof::in_ring("B's arc falls", ratios(), |p| {
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let to_b = |alpha: Expr, beta: Expr| arc(alpha, Expr::pi() + beta, alpha.sin());
-        p.note("Let", "sin α = λ₀ and sin β = qλ₀, both angles below π/2");
+        with_angles(p);
         let zero = Expr::int(0);
         let first = p.read("The arc from 0 to π", to_b(zero, zero))?;
         p.reads_as(&first, "", Expr::int(2))?;
@@ -34,24 +34,21 @@ pub fn b_falls() -> Proof {
         let slope = p.derivative("Its slope", &all, &along)?;
         let way = Expr::pi() + beta - alpha;
         let terms = beta.sin() + alpha.sin() + beta.cos() * way / q;
-        let terms = p.read(
-            "sin β + sin α + cos β (π + β − α)/q, of which no term is negative",
-            terms,
-        )?;
-        p.equal("The slope is less than 0 by these", &-&slope, &terms)
+        p.reads_as(&slope, "where no term of the sum is negative", -terms)
     })
 }
 
 /// E's arc, which ends at 2π − β, is λ₀ times what grows with λ₀ while q stays, from −2π on.
 pub fn e_grows() -> Proof {
     Proof::in_ring("E's arc over λ₀ grows", ratios(), |p| {
+        with_angles(p);
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let late = Expr::int(2) * Expr::pi() - beta;
         let all = p.read("The arc from α to 2π − β", arc(alpha, late, alpha.sin()))?;
         let first = (q.squared() - Expr::int(1)) * alpha.sin() / (alpha.cos() + beta.cos());
         let factor = first - (Expr::int(2) * Expr::pi() - beta - alpha);
         let factor = p.read(
-            "(q² − 1) λ₀/(cos α + cos β) + α + β − 2π: with λ₀ grow α and β, and the cosines fall",
+            "(q² − 1) λ₀/(cos α + cos β) + α + β − 2π, which grows with λ₀, as α and β do and the cosines fall",
             factor,
         )?;
         let friction = p.ring().read(alpha.sin())?;
@@ -66,16 +63,19 @@ pub fn corner_falls() -> Proof {
         ring.angle("α");
         Ok(ring)
     };
-    Proof::in_ring("The corner", ring(), |p| {
+    Proof::in_ring("The arcs of B and E at β = π/2", ring(), |p| {
         let alpha = Expr::symbol("α");
         let three = Expr::int(3) * Expr::pi() / Expr::int(2);
+        p.note(
+            "There qλ₀ = 1",
+            "both arcs go from α, with sin α = 1/q, to 3π/2",
+        );
         let all = p.read("The arc from α to 3π/2", arc(alpha, three, alpha.sin()))?;
         let factor = p.read("cot α + α − 3π/2", alpha.cot() + alpha - three)?;
         let sine = p.ring().read(alpha.sin())?;
         p.equal("The arc is sin α times that", &all, &(&sine * &factor))?;
         let slope = p.slope("Its slope", &factor, "α")?;
-        let square = p.read("cot²α", alpha.cot().squared())?;
-        p.equal("The slope is less than 0 by that", &-&slope, &square)
+        p.reads_as(&slope, "so that it falls", -alpha.cot().squared())
     })
 }
 
@@ -87,12 +87,13 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The sides of (53)", ring(), |p| {
+        with_angles(p);
         let [alpha, k] = Expr::symbols(["α", "K"]);
         let left = p.read("The left side", left)?;
         p.reads_as(&left, "", alpha.cot())?;
         let slope = p.slope("Its slope", &left, "α")?;
-        let square = p.read("1/sin²α", Expr::int(1) / alpha.sin().squared())?;
-        p.equal("The slope is less than 0 by that", &-&slope, &square)?;
+        let fall = -(Expr::int(1) / alpha.sin().squared());
+        p.reads_as(&slope, "so that it falls", fall)?;
         let twice = Expr::int(2) * k;
         let stated = (twice - twice.sin()) / (Expr::int(2) * k.sin().squared());
         p.identity(("The right side", right), ("which is positive", stated))
@@ -112,8 +113,8 @@ pub fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
         p.equal("It is D", &first, &p.ring().read(printed::eq56_lambda0())?)?;
         let c = p.read("C", on_c(q))?;
         let slope = p.slope("Its slope by q", &c, "q")?;
-        let square = p.read("1/q²", Expr::int(1) / q.squared())?;
-        p.equal("The slope is less than 0 by that", &-&slope, &square)
+        let fall = -(Expr::int(1) / q.squared());
+        p.reads_as(&slope, "so that it falls", fall)
     })
 }
 

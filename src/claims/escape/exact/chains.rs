@@ -81,39 +81,46 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
         Ok(ring)
     };
     Proof::in_ring(
-        "No particle stays near a place beyond the bound",
+        "A motion on a bounded path that never rests converges, not beyond the bound",
         ring(),
         |p| {
             given(p, &[&turntable::EQ89, &turntable::EQ103])?;
             p.note(
-            "If ρ stayed bounded",
-            "ρ² − p², which by (103) grows at the rate 2p, would converge; so would the way, which grows at the rate p, the place, and p², to 0",
-        );
+                "Let ρ stay bounded",
+                "ρ² − p² is bounded too, and grows by (103) at the rate 2p: so it converges, and with it the length of the path, and the place. As ρ converges, so does p, to 0",
+            );
             let [x, y, speed, chi, theta] = Expr::symbols(["x", "y", "p", "χ", "θ"]);
             let outwards = [theta.cos(), theta.sin()];
             let along = |[a, b]: [Expr; 2]| a * outwards[0] + b * outwards[1];
             let push = p.read(
-                "The part of (89) in the direction θ of that place",
+                "The component of (89) in the direction θ of that place",
                 along(acceleration),
             )?;
             let least = along([x, y]) - bound - int(2) * speed;
             let least = p.read(
-            "The place's own part less the bound, less 2p: positive by a fixed amount in the end, if the place is beyond the bound",
-            least,
-        )?;
+                "That of the position, less the bound and 2p: in the end above a positive number, if the place is beyond the bound",
+                least,
+            )?;
             let half = (chi - theta) / int(2);
             let squares = int(2) * speed * (half.sin() + half.cos()).squared()
                 + int(2) * half.sin().squared();
-            let squares = p.read("Two squares, for Coriolis force and friction", squares)?;
-            p.equal("The push exceeds that by them", &(&push - &least), &squares)?;
+            let squares = p.read(
+                "What Coriolis force and friction are above −2p and −1, two squares",
+                squares,
+            )?;
+            p.equal(
+                "The first exceeds the second by these",
+                &(&push - &least),
+                &squares,
+            )?;
             p.note(
-                "Where it stops for an instant",
-                "p = 0, and friction, whatever its direction, is 1 at most: the push is no less",
+                "Where the particle stops for an instant",
+                "p = 0, and friction, whatever its direction, is 1 at most: this holds there too",
             );
             p.note(
-            "So",
-            "the outward velocity would grow without end, against p → 0: beyond the bound no path is bounded",
-        );
+                "So, beyond the bound",
+                "the velocity in the direction θ would grow without end, against p → 0",
+            );
             Ok(())
         },
     )
@@ -136,39 +143,45 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
             let rate = p.read("The rate of p + ρ by (107) and (108)", rate)?;
             let sum = speed + rho;
             let fall = bound - sum + int(2) * sum * (psi / int(2)).sin().squared();
-            let fall = p.read("The bound less p + ρ, and what is not negative", fall)?;
-            p.equal("The sum falls by them", &-&rate, &fall)?;
+            p.reads_as(&rate, "at most p + ρ less the bound", -fall)?;
             p.rests_on(&eq139(bound))?;
             p.note(
-            "So",
-            "p + ρ falls at no less than the bound less p + ρ, which only grows, until p = 0 after a finite time, at a ρ below the bound, where static friction holds",
-        );
+                "So, once p + ρ is below the bound",
+                "it falls at a rate that stays above a positive number, until p = 0 after a finite time, where ρ is below the bound and static friction holds the particle",
+            );
             Ok(())
         },
     )
 }
 
 /// Where p → 0, the position is along the velocity: the angle ψ tends to 0 or to π.
-pub fn stops_along(p: &mut Prover<'_>, ahead: Expr) -> Result<(), Obstacle> {
-    given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
-    let [speed, ell, rho, xi] = Expr::symbols(["p", "ℓ", "ρ", "ξ"]);
-    let rate = p.read("dξ/dτ by (101)", ahead)?;
-    p.reads_as(
-        &rate,
-        "a square over p, so that ξ never falls",
-        (speed + ell).squared() / speed,
-    )?;
-    let least = p.read("ℓ²/2p less p", ell.squared() / (int(2) * speed) - speed)?;
-    let rest = (int(2) * speed + ell).squared() / (int(2) * speed);
-    let rest = p.read("Another square over 2p", rest)?;
-    p.equal("dξ/dτ exceeds it by that", &(&rate - &least), &rest)?;
-    p.identity(("ℓ²", ell.squared()), ("", rho.squared() - xi.squared()))?;
-    p.note(
-        "Let p → 0 as τ → T, at ρ > 0",
-        "ξ, never falling and at most ρ, converges; by (99) p ≤ (1 + R)(T − τ) with the largest ρ as R, so that ℓ²/2p has no finite integral unless ℓ → 0",
-    );
-    p.note("So", "ξ → ±ρ: ψ → 0 or ψ → π");
-    Ok(())
+pub fn stops_along(ahead: Expr) -> Proof {
+    polar("Where a particle stops, ψ → 0 or ψ → π", |p| {
+        given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
+        let [speed, ell, rho, xi] = Expr::symbols(["p", "ℓ", "ρ", "ξ"]);
+        p.identity(
+            ("dξ/dτ by (101)", ahead),
+            (
+                "a square over p, so that ξ never falls",
+                (speed + ell).squared() / speed,
+            ),
+        )?;
+        let least = ell.squared() / (int(2) * speed) - speed;
+        p.identity(
+            ("dξ/dτ less ℓ²/2p, plus p", ahead - least),
+            (
+                "which is not negative",
+                (int(2) * speed + ell).squared() / (int(2) * speed),
+            ),
+        )?;
+        p.identity(("ℓ²", ell.squared()), ("", rho.squared() - xi.squared()))?;
+        p.note(
+            "Let p → 0 as τ → T, a finite time, at ρ > 0",
+            "ξ converges, as it never falls and is ρ at most; so do ρ and ℓ². By (99) p ≤ (1 + R)(T − τ) with the largest ρ as R: were the limit of ℓ² not 0, the integral of ℓ²/2p would be infinite, and ξ unbounded",
+        );
+        p.note("So ℓ → 0 and ξ → ±ρ", "ψ → 0 or ψ → π");
+        Ok(())
+    })
 }
 
 /// The polar ring, and the steps of a proof in it.
@@ -182,37 +195,37 @@ fn escapes(beyond: Beyond) -> Proof {
         acceleration,
         ahead,
     } = beyond;
-    polar("Beyond the bound of (127)", |p| {
+    polar("Beyond the bound of (127) the particle escapes", |p| {
         given(p, &[&turntable::EQ110])?;
         p.rests_on(&pushed(bound, acceleration))?;
         p.note(
-            "A² = ρ² − p² never falls, so that ρ stays above the bound, and at the limit of a bounded path ρ = A",
-            "no path is bounded: ρ grows beyond every number",
+            "A² = ρ² − p² never falls, so that ρ ≥ A stays above the number that A has at the start",
+            "no rest lasts there, and no path is bounded: its limit would be beyond the bound",
         );
         p.note(
-            "While A is bounded, so is the way, which grows at the rate p, and with it ρ",
-            "so A grows without end",
+            "A² grows at the rate 2p",
+            "if A were bounded, so would be the length of the path, and ρ: so A grows without end",
         );
-        stops_along(p, ahead)?;
+        p.rests_on(&stops_along(ahead))?;
         let [xi] = Expr::symbols(["ξ"]);
         p.identity(
             ("dp/dτ by (99)", motion::eq99_p_rate(xi)),
             ("ξ less the bound", xi - bound),
         )?;
         p.note(
-            "At ψ → 0 beyond the bound",
-            "ξ → ρ, and p grows: so p → 0 with ψ → π only, where the particle comes straight in",
+            "Where ψ → 0",
+            "ξ → ρ, which is above the bound, and p grows: so p → 0 with ψ → π only, where the particle comes straight in",
         );
         p.note(
             "From such a stop",
-            "it starts outwards, as the push there is positive while p is small: so ℓ → 0 as before, back to the stop, and ξ → ρ above the bound, for good, and the particle is never slower again",
+            "the particle is pushed outwards: followed back to the stop, ℓ → 0 likewise, and ξ → ρ, above the bound. As ξ never falls, p grows from the stop on",
         );
         p.rests_on(&comes_to_rest(bound))?;
         let [a, alpha] = Expr::symbols(["A", "α"]);
         p.rests_on(&sum(motion::eq111_p(a, alpha), motion::eq112_rho(a, alpha)))?;
         p.note(
             "For an A below the bound",
-            "p + ρ = A exp(α) is below it too, if α is small enough: no smaller number would do",
+            "p + ρ = A exp(α) is below it too if α is small enough: so no smaller bound would do",
         );
         Ok(())
     })
@@ -226,23 +239,19 @@ fn sum(p_formula: Expr, rho: Expr) -> Proof {
         ring.hyperbolic("α");
         Ok(ring)
     };
-    Proof::in_ring(
-        "(111) and (112): the sum of p and ρ, and their difference",
-        ring(),
-        |p| {
-            let [a, alpha] = Expr::symbols(["A", "α"]);
-            for (says, combined, power) in [
-                ("ρ + p", rho + p_formula, alpha),
-                ("ρ − p", rho - p_formula, -alpha),
-            ] {
-                p.identity(
-                    (says, combined),
-                    ("A times an exponential", a * power.exp()),
-                )?;
-            }
-            Ok(())
-        },
-    )
+    Proof::in_ring("(111) and (112): ρ + p and ρ − p", ring(), |p| {
+        let [a, alpha] = Expr::symbols(["A", "α"]);
+        for (says, combined, power) in [
+            ("ρ + p", rho + p_formula, alpha),
+            ("ρ − p", rho - p_formula, -alpha),
+        ] {
+            p.identity(
+                (says, combined),
+                ("A times an exponential", a * power.exp()),
+            )?;
+        }
+        Ok(())
+    })
 }
 
 fn alpha_grows(beyond: Beyond) -> Proof {
@@ -252,12 +261,15 @@ fn alpha_grows(beyond: Beyond) -> Proof {
             p,
             &[&turntable::EQ103, &turntable::EQ107, &turntable::EQ108],
         )?;
-        stops_along(p, beyond.ahead)?;
+        p.rests_on(&stops_along(beyond.ahead))?;
         p.note(
-            "While ξ ≤ 1",
-            "p does not grow, by (99), but ρ ≥ A and with it ℓ² = ρ² − ξ² do without end: ℓ²/2p − p, and so ξ, would; ξ passes 1",
+            "Suppose that ξ ≤ 1 for ever",
+            "p does not grow, by (99), but A does without end, and with it ρ ≥ A and ℓ² = ρ² − ξ²; so dξ/dτ ≥ ℓ²/2p − p, and ξ, would grow without end, a contradiction",
         );
-        p.note("From then on", "dp/dτ = ξ − 1 ≥ δ > 0, and cos ψ > 0");
+        p.note(
+            "So ξ passes 1, and never falls",
+            "from some time on dp/dτ = ξ − 1 ≥ δ with a constant δ > 0, and cos ψ > 0",
+        );
         let [speed, rho, psi, ell, xi] = Expr::symbols(["p", "ρ", "ψ", "ℓ", "ξ"]);
         let lag = motion::eq108_rho_rate(speed, psi) - motion::eq107_p_rate(rho, psi);
         let lag = p.read("The rate of ρ − p by (107) and (108)", lag)?;
@@ -271,9 +283,12 @@ fn alpha_grows(beyond: Beyond) -> Proof {
         p.equal("It times that", &(&rate * &weight), &square)?;
         p.note(
             "If ξ stayed bounded",
-            "p and ρ would be at most, p at least proportional to τ, and A², which grows at the rate 2p, at least to τ²: as |p − ℓ| ≤ p + ρ, dξ/dτ would grow at least as τ, and ξ without end",
+            "p would stay between two multiples of τ, and ρ below one; A², which grows at the rate 2p, would exceed a multiple of τ². As |p − ℓ| ≤ p + ρ, dξ/dτ would exceed a multiple of τ, and ξ would grow without end, a contradiction",
         );
-        p.note("So", "ξ → ∞, p/τ → ∞ by (99), (ρ − p)/p → 0");
+        p.note(
+            "So, as ξ never falls, ξ → ∞",
+            "by (99) p/τ → ∞, and (ρ − p)/p → 0",
+        );
         let [a, alpha] = Expr::symbols(["A", "α"]);
         p.rests_on(&sum(motion::eq111_p(a, alpha), motion::eq112_rho(a, alpha)))?;
         p.note("So", "exp(−2α) = (ρ − p)/(ρ + p) → 0");
@@ -336,7 +351,7 @@ fn relaxes(formula: Expr) -> Proof {
             "At |t| = ε later on",
             "|t| falls while p (1 + ε²) < ρ ε: it stays below ε while p, and so α, is small",
         );
-        p.note("ψ₁ by (124)", "asin(tanh 2α), which goes to 0 with α");
+        p.note("By (124) sin ψ₁ = tanh 2α", "so ψ₁ goes to 0 with α");
         p.rests_on(&rate)
     })
 }

@@ -5,8 +5,8 @@
 //!
 //! dN/dθ = N (2 − 2N − P),  dP/dθ = P (4N − 2 − 2P),
 //!
-//! up to what vanishes with t and 1 − tanh α. They come to rest at N = ¾, P = ½, from every start; all laws follow. How fast
-//! they come to rest gives the logarithm.
+//! up to what vanishes with t and 1 − tanh α. They settle at N = ¾, P = ½, from every start; all laws follow. How fast
+//! they settle gives the logarithm.
 
 use super::chains::ALPHA_GROWS;
 use super::{exponential, tau};
@@ -125,7 +125,7 @@ fn half() -> Expr {
 struct Species {
     /// dN/dθ over N and dP/dθ over P, in the symbols of a [`State`].
     rates: [Expr; 2],
-    /// Where N and P come to rest.
+    /// Where N and P settle.
     rest: [Expr; 2],
     /// By how much 1/t falls behind τ, per unit of ln τ.
     delay: Expr,
@@ -228,11 +228,11 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     p.reads_as(&turn, "with m = 2/(exp(4α) − 1)", parts)?;
     p.note(
         "ξ = ρ cos ψ grows without end",
-        "so that, from some time on, p > 0 and 0 < δ < π, up to whole turns",
+        "so from some time on p > 0 and, up to whole turns, 0 < δ < π",
     );
     p.note(
         "Where cos δ ≤ 0",
-        "δ falls, at the rate 2 at least: it comes below π/2, and as it falls there too, it stays below",
+        "δ falls at the rate 2 at least, to π/2; it falls there, too, and so stays below",
     );
     let along = p.ring().along(&[
         ("A", p.ring().read(motion::eq113_a_rate(alpha))?),
@@ -246,8 +246,8 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let parts = push * (int(1) - t.squared()) - int(2) * t.squared();
     p.reads_as(&rate, "", parts)?;
     p.note(
-        "As α → ∞, m → 0; and where t ≥ η, with any η > 0",
-        "once m < η² t falls at the rate η² at least, to η, and stays below: t → 0",
+        "As α → ∞, m → 0: let m < η², with any η > 0",
+        "where t ≥ η, t falls at the rate η² at least, to η, and it stays below: so t → 0",
     );
     p.note(
         "dt/dτ ≥ −2t², so that 1/t ≤ 2τ + c",
@@ -289,8 +289,8 @@ fn by_theta(p: &Prover<'_>, found: &Species) -> Result<Derivation, Obstacle> {
     ])?)
 }
 
-/// They come to rest.
-fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
+/// They settle.
+fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [n, predator, h, t] = Expr::symbols(NAMES);
     let [n0, p0] = found.rest;
     p.note(
@@ -313,13 +313,13 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         let slope = p.slope("Its slope", &height, name)?;
         p.reads_as(
             &slope,
-            "negative before the rest, positive after it",
+            "negative below this value, positive above it",
             stated,
         )?;
     }
     p.note(
-        "So V is least at the rest",
-        "and grows without end at the edges, where N or P goes to 0 or ∞: it is near its least value only near the rest",
+        "So V is least at N = 3/4, P = 1/2",
+        "and grows without end where N or P goes to 0 or ∞: it is near its least value only near that point",
     );
     let falls = p.derivative("dV/dθ", &height, &by_theta(p, found)?)?;
     let (k, little) = (cosine(t), t.squared() * predator);
@@ -329,15 +329,19 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let stated = int(4) * (n - n0) * first + int(2) * (predator - p0) * second
         - int(8) * (n - n0).squared()
         - int(2) * (predator - p0).squared();
-    p.reads_as(&falls, "two squares, and two products", stated)?;
+    p.reads_as(
+        &falls,
+        "two products with brackets, less two squares",
+        stated,
+    )?;
     p.identity(("1 − (1 + t² P) k", last), ("", k * (t.squared() - little)))?;
     p.note(
         "In the brackets 1, N and P have the factors 1 − kh, 1 − h, t², 1 − (1 + t² P) k and t² P = 1/(exp(4α) − 1)",
-        "all go to 0: let η be the largest of their sizes",
+        "all of them go to 0: let η be the largest of their sizes",
     );
     p.note(
         "With x = |N − 3/4| and y = |P − 1/2|",
-        "the first bracket is η (1 + 2N + P), and so η (3 + 2x + y), at most, the second η (2 + 2N + P), and so η (4 + 2x + y)",
+        "the first bracket is at most η (1 + 2N + P), and so η (3 + 2x + y), in size, the second η (2 + 2N + P), and so η (4 + 2x + y)",
     );
     let [x, y] = Expr::symbols(["x", "y"]);
     let most = int(4) * x * (int(3) + int(2) * x + y) + int(2) * y * (int(4) + int(2) * x + y);
@@ -346,7 +350,10 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         + int(4) * (int(1) - y).squared()
         + int(4) * (x - y).squared();
     p.identity(
-        ("10 + 18x² + 10y² less both, with their factors", spare),
+        (
+            "10 + 18x² + 10y² less 4x (3 + 2x + y) + 2y (4 + 2x + y)",
+            spare,
+        ),
         ("squares", squares),
     )?;
     p.note(
@@ -354,10 +361,10 @@ fn comes_to_rest(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "once 10η ≤ 1, V falls at the rate x² + y² − 10η at least",
     );
     p.note(
-        "Where V exceeds its least value by any given amount or more",
-        "x² + y² is above a fixed number, and 10η below half of it from some time on: V falls below that amount in a finite θ, and stays there",
+        "Where V exceeds its least value by a given amount or more",
+        "x² + y² is above a positive number, and 10η below half of that from some time on: so V comes below that amount, and stays there",
     );
-    let unity = p.read("2 − 2P at the rest", int(2) - int(2) * p0)?;
+    let unity = p.read("2 − 2P at P = 1/2", int(2) - int(2) * p0)?;
     p.reads_as(&unity, "", Expr::int(1))?;
     p.note(
         "So N → 3/4 and P → 1/2",
@@ -378,7 +385,7 @@ pub fn follow([q, v, w]: [Expr; 3], [n, predator, h, t]: State) -> [Expr; 2] {
     ]
 }
 
-/// How far they are from rest, over t; and what 1/t makes of it.
+/// How far they are from there, over t; and what 1/t makes of it.
 fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [n, predator, h, t] = Expr::symbols(NAMES);
     let [n0, p0] = found.rest;
@@ -429,15 +436,15 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let stated = -(int(16) / int(3) * x.squared()) - y.squared();
     p.reads_as(&shrinks, "squares", stated)?;
     p.note(
-        "What goes to 0 changes the two rates by η (1 + |x| + |y|) at most, with another η → 0",
-        "and dQ/dθ by 6η (|x| + |y|) (1 + |x| + |y|), as 16/3 and 2 are below 6",
+        "The true rates differ from these by η (1 + |x| + |y|) at most, with another η that goes to 0",
+        "so dQ/dθ differs by 6η (|x| + |y|) (1 + |x| + |y|) at most, as 16/3 and 2 are below 6",
     );
     let most = int(6) * (x + y) * (int(1) + x + y);
     let spare = int(3) + int(18) * (x.squared() + y.squared()) - most;
     let squares = int(3) * (int(1) - x - y).squared() + int(9) * (x - y).squared();
     p.identity(
         (
-            "3 + 18 (x² + y²) less that without η, with x for |x| and y for |y|",
+            "3 + 18 (x² + y²) less 6 (x + y) (1 + x + y), with x for |x| and y for |y|",
             spare,
         ),
         ("squares", squares),
@@ -476,8 +483,8 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let (rho, psi) = (motion::eq112_rho(a, alpha), Expr::pi() / int(2) - delta());
     let across = motion::eq95_ell(rho, psi);
     p.note(
-        "In the laboratory the particle turns about the axis with the table",
-        "and on it, where pℓ is ρ² times the rate by (96)",
+        "In the laboratory the particle turns about the axis with the table, at the rate 1",
+        "and relative to it at the rate pℓ/ρ², by (96)",
     );
     let turn = int(1) + speed() * across / rho.squared();
     let stated = (int(1) - h) / t + int(2) * h * cosine(t) * t;
@@ -500,11 +507,11 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
 /// Every escape ends on the spiral.
 fn spiral(found: Species) -> Proof {
     Proof::in_ring(
-        "Every escape as prey and predator, which come to rest",
+        "Every escape as prey and predator, which settle",
         ring(),
         |p| {
             moves(p, &found)?;
-            comes_to_rest(p, &found)?;
+            settles(p, &found)?;
             falls_behind(p, &found)?;
             turns(p, &found)
         },

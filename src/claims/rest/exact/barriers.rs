@@ -16,7 +16,7 @@ use trialbook::prelude::*;
 pub const SURFACE: Statement = Statement::new(
     Subject::Corrected,
     Compared::shown(
-        r"for every $\sigma$ between 0 and 1 there are $\alpha_0>0$ and $K$ such that every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, from which the particle comes to rest at $\sigma$ has an $A$ that differs from the corrected $A(\sigma,\alpha,\psi)$ by $K\alpha^3$ at most; and for each $\alpha$ and $\psi$ there is such an $A$",
+        r"for every $\sigma$ between 0 and 1 there are $\alpha_0>0$ and $K$ such that every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, from which the particle comes to rest at $\sigma$ has an $A$ that differs from the corrected $A(\sigma,\alpha,\psi)$ by $K\alpha^3$ at most; and for each such $\alpha$ and each $\psi$ there is a start with rest at $\sigma$",
     ),
     surfaces::CORRECTED.formulas,
     surface,
@@ -26,7 +26,7 @@ pub const SURFACE: Statement = Statement::new(
 pub const BOUNDARY: Statement = Statement::new(
     Subject::Corrected,
     Compared::shown(
-        r"there are $\alpha_0>0$ and $K$ such that from every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, the particle comes to rest if $A$ is below $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ by more than $K\alpha^3$, and escapes if it is above by more; for each $\alpha$ and $\psi$ there is an $A$ between, from which the particle comes to $\rho=1$, in a finite time only if $\psi\to\pi$",
+        r"there are $\alpha_0>0$ and $K$ such that from every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, the particle comes to rest if $A$ is below the corrected formula by more than $K\alpha^3$, and escapes if it is above by more; for each $\alpha$ and $\psi$ there is an $A$ between from which it comes to $\rho=1$: in a finite time only if $\psi\to\pi$",
     ),
     boundary::stated,
     rest_or_escape,
@@ -58,7 +58,7 @@ fn moved() -> Proof {
         ring.angle("ψ");
         Ok(ring)
     };
-    Proof::in_ring("How far a motion is from a barrier", ring(), |p| {
+    Proof::in_ring("The distance of a motion from a barrier", ring(), |p| {
         given(
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
@@ -66,8 +66,8 @@ fn moved() -> Proof {
         let [a, alpha, psi, sigma] = Expr::symbols(["A", "α", "ψ", "σ"]);
         let [surface, b, d, k, s] = Expr::symbols(["P", "b", "d", "K", "s"]);
         p.note(
-            "Let b and d be the slopes of a surface A = P(α, ψ) by α and ψ",
-            "u = A − P − sKα³ is how far a motion is from the surface, moved; s is 1 or −1",
+            "Let A = P(α, ψ) be a surface with the slopes b by α and d by ψ, K > 0, and s = 1 or s = −1",
+            "the barrier is the surface moved by sKα³, and u = A − P − sKα³ is the distance of a motion from it",
         );
         let falls = |a| -motion::eq114_alpha_rate(a, alpha, psi);
         let [growth, turning] = [
@@ -79,14 +79,17 @@ fn moved() -> Proof {
         let residual = growth + b * falls(surface) - d * turning;
         let pull = -(b * alpha.cosh() / (a * surface)) * (a - surface);
         let parts = residual + pull + int(3) * s * k * alpha.squared() * falls(a);
-        p.identity(("du/dτ by (113) to (115)", rate), ("the sum of the residual R, which is that of the surface at A = P; of m (A − P) with m = −b cosh α/(AP); and of 3sKα² f with f = −dα/dτ", parts))?;
+        p.identity(
+            ("du/dτ by (113) to (115)", rate),
+            ("which is R + m (A − P) + 3sKα² f: the residual R is the rate of A − P on the surface itself, m = −b cosh α/(AP), and f = −dα/dτ", parts),
+        )?;
         let parts = int(2) * (psi / int(2)).sin().squared()
             + int(2) * (alpha / int(2)).sinh().squared() / a
             + (int(1) / a - int(1));
-        p.identity(("f", falls(a)), ("two squares and 1/A − 1", parts))?;
+        p.identity(("f", falls(a)), ("at least 1/A − 1", parts))?;
         p.identity(
             ("1/A − 1 less 1/σ − 1", int(1) / a - int(1) / sigma),
-            ("", (sigma - a) / (sigma * a)),
+            ("not negative where A ≤ σ", (sigma - a) / (sigma * a)),
         )
     })
 }
@@ -96,39 +99,42 @@ fn surface(formula: Expr) -> Proof {
     Proof::in_ring(title, surfaces::ring(), |p| {
         p.rests_on(&moved())?;
         p.rests_on(&surfaces::prove(formula))?;
-        given(p, &[&turntable::EQ110])?;
+        given(p, &[&turntable::EQ110, &super::EQ139])?;
         let small = Series::monomial(Rational::int(1), 1, boundary::ENOUGH);
         let a = p.expand("P", formula, &[("α", &small)], ("α", 2))?;
         let left = imbalance(p.ring(), &a)?;
         p.zero("R at the order α^0", &order(&left, 0)?)?;
         p.note(
-            "At the order α it is 0 too, as just found",
-            "R, analytic in α, is bounded for all ψ, as the coefficients are polynomials in cos(ψ/2) and sin(ψ/2): |R| ≤ Cα²",
+            "Nor has R a term of the order α, as shown before",
+            "its coefficients as a series in α are polynomials in cos(ψ/2) and sin(ψ/2), so that |R| ≤ Cα² for all ψ, with a constant C",
         );
         p.note(
-            "Let a motion come to rest at σ < 1",
-            "A never falls: A ≤ σ, f ≥ 1/σ − 1 > 0, and it lasts for α/(1/σ − 1) at most, so that A ≥ σ/2 if α₀ is small, as P ≥ σ/2",
+            "While A ≤ σ",
+            "f ≥ 1/σ − 1 > 0, so that α falls, to 0 within the time α/(1/σ − 1). If A ≤ σ still, the particle is at rest there, at ρ = A. By (113) A never falls",
         );
         p.note(
-            "So |m| ≤ C′α, as b is of the order of α",
-            "choose K with 3K (1/σ − 1) > C + 1, then α₀ so small that C′Kα₀² < 1",
+            "Where A ≥ σ/2, as P is if α₀ is small, |m| ≤ C′α with a constant C′, as b is of the order of α",
+            "choose K with 3K (1/σ − 1) > C + 1, then α₀ with C′Kα₀² < 1",
         );
         p.note(
-            "If u > 0 at the start, with s = 1",
-            "du/dτ ≥ −C′αu + α² (3K (1/σ − 1) − C − C′Kα²) ≥ −C′αu: u is still positive at rest, against u = σ − P(0) = 0",
+            "Let s = 1, and u > 0 at the start",
+            "A > P ≥ σ/2, and while A ≤ σ, du/dτ ≥ −C′αu + α² (3K (1/σ − 1) − C − C′Kα²) ≥ −C′αu, so that u stays positive. At rest at σ or inside, u = A − σ would be 0 or less: the particle does not come to rest there",
         );
         p.note(
-            "If u < 0 at the start, with s = −1",
-            "so it would be at rest, with all signs turned: A differs from P by Kα³ at most",
+            "Let s = −1, and u < 0 at the start",
+            "where A ≤ σ/2, u is negative if α₀ is small; where A ≥ σ/2, du/dτ ≤ −C′αu by the same bounds. So u stays negative, and A < P < σ until α is 0, as P is σ less a positive multiple of α². The particle comes to rest inside σ, as u = A − σ < 0 there",
         );
         p.note(
-            "In the same way no start with u > 0, s = 1 rests at σ or inside, where u is 0 or less",
-            "and one with u < 0, s = −1 rests inside σ: A does not pass σ, where u > 0 as P < σ",
+            "So, if it comes to rest at σ, neither holds",
+            "|A − P| ≤ Kα³",
         );
-        p.rests_on(&fates::comes_to_rest(printed::eq139_largest_sigma()))?;
         p.note(
-            "For given α and ψ the starts that rest inside σ are open, as little way is left just before, and those whose A passes σ",
-            "neither set is empty, and they do not meet: from some A between, A ≤ σ for ever, and as f ≥ 1/σ − 1 the particle rests, at σ",
+            "For given α and ψ the A with rest inside σ form an open set, and so do those with A > σ at some time",
+            "shortly before rest little time is left for A to grow, also in neighbouring motions. Both have members, by the last case and with A > σ at the start, and none in common",
+        );
+        p.note(
+            "So some A is in neither set",
+            "from there A ≤ σ for ever: the particle comes to rest, not inside σ, and so at σ",
         );
         Ok(())
     })
@@ -140,47 +146,48 @@ fn rest_or_escape(formula: Expr) -> Proof {
         p.rests_on(&moved())?;
         boundary::agrees(p, formula, 2, a)?;
         p.note(
-            "P being the series to the order α^4",
+            "Let P be the series up to the order α^4",
             "it differs from the formula by a bounded number times α³",
         );
         p.note(
-            "R has no term below the order α^4, as just found",
-            "R and m, analytic in α, are bounded for all ψ, as the coefficients are polynomials in cos(ψ/2) and sin(ψ/2): |R| ≤ Cα^4",
+            "R has no term below the order α^4, as shown before",
+            "the coefficients of P and R as series in α are polynomials in cos(ψ/2) and sin(ψ/2), so that |R| ≤ Cα^4 for all ψ, with a constant C",
         );
         let slope = p.ring().normal(&-&order(a, 1)?);
         let psi = Expr::symbol("ψ");
         let stated = p.read("(1 + cos ψ)/2", (int(1) + psi.cos()) / int(2))?;
         p.equal("It is −b at α = 0", &slope, &stated)?;
         p.note(
-            "Inside |ψ| ≤ π/2",
-            "m ≥ 1/4 where A ≤ 1, if α₀ is small, and no motion goes out, as dψ/dτ = 2 ∓ 2 coth 2α at its ends",
+            "Inside: where |ψ| ≤ π/2",
+            "m ≥ 1/4 where A ≤ 1, if α₀ is small; and no motion leaves, as dψ/dτ = 2 − 2 coth 2α < 0 at ψ = π/2, and dψ/dτ = 2 + 2 coth 2α > 0 at ψ = −π/2",
         );
         p.note(
-            "Outside",
-            "f ≥ 1 where A ≤ 1, and m ≥ −C′α where A ≥ 1/2: α falls to 0, or the motion comes inside, before τ = α₀",
+            "Outside: where cos ψ < 0",
+            "f ≥ 1 where A ≤ 1, and m ≥ −C′α where A ≥ 1/2, with a constant C′: while A ≤ 1, α falls to 0 or the motion comes inside within the time α₀",
         );
         p.note(
-            "Let K = 1 in u; that of the theorem is larger by what P and the formula differ",
-            "and α₀ so small that what is of the order of α^4 is below α³/4",
+            "Let K = 1 in u, and α₀ be so small that what is of the order of α^4 is below α³/4",
+            "the K of the theorem is larger, by what P and the formula differ by, over α³",
         );
         above(p)?;
         below(p, formula)?;
         p.note(
-            "For given α and ψ the starts that come to rest inside ρ = 1 are open, as p + ρ < 1 just before, and those whose A passes 1",
-            "neither set is empty, and they do not meet: some A between belongs to none",
+            "For given α and ψ the A with rest inside ρ = 1 form an open set, and so do those with A > 1 at some time",
+            "shortly before rest p + ρ < 1, also in neighbouring motions. Both have members, by the cases s = −1 and s = 1, and none in common: some A between is in neither",
         );
         given(p, &[&super::chains::DICHOTOMY])?;
+        p.rests_on(&super::chains::settles())?;
         p.note(
-            "From there A ≤ 1 for ever, α falls, and ρ stays bounded",
-            "the particle stops at ρ = A ≤ 1, and so at ρ = 1, or by the dichotomy creeps towards it",
+            "From there A ≤ 1 for ever",
+            "α falls, and ρ = A cosh α stays bounded: the particle stops at ρ = A ≤ 1, and so at ρ = 1, with ψ → 0 or ψ → π, or else creeps towards ρ = 1",
         );
         p.note(
-            "Let it stop at a time T with ψ → 0",
-            "α ≤ c (T − τ), so that the time s with ds = dτ/α grows without end; d(ψ/α)/ds = 2 − (1 + o(1)) ψ/α + o(1) ψ/α keeps ψ/α bounded; 1 − A ≤ (T − τ) sinh α, as dA/dτ = sinh α falls",
+            "Suppose that it stops, at a time T, with ψ → 0",
+            "α ≤ c (T − τ) with a constant c, so that the time θ with dθ = dτ/α grows without end. As f → 0, d(ψ/α)/dθ = 2 − (1 + o(1)) ψ/α, and ψ/α stays bounded. And 1 − A ≤ (T − τ) sinh α, as dA/dτ = sinh α falls",
         );
         p.note(
-            "So f ≤ Cα (α + T − τ)",
-            "ln α falls at a bounded rate and α is not 0 at T: by the limits of ψ at a stop, ψ → π is left",
+            "So f is at most α (α + T − τ) times a constant",
+            "ln α falls at a bounded rate, and α is not 0 at T: a contradiction, and ψ → π is left",
         );
         Ok(())
     })
@@ -190,12 +197,12 @@ fn rest_or_escape(formula: Expr) -> Proof {
 fn above(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     given(p, &[&fates::ESCAPES])?;
     p.note(
-        "With s = 1, u > 0 at the start",
-        "if A > 1, it escapes; while A ≤ 1, α falls, as f > 0, and A > P ≥ 1/2: outside du/dτ ≥ −C′αu + 3α² − (C + C′) α^4 ≥ −C′αu, inside du/dτ ≥ m (u + α³) − Cα^4 ≥ u/4",
+        "Let s = 1, and u > 0 at the start",
+        "if A > 1, the motion escapes. While A ≤ 1, α falls, as f > 0; and while u > 0 too, A > P ≥ 1/2: outside du/dτ ≥ −C′αu + 3α² − (C + C′) α^4 ≥ −C′αu, inside du/dτ ≥ m (u + α³) − Cα^4 ≥ u/4",
     );
     p.note(
-        "So u stays positive, and inside it grows without end",
-        "not for ever, as A ≤ 1; nor does α come to 0, where u is A − 1: A passes 1, and the particle escapes",
+        "So u stays positive while A ≤ 1",
+        "α does not come to 0, where u = A − 1; so the motion comes inside, where u grows without end. As u < A, A passes 1, and the particle escapes",
     );
     Ok(())
 }
@@ -211,10 +218,13 @@ fn lower_than_one(formula: Expr) -> Proof {
         + c / int(2);
     let parts = alpha * (c - alpha * h / int(2)).squared() + alpha.squared() / int(4)
         - alpha.pow(int(3)) * h.squared() / int(4);
-    Proof::in_ring("The formula is below 1", least::ring(), |p| {
+    Proof::in_ring("The boundary is below A = 1", least::ring(), |p| {
         p.identity(
             ("1 less the formula", int(1) - formula),
-            ("where H is bounded", parts),
+            (
+                "at least α²/4 less a bounded number times α³: positive for small α",
+                parts,
+            ),
         )
     })
 }
@@ -226,15 +236,15 @@ fn below(p: &mut Prover<'_>, formula: Expr) -> Result<(), Obstacle> {
     p.rests_on(&lower_than_one(formula))?;
     p.note(
         "So P < 1 if α₀ is small",
-        "with s = −1, A < 1 while u < 0, and then α falls",
+        "with s = −1, A < 1 while u < 0, and α falls",
     );
     p.note(
-        "With u < 0 at the start",
-        "it stays: where A ≤ 1/2, u is near −1/2 or less; where A ≥ 1/2, du/dτ ≤ C′α |u| + (C + C′) α^4 − 3α² ≤ C′α |u| outside; inside, whatever A < 1 is, du/dτ ≤ m (u − α³) + Cα^4 ≤ u/4",
+        "Let s = −1, and u < 0 at the start",
+        "where A ≤ 1/2, u is negative if α₀ is small; where A ≥ 1/2, outside, du/dτ ≤ −C′αu + (C + C′) α^4 − 3α² ≤ −C′αu; inside, for every A < 1, du/dτ ≤ m (u − α³) + Cα^4 ≤ u/4. So u stays negative",
     );
     p.note(
         "Inside u would fall without end, but it is above −2",
-        "so α comes to 0 after a finite time, with ρ = A < 1, where static friction holds",
+        "so α comes to 0 after a finite time, with ρ = A < 1, where static friction holds the particle",
     );
     Ok(())
 }
@@ -245,17 +255,17 @@ fn lowest(formula: Expr) -> Proof {
         p.rests_on(&least::prove(formula))?;
         given(p, &[&BOUNDARY])?;
         p.note(
-            "The corrected boundary is nowhere below the formula but for the order α³",
-            "below the formula by more than Kα³, with another K, every start comes to rest",
+            "The corrected boundary is nowhere below the formula, up to the order α³",
+            "so from every start below the formula by more than Kα³, with a larger K, the particle comes to rest",
         );
         p.note(
             "At ψ = 2α",
-            "the boundary is the formula but for the order α³",
+            "the boundary is the formula, up to the order α³:",
         );
         least::where_it_is(p, formula, Rational::int(2))?;
         p.note(
-            "So",
-            "from there every start escapes whose A is above the formula by more than Kα³",
+            "So from every start there with A above the formula by more than Kα³",
+            "the particle escapes",
         );
         Ok(())
     })

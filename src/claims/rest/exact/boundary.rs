@@ -54,11 +54,11 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
     let ring = p.ring();
     p.note(
         "To be found",
-        "A = 1 + α F₁ + α² F₂ + … with Fₖ = (a + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ, t = tan(ψ/2); a′ is a of the order before",
+        "A = 1 + α F₁ + α² F₂ + … with Fₖ = (a + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ, t = tan(ψ/2); the xₙ and a differ from order to order, and a′ is a of the order before",
     );
     p.note(
-        "It consists of motions",
-        "dA/dτ = ∂A/∂α dα/dτ + ∂A/∂ψ dψ/dτ, by (113), (114), (115)",
+        "Solved, order by order, is the condition that the surface consists of motions",
+        "dA/dτ = ∂A/∂α dα/dτ + ∂A/∂ψ dψ/dτ, with the rates by (113) to (115)",
     );
     let t = ring.half_tangent("ψ")?;
     let one_over = ring.divide(&Rational::int(1), &(Rational::int(1) + &t * &t))?;
@@ -84,7 +84,7 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
             p.note("At the order α^1, ψ = 0", ring.text(&corner));
             let root = ring.put(&corner, &[(&before, &way_in)])?;
             p.zero(
-                "It vanishes at a = −1 of F₁, where A falls with α: the way in",
+                "It vanishes at a′ = −1, where A falls as α grows: of the two motions along ψ = 0 the one that comes in",
                 &root,
             )?;
         }
@@ -169,7 +169,7 @@ pub fn stated() -> Expr {
 pub const CORRECTED: Statement = Statement::new(
     Subject::Corrected,
     Compared::one(
-        r"$1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$",
+        "the corrected formula",
         r"the power series in $\alpha$ that solves the equations of motion, to order four",
     ),
     stated,

@@ -12,7 +12,7 @@ use trialbook::prelude::*;
 pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
     Subject::Within,
     Compared::shown(
-        r"every motion from every start, for which $\rho$ stays bounded and which never comes to rest, has a place to which it converges, with $p\to0$: at $\rho<1$ it would come to rest, at $\rho>1$ be pushed away; at $\rho=1$ it creeps",
+        r"every motion that never comes to rest, though $\rho$ stays bounded, converges to a place, with $p\to0$: inside $\rho=1$ it would come to rest, beyond it would be pushed away, so that it creeps towards $\rho=1$",
     ),
     || {
         (
@@ -26,22 +26,14 @@ pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
 
 fn dichotomy((third, bound, acceleration): (Expr, Expr, [Expr; 2])) -> Proof {
     polar("Rest, escape, or creeping towards ρ = 1", |p| {
-        p.note(
-            "Let a motion never come to rest, and ρ stay bounded",
-            "it converges to a place, as follows, with p → 0",
-        );
         p.rests_on(&pushed(bound, acceleration))?;
-        p.note(
-            "If that place is beyond the bound",
-            "there is no such motion",
-        );
         p.rests_on(&comes_to_rest(bound))?;
         p.note(
-            "If it is inside the bound",
-            "p + ρ falls below the bound at some time, and the particle comes to rest: there is no such motion",
+            "Let a motion never come to rest, and ρ stay bounded",
+            "its place converges, not beyond the bound, and p → 0. Were the limit inside the bound, p + ρ would fall below the bound, and the particle would come to rest",
         );
         let one = p.read(
-            "At the bound it creeps for ever: this is excepted. The bound",
+            "So it creeps towards the bound for ever, which is excepted. The bound",
             bound,
         )?;
         p.equal("It is 1", &one, &Rational::int(1))?;
@@ -83,11 +75,14 @@ fn settle(p: &mut Prover<'_>, [alpha, psi]: [Expr; 2], ahead: Expr) -> Result<()
     )?;
     p.note(
         "At rest",
-        "ρ = σ > 0, as A² = ρ² − p² is positive and never falls; so A → σ and tanh α = p/ρ → 0",
+        "ρ = σ > 0, as A² = ρ² − p² is positive at the start and never falls; so A → σ, and tanh α = p/ρ → 0",
     );
     p.vanishes("The stated limit of α", alpha)?;
-    stops_along(p, ahead)?;
-    p.note("Straight in, ψ → π, is excepted", "ψ → 0");
+    p.rests_on(&stops_along(ahead))?;
+    p.note(
+        "The particle does not come straight in, with ψ → π",
+        "ψ → 0 is left",
+    );
     p.vanishes("The stated limit of ψ", psi)
 }
 

@@ -33,12 +33,12 @@ pub(super) fn where_it_is(p: &mut Prover<'_>, formula: Expr, y: Rational) -> Res
 
 /// A formula for A is the boundary's where ψ is of the order of α, and A is nowhere less.
 pub fn prove(formula: Expr) -> Proof {
-    let title = "the least A of the boundary between rest and escape";
+    let title = "The least A of the boundary between rest and escape";
     Proof::in_ring(title, ring(), |p| {
         p.rests_on(&boundary::prove(boundary::stated(), ORDER))?;
         p.note(
             "Where ψ is of the order of α",
-            "ψ = y α, with any y: as on the way to rest, where y is 2",
+            "ψ = y α, with any y; on the way to rest y → 2",
         );
         let y = p.ring().named("y")?;
         where_it_is(p, formula, y)?;
@@ -47,20 +47,23 @@ pub fn prove(formula: Expr) -> Proof {
         let half = psi / Expr::int(2);
         let (c, s) = (half.cos(), half.sin());
         let ratio = |n, m| Expr::int(n) / Expr::int(m);
-        p.note("With any ψ", "S is sin(ψ/2), C is cos(ψ/2)");
+        p.note(
+            "With any ψ",
+            "let S be sin(ψ/2), C be cos(ψ/2), and G as follows, of the size 25/4 at most",
+        );
         let above = p.read("A less the formula", boundary::stated() - formula)?;
         let g = Expr::int(2) * c.pow(Expr::int(3))
             - ratio(7, 6) * s * (Expr::int(1) + c.squared())
             - s * c.squared()
             + ratio(2, 3) * s.squared() * c
             - ratio(1, 4) * s.pow(Expr::int(3));
-        p.read("G, of which the size is 25/4 at most", g)?;
+        p.read("G", g)?;
         let square = alpha * (s + alpha * g / Expr::int(2)).squared();
         let parts = square - alpha.pow(Expr::int(3)) * g.squared() / Expr::int(4);
-        p.reads_as(&above, "", parts)?;
+        p.reads_as(&above, "which is α (S + αG/2)² − α³G²/4", parts)?;
         p.note(
             "So A is nowhere less than the formula",
-            "but for terms of the order of α³, as are those left out of the boundary",
+            "up to terms of the order α³, the order of those left out of the boundary",
         );
         Ok(())
     })

@@ -24,7 +24,7 @@ pub(super) fn ring() -> Result<Ring, ExactError> {
 
 /// A formula for A consists of motions, and is (145) at ψ = 0.
 pub fn prove(formula: Expr) -> Proof {
-    let title = "the surface of starts that come to rest at σ";
+    let title = "The surface of starts that come to rest at σ";
     Proof::in_ring(title, ring(), |p| {
         given(
             p,
@@ -56,8 +56,8 @@ pub fn prove(formula: Expr) -> Proof {
             &order(&known, 2)?,
         )?;
         p.note(
-            "Other solutions",
-            "differ by a multiple of sin²ψ tan(ψ/2)^(−2/σ), which is infinite at ψ = 0 as σ < 1",
+            "This equation has other solutions for the coefficient of α²",
+            "they differ by a multiple of sin²ψ tan(ψ/2)^(−2/σ), which is infinite at ψ = 0, as σ < 1",
         );
         Ok(())
     })
