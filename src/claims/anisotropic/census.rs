@@ -2,7 +2,6 @@
 
 use super::simulated::{corrected_list, listed_digits, printed_list, simulated};
 use trialbook::claims::points::round;
-use trialbook::claims::runs::Runs;
 use trialbook::prelude::*;
 
 /// Cells of the census along q, thirty for each unit.

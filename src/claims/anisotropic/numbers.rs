@@ -5,8 +5,8 @@ use crate::certified::numbers;
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
 use trialbook::claims::by_hand::Numbers;
-use trialbook::claims::compare::Failure;
 use trialbook::claims::values::Number;
+use trialbook::prelude::*;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 3] = [

@@ -4,7 +4,6 @@ use super::boundary::{border, corrected_a, printed_a};
 use crate::certified::turntable::{Fate, fate};
 use crate::claims::tolerances::NONE;
 use trialbook::certified::written::decimal;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
@@ -31,7 +30,7 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
 pub fn printed() -> Evidence {
     let trial = Trial::by(
         Route::Certified,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the fate by (147) (1 for rest, 0 for escape)",
             "that by validated integration",
@@ -45,7 +44,7 @@ pub fn printed() -> Evidence {
 pub fn corrected() -> Evidence {
     let trial = Trial::by(
         Route::Certified,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"the fate by $1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$ (1 for rest, 0 for escape)",
             "that by validated integration",

@@ -4,7 +4,7 @@ use super::projections;
 use crate::motion::{Plane, State, run};
 use crate::paper::turntable as printed;
 use trialbook::claims::by_hand::Numbers;
-use trialbook::claims::compare::Failure;
+use trialbook::prelude::*;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [

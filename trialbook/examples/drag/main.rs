@@ -1,5 +1,4 @@
 //! Another paper on trial: a stone is thrown, the drag is in proportion to its velocity; (6) is wrong in print.
-use Subject::{Corrected, Printed};
 use trialbook::prelude::*;
 /// As printed: k is the drag over the mass, g gravity, u and w the velocity at the start across and upwards.
 mod paper {

@@ -34,7 +34,7 @@ macro_rules! from_every_start {
 
 #[track_caller]
 const fn theorem(compared: Compared, of: Statement, prove: fn(Expr) -> Proof) -> Statement {
-    Statement::new(Subject::Corrected, compared, of.formulas, prove)
+    Statement::new(Corrected, compared, of.formulas, prove)
 }
 
 /// (128) as corrected.

@@ -167,7 +167,7 @@ pub fn stated() -> Expr {
 
 /// The boundary as corrected.
 pub const CORRECTED: Statement = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::one(
         r"$1-\alpha f_1(\psi)+\alpha^2f_2(\psi)$",
         r"the power series in $\alpha$ that solves the equations of motion, to order four",
@@ -178,7 +178,7 @@ pub const CORRECTED: Statement = Statement::new(
 
 /// (147) as the boundary.
 pub const PRINTED: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(147)",
         r"the power series in $\alpha$ that solves the equations of motion",
