@@ -6,7 +6,7 @@ use crate::claims::escape::trajectories::{Flight, Late, Launch};
 use crate::motion::MotionError;
 use crate::motion::turntable::{self, State, critical_radius, inertial};
 use std::f64::consts::TAU;
-use trialbook::figures::{
+use trialbook::plotting::{
     Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table,
 };
 

@@ -11,8 +11,8 @@ use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::written::{Condition, Of, sign};
-use trialbook::claims::enclosed::resting_on;
 use trialbook::prelude::*;
+use trialbook::trials::enclosed::resting_on;
 
 /// What is shown from the time on at which the region is entered.
 macro_rules! from_then_on {

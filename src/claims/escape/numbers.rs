@@ -8,10 +8,10 @@ use std::f64::consts::{SQRT_2, TAU};
 use trialbook::certified::ball::Ball;
 use trialbook::certified::enclosure::Enclosure;
 use trialbook::certified::error::CertifiedError;
-use trialbook::claims::by_hand::Numbers;
-use trialbook::claims::enclosed::on_balls;
-use trialbook::claims::values::Number;
 use trialbook::prelude::*;
+use trialbook::trials::by_hand::Numbers;
+use trialbook::trials::enclosed::on_balls;
+use trialbook::trials::values::Number;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 10] = [

@@ -9,8 +9,8 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::general;
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::points::round;
 use trialbook::prelude::*;
+use trialbook::trials::points::round;
 
 fn at(name: &str, lambda: f64, start: DriveState) -> String {
     let DriveState { phi, w } = start;

@@ -1,8 +1,8 @@
 //! Fates by validated integration: where (147) says one thing and Newton's law the other.
 
 use super::boundary::{border, corrected_a, printed_a};
-use crate::certified::turntable::{Fate, fate};
 use crate::claims::tolerances::NONE;
+use crate::validated::turntable::{Fate, fate};
 use trialbook::certified::written::decimal;
 use trialbook::prelude::*;
 
@@ -71,9 +71,9 @@ pub(super) const TRIALS: &[Attempt] = trials![printed, corrected];
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certified::turntable::{fate_launched, fate_put_down};
     use crate::claims::rest::boundary::resting_place;
     use crate::motion::turntable::{critical_radius, critical_speed};
+    use crate::validated::turntable::{fate_launched, fate_put_down};
     use trialbook::certified::error::CertifiedError;
     use trialbook::certified::interval::Interval;
 

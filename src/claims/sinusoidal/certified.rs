@@ -12,9 +12,9 @@
 
 mod premises;
 
-use crate::certified::numbers::LAMBDA_C;
 use crate::claims::tolerances::NONE;
 use crate::paper::sinusoidal as printed;
+use crate::validated::numbers::LAMBDA_C;
 use premises::by_phi1;
 use trialbook::certified::cover::{Said, everywhere_written};
 use trialbook::certified::error::CertifiedError;
@@ -22,8 +22,8 @@ use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::taylor::Taylor;
 use trialbook::certified::written::{Of, agree, coefficient, sign, slope};
-use trialbook::claims::enclosed::{certified, numbers, on_balls, resting_on};
 use trialbook::prelude::*;
+use trialbook::trials::enclosed::{certified, numbers, on_balls, resting_on};
 
 type One = Jet<1>;
 type Outcome = Result<usize, CertifiedError>;

@@ -92,7 +92,7 @@ static PAPER: Paper = Paper {
     ..Paper::BLANK
 };
 /// The height of the top over the drag, as printed and as it is found.
-fn figures() -> Result<Vec<Figure>, trialbook::edition::Failure> {
+fn figures() -> Result<Vec<Figure>, trialbook::publishing::Failure> {
     let row = |k| Ok((k, [paper::eq6_top(k, 9.8, 5.0), top([k, 9.8, 5.0])?]));
     let rows: Result<Vec<_>, Failure> = (1..=40).map(|i| row(f64::from(i) / 20.0)).collect();
     let plot = Plot::new("top", "The top")

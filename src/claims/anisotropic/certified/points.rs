@@ -2,16 +2,16 @@
 
 use super::super::exact;
 use super::{Two, on_a, prove_b, q_y};
-use crate::certified::drive::arc;
-use crate::certified::numbers::{LAMBDA_Y, Q_Y};
 use crate::claims::tolerances::NONE;
 use crate::paper::anisotropic as printed;
+use crate::validated::drive::arc;
+use crate::validated::numbers::{LAMBDA_Y, Q_Y};
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::{Interval, PI};
 use trialbook::certified::krawczyk;
 use trialbook::certified::written::agree;
-use trialbook::claims::enclosed::{DIGITS, certified, numbers, on_balls};
 use trialbook::prelude::*;
+use trialbook::trials::enclosed::{DIGITS, certified, numbers, on_balls};
 
 /// The two sides of an equation of λ₀ and qλ₀, or of K and λ₀.
 type Sides = fn(Two, Two) -> [Two; 2];

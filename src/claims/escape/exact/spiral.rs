@@ -14,8 +14,8 @@ use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as corrected;
 use crate::exact::Derivation;
 use crate::paper::turntable as motion;
-use trialbook::claims::runs::Derived;
 use trialbook::prelude::*;
+use trialbook::trials::runs::Derived;
 
 /// N, P, h = tanh α, and t.
 pub type State = [Expr; 4];

@@ -7,8 +7,8 @@ use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
 use crate::exact::{Derivation, Series};
 use crate::paper::turntable as motion;
-use trialbook::claims::runs::Derived;
 use trialbook::prelude::*;
+use trialbook::trials::runs::Derived;
 
 /// The boundary is stated to the second order; two more follow.
 const ORDER: i64 = 4;

@@ -7,8 +7,8 @@
 use crate::claims::turntable::exact as turntable;
 use crate::exact::{Derivation, Series};
 use crate::paper::{rest as printed, turntable as motion};
-use trialbook::claims::runs::Derived;
 use trialbook::prelude::*;
+use trialbook::trials::runs::Derived;
 
 /// Coefficients to be found at one order.
 const UNKNOWN: [&str; 7] = ["x₀", "x₁", "x₂", "x₃", "x₄", "x₅", "x₆"];

@@ -35,9 +35,9 @@ impl Error for Failure {}
 #[macro_export]
 macro_rules! failures {
     ($($error:ty),* $(,)?) => {
-        $(impl From<$error> for $crate::claims::runs::Failure {
+        $(impl From<$error> for $crate::trials::runs::Failure {
             fn from(error: $error) -> Self {
-                $crate::claims::runs::Failure::of(error)
+                $crate::trials::runs::Failure::of(error)
             }
         })*
     };
