@@ -1,8 +1,8 @@
 //! Certified digits, and all certificates of the ledger: `cargo bench --bench certified`.
 
-use slipbook::certified::numbers::{LAMBDA_C, Q_Y, X_Y};
-use slipbook::claims::{anisotropic, rest, sinusoidal};
-use slipbook::evidence::Evidence;
+use slipbook::claims::PAPER;
+use slipbook::validated::numbers::{LAMBDA_C, Q_Y, X_Y};
+use std::collections::BTreeMap;
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -16,34 +16,24 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         }
     }
     let mut sum = 0.0;
-    for (name, trial) in CERTIFICATES {
-        let milliseconds = each(50, || drop(black_box(trial())));
-        println!("{name}: {milliseconds:.3} ms, {} parts", trial().points);
+    let mut certificates = BTreeMap::new();
+    for trial in PAPER.claims().flat_map(|(_, claim)| claim.trials) {
+        if ["certified", "bounds"]
+            .iter()
+            .any(|file| trial.file().contains(file))
+        {
+            certificates.insert(format!("{} {}", trial.file(), trial.name()), trial);
+        }
+    }
+    for (name, trial) in certificates {
+        let milliseconds = each(50, || drop(black_box(trial.evidence())));
+        let parts = trial.evidence().points;
+        println!("{name}: {milliseconds:.3} ms, {parts} parts");
         sum += milliseconds;
     }
     println!("all certificates: {sum:.1} ms");
     Ok(())
 }
-
-type Trial = fn() -> Evidence;
-
-/// The trials of the ledger, each once.
-const CERTIFICATES: [(&str, Trial); 14] = [
-    ("λ_c to 50 digits", sinusoidal::certified::lambda_c),
-    ("bracket of φ̃₂", sinusoidal::certified::bracket),
-    ("one change in (35)", sinusoidal::certified::threshold),
-    ("one change in (41)", sinusoidal::certified::turns),
-    ("root of (53)", anisotropic::certified::a_once),
-    ("root of (54)", anisotropic::certified::b_once),
-    ("root of E", anisotropic::certified::e_once),
-    ("order of the curves", anisotropic::certified::order),
-    ("X", anisotropic::certified::points::x_unique),
-    ("Y, rounded", anisotropic::certified::points::y_rounding),
-    ("Y to 50 digits", anisotropic::certified::points::y_digits),
-    ("no way back", anisotropic::certified::points::no_way_back),
-    ("fates, printed", rest::certified::printed),
-    ("fates, corrected", rest::certified::corrected),
-];
 
 /// Milliseconds that one call takes: the fastest of many, so that other work on the machine does not count.
 fn each(calls: u32, work: impl Fn()) -> f64 {

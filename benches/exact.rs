@@ -6,8 +6,8 @@ use slipbook::evidence::Evidence;
 use std::hint::black_box;
 use std::process::Command;
 use std::time::{Duration, Instant};
-use trialbook::claims::attempt::Attempt;
-use trialbook::claims::statement::Statement;
+use trialbook::trials::attempt::Attempt;
+use trialbook::trials::statement::Statement;
 
 /// How often each of the two is timed.
 const TIMES: usize = 100;

@@ -11,7 +11,7 @@ use slipbook::paper::rest as printed;
 use std::f64::consts::PI;
 use std::hint::black_box;
 use std::time::Instant;
-use trialbook::claims::points::Points;
+use trialbook::trials::points::Points;
 
 type Failure = Box<dyn std::error::Error>;
 

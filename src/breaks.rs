@@ -9,9 +9,9 @@ use crate::seeded::{Formula, Mistake, Seed, with};
 use crate::{corrections, paper};
 use serde::Serialize;
 use std::collections::BTreeSet;
-use trialbook::claims::formulas::{Formulas, text};
-use trialbook::claims::{Claim, Topic};
 use trialbook::notation::plain_words;
+use trialbook::trials::formulas::{Formulas, text};
+use trialbook::trials::{Claim, Topic};
 
 /// The topics that take part.
 pub static TOPICS: [&Topic; 4] = [

@@ -12,7 +12,7 @@
 //! In a formula of [`paper`] or [`corrections`] a mistake can be [`seeded`], to see that its trials notice.
 //!
 //! They meet in [`claims`], one row per claim, where trials turn a comparison into [`evidence`]. [`exact`]
-//! proves identities, [`certified`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
+//! proves identities, [`validated`] encloses numbers and proves statements on whole ranges. The [`ledger`] judges:
 //! evidence in, verdict out. [`figures`] draws, [`explorers`] answer to the reader's hand, and [`book`] writes all
 //! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`]
 //! what is this paper's own. For parameters of your own there are the calculators of [`solve`].
@@ -88,7 +88,7 @@
     doc = "",
     doc = "[`claims`]: #judging",
     doc = "[`exact`]: #judging",
-    doc = "[`certified`]: #judging",
+    doc = "[`validated`]: #judging",
     doc = "[`breaks`]: #judging"
 )]
 #![cfg_attr(
@@ -103,8 +103,6 @@
 
 #[cfg(feature = "trials")]
 pub mod breaks;
-#[cfg(feature = "trials")]
-pub mod certified;
 #[cfg(feature = "trials")]
 pub mod claims;
 #[cfg(feature = "book")]
@@ -123,6 +121,8 @@ pub mod paper;
 pub mod solve;
 #[cfg(feature = "trials")]
 pub mod symbols;
+#[cfg(feature = "trials")]
+pub mod validated;
 
 #[cfg(feature = "trials")]
 pub use trialbook::exact;

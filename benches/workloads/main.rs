@@ -6,7 +6,6 @@ mod row;
 use criterion::{BenchmarkGroup, Criterion, Throughput, measurement::WallTime};
 use rayon::prelude::*;
 use row::{Arcs, Column, Row};
-use slipbook::certified::numbers::{LAMBDA_C, Q_Y};
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
 use slipbook::motion::drive::{Attractor, Drive, DriveState, Friction, Sign};
 use slipbook::motion::turntable::ensemble::{End, Horizon};
@@ -14,10 +13,11 @@ use slipbook::motion::turntable::intrinsic::Run;
 use slipbook::motion::turntable::{Fate, Start, fate};
 use slipbook::numerics::quadrature::integral;
 use slipbook::paper::constant::eq13_time;
+use slipbook::validated::numbers::{LAMBDA_C, Q_Y};
 use std::hint::black_box;
 use std::process::{Command, Stdio};
 use std::time::Duration;
-use trialbook::claims::points::Points;
+use trialbook::trials::points::Points;
 
 type Failure = Box<dyn std::error::Error>;
 

@@ -20,8 +20,8 @@ mod transverse;
 mod transverse_decay;
 
 use super::shared::SHARED;
-use trialbook::claims::Topic;
-use trialbook::claims::read::claims;
+use trialbook::trials::Topic;
+use trialbook::trials::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -16,8 +16,8 @@ mod only_constant;
 mod time;
 
 use super::shared::SHARED;
-use trialbook::claims::Topic;
-use trialbook::claims::read::claims;
+use trialbook::trials::Topic;
+use trialbook::trials::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

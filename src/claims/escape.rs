@@ -11,8 +11,8 @@ pub mod straight;
 pub mod trajectories;
 
 use super::shared::SHARED;
-use trialbook::claims::Topic;
-use trialbook::claims::read::claims;
+use trialbook::trials::Topic;
+use trialbook::trials::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -2,6 +2,6 @@
 
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
-use trialbook::claims::runs::failures;
+use trialbook::trials::runs::failures;
 
 failures!(DriveError, MotionError);

@@ -5,7 +5,7 @@ use super::variants::{UP_TO_A_FACTOR, UP_TO_A_POSITIVE_FACTOR, argument};
 use crate::scalar::Scalar;
 use crate::seeded::Formula;
 use crate::{corrections, paper};
-use trialbook::claims::formulas::Formulas;
+use trialbook::trials::formulas::Formulas;
 
 /// Every formula of the paper, and every one that replaces one or adds to it.
 pub fn formulas<S: Scalar>() -> Vec<Formula<S>> {

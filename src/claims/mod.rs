@@ -21,8 +21,8 @@ pub mod sinusoidal;
 pub mod sphere;
 pub mod turntable;
 
-pub use trialbook::claims::values;
-use trialbook::claims::{Paper, Topic};
+pub use trialbook::trials::values;
+use trialbook::trials::{Paper, Topic};
 
 /// All topics, in the paper's order.
 static TOPICS: [&Topic; 9] = [

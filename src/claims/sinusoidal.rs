@@ -22,8 +22,8 @@ pub mod transverse_decay;
 mod units;
 
 use super::shared::SHARED;
-use trialbook::claims::Topic;
-use trialbook::claims::read::claims;
+use trialbook::trials::Topic;
+use trialbook::trials::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

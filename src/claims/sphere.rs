@@ -13,8 +13,8 @@ mod scaling;
 mod spheres;
 
 use super::shared::SHARED;
-use trialbook::claims::Topic;
-use trialbook::claims::read::claims;
+use trialbook::trials::Topic;
+use trialbook::trials::read::claims;
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

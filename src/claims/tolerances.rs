@@ -1,7 +1,7 @@
 //! Every tolerance, with its reason, in one place; sorted by name.
 
-use trialbook::claims::tolerances::tolerances;
-pub use trialbook::claims::tolerances::{MOTION, NONE, QUADRATURE};
+use trialbook::trials::tolerances::tolerances;
+pub use trialbook::trials::tolerances::{MOTION, NONE, QUADRATURE};
 
 tolerances! {
 

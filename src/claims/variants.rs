@@ -1,6 +1,6 @@
 //! What the wrong variants of the formulas have to know: which stand, and where the formulas are stated.
 
-pub use trialbook::claims::variants::Variant;
+pub use trialbook::trials::variants::Variant;
 
 /// The formulas that say that something vanishes or keeps its value: a constant factor does not make them wrong.
 pub(super) const UP_TO_A_FACTOR: [&str; 10] = [

@@ -14,7 +14,7 @@ use std::io::{self, BufWriter, ErrorKind, Write};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use trialbook::cli::{Shard, VERSION, complain, progress, unwritten};
-use trialbook::edition::{Failure, Format};
+use trialbook::publishing::{Failure, Format};
 
 /// Exit code after Ctrl-C, as shells have it.
 const STOPPED: u8 = 130;

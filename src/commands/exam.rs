@@ -6,7 +6,7 @@ use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde_json::{Map, Value, json as object};
 use trialbook::cli::{VERSION, csv, json, show};
-use trialbook::edition::{Failure, Format};
+use trialbook::publishing::{Failure, Format};
 
 /// Which tasks.
 #[derive(Debug, Args)]

@@ -9,7 +9,7 @@ mod solve;
 mod sweep;
 
 use clap::{Args, FromArgMatches};
-use trialbook::edition::Command;
+use trialbook::publishing::Command;
 
 /// All of them.
 pub const ALL: [Command; 3] = [

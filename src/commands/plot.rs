@@ -7,7 +7,7 @@ use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use trialbook::cli::bare;
-use trialbook::edition::Failure;
+use trialbook::publishing::Failure;
 
 /// Where an SVG goes: a file, or `-` for standard output.
 ///

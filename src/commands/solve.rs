@@ -15,7 +15,7 @@ use clap::{Arg, ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;
 use trialbook::cli::{Shard, complain, csv, json, say, screen, show};
-use trialbook::edition::{Failure, Format};
+use trialbook::publishing::{Failure, Format};
 
 /// A calculator.
 #[derive(Args)]

@@ -10,8 +10,8 @@ use serde_json::{Map, json};
 use std::fmt::Write as _;
 use std::io::{self, ErrorKind, Write};
 use trialbook::cli::{Shard, complain, screen, show, unwritten};
-use trialbook::edition::{Failure, Format};
-use trialbook::figures::{Cell, Table};
+use trialbook::plotting::{Cell, Table};
+use trialbook::publishing::{Failure, Format};
 
 /// Points that are asked together; after each such piece the rows are written.
 const PIECE: u64 = 1024;

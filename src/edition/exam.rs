@@ -5,7 +5,7 @@ use crate::exam::published::{Standing, cases};
 use crate::exam::results::{self, Mark};
 use crate::exam::{Answer, Basis, TASKS};
 use trialbook::book::{escape, table};
-use trialbook::edition::{Failure, Filled};
+use trialbook::publishing::{Failure, Filled};
 
 /// Every task with its answer.
 pub(super) fn table_of() -> Result<Filled, Failure> {

@@ -5,7 +5,7 @@
 //! `book/theme/breaks.wasm`. Pages opened from the disk may not fetch anything, so a module goes into a script as text.
 
 use crate::claims::laid_over;
-use trialbook::edition::{Failure, Filled};
+use trialbook::publishing::{Failure, Filled};
 
 /// The scripts and the style, with the module as text: path within the book, and text.
 pub(super) fn files() -> Vec<(String, String)> {

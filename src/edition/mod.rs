@@ -11,7 +11,7 @@ mod tests;
 use crate::claims::PAPER;
 use crate::{commands, figures, symbols};
 use include_dir::{Dir, include_dir};
-use trialbook::edition::{Edition, Placeholder, Sources, texts};
+use trialbook::publishing::{Edition, Placeholder, Sources, texts};
 
 /// The book and the command.
 pub static EDITION: Edition = Edition {

@@ -1,6 +1,6 @@
 //! The pages as they are written, and where those of earlier books are now.
 
-use trialbook::edition::{Page, Part};
+use trialbook::publishing::{Page, Part};
 
 /// One list of the written pages, for the book and for the doctests; a topic has its title elsewhere.
 macro_rules! written {

@@ -2,9 +2,9 @@
 
 use crate::claims::PAPER;
 use trialbook::book::{escape, table};
-use trialbook::claims::as_of;
-use trialbook::edition::Filled;
 use trialbook::notation::plain_words;
+use trialbook::publishing::Filled;
+use trialbook::trials::as_of;
 
 /// What the tool `mutants` wrote.
 const RECORD: &str = include_str!("../../snapshots/physics.csv");

@@ -2,7 +2,7 @@
 
 use serde::Deserialize;
 use trialbook::book::{escape, table};
-use trialbook::edition::{Failure, Filled};
+use trialbook::publishing::{Failure, Filled};
 
 /// What `benches/peers/run.py` wrote.
 const RESULTS: &str = include_str!("../../benches/results.json");

@@ -8,10 +8,10 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 use trialbook::book::{self, BookError};
-use trialbook::claims::read::File;
-use trialbook::claims::{Claim, Paper, Topic};
-use trialbook::edition::{Edition, Page, Part};
-use trialbook::figures::Figure;
+use trialbook::plotting::Figure;
+use trialbook::publishing::{Edition, Page, Part};
+use trialbook::trials::read::File;
+use trialbook::trials::{Claim, Paper, Topic};
 
 /// A claim with everything that a box can show, some of it hostile.
 static FULL: Topic = Topic::new(

@@ -1,7 +1,7 @@
 //! An exam in dry friction for engines and solvers: set-ups, each with one question, and answers that can be relied on.
 //!
 //! Every answer is found twice: by following the motion ([`crate::motion`]), and by a route that does not read that run,
-//! mostly an enclosure ([`crate::certified`]) or a second integrator with other equations. An answer on which the two
+//! mostly an enclosure ([`crate::validated`]) or a second integrator with other equations. An answer on which the two
 //! do not agree is an [`ExamError`], not an answer. No formula of the paper is used.
 //!
 //! ```

@@ -6,10 +6,10 @@
 
 use super::tray::sine;
 use super::{Answer, DIMENSIONLESS, ExamError, Other, Task};
-use crate::certified::numbers;
 use crate::motion::drive::{Drive, DriveState, Friction, Sign};
 use crate::motion::{self, PhaseKind, Plane, Signal, run};
 use crate::numerics::roots::root;
+use crate::validated::numbers;
 use std::f64::consts::{PI, TAU};
 
 /// The set-up, but for its numbers.

@@ -1,9 +1,9 @@
 //! A block on a tray that is shaken to and fro.
 
 use super::{Answer, DIMENSIONLESS, ExamError, Other, Task, fraction, valued};
-use crate::certified::{drive, numbers};
 use crate::motion::drive::{Attractor, Drive, DriveError, DriveState, Friction, PlanarState, Sign};
 use crate::motion::{self, Plane, Signal, run};
+use crate::validated::{drive, numbers};
 use std::f64::consts::TAU;
 use trialbook::certified::ball::Ball;
 use trialbook::certified::enclosure::Enclosure;

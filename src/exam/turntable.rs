@@ -1,12 +1,12 @@
 //! A coin on a turntable: small, so that it is a particle.
 
 use super::{Answer, ExamError, Other, Task};
-use crate::certified::turntable::{Fate as Proved, fate_launched, fate_put_down};
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{
     Fate, Start, State, Table, critical_radius, critical_speed, fate, inertial,
 };
+use crate::validated::turntable::{Fate as Proved, fate_launched, fate_put_down};
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 

@@ -7,7 +7,7 @@ use super::AllFiguresError;
 use crate::claims::anisotropic::simulated::Curves;
 use crate::claims::anisotropic::{census as counted, drawn, panels, rows};
 use std::f64::consts::PI;
-use trialbook::figures::{
+use trialbook::plotting::{
     Area, Axis, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Stroke, Table,
 };
 

@@ -7,7 +7,7 @@ use super::AllFiguresError;
 use crate::claims::constant::drawn;
 use crate::motion::MotionError;
 use std::f64::consts::PI;
-use trialbook::figures::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
+use trialbook::plotting::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     Ok(vec![portraits()?, histories()?, stopping_times()?])

@@ -1,8 +1,8 @@
 //! The figure of the digits that the calculators claim, from the recorded counts.
 
 use super::AllFiguresError;
-use trialbook::claims::as_of;
-use trialbook::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+use trialbook::trials::as_of;
 
 /// Counted by `tests/digits`, which in the deep tier also tries whether it still holds.
 const RECORD: &str = include_str!("../../snapshots/digits.csv");
@@ -67,7 +67,7 @@ pub fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
     }
     let cells = cells(counts);
     let class = |cases: &usize| match cases {
-        0 => trialbook::figures::BLANK,
+        0 => trialbook::plotting::BLANK,
         1..10 => 0,
         10..100 => 1,
         100..1000 => 2,

@@ -3,7 +3,7 @@
 use super::AllFiguresError;
 use super::anisotropic::{Heights, heights};
 use crate::claims::anisotropic::drawn::{self, Budgets};
-use trialbook::figures::{
+use trialbook::plotting::{
     Axis, BLANK, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table,
 };
 

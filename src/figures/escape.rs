@@ -1,12 +1,12 @@
 //! The figures of section 4, escape. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
 use super::AllFiguresError;
-use crate::claims::escape::growth::{self, Quantity, lag, size, speed};
+use crate::claims::escape::growth::{LAG, Power, SIZE, SPEED, corrected_limits, printed_limits};
 use crate::claims::escape::trajectories::{Flight, Late, Launch};
 use crate::motion::MotionError;
 use crate::motion::turntable::{self, State, critical_radius, inertial};
 use std::f64::consts::TAU;
-use trialbook::figures::{
+use trialbook::plotting::{
     Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table,
 };
 
@@ -45,22 +45,21 @@ fn moments() -> Result<Vec<Vec<Late>>, AllFiguresError> {
 
 /// What the first correction leaves of their speeds.
 fn residuals(moments: &[Vec<Late>]) -> Result<Figure, AllFiguresError> {
-    let left = |late: &Late| {
-        [
-            late.tau,
-            (speed(late) / growth::corrected_speed() - 1.0) * late.tau,
-        ]
-    };
+    let [limit, ..] = corrected_limits();
+    let left = |late: &Late| [late.tau, (SPEED.over.1(late) / limit - 1.0) * late.tau];
     let escapes: Vec<Vec<_>> = moments
         .iter()
         .map(|one| one.iter().map(left).collect())
         .collect();
-    Ok(residual(&escapes, growth::corrected_speed_log())?)
+    Ok(residual(&escapes, SPEED.corrected_log())?)
 }
 
 /// Their growth.
 fn growths(moments: &[Vec<Late>]) -> Result<Figure, AllFiguresError> {
-    let followed = |quantity: Quantity| {
+    let [speed, size, lag] = corrected_limits();
+    let [printed_speed, printed_size] = printed_limits();
+    let followed = |of: &Power| {
+        let (_, quantity) = of.over;
         let one = |moments: &Vec<Late>| moments.iter().map(|l| [l.tau, quantity(l)]).collect();
         moments.iter().map(one).collect()
     };
@@ -69,25 +68,25 @@ fn growths(moments: &[Vec<Late>]) -> Result<Figure, AllFiguresError> {
             name: "p/tau^2",
             axis: "p/τ^2",
             range: (0.18, 0.26),
-            printed: Some(growth::printed_speed()),
-            corrected: growth::corrected_speed(),
-            escapes: followed(speed),
+            printed: Some(printed_speed),
+            corrected: speed,
+            escapes: followed(&SPEED),
         },
         Compensated {
             name: "A/tau^(3/2)",
             axis: "A/τ^{3/2}",
             range: (0.34, 0.42),
-            printed: Some(growth::printed_size()),
-            corrected: growth::corrected_size(),
-            escapes: followed(size),
+            printed: Some(printed_size),
+            corrected: size,
+            escapes: followed(&SIZE),
         },
         Compensated {
             name: "(pi/2 - psi) tau",
             axis: "(π/2 − ψ) τ",
             range: (1.5, 3.0),
             printed: None,
-            corrected: growth::corrected_lag(),
-            escapes: followed(lag),
+            corrected: lag,
+            escapes: followed(&LAG),
         },
     ])?)
 }

@@ -3,7 +3,7 @@
 use super::AllFiguresError;
 use crate::exam::results::{Candidate, ResultsError, candidates, ours, tasks};
 use crate::exam::{Answer, TASKS};
-use trialbook::figures::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
+use trialbook::plotting::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
 
 /// The tasks drawn: a stop in the plane, and a stick and slip.
 const DRAWN: [&str; 2] = ["stop-place", "heat"];

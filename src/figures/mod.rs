@@ -1,5 +1,5 @@
 //! The figures of the book, a file for each topic: from the data that the trials use, or that are integrated, counted and bisected here, to a
-//! drawing with its numbers, made with the tools of [`trialbook::figures`].
+//! drawing with its numbers, made with the tools of [`trialbook::plotting`].
 
 mod anisotropic;
 mod constant;
@@ -20,8 +20,8 @@ mod turntable;
 use crate::motion::MotionError;
 use crate::motion::drive::DriveError;
 use rayon::prelude::*;
-use trialbook::claims::compare::Failure;
-use trialbook::figures::{Figure, FigureError};
+use trialbook::plotting::{Figure, FigureError};
+use trialbook::trials::compare::Failure;
 
 /// Why a figure has no data or cannot be drawn.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

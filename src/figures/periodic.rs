@@ -7,7 +7,7 @@ use super::AllFiguresError;
 use crate::claims::periodic::drawn::{self, Row, Wave};
 use crate::claims::periodic::drives::Phase;
 use std::f64::consts::{PI, TAU};
-use trialbook::figures::{
+use trialbook::plotting::{
     Area, Axis, Curve, Figure, FigureError, Note, Panel, Plot, Points, Raster, Stroke, Table,
 };
 

@@ -7,7 +7,7 @@ use crate::motion::turntable::ensemble::rests;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, fate};
 use std::f64::consts::PI;
-use trialbook::figures::{
+use trialbook::plotting::{
     Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table,
 };
 

@@ -6,7 +6,7 @@
 use super::AllFiguresError;
 use crate::claims::sinusoidal::drawn::{self, Transient};
 use std::f64::consts::PI;
-use trialbook::figures::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
+use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     let curves = drawn::transients()?;
@@ -210,7 +210,7 @@ pub fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
         .panel(panel.curve(
             Curve::new(exponential)
                 .ink()
-                .stroke(trialbook::figures::Stroke::Dotted)
+                .stroke(trialbook::plotting::Stroke::Dotted)
                 .label_at("'an exponential'", 0.9),
         ))
         .figure(table)
@@ -231,7 +231,7 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
     .curve(Curve::new(points.iter().copied()).series(0))
     .rule(
         Rule::vertical(critical)
-            .stroke(trialbook::figures::Stroke::Dotted)
+            .stroke(trialbook::plotting::Stroke::Dotted)
             .label("λ_c"),
     )
     .height(220.0);

@@ -1,7 +1,7 @@
 //! A plot of a calculator's answer.
 
 use crate::solve;
-use trialbook::figures::{Axis, Figure, FigureError, Panel, Plot, Table};
+use trialbook::plotting::{Axis, Figure, FigureError, Panel, Plot, Table};
 
 /// The curve of an answer, on plain axes: equally long units, if they are the same and there is room.
 ///
@@ -13,8 +13,9 @@ pub fn figure(curve: &solve::Curve) -> Result<Figure, FigureError> {
         table.row([x.into(), y.into()])?;
     }
     let [x, y] = labels.map(Axis::linear);
-    let mut panel =
-        Panel::new(x, y).curve(trialbook::figures::Curve::new(curve.points.iter().copied()));
+    let mut panel = Panel::new(x, y).curve(trialbook::plotting::Curve::new(
+        curve.points.iter().copied(),
+    ));
     let span = |axis: usize| {
         let values = || curve.points.iter().map(|p| p[axis]);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)

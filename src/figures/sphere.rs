@@ -7,7 +7,7 @@ use crate::motion::MotionError;
 use crate::motion::sphere::{Sphere, Turning};
 use crate::motion::turntable::{State, Table as Turntable, inertial};
 use std::f64::consts::{PI, TAU};
-use trialbook::figures::{
+use trialbook::plotting::{
     Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Stroke, Table,
 };
 

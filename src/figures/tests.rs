@@ -3,7 +3,7 @@
 use super::*;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
-use trialbook::figures::*;
+use trialbook::plotting::*;
 
 /// The figures of the book.
 static GALLERY: LazyLock<Vec<Figure>> =

@@ -6,7 +6,7 @@ use super::AllFiguresError;
 use crate::claims::turntable::drawn::{self, Launched, Moment};
 use crate::claims::turntable::fixed::{self, Following};
 use std::f64::consts::PI;
-use trialbook::figures::{
+use trialbook::plotting::{
     Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table,
 };
 

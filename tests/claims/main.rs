@@ -17,8 +17,8 @@ use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
 use std::path::Path;
 use std::sync::Arc;
 use std::thread;
-use trialbook::claims::statement::Proved;
-use trialbook::claims::{Claim, Sort};
+use trialbook::trials::statement::Proved;
+use trialbook::trials::{Claim, Sort};
 
 fn main() {
     // One after another, or the differences of several claims are printed into each other.

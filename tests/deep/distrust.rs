@@ -9,8 +9,8 @@ use slipbook::ledger::{Key, Ledger};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use trialbook::claims::attempt::Attempt;
-use trialbook::claims::{Claim, Excuse, Topic};
+use trialbook::trials::attempt::Attempt;
+use trialbook::trials::{Claim, Excuse, Topic};
 
 #[test]
 fn every_trial_notices_mistakes_and_is_as_strict_as_recorded() {

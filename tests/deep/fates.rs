@@ -1,8 +1,8 @@
 //! The recorded maps of fates, in the deep tier: whole, nearly without a gap, in agreement with simulation, and provable again.
 
-use slipbook::certified::turntable::Margins;
 use slipbook::claims::rest::fates::{ROUND, Row, open, recorded};
 use slipbook::motion::turntable::{Start, fate::rests};
+use slipbook::validated::turntable::Margins;
 
 fn maps() -> Vec<Vec<Row>> {
     recorded().unwrap()

@@ -1,7 +1,5 @@
 //! What is enclosed is what was meant, and no wider than it has to be: held against ordinary numbers and the motion.
 
-use slipbook::certified::drive;
-use slipbook::certified::turntable::{self, fate_launched, fate_put_down};
 use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::simulated::{curve_a, curve_b, curve_e, touching};
 use slipbook::corrections::escape;
@@ -11,6 +9,8 @@ use slipbook::numerics::number::Number;
 use slipbook::paper::escape as printed;
 use slipbook::paper::sinusoidal::eq37_lambda_c;
 use slipbook::scalar::Scalar;
+use slipbook::validated::drive;
+use slipbook::validated::turntable::{self, fate_launched, fate_put_down};
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
 use trialbook::certified::ball::Ball;

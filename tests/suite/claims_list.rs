@@ -4,8 +4,8 @@
 
 use slipbook::claims::PAPER;
 use slipbook::evidence::Kind;
-use trialbook::claims::Claim;
 use trialbook::notation::{plain_formula, plain_words};
+use trialbook::trials::Claim;
 
 /// The claims without their topics.
 fn all() -> impl Iterator<Item = &'static Claim> {

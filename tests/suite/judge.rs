@@ -5,8 +5,8 @@ use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
 use slipbook::numerics::roots::root;
 use std::fmt::Debug;
 use std::panic::Location;
-use trialbook::claims::compare::{Pair, Trial};
-use trialbook::claims::{Condition, Sort};
+use trialbook::trials::compare::{Pair, Trial};
+use trialbook::trials::{Condition, Sort};
 
 const GOOD: f64 = 1e-13;
 const BAD: f64 = 1e-3;

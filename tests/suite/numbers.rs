@@ -5,7 +5,7 @@ use slipbook::claims::values::search;
 use slipbook::numerics::expression::expression;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, LN_2, PI, SQRT_2, TAU};
-use trialbook::claims::by_hand::Numbers;
+use trialbook::trials::by_hand::Numbers;
 
 /// 𝔴 at the end of a forward motion that begins at rest at `from`.
 fn gained(lambda: f64, from: f64, to: f64) -> f64 {

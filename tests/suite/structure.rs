@@ -20,7 +20,7 @@ const ENGINE: &Modules = &[
     ("exact", &["notation", "scalar", "seeded", "witness"]),
     ("certified", &["exact", "numerics", "scalar", "witness"]),
     (
-        "claims",
+        "trials",
         &[
             "scalar",
             "evidence",
@@ -32,32 +32,51 @@ const ENGINE: &Modules = &[
             "notation",
         ],
     ),
-    ("ledger", &["evidence", "claims", "seeded", "notation"]),
-    ("figures", &[]),
-    ("edition", &["claims", "figures", "seeded"]),
+    ("ledger", &["evidence", "trials", "seeded", "notation"]),
+    ("plotting", &[]),
+    ("publishing", &["trials", "plotting", "seeded"]),
     (
         "prelude",
         &[
-            "claims", "edition", "evidence", "exact", "figures", "ledger", "numerics", "scalar",
+            "trials",
+            "publishing",
+            "evidence",
+            "exact",
+            "plotting",
+            "ledger",
+            "numerics",
+            "scalar",
             "seeded",
         ],
     ),
     (
         "book",
         &[
-            "evidence", "claims", "ledger", "figures", "edition", "notation",
+            "evidence",
+            "trials",
+            "ledger",
+            "plotting",
+            "publishing",
+            "notation",
         ],
     ),
     (
         "cli",
         &[
-            "claims", "evidence", "ledger", "figures", "notation", "numerics", "book", "edition",
+            "trials",
+            "evidence",
+            "ledger",
+            "plotting",
+            "notation",
+            "numerics",
+            "book",
+            "publishing",
             "witness",
         ],
     ),
 ];
 
-/// What knows this paper. A module of the engine's name holds what belongs to this paper there.
+/// What knows this paper.
 const OF_THE_PAPER: &Modules = &[
     ("motion", &["numerics", "scalar"]),
     ("explorers", &["motion"]),
@@ -68,11 +87,16 @@ const OF_THE_PAPER: &Modules = &[
         "solve",
         &["corrections", "motion", "numerics", "paper", "scalar"],
     ),
-    ("certified", &["exact", "numerics", "scalar", "witness"]),
-    ("exam", &["certified", "motion", "numerics"]),
+    (
+        "validated",
+        &["certified", "exact", "numerics", "scalar", "witness"],
+    ),
+    ("exam", &["certified", "motion", "numerics", "validated"]),
     (
         "claims",
         &[
+            "trials",
+            "validated",
             "scalar",
             "evidence",
             "numerics",
@@ -86,7 +110,10 @@ const OF_THE_PAPER: &Modules = &[
             "witness",
         ],
     ),
-    ("figures", &["claims", "exam", "motion", "solve"]),
+    (
+        "figures",
+        &["claims", "exam", "motion", "plotting", "solve", "trials"],
+    ),
     (
         "breaks",
         &[
@@ -98,17 +125,36 @@ const OF_THE_PAPER: &Modules = &[
             "paper",
             "scalar",
             "seeded",
+            "trials",
         ],
     ),
     (
         "commands",
-        &["numerics", "exam", "figures", "cli", "edition", "solve"],
+        &[
+            "numerics",
+            "exam",
+            "figures",
+            "cli",
+            "plotting",
+            "publishing",
+            "solve",
+        ],
     ),
     (
         "edition",
         &[
-            "evidence", "claims", "exam", "ledger", "figures", "notation", "symbols", "book",
+            "evidence",
+            "claims",
+            "exam",
+            "ledger",
+            "figures",
+            "notation",
+            "symbols",
+            "book",
             "commands",
+            "plotting",
+            "publishing",
+            "trials",
         ],
     ),
 ];

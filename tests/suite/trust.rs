@@ -53,10 +53,10 @@ fn the_page_is_complete() {
     for folder in [
         "trialbook/src/exact",
         "trialbook/src/certified",
-        "trialbook/src/claims",
+        "trialbook/src/trials",
         "trialbook/src/numerics",
         "trialbook/src/seeded",
-        "src/certified",
+        "src/validated",
         "src/motion",
         "src/paper",
         "src/corrections",

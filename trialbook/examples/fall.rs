@@ -32,7 +32,7 @@ fn motion([g, t]: [f64; 2]) -> Result<[f64; 2], Failure> {
 
 fn speed_by_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one("the formula", "the integrated motion"),
     );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
@@ -42,7 +42,7 @@ fn speed_by_motion() -> Evidence {
 
 fn speed_by_integral() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Printed,
+        Printed,
         Compared::one("the formula", "the integral of gravity"),
     );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
@@ -52,7 +52,7 @@ fn speed_by_integral() -> Evidence {
 
 fn way_by_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one("the formula", "the integrated motion"),
     );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
@@ -62,7 +62,7 @@ fn way_by_motion() -> Evidence {
 
 fn right_way_by_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Corrected,
+        Corrected,
         Compared::one("what is right", "the integrated motion"),
     );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {
@@ -72,7 +72,7 @@ fn right_way_by_motion() -> Evidence {
 
 fn right_way_by_integral() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Corrected,
+        Corrected,
         Compared::one("what is right", "the integral of the speed"),
     );
     trial.at(["g", "t"], falls(), 20.0, |[g, t]| {

@@ -5,9 +5,9 @@
 //! number or a tree. In it a mistake can be [`seeded`], to see that its trials notice.
 //!
 //! What is found without the paper is found with [`numerics`]. [`exact`] proves identities, [`certified`] encloses
-//! numbers and proves statements on whole ranges. [`figures`] draws.
+//! numbers and proves statements on whole ranges. [`plotting`] draws.
 //!
-//! The [`book`] writes all of it down, and [`cli`] is the command; what a paper has of its own for them is its [`edition`].
+//! The [`book`] writes all of it down, and [`cli`] is the command; what a paper has of its own for them is said in [`publishing`].
 //!
 //! Nothing here knows which paper is on trial.
 //!
@@ -25,33 +25,33 @@
 #![cfg_attr(
     not(feature = "book"),
     doc = "",
-    doc = "[`figures`]: #features",
+    doc = "[`plotting`]: #features",
     doc = "[`book`]: #features",
     doc = "[`cli`]: #features",
-    doc = "[`edition`]: #features"
+    doc = "[`publishing`]: #features"
 )]
 
 #[cfg(feature = "book")]
 pub mod book;
 #[cfg(feature = "trials")]
 pub mod certified;
-pub mod claims;
 #[cfg(feature = "book")]
 pub mod cli;
-#[cfg(feature = "book")]
-pub mod edition;
 pub mod evidence;
 #[cfg(feature = "trials")]
 pub mod exact;
-#[cfg(feature = "book")]
-pub mod figures;
 pub mod ledger;
 #[cfg(feature = "trials")]
 pub mod notation;
 pub mod numerics;
+#[cfg(feature = "book")]
+pub mod plotting;
 #[cfg(feature = "trials")]
 pub mod prelude;
+#[cfg(feature = "book")]
+pub mod publishing;
 pub mod scalar;
 pub mod seeded;
+pub mod trials;
 #[cfg(feature = "trials")]
 pub mod witness;

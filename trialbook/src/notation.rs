@@ -5,6 +5,7 @@ pub(crate) mod letters;
 mod pieces;
 mod plain;
 
+#[cfg(feature = "book")]
 pub(crate) use latex::command;
 pub use pieces::{Piece, decimal, pieces};
 pub use plain::{plain_formula, plain_words};

@@ -8,7 +8,6 @@ use crate::corrections::anisotropic as corrected;
 use crate::motion::drive::{DriveState, Interval};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// Seeded starts, the plain one first.
@@ -33,7 +32,7 @@ fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Ev
     const X: [&str; 3] = [r"$\lambda_0$ of X", "", ""];
     let compared = Compared::composed(X, [EQUAL, change_of, " in the simulated motion"]);
     let [_, lambda0] = printed::eq57_x();
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, ROOT);
+    let trial = Trial::by(Route::Root, Printed, compared, ROOT);
     trial.over(starts(stream), |start| {
         let found = change(1.0, 1e-9, start, holds)?;
         Ok(Pair {
@@ -49,7 +48,7 @@ fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Ev
 fn y_decimals() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(58)",
             r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
@@ -78,7 +77,7 @@ fn y_decimals() -> Evidence {
 fn y_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "$q$ of (58)",
             r"the middle of region II on $q\lambda_0=1-\eta$, whose ends come from simulation",
@@ -102,7 +101,7 @@ fn y_limit() -> Evidence {
 pub fn y_digits() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the root of (54) on (55)",
             r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
@@ -124,16 +123,15 @@ pub fn y_digits() -> Evidence {
 fn y_by_slip() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Remark,
+        Remark,
         Compared::many(
             r"$q_Y=\sqrt{1+x^2}$ and $\lambda_0=1/q_Y$, with the root of $\tan x=x$ between $\pi$ and $3\pi/2$,",
             r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
         ),
         MOTION,
     );
-    let both = simulated_points().flat_map(|point| [(point.clone(), 0), (point, 1)]);
-    trial.over(both, |(point, i)| {
-        let &(start, q) = point?;
+    trial.over(with_each(simulated_points(), [0, 1]), |case| {
+        let (&(start, q), i) = case?;
         let x = root(|x| libm::sin(x) - x * libm::cos(x), PI, 1.5 * PI)?;
         let found = [q, 1.0 / q][i];
         Ok(Pair {
@@ -164,7 +162,7 @@ fn printed_y() -> f64 {
 fn y_contact() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$2\sqrt{\eta/(q_Yc)}$, with $c=(q_Y-1)/[2q_Y^3(q_Y+1)]$,",
             r"the width in $q$ of region II on $q\lambda_0=1-\eta$ in the simulation",
@@ -187,7 +185,7 @@ fn y_contact() -> Evidence {
 
 /// How closely they touch, as a number: C − B and C − E over (q − q_Y)², the mean of both sides.
 fn y_curvature() -> Evidence {
-    let trial = Trial::by(Route::Root, Subject::Printed, Compared::one(
+    let trial = Trial::by(Route::Root, Printed, Compared::one(
         r"$\lambda_0$ on C less $(q_Y-1)\delta^2/[2q_Y^3(q_Y+1)]$",
         r"the $\lambda_0$ at which direct reversals end in the simulation, in units of its distance from $q\lambda_0=1$",
     )

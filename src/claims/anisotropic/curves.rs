@@ -7,15 +7,17 @@ use super::simulated::{
 };
 use crate::claims::tolerances::{FAR_A, FAR_E, ROOT};
 use crate::corrections::anisotropic as corrected;
-use crate::evidence::Subject::{Corrected, Printed, Remark};
 use crate::paper::anisotropic as printed;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
-/// λ₀ on (53); NaN where it has no root.
-fn on_a(q: f64) -> f64 {
-    curve_a(q).unwrap_or(f64::NAN)
-}
+/// A curve: what gives its λ₀ at a q, and this; NaN where there is none.
+type Law = (&'static str, fn(f64) -> f64);
+
+const EQ53: Law = ("the root of (53)", |q| curve_a(q).unwrap_or(f64::NAN));
+const EQ54: Law = ("the root of (54)", on_b);
+const EQ55: Law = ("(55)", printed::eq55_lambda0);
+const EQ56: Law = ("(56)", |_| printed::eq56_lambda0());
+const E: Law = ("the root of E", on_b_or_e);
 
 /// λ₀ on (54); NaN where it has no root.
 fn on_b(q: f64) -> f64 {
@@ -54,26 +56,21 @@ const fn lambda0_of(law: &'static str, change: &'static str) -> Compared {
 fn change(
     subject: Subject,
     wanted: fn(&Row) -> bool,
-    (law, stated): (&'static str, fn(f64) -> f64),
+    (law, stated): Law,
     (name, found): Change,
 ) -> Evidence {
     let trial = Trial::by(Route::Root, subject, lambda0_of(law, name), ROOT);
-    over(&trial, rows(), wanted, &[stated], found)
+    over(&trial, only(rows(), |row| wanted(row)), [stated], found)
 }
 
-fn over(
+fn over<const N: usize>(
     trial: &Trial,
-    rows: Result<&'static [Row], Failure>,
-    wanted: fn(&Row) -> bool,
-    stated: &[fn(f64) -> f64],
+    rows: impl Iterator<Item = Result<&'static Row, Failure>>,
+    stated: [fn(f64) -> f64; N],
     found: fn(&Row) -> f64,
 ) -> Evidence {
-    let rows = match rows {
-        Ok(rows) => rows.iter().filter(|row| wanted(row)),
-        Err(error) => return trial.over([error], Err),
-    };
-    let cases = rows.flat_map(|row| stated.iter().map(move |stated| (row, stated)));
-    trial.over(cases, |(row, stated)| {
+    trial.over(with_each(rows, stated), |case| {
+        let (row, stated) = case?;
         Ok(Pair {
             at: format!("q = {:.6}", row.q),
             stated: stated(row.q),
@@ -102,19 +99,16 @@ fn sides(
         "",
     ];
     let trial = Trial::census(subject, orders(name).over_composed(around));
-    let rows = match rows() {
-        Ok(rows) => rows,
-        Err(error) => return trial.over([error], Err),
-    };
     let words = listed_digits();
-    let of = |row: &Row| {
+    let of = |row: &'static Row| {
         let (q, height, list) = (row.q, height(row), list(row.q));
         let both = move |distance: f64| [height - distance, height + distance];
         let heights = DISTANCES.into_iter().flat_map(both);
         heights.map(move |lambda0| (q, lambda0, list(lambda0)))
     };
-    let points = rows.iter().filter(|row| wanted(row)).flat_map(of);
-    trial.over(points, |(q, lambda0, region)| {
+    let rows = only(rows(), |row| wanted(row));
+    trial.over(rows.flat_map(|row| parts(row.map(of))), |point| {
+        let (q, lambda0, region) = point?;
         Ok(Pair {
             at: format!("q = {q:.6}, λ₀ = {lambda0:.9}"),
             stated: region.map_or(f64::NAN, |k| words[k - 1]),
@@ -136,18 +130,14 @@ fn beyond_y(row: &Row) -> bool {
     !row.before_y
 }
 
-fn far_out(
-    subject: Subject,
-    (law, stated): (&'static str, fn(f64) -> f64),
-    (name, found): Change,
-) -> Evidence {
+fn far_out(subject: Subject, (law, stated): Law, (name, found): Change) -> Evidence {
     let trial = Trial::by(
         Route::Limit,
         subject,
         lambda0_of(law, name).over("$q$ from 200 to 20,000"),
         FAR_A,
     );
-    over(&trial, far_rows(), everywhere, &[stated], found)
+    over(&trial, far_rows(), [stated], found)
 }
 
 /// Where (54) ends.
@@ -159,17 +149,9 @@ fn eq54_ends() -> Evidence {
             "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
         ),
     );
-    let rows = match rows() {
-        Ok(rows) => rows,
-        Err(error) => return trial.over([error], Err),
-    };
-    trial.over(rows, |row| {
-        Ok(Pair {
-            at: format!("q = {:.6}", row.q),
-            stated: is(!on_b(row.q).is_nan()),
-            found: is(row.before_y),
-            scale: 1.0,
-        })
+    let at = |row: &Row| format!("q = {:.6}", row.q);
+    trial.each(rows(), at, |row| {
+        Ok([is(!on_b(row.q).is_nan()), is(row.before_y), 1.0])
     })
 }
 
@@ -186,7 +168,7 @@ fn e_limit() -> Evidence {
         FAR_E,
     );
     let both = [on_b_or_e, corrected::e_far];
-    over(&trial, far_rows(), everywhere, &both, REVERSAL.1)
+    over(&trial, far_rows(), both, REVERSAL.1)
 }
 
 /// Where friction backwards is as strong as the drive.
@@ -198,9 +180,9 @@ fn off_one(row: &Row) -> bool {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq53_root = change(Printed, everywhere, ("the root of (53)", on_a), REST),
+    eq53_root = change(Printed, everywhere, EQ53, REST),
     eq53_census = sides(Printed, PRINTED, everywhere, REST),
-    eq53_limit = far_out(Printed, ("the root of (53)", on_a), REST),
+    eq53_limit = far_out(Printed, EQ53, REST),
     a_far_limit = far_out(
         Remark,
         (
@@ -209,31 +191,16 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ),
         REST
     ),
-    eq54_root = change(Printed, before_y, ("the root of (54)", on_b), REVERSAL),
+    eq54_root = change(Printed, before_y, EQ54, REVERSAL),
     eq54_census = sides(Printed, PRINTED, before_y, REVERSAL),
     eq54_ends,
-    eq55_root = change(
-        Printed,
-        everywhere,
-        ("(55)", printed::eq55_lambda0),
-        BACKWARD
-    ),
+    eq55_root = change(Printed, everywhere, EQ55, BACKWARD),
     eq55_census = sides(Printed, PRINTED, off_one, AS_STRONG),
-    eq55_corrected_root = change(
-        Corrected,
-        before_y,
-        ("(55)", printed::eq55_lambda0),
-        BACKWARD
-    ),
+    eq55_corrected_root = change(Corrected, before_y, EQ55, BACKWARD),
     eq55_corrected_census = sides(Corrected, PRINTED, before_y, BACKWARD),
-    eq56_root = change(
-        Printed,
-        everywhere,
-        ("(56)", |_| printed::eq56_lambda0()),
-        MOTION
-    ),
+    eq56_root = change(Printed, everywhere, EQ56, MOTION),
     eq56_census = sides(Printed, PRINTED, everywhere, MOTION),
-    e_root = change(Corrected, beyond_y, ("the root of E", on_b_or_e), REVERSAL),
+    e_root = change(Corrected, beyond_y, E, REVERSAL),
     e_census = sides(Corrected, CORRECTED, everywhere, REVERSAL),
     e_limit
 ];

@@ -7,7 +7,7 @@ use super::simulated::{Curves, START, attractor, fits, printed_list, touching};
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::compare::Failure;
+use trialbook::prelude::*;
 
 /// One point of the census in a map: q and λ₀, found and printed region.
 pub type Cell = ([f64; 2], usize, Option<usize>);
@@ -147,9 +147,9 @@ pub fn on_e(curves: &corrected::Curves) -> Option<f64> {
 /// a few between them.
 ///
 /// # Errors
-/// As [`rows`].
+/// Those of the rows.
 pub fn boundaries() -> Result<Vec<Row>, Failure> {
-    let mut all: Vec<Row> = rows()?.iter().chain(far_rows()?).copied().collect();
+    let mut all = every(rows().chain(far_rows()).map(|row| row.copied()))?;
     for k in 0..14 {
         let q = 14.0 * libm::exp10(f64::from(k) / 12.0);
         all.push(Row::at(q, 1e-9)?);

@@ -96,7 +96,7 @@ fn prove_eq52(formula: Expr) -> Proof {
 
 /// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
 pub const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("Newton's law in the symbols (47) to (50)", "(51) and (52)"),
     || (definitions(), printed_rates()),
     |(a, b)| prove_rates(a, b),
@@ -359,7 +359,7 @@ fn prove_eq56(curve: Expr) -> Proof {
 
 /// (55).
 const EQ55: Statement = Statement::new(
-    Subject::Step,
+    Step,
     Compared::one(
         "(52)",
         r"$q$ times the difference of $\lambda_0$ and (55), plus a square that vanishes at $\phi=3\pi/2$",
@@ -370,7 +370,7 @@ const EQ55: Statement = Statement::new(
 
 /// (56).
 const EQ56: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(51)",
         r"(56) less $\lambda_0$, less a square that vanishes at $\phi=\pi/2$",
@@ -414,7 +414,7 @@ pub(super) fn printed_rates() -> [Expr; 2] {
 
 /// (51).
 const EQ51: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(51)",
         "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
@@ -428,7 +428,7 @@ const EQ51: Statement = Statement::new(
 
 /// (52).
 const EQ52: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(52)",
         "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
@@ -442,7 +442,7 @@ const EQ52: Statement = Statement::new(
 
 /// (53).
 const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(53)",
         r"the balance of friction over a period, with a forward arc of length $2K$ from $\sin^{-1}\lambda_0$",
@@ -453,7 +453,7 @@ const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
 
 /// (54), as the condition that a forward arc ends at π + asin(qλ₀).
 const EQ54: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(54)",
         r"the forward arc from $\sin^{-1}\lambda_0$ to $\pi+\sin^{-1}(q\lambda_0)$",
@@ -464,7 +464,7 @@ const EQ54: Statement<[Expr; 2]> = Statement::new(
 
 /// E, as the condition that a forward arc ends at 2π − asin(qλ₀).
 pub const E: Statement<[Expr; 2]> = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::one(
         "E",
         r"the forward arc from $\sin^{-1}\lambda_0$ to $2\pi-\sin^{-1}(q\lambda_0)$",
@@ -476,7 +476,7 @@ pub const E: Statement<[Expr; 2]> = Statement::new(
 
 /// (57).
 pub const X: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("X", "(53) and (54) at $q=1$"),
     printed::eq57_x,
     prove_x,
@@ -484,7 +484,7 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
 
 /// The touch at Y.
 pub const Y: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "the direction of (54)",
         r"that of (55) where they meet, which is where $\tan x=x$ and $q=\sqrt{1+x^2}$",
@@ -495,7 +495,7 @@ pub const Y: Statement<[Expr; 2]> = Statement::new(
 
 /// The mirror.
 pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         r"(51) and (52) under $\phi\to\phi+\pi$, $\mathfrak w\to-\mathfrak w$, $\lambda_0\to q\lambda_0$, $q\to1/q$",
         "(52) and (51)",

@@ -60,7 +60,7 @@ fn against_dimensional(
     const DIMENSIONAL: &str =
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$";
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::composed(
             [r"$A_0\mathfrak w$ of the motion with ", with, ""],
             [DIMENSIONAL, "", ""],
@@ -111,7 +111,7 @@ fn summed_rate(
         (q, lambda0, a.min(b), a.max(b))
     });
     Trial::quadrature(
-        Subject::Printed,
+        Printed,
         Compared::composed(
             [
                 "the integral of ",

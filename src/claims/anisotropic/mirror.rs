@@ -17,7 +17,7 @@ fn small_ratio(points: &mut Points) -> (f64, f64) {
 pub fn integration() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$-\mathfrak w(\phi+\pi)$ of the motion with $1/q$ and $q\lambda_0$ from the mirrored start",
             r"$\mathfrak w(\phi)$ of the motion with $q<1$ and $\lambda_0$",
@@ -71,7 +71,7 @@ pub fn integration() -> Evidence {
 /// The intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
 pub fn census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the order of slips and rests in a period by the corrected list at $(1/q,q\lambda_0)$ (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
             r"that of the simulated motion at $(q,\lambda_0)$, forward and backward exchanged",

@@ -19,7 +19,7 @@ type CurveA = (Expr, Sides);
 
 /// Region I.
 pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion along $x$ is drawn; the drive exceeds friction at both phases",
     ),
@@ -29,7 +29,7 @@ pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::new(
 
 /// Region II, as corrected.
 pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::shown(
         r"for every $q\ge1$ and $\lambda_0$ above A, below B if $q\le q_Y$ and below E if $q>q_Y$: forward from $\sin^{-1}\lambda_0$, at once backward, then rest; between E and C forward, then rest; every motion along $x$ is drawn to this one",
     ),
@@ -50,7 +50,7 @@ type Lists = ([Expr; 3], [Expr; 2]);
 
 /// Region III.
 pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $1\le q<q_Y$ and $\lambda_0$ between B and C: forward from $\sin^{-1}\lambda_0$, rest, backward from $\pi+\sin^{-1}(q\lambda_0)$, rest; every motion along $x$ is drawn to this one",
     ),
@@ -67,7 +67,7 @@ pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::new(
 
 /// Region IV.
 pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $q\ge1$ and $1/q<\lambda_0<1$: forward from $\sin^{-1}\lambda_0$, then rest; every motion along $x$ is drawn to this one",
     ),
@@ -80,7 +80,7 @@ pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::new(
 
 /// Region V.
 pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $q\ge1$ and $\lambda_0>1$ the rates (51) and (52) oppose the motion by $\lambda_0-1$ at least: from every velocity along $x$ the particle is at rest after a finite time, and stays",
     ),
@@ -96,7 +96,7 @@ pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
 
 /// C, as far as it is a border.
 const CURVE_C: Statement = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::shown(
         r"for every $1\le q\le q_Y$ there is backward motion just below (55), as in III or, at $q_Y$, in I or II, and none between it and D",
     ),

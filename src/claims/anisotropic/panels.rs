@@ -101,7 +101,7 @@ impl Rates {
 pub fn quadrature() -> Evidence {
     let trial = Trial::by(
         Route::Quadrature,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\mathfrak w(\phi)$ in each panel, made of the integrals of (51) and (52) over $\phi$ and of rests, in the order of the list,",
             "the simulated motion over two periods",
@@ -146,7 +146,7 @@ pub fn motion(panel: usize, start: DriveState) -> Result<Attractor<'static>, Fai
 /// The intervals in each panel, and whether the motion stays within the mark, from several starts.
 pub fn census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::many(
             r"the order of slips and rests in a period by the words of the panel's region (3 for a forward slip, 2 for a rest, 1 for a backward slip), and $\lvert\mathfrak w\rvert$, but not more than 1,",
             r"those of the simulated motion, and the largest $\lvert\mathfrak w\rvert$, from eight starts",

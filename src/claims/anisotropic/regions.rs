@@ -7,10 +7,8 @@ use super::simulated::{
     orders, own_digits, own_y, printed_list, simulated,
 };
 use crate::claims::tolerances::ROOT;
-use crate::evidence::Subject::{Corrected, Printed, Remark};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
-use trialbook::claims::compare::where_defined;
 use trialbook::prelude::*;
 
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
@@ -23,10 +21,6 @@ fn census(
     wanted: impl Fn(f64, f64, f64) -> bool,
     says: impl Fn(f64) -> Says,
 ) -> Evidence {
-    let columns = match census::columns() {
-        Ok(columns) => columns,
-        Err(error) => return trial.over([error], Err),
-    };
     let of = |column: &'static census::Column| {
         let (q, cells, says) = (column.q, &column.cells, says(column.q));
         let wanted: Vec<_> = cells
@@ -41,13 +35,13 @@ fn census(
         near.map(move |(_, (lambda0, found))| (q, *lambda0, *found, says(*lambda0)))
     };
     // The first points kept for readers come from the middle of the plane, not from its corner.
-    let (first, rest): (Vec<_>, Vec<_>) = columns
-        .iter()
-        .flat_map(of)
+    let (first, rest): (Vec<_>, Vec<_>) = parts(census::columns())
+        .flat_map(|column| parts(column.map(of)))
         .enumerate()
         .partition(|(i, _)| i % GENERIC == GENERIC / 2);
     let points = first.into_iter().chain(rest).map(|(_, point)| point);
-    trial.over(points.enumerate(), |(i, (q, lambda0, found, said))| {
+    trial.over(points.enumerate(), |(i, point)| {
+        let (q, lambda0, found, said) = point?;
         let stated = said.unwrap_or(found);
         // A hundred thousand names would take longer than the motions: only those that are read are written.
         let read = i < GENERIC || stated != found;
@@ -103,6 +97,17 @@ const AS_PRINTED: (&str, fn(f64) -> Regions) =
 const AS_CORRECTED: (&str, fn(f64) -> Regions) =
     ("in the region as corrected and next to it", corrected_list);
 
+/// A stated λ₀ with the one of a row's changes that it is about.
+fn beside(row: &Row, name: &str, stated: f64, which: usize) -> Pair {
+    let found = row.changes.upwards()[which];
+    Pair {
+        at: format!("q = {:.6}, {name}", row.q),
+        stated,
+        found,
+        scale: found,
+    }
+}
+
 /// The ends of a region along λ₀ with the ends of its kind of motion.
 fn ends(
     subject: Subject,
@@ -119,36 +124,19 @@ fn ends(
         ),
         ROOT,
     );
-    let rows = match rows() {
-        Ok(rows) => rows,
-        Err(error) => return trial.over([error], Err),
-    };
-    let both = rows
-        .iter()
-        .filter(|row| wanted(row))
-        .flat_map(|row| [(row, true), (row, false)]);
+    let both = with_each(only(rows(), |row| wanted(row)), [true, false]);
     // Region I begins and region V ends where the plane does.
-    let cases = both.filter(|(_, lower)| if *lower { region > 1 } else { region < 5 });
-    trial.over(cases, |(row, lower)| {
-        let bounds = list(row);
-        let changes = row.changes;
-        let motion = [
-            changes.rest,
-            changes.reversal,
-            changes.backward,
-            changes.motion,
-        ];
-        let (name, stated, found) = if lower {
-            ("lower end", bounds[region - 2], motion[region - 2])
-        } else {
-            ("upper end", bounds[region - 1], motion[region - 1])
+    let cases = only(
+        both,
+        |(_, lower)| if *lower { region > 1 } else { region < 5 },
+    );
+    trial.over(cases, |case| {
+        let (row, lower) = case?;
+        let (name, which) = match lower {
+            true => ("lower end", region - 2),
+            false => ("upper end", region - 1),
         };
-        Ok(Pair {
-            at: format!("q = {:.6}, {name}", row.q),
-            stated,
-            found,
-            scale: found,
-        })
+        Ok(beside(row, name, list(row)[which], which))
     })
 }
 
@@ -200,7 +188,7 @@ fn begins_below_c(row: &Row) -> bool {
 /// Region I without friction.
 fn first_outside() -> Evidence {
     let trial = Trial::census(
-        Subject::Outside,
+        Outside,
         Compared::one(
             "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
             "that of the motion without friction that begins with $1<\\mathfrak w<3$ at $\\phi=0$",
@@ -255,7 +243,7 @@ pub fn diagram() -> Evidence {
 /// Where B has ended, it enters two at C.
 fn diagram_step() -> Evidence {
     let trial = Trial::census(
-        Subject::Step,
+        Step,
         Compared::one(
             r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
             "the expected 1",
@@ -305,24 +293,13 @@ fn corrected_curves() -> Evidence {
         ),
         ROOT,
     );
-    let rows = match rows() {
-        Ok(rows) => rows,
-        Err(error) => return trial.over([error], Err),
-    };
-    let changes = |row: &'static Row| {
-        let found = row.changes;
-        let found = [found.rest, found.reversal, found.backward, found.motion];
-        let names = ["rest", "reversal", "backward", "motion"];
+    let names = ["rest", "reversal", "backward", "motion"];
+    trial.pairs(rows(), |row| {
+        let row = row?;
         let stated = corrected_bounds(row);
-        (0..4).map(move |i| (row.q, names[i], stated[i], found[i]))
-    };
-    trial.over(rows.iter().flat_map(changes), |(q, name, stated, found)| {
-        Ok(Pair {
-            at: format!("q = {q:.6}, {name}"),
-            stated,
-            found,
-            scale: found,
-        })
+        Ok((0..4)
+            .map(|i| beside(row, names[i], stated[i], i))
+            .collect())
     })
 }
 

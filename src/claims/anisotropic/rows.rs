@@ -2,7 +2,6 @@
 
 use super::simulated::{Changes, START, own_y};
 use crate::numerics::fit::fit;
-use trialbook::claims::runs::Runs;
 use trialbook::prelude::*;
 
 /// One q and what the simulation finds there.
@@ -63,24 +62,18 @@ fn ratios() -> Vec<f64> {
 }
 
 /// Rows for all values of q at which the curves are tried.
-///
-/// # Errors
-/// Why there is none.
-pub fn rows() -> Result<&'static [Row], Failure> {
+pub fn rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
     static ROWS: Runs<Vec<Row>> = Runs::new(|| all_rows(&ratios(), 1e-9));
-    Ok(ROWS.get()?)
+    ROWS.each()
 }
 
 /// Rows far out, q from 200 to 20,000.
-///
-/// # Errors
-/// Why there is none.
-pub fn far_rows() -> Result<&'static [Row], Failure> {
+pub fn far_rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
     static ROWS: Runs<Vec<Row>> = Runs::new(|| {
         let q = (0..=20).map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0));
         all_rows(&Points::stream(731).grid(q), 1e-12)
     });
-    Ok(ROWS.get()?)
+    ROWS.each()
 }
 
 fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {
@@ -111,9 +104,9 @@ const TERMS: [&dyn Fn(f64) -> f64; 5] = [
 /// is added what leaving out the last of them changes.
 ///
 /// # Errors
-/// As [`far_rows`].
+/// Those of the rows.
 pub fn far_laws() -> Result<[PowerLaw; 2], Failure> {
-    let rows = far_rows()?;
+    let rows = every(far_rows())?;
     let law = |height: fn(&Changes) -> f64| -> Result<PowerLaw, Failure> {
         let data: Vec<_> = rows
             .iter()

@@ -4,8 +4,6 @@ use crate::corrections::anisotropic as corrected;
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Outcome, Sign};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::compare::where_defined;
-use trialbook::claims::runs::Runs;
 use trialbook::prelude::*;
 
 /// The order of slips and rests by what is said of it, against that of the simulated motion.
@@ -249,6 +247,11 @@ pub struct Changes {
 }
 
 impl Changes {
+    /// The four from the lowest up.
+    pub fn upwards(&self) -> [f64; 4] {
+        [self.rest, self.reversal, self.backward, self.motion]
+    }
+
     /// Finds them between `low` and 1.4.
     ///
     /// # Errors

@@ -1,6 +1,6 @@
 //! What the slips bring, of which the paper says nothing: how far the particle goes, and what friction takes.
 
-use super::rows::rows;
+use super::rows::{Row, rows};
 use super::simulated::attractor;
 use crate::corrections::anisotropic as corrected;
 use crate::motion::drive::Sign;
@@ -42,7 +42,7 @@ fn slips() -> Vec<(f64, f64, Sign)> {
 
 /// How far a slip goes, by how long it takes.
 pub fn distances() -> Evidence {
-    Trial::motion(Subject::Remark, Compared::one(
+    Trial::motion(Remark, Compared::one(
         r"$2(\sin K-K\cos K)\sqrt{1-(\lambda K/\sin K)^2}$ for a slip of length $2K$ under the friction $\lambda$",
         "how far the particle goes in that slip of the motion",
     )).over(slips(), |(q, lambda0, sign)| {
@@ -65,22 +65,18 @@ pub fn distances() -> Evidence {
 
 /// How fast the particle creeps where it never rests, and what friction takes, by (53)'s K.
 pub fn without_rest() -> Evidence {
-    let trial = Trial::motion(Subject::Remark, Compared::many(
+    let trial = Trial::motion(Remark, Compared::many(
         r"the mean velocity $-\cos K\sqrt{1-(\lambda_0K/\sin K)^2}$ and what friction takes in a period, $2(1+q)\lambda_0\sin K$ times that root, with $K$ of (53),",
         "those of the motion",
     )
     .over("region I"));
     let mut points = Points::stream(751);
-    let rows = match rows() {
-        Ok(rows) => rows,
-        Err(error) => return trial.over([error], Err),
-    };
-    let cases = rows.iter().flat_map(|row| {
-        let lambda0 = row.changes.rest * points.uniform(0.02, 1.0);
-        [(row.q, lambda0, true), (row.q, lambda0, false)]
+    let cases = rows().map(|row| {
+        let Row { q, changes, .. } = row?;
+        Ok((*q, changes.rest * points.uniform(0.02, 1.0)))
     });
-    let cases: Vec<_> = cases.collect();
-    trial.over(cases, |(q, lambda0, creeps)| {
+    trial.over(with_each(cases, [true, false]), |case| {
+        let ((q, lambda0), creeps) = case?;
         let (k, motion) = (printed::eq53_k(q), attractor(q, lambda0)?);
         let (name, stated, found) = if creeps {
             let stated = corrected::drift_without_rest(lambda0, k);

@@ -4,7 +4,6 @@ use crate::claims::tolerances::GONE;
 use crate::numerics::dop853;
 use crate::paper::{anisotropic as printed, general};
 use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// A friction over the drive's amplitude, by the direction of the velocity, against which it acts: never 0.
@@ -94,7 +93,7 @@ fn start(points: &mut Points) -> [f64; 2] {
 pub fn vanishes() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::constant(
             "the stated 0",
             r"$\mathfrak w_y$ after sixty periods under a friction that depends on the direction",
@@ -126,7 +125,7 @@ struct Slowed {
 /// On the way it never grows.
 fn never_grows() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the number of states at which (1), with the friction of their direction, lets $\mathfrak w_y>0$ grow",
             r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
@@ -167,7 +166,7 @@ fn lets_grow(rough: &Rough, [a, b, phi]: Logarithms) -> bool {
 pub fn outside() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "the stated 0",
             r"$\mathfrak w_y$ after sixty periods without friction",

@@ -8,7 +8,7 @@ use trialbook::prelude::*;
 /// (3): a particle at rest on a smooth plane is left behind, against this acceleration.
 fn eq3() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(3) times $-t$",
             "the velocity of a particle from rest without friction, on a plane that is pulled towards $-x$",
@@ -40,7 +40,7 @@ fn along_alone(v: [f64; 2]) -> f64 {
 /// (4): the angle of the vector built from v and θ is θ, its length v.
 fn eq4() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the size of (4) times the exponential of its angle",
             r"$v\,\mathrm e^\theta$ along motions",
@@ -60,7 +60,7 @@ fn eq4() -> Evidence {
 /// (5): motions with the same λ are the same in units of v₀ and A, whatever μ, g and A are.
 fn eq5() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "$v_x/v_0$ of a motion",
             r"that of another with the same $\lambda$ of (5) and different $\mu$, $g$, $A$, $v_0$, at the same $At/v_0$",

@@ -1,12 +1,10 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
 use super::launches::Turn;
-use crate::motion::Motion;
-use crate::motion::MotionError;
+use crate::motion::{Motion, MotionError, State};
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use std::f64::consts::PI;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// A motion in units of v₀ and A.
@@ -67,61 +65,53 @@ pub fn panel(lambdas: &[f64]) -> Result<Vec<Curve>, MotionError> {
     Ok(curves)
 }
 
-fn both_panels() -> impl Iterator<Item = Result<Curve, MotionError>> {
-    [&WEAK[..], &STRONG]
+fn both_panels() -> impl Iterator<Item = Result<Curve, Failure>> {
+    [WEAK, STRONG]
         .into_iter()
-        .flat_map(|lambdas| match panel(lambdas) {
-            Ok(curves) => curves.into_iter().map(Ok).collect(),
-            Err(error) => vec![Err(error)],
-        })
+        .flat_map(|lambdas| parts(panel(&lambdas)))
 }
 
 /// Every drawn point with (11) at its angle.
 pub fn points() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one("(11) at the angle of each drawn point", "the speed there"),
     );
-    let drawn = both_panels().flat_map(|curve| match curve {
-        Ok(curve) => {
-            let states: Vec<_> = curve.motion.nodes().filter(|s| s.speed() > 1e-6).collect();
-            states
-                .into_iter()
-                .map(|s| Ok((curve.lambda, curve.theta0, s)))
-                .collect()
-        }
-        Err(error) => vec![Err(error)],
-    });
-    trial.over(drawn, |point| {
-        let (lambda, theta0, state) = point?;
-        let number = Double::from;
-        let theta = state.direction();
-        let speed = printed::eq11_speed(number(lambda), number(1.0), number(theta0), number(theta));
-        let at = format!("λ = {lambda}, θ₀ = {theta0:.6}, θ = {theta:.6}");
-        let launch = Turn::launch(lambda, 1.0, 1.0, theta0);
-        let condition = Turn { theta, ..launch }.condition();
-        Ok(Pair::wide(at, speed, state.speed()).within(state.speed() * condition))
+    trial.pairs(both_panels(), |curve| {
+        let Curve {
+            lambda,
+            theta0,
+            motion,
+        } = curve?;
+        let drawn = motion.nodes().filter(|state| state.speed() > 1e-6);
+        let pair = |state: State| {
+            let number = Double::from;
+            let (v, theta) = (state.speed(), state.direction());
+            let speed =
+                printed::eq11_speed(number(lambda), number(1.0), number(theta0), number(theta));
+            let at = format!("λ = {lambda}, θ₀ = {theta0:.6}, θ = {theta:.6}");
+            let launch = Turn::launch(lambda, 1.0, 1.0, theta0);
+            let condition = Turn { theta, ..launch }.condition();
+            Pair::wide(at, speed, v).within(v * condition)
+        };
+        Ok(drawn.map(pair).collect())
     })
 }
 
 /// How the curves end: in panel (a) the particle still moves, in panel (b) it rests.
 pub fn ends() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether a curve ends in motion, as in panel (a), or at rest, as in panel (b) (1 for motion),",
             "what the motion does",
         ),
     );
-    trial.over(both_panels(), |curve| {
-        let curve = curve?;
+    let at = |curve: &Curve| format!("λ = {}, θ₀ = {:.6}", curve.lambda, curve.theta0);
+    trial.each(both_panels(), at, |curve| {
         let [left, right] = printed::s21_keeps_moving_sides(curve.lambda);
-        Ok(Pair {
-            at: format!("λ = {}, θ₀ = {:.6}", curve.lambda, curve.theta0),
-            stated: is(left <= right),
-            found: is(curve.motion.end().speed() > 0.0),
-            scale: 1.0,
-        })
+        let moves = curve.motion.end().speed() > 0.0;
+        Ok([is(left <= right), is(moves), 1.0])
     })
 }
 

@@ -164,7 +164,7 @@ fn definitions() -> [Expr; 5] {
 /// (3) to (5) by the use made of them.
 /// With (3) to (5), (1) becomes (6) and (7).
 pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("(1) in the symbols (3) to (5)", "(6) and (7)"),
     definitions,
     |[ax, ay, vx, vy, lambda]| {

@@ -3,28 +3,27 @@
 use crate::paper::constant as printed;
 use std::f64::consts::PI;
 use trialbook::certified::interval::Interval;
-use trialbook::claims::excepted::{no_inside, no_value};
 use trialbook::prelude::*;
 
-const LAMBDA: (&str, [f64; 2]) = ("λ", [0.1, 0.9]);
+pub(in crate::claims) const LAMBDA: (&str, [f64; 2]) = ("λ", [0.1, 0.9]);
 const SPEED: (&str, [f64; 2]) = ("v₀", [0.5, 2.0]);
 /// Angles that are neither 0 nor π, and on one side of where cos θ = −λ.
 const ANGLE: [f64; 2] = [0.3, 1.5];
-const START: (&str, [f64; 2]) = ("θ₀", ANGLE);
-const END: (&str, [f64; 2]) = ("θ", ANGLE);
+pub(in crate::claims) const START: (&str, [f64; 2]) = ("θ₀", ANGLE);
+pub(in crate::claims) const END: (&str, [f64; 2]) = ("θ", ANGLE);
 
-const HOLDS: &str = "the condition holds";
+pub(in crate::claims) const HOLDS: &str = "the condition holds";
 
-fn int(n: i64) -> Interval {
+pub(in crate::claims) fn int(n: i64) -> Interval {
     Interval::int(n)
 }
 
-fn half() -> Interval {
+pub(in crate::claims) fn half() -> Interval {
     Interval::ratio(1, 2)
 }
 
 /// The angle 2π/3, whose cosine is −½.
-fn two_thirds() -> Interval {
+pub(in crate::claims) fn two_thirds() -> Interval {
     Interval::pi() * Interval::ratio(2, 3)
 }
 

@@ -5,34 +5,28 @@ use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::corrections::constant as corrected;
 use crate::motion::MotionError;
 use crate::motion::State;
-use crate::numerics::quadrature::integral_within;
+use crate::numerics::quadrature::sum;
 use crate::paper::constant as printed;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 fn small_friction_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Within,
+        Within,
         Compared::constant("the stated 0", "the angle of the velocity at $At/v_0=10^8$"),
         LATE_ANGLE,
     );
-    trial.over(aligned(), |aligned| {
-        let Aligned { start, angle, .. } = aligned?;
-        Ok(Pair {
-            at: start.at(),
-            stated: printed::s21_late_angle(),
-            found: *angle,
-            scale: 1.0,
-        })
+    let at = |aligned: &Aligned| aligned.start.at();
+    trial.each(aligned(), at, |aligned| {
+        Ok([printed::s21_late_angle(), aligned.angle, 1.0])
     })
 }
 
 /// λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving; for λ > 1 it does not.
 fn small_friction_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Within,
+        Within,
         Compared::one(
             r"whether $\lambda\le1$ (1 if so)",
             "whether the particle never rests and its angle grows on no step",
@@ -57,7 +51,7 @@ fn small_friction_census() -> Evidence {
 fn small_friction_outside() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "1, for motion",
             "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
@@ -85,7 +79,7 @@ fn moves_late(launch: &Turn) -> Result<f64, MotionError> {
 fn large_friction_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Within,
+        Within,
         Compared::one(
             r"$1/(\lambda-1)$",
             r"$\mathrm d\ln\theta/\mathrm d\ln v$ over the last steps before the stop, extrapolated to $\theta=0$",
@@ -94,10 +88,7 @@ fn large_friction_limit() -> Evidence {
     );
     // Others have not turned yet when their speed is lost in rounding.
     let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
-    let turning = stops().filter(|s| {
-        let wanted = |s: &&Stop| turns(s) && !s.start.is_straight();
-        s.as_ref().map_or(true, wanted)
-    });
+    let turning = only(stops(), |s| turns(s) && !s.start.is_straight());
     trial.each(turning, Stop::at, |stop| {
         let found = last_slope(stop);
         Ok([
@@ -112,14 +103,14 @@ fn large_friction_limit() -> Evidence {
 fn large_friction_turns() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Within,
+        Within,
         Compared::one(
             r"$\int(\lambda-\cos\theta)\,\mathrm d\ln\tan(\theta/2)$ from the launch to the last step",
             r"$\ln v/v_0$ of the motion there",
         ),
         ROOT,
     );
-    let turning = stops().filter(|s| s.as_ref().map_or(true, |s| !s.start.is_straight()));
+    let turning = only(stops(), |s| !s.start.is_straight());
     trial.each(turning, Stop::at, |stop| {
         let Turn {
             lambda, v0, theta0, ..
@@ -132,8 +123,8 @@ fn large_friction_turns() -> Evidence {
         let side = 2f64.copysign(theta0);
         let rate = |y: f64| 1.0 / corrected::turning_slope(lambda, side * libm::atan(libm::exp(y)));
         let scale = (1.0 + found.abs()) * stop.start.condition();
-        let stated = integral_within(rate, tangent(theta0), turned, 1e-14 * scale);
-        Ok([stated.map_or(f64::NAN, |sum| sum.value), found, scale])
+        let stated = sum(rate, tangent(theta0), turned, 1e-14 * scale);
+        Ok([stated, found, scale])
     })
 }
 
@@ -160,17 +151,14 @@ fn last_slope(stop: &Stop) -> f64 {
 fn large_friction_outside() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "the stated 0",
             "the angle of the velocity at 99 % of the time of stopping",
         ),
         LATE_ANGLE,
     );
-    let backwards = stops().filter(|s| {
-        s.as_ref()
-            .map_or(true, |s| s.start.is_straight() && s.start.theta0 != 0.0)
-    });
+    let backwards = only(stops(), |s| s.start.is_straight() && s.start.theta0 != 0.0);
     trial.each(backwards, Stop::at, |stop| {
         Ok([
             0.0,

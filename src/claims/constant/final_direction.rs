@@ -56,52 +56,38 @@ fn in_the_laboratory(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2
     Ok(relative(LATE, &end))
 }
 
-/// As printed, three times: along the acceleration.
-pub fn along() -> Evidence {
-    let compared = Compared::constant(
-        r"the expected 1, for along $\bm A$",
-        r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$",
-    );
-    let stated = printed::s21_late_sense();
-    senses(Subject::Printed, Route::Census, compared, stated, by_motion)
-}
-
-/// As corrected, by the motion on the plane.
-pub fn against() -> Evidence {
-    let compared = Compared::constant(
-        r"the expected $-1$, for against $\bm A$",
-        r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$",
-    );
-    let stated = corrected::late_sense();
-    senses(
-        Subject::Corrected,
-        Route::Census,
-        compared,
-        stated,
-        by_motion,
-    )
-}
-
-/// As corrected, in the laboratory.
-fn against_in_the_laboratory() -> Evidence {
-    let compared = Compared::constant(
-        r"the expected $-1$, for against $\bm A$",
-        r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts,",
-    );
-    let stated = corrected::late_sense();
-    senses(
-        Subject::Corrected,
-        Route::Integration,
-        compared,
-        stated,
-        in_the_laboratory,
-    )
-}
-
 /// The cosine of the angle between 𝐯 and 𝐀 = −A x̂ of a particle with λ = ½ that begins along x̂.
 pub fn sense_of_sliding() -> Result<f64, Failure> {
     let [x, y] = by_motion(0.5, [-1.0, 0.0], [1.0, 0.0])?;
     Ok(-x / libm::hypot(x, y))
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![along, against, against_in_the_laboratory];
+const ON_THE_PLANE: &str = r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$";
+const AGAINST: &str = r"the expected $-1$, for against $\bm A$";
+
+pub(super) const TRIALS: &[Attempt] = trials![
+    along = senses(
+        Printed,
+        Route::Census,
+        Compared::constant(r"the expected 1, for along $\bm A$", ON_THE_PLANE),
+        printed::s21_late_sense(),
+        by_motion
+    ),
+    against = senses(
+        Corrected,
+        Route::Census,
+        Compared::constant(AGAINST, ON_THE_PLANE),
+        corrected::late_sense(),
+        by_motion
+    ),
+    against_in_the_laboratory = senses(
+        Corrected,
+        Route::Integration,
+        Compared::constant(
+            AGAINST,
+            r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts,",
+        ),
+        corrected::late_sense(),
+        in_the_laboratory
+    ),
+];

@@ -1,10 +1,7 @@
 //! Trials of whether friction keeps a particle at rest that begins so.
 
-use crate::evidence::Subject::Outside;
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
-use trialbook::claims::compare::is;
-use trialbook::claims::excepted::no_inside;
 use trialbook::prelude::*;
 
 /// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, whose size is 1.
@@ -20,7 +17,11 @@ fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {
 }
 
 /// Whether it moves.
-fn moves(subject: Subject, compared: Compared, frictions: Vec<f64>) -> Evidence {
+fn moves(subject: Subject, frictions: Vec<f64>) -> Evidence {
+    let compared = Compared::one(
+        r"whether $\lambda\le1$ (1 if so)",
+        "whether a particle that begins at rest moves",
+    );
     let trial = Trial::census(subject, compared);
     trial.over(frictions, |lambda| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);
@@ -34,23 +35,19 @@ fn moves(subject: Subject, compared: Compared, frictions: Vec<f64>) -> Evidence 
 }
 
 /// On both sides of λ = 1.
-pub fn census() -> Evidence {
-    let compared = Compared::one(
-        r"whether $\lambda\le1$ (1 if so)",
-        "whether a particle that begins at rest moves",
-    );
+fn around_one() -> Vec<f64> {
     let mut points = Points::stream(721);
     let mut frictions: Vec<_> = (0..60).map(|_| points.uniform(0.0, 3.0)).collect();
     for near in [1e-9, 1e-6, 1e-3] {
         frictions.extend([1.0 - near, 1.0 + near]);
     }
-    moves(Subject::Within, compared, frictions)
+    frictions
 }
 
 /// λ < 1: as fast as the law along the line has it.
 pub fn velocity() -> Evidence {
     let trial = Trial::motion(
-        Subject::Within,
+        Within,
         Compared::one(
             r"$t$ times the rate (6) at $\theta=0$, or 0 where $\lambda\le1$ does not hold,",
             "the velocity at the time $t$ of a particle that begins at rest",
@@ -68,17 +65,10 @@ pub fn velocity() -> Evidence {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    census,
+    census = moves(Within, around_one()),
     velocity,
     // λ = 1, with 𝐀 of any size.
-    outside = moves(
-        Outside,
-        Compared::one(
-            r"whether $\lambda\le1$ (1 if so)",
-            "whether a particle that begins at rest moves",
-        ),
-        vec![1.0; 20]
-    ),
+    outside = moves(Outside, vec![1.0; 20]),
     critical = no_inside(
         "a friction",
         r"$\lambda=1$",

@@ -3,7 +3,6 @@
 
 use super::launches::{Turn, straight, turns, turns_where};
 use crate::claims::tolerances::DIFFERENCES;
-use crate::evidence::Subject::{Outside, Within};
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
@@ -13,7 +12,7 @@ type Reading = fn(&Turn) -> [f64; 3];
 
 /// A printed rate with that of the motion.
 fn rates(compared: Compared, reading: Reading) -> Evidence {
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, DIFFERENCES);
+    let trial = Trial::by(Route::Integration, Printed, compared, DIFFERENCES);
     // Later, the time itself is too coarse for differences.
     let turning = turns_where(|turn| turn.v > 0.01 * turn.v0).map(|turn| turn.copied());
     trial.each(turning.chain(straight()), Turn::at, |turn| {

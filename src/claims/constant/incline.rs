@@ -104,34 +104,10 @@ impl Incline {
     }
 }
 
-/// (11) with the motion on the incline.
-pub fn speed() -> Evidence {
-    let compared = Compared::one(
-        "(11)",
-        "the speed on an inclined plane in three dimensions, at its angle to the slope",
-    );
-    slides(compared, |[lambda, _, v0, theta0, theta], turn| {
-        let stated = printed::eq11_speed(lambda, v0, theta0, theta);
-        (stated, turn.v, turn.v * turn.condition())
-    })
-}
-
-/// (13) with the motion on the incline.
-pub fn time() -> Evidence {
-    let compared = Compared::one(
-        "(13) at the angle to the slope that is reached on an inclined plane in three dimensions",
-        "the time",
-    );
-    slides(compared, |[lambda, a, v0, theta0, theta], turn| {
-        let stated = printed::eq13_time(lambda, a, v0, theta0, theta);
-        (stated, turn.t, turn.time_scale())
-    })
-}
-
 /// A printed formula of (λ, A, v₀, θ₀, θ) with what is found of it on the incline, and the size in units of which that is
 /// known.
 fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FOREIGN);
+    let trial = Trial::by(Route::Integration, Printed, compared, FOREIGN);
     let mut points = Points::stream(12);
     trial
         .over(0..300, |_| {
@@ -157,9 +133,9 @@ fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)
 }
 
 /// (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
-pub fn law() -> Evidence {
+fn eq1() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"(1), with $g\sin\beta$ against the slope for $\bm A$ and $g\cos\beta$ for $g$, as the component down the slope plus twice that across,",
             "the same sum for weight, normal force and friction",
@@ -189,7 +165,7 @@ pub fn law() -> Evidence {
 fn same_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the velocity by (1), integrated in the plane, as the component down the slope plus twice that across,",
             "the same sum for the motion on an incline in three dimensions",
@@ -223,7 +199,7 @@ fn same_motion() -> Evidence {
 /// (6) and (7) with the forces on the incline.
 pub fn forces() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(6) plus twice (7)",
             "the same sum of the components of weight, normal force and friction",
@@ -246,4 +222,28 @@ pub fn forces() -> Evidence {
         .of_a_part()
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![law, same_motion, speed, time, forces];
+pub(super) const TRIALS: &[Attempt] = trials![
+    eq1,
+    same_motion,
+    speed = slides(
+        Compared::one(
+            "(11)",
+            "the speed on an inclined plane in three dimensions, at its angle to the slope",
+        ),
+        |[lambda, _, v0, theta0, theta], turn| {
+            let stated = printed::eq11_speed(lambda, v0, theta0, theta);
+            (stated, turn.v, turn.v * turn.condition())
+        }
+    ),
+    time = slides(
+        Compared::one(
+            "(13) at the angle to the slope that is reached on an inclined plane in three dimensions",
+            "the time",
+        ),
+        |[lambda, a, v0, theta0, theta], turn| {
+            let stated = printed::eq13_time(lambda, a, v0, theta0, theta);
+            (stated, turn.t, turn.time_scale())
+        }
+    ),
+    forces
+];

@@ -8,8 +8,7 @@ use crate::numerics::double::Double;
 use crate::numerics::quadrature::integral_within;
 use std::cell::Cell;
 use std::f64::consts::PI;
-use trialbook::claims::points::Points;
-use trialbook::claims::runs::{Failure, Runs, every};
+use trialbook::prelude::*;
 
 /// Values of an integrand that are asked for at most.
 const EVALUATIONS: usize = 20_000;
@@ -180,7 +179,7 @@ pub fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
 pub fn turns_where(
     wanted: impl Fn(&Turn) -> bool,
 ) -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    turns().filter(move |turn| turn.as_ref().map_or(true, |t| wanted(t)))
+    only(turns(), move |turn| wanted(turn))
 }
 
 /// Friction: from no friction to thirty times the acceleration, the critical value and its neighbours.

@@ -4,102 +4,96 @@ use super::launches::{Turn, frictionless, settled, stops, stops_over_the_angle};
 use crate::claims::tolerances::TERMINAL;
 use crate::motion::State;
 use crate::numerics::double::Double;
-use crate::numerics::quadrature::integral_within;
+use crate::numerics::quadrature::sum;
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
+
+fn flown((start, state): &(Turn, State)) -> String {
+    format!("{}, t = {:.6}", start.at(), state.t)
+}
+
+fn start((start, _): &(Turn, State)) -> String {
+    start.at()
+}
 
 /// (15) with v_x of the motion without friction.
 fn eq15_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one("(15)", "$v_x$ of the motion without friction"),
     );
-    trial.over(frictionless(), |flight| {
-        let (start, state) = flight?;
+    trial.each(frictionless(), flown, |(start, state)| {
         let stated = printed::eq15_vx(start.a, start.velocity0()?[0], state.t);
-        Ok(Pair {
-            at: format!("{}, t = {:.6}", start.at(), state.t),
-            stated,
-            found: state.v[0],
-            scale: start.v0 + start.a * state.t,
-        })
+        Ok([stated, state.v[0], start.v0 + start.a * state.t])
     })
 }
 
 /// (16) with v_y of the motion without friction.
 fn eq16_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one("(16)", "$v_y$ of the motion without friction"),
     );
-    trial.over(frictionless(), |flight| {
-        let (start, state) = flight?;
-        Ok(Pair {
-            at: format!("{}, t = {:.6}", start.at(), state.t),
-            stated: printed::eq16_vy(start.velocity0()?[1]),
-            found: state.v[1],
-            scale: start.v0,
-        })
+    trial.each(frictionless(), flown, |(start, state)| {
+        Ok([
+            printed::eq16_vy(start.velocity0()?[1]),
+            state.v[1],
+            start.v0,
+        ])
     })
 }
 
 /// The flights without friction that are not straight.
 fn parabolas() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
-    frictionless().filter(|flight| {
-        let bent = |(start, _): &(Turn, State)| libm::sin(start.theta0).abs() > 0.01;
-        flight.as_ref().map_or(true, bent)
+    only(frictionless(), |(start, _)| {
+        libm::sin(start.theta0).abs() > 0.01
     })
 }
 
 /// The parabola: v_y² x − v_y v_0x y − A y²/2 vanishes along the path, the time being eliminated.
 fn parabola_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "$x(y)$ of the path without friction",
             "the parabola through the launch",
         ),
     );
-    trial.over(parabolas(), |flight| {
-        let (start, state) = flight?;
+    trial.each(parabolas(), flown, |(start, state)| {
         let [vx, vy] = start.velocity0()?;
-        Ok(Pair {
-            at: format!("{}, t = {:.6}", start.at(), state.t),
-            stated: printed::s21_parabola(start.a, vx, vy, state.x[1]),
-            found: state.x[0],
-            scale: (start.v0 + 0.5 * start.a * state.t) * state.t * (start.v0 / vy).abs(),
-        })
+        Ok([
+            printed::s21_parabola(start.a, vx, vy, state.x[1]),
+            state.x[0],
+            (start.v0 + 0.5 * start.a * state.t) * state.t * (start.v0 / vy).abs(),
+        ])
     })
 }
 
 /// The same path by quadrature of its slope dx/dy = v_x/v_y.
 fn parabola_quadrature() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\int v_x\,\mathrm dy/v_y$, with (15) and (16), over the path",
             "its $x$",
         ),
     );
-    trial.over(parabolas(), |flight| {
-        let (start, state) = flight?;
+    trial.each(parabolas(), flown, |(start, state)| {
         let [vx, vy] = start.velocity0()?;
         let scale = (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs();
         let slope = |y: f64| printed::eq15_vx(start.a, vx, y / vy) / printed::eq16_vy(vy);
-        Ok(Pair {
-            at: format!("{}, t = {:.6}", start.at(), state.t),
-            stated: integral_within(slope, 0.0, state.x[1], 1e-13 * scale)
-                .map_or(f64::NAN, |sum| sum.value),
-            found: state.x[0],
+        Ok([
+            sum(slope, 0.0, state.x[1], 1e-13 * scale),
+            state.x[0],
             scale,
-        })
+        ])
     })
 }
 
 /// (17): the invariant at θ over that at θ₀.
 fn eq17_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"(17) at $\theta$ over (17) at $\theta_0$, along the motion,",
             "1",
@@ -121,40 +115,36 @@ fn eq17_motion() -> Evidence {
 fn eq18_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one("(18)", "$v_x$ of the motion at 40 times $v_0/A$"),
         TERMINAL,
     );
-    trial.over(settled(), |late| {
-        let (start, state) = late?;
-        Ok(Pair {
-            at: start.at(),
-            stated: printed::eq18_vx_limit(start.v0, start.theta0),
-            found: state.v[0],
-            scale: start.v0,
-        })
+    trial.each(settled(), start, |(start, state)| {
+        Ok([
+            printed::eq18_vx_limit(start.v0, start.theta0),
+            state.v[0],
+            start.v0,
+        ])
     })
 }
 
 /// (18) with the speed that Newton's law over the angle leaves at θ = 0.
 fn eq18_quadrature() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(18)",
             r"$v_0\exp\int\mathrm dv/v$ over the angle, along and across the velocity",
         ),
     );
     // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
-    let gentle = settled().filter(|s| s.as_ref().map_or(true, |(start, _)| start.is_gentle()));
-    trial.over(gentle, |late| {
-        let (start, _) = late?;
-        Ok(Pair {
-            at: start.at(),
-            stated: printed::eq18_vx_limit(start.v0, start.theta0),
-            found: start.last_speed_over_the_angle()?,
-            scale: start.v0,
-        })
+    let gentle = only(settled(), |(start, _)| start.is_gentle());
+    trial.each(gentle, start, |(start, _)| {
+        Ok([
+            printed::eq18_vx_limit(start.v0, start.theta0),
+            start.last_speed_over_the_angle()?,
+            start.v0,
+        ])
     })
 }
 
@@ -162,25 +152,19 @@ fn eq18_quadrature() -> Evidence {
 fn eq19_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one("(19)", "$v_y$ of the motion at 40 times $v_0/A$"),
         TERMINAL,
     );
-    trial.over(settled(), |late| {
-        let (start, state) = late?;
-        Ok(Pair {
-            at: start.at(),
-            stated: printed::eq19_vy_limit(),
-            found: state.v[1],
-            scale: start.v0,
-        })
+    trial.each(settled(), start, |(start, state)| {
+        Ok([printed::eq19_vy_limit(), state.v[1], start.v0])
     })
 }
 
 /// (20) with the time at which the motion stops.
 pub fn eq20_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one("(20)", "the time at which the motion stops"),
     );
     trial.over(stops(), |stop| {
@@ -196,7 +180,7 @@ pub fn eq20_motion() -> Evidence {
 /// (20) with the integral of dt over the whole turn.
 fn eq20_quadrature() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(20)",
             r"$\int\mathrm dt$ over the angle, along and across the velocity",

@@ -2,7 +2,7 @@
 
 use super::final_direction::sense_of_sliding;
 use crate::paper::constant as printed;
-use trialbook::claims::by_hand::Numbers;
+use trialbook::trials::by_hand::Numbers;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 1] = [Numbers::new(

@@ -4,7 +4,6 @@
 use crate::claims::tolerances::NONE;
 use crate::motion::{Motion, Plane, Signal, State, run};
 use std::f64::consts::TAU;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// Periods, or as many units of time on an incline.
@@ -51,7 +50,7 @@ fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
 /// How often the sense changes.
 pub fn turns() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             "0 for a constant pull, 1 for a sine",
             "whether the sense of sliding changes more than once (1 if so)",
@@ -73,7 +72,7 @@ pub fn turns() -> Evidence {
 fn both_ways() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::constant(
             r"$-1$ for a sine, 1 for a constant pull",
             "the sign of the product of the velocities at two late times, half a period apart, at which the particle slides,",

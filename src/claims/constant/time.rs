@@ -33,7 +33,7 @@ fn eq12_rate(turn: &Turn, theta: f64) -> f64 {
 /// (12), integrated over the angle.
 fn eq12_quadrature() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Within,
+        Within,
         Compared::one(r"the integral of (12) over $\theta$", "$At$ of the motion"),
     );
     trial.each(
@@ -51,7 +51,7 @@ fn eq12_quadrature() -> Evidence {
 /// (12) where it has no value, while the motion turns as ever: at λ = 0, and for θ < 0 with friction.
 fn eq12_outside() -> Evidence {
     let trial = Trial::motion(
-        Subject::Outside,
+        Outside,
         Compared::one(
             r"(12) per $\mathrm d\theta$",
             r"$A\,\mathrm dt/\mathrm d\theta=-v/\sin\theta$ of the motion",
@@ -68,7 +68,7 @@ fn eq12_outside() -> Evidence {
 /// (13) with the time of the motion.
 pub fn eq13_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Within,
+        Within,
         Compared::one(
             "(13)",
             r"the time at which the motion has turned to $\theta$",
@@ -83,7 +83,7 @@ pub fn eq13_motion() -> Evidence {
 /// (13) with the integral of dt.
 fn eq13_quadrature() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Within,
+        Within,
         Compared::one(
             "(13)",
             r"$\int\mathrm dt$ over the angle, along and across the velocity",
@@ -103,7 +103,7 @@ fn eq13_quadrature() -> Evidence {
 fn eq13_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the root $\theta$ of (13) at $t$",
             "the angle of the motion then",
@@ -137,7 +137,7 @@ fn eq13_outside<E: std::fmt::Display + Into<Failure>>(
     compared: Compared,
     excluded: impl Iterator<Item = Result<Turn, E>>,
 ) -> Evidence {
-    let trial = Trial::motion(Subject::Outside, compared);
+    let trial = Trial::motion(Outside, compared);
     trial.over(excluded, |turn| {
         let turn = &turn.map_err(Into::into)?;
         let stated = printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, turn.theta);
@@ -177,7 +177,7 @@ fn speed_at_time_scale(turn: &Turn) -> f64 {
 /// (14) with the speed of the motion.
 fn eq14_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Within,
+        Within,
         Compared::one("(14) at the angle and time of the motion", "its speed"),
     );
     let all = turns().map(|turn| turn.copied()).chain(straight());
@@ -190,7 +190,7 @@ fn eq14_motion() -> Evidence {
 /// (14) where cos θ = −λ, the angle at which it is 0/0.
 fn eq14_outside() -> Evidence {
     let trial = Trial::motion(
-        Subject::Outside,
+        Outside,
         Compared::one(
             r"(14) where $\cos\theta=-\lambda$",
             "the speed of the motion",
@@ -204,7 +204,7 @@ fn eq14_outside() -> Evidence {
 /// The regular form of the time at all points, those included where (13) has no value.
 pub fn regular_time() -> Evidence {
     let trial = Trial::motion(
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             "the regular form of the time, where (13) has a value and where not,",
             "that of the motion",
@@ -227,7 +227,7 @@ fn regular(turn: &Turn, ln_r: f64) -> f64 {
 /// The regular form of the time, so late that next to no angle is left.
 fn regular_late() -> Evidence {
     Trial::motion(
-        Subject::Corrected,
+        Corrected,
         Compared::one("the regular form of the time", "that of the motion")
             .over("turns to a hundredth of the angle down to $10^{-80}$"),
     )
@@ -243,7 +243,7 @@ fn regular_late() -> Evidence {
 /// The regular form of the speed by the logarithm, at those points and at all others.
 fn regular_speed_by_log() -> Evidence {
     Trial::motion(
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"the regular form of the speed, by $\ln r$,",
             "that of the motion",
@@ -262,7 +262,7 @@ fn regular_speed_by_log() -> Evidence {
 fn regular_angle() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"$\theta$ with $\tan(\theta/2)=r\tan(\theta_0/2)$, at the root $r$ of the regular form of the time,",
             "the angle of the motion then",
@@ -284,7 +284,7 @@ fn regular_angle() -> Evidence {
 /// The regular forms along the line of the acceleration: the speed at the r that they give for a time.
 pub fn regular_straight() -> Evidence {
     let trial = Trial::motion(
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             "the regular form of the speed along the line of the acceleration, at the root $r$ of the regular time,",
             "that of the motion",
@@ -314,7 +314,7 @@ pub fn regular_straight() -> Evidence {
 /// The regular form of the speed.
 fn regular_speed() -> Evidence {
     let trial = Trial::motion(
-        Subject::Corrected,
+        Corrected,
         Compared::one("the regular form of the speed", "that of the motion"),
     );
     trial.each(turns(), Turn::at, |turn| {

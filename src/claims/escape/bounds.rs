@@ -11,8 +11,8 @@ use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::written::{Condition, Of, sign};
-use trialbook::claims::enclosed::resting_on;
 use trialbook::prelude::*;
+use trialbook::trials::enclosed::resting_on;
 
 /// What is shown from the time on at which the region is entered.
 macro_rules! from_then_on {
@@ -267,7 +267,7 @@ impl BoundedLaw {
     fn evidence(&self, compared: Compared) -> Evidence {
         let premises = [(self.limit)(), self.premise()];
         let enclosed = || self.enclosed();
-        resting_on(&premises, enclosed, Subject::Corrected, compared)
+        resting_on(&premises, enclosed, Corrected, compared)
     }
 }
 
@@ -359,42 +359,28 @@ const RHO: BoundedLaw = BoundedLaw {
     so: "ρ² over its law's is (1 − b/τ)⁴/(1 + tE), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, ρ over its law's is at least 1 − 2b/τ and at most 1 + 3/(2τ)",
 };
 
-/// (132) as corrected, to the first order.
-pub fn eq132() -> Evidence {
-    A.evidence(from_then_on!(
+pub(super) const TRIALS: &[Attempt] = trials![
+    // (132) as corrected, to the first order.
+    eq132 = A.evidence(from_then_on!(
         r"$1-\frac{1/8+3\ln(\tau/20)}\tau\le\frac{3A}{2^{1/4}\tau^{3/2}}\le1+\frac3{4\tau}$"
-    ))
-}
-
-/// (133) as corrected.
-pub fn eq133() -> Evidence {
-    ALPHA.evidence(from_then_on!(
+    )),
+    // (133) as corrected.
+    eq133 = ALPHA.evidence(from_then_on!(
         r"$-\frac{11}{20}\,\frac{1+2\ln(\tau/20)}\tau\le\alpha-\frac12\ln(\sqrt2\,\tau)\le0$"
-    ))
-}
-
-/// (134) as corrected, to the first order.
-pub fn eq134() -> Evidence {
-    LAG.evidence(from_then_on!(
+    )),
+    // (134) as corrected, to the first order.
+    eq134 = LAG.evidence(from_then_on!(
         r"up to whole turns $1-\frac1{2\tau^2}\le\frac\tau2\left(\frac\pi2-\psi\right)\le1+\frac{21}{10}\,\frac{\ln(\tau/20)}\tau$"
-    ))
-}
-
-/// (135) as corrected, to the first order.
-pub fn eq135() -> Evidence {
-    SPEED.evidence(from_then_on!(
+    )),
+    // (135) as corrected, to the first order.
+    eq135 = SPEED.evidence(from_then_on!(
         r"$1-\frac{5/4+4\ln(\tau/20)}\tau\le\frac{3\sqrt2\,p}{\tau^2}\le1$"
-    ))
-}
-
-/// (136) as corrected, to the first order.
-pub fn eq136() -> Evidence {
-    RHO.evidence(from_then_on!(
+    )),
+    // (136) as corrected, to the first order.
+    eq136 = RHO.evidence(from_then_on!(
         r"$1-\frac{4\ln(\tau/20)}\tau\le\frac{3\sqrt2\,\rho}{\tau^2}\le1+\frac3{2\tau}$"
-    ))
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![eq132, eq133, eq134, eq135, eq136];
+    )),
+];
 
 #[cfg(test)]
 mod tests {
@@ -511,8 +497,8 @@ mod tests {
                 .add(latex, Value::Number(Expr::symbol(plain)))
                 .unwrap();
         }
-        [eq132, eq133, eq134, eq135, eq136].map(|evidence| {
-            let words = evidence().compared.stated();
+        [0, 1, 2, 3, 4].map(|law: usize| {
+            let words = TRIALS[law].evidence().compared.stated();
             let formula = words.rsplit('$').nth(1).unwrap();
             let chain = &statements(formula).unwrap()[0];
             assert_eq!(chain.relations, [Relation::AtMost; 2]);

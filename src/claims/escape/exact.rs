@@ -41,7 +41,7 @@ const fn as_series(formula: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement
         "the corrected law",
         r"the series in $1/\tau$ and $\ln\tau$ that solves (107) to (109), of which it has the first terms",
     );
-    Statement::new(Subject::Corrected, compared, formula, prove)
+    Statement::new(Corrected, compared, formula, prove)
 }
 
 /// (128) as corrected.
@@ -170,7 +170,7 @@ pub fn eq126(formula: Expr) -> Proof {
 
 /// (126) against the motion.
 const EQ126: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("(126)", r"the first term in $\alpha$ of (114) at $\psi_1$"),
     || printed::eq126_alpha_rate(Expr::symbol("A")),
     eq126,
@@ -194,7 +194,7 @@ pub fn eq138(formula: Expr) -> Proof {
 
 /// (138) against any motion.
 const EQ138: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         r"$\mathrm d(A^2/2)/\mathrm d\tau$",
         r"$\mathrm ds/\mathrm d\tau$, for any $A$ and $\alpha$",
@@ -247,7 +247,7 @@ fn never_decreases(formula: Expr) -> Proof {
 
 /// A never decreases, and grows without end unless α → 0.
 const NEVER_DECREASES: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"by (113) $\dot A=\sinh\alpha\ge0$; by (114) $\dot\alpha<1$, so that $A$ grows by $\cosh b-1$ or more each time that $\alpha$ comes to a $b>0$",
     ),

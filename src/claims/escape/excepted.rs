@@ -1,20 +1,19 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
 use super::trajectories::{Flight, Relaxed, a, alpha, flights, relaxed};
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {
     let trial = Trial::census(
-        Subject::Excepted,
+        Excepted,
         Compared::constant(
             "the expected 1, for an escape",
             "whether $A$ of the motion exceeds $10^4$ (1 if so)",
         )
         .over("random starts with $A>1$ that do not come straight in"),
     );
-    let beyond = flights().filter(|flight| flight.as_ref().map_or(true, |f| f.launch.a > 1.0));
+    let beyond = only(flights(), |flight| flight.launch.a > 1.0);
     trial.each(beyond, Flight::at, |flight| {
         Ok([1.0, is(a(&flight.run.end()) > 1e4), 1.0])
     })
@@ -23,7 +22,7 @@ pub fn escaping() -> Evidence {
 /// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
 fn small_alpha() -> Evidence {
     let trial = Trial::census(
-        Subject::Excepted,
+        Excepted,
         Compared::constant(
             r"the expected 1, for a fall of $\psi$ to 0",
             r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",

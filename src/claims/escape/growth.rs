@@ -7,7 +7,6 @@
 use super::trajectories::{Escape, LATE, Late, a, alpha, escapes};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
-use crate::evidence::Subject::{Corrected, Printed};
 use crate::motion::turntable::Start;
 use crate::numerics::fit::fit;
 use crate::paper::escape as printed;
@@ -67,114 +66,160 @@ pub fn exponent(escape: &Escape, quantity: Quantity) -> Result<(f64, f64), Failu
     Ok((fit.coefficients[0], fit.errors[0]))
 }
 
-/// p/τ².
-pub fn speed(l: &Late) -> f64 {
-    l.state.p() / (l.tau * l.tau)
-}
-/// ρ/τ².
-pub fn distance(l: &Late) -> f64 {
-    l.state.rho() / (l.tau * l.tau)
-}
-/// s/τ³.
-pub fn way(l: &Late) -> f64 {
-    l.state.s / (l.tau * l.tau * l.tau)
-}
-/// A/τ^(3/2).
-pub fn size(l: &Late) -> f64 {
-    a(&l.state) / (l.tau * libm::sqrt(l.tau))
-}
+/// What is followed, with its name.
+pub type Named = (&'static str, Quantity);
+
 /// α − ½ ln τ.
-pub fn excess(l: &Late) -> f64 {
+pub const EXCESS: Named = (r"$\alpha-\frac12\ln\tau$", |l| {
     alpha(&l.state) - 0.5 * libm::log(l.tau)
-}
-/// (π/2 − ψ) τ.
-pub fn lag(l: &Late) -> f64 {
-    l.state.lag() * l.tau
-}
+});
 /// α − ⅓ ln A.
-pub fn alpha_by_a(l: &Late) -> f64 {
+pub const ALPHA_BY_A: Named = (r"$\alpha-\frac13\ln A$", |l| {
     alpha(&l.state) - libm::log(a(&l.state)) / 3.0
-}
+});
 /// τ dα/dτ.
-pub fn alpha_rate(l: &Late) -> f64 {
+pub const ALPHA_RATE: Named = (r"$\tau\,\mathrm d\alpha/\mathrm d\tau$", |l| {
     l.tau * l.alpha_rate
-}
+});
 /// dA/dτ over A^(1/3).
-pub fn a_rate(l: &Late) -> f64 {
+pub const A_RATE: Named = (r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$", |l| {
     l.a_rate / libm::cbrt(a(&l.state))
-}
+});
 /// cosh α cosh 2α over A, where (129) has 1.
-pub fn product(l: &Late) -> f64 {
+pub const PRODUCT: Named = (r"$\cosh\alpha\cosh2\alpha/A$", |l| {
     let alpha = alpha(&l.state);
     libm::cosh(alpha) * libm::cosh(2.0 * alpha) / a(&l.state)
-}
-/// τ times the rate at which the particle circles the axis in the laboratory: 1 more than on the table, put together from
-/// components that do not cancel.
-fn winding(l: &Late) -> f64 {
-    let Start { p, xi, zeta } = l.state.parts;
-    l.tau * (xi * xi + (zeta - p) * zeta) / l.state.rho().powi(2)
-}
-/// What (129) has for A, over A.
-fn eq129(l: &Late) -> f64 {
-    printed::eq129_a(alpha(&l.state)) / a(&l.state)
-}
+});
+/// The particle circles the axis in the laboratory at a rate of 1 more than on the table: put together from components that do
+/// not cancel.
+const WINDING: Named = (
+    r"$\tau$ times the rate of turn about the axis, in the laboratory,",
+    |l| {
+        let Start { p, xi, zeta } = l.state.parts;
+        l.tau * (xi * xi + (zeta - p) * zeta) / l.state.rho().powi(2)
+    },
+);
+
 /// (128) times τ.
-pub fn eq128(l: &Late) -> f64 {
+pub const EQ128: Named = (r"$\tau$ times (128)", |l| {
     l.tau * printed::eq128_alpha_rate(alpha(&l.state), a(&l.state))
-}
-/// What replaces (128), times τ.
-fn corrected128(l: &Late) -> f64 {
+});
+/// What replaces it, times τ.
+const CORRECTED128: Named = (r"$\tau(\sqrt2/\cosh2\alpha-\cosh\alpha/A)$", |l| {
     l.tau * corrected::alpha_rate(alpha(&l.state), a(&l.state))
-}
+});
 /// A²/2, as (138) has it, over s.
 fn eq138(l: &Late) -> f64 {
     printed::eq138_s(a(&l.state)) / l.state.s
 }
 
-/// The limit of p/τ² as printed.
-pub fn printed_speed() -> f64 {
-    printed::eq135_p(1.0)
-}
-/// The limit of p/τ² as corrected.
-pub fn corrected_speed() -> f64 {
-    corrected::rho(LATE) / (LATE * LATE)
-}
-/// The coefficient of (ln τ)/τ in p/τ², over the limit.
-pub fn corrected_speed_log() -> f64 {
-    -2.0 * corrected::delay::<f64>()
-}
-/// The limit of A/τ^(3/2) as printed.
-pub fn printed_size() -> f64 {
-    printed::eq132_a(1.0)
-}
-/// The limit of A/τ^(3/2) as corrected.
-pub fn corrected_size() -> f64 {
-    corrected::a(LATE) / libm::pow(LATE, 1.5)
-}
-/// The limit of (π/2 − ψ) τ as corrected.
-pub fn corrected_lag() -> f64 {
-    corrected::lag(LATE) * LATE
+/// What grows as a power of τ.
+pub struct Power {
+    symbol: &'static str,
+    power: f64,
+    /// What is left of a law of it where the power is taken out, in words.
+    rest: &'static str,
+    /// The same of the motion.
+    pub over: Named,
 }
 
-/// What is followed, with its name.
-pub type Named = (&'static str, Quantity);
+/// p.
+pub const SPEED: Power = Power {
+    symbol: "$p$",
+    power: 2.0,
+    rest: r" over $\tau^2$",
+    over: (r"$p/\tau^2$", |l| l.state.p() / (l.tau * l.tau)),
+};
+/// ρ.
+pub const DISTANCE: Power = Power {
+    symbol: r"$\rho$",
+    over: (r"$\rho/\tau^2$", |l| l.state.rho() / (l.tau * l.tau)),
+    ..SPEED
+};
+/// s.
+pub const WAY: Power = Power {
+    symbol: "$s$",
+    power: 3.0,
+    rest: r" over $\tau^3$",
+    over: (r"$s/\tau^3$", |l| l.state.s / (l.tau * l.tau * l.tau)),
+};
+/// A.
+pub const SIZE: Power = Power {
+    symbol: "$A$",
+    power: 1.5,
+    rest: r" over $\tau^{3/2}$",
+    over: (r"$A/\tau^{3/2}$", |l| {
+        a(&l.state) / (l.tau * libm::sqrt(l.tau))
+    }),
+};
+/// π/2 − ψ.
+pub const LAG: Power = Power {
+    symbol: r"$\pi/2-\psi$",
+    power: -1.0,
+    rest: r" times $\tau$, at $\tau=10^8$,",
+    over: (r"$(\pi/2-\psi)\tau$", |l| l.state.lag() * l.tau),
+};
 
-const SPEED: Named = (r"$p/\tau^2$", speed);
-const DISTANCE: Named = (r"$\rho/\tau^2$", distance);
-const WAY: Named = (r"$s/\tau^3$", way);
-/// What A is over its power of τ.
-pub const SIZE: Named = (r"$A/\tau^{3/2}$", size);
-const EXCESS: Named = (r"$\alpha-\frac12\ln\tau$", excess);
-const LAG: Named = (r"$(\pi/2-\psi)\tau$", lag);
-const ALPHA_BY_A: Named = (r"$\alpha-\frac13\ln A$", alpha_by_a);
-/// What α grows by, per unit of ln τ.
-pub const ALPHA_RATE: Named = (r"$\tau\,\mathrm d\alpha/\mathrm d\tau$", alpha_rate);
-const A_RATE: Named = (r"$(\mathrm dA/\mathrm d\tau)/A^{1/3}$", a_rate);
-const PRODUCT: Named = (r"$\cosh\alpha\cosh2\alpha/A$", product);
-const WINDING: Named = (
-    r"$\tau$ times the rate of turn about the axis, in the laboratory,",
-    winding,
-);
+/// The limits of p/τ², A/τ^(3/2) and (π/2 − ψ) τ, as corrected.
+pub fn corrected_limits() -> [f64; 3] {
+    let [speed, size] = [
+        SPEED.prefactor(corrected::rho),
+        SIZE.prefactor(corrected::a),
+    ];
+    [speed, size, LAG.prefactor(corrected::lag)]
+}
+/// The first two as printed.
+pub fn printed_limits() -> [f64; 2] {
+    [printed::eq135_p(1.0), printed::eq132_a(1.0)]
+}
+
+impl Power {
+    /// What a law of it has before the power.
+    fn prefactor(&self, law: fn(f64) -> f64) -> f64 {
+        law(LATE) / libm::pow(LATE, self.power)
+    }
+
+    /// The coefficient of (ln τ)/τ, over the limit: the law holds in a time that is late.
+    pub fn corrected_log(&self) -> f64 {
+        -self.power * corrected::delay::<f64>()
+    }
+
+    /// Its limit by a printed law.
+    fn printed(&self, law: &'static str, formula: fn(f64) -> f64) -> Evidence {
+        let value = self.prefactor(formula);
+        tends([law, self.rest, ""], Printed, self.over, |_| value)
+    }
+
+    /// Its limit by the law that replaces it.
+    fn corrected(&self, stated: &'static str, formula: fn(f64) -> f64) -> Evidence {
+        limits(stated, Corrected, self.over, self.prefactor(formula))
+    }
+
+    /// The exponent of a law against that of what the motion does, of which the power is taken out.
+    fn exponent(&self, law: &'static str, subject: Subject, formula: fn(f64) -> f64) -> Evidence {
+        let compared = Compared::composed(
+            [r"the exponent of $\tau$ in ", law, ""],
+            ["that in ", self.symbol, " of the motion"],
+        );
+        each(compared, subject, ESCAPE_LIMIT, |flight| {
+            let (found, _) = exponent(flight, self.over.1)?;
+            let stated = libm::log(formula(LATE) / formula(1.0)) / libm::log(LATE);
+            Ok([stated, found + self.power])
+        })
+    }
+
+    /// The coefficient of (ln τ)/τ, relative to the limit.
+    fn delay(&self, stated: &'static str) -> Evidence {
+        let coefficient = r"the coefficient of $(\ln\tau)/\tau$ in ";
+        let (name, quantity) = self.over;
+        let compared =
+            Compared::composed([stated, "", ""], [coefficient, name, ", over the limit"]);
+        each(compared, Corrected, ESCAPE_CORRECTION, |flight| {
+            let found = limit(flight, quantity)?;
+            Ok([self.corrected_log(), found.log / found.value])
+        })
+    }
+}
 
 /// What is stated and what is found for each escape.
 fn each(
@@ -190,19 +235,23 @@ fn each(
     })
 }
 
-const LATE_MOTION: &str = r" of the motion, for $\tau\to\infty$";
-
-/// A stated limit against the limit of what the motion does.
-pub fn limits(
-    stated: &'static str,
+/// What is stated of each escape against the limit of what its motion does.
+fn tends(
+    stated: [&'static str; 3],
     subject: Subject,
     (name, quantity): Named,
-    value: f64,
+    value: impl Fn(&Escape) -> f64,
 ) -> Evidence {
-    let compared = Compared::composed([stated, "", ""], [name, LATE_MOTION, ""]);
+    let late = r" of the motion, for $\tau\to\infty$";
+    let compared = Compared::composed(stated, [name, late, ""]);
     each(compared, subject, ESCAPE_LIMIT, |flight| {
-        Ok([value, limit(flight, quantity)?.value])
+        Ok([value(flight), limit(flight, quantity)?.value])
     })
+}
+
+/// The same of one value for all.
+pub fn limits(stated: &'static str, subject: Subject, named: Named, value: f64) -> Evidence {
+    tends([stated, "", ""], subject, named, |_| value)
 }
 
 /// The limit of a formula, evaluated along the motion; one that has none states nothing.
@@ -210,17 +259,10 @@ fn followed(flight: &Escape, formula: Quantity) -> f64 {
     limit(flight, formula).map_or(f64::NAN, |limit| limit.value)
 }
 
-/// The same of a formula that is followed along the motion.
-fn following(
-    stated: &'static str,
-    subject: Subject,
-    (name, quantity): Named,
-    formula: Quantity,
-) -> Evidence {
-    let compared = Compared::composed([stated, "", ""], [name, LATE_MOTION, ""]);
-    each(compared, subject, ESCAPE_LIMIT, |flight| {
-        let found = limit(flight, quantity)?.value;
-        Ok([followed(flight, formula), found])
+/// The limit of a formula that is followed along the motion against that of what the motion does.
+fn following((stated, formula): Named, subject: Subject, named: Named) -> Evidence {
+    tends([stated, "", ""], subject, named, |flight| {
+        followed(flight, formula)
     })
 }
 
@@ -232,52 +274,11 @@ fn sides(ratio: &'static str, formula: Quantity) -> Evidence {
     })
 }
 
-/// A stated exponent against that of what the motion does, of which a power of τ is taken out.
-fn exponents(
-    stated: &'static str,
-    subject: Subject,
-    found: &'static str,
-    (_, quantity): Named,
-    taken_out: f64,
-    law: fn(f64) -> f64,
-) -> Evidence {
-    let compared = Compared::composed(
-        [r"the exponent of $\tau$ in ", stated, ""],
-        ["that in ", found, " of the motion"],
-    );
-    each(compared, subject, ESCAPE_LIMIT, |flight| {
-        let (found, _) = exponent(flight, quantity)?;
-        let stated = libm::log(law(LATE) / law(1.0)) / libm::log(LATE);
-        Ok([stated, found + taken_out])
-    })
-}
-
-/// The coefficient of (ln τ)/τ, relative to the limit, against `power` times the delay of the law's own time.
-fn delays(stated: &'static str, (name, quantity): Named, power: f64) -> Evidence {
-    let compared = Compared::composed(
-        [stated, "", ""],
-        [
-            r"the coefficient of $(\ln\tau)/\tau$ in ",
-            name,
-            ", over the limit",
-        ],
-    );
-    each(compared, Corrected, ESCAPE_CORRECTION, |flight| {
-        let found = limit(flight, quantity)?;
-        let delay = corrected::delay::<f64>();
-        Ok([-power * delay, found.log / found.value])
-    })
-}
-
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq128_limit = following(r"$\tau$ times (128)", Printed, ALPHA_RATE, eq128),
-    corrected128_limit = following(
-        r"$\tau(\sqrt2/\cosh2\alpha-\cosh\alpha/A)$",
-        Corrected,
-        ALPHA_RATE,
-        corrected128
-    ),
-    eq129_limit = sides(r"$\cosh\alpha\cosh2\alpha/A$", eq129),
+    eq128_limit = following(EQ128, Printed, ALPHA_RATE),
+    corrected128_limit = following(CORRECTED128, Corrected, ALPHA_RATE),
+    eq129_limit = sides(PRODUCT.0, |l| printed::eq129_a(alpha(&l.state))
+        / a(&l.state)),
     corrected129_limit = limits(
         r"$3\sqrt2/4$",
         Corrected,
@@ -308,10 +309,10 @@ pub(super) const TRIALS: &[Attempt] = trials![
         A_RATE,
         corrected::a_rate(LATE) / libm::cbrt(LATE)
     ),
-    eq132_limit = limits(r"(132) over $\tau^{3/2}$", Printed, SIZE, printed_size()),
-    eq132_exponent = exponents("(132)", Printed, "$A$", SIZE, 1.5, printed::eq132_a),
-    corrected132_limit = limits("$2^{1/4}/3$", Corrected, SIZE, corrected_size()),
-    corrected132_delay = delays(r"$-9\sqrt2/8$", SIZE, 1.5),
+    eq132_limit = SIZE.printed("(132)", printed::eq132_a),
+    eq132_exponent = SIZE.exponent("(132)", Printed, printed::eq132_a),
+    corrected132_limit = SIZE.corrected("$2^{1/4}/3$", corrected::a),
+    corrected132_delay = SIZE.delay(r"$-9\sqrt2/8$"),
     eq133_limit = limits(
         r"(133) less $\frac12\ln\tau$",
         Printed,
@@ -324,60 +325,24 @@ pub(super) const TRIALS: &[Attempt] = trials![
         EXCESS,
         corrected::alpha(LATE) - 0.5 * libm::log(LATE)
     ),
-    eq134_exponent = exponents(
-        "(134)",
-        Printed,
-        r"$\pi/2-\psi$",
-        LAG,
-        -1.0,
-        printed::eq134_lag
-    ),
-    eq134_limit = limits(
-        r"(134) times $\tau$, at $\tau=10^8$,",
-        Printed,
-        LAG,
-        printed::eq134_lag(LATE) * LATE
-    ),
-    corrected134_exponent = exponents(
-        r"$2/\tau$",
-        Corrected,
-        r"$\pi/2-\psi$",
-        LAG,
-        -1.0,
-        corrected::lag
-    ),
-    corrected134_limit = limits("the stated 2", Corrected, LAG, corrected_lag()),
-    corrected134_delay = delays(r"$3\sqrt2/4$", LAG, -1.0),
-    eq135_limit = limits(r"(135) over $\tau^2$", Printed, SPEED, printed_speed()),
-    eq135_exponent = exponents("(135)", Printed, "$p$", SPEED, 2.0, printed::eq135_p),
-    corrected135_limit = limits(r"$1/(3\sqrt2)$", Corrected, SPEED, corrected_speed()),
-    corrected135_delay = delays(r"$-3\sqrt2/2$", SPEED, 2.0),
-    eq136_limit = limits(
-        r"(136) over $\tau^2$",
-        Printed,
-        DISTANCE,
-        printed::eq136_rho(1.0)
-    ),
-    eq136_exponent = exponents(
-        "(136)",
-        Printed,
-        r"$\rho$",
-        DISTANCE,
-        2.0,
-        printed::eq136_rho
-    ),
-    corrected136_limit = limits(r"$1/(3\sqrt2)$", Corrected, DISTANCE, corrected_speed()),
-    corrected136_delay = delays(r"$-3\sqrt2/2$", DISTANCE, 2.0),
-    winding_limit = limits(r"$\sqrt2$", Subject::Remark, WINDING, corrected::winding()),
-    eq137_limit = limits(r"(137) over $\tau^3$", Printed, WAY, printed::eq137_s(1.0)),
-    eq137_exponent = exponents("(137)", Printed, "$s$", WAY, 3.0, printed::eq137_s),
-    corrected137_limit = limits(
-        r"$1/(9\sqrt2)$",
-        Corrected,
-        WAY,
-        corrected::s(LATE) / libm::pow(LATE, 3.0)
-    ),
-    corrected137_delay = delays(r"$-9\sqrt2/4$", WAY, 3.0),
+    eq134_exponent = LAG.exponent("(134)", Printed, printed::eq134_lag),
+    eq134_limit = LAG.printed("(134)", printed::eq134_lag),
+    corrected134_exponent = LAG.exponent(r"$2/\tau$", Corrected, corrected::lag),
+    corrected134_limit = LAG.corrected("the stated 2", corrected::lag),
+    corrected134_delay = LAG.delay(r"$3\sqrt2/4$"),
+    eq135_limit = SPEED.printed("(135)", printed::eq135_p),
+    eq135_exponent = SPEED.exponent("(135)", Printed, printed::eq135_p),
+    corrected135_limit = SPEED.corrected(r"$1/(3\sqrt2)$", corrected::rho),
+    corrected135_delay = SPEED.delay(r"$-3\sqrt2/2$"),
+    eq136_limit = DISTANCE.printed("(136)", printed::eq136_rho),
+    eq136_exponent = DISTANCE.exponent("(136)", Printed, printed::eq136_rho),
+    corrected136_limit = DISTANCE.corrected(r"$1/(3\sqrt2)$", corrected::rho),
+    corrected136_delay = DISTANCE.delay(r"$-3\sqrt2/2$"),
+    winding_limit = limits(r"$\sqrt2$", Remark, WINDING, corrected::winding()),
+    eq137_limit = WAY.printed("(137)", printed::eq137_s),
+    eq137_exponent = WAY.exponent("(137)", Printed, printed::eq137_s),
+    corrected137_limit = WAY.corrected(r"$1/(9\sqrt2)$", corrected::s),
+    corrected137_delay = WAY.delay(r"$-9\sqrt2/4$"),
     eq138_limit = sides("$(A^2/2)/s$", eq138),
 ];
 

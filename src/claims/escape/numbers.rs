@@ -1,6 +1,6 @@
 //! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
 
-use super::growth::{self, Quantity};
+use super::growth::{self, DISTANCE, LAG, Named, SIZE, SPEED, WAY};
 use super::trajectories::escapes;
 use crate::corrections::escape as corrected;
 use crate::paper::escape as printed;
@@ -8,68 +8,60 @@ use std::f64::consts::{SQRT_2, TAU};
 use trialbook::certified::ball::Ball;
 use trialbook::certified::enclosure::Enclosure;
 use trialbook::certified::error::CertifiedError;
-use trialbook::claims::by_hand::Numbers;
-use trialbook::claims::enclosed::on_balls;
-use trialbook::claims::values::Number;
 use trialbook::prelude::*;
+use trialbook::trials::by_hand::Numbers;
+use trialbook::trials::enclosed::on_balls;
+use trialbook::trials::values::Number;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 10] = [
-    Numbers::new(
-        "eq-128",
-        || late(growth::eq128),
-        || late(growth::alpha_rate),
-    ),
-    Numbers::new("eq-129", || Ok(1.0), || late(growth::product)),
+    Numbers::new("eq-128", || of(growth::EQ128), || of(growth::ALPHA_RATE)),
+    Numbers::new("eq-129", || Ok(1.0), || of(growth::PRODUCT)),
     Numbers::new(
         "eq-130",
         || Ok(printed::eq130_alpha(1.0)),
-        || late(growth::alpha_by_a),
+        || of(growth::ALPHA_BY_A),
     ),
     Numbers::new(
         "eq-131",
         || Ok(printed::eq131_a_rate(1.0)),
-        || late(growth::a_rate),
+        || of(growth::A_RATE),
     ),
-    Numbers::new(
-        "eq-132",
-        || Ok(growth::printed_size()),
-        || late(growth::size),
-    ),
+    Numbers::new("eq-132", || Ok(printed::eq132_a(1.0)), || of(SIZE.over)),
     Numbers::new(
         "eq-133",
         || Ok(printed::eq133_alpha(1.0)),
-        || late(growth::excess),
+        || of(growth::EXCESS),
     ),
     Numbers::new(
         "eq-134",
         || Ok(printed::eq134_lag(1200.0)),
-        || Ok(late(growth::lag)? / 1200.0),
+        || Ok(of(LAG.over)? / 1200.0),
     ),
     Numbers::new(
         "eq-135",
-        || Ok(3.0 * SQRT_2 * growth::printed_speed()),
-        || Ok(3.0 * SQRT_2 * late(growth::speed)?),
+        || Ok(3.0 * SQRT_2 * printed::eq135_p(1.0)),
+        || Ok(3.0 * SQRT_2 * of(SPEED.over)?),
     ),
     Numbers::new(
         "eq-136",
         || Ok(printed::eq136_rho(1.0)),
-        || late(growth::distance),
+        || of(DISTANCE.over),
     ),
-    Numbers::new("eq-137", || Ok(printed::eq137_s(1.0)), || late(growth::way)),
+    Numbers::new("eq-137", || Ok(printed::eq137_s(1.0)), || of(WAY.over)),
 ];
 
 /// The numbers by which claims can be found.
 pub(super) static VALUES: [Number; 11] = [
     Number::new("a-printed", || Ok(printed::eq132_a(1.0)))
         .within(Enclosure(|bits| closed(printed::eq132_a(one()), bits))),
-    Number::new("a", || Ok(growth::corrected_size()))
+    Number::new("a", || Ok(corrected::a(1.0)))
         .within(Enclosure(|bits| closed(corrected::a(one()), bits))),
     Number::new("alpha-printed", || Ok(printed::eq133_alpha(1.0))),
     Number::new("alpha", || Ok(corrected::alpha(1.0))),
-    Number::new("p-printed", || Ok(growth::printed_speed()))
+    Number::new("p-printed", || Ok(printed::eq135_p(1.0)))
         .within(Enclosure(|bits| closed(printed::eq135_p(one()), bits))),
-    Number::new("p", || Ok(growth::corrected_speed()))
+    Number::new("p", || Ok(corrected::rho(1.0)))
         .within(Enclosure(|bits| closed(corrected::rho(one()), bits))),
     Number::new("s-printed", || Ok(printed::eq137_s(1.0)))
         .within(Enclosure(|bits| closed(printed::eq137_s(one()), bits))),
@@ -83,7 +75,7 @@ pub(super) static VALUES: [Number; 11] = [
 ];
 
 /// The limit of a quantity of an escape, which does not depend on the start.
-fn late(quantity: Quantity) -> Result<f64, Failure> {
+fn of((_, quantity): Named) -> Result<f64, Failure> {
     let escape = escapes().next().ok_or("no escape")??;
     Ok(growth::limit(escape, quantity)?.value)
 }

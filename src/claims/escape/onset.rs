@@ -1,6 +1,6 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
-use super::growth::{ALPHA_RATE, SIZE, a_rate, lag, limits, size};
+use super::growth::{A_RATE, ALPHA_RATE, LAG, SIZE, limits};
 use super::straight::{StraightIn, beyond_one, time_to_stop};
 use super::trajectories::{
     Escape, Flight, LATE, Launch, Relaxed, a, alpha, flights, other_escapes, other_flights,
@@ -8,14 +8,12 @@ use super::trajectories::{
 };
 use crate::claims::tolerances::{DIFFERENCES, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED};
 use crate::corrections::escape as corrected;
-use crate::evidence::Subject::{Printed, Within};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Start, State, Table, rotating};
 use crate::paper::{escape as printed, turntable};
 use std::f64::consts::{FRAC_PI_2, PI};
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// (126) with the rate of α after ψ has relaxed.
@@ -220,7 +218,7 @@ fn small_alpha_angle() -> Evidence {
 pub fn relaxed_ratio() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Remark,
+        Remark,
         Compared::one(
             r"$\psi_1A/(2A-1)$",
             r"$\psi$ of a motion in which the ratio $\psi/\psi_1$ has relaxed, $\alpha$ below a millionth",
@@ -244,7 +242,7 @@ pub fn relaxed_ratio() -> Evidence {
 fn relaxed_ratio_rate() -> Evidence {
     let trial = Trial::by(
         Route::Consistency,
-        Subject::Remark,
+        Remark,
         Compared::one(
             r"the relative rate of $\psi$ by (115) at $\psi=\psi_1A/(2A-1)$ over that of $\alpha$ by (126)",
             "the expected 1",
@@ -264,7 +262,7 @@ fn relaxed_ratio_rate() -> Evidence {
 fn small_alpha_straight() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Outside,
+        Outside,
         Compared::one(
             r"$\psi_1$",
             r"$\psi$ of a motion that comes straight in, when $\alpha$ has fallen below a ten-thousandth",
@@ -309,7 +307,7 @@ fn grown(values: &[f64]) -> usize {
 fn straight_stops() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "the stated 0",
             "the number of stops of a particle that comes straight in from $A>1$",
@@ -324,7 +322,7 @@ fn straight_stops() -> Evidence {
 /// (127) where a particle comes straight in.
 fn above_one_straight() -> Evidence {
     let trial = Trial::census(
-        Subject::Outside,
+        Outside,
         Compared::one(
             "whether (127) holds at the start (1 if so, for an escape)",
             "what becomes of a particle that comes straight in (0 if it stops)",
@@ -360,7 +358,7 @@ pub fn table_stops(straight: &StraightIn) -> Result<usize, MotionError> {
 fn straight_rate() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"$-1-1/\rho$",
             r"$\mathrm d\alpha/\mathrm d\tau$ of a particle that has almost stopped, coming straight in",
@@ -387,7 +385,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
         r"the factor that (130) has before $\ln A$",
         Printed,
         (r"$\mathrm d\alpha/\mathrm d\ln A$", |l| {
-            l.alpha_rate * size(l) / a_rate(l)
+            l.alpha_rate * SIZE.over.1(l) / A_RATE.1(l)
         }),
         factor(printed::eq130_alpha)
     ),
@@ -400,7 +398,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     psi_goes_upright = limits(
         "the limit of (134)",
         Printed,
-        (r"$\psi$", |l| FRAC_PI_2 - lag(l)),
+        (r"$\psi$", |l| FRAC_PI_2 - LAG.over.1(l)),
         FRAC_PI_2 - printed::eq134_lag(LATE * LATE)
     ),
     never_decreases_way,
@@ -412,7 +410,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     relaxed_ratio_rate,
     // Under the condition that the start does not come straight in.
     above_one_within = above_one(Within),
-    a_grows = limits("$2^{1/4}/3$", Within, SIZE, corrected::a(1.0)),
+    a_grows = limits("$2^{1/4}/3$", Within, SIZE.over, corrected::a(1.0)),
     straight_stops,
     straight_rate,
     alpha_census

@@ -37,12 +37,7 @@ fn relatively(
     pair: impl Fn(f64) -> [f64; 2],
 ) -> Evidence {
     let points = Points::stream(702).within(20, [[low, high]]);
-    let trial = Trial::by(
-        route,
-        Subject::Step,
-        Compared::one(stated, found),
-        tolerance,
-    );
+    let trial = Trial::by(route, Step, Compared::one(stated, found), tolerance);
     let points = points.into_iter().map(|[power]| [libm::exp10(power)]);
     trial.at([name], points, 1.0, |[x]| {
         let [stated, found] = pair(x);
@@ -54,7 +49,7 @@ fn relatively(
 pub fn eq129() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Step,
+        Step,
         Compared::one(
             r"(128) over $(\cosh\alpha)/A$ at the $A$ of (129), where it vanishes,",
             r"$\mathrm d\alpha/\mathrm d\tau$ of the motion over $(\cosh\alpha)/A$, late in escapes",

@@ -8,8 +8,7 @@ use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::{Intrinsic, Run};
 use std::f64::consts::PI;
-use trialbook::claims::points::Points;
-use trialbook::claims::runs::{Failure, Runs, every};
+use trialbook::prelude::*;
 
 /// A start that comes straight in.
 #[derive(Debug)]

@@ -3,8 +3,7 @@
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::{Intrinsic, Run};
-use trialbook::claims::points::Points;
-use trialbook::claims::runs::{Failure, Runs, every};
+use trialbook::prelude::*;
 
 /// A start with p < ρ, by A, α and ψ.
 #[derive(Debug, Clone, Copy)]

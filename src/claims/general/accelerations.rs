@@ -1,7 +1,7 @@
 //! The accelerations on which statements about every A(t) are tried.
 
 use crate::motion::{Plane, Signal, State};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// An acceleration, friction, and a start.
 pub struct Case {

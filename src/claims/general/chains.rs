@@ -7,7 +7,7 @@ use trialbook::prelude::*;
 
 /// A weak drive lets the particle stop.
 pub const STOPS: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"with $\lvert\bm A\rvert\le a<\mu g$, (2) gives $\mathrm dv/\mathrm dt\le a-\mu g<0$, so that the particle is at rest after $v_0/(\mu g-a)$ at the latest, and stays: static friction holds it",
     ),
@@ -17,7 +17,7 @@ pub const STOPS: Statement = Statement::new(
 
 /// The velocity across a drive of fixed direction decays.
 pub const ACROSS: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"with $\bm A$ along $x$ and $\mu>0$, (1) gives $v_y^2$ the rate $-2\mu g\,v_y^2/v$; with $\lvert\bm A\rvert\le a$ as well, $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2\mu g/a}$ never grows, so that $v_y\to0$",
     ),

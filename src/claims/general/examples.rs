@@ -2,8 +2,7 @@
 
 use super::accelerations::{SHAPES, along_a_line, any_start};
 use crate::motion::{Motion, Phase, Plane, Signal, State, run};
-use trialbook::claims::points::Points;
-use trialbook::claims::runs::{Failure, Runs, every};
+use trialbook::prelude::*;
 
 /// Five periods of a motion from rest.
 pub struct Returning {

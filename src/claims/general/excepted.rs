@@ -1,7 +1,6 @@
 //! What the conditions of section 2 except.
 
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::excepted::no_inside;
+use trialbook::prelude::*;
 
 pub(super) const TRIALS: &[Attempt] = trials![
     // A push at a single instant.

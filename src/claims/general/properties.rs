@@ -11,7 +11,6 @@ use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
 use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::general as printed;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// μ and g of unit friction, without rounding.
@@ -51,7 +50,7 @@ fn stops_census() -> Evidence {
     )
     .over(r"where, above $\mu g$, $\bm A$ is constant, against the velocity");
     let weak = bounded(21, 0.95).map(|case| (0.95, case));
-    Trial::census(Subject::Printed, compared).over(weak.chain(pulled_along()), |(largest, case)| {
+    Trial::census(Printed, compared).over(weak.chain(pulled_along()), |(largest, case)| {
         let stops = unlike_a_stop(&case)? == 0;
         Ok(whether(case.name, largest < stops_below(), stops))
     })
@@ -93,7 +92,7 @@ fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
 /// The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
 fn stops_integration() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the time at which the motion stops, moved into the bounds that (2) sets where it lies outside,",
             "that time itself",
@@ -116,7 +115,7 @@ fn stops_integration() -> Evidence {
 /// Motions, from rest, under accelerations that exceed μg again and again, where every rest ends, or never, where none does.
 fn rest_census() -> Evidence {
     Trial::census(
-        Subject::Within,
+        Within,
         Compared::one(
             r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
             "whether no rest lasts longer than a period",
@@ -146,7 +145,7 @@ fn long_rests(phases: &[Phase], period: f64) -> usize {
 fn rest_integration() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Within,
+        Within,
         Compared::one(
             r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
             "whether the motion has slid in each of five periods",
@@ -181,7 +180,7 @@ fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
 fn rest_outside() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Outside,
+        Outside,
         Compared::constant(
             r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant",
             "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0,",
@@ -221,7 +220,7 @@ fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
 /// none does.
 fn grows_census() -> Evidence {
     Trial::census(
-        Subject::Within,
+        Within,
         Compared::one(
             r"whether $\lvert\bm A\rvert>\mu g$ at all times (1 if so)",
             "whether the speed grows on every step from $t=200$ to 400",
@@ -237,7 +236,7 @@ fn grows_census() -> Evidence {
 /// Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
 fn grows_integration() -> Evidence {
     let trial = Trial::motion(
-        Subject::Within,
+        Within,
         Compared::one(
             r"the larger of $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$ and the speed gained from $t=200$ to 400",
             "the speed gained",
@@ -262,7 +261,7 @@ fn grows_integration() -> Evidence {
 /// |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
 fn grows_outside() -> Evidence {
     let trial = Trial::motion(
-        Subject::Outside,
+        Outside,
         Compared::one("the larger of the speeds at $t$ and $t+1$", "that at $t+1$"),
     );
     let mut points = Points::stream(26);
@@ -293,7 +292,7 @@ fn grows_outside() -> Evidence {
 
 /// Across a fixed direction, every step lowers what velocity there is.
 fn across_census() -> Evidence {
-    Trial::census(Subject::Printed, Compared::constant(
+    Trial::census(Printed, Compared::constant(
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
     )).over(fixed_direction(27), |case| {
@@ -320,7 +319,7 @@ fn grows_across(case: &Across) -> Result<usize, Failure> {
 
 /// Without friction the velocity across stays as it is.
 fn across_outside() -> Evidence {
-    Trial::census(Subject::Outside, Compared::constant(
+    Trial::census(Outside, Compared::constant(
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ in ten units of time without friction",
     )).over(fixed_direction(29), |case| {
@@ -347,7 +346,7 @@ fn sense(change: f64, speed: f64) -> f64 {
 /// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
 fn across_quadrature() -> Evidence {
     Trial::quadrature(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$-\int\mu g/v\,\mathrm dt$ along the motion",
             r"the change of $\ln\lvert v_\perp\rvert$",
@@ -372,7 +371,7 @@ fn across_quadrature() -> Evidence {
 fn across_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::constant(
             "the stated 0",
             r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$,",
@@ -401,7 +400,7 @@ fn across_limit() -> Evidence {
 /// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
 fn across_integration() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the smaller of $\lvert v_\perp\rvert$ at a late time and the bound $v_{\perp0}(1+At/v_0)^{-\mu g/A}$, with $A$ up to $30\mu g$,",
             r"$\lvert v_\perp\rvert$ itself",

@@ -7,7 +7,7 @@ use trialbook::prelude::*;
 
 /// What friction must give to keep a particle at rest exceeds what it can give exactly where |𝐀| exceeds the stated bound.
 pub const MOVES: Statement = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"at rest friction has to balance $-\bm A$, and can give $\mu g$ at most: for every $\bm A$ the lack $\lvert\bm A\rvert-\mu g$ is positive exactly where $\lvert\bm A\rvert$ exceeds the stated bound, so that no rest outlasts the beginning of a stretch of time on which it does",
     ),
@@ -49,7 +49,7 @@ fn moves(bound: Expr) -> Proof {
 
 /// A drive of fixed direction that exceeds the friction by a margin makes the speed grow in the end.
 const SPEEDS_UP: Statement<(Expr, [Expr; 2], Expr)> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"with $\bm A=-a\,\hat{\bm x}$ and $a\ge\mu g+\delta$, $\delta>0$, at all times, from every start: by (1) $\mathrm dv_x/\mathrm dt\ge\delta$, $v_y^2$ never grows, and $v_x/v$ never falls; it comes above $\mu g/(\mu g+\delta)$ and stays there, and by (2) $\mathrm dv/\mathrm dt>0$ from then on",
     ),

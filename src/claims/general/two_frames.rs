@@ -2,9 +2,9 @@
 
 use super::accelerations::{Case, bounded};
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
-use crate::motion::{Acceleration, Motion, State, run};
+use crate::motion::{Acceleration, State, run};
 use crate::numerics::dop853;
-use crate::numerics::quadrature::integral_within;
+use crate::numerics::quadrature::sum;
 use crate::paper::general as printed;
 use trialbook::prelude::*;
 
@@ -33,28 +33,22 @@ fn acceleration(case: &Case, t: f64) -> [f64; 2] {
 fn eq1_laboratory() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\bm v$ of (1), integrated,",
             r"$\bm V-\bm U$ of the laboratory, where friction alone acts, component by component",
         ),
         FOREIGN,
     );
-    trial.over(
-        cases().flat_map(|(case, until)| components_at_the_end(&case, until)),
-        |component| component,
-    )
-}
-
-fn components_at_the_end(case: &Case, until: f64) -> [Result<Pair, Failure>; 2] {
-    let (stated, found) = (by_the_law(case, until), in_the_laboratory(case, until));
-    [0, 1].map(|i| {
-        Ok(Pair {
+    trial.pairs(cases(), |(case, until)| {
+        let (stated, found) = (by_the_law(&case, until), in_the_laboratory(&case, until)?);
+        let pair = |i: usize| Pair {
             at: format!("{}, t = {until:.6}", case.name),
             stated: stated[i],
-            found: found.clone()?[i],
+            found: found[i],
             scale: case.start.speed(),
-        })
+        };
+        Ok([0, 1].map(pair).into())
     })
 }
 
@@ -110,38 +104,25 @@ fn followed(
     rate: fn(&Case, &State) -> f64,
     quantity: fn(&State) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, DIFFERENCES);
-    trial.over(
-        cases().flat_map(|(case, until)| looks(&case, until, rate, quantity)),
-        |look| look,
-    )
-}
-
-fn looks(
-    case: &Case,
-    until: f64,
-    rate: fn(&Case, &State) -> f64,
-    quantity: fn(&State) -> f64,
-) -> Vec<Result<Pair, Failure>> {
-    let motion = run(&case.plane, case.friction, case.start, until);
-    let look = |motion: &Motion, n: u32| {
-        let state = motion.at(until * f64::from(n) / f64::from(TIMES + 1))?;
-        // |A| ≤ 3: a thousandth of the time in which the forces can change the velocity by itself.
-        let fastest = 3.0 + case.friction;
-        let h = 1e-3 * state.speed() / fastest;
-        let at = |k: f64| motion.at(state.t + k * h).map(|s| quantity(&s));
-        let found = (8.0 * (at(1.0)? - at(-1.0)?) - (at(2.0)? - at(-2.0)?)) / (12.0 * h);
-        Ok(Pair {
-            at: format!("{}, t = {:.6}", case.name, state.t),
-            stated: rate(case, &state),
-            found,
-            scale: fastest,
-        })
-    };
-    match motion {
-        Ok(motion) => (1..=TIMES).map(|n| look(&motion, n)).collect(),
-        Err(error) => vec![Err(error.into())],
-    }
+    let trial = Trial::by(Route::Integration, Printed, compared, DIFFERENCES);
+    trial.pairs(cases(), |(case, until)| {
+        let motion = run(&case.plane, case.friction, case.start, until)?;
+        let look = |n: u32| {
+            let state = motion.at(until * f64::from(n) / f64::from(TIMES + 1))?;
+            // |A| ≤ 3: a thousandth of the time in which the forces can change the velocity by itself.
+            let fastest = 3.0 + case.friction;
+            let h = 1e-3 * state.speed() / fastest;
+            let at = |k: f64| motion.at(state.t + k * h).map(|s| quantity(&s));
+            let found = (8.0 * (at(1.0)? - at(-1.0)?) - (at(2.0)? - at(-2.0)?)) / (12.0 * h);
+            Ok(Pair {
+                at: format!("{}, t = {:.6}", case.name, state.t),
+                stated: rate(&case, &state),
+                found,
+                scale: fastest,
+            })
+        };
+        (1..=TIMES).map(look).collect()
+    })
 }
 
 fn summed(
@@ -149,15 +130,13 @@ fn summed(
     rate: fn(&Case, &State) -> f64,
     quantity: fn(&State) -> f64,
 ) -> Evidence {
-    Trial::quadrature(Subject::Printed, compared).over(cases(), |(case, until)| {
+    Trial::quadrature(Printed, compared).over(cases(), |(case, until)| {
         let motion = run(&case.plane, case.friction, case.start, until)?;
         let along = |t: f64| motion.at(t).map_or(f64::NAN, |state| rate(&case, &state));
         let scale = case.start.speed();
-        let stated = integral_within(along, 0.0, until, 1e-13 * scale);
         Ok(Pair {
             at: format!("{}, t = {until:.6}", case.name),
-            // A formula that gives no rate states nothing.
-            stated: stated.map_or(f64::NAN, |sum| sum.value),
+            stated: sum(along, 0.0, until, 1e-13 * scale),
             found: quantity(&motion.end()) - quantity(&case.start),
             scale,
         })
@@ -166,7 +145,7 @@ fn summed(
 
 /// (1) from the laboratory, where friction alone acts, against the velocity relative to the plane.
 pub const EQ1: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "the velocity's rate in the laboratory, by (1) and the plane's acceleration,",
         "that by friction alone",
@@ -226,7 +205,7 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
 
 /// (2) from (1): the rate of √(v_x² + v_y²).
 pub const EQ2: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(2)",
         r"the rate of $\lvert\bm v\rvert$ by (1), as algebraic functions of the components",

@@ -39,7 +39,7 @@ pub(super) fn with_sign(p: &mut Prover<'_>, sign: i64) {
 
 /// λ₀ > 1: rest.
 pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $h$ with $\lvert h\rvert\le1$, every $\lambda_0>1$ and every start (26) with $h$ for the sine gives $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le1-\lambda_0<0$, so that the particle is at rest after $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ at the latest, and stays, as $\lvert h\rvert<\lambda_0$",
     ),
@@ -74,7 +74,7 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
 
 /// The part of the time that is rest tends to all of it as λ₀ → 1.
 pub const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the phases at which it moves although $\lvert h\rvert\le1-s$ are, in the mean over many periods, at most $s/(1-s)$ of all; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
     ),
@@ -137,7 +137,7 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
 
 /// The largest |h| of the pulses.
 const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"for every $\eta>0$ the pulse of (42), which has the length $\eta\pi>0$, has the stated size, and the gap and both mirrored by (43) have none that is larger",
     ),
@@ -182,18 +182,25 @@ pub struct Pulses {
 }
 
 fn pulses() -> Pulses {
-    let [pulse, gap] = printed::eq42_cases();
-    let eta = Expr::symbol("η");
     Pulses {
-        h: [pulse, gap, printed::eq43_h(pulse), printed::eq43_h(gap)],
-        end: printed::eq42_end(eta),
-        critical: printed::eq46_lambda_c(eta),
+        h: drive(),
+        end: printed::eq42_end(Expr::symbol("η")),
+        critical: critical(),
     }
+}
+
+fn drive() -> [Expr; 4] {
+    let [pulse, gap] = printed::eq42_cases();
+    [pulse, gap, printed::eq43_h(pulse), printed::eq43_h(gap)]
+}
+
+fn critical() -> Expr {
+    printed::eq46_lambda_c(Expr::symbol("η"))
 }
 
 /// η = 1 and η = 0.
 const EXTREMES: Statement<(Expr, Pulses)> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"at $\eta=1$ the pulses of (42), (43) leave no gap, so that $\lvert h\rvert=1>\lambda_0$ at all times for every $\lambda_0<1$ and nothing rests, and $\lambda_\mathrm c$ of (46) is 1; at $\eta=0$ they have no length, so that $h=0$, for every $\lambda_0>0$ the particle is at rest after $\lvert\mathfrak w_0\rvert/\lambda_0$ by (26) and stays, and $\lambda_\mathrm c$ is 0",
     ),
@@ -258,19 +265,21 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
 }
 
 /// What becomes nonzero again at π.
-const AGAIN: Statement<(Expr, Pulses, Expr)> = Statement::new(
-    Subject::Corrected,
+const AGAIN: Statement<(Expr, [Expr; 4], Expr, Expr)> = Statement::new(
+    Corrected,
     Compared::shown(
         r"for every $\lambda_0>0$ and every $\eta$ between 0 and 1: what (26) gives a particle without friction is $h$, by (42) 0 in the gap before $\pi$ and by (43) $-1$ in the pulse behind it; friction gives one that still slides $\mp\lambda_0$, before $\pi$ as after it. By (44) the slip ends before that if $\lambda_0>\eta$, which is $\lambda_\mathrm c$ of (46), and not otherwise",
     ),
     || {
         let h = Expr::symbol("ψ").sin();
-        (rate(), pulses(), corrected::nonzero_again(h))
+        (rate(), drive(), critical(), corrected::nonzero_again(h))
     },
-    |(rate, pulses, again)| for_both_signs(|sign| nonzero_again(rate, pulses, again, sign)),
+    |(rate, h, critical, again)| {
+        for_both_signs(|sign| nonzero_again(rate, h, critical, again, sign))
+    },
 );
 
-fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
+fn nonzero_again(rate: Expr, h: [Expr; 4], critical: Expr, again: Expr, sign: i64) -> Proof {
     Proof::in_ring("What becomes nonzero again", ring(sign), |p| {
         let [lambda0, psi] = Expr::symbols(["λ₀", "ψ"]);
         with_sign(p, sign);
@@ -281,9 +290,9 @@ fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
             ),
             ("what is said to become nonzero again", again),
         )?;
-        p.vanishes("h in the gap", pulses.h[1])?;
+        p.vanishes("h in the gap", h[1])?;
         p.vanishes("What is said, with that h", again.with("ψ", Expr::int(0)))?;
-        let pulse = p.read("h in the pulse from π on", pulses.h[2])?;
+        let pulse = p.read("h in the pulse from π on", h[2])?;
         p.equal("It is not 0, but", &pulse, &Rational::int(-1))?;
         p.identity(
             ("What friction gives by (26)", rate - psi.sin()),
@@ -294,7 +303,7 @@ fn nonzero_again(rate: Expr, pulses: Pulses, again: Expr, sign: i64) -> Proof {
         )?;
         given(p, &[&EQ44, &EQ46])?;
         let [_, stop] = printed::eq44_ends(lambda0, Expr::symbol("η"));
-        let excess = Expr::pi() * (lambda0 - pulses.critical) / lambda0;
+        let excess = Expr::pi() * (lambda0 - critical) / lambda0;
         p.identity(
             ("π less the end of the slip by (44)", Expr::pi() - stop),
             ("positive for λ₀ > λ_c only", excess),

@@ -4,66 +4,48 @@ use super::drives::{motion, pulses};
 use crate::corrections::periodic as supplied;
 use trialbook::prelude::*;
 
-/// (η, λ₀): random ones, and both ends of λ₀.
-fn cases(
-    stream: u64,
-    lambda: fn(f64, f64) -> f64,
-    ends: [[f64; 2]; 2],
-) -> impl Iterator<Item = [f64; 2]> {
-    let random = Points::stream(stream).within(60, [[0.05, 1.0], [0.02, 1.0]]);
-    let random = random
-        .into_iter()
-        .map(move |[eta, share]| [eta, lambda(eta, share)]);
-    random.chain(ends)
-}
-
 fn lost([eta, lambda]: [f64; 2]) -> Result<f64, Failure> {
     let drive = pulses(eta)?;
     let motion = motion(&drive, lambda)?;
     Ok(motion.ok_or("the motion drifts")?.lost())
 }
 
+/// What is stated, at random η and a friction that is a share of its range for each, and at both ends of this range.
 fn against(
-    compared: Compared,
-    cases: impl Iterator<Item = [f64; 2]>,
-    stated: fn(f64, f64) -> f64,
+    stated: (&'static str, fn(f64, f64) -> f64),
+    stream: u64,
+    lambda: fn(f64, f64) -> f64,
+    ends: [[f64; 2]; 2],
 ) -> Evidence {
-    let trial = Trial::motion(Subject::Remark, compared);
-    // None lose more than twice that.
-    trial.at(["η", "λ₀"], cases, 1.0, |point| {
+    let (words, stated) = stated;
+    let compared = Compared::one(words, "what friction takes from the motion in a period");
+    let random = Points::stream(stream).within(60, [[0.05, 1.0], [0.02, 1.0]]);
+    let random = random
+        .into_iter()
+        .map(|[eta, share]| [eta, lambda(eta, share)]);
+    // None lose more than twice the scale.
+    Trial::motion(Remark, compared).at(["η", "λ₀"], random.chain(ends), 1.0, |point| {
         let [eta, lambda] = point;
         Ok([stated(lambda, eta), lost(point)?])
     })
 }
 
-/// With rests, λ₀ > η.
-fn with_rests() -> Evidence {
-    let compared = Compared::one(
-        r"$(1-\lambda_0)\eta^2\pi^2$",
-        "what friction takes from the motion in a period",
-    );
-    let lambda = |eta, share| eta + (1.0 - eta) * share;
-    let ends = [[2e-4, 5e-4], [0.5, 1.0 - 5e-4]];
-    against(
-        compared,
-        cases(752, lambda, ends),
-        supplied::loss_with_rests,
-    )
-}
-
-/// Without, λ₀ < η.
-pub fn without_rest() -> Evidence {
-    let compared = Compared::one(
-        r"$\frac12\pi^2\lambda_0(2\eta-\eta^2-\lambda_0^2)$",
-        "what friction takes from the motion in a period",
-    );
-    let lambda = |eta, share| eta * share;
-    let ends = [[0.3, 5e-4], [1.0 - 1e-4, 1.0 - 5e-4]];
-    against(
-        compared,
-        cases(753, lambda, ends),
-        supplied::loss_without_rest,
-    )
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![with_rests, without_rest];
+pub(super) const TRIALS: &[Attempt] = trials![
+    // λ₀ > η.
+    with_rests = against(
+        (r"$(1-\lambda_0)\eta^2\pi^2$", supplied::loss_with_rests),
+        752,
+        |eta, share| eta + (1.0 - eta) * share,
+        [[2e-4, 5e-4], [0.5, 1.0 - 5e-4]]
+    ),
+    // λ₀ < η.
+    without_rest = against(
+        (
+            r"$\frac12\pi^2\lambda_0(2\eta-\eta^2-\lambda_0^2)$",
+            supplied::loss_without_rest
+        ),
+        753,
+        |eta, share| eta * share,
+        [[0.3, 5e-4], [1.0 - 1e-4, 1.0 - 5e-4]]
+    ),
+];

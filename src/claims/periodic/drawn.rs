@@ -108,18 +108,14 @@ pub fn shares(side: usize) -> Result<Vec<f64>, DriveError> {
 /// The drawn shares with those that follow from (44): 1 − η/λ₀ for λ₀ above (46), else 0.
 fn shares_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the share of the third case of (44), 0 for $\lambda_0$ below (46),",
             "the share of the period at rest in the motion",
         ),
     );
     let side = 33;
-    let shares = match shares(side) {
-        Ok(shares) => shares,
-        Err(error) => return trial.over([error], |error| Err(error.into())),
-    };
-    trial.over(shares.iter().enumerate(), |(cell, found)| {
+    trial.over(parts(shares(side)).enumerate(), |(cell, found)| {
         let (eta, lambda) = (friction(cell % side, side), friction(cell / side, side));
         let [_, stop] = printed::eq44_ends(lambda, eta);
         let share = 1.0 - stop / std::f64::consts::PI;
@@ -127,7 +123,7 @@ fn shares_motion() -> Evidence {
         Ok(Pair {
             at: format!("η = {eta:.6}, λ₀ = {lambda:.6}"),
             stated: if large { share } else { 0.0 },
-            found: *found,
+            found: found?,
             scale: 1.0,
         })
     })

@@ -2,7 +2,7 @@
 
 use crate::motion::drive::{Attractor, Drive, DriveError, DriveState, Friction, Sign};
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::points::Points;
+use trialbook::prelude::*;
 
 /// From here a motion starts whose kind is asked for.
 const REST: DriveState = DriveState { phi: 0.0, w: 0.0 };

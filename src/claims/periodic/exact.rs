@@ -142,7 +142,7 @@ const COMPARED: Compared = Compared::one(
 
 /// Evidence on (44).
 pub const EQ44: Statement<[Expr; 3]> = Statement::new(
-    Subject::Printed,
+    Printed,
     COMPARED,
     || {
         let [lambda, eta, phi] = symbols();
@@ -153,7 +153,7 @@ pub const EQ44: Statement<[Expr; 3]> = Statement::new(
 
 /// Evidence on (45).
 pub const EQ45: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "the rate of the mirrored motion",
         "the mirrored force, of opposite friction",
@@ -164,7 +164,7 @@ pub const EQ45: Statement = Statement::new(
 
 /// Evidence on (46).
 pub const EQ46: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         "the stop of (44), and the start of the motion without rest,",
         "the beginning of a pulse",

@@ -4,7 +4,7 @@ use super::drives::pulses;
 use super::pulse_remarks::friction;
 use crate::paper::periodic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::by_hand::Numbers;
+use trialbook::trials::by_hand::Numbers;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 1] = [Numbers::new(

@@ -4,11 +4,9 @@ use super::drives::{motion, pulses};
 use super::pulses::on_a_plane;
 use crate::claims::tolerances::{GAINED, NONE};
 use crate::corrections::periodic as corrected;
-use crate::evidence::Subject::{Corrected, Printed, Within};
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::periodic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::excepted::no_inside;
 use trialbook::prelude::*;
 
 /// Motions of small friction, λ₀ < η, in the gap before π and as far behind π, in the next pulse: what is said to become
@@ -99,7 +97,7 @@ fn largest_outside() -> Evidence {
         "that of pulses of no width",
     );
     let none = vec![[0.0]; 20];
-    largest(Route::Census, Subject::Outside, compared, none, seen)
+    largest(Route::Census, Outside, compared, none, seen)
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![

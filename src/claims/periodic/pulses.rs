@@ -7,7 +7,6 @@ use crate::motion::drive::{Attractor, DriveError, DriveState, Friction};
 use crate::motion::{Plane, Signal, run};
 use crate::paper::periodic as printed;
 use std::f64::consts::PI;
-use trialbook::claims::excepted::no_inside;
 use trialbook::prelude::*;
 
 /// Phases per half period at which a whole motion is compared; the joints are added.
@@ -103,7 +102,7 @@ fn joints((eta, lambda): (f64, f64)) -> [f64; 2] {
 /// (42): a smooth particle gains what the printed pulse gives until φ.
 fn eq42() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the area of (42) up to $\phi$",
             r"$\mathfrak w$ of a smooth particle that starts at rest under pulses that fill the share $\eta$",
@@ -117,7 +116,7 @@ fn eq42() -> Evidence {
 /// (43): the second half takes back what the first has given.
 fn eq43() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the area of (42) and, up to $\pi+\phi$, of (43)",
             r"$\mathfrak w$ of a smooth particle there",
@@ -160,7 +159,7 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
 /// (44) with the simulated motion, over half a period.
 fn eq44_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the largest difference of (44) from $\mathfrak w$ of the motion, over the first half period,",
             "0",
@@ -180,7 +179,7 @@ fn eq44_motion() -> Evidence {
 /// (45), with (44) in it, with the simulated motion over the other half.
 fn eq45_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the largest difference of (45), with (44), from $\mathfrak w$ of the motion, over the second half period,",
             "0",
@@ -214,7 +213,7 @@ pub fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64
 }
 
 fn from_rest(compared: Compared, value: impl Fn((f64, f64), f64) -> [f64; 2]) -> Evidence {
-    let trial = Trial::motion(Subject::Printed, compared);
+    let trial = Trial::motion(Printed, compared);
     let mut points = Points::stream(205);
     trial.over(0..30, |_| {
         let eta = points.uniform(0.05, 0.95);
@@ -252,7 +251,7 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
 fn eq46_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(46)",
             r"the $\lambda_0$ at which rests appear in the motion",
@@ -272,7 +271,7 @@ fn eq46_root() -> Evidence {
 /// (46) over the whole square: two rests per period above λ_c, none below.
 fn eq46_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             r"2 for $\lambda_0$ above (46) and 0 below",
             "the number of rests in a period of the motion",
@@ -300,7 +299,7 @@ fn eq46_census() -> Evidence {
 /// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
 fn below_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the largest difference between our own formula for the motion without rest, for $\lambda_0$ below (46), and $\mathfrak w$ of the motion",
             "0",
@@ -323,7 +322,7 @@ fn below_motion() -> Evidence {
 /// η = 1 and η = 0 themselves.
 fn extremes_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             "0 below (46) and 1 above",
             "the number of rests in a period (1 for a particle at rest for ever)",
@@ -360,7 +359,7 @@ fn extremes_census() -> Evidence {
 /// No pulses and no friction.
 fn extremes_outside() -> Evidence {
     let trial = Trial::census(
-        Subject::Outside,
+        Outside,
         Compared::constant("the stated 1", "the number of rests in a period")
             .over(r"$\eta=0$ and $\lambda_0=0$"),
     );
@@ -383,7 +382,7 @@ fn extremes_outside() -> Evidence {
 fn extremes_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the width of the vanishing phase by (46), over $\delta$,",
             "that in the motion",

@@ -9,9 +9,8 @@ use crate::numerics::quadrature::integral_within;
 use crate::paper::general;
 use crate::paper::periodic as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::compare::is;
-use trialbook::claims::points::round;
 use trialbook::prelude::*;
+use trialbook::trials::points::round;
 
 fn at(name: &str, lambda: f64, start: DriveState) -> String {
     let DriveState { phi, w } = start;
@@ -22,7 +21,7 @@ fn at(name: &str, lambda: f64, start: DriveState) -> String {
 fn within_time() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::constant(
             r"1 for $\lambda_0>1$ and 0 below",
             r"whether the motion, from any start, is at rest (1 if so) from a millionth past the phase $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ on, or for $\lambda_0<1$ from a period on,",
@@ -59,7 +58,7 @@ fn within_time() -> Evidence {
         Ok(Pair {
             at: at(name, lambda, start),
             stated: stated_rest(lambda),
-            found: number(left(end.w, &later.intervals) == 0.0),
+            found: is(left(end.w, &later.intervals) == 0.0),
             scale: 1.0,
         })
     })
@@ -68,11 +67,7 @@ fn within_time() -> Evidence {
 /// 1 where the claim lets nothing move in the end; at λ₀ = 1 itself nothing does either.
 fn stated_rest(lambda: f64) -> f64 {
     let [left, right] = printed::s23_rest_sides(lambda);
-    number(left <= right)
-}
-
-fn number(truth: bool) -> f64 {
-    is(truth)
+    is(left <= right)
 }
 
 /// |𝔴|, and how long it moves later.
@@ -85,7 +80,7 @@ fn left(w: f64, later: &[Interval]) -> f64 {
 pub fn stopping_time() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the root of $\lvert\mathfrak w_0\rvert+\int(1)\,\mathrm d\phi$, taken along the velocity,",
             "the phase at which the motion comes to rest",
@@ -128,7 +123,7 @@ pub fn stopping_time() -> Evidence {
 /// 1 is the exact bound: from 1 on all is still, below it something moves.
 pub fn sharp() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             r"1 for $\lambda_0\ge1$ and 0 below",
             "whether the motion is at rest for ever (1 if so)",
@@ -146,7 +141,7 @@ pub fn sharp() -> Evidence {
             Ok(Pair {
                 at: format!("{}: λ₀ − 1 = {excess:e}", one.name),
                 stated: stated_rest(1.0 + excess),
-                found: number(still),
+                found: is(still),
                 scale: 1.0,
             })
         },

@@ -4,7 +4,6 @@ use super::drives::{Harmonics, motion, rest_share, steps_between};
 use crate::claims::tolerances::SHARE;
 use crate::motion::drive::Drive;
 use crate::paper::periodic as printed;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// The share of rest at λ₀ = 1 − δ.
@@ -17,7 +16,7 @@ fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {
 pub fn limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the whole period, 1,",
             r"the limit of the share of a period that is rest, as $\lambda_0\to1$",
@@ -41,7 +40,7 @@ pub fn limit() -> Evidence {
 
 /// More than half of the period, a thousandth below 1 or closer.
 pub fn census() -> Evidence {
-    let trial = Trial::census(Subject::Printed, Compared::one(
+    let trial = Trial::census(Printed, Compared::one(
         r"whether the share of rest is more than half of the period, as stated for $\lambda_0\to1$ (1 if so),",
         r"whether it is at $\lambda_0$ between $1-10^{-3}$ and 1",
     )
@@ -63,7 +62,7 @@ pub fn census() -> Evidence {
 /// |h| = 1 throughout: no rest, however near λ₀ is to 1.
 pub fn two_valued() -> Evidence {
     let trial = Trial::census(
-        Subject::Remark,
+        Remark,
         Compared::constant(
             "the expected 0",
             r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",

@@ -141,7 +141,7 @@ impl Half {
 
 /// Rests that come, go and come again.
 pub const CHANGES: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for the $h$ that for $0<\phi<\pi$ is $-1/6$ between $3\pi/8$ and $\pi/2$ and else 1, with (43): from every start, with any velocity across, there is no rest at $\lambda_0=1/8$, there are two rests in every late period at $1/5$, none from some time on at $1/2$, and two again at $2/3$",
     ),

@@ -9,7 +9,6 @@ use crate::motion::drive::{Drive, DriveError};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::periodic as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// Samples of a drive over its period.
@@ -51,10 +50,6 @@ pub fn mean_size(drive: &Drive) -> f64 {
     bounds(drive).high - MARGIN
 }
 
-fn number(truth: bool) -> f64 {
-    is(truth)
-}
-
 /// A drive at a friction, which is much or little: whether rests are stated, and whether they are there.
 fn rests(name: &str, drive: &Drive, lambda: f64, much: bool) -> Result<Pair, Failure> {
     let found = phase(drive, lambda)?;
@@ -63,7 +58,7 @@ fn rests(name: &str, drive: &Drive, lambda: f64, much: bool) -> Result<Pair, Fai
         stated: printed::s23_rests()[usize::from(much)],
         // Neither rests nor none: at rest for ever, or never periodic.
         found: match found {
-            Phase::Rests(rests) => number(rests > 0),
+            Phase::Rests(rests) => is(rests > 0),
             Phase::Still => 2.0,
             Phase::Drifts => -1.0,
         },
@@ -88,27 +83,23 @@ fn admitted() -> Result<Vec<Named>, DriveError> {
 /// Every admitted drive: no rest below the one bound, motion with rest above the other.
 fn both_ends() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
             "whether the motion has rests (1 if so)",
         ),
     );
-    let drives = match admitted() {
-        Ok(drives) => drives,
-        Err(error) => return trial.over([error], |error| Err(error.into())),
-    };
-    let cases = drives.iter().flat_map(|one| {
-        let Bounds { low, high } = bounds(&one.drive);
-        let below = [0.5, 0.99, 0.1].map(|share| (one, low * share, false));
-        let above = [0.5, 0.01, 0.999].map(|share| (one, high + (1.0 - high) * share, true));
-        let pairs = below.into_iter().zip(above);
-        pairs.flat_map(|(a, b)| [a, b]).collect::<Vec<_>>()
-    });
-    // A random drive may come so near to a level median that the lower bound is lost in the sampling.
-    let cases = cases.filter(|(_, lambda, _)| *lambda > 0.0);
-    trial.over(cases, |(one, lambda, expected)| {
-        rests(one.name, &one.drive, lambda, expected)
+    trial.pairs(parts(admitted()), |one| {
+        let Named { name, drive, .. } = one?;
+        let Bounds { low, high } = bounds(&drive);
+        let below = [0.5, 0.99, 0.1].map(|share| (low * share, false));
+        let above = [0.5, 0.01, 0.999].map(|share| (high + (1.0 - high) * share, true));
+        let cases = below.into_iter().zip(above).flat_map(|(a, b)| [a, b]);
+        // A random drive may come so near to a level median that the lower bound is lost in the sampling.
+        let cases = cases.filter(|(lambda, _)| *lambda > 0.0);
+        cases
+            .map(|(lambda, much)| rests(name, &drive, lambda, much))
+            .collect()
     })
 }
 
@@ -144,7 +135,7 @@ fn two_zero_threshold(shape: &Harmonics) -> Result<f64, Failure> {
 fn two_zeros_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the $\lambda_0$ at which $\int h=\pi\lambda_0$ between zeros half a period apart and $h$ is $\lambda_0$ at one",
             r"the $\lambda_0$ at which rests appear in the motion",
@@ -172,7 +163,7 @@ fn two_zeros_root() -> Evidence {
 /// More than one change: rests come, go, and come again as the friction grows.
 fn again_and_again() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             "the stated 3",
             r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
@@ -197,7 +188,7 @@ fn again_and_again() -> Evidence {
 /// With a mean: no rest below it, and rests above the mean of |h|.
 fn with_mean() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             r"0 below the mean of $h$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
             "whether the motion has rests (1 if so; one that drifts has none)",
@@ -225,7 +216,7 @@ fn with_mean() -> Evidence {
 /// With a mean: how it goes on below it.
 fn with_mean_drift() -> Evidence {
     let trial = Trial::census(
-        Subject::Remark,
+        Remark,
         Compared::constant(
             "the expected $-1$, for a drift",
             r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
@@ -242,7 +233,7 @@ fn with_mean_drift() -> Evidence {
 /// The same close to where the friction is as strong as the mean.
 fn with_mean_close() -> Evidence {
     let trial = Trial::census(
-        Subject::Remark,
+        Remark,
         Compared::constant(
             "the expected $-1$, for a drift",
             r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
@@ -267,7 +258,7 @@ fn drifting(drive: &Drive, lambda: f64) -> Result<Pair, Failure> {
 /// |h| = 1 throughout: no rest at any λ₀ < 1.
 pub fn two_valued() -> Evidence {
     let trial = Trial::census(
-        Subject::Remark,
+        Remark,
         Compared::constant(
             "the expected 0",
             r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1,",
@@ -289,7 +280,7 @@ pub fn two_valued() -> Evidence {
 /// λ₀ (p − (π/2) sin p) < 0, all before scaling.
 pub fn level() -> Evidence {
     let trial = Trial::census(
-        Subject::Remark,
+        Remark,
         Compared::constant(
             "the expected 1",
             r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$,",

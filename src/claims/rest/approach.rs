@@ -14,100 +14,88 @@ use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
 use crate::corrections::rest as corrected;
-use crate::evidence::Subject::{Corrected, Outside, Within};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::intrinsic::Run;
 use crate::paper::rest as printed;
 use std::f64::consts::PI;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
-/// What an equation says and what the motion does, and the size of its terms.
-type Sides = fn(sigma: f64, close: &Close) -> (f64, f64, f64);
+/// What an equation says at σ and what the motion does, and the size of its terms.
+type Sides = fn(sigma: f64, close: &Close) -> [f64; 3];
 
 /// An equation: what it states and what is found, in words, and both in numbers.
 type Equation = (&'static str, &'static str, Sides);
 
-/// At p = 10⁻²⁰, for σ not so small that ψ has not relaxed even there.
-fn exactly(subject: Subject, (law, found, sides): Equation) -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        subject,
-        Compared::composed([r"at $p=10^{-20}$, ", law, ""], [found, "", ""]),
-        DIFFERENCES,
-    );
-    trial.over(approaches_to(&[(0.3, 0.98)]), |approach| {
-        pair(approach?, 1e-20, |_, _| 1.0, sides)
-    })
-}
+/// A moment at which an equation is tried: where, σ, the motion then, and the unit in which a difference is counted.
+type Moment = Result<(String, f64, Close, f64), Failure>;
 
-/// At p = 10⁻³, in units of the order of what is left out.
-fn by_order((law, found, sides): Equation) -> Evidence {
-    const AT: &str =
-        r"at $p=10^{-3}$, relatively and in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$, ";
-    let trial = Trial::by(
-        Route::Limit,
-        Within,
-        Compared::composed([AT, law, ""], [found, "", ""]),
-        FIRST_OMITTED,
-    );
-    trial.over(approaches(), |approach| {
-        pair(approach?, 1e-3, |s, c| 100.0 * c.omitted(s), sides)
-    })
-}
-
-fn pair(
-    approach: &Approach,
-    speed: f64,
-    unit: fn(f64, &Close) -> f64,
-    sides: Sides,
-) -> Result<Pair, Failure> {
-    let close = approach.close(speed)?;
-    let (stated, found, size) = sides(approach.sigma, &close);
-    Ok(Pair {
-        at: format!("{}, α = {:.6e}", approach.at(), close.alpha),
-        stated,
-        found,
-        scale: size * unit(approach.sigma, &close),
-    })
-}
-
-/// On the way into a rest with ψ → π.
-fn straight((law, found, sides): Equation) -> Evidence {
-    const AT: &str = r"on the way into a rest with $\psi\to\pi$, ";
-    let trial = Trial::by(
-        Route::Integration,
-        Outside,
-        Compared::composed([AT, law, ""], [found, "", ""]),
-        RELAXED,
-    );
-    trial.over(within_one(), |straight| {
-        let straight = straight?;
-        let (sigma, close) = close(straight)?;
-        let (stated, found, scale) = sides(sigma, &close);
+/// An equation at such moments, which the words before it tell.
+fn tried(
+    (route, subject, tolerance): (Route, Subject, Tolerance),
+    moments: impl Iterator<Item = Moment>,
+    when: &'static str,
+    (law, found, sides): Equation,
+) -> Evidence {
+    let compared = Compared::composed([when, law, ""], [found, "", ""]);
+    Trial::by(route, subject, compared, tolerance).over(moments, |moment| {
+        let (at, sigma, close, unit) = moment?;
+        let [stated, found, size] = sides(sigma, &close);
         Ok(Pair {
-            at: format!("{}, α = {:.6e}", straight.at(), close.alpha),
+            at: format!("{at}, α = {:.6e}", close.alpha),
             stated,
             found,
-            scale,
+            scale: size * unit,
         })
     })
 }
 
+/// At p = 10⁻²⁰, for σ not so small that ψ has not relaxed even there.
+fn exactly(subject: Subject, equation: Equation) -> Evidence {
+    let moments = approaches_to(&[(0.3, 0.98)]).map(|approach| {
+        let approach = approach?;
+        Ok((approach.at(), approach.sigma, approach.close(1e-20)?, 1.0))
+    });
+    let how = (Route::Integration, subject, DIFFERENCES);
+    tried(how, moments, r"at $p=10^{-20}$, ", equation)
+}
+
+/// At p = 10⁻³, in units of the order of what is left out.
+fn by_order(equation: Equation) -> Evidence {
+    const AT: &str =
+        r"at $p=10^{-3}$, relatively and in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$, ";
+    let moments = approaches().map(|approach| {
+        let approach = approach?;
+        let (sigma, close) = (approach.sigma, approach.close(1e-3)?);
+        Ok((approach.at(), sigma, close, 100.0 * close.omitted(sigma)))
+    });
+    tried((Route::Limit, Within, FIRST_OMITTED), moments, AT, equation)
+}
+
+/// On the way into a rest with ψ → π.
+fn straight(equation: Equation) -> Evidence {
+    let moments = within_one().map(|straight| {
+        let straight = straight?;
+        let (sigma, close) = close(straight)?;
+        Ok((straight.at(), sigma, close, 1.0))
+    });
+    let how = (Route::Integration, Outside, RELAXED);
+    tried(
+        how,
+        moments,
+        r"on the way into a rest with $\psi\to\pi$, ",
+        equation,
+    )
+}
+
 /// What holds there instead.
-fn straight_corrected(law: &'static str, found: &'static str, sides: Sides) -> Evidence {
+fn straight_corrected((law, found, sides): Equation) -> Evidence {
     const WITH: &str = r" of a motion that comes to rest with $\psi\to\pi$";
-    let trial = Trial::by(
-        Route::Integration,
-        Corrected,
-        Compared::composed([law, "", ""], [found, WITH, ""]),
-        RELAXED,
-    );
+    let compared = Compared::composed([law, "", ""], [found, WITH, ""]);
+    let trial = Trial::by(Route::Integration, Corrected, compared, RELAXED);
     trial.each(within_one(), StraightIn::at, |straight| {
         let (sigma, close) = close(straight)?;
-        let (stated, found, scale) = sides(sigma, &close);
-        Ok([stated, found, scale])
+        Ok(sides(sigma, &close))
     })
 }
 
@@ -141,40 +129,6 @@ fn close(straight: &StraightIn) -> Result<(f64, Close), MotionError> {
             way_left,
         },
     ))
-}
-
-fn eq140(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    (
-        printed::eq140_alpha_rate(sigma),
-        c.alpha_rate,
-        c.alpha_rate.abs(),
-    )
-}
-fn eq141(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    (printed::eq141_alpha(sigma, -c.left), c.alpha, c.alpha)
-}
-/// Of an equation, what its left side exceeds the right one by, and 0.
-fn eq142(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let left = printed::eq142_left(sigma, c.psi_slope);
-    let size = 2.0 + (c.psi / c.alpha).abs();
-    (left - printed::eq142_right(c.alpha, c.psi), 0.0, size)
-}
-fn eq144(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let left = printed::eq144_left(sigma, c.a_slope);
-    (left - printed::eq144_right(c.alpha), 0.0, c.alpha)
-}
-fn eq144_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let left = printed::eq144_left(sigma, c.a_slope_by_way);
-    (left - printed::eq144_right(c.alpha), 0.0, c.alpha)
-}
-fn eq145(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let stated = printed::eq145_a(sigma, c.alpha);
-    (stated, c.a, (c.a - sigma).abs())
-}
-/// The coefficient of α², where A − σ is too small to be taken as a difference: σ² − A² is twice the way still to go.
-fn eq145_way(sigma: f64, c: &Close) -> (f64, f64, f64) {
-    let found = -c.way_left / (sigma * c.alpha * c.alpha);
-    (printed::eq145_a(sigma, 1.0) - sigma, found, found.abs())
 }
 
 /// On the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
@@ -214,56 +168,69 @@ fn leaving(alpha0: f64) -> Result<Close, Failure> {
 
 /// At σ = 1, where the motion takes for ever: on the boundary.
 fn at_one((law, found, sides): Equation) -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Outside,
-        Compared::composed(["on the boundary, ", law, ""], [found, "", ""]),
-        BOUNDARY,
-    );
-    trial.over(borders_near_one(), |close| {
-        let close = close?;
-        let (stated, found, scale) = sides(1.0, close);
-        Ok(Pair {
-            at: format!("σ = 1, α = {:.3}, ψ = {:.6}", close.alpha, close.psi),
-            stated,
-            found,
-            scale,
-        })
-    })
+    let compared = Compared::composed(["on the boundary, ", law, ""], [found, "", ""]);
+    let trial = Trial::by(Route::Root, Outside, compared, BOUNDARY);
+    let at = |close: &Close| format!("σ = 1, α = {:.3}, ψ = {:.6}", close.alpha, close.psi);
+    trial.each(borders_near_one(), at, |close| Ok(sides(1.0, close)))
 }
 
 const EQ140: Equation = (
     "(140)",
     r"$\mathrm d\alpha/\mathrm d\tau$ of the motion",
-    eq140,
+    |sigma, c| {
+        let stated = printed::eq140_alpha_rate(sigma);
+        [stated, c.alpha_rate, c.alpha_rate.abs()]
+    },
 );
 const EQ141: Equation = (
     r"(141), with $\tau$ counted from the stop,",
     r"$\alpha$ of the motion",
     eq141,
 );
+fn eq141(sigma: f64, c: &Close) -> [f64; 3] {
+    [printed::eq141_alpha(sigma, -c.left), c.alpha, c.alpha]
+}
+/// Of an equation, what its left side exceeds the right one by, and 0.
 const EQ142: Equation = (
     r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion,",
     "0",
-    eq142,
+    |sigma, c| {
+        let left = printed::eq142_left(sigma, c.psi_slope);
+        let size = 2.0 + (c.psi / c.alpha).abs();
+        [left - printed::eq142_right(c.alpha, c.psi), 0.0, size]
+    },
 );
 const EQ144: Equation = (
     r"the relative difference of the sides of (144), with $\mathrm dA/\mathrm d\alpha$ of the motion,",
     "0",
-    eq144,
+    |sigma, c| eq144(sigma, c.a_slope, c.alpha),
 );
 /// By the path.
 const EQ144_WAY: Equation = (
     r"the relative difference of the sides of (144), with $A\,\mathrm dA=\mathrm ds$ from the path still to go,",
     "0",
-    eq144_way,
+    |sigma, c| eq144(sigma, c.a_slope_by_way, c.alpha),
 );
-const EQ145: Equation = ("(145)", r"$A$ of the motion, over $A-\sigma$", eq145);
-/// By the path.
+fn eq144(sigma: f64, slope: f64, alpha: f64) -> [f64; 3] {
+    let left = printed::eq144_left(sigma, slope);
+    [left - printed::eq144_right(alpha), 0.0, alpha]
+}
+const EQ145: Equation = (
+    "(145)",
+    r"$A$ of the motion, over $A-\sigma$",
+    |sigma, c| {
+        let stated = printed::eq145_a(sigma, c.alpha);
+        [stated, c.a, (c.a - sigma).abs()]
+    },
+);
+/// The coefficient of α², where A − σ is too small to be taken as a difference: σ² − A² is twice the way still to go.
 const EQ145_WAY: Equation = (
     r"the coefficient of $\alpha^2$ in (145)",
     r"$(A-\sigma)/\alpha^2$ of the motion, where $A^2$ is $\sigma^2$ less twice the length of the path still to go",
-    eq145_way,
+    |sigma, c| {
+        let found = -c.way_left / (sigma * c.alpha * c.alpha);
+        [printed::eq145_a(sigma, 1.0) - sigma, found, found.abs()]
+    },
 );
 
 /// Two levels of p at which the terms of (143) are well apart from rounding and from what is left out.
@@ -312,7 +279,7 @@ fn constants(subject: Subject, compared: Compared, ranges: &'static [(f64, f64)]
 /// it is small. Without the condition of (143) this is what the trial is about.
 fn unit(subject: Subject, size: f64, left_out: f64, tolerance: Tolerance) -> f64 {
     match subject {
-        Subject::Within => size.max(left_out / tolerance.value),
+        Within => size.max(left_out / tolerance.value),
         _ => size,
     }
 }
@@ -358,7 +325,7 @@ fn early_levels(sigma: f64) -> [f64; 2] {
 fn eq143_one_half() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Outside,
+        Outside,
         Compared::one(
             r"(143) over $2\alpha$",
             r"$\psi/(2\alpha)$ of the motion at $p=10^{-10}$",
@@ -379,7 +346,7 @@ fn eq143_one_half() -> Evidence {
 fn eq143_regular() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"the regular form of (143) over $2\alpha$, its constant taken at $p=10^{-10}$,",
             r"$\psi/(2\alpha)$ at $p=10^{-12}$",
@@ -398,16 +365,16 @@ fn eq143_regular() -> Evidence {
 fn near_rest_angle() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Within,
+        Within,
         Compared::many(
             r"the limits 0 of $\alpha$ and $\psi$",
             r"$\alpha$ and $\psi$ of the motion at $p=10^{-30}$",
         ),
         RELAXED,
     );
-    let both = approaches_to(&[(0.3, 0.98)]).flat_map(|a| [0, 1].map(|i| (a.clone(), i)));
-    trial.over(both, |(approach, i)| {
-        let approach = approach?;
+    let both = with_each(approaches_to(&[(0.3, 0.98)]), [0, 1]);
+    trial.over(both, |case| {
+        let (approach, i) = case?;
         let end = approach.run.end();
         Ok(Pair {
             at: approach.at(),
@@ -420,7 +387,7 @@ fn near_rest_angle() -> Evidence {
 /// Random motions to rest, on which ψ and α come nearer to their limits at the end.
 fn near_rest_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Within,
+        Within,
         Compared::one(
             r"the number of tenfold falls of $p$, from $10^{-10}$ on, over which $\alpha$ and $\psi$ both come nearer to their limits 0,",
             "that of all such falls",
@@ -465,14 +432,14 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq140_motion = exactly(Within, EQ140),
     eq140_order = by_order(EQ140),
     eq140_straight = straight(EQ140),
-    corrected140 = straight_corrected(
+    corrected140 = straight_corrected((
         r"$-1-1/\sigma$",
         r"$\mathrm d\alpha/\mathrm d\tau$",
         |sigma, c| {
             let stated = corrected::alpha_rate_straight_in(sigma);
-            (stated, c.alpha_rate, c.alpha_rate.abs())
+            [stated, c.alpha_rate, c.alpha_rate.abs()]
         }
-    ),
+    )),
     eq140_at_one = at_one(EQ140),
     eq141_motion = exactly(Within, EQ141),
     eq141_order = by_order(EQ141),
@@ -483,7 +450,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
         (
             r"(141), with $\tau$ counted from one unit of time after the stop,",
             r"$\alpha$ of the motion",
-            |sigma, c| (printed::eq141_alpha(sigma, -c.left - 1.0), c.alpha, c.alpha)
+            |sigma, c| [printed::eq141_alpha(sigma, -c.left - 1.0), c.alpha, c.alpha]
         )
     ),
     eq142_motion = exactly(Within, EQ142),
@@ -509,7 +476,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq143_one_half,
     // (143) has no such motion.
     eq143_straight = straight(("(143)", r"$\psi$ of the motion", |sigma, c| {
-        (printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0)
+        [printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0]
     })),
     eq143_regular,
     eq144_motion = exactly(Within, EQ144_WAY),
@@ -520,18 +487,18 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq145_order = by_order(EQ145),
     eq145_straight = straight(EQ145_WAY),
     eq145_at_one = at_one(("(145)", "$A$", |sigma, c| {
-        (printed::eq145_a(sigma, c.alpha), c.a, 1.0)
+        [printed::eq145_a(sigma, c.alpha), c.a, 1.0]
     })),
     near_rest_angle,
     near_rest_census,
     near_rest_straight = straight(("the stated 0", r"$\psi$ of the motion", |_, c| {
-        (printed::s4_near_rest_limits()[1], c.psi, 1.0)
+        [printed::s4_near_rest_limits()[1], c.psi, 1.0]
     })),
     corrected_near_rest =
-        straight_corrected(r"$\pi-2\alpha/(2+1/\sigma)$", r"$\psi$", |sigma, c| {
+        straight_corrected((r"$\pi-2\alpha/(2+1/\sigma)$", r"$\psi$", |sigma, c| {
             let stated = PI - corrected::angle_straight_in(sigma, c.alpha);
-            (stated, c.psi, c.alpha)
-        }),
+            [stated, c.psi, c.alpha]
+        })),
 ];
 
 #[cfg(test)]

@@ -1,7 +1,5 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
-use trialbook::claims::compare::is;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, THIRD_ORDER};
@@ -75,83 +73,63 @@ pub fn is_clear(a: f64, alpha: f64, psi: f64) -> bool {
     (a - corrected_a(alpha, psi)).abs() > THIRD_ORDER.value * unit(alpha)
 }
 
-fn at(alpha: f64, psi: f64) -> String {
-    format!("α = {alpha}, ψ = {psi:.6}")
-}
-
-/// (147) against the boundary.
-pub fn printed_root() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Subject::Printed,
-        Compared::one(
-            "(147)",
-            "the $A$ at which the motion passes from rest to escape",
-        ),
-        BOUNDARY,
-    );
-    trial.over(borders(), |border| {
-        let Border { alpha, psi, a } = *border?;
-        Ok(Pair {
-            at: at(alpha, psi),
-            stated: printed_a(alpha),
-            found: a,
-            scale: 1.0,
-        })
+/// Where a motion passes from rest to escape, by what is stated of A there.
+fn on_the_border(
+    subject: Subject,
+    compared: Compared,
+    tolerance: Tolerance,
+    borders: impl Iterator<Item = Result<Border, Failure>>,
+    values: fn(f64, f64) -> [f64; 2],
+) -> Evidence {
+    let trial = Trial::by(Route::Root, subject, compared, tolerance);
+    let at = |Border { alpha, psi, .. }: &Border| format!("α = {alpha}, ψ = {psi:.6}");
+    trial.each(borders, at, |&Border { alpha, psi, a }| {
+        let [stated, scale] = values(alpha, psi);
+        Ok([stated, a, scale])
     })
 }
 
-/// (147) on the slow motion, ψ = 2α, which its derivation is about.
-fn printed_slow() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Subject::Printed,
-        Compared::one(
-            "(147)",
-            "the $A$ at which the motion passes from rest to escape",
-        )
-        .over(r"$\psi=2\alpha$"),
-        BOUNDARY,
-    );
+const PASSES: &str = "the $A$ at which the motion passes from rest to escape";
+const IN_UNITS: &str =
+    r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$";
+
+/// (147) with the boundary.
+fn as_printed(
+    compared: Compared,
+    borders: impl Iterator<Item = Result<Border, Failure>>,
+) -> Evidence {
+    on_the_border(Printed, compared, BOUNDARY, borders, |alpha, _| {
+        [printed_a(alpha), 1.0]
+    })
+}
+
+/// The second-order boundary with the boundary.
+fn as_corrected(
+    compared: Compared,
+    borders: impl Iterator<Item = Result<Border, Failure>>,
+) -> Evidence {
+    let values = |alpha, psi| [corrected_a(alpha, psi), unit(alpha)];
+    on_the_border(Corrected, compared, THIRD_ORDER, borders, values)
+}
+
+const EQ147: Compared = Compared::one("(147)", PASSES);
+const CORRECTED: Compared = Compared::one(
+    r"the corrected boundary, to the order $\alpha^2$,",
+    IN_UNITS,
+);
+
+/// The slow motion, ψ = 2α, which the derivation of (147) is about.
+fn slow() -> impl Iterator<Item = Result<Border, Failure>> {
     let alphas = (0..20).map(|i| 0.02 + 0.01 * f64::from(i));
-    trial.over(Points::stream(737).grid(alphas), |alpha| {
-        let found = border(alpha, 2.0 * alpha)?.a;
-        Ok(Pair {
-            at: at(alpha, 2.0 * alpha),
-            stated: printed_a(alpha),
-            found,
-            scale: 1.0,
-        })
-    })
-}
-
-/// The second-order boundary against the boundary.
-pub fn corrected_root() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Subject::Corrected,
-        Compared::one(
-            r"the corrected boundary, to the order $\alpha^2$,",
-            r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
-        ),
-        THIRD_ORDER,
-    );
-    trial.over(borders(), |border| {
-        let Border { alpha, psi, a } = *border?;
-        Ok(Pair {
-            at: at(alpha, psi),
-            stated: corrected_a(alpha, psi),
-            found: a,
-            scale: unit(alpha),
-        })
-    })
+    let alphas = Points::stream(737).grid(alphas).into_iter();
+    alphas.map(|alpha| Ok(border(alpha, 2.0 * alpha)?))
 }
 
 /// The least A of the boundary over ψ: the least of those at twelve angles all round, and at some of the order of α.
 fn least_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"$1-\alpha+\frac76\alpha^2$",
             r"the least $A$, over 21 $\psi$, at which the motion passes from rest to escape, in units of $1000\alpha^3$",
@@ -180,35 +158,20 @@ fn least_root() -> Evidence {
     })
 }
 
-/// The second-order boundary so close to A = 1, α = 0 that it is one to a part in 10⁸ or less.
-fn corrected_close() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Subject::Corrected,
-        Compared::one(
-            r"the corrected boundary, to the order $\alpha^2$,",
-            r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$",
-        )
-        .over(r"$\alpha=10^{-3}$ and $10^{-4}$"),
-        THIRD_ORDER,
-    );
+/// Points so close to A = 1, α = 0 that the second-order boundary is one to a part in 10⁸ or less.
+fn close() -> impl Iterator<Item = Result<Border, Failure>> {
     let angles = (0..10).map(|k| PI * (f64::from(k) - 4.0) / 5.0);
     let angles = Points::stream(739).grid(angles).into_iter();
     // A start may be counted several turns on.
     let angles = angles.chain([1.5, -2.5, 159.3].map(|turns| PI * turns));
     let points = angles.flat_map(|psi| [1e-3, 1e-4].map(|alpha| (alpha, psi)));
-    trial.over(points, |(alpha, psi)| {
-        let unit = unit(alpha);
+    points.map(|(alpha, psi)| {
         let start = |a| Start::hyperbolic(a, alpha, psi);
         // The states that fall in along a = −α, with what of α is left when ψ has relaxed.
         let middle = 1.0 - alpha * libm::pow(libm::cos(psi / 2.0), 2.0);
-        let (far, near) = (10.0 * alpha * alpha, 0.02 * THIRD_ORDER.value * unit);
-        Ok(Pair {
-            at: at(alpha, psi),
-            stated: corrected_a(alpha, psi),
-            found: between(start, middle - far, middle + far, near)?,
-            scale: unit,
-        })
+        let (far, near) = (10.0 * alpha * alpha, 0.02 * THIRD_ORDER.value * unit(alpha));
+        let a = between(start, middle - far, middle + far, near)?;
+        Ok(Border { alpha, psi, a })
     })
 }
 
@@ -292,16 +255,15 @@ fn counted(case: &Case, rests: bool) -> Pair {
 /// Who comes to rest by (147), and who does.
 pub fn printed_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the fate by (147) (1 for rest, 0 for escape)",
             "that of the motion",
         ),
     );
     // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
-    let small =
-        |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.start[1] < 0.3);
-    trial.over(census().filter(small), |case| {
+    let small = only(census(), |case| case.start[1] < 0.3);
+    trial.over(small, |case| {
         let case = case?;
         Ok(counted(case, rests_as_printed(case.start)))
     })
@@ -315,14 +277,13 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 /// Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
 fn corrected_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"the fate by the corrected boundary, to the order $\alpha^2$ (1 for rest, 0 for escape),",
             r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
         ),
     );
-    let clear = |case: &Result<&Case, Failure>| case.as_ref().map_or(true, |case| case.clear);
-    trial.over(census().filter(clear), |case| {
+    trial.over(only(census(), |case| case.clear), |case| {
         let case = case?;
         let [a, alpha, psi] = case.start;
         Ok(counted(case, a < corrected_a(alpha, psi)))
@@ -373,48 +334,40 @@ fn surface(sigma: f64) -> Result<Surface, Failure> {
 }
 
 fn slopes(subject: Subject, compared: Compared, stated: fn(f64, f64) -> f64) -> Evidence {
+    let compared = compared.over(r"$\psi=2\alpha$");
     let trial = Trial::by(Route::Root, subject, compared, CLOSING_SURFACES);
-    trial.over(surfaces(), |surface| {
-        let surface = surface?;
-        Ok(Pair {
-            at: format!("σ = {:.6}, α = {:.6}", surface.sigma, surface.alpha),
-            stated: stated(surface.sigma, surface.alpha),
-            found: surface.slope,
-            scale: 1.0,
-        })
+    let at = |s: &Surface| format!("σ = {:.6}, α = {:.6}", s.sigma, s.alpha);
+    trial.each(surfaces(), at, |s| {
+        Ok([stated(s.sigma, s.alpha), s.slope, 1.0])
     })
 }
 
-/// (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
-fn real_surfaces() -> Evidence {
-    let compared = Compared::one(
-        r"$\partial A/\partial\sigma$ by (146) at $\alpha=\sqrt2(1-\sigma)$",
-        "that of the surfaces that the motion makes",
-    )
-    .over(r"$\psi=2\alpha$");
-    slopes(Subject::Printed, compared, printed::eq146_right)
-}
-
-/// The real surfaces around the saddle: 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3 there.
-fn closing_surfaces() -> Evidence {
-    let compared = Compared::one(
-        r"$(1-\sigma)/\sqrt{(1-\sigma)^2+\alpha^2}$ at $\alpha=\sqrt2(1-\sigma)$",
-        r"$\partial A/\partial\sigma$ of the surfaces that the motion makes",
-    )
-    .over(r"$\psi=2\alpha$");
-    slopes(Subject::Corrected, compared, corrected::surface_slope)
-}
-
 pub(super) const TRIALS: &[Attempt] = trials![
-    real_surfaces,
-    closing_surfaces,
-    printed_slow,
+    // (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
+    real_surfaces = slopes(
+        Printed,
+        Compared::one(
+            r"$\partial A/\partial\sigma$ by (146) at $\alpha=\sqrt2(1-\sigma)$",
+            "that of the surfaces that the motion makes",
+        ),
+        printed::eq146_right
+    ),
+    // The real surfaces around the saddle: 1 − A = √((1−σ)² + α²), so that ∂A/∂σ = 1/√3 there.
+    closing_surfaces = slopes(
+        Corrected,
+        Compared::one(
+            r"$(1-\sigma)/\sqrt{(1-\sigma)^2+\alpha^2}$ at $\alpha=\sqrt2(1-\sigma)$",
+            r"$\partial A/\partial\sigma$ of the surfaces that the motion makes",
+        ),
+        corrected::surface_slope
+    ),
+    printed_slow = as_printed(EQ147.over(r"$\psi=2\alpha$"), slow()),
     least_root,
     printed_census,
-    printed_root,
+    printed_root = as_printed(EQ147, borders().map(|border| border.copied())),
     corrected_census,
-    corrected_root,
-    corrected_close
+    corrected_root = as_corrected(CORRECTED, borders().map(|border| border.copied())),
+    corrected_close = as_corrected(CORRECTED.over(r"$\alpha=10^{-3}$ and $10^{-4}$"), close())
 ];
 
 #[cfg(test)]

@@ -1,10 +1,9 @@
 //! Fates by validated integration: where (147) says one thing and Newton's law the other.
 
 use super::boundary::{border, corrected_a, printed_a};
-use crate::certified::turntable::{Fate, fate};
 use crate::claims::tolerances::NONE;
+use crate::validated::turntable::{Fate, fate};
 use trialbook::certified::written::decimal;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
@@ -31,7 +30,7 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
 pub fn printed() -> Evidence {
     let trial = Trial::by(
         Route::Certified,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the fate by (147) (1 for rest, 0 for escape)",
             "that by validated integration",
@@ -45,7 +44,7 @@ pub fn printed() -> Evidence {
 pub fn corrected() -> Evidence {
     let trial = Trial::by(
         Route::Certified,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             "the fate by the corrected formula (1 for rest, 0 for escape)",
             "that by validated integration",
@@ -72,9 +71,9 @@ pub(super) const TRIALS: &[Attempt] = trials![printed, corrected];
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certified::turntable::{fate_launched, fate_put_down};
     use crate::claims::rest::boundary::resting_place;
     use crate::motion::turntable::{critical_radius, critical_speed};
+    use crate::validated::turntable::{fate_launched, fate_put_down};
     use trialbook::certified::error::CertifiedError;
     use trialbook::certified::interval::Interval;
 

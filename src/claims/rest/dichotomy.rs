@@ -7,7 +7,6 @@ use crate::motion::turntable::ensemble::rests;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial};
 use crate::paper::rest as printed;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// Starts all over the inner part of the states, by ρ, p and ψ.
@@ -18,7 +17,7 @@ fn starts(stream: u64, count: usize) -> Vec<[f64; 3]> {
 /// By bounds on the energy, which make a fate certain: many starts together.
 pub fn fates() -> Evidence {
     let trial = Trial::census(
-        Subject::Within,
+        Within,
         Compared::constant(
             "the expected 0, for no third fate",
             "whether the fate is neither rest nor escape by the bounds on its energy (1 if so)",
@@ -31,15 +30,11 @@ pub fn fates() -> Evidence {
     let ends = begun
         .collect::<Result<Vec<_>, _>>()
         .and_then(|all| rests(&all));
-    let ends = match ends {
-        Ok(ends) => ends,
-        Err(error) => return trial.over([Failure::from(error)], Err),
-    };
-    trial.over(points.into_iter().zip(ends), |([rho, p, psi], end)| {
+    trial.over(points.iter().zip(parts(ends)), |([rho, p, psi], end)| {
         Ok(Pair {
             at: format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}"),
             stated: printed::s4_third_fates(),
-            found: is(end.is_none()),
+            found: is(end?.is_none()),
             scale: 1.0,
         })
     })
@@ -49,7 +44,7 @@ pub fn fates() -> Evidence {
 pub fn followed() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Within,
+        Within,
         Compared::constant(
             "the expected 0, for no third fate",
             r"1 less how many of two things hold of a particle at $\tau=100$, that it rests on the table and that $\rho^2-p^2>1$,",
@@ -81,7 +76,7 @@ fn third_fate(path: &Path, tau: f64) -> Result<f64, MotionError> {
 fn on_the_boundary() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "the expected 0, for no third fate",
             r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
@@ -111,7 +106,7 @@ fn creeps([[far, fast], [near, slow]]: [[f64; 2]; 2]) -> bool {
 /// That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
 fn beside_the_boundary() -> Evidence {
     let trial = Trial::census(
-        Subject::Excepted,
+        Excepted,
         Compared::constant(
             "the expected 1",
             "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",

@@ -75,7 +75,7 @@ pub fn eq147(formula: Expr) -> Proof {
 
 /// (139) against the law of motion.
 pub const EQ139: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(107) at rest",
         r"the difference of $\sigma$ and the bound, less $2\sigma\sin^2(\psi/2)$",
@@ -86,7 +86,7 @@ pub const EQ139: Statement = Statement::new(
 
 /// (146) against (145).
 const EQ146: Statement = Statement::new(
-    Subject::Step,
+    Step,
     Compared::one(
         "(146)",
         "the derivative of (145), the terms left out being dropped",
@@ -100,7 +100,7 @@ const EQ146: Statement = Statement::new(
 
 /// (147) against (145) and (146).
 const EQ147: Statement = Statement::new(
-    Subject::Step,
+    Step,
     Compared::one(
         "(147)",
         "(145) where (146) holds, the terms left out being dropped",

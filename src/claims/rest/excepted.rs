@@ -4,14 +4,12 @@ use super::trajectories::{Approach, approaches};
 use crate::paper::rest as printed;
 use std::f64::consts::FRAC_PI_2;
 use trialbook::certified::interval::Interval;
-use trialbook::claims::compare::is;
-use trialbook::claims::excepted::{no_inside, no_value};
 use trialbook::prelude::*;
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub fn straight_in() -> Evidence {
     let trial = Trial::census(
-        Subject::Excepted,
+        Excepted,
         Compared::constant(
             "the expected 1",
             r"whether $\psi$ of the motion ends below a right angle (1 if so)",

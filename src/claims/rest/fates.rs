@@ -1,10 +1,10 @@
 //! Maps of fates at one A, in the plane of α and ψ: simulation says where the boundary runs, validated integration
 //! proves the fates on both sides of it.
 
-use crate::certified::turntable::{Margins, Strip};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::boundary::between;
+use crate::validated::turntable::{Margins, Strip};
 use rayon::prelude::*;
 use std::fmt;
 use trialbook::certified::written::decimal;
@@ -168,7 +168,7 @@ pub fn open(rows: &[Row]) -> f64 {
 
 /// Of which commit the recorded maps are.
 pub fn as_of() -> &'static str {
-    trialbook::claims::as_of(RECORD)
+    trialbook::trials::as_of(RECORD)
 }
 
 /// The maps that the book shows, as `examples/fates.rs` made them; nothing where a line is not one of theirs.

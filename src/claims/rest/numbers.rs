@@ -6,10 +6,9 @@ use crate::corrections::rest as corrected;
 use crate::motion::turntable;
 use crate::paper::rest as printed;
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
-use trialbook::claims::by_hand::Numbers;
-use trialbook::claims::compare::Failure;
-use trialbook::claims::runs::Runs;
-use trialbook::claims::values::Number;
+use trialbook::prelude::*;
+use trialbook::trials::by_hand::Numbers;
+use trialbook::trials::values::Number;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [

@@ -7,15 +7,13 @@ use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
 use crate::paper::rest as printed;
-use trialbook::claims::compare::is;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// (139) with the largest distance from which a nudged particle comes back to rest.
 fn eq139_nudge() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(139)",
             r"the $\rho$ up to which a particle nudged by $p=10^{-4}$ comes to rest",
@@ -82,7 +80,7 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
 fn eq139_stays() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether a particle stays, by (139) (1 if so),",
             "whether one stays that rides with the table, seen from the laboratory",
@@ -120,7 +118,7 @@ const SOON: f64 = 0.1;
 fn eq139_at_the_edge() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether a particle stays, by (139) (1 if so),",
             r"whether one stays that is put at rest on the table within $10^{-9}$ of $\sigma=1$: in the frame of the table, in the laboratory, and by its fate",
@@ -169,13 +167,13 @@ const LONG: f64 = 1e3;
 /// Where particles come to rest: never beyond the largest σ.
 fn resting_places() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\sigma$, but at most that of (139),",
             r"$\sigma$ of random starts that come to rest",
         ),
     );
-    let resting = census().filter(|case| case.as_ref().map_or(true, |case| case.rests));
+    let resting = only(census(), |case| case.rests);
     trial.over(resting.step_by(EVERY), |case| {
         let [a, alpha, psi] = case?.start;
         // The place itself: the fate's bounds make use of σ ≤ 1.

@@ -33,7 +33,9 @@ fn places(stream: u64) -> Vec<[f64; 2]> {
     Points::stream(stream).within(30, [[0.25, 0.85], [-2.6, 2.6]])
 }
 
-fn by_root(subject: Subject, compared: Compared, stated: fn(f64, f64, f64) -> f64) -> Evidence {
+fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64) -> Evidence {
+    const FROM: &str = r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$";
+    let compared = Compared::one(law, FROM).over(r"$\alpha=(1-\sigma)/100$");
     let trial = Trial::by(Route::Root, subject, compared, THIRD_ORDER);
     trial.over(places(645), |[sigma, psi]| {
         let alpha = 0.01 * (1.0 - sigma);
@@ -46,33 +48,11 @@ fn by_root(subject: Subject, compared: Compared, stated: fn(f64, f64, f64) -> f6
     })
 }
 
-/// (145) with ψ free.
-fn psi_free() -> Evidence {
-    let compared = Compared::one(
-        r"(145), whatever $\psi$ is,",
-        r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$",
-    )
-    .over(r"$\alpha=(1-\sigma)/100$");
-    by_root(Subject::Printed, compared, |sigma, alpha, _| {
-        printed::eq145_a(sigma, alpha)
-    })
-}
-
-/// With its ψ.
-fn with_psi() -> Evidence {
-    let compared = Compared::one(
-        r"the corrected $A(\sigma,\alpha,\psi)$",
-        r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$",
-    )
-    .over(r"$\alpha=(1-\sigma)/100$");
-    by_root(Subject::Corrected, compared, corrected::surface_a)
-}
-
 /// The coefficient of α².
 pub fn bends() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"the corrected coefficient of $-\alpha^2$",
             r"the limit of $(\sigma-A)/\alpha^2$ on the surface that the motion makes",
@@ -89,4 +69,14 @@ pub fn bends() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![psi_free, with_psi, bends];
+pub(super) const TRIALS: &[Attempt] = trials![
+    psi_free = by_root(Printed, r"(145), whatever $\psi$ is,", |sigma, alpha, _| {
+        printed::eq145_a(sigma, alpha)
+    }),
+    with_psi = by_root(
+        Corrected,
+        r"the corrected $A(\sigma,\alpha,\psi)$",
+        corrected::surface_a
+    ),
+    bends
+];

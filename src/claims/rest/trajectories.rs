@@ -4,7 +4,6 @@ use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, fate};
 use std::sync::{Mutex, PoisonError};
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// A motion that ends at rest.
@@ -169,9 +168,9 @@ fn all_approaches(stream: u64) -> Result<Vec<Approach>, Failure> {
 pub fn approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
-    approaches().filter(move |approach| {
-        let inside = |s: f64| ranges.iter().any(|&(low, high)| low < s && s < high);
-        approach.as_ref().map_or(true, |a| inside(a.sigma))
+    only(approaches(), |approach| {
+        let inside = |&(low, high)| low < approach.sigma && approach.sigma < high;
+        ranges.iter().any(inside)
     })
 }
 
@@ -179,8 +178,9 @@ pub fn approaches_to(
 pub fn gentle_approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
-    let gentle = |a: &&Approach| a.start[2].abs() < 2.2;
-    approaches_to(ranges).filter(move |approach| approach.as_ref().map_or(true, gentle))
+    only(approaches_to(ranges), |approach| {
+        approach.start[2].abs() < 2.2
+    })
 }
 
 /// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.

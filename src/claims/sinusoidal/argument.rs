@@ -6,8 +6,6 @@ use crate::claims::tolerances::{ACROSS, NONE};
 use crate::motion::drive::{Friction, PlanarState, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::compare::is;
-use trialbook::claims::excepted::no_inside;
 use trialbook::prelude::*;
 
 fn at(lambda: f64) -> String {
@@ -25,7 +23,7 @@ fn outlasts(lambda: f64) -> Result<bool, Failure> {
 /// λ₀ < λ_c, and beyond.
 fn outlasts_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Within,
+        Within,
         Compared::one(
             r"whether $\lambda_0<\lambda_\mathrm c$ (1 if so)",
             r"whether the slip from $\phi_1$ on lasts longer than $\pi$ and $\mathfrak w<0$ a period after $\phi_1$",
@@ -44,7 +42,7 @@ fn outlasts_census() -> Evidence {
 /// Without friction it lasts for the whole period, and nothing is lost.
 fn outlasts_outside() -> Evidence {
     let trial = Trial::census(
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "1, as the claim has it",
             r"whether, without friction, $\mathfrak w<0$ (1 if so) one to twenty periods after a start from rest at the phase 0",
@@ -66,7 +64,7 @@ fn outlasts_outside() -> Evidence {
 /// Motion for ever below λ₀ = 1, and none above.
 fn stays_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"whether $\lambda_0<1$ (1 if so)",
             "whether the large-time motion along the drive moves",
@@ -92,7 +90,7 @@ fn stays_census() -> Evidence {
 fn stays_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"whether $\lambda_0<1$ (1 if so)",
             "whether $v_x$ of a particle on the plane has another value than 0 in its sixth period",
@@ -131,7 +129,7 @@ fn away_from_zeros(points: &mut Points) -> Result<[f64; 3], Failure> {
 fn across_rate() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the relative rate $-\lambda_0/\lvert\mathfrak w\rvert$ of $\mathfrak w_y$ by a friction proportional to $\mathfrak w_y$",
             r"$\mathrm d\ln\mathfrak w_y/\mathrm d\phi$ of the motion, by differences, at $\mathfrak w_y=\mathrm e^{-20}$",
@@ -160,7 +158,7 @@ fn across_rate() -> Evidence {
 fn across_proportional() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the ratio of the friction across the drive at two velocities that are as 100 to 1",
             r"that of what $v_y=10^{-4}$ and $v_y=10^{-6}$ lose in a hundredth of a period away from the zeros of $v_x$",

@@ -202,7 +202,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
 
 /// Drawn to (33), from every start.
 const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $\lambda_0$ with $\tilde\phi_2<\phi_3$: the velocities of two motions under one drive never move apart, while (33) rests the speed of any other motion falls by $\lambda_0-\lvert\sin\phi\rvert>0$ at least, and so from every start, with any $v_y$, the distance from (33) is 0 after a finite number of its rests",
     ),
@@ -212,7 +212,7 @@ const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
 
 /// Drawn to (38), from every start, so that no other motion is periodic.
 const NO_REST_BELOW: Statement<([Expr; 2], NoRest)> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $0<\lambda_0<\lambda_\mathrm c$: the velocities of two motions under one drive never move apart, and in each period the distance $D$ of any motion from (38) shrinks by at least an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",
     ),
@@ -252,7 +252,7 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
 
 /// The three kinds.
 pub const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"from every start, with any $v_y$: for every $0<\lambda_0<\lambda_\mathrm c$ the motion tends to (38), and beside its two zeros in a period, where $\mathrm dv_x/\mathrm d\phi$ has a sign by (1), $v_x$ has one zero each; for every $\lambda_\mathrm c<\lambda_0<1$ it has become (33), with two intervals of rest, after a finite time; for every $\lambda_0>1$ it rests after a finite time for ever",
     ),
@@ -298,7 +298,7 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
 
 /// The start across the drive is forgotten, but matters before.
 pub const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$, both of which they become after a finite time; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
     ),

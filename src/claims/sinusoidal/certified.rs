@@ -12,10 +12,9 @@
 
 mod premises;
 
-use crate::certified::numbers::LAMBDA_C;
 use crate::claims::tolerances::NONE;
-use crate::evidence::Subject::Printed;
 use crate::paper::sinusoidal as printed;
+use crate::validated::numbers::LAMBDA_C;
 use premises::by_phi1;
 use trialbook::certified::cover::{Said, everywhere_written};
 use trialbook::certified::error::CertifiedError;
@@ -23,9 +22,8 @@ use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::taylor::Taylor;
 use trialbook::certified::written::{Of, agree, coefficient, sign, slope};
-use trialbook::claims::compare::is;
-use trialbook::claims::enclosed::{certified, numbers, on_balls, resting_on};
 use trialbook::prelude::*;
+use trialbook::trials::enclosed::{certified, numbers, on_balls, resting_on};
 
 type One = Jet<1>;
 type Outcome = Result<usize, CertifiedError>;
@@ -111,7 +109,7 @@ pub fn bracket() -> Evidence {
 fn bracket_outside() -> Evidence {
     let trial = Trial::by(
         Route::Certified,
-        Subject::Outside,
+        Outside,
         Compared::constant(
             r"1, for $\tilde\phi_2<\phi_4$",
             r"whether $\phi_4$ is no solution of (32) (1 if so)",
@@ -279,7 +277,7 @@ mod tests {
         let critical = printed::eq37_lambda_c::<Interval>();
         let off = critical + Interval::point(1e-13);
         let threshold =
-            |left, critical| certified(prove_threshold(left, critical), Subject::Printed, NOTHING);
+            |left, critical| certified(prove_threshold(left, critical), Printed, NOTHING);
         refused(&threshold(printed::eq35_left, off));
         refused(&threshold(|l| -printed::eq35_left(l), critical));
         let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
@@ -298,12 +296,9 @@ mod tests {
             let tiny = &(&small * &small) * &small;
             Some(on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)? + tiny)
         };
-        let evidence = numbers(
-            [("lambda-c", LAMBDA_C)],
-            Subject::Printed,
-            NOTHING,
-            |bits| [stated(bits)],
-        );
+        let evidence = numbers([("lambda-c", LAMBDA_C)], Printed, NOTHING, |bits| {
+            [stated(bits)]
+        });
         assert_eq!(evidence.worst, f64::INFINITY);
     }
 

@@ -5,11 +5,10 @@ use super::reference_motions::{
 };
 use crate::claims::tolerances::{FORGOTTEN, MOTION};
 use crate::motion::drive::{PlanarState, Sign};
+use crate::numerics::double::Double;
 use crate::numerics::number::Real;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
-use trialbook::claims::compare::is;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// λ₀ of fig-3.
@@ -77,27 +76,11 @@ fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
     })
 }
 
-/// One comparison after another, over all curves.
-fn over_curves(trial: &Trial, of: impl Fn(&Transient) -> Result<Vec<Pair>, Failure>) -> Evidence {
-    let pairs = transients().and_then(|curves| {
-        let mut pairs = Vec::new();
-        for curve in curves {
-            pairs.extend(of(curve)?);
-        }
-        Ok(pairs)
-    });
-    let (pairs, error) = match pairs {
-        Ok(pairs) => (pairs, None),
-        Err(error) => (Vec::new(), Some(Err(error))),
-    };
-    trial.over(pairs.into_iter().map(Ok).chain(error), |pair| pair)
-}
-
 /// fig-2: every eighth drawn point with a particle on the plane.
 fn fig2_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\mathfrak w$ of the drawn motion",
             "$v_x$ of a particle on the plane",
@@ -105,7 +88,8 @@ fn fig2_motion() -> Evidence {
         .over("every eighth drawn one"),
         MOTION,
     );
-    over_curves(&trial, |curve| {
+    trial.pairs(parts(transients()), |curve| {
+        let curve = curve?;
         let until = TAU * f64::from(PERIODS);
         let motion = Particle::plain(curve.lambda).run(0.0, [W_X, curve.w_y], until)?;
         let pair = |state: &PlanarState| {
@@ -124,7 +108,7 @@ fn fig2_motion() -> Evidence {
 fn fig2_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\mathfrak w$ by (38) or (33), as $\lambda_0$ says,",
             "$v_x$ of a particle on the plane 15 to 16 periods after it started like a drawn motion",
@@ -161,54 +145,21 @@ pub fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
         .collect())
 }
 
-/// Every drawn point with the printed form.
-fn drawn(lambda: f64, form: impl Fn(f64) -> Result<f64, Failure>, compared: Compared) -> Evidence {
-    let trial = Trial::motion(Subject::Printed, compared);
-    let points: Vec<Result<[f64; 2], Failure>> = match two_periods(lambda) {
-        Ok(points) => points.into_iter().map(Ok).collect(),
-        Err(error) => vec![Err(error)],
-    };
-    trial.over(points, |point| {
+/// Every drawn point with the printed form, in the period that begins at a phase.
+fn drawn(law: &'static str, lambda: f64, from: f64, form: impl Fn(f64) -> Double) -> Evidence {
+    let trial = Trial::motion(
+        Printed,
+        Compared::one(law, "the drawn points of the simulated motion"),
+    );
+    trial.over(parts(two_periods(lambda)), |point| {
         let [phi, found] = point?;
         Ok(Pair {
             at: format!("φ = {phi:.6}"),
-            stated: form(phi)?,
+            stated: form(from + (phi - from).rem_euclid(TAU)).to_f64(),
             found,
             scale: 2.0,
         })
     })
-}
-
-fn within_period(from: f64, phi: f64) -> f64 {
-    from + (phi - from).rem_euclid(TAU)
-}
-
-/// fig-3: the drawn points with (38).
-fn fig3_motion() -> Evidence {
-    let from = printed::eq39_phi_t1(SMALL);
-    let form = |phi| Ok(eq38(SMALL, within_period(from, phi)).to_f64());
-    drawn(
-        SMALL,
-        form,
-        Compared::one(
-            r"(38) for $\lambda_0=1/\pi$",
-            "the drawn points of the simulated motion",
-        ),
-    )
-}
-
-/// fig-4: the drawn points with (33).
-fn fig4_motion() -> Evidence {
-    let from = printed::eq27_phi1(LARGE);
-    let form = |phi| Ok(eq33(LARGE, phi_t2(LARGE), within_period(from, phi)).to_f64());
-    drawn(
-        LARGE,
-        form,
-        Compared::one(
-            r"(33) for $\lambda_0=1/\sqrt2$",
-            "the drawn points of the simulated motion",
-        ),
-    )
 }
 
 /// Points (periods, −ln 𝔴_y) of a motion in the plane from 𝔴_y = 0.3 at φ = π/2, as long as 𝔴_y is not zero.
@@ -263,13 +214,9 @@ fn frame_top(label: f64, baseline: f64) -> f64 {
 }
 
 /// The printed frame, with its mark a mark on the axis and not the axis' end, holds the motion.
-fn framed(lambda: f64, top: f64, compared: Compared) -> Evidence {
-    let trial = Trial::census(Subject::Printed, compared);
-    let points: Vec<Result<[f64; 2], Failure>> = match two_periods(lambda) {
-        Ok(points) => points.into_iter().map(Ok).collect(),
-        Err(error) => vec![Err(error)],
-    };
-    trial.over(points, |point| {
+fn framed(lambda: f64, top: f64, within: &'static str) -> Evidence {
+    let trial = Trial::census(Printed, Compared::constant("the expected 1", within));
+    trial.over(parts(two_periods(lambda)), |point| {
         let [phi, w] = point?;
         Ok(Pair {
             at: format!("φ = {phi:.6}"),
@@ -283,25 +230,29 @@ fn framed(lambda: f64, top: f64, compared: Compared) -> Evidence {
 pub(super) const TRIALS: &[Attempt] = trials![
     fig2_motion,
     fig2_limit,
-    fig3_motion,
-    // fig-3: the frame around it, with the mark 0.8 where the paper puts it.
+    fig3_motion = drawn(
+        r"(38) for $\lambda_0=1/\pi$",
+        SMALL,
+        printed::eq39_phi_t1(SMALL),
+        |phi| eq38(SMALL, phi)
+    ),
+    // The frame around it, with the mark 0.8 where the paper puts it.
     fig3_frame = framed(
         SMALL,
         frame_top(0.8, 150.0),
-        Compared::constant(
-            "the expected 1",
-            "whether a drawn point lies within the printed frame, whose mark 0.8 is not its edge (1 if so)",
-        ),
+        "whether a drawn point lies within the printed frame, whose mark 0.8 is not its edge (1 if so)",
     ),
-    fig4_motion,
-    // fig-4: the frame around it, with the mark 0.3 where the paper puts it.
+    fig4_motion = drawn(
+        r"(33) for $\lambda_0=1/\sqrt2$",
+        LARGE,
+        printed::eq27_phi1(LARGE),
+        |phi| eq33(LARGE, phi_t2(LARGE), phi)
+    ),
+    // The frame around it, with the mark 0.3 where the paper puts it.
     fig4_frame = framed(
         LARGE,
         frame_top(0.3, 155.0),
-        Compared::constant(
-            "the expected 1",
-            "whether a drawn point lies within the printed frame, whose mark 0.3 is not its edge (1 if so)",
-        ),
+        "whether a drawn point lies within the printed frame, whose mark 0.3 is not its edge (1 if so)",
     )
 ];
 

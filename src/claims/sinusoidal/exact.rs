@@ -82,7 +82,7 @@ fn eq26_rate() -> Expr {
 
 /// (21) to (24) by the use made of them: with them Newton's law becomes (26).
 pub const DEFINITIONS: Statement<([Expr; 4], Expr, i64)> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("Newton's law in the symbols (21) to (24)", "(26)"),
     || (units(), eq26_rate(), 1),
     |(a, b, c)| prove_eq26(a, b, c),
@@ -90,7 +90,7 @@ pub const DEFINITIONS: Statement<([Expr; 4], Expr, i64)> = Statement::new(
 
 /// (26), for velocities of both signs.
 pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(26)",
         r"Newton's law (1) on the line, in the symbols (21) to (24), for both signs of $\mathfrak w$",
@@ -125,7 +125,7 @@ fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
 
 /// (27): sin φ₁ = λ₀.
 const EQ27: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         "the sine and the cosine of (27)",
         r"$\lambda_0$ and $\cos\sin^{-1}\lambda_0$",
@@ -136,7 +136,7 @@ const EQ27: Statement = Statement::new(
 
 /// (28): sin φ₂ = λ₀.
 const EQ28: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         "the sine and the cosine of (28)",
         r"$\lambda_0$ and $-\cos\sin^{-1}\lambda_0$",
@@ -147,7 +147,7 @@ const EQ28: Statement = Statement::new(
 
 /// (29): sin φ₃ = −λ₀.
 const EQ29: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         "the sine and the cosine of (29)",
         r"$-\lambda_0$ and $-\cos\sin^{-1}\lambda_0$",
@@ -158,7 +158,7 @@ const EQ29: Statement = Statement::new(
 
 /// (30): sin φ₄ = −λ₀.
 const EQ30: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         "the sine and the cosine of (30)",
         r"$-\lambda_0$ and $\cos\sin^{-1}\lambda_0$",
@@ -189,7 +189,7 @@ fn prove_eq31(w: Expr) -> Proof {
 
 /// (31) solves (26) from 𝔴 = 0 at φ₁.
 pub const EQ31: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         r"the slope of (31), and (31) at $\phi_1$,",
         r"(26) for $\mathfrak w>0$, and 0",
@@ -227,7 +227,7 @@ fn prove_eq32(left: Expr) -> Proof {
 
 /// (32) is that (31) vanishes at φ̃₂.
 pub const EQ32: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("the left side of (32)", r"(31) at $\tilde\phi_2$"),
     eq32_left,
     prove_eq32,
@@ -249,7 +249,7 @@ fn prove_eq34(left: Expr) -> Proof {
 
 /// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
 pub const EQ34: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("the left side of (34)", r"(31) at $\phi_3$"),
     eq34_left,
     prove_eq34,
@@ -283,7 +283,7 @@ fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
 
 /// (25): the drive exceeds friction at some phase.
 const EQ25: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "the drive less friction",
         "the difference of the sides of (25) less a square",
@@ -329,7 +329,7 @@ pub(super) fn prove_eq33(cases: [Expr; 4]) -> Proof {
 
 /// (33) solves (26) on both slips, and is continuous and periodic by (32).
 const EQ33: Statement<[Expr; 4]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
     eq33,
     prove_eq33,
@@ -362,7 +362,7 @@ fn prove_eq35(left: Expr) -> Proof {
 
 /// (34) with (27) and (29) is (35).
 pub const EQ35: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("the left side of (35)", "that of (34), by (27) and (29)"),
     || paper::eq35_left(Expr::symbol("λ₀")),
     prove_eq35,
@@ -386,7 +386,7 @@ fn prove_eq37(critical: Expr) -> Proof {
 
 /// The left side of (35) vanishes at λ_c.
 const EQ37: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one("the left side of (35) at (37)", "0"),
     paper::eq37_lambda_c,
     prove_eq37,
@@ -424,7 +424,7 @@ fn prove_eq36(sides: [Expr; 2]) -> Proof {
 
 /// (36): (35) squared. The factor that turns the left side of (35) into a difference of squares is positive.
 pub const EQ36: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "the left side of (35), times the sum of its terms,",
         r"$(4+\pi^2)(\lambda_\mathrm c^2-\lambda_0^2)$",
@@ -445,7 +445,7 @@ fn prove_eq40(sides: [Expr; 2]) -> Proof {
 /// (40): (38) passes through zero without rest where the drive exceeds friction there, sin φ̃₁ > λ₀ = sin φ₁; as both
 /// phases are below π/2, that is (41) too.
 pub const EQ40: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         r"$\sin^2\tilde\phi_1-\lambda_0^2$ by (39)",
         r"$(1+\pi^2/4)(\lambda_\mathrm c^2-\lambda_0^2)$",
@@ -471,7 +471,7 @@ pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
 
 /// (38) with (39) solves (26) and closes after a period.
 const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::many(
         "the slopes of (38), and both its ends,",
         "(26), and 0 by (39)",
@@ -497,7 +497,7 @@ fn prove_eq39(turn: Expr) -> Proof {
 
 /// (39): with it the forward slip of (38) ends in zero.
 const EQ39: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),
     || paper::eq39_phi_t1(Expr::symbol("λ₀")),
     prove_eq39,

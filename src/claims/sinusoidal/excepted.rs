@@ -1,7 +1,6 @@
 //! What the conditions of sections 2.2 and 3 except.
 
-use trialbook::claims::attempt::{Attempt, trials};
-use trialbook::claims::excepted::no_inside;
+use trialbook::prelude::*;
 
 pub(in crate::claims) const TRIALS: &[Attempt] = trials![
     no_friction = no_inside(

@@ -1,16 +1,14 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
 use super::reference_motions::{
-    ORIGIN, Slip, drive, each, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
+    ORIGIN, Slip, drive, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
 use crate::claims::tolerances::{APPROACH, ROOT};
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::Subject::{Printed, Within};
 use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// Phases over a period at which a periodic form is compared.
@@ -50,8 +48,7 @@ fn eq33_motion() -> Evidence {
             "the simulated large-time motion at 256 phases of the period",
         ),
     );
-    each(
-        &trial,
+    trial.pairs(
         large().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
@@ -72,8 +69,7 @@ fn eq38_motion() -> Evidence {
             "the simulated large-time motion at 256 phases of the period",
         ),
     );
-    each(
-        &trial,
+    trial.pairs(
         small().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
@@ -88,14 +84,14 @@ fn eq38_motion() -> Evidence {
 /// λ₀ = 0: every start keeps its own motion.
 fn eq38_outside() -> Evidence {
     let trial = Trial::motion(
-        Subject::Outside,
+        Outside,
         Compared::one(
             "(38) with (39)",
             "the motion without friction, from any start, at 256 phases of the period",
         ),
     );
     let mut points = Points::stream(140);
-    each(&trial, 0..24, |_| {
+    trial.pairs(0..24, |_| {
         let start = DriveState {
             phi: 0.0,
             w: points.uniform(0.5, 3.0),
@@ -197,7 +193,7 @@ fn eq39_motion() -> Evidence {
 /// (39) without friction.
 fn eq39_outside() -> Evidence {
     let trial = Trial::motion(
-        Subject::Outside,
+        Outside,
         Compared::one(
             "(39)",
             r"the phase at which the motion without friction turns positive, from any start with $-2<\mathfrak w<0$ at $\phi=0$",
@@ -222,7 +218,7 @@ fn rest_interval_root() -> Evidence {
         ),
         ROOT,
     );
-    each(&trial, large(), |lambda| {
+    trial.pairs(large(), |lambda| {
         let end = phi_t2(lambda);
         let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
         let [_, stated @ ..] = printed::eq33_ends(phi1, end, phi3);
@@ -251,7 +247,7 @@ fn rest_interval_reached() -> Evidence {
         ),
     );
     let mut points = Points::stream(141);
-    each(&trial, large(), |lambda| {
+    trial.pairs(large(), |lambda| {
         let start = DriveState {
             phi: points.uniform(0.0, TAU),
             w: points.uniform(-6.0, 6.0),

@@ -19,7 +19,7 @@ fn phases() -> [Expr; 4] {
 
 /// The four phases, and no other.
 const FOUR_POINTS: Statement<([Expr; 4], Expr)> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"for every $0<\lambda_0<1$: $\sin^2\phi-\lambda_0^2=\sin(\phi-\phi_1)\sin(\phi+\phi_1)$, whose factors vanish twice each in a period, at $\phi_1$ and $\phi_3$ and at $\phi_2$ and $\phi_4$ of (27) to (30), which are four different phases",
     ),
@@ -80,7 +80,7 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
 
 /// |sin φ| rises above λ₀ at φ₁ and φ₃, and sinks below it at φ₂ and φ₄.
 const REST_ENDS: Statement<[Expr; 4]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every $0<\lambda_0<1$ a rest can end only where $\lvert\sin\phi\rvert$ rises above $\lambda_0$: of the four phases (27) to (30) at which the two are equal, $\sin^2\phi$ rises with the slope $2\sin\phi_1\cos\phi_1>0$ at $\phi_1$ and $\phi_3$ and falls with it at $\phi_2$ and $\phi_4$; for $\lambda_0\ge1$ no rest ends, and for $\lambda_0=0$ there is none",
     ),
@@ -122,7 +122,7 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
 
 /// Where the period ends that begins with the slip at φ₁.
 const PERIOD_ENDS: Statement = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::shown(
         r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above $+\lambda_0$ at $\phi_1$ only, and again a period later; in between it gives nothing, and the slip ends before",
     ),
@@ -205,7 +205,7 @@ fn ends_once(w: Expr) -> Proof {
 
 /// A slip from rest outlasts half the period below λ_c.
 const OUTLASTS: Statement<(Expr, Expr)> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"for every $0<\lambda_0<\lambda_\mathrm c$ the slip (31) is still positive at $\phi_1+\pi$, where it is the left side of (35), and has not been zero since $\phi_1$; and with the largest possible forward friction $+\lambda_0$ from $\tilde\phi_2$ on, $\mathfrak w(\phi_1+2\pi)=-2\lambda_0(\tilde\phi_2-\phi_1-\pi)<0$",
     ),

@@ -1,6 +1,6 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::reference_motions::{ORIGIN, Particle, all, drive, each, lambda_c};
+use super::reference_motions::{ORIGIN, Particle, all, drive, lambda_c};
 use crate::claims::tolerances::{MOTION, ROOT};
 use crate::motion::PhaseKind;
 use crate::motion::drive::{Drive, DriveState, Friction, Sign};
@@ -23,7 +23,7 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
     const ZERO: &str = r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in ";
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::composed([law, "", ""], [ZERO, QUARTERS[usize::from(quarter)], ""]),
         ROOT,
     );
@@ -46,7 +46,7 @@ fn at(lambda: f64) -> String {
 fn by_release(law: &'static str, formula: Formula, (name, from): (&'static str, f64)) -> Evidence {
     const REST: &str = r"the end of a simulated rest that holds at $\phi=";
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::composed([law, "", ""], [REST, name, "$"]),
     );
     trial.over(all(), |lambda| {
@@ -77,7 +77,7 @@ fn by_extremum(
     const FASTEST: &str =
         r"the phase of the largest $\lvert\mathfrak w\rvert$ of a particle that can only slip ";
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::composed([law, "", ""], [FASTEST, name, ""]),
     );
     // Nearer to a zero of the drive, rounding hides which of two values of 𝔴 is the larger.
@@ -134,7 +134,7 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
 /// Four points, by counting.
 fn four_points_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Within,
+        Within,
         Compared::constant(
             "the stated 4",
             r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
@@ -154,14 +154,14 @@ fn four_points_census() -> Evidence {
 fn four_points_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Within,
+        Within,
         Compared::many(
             "(27) to (30)",
             r"the crossings of $h$ with $\pm\lambda_0$, in order",
         ),
         ROOT,
     );
-    each(&trial, all(), |lambda| {
+    trial.pairs(all(), |lambda| {
         let stated: [Formula; 4] = [
             printed::eq27_phi1,
             printed::eq28_phi2,
@@ -180,7 +180,7 @@ fn four_points_root() -> Evidence {
 /// λ₀ = 0: the points meet in pairs.
 fn four_points_outside() -> Evidence {
     let trial = Trial::census(
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "the stated 4",
             r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
@@ -204,7 +204,7 @@ fn four_points_outside() -> Evidence {
 fn rest_ends_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one("the nearer of (27) and (29)", "the end of a simulated rest"),
         MOTION,
     );
@@ -216,7 +216,8 @@ fn rest_ends_motion() -> Evidence {
             phi: points.uniform(0.0, TAU),
             w: points.uniform(-1.0, 1.0) * points.uniform(0.0, 1.0).round(),
         };
-        ends.extend(rests_from(lambda, start));
+        let over = parts(rests_from(lambda, start));
+        ends.extend(over.map(|end| Ok::<_, Failure>((lambda, end?))));
     }
     trial.over(ends, |end| {
         let (lambda, end) = end?;
@@ -231,27 +232,18 @@ fn rest_ends_motion() -> Evidence {
     })
 }
 
-/// The ends of all rests on the way from a start, with the friction.
-fn rests_from(lambda: f64, start: DriveState) -> Vec<Result<(f64, f64), Failure>> {
-    let path = || -> Result<_, Failure> {
-        let until = start.phi + 30.0;
-        let path = drive()?.advance(Friction::new(lambda, lambda)?, start, until)?;
-        let over = path.intervals.into_iter();
-        Ok(over
-            .filter(|i| i.sign == Sign::Rest)
-            .map(|i| i.end)
-            .filter(move |end| *end < until))
-    };
-    match path() {
-        Ok(ends) => ends.map(|end| Ok((lambda, end))).collect(),
-        Err(error) => vec![Err(error)],
-    }
+/// The ends of all rests on the way from a start.
+fn rests_from(lambda: f64, start: DriveState) -> Result<Vec<f64>, Failure> {
+    let until = start.phi + 30.0;
+    let path = drive()?.advance(Friction::new(lambda, lambda)?, start, until)?;
+    let rests = path.intervals.iter().filter(|i| i.sign == Sign::Rest);
+    Ok(rests.map(|i| i.end).filter(|end| *end < until).collect())
 }
 
 /// In the plane too: no rest ends elsewhere.
 fn rest_ends_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the number of rests that end elsewhere than at (27) and (29), of a particle that began with $v_y\ne0$ and rests at least once,",
             "0",

@@ -6,7 +6,6 @@ use crate::numerics::double::Double;
 use crate::numerics::number::Real;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::runs::Runs;
 use trialbook::prelude::*;
 
 /// The sine as a drive: the motion knows it as a function to evaluate, no more.
@@ -205,19 +204,6 @@ pub fn printed_late(lambda: f64, phi: f64) -> f64 {
     } else {
         0.0
     }
-}
-
-/// Compares many pairs at each point.
-pub fn each<P>(
-    trial: &Trial,
-    points: impl IntoIterator<Item = P>,
-    mut pairs: impl FnMut(P) -> Result<Vec<Pair>, Failure>,
-) -> Evidence {
-    let all = points.into_iter().flat_map(|point| match pairs(point) {
-        Ok(pairs) => pairs.into_iter().map(Ok).collect(),
-        Err(error) => vec![Err(error)],
-    });
-    trial.over(all, |pair| pair)
 }
 
 #[cfg(test)]

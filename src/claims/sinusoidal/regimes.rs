@@ -8,7 +8,6 @@ use crate::motion::PhaseKind;
 use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 fn at(lambda: f64) -> String {
@@ -18,7 +17,7 @@ fn at(lambda: f64) -> String {
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
 fn no_rest_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
             "whether the simulated motions from seven starts have no rest at large times (1 if so)",
@@ -49,7 +48,7 @@ fn all_rests(lambda: f64) -> Result<usize, Failure> {
 fn no_rest_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$-2\lambda_0(\tilde\phi_2-\phi_1-\pi)$, with the root $\tilde\phi_2$ of (32),",
             r"$\mathfrak w$ a period after a rest has ended at $\phi_1$, where it has to be negative",
@@ -110,7 +109,7 @@ fn frictions() -> Vec<f64> {
 /// The three kinds, over more than 1500 frictions.
 pub fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Within,
+        Within,
         Compared::one(
             r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
             "the same of the simulated list of intervals",
@@ -134,7 +133,7 @@ pub fn trichotomy_census() -> Evidence {
 pub fn trichotomy_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
             "that of a particle on the plane, over its third period",
@@ -165,7 +164,7 @@ pub fn trichotomy_motion() -> Evidence {
 /// λ₀ = 0: a fast particle never turns.
 pub fn trichotomy_outside() -> Evidence {
     let trial = Trial::census(
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "the stated 2",
             r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
@@ -188,7 +187,7 @@ pub fn trichotomy_outside() -> Evidence {
 fn weak_drive_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether (25) fails (1 if so)",
             "whether a particle, launched in any direction, is at rest over the last period of four",
@@ -229,7 +228,7 @@ fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
 /// A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
 fn weak_drive_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether (25) fails (1 if so)",
             "whether the simulated large-time motion is rest throughout, from seven starts",

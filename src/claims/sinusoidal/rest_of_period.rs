@@ -3,8 +3,7 @@
 use super::reference_motions::{Slip, small};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::sinusoidal as corrected;
-use crate::evidence::Subject::{Corrected, Printed};
-use crate::numerics::quadrature::integral_within;
+use crate::numerics::quadrature::sum;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
 use trialbook::prelude::*;
@@ -56,8 +55,7 @@ fn nothing_given(subject: Subject, (end, stated): Stated) -> Evidence {
     );
     at_each(Route::Quadrature, subject, compared, |lambda, phi| {
         let start = Slip::of(lambda)?.start;
-        let given = integral_within(libm::sin, start, stated(lambda, phi), 1e-13);
-        Ok([given.map_or(f64::NAN, |sum| sum.value), 0.0])
+        Ok([sum(libm::sin, start, stated(lambda, phi), 1e-13), 0.0])
     })
 }
 

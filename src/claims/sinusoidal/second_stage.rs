@@ -7,7 +7,6 @@ use crate::corrections::sinusoidal as corrected;
 use crate::motion::drive::{Attractor, PlanarState};
 use crate::numerics::quadrature::integral_within;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 /// Frictions below λ_c, where the passages are not too steep to be followed.
@@ -27,13 +26,22 @@ fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
     Ok([phi, attractor.w(phi)])
 }
 
+/// By what ln 𝔴_y grows in a passage through zero, and in a period, which has two.
+const PASSAGE_FACTOR: &str = r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,";
+const PERIOD: &str = r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,";
+
+/// The former by the formula.
+fn passage_factor(lambda: f64) -> f64 {
+    corrected::passage_factor(lambda, corrected::drive_at_zero(lambda))
+}
+
 /// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
 fn period_factor() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
-            r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
+            PERIOD,
             r"the factor by which $\ln\mathfrak w_y$ grows in a period, from $\ln\mathfrak w_y=-10^9$ on",
         ),
         LOGARITHM,
@@ -62,9 +70,9 @@ fn period_factor() -> Evidence {
 fn period_factor_reached() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
-            r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
+            PERIOD,
             r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
         ),
         PASSAGE,
@@ -87,7 +95,7 @@ fn period_factor_reached() -> Evidence {
 fn first_stage_correction() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"$-\frac12[(\mathfrak w+1)^2+\frac12]$, with $\mathfrak w$ at $\phi=0$,",
             r"$\mathfrak w_y^2$ times the relative excess of the mean slope of $\mathfrak w_y$ over a period above $-\lambda_0$",
@@ -117,9 +125,9 @@ fn first_stage_correction() -> Evidence {
 fn passage_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
-            r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
+            PASSAGE_FACTOR,
             r"the ratio of $\Delta\ln v_y$ after and before a passage of a particle with $v_y=10^{-6}$ and $10^{-8}$",
         ),
         PASSAGE,
@@ -134,7 +142,7 @@ fn passage_limit() -> Evidence {
         let found = after / Scalar::ln(100.0);
         Ok(Pair {
             at: at(lambda),
-            stated: corrected::passage_factor(lambda, corrected::drive_at_zero(lambda)),
+            stated: passage_factor(lambda),
             found,
             scale: found,
         })
@@ -145,9 +153,9 @@ fn passage_limit() -> Evidence {
 fn passage_quadrature() -> Evidence {
     let trial = Trial::by(
         Route::Quadrature,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
-            r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,",
+            PASSAGE_FACTOR,
             r"$(1+q)/(1-p)$, where $p$ and $q$ are the coefficients of the logarithm in $\lambda_0\int\mathrm d\phi/\lvert\mathfrak w\rvert$ before and after a zero of $\mathfrak w$",
         ),
         PASSAGE,
@@ -170,7 +178,7 @@ fn passage_quadrature() -> Evidence {
         let found = (1.0 + q) / (1.0 - p);
         Ok(Pair {
             at: at(lambda),
-            stated: corrected::passage_factor(lambda, corrected::drive_at_zero(lambda)),
+            stated: passage_factor(lambda),
             found,
             scale: found / (1.0 - p),
         })
@@ -181,7 +189,7 @@ fn passage_quadrature() -> Evidence {
 fn finite_end() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Corrected,
+        Corrected,
         Compared::constant(
             "the expected 1",
             r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
@@ -208,7 +216,7 @@ fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
 pub fn last_stage() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"$\lambda_0/(\lambda_0^2-d^2)$, with $d=\lvert h\rvert$,",
             r"the time, over $v_y$, that a particle with $v_x=0$ and a small $v_y$ takes to stop where $d<\lambda_0$",

@@ -1,14 +1,13 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
 use super::reference_motions::{
-    ORIGIN, Particle, Slip, all, dense, drive, each, end_spread, phi_t2, small,
+    ORIGIN, Particle, Slip, all, dense, drive, end_spread, phi_t2, small,
 };
 use crate::claims::tolerances::{EDGE, MOTION, ROOT};
 use crate::motion::drive::{DriveState, Friction};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::PI;
-use trialbook::claims::compare::is;
 use trialbook::prelude::*;
 
 fn at(lambda: f64) -> String {
@@ -18,13 +17,13 @@ fn at(lambda: f64) -> String {
 /// (31) at 40 phases of the slip.
 fn eq31_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(31)",
             r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
         ),
     );
-    each(&trial, all(), |lambda| {
+    trial.pairs(all(), |lambda| {
         let slip = Slip::of(lambda)?;
         let friction = Friction::new(lambda, lambda)?;
         let mut pairs = Vec::new();
@@ -44,7 +43,7 @@ fn eq31_motion() -> Evidence {
 fn eq32_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the root of (32) between $\phi_2$ and $\phi_4$",
             "the end of the simulated slip",
@@ -66,7 +65,7 @@ fn eq32_root() -> Evidence {
 fn eq32_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one("(32) at the end of a slip of a particle from rest", "0"),
         MOTION,
     );
@@ -87,7 +86,7 @@ fn eq32_motion() -> Evidence {
 /// (32): nowhere before its root, as found by simulation, does its left side vanish.
 fn eq32_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the number of phases, of 1000 between the ends of the simulated slip, at which (32) is not positive",
             "0",
@@ -116,7 +115,7 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
 /// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
 fn bracket_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
             "1",
@@ -138,7 +137,7 @@ fn bracket_census() -> Evidence {
 fn bracket_limit() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the gap between $\tilde\phi_2$ of the simulated slip and (30) or (28), over $\sqrt{4\pi\lambda_0}$ for $\lambda_0\to0$ and over $\sqrt{2(1-\lambda_0)}$ for $\lambda_0\to1$,",
             "1",
@@ -169,9 +168,12 @@ fn bracket_limit() -> Evidence {
     })
 }
 
-/// A printed left side with 𝔴 at φ₃ of a slip that is not over yet there.
-fn left_with_motion(left: fn(Double) -> Double, compared: Compared) -> Evidence {
-    let trial = Trial::motion(Subject::Printed, compared);
+/// A printed left side with 𝔴 at φ₃ of a slip that is not over yet there: what is left of 𝔴 when the drive could start the next
+/// slip.
+fn left_with_motion(law: &'static str, left: fn(Double) -> Double) -> Evidence {
+    const LEFT: &str = r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest";
+    let compared = Compared::composed(["the left side of ", law, ""], [LEFT, "", ""]);
+    let trial = Trial::motion(Printed, compared.over(r"$\lambda_0<\lambda_\mathrm c$"));
     trial.over(small(), |lambda| {
         let friction = Friction::new(lambda, lambda)?;
         let state = |phi| DriveState { phi, ..ORIGIN };
@@ -183,7 +185,8 @@ fn left_with_motion(left: fn(Double) -> Double, compared: Compared) -> Evidence 
     })
 }
 
-fn eq34_of(lambda: Double) -> Double {
+/// The left side of (34).
+pub(super) fn eq34<S: Scalar>(lambda: S) -> S {
     printed::eq34_left(
         lambda,
         printed::eq27_phi1(lambda),
@@ -192,8 +195,11 @@ fn eq34_of(lambda: Double) -> Double {
 }
 
 /// A printed inequality holds exactly where the simulated slip ends before the next can begin.
-pub fn ends_early(inequality: fn(f64) -> bool, compared: Compared) -> Evidence {
-    let trial = Trial::census(Subject::Printed, compared);
+fn ends_early(law: &'static str, inequality: fn(f64) -> bool) -> Evidence {
+    const EARLY: &str = "whether the simulated slip lasts less than half a period";
+    let holds = ["whether ", law, " holds (1 if so)"];
+    let compared = Compared::composed(holds, [EARLY, "", ""]);
+    let trial = Trial::census(Printed, compared);
     trial.over(dense(), |lambda| {
         let slip = Slip::of(lambda)?;
         // The backward slip could begin half a period after the forward one did.
@@ -206,76 +212,19 @@ pub fn ends_early(inequality: fn(f64) -> bool, compared: Compared) -> Evidence {
     })
 }
 
-/// (34) as a condition.
-fn eq34_census() -> Evidence {
-    let holds = |lambda| {
-        printed::eq34_left(
-            lambda,
-            printed::eq27_phi1(lambda),
-            printed::eq29_phi3(lambda),
-        ) < 0.0
-    };
-    ends_early(
-        holds,
-        Compared::one(
-            "whether (34) holds (1 if so)",
-            "whether the simulated slip lasts less than half a period",
-        ),
-    )
-}
-
-/// (35) as a condition.
-fn eq35_census() -> Evidence {
-    let holds = |lambda| printed::eq35_left(lambda) < 0.0;
-    ends_early(
-        holds,
-        Compared::one(
-            "whether (35) holds (1 if so)",
-            "whether the simulated slip lasts less than half a period",
-        ),
-    )
-}
-
-/// (36) as a condition.
-fn eq36_census() -> Evidence {
-    let holds = |lambda| {
-        let [left, right] = printed::eq36_sides(lambda);
-        left > right
-    };
-    ends_early(
-        holds,
-        Compared::one(
-            "whether (36) holds (1 if so)",
-            "whether the simulated slip lasts less than half a period",
-        ),
-    )
-}
-
 pub(super) const TRIALS: &[Attempt] = trials![
     eq31_motion,
     eq32_root,
     eq32_motion,
     eq32_census,
-    // (34): its left side is what is left of 𝔴 when the drive could start the next slip.
-    eq34_motion = left_with_motion(
-        eq34_of,
-        Compared::one(
-            "the left side of (34)",
-            r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest",
-        )
-        .over(r"$\lambda_0<\lambda_\mathrm c$"),
-    ),
-    eq34_census,
-    eq35_motion = left_with_motion(
-        printed::eq35_left,
-        Compared::one(
-            "the left side of (35)",
-            r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest",
-        )
-        .over(r"$\lambda_0<\lambda_\mathrm c$"),
-    ),
-    eq35_census,
-    eq36_census,
+    eq34_motion = left_with_motion("(34)", eq34),
+    eq34_census = ends_early("(34)", |lambda| eq34(lambda) < 0.0),
+    eq35_motion = left_with_motion("(35)", printed::eq35_left),
+    eq35_census = ends_early("(35)", |lambda| printed::eq35_left(lambda) < 0.0),
+    eq36_census = ends_early("(36)", |lambda| {
+        let [left, right] = printed::eq36_sides(lambda);
+        left > right
+    }),
     bracket_census,
     bracket_limit
 ];

@@ -3,13 +3,12 @@
 use super::reference_motions::{
     ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small,
 };
+use super::slip::eq34;
 use crate::claims::tolerances::{ONSET, ROOT};
 use crate::motion::drive::{DriveState, Sign};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::compare::is;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// A start, and the friction from which on the motion that it leads to has rests.
@@ -55,37 +54,23 @@ fn at(onset: &Onset) -> String {
 fn eq37_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(37)",
             "the friction at which simulated rests appear, by bisection",
         ),
         ONSET,
     );
-    trial.over(onsets(), |onset| {
-        let onset = onset?;
-        Ok(Pair {
-            at: at(onset),
-            stated: printed::eq37_lambda_c(),
-            found: onset.lambda,
-            scale: onset.lambda,
-        })
+    trial.each(onsets(), at, |onset| {
+        Ok([printed::eq37_lambda_c(), onset.lambda, onset.lambda])
     })
-}
-
-fn eq34_of(lambda: f64) -> f64 {
-    printed::eq34_left(
-        lambda,
-        printed::eq27_phi1(lambda),
-        printed::eq29_phi3(lambda),
-    )
 }
 
 /// (37) with the friction from which on a slip ends before the next one can begin, from several brackets.
 fn eq37_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(37)",
             "the root of how much longer than half a period a simulated slip lasts, from several brackets",
@@ -108,28 +93,26 @@ fn eq37_root() -> Evidence {
 fn eq34_root() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the root of the left side of (34)",
             "the friction at which simulated rests appear",
         ),
         ONSET,
     );
-    trial.over(onsets(), |onset| {
-        let onset = onset?;
-        Ok(Pair {
-            at: at(onset),
-            stated: root(eq34_of, 0.01, 0.99).unwrap_or(f64::NAN),
-            found: onset.lambda,
-            scale: 1.0,
-        })
+    trial.each(onsets(), at, |onset| {
+        Ok([
+            root(eq34::<f64>, 0.01, 0.99).unwrap_or(f64::NAN),
+            onset.lambda,
+            1.0,
+        ])
     })
 }
 
 /// (40) holds exactly where the simulated motion passes through zero without rest.
 fn eq40_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether (40) holds (1 if so)",
             "whether the simulated large-time motion has no rest",
@@ -150,7 +133,7 @@ fn eq40_census() -> Evidence {
 /// (41): φ̃₁ − φ₁ with what the simulation finds for both.
 fn eq41_motion() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the difference of the sides of (41)",
             "the same of the simulation, where it has to be positive",
@@ -172,7 +155,7 @@ fn eq41_motion() -> Evidence {
 /// (41): its sign, everywhere below λ_c.
 fn eq41_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether (41) holds (1 if so)",
             "whether the simulated motion turns later than a rest would end",

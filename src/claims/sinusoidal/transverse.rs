@@ -1,14 +1,11 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
-use super::reference_motions::{Particle, drive, each, lambda_c, printed_late};
+use super::reference_motions::{Particle, drive, lambda_c, printed_late};
 use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE};
-use crate::evidence::Subject::{Outside, Printed};
 use crate::motion::drive::PlanarState;
 use crate::paper::general;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::claims::compare::is;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// A motion in the plane, once a period from φ = 0 on.
@@ -105,8 +102,7 @@ pub fn flights_where(
         };
         every((0..40).map(flight))
     });
-    let wanted = move |flight: &Result<&Flight, _>| flight.as_ref().map_or(true, |f| wanted(f));
-    FLIGHTS.each().filter(wanted)
+    only(FLIGHTS.each(), move |flight| wanted(flight))
 }
 
 fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
@@ -283,7 +279,7 @@ fn ignores_motion() -> Evidence {
         ),
         FORGOTTEN,
     );
-    each(&trial, flights_where(|_| true), |flight| {
+    trial.pairs(flights_where(|_| true), |flight| {
         let flight = flight?;
         let last = flight.states.iter().rev().take(A_PERIOD as usize);
         let pair = |state: &PlanarState| Pair {

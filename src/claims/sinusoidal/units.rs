@@ -4,17 +4,15 @@ use super::reference_motions::{ORIGIN, Particle, drive, settled};
 use crate::claims::tolerances::NONE;
 use crate::motion::Motion;
 use crate::motion::drive::{Friction, Sign};
-use crate::numerics::quadrature::integral_within;
+use crate::numerics::quadrature::sum;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::TAU;
-use trialbook::claims::compare::is;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// (21): what a particle on a smooth plane gains is the integral of −A.
 pub fn eq21() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the integral of (21) over $t$, its $x$ component with the sign changed,",
             "the gain of $v_x+v_y$ of a particle without friction",
@@ -38,7 +36,7 @@ pub fn eq21() -> Evidence {
         };
         Ok(Pair {
             at: format!("A₀ = {a0:.6}, ϖ = {varpi:.6}, t = {from:.6} to {t:.6}"),
-            stated: integral_within(rate, from, t, 1e-13 * scale).map_or(f64::NAN, |sum| sum.value),
+            stated: sum(rate, from, t, 1e-13 * scale),
             found: end.v[0] + (end.v[1] - scale),
             scale,
         })
@@ -63,6 +61,12 @@ struct Twins {
     twin_release: f64,
     /// 𝔴 of the twin at the later phase.
     twin_w: f64,
+}
+
+impl Twins {
+    fn at(&self) -> String {
+        self.at.clone()
+    }
 }
 
 /// Two dozen pairs of twins.
@@ -107,70 +111,51 @@ fn twins(points: &mut Points) -> Result<Twins, Failure> {
 /// (22): the motion without units, with the friction (22), is the motion in units.
 fn eq22() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\mathfrak w$ of $\mathfrak w'=h\mp\lambda_0$, with $\lambda_0$ by (22),",
             r"$\varpi v_x/A_0$ of the particle",
         ),
     );
-    trial.over(all_twins(), |twins| {
-        let twins = twins?;
+    trial.each(all_twins(), Twins::at, |twins| {
         let lambda = printed::eq22_lambda0(twins.mu, twins.g, twins.a0);
         let drive = drive()?;
         // Of a friction that cannot be nothing is stated.
         let stated = Friction::new(lambda, lambda)
             .and_then(|friction| drive.advance(friction, ORIGIN, twins.varpi * twins.t));
-        Ok(Pair {
-            at: twins.at.clone(),
-            stated: stated.map_or(f64::NAN, |path| path.end.w),
-            found: twins.varpi * twins.vx / twins.a0,
-            scale: 1.0,
-        })
+        let stated = stated.map_or(f64::NAN, |path| path.end.w);
+        Ok([stated, twins.varpi * twins.vx / twins.a0, 1.0])
     })
 }
 
 /// (23): both start to slide at the same phase.
 fn eq23() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(23) of the time at which the particle starts",
             "the phase at which its twin does",
         ),
     );
-    trial.over(all_twins(), |twins| {
-        let twins = twins?;
-        Ok(Pair {
-            at: twins.at.clone(),
-            stated: printed::eq23_phase(twins.varpi, twins.release),
-            found: twins.twin_release,
-            scale: 1.0,
-        })
+    trial.each(all_twins(), Twins::at, |twins| {
+        let stated = printed::eq23_phase(twins.varpi, twins.release);
+        Ok([stated, twins.twin_release, 1.0])
     })
 }
 
 /// (24): the velocities are the same.
 fn eq24() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(24) of the particle's $v_x$",
             "the velocity of its twin without units",
         ),
     );
-    trial.over(all_twins(), |twins| {
-        let twins = twins?;
-        Ok(Pair {
-            at: twins.at.clone(),
-            stated: printed::eq24_w(twins.varpi, twins.vx, twins.a0),
-            found: twins.twin_w,
-            scale: 1.0,
-        })
+    trial.each(all_twins(), Twins::at, |twins| {
+        let stated = printed::eq24_w(twins.varpi, twins.vx, twins.a0);
+        Ok([stated, twins.twin_w, 1.0])
     })
-}
-
-fn holds(truth: bool) -> f64 {
-    is(truth)
 }
 
 /// Frictions on both sides of 1, 1 itself included.
@@ -185,7 +170,7 @@ fn around_one(stream: u64) -> Vec<f64> {
 fn eq25_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether (25) holds (1 if so)",
             "whether a particle at rest starts to slide within a period",
@@ -197,8 +182,8 @@ fn eq25_motion() -> Evidence {
         let [left, right] = printed::eq25_sides(lambda);
         Ok(Pair {
             at: format!("λ₀ = {lambda:.6}"),
-            stated: holds(left < right),
-            found: holds(!motion.starts().is_empty()),
+            stated: is(left < right),
+            found: is(!motion.starts().is_empty()),
             scale: 1.0,
         })
     })
@@ -207,7 +192,7 @@ fn eq25_motion() -> Evidence {
 /// (25): exactly then the large-time motion is not rest.
 fn eq25_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "whether (25) holds (1 if so)",
             "whether the large-time motion is not rest for ever",
@@ -219,8 +204,8 @@ fn eq25_census() -> Evidence {
         let [left, right] = printed::eq25_sides(lambda);
         Ok(Pair {
             at: format!("λ₀ = {lambda:.6}"),
-            stated: holds(left < right),
-            found: holds(moves),
+            stated: is(left < right),
+            found: is(moves),
             scale: 1.0,
         })
     })
@@ -229,7 +214,7 @@ fn eq25_census() -> Evidence {
 /// (26): its integral over a part of a slip is what 𝔴 changes by, in a motion that began with a velocity across.
 fn eq26_quadrature() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the integral of (26) over $\phi$, over half a slip,",
             r"the change of $\mathfrak w$ of a particle that began with $v_y\ne0$, or, from $\phi=0.5$ to 1.5, of one that began along the drive, with $\lambda_0$ near 0 and 1",
@@ -278,7 +263,7 @@ fn eq26_summed(
     let rate = |phi: f64| printed::eq26_rate(lambda, phi, sign);
     Ok(Pair {
         at: format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
-        stated: integral_within(rate, from, to, 1e-14).map_or(f64::NAN, |sum| sum.value),
+        stated: sum(rate, from, to, 1e-14),
         found: motion.at(to)?.v[0] - motion.at(from)?.v[0],
         scale: 1.0,
     })

@@ -10,7 +10,6 @@ use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::paper::sphere as printed;
 use std::f64::consts::PI;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// A sphere under A = −A x̂, and what its slip has become.
@@ -229,7 +228,7 @@ fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
 /// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
 fn eq80() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
             "$u/u_0$ of a sphere at the same $At/v_0$",
@@ -259,7 +258,7 @@ fn eq80() -> Evidence {
 /// (81).
 pub fn eq81() -> Evidence {
     let trial = Trial::motion(
-        Subject::Within,
+        Within,
         Compared::one("(81)", r"the slip of the motion at the angle $\theta$"),
     );
     trial.over(turns(), |turn| {
@@ -273,7 +272,7 @@ pub fn eq81() -> Evidence {
 /// (81) along the line of the acceleration, where it is 0/0.
 fn eq81_outside() -> Evidence {
     let trial = Trial::motion(
-        Subject::Outside,
+        Outside,
         Compared::one(
             "(81) along the line of the acceleration",
             "the slip of the motion",
@@ -291,7 +290,7 @@ fn eq81_outside() -> Evidence {
 /// The form of (81) without singular points.
 fn regular_slip() -> Evidence {
     let trial = Trial::motion(
-        Subject::Corrected,
+        Corrected,
         Compared::one("the regular form of $u$", "the slip of the motion"),
     );
     trial.each(turns(), Turn::at, |turn| {
@@ -305,7 +304,7 @@ fn regular_slip() -> Evidence {
 
 /// The regular forms along the line of the acceleration: r from the regular time, u from r.
 pub fn regular_straight() -> Evidence {
-    Trial::motion(Subject::Corrected, Compared::one(
+    Trial::motion(Corrected, Compared::one(
         r"the regular form of $u$ along the line of the acceleration, with $r$ from the regular form of $\tau$,",
         "the slip of the motion",
     )).each(straight(), Turn::at, |turn| {
@@ -323,41 +322,23 @@ pub fn regular_straight() -> Evidence {
     })
 }
 
-type Time = fn(&Turn, [Double; 6]) -> Double;
+/// A formula of [`Turn::numbers`].
+type Time = fn([Double; 6]) -> Double;
 
-fn late(subject: Subject, compared: Compared, formula: Time) -> Evidence {
-    let turns = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
+/// A formula for the time.
+fn late(subject: Subject, stated: &'static str, formula: Time) -> Evidence {
+    let found = r"the time $\tau$ of the motion at the angle $\theta$";
+    let compared = Compared::one(stated, found);
+    let turns = only(turns(), |turn| turn.has_a_time());
     Trial::motion(subject, compared).over(turns, |turn| {
         let turn = turn?;
-        Ok(
-            Pair::wide(turn.at(), formula(turn, turn.numbers()), turn.tau)
-                .within(turn.time_scale()),
-        )
+        Ok(Pair::wide(turn.at(), formula(turn.numbers()), turn.tau).within(turn.time_scale()))
     })
 }
 
-/// (82) as printed.
-pub fn eq82() -> Evidence {
-    late(
-        Subject::Printed,
-        Compared::one(
-            "(82)",
-            r"the time $\tau$ of the motion at the angle $\theta$",
-        ),
-        |_, n| printed::eq82_time(n[0], n[1], n[2], n[3]),
-    )
-}
-
 /// (82) with its factor.
-pub fn corrected82() -> Evidence {
-    late(
-        Subject::Corrected,
-        Compared::one(
-            r"(82) over $\gamma$",
-            r"the time $\tau$ of the motion at the angle $\theta$",
-        ),
-        |_, n| corrected::time(n[0], n[5], n[1], n[2], n[3]),
-    )
+fn corrected_time([lambda, u0, theta0, theta, _, gamma]: [Double; 6]) -> Double {
+    corrected::time(lambda, gamma, u0, theta0, theta)
 }
 
 /// (82) with its factor, from Newton's law across and along the slip: u dθ = −γ sin θ dτ and du = (γ cos θ − λγ) dτ.
@@ -366,12 +347,10 @@ fn corrected82_quadrature() -> Evidence {
         r"(82) over $\gamma$",
         r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by another library's integrator",
     );
-    let turns = turns().filter(|turn| {
-        turn.as_ref().map_or(true, |t| {
-            t.has_a_time() && t.condition() < 100.0 && t.theta.abs() > 1e-3
-        })
+    let turns = only(turns(), |t| {
+        t.has_a_time() && t.condition() < 100.0 && t.theta.abs() > 1e-3
     });
-    Trial::quadrature(Subject::Corrected, compared).over(turns, |turn| {
+    Trial::quadrature(Corrected, compared).over(turns, |turn| {
         let turn = turn?;
         let Turn {
             lambda,
@@ -386,8 +365,7 @@ fn corrected82_quadrature() -> Evidence {
         let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
         let [_, late] = dop853::end(rates, y(theta0), [0.0; 2], y(theta), 1e-14, 1e-15)?;
         let found = late * u0 / gamma;
-        let n = turn.numbers();
-        let stated = corrected::time(n[0], n[5], n[1], n[2], n[3]);
+        let stated = corrected_time(turn.numbers());
         Ok(Pair::wide(turn.at(), stated, found).within(turn.time_scale()))
     })
 }
@@ -395,7 +373,7 @@ fn corrected82_quadrature() -> Evidence {
 /// The form of (82) without singular points: at λ = 1 and cos θ₀ = −λ too.
 pub fn regular_time() -> Evidence {
     Trial::motion(
-        Subject::Corrected,
+        Corrected,
         Compared::one(
             r"the regular form of $\tau$",
             r"that of the motion, $\lambda=1$ and $\cos\theta_0=-\lambda$ included",
@@ -416,36 +394,18 @@ pub fn regular_time() -> Evidence {
     })
 }
 
-fn slip_at_time(subject: Subject, compared: Compared, formula: Time) -> Evidence {
-    Trial::motion(subject, compared).over(turns(), |turn| {
+/// A formula for the slip at an angle and a time.
+fn slip_at_time(subject: Subject, stated: &'static str, formula: Time) -> Evidence {
+    Trial::motion(subject, Compared::one(stated, "its slip")).over(turns(), |turn| {
         let turn = turn?;
-        let stated = formula(turn, turn.numbers());
+        let stated = formula(turn.numbers());
         Ok(Pair::wide(turn.at(), stated, turn.u).within(turn.slip_at_time_scale()))
-    })
-}
-
-/// (83) as printed.
-pub fn eq83() -> Evidence {
-    let compared = Compared::one("(83) at the angle and time of the motion", "its slip");
-    slip_at_time(Subject::Printed, compared, |_, n| {
-        printed::eq83_slip_at_time(n[0], n[1], n[2], n[3], n[4])
-    })
-}
-
-/// (83) with its factor.
-pub fn corrected83() -> Evidence {
-    let compared = Compared::one(
-        r"(83) with $\gamma\tau$ for $\tau$, at the angle and time of the motion,",
-        "its slip",
-    );
-    slip_at_time(Subject::Corrected, compared, |_, n| {
-        corrected::slip_at_time(n[0], n[5], n[1], n[2], n[3], n[4])
     })
 }
 
 /// (γ, τ of the motion over τ of (82)) at the points of the trial.
 pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
-    let known = turns().filter(|turn| turn.as_ref().map_or(true, |t| t.has_a_time()));
+    let known = only(turns(), |turn| turn.has_a_time());
     known
         .map(|turn| {
             let turn = turn?;
@@ -459,7 +419,7 @@ pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
 fn eq83_step() -> Evidence {
     let trial = Trial::by(
         Route::Consistency,
-        Subject::Step,
+        Step,
         Compared::one("$u$ by (83) at the time of (82)", "$u$ by (81)"),
         ROOT,
     );
@@ -482,11 +442,25 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq81_outside,
     regular_slip,
     regular_straight,
-    eq82,
-    corrected82,
+    eq82 = late(Printed, "(82)", |[lambda, u0, theta0, theta, ..]| {
+        printed::eq82_time(lambda, u0, theta0, theta)
+    }),
+    corrected82 = late(Corrected, r"(82) over $\gamma$", corrected_time),
     corrected82_quadrature,
     regular_time,
-    eq83,
-    corrected83,
+    eq83 = slip_at_time(
+        Printed,
+        "(83) at the angle and time of the motion",
+        |[lambda, u0, theta0, theta, tau, _]| {
+            printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau)
+        }
+    ),
+    corrected83 = slip_at_time(
+        Corrected,
+        r"(83) with $\gamma\tau$ for $\tau$, at the angle and time of the motion,",
+        |[lambda, u0, theta0, theta, tau, gamma]| {
+            corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)
+        }
+    ),
     eq83_step
 ];

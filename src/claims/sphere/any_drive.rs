@@ -42,7 +42,7 @@ fn start(points: &mut Points) -> [f64; 2] {
 /// How long it rolls in a period, as a kind: never, for a part, always.
 pub fn census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::constant(
             r"0 below the lower bound of section 2.3 for $\lambda_0$ of (84), 1 above the upper one and 2 above 1",
             "what a sphere does in a late period (0 if it never rolls, 1 if it rolls at times, 2 if it always does)",
@@ -88,7 +88,7 @@ pub fn census() -> Evidence {
 pub fn parts() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the part of a period in which a particle rests under the same drive, with $\lambda_0$ of (84),",
             "that of a late period in which a sphere rolls",

@@ -5,7 +5,7 @@ use crate::claims::tolerances::FOREIGN;
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact};
 use crate::numerics::dop853;
-use crate::numerics::quadrature::integral_within;
+use crate::numerics::quadrature::sum;
 use crate::paper::sphere as printed;
 use trialbook::prelude::*;
 
@@ -46,15 +46,14 @@ fn by_the_laws(run: &Followed) -> [f64; 5] {
 pub fn eq59() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\bm v$ by (59) and (60)",
             r"$\bm V-\bm U$ of the laboratory, where friction alone acts, each vector by the one number $x+2y$",
         ),
         FOREIGN,
     );
-    trial.over(super::spheres::sliding(), |run| {
-        let run = run?;
+    trial.each(super::spheres::sliding(), Followed::at_end, |run| {
         let sphere = run.case.sphere;
         // V, U, the rates of turning about x and y, the time.
         let laboratory = |_: f64, y: &[f64; 7]| {
@@ -73,12 +72,11 @@ pub fn eq59() -> Evidence {
         let start = [v[0], v[1], 0.0, 0.0, omega[0], omega[1], 0.0];
         let seen = dop853::end(laboratory, 0.0, start, run.until, 1e-13, 1e-14)?;
         let stated = by_the_laws(run);
-        Ok(Pair {
-            at: run.at(run.until),
-            stated: stated[0] + 2.0 * stated[1],
-            found: seen[0] - seen[2] + 2.0 * (seen[1] - seen[3]),
-            scale: libm::hypot(v[0], v[1]) + libm::hypot(seen[0], seen[1]),
-        })
+        Ok([
+            stated[0] + 2.0 * stated[1],
+            seen[0] - seen[2] + 2.0 * (seen[1] - seen[3]),
+            libm::hypot(v[0], v[1]) + libm::hypot(seen[0], seen[1]),
+        ])
     })
 }
 
@@ -86,45 +84,43 @@ pub fn eq59() -> Evidence {
 pub fn eq60() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\bm\omega$ by (59) and (60), by another library's integrator,",
             r"$\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
         ),
         FOREIGN,
     );
-    trial.over(super::spheres::sliding(), |run| {
-        let run = run?;
+    trial.each(super::spheres::sliding(), Followed::at_end, |run| {
         let [_, _, x, y, z] = by_the_laws(run);
         let found = run.motion.end().omega;
-        Ok(Pair {
-            at: run.at(run.until),
-            stated: weighed([x, y, z]),
-            found: weighed(found),
-            scale: length(found) + length(run.case.start.omega),
-        })
+        Ok([
+            weighed([x, y, z]),
+            weighed(found),
+            length(found) + length(run.case.start.omega),
+        ])
     })
 }
 
 /// (61): the point at **R** from the centre of a rolling sphere is at rest.
 fn eq61() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$-\bm\omega\times$ (61)",
             "the velocity of the centre of a rolling sphere, each vector by the one number $x+2y$",
         ),
     );
-    let rolling = mixed().flat_map(|run| match run {
-        Ok(run) => {
-            let times = (1..=8).map(|k| f64::from(k) / 8.0 * run.until);
-            let rolls = |t: &f64| run.motion.contact(*t) == Ok(Contact::Rolling);
-            times.filter(rolls).map(|t| Ok((run, t))).collect()
-        }
-        Err(error) => vec![Err(error)],
+    let states = with_each(
+        mixed(),
+        [1, 2, 3, 4, 5, 6, 7, 8].map(|k| f64::from(k) / 8.0),
+    );
+    let rolling = only(states, |(run, share)| {
+        run.motion.contact(share * run.until) == Ok(Contact::Rolling)
     });
     trial.over(rolling, |state| {
-        let (run, t) = state?;
+        let (run, share) = state?;
+        let t = share * run.until;
         let ball = run.motion.at(t)?;
         let turning = printed::slip([0.0; 3], ball.omega, run.case.contact());
         Ok(Pair {
@@ -140,7 +136,7 @@ fn eq61() -> Evidence {
 /// (67): on a plane at rest the slip velocity w lasts for w/(bμg).
 fn eq67() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$w/(b\mu g)$, with $b$ by (67),",
             "the time at which a sphere on a plane at rest begins to roll",
@@ -177,27 +173,24 @@ fn eq67() -> Evidence {
 /// (76): what the plane gains on a body that feels no friction.
 fn eq76() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the integral of (76) over $\tau$",
             r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
         ),
     );
-    trial.over(mixed(), |run| {
-        let run = run?;
+    trial.each(mixed(), Followed::at_end, |run| {
         let (_, mu, g) = run.case.parameters();
         let rate = |t: f64| {
             let gamma = printed::eq72_acceleration(mu, g, run.case.acceleration(t));
             run.tau_rate() * weighed(printed::eq76_nu_rate(gamma))
         };
         let size = run.until / run.units().time * run.case.size / run.units().push;
-        Ok(Pair {
-            at: run.at(run.until),
-            stated: integral_within(rate, 0.0, run.until, 1e-13 * size)
-                .map_or(f64::NAN, |sum| sum.value),
-            found: weighed(super::rates::nu(run, run.until)?),
-            scale: size,
-        })
+        Ok([
+            sum(rate, 0.0, run.until, 1e-13 * size),
+            weighed(super::rates::nu(run, run.until)?),
+            size,
+        ])
     })
 }
 

@@ -10,7 +10,6 @@ use crate::motion::sphere::{Ball, BallMotion, Contact, Directed, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::paper::{periodic, sinusoidal, sphere as printed};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::claims::runs::Runs;
 use trialbook::prelude::*;
 
 /// Periods after which the motion counts as settled.
@@ -240,7 +239,7 @@ fn lambda_c() -> Result<f64, Failure> {
 /// (84): the slip obeys the drive of section 2.2 with this λ₀.
 fn eq84() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\mathfrak w$ of the one-dimensional drive with $\lambda_0$ by (84)",
             r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
@@ -283,7 +282,7 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
 /// (85): the slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
 fn eq85() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\mathfrak w$ of the drive with $\lambda_+=\lambda_0$ of (85) and $\lambda_-=q\lambda_0$",
             r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
@@ -328,18 +327,16 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
 /// Every kind: with a start along x.
 pub fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Within,
+        Within,
         Compared::one(
             r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (37), 20 above, $-1$ for rest throughout above 1)",
             "the same count of changes between sliding and rolling of a sphere in a late period",
         ),
     );
     let mut points = Points::stream(412);
-    let cases = match lambda_c() {
-        Ok(own) => frictions(own).into_iter().enumerate(),
-        Err(error) => return trial.over([error], Err),
-    };
-    trial.over(cases, |(i, lambda)| {
+    let cases = parts(lambda_c().map(frictions));
+    trial.over(cases.enumerate(), |(i, lambda)| {
+        let lambda = lambda?;
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
         let late = settled_phase(lambda) + 0.1;
@@ -358,7 +355,7 @@ pub fn trichotomy_census() -> Evidence {
 pub fn trichotomy_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
             "that of a late period in which a sphere, started in any direction, rolls",
@@ -387,7 +384,7 @@ pub fn trichotomy_motion() -> Evidence {
 /// λ₀ = 0: the slip of a fast sphere never changes its sign.
 pub fn trichotomy_outside() -> Evidence {
     let trial = Trial::census(
-        Subject::Outside,
+        Outside,
         Compared::constant(
             "the stated 2",
             r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
@@ -412,7 +409,7 @@ pub fn trichotomy_outside() -> Evidence {
 fn rolling_ends() -> Evidence {
     let trial = Trial::by(
         Route::Root,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the root $\phi$ of $\sin\phi=\lambda_0$, with $\lambda_0$ by (84),",
             r"the phase at which a sphere that rolls at $\phi=0$ begins to slide",
@@ -456,7 +453,7 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 /// The pulse train: kinds on both sides of λ₀ = η.
 fn pulse_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (46), 20 above, $-1$ for rest throughout above 1)",
             "that of a sphere's late period under the pulses",
@@ -485,7 +482,7 @@ fn pulse_census() -> Evidence {
 fn pulse_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
             "that of a late period in which the sphere rolls, under the pulses",
@@ -554,7 +551,7 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 /// The order of forward slip, backward slip and rolling in a period, as the particle has it.
 fn anisotropic_census() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (3 for a forward slip, 2 for a rest, 1 for a backward slip),",
             "that of the sphere's slip",
@@ -579,7 +576,7 @@ fn anisotropic_census() -> Evidence {
 fn anisotropic_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::many(
             r"the parts of a period of backward motion and rest, the second one taken twice, of the drive with $\lambda_0$ of (85), where it rests at all,",
             "those of the sphere's slip",

@@ -1,6 +1,6 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
-use super::spheres::{Case, Followed, braking, case, length, mixed, sphere, times, weighed};
+use super::spheres::{Case, Followed, braking, case, length, mixed, moments, sphere, weighed};
 use crate::corrections::sphere as corrected;
 use crate::motion::sphere::{Ball, Contact};
 use crate::motion::{PhaseKind, Plane, Signal, State, run};
@@ -22,29 +22,23 @@ fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, 
 
 /// The slip velocity is the particle's velocity, sliding and rolling.
 fn reduction_motion() -> Evidence {
-    Trial::motion(Subject::Printed, Compared::one(
+    Trial::motion(Printed, Compared::one(
         r"$\bm v$ of a particle with $b\mu$ under the same $\bm A$",
         "the slip velocity of the motion, sliding and rolling, each vector by the one number $x+2y$",
-    )).over(
-        mixed().flat_map(|run| match run {
-            Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
-            Err(error) => vec![Err(error)],
-        }),
-        |state| {
-            let (run, t) = state?;
-            let v = || -> Result<[f64; 2], Failure> { Ok(particle(run)?.at(t)?.v) };
-            let [x, y] = v().unwrap_or([f64::NAN; 2]);
-            let [sx, sy] = run.motion.slip(t)?;
-            let [ux, uy] = run.case.sphere.contact(&run.case.start);
-            let push = length(run.case.acceleration(t)).max(run.case.sphere.mu * run.case.sphere.g);
-            Ok(Pair {
-                at: run.at(t),
-                stated: x + 2.0 * y,
-                found: sx + 2.0 * sy,
-                scale: libm::hypot(ux, uy) + push * t,
-            })
-        },
-    )
+    )).over(moments(), |state| {
+        let (run, t) = state?;
+        let v = || -> Result<[f64; 2], Failure> { Ok(particle(run)?.at(t)?.v) };
+        let [x, y] = v().unwrap_or([f64::NAN; 2]);
+        let [sx, sy] = run.motion.slip(t)?;
+        let [ux, uy] = run.case.sphere.contact(&run.case.start);
+        let push = length(run.case.acceleration(t)).max(run.case.sphere.mu * run.case.sphere.g);
+        Ok(Pair {
+            at: run.at(t),
+            stated: x + 2.0 * y,
+            found: sx + 2.0 * sy,
+            scale: libm::hypot(ux, uy) + push * t,
+        })
+    })
 }
 
 /// A sphere that rolls when the plane begins to pull, more than friction can follow, along a direction that turns.
@@ -77,7 +71,7 @@ fn released() -> impl Iterator<Item = Result<Followed, Failure>> {
 
 /// The slip that begins by itself is the particle's velocity from rest.
 fn reduction_from_rest() -> Evidence {
-    Trial::motion(Subject::Printed, Compared::one(
+    Trial::motion(Printed, Compared::one(
         r"$\bm v$ of a particle with $b\mu$, from rest, under the same turning $\bm A$",
         "the slip velocity of a sphere that rolls at the start, each vector by the one number $x+2y$",
     )).over(released(), |run| {
@@ -108,7 +102,7 @@ fn reduction_from_rest() -> Evidence {
 /// A slip that is small beside the velocity lasts as long as the particle's velocity does.
 fn reduction_small_slip() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the time in which a particle with $b\mu$ that is as slow as the slip stops",
             "that in which the sphere, a billion times as fast, comes to roll",
@@ -152,25 +146,23 @@ fn reduction_small_slip() -> Evidence {
 /// The sphere rolls while the particle rests.
 fn reduction_rolling() -> Evidence {
     Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the time that a particle with $b\mu$ rests",
             "the time that the sphere rolls",
         ),
     )
-    .over(mixed(), |run| {
-        let run = run?;
+    .each(mixed(), Followed::at_end, |run| {
         let rests = |particle: crate::motion::Motion| {
             let phases = particle.phases().iter();
             let rests = phases.filter(|phase| phase.kind == PhaseKind::Stick);
             rests.map(|phase| phase.to - phase.from).sum()
         };
-        Ok(Pair {
-            at: run.at(run.until),
-            stated: particle(run).map_or(f64::NAN, rests),
-            found: rolling_time(&run.motion, 0.0, run.until)?,
-            scale: run.until,
-        })
+        Ok([
+            particle(run).map_or(f64::NAN, rests),
+            rolling_time(&run.motion, 0.0, run.until)?,
+            run.until,
+        ])
     })
 }
 
@@ -200,11 +192,10 @@ pub(super) fn rolling_time(
 
 /// The rest follows from u: dρ/dτ by (79), then ζ by the corrected (75), both from the particle's velocity.
 fn reduction_rest() -> Evidence {
-    Trial::motion(Subject::Printed, Compared::many(
+    Trial::motion(Printed, Compared::many(
         r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
         "those of the motion, all components in one weighted sum",
-    )).over(mixed(), |run| {
-        let run = run?;
+    )).each(mixed(), Followed::at_end, |run| {
         let (b, t, zero) = (run.case.b(), run.until, [0.0; 3]);
         let (start, own_start, own) = (run.dimensionless(0.0)?, run.own(0.0)?, run.own(t)?);
         let (radius, mu, g) = run.case.parameters();
@@ -215,26 +206,21 @@ fn reduction_rest() -> Evidence {
         let nu = super::rates::nu(run, t)?;
         let velocity = printed::eq79_velocity(b, nu, u, c);
         let zeta = corrected::spin(start.zeta[2], u, velocity);
-        Ok(Pair {
-            at: run.at(t),
-            stated: weighed(velocity) + 7.0 * weighed(zeta),
-            found: weighed(own.rho_rate) + 7.0 * weighed(own.zeta),
-            scale: length(nu)
-                + length(own.u)
-                + length(own.rho_rate)
-                + length(own_start.rho_rate)
-                + length(own.zeta),
-        })
+        let velocities = length(own.u) + length(own.rho_rate) + length(own_start.rho_rate);
+        Ok([
+            weighed(velocity) + 7.0 * weighed(zeta),
+            weighed(own.rho_rate) + 7.0 * weighed(own.zeta),
+            length(nu) + velocities + length(own.zeta),
+        ])
     })
 }
 
 /// The vertical spin keeps its value, and another one changes nothing else.
 fn spin_constant() -> Evidence {
-    Trial::motion(Subject::Printed, Compared::many(
+    Trial::motion(Printed, Compared::many(
         r"a kept $\omega_z$, and the $x$, $\bm v$, $\omega_x$ and $\omega_y$ in which a motion with three times that $\omega_z$ ends,",
         "those of the motion, all in one weighted sum",
-    )).over(mixed(), |run| {
-        let run = run?;
+    )).each(mixed(), Followed::at_end, |run| {
         let case = &run.case;
         let start = with_three_times_the_spin(case.start);
         let other = case.sphere.run(&case.plane, &start, run.until)?.end();
@@ -251,12 +237,11 @@ fn spin_constant() -> Evidence {
         let units = run.units();
         let gained = printed::s3_zeta3_rate::<f64>() * run.until / (units.time * units.time);
         let size = length([end.v[0], end.v[1], 0.0]) + case.sphere.radius * length(end.omega);
-        Ok(Pair {
-            at: run.at(run.until),
-            stated: rest(&other) + spin(case.start.omega[2] + gained),
-            found: rest(&end) + spin(end.omega[2]),
-            scale: size + libm::hypot(end.x[0], end.x[1]) / case.sphere.radius,
-        })
+        Ok([
+            rest(&other) + spin(case.start.omega[2] + gained),
+            rest(&end) + spin(end.omega[2]),
+            size + libm::hypot(end.x[0], end.x[1]) / case.sphere.radius,
+        ])
     })
 }
 

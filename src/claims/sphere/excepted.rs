@@ -1,28 +1,9 @@
 //! What the conditions of section 3 except.
 
+use crate::claims::constant::excepted::{END, HOLDS, LAMBDA, START, half, int, two_thirds};
 use crate::paper::sphere as printed;
 use trialbook::certified::interval::Interval;
-use trialbook::claims::excepted::no_value;
 use trialbook::prelude::*;
-
-const LAMBDA: (&str, [f64; 2]) = ("λ", [0.1, 0.9]);
-const START: (&str, [f64; 2]) = ("θ₀", [0.3, 1.5]);
-const END: (&str, [f64; 2]) = ("θ", [0.3, 1.5]);
-
-const HOLDS: &str = "the condition holds";
-
-fn int(n: i64) -> Interval {
-    Interval::int(n)
-}
-
-fn half() -> Interval {
-    Interval::ratio(1, 2)
-}
-
-/// cos θ = −½.
-fn two_thirds() -> Interval {
-    Interval::pi() * Interval::ratio(2, 3)
-}
 
 pub(super) const TRIALS: &[Attempt] = trials![
     eq81 = no_value(

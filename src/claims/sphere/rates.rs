@@ -1,11 +1,10 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
-use super::spheres::{Followed, length, mixed, sliding, times, weighed};
+use super::spheres::{Followed, length, moments, sliding, weighed};
 use crate::corrections::sphere as corrected;
-use crate::evidence::Subject::{Corrected, Printed};
 use crate::motion::State;
 use crate::motion::sphere::Ball;
-use crate::numerics::quadrature::integral_within;
+use crate::numerics::quadrature::sum;
 use crate::paper::sphere as printed;
 use trialbook::prelude::*;
 
@@ -37,8 +36,7 @@ fn summed(
             ["the change of ", name, BY_ONE_NUMBER],
         ),
     )
-    .over(sliding(), |run| {
-        let run = run?;
+    .each(sliding(), Followed::at_end, |run| {
         let along = |t: f64| {
             let ball = run.motion.at(t);
             ball.map_or(f64::NAN, |ball| {
@@ -48,14 +46,11 @@ fn summed(
         let (start, end) = (run.case.start, run.motion.end());
         let (before, after) = (quantity(run, &start), quantity(run, &end));
         let scale = length(before) + length(after);
-        Ok(Pair {
-            at: run.at(run.until),
-            // A rate that has no value somewhere has no sum.
-            stated: integral_within(along, 0.0, run.until, 1e-13 * scale)
-                .map_or(f64::NAN, |sum| sum.value),
-            found: weighed(after) - weighed(before),
+        Ok([
+            sum(along, 0.0, run.until, 1e-13 * scale),
+            weighed(after) - weighed(before),
             scale,
-        })
+        ])
     })
 }
 
@@ -103,11 +98,7 @@ fn spin(subject: Subject, law: &'static str, formula: Spin) -> Evidence {
     const ZETA: &str =
         r"$\bm\zeta$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$";
     let compared = Compared::one(law, ZETA);
-    let states = mixed().flat_map(|run| match run {
-        Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
-        Err(error) => vec![Err(error)],
-    });
-    Trial::motion(subject, compared).over(states, |state| {
+    Trial::motion(subject, compared).over(moments(), |state| {
         let (run, t) = state?;
         let (now, own) = (run.dimensionless(t)?, run.own(t)?);
         Ok(Pair {
@@ -137,11 +128,7 @@ pub fn eq79() -> Evidence {
         r"(79), with $\bm c$ from the start,",
         r"$\mathrm d\bm\rho/\mathrm d\tau$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",
     );
-    let states = mixed().flat_map(|run| match run {
-        Ok(run) => times(run).map(|t| Ok((run, t))).to_vec(),
-        Err(error) => vec![Err(error)],
-    });
-    Trial::motion(Printed, compared).over(states, |state| {
+    Trial::motion(Printed, compared).over(moments(), |state| {
         let (run, t) = state?;
         let (start, now, b) = (run.dimensionless(0.0)?, run.dimensionless(t)?, run.case.b());
         let (own, own_start) = (run.own(t)?, run.own(0.0)?);

@@ -6,7 +6,6 @@ use crate::motion::sphere::{Ball, Directed, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::sphere as printed;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// A sphere and the one with m = R = μ = g = 1 and the same κ, with the same drive and start in their own units, until
@@ -19,6 +18,12 @@ struct Twins {
     tau: f64,
     ours: Followed,
     unit: Followed,
+}
+
+impl Twins {
+    fn at(&self) -> String {
+        self.at.clone()
+    }
 }
 
 /// A state, drive and time in the paper's units.
@@ -118,23 +123,20 @@ fn alike(
 ) -> Evidence {
     const TWIN: &str = r" of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units";
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::composed([by_definition, " of a sphere", ""], [own, TWIN, each]),
     );
-    trial.over(twins(), |twins| {
-        let twins = twins?;
+    trial.each(twins(), Twins::at, |twins| {
         let Twins { ours, unit, .. } = twins;
         let (by_definition, own) = (ours.dimensionless(ours.until)?, unit.own(unit.until)?);
-        Ok(Pair {
-            at: twins.at.clone(),
-            stated: weighed(stated(ours, &by_definition)),
-            found: weighed(found(unit, &own)),
-            scale: 1.0
-                + length(own.rho)
+        Ok([
+            weighed(stated(ours, &by_definition)),
+            weighed(found(unit, &own)),
+            1.0 + length(own.rho)
                 + length(own.rho_rate)
                 + length(own.zeta)
                 + twins.speed * twins.tau,
-        })
+        ])
     })
 }
 
@@ -146,14 +148,13 @@ fn first_change(run: &Followed) -> f64 {
 /// (68) as what the velocity adds up to.
 fn eq68_way() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the change of (68)",
             r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
         ),
     );
-    trial.over(sliding(), |run| {
-        let run = run?;
+    trial.each(sliding(), Followed::at_end, |run| {
         let (radius, ..) = run.case.parameters();
         let place = |[x, y]: [f64; 2]| weighed(printed::eq68_position(radius, [x, y, 0.0]));
         let rate = |t: f64| {
@@ -163,19 +164,18 @@ fn eq68_way() -> Evidence {
         let (start, end) = (&run.case.start, run.motion.end());
         let size = libm::hypot(start.v[0], start.v[1]) + run.case.size * run.until;
         let scale = size * run.until / radius;
-        Ok(Pair {
-            at: run.at(run.until),
-            stated: place(end.x) - place(start.x),
-            found: integral_within(rate, 0.0, run.until, 1e-13 * scale)?.value,
-            scale: scale + libm::hypot(start.x[0], start.x[1]) / radius,
-        })
+        Ok([
+            place(end.x) - place(start.x),
+            integral_within(rate, 0.0, run.until, 1e-13 * scale)?.value,
+            scale + libm::hypot(start.x[0], start.x[1]) / radius,
+        ])
     })
 }
 
 /// (71) where the sphere slides with one friction forwards and with another backwards.
 fn eq71_both_ways() -> Evidence {
     let trial = Trial::consistency(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
             r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",

@@ -5,8 +5,7 @@ use crate::motion::sphere::{Ball, BallMotion, Sphere};
 use crate::motion::{Acceleration, Plane, Signal};
 use crate::paper::sphere as printed;
 use std::f64::consts::{PI, TAU};
-use trialbook::claims::points::Points;
-use trialbook::claims::runs::{Failure, Runs, every};
+use trialbook::prelude::*;
 
 /// A sphere on a plane, from a start.
 #[derive(Debug, Clone)]
@@ -145,6 +144,11 @@ impl Followed {
         })
     }
 
+    /// The point in the claims' symbols, at the end.
+    pub fn at_end(&self) -> String {
+        self.at(self.until)
+    }
+
     /// The sphere's own units.
     pub fn units(&self) -> Units {
         Units::of(&self.case.sphere)
@@ -277,9 +281,10 @@ pub fn mixed() -> impl Iterator<Item = Result<&'static Followed, Failure>> {
     RUNS.each()
 }
 
-/// The times of a motion at which something is compared: three between its start and its end.
-pub fn times(run: &Followed) -> [f64; 3] {
-    [0.31, 0.62, 1.0].map(|share| share * run.until)
+/// The same with three times between their start and their end.
+pub fn moments() -> impl Iterator<Item = Result<(&'static Followed, f64), Failure>> {
+    let moments = with_each(mixed(), [0.31, 0.62, 1.0]);
+    moments.map(|moment| moment.map(|(run, share)| (run, share * run.until)))
 }
 
 /// All components of a vector in one number, each with a weight of its own.

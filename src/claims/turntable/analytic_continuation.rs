@@ -1,7 +1,7 @@
 //! Trials of (122) and (123): the first case's formulas with complex A and α, along motions with p > ρ.
 
 use super::complex::Complex;
-use super::trajectories::{FASTER, View, stretches, sum};
+use super::trajectories::{FASTER, View, stretches};
 use crate::claims::tolerances::MOTION;
 use crate::paper::turntable as printed;
 use trialbook::prelude::*;
@@ -17,14 +17,13 @@ fn inner(view: &View) -> [Complex; 2] {
 
 /// (111) and (112) give p and ρ, both real.
 pub fn eq122() -> Evidence {
-    let trial = Trial::by(Route::Integration, Subject::Printed, Compared::many(
+    let trial = Trial::by(Route::Integration, Printed, Compared::many(
         r"the real and imaginary part of (111) plus twice (112), with the complex $A$ and $\alpha$ of (122) and (123),",
         r"$p+2\rho$ and 0",
     )
     .over(r"$p>\rho$"), MOTION);
-    let all = stretches(FASTER).flat_map(|s| [(s.clone(), true), (s, false)]);
-    trial.over(all, |(stretch, real)| {
-        let stretch = stretch?;
+    trial.over(with_each(stretches(FASTER), [true, false]), |case| {
+        let (stretch, real) = case?;
         let view = stretch.view(stretch.to)?;
         let [a, alpha] = inner(&view);
         let sum = printed::eq111_p(a, alpha) + Complex::real(2.0) * printed::eq112_rho(a, alpha);
@@ -40,27 +39,23 @@ pub fn eq122() -> Evidence {
 
 /// (114) gives the rate of α, real.
 pub fn eq123() -> Evidence {
-    let trial = Trial::quadrature(Subject::Printed, Compared::many(
+    let trial = Trial::quadrature(Printed, Compared::many(
         r"the real and imaginary part of the integral of (114) over $\tau$, with the complex $A$ and $\alpha$ of (122) and (123),",
         r"the change of $\beta$, and 0",
     )
     .over(r"$p>\rho$"));
-    let all = stretches(FASTER).flat_map(|s| [(s.clone(), true), (s, false)]);
-    trial.over(all, |(stretch, real)| {
-        let stretch = stretch?;
-        let rate = |tau: f64| {
-            let view = stretch.view(tau);
-            view.map_or(f64::NAN, |view| {
-                let [a, alpha] = inner(&view);
-                let rate = printed::eq114_alpha_rate(a, alpha, Complex::real(view.psi));
-                if real { rate.re } else { rate.im }
-            })
+    trial.over(with_each(stretches(FASTER), [true, false]), |case| {
+        let (stretch, real) = case?;
+        let rate = |view: &View| {
+            let [a, alpha] = inner(view);
+            let rate = printed::eq114_alpha_rate(a, alpha, Complex::real(view.psi));
+            if real { rate.re } else { rate.im }
         };
         let beta = |tau: f64| stretch.view(tau).map(|view| view.outer().1);
         let change = beta(stretch.to)? - beta(stretch.from)?;
         Ok(Pair {
             at: stretch.at(),
-            stated: sum(rate, stretch.from, stretch.to, 1e-13),
+            stated: stretch.sum(rate, 1e-13),
             found: if real { change } else { 0.0 },
             scale: 1.0,
         })

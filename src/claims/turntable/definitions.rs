@@ -2,75 +2,91 @@
 //!
 //! The motion is integrated twice: in Cartesian components, and in components along and across the velocity.
 
-use super::trajectories::{ANY, Class, FASTER, SLOWER, Stretch, View, stretches};
+use super::trajectories::{ANY, Class, FASTER, P, Quantity, RHO, SLOWER, View, stretches};
 use crate::claims::tolerances::FRAMES;
 use crate::motion::turntable::Intrinsic;
 use crate::paper::turntable as printed;
 use trialbook::prelude::*;
 
-/// At both ends of each stretch: what a formula gives from one integration with what the other has.
-fn ends(
+/// At both ends of each stretch: what formulas give from one integration with what the other has.
+fn ends<const N: usize>(
+    route: Route,
+    compared: Compared,
+    classes: &[Class],
+    pairs: impl Fn(&View, &Intrinsic) -> [[f64; 2]; N],
+) -> Evidence {
+    let trial = Trial::by(route, Printed, compared, FRAMES);
+    trial.pairs(stretches(classes), |stretch| {
+        let stretch = stretch?;
+        let mut all = Vec::new();
+        for tau in [stretch.from, stretch.to] {
+            for [stated, found] in pairs(&stretch.view(tau)?, &stretch.part(tau)?) {
+                all.push(Pair {
+                    at: stretch.at(),
+                    stated,
+                    found,
+                    scale: 1f64.max(found.abs()),
+                });
+            }
+        }
+        Ok(all)
+    })
+}
+
+/// A definition.
+fn defined(
     [stated, found]: [&'static str; 2],
     classes: &[Class],
     pair: impl Fn(&View, &Intrinsic) -> [f64; 2],
 ) -> Evidence {
-    let trial = Trial::by(
-        Route::Consistency,
-        Subject::Printed,
-        Compared::one(stated, found),
-        FRAMES,
-    );
-    let both =
-        stretches(classes).flat_map(|s| [Stretch::first, Stretch::last].map(|f| (s.clone(), f)));
-    trial.over(both, |(stretch, end)| {
-        let stretch = stretch?;
-        let tau = end(stretch);
-        let [stated, found] = pair(&stretch.view(tau)?, &stretch.part(tau)?);
-        Ok(Pair {
-            at: stretch.at(),
-            stated,
-            found,
-            scale: 1f64.max(found.abs()),
-        })
+    let compared = Compared::one(stated, found);
+    ends(Route::Consistency, compared, classes, |view, part| {
+        [pair(view, part)]
     })
 }
 
-impl Stretch {
-    fn first(&self) -> f64 {
-        self.from
-    }
-    fn last(&self) -> f64 {
-        self.to
-    }
+/// A relation: the left-hand side by components along the velocity with what the Cartesian motion has, and the right-hand side of
+/// the Cartesian motion with what the components have; or the other way round.
+fn both_sides(compared: Compared, pairs: impl Fn(&View, &Intrinsic) -> [[f64; 2]; 2]) -> Evidence {
+    ends(Route::Integration, compared, ANY, pairs)
 }
 
-/// At both ends of each stretch: the left-hand side by components along the velocity with what the Cartesian motion has, and
-/// the right-hand side of the Cartesian motion with what the components have; or the other way round.
-fn both_sides(
-    compared: Compared,
-    stated: impl Fn(&View, &Intrinsic) -> [f64; 2],
-    found: impl Fn(&View, &Intrinsic) -> [f64; 2],
+/// A case: its symbols in words, where it is tried, and its symbols by components along the velocity.
+type Case = (&'static str, &'static [Class], fn(&Intrinsic) -> (f64, f64));
+
+const INNER: Case = (
+    r", with $A=\sqrt{\rho^2-p^2}$ and $\tanh\alpha=p/\rho$,",
+    SLOWER,
+    inner,
+);
+const OUTER: Case = (
+    r", with $B=\sqrt{p^2-\rho^2}$ and $\tanh\beta=\rho/p$,",
+    FASTER,
+    outer,
+);
+
+/// What a formula of the symbols of a case gives with the Cartesian quantity.
+fn by_case(
+    law: &'static str,
+    (symbols, classes, of): Case,
+    (name, quantity): Quantity,
+    formula: fn(f64, f64) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Integration, Subject::Printed, compared, FRAMES);
-    let ends = stretches(ANY).flat_map(|s| [Stretch::first, Stretch::last].map(|f| (s.clone(), f)));
-    let sides = ends.flat_map(|(s, end)| [0, 1].map(|side| (s.clone(), end, side)));
-    trial.over(sides, |(stretch, end, side)| {
-        let stretch = stretch?;
-        let tau = end(stretch);
-        let (view, part) = (stretch.view(tau)?, stretch.part(tau)?);
-        let found = found(&view, &part)[side];
-        Ok(Pair {
-            at: stretch.at(),
-            stated: stated(&view, &part)[side],
-            found,
-            scale: 1f64.max(found.abs()),
-        })
+    let compared = Compared::composed([law, symbols, ""], [name, "", ""]);
+    ends(Route::Consistency, compared, classes, |view, part| {
+        let (size, angle) = of(part);
+        [[formula(size, angle), quantity(view)]]
     })
 }
 
 /// ρ² − p², by components along the velocity, where no large terms cancel.
 fn lead(part: &Intrinsic) -> f64 {
     part.parts.energy()
+}
+
+/// The position to the left of the velocity.
+fn to_the_left(part: &Intrinsic) -> f64 {
+    part.parts.p - part.parts.zeta
 }
 
 /// A and α by components along the velocity.
@@ -86,7 +102,7 @@ fn outer(part: &Intrinsic) -> (f64, f64) {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq93 = ends(
+    eq93 = defined(
         [
             "(93) of the Cartesian velocity",
             "the speed by components along the velocity"
@@ -94,7 +110,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ANY,
         |view, part| [printed::eq93_speed(view.rate), part.p()],
     ),
-    eq94 = ends(
+    eq94 = defined(
         [
             r"(94), with the angle $\psi$ from the Cartesian velocity to the position,",
             "the position along the velocity",
@@ -102,16 +118,13 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ANY,
         |view, part| [printed::eq94_xi(view.rho, view.psi), part.parts.xi],
     ),
-    eq95 = ends(
+    eq95 = defined(
         [
             r"(95), with the angle $\psi$ from the Cartesian velocity to the position,",
             "minus the position to the left of the velocity",
         ],
         ANY,
-        |view, part| {
-            let left = part.parts.p - part.parts.zeta;
-            [printed::eq95_ell(view.rho, view.psi), -left]
-        },
+        |view, part| { [printed::eq95_ell(view.rho, view.psi), -to_the_left(part)] },
     ),
     eq96 = both_sides(
         Compared::many(
@@ -120,11 +133,12 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ),
         |view, part| {
             let ell = printed::eq95_ell(part.rho(), part.psi());
-            printed::eq96_angular_momentum(part.p(), ell, view.position, view.rate)
-        },
-        |view, part| {
-            let left = part.parts.p - part.parts.zeta;
-            [view.moment(), -part.p() * left]
+            let [left, right] =
+                printed::eq96_angular_momentum(part.p(), ell, view.position, view.rate);
+            [
+                [left, view.moment()],
+                [right, -part.p() * to_the_left(part)],
+            ]
         },
     ),
     eq97 = both_sides(
@@ -134,9 +148,9 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ),
         |view, part| {
             let xi = printed::eq94_xi(part.rho(), part.psi());
-            printed::eq97_radial(part.p(), xi, view.position, view.rate)
+            let [left, right] = printed::eq97_radial(part.p(), xi, view.position, view.rate);
+            [[left, view.along()], [right, part.p() * part.parts.xi]]
         },
-        |view, part| [view.along(), part.p() * part.parts.xi],
     ),
     eq98 = both_sides(
         Compared::many(
@@ -146,11 +160,11 @@ pub(super) const TRIALS: &[Attempt] = trials![
         |view, part| {
             let (rho, psi) = (part.rho(), part.psi());
             let (ell, xi) = (printed::eq95_ell(rho, psi), printed::eq94_xi(rho, psi));
-            printed::eq98_distance(view.position, ell, xi)
+            let [left, right] = printed::eq98_distance(view.position, ell, xi);
+            [[left, rho * rho], [right, view.rho * view.rho]]
         },
-        |view, part| [part.rho() * part.rho(), view.rho * view.rho],
     ),
-    eq103 = ends(
+    eq103 = defined(
         [
             r"$\frac12(p^2-\rho^2)$ of (103), Cartesian,",
             "the same by components along the velocity",
@@ -158,7 +172,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ANY,
         |view, part| [printed::eq103_energy(view.p, view.rho), -0.5 * lead(part)],
     ),
-    eq110 = ends(
+    eq110 = defined(
         [
             r"$p^2-\rho^2$ of (110), where the particle is slower than the table under it,",
             "$-A^2$",
@@ -169,29 +183,9 @@ pub(super) const TRIALS: &[Attempt] = trials![
             [printed::eq110_case(view.p, view.rho), -a * a]
         },
     ),
-    eq111 = ends(
-        [
-            r"(111), with $A=\sqrt{\rho^2-p^2}$ and $\tanh\alpha=p/\rho$,",
-            "$p$"
-        ],
-        SLOWER,
-        |view, part| {
-            let (a, alpha) = inner(part);
-            [printed::eq111_p(a, alpha), view.p]
-        },
-    ),
-    eq112 = ends(
-        [
-            r"(112), with $A=\sqrt{\rho^2-p^2}$ and $\tanh\alpha=p/\rho$,",
-            r"$\rho$"
-        ],
-        SLOWER,
-        |view, part| {
-            let (a, alpha) = inner(part);
-            [printed::eq112_rho(a, alpha), view.rho]
-        },
-    ),
-    eq116 = ends(
+    eq111 = by_case("(111)", INNER, P, printed::eq111_p),
+    eq112 = by_case("(112)", INNER, RHO, printed::eq112_rho),
+    eq116 = defined(
         [
             r"$p^2-\rho^2$ of (116), where the particle is faster than the table under it,",
             "$B^2$",
@@ -202,26 +196,6 @@ pub(super) const TRIALS: &[Attempt] = trials![
             [printed::eq116_case(view.p, view.rho), b * b]
         },
     ),
-    eq117 = ends(
-        [
-            r"(117), with $B=\sqrt{p^2-\rho^2}$ and $\tanh\beta=\rho/p$,",
-            "$p$"
-        ],
-        FASTER,
-        |view, part| {
-            let (b, beta) = outer(part);
-            [printed::eq117_p(b, beta), view.p]
-        },
-    ),
-    eq118 = ends(
-        [
-            r"(118), with $B=\sqrt{p^2-\rho^2}$ and $\tanh\beta=\rho/p$,",
-            r"$\rho$"
-        ],
-        FASTER,
-        |view, part| {
-            let (b, beta) = outer(part);
-            [printed::eq118_rho(b, beta), view.rho]
-        },
-    ),
+    eq117 = by_case("(117)", OUTER, P, printed::eq117_p),
+    eq118 = by_case("(118)", OUTER, RHO, printed::eq118_rho),
 ];

@@ -73,15 +73,15 @@ pub fn launched(speed: f64) -> Result<Launched, MotionError> {
 /// (104) at every drawn moment, rest included.
 pub fn kept() -> Evidence {
     let trial = Trial::motion(
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(104) at each drawn moment, on the way to rest and at rest,",
             "its value at the launch",
         ),
     );
-    let all = SPEEDS.into_iter().flat_map(|speed| match launched(speed) {
-        Ok(launch) => launch.moments.into_iter().map(|m| Ok((speed, m))).collect(),
-        Err(error) => vec![Err(error)],
+    let launches = SPEEDS.into_iter().map(launched);
+    let all = launches.flat_map(|launch| {
+        parts(launch.map(|l| l.moments.into_iter().map(move |moment| (l.speed, moment))))
     });
     trial.over(all, |point| {
         let (speed, Moment { tau, p, rho, s, .. }) = point?;

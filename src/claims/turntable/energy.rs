@@ -1,10 +1,10 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::trajectories::{ANY, Launch, Stretch, View, launches, stretches, sum};
+use super::trajectories::{ANY, Launch, Stretch, View, launches, stretches};
 use crate::claims::tolerances::FRAMES;
 use crate::corrections::turntable as corrections;
-use crate::evidence::Subject::{Corrected, Printed};
 use crate::motion::turntable::{State, Table};
+use crate::numerics::quadrature::sum;
 use crate::paper::turntable as printed;
 use trialbook::prelude::*;
 
@@ -40,7 +40,7 @@ fn eq104_kept() -> Evidence {
 /// What p, ℓ and ξ give alone.
 fn eq104_without_s() -> Evidence {
     let trial = Trial::quadrature(
-        Subject::Remark,
+        Remark,
         Compared::one(
             r"the integral of $-p$ over a stretch of motion",
             r"the change of $\frac12(p^2-\ell^2-\xi^2)$",
@@ -50,11 +50,8 @@ fn eq104_without_s() -> Evidence {
         let view = |tau| stretch.view(tau);
         let [begin, end] = [view(stretch.from)?, view(stretch.to)?];
         let value = |v: &View| 0.5 * (v.p * v.p - v.ell * v.ell - v.xi * v.xi);
-        let rate = |tau| view(tau).map_or(f64::NAN, |v| -printed::eq105_arc_rate(v.p));
-        Ok([
-            sum(rate, stretch.from, stretch.to, 1e-13),
-            value(&end) - value(&begin),
-        ])
+        let rate = |v: &View| -printed::eq105_arc_rate(v.p);
+        Ok([stretch.sum(rate, 1e-13), value(&end) - value(&begin)])
     })
 }
 
@@ -78,12 +75,8 @@ fn eq105() -> Evidence {
         FRAMES,
     );
     trial.each(stretches(ANY), Stretch::at, |stretch| {
-        let rate = |tau: f64| {
-            let view = stretch.view(tau);
-            view.map_or(f64::NAN, |v| printed::eq105_arc_rate(v.p))
-        };
         Ok([
-            sum(rate, stretch.from, stretch.to, 1e-13),
+            stretch.sum(|v| printed::eq105_arc_rate(v.p), 1e-13),
             stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
             1.0,
         ])
@@ -100,7 +93,7 @@ pub fn way(launch: &Launch) -> Result<f64, Failure> {
 fn work_step() -> Evidence {
     let trial = Trial::by(
         Route::Consistency,
-        Subject::Step,
+        Step,
         Compared::one(
             "$-mgs$, the work of friction, over what kinetic and centrifugal energy gain by (106)",
             "the expected 1",
@@ -149,7 +142,12 @@ fn friction_work(launch: &Launch) -> Result<f64, Failure> {
     Ok(value(&launch.still.at(launch.to)?) - value(&launch.still.at(0.0)?))
 }
 
-fn work(subject: Subject, compared: Compared, formula: impl Fn(&Table, f64) -> f64) -> Evidence {
+/// What is stated of it.
+fn work(subject: Subject, stated: &'static str, formula: impl Fn(&Table, f64) -> f64) -> Evidence {
+    let compared = Compared::one(
+        stated,
+        "the work of friction along the path of length $s$ on the table, found in the laboratory",
+    );
     let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
     trial.each(launches(), Launch::at, |launch| {
         let found = friction_work(launch)?;
@@ -158,17 +156,6 @@ fn work(subject: Subject, compared: Compared, formula: impl Fn(&Table, f64) -> f
             found,
             found.abs().max(launch.table.energy(&launch.start).abs()),
         ])
-    })
-}
-
-/// −mgs as the work of friction.
-pub fn friction() -> Evidence {
-    let compared = Compared::one(
-        "$-mgs$",
-        "the work of friction along the path of length $s$ on the table, found in the laboratory",
-    );
-    work(Printed, compared, |table, s| {
-        printed::friction_work(table.mass, table.g, s)
     })
 }
 
@@ -221,16 +208,12 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     eq104_kept,
     eq104_without_s,
-    friction,
+    friction = work(Printed, "$-mgs$", |table, s| {
+        printed::friction_work(table.mass, table.g, s)
+    }),
     coriolis,
-    // −mμgs as the work of friction.
-    friction_corrected = work(
-        Corrected,
-        Compared::one(
-            r"$-m\mu gs$",
-            "the work of friction along the path of length $s$ on the table, found in the laboratory",
-        ),
-        |table, s| { corrections::friction_work(table.mass, table.mu, table.g, s) }
-    ),
+    friction_corrected = work(Corrected, r"$-m\mu gs$", |table, s| {
+        corrections::friction_work(table.mass, table.mu, table.g, s)
+    }),
     work_step
 ];

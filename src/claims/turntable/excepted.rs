@@ -2,7 +2,6 @@
 
 use crate::paper::turntable as printed;
 use trialbook::certified::interval::Interval;
-use trialbook::claims::excepted::{no_inside, no_value};
 use trialbook::prelude::*;
 
 const FAR: [f64; 2] = [0.5, 2.0];

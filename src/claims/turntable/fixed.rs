@@ -42,12 +42,18 @@ fn at(a: f64, alpha: f64) -> String {
 }
 
 fn stands_still(
-    compared: Compared,
+    [law, side]: [&'static str; 2],
     stream: u64,
     range: [f64; 2],
     formula: fn(f64) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Root, Subject::Printed, compared, STANDS_STILL);
+    let angle = [
+        "the angle ",
+        side,
+        r" $\pi/2$ at which $\psi$ of the motion stands still for a moment",
+    ];
+    let compared = Compared::composed([law, "", ""], angle);
+    let trial = Trial::by(Route::Root, Printed, compared, STANDS_STILL);
     let mut points = Points::stream(stream);
     let mut states: Vec<_> = (0..30).map(|_| state(&mut points)).collect();
     states.extend(far_states(&mut points));
@@ -84,20 +90,11 @@ const HIDDEN: f64 = 1e-12;
 /// Where ψ₁ is looked for, and where ψ₂.
 const BELOW_AND_ABOVE: [[f64; 2]; 2] = [[0.0, FRAC_PI_2], [FRAC_PI_2, PI]];
 
-/// (124).
-pub fn psi1() -> Evidence {
-    let compared = Compared::one(
-        "(124)",
-        r"the angle below $\pi/2$ at which $\psi$ of the motion stands still for a moment",
-    );
-    stands_still(compared, 530, BELOW_AND_ABOVE[0], printed::eq124_psi1)
-}
-
 /// Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
 /// shrinks.
 fn separation() -> Evidence {
     let trial = Trial::census(
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
             r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
@@ -131,7 +128,7 @@ fn separation() -> Evidence {
 fn frozen() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::many(
             r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
             r"the angles below and above $\pi/2$ at which the forces turn velocity and position equally fast",
@@ -204,12 +201,14 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    psi1,
+    psi1 = stands_still(
+        ["(124)", "below"],
+        530,
+        BELOW_AND_ABOVE[0],
+        printed::eq124_psi1
+    ),
     psi2 = stands_still(
-        Compared::one(
-            "(125)",
-            r"the angle above $\pi/2$ at which $\psi$ of the motion stands still for a moment",
-        ),
+        ["(125)", "above"],
         531,
         BELOW_AND_ABOVE[1],
         printed::eq125_psi2

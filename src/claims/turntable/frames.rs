@@ -1,10 +1,11 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
-use super::trajectories::{ANY, Launch, Stretch, launches, stretches, sum};
+use super::trajectories::{ANY, Launch, Stretch, View, any_table, launches, stretches};
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::motion::MotionError;
 use crate::motion::turntable::{Path, State, Table, inertial, rotating};
 use crate::numerics::dop853;
+use crate::numerics::quadrature::sum;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
 use trialbook::prelude::*;
@@ -20,7 +21,7 @@ pub fn eq86() -> Evidence {
         "the integral of (86) over $t$ along the motion found in the frame of the table",
         r"the change of $\mathrm d\bm r/\mathrm dt$ found in the laboratory, component by component",
     );
-    summed(Subject::Within, compared, |table, state| (table, state))
+    summed(Within, compared, |table, state| (table, state))
 }
 
 /// The same for the mirrored motion on a table that turns the other way.
@@ -29,7 +30,7 @@ pub fn mirror() -> Evidence {
         r"the integral of (86) over $t$ with $-\Omega$ along the mirrored motion, found in the frame of the table,",
         r"the mirrored change of $\mathrm d\bm r/\mathrm dt$ found in the laboratory, component by component",
     );
-    summed(Subject::Printed, compared, |table, state| {
+    summed(Printed, compared, |table, state| {
         let other = Table {
             omega: -table.omega,
             ..table
@@ -49,8 +50,8 @@ fn summed(
     image: fn(Table, State) -> (Table, State),
 ) -> Evidence {
     let trial = Trial::by(Route::Quadrature, subject, compared, FRAMES);
-    trial.over(components(), |(launch, i)| {
-        let launch = launch?;
+    trial.over(with_each(launches(), [0, 1]), |case| {
+        let (launch, i) = case?;
         let of = |state: State| image(launch.table, state);
         let rate = |t: f64| {
             let here = launch.turning.at(t).map(of);
@@ -71,7 +72,7 @@ fn summed(
 fn eq86_turns() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Within,
+        Within,
         Compared::one(
             "the place on the table by (86), through three turns,",
             "that found in the laboratory, as the sum of its components",
@@ -80,12 +81,7 @@ fn eq86_turns() -> Evidence {
     );
     let mut points = Points::stream(502);
     trial.over(0..20, |_| {
-        let table = Table {
-            omega: points.log_uniform(0.3, 3.0),
-            mu: points.uniform(0.1, 1.4),
-            g: points.uniform(1.5, 20.0),
-            mass: 1.0,
-        };
+        let table = any_table(&mut points, 0.3);
         let (r, direction) = (
             table.length() * points.uniform(1.5, 3.0),
             points.uniform(-3.1, 3.1),
@@ -129,28 +125,31 @@ fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
     end.map_or([f64::NAN; 2], |[x, y, ..]| [x, y])
 }
 
+/// A vector in one number.
+pub(super) fn weighed([x, y]: [f64; 2]) -> f64 {
+    x + 2.0 * y
+}
+
+/// (89) in one number.
+pub(super) fn eq89_rate(v: &View) -> f64 {
+    weighed(printed::eq89_acceleration(v.position, v.rate))
+}
+
 /// (89), likewise.
 pub fn eq89() -> Evidence {
     let trial = Trial::by(
         Route::Quadrature,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
             r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
         ),
         FRAMES,
     );
-    let weighed = |[x, y]: [f64; 2]| x + 2.0 * y;
     trial.each(stretches(ANY), Stretch::at, |stretch| {
-        let rate = |tau: f64| {
-            let view = stretch.view(tau);
-            view.map_or(f64::NAN, |v| {
-                weighed(printed::eq89_acceleration(v.position, v.rate))
-            })
-        };
         let [begin, end] = [stretch.from, stretch.to].map(|tau| stretch.still.on_table(tau));
         Ok([
-            sum(rate, stretch.from, stretch.to, 1e-13),
+            stretch.sum(eq89_rate, 1e-13),
             weighed(end?.v) - weighed(begin?.v),
             1.0,
         ])
@@ -173,15 +172,15 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
 pub fn eq87() -> Evidence {
     let trial = Trial::by(
         Route::Consistency,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "(87) of a motion on any table",
             r"the motion for $\Omega=\mu g=1$, component by component",
         ),
         FRAMES,
     );
-    trial.over(components(), |(launch, i)| {
-        let launch = launch?;
+    trial.over(with_each(launches(), [0, 1]), |case| {
+        let (launch, i) = case?;
         let Table { omega, mu, g, .. } = launch.table;
         let place = launch.still.on_table(launch.to)?.x;
         Ok(Pair {
@@ -197,15 +196,15 @@ pub fn eq87() -> Evidence {
 pub fn eq88() -> Evidence {
     let trial = Trial::by(
         Route::Consistency,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the place at the time (88) for $\Omega=\mu g=1$",
             r"the place at the time $t$ on any table, over $\mu g/\Omega^2$, component by component",
         ),
         FRAMES,
     );
-    trial.over(components(), |(launch, i)| {
-        let launch = launch?;
+    trial.over(with_each(launches(), [0, 1]), |case| {
+        let (launch, i) = case?;
         let tau = printed::eq88_time(launch.table.omega, launch.to);
         let there = in_units(launch)?.at(tau);
         Ok(Pair {
@@ -215,11 +214,6 @@ pub fn eq88() -> Evidence {
             scale: 1.0,
         })
     })
-}
-
-/// The launches, each twice, for the two components.
-fn components() -> impl Iterator<Item = (Result<&'static Launch, Failure>, usize)> {
-    launches().flat_map(|launch| [0, 1].map(|i| (launch.clone(), i)))
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![eq86, eq86_turns, eq87, eq88, eq89, mirror];

@@ -3,8 +3,8 @@
 use super::projections;
 use crate::motion::{Plane, State, run};
 use crate::paper::turntable as printed;
-use trialbook::claims::by_hand::Numbers;
-use trialbook::claims::compare::Failure;
+use trialbook::prelude::*;
+use trialbook::trials::by_hand::Numbers;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [

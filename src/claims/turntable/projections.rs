@@ -4,7 +4,6 @@ use super::rates::change;
 use super::singular_starts::first_rate;
 use super::trajectories::{ANY, ELL, P, View, XI};
 use crate::corrections::turntable as corrected;
-use crate::evidence::Subject::{Corrected, Printed, Within};
 use crate::motion::turntable::{State, Table};
 use crate::paper::turntable as printed;
 use trialbook::prelude::*;

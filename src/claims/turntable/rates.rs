@@ -2,9 +2,8 @@
 
 use super::trajectories::{
     ALONG, ALPHA, ANY, BETA, Class, ELL, FASTER, MOMENT, P, PSI, Quantity, RHO, SLOWER, Stretch,
-    View, XI, samples, stretches, sum,
+    View, XI, samples, stretches,
 };
-use crate::evidence::Subject::{Printed, Within};
 use crate::motion::MotionError;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
@@ -53,12 +52,7 @@ fn integral(
     )
     .each(stretches(classes), Stretch::at, |stretch| {
         let (found, scale) = change(stretch)?;
-        let at = |tau: f64| stretch.view(tau).map_or(f64::NAN, |view| rate(&view));
-        Ok([
-            sum(at, stretch.from, stretch.to, ASKED * scale),
-            found,
-            scale,
-        ])
+        Ok([stretch.sum(&rate, ASKED * scale), found, scale])
     })
 }
 

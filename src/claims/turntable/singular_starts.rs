@@ -1,7 +1,9 @@
 //! Where the printed formulas divide by zero and the motion goes on: a particle put down at rest on the table,
 //! and one launched from the axis.
 
-use super::trajectories::{ALONG, ALPHA, BETA, ELL, MOMENT, P, PSI, Quantity, RHO, View, XI};
+use super::trajectories::{
+    ALONG, ALPHA, BETA, ELL, MOMENT, P, PSI, Quantity, RHO, View, XI, any_table,
+};
 use crate::claims::tolerances::DIFFERENCES;
 use crate::motion::MotionError;
 use crate::motion::turntable::{State, Table, rotating};
@@ -68,7 +70,7 @@ fn first_moment(
 ) -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Outside,
+        Outside,
         Compared::composed([law, "", ""], ["the rate of ", name, ""]),
         DIFFERENCES,
     );
@@ -101,7 +103,7 @@ const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
 pub fn eq86() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Outside,
+        Outside,
         Compared::one(
             "(86) at rest",
             "the acceleration, as the sum of its components",
@@ -110,12 +112,7 @@ pub fn eq86() -> Evidence {
     );
     let mut points = Points::stream(510);
     trial.over(0..30, |i| {
-        let table = Table {
-            omega: points.log_uniform(0.3, 3.0),
-            mu: points.uniform(0.1, 1.4),
-            g: points.uniform(1.5, 20.0),
-            mass: 1.0,
-        };
+        let table = any_table(&mut points, 0.3);
         let unit = state(AT_REST[i % 2], &mut points);
         let start = State {
             x: unit.x.map(|x| x * table.length()),

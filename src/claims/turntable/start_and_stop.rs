@@ -1,15 +1,16 @@
 //! The ends of motions on the turntable: where friction does not hold a particle at rest, it starts; where it does, a
 //! particle that stops stays.
 
-use super::trajectories::{ANY, Stretch, View, stretches, sum};
+use super::frames::{eq89_rate, weighed};
+use super::trajectories::{ANY, Stretch, View, stretches};
 use crate::claims::tolerances::{ENDS, FRAMES, MOTION, OF_MANY};
 use crate::motion::turntable::ensemble::{End, Horizon};
 use crate::motion::turntable::intrinsic::{Exact, Run};
 use crate::motion::turntable::moment::moment;
 use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
+use crate::numerics::quadrature::sum;
 use crate::paper::turntable as printed;
 use std::f64::consts::FRAC_PI_2;
-use trialbook::claims::runs::{Runs, every};
 use trialbook::prelude::*;
 
 /// A motion that starts by itself, from rest on the table beyond ρ = 1.
@@ -72,15 +73,11 @@ fn loose() -> impl Iterator<Item = Result<&'static Loose, Failure>> {
     LOOSE.each()
 }
 
-fn weighed([x, y]: [f64; 2]) -> f64 {
-    x + 2.0 * y
-}
-
 /// (89) from the moment of a start on: friction is overcome, and has its full size at once.
 fn eq89_from_rest() -> Evidence {
     let trial = Trial::by(
         Route::Quadrature,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the integral of (89) over $\tau$ along a motion that starts from rest, in the frame of the table,",
             r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
@@ -89,7 +86,7 @@ fn eq89_from_rest() -> Evidence {
     );
     trial.each(loose(), Loose::at, |loose| {
         Ok([
-            loose.sum(|v| weighed(printed::eq89_acceleration(v.position, v.rate))),
+            loose.sum(eq89_rate),
             weighed(loose.still.on_table(loose.to)?.v),
             1.0,
         ])
@@ -100,7 +97,7 @@ fn eq89_from_rest() -> Evidence {
 fn eq89_by_components() -> Evidence {
     let trial = Trial::by(
         Route::Quadrature,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
             r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector by the one number $x+2y$",
@@ -108,11 +105,6 @@ fn eq89_by_components() -> Evidence {
         FRAMES,
     );
     trial.each(stretches(ANY), Stretch::at, |stretch| {
-        let rate = |tau: f64| {
-            stretch.view(tau).map_or(f64::NAN, |v| {
-                weighed(printed::eq89_acceleration(v.position, v.rate))
-            })
-        };
         let [u, v] = stretch.view(0.0)?.rate;
         let velocity = |tau: f64| -> Result<f64, Failure> {
             let part = stretch.part(tau)?;
@@ -120,7 +112,7 @@ fn eq89_by_components() -> Evidence {
             Ok(part.p() * weighed([cosine, sine]))
         };
         Ok([
-            sum(rate, stretch.from, stretch.to, 1e-13),
+            stretch.sum(eq89_rate, 1e-13),
             velocity(stretch.to)? - velocity(stretch.from)?,
             1.0,
         ])
@@ -137,7 +129,7 @@ fn from_rest(
     rate: fn(&View) -> f64,
     quantity: fn([f64; 3]) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Quadrature, Subject::Within, compared, MOTION);
+    let trial = Trial::by(Route::Quadrature, Within, compared, MOTION);
     trial.each(loose(), Loose::at, |loose| {
         let start = Exact::from(&Start::polar(loose.rho, 0.0, 0.0)?);
         let end = moment::<f64, TERMS>(&start, loose.to)?;
@@ -285,7 +277,7 @@ fn by_each(programs: usize) -> impl Iterator<Item = (usize, Result<&'static Stop
 fn eq104_at_rest() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             "the change of (104) from the start to the place of rest, by four programs,",
             "0",
@@ -305,7 +297,7 @@ fn eq104_at_rest() -> Evidence {
 fn eq99_until_rest() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the integral of (99) over $\tau$ along a motion until it stops, by three programs,",
             "$-p$ at the start",
@@ -325,7 +317,7 @@ const MANY: &str = "many at once";
 fn eq99_of_many() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Within,
+        Within,
         Compared::one(
             r"the integral of (99) over $\tau$ along a motion until it stops, of many followed at once,",
             "$-p$ at the start",
@@ -348,7 +340,7 @@ const HORIZON: Horizon = Horizon { rho: 3.0, tau: 2.0 };
 fn eq104_of_many() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
-        Subject::Printed,
+        Printed,
         Compared::one(
             r"the change of (104) from the start to rest, to $\rho=3$ or to $\tau=2$, of many followed at once,",
             "0",

@@ -6,9 +6,8 @@
 use crate::motion::MotionError;
 use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Intrinsic, Path, Start, State, Table, inertial, rotating};
-use crate::numerics::quadrature::integral_within;
-use trialbook::claims::points::Points;
-use trialbook::claims::runs::{Failure, Runs};
+use crate::numerics::quadrature::sum;
+use trialbook::prelude::*;
 
 /// The particle's speed relative to the table against that of the table under it, ρ, over a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -147,6 +146,12 @@ impl Stretch {
         self.parts.at(tau)
     }
 
+    /// ∫ of a rate dτ by the frame of the table; not a number where a formula gives none.
+    pub fn sum(&self, rate: impl Fn(&View) -> f64, error: f64) -> f64 {
+        let at = |tau: f64| self.view(tau).map_or(f64::NAN, |view| rate(&view));
+        sum(at, self.from, self.to, error)
+    }
+
     /// The point in the claims' symbols.
     pub fn at(&self) -> String {
         match self.view(self.from) {
@@ -231,11 +236,6 @@ pub fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (0..=40).map(move |i| (from + (to - from) * f64::from(i) / 40.0).min(to))
 }
 
-/// ∫ of a rate that a formula gives; not a number where it gives none.
-pub fn sum(rate: impl Fn(f64) -> f64, from: f64, to: f64, error: f64) -> f64 {
-    integral_within(rate, from, to, error).map_or(f64::NAN, |sum| sum.value)
-}
-
 /// The class of a stretch; nothing if it comes too close to where formulas divide by zero.
 fn class(path: &Path, from: f64, to: f64) -> Result<Option<Class>, MotionError> {
     let mut lead = [f64::INFINITY, f64::NEG_INFINITY];
@@ -259,22 +259,14 @@ fn class(path: &Path, from: f64, to: f64) -> Result<Option<Class>, MotionError> 
 
 /// The stretches of these classes, the classes in turn.
 pub fn stretches(classes: &[Class]) -> impl Iterator<Item = Result<&'static Stretch, Failure>> {
-    let (all, error) = match STRETCHES.get() {
-        Ok(all) => (&all[..], None),
-        Err(error) => (&[][..], Some(Err(error))),
-    };
-    let of = |class: &Class| -> Vec<&'static Stretch> {
-        all.iter().filter(|s| s.class == *class).collect()
-    };
-    let groups: Vec<_> = classes.iter().map(of).collect();
-    let in_turn = (0..all.len()).flat_map(move |i| {
-        let row: Vec<_> = groups
-            .iter()
-            .filter_map(|group| group.get(i).copied())
-            .collect();
-        row
-    });
-    in_turn.map(Ok).chain(error)
+    parts(STRETCHES.get().map(|all| {
+        let of = |class: &Class| -> Vec<_> { all.iter().filter(|s| s.class == *class).collect() };
+        let groups: Vec<_> = classes.iter().map(of).collect();
+        (0..all.len()).flat_map(move |i| {
+            let row = groups.iter().filter_map(|group| group.get(i).copied());
+            row.collect::<Vec<_>>()
+        })
+    }))
 }
 
 /// A motion on a table whose Ω, μ, g, and whose particle's m, are any numbers.
@@ -309,16 +301,22 @@ impl Launch {
     }
 }
 
+/// A table of any Ω, μ and g, which turns no slower than this.
+pub fn any_table(points: &mut Points, slowest: f64) -> Table {
+    Table {
+        omega: points.log_uniform(slowest, 3.0),
+        mu: points.uniform(0.1, 1.4),
+        g: points.uniform(1.5, 20.0),
+        mass: 1.0,
+    }
+}
+
 static LAUNCHES: Runs<Vec<Launch>> = Runs::new(|| {
     let mut points = Points::stream(501);
     let mut found = Vec::new();
     while found.len() < 2 * EACH {
-        let table = Table {
-            omega: points.log_uniform(0.05, 3.0),
-            mu: points.uniform(0.1, 1.4),
-            g: points.uniform(1.5, 20.0),
-            mass: points.log_uniform(0.2, 5.0),
-        };
+        let mut table = any_table(&mut points, 0.05);
+        table.mass = points.log_uniform(0.2, 5.0);
         let length = table.length();
         let mut any = |unit: f64| unit * points.uniform(-1.5, 1.5);
         let start = State {

@@ -8,8 +8,8 @@ use slipbook::claims::values::{decimal_of, search};
 use slipbook::cli;
 use slipbook::edition::EDITION;
 use slipbook::ledger::Record;
-use trialbook::figures::{Cell, Table};
 use trialbook::notation::{pieces, plain_formula, plain_words};
+use trialbook::plotting::{Cell, Table};
 
 /// Any text, or one that is nearly a number, a range, a record or a formula.
 fn text() -> impl Strategy<Value = String> {

@@ -2,7 +2,7 @@
 
 use slipbook::figures::all;
 use std::sync::LazyLock;
-use trialbook::figures::Figure;
+use trialbook::plotting::Figure;
 
 /// All figures.
 pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| all().unwrap());

@@ -2,7 +2,7 @@
 
 use super::data::FIGURES;
 use std::f64::consts::PI;
-use trialbook::figures::Figure;
+use trialbook::plotting::Figure;
 
 /// What the words at an axis call the columns of the numbers.
 const AXES: &str = "

@@ -4,7 +4,7 @@ use super::text::{formulas_of, sections};
 use slipbook::claims::PAPER;
 use slipbook::symbols::SYMBOLS;
 use std::collections::{BTreeMap, BTreeSet};
-use trialbook::claims::Topic;
+use trialbook::trials::Topic;
 
 /// The page with the table of the letters of our own.
 const TABLE: &str = include_str!("../../../book/src/lookup.md");

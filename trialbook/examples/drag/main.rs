@@ -1,5 +1,4 @@
 //! Another paper on trial: a stone is thrown, the drag is in proportion to its velocity; (6) is wrong in print.
-use Subject::{Corrected, Printed};
 use trialbook::prelude::*;
 /// As printed: k is the drag over the mass, g gravity, u and w the velocity at the start across and upwards.
 mod paper {
@@ -93,7 +92,7 @@ static PAPER: Paper = Paper {
     ..Paper::BLANK
 };
 /// The height of the top over the drag, as printed and as it is found.
-fn figures() -> Result<Vec<Figure>, trialbook::edition::Failure> {
+fn figures() -> Result<Vec<Figure>, trialbook::publishing::Failure> {
     let row = |k| Ok((k, [paper::eq6_top(k, 9.8, 5.0), top([k, 9.8, 5.0])?]));
     let rows: Result<Vec<_>, Failure> = (1..=40).map(|i| row(f64::from(i) / 20.0)).collect();
     let plot = Plot::new("top", "The top")

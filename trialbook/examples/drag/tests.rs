@@ -1,9 +1,9 @@
 use super::{EDITION, PAPER};
 use std::fs;
 use trialbook::book;
-use trialbook::claims::variants::Variant;
 use trialbook::prelude::*;
 use trialbook::seeded::Mistake;
+use trialbook::trials::variants::Variant;
 
 #[test]
 fn the_verdicts_are_the_recorded_ones_and_wrong_variants_are_rejected() {

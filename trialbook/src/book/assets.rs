@@ -1,6 +1,6 @@
 //! What every book needs besides its pages, carried in the binary.
 
-use crate::edition::Edition;
+use crate::publishing::Edition;
 
 /// The settings, as mdBook reads them; the book's own style sheet and script are yet without their name.
 const SETTINGS: &str = include_str!("../../theme/book.toml");

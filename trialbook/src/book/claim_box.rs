@@ -9,9 +9,9 @@ use super::error::Fault;
 use super::lemmas;
 use super::maths::Maths;
 use super::text::{counted, escape, sentence, value};
-use crate::claims::{Claim, Sort};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally};
+use crate::trials::{Claim, Sort};
 
 /// The box of one claim, as a block of HTML: what is stated, what is wrong with it, and behind a fold the evidence.
 pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {

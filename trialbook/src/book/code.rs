@@ -2,9 +2,9 @@
 
 use super::error::Fault;
 use super::text::{count, escape};
-use crate::claims::attempt::Attempt;
-use crate::claims::{Claim, Topic};
-use crate::edition::{Edition, texts};
+use crate::publishing::{Edition, texts};
+use crate::trials::attempt::Attempt;
+use crate::trials::{Claim, Topic};
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 
@@ -360,7 +360,7 @@ mod tests {
 
     #[test]
     fn modules_are_counted_by_their_paths() {
-        let edition = Edition::of("none", &crate::claims::Paper::BLANK);
+        let edition = Edition::of("none", &crate::trials::Paper::BLANK);
         let lines = |modules: &[&str]| Code::new(&edition).lines(modules);
         let said = lines(&["trialbook/src/exact", "without", "trialbook/src/exact/read"]).unwrap();
         let (number, rest) = said.split_once(' ').unwrap();

@@ -4,11 +4,11 @@ use super::code::Code;
 use super::error::Fault;
 use super::maths::Maths;
 use super::text::escape;
-use crate::edition::Edition;
 use crate::evidence::Kind;
-use crate::figures::Figure;
 use crate::ledger::deep::Deep;
 use crate::ledger::{Entry, Erratum, Ledger, Verdict};
+use crate::plotting::Figure;
+use crate::publishing::Edition;
 
 /// All that placeholders are filled from.
 pub(super) struct Context<'a> {

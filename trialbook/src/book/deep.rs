@@ -92,9 +92,9 @@ mod tests {
     use super::super::code::Code;
     use super::super::maths::Maths;
     use super::*;
-    use crate::edition::Edition;
     use crate::ledger::deep::Deep;
     use crate::ledger::example::{PAPER, ledger};
+    use crate::publishing::Edition;
 
     static EDITION: Edition = Edition::of("examples", &PAPER);
 

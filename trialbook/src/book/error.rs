@@ -1,7 +1,7 @@
 //! What can go wrong when the book is written.
 
-use crate::figures::FigureError;
 use crate::ledger::ErrataError;
+use crate::plotting::FigureError;
 use std::io;
 use std::path::PathBuf;
 

@@ -2,7 +2,7 @@
 
 use super::error::{BookError, Fault};
 use super::maths::Maths;
-use crate::edition::Page;
+use crate::publishing::Page;
 use pulldown_cmark::{Event, Options, Parser, Tag, TagEnd};
 use std::ops::Range;
 

@@ -5,10 +5,10 @@ use super::context::{Context, verdict};
 use super::error::Fault;
 use super::text::{count, escape, in_words, size};
 use super::{certificates, deep, errata, lemmas, map, overview, symbols, tables, values};
-use crate::edition::{Filled, Page};
 use crate::evidence::Kind;
-use crate::figures::{Figure, panels};
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
+use crate::plotting::{Figure, panels};
+use crate::publishing::{Filled, Page};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 

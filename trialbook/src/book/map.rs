@@ -4,10 +4,10 @@ use super::context::{Context, sign, verdict};
 use super::error::Fault;
 use super::tables::table;
 use super::text::{count, counted};
-use crate::figures::map::{Node, map};
-use crate::figures::{Figure, FigureError};
 use crate::ledger::{Ledger, Verdict};
 use crate::notation::plain_words;
+use crate::plotting::map::{Node, map};
+use crate::plotting::{Figure, FigureError};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// The figure.

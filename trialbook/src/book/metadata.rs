@@ -2,7 +2,7 @@
 
 use super::maths::Forms;
 use super::text::escape;
-use crate::edition::Edition;
+use crate::publishing::Edition;
 
 /// The page that has all pages.
 const PRINT: &str = "print";
@@ -98,7 +98,7 @@ fn description(edition: &Edition, html: &str, forms: &Forms) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::Paper;
+    use crate::trials::Paper;
 
     static PAPER: Paper = Paper {
         title: "Stones",

@@ -84,9 +84,9 @@ pub use register::register;
 pub use tables::table;
 pub use text::escape;
 
-use crate::edition::Edition;
-use crate::figures::Figure;
 use crate::ledger::Ledger;
+use crate::plotting::Figure;
+use crate::publishing::Edition;
 use atomic_replace::{Staging, unwritable};
 use std::fs;
 use std::path::{Path, PathBuf};

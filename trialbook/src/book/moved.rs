@@ -1,7 +1,7 @@
 //! What stands at the addresses of earlier books: pages that lead on to where things are now.
 
 use super::text::escape;
-use crate::edition::Edition;
+use crate::publishing::Edition;
 use std::collections::BTreeMap;
 
 /// These pages, by their names.

@@ -5,10 +5,10 @@ use super::context::{Context, sign, verdict};
 use super::errata;
 use super::error::Fault;
 use super::text::{escape, sentence};
-use crate::claims::Topic;
-use crate::edition::Edition;
 use crate::ledger::{Entry, Verdict};
 use crate::notation::plain_words;
+use crate::publishing::Edition;
+use crate::trials::Topic;
 use serde::Serialize;
 
 /// Where the answers lie within the book.

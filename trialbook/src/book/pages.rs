@@ -1,8 +1,8 @@
 //! The pages: which there are, in which order, and their text.
 
-use crate::claims::Topic;
-use crate::edition::{Edition, Page, Part};
-use crate::figures::Figure;
+use crate::plotting::Figure;
+use crate::publishing::{Edition, Page, Part};
+use crate::trials::Topic;
 
 /// All pages, in the order of the book.
 pub(super) fn pages(edition: &Edition, figures: &[Figure]) -> Vec<Page> {

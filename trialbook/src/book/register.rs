@@ -1,9 +1,9 @@
 //! The register of errata: a row for each claim that does not stand, for programs and for the record.
 
-use crate::edition::Edition;
-use crate::figures::{Cell, FigureError, Table};
 use crate::ledger::Erratum;
 use crate::notation::plain_words;
+use crate::plotting::{Cell, FigureError, Table};
+use crate::publishing::Edition;
 
 /// The register as CSV: where it stands, what is printed, what is right, why, on what evidence, and by which command that is
 /// tried again.

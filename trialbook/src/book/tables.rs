@@ -5,11 +5,11 @@ use super::context::{Context, verdict};
 use super::error::Fault;
 use super::overview::strip;
 use super::text::{count, counted, escape, size};
-use crate::claims::Topic;
-use crate::claims::attempt::Attempt;
-use crate::claims::{Claim, Excuse};
 use crate::evidence::{Evidence, Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Standing, Verdict};
+use crate::trials::Topic;
+use crate::trials::attempt::Attempt;
+use crate::trials::{Claim, Excuse};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A table, as a block of HTML. The cells are HTML.

@@ -1,8 +1,8 @@
 //! Writing a book: what is refused, and what is left of it. The paper is the example's.
 
 use super::{BookError, write};
-use crate::edition::{Edition, Page, Part};
 use crate::ledger::example::{PAPER, ledger};
+use crate::publishing::{Edition, Page, Part};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -3,8 +3,8 @@
 use super::context::Context;
 use super::error::Fault;
 use super::tables::table;
-use crate::claims::Paper;
-use crate::claims::compare::Failure;
+use crate::trials::Paper;
+use crate::trials::compare::Failure;
 
 fn no_number(failure: &Failure) -> Fault {
     Fault::Placeholder(format!("no number: {failure}"))

@@ -2,10 +2,10 @@
 
 use super::output::{VERSION, csv, json, say};
 use crate::book;
-use crate::claims::attempt::Attempt;
-use crate::claims::{Claim, Paper, Sort};
-use crate::edition::{Edition, Failure, Format};
 use crate::evidence::{Evidence, Subject};
+use crate::publishing::{Edition, Failure, Format};
+use crate::trials::attempt::Attempt;
+use crate::trials::{Claim, Paper, Sort};
 use crate::witness::{self, Witness};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -179,10 +179,10 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::Topic;
-    use crate::claims::read::File;
-    use crate::claims::tolerances::NONE;
     use crate::evidence::{Compared, Route};
+    use crate::trials::Topic;
+    use crate::trials::read::File;
+    use crate::trials::tolerances::NONE;
 
     #[test]
     fn proofs_without_a_certificate_are_named_and_not_counted() {

@@ -3,9 +3,9 @@
 use super::output::{complain, say};
 use super::screen::progress;
 use super::shard::Shard;
-use crate::edition::Failure;
 use crate::ledger::Ledger;
 use crate::ledger::deep::Rounds;
+use crate::publishing::Failure;
 use ctrlc::Error;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};

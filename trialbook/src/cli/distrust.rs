@@ -2,12 +2,12 @@
 
 use super::output::{VERSION, csv, json, say};
 use super::screen::progress;
-use crate::claims::Paper;
-use crate::claims::variants::Variant;
-use crate::edition::{Edition, Failure, Format};
 use crate::ledger::Ledger;
 use crate::ledger::distrust::{Extent, Tried};
 use crate::ledger::sensitivity::Slight;
+use crate::publishing::{Edition, Failure, Format};
+use crate::trials::Paper;
+use crate::trials::variants::Variant;
 use serde::Serialize;
 use std::fmt::Write;
 

@@ -2,10 +2,10 @@
 
 use super::output::{VERSION, csv, json, show};
 use super::screen::screen;
-use crate::claims::Paper;
-use crate::claims::values::{Form, Match, Value, decimal_of, search};
-use crate::edition::{Failure, Format};
 use crate::notation::plain_words;
+use crate::publishing::{Failure, Format};
+use crate::trials::Paper;
+use crate::trials::values::{Form, Match, Value, decimal_of, search};
 use std::fmt::Write;
 
 /// What is given, which may begin with a minus, unless it is a misspelt option.

@@ -1,7 +1,7 @@
 //! Claims by their ids, as people write them.
 
-use crate::claims::{Claim, Paper};
-use crate::edition::{Edition, Failure};
+use crate::publishing::{Edition, Failure};
+use crate::trials::{Claim, Paper};
 use clap::builder::{PossibleValue, StringValueParser, TypedValueParser};
 use clap::error::Error;
 use clap::{Arg, Command};

@@ -21,7 +21,7 @@ pub use output::{VERSION, complain, csv, json, no_table, say, show, unwritten};
 pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
 
-use crate::edition::{Edition, Failure, Format};
+use crate::publishing::{Edition, Failure, Format};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
 use std::io::{self, ErrorKind, Write};
@@ -405,8 +405,8 @@ fn completions(edition: &Edition, shell: Shell, format: Format) -> Result<u8, Fa
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::Paper;
-    use crate::edition::Page;
+    use crate::publishing::Page;
+    use crate::trials::Paper;
     use std::fs;
 
     /// What the main job says to a book whose first page has this text.

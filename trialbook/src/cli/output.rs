@@ -1,8 +1,8 @@
 //! Printing: text, JSON and CSV, on standard output and whole.
 
 use super::screen::{screen, wrapped};
-use crate::edition::Failure;
-use crate::figures::{Cell, Table};
+use crate::plotting::{Cell, Table};
+use crate::publishing::Failure;
 use serde::Serialize;
 use std::io::{self, ErrorKind, Write};
 use std::{env, process};

@@ -1,7 +1,7 @@
 //! A JSON Schema, read off the page that describes the answers field by field.
 
 use super::output::{json, no_table};
-use crate::edition::{Edition, Failure, Format};
+use crate::publishing::{Edition, Failure, Format};
 use serde_json::{Map, Value, json};
 
 /// Prints the schema: a definition for each section of the page `json`, and that an answer is one of them.

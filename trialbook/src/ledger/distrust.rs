@@ -2,9 +2,9 @@
 //! the paper has to stay where it is.
 
 use super::{Entry, Ledger, parallel};
-use crate::claims::variants::Variant;
 use crate::evidence::{Evidence, Outcome, Subject};
 use crate::seeded::{self, Seed};
+use crate::trials::variants::Variant;
 use std::collections::BTreeMap;
 
 /// What a trial does when a mistake is seeded.
@@ -184,8 +184,8 @@ impl Ledger {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::tolerances::NONE;
     use crate::evidence::{Compared, Route, Sides};
+    use crate::trials::tolerances::NONE;
 
     #[test]
     fn a_trial_leans_on_what_moves_its_own_side_or_its_units() {

@@ -1,9 +1,9 @@
 //! The errata: what has to be changed in the paper, as data.
 
 use super::{Entry, Ledger, Verdict};
-use crate::claims::Sort;
-use crate::claims::compare::Failure;
 use crate::evidence::{Change, Evidence, Outcome, Subject};
+use crate::trials::Sort;
+use crate::trials::compare::Failure;
 use serde::Serialize;
 use std::collections::BTreeSet;
 

@@ -1,12 +1,12 @@
 //! A paper made up for the tests: what each claim comes to can be told by counting.
 
 use super::Ledger;
-use crate::claims::attempt::Attempt;
-use crate::claims::compare::{Pair, Trial};
-use crate::claims::read::claims;
-use crate::claims::tolerances::MOTION;
-use crate::claims::{Paper, Topic};
 use crate::evidence::{Compared, Evidence, Route, Subject};
+use crate::trials::attempt::Attempt;
+use crate::trials::compare::{Pair, Trial};
+use crate::trials::read::claims;
+use crate::trials::tolerances::MOTION;
+use crate::trials::{Paper, Topic};
 
 /// Twenty points, at so many of which what is stated is off by 1; the last agree but for a rounding.
 pub(crate) fn tried(route: Route, subject: Subject, failed: u8) -> Evidence {

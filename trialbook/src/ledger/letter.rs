@@ -2,9 +2,9 @@
 
 use super::errata::{ErrataError, Erratum, statement};
 use super::{Ledger, Verdict};
-use crate::claims::Paper;
 use crate::notation::{Piece, decimal, pieces};
 use crate::notation::{command, plain_words};
+use crate::trials::Paper;
 
 /// A form of the letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

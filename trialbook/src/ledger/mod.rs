@@ -50,8 +50,8 @@ pub use standing::Standing;
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
-use crate::claims::{Claim, Paper, Topic};
 use crate::evidence::{Evidence, Outcome, Route, Subject};
+use crate::trials::{Claim, Paper, Topic};
 use std::collections::BTreeMap;
 
 /// One claim, tried and judged.
@@ -164,7 +164,7 @@ impl Ledger {
 mod tests {
     use super::example::{ledger, tried};
     use super::*;
-    use crate::claims::tolerances::NONE;
+    use crate::trials::tolerances::NONE;
 
     #[test]
     fn the_verdicts_of_the_example_are_these() {

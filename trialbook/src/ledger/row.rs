@@ -1,8 +1,8 @@
 //! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
 
 use super::{Entry, Standing};
-use crate::claims::Condition;
 use crate::notation::plain_words;
+use crate::trials::Condition;
 use serde::Serialize;
 
 /// A claim with its verdict and its evidence.
@@ -145,10 +145,10 @@ mod tests {
     use super::super::example::tried;
     use super::super::{Entry, Judgement, Verdict};
     use super::{EvidenceRow, Row, evidence};
-    use crate::claims::read::File;
-    use crate::claims::{Paper, Topic};
     use crate::evidence::{Compared, Evidence, Route, Subject, Tolerance};
     use crate::notation::plain_words;
+    use crate::trials::read::File;
+    use crate::trials::{Paper, Topic};
     use std::panic::Location;
 
     static TOPIC: Topic = Topic::new(

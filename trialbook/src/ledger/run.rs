@@ -1,9 +1,9 @@
 //! Trying claims on all cores, and judging them in view of one another.
 
 use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
-use crate::claims::attempt::Attempt;
-use crate::claims::{Claim, Paper, Topic};
 use crate::evidence::Evidence;
+use crate::trials::attempt::Attempt;
+use crate::trials::{Claim, Paper, Topic};
 use rayon::prelude::*;
 use std::iter;
 use std::ops::Range;

@@ -1,9 +1,9 @@
 //! Measurements held against slight mistakes: a relative one of twice the tolerance, and one in a corner alone.
 
 use super::{Entry, Ledger, parallel};
-use crate::claims::variants::Variant;
 use crate::evidence::{Outcome, Subject};
 use crate::seeded::{Mistake, Seed};
+use crate::trials::variants::Variant;
 
 /// A measurement that agrees, and a formula of its claim that it reads.
 #[derive(Debug, Clone, Copy)]

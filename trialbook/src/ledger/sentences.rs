@@ -223,8 +223,8 @@ pub(crate) fn counted(n: usize, noun: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::tolerances::NONE;
     use crate::evidence::Compared;
+    use crate::trials::tolerances::NONE;
 
     #[test]
     fn a_bound_is_never_below_what_it_bounds() {

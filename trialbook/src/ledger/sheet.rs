@@ -1,9 +1,9 @@
 //! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
 
 use super::Entry;
-use crate::claims::Sort;
 use crate::evidence::{Evidence, Outcome, Sample};
 use crate::notation::plain_words;
+use crate::trials::Sort;
 use std::fmt::Write;
 
 impl Entry {

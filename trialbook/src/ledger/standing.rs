@@ -80,9 +80,9 @@ impl Ledger {
 mod tests {
     use super::Standing::{Argued, Measured, Proved};
     use super::*;
-    use crate::claims::Claim;
     use crate::evidence::{Compared, Subject};
     use crate::ledger::example::{ledger, tried};
+    use crate::trials::Claim;
 
     #[test]
     fn only_a_whole_formula_is_proved() {

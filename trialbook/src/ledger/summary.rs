@@ -2,8 +2,8 @@
 
 use super::sentences::{count, rounded_up};
 use super::{Entry, Standing, Verdict};
-use crate::claims::Sort;
 use crate::evidence::{Outcome, Subject};
+use crate::trials::Sort;
 
 impl Entry {
     /// `Misprint: the sign of the second term.`, `Inherits the error of (128): the factor.`, `Needs a condition: …`; nothing

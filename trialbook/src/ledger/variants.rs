@@ -1,9 +1,9 @@
 //! Trying claims on wrong variants of their formulas.
 
 use super::{Entry, Ledger, parallel};
-use crate::claims::variants::Variant;
 use crate::evidence::{Evidence, Outcome, Subject};
 use crate::seeded;
+use crate::trials::variants::Variant;
 
 impl Ledger {
     /// Which of the variants are rejected. The ledger has to hold every claim: what trials keep of the motion has

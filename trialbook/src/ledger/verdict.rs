@@ -1,7 +1,7 @@
 //! The judge: evidence in, verdict out. Nothing else decides what a claim is worth.
 
-use crate::claims::{Condition, Sort};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Route, Subject};
+use crate::trials::{Condition, Sort};
 use serde::Serialize;
 use std::collections::BTreeSet;
 

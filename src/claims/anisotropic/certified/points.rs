@@ -2,17 +2,16 @@
 
 use super::super::exact;
 use super::{Two, on_a, prove_b, q_y};
-use crate::certified::drive::arc;
-use crate::certified::numbers::{LAMBDA_Y, Q_Y};
 use crate::claims::tolerances::NONE;
 use crate::paper::anisotropic as printed;
+use crate::validated::drive::arc;
+use crate::validated::numbers::{LAMBDA_Y, Q_Y};
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::{Interval, PI};
 use trialbook::certified::krawczyk;
 use trialbook::certified::written::agree;
-use trialbook::claims::compare::where_defined;
-use trialbook::claims::enclosed::{DIGITS, certified, numbers, on_balls};
 use trialbook::prelude::*;
+use trialbook::trials::enclosed::{DIGITS, certified, numbers, on_balls};
 
 /// The two sides of an equation of λ₀ and qλ₀, or of K and λ₀.
 type Sides = fn(Two, Two) -> [Two; 2];
@@ -28,7 +27,7 @@ pub fn x_unique() -> Evidence {
     for (stated, name) in printed::eq57_x::<Expr>().into_iter().zip(["q", "λ₀"]) {
         agree(stated, Expr::symbol(name));
     }
-    certified(proof, Subject::Printed, compared)
+    certified(proof, Printed, compared)
 }
 
 /// That the stated point may be the root, which is known to 1e-14.
@@ -73,7 +72,7 @@ fn length_to_q() -> Expr {
 pub fn y_rounding() -> Evidence {
     let trial = Trial::by(
         Route::Certified,
-        Subject::Printed,
+        Printed,
         Compared::one("(58)", "the enclosure of Y, rounded to three decimals"),
         NONE,
     );
@@ -101,7 +100,7 @@ pub fn y_digits() -> Evidence {
         "the sum of $q$ and the difference of the sides of (54) on (55), to 50 digits,",
         r"$q=\sqrt{1+x^2}$, for the one $x$ in $(4.4,4.6)$ with $\tan x=x$",
     );
-    let evidence = numbers([("q of Y", Q_Y)], Subject::Printed, compared, |bits| {
+    let evidence = numbers([("q of Y", Q_Y)], Printed, compared, |bits| {
         let spare = bits + 32;
         let y = where_defined(Q_Y.ball(DIGITS + 8));
         let q = Expr::symbol("q");
@@ -131,7 +130,7 @@ fn sign_of(velocity: Interval) -> f64 {
 
 /// A point of the printed region II where the drive never pulls the particle back.
 pub fn no_way_back() -> Evidence {
-    let trial = Trial::by(Route::Certified, Subject::Printed, Compared::one(
+    let trial = Trial::by(Route::Certified, Printed, Compared::one(
         r"the sign of $\mathfrak w$ at the last moment at which the drive could pull backward, $-1$ in the printed region II, whose forward motion is over by then,",
         "the sign that the arc of Newton's law has there",
     )

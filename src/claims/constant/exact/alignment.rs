@@ -8,7 +8,7 @@ use trialbook::prelude::*;
 
 /// The pull less the greatest friction is A times the difference of the sides.
 pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",
     ),
@@ -35,7 +35,7 @@ pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
 
 /// λ ≤ 1: v_x grows for ever, or, at λ = 1, the angle falls below every other.
 pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"for every $\lambda<1$ and every start $v_x$ grows by $A(1-\lambda)$ in each unit of time at least and $v_y^2$ never grows, so that $\tan\theta=v_y/v_x\to0$; for $\lambda=1$ and $\theta_0\neq\pi$ the time at which the velocity has the angle $\theta$ is finite for every $\theta$ between $\theta_0$ and 0, and beyond all bounds as $\theta\to0$",
     ),
@@ -91,7 +91,7 @@ fn at_the_border() -> Proof {
 
 /// In the end the particle slides against the plane's acceleration.
 pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::shown(
         r"for every $\lambda\le1$, but for $\lambda=1$ with $\theta_0=\pi$: by (3) the cosine of the angle between $\bm v$ and $\bm A$ is $-\cos\theta$, and $\theta\to0$ is proved",
     ),

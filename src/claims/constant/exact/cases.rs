@@ -25,21 +25,21 @@ fn component(
     p.equal("Against the start", &at_start, &p.ring().read(start)?)
 }
 
-pub const EQ15: Statement = by_newton(Subject::Printed, eq15, |printed| {
+pub const EQ15: Statement = by_newton(Printed, eq15, |printed| {
     prove("(15): v_x without friction", Regime::Zero, |p, newton| {
         let [v, theta, start] = Expr::symbols(["v", "θ", "v₀x"]);
         component(p, newton, [v * theta.cos(), start, printed])
     })
 });
 
-pub const EQ16: Statement = by_newton(Subject::Printed, paper::eq16_vy::tree, |printed| {
+pub const EQ16: Statement = by_newton(Printed, paper::eq16_vy::tree, |printed| {
     prove("(16): v_y without friction", Regime::Zero, |p, newton| {
         let [v, theta, start] = Expr::symbols(["v", "θ", "v₀y"]);
         component(p, newton, [v * theta.sin(), start, printed])
     })
 });
 
-pub const EQ17: Statement = by_newton(Subject::Printed, paper::eq17_invariant::tree, |printed| {
+pub const EQ17: Statement = by_newton(Printed, paper::eq17_invariant::tree, |printed| {
     prove(
         "(17): an expression keeps its value, λ = 1",
         Regime::One,
@@ -69,7 +69,7 @@ pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Ob
     Ok(speed)
 }
 
-pub const EQ18: Statement = by_newton(Subject::Printed, paper::eq18_vx_limit::tree, |printed| {
+pub const EQ18: Statement = by_newton(Printed, paper::eq18_vx_limit::tree, |printed| {
     prove(
         "(18): v_x at large times, λ = 1",
         Regime::One,
@@ -83,7 +83,7 @@ pub const EQ18: Statement = by_newton(Subject::Printed, paper::eq18_vx_limit::tr
     )
 });
 
-pub const EQ19: Statement = by_newton(Subject::Printed, paper::eq19_vy_limit::tree, |printed| {
+pub const EQ19: Statement = by_newton(Printed, paper::eq19_vy_limit::tree, |printed| {
     prove(
         "(19): v_y at large times, λ = 1",
         Regime::One,
@@ -97,7 +97,7 @@ pub const EQ19: Statement = by_newton(Subject::Printed, paper::eq19_vy_limit::tr
     )
 });
 
-pub const EQ20: Statement = by_newton(Subject::Printed, paper::eq20_stop_time::tree, |printed| {
+pub const EQ20: Statement = by_newton(Printed, paper::eq20_stop_time::tree, |printed| {
     prove(
         "(20): the time at which the particle stops",
         Regime::BeyondOne,
@@ -114,4 +114,4 @@ pub const EQ20: Statement = by_newton(Subject::Printed, paper::eq20_stop_time::t
 });
 
 /// The same for a claim of which it says more.
-pub const EQ20_WITHIN: Statement = EQ20.about(Subject::Within);
+pub const EQ20_WITHIN: Statement = EQ20.about(Within);

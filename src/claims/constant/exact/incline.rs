@@ -6,7 +6,7 @@ use trialbook::prelude::*;
 
 /// Weight, normal force and friction in space give (1) with (3).
 pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
     ),
@@ -73,7 +73,7 @@ fn on_an_incline((law, drive): ([Expr; 2], [Expr; 2])) -> Proof {
 
 /// The rates at a velocity and at the opposite one add up to twice the pull.
 pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: at a time at which $-\bm A$ is not that pull a motion that passes with the velocity $\bm v$, or one with $-\bm v$, is none on the inclined plane",
     ),

@@ -3,10 +3,9 @@
 use super::{Newton, Regime, at_start, by_newton, prove};
 use crate::corrections;
 use crate::paper::constant as paper;
-use trialbook::claims::compare::where_defined;
 use trialbook::prelude::*;
 
-pub const EQ6: Statement = by_newton(Subject::Printed, paper::eq6_vx_rate::tree, |printed| {
+pub const EQ6: Statement = by_newton(Printed, paper::eq6_vx_rate::tree, |printed| {
     prove("(6): d(v cos θ)/dt", Regime::Any, |p, newton| {
         let [v, theta] = Expr::symbols(["v", "θ"]);
         let vx = p.read("The component along x", v * theta.cos())?;
@@ -16,7 +15,7 @@ pub const EQ6: Statement = by_newton(Subject::Printed, paper::eq6_vx_rate::tree,
     })
 });
 
-pub const EQ7: Statement = by_newton(Subject::Printed, paper::eq7_vy_rate::tree, |printed| {
+pub const EQ7: Statement = by_newton(Printed, paper::eq7_vy_rate::tree, |printed| {
     prove("(7): d(v sin θ)/dt", Regime::Any, |p, newton| {
         let [v, theta] = Expr::symbols(["v", "θ"]);
         let vy = p.read("The component along y", v * theta.sin())?;
@@ -26,21 +25,17 @@ pub const EQ7: Statement = by_newton(Subject::Printed, paper::eq7_vy_rate::tree,
     })
 });
 
-pub const EQ8: Statement = by_newton(
-    Subject::Printed,
-    paper::eq8_hodograph_slope::tree,
-    |printed| {
-        prove("(8): d(v sin θ)/d(v cos θ)", Regime::Any, |p, newton| {
-            let [v, theta] = Expr::symbols(["v", "θ"]);
-            let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
-            let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
-            let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
-            let slope = p.quotient("Their quotient", &y, &x)?;
-            let printed = p.read("The printed slope", printed)?;
-            p.equal("Quotient against printed slope", &slope, &printed)
-        })
-    },
-);
+pub const EQ8: Statement = by_newton(Printed, paper::eq8_hodograph_slope::tree, |printed| {
+    prove("(8): d(v sin θ)/d(v cos θ)", Regime::Any, |p, newton| {
+        let [v, theta] = Expr::symbols(["v", "θ"]);
+        let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
+        let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
+        let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
+        let slope = p.quotient("Their quotient", &y, &x)?;
+        let printed = p.read("The printed slope", printed)?;
+        p.equal("Quotient against printed slope", &slope, &printed)
+    })
+});
 
 /// d ln v/dθ by (1).
 fn log_speed_rate(p: &mut Prover<'_>, newton: &Newton) -> Result<Rational, Obstacle> {
@@ -48,17 +43,13 @@ fn log_speed_rate(p: &mut Prover<'_>, newton: &Newton) -> Result<Rational, Obsta
     p.quotient("(dv/v)/dθ by (1)", &growth, &newton.angle_rate)
 }
 
-pub const EQ9: Statement = by_newton(
-    Subject::Within,
-    paper::eq9_log_speed_rate::tree,
-    |printed| {
-        prove("(9): (dv/v)/dθ", Regime::Any, |p, newton| {
-            let rate = log_speed_rate(p, newton)?;
-            let printed = p.read("The printed rate", printed)?;
-            p.equal("Rate by (1) against printed rate", &rate, &printed)
-        })
-    },
-);
+pub const EQ9: Statement = by_newton(Within, paper::eq9_log_speed_rate::tree, |printed| {
+    prove("(9): (dv/v)/dθ", Regime::Any, |p, newton| {
+        let rate = log_speed_rate(p, newton)?;
+        let printed = p.read("The printed rate", printed)?;
+        p.equal("Rate by (1) against printed rate", &rate, &printed)
+    })
+});
 
 pub(super) fn constant_of_motion(
     p: &mut Prover<'_>,
@@ -81,7 +72,7 @@ pub(super) fn constant_of_motion(
     p.zero("The rate", &rate)
 }
 
-pub const EQ10: Statement = by_newton(Subject::Within, paper::eq10_invariant::tree, |printed| {
+pub const EQ10: Statement = by_newton(Within, paper::eq10_invariant::tree, |printed| {
     prove(
         "(10): an expression keeps its value",
         Regime::Any,
@@ -89,7 +80,7 @@ pub const EQ10: Statement = by_newton(Subject::Within, paper::eq10_invariant::tr
     )
 });
 
-pub const EQ11: Statement = by_newton(Subject::Within, paper::eq11_speed::tree, |printed| {
+pub const EQ11: Statement = by_newton(Within, paper::eq11_speed::tree, |printed| {
     prove("(11): the speed at angle θ", Regime::Any, |p, newton| {
         let expected = log_speed_rate(p, newton)?;
         let speed = p.read("The printed speed", printed)?;
@@ -106,7 +97,7 @@ pub(super) fn eq12() -> Expr {
     paper::eq12_time_rate(lambda, v0, theta0, theta, d_power)
 }
 
-pub const EQ12: Statement = by_newton(Subject::Within, eq12, |printed| {
+pub const EQ12: Statement = by_newton(Within, eq12, |printed| {
     let title = "(12): A dt/dθ";
     let with_power = || {
         let mut newton = Newton::new(Regime::Any)?;
@@ -133,7 +124,7 @@ pub const EQ12: Statement = by_newton(Subject::Within, eq12, |printed| {
     })
 });
 
-pub const EQ13: Statement = by_newton(Subject::Within, paper::eq13_time::tree, |printed| {
+pub const EQ13: Statement = by_newton(Within, paper::eq13_time::tree, |printed| {
     prove("(13): the time at angle θ", Regime::Any, |p, newton| {
         given(p, &[&EQ11])?;
         let speed = p.read("The speed", paper::eq11_speed::tree())?;
@@ -147,26 +138,22 @@ pub const EQ13: Statement = by_newton(Subject::Within, paper::eq13_time::tree, |
     })
 });
 
-pub const EQ14: Statement = by_newton(
-    Subject::Within,
-    paper::eq14_speed_at_time::tree,
-    |printed| {
-        prove(
-            "(14): the speed at angle θ and time t",
-            Regime::Any,
-            |p, _| {
-                given(p, &[&EQ11, &EQ13])?;
-                p.identity(
-                    (
-                        "The printed speed, with t from (13)",
-                        printed.with("t", paper::eq13_time::tree()),
-                    ),
-                    ("the speed by (11)", paper::eq11_speed::tree()),
-                )
-            },
-        )
-    },
-);
+pub const EQ14: Statement = by_newton(Within, paper::eq14_speed_at_time::tree, |printed| {
+    prove(
+        "(14): the speed at angle θ and time t",
+        Regime::Any,
+        |p, _| {
+            given(p, &[&EQ11, &EQ13])?;
+            p.identity(
+                (
+                    "The printed speed, with t from (13)",
+                    printed.with("t", paper::eq13_time::tree()),
+                ),
+                ("the speed by (11)", paper::eq11_speed::tree()),
+            )
+        },
+    )
+});
 
 pub(super) fn corrected_speed() -> Expr {
     let [lambda, v0, theta0, theta] = Expr::symbols(["λ", "v₀", "θ₀", "θ"]);
@@ -174,7 +161,7 @@ pub(super) fn corrected_speed() -> Expr {
     corrections::constant::speed(lambda, v0, theta0, half_tan(theta) / half_tan(theta0))
 }
 
-pub const CORRECTED_11: Statement = by_newton(Subject::Corrected, corrected_speed, |corrected| {
+pub const CORRECTED_11: Statement = by_newton(Corrected, corrected_speed, |corrected| {
     prove(
         "The speed in powers of r = tan(θ/2)/tan(θ₀/2)",
         Regime::Any,

@@ -8,8 +8,8 @@ use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as corrected;
 use crate::exact::Series;
 use crate::paper::turntable as motion;
-use trialbook::claims::runs::Derived;
 use trialbook::prelude::*;
+use trialbook::trials::runs::Derived;
 
 /// The laws are stated to the first order in x, logarithms being counted as numbers; two more follow.
 const ORDER: i64 = 3;

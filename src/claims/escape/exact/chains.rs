@@ -31,7 +31,7 @@ impl Beyond {
 
 /// (127), and what follows from it in words.
 pub const ESCAPES: Statement<Beyond> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"from every start with $p<\rho$ and $A$ above the bound $A$ grows without end, and the speed vanishes only if $\psi\to\pi$; for every $A$ below the bound the particle comes to rest if $\alpha$ is small enough",
     ),
@@ -41,7 +41,7 @@ pub const ESCAPES: Statement<Beyond> = Statement::new(
 
 /// α grows too.
 pub const ALPHA_GROWS: Statement<Beyond> = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"from every start with $p<\rho$ and $A>1$, also one that comes straight in, $\xi=\rho\cos\psi$ grows without end, so that $p/\tau\to\infty$ while $\rho-p$ grows at most as $\tau$, and $\mathrm e^{-2\alpha}=\frac{\rho-p}{\rho+p}\to0$",
     ),
@@ -51,7 +51,7 @@ pub const ALPHA_GROWS: Statement<Beyond> = Statement::new(
 
 /// ψ relaxes near α = 0.
 const RELAXES: Statement = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"for every $A>0$ at the start, $\lvert\psi\rvert<\pi$ and $\varepsilon>0$, however small: if $\alpha$ is small enough at the start, then within a time below $\varepsilon$ the angle $\psi$ comes closer than $\varepsilon$ to 0 and so to $\psi_1$, stays there while $\alpha$ is small, and $\mathrm d\alpha/\mathrm d\tau$ is then as close to (126)",
     ),

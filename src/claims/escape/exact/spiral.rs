@@ -14,8 +14,8 @@ use crate::claims::turntable::exact as turntable;
 use crate::corrections::escape as corrected;
 use crate::exact::Derivation;
 use crate::paper::turntable as motion;
-use trialbook::claims::runs::Derived;
 use trialbook::prelude::*;
+use trialbook::trials::runs::Derived;
 
 /// N, P, h = tanh α, and t.
 pub type State = [Expr; 4];
@@ -34,7 +34,7 @@ macro_rules! from_every_start {
 
 #[track_caller]
 const fn theorem(compared: Compared, of: Statement, prove: fn(Expr) -> Proof) -> Statement {
-    Statement::new(Subject::Corrected, compared, of.formulas, prove)
+    Statement::new(Corrected, compared, of.formulas, prove)
 }
 
 /// (128) as corrected.

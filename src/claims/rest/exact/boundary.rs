@@ -7,8 +7,8 @@ use crate::claims::turntable::exact as turntable;
 use crate::corrections::rest as corrected;
 use crate::exact::{Derivation, Series};
 use crate::paper::turntable as motion;
-use trialbook::claims::runs::Derived;
 use trialbook::prelude::*;
+use trialbook::trials::runs::Derived;
 
 /// The boundary is stated to the second order; two more follow.
 const ORDER: i64 = 4;
@@ -167,7 +167,7 @@ pub fn stated() -> Expr {
 
 /// The boundary as corrected.
 pub const CORRECTED: Statement = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::one(
         "the corrected formula",
         r"the power series in $\alpha$ that solves the equations of motion, to order four",
@@ -178,7 +178,7 @@ pub const CORRECTED: Statement = Statement::new(
 
 /// (147) as the boundary.
 pub const PRINTED: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(147)",
         r"the power series in $\alpha$ that solves the equations of motion",

@@ -10,7 +10,7 @@ use trialbook::prelude::*;
 
 /// Rest or escape.
 pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"every motion that never comes to rest, though $\rho$ stays bounded, converges to a place, with $p\to0$: inside $\rho=1$ it would come to rest, beyond it would be pushed away, so that it creeps towards $\rho=1$",
     ),
@@ -43,7 +43,7 @@ fn dichotomy((third, bound, acceleration): (Expr, Expr, [Expr; 2])) -> Proof {
 
 /// How the particle comes to rest.
 pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"for every motion with $p<\rho$ that comes to rest after a finite time, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved under their conditions",
     ),

@@ -71,7 +71,7 @@ pub fn prove(formula: Expr) -> Proof {
 
 /// What there is in place of (147).
 pub const CORRECTED: Statement = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::one(
         r"$1-\alpha+\frac76\alpha^2$",
         r"the least $A$, over all $\psi$, of the power series in $\alpha$ that solves the equations of motion, to the order $\alpha^2$",
@@ -82,7 +82,7 @@ pub const CORRECTED: Statement = Statement::new(
 
 /// (147) as that.
 pub const PRINTED: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "(147)",
         r"the power series in $\alpha$ that solves the equations of motion, with $\psi$ of the order of $\alpha$",

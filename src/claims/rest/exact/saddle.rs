@@ -80,7 +80,7 @@ pub fn prove(formula: Expr) -> Proof {
 
 /// (146) as corrected.
 pub const CORRECTED: Statement = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::one(
         r"the corrected $\mathrm dA/\mathrm d\sigma$",
         r"that of the surfaces that (113) and (114) make, to the lowest order in $1-\sigma$ and $\alpha$, with $\psi$ of the order of $\alpha$",

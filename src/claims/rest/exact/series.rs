@@ -7,8 +7,8 @@
 use crate::claims::turntable::exact as turntable;
 use crate::exact::{Derivation, Series};
 use crate::paper::{rest as printed, turntable as motion};
-use trialbook::claims::runs::Derived;
 use trialbook::prelude::*;
+use trialbook::trials::runs::Derived;
 
 /// Coefficients to be found at one order.
 const UNKNOWN: [&str; 7] = ["x₀", "x₁", "x₂", "x₃", "x₄", "x₅", "x₆"];
@@ -304,14 +304,14 @@ const SERIES: Compared = Compared::one(
 
 /// (140) against the motions to rest.
 pub const EQ140: Statement = Statement::new(
-    Subject::Within,
+    Within,
     SERIES,
     || printed::eq140_alpha_rate(Expr::symbol("σ")),
     eq140,
 );
 /// (141) against them.
 pub const EQ141: Statement = Statement::new(
-    Subject::Within,
+    Within,
     SERIES,
     || {
         let [sigma, tau] = Expr::symbols(["σ", "τ"]);
@@ -321,7 +321,7 @@ pub const EQ141: Statement = Statement::new(
 );
 /// Both sides of (142) against them.
 pub const EQ142: Statement<[Expr; 2]> = Statement::new(
-    Subject::Within,
+    Within,
     SERIES,
     || {
         let [sigma, alpha, psi, slope] = Expr::symbols(["σ", "α", "ψ", "slope"]);
@@ -334,7 +334,7 @@ pub const EQ142: Statement<[Expr; 2]> = Statement::new(
 );
 /// (143) against them.
 pub const EQ143: Statement = Statement::new(
-    Subject::Within,
+    Within,
     SERIES,
     || {
         let [sigma, alpha, c] = Expr::symbols(["σ", "α", "c"]);
@@ -344,7 +344,7 @@ pub const EQ143: Statement = Statement::new(
 );
 /// Both sides of (144) against them.
 pub const EQ144: Statement<[Expr; 2]> = Statement::new(
-    Subject::Within,
+    Within,
     SERIES,
     || {
         let [sigma, alpha, slope] = Expr::symbols(["σ", "α", "slope"]);
@@ -357,7 +357,7 @@ pub const EQ144: Statement<[Expr; 2]> = Statement::new(
 );
 /// (145) against them.
 pub const EQ145: Statement = Statement::new(
-    Subject::Within,
+    Within,
     SERIES,
     || {
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);

@@ -65,7 +65,7 @@ pub fn prove(formula: Expr) -> Proof {
 
 /// The surface as corrected.
 pub const CORRECTED: Statement = Statement::new(
-    Subject::Corrected,
+    Corrected,
     Compared::one(
         r"the corrected $A(\sigma,\alpha,\psi)$",
         r"the equations of motion at the order $\alpha$, with (145) at $\psi=0$",

@@ -49,31 +49,19 @@ fn same(p: &mut Prover<'_>, formula: Components, particle: Expr) -> Result<(), O
     Ok(())
 }
 
-pub const EQ81: Vectorial = Vectorial::new(
-    Subject::Within,
-    AS_A_PARTICLE,
-    paper::eq81_slip::parts,
-    |formula| {
+pub const EQ81: Vectorial =
+    Vectorial::new(Within, AS_A_PARTICLE, paper::eq81_slip::parts, |formula| {
         let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
         prove("(81): u at the angle θ", &constant::EQ11, |p| {
             same(p, formula, particle::eq11_speed(lambda, u0, theta0, theta))
         })
-    },
-);
+    });
 
-pub const EQ82: Vectorial = Vectorial::new(
-    Subject::Printed,
-    AS_A_PARTICLE,
-    paper::eq82_time::parts,
-    prove_eq82,
-);
+pub const EQ82: Vectorial =
+    Vectorial::new(Printed, AS_A_PARTICLE, paper::eq82_time::parts, prove_eq82);
 
-pub const CORRECTED_82: Vectorial = Vectorial::new(
-    Subject::Corrected,
-    AS_A_PARTICLE,
-    corrected::time::parts,
-    prove_eq82,
-);
+pub const CORRECTED_82: Vectorial =
+    Vectorial::new(Corrected, AS_A_PARTICLE, corrected::time::parts, prove_eq82);
 
 fn prove_eq82(formula: Components) -> Proof {
     let [lambda, gamma, u0, theta0, theta] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
@@ -87,14 +75,14 @@ fn prove_eq82(formula: Components) -> Proof {
 }
 
 pub const EQ83: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     AS_A_PARTICLE,
     paper::eq83_slip_at_time::parts,
     prove_eq83,
 );
 
 pub const CORRECTED_83: Vectorial = Vectorial::new(
-    Subject::Corrected,
+    Corrected,
     AS_A_PARTICLE,
     corrected::slip_at_time::parts,
     prove_eq83,

@@ -167,7 +167,7 @@ pub(super) fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
 }
 
 pub const EQ63: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     || {
         let [mu, g, _] = mu_g_radius();
@@ -183,13 +183,13 @@ pub(super) fn eq64() -> Components {
     let [mu, g, _] = mu_g_radius();
     paper::eq64_spin_rate(mu, g, velocity(), omega(), contact()).into()
 }
-pub const EQ64: Vectorial = Vectorial::new(Subject::Printed, BY_COMPONENTS, eq64, |printed| {
+pub const EQ64: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq64, |printed| {
     let factor = Expr::symbol("κ") * Expr::symbol("R").squared();
     rates("(64): κ R² dω/dt", Force::Sliding, omega(), factor, printed)
 });
 
 pub const EQ65: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     || {
         let [mu, g, _] = mu_g_radius();
@@ -210,7 +210,7 @@ pub const EQ65: Vectorial = Vectorial::new(
 );
 
 pub const EQ66: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     || {
         let [mu, g, _] = mu_g_radius();
@@ -231,7 +231,7 @@ pub const EQ66: Vectorial = Vectorial::new(
 pub(super) fn eq73() -> Components {
     paper::eq73_velocity_rate(gamma(), u()).into()
 }
-pub const EQ73: Vectorial = Vectorial::new(Subject::Printed, BY_COMPONENTS, eq73, |printed| {
+pub const EQ73: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq73, |printed| {
     rates(
         "(73): d²ρ/dτ²",
         Force::Sliding,
@@ -245,7 +245,7 @@ pub(super) fn eq74() -> Components {
     paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u()).into()
 }
 
-pub const EQ74: Vectorial = Vectorial::new(Subject::Printed, BY_COMPONENTS, eq74, |printed| {
+pub const EQ74: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq74, |printed| {
     rates("(74): du/dτ", Force::Sliding, u(), per_tau(), printed)
 });
 
@@ -256,14 +256,14 @@ fn zeta() -> [Expr; 3] {
 }
 
 pub const EQ75: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     || paper::eq75_spin(zeta()[2], u(), rho_rate()).into(),
     prove_eq75,
 );
 
 pub const CORRECTED_75: Vectorial = Vectorial::new(
-    Subject::Corrected,
+    Corrected,
     BY_COMPONENTS,
     || corrected::spin(zeta()[2], u(), rho_rate()).into(),
     prove_eq75,
@@ -282,7 +282,7 @@ fn prove_eq75(formula: Components) -> Proof {
 }
 
 pub const EQ77: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     || paper::eq77_rate(u()).into(),
     |printed| {
@@ -298,7 +298,7 @@ pub const EQ77: Vectorial = Vectorial::new(
 );
 
 pub const EQ78: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     || paper::eq78_rate(Expr::symbol("b"), u()).into(),
     |printed| {
@@ -315,7 +315,7 @@ pub const EQ78: Vectorial = Vectorial::new(
 
 /// Both sides change alike under any friction force, so that they differ by a constant.
 pub const EQ79: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     || {
         let [cx, cy] = Expr::symbols(["c_x", "c_y"]);
@@ -340,7 +340,7 @@ pub const EQ79: Vectorial = Vectorial::new(
 
 /// κ makes (64) the law for the spin.
 pub const EQ62: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         r"(64), with $\kappa$ by the definition,",
         "Euler's law for the sphere",
@@ -361,7 +361,7 @@ fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
 
 /// dρ/dτ, which has the form of (68) by its linearity, makes (73) the law for the centre.
 pub const EQ68: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         r"(73), with $\bm\rho$ by the definition,",
         "Newton's law for the sphere",
@@ -382,7 +382,7 @@ pub const EQ68: Vectorial = Vectorial::new(
 
 /// τ makes (74) the law for the slip.
 pub const EQ69: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_DEFINITION,
     || {
         let [mu, g, radius] = mu_g_radius();
@@ -409,7 +409,7 @@ pub const EQ69: Vectorial = Vectorial::new(
 
 /// ζ is the rate of turning in the time τ.
 pub const EQ70: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
         r"$\bm\omega\,\mathrm dt$",
@@ -430,7 +430,7 @@ pub const EQ70: Vectorial = Vectorial::new(
 
 /// u makes (74) the law for the slip.
 pub const EQ71: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_DEFINITION,
     || u().into(),
     |slip| {
@@ -443,7 +443,7 @@ pub const EQ71: Vectorial = Vectorial::new(
 
 /// γ makes (74) the law for the slip.
 pub const EQ72: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_DEFINITION,
     || gamma().into(),
     |pull| {
@@ -456,7 +456,7 @@ pub const EQ72: Vectorial = Vectorial::new(
 
 /// dv/dt of a particle with the velocity w and the friction coefficient bμ, by (1).
 pub const S3_REDUCTION: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     || {
         let [mu, g, _] = mu_g_radius();
@@ -502,7 +502,7 @@ pub(super) fn prove_rolling() -> Proof {
 }
 
 pub const S3_SPIN_CONSTANT: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     BY_COMPONENTS,
     paper::s3_zeta3_rate::parts,
     |stated| {

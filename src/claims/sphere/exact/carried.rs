@@ -12,7 +12,7 @@ use trialbook::prelude::*;
 
 /// The pulse train.
 const PULSE: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that (44) to (46) are proved",
     ),
@@ -25,7 +25,7 @@ const PULSE: Statement = Statement::new(
 
 /// Any periodic drive.
 const ANY_DRIVE: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every sphere and every start: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22), and (26) with $h$ for the sine is its equation; for that it is proved that all rests above $\lambda_0=1$, that the share of rest tends to 1 below it if $\lvert h\rvert=1$ at single instants, and that, under the conditions of that theorem, some $\lambda_\mathrm c$ divides large friction, with rests, from small, without",
     ),
@@ -38,7 +38,7 @@ const ANY_DRIVE: Statement = Statement::new(
 
 /// The sinusoidal drive.
 pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::new(
-    Subject::Within,
+    Within,
     Compared::shown(
         r"for every sphere, every start and every $\lambda_0>0$ of (84) but $\lambda_\mathrm c$ and 1: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that the three kinds are proved, with the zeros and the rests, and that $\lambda_\mathrm c$ of (37) is where the curves A and B meet",
     ),
@@ -54,7 +54,7 @@ pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::new(
 
 /// Anisotropic friction.
 pub const ANISOTROPIC: Statement = Statement::new(
-    Subject::Printed,
+    Printed,
     Compared::shown(
         r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu_\pm$ in place of $\mu_\pm$, which makes (85) of (49) and $q$ times (85) of (50); for that the regions, with E, are proved for every $q\ge1$",
     ),

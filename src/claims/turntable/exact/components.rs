@@ -12,7 +12,7 @@ const fn equation(
     prove: fn(Vec<Expr>) -> Proof,
 ) -> Vectorial {
     let compared = Compared::one("the left side", right);
-    Vectorial::new(Subject::Printed, compared, formulas, prove)
+    Vectorial::new(Printed, compared, formulas, prove)
 }
 
 /// Two sides of an equation.
@@ -55,36 +55,33 @@ fn polar(title: &str, of: &'static str, stated: &[Expr]) -> Proof {
     rate(title, Setting::polar(), of, stated)
 }
 
-pub const EQ99: Vectorial = changes(Subject::Within, paper::eq99_p_rate::parts, |printed| {
+pub const EQ99: Vectorial = changes(Within, paper::eq99_p_rate::parts, |printed| {
     polar("(99): dp/dτ", "p", &printed)
 });
-pub const EQ100: Vectorial = changes(Subject::Within, paper::eq100_ell_rate::parts, |printed| {
+pub const EQ100: Vectorial = changes(Within, paper::eq100_ell_rate::parts, |printed| {
     polar("(100): dℓ/dτ", "ℓ", &printed)
 });
-pub const EQ101: Vectorial = changes(Subject::Within, paper::eq101_xi_rate::parts, |printed| {
+pub const EQ101: Vectorial = changes(Within, paper::eq101_xi_rate::parts, |printed| {
     polar("(101): dξ/dτ", "ξ", &printed)
 });
 pub const TANGENTIAL: Vectorial = changes(
-    Subject::Within,
+    Within,
     || {
         let [position, rate] = vectors();
         vec![paper::s4_tangential_rate(position, rate)]
     },
     |printed| polar("dp/dτ, by (89) on the velocity", "p", &printed),
 );
-pub const AZIMUTHAL: Vectorial = changes(
-    Subject::Corrected,
-    corrected::azimuthal_rate::parts,
-    |corrected| polar("dℓ/dτ, by the angular momentum and dp/dτ", "ℓ", &corrected),
-);
-pub const RADIAL: Vectorial = changes(
-    Subject::Corrected,
-    corrected::radial_rate::parts,
-    |corrected| polar("dξ/dτ, by the radius and dp/dτ", "ξ", &corrected),
-);
+pub const AZIMUTHAL: Vectorial =
+    changes(Corrected, corrected::azimuthal_rate::parts, |corrected| {
+        polar("dℓ/dτ, by the angular momentum and dp/dτ", "ℓ", &corrected)
+    });
+pub const RADIAL: Vectorial = changes(Corrected, corrected::radial_rate::parts, |corrected| {
+    polar("dξ/dτ, by the radius and dp/dτ", "ξ", &corrected)
+});
 
 pub const EQ102: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     Compared::one(
         "each printed expression",
         r"$\rho\,\mathrm d\rho/\mathrm d\tau$ by (89)",
@@ -106,12 +103,12 @@ pub const EQ102: Vectorial = Vectorial::new(
     },
 );
 
-pub const EQ107: Vectorial = changes(Subject::Within, paper::eq107_p_rate::parts, |printed| {
+pub const EQ107: Vectorial = changes(Within, paper::eq107_p_rate::parts, |printed| {
     polar("(107): dp/dτ", "p", &printed)
 });
-pub const EQ108: Vectorial = changes(Subject::Printed, paper::eq108_rho_rate::parts, |printed| {
+pub const EQ108: Vectorial = changes(Printed, paper::eq108_rho_rate::parts, |printed| {
     polar("(108): dρ/dτ", "ρ", &printed)
 });
-pub const EQ109: Vectorial = changes(Subject::Within, paper::eq109_psi_rate::parts, |printed| {
+pub const EQ109: Vectorial = changes(Within, paper::eq109_psi_rate::parts, |printed| {
     polar("(109): dψ/dτ", "ψ", &printed)
 });

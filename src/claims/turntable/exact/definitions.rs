@@ -10,7 +10,7 @@ const fn consistent(
     formulas: fn() -> Vec<Expr>,
     prove: fn(Vec<Expr>) -> Proof,
 ) -> Vectorial {
-    Vectorial::new(Subject::Printed, compared, formulas, prove)
+    Vectorial::new(Printed, compared, formulas, prove)
 }
 
 /// A formula against what it has to be.

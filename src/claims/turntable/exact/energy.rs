@@ -6,7 +6,7 @@ use crate::paper::turntable as paper;
 use trialbook::prelude::*;
 
 pub const EQ103: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     RATE,
     || {
         vec![
@@ -43,7 +43,7 @@ fn keeps_its_value(title: &str, setting: Result<Setting, ExactError>, formula: &
 }
 
 pub const EQ104: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     Compared::one("the rate of (104) along (89)", "0"),
     paper::eq104_constant::parts,
     |printed| {
@@ -53,7 +53,7 @@ pub const EQ104: Vectorial = Vectorial::new(
 );
 /// (106) as printed.
 pub const PRINTED_106: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     Compared::one("the rate of (106) along (86)", "0"),
     || {
         let [m, g, omega, s] = Expr::symbols(["m", "g", "Ω", "s"]);
@@ -63,7 +63,7 @@ pub const PRINTED_106: Vectorial = Vectorial::new(
     prove_106,
 );
 pub const CORRECTED_106: Vectorial = Vectorial::new(
-    Subject::Corrected,
+    Corrected,
     Compared::one(r"the rate of (106) with $m\mu gs$, along (86),", "0"),
     || {
         let [m, mu, g, omega, s] = Expr::symbols(["m", "μ", "g", "Ω", "s"]);
@@ -80,7 +80,7 @@ fn prove_106(formula: Vec<Expr>) -> Proof {
 
 /// The work as printed.
 pub const PRINTED_WORK: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         "the power of the Coriolis force and the rate of $-mgs$, in (86),",
         "0 and the power of friction",
@@ -89,7 +89,7 @@ pub const PRINTED_WORK: Vectorial = Vectorial::new(
     prove_works,
 );
 pub const CORRECTED_WORK: Vectorial = Vectorial::new(
-    Subject::Corrected,
+    Corrected,
     Compared::many(
         r"the power of the Coriolis force and the rate of $-m\mu gs$, in (86),",
         "0 and the power of friction",

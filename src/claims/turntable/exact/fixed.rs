@@ -56,10 +56,8 @@ fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstac
 }
 
 const ZERO: Compared = Compared::one("(115) at this angle", "0");
-pub const EQ124: Vectorial =
-    Vectorial::new(Subject::Printed, ZERO, paper::eq124_psi1::parts, prove_zero);
-pub const EQ125: Vectorial =
-    Vectorial::new(Subject::Printed, ZERO, paper::eq125_psi2::parts, prove_zero);
+pub const EQ124: Vectorial = Vectorial::new(Printed, ZERO, paper::eq124_psi1::parts, prove_zero);
+pub const EQ125: Vectorial = Vectorial::new(Printed, ZERO, paper::eq125_psi2::parts, prove_zero);
 
 /// (115) is zero at the given angle, α held fixed.
 fn prove_zero(printed: Vec<Expr>) -> Proof {
@@ -71,7 +69,7 @@ fn prove_zero(printed: Vec<Expr>) -> Proof {
 }
 
 pub const S4_QUASI_FIXED_STABILITY: Vectorial = Vectorial::new(
-    Subject::Within,
+    Within,
     Compared::many(
         r"the slopes of (115) at $\psi_1$ and $\psi_2$",
         r"$-2/\sinh2\alpha$ and $2/\sinh2\alpha$",

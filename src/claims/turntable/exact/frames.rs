@@ -6,7 +6,7 @@ use crate::paper::turntable as paper;
 use trialbook::prelude::*;
 
 pub const EQ86: Vectorial = Vectorial::new(
-    Subject::Within,
+    Within,
     Compared::one(
         "the acceleration in the laboratory that (86) leads to",
         "that by friction alone",
@@ -15,7 +15,7 @@ pub const EQ86: Vectorial = Vectorial::new(
     prove_eq86,
 );
 pub const S4_MIRROR: Vectorial = Vectorial::new(
-    Subject::Printed,
+    Printed,
     Compared::many(
         "the mirrored accelerations of (86)",
         r"those of (86) for $-\Omega$ at the mirrored state",
@@ -68,16 +68,16 @@ fn prove_eq86(printed: Vec<Expr>) -> Proof {
 }
 
 const SYMBOLS: Compared = Compared::one("(86) in the symbols (87) and (88)", "(89)");
-pub const EQ87: Vectorial = Vectorial::new(Subject::Printed, SYMBOLS, eq87, |printed| {
+pub const EQ87: Vectorial = Vectorial::new(Printed, SYMBOLS, eq87, |printed| {
     let title = "(86) becomes (89) with (87)";
     without_dimensions(title, &printed, eq88()[0], &eq89())
 });
-pub const EQ88: Vectorial = Vectorial::new(Subject::Printed, SYMBOLS, eq88, |printed| {
+pub const EQ88: Vectorial = Vectorial::new(Printed, SYMBOLS, eq88, |printed| {
     let title = "(86) becomes (89) with (88)";
     without_dimensions(title, &eq87(), printed[0], &eq89())
 });
 pub const EQ89: Vectorial = Vectorial::new(
-    Subject::Within,
+    Within,
     Compared::one("(89)", "(86) in the units of (87) and (88)"),
     eq89,
     |printed| {
@@ -179,7 +179,7 @@ fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational
 }
 
 pub const EQ90: Vectorial = projection(
-    Subject::Printed,
+    Printed,
     || {
         let [position, rate] = vectors();
         vec![paper::eq90_power(position, rate)]
@@ -187,7 +187,7 @@ pub const EQ90: Vectorial = projection(
     |printed| sides("(90) from (89)", &printed, |[_, rate, a]| dot(&rate, &a)),
 );
 pub const EQ91: Vectorial = projection(
-    Subject::Within,
+    Within,
     || {
         let [position, rate] = vectors();
         vec![paper::eq91_moment(position, rate)]
@@ -199,7 +199,7 @@ pub const EQ91: Vectorial = projection(
     },
 );
 pub const EQ92: Vectorial = projection(
-    Subject::Within,
+    Within,
     || {
         let [position, rate] = vectors();
         vec![paper::eq92_virial(position, rate)]

@@ -1,6 +1,7 @@
 //! How a trial compares: stated value against found value, over many points, into one [`Evidence`].
 
 pub use super::runs::Failure;
+use super::runs::parts;
 use super::tolerances;
 pub use crate::evidence::Compared;
 use crate::evidence::{Evidence, Lemma, Route, Sample, Subject, Tolerance};
@@ -121,6 +122,16 @@ impl Trial {
                 scale,
             })
         })
+    }
+
+    /// The same with more than one pair at a point.
+    pub fn pairs<P>(
+        &self,
+        points: impl IntoIterator<Item = P>,
+        pairs: impl FnMut(P) -> Result<Vec<Pair>, Failure>,
+    ) -> Evidence {
+        let all = points.into_iter().map(pairs).flat_map(parts);
+        self.over(all, |pair| pair)
     }
 
     /// Compares all pairs that come; compiled once for all.

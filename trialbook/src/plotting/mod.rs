@@ -19,7 +19,7 @@
 //!   is 12 pixels or more on a screen of 390; panels stand below each other unless asked otherwise.
 //!
 //! ```
-//! use trialbook::figures::{Axis, Curve, Panel, Plot, Table};
+//! use trialbook::plotting::{Axis, Curve, Panel, Plot, Table};
 //!
 //! let parabola: Vec<[f64; 2]> = (0..=100).map(|i| f64::from(i) / 50.0).map(|x| [x, x * x]).collect();
 //! let mut table = Table::new(&["x (m)", "y (m)"]);
@@ -35,7 +35,7 @@
 //!     )
 //!     .figure(table)?;
 //! assert!(figure.svg.starts_with("<svg"));
-//! # Ok::<(), trialbook::figures::FigureError>(())
+//! # Ok::<(), trialbook::plotting::FigureError>(())
 //! ```
 
 mod axes;

@@ -4,7 +4,7 @@
 //! its numbers.
 //!
 //! ```
-//! use slipbook::certified::numbers::Q_Y;
+//! use slipbook::validated::numbers::Q_Y;
 //!
 //! assert_eq!(Q_Y.decimal(50)?, "4.60333884875170035255658202910301651306739713416053");
 //! # Ok::<(), trialbook::certified::error::CertifiedError>(())

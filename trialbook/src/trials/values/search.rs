@@ -2,8 +2,8 @@
 
 use super::{ENCLOSED, Value, decimal, fraction, on_balls, places, shortest};
 use crate::certified::ball::Ball;
-use crate::claims::compare::Failure;
 use crate::numerics::expression::expression;
+use crate::trials::compare::Failure;
 use serde::Serialize;
 
 /// A number found among those of the claims.

@@ -60,10 +60,10 @@ impl Formulas {
 #[macro_export]
 macro_rules! formulas_of {
     ($($module:ident),* $(,)?) => {
-        $crate::claims::formulas::Formulas {
+        $crate::trials::formulas::Formulas {
             numbers: || [$($module::formulas()),*].into_iter().flatten().collect(),
             trees: || [$($module::formulas()),*].into_iter().flatten().collect(),
-            ..$crate::claims::formulas::Formulas::NONE
+            ..$crate::trials::formulas::Formulas::NONE
         }
     };
 }

@@ -35,9 +35,9 @@ impl Error for Failure {}
 #[macro_export]
 macro_rules! failures {
     ($($error:ty),* $(,)?) => {
-        $(impl From<$error> for $crate::claims::runs::Failure {
+        $(impl From<$error> for $crate::trials::runs::Failure {
             fn from(error: $error) -> Self {
-                $crate::claims::runs::Failure::of(error)
+                $crate::trials::runs::Failure::of(error)
             }
         })*
     };
@@ -147,14 +147,37 @@ pub fn every<T, E: Into<Failure>>(
     found.map(|one| one.map_err(Into::into)).collect()
 }
 
+/// One part after the other of what is found; if it is not, the reason in place of the first.
+pub fn parts<I: IntoIterator, E: Into<Failure>>(
+    whole: Result<I, E>,
+) -> impl Iterator<Item = Result<I::Item, Failure>> {
+    let (parts, failure) = match whole {
+        Ok(parts) => (Some(parts), None),
+        Err(failure) => (None, Some(Err(failure.into()))),
+    };
+    parts.into_iter().flatten().map(Ok).chain(failure)
+}
+
+/// Each run with each of these, in turn.
+pub fn with_each<T: Clone, X: Copy, const N: usize>(
+    runs: impl Iterator<Item = Result<T, Failure>>,
+    all: [X; N],
+) -> impl Iterator<Item = Result<(T, X), Failure>> {
+    runs.flat_map(move |run| all.map(|one| run.clone().map(|run| (run, one))))
+}
+
+/// The runs of which this holds; a failure stays in its place.
+pub fn only<T, E>(
+    runs: impl Iterator<Item = Result<T, E>>,
+    wanted: impl Fn(&T) -> bool,
+) -> impl Iterator<Item = Result<T, E>> {
+    runs.filter(move |run| run.as_ref().map_or(true, &wanted))
+}
+
 impl<T> Runs<Vec<T>> {
     /// One run after the other; if there are none, the reason in place of the first.
-    pub fn each(&'static self) -> impl Iterator<Item = Result<&'static T, Failure>> + Clone {
-        let (runs, failure) = match self.get() {
-            Ok(runs) => (&runs[..], None),
-            Err(failure) => (&[][..], Some(Err(failure))),
-        };
-        runs.iter().map(Ok).chain(failure)
+    pub fn each(&'static self) -> impl Iterator<Item = Result<&'static T, Failure>> {
+        parts(self.get())
     }
 }
 

@@ -1,8 +1,8 @@
 //! What the book and the command of a paper have of their own; all else is the same for every paper.
 
-use crate::claims::Paper;
-use crate::figures::Figure;
+use crate::plotting::Figure;
 use crate::seeded::Symbol;
+use crate::trials::Paper;
 use include_dir::{Dir, DirEntry};
 use std::borrow::Cow;
 
@@ -14,8 +14,8 @@ pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 /// [`Edition::of`] has all that a small paper needs:
 ///
 /// ```
-/// use trialbook::claims::Paper;
-/// use trialbook::edition::{Edition, Page};
+/// use trialbook::trials::Paper;
+/// use trialbook::publishing::{Edition, Page};
 ///
 /// static PAPER: Paper = Paper { title: "The thrown stone", ..Paper::BLANK };
 /// static EDITION: Edition = Edition {
@@ -233,9 +233,9 @@ pub fn texts(folder: &'static Dir<'static>) -> Vec<(&'static str, &'static str)>
 #[macro_export]
 macro_rules! sources {
     ($($file:literal),* $(,)?) => {
-        $crate::edition::Sources {
+        $crate::publishing::Sources {
             files: || vec![$(($file, include_str!($file))),*],
-            ..$crate::edition::Sources::NONE
+            ..$crate::publishing::Sources::NONE
         }
     };
 }

@@ -431,8 +431,8 @@ fn room(at: Place, words: &str, align: Align) -> Frame {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::figures::axes::Axis;
-    use crate::figures::panel::Panel;
+    use crate::plotting::axes::Axis;
+    use crate::plotting::panel::Panel;
 
     #[test]
     fn the_name_of_a_region_stands_off_its_edges() {

@@ -50,7 +50,7 @@ pub struct File {
 #[macro_export]
 macro_rules! claims {
     ($path:literal) => {
-        $crate::claims::read::File {
+        $crate::trials::read::File {
             path: $path,
             text: include_str!($path),
             above: 0,
@@ -570,10 +570,10 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::attempt::trials;
-    use crate::claims::by_hand::Numbers;
-    use crate::claims::values::Number;
     use crate::evidence::Evidence;
+    use crate::trials::attempt::trials;
+    use crate::trials::by_hand::Numbers;
+    use crate::trials::values::Number;
 
     fn fall() -> Evidence {
         unreachable!("nobody tries it")

@@ -108,31 +108,31 @@ macro_rules! trials {
         &[$($done),*]
     };
     (@ [$($done:expr,)*] & $name:ident = $statement:expr, $($rest:tt)*) => {
-        $crate::claims::attempt::trials!(@ [
+        $crate::trials::attempt::trials!(@ [
             $($done,)*
-            $crate::claims::attempt::Attempt::proved(
+            $crate::trials::attempt::Attempt::proved(
                 const { &$statement },
                 concat!(module_path!(), "::", stringify!($name)),
             ),
         ] $($rest)*)
     };
     (@ [$($done:expr,)*] $name:ident = $trial:expr, $($rest:tt)*) => {
-        $crate::claims::attempt::trials!(@ [
+        $crate::trials::attempt::trials!(@ [
             $($done,)*
-            $crate::claims::attempt::Attempt::measured(
+            $crate::trials::attempt::Attempt::measured(
                 || $trial,
                 concat!(module_path!(), "::", stringify!($name)),
             ),
         ] $($rest)*)
     };
     (@ [$($done:expr,)*] & $statement:ident, $($rest:tt)*) => {
-        $crate::claims::attempt::trials!(@ [$($done,)*] &$statement = $statement, $($rest)*)
+        $crate::trials::attempt::trials!(@ [$($done,)*] &$statement = $statement, $($rest)*)
     };
     (@ [$($done:expr,)*] $trial:ident, $($rest:tt)*) => {
-        $crate::claims::attempt::trials!(@ [$($done,)*] $trial = $trial(), $($rest)*)
+        $crate::trials::attempt::trials!(@ [$($done,)*] $trial = $trial(), $($rest)*)
     };
     ($($all:tt)*) => {
-        $crate::claims::attempt::trials!(@ [] $($all)*,)
+        $crate::trials::attempt::trials!(@ [] $($all)*,)
     };
 }
 

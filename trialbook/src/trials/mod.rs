@@ -269,6 +269,7 @@ impl Topic {
     }
 
     /// Its claims, with the lines from 1 in which their entries begin.
+    #[cfg(feature = "book")]
     pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'static Claim)> {
         let lines = self.read().map_or(&[][..], |read| &read.lines);
         lines.iter().copied().zip(self.claims())
