@@ -107,8 +107,8 @@ const OF_THE_PAPER: &Modules = &[
     (
         "edition",
         &[
-            "evidence", "claims", "exam", "ledger", "figures", "notation", "symbols", "book",
-            "commands",
+            "evidence", "breaks", "claims", "exam", "ledger", "figures", "notation", "symbols",
+            "book", "commands",
         ],
     ),
 ];
