@@ -68,7 +68,7 @@ tried! {
         let groups = data.groups();
         let (straight, others) = groups.split_last().unwrap();
         let end = |rows: &[Vec<f64>]| rows[rows.len() - 1][3];
-        others.iter().all(|(_, rows)| end(rows) < 0.1) && end(&straight.1) > 3.0
+        others.iter().all(|(_, rows)| end(rows) < 0.3 * rows[0][3]) && end(&straight.1) > 3.0
     };
     "sinusoidal-rest": "it {grows|falls} from zero" => |data| {
         let share = column(&data.rows(), 1);
