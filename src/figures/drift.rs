@@ -57,7 +57,9 @@ fn map(budgets: &Budgets, title: &str, which: usize, levels: &[f64]) -> Panel {
     for &level in levels {
         let [lower, upper] = above(budgets, which, level);
         let line = lower.iter().filter(|[_, lambda0]| *lambda0 > 0.0);
-        let line = Curve::new(line.chain(upper.iter().rev()).copied());
+        // Where both end at the frame, no line joins them.
+        let gap = [[f64::NAN; 2]];
+        let line = Curve::new(line.chain(&gap).chain(upper.iter().rev()).copied());
         let line = line.series(which).stroke(Stroke::Solid).width(1.2);
         panel = panel
             .area(Area::between(lower, upper).series(which).opacity(0.1))
