@@ -129,21 +129,21 @@ window.slipbookExplorers = (() => {
                 asks: 'First your guess: friction is twice as strong backwards as forwards. Shaken to and fro, the block in the end drifts fastest where friction is',
                 options: ['weak', 'of medium strength', 'just weak enough to let it move'],
                 right: 0,
-                says: 'However weak, friction in the end balances over a period: two thirds of it forwards, one third backwards. Only the way there takes longer.',
+                says: 'However weak, friction has to balance over a period, so the block moves forwards for two thirds of the time. Only the way there takes longer.',
                 at: { q: 2, lambda: 0.02, w: -0.5 },
             },
             hint: 'Drag the circle on the map, or focus it and use the arrow keys; the start velocity shows how the periodic motion is approached.',
             inputs: {
-                q: { label: 'ratio q', range: [1, 7], step: 0.02, start: 2 },
+                q: { label: 'ratio q', range: [1, 12], step: 0.02, start: 2 },
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.45 },
                 w: { label: 'velocity at start', range: [-2, 2], step: 0.05, start: 1.5 },
             },
             plots: set => [{
                 title: 'regions, by the motion itself', label: 'The map of the regions I to V, with the chosen point.',
-                x: { label: 'q', range: [1, 7] }, y: { label: 'λ_0', range: [0, 1.2] }, height: 240,
+                x: { label: 'q', range: [1, 12] }, y: { label: 'qλ_0', range: [0, 2] }, height: 240,
                 hand: {
                     label: 'friction at the chosen point of the map', range: [0.01, 1.2],
-                    move: (q, lambda) => set({ q, lambda }),
+                    move: (q, backwards) => set({ q, lambda: backwards / Math.min(12, Math.max(1, q)) }),
                     step: (dx, dy) => set({ q: [dx], lambda: [dy] }),
                 },
             }, {
@@ -160,10 +160,12 @@ window.slipbookExplorers = (() => {
             },
             show({ q, lambda, w }, ask, { printed }) {
                 const { values: [region, mean, largest, rest, count, ...list], curves: [shown, periodic] } = ask(2, q, lambda, w);
-                const borders = ask.later(3, 7).curves;
+                // The friction backwards is what the wedge is seen by.
+                const backwards = points => points.map((y, i) => i % 2 ? y * points[i - 1] : y);
+                const borders = ask.later(3, 12).curves.map(backwards), paper = backwards(printed);
                 const intervals = Array.from({ length: count }, (_, i) => list.slice(3 * i, 3 * i + 3));
                 const order = intervals.map(([sign]) => ({ '1': '+', '-1': '−', '0': '0' })[sign]).join(' ');
-                const edges = [[1, 0, 7, 0], ...borders.map(curve => [...curve]), [1, 1.2, 7, 1.2]];
+                const edges = [[1, 0, 12, 0], ...borders, [1, 2, 12, 2]];
                 const back = points => [...Array(points.length / 2).keys()].reverse().flatMap(i => points.slice(2 * i, 2 * i + 2));
                 const areas = edges.slice(1).map((upper, i) => ({ points: [...edges[i], ...back(upper)], series: i + 1, fill: i === region - 1 ? 0.45 : 0.16 }));
                 const from = intervals[0][1];
@@ -176,12 +178,12 @@ window.slipbookExplorers = (() => {
                 return {
                     draw: [{
                         marks: [...areas, ...borders.map(points => ({ points })),
-                            { points: wedge(printed, borders[1] || []), fill: 0.7 },
-                            { points: printed, dash: true },
-                            { points: [5.2, 0.29], text: 'wedge: II in the paper' },
-                            ...[[1.3, 0.13, 1], [2.1, 0.31, 2], [1.25, 0.6, 3], [4, 0.6, 4], [4, 1.08, 5]]
+                            { points: wedge(paper, borders[1] || []), fill: 0.7 },
+                            { points: paper, dash: true },
+                            { points: [9.2, 1.07], text: 'II in the paper' },
+                            ...[[3, 0.2, 1], [4, 0.65, 2], [1.5, 0.83, 3], [5, 1.4, 4], [1.35, 1.75, 5]]
                                 .map(([x, y, n]) => ({ points: [x, y], text: REGIONS[n] }))],
-                        hand: [q, lambda],
+                        hand: [q, q * lambda],
                         words: { now: lambda, text: `q = ${fixed(q, 2)}, λ₀ = ${fixed(lambda, 3)}, region ${REGIONS[region]}` },
                     }, {
                         y: [-higher, higher],
@@ -266,7 +268,7 @@ window.slipbookExplorers = (() => {
                 says: 'In the room it hardly moves, and the record carries it along.',
                 at: { rho: 0.5, u: 0, v: -1.2 },
             },
-            hint: 'Now drag the coin or the tip of its velocity. Shaded: it comes to rest. Dashed: it does so by the paper.',
+            hint: 'Now drag the coin or the tip of its velocity. With the tip in the shaded area it comes to rest; by the paper, within the dashed circle.',
             inputs: {
                 rho: { label: 'distance ρ from the axis', range: [0, 1.4], step: 0.01, start: 0.5 },
                 u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01, start: 0 },
@@ -294,7 +296,7 @@ window.slipbookExplorers = (() => {
                 asks: 'First your guess: once friction has lost it, its distance grows in the end as',
                 options: ['τ', 'τ²', 'an exponential of τ'],
                 right: 1,
-                says: 'Friction of constant strength can do no more than a constant acceleration does.',
+                says: 'The size of friction is constant, and so is that of the acceleration.',
                 at: {},
             },
             inputs: { rho: { label: 'distance ρ from the axis', range: [0.9, 2], step: 0.01, start: 1.1 } },
@@ -370,7 +372,7 @@ window.slipbookExplorers = (() => {
                 asks: 'First your guess: the tray shakes with λ₀ = 0.08, and the block rests twice in each period. Twice as much friction makes these rests',
                 options: ['longer', 'shorter', 'disappear'],
                 right: 2,
-                says: 'Friction lifts the shallow loops of the velocity away from zero. The rests come back later.',
+                says: 'More friction lifts the shallow loops of the velocity away from zero. The rests come back where it is much larger.',
                 at: { third: 1.5, lambda: 0.16 },
             },
             hint: 'Choose how much of the third harmonic is added to the sine, and the friction; drag the tip of the velocity.',

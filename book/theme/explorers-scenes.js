@@ -55,8 +55,15 @@ window.slipbookScenes = (() => {
         return [disc('disc', x, y, radius), path('teeth', spokes.join('')), disc('limit', x, y, scale), disc('axis', x, y, 3),
             text(x, y - scale - 5, 'can be held', { class: 'small', ...MIDDLE })];
     };
+    const ghost = (x, y) => box('body ghost', x - 11, y - 8, 22, 16, 2);
     const coin = (x, y, kind = '') => disc(`body ${kind}`, x, y, 9);
     const note = (x, y, words) => text(x, y, words, { class: 'note', ...MIDDLE });
+    // The tip of an arrow, or the last place of it that is on the stage.
+    const reached = (x, y, dx, dy, [left, top, width, height]) => {
+        const room = (from, way, low, size) => way > 0 ? (low + size - 12 - from) / way : way < 0 ? (low + 12 - from) / way : 1;
+        const part = Math.min(1, room(x, dx, left, width), room(y, dy, top, height));
+        return [x + part * dx, y + part * dy];
+    };
     // The stage's width in its own units: text is as large on a phone as on a desk.
     const width = narrow => narrow ? 380 : 760;
     // The length of a velocity of 1, where it is drawn as an arrow; the tip of the one at the start is taken by hand.
@@ -66,13 +73,14 @@ window.slipbookScenes = (() => {
 
     return {
         line,
-        // The pulled table from above. The table stands still in the picture; the ground runs away below it.
-        constant({ values: [step], curves: [places, velocities] }, narrow, set, theta, held) {
+        // The pulled table from above. The table stands still in the picture; the ground runs away below it. Another block shows what
+        // would be without the pull.
+        constant({ values: [step], curves: [places, velocities, alike] }, narrow, set, theta, held) {
             const wide = width(narrow);
-            const xs = places.filter((_, i) => i % 2 === 0), ys = places.filter((_, i) => i % 2);
+            const both = [...places, ...alike], xs = both.filter((_, i) => i % 2 === 0), ys = both.filter((_, i) => i % 2);
             if (!held || !kept) kept = [Math.min(0, ...xs), Math.max(0, ...xs), Math.min(0, ...ys), Math.max(0, ...ys)];
             const [left, right, low, high] = kept;
-            const scale = Math.min(110, (wide - 200) / (right - left + 0.4), 116 / (high - low + 0.2));
+            const scale = Math.min(420, (wide - 200) / (right - left), 130 / (high - low));
             const put = (x, y) => [wide / 2 + (x - (left + right) / 2) * scale, 108 - (y - (low + high) / 2) * scale];
             const [x0, y0] = put(0, 0), [u0, v0] = velocities;
             return {
@@ -88,6 +96,7 @@ window.slipbookScenes = (() => {
                     const [x, y] = put(...at(places, i)), [u, v] = at(velocities, i), t = i * step;
                     return [box('disc', 10, 6, wide - 20, 184, 6), ...floor(t * t / 2 * scale / 60, 202, wide, 60),
                         ...arrow(80, 24, -52, 0, 'pull'), text(90, 29, 'the table is pulled this way'),
+                        text(wide - 20, 182, 'dashed: on a table at rest', END), ghost(...put(...at(alike, i))),
                         trail(places, i, put), box('body', x - 11, y - 8, 22, 16, 2), ...arrow(x, y, ARROW * u, -ARROW * v, 'velocity')];
                 },
             };
@@ -204,7 +213,7 @@ window.slipbookScenes = (() => {
                 move: px => set({ rho: (px - right) / scale }),
                 step: (dx, dy) => set({ rho: [dx + dy] }),
             }, ...(velocity ? [{
-                at: [from + scale * velocity[0], y - scale * velocity[1]], label: 'the velocity at the start', range: [-2.5, 2.5], now: velocity[1],
+                at: reached(from, y, scale * velocity[0], -scale * velocity[1], size), label: 'the velocity at the start', range: [-2.5, 2.5], now: velocity[1],
                 text: `outwards ${SlipbookPlot.fixed(velocity[0], 2)}, along the turning ${SlipbookPlot.fixed(velocity[1], 2)}`,
                 move: (px, py) => set({ u: (px - from) / scale, v: (y - py) / scale }),
                 step: (du, dv) => set({ u: [du], v: [dv] }),

@@ -118,10 +118,10 @@
 
         const hint = `<span class="hint">${explorer.hint}</span>`;
         host.innerHTML = `<p><span class="name">${explorer.name}</span> ${explorer.asksFirst ? '' : hint}</p>
-            <div class="theatre"></div><div class="plots"></div>
+            <div><div class="theatre"></div><div class="plots"></div>
             <div class="controls"><div class="inputs">${keys.map(key => `<label>${inputs[key].label} <output></output>
                 <input type="range" name="${key}" min="${inputs[key].range[0]}" max="${inputs[key].range[1]}" step="${inputs[key].step}"></label>`).join('')}
-                <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button></div></div></div>`;
+                <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button></div></div></div></div>`;
         host.classList.toggle('bare', Boolean(explorer.bare));
         // What is asked about is not told before it has been seen.
         let told = !explorer.asksFirst;
@@ -153,7 +153,8 @@
         // Where an intuition is usually wrong, the reader guesses before the bodies move.
         if (explorer.predict) {
             const { asks, options, right, says, at } = explorer.predict;
-            host.querySelector('.theatre').insertAdjacentHTML('beforebegin', `<div class="predict" role="group" aria-label="Your guess"><p>${asks}</p>
+            // Above the part in which the controls stay in view, so that they never cover it.
+            host.querySelector('.theatre').parentElement.insertAdjacentHTML('beforebegin', `<div class="predict" role="group" aria-label="Your guess"><p>${asks}</p>
                 <div>${options.map(option => `<button type="button" aria-pressed="false">${option}</button>`).join('')}</div><span role="status"></span></div>`);
             const box = host.querySelector('.predict'), buttons = [...box.querySelectorAll('button')];
             buttons.forEach((button, i) => button.addEventListener('click', () => {

@@ -15,7 +15,7 @@ pub fn printed(name: &str) -> Vec<[f64; 2]> {
             })
             .collect(),
         "escape" => [0.5, 4.0].map(|x| [x, escape::eq136_rho(1.0)]).into(),
-        "anisotropic" => steps(1.0, 7.0, 60)
+        "anisotropic" => steps(1.0, 12.0, 110)
             .map(|q| [q, anisotropic::eq55_lambda0(q)])
             .collect(),
         _ => Vec::new(),

@@ -9,7 +9,7 @@ mod speed;
 mod tests;
 
 use crate::claims::PAPER;
-use crate::{commands, figures, symbols};
+use crate::{breaks, commands, figures, symbols};
 use include_dir::{Dir, include_dir};
 use trialbook::publishing::{Edition, Placeholder, Sources, texts};
 
@@ -90,7 +90,10 @@ pub static EDITION: Edition = Edition {
         ),
         ("eq-55", BEYOND_Y),
         ("s24-region-2", BEYOND_Y),
-        ("fig-5", BEYOND_Y),
+        (
+            "fig-5",
+            "anisotropic.html#explore-anisotropic?q=6.5&lambda=0.15&w=0.3",
+        ),
         (
             "eq-75",
             "sphere.html#explore-sphere?lambda=1.5&kappa=0.4&u=-1&v=0",
@@ -110,6 +113,11 @@ pub static EDITION: Edition = Edition {
         ("s4-psi-free", BETWEEN),
         ("s4-envelope-is-boundary", BETWEEN),
     ],
+    breaks: |id| {
+        let claims = breaks::claims();
+        let known = claims.iter().any(|claim| claim.id == id);
+        known.then(|| format!("breaking.html#broken?claim={id}"))
+    },
     sources: Sources {
         files: sources,
         motion,
@@ -192,7 +200,7 @@ pub static EDITION: Edition = Edition {
 };
 
 /// Between the borders C and E of anisotropic friction: region IV, which the paper takes for II.
-const BEYOND_Y: &str = "anisotropic.html#explore-anisotropic?q=6.5&lambda=0.152&w=0.3";
+const BEYOND_Y: &str = "anisotropic.html#explore-anisotropic?q=9&lambda=0.1&w=0.3";
 
 /// A particle that escapes.
 const ESCAPE: &str = "escape.html#explore-escape?rho=1.1";

@@ -1,7 +1,7 @@
 //! Section 2.1: a launch under constant acceleration. Speeds in units of v₀, times in v₀/A, lengths in v₀²/A.
 
 use super::{Answer, ExplorerError, PICTURES, flag, spread};
-use crate::motion::{Launch, Motion, MotionError, State};
+use crate::motion::{Launch, Motion, MotionError, Plane, State, run};
 use std::f64::consts::PI;
 
 /// How long a motion is followed that need not come to rest.
@@ -74,20 +74,27 @@ pub fn portrait(lambda: f64) -> Result<Answer, ExplorerError> {
 
 /// The same motion at equal times, for a moving picture.
 ///
-/// Values: the time between the pictures. Curves: place and velocity of the particle, relative to the plane.
+/// Values: the time between the pictures. Curves: place and velocity of the particle, relative to the plane, and the place of one
+/// that is launched alike on a plane at rest.
 ///
 /// # Errors
 /// As for [`motion`].
 pub fn film(lambda: f64, theta: f64) -> Result<Answer, ExplorerError> {
     let motion = followed(lambda, theta)?;
-    let (places, velocities): (Vec<_>, Vec<_>) = spread(0.0, motion.end().t, PICTURES)
-        .map(|t| motion.at(t).map(|state| (state.x, state.v)))
-        .collect::<Result<Vec<_>, _>>()?
-        .into_iter()
-        .unzip();
+    let end = motion.end().t;
+    let alike = run(&Plane::constant([0.0; 2]), lambda, motion.at(0.0)?, end)?;
+    let mut curves = vec![Vec::new(); 3];
+    for t in spread(0.0, end, PICTURES) {
+        let State { x, v, .. } = motion.at(t)?;
+        let points = [x, v, alike.at(t)?.x];
+        curves
+            .iter_mut()
+            .zip(points)
+            .for_each(|(curve, point)| curve.push(point));
+    }
     Ok(Answer {
-        values: vec![motion.end().t / f64::from(PICTURES)],
-        curves: vec![places, velocities],
+        values: vec![end / f64::from(PICTURES)],
+        curves,
     })
 }
 

@@ -3,7 +3,9 @@
 use super::AllFiguresError;
 use crate::exam::results::{Candidate, ResultsError, candidates, ours, tasks};
 use crate::exam::{Answer, TASKS};
-use trialbook::plotting::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
+use trialbook::plotting::{
+    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Stroke, Table,
+};
 
 /// The tasks drawn: a stop in the plane, and a stick and slip.
 const DRAWN: [&str; 2] = ["stop-place", "heat"];
@@ -98,7 +100,9 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
              engines end far from rounding, those of the solvers with events at it, where the square of our motion is, too.",
         );
     for sat in tasks {
-        let mut panel = Panel::new(Axis::log("'cost'"), Axis::log("'error'")).title(sat.task);
+        let mut panel = Panel::new(Axis::log("'cost'"), Axis::log("'error'"))
+            .title(sat.task)
+            .height(420.0);
         // Whoever did not sit leaves its colour unused, so that one has the same in all panels.
         let sitting = sat
             .runs
@@ -119,7 +123,8 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
                 .points
                 .iter()
                 .map(|[cost, error]| [*cost, error.max(ROUNDING)]);
-            panel = panel.curve(Curve::new(points).series(n).key(format!("'{}'", runs.name)));
+            let curve = Curve::new(points).series(n).stroke(Stroke::Solid);
+            panel = panel.curve(curve.label(format!("'{}'", runs.name)));
         }
         let [cost, error] = sat.ours;
         table.row([
@@ -131,7 +136,7 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
         let own = Points::new([[cost, error.max(ROUNDING)]])
             .ink()
             .marker(Marker::Square);
-        plot = plot.panel(panel.points(own.key("'ours'")));
+        plot = plot.panel(panel.points(own.label("'ours'")));
     }
     plot.figure(table)
 }

@@ -5,7 +5,7 @@ use crate::claims::escape::straight::straight_in;
 use crate::claims::rest::fates as maps;
 use crate::motion::MotionError;
 use crate::motion::turntable::ensemble::rests;
-use crate::motion::turntable::intrinsic::{Intrinsic, Run};
+use crate::motion::turntable::intrinsic::Run;
 use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use std::f64::consts::PI;
 use trialbook::plotting::{
@@ -137,34 +137,33 @@ fn maps_of_fates() -> Result<Figure, AllFiguresError> {
     Ok(fates(&list?, maps::as_of())?)
 }
 
-/// The velocity before a stop.
+/// Speed and angle before a stop.
 fn stops() -> Result<Figure, AllFiguresError> {
     let stop = |name: String, run: &Run, end: f64| -> Result<_, MotionError> {
-        let even = (0..=200).map(|i| run.at(end * f64::from(i) / 200.0));
-        let mut states = even.collect::<Result<Vec<_>, _>>()?;
+        // Closer and closer to the stop.
+        let near = (0..=100).map(|i| run.at(end * (1.0 - libm::exp10(-0.05 * f64::from(i)))));
+        let mut states = near.collect::<Result<Vec<_>, _>>()?;
         states.extend(run.nodes().filter(|state| state.tau < end));
         states.sort_by(|a, b| a.tau.total_cmp(&b.tau));
-        let point = |state: &Intrinsic| {
-            let (s, c) = libm::sincos(state.psi());
-            [state.tau, state.p() * c, -state.p() * s]
-        };
-        // Rounding turns a particle that comes straight in, but not before it is too slow to be seen.
+        // Rounding turns a particle that comes straight in, but not before it is slower than this.
         let seen = states.iter().filter(|state| state.p() > 1e-3);
-        let points = seen.map(point).collect();
+        let points = seen
+            .map(|state| [state.tau, state.p(), state.psi()])
+            .collect();
         Ok(Stop { name, points })
     };
     let mut list = Vec::new();
     for rho in [0.3, 0.6, 0.8, 0.87] {
         let run = Run::new(&Start::put_down(rho)?, 20.0)?;
-        list.push(stop(format!("put down at ρ = {rho}"), &run, run.end().tau)?);
+        list.push(stop(format!("ρ_0 = {rho}"), &run, run.end().tau)?);
     }
     let straight = straight_in(0.6, 0.4)?;
     list.push(stop(
-        "straight in".to_owned(),
+        "'straight in'".to_owned(),
         &straight.run,
         straight.stop().tau,
     )?);
-    Ok(hodographs(&list)?)
+    Ok(turning(&list)?)
 }
 
 /// Resting places against a start.
@@ -392,48 +391,40 @@ fn between(line: &[[f64; 2]], (from, to): (f64, f64)) -> Vec<[f64; 2]> {
     piece
 }
 
-/// A stop: the velocity on the table, along the position and counterclockwise across it.
+/// A stop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stop {
     /// How it began.
     pub name: String,
-    /// (τ, outward, across).
+    /// (τ, p, ψ).
     pub points: Vec<[f64; 3]>,
 }
 
-/// Hodographs of stops on the table.
+/// How the velocity turns before a stop.
 ///
 /// Fails as [`Plot::figure`] does.
-pub fn hodographs(stops: &[Stop]) -> Result<Figure, FigureError> {
-    let mut table = Table::new(&["start", "tau", "outward", "across"]);
-    let mut panel = Panel::new(
-        Axis::linear("p cos ψ").range(-0.4, 0.4),
-        Axis::linear("−p sin ψ").range(-0.9, 0.2),
-    )
-    .height(330.0);
+pub fn turning(stops: &[Stop]) -> Result<Figure, FigureError> {
+    let mut table = Table::new(&["start", "tau", "p", "psi (rad)"]);
+    let mut panel = Panel::new(Axis::log("p"), Axis::log("ψ")).height(300.0);
     for (n, stop) in stops.iter().enumerate() {
-        for [tau, outward, across] in &stop.points {
-            table.row([
-                stop.name.as_str().into(),
-                (*tau).into(),
-                (*outward).into(),
-                (*across).into(),
-            ])?;
+        for [tau, p, psi] in &stop.points {
+            let name = stop.name.trim_matches('\'');
+            table.row([name.into(), (*tau).into(), (*p).into(), (*psi).into()])?;
         }
-        let curve = Curve::new(stop.points.iter().map(|&[_, x, y]| [x, y]));
-        panel = panel.curve(curve.series(n).arrows(&[0.5]).key(stop.name.clone()));
+        let curve = Curve::new(stop.points.iter().map(|&[_, p, psi]| [p, psi]));
+        let curve = curve.series(n).stroke(Stroke::Solid).arrows(&[0.5]);
+        panel = panel.curve(curve.label_at(stop.name.clone(), 0.8));
     }
-    Plot::new("rest-hodograph", "The velocity of a stopping particle")
+    Plot::new("rest-turning", "The last moments before a stop")
         .caption(
-            "Hodographs on the table: the velocity's outward component and the one in the sense of the table's rotation. \
-             Particles put down at rest in the laboratory, and one that slides straight in. A stop is the point in the middle. \
-             All but the last arrive there moving outwards, with $\\psi\\to0$; for $\\sigma$ close to 1 the turn is done long before the stop. The \
-             last one, with $\\psi\\to\\pi$, arrives from the other side.",
+            "The angle $\\psi$ from the velocity to the position against the speed $p$, for particles put down at rest in the laboratory, \
+             at the distance $\\rho_0$, and one that slides straight in. The others stop with $\\psi\\to0$, moving outwards: the angle of \
+             the one that stops below $\\sigma=\\frac12$ falls more slowly than the speed, those of the rest in proportion to it. The one that \
+             slides straight in stops with $\\psi\\to\\pi$.",
         )
         .alt(
-            "Curves in the plane of the velocity. They start on the negative vertical axis, bend towards positive horizontal \
-             velocities and run into the origin along the horizontal axis. A single curve comes from negative horizontal \
-             velocities.",
+            "Logarithmic axes. Four curves begin at the upper right, at a quarter turn, and fall to the lower left, three of them along \
+             parallel lines and one along a flatter line. A fifth stays at half a turn.",
         )
         .panel(panel)
         .figure(table)

@@ -67,22 +67,26 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
         7,
         [0.7, 120.0, 0.0, 0.0],
         |film, i| {
-            let (places, [u, v]) = (&film.curves[0], film.curves[1][i]);
+            let [u, v] = film.curves[1][i];
+            // The block, and the one on a table at rest.
+            let both = [&film.curves[0], &film.curves[2]];
             let ends = |k: usize| {
-                let all = places.iter().map(|place| place[k]);
+                let all = both.into_iter().flatten().map(|place| place[k]);
                 let low = all.clone().fold(0.0, f64::min);
                 [low, all.fold(0.0, f64::max)]
             };
             let [[left, right], [low, high]] = [ends(0), ends(1)];
-            let scale = 110.0_f64
-                .min(560.0 / (right - left + 0.4))
-                .min(116.0 / (high - low + 0.2));
-            let [x, y] = places[i];
-            let place = [
-                380.0 + scale * (x - 0.5 * (left + right)),
-                108.0 - scale * (y - 0.5 * (low + high)),
-            ];
-            (vec![place], vec![[ARROW * u, -ARROW * v]])
+            let scale = 420.0_f64
+                .min(560.0 / (right - left))
+                .min(130.0 / (high - low));
+            let places = both.map(|places| {
+                let [x, y] = places[i];
+                [
+                    380.0 + scale * (x - 0.5 * (left + right)),
+                    108.0 - scale * (y - 0.5 * (low + high)),
+                ]
+            });
+            (places.into(), vec![[ARROW * u, -ARROW * v]])
         },
     ),
     (

@@ -159,7 +159,7 @@ fn the_manners_are_those_of_the_regions() {
 
 #[test]
 fn the_map_has_the_borders_that_the_claims_found() {
-    let curves = anisotropic::map(7.0).unwrap().curves;
+    let curves = anisotropic::map(12.0).unwrap().curves;
     for i in 0..curves[0].len() {
         let q = curves[0][i][0];
         let corrected = Curves::at(q).unwrap().corrected;
@@ -290,6 +290,12 @@ fn the_guesses_have_the_answers_that_are_given() {
     // Straight across the pull at λ = 2: a third later than the 1/2 on a table at rest.
     let stop = constant::motion(2.0, 90.0).unwrap().values[1];
     assert!((stop / 0.5 - 4.0 / 3.0).abs() < 1e-12);
+    // The other block, on a table at rest, is by then where it has stopped: at 1/(2λ).
+    let [x, y] = constant::film(2.0, 90.0).unwrap().curves[2]
+        .last()
+        .copied()
+        .unwrap();
+    assert!(x.abs() < 1e-12 && (y - 0.25).abs() < 1e-12);
     // Across the stroke: the logarithm falls faster from period to period, so that no straight line is below it for ever.
     let depths = plane::film(0.3, 0.5, 1.0).unwrap().curves[2].clone();
     let depth = |period: usize| depths[period * (depths.len() - 1) / 4][1];

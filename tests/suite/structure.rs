@@ -144,6 +144,7 @@ const OF_THE_PAPER: &Modules = &[
         "edition",
         &[
             "evidence",
+            "breaks",
             "claims",
             "exam",
             "ledger",

@@ -63,6 +63,8 @@ pub struct Edition {
     /// Where one sees a claim fail: the claim's id, and the address of an explorer in that state, such as
     /// `rest.html#explore-rest?rho=0.5`.
     pub watch: &'static [(&'static str, &'static str)],
+    /// Where the reader may break the formula of the claim of this id, if anywhere: an address.
+    pub breaks: fn(&str) -> Option<String>,
     /// The code to show.
     pub sources: Sources,
     /// The placeholders of its own.
@@ -96,6 +98,7 @@ impl Edition {
             symbols: &[],
             aliases: &[],
             watch: &[],
+            breaks: |_| None,
             sources: Sources::NONE,
             placeholders: &[],
             files: Vec::new,

@@ -80,42 +80,35 @@ pub fn corners() -> Result<[[f64; 2]; 2], Failure> {
 /// How far the particle creeps and what it loses, over a part of the plane.
 #[derive(Debug, Clone)]
 pub struct Budgets {
-    /// The curves, in order of q.
+    /// The ratios q, rising.
+    pub q: Vec<f64>,
+    /// The frictions λ₀, rising.
+    pub lambda0: Vec<f64>,
+    /// The curves at these q.
     pub curves: Vec<Curves>,
-    /// Cells along q and along λ₀.
-    pub shape: (usize, usize),
-    /// The ends along q.
-    pub q: (f64, f64),
-    /// The ends along λ₀.
-    pub lambda0: (f64, f64),
-    /// The mean velocity and what friction takes in a period, by the motion, row by row from the lowest λ₀.
-    pub cells: Vec<[f64; 2]>,
+    /// The mean velocity and what friction takes in a period, by the motion, for each q in turn at all λ₀.
+    pub found: Vec<Vec<[f64; 2]>>,
 }
 
-/// Drift and loss by simulation at the middles of a grid's cells.
+/// Drift and loss by simulation at the points of a grid.
 ///
 /// # Errors
 /// A motion that does not become periodic.
 pub fn budgets() -> Result<Budgets, Failure> {
-    let (shape, q, lambda0) = ((72, 60), (1.0, 7.0), (0.0, 1.2));
-    let middle = |(from, to): (f64, f64), i: usize, n: usize| {
-        from + (to - from) * (i as f64 + 0.5) / n as f64
+    let q: Vec<f64> = (0..=120).map(|i| 1.0 + f64::from(i) / 20.0).collect();
+    let lambda0: Vec<f64> = (1..=48).map(|i| f64::from(i) / 40.0).collect();
+    let found = |&q: &f64| -> Result<Vec<_>, Failure> {
+        let one = |&lambda0: &f64| -> Result<_, Failure> {
+            let motion = attractor(q, lambda0)?;
+            Ok([motion.displacement() / (2.0 * PI), motion.lost()])
+        };
+        lambda0.iter().map(one).collect()
     };
-    let cell = |k: usize| -> Result<[f64; 2], Failure> {
-        let at = (
-            middle(q, k % shape.0, shape.0),
-            middle(lambda0, k / shape.0, shape.1),
-        );
-        let motion = attractor(at.0, at.1)?;
-        Ok([motion.displacement() / (2.0 * PI), motion.lost()])
-    };
-    let ratios = (0..=shape.0).map(|i| q.0 + (q.1 - q.0) * i as f64 / shape.0 as f64);
     Ok(Budgets {
-        curves: ratios.map(Curves::at).collect::<Result<_, _>>()?,
-        shape,
+        curves: q.iter().map(|&q| Curves::at(q)).collect::<Result<_, _>>()?,
+        found: q.iter().map(found).collect::<Result<_, _>>()?,
         q,
         lambda0,
-        cells: (0..shape.0 * shape.1).map(cell).collect::<Result<_, _>>()?,
     })
 }
 

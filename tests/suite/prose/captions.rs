@@ -33,7 +33,7 @@ tried! {
                 closer && a[0][2] > b[0][2] && drop(a) > drop(b)
             })
     };
-    "anisotropic-drift": "band lies in the corner of {large|small} q", "and {small|large} λ₀", "the {fastest|slowest} band"
+    "anisotropic-drift": "drift lies in the corner of {large|small} q", "and {small|large} λ₀", "the {fastest|slowest} drift"
         => |data| {
         let rows = data.rows();
         let corner = |row: &[f64]| row[1] == rows[0][1] && rows.iter().all(|other| other[0] <= row[0]);
@@ -55,11 +55,20 @@ tried! {
             && far.clone().count() > 0
             && far.clone().all(|row| (row[2] - row[1]).abs() < 0.1)
     };
-    "rest-hodograph": "arrive there moving {outwards|inwards}" => |data| {
+    "rest-turning": "falls more {slowly|quickly} than the speed" => |data| {
+        let groups = data.groups();
+        let slope = |(_, rows): &(String, Vec<Vec<f64>>)| {
+            let [a, b] = [&rows[rows.len() - 2], &rows[rows.len() - 1]];
+            (b[3] / a[3]).ln() / (b[2] / a[2]).ln()
+        };
+        let slopes: Vec<f64> = groups.iter().map(slope).collect();
+        slopes[0] < 0.5 && slopes[1..4].iter().all(|slope| (slope - 1.0).abs() < 0.1)
+    };
+    "rest-turning": "stop with §, moving {outwards|inwards}" => |data| {
         let groups = data.groups();
         let (straight, others) = groups.split_last().unwrap();
-        let end = |rows: &[Vec<f64>]| rows[rows.len() - 1][2];
-        others.iter().all(|(_, rows)| end(rows) > 0.0) && end(&straight.1) < 0.0
+        let end = |rows: &[Vec<f64>]| rows[rows.len() - 1][3];
+        others.iter().all(|(_, rows)| end(rows) < 0.3 * rows[0][3]) && end(&straight.1) > 3.0
     };
     "sinusoidal-rest": "it {grows|falls} from zero" => |data| {
         let share = column(&data.rows(), 1);

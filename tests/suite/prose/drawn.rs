@@ -34,8 +34,7 @@ A/τ3/2: value
 ρ0: value
 u0: value
 σ: sigma
-p cos ψ: outward
-−p sin ψ: across
+p: p
 ψ: psi (rad)
 (1 − A)/α: 
 α cos ψ: 
@@ -67,7 +66,7 @@ const BESIDE: &[(&str, usize)] = &[
     ("periodic-census", 9),
     ("periodic-come-and-go", 4),
     ("anisotropic-far", 1),
-    ("anisotropic-drift", 8),
+    ("anisotropic-drift", 20),
     ("sphere-times", 1),
     ("escape-fan", 133),
     ("rest-basin", 1),

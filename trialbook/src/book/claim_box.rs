@@ -253,9 +253,10 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let variants = match tried {
         0 => String::new(),
         _ => format!(
-            "<p>Of {} of the formula, {rejected} are {}.</p>",
+            "<p>Of {} of the formula, {rejected} are {}.{}</p>",
             counted(tried, "wrong variant"),
-            context.explained("rejected", "variants")
+            context.explained("rejected", "variants"),
+            context.breaks(entry.claim.id)
         ),
     };
     Ok(format!(

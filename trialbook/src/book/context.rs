@@ -41,6 +41,14 @@ impl<'a> Context<'a> {
         })
     }
 
+    /// The link to where the reader breaks the formula, if there is such a place.
+    pub(super) fn breaks(&self, id: &str) -> String {
+        let place = (self.edition.breaks)(id);
+        place.map_or_else(String::new, |address| {
+            format!(" <a href=\"{}\">Break it yourself.</a>", escape(&address))
+        })
+    }
+
     /// A link to a claim's box.
     pub(super) fn link(&self, entry: &Entry) -> Result<String, Fault> {
         // The book has figures of its own.
