@@ -42,12 +42,12 @@ pub(super) fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
 
 /// (47) to (50).
 fn definitions() -> [Expr; 4] {
-    let [mu_plus, mu_minus, g, a0, q, lambda0] = Expr::symbols(["μ₊", "μ₋", "g", "A₀", "q", "λ₀"]);
+    let g = Expr::symbol("g");
     [
-        printed::eq47_lambda_plus(mu_plus, g, a0),
-        printed::eq48_lambda_minus(mu_minus, g, a0),
-        printed::eq49_lambda_plus(lambda0),
-        printed::eq50_lambda_minus(q, lambda0),
+        printed::eq47_lambda_plus::tree(),
+        printed::eq48_lambda_minus::tree(),
+        printed::eq49_lambda_plus::tree(),
+        printed::eq50_lambda_minus::tree(),
     ]
 }
 
@@ -179,8 +179,7 @@ pub(super) fn sides_of_b() -> [Expr; 2] {
 }
 
 pub(super) fn sides_of_a() -> [Expr; 2] {
-    let [k, lambda0] = Expr::symbols(["K", "λ₀"]);
-    printed::eq53_sides(k, lambda0)
+    printed::eq53_sides::tree()
 }
 
 pub(super) fn sides_of_e() -> [Expr; 2] {
@@ -344,7 +343,7 @@ fn prove_eq55(curve: Expr) -> Proof {
     let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
     let half = phi / Expr::int(2);
     let square = (half.sin() + half.cos()).squared();
-    let rate = printed::eq52_rate(q, lambda0, phi);
+    let rate = printed::eq52_rate::tree();
     prove_start("(55): curve C", rate, q * (lambda0 - curve), square)
 }
 
@@ -353,7 +352,7 @@ fn prove_eq56(curve: Expr) -> Proof {
     let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
     let half = phi / Expr::int(2);
     let square = (half.sin() - half.cos()).squared();
-    let rate = printed::eq51_rate(lambda0, phi);
+    let rate = printed::eq51_rate::tree();
     prove_start("(56): curve D", rate, curve - lambda0, -square)
 }
 
@@ -364,7 +363,7 @@ const EQ55: Statement = Statement::new(
         "(52)",
         r"$q$ times the difference of $\lambda_0$ and (55), plus a square that vanishes at $\phi=3\pi/2$",
     ),
-    || printed::eq55_lambda0(Expr::symbol("q")),
+    printed::eq55_lambda0::tree,
     prove_eq55,
 );
 
@@ -405,11 +404,7 @@ fn prove_mirror(([forward, backward], [other_q, other_lambda0]): ([Expr; 2], [Ex
 }
 
 pub(super) fn printed_rates() -> [Expr; 2] {
-    let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
-    [
-        printed::eq51_rate(lambda0, phi),
-        printed::eq52_rate(q, lambda0, phi),
-    ]
+    [printed::eq51_rate::tree(), printed::eq52_rate::tree()]
 }
 
 /// (51).
@@ -419,10 +414,7 @@ const EQ51: Statement = Statement::new(
         "(51)",
         "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
     ),
-    || {
-        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        printed::eq51_rate(lambda0, phi)
-    },
+    || printed::eq51_rate::tree(),
     prove_eq51,
 );
 
@@ -433,10 +425,7 @@ const EQ52: Statement = Statement::new(
         "(52)",
         "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
     ),
-    || {
-        let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
-        printed::eq52_rate(q, lambda0, phi)
-    },
+    || printed::eq52_rate::tree(),
     prove_eq52,
 );
 
@@ -447,7 +436,7 @@ const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
         "(53)",
         r"the balance of friction over a period, with a forward arc of length $2K$ from $\sin^{-1}\lambda_0$",
     ),
-    || (printed::eq53_k(Expr::symbol("q")), sides_of_a()),
+    || (printed::eq53_k::tree(), sides_of_a()),
     |(a, b)| prove_eq53(a, b),
 );
 
@@ -501,8 +490,8 @@ pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
         "(52) and (51)",
     ),
     || {
-        let [q, lambda0] = Expr::symbols(["q", "λ₀"]);
-        (printed_rates(), printed::s24_mirrored(q, lambda0))
+        let q = Expr::symbol("q");
+        (printed_rates(), printed::s24_mirrored::tree())
     },
     prove_mirror,
 );

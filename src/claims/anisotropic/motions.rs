@@ -105,11 +105,11 @@ const CURVE_C: Statement = Statement::new(
 );
 
 fn curve_a() -> CurveA {
-    (printed::eq53_k(Expr::symbol("q")), sides_of_a())
+    (printed::eq53_k::tree(), sides_of_a())
 }
 
 fn on_c() -> Expr {
-    printed::eq55_lambda0(Expr::symbol("q"))
+    printed::eq55_lambda0::tree()
 }
 
 fn int(n: i64) -> Expr {

@@ -11,7 +11,7 @@ pub const MOVES: Statement = Statement::new(
     Compared::shown(
         r"at rest friction has to balance $-\bm A$, and can give $\mu g$ at most: for every $\bm A$ the lack $\lvert\bm A\rvert-\mu g$ is positive exactly where $\lvert\bm A\rvert$ exceeds the stated bound, so that no rest outlasts the beginning of a stretch of time on which it does",
     ),
-    || printed::s2_rest_ends_above(Expr::symbol("μ"), Expr::symbol("g")),
+    printed::s2_rest_ends_above::tree,
     moves,
 );
 
@@ -54,7 +54,7 @@ const SPEEDS_UP: Statement<(Expr, [Expr; 2], Expr)> = Statement::new(
         r"with $\bm A=-a\,\hat{\bm x}$ and $a\ge\mu g+\delta$, $\delta>0$, at all times, from every start: by (1) $\mathrm dv_x/\mathrm dt\ge\delta$, $v_y^2$ never grows, and $v_x/v$ never falls; it comes above $\mu g/(\mu g+\delta)$ and stays there, and by (2) $\mathrm dv/\mathrm dt>0$ from then on",
     ),
     || {
-        let bound = printed::s2_speeds_up_above(Expr::symbol("μ"), Expr::symbol("g"));
+        let bound = printed::s2_speeds_up_above::tree();
         (bound, eq1(), eq2())
     },
     speeds_up,

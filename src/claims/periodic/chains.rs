@@ -43,7 +43,7 @@ pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
     Compared::shown(
         r"for every $h$ with $\lvert h\rvert\le1$, every $\lambda_0>1$ and every start (26) with $h$ for the sine gives $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le1-\lambda_0<0$, so that the particle is at rest after $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ at the latest, and stays, as $\lvert h\rvert<\lambda_0$",
     ),
-    || (rate(), printed::s23_rest_sides(Expr::symbol("λ₀"))),
+    || (rate(), printed::s23_rest_sides::tree()),
     |(rate, sides)| for_both_signs(|sign| rest_above_one(rate, sides, sign)),
 );
 
@@ -148,10 +148,7 @@ const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
 fn normalised(([pulse, gap], largest): ([Expr; 2], Expr)) -> Proof {
     let h = Expr::symbol("h");
     Proof::in_ring("The size of the pulses", ring(1), |p| {
-        let length = p.read(
-            "The length of a pulse by (42)",
-            printed::eq42_end(Expr::symbol("η")),
-        )?;
+        let length = p.read("The length of a pulse by (42)", printed::eq42_end::tree())?;
         let growth = p.slope("grows with η at the rate", &length, "η")?;
         p.reads_as(&growth, "positive", Expr::pi())?;
         let eta = p.ring().named("η")?;
@@ -184,7 +181,7 @@ pub struct Pulses {
 fn pulses() -> Pulses {
     Pulses {
         h: drive(),
-        end: printed::eq42_end(Expr::symbol("η")),
+        end: printed::eq42_end::tree(),
         critical: critical(),
     }
 }
@@ -195,7 +192,7 @@ fn drive() -> [Expr; 4] {
 }
 
 fn critical() -> Expr {
-    printed::eq46_lambda_c(Expr::symbol("η"))
+    printed::eq46_lambda_c::tree()
 }
 
 /// η = 1 and η = 0.
@@ -302,7 +299,7 @@ fn nonzero_again(rate: Expr, h: [Expr; 4], critical: Expr, again: Expr, sign: i6
             ),
         )?;
         given(p, &[&EQ44, &EQ46])?;
-        let [_, stop] = printed::eq44_ends(lambda0, Expr::symbol("η"));
+        let [_, stop] = printed::eq44_ends::tree();
         let excess = Expr::pi() * (lambda0 - critical) / lambda0;
         p.identity(
             ("π less the end of the slip by (44)", Expr::pi() - stop),

@@ -91,7 +91,7 @@ pub fn eq45_mirror(mirrored: Expr) -> Proof {
         p.reads_as(
             &rate,
             "the force there, for negative velocity and h of (43)",
-            printed::eq43_h(h) + friction,
+            printed::eq43_h::tree() + friction,
         )?;
         p.vanishes("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))
     })
@@ -158,7 +158,7 @@ pub const EQ45: Statement = Statement::new(
         "the rate of the mirrored motion",
         "the mirrored force, of opposite friction",
     ),
-    || printed::eq45_w(Expr::symbol("𝔴")),
+    printed::eq45_w::tree,
     eq45_mirror,
 );
 
@@ -169,7 +169,7 @@ pub const EQ46: Statement = Statement::new(
         "the stop of (44), and the start of the motion without rest,",
         "the beginning of a pulse",
     ),
-    || printed::eq46_lambda_c(Expr::symbol("η")),
+    printed::eq46_lambda_c::tree,
     eq46_meeting,
 );
 

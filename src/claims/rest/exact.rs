@@ -47,8 +47,7 @@ pub fn eq139(bound: Expr) -> Proof {
 /// (146) is the derivative of (145) with respect to σ.
 pub fn eq146(formula: Expr) -> Proof {
     prove("(146) is the derivative of (145) by σ", |p| {
-        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
-        let a = p.read("(145)", printed::eq145_a(sigma, alpha))?;
+        let a = p.read("(145)", printed::eq145_a::tree())?;
         let slope = p.slope("∂A/∂σ", &a, "σ")?;
         p.reads_as(&slope, "the right side of (146)", formula)
     })
@@ -57,17 +56,14 @@ pub fn eq146(formula: Expr) -> Proof {
 /// (147) is (145) where (146) holds, with σ < 1.
 pub fn eq147(formula: Expr) -> Proof {
     prove("(147) is (145) with (146) put in", |p| {
-        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
+        let alpha = Expr::symbol("α");
         let solved = Expr::int(1) - alpha / Expr::int(2).sqrt();
         p.note("(146) solved for σ < 1", "σ = 1 − α/√2");
-        let right = printed::eq146_right(sigma, alpha).with("σ", solved);
+        let right = printed::eq146_right::tree().with("σ", solved);
         let right = p.read("(146) there", right)?;
         p.zero("It holds", &right)?;
         p.identity(
-            (
-                "(145) there",
-                printed::eq145_a(sigma, alpha).with("σ", solved),
-            ),
+            ("(145) there", printed::eq145_a::tree().with("σ", solved)),
             ("by (147)", formula),
         )
     })
@@ -91,10 +87,7 @@ const EQ146: Statement = Statement::new(
         "(146)",
         "the derivative of (145), the terms left out being dropped",
     ),
-    || {
-        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
-        printed::eq146_right(sigma, alpha)
-    },
+    || printed::eq146_right::tree(),
     eq146,
 );
 
@@ -105,7 +98,7 @@ const EQ147: Statement = Statement::new(
         "(147)",
         "(145) where (146) holds, the terms left out being dropped",
     ),
-    || printed::eq147_a(Expr::symbol("α")),
+    printed::eq147_a::tree,
     eq147,
 );
 

@@ -165,7 +165,7 @@ fn prove_change(f: fn(One) -> One, written: Expr, critical: Interval) -> Outcome
 }
 
 fn prove_threshold(left: fn(One) -> One, critical: Interval) -> Outcome {
-    let written = printed::eq35_left(Expr::symbol("λ₀"));
+    let written = printed::eq35_left::tree();
     let falls = prove_slope(left, ("λ₀", written), -1.0, Interval::new(0.0, 1.0))?;
     Ok(falls + prove_change(left, written, critical)?)
 }
@@ -208,7 +208,7 @@ pub fn turns() -> Evidence {
     let compared = Compared::shown(
         r"$\tilde\phi_1-\phi_1$ falls for all $0\le\lambda_0\le2/\pi$, both ends included, by its slope in $\tilde\phi_1$, and changes its sign within $10^{-14}$ of (37)",
     );
-    let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
+    let phi_t1 = printed::eq39_phi_t1::tree();
     prove_turns(phi_t1, printed::eq37_lambda_c(), compared)
 }
 
@@ -280,10 +280,10 @@ mod tests {
             |left, critical| certified(prove_threshold(left, critical), Printed, NOTHING);
         refused(&threshold(printed::eq35_left, off));
         refused(&threshold(|l| -printed::eq35_left(l), critical));
-        let phi_t1 = printed::eq39_phi_t1(Expr::symbol("λ₀"));
+        let phi_t1 = printed::eq39_phi_t1::tree();
         refused(&prove_turns(phi_t1, off, NOTHING));
         for variant in PAPER.formulas.variants_of("eq39_phi_t1") {
-            let phi_t1 = || printed::eq39_phi_t1(Expr::symbol("λ₀"));
+            let phi_t1 = || printed::eq39_phi_t1::tree();
             let evidence = prove_turns(with(variant.seed, phi_t1), critical, NOTHING);
             assert_ne!(evidence.worst, 0.0, "{}", variant.text);
         }

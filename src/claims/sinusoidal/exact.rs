@@ -35,12 +35,12 @@ pub(super) fn ring_of_phi_t1() -> Result<Ring, ExactError> {
 
 /// (21) to (24): the acceleration along x, λ₀, φ, and 𝔴.
 fn units() -> [Expr; 4] {
-    let [a0, varpi, t, mu, g, vx] = Expr::symbols(["A₀", "ϖ", "t", "μ", "g", "v_x"]);
-    let [ax, _] = paper::eq21_acceleration(a0, varpi, t);
+    let [a0, varpi, vx] = Expr::symbols(["A₀", "ϖ", "v_x"]);
+    let [ax, _] = paper::eq21_acceleration::tree();
     [
         ax,
-        paper::eq22_lambda0(mu, g, a0),
-        paper::eq23_phase(varpi, t),
+        paper::eq22_lambda0::tree(),
+        paper::eq23_phase::tree(),
         paper::eq24_w(varpi, vx, a0),
     ]
 }
@@ -76,8 +76,7 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
 }
 
 fn eq26_rate() -> Expr {
-    let [lambda0, phi, w] = Expr::symbols(["λ₀", "φ", "𝔴"]);
-    paper::eq26_rate(lambda0, phi, w)
+    paper::eq26_rate::tree()
 }
 
 /// (21) to (24) by the use made of them: with them Newton's law becomes (26).
@@ -130,7 +129,7 @@ const EQ27: Statement = Statement::new(
         "the sine and the cosine of (27)",
         r"$\lambda_0$ and $\cos\sin^{-1}\lambda_0$",
     ),
-    || paper::eq27_phi1(Expr::symbol("λ₀")),
+    paper::eq27_phi1::tree,
     |phase| prove_phase(phase, 1, 1),
 );
 
@@ -141,7 +140,7 @@ const EQ28: Statement = Statement::new(
         "the sine and the cosine of (28)",
         r"$\lambda_0$ and $-\cos\sin^{-1}\lambda_0$",
     ),
-    || paper::eq28_phi2(Expr::symbol("λ₀")),
+    paper::eq28_phi2::tree,
     |phase| prove_phase(phase, 1, -1),
 );
 
@@ -152,7 +151,7 @@ const EQ29: Statement = Statement::new(
         "the sine and the cosine of (29)",
         r"$-\lambda_0$ and $-\cos\sin^{-1}\lambda_0$",
     ),
-    || paper::eq29_phi3(Expr::symbol("λ₀")),
+    paper::eq29_phi3::tree,
     |phase| prove_phase(phase, -1, -1),
 );
 
@@ -163,7 +162,7 @@ const EQ30: Statement = Statement::new(
         "the sine and the cosine of (30)",
         r"$-\lambda_0$ and $\cos\sin^{-1}\lambda_0$",
     ),
-    || paper::eq30_phi4(Expr::symbol("λ₀")),
+    paper::eq30_phi4::tree,
     |phase| prove_phase(phase, -1, 1),
 );
 
@@ -183,7 +182,7 @@ fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obsta
 
 fn prove_eq31(w: Expr) -> Proof {
     Proof::in_ring("(31): the slip after a rest", ring_of_phi1(), |p| {
-        slip(p, w, 1, paper::eq27_phi1(Expr::symbol("λ₀")))
+        slip(p, w, 1, paper::eq27_phi1::tree())
     })
 }
 
@@ -196,7 +195,7 @@ pub const EQ31: Statement = Statement::new(
     ),
     || {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi)
+        paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi)
     },
     prove_eq31,
 );
@@ -210,7 +209,7 @@ fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
     };
     Proof::in_ring(title, ring(), |p| {
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        let slip = paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi);
+        let slip = paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi);
         p.rests_on(&prove_eq31(slip))?;
         p.identity(("(31) there", slip.with("φ", end)), ("the left side", left))
     })
@@ -218,7 +217,7 @@ fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
 
 fn eq32_left() -> Expr {
     let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
-    paper::eq32_left(lambda0, paper::eq27_phi1(lambda0), end)
+    paper::eq32_left(lambda0, paper::eq27_phi1::tree(), end)
 }
 
 fn prove_eq32(left: Expr) -> Proof {
@@ -243,7 +242,7 @@ fn eq34_left() -> Expr {
 }
 
 fn prove_eq34(left: Expr) -> Proof {
-    let end = paper::eq29_phi3(Expr::symbol("λ₀"));
+    let end = paper::eq29_phi3::tree();
     prove_end("(34): the slip (31) would be negative at φ₃", left, end)
 }
 
@@ -288,7 +287,7 @@ const EQ25: Statement<[Expr; 2]> = Statement::new(
         "the drive less friction",
         "the difference of the sides of (25) less a square",
     ),
-    || paper::eq25_sides(Expr::symbol("λ₀")),
+    paper::eq25_sides::tree,
     prove_eq25,
 );
 
@@ -300,7 +299,7 @@ pub(super) fn prove_eq33(cases: [Expr; 4]) -> Proof {
     };
     Proof::in_ring("(33): slips and rests", ring(), |p| {
         let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
-        let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
+        let (phi1, phi3) = (paper::eq27_phi1::tree(), paper::eq29_phi3::tree());
         let [forward, first_rest, backward, second_rest] = cases;
         slip(p, forward, 1, phi1)?;
         slip(p, backward, -1, phi3)?;
@@ -340,8 +339,8 @@ pub(super) fn eq33() -> [Expr; 4] {
     let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
     paper::eq33_w(
         lambda0,
-        paper::eq27_phi1(lambda0),
-        paper::eq29_phi3(lambda0),
+        paper::eq27_phi1::tree(),
+        paper::eq29_phi3::tree(),
         phi,
     )
 }
@@ -364,7 +363,7 @@ fn prove_eq35(left: Expr) -> Proof {
 pub const EQ35: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (35)", "that of (34), by (27) and (29)"),
-    || paper::eq35_left(Expr::symbol("λ₀")),
+    paper::eq35_left::tree,
     prove_eq35,
 );
 
@@ -429,7 +428,7 @@ pub const EQ36: Statement<[Expr; 2]> = Statement::new(
         "the left side of (35), times the sum of its terms,",
         r"$(4+\pi^2)(\lambda_\mathrm c^2-\lambda_0^2)$",
     ),
-    || paper::eq36_sides(Expr::symbol("λ₀")),
+    paper::eq36_sides::tree,
     prove_eq36,
 );
 
@@ -450,7 +449,7 @@ pub const EQ40: Statement<[Expr; 2]> = Statement::new(
         r"$\sin^2\tilde\phi_1-\lambda_0^2$ by (39)",
         r"$(1+\pi^2/4)(\lambda_\mathrm c^2-\lambda_0^2)$",
     ),
-    || paper::eq40_sides(Expr::symbol("λ₀")),
+    paper::eq40_sides::tree,
     prove_eq40,
 );
 
@@ -483,7 +482,7 @@ const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
 /// The cases of (38), and their ends.
 pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
     let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-    let turn = paper::eq39_phi_t1(lambda0);
+    let turn = paper::eq39_phi_t1::tree();
     (paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn))
 }
 
@@ -499,7 +498,7 @@ fn prove_eq39(turn: Expr) -> Proof {
 const EQ39: Statement = Statement::new(
     Printed,
     Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),
-    || paper::eq39_phi_t1(Expr::symbol("λ₀")),
+    paper::eq39_phi_t1::tree,
     prove_eq39,
 );
 

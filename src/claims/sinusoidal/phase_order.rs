@@ -126,7 +126,7 @@ const PERIOD_ENDS: Statement = Statement::new(
     Compared::shown(
         r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above $+\lambda_0$ at $\phi_1$ only, and again a period later; in between it gives nothing, and the slip ends before",
     ),
-    || corrected::rest_of_period_end(paper::eq27_phi1(Expr::symbol("λ₀"))),
+    || corrected::rest_of_period_end(paper::eq27_phi1::tree()),
     period_ends,
 );
 
@@ -175,7 +175,7 @@ fn period_ends(end: Expr) -> Proof {
 /// The slip (31) from rest rises to φ₂ and falls from there on to φ₁ + 2π, and has sunk below zero at φ₄: it ends between the two.
 pub fn slip() -> Proof {
     let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-    ends_once(paper::eq31_w(lambda0, paper::eq27_phi1(lambda0), phi))
+    ends_once(paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi))
 }
 
 fn ends_once(w: Expr) -> Proof {
@@ -211,7 +211,7 @@ const OUTLASTS: Statement<(Expr, Expr)> = Statement::new(
     ),
     || {
         let [lambda0, phi, end] = Expr::symbols(["λ₀", "φ", "φ̃₂"]);
-        let phi1 = paper::eq27_phi1(lambda0);
+        let phi1 = paper::eq27_phi1::tree();
         (
             paper::eq31_w(lambda0, phi1, phi),
             paper::eq32_left(lambda0, phi1, end),
@@ -232,8 +232,8 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
         let [beta, lambda0, phi, end] = Expr::symbols(["β", "λ₀", "φ", "φ̃₂"]);
         let (two, pi) = (Expr::int(2), Expr::pi());
         let there = p.read("(31) at β + π", w.with("φ", beta + pi))?;
-        p.reads_as(&there, "the left side of (35)", paper::eq35_left(lambda0))?;
-        let [friction, critical] = paper::eq36_sides(lambda0);
+        p.reads_as(&there, "the left side of (35)", paper::eq35_left::tree())?;
+        let [friction, critical] = paper::eq36_sides::tree();
         let sum = p.read("Its terms, added", two * beta.cos() + pi * lambda0)?;
         let factor = Expr::int(4) + pi.squared();
         let apart = factor * (critical.squared() - friction.squared());

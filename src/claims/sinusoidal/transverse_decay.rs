@@ -159,7 +159,7 @@ fn near_zero([d, ..]: Passage) -> Proof {
         let two = Expr::int(2);
         p.identity(
             ("The stated size d of the drive at a zero", d),
-            ("", paper::eq39_phi_t1(lambda0).sin()),
+            ("", paper::eq39_phi_t1::tree().sin()),
         )?;
         p.note("By (40)", "d > λ₀ below λ_c");
         let halves = two * ((phi - turn) / two).sin() * ((phi + turn) / two).cos();
@@ -466,7 +466,7 @@ const TWO_STAGES: Statement<(Rate, Expr, NoRest, Passage, Expr)> = Statement::ne
         let [lambda0, d, vy] = Expr::symbols(["λ₀", "d", "v_y"]);
         (
             eq1(),
-            paper::s22_first_stage_slope(lambda0),
+            paper::s22_first_stage_slope::tree(),
             eq38(),
             passage_formulas(),
             corrected::last_stage(lambda0, d, vy),

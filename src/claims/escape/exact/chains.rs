@@ -20,11 +20,10 @@ pub struct Beyond {
 impl Beyond {
     /// As printed.
     fn printed() -> Self {
-        let [p, ell] = Expr::symbols(["p", "ℓ"]);
         Beyond {
             bound: printed::eq127_least_a(),
             acceleration: acceleration(),
-            ahead: motion::eq101_xi_rate(p, ell),
+            ahead: motion::eq101_xi_rate::tree(),
         }
     }
 }
@@ -55,7 +54,7 @@ const RELAXES: Statement = Statement::new(
     Compared::shown(
         r"for every $A>0$ at the start, $\lvert\psi\rvert<\pi$ and $\varepsilon>0$, however small: if $\alpha$ is small enough at the start, then within a time below $\varepsilon$ the angle $\psi$ comes closer than $\varepsilon$ to 0 and so to $\psi_1$, stays there while $\alpha$ is small, and $\mathrm d\alpha/\mathrm d\tau$ is then as close to (126)",
     ),
-    || printed::eq126_alpha_rate(Expr::symbol("A")),
+    printed::eq126_alpha_rate::tree,
     relaxes,
 );
 
@@ -139,7 +138,7 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
         |p| {
             given(p, &[&turntable::EQ107, &turntable::EQ108])?;
             let [speed, rho, psi] = Expr::symbols(["p", "ρ", "ψ"]);
-            let rate = motion::eq107_p_rate(rho, psi) + motion::eq108_rho_rate(speed, psi);
+            let rate = motion::eq107_p_rate::tree() + motion::eq108_rho_rate::tree();
             let rate = p.read("The rate of p + ρ by (107) and (108)", rate)?;
             let sum = speed + rho;
             let fall = bound - sum + int(2) * sum * (psi / int(2)).sin().squared();
@@ -209,7 +208,7 @@ fn escapes(beyond: Beyond) -> Proof {
         p.rests_on(&stops_along(ahead))?;
         let [xi] = Expr::symbols(["ξ"]);
         p.identity(
-            ("dp/dτ by (99)", motion::eq99_p_rate(xi)),
+            ("dp/dτ by (99)", motion::eq99_p_rate::tree()),
             ("ξ less the bound", xi - bound),
         )?;
         p.note(
@@ -221,8 +220,8 @@ fn escapes(beyond: Beyond) -> Proof {
             "the particle is pushed outwards: followed back to the stop, ℓ → 0 likewise, and ξ → ρ, above the bound. As ξ never falls, p grows from the stop on",
         );
         p.rests_on(&comes_to_rest(bound))?;
-        let [a, alpha] = Expr::symbols(["A", "α"]);
-        p.rests_on(&sum(motion::eq111_p(a, alpha), motion::eq112_rho(a, alpha)))?;
+        let a = Expr::symbol("A");
+        p.rests_on(&sum(motion::eq111_p::tree(), motion::eq112_rho::tree()))?;
         p.note(
             "For an A below the bound",
             "p + ρ = A exp(α) is below it too if α is small enough: so no smaller bound would do",
@@ -271,7 +270,7 @@ fn alpha_grows(beyond: Beyond) -> Proof {
             "from some time on dp/dτ = ξ − 1 ≥ δ with a constant δ > 0, and cos ψ > 0",
         );
         let [speed, rho, psi, ell, xi] = Expr::symbols(["p", "ρ", "ψ", "ℓ", "ξ"]);
-        let lag = motion::eq108_rho_rate(speed, psi) - motion::eq107_p_rate(rho, psi);
+        let lag = motion::eq108_rho_rate::tree() - motion::eq107_p_rate::tree();
         let lag = p.read("The rate of ρ − p by (107) and (108)", lag)?;
         let below = p.read("1 less that", int(1) - (rho - speed) * psi.cos())?;
         p.equal("It is 1 less (ρ − p) cos ψ ≥ 0", &lag, &below)?;
@@ -289,8 +288,8 @@ fn alpha_grows(beyond: Beyond) -> Proof {
             "So, as ξ never falls, ξ → ∞",
             "by (99) p/τ → ∞, and (ρ − p)/p → 0",
         );
-        let [a, alpha] = Expr::symbols(["A", "α"]);
-        p.rests_on(&sum(motion::eq111_p(a, alpha), motion::eq112_rho(a, alpha)))?;
+        let a = Expr::symbol("A");
+        p.rests_on(&sum(motion::eq111_p::tree(), motion::eq112_rho::tree()))?;
         p.note("So", "exp(−2α) = (ρ − p)/(ρ + p) → 0");
         Ok(())
     })
@@ -307,7 +306,7 @@ fn relaxes(formula: Expr) -> Proof {
     let rate = Proof::in_ring("(126) and (114)", near(), |p| {
         given(p, &[&turntable::EQ114])?;
         let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
-        let rate = p.read("(114)", motion::eq114_alpha_rate(a, alpha, psi))?;
+        let rate = p.read("(114)", motion::eq114_alpha_rate::tree())?;
         let stated = p.read("(126)", formula)?;
         let small = int(2) * (psi / int(2)).sin().squared()
             + int(2) * (alpha / int(2)).sinh().squared() / a;
@@ -325,7 +324,7 @@ fn relaxes(formula: Expr) -> Proof {
             ],
         )?;
         let [speed, rho, psi] = Expr::symbols(["p", "ρ", "ψ"]);
-        let turn = p.read("dψ/dτ by (109)", motion::eq109_psi_rate(speed, rho, psi))?;
+        let turn = p.read("dψ/dτ by (109)", motion::eq109_psi_rate::tree())?;
         let along = p.ring().along(&[("ψ", turn)])?;
         let tangent = p.read("t = tan(ψ/2)", (psi / int(2)).tan())?;
         let fall = p.derivative("dt/dτ", &tangent, &along)?;
@@ -334,7 +333,7 @@ fn relaxes(formula: Expr) -> Proof {
         let parts = p.read("p (1 + t²) − (ρ + p²/ρ) t", parts)?;
         let by = p.ring().read(speed)?;
         p.equal("By s with dτ = p ds, dt/ds is that", &(&fall * &by), &parts)?;
-        let faster = p.read("dp/dτ by (107)", motion::eq107_p_rate(rho, psi))?;
+        let faster = p.read("dp/dτ by (107)", motion::eq107_p_rate::tree())?;
         let most = p.read("1 + ρ", int(1) + rho)?;
         let spare = int(2) + int(2) * rho * (psi / int(2)).sin().squared();
         let spare = p.read("2 + 2ρ sin²(ψ/2), which is not negative", spare)?;

@@ -235,7 +235,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "δ falls at the rate 2 at least, to π/2; it falls there, too, and so stays below",
     );
     let along = p.ring().along(&[
-        ("A", p.ring().read(motion::eq113_a_rate(alpha))?),
+        ("A", p.ring().read(motion::eq113_a_rate::tree())?),
         ("α", p.ring().read(motion::eq114_alpha_rate(a, alpha, psi))?),
         ("δ", turn),
     ])?;
@@ -478,9 +478,8 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
             &turntable::EQ112,
         ],
     )?;
-    let [a, alpha] = Expr::symbols(["A", "α"]);
     let [_, _, h, t] = state();
-    let (rho, psi) = (motion::eq112_rho(a, alpha), Expr::pi() / int(2) - delta());
+    let (rho, psi) = (motion::eq112_rho::tree(), Expr::pi() / int(2) - delta());
     let across = motion::eq95_ell(rho, psi);
     p.note(
         "In the laboratory the particle turns about the axis with the table, at the rate 1",
@@ -584,8 +583,7 @@ fn in_its_time(p: &mut Prover<'_>, law: Expr) -> Result<(), Obstacle> {
 }
 
 fn speed() -> Expr {
-    let [a, alpha] = Expr::symbols(["A", "α"]);
-    motion::eq111_p(a, alpha)
+    motion::eq111_p::tree()
 }
 
 fn eq128(law: Expr) -> Proof {
@@ -627,8 +625,8 @@ fn eq128(law: Expr) -> Proof {
 
 fn eq129(law: Expr) -> Proof {
     after("(129) in every escape", |p| {
-        let [a, alpha] = Expr::symbols(["A", "α"]);
-        let product = crate::paper::escape::eq129_a(alpha) / a;
+        let a = Expr::symbol("A");
+        let product = crate::paper::escape::eq129_a::tree() / a;
         let value = |[n, predator, h, _]: State| {
             let above = n * (int(1) + h.squared());
             above.squared() / (predator * h * (int(1) + h).squared())
@@ -664,7 +662,7 @@ fn eq131(law: Expr) -> Proof {
     Proof::in_ring("(131) in every escape", with_cubes(), |p| {
         given(p, &[&turntable::EQ113, &EQ130])?;
         let [alpha] = Expr::symbols(["α"]);
-        let rate = int(2) * motion::eq113_a_rate(alpha) * (-alpha).exp();
+        let rate = int(2) * motion::eq113_a_rate::tree() * (-alpha).exp();
         p.identity(
             ("Twice dA/dτ by (113), over exp α", rate),
             ("which tends to 1", int(1) - (int(-2) * alpha).exp()),
@@ -737,8 +735,7 @@ fn eq135(law: Expr) -> Proof {
 fn eq136(law: Expr) -> Proof {
     after("(136) in every escape", |p| {
         given(p, &[&turntable::EQ112])?;
-        let [a, alpha] = Expr::symbols(["A", "α"]);
-        let rho = motion::eq112_rho(a, alpha);
+        let rho = motion::eq112_rho::tree();
         has_limit(p, (rho, 2, 4), square_of_distance, first(law))?;
         in_its_time(p, law)
     })

@@ -81,7 +81,7 @@ fn ring() -> Ring {
 /// The same, with the power of α that (143) has.
 fn with_power() -> Result<Ring, ExactError> {
     let mut ring = ring();
-    let exponent = ring.read(printed::eq143_exponent(Expr::symbol("σ")))?;
+    let exponent = ring.read(printed::eq143_exponent::tree())?;
     ring.power(&ring.named("α")?, &exponent)?;
     Ok(ring)
 }
@@ -125,8 +125,7 @@ fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
 }
 
 fn alpha_rate() -> Expr {
-    let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
-    motion::eq114_alpha_rate(a, alpha, psi)
+    motion::eq114_alpha_rate::tree()
 }
 
 /// The limit of dα/dτ.
@@ -172,7 +171,7 @@ fn eq142([left, right]: [Expr; 2]) -> Proof {
     arriving("(142) of every motion to rest", Ok(ring()), |p| {
         left_side(p, left)?;
         let [alpha, psi] = Expr::symbols(["α", "ψ"]);
-        let turning = motion::eq115_psi_rate(alpha, psi);
+        let turning = motion::eq115_psi_rate::tree();
         let share = (Expr::int(2) - turning) * alpha / psi;
         let share = near(p, "2 less dψ/dτ by (115), over ψ/α", share, 1)?;
         p.equal("Its limit is 1", &order(&share, 0)?, &Rational::int(1))?;
@@ -235,7 +234,7 @@ fn eq143(formula: Expr) -> Proof {
         p.rests_on(&EQ145.proof())?;
         let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
         let k = sigma / (Expr::int(1) - sigma);
-        let slope = alpha * motion::eq115_psi_rate(alpha, psi) / alpha_rate();
+        let slope = alpha * motion::eq115_psi_rate::tree() / alpha_rate();
         p.note(
             "By (145)",
             "A = σ + aε², with α + |ψ| for ε and a bounded a",

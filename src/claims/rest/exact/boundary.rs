@@ -31,19 +31,18 @@ fn ring() -> Result<Ring, ExactError> {
 
 /// What the boundary lacks to consist of motions: dA/dτ less ∂A/∂α dα/dτ and ∂A/∂ψ dψ/dτ.
 pub(super) fn imbalance(ring: &Ring, a: &Series) -> Result<Series, ExactError> {
-    let [size, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
     let small = Series::monomial(Rational::int(1), 1, ENOUGH);
     let values = [("A", a), ("α", &small)];
     let expand = |formula| ring.expand(formula, &values, ENOUGH);
     let by_psi = ring.by("ψ")?;
     let by_alpha = a.euler(&Derivation::default(), ring)?.shifted(-1);
     let turned = a.map(|c| ring.derivative(c, &by_psi))?;
-    let along = expand(motion::eq114_alpha_rate(size, alpha, psi))?;
-    let turning = expand(motion::eq115_psi_rate(alpha, psi))?;
+    let along = expand(motion::eq114_alpha_rate::tree())?;
+    let turning = expand(motion::eq115_psi_rate::tree())?;
     let moved = by_alpha
         .times(&along, ring)
         .plus(&turned.times(&turning, ring));
-    Ok(expand(motion::eq113_a_rate(alpha))?.minus(&moved))
+    Ok(expand(motion::eq113_a_rate::tree())?.minus(&moved))
 }
 
 fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
@@ -161,8 +160,7 @@ pub fn prove(formula: Expr, order: i64) -> Proof {
 
 /// A on the boundary, to second order in α.
 pub fn stated() -> Expr {
-    let [alpha, psi] = Expr::symbols(["α", "ψ"]);
-    corrected::boundary_a(alpha, psi)
+    corrected::boundary_a::tree()
 }
 
 /// The boundary as corrected.
@@ -183,7 +181,7 @@ pub const PRINTED: Statement = Statement::new(
         "(147)",
         r"the power series in $\alpha$ that solves the equations of motion",
     ),
-    || crate::paper::rest::eq147_a(Expr::symbol("α")),
+    crate::paper::rest::eq147_a::tree,
     |formula| prove(formula, 1),
 );
 

@@ -76,7 +76,7 @@ pub const CORRECTED: Statement = Statement::new(
         r"$1-\alpha+\frac76\alpha^2$",
         r"the least $A$, over all $\psi$, of the power series in $\alpha$ that solves the equations of motion, to the order $\alpha^2$",
     ),
-    || corrected::boundary_least(Expr::symbol("α")),
+    corrected::boundary_least::tree,
     prove,
 );
 
@@ -87,7 +87,7 @@ pub const PRINTED: Statement = Statement::new(
         "(147)",
         r"the power series in $\alpha$ that solves the equations of motion, with $\psi$ of the order of $\alpha$",
     ),
-    || crate::paper::rest::eq147_a(Expr::symbol("α")),
+    crate::paper::rest::eq147_a::tree,
     prove,
 );
 

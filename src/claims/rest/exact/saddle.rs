@@ -34,15 +34,11 @@ pub fn prove(formula: Expr) -> Proof {
             ("α", &scaled("x")?),
             ("ψ", &scaled("y")?),
         ];
-        let [size, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
+        let alpha = Expr::symbol("α");
         let mut found = Vec::new();
         for (says, formula, name) in [
-            ("dA/dτ by (113)", motion::eq113_a_rate(alpha), "x"),
-            (
-                "dα/dτ by (114)",
-                motion::eq114_alpha_rate(size, alpha, psi),
-                "a",
-            ),
+            ("dA/dτ by (113)", motion::eq113_a_rate::tree(), "x"),
+            ("dα/dτ by (114)", motion::eq114_alpha_rate::tree(), "a"),
         ] {
             let rate = p.expand(says, formula, &values, ("ε", ORDER))?;
             let order = |k| rate.coefficient(k).ok_or(Obstacle::Empty);
@@ -87,7 +83,7 @@ pub const CORRECTED: Statement = Statement::new(
     ),
     || {
         let [sigma, alpha] = Expr::symbols(["σ", "α"]);
-        corrected::surface_slope(sigma, alpha)
+        corrected::surface_slope::tree()
     },
     prove,
 );
@@ -100,9 +96,8 @@ mod tests {
 
     #[test]
     fn the_printed_slope_is_disproved() {
-        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         assert!(CORRECTED.proof().holds(), "{}", CORRECTED.proof());
-        let printed = crate::paper::rest::eq146_right(sigma, alpha);
+        let printed = crate::paper::rest::eq146_right::tree();
         let proof = prove(printed);
         assert!(
             matches!(proof.obstacle(), Some(Obstacle::NotZero { .. })),

@@ -25,7 +25,7 @@ fn ring() -> Result<Ring, ExactError> {
         ring.symbol(name);
     }
     let alpha = ring.symbol("α");
-    let exponent = ring.read(printed::eq143_exponent(Expr::symbol("σ")))?;
+    let exponent = ring.read(printed::eq143_exponent::tree())?;
     ring.power(&alpha, &exponent)?;
     Ok(ring)
 }
@@ -37,8 +37,8 @@ fn small() -> Series {
 
 /// What α d/dα is of ζ.
 fn moving(ring: &Ring) -> Result<Derivation, ExactError> {
-    let [sigma, zeta] = Expr::symbols(["σ", "ζ"]);
-    ring.along(&[("ζ", ring.read(zeta * printed::eq143_exponent(sigma))?)])
+    let zeta = Expr::symbol("ζ");
+    ring.along(&[("ζ", ring.read(zeta * printed::eq143_exponent::tree())?)])
 }
 
 /// Finds the next coefficient, a polynomial in ζ of this degree, from a residual that has to vanish.
@@ -74,13 +74,12 @@ fn imbalance(
 
 /// dα/dτ by (114), dA/dτ by (113), dψ/dτ by (115).
 fn rates(ring: &Ring, psi: &Series, a: &Series) -> Result<[Series; 3], ExactError> {
-    let [size, alpha, angle] = Expr::symbols(["A", "α", "ψ"]);
     let values = [("A", a), ("α", &small()), ("ψ", psi)];
     let expand = |formula| ring.expand(formula, &values, ENOUGH);
     Ok([
-        expand(motion::eq114_alpha_rate(size, alpha, angle))?,
-        expand(motion::eq113_a_rate(alpha))?,
-        expand(motion::eq115_psi_rate(alpha, angle))?,
+        expand(motion::eq114_alpha_rate::tree())?,
+        expand(motion::eq113_a_rate::tree())?,
+        expand(motion::eq115_psi_rate::tree())?,
     ])
 }
 
@@ -270,10 +269,10 @@ pub fn eq144([left, right]: [Expr; 2]) -> Proof {
 pub fn eq143(formula: Expr) -> Proof {
     from_series("(143): ψ near rest", |p, [psi, ..]| {
         let ring = p.ring();
-        let [sigma, alpha, c] = Expr::symbols(["σ", "α", "c"]);
+        let [alpha, c] = Expr::symbols(["α", "c"]);
         let zeta = p.read(
             "ζ",
-            c * crate::scalar::Scalar::pow(alpha, printed::eq143_exponent(sigma)),
+            c * crate::scalar::Scalar::pow(alpha, printed::eq143_exponent::tree()),
         )?;
         let first = ring.put(&order(psi, 1)?, &[(&ring.named("ζ")?, &zeta)])?;
         let stated = p.read("(143)", formula)?;
@@ -303,68 +302,39 @@ const SERIES: Compared = Compared::one(
 );
 
 /// (140) against the motions to rest.
-pub const EQ140: Statement = Statement::new(
-    Within,
-    SERIES,
-    || printed::eq140_alpha_rate(Expr::symbol("σ")),
-    eq140,
-);
+pub const EQ140: Statement = Statement::new(Within, SERIES, printed::eq140_alpha_rate::tree, eq140);
 /// (141) against them.
-pub const EQ141: Statement = Statement::new(
-    Within,
-    SERIES,
-    || {
-        let [sigma, tau] = Expr::symbols(["σ", "τ"]);
-        printed::eq141_alpha(sigma, tau)
-    },
-    eq141,
-);
+pub const EQ141: Statement = Statement::new(Within, SERIES, || printed::eq141_alpha::tree(), eq141);
 /// Both sides of (142) against them.
 pub const EQ142: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
     || {
-        let [sigma, alpha, psi, slope] = Expr::symbols(["σ", "α", "ψ", "slope"]);
+        let [sigma, slope] = Expr::symbols(["σ", "slope"]);
         [
             printed::eq142_left(sigma, slope),
-            printed::eq142_right(alpha, psi),
+            printed::eq142_right::tree(),
         ]
     },
     eq142,
 );
 /// (143) against them.
-pub const EQ143: Statement = Statement::new(
-    Within,
-    SERIES,
-    || {
-        let [sigma, alpha, c] = Expr::symbols(["σ", "α", "c"]);
-        printed::eq143_psi(sigma, c, alpha)
-    },
-    eq143,
-);
+pub const EQ143: Statement = Statement::new(Within, SERIES, || printed::eq143_psi::tree(), eq143);
 /// Both sides of (144) against them.
 pub const EQ144: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
     || {
-        let [sigma, alpha, slope] = Expr::symbols(["σ", "α", "slope"]);
+        let [sigma, slope] = Expr::symbols(["σ", "slope"]);
         [
             printed::eq144_left(sigma, slope),
-            printed::eq144_right(alpha),
+            printed::eq144_right::tree(),
         ]
     },
     eq144,
 );
 /// (145) against them.
-pub const EQ145: Statement = Statement::new(
-    Within,
-    SERIES,
-    || {
-        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
-        printed::eq145_a(sigma, alpha)
-    },
-    eq145,
-);
+pub const EQ145: Statement = Statement::new(Within, SERIES, || printed::eq145_a::tree(), eq145);
 
 pub(in crate::claims) const TRIALS: &[Attempt] =
     trials![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];

@@ -43,10 +43,9 @@ pub fn prove(formula: Expr) -> Proof {
         )?;
         let level = ring.half_tangent("ψ")?;
         let ahead = ring.put(&order(&a, 2)?, &[(&level, &Rational::int(0))])?;
-        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
         let known = p.expand(
             "(145)",
-            printed::eq145_a(sigma, alpha),
+            printed::eq145_a::tree(),
             &[("α", &small)],
             ("α", ORDER),
         )?;
@@ -72,7 +71,7 @@ pub const CORRECTED: Statement = Statement::new(
     ),
     || {
         let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
-        corrected::surface_a(sigma, alpha, psi)
+        corrected::surface_a::tree()
     },
     prove,
 );
