@@ -86,13 +86,27 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
     })
 }
 
-fn prove_eq51(formula: Expr) -> Proof {
-    prove_rates(definitions(), [formula, printed_rates()[1]])
-}
+/// (51).
+const EQ51: Statement = Statement::new(
+    Printed,
+    Compared::one(
+        "(51)",
+        "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
+    ),
+    || printed::eq51_rate::tree(),
+    |formula| prove_rates(definitions(), [formula, printed_rates()[1]]),
+);
 
-fn prove_eq52(formula: Expr) -> Proof {
-    prove_rates(definitions(), [printed_rates()[0], formula])
-}
+/// (52).
+const EQ52: Statement = Statement::new(
+    Printed,
+    Compared::one(
+        "(52)",
+        "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
+    ),
+    || printed::eq52_rate::tree(),
+    |formula| prove_rates(definitions(), [printed_rates()[0], formula]),
+);
 
 /// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
 pub const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
@@ -145,6 +159,17 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     })
 }
 
+/// (54), as the condition that a forward arc ends at π + asin(qλ₀).
+const EQ54: Statement<[Expr; 2]> = Statement::new(
+    Printed,
+    Compared::one(
+        "(54)",
+        r"the forward arc from $\sin^{-1}\lambda_0$ to $\pi+\sin^{-1}(q\lambda_0)$",
+    ),
+    sides_of_b,
+    prove_eq54,
+);
+
 /// (54): forward motion from α ends where backward motion could begin, at π + β.
 pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("(54): curve B", frictions(), |p| {
@@ -187,43 +212,60 @@ pub(super) fn sides_of_e() -> [Expr; 2] {
     corrected::e_sides(lambda0, q_lambda0)
 }
 
+/// (57).
 /// (57): at q = 1 the two curves are one condition, tan α = 2/π, and the printed λ₀ meets it.
-fn prove_x([q, lambda0]: [Expr; 2]) -> Proof {
-    let equal = || {
-        let mut ring = frictions()?;
-        let alpha = ring.named("α")?;
-        ring.define("K", ring.read(printed::eq53_k(q))?)?;
-        ring.define("alike", alpha)?;
-        Ok(ring)
-    };
-    let same = Proof::in_ring("A and B at q = 1", equal(), |p| {
-        let [alpha, lambda0] = Expr::symbols(["α", "λ₀"]);
-        let [left, right] = sides_of_a();
-        let a = p.read("A: left less right side", left - right)?;
-        let [left, right] = printed::eq54_sides(lambda0, lambda0);
-        let b = p.read("B: left less right side", left - right)?;
-        let factor = p.read("2 sin α", Expr::int(2) * alpha.sin())?;
-        p.equal("B is 2 sin α times A", &b, &(&factor * &a))?;
-        let condition = p.read(
-            "The condition 2 cos α = π sin α",
-            Expr::int(2) * alpha.cos() - Expr::pi() * alpha.sin(),
-        )?;
-        p.equal("B is that condition", &b, &condition)
-    });
-    let root = || {
-        let mut ring = Ring::new();
-        let square = ring.read(Expr::int(4) + Expr::pi() * Expr::pi())?;
-        ring.root(&square, 2)?;
-        Ok(ring)
-    };
-    Proof::in_ring("(57): X", root(), |p| {
-        p.rests_on(&same)?;
-        let sine = p.read("sin α, the printed λ₀", lambda0)?;
-        let cosine = p.read("cos α = π sin α/2", Expr::pi() * lambda0 / Expr::int(2))?;
-        let one = &sine * &sine + &cosine * &cosine;
-        p.equal("Their squares add up to 1", &one, &Rational::int(1))
-    })
-}
+pub const X: Statement<[Expr; 2]> = Statement::new(
+    Printed,
+    Compared::one("X", "(53) and (54) at $q=1$"),
+    printed::eq57_x,
+    |[q, lambda0]| {
+        let equal = || {
+            let mut ring = frictions()?;
+            let alpha = ring.named("α")?;
+            ring.define("K", ring.read(printed::eq53_k(q))?)?;
+            ring.define("alike", alpha)?;
+            Ok(ring)
+        };
+        let same = Proof::in_ring("A and B at q = 1", equal(), |p| {
+            let [alpha, lambda0] = Expr::symbols(["α", "λ₀"]);
+            let [left, right] = sides_of_a();
+            let a = p.read("A: left less right side", left - right)?;
+            let [left, right] = printed::eq54_sides(lambda0, lambda0);
+            let b = p.read("B: left less right side", left - right)?;
+            let factor = p.read("2 sin α", Expr::int(2) * alpha.sin())?;
+            p.equal("B is 2 sin α times A", &b, &(&factor * &a))?;
+            let condition = p.read(
+                "The condition 2 cos α = π sin α",
+                Expr::int(2) * alpha.cos() - Expr::pi() * alpha.sin(),
+            )?;
+            p.equal("B is that condition", &b, &condition)
+        });
+        let root = || {
+            let mut ring = Ring::new();
+            let square = ring.read(Expr::int(4) + Expr::pi() * Expr::pi())?;
+            ring.root(&square, 2)?;
+            Ok(ring)
+        };
+        Proof::in_ring("(57): X", root(), |p| {
+            p.rests_on(&same)?;
+            let sine = p.read("sin α, the printed λ₀", lambda0)?;
+            let cosine = p.read("cos α = π sin α/2", Expr::pi() * lambda0 / Expr::int(2))?;
+            let one = &sine * &sine + &cosine * &cosine;
+            p.equal("Their squares add up to 1", &one, &Rational::int(1))
+        })
+    },
+);
+
+/// The touch at Y.
+pub const Y: Statement<[Expr; 2]> = Statement::new(
+    Printed,
+    Compared::one(
+        "the direction of (54)",
+        r"that of (55) where they meet, which is where $\tan x=x$ and $q=\sqrt{1+x^2}$",
+    ),
+    sides_of_b,
+    prove_y,
+);
 
 /// The touch at Y: on (54), at β = π/2, qλ₀ = sin β stands still while λ₀ = sin α goes on; and tan x = x.
 fn prove_y([left, right]: [Expr; 2]) -> Proof {
@@ -338,25 +380,8 @@ fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
     })
 }
 
-/// (55): backward motion can begin, d𝔴/dφ < 0 by (52) at some φ, exactly below C.
-fn prove_eq55(curve: Expr) -> Proof {
-    let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
-    let half = phi / Expr::int(2);
-    let square = (half.sin() + half.cos()).squared();
-    let rate = printed::eq52_rate::tree();
-    prove_start("(55): curve C", rate, q * (lambda0 - curve), square)
-}
-
-/// (56): forward motion can begin, d𝔴/dφ > 0 by (51) at some φ, exactly below D.
-fn prove_eq56(curve: Expr) -> Proof {
-    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-    let half = phi / Expr::int(2);
-    let square = (half.sin() - half.cos()).squared();
-    let rate = printed::eq51_rate::tree();
-    prove_start("(56): curve D", rate, curve - lambda0, -square)
-}
-
 /// (55).
+/// (55): backward motion can begin, d𝔴/dφ < 0 by (52) at some φ, exactly below C.
 const EQ55: Statement = Statement::new(
     Step,
     Compared::one(
@@ -364,10 +389,17 @@ const EQ55: Statement = Statement::new(
         r"$q$ times the difference of $\lambda_0$ and (55), plus a square that vanishes at $\phi=3\pi/2$",
     ),
     printed::eq55_lambda0::tree,
-    prove_eq55,
+    |curve| {
+        let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
+        let half = phi / Expr::int(2);
+        let square = (half.sin() + half.cos()).squared();
+        let rate = printed::eq52_rate::tree();
+        prove_start("(55): curve C", rate, q * (lambda0 - curve), square)
+    },
 );
 
 /// (56).
+/// (56): forward motion can begin, d𝔴/dφ > 0 by (51) at some φ, exactly below D.
 const EQ56: Statement = Statement::new(
     Printed,
     Compared::one(
@@ -375,7 +407,13 @@ const EQ56: Statement = Statement::new(
         r"(56) less $\lambda_0$, less a square that vanishes at $\phi=\pi/2$",
     ),
     printed::eq56_lambda0,
-    prove_eq56,
+    |curve| {
+        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+        let half = phi / Expr::int(2);
+        let square = (half.sin() - half.cos()).squared();
+        let rate = printed::eq51_rate::tree();
+        prove_start("(56): curve D", rate, curve - lambda0, -square)
+    },
 );
 
 /// The mirror takes each printed rate into the other.
@@ -407,28 +445,6 @@ pub(super) fn printed_rates() -> [Expr; 2] {
     [printed::eq51_rate::tree(), printed::eq52_rate::tree()]
 }
 
-/// (51).
-const EQ51: Statement = Statement::new(
-    Printed,
-    Compared::one(
-        "(51)",
-        "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
-    ),
-    || printed::eq51_rate::tree(),
-    prove_eq51,
-);
-
-/// (52).
-const EQ52: Statement = Statement::new(
-    Printed,
-    Compared::one(
-        "(52)",
-        "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
-    ),
-    || printed::eq52_rate::tree(),
-    prove_eq52,
-);
-
 /// (53).
 const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
     Printed,
@@ -438,17 +454,6 @@ const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
     ),
     || (printed::eq53_k::tree(), sides_of_a()),
     |(a, b)| prove_eq53(a, b),
-);
-
-/// (54), as the condition that a forward arc ends at π + asin(qλ₀).
-const EQ54: Statement<[Expr; 2]> = Statement::new(
-    Printed,
-    Compared::one(
-        "(54)",
-        r"the forward arc from $\sin^{-1}\lambda_0$ to $\pi+\sin^{-1}(q\lambda_0)$",
-    ),
-    sides_of_b,
-    prove_eq54,
 );
 
 /// E, as the condition that a forward arc ends at 2π − asin(qλ₀).
@@ -462,25 +467,6 @@ pub const E: Statement<[Expr; 2]> = Statement::new(
     prove_e,
 )
 .of_a_part();
-
-/// (57).
-pub const X: Statement<[Expr; 2]> = Statement::new(
-    Printed,
-    Compared::one("X", "(53) and (54) at $q=1$"),
-    printed::eq57_x,
-    prove_x,
-);
-
-/// The touch at Y.
-pub const Y: Statement<[Expr; 2]> = Statement::new(
-    Printed,
-    Compared::one(
-        "the direction of (54)",
-        r"that of (55) where they meet, which is where $\tan x=x$ and $q=\sqrt{1+x^2}$",
-    ),
-    sides_of_b,
-    prove_y,
-);
 
 /// The mirror.
 pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(

@@ -79,42 +79,60 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
     })
 }
 
+/// Evidence on (45).
 /// (45): with w(φ) a solution while h is h(φ), the printed w(π + φ) is one while h is that of (43).
-pub fn eq45_mirror(mirrored: Expr) -> Proof {
-    let ring = ring();
-    Proof::of("(45): the second half period", &ring, |p| {
-        let [h, friction] = Expr::symbols(["h", "λ₀"]);
-        let force = p.ring().read(h - friction)?;
-        let motion = p.ring().along(&[("𝔴", force)])?;
-        let w = p.read("The printed velocity there", mirrored)?;
-        let rate = p.derivative("Its rate, with 𝔴' = h − λ₀", &w, &motion)?;
-        p.reads_as(
-            &rate,
-            "the force there, for negative velocity and h of (43)",
-            printed::eq43_h::tree() + friction,
-        )?;
-        p.vanishes("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))
-    })
-}
+pub const EQ45: Statement = Statement::new(
+    Printed,
+    Compared::one(
+        "the rate of the mirrored motion",
+        "the mirrored force, of opposite friction",
+    ),
+    printed::eq45_w::tree,
+    |mirrored| {
+        let ring = ring();
+        Proof::of("(45): the second half period", &ring, |p| {
+            let [h, friction] = Expr::symbols(["h", "λ₀"]);
+            let force = p.ring().read(h - friction)?;
+            let motion = p.ring().along(&[("𝔴", force)])?;
+            let w = p.read("The printed velocity there", mirrored)?;
+            let rate = p.derivative("Its rate, with 𝔴' = h − λ₀", &w, &motion)?;
+            p.reads_as(
+                &rate,
+                "the force there, for negative velocity and h of (43)",
+                printed::eq43_h::tree() + friction,
+            )?;
+            p.vanishes("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))
+        })
+    },
+);
 
+/// Evidence on (46).
 /// (46): the stop of (44) and the start of the small-friction motion both meet the beginning of a pulse there.
-pub fn eq46_meeting(critical: Expr) -> Proof {
-    let ring = ring();
-    Proof::of("(46): where the stop meets the next pulse", &ring, |p| {
-        p.rests_on(&small_friction())?;
-        let [lambda, eta, _] = symbols();
-        let [_, stop] = printed::eq44_ends(lambda, eta);
-        let stop = p.read("At λ_c the stop of (44) is at", stop.with("λ₀", critical))?;
-        let pulse = p.ring().read(Expr::pi())?;
-        p.equal("The next pulse begins at π", &stop, &pulse)?;
-        let start = supplied::small_friction_start(lambda, eta);
-        let start = p.read(
-            "At λ_c the motion of small friction starts at",
-            start.with("λ₀", critical),
-        )?;
-        p.zero("The pulse begins at 0", &start)
-    })
-}
+pub const EQ46: Statement = Statement::new(
+    Printed,
+    Compared::many(
+        "the stop of (44), and the start of the motion without rest,",
+        "the beginning of a pulse",
+    ),
+    printed::eq46_lambda_c::tree,
+    |critical| {
+        let ring = ring();
+        Proof::of("(46): where the stop meets the next pulse", &ring, |p| {
+            p.rests_on(&small_friction())?;
+            let [lambda, eta, _] = symbols();
+            let [_, stop] = printed::eq44_ends(lambda, eta);
+            let stop = p.read("At λ_c the stop of (44) is at", stop.with("λ₀", critical))?;
+            let pulse = p.ring().read(Expr::pi())?;
+            p.equal("The next pulse begins at π", &stop, &pulse)?;
+            let start = supplied::small_friction_start(lambda, eta);
+            let start = p.read(
+                "At λ_c the motion of small friction starts at",
+                start.with("λ₀", critical),
+            )?;
+            p.zero("The pulse begins at 0", &start)
+        })
+    },
+);
 
 /// The small-friction motion, from its start through the gap to the zero under the next pulse.
 pub fn small_friction() -> Proof {
@@ -149,28 +167,6 @@ pub const EQ44: Statement<[Expr; 3]> = Statement::new(
         printed::eq44_cases(lambda, eta, phi)
     },
     eq44_chain,
-);
-
-/// Evidence on (45).
-pub const EQ45: Statement = Statement::new(
-    Printed,
-    Compared::one(
-        "the rate of the mirrored motion",
-        "the mirrored force, of opposite friction",
-    ),
-    printed::eq45_w::tree,
-    eq45_mirror,
-);
-
-/// Evidence on (46).
-pub const EQ46: Statement = Statement::new(
-    Printed,
-    Compared::many(
-        "the stop of (44), and the start of the motion without rest,",
-        "the beginning of a pulse",
-    ),
-    printed::eq46_lambda_c::tree,
-    eq46_meeting,
 );
 
 pub(super) const TRIALS: &[Attempt] = trials![&EQ44, &EQ45, &EQ46];

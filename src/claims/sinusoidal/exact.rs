@@ -220,16 +220,12 @@ fn eq32_left() -> Expr {
     paper::eq32_left(lambda0, paper::eq27_phi1::tree(), end)
 }
 
-fn prove_eq32(left: Expr) -> Proof {
-    prove_end("(32): the slip (31) ends at φ̃₂", left, Expr::symbol("φ̃₂"))
-}
-
 /// (32) is that (31) vanishes at φ̃₂.
 pub const EQ32: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (32)", r"(31) at $\tilde\phi_2$"),
     eq32_left,
-    prove_eq32,
+    |left| prove_end("(32): the slip (31) ends at φ̃₂", left, Expr::symbol("φ̃₂")),
 );
 
 fn eq34_left() -> Expr {
@@ -241,44 +237,16 @@ fn eq34_left() -> Expr {
     )
 }
 
-fn prove_eq34(left: Expr) -> Proof {
-    let end = paper::eq29_phi3::tree();
-    prove_end("(34): the slip (31) would be negative at φ₃", left, end)
-}
-
 /// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
 pub const EQ34: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (34)", r"(31) at $\phi_3$"),
     eq34_left,
-    prove_eq34,
+    |left| {
+        let end = paper::eq29_phi3::tree();
+        prove_end("(34): the slip (31) would be negative at φ₃", left, end)
+    },
 );
-
-fn prove_eq25([left, right]: [Expr; 2]) -> Proof {
-    let ring = || {
-        let mut ring = Ring::new();
-        ring.symbol("λ₀");
-        ring.angle("φ");
-        Ok(ring)
-    };
-    Proof::in_ring("(25): where the drive can start a slip", ring(), |p| {
-        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        let half = phi / Expr::int(2);
-        let square = (half.sin() - half.cos()).squared();
-        p.identity(
-            ("The drive less friction, by (26)", phi.sin() - lambda0),
-            (
-                "the right side less the left one, less a square",
-                right - left - square,
-            ),
-        )?;
-        p.note(
-            "The square vanishes at φ = π/2",
-            "so the drive exceeds friction somewhere exactly where left < right",
-        );
-        Ok(())
-    })
-}
 
 /// (25): the drive exceeds friction at some phase.
 const EQ25: Statement<[Expr; 2]> = Statement::new(
@@ -288,50 +256,72 @@ const EQ25: Statement<[Expr; 2]> = Statement::new(
         "the difference of the sides of (25) less a square",
     ),
     paper::eq25_sides::tree,
-    prove_eq25,
+    |[left, right]| {
+        let ring = || {
+            let mut ring = Ring::new();
+            ring.symbol("λ₀");
+            ring.angle("φ");
+            Ok(ring)
+        };
+        Proof::in_ring("(25): where the drive can start a slip", ring(), |p| {
+            let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+            let half = phi / Expr::int(2);
+            let square = (half.sin() - half.cos()).squared();
+            p.identity(
+                ("The drive less friction, by (26)", phi.sin() - lambda0),
+                (
+                    "the right side less the left one, less a square",
+                    right - left - square,
+                ),
+            )?;
+            p.note(
+                "The square vanishes at φ = π/2",
+                "so the drive exceeds friction somewhere exactly where left < right",
+            );
+            Ok(())
+        })
+    },
 );
-
-pub(super) fn prove_eq33(cases: [Expr; 4]) -> Proof {
-    let ring = || {
-        let mut ring = ring_of_phi1()?;
-        ring.angle("φ̃₂");
-        Ok(ring)
-    };
-    Proof::in_ring("(33): slips and rests", ring(), |p| {
-        let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
-        let (phi1, phi3) = (paper::eq27_phi1::tree(), paper::eq29_phi3::tree());
-        let [forward, first_rest, backward, second_rest] = cases;
-        slip(p, forward, 1, phi1)?;
-        slip(p, backward, -1, phi3)?;
-        for rest in [first_rest, second_rest] {
-            let rest = p.read("A rest", rest)?;
-            p.zero("It is zero", &rest)?;
-        }
-        // (32) makes both slips end in zero.
-        let left = p.read(
-            "The left side of (32)",
-            paper::eq32_left(lambda0, phi1, end),
-        )?;
-        let ends = paper::eq33_ends(phi1, end, phi3);
-        let first = p.read("(33) at φ̃₂", forward.with("φ", ends[1]))?;
-        p.equal("It vanishes with (32)", &first, &left)?;
-        let second = p.read("(33) at φ̃₂ + π", backward.with("φ", ends[3]))?;
-        p.equal("It vanishes with (32) too", &second, &-left)?;
-        let period = p.read("The period of the cases", ends[4] - ends[0])?;
-        p.equal(
-            "It is 2π",
-            &period,
-            &p.ring().read(Expr::int(2) * Expr::pi())?,
-        )
-    })
-}
 
 /// (33) solves (26) on both slips, and is continuous and periodic by (32).
 const EQ33: Statement<[Expr; 4]> = Statement::new(
     Printed,
     Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
     eq33,
-    prove_eq33,
+    |cases| {
+        let ring = || {
+            let mut ring = ring_of_phi1()?;
+            ring.angle("φ̃₂");
+            Ok(ring)
+        };
+        Proof::in_ring("(33): slips and rests", ring(), |p| {
+            let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
+            let (phi1, phi3) = (paper::eq27_phi1::tree(), paper::eq29_phi3::tree());
+            let [forward, first_rest, backward, second_rest] = cases;
+            slip(p, forward, 1, phi1)?;
+            slip(p, backward, -1, phi3)?;
+            for rest in [first_rest, second_rest] {
+                let rest = p.read("A rest", rest)?;
+                p.zero("It is zero", &rest)?;
+            }
+            // (32) makes both slips end in zero.
+            let left = p.read(
+                "The left side of (32)",
+                paper::eq32_left(lambda0, phi1, end),
+            )?;
+            let ends = paper::eq33_ends(phi1, end, phi3);
+            let first = p.read("(33) at φ̃₂", forward.with("φ", ends[1]))?;
+            p.equal("It vanishes with (32)", &first, &left)?;
+            let second = p.read("(33) at φ̃₂ + π", backward.with("φ", ends[3]))?;
+            p.equal("It vanishes with (32) too", &second, &-left)?;
+            let period = p.read("The period of the cases", ends[4] - ends[0])?;
+            p.equal(
+                "It is 2π",
+                &period,
+                &p.ring().read(Expr::int(2) * Expr::pi())?,
+            )
+        })
+    },
 );
 
 /// The four cases of (33).
@@ -345,26 +335,24 @@ pub(super) fn eq33() -> [Expr; 4] {
     )
 }
 
-fn prove_eq35(left: Expr) -> Proof {
-    Proof::in_ring("(35): (34) in the friction alone", ring_of_phi1(), |p| {
-        let lambda0 = Expr::symbol("λ₀");
-        let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
-        p.identity(
-            (
-                "The left side of (34)",
-                paper::eq34_left(lambda0, phi1, phi3),
-            ),
-            ("the left side of (35)", left),
-        )
-    })
-}
-
 /// (34) with (27) and (29) is (35).
 pub const EQ35: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (35)", "that of (34), by (27) and (29)"),
     paper::eq35_left::tree,
-    prove_eq35,
+    |left| {
+        Proof::in_ring("(35): (34) in the friction alone", ring_of_phi1(), |p| {
+            let lambda0 = Expr::symbol("λ₀");
+            let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
+            p.identity(
+                (
+                    "The left side of (34)",
+                    paper::eq34_left(lambda0, phi1, phi3),
+                ),
+                ("the left side of (35)", left),
+            )
+        })
+    },
 );
 
 /// Adds √(4 + π²), and √π² = π.
@@ -375,20 +363,18 @@ pub(super) fn with_lambda_c(mut ring: Ring) -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-fn prove_eq37(critical: Expr) -> Proof {
-    Proof::in_ring(
-        "(37): the critical friction",
-        with_lambda_c(Ring::new()),
-        |p| p.vanishes("The left side of (35) at λ_c", paper::eq35_left(critical)),
-    )
-}
-
 /// The left side of (35) vanishes at λ_c.
 const EQ37: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (35) at (37)", "0"),
     paper::eq37_lambda_c,
-    prove_eq37,
+    |critical| {
+        Proof::in_ring(
+            "(37): the critical friction",
+            with_lambda_c(Ring::new()),
+            |p| p.vanishes("The left side of (35) at λ_c", paper::eq35_left(critical)),
+        )
+    },
 );
 
 /// `found` = (1 + π²/4) (right² − left²): its sign is that of right − left, both being positive.
@@ -405,22 +391,6 @@ fn beside_lambda_c(
     )
 }
 
-fn prove_eq36(sides: [Expr; 2]) -> Proof {
-    let ring = || {
-        let mut ring = Ring::new();
-        let lambda0 = ring.symbol("λ₀");
-        ring.root(&(Rational::int(1) - &lambda0 * &lambda0), 2)?;
-        with_lambda_c(ring)
-    };
-    Proof::in_ring("(36): (35) squared", ring(), |p| {
-        let lambda0 = Expr::symbol("λ₀");
-        let left = paper::eq35_left(lambda0);
-        // (a − b)(a + b) with a − b the left side of (35) and b = π λ₀.
-        let other = left + Expr::int(2) * Expr::pi() * lambda0;
-        beside_lambda_c(p, left * other / Expr::int(4), sides)
-    })
-}
-
 /// (36): (35) squared. The factor that turns the left side of (35) into a difference of squares is positive.
 pub const EQ36: Statement<[Expr; 2]> = Statement::new(
     Printed,
@@ -429,17 +399,22 @@ pub const EQ36: Statement<[Expr; 2]> = Statement::new(
         r"$(4+\pi^2)(\lambda_\mathrm c^2-\lambda_0^2)$",
     ),
     paper::eq36_sides::tree,
-    prove_eq36,
+    |sides| {
+        let ring = || {
+            let mut ring = Ring::new();
+            let lambda0 = ring.symbol("λ₀");
+            ring.root(&(Rational::int(1) - &lambda0 * &lambda0), 2)?;
+            with_lambda_c(ring)
+        };
+        Proof::in_ring("(36): (35) squared", ring(), |p| {
+            let lambda0 = Expr::symbol("λ₀");
+            let left = paper::eq35_left(lambda0);
+            // (a − b)(a + b) with a − b the left side of (35) and b = π λ₀.
+            let other = left + Expr::int(2) * Expr::pi() * lambda0;
+            beside_lambda_c(p, left * other / Expr::int(4), sides)
+        })
+    },
 );
-
-fn prove_eq40(sides: [Expr; 2]) -> Proof {
-    let ring = || with_lambda_c(ring_of_phi_t1()?);
-    Proof::in_ring("(40): the drive where (38) vanishes", ring(), |p| {
-        let lambda0 = Expr::symbol("λ₀");
-        let drive = paper::eq39_phi_t1(lambda0).sin();
-        beside_lambda_c(p, drive.squared() - lambda0.squared(), sides)
-    })
-}
 
 /// (40): (38) passes through zero without rest where the drive exceeds friction there, sin φ̃₁ > λ₀ = sin φ₁; as both
 /// phases are below π/2, that is (41) too.
@@ -450,7 +425,14 @@ pub const EQ40: Statement<[Expr; 2]> = Statement::new(
         r"$(1+\pi^2/4)(\lambda_\mathrm c^2-\lambda_0^2)$",
     ),
     paper::eq40_sides::tree,
-    prove_eq40,
+    |sides| {
+        let ring = || with_lambda_c(ring_of_phi_t1()?);
+        Proof::in_ring("(40): the drive where (38) vanishes", ring(), |p| {
+            let lambda0 = Expr::symbol("λ₀");
+            let drive = paper::eq39_phi_t1(lambda0).sin();
+            beside_lambda_c(p, drive.squared() - lambda0.squared(), sides)
+        })
+    },
 );
 
 pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
@@ -486,20 +468,18 @@ pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
     (paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn))
 }
 
-fn prove_eq39(turn: Expr) -> Proof {
-    Proof::in_ring("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
-        let lambda0 = Expr::symbol("λ₀");
-        let [forward, _] = paper::eq38_w(lambda0, turn, turn + Expr::pi());
-        p.vanishes("(38) half a period after φ̃₁", forward)
-    })
-}
-
 /// (39): with it the forward slip of (38) ends in zero.
 const EQ39: Statement = Statement::new(
     Printed,
     Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),
     paper::eq39_phi_t1::tree,
-    prove_eq39,
+    |turn| {
+        Proof::in_ring("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
+            let lambda0 = Expr::symbol("λ₀");
+            let [forward, _] = paper::eq38_w(lambda0, turn, turn + Expr::pi());
+            p.vanishes("(38) half a period after φ̃₁", forward)
+        })
+    },
 );
 
 #[cfg(test)]
