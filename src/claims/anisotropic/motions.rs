@@ -397,7 +397,7 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
         p.identity(
             ("q (C − λ₀), by (55)", q * (c - lambda0)),
             (
-                "positive, as below C there is a β < π/2 with sin β = qλ₀",
+                "positive, as sin β = qλ₀ with β < π/2 below C",
                 ((beta / int(2)).cos() - (beta / int(2)).sin()).squared(),
             ),
         )?;
