@@ -42,7 +42,6 @@ pub(super) fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
 
 /// (47) to (50).
 fn definitions() -> [Expr; 4] {
-    let g = Expr::symbol("g");
     [
         printed::eq47_lambda_plus::tree(),
         printed::eq48_lambda_minus::tree(),
@@ -475,10 +474,7 @@ pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
         r"(51) and (52) under $\phi\to\phi+\pi$, $\mathfrak w\to-\mathfrak w$, $\lambda_0\to q\lambda_0$, $q\to1/q$",
         "(52) and (51)",
     ),
-    || {
-        let q = Expr::symbol("q");
-        (printed_rates(), printed::s24_mirrored::tree())
-    },
+    || (printed_rates(), printed::s24_mirrored::tree()),
     prove_mirror,
 );
 

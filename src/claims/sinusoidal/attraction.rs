@@ -6,7 +6,7 @@
 
 use super::chains::{VX_STAYS, WEAK_DRIVE_STOPS, eq21, in_units};
 use super::exact::{
-    EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove_eq33, prove_eq38, ring_of_phi_t1, ring_of_phi1,
+    EQ33, EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove_eq38, ring_of_phi_t1, ring_of_phi1,
 };
 use super::phase_order::slip;
 use crate::claims::general::contraction::never_farther_apart;
@@ -158,7 +158,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
     };
     Proof::in_ring("Every motion becomes (33)", ring(), |p| {
         p.rests_on(&never_farther_apart())?;
-        p.rests_on(&prove_eq33(cases))?;
+        p.rests_on(&(EQ33.prove)(cases))?;
         p.rests_on(&eq2_proof(law))?;
         p.rests_on(&slip())?;
         given(p, &[&EQ34, &EQ35, &EQ36])?;

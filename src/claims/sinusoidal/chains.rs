@@ -157,7 +157,6 @@ const FRICTION_ACROSS: Statement<([Expr; 2], Expr)> = Statement::new(
         r"for all $\mathfrak w\ne0$ and $\mathfrak w_y$, with $r=\sqrt{1+(\mathfrak w_y/\mathfrak w)^2}$: by (1) friction is $1/r$ times what is stated across the drive, and $1/r$ times $-\lambda_0\,\mathfrak w/\lvert\mathfrak w\rvert$ along it, and $0\le1-1/r\le\frac12(\mathfrak w_y/\mathfrak w)^2$",
     ),
     || {
-        let w = Expr::symbol("𝔴");
         let stated = paper::s22_across_friction::tree();
         (eq1(), stated)
     },

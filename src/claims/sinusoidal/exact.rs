@@ -284,7 +284,7 @@ const EQ25: Statement<[Expr; 2]> = Statement::new(
 );
 
 /// (33) solves (26) on both slips, and is continuous and periodic by (32).
-const EQ33: Statement<[Expr; 4]> = Statement::new(
+pub const EQ33: Statement<[Expr; 4]> = Statement::new(
     Printed,
     Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
     eq33,

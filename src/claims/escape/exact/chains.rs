@@ -220,7 +220,6 @@ fn escapes(beyond: Beyond) -> Proof {
             "the particle is pushed outwards: followed back to the stop, ℓ → 0 likewise, and ξ → ρ, above the bound. As ξ never falls, p grows from the stop on",
         );
         p.rests_on(&comes_to_rest(bound))?;
-        let a = Expr::symbol("A");
         p.rests_on(&sum(motion::eq111_p::tree(), motion::eq112_rho::tree()))?;
         p.note(
             "For an A below the bound",
@@ -288,7 +287,6 @@ fn alpha_grows(beyond: Beyond) -> Proof {
             "So, as ξ never falls, ξ → ∞",
             "by (99) p/τ → ∞, and (ρ − p)/p → 0",
         );
-        let a = Expr::symbol("A");
         p.rests_on(&sum(motion::eq111_p::tree(), motion::eq112_rho::tree()))?;
         p.note("So", "exp(−2α) = (ρ − p)/(ρ + p) → 0");
         Ok(())

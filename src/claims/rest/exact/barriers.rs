@@ -69,7 +69,7 @@ fn moved() -> Proof {
             "Let A = P(α, ψ) be a surface with the slopes b by α and d by ψ, K > 0, and s = 1 or s = −1",
             "the barrier is the surface moved by sKα³, and u = A − P − sKα³ is the distance of a motion from it",
         );
-        let falls = |a| -motion::eq114_alpha_rate::tree();
+        let falls = |a| -motion::eq114_alpha_rate(a, alpha, psi);
         let [growth, turning] = [motion::eq113_a_rate::tree(), motion::eq115_psi_rate::tree()];
         let rate =
             growth + b * falls(a) - d * turning + int(3) * s * k * alpha.squared() * falls(a);

@@ -48,7 +48,6 @@ pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::new(
         r"for every motion with $p<\rho$ that comes to rest after a finite time, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved under their conditions",
     ),
     || {
-        let p = Expr::symbol("p");
         (
             printed::s4_near_rest_limits(),
             motion::eq101_xi_rate::tree(),
