@@ -213,13 +213,13 @@ static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
 
 /// The modules whose sources are shown: what the two sides are made of, where they meet, and the calculators.
 const SHOWN: [&str; 7] = [
-    "certified",
     "claims",
     "corrections",
     "motion",
     "paper",
     "solve",
     "symbols",
+    "validated",
 ];
 
 /// The sources that the book shows: path and text.

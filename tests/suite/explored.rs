@@ -92,9 +92,16 @@ fn a_throw_is_that_of_the_paper() {
         let [velocities, path, marks] = &shown.curves[..] else {
             panic!("{what}: curves")
         };
-        let [places, speeds] = &film.curves[..] else {
+        let [places, speeds, alike] = &film.curves[..] else {
             panic!("{what}: curves of the film")
         };
+        // On a plane at rest friction alone brakes, along the line of the start.
+        for (i, place) in alike.iter().enumerate() {
+            let t = (i as f64 * end / PICTURES).min(1.0 / lambda);
+            let way = t - lambda * t * t / 2.0;
+            near_both(*place, [way * start.cos(), way * start.sin()], 1e-9, &what);
+        }
+        assert_eq!(alike.len(), places.len(), "{what}");
         for (curve, of_film) in [(velocities, false), (speeds, true)] {
             near_both(curve[0], [start.cos(), start.sin()], 1e-12, &what);
             for (i, v) in curve.iter().enumerate() {
