@@ -92,7 +92,7 @@ const EQ51: Statement = Statement::new(
         "(51)",
         "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
     ),
-    || printed::eq51_rate::tree(),
+    printed::eq51_rate::tree,
     |formula| prove_rates(definitions(), [formula, printed_rates()[1]]),
 );
 
@@ -103,7 +103,7 @@ const EQ52: Statement = Statement::new(
         "(52)",
         "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
     ),
-    || printed::eq52_rate::tree(),
+    printed::eq52_rate::tree,
     |formula| prove_rates(definitions(), [printed_rates()[0], formula]),
 );
 

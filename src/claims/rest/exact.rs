@@ -87,7 +87,7 @@ const EQ146: Statement = Statement::new(
         "(146)",
         "the derivative of (145), the terms left out being dropped",
     ),
-    || printed::eq146_right::tree(),
+    printed::eq146_right::tree,
     eq146,
 );
 

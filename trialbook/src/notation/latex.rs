@@ -236,7 +236,6 @@ const OTHERS: &[(char, &str)] = &[
 ];
 
 /// The LaTeX command, for use in a formula, of a character that is not ASCII.
-#[cfg(feature = "book")]
 pub(crate) fn command(c: char) -> Option<String> {
     if let Some((_, command)) = OTHERS.iter().find(|(known, _)| *known == c) {
         return Some((*command).to_owned());

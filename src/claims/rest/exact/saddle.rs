@@ -81,7 +81,7 @@ pub const CORRECTED: Statement = Statement::new(
         r"the corrected $\mathrm dA/\mathrm d\sigma$",
         r"that of the surfaces that (113) and (114) make, to the lowest order in $1-\sigma$ and $\alpha$, with $\psi$ of the order of $\alpha$",
     ),
-    || corrected::surface_slope::tree(),
+    corrected::surface_slope::tree,
     prove,
 );
 

@@ -304,7 +304,7 @@ const SERIES: Compared = Compared::one(
 /// (140) against the motions to rest.
 pub const EQ140: Statement = Statement::new(Within, SERIES, printed::eq140_alpha_rate::tree, eq140);
 /// (141) against them.
-pub const EQ141: Statement = Statement::new(Within, SERIES, || printed::eq141_alpha::tree(), eq141);
+pub const EQ141: Statement = Statement::new(Within, SERIES, printed::eq141_alpha::tree, eq141);
 /// Both sides of (142) against them.
 pub const EQ142: Statement<[Expr; 2]> = Statement::new(
     Within,
@@ -319,7 +319,7 @@ pub const EQ142: Statement<[Expr; 2]> = Statement::new(
     eq142,
 );
 /// (143) against them.
-pub const EQ143: Statement = Statement::new(Within, SERIES, || printed::eq143_psi::tree(), eq143);
+pub const EQ143: Statement = Statement::new(Within, SERIES, printed::eq143_psi::tree, eq143);
 /// Both sides of (144) against them.
 pub const EQ144: Statement<[Expr; 2]> = Statement::new(
     Within,
@@ -334,7 +334,7 @@ pub const EQ144: Statement<[Expr; 2]> = Statement::new(
     eq144,
 );
 /// (145) against them.
-pub const EQ145: Statement = Statement::new(Within, SERIES, || printed::eq145_a::tree(), eq145);
+pub const EQ145: Statement = Statement::new(Within, SERIES, printed::eq145_a::tree, eq145);
 
 pub(in crate::claims) const TRIALS: &[Attempt] =
     trials![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];

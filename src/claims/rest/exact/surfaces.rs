@@ -69,7 +69,7 @@ pub const CORRECTED: Statement = Statement::new(
         r"the corrected $A(\sigma,\alpha,\psi)$",
         r"the equations of motion at the order $\alpha$, with (145) at $\psi=0$",
     ),
-    || corrected::surface_a::tree(),
+    corrected::surface_a::tree,
     prove,
 );
 
