@@ -152,7 +152,8 @@ pub struct DrivePath {
 }
 
 impl Drive {
-    /// The drive h(φ), asked only for φ in [0, 2π); `breaks` lists its jumps and kinks.
+    /// The drive h(φ), asked only for φ in [0, 2π); `breaks` lists its jumps and kinks. What lasts less than a thousandth of a
+    /// period needs breaks around it.
     ///
     /// Cost: that of [`Piecewise::fit`].
     ///

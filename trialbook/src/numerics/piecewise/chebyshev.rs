@@ -31,6 +31,17 @@ pub struct Fit {
     pub resolved: bool,
 }
 
+impl Fit {
+    /// The value at a distance from the left end.
+    pub(super) fn value(&self, distance: f64) -> f64 {
+        horner(&self.coefficients, distance)
+    }
+}
+
+fn horner(coefficients: &[f64], x: f64) -> f64 {
+    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
+}
+
 /// Interpolates on [a, b] a function whose largest value is about `size` and whose arguments are known to `blur`. The points
 /// are inside, so that a jump at an end does no harm.
 ///
@@ -78,8 +89,7 @@ pub fn interpolate<E>(
     let mut resolved = tail <= RESOLVED * size + blur;
     for check in CHECKS {
         let s = (b - a) * check;
-        let fitted = coefficients.iter().rev().fold(0.0, |sum, c| sum * s + c);
-        resolved &= (function(a + s)? - fitted).abs() <= tolerance;
+        resolved &= (function(a + s)? - horner(&coefficients, s)).abs() <= tolerance;
     }
     Ok(Fit {
         start: a,

@@ -79,6 +79,25 @@ fn jumps_are_kept_sharp() {
     assert!((fit.integral() - (2.0 + 7.5 - (TAU - 4.0))).abs() < 4e-15);
 }
 
+/// A pulse, smooth or with listed jumps, on what is flat or not, wherever it lies.
+#[test]
+fn a_short_pulse_is_seen() {
+    let width = TAU / 1000.0;
+    for i in 0..200 {
+        let middle = 0.1 + 0.03 * f64::from(i);
+        let pulse = |x: f64| libm::exp(-libm::pow(5.0 * (x - middle) / width, 2.0));
+        let area = width / 5.0 * libm::sqrt(PI);
+        for slope in [0.0, 0.3] {
+            let fit = Piecewise::fit(|x| pulse(x) + slope * Scalar::sin(x), &[]).unwrap();
+            assert!((fit.integral() - area).abs() < 1e-12, "{middle} {slope}");
+        }
+    }
+    let jumps = |x: f64| f64::from(u8::from((2.0..2.0 + width).contains(&x)));
+    assert!(Piecewise::fit(jumps, &[]).is_err());
+    let listed = Piecewise::fit(jumps, &[2.0, 2.0 + width]).unwrap();
+    assert!((listed.integral() - width).abs() < 1e-14);
+}
+
 #[test]
 fn bad_functions_are_named() {
     let unlisted = Piecewise::fit(|x| if x < 1.0 { 0.0 } else { 1.0 }, &[]);
