@@ -32,11 +32,15 @@ fn one_thread_and_many_give_the_same_ledger_and_the_same_book() {
     assert!(said["claims"] == many);
 }
 
+/// What these draw was recorded, and is tried in the deep tier.
+const OF_RECORDS: [&str; 2] = ["digits", "rest-fates"];
+
 /// Where a figure is another one, its snapshot shows how.
 #[test]
 fn the_figures_are_the_recorded_ones() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/figures");
-    let figures = slipbook::figures::all().unwrap();
+    let mut figures = slipbook::figures::all().unwrap();
+    figures.retain(|figure| !OF_RECORDS.contains(&figure.id));
     let mut settings = insta::Settings::clone_current();
     settings.set_snapshot_path(&folder);
     settings.set_prepend_module_to_snapshot(false);
