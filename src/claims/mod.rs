@@ -11,6 +11,8 @@ mod shared;
 pub mod tolerances;
 pub mod variants;
 
+impl trialbook::trials::runs::Setting for crate::motion::drive::Drive {}
+
 pub mod anisotropic;
 pub mod constant;
 pub mod escape;
@@ -45,7 +47,7 @@ pub static PAPER: Paper = Paper {
     letter: include_str!("../../book/letter.md"),
     topics: TOPICS.as_slice(),
     record: include_str!("../../snapshots/verdicts.snap"),
-    tallies: include_str!("../../snapshots/variants.snap"),
+    tries_variants: true,
     deep: include_str!("../../snapshots/deep.tsv"),
     certified: include_str!("../../snapshots/certificates.csv"),
     formulas: formulas::FORMULAS,

@@ -106,7 +106,7 @@ enum Problem {
 }
 
 /// The unit of an acceleration that is given beside λ.
-const ACCELERATION: &str = "unit of A";
+const ACCELERATION: &str = "that of A";
 
 /// The acceleration of gravity where nobody says another, in m/s².
 const GRAVITY: &str = "9.80665";

@@ -73,11 +73,11 @@ pub struct ConstantState {
 }
 
 /// The units of speeds and times, which are whatever those of v₀ and A make them.
-pub const SPEED: &str = "unit of v0";
+pub const SPEED: &str = "that of v0";
 /// See [`SPEED`].
-pub const TIME: &str = "unit of v0/A";
+pub const TIME: &str = "that of v0/A";
 /// See [`SPEED`].
-pub const LENGTH: &str = "unit of v0²/A";
+pub const LENGTH: &str = "that of v0²/A";
 
 impl Fields for ConstantState {
     fn fields(&self) -> Vec<Field> {

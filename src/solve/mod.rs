@@ -265,7 +265,7 @@ impl Field {
         }
     }
 
-    /// The difference from the same quantity found otherwise, relative to its size; 1 where only one is a number.
+    /// The difference from the same quantity found otherwise, relative to its size; 1 where only one is a number. Words do not count.
     fn difference(&self, other: &Field) -> f64 {
         match (self.value, other.value) {
             (Value::Number(a), Value::Number(b)) if a == b => 0.0,
@@ -273,8 +273,17 @@ impl Field {
                 let least = self.scale.max(other.scale).max(self.unseen);
                 (a - b).abs() / a.abs().max(b.abs()).max(least)
             }
+            (Value::Word(_), Value::Word(_)) => 0.0,
             (a, b) if a == b => 0.0,
             _ => 1.0,
+        }
+    }
+
+    /// Whether a reader sees that it is another one.
+    fn is_seen_beside(&self, other: &Field) -> bool {
+        match (self.value, other.value) {
+            (Value::Word(a), Value::Word(b)) => a != b,
+            _ => self.difference(other) > ALIKE,
         }
     }
 }
@@ -382,10 +391,11 @@ impl<T: Fields + Clone> Answer<T> {
             found.difference(&rounded[i]) <= CLOSE + noise
         };
         let explained = of_no_size || theirs.iter().enumerate().all(explained);
+        // As far as parameters next to the given ones move the formula.
         let mut next = beside.iter().chain([&rounded]);
-        let moved = next.any(|there| {
-            let mut pairs = ours.iter().zip(there);
-            pairs.any(|(a, b)| a.difference(b) > ALIKE)
+        let shows = next.any(|there| {
+            let mut all = ours.iter().zip(there).zip(&theirs);
+            all.any(|((a, b), motion)| a.is_seen_beside(b) && a.is_seen_beside(motion))
         });
         Ok(Answer {
             by_formula: Some(formula),
@@ -394,7 +404,7 @@ impl<T: Fields + Clone> Answer<T> {
                 Some(_) if explained => Some(kept(&ours)),
                 agreed => agreed,
             },
-            note: if moved {
+            note: if shows {
                 format!("{}; {NEXT_TO_IT}", answer.note)
             } else {
                 answer.note

@@ -381,33 +381,22 @@ fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
 fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     let variants = PAPER.formulas.variants();
     let rejected = ledger.rejected(&variants);
-    let mut record = String::new();
-    let mut survivors = Vec::new();
     let entries = as_recorded(ledger);
-    for entry in entries.iter().copied() {
-        let of_claim = || {
-            variants
-                .iter()
-                .zip(&rejected)
-                .filter(|(v, _)| v.claim == entry.claim.id)
-        };
-        let (tried, survive) = (of_claim().count(), of_claim().filter(|(_, yes)| !**yes));
-        let survive: Vec<_> = survive
-            .map(|(v, _)| (v.claim.as_str(), v.text.as_str()))
-            .collect();
-        if tried > 0 {
-            record += &format!("{}: {} of {tried}\n", entry.claim.id, tried - survive.len());
-        }
-        survivors.extend(survive);
-    }
     let told = |id: &str| entries.iter().any(|entry| entry.claim.id == id);
+    let survivors = variants.iter().zip(&rejected).filter(|(_, yes)| !**yes);
+    let survivors = survivors.map(|(v, _)| (v.claim.as_str(), v.text.as_str()));
+    let survivors: BTreeSet<_> = survivors.filter(|(id, _)| told(id)).collect();
     let claims = PAPER.claims().filter(|(_, claim)| told(claim.id));
     let excused = claims.flat_map(|(_, claim)| claim.survivors.iter().map(|s| (claim.id, s.of)));
-    let excused: Vec<_> = excused.collect();
-    if survivors != excused {
-        return Err(format!("{survivors:#?} survive, a reason is given for {excused:#?}").into());
+    let excused: BTreeSet<_> = excused.collect();
+    if survivors == excused && variants.len() > 10_000 {
+        return Ok(());
     }
-    same_as_snapshot("", "variants", &record)
+    Err(format!(
+        "of {} wrong variants {survivors:#?} survive, a reason is given for {excused:#?}",
+        variants.len()
+    )
+    .into())
 }
 
 /// The claims without a proof are those for which a reason is given.

@@ -257,7 +257,7 @@ fn what_is_tried_or_proved_in_part_proves_no_claim() {
     let root = evidence(Route::Root, Subject::Printed, GOOD);
     let all = judged(&[proved, census, root]);
     assert_eq!(all.verdict, Verdict::Confirmed);
-    let ground = "holds by root, census; a part of it holds by proof (certified)";
+    let ground = "holds by root, census; a part of it holds by enclosure";
     assert_eq!(all.ground, ground);
     let against = part(Route::Certified, f64::INFINITY);
     assert_eq!(against.proof_words(), Some("disproved"));

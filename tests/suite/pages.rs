@@ -6,14 +6,10 @@ use slipbook::claims::PAPER;
 use slipbook::ledger::Format;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::process::Command;
 use trialbook::notation::{Piece, pieces, plain_formula, plain_words};
 
 /// Pages that explain what verdicts are, and so name them.
 const ON_VERDICTS: [&str; 5] = ["methods", "adding", "own", "errata", "map"];
-
-/// How many lines of the plain letter two pages of the set one hold, nearly.
-const TWO_PAGES: usize = 201;
 
 /// A text without what stands between two marks.
 fn without(text: &str, open: &str, close: &str) -> String {
@@ -39,27 +35,6 @@ fn the_letters_can_be_sent() {
     let foreign: Vec<_> = latex.chars().filter(|c| !c.is_ascii()).collect();
     assert!(foreign.is_empty(), "no LaTeX for {foreign:?}");
     assert!(!latex.contains("$$") && latex.matches('$').count() % 2 == 0);
-}
-
-/// It goes onto two pages: of text no more lines than two pages hold; by a TeX, where there is one, two pages.
-#[test]
-fn the_letter_has_two_pages() {
-    let ledger = &*LEDGER;
-    let [text, latex] = [Format::Text, Format::Latex].map(|format| ledger.letter(format).unwrap());
-    let lines = text.lines().filter(|line| !line.is_empty()).count();
-    assert!(lines <= TWO_PAGES, "{lines} lines");
-    let folder = tempfile::tempdir().unwrap();
-    let letter = folder.path().join("errata.tex");
-    fs::write(&letter, latex).unwrap();
-    let set = Command::new("pdflatex")
-        .args(["-halt-on-error", "-interaction=nonstopmode", "errata.tex"])
-        .current_dir(folder.path())
-        .output();
-    // Without a TeX the lines have to do.
-    let Ok(set) = set else { return };
-    let said = String::from_utf8_lossy(&set.stdout).replace('\n', "");
-    assert!(set.status.success(), "{said}");
-    assert!(said.contains("(2 pages,"), "{said}");
 }
 
 /// It names all that has to be changed, and nothing else.

@@ -369,23 +369,6 @@ fn string(code: &str, raw: bool, close: &str) -> usize {
     end + close.len()
 }
 
-/// What trials share counts as a run that they have read, unless it is a setting; so a setting is nothing that moves: a drive, and the
-/// one number with which nothing is compared, the friction at which rest begins.
-#[test]
-fn settings_are_drives_and_the_onset_of_rest() {
-    let mut types = Vec::new();
-    for file in sources_of("src", "claims") {
-        let code: String = code_alone(&fs::read_to_string(&file).unwrap())
-            .split_whitespace()
-            .collect();
-        let made = code.match_indices("=Runs::setting(");
-        types.extend(made.map(|(at, _)| code[..at].rsplit(':').next().unwrap().to_owned()));
-    }
-    assert!(types.iter().any(|made| made == "Runs<Drive>"));
-    types.retain(|made| made != "Runs<Drive>");
-    assert_eq!(types, ["Runs<f64>"]);
-}
-
 /// A function of [`Scalar`](trialbook::scalar::Scalar) has no way to ask how large a number is but `nearest`. Without that it is one
 /// analytic expression, and cannot be right at the points of its trials and wrong between them or beyond. What does distinguish
 /// cases is no such expression, and is named here; its cases are all tried.

@@ -1,10 +1,8 @@
 //! The symbols' units: in other units of length, time and mass every formula gives the same quantity.
 
-use slipbook::book::files_below;
 use slipbook::claims::formulas::formulas;
 use slipbook::seeded::{Formula, symbol};
 use slipbook::symbols::SYMBOLS;
-use std::path::Path;
 
 /// How a number with this unit grows when length, time and mass are counted in units that are smaller by these factors.
 fn growth(unit: &str, [length, time, mass]: [f64; 3]) -> Option<f64> {
@@ -92,55 +90,4 @@ fn a_formula_gives_the_same_in_other_units() {
     }
     assert!(failures.is_empty(), "{failures:#?}");
     assert!(asked > 40, "{asked}");
-}
-
-/// What pages say, and what the code says and comments, each text on one line.
-fn texts_in(folder: &str) -> impl Iterator<Item = (String, String)> {
-    let files = files_below(&Path::new(env!("CARGO_MANIFEST_DIR")).join(folder)).unwrap();
-    let texts = files
-        .into_iter()
-        .filter(|(name, _)| name.ends_with(".md") || name.ends_with(".rs"));
-    texts.map(|(name, path)| {
-        let text = std::fs::read_to_string(path).unwrap();
-        let words: Vec<_> = text.split_whitespace().collect();
-        (name, words.join(" "))
-    })
-}
-
-/// A distance is one over μg/Ω², a speed one over μg/Ω, where the words before the unit speak of one of them alone.
-#[test]
-fn lengths_and_speeds_of_the_table_have_their_own_units() {
-    let lengths = [
-        "distance",
-        "length",
-        "radius",
-        "place",
-        "position",
-        "ξ",
-        "where a particle",
-        "ρ, in",
-        "σ ",
-    ];
-    let speeds = ["speed", "velocity", "how fast", "p, in"];
-    let mut asked = 0;
-    for (path, text) in ["book/src", "src"].into_iter().flat_map(texts_in) {
-        for unit in [r"\mu g/\Omega", r"\\mu g/\\Omega", "μg/Ω"] {
-            for (at, _) in text.match_indices(unit) {
-                let squared = text[at + unit.len()..].starts_with(['^', '²']);
-                let near = text[..at]
-                    .char_indices()
-                    .rev()
-                    .nth(150)
-                    .map_or(0, |(i, _)| i);
-                let before = text[near..at].to_lowercase();
-                let [length, speed] = [&lengths[..], &speeds]
-                    .map(|words| words.iter().any(|word| before.contains(word)));
-                if length != speed {
-                    assert_eq!(squared, length, "{path}: …{before}{unit}");
-                    asked += 1;
-                }
-            }
-        }
-    }
-    assert!(asked > 0);
 }

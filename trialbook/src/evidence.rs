@@ -307,7 +307,7 @@ impl Evidence {
     pub fn proof_words(&self) -> Option<&'static str> {
         self.route.is_proof().then(|| match self.outcome() {
             Outcome::Agrees if self.is_in_words() => "argued",
-            Outcome::Agrees => "proved",
+            Outcome::Agrees => "shown",
             Outcome::Disagrees => "disproved",
             Outcome::NotANumber | Outcome::TooFewPoints => "not proved",
         })

@@ -17,8 +17,10 @@ pub fn drive() -> Result<&'static Drive, Failure> {
 /// The friction at which a slip from rest ends just where the next one could begin, which divides the frictions of the
 /// trials: by the motion alone, and nothing is compared with it. NaN where that fails, which no trial survives.
 pub fn lambda_c() -> f64 {
-    static ONSET: Runs<f64> = Runs::setting(|| Ok(root(excess_length, 0.2, 0.9)?));
-    ONSET.get().copied().unwrap_or(f64::NAN)
+    struct Onset(f64);
+    impl Setting for Onset {}
+    static ONSET: Runs<Onset> = Runs::setting(|| Ok(Onset(root(excess_length, 0.2, 0.9)?)));
+    ONSET.get().map_or(f64::NAN, |onset| onset.0)
 }
 
 /// By how much a slip from rest lasts longer than half a period; NaN where it cannot be followed.

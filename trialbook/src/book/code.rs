@@ -149,41 +149,30 @@ impl<'a> Code<'a> {
         })
     }
 
-    /// How much code stands in these modules, by their paths, without comments and tests. What follows `without` is left out.
+    /// How much code stands in these modules, by their paths, without comments and tests.
     pub(super) fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
         let shown = self.files.iter().filter(|(file, _)| file.ends_with(".rs"));
         let shown = shown.map(|(file, source)| (format!("src/{file}"), source.text));
         let engine = texts(&ENGINE).into_iter();
         let engine = engine.map(|(file, text)| (format!("trialbook/src/{file}"), text));
         let all: Vec<_> = shown.chain(engine).collect();
-        let mut parts = modules.split(|word| *word == "without");
-        let [within, without] = [(); 2].map(|()| parts.next().unwrap_or_default());
-        for module in within.iter().chain(without) {
+        for module in modules {
             if !all.iter().any(|(file, _)| is_of_module(file, module)) {
                 return Err(Fault::Placeholder(format!("there is no source `{module}`")));
             }
         }
-        let is_of = |file: &str, modules: &[&str]| modules.iter().any(|m| is_of_module(file, m));
+        let is_counted =
+            |file: &str| !is_test(file) && modules.iter().any(|module| is_of_module(file, module));
         let lines = all
             .iter()
-            .filter(|(file, _)| is_of(file, within) && !is_of(file, without) && !is_test(file))
+            .filter(|(file, _)| is_counted(file))
             .map(|(_, text)| lines_of_code(text))
             .sum();
-        let names = |modules: &[&str]| {
-            let names = modules
-                .iter()
-                .map(|m| format!("<code>{}</code>", escape(m)));
-            names.collect::<Vec<_>>().join(", ")
-        };
-        let without = match without {
-            [] => String::new(),
-            without => format!(" without {}", names(without)),
-        };
-        Ok(format!(
-            "{} lines in {}{without}",
-            count(lines),
-            names(within)
-        ))
+        let names = modules
+            .iter()
+            .map(|module| format!("<code>{}</code>", escape(module)));
+        let names: Vec<_> = names.collect();
+        Ok(format!("{} lines in {}", count(lines), names.join(", ")))
     }
 
     /// The pages: address within the book, and HTML.
@@ -362,7 +351,7 @@ mod tests {
     fn modules_are_counted_by_their_paths() {
         let edition = Edition::of("none", &crate::trials::Paper::BLANK);
         let lines = |modules: &[&str]| Code::new(&edition).lines(modules);
-        let said = lines(&["trialbook/src/exact", "without", "trialbook/src/exact/read"]).unwrap();
+        let said = lines(&["trialbook/src/exact", "trialbook/src/scalar"]).unwrap();
         let (number, rest) = said.split_once(' ').unwrap();
         assert!(
             number.replace(',', "").parse::<usize>().unwrap() > 1000,
@@ -370,14 +359,9 @@ mod tests {
         );
         assert_eq!(
             rest,
-            "lines in <code>trialbook/src/exact</code> without <code>trialbook/src/exact/read</code>"
+            "lines in <code>trialbook/src/exact</code>, <code>trialbook/src/scalar</code>"
         );
-        for missing in [
-            &["trialbook/src/exac"][..],
-            &["trialbook/src/exact", "without", "src/x"],
-        ] {
-            assert!(lines(missing).is_err(), "{missing:?}");
-        }
+        assert!(lines(&["trialbook/src/exac"]).is_err());
     }
 
     #[test]

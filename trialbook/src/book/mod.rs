@@ -35,7 +35,7 @@
 //! | `{{count results}}`, `{{count factors}}` | of the errors of their own: the topics in which a result does not hold, the formulas that have lost a factor or the like |
 //! | `{{lemmas}}` | the proofs that others rest on and that no box shows |
 //! | `{{count proved}}`, `argued`, `measured` | how many claims are known in this way |
-//! | `{{lines src/motion}}` | how much code stands in these modules, without comments and tests, and their paths; what follows `without` is left out |
+//! | `{{lines src/motion}}` | how much code stands in these modules, without comments and tests, and their paths |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
 //!
 //! An edition may have more of its own. Those that stand for a box, a figure or a table stand alone on their line. None is

@@ -73,6 +73,12 @@ pub(super) fn part(ids: &[&str], shard: Shard, depth: &Depth) -> Result<u8, Fail
     if !text.is_empty() {
         say(&text)?;
     }
+    if range.is_empty() {
+        complain(
+            "nothing to do",
+            "there are fewer rounds than parts, and this one has none",
+        );
+    }
     if whole {
         return Ok(0);
     }

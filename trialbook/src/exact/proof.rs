@@ -226,7 +226,7 @@ impl fmt::Display for Proof {
             writeln!(f, "{}. {step}", i + 1)?;
         }
         match &self.obstacle {
-            None => writeln!(f, "Proved."),
+            None => writeln!(f, "Shown."),
             Some(obstacle) => writeln!(f, "Not proved: {obstacle}."),
         }
     }

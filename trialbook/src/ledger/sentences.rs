@@ -145,7 +145,7 @@ impl Evidence {
             Outcome::Agrees if self.is_in_words() => {
                 format!("Argued{steps}; what joins them is said in words.")
             }
-            Outcome::Agrees => format!("Proved{steps}{}.", self.quantified()),
+            Outcome::Agrees => format!("Shown{steps}{}.", self.quantified()),
             Outcome::Disagrees if self.failed > 0 => {
                 format!("Disproved: {}.", self.failing().to_lowercase())
             }
@@ -251,13 +251,13 @@ mod tests {
             proved.result()
         };
         let identity = Compared::one("$a$", "$b$");
-        let all = "Proved, for all values of the symbols for which both sides have one.";
+        let all = "Shown, for all values of the symbols for which both sides have one.";
         assert_eq!(said(Route::Exact, identity), all);
         for (route, compared) in [
             (Route::Certified, identity),
             (Route::Exact, Compared::one("$a$ for every $x$", "$b$")),
         ] {
-            assert_eq!(said(route, compared), "Proved.");
+            assert_eq!(said(route, compared), "Shown.");
         }
         let in_words = said(Route::Exact, Compared::shown("it never stops"));
         assert_eq!(in_words, "Argued; what joins them is said in words.");

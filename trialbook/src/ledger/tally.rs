@@ -1,31 +1,26 @@
-//! How many wrong variants of a claim's formulas its trials reject, as recorded.
+//! How many wrong variants of a claim's formulas its trials reject.
 
 use super::Entry;
 
 /// A count of wrong variants.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Tally {
-    /// How many were rejected.
+    /// How many are rejected.
     pub rejected: usize,
-    /// How many were tried.
+    /// How many are tried.
     pub tried: usize,
 }
 
 impl Entry {
-    /// The recorded tally; zeros for a claim without a formula.
+    /// The tally, if a test of the paper's tries all variants; zeros if none does, and for a claim without a formula.
     pub fn tally(&self) -> Tally {
-        let recorded = || {
-            let lines = self.paper.tallies.lines();
-            let of_claim = |line: &'static str| {
-                let (id, counts) = line.split_once(": ")?;
-                (id == self.claim.id).then(|| counts.split_once(" of "))?
-            };
-            let (rejected, tried) = lines.filter_map(of_claim).next()?;
-            Some(Tally {
-                rejected: rejected.parse().ok()?,
-                tried: tried.parse().ok()?,
-            })
-        };
-        recorded().unwrap_or_default()
+        if !self.paper.tries_variants {
+            return Tally::default();
+        }
+        let tried = self.paper.formulas.variants_of_claim(self.claim.id).len();
+        Tally {
+            rejected: tried - self.claim.survivors.len(),
+            tried,
+        }
     }
 }

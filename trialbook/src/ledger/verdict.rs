@@ -264,7 +264,11 @@ pub fn judge(
     }
     let held = printed.with(&within);
     if kind == Kind::Definition && held.distinct().contains(&Route::Consistency) {
-        let proved = if held.is_proved() { ", by a proof" } else { "" };
+        let proved = if held.is_proved() {
+            ", as is shown"
+        } else {
+            ""
+        };
         let ground = format!("is consistent with the use made of it{proved}");
         return judgement(Verdict::Definition, ground);
     }
@@ -364,31 +368,28 @@ impl<'a> Weighed<'a> {
         two || self.is_proved()
     }
 
-    /// How it holds: proofs first, those of a part last.
+    /// How it holds: by what computes first, by what computes a part last.
     fn standing(&self) -> String {
-        let list = |routes: &BTreeSet<Route>| {
-            let names: Vec<_> = routes.iter().map(|r| r.name()).collect();
-            names.join(", ")
+        let routes = self.distinct();
+        let proofs: BTreeSet<_> = self.agree.iter().map(|e| e.route).collect();
+        let proofs: BTreeSet<_> = proofs.into_iter().filter(|r| r.is_proof()).collect();
+        let whole = match routes.is_empty() {
+            true => "is not tried as a whole".to_owned(),
+            false => format!("holds by {}", list(&routes)),
         };
-        let (proofs, others): (BTreeSet<_>, BTreeSet<_>) =
-            self.distinct().into_iter().partition(|r| r.is_proof());
-        let whole = match (proofs.is_empty(), others.is_empty()) {
-            (true, true) => "is not tried as a whole".to_owned(),
-            (true, _) => format!("holds by {}", list(&others)),
-            (_, true) => format!("holds by proof ({})", list(&proofs)),
-            _ => {
-                let (proofs, others) = (list(&proofs), list(&others));
-                format!("holds by proof ({proofs}), and by {others}")
-            }
-        };
-        let parts = self
-            .agree
-            .iter()
-            .filter(|e| e.partial && e.route.is_proof());
-        let parts: BTreeSet<_> = parts.map(|e| e.route).collect();
-        match proofs.is_empty() && !parts.is_empty() {
-            true => format!("{whole}; a part of it holds by proof ({})", list(&parts)),
-            false => whole,
+        match self.is_proved() || proofs.is_empty() {
+            true => whole,
+            false => format!("{whole}; a part of it holds by {}", list(&proofs)),
         }
     }
+}
+
+/// The routes, in words. Whether what is shown so is the whole of the claim, its [standing](super::Standing) says.
+fn list(routes: &BTreeSet<Route>) -> String {
+    let names = routes.iter().map(|route| match route {
+        Route::Exact => "exact algebra",
+        Route::Certified => "enclosure",
+        route => route.name(),
+    });
+    names.collect::<Vec<_>>().join(", ")
 }

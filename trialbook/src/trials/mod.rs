@@ -301,8 +301,8 @@ pub struct Paper {
     pub topics: &'static [&'static Topic],
     /// The recorded verdicts: a line `id: verdict` for each claim.
     pub record: &'static str,
-    /// How many wrong variants are rejected, as recorded: a line `id: n of m` for each claim with a formula.
-    pub tallies: &'static str,
+    /// True if a test puts every wrong variant to the trials, and finds that no other passes than the claims name as survivors.
+    pub tries_variants: bool,
     /// The record of a deep run; empty if none was made.
     #[cfg(feature = "trials")]
     pub deep: &'static str,
@@ -324,7 +324,7 @@ impl Paper {
         letter: "",
         topics: &[],
         record: "",
-        tallies: "",
+        tries_variants: false,
         deep: "",
         certified: "",
         formulas: Formulas::NONE,

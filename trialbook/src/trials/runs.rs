@@ -54,6 +54,10 @@ failures!(
     NumericsError
 );
 
+/// What is set up and has not moved yet, such as a drive, and what nothing is compared with: two who use it have read nothing of
+/// each other.
+pub trait Setting {}
+
 /// What is made when it is first asked for: motions and their like. The values of formulas are none of it, or a mistake
 /// that is seeded later would not reach the trials that share them.
 #[derive(Debug)]
@@ -75,8 +79,11 @@ impl<T> Runs<T> {
         }
     }
 
-    /// What is set up and has not moved yet, such as a drive: two who use it have read nothing of each other.
-    pub const fn setting(make: fn() -> Result<T, Failure>) -> Self {
+    /// What is only set up: who uses it has read no run.
+    pub const fn setting(make: fn() -> Result<T, Failure>) -> Self
+    where
+        T: Setting,
+    {
         Runs {
             made: OnceLock::new(),
             make,
@@ -264,8 +271,10 @@ mod tests {
     /// By who makes them and by who is served them later.
     #[test]
     fn what_went_into_shared_runs_is_noted_by_all_who_use_them() {
-        static SETTING: Runs<f64> = Runs::setting(|| Ok(1.0));
-        static FIRST: Runs<f64> = Runs::new(|| Ok(2.0 * SETTING.get()?));
+        struct Set(f64);
+        impl Setting for Set {}
+        static SETTING: Runs<Set> = Runs::setting(|| Ok(Set(1.0)));
+        static FIRST: Runs<f64> = Runs::new(|| Ok(2.0 * SETTING.get()?.0));
         static SECOND: Runs<f64> = Runs::new(|| Ok(3.0 * FIRST.get()?));
         static THIRD: Runs<Vec<f64>> = Runs::new(|| Ok(vec![5.0 * SECOND.get()?]));
         static DERIVED: Derived<f64> = Derived::new(|| twice(SECOND.get().map_or(0.0, |x| *x)));
@@ -284,7 +293,7 @@ mod tests {
             let (value, read) = reading::of(|| DERIVED.with(|x| *x));
             assert_eq!((value, read.runs), (12.0, places(&[first, second])));
             assert!(read.formulas.contains(formulas::<f64>()[0].path));
-            let (_, read) = reading::of(|| *SETTING.get().unwrap());
+            let (_, read) = reading::of(|| SETTING.get().unwrap().0);
             assert_eq!(read, Read::default());
         }
     }

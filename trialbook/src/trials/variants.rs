@@ -29,12 +29,17 @@ impl Formulas {
 
     /// The wrong variants of the formula of this name.
     pub fn variants_of(&self, name: &str) -> Vec<Variant> {
-        self.of_those(|formula| formula == name)
+        self.of_those(|formula| formula.name == name)
     }
 
-    fn of_those(&self, wanted: impl Fn(&str) -> bool) -> Vec<Variant> {
+    /// The wrong variants of the formulas that the claim of this id tries.
+    pub fn variants_of_claim(&self, id: &str) -> Vec<Variant> {
+        self.of_those(|formula| formula.claim().is_some_and(|claim| claim == id))
+    }
+
+    fn of_those(&self, wanted: impl Fn(&Formula<f64>) -> bool) -> Vec<Variant> {
         let (trees, numbers) = ((self.trees)(), (self.numbers)());
-        let both = trees.iter().zip(&numbers).filter(|(_, f)| wanted(f.name));
+        let both = trees.iter().zip(&numbers).filter(|(_, f)| wanted(f));
         both.flat_map(|(tree, number)| self.of(tree, number))
             .collect()
     }

@@ -9,7 +9,7 @@ fn a_proof_reads_as_steps() {
         text.contains("The printed rate: (λ − cos(θ))/sin(θ) = "),
         "{text}"
     );
-    assert!(text.ends_with("Proved.\n"), "{text}");
+    assert!(text.ends_with("Shown.\n"), "{text}");
     let wrong = (EQ9.prove)(-(EQ9.formulas)()).to_string();
     assert!(
         wrong.contains("Not proved: Rate by (1) against printed rate: the difference is "),
