@@ -387,7 +387,12 @@ fn what_a_caption_says_of_its_numbers_is_so() {
             continue;
         };
         let text = words(&format!("{} | {}", figure.caption, figure.alt));
-        let holds = holds(&Data::of(figure));
+        let data = Data::of(figure);
+        if data.0.is_empty() {
+            println!("nothing is recorded for {id}");
+            continue;
+        }
+        let holds = holds(&data);
         for pattern in *all {
             let right = |choice: usize| (choice == 0) == holds;
             wrong.extend(

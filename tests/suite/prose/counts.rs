@@ -12,7 +12,6 @@ use slipbook::claims::anisotropic::simulated::{attractor, curve_a, curve_e, orde
 use slipbook::claims::corners::CORNERS;
 use slipbook::claims::periodic::drawn;
 use slipbook::claims::periodic::drives::{Phase, motion, third_harmonic};
-use slipbook::claims::rest::fates::recorded;
 use slipbook::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use slipbook::evidence::{Compared, Evidence, Kind, Route, Subject, Tolerance};
 use slipbook::ledger::{Verdict, judge};
@@ -101,11 +100,6 @@ counts! {
     "rest", "the code does to {} digits" => Is(critical);
     // Of an interval as long above as below.
     "rest", "{} of their digits are" => Among(|_| certain().map(|off| decimals(2.0 * off)).into_iter().collect());
-    "rest", "for {} values of" => Is(|| {
-        let mut all: Vec<f64> = recorded().unwrap().iter().map(|map| map[0].a).collect();
-        all.dedup();
-        all.len() as f64
-    });
     "rest", "above it to {} all escape" => Code;
     "rest", "turns {} times a minute" => Code;
     "rest", "less than a {} of each" => Code;
