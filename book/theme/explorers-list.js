@@ -30,7 +30,7 @@ window.slipbookExplorers = (() => {
     const circle = radius => Array.from({ length: 122 }, (_, i) => radius * (i % 2 ? Math.sin : Math.cos)(Math.floor(i / 2) * Math.PI / 30));
     const FATES = {
         '1': (sigma, tau) => `it comes to rest at the distance σ = ${fixed(sigma)} after τ = ${fixed(tau)}`,
-        '0': (_, tau) => `it goes away for ever, which is certain after τ = ${fixed(tau)}`,
+        '0': (_, tau) => `it goes away for ever, which is certain ${tau < 5e-5 ? 'at once' : `after τ = ${fixed(tau)}`}`,
         '-1': () => 'the start is so near the boundary that rounding decides',
     };
     const fates = fate => fate === 1 ? 'rest' : fate ? 'undecided' : 'escape';
@@ -268,7 +268,7 @@ window.slipbookExplorers = (() => {
                 says: 'In the room it hardly moves, and the record carries it along.',
                 at: { rho: 0.5, u: 0, v: -1.2 },
             },
-            hint: 'Now drag the coin or the tip of its velocity. With the tip in the shaded area it comes to rest; by the paper, within the dashed circle.',
+            hint: 'Now drag the coin or the tip of its velocity. With the tip in the shaded area it comes to rest; by the paper’s formula for slow coins, within the dashed circle.',
             inputs: {
                 rho: { label: 'distance ρ from the axis', range: [0, 1.4], step: 0.01, start: 0.5 },
                 u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01, start: 0 },
@@ -284,7 +284,7 @@ window.slipbookExplorers = (() => {
                 return {
                     draw: [],
                     values: {},
-                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}) relative to the record ${FATES[fate](sigma, tau)}. By the paper it ${paper}.`,
+                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}) relative to the record ${FATES[fate](sigma, tau)}. By the paper’s formula for slow coins it ${paper}.`,
                 };
             },
         },
@@ -293,7 +293,7 @@ window.slipbookExplorers = (() => {
             name: 'How fast does it go?',
             hint: 'Put the coin down at rest in the laboratory, at the distance that you choose by hand or below, and let the record drag it.',
             predict: {
-                asks: 'First your guess: once friction has lost it, its distance grows in the end as',
+                asks: 'First your guess: the coin slides off, and in the end its distance grows as',
                 options: ['τ', 'τ²', 'an exponential of τ'],
                 right: 1,
                 says: 'The size of friction is constant, and so is that of the acceleration.',

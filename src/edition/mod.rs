@@ -78,11 +78,11 @@ pub static EDITION: Edition = Edition {
     watch: &[
         (
             "s21-along-acceleration",
-            "constant.html#explore-constant?lambda=0.7&theta=120",
+            "constant.html#explore-constant?lambda=0.5&theta=0",
         ),
         (
             "s22-rest-of-period",
-            "sinusoidal.html#explore-sinusoidal?lambda=0.3&w=0.5&across=0",
+            "sinusoidal.html#explore-sinusoidal?lambda=0.5&w=0&across=0",
         ),
         (
             "s22-vy-two-stages",
@@ -110,7 +110,7 @@ pub static EDITION: Edition = Edition {
         ("eq-137", ESCAPE),
         ("eq-146", BETWEEN),
         ("eq-147", BETWEEN),
-        ("s4-psi-free", BETWEEN),
+        ("s4-psi-free", "rest.html#explore-rest?rho=0.54&u=0&v=-0.2"),
         ("s4-envelope-is-boundary", BETWEEN),
     ],
     breaks: |id| {

@@ -183,7 +183,8 @@ pub fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureError> {
         .caption(
             "Speed, size $A$ and angle of three escapes, each over the power of $\\tau$ by which it grows or \
              falls. A law with the right prefactor becomes a horizontal line. The motions pass the printed \
-             values (dashed) on their way and settle on the corrected ones (solid).",
+             values of speed and $A$ (dashed) on their way and settle on the corrected ones (solid). The printed \
+             $\\pi/2-\\psi$ falls as $\\tau^{-1/2}$ and has no line here.",
         )
         .alt(
             "Three panels over the time from 10 to a hundred million, on a logarithmic axis. In each the three \

@@ -85,7 +85,7 @@ fn basins() -> Result<Figure, AllFiguresError> {
     Ok(basin(&[
         one("outward", "outward velocity", |rho, u| [u, -rho])?,
         one(
-            "across",
+            "along",
             "velocity along the motion of the table",
             |rho, u| [0.0, u - rho],
         )?,

@@ -140,6 +140,7 @@ fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure>
             fixed(sigma),
             fixed(tau)
         ),
+        0.0 if tau < 5e-5 => "it goes away for ever, which is certain at once".to_owned(),
         0.0 => format!(
             "it goes away for ever, which is certain after τ = {}",
             fixed(tau)

@@ -221,12 +221,26 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
     Ok(html + "</ul>")
 }
 
+/// Words in which a claim's title in quotation marks is a link to its box.
+fn linked(context: &Context<'_>, words: &str) -> Result<String, Fault> {
+    let mut parts = words.split('“');
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (title, after) = part.split_once('”').unwrap_or((part, ""));
+        let mut entries = context.ledger.entries.iter();
+        let entry = entries.find(|entry| entry.claim.title == title);
+        let none = || Fault::Placeholder(format!("no claim has the title “{title}”"));
+        out += &(context.link(entry.ok_or_else(none)?)? + after);
+    }
+    Ok(out)
+}
+
 /// What no program checks of its proof.
 fn argument(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
     if claim.argument.is_empty() {
         return Ok(String::new());
     }
-    let words = context.maths.words(claim.argument)?;
+    let words = linked(context, &context.maths.words(claim.argument)?)?;
     Ok(format!(
         "<p class=\"argument\"><strong>Why what is checked is enough:</strong> {words}</p>"
     ))
