@@ -400,7 +400,7 @@ fn a_box_shows_all_and_data_stays_data() {
     let proof = full.split("<strong>exact</strong>").nth(1).unwrap();
     let proof = proof.split("<strong>").next().unwrap();
     assert!(
-        proof.contains("<span class=\"outcome\">proved</span>"),
+        proof.contains("<span class=\"outcome\">shown</span>"),
         "{proof}"
     );
     for part in [
