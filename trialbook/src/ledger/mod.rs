@@ -29,6 +29,7 @@ mod standing;
 #[cfg(feature = "trials")]
 mod summary;
 mod table;
+#[cfg(feature = "trials")]
 mod tally;
 #[cfg(feature = "trials")]
 mod variants;
@@ -47,6 +48,7 @@ pub use row::{EvidenceRow, Row};
 #[cfg(feature = "book")]
 pub(crate) use sentences::{count, counted};
 pub use standing::Standing;
+#[cfg(feature = "trials")]
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
