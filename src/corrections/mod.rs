@@ -1,6 +1,6 @@
 //! What replaces a printed formula that fails, or that has no value where the motion has one.
 //!
-//! Same stems as in [`crate::paper`]; every entry is tried in [`crate::claims`] like a printed formula.
+//! Same stems as in [`crate::paper`]; every entry is tried in `crate::claims` like a printed formula.
 
 pub mod anisotropic;
 pub mod constant;

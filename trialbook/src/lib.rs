@@ -1,6 +1,6 @@
 //! Puts the claims of a paper on trial.
 //!
-//! A trial compares what a paper [claims] with what is found without it, and turns the comparison into [`evidence`]; the
+//! A trial compares what a paper claims with what is found without it, and turns the comparison into [`evidence`]; the
 //! [`ledger`] judges: evidence in, verdict out. A printed formula is written once, over any [`scalar`], and then is a
 //! number or a tree. In it a mistake can be [`seeded`], to see that its trials notice.
 //!

@@ -1,6 +1,6 @@
 //! What a claim is, and how it is tried.
 //!
-//! A claim is data, an entry in the [file of its topic](read); a trial is a function that returns
+//! A claim is data, an entry in the file of its topic; a trial is a function that returns
 //! [`Evidence`](crate::evidence::Evidence), or a statement that is proved. Whether a claim holds is not said here: the
 //! [ledger](crate::ledger) judges.
 
@@ -295,7 +295,7 @@ pub struct Paper {
     pub authors: &'static str,
     /// Where it can be found: a journal's reference or a number of an archive.
     pub reference: &'static str,
-    /// A letter to its authors or its journal, as [`Ledger::letter`](crate::ledger::Ledger::letter) reads it; empty for none.
+    /// A letter to its authors or its journal, as `Ledger::letter` reads it; empty for none.
     pub letter: &'static str,
     /// Its claims, by topics in its own order.
     pub topics: &'static [&'static Topic],
