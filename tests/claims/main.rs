@@ -389,7 +389,7 @@ fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     let claims = PAPER.claims().filter(|(_, claim)| told(claim.id));
     let excused = claims.flat_map(|(_, claim)| claim.survivors.iter().map(|s| (claim.id, s.of)));
     let excused: BTreeSet<_> = excused.collect();
-    if survivors == excused && variants.len() > 10_000 {
+    if survivors == excused && !variants.is_empty() {
         return Ok(());
     }
     Err(format!(

@@ -19,7 +19,7 @@ impl Entry {
         }
         let tried = self.paper.formulas.variants_of_claim(self.claim.id).len();
         Tally {
-            rejected: tried - self.claim.survivors.len(),
+            rejected: tried.saturating_sub(self.claim.survivors.len()),
             tried,
         }
     }

@@ -368,11 +368,11 @@ impl<'a> Weighed<'a> {
         two || self.is_proved()
     }
 
-    /// How it holds: by what computes first, by what computes a part last.
+    /// How it holds: exact algebra and enclosures first, those of a part last.
     fn standing(&self) -> String {
         let routes = self.distinct();
-        let proofs: BTreeSet<_> = self.agree.iter().map(|e| e.route).collect();
-        let proofs: BTreeSet<_> = proofs.into_iter().filter(|r| r.is_proof()).collect();
+        let agree = self.agree.iter().map(|e| e.route);
+        let proofs: BTreeSet<_> = agree.filter(|route| route.is_proof()).collect();
         let whole = match routes.is_empty() {
             true => "is not tried as a whole".to_owned(),
             false => format!("holds by {}", list(&routes)),
