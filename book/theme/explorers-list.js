@@ -266,13 +266,13 @@ window.slipbookExplorers = (() => {
                 options: ['It flies off', 'It comes to rest', 'It slides for ever'],
                 right: 1,
                 says: 'In the room it hardly moves, and the record carries it along.',
-                at: { rho: 0.5, u: 0, v: -1.2 },
+                at: { rho: 0.5, u: 0, v: -0.48 },
             },
             hint: 'Now drag the coin or the tip of its velocity. With the tip in the shaded area it comes to rest; by the paper’s formula for slow coins, within the dashed circle.',
             inputs: {
                 rho: { label: 'distance ρ from the axis', range: [0, 1.4], step: 0.01, start: 0.5 },
                 u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01, start: 0 },
-                v: { label: 'velocity along the turning', range: [-2.5, 2.5], step: 0.01, start: -1.2 },
+                v: { label: 'velocity along the turning', range: [-2.5, 2.5], step: 0.01, start: -0.48 },
             },
             bare: true,
             plots: () => [],
@@ -375,11 +375,12 @@ window.slipbookExplorers = (() => {
                 says: 'More friction lifts the shallow loops of the velocity away from zero. The rests come back where it is much larger.',
                 at: { third: 1.5, lambda: 0.16 },
             },
-            hint: 'Choose how much of the third harmonic is added to the sine, and the friction; drag the tip of the velocity.',
+            hint: 'Choose how much of the third harmonic is added to the sine, or pulses with gaps between them; choose the friction, and drag the tip of the velocity.',
             inputs: {
                 third: { label: 'third harmonic', range: [0, 2], step: 0.05, start: 1.5 },
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.08 },
                 w: { label: 'velocity at start', range: [-2, 2], step: 0.05, start: 0.2 },
+                eta: { label: 'or pulses, of share η', range: [0, 0.95], step: 0.05, start: 0 },
             },
             plots: () => [{
                 title: '𝔴: from the start, and periodic (dashed)', label: 'Velocity against phase over four periods.',
@@ -388,14 +389,14 @@ window.slipbookExplorers = (() => {
                 title: 'the drive h', label: 'The inertial force against phase over four periods, and the friction.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'h', range: [-1.2, 1.2] }, height: 240,
             }],
-            film: ({ third, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(12, third, lambda, w), narrow, false, w, set),
-            now: ({ third, lambda, w }, ask) => {
-                const { values: [step], curves: [, velocities] } = ask(12, third, lambda, w);
-                const { curves: [, , drive] } = ask(11, third, lambda, w);
+            film: ({ third, lambda, w, eta }, ask, { narrow, set }) => scenes.tray(ask(12, third, lambda, w, eta), narrow, false, w, set),
+            now: ({ third, lambda, w, eta }, ask) => {
+                const { values: [step], curves: [, velocities] } = ask(12, third, lambda, w, eta);
+                const { curves: [, , drive] } = ask(11, third, lambda, w, eta);
                 return [i => [i * step, at(velocities, i)[1]], i => [i * step, at(drive, i * 400 / 480)[1]]];
             },
-            show({ third, lambda, w }, ask) {
-                const { values: [, largest, rest, count, ...list], curves: [shown, periodic, drive] } = ask(11, third, lambda, w);
+            show({ third, lambda, w, eta }, ask) {
+                const { values: [, largest, rest, count, ...list], curves: [shown, periodic, drive] } = ask(11, third, lambda, w, eta);
                 const signs = Array.from({ length: count }, (_, i) => list[3 * i]);
                 const rests = signs.filter(sign => sign === 0).length;
                 const most = Math.max(...column(shown, 1).map(Math.abs)), high = [0.5, 1, 2, 3].find(n => n >= most) || 5;
@@ -405,7 +406,7 @@ window.slipbookExplorers = (() => {
                         marks: [{ points: drive, series: 3 }, ...[-lambda, lambda].map(y => ({ points: [0, y, 8 * Math.PI, y], dash: true, faint: true }))],
                     }],
                     values: { 'rests per period': String(rests), 'largest |𝔴|': fixed(largest), 'share of rest': fixed(rest) },
-                    says: `Third harmonic ${fixed(third, 2)}, λ₀ = ${fixed(lambda, 3)}: ${many} in each period.`,
+                    says: `${eta ? `Pulses, η = ${fixed(eta, 2)}` : `Third harmonic ${fixed(third, 2)}`}, λ₀ = ${fixed(lambda, 3)}: ${many} in each period.`,
                 };
             },
         },

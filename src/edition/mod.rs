@@ -98,6 +98,14 @@ pub static EDITION: Edition = Edition {
             "eq-75",
             "sphere.html#explore-sphere?lambda=1.5&kappa=0.4&u=-1&v=0",
         ),
+        (
+            "s23-nonzero-again",
+            "periodic.html#explore-periodic?third=0&lambda=0.25&w=0.8&eta=0.5",
+        ),
+        ("eq-82", THROWN_ACROSS),
+        ("eq-83", THROWN_ACROSS),
+        ("eq-106", FLICKED_FROM_THE_AXIS),
+        ("s4-coriolis-no-work", FLICKED_FROM_THE_AXIS),
         ("eq-128", ESCAPE),
         ("eq-129", ESCAPE),
         ("eq-130", ESCAPE),
@@ -201,6 +209,12 @@ pub static EDITION: Edition = Edition {
 
 /// Between the borders C and E of anisotropic friction: region IV, which the paper takes for II.
 const BEYOND_Y: &str = "anisotropic.html#explore-anisotropic?q=9&lambda=0.1&w=0.3";
+
+/// The block that moves like the slip of a ball that is thrown across.
+const THROWN_ACROSS: &str = "constant.html#explore-constant?lambda=1.75&theta=90";
+
+/// A coin that comes to rest at p²/2, as if the table did not turn.
+const FLICKED_FROM_THE_AXIS: &str = "turntable.html#explore-turntable?rho=0&u=0.2&v=0";
 
 /// A particle that escapes.
 const ESCAPE: &str = "escape.html#explore-escape?rho=1.1";

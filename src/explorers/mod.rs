@@ -76,8 +76,8 @@ pub const QUESTIONS: [Question; 14] = [
     |[q, lambda, w, _]| anisotropic::film(q, lambda, w),
     |[lambda, kappa, u, v]| sphere::film(lambda, kappa, [u, v]),
     |[rho, ..]| turntable::growth(rho),
-    |[third, lambda, w, _]| periodic::motion(third, lambda, w),
-    |[third, lambda, w, _]| periodic::film(third, lambda, w),
+    |[third, lambda, w, eta]| periodic::motion(third, lambda, w, eta),
+    |[third, lambda, w, eta]| periodic::film(third, lambda, w, eta),
     |[lambda, w, across, _]| plane::film(lambda, w, across),
 ];
 

@@ -389,6 +389,8 @@ pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure,
                     .width(1.2),
             );
     }
+    // Those that leave run together, and have one label.
+    let mut leaving = Some("escape");
     for motion in motions {
         let what = if motion.rests { "rests" } else { "escapes" };
         for &[alpha, psi] in &motion.way {
@@ -397,7 +399,13 @@ pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure,
         let curve = Curve::new(motion.way.iter().map(polar))
             .ink()
             .arrows(&[0.4]);
-        panel = panel.curve(curve.label_at(what, 0.25));
+        panel = panel.curve(match motion.rests {
+            true => curve.label_at(what, 0.25),
+            false => match leaving.take() {
+                Some(both) => curve.label_at(both, 0.7),
+                None => curve,
+            },
+        });
     }
     Plot::new("rest-space", "The phase space from above")
         .caption(

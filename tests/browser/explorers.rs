@@ -83,6 +83,7 @@ const STATES: [(&str, &[&str]); 9] = [
             "third=1.5&lambda=0.15&w=1",
             "third=0&lambda=0.6&w=-2",
             "third=2&lambda=1.2&w=2",
+            "third=0&lambda=0.25&w=0.5&eta=0.5",
         ],
     ),
     (

@@ -90,8 +90,8 @@ fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
         (8, &[[2.0, 0.45, 1.5, 0.0], [1.0, 1.2, -2.0, 0.0]]),
         (9, &[[0.75, 0.4, 0.0, 1.0]]),
         (10, &[[0.8, 0.0, 0.0, 0.0], [1.1, 0.0, 0.0, 0.0]]),
-        (11, &[[1.5, 0.08, 1.0, 0.0], [0.0, 0.45, -2.0, 0.0]]),
-        (12, &[[1.5, 0.3, 1.0, 0.0]]),
+        (11, &[[1.5, 0.08, 1.0, 0.0], [0.0, 0.45, -2.0, 0.6]]),
+        (12, &[[1.5, 0.3, 1.0, 0.0], [0.0, 0.3, 1.0, 0.5]]),
         (
             13,
             &[
@@ -132,6 +132,7 @@ fn what_has_no_answer_is_an_empty_list_in_the_module_and_a_named_error_in_the_cr
         (10, [-1.0, 0.0, 0.0, 0.0], "rho"),
         (11, [f64::NAN, 0.5, 0.0, 0.0], "h"),
         (11, [1.0, -0.5, 0.0, 0.0], "lambda_plus"),
+        (11, [0.0, 0.5, 0.5, 1.0], "eta"),
         (12, [1.0, 0.5, f64::NAN, 0.0], "phi"),
         (13, [-1.0, 0.5, 1.0, 0.0], "lambda"),
         (13, [0.3, 0.5, -1.0, 0.0], "ln_w_y"),
@@ -302,14 +303,13 @@ fn the_guesses_have_the_answers_that_are_given() {
     assert!(depth(2) - depth(1) > 2.0 * (depth(1) - depth(0)) && depth(3) > 2.0 * depth(2));
     // A sine with its third harmonic: as friction grows, rests come, go, and come again.
     let rests = |lambda: f64| {
-        let values = periodic::motion(1.5, lambda, 1.0).unwrap().values;
+        let values = periodic::motion(1.5, lambda, 1.0, 0.0).unwrap().values;
         values[4..].chunks(3).filter(|i| i[0] == 0.0).count()
     };
     assert_eq!([0.03, 0.08, 0.15, 0.4, 0.8].map(rests), [0, 2, 0, 2, 4]);
-    // Flicked against the turning, the coin rests; as hard along it, it does not.
-    for rho in [0.3, 0.5, 0.7] {
-        assert_eq!(turntable::motion(rho, [0.0, -1.2]).unwrap().values[0], 1.0);
-        assert_eq!(turntable::motion(rho, [0.0, 1.2]).unwrap().values[0], 0.0);
+    // Flicked against the turning, the coin rests; as hard along it, farther out, it does not.
+    for (rho, v, rests) in [(0.5, -0.48, 1.0), (0.7, -0.48, 1.0), (0.7, 0.48, 0.0)] {
+        assert_eq!(turntable::motion(rho, [0.0, v]).unwrap().values[0], rests);
     }
     // Thrown from the axis, its path is bent with the turning in the laboratory and against it on the record.
     let thrown = turntable::motion(0.0, [1.5, 0.0]).unwrap().curves;
