@@ -22,19 +22,6 @@ fn pulses(share: f64) -> Drive {
     Drive::new(h, &[share * PI, PI, PI + share * PI]).unwrap()
 }
 
-fn triangle() -> Drive {
-    let h = |x: f64| {
-        if x < 0.5 * PI {
-            x / (0.5 * PI)
-        } else if x < 1.5 * PI {
-            2.0 - x / (0.5 * PI)
-        } else {
-            x / (0.5 * PI) - 4.0
-        }
-    };
-    Drive::new(h, &[0.5 * PI, 1.5 * PI]).unwrap()
-}
-
 fn friction(plus: f64, minus: f64) -> Friction {
     Friction::new(plus, minus).unwrap()
 }
@@ -136,81 +123,6 @@ fn pulses_with_rest_by_hand() {
     assert_eq!(found.contraction(), 0.0);
 }
 
-#[test]
-fn triangle_with_rest_by_hand() {
-    // Starts at h = 0.8: φ = 0.4π; parabolas to the top 0.02π at 0.6π and to zero at π (0.6 + √0.02).
-    let drive = triangle();
-    let found = settle(&drive, 0.8, 0.8, ORIGIN);
-    let stop = PI * (0.6 + 0.02_f64.sqrt());
-    let expected = [
-        (Positive, 0.4 * PI, stop),
-        (Rest, stop, 1.4 * PI),
-        (Negative, 1.4 * PI, stop + PI),
-        (Rest, stop + PI, 2.4 * PI),
-    ];
-    assert_list(&found, &expected, 1e-13);
-    assert!(
-        (found.largest().w.abs() - 0.02 * PI).abs() < 1e-14,
-        "{:?}",
-        found.largest()
-    );
-    let top = found.largest().phi;
-    assert!((top - 0.6 * PI).abs() < 1e-12 || (top - 1.6 * PI).abs() < 1e-12);
-}
-
-/// Moreau's time-stepping: a different scheme, of first order, without events.
-fn time_stepping(h: impl Fn(f64) -> f64, p: f64, m: f64, periods: usize, steps: usize) -> Vec<f64> {
-    let mut w = 0.0;
-    let step = TAU / steps as f64;
-    let mut last = Vec::new();
-    for period in 0..periods {
-        for k in 0..steps {
-            let free = w + step * h((k as f64 + 0.5) * step);
-            w = if free > p * step {
-                free - p * step
-            } else if free < -m * step {
-                free + m * step
-            } else {
-                0.0
-            };
-            if period + 1 == periods && (k + 1) % (steps / 64) == 0 {
-                last.push(w);
-            }
-        }
-    }
-    last
-}
-
-#[test]
-fn agrees_with_time_stepping_without_events() {
-    let two = |x: f64| 0.1 + Scalar::sin(x) + 0.8 * Scalar::sin(3.0 * x + 0.5);
-    let drives: [(Drive, &dyn Fn(f64) -> f64); 2] = [
-        (sine(), &|x| Scalar::sin(x)),
-        (Drive::new(two, &[]).unwrap(), &two),
-    ];
-    for (drive, h) in &drives {
-        for (p, m) in [
-            (0.2, 0.2),
-            (0.5, 0.5),
-            (0.7, 0.7),
-            (0.15, 0.6),
-            (0.3, 1.2),
-            (1.3, 0.2),
-        ] {
-            let found = settle(drive, p, m, ORIGIN);
-            let steps = 64 * 4096;
-            for (k, w) in time_stepping(h, p, m, 40, steps).iter().enumerate() {
-                let phi = TAU * (k + 1) as f64 / 64.0;
-                assert!(
-                    (found.w(phi) - w).abs() < 5e-5,
-                    "{p} {m} {phi} {w} {}",
-                    found.w(phi)
-                );
-            }
-        }
-    }
-}
-
 /// Composite Gauss-Legendre quadrature of h itself, two points.
 fn quadrature(h: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
     let n = 4000;
@@ -258,30 +170,6 @@ fn every_end_is_an_event_of_the_equation() {
         }
     }
     assert!(kinds.len() >= 5, "{kinds:?}");
-}
-
-#[test]
-fn mirror_images() {
-    let odd = Drive::new(|x| Scalar::sin(x) + 0.5 * Scalar::sin(3.0 * x + 0.4), &[]).unwrap();
-    for drive in [sine(), odd] {
-        for (p, m) in [
-            (0.1, 0.1),
-            (0.4, 0.4),
-            (0.75, 0.75),
-            (0.2, 0.5),
-            (0.1, 0.9),
-            (0.6, 1.5),
-        ] {
-            let one = settle(&drive, p, m, ORIGIN);
-            let other = settle(&drive, m, p, ORIGIN);
-            for k in 0..100 {
-                let phi = 0.0628 * k as f64;
-                assert!((one.w(phi) + other.w(phi + PI)).abs() < 1e-12);
-            }
-            assert!((one.displacement() + other.displacement()).abs() < 1e-11);
-            assert!((one.contraction() - other.contraction()).abs() < 1e-12);
-        }
-    }
 }
 
 #[test]
@@ -435,31 +323,6 @@ fn a_minimum_of_the_speed_decides_between_one_and_two_intervals() {
     let touching = drive(0.4);
     let found = settle(&touching, 0.3, 1.5, ORIGIN);
     assert_eq!(found.intervals().len(), 2);
-}
-
-#[test]
-fn different_starts_end_alike() {
-    let drive = sine();
-    let starts: Vec<DriveState> = (0..7)
-        .map(|k| DriveState {
-            phi: 0.9 * k as f64,
-            w: -6.0 + 2.0 * k as f64,
-        })
-        .collect();
-    for lambda in [0.001, 0.3, 0.537, 0.9, 1.2] {
-        let report = drive
-            .attractors_agree(friction(lambda, 1.2 * lambda), &starts, 100)
-            .unwrap();
-        assert!(
-            report.agree && report.largest_difference < 1e-11,
-            "{lambda} {report:?}"
-        );
-        assert!(report.most_periods.is_some());
-    }
-    let report = drive
-        .attractors_agree(friction(0.0, 0.0), &starts, 100)
-        .unwrap();
-    assert!(!report.agree);
 }
 
 #[test]
