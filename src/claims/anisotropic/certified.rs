@@ -114,7 +114,7 @@ fn on_a<S: Scalar>(q: S) -> S {
 }
 
 /// (53) has one root.
-pub fn a_once() -> Evidence {
+fn a_once() -> Evidence {
     let compared = Compared::shown(
         r"(53) has one root in $0<\lambda_0<1$ for every $q\ge1$: with growing $\lambda_0$ the left side falls from $\infty$ to 0, and the right side is positive",
     );

@@ -44,15 +44,14 @@ fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Ev
     })
 }
 
+const SIMULATED_Y: &str = r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum";
+
 /// (58) with Y by simulation, from several starts.
 fn y_decimals() -> Evidence {
     let trial = Trial::by(
         Route::Root,
         Printed,
-        Compared::one(
-            "(58)",
-            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
-        ),
+        Compared::one("(58)", SIMULATED_Y),
         THREE_DECIMALS,
     );
     let [q, lambda0] = printed::eq58_y();
@@ -64,12 +63,7 @@ fn y_decimals() -> Evidence {
         } else {
             ("λ₀", lambda0, 1.0 / found)
         };
-        Ok(Pair {
-            at: format!("{name}, {}", at(start)),
-            stated,
-            found,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(format!("{name}, {}", at(start)), stated, found))
     })
 }
 
@@ -88,12 +82,11 @@ fn y_limit() -> Evidence {
     trial.over(steps(732), |k| {
         let eta = 1e-5 * libm::exp10(-k / 5.0);
         let [low, high] = opening(eta)?;
-        Ok(Pair {
-            at: format!("η = {eta:.5e}"),
-            stated: printed::eq58_y::<f64>()[0],
-            found: 0.5 * (low + high),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("η = {eta:.5e}"),
+            printed::eq58_y::<f64>()[0],
+            0.5 * (low + high),
+        ))
     })
 }
 
@@ -102,10 +95,7 @@ pub fn y_digits() -> Evidence {
     let trial = Trial::by(
         Route::Root,
         Printed,
-        Compared::one(
-            "the root of (54) on (55)",
-            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
-        ),
+        Compared::one("the root of (54) on (55)", SIMULATED_Y),
         MOTION,
     );
     trial.over(simulated_points(), |point| {
@@ -126,7 +116,7 @@ fn y_by_slip() -> Evidence {
         Remark,
         Compared::many(
             r"$q_Y=\sqrt{1+x^2}$ and $\lambda_0=1/q_Y$, with the root of $\tan x=x$ between $\pi$ and $3\pi/2$,",
-            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+            SIMULATED_Y,
         ),
         MOTION,
     );

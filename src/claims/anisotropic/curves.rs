@@ -109,12 +109,11 @@ fn sides(
     let rows = only(rows(), |row| wanted(row));
     trial.over(rows.flat_map(|row| parts(row.map(of))), |point| {
         let (q, lambda0, region) = point?;
-        Ok(Pair {
-            at: format!("q = {q:.6}, λ₀ = {lambda0:.9}"),
-            stated: region.map_or(f64::NAN, |k| words[k - 1]),
-            found: simulated(q, lambda0)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("q = {q:.6}, λ₀ = {lambda0:.9}"),
+            region.map_or(f64::NAN, |k| words[k - 1]),
+            simulated(q, lambda0)?,
+        ))
     })
 }
 

@@ -127,12 +127,11 @@ fn summed_rate(
         let interval = found.ok_or_else(|| format!("no such motion at {q}, {lambda0}"))?;
         let [from, to] = [a, b].map(|share| interval.start + share * interval.length());
         let sum = integral_within(|phi| rate(q, lambda0, phi), from, to, 1e-13)?.value;
-        Ok(Pair {
-            at: format!("q = {q:.6}, λ₀ = {lambda0:.6}, φ from {from:.6} to {to:.6}"),
-            stated: sum,
-            found: motion.w(to) - motion.w(from),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("q = {q:.6}, λ₀ = {lambda0:.6}, φ from {from:.6} to {to:.6}"),
+            sum,
+            motion.w(to) - motion.w(from),
+        ))
     })
 }
 

@@ -89,12 +89,11 @@ pub fn census() -> Evidence {
             .iter()
             .map(|i| -i.sign.factor())
             .collect();
-        Ok(Pair {
-            at: format!("q = {q:.6}, λ₀ = {lambda0:.6}"),
-            stated: region.map_or(f64::NAN, |k| words[k - 1]),
-            found: from_forward(exchanged),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("q = {q:.6}, λ₀ = {lambda0:.6}"),
+            region.map_or(f64::NAN, |k| words[k - 1]),
+            from_forward(exchanged),
+        ))
     })
 }
 

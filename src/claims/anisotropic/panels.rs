@@ -177,12 +177,7 @@ pub fn census() -> Evidence {
             let largest = motion.largest().w.abs();
             (largest.min(TOP), largest)
         };
-        Ok(Pair {
-            at,
-            stated,
-            found,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(at, stated, found))
     })
 }
 

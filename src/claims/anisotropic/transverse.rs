@@ -145,12 +145,11 @@ fn never_grows() -> Evidence {
         let grows = states
             .windows(2)
             .filter(|s| logarithm(&s[1]) >= logarithm(&s[0]));
-        Ok(Pair {
-            at: at(rough, *v),
-            stated: states.iter().filter(|s| lets_grow(rough, **s)).count() as f64,
-            found: grows.count() as f64,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(rough, *v),
+            states.iter().filter(|s| lets_grow(rough, **s)).count() as f64,
+            grows.count() as f64,
+        ))
     })
 }
 

@@ -38,12 +38,7 @@ fn small_friction_census() -> Evidence {
     trial.over(moving.chain(stopping), |motion| {
         let (start, aligns) = motion?;
         let [left, right] = printed::s21_keeps_moving_sides(start.lambda);
-        Ok(Pair {
-            at: start.at(),
-            stated: is(left <= right),
-            found: is(aligns),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(start.at(), is(left <= right), is(aligns)))
     })
 }
 
@@ -60,12 +55,11 @@ fn small_friction_outside() -> Evidence {
     );
     trial.over(held(), |launch: Turn| {
         let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
-        Ok(Pair {
-            at: launch.at(),
-            stated: is(left <= right),
-            found: moves_late(&launch)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            launch.at(),
+            is(left <= right),
+            moves_late(&launch)?,
+        ))
     })
 }
 

@@ -36,11 +36,7 @@ const LATE: f64 = 50.0;
 
 fn by_motion(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2], Failure> {
     let plane = Plane::along(pull, Signal::constant(1.0));
-    let start = State {
-        t: 0.0,
-        v,
-        x: [0.0; 2],
-    };
+    let start = State::moving(v);
     Ok(run(&plane, lambda, start, LATE)?.end().v)
 }
 

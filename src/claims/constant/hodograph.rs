@@ -32,12 +32,11 @@ fn eq8_outside() -> Evidence {
         let (a, v0) = (points.uniform(0.5, 2.0), points.uniform(0.5, 2.0));
         let launch = Turn::launch(1.0, a, v0, 0.0);
         let end = launch.motion(0.5)?.at(0.5)?;
-        Ok(Pair {
-            at: launch.at(),
-            stated: printed::eq8_hodograph_slope(1.0, 0.0),
-            found: libm::hypot(end.v[0] - v0, end.v[1]),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            launch.at(),
+            printed::eq8_hodograph_slope(1.0, 0.0),
+            libm::hypot(end.v[0] - v0, end.v[1]),
+        ))
     })
 }
 

@@ -65,6 +65,28 @@ impl Turn {
         ends.max(self.t * self.condition())
     }
 
+    /// What a unit of relative rounding of the time and the angles makes of the speed that they determine together: little
+    /// where λ + cos θ is small.
+    pub fn speed_at_time_scale(&self) -> f64 {
+        let of = |v: f64, theta: f64| v * (self.lambda + theta.abs());
+        let gained = self.a * self.t * (1.0 + self.lambda);
+        let largest = gained
+            .max(of(self.v0, self.theta0))
+            .max(of(self.v, self.theta));
+        self.v
+            .max(largest / (self.lambda + libm::cos(self.theta)).abs())
+    }
+
+    /// tan(θ/2) over its initial value.
+    pub fn r(&self) -> f64 {
+        Scalar::tan(self.theta / 2.0) / Scalar::tan(self.theta0 / 2.0)
+    }
+
+    /// True where (13), the time, has a value.
+    pub fn has_a_time(&self) -> bool {
+        self.lambda != 1.0 && self.lambda + libm::cos(self.theta0) != 0.0
+    }
+
     /// True where that growth costs at most two digits or so; the other points are left to other routes.
     pub fn is_gentle(&self) -> bool {
         self.condition() < 300.0
@@ -591,11 +613,7 @@ mod tests {
     /// Pushed backwards, the velocity turns away on every step; with λ > 1 it turns in, and the particle stops.
     #[test]
     fn growing_angles_and_rests_are_counted() {
-        let start = State {
-            t: 0.0,
-            v: [1.0, 1.0],
-            x: [0.0; 2],
-        };
+        let start = State::moving([1.0, 1.0]);
         let motion = |a: f64, friction: f64, until: f64| {
             run(&Plane::constant([a, 0.0]), friction, start, until).unwrap()
         };

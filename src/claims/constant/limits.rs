@@ -162,7 +162,7 @@ fn eq19_limit() -> Evidence {
 }
 
 /// (20) with the time at which the motion stops.
-pub fn eq20_motion() -> Evidence {
+fn eq20_motion() -> Evidence {
     let trial = Trial::motion(
         Printed,
         Compared::one("(20)", "the time at which the motion stops"),

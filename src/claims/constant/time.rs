@@ -7,11 +7,6 @@ use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
 
-/// True where (13) has a value.
-fn eq13_has_a_value(turn: &Turn) -> bool {
-    turn.lambda != 1.0 && turn.lambda + libm::cos(turn.theta0) != 0.0
-}
-
 fn eq13(turn: &Turn) -> Double {
     let number = Double::from;
     printed::eq13_time(
@@ -74,7 +69,7 @@ pub fn eq13_motion() -> Evidence {
             r"the time at which the motion has turned to $\theta$",
         ),
     );
-    trial.over(turns_where(eq13_has_a_value), |turn| {
+    trial.over(turns_where(Turn::has_a_time), |turn| {
         let turn = turn?;
         Ok(Pair::wide(turn.at(), eq13(turn), turn.t).within(turn.time_scale()))
     })
@@ -90,7 +85,7 @@ fn eq13_quadrature() -> Evidence {
         ),
     );
     trial.over(
-        turns_where(|turn| eq13_has_a_value(turn) && turn.is_gentle()),
+        turns_where(|turn| turn.has_a_time() && turn.is_gentle()),
         |turn| {
             let turn = turn?;
             let found = turn.time_over_the_angle(turn.ln_fall())?;
@@ -110,9 +105,8 @@ fn eq13_root() -> Evidence {
         ),
         ROOT,
     );
-    let wanted = |turn: &Turn| {
-        eq13_has_a_value(turn) && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle()
-    };
+    let wanted =
+        |turn: &Turn| turn.has_a_time() && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle();
     trial.each(turns_where(wanted), Turn::at, |turn| {
         let late =
             |theta| printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t;
@@ -129,24 +123,17 @@ fn eq13_root() -> Evidence {
 fn eq13_singular() -> Evidence {
     let compared = Compared::one("(13)", "the time of the motion")
         .over(r"$\lambda=1$ or $\cos\theta_0=-\lambda$");
-    let singular = turns_where(|turn| !eq13_has_a_value(turn));
+    let singular = turns_where(|turn| !turn.has_a_time());
     eq13_outside(compared, singular.map(|turn| turn.copied()))
 }
 
-fn eq13_outside<E: std::fmt::Display + Into<Failure>>(
+fn eq13_outside(
     compared: Compared,
-    excluded: impl Iterator<Item = Result<Turn, E>>,
+    excluded: impl Iterator<Item = Result<Turn, Failure>>,
 ) -> Evidence {
-    let trial = Trial::motion(Outside, compared);
-    trial.over(excluded, |turn| {
-        let turn = &turn.map_err(Into::into)?;
+    Trial::motion(Outside, compared).each(excluded, Turn::at, |turn| {
         let stated = printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, turn.theta);
-        Ok(Pair {
-            at: turn.at(),
-            stated,
-            found: turn.t,
-            scale: turn.t,
-        })
+        Ok([stated, turn.t, turn.t])
     })
 }
 
@@ -162,18 +149,6 @@ fn eq14<S: Scalar + From<f64>>(turn: &Turn) -> S {
     )
 }
 
-/// What a unit of relative rounding of the time and the angles makes of the speed that they determine together: little
-/// where λ + cos θ is small.
-fn speed_at_time_scale(turn: &Turn) -> f64 {
-    let of = |v: f64, theta: f64| v * (turn.lambda + theta.abs());
-    let gained = turn.a * turn.t * (1.0 + turn.lambda);
-    let largest = gained
-        .max(of(turn.v0, turn.theta0))
-        .max(of(turn.v, turn.theta));
-    turn.v
-        .max(largest / (turn.lambda + libm::cos(turn.theta)).abs())
-}
-
 /// (14) with the speed of the motion.
 fn eq14_motion() -> Evidence {
     let trial = Trial::motion(
@@ -183,7 +158,7 @@ fn eq14_motion() -> Evidence {
     let all = turns().map(|turn| turn.copied()).chain(straight());
     trial.over(all, |turn| {
         let turn = &turn?;
-        Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(speed_at_time_scale(turn)))
+        Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(turn.speed_at_time_scale()))
     })
 }
 
@@ -318,9 +293,8 @@ fn regular_speed() -> Evidence {
         Compared::one("the regular form of the speed", "that of the motion"),
     );
     trial.each(turns(), Turn::at, |turn| {
-        let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
         Ok([
-            corrected::speed(turn.lambda, turn.v0, turn.theta0, r),
+            corrected::speed(turn.lambda, turn.v0, turn.theta0, turn.r()),
             turn.v,
             turn.v * turn.condition(),
         ])

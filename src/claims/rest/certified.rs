@@ -18,12 +18,11 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
         Fate::Rest { .. } => 1.0,
         Fate::Escape { .. } => 0.0,
     };
-    Ok(Pair {
-        at: format!("A = {a:.6}, α = {alpha}, ψ = {psi}"),
-        stated: is(a < border),
+    Ok(Pair::plain(
+        format!("A = {a:.6}, α = {alpha}, ψ = {psi}"),
+        is(a < border),
         found,
-        scale: 1.0,
-    })
+    ))
 }
 
 /// (147) with proved fates.

@@ -23,12 +23,11 @@ fn eq139_nudge() -> Evidence {
     let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
     trial.over(Points::stream(744).grid(angles), |psi| {
         let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
-        Ok(Pair {
-            at: format!("p = 0.0001, ψ = {psi:.6}"),
-            stated: printed::eq139_largest_sigma(),
+        Ok(Pair::plain(
+            format!("p = 0.0001, ψ = {psi:.6}"),
+            printed::eq139_largest_sigma(),
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 
@@ -93,15 +92,14 @@ fn eq139_stays() -> Evidence {
             sigma,
             moved,
         } = rider?;
-        Ok(Pair {
-            at: format!(
+        Ok(Pair::plain(
+            format!(
                 "σ = {sigma:.6}, Ω = {:.6}, μ = {:.6}, g = {:.6}",
                 table.omega, table.mu, table.g
             ),
-            stated: is(*sigma <= printed::eq139_largest_sigma()),
-            found: is(stayed(*moved)),
-            scale: 1.0,
-        })
+            is(*sigma <= printed::eq139_largest_sigma()),
+            is(stayed(*moved)),
+        ))
     })
 }
 
@@ -144,12 +142,11 @@ fn eq139_at_the_edge() -> Evidence {
             }
             _ => matches!(fate(&Start::polar(sigma, 0.0, 0.0)?)?, Fate::Rest { .. }),
         };
-        Ok(Pair {
-            at: format!("σ − 1 = {off:.6e}"),
-            stated: is(sigma <= printed::eq139_largest_sigma()),
-            found: is(stays),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("σ − 1 = {off:.6e}"),
+            is(sigma <= printed::eq139_largest_sigma()),
+            is(stays),
+        ))
     })
 }
 
@@ -180,12 +177,11 @@ fn resting_places() -> Evidence {
         let sigma = Run::new(&Start::hyperbolic(a, alpha, psi)?, LONG)?
             .end()
             .rho();
-        Ok(Pair {
-            at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
-            stated: allowed(sigma),
-            found: sigma,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
+            allowed(sigma),
+            sigma,
+        ))
     })
 }
 

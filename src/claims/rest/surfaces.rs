@@ -60,12 +60,11 @@ pub fn bends() -> Evidence {
         SURFACE,
     );
     trial.over(places(646), |[sigma, psi]| {
-        Ok(Pair {
-            at: format!("σ = {sigma:.6}, ψ = {psi:.6}"),
-            stated: sigma * corrected::surface_bend(sigma, psi),
-            found: bend(sigma, psi)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("σ = {sigma:.6}, ψ = {psi:.6}"),
+            sigma * corrected::surface_bend(sigma, psi),
+            bend(sigma, psi)?,
+        ))
     })
 }
 

@@ -75,12 +75,7 @@ pub fn census() -> Evidence {
             part if part > 1.0 - 1e-12 => 2.0,
             _ => 1.0,
         };
-        Ok(Pair {
-            at: swing.at(),
-            stated,
-            found,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(swing.at(), stated, found))
     })
 }
 

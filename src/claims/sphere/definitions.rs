@@ -43,7 +43,7 @@ fn by_the_laws(run: &Followed) -> [f64; 5] {
 }
 
 /// (59): the laboratory knows no inertial force. There the centre's velocity V changes by friction alone.
-pub fn eq59() -> Evidence {
+fn eq59() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
         Printed,
@@ -81,7 +81,7 @@ pub fn eq59() -> Evidence {
 }
 
 /// (60): against the rigid body's own integrator.
-pub fn eq60() -> Evidence {
+fn eq60() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
         Printed,

@@ -342,12 +342,11 @@ pub fn trichotomy_census() -> Evidence {
         let late = settled_phase(lambda) + 0.1;
         let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
-        Ok(Pair {
-            at: swing.at(),
-            stated: stated_kind(swing.stated(), sinusoidal::eq37_lambda_c()),
-            found: rolled(&motion, from, to)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            swing.at(),
+            stated_kind(swing.stated(), sinusoidal::eq37_lambda_c()),
+            rolled(&motion, from, to)?,
+        ))
     })
 }
 
@@ -372,12 +371,11 @@ pub fn trichotomy_motion() -> Evidence {
         let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
         let (drive, lambda) = (sine_drive()?, swing.stated());
-        Ok(Pair {
-            at: swing.at(),
-            stated: of_settled(drive, lambda, lambda, |all| part(all, Sign::Rest)),
-            found: rolling_time(&motion, from, to)? / (to - from),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            swing.at(),
+            of_settled(drive, lambda, lambda, |all| part(all, Sign::Rest)),
+            rolling_time(&motion, from, to)? / (to - from),
+        ))
     })
 }
 
@@ -396,12 +394,11 @@ pub fn trichotomy_outside() -> Evidence {
         let outcome =
             sine_drive()?.attractor(Friction::new(0.0, 0.0)?, DriveState { phi: 0.0, w }, 100)?;
         let attractor = outcome.settled().ok_or("the drive does not settle")?;
-        Ok(Pair {
-            at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
-            stated: 2.0,
-            found: listed(attractor.intervals()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
+            2.0,
+            listed(attractor.intervals()),
+        ))
     })
 }
 
@@ -469,12 +466,11 @@ fn pulse_census() -> Evidence {
             swing.t((SETTLED + 1.0) * TAU + 0.01),
         );
         let motion = swing.sphere.run(&swing.pulses(eta), &start, to)?;
-        Ok(Pair {
-            at: format!("η = {eta:.6}, {}", swing.at()),
-            stated: stated_kind(swing.stated(), periodic::eq46_lambda_c(eta)),
-            found: rolled(&motion, from, to)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("η = {eta:.6}, {}", swing.at()),
+            stated_kind(swing.stated(), periodic::eq46_lambda_c(eta)),
+            rolled(&motion, from, to)?,
+        ))
     })
 }
 
@@ -510,12 +506,11 @@ fn pulse_motion() -> Evidence {
         };
         let drive = Drive::new(h, &[0.0, end, PI, PI + end])?;
         let lambda = swing.stated();
-        Ok(Pair {
-            at: format!("η = {eta:.6}, {}", swing.at()),
-            stated: of_settled(&drive, lambda, lambda, |all| part(all, Sign::Rest)),
-            found: rolling_time(&motion, from, to)? / (to - from),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("η = {eta:.6}, {}", swing.at()),
+            of_settled(&drive, lambda, lambda, |all| part(all, Sign::Rest)),
+            rolling_time(&motion, from, to)? / (to - from),
+        ))
     })
 }
 
@@ -563,12 +558,11 @@ fn anisotropic_census() -> Evidence {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (ways, _) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
         let (drive, lambda) = (sine_drive()?, swing.stated_plus());
-        Ok(Pair {
-            at: format!("q = {q:.6}, {}", swing.at()),
-            stated: of_settled(drive, lambda, q * lambda, own_digits),
-            found: from_forward(ways.into_iter().map(f64::from).collect()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("q = {q:.6}, {}", swing.at()),
+            of_settled(drive, lambda, q * lambda, own_digits),
+            from_forward(ways.into_iter().map(f64::from).collect()),
+        ))
     })
 }
 
@@ -590,14 +584,13 @@ fn anisotropic_motion() -> Evidence {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (_, lengths) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
         let (drive, lambda) = (sine_drive()?, swing.stated_plus());
-        Ok(Pair {
-            at: format!("q = {q:.6}, {}", swing.at()),
-            stated: of_settled(drive, lambda, q * lambda, |all| {
+        Ok(Pair::plain(
+            format!("q = {q:.6}, {}", swing.at()),
+            of_settled(drive, lambda, q * lambda, |all| {
                 part(all, Sign::Negative) + 2.0 * part(all, Sign::Rest)
             }),
-            found: lengths[0] + 2.0 * lengths[1],
-            scale: 1.0,
-        })
+            lengths[0] + 2.0 * lengths[1],
+        ))
     })
 }
 

@@ -11,11 +11,7 @@ use trialbook::prelude::*;
 /// The particle with bμ that begins with the sphere's slip velocity; none if bμ is below zero.
 fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, Failure> {
     let case = &run_of.case;
-    let start = State {
-        t: 0.0,
-        v: case.sphere.contact(&case.start),
-        x: [0.0; 2],
-    };
+    let start = State::moving(case.sphere.contact(&case.start));
     let friction = case.b() * case.sphere.mu * case.sphere.g;
     Ok(run(&case.plane, friction, start, run_of.until)?)
 }
@@ -82,11 +78,7 @@ fn reduction_from_rest() -> Evidence {
             until,
         } = &run;
         let friction = case.b() * case.sphere.mu * case.sphere.g;
-        let rest = State {
-            t: 0.0,
-            v: [0.0; 2],
-            x: [0.0; 2],
-        };
+        let rest = State::moving([0.0; 2]);
         let particle = crate::motion::run(&case.plane, friction, rest, *until);
         let [x, y] = particle.map_or([f64::NAN; 2], |particle| particle.end().v);
         let [sx, sy] = motion.slip(*until)?;
@@ -123,11 +115,7 @@ fn reduction_small_slip() -> Evidence {
         let v = sphere.contact(&start);
         let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
         let friction = printed::eq67_factor(kappa) * sphere.mu * sphere.g;
-        let rest = State {
-            t: 0.0,
-            v,
-            x: [0.0; 2],
-        };
+        let rest = State::moving(v);
         let until = 2.0 * libm::hypot(v[0], v[1]) / braking(&sphere);
         let particle = run(&still, friction, rest, until);
         let stop = particle.map_or(None, |particle| particle.first_stop());
