@@ -9,7 +9,7 @@ pub mod final_direction;
 mod from_rest;
 mod hodograph;
 mod incline;
-mod launches;
+pub(super) mod launches;
 mod limits;
 mod numbers;
 mod only_constant;

@@ -15,17 +15,13 @@ use trialbook::prelude::*;
 /// What is followed: a number at a late moment of a motion.
 pub type Quantity = fn(&Late) -> f64;
 
-/// The limit for τ → ∞ and the coefficient of (ln τ)/τ, with their standard errors.
+/// The limit for τ → ∞, and how it is approached.
 #[derive(Debug, Clone, Copy)]
 pub struct Limit {
     /// The limit.
     pub value: f64,
-    /// Its standard error.
-    pub error: f64,
     /// The coefficient of (ln τ)/τ.
     pub log: f64,
-    /// Its standard error.
-    pub log_error: f64,
 }
 
 const TERMS: [&dyn Fn(f64) -> f64; 6] = [
@@ -46,9 +42,7 @@ pub fn limit(escape: &Escape, quantity: Quantity) -> Result<Limit, Failure> {
     let fit = fit(&data, &TERMS)?;
     Ok(Limit {
         value: fit.coefficients[0],
-        error: fit.errors[0],
         log: fit.coefficients[1],
-        log_error: fit.errors[1],
     })
 }
 

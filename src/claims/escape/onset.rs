@@ -78,12 +78,11 @@ fn above_one(subject: Subject) -> Evidence {
     );
     trial.over(launches_around_one(), |launch| {
         let found = stays(&Run::new(&launch.start()?, 300.0)?);
-        Ok(Pair {
-            at: launch.at(),
-            stated: said_to_stay(launch.a, found),
+        Ok(Pair::plain(
+            launch.at(),
+            said_to_stay(launch.a, found),
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 
@@ -132,12 +131,11 @@ fn eq127_root() -> Evidence {
     trial.over(Points::stream(745).grid(angles), |psi| {
         let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
         let found = between(launch, 0.99, 1.01, 1e-6)?;
-        Ok(Pair {
-            at: format!("α = 0.0001, ψ = {psi:.6}"),
-            stated: printed::eq127_least_a(),
+        Ok(Pair::plain(
+            format!("α = 0.0001, ψ = {psi:.6}"),
+            printed::eq127_least_a(),
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 

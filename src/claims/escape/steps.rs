@@ -61,12 +61,11 @@ pub fn eq129() -> Evidence {
         let late = escape.late.first().ok_or("no late moment")?;
         let (size, alpha) = (a(&late.state), alpha(&late.state));
         let stated = printed::eq129_a(alpha);
-        Ok(Pair {
-            at: format!("{}, τ = {:.1e}", escape.launch.at(), late.tau),
-            stated: printed::eq128_alpha_rate(alpha, stated) * stated / alpha.cosh(),
-            found: late.alpha_rate * size / alpha.cosh(),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("{}, τ = {:.1e}", escape.launch.at(), late.tau),
+            printed::eq128_alpha_rate(alpha, stated) * stated / alpha.cosh(),
+            late.alpha_rate * size / alpha.cosh(),
+        ))
     })
 }
 

@@ -207,11 +207,7 @@ fn weak(stream: u64) -> impl Iterator<Item = (String, Plane, f64, State)> {
 }
 
 /// At rest at the origin.
-pub const AT_REST: State = State {
-    t: 0.0,
-    v: [0.0; 2],
-    x: [0.0; 2],
-};
+pub const AT_REST: State = State::moving([0.0; 2]);
 
 /// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
 pub fn violations(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> bool) -> usize {

@@ -19,12 +19,7 @@ const UNIT: [f64; 2] = [0.5, 2.0];
 /// Whether something is so by the claim, and by the motion.
 fn whether(at: String, stated: bool, found: bool) -> Pair {
     let [stated, found] = [stated, found].map(is);
-    Pair {
-        at,
-        stated,
-        found,
-        scale: 1.0,
-    }
+    Pair::plain(at, stated, found)
 }
 
 fn stops_below() -> f64 {
@@ -272,11 +267,7 @@ fn grows_outside() -> Evidence {
             width: 1.0,
         };
         let size = Signal::Sum(vec![Signal::constant(1.0), excess]);
-        let start = State {
-            t: 0.0,
-            v: [3.0 * libm::cos(theta0), 3.0 * libm::sin(theta0)],
-            x: [0.0; 2],
-        };
+        let start = State::moving([3.0 * libm::cos(theta0), 3.0 * libm::sin(theta0)]);
         let motion = run(&Plane::along([-1.0, 0.0], size), 1.0, start, t + 1.0)?;
         let (before, after) = (motion.at(t)?.speed(), motion.at(t + 1.0)?.speed());
         // Above 1 at all times, if by less than rounding.
@@ -297,12 +288,7 @@ fn across_census() -> Evidence {
         r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
     )).over(fixed_direction(27), |case| {
         let falls = grows_across(&case)? == 0;
-        Ok(Pair {
-            at: case.name,
-            stated: printed::s2_across_trend(),
-            found: if falls { -1.0 } else { 1.0 },
-            scale: 1.0,
-        })
+        Ok(Pair::plain(case.name, printed::s2_across_trend(), if falls { -1.0 } else { 1.0 }))
     })
 }
 
@@ -325,12 +311,7 @@ fn across_outside() -> Evidence {
     )).over(fixed_direction(29), |case| {
         let end = run(&case.plane, 0.0, case.start, 10.0)?.end();
         let (before, after) = (case.across(&case.start), case.across(&end));
-        Ok(Pair {
-            at: case.name,
-            stated: printed::s2_across_trend(),
-            found: sense(after - before, end.speed()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(case.name, printed::s2_across_trend(), sense(after - before, end.speed())))
     })
 }
 
@@ -358,12 +339,11 @@ fn across_quadrature() -> Evidence {
         let motion = run(&case.plane, 1.0, case.start, until)?;
         let rate = |t: f64| motion.at(t).map_or(f64::NAN, |s| 1.0 / s.speed());
         let size = integral_within(rate, 0.0, until, 1e-14)?.value;
-        Ok(Pair {
-            at: format!("{}, t = {until:.6}", case.name),
-            stated: printed::s2_across_trend::<f64>() * size,
-            found: libm::log(case.across(&motion.end()) / case.across(&case.start)),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("{}, t = {until:.6}", case.name),
+            printed::s2_across_trend::<f64>() * size,
+            libm::log(case.across(&motion.end()) / case.across(&case.start)),
+        ))
     })
 }
 

@@ -30,12 +30,11 @@ fn outlasts_census() -> Evidence {
         ),
     );
     trial.over(dense().into_iter().step_by(3), |lambda| {
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(lambda < printed::eq37_lambda_c()),
-            found: is(outlasts(lambda)?),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            is(lambda < printed::eq37_lambda_c()),
+            is(outlasts(lambda)?),
+        ))
     })
 }
 
@@ -52,12 +51,11 @@ fn outlasts_outside() -> Evidence {
         let friction = Friction::new(0.0, 0.0)?;
         let later = f64::from(periods) * TAU;
         let later = drive()?.advance(friction, ORIGIN, later)?.end.w;
-        Ok(Pair {
-            at: format!("λ₀ = 0, periods: {periods}"),
-            stated: 1.0,
-            found: is(later < -1e-12),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = 0, periods: {periods}"),
+            1.0,
+            is(later < -1e-12),
+        ))
     })
 }
 
@@ -77,12 +75,7 @@ fn stays_census() -> Evidence {
         let motion = settled(lambda, ORIGIN)?;
         let [left, right] = printed::eq25_sides(lambda);
         let moves = motion.intervals().iter().any(|i| i.sign != Sign::Rest);
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(left < right),
-            found: is(moves),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
     })
 }
 
@@ -107,12 +100,11 @@ fn stays_motion() -> Evidence {
         for k in 0..=64 {
             moves |= motion.at(TAU * (5.0 + f64::from(k) / 64.0))?.v[0] != 0.0;
         }
-        Ok(Pair {
-            at: format!("{}, v = ({:.6}, {:.6})", at(lambda), v[0], v[1]),
-            stated: is(left < right),
-            found: is(moves),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("{}, v = ({:.6}, {:.6})", at(lambda), v[0], v[1]),
+            is(left < right),
+            is(moves),
+        ))
     })
 }
 

@@ -124,12 +124,11 @@ fn fig2_limit() -> Evidence {
         phases.map(move |phi| (lambda, w_y, phi, motion.clone()))
     };
     trial.over(starts.flat_map(late), |(lambda, w_y, phi, motion)| {
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}"),
-            stated: printed_late(lambda, phi),
-            found: motion?.at(phi)?.v[0],
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}"),
+            printed_late(lambda, phi),
+            motion?.at(phi)?.v[0],
+        ))
     })
 }
 
@@ -218,12 +217,7 @@ fn framed(lambda: f64, top: f64, within: &'static str) -> Evidence {
     let trial = Trial::census(Printed, Compared::constant("the expected 1", within));
     trial.over(parts(two_periods(lambda)), |point| {
         let [phi, w] = point?;
-        Ok(Pair {
-            at: format!("φ = {phi:.6}"),
-            stated: 1.0,
-            found: is(w.abs() < top),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(format!("φ = {phi:.6}"), 1.0, is(w.abs() < top)))
     })
 }
 

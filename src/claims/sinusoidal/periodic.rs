@@ -118,12 +118,11 @@ fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
     trial.over(frictions, |lambda| {
         let friction = Friction::new(lambda, lambda)?;
         let agreement = drive()?.attractors_agree(friction, &starts(), 200)?;
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: 1.0,
-            found: is(agreement.agree),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}"),
+            1.0,
+            is(agreement.agree),
+        ))
     })
 }
 
@@ -154,12 +153,11 @@ fn eq38_approach() -> Evidence {
             w = values[1];
             // The distance is small, but far above rounding.
             if w - limit <= 1e-6 {
-                return Ok(Pair {
-                    at: at(lambda, phi),
-                    stated: corrected::contraction(lambda),
-                    found: ratio,
-                    scale: 1.0,
-                });
+                return Ok(Pair::plain(
+                    at(lambda, phi),
+                    corrected::contraction(lambda),
+                    ratio,
+                ));
             }
         }
         Err("the motion does not come near to the periodic one".into())

@@ -141,12 +141,11 @@ fn four_points_census() -> Evidence {
         ),
     );
     trial.over(all(), |lambda| {
-        Ok(Pair {
-            at: at(lambda),
-            stated: printed::s22_points(),
-            found: balanced(drive()?, lambda).len() as f64,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            printed::s22_points(),
+            balanced(drive()?, lambda).len() as f64,
+        ))
     })
 }
 
@@ -191,12 +190,11 @@ fn four_points_outside() -> Evidence {
         let a = points.uniform(0.0, TAU);
         let zeros = balanced(drive()?, 0.0);
         let all = zeros.iter().flat_map(|phi| [*phi, phi + TAU]);
-        Ok(Pair {
-            at: format!("λ₀ = 0, a = {a:.6}"),
-            stated: printed::s22_points(),
-            found: all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = 0, a = {a:.6}"),
+            printed::s22_points(),
+            all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
+        ))
     })
 }
 
@@ -266,12 +264,11 @@ fn rest_ends_census() -> Evidence {
             known.into_iter().all(|phi| off(phi) > 1e-10)
         };
         let wrong = ends.iter().filter(elsewhere).count();
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, v_y = {:.6}", v[1]),
-            stated: wrong as f64,
-            found: if ends.is_empty() { f64::NAN } else { 0.0 },
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}, v_y = {:.6}", v[1]),
+            wrong as f64,
+            if ends.is_empty() { f64::NAN } else { 0.0 },
+        ))
     })
 }
 

@@ -97,12 +97,11 @@ fn eq32_census() -> Evidence {
         let slip = Slip::of(lambda)?;
         let phi1 = printed::eq27_phi1(lambda);
         let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
-        Ok(Pair {
-            at: at(lambda),
-            stated: not_positive(slip.start, slip.end, left) as f64,
-            found: 0.0,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            not_positive(slip.start, slip.end, left) as f64,
+            0.0,
+        ))
     })
 }
 
@@ -124,12 +123,7 @@ fn bracket_census() -> Evidence {
     trial.over(dense(), |lambda| {
         let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
         let end = Slip::of(lambda)?.end;
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(low < end && end < high),
-            found: 1.0,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(at(lambda), is(low < end && end < high), 1.0))
     })
 }
 
@@ -159,12 +153,11 @@ fn bracket_limit() -> Evidence {
             let gap = Slip::of(lambda)?.end - printed::eq28_phi2(lambda);
             (lambda, leading, gap)
         };
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.12}"),
-            stated: gap / leading,
-            found: 1.0,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.12}"),
+            gap / leading,
+            1.0,
+        ))
     })
 }
 
@@ -203,12 +196,11 @@ fn ends_early(law: &'static str, inequality: fn(f64) -> bool) -> Evidence {
     trial.over(dense(), |lambda| {
         let slip = Slip::of(lambda)?;
         // The backward slip could begin half a period after the forward one did.
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(inequality(lambda)),
-            found: is(slip.end < slip.start + PI),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            is(inequality(lambda)),
+            is(slip.end < slip.start + PI),
+        ))
     })
 }
 

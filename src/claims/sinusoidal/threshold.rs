@@ -80,12 +80,11 @@ fn eq37_root() -> Evidence {
     let mut points = Points::stream(131);
     trial.over(0..24, |_| {
         let (low, high) = (points.uniform(0.01, 0.5), points.uniform(0.6, 0.99));
-        Ok(Pair {
-            at: format!("λ₀ between {low:.6} and {high:.6}"),
-            stated: printed::eq37_lambda_c(),
-            found: root(excess_length, low, high)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ between {low:.6} and {high:.6}"),
+            printed::eq37_lambda_c(),
+            root(excess_length, low, high)?,
+        ))
     })
 }
 
@@ -121,12 +120,11 @@ fn eq40_census() -> Evidence {
     trial.over(dense(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let [left, right] = printed::eq40_sides(lambda);
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: is(left < right),
-            found: is(attractor.intervals().iter().all(|i| i.sign != Sign::Rest)),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}"),
+            is(left < right),
+            is(attractor.intervals().iter().all(|i| i.sign != Sign::Rest)),
+        ))
     })
 }
 
@@ -168,12 +166,11 @@ fn eq41_census() -> Evidence {
         let turn = forward(attractor.intervals());
         let [left, right] =
             printed::eq41_sides(printed::eq39_phi_t1(lambda), printed::eq27_phi1(lambda));
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: is(left > right),
-            found: is(turn.ok_or("no slip")?.start > Slip::of(lambda)?.start),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}"),
+            is(left > right),
+            is(turn.ok_or("no slip")?.start > Slip::of(lambda)?.start),
+        ))
     })
 }
 

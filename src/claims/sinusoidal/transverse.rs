@@ -282,11 +282,12 @@ fn ignores_motion() -> Evidence {
     trial.pairs(flights_where(|_| true), |flight| {
         let flight = flight?;
         let last = flight.states.iter().rev().take(A_PERIOD as usize);
-        let pair = |state: &PlanarState| Pair {
-            at: format!("{}, φ = {:.6}", flight.at(), state.phi),
-            stated: printed_late(flight.lambda, state.phi),
-            found: state.w_x,
-            scale: 1.0,
+        let pair = |state: &PlanarState| {
+            Pair::plain(
+                format!("{}, φ = {:.6}", flight.at(), state.phi),
+                printed_late(flight.lambda, state.phi),
+                state.w_x,
+            )
         };
         Ok(last.map(pair).collect())
     })
@@ -308,12 +309,11 @@ fn ignores(subject: Subject, compared: Compared, stream: u64, [low, high]: [f64;
             let states = drive()?.planar(lambda, start, &phases)?;
             curves.push(states.iter().map(|s| s.w_x).collect::<Vec<_>>());
         }
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6} at φ = 0"),
-            stated: 1.0,
-            found: is(each_differs(&curves)),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6} at φ = 0"),
+            1.0,
+            is(each_differs(&curves)),
+        ))
     })
 }
 

@@ -180,12 +180,11 @@ fn eq25_motion() -> Evidence {
     trial.over(around_one(114), |lambda| {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
         let [left, right] = printed::eq25_sides(lambda);
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: is(left < right),
-            found: is(!motion.starts().is_empty()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}"),
+            is(left < right),
+            is(!motion.starts().is_empty()),
+        ))
     })
 }
 
@@ -202,12 +201,11 @@ fn eq25_census() -> Evidence {
         let attractor = settled(lambda, ORIGIN)?;
         let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);
         let [left, right] = printed::eq25_sides(lambda);
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: is(left < right),
-            found: is(moves),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}"),
+            is(left < right),
+            is(moves),
+        ))
     })
 }
 
@@ -261,12 +259,11 @@ fn eq26_summed(
     sign: f64,
 ) -> Result<Pair, Failure> {
     let rate = |phi: f64| printed::eq26_rate(lambda, phi, sign);
-    Ok(Pair {
-        at: format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
-        stated: sum(rate, from, to, 1e-14),
-        found: motion.at(to)?.v[0] - motion.at(from)?.v[0],
-        scale: 1.0,
-    })
+    Ok(Pair::plain(
+        format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
+        sum(rate, from, to, 1e-14),
+        motion.at(to)?.v[0] - motion.at(from)?.v[0],
+    ))
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![

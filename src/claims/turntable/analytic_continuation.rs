@@ -16,7 +16,7 @@ fn inner(view: &View) -> [Complex; 2] {
 }
 
 /// (111) and (112) give p and ρ, both real.
-pub fn eq122() -> Evidence {
+fn eq122() -> Evidence {
     let trial = Trial::by(Route::Integration, Printed, Compared::many(
         r"the real and imaginary part of (111) plus twice (112), with the complex $A$ and $\alpha$ of (122) and (123),",
         r"$p+2\rho$ and 0",
@@ -38,7 +38,7 @@ pub fn eq122() -> Evidence {
 }
 
 /// (114) gives the rate of α, real.
-pub fn eq123() -> Evidence {
+fn eq123() -> Evidence {
     let trial = Trial::quadrature(Printed, Compared::many(
         r"the real and imaginary part of the integral of (114) over $\tau$, with the complex $A$ and $\alpha$ of (122) and (123),",
         r"the change of $\beta$, and 0",
@@ -53,12 +53,11 @@ pub fn eq123() -> Evidence {
         };
         let beta = |tau: f64| stretch.view(tau).map(|view| view.outer().1);
         let change = beta(stretch.to)? - beta(stretch.from)?;
-        Ok(Pair {
-            at: stretch.at(),
-            stated: stretch.sum(rate, 1e-13),
-            found: if real { change } else { 0.0 },
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            stretch.at(),
+            stretch.sum(rate, 1e-13),
+            if real { change } else { 0.0 },
+        ))
     })
 }
 

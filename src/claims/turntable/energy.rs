@@ -15,7 +15,7 @@ fn change_of_eq104(stretch: &Stretch) -> Result<f64, Failure> {
 }
 
 /// (104), with the arc length of the integration by components.
-pub fn eq104() -> Evidence {
+fn eq104() -> Evidence {
     let trial = Trial::motion(
         Printed,
         Compared::one("the change of (104) over a stretch of motion", "0"),

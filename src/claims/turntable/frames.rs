@@ -183,12 +183,11 @@ pub fn eq87() -> Evidence {
         let (launch, i) = case?;
         let Table { omega, mu, g, .. } = launch.table;
         let place = launch.still.on_table(launch.to)?.x;
-        Ok(Pair {
-            at: launch.at(),
-            stated: printed::eq87_position(omega, mu, g, place)[i],
-            found: in_units(launch)?.at(launch.to * omega)?.x[i],
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            launch.at(),
+            printed::eq87_position(omega, mu, g, place)[i],
+            in_units(launch)?.at(launch.to * omega)?.x[i],
+        ))
     })
 }
 
@@ -207,12 +206,11 @@ pub fn eq88() -> Evidence {
         let (launch, i) = case?;
         let tau = printed::eq88_time(launch.table.omega, launch.to);
         let there = in_units(launch)?.at(tau);
-        Ok(Pair {
-            at: launch.at(),
-            stated: there.map_or(f64::NAN, |state| state.x[i]),
-            found: launch.still.on_table(launch.to)?.x[i] / launch.table.length(),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            launch.at(),
+            there.map_or(f64::NAN, |state| state.x[i]),
+            launch.still.on_table(launch.to)?.x[i] / launch.table.length(),
+        ))
     })
 }
 

@@ -240,13 +240,12 @@ impl Stop {
     /// (104) at rest at `sigma` with (104) at the start.
     fn kept(&self, by: &str, sigma: f64) -> Pair {
         let [rho, p] = self.begin;
-        Pair {
-            at: format!("{}, σ = {sigma:.6} by {by}", self.name),
-            stated: printed::eq104_constant(0.0, sigma, self.run.end().s)
+        Pair::plain(
+            format!("{}, σ = {sigma:.6} by {by}", self.name),
+            printed::eq104_constant(0.0, sigma, self.run.end().s)
                 - printed::eq104_constant(p, rho, 0.0),
-            found: 0.0,
-            scale: 1.0,
-        }
+            0.0,
+        )
     }
 
     /// What (99) takes from p until the time `stop`, with p.
@@ -259,12 +258,11 @@ impl Stop {
                 3.0 * stop * left * left * printed::eq99_p_rate(now.parts.xi)
             })
         };
-        Ok(Pair {
-            at: format!("{}, to the stop by {by}", self.name),
-            stated: sum(rate, 0.0, 1.0, 1e-13),
-            found: -self.begin[1],
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("{}, to the stop by {by}", self.name),
+            sum(rate, 0.0, 1.0, 1e-13),
+            -self.begin[1],
+        ))
     }
 }
 
@@ -367,13 +365,11 @@ fn eq104_of_many() -> Evidence {
         };
         let now = Run::new(&start, tau)?.end();
         let (speed, place) = end.map_or((now.p(), HORIZON.rho), |state| (state.p, state.rho()));
-        Ok(Pair {
-            at: format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}, {name}"),
-            stated: printed::eq104_constant(speed, place, now.s)
-                - printed::eq104_constant(p, rho, 0.0),
-            found: 0.0,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}, {name}"),
+            printed::eq104_constant(speed, place, now.s) - printed::eq104_constant(p, rho, 0.0),
+            0.0,
+        ))
     });
     trial.over(resting.chain(going), |pair: Result<Pair, Failure>| pair)
 }
