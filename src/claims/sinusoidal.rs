@@ -12,7 +12,7 @@ mod periodic;
 pub mod phase_order;
 mod phases;
 pub(super) mod reference_motions;
-mod regimes;
+pub(super) mod regimes;
 mod rest_of_period;
 mod second_stage;
 mod slip;

@@ -1,7 +1,8 @@
 //! The simulated motions of section 2.4, one by one, and the curves and lists that they are held against.
 
+pub use crate::claims::sinusoidal::reference_motions::drive;
 use crate::corrections::anisotropic as corrected;
-use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Outcome, Sign};
+use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Outcome, Sign};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 use trialbook::prelude::*;
@@ -22,12 +23,6 @@ pub const fn orders(by: &'static str) -> Compared {
 pub const START: DriveState = DriveState { phi: 0.0, w: 0.0 };
 /// Far more periods than any attractor here takes.
 const MAX_PERIODS: u32 = 200;
-
-/// The drive sin φ.
-pub fn drive() -> Result<&'static Drive, Failure> {
-    static DRIVE: Runs<Drive> = Runs::setting(|| Ok(Drive::new(libm::sin, &[])?));
-    DRIVE.get()
-}
 
 /// The periodic motion that a start leads to.
 ///

@@ -3,7 +3,7 @@
 use super::reference_motions::{
     ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled,
 };
-use crate::claims::tolerances::{FORGOTTEN, MOTION};
+use crate::claims::tolerances::FORGOTTEN;
 use crate::motion::drive::{PlanarState, Sign};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
@@ -78,15 +78,13 @@ fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
 
 /// fig-2: every eighth drawn point with a particle on the plane.
 fn fig2_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::one(
             r"$\mathfrak w$ of the drawn motion",
             "$v_x$ of a particle on the plane",
         )
         .over("every eighth drawn one"),
-        MOTION,
     );
     trial.pairs(parts(transients()), |curve| {
         let curve = curve?;

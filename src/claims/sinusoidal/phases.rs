@@ -1,7 +1,7 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
 use super::reference_motions::{ORIGIN, Particle, all, drive, lambda_c};
-use crate::claims::tolerances::{MOTION, ROOT};
+use crate::claims::tolerances::ROOT;
 use crate::motion::PhaseKind;
 use crate::motion::drive::{Drive, DriveState, Friction, Sign};
 use crate::numerics::double::Double;
@@ -200,11 +200,9 @@ fn four_points_outside() -> Evidence {
 
 /// Every rest of a motion on the line ends at φ₁ or φ₃.
 fn rest_ends_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::one("the nearer of (27) and (29)", "the end of a simulated rest"),
-        MOTION,
     );
     let mut points = Points::stream(121);
     let mut ends = Vec::new();

@@ -69,7 +69,7 @@ fn no_rest_motion() -> Evidence {
 }
 
 /// A kind of large-time motion as a number: zeros in a period, ten times the rests, or −1 for rest throughout.
-fn kind(zeros: usize, rests: usize, still: bool) -> f64 {
+pub fn kind(zeros: usize, rests: usize, still: bool) -> f64 {
     if still {
         -1.0
     } else {
@@ -89,7 +89,7 @@ fn stated_kind(lambda: f64) -> f64 {
 }
 
 /// The kind, read off a list of intervals.
-fn listed_kind(list: &[Interval]) -> f64 {
+pub fn listed_kind(list: &[Interval]) -> f64 {
     let rests = list.iter().filter(|i| i.sign == Sign::Rest).count();
     let pairs = list.iter().zip(list.iter().cycle().skip(1));
     let turns = pairs.filter(|(a, b)| a.sign.factor() * b.sign.factor() < 0.0);

@@ -3,7 +3,7 @@
 use super::reference_motions::{
     ORIGIN, Particle, Slip, all, dense, drive, end_spread, phi_t2, small,
 };
-use crate::claims::tolerances::{EDGE, MOTION, ROOT};
+use crate::claims::tolerances::{EDGE, ROOT};
 use crate::motion::drive::{DriveState, Friction};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
@@ -63,11 +63,9 @@ fn eq32_root() -> Evidence {
 
 /// (32) at the time at which a particle, followed by the other integrator, comes back to rest.
 fn eq32_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::one("(32) at the end of a slip of a particle from rest", "0"),
-        MOTION,
     );
     // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
     let frictions = all().into_iter().enumerate();

@@ -2,7 +2,6 @@
 
 use super::complex::Complex;
 use super::trajectories::{FASTER, View, stretches};
-use crate::claims::tolerances::MOTION;
 use crate::paper::turntable as printed;
 use trialbook::prelude::*;
 
@@ -17,11 +16,11 @@ fn inner(view: &View) -> [Complex; 2] {
 
 /// (111) and (112) give p and ρ, both real.
 fn eq122() -> Evidence {
-    let trial = Trial::by(Route::Integration, Printed, Compared::many(
+    let trial = Trial::motion(Printed, Compared::many(
         r"the real and imaginary part of (111) plus twice (112), with the complex $A$ and $\alpha$ of (122) and (123),",
         r"$p+2\rho$ and 0",
     )
-    .over(r"$p>\rho$"), MOTION);
+    .over(r"$p>\rho$"));
     trial.over(with_each(stretches(FASTER), [true, false]), |case| {
         let (stretch, real) = case?;
         let view = stretch.view(stretch.to)?;
