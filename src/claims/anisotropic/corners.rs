@@ -98,7 +98,7 @@ pub fn y_digits() -> Evidence {
         Compared::one("the root of (54) on (55)", SIMULATED_Y),
         MOTION,
     );
-    trial.over(simulated_points(), |point| {
+    trial.over(SIMULATED_POINTS.each(), |point| {
         let (start, found) = *point?;
         Ok(Pair {
             at: at(start),
@@ -120,7 +120,7 @@ fn y_by_slip() -> Evidence {
         ),
         MOTION,
     );
-    trial.over(with_each(simulated_points(), [0, 1]), |case| {
+    trial.over(with_each(SIMULATED_POINTS.each(), [0, 1]), |case| {
         let (&(start, q), i) = case?;
         let x = root(|x| libm::sin(x) - x * libm::cos(x), PI, 1.5 * PI)?;
         let found = [q, 1.0 / q][i];
@@ -134,13 +134,10 @@ fn y_by_slip() -> Evidence {
 }
 
 /// The q of Y by simulation, from several starts.
-fn simulated_points() -> impl Iterator<Item = Result<&'static (DriveState, f64), Failure>> {
-    static POINTS: Runs<Vec<(DriveState, f64)>> = Runs::new(|| {
-        let point = |start| simulated_y(start).map(|q| (start, q));
-        every(starts(311).map(point))
-    });
-    POINTS.each()
-}
+static SIMULATED_POINTS: Runs<Vec<(DriveState, f64)>> = Runs::new(|| {
+    let point = |start| simulated_y(start).map(|q| (start, q));
+    every(starts(311).map(point))
+});
 
 /// Y from the printed formulas, NaN if they have no common point.
 fn printed_y() -> f64 {

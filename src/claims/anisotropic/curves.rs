@@ -1,6 +1,6 @@
 //! Trials of the curves: (53) to (56), and E, which continues B. Where they are tried, the simulation says.
 
-use super::rows::{Row, far_rows, rows};
+use super::rows::{FAR_ROWS, Row, rows};
 use super::simulated::{
     Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, orders,
     printed_list, simulated,
@@ -136,7 +136,7 @@ fn far_out(subject: Subject, (law, stated): Law, (name, found): Change) -> Evide
         lambda0_of(law, name).over("$q$ from 200 to 20,000"),
         FAR_A,
     );
-    over(&trial, far_rows(), [stated], found)
+    over(&trial, FAR_ROWS.each(), [stated], found)
 }
 
 /// Where (54) ends.
@@ -167,7 +167,7 @@ fn e_limit() -> Evidence {
         FAR_E,
     );
     let both = [on_b_or_e, corrected::e_far];
-    over(&trial, far_rows(), both, REVERSAL.1)
+    over(&trial, FAR_ROWS.each(), both, REVERSAL.1)
 }
 
 /// Where friction backwards is as strong as the drive.

@@ -314,39 +314,33 @@ fn at_random(lambda: f64, theta0: f64, points: &mut Points) -> Turn {
 
 /// The times of those stops with λ > 1.1, over the angle; later than forty times the time in which the speed falls to an
 /// e-th nothing is left.
-pub fn stops_over_the_angle() -> impl Iterator<Item = Result<&'static (Turn, f64), Failure>> {
-    static TIMES: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
-        let starts = every(stops())?.into_iter().map(|stop| stop.start);
-        every(starts.filter(|start| start.lambda > 1.1).map(|start| {
-            let time = start.time_over_the_angle(-40.0 / (start.lambda - 1.0));
-            time.map(|time| (start, time))
-        }))
-    });
-    TIMES.each()
-}
+pub static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
+    let starts = every(STOPS.each())?.into_iter().map(|stop| stop.start);
+    every(starts.filter(|start| start.lambda > 1.1).map(|start| {
+        let time = start.time_over_the_angle(-40.0 / (start.lambda - 1.0));
+        time.map(|time| (start, time))
+    }))
+});
 
 /// Turns so far round that next to no angle is left: below, at and above the critical friction.
-pub fn late_turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
-        let mut points = Points::stream(15);
-        every((0..60).map(|i| {
-            let lambda = match i % 4 {
-                0 => 1.0,
-                1 => points.uniform(0.0, 1.0),
-                2 => 1.0 + points.sign() * points.log_uniform(1e-6, 0.1),
-                _ => points.uniform(1.0, 3.0),
-            };
-            let theta0 = points.sign() * points.uniform(0.05, 3.0);
-            // The speed changes by a factor of a million at most.
-            let most = (14.0 / (lambda - 1.0).abs()).min(180.0);
-            let r = libm::exp(-points.uniform(5.0, most));
-            let theta = 2.0 * libm::atan(r * libm::tan(theta0 / 2.0));
-            let [a, v0] = [0.1, 0.1].map(|low| points.log_uniform(low, 10.0));
-            turn([lambda, a, v0, theta0, theta])
-        }))
-    });
-    TURNS.each()
-}
+pub static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
+    let mut points = Points::stream(15);
+    every((0..60).map(|i| {
+        let lambda = match i % 4 {
+            0 => 1.0,
+            1 => points.uniform(0.0, 1.0),
+            2 => 1.0 + points.sign() * points.log_uniform(1e-6, 0.1),
+            _ => points.uniform(1.0, 3.0),
+        };
+        let theta0 = points.sign() * points.uniform(0.05, 3.0);
+        // The speed changes by a factor of a million at most.
+        let most = (14.0 / (lambda - 1.0).abs()).min(180.0);
+        let r = libm::exp(-points.uniform(5.0, most));
+        let theta = 2.0 * libm::atan(r * libm::tan(theta0 / 2.0));
+        let [a, v0] = [0.1, 0.1].map(|low| points.log_uniform(low, 10.0));
+        turn([lambda, a, v0, theta0, theta])
+    }))
+});
 
 /// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
 pub fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
@@ -426,10 +420,7 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
 const LATE: f64 = 40.0;
 
 /// Motions at λ = 1 after so long a time.
-pub fn settled() -> impl Iterator<Item = Result<&'static (Turn, State), Failure>> {
-    static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
-    SETTLED.each()
-}
+pub static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
 
 fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     let mut points = Points::stream(6);
@@ -466,10 +457,7 @@ impl Stop {
 }
 
 /// Launches with λ > 1, from both ends of the angles and from friction just above the critical one, to rest.
-pub fn stops() -> impl Iterator<Item = Result<&'static Stop, Failure>> {
-    static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
-    STOPS.each()
-}
+pub static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
 
 fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
     let mut points = Points::stream(7);
@@ -516,16 +504,10 @@ impl Aligned {
 }
 
 /// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
-pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, Failure>> {
-    static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(10));
-    ALIGNED.each()
-}
+pub static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(10));
 
 /// Others of the same kinds.
-pub fn others_aligned() -> impl Iterator<Item = Result<&'static Aligned, Failure>> {
-    static OTHERS: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(14));
-    OTHERS.each()
-}
+pub static OTHERS_ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(14));
 
 fn all_aligned(stream: u64) -> Result<Vec<Aligned>, Failure> {
     let aligned = |start: Turn| -> Result<_, Failure> {

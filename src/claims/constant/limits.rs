@@ -1,6 +1,6 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
-use super::launches::{Turn, frictionless, settled, stops, stops_over_the_angle};
+use super::launches::{SETTLED, STOPS, STOPS_OVER_THE_ANGLE, Turn, frictionless};
 use crate::claims::tolerances::TERMINAL;
 use crate::motion::State;
 use crate::numerics::double::Double;
@@ -119,7 +119,7 @@ fn eq18_limit() -> Evidence {
         Compared::one("(18)", "$v_x$ of the motion at 40 times $v_0/A$"),
         TERMINAL,
     );
-    trial.each(settled(), start, |(start, state)| {
+    trial.each(SETTLED.each(), start, |(start, state)| {
         Ok([
             printed::eq18_vx_limit(start.v0, start.theta0),
             state.v[0],
@@ -138,7 +138,7 @@ fn eq18_quadrature() -> Evidence {
         ),
     );
     // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
-    let gentle = only(settled(), |(start, _)| start.is_gentle());
+    let gentle = only(SETTLED.each(), |(start, _)| start.is_gentle());
     trial.each(gentle, start, |(start, _)| {
         Ok([
             printed::eq18_vx_limit(start.v0, start.theta0),
@@ -156,7 +156,7 @@ fn eq19_limit() -> Evidence {
         Compared::one("(19)", "$v_y$ of the motion at 40 times $v_0/A$"),
         TERMINAL,
     );
-    trial.each(settled(), start, |(start, state)| {
+    trial.each(SETTLED.each(), start, |(start, state)| {
         Ok([printed::eq19_vy_limit(), state.v[1], start.v0])
     })
 }
@@ -167,7 +167,7 @@ fn eq20_motion() -> Evidence {
         Printed,
         Compared::one("(20)", "the time at which the motion stops"),
     );
-    trial.over(stops(), |stop| {
+    trial.over(STOPS.each(), |stop| {
         let stop = stop?;
         let lambda = stop.start.lambda;
         // The motion knows λA − A to a rounding of λA.
@@ -186,7 +186,7 @@ fn eq20_quadrature() -> Evidence {
             r"$\int\mathrm dt$ over the angle, along and across the velocity",
         ),
     );
-    trial.over(stops_over_the_angle(), |stop| {
+    trial.over(STOPS_OVER_THE_ANGLE.each(), |stop| {
         let (start, time) = stop?;
         // ln v falls by λ − 1 per unit of ln tan(θ/2), and the errors of the integrator grow with it.
         Ok(Pair::wide(start.at(), eq20(start), *time).within(time * start.lambda))

@@ -1,6 +1,6 @@
 //! Trials of (12) to (14): the time against the angle.
 
-use super::launches::{Turn, late_turns, straight, turns, turns_where};
+use super::launches::{LATE_TURNS, Turn, straight, turns, turns_where};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::numerics::double::Double;
@@ -206,7 +206,7 @@ fn regular_late() -> Evidence {
         Compared::one("the regular form of the time", "that of the motion")
             .over("turns to a hundredth of the angle down to $10^{-80}$"),
     )
-    .each(late_turns(), Turn::at, |turn| {
+    .each(LATE_TURNS.each(), Turn::at, |turn| {
         Ok([
             regular(turn, turn.ln_fall()),
             turn.t,
@@ -224,7 +224,7 @@ fn regular_speed_by_log() -> Evidence {
             "that of the motion",
         ),
     )
-    .each(late_turns().chain(turns()), Turn::at, |turn| {
+    .each(LATE_TURNS.each().chain(turns()), Turn::at, |turn| {
         Ok([
             corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
             turn.v,

@@ -1,6 +1,6 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
-use super::trajectories::{Flight, Relaxed, a, alpha, flights, relaxed};
+use super::trajectories::{FLIGHTS, Flight, Relaxed, a, alpha, relaxed};
 use trialbook::prelude::*;
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
@@ -13,7 +13,7 @@ pub fn escaping() -> Evidence {
         )
         .over("random starts with $A>1$ that do not come straight in"),
     );
-    let beyond = only(flights(), |flight| flight.launch.a > 1.0);
+    let beyond = only(FLIGHTS.each(), |flight| flight.launch.a > 1.0);
     trial.each(beyond, Flight::at, |flight| {
         Ok([1.0, is(a(&flight.run.end()) > 1e4), 1.0])
     })

@@ -4,7 +4,7 @@
 //! that lags behind τ by a multiple of ln τ (see [`crate::corrections::escape`]); a fit that knows only powers
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
-use super::trajectories::{Escape, LATE, Late, a, alpha, escapes};
+use super::trajectories::{ESCAPES, Escape, LATE, Late, a, alpha};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
 use crate::motion::turntable::Start;
@@ -223,7 +223,7 @@ fn each(
     pair: impl Fn(&Escape) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
     let trial = Trial::by(Route::Limit, subject, compared, tolerance);
-    trial.each(escapes(), Escape::at, |flight| {
+    trial.each(ESCAPES.each(), Escape::at, |flight| {
         let [stated, found] = pair(flight)?;
         Ok([stated, found, 1.0])
     })

@@ -1,10 +1,10 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
 use super::growth::{A_RATE, ALPHA_RATE, LAG, SIZE, limits};
-use super::straight::{StraightIn, beyond_one, time_to_stop};
+use super::straight::{BEYOND_ONE, StraightIn, time_to_stop};
 use super::trajectories::{
-    Escape, Flight, LATE, Launch, Relaxed, a, alpha, flights, other_escapes, other_flights,
-    others_relaxed, rates, relaxed, relaxed_ratios,
+    Escape, FLIGHTS, Flight, LATE, Launch, OTHER_ESCAPES, OTHER_FLIGHTS, OTHERS_RELAXED,
+    RELAXED_RATIOS, Relaxed, a, alpha, rates, relaxed,
 };
 use crate::claims::tolerances::{DIFFERENCES, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED};
 use crate::corrections::escape as corrected;
@@ -148,7 +148,7 @@ fn never_decreases_way() -> Evidence {
             "$A^2$ at the end, along the motion",
         ),
     );
-    trial.each(flights(), Flight::at, |flight| {
+    trial.each(FLIGHTS.each(), Flight::at, |flight| {
         let end = flight.run.end();
         let (before, found) = (flight.launch.a * flight.launch.a, end.parts.energy());
         Ok([
@@ -168,7 +168,7 @@ fn never_decreases_census() -> Evidence {
             r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
         ),
     );
-    trial.each(other_flights(), Flight::at, |flight| {
+    trial.each(OTHER_FLIGHTS.each(), Flight::at, |flight| {
         let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
         let end = flight.run.end();
         Ok([
@@ -203,7 +203,7 @@ fn small_alpha_angle() -> Evidence {
         ),
         RELAXED,
     );
-    trial.each(others_relaxed(), Relaxed::at, |relaxed| {
+    trial.each(OTHERS_RELAXED.each(), Relaxed::at, |relaxed| {
         Ok([
             turntable::eq124_psi1(alpha(&relaxed.state)),
             relaxed.state.psi(),
@@ -223,7 +223,7 @@ pub fn relaxed_ratio() -> Evidence {
         ),
         RELAXED,
     );
-    trial.each(relaxed_ratios(), Relaxed::at, |relaxed| {
+    trial.each(RELAXED_RATIOS.each(), Relaxed::at, |relaxed| {
         let (found, psi1) = (
             relaxed.state.psi(),
             turntable::eq124_psi1(alpha(&relaxed.state)),
@@ -267,7 +267,7 @@ fn small_alpha_straight() -> Evidence {
         ),
         RELAXED,
     );
-    trial.each(beyond_one(), StraightIn::at, |straight| {
+    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         let state = straight.with_alpha_below(1e-4);
         Ok([turntable::eq124_psi1(alpha(&state)), state.psi(), 1.0])
     })
@@ -288,7 +288,7 @@ fn alpha_census() -> Evidence {
         ),
     );
     let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
-    trial.each(other_escapes(), Escape::at, |escape| {
+    trial.each(OTHER_ESCAPES.each(), Escape::at, |escape| {
         let stated: Vec<f64> = times().map(printed::eq133_alpha).collect();
         let found: Result<Vec<_>, MotionError> =
             times().map(|tau| Ok(alpha(&escape.run.at(tau)?))).collect();
@@ -312,7 +312,7 @@ fn straight_stops() -> Evidence {
         ),
         NONE,
     );
-    trial.each(beyond_one(), StraightIn::at, |straight| {
+    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         Ok([0.0, table_stops(straight)? as f64, 1.0])
     })
 }
@@ -326,7 +326,7 @@ fn above_one_straight() -> Evidence {
             "what becomes of a particle that comes straight in (0 if it stops)",
         ),
     );
-    trial.each(beyond_one(), StraightIn::at, |straight| {
+    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         let start = libm::sqrt((straight.rho - straight.p) * (straight.rho + straight.p));
         Ok([
             is(start > printed::eq127_least_a()),
@@ -363,7 +363,7 @@ fn straight_rate() -> Evidence {
         ),
         DIFFERENCES,
     );
-    trial.each(beyond_one(), StraightIn::at, |straight| {
+    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         let state = straight.with_alpha_below(1e-5);
         let time = time_to_stop(&state);
         let run = Run::new(&state.parts, 0.5 * time)?;
@@ -417,12 +417,12 @@ pub(super) const TRIALS: &[Attempt] = trials![
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::escape::straight::within_one;
+    use crate::claims::escape::straight::WITHIN_ONE;
 
     /// The way in which it is counted that none of them stops finds the stops where there are some.
     #[test]
     fn a_stop_on_the_table_is_counted() {
-        for straight in within_one() {
+        for straight in WITHIN_ONE.each() {
             let straight = straight.unwrap();
             assert_eq!(table_stops(straight).unwrap(), 1, "{}", straight.at());
         }

@@ -5,7 +5,7 @@
 
 use super::accelerations::{Case, SHAPES, along_a_line, any_start, bounded};
 use super::examples::{
-    AT_REST, Pulled, Returning, others_pulled, others_returning, pulled, returning, violations,
+    AT_REST, OTHERS_PULLED, OTHERS_RETURNING, PULLED, Pulled, RETURNING, Returning, violations,
 };
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
 use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};
@@ -116,7 +116,7 @@ fn rest_census() -> Evidence {
             "whether no rest lasts longer than a period",
         ),
     )
-    .over(returning(), |returning| {
+    .over(RETURNING.each(), |returning| {
         let Returning {
             name,
             size,
@@ -147,7 +147,7 @@ fn rest_integration() -> Evidence {
         ),
         NONE,
     );
-    trial.over(others_returning(), |returning| {
+    trial.over(OTHERS_RETURNING.each(), |returning| {
         let Returning {
             name,
             size,
@@ -221,7 +221,7 @@ fn grows_census() -> Evidence {
             "whether the speed grows on every step from $t=200$ to 400",
         ),
     )
-    .over(pulled(), |pulled| {
+    .over(PULLED.each(), |pulled| {
         let pulled = pulled?;
         let stated = pulled.least > speeds_up_above();
         Ok(whether(pulled.name.clone(), stated, pulled.grows()))
@@ -237,7 +237,7 @@ fn grows_integration() -> Evidence {
             "the speed gained",
         ),
     );
-    trial.over(others_pulled(), |pulled| {
+    trial.over(OTHERS_PULLED.each(), |pulled| {
         let Pulled {
             name,
             least,

@@ -5,10 +5,10 @@
 
 use super::boundary::{angle_towards_one, border};
 use super::trajectories::{
-    Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
-    other_approaches,
+    APPROACHES, APPROACHES_TO_ONE_HALF, Approach, Close, OTHER_APPROACHES, approaches_to,
+    gentle_approaches_to,
 };
-use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
+use crate::claims::escape::straight::{StraightIn, WITHIN_ONE, time_to_stop};
 use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
@@ -83,7 +83,7 @@ const BY_ORDER: Way = Way {
         "",
     ],
     moments: || {
-        Box::new(approaches().map(|approach| {
+        Box::new(APPROACHES.each().map(|approach| {
             let approach = approach?;
             let (sigma, close) = (approach.sigma, approach.close(1e-3)?);
             let unit = 100.0 * close.omitted(sigma);
@@ -99,7 +99,7 @@ const STRAIGHT: Way = Way {
     tolerance: RELAXED,
     words: [r"on the way into a rest with $\psi\to\pi$, ", ""],
     moments: || {
-        Box::new(within_one().map(|straight| {
+        Box::new(WITHIN_ONE.each().map(|straight| {
             let straight = straight?;
             let (sigma, close) = close(straight)?;
             Ok((named(straight.at(), &close), sigma, close, 1.0))
@@ -112,7 +112,7 @@ const STRAIGHT_CORRECTED: Way = Way {
     subject: Corrected,
     words: ["", r" of a motion that comes to rest with $\psi\to\pi$"],
     moments: || {
-        Box::new(within_one().map(|straight| {
+        Box::new(WITHIN_ONE.each().map(|straight| {
             let straight = straight?;
             let (sigma, close) = close(straight)?;
             Ok((straight.at(), sigma, close, 1.0))
@@ -128,7 +128,7 @@ const AT_ONE: Way = Way {
     tolerance: BOUNDARY,
     words: ["on the boundary, ", ""],
     moments: || {
-        Box::new(borders_near_one().map(|close| {
+        Box::new(BORDERS_NEAR_ONE.each().map(|close| {
             let close = *close?;
             let at = format!("σ = 1, α = {:.3}, ψ = {:.6}", close.alpha, close.psi);
             Ok((at, 1.0, close, 1.0))
@@ -173,13 +173,10 @@ fn close(straight: &StraightIn) -> Result<(f64, Close), MotionError> {
 }
 
 /// On the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
-fn borders_near_one() -> impl Iterator<Item = Result<&'static Close, Failure>> {
-    static BORDERS: Runs<Vec<Close>> = Runs::new(|| {
-        let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
-        every(Points::stream(743).grid(alphas).into_iter().map(leaving))
-    });
-    BORDERS.each()
-}
+static BORDERS_NEAR_ONE: Runs<Vec<Close>> = Runs::new(|| {
+    let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
+    every(Points::stream(743).grid(alphas).into_iter().map(leaving))
+});
 
 /// A moment after the point of the boundary with this α: the motion stays on the boundary. It never comes to rest; where (141)
 /// asks for the time that is left, any will do.
@@ -366,7 +363,7 @@ fn eq143_one_half() -> Evidence {
         .over(r"$\sigma=1/2$"),
         NEAR_REST,
     );
-    trial.each(approaches_to_one_half(), Approach::at, |approach| {
+    trial.each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
         let close = approach.close(1e-10)?;
         Ok([
             printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
@@ -387,7 +384,7 @@ fn eq143_regular() -> Evidence {
         .over(r"$\sigma=1/2$"),
         NEAR_REST,
     );
-    trial.each(approaches_to_one_half(), Approach::at, |approach| {
+    trial.each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
         let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
         let ratio = |c: f64, alpha: f64| corrected::psi_at_one_half(c, alpha) / (2.0 * alpha);
         let c = far.ratio() - ratio(0.0, far.alpha);
@@ -425,7 +422,7 @@ fn near_rest_census() -> Evidence {
             "that of all such falls",
         ),
     );
-    trial.each(other_approaches(), Approach::at, |approach| {
+    trial.each(OTHER_APPROACHES.each(), Approach::at, |approach| {
         let states = tenfold(&approach.run);
         Ok([
             nearing(&states, printed::s4_near_rest_limits()) as f64,

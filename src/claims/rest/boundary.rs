@@ -196,24 +196,21 @@ const UNDECIDED: MotionError = MotionError::Steps {
 const STARTS: [usize; 2] = [4020, 1000];
 
 /// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
-pub fn census() -> impl Iterator<Item = Result<&'static Case, Failure>> {
-    static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
-        let mut points = Points::stream(640);
-        let [near, away] = STARTS;
-        let case = |i| -> Result<_, Failure> {
-            let (low, high, reach) = if i < near {
-                (0.65, 1.02, 0.3)
-            } else {
-                (0.05, 1.2, 1.5)
-            };
-            let a = points.uniform(low, high);
-            let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
-            fated(a, alpha, psi)
+pub static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
+    let mut points = Points::stream(640);
+    let [near, away] = STARTS;
+    let case = |i| -> Result<_, Failure> {
+        let (low, high, reach) = if i < near {
+            (0.65, 1.02, 0.3)
+        } else {
+            (0.05, 1.2, 1.5)
         };
-        every((0..near + away).map(case))
-    });
-    CENSUS.each()
-}
+        let a = points.uniform(low, high);
+        let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
+        fated(a, alpha, psi)
+    };
+    every((0..near + away).map(case))
+});
 
 fn fated(a: f64, alpha: f64, psi: f64) -> Result<Case, Failure> {
     let rests_from = |a: f64| -> Result<bool, MotionError> {
@@ -249,7 +246,7 @@ fn printed_census() -> Evidence {
         ),
     );
     // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
-    let small = only(census(), |case| case.start[1] < 0.3);
+    let small = only(CENSUS.each(), |case| case.start[1] < 0.3);
     trial.over(small, |case| {
         let case = case?;
         Ok(counted(case, rests_as_printed(case.start)))
@@ -270,7 +267,7 @@ fn corrected_census() -> Evidence {
             r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
         ),
     );
-    trial.over(only(census(), |case| case.clear), |case| {
+    trial.over(only(CENSUS.each(), |case| case.clear), |case| {
         let case = case?;
         let [a, alpha, psi] = case.start;
         Ok(counted(case, a < corrected_a(alpha, psi)))
@@ -289,13 +286,10 @@ pub struct Surface {
 }
 
 /// Twenty such places.
-pub fn surfaces() -> impl Iterator<Item = Result<&'static Surface, Failure>> {
-    static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
-        let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
-        every(Points::stream(740).grid(sigmas).into_iter().map(surface))
-    });
-    SURFACES.each()
-}
+pub static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
+    let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
+    every(Points::stream(740).grid(sigmas).into_iter().map(surface))
+});
 
 /// ψ = 2α + 2α², in which the boundary leads to A = 1, α = 0.
 pub fn angle_towards_one(alpha: f64) -> f64 {
@@ -324,7 +318,7 @@ fn slopes(subject: Subject, compared: Compared, stated: fn(f64, f64) -> f64) -> 
     let compared = compared.over(r"$\psi=2\alpha$");
     let trial = Trial::by(Route::Root, subject, compared, CLOSING_SURFACES);
     let at = |s: &Surface| format!("σ = {:.6}, α = {:.6}", s.sigma, s.alpha);
-    trial.each(surfaces(), at, |s| {
+    trial.each(SURFACES.each(), at, |s| {
         Ok([stated(s.sigma, s.alpha), s.slope, 1.0])
     })
 }

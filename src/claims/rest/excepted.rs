@@ -1,6 +1,6 @@
 //! What the conditions near rest except: single resting places, and starts that come straight in, which lie on a surface.
 
-use super::trajectories::{Approach, approaches};
+use super::trajectories::{APPROACHES, Approach};
 use crate::paper::rest as printed;
 use std::f64::consts::FRAC_PI_2;
 use trialbook::certified::interval::Interval;
@@ -16,7 +16,7 @@ pub fn straight_in() -> Evidence {
         )
         .over("random starts that do not come straight in"),
     );
-    trial.each(approaches(), Approach::at, |approach| {
+    trial.each(APPROACHES.each(), Approach::at, |approach| {
         Ok([1.0, is(approach.run.end().psi().abs() < FRAC_PI_2), 1.0])
     })
 }

@@ -1,6 +1,6 @@
 //! Trials of where rest is possible, (139) and its words.
 
-use super::boundary::census;
+use super::boundary::CENSUS;
 use crate::claims::tolerances::{NEAR_CORNER, NONE};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
@@ -40,13 +40,10 @@ struct Rider {
     moved: f64,
 }
 
-fn riders() -> impl Iterator<Item = Result<&'static Rider, Failure>> {
-    static RIDERS: Runs<Vec<Rider>> = Runs::new(|| {
-        let mut points = Points::stream(641);
-        every((0..20).map(|i| rider(&mut points, i)))
-    });
-    RIDERS.each()
-}
+static RIDERS: Runs<Vec<Rider>> = Runs::new(|| {
+    let mut points = Points::stream(641);
+    every((0..20).map(|i| rider(&mut points, i)))
+});
 
 fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
     let table = Table {
@@ -86,7 +83,7 @@ fn eq139_stays() -> Evidence {
         ),
         NONE,
     );
-    trial.over(riders(), |rider| {
+    trial.over(RIDERS.each(), |rider| {
         let Rider {
             table,
             sigma,
@@ -170,7 +167,7 @@ fn resting_places() -> Evidence {
             r"$\sigma$ of random starts that come to rest",
         ),
     );
-    let resting = only(census(), |case| case.rests);
+    let resting = only(CENSUS.each(), |case| case.rests);
     trial.over(resting.step_by(EVERY), |case| {
         let [a, alpha, psi] = case?.start;
         // The place itself: the fate's bounds make use of σ ≤ 1.
@@ -207,7 +204,7 @@ mod tests {
     #[test]
     fn riders_stay_or_move_and_nothing_lies_between() {
         let mut movers = 0;
-        for rider in riders() {
+        for rider in RIDERS.each() {
             let Rider { sigma, moved, .. } = *rider.unwrap();
             if sigma <= 1.0 {
                 assert!(moved < 1e-12, "{sigma}: {moved}");

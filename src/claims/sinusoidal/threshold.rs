@@ -19,19 +19,16 @@ struct Onset {
 }
 
 /// The onset of rest for 24 starts: bisection on the simulation alone, down to neighbouring numbers.
-fn onsets() -> impl Iterator<Item = Result<&'static Onset, Failure>> {
-    static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
-        let mut points = Points::stream(130);
-        let mut start = || DriveState {
-            phi: points.uniform(0.0, TAU),
-            w: points.uniform(-3.0, 3.0),
-        };
-        let starts: Vec<_> = (0..24).map(|_| start()).collect();
-        let found = |start: DriveState| onset(start).map(|lambda| Onset { start, lambda });
-        every(starts.into_iter().map(found))
-    });
-    ONSETS.each()
-}
+static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
+    let mut points = Points::stream(130);
+    let mut start = || DriveState {
+        phi: points.uniform(0.0, TAU),
+        w: points.uniform(-3.0, 3.0),
+    };
+    let starts: Vec<_> = (0..24).map(|_| start()).collect();
+    let found = |start: DriveState| onset(start).map(|lambda| Onset { start, lambda });
+    every(starts.into_iter().map(found))
+});
 
 fn onset(start: DriveState) -> Result<f64, Failure> {
     let (mut low, mut high) = (0.2, 0.9);
@@ -61,7 +58,7 @@ fn eq37_motion() -> Evidence {
         ),
         ONSET,
     );
-    trial.each(onsets(), at, |onset| {
+    trial.each(ONSETS.each(), at, |onset| {
         Ok([printed::eq37_lambda_c(), onset.lambda, onset.lambda])
     })
 }
@@ -99,7 +96,7 @@ fn eq34_root() -> Evidence {
         ),
         ONSET,
     );
-    trial.each(onsets(), at, |onset| {
+    trial.each(ONSETS.each(), at, |onset| {
         Ok([
             root(eq34::<f64>, 0.01, 0.99).unwrap_or(f64::NAN),
             onset.lambda,

@@ -70,13 +70,10 @@ impl Twins {
 }
 
 /// Two dozen pairs of twins.
-fn all_twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
-    static TWINS: Runs<Vec<Twins>> = Runs::new(|| {
-        let mut points = Points::stream(111);
-        every((0..24).map(|_| twins(&mut points)))
-    });
-    TWINS.each()
-}
+static ALL_TWINS: Runs<Vec<Twins>> = Runs::new(|| {
+    let mut points = Points::stream(111);
+    every((0..24).map(|_| twins(&mut points)))
+});
 
 fn twins(points: &mut Points) -> Result<Twins, Failure> {
     let (mu, g) = (points.uniform(0.1, 2.0), points.uniform(1.0, 20.0));
@@ -117,7 +114,7 @@ fn eq22() -> Evidence {
             r"$\varpi v_x/A_0$ of the particle",
         ),
     );
-    trial.each(all_twins(), Twins::at, |twins| {
+    trial.each(ALL_TWINS.each(), Twins::at, |twins| {
         let lambda = printed::eq22_lambda0(twins.mu, twins.g, twins.a0);
         let drive = drive()?;
         // Of a friction that cannot be nothing is stated.
@@ -137,7 +134,7 @@ fn eq23() -> Evidence {
             "the phase at which its twin does",
         ),
     );
-    trial.each(all_twins(), Twins::at, |twins| {
+    trial.each(ALL_TWINS.each(), Twins::at, |twins| {
         let stated = printed::eq23_phase(twins.varpi, twins.release);
         Ok([stated, twins.twin_release, 1.0])
     })
@@ -152,7 +149,7 @@ fn eq24() -> Evidence {
             "the velocity of its twin without units",
         ),
     );
-    trial.each(all_twins(), Twins::at, |twins| {
+    trial.each(ALL_TWINS.each(), Twins::at, |twins| {
         let stated = printed::eq24_w(twins.varpi, twins.vx, twins.a0);
         Ok([stated, twins.twin_w, 1.0])
     })

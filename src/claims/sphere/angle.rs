@@ -155,24 +155,21 @@ fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
 }
 
 /// Slips along the line of the acceleration.
-fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
-        let mut points = Points::stream(405);
-        let turn = |i: usize| {
-            let lambda = points.uniform(0.1, 4.0);
-            let theta0 = [0.0, PI][i % 2];
-            // At λ just above 1 the stop is far away, and tan(θ/2) falls as (u/u₀)^(1/(λ − 1)).
-            let elapsed = if lambda > 1.0 {
-                0.2 * libm::fmin(50.0 * (lambda - 1.0), 1.0)
-            } else {
-                0.2
-            };
-            Turn::new(i, &mut points, lambda, theta0, elapsed)
+static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
+    let mut points = Points::stream(405);
+    let turn = |i: usize| {
+        let lambda = points.uniform(0.1, 4.0);
+        let theta0 = [0.0, PI][i % 2];
+        // At λ just above 1 the stop is far away, and tan(θ/2) falls as (u/u₀)^(1/(λ − 1)).
+        let elapsed = if lambda > 1.0 {
+            0.2 * libm::fmin(50.0 * (lambda - 1.0), 1.0)
+        } else {
+            0.2
         };
-        every((0..40).map(turn))
-    });
-    TURNS.each()
-}
+        Turn::new(i, &mut points, lambda, theta0, elapsed)
+    };
+    every((0..40).map(turn))
+});
 
 /// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
 fn eq80() -> Evidence {
@@ -222,7 +219,7 @@ fn eq81_outside() -> Evidence {
             "the slip of the motion",
         ),
     );
-    trial.each(straight(), Turn::at, |turn| {
+    trial.each(STRAIGHT.each(), Turn::at, |turn| {
         Ok([
             printed::eq81_slip(
                 turn.slip.lambda,
@@ -261,7 +258,7 @@ pub fn regular_straight() -> Evidence {
     Trial::motion(Corrected, Compared::one(
         r"the regular form of $u$ along the line of the acceleration, with $r$ from the regular form of $\tau$,",
         "the slip of the motion",
-    )).each(straight(), Turn::at, |turn| {
+    )).each(STRAIGHT.each(), Turn::at, |turn| {
         let Launched {
             lambda,
             a: gamma,

@@ -1,6 +1,6 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
-use super::spheres::{Followed, braking, length, mixed, sphere, weighed};
+use super::spheres::{Followed, MIXED, braking, length, sphere, weighed};
 use crate::claims::tolerances::FOREIGN;
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact};
@@ -53,7 +53,7 @@ fn eq59() -> Evidence {
         ),
         FOREIGN,
     );
-    trial.each(super::spheres::sliding(), Followed::at_end, |run| {
+    trial.each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
         let sphere = run.case.sphere;
         // V, U, the rates of turning about x and y, the time.
         let laboratory = |_: f64, y: &[f64; 7]| {
@@ -91,7 +91,7 @@ fn eq60() -> Evidence {
         ),
         FOREIGN,
     );
-    trial.each(super::spheres::sliding(), Followed::at_end, |run| {
+    trial.each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
         let [_, _, x, y, z] = by_the_laws(run);
         let found = run.motion.end().omega;
         Ok([
@@ -112,7 +112,7 @@ fn eq61() -> Evidence {
         ),
     );
     let states = with_each(
-        mixed(),
+        MIXED.each(),
         [1, 2, 3, 4, 5, 6, 7, 8].map(|k| f64::from(k) / 8.0),
     );
     let rolling = only(states, |(run, share)| {
@@ -179,7 +179,7 @@ fn eq76() -> Evidence {
             r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
         ),
     );
-    trial.each(mixed(), Followed::at_end, |run| {
+    trial.each(MIXED.each(), Followed::at_end, |run| {
         let (_, mu, g) = run.case.parameters();
         let rate = |t: f64| {
             let gamma = printed::eq72_acceleration(mu, g, run.case.acceleration(t));

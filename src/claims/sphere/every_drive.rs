@@ -1,6 +1,6 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
-use super::spheres::{Case, Followed, braking, case, length, mixed, moments, sphere, weighed};
+use super::spheres::{Case, Followed, MIXED, braking, case, length, moments, sphere, weighed};
 use crate::corrections::sphere as corrected;
 use crate::motion::sphere::{Ball, Contact};
 use crate::motion::{PhaseKind, Plane, Signal, State, run};
@@ -140,7 +140,7 @@ fn reduction_rolling() -> Evidence {
             "the time that the sphere rolls",
         ),
     )
-    .each(mixed(), Followed::at_end, |run| {
+    .each(MIXED.each(), Followed::at_end, |run| {
         let rests = |particle: crate::motion::Motion| {
             let phases = particle.phases().iter();
             let rests = phases.filter(|phase| phase.kind == PhaseKind::Stick);
@@ -183,7 +183,7 @@ fn reduction_rest() -> Evidence {
     Trial::motion(Printed, Compared::many(
         r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
         "those of the motion, all components in one weighted sum",
-    )).each(mixed(), Followed::at_end, |run| {
+    )).each(MIXED.each(), Followed::at_end, |run| {
         let (b, t, zero) = (run.case.b(), run.until, [0.0; 3]);
         let (start, own_start, own) = (run.dimensionless(0.0)?, run.own(0.0)?, run.own(t)?);
         let (radius, mu, g) = run.case.parameters();
@@ -208,7 +208,7 @@ fn spin_constant() -> Evidence {
     Trial::motion(Printed, Compared::many(
         r"a kept $\omega_z$, and the $x$, $\bm v$, $\omega_x$ and $\omega_y$ in which a motion with three times that $\omega_z$ ends,",
         "those of the motion, all in one weighted sum",
-    )).each(mixed(), Followed::at_end, |run| {
+    )).each(MIXED.each(), Followed::at_end, |run| {
         let case = &run.case;
         let start = with_three_times_the_spin(case.start);
         let other = case.sphere.run(&case.plane, &start, run.until)?.end();
@@ -256,7 +256,7 @@ mod tests {
 
     #[test]
     fn another_spin_is_another_start() {
-        for run in mixed() {
+        for run in MIXED.each() {
             let start = run.unwrap().case.start;
             let [x, y, z] = start.omega;
             assert!(z.abs() > 1e-3, "{z}");

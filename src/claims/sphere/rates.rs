@@ -1,6 +1,6 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
-use super::spheres::{Followed, length, moments, sliding, weighed};
+use super::spheres::{Followed, SLIDING, length, moments, weighed};
 use crate::corrections::sphere as corrected;
 use crate::motion::State;
 use crate::motion::sphere::Ball;
@@ -36,7 +36,7 @@ fn summed(
             ["the change of ", name, BY_ONE_NUMBER],
         ),
     )
-    .each(sliding(), Followed::at_end, |run| {
+    .each(SLIDING.each(), Followed::at_end, |run| {
         let along = |t: f64| {
             let ball = run.motion.at(t);
             ball.map_or(f64::NAN, |ball| {
