@@ -117,9 +117,14 @@ pub fn curve_a(q: f64) -> Result<f64, Failure> {
 /// # Errors
 /// A value that is not a number, which does not happen for q ≥ 1.
 pub fn curve_b(q: f64) -> Result<Option<f64>, Failure> {
-    let sides = |lambda0| difference(printed::eq54_sides(lambda0, q * lambda0));
+    crossing(q, 1.0, printed::eq54_sides)
+}
+
+/// λ₀ at which the sides are equal, if their difference has not this sign where qλ₀ = 1.
+fn crossing(q: f64, sign: f64, sides: fn(f64, f64) -> [f64; 2]) -> Result<Option<f64>, Failure> {
+    let sides = |lambda0| difference(sides(lambda0, q * lambda0));
     let top = largest(q);
-    if sides(top) > 0.0 {
+    if sign * sides(top) > 0.0 {
         return Ok(None);
     }
     Ok(Some(root(sides, LOWEST, top)?))
@@ -131,12 +136,7 @@ pub fn curve_b(q: f64) -> Result<Option<f64>, Failure> {
 /// # Errors
 /// A value that is not a number, which does not happen for q ≥ 1.
 pub fn curve_e(q: f64) -> Result<Option<f64>, Failure> {
-    let sides = |lambda0| difference(corrected::e_sides(lambda0, q * lambda0));
-    let top = largest(q);
-    if sides(top) < 0.0 {
-        return Ok(None);
-    }
-    Ok(Some(root(sides, LOWEST, top)?))
+    crossing(q, -1.0, corrected::e_sides)
 }
 
 fn difference([left, right]: [f64; 2]) -> f64 {

@@ -1,6 +1,6 @@
 //! Trials of (3) to (5): the definitions are consistent with the use made of them.
 
-use super::launches::{Turn, turns};
+use super::launches::{TURNS, Turn};
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
@@ -42,7 +42,7 @@ fn eq4() -> Evidence {
             r"$v\,\mathrm e^\theta$ along motions",
         ),
     );
-    trial.each(turns(), Turn::at, |turn| {
+    trial.each(TURNS.each(), Turn::at, |turn| {
         let [vx, vy] = printed::eq4_velocity(turn.v, turn.theta);
         let found = turn.v * libm::exp(turn.theta);
         Ok([

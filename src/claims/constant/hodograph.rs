@@ -1,7 +1,7 @@
 //! Trials of (6) to (11): the two components of Newton's law, the hodograph's slope, the speed against the
 //! angle.
 
-use super::launches::{Turn, straight, turns, turns_where};
+use super::launches::{TURNS, Turn, straight, turns_where};
 use crate::claims::tolerances::DIFFERENCES;
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
@@ -105,7 +105,7 @@ fn eq11_motion() -> Evidence {
             r"the speed of the motion when it has turned to $\theta$",
         ),
     )
-    .over(turns(), |turn| {
+    .over(TURNS.each(), |turn| {
         let turn = turn?;
         let speed = turn.formula(printed::eq11_speed);
         Ok(Pair::wide(turn.at(), speed, turn.v).within(turn.v * turn.condition()))

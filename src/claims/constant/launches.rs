@@ -192,16 +192,13 @@ impl Turn {
 }
 
 /// Every turn.
-pub fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Runs<Vec<Turn>> = Runs::new(|| every(launches().into_iter().map(turn)));
-    TURNS.each()
-}
+pub static TURNS: Runs<Vec<Turn>> = Runs::new(|| every(launches().into_iter().map(turn)));
 
 /// Those turns of which `wanted` holds.
 pub fn turns_where(
     wanted: impl Fn(&Turn) -> bool,
 ) -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    only(turns(), move |turn| wanted(turn))
+    only(TURNS.each(), move |turn| wanted(turn))
 }
 
 /// Friction: from no friction to thirty times the acceleration, the critical value and its neighbours.

@@ -1,6 +1,6 @@
 //! Trials of (12) to (14): the time against the angle.
 
-use super::launches::{LATE_TURNS, Turn, straight, turns, turns_where};
+use super::launches::{LATE_TURNS, TURNS, Turn, straight, turns_where};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::numerics::double::Double;
@@ -155,7 +155,7 @@ fn eq14_motion() -> Evidence {
         Within,
         Compared::one("(14) at the angle and time of the motion", "its speed"),
     );
-    let all = turns().map(|turn| turn.copied()).chain(straight());
+    let all = TURNS.each().map(|turn| turn.copied()).chain(straight());
     trial.over(all, |turn| {
         let turn = &turn?;
         Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(turn.speed_at_time_scale()))
@@ -185,7 +185,7 @@ pub fn regular_time() -> Evidence {
             "that of the motion",
         ),
     );
-    trial.each(turns(), Turn::at, |turn| {
+    trial.each(TURNS.each(), Turn::at, |turn| {
         Ok([
             regular(turn, turn.ln_fall()),
             turn.t,
@@ -224,7 +224,7 @@ fn regular_speed_by_log() -> Evidence {
             "that of the motion",
         ),
     )
-    .each(LATE_TURNS.each().chain(turns()), Turn::at, |turn| {
+    .each(LATE_TURNS.each().chain(TURNS.each()), Turn::at, |turn| {
         Ok([
             corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
             turn.v,
@@ -292,7 +292,7 @@ fn regular_speed() -> Evidence {
         Corrected,
         Compared::one("the regular form of the speed", "that of the motion"),
     );
-    trial.each(turns(), Turn::at, |turn| {
+    trial.each(TURNS.each(), Turn::at, |turn| {
         Ok([
             corrected::speed(turn.lambda, turn.v0, turn.theta0, turn.r()),
             turn.v,

@@ -126,33 +126,30 @@ const LATE: usize = 220;
 const EDGES: [f64; 4] = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4, 12.0];
 
 /// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges, then late ones.
-fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
-        let mut points = Points::stream(404);
-        let turn = |i: usize| {
-            let lambda = match i {
-                160..180 => 1.0,
-                _ if i.is_multiple_of(2) => points.uniform(0.05, 1.0),
-                _ => points.uniform(1.0, 12.0),
-            };
-            let theta0 = points.sign() * points.uniform(0.2, 3.1);
-            let (lambda, theta0) = match i {
-                180..200 => (
-                    -libm::cos(1.6 + 0.07 * (i - 180) as f64),
-                    1.6 + 0.07 * (i - 180) as f64,
-                ),
-                200..LATE => (EDGES[i % EDGES.len()], theta0),
-                LATE.. => (points.uniform(0.1, 0.9), theta0),
-                _ => (lambda, theta0),
-            };
-            // Late slips at large friction have next to no angle left.
-            let elapsed = points.uniform(0.05, 0.8) * if i < LATE { 1.0 } else { 400.0 };
-            Turn::new(i, &mut points, lambda, theta0, elapsed)
+static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
+    let mut points = Points::stream(404);
+    let turn = |i: usize| {
+        let lambda = match i {
+            160..180 => 1.0,
+            _ if i.is_multiple_of(2) => points.uniform(0.05, 1.0),
+            _ => points.uniform(1.0, 12.0),
         };
-        every((0..LATE + 20).map(turn))
-    });
-    TURNS.each()
-}
+        let theta0 = points.sign() * points.uniform(0.2, 3.1);
+        let (lambda, theta0) = match i {
+            180..200 => (
+                -libm::cos(1.6 + 0.07 * (i - 180) as f64),
+                1.6 + 0.07 * (i - 180) as f64,
+            ),
+            200..LATE => (EDGES[i % EDGES.len()], theta0),
+            LATE.. => (points.uniform(0.1, 0.9), theta0),
+            _ => (lambda, theta0),
+        };
+        // Late slips at large friction have next to no angle left.
+        let elapsed = points.uniform(0.05, 0.8) * if i < LATE { 1.0 } else { 400.0 };
+        Turn::new(i, &mut points, lambda, theta0, elapsed)
+    };
+    every((0..LATE + 20).map(turn))
+});
 
 /// Slips along the line of the acceleration.
 static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
@@ -180,7 +177,7 @@ fn eq80() -> Evidence {
             "$u/u_0$ of a sphere at the same $At/v_0$",
         ),
     );
-    trial.each(turns(), Turn::at, |turn| {
+    trial.each(TURNS.each(), Turn::at, |turn| {
         let start = State::moving([libm::cos(turn.slip.theta0), libm::sin(turn.slip.theta0)]);
         let t = turn.slip.a * turn.slip.t / turn.slip.v0;
         let sphere = turn.sphere;
@@ -203,7 +200,7 @@ pub fn eq81() -> Evidence {
         Within,
         Compared::one("(81)", r"the slip of the motion at the angle $\theta$"),
     );
-    trial.over(turns(), |turn| {
+    trial.over(TURNS.each(), |turn| {
         let turn = turn?;
         let stated = turn.slip.formula(printed::eq81_slip);
         Ok(Pair::wide(turn.at(), stated, turn.slip.v).within(turn.slip.v * turn.slip.condition()))
@@ -239,7 +236,7 @@ fn regular_slip() -> Evidence {
         Corrected,
         Compared::one("the regular form of $u$", "the slip of the motion"),
     );
-    trial.each(turns(), Turn::at, |turn| {
+    trial.each(TURNS.each(), Turn::at, |turn| {
         Ok([
             speed(
                 turn.slip.lambda,
@@ -280,7 +277,7 @@ type Time = fn([Double; 6]) -> Double;
 fn late(subject: Subject, stated: &'static str, formula: Time) -> Evidence {
     let found = r"the time $\tau$ of the motion at the angle $\theta$";
     let compared = Compared::one(stated, found);
-    let turns = only(turns(), |turn| turn.slip.has_a_time());
+    let turns = only(TURNS.each(), |turn| turn.slip.has_a_time());
     Trial::motion(subject, compared).over(turns, |turn| {
         let turn = turn?;
         Ok(Pair::wide(turn.at(), formula(turn.numbers()), turn.slip.t)
@@ -299,7 +296,7 @@ fn corrected82_quadrature() -> Evidence {
         r"(82) over $\gamma$",
         r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by another library's integrator",
     );
-    let turns = only(turns(), |t| {
+    let turns = only(TURNS.each(), |t| {
         t.slip.has_a_time() && t.slip.condition() < 100.0 && t.slip.theta.abs() > 1e-3
     });
     Trial::quadrature(Corrected, compared).over(turns, |turn| {
@@ -331,7 +328,7 @@ pub fn regular_time() -> Evidence {
             r"that of the motion, $\lambda=1$ and $\cos\theta_0=-\lambda$ included",
         ),
     )
-    .each(turns(), Turn::at, |turn| {
+    .each(TURNS.each(), Turn::at, |turn| {
         Ok([
             time(
                 turn.slip.lambda,
@@ -348,7 +345,7 @@ pub fn regular_time() -> Evidence {
 
 /// A formula for the slip at an angle and a time.
 fn slip_at_time(subject: Subject, stated: &'static str, formula: Time) -> Evidence {
-    Trial::motion(subject, Compared::one(stated, "its slip")).over(turns(), |turn| {
+    Trial::motion(subject, Compared::one(stated, "its slip")).over(TURNS.each(), |turn| {
         let turn = turn?;
         let stated = formula(turn.numbers());
         Ok(Pair::wide(turn.at(), stated, turn.slip.v).within(turn.slip.speed_at_time_scale()))
@@ -357,7 +354,7 @@ fn slip_at_time(subject: Subject, stated: &'static str, formula: Time) -> Eviden
 
 /// (γ, τ of the motion over τ of (82)) at the points of the trial.
 pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
-    let known = only(turns(), |turn| turn.slip.has_a_time());
+    let known = only(TURNS.each(), |turn| turn.slip.has_a_time());
     known
         .map(|turn| {
             let turn = turn?;
