@@ -32,8 +32,7 @@ fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Ev
     const X: [&str; 3] = [r"$\lambda_0$ of X", "", ""];
     let compared = Compared::composed(X, [EQUAL, change_of, " in the simulated motion"]);
     let [_, lambda0] = printed::eq57_x();
-    let trial = Trial::by(Route::Root, Printed, compared, ROOT);
-    trial.over(starts(stream), |start| {
+    Trial::by(Route::Root, Printed, compared, ROOT).over(starts(stream), |start| {
         let found = change(1.0, 1e-9, start, holds)?;
         Ok(Pair {
             at: at(start),
@@ -69,7 +68,7 @@ fn y_decimals() -> Evidence {
 
 /// (58) with the place to which region II narrows along qλ₀ = 1 − η.
 fn y_limit() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Printed,
         Compared::one(
@@ -78,8 +77,8 @@ fn y_limit() -> Evidence {
         )
         .over(r"$\eta$ from $10^{-5}$ to $10^{-10}$"),
         THREE_DECIMALS,
-    );
-    trial.over(steps(732), |k| {
+    )
+    .over(steps(732), |k| {
         let eta = 1e-5 * libm::exp10(-k / 5.0);
         let [low, high] = opening(eta)?;
         Ok(Pair::plain(
@@ -92,13 +91,13 @@ fn y_limit() -> Evidence {
 
 /// Y from (54) and (55), to all digits, with Y by simulation.
 pub fn y_digits() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::one("the root of (54) on (55)", SIMULATED_Y),
         MOTION,
-    );
-    trial.over(SIMULATED_POINTS.each(), |point| {
+    )
+    .over(SIMULATED_POINTS.each(), |point| {
         let (start, found) = *point?;
         Ok(Pair {
             at: at(start),
@@ -147,7 +146,7 @@ fn printed_y() -> f64 {
 /// Curves that touch: region II between them on qλ₀ = 1 − η opens as the root of η; as η, if they crossed. C lies above
 /// both B and E by c (q − q_Y)², to lowest order, so that it opens for |q − q_Y| < √(η/(q_Y c)).
 fn y_contact() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Printed,
         Compared::one(
@@ -156,8 +155,8 @@ fn y_contact() -> Evidence {
         )
         .over(r"$\eta$ from $10^{-3}$ to $10^{-10}$"),
         CONTACT,
-    );
-    trial.over(steps(733), |k| {
+    )
+    .over(steps(733), |k| {
         let eta = 1e-3 * libm::exp2(-k);
         let y = printed_y();
         let [low, high] = opening(eta)?;

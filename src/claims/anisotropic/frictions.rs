@@ -59,14 +59,14 @@ fn against_dimensional(
 ) -> Evidence {
     const DIMENSIONAL: &str =
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$";
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::composed(
             [r"$A_0\mathfrak w$ of the motion with ", with, ""],
             [DIMENSIONAL, "", ""],
         ),
-    );
-    trial.over(laboratory(stream), |case| {
+    )
+    .over(laboratory(stream), |case| {
         let [mu_plus, mu_minus, g, a0, phi] = case;
         let (plus, minus) = friction(case);
         let w = || -> Result<f64, Failure> {

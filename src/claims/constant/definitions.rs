@@ -35,14 +35,14 @@ fn along_alone(v: [f64; 2]) -> f64 {
 
 /// (4): the angle of the vector built from v and θ is θ, its length v.
 fn eq4() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::one(
             "the size of (4) times the exponential of its angle",
             r"$v\,\mathrm e^\theta$ along motions",
         ),
-    );
-    trial.each(TURNS.each(), Turn::at, |turn| {
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         let [vx, vy] = printed::eq4_velocity(turn.v, turn.theta);
         let found = turn.v * libm::exp(turn.theta);
         Ok([

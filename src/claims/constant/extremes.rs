@@ -48,7 +48,7 @@ fn small_friction_census() -> Evidence {
 
 /// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
 fn small_friction_outside() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Outside,
         Compared::constant(
@@ -56,8 +56,8 @@ fn small_friction_outside() -> Evidence {
             "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
         ),
         NONE,
-    );
-    trial.over(held(), |launch: Turn| {
+    )
+    .over(held(), |launch: Turn| {
         let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
         Ok(Pair::plain(
             launch.at(),

@@ -18,8 +18,7 @@ fn moves(subject: Subject, frictions: Vec<f64>) -> Evidence {
         r"whether $\lambda\le1$ (1 if so)",
         "whether a particle that begins at rest moves",
     );
-    let trial = Trial::census(subject, compared);
-    trial.over(frictions, |lambda| {
+    Trial::census(subject, compared).over(frictions, |lambda| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);
         Ok(Pair::plain(
             format!("λ = {lambda:.9}"),

@@ -27,11 +27,11 @@ fn eq12_rate(turn: &Turn, theta: f64) -> f64 {
 
 /// (12), integrated over the angle.
 fn eq12_quadrature() -> Evidence {
-    let trial = Trial::quadrature(
+    Trial::quadrature(
         Within,
         Compared::one(r"the integral of (12) over $\theta$", "$At$ of the motion"),
-    );
-    trial.each(
+    )
+    .each(
         turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
         Turn::at,
         |turn| {
@@ -62,14 +62,14 @@ fn eq12_outside() -> Evidence {
 
 /// (13) with the time of the motion.
 pub fn eq13_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Within,
         Compared::one(
             "(13)",
             r"the time at which the motion has turned to $\theta$",
         ),
-    );
-    trial.over(turns_where(Turn::has_a_time), |turn| {
+    )
+    .over(turns_where(Turn::has_a_time), |turn| {
         let turn = turn?;
         Ok(Pair::wide(turn.at(), eq13(turn), turn.t).within(turn.time_scale()))
     })
@@ -77,14 +77,14 @@ pub fn eq13_motion() -> Evidence {
 
 /// (13) with the integral of dt.
 fn eq13_quadrature() -> Evidence {
-    let trial = Trial::quadrature(
+    Trial::quadrature(
         Within,
         Compared::one(
             "(13)",
             r"$\int\mathrm dt$ over the angle, along and across the velocity",
         ),
-    );
-    trial.over(
+    )
+    .over(
         turns_where(|turn| turn.has_a_time() && turn.is_gentle()),
         |turn| {
             let turn = turn?;
@@ -164,28 +164,28 @@ fn eq14_motion() -> Evidence {
 
 /// (14) where cos θ = −λ, the angle at which it is 0/0.
 fn eq14_outside() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Outside,
         Compared::one(
             r"(14) where $\cos\theta=-\lambda$",
             "the speed of the motion",
         ),
-    );
-    trial.each(super::launches::turns_to_the_gap(), Turn::at, |turn| {
+    )
+    .each(super::launches::turns_to_the_gap(), Turn::at, |turn| {
         Ok([eq14::<f64>(turn), turn.v, turn.v])
     })
 }
 
 /// The regular form of the time at all points, those included where (13) has no value.
 pub fn regular_time() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Corrected,
         Compared::one(
             "the regular form of the time, where (13) has a value and where not,",
             "that of the motion",
         ),
-    );
-    trial.each(TURNS.each(), Turn::at, |turn| {
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         Ok([
             regular(turn, turn.ln_fall()),
             turn.t,
@@ -288,11 +288,11 @@ pub fn regular_straight() -> Evidence {
 
 /// The regular form of the speed.
 fn regular_speed() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Corrected,
         Compared::one("the regular form of the speed", "that of the motion"),
-    );
-    trial.each(TURNS.each(), Turn::at, |turn| {
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         Ok([
             corrected::speed(turn.lambda, turn.v0, turn.theta0, turn.r()),
             turn.v,

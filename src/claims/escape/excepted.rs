@@ -21,15 +21,15 @@ pub fn escaping() -> Evidence {
 
 /// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
 fn small_alpha() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Excepted,
         Compared::constant(
             r"the expected 1, for a fall of $\psi$ to 0",
             r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",
         )
         .over(r"random starts with tiny $\alpha$ that do not come straight in"),
-    );
-    trial.each(relaxed(), Relaxed::at, |relaxed| {
+    )
+    .each(relaxed(), Relaxed::at, |relaxed| {
         let near = alpha(&relaxed.state) < 1e-3 && relaxed.state.psi().abs() < 1e-3;
         Ok([1.0, is(near), 1.0])
     })

@@ -222,11 +222,14 @@ fn each(
     tolerance: Tolerance,
     pair: impl Fn(&Escape) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
-    let trial = Trial::by(Route::Limit, subject, compared, tolerance);
-    trial.each(ESCAPES.each(), Escape::at, |flight| {
-        let [stated, found] = pair(flight)?;
-        Ok([stated, found, 1.0])
-    })
+    Trial::by(Route::Limit, subject, compared, tolerance).each(
+        ESCAPES.each(),
+        Escape::at,
+        |flight| {
+            let [stated, found] = pair(flight)?;
+            Ok([stated, found, 1.0])
+        },
+    )
 }
 
 /// What is stated of each escape against the limit of what its motion does.

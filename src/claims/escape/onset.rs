@@ -19,13 +19,13 @@ use trialbook::prelude::*;
 /// (126) with the rate of α after ψ has relaxed.
 fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
     const RATE: &str = r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed";
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         subject,
         Compared::composed(["(126)", "", ""], [RATE, when, ""]),
         RELAXED,
-    );
-    trial.each(relaxed(), Relaxed::at, |relaxed| {
+    )
+    .each(relaxed(), Relaxed::at, |relaxed| {
         Ok([
             printed::eq126_alpha_rate(a(&relaxed.state)),
             relaxed.alpha_rate,
@@ -69,14 +69,14 @@ fn eq126_order() -> Evidence {
 
 /// (127): launches with A > 1 that have stopped, or not gone far, when τ = 300.
 fn above_one(subject: Subject) -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         subject,
         Compared::constant(
             "0 where (127) holds, and with itself elsewhere",
             r"whether a random launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
         ),
-    );
-    trial.over(launches_around_one(), |launch| {
+    )
+    .over(launches_around_one(), |launch| {
         let found = stays(&Run::new(&launch.start()?, 300.0)?);
         Ok(Pair::plain(
             launch.at(),
@@ -141,14 +141,14 @@ fn eq127_root() -> Evidence {
 
 /// A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
 fn never_decreases_way() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "$A^2$ at the start, and more by $2s$,",
             "$A^2$ at the end, along the motion",
         ),
-    );
-    trial.each(FLIGHTS.each(), Flight::at, |flight| {
+    )
+    .each(FLIGHTS.each(), Flight::at, |flight| {
         let end = flight.run.end();
         let (before, found) = (flight.launch.a * flight.launch.a, end.parts.energy());
         Ok([
@@ -194,7 +194,7 @@ fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
 
 /// ψ after many relaxation times, against ψ₁.
 fn small_alpha_angle() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Within,
         Compared::one(
@@ -202,8 +202,8 @@ fn small_alpha_angle() -> Evidence {
             r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
         ),
         RELAXED,
-    );
-    trial.each(OTHERS_RELAXED.each(), Relaxed::at, |relaxed| {
+    )
+    .each(OTHERS_RELAXED.each(), Relaxed::at, |relaxed| {
         Ok([
             turntable::eq124_psi1(alpha(&relaxed.state)),
             relaxed.state.psi(),
@@ -303,7 +303,7 @@ fn grown(values: &[f64]) -> usize {
 
 /// Stops of particles that come straight in from A > 1, in the frame of the table.
 fn straight_stops() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Outside,
         Compared::constant(
@@ -311,22 +311,22 @@ fn straight_stops() -> Evidence {
             "the number of stops of a particle that comes straight in from $A>1$",
         ),
         NONE,
-    );
-    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
+    )
+    .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         Ok([0.0, table_stops(straight)? as f64, 1.0])
     })
 }
 
 /// (127) where a particle comes straight in.
 fn above_one_straight() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Outside,
         Compared::one(
             "whether (127) holds at the start (1 if so, for an escape)",
             "what becomes of a particle that comes straight in (0 if it stops)",
         ),
-    );
-    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
+    )
+    .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         let start = libm::sqrt((straight.rho - straight.p) * (straight.rho + straight.p));
         Ok([
             is(start > printed::eq127_least_a()),

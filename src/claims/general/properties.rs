@@ -138,7 +138,7 @@ fn long_rests(phases: &[Phase], period: f64) -> usize {
 
 /// Others move in every period, or do not.
 fn rest_integration() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Within,
         Compared::one(
@@ -146,8 +146,8 @@ fn rest_integration() -> Evidence {
             "whether the motion has slid in each of five periods",
         ),
         NONE,
-    );
-    trial.over(OTHERS_RETURNING.each(), |returning| {
+    )
+    .over(OTHERS_RETURNING.each(), |returning| {
         let Returning {
             name,
             size,

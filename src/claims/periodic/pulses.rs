@@ -245,7 +245,7 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
 
 /// (46) with the place where rests appear.
 fn eq46_root() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::one(
@@ -253,8 +253,8 @@ fn eq46_root() -> Evidence {
             r"the $\lambda_0$ at which rests appear in the motion",
         ),
         THRESHOLD,
-    );
-    trial.over(widths(), |eta| {
+    )
+    .over(widths(), |eta| {
         Ok(Pair::plain(
             format!("η = {eta:.6}"),
             printed::eq46_lambda_c(eta),

@@ -44,17 +44,19 @@ impl Way {
     fn tries(&self, (law, found, sides): Equation) -> Evidence {
         let [before, after] = self.words;
         let compared = Compared::composed([before, law, ""], [found, after, ""]);
-        let trial = Trial::by(self.route, self.subject, compared, self.tolerance);
-        trial.over((self.moments)(), |moment| {
-            let (at, sigma, close, unit) = moment?;
-            let [stated, found, size] = sides(sigma, &close);
-            Ok(Pair {
-                at,
-                stated,
-                found,
-                scale: size * unit,
-            })
-        })
+        Trial::by(self.route, self.subject, compared, self.tolerance).over(
+            (self.moments)(),
+            |moment| {
+                let (at, sigma, close, unit) = moment?;
+                let [stated, found, size] = sides(sigma, &close);
+                Ok(Pair {
+                    at,
+                    stated,
+                    found,
+                    scale: size * unit,
+                })
+            },
+        )
     }
 }
 
@@ -292,17 +294,19 @@ const CONSTANT: Compared = Compared::one(
 );
 
 fn constants(subject: Subject, compared: Compared, ranges: &'static [(f64, f64)]) -> Evidence {
-    let trial = Trial::by(Route::Limit, subject, compared, NEAR_REST);
-    trial.over(gentle_approaches_to(ranges), |approach| {
-        let approach = approach?;
-        let [found, alpha, left_out] = constant(approach)?;
-        Ok(Pair {
-            at: format!("{}, α = {alpha:.6e}", approach.at()),
-            stated: printed::eq143_constant(approach.sigma),
-            found,
-            scale: unit(subject, 1.0 + found.abs(), left_out, NEAR_REST),
-        })
-    })
+    Trial::by(Route::Limit, subject, compared, NEAR_REST).over(
+        gentle_approaches_to(ranges),
+        |approach| {
+            let approach = approach?;
+            let [found, alpha, left_out] = constant(approach)?;
+            Ok(Pair {
+                at: format!("{}, α = {alpha:.6e}", approach.at()),
+                stated: printed::eq143_constant(approach.sigma),
+                found,
+                scale: unit(subject, 1.0 + found.abs(), left_out, NEAR_REST),
+            })
+        },
+    )
 }
 
 /// The scale of a comparison: what is left out can be the larger part of a difference where c is large, or, beside a slope, where
@@ -326,20 +330,22 @@ fn exponents(
     ranges: &'static [(f64, f64)],
     levels: fn(f64) -> [f64; 2],
 ) -> Evidence {
-    let trial = Trial::by(Route::Integration, subject, compared, NEAR_REST_EXPONENT);
-    trial.over(gentle_approaches_to(ranges), |approach| {
-        let approach = approach?;
-        let [far, near] = levels(approach.sigma);
-        let (far, near) = (approach.close(far)?, approach.close(near)?);
-        let ratio = far.ratio_slope / near.ratio_slope;
-        let left_out = far.left_out() / far.ratio_slope.abs();
-        Ok(Pair {
-            at: format!("{}, α = {:.6e}", approach.at(), near.alpha),
-            stated: printed::eq143_exponent(approach.sigma),
-            found: libm::log(ratio.abs()) / libm::log(far.alpha / near.alpha),
-            scale: unit(subject, 1.0, left_out, NEAR_REST_EXPONENT),
-        })
-    })
+    Trial::by(Route::Integration, subject, compared, NEAR_REST_EXPONENT).over(
+        gentle_approaches_to(ranges),
+        |approach| {
+            let approach = approach?;
+            let [far, near] = levels(approach.sigma);
+            let (far, near) = (approach.close(far)?, approach.close(near)?);
+            let ratio = far.ratio_slope / near.ratio_slope;
+            let left_out = far.left_out() / far.ratio_slope.abs();
+            Ok(Pair {
+                at: format!("{}, α = {:.6e}", approach.at(), near.alpha),
+                stated: printed::eq143_exponent(approach.sigma),
+                found: libm::log(ratio.abs()) / libm::log(far.alpha / near.alpha),
+                scale: unit(subject, 1.0, left_out, NEAR_REST_EXPONENT),
+            })
+        },
+    )
 }
 
 /// Two levels of p for the exponent.
@@ -353,7 +359,7 @@ fn early_levels(sigma: f64) -> [f64; 2] {
 
 /// σ = 1/2: no value.
 fn eq143_one_half() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Outside,
         Compared::one(
@@ -362,8 +368,8 @@ fn eq143_one_half() -> Evidence {
         )
         .over(r"$\sigma=1/2$"),
         NEAR_REST,
-    );
-    trial.each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
+    )
+    .each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
         let close = approach.close(1e-10)?;
         Ok([
             printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
@@ -374,7 +380,7 @@ fn eq143_one_half() -> Evidence {
 }
 /// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
 fn eq143_regular() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Corrected,
         Compared::one(
@@ -383,8 +389,8 @@ fn eq143_regular() -> Evidence {
         )
         .over(r"$\sigma=1/2$"),
         NEAR_REST,
-    );
-    trial.each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
+    )
+    .each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
         let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
         let ratio = |c: f64, alpha: f64| corrected::psi_at_one_half(c, alpha) / (2.0 * alpha);
         let c = far.ratio() - ratio(0.0, far.alpha);

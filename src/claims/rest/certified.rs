@@ -27,7 +27,7 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
 
 /// (147) with proved fates.
 pub fn printed() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Certified,
         Printed,
         Compared::one(
@@ -35,8 +35,8 @@ pub fn printed() -> Evidence {
             "that by validated integration",
         ),
         NONE,
-    );
-    trial.over(WRONG, |start| proved(start, printed_a(start[1])))
+    )
+    .over(WRONG, |start| proved(start, printed_a(start[1])))
 }
 
 /// The second-order boundary with proved fates on both sides of it.

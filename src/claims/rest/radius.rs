@@ -74,7 +74,7 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
 
 /// (139) with a particle that rides with a table: whether it stays, seen from the laboratory.
 fn eq139_stays() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -82,8 +82,8 @@ fn eq139_stays() -> Evidence {
             "whether one stays that rides with the table, seen from the laboratory",
         ),
         NONE,
-    );
-    trial.over(RIDERS.each(), |rider| {
+    )
+    .over(RIDERS.each(), |rider| {
         let Rider {
             table,
             sigma,

@@ -41,14 +41,14 @@ fn over_a_period(
 
 /// (33) over a whole period.
 fn eq33_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             r"(33), with $\tilde\phi_2$ by (32),",
             "the simulated large-time motion at 256 phases of the period",
         ),
-    );
-    trial.pairs(
+    )
+    .pairs(
         large().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
@@ -62,14 +62,14 @@ fn eq33_motion() -> Evidence {
 
 /// (38) over a whole period.
 fn eq38_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Within,
         Compared::one(
             "(38) with (39)",
             "the simulated large-time motion at 256 phases of the period",
         ),
-    );
-    trial.pairs(
+    )
+    .pairs(
         small().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
@@ -108,14 +108,14 @@ fn eq38_outside() -> Evidence {
 
 /// Seven starts end in one motion.
 fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         subject,
         Compared::constant(
             "the expected 1",
             "whether seven starts, near and far, end in the same motion (1 if so)",
         ),
-    );
-    trial.over(frictions, |lambda| {
+    )
+    .over(frictions, |lambda| {
         let friction = Friction::new(lambda, lambda)?;
         let agreement = drive()?.attractors_agree(friction, &starts(), 200)?;
         Ok(Pair::plain(
@@ -172,14 +172,14 @@ fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
 
 /// (39) with the phase at which the simulated motion turns positive.
 fn eq39_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "(39)",
             "the phase at which the simulated large-time motion turns positive",
         ),
-    );
-    trial.over(small(), |lambda| {
+    )
+    .over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let found = interval(&attractor, Sign::Positive)?.start;
         let stated = printed::eq39_phi_t1(Double::from(lambda));

@@ -21,13 +21,13 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
         r"$[3\pi/2,2\pi]$",
     ];
     const ZERO: &str = r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in ";
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::composed([law, "", ""], [ZERO, QUARTERS[usize::from(quarter)], ""]),
         ROOT,
-    );
-    trial.over(all(), |lambda| {
+    )
+    .over(all(), |lambda| {
         let from = FRAC_PI_2 * f64::from(quarter);
         let excess = |phi: f64| libm::sin(phi).abs() - lambda;
         let found = root(excess, from, from + FRAC_PI_2)?;
@@ -45,11 +45,11 @@ fn at(lambda: f64) -> String {
 /// A printed phase with the end of a simulated rest that began at `from`.
 fn by_release(law: &'static str, formula: Formula, (name, from): (&'static str, f64)) -> Evidence {
     const REST: &str = r"the end of a simulated rest that holds at $\phi=";
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::composed([law, "", ""], [REST, name, "$"]),
-    );
-    trial.over(all(), |lambda| {
+    )
+    .over(all(), |lambda| {
         let rest = DriveState {
             phi: from,
             ..ORIGIN
@@ -133,14 +133,14 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
 
 /// Four points, by counting.
 fn four_points_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Within,
         Compared::constant(
             "the stated 4",
             r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
         ),
-    );
-    trial.over(all(), |lambda| {
+    )
+    .over(all(), |lambda| {
         Ok(Pair::plain(
             at(lambda),
             printed::s22_points(),
@@ -151,7 +151,7 @@ fn four_points_census() -> Evidence {
 
 /// The four points, each in its place.
 fn four_points_root() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Within,
         Compared::many(
@@ -159,8 +159,8 @@ fn four_points_root() -> Evidence {
             r"the crossings of $h$ with $\pm\lambda_0$, in order",
         ),
         ROOT,
-    );
-    trial.pairs(all(), |lambda| {
+    )
+    .pairs(all(), |lambda| {
         let stated: [Formula; 4] = [
             printed::eq27_phi1,
             printed::eq28_phi2,

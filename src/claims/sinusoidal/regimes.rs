@@ -16,14 +16,14 @@ fn at(lambda: f64) -> String {
 
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
 fn no_rest_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::constant(
             r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
             "whether the simulated motions from seven starts have no rest at large times (1 if so)",
         ),
-    );
-    trial.over(dense().into_iter().step_by(4), |lambda| {
+    )
+    .over(dense().into_iter().step_by(4), |lambda| {
         Ok(Pair::plain(
             at(lambda),
             is(lambda < printed::eq37_lambda_c()),

@@ -16,14 +16,14 @@ fn at(lambda: f64) -> String {
 
 /// (31) at 40 phases of the slip.
 fn eq31_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "(31)",
             r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
         ),
-    );
-    trial.pairs(all(), |lambda| {
+    )
+    .pairs(all(), |lambda| {
         let slip = Slip::of(lambda)?;
         let friction = Friction::new(lambda, lambda)?;
         let mut pairs = Vec::new();
@@ -41,7 +41,7 @@ fn eq31_motion() -> Evidence {
 
 /// (32): its root with the end of the simulated slip.
 fn eq32_root() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::one(
@@ -49,8 +49,8 @@ fn eq32_root() -> Evidence {
             "the end of the simulated slip",
         ),
         ROOT,
-    );
-    trial.over(all(), |lambda| {
+    )
+    .over(all(), |lambda| {
         let found = Slip::of(lambda)?.end;
         Ok(Pair {
             at: at(lambda),
@@ -111,14 +111,14 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
 
 /// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
 fn bracket_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::one(
             "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
             "1",
         ),
-    );
-    trial.over(dense(), |lambda| {
+    )
+    .over(dense(), |lambda| {
         let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
         let end = Slip::of(lambda)?.end;
         Ok(Pair::plain(at(lambda), is(low < end && end < high), 1.0))
@@ -164,16 +164,18 @@ fn bracket_limit() -> Evidence {
 fn left_with_motion(law: &'static str, left: fn(Double) -> Double) -> Evidence {
     const LEFT: &str = r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest";
     let compared = Compared::composed(["the left side of ", law, ""], [LEFT, "", ""]);
-    let trial = Trial::motion(Printed, compared.over(r"$\lambda_0<\lambda_\mathrm c$"));
-    trial.over(small(), |lambda| {
-        let friction = Friction::new(lambda, lambda)?;
-        let state = |phi| DriveState { phi, ..ORIGIN };
-        let release = drive()?.advance(friction, state(PI), PI + 2.0)?;
-        let phi3 = release.intervals.first().ok_or("no interval")?.end;
-        let found = drive()?.advance(friction, ORIGIN, phi3)?.end.w;
-        let stated = left(Double::from(lambda));
-        Ok(Pair::wide(at(lambda), stated, found).within(1.0))
-    })
+    Trial::motion(Printed, compared.over(r"$\lambda_0<\lambda_\mathrm c$")).over(
+        small(),
+        |lambda| {
+            let friction = Friction::new(lambda, lambda)?;
+            let state = |phi| DriveState { phi, ..ORIGIN };
+            let release = drive()?.advance(friction, state(PI), PI + 2.0)?;
+            let phi3 = release.intervals.first().ok_or("no interval")?.end;
+            let found = drive()?.advance(friction, ORIGIN, phi3)?.end.w;
+            let stated = left(Double::from(lambda));
+            Ok(Pair::wide(at(lambda), stated, found).within(1.0))
+        },
+    )
 }
 
 /// The left side of (34).
@@ -190,8 +192,7 @@ fn ends_early(law: &'static str, inequality: fn(f64) -> bool) -> Evidence {
     const EARLY: &str = "whether the simulated slip lasts less than half a period";
     let holds = ["whether ", law, " holds (1 if so)"];
     let compared = Compared::composed(holds, [EARLY, "", ""]);
-    let trial = Trial::census(Printed, compared);
-    trial.over(dense(), |lambda| {
+    Trial::census(Printed, compared).over(dense(), |lambda| {
         let slip = Slip::of(lambda)?;
         // The backward slip could begin half a period after the forward one did.
         Ok(Pair::plain(

@@ -49,7 +49,7 @@ fn at(onset: &Onset) -> String {
 
 /// (37) with the onset of rest.
 fn eq37_motion() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -57,8 +57,8 @@ fn eq37_motion() -> Evidence {
             "the friction at which simulated rests appear, by bisection",
         ),
         ONSET,
-    );
-    trial.each(ONSETS.each(), at, |onset| {
+    )
+    .each(ONSETS.each(), at, |onset| {
         Ok([printed::eq37_lambda_c(), onset.lambda, onset.lambda])
     })
 }
@@ -87,7 +87,7 @@ fn eq37_root() -> Evidence {
 
 /// (34): its root with the onset of rest.
 fn eq34_root() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::one(
@@ -95,8 +95,8 @@ fn eq34_root() -> Evidence {
             "the friction at which simulated rests appear",
         ),
         ONSET,
-    );
-    trial.each(ONSETS.each(), at, |onset| {
+    )
+    .each(ONSETS.each(), at, |onset| {
         Ok([
             root(eq34::<f64>, 0.01, 0.99).unwrap_or(f64::NAN),
             onset.lambda,
@@ -107,14 +107,14 @@ fn eq34_root() -> Evidence {
 
 /// (40) holds exactly where the simulated motion passes through zero without rest.
 fn eq40_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::one(
             "whether (40) holds (1 if so)",
             "whether the simulated large-time motion has no rest",
         ),
-    );
-    trial.over(dense(), |lambda| {
+    )
+    .over(dense(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let [left, right] = printed::eq40_sides(lambda);
         Ok(Pair::plain(
@@ -127,14 +127,14 @@ fn eq40_census() -> Evidence {
 
 /// (41): φ̃₁ − φ₁ with what the simulation finds for both.
 fn eq41_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "the difference of the sides of (41)",
             "the same of the simulation, where it has to be positive",
         ),
-    );
-    trial.over(small(), |lambda| {
+    )
+    .over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let turn = forward(attractor.intervals());
         let found = turn.ok_or("no slip")?.start - Slip::of(lambda)?.start;

@@ -111,7 +111,7 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
 
 /// v_y → 0: what is left after ten periods.
 fn vanishes_limit() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Printed,
         Compared::constant(
@@ -119,8 +119,8 @@ fn vanishes_limit() -> Evidence {
             r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
         ),
         GONE,
-    );
-    trial.each(flights_where(|_| true), Flight::at, |flight| {
+    )
+    .each(flights_where(|_| true), Flight::at, |flight| {
         Ok([
             printed::s22_late_vy(),
             Scalar::exp(flight.last()?.ln_w_y),
@@ -270,7 +270,7 @@ fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
 
 /// The large-time v_x, from several v_y, is that of a motion on the line.
 fn ignores_motion() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -278,8 +278,8 @@ fn ignores_motion() -> Evidence {
             r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
         ),
         FORGOTTEN,
-    );
-    trial.pairs(flights_where(|_| true), |flight| {
+    )
+    .pairs(flights_where(|_| true), |flight| {
         let flight = flight?;
         let last = flight.states.iter().rev().take(A_PERIOD as usize);
         let pair = |state: &PlanarState| {

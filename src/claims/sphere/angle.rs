@@ -170,14 +170,14 @@ static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
 
 /// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
 fn eq80() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::one(
             r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
             "$u/u_0$ of a sphere at the same $At/v_0$",
         ),
-    );
-    trial.each(TURNS.each(), Turn::at, |turn| {
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         let start = State::moving([libm::cos(turn.slip.theta0), libm::sin(turn.slip.theta0)]);
         let t = turn.slip.a * turn.slip.t / turn.slip.v0;
         let sphere = turn.sphere;
@@ -196,11 +196,11 @@ fn eq80() -> Evidence {
 
 /// (81).
 pub fn eq81() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Within,
         Compared::one("(81)", r"the slip of the motion at the angle $\theta$"),
-    );
-    trial.over(TURNS.each(), |turn| {
+    )
+    .over(TURNS.each(), |turn| {
         let turn = turn?;
         let stated = turn.slip.formula(printed::eq81_slip);
         Ok(Pair::wide(turn.at(), stated, turn.slip.v).within(turn.slip.v * turn.slip.condition()))
@@ -209,14 +209,14 @@ pub fn eq81() -> Evidence {
 
 /// (81) along the line of the acceleration, where it is 0/0.
 fn eq81_outside() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Outside,
         Compared::one(
             "(81) along the line of the acceleration",
             "the slip of the motion",
         ),
-    );
-    trial.each(STRAIGHT.each(), Turn::at, |turn| {
+    )
+    .each(STRAIGHT.each(), Turn::at, |turn| {
         Ok([
             printed::eq81_slip(
                 turn.slip.lambda,
@@ -232,11 +232,11 @@ fn eq81_outside() -> Evidence {
 
 /// The form of (81) without singular points.
 fn regular_slip() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Corrected,
         Compared::one("the regular form of $u$", "the slip of the motion"),
-    );
-    trial.each(TURNS.each(), Turn::at, |turn| {
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         Ok([
             speed(
                 turn.slip.lambda,

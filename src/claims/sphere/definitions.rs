@@ -82,7 +82,7 @@ fn eq59() -> Evidence {
 
 /// (60): against the rigid body's own integrator.
 fn eq60() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -90,8 +90,8 @@ fn eq60() -> Evidence {
             r"$\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
         ),
         FOREIGN,
-    );
-    trial.each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
+    )
+    .each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
         let [_, _, x, y, z] = by_the_laws(run);
         let found = run.motion.end().omega;
         Ok([

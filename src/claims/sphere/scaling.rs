@@ -119,11 +119,11 @@ fn alike(
     found: impl Fn(&Followed, &Dimensionless) -> [f64; 3],
 ) -> Evidence {
     const TWIN: &str = r" of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units";
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::composed([by_definition, " of a sphere", ""], [own, TWIN, each]),
-    );
-    trial.each(TWINS.each(), Twins::at, |twins| {
+    )
+    .each(TWINS.each(), Twins::at, |twins| {
         let Twins { ours, unit, .. } = twins;
         let (by_definition, own) = (ours.dimensionless(ours.until)?, unit.own(unit.until)?);
         Ok([

@@ -49,23 +49,25 @@ fn summed(
     compared: Compared,
     image: fn(Table, State) -> (Table, State),
 ) -> Evidence {
-    let trial = Trial::by(Route::Quadrature, subject, compared, FRAMES);
-    trial.over(with_each(launches(), [0, 1]), |case| {
-        let (launch, i) = case?;
-        let of = |state: State| image(launch.table, state);
-        let rate = |t: f64| {
-            let here = launch.turning.at(t).map(of);
-            here.map_or(f64::NAN, |(table, state)| acceleration(&table, &state)[i])
-        };
-        let velocity = |state: State| of(state).1.v[i];
-        let unit = launch.table.length() * launch.table.omega;
-        Ok(Pair {
-            at: launch.at(),
-            stated: sum(rate, 0.0, launch.to, 1e-13 * unit),
-            found: velocity(launch.still.on_table(launch.to)?) - velocity(launch.start),
-            scale: unit,
-        })
-    })
+    Trial::by(Route::Quadrature, subject, compared, FRAMES).over(
+        with_each(launches(), [0, 1]),
+        |case| {
+            let (launch, i) = case?;
+            let of = |state: State| image(launch.table, state);
+            let rate = |t: f64| {
+                let here = launch.turning.at(t).map(of);
+                here.map_or(f64::NAN, |(table, state)| acceleration(&table, &state)[i])
+            };
+            let velocity = |state: State| of(state).1.v[i];
+            let unit = launch.table.length() * launch.table.omega;
+            Ok(Pair {
+                at: launch.at(),
+                stated: sum(rate, 0.0, launch.to, 1e-13 * unit),
+                found: velocity(launch.still.on_table(launch.to)?) - velocity(launch.start),
+                scale: unit,
+            })
+        },
+    )
 }
 
 /// (86) as an equation for the motion, through several turns of the table.
@@ -170,7 +172,7 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
 
 /// (87): motions on any table are one and the same in these units.
 pub fn eq87() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Consistency,
         Printed,
         Compared::one(
@@ -178,8 +180,8 @@ pub fn eq87() -> Evidence {
             r"the motion for $\Omega=\mu g=1$, component by component",
         ),
         FRAMES,
-    );
-    trial.over(with_each(launches(), [0, 1]), |case| {
+    )
+    .over(with_each(launches(), [0, 1]), |case| {
         let (launch, i) = case?;
         let Table { omega, mu, g, .. } = launch.table;
         let place = launch.still.on_table(launch.to)?.x;

@@ -126,8 +126,7 @@ fn from_rest(
     rate: fn(&View) -> f64,
     quantity: fn([f64; 3]) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Quadrature, Within, compared, MOTION);
-    trial.each(LOOSE.each(), Loose::at, |loose| {
+    Trial::by(Route::Quadrature, Within, compared, MOTION).each(LOOSE.each(), Loose::at, |loose| {
         let start = Exact::from(&Start::polar(loose.rho, 0.0, 0.0)?);
         let end = moment::<f64, TERMS>(&start, loose.to)?;
         Ok([
@@ -269,7 +268,7 @@ fn by_each(programs: usize) -> impl Iterator<Item = (usize, Result<&'static Stop
 
 /// (104) where a motion has come to rest.
 fn eq104_at_rest() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -277,8 +276,8 @@ fn eq104_at_rest() -> Evidence {
             "0",
         ),
         ENDS,
-    );
-    trial.over(by_each(4), |(i, stop)| {
+    )
+    .over(by_each(4), |(i, stop)| {
         let stop = stop?;
         Ok(match stop.ends.get(i) {
             Some((by, _, sigma)) => stop.kept(by, *sigma),
@@ -289,7 +288,7 @@ fn eq104_at_rest() -> Evidence {
 
 /// (99) until a motion stops.
 fn eq99_until_rest() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Within,
         Compared::one(
@@ -297,8 +296,8 @@ fn eq99_until_rest() -> Evidence {
             "$-p$ at the start",
         ),
         ENDS,
-    );
-    trial.over(by_each(3), |(i, stop)| {
+    )
+    .over(by_each(3), |(i, stop)| {
         let stop = stop?;
         let (by, time, _) = stop.ends[i];
         stop.slowed(by, time)
