@@ -16,8 +16,7 @@ mod only_constant;
 mod time;
 
 use super::shared::SHARED;
-use trialbook::trials::Topic;
-use trialbook::trials::read::claims;
+use trialbook::prelude::{Topic, claims};
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

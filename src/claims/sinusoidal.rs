@@ -22,8 +22,7 @@ pub mod transverse_decay;
 mod units;
 
 use super::shared::SHARED;
-use trialbook::trials::Topic;
-use trialbook::trials::read::claims;
+use trialbook::prelude::{Topic, claims};
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -113,7 +113,6 @@ fn on_a<S: Scalar>(q: S) -> S {
     S::int(1) / (S::int(1) + right.squared()).sqrt()
 }
 
-/// (53) has one root.
 fn a_once() -> Evidence {
     let compared = Compared::shown(
         r"(53) has one root in $0<\lambda_0<1$ for every $q\ge1$: with growing $\lambda_0$ the left side falls from $\infty$ to 0, and the right side is positive",

@@ -139,7 +139,6 @@ fn far_out(subject: Subject, (law, stated): Law, (name, found): Change) -> Evide
     over(&trial, FAR_ROWS.each(), [stated], found)
 }
 
-/// Where (54) ends.
 fn eq54_ends() -> Evidence {
     let trial = Trial::census(
         Remark,

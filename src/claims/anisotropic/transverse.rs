@@ -1,7 +1,6 @@
 //! Trials of the velocity across the drive under a friction that depends on the direction of the velocity.
 
 use crate::claims::tolerances::GONE;
-use crate::numerics::dop853;
 use crate::paper::{anisotropic as printed, general};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use trialbook::prelude::*;

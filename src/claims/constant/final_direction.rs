@@ -3,7 +3,6 @@
 use crate::claims::tolerances::NONE;
 use crate::corrections::constant as corrected;
 use crate::motion::{Plane, Signal, State, run};
-use crate::numerics::dop853;
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
 

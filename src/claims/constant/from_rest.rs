@@ -12,7 +12,6 @@ fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {
         .v[0])
 }
 
-/// Whether it moves.
 fn moves(subject: Subject, frictions: Vec<f64>) -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda\le1$ (1 if so)",

@@ -96,7 +96,6 @@ fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
     })
 }
 
-/// (11) with the speed of the motion.
 fn eq11_motion() -> Evidence {
     Trial::motion(
         Within,
@@ -112,7 +111,6 @@ fn eq11_motion() -> Evidence {
     })
 }
 
-/// (11) with the integral of dv/v.
 fn eq11_quadrature() -> Evidence {
     Trial::quadrature(Within, Compared::one(
         "(11)",

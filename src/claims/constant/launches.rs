@@ -3,7 +3,6 @@
 
 use crate::motion::{Launch, Motion, MotionError, PhaseKind, State};
 use crate::numerics::NumericsError;
-use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::numerics::quadrature::integral_within;
 use std::cell::Cell;

@@ -16,7 +16,6 @@ fn start((start, _): &(Turn, State)) -> String {
     start.at()
 }
 
-/// (15) with v_x of the motion without friction.
 fn eq15_motion() -> Evidence {
     Trial::motion(
         Printed,
@@ -28,7 +27,6 @@ fn eq15_motion() -> Evidence {
     })
 }
 
-/// (16) with v_y of the motion without friction.
 fn eq16_motion() -> Evidence {
     Trial::motion(
         Printed,
@@ -90,7 +88,6 @@ fn parabola_quadrature() -> Evidence {
     })
 }
 
-/// (17): the invariant at θ over that at θ₀.
 fn eq17_motion() -> Evidence {
     Trial::motion(
         Printed,
@@ -161,7 +158,6 @@ fn eq19_limit() -> Evidence {
     })
 }
 
-/// (20) with the time at which the motion stops.
 fn eq20_motion() -> Evidence {
     Trial::motion(
         Printed,

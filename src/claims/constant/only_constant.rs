@@ -59,7 +59,6 @@ pub fn turns() -> Evidence {
     })
 }
 
-/// Half a period, late.
 fn both_ways() -> Evidence {
     let trial = Trial::by(
         Route::Integration,

@@ -149,7 +149,6 @@ fn eq14<S: Scalar + From<f64>>(turn: &Turn) -> S {
     )
 }
 
-/// (14) with the speed of the motion.
 fn eq14_motion() -> Evidence {
     let trial = Trial::motion(
         Within,
@@ -286,7 +285,6 @@ pub fn regular_straight() -> Evidence {
     })
 }
 
-/// The regular form of the speed.
 fn regular_speed() -> Evidence {
     Trial::motion(
         Corrected,

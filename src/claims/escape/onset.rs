@@ -278,7 +278,6 @@ fn factor(law: fn(f64) -> f64) -> f64 {
     (law(LATE) - law(1.0)) / libm::log(LATE)
 }
 
-/// Decades of τ over which α grows.
 fn alpha_census() -> Evidence {
     let trial = Trial::census(
         Printed,

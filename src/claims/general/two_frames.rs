@@ -3,7 +3,6 @@
 use super::accelerations::{Case, bounded};
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::motion::{Acceleration, State, run};
-use crate::numerics::dop853;
 use crate::numerics::quadrature::sum;
 use crate::paper::general as printed;
 use trialbook::prelude::*;

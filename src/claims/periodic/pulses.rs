@@ -156,7 +156,6 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
     })
 }
 
-/// (44) with the simulated motion, over half a period.
 fn eq44_motion() -> Evidence {
     let trial = Trial::motion(
         Printed,
@@ -243,7 +242,6 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
     })
 }
 
-/// (46) with the place where rests appear.
 fn eq46_root() -> Evidence {
     Trial::by(
         Route::Root,

@@ -397,7 +397,6 @@ fn eq143_regular() -> Evidence {
         Ok([ratio(c, near.alpha), near.ratio(), near.ratio().abs()])
     })
 }
-/// α and ψ at the end of a motion to rest.
 fn near_rest_angle() -> Evidence {
     let trial = Trial::by(
         Route::Limit,

@@ -72,7 +72,6 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
     })
 }
 
-/// (139) with a particle that rides with a table: whether it stays, seen from the laboratory.
 fn eq139_stays() -> Evidence {
     Trial::by(
         Route::Integration,

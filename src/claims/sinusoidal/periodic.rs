@@ -106,7 +106,6 @@ fn eq38_outside() -> Evidence {
     })
 }
 
-/// Seven starts end in one motion.
 fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
     Trial::census(
         subject,
@@ -170,7 +169,6 @@ fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
     Ok(*found.ok_or("no such interval")?)
 }
 
-/// (39) with the phase at which the simulated motion turns positive.
 fn eq39_motion() -> Evidence {
     Trial::motion(
         Printed,
@@ -188,7 +186,6 @@ fn eq39_motion() -> Evidence {
     })
 }
 
-/// (39) without friction.
 fn eq39_outside() -> Evidence {
     let trial = Trial::motion(
         Outside,

@@ -14,7 +14,6 @@ fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")
 }
 
-/// (31) at 40 phases of the slip.
 fn eq31_motion() -> Evidence {
     Trial::motion(
         Printed,
@@ -39,7 +38,6 @@ fn eq31_motion() -> Evidence {
     })
 }
 
-/// (32): its root with the end of the simulated slip.
 fn eq32_root() -> Evidence {
     Trial::by(
         Route::Root,

@@ -7,7 +7,6 @@ use crate::corrections::constant::{speed, time};
 use crate::corrections::sphere as corrected;
 use crate::motion::sphere::{Ball, Sphere};
 use crate::motion::{Plane, State, run};
-use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::paper::sphere as printed;
 use std::f64::consts::PI;

@@ -4,7 +4,6 @@ use super::spheres::{Followed, MIXED, braking, length, sphere, weighed};
 use crate::claims::tolerances::FOREIGN;
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact};
-use crate::numerics::dop853;
 use crate::numerics::quadrature::sum;
 use crate::paper::sphere as printed;
 use trialbook::prelude::*;

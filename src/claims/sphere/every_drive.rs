@@ -131,7 +131,6 @@ fn reduction_small_slip() -> Evidence {
     })
 }
 
-/// The sphere rolls while the particle rests.
 fn reduction_rolling() -> Evidence {
     Trial::motion(
         Printed,

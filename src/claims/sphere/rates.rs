@@ -118,7 +118,6 @@ pub(super) fn nu(run: &Followed, t: f64) -> Result<[f64; 3], Failure> {
     Ok([-x / unit, -y / unit, 0.0])
 }
 
-/// (79), with c from the start, through sliding and rolling.
 fn eq79() -> Evidence {
     let compared = Compared::one(
         r"(79), with $\bm c$ from the start,",

@@ -63,7 +63,6 @@ fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) 
     })
 }
 
-/// (105).
 fn eq105() -> Evidence {
     Trial::by(
         Route::Consistency,

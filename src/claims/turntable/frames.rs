@@ -4,7 +4,6 @@ use super::trajectories::{ANY, Launch, Stretch, View, any_table, launches, stret
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::motion::MotionError;
 use crate::motion::turntable::{Path, State, Table, inertial, rotating};
-use crate::numerics::dop853;
 use crate::numerics::quadrature::sum;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;

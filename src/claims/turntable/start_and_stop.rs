@@ -286,7 +286,6 @@ fn eq104_at_rest() -> Evidence {
     })
 }
 
-/// (99) until a motion stops.
 fn eq99_until_rest() -> Evidence {
     Trial::by(
         Route::Integration,
