@@ -96,7 +96,11 @@ impl Launch {
     }
 
     fn start(&self) -> State {
-        State::moving(self.velocity())
+        State {
+            t: 0.0,
+            v: self.velocity(),
+            x: [0.0; 2],
+        }
     }
 }
 
@@ -137,6 +141,16 @@ mod tests {
             error.to_string(),
             "λ = -1 must be 0 or between 1e-20 and 1e20"
         );
+    }
+
+    #[test]
+    fn against_the_inertial_force_it_stops_by_both_forces_and_stays_on_the_line() {
+        let motion = Launch::new(3.0, 2.0, 4.0, PI)
+            .unwrap()
+            .motion_to_rest()
+            .unwrap();
+        assert!((motion.end().t - 4.0 / (2.0 * (3.0 + 1.0))).abs() < 1e-14);
+        assert_eq!(motion.end().x[1], 0.0);
     }
 
     #[test]

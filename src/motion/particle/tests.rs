@@ -2,7 +2,6 @@
 
 use super::*;
 use crate::motion::{Plane, Series, Signal};
-use crate::numerics::dop853;
 use crate::numerics::taylor::TERMS;
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -12,23 +11,6 @@ fn near(found: f64, expected: f64, relative: f64) {
         (found - expected).abs() <= relative * expected.abs(),
         "{found:e} {expected:e}"
     );
-}
-
-/// State (v, x) at time `to` by the foreign integrator, straight from Newton's law in t.
-fn foreign(plane: &Plane, friction: f64, start: State, to: f64) -> [f64; 4] {
-    let law = |t: f64, s: &[f64; 4]| {
-        let a = plane.coefficients(t).map(|c| c[0]);
-        let speed = libm::hypot(s[0], s[1]);
-        [
-            -a[0] - friction * s[0] / speed,
-            -a[1] - friction * s[1] / speed,
-            s[0],
-            s[1],
-        ]
-    };
-    let State { t, v, x } = start;
-
-    dop853::end(law, t, [v[0], v[1], x[0], x[1]], to, 1e-14, 1e-14).unwrap()
 }
 
 #[test]
@@ -144,38 +126,6 @@ fn scaled_by_powers_of_two_bit_for_bit() {
     )
     .unwrap();
     assert_eq!(0.25 * one.first_stop().unwrap(), two.first_stop().unwrap());
-}
-
-#[test]
-fn a_turning_pull_from_rest() {
-    // Started from rest by a rotating pull, in two ways: suddenly, and smoothly by an amplitude that grows.
-    let sudden = Plane::rotating(Signal::constant(1.5), 2.0, 0.4);
-    let smooth = Plane::rotating(Signal::Polynomial(vec![0.5, 0.5]), 2.0, 0.4);
-    for (plane, friction, release) in [(sudden, 1.0, 0.0), (smooth, 1.0, 1.0)] {
-        let motion = run(&plane, friction, State::moving([0.0; 2]), release + 2.0).unwrap();
-        assert!(
-            (motion.starts()[0] - release).abs() < 1e-14,
-            "{:?}",
-            motion.starts()
-        );
-        // The state a little later satisfies the law: the foreign integrator goes on from it.
-        let soon = motion.at(release + 0.01).unwrap();
-        let State { v, .. } = motion.end();
-        let expected = foreign(&plane, friction, soon, release + 2.0);
-        assert!((v[0] - expected[0]).abs() < 1e-11 && (v[1] - expected[1]).abs() < 1e-11);
-        // And the beginning does: the velocity is the integral of the force, by differences.
-        for tau in [1e-3, 5e-3] {
-            let (d, t) = (1e-6, release + tau);
-            let [a, b, s] = [t - d, t + d, t].map(|t| motion.at(t).unwrap());
-            for (i, a_i) in plane.coefficients(t).iter().enumerate() {
-                let slope = (b.v[i] - a.v[i]) / (2.0 * d);
-                assert!(
-                    (slope + a_i[0] + friction * s.v[i] / s.speed()).abs() < 1e-8,
-                    "{tau} {i}"
-                );
-            }
-        }
-    }
 }
 
 #[test]

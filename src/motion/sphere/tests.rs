@@ -1,8 +1,7 @@
-//! The sphere by hand, against a foreign integrator, and in what it conserves.
+//! The sphere by hand, and in what it conserves.
 
 use super::*;
 use crate::motion::{Plane, Signal};
-use crate::numerics::dop853;
 use proptest::prelude::*;
 
 fn ball(v: [f64; 2], omega: [f64; 3]) -> Ball {
@@ -109,61 +108,6 @@ fn rolling_needs_the_plane_to_be_gentle() {
         "{:?}",
         motion.end()
     );
-}
-
-#[test]
-fn a_release_that_turns_agrees_with_the_foreign_integrator() {
-    // |A| grows through the limit of rolling while its direction turns.
-    let sphere = Sphere::with_kappa(0.4);
-    let plane = Plane::rotating(Signal::Polynomial(vec![3.0, 0.5]), 0.8, 0.0);
-    let motion = sphere.run(&plane, &ball([0.0; 2], [0.0; 3]), 4.0).unwrap();
-    let [release] = motion.transitions() else {
-        unreachable!("{:?}", motion.transitions())
-    };
-    assert!((release.t - 1.0).abs() < 1e-13);
-    let law = |t: f64, s: &[f64; 4]| {
-        let c = [s[0] - s[3], s[1] + s[2]];
-        let size = libm::hypot(c[0], c[1]);
-        let (sine, cosine) = libm::sincos(0.8 * t);
-        let a = 3.0 + 0.5 * t;
-        [
-            -c[0] / size - a * cosine,
-            -c[1] / size - a * sine,
-            -2.5 * c[1] / size,
-            2.5 * c[0] / size,
-        ]
-    };
-    let from = motion.at(1.4).unwrap();
-    let state = [from.v[0], from.v[1], from.omega[0], from.omega[1]];
-    let foreign = dop853::end(law, 1.4, state, 4.0, 1e-14, 1e-14).unwrap();
-    let end = motion.end();
-    for (a, b) in [end.v[0], end.v[1], end.omega[0], end.omega[1]]
-        .iter()
-        .zip(foreign)
-    {
-        assert!((a - b).abs() < 1e-11, "{end:?} {foreign:?}");
-    }
-    // The first moments, by the law itself: central differences of v and ω against the forces.
-    for t in [1.0001, 1.01, 1.1, 1.3] {
-        let h = 1e-5 * (t - 1.0);
-        let (early, late, here) = (
-            motion.at(t - h).unwrap(),
-            motion.at(t + h).unwrap(),
-            motion.at(t).unwrap(),
-        );
-        let slip = motion.slip(t).unwrap();
-        let size = libm::hypot(slip[0], slip[1]);
-        let contact = sphere.contact(&here);
-        assert!(
-            (0..2).all(|i| (contact[i] - slip[i]).abs() < 1e-14),
-            "{slip:?} {contact:?}"
-        );
-        let spin = [-2.5 * slip[1] / size, 2.5 * slip[0] / size];
-        for i in 0..2 {
-            let change = (late.omega[i] - early.omega[i]) / (2.0 * h);
-            assert!((change - spin[i]).abs() < 1e-5, "{t} {change} {spin:?}");
-        }
-    }
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! The three ways to the motion against each other, against a foreign integrator, and where the end is known.
+//! The ways to the motion against each other, and where the end is known.
 
 use super::fate::{Fate, fate};
 use super::intrinsic::{Run, Start};
