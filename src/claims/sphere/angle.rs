@@ -272,15 +272,31 @@ pub fn regular_straight() -> Evidence {
 /// A formula of [`Turn::numbers`].
 type Time = fn([Double; 6]) -> Double;
 
-/// A formula for the time.
-fn late(subject: Subject, stated: &'static str, formula: Time) -> Evidence {
-    let found = r"the time $\tau$ of the motion at the angle $\theta$";
-    let compared = Compared::one(stated, found);
-    let turns = only(TURNS.each(), |turn| turn.slip.has_a_time());
-    Trial::motion(subject, compared).over(turns, |turn| {
+/// What a formula gives at a turn: its name, where it is tried, and what the motion has, with the unit.
+type Found = (&'static str, fn(&Turn) -> bool, fn(&Launched) -> [f64; 2]);
+
+const TIME: Found = (
+    r"the time $\tau$ of the motion at the angle $\theta$",
+    |turn| turn.slip.has_a_time(),
+    |slip| [slip.t, slip.time_scale()],
+);
+const SLIP: Found = (
+    "its slip",
+    |_| true,
+    |slip| [slip.v, slip.speed_at_time_scale()],
+);
+
+fn at_turns(
+    subject: Subject,
+    stated: &'static str,
+    (name, wanted, found): Found,
+    formula: Time,
+) -> Evidence {
+    let turns = only(TURNS.each(), |turn| wanted(turn));
+    Trial::motion(subject, Compared::one(stated, name)).over(turns, |turn| {
         let turn = turn?;
-        Ok(Pair::wide(turn.at(), formula(turn.numbers()), turn.slip.t)
-            .within(turn.slip.time_scale()))
+        let [found, scale] = found(&turn.slip);
+        Ok(Pair::wide(turn.at(), formula(turn.numbers()), found).within(scale))
     })
 }
 
@@ -342,15 +358,6 @@ pub fn regular_time() -> Evidence {
     })
 }
 
-/// A formula for the slip at an angle and a time.
-fn slip_at_time(subject: Subject, stated: &'static str, formula: Time) -> Evidence {
-    Trial::motion(subject, Compared::one(stated, "its slip")).over(TURNS.each(), |turn| {
-        let turn = turn?;
-        let stated = formula(turn.numbers());
-        Ok(Pair::wide(turn.at(), stated, turn.slip.v).within(turn.slip.speed_at_time_scale()))
-    })
-}
-
 /// (γ, τ of the motion over τ of (82)) at the points of the trial.
 pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
     let known = only(TURNS.each(), |turn| turn.slip.has_a_time());
@@ -395,22 +402,24 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq81_outside,
     regular_slip,
     regular_straight,
-    eq82 = late(Printed, "(82)", |[lambda, u0, theta0, theta, ..]| {
+    eq82 = at_turns(Printed, "(82)", TIME, |[lambda, u0, theta0, theta, ..]| {
         printed::eq82_time(lambda, u0, theta0, theta)
     }),
-    corrected82 = late(Corrected, r"(82) over $\gamma$", corrected_time),
+    corrected82 = at_turns(Corrected, r"(82) over $\gamma$", TIME, corrected_time),
     corrected82_quadrature,
     regular_time,
-    eq83 = slip_at_time(
+    eq83 = at_turns(
         Printed,
         "(83) at the angle and time of the motion",
+        SLIP,
         |[lambda, u0, theta0, theta, tau, _]| {
             printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau)
         }
     ),
-    corrected83 = slip_at_time(
+    corrected83 = at_turns(
         Corrected,
         r"(83) with $\gamma\tau$ for $\tau$, at the angle and time of the motion,",
+        SLIP,
         |[lambda, u0, theta0, theta, tau, gamma]| {
             corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)
         }
