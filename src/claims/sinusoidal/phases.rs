@@ -1,6 +1,6 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::reference_motions::{ORIGIN, Particle, all, drive, lambda_c};
+use super::reference_motions::{ORIGIN, Particle, all, at, drive, lambda_c};
 use crate::claims::tolerances::ROOT;
 use crate::motion::PhaseKind;
 use crate::motion::drive::{Drive, DriveState, Friction, Sign};
@@ -36,10 +36,6 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
         let scale = found.max(lambda / libm::cos(found).abs());
         Ok(Pair::wide(at(lambda), stated, found).within(scale))
     })
-}
-
-fn at(lambda: f64) -> String {
-    format!("λ₀ = {lambda:.6}")
 }
 
 /// A printed phase with the end of a simulated rest that began at `from`.

@@ -1,7 +1,7 @@
 //! Trials of what section 2.2 says in words of the motion along the line.
 
 use super::reference_motions::{
-    ORIGIN, Particle, Slip, dense, drive, end_spread, phi_t2, settled, small, starts,
+    ORIGIN, Particle, Slip, at, dense, drive, end_spread, phi_t2, settled, small, starts,
 };
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::motion::PhaseKind;
@@ -9,10 +9,6 @@ use crate::motion::drive::{DriveState, Friction, Interval, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
 use trialbook::prelude::*;
-
-fn at(lambda: f64) -> String {
-    format!("λ₀ = {lambda:.6}")
-}
 
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
 fn no_rest_census() -> Evidence {

@@ -1,7 +1,7 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
 use super::reference_motions::{
-    ORIGIN, Particle, Slip, all, dense, drive, end_spread, phi_t2, small,
+    ORIGIN, Particle, Slip, all, at, dense, drive, end_spread, phi_t2, small,
 };
 use crate::claims::tolerances::{EDGE, ROOT};
 use crate::motion::drive::{DriveState, Friction};
@@ -9,10 +9,6 @@ use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::PI;
 use trialbook::prelude::*;
-
-fn at(lambda: f64) -> String {
-    format!("λ₀ = {lambda:.6}")
-}
 
 fn eq31_motion() -> Evidence {
     Trial::motion(

@@ -1,6 +1,6 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
-use super::reference_motions::{ORIGIN, Particle, drive, settled};
+use super::reference_motions::{ORIGIN, Particle, at, drive, settled};
 use crate::claims::tolerances::NONE;
 use crate::motion::Motion;
 use crate::motion::drive::{Friction, Sign};
@@ -178,7 +178,7 @@ fn eq25_motion() -> Evidence {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
         let [left, right] = printed::eq25_sides(lambda);
         Ok(Pair::plain(
-            format!("λ₀ = {lambda:.6}"),
+            at(lambda),
             is(left < right),
             is(!motion.starts().is_empty()),
         ))
@@ -198,11 +198,7 @@ fn eq25_census() -> Evidence {
         let attractor = settled(lambda, ORIGIN)?;
         let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);
         let [left, right] = printed::eq25_sides(lambda);
-        Ok(Pair::plain(
-            format!("λ₀ = {lambda:.6}"),
-            is(left < right),
-            is(moves),
-        ))
+        Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
     })
 }
 
