@@ -9,15 +9,14 @@ pub mod final_direction;
 mod from_rest;
 mod hodograph;
 mod incline;
-mod launches;
+pub(super) mod launches;
 mod limits;
 mod numbers;
 mod only_constant;
 mod time;
 
 use super::shared::SHARED;
-use trialbook::trials::Topic;
-use trialbook::trials::read::claims;
+use trialbook::prelude::{Topic, claims};
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

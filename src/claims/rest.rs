@@ -13,8 +13,7 @@ pub mod surfaces;
 pub mod trajectories;
 
 use super::shared::SHARED;
-use trialbook::trials::Topic;
-use trialbook::trials::read::claims;
+use trialbook::prelude::{Topic, claims};
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

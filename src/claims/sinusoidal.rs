@@ -12,7 +12,7 @@ mod periodic;
 pub mod phase_order;
 mod phases;
 pub(super) mod reference_motions;
-mod regimes;
+pub(super) mod regimes;
 mod rest_of_period;
 mod second_stage;
 mod slip;
@@ -22,8 +22,7 @@ pub mod transverse_decay;
 mod units;
 
 use super::shared::SHARED;
-use trialbook::trials::Topic;
-use trialbook::trials::read::claims;
+use trialbook::prelude::{Topic, claims};
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

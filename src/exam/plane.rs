@@ -101,9 +101,5 @@ pub(super) const BREAKAWAY: Task = Task {
 };
 
 fn at_rest() -> State {
-    State {
-        t: 0.0,
-        v: [0.0; 2],
-        x: [0.0; 2],
-    }
+    State::moving([0.0; 2])
 }

@@ -167,11 +167,7 @@ fn tilted(q: f64, lambda: f64) -> Result<motion::Motion, ExamError> {
         phase: 0.0,
     };
     let pull = Signal::Sum(vec![sine, Signal::constant(tilt)]);
-    let start = motion::State {
-        t: 0.0,
-        v: [0.0; 2],
-        x: [0.0; 2],
-    };
+    let start = motion::State::moving([0.0; 2]);
     let friction = 0.5 * (q + 1.0) * lambda;
     Ok(run(
         &Plane::along([-1.0, 0.0], pull),

@@ -130,11 +130,7 @@ pub(super) const SIDEWAYS: Task = Task {
     question: "What is the natural logarithm of its velocity along y after two periods?",
     unit: DIMENSIONLESS,
     motion: || {
-        let start = motion::State {
-            t: 0.0,
-            v: [0.0, 1.0],
-            x: [0.0; 2],
-        };
+        let start = motion::State::moving([0.0, 1.0]);
         let end = run(&shaking(), 0.3, start, 2.0 * TAU)?.end();
         Ok(Answer::Number(libm::log(end.v[1])))
     },

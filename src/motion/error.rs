@@ -30,6 +30,20 @@ pub enum MotionError {
     Numerics(#[from] NumericsError),
 }
 
+/// Requires that a parameter is fit.
+pub(super) fn check(
+    name: &'static str,
+    value: f64,
+    fit: bool,
+    range: &'static str,
+) -> Result<(), MotionError> {
+    if fit {
+        Ok(())
+    } else {
+        Err(MotionError::Argument { name, value, range })
+    }
+}
+
 /// Requires that what a motion has come to at the time `t` are numbers, and the time is.
 pub(super) fn finite(t: f64, state: &[f64]) -> Result<(), MotionError> {
     if t.is_finite() && state.iter().all(|x| x.is_finite()) {

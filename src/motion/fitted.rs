@@ -80,7 +80,7 @@ pub enum FitError {
 ///
 /// let shaken = Fitted::from_fn(|t| [(3.0 * t).sin() * (-0.1 * t).exp(), 0.0], [0.0, 20.0], 0.1, &[])?;
 /// assert!(shaken.error() < 1e-13);
-/// let start = State { t: 0.0, v: [0.0; 2], x: [0.0; 2] };
+/// let start = State::moving([0.0; 2]);
 /// let motion = run(&shaken, 0.5, start, 20.0)?;
 /// assert!(motion.first_stop().is_some());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -421,11 +421,7 @@ mod tests {
     use crate::motion::{Plane, Signal, State, run};
 
     fn start() -> State {
-        State {
-            t: 0.0,
-            v: [1.0, 0.5],
-            x: [0.0; 2],
-        }
+        State::moving([1.0, 0.5])
     }
 
     /// A sine by its values moves a particle as the sine by its series does.
@@ -610,11 +606,7 @@ mod tests {
             |pull: &dyn Fn(f64) -> f64, until: f64, width: f64, breaks: &[f64], friction: f64| {
                 let fitted =
                     Fitted::from_fn(|t| [-pull(t), 0.0], [0.0, until], width, breaks).unwrap();
-                let rest = State {
-                    t: 0.0,
-                    v: [0.0; 2],
-                    x: [0.0; 2],
-                };
+                let rest = State::moving([0.0; 2]);
                 let motion = run(&fitted, friction, rest, until).unwrap();
                 (
                     motion.starts().first().copied().unwrap_or(f64::NAN),

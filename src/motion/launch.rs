@@ -2,7 +2,8 @@
 
 use super::acceleration::Plane;
 use super::error::MotionError;
-use super::particle::{check, run, run_to_stop};
+use super::error::check;
+use super::particle::{run, run_to_stop};
 use super::trajectory::{Motion, State};
 use std::f64::consts::PI;
 

@@ -8,7 +8,7 @@ mod stick;
 mod tests;
 
 use super::acceleration::{Acceleration, Coefficients};
-use super::error::{MotionError, finite};
+use super::error::{MotionError, check, finite};
 use super::trajectory::{Motion, Phase, PhaseKind, Piece, State};
 use crate::numerics::taylor::reach;
 
@@ -200,19 +200,5 @@ impl<'a> Run<'a> {
             _ if to > from => self.motion.phases.push(Phase { kind, from, to }),
             _ => {}
         }
-    }
-}
-
-/// Requires that a parameter is fit.
-pub(super) fn check(
-    name: &'static str,
-    value: f64,
-    fit: bool,
-    range: &'static str,
-) -> Result<(), MotionError> {
-    if fit {
-        Ok(())
-    } else {
-        Err(MotionError::Argument { name, value, range })
     }
 }

@@ -27,7 +27,7 @@ pub use line::{Directed, LineMotion, LineState, Stretch};
 pub use turning::Turning;
 
 use super::acceleration::{Acceleration, Coefficients};
-use super::error::MotionError;
+use super::error::{MotionError, check};
 use crate::numerics::series::{arrival, value};
 use crate::numerics::taylor::{Step, TERMS};
 
@@ -75,20 +75,6 @@ pub struct Transition {
     pub t: f64,
     /// What comes after. Sliding may follow on sliding: then the velocity only passes through zero.
     pub to: Contact,
-}
-
-/// Requires that a parameter is fit.
-fn check(
-    name: &'static str,
-    value: f64,
-    fit: bool,
-    range: &'static str,
-) -> Result<(), MotionError> {
-    if fit {
-        Ok(())
-    } else {
-        Err(MotionError::Argument { name, value, range })
-    }
 }
 
 /// Vector product.

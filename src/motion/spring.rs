@@ -9,8 +9,8 @@
 //! x and v are power series in time.
 
 use super::acceleration::Coefficients;
+use super::error::check;
 use super::error::{MotionError, finite};
-use super::particle::check;
 use super::signal::Signal;
 use crate::numerics::events::{Way, roots};
 use crate::numerics::series::value;

@@ -18,6 +18,15 @@ pub struct State {
 }
 
 impl State {
+    /// At the origin at the time 0, with this velocity.
+    pub const fn moving(v: [f64; 2]) -> Self {
+        State {
+            t: 0.0,
+            v,
+            x: [0.0; 2],
+        }
+    }
+
     /// |v|.
     pub fn speed(&self) -> f64 {
         libm::hypot(self.v[0], self.v[1])
@@ -330,20 +339,12 @@ mod tests {
     use super::*;
     use crate::motion::particle::run;
 
-    fn launched(v: [f64; 2]) -> State {
-        State {
-            t: 0.0,
-            v,
-            x: [0.0; 2],
-        }
-    }
-
     #[test]
     fn a_motion_points_along_its_own_velocity_from_the_start() {
         let still = Plane::constant([0.0; 2]);
         for v in [[3.0, 0.0], [-3.0, 0.0], [0.0, 0.5], [0.0, -2.0], [1.0, 1.0]] {
-            let motion = run(&still, 1.0, launched(v), 9.0).unwrap();
-            assert_eq!(motion.first_along(v).unwrap(), Some(launched(v)));
+            let motion = run(&still, 1.0, State::moving(v), 9.0).unwrap();
+            assert_eq!(motion.first_along(v).unwrap(), Some(State::moving(v)));
             for other in [[-v[0], -v[1]], [-v[1], v[0]], [v[1], -v[0]]] {
                 assert_eq!(motion.first_along(other).unwrap(), None, "{v:?} {other:?}");
             }
@@ -356,7 +357,7 @@ mod tests {
         for (side, up) in [(1.0, 3.0), (-1.0, 3.0), (1.0, -3.0), (-1.0, -3.0)] {
             for friction in [0.0, 0.1] {
                 let pull = Plane::constant([-side, 0.0]);
-                let motion = run(&pull, friction, launched([-2.0 * side, up]), 9.0).unwrap();
+                let motion = run(&pull, friction, State::moving([-2.0 * side, up]), 9.0).unwrap();
                 let found = motion.first_along([0.0, up]).unwrap().unwrap();
                 assert!(found.v[0].abs() < 1e-14, "{found:?}");
                 assert!(friction > 0.0 || (found.t - 2.0).abs() < 1e-14, "{found:?}");
@@ -372,7 +373,7 @@ mod tests {
             let strength =
                 Signal::Product(vec![Signal::Pulse { from: 1.0, to }, Signal::constant(1.5)]);
             let plane = Plane::rotating(strength, 2.0, 0.4);
-            run(&plane, 1.0, launched([0.0; 2]), 9.0).unwrap()
+            run(&plane, 1.0, State::moving([0.0; 2]), 9.0).unwrap()
         };
         let long = pulled(2.0);
         let arc = long.pieces.iter().find_map(|piece| match piece {

@@ -98,31 +98,29 @@ fn prove_e(sides: [Expr; 2]) -> Outcome {
 
 /// For B and for E, by the algebra of the curve.
 fn prove_curve(algebra: &[Proof]) -> Outcome {
-    given(algebra, || prove_corner(q_y()?))
+    given(algebra, at_y)
 }
 
-/// What follows for a curve from its algebra.
-fn once(algebra: &[Proof], subject: Subject, clause: &'static str) -> Evidence {
-    let proof = prove_curve(algebra);
+/// What a certificate shows that rests on this algebra.
+fn shows(
+    algebra: &[Proof],
+    subject: Subject,
+    clause: &'static str,
+    certificate: impl FnOnce() -> Outcome,
+) -> Evidence {
+    let proof = given(algebra, certificate);
     citing(algebra, certified(proof, subject, Compared::shown(clause)))
+}
+
+/// What decides B and E beside their algebra.
+fn at_y() -> Outcome {
+    prove_corner(q_y()?)
 }
 
 /// λ₀ on A by (53): its left side is the cotangent of asin λ₀, so that λ₀ = 1/√(1 + r²) if its right side r is positive.
 fn on_a<S: Scalar>(q: S) -> S {
     let [_, right] = printed::eq53_sides(printed::eq53_k(q), S::int(1));
     S::int(1) / (S::int(1) + right.squared()).sqrt()
-}
-
-/// (53) has one root.
-pub fn a_once() -> Evidence {
-    let compared = Compared::shown(
-        r"(53) has one root in $0<\lambda_0<1$ for every $q\ge1$: with growing $\lambda_0$ the left side falls from $\infty$ to 0, and the right side is positive",
-    );
-    let algebra = [arcs::a_falls(exact::sides_of_a())];
-    citing(
-        &algebra,
-        certified(given(&algebra, || Ok(1)), Printed, compared),
-    )
 }
 
 /// That A lies below B up to Y and below E from Y on: the arc to the edge, on A.
@@ -199,38 +197,40 @@ fn regions() -> [Proof; 5] {
     ]
 }
 
-/// The order of the curves, and which motion lies between which of them.
-pub fn order() -> Evidence {
-    let compared = Compared::shown(
-        r"$A<B<C<D$ for all $1<q<q_Y$ and $A<E<C<D$ for all $q>q_Y$, with $A=B$ and $C=D$ at $q=1$, where the slopes of their differences have a sign; and between the curves lie the regions as they are proved for every $q\ge1$",
-    );
-    let order = prove_order(on_a, printed::eq55_lambda0);
-    let regions = regions();
-    let proof = order.and_then(|parts| given(&regions, || Ok(parts)));
-    citing(&regions, certified(proof, Corrected, compared))
-}
-
 pub(super) const TRIALS: &[Attempt] = trials![
-    a_once,
-    b_once = once(
+    a_once = shows(
+        &[arcs::a_falls(exact::sides_of_a())],
+        Printed,
+        r"(53) has one root in $0<\lambda_0<1$ for every $q\ge1$: with growing $\lambda_0$ the left side falls from $\infty$ to 0, and the right side is positive",
+        || Ok(1),
+    ),
+    b_once = shows(
         &algebra_of_b(exact::sides_of_b()),
         Printed,
         r"(54) has one root for every $1\le q<q_Y$ and none for $q>q_Y$: the arc that ends at $\pi+\sin^{-1}(q\lambda_0)$ falls from 2, its slope being a sum of terms of one sign",
+        at_y,
     ),
-    e_once = once(
+    e_once = shows(
         &algebra_of_e(exact::sides_of_e()),
         Corrected,
         r"E has no root but $\lambda_0=0$ for $1\le q<q_Y$ and one for every $q>q_Y$: the arc that ends at $2\pi-\sin^{-1}(q\lambda_0)$ is $\lambda_0$ times what grows from $-2\pi$",
+        at_y,
     )
     .of_a_part(),
     // About the rest of the region's motion it says nothing.
-    e_below_c = once(
+    e_below_c = shows(
         &algebra_of_e(exact::sides_of_e()),
         Corrected,
         r"the arc to the last moment at which the drive could pull backward is negative below E and positive between E and C, for every $q>q_Y$",
+        at_y,
     )
     .of_a_part(),
-    order
+    order = shows(
+        &regions(),
+        Corrected,
+        r"$A<B<C<D$ for all $1<q<q_Y$ and $A<E<C<D$ for all $q>q_Y$, with $A=B$ and $C=D$ at $q=1$, where the slopes of their differences have a sign; and between the curves lie the regions as they are proved for every $q\ge1$",
+        || prove_order(on_a, printed::eq55_lambda0),
+    ),
 ];
 
 #[cfg(test)]

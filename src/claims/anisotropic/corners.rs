@@ -32,8 +32,7 @@ fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Ev
     const X: [&str; 3] = [r"$\lambda_0$ of X", "", ""];
     let compared = Compared::composed(X, [EQUAL, change_of, " in the simulated motion"]);
     let [_, lambda0] = printed::eq57_x();
-    let trial = Trial::by(Route::Root, Printed, compared, ROOT);
-    trial.over(starts(stream), |start| {
+    Trial::by(Route::Root, Printed, compared, ROOT).over(starts(stream), |start| {
         let found = change(1.0, 1e-9, start, holds)?;
         Ok(Pair {
             at: at(start),
@@ -44,15 +43,14 @@ fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Ev
     })
 }
 
+const SIMULATED_Y: &str = r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum";
+
 /// (58) with Y by simulation, from several starts.
 fn y_decimals() -> Evidence {
     let trial = Trial::by(
         Route::Root,
         Printed,
-        Compared::one(
-            "(58)",
-            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
-        ),
+        Compared::one("(58)", SIMULATED_Y),
         THREE_DECIMALS,
     );
     let [q, lambda0] = printed::eq58_y();
@@ -64,18 +62,13 @@ fn y_decimals() -> Evidence {
         } else {
             ("λ₀", lambda0, 1.0 / found)
         };
-        Ok(Pair {
-            at: format!("{name}, {}", at(start)),
-            stated,
-            found,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(format!("{name}, {}", at(start)), stated, found))
     })
 }
 
 /// (58) with the place to which region II narrows along qλ₀ = 1 − η.
 fn y_limit() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Printed,
         Compared::one(
@@ -84,31 +77,27 @@ fn y_limit() -> Evidence {
         )
         .over(r"$\eta$ from $10^{-5}$ to $10^{-10}$"),
         THREE_DECIMALS,
-    );
-    trial.over(steps(732), |k| {
+    )
+    .over(steps(732), |k| {
         let eta = 1e-5 * libm::exp10(-k / 5.0);
         let [low, high] = opening(eta)?;
-        Ok(Pair {
-            at: format!("η = {eta:.5e}"),
-            stated: printed::eq58_y::<f64>()[0],
-            found: 0.5 * (low + high),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("η = {eta:.5e}"),
+            printed::eq58_y::<f64>()[0],
+            0.5 * (low + high),
+        ))
     })
 }
 
 /// Y from (54) and (55), to all digits, with Y by simulation.
 pub fn y_digits() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
-        Compared::one(
-            "the root of (54) on (55)",
-            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
-        ),
+        Compared::one("the root of (54) on (55)", SIMULATED_Y),
         MOTION,
-    );
-    trial.over(simulated_points(), |point| {
+    )
+    .over(SIMULATED_POINTS.each(), |point| {
         let (start, found) = *point?;
         Ok(Pair {
             at: at(start),
@@ -126,11 +115,11 @@ fn y_by_slip() -> Evidence {
         Remark,
         Compared::many(
             r"$q_Y=\sqrt{1+x^2}$ and $\lambda_0=1/q_Y$, with the root of $\tan x=x$ between $\pi$ and $3\pi/2$,",
-            r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum",
+            SIMULATED_Y,
         ),
         MOTION,
     );
-    trial.over(with_each(simulated_points(), [0, 1]), |case| {
+    trial.over(with_each(SIMULATED_POINTS.each(), [0, 1]), |case| {
         let (&(start, q), i) = case?;
         let x = root(|x| libm::sin(x) - x * libm::cos(x), PI, 1.5 * PI)?;
         let found = [q, 1.0 / q][i];
@@ -144,13 +133,10 @@ fn y_by_slip() -> Evidence {
 }
 
 /// The q of Y by simulation, from several starts.
-fn simulated_points() -> impl Iterator<Item = Result<&'static (DriveState, f64), Failure>> {
-    static POINTS: Runs<Vec<(DriveState, f64)>> = Runs::new(|| {
-        let point = |start| simulated_y(start).map(|q| (start, q));
-        every(starts(311).map(point))
-    });
-    POINTS.each()
-}
+static SIMULATED_POINTS: Runs<Vec<(DriveState, f64)>> = Runs::new(|| {
+    let point = |start| simulated_y(start).map(|q| (start, q));
+    every(starts(311).map(point))
+});
 
 /// Y from the printed formulas, NaN if they have no common point.
 fn printed_y() -> f64 {
@@ -160,7 +146,7 @@ fn printed_y() -> f64 {
 /// Curves that touch: region II between them on qλ₀ = 1 − η opens as the root of η; as η, if they crossed. C lies above
 /// both B and E by c (q − q_Y)², to lowest order, so that it opens for |q − q_Y| < √(η/(q_Y c)).
 fn y_contact() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Printed,
         Compared::one(
@@ -169,8 +155,8 @@ fn y_contact() -> Evidence {
         )
         .over(r"$\eta$ from $10^{-3}$ to $10^{-10}$"),
         CONTACT,
-    );
-    trial.over(steps(733), |k| {
+    )
+    .over(steps(733), |k| {
         let eta = 1e-3 * libm::exp2(-k);
         let y = printed_y();
         let [low, high] = opening(eta)?;

@@ -1,6 +1,6 @@
 //! Trials of the curves: (53) to (56), and E, which continues B. Where they are tried, the simulation says.
 
-use super::rows::{Row, far_rows, rows};
+use super::rows::{FAR_ROWS, Row, rows};
 use super::simulated::{
     Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, orders,
     printed_list, simulated,
@@ -109,12 +109,11 @@ fn sides(
     let rows = only(rows(), |row| wanted(row));
     trial.over(rows.flat_map(|row| parts(row.map(of))), |point| {
         let (q, lambda0, region) = point?;
-        Ok(Pair {
-            at: format!("q = {q:.6}, λ₀ = {lambda0:.9}"),
-            stated: region.map_or(f64::NAN, |k| words[k - 1]),
-            found: simulated(q, lambda0)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("q = {q:.6}, λ₀ = {lambda0:.9}"),
+            region.map_or(f64::NAN, |k| words[k - 1]),
+            simulated(q, lambda0)?,
+        ))
     })
 }
 
@@ -137,10 +136,9 @@ fn far_out(subject: Subject, (law, stated): Law, (name, found): Change) -> Evide
         lambda0_of(law, name).over("$q$ from 200 to 20,000"),
         FAR_A,
     );
-    over(&trial, far_rows(), [stated], found)
+    over(&trial, FAR_ROWS.each(), [stated], found)
 }
 
-/// Where (54) ends.
 fn eq54_ends() -> Evidence {
     let trial = Trial::census(
         Remark,
@@ -168,7 +166,7 @@ fn e_limit() -> Evidence {
         FAR_E,
     );
     let both = [on_b_or_e, corrected::e_far];
-    over(&trial, far_rows(), both, REVERSAL.1)
+    over(&trial, FAR_ROWS.each(), both, REVERSAL.1)
 }
 
 /// Where friction backwards is as strong as the drive.

@@ -2,7 +2,7 @@
 
 use super::census::{self, Column, LAMBDA0, Q};
 use super::panels::{PANELS, motion};
-use super::rows::{Row, far_rows, rows};
+use super::rows::{FAR_ROWS, Row, rows};
 use super::simulated::{Curves, START, attractor, fits, printed_list, touching};
 use crate::corrections::anisotropic as corrected;
 use crate::paper::anisotropic as printed;
@@ -142,7 +142,7 @@ pub fn on_e(curves: &corrected::Curves) -> Option<f64> {
 /// # Errors
 /// Those of the rows.
 pub fn boundaries() -> Result<Vec<Row>, Failure> {
-    let mut all = every(rows().chain(far_rows()).map(|row| row.copied()))?;
+    let mut all = every(rows().chain(FAR_ROWS.each()).map(|row| row.copied()))?;
     for k in 0..14 {
         let q = 14.0 * libm::exp10(f64::from(k) / 12.0);
         all.push(Row::at(q, 1e-9)?);

@@ -84,8 +84,7 @@ pub fn most_lost() -> [f64; 2] {
 mod tests {
     use super::super::simulated::{attractor, fits, own_digits};
     use super::*;
-    use crate::corrections::periodic as pulses;
-    use crate::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
+    use crate::motion::drive::{Interval, Sign};
     use crate::numerics::quadrature::integral_within;
 
     /// Points all over the plane, a few hundred of each region but V.
@@ -169,40 +168,5 @@ mod tests {
         for (q, lambda0) in points() {
             assert!(lost(q, lambda0) < most, "{q} {lambda0}");
         }
-    }
-
-    #[test]
-    fn the_pulses_lose_what_is_said() {
-        for (eta, lambda) in [
-            (0.3, 0.1),
-            (0.3, 0.29),
-            (0.3, 0.31),
-            (0.3, 0.9),
-            (0.8, 0.5),
-            (0.8, 0.9),
-        ] {
-            let pulse = |phi: f64| match phi % PI {
-                rest if rest >= eta * PI => 0.0,
-                _ if phi < PI => 1.0,
-                _ => -1.0,
-            };
-            let drive = Drive::new(pulse, &[eta * PI, PI, PI + eta * PI]).unwrap();
-            let friction = Friction::new(lambda, lambda).unwrap();
-            let start = DriveState { phi: 0.0, w: 0.0 };
-            let motion = drive
-                .attractor(friction, start, 999)
-                .unwrap()
-                .settled()
-                .unwrap();
-            let stated = match lambda < eta {
-                true => pulses::loss_without_rest(lambda, eta),
-                false => pulses::loss_with_rests(lambda, eta),
-            };
-            assert!((motion.lost() - stated).abs() < 1e-12, "{eta} {lambda}");
-        }
-        // The two meet.
-        assert!(
-            (pulses::loss_without_rest(0.4, 0.4) - pulses::loss_with_rests(0.4, 0.4)).abs() < 1e-15
-        );
     }
 }

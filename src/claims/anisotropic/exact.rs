@@ -211,7 +211,6 @@ pub(super) fn sides_of_e() -> [Expr; 2] {
     corrected::e_sides(lambda0, q_lambda0)
 }
 
-/// (57).
 /// (57): at q = 1 the two curves are one condition, tan α = 2/π, and the printed λ₀ meets it.
 pub const X: Statement<[Expr; 2]> = Statement::new(
     Printed,
@@ -379,7 +378,6 @@ fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
     })
 }
 
-/// (55).
 /// (55): backward motion can begin, d𝔴/dφ < 0 by (52) at some φ, exactly below C.
 const EQ55: Statement = Statement::new(
     Step,
@@ -397,7 +395,6 @@ const EQ55: Statement = Statement::new(
     },
 );
 
-/// (56).
 /// (56): forward motion can begin, d𝔴/dφ > 0 by (51) at some φ, exactly below D.
 const EQ56: Statement = Statement::new(
     Printed,

@@ -59,14 +59,14 @@ fn against_dimensional(
 ) -> Evidence {
     const DIMENSIONAL: &str =
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$";
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::composed(
             [r"$A_0\mathfrak w$ of the motion with ", with, ""],
             [DIMENSIONAL, "", ""],
         ),
-    );
-    trial.over(laboratory(stream), |case| {
+    )
+    .over(laboratory(stream), |case| {
         let [mu_plus, mu_minus, g, a0, phi] = case;
         let (plus, minus) = friction(case);
         let w = || -> Result<f64, Failure> {
@@ -127,12 +127,11 @@ fn summed_rate(
         let interval = found.ok_or_else(|| format!("no such motion at {q}, {lambda0}"))?;
         let [from, to] = [a, b].map(|share| interval.start + share * interval.length());
         let sum = integral_within(|phi| rate(q, lambda0, phi), from, to, 1e-13)?.value;
-        Ok(Pair {
-            at: format!("q = {q:.6}, λ₀ = {lambda0:.6}, φ from {from:.6} to {to:.6}"),
-            stated: sum,
-            found: motion.w(to) - motion.w(from),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("q = {q:.6}, λ₀ = {lambda0:.6}, φ from {from:.6} to {to:.6}"),
+            sum,
+            motion.w(to) - motion.w(from),
+        ))
     })
 }
 

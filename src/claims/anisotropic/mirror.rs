@@ -1,7 +1,6 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
 use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
-use crate::claims::tolerances::MOTION;
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
@@ -15,14 +14,12 @@ fn small_ratio(points: &mut Points) -> (f64, f64) {
 
 /// A motion with q < 1 from any start, and its mirror image with 1/q, some time later.
 pub fn integration() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::one(
             r"$-\mathfrak w(\phi+\pi)$ of the motion with $1/q$ and $q\lambda_0$ from the mirrored start",
             r"$\mathfrak w(\phi)$ of the motion with $q<1$ and $\lambda_0$",
         ),
-        MOTION,
     );
     let mut points = Points::stream(312);
     trial.over(0..400, |i| {
@@ -89,12 +86,11 @@ pub fn census() -> Evidence {
             .iter()
             .map(|i| -i.sign.factor())
             .collect();
-        Ok(Pair {
-            at: format!("q = {q:.6}, λ₀ = {lambda0:.6}"),
-            stated: region.map_or(f64::NAN, |k| words[k - 1]),
-            found: from_forward(exchanged),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("q = {q:.6}, λ₀ = {lambda0:.6}"),
+            region.map_or(f64::NAN, |k| words[k - 1]),
+            from_forward(exchanged),
+        ))
     })
 }
 

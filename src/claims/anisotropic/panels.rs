@@ -1,7 +1,6 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
 use super::simulated::{START, attractor_from, listed_digits, own_digits};
-use crate::claims::tolerances::QUADRATURE;
 use crate::motion::drive::{Attractor, DriveState, Friction};
 use crate::numerics::quadrature::integral_within;
 use crate::paper::anisotropic as printed;
@@ -99,14 +98,12 @@ impl Rates {
 
 /// 𝔴(φ) over two periods, as the region's words and the printed rates have it, with the simulation.
 pub fn quadrature() -> Evidence {
-    let trial = Trial::by(
-        Route::Quadrature,
+    let trial = Trial::quadrature(
         Printed,
         Compared::one(
             r"$\mathfrak w(\phi)$ in each panel, made of the integrals of (51) and (52) over $\phi$ and of rests, in the order of the list,",
             "the simulated motion over two periods",
         ),
-        QUADRATURE,
     );
     let panels = PANELS.into_iter().zip(printed::signs());
     let periods: Vec<_> = panels
@@ -177,12 +174,7 @@ pub fn census() -> Evidence {
             let largest = motion.largest().w.abs();
             (largest.min(TOP), largest)
         };
-        Ok(Pair {
-            at,
-            stated,
-            found,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(at, stated, found))
     })
 }
 

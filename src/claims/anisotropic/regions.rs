@@ -46,12 +46,11 @@ fn census(
         // A hundred thousand names would take longer than the motions: only those that are read are written.
         let read = i < GENERIC || stated != found;
         let name = || format!("q = {q:.6}, λ₀ = {lambda0:.6}");
-        Ok(Pair {
-            at: if read { name() } else { String::new() },
+        Ok(Pair::plain(
+            if read { name() } else { String::new() },
             stated,
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 

@@ -68,13 +68,10 @@ pub fn rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
 }
 
 /// Rows far out, q from 200 to 20,000.
-pub fn far_rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
-    static ROWS: Runs<Vec<Row>> = Runs::new(|| {
-        let q = (0..=20).map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0));
-        all_rows(&Points::stream(731).grid(q), 1e-12)
-    });
-    ROWS.each()
-}
+pub static FAR_ROWS: Runs<Vec<Row>> = Runs::new(|| {
+    let q = (0..=20).map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0));
+    all_rows(&Points::stream(731).grid(q), 1e-12)
+});
 
 fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {
     let row = |&q: &f64| Row::at(q, low).map_err(|error| format!("q = {q}: {error}").into());
@@ -106,7 +103,7 @@ const TERMS: [&dyn Fn(f64) -> f64; 5] = [
 /// # Errors
 /// Those of the rows.
 pub fn far_laws() -> Result<[PowerLaw; 2], Failure> {
-    let rows = every(far_rows())?;
+    let rows = every(FAR_ROWS.each())?;
     let law = |height: fn(&Changes) -> f64| -> Result<PowerLaw, Failure> {
         let data: Vec<_> = rows
             .iter()

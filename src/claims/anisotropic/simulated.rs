@@ -1,7 +1,8 @@
 //! The simulated motions of section 2.4, one by one, and the curves and lists that they are held against.
 
+pub use crate::claims::sinusoidal::reference_motions::drive;
 use crate::corrections::anisotropic as corrected;
-use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Outcome, Sign};
+use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Outcome, Sign};
 use crate::paper::anisotropic as printed;
 use std::f64::consts::PI;
 use trialbook::prelude::*;
@@ -22,12 +23,6 @@ pub const fn orders(by: &'static str) -> Compared {
 pub const START: DriveState = DriveState { phi: 0.0, w: 0.0 };
 /// Far more periods than any attractor here takes.
 const MAX_PERIODS: u32 = 200;
-
-/// The drive sin φ.
-pub fn drive() -> Result<&'static Drive, Failure> {
-    static DRIVE: Runs<Drive> = Runs::setting(|| Ok(Drive::new(libm::sin, &[])?));
-    DRIVE.get()
-}
 
 /// The periodic motion that a start leads to.
 ///
@@ -122,9 +117,14 @@ pub fn curve_a(q: f64) -> Result<f64, Failure> {
 /// # Errors
 /// A value that is not a number, which does not happen for q ≥ 1.
 pub fn curve_b(q: f64) -> Result<Option<f64>, Failure> {
-    let sides = |lambda0| difference(printed::eq54_sides(lambda0, q * lambda0));
+    crossing(q, 1.0, printed::eq54_sides)
+}
+
+/// λ₀ at which the sides are equal, if their difference has not this sign where qλ₀ = 1.
+fn crossing(q: f64, sign: f64, sides: fn(f64, f64) -> [f64; 2]) -> Result<Option<f64>, Failure> {
+    let sides = |lambda0| difference(sides(lambda0, q * lambda0));
     let top = largest(q);
-    if sides(top) > 0.0 {
+    if sign * sides(top) > 0.0 {
         return Ok(None);
     }
     Ok(Some(root(sides, LOWEST, top)?))
@@ -136,12 +136,7 @@ pub fn curve_b(q: f64) -> Result<Option<f64>, Failure> {
 /// # Errors
 /// A value that is not a number, which does not happen for q ≥ 1.
 pub fn curve_e(q: f64) -> Result<Option<f64>, Failure> {
-    let sides = |lambda0| difference(corrected::e_sides(lambda0, q * lambda0));
-    let top = largest(q);
-    if sides(top) < 0.0 {
-        return Ok(None);
-    }
-    Ok(Some(root(sides, LOWEST, top)?))
+    crossing(q, -1.0, corrected::e_sides)
 }
 
 fn difference([left, right]: [f64; 2]) -> f64 {

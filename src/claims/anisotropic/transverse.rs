@@ -1,7 +1,6 @@
 //! Trials of the velocity across the drive under a friction that depends on the direction of the velocity.
 
 use crate::claims::tolerances::GONE;
-use crate::numerics::dop853;
 use crate::paper::{anisotropic as printed, general};
 use std::f64::consts::{FRAC_PI_2, TAU};
 use trialbook::prelude::*;
@@ -145,12 +144,11 @@ fn never_grows() -> Evidence {
         let grows = states
             .windows(2)
             .filter(|s| logarithm(&s[1]) >= logarithm(&s[0]));
-        Ok(Pair {
-            at: at(rough, *v),
-            stated: states.iter().filter(|s| lets_grow(rough, **s)).count() as f64,
-            found: grows.count() as f64,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(rough, *v),
+            states.iter().filter(|s| lets_grow(rough, **s)).count() as f64,
+            grows.count() as f64,
+        ))
     })
 }
 

@@ -1,6 +1,6 @@
 //! Trials of (3) to (5): the definitions are consistent with the use made of them.
 
-use super::launches::{Turn, turns};
+use super::launches::{TURNS, Turn};
 use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
@@ -17,11 +17,7 @@ fn eq3() -> Evidence {
     let mut points = Points::stream(8);
     trial.over(0..1000, |_| {
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 5.0));
-        let rest = State {
-            t: 0.0,
-            v: [0.0; 2],
-            x: [0.0; 2],
-        };
+        let rest = State::moving([0.0; 2]);
         let v = run(&Plane::constant([-a, 0.0]), 0.0, rest, t)?.end().v;
         Ok(Pair {
             at: format!("A = {a:.6}, t = {t:.6}"),
@@ -39,14 +35,14 @@ fn along_alone(v: [f64; 2]) -> f64 {
 
 /// (4): the angle of the vector built from v and θ is θ, its length v.
 fn eq4() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::one(
             "the size of (4) times the exponential of its angle",
             r"$v\,\mathrm e^\theta$ along motions",
         ),
-    );
-    trial.each(turns(), Turn::at, |turn| {
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         let [vx, vy] = printed::eq4_velocity(turn.v, turn.theta);
         let found = turn.v * libm::exp(turn.theta);
         Ok([
@@ -76,20 +72,15 @@ fn eq5() -> Evidence {
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 0.9));
         let lambda = printed::eq5_lambda(mu, g, a);
         let vx = |friction: f64, a: f64, v0: f64| -> Result<_, Failure> {
-            let start = State {
-                t: 0.0,
-                v: [v0 * libm::cos(theta0), v0 * libm::sin(theta0)],
-                x: [0.0; 2],
-            };
+            let start = State::moving([v0 * libm::cos(theta0), v0 * libm::sin(theta0)]);
             let end = run(&Plane::constant([-a, 0.0]), friction, start, t * v0 / a)?.end();
             Ok(end.v[0] / v0)
         };
-        Ok(Pair {
-            at: format!("μ = {mu:.6}, g = {g:.6}, A = {a:.6}, θ₀ = {theta0:.6}, A t/v₀ = {t:.6}"),
-            stated: vx(lambda, 1.0, 1.0).unwrap_or(f64::NAN),
-            found: vx(mu * g, a, 3.0)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("μ = {mu:.6}, g = {g:.6}, A = {a:.6}, θ₀ = {theta0:.6}, A t/v₀ = {t:.6}"),
+            vx(lambda, 1.0, 1.0).unwrap_or(f64::NAN),
+            vx(mu * g, a, 3.0)?,
+        ))
     })
 }
 

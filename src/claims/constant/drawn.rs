@@ -73,11 +73,11 @@ fn both_panels() -> impl Iterator<Item = Result<Curve, Failure>> {
 
 /// Every drawn point with (11) at its angle.
 pub fn points() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one("(11) at the angle of each drawn point", "the speed there"),
-    );
-    trial.pairs(both_panels(), |curve| {
+    )
+    .pairs(both_panels(), |curve| {
         let Curve {
             lambda,
             theta0,

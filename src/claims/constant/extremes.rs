@@ -1,6 +1,6 @@
 //! Trials of what section 2.1 says in words.
 
-use super::launches::{Aligned, Stop, Turn, aligned, held, others_aligned, stops};
+use super::launches::{ALIGNED, Aligned, OTHERS_ALIGNED, STOPS, Stop, Turn, held};
 use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
 use crate::corrections::constant as corrected;
 use crate::motion::MotionError;
@@ -18,7 +18,7 @@ fn small_friction_limit() -> Evidence {
         LATE_ANGLE,
     );
     let at = |aligned: &Aligned| aligned.start.at();
-    trial.each(aligned(), at, |aligned| {
+    trial.each(ALIGNED.each(), at, |aligned| {
         Ok([printed::s21_late_angle(), aligned.angle, 1.0])
     })
 }
@@ -32,24 +32,23 @@ fn small_friction_census() -> Evidence {
             "whether the particle never rests and its angle grows on no step",
         ),
     );
-    let moving = others_aligned().map(|aligned| aligned.map(|a| (a.start, a.aligns())));
+    let moving = OTHERS_ALIGNED
+        .each()
+        .map(|aligned| aligned.map(|a| (a.start, a.aligns())));
     let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
-    let stopping = stops().map(|stop| stop.map(|s| (s.start, !at_rest(s))));
+    let stopping = STOPS
+        .each()
+        .map(|stop| stop.map(|s| (s.start, !at_rest(s))));
     trial.over(moving.chain(stopping), |motion| {
         let (start, aligns) = motion?;
         let [left, right] = printed::s21_keeps_moving_sides(start.lambda);
-        Ok(Pair {
-            at: start.at(),
-            stated: is(left <= right),
-            found: is(aligns),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(start.at(), is(left <= right), is(aligns)))
     })
 }
 
 /// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
 fn small_friction_outside() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Outside,
         Compared::constant(
@@ -57,15 +56,14 @@ fn small_friction_outside() -> Evidence {
             "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
         ),
         NONE,
-    );
-    trial.over(held(), |launch: Turn| {
+    )
+    .over(held(), |launch: Turn| {
         let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
-        Ok(Pair {
-            at: launch.at(),
-            stated: is(left <= right),
-            found: moves_late(&launch)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            launch.at(),
+            is(left <= right),
+            moves_late(&launch)?,
+        ))
     })
 }
 
@@ -88,7 +86,7 @@ fn large_friction_limit() -> Evidence {
     );
     // Others have not turned yet when their speed is lost in rounding.
     let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
-    let turning = only(stops(), |s| turns(s) && !s.start.is_straight());
+    let turning = only(STOPS.each(), |s| turns(s) && !s.start.is_straight());
     trial.each(turning, Stop::at, |stop| {
         let found = last_slope(stop);
         Ok([
@@ -110,7 +108,7 @@ fn large_friction_turns() -> Evidence {
         ),
         ROOT,
     );
-    let turning = only(stops(), |s| !s.start.is_straight());
+    let turning = only(STOPS.each(), |s| !s.start.is_straight());
     trial.each(turning, Stop::at, |stop| {
         let Turn {
             lambda, v0, theta0, ..
@@ -158,7 +156,9 @@ fn large_friction_outside() -> Evidence {
         ),
         LATE_ANGLE,
     );
-    let backwards = only(stops(), |s| s.start.is_straight() && s.start.theta0 != 0.0);
+    let backwards = only(STOPS.each(), |s| {
+        s.start.is_straight() && s.start.theta0 != 0.0
+    });
     trial.each(backwards, Stop::at, |stop| {
         Ok([
             0.0,

@@ -3,7 +3,6 @@
 use crate::claims::tolerances::NONE;
 use crate::corrections::constant as corrected;
 use crate::motion::{Plane, Signal, State, run};
-use crate::numerics::dop853;
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
 
@@ -36,11 +35,7 @@ const LATE: f64 = 50.0;
 
 fn by_motion(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2], Failure> {
     let plane = Plane::along(pull, Signal::constant(1.0));
-    let start = State {
-        t: 0.0,
-        v,
-        x: [0.0; 2],
-    };
+    let start = State::moving(v);
     Ok(run(&plane, lambda, start, LATE)?.end().v)
 }
 

@@ -6,31 +6,24 @@ use trialbook::prelude::*;
 
 /// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, whose size is 1.
 fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {
-    let start = State {
-        t: 0.0,
-        v: [0.0; 2],
-        x: [0.0; 2],
-    };
+    let start = State::moving([0.0; 2]);
     Ok(run(&Plane::constant([-1.0, 0.0]), lambda, start, t)?
         .end()
         .v[0])
 }
 
-/// Whether it moves.
 fn moves(subject: Subject, frictions: Vec<f64>) -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda\le1$ (1 if so)",
         "whether a particle that begins at rest moves",
     );
-    let trial = Trial::census(subject, compared);
-    trial.over(frictions, |lambda| {
+    Trial::census(subject, compared).over(frictions, |lambda| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);
-        Ok(Pair {
-            at: format!("λ = {lambda:.9}"),
-            stated: is(left <= right),
-            found: is(speed(lambda, 1.0)? > 0.0),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ = {lambda:.9}"),
+            is(left <= right),
+            is(speed(lambda, 1.0)? > 0.0),
+        ))
     })
 }
 

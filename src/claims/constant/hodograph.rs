@@ -1,7 +1,7 @@
 //! Trials of (6) to (11): the two components of Newton's law, the hodograph's slope, the speed against the
 //! angle.
 
-use super::launches::{Turn, straight, turns, turns_where};
+use super::launches::{TURNS, Turn, straight, turns_where};
 use crate::claims::tolerances::DIFFERENCES;
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
@@ -32,12 +32,11 @@ fn eq8_outside() -> Evidence {
         let (a, v0) = (points.uniform(0.5, 2.0), points.uniform(0.5, 2.0));
         let launch = Turn::launch(1.0, a, v0, 0.0);
         let end = launch.motion(0.5)?.at(0.5)?;
-        Ok(Pair {
-            at: launch.at(),
-            stated: printed::eq8_hodograph_slope(1.0, 0.0),
-            found: libm::hypot(end.v[0] - v0, end.v[1]),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            launch.at(),
+            printed::eq8_hodograph_slope(1.0, 0.0),
+            libm::hypot(end.v[0] - v0, end.v[1]),
+        ))
     })
 }
 
@@ -97,7 +96,6 @@ fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
     })
 }
 
-/// (11) with the speed of the motion.
 fn eq11_motion() -> Evidence {
     Trial::motion(
         Within,
@@ -106,14 +104,13 @@ fn eq11_motion() -> Evidence {
             r"the speed of the motion when it has turned to $\theta$",
         ),
     )
-    .over(turns(), |turn| {
+    .over(TURNS.each(), |turn| {
         let turn = turn?;
         let speed = turn.formula(printed::eq11_speed);
         Ok(Pair::wide(turn.at(), speed, turn.v).within(turn.v * turn.condition()))
     })
 }
 
-/// (11) with the integral of dv/v.
 fn eq11_quadrature() -> Evidence {
     Trial::quadrature(Within, Compared::one(
         "(11)",

@@ -4,7 +4,6 @@
 
 use super::launches::Turn;
 use crate::claims::tolerances::FOREIGN;
-use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::paper::{constant as printed, general};
 use trialbook::prelude::*;
@@ -161,7 +160,6 @@ fn eq1() -> Evidence {
     })
 }
 
-/// The motion by (1) with the motion on the incline.
 fn same_motion() -> Evidence {
     let trial = Trial::by(
         Route::Integration,

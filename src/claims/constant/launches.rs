@@ -3,7 +3,6 @@
 
 use crate::motion::{Launch, Motion, MotionError, PhaseKind, State};
 use crate::numerics::NumericsError;
-use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::numerics::quadrature::integral_within;
 use std::cell::Cell;
@@ -63,6 +62,28 @@ impl Turn {
         let moved = |v: f64, theta: f64| (v * theta / (self.a * libm::sin(theta))).abs();
         let ends = moved(self.v0, self.theta0).max(moved(self.v, self.theta));
         ends.max(self.t * self.condition())
+    }
+
+    /// What a unit of relative rounding of the time and the angles makes of the speed that they determine together: little
+    /// where λ + cos θ is small.
+    pub fn speed_at_time_scale(&self) -> f64 {
+        let of = |v: f64, theta: f64| v * (self.lambda + theta.abs());
+        let gained = self.a * self.t * (1.0 + self.lambda);
+        let largest = gained
+            .max(of(self.v0, self.theta0))
+            .max(of(self.v, self.theta));
+        self.v
+            .max(largest / (self.lambda + libm::cos(self.theta)).abs())
+    }
+
+    /// tan(θ/2) over its initial value.
+    pub fn r(&self) -> f64 {
+        Scalar::tan(self.theta / 2.0) / Scalar::tan(self.theta0 / 2.0)
+    }
+
+    /// True where (13), the time, has a value.
+    pub fn has_a_time(&self) -> bool {
+        self.lambda != 1.0 && self.lambda + libm::cos(self.theta0) != 0.0
     }
 
     /// True where that growth costs at most two digits or so; the other points are left to other routes.
@@ -170,16 +191,13 @@ impl Turn {
 }
 
 /// Every turn.
-pub fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Runs<Vec<Turn>> = Runs::new(|| every(launches().into_iter().map(turn)));
-    TURNS.each()
-}
+pub static TURNS: Runs<Vec<Turn>> = Runs::new(|| every(launches().into_iter().map(turn)));
 
 /// Those turns of which `wanted` holds.
 pub fn turns_where(
     wanted: impl Fn(&Turn) -> bool,
 ) -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    only(turns(), move |turn| wanted(turn))
+    only(TURNS.each(), move |turn| wanted(turn))
 }
 
 /// Friction: from no friction to thirty times the acceleration, the critical value and its neighbours.
@@ -292,39 +310,33 @@ fn at_random(lambda: f64, theta0: f64, points: &mut Points) -> Turn {
 
 /// The times of those stops with λ > 1.1, over the angle; later than forty times the time in which the speed falls to an
 /// e-th nothing is left.
-pub fn stops_over_the_angle() -> impl Iterator<Item = Result<&'static (Turn, f64), Failure>> {
-    static TIMES: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
-        let starts = every(stops())?.into_iter().map(|stop| stop.start);
-        every(starts.filter(|start| start.lambda > 1.1).map(|start| {
-            let time = start.time_over_the_angle(-40.0 / (start.lambda - 1.0));
-            time.map(|time| (start, time))
-        }))
-    });
-    TIMES.each()
-}
+pub static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
+    let starts = every(STOPS.each())?.into_iter().map(|stop| stop.start);
+    every(starts.filter(|start| start.lambda > 1.1).map(|start| {
+        let time = start.time_over_the_angle(-40.0 / (start.lambda - 1.0));
+        time.map(|time| (start, time))
+    }))
+});
 
 /// Turns so far round that next to no angle is left: below, at and above the critical friction.
-pub fn late_turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
-        let mut points = Points::stream(15);
-        every((0..60).map(|i| {
-            let lambda = match i % 4 {
-                0 => 1.0,
-                1 => points.uniform(0.0, 1.0),
-                2 => 1.0 + points.sign() * points.log_uniform(1e-6, 0.1),
-                _ => points.uniform(1.0, 3.0),
-            };
-            let theta0 = points.sign() * points.uniform(0.05, 3.0);
-            // The speed changes by a factor of a million at most.
-            let most = (14.0 / (lambda - 1.0).abs()).min(180.0);
-            let r = libm::exp(-points.uniform(5.0, most));
-            let theta = 2.0 * libm::atan(r * libm::tan(theta0 / 2.0));
-            let [a, v0] = [0.1, 0.1].map(|low| points.log_uniform(low, 10.0));
-            turn([lambda, a, v0, theta0, theta])
-        }))
-    });
-    TURNS.each()
-}
+pub static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
+    let mut points = Points::stream(15);
+    every((0..60).map(|i| {
+        let lambda = match i % 4 {
+            0 => 1.0,
+            1 => points.uniform(0.0, 1.0),
+            2 => 1.0 + points.sign() * points.log_uniform(1e-6, 0.1),
+            _ => points.uniform(1.0, 3.0),
+        };
+        let theta0 = points.sign() * points.uniform(0.05, 3.0);
+        // The speed changes by a factor of a million at most.
+        let most = (14.0 / (lambda - 1.0).abs()).min(180.0);
+        let r = libm::exp(-points.uniform(5.0, most));
+        let theta = 2.0 * libm::atan(r * libm::tan(theta0 / 2.0));
+        let [a, v0] = [0.1, 0.1].map(|low| points.log_uniform(low, 10.0));
+        turn([lambda, a, v0, theta0, theta])
+    }))
+});
 
 /// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
 pub fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
@@ -404,10 +416,7 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
 const LATE: f64 = 40.0;
 
 /// Motions at λ = 1 after so long a time.
-pub fn settled() -> impl Iterator<Item = Result<&'static (Turn, State), Failure>> {
-    static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
-    SETTLED.each()
-}
+pub static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
 
 fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     let mut points = Points::stream(6);
@@ -444,10 +453,7 @@ impl Stop {
 }
 
 /// Launches with λ > 1, from both ends of the angles and from friction just above the critical one, to rest.
-pub fn stops() -> impl Iterator<Item = Result<&'static Stop, Failure>> {
-    static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
-    STOPS.each()
-}
+pub static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
 
 fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
     let mut points = Points::stream(7);
@@ -494,16 +500,10 @@ impl Aligned {
 }
 
 /// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
-pub fn aligned() -> impl Iterator<Item = Result<&'static Aligned, Failure>> {
-    static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(10));
-    ALIGNED.each()
-}
+pub static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(10));
 
 /// Others of the same kinds.
-pub fn others_aligned() -> impl Iterator<Item = Result<&'static Aligned, Failure>> {
-    static OTHERS: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(14));
-    OTHERS.each()
-}
+pub static OTHERS_ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(14));
 
 fn all_aligned(stream: u64) -> Result<Vec<Aligned>, Failure> {
     let aligned = |start: Turn| -> Result<_, Failure> {
@@ -591,11 +591,7 @@ mod tests {
     /// Pushed backwards, the velocity turns away on every step; with λ > 1 it turns in, and the particle stops.
     #[test]
     fn growing_angles_and_rests_are_counted() {
-        let start = State {
-            t: 0.0,
-            v: [1.0, 1.0],
-            x: [0.0; 2],
-        };
+        let start = State::moving([1.0, 1.0]);
         let motion = |a: f64, friction: f64, until: f64| {
             run(&Plane::constant([a, 0.0]), friction, start, until).unwrap()
         };

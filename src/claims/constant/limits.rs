@@ -1,6 +1,6 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
-use super::launches::{Turn, frictionless, settled, stops, stops_over_the_angle};
+use super::launches::{SETTLED, STOPS, STOPS_OVER_THE_ANGLE, Turn, frictionless};
 use crate::claims::tolerances::TERMINAL;
 use crate::motion::State;
 use crate::numerics::double::Double;
@@ -16,25 +16,23 @@ fn start((start, _): &(Turn, State)) -> String {
     start.at()
 }
 
-/// (15) with v_x of the motion without friction.
 fn eq15_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one("(15)", "$v_x$ of the motion without friction"),
-    );
-    trial.each(frictionless(), flown, |(start, state)| {
+    )
+    .each(frictionless(), flown, |(start, state)| {
         let stated = printed::eq15_vx(start.a, start.velocity0()?[0], state.t);
         Ok([stated, state.v[0], start.v0 + start.a * state.t])
     })
 }
 
-/// (16) with v_y of the motion without friction.
 fn eq16_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one("(16)", "$v_y$ of the motion without friction"),
-    );
-    trial.each(frictionless(), flown, |(start, state)| {
+    )
+    .each(frictionless(), flown, |(start, state)| {
         Ok([
             printed::eq16_vy(start.velocity0()?[1]),
             state.v[1],
@@ -52,14 +50,14 @@ fn parabolas() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
 
 /// The parabola: v_y² x − v_y v_0x y − A y²/2 vanishes along the path, the time being eliminated.
 fn parabola_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "$x(y)$ of the path without friction",
             "the parabola through the launch",
         ),
-    );
-    trial.each(parabolas(), flown, |(start, state)| {
+    )
+    .each(parabolas(), flown, |(start, state)| {
         let [vx, vy] = start.velocity0()?;
         Ok([
             printed::s21_parabola(start.a, vx, vy, state.x[1]),
@@ -71,14 +69,14 @@ fn parabola_motion() -> Evidence {
 
 /// The same path by quadrature of its slope dx/dy = v_x/v_y.
 fn parabola_quadrature() -> Evidence {
-    let trial = Trial::quadrature(
+    Trial::quadrature(
         Printed,
         Compared::one(
             r"$\int v_x\,\mathrm dy/v_y$, with (15) and (16), over the path",
             "its $x$",
         ),
-    );
-    trial.each(parabolas(), flown, |(start, state)| {
+    )
+    .each(parabolas(), flown, |(start, state)| {
         let [vx, vy] = start.velocity0()?;
         let scale = (start.v0 + start.a * state.t) * state.t * (start.v0 / vy).abs();
         let slope = |y: f64| printed::eq15_vx(start.a, vx, y / vy) / printed::eq16_vy(vy);
@@ -90,16 +88,15 @@ fn parabola_quadrature() -> Evidence {
     })
 }
 
-/// (17): the invariant at θ over that at θ₀.
 fn eq17_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             r"(17) at $\theta$ over (17) at $\theta_0$, along the motion,",
             "1",
         ),
-    );
-    trial.over(
+    )
+    .over(
         super::launches::critical_turns(),
         |turn: Result<Turn, _>| {
             let turn = turn?;
@@ -113,13 +110,13 @@ fn eq17_motion() -> Evidence {
 
 /// (18) with v_x after a long time.
 fn eq18_limit() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Printed,
         Compared::one("(18)", "$v_x$ of the motion at 40 times $v_0/A$"),
         TERMINAL,
-    );
-    trial.each(settled(), start, |(start, state)| {
+    )
+    .each(SETTLED.each(), start, |(start, state)| {
         Ok([
             printed::eq18_vx_limit(start.v0, start.theta0),
             state.v[0],
@@ -138,7 +135,7 @@ fn eq18_quadrature() -> Evidence {
         ),
     );
     // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
-    let gentle = only(settled(), |(start, _)| start.is_gentle());
+    let gentle = only(SETTLED.each(), |(start, _)| start.is_gentle());
     trial.each(gentle, start, |(start, _)| {
         Ok([
             printed::eq18_vx_limit(start.v0, start.theta0),
@@ -150,24 +147,23 @@ fn eq18_quadrature() -> Evidence {
 
 /// (19) with v_y after a long time.
 fn eq19_limit() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Printed,
         Compared::one("(19)", "$v_y$ of the motion at 40 times $v_0/A$"),
         TERMINAL,
-    );
-    trial.each(settled(), start, |(start, state)| {
+    )
+    .each(SETTLED.each(), start, |(start, state)| {
         Ok([printed::eq19_vy_limit(), state.v[1], start.v0])
     })
 }
 
-/// (20) with the time at which the motion stops.
-pub fn eq20_motion() -> Evidence {
-    let trial = Trial::motion(
+fn eq20_motion() -> Evidence {
+    Trial::motion(
         Printed,
         Compared::one("(20)", "the time at which the motion stops"),
-    );
-    trial.over(stops(), |stop| {
+    )
+    .over(STOPS.each(), |stop| {
         let stop = stop?;
         let lambda = stop.start.lambda;
         // The motion knows λA − A to a rounding of λA.
@@ -179,14 +175,14 @@ pub fn eq20_motion() -> Evidence {
 
 /// (20) with the integral of dt over the whole turn.
 fn eq20_quadrature() -> Evidence {
-    let trial = Trial::quadrature(
+    Trial::quadrature(
         Printed,
         Compared::one(
             "(20)",
             r"$\int\mathrm dt$ over the angle, along and across the velocity",
         ),
-    );
-    trial.over(stops_over_the_angle(), |stop| {
+    )
+    .over(STOPS_OVER_THE_ANGLE.each(), |stop| {
         let (start, time) = stop?;
         // ln v falls by λ − 1 per unit of ln tan(θ/2), and the errors of the integrator grow with it.
         Ok(Pair::wide(start.at(), eq20(start), *time).within(time * start.lambda))

@@ -12,11 +12,7 @@ const PERIODS: f64 = 6.0;
 /// A motion along the line, on an incline or under a sine, which it is and how it is called.
 fn motion(points: &mut Points, i: usize) -> Result<(bool, String, Motion), Failure> {
     let (driven, lambda) = (i.is_multiple_of(2), points.uniform(0.0, 0.9));
-    let start = State {
-        t: 0.0,
-        v: [points.uniform(-2.0, 2.0), 0.0],
-        x: [0.0; 2],
-    };
+    let start = State::moving([points.uniform(-2.0, 2.0), 0.0]);
     let pull = match driven {
         true => Signal::Sine {
             frequency: 1.0,
@@ -59,16 +55,10 @@ pub fn turns() -> Evidence {
     let mut points = Points::stream(723);
     trial.over(0..60, |i| {
         let (driven, at, motion) = motion(&mut points, i)?;
-        Ok(Pair {
-            at,
-            stated: is(driven),
-            found: is(senses(&motion)?.len() > 2),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(at, is(driven), is(senses(&motion)?.len() > 2)))
     })
 }
 
-/// Half a period, late.
 fn both_ways() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
@@ -92,12 +82,11 @@ fn both_ways() -> Evidence {
         }
         let of = |t: f64| -> Result<f64, Failure> { Ok(motion.at(t)?.v[0]) };
         let product = of(largest.0)? * of(largest.0 + 0.5 * TAU)?;
-        Ok(Pair {
+        Ok(Pair::plain(
             at,
-            stated: if driven { -1.0 } else { 1.0 },
-            found: product.signum(),
-            scale: 1.0,
-        })
+            if driven { -1.0 } else { 1.0 },
+            product.signum(),
+        ))
     })
 }
 

@@ -1,16 +1,11 @@
 //! Trials of (12) to (14): the time against the angle.
 
-use super::launches::{Turn, late_turns, straight, turns, turns_where};
+use super::launches::{LATE_TURNS, TURNS, Turn, straight, turns_where};
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant as corrected;
 use crate::numerics::double::Double;
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
-
-/// True where (13) has a value.
-fn eq13_has_a_value(turn: &Turn) -> bool {
-    turn.lambda != 1.0 && turn.lambda + libm::cos(turn.theta0) != 0.0
-}
 
 fn eq13(turn: &Turn) -> Double {
     let number = Double::from;
@@ -32,11 +27,11 @@ fn eq12_rate(turn: &Turn, theta: f64) -> f64 {
 
 /// (12), integrated over the angle.
 fn eq12_quadrature() -> Evidence {
-    let trial = Trial::quadrature(
+    Trial::quadrature(
         Within,
         Compared::one(r"the integral of (12) over $\theta$", "$At$ of the motion"),
-    );
-    trial.each(
+    )
+    .each(
         turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
         Turn::at,
         |turn| {
@@ -67,14 +62,14 @@ fn eq12_outside() -> Evidence {
 
 /// (13) with the time of the motion.
 pub fn eq13_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Within,
         Compared::one(
             "(13)",
             r"the time at which the motion has turned to $\theta$",
         ),
-    );
-    trial.over(turns_where(eq13_has_a_value), |turn| {
+    )
+    .over(turns_where(Turn::has_a_time), |turn| {
         let turn = turn?;
         Ok(Pair::wide(turn.at(), eq13(turn), turn.t).within(turn.time_scale()))
     })
@@ -82,15 +77,15 @@ pub fn eq13_motion() -> Evidence {
 
 /// (13) with the integral of dt.
 fn eq13_quadrature() -> Evidence {
-    let trial = Trial::quadrature(
+    Trial::quadrature(
         Within,
         Compared::one(
             "(13)",
             r"$\int\mathrm dt$ over the angle, along and across the velocity",
         ),
-    );
-    trial.over(
-        turns_where(|turn| eq13_has_a_value(turn) && turn.is_gentle()),
+    )
+    .over(
+        turns_where(|turn| turn.has_a_time() && turn.is_gentle()),
         |turn| {
             let turn = turn?;
             let found = turn.time_over_the_angle(turn.ln_fall())?;
@@ -110,9 +105,8 @@ fn eq13_root() -> Evidence {
         ),
         ROOT,
     );
-    let wanted = |turn: &Turn| {
-        eq13_has_a_value(turn) && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle()
-    };
+    let wanted =
+        |turn: &Turn| turn.has_a_time() && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle();
     trial.each(turns_where(wanted), Turn::at, |turn| {
         let late =
             |theta| printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t;
@@ -129,24 +123,17 @@ fn eq13_root() -> Evidence {
 fn eq13_singular() -> Evidence {
     let compared = Compared::one("(13)", "the time of the motion")
         .over(r"$\lambda=1$ or $\cos\theta_0=-\lambda$");
-    let singular = turns_where(|turn| !eq13_has_a_value(turn));
+    let singular = turns_where(|turn| !turn.has_a_time());
     eq13_outside(compared, singular.map(|turn| turn.copied()))
 }
 
-fn eq13_outside<E: std::fmt::Display + Into<Failure>>(
+fn eq13_outside(
     compared: Compared,
-    excluded: impl Iterator<Item = Result<Turn, E>>,
+    excluded: impl Iterator<Item = Result<Turn, Failure>>,
 ) -> Evidence {
-    let trial = Trial::motion(Outside, compared);
-    trial.over(excluded, |turn| {
-        let turn = &turn.map_err(Into::into)?;
+    Trial::motion(Outside, compared).each(excluded, Turn::at, |turn| {
         let stated = printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, turn.theta);
-        Ok(Pair {
-            at: turn.at(),
-            stated,
-            found: turn.t,
-            scale: turn.t,
-        })
+        Ok([stated, turn.t, turn.t])
     })
 }
 
@@ -162,55 +149,42 @@ fn eq14<S: Scalar + From<f64>>(turn: &Turn) -> S {
     )
 }
 
-/// What a unit of relative rounding of the time and the angles makes of the speed that they determine together: little
-/// where λ + cos θ is small.
-fn speed_at_time_scale(turn: &Turn) -> f64 {
-    let of = |v: f64, theta: f64| v * (turn.lambda + theta.abs());
-    let gained = turn.a * turn.t * (1.0 + turn.lambda);
-    let largest = gained
-        .max(of(turn.v0, turn.theta0))
-        .max(of(turn.v, turn.theta));
-    turn.v
-        .max(largest / (turn.lambda + libm::cos(turn.theta)).abs())
-}
-
-/// (14) with the speed of the motion.
 fn eq14_motion() -> Evidence {
     let trial = Trial::motion(
         Within,
         Compared::one("(14) at the angle and time of the motion", "its speed"),
     );
-    let all = turns().map(|turn| turn.copied()).chain(straight());
+    let all = TURNS.each().map(|turn| turn.copied()).chain(straight());
     trial.over(all, |turn| {
         let turn = &turn?;
-        Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(speed_at_time_scale(turn)))
+        Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(turn.speed_at_time_scale()))
     })
 }
 
 /// (14) where cos θ = −λ, the angle at which it is 0/0.
 fn eq14_outside() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Outside,
         Compared::one(
             r"(14) where $\cos\theta=-\lambda$",
             "the speed of the motion",
         ),
-    );
-    trial.each(super::launches::turns_to_the_gap(), Turn::at, |turn| {
+    )
+    .each(super::launches::turns_to_the_gap(), Turn::at, |turn| {
         Ok([eq14::<f64>(turn), turn.v, turn.v])
     })
 }
 
 /// The regular form of the time at all points, those included where (13) has no value.
 pub fn regular_time() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Corrected,
         Compared::one(
             "the regular form of the time, where (13) has a value and where not,",
             "that of the motion",
         ),
-    );
-    trial.each(turns(), Turn::at, |turn| {
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         Ok([
             regular(turn, turn.ln_fall()),
             turn.t,
@@ -231,7 +205,7 @@ fn regular_late() -> Evidence {
         Compared::one("the regular form of the time", "that of the motion")
             .over("turns to a hundredth of the angle down to $10^{-80}$"),
     )
-    .each(late_turns(), Turn::at, |turn| {
+    .each(LATE_TURNS.each(), Turn::at, |turn| {
         Ok([
             regular(turn, turn.ln_fall()),
             turn.t,
@@ -249,7 +223,7 @@ fn regular_speed_by_log() -> Evidence {
             "that of the motion",
         ),
     )
-    .each(late_turns().chain(turns()), Turn::at, |turn| {
+    .each(LATE_TURNS.each().chain(TURNS.each()), Turn::at, |turn| {
         Ok([
             corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
             turn.v,
@@ -311,16 +285,14 @@ pub fn regular_straight() -> Evidence {
     })
 }
 
-/// The regular form of the speed.
 fn regular_speed() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Corrected,
         Compared::one("the regular form of the speed", "that of the motion"),
-    );
-    trial.each(turns(), Turn::at, |turn| {
-        let r = Scalar::tan(turn.theta / 2.0) / Scalar::tan(turn.theta0 / 2.0);
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         Ok([
-            corrected::speed(turn.lambda, turn.v0, turn.theta0, r),
+            corrected::speed(turn.lambda, turn.v0, turn.theta0, turn.r()),
             turn.v,
             turn.v * turn.condition(),
         ])

@@ -1,6 +1,6 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
-use super::trajectories::{Flight, Relaxed, a, alpha, flights, relaxed};
+use super::trajectories::{FLIGHTS, Flight, Relaxed, a, alpha, relaxed};
 use trialbook::prelude::*;
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
@@ -13,7 +13,7 @@ pub fn escaping() -> Evidence {
         )
         .over("random starts with $A>1$ that do not come straight in"),
     );
-    let beyond = only(flights(), |flight| flight.launch.a > 1.0);
+    let beyond = only(FLIGHTS.each(), |flight| flight.launch.a > 1.0);
     trial.each(beyond, Flight::at, |flight| {
         Ok([1.0, is(a(&flight.run.end()) > 1e4), 1.0])
     })
@@ -21,15 +21,15 @@ pub fn escaping() -> Evidence {
 
 /// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
 fn small_alpha() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Excepted,
         Compared::constant(
             r"the expected 1, for a fall of $\psi$ to 0",
             r"whether $\psi$ of the motion has fallen below $10^{-3}$ (1 if so)",
         )
         .over(r"random starts with tiny $\alpha$ that do not come straight in"),
-    );
-    trial.each(relaxed(), Relaxed::at, |relaxed| {
+    )
+    .each(relaxed(), Relaxed::at, |relaxed| {
         let near = alpha(&relaxed.state) < 1e-3 && relaxed.state.psi().abs() < 1e-3;
         Ok([1.0, is(near), 1.0])
     })

@@ -4,7 +4,7 @@
 //! that lags behind τ by a multiple of ln τ (see [`crate::corrections::escape`]); a fit that knows only powers
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
-use super::trajectories::{Escape, LATE, Late, a, alpha, escapes};
+use super::trajectories::{ESCAPES, Escape, LATE, Late, a, alpha};
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape as corrected;
 use crate::motion::turntable::Start;
@@ -15,17 +15,13 @@ use trialbook::prelude::*;
 /// What is followed: a number at a late moment of a motion.
 pub type Quantity = fn(&Late) -> f64;
 
-/// The limit for τ → ∞ and the coefficient of (ln τ)/τ, with their standard errors.
+/// The limit for τ → ∞, and how it is approached.
 #[derive(Debug, Clone, Copy)]
 pub struct Limit {
     /// The limit.
     pub value: f64,
-    /// Its standard error.
-    pub error: f64,
     /// The coefficient of (ln τ)/τ.
     pub log: f64,
-    /// Its standard error.
-    pub log_error: f64,
 }
 
 const TERMS: [&dyn Fn(f64) -> f64; 6] = [
@@ -46,9 +42,7 @@ pub fn limit(escape: &Escape, quantity: Quantity) -> Result<Limit, Failure> {
     let fit = fit(&data, &TERMS)?;
     Ok(Limit {
         value: fit.coefficients[0],
-        error: fit.errors[0],
         log: fit.coefficients[1],
-        log_error: fit.errors[1],
     })
 }
 
@@ -228,11 +222,14 @@ fn each(
     tolerance: Tolerance,
     pair: impl Fn(&Escape) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
-    let trial = Trial::by(Route::Limit, subject, compared, tolerance);
-    trial.each(escapes(), Escape::at, |flight| {
-        let [stated, found] = pair(flight)?;
-        Ok([stated, found, 1.0])
-    })
+    Trial::by(Route::Limit, subject, compared, tolerance).each(
+        ESCAPES.each(),
+        Escape::at,
+        |flight| {
+            let [stated, found] = pair(flight)?;
+            Ok([stated, found, 1.0])
+        },
+    )
 }
 
 /// What is stated of each escape against the limit of what its motion does.

@@ -1,7 +1,7 @@
 //! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
 
 use super::growth::{self, DISTANCE, LAG, Named, SIZE, SPEED, WAY};
-use super::trajectories::escapes;
+use super::trajectories::ESCAPES;
 use crate::corrections::escape as corrected;
 use crate::paper::escape as printed;
 use std::f64::consts::{SQRT_2, TAU};
@@ -76,7 +76,7 @@ pub(super) static VALUES: [Number; 11] = [
 
 /// The limit of a quantity of an escape, which does not depend on the start.
 fn of((_, quantity): Named) -> Result<f64, Failure> {
-    let escape = escapes().next().ok_or("no escape")??;
+    let escape = ESCAPES.each().next().ok_or("no escape")??;
     Ok(growth::limit(escape, quantity)?.value)
 }
 

@@ -1,10 +1,10 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
 use super::growth::{A_RATE, ALPHA_RATE, LAG, SIZE, limits};
-use super::straight::{StraightIn, beyond_one, time_to_stop};
+use super::straight::{BEYOND_ONE, StraightIn, time_to_stop};
 use super::trajectories::{
-    Escape, Flight, LATE, Launch, Relaxed, a, alpha, flights, other_escapes, other_flights,
-    others_relaxed, rates, relaxed, relaxed_ratios,
+    Escape, FLIGHTS, Flight, LATE, Launch, OTHER_ESCAPES, OTHER_FLIGHTS, OTHERS_RELAXED,
+    RELAXED_RATIOS, Relaxed, a, alpha, rates, relaxed,
 };
 use crate::claims::tolerances::{DIFFERENCES, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED};
 use crate::corrections::escape as corrected;
@@ -19,13 +19,13 @@ use trialbook::prelude::*;
 /// (126) with the rate of α after ψ has relaxed.
 fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
     const RATE: &str = r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed";
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         subject,
         Compared::composed(["(126)", "", ""], [RATE, when, ""]),
         RELAXED,
-    );
-    trial.each(relaxed(), Relaxed::at, |relaxed| {
+    )
+    .each(relaxed(), Relaxed::at, |relaxed| {
         Ok([
             printed::eq126_alpha_rate(a(&relaxed.state)),
             relaxed.alpha_rate,
@@ -69,21 +69,20 @@ fn eq126_order() -> Evidence {
 
 /// (127): launches with A > 1 that have stopped, or not gone far, when τ = 300.
 fn above_one(subject: Subject) -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         subject,
         Compared::constant(
             "0 where (127) holds, and with itself elsewhere",
             r"whether a random launch stops or is within $\rho=30$ at $\tau=300$ (1 if so)",
         ),
-    );
-    trial.over(launches_around_one(), |launch| {
+    )
+    .over(launches_around_one(), |launch| {
         let found = stays(&Run::new(&launch.start()?, 300.0)?);
-        Ok(Pair {
-            at: launch.at(),
-            stated: said_to_stay(launch.a, found),
+        Ok(Pair::plain(
+            launch.at(),
+            said_to_stay(launch.a, found),
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 
@@ -132,25 +131,24 @@ fn eq127_root() -> Evidence {
     trial.over(Points::stream(745).grid(angles), |psi| {
         let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
         let found = between(launch, 0.99, 1.01, 1e-6)?;
-        Ok(Pair {
-            at: format!("α = 0.0001, ψ = {psi:.6}"),
-            stated: printed::eq127_least_a(),
+        Ok(Pair::plain(
+            format!("α = 0.0001, ψ = {psi:.6}"),
+            printed::eq127_least_a(),
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 
 /// A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
 fn never_decreases_way() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "$A^2$ at the start, and more by $2s$,",
             "$A^2$ at the end, along the motion",
         ),
-    );
-    trial.each(flights(), Flight::at, |flight| {
+    )
+    .each(FLIGHTS.each(), Flight::at, |flight| {
         let end = flight.run.end();
         let (before, found) = (flight.launch.a * flight.launch.a, end.parts.energy());
         Ok([
@@ -170,7 +168,7 @@ fn never_decreases_census() -> Evidence {
             r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
         ),
     );
-    trial.each(other_flights(), Flight::at, |flight| {
+    trial.each(OTHER_FLIGHTS.each(), Flight::at, |flight| {
         let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
         let end = flight.run.end();
         Ok([
@@ -196,7 +194,7 @@ fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
 
 /// ψ after many relaxation times, against ψ₁.
 fn small_alpha_angle() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Within,
         Compared::one(
@@ -204,8 +202,8 @@ fn small_alpha_angle() -> Evidence {
             r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
         ),
         RELAXED,
-    );
-    trial.each(others_relaxed(), Relaxed::at, |relaxed| {
+    )
+    .each(OTHERS_RELAXED.each(), Relaxed::at, |relaxed| {
         Ok([
             turntable::eq124_psi1(alpha(&relaxed.state)),
             relaxed.state.psi(),
@@ -225,7 +223,7 @@ pub fn relaxed_ratio() -> Evidence {
         ),
         RELAXED,
     );
-    trial.each(relaxed_ratios(), Relaxed::at, |relaxed| {
+    trial.each(RELAXED_RATIOS.each(), Relaxed::at, |relaxed| {
         let (found, psi1) = (
             relaxed.state.psi(),
             turntable::eq124_psi1(alpha(&relaxed.state)),
@@ -269,7 +267,7 @@ fn small_alpha_straight() -> Evidence {
         ),
         RELAXED,
     );
-    trial.each(beyond_one(), StraightIn::at, |straight| {
+    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         let state = straight.with_alpha_below(1e-4);
         Ok([turntable::eq124_psi1(alpha(&state)), state.psi(), 1.0])
     })
@@ -280,7 +278,6 @@ fn factor(law: fn(f64) -> f64) -> f64 {
     (law(LATE) - law(1.0)) / libm::log(LATE)
 }
 
-/// Decades of τ over which α grows.
 fn alpha_census() -> Evidence {
     let trial = Trial::census(
         Printed,
@@ -290,7 +287,7 @@ fn alpha_census() -> Evidence {
         ),
     );
     let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
-    trial.each(other_escapes(), Escape::at, |escape| {
+    trial.each(OTHER_ESCAPES.each(), Escape::at, |escape| {
         let stated: Vec<f64> = times().map(printed::eq133_alpha).collect();
         let found: Result<Vec<_>, MotionError> =
             times().map(|tau| Ok(alpha(&escape.run.at(tau)?))).collect();
@@ -305,7 +302,7 @@ fn grown(values: &[f64]) -> usize {
 
 /// Stops of particles that come straight in from A > 1, in the frame of the table.
 fn straight_stops() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Outside,
         Compared::constant(
@@ -313,22 +310,22 @@ fn straight_stops() -> Evidence {
             "the number of stops of a particle that comes straight in from $A>1$",
         ),
         NONE,
-    );
-    trial.each(beyond_one(), StraightIn::at, |straight| {
+    )
+    .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         Ok([0.0, table_stops(straight)? as f64, 1.0])
     })
 }
 
 /// (127) where a particle comes straight in.
 fn above_one_straight() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Outside,
         Compared::one(
             "whether (127) holds at the start (1 if so, for an escape)",
             "what becomes of a particle that comes straight in (0 if it stops)",
         ),
-    );
-    trial.each(beyond_one(), StraightIn::at, |straight| {
+    )
+    .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         let start = libm::sqrt((straight.rho - straight.p) * (straight.rho + straight.p));
         Ok([
             is(start > printed::eq127_least_a()),
@@ -365,7 +362,7 @@ fn straight_rate() -> Evidence {
         ),
         DIFFERENCES,
     );
-    trial.each(beyond_one(), StraightIn::at, |straight| {
+    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         let state = straight.with_alpha_below(1e-5);
         let time = time_to_stop(&state);
         let run = Run::new(&state.parts, 0.5 * time)?;
@@ -419,12 +416,12 @@ pub(super) const TRIALS: &[Attempt] = trials![
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::claims::escape::straight::within_one;
+    use crate::claims::escape::straight::WITHIN_ONE;
 
     /// The way in which it is counted that none of them stops finds the stops where there are some.
     #[test]
     fn a_stop_on_the_table_is_counted() {
-        for straight in within_one() {
+        for straight in WITHIN_ONE.each() {
             let straight = straight.unwrap();
             assert_eq!(table_stops(straight).unwrap(), 1, "{}", straight.at());
         }

@@ -1,6 +1,6 @@
 //! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
 
-use super::trajectories::{a, alpha, escapes};
+use super::trajectories::{ESCAPES, a, alpha};
 use crate::claims::tolerances::{QUADRATURE, ROOT};
 use crate::paper::{escape as printed, turntable};
 use std::f64::consts::FRAC_PI_2;
@@ -56,17 +56,16 @@ pub fn eq129() -> Evidence {
         ),
         ROOT,
     );
-    trial.over(escapes(), |escape| {
+    trial.over(ESCAPES.each(), |escape| {
         let escape = escape?;
         let late = escape.late.first().ok_or("no late moment")?;
         let (size, alpha) = (a(&late.state), alpha(&late.state));
         let stated = printed::eq129_a(alpha);
-        Ok(Pair {
-            at: format!("{}, τ = {:.1e}", escape.launch.at(), late.tau),
-            stated: printed::eq128_alpha_rate(alpha, stated) * stated / alpha.cosh(),
-            found: late.alpha_rate * size / alpha.cosh(),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("{}, τ = {:.1e}", escape.launch.at(), late.tau),
+            printed::eq128_alpha_rate(alpha, stated) * stated / alpha.cosh(),
+            late.alpha_rate * size / alpha.cosh(),
+        ))
     })
 }
 

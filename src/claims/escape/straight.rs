@@ -83,16 +83,10 @@ pub fn straight_in(rho: f64, p: f64) -> Result<StraightIn, MotionError> {
 }
 
 /// Starts with A > 1 that come straight in, and stop beyond ρ = 1.
-pub fn beyond_one() -> impl Iterator<Item = Result<&'static StraightIn, Failure>> {
-    static BEYOND: Runs<Vec<StraightIn>> = Runs::new(|| from(605, 1.3, 2.5));
-    BEYOND.each()
-}
+pub static BEYOND_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(605, 1.3, 2.5));
 
 /// Starts that come straight in and stay at rest.
-pub fn within_one() -> impl Iterator<Item = Result<&'static StraightIn, Failure>> {
-    static WITHIN: Runs<Vec<StraightIn>> = Runs::new(|| from(606, 0.02, 0.95));
-    WITHIN.each()
-}
+pub static WITHIN_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(606, 0.02, 0.95));
 
 fn from(stream: u64, nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, Failure> {
     let mut points = Points::stream(stream);

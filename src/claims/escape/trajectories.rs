@@ -122,16 +122,10 @@ impl Escape {
 }
 
 /// Escapes from A > 1.
-pub fn escapes() -> impl Iterator<Item = Result<&'static Escape, Failure>> {
-    static ESCAPES: Runs<Vec<Escape>> = Runs::new(|| all_escapes(600));
-    ESCAPES.each()
-}
+pub static ESCAPES: Runs<Vec<Escape>> = Runs::new(|| all_escapes(600));
 
 /// Others of the same kind.
-pub fn other_escapes() -> impl Iterator<Item = Result<&'static Escape, Failure>> {
-    static OTHERS: Runs<Vec<Escape>> = Runs::new(|| all_escapes(603));
-    OTHERS.each()
-}
+pub static OTHER_ESCAPES: Runs<Vec<Escape>> = Runs::new(|| all_escapes(603));
 
 fn all_escapes(stream: u64) -> Result<Vec<Escape>, Failure> {
     let mut points = Points::stream(stream);
@@ -172,16 +166,10 @@ pub fn escape(launch: Launch) -> Result<Escape, MotionError> {
 }
 
 /// Launches with p < ρ of every kind, followed to their rest or to τ = 10⁴.
-pub fn flights() -> impl Iterator<Item = Result<&'static Flight, Failure>> {
-    static FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| all_flights(601));
-    FLIGHTS.each()
-}
+pub static FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| all_flights(601));
 
 /// Others of the same kinds.
-pub fn other_flights() -> impl Iterator<Item = Result<&'static Flight, Failure>> {
-    static OTHERS: Runs<Vec<Flight>> = Runs::new(|| all_flights(604));
-    OTHERS.each()
-}
+pub static OTHER_FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| all_flights(604));
 
 fn all_flights(stream: u64) -> Result<Vec<Flight>, Failure> {
     let mut points = Points::stream(stream);
@@ -220,18 +208,12 @@ pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
 }
 
 /// Others of the same kinds.
-pub fn others_relaxed() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
-    static OTHERS: Runs<Vec<Relaxed>> = Runs::new(|| all_relaxed(609));
-    OTHERS.each()
-}
+pub static OTHERS_RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| all_relaxed(609));
 
 /// Launches with a ψ of the order of α, so that their ratio has relaxed too. For A < 0.7 it takes too long to be seen, and
 /// for A < ½ for ever.
-pub fn relaxed_ratios() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
-    static RATIOS: Runs<Vec<Relaxed>> =
-        Runs::new(|| launched(710, 0.7, |alpha, points| alpha * points.uniform(-5.0, 5.0)));
-    RATIOS.each()
-}
+pub static RELAXED_RATIOS: Runs<Vec<Relaxed>> =
+    Runs::new(|| launched(710, 0.7, |alpha, points| alpha * points.uniform(-5.0, 5.0)));
 
 fn all_relaxed(stream: u64) -> Result<Vec<Relaxed>, Failure> {
     launched(stream, 0.4, |_, points| points.uniform(-2.9, 2.9))

@@ -45,11 +45,7 @@ pub fn along_a_line(shape: usize, rate: f64) -> Signal {
 /// A velocity of any direction.
 pub fn any_start(points: &mut Points, speed: f64) -> State {
     let theta = points.uniform(-3.1, 3.1);
-    State {
-        t: 0.0,
-        v: [speed * libm::cos(theta), speed * libm::sin(theta)],
-        x: [0.0; 2],
-    }
+    State::moving([speed * libm::cos(theta), speed * libm::sin(theta)])
 }
 
 /// Accelerations of every bounded shape with largest size `amplitude`, friction 1, starts of every direction.

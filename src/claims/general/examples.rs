@@ -17,16 +17,10 @@ pub struct Returning {
 }
 
 /// The accelerations that exceed μg again and again, then those that never do, and what they do.
-pub fn returning() -> impl Iterator<Item = Result<&'static Returning, Failure>> {
-    static RETURNING: Runs<Vec<Returning>> = Runs::new(|| all_returning([23, 33]));
-    RETURNING.each()
-}
+pub static RETURNING: Runs<Vec<Returning>> = Runs::new(|| all_returning([23, 33]));
 
 /// Others of the same kinds.
-pub fn others_returning() -> impl Iterator<Item = Result<&'static Returning, Failure>> {
-    static OTHERS: Runs<Vec<Returning>> = Runs::new(|| all_returning([36, 37]));
-    OTHERS.each()
-}
+pub static OTHERS_RETURNING: Runs<Vec<Returning>> = Runs::new(|| all_returning([36, 37]));
 
 fn all_returning([strong, weak]: [u64; 2]) -> Result<Vec<Returning>, Failure> {
     let returning = |(name, plane, size, period)| -> Result<_, Failure> {
@@ -129,16 +123,10 @@ impl Pulled {
 }
 
 /// All strong accelerations, then weak ones.
-pub fn pulled() -> impl Iterator<Item = Result<&'static Pulled, Failure>> {
-    static PULLED: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([24, 34]));
-    PULLED.each()
-}
+pub static PULLED: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([24, 34]));
 
 /// Others of the same kinds.
-pub fn others_pulled() -> impl Iterator<Item = Result<&'static Pulled, Failure>> {
-    static OTHERS: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([38, 39]));
-    OTHERS.each()
-}
+pub static OTHERS_PULLED: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([38, 39]));
 
 fn all_pulled([strongly, weakly]: [u64; 2]) -> Result<Vec<Pulled>, Failure> {
     let pulled = |(name, plane, least, start)| -> Result<_, Failure> {
@@ -207,11 +195,7 @@ fn weak(stream: u64) -> impl Iterator<Item = (String, Plane, f64, State)> {
 }
 
 /// At rest at the origin.
-pub const AT_REST: State = State {
-    t: 0.0,
-    v: [0.0; 2],
-    x: [0.0; 2],
-};
+pub const AT_REST: State = State::moving([0.0; 2]);
 
 /// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
 pub fn violations(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> bool) -> usize {

@@ -5,7 +5,7 @@
 
 use super::accelerations::{Case, SHAPES, along_a_line, any_start, bounded};
 use super::examples::{
-    AT_REST, Pulled, Returning, others_pulled, others_returning, pulled, returning, violations,
+    AT_REST, OTHERS_PULLED, OTHERS_RETURNING, PULLED, Pulled, RETURNING, Returning, violations,
 };
 use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
 use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};
@@ -19,12 +19,7 @@ const UNIT: [f64; 2] = [0.5, 2.0];
 /// Whether something is so by the claim, and by the motion.
 fn whether(at: String, stated: bool, found: bool) -> Pair {
     let [stated, found] = [stated, found].map(is);
-    Pair {
-        at,
-        stated,
-        found,
-        scale: 1.0,
-    }
+    Pair::plain(at, stated, found)
 }
 
 fn stops_below() -> f64 {
@@ -121,7 +116,7 @@ fn rest_census() -> Evidence {
             "whether no rest lasts longer than a period",
         ),
     )
-    .over(returning(), |returning| {
+    .over(RETURNING.each(), |returning| {
         let Returning {
             name,
             size,
@@ -143,7 +138,7 @@ fn long_rests(phases: &[Phase], period: f64) -> usize {
 
 /// Others move in every period, or do not.
 fn rest_integration() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Within,
         Compared::one(
@@ -151,8 +146,8 @@ fn rest_integration() -> Evidence {
             "whether the motion has slid in each of five periods",
         ),
         NONE,
-    );
-    trial.over(others_returning(), |returning| {
+    )
+    .over(OTHERS_RETURNING.each(), |returning| {
         let Returning {
             name,
             size,
@@ -226,7 +221,7 @@ fn grows_census() -> Evidence {
             "whether the speed grows on every step from $t=200$ to 400",
         ),
     )
-    .over(pulled(), |pulled| {
+    .over(PULLED.each(), |pulled| {
         let pulled = pulled?;
         let stated = pulled.least > speeds_up_above();
         Ok(whether(pulled.name.clone(), stated, pulled.grows()))
@@ -242,7 +237,7 @@ fn grows_integration() -> Evidence {
             "the speed gained",
         ),
     );
-    trial.over(others_pulled(), |pulled| {
+    trial.over(OTHERS_PULLED.each(), |pulled| {
         let Pulled {
             name,
             least,
@@ -272,11 +267,7 @@ fn grows_outside() -> Evidence {
             width: 1.0,
         };
         let size = Signal::Sum(vec![Signal::constant(1.0), excess]);
-        let start = State {
-            t: 0.0,
-            v: [3.0 * libm::cos(theta0), 3.0 * libm::sin(theta0)],
-            x: [0.0; 2],
-        };
+        let start = State::moving([3.0 * libm::cos(theta0), 3.0 * libm::sin(theta0)]);
         let motion = run(&Plane::along([-1.0, 0.0], size), 1.0, start, t + 1.0)?;
         let (before, after) = (motion.at(t)?.speed(), motion.at(t + 1.0)?.speed());
         // Above 1 at all times, if by less than rounding.
@@ -297,12 +288,7 @@ fn across_census() -> Evidence {
         r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
     )).over(fixed_direction(27), |case| {
         let falls = grows_across(&case)? == 0;
-        Ok(Pair {
-            at: case.name,
-            stated: printed::s2_across_trend(),
-            found: if falls { -1.0 } else { 1.0 },
-            scale: 1.0,
-        })
+        Ok(Pair::plain(case.name, printed::s2_across_trend(), if falls { -1.0 } else { 1.0 }))
     })
 }
 
@@ -325,12 +311,7 @@ fn across_outside() -> Evidence {
     )).over(fixed_direction(29), |case| {
         let end = run(&case.plane, 0.0, case.start, 10.0)?.end();
         let (before, after) = (case.across(&case.start), case.across(&end));
-        Ok(Pair {
-            at: case.name,
-            stated: printed::s2_across_trend(),
-            found: sense(after - before, end.speed()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(case.name, printed::s2_across_trend(), sense(after - before, end.speed())))
     })
 }
 
@@ -358,12 +339,11 @@ fn across_quadrature() -> Evidence {
         let motion = run(&case.plane, 1.0, case.start, until)?;
         let rate = |t: f64| motion.at(t).map_or(f64::NAN, |s| 1.0 / s.speed());
         let size = integral_within(rate, 0.0, until, 1e-14)?.value;
-        Ok(Pair {
-            at: format!("{}, t = {until:.6}", case.name),
-            stated: printed::s2_across_trend::<f64>() * size,
-            found: libm::log(case.across(&motion.end()) / case.across(&case.start)),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("{}, t = {until:.6}", case.name),
+            printed::s2_across_trend::<f64>() * size,
+            libm::log(case.across(&motion.end()) / case.across(&case.start)),
+        ))
     })
 }
 

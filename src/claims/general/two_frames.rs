@@ -3,7 +3,6 @@
 use super::accelerations::{Case, bounded};
 use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
 use crate::motion::{Acceleration, State, run};
-use crate::numerics::dop853;
 use crate::numerics::quadrature::sum;
 use crate::paper::general as printed;
 use trialbook::prelude::*;
@@ -31,7 +30,7 @@ fn acceleration(case: &Case, t: f64) -> [f64; 2] {
 /// (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
 /// points against V − U, where U is the plane's velocity.
 fn eq1_laboratory() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -39,8 +38,8 @@ fn eq1_laboratory() -> Evidence {
             r"$\bm V-\bm U$ of the laboratory, where friction alone acts, component by component",
         ),
         FOREIGN,
-    );
-    trial.pairs(cases(), |(case, until)| {
+    )
+    .pairs(cases(), |(case, until)| {
         let (stated, found) = (by_the_law(&case, until), in_the_laboratory(&case, until)?);
         let pair = |i: usize| Pair {
             at: format!("{}, t = {until:.6}", case.name),
@@ -104,8 +103,7 @@ fn followed(
     rate: fn(&Case, &State) -> f64,
     quantity: fn(&State) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Integration, Printed, compared, DIFFERENCES);
-    trial.pairs(cases(), |(case, until)| {
+    Trial::by(Route::Integration, Printed, compared, DIFFERENCES).pairs(cases(), |(case, until)| {
         let motion = run(&case.plane, case.friction, case.start, until)?;
         let look = |n: u32| {
             let state = motion.at(until * f64::from(n) / f64::from(TIMES + 1))?;

@@ -120,12 +120,11 @@ fn shares_motion() -> Evidence {
         let [_, stop] = printed::eq44_ends(lambda, eta);
         let share = 1.0 - stop / std::f64::consts::PI;
         let large = lambda > printed::eq46_lambda_c(eta);
-        Ok(Pair {
-            at: format!("η = {eta:.6}, λ₀ = {lambda:.6}"),
-            stated: if large { share } else { 0.0 },
-            found: found?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("η = {eta:.6}, λ₀ = {lambda:.6}"),
+            if large { share } else { 0.0 },
+            found?,
+        ))
     })
 }
 

@@ -65,8 +65,7 @@ fn largest(
     etas: Vec<[f64; 1]>,
     found: impl Fn(f64) -> Result<f64, Failure>,
 ) -> Evidence {
-    let trial = Trial::by(route, subject, compared, NONE);
-    trial.at(["η"], etas, 1.0, |[eta]| {
+    Trial::by(route, subject, compared, NONE).at(["η"], etas, 1.0, |[eta]| {
         Ok([printed::s23_largest(), found(eta)?])
     })
 }

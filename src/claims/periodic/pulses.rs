@@ -156,7 +156,6 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
     })
 }
 
-/// (44) with the simulated motion, over half a period.
 fn eq44_motion() -> Evidence {
     let trial = Trial::motion(
         Printed,
@@ -202,11 +201,7 @@ pub fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64
     let late = square(eta * PI).times(-1.0);
     let pull = Signal::Sum(vec![square(0.0), late]).times(-0.5);
     let (sine, cosine) = libm::sincos(angle);
-    let start = crate::motion::State {
-        t: 0.0,
-        v: [0.0; 2],
-        x: [0.0; 2],
-    };
+    let start = crate::motion::State::moving([0.0; 2]);
     let plane = Plane::along([cosine, sine], pull);
     let [x, y] = run(&plane, lambda, start, phi)?.end().v;
     Ok(x * cosine + y * sine + (x * sine - y * cosine).abs())
@@ -247,9 +242,8 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
     })
 }
 
-/// (46) with the place where rests appear.
 fn eq46_root() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::one(
@@ -257,14 +251,13 @@ fn eq46_root() -> Evidence {
             r"the $\lambda_0$ at which rests appear in the motion",
         ),
         THRESHOLD,
-    );
-    trial.over(widths(), |eta| {
-        Ok(Pair {
-            at: format!("η = {eta:.6}"),
-            stated: printed::eq46_lambda_c(eta),
-            found: bracketed(eta)?,
-            scale: 1.0,
-        })
+    )
+    .over(widths(), |eta| {
+        Ok(Pair::plain(
+            format!("η = {eta:.6}"),
+            printed::eq46_lambda_c(eta),
+            bracketed(eta)?,
+        ))
     })
 }
 
@@ -283,16 +276,15 @@ fn eq46_census() -> Evidence {
             Phase::Rests(rests) => rests as f64,
             Phase::Still | Phase::Drifts => return Err(Failure::from("no periodic slip")),
         };
-        Ok(Pair {
-            at: at((eta, lambda)),
-            stated: if lambda > printed::eq46_lambda_c(eta) {
+        Ok(Pair::plain(
+            at((eta, lambda)),
+            if lambda > printed::eq46_lambda_c(eta) {
                 2.0
             } else {
                 0.0
             },
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 
@@ -346,12 +338,11 @@ fn extremes_census() -> Evidence {
                 Some(Phase::Drifts) | None => return Err(Failure::from("the motion drifts")),
             };
             let small = lambda < printed::eq46_lambda_c(eta);
-            Ok(Pair {
-                at: at((eta, lambda)),
-                stated: if small { 0.0 } else { 1.0 },
+            Ok(Pair::plain(
+                at((eta, lambda)),
+                if small { 0.0 } else { 1.0 },
                 found,
-                scale: 1.0,
-            })
+            ))
         },
     )
 }
@@ -403,12 +394,11 @@ fn extremes_limit() -> Evidence {
                     threshold
                 }
             };
-            Ok(Pair {
-                at: format!("η = {eta:.6}"),
-                stated: width(printed::eq46_lambda_c(eta)) / delta,
-                found: width(bracketed(eta)?) / delta,
-                scale: 1.0,
-            })
+            Ok(Pair::plain(
+                format!("η = {eta:.6}"),
+                width(printed::eq46_lambda_c(eta)) / delta,
+                width(bracketed(eta)?) / delta,
+            ))
         },
     )
 }

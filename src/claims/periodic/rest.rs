@@ -55,12 +55,11 @@ fn within_time() -> Evidence {
         let until = phi + longest;
         let end = drive.advance(both, start, until)?.end;
         let later = drive.advance(both, end, until + 2.0 * TAU)?;
-        Ok(Pair {
-            at: at(name, lambda, start),
-            stated: stated_rest(lambda),
-            found: is(left(end.w, &later.intervals) == 0.0),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(name, lambda, start),
+            stated_rest(lambda),
+            is(left(end.w, &later.intervals) == 0.0),
+        ))
     })
 }
 
@@ -111,12 +110,11 @@ pub fn stopping_time() -> Evidence {
             Ok(gain) => w.abs() + gain.value,
             Err(_) => f64::NAN,
         };
-        Ok(Pair {
-            at: at("three harmonics", lambda, start),
-            stated: root(size, phi, phi + longest).unwrap_or(f64::NAN),
-            found: stop.map_or(f64::NAN, |i| i.start),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at("three harmonics", lambda, start),
+            root(size, phi, phi + longest).unwrap_or(f64::NAN),
+            stop.map_or(f64::NAN, |i| i.start),
+        ))
     })
 }
 
@@ -138,12 +136,11 @@ pub fn sharp() -> Evidence {
             let drives = drives.as_ref().map_err(Clone::clone)?;
             let one = &drives[k % drives.len()];
             let still = phase(&one.drive, 1.0 + excess)? == Phase::Still;
-            Ok(Pair {
-                at: format!("{}: λ₀ − 1 = {excess:e}", one.name),
-                stated: stated_rest(1.0 + excess),
-                found: is(still),
-                scale: 1.0,
-            })
+            Ok(Pair::plain(
+                format!("{}: λ₀ − 1 = {excess:e}", one.name),
+                stated_rest(1.0 + excess),
+                is(still),
+            ))
         },
     )
 }

@@ -29,12 +29,11 @@ pub fn limit() -> Evidence {
         let drive = Harmonics::random(&mut points)?.drive()?;
         let delta = 1e-8;
         let [far, near] = [share(&drive, 4.0 * delta)?, share(&drive, delta)?];
-        Ok(Pair {
-            at: format!("drive {i}"),
-            stated: printed::s23_late_share(),
-            found: 2.0 * near - far,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("drive {i}"),
+            printed::s23_late_share(),
+            2.0 * near - far,
+        ))
     })
 }
 
@@ -50,12 +49,11 @@ pub fn census() -> Evidence {
         let drive = Harmonics::random(&mut points)?.drive()?;
         let delta = points.log_uniform(1e-9, 1e-3);
         let most = |share: f64| is(share > 0.5);
-        Ok(Pair {
-            at: format!("drive {i}, λ₀ = 1 − {delta:.3e}"),
-            stated: most(printed::s23_late_share()),
-            found: most(share(&drive, delta)?),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("drive {i}, λ₀ = 1 − {delta:.3e}"),
+            most(printed::s23_late_share()),
+            most(share(&drive, delta)?),
+        ))
     })
 }
 
@@ -73,12 +71,11 @@ pub fn two_valued() -> Evidence {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
         let drive = steps_between(x, y)?;
         let delta = points.log_uniform(1e-6, 1e-1);
-        Ok(Pair {
-            at: format!("steps at {x:.6} and {y:.6}, λ₀ = 1 − {delta:.3e}"),
-            stated: 0.0,
-            found: share(&drive, delta)?.abs(),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("steps at {x:.6} and {y:.6}, λ₀ = 1 − {delta:.3e}"),
+            0.0,
+            share(&drive, delta)?.abs(),
+        ))
     })
 }
 

@@ -149,14 +149,13 @@ fn two_zeros_root() -> Evidence {
         let shape = Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, a, p), (3, b, r)])?;
         let drive = shape.drive()?;
         let Bounds { low, high } = bounds(&drive);
-        Ok(Pair {
-            at: format!("sin φ + {a:.6} sin(2φ + {p:.6}) + {b:.6} sin(3φ + {r:.6}), scaled"),
-            stated: two_zero_threshold(&shape)?,
-            found: boundary(low, high, |lambda| {
+        Ok(Pair::plain(
+            format!("sin φ + {a:.6} sin(2φ + {p:.6}) + {b:.6} sin(3φ + {r:.6}), scaled"),
+            two_zero_threshold(&shape)?,
+            boundary(low, high, |lambda| {
                 Ok::<_, DriveError>(phase(&drive, lambda)?.rests())
             })?,
-            scale: 1.0,
-        })
+        ))
     })
 }
 
@@ -176,12 +175,7 @@ fn again_and_again() -> Evidence {
             .map(|k| Ok::<_, DriveError>(phase(&drive, 0.005 * f64::from(k))?.rests()))
             .collect();
         let changes = seen?.windows(2).filter(|w| w[0] != w[1]).count();
-        Ok(Pair {
-            at: format!("a = {a:.6}"),
-            stated: 3.0,
-            found: changes as f64,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(format!("a = {a:.6}"), 3.0, changes as f64))
     })
 }
 

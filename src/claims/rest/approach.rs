@@ -5,10 +5,10 @@
 
 use super::boundary::{angle_towards_one, border};
 use super::trajectories::{
-    Approach, Close, approaches, approaches_to, approaches_to_one_half, gentle_approaches_to,
-    other_approaches,
+    APPROACHES, APPROACHES_TO_ONE_HALF, Approach, Close, OTHER_APPROACHES, approaches_to,
+    gentle_approaches_to,
 };
-use crate::claims::escape::straight::{StraightIn, time_to_stop, within_one};
+use crate::claims::escape::straight::{StraightIn, WITHIN_ONE, time_to_stop};
 use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::claims::tolerances::{
     BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
@@ -27,76 +27,119 @@ type Sides = fn(sigma: f64, close: &Close) -> [f64; 3];
 /// An equation: what it states and what is found, in words, and both in numbers.
 type Equation = (&'static str, &'static str, Sides);
 
-/// A moment at which an equation is tried: where, σ, the motion then, and the unit in which a difference is counted.
+/// A moment at which an equation is tried: its name, σ, the motion then, and the unit in which a difference is counted.
 type Moment = Result<(String, f64, Close, f64), Failure>;
 
-/// An equation at such moments, which the words before it tell.
-fn tried(
-    (route, subject, tolerance): (Route, Subject, Tolerance),
-    moments: impl Iterator<Item = Moment>,
-    when: &'static str,
-    (law, found, sides): Equation,
-) -> Evidence {
-    let compared = Compared::composed([when, law, ""], [found, "", ""]);
-    Trial::by(route, subject, compared, tolerance).over(moments, |moment| {
-        let (at, sigma, close, unit) = moment?;
-        let [stated, found, size] = sides(sigma, &close);
-        Ok(Pair {
-            at: format!("{at}, α = {:.6e}", close.alpha),
-            stated,
-            found,
-            scale: size * unit,
-        })
-    })
+/// A way to try an equation.
+struct Way {
+    route: Route,
+    subject: Subject,
+    tolerance: Tolerance,
+    /// Words before what is stated, and after what is found.
+    words: [&'static str; 2],
+    moments: fn() -> Box<dyn Iterator<Item = Moment>>,
+}
+
+impl Way {
+    fn tries(&self, (law, found, sides): Equation) -> Evidence {
+        let [before, after] = self.words;
+        let compared = Compared::composed([before, law, ""], [found, after, ""]);
+        Trial::by(self.route, self.subject, compared, self.tolerance).over(
+            (self.moments)(),
+            |moment| {
+                let (at, sigma, close, unit) = moment?;
+                let [stated, found, size] = sides(sigma, &close);
+                Ok(Pair {
+                    at,
+                    stated,
+                    found,
+                    scale: size * unit,
+                })
+            },
+        )
+    }
 }
 
 /// At p = 10⁻²⁰, for σ not so small that ψ has not relaxed even there.
-fn exactly(subject: Subject, equation: Equation) -> Evidence {
-    let moments = approaches_to(&[(0.3, 0.98)]).map(|approach| {
-        let approach = approach?;
-        Ok((approach.at(), approach.sigma, approach.close(1e-20)?, 1.0))
-    });
-    let how = (Route::Integration, subject, DIFFERENCES);
-    tried(how, moments, r"at $p=10^{-20}$, ", equation)
-}
+const EXACTLY: Way = Way {
+    route: Route::Integration,
+    subject: Within,
+    tolerance: DIFFERENCES,
+    words: [r"at $p=10^{-20}$, ", ""],
+    moments: || {
+        Box::new(approaches_to(&[(0.3, 0.98)]).map(|approach| {
+            let approach = approach?;
+            let close = approach.close(1e-20)?;
+            Ok((named(approach.at(), &close), approach.sigma, close, 1.0))
+        }))
+    },
+};
 
 /// At p = 10⁻³, in units of the order of what is left out.
-fn by_order(equation: Equation) -> Evidence {
-    const AT: &str =
-        r"at $p=10^{-3}$, relatively and in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$, ";
-    let moments = approaches().map(|approach| {
-        let approach = approach?;
-        let (sigma, close) = (approach.sigma, approach.close(1e-3)?);
-        Ok((approach.at(), sigma, close, 100.0 * close.omitted(sigma)))
-    });
-    tried((Route::Limit, Within, FIRST_OMITTED), moments, AT, equation)
-}
+const BY_ORDER: Way = Way {
+    route: Route::Limit,
+    subject: Within,
+    tolerance: FIRST_OMITTED,
+    words: [
+        r"at $p=10^{-3}$, relatively and in units of $100(\alpha^2+\psi^2)/[\sigma(1-\sigma)^2]$, ",
+        "",
+    ],
+    moments: || {
+        Box::new(APPROACHES.each().map(|approach| {
+            let approach = approach?;
+            let (sigma, close) = (approach.sigma, approach.close(1e-3)?);
+            let unit = 100.0 * close.omitted(sigma);
+            Ok((named(approach.at(), &close), sigma, close, unit))
+        }))
+    },
+};
 
 /// On the way into a rest with ψ → π.
-fn straight(equation: Equation) -> Evidence {
-    let moments = within_one().map(|straight| {
-        let straight = straight?;
-        let (sigma, close) = close(straight)?;
-        Ok((straight.at(), sigma, close, 1.0))
-    });
-    let how = (Route::Integration, Outside, RELAXED);
-    tried(
-        how,
-        moments,
-        r"on the way into a rest with $\psi\to\pi$, ",
-        equation,
-    )
-}
+const STRAIGHT: Way = Way {
+    route: Route::Integration,
+    subject: Outside,
+    tolerance: RELAXED,
+    words: [r"on the way into a rest with $\psi\to\pi$, ", ""],
+    moments: || {
+        Box::new(WITHIN_ONE.each().map(|straight| {
+            let straight = straight?;
+            let (sigma, close) = close(straight)?;
+            Ok((named(straight.at(), &close), sigma, close, 1.0))
+        }))
+    },
+};
 
 /// What holds there instead.
-fn straight_corrected((law, found, sides): Equation) -> Evidence {
-    const WITH: &str = r" of a motion that comes to rest with $\psi\to\pi$";
-    let compared = Compared::composed([law, "", ""], [found, WITH, ""]);
-    let trial = Trial::by(Route::Integration, Corrected, compared, RELAXED);
-    trial.each(within_one(), StraightIn::at, |straight| {
-        let (sigma, close) = close(straight)?;
-        Ok(sides(sigma, &close))
-    })
+const STRAIGHT_CORRECTED: Way = Way {
+    subject: Corrected,
+    words: ["", r" of a motion that comes to rest with $\psi\to\pi$"],
+    moments: || {
+        Box::new(WITHIN_ONE.each().map(|straight| {
+            let straight = straight?;
+            let (sigma, close) = close(straight)?;
+            Ok((straight.at(), sigma, close, 1.0))
+        }))
+    },
+    ..STRAIGHT
+};
+
+/// At σ = 1, where the motion takes for ever: on the boundary.
+const AT_ONE: Way = Way {
+    route: Route::Root,
+    subject: Outside,
+    tolerance: BOUNDARY,
+    words: ["on the boundary, ", ""],
+    moments: || {
+        Box::new(BORDERS_NEAR_ONE.each().map(|close| {
+            let close = *close?;
+            let at = format!("σ = 1, α = {:.3}, ψ = {:.6}", close.alpha, close.psi);
+            Ok((at, 1.0, close, 1.0))
+        }))
+    },
+};
+
+fn named(at: String, close: &Close) -> String {
+    format!("{at}, α = {:.6e}", close.alpha)
 }
 
 /// A moment just before a stop with ψ → π, α being about 10⁻³; σ to the square of that.
@@ -132,13 +175,10 @@ fn close(straight: &StraightIn) -> Result<(f64, Close), MotionError> {
 }
 
 /// On the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
-fn borders_near_one() -> impl Iterator<Item = Result<&'static Close, Failure>> {
-    static BORDERS: Runs<Vec<Close>> = Runs::new(|| {
-        let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
-        every(Points::stream(743).grid(alphas).into_iter().map(leaving))
-    });
-    BORDERS.each()
-}
+static BORDERS_NEAR_ONE: Runs<Vec<Close>> = Runs::new(|| {
+    let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
+    every(Points::stream(743).grid(alphas).into_iter().map(leaving))
+});
 
 /// A moment after the point of the boundary with this α: the motion stays on the boundary. It never comes to rest; where (141)
 /// asks for the time that is left, any will do.
@@ -164,14 +204,6 @@ fn leaving(alpha0: f64) -> Result<Close, Failure> {
         a_slope_by_way: f64::NAN,
         way_left: f64::NAN,
     })
-}
-
-/// At σ = 1, where the motion takes for ever: on the boundary.
-fn at_one((law, found, sides): Equation) -> Evidence {
-    let compared = Compared::composed(["on the boundary, ", law, ""], [found, "", ""]);
-    let trial = Trial::by(Route::Root, Outside, compared, BOUNDARY);
-    let at = |close: &Close| format!("σ = 1, α = {:.3}, ψ = {:.6}", close.alpha, close.psi);
-    trial.each(borders_near_one(), at, |close| Ok(sides(1.0, close)))
 }
 
 const EQ140: Equation = (
@@ -262,17 +294,19 @@ const CONSTANT: Compared = Compared::one(
 );
 
 fn constants(subject: Subject, compared: Compared, ranges: &'static [(f64, f64)]) -> Evidence {
-    let trial = Trial::by(Route::Limit, subject, compared, NEAR_REST);
-    trial.over(gentle_approaches_to(ranges), |approach| {
-        let approach = approach?;
-        let [found, alpha, left_out] = constant(approach)?;
-        Ok(Pair {
-            at: format!("{}, α = {alpha:.6e}", approach.at()),
-            stated: printed::eq143_constant(approach.sigma),
-            found,
-            scale: unit(subject, 1.0 + found.abs(), left_out, NEAR_REST),
-        })
-    })
+    Trial::by(Route::Limit, subject, compared, NEAR_REST).over(
+        gentle_approaches_to(ranges),
+        |approach| {
+            let approach = approach?;
+            let [found, alpha, left_out] = constant(approach)?;
+            Ok(Pair {
+                at: format!("{}, α = {alpha:.6e}", approach.at()),
+                stated: printed::eq143_constant(approach.sigma),
+                found,
+                scale: unit(subject, 1.0 + found.abs(), left_out, NEAR_REST),
+            })
+        },
+    )
 }
 
 /// The scale of a comparison: what is left out can be the larger part of a difference where c is large, or, beside a slope, where
@@ -296,20 +330,22 @@ fn exponents(
     ranges: &'static [(f64, f64)],
     levels: fn(f64) -> [f64; 2],
 ) -> Evidence {
-    let trial = Trial::by(Route::Integration, subject, compared, NEAR_REST_EXPONENT);
-    trial.over(gentle_approaches_to(ranges), |approach| {
-        let approach = approach?;
-        let [far, near] = levels(approach.sigma);
-        let (far, near) = (approach.close(far)?, approach.close(near)?);
-        let ratio = far.ratio_slope / near.ratio_slope;
-        let left_out = far.left_out() / far.ratio_slope.abs();
-        Ok(Pair {
-            at: format!("{}, α = {:.6e}", approach.at(), near.alpha),
-            stated: printed::eq143_exponent(approach.sigma),
-            found: libm::log(ratio.abs()) / libm::log(far.alpha / near.alpha),
-            scale: unit(subject, 1.0, left_out, NEAR_REST_EXPONENT),
-        })
-    })
+    Trial::by(Route::Integration, subject, compared, NEAR_REST_EXPONENT).over(
+        gentle_approaches_to(ranges),
+        |approach| {
+            let approach = approach?;
+            let [far, near] = levels(approach.sigma);
+            let (far, near) = (approach.close(far)?, approach.close(near)?);
+            let ratio = far.ratio_slope / near.ratio_slope;
+            let left_out = far.left_out() / far.ratio_slope.abs();
+            Ok(Pair {
+                at: format!("{}, α = {:.6e}", approach.at(), near.alpha),
+                stated: printed::eq143_exponent(approach.sigma),
+                found: libm::log(ratio.abs()) / libm::log(far.alpha / near.alpha),
+                scale: unit(subject, 1.0, left_out, NEAR_REST_EXPONENT),
+            })
+        },
+    )
 }
 
 /// Two levels of p for the exponent.
@@ -323,7 +359,7 @@ fn early_levels(sigma: f64) -> [f64; 2] {
 
 /// σ = 1/2: no value.
 fn eq143_one_half() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Outside,
         Compared::one(
@@ -332,8 +368,8 @@ fn eq143_one_half() -> Evidence {
         )
         .over(r"$\sigma=1/2$"),
         NEAR_REST,
-    );
-    trial.each(approaches_to_one_half(), Approach::at, |approach| {
+    )
+    .each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
         let close = approach.close(1e-10)?;
         Ok([
             printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
@@ -344,7 +380,7 @@ fn eq143_one_half() -> Evidence {
 }
 /// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
 fn eq143_regular() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Corrected,
         Compared::one(
@@ -353,15 +389,14 @@ fn eq143_regular() -> Evidence {
         )
         .over(r"$\sigma=1/2$"),
         NEAR_REST,
-    );
-    trial.each(approaches_to_one_half(), Approach::at, |approach| {
+    )
+    .each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
         let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
         let ratio = |c: f64, alpha: f64| corrected::psi_at_one_half(c, alpha) / (2.0 * alpha);
         let c = far.ratio() - ratio(0.0, far.alpha);
         Ok([ratio(c, near.alpha), near.ratio(), near.ratio().abs()])
     })
 }
-/// α and ψ at the end of a motion to rest.
 fn near_rest_angle() -> Evidence {
     let trial = Trial::by(
         Route::Limit,
@@ -376,12 +411,11 @@ fn near_rest_angle() -> Evidence {
     trial.over(both, |case| {
         let (approach, i) = case?;
         let end = approach.run.end();
-        Ok(Pair {
-            at: approach.at(),
-            stated: printed::s4_near_rest_limits()[i],
-            found: [alpha(&end), end.psi()][i],
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            approach.at(),
+            printed::s4_near_rest_limits()[i],
+            [alpha(&end), end.psi()][i],
+        ))
     })
 }
 /// Random motions to rest, on which ψ and α come nearer to their limits at the end.
@@ -393,7 +427,7 @@ fn near_rest_census() -> Evidence {
             "that of all such falls",
         ),
     );
-    trial.each(other_approaches(), Approach::at, |approach| {
+    trial.each(OTHER_APPROACHES.each(), Approach::at, |approach| {
         let states = tenfold(&approach.run);
         Ok([
             nearing(&states, printed::s4_near_rest_limits()) as f64,
@@ -429,10 +463,10 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
         .count()
 }
 pub(super) const TRIALS: &[Attempt] = trials![
-    eq140_motion = exactly(Within, EQ140),
-    eq140_order = by_order(EQ140),
-    eq140_straight = straight(EQ140),
-    corrected140 = straight_corrected((
+    eq140_motion = EXACTLY.tries(EQ140),
+    eq140_order = BY_ORDER.tries(EQ140),
+    eq140_straight = STRAIGHT.tries(EQ140),
+    corrected140 = STRAIGHT_CORRECTED.tries((
         r"$-1-1/\sigma$",
         r"$\mathrm d\alpha/\mathrm d\tau$",
         |sigma, c| {
@@ -440,23 +474,24 @@ pub(super) const TRIALS: &[Attempt] = trials![
             [stated, c.alpha_rate, c.alpha_rate.abs()]
         }
     )),
-    eq140_at_one = at_one(EQ140),
-    eq141_motion = exactly(Within, EQ141),
-    eq141_order = by_order(EQ141),
-    eq141_straight = straight(EQ141),
-    eq141_at_one = at_one((r"(141), for any $\tau$,", r"$\alpha$", eq141)),
-    eq141_clock = exactly(
-        Outside,
-        (
-            r"(141), with $\tau$ counted from one unit of time after the stop,",
-            r"$\alpha$ of the motion",
-            |sigma, c| [printed::eq141_alpha(sigma, -c.left - 1.0), c.alpha, c.alpha]
-        )
-    ),
-    eq142_motion = exactly(Within, EQ142),
-    eq142_order = by_order(EQ142),
-    eq142_straight = straight(EQ142),
-    eq142_at_one = at_one(EQ142),
+    eq140_at_one = AT_ONE.tries(EQ140),
+    eq141_motion = EXACTLY.tries(EQ141),
+    eq141_order = BY_ORDER.tries(EQ141),
+    eq141_straight = STRAIGHT.tries(EQ141),
+    eq141_at_one = AT_ONE.tries((r"(141), for any $\tau$,", r"$\alpha$", eq141)),
+    eq141_clock = Way {
+        subject: Outside,
+        ..EXACTLY
+    }
+    .tries((
+        r"(141), with $\tau$ counted from one unit of time after the stop,",
+        r"$\alpha$ of the motion",
+        |sigma, c| [printed::eq141_alpha(sigma, -c.left - 1.0), c.alpha, c.alpha]
+    )),
+    eq142_motion = EXACTLY.tries(EQ142),
+    eq142_order = BY_ORDER.tries(EQ142),
+    eq142_straight = STRAIGHT.tries(EQ142),
+    eq142_at_one = AT_ONE.tries(EQ142),
     eq143_constant = constants(Within, CONSTANT, &[(0.36, 0.47), (0.53, 0.7)]),
     eq143_exponent = exponents(
         Within,
@@ -475,27 +510,27 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     eq143_one_half,
     // (143) has no such motion.
-    eq143_straight = straight(("(143)", r"$\psi$ of the motion", |sigma, c| {
+    eq143_straight = STRAIGHT.tries(("(143)", r"$\psi$ of the motion", |sigma, c| {
         [printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0]
     })),
     eq143_regular,
-    eq144_motion = exactly(Within, EQ144_WAY),
-    eq144_order = by_order(EQ144),
-    eq144_straight = straight(EQ144),
-    eq144_at_one = at_one(EQ144),
-    eq145_motion = exactly(Within, EQ145_WAY),
-    eq145_order = by_order(EQ145),
-    eq145_straight = straight(EQ145_WAY),
-    eq145_at_one = at_one(("(145)", "$A$", |sigma, c| {
+    eq144_motion = EXACTLY.tries(EQ144_WAY),
+    eq144_order = BY_ORDER.tries(EQ144),
+    eq144_straight = STRAIGHT.tries(EQ144),
+    eq144_at_one = AT_ONE.tries(EQ144),
+    eq145_motion = EXACTLY.tries(EQ145_WAY),
+    eq145_order = BY_ORDER.tries(EQ145),
+    eq145_straight = STRAIGHT.tries(EQ145_WAY),
+    eq145_at_one = AT_ONE.tries(("(145)", "$A$", |sigma, c| {
         [printed::eq145_a(sigma, c.alpha), c.a, 1.0]
     })),
     near_rest_angle,
     near_rest_census,
-    near_rest_straight = straight(("the stated 0", r"$\psi$ of the motion", |_, c| {
+    near_rest_straight = STRAIGHT.tries(("the stated 0", r"$\psi$ of the motion", |_, c| {
         [printed::s4_near_rest_limits()[1], c.psi, 1.0]
     })),
     corrected_near_rest =
-        straight_corrected((r"$\pi-2\alpha/(2+1/\sigma)$", r"$\psi$", |sigma, c| {
+        STRAIGHT_CORRECTED.tries((r"$\pi-2\alpha/(2+1/\sigma)$", r"$\psi$", |sigma, c| {
             let stated = PI - corrected::angle_straight_in(sigma, c.alpha);
             [stated, c.psi, c.alpha]
         })),

@@ -73,18 +73,25 @@ pub fn is_clear(a: f64, alpha: f64, psi: f64) -> bool {
     (a - corrected_a(alpha, psi)).abs() > THIRD_ORDER.value * unit(alpha)
 }
 
+/// A law of A on the boundary: what it speaks about, how close it is, and its A and the unit of a difference, by α and ψ.
+type Law = (Subject, Tolerance, fn(f64, f64) -> [f64; 2]);
+
+const AS_PRINTED: Law = (Printed, BOUNDARY, |alpha, _| [printed_a(alpha), 1.0]);
+/// To the second order.
+const AS_CORRECTED: Law = (Corrected, THIRD_ORDER, |alpha, psi| {
+    [corrected_a(alpha, psi), unit(alpha)]
+});
+
 /// Where a motion passes from rest to escape, by what is stated of A there.
 fn on_the_border(
-    subject: Subject,
+    (subject, tolerance, law): Law,
     compared: Compared,
-    tolerance: Tolerance,
     borders: impl Iterator<Item = Result<Border, Failure>>,
-    values: fn(f64, f64) -> [f64; 2],
 ) -> Evidence {
     let trial = Trial::by(Route::Root, subject, compared, tolerance);
     let at = |Border { alpha, psi, .. }: &Border| format!("α = {alpha}, ψ = {psi:.6}");
     trial.each(borders, at, |&Border { alpha, psi, a }| {
-        let [stated, scale] = values(alpha, psi);
+        let [stated, scale] = law(alpha, psi);
         Ok([stated, a, scale])
     })
 }
@@ -92,25 +99,6 @@ fn on_the_border(
 const PASSES: &str = "the $A$ at which the motion passes from rest to escape";
 const IN_UNITS: &str =
     r"the $A$ at which the motion passes from rest to escape, in units of $1000\alpha^3$";
-
-/// (147) with the boundary.
-fn as_printed(
-    compared: Compared,
-    borders: impl Iterator<Item = Result<Border, Failure>>,
-) -> Evidence {
-    on_the_border(Printed, compared, BOUNDARY, borders, |alpha, _| {
-        [printed_a(alpha), 1.0]
-    })
-}
-
-/// The second-order boundary with the boundary.
-fn as_corrected(
-    compared: Compared,
-    borders: impl Iterator<Item = Result<Border, Failure>>,
-) -> Evidence {
-    let values = |alpha, psi| [corrected_a(alpha, psi), unit(alpha)];
-    on_the_border(Corrected, compared, THIRD_ORDER, borders, values)
-}
 
 const EQ147: Compared = Compared::one("(147)", PASSES);
 const CORRECTED: Compared = Compared::one(
@@ -208,24 +196,21 @@ const UNDECIDED: MotionError = MotionError::Steps {
 const STARTS: [usize; 2] = [4020, 1000];
 
 /// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
-pub fn census() -> impl Iterator<Item = Result<&'static Case, Failure>> {
-    static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
-        let mut points = Points::stream(640);
-        let [near, away] = STARTS;
-        let case = |i| -> Result<_, Failure> {
-            let (low, high, reach) = if i < near {
-                (0.65, 1.02, 0.3)
-            } else {
-                (0.05, 1.2, 1.5)
-            };
-            let a = points.uniform(low, high);
-            let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
-            fated(a, alpha, psi)
+pub static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
+    let mut points = Points::stream(640);
+    let [near, away] = STARTS;
+    let case = |i| -> Result<_, Failure> {
+        let (low, high, reach) = if i < near {
+            (0.65, 1.02, 0.3)
+        } else {
+            (0.05, 1.2, 1.5)
         };
-        every((0..near + away).map(case))
-    });
-    CENSUS.each()
-}
+        let a = points.uniform(low, high);
+        let (alpha, psi) = (points.uniform(0.0, reach), points.uniform(-PI, PI));
+        fated(a, alpha, psi)
+    };
+    every((0..near + away).map(case))
+});
 
 fn fated(a: f64, alpha: f64, psi: f64) -> Result<Case, Failure> {
     let rests_from = |a: f64| -> Result<bool, MotionError> {
@@ -244,16 +229,15 @@ fn fated(a: f64, alpha: f64, psi: f64) -> Result<Case, Failure> {
 
 fn counted(case: &Case, rests: bool) -> Pair {
     let [a, alpha, psi] = case.start;
-    Pair {
-        at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
-        stated: is(rests),
-        found: is(case.rests),
-        scale: 1.0,
-    }
+    Pair::plain(
+        format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
+        is(rests),
+        is(case.rests),
+    )
 }
 
 /// Who comes to rest by (147), and who does.
-pub fn printed_census() -> Evidence {
+fn printed_census() -> Evidence {
     let trial = Trial::census(
         Printed,
         Compared::one(
@@ -262,7 +246,7 @@ pub fn printed_census() -> Evidence {
         ),
     );
     // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
-    let small = only(census(), |case| case.start[1] < 0.3);
+    let small = only(CENSUS.each(), |case| case.start[1] < 0.3);
     trial.over(small, |case| {
         let case = case?;
         Ok(counted(case, rests_as_printed(case.start)))
@@ -283,7 +267,7 @@ fn corrected_census() -> Evidence {
             r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
         ),
     );
-    trial.over(only(census(), |case| case.clear), |case| {
+    trial.over(only(CENSUS.each(), |case| case.clear), |case| {
         let case = case?;
         let [a, alpha, psi] = case.start;
         Ok(counted(case, a < corrected_a(alpha, psi)))
@@ -302,13 +286,10 @@ pub struct Surface {
 }
 
 /// Twenty such places.
-pub fn surfaces() -> impl Iterator<Item = Result<&'static Surface, Failure>> {
-    static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
-        let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
-        every(Points::stream(740).grid(sigmas).into_iter().map(surface))
-    });
-    SURFACES.each()
-}
+pub static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
+    let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
+    every(Points::stream(740).grid(sigmas).into_iter().map(surface))
+});
 
 /// ψ = 2α + 2α², in which the boundary leads to A = 1, α = 0.
 pub fn angle_towards_one(alpha: f64) -> f64 {
@@ -337,7 +318,7 @@ fn slopes(subject: Subject, compared: Compared, stated: fn(f64, f64) -> f64) -> 
     let compared = compared.over(r"$\psi=2\alpha$");
     let trial = Trial::by(Route::Root, subject, compared, CLOSING_SURFACES);
     let at = |s: &Surface| format!("σ = {:.6}, α = {:.6}", s.sigma, s.alpha);
-    trial.each(surfaces(), at, |s| {
+    trial.each(SURFACES.each(), at, |s| {
         Ok([stated(s.sigma, s.alpha), s.slope, 1.0])
     })
 }
@@ -361,13 +342,21 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ),
         corrected::surface_slope
     ),
-    printed_slow = as_printed(EQ147.over(r"$\psi=2\alpha$"), slow()),
+    printed_slow = on_the_border(AS_PRINTED, EQ147.over(r"$\psi=2\alpha$"), slow()),
     least_root,
     printed_census,
-    printed_root = as_printed(EQ147, borders().map(|border| border.copied())),
+    printed_root = on_the_border(AS_PRINTED, EQ147, borders().map(|border| border.copied())),
     corrected_census,
-    corrected_root = as_corrected(CORRECTED, borders().map(|border| border.copied())),
-    corrected_close = as_corrected(CORRECTED.over(r"$\alpha=10^{-3}$ and $10^{-4}$"), close())
+    corrected_root = on_the_border(
+        AS_CORRECTED,
+        CORRECTED,
+        borders().map(|border| border.copied())
+    ),
+    corrected_close = on_the_border(
+        AS_CORRECTED,
+        CORRECTED.over(r"$\alpha=10^{-3}$ and $10^{-4}$"),
+        close()
+    )
 ];
 
 #[cfg(test)]

@@ -18,17 +18,16 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
         Fate::Rest { .. } => 1.0,
         Fate::Escape { .. } => 0.0,
     };
-    Ok(Pair {
-        at: format!("A = {a:.6}, α = {alpha}, ψ = {psi}"),
-        stated: is(a < border),
+    Ok(Pair::plain(
+        format!("A = {a:.6}, α = {alpha}, ψ = {psi}"),
+        is(a < border),
         found,
-        scale: 1.0,
-    })
+    ))
 }
 
 /// (147) with proved fates.
 pub fn printed() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Certified,
         Printed,
         Compared::one(
@@ -36,8 +35,8 @@ pub fn printed() -> Evidence {
             "that by validated integration",
         ),
         NONE,
-    );
-    trial.over(WRONG, |start| proved(start, printed_a(start[1])))
+    )
+    .over(WRONG, |start| proved(start, printed_a(start[1])))
 }
 
 /// The second-order boundary with proved fates on both sides of it.

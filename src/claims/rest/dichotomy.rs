@@ -31,12 +31,11 @@ pub fn fates() -> Evidence {
         .collect::<Result<Vec<_>, _>>()
         .and_then(|all| rests(&all));
     trial.over(points.iter().zip(parts(ends)), |([rho, p, psi], end)| {
-        Ok(Pair {
-            at: format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}"),
-            stated: printed::s4_third_fates(),
-            found: is(end?.is_none()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}"),
+            printed::s4_third_fates(),
+            is(end?.is_none()),
+        ))
     })
 }
 
@@ -89,12 +88,11 @@ fn on_the_boundary() -> Evidence {
         let run = Run::new(&Start::hyperbolic(boundary(alpha, psi)?, alpha, psi)?, 8.0)?;
         let (before, after) = (run.at(4.0)?, run.at(8.0)?);
         let creeps = creeps([&before, &after].map(|s| [s.rho(), s.p()]));
-        Ok(Pair {
-            at: format!("α = {alpha:.6}, ψ = {psi:.6} on the boundary"),
-            stated: printed::s4_third_fates(),
-            found: is(creeps),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("α = {alpha:.6}, ψ = {psi:.6} on the boundary"),
+            printed::s4_third_fates(),
+            is(creeps),
+        ))
     })
 }
 
@@ -121,12 +119,11 @@ fn beside_the_boundary() -> Evidence {
         };
         let sides = [beside(-1e-6)?, beside(1e-6)?];
         let apart = matches!(sides, [Fate::Rest { .. }, Fate::Escape { .. }]);
-        Ok(Pair {
-            at: format!("α = {alpha:.6}, ψ = {psi:.6}"),
-            stated: 1.0,
-            found: is(apart),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("α = {alpha:.6}, ψ = {psi:.6}"),
+            1.0,
+            is(apart),
+        ))
     })
 }
 

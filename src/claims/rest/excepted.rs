@@ -1,6 +1,6 @@
 //! What the conditions near rest except: single resting places, and starts that come straight in, which lie on a surface.
 
-use super::trajectories::{Approach, approaches};
+use super::trajectories::{APPROACHES, Approach};
 use crate::paper::rest as printed;
 use std::f64::consts::FRAC_PI_2;
 use trialbook::certified::interval::Interval;
@@ -8,15 +8,15 @@ use trialbook::prelude::*;
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub fn straight_in() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Excepted,
         Compared::constant(
             "the expected 1",
             r"whether $\psi$ of the motion ends below a right angle (1 if so)",
         )
         .over("random starts that do not come straight in"),
-    );
-    trial.each(approaches(), Approach::at, |approach| {
+    )
+    .each(APPROACHES.each(), Approach::at, |approach| {
         Ok([1.0, is(approach.run.end().psi().abs() < FRAC_PI_2), 1.0])
     })
 }

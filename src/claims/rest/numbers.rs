@@ -1,6 +1,6 @@
 //! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
 
-use super::boundary::surfaces;
+use super::boundary::SURFACES;
 use super::surfaces::bend;
 use crate::corrections::rest as corrected;
 use crate::motion::turntable;
@@ -16,7 +16,7 @@ pub(super) static CASES: [Numbers; 4] = [
         "eq-146",
         || Ok(printed::eq146_right(0.5, 0.5 * SQRT_2)),
         || {
-            let surface = surfaces().last().ok_or("no surface")??;
+            let surface = SURFACES.each().last().ok_or("no surface")??;
             Ok(surface.slope)
         },
     ),

@@ -1,6 +1,6 @@
 //! Trials of where rest is possible, (139) and its words.
 
-use super::boundary::census;
+use super::boundary::CENSUS;
 use crate::claims::tolerances::{NEAR_CORNER, NONE};
 use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
@@ -23,12 +23,11 @@ fn eq139_nudge() -> Evidence {
     let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
     trial.over(Points::stream(744).grid(angles), |psi| {
         let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
-        Ok(Pair {
-            at: format!("p = 0.0001, ψ = {psi:.6}"),
-            stated: printed::eq139_largest_sigma(),
+        Ok(Pair::plain(
+            format!("p = 0.0001, ψ = {psi:.6}"),
+            printed::eq139_largest_sigma(),
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 
@@ -41,13 +40,10 @@ struct Rider {
     moved: f64,
 }
 
-fn riders() -> impl Iterator<Item = Result<&'static Rider, Failure>> {
-    static RIDERS: Runs<Vec<Rider>> = Runs::new(|| {
-        let mut points = Points::stream(641);
-        every((0..20).map(|i| rider(&mut points, i)))
-    });
-    RIDERS.each()
-}
+static RIDERS: Runs<Vec<Rider>> = Runs::new(|| {
+    let mut points = Points::stream(641);
+    every((0..20).map(|i| rider(&mut points, i)))
+});
 
 fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
     let table = Table {
@@ -76,9 +72,8 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
     })
 }
 
-/// (139) with a particle that rides with a table: whether it stays, seen from the laboratory.
 fn eq139_stays() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -86,22 +81,21 @@ fn eq139_stays() -> Evidence {
             "whether one stays that rides with the table, seen from the laboratory",
         ),
         NONE,
-    );
-    trial.over(riders(), |rider| {
+    )
+    .over(RIDERS.each(), |rider| {
         let Rider {
             table,
             sigma,
             moved,
         } = rider?;
-        Ok(Pair {
-            at: format!(
+        Ok(Pair::plain(
+            format!(
                 "σ = {sigma:.6}, Ω = {:.6}, μ = {:.6}, g = {:.6}",
                 table.omega, table.mu, table.g
             ),
-            stated: is(*sigma <= printed::eq139_largest_sigma()),
-            found: is(stayed(*moved)),
-            scale: 1.0,
-        })
+            is(*sigma <= printed::eq139_largest_sigma()),
+            is(stayed(*moved)),
+        ))
     })
 }
 
@@ -144,12 +138,11 @@ fn eq139_at_the_edge() -> Evidence {
             }
             _ => matches!(fate(&Start::polar(sigma, 0.0, 0.0)?)?, Fate::Rest { .. }),
         };
-        Ok(Pair {
-            at: format!("σ − 1 = {off:.6e}"),
-            stated: is(sigma <= printed::eq139_largest_sigma()),
-            found: is(stays),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("σ − 1 = {off:.6e}"),
+            is(sigma <= printed::eq139_largest_sigma()),
+            is(stays),
+        ))
     })
 }
 
@@ -173,19 +166,18 @@ fn resting_places() -> Evidence {
             r"$\sigma$ of random starts that come to rest",
         ),
     );
-    let resting = only(census(), |case| case.rests);
+    let resting = only(CENSUS.each(), |case| case.rests);
     trial.over(resting.step_by(EVERY), |case| {
         let [a, alpha, psi] = case?.start;
         // The place itself: the fate's bounds make use of σ ≤ 1.
         let sigma = Run::new(&Start::hyperbolic(a, alpha, psi)?, LONG)?
             .end()
             .rho();
-        Ok(Pair {
-            at: format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
-            stated: allowed(sigma),
-            found: sigma,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
+            allowed(sigma),
+            sigma,
+        ))
     })
 }
 
@@ -211,7 +203,7 @@ mod tests {
     #[test]
     fn riders_stay_or_move_and_nothing_lies_between() {
         let mut movers = 0;
-        for rider in riders() {
+        for rider in RIDERS.each() {
             let Rider { sigma, moved, .. } = *rider.unwrap();
             if sigma <= 1.0 {
                 assert!(moved < 1e-12, "{sigma}: {moved}");

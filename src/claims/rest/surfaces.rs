@@ -36,8 +36,7 @@ fn places(stream: u64) -> Vec<[f64; 2]> {
 fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64) -> Evidence {
     const FROM: &str = r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$";
     let compared = Compared::one(law, FROM).over(r"$\alpha=(1-\sigma)/100$");
-    let trial = Trial::by(Route::Root, subject, compared, THIRD_ORDER);
-    trial.over(places(645), |[sigma, psi]| {
+    Trial::by(Route::Root, subject, compared, THIRD_ORDER).over(places(645), |[sigma, psi]| {
         let alpha = 0.01 * (1.0 - sigma);
         Ok(Pair {
             at: format!("σ = {sigma:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
@@ -50,7 +49,7 @@ fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64
 
 /// The coefficient of α².
 pub fn bends() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Corrected,
         Compared::one(
@@ -58,14 +57,13 @@ pub fn bends() -> Evidence {
             r"the limit of $(\sigma-A)/\alpha^2$ on the surface that the motion makes",
         ),
         SURFACE,
-    );
-    trial.over(places(646), |[sigma, psi]| {
-        Ok(Pair {
-            at: format!("σ = {sigma:.6}, ψ = {psi:.6}"),
-            stated: sigma * corrected::surface_bend(sigma, psi),
-            found: bend(sigma, psi)?,
-            scale: 1.0,
-        })
+    )
+    .over(places(646), |[sigma, psi]| {
+        Ok(Pair::plain(
+            format!("σ = {sigma:.6}, ψ = {psi:.6}"),
+            sigma * corrected::surface_bend(sigma, psi),
+            bend(sigma, psi)?,
+        ))
     })
 }
 

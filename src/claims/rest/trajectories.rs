@@ -135,16 +135,10 @@ impl Approach {
 }
 
 /// Motions to rest at σ from 0.05 to 0.98.
-pub fn approaches() -> impl Iterator<Item = Result<&'static Approach, Failure>> {
-    static APPROACHES: Runs<Vec<Approach>> = Runs::new(|| all_approaches(620));
-    APPROACHES.each()
-}
+pub static APPROACHES: Runs<Vec<Approach>> = Runs::new(|| all_approaches(620));
 
 /// Others of the same kinds.
-pub fn other_approaches() -> impl Iterator<Item = Result<&'static Approach, Failure>> {
-    static OTHERS: Runs<Vec<Approach>> = Runs::new(|| all_approaches(622));
-    OTHERS.each()
-}
+pub static OTHER_APPROACHES: Runs<Vec<Approach>> = Runs::new(|| all_approaches(622));
 
 fn all_approaches(stream: u64) -> Result<Vec<Approach>, Failure> {
     let mut points = Points::stream(stream);
@@ -168,7 +162,7 @@ fn all_approaches(stream: u64) -> Result<Vec<Approach>, Failure> {
 pub fn approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
-    only(approaches(), |approach| {
+    only(APPROACHES.each(), |approach| {
         let inside = |&(low, high)| low < approach.sigma && approach.sigma < high;
         ranges.iter().any(inside)
     })
@@ -184,13 +178,10 @@ pub fn gentle_approaches_to(
 }
 
 /// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.
-pub fn approaches_to_one_half() -> impl Iterator<Item = Result<&'static Approach, Failure>> {
-    static HALF: Runs<Vec<Approach>> = Runs::new(|| {
-        let mut points = Points::stream(621);
-        every((0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5))))
-    });
-    HALF.each()
-}
+pub static APPROACHES_TO_ONE_HALF: Runs<Vec<Approach>> = Runs::new(|| {
+    let mut points = Points::stream(621);
+    every((0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5))))
+});
 
 fn to_one_half(p: f64, psi: f64) -> Result<Approach, Failure> {
     let resting = |rho: f64| match Start::polar(rho, p, psi).and_then(|s| fate(&s)) {

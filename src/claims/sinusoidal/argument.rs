@@ -1,16 +1,12 @@
 //! Trials of the steps of section 2.2 between its formulas: that a slip from rest outlasts half the period, that the motion
 //! along the drive does not die, and how friction acts across it.
 
-use super::reference_motions::{ORIGIN, Particle, Slip, dense, drive, lambda_c, settled};
+use super::reference_motions::{ORIGIN, Particle, Slip, at, dense, drive, lambda_c, settled};
 use crate::claims::tolerances::{ACROSS, NONE};
 use crate::motion::drive::{Friction, PlanarState, Sign};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
 use trialbook::prelude::*;
-
-fn at(lambda: f64) -> String {
-    format!("λ₀ = {lambda:.6}")
-}
 
 /// Whether the slip that begins at φ₁ lasts longer than half the period, and leaves a velocity below zero a period after φ₁.
 fn outlasts(lambda: f64) -> Result<bool, Failure> {
@@ -30,12 +26,11 @@ fn outlasts_census() -> Evidence {
         ),
     );
     trial.over(dense().into_iter().step_by(3), |lambda| {
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(lambda < printed::eq37_lambda_c()),
-            found: is(outlasts(lambda)?),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            is(lambda < printed::eq37_lambda_c()),
+            is(outlasts(lambda)?),
+        ))
     })
 }
 
@@ -52,12 +47,11 @@ fn outlasts_outside() -> Evidence {
         let friction = Friction::new(0.0, 0.0)?;
         let later = f64::from(periods) * TAU;
         let later = drive()?.advance(friction, ORIGIN, later)?.end.w;
-        Ok(Pair {
-            at: format!("λ₀ = 0, periods: {periods}"),
-            stated: 1.0,
-            found: is(later < -1e-12),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = 0, periods: {periods}"),
+            1.0,
+            is(later < -1e-12),
+        ))
     })
 }
 
@@ -77,12 +71,7 @@ fn stays_census() -> Evidence {
         let motion = settled(lambda, ORIGIN)?;
         let [left, right] = printed::eq25_sides(lambda);
         let moves = motion.intervals().iter().any(|i| i.sign != Sign::Rest);
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(left < right),
-            found: is(moves),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
     })
 }
 
@@ -107,12 +96,11 @@ fn stays_motion() -> Evidence {
         for k in 0..=64 {
             moves |= motion.at(TAU * (5.0 + f64::from(k) / 64.0))?.v[0] != 0.0;
         }
-        Ok(Pair {
-            at: format!("{}, v = ({:.6}, {:.6})", at(lambda), v[0], v[1]),
-            stated: is(left < right),
-            found: is(moves),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("{}, v = ({:.6}, {:.6})", at(lambda), v[0], v[1]),
+            is(left < right),
+            is(moves),
+        ))
     })
 }
 

@@ -121,12 +121,7 @@ fn bracket_outside() -> Evidence {
     let end = printed::eq30_phi4(zero);
     let left = printed::eq32_left(zero, printed::eq27_phi1(zero), end);
     trial.over([premises::solution(left)], |proof| {
-        Ok(Pair {
-            at: "λ₀ = 0".into(),
-            stated: 1.0,
-            found: is(!proof.holds()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain("λ₀ = 0".into(), 1.0, is(!proof.holds())))
     })
 }
 

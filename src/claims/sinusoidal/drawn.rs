@@ -3,7 +3,7 @@
 use super::reference_motions::{
     ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled,
 };
-use crate::claims::tolerances::{FORGOTTEN, MOTION};
+use crate::claims::tolerances::FORGOTTEN;
 use crate::motion::drive::{PlanarState, Sign};
 use crate::numerics::double::Double;
 use crate::numerics::number::Real;
@@ -78,17 +78,15 @@ fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
 
 /// fig-2: every eighth drawn point with a particle on the plane.
 fn fig2_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    Trial::motion(
         Printed,
         Compared::one(
             r"$\mathfrak w$ of the drawn motion",
             "$v_x$ of a particle on the plane",
         )
         .over("every eighth drawn one"),
-        MOTION,
-    );
-    trial.pairs(parts(transients()), |curve| {
+    )
+    .pairs(parts(transients()), |curve| {
         let curve = curve?;
         let until = TAU * f64::from(PERIODS);
         let motion = Particle::plain(curve.lambda).run(0.0, [W_X, curve.w_y], until)?;
@@ -124,12 +122,11 @@ fn fig2_limit() -> Evidence {
         phases.map(move |phi| (lambda, w_y, phi, motion.clone()))
     };
     trial.over(starts.flat_map(late), |(lambda, w_y, phi, motion)| {
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}"),
-            stated: printed_late(lambda, phi),
-            found: motion?.at(phi)?.v[0],
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}"),
+            printed_late(lambda, phi),
+            motion?.at(phi)?.v[0],
+        ))
     })
 }
 
@@ -147,11 +144,11 @@ pub fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
 
 /// Every drawn point with the printed form, in the period that begins at a phase.
 fn drawn(law: &'static str, lambda: f64, from: f64, form: impl Fn(f64) -> Double) -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(law, "the drawn points of the simulated motion"),
-    );
-    trial.over(parts(two_periods(lambda)), |point| {
+    )
+    .over(parts(two_periods(lambda)), |point| {
         let [phi, found] = point?;
         Ok(Pair {
             at: format!("φ = {phi:.6}"),
@@ -215,16 +212,13 @@ fn frame_top(label: f64, baseline: f64) -> f64 {
 
 /// The printed frame, with its mark a mark on the axis and not the axis' end, holds the motion.
 fn framed(lambda: f64, top: f64, within: &'static str) -> Evidence {
-    let trial = Trial::census(Printed, Compared::constant("the expected 1", within));
-    trial.over(parts(two_periods(lambda)), |point| {
-        let [phi, w] = point?;
-        Ok(Pair {
-            at: format!("φ = {phi:.6}"),
-            stated: 1.0,
-            found: is(w.abs() < top),
-            scale: 1.0,
-        })
-    })
+    Trial::census(Printed, Compared::constant("the expected 1", within)).over(
+        parts(two_periods(lambda)),
+        |point| {
+            let [phi, w] = point?;
+            Ok(Pair::plain(format!("φ = {phi:.6}"), 1.0, is(w.abs() < top)))
+        },
+    )
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![

@@ -41,14 +41,14 @@ fn over_a_period(
 
 /// (33) over a whole period.
 fn eq33_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             r"(33), with $\tilde\phi_2$ by (32),",
             "the simulated large-time motion at 256 phases of the period",
         ),
-    );
-    trial.pairs(
+    )
+    .pairs(
         large().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
@@ -62,14 +62,14 @@ fn eq33_motion() -> Evidence {
 
 /// (38) over a whole period.
 fn eq38_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Within,
         Compared::one(
             "(38) with (39)",
             "the simulated large-time motion at 256 phases of the period",
         ),
-    );
-    trial.pairs(
+    )
+    .pairs(
         small().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
@@ -106,24 +106,22 @@ fn eq38_outside() -> Evidence {
     })
 }
 
-/// Seven starts end in one motion.
 fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         subject,
         Compared::constant(
             "the expected 1",
             "whether seven starts, near and far, end in the same motion (1 if so)",
         ),
-    );
-    trial.over(frictions, |lambda| {
+    )
+    .over(frictions, |lambda| {
         let friction = Friction::new(lambda, lambda)?;
         let agreement = drive()?.attractors_agree(friction, &starts(), 200)?;
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: 1.0,
-            found: is(agreement.agree),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}"),
+            1.0,
+            is(agreement.agree),
+        ))
     })
 }
 
@@ -154,12 +152,11 @@ fn eq38_approach() -> Evidence {
             w = values[1];
             // The distance is small, but far above rounding.
             if w - limit <= 1e-6 {
-                return Ok(Pair {
-                    at: at(lambda, phi),
-                    stated: corrected::contraction(lambda),
-                    found: ratio,
-                    scale: 1.0,
-                });
+                return Ok(Pair::plain(
+                    at(lambda, phi),
+                    corrected::contraction(lambda),
+                    ratio,
+                ));
             }
         }
         Err("the motion does not come near to the periodic one".into())
@@ -172,16 +169,15 @@ fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
     Ok(*found.ok_or("no such interval")?)
 }
 
-/// (39) with the phase at which the simulated motion turns positive.
 fn eq39_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "(39)",
             "the phase at which the simulated large-time motion turns positive",
         ),
-    );
-    trial.over(small(), |lambda| {
+    )
+    .over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let found = interval(&attractor, Sign::Positive)?.start;
         let stated = printed::eq39_phi_t1(Double::from(lambda));
@@ -190,7 +186,6 @@ fn eq39_motion() -> Evidence {
     })
 }
 
-/// (39) without friction.
 fn eq39_outside() -> Evidence {
     let trial = Trial::motion(
         Outside,

@@ -1,7 +1,7 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::reference_motions::{ORIGIN, Particle, all, drive, lambda_c};
-use crate::claims::tolerances::{MOTION, ROOT};
+use super::reference_motions::{ORIGIN, Particle, all, at, drive, lambda_c};
+use crate::claims::tolerances::ROOT;
 use crate::motion::PhaseKind;
 use crate::motion::drive::{Drive, DriveState, Friction, Sign};
 use crate::numerics::double::Double;
@@ -21,13 +21,13 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
         r"$[3\pi/2,2\pi]$",
     ];
     const ZERO: &str = r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in ";
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::composed([law, "", ""], [ZERO, QUARTERS[usize::from(quarter)], ""]),
         ROOT,
-    );
-    trial.over(all(), |lambda| {
+    )
+    .over(all(), |lambda| {
         let from = FRAC_PI_2 * f64::from(quarter);
         let excess = |phi: f64| libm::sin(phi).abs() - lambda;
         let found = root(excess, from, from + FRAC_PI_2)?;
@@ -38,18 +38,14 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
     })
 }
 
-fn at(lambda: f64) -> String {
-    format!("λ₀ = {lambda:.6}")
-}
-
 /// A printed phase with the end of a simulated rest that began at `from`.
 fn by_release(law: &'static str, formula: Formula, (name, from): (&'static str, f64)) -> Evidence {
     const REST: &str = r"the end of a simulated rest that holds at $\phi=";
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::composed([law, "", ""], [REST, name, "$"]),
-    );
-    trial.over(all(), |lambda| {
+    )
+    .over(all(), |lambda| {
         let rest = DriveState {
             phi: from,
             ..ORIGIN
@@ -133,26 +129,25 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
 
 /// Four points, by counting.
 fn four_points_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Within,
         Compared::constant(
             "the stated 4",
             r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
         ),
-    );
-    trial.over(all(), |lambda| {
-        Ok(Pair {
-            at: at(lambda),
-            stated: printed::s22_points(),
-            found: balanced(drive()?, lambda).len() as f64,
-            scale: 1.0,
-        })
+    )
+    .over(all(), |lambda| {
+        Ok(Pair::plain(
+            at(lambda),
+            printed::s22_points(),
+            balanced(drive()?, lambda).len() as f64,
+        ))
     })
 }
 
 /// The four points, each in its place.
 fn four_points_root() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Within,
         Compared::many(
@@ -160,8 +155,8 @@ fn four_points_root() -> Evidence {
             r"the crossings of $h$ with $\pm\lambda_0$, in order",
         ),
         ROOT,
-    );
-    trial.pairs(all(), |lambda| {
+    )
+    .pairs(all(), |lambda| {
         let stated: [Formula; 4] = [
             printed::eq27_phi1,
             printed::eq28_phi2,
@@ -191,22 +186,19 @@ fn four_points_outside() -> Evidence {
         let a = points.uniform(0.0, TAU);
         let zeros = balanced(drive()?, 0.0);
         let all = zeros.iter().flat_map(|phi| [*phi, phi + TAU]);
-        Ok(Pair {
-            at: format!("λ₀ = 0, a = {a:.6}"),
-            stated: printed::s22_points(),
-            found: all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = 0, a = {a:.6}"),
+            printed::s22_points(),
+            all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
+        ))
     })
 }
 
 /// Every rest of a motion on the line ends at φ₁ or φ₃.
 fn rest_ends_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::one("the nearer of (27) and (29)", "the end of a simulated rest"),
-        MOTION,
     );
     let mut points = Points::stream(121);
     let mut ends = Vec::new();
@@ -266,12 +258,11 @@ fn rest_ends_census() -> Evidence {
             known.into_iter().all(|phi| off(phi) > 1e-10)
         };
         let wrong = ends.iter().filter(elsewhere).count();
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, v_y = {:.6}", v[1]),
-            stated: wrong as f64,
-            found: if ends.is_empty() { f64::NAN } else { 0.0 },
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}, v_y = {:.6}", v[1]),
+            wrong as f64,
+            if ends.is_empty() { f64::NAN } else { 0.0 },
+        ))
     })
 }
 

@@ -8,6 +8,11 @@ use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
 use trialbook::prelude::*;
 
+/// The name of a point with this friction.
+pub fn at(lambda: f64) -> String {
+    format!("λ₀ = {lambda:.6}")
+}
+
 /// The sine as a drive: the motion knows it as a function to evaluate, no more.
 pub fn drive() -> Result<&'static Drive, Failure> {
     static DRIVE: Runs<Drive> = Runs::setting(|| Ok(Drive::new(libm::sin, &[])?));

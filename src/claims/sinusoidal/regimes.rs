@@ -1,7 +1,7 @@
 //! Trials of what section 2.2 says in words of the motion along the line.
 
 use super::reference_motions::{
-    ORIGIN, Particle, Slip, dense, drive, end_spread, phi_t2, settled, small, starts,
+    ORIGIN, Particle, Slip, at, dense, drive, end_spread, phi_t2, settled, small, starts,
 };
 use crate::claims::tolerances::{NONE, ROOT};
 use crate::motion::PhaseKind;
@@ -10,26 +10,21 @@ use crate::paper::sinusoidal as printed;
 use std::f64::consts::{PI, TAU};
 use trialbook::prelude::*;
 
-fn at(lambda: f64) -> String {
-    format!("λ₀ = {lambda:.6}")
-}
-
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
 fn no_rest_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::constant(
             r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
             "whether the simulated motions from seven starts have no rest at large times (1 if so)",
         ),
-    );
-    trial.over(dense().into_iter().step_by(4), |lambda| {
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(lambda < printed::eq37_lambda_c()),
-            found: is(all_rests(lambda)? == 0),
-            scale: 1.0,
-        })
+    )
+    .over(dense().into_iter().step_by(4), |lambda| {
+        Ok(Pair::plain(
+            at(lambda),
+            is(lambda < printed::eq37_lambda_c()),
+            is(all_rests(lambda)? == 0),
+        ))
     })
 }
 
@@ -70,7 +65,7 @@ fn no_rest_motion() -> Evidence {
 }
 
 /// A kind of large-time motion as a number: zeros in a period, ten times the rests, or −1 for rest throughout.
-fn kind(zeros: usize, rests: usize, still: bool) -> f64 {
+pub fn kind(zeros: usize, rests: usize, still: bool) -> f64 {
     if still {
         -1.0
     } else {
@@ -90,7 +85,7 @@ fn stated_kind(lambda: f64) -> f64 {
 }
 
 /// The kind, read off a list of intervals.
-fn listed_kind(list: &[Interval]) -> f64 {
+pub fn listed_kind(list: &[Interval]) -> f64 {
     let rests = list.iter().filter(|i| i.sign == Sign::Rest).count();
     let pairs = list.iter().zip(list.iter().cycle().skip(1));
     let turns = pairs.filter(|(a, b)| a.sign.factor() * b.sign.factor() < 0.0);
@@ -119,12 +114,11 @@ pub fn trichotomy_census() -> Evidence {
         frictions().into_iter().zip(starts().into_iter().cycle()),
         |(lambda, start)| {
             let attractor = settled(lambda, start)?;
-            Ok(Pair {
-                at: at(lambda),
-                stated: stated_kind(lambda),
-                found: listed_kind(attractor.intervals()),
-                scale: 1.0,
-            })
+            Ok(Pair::plain(
+                at(lambda),
+                stated_kind(lambda),
+                listed_kind(attractor.intervals()),
+            ))
         },
     )
 }
@@ -152,12 +146,11 @@ pub fn trichotomy_motion() -> Evidence {
         let rests = phases.filter(|p| p.kind == PhaseKind::Stick);
         let begun = rests.filter(|p| within(p.from)).count();
         let still = stops == 0 && motion.end().speed() == 0.0;
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, from φ = {start:.6}"),
-            stated: stated_kind(lambda),
-            found: kind(stops.saturating_sub(begun), begun, still),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}, from φ = {start:.6}"),
+            stated_kind(lambda),
+            kind(stops.saturating_sub(begun), begun, still),
+        ))
     })
 }
 
@@ -174,12 +167,11 @@ pub fn trichotomy_outside() -> Evidence {
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 3.0);
         let attractor = settled(0.0, DriveState { phi: 0.0, w })?;
-        Ok(Pair {
-            at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
-            stated: stated_kind(0.0),
-            found: listed_kind(attractor.intervals()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
+            stated_kind(0.0),
+            listed_kind(attractor.intervals()),
+        ))
     })
 }
 
@@ -205,12 +197,11 @@ fn weak_drive_motion() -> Evidence {
         for phi in fourth_period(from) {
             largest = largest.max(motion.at(phi)?.speed());
         }
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
-            stated: stated_still(lambda),
-            found: is(largest == 0.0),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
+            stated_still(lambda),
+            is(largest == 0.0),
+        ))
     })
 }
 
@@ -237,12 +228,11 @@ fn weak_drive_census() -> Evidence {
     let frictions = frictions().into_iter().enumerate();
     let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);
     trial.over(some, |(_, lambda)| {
-        Ok(Pair {
-            at: at(lambda),
-            stated: stated_still(lambda),
-            found: is(all_still(lambda)?),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            stated_still(lambda),
+            is(all_still(lambda)?),
+        ))
     })
 }
 

@@ -1,6 +1,6 @@
 //! Trials of what replaces the second stage: an exponential of an exponential, or an end after a finite time.
 
-use super::reference_motions::{ORIGIN, Particle, drive, forward, lambda_c, settled};
+use super::reference_motions::{ORIGIN, Particle, at, drive, forward, lambda_c, settled};
 use super::transverse::{Flight, flights_where, strobed};
 use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
 use crate::corrections::sinusoidal as corrected;
@@ -13,10 +13,6 @@ use trialbook::prelude::*;
 fn below(stream: u64, high: f64) -> impl Iterator<Item = f64> {
     let mut points = Points::stream(stream);
     (0..20).map(move |_| points.uniform(0.05, high))
-}
-
-fn at(lambda: f64) -> String {
-    format!("λ₀ = {lambda:.6}")
 }
 
 /// Half way along the forward slip of the periodic motion: phase and velocity.

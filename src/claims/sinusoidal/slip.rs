@@ -1,29 +1,24 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
 use super::reference_motions::{
-    ORIGIN, Particle, Slip, all, dense, drive, end_spread, phi_t2, small,
+    ORIGIN, Particle, Slip, all, at, dense, drive, end_spread, phi_t2, small,
 };
-use crate::claims::tolerances::{EDGE, MOTION, ROOT};
+use crate::claims::tolerances::{EDGE, ROOT};
 use crate::motion::drive::{DriveState, Friction};
 use crate::numerics::double::Double;
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::PI;
 use trialbook::prelude::*;
 
-fn at(lambda: f64) -> String {
-    format!("λ₀ = {lambda:.6}")
-}
-
-/// (31) at 40 phases of the slip.
 fn eq31_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "(31)",
             r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
         ),
-    );
-    trial.pairs(all(), |lambda| {
+    )
+    .pairs(all(), |lambda| {
         let slip = Slip::of(lambda)?;
         let friction = Friction::new(lambda, lambda)?;
         let mut pairs = Vec::new();
@@ -39,9 +34,8 @@ fn eq31_motion() -> Evidence {
     })
 }
 
-/// (32): its root with the end of the simulated slip.
 fn eq32_root() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::one(
@@ -49,8 +43,8 @@ fn eq32_root() -> Evidence {
             "the end of the simulated slip",
         ),
         ROOT,
-    );
-    trial.over(all(), |lambda| {
+    )
+    .over(all(), |lambda| {
         let found = Slip::of(lambda)?.end;
         Ok(Pair {
             at: at(lambda),
@@ -63,11 +57,9 @@ fn eq32_root() -> Evidence {
 
 /// (32) at the time at which a particle, followed by the other integrator, comes back to rest.
 fn eq32_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::one("(32) at the end of a slip of a particle from rest", "0"),
-        MOTION,
     );
     // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
     let frictions = all().into_iter().enumerate();
@@ -97,12 +89,11 @@ fn eq32_census() -> Evidence {
         let slip = Slip::of(lambda)?;
         let phi1 = printed::eq27_phi1(lambda);
         let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
-        Ok(Pair {
-            at: at(lambda),
-            stated: not_positive(slip.start, slip.end, left) as f64,
-            found: 0.0,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            not_positive(slip.start, slip.end, left) as f64,
+            0.0,
+        ))
     })
 }
 
@@ -114,22 +105,17 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
 
 /// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
 fn bracket_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::one(
             "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
             "1",
         ),
-    );
-    trial.over(dense(), |lambda| {
+    )
+    .over(dense(), |lambda| {
         let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
         let end = Slip::of(lambda)?.end;
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(low < end && end < high),
-            found: 1.0,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(at(lambda), is(low < end && end < high), 1.0))
     })
 }
 
@@ -159,12 +145,11 @@ fn bracket_limit() -> Evidence {
             let gap = Slip::of(lambda)?.end - printed::eq28_phi2(lambda);
             (lambda, leading, gap)
         };
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.12}"),
-            stated: gap / leading,
-            found: 1.0,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.12}"),
+            gap / leading,
+            1.0,
+        ))
     })
 }
 
@@ -173,16 +158,18 @@ fn bracket_limit() -> Evidence {
 fn left_with_motion(law: &'static str, left: fn(Double) -> Double) -> Evidence {
     const LEFT: &str = r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest";
     let compared = Compared::composed(["the left side of ", law, ""], [LEFT, "", ""]);
-    let trial = Trial::motion(Printed, compared.over(r"$\lambda_0<\lambda_\mathrm c$"));
-    trial.over(small(), |lambda| {
-        let friction = Friction::new(lambda, lambda)?;
-        let state = |phi| DriveState { phi, ..ORIGIN };
-        let release = drive()?.advance(friction, state(PI), PI + 2.0)?;
-        let phi3 = release.intervals.first().ok_or("no interval")?.end;
-        let found = drive()?.advance(friction, ORIGIN, phi3)?.end.w;
-        let stated = left(Double::from(lambda));
-        Ok(Pair::wide(at(lambda), stated, found).within(1.0))
-    })
+    Trial::motion(Printed, compared.over(r"$\lambda_0<\lambda_\mathrm c$")).over(
+        small(),
+        |lambda| {
+            let friction = Friction::new(lambda, lambda)?;
+            let state = |phi| DriveState { phi, ..ORIGIN };
+            let release = drive()?.advance(friction, state(PI), PI + 2.0)?;
+            let phi3 = release.intervals.first().ok_or("no interval")?.end;
+            let found = drive()?.advance(friction, ORIGIN, phi3)?.end.w;
+            let stated = left(Double::from(lambda));
+            Ok(Pair::wide(at(lambda), stated, found).within(1.0))
+        },
+    )
 }
 
 /// The left side of (34).
@@ -199,16 +186,14 @@ fn ends_early(law: &'static str, inequality: fn(f64) -> bool) -> Evidence {
     const EARLY: &str = "whether the simulated slip lasts less than half a period";
     let holds = ["whether ", law, " holds (1 if so)"];
     let compared = Compared::composed(holds, [EARLY, "", ""]);
-    let trial = Trial::census(Printed, compared);
-    trial.over(dense(), |lambda| {
+    Trial::census(Printed, compared).over(dense(), |lambda| {
         let slip = Slip::of(lambda)?;
         // The backward slip could begin half a period after the forward one did.
-        Ok(Pair {
-            at: at(lambda),
-            stated: is(inequality(lambda)),
-            found: is(slip.end < slip.start + PI),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            is(inequality(lambda)),
+            is(slip.end < slip.start + PI),
+        ))
     })
 }
 

@@ -19,19 +19,16 @@ struct Onset {
 }
 
 /// The onset of rest for 24 starts: bisection on the simulation alone, down to neighbouring numbers.
-fn onsets() -> impl Iterator<Item = Result<&'static Onset, Failure>> {
-    static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
-        let mut points = Points::stream(130);
-        let mut start = || DriveState {
-            phi: points.uniform(0.0, TAU),
-            w: points.uniform(-3.0, 3.0),
-        };
-        let starts: Vec<_> = (0..24).map(|_| start()).collect();
-        let found = |start: DriveState| onset(start).map(|lambda| Onset { start, lambda });
-        every(starts.into_iter().map(found))
-    });
-    ONSETS.each()
-}
+static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
+    let mut points = Points::stream(130);
+    let mut start = || DriveState {
+        phi: points.uniform(0.0, TAU),
+        w: points.uniform(-3.0, 3.0),
+    };
+    let starts: Vec<_> = (0..24).map(|_| start()).collect();
+    let found = |start: DriveState| onset(start).map(|lambda| Onset { start, lambda });
+    every(starts.into_iter().map(found))
+});
 
 fn onset(start: DriveState) -> Result<f64, Failure> {
     let (mut low, mut high) = (0.2, 0.9);
@@ -52,7 +49,7 @@ fn at(onset: &Onset) -> String {
 
 /// (37) with the onset of rest.
 fn eq37_motion() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -60,8 +57,8 @@ fn eq37_motion() -> Evidence {
             "the friction at which simulated rests appear, by bisection",
         ),
         ONSET,
-    );
-    trial.each(onsets(), at, |onset| {
+    )
+    .each(ONSETS.each(), at, |onset| {
         Ok([printed::eq37_lambda_c(), onset.lambda, onset.lambda])
     })
 }
@@ -80,18 +77,17 @@ fn eq37_root() -> Evidence {
     let mut points = Points::stream(131);
     trial.over(0..24, |_| {
         let (low, high) = (points.uniform(0.01, 0.5), points.uniform(0.6, 0.99));
-        Ok(Pair {
-            at: format!("λ₀ between {low:.6} and {high:.6}"),
-            stated: printed::eq37_lambda_c(),
-            found: root(excess_length, low, high)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ between {low:.6} and {high:.6}"),
+            printed::eq37_lambda_c(),
+            root(excess_length, low, high)?,
+        ))
     })
 }
 
 /// (34): its root with the onset of rest.
 fn eq34_root() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Root,
         Printed,
         Compared::one(
@@ -99,8 +95,8 @@ fn eq34_root() -> Evidence {
             "the friction at which simulated rests appear",
         ),
         ONSET,
-    );
-    trial.each(onsets(), at, |onset| {
+    )
+    .each(ONSETS.each(), at, |onset| {
         Ok([
             root(eq34::<f64>, 0.01, 0.99).unwrap_or(f64::NAN),
             onset.lambda,
@@ -111,35 +107,34 @@ fn eq34_root() -> Evidence {
 
 /// (40) holds exactly where the simulated motion passes through zero without rest.
 fn eq40_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::one(
             "whether (40) holds (1 if so)",
             "whether the simulated large-time motion has no rest",
         ),
-    );
-    trial.over(dense(), |lambda| {
+    )
+    .over(dense(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let [left, right] = printed::eq40_sides(lambda);
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: is(left < right),
-            found: is(attractor.intervals().iter().all(|i| i.sign != Sign::Rest)),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}"),
+            is(left < right),
+            is(attractor.intervals().iter().all(|i| i.sign != Sign::Rest)),
+        ))
     })
 }
 
 /// (41): φ̃₁ − φ₁ with what the simulation finds for both.
 fn eq41_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
         Compared::one(
             "the difference of the sides of (41)",
             "the same of the simulation, where it has to be positive",
         ),
-    );
-    trial.over(small(), |lambda| {
+    )
+    .over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let turn = forward(attractor.intervals());
         let found = turn.ok_or("no slip")?.start - Slip::of(lambda)?.start;
@@ -168,12 +163,11 @@ fn eq41_census() -> Evidence {
         let turn = forward(attractor.intervals());
         let [left, right] =
             printed::eq41_sides(printed::eq39_phi_t1(lambda), printed::eq27_phi1(lambda));
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: is(left > right),
-            found: is(turn.ok_or("no slip")?.start > Slip::of(lambda)?.start),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}"),
+            is(left > right),
+            is(turn.ok_or("no slip")?.start > Slip::of(lambda)?.start),
+        ))
     })
 }
 

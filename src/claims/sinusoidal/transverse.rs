@@ -111,7 +111,7 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
 
 /// v_y → 0: what is left after ten periods.
 fn vanishes_limit() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Limit,
         Printed,
         Compared::constant(
@@ -119,8 +119,8 @@ fn vanishes_limit() -> Evidence {
             r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
         ),
         GONE,
-    );
-    trial.each(flights_where(|_| true), Flight::at, |flight| {
+    )
+    .each(flights_where(|_| true), Flight::at, |flight| {
         Ok([
             printed::s22_late_vy(),
             Scalar::exp(flight.last()?.ln_w_y),
@@ -270,7 +270,7 @@ fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
 
 /// The large-time v_x, from several v_y, is that of a motion on the line.
 fn ignores_motion() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -278,15 +278,16 @@ fn ignores_motion() -> Evidence {
             r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
         ),
         FORGOTTEN,
-    );
-    trial.pairs(flights_where(|_| true), |flight| {
+    )
+    .pairs(flights_where(|_| true), |flight| {
         let flight = flight?;
         let last = flight.states.iter().rev().take(A_PERIOD as usize);
-        let pair = |state: &PlanarState| Pair {
-            at: format!("{}, φ = {:.6}", flight.at(), state.phi),
-            stated: printed_late(flight.lambda, state.phi),
-            found: state.w_x,
-            scale: 1.0,
+        let pair = |state: &PlanarState| {
+            Pair::plain(
+                format!("{}, φ = {:.6}", flight.at(), state.phi),
+                printed_late(flight.lambda, state.phi),
+                state.w_x,
+            )
         };
         Ok(last.map(pair).collect())
     })
@@ -308,12 +309,11 @@ fn ignores(subject: Subject, compared: Compared, stream: u64, [low, high]: [f64;
             let states = drive()?.planar(lambda, start, &phases)?;
             curves.push(states.iter().map(|s| s.w_x).collect::<Vec<_>>());
         }
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6} at φ = 0"),
-            stated: 1.0,
-            found: is(each_differs(&curves)),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6} at φ = 0"),
+            1.0,
+            is(each_differs(&curves)),
+        ))
     })
 }
 

@@ -1,6 +1,6 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
-use super::reference_motions::{ORIGIN, Particle, drive, settled};
+use super::reference_motions::{ORIGIN, Particle, at, drive, settled};
 use crate::claims::tolerances::NONE;
 use crate::motion::Motion;
 use crate::motion::drive::{Friction, Sign};
@@ -70,13 +70,10 @@ impl Twins {
 }
 
 /// Two dozen pairs of twins.
-fn all_twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
-    static TWINS: Runs<Vec<Twins>> = Runs::new(|| {
-        let mut points = Points::stream(111);
-        every((0..24).map(|_| twins(&mut points)))
-    });
-    TWINS.each()
-}
+static ALL_TWINS: Runs<Vec<Twins>> = Runs::new(|| {
+    let mut points = Points::stream(111);
+    every((0..24).map(|_| twins(&mut points)))
+});
 
 fn twins(points: &mut Points) -> Result<Twins, Failure> {
     let (mu, g) = (points.uniform(0.1, 2.0), points.uniform(1.0, 20.0));
@@ -110,14 +107,14 @@ fn twins(points: &mut Points) -> Result<Twins, Failure> {
 
 /// (22): the motion without units, with the friction (22), is the motion in units.
 fn eq22() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::one(
             r"$\mathfrak w$ of $\mathfrak w'=h\mp\lambda_0$, with $\lambda_0$ by (22),",
             r"$\varpi v_x/A_0$ of the particle",
         ),
-    );
-    trial.each(all_twins(), Twins::at, |twins| {
+    )
+    .each(ALL_TWINS.each(), Twins::at, |twins| {
         let lambda = printed::eq22_lambda0(twins.mu, twins.g, twins.a0);
         let drive = drive()?;
         // Of a friction that cannot be nothing is stated.
@@ -130,14 +127,14 @@ fn eq22() -> Evidence {
 
 /// (23): both start to slide at the same phase.
 fn eq23() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::one(
             "(23) of the time at which the particle starts",
             "the phase at which its twin does",
         ),
-    );
-    trial.each(all_twins(), Twins::at, |twins| {
+    )
+    .each(ALL_TWINS.each(), Twins::at, |twins| {
         let stated = printed::eq23_phase(twins.varpi, twins.release);
         Ok([stated, twins.twin_release, 1.0])
     })
@@ -145,14 +142,14 @@ fn eq23() -> Evidence {
 
 /// (24): the velocities are the same.
 fn eq24() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::one(
             "(24) of the particle's $v_x$",
             "the velocity of its twin without units",
         ),
-    );
-    trial.each(all_twins(), Twins::at, |twins| {
+    )
+    .each(ALL_TWINS.each(), Twins::at, |twins| {
         let stated = printed::eq24_w(twins.varpi, twins.vx, twins.a0);
         Ok([stated, twins.twin_w, 1.0])
     })
@@ -168,7 +165,7 @@ fn around_one(stream: u64) -> Vec<f64> {
 
 /// (25): exactly then a particle at rest is set in motion.
 fn eq25_motion() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -176,38 +173,32 @@ fn eq25_motion() -> Evidence {
             "whether a particle at rest starts to slide within a period",
         ),
         NONE,
-    );
-    trial.over(around_one(114), |lambda| {
+    )
+    .over(around_one(114), |lambda| {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
         let [left, right] = printed::eq25_sides(lambda);
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: is(left < right),
-            found: is(!motion.starts().is_empty()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            at(lambda),
+            is(left < right),
+            is(!motion.starts().is_empty()),
+        ))
     })
 }
 
 /// (25): exactly then the large-time motion is not rest.
 fn eq25_census() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::one(
             "whether (25) holds (1 if so)",
             "whether the large-time motion is not rest for ever",
         ),
-    );
-    trial.over(around_one(115), |lambda| {
+    )
+    .over(around_one(115), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);
         let [left, right] = printed::eq25_sides(lambda);
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated: is(left < right),
-            found: is(moves),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
     })
 }
 
@@ -261,12 +252,11 @@ fn eq26_summed(
     sign: f64,
 ) -> Result<Pair, Failure> {
     let rate = |phi: f64| printed::eq26_rate(lambda, phi, sign);
-    Ok(Pair {
-        at: format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
-        stated: sum(rate, from, to, 1e-14),
-        found: motion.at(to)?.v[0] - motion.at(from)?.v[0],
-        scale: 1.0,
-    })
+    Ok(Pair::plain(
+        format!("λ₀ = {lambda:.6}, φ = {from:.6} to {to:.6}"),
+        sum(rate, from, to, 1e-14),
+        motion.at(to)?.v[0] - motion.at(from)?.v[0],
+    ))
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![

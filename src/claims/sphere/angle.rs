@@ -1,12 +1,12 @@
 //! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
 
 use super::spheres::{Units, braking, sphere};
+use crate::claims::constant::launches::Turn as Launched;
 use crate::claims::tolerances::ROOT;
 use crate::corrections::constant::{speed, time};
 use crate::corrections::sphere as corrected;
 use crate::motion::sphere::{Ball, Sphere};
 use crate::motion::{Plane, State, run};
-use crate::numerics::dop853;
 use crate::numerics::double::Double;
 use crate::paper::sphere as printed;
 use std::f64::consts::PI;
@@ -17,17 +17,8 @@ use trialbook::prelude::*;
 pub struct Turn {
     sphere: Sphere,
     a: f64,
-    /// λ: by how much friction slows the slip, over A.
-    pub lambda: f64,
-    /// γ = A/(μg).
-    pub gamma: f64,
-    /// The slip u₀ and its angle θ₀ at the start.
-    pub u0: f64,
-    theta0: f64,
-    /// The slip u and its angle θ at the time τ.
-    u: f64,
-    theta: f64,
-    tau: f64,
+    /// The slip u, γ and τ in the place of a particle's v, A and t.
+    slip: Launched,
 }
 
 /// The share of tan(θ/2) that is left at least: the motion takes a component below 1e-90 of the other for none.
@@ -100,73 +91,30 @@ impl Turn {
         Ok(Turn {
             sphere,
             a,
-            lambda,
-            gamma: a / units.push,
-            u0,
-            theta0,
-            u: libm::hypot(x, y) / units.speed,
-            theta: libm::atan2(y, x),
-            tau: t / units.time,
+            slip: Launched {
+                v: libm::hypot(x, y) / units.speed,
+                theta: libm::atan2(y, x),
+                t: t / units.time,
+                ..Launched::launch(lambda, a / units.push, u0, theta0)
+            },
         })
     }
 
     fn at(&self) -> String {
-        let Turn {
+        let Launched {
             lambda,
-            gamma,
-            u0,
+            a: gamma,
+            v0: u0,
             theta0,
             theta,
             ..
-        } = self;
+        } = self.slip;
         format!("λ = {lambda:.6}, γ = {gamma:.6}, u₀ = {u0:.6}, θ₀ = {theta0:.6}, θ = {theta:.6}")
     }
 
     fn numbers(&self) -> [Double; 6] {
-        [
-            self.lambda,
-            self.u0,
-            self.theta0,
-            self.theta,
-            self.tau,
-            self.gamma,
-        ]
-        .map(Double::from)
-    }
-
-    /// How much a relative error of the angles grows: tan(θ/2) is steep near π.
-    fn condition(&self) -> f64 {
-        let steep = |theta: f64| (1.0 + self.lambda) * (theta / libm::sin(theta)).abs();
-        steep(self.theta0).max(steep(self.theta))
-    }
-
-    /// The size in units of which the time is known: it grows with the errors of the angles by γ dτ = −u dθ/sin θ too.
-    fn time_scale(&self) -> f64 {
-        let moved = |u: f64, theta: f64| (u * theta / (self.gamma * libm::sin(theta))).abs();
-        let ends = moved(self.u0, self.theta0).max(moved(self.u, self.theta));
-        ends.max(self.tau * self.condition())
-    }
-
-    /// What a unit of relative rounding of the time and the angles makes of the slip that they determine together: little
-    /// where λ + cos θ is small.
-    fn slip_at_time_scale(&self) -> f64 {
-        let of = |u: f64, theta: f64| u * (self.lambda + theta.abs());
-        let gained = self.gamma * self.tau * (1.0 + self.lambda);
-        let largest = gained
-            .max(of(self.u0, self.theta0))
-            .max(of(self.u, self.theta));
-        self.u
-            .max(largest / (self.lambda + libm::cos(self.theta)).abs())
-    }
-
-    /// tan(θ/2) over its initial value.
-    fn r(&self) -> f64 {
-        Scalar::tan(self.theta / 2.0) / Scalar::tan(self.theta0 / 2.0)
-    }
-
-    /// True where (82) has a value.
-    fn has_a_time(&self) -> bool {
-        self.lambda != 1.0 && self.lambda + libm::cos(self.theta0) != 0.0
+        let s = &self.slip;
+        [s.lambda, s.v0, s.theta0, s.theta, s.t, s.a].map(Double::from)
     }
 }
 
@@ -177,70 +125,60 @@ const LATE: usize = 220;
 const EDGES: [f64; 4] = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4, 12.0];
 
 /// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges, then late ones.
-fn turns() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
-        let mut points = Points::stream(404);
-        let turn = |i: usize| {
-            let lambda = match i {
-                160..180 => 1.0,
-                _ if i.is_multiple_of(2) => points.uniform(0.05, 1.0),
-                _ => points.uniform(1.0, 12.0),
-            };
-            let theta0 = points.sign() * points.uniform(0.2, 3.1);
-            let (lambda, theta0) = match i {
-                180..200 => (
-                    -libm::cos(1.6 + 0.07 * (i - 180) as f64),
-                    1.6 + 0.07 * (i - 180) as f64,
-                ),
-                200..LATE => (EDGES[i % EDGES.len()], theta0),
-                LATE.. => (points.uniform(0.1, 0.9), theta0),
-                _ => (lambda, theta0),
-            };
-            // Late slips at large friction have next to no angle left.
-            let elapsed = points.uniform(0.05, 0.8) * if i < LATE { 1.0 } else { 400.0 };
-            Turn::new(i, &mut points, lambda, theta0, elapsed)
+static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
+    let mut points = Points::stream(404);
+    let turn = |i: usize| {
+        let lambda = match i {
+            160..180 => 1.0,
+            _ if i.is_multiple_of(2) => points.uniform(0.05, 1.0),
+            _ => points.uniform(1.0, 12.0),
         };
-        every((0..LATE + 20).map(turn))
-    });
-    TURNS.each()
-}
+        let theta0 = points.sign() * points.uniform(0.2, 3.1);
+        let (lambda, theta0) = match i {
+            180..200 => (
+                -libm::cos(1.6 + 0.07 * (i - 180) as f64),
+                1.6 + 0.07 * (i - 180) as f64,
+            ),
+            200..LATE => (EDGES[i % EDGES.len()], theta0),
+            LATE.. => (points.uniform(0.1, 0.9), theta0),
+            _ => (lambda, theta0),
+        };
+        // Late slips at large friction have next to no angle left.
+        let elapsed = points.uniform(0.05, 0.8) * if i < LATE { 1.0 } else { 400.0 };
+        Turn::new(i, &mut points, lambda, theta0, elapsed)
+    };
+    every((0..LATE + 20).map(turn))
+});
 
 /// Slips along the line of the acceleration.
-fn straight() -> impl Iterator<Item = Result<&'static Turn, Failure>> {
-    static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
-        let mut points = Points::stream(405);
-        let turn = |i: usize| {
-            let lambda = points.uniform(0.1, 4.0);
-            let theta0 = [0.0, PI][i % 2];
-            // At λ just above 1 the stop is far away, and tan(θ/2) falls as (u/u₀)^(1/(λ − 1)).
-            let elapsed = if lambda > 1.0 {
-                0.2 * libm::fmin(50.0 * (lambda - 1.0), 1.0)
-            } else {
-                0.2
-            };
-            Turn::new(i, &mut points, lambda, theta0, elapsed)
+static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
+    let mut points = Points::stream(405);
+    let turn = |i: usize| {
+        let lambda = points.uniform(0.1, 4.0);
+        let theta0 = [0.0, PI][i % 2];
+        // At λ just above 1 the stop is far away, and tan(θ/2) falls as (u/u₀)^(1/(λ − 1)).
+        let elapsed = if lambda > 1.0 {
+            0.2 * libm::fmin(50.0 * (lambda - 1.0), 1.0)
+        } else {
+            0.2
         };
-        every((0..40).map(turn))
-    });
-    TURNS.each()
-}
+        Turn::new(i, &mut points, lambda, theta0, elapsed)
+    };
+    every((0..40).map(turn))
+});
 
 /// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
 fn eq80() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::one(
             r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
             "$u/u_0$ of a sphere at the same $At/v_0$",
         ),
-    );
-    trial.each(turns(), Turn::at, |turn| {
-        let start = State {
-            t: 0.0,
-            v: [libm::cos(turn.theta0), libm::sin(turn.theta0)],
-            x: [0.0; 2],
-        };
-        let t = turn.gamma * turn.tau / turn.u0;
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
+        let start = State::moving([libm::cos(turn.slip.theta0), libm::sin(turn.slip.theta0)]);
+        let t = turn.slip.a * turn.slip.t / turn.slip.v0;
         let sphere = turn.sphere;
         let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
         let b = printed::eq67_factor(kappa);
@@ -249,7 +187,7 @@ fn eq80() -> Evidence {
         // No particle has a friction below zero.
         Ok([
             particle.map_or(f64::NAN, |particle| particle.end().speed()),
-            turn.u / turn.u0,
+            turn.slip.v / turn.slip.v0,
             1.0,
         ])
     })
@@ -257,47 +195,56 @@ fn eq80() -> Evidence {
 
 /// (81).
 pub fn eq81() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Within,
         Compared::one("(81)", r"the slip of the motion at the angle $\theta$"),
-    );
-    trial.over(turns(), |turn| {
+    )
+    .over(TURNS.each(), |turn| {
         let turn = turn?;
-        let [lambda, u0, theta0, theta, ..] = turn.numbers();
-        let stated = printed::eq81_slip(lambda, u0, theta0, theta);
-        Ok(Pair::wide(turn.at(), stated, turn.u).within(turn.u * turn.condition()))
+        let stated = turn.slip.formula(printed::eq81_slip);
+        Ok(Pair::wide(turn.at(), stated, turn.slip.v).within(turn.slip.v * turn.slip.condition()))
     })
 }
 
 /// (81) along the line of the acceleration, where it is 0/0.
 fn eq81_outside() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Outside,
         Compared::one(
             "(81) along the line of the acceleration",
             "the slip of the motion",
         ),
-    );
-    trial.each(straight(), Turn::at, |turn| {
+    )
+    .each(STRAIGHT.each(), Turn::at, |turn| {
         Ok([
-            printed::eq81_slip(turn.lambda, turn.u0, turn.theta0, turn.theta),
-            turn.u,
-            turn.u0,
+            printed::eq81_slip(
+                turn.slip.lambda,
+                turn.slip.v0,
+                turn.slip.theta0,
+                turn.slip.theta,
+            ),
+            turn.slip.v,
+            turn.slip.v0,
         ])
     })
 }
 
 /// The form of (81) without singular points.
 fn regular_slip() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Corrected,
         Compared::one("the regular form of $u$", "the slip of the motion"),
-    );
-    trial.each(turns(), Turn::at, |turn| {
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
         Ok([
-            speed(turn.lambda, turn.u0, turn.theta0, turn.r()),
-            turn.u,
-            turn.u.max(turn.u0) * turn.condition(),
+            speed(
+                turn.slip.lambda,
+                turn.slip.v0,
+                turn.slip.theta0,
+                turn.slip.r(),
+            ),
+            turn.slip.v,
+            turn.slip.v.max(turn.slip.v0) * turn.slip.condition(),
         ])
     })
 }
@@ -307,32 +254,49 @@ pub fn regular_straight() -> Evidence {
     Trial::motion(Corrected, Compared::one(
         r"the regular form of $u$ along the line of the acceleration, with $r$ from the regular form of $\tau$,",
         "the slip of the motion",
-    )).each(straight(), Turn::at, |turn| {
-        let Turn {
+    )).each(STRAIGHT.each(), Turn::at, |turn| {
+        let Launched {
             lambda,
-            gamma,
-            u0,
+            a: gamma,
+            v0: u0,
             theta0,
-            tau,
+            t: tau,
             ..
-        } = *turn;
+        } = turn.slip;
         let late = |ln_r: f64| time(lambda, gamma, u0, theta0, ln_r) - tau;
         let r = libm::exp(root(late, -20.0, 0.0).unwrap_or(f64::NAN));
-        Ok([speed(lambda, u0, theta0, r), turn.u, u0])
+        Ok([speed(lambda, u0, theta0, r), turn.slip.v, u0])
     })
 }
 
 /// A formula of [`Turn::numbers`].
 type Time = fn([Double; 6]) -> Double;
 
-/// A formula for the time.
-fn late(subject: Subject, stated: &'static str, formula: Time) -> Evidence {
-    let found = r"the time $\tau$ of the motion at the angle $\theta$";
-    let compared = Compared::one(stated, found);
-    let turns = only(turns(), |turn| turn.has_a_time());
-    Trial::motion(subject, compared).over(turns, |turn| {
+/// What a formula gives at a turn: its name, where it is tried, and what the motion has, with the unit.
+type Found = (&'static str, fn(&Turn) -> bool, fn(&Launched) -> [f64; 2]);
+
+const TIME: Found = (
+    r"the time $\tau$ of the motion at the angle $\theta$",
+    |turn| turn.slip.has_a_time(),
+    |slip| [slip.t, slip.time_scale()],
+);
+const SLIP: Found = (
+    "its slip",
+    |_| true,
+    |slip| [slip.v, slip.speed_at_time_scale()],
+);
+
+fn at_turns(
+    subject: Subject,
+    stated: &'static str,
+    (name, wanted, found): Found,
+    formula: Time,
+) -> Evidence {
+    let turns = only(TURNS.each(), |turn| wanted(turn));
+    Trial::motion(subject, Compared::one(stated, name)).over(turns, |turn| {
         let turn = turn?;
-        Ok(Pair::wide(turn.at(), formula(turn.numbers()), turn.tau).within(turn.time_scale()))
+        let [found, scale] = found(&turn.slip);
+        Ok(Pair::wide(turn.at(), formula(turn.numbers()), found).within(scale))
     })
 }
 
@@ -347,26 +311,26 @@ fn corrected82_quadrature() -> Evidence {
         r"(82) over $\gamma$",
         r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by another library's integrator",
     );
-    let turns = only(turns(), |t| {
-        t.has_a_time() && t.condition() < 100.0 && t.theta.abs() > 1e-3
+    let turns = only(TURNS.each(), |t| {
+        t.slip.has_a_time() && t.slip.condition() < 100.0 && t.slip.theta.abs() > 1e-3
     });
     Trial::quadrature(Corrected, compared).over(turns, |turn| {
         let turn = turn?;
-        let Turn {
+        let Launched {
             lambda,
-            gamma,
-            u0,
+            a: gamma,
+            v0: u0,
             theta0,
             theta,
             ..
-        } = *turn;
+        } = turn.slip;
         // ln(u/u₀) and γτ/u₀ over y = ln tan(θ/2), in which dy = dθ/sin θ and cos θ = −tanh y.
         let rates = |y: f64, [ln_u, _]: &[f64; 2]| [lambda + libm::tanh(y), -libm::exp(*ln_u)];
         let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
         let [_, late] = dop853::end(rates, y(theta0), [0.0; 2], y(theta), 1e-14, 1e-15)?;
         let found = late * u0 / gamma;
         let stated = corrected_time(turn.numbers());
-        Ok(Pair::wide(turn.at(), stated, found).within(turn.time_scale()))
+        Ok(Pair::wide(turn.at(), stated, found).within(turn.slip.time_scale()))
     })
 }
 
@@ -379,38 +343,34 @@ pub fn regular_time() -> Evidence {
             r"that of the motion, $\lambda=1$ and $\cos\theta_0=-\lambda$ included",
         ),
     )
-    .each(turns(), Turn::at, |turn| {
+    .each(TURNS.each(), Turn::at, |turn| {
         Ok([
             time(
-                turn.lambda,
-                turn.gamma,
-                turn.u0,
-                turn.theta0,
-                libm::log(turn.r()),
+                turn.slip.lambda,
+                turn.slip.a,
+                turn.slip.v0,
+                turn.slip.theta0,
+                libm::log(turn.slip.r()),
             ),
-            turn.tau,
-            turn.tau * turn.condition(),
+            turn.slip.t,
+            turn.slip.t * turn.slip.condition(),
         ])
-    })
-}
-
-/// A formula for the slip at an angle and a time.
-fn slip_at_time(subject: Subject, stated: &'static str, formula: Time) -> Evidence {
-    Trial::motion(subject, Compared::one(stated, "its slip")).over(turns(), |turn| {
-        let turn = turn?;
-        let stated = formula(turn.numbers());
-        Ok(Pair::wide(turn.at(), stated, turn.u).within(turn.slip_at_time_scale()))
     })
 }
 
 /// (γ, τ of the motion over τ of (82)) at the points of the trial.
 pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
-    let known = only(turns(), |turn| turn.has_a_time());
+    let known = only(TURNS.each(), |turn| turn.slip.has_a_time());
     known
         .map(|turn| {
             let turn = turn?;
-            let stated = printed::eq82_time(turn.lambda, turn.u0, turn.theta0, turn.theta);
-            Ok([turn.gamma, turn.tau / stated])
+            let stated = printed::eq82_time(
+                turn.slip.lambda,
+                turn.slip.v0,
+                turn.slip.theta0,
+                turn.slip.theta,
+            );
+            Ok([turn.slip.a, turn.slip.t / stated])
         })
         .collect()
 }
@@ -442,22 +402,24 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq81_outside,
     regular_slip,
     regular_straight,
-    eq82 = late(Printed, "(82)", |[lambda, u0, theta0, theta, ..]| {
+    eq82 = at_turns(Printed, "(82)", TIME, |[lambda, u0, theta0, theta, ..]| {
         printed::eq82_time(lambda, u0, theta0, theta)
     }),
-    corrected82 = late(Corrected, r"(82) over $\gamma$", corrected_time),
+    corrected82 = at_turns(Corrected, r"(82) over $\gamma$", TIME, corrected_time),
     corrected82_quadrature,
     regular_time,
-    eq83 = slip_at_time(
+    eq83 = at_turns(
         Printed,
         "(83) at the angle and time of the motion",
+        SLIP,
         |[lambda, u0, theta0, theta, tau, _]| {
             printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau)
         }
     ),
-    corrected83 = slip_at_time(
+    corrected83 = at_turns(
         Corrected,
         r"(83) with $\gamma\tau$ for $\tau$, at the angle and time of the motion,",
+        SLIP,
         |[lambda, u0, theta0, theta, tau, gamma]| {
             corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)
         }

@@ -4,7 +4,6 @@ use super::driven::{Swing, of_settled, part};
 use super::every_drive::rolling_time;
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::periodic::threshold::{Bounds, bounds};
-use crate::claims::tolerances::MOTION;
 use crate::motion::drive::{Drive, Sign};
 use crate::paper::periodic;
 use std::f64::consts::TAU;
@@ -75,25 +74,18 @@ pub fn census() -> Evidence {
             part if part > 1.0 - 1e-12 => 2.0,
             _ => 1.0,
         };
-        Ok(Pair {
-            at: swing.at(),
-            stated,
-            found,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(swing.at(), stated, found))
     })
 }
 
 /// How long exactly, where it rolls at all.
 pub fn parts() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::one(
             r"the part of a period in which a particle rests under the same drive, with $\lambda_0$ of (84),",
             "that of a late period in which a sphere rolls",
         ),
-        MOTION,
     );
     let mut points = Points::stream(421);
     trial.over(0..20, |i| {

@@ -1,10 +1,9 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
-use super::spheres::{Followed, braking, length, mixed, sphere, weighed};
+use super::spheres::{Followed, MIXED, braking, length, sphere, weighed};
 use crate::claims::tolerances::FOREIGN;
 use crate::motion::Plane;
 use crate::motion::sphere::{Ball, Contact};
-use crate::numerics::dop853;
 use crate::numerics::quadrature::sum;
 use crate::paper::sphere as printed;
 use trialbook::prelude::*;
@@ -43,7 +42,7 @@ fn by_the_laws(run: &Followed) -> [f64; 5] {
 }
 
 /// (59): the laboratory knows no inertial force. There the centre's velocity V changes by friction alone.
-pub fn eq59() -> Evidence {
+fn eq59() -> Evidence {
     let trial = Trial::by(
         Route::Integration,
         Printed,
@@ -53,7 +52,7 @@ pub fn eq59() -> Evidence {
         ),
         FOREIGN,
     );
-    trial.each(super::spheres::sliding(), Followed::at_end, |run| {
+    trial.each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
         let sphere = run.case.sphere;
         // V, U, the rates of turning about x and y, the time.
         let laboratory = |_: f64, y: &[f64; 7]| {
@@ -81,8 +80,8 @@ pub fn eq59() -> Evidence {
 }
 
 /// (60): against the rigid body's own integrator.
-pub fn eq60() -> Evidence {
-    let trial = Trial::by(
+fn eq60() -> Evidence {
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -90,8 +89,8 @@ pub fn eq60() -> Evidence {
             r"$\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
         ),
         FOREIGN,
-    );
-    trial.each(super::spheres::sliding(), Followed::at_end, |run| {
+    )
+    .each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
         let [_, _, x, y, z] = by_the_laws(run);
         let found = run.motion.end().omega;
         Ok([
@@ -112,7 +111,7 @@ fn eq61() -> Evidence {
         ),
     );
     let states = with_each(
-        mixed(),
+        MIXED.each(),
         [1, 2, 3, 4, 5, 6, 7, 8].map(|k| f64::from(k) / 8.0),
     );
     let rolling = only(states, |(run, share)| {
@@ -179,7 +178,7 @@ fn eq76() -> Evidence {
             r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
         ),
     );
-    trial.each(mixed(), Followed::at_end, |run| {
+    trial.each(MIXED.each(), Followed::at_end, |run| {
         let (_, mu, g) = run.case.parameters();
         let rate = |t: f64| {
             let gamma = printed::eq72_acceleration(mu, g, run.case.acceleration(t));

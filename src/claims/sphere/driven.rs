@@ -4,6 +4,8 @@ use super::every_drive::rolling_time;
 use super::spheres::{braking, sphere};
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
 use crate::claims::periodic::drives::Harmonics;
+use crate::claims::sinusoidal::reference_motions::drive;
+use crate::claims::sinusoidal::regimes::{kind, listed_kind};
 use crate::claims::tolerances::MOTION;
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
 use crate::motion::sphere::{Ball, BallMotion, Contact, Directed, Sphere};
@@ -131,7 +133,7 @@ fn settled(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, Failure> 
 fn w_after(plus: f64, minus: f64, w: f64, phi: f64) -> f64 {
     let end = || -> Result<f64, Failure> {
         let friction = Friction::new(plus, minus)?;
-        let moved = sine_drive()?.advance(friction, DriveState { phi: 0.0, w }, phi)?;
+        let moved = drive()?.advance(friction, DriveState { phi: 0.0, w }, phi)?;
         Ok(moved.end.w)
     };
     end().unwrap_or(f64::NAN)
@@ -157,21 +159,6 @@ pub(super) fn part(intervals: &[Interval], sign: Sign) -> f64 {
     own.map(Interval::length).sum::<f64>() / TAU
 }
 
-fn sine_drive() -> Result<&'static Drive, Failure> {
-    static DRIVE: Runs<Drive> = Runs::setting(|| Ok(Drive::new(libm::sin, &[])?));
-    DRIVE.get()
-}
-
-/// 2 for two zeros and no rest in a period, 20 for two rests, −1 for rest throughout, 0 for all else.
-fn kind(passes: usize, rests: usize, throughout: bool) -> f64 {
-    match (passes, rests) {
-        (0, _) if throughout => -1.0,
-        (2, 0) => 2.0,
-        (0, 2) => 20.0,
-        _ => 0.0,
-    }
-}
-
 /// What the statement says, from the boundary λ_c.
 fn stated_kind(lambda: f64, lambda_c: f64) -> f64 {
     if lambda > 1.0 {
@@ -181,15 +168,6 @@ fn stated_kind(lambda: f64, lambda_c: f64) -> f64 {
     } else {
         2.0
     }
-}
-
-/// The kind of a drive's periodic motion.
-fn listed(intervals: &[Interval]) -> f64 {
-    let rests = intervals.iter().filter(|i| i.sign == Sign::Rest).count();
-    if intervals.len() == 1 {
-        return kind(0, rests, rests == 1);
-    }
-    kind(intervals.len() - 2 * rests, rests, false)
 }
 
 /// The kind of the sphere's motion over one period.
@@ -223,8 +201,8 @@ fn rolled(motion: &BallMotion, from: f64, to: f64) -> Result<f64, Failure> {
 fn lambda_c() -> Result<f64, Failure> {
     static LAMBDA: Runs<f64> = Runs::new(|| {
         let rests = |lambda: f64| -> Result<bool, Failure> {
-            let attractor = settled(sine_drive()?, Friction::new(lambda, lambda)?)?;
-            Ok(listed(attractor.intervals()) == 20.0)
+            let attractor = settled(drive()?, Friction::new(lambda, lambda)?)?;
+            Ok(listed_kind(attractor.intervals()) == 20.0)
         };
         let (mut low, mut high) = (0.1, 0.9);
         for _ in 0..50 {
@@ -342,25 +320,22 @@ pub fn trichotomy_census() -> Evidence {
         let late = settled_phase(lambda) + 0.1;
         let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
-        Ok(Pair {
-            at: swing.at(),
-            stated: stated_kind(swing.stated(), sinusoidal::eq37_lambda_c()),
-            found: rolled(&motion, from, to)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            swing.at(),
+            stated_kind(swing.stated(), sinusoidal::eq37_lambda_c()),
+            rolled(&motion, from, to)?,
+        ))
     })
 }
 
 /// How long it rolls in a period, from a start in any direction, against the rests of the drive.
 pub fn trichotomy_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Within,
         Compared::one(
             r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
             "that of a late period in which a sphere, started in any direction, rolls",
         ),
-        MOTION,
     );
     let mut points = Points::stream(413);
     trial.over(0..20, |i| {
@@ -371,13 +346,12 @@ pub fn trichotomy_motion() -> Evidence {
         let late = settled_phase(lambda);
         let (from, to) = (swing.t(late), swing.t(late + TAU));
         let motion = swing.sphere.run(&swing.sine(), &start, to)?;
-        let (drive, lambda) = (sine_drive()?, swing.stated());
-        Ok(Pair {
-            at: swing.at(),
-            stated: of_settled(drive, lambda, lambda, |all| part(all, Sign::Rest)),
-            found: rolling_time(&motion, from, to)? / (to - from),
-            scale: 1.0,
-        })
+        let (drive, lambda) = (drive()?, swing.stated());
+        Ok(Pair::plain(
+            swing.at(),
+            of_settled(drive, lambda, lambda, |all| part(all, Sign::Rest)),
+            rolling_time(&motion, from, to)? / (to - from),
+        ))
     })
 }
 
@@ -394,14 +368,13 @@ pub fn trichotomy_outside() -> Evidence {
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 2.5);
         let outcome =
-            sine_drive()?.attractor(Friction::new(0.0, 0.0)?, DriveState { phi: 0.0, w }, 100)?;
+            drive()?.attractor(Friction::new(0.0, 0.0)?, DriveState { phi: 0.0, w }, 100)?;
         let attractor = outcome.settled().ok_or("the drive does not settle")?;
-        Ok(Pair {
-            at: format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
-            stated: 2.0,
-            found: listed(attractor.intervals()),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
+            2.0,
+            listed_kind(attractor.intervals()),
+        ))
     })
 }
 
@@ -469,25 +442,22 @@ fn pulse_census() -> Evidence {
             swing.t((SETTLED + 1.0) * TAU + 0.01),
         );
         let motion = swing.sphere.run(&swing.pulses(eta), &start, to)?;
-        Ok(Pair {
-            at: format!("η = {eta:.6}, {}", swing.at()),
-            stated: stated_kind(swing.stated(), periodic::eq46_lambda_c(eta)),
-            found: rolled(&motion, from, to)?,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("η = {eta:.6}, {}", swing.at()),
+            stated_kind(swing.stated(), periodic::eq46_lambda_c(eta)),
+            rolled(&motion, from, to)?,
+        ))
     })
 }
 
 /// The pulse train: the part of a period in which the drive rests.
 fn pulse_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::one(
             r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
             "that of a late period in which the sphere rolls, under the pulses",
         ),
-        MOTION,
     );
     let mut points = Points::stream(417);
     let all = pulse_points(&mut points, 20);
@@ -510,12 +480,11 @@ fn pulse_motion() -> Evidence {
         };
         let drive = Drive::new(h, &[0.0, end, PI, PI + end])?;
         let lambda = swing.stated();
-        Ok(Pair {
-            at: format!("η = {eta:.6}, {}", swing.at()),
-            stated: of_settled(&drive, lambda, lambda, |all| part(all, Sign::Rest)),
-            found: rolling_time(&motion, from, to)? / (to - from),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("η = {eta:.6}, {}", swing.at()),
+            of_settled(&drive, lambda, lambda, |all| part(all, Sign::Rest)),
+            rolling_time(&motion, from, to)? / (to - from),
+        ))
     })
 }
 
@@ -562,26 +531,23 @@ fn anisotropic_census() -> Evidence {
     trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (ways, _) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
-        let (drive, lambda) = (sine_drive()?, swing.stated_plus());
-        Ok(Pair {
-            at: format!("q = {q:.6}, {}", swing.at()),
-            stated: of_settled(drive, lambda, q * lambda, own_digits),
-            found: from_forward(ways.into_iter().map(f64::from).collect()),
-            scale: 1.0,
-        })
+        let (drive, lambda) = (drive()?, swing.stated_plus());
+        Ok(Pair::plain(
+            format!("q = {q:.6}, {}", swing.at()),
+            of_settled(drive, lambda, q * lambda, own_digits),
+            from_forward(ways.into_iter().map(f64::from).collect()),
+        ))
     })
 }
 
 /// How long each lasts.
 fn anisotropic_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    let trial = Trial::motion(
         Printed,
         Compared::many(
             r"the parts of a period of backward motion and rest, the second one taken twice, of the drive with $\lambda_0$ of (85), where it rests at all,",
             "those of the sphere's slip",
         ),
-        MOTION,
     );
     let mut points = Points::stream(419);
     let resting = |(q, lambda): &(f64, f64)| q * lambda > 1.0;
@@ -589,15 +555,14 @@ fn anisotropic_motion() -> Evidence {
     trial.over(all.enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
         let (_, lengths) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
-        let (drive, lambda) = (sine_drive()?, swing.stated_plus());
-        Ok(Pair {
-            at: format!("q = {q:.6}, {}", swing.at()),
-            stated: of_settled(drive, lambda, q * lambda, |all| {
+        let (drive, lambda) = (drive()?, swing.stated_plus());
+        Ok(Pair::plain(
+            format!("q = {q:.6}, {}", swing.at()),
+            of_settled(drive, lambda, q * lambda, |all| {
                 part(all, Sign::Negative) + 2.0 * part(all, Sign::Rest)
             }),
-            found: lengths[0] + 2.0 * lengths[1],
-            scale: 1.0,
-        })
+            lengths[0] + 2.0 * lengths[1],
+        ))
     })
 }
 
@@ -702,27 +667,6 @@ mod tests {
             let [x, y] = plane.coefficients(swing.t(phi)).map(|c| c[0]);
             assert_eq!([x, y], [-h * swing.a0, 0.0], "φ = {phi}");
         }
-    }
-
-    #[test]
-    fn lists_of_intervals_have_their_kinds() {
-        let kinds = |letters: &str| {
-            let interval = |letter| Interval {
-                sign: match letter {
-                    '+' => Sign::Positive,
-                    '-' => Sign::Negative,
-                    _ => Sign::Rest,
-                },
-                start: 0.0,
-                end: 1.0,
-            };
-            listed(&letters.chars().map(interval).collect::<Vec<_>>())
-        };
-        assert_eq!(["0", "+", "-"].map(kinds), [-1.0, 0.0, 0.0]);
-        assert_eq!(
-            ["+-", "+0-0", "+-0", "+-+-"].map(kinds),
-            [2.0, 20.0, 0.0, 0.0]
-        );
     }
 
     /// With λ₀ > 1 friction is never exceeded.

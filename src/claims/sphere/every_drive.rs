@@ -1,6 +1,6 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
-use super::spheres::{Case, Followed, braking, case, length, mixed, moments, sphere, weighed};
+use super::spheres::{Case, Followed, MIXED, braking, case, length, moments, sphere, weighed};
 use crate::corrections::sphere as corrected;
 use crate::motion::sphere::{Ball, Contact};
 use crate::motion::{PhaseKind, Plane, Signal, State, run};
@@ -11,11 +11,7 @@ use trialbook::prelude::*;
 /// The particle with bμ that begins with the sphere's slip velocity; none if bμ is below zero.
 fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, Failure> {
     let case = &run_of.case;
-    let start = State {
-        t: 0.0,
-        v: case.sphere.contact(&case.start),
-        x: [0.0; 2],
-    };
+    let start = State::moving(case.sphere.contact(&case.start));
     let friction = case.b() * case.sphere.mu * case.sphere.g;
     Ok(run(&case.plane, friction, start, run_of.until)?)
 }
@@ -82,11 +78,7 @@ fn reduction_from_rest() -> Evidence {
             until,
         } = &run;
         let friction = case.b() * case.sphere.mu * case.sphere.g;
-        let rest = State {
-            t: 0.0,
-            v: [0.0; 2],
-            x: [0.0; 2],
-        };
+        let rest = State::moving([0.0; 2]);
         let particle = crate::motion::run(&case.plane, friction, rest, *until);
         let [x, y] = particle.map_or([f64::NAN; 2], |particle| particle.end().v);
         let [sx, sy] = motion.slip(*until)?;
@@ -123,11 +115,7 @@ fn reduction_small_slip() -> Evidence {
         let v = sphere.contact(&start);
         let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
         let friction = printed::eq67_factor(kappa) * sphere.mu * sphere.g;
-        let rest = State {
-            t: 0.0,
-            v,
-            x: [0.0; 2],
-        };
+        let rest = State::moving(v);
         let until = 2.0 * libm::hypot(v[0], v[1]) / braking(&sphere);
         let particle = run(&still, friction, rest, until);
         let stop = particle.map_or(None, |particle| particle.first_stop());
@@ -143,7 +131,6 @@ fn reduction_small_slip() -> Evidence {
     })
 }
 
-/// The sphere rolls while the particle rests.
 fn reduction_rolling() -> Evidence {
     Trial::motion(
         Printed,
@@ -152,7 +139,7 @@ fn reduction_rolling() -> Evidence {
             "the time that the sphere rolls",
         ),
     )
-    .each(mixed(), Followed::at_end, |run| {
+    .each(MIXED.each(), Followed::at_end, |run| {
         let rests = |particle: crate::motion::Motion| {
             let phases = particle.phases().iter();
             let rests = phases.filter(|phase| phase.kind == PhaseKind::Stick);
@@ -195,7 +182,7 @@ fn reduction_rest() -> Evidence {
     Trial::motion(Printed, Compared::many(
         r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
         "those of the motion, all components in one weighted sum",
-    )).each(mixed(), Followed::at_end, |run| {
+    )).each(MIXED.each(), Followed::at_end, |run| {
         let (b, t, zero) = (run.case.b(), run.until, [0.0; 3]);
         let (start, own_start, own) = (run.dimensionless(0.0)?, run.own(0.0)?, run.own(t)?);
         let (radius, mu, g) = run.case.parameters();
@@ -220,7 +207,7 @@ fn spin_constant() -> Evidence {
     Trial::motion(Printed, Compared::many(
         r"a kept $\omega_z$, and the $x$, $\bm v$, $\omega_x$ and $\omega_y$ in which a motion with three times that $\omega_z$ ends,",
         "those of the motion, all in one weighted sum",
-    )).each(mixed(), Followed::at_end, |run| {
+    )).each(MIXED.each(), Followed::at_end, |run| {
         let case = &run.case;
         let start = with_three_times_the_spin(case.start);
         let other = case.sphere.run(&case.plane, &start, run.until)?.end();
@@ -268,7 +255,7 @@ mod tests {
 
     #[test]
     fn another_spin_is_another_start() {
-        for run in mixed() {
+        for run in MIXED.each() {
             let start = run.unwrap().case.start;
             let [x, y, z] = start.omega;
             assert!(z.abs() > 1e-3, "{z}");

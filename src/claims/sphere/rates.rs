@@ -1,6 +1,6 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
-use super::spheres::{Followed, length, moments, sliding, weighed};
+use super::spheres::{Followed, SLIDING, length, moments, weighed};
 use crate::corrections::sphere as corrected;
 use crate::motion::State;
 use crate::motion::sphere::Ball;
@@ -36,7 +36,7 @@ fn summed(
             ["the change of ", name, BY_ONE_NUMBER],
         ),
     )
-    .each(sliding(), Followed::at_end, |run| {
+    .each(SLIDING.each(), Followed::at_end, |run| {
         let along = |t: f64| {
             let ball = run.motion.at(t);
             ball.map_or(f64::NAN, |ball| {
@@ -112,18 +112,13 @@ fn spin(subject: Subject, law: &'static str, formula: Spin) -> Evidence {
 
 /// ν at a time, zero at the start: what a body without friction loses to the plane, in units of √(μgR).
 pub(super) fn nu(run: &Followed, t: f64) -> Result<[f64; 3], Failure> {
-    let rest = State {
-        t: 0.0,
-        v: [0.0; 2],
-        x: [0.0; 2],
-    };
+    let rest = State::moving([0.0; 2]);
     let [x, y] = crate::motion::run(&run.case.plane, 0.0, rest, t)?.end().v;
     let unit = run.units().speed;
     Ok([-x / unit, -y / unit, 0.0])
 }
 
-/// (79), with c from the start, through sliding and rolling.
-pub fn eq79() -> Evidence {
+fn eq79() -> Evidence {
     let compared = Compared::one(
         r"(79), with $\bm c$ from the start,",
         r"$\mathrm d\bm\rho/\mathrm d\tau$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",

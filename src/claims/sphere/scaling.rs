@@ -1,7 +1,7 @@
 //! Trials of (62) and (68) to (72): two spheres that differ in all but the dimensionless quantities move alike, and one
 //! of them has 1 for each unit.
 
-use super::spheres::{Case, Dimensionless, Followed, Units, length, sliding, sphere, weighed};
+use super::spheres::{Case, Dimensionless, Followed, SLIDING, Units, length, sphere, weighed};
 use crate::motion::sphere::{Ball, Directed, Sphere};
 use crate::motion::{Plane, Signal};
 use crate::numerics::quadrature::integral_within;
@@ -85,32 +85,29 @@ impl Plan {
     }
 }
 
-fn twins() -> impl Iterator<Item = Result<&'static Twins, Failure>> {
-    static TWINS: Runs<Vec<Twins>> = Runs::new(|| {
-        let mut points = Points::stream(403);
-        let pair = |i: usize| -> Result<_, Failure> {
-            let plan = Plan::new(&mut points);
-            let mut ours = sphere(i, &mut points);
-            if i >= 18 {
-                // Large, and so slow that its times are long.
-                ours.radius *= 1e4;
-            }
-            ours.inertia = plan.kappa * ours.mass * ours.radius * ours.radius;
-            Ok(Twins {
-                at: format!(
-                    "κ = {:.6}, γ = {:.6}, ζ₃ = {:.6}, τ = {:.6}",
-                    plan.kappa, plan.gamma, plan.zeta[2], plan.tau
-                ),
-                speed: plan.gamma * plan.tau,
-                tau: plan.tau,
-                ours: plan.follow(ours)?,
-                unit: plan.follow(Sphere::with_kappa(plan.kappa))?,
-            })
-        };
-        every((0..24).map(pair))
-    });
-    TWINS.each()
-}
+static TWINS: Runs<Vec<Twins>> = Runs::new(|| {
+    let mut points = Points::stream(403);
+    let pair = |i: usize| -> Result<_, Failure> {
+        let plan = Plan::new(&mut points);
+        let mut ours = sphere(i, &mut points);
+        if i >= 18 {
+            // Large, and so slow that its times are long.
+            ours.radius *= 1e4;
+        }
+        ours.inertia = plan.kappa * ours.mass * ours.radius * ours.radius;
+        Ok(Twins {
+            at: format!(
+                "κ = {:.6}, γ = {:.6}, ζ₃ = {:.6}, τ = {:.6}",
+                plan.kappa, plan.gamma, plan.zeta[2], plan.tau
+            ),
+            speed: plan.gamma * plan.tau,
+            tau: plan.tau,
+            ours: plan.follow(ours)?,
+            unit: plan.follow(Sphere::with_kappa(plan.kappa))?,
+        })
+    };
+    every((0..24).map(pair))
+});
 
 const PLANE: &str = ", at the same time in these, each vector by the one number $x+2y$";
 const SPACE: &str = ", at the same time in these, each vector by the one number $x+2y+3z$";
@@ -122,11 +119,11 @@ fn alike(
     found: impl Fn(&Followed, &Dimensionless) -> [f64; 3],
 ) -> Evidence {
     const TWIN: &str = r" of the one with $m=R=\mu=g=1$ that has the same $\kappa$, drive and start in its own units";
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
         Compared::composed([by_definition, " of a sphere", ""], [own, TWIN, each]),
-    );
-    trial.each(twins(), Twins::at, |twins| {
+    )
+    .each(TWINS.each(), Twins::at, |twins| {
         let Twins { ours, unit, .. } = twins;
         let (by_definition, own) = (ours.dimensionless(ours.until)?, unit.own(unit.until)?);
         Ok([
@@ -154,7 +151,7 @@ fn eq68_way() -> Evidence {
             r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
         ),
     );
-    trial.each(sliding(), Followed::at_end, |run| {
+    trial.each(SLIDING.each(), Followed::at_end, |run| {
         let (radius, ..) = run.case.parameters();
         let place = |[x, y]: [f64; 2]| weighed(printed::eq68_position(radius, [x, y, 0.0]));
         let rate = |t: f64| {

@@ -246,44 +246,38 @@ pub fn case(i: usize, points: &mut Points) -> Case {
 }
 
 /// Motions that end before sliding does.
-pub fn sliding() -> impl Iterator<Item = Result<&'static Followed, Failure>> {
-    static RUNS: Runs<Vec<Followed>> = Runs::new(|| {
-        let mut points = Points::stream(400);
-        let run = |i| {
-            let case = case(i, &mut points);
-            let [x, y] = case.sphere.contact(&case.start);
-            let slip = libm::hypot(x, y);
-            let friction = case.braking();
-            // The lowest point loses its velocity no faster than friction and A together take it.
-            let a = (0..40).map(|k| {
-                let [x, y, _] = case.acceleration(f64::from(k) * slip / friction / 40.0);
-                libm::hypot(x, y)
-            });
-            let until = 0.7 * slip / (friction + a.fold(0.0, f64::max));
-            case.run(until)
-        };
-        every((0..32).map(run))
-    });
-    RUNS.each()
-}
+pub static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
+    let mut points = Points::stream(400);
+    let run = |i| {
+        let case = case(i, &mut points);
+        let [x, y] = case.sphere.contact(&case.start);
+        let slip = libm::hypot(x, y);
+        let friction = case.braking();
+        // The lowest point loses its velocity no faster than friction and A together take it.
+        let a = (0..40).map(|k| {
+            let [x, y, _] = case.acceleration(f64::from(k) * slip / friction / 40.0);
+            libm::hypot(x, y)
+        });
+        let until = 0.7 * slip / (friction + a.fold(0.0, f64::max));
+        case.run(until)
+    };
+    every((0..32).map(run))
+});
 
 /// Motions that slide and roll.
-pub fn mixed() -> impl Iterator<Item = Result<&'static Followed, Failure>> {
-    static RUNS: Runs<Vec<Followed>> = Runs::new(|| {
-        let mut points = Points::stream(401);
-        let run = |i| {
-            let case = case(i, &mut points);
-            let until = points.uniform(3.0, 9.0);
-            case.run(until)
-        };
-        every((0..32).map(run))
-    });
-    RUNS.each()
-}
+pub static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
+    let mut points = Points::stream(401);
+    let run = |i| {
+        let case = case(i, &mut points);
+        let until = points.uniform(3.0, 9.0);
+        case.run(until)
+    };
+    every((0..32).map(run))
+});
 
 /// The same with three times between their start and their end.
 pub fn moments() -> impl Iterator<Item = Result<(&'static Followed, f64), Failure>> {
-    let moments = with_each(mixed(), [0.31, 0.62, 1.0]);
+    let moments = with_each(MIXED.each(), [0.31, 0.62, 1.0]);
     moments.map(|moment| moment.map(|(run, share)| (run, share * run.until)))
 }
 

@@ -2,7 +2,6 @@
 
 use super::complex::Complex;
 use super::trajectories::{FASTER, View, stretches};
-use crate::claims::tolerances::MOTION;
 use crate::paper::turntable as printed;
 use trialbook::prelude::*;
 
@@ -16,12 +15,12 @@ fn inner(view: &View) -> [Complex; 2] {
 }
 
 /// (111) and (112) give p and ρ, both real.
-pub fn eq122() -> Evidence {
-    let trial = Trial::by(Route::Integration, Printed, Compared::many(
+fn eq122() -> Evidence {
+    let trial = Trial::motion(Printed, Compared::many(
         r"the real and imaginary part of (111) plus twice (112), with the complex $A$ and $\alpha$ of (122) and (123),",
         r"$p+2\rho$ and 0",
     )
-    .over(r"$p>\rho$"), MOTION);
+    .over(r"$p>\rho$"));
     trial.over(with_each(stretches(FASTER), [true, false]), |case| {
         let (stretch, real) = case?;
         let view = stretch.view(stretch.to)?;
@@ -38,7 +37,7 @@ pub fn eq122() -> Evidence {
 }
 
 /// (114) gives the rate of α, real.
-pub fn eq123() -> Evidence {
+fn eq123() -> Evidence {
     let trial = Trial::quadrature(Printed, Compared::many(
         r"the real and imaginary part of the integral of (114) over $\tau$, with the complex $A$ and $\alpha$ of (122) and (123),",
         r"the change of $\beta$, and 0",
@@ -53,12 +52,11 @@ pub fn eq123() -> Evidence {
         };
         let beta = |tau: f64| stretch.view(tau).map(|view| view.outer().1);
         let change = beta(stretch.to)? - beta(stretch.from)?;
-        Ok(Pair {
-            at: stretch.at(),
-            stated: stretch.sum(rate, 1e-13),
-            found: if real { change } else { 0.0 },
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            stretch.at(),
+            stretch.sum(rate, 1e-13),
+            if real { change } else { 0.0 },
+        ))
     })
 }
 

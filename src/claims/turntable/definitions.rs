@@ -15,8 +15,7 @@ fn ends<const N: usize>(
     classes: &[Class],
     pairs: impl Fn(&View, &Intrinsic) -> [[f64; 2]; N],
 ) -> Evidence {
-    let trial = Trial::by(route, Printed, compared, FRAMES);
-    trial.pairs(stretches(classes), |stretch| {
+    Trial::by(route, Printed, compared, FRAMES).pairs(stretches(classes), |stretch| {
         let stretch = stretch?;
         let mut all = Vec::new();
         for tau in [stretch.from, stretch.to] {

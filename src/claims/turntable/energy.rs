@@ -15,12 +15,12 @@ fn change_of_eq104(stretch: &Stretch) -> Result<f64, Failure> {
 }
 
 /// (104), with the arc length of the integration by components.
-pub fn eq104() -> Evidence {
-    let trial = Trial::motion(
+fn eq104() -> Evidence {
+    Trial::motion(
         Printed,
         Compared::one("the change of (104) over a stretch of motion", "0"),
-    );
-    trial.each(stretches(ANY), Stretch::at, |stretch| {
+    )
+    .each(stretches(ANY), Stretch::at, |stretch| {
         Ok([change_of_eq104(stretch)?, 0.0, 1.0])
     })
 }
@@ -63,9 +63,8 @@ fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) 
     })
 }
 
-/// (105).
 fn eq105() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Consistency,
         Printed,
         Compared::one(
@@ -73,8 +72,8 @@ fn eq105() -> Evidence {
             "the arc length by components along the velocity",
         ),
         FRAMES,
-    );
-    trial.each(stretches(ANY), Stretch::at, |stretch| {
+    )
+    .each(stretches(ANY), Stretch::at, |stretch| {
         Ok([
             stretch.sum(|v| printed::eq105_arc_rate(v.p), 1e-13),
             stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
@@ -116,18 +115,23 @@ fn kept(
     compared: Compared,
     energy: impl Fn(&Table, &State, f64) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
-    trial.each(launches(), Launch::at, |launch| {
-        let Table { omega, mass: m, .. } = launch.table;
-        let end = launch.still.on_table(launch.to)?;
-        let size =
-            |s: &State| 0.5 * m * (s.speed() * s.speed() + omega * omega * s.radius() * s.radius());
-        Ok([
-            energy(&launch.table, &end, way(launch)?) - energy(&launch.table, &launch.start, 0.0),
-            0.0,
-            size(&launch.start).max(size(&end)),
-        ])
-    })
+    Trial::by(Route::Integration, subject, compared, FRAMES).each(
+        launches(),
+        Launch::at,
+        |launch| {
+            let Table { omega, mass: m, .. } = launch.table;
+            let end = launch.still.on_table(launch.to)?;
+            let size = |s: &State| {
+                0.5 * m * (s.speed() * s.speed() + omega * omega * s.radius() * s.radius())
+            };
+            Ok([
+                energy(&launch.table, &end, way(launch)?)
+                    - energy(&launch.table, &launch.start, 0.0),
+                0.0,
+                size(&launch.start).max(size(&end)),
+            ])
+        },
+    )
 }
 
 /// The work that friction does on the particle relative to the table, as the laboratory has it. There friction
@@ -148,15 +152,18 @@ fn work(subject: Subject, stated: &'static str, formula: impl Fn(&Table, f64) ->
         stated,
         "the work of friction along the path of length $s$ on the table, found in the laboratory",
     );
-    let trial = Trial::by(Route::Integration, subject, compared, FRAMES);
-    trial.each(launches(), Launch::at, |launch| {
-        let found = friction_work(launch)?;
-        Ok([
-            formula(&launch.table, way(launch)?),
-            found,
-            found.abs().max(launch.table.energy(&launch.start).abs()),
-        ])
-    })
+    Trial::by(Route::Integration, subject, compared, FRAMES).each(
+        launches(),
+        Launch::at,
+        |launch| {
+            let found = friction_work(launch)?;
+            Ok([
+                formula(&launch.table, way(launch)?),
+                found,
+                found.abs().max(launch.table.energy(&launch.start).abs()),
+            ])
+        },
+    )
 }
 
 /// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken

@@ -114,12 +114,11 @@ fn separation() -> Evidence {
             [false, true] => 1.0,
             _ => f64::NAN,
         };
-        Ok(Pair {
-            at: format!("{}, ψ = {psi:.6}", at(a, alpha)),
+        Ok(Pair::plain(
+            format!("{}, ψ = {psi:.6}", at(a, alpha)),
             stated,
-            found: f64::signum(parting),
-            scale: 1.0,
-        })
+            f64::signum(parting),
+        ))
     })
 }
 
@@ -145,14 +144,13 @@ fn frozen() -> Evidence {
         let end = dop853::end(rate, 0.0, [start], until, 1e-13, 1e-13);
         let [low, high] = BELOW_AND_ABOVE[i % 2];
         let found = roots::root(|psi| turning(alpha, psi), low, high)?;
-        Ok(Pair {
-            at: format!("α = {alpha:.6}, from ψ = {start:.6}"),
-            stated: end.map_or(f64::NAN, |[end]| {
+        Ok(Pair::plain(
+            format!("α = {alpha:.6}, from ψ = {start:.6}"),
+            end.map_or(f64::NAN, |[end]| {
                 end - TAU * libm::round((end - found) / TAU)
             }),
             found,
-            scale: 1.0,
-        })
+        ))
     })
 }
 
@@ -176,8 +174,7 @@ pub struct Following {
     pub psi: f64,
     /// ψ₁ at the α of that moment, in radians.
     pub psi1: f64,
-    /// π/2 − ψ.
-    pub lag: f64,
+
     /// (π/2 − ψ)/(π/2 − ψ₁).
     pub ratio: f64,
 }
@@ -193,7 +190,7 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
             tau,
             psi: state.psi(),
             psi1,
-            lag: state.lag(),
+
             ratio: state.lag() / (FRAC_PI_2 - psi1),
         })
     };

@@ -4,7 +4,6 @@ use super::trajectories::{ANY, Launch, Stretch, View, any_table, launches, stret
 use crate::claims::tolerances::{FOREIGN, FRAMES};
 use crate::motion::MotionError;
 use crate::motion::turntable::{Path, State, Table, inertial, rotating};
-use crate::numerics::dop853;
 use crate::numerics::quadrature::sum;
 use crate::paper::turntable as printed;
 use std::f64::consts::TAU;
@@ -49,23 +48,25 @@ fn summed(
     compared: Compared,
     image: fn(Table, State) -> (Table, State),
 ) -> Evidence {
-    let trial = Trial::by(Route::Quadrature, subject, compared, FRAMES);
-    trial.over(with_each(launches(), [0, 1]), |case| {
-        let (launch, i) = case?;
-        let of = |state: State| image(launch.table, state);
-        let rate = |t: f64| {
-            let here = launch.turning.at(t).map(of);
-            here.map_or(f64::NAN, |(table, state)| acceleration(&table, &state)[i])
-        };
-        let velocity = |state: State| of(state).1.v[i];
-        let unit = launch.table.length() * launch.table.omega;
-        Ok(Pair {
-            at: launch.at(),
-            stated: sum(rate, 0.0, launch.to, 1e-13 * unit),
-            found: velocity(launch.still.on_table(launch.to)?) - velocity(launch.start),
-            scale: unit,
-        })
-    })
+    Trial::by(Route::Quadrature, subject, compared, FRAMES).over(
+        with_each(launches(), [0, 1]),
+        |case| {
+            let (launch, i) = case?;
+            let of = |state: State| image(launch.table, state);
+            let rate = |t: f64| {
+                let here = launch.turning.at(t).map(of);
+                here.map_or(f64::NAN, |(table, state)| acceleration(&table, &state)[i])
+            };
+            let velocity = |state: State| of(state).1.v[i];
+            let unit = launch.table.length() * launch.table.omega;
+            Ok(Pair {
+                at: launch.at(),
+                stated: sum(rate, 0.0, launch.to, 1e-13 * unit),
+                found: velocity(launch.still.on_table(launch.to)?) - velocity(launch.start),
+                scale: unit,
+            })
+        },
+    )
 }
 
 /// (86) as an equation for the motion, through several turns of the table.
@@ -170,7 +171,7 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
 
 /// (87): motions on any table are one and the same in these units.
 pub fn eq87() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Consistency,
         Printed,
         Compared::one(
@@ -178,17 +179,16 @@ pub fn eq87() -> Evidence {
             r"the motion for $\Omega=\mu g=1$, component by component",
         ),
         FRAMES,
-    );
-    trial.over(with_each(launches(), [0, 1]), |case| {
+    )
+    .over(with_each(launches(), [0, 1]), |case| {
         let (launch, i) = case?;
         let Table { omega, mu, g, .. } = launch.table;
         let place = launch.still.on_table(launch.to)?.x;
-        Ok(Pair {
-            at: launch.at(),
-            stated: printed::eq87_position(omega, mu, g, place)[i],
-            found: in_units(launch)?.at(launch.to * omega)?.x[i],
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            launch.at(),
+            printed::eq87_position(omega, mu, g, place)[i],
+            in_units(launch)?.at(launch.to * omega)?.x[i],
+        ))
     })
 }
 
@@ -207,12 +207,11 @@ pub fn eq88() -> Evidence {
         let (launch, i) = case?;
         let tau = printed::eq88_time(launch.table.omega, launch.to);
         let there = in_units(launch)?.at(tau);
-        Ok(Pair {
-            at: launch.at(),
-            stated: there.map_or(f64::NAN, |state| state.x[i]),
-            found: launch.still.on_table(launch.to)?.x[i] / launch.table.length(),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            launch.at(),
+            there.map_or(f64::NAN, |state| state.x[i]),
+            launch.still.on_table(launch.to)?.x[i] / launch.table.length(),
+        ))
     })
 }
 

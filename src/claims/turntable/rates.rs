@@ -28,12 +28,6 @@ pub fn change(
     integral(law, subject, classes, name, ends, rate)
 }
 
-/// The same for the angle ψ, which is measured up to whole turns, and followed through them.
-fn turning(law: &'static str, classes: &[Class], rate: impl Fn(&View) -> f64) -> Evidence {
-    let turned = |stretch: &Stretch| Ok((turned(stretch)?, 1.0));
-    integral(law, Within, classes, PSI.0, turned, rate)
-}
-
 /// ∫ rate dτ with a change and its scale.
 fn integral(
     law: &'static str,
@@ -56,13 +50,14 @@ fn integral(
     })
 }
 
-/// By how much ψ grows over a stretch. Off rest and off the axis it changes by less than half a turn from one moment that is
+/// By how much ψ, which is measured up to whole turns, grows over a stretch. Off rest and off the axis it changes by less than half a turn from one moment that is
 /// looked at to the next, so that whole turns can be counted.
-fn turned(stretch: &Stretch) -> Result<f64, MotionError> {
+fn turned(stretch: &Stretch) -> Result<(f64, f64), MotionError> {
     let angles = samples(stretch.from, stretch.to).map(|tau| Ok(stretch.view(tau)?.psi));
     let angles = angles.collect::<Result<Vec<_>, MotionError>>()?;
     let jumps = angles.windows(2).map(|w| libm::round((w[0] - w[1]) / TAU));
-    Ok(angles[angles.len() - 1] - angles[0] + TAU * jumps.sum::<f64>())
+    let grown = angles[angles.len() - 1] - angles[0] + TAU * jumps.sum::<f64>();
+    Ok((grown, 1.0))
 }
 
 /// (90) is the rate of this.
@@ -118,7 +113,9 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq108 = change("(108)", Printed, ANY, RHO, |v| {
         printed::eq108_rho_rate(v.p, v.psi)
     }),
-    eq109 = turning("(109)", ANY, |v| printed::eq109_psi_rate(v.p, v.rho, v.psi)),
+    eq109 = integral("(109)", Within, ANY, PSI.0, turned, |v| {
+        printed::eq109_psi_rate(v.p, v.rho, v.psi)
+    }),
     eq113 = change("(113)", Printed, SLOWER, A, |v| {
         printed::eq113_a_rate(v.inner().1)
     }),
@@ -126,7 +123,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
         let (a, alpha) = v.inner();
         printed::eq114_alpha_rate(a, alpha, v.psi)
     }),
-    eq115 = turning("(115)", SLOWER, |v| {
+    eq115 = integral("(115)", Within, SLOWER, PSI.0, turned, |v| {
         printed::eq115_psi_rate(v.inner().1, v.psi)
     }),
     eq119 = change("(119)", Printed, FASTER, B, |v| {
@@ -136,7 +133,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
         let (b, beta) = v.outer();
         printed::eq120_beta_rate(b, beta, v.psi)
     }),
-    eq121 = turning("(121)", FASTER, |v| {
+    eq121 = integral("(121)", Within, FASTER, PSI.0, turned, |v| {
         printed::eq121_psi_rate(v.outer().1, v.psi)
     }),
 ];

@@ -46,32 +46,29 @@ impl Loose {
 }
 
 /// Thirty of them, in all directions.
-fn loose() -> impl Iterator<Item = Result<&'static Loose, Failure>> {
-    static LOOSE: Runs<Vec<Loose>> = Runs::new(|| {
-        let mut points = Points::stream(530);
-        let one = |i| -> Result<_, Failure> {
-            let rho = match i % 3 {
-                0 => 1.0 + points.log_uniform(1e-3, 1e-1),
-                _ => points.uniform(1.1, 3.0),
-            };
-            let (sine, cosine) = libm::sincos(points.uniform(-3.1, 3.1));
-            let (table, to) = (Table::default(), points.uniform(0.2, 1.5));
-            let start = State {
-                t: 0.0,
-                x: [rho * cosine, rho * sine],
-                v: [0.0; 2],
-            };
-            Ok(Loose {
-                rho,
-                to,
-                turning: rotating::run(&table, &start, to)?,
-                still: inertial::run(&table, &table.to_laboratory(&start), to)?,
-            })
+static LOOSE: Runs<Vec<Loose>> = Runs::new(|| {
+    let mut points = Points::stream(530);
+    let one = |i| -> Result<_, Failure> {
+        let rho = match i % 3 {
+            0 => 1.0 + points.log_uniform(1e-3, 1e-1),
+            _ => points.uniform(1.1, 3.0),
         };
-        every((0..30).map(one))
-    });
-    LOOSE.each()
-}
+        let (sine, cosine) = libm::sincos(points.uniform(-3.1, 3.1));
+        let (table, to) = (Table::default(), points.uniform(0.2, 1.5));
+        let start = State {
+            t: 0.0,
+            x: [rho * cosine, rho * sine],
+            v: [0.0; 2],
+        };
+        Ok(Loose {
+            rho,
+            to,
+            turning: rotating::run(&table, &start, to)?,
+            still: inertial::run(&table, &table.to_laboratory(&start), to)?,
+        })
+    };
+    every((0..30).map(one))
+});
 
 /// (89) from the moment of a start on: friction is overcome, and has its full size at once.
 fn eq89_from_rest() -> Evidence {
@@ -84,7 +81,7 @@ fn eq89_from_rest() -> Evidence {
         ),
         FRAMES,
     );
-    trial.each(loose(), Loose::at, |loose| {
+    trial.each(LOOSE.each(), Loose::at, |loose| {
         Ok([
             loose.sum(eq89_rate),
             weighed(loose.still.on_table(loose.to)?.v),
@@ -129,8 +126,7 @@ fn from_rest(
     rate: fn(&View) -> f64,
     quantity: fn([f64; 3]) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(Route::Quadrature, Within, compared, MOTION);
-    trial.each(loose(), Loose::at, |loose| {
+    Trial::by(Route::Quadrature, Within, compared, MOTION).each(LOOSE.each(), Loose::at, |loose| {
         let start = Exact::from(&Start::polar(loose.rho, 0.0, 0.0)?);
         let end = moment::<f64, TERMS>(&start, loose.to)?;
         Ok([
@@ -228,25 +224,21 @@ fn stop(i: usize, points: &mut Points) -> Result<Stop, Failure> {
 }
 
 /// Twenty-four of them.
-fn to_rest() -> impl Iterator<Item = Result<&'static Stop, Failure>> {
-    static STOPS: Runs<Vec<Stop>> = Runs::new(|| {
-        let mut points = Points::stream(531);
-        every((0..24).map(|i| stop(i, &mut points)))
-    });
-    STOPS.each()
-}
+static TO_REST: Runs<Vec<Stop>> = Runs::new(|| {
+    let mut points = Points::stream(531);
+    every((0..24).map(|i| stop(i, &mut points)))
+});
 
 impl Stop {
     /// (104) at rest at `sigma` with (104) at the start.
     fn kept(&self, by: &str, sigma: f64) -> Pair {
         let [rho, p] = self.begin;
-        Pair {
-            at: format!("{}, σ = {sigma:.6} by {by}", self.name),
-            stated: printed::eq104_constant(0.0, sigma, self.run.end().s)
+        Pair::plain(
+            format!("{}, σ = {sigma:.6} by {by}", self.name),
+            printed::eq104_constant(0.0, sigma, self.run.end().s)
                 - printed::eq104_constant(p, rho, 0.0),
-            found: 0.0,
-            scale: 1.0,
-        }
+            0.0,
+        )
     }
 
     /// What (99) takes from p until the time `stop`, with p.
@@ -259,23 +251,24 @@ impl Stop {
                 3.0 * stop * left * left * printed::eq99_p_rate(now.parts.xi)
             })
         };
-        Ok(Pair {
-            at: format!("{}, to the stop by {by}", self.name),
-            stated: sum(rate, 0.0, 1.0, 1e-13),
-            found: -self.begin[1],
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("{}, to the stop by {by}", self.name),
+            sum(rate, 0.0, 1.0, 1e-13),
+            -self.begin[1],
+        ))
     }
 }
 
 /// Each stop by each of so many programs.
 fn by_each(programs: usize) -> impl Iterator<Item = (usize, Result<&'static Stop, Failure>)> {
-    to_rest().flat_map(move |stop| (0..programs).map(move |i| (i, stop.clone())))
+    TO_REST
+        .each()
+        .flat_map(move |stop| (0..programs).map(move |i| (i, stop.clone())))
 }
 
 /// (104) where a motion has come to rest.
 fn eq104_at_rest() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Printed,
         Compared::one(
@@ -283,8 +276,8 @@ fn eq104_at_rest() -> Evidence {
             "0",
         ),
         ENDS,
-    );
-    trial.over(by_each(4), |(i, stop)| {
+    )
+    .over(by_each(4), |(i, stop)| {
         let stop = stop?;
         Ok(match stop.ends.get(i) {
             Some((by, _, sigma)) => stop.kept(by, *sigma),
@@ -293,9 +286,8 @@ fn eq104_at_rest() -> Evidence {
     })
 }
 
-/// (99) until a motion stops.
 fn eq99_until_rest() -> Evidence {
-    let trial = Trial::by(
+    Trial::by(
         Route::Integration,
         Within,
         Compared::one(
@@ -303,8 +295,8 @@ fn eq99_until_rest() -> Evidence {
             "$-p$ at the start",
         ),
         ENDS,
-    );
-    trial.over(by_each(3), |(i, stop)| {
+    )
+    .over(by_each(3), |(i, stop)| {
         let stop = stop?;
         let (by, time, _) = stop.ends[i];
         stop.slowed(by, time)
@@ -324,7 +316,7 @@ fn eq99_of_many() -> Evidence {
         ),
         OF_MANY,
     );
-    trial.over(to_rest(), |stop| {
+    trial.over(TO_REST.each(), |stop| {
         let stop = stop?;
         let [time, _, error] = stop.of_many;
         let pair = stop.slowed(MANY, time)?;
@@ -347,7 +339,7 @@ fn eq104_of_many() -> Evidence {
         ),
         OF_MANY,
     );
-    let resting = to_rest().map(|stop| -> Result<_, Failure> {
+    let resting = TO_REST.each().map(|stop| -> Result<_, Failure> {
         let stop = stop?;
         Ok(stop.kept(MANY, stop.of_many[1]))
     });
@@ -367,13 +359,11 @@ fn eq104_of_many() -> Evidence {
         };
         let now = Run::new(&start, tau)?.end();
         let (speed, place) = end.map_or((now.p(), HORIZON.rho), |state| (state.p, state.rho()));
-        Ok(Pair {
-            at: format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}, {name}"),
-            stated: printed::eq104_constant(speed, place, now.s)
-                - printed::eq104_constant(p, rho, 0.0),
-            found: 0.0,
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}, {name}"),
+            printed::eq104_constant(speed, place, now.s) - printed::eq104_constant(p, rho, 0.0),
+            0.0,
+        ))
     });
     trial.over(resting.chain(going), |pair: Result<Pair, Failure>| pair)
 }

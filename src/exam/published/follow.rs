@@ -65,9 +65,5 @@ pub(super) fn border(
 
 /// A body at the origin with a velocity along x.
 pub(super) fn moving(v: f64) -> State {
-    State {
-        t: 0.0,
-        v: [v, 0.0],
-        x: [0.0; 2],
-    }
+    State::moving([v, 0.0])
 }

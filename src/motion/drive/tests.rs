@@ -9,32 +9,6 @@ fn sine() -> Drive {
     Drive::new(<f64 as Scalar>::sin, &[]).unwrap()
 }
 
-fn square() -> Drive {
-    Drive::new(|x| if x < PI { 1.0 } else { -1.0 }, &[PI]).unwrap()
-}
-
-/// 1 and −1 on a share of the half periods, 0 in between.
-fn pulses(share: f64) -> Drive {
-    let h = move |x: f64| {
-        let (sign, x) = if x < PI { (1.0, x) } else { (-1.0, x - PI) };
-        if x < share * PI { sign } else { 0.0 }
-    };
-    Drive::new(h, &[share * PI, PI, PI + share * PI]).unwrap()
-}
-
-fn triangle() -> Drive {
-    let h = |x: f64| {
-        if x < 0.5 * PI {
-            x / (0.5 * PI)
-        } else if x < 1.5 * PI {
-            2.0 - x / (0.5 * PI)
-        } else {
-            x / (0.5 * PI) - 4.0
-        }
-    };
-    Drive::new(h, &[0.5 * PI, 1.5 * PI]).unwrap()
-}
-
 fn friction(plus: f64, minus: f64) -> Friction {
     Friction::new(plus, minus).unwrap()
 }
@@ -44,172 +18,7 @@ fn settle(drive: &Drive, plus: f64, minus: f64, start: DriveState) -> Attractor<
     outcome.settled().expect("settles")
 }
 
-#[track_caller]
-fn assert_list(attractor: &Attractor, expected: &[(Sign, f64, f64)], tolerance: f64) {
-    let found = attractor.intervals();
-    assert_eq!(found.len(), expected.len(), "{found:?}");
-    for (interval, (sign, start, end)) in found.iter().zip(expected) {
-        assert_eq!(interval.sign, *sign, "{found:?}");
-        assert!((interval.start - start).abs() < tolerance, "{found:?}");
-        assert!((interval.end - end).abs() < tolerance, "{found:?}");
-    }
-}
-
 use Sign::{Negative, Positive, Rest};
-
-#[test]
-fn square_wave_with_little_friction_by_hand() {
-    // Slopes 1 − λ and −1 − λ while positive; half a period up to down, so (1−λ)(π − a) = (1+λ) a.
-    for lambda in [0.05, 0.5, 0.9] {
-        let drive = square();
-        let found = settle(&drive, lambda, lambda, DriveState { phi: 1.0, w: 3.0 });
-        let a = 0.5 * PI * (1.0 - lambda);
-        assert_list(
-            &found,
-            &[(Positive, a, a + PI), (Negative, a + PI, a + TAU)],
-            1e-13,
-        );
-        let top = found.largest();
-        assert!((top.w.abs() - (1.0 - lambda) * (PI - a)).abs() < 1e-13);
-        let shrink = (1.0 - lambda) / (1.0 + lambda);
-        assert!((found.contraction() - shrink * shrink).abs() < 1e-14);
-        assert!((found.margins().crossing - (1.0 - lambda)).abs() < 1e-14);
-        assert!(found.displacement().abs() < 1e-12);
-        assert!(found.residual() < 1e-13 && !found.grazes());
-        // Half a period later, so that it is negative first: the list still begins where w rises.
-        let drive = Drive::new(|x| if x < PI { -1.0 } else { 1.0 }, &[PI]).unwrap();
-        let found = settle(&drive, lambda, lambda, DriveState { phi: 1.0, w: 3.0 });
-        let (rise, fall) = (a + PI, a + TAU);
-        assert_list(
-            &found,
-            &[(Positive, rise, fall), (Negative, fall, rise + TAU)],
-            1e-13,
-        );
-    }
-}
-
-#[test]
-fn square_wave_with_unequal_friction_by_hand() {
-    // Up at a, down at b: (1−p)(π−a) = (1+p)(b−π) and (1−m)(2π−b) = (1+m) a.
-    for (p, m) in [(0.3, 0.6), (0.6, 0.3)] {
-        let (k, l) = ((1.0 - p) / (1.0 + p), (1.0 - m) / (1.0 + m));
-        let a = l * PI * (1.0 - k) / (1.0 - k * l);
-        let b = PI + k * (PI - a);
-        let drive = square();
-        let found = settle(&drive, p, m, ORIGIN);
-        assert_list(&found, &[(Positive, a, b), (Negative, b, a + TAU)], 1e-13);
-        // Two triangles: displacement is half of base times height.
-        let area =
-            0.5 * (b - a) * (1.0 - p) * (PI - a) - 0.5 * (a + TAU - b) * (1.0 - m) * (TAU - b);
-        assert!((found.displacement() - area).abs() < 1e-12);
-        // A small dw is dφ (1 − p) where it rises and dφ (1 + p) where it falls to the next zero; and so below.
-        assert!((found.contraction() - k * l).abs() < 1e-14);
-        let margins = found.margins();
-        assert!((margins.crossing - (1.0 - f64::max(p, m))).abs() < 1e-14);
-        let shortest = f64::min(b - a, a + TAU - b);
-        assert!((margins.shortest - shortest).abs() < 1e-13);
-    }
-}
-
-#[test]
-fn pulses_with_rest_by_hand() {
-    // Up with slope 0.2 to π/2, down with slope −0.8: zero after another π/8.
-    let drive = pulses(0.5);
-    let found = settle(&drive, 0.8, 0.8, DriveState { phi: 4.0, w: -1.0 });
-    let stop = 0.625 * PI;
-    assert_list(
-        &found,
-        &[
-            (Positive, 0.0, stop),
-            (Rest, stop, PI),
-            (Negative, PI, PI + stop),
-            (Rest, PI + stop, TAU),
-        ],
-        1e-13,
-    );
-    assert!((found.largest().w.abs() - 0.1 * PI).abs() < 1e-13);
-    assert!((found.w(0.25 * PI) - 0.05 * PI).abs() < 1e-14);
-    assert!((found.w(0.25 * PI - TAU) - 0.05 * PI).abs() < 1e-13);
-    assert_eq!(found.w(0.8 * PI), 0.0);
-    assert!((found.w(1.55 * PI) + 0.06 * PI).abs() < 1e-13);
-    assert!((found.margins().shortest - 0.375 * PI).abs() < 1e-13);
-    assert_eq!(found.contraction(), 0.0);
-}
-
-#[test]
-fn triangle_with_rest_by_hand() {
-    // Starts at h = 0.8: φ = 0.4π; parabolas to the top 0.02π at 0.6π and to zero at π (0.6 + √0.02).
-    let drive = triangle();
-    let found = settle(&drive, 0.8, 0.8, ORIGIN);
-    let stop = PI * (0.6 + 0.02_f64.sqrt());
-    let expected = [
-        (Positive, 0.4 * PI, stop),
-        (Rest, stop, 1.4 * PI),
-        (Negative, 1.4 * PI, stop + PI),
-        (Rest, stop + PI, 2.4 * PI),
-    ];
-    assert_list(&found, &expected, 1e-13);
-    assert!(
-        (found.largest().w.abs() - 0.02 * PI).abs() < 1e-14,
-        "{:?}",
-        found.largest()
-    );
-    let top = found.largest().phi;
-    assert!((top - 0.6 * PI).abs() < 1e-12 || (top - 1.6 * PI).abs() < 1e-12);
-}
-
-/// Moreau's time-stepping: a different scheme, of first order, without events.
-fn time_stepping(h: impl Fn(f64) -> f64, p: f64, m: f64, periods: usize, steps: usize) -> Vec<f64> {
-    let mut w = 0.0;
-    let step = TAU / steps as f64;
-    let mut last = Vec::new();
-    for period in 0..periods {
-        for k in 0..steps {
-            let free = w + step * h((k as f64 + 0.5) * step);
-            w = if free > p * step {
-                free - p * step
-            } else if free < -m * step {
-                free + m * step
-            } else {
-                0.0
-            };
-            if period + 1 == periods && (k + 1) % (steps / 64) == 0 {
-                last.push(w);
-            }
-        }
-    }
-    last
-}
-
-#[test]
-fn agrees_with_time_stepping_without_events() {
-    let two = |x: f64| 0.1 + Scalar::sin(x) + 0.8 * Scalar::sin(3.0 * x + 0.5);
-    let drives: [(Drive, &dyn Fn(f64) -> f64); 2] = [
-        (sine(), &|x| Scalar::sin(x)),
-        (Drive::new(two, &[]).unwrap(), &two),
-    ];
-    for (drive, h) in &drives {
-        for (p, m) in [
-            (0.2, 0.2),
-            (0.5, 0.5),
-            (0.7, 0.7),
-            (0.15, 0.6),
-            (0.3, 1.2),
-            (1.3, 0.2),
-        ] {
-            let found = settle(drive, p, m, ORIGIN);
-            let steps = 64 * 4096;
-            for (k, w) in time_stepping(h, p, m, 40, steps).iter().enumerate() {
-                let phi = TAU * (k + 1) as f64 / 64.0;
-                assert!(
-                    (found.w(phi) - w).abs() < 5e-5,
-                    "{p} {m} {phi} {w} {}",
-                    found.w(phi)
-                );
-            }
-        }
-    }
-}
 
 /// Composite Gauss-Legendre quadrature of h itself, two points.
 fn quadrature(h: impl Fn(f64) -> f64, a: f64, b: f64) -> f64 {
@@ -261,60 +70,6 @@ fn every_end_is_an_event_of_the_equation() {
 }
 
 #[test]
-fn mirror_images() {
-    let odd = Drive::new(|x| Scalar::sin(x) + 0.5 * Scalar::sin(3.0 * x + 0.4), &[]).unwrap();
-    for drive in [sine(), odd] {
-        for (p, m) in [
-            (0.1, 0.1),
-            (0.4, 0.4),
-            (0.75, 0.75),
-            (0.2, 0.5),
-            (0.1, 0.9),
-            (0.6, 1.5),
-        ] {
-            let one = settle(&drive, p, m, ORIGIN);
-            let other = settle(&drive, m, p, ORIGIN);
-            for k in 0..100 {
-                let phi = 0.0628 * k as f64;
-                assert!((one.w(phi) + other.w(phi + PI)).abs() < 1e-12);
-            }
-            assert!((one.displacement() + other.displacement()).abs() < 1e-11);
-            assert!((one.contraction() - other.contraction()).abs() < 1e-12);
-        }
-    }
-}
-
-#[test]
-fn the_approach_has_the_stated_rate_and_length() {
-    let drive = sine();
-    for lambda in [0.02, 0.1, 0.3, 0.5] {
-        let start = DriveState { phi: 0.7, w: 2.5 };
-        let found = settle(&drive, lambda, lambda, start);
-        let values = drive.strobe(friction(lambda, lambda), start, 2000).unwrap();
-        let limit = found.w(0.7);
-        assert!((values[2000] - limit).abs() < 1e-11);
-        // Among the last distances that are well above rounding, the ratio is the contraction rate.
-        let k = values
-            .iter()
-            .rposition(|w| (w - limit).abs() > 1e-7)
-            .unwrap();
-        let ratio = (values[k + 1] - limit) / (values[k] - limit);
-        assert!((ratio - found.contraction()).abs() < 1e-5, "{ratio}");
-        let plain = values
-            .windows(2)
-            .position(|w| (w[1] - w[0]).abs() <= 1e-12)
-            .unwrap() as f64;
-        let stated = found.periods().plain.unwrap() as f64;
-        assert!(
-            (stated - plain).abs() <= 0.15 * plain + 2.0,
-            "{stated} {plain}"
-        );
-    }
-    let rest = settle(&drive, 0.8, 0.8, DriveState { phi: 0.0, w: 0.7 }).periods();
-    assert_eq!((rest.followed, rest.plain), (2, Some(2)));
-}
-
-#[test]
 fn a_kink_of_the_return_map_does_not_catch_the_acceleration() {
     let sum = |x: f64| Scalar::sin(x) + Scalar::sin(2.0 * x + 1.57);
     let drive = Drive::new(|x| 0.5 * sum(x), &[]).unwrap();
@@ -329,32 +84,6 @@ fn a_kink_of_the_return_map_does_not_catch_the_acceleration() {
             );
         }
     }
-}
-
-#[test]
-fn a_mean_above_friction_drifts() {
-    let drive = Drive::new(|x| 0.5 + Scalar::sin(x), &[]).unwrap();
-    for w in [0.0, -7.0, 1e6] {
-        let start = DriveState { phi: 2.0, w };
-        let outcome = drive.attractor(friction(0.3, 2.0), start, 100).unwrap();
-        let Outcome::Drifts { per_period } = outcome else {
-            panic!("must drift")
-        };
-        assert!((per_period - 0.2 * TAU).abs() < 1e-14);
-        assert!(matches!(
-            drive.attractor(friction(0.51, 2.0), start, 100).unwrap(),
-            Outcome::Settles(_)
-        ));
-    }
-    // A small mean and no friction: thousands of periods until it keeps one sign, but not to be waited for.
-    let slow = Drive::new(|x| Scalar::cos(2.0 * x) - 2e-5, &[]).unwrap();
-    let outcome = slow.attractor(friction(0.0, 0.0), ORIGIN, 60).unwrap();
-    assert!(
-        matches!(outcome, Outcome::Drifts { per_period } if (per_period + 4e-5 * PI).abs() < 1e-14)
-    );
-    let down = Drive::new(|x| -0.5 + Scalar::sin(x), &[]).unwrap();
-    let outcome = down.attractor(friction(2.0, 0.3), ORIGIN, 100).unwrap();
-    assert!(matches!(outcome, Outcome::Drifts { per_period } if per_period < 0.0));
 }
 
 #[test]
@@ -377,89 +106,6 @@ fn neutral_motions_are_said_to_be_neutral() {
     assert!((0..99).all(|k| found.w(0.0635 * k as f64) >= 0.0));
     assert!((found.largest().w - PI).abs() < 1e-9, "{found:?}");
     assert!(found.w(0.0).abs() < 1e-9);
-}
-
-#[test]
-fn thresholds_are_as_decided() {
-    let drive = sine();
-    for lambda in [1.0, 1.0 + 1e-9, 7.0] {
-        let found = settle(&drive, lambda, lambda, DriveState { phi: 1.0, w: 20.0 });
-        assert_list(&found, &[(Rest, 0.0, TAU)], 1e-15);
-        assert!(
-            (found.margins().hold - (lambda - 1.0)).abs() < 1e-14,
-            "{:?}",
-            found.margins()
-        );
-    }
-    // Just below, h − λ = δ − x²/2 + x⁴/24 near the top: from −√(2δ) to 2√(2δ) and, in the next order,
-    // longer by the share 0.15 δ.
-    for delta in [1e-4, 1e-6, 1e-9, 1e-11] {
-        let found = settle(&drive, 1.0 - delta, 1.0 - delta, ORIGIN);
-        let list = found.intervals();
-        let signs: Vec<Sign> = list.iter().map(|i| i.sign).collect();
-        assert_eq!(signs, [Positive, Rest, Negative, Rest]);
-        let expected = 3.0 * (2.0 * delta).sqrt() * (1.0 + 0.15 * delta);
-        assert!((list[0].length() / expected - 1.0).abs() < delta * delta + 1e-15 / delta);
-        assert!((list[2].length() - list[0].length()).abs() < 1e-15 / delta);
-    }
-}
-
-#[test]
-fn a_minimum_of_the_speed_decides_between_one_and_two_intervals() {
-    // h = 1, a dip to −b on [1, 2], 1 again to 3, then −1: w at 2 is (1 − λ) − (b + λ).
-    let drive = |b: f64| {
-        let h = move |x: f64| {
-            if x < 1.0 {
-                1.0
-            } else if x < 2.0 {
-                -b
-            } else if x < 3.0 {
-                1.0
-            } else {
-                -1.0
-            }
-        };
-        Drive::new(h, &[1.0, 2.0, 3.0]).unwrap()
-    };
-    for gap in [1e-3, 1e-6, 1e-9, 1e-12] {
-        let above = drive(0.4 - gap);
-        let found = settle(&above, 0.3, 1.5, ORIGIN);
-        assert_eq!(found.intervals().len(), 2);
-        assert!((found.margins().dip - gap).abs() < 1e-15);
-        let below = drive(0.4 + gap);
-        let found = settle(&below, 0.3, 1.5, ORIGIN);
-        assert_eq!(found.intervals().len(), 4);
-        // It rests from the zero at slope −0.7 − gap until the jump.
-        assert!((found.margins().shortest - gap / (0.7 + gap)).abs() < 3e-15);
-    }
-    let touching = drive(0.4);
-    let found = settle(&touching, 0.3, 1.5, ORIGIN);
-    assert_eq!(found.intervals().len(), 2);
-}
-
-#[test]
-fn different_starts_end_alike() {
-    let drive = sine();
-    let starts: Vec<DriveState> = (0..7)
-        .map(|k| DriveState {
-            phi: 0.9 * k as f64,
-            w: -6.0 + 2.0 * k as f64,
-        })
-        .collect();
-    for lambda in [0.001, 0.3, 0.537, 0.9, 1.2] {
-        let report = drive
-            .attractors_agree(friction(lambda, 1.2 * lambda), &starts, 100)
-            .unwrap();
-        assert!(
-            report.agree && report.largest_difference < 1e-11,
-            "{lambda} {report:?}"
-        );
-        assert!(report.most_periods.is_some());
-    }
-    let report = drive
-        .attractors_agree(friction(0.0, 0.0), &starts, 100)
-        .unwrap();
-    assert!(!report.agree);
 }
 
 #[test]
@@ -546,29 +192,6 @@ proptest! {
 }
 
 #[test]
-fn the_approach_from_close_by_is_counted_too() {
-    let drive = sine();
-    for lambda in [0.1, 0.3] {
-        let far = settle(&drive, lambda, lambda, DriveState { phi: 0.7, w: 2.5 });
-        for apart in [1e-3, 1e-6, -1e-6] {
-            let start = DriveState {
-                phi: 0.7,
-                w: far.w(0.7) + apart,
-            };
-            let found = settle(&drive, lambda, lambda, start);
-            let values = drive.strobe(friction(lambda, lambda), start, 400).unwrap();
-            let pairs = values.windows(2);
-            let plain = pairs
-                .map(|w| (w[1] - w[0]).abs())
-                .position(|c| c <= 1e-12)
-                .unwrap();
-            let stated = found.periods().plain.unwrap();
-            assert!(stated.abs_diff(plain as u64) <= 2, "{stated} {plain}");
-        }
-    }
-}
-
-#[test]
 fn the_first_of_the_neutral_motions_is_found_from_below_and_above() {
     // The mean is the friction on the way up. From below, two zeros per period: accelerated, and past the motion
     // that touches zero where h is curved so. It touches where h jumps up, at φ = 0.
@@ -597,27 +220,6 @@ fn the_first_of_the_neutral_motions_is_found_from_below_and_above() {
 }
 
 #[test]
-fn a_motion_that_touches_zero_is_listed_from_there() {
-    let biased = Drive::new(|x| if x < PI { 1.5 } else { -0.5 }, &[PI]).unwrap();
-    for phi in [0.0, 1.0, 4.0] {
-        let found = settle(&biased, 0.5, 3.0, DriveState { phi, w: -9.0 });
-        assert_list(&found, &[(Positive, 0.0, TAU)], 1e-13);
-        assert!(found.w(0.0).abs() < 1e-13);
-        // What happens at the ends of the stretch, here at 0, is no graze.
-        assert_eq!(found.grazes(), phi > 0.0);
-    }
-}
-
-#[test]
-fn the_residual_is_what_the_last_period_changed() {
-    // A mean that is next to nothing, without friction: w grows by it every period.
-    let drive = Drive::new(|x| if x < PI { 1.0 } else { f64::EPSILON - 1.0 }, &[PI]).unwrap();
-    let found = settle(&drive, 0.0, 0.0, DriveState { phi: 0.0, w: 3.0 });
-    assert!(found.residual() > 0.0);
-    assert_eq!(found.residual(), (drive.mean() * TAU).abs());
-}
-
-#[test]
 fn lengths_of_zero_inside_a_stretch_are_noticed() {
     let marks = |list: &[f64]| -> Vec<Mark> {
         let signs = [Positive, Rest, Negative].into_iter().cycle();
@@ -630,36 +232,6 @@ fn lengths_of_zero_inside_a_stretch_are_noticed() {
     assert!(drops(&[0.125, 0.5, 0.5 + 0.9e-14]) && !drops(&[0.125, 0.5, 0.5 + 1.1e-14]));
     // Not at the ends.
     assert!(!drops(&[1.0, 1.0, 2.0]) && !drops(&[1.0, 7.0, 7.0]));
-}
-
-#[test]
-fn a_rest_under_a_steady_drive_holds_by_what_is_left() {
-    for h in [0.3, -0.3] {
-        let drive = Drive::new(move |_| h, &[]).unwrap();
-        let found = settle(&drive, 0.5, 0.6, ORIGIN);
-        let expected = if h > 0.0 { 0.2 } else { 0.3 };
-        assert!(
-            (found.margins().hold - expected).abs() < 1e-15,
-            "{:?}",
-            found.margins()
-        );
-    }
-}
-
-#[test]
-fn a_motion_of_one_sign_dips_where_the_drive_passes_the_friction() {
-    // h = sin(φ − 1) without friction, w = 5 at 0.5: least at φ = 1, by cos 0.5.
-    let drive = Drive::new(|x| Scalar::sin(x - 1.0), &[]).unwrap();
-    for side in [1.0, -1.0] {
-        let phi = if side > 0.0 { 0.5 } else { 0.5 + PI };
-        let found = settle(&drive, 0.0, 0.0, DriveState { phi, w: 5.0 * side });
-        let dip = 4.0 + libm::cos(0.5);
-        assert!(
-            (found.margins().dip - dip).abs() < 1e-14,
-            "{:?}",
-            found.margins()
-        );
-    }
 }
 
 #[test]
@@ -694,25 +266,6 @@ fn what_touches_zero_where_the_drive_is_back_at_the_level_grazes() {
             assert_eq!(walker.touches(), touches, "{w}");
             let now = side * walker.w();
             assert!((now - sign * (w - 0.5)).abs() < 1e-15, "{w} {now}");
-        }
-    }
-}
-
-#[test]
-fn a_rest_holds_by_what_a_jump_leaves() {
-    // 0, then a jump to the level of the drive, from where it falls evenly to 0 again.
-    for (level, hold) in [(0.4, 0.1), (0.5, 0.0)] {
-        for side in [1.0, -1.0] {
-            let h = move |x: f64| match x < 1.0 {
-                true => 0.0,
-                false => side * level * (TAU - x) / (TAU - 1.0),
-            };
-            let drive = Drive::new(h, &[1.0]).unwrap();
-            let (p, m) = if side > 0.0 { (0.5, 0.8) } else { (0.8, 0.5) };
-            let found = settle(&drive, p, m, ORIGIN);
-            assert_list(&found, &[(Rest, 0.0, TAU)], 1e-15);
-            let margins = found.margins();
-            assert!((margins.hold - hold).abs() < 1e-15, "{level} {margins:?}");
         }
     }
 }

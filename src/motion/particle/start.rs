@@ -149,11 +149,7 @@ mod tests {
         let pull = Signal::Polynomial(vec![0.5 + 0.3, -0.8, 0.3]);
         for e in [[1.0, 0.0], [0.0, -1.0], [0.6, 0.8]] {
             let plane = Plane::along(e.map(|c: f64| -c), pull.clone());
-            let rest = State {
-                t: 0.0,
-                v: [0.0; 2],
-                x: [0.0; 2],
-            };
+            let rest = State::moving([0.0; 2]);
             let motion = run(&plane, 0.5, rest, 4.0).unwrap();
             let stop = motion.first_stop().unwrap();
             assert!((stop - 1.0).abs() < 1e-12, "{e:?}: {stop}");

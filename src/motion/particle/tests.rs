@@ -2,18 +2,9 @@
 
 use super::*;
 use crate::motion::{Plane, Series, Signal};
-use crate::numerics::dop853;
 use crate::numerics::taylor::TERMS;
 use proptest::prelude::*;
 use std::f64::consts::PI;
-
-fn moving(v: [f64; 2]) -> State {
-    State {
-        t: 0.0,
-        v,
-        x: [0.0; 2],
-    }
-}
 
 fn near(found: f64, expected: f64, relative: f64) {
     assert!(
@@ -22,88 +13,11 @@ fn near(found: f64, expected: f64, relative: f64) {
     );
 }
 
-/// State (v, x) at time `to` by the foreign integrator, straight from Newton's law in t.
-fn foreign(plane: &Plane, friction: f64, start: State, to: f64) -> [f64; 4] {
-    let law = |t: f64, s: &[f64; 4]| {
-        let a = plane.coefficients(t).map(|c| c[0]);
-        let speed = libm::hypot(s[0], s[1]);
-        [
-            -a[0] - friction * s[0] / speed,
-            -a[1] - friction * s[1] / speed,
-            s[0],
-            s[1],
-        ]
-    };
-    let State { t, v, x } = start;
-
-    dop853::end(law, t, [v[0], v[1], x[0], x[1]], to, 1e-14, 1e-14).unwrap()
-}
-
-#[test]
-fn agrees_with_the_foreign_integrator() {
-    let growing = Signal::Sum(vec![
-        Signal::constant(0.6),
-        Signal::Polynomial(vec![0.0, 0.2]),
-    ]);
-    let planes = [
-        Plane::constant([-1.0, 0.0]),
-        Plane::constant([0.3, 0.8]),
-        Plane::rotating(Signal::constant(1.1), 2.0, 0.3),
-        Plane::rotating(growing, -1.0, 0.0),
-        Plane::along(
-            [1.0, 0.5],
-            Signal::Sine {
-                frequency: 3.0,
-                phase: 0.2,
-            },
-        ),
-        Plane::along(
-            [-2.0, 0.1],
-            Signal::Gaussian {
-                centre: 1.0,
-                width: 0.5,
-            },
-        ),
-        Plane {
-            x: Signal::Exponential { rate: -0.5 },
-            y: Signal::Power {
-                scale: 1.0,
-                exponent: -2.0,
-            },
-        },
-    ];
-    for plane in planes {
-        for friction in [0.0, 0.01, 0.4, 1.0] {
-            let start = State {
-                t: 0.25,
-                v: [-1.5, 2.5],
-                x: [3.0, -1.0],
-            };
-            let motion = run(&plane, friction, start, 2.0).unwrap();
-            assert!(motion.stops().is_empty());
-            for t in [0.25, 0.4, 1.0, 1.7, 2.0] {
-                let expected = if t > 0.25 {
-                    foreign(&plane, friction, start, t)
-                } else {
-                    [-1.5, 2.5, 3.0, -1.0]
-                };
-                let State { v, x, .. } = motion.at(t).unwrap();
-                for (found, expected) in [v[0], v[1], x[0], x[1]].iter().zip(expected) {
-                    assert!(
-                        (found - expected).abs() < 1e-11,
-                        "{plane:?} {friction} {t} {found} {expected}"
-                    );
-                }
-            }
-        }
-    }
-}
-
 #[test]
 fn one_dimension_by_hand() {
     // −A = (1, 0). Against it with μg = 1/2: slows at 3/2, from 3 in time 2 over 3, then runs back at 1/2.
     let plane = Plane::constant([-1.0, 0.0]);
-    let motion = run(&plane, 0.5, moving([-3.0, 0.0]), 6.0).unwrap();
+    let motion = run(&plane, 0.5, State::moving([-3.0, 0.0]), 6.0).unwrap();
     assert_eq!(motion.stops().len(), 1);
     near(motion.stops()[0], 2.0, 4e-15);
     assert_eq!(motion.starts(), motion.stops());
@@ -121,7 +35,7 @@ fn one_dimension_by_hand() {
         (3.0, 2.0, 3.0, 4.5),
         (-3.0, 1.0, 1.5, -2.25),
     ] {
-        let motion = run(&plane, friction, moving([vx, 0.0]), 100.0).unwrap();
+        let motion = run(&plane, friction, State::moving([vx, 0.0]), 100.0).unwrap();
         near(motion.first_stop().unwrap(), stop, 4e-15);
         near(motion.end().x[0], way, 4e-15);
         assert_eq!(
@@ -131,13 +45,13 @@ fn one_dimension_by_hand() {
         assert_eq!(motion.end().v, [0.0; 2]);
     }
     // With the pull at λ = 1: goes on for ever at the same speed.
-    let motion = run(&plane, 1.0, moving([3.0, 0.0]), 1e9).unwrap();
+    let motion = run(&plane, 1.0, State::moving([3.0, 0.0]), 1e9).unwrap();
     assert_eq!((motion.first_stop(), motion.end().v), (None, [3.0, 0.0]));
     // λ = 1 ± 10⁻⁹: T = v/(λ − 1), or faster and faster.
     let slow = (1.0 + 1e-9) - 1.0;
-    let motion = run(&plane, 1.0 + 1e-9, moving([3.0, 0.0]), 1e10).unwrap();
+    let motion = run(&plane, 1.0 + 1e-9, State::moving([3.0, 0.0]), 1e10).unwrap();
     near(motion.first_stop().unwrap(), 3.0 / slow, 1e-13);
-    let motion = run(&plane, 1.0 - 1e-9, moving([3.0, 0.0]), 1e10).unwrap();
+    let motion = run(&plane, 1.0 - 1e-9, State::moving([3.0, 0.0]), 1e10).unwrap();
     near(motion.end().v[0], 3.0 + (1.0 - (1.0 - 1e-9)) * 1e10, 1e-13);
 }
 
@@ -145,108 +59,22 @@ fn one_dimension_by_hand() {
 fn nearly_against_the_pull() {
     // The speed dips far below the offset 10⁻¹²; from there it goes as from a stop at 2/3·…: same end.
     let plane = Plane::constant([-1.0, 0.0]);
-    let exact = run(&plane, 0.5, moving([-3.0, 0.0]), 6.0).unwrap().end();
-    let near_by = run(&plane, 0.5, moving([-3.0, 3e-12]), 6.0).unwrap();
+    let exact = run(&plane, 0.5, State::moving([-3.0, 0.0]), 6.0)
+        .unwrap()
+        .end();
+    let near_by = run(&plane, 0.5, State::moving([-3.0, 3e-12]), 6.0).unwrap();
     assert!(near_by.stops().is_empty());
     assert!((near_by.end().v[0] - exact.v[0]).abs() < 1e-11 && near_by.end().v[1] > 0.0);
     // With λ > 1 both stop, at times that differ by the order of the offset squared.
-    let exact = run(&plane, 1.5, moving([-3.0, 0.0]), 6.0)
+    let exact = run(&plane, 1.5, State::moving([-3.0, 0.0]), 6.0)
         .unwrap()
         .first_stop()
         .unwrap();
-    let near_by = run(&plane, 1.5, moving([-3.0, 3e-12]), 6.0)
+    let near_by = run(&plane, 1.5, State::moving([-3.0, 3e-12]), 6.0)
         .unwrap()
         .first_stop()
         .unwrap();
     near(near_by, exact, 1e-14);
-}
-
-#[test]
-fn without_friction_a_parabola() {
-    let motion = run(
-        &Plane::constant([-2.0, 1.0]),
-        0.0,
-        moving([-1.0, 3.0]),
-        10.0,
-    )
-    .unwrap();
-    for i in 0..=100 {
-        let t = 0.1 * i as f64;
-        let State { v, x, .. } = motion.at(t).unwrap();
-        for (found, expected) in [
-            (v[0], -1.0 + 2.0 * t),
-            (v[1], 3.0 - t),
-            (x[0], -t + t * t),
-            (x[1], 3.0 * t - 0.5 * t * t),
-        ] {
-            assert!(
-                (found - expected).abs() < 3e-14 * (1.0 + t * t),
-                "{t} {found} {expected}"
-            );
-        }
-    }
-    // Upwards at t = 1/2.
-    near(
-        motion.first_along([0.0, 2.0]).unwrap().unwrap().t,
-        0.5,
-        1e-14,
-    );
-    // Along the axis at t = 3, on this side of it and on the other.
-    let mirrored = run(
-        &Plane::constant([-2.0, -1.0]),
-        0.0,
-        moving([-1.0, -3.0]),
-        10.0,
-    )
-    .unwrap();
-    for motion in [&motion, &mirrored] {
-        near(
-            motion.first_along([2.0, 0.0]).unwrap().unwrap().t,
-            3.0,
-            1e-14,
-        );
-    }
-    assert_eq!(motion.first_along([-1.0, -0.001]).unwrap(), None);
-    assert_eq!(motion.first_along([-1.0, 3.0]).unwrap().unwrap().t, 0.0);
-}
-
-#[test]
-fn stop_times_over_six_decades_of_friction() {
-    // A stop from the foreign integrator: run close to it, then along the straight line that is left.
-    for friction in [1.05, 1.5, 2.0, 3.0, 10.0, 1000.0] {
-        let plane = Plane::constant([-1.0, 0.0]);
-        let motion = run_to_stop(&plane, friction, moving([0.3, 0.7]), 1e4).unwrap();
-        let stop = motion.first_stop().unwrap();
-        let t = stop * (1.0 - 1e-4);
-        let [vx, vy, ..] = foreign(&plane, friction, moving([0.3, 0.7]), t);
-        let State { v, .. } = motion.at(t).unwrap();
-        let speed = libm::hypot(vx, vy);
-        assert!(
-            (v[0] - vx).abs() < 1e-12 && (v[1] - vy).abs() < 1e-12,
-            "{friction}"
-        );
-        // From there, between the deceleration of now and the least possible one.
-        let left = stop - t;
-        assert!(
-            left <= speed / (friction - 1.0) * (1.0 + 1e-8) && left >= speed / (friction + 1.0),
-            "{friction}"
-        );
-    }
-}
-
-#[test]
-fn at_equal_strength_a_sum_is_kept() {
-    // With e the direction of −A: d(|v| + v·e)/dt = (|A| − μg)(1 + cos ϑ), zero where |A| = μg, and v then turns
-    // towards e, where |v| = v·e.
-    let plane = Plane::constant([-0.8, -0.6]);
-    let start = moving([1.0, 2.0]);
-    let sum = |s: State| s.speed() + 0.8 * s.v[0] + 0.6 * s.v[1];
-    let motion = run(&plane, 1.0, start, 1e4).unwrap();
-    assert_eq!(motion.first_stop(), None);
-    for state in motion.nodes() {
-        near(sum(state), sum(start), 1e-13);
-    }
-    near(motion.end().speed(), 0.5 * sum(start), 1e-13);
 }
 
 #[test]
@@ -258,8 +86,8 @@ fn mirrored_bit_for_bit() {
         ..mirror
     };
     for v in [[0.0, 0.0], [-1.0, 0.4]] {
-        let one = run(&plane, 0.9, moving(v), 5.0).unwrap();
-        let two = run(&mirror, 0.9, moving([v[0], -v[1]]), 5.0).unwrap();
+        let one = run(&plane, 0.9, State::moving(v), 5.0).unwrap();
+        let two = run(&mirror, 0.9, State::moving([v[0], -v[1]]), 5.0).unwrap();
         assert_eq!(one.nodes().count(), two.nodes().count());
         for (a, b) in one.nodes().zip(two.nodes()) {
             assert_eq!(
@@ -276,14 +104,14 @@ fn scaled_by_powers_of_two_bit_for_bit() {
     let one = run_to_stop(
         &Plane::constant([0.3, -0.8]),
         1.1,
-        moving([1.0, 0.3]),
+        State::moving([1.0, 0.3]),
         100.0,
     )
     .unwrap();
     let two = run_to_stop(
         &Plane::constant([0.3, -0.8]),
         1.1,
-        moving([2.0, 0.6]),
+        State::moving([2.0, 0.6]),
         200.0,
     )
     .unwrap();
@@ -293,83 +121,11 @@ fn scaled_by_powers_of_two_bit_for_bit() {
     let two = run_to_stop(
         &Plane::constant([8.0 * 0.3, 8.0 * -0.8]),
         8.0 * 1.1,
-        moving([2.0, 0.6]),
+        State::moving([2.0, 0.6]),
         100.0,
     )
     .unwrap();
     assert_eq!(0.25 * one.first_stop().unwrap(), two.first_stop().unwrap());
-}
-
-#[test]
-fn a_growing_pull_ends_the_stick() {
-    // |A| = t/2 grows through μg = 1 at t = 2; from there v = (t − 2)²/4.
-    let ramp = Plane {
-        x: Signal::Polynomial(vec![0.0, -0.5]),
-        y: Signal::constant(0.0),
-    };
-    let motion = run(&ramp, 1.0, moving([0.0; 2]), 5.0).unwrap();
-    near(motion.starts()[0], 2.0, 4e-16);
-    near(motion.end().v[0], 2.25, 1e-14);
-    near(motion.end().x[0], 2.25, 1e-14);
-    assert_eq!(
-        motion.phases()[0],
-        Phase {
-            kind: PhaseKind::Stick,
-            from: 0.0,
-            to: motion.starts()[0]
-        }
-    );
-    // A sine: gets loose where sin t = 0.4 for the first time.
-    let sine = Plane::along(
-        [0.0, 1.0],
-        Signal::Sine {
-            frequency: 1.0,
-            phase: 0.0,
-        },
-    );
-    let motion = run(&sine, 0.4, moving([0.0; 2]), 2.0).unwrap();
-    near(motion.starts()[0], libm::asin(0.4), 1e-14);
-    let start = motion.starts()[0];
-    near(
-        motion.end().v[1],
-        -(libm::cos(start) - libm::cos(2.0) - 0.4 * (2.0 - start)),
-        1e-13,
-    );
-    // One that touches μg does not loosen it.
-    let motion = run(&sine, 1.0, moving([0.0; 2]), 20.0).unwrap();
-    assert!(motion.starts().is_empty() && motion.end().v == [0.0; 2]);
-}
-
-#[test]
-fn a_turning_pull_from_rest() {
-    // Started from rest by a rotating pull, in two ways: suddenly, and smoothly by an amplitude that grows.
-    let sudden = Plane::rotating(Signal::constant(1.5), 2.0, 0.4);
-    let smooth = Plane::rotating(Signal::Polynomial(vec![0.5, 0.5]), 2.0, 0.4);
-    for (plane, friction, release) in [(sudden, 1.0, 0.0), (smooth, 1.0, 1.0)] {
-        let motion = run(&plane, friction, moving([0.0; 2]), release + 2.0).unwrap();
-        assert!(
-            (motion.starts()[0] - release).abs() < 1e-14,
-            "{:?}",
-            motion.starts()
-        );
-        // The state a little later satisfies the law: the foreign integrator goes on from it.
-        let soon = motion.at(release + 0.01).unwrap();
-        let State { v, .. } = motion.end();
-        let expected = foreign(&plane, friction, soon, release + 2.0);
-        assert!((v[0] - expected[0]).abs() < 1e-11 && (v[1] - expected[1]).abs() < 1e-11);
-        // And the beginning does: the velocity is the integral of the force, by differences.
-        for tau in [1e-3, 5e-3] {
-            let (d, t) = (1e-6, release + tau);
-            let [a, b, s] = [t - d, t + d, t].map(|t| motion.at(t).unwrap());
-            for (i, a_i) in plane.coefficients(t).iter().enumerate() {
-                let slope = (b.v[i] - a.v[i]) / (2.0 * d);
-                assert!(
-                    (slope + a_i[0] + friction * s.v[i] / s.speed()).abs() < 1e-8,
-                    "{tau} {i}"
-                );
-            }
-        }
-    }
 }
 
 #[test]
@@ -378,7 +134,7 @@ fn a_turning_pull_that_is_just_held_is_held() {
     for k in 0..20 {
         let starts = |amplitude, until| {
             let plane = Plane::rotating(Signal::constant(amplitude), 2.0, 0.3 * f64::from(k));
-            let motion = run(&plane, 1.0, moving([0.0; 2]), until).unwrap();
+            let motion = run(&plane, 1.0, State::moving([0.0; 2]), until).unwrap();
             motion.starts().to_vec()
         };
         assert_eq!(starts(1.0, 2.0), [0.0; 0], "{k}");
@@ -413,7 +169,7 @@ fn jumps_are_met_exactly() {
             half: 1.0,
         },
     );
-    let motion = run(&square, 0.25, moving([0.0; 2]), 2.5).unwrap();
+    let motion = run(&square, 0.25, State::moving([0.0; 2]), 2.5).unwrap();
     near(motion.at(1.0).unwrap().v[0], -0.75, 1e-14);
     near(motion.stops()[0], 1.6, 1e-14);
     near(motion.at(2.0).unwrap().v[0], 0.3, 1e-14);
@@ -427,7 +183,7 @@ fn jumps_are_met_exactly() {
             to: 5.001,
         },
     );
-    let motion = run(&pulse, 1.0, moving([0.0; 2]), 100.0).unwrap();
+    let motion = run(&pulse, 1.0, State::moving([0.0; 2]), 100.0).unwrap();
     assert_eq!(motion.starts(), [5.0]);
     near(motion.stops()[0], 5.001 + 0.999, 1e-13);
     // A far narrow Gaussian is not stepped over.
@@ -438,7 +194,7 @@ fn jumps_are_met_exactly() {
             width: 0.01,
         },
     );
-    let motion = run(&bump, 0.0, moving([1.0, 0.0]), 1000.0).unwrap();
+    let motion = run(&bump, 0.0, State::moving([1.0, 0.0]), 1000.0).unwrap();
     // Rounding of a time near 500 is 10⁻¹¹ of the width.
     near(motion.end().v[1], 0.01 * libm::sqrt(PI), 1e-12);
 }
@@ -451,7 +207,7 @@ fn a_user_function_is_an_acceleration() {
         a
     };
     let given = Series::new(given, [0.0, 3.0]).unwrap();
-    let motion = run(&given, 0.0, moving([0.0, 1.0]), 3.0).unwrap();
+    let motion = run(&given, 0.0, State::moving([0.0, 1.0]), 3.0).unwrap();
     near(motion.end().v[0], 4.5, 1e-14);
 }
 
@@ -462,13 +218,13 @@ fn bad_input_is_named() {
         Err(MotionError::Argument { name, .. }) => name,
         other => panic!("{other:?}"),
     };
-    let start = moving([1.0, 0.0]);
+    let start = State::moving([1.0, 0.0]);
     assert_eq!(name(run(&plane, -0.1, start, 1.0)), "friction");
     assert_eq!(name(run(&plane, f64::NAN, start, 1.0)), "friction");
     assert_eq!(name(run(&plane, 1.0, start, -1.0)), "until");
     assert_eq!(name(run(&plane, 1.0, start, f64::INFINITY)), "until");
     assert_eq!(
-        name(run(&plane, 1.0, moving([1.0, f64::NAN]), 1.0)),
+        name(run(&plane, 1.0, State::moving([1.0, f64::NAN]), 1.0)),
         "v_y of the start"
     );
     assert_eq!(
@@ -515,7 +271,7 @@ proptest! {
         prop_assume!(libm::fabs(libm::hypot(a[0], a[1]) / friction - 1.0) > 3e-3);
         let sine = Signal::Sine { frequency, phase: 1.0 };
         let plane = Plane { x: sine.times(a[0]), y: Signal::constant(a[1]) };
-        let motion = run(&plane, friction, moving(v), 10.0).unwrap();
+        let motion = run(&plane, friction, State::moving(v), 10.0).unwrap();
         let phases = motion.phases();
         prop_assert_eq!(phases[0].from, 0.0);
         prop_assert_eq!(phases[phases.len() - 1].to, 10.0);
@@ -540,7 +296,7 @@ fn slips_too_slow_to_be_followed_are_told() {
             y: Signal::constant(0.4),
         };
         let friction = libm::hypot(1.5, 0.4) / (1.0 + part);
-        run(&plane, friction, moving([0.0; 2]), until)
+        run(&plane, friction, State::moving([0.0; 2]), until)
     };
     assert!(slips(1e-2, 10.0).is_ok());
     let told = slips(1e-5, 10.0).unwrap_err();
@@ -560,11 +316,7 @@ fn a_line_is_a_line_in_any_direction() {
             frequency: 0.985496,
             phase: 0.3,
         };
-        let start = State {
-            t: 0.0,
-            v: [0.0; 2],
-            x: [0.0; 2],
-        };
+        let start = State::moving([0.0; 2]);
         run(&Plane::along(direction, signal), 1.0, start, 200.0).unwrap()
     };
     let straight = drive(0.0);
@@ -588,14 +340,14 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
     };
     // On a pull that turns it slides for ever: the first moments and many steps are one phase.
     let turning = Plane::rotating(Signal::constant(2.0), 1.0, 0.0);
-    let motion = run(&turning, 0.5, moving([0.0; 2]), 40.0).unwrap();
+    let motion = run(&turning, 0.5, State::moving([0.0; 2]), 40.0).unwrap();
     assert_eq!(list(&motion), [(PhaseKind::Slide, 0.0, 40.0)]);
     // Released at t = 2 by a pull that grows, as above.
     let ramp = Plane {
         x: Signal::constant(0.0),
         y: Signal::Polynomial(vec![0.0, -0.5]),
     };
-    let motion = run(&ramp, 1.0, moving([0.0; 2]), 5.0).unwrap();
+    let motion = run(&ramp, 1.0, State::moving([0.0; 2]), 5.0).unwrap();
     let [
         (PhaseKind::Stick, 0.0, release),
         (PhaseKind::Slide, from, 5.0),
@@ -614,7 +366,7 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
     }
     // Against the pull and back: stopped for no time at t = 2, but stopped.
     let plane = Plane::constant([-1.0, 0.0]);
-    let motion = run(&plane, 0.5, moving([-3.0, 0.0]), 6.0).unwrap();
+    let motion = run(&plane, 0.5, State::moving([-3.0, 0.0]), 6.0).unwrap();
     let stop = motion.stops()[0];
     let expected = [(PhaseKind::Slide, 0.0, stop), (PhaseKind::Slide, stop, 6.0)];
     assert_eq!(list(&motion), expected);
@@ -627,7 +379,7 @@ fn a_velocity_across_that_is_next_to_nothing_is_nothing() {
         for i in [0, 1] {
             let mut v = [1.0; 2];
             v[i] = small;
-            let motion = run(&still, 0.5, moving(v), 1.0).unwrap();
+            let motion = run(&still, 0.5, State::moving(v), 1.0).unwrap();
             let State { v, x, .. } = motion.end();
             assert_eq!((v[i] != 0.0, x[i] != 0.0), (kept, kept), "{v:?} {x:?}");
             near(v[1 - i], 0.5, 1e-14);
@@ -640,9 +392,13 @@ fn a_velocity_across_that_is_next_to_nothing_is_nothing() {
 fn the_slowest_growth_releases() {
     for rate in [1e-9, 1e-12] {
         let pull = |rate: f64| Plane::along([-1.0, 0.0], Signal::Polynomial(vec![1.0, rate]));
-        let end = run(&pull(rate), 1.0, moving([0.0; 2]), 2.0).unwrap().end();
+        let end = run(&pull(rate), 1.0, State::moving([0.0; 2]), 2.0)
+            .unwrap()
+            .end();
         near(end.v[0], 2.0 * rate, 1e-3);
-        let held = run(&pull(-rate), 1.0, moving([0.0; 2]), 2.0).unwrap().end();
+        let held = run(&pull(-rate), 1.0, State::moving([0.0; 2]), 2.0)
+            .unwrap()
+            .end();
         assert_eq!(held.v, [0.0; 2]);
     }
 }
@@ -658,7 +414,11 @@ fn the_slowest_turning_shows() {
             a
         };
         let plane = Series::new(turning, [0.0, 2.0]).unwrap();
-        run(&plane, 1.0, moving([0.0; 2]), 1.0).unwrap().end().v[1] / rate
+        run(&plane, 1.0, State::moving([0.0; 2]), 1.0)
+            .unwrap()
+            .end()
+            .v[1]
+            / rate
     };
     let plain = across(1e-4);
     assert!(plain > 0.0);

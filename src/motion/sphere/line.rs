@@ -341,26 +341,6 @@ mod tests {
     }
 
     #[test]
-    fn it_is_released_where_the_first_limit_is_reached() {
-        // ±A = t (4 − t) passes 3.5 at 2 − √½ and −3.5 at 2 + √7.5.
-        let directed = Directed {
-            sphere: Sphere::with_kappa(0.4),
-            mu_minus: 1.0,
-        };
-        for (side, way) in [(1.0, -1), (-1.0, 1)] {
-            let bump = Signal::Polynomial(vec![0.0, 4.0 * side, -side]);
-            let plane = Plane::along([1.0, 0.0], bump);
-            let motion = directed.run(&plane, [0.0; 2], 0.0, 6.0).unwrap();
-            let release = 2.0 - libm::sqrt(0.5);
-            let [first, second, ..] = motion.stretches[..] else {
-                panic!("{motion:?}")
-            };
-            assert!((first.to - release).abs() < 1e-14, "{motion:?}");
-            assert_eq!((first.way, second.way), (0, way));
-        }
-    }
-
-    #[test]
     fn a_pull_that_falls_from_the_limit_is_rolled_on() {
         // |A| = 3.5 at once, which is what rolling can bear, and less from then on until −A is.
         let directed = Directed {

@@ -1,8 +1,7 @@
-//! The sphere by hand, against a foreign integrator, and in what it conserves.
+//! The sphere by hand, and in what it conserves.
 
 use super::*;
 use crate::motion::{Plane, Signal};
-use crate::numerics::dop853;
 use proptest::prelude::*;
 
 fn ball(v: [f64; 2], omega: [f64; 3]) -> Ball {
@@ -68,19 +67,6 @@ fn a_ball_set_down_sliding_ends_rolling() {
 }
 
 #[test]
-fn back_spin_brings_it_back() {
-    // A solid ball with v₀ = 1 and ω_y = −4 (R = 1): by the same angular momentum v_end = (1 − 0.4·4)/1.4 < 0.
-    let motion = Sphere::with_kappa(0.4)
-        .run(&still(), &ball([1.0, 0.0], [0.0, -4.0, 0.0]), 9.0)
-        .unwrap();
-    assert!(
-        (motion.end().v[0] + 0.6 / 1.4).abs() < 1e-14,
-        "{:?}",
-        motion.end()
-    );
-}
-
-#[test]
 fn rolling_needs_the_plane_to_be_gentle() {
     // Rolling takes F = mA/(1 + 1/κ): for κ = 0.4 the limit |A| = 3.5 μg. Then v = −A t (1 − 1/3.5).
     let sphere = Sphere::with_kappa(0.4);
@@ -122,154 +108,6 @@ fn rolling_needs_the_plane_to_be_gentle() {
         "{:?}",
         motion.end()
     );
-}
-
-#[test]
-fn a_swinging_plane_makes_it_slide_and_roll_by_turns() {
-    let plane = Plane::along(
-        [1.0, 0.0],
-        Signal::Sine {
-            frequency: 1.0,
-            phase: 0.0,
-        },
-    );
-    // A₀ = 4.5 > 3.5 μg: in every half period there is a release, and with it a return or a passage through zero.
-    let sphere = Sphere {
-        mu: 1.0 / 4.5,
-        ..Sphere::with_kappa(0.4)
-    };
-    let motion = sphere.run(&plane, &ball([0.0; 2], [0.0; 3]), 40.0).unwrap();
-    assert!(
-        motion.transitions().len() >= 20,
-        "{:?}",
-        motion.transitions()
-    );
-    for pair in motion.transitions().windows(2) {
-        let middle = 0.5 * (pair[0].t + pair[1].t);
-        let slip = motion.slip(middle).unwrap();
-        assert_eq!(
-            slip == [0.0; 2],
-            pair[0].to == Contact::Rolling,
-            "{pair:?} {slip:?}"
-        );
-        assert_ne!(pair[0].to, pair[1].to);
-        // Friction needed in rolling is what it can be, where rolling ends.
-        if pair[1].to == Contact::Sliding {
-            assert!((libm::sin(pair[1].t).abs() - 3.5 / 4.5).abs() < 1e-12);
-        }
-    }
-}
-
-#[test]
-fn a_foreign_integrator_agrees() {
-    let sphere = odd();
-    let plane = Plane::rotating(Signal::constant(4.0), 1.3, 0.4);
-    let start = Ball {
-        t: 0.0,
-        x: [0.3, 0.1],
-        v: [6.0, -9.0],
-        omega: [3.0, 8.0, -5.0],
-    };
-    let law = |t: f64, s: &[f64; 7]| {
-        let (r, f) = (sphere.radius, sphere.mu * sphere.mass * sphere.g);
-        let c = [s[2] - r * s[5], s[3] + r * s[4]];
-        let size = libm::hypot(c[0], c[1]);
-        let force = [-f * c[0] / size, -f * c[1] / size];
-        let (sine, cosine) = libm::sincos(1.3 * t + 0.4);
-        [
-            s[2],
-            s[3],
-            force[0] / sphere.mass - 4.0 * cosine,
-            force[1] / sphere.mass - 4.0 * sine,
-            r * force[1] / sphere.inertia,
-            -r * force[0] / sphere.inertia,
-            0.0,
-        ]
-    };
-    let motion = sphere.run(&plane, &start, 6.0).unwrap();
-    let until = motion
-        .transitions()
-        .first()
-        .map_or(6.0, |first| 0.9 * first.t);
-    assert!(until > 0.3);
-    let foreign = dop853::end(
-        law,
-        0.0,
-        [0.3, 0.1, 6.0, -9.0, 3.0, 8.0, -5.0],
-        until,
-        1e-14,
-        1e-14,
-    )
-    .unwrap();
-    let own = motion.at(until).unwrap();
-    let own = [
-        own.x[0],
-        own.x[1],
-        own.v[0],
-        own.v[1],
-        own.omega[0],
-        own.omega[1],
-        own.omega[2],
-    ];
-    for (a, b) in own.iter().zip(foreign) {
-        assert!((a - b).abs() < 1e-11, "{own:?} {foreign:?}");
-    }
-    assert_eq!(motion.end().omega[2], -5.0);
-}
-
-#[test]
-fn a_release_that_turns_agrees_with_the_foreign_integrator() {
-    // |A| grows through the limit of rolling while its direction turns.
-    let sphere = Sphere::with_kappa(0.4);
-    let plane = Plane::rotating(Signal::Polynomial(vec![3.0, 0.5]), 0.8, 0.0);
-    let motion = sphere.run(&plane, &ball([0.0; 2], [0.0; 3]), 4.0).unwrap();
-    let [release] = motion.transitions() else {
-        unreachable!("{:?}", motion.transitions())
-    };
-    assert!((release.t - 1.0).abs() < 1e-13);
-    let law = |t: f64, s: &[f64; 4]| {
-        let c = [s[0] - s[3], s[1] + s[2]];
-        let size = libm::hypot(c[0], c[1]);
-        let (sine, cosine) = libm::sincos(0.8 * t);
-        let a = 3.0 + 0.5 * t;
-        [
-            -c[0] / size - a * cosine,
-            -c[1] / size - a * sine,
-            -2.5 * c[1] / size,
-            2.5 * c[0] / size,
-        ]
-    };
-    let from = motion.at(1.4).unwrap();
-    let state = [from.v[0], from.v[1], from.omega[0], from.omega[1]];
-    let foreign = dop853::end(law, 1.4, state, 4.0, 1e-14, 1e-14).unwrap();
-    let end = motion.end();
-    for (a, b) in [end.v[0], end.v[1], end.omega[0], end.omega[1]]
-        .iter()
-        .zip(foreign)
-    {
-        assert!((a - b).abs() < 1e-11, "{end:?} {foreign:?}");
-    }
-    // The first moments, by the law itself: central differences of v and ω against the forces.
-    for t in [1.0001, 1.01, 1.1, 1.3] {
-        let h = 1e-5 * (t - 1.0);
-        let (early, late, here) = (
-            motion.at(t - h).unwrap(),
-            motion.at(t + h).unwrap(),
-            motion.at(t).unwrap(),
-        );
-        let slip = motion.slip(t).unwrap();
-        let size = libm::hypot(slip[0], slip[1]);
-        let contact = sphere.contact(&here);
-        assert!(
-            (0..2).all(|i| (contact[i] - slip[i]).abs() < 1e-14),
-            "{slip:?} {contact:?}"
-        );
-        let spin = [-2.5 * slip[1] / size, 2.5 * slip[0] / size];
-        for i in 0..2 {
-            let change = (late.omega[i] - early.omega[i]) / (2.0 * h);
-            assert!((change - spin[i]).abs() < 1e-5, "{t} {change} {spin:?}");
-        }
-    }
 }
 
 #[test]
@@ -365,11 +203,6 @@ fn a_release_along_a_slanting_line_is_one_along_x() {
 }
 
 #[test]
-fn a_vector_product_is_that_of_its_components() {
-    assert_eq!(cross([1.0, 2.0, 3.0], [4.0, 6.0, 5.0]), [-8.0, 7.0, -2.0]);
-}
-
-#[test]
 fn what_a_start_is_counts_from_the_start() {
     // Without a time to move in, too.
     let sphere = Sphere::with_kappa(0.4);
@@ -459,26 +292,6 @@ fn a_direction_that_begins_to_turn_late_turns_by_the_law() {
                 "{t}: {rate} {law}"
             );
         }
-    }
-}
-
-/// A = 4 − t, κ = 2/5: q′ = 4 − t − 7/2 until it is zero at t = 1; v′ = 1 − A until then, −5A/7 from then on.
-#[test]
-fn a_pull_that_grows_weaker_lets_it_roll_again() {
-    let sphere = Sphere::with_kappa(0.4);
-    for side in [1.0, -1.0] {
-        let plane = Plane {
-            x: Signal::Polynomial(vec![4.0 * side, -side]),
-            y: Signal::constant(0.0),
-        };
-        let motion = sphere.run(&plane, &ball([0.0; 2], [0.0; 3]), 3.0).unwrap();
-        assert_eq!(motion.contact(0.5).unwrap(), Contact::Sliding);
-        let [again] = motion.transitions() else {
-            unreachable!("{:?}", motion.transitions())
-        };
-        assert!((again.t - 1.0).abs() < 1e-12 && again.to == Contact::Rolling);
-        let end = motion.end();
-        assert!((end.v[0] + side * (2.5 + 20.0 / 7.0)).abs() < 1e-12);
     }
 }
 

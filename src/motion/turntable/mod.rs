@@ -19,7 +19,7 @@ pub mod path;
 pub mod rotating;
 mod slow;
 
-use super::error::MotionError;
+use super::error::{MotionError, check as argument};
 
 pub use boundary::{boundary, critical_radius, critical_speed};
 pub use fate::{Escaping, Fate, fate};
@@ -133,20 +133,6 @@ const LARGEST: f64 = 1e50;
 fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
     let range = "finite, at most 1e50 in absolute value";
     argument(name, value, value.abs() <= LARGEST, range)
-}
-
-/// A typed error unless `allowed`.
-fn argument(
-    name: &'static str,
-    value: f64,
-    allowed: bool,
-    range: &'static str,
-) -> Result<(), MotionError> {
-    if allowed {
-        Ok(())
-    } else {
-        Err(MotionError::Argument { name, value, range })
-    }
 }
 
 /// Checks a start and the time up to which it is to be followed.

@@ -24,6 +24,16 @@ pub struct Pair {
 }
 
 impl Pair {
+    /// A stated against a found number, which may differ in units of 1.
+    pub fn plain(at: String, stated: f64, found: f64) -> Self {
+        Pair {
+            at,
+            stated,
+            found,
+            scale: 1.0,
+        }
+    }
+
     /// The difference in units of the scale. Infinite where the claim has no value and the motion has
     /// one; NaN where our own side has none.
     pub fn disagreement(&self) -> f64 {

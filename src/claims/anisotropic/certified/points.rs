@@ -17,7 +17,7 @@ use trialbook::trials::enclosed::{DIGITS, certified, numbers, on_balls};
 type Sides = fn(Two, Two) -> [Two; 2];
 
 /// X: (53) and (54) have one common root near (57).
-pub fn x_unique() -> Evidence {
+fn x_unique() -> Evidence {
     let compared = Compared::one(
         "(57)",
         r"the only common root of (53) and (54) in $0.97\le q\le1.03$, $0.525\le\lambda_0\le0.55$, which is enclosed to $10^{-14}$ and has a positive $\lambda_0$",
@@ -69,7 +69,7 @@ fn length_to_q() -> Expr {
 }
 
 /// The decimals of (58), to the last one.
-pub fn y_rounding() -> Evidence {
+fn y_rounding() -> Evidence {
     let trial = Trial::by(
         Route::Certified,
         Printed,
@@ -80,12 +80,11 @@ pub fn y_rounding() -> Evidence {
         .into_iter()
         .zip(printed::eq58_y());
     let rounded = trial.over(points, |((name, value), stated)| {
-        Ok(Pair {
-            at: format!("{name}, rounded"),
+        Ok(Pair::plain(
+            format!("{name}, rounded"),
             stated,
-            found: value.decimal(3)?.parse()?,
-            scale: 1.0,
-        })
+            value.decimal(3)?.parse()?,
+        ))
     });
     let q = length_to_q();
     let [stated_q, stated_lambda0] = printed::eq58_y();
@@ -129,7 +128,7 @@ fn sign_of(velocity: Interval) -> f64 {
 }
 
 /// A point of the printed region II where the drive never pulls the particle back.
-pub fn no_way_back() -> Evidence {
+fn no_way_back() -> Evidence {
     let trial = Trial::by(Route::Certified, Printed, Compared::one(
         r"the sign of $\mathfrak w$ at the last moment at which the drive could pull backward, $-1$ in the printed region II, whose forward motion is over by then,",
         "the sign that the arc of Newton's law has there",
@@ -144,12 +143,11 @@ pub fn no_way_back() -> Evidence {
         }
         let last = last_pull([q, lambda0]);
         let velocity = arc(lambda0.asin(), last, lambda0);
-        Ok(Pair {
-            at: "q = 9, λ₀ = 1/10".into(),
-            stated: -1.0,
-            found: sign_of(velocity),
-            scale: 1.0,
-        })
+        Ok(Pair::plain(
+            "q = 9, λ₀ = 1/10".into(),
+            -1.0,
+            sign_of(velocity),
+        ))
     })
 }
 

@@ -69,32 +69,25 @@ pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Ob
     Ok(speed)
 }
 
+/// λ = 1: the limit of a component of the velocity, which is the speed times a function of θ.
+fn late_component(title: &str, name: &str, direction: Expr, printed: Expr) -> Proof {
+    prove(title, Regime::One, |p, newton| {
+        let speed = late_speed(p, newton)?;
+        let component = p.read(name, speed * direction)?;
+        let limit = newton.at_zero_angle(&component)?;
+        p.note("For θ → 0", p.ring().text(&limit));
+        p.reads_as(&limit, "the printed limit", printed)
+    })
+}
+
 pub const EQ18: Statement = by_newton(Printed, paper::eq18_vx_limit::tree, |printed| {
-    prove(
-        "(18): v_x at large times, λ = 1",
-        Regime::One,
-        |p, newton| {
-            let speed = late_speed(p, newton)?;
-            let vx = p.read("v_x", speed * Expr::symbol("θ").cos())?;
-            let limit = newton.at_zero_angle(&vx)?;
-            p.note("For θ → 0", p.ring().text(&limit));
-            p.reads_as(&limit, "the printed limit", printed)
-        },
-    )
+    let title = "(18): v_x at large times, λ = 1";
+    late_component(title, "v_x", Expr::symbol("θ").cos(), printed)
 });
 
 pub const EQ19: Statement = by_newton(Printed, paper::eq19_vy_limit::tree, |printed| {
-    prove(
-        "(19): v_y at large times, λ = 1",
-        Regime::One,
-        |p, newton| {
-            let speed = late_speed(p, newton)?;
-            let vy = p.read("v_y", speed * Expr::symbol("θ").sin())?;
-            let limit = newton.at_zero_angle(&vy)?;
-            p.note("For θ → 0", p.ring().text(&limit));
-            p.reads_as(&limit, "the printed limit", printed)
-        },
-    )
+    let title = "(19): v_y at large times, λ = 1";
+    late_component(title, "v_y", Expr::symbol("θ").sin(), printed)
 });
 
 pub const EQ20: Statement = by_newton(Printed, paper::eq20_stop_time::tree, |printed| {

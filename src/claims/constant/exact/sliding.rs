@@ -1,28 +1,37 @@
-//! Any friction: (6) to (14), and the form of (11) that replaces it.
+//! Any friction: (6) to (14).
 
 use super::{Newton, Regime, at_start, by_newton, prove};
-use crate::corrections;
 use crate::paper::constant as paper;
 use trialbook::prelude::*;
 
-pub const EQ6: Statement = by_newton(Printed, paper::eq6_vx_rate::tree, |printed| {
-    prove("(6): d(v cos θ)/dt", Regime::Any, |p, newton| {
-        let [v, theta] = Expr::symbols(["v", "θ"]);
-        let vx = p.read("The component along x", v * theta.cos())?;
-        let rate = p.derivative("Its rate by (1)", &vx, &newton.motion)?;
+/// The rate of a component of the velocity.
+fn component_rate(title: &str, says: &str, component: Expr, printed: Expr) -> Proof {
+    prove(title, Regime::Any, |p, newton| {
+        let component = p.read(says, component)?;
+        let rate = p.derivative("Its rate by (1)", &component, &newton.motion)?;
         let printed = p.read("The printed rate", printed)?;
         p.equal("Rate by (1) against printed rate", &rate, &printed)
     })
+}
+
+pub const EQ6: Statement = by_newton(Printed, paper::eq6_vx_rate::tree, |printed| {
+    let along = Expr::symbol("v") * Expr::symbol("θ").cos();
+    component_rate(
+        "(6): d(v cos θ)/dt",
+        "The component along x",
+        along,
+        printed,
+    )
 });
 
 pub const EQ7: Statement = by_newton(Printed, paper::eq7_vy_rate::tree, |printed| {
-    prove("(7): d(v sin θ)/dt", Regime::Any, |p, newton| {
-        let [v, theta] = Expr::symbols(["v", "θ"]);
-        let vy = p.read("The component along y", v * theta.sin())?;
-        let rate = p.derivative("Its rate by (1)", &vy, &newton.motion)?;
-        let printed = p.read("The printed rate", printed)?;
-        p.equal("Rate by (1) against printed rate", &rate, &printed)
-    })
+    let across = Expr::symbol("v") * Expr::symbol("θ").sin();
+    component_rate(
+        "(7): d(v sin θ)/dt",
+        "The component along y",
+        across,
+        printed,
+    )
 });
 
 pub const EQ8: Statement = by_newton(Printed, paper::eq8_hodograph_slope::tree, |printed| {
@@ -151,29 +160,6 @@ pub const EQ14: Statement = by_newton(Within, paper::eq14_speed_at_time::tree, |
                 ),
                 ("the speed by (11)", paper::eq11_speed::tree()),
             )
-        },
-    )
-});
-
-pub(super) fn corrected_speed() -> Expr {
-    let [lambda, v0, theta0, theta] = Expr::symbols(["λ", "v₀", "θ₀", "θ"]);
-    let half_tan = |angle: Expr| (angle / Expr::int(2)).tan();
-    corrections::constant::speed(lambda, v0, theta0, half_tan(theta) / half_tan(theta0))
-}
-
-pub const CORRECTED_11: Statement = by_newton(Corrected, corrected_speed, |corrected| {
-    prove(
-        "The speed in powers of r = tan(θ/2)/tan(θ₀/2)",
-        Regime::Any,
-        |p, newton| {
-            let expected = log_speed_rate(p, newton)?;
-            let speed = p.read("The speed", corrected)?;
-            let slope = p.slope("Its derivative with respect to θ", &speed, "θ")?;
-            let rate = p.quotient("Divided by itself", &slope, &speed)?;
-            p.equal("Against (dv/v)/dθ by (1)", &rate, &expected)?;
-            let start = p.read("At θ = θ₀", at_start(corrected))?;
-            p.equal("Against v₀", &start, &p.ring().named("v₀")?)?;
-            p.reads_as(&speed, "the speed by (11)", paper::eq11_speed::tree())
         },
     )
 });

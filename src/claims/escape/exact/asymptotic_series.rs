@@ -263,15 +263,12 @@ pub fn from_series(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>, &Late) -> Result<(), Obstacle>,
 ) -> Proof {
-    match ring() {
-        Err(error) => Proof::impossible(title, error),
-        Ok(ring) => Proof::of(title, &ring, |p| {
-            SOLUTION.with(|(late, proof)| {
-                p.rests_on(proof)?;
-                steps(p, late.as_ref().ok_or(Obstacle::Empty)?)
-            })
-        }),
-    }
+    Proof::in_ring(title, ring(), |p| {
+        SOLUTION.with(|(late, proof)| {
+            p.rests_on(proof)?;
+            steps(p, late.as_ref().ok_or(Obstacle::Empty)?)
+        })
+    })
 }
 
 /// A law in τ, with L for ln τ, as a series in τ^(−1/2).

@@ -164,15 +164,12 @@ fn from_series(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>, &[Series; 3]) -> Result<(), Obstacle>,
 ) -> Proof {
-    match ring() {
-        Err(error) => Proof::impossible(title, error),
-        Ok(ring) => Proof::of(title, &ring, |p| {
-            SOLUTION.with(|(series, proof)| {
-                p.rests_on(proof)?;
-                steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
-            })
-        }),
-    }
+    Proof::in_ring(title, ring(), |p| {
+        SOLUTION.with(|(series, proof)| {
+            p.rests_on(proof)?;
+            steps(p, series.as_ref().ok_or(Obstacle::Empty)?)
+        })
+    })
 }
 
 /// The coefficient of a power of α.

@@ -93,54 +93,48 @@ impl Setting {
 
     /// The same with p and ρ by (111) and (112).
     pub fn slower() -> Result<Self, ExactError> {
-        let mut ring = Ring::new();
-        let a = ring.symbol("A");
-        ring.hyperbolic("α");
-        let alpha = Expr::symbol("α");
-        for (name, formula) in [
-            ("p", paper::eq111_p::tree()),
-            ("ρ", paper::eq112_rho::tree()),
-        ] {
-            let value = ring.read(formula)?;
-            ring.define(name, value)?;
-        }
-        let Rates { p, rho, psi, chi } = rates(&mut ring)?;
-        let [sinh, cosh] = [ring.read(alpha.sinh())?, ring.read(alpha.cosh())?];
-        // From dp = sinh α dA + A cosh α dα and dρ = cosh α dA + A sinh α dα.
-        let a_rate = &rho * &cosh - &p * &sinh;
-        let alpha_rate = ring.divide(&(&p * &cosh - &rho * &sinh), &a)?;
-        let motion = ring.along(&[("A", a_rate), ("α", alpha_rate), ("ψ", psi), ("χ", chi)])?;
-        Ok(Setting {
-            ring,
-            motion,
-            law: "(89), with (111) and (112)",
-        })
+        let [p, rho] = [paper::eq111_p::tree(), paper::eq112_rho::tree()];
+        let law = "(89), with (111) and (112)";
+        Self::hyperbolic(["A", "α"], [p, rho], law, |[p, rho]| [rho, p])
     }
 
     /// The same with p and ρ by (117) and (118).
     pub fn faster() -> Result<Self, ExactError> {
+        let [p, rho] = [paper::eq117_p::tree(), paper::eq118_rho::tree()];
+        let law = "(89), with (117) and (118)";
+        Self::hyperbolic(["B", "β"], [p, rho], law, |[p, rho]| [p, rho])
+    }
+
+    /// With p and ρ by a size and an angle: the greater of the two, which `order` puts first, is the size times the angle's
+    /// hyperbolic cosine, the other one that times its sine.
+    fn hyperbolic(
+        [size, angle]: [&'static str; 2],
+        formulas: [Expr; 2],
+        law: &'static str,
+        order: fn([Rational; 2]) -> [Rational; 2],
+    ) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
-        let b = ring.symbol("B");
-        ring.hyperbolic("β");
-        let beta = Expr::symbol("β");
-        for (name, formula) in [
-            ("p", paper::eq117_p::tree()),
-            ("ρ", paper::eq118_rho::tree()),
-        ] {
+        let own = ring.symbol(size);
+        ring.hyperbolic(angle);
+        for (name, formula) in ["p", "ρ"].into_iter().zip(formulas) {
             let value = ring.read(formula)?;
             ring.define(name, value)?;
         }
         let Rates { p, rho, psi, chi } = rates(&mut ring)?;
-        let [sinh, cosh] = [ring.read(beta.sinh())?, ring.read(beta.cosh())?];
-        // From dp = cosh β dB + B sinh β dβ and dρ = sinh β dB + B cosh β dβ.
-        let b_rate = &p * &cosh - &rho * &sinh;
-        let beta_rate = ring.divide(&(&rho * &cosh - &p * &sinh), &b)?;
-        let motion = ring.along(&[("B", b_rate), ("β", beta_rate), ("ψ", psi), ("χ", chi)])?;
-        Ok(Setting {
-            ring,
-            motion,
-            law: "(89), with (117) and (118)",
-        })
+        let [more, less] = order([p, rho]);
+        let angle_itself = Expr::symbol(angle);
+        let [sinh, cosh] = [angle_itself.sinh(), angle_itself.cosh()].map(|f| ring.read(f));
+        let [sinh, cosh] = [sinh?, cosh?];
+        // The size grows by cosh times the rate of the greater less sinh times that of the other.
+        let size_rate = &more * &cosh - &less * &sinh;
+        let angle_rate = ring.divide(&(&less * &cosh - &more * &sinh), &own)?;
+        let motion = ring.along(&[
+            (size, size_rate),
+            (angle, angle_rate),
+            ("ψ", psi),
+            ("χ", chi),
+        ])?;
+        Ok(Setting { ring, motion, law })
     }
 
     /// A, α, B, β and ψ, with the eighth root of unity ζ and i = ζ²; no motion.

@@ -1,73 +1,10 @@
-use super::super::{Outcome, Sign};
 use super::*;
-use crate::numerics::dop853;
 use crate::scalar::Scalar;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
 fn sine() -> Drive {
     Drive::new(<f64 as Scalar>::sin, &[]).unwrap()
-}
-
-#[test]
-fn agrees_with_the_equations_as_they_stand() {
-    let drive = sine();
-    let start = PlanarState {
-        phi: 0.3,
-        w_x: -0.4,
-        ln_w_y: Scalar::ln(1.7),
-    };
-    for lambda in [0.05, 0.2, 0.5] {
-        // The phase is a component of the state: the library loses its order where time enters explicitly.
-        let newton = |_: f64, &[phi, x, y]: &[f64; 3]| {
-            let speed = libm::hypot(x, y);
-            [
-                1.0,
-                Scalar::sin(phi) - lambda * x / speed,
-                -lambda * y / speed,
-            ]
-        };
-        let phases = [0.3, 1.0, 2.0, 4.0, 7.0, 9.0];
-        let states = drive.planar(lambda, start, &phases).unwrap();
-        for state in &states[1..] {
-            let [_, w_x, w_y] =
-                dop853::end(newton, 0.3, [0.3, -0.4, 1.7], state.phi, 1e-13, 1e-13).unwrap();
-            assert!((state.w_x - w_x).abs() < 1e-10, "{state:?} {w_x}");
-            let w_y_found = Scalar::exp(state.ln_w_y);
-            assert!((w_y_found - w_y).abs() < 1e-10, "{state:?} {w_y}");
-        }
-        assert!((states[0].w_x + 0.4).abs() < 1e-15);
-    }
-}
-
-#[test]
-fn constant_drive_by_hand() {
-    // h = 1, λ = 1: w + … : w' = w_x/w − 1 and w_x' = 1 − w_x/w, so w + w_x keeps its value.
-    let drive = Drive::new(|_| 1.0, &[]).unwrap();
-    let start = PlanarState {
-        phi: 0.0,
-        w_x: 0.0,
-        ln_w_y: 0.0,
-    };
-    let states = drive.planar(1.0, start, &[0.5, 3.0, 20.0]).unwrap();
-    for state in states {
-        let w_y = Scalar::exp(state.ln_w_y);
-        assert!((libm::hypot(state.w_x, w_y) + state.w_x - 1.0).abs() < 1e-13);
-    }
-    // h = 0: straight to rest, after w/λ.
-    let drive = Drive::new(|_| 0.0, &[]).unwrap();
-    let start = PlanarState {
-        phi: 0.0,
-        w_x: 3.0,
-        ln_w_y: Scalar::ln(4.0),
-    };
-    let states = drive
-        .planar(2.0, start, &[1.0, 2.499_999, 2.500_001])
-        .unwrap();
-    assert!((states[0].w_x - 1.8).abs() < 1e-13);
-    assert!((states[0].ln_w_y - Scalar::ln(2.4)).abs() < 1e-13);
-    assert!((states[1].w_x / 1.2e-6 - 1.0).abs() < 1e-8);
-    assert_eq!((states[2].w_x, states[2].ln_w_y), (0.0, f64::NEG_INFINITY));
 }
 
 #[test]
@@ -93,60 +30,6 @@ fn a_passage_through_zero_multiplies_the_logarithm() {
             (shallow / expected - 1.0).abs() < 1e-9,
             "{shallow} {expected}"
         );
-    }
-}
-
-#[test]
-fn without_rest_the_logarithm_grows_by_the_inverse_contraction_rate() {
-    let drive = sine();
-    for lambda in [0.1, 0.3, 0.45] {
-        let start = PlanarState {
-            phi: 0.0,
-            w_x: 0.2,
-            ln_w_y: 0.0,
-        };
-        let phases: Vec<f64> = (0..=40).map(|k| TAU * k as f64).collect();
-        let states = drive.planar(lambda, start, &phases).unwrap();
-        let friction = Friction::new(lambda, lambda).unwrap();
-        let origin = DriveState { phi: 0.0, w: 0.0 };
-        let Outcome::Settles(line) = drive.attractor(friction, origin, 99).unwrap() else {
-            panic!("settles")
-        };
-        let last = states.iter().rposition(|s| s.ln_w_y > -1e9).unwrap();
-        let growth = states[last].ln_w_y / states[last - 1].ln_w_y;
-        assert!(
-            (growth * line.contraction() - 1.0).abs() < 1e-6,
-            "{lambda} {growth}"
-        );
-        assert!((states[last].w_x - line.w(0.0)).abs() < 1e-6);
-    }
-}
-
-#[test]
-fn with_rest_it_stops_within_a_finite_phase() {
-    let drive = sine();
-    for lambda in [0.6, 0.9, 1.3] {
-        let start = PlanarState {
-            phi: 0.0,
-            w_x: 0.2,
-            ln_w_y: 1.0,
-        };
-        let phases: Vec<f64> = (0..=2000).map(|k| 0.02 * k as f64).collect();
-        let states = drive.planar(lambda, start, &phases).unwrap();
-        let stop = states
-            .iter()
-            .position(|s| s.ln_w_y == f64::NEG_INFINITY)
-            .unwrap();
-        assert_eq!(Sign::of(states[stop].w_x), Sign::Rest);
-        assert!(Scalar::sin(states[stop].phi).abs() < lambda);
-        assert!(states[..stop].windows(2).all(|s| s[1].ln_w_y < s[0].ln_w_y));
-        let friction = Friction::new(lambda, lambda).unwrap();
-        let at = DriveState {
-            phi: phases[stop],
-            w: 0.0,
-        };
-        let line = drive.advance(friction, at, 40.0).unwrap();
-        assert!((states[2000].w_x - line.end.w).abs() < 1e-12);
     }
 }
 
