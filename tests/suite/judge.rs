@@ -2,7 +2,6 @@
 
 use slipbook::evidence::{Change, Compared, Evidence, Kind, Outcome, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
-use slipbook::numerics::roots::root;
 use std::fmt::Debug;
 use std::panic::Location;
 use trialbook::trials::compare::{Pair, Trial};
@@ -311,24 +310,6 @@ fn no_value_is_no_agreement() {
     }
     for (stated, found) in [(1.0, 3.0), (3.0, 1.0)] {
         assert_eq!(disagreement(stated, found, 4.0), 0.5);
-    }
-}
-
-#[test]
-fn a_root_at_an_end_is_that_end() {
-    let at = |low, high| root(|x| x - 2.0, low, high).unwrap();
-    assert_eq!([at(2.0, 3.0), at(1.0, 2.0)], [2.0; 2]);
-}
-
-#[test]
-fn nineteen_points_are_too_few_by_any_measured_route() {
-    for route in ROUTES.into_iter().filter(|route| !route.is_proof()) {
-        let outcome = |points| {
-            let evidence = evidence(route, Subject::Printed, GOOD);
-            Evidence { points, ..evidence }.outcome()
-        };
-        let expected = [Outcome::TooFewPoints, Outcome::Agrees];
-        assert_eq!([19, 20].map(outcome), expected, "{route:?}");
     }
 }
 
