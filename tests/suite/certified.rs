@@ -61,6 +61,24 @@ fn range(numbers: impl IntoIterator<Item = f64>) -> [f64; 2] {
         .fold(start, |[lo, hi], x| [lo.min(x), hi.max(x)])
 }
 
+#[test]
+fn a_ball_lies_inside_another_if_both_of_its_ends_do() {
+    let ball = |lo: f64, hi: f64| Ball::enclosing(Interval::new(lo, hi), 100).unwrap();
+    let outer = ball(1.0, 2.0);
+    assert!(ball(1.1, 1.9).inside(&outer));
+    for (lo, hi) in [
+        (0.9, 1.5),
+        (1.5, 2.1),
+        (0.5, 2.5),
+        (3.0, 4.0),
+        (1.0, 1.5),
+        (1.5, 2.0),
+        (1.0, 2.0),
+    ] {
+        assert!(!ball(lo, hi).inside(&outer), "[{lo}, {hi}]");
+    }
+}
+
 /// What is proved of all starts in a box holds for each of them, and says little more than they do.
 #[test]
 fn the_radius_at_rest_of_a_box_of_starts_is_that_of_its_motions() {

@@ -2,6 +2,7 @@
 
 use slipbook::evidence::{Change, Compared, Evidence, Kind, Outcome, Route, Subject, Tolerance};
 use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
+use slipbook::numerics::roots::root;
 use std::fmt::Debug;
 use std::panic::Location;
 use trialbook::trials::compare::{Pair, Trial};
@@ -311,6 +312,12 @@ fn no_value_is_no_agreement() {
     for (stated, found) in [(1.0, 3.0), (3.0, 1.0)] {
         assert_eq!(disagreement(stated, found, 4.0), 0.5);
     }
+}
+
+#[test]
+fn a_root_at_an_end_is_that_end() {
+    let at = |low, high| root(|x| x - 2.0, low, high).unwrap();
+    assert_eq!([at(2.0, 3.0), at(1.0, 2.0)], [2.0; 2]);
 }
 
 /// The verdicts that the page gives in its rules are those that the judge gives in these cases, in the same order.
