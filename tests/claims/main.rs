@@ -20,6 +20,9 @@ use std::thread;
 use trialbook::trials::statement::Proved;
 use trialbook::trials::{Claim, Sort};
 
+/// What is asked of the whole ledger.
+type Test = fn(&Ledger) -> Result<(), Failed>;
+
 fn main() {
     // One after another, or the differences of several claims are printed into each other.
     let arguments = Arguments {
@@ -46,7 +49,7 @@ fn main() {
     trials.push(Trial::test("dependencies", move || {
         same_as_snapshot("", "dependencies", &depends)
     }));
-    let whole: [(&str, fn(&Ledger) -> Result<(), Failed>); 7] = [
+    let whole: [(&str, Test); 7] = [
         ("reading", reading),
         ("variants", wrong_variants),
         ("proofs", wrong_proofs),

@@ -153,6 +153,13 @@ fn the_map_has_the_borders_that_the_claims_found() {
     }
 }
 
+/// With friction above λ_c, and never below it.
+#[test]
+fn what_slides_across_stops() {
+    let stops = [0.7, 0.3].map(|lambda| plane::film(lambda, 0.5, 1.0).unwrap().values[1]);
+    assert!(stops[0] > 0.0 && stops[1] == -1.0, "{stops:?}");
+}
+
 #[test]
 fn a_coin_that_is_kept_has_no_late_times() {
     let kept = turntable::growth(0.5).unwrap().curves;
