@@ -2,22 +2,19 @@
 //! holds them against values from elsewhere.
 
 mod constant;
-mod driven;
 mod sphere;
 mod turntable;
 
 use super::*;
 
-#[test]
-fn an_answer_is_written_with_its_fields_first() {
-    let report = sinusoidal::SinusoidalProblem { lambda0: 2.0 }
-        .solve()
-        .unwrap()
-        .report("sinusoidal");
-    let text = serde_json::to_string(&report).unwrap();
-    let begins = r#"{"version":1,"problem":"sinusoidal","regime":"rest","positive_start":null,"#;
-    assert!(text.starts_with(begins), "{text}");
-    assert!(text.contains(r#""by_formula":{"regime":"rest","#));
+/// An answer of one number.
+#[derive(Clone, Debug)]
+struct One(f64);
+
+impl Fields for One {
+    fn fields(&self) -> Vec<Field> {
+        vec![Field::new("x", self.0)]
+    }
 }
 
 /// Every entry, with other contents than any other.
@@ -159,13 +156,6 @@ fn no_more_digits_are_written_than_are_known() {
 
 #[test]
 fn a_formula_is_trusted_where_rounding_explains_what_the_motion_says() {
-    #[derive(Clone, Debug)]
-    struct One(f64);
-    impl Fields for One {
-        fn fields(&self) -> Vec<Field> {
-            vec![Field::new("x", self.0)]
-        }
-    }
     let said = |[given, rounded, beside]: [f64; 3]| Said {
         given: One(given),
         rounded: One(rounded),
@@ -201,13 +191,6 @@ fn a_formula_is_trusted_where_rounding_explains_what_the_motion_says() {
 
 #[test]
 fn a_wide_motion_is_trusted_as_far_as_narrower_numbers_explain_the_second() {
-    #[derive(Clone, Debug)]
-    struct One(f64);
-    impl Fields for One {
-        fn fields(&self) -> Vec<Field> {
-            vec![Field::new("x", self.0)]
-        }
-    }
     // How far the second is off, what the nudge and what the rounding moves; digits.
     for (off, nudged, rounded, expected) in [
         (0.0, 0.0, 0.0, 15),

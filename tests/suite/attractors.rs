@@ -162,41 +162,6 @@ fn the_margins_are_those_of_the_motion_looked_at() {
     assert!(kinds.iter().all(|n| *n >= 5), "{kinds:?}");
 }
 
-/// Seen from the other side the plane is pulled backward where it was pulled forward.
-#[test]
-fn a_motion_and_its_mirror_image_have_the_same_margins() {
-    for (name, shape, breaks) in SHAPES {
-        let (drive, mirror) = (
-            Drive::new(shape, breaks).unwrap(),
-            Drive::new(|x| -shape(x), breaks).unwrap(),
-        );
-        for (plus, minus) in FRICTIONS {
-            let of = |drive: &Drive, plus, minus, w| {
-                let friction = Friction::new(plus, minus).unwrap();
-                let outcome = drive
-                    .attractor(friction, DriveState { phi: 0.3, w }, 400)
-                    .unwrap();
-                outcome.settled().map(|found| found.margins())
-            };
-            let (a, b) = (of(&drive, plus, minus, 0.1), of(&mirror, minus, plus, -0.1));
-            let (Some(a), Some(b)) = (a, b) else {
-                assert_eq!(a, b, "{name}, {plus}, {minus}");
-                continue;
-            };
-            let pairs = [
-                (a.shortest, b.shortest),
-                (a.dip, b.dip),
-                (a.crossing, b.crossing),
-                (a.hold, b.hold),
-            ];
-            let same = pairs
-                .into_iter()
-                .all(|(a, b)| a == b || (a - b).abs() < 1e-9);
-            assert!(same, "{name}, {plus}, {minus}: {a:?}, {b:?}");
-        }
-    }
-}
-
 /// Every motion that the shapes and frictions here settle to, from this phase.
 fn settled(phi: f64) -> Vec<(String, Vec<Interval>)> {
     let mut all = Vec::new();

@@ -1,52 +1,29 @@
 //! What the explorers show: the module in the pages gives the crate's own numbers, and these agree with what the claims
 //! found elsewhere.
 
+use crate::Page;
 use slipbook::claims::PAPER;
 use slipbook::claims::anisotropic::simulated::Curves;
-use slipbook::explorers::{
-    Answer, anisotropic, answer, constant, periodic, plane, sphere, turntable,
-};
+use slipbook::explorers::{anisotropic, answer, constant, periodic, plane, sphere, turntable};
 use slipbook::motion::drive::Sign;
-use slipbook::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
 use slipbook::paper;
 use std::f64::consts::TAU;
-use wasmi::{Engine, Linker, Memory, Module, Store, TypedFunc};
 
-type Ask = TypedFunc<(u32, f64, f64, f64, f64), u32>;
-
-/// The module as a page runs it.
-struct Page {
-    store: Store<()>,
-    memory: Memory,
-    ask: Ask,
+fn ask(page: &mut Page, number: u32, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
+    let bytes = page.call("ask", (number, a, b, c, d));
+    let number = |i: usize| f64::from_le_bytes(bytes[8 * i..][..8].try_into().unwrap());
+    (1..=number(0) as usize).map(number).collect()
 }
 
-impl Page {
-    fn open() -> Self {
-        let engine = Engine::default();
-        let module =
-            Module::new(&engine, include_bytes!("../../book/theme/explorers.wasm")).unwrap();
-        let mut store = Store::new(&engine, ());
-        let linker = Linker::new(&engine);
-        let instance = linker.instantiate_and_start(&mut store, &module).unwrap();
-        let memory = instance.get_memory(&store, "memory").unwrap();
-        let ask = instance.get_typed_func(&store, "ask").unwrap();
-        Page { store, memory, ask }
-    }
-
-    fn ask(&mut self, number: u32, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
-        let given = (number, a, b, c, d);
-        let start = self.ask.call(&mut self.store, given).unwrap() as usize;
-        let bytes = &self.memory.data(&self.store)[start..];
-        let number = |i: usize| f64::from_le_bytes(bytes[8 * i..][..8].try_into().unwrap());
-        (1..=number(0) as usize).map(number).collect()
-    }
+/// The module as a page runs it.
+fn page() -> Page {
+    Page::open(include_bytes!("../../book/theme/explorers.wasm"))
 }
 
 /// Rebuild the module with `book/explorers/rebuild` where this fails.
 #[test]
 fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
-    let mut page = Page::open();
+    let mut page = page();
     let questions: [(u32, &[[f64; 4]]); 14] = [
         (
             0,
@@ -106,14 +83,17 @@ fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
             let native = answer(number as usize, *given).unwrap().flat();
             assert!(native.iter().all(|x| x.is_finite()));
             // To the last bit: all functions are libm's on both sides.
-            assert!(page.ask(number, *given) == native, "{number} {given:?}");
+            assert!(
+                ask(&mut page, number, *given) == native,
+                "{number} {given:?}"
+            );
         }
     }
 }
 
 #[test]
 fn what_has_no_answer_is_an_empty_list_in_the_module_and_a_named_error_in_the_crate() {
-    let mut page = Page::open();
+    let mut page = page();
     for (number, given, named) in [
         (0, [-1.0, 0.0, 0.0, 0.0], "λ"),
         (0, [1.0, f64::NAN, 0.0, 0.0], "θ₀"),
@@ -140,7 +120,7 @@ fn what_has_no_answer_is_an_empty_list_in_the_module_and_a_named_error_in_the_cr
     ] {
         let error = answer(number, given).unwrap_err().to_string();
         assert!(error.contains(named), "{number} {given:?}: {error}");
-        assert!(page.ask(number as u32, given).is_empty());
+        assert!(ask(&mut page, number as u32, given).is_empty());
     }
 }
 
@@ -174,107 +154,9 @@ fn the_map_has_the_borders_that_the_claims_found() {
     }
 }
 
+/// With friction above λ_c, and never below it.
 #[test]
-fn the_periodic_motion_is_the_one_approached() {
-    let Answer { values, curves } = anisotropic::motion(2.0, 0.45, 1.5).unwrap();
-    assert_eq!(values[0], 3.0);
-    assert_eq!(values[4], 4.0);
-    let share: f64 = values[5..]
-        .chunks(3)
-        .filter(|i| i[0] == 0.0)
-        .map(|i| i[2] - i[1])
-        .sum();
-    assert!((share / TAU - values[3]).abs() < 1e-15);
-    // After the first rest both are the same.
-    let late = |curve: &[[f64; 2]]| {
-        *curve
-            .iter()
-            .find(|point| point[0] >= 3.0 * TAU + 2.0)
-            .unwrap()
-    };
-    let (from_start, periodic) = (late(&curves[0]), late(&curves[1]));
-    assert_eq!(from_start[0], periodic[0]);
-    assert!(periodic[1] > 0.1 && (from_start[1] - periodic[1]).abs() < 1e-12);
-}
-
-/// Starts tried at each distance from the axis.
-const POINTS: usize = 600;
-
-#[test]
-fn the_boundary_parts_rest_from_escape() {
-    let distances = [0.0, 0.3, 0.8, 0.9, 0.97, 1.0, 1.05, 1.3, 1.6];
-    let all = distances.map(|rho| [(rho, false), (rho, true)]);
-    for (rho, coarse) in all.into_iter().flatten() {
-        let curves = turntable::boundary(rho, coarse).unwrap().curves;
-        let boundary = &curves[0];
-        let mut generator = fastrand::Rng::with_seed(1);
-        let mut wrong = 0;
-        for _ in 0..POINTS {
-            let v = [generator.f64() * 6.0 - 3.0, generator.f64() * 6.0 - 3.0];
-            let rests = matches!(
-                fate(&Start::cartesian([rho, 0.0], v).unwrap()).unwrap(),
-                Fate::Rest { .. }
-            );
-            wrong += usize::from(rests != inside(boundary, v));
-        }
-        // A polygon cuts corners.
-        let allowed = if coarse { POINTS / 100 } else { POINTS / 200 };
-        assert!(wrong <= allowed, "ρ = {rho}: {wrong} of {POINTS}");
-    }
-    let [speed, radius] = [critical_speed().unwrap(), critical_radius().unwrap()];
-    for [u, v] in &turntable::boundary(0.0, false).unwrap().curves[0] {
-        assert!((u.hypot(*v) - speed).abs() < 2e-3);
-    }
-    for (rho, rests) in [(radius - 0.01, 1.0), (radius + 0.01, 0.0)] {
-        assert_eq!(
-            turntable::motion(rho, [0.0, -rho]).unwrap().values[0],
-            rests
-        );
-    }
-}
-
-/// Whether a point lies inside a closed polygon: an odd number of sides lies to its right.
-fn inside(polygon: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
-    let sides = polygon.windows(2).filter(|side| {
-        let ([a, b], [c, d]) = (side[0], side[1]);
-        (b > y) != (d > y) && x < a + (y - b) / (d - b) * (c - a)
-    });
-    sides.count() % 2 == 1
-}
-
-#[test]
-fn the_ball_rolls_where_the_particle_rests() {
-    // λ₀ = 0.75, no slip across: two rests a period, as the drive of section 2.2 has them.
-    let ball = sphere::motion(0.75, 0.4, [0.0, 0.0]).unwrap().values;
-    let particle = anisotropic::motion(1.0, 0.75, 0.0).unwrap().values;
-    assert!(
-        (ball[2] - particle[3]).abs() < 1e-12,
-        "{ball:?} {particle:?}"
-    );
-    // b = 1 + 1/κ, and the ball that swings less than friction can follow never slips.
-    assert_eq!(ball[0], 3.5);
-    assert_eq!(
-        sphere::motion(1.2, 0.4, [0.0, 0.0]).unwrap().values[1..3],
-        [0.0, 1.0]
-    );
-    assert_eq!(
-        sphere::motion(0.3, 0.4, [0.5, 1.0]).unwrap().values[1],
-        -1.0
-    );
-}
-
-/// With nothing across it is the shaken tray of the sine. With friction above λ_c what slides across stops, below it never.
-#[test]
-fn a_film_with_nothing_across_is_that_of_the_tray() {
-    let sine = anisotropic::film(1.0, 0.45, 1.5).unwrap();
-    let film = plane::film(0.45, 1.5, 0.0).unwrap();
-    for k in 0..2 {
-        for (found, expected) in film.curves[k].iter().zip(&sine.curves[k]) {
-            assert!((found[0] - expected[0]).abs() < 1e-9 && (found[1] - expected[1]).abs() < 1e-9);
-        }
-    }
-    let gone = |[y, depth]: &[f64; 2]| *y == 0.0 && *depth == 1e3;
-    assert!(film.curves[2].iter().all(gone));
+fn what_slides_across_stops() {
     let stops = [0.7, 0.3].map(|lambda| plane::film(lambda, 0.5, 1.0).unwrap().values[1]);
     assert!(stops[0] > 0.0 && stops[1] == -1.0, "{stops:?}");
 }

@@ -32,6 +32,7 @@ use slipbook::ledger::Ledger;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::LazyLock;
+use wasmi::{Engine, Instance, Linker, Module, Store, WasmParams};
 
 /// All claims, tried.
 static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::try_all(&PAPER, |_| {}));
@@ -50,6 +51,16 @@ fn slipbook(arguments: &[&str]) -> Output {
     command.args(arguments).output().expect("it runs")
 }
 
+/// The snapshots in a folder, each by its name alone.
+fn snapshots(folder: &str) -> insta::Settings {
+    let all = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(all.join(folder));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings
+}
+
 /// The cells of a line of a table; one with a comma stands between quotation marks.
 fn cells(line: &str) -> Vec<String> {
     let mut quoted = false;
@@ -59,4 +70,29 @@ fn cells(line: &str) -> Vec<String> {
     };
     let cells = line.split(ends);
     cells.map(|cell| cell.replace('"', "")).collect()
+}
+
+/// A module of the book as a page runs it.
+struct Page {
+    store: Store<()>,
+    instance: Instance,
+}
+
+impl Page {
+    fn open(module: &[u8]) -> Self {
+        let engine = Engine::default();
+        let module = Module::new(&engine, module).unwrap();
+        let mut store = Store::new(&engine, ());
+        let linker = Linker::new(&engine);
+        let instance = linker.instantiate_and_start(&mut store, &module).unwrap();
+        Page { store, instance }
+    }
+
+    /// The memory from where the answer stands.
+    fn call(&mut self, name: &str, given: impl WasmParams) -> &[u8] {
+        let function = self.instance.get_typed_func(&self.store, name).unwrap();
+        let at: u32 = function.call(&mut self.store, given).unwrap();
+        let memory = self.instance.get_memory(&self.store, "memory").unwrap();
+        &memory.data(&self.store)[at as usize..]
+    }
 }

@@ -50,11 +50,8 @@ fn the_table_of_verdicts_is_the_ledgers() {
 fn the_picture_is_fig_1() {
     let figures = slipbook::figures::all().unwrap();
     let portrait = figures.iter().find(|figure| figure.id == "fig-1").unwrap();
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots/constant"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
     let picture = portrait.svg.clone().into_bytes();
+    let settings = crate::snapshots("constant");
     settings.bind(|| insta::assert_binary_snapshot!("portrait.svg", picture));
 }
 

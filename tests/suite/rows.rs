@@ -115,22 +115,6 @@ fn the_end_of_a_slip_is_found_where_every_other_step_has_to_halve_the_bracket() 
 }
 
 #[test]
-fn what_lies_outside_is_named() {
-    assert!(
-        Column::new(0.5)
-            .unwrap_err()
-            .to_string()
-            .contains("q = 0.5")
-    );
-    assert!(
-        Row::new(f64::NAN)
-            .unwrap_err()
-            .to_string()
-            .contains("lambda0")
-    );
-}
-
-#[test]
 fn the_shortest_backward_slips_are_not_missed() {
     // Forward motion ends shortly before the drive is strongest, and that is hardly strong enough.
     let mut row = Row::new(0.226).unwrap();
@@ -148,40 +132,4 @@ fn the_shortest_backward_slips_are_not_missed() {
     // So short a slip lasts three times as long as the drive takes from λ₋ to its height.
     let rise = libm::acos(0.9999);
     assert!((length / rise - 3.0).abs() < 1e-3, "{length} {rise}");
-}
-
-#[test]
-fn ends_are_expected_on_the_parabola_through_the_last_three() {
-    let ends = [9.0, 4.0, 1.0];
-    let expected = [0, 1, 2, 3].map(|known| expected(known, ends, 0.5));
-    assert_eq!(expected, [0.5 + PI, 9.0, 14.0, 16.0]);
-}
-
-#[test]
-fn the_last_ends_are_forgotten_where_slips_begin_otherwise() {
-    let (mut changes, mut full) = (0, 0);
-    for lambda0 in [0.25, 0.3, 0.35, 0.4] {
-        let mut row = Row::new(lambda0).unwrap();
-        let (mut known, mut kind) = (0, None);
-        for i in 0..300 {
-            let column = Column::new(1.0 + 0.01 * f64::from(i)).unwrap();
-            let before = row.last;
-            let arcs = row.at(&column);
-            if row.last == before {
-                continue;
-            }
-            let at_once = (arcs.backward[0] - arcs.forward[1]).abs() < 1e-12;
-            if kind.is_some_and(|kind| kind != at_once) {
-                changes += 1;
-                known = 0;
-            }
-            kind = Some(at_once);
-            known = (known + 1).min(3);
-            full += usize::from(known == 3);
-            assert_eq!((row.known, row.at_once), (known, at_once), "{}", column.q);
-            assert_eq!(row.last[0] + PI, arcs.backward[1]);
-            assert_eq!(row.last[1..], before[..2]);
-        }
-    }
-    assert!(changes > 0 && full > 100, "{changes} {full}");
 }

@@ -41,10 +41,7 @@ fn the_figures_are_the_recorded_ones() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots/figures");
     let mut figures = slipbook::figures::all().unwrap();
     figures.retain(|figure| !OF_RECORDS.contains(&figure.id));
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path(&folder);
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
+    let settings = crate::snapshots("figures");
     for figure in &figures {
         settings.bind(|| insta::assert_snapshot!(figure.id, thinned(&figure.csv)));
     }

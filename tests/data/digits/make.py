@@ -1,4 +1,4 @@
-"""Reference answers for the calculators, the explorers and the index of values, made without any code of theirs.
+"""Reference answers for the calculators and the index of values, made without any code of theirs.
 
 Run: python3 make.py           checks the closed forms and writes the CSV files of KINDS and values.csv, in 3 minutes
      python3 make.py checks    the checks only
@@ -260,30 +260,6 @@ def sphere(gamma, u0, theta0, kappa, at, moment):
     return u, theta, tau, ux, uy, *zeta, rolls
 
 
-def explorer_constant(lam, degrees):
-    """flag, t, v_x, v_y, x, y at the stop, or at 10 if it moves then. A motion that stops at friction 1, straight
-    against the pull, has the time of its stop, too."""
-    lam, one, end = mpf(lam), mpf(1), mpf(10)
-    if degrees in (0, 180):
-        sign = -1 if degrees == 180 else 1
-        k = lam - sign
-        # Against the pull it slows down at the rate lambda + 1, along it at lambda - 1.
-        first = one / k if k > 0 else mp.inf
-        if first <= end or lam > 1:
-            x = sign * first / 2
-            if lam >= 1:
-                return one, first, mpf(0), mpf(0), x, mpf(0)
-            v = (1 - lam) * (end - first)
-            return mpf(0), end, v, mpf(0), x + v * (end - first) / 2, mpf(0)
-        v = sign * (1 - k * end)
-        return mpf(0), end, v, mpf(0), (sign + v) / 2 * end, mpf(0)
-    launch = Launch(lam, one, one, mp.pi * mpf(degrees) / 180)
-    if lam > 1:
-        return one, launch.stop, mpf(0), mpf(0), *launch.place(mp.inf)
-    s = launch.when(end)
-    return mpf(0), end, *launch.velocity(s), *launch.place(s)
-
-
 # Drives.
 
 
@@ -410,13 +386,6 @@ def anisotropic(q, lam):
     """The fields. The drift is what it is, also where it is below the rounding of the ways there and back; lambda- is
     the exact product."""
     return period(q, lam)[:6]
-
-
-def explorer_anisotropic(q, lam, _):
-    """The start does not matter."""
-    region, *_, after, before, drift, most = period(q, lam)
-    number = mpf(["I", "II", "III", "IV", "V"].index(region) + 1)
-    return number, drift / (2 * mp.pi), most, (after + before) / (2 * mp.pi)
 
 
 # The index of values: from the meanings.
@@ -702,40 +671,6 @@ def ask_anisotropic(rng, highest=1e3, least=1e-6, deep=15, mirrored=0.15):
             return q, lam
 
 
-def ask_explorer_constant(rng):
-    lam = choose(
-        rng,
-        (5, lambda: 0.0),
-        (35, lambda: round(rng.uniform(0, 3), 2)),
-        (20, lambda: rng.uniform(0, 3)),
-        (20, lambda: near(rng, 1.0, 12)),
-        (3, lambda: 1.0),
-        (17, lambda: log_uniform(rng, 1e-3, 1e3)),
-    )
-    degrees = choose(
-        rng,
-        (50, lambda: float(rng.randint(-179, 180))),
-        (30, lambda: rng.uniform(-180, 180)),
-        (7, lambda: rng.choice((-1, 1)) * 10.0 ** -rng.randint(1, 10)),
-        (8, lambda: rng.choice((-1, 1)) * (180 - 10.0 ** -rng.randint(0, 8))),
-        (5, lambda: rng.choice((0.0, 180.0))),
-    )
-    return lam, degrees
-
-
-def ask_explorer_anisotropic(rng):
-    while True:
-        q, lam = ask_anisotropic(rng, highest=12.0, least=1e-3, deep=8, mirrored=0)
-        if lam <= 1.4:
-            w = choose(
-                rng,
-                (80, lambda: rng.uniform(-2, 2)),
-                (5, lambda: 0.0),
-                (15, lambda: rng.choice((-1, 1)) * log_uniform(rng, 1e-3, 1e9)),
-            )
-            return q, lam, w
-
-
 STATE = "v,theta,t,vx,vy,x,y,stop_time"
 SWING = "regime,positive_start,positive_end,rest_fraction,w_max"
 KINDS = [
@@ -754,14 +689,6 @@ KINDS = [
         ask_anisotropic,
         anisotropic,
         "q,lambda0,region,positive,negative,rest_after_positive,rest_after_negative,drift_per_period",
-        ROWS,
-    ),
-    ("explorer-constant", ask_explorer_constant, explorer_constant, "lambda,theta,flag,t,vx,vy,x,y", ROWS),
-    (
-        "explorer-anisotropic",
-        ask_explorer_anisotropic,
-        explorer_anisotropic,
-        "q,lambda0,w,region,mean_velocity,largest_speed,rest_share",
         ROWS,
     ),
 ]

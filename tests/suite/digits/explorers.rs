@@ -1,88 +1,15 @@
-//! What the explorers show, four digits after the point, against the foreign program and the calculators.
+//! What the explorer of the sphere shows, four digits after the point, against an integration in numbers of 31 digits.
 
-use super::vectors::rows;
 use super::{Room, TERMS, cases};
-use slipbook::explorers::{anisotropic, constant, sphere, turntable};
+use slipbook::explorers::sphere;
 use slipbook::numerics::double::Double;
 use slipbook::numerics::number::Real;
 use slipbook::numerics::series::{product, sqrt, square, value};
 use slipbook::numerics::taylor::{Control, Integrator, Step, System};
-use slipbook::solve::turntable::TurntableProblem;
 use std::f64::consts::{PI, TAU};
 
 /// Half a unit of the fourth digit after the point, with room for its rounding.
 const SHOWN: f64 = 1e-8;
-/// Frictions so close, as parts of each other, are one to the explorer of section 2.4.
-const NEXT: f64 = 1e-12;
-
-#[test]
-fn the_launch() {
-    rows("explorer-constant", cases(500), |row| {
-        let answer = constant::motion(row.number("lambda"), row.number("theta")).unwrap();
-        for (value, name) in answer
-            .values
-            .iter()
-            .zip(["flag", "t", "vx", "vy", "x", "y"])
-        {
-            let exact = row.number(name);
-            let off = (value - exact).abs();
-            assert!(
-                off <= SHOWN * exact.abs().max(1.0),
-                "{} {name}: {value}, right is {exact}",
-                row.text("lambda")
-            );
-        }
-    });
-}
-
-#[test]
-fn the_drive() {
-    rows("explorer-anisotropic", cases(500), |row| {
-        let [q, lambda0, w] = ["q", "lambda0", "w"].map(|name| row.number(name));
-        let answer = anisotropic::motion(q, lambda0, w).unwrap();
-        let names = ["region", "mean_velocity", "largest_speed", "rest_share"];
-        let exact = names.map(|name| row.number(name));
-        for (i, (value, name)) in answer.values.iter().zip(names).enumerate() {
-            let off = (value - exact[i]).abs();
-            // On a border of the regions it may be that of a friction next to the given one.
-            let beside = |by: f64| anisotropic::motion(q, by * lambda0, w).unwrap().values[0];
-            let on_border = || [1.0 - NEXT, 1.0 + NEXT].map(beside).contains(&exact[0]);
-            assert!(
-                off <= SHOWN || name == "region" && on_border(),
-                "{q} {lambda0} {name}: {value}, right is {}",
-                exact[i]
-            );
-        }
-    });
-}
-
-#[test]
-fn the_turntable() {
-    let mut rng = fastrand::Rng::with_seed(20);
-    let mut rests = 0;
-    for _ in 0..cases(300) {
-        let [rho, u, v] = [
-            1.5 * rng.f64(),
-            4.0 * rng.f64() - 2.0,
-            4.0 * rng.f64() - 2.0,
-        ];
-        let values = turntable::motion(rho, [u, v]).unwrap().values;
-        let start = TurntableProblem::Cartesian {
-            position: [rho, 0.0],
-            velocity: [u, v],
-        };
-        let exact = start.fate().unwrap().best;
-        assert_eq!(values[0] == 1.0, exact.outcome == "rest", "{rho} {u} {v}");
-        if let (Some(sigma), Some(tau)) = (exact.sigma, exact.tau_rest) {
-            assert!(
-                (values[1] - sigma).abs() < SHOWN && (values[2] - tau).abs() < SHOWN,
-                "{rho} {u} {v}"
-            );
-            rests += 1;
-        }
-    }
-    assert!(rests > 30);
-}
 
 /// The slip of a sphere, u′ = sin φ x̂ − λ₀ u/|u|, with dφ = |u| ds; components φ, u_x, u_y, sin φ, cos φ.
 struct Slip(Double);

@@ -2,7 +2,6 @@
 //!
 //! What is found by a few words around the number has to be right; where the words are no longer there, nothing is asked.
 
-use super::items::List;
 use super::numbers::{literals, number, quotients, slots};
 use super::printed_part::Library;
 use super::text::{Page, Section, pages, sections_of};
@@ -35,13 +34,11 @@ enum Count {
     Among(fn(&Page) -> Vec<f64>),
     /// In the code of the same section.
     Code,
-    /// As many as there are.
-    Of(List),
     /// This placeholder and no other.
     Filled(&'static str),
 }
 
-use Count::{Among, Code, Filled, Is, Of};
+use Count::{Among, Code, Filled, Is};
 
 /// A page, words with `{}` for the number, and what it has to be.
 type Row = (&'static str, &'static str, Count);
@@ -61,11 +58,9 @@ counts! {
     "methods", "computed in numbers of {} digits" => Is(digits_of_two);
     "json", "in numbers of {} digits" => Is(digits_of_two);
     "methods", "sums of {} floating-point" => Is(parts_of_two);
-    "methods", "{} time scales" => Of(List::Items);
     "adding", "{} independent routes" => Is(routes_needed);
     "methods", "{} independent routes or by a proof" => Is(routes_needed);
     "own", "{} independent routes" => Is(routes_needed);
-    "methods", "{} rules look at" => Of(List::Items);
     "methods", "part in {} too strong" => Among(slips);
     "methods", "part in {} too early" => Among(slips);
     "methods", "a {} of 0 or of 1" => Is(|| edges("λ₀").map(|c| c.high - c.low).fold(0.0, f64::max));
@@ -76,14 +71,10 @@ counts! {
     "methods", "below a {} and" => Is(|| edges("β").find(|c| c.low == 0.0).unwrap().high);
     "general", "draws {} conclusions" => Is(|| without_number("general"));
     "general", "{} statements about every" => Is(|| without_number("general"));
-    "general", "{} things act on" => Of(List::Items);
-    "exam", "found in {} ways" => Of(List::Items);
     "exam", "second prints {} of them" => Among(|page| {
         let command = behind(&page.text, "slipbook exam --json > exam.json\nslipbook exam ").lines().next();
         command.iter().map(|line| line.split(' ').count() as f64).collect()
     });
-    "new", "the {} results that we" => Of(List::Sections);
-    "new", "proved to {} and measured" => Among(|_| certain().into_iter().collect());
     "new", "and measured to {}" => Is(critical);
     "new", "measured to {} digits" => Is(|| decimals(ESCAPE_LIMIT.value));
     "new", "of the logarithm to {}" => Is(|| decimals(ESCAPE_CORRECTION.value));
@@ -108,7 +99,6 @@ counts! {
     "json", "takes some {} steps" => Is(|| 10.0 * (steps() / 10.0).round());
     "json", "same for a {} starts" => Among(|_| timed().into_iter().take(1).collect());
     "json", "as for a {}" => Among(|_| timed().into_iter().skip(1).collect());
-    "json", "{} things make" => Of(List::Entries);
     "turntable", "next {} chapters" => Is(|| {
         let stems = PAPER.topics.iter().map(|topic| topic.stem);
         stems.skip_while(|stem| *stem != "turntable").skip(1).count() as f64
@@ -118,10 +108,6 @@ counts! {
         let start = Turning { t: 0.0, x: [0.0; 2], v: [0.0; 2] };
         (start.x.len() + start.v.len()) as f64
     });
-    "turntable", "feels {}" => Of(List::Items);
-    "turntable", "contains {} scales" => Of(List::Items);
-    "turntable", "{} projections" => Of(List::Boxes);
-    "turntable", "the {} products of" => Of(List::Boxes);
     "turntable", "grows at the rate {}" => Code;
     "turntable", "at {} turns a minute" => Code;
     "own", "{} equations are printed" => Among(|_| {
@@ -173,7 +159,6 @@ counts! {
         let launch = Launch::new(2.0, 1.0, 1.0, FRAC_PI_2).unwrap();
         launch.motion_to_rest().unwrap().end().t / (1.0 / 2.0) - 1.0
     });
-    "constant", "feels {} forces" => Of(List::Items);
     "constant", "with a {} of the time left" => Code;
     "constant", "about a {} of its initial value" => Code;
     "constant", "ends up with {} of its speed" => Code;
@@ -189,7 +174,6 @@ counts! {
     "sinusoidal", "{} zeros in a period" => Is(|| zeros(0.3));
     "sinusoidal", "{} passages per period" => Is(|| zeros(0.3));
     "sinusoidal", "vanishes at {} instants" => Code;
-    "sinusoidal", "describes {} stages" => Of(List::Headings("stage"));
     "sphere", "the {} instants of each period" => Is(|| zeros(0.3));
     "sphere", "printed formulas give {} that" => Is(|| {
         let start = Ball { t: 0.0, x: [0.0; 2], v: [0.0, 1.0], omega: [0.0; 3] };
@@ -202,7 +186,6 @@ counts! {
         let ball = Ball { t: 0.0, x: [0.0; 2], v: [0.0; 2], omega: [0.0; 3] };
         ball.omega.len() as f64
     });
-    "sphere", "does {} things" => Of(List::Items);
     "periodic", "at {} that distance after the maximum" => Is(|| {
         // A sine is 1 − x²/2 at its maximum.
         let swing = Drive::new(libm::sin, &[]).unwrap();
@@ -219,7 +202,6 @@ counts! {
     "periodic", "from none to {}" => Is(|| RESTS[1]);
     "periodic", "one {} and one again" => Is(|| RESTS[2]);
     "periodic", "and {} again" => Is(|| RESTS[3]);
-    "periodic", "{} ways to have none" => Of(List::Leads);
     "periodic", "{} times as strong" => Code;
     "periodic", "pull {} times as long" => Code;
     "periodic", "rests for a {} of each" => Code;
@@ -227,7 +209,6 @@ counts! {
     "anisotropic", "nearly {} points" => Is(|| (census::COLUMNS * census::ROWS).next_multiple_of(10_000) as f64);
     "anisotropic", "each of {} ×" => Code;
     "anisotropic", "× {} cells" => Code;
-    "anisotropic", "is E {} down from C" => Code;
     "anisotropic", "the one {} between them" => Code;
     "anisotropic", "here are {}" => Code;
     "anisotropic", "{} kinds of motion" => Is(|| PAPER.claims().filter(|(_, claim)| claim.id.starts_with("s24-region-")).count() as f64);
@@ -245,10 +226,6 @@ counts! {
     "anisotropic", "{} questions four borders" => Among(curves);
     "anisotropic", "questions {} borders" => Among(curves);
     "anisotropic", "{} questions decide what comes next" => Among(curves);
-    "related", "{} % of the steepest" => Is(|| {
-        let q = value("y-q");
-        (100.0 * (q - 1.0) / (q + 1.0)).round()
-    });
     "errata", "{} claims are false" => Filled("count wrong");
     "errata", "{} of them by an error of their own" => Filled("count roots");
     "errata", "{} because what they rest on" => Filled("count heirs");
@@ -265,21 +242,10 @@ counts! {
     "methods", "variants {} are rejected" => Filled("count rejected");
     "methods", "each of these {} mistakes" => Filled("count corners");
     "methods", "{} times in all" => Filled("count put");
-    "index", "all {} claims" => Filled("count claims");
     "index", "in {} comparisons" => Filled("count points");
-    "index", "proved for {}" => Filled("count proved");
-    "index", "argued for {}" => Filled("count argued");
-    "index", "measured for {}" => Filled("count measured");
-    "index", "{} claims need" => Filled("count conditional");
     "index", "in {} topics" => Filled("count results");
-    "index", "{} lost factors" => Filled("count factors");
     "index", "{} formulas have lost" => Filled("count factors");
     "index", "{} slips of the pen" => Filled("count misprint");
-    "index", "{} times it is a slip" => Filled("count misprint");
-    "index", "{} heirs" => Filled("count heirs");
-    "index", "it is § {} and not" => Filled("value p");
-    "index", "and not {}" => Filled("value p-printed");
-    "index", "is more than {}" => Filled("value critical-radius");
     "ledger", "all {} claims" => Filled("count claims");
 }
 
@@ -307,7 +273,6 @@ fn holds((_, pattern, count): &Row, page: &Page) -> Option<bool> {
                         .collect(),
                 )
             }
-            Of(list) => among(vec![list.length(&page.text, start) as f64]),
             Filled(placeholder) => slot
                 .iter()
                 .all(|word| word.text == format!("{{{placeholder}}}")),

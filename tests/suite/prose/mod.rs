@@ -14,7 +14,6 @@ mod directions;
 mod drawn;
 mod formulas;
 mod given;
-mod items;
 mod letters;
 mod meaning;
 mod mistakes;

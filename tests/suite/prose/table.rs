@@ -200,6 +200,7 @@ pub fn joined() -> Vec<Formula<Expr>> {
         symbols: symbols.to_vec(),
         value,
     };
+    let late = |path, value| formula(path, &["tau"], &["τ"], value);
     vec![
         formula(
             "slipbook::corrections::constant::time_of_ln_r",
@@ -207,29 +208,15 @@ pub fn joined() -> Vec<Formula<Expr>> {
             &["λ", "A", "v₀", "θ₀", "r"],
             corrections::time,
         ),
-        formula(
-            "slipbook::corrections::escape::late_a",
-            &["tau"],
-            &["τ"],
-            corrections::late_a,
-        ),
-        formula(
+        late("slipbook::corrections::escape::late_a", corrections::late_a),
+        late(
             "slipbook::corrections::escape::late_lag",
-            &["tau"],
-            &["τ"],
             corrections::late_lag,
         ),
-        formula(
+        late(
             "slipbook::corrections::escape::late_rho",
-            &["tau"],
-            &["τ"],
             corrections::late_rho,
         ),
-        formula(
-            "slipbook::corrections::escape::late_s",
-            &["tau"],
-            &["τ"],
-            corrections::late_s,
-        ),
+        late("slipbook::corrections::escape::late_s", corrections::late_s),
     ]
 }
