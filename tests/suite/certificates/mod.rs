@@ -1,11 +1,18 @@
-//! What the witnesses of the proofs say, held against each other and the words; whether it is so, `certificates/check.py` finds.
+//! A third look at the certificates, beside what wrote them and `certificates/check.py`, which is complete.
 
+mod modular;
+mod roots;
+
+use modular::{Unknown, list, place};
 use rayon::prelude::*;
 use serde_json::Value;
 use slipbook::claims::PAPER;
 use std::collections::BTreeSet;
 use std::hash::{DefaultHasher, Hash, Hasher};
 use std::sync::LazyLock;
+
+/// A change of a witness.
+type Spoil<'a> = &'a dyn Fn(&mut Value);
 
 /// A witness, with its claim and trial, and with what that says if it is no exact proof.
 struct Left {
@@ -46,19 +53,80 @@ fn witnesses() -> Vec<Left> {
 /// Proved once for all tests.
 static WITNESSES: LazyLock<Vec<Left>> = LazyLock::new(witnesses);
 
-fn list(x: &Value) -> &[Value] {
-    x.as_array().map_or(&[], Vec::as_slice)
+fn of_kind(kind: &str) -> impl Iterator<Item = &'static Left> {
+    let all = WITNESSES.iter();
+    all.filter(move |left| left.witness["kind"] == kind)
 }
 
-fn place(x: &Value) -> usize {
-    x.as_u64().unwrap() as usize
+#[test]
+fn the_equations_hold_for_numbers_modulo_a_prime_and_no_others_do() {
+    let mut random = fastrand::Rng::with_seed(1);
+    let (mut right, mut beyond, mut spoilt, mut missed) = (0_usize, Vec::new(), 0, Vec::new());
+    for Left { name, witness, .. } in of_kind("identity") {
+        // What is compared with itself is equal whatever it is.
+        for equal in list(&witness["equal"]) {
+            let [left, right] = ["left", "right"].map(|side| equal[side].as_u64());
+            assert_ne!(
+                left, right,
+                "{name}: {}: {}",
+                witness["title"], equal["says"]
+            );
+        }
+        match modular::holds(witness, &mut random) {
+            Ok(true) => right += 1,
+            Ok(false) => panic!("{name}: {} does not hold", witness["title"]),
+            Err(Unknown) => {
+                beyond.push(format!("{name}: {}", witness["title"]));
+                continue;
+            }
+        }
+        // Another value on a side of each equation.
+        let proved = list(&witness["equal"]).len() - usize::from(witness["fails"] == true);
+        for i in 0..proved {
+            let mut wrong = witness.clone();
+            let left = place(&wrong["equal"][i]["left"]);
+            let parts = wrong["parts"].as_array_mut().unwrap();
+            parts.push(serde_json::json!({"read": "7"}));
+            let last = parts.len();
+            parts.push(serde_json::json!({"sum": [left, last - 1]}));
+            wrong["equal"][i]["left"] = last.into();
+            spoilt += 1;
+            if modular::holds(&wrong, &mut random).unwrap_or(false) {
+                missed.push(name.clone());
+            }
+        }
+    }
+    assert!(missed.is_empty(), "{missed:?}");
+    assert!(right > 0 && spoilt > 0);
+    // Beyond it are those with series, with values put in for what others are made of, and with products of more powers than it tries.
+    assert!(10 * beyond.len() < right, "{beyond:#?}");
 }
 
-/// A number m·2^e, to the nearest f64.
-fn number(text: &Value) -> f64 {
-    let text = text.as_str().unwrap();
-    let (mantissa, exponent) = text.split_once("*2^").unwrap_or((text, "0"));
-    mantissa.parse::<f64>().unwrap() * exponent.parse::<f64>().unwrap().exp2()
+#[test]
+fn roots_are_where_they_are_said_to_be_and_nowhere_else() {
+    assert!(of_kind("root").next().is_some());
+    for Left { name, witness, .. } in of_kind("root") {
+        assert_eq!(roots::check(witness), Ok(()), "{name}");
+        let spoilt = |change: &dyn Fn(&mut Value)| {
+            let mut wrong = witness.clone();
+            change(&mut wrong);
+            roots::check(&wrong)
+        };
+        // Another root, another box, another function, another matrix.
+        let changes: [(&str, Spoil<'_>); 4] = [
+            ("the root", &|w| w["root"][0] = "3*2^0".into()),
+            ("a corner", &|w| {
+                w["within"][0][1] = w["within"][0][0].clone()
+            }),
+            ("a corner", &|w| {
+                w["functions"][0] = serde_json::json!(["+", w["functions"][0], "1"])
+            }),
+            ("the image", &|w| w["preconditioner"][0][0] = "0".into()),
+        ];
+        for (what, change) in changes {
+            assert_eq!(spoilt(change), Err(what), "{name}");
+        }
+    }
 }
 
 /// How each part of a proof is made, from what is read on, in a number; and whether a name occurs in it.
@@ -121,8 +189,7 @@ fn makings(witness: &Value) -> Vec<(u64, bool)> {
 #[test]
 fn no_equation_is_compared_twice() {
     let mut repeated = BTreeSet::new();
-    let identities = WITNESSES.iter();
-    for Left { name, witness, .. } in identities.filter(|left| left.witness["kind"] == "identity") {
+    for Left { name, witness, .. } in of_kind("identity") {
         let made = makings(witness);
         let mut seen = BTreeSet::new();
         for equal in list(&witness["equal"]) {
@@ -180,7 +247,7 @@ fn ranges_in_the_words_of_a_certificate_are_those_of_its_witnesses() {
         let boxes = || {
             let own = all.iter().filter(|left| left.name == *name);
             own.flat_map(|left| list(&left.witness["within"]))
-                .map(|side| [0, 1].map(|end| number(&side[end])))
+                .map(|side| [0, 1].map(|end| roots::number(&side[end])))
         };
         for range in ranges(says) {
             found += 1;
