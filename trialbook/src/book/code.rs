@@ -1,7 +1,7 @@
 //! The code behind the claims: the sources as pages of the book, and where in them a claim's parts stand.
 
 use super::error::Fault;
-use super::text::{count, escape};
+use super::text::{count, escape, in_code};
 use crate::publishing::{Edition, texts};
 use crate::trials::attempt::Attempt;
 use crate::trials::{Claim, Topic};
@@ -18,6 +18,11 @@ pub(super) struct Place {
 }
 
 impl Place {
+    fn new(file: &'static str, name: &str) -> Self {
+        let name = name.to_owned();
+        Place { file, name }
+    }
+
     /// The address within the book.
     pub(super) fn address(&self) -> String {
         let hash = if self.name.is_empty() { "" } else { "#" };
@@ -26,16 +31,11 @@ impl Place {
 
     /// A link, with the function's name or else the file's.
     pub(super) fn link(&self) -> String {
-        let words = if self.name.is_empty() {
-            self.file
-        } else {
-            &self.name
+        let words = match self.name.as_str() {
+            "" => self.file,
+            name => name,
         };
-        format!(
-            "<a href=\"{}\"><code>{}</code></a>",
-            self.address(),
-            escape(words)
-        )
+        format!("<a href=\"{}\">{}</a>", self.address(), in_code(words))
     }
 }
 
@@ -97,38 +97,26 @@ impl<'a> Code<'a> {
             .of_topic("paper", topic)
             .flat_map(|(file, source)| source.places.iter().map(move |f| (file, f.1)));
         let (file, name) = functions.find(|(_, name)| name.starts_with(&start))?;
-        Some(Place {
-            file,
-            name: name.to_owned(),
-        })
+        Some(Place::new(file, name))
     }
 
     /// The file of the corrections of a topic.
     pub(super) fn corrections(&self, topic: &Topic) -> Option<Place> {
         let (file, _) = self.of_topic("corrections", topic).next()?;
-        Some(Place {
-            file,
-            name: String::new(),
-        })
+        Some(Place::new(file, ""))
     }
 
     /// The side that knows no formula, for a topic.
     pub(super) fn motion(&self, topic: &Topic) -> Option<Place> {
         let file = (self.edition.sources.motion)(topic.stem)?;
         let (file, _) = self.files.get_key_value(file)?;
-        Some(Place {
-            file,
-            name: String::new(),
-        })
+        Some(Place::new(file, ""))
     }
 
     /// The entry of a claim.
     pub(super) fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let (file, _) = self.files.get_key_value(topic.file.name())?;
-        Some(Place {
-            file,
-            name: claim.id.to_owned(),
-        })
+        Some(Place::new(file, claim.id))
     }
 
     /// Where a trial is written.
@@ -143,10 +131,7 @@ impl<'a> Code<'a> {
         let file = self.files.keys().find(here)?;
         let name = trial.name();
         let name = name.rsplit_once("::").map_or(name, |(_, name)| name);
-        Some(Place {
-            file,
-            name: name.to_owned(),
-        })
+        Some(Place::new(file, name))
     }
 
     /// How much code stands in these modules, by their paths, without comments and tests.
@@ -163,15 +148,9 @@ impl<'a> Code<'a> {
         }
         let is_counted =
             |file: &str| !is_test(file) && modules.iter().any(|module| is_of_module(file, module));
-        let lines = all
-            .iter()
-            .filter(|(file, _)| is_counted(file))
-            .map(|(_, text)| lines_of_code(text))
-            .sum();
-        let names = modules
-            .iter()
-            .map(|module| format!("<code>{}</code>", escape(module)));
-        let names: Vec<_> = names.collect();
+        let counted = all.iter().filter(|(file, _)| is_counted(file));
+        let lines = counted.map(|(_, text)| lines_of_code(text)).sum();
+        let names: Vec<_> = modules.iter().map(|module| in_code(module)).collect();
         Ok(format!("{} lines in {}", count(lines), names.join(", ")))
     }
 
@@ -228,11 +207,10 @@ fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
 fn code_page(file: &str, source: &Source, book: &str) -> String {
     let text = source.text;
     let up = "../".repeat(file.matches('/').count() + 1);
+    // Of several places of a name, the first.
     let mut anchors = BTreeMap::new();
-    let mut taken: Vec<&str> = Vec::new();
     for (line, name) in source.places.iter().copied() {
-        if !taken.contains(&name) {
-            taken.push(name);
+        if !anchors.values().any(|taken| *taken == name) {
             anchors.insert(line, name);
         }
     }
@@ -290,14 +268,8 @@ fn highlight(line: &str, mut state: State, out: &mut String) -> State {
         } else if c.is_alphabetic() || c == '_' {
             let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_'));
             let end = end.unwrap_or(rest.len());
-            (
-                end,
-                if KEYWORDS.contains(&&rest[..end]) {
-                    "k"
-                } else {
-                    ""
-                },
-            )
+            let keyword = KEYWORDS.contains(&&rest[..end]);
+            (end, if keyword { "k" } else { "" })
         } else if rest.starts_with("'\"'") {
             (3, "s")
         } else {

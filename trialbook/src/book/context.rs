@@ -29,23 +29,35 @@ impl<'a> Context<'a> {
         self.ledger.entry(id).ok_or_else(unknown)
     }
 
+    /// The entries of the topic of this stem.
+    pub(super) fn of_topic(&self, stem: &str) -> impl Iterator<Item = &'a Entry> {
+        let entries = self.ledger.entries.iter();
+        entries.filter(move |entry| entry.topic.stem == stem)
+    }
+
     /// The link to where one sees a claim fail, if there is such a place.
     pub(super) fn watch(&self, id: &str) -> String {
         let mut places = self.edition.watch.iter();
         let place = places.find(|(claim, _)| *claim == id);
-        place.map_or_else(String::new, |(_, address)| {
-            format!(
-                " <a class=\"watch\" href=\"{}\">▶ watch</a>",
-                escape(address)
-            )
-        })
+        let link = |(_, address): &(_, &str)| {
+            let address = escape(address);
+            format!(" <a class=\"watch\" href=\"{address}\">▶ watch</a>")
+        };
+        place.map(link).unwrap_or_default()
     }
 
     /// The link to where the reader breaks the formula, if there is such a place.
     pub(super) fn breaks(&self, id: &str) -> String {
-        let place = (self.edition.breaks)(id);
-        place.map_or_else(String::new, |address| {
-            format!(" <a href=\"{}\">Break it yourself.</a>", escape(&address))
+        let place = (self.edition.breaks)(id).map(|address| escape(&address));
+        let link = |address| format!(" <a href=\"{address}\">Break it yourself.</a>");
+        place.map(link).unwrap_or_default()
+    }
+
+    /// A line of links to claims' boxes; nothing where there are none.
+    pub(super) fn neighbours(&self, words: &str, ids: &[&str]) -> Result<String, Fault> {
+        Ok(match self.links(ids)? {
+            none if none.is_empty() => none,
+            links => format!("<p class=\"neighbours\">{words} {links}</p>"),
         })
     }
 
@@ -57,9 +69,8 @@ impl<'a> Context<'a> {
             _ => "",
         };
         Ok(format!(
-            "<a href=\"{}.html#{}\" title=\"{}: {}\">{whose}{}</a>",
-            entry.topic.stem,
-            entry.claim.id,
+            "<a href=\"{}\" title=\"{}: {}\">{whose}{}</a>",
+            entry.address(),
             escape(entry.claim.plain),
             entry.judgement.verdict.words(),
             self.maths.words(&entry.claim.name())?

@@ -89,18 +89,15 @@ impl<'a> Filler<'a> {
             ["map", "key"] => block(map::key()),
             ["map", "list"] => block(map::list(context)?),
             ["errata", slugs @ ..] => {
-                let verdicts: Result<Vec<_>, _> =
-                    slugs.iter().map(|slug| verdict_of(slug)).collect();
-                block(errata::list(context, &verdicts?)?)
+                let verdicts = slugs.iter().map(|slug| verdict_of(slug));
+                let verdicts = verdicts.collect::<Result<Vec<_>, _>>()?;
+                block(errata::list(context, &verdicts)?)
             }
             ["lines", modules @ ..] => inline(context.code.lines(modules)?),
             ["routes"] => block(tables::routes(ledger)),
             ["tolerances"] => block(tables::tolerances(context)?),
             ["verdict", id] => inline(verdict(context.entry(id)?.judgement.verdict)),
-            ["points", id] => {
-                let evidence = &context.entry(id)?.evidence;
-                inline(count(evidence.iter().map(|e| e.points).sum()))
-            }
+            ["points", id] => inline(count(context.entry(id)?.points())),
             ["worst", id] => {
                 let none = || Fault::Placeholder(format!("no trial of `{id}` gave a disagreement"));
                 inline(size(context.entry(id)?.worst().ok_or_else(none)?.worst))
@@ -129,10 +126,8 @@ impl<'a> Filler<'a> {
     /// Fills a placeholder of the paper's own.
     fn own(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let mut own = self.context.edition.placeholders.iter();
-        let Some(own) = own.find(|own| own.name == placeholder) else {
-            let reason = "there is no such placeholder";
-            return Err(Fault::Placeholder(reason.into()));
-        };
+        let none = || Fault::Placeholder("there is no such placeholder".into());
+        let own = own.find(|own| own.name == placeholder).ok_or_else(none)?;
         (own.fill)(page).map_err(|failure| Fault::Placeholder(failure.to_string()))
     }
 
@@ -184,12 +179,10 @@ impl<'a> Filler<'a> {
         let before = placed.position(|rest| rest.starts_with(&format!("{id}}}}}")));
         let number = 1 + before.unwrap_or_default();
         let found = self.context.figures.iter().find(|figure| figure.id == id);
-        let figure =
-            found.ok_or_else(|| Fault::Placeholder(format!("there is no figure `{id}`")))?;
-        let svg = figure.svg.find("<svg").map(|start| &figure.svg[start..]);
-        let Some(svg) = svg else {
-            return Err(Fault::Placeholder("this figure is not an SVG".into()));
-        };
+        let none = || Fault::Placeholder(format!("there is no figure `{id}`"));
+        let figure = found.ok_or_else(none)?;
+        let no_svg = || Fault::Placeholder("this figure is not an SVG".into());
+        let svg = &figure.svg[figure.svg.find("<svg").ok_or_else(no_svg)?..];
         let parts = panels(svg);
         // A drawing with links is not one picture to a screen reader.
         let window = match (svg.contains("<a "), parts.len()) {

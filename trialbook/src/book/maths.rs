@@ -3,7 +3,7 @@
 use super::changes;
 use super::error::Fault;
 use super::rows::in_rows;
-use super::text::{escape, scientific};
+use super::text::{after_each, escape, scientific, without};
 use crate::notation::{Piece, pieces, plain_formula};
 use crate::trials::{Claim, Paper};
 use katex::macro_expander::MacroMap;
@@ -278,16 +278,12 @@ impl Forms {
 
     /// Lets `put` write each form, given what follows its mark; it says how much of that it has written, too.
     fn replaced(&self, html: &str, put: impl Fn(&Form, &str, &mut String) -> usize) -> String {
-        let mut out = String::with_capacity(html.len() * 8);
-        let mut parts = html.split(MARK.0);
-        out.push_str(parts.next().unwrap_or_default());
-        for part in parts {
+        after_each(html, MARK.0, |part, out| {
             let (number, after) = part.split_once(MARK.1).unwrap_or((part, ""));
             let formula = number.parse().ok().and_then(|n: usize| self.0.get(n));
-            let done = formula.map_or(0, |formula| put(formula, after, &mut out));
-            out.push_str(&after[done..]);
-        }
-        out
+            let done = formula.map_or(0, |formula| put(formula, after, out));
+            *out += &after[done..];
+        })
     }
 }
 
@@ -305,9 +301,7 @@ fn with_room(html: String) -> String {
 /// Puts braces around what stands under a root: katex-rs loses the room for the sign before a bare symbol.
 fn roots_in_braces(latex: &str) -> String {
     const ROOT: &str = r"\sqrt";
-    let mut parts = latex.split(ROOT);
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
+    after_each(latex, ROOT, |part, out| {
         let part = part.trim_start();
         let end = match part.chars().next() {
             None | Some('{' | '[') => 0,
@@ -317,26 +311,18 @@ fn roots_in_braces(latex: &str) -> String {
             }
             Some(c) => c.len_utf8(),
         };
-        out.push_str(ROOT);
+        *out += ROOT;
         match end {
-            0 => out.push_str(part),
-            end => out.push_str(&format!("{{{}}}{}", &part[..end], &part[end..])),
+            0 => *out += part,
+            end => *out += &format!("{{{}}}{}", &part[..end], &part[end..]),
         }
-    }
-    out
+    })
 }
 
 /// Leaves out the LaTeX source within the MathML, which the search would read as if it were text, and what stands around
 /// it there, which says nothing without it.
 fn without_annotation(html: &str) -> String {
-    let mut rest = html;
-    let mut kept = String::with_capacity(html.len());
-    while let Some(start) = rest.find("<annotation") {
-        kept.push_str(&rest[..start]);
-        const END: &str = "</annotation>";
-        rest = rest[start..].split_once(END).map_or("", |(_, after)| after);
-    }
-    kept += rest;
+    let kept = without(html, "<annotation", "</annotation>");
     [
         "<semantics>",
         "</semantics>",

@@ -1,7 +1,7 @@
 //! The pages: which there are, in which order, and their text.
 
 use crate::plotting::Figure;
-use crate::publishing::{Edition, Page, Part};
+use crate::publishing::{Edition, Page};
 use crate::trials::Topic;
 
 /// All pages, in the order of the book.
@@ -40,15 +40,10 @@ fn written(edition: &Edition, stem: &str) -> Option<&'static Page> {
 }
 
 fn topic_page(edition: &Edition, topic: &'static Topic, figures: &[Figure]) -> Page {
-    let text = match written(edition, topic.stem) {
-        Some(page) => page.text.clone(),
-        None => page_of_claims(topic, figures).into(),
-    };
+    let text = written(edition, topic.stem).map(|page| page.text.clone());
     Page {
-        stem: topic.stem,
-        part: Part::Read,
-        title: topic.title,
-        text,
+        text: text.unwrap_or_else(|| page_of_claims(topic, figures).into()),
+        ..Page::new(topic.stem, topic.title, "")
     }
 }
 

@@ -21,11 +21,9 @@ pub(super) fn shown(paper: &Paper, id: &str) -> Result<String, Fault> {
 fn short(text: &str) -> String {
     let value: f64 = text.parse().unwrap_or(f64::NAN);
     let before = libm::floor(libm::log10(value.abs().max(1e-4))) as i32;
-    let decimals = usize::try_from((3 - before).max(0)).unwrap_or(0);
-    let given = text
-        .split_once('.')
-        .map_or(0, |(_, decimals)| decimals.len());
-    format!("{value:.*}", decimals.min(given))
+    let decimals = usize::try_from(3 - before).unwrap_or(0);
+    let given = text.split_once('.').map_or("", |(_, decimals)| decimals);
+    format!("{value:.*}", decimals.min(given.len()))
 }
 
 /// All numbers by size: those with a name, and those of the cases by hand.
