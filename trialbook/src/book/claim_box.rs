@@ -149,13 +149,11 @@ pub(super) fn forms(
     let mut new = statement(context, claim, &new)?;
     if leading.is_some() {
         let next = statement(context, claim, corrected)?;
-        new.push_str(&format!(
-            "<p class=\"claim-label\">To the next order</p>{next}"
-        ));
+        new += &format!("<p class=\"claim-label\">To the next order</p>{next}");
     }
     if let Some(words) = words {
         let words = context.maths.words(words)?;
-        new.push_str(&format!("<p class=\"claim-words\">{words}</p>"));
+        new += &format!("<p class=\"claim-words\">{words}</p>");
     }
     Ok([statement(context, claim, &old)?, new])
 }
@@ -218,9 +216,7 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
         };
         let stated = condition.sort.words();
         let words = context.maths.words(condition.text)?;
-        html.push_str(&format!(
-            "<li class=\"{class}\">{words} <span class=\"tag\">{stated}</span></li>"
-        ));
+        html += &format!("<li class=\"{class}\">{words} <span class=\"tag\">{stated}</span></li>");
     }
     Ok(html + "</ul>")
 }
@@ -329,12 +325,12 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
     let farthest = farthest.filter(|pair| fails && !evidence.samples.contains(pair));
     let mut rows = String::new();
     for sample in evidence.samples.iter().chain(farthest) {
-        rows.push_str(&format!(
+        rows += &format!(
             "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
             maths.folded(&sample.at)?,
             value(sample.stated),
             value(sample.found)
-        ));
+        );
     }
     let (open, summary) = match fails {
         true => (" open", "Some of the values that disagree"),

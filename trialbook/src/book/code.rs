@@ -24,13 +24,13 @@ impl Place {
     }
 
     /// The address within the book.
-    pub(super) fn address(&self) -> String {
+    pub fn address(&self) -> String {
         let hash = if self.name.is_empty() { "" } else { "#" };
         format!("{}{hash}{}", page(self.file), self.name)
     }
 
     /// A link, with the function's name or else the file's.
-    pub(super) fn link(&self) -> String {
+    pub fn link(&self) -> String {
         let words = match self.name.as_str() {
             "" => self.file,
             name => name,
@@ -59,7 +59,7 @@ fn page(file: &str) -> String {
 }
 
 impl<'a> Code<'a> {
-    pub(super) fn new(edition: &'a Edition) -> Self {
+    pub fn new(edition: &'a Edition) -> Self {
         let files = (edition.sources.files)().into_iter().map(|(path, text)| {
             let places = functions(text).collect();
             (path, Source { text, places })
@@ -91,7 +91,7 @@ impl<'a> Code<'a> {
     }
 
     /// The printed formula of a numbered claim; none for words.
-    pub(super) fn printed(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+    pub fn printed(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let start = format!("eq{}_", claim.equation?);
         let mut functions = self
             .of_topic("paper", topic)
@@ -101,26 +101,26 @@ impl<'a> Code<'a> {
     }
 
     /// The file of the corrections of a topic.
-    pub(super) fn corrections(&self, topic: &Topic) -> Option<Place> {
+    pub fn corrections(&self, topic: &Topic) -> Option<Place> {
         let (file, _) = self.of_topic("corrections", topic).next()?;
         Some(Place::new(file, ""))
     }
 
     /// The side that knows no formula, for a topic.
-    pub(super) fn motion(&self, topic: &Topic) -> Option<Place> {
+    pub fn motion(&self, topic: &Topic) -> Option<Place> {
         let file = (self.edition.sources.motion)(topic.stem)?;
         let (file, _) = self.files.get_key_value(file)?;
         Some(Place::new(file, ""))
     }
 
     /// The entry of a claim.
-    pub(super) fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+    pub fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let (file, _) = self.files.get_key_value(topic.file.name())?;
         Some(Place::new(file, claim.id))
     }
 
     /// Where a trial is written.
-    pub(super) fn trial(&self, trial: &Attempt) -> Option<Place> {
+    pub fn trial(&self, trial: &Attempt) -> Option<Place> {
         let path = trial.file();
         let here = |file: &&&str| {
             let stem = file.trim_end_matches(".rs");
@@ -135,7 +135,7 @@ impl<'a> Code<'a> {
     }
 
     /// How much code stands in these modules, by their paths, without comments and tests.
-    pub(super) fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
+    pub fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
         let shown = self.files.iter().filter(|(file, _)| file.ends_with(".rs"));
         let shown = shown.map(|(file, source)| (format!("src/{file}"), source.text));
         let engine = texts(&ENGINE).into_iter();
@@ -155,7 +155,7 @@ impl<'a> Code<'a> {
     }
 
     /// The pages: address within the book, and HTML.
-    pub(super) fn pages(&self) -> impl Iterator<Item = (String, String)> {
+    pub fn pages(&self) -> impl Iterator<Item = (String, String)> {
         self.files
             .iter()
             .map(|(file, source)| (page(file), code_page(file, source, self.edition.title)))
@@ -218,12 +218,12 @@ fn code_page(file: &str, source: &Source, book: &str) -> String {
     let mut state = State::Plain;
     for (i, line) in text.lines().enumerate() {
         if let Some(name) = anchors.get(&i) {
-            code.push_str(&format!("<a id=\"{}\"></a>", escape(name)));
+            code += &format!("<a id=\"{}\"></a>", escape(name));
         }
         state = match file.ends_with(".rs") {
             true => highlight(line, state, &mut code),
             false => {
-                code.push_str(&escape(line));
+                code += &escape(line);
                 state
             }
         };

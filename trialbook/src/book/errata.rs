@@ -60,16 +60,16 @@ fn item(context: &Context<'_>, erratum: &Erratum) -> Result<String, Fault> {
     );
     let wrong = maths.words(&erratum.wrong)?;
     let watch = context.watch(erratum.id);
-    html.push_str(&format!("<p><strong>{wrong}</strong>{watch}</p>"));
+    html += &format!("<p><strong>{wrong}</strong>{watch}</p>");
     for (label, words) in [
         ("Reason", Some(&erratum.reason)),
         ("By hand", erratum.case.as_ref()),
     ] {
         if let Some(words) = words.filter(|words| !words.is_empty()) {
-            html.push_str(&format!(
+            html += &format!(
                 "<p><strong>{label}:</strong> {}.</p>",
                 maths.words(&sentence(words))?
-            ));
+            );
         }
     }
     let evidence = erratum.evidence.iter().map(|said| maths.words(said));

@@ -24,7 +24,7 @@ pub(super) struct Filler<'a> {
 }
 
 impl<'a> Filler<'a> {
-    pub(super) fn new(context: &'a Context<'a>, pages: &'a [Page]) -> Self {
+    pub fn new(context: &'a Context<'a>, pages: &'a [Page]) -> Self {
         Filler {
             context,
             pages,
@@ -33,7 +33,7 @@ impl<'a> Filler<'a> {
     }
 
     /// The first claim that no page has shown so far.
-    pub(super) fn without_box(&self) -> Option<&'a Entry> {
+    pub fn without_box(&self) -> Option<&'a Entry> {
         let boxed = self.boxed();
         let mut entries = self.context.ledger.entries.iter();
         entries.find(|entry| !boxed.contains(entry.claim.id))
@@ -44,7 +44,7 @@ impl<'a> Filler<'a> {
     }
 
     /// Fills one placeholder, given without its braces, on the page of this stem.
-    pub(super) fn fill(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
+    pub fn fill(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let context = self.context;
         let ledger = context.ledger;
         let words: Vec<_> = placeholder.split_whitespace().collect();

@@ -290,14 +290,14 @@ fn with_folds(html: &str) -> String {
         };
         folds += before.matches("<details").count();
         folds -= before.matches("</details>").count().min(folds);
-        out.push_str(before);
+        out += before;
         let listing = &listing[..end];
-        out.push_str(&match folds {
+        out += &match folds {
             0 => format!(
                 "<details class=\"listing\"><summary>The code that checks this</summary>{listing}</details>"
             ),
             _ => listing.to_owned(),
-        });
+        };
         rest = &rest[start + end..];
     }
     out + rest

@@ -112,12 +112,12 @@ pub(super) fn list(context: &Context<'_>) -> Result<String, Fault> {
         };
         let rows = context.of_topic(topic.stem).map(row);
         let rows = rows.collect::<Result<Vec<_>, Fault>>()?;
-        html.push_str(&format!(
+        html += &format!(
             "<details><summary>{}: {}</summary>{}</details>\n",
             topic.title,
             counted(rows.len(), "claim"),
             table("rests", ["Claim", "Verdict", "Rests on", "Carries"], rows)
-        ));
+        );
     }
     Ok(html)
 }

@@ -135,7 +135,7 @@ impl Setter {
 }
 
 impl Maths {
-    pub(super) fn new() -> Self {
+    pub fn new() -> Self {
         Maths(Mutex::new(Set {
             setter: Setter::new(),
             numbers: HashMap::new(),
@@ -144,7 +144,7 @@ impl Maths {
     }
 
     /// Sets what the claims will need, before they are tried. What cannot be set is reported where it is met.
-    pub(super) fn prepare(&self, paper: &Paper) {
+    pub fn prepare(&self, paper: &Paper) {
         let set = self.set_so_far();
         let words = |claim: &'static Claim| {
             let conditions = claim.conditions.iter().map(|condition| condition.text);
@@ -163,22 +163,22 @@ impl Maths {
     }
 
     /// A formula within a line.
-    pub(super) fn inline(&self, latex: &str) -> Result<String, Fault> {
+    pub fn inline(&self, latex: &str) -> Result<String, Fault> {
         self.set(latex, Place::Inline)
     }
 
     /// A formula on a line of its own.
-    pub(super) fn display(&self, latex: &str) -> Result<String, Fault> {
+    pub fn display(&self, latex: &str) -> Result<String, Fault> {
         self.set(latex, Place::Display)
     }
 
     /// Words with formulas in `$…$` or in our plain notation, as HTML.
-    pub(super) fn words(&self, text: &str) -> Result<String, Fault> {
+    pub fn words(&self, text: &str) -> Result<String, Fault> {
         self.said(text, Place::Inline)
     }
 
     /// The same, for words that stand behind a fold.
-    pub(super) fn folded(&self, text: &str) -> Result<String, Fault> {
+    pub fn folded(&self, text: &str) -> Result<String, Fault> {
         self.said(text, Place::Folded)
     }
 
@@ -227,7 +227,7 @@ impl Maths {
     }
 
     /// The formulas set so far.
-    pub(super) fn forms(&self) -> Forms {
+    pub fn forms(&self) -> Forms {
         self.set_so_far().forms.clone()
     }
 
@@ -238,7 +238,7 @@ impl Maths {
 
 impl Forms {
     /// Puts the formulas in place of their marks.
-    pub(super) fn with_formulas(&self, html: &str) -> String {
+    pub fn with_formulas(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), after, out| {
             // Browsers break a line between a formula and the full stop behind it or the bracket before it.
             let short = plain.chars().count() <= SHORT;
@@ -247,31 +247,31 @@ impl Forms {
             if begins || ends {
                 let bracket = if begins { out.pop() } else { None };
                 let open: String = bracket.into_iter().collect();
-                out.push_str(&format!(
+                *out += &format!(
                     "<span class=\"whole\">{open}{html}{}</span>",
                     &after[..usize::from(ends)]
-                ));
+                );
             } else {
-                out.push_str(html);
+                *out += html;
             }
             usize::from(ends)
         })
     }
 
     /// Puts plain text in place of the marks.
-    pub(super) fn with_words(&self, html: &str) -> String {
+    pub fn with_words(&self, html: &str) -> String {
         self.replaced(html, |(_, plain), _, out| {
-            out.push_str(plain);
+            *out += plain;
             0
         })
     }
 
     /// Puts MathML alone in place of the marks: a tenth of the text, for what is shown by a script.
-    pub(super) fn with_mathml(&self, html: &str) -> String {
+    pub fn with_mathml(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), _, out| {
             let from = html.find("<math").zip(html.find("</math>"));
             let math = from.map(|(start, end)| &html[start..end + "</math>".len()]);
-            out.push_str(math.unwrap_or(plain));
+            *out += math.unwrap_or(plain);
             0
         })
     }
@@ -380,12 +380,12 @@ fn write_tag(tag: &str, out: &mut String) {
     }
     attributes.sort_unstable();
     out.push('<');
-    out.push_str(name);
+    *out += name;
     for (key, value, quote) in attributes {
         let value = value.replace('\n', " ").replace('|', "&#124;");
-        out.push_str(&format!(" {key}={quote}{value}{quote}"));
+        *out += &format!(" {key}={quote}{value}{quote}");
     }
-    out.push_str(close);
+    *out += close;
 }
 
 #[cfg(test)]

@@ -47,10 +47,10 @@ pub(super) fn linked(page: &str, html: &str, addresses: &BTreeMap<u16, String>) 
         }
         if i > 0 {
             out.push('<');
-            out.push_str(&part[..part.len() - text.len()]);
+            out += &part[..part.len() - text.len()];
         }
         if apart > 0 || running == 0 {
-            out.push_str(text);
+            out += text;
             continue;
         }
         out += &after_each(text, "(", |part, out| {

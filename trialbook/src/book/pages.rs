@@ -26,11 +26,11 @@ pub(super) fn summary(pages: &[Page]) -> String {
     let mut last = None;
     for (i, page) in pages.iter().enumerate() {
         let link = format!("[{}]({})\n", page.title, page.file());
-        text.push_str(&match i {
+        text += &match i {
             0 => link,
             _ if last.replace(page.part) == Some(page.part) => format!("- {link}"),
             _ => format!("\n# {:?}\n\n- {link}", page.part),
-        });
+        };
     }
     text
 }
@@ -56,9 +56,9 @@ fn page_of_claims(topic: &Topic, figures: &[Figure]) -> String {
     );
     for claim in topic.claims() {
         if figures.iter().any(|figure| figure.id == claim.id) {
-            text.push_str(&format!("{{{{figure {}}}}}\n\n", claim.id));
+            text += &format!("{{{{figure {}}}}}\n\n", claim.id);
         }
-        text.push_str(&format!("{{{{claim {}}}}}\n\n", claim.id));
+        text += &format!("{{{{claim {}}}}}\n\n", claim.id);
     }
     text
 }

@@ -131,7 +131,7 @@ fn flat_digit(c: char) -> char {
 
 impl Search {
     /// An index of nothing yet, for a book with these claims.
-    pub(super) fn new(context: &Context<'_>) -> Self {
+    pub fn new(context: &Context<'_>) -> Self {
         let mut search = Search::default();
         for (address, phrases) in context.edition.aliases {
             let address = (*address).to_owned();
@@ -168,7 +168,7 @@ impl Search {
             let words = number.into_iter().chain(symbols).chain(sign);
             let words: Vec<_> = words.collect();
             let aliases = search.aliases.entry(address.clone()).or_default();
-            aliases.push_str(&format!(" {} {}", verdict.slug(), words.join(" ")));
+            *aliases += &format!(" {} {}", verdict.slug(), words.join(" "));
             search
                 .verdicts
                 .insert(address, [verdict.slug(), verdict.words()]);
@@ -177,7 +177,7 @@ impl Search {
     }
 
     /// Adds a page: its file, and its HTML with words for formulas.
-    pub(super) fn add(&mut self, file: &str, html: &str) {
+    pub fn add(&mut self, file: &str, html: &str) {
         let main = html.split_once("<main>").map_or("", |(_, rest)| rest);
         let main = main.split_once("</main>").map_or(main, |(main, _)| main);
         let first = self.stretches.len();
@@ -233,7 +233,7 @@ impl Search {
                 ) {
                     to.push(' ');
                 }
-                to.push_str(&unescape(text));
+                *to += &unescape(text);
             }
         }
         let mut chapter = String::new();
@@ -252,7 +252,7 @@ impl Search {
     }
 
     /// The file that mdBook's searcher loads.
-    pub(super) fn file(&self) -> Result<String, serde_json::Error> {
+    pub fn file(&self) -> Result<String, serde_json::Error> {
         let fields = ["title", "body", "breadcrumbs", "aliases"];
         let mut index: Index = IndexBuilder::with_language(Box::new(Physics(English::new())))
             .add_fields(fields)

@@ -154,12 +154,12 @@ pub(super) fn whole_ledger(context: &Context<'_>) -> Result<String, Fault> {
     for entry in &context.ledger.entries {
         let stem = entry.topic.stem;
         if seen.insert(stem) {
-            html.push_str(&format!(
+            html += &format!(
                 "<h2 id=\"ledger-{stem}\"><a class=\"header\" href=\"#ledger-{stem}\">{}{}</a></h2>\n",
                 sections(entry.topic),
                 escape(entry.topic.title)
-            ));
-            html.push_str(&topic(context, stem)?);
+            );
+            html += &topic(context, stem)?;
         }
     }
     Ok(html)

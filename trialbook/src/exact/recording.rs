@@ -36,7 +36,7 @@ pub(super) enum Made {
 
 impl Origin {
     /// The same origin of what was made in another way.
-    pub(super) fn made(self, made: Made) -> Self {
+    pub fn made(self, made: Made) -> Self {
         Origin { made, ..self }
     }
 }

@@ -205,13 +205,11 @@ impl Series {
             .filter(|(c, _)| !c.is_literally_zero())
             .map(|(c, k)| format!("[{}]{} + ", ring.text(c), power(k)))
             .collect();
-        text.push_str(
-            match self.order() + 1 {
-                0 => "O(1)".to_owned(),
-                k => format!("O({})", power(k).trim_start()),
-            }
-            .as_str(),
-        );
+        text += match self.order() + 1 {
+            0 => "O(1)".to_owned(),
+            k => format!("O({})", power(k).trim_start()),
+        }
+        .as_str();
         text
     }
 

@@ -166,7 +166,7 @@ impl Reader<'_> {
                 open = is_root;
             }
             let begins = out.len();
-            out.push_str(&item);
+            out += &item;
             if is_fraction && item.contains('/') {
                 match ends_with_function(&out[..begins]) {
                     true => bracket(&mut out, begins),

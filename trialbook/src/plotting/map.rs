@@ -85,12 +85,12 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["claim", "verdict", "rests on"]);
     let mut body = String::new();
     for (title, top) in lanes.iter().zip(&tops) {
-        body.push_str(&format!(
+        body += &format!(
             "<text class=\"lane\" x=\"{}\" y=\"{}\">{}</text>\n",
             number(MARGIN),
             number(top + 18.0),
             escape(title)
-        ));
+        );
     }
     for (i, node) in nodes.iter().enumerate() {
         let [x, y] = corner(i);
@@ -106,7 +106,7 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
             } else {
                 "step far"
             };
-            body.push_str(&format!(
+            body += &format!(
                 "<path class=\"{class}\" data-from=\"{on}\" data-to=\"{i}\" d=\"M{} {}C{} {} {} {} {} {}\"/>\n",
                 number(from[0]),
                 number(from[1]),
@@ -116,7 +116,7 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
                 number(to[1]),
                 number(to[0]),
                 number(to[1])
-            ));
+            );
             table.row([node.id.into(), node.words.into(), nodes[on].id.into()])?;
         }
         if node.on.is_empty() {
@@ -124,7 +124,7 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
         }
     }
     for (i, node) in nodes.iter().enumerate() {
-        body.push_str(&drawn(node, i, corner(i), &names[i]));
+        body += &drawn(node, i, corner(i), &names[i]);
     }
     let title = "The map of claims";
     let alt = "Boxes for all claims in a lane per chapter, each to the right of those it rests on, with lines between \

@@ -55,7 +55,7 @@ mod ticks;
 
 pub use axes::Axis;
 pub use csv::{Cell, Table};
-pub use marks::{Align, Area, Curve, Marker, Note, Points, Rule, Stroke};
+pub use marks::{Area, Curve, Marker, Note, Points, Rule, Stroke};
 pub use panel::Panel;
 pub use panels::panels;
 pub use plot::Plot;

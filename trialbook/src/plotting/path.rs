@@ -155,13 +155,13 @@ pub(super) fn data(pieces: &[Vec<Place>]) -> String {
     let mut out = String::new();
     for piece in pieces {
         for (i, p) in piece.iter().enumerate() {
-            out.push_str(match i {
+            out += match i {
                 0 => "M",
                 1 => "L",
                 _ => " ",
-            });
+            };
             let tenths = |value: f64| number(libm::round(10.0 * value) / 10.0);
-            out.push_str(&format!("{} {}", tenths(p[0]), tenths(p[1])));
+            out += &format!("{} {}", tenths(p[0]), tenths(p[1]));
         }
     }
     out

@@ -49,7 +49,7 @@ pub(super) enum Colour {
 
 impl Colour {
     /// The CSS value.
-    pub(super) fn css(self) -> String {
+    pub fn css(self) -> String {
         match self {
             Colour::Ink => "currentColor".into(),
             Colour::Series(n) => {
