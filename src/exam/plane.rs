@@ -67,7 +67,7 @@ pub(super) const TURNING: Task = Task {
             let value = &cube * s + int(8, s) * s - int(3, s);
             Some([value, int(4, s) * &cube + int(8, s)])
         };
-        Ok(refine(quartic, Interval::new(0.3, 0.4), bits)?.value)
+        refine(quartic, Interval::new(0.3, 0.4), bits)
     })),
 };
 

@@ -189,7 +189,7 @@ fn rest_fraction(lambda: f64) -> Result<Answer, ExamError> {
 fn slip(n: i64, m: i64, near: f64, bits: usize) -> Result<[Ball; 3], CertifiedError> {
     let lambda = super::ratio(n, m, bits + 16)?;
     let from = valued(lambda.asin())?;
-    let to = drive::slip_end(&lambda, &from, near, bits)?.value;
+    let to = drive::slip_end(&lambda, &from, near, bits)?;
     Ok([lambda, from, to])
 }
 

@@ -9,7 +9,7 @@ use crate::scalar::Scalar;
 use trialbook::certified::ball::Ball;
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
-use trialbook::certified::root::{Root, refine, refine_written};
+use trialbook::certified::root::{refine, refine_written};
 
 /// Bits beyond those asked for that what follows a root may cost.
 const SPARE: usize = 16;
@@ -28,7 +28,7 @@ fn valued(ball: Option<Ball>, bits: usize) -> Result<Ball, CertifiedError> {
 ///
 /// # Errors
 /// None that is known; those of [`refine`].
-pub fn critical_phase(bits: usize) -> Result<Root, CertifiedError> {
+pub fn critical_phase(bits: usize) -> Result<Ball, CertifiedError> {
     let pi = Ball::pi(bits + SPARE);
     let arc = |phi: &Ball| {
         let [s, c] = phi.sin_cos();
@@ -44,7 +44,7 @@ pub fn critical_phase(bits: usize) -> Result<Root, CertifiedError> {
 /// # Errors
 /// As [`critical_phase`].
 pub fn lambda_c(bits: usize) -> Result<Ball, CertifiedError> {
-    let [sine, _] = critical_phase(bits + SPARE)?.value.sin_cos();
+    let [sine, _] = critical_phase(bits + SPARE)?.sin_cos();
     Ok(sine.with_bits(bits))
 }
 
@@ -58,7 +58,7 @@ pub fn slip_end(
     phi1: &Ball,
     near: f64,
     bits: usize,
-) -> Result<Root, CertifiedError> {
+) -> Result<Ball, CertifiedError> {
     let [_, c1] = phi1.sin_cos();
     let arc = |phi: &Ball| {
         let [s, c] = phi.sin_cos();
@@ -73,7 +73,7 @@ pub fn slip_end(
 ///
 /// # Errors
 /// None that is known; those of [`refine`].
-pub fn touching_length(bits: usize) -> Result<Root, CertifiedError> {
+pub fn touching_length(bits: usize) -> Result<Ball, CertifiedError> {
     let arc = |x: &Ball| {
         let [s, c] = x.sin_cos();
         Some([x * c - &s, -(x * s)])
@@ -87,7 +87,7 @@ pub fn touching_length(bits: usize) -> Result<Root, CertifiedError> {
 /// # Errors
 /// As [`touching_length`].
 pub fn y(bits: usize) -> Result<[Ball; 2], CertifiedError> {
-    let x = touching_length(bits + SPARE)?.value;
+    let x = touching_length(bits + SPARE)?;
     let q = valued((Ball::int(1, x.bits()) + &x * &x).sqrt(), bits + SPARE)?;
     let lambda = valued(Ball::int(1, q.bits()).over(&q), bits)?;
     Ok([q.with_bits(bits), lambda])
@@ -156,7 +156,7 @@ pub fn reversals_end(edge: Edge, q: &Ball, near: f64, bits: usize) -> Result<Bal
             Edge::End => [cosine - c - lost, s + lambda - rate * way],
         })
     };
-    let beta = refine(arc, Interval::point(near).widened(0.01), bits + SPARE)?.value;
+    let beta = refine(arc, Interval::point(near).widened(0.01), bits + SPARE)?;
     let [s, _] = beta.sin_cos();
     valued(s.over(q), bits)
 }

@@ -9,7 +9,7 @@ use trialbook::certified::error::CertifiedError;
 pub const LAMBDA_C: Enclosure = Enclosure(drive::lambda_c);
 
 /// The phase at which the slip begins at the critical friction.
-pub const CRITICAL_PHASE: Enclosure = Enclosure(|bits| Ok(drive::critical_phase(bits)?.value));
+pub const CRITICAL_PHASE: Enclosure = Enclosure(drive::critical_phase);
 
 /// Where the forward slip ends at λ₀ = 1/√2.
 pub const SLIP_END_FIG_4: Enclosure = Enclosure(|bits| {
@@ -26,7 +26,7 @@ pub const SLIP_END_3_5: Enclosure = Enclosure(|bits| slip_end_at(3, 5, 3.523, bi
 pub const SLIP_END_9_10: Enclosure = Enclosure(|bits| slip_end_at(9, 10, 2.482, bits));
 
 /// The length of the forward motion at Y, the root of tan x = x between π and 3π/2.
-pub const X_Y: Enclosure = Enclosure(|bits| Ok(drive::touching_length(bits)?.value));
+pub const X_Y: Enclosure = Enclosure(drive::touching_length);
 
 /// The q of Y.
 pub const Q_Y: Enclosure = Enclosure(|bits| drive::y(bits).map(|[q, _]| q));
@@ -81,5 +81,5 @@ fn slip_end(
     bits: usize,
 ) -> Result<Ball, CertifiedError> {
     let phi1 = phi1.ok_or_else(|| no_value(lambda))?;
-    Ok(drive::slip_end(lambda, &phi1, near, bits)?.value)
+    drive::slip_end(lambda, &phi1, near, bits)
 }

@@ -26,11 +26,7 @@ fn without(text: &str, open: &str, close: &str) -> String {
 #[test]
 fn the_letters_can_be_sent() {
     let ledger = &*LEDGER;
-    let [text, latex, json] =
-        [Format::Text, Format::Latex, Format::Json].map(|format| ledger.letter(format).unwrap());
-    for (claim, _) in PAPER.cases() {
-        assert!(json.contains(&format!("\"id\": \"{}\"", claim.id)));
-    }
+    let [text, latex] = [Format::Text, Format::Latex].map(|format| ledger.letter(format).unwrap());
     assert!(text.lines().all(|line| line.chars().count() <= 78));
     let foreign: Vec<_> = latex.chars().filter(|c| !c.is_ascii()).collect();
     assert!(foreign.is_empty(), "no LaTeX for {foreign:?}");

@@ -16,6 +16,8 @@
 #[cfg(feature = "trials")]
 mod corner;
 #[cfg(feature = "trials")]
+mod mistake;
+#[cfg(feature = "trials")]
 mod number;
 #[cfg(feature = "trials")]
 mod parts;
@@ -23,191 +25,12 @@ mod parts;
 pub mod reading;
 
 #[cfg(feature = "trials")]
-pub use corner::Corner;
-#[cfg(feature = "trials")]
-pub use number::{Seeded, evaluate};
-#[cfg(feature = "trials")]
-pub use parts::{Formula, Parts, Symbol, letters, symbol};
-
-#[cfg(feature = "trials")]
-use std::cell::Cell;
-
-/// What is changed at a place.
-#[cfg(feature = "trials")]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Mistake {
-    /// The sign.
-    Sign,
-    /// A factor of 2.
-    Factor,
-    /// An argument, for the one of this number.
-    Symbol(usize),
-    /// An exponent or a whole number, one more; sin for cos and the like; a product for a quotient.
-    More,
-    /// A whole number or the exponent of a square, one less; the other sign of an exponent; 1 for π.
-    Less,
-    /// An inverse function on its other branch: over the upper half of its range, or the lower.
-    Branch(bool),
-    /// Not at a place but of the value: as large a part of it too much as one over this number; too little where it is
-    /// negative.
-    Part(i64),
-    /// Not at a place but of the value: a hundredth too much where the argument of this number is in the corner.
-    Corner(&'static Corner, usize),
-}
-
-#[cfg(feature = "trials")]
-impl Mistake {
-    /// What of the value is too much, as in [`Mistake::Part`], at these arguments.
-    fn part<S: crate::scalar::Scalar>(self, arguments: &[S]) -> Option<i64> {
-        match self {
-            Mistake::Part(part) => Some(part),
-            Mistake::Corner(corner, i) => {
-                let here = arguments[i].nearest().is_some_and(|x| corner.holds(x));
-                here.then_some(100)
-            }
-            _ => None,
-        }
-    }
-}
-
-/// A place that an evaluation passes: where an argument is read, or what an operation gives.
-#[cfg(feature = "trials")]
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Place {
-    /// The argument of this number is read.
-    Argument(usize),
-    /// An operation: whether it can be done with [`Mistake::More`], and with [`Mistake::Less`].
-    Operation([bool; 2]),
-    /// An inverse function, which can be done with [`Mistake::More`] and [`Mistake::Branch`].
-    Inverse,
-}
-
-#[cfg(feature = "trials")]
-impl Place {
-    /// The mistakes that can be made here, in a formula with so many arguments.
-    fn mistakes(self, arguments: usize) -> Vec<Mistake> {
-        let mut all = vec![Mistake::Sign, Mistake::Factor];
-        match self {
-            Place::Argument(here) => {
-                all.push(Mistake::More);
-                let others = (0..arguments).filter(|other| *other != here);
-                all.extend(others.map(Mistake::Symbol));
-            }
-            Place::Operation([more, less]) => {
-                all.extend(more.then_some(Mistake::More));
-                all.extend(less.then_some(Mistake::Less));
-            }
-            Place::Inverse => all.push(Mistake::More),
-        }
-        all
-    }
-}
-
-/// A mistake at a place of a formula.
-#[cfg(feature = "trials")]
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seed {
-    /// The formula's path: `some_crate::some_topic::eq13_time`.
-    pub formula: &'static str,
-    /// The number of the place, in the order of evaluation.
-    pub place: usize,
-    /// The mistake.
-    pub mistake: Mistake,
-}
-
-#[cfg(feature = "trials")]
-impl Seed {
-    /// A mistake of the value, at no place.
-    pub fn of_value(formula: &'static str, mistake: Mistake) -> Self {
-        Seed {
-            formula,
-            place: usize::MAX,
-            mistake,
-        }
-    }
-}
-
-#[cfg(feature = "trials")]
-thread_local! {
-    static SEED: Cell<Option<Seed>> = const { Cell::new(None) };
-    /// How many places the evaluation has passed, and the one that is wanted.
-    static PASSED: Cell<(usize, usize)> = const { Cell::new((0, usize::MAX)) };
-    /// That place.
-    static PLACE: Cell<Option<Place>> = const { Cell::new(None) };
-}
-
-/// Calls `f` with the mistake seeded on this thread, and on no other.
-#[cfg(feature = "trials")]
-pub fn with<T>(seed: Seed, f: impl FnOnce() -> T) -> T {
-    struct Before(Option<Seed>);
-    impl Drop for Before {
-        fn drop(&mut self) {
-            SEED.set(self.0);
-        }
-    }
-    let _before = Before(SEED.replace(Some(seed)));
-    f()
-}
-
-/// Calls `f` with no mistake seeded on this thread.
-#[cfg(feature = "trials")]
-pub fn without<T>(f: impl FnOnce() -> T) -> T {
-    let seed = SEED.take();
-    let value = f();
-    SEED.set(seed);
-    value
-}
-
-/// True if a mistake is seeded in one of these formulas.
-#[cfg(feature = "trials")]
-pub fn is_in_any(formulas: &std::collections::BTreeSet<&'static str>) -> bool {
-    SEED.get()
-        .is_some_and(|seed| formulas.contains(seed.formula))
-}
-
-/// The formula of this path is read: true if a mistake is seeded in it.
-#[cfg(feature = "trials")]
-pub fn is_in(formula: &'static str) -> bool {
-    reading::note(formula);
-    SEED.get().is_some_and(|seed| seed.formula == formula)
-}
-
-/// The places that `evaluation` of the formula of this path passes, in order.
-#[cfg(feature = "trials")]
-pub fn places(formula: &'static str, evaluation: impl Fn()) -> Vec<Place> {
-    // Where it is made it does no harm: only the place is of interest.
-    let mistake = Mistake::Branch(true);
-    let pass = |place| {
-        let seed = Seed {
-            formula,
-            place,
-            mistake,
-        };
-        PLACE.set(None);
-        with(seed, &evaluation);
-        PLACE.take()
-    };
-    (0..).map_while(pass).collect()
-}
-
-/// An evaluation with the seeded mistake begins.
-#[cfg(feature = "trials")]
-fn begin() {
-    PASSED.set((0, SEED.get().map_or(usize::MAX, |seed| seed.place)));
-}
-
-/// Passes a place: the mistake to make there, if any.
-#[cfg(feature = "trials")]
-#[inline]
-fn pass(place: Place) -> Option<Mistake> {
-    let (passed, wanted) = PASSED.get();
-    PASSED.set((passed + 1, wanted));
-    if passed != wanted {
-        return None;
-    }
-    PLACE.set(Some(place));
-    SEED.get().map(|seed| seed.mistake)
-}
+pub use {
+    corner::Corner,
+    mistake::{Mistake, Place, Seed, is_in, is_in_any, places, with, without},
+    number::{Seeded, evaluate},
+    parts::{Formula, Parts, Symbol, letters, symbol},
+};
 
 /// Code of [`formulas!`] for mistakes that are seeded: with this crate's feature, whatever features the formulas' own crate has.
 #[cfg(feature = "trials")]

@@ -3,7 +3,6 @@
 /// Marks what follows it in braces; [`Maths`](super::maths::Maths) knows it.
 pub(super) const MARK: &str = r"\changed";
 
-/// A part of a formula.
 #[derive(Debug, Clone, PartialEq)]
 enum Part<'a> {
     /// What is compared as a whole: a character, a command, what stands between `\left` and its `\right`.
@@ -169,10 +168,10 @@ fn compare(a: &[Part<'_>], b: &[Part<'_>]) -> [String; 2] {
         let (one, two) = (&a[i..next], &b[j..other]);
         let texts = opened(one, two).unwrap_or_else(|| [mark(one), mark(two)]);
         for (text, more) in out.iter_mut().zip(texts) {
-            text.push_str(&more);
+            *text += &more;
         }
         for (text, same) in out.iter_mut().zip([a.get(next), b.get(other)]) {
-            text.push_str(&same.map_or(String::new(), latex));
+            *text += &same.map_or(String::new(), latex);
         }
         (i, j) = (next + 1, other + 1);
     }
@@ -188,7 +187,7 @@ fn opened(one: &[Part<'_>], two: &[Part<'_>]) -> Option<[String; 2]> {
     let mut out = [String::new(), String::new()];
     let mut push = |texts: [String; 2]| {
         for (out, text) in out.iter_mut().zip(texts) {
-            out.push_str(&text);
+            *out += &text;
         }
     };
     match (one, two) {

@@ -84,8 +84,17 @@ pub(super) fn statement(
     }
 }
 
+/// What a claim states, within a line.
+pub(super) fn statement_in_line(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
+    if is_formula(claim, claim.latex) {
+        context.maths.inline(claim.latex)
+    } else {
+        context.maths.words(claim.latex)
+    }
+}
+
 /// A numbered claim is a formula unless formulas stand within it.
-pub(super) fn is_formula(claim: &Claim, latex: &str) -> bool {
+fn is_formula(claim: &Claim, latex: &str) -> bool {
     claim.equation.is_some() && !latex.contains('$')
 }
 
@@ -129,37 +138,30 @@ pub(super) fn forms(
     claim: &Claim,
     corrected: &str,
 ) -> Result<[String; 2], Fault> {
-    let formulas = [claim.latex, corrected]
-        .iter()
-        .all(|latex| is_formula(claim, latex));
-    let (corrected, words) = match formulas {
-        true => apart(corrected),
-        false => (corrected, None),
-    };
-    let leading = leading(corrected).filter(|_| formulas);
-    let [old, new] = match formulas {
-        true => changes::marked(claim.latex, leading.unwrap_or(corrected)),
-        false => [claim.latex, corrected].map(str::to_owned),
-    };
+    let both = [claim.latex, corrected];
+    if !both.iter().all(|latex| is_formula(claim, latex)) {
+        let [old, new] = both.map(|latex| statement(context, claim, latex));
+        return Ok([old?, new?]);
+    }
+    let (corrected, words) = apart(corrected);
+    let leading = leading(corrected);
+    let [old, new] = changes::marked(claim.latex, leading.unwrap_or(corrected));
     let mut new = statement(context, claim, &new)?;
     if leading.is_some() {
         let next = statement(context, claim, corrected)?;
-        new.push_str(&format!(
-            "<p class=\"claim-label\">To the next order</p>{next}"
-        ));
+        new += &format!("<p class=\"claim-label\">To the next order</p>{next}");
     }
     if let Some(words) = words {
         let words = context.maths.words(words)?;
-        new.push_str(&format!("<p class=\"claim-words\">{words}</p>"));
+        new += &format!("<p class=\"claim-words\">{words}</p>");
     }
     Ok([statement(context, claim, &old)?, new])
 }
 
 /// A formula without the words that stand behind it, which may be too long for its line, and these.
 fn apart(latex: &str) -> (&str, Option<&str>) {
-    let parts = latex.split_once(r"\quad\text{");
-    let parts = parts.and_then(|(formula, words)| Some((formula, words.strip_suffix('}')?)));
-    match parts {
+    let parts = latex.strip_suffix('}');
+    match parts.and_then(|latex| latex.split_once(r"\quad\text{")) {
         Some((formula, words)) if !words.contains(['{', '}']) => (formula, Some(words)),
         _ => (latex, None),
     }
@@ -190,13 +192,10 @@ fn by_hand(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let Some(case) = entry.claim.by_hand.filter(|_| fails) else {
         return Ok(String::new());
     };
-    let words = case
-        .words()
-        .map_err(|failure| Fault::Placeholder(failure.to_string()))?;
     Ok(format!(
         "<div class=\"by-hand\"><p><strong>Why:</strong> {}.</p><p><strong>By hand:</strong> {}.{}</p></div>",
         context.maths.words(&sentence(case.reason))?,
-        context.maths.words(&sentence(&words))?,
+        context.maths.words(&sentence(&case.words()?))?,
         context.watch(entry.claim.id)
     ))
 }
@@ -214,9 +213,7 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
         };
         let stated = condition.sort.words();
         let words = context.maths.words(condition.text)?;
-        html.push_str(&format!(
-            "<li class=\"{class}\">{words} <span class=\"tag\">{stated}</span></li>"
-        ));
+        html += &format!("<li class=\"{class}\">{words} <span class=\"tag\">{stated}</span></li>");
     }
     Ok(html + "</ul>")
 }
@@ -229,7 +226,7 @@ fn linked(context: &Context<'_>, words: &str) -> Result<String, Fault> {
         let (title, after) = part.split_once('”').unwrap_or((part, ""));
         let mut entries = context.ledger.entries.iter();
         let entry = entries.find(|entry| entry.claim.title == title);
-        let none = || Fault::Placeholder(format!("no claim has the title “{title}”"));
+        let none = || format!("no claim has the title “{title}”");
         out += &(context.link(entry.ok_or_else(none)?)? + after);
     }
     Ok(out)
@@ -255,14 +252,11 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let trials = entry.evidence.iter().enumerate();
     let (proofs, others): (Vec<_>, Vec<_>) = trials.partition(|(_, e)| e.route.is_proof());
     let conditional = entry.is_conditional();
-    let items: Result<String, Fault> = proofs
-        .into_iter()
-        .chain(others)
-        .map(|(i, e)| {
-            let checked = certificates::line(context, entry, e);
-            trial(context, e, (conditional, &checked), code(i).as_ref())
-        })
-        .collect();
+    let items = proofs.into_iter().chain(others).map(|(i, e)| {
+        let checked = certificates::line(context, entry, e);
+        trial(context, e, (conditional, &checked), code(i).as_ref())
+    });
+    let items = items.collect::<Result<String, Fault>>()?;
     let Tally { rejected, tried } = entry.tally();
     let variants = match tried {
         0 => String::new(),
@@ -274,8 +268,7 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         ),
     };
     Ok(format!(
-        "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{}</ul>{}{variants}",
-        items?,
+        "<p class=\"claim-label\">Trials</p><ul class=\"trials\">{items}</ul>{}{variants}",
         deep::line(context, entry)
     ))
 }
@@ -297,14 +290,12 @@ fn trial(
         Outcome::TooFewPoints => ("open", "has too few points"),
     };
     let proved = evidence.proof_words();
-    let proof = match proved {
-        Some(_) if !evidence.steps.is_empty() => lemmas::steps(context, &evidence.steps)?,
-        _ => String::new(),
-    };
-    let reason = match proved {
-        Some(_) => String::new(),
-        None => format!(" Tolerance: {}.", maths.words(evidence.tolerance.reason)?),
-    };
+    let (mut proof, mut reason) = (String::new(), String::new());
+    if proved.is_none() {
+        reason = format!(" Tolerance: {}.", maths.words(evidence.tolerance.reason)?);
+    } else if !evidence.steps.is_empty() {
+        proof = lemmas::steps(context, &evidence.steps)?;
+    }
     Ok(format!(
         "<li class=\"{class}\"><p><strong>{route}</strong>, {about}: <span class=\"outcome\">{outcome}</span>. \
          {compared}{code}</p><p class=\"measure\">{measured}{reason}</p>{checked}{proof}{samples}</li>",
@@ -331,12 +322,12 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
     let farthest = farthest.filter(|pair| fails && !evidence.samples.contains(pair));
     let mut rows = String::new();
     for sample in evidence.samples.iter().chain(farthest) {
-        rows.push_str(&format!(
+        rows += &format!(
             "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td></tr>",
             maths.folded(&sample.at)?,
             value(sample.stated),
             value(sample.found)
-        ));
+        );
     }
     let (open, summary) = match fails {
         true => (" open", "Some of the values that disagree"),
@@ -351,17 +342,8 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
 
 /// What the claim depends on, and what depends on it.
 fn neighbours(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
-    let users = context.users(claim.id);
-    let mut html = String::new();
-    for (word, ids) in [("Depends on", claim.depends_on), ("Used by", &users)] {
-        if !ids.is_empty() {
-            html.push_str(&format!(
-                "<p class=\"neighbours\">{word} {}</p>",
-                context.links(ids)?
-            ));
-        }
-    }
-    Ok(html)
+    Ok(context.neighbours("Depends on", claim.depends_on)?
+        + &context.neighbours("Used by", &context.users(claim.id))?)
 }
 
 /// Links to the code of both sides, and to where they meet.
@@ -374,10 +356,8 @@ fn code(context: &Context<'_>, entry: &Entry) -> String {
         ("motion", code.motion(topic)),
         ("claim", code.entry(topic, claim)),
     ];
-    let links = places
-        .into_iter()
-        .filter_map(|(word, place)| Some(format!("{word} {}", place?.link())));
-    let links: Vec<_> = links.collect();
+    let link = |(word, place): (_, Option<Place>)| Some(format!("{word} {}", place?.link()));
+    let links: Vec<_> = places.into_iter().filter_map(link).collect();
     match links.is_empty() {
         true => String::new(),
         false => format!("<p class=\"neighbours\">Code: {}</p>", links.join(", ")),
@@ -388,15 +368,12 @@ fn code(context: &Context<'_>, entry: &Entry) -> String {
 fn source(claim: &Claim) -> String {
     let has_formula = |latex: &&str| is_formula(claim, latex) || latex.contains('$');
     let forms = [Some(claim.latex), claim.correction.map(|c| c.latex)];
-    let code: String = forms
-        .into_iter()
-        .flatten()
-        .filter(has_formula)
-        .map(|latex| {
-            let latex = escape(latex);
-            format!("<pre><code class=\"language-text nohighlight\">{latex}</code></pre>")
-        })
-        .collect();
+    let block = |latex| {
+        let latex = escape(latex);
+        format!("<pre><code class=\"language-text nohighlight\">{latex}</code></pre>")
+    };
+    let forms = forms.into_iter().flatten().filter(has_formula);
+    let code: String = forms.map(block).collect();
     if code.is_empty() {
         return code;
     }

@@ -1,14 +1,13 @@
 //! The code behind the claims: the sources as pages of the book, and where in them a claim's parts stand.
 
 use super::error::Fault;
-use super::text::{count, escape};
+use super::text::{count, escape, in_code};
 use crate::publishing::{Edition, texts};
 use crate::trials::attempt::Attempt;
 use crate::trials::{Claim, Topic};
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 
-/// A place in the code.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Place {
     /// The file below `src`, or that of a topic's claims.
@@ -18,48 +17,45 @@ pub(super) struct Place {
 }
 
 impl Place {
+    fn new(file: &'static str, name: &str) -> Self {
+        let name = name.to_owned();
+        Place { file, name }
+    }
+
     /// The address within the book.
-    pub(super) fn address(&self) -> String {
+    pub fn address(&self) -> String {
         let hash = if self.name.is_empty() { "" } else { "#" };
         format!("{}{hash}{}", page(self.file), self.name)
     }
 
     /// A link, with the function's name or else the file's.
-    pub(super) fn link(&self) -> String {
-        let words = if self.name.is_empty() {
-            self.file
-        } else {
-            &self.name
+    pub fn link(&self) -> String {
+        let words = match self.name.as_str() {
+            "" => self.file,
+            name => name,
         };
-        format!(
-            "<a href=\"{}\"><code>{}</code></a>",
-            self.address(),
-            escape(words)
-        )
+        format!("<a href=\"{}\">{}</a>", self.address(), in_code(words))
     }
 }
 
-/// What stands where.
 pub(super) struct Code<'a> {
     edition: &'a Edition,
     /// Files shown, by their path below `src`, or where the claims are.
     files: BTreeMap<&'static str, Source>,
 }
 
-/// A file.
 struct Source {
     text: &'static str,
     /// Its functions, or its claims, with their lines counted from 0.
     places: Vec<(usize, &'static str)>,
 }
 
-/// The page that shows a file.
 fn page(file: &str) -> String {
     format!("code/{}.html", file.trim_end_matches(".rs"))
 }
 
 impl<'a> Code<'a> {
-    pub(super) fn new(edition: &'a Edition) -> Self {
+    pub fn new(edition: &'a Edition) -> Self {
         let files = (edition.sources.files)().into_iter().map(|(path, text)| {
             let places = functions(text).collect();
             (path, Source { text, places })
@@ -91,48 +87,36 @@ impl<'a> Code<'a> {
     }
 
     /// The printed formula of a numbered claim; none for words.
-    pub(super) fn printed(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+    pub fn printed(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let start = format!("eq{}_", claim.equation?);
         let mut functions = self
             .of_topic("paper", topic)
             .flat_map(|(file, source)| source.places.iter().map(move |f| (file, f.1)));
         let (file, name) = functions.find(|(_, name)| name.starts_with(&start))?;
-        Some(Place {
-            file,
-            name: name.to_owned(),
-        })
+        Some(Place::new(file, name))
     }
 
     /// The file of the corrections of a topic.
-    pub(super) fn corrections(&self, topic: &Topic) -> Option<Place> {
+    pub fn corrections(&self, topic: &Topic) -> Option<Place> {
         let (file, _) = self.of_topic("corrections", topic).next()?;
-        Some(Place {
-            file,
-            name: String::new(),
-        })
+        Some(Place::new(file, ""))
     }
 
     /// The side that knows no formula, for a topic.
-    pub(super) fn motion(&self, topic: &Topic) -> Option<Place> {
+    pub fn motion(&self, topic: &Topic) -> Option<Place> {
         let file = (self.edition.sources.motion)(topic.stem)?;
         let (file, _) = self.files.get_key_value(file)?;
-        Some(Place {
-            file,
-            name: String::new(),
-        })
+        Some(Place::new(file, ""))
     }
 
     /// The entry of a claim.
-    pub(super) fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+    pub fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let (file, _) = self.files.get_key_value(topic.file.name())?;
-        Some(Place {
-            file,
-            name: claim.id.to_owned(),
-        })
+        Some(Place::new(file, claim.id))
     }
 
     /// Where a trial is written.
-    pub(super) fn trial(&self, trial: &Attempt) -> Option<Place> {
+    pub fn trial(&self, trial: &Attempt) -> Option<Place> {
         let path = trial.file();
         let here = |file: &&&str| {
             let stem = file.trim_end_matches(".rs");
@@ -143,14 +127,11 @@ impl<'a> Code<'a> {
         let file = self.files.keys().find(here)?;
         let name = trial.name();
         let name = name.rsplit_once("::").map_or(name, |(_, name)| name);
-        Some(Place {
-            file,
-            name: name.to_owned(),
-        })
+        Some(Place::new(file, name))
     }
 
     /// How much code stands in these modules, by their paths, without comments and tests.
-    pub(super) fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
+    pub fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
         let shown = self.files.iter().filter(|(file, _)| file.ends_with(".rs"));
         let shown = shown.map(|(file, source)| (format!("src/{file}"), source.text));
         let engine = texts(&ENGINE).into_iter();
@@ -158,25 +139,19 @@ impl<'a> Code<'a> {
         let all: Vec<_> = shown.chain(engine).collect();
         for module in modules {
             if !all.iter().any(|(file, _)| is_of_module(file, module)) {
-                return Err(Fault::Placeholder(format!("there is no source `{module}`")));
+                return Err(format!("there is no source `{module}`").into());
             }
         }
         let is_counted =
             |file: &str| !is_test(file) && modules.iter().any(|module| is_of_module(file, module));
-        let lines = all
-            .iter()
-            .filter(|(file, _)| is_counted(file))
-            .map(|(_, text)| lines_of_code(text))
-            .sum();
-        let names = modules
-            .iter()
-            .map(|module| format!("<code>{}</code>", escape(module)));
-        let names: Vec<_> = names.collect();
+        let counted = all.iter().filter(|(file, _)| is_counted(file));
+        let lines = counted.map(|(_, text)| lines_of_code(text)).sum();
+        let names: Vec<_> = modules.iter().map(|module| in_code(module)).collect();
         Ok(format!("{} lines in {}", count(lines), names.join(", ")))
     }
 
     /// The pages: address within the book, and HTML.
-    pub(super) fn pages(&self) -> impl Iterator<Item = (String, String)> {
+    pub fn pages(&self) -> impl Iterator<Item = (String, String)> {
         self.files
             .iter()
             .map(|(file, source)| (page(file), code_page(file, source, self.edition.title)))
@@ -228,11 +203,10 @@ fn functions(text: &str) -> impl Iterator<Item = (usize, &str)> {
 fn code_page(file: &str, source: &Source, book: &str) -> String {
     let text = source.text;
     let up = "../".repeat(file.matches('/').count() + 1);
+    // Of several places of a name, the first.
     let mut anchors = BTreeMap::new();
-    let mut taken: Vec<&str> = Vec::new();
     for (line, name) in source.places.iter().copied() {
-        if !taken.contains(&name) {
-            taken.push(name);
+        if !anchors.values().any(|taken| *taken == name) {
             anchors.insert(line, name);
         }
     }
@@ -240,12 +214,12 @@ fn code_page(file: &str, source: &Source, book: &str) -> String {
     let mut state = State::Plain;
     for (i, line) in text.lines().enumerate() {
         if let Some(name) = anchors.get(&i) {
-            code.push_str(&format!("<a id=\"{}\"></a>", escape(name)));
+            code += &format!("<a id=\"{}\"></a>", escape(name));
         }
         state = match file.ends_with(".rs") {
             true => highlight(line, state, &mut code),
             false => {
-                code.push_str(&escape(line));
+                code += &escape(line);
                 state
             }
         };
@@ -290,14 +264,8 @@ fn highlight(line: &str, mut state: State, out: &mut String) -> State {
         } else if c.is_alphabetic() || c == '_' {
             let end = rest.find(|c: char| !(c.is_alphanumeric() || c == '_'));
             let end = end.unwrap_or(rest.len());
-            (
-                end,
-                if KEYWORDS.contains(&&rest[..end]) {
-                    "k"
-                } else {
-                    ""
-                },
-            )
+            let keyword = KEYWORDS.contains(&&rest[..end]);
+            (end, if keyword { "k" } else { "" })
         } else if rest.starts_with("'\"'") {
             (3, "s")
         } else {

@@ -12,54 +12,65 @@ use crate::publishing::Edition;
 
 /// All that placeholders are filled from.
 pub(super) struct Context<'a> {
-    pub(super) edition: &'a Edition,
-    pub(super) ledger: &'a Ledger,
-    pub(super) figures: &'a [Figure],
-    pub(super) errata: &'a [Erratum],
-    pub(super) code: &'a Code<'a>,
-    pub(super) maths: &'a Maths,
+    pub edition: &'a Edition,
+    pub ledger: &'a Ledger,
+    pub figures: &'a [Figure],
+    pub errata: &'a [Erratum],
+    pub code: &'a Code<'a>,
+    pub maths: &'a Maths,
     /// A deep run, and the ledger that it gives.
-    pub(super) deep: Option<(Deep<'a>, Ledger)>,
+    pub deep: Option<(Deep<'a>, Ledger)>,
 }
 
 impl<'a> Context<'a> {
     /// The entry of this id.
-    pub(super) fn entry(&self, id: &str) -> Result<&'a Entry, Fault> {
-        let unknown = || Fault::Placeholder(format!("the ledger has no claim `{id}`"));
-        self.ledger.entry(id).ok_or_else(unknown)
+    pub fn entry(&self, id: &str) -> Result<&'a Entry, Fault> {
+        let unknown = || format!("the ledger has no claim `{id}`");
+        Ok(self.ledger.entry(id).ok_or_else(unknown)?)
+    }
+
+    /// The entries of the topic of this stem.
+    pub fn of_topic(&self, stem: &str) -> impl Iterator<Item = &'a Entry> {
+        let entries = self.ledger.entries.iter();
+        entries.filter(move |entry| entry.topic.stem == stem)
     }
 
     /// The link to where one sees a claim fail, if there is such a place.
-    pub(super) fn watch(&self, id: &str) -> String {
+    pub fn watch(&self, id: &str) -> String {
         let mut places = self.edition.watch.iter();
         let place = places.find(|(claim, _)| *claim == id);
-        place.map_or_else(String::new, |(_, address)| {
-            format!(
-                " <a class=\"watch\" href=\"{}\">▶ watch</a>",
-                escape(address)
-            )
-        })
+        let link = |(_, address): &(_, &str)| {
+            let address = escape(address);
+            format!(" <a class=\"watch\" href=\"{address}\">▶ watch</a>")
+        };
+        place.map(link).unwrap_or_default()
     }
 
     /// The link to where the reader breaks the formula, if there is such a place.
-    pub(super) fn breaks(&self, id: &str) -> String {
-        let place = (self.edition.breaks)(id);
-        place.map_or_else(String::new, |address| {
-            format!(" <a href=\"{}\">Break it yourself.</a>", escape(&address))
+    pub fn breaks(&self, id: &str) -> String {
+        let place = (self.edition.breaks)(id).map(|address| escape(&address));
+        let link = |address| format!(" <a href=\"{address}\">Break it yourself.</a>");
+        place.map(link).unwrap_or_default()
+    }
+
+    /// A line of links to claims' boxes; nothing where there are none.
+    pub fn neighbours(&self, words: &str, ids: &[&str]) -> Result<String, Fault> {
+        Ok(match self.links(ids)? {
+            none if none.is_empty() => none,
+            links => format!("<p class=\"neighbours\">{words} {links}</p>"),
         })
     }
 
     /// A link to a claim's box.
-    pub(super) fn link(&self, entry: &Entry) -> Result<String, Fault> {
+    pub fn link(&self, entry: &Entry) -> Result<String, Fault> {
         // The book has figures of its own.
         let whose = match entry.claim.kind {
             Kind::Figure => "the paper's ",
             _ => "",
         };
         Ok(format!(
-            "<a href=\"{}.html#{}\" title=\"{}: {}\">{whose}{}</a>",
-            entry.topic.stem,
-            entry.claim.id,
+            "<a href=\"{}\" title=\"{}: {}\">{whose}{}</a>",
+            entry.address(),
             escape(entry.claim.plain),
             entry.judgement.verdict.words(),
             self.maths.words(&entry.claim.name())?
@@ -67,13 +78,13 @@ impl<'a> Context<'a> {
     }
 
     /// Links to claims' boxes.
-    pub(super) fn links(&self, ids: &[&str]) -> Result<String, Fault> {
+    pub fn links(&self, ids: &[&str]) -> Result<String, Fault> {
         let links: Result<Vec<_>, _> = ids.iter().map(|id| self.link(self.entry(id)?)).collect();
         Ok(links?.join(", "))
     }
 
     /// Ids of the claims that depend on a claim directly.
-    pub(super) fn users(&self, id: &str) -> Vec<&'static str> {
+    pub fn users(&self, id: &str) -> Vec<&'static str> {
         let claims = self.ledger.entries.iter().map(|entry| entry.claim);
         claims
             .filter(|other| other.depends_on.contains(&id))
@@ -82,7 +93,7 @@ impl<'a> Context<'a> {
     }
 
     /// The word, as a link to the place of this id where a page has it.
-    pub(super) fn explained(&self, word: &str, id: &str) -> String {
+    pub fn explained(&self, word: &str, id: &str) -> String {
         let place = format!("{{#{id}}}");
         let mut pages = self.edition.written();
         match pages.find(|page| page.text.contains(&place)) {

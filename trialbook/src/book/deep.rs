@@ -2,7 +2,7 @@
 
 use super::context::Context;
 use super::error::Fault;
-use super::tables::table;
+use super::tables::tried;
 use super::text::{count, counted, escape, size};
 use crate::evidence::{Evidence, Route};
 use crate::ledger::Entry;
@@ -54,23 +54,21 @@ pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
         let parts = trials
             .iter()
             .filter_map(|(entry, _)| Some((*entry, part(entry)?)));
-        let closest = parts.max_by(|a, b| a.1.total_cmp(&b.1));
-        let closest = closest.map(|(entry, part)| -> Result<_, Fault> {
-            Ok(format!(
-                "{:.0} % of it, {}",
-                100.0 * part,
-                context.link(entry)?
-            ))
-        });
+        let closest = match parts.max_by(|a, b| a.1.total_cmp(&b.1)) {
+            None => String::new(),
+            Some((entry, part)) => {
+                let link = context.link(entry)?;
+                format!("{:.0} % of it, {link}", 100.0 * part)
+            }
+        };
         Ok([
             route.name().to_owned(),
             count(trials.len()),
             count(points),
             count(fewest.unwrap_or(0)),
-            closest.transpose()?.unwrap_or_default(),
+            closest,
         ])
     };
-    let rows: Result<Vec<_>, Fault> = routes.into_iter().map(row).collect();
     let head = [
         "By",
         "Trials",
@@ -83,7 +81,7 @@ pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
         escape(deep.made),
         counted(deep.rounds as usize, "round"),
         counted(deep.comparisons, "comparison"),
-        table("deep", head, rows?)
+        tried("deep", head, routes.into_iter().map(row))?
     ))
 }
 

@@ -8,15 +8,13 @@ use crate::ledger::{Erratum, Verdict};
 
 /// The errata with these verdicts, in the paper's order.
 pub(super) fn list(context: &Context<'_>, verdicts: &[Verdict]) -> Result<String, Fault> {
-    let mut chosen = context
-        .errata
-        .iter()
-        .filter(|e| verdicts.contains(&e.verdict))
-        .peekable();
-    if chosen.peek().is_none() {
-        return Ok("<p>None.</p>\n".to_owned());
-    }
-    chosen.map(|erratum| item(context, erratum)).collect()
+    let errata = context.errata.iter();
+    let chosen = errata.filter(|e| verdicts.contains(&e.verdict));
+    let items = chosen.map(|erratum| item(context, erratum));
+    Ok(match items.collect::<Result<String, _>>()? {
+        none if none.is_empty() => "<p>None.</p>\n".to_owned(),
+        items => items,
+    })
 }
 
 /// The number under which an erratum can be found on paper: errors come first, then what inherits them, slips in print and
@@ -62,37 +60,24 @@ fn item(context: &Context<'_>, erratum: &Erratum) -> Result<String, Fault> {
     );
     let wrong = maths.words(&erratum.wrong)?;
     let watch = context.watch(erratum.id);
-    html.push_str(&format!("<p><strong>{wrong}</strong>{watch}</p>"));
+    html += &format!("<p><strong>{wrong}</strong>{watch}</p>");
     for (label, words) in [
         ("Reason", Some(&erratum.reason)),
         ("By hand", erratum.case.as_ref()),
     ] {
         if let Some(words) = words.filter(|words| !words.is_empty()) {
-            html.push_str(&format!(
+            html += &format!(
                 "<p><strong>{label}:</strong> {}.</p>",
                 maths.words(&sentence(words))?
-            ));
+            );
         }
     }
-    let evidence: Result<Vec<_>, _> = erratum
-        .evidence
-        .iter()
-        .map(|said| maths.words(said))
-        .collect();
-    html.push_str(&format!(
-        "<details class=\"samples\"><summary>Evidence</summary><ul><li>{}</li></ul></details>",
-        evidence?.join("</li><li>")
-    ));
-    for (label, ids) in [
-        ("Falls with it", &erratum.fallen),
-        ("Rests on it and stands", &erratum.standing),
-    ] {
-        if !ids.is_empty() {
-            html.push_str(&format!(
-                "<p class=\"neighbours\">{label}: {}</p>",
-                context.links(ids)?
-            ));
-        }
-    }
+    let evidence = erratum.evidence.iter().map(|said| maths.words(said));
+    let evidence = evidence.collect::<Result<Vec<_>, _>>()?.join("</li><li>");
+    html += &format!(
+        "<details class=\"samples\"><summary>Evidence</summary><ul><li>{evidence}</li></ul></details>"
+    );
+    html += &context.neighbours("Falls with it:", &erratum.fallen)?;
+    html += &context.neighbours("Rests on it and stands:", &erratum.standing)?;
     Ok(html + "</section>\n")
 }

@@ -17,18 +17,18 @@ enum Piece {
 /// A placeholder of a page.
 pub(super) struct Blank {
     /// The page, by its place in the book.
-    pub(super) page: usize,
+    pub page: usize,
     /// Where it begins in the page's text.
     offset: usize,
     /// What it says, without its braces.
-    pub(super) inside: String,
+    pub inside: String,
     /// Whether nothing else stands on its line.
-    pub(super) alone: bool,
+    pub alone: bool,
 }
 
 impl Blank {
     /// What keeps this placeholder from being filled.
-    pub(super) fn error(&self, pages: &[Page], fault: Fault) -> BookError {
+    pub fn error(&self, pages: &[Page], fault: Fault) -> BookError {
         let placeholder = format!("{{{{{}}}}}", self.inside);
         at(&pages[self.page], self.offset, &placeholder, fault)
     }
@@ -55,7 +55,7 @@ pub(super) fn expand(
                     let alone = alone(source, range.clone());
                     let gap = if alone { "\n\n" } else { "" };
                     let mark = format!("{gap}{}{}{}{gap}", MARK.0, blanks.len(), MARK.1);
-                    out.push_str(&mark);
+                    *out += &mark;
                     blanks.push(Blank {
                         page: number,
                         offset: range.start,
@@ -78,7 +78,7 @@ pub(super) fn expand(
                 } else {
                     maths.inline(&latex)
                 };
-                out.push_str(&html.map_err(|fault| at(page, range.start, &latex, fault))?);
+                out += &html.map_err(|fault| at(page, range.start, &latex, fault))?;
             }
         }
     }
@@ -86,7 +86,6 @@ pub(super) fn expand(
     Ok(out)
 }
 
-/// The options that mdBook uses.
 fn options() -> Options {
     Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES

@@ -24,7 +24,7 @@ pub(super) struct Filler<'a> {
 }
 
 impl<'a> Filler<'a> {
-    pub(super) fn new(context: &'a Context<'a>, pages: &'a [Page]) -> Self {
+    pub fn new(context: &'a Context<'a>, pages: &'a [Page]) -> Self {
         Filler {
             context,
             pages,
@@ -33,7 +33,7 @@ impl<'a> Filler<'a> {
     }
 
     /// The first claim that no page has shown so far.
-    pub(super) fn without_box(&self) -> Option<&'a Entry> {
+    pub fn without_box(&self) -> Option<&'a Entry> {
         let boxed = self.boxed();
         let mut entries = self.context.ledger.entries.iter();
         entries.find(|entry| !boxed.contains(entry.claim.id))
@@ -44,7 +44,7 @@ impl<'a> Filler<'a> {
     }
 
     /// Fills one placeholder, given without its braces, on the page of this stem.
-    pub(super) fn fill(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
+    pub fn fill(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let context = self.context;
         let ledger = context.ledger;
         let words: Vec<_> = placeholder.split_whitespace().collect();
@@ -89,20 +89,17 @@ impl<'a> Filler<'a> {
             ["map", "key"] => block(map::key()),
             ["map", "list"] => block(map::list(context)?),
             ["errata", slugs @ ..] => {
-                let verdicts: Result<Vec<_>, _> =
-                    slugs.iter().map(|slug| verdict_of(slug)).collect();
-                block(errata::list(context, &verdicts?)?)
+                let verdicts = slugs.iter().map(|slug| verdict_of(slug));
+                let verdicts = verdicts.collect::<Result<Vec<_>, _>>()?;
+                block(errata::list(context, &verdicts)?)
             }
             ["lines", modules @ ..] => inline(context.code.lines(modules)?),
             ["routes"] => block(tables::routes(ledger)),
             ["tolerances"] => block(tables::tolerances(context)?),
             ["verdict", id] => inline(verdict(context.entry(id)?.judgement.verdict)),
-            ["points", id] => {
-                let evidence = &context.entry(id)?.evidence;
-                inline(count(evidence.iter().map(|e| e.points).sum()))
-            }
+            ["points", id] => inline(count(context.entry(id)?.points())),
             ["worst", id] => {
-                let none = || Fault::Placeholder(format!("no trial of `{id}` gave a disagreement"));
+                let none = || format!("no trial of `{id}` gave a disagreement");
                 inline(size(context.entry(id)?.worst().ok_or_else(none)?.worst))
             }
             ["ref", id] => inline(context.link(context.entry(id)?)?),
@@ -129,22 +126,19 @@ impl<'a> Filler<'a> {
     /// Fills a placeholder of the paper's own.
     fn own(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let mut own = self.context.edition.placeholders.iter();
-        let Some(own) = own.find(|own| own.name == placeholder) else {
-            let reason = "there is no such placeholder";
-            return Err(Fault::Placeholder(reason.into()));
-        };
-        (own.fill)(page).map_err(|failure| Fault::Placeholder(failure.to_string()))
+        let own = own.find(|own| own.name == placeholder);
+        let own = own.ok_or_else(|| "there is no such placeholder".to_owned())?;
+        (own.fill)(page).map_err(|failure| failure.to_string().into())
     }
 
     /// Notes that a claim is shown, once and on its own page: its address is permanent.
     fn place(&self, page: &str, entry: &Entry) -> Result<(), Fault> {
         let stem = entry.topic.stem;
         if page != stem {
-            let reason = format!("this claim belongs on {stem}.md");
-            return Err(Fault::Placeholder(reason));
+            return Err(format!("this claim belongs on {stem}.md").into());
         }
         if !self.boxed().insert(entry.claim.id) {
-            return Err(Fault::Placeholder("this claim is shown already".into()));
+            return Err("this claim is shown already".to_owned().into());
         }
         Ok(())
     }
@@ -153,7 +147,7 @@ impl<'a> Filler<'a> {
     fn contents(&self, page: &str) -> Result<String, Fault> {
         let mut topics = self.context.ledger.paper.topics.iter();
         let topic = topics.find(|topic| topic.stem == page);
-        let none = || Fault::Placeholder("this is no page of a topic".into());
+        let none = || "this is no page of a topic".to_owned();
         let claims = topic.ok_or_else(none)?.claims();
         let numbers: Vec<u16> = claims.iter().filter_map(|claim| claim.equation).collect();
         let equations = match numbers[..] {
@@ -184,12 +178,10 @@ impl<'a> Filler<'a> {
         let before = placed.position(|rest| rest.starts_with(&format!("{id}}}}}")));
         let number = 1 + before.unwrap_or_default();
         let found = self.context.figures.iter().find(|figure| figure.id == id);
-        let figure =
-            found.ok_or_else(|| Fault::Placeholder(format!("there is no figure `{id}`")))?;
-        let svg = figure.svg.find("<svg").map(|start| &figure.svg[start..]);
-        let Some(svg) = svg else {
-            return Err(Fault::Placeholder("this figure is not an SVG".into()));
-        };
+        let none = || format!("there is no figure `{id}`");
+        let figure = found.ok_or_else(none)?;
+        let no_svg = || "this figure is not an SVG".to_owned();
+        let svg = &figure.svg[figure.svg.find("<svg").ok_or_else(no_svg)?..];
         let parts = panels(svg);
         // A drawing with links is not one picture to a screen reader.
         let window = match (svg.contains("<a "), parts.len()) {
@@ -215,10 +207,9 @@ fn tallies(ledger: &Ledger, of: fn(Tally) -> usize) -> usize {
     entries.map(|entry| of(entry.tally())).sum()
 }
 
-/// The verdict of this slug.
 fn verdict_of(slug: &str) -> Result<Verdict, Fault> {
     let found = Verdict::ALL.into_iter().find(|v| v.slug() == slug);
-    found.ok_or_else(|| Fault::Placeholder(format!("there is no verdict `{slug}`")))
+    Ok(found.ok_or_else(|| format!("there is no verdict `{slug}`"))?)
 }
 
 /// Where a figure's data lies within the book.

@@ -3,13 +3,14 @@
 use super::atomic_replace::{Staging, unwritable};
 use super::code::Code;
 use super::context::Context;
-use super::error::{BookError, Fault};
+use super::error::BookError;
 use super::expand::{Blank, MARK, expand};
 use super::fill::{self, Filler};
 use super::links::dead_links;
 use super::maths::{Forms, Maths};
 use super::pages;
 use super::search::Search;
+use super::text::{after_each, without};
 use super::{assets, map, metadata, moved, numbers, overview, put};
 use crate::ledger::deep::Deep;
 use crate::ledger::{Format, Ledger};
@@ -21,7 +22,6 @@ use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The name of the page for printing.
 const PRINT: &str = "print.html";
 
 /// The book as mdBook renders it, in a temporary folder: with marks for formulas and for what fills the placeholders.
@@ -165,14 +165,13 @@ impl<'a> Frame<'a> {
         Ok(out.join("index.html"))
     }
 
-    /// What fills each placeholder.
     fn filled(&self, filler: &Filler<'_>) -> Result<Vec<Filled>, BookError> {
         let one = |blank: &Blank| {
             let filled = filler.fill(self.pages[blank.page].stem, &blank.inside);
             let filled = filled.and_then(|filled| match filled {
-                Filled::Block(_) if !blank.alone => Err(Fault::Placeholder(
-                    "must stand alone on its line".to_owned(),
-                )),
+                Filled::Block(_) if !blank.alone => {
+                    Err("must stand alone on its line".to_owned().into())
+                }
                 filled => Ok(filled),
             });
             filled.map_err(|fault| blank.error(&self.pages, fault))
@@ -198,7 +197,7 @@ impl<'a> Frame<'a> {
                     Filled::Block(html) => (html, true),
                 };
                 let html = match name.as_str() {
-                    PRINT => without_samples(&without_scripts(&self.within_one_page(html))),
+                    PRINT => on_paper(&self.within_one_page(html)),
                     _ => html.clone(),
                 };
                 Some((html, block))
@@ -244,45 +243,25 @@ impl<'a> Frame<'a> {
     /// Links to places on other pages as links within the page for printing, as mdBook does it for what it reads.
     fn within_one_page(&self, html: &str) -> String {
         const LINK: &str = "href=\"";
-        let mut parts = html.split(LINK);
-        let mut out = parts.next().unwrap_or_default().to_owned();
-        for part in parts {
-            out.push_str(LINK);
+        after_each(html, LINK, |part, out| {
+            *out += LINK;
             let place = part.split_once(".html#").map(|(stem, _)| stem);
             let page = place.filter(|stem| self.pages.iter().any(|page| page.stem == *stem));
-            out.push_str(page.map_or(part, |stem| &part[stem.len() + ".html".len()..]));
-        }
-        out
+            *out += page.map_or(part, |stem| &part[stem.len() + ".html".len()..]);
+        })
     }
 }
 
-/// What a page for printing shows of a block: scripts have nothing to do there.
-fn without_scripts(html: &str) -> String {
-    without(html, "<script", "</script>")
-}
-
-/// A block without the values that agree, which paper does not show; those that disagree are unfolded.
-fn without_samples(html: &str) -> String {
-    without(html, "<details class=\"samples\">", "</details>")
-}
-
-/// A text without all that stands between two marks, and without these.
-fn without(text: &str, open: &str, close: &str) -> String {
-    let mut parts = text.split(open);
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        out.push_str(part.split_once(close).map_or("", |(_, after)| after));
-    }
-    out
+/// What a page for printing shows of a block: no scripts, and not the values that agree; those that disagree are unfolded.
+fn on_paper(html: &str) -> String {
+    let html = without(html, "<script", "</script>");
+    without(&html, "<details class=\"samples\">", "</details>")
 }
 
 /// A page with something put in the place of each mark, and whether that is a block: a mark that is alone in its
 /// paragraph then stands for all of it.
 fn with_blanks(html: &str, put_in: impl Fn(usize) -> Option<(String, bool)>) -> String {
-    let mut parts = html.split(MARK.0);
-    let mut out = String::with_capacity(html.len() * 4);
-    out.push_str(parts.next().unwrap_or_default());
-    for part in parts {
+    after_each(html, MARK.0, |part, out| {
         let (number, mut after) = part.split_once(MARK.1).unwrap_or((part, ""));
         if let Some((filled, block)) = number.parse().ok().and_then(&put_in) {
             if let (true, Some(rest)) = (block && out.ends_with("<p>"), after.strip_prefix("</p>"))
@@ -290,11 +269,10 @@ fn with_blanks(html: &str, put_in: impl Fn(usize) -> Option<(String, bool)>) -> 
                 out.truncate(out.len() - "<p>".len());
                 after = rest;
             }
-            out.push_str(&filled);
+            *out += &filled;
         }
-        out.push_str(after);
-    }
-    out
+        *out += after;
+    })
 }
 
 /// A chapter with its listings folded away, but for those in what is folded already.
@@ -310,14 +288,14 @@ fn with_folds(html: &str) -> String {
         };
         folds += before.matches("<details").count();
         folds -= before.matches("</details>").count().min(folds);
-        out.push_str(before);
+        out += before;
         let listing = &listing[..end];
-        out.push_str(&match folds {
+        out += &match folds {
             0 => format!(
                 "<details class=\"listing\"><summary>The code that checks this</summary>{listing}</details>"
             ),
             _ => listing.to_owned(),
-        });
+        };
         rest = &rest[start + end..];
     }
     out + rest

@@ -36,7 +36,7 @@ fn place(context: &Context<'_>, title: &str) -> Option<String> {
         .iter()
         .find(|entry| entry.evidence.iter().any(|e| shows(e, title)))
     {
-        return Some(format!("{}.html#{}", entry.topic.stem, entry.claim.id));
+        return Some(entry.address());
     }
     let mut pages = context.edition.written();
     let page = pages.find(|page| page.text.contains("{{lemmas}}"))?;
@@ -55,24 +55,15 @@ fn anchor(title: &str) -> String {
 
 /// All lemmas, with their steps, in the order in which the claims need them.
 pub(super) fn all(context: &Context<'_>) -> Result<String, Fault> {
-    let evidence = || {
-        context
-            .ledger
-            .entries
-            .iter()
-            .flat_map(|entry| &entry.evidence)
-    };
+    let entries = &context.ledger.entries;
+    let evidence = || entries.iter().flat_map(|entry| &entry.evidence);
     let mut known: BTreeSet<&str> = evidence()
         .filter(|e| e.outcome() == Outcome::Agrees)
         .map(|e| e.title.as_str())
         .collect();
-    let mut found = Vec::new();
-    for lemma in evidence().flat_map(|e| &e.lemmas) {
-        if known.insert(&lemma.title) {
-            found.push(lemma);
-        }
-    }
-    let shown = found.into_iter().map(|lemma| {
+    let lemmas = evidence().flat_map(|e| &e.lemmas);
+    let shown = lemmas.filter(|lemma| known.insert(&lemma.title));
+    let shown = shown.map(|lemma| {
         let id = anchor(&lemma.title);
         let title = context.maths.folded(&lemma.title)?;
         let steps = steps(context, &lemma.steps)?;

@@ -67,8 +67,7 @@ pub fn dead_links(folder: &Path) -> io::Result<Vec<String>> {
         });
         links.map(move |link| format!("{page}: {link}"))
     });
-    let dead: BTreeSet<String> = dead.collect();
-    Ok(dead.into_iter().collect())
+    Ok(Vec::from_iter(dead.collect::<BTreeSet<_>>()))
 }
 
 /// How the links begin that lead out of the book.
@@ -80,10 +79,9 @@ fn decoded(link: &str) -> String {
     let mut bytes = Vec::with_capacity(link.len());
     let mut rest = link.as_bytes();
     while let [first, after @ ..] = rest {
-        let pair = after
-            .get(..2)
-            .and_then(|pair| std::str::from_utf8(pair).ok());
-        let pair = pair.filter(|pair| pair.bytes().all(|b| b.is_ascii_hexdigit()));
+        let pair = after.get(..2);
+        let pair = pair.filter(|pair| pair.iter().all(u8::is_ascii_hexdigit));
+        let pair = pair.and_then(|pair| std::str::from_utf8(pair).ok());
         let coded = pair.and_then(|pair| u8::from_str_radix(pair, 16).ok());
         let (byte, left) = match (first, coded) {
             (b'%', Some(byte)) => (byte, &after[2..]),

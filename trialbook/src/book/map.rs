@@ -2,15 +2,14 @@
 
 use super::context::{Context, sign, verdict};
 use super::error::Fault;
-use super::tables::table;
+use super::tables::{table, tried};
 use super::text::{count, counted};
-use crate::ledger::{Ledger, Verdict};
+use crate::ledger::{Entry, Ledger, Verdict};
 use crate::notation::plain_words;
 use crate::plotting::map::{Node, map};
 use crate::plotting::{Figure, FigureError};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The figure.
 pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
     let entries = &ledger.entries;
     let places: BTreeMap<_, _> = entries
@@ -31,7 +30,7 @@ pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
                 name
             },
             title,
-            href: format!("{}.html#{}", entry.topic.stem, claim.id),
+            href: entry.address(),
             class: entry.judgement.verdict.slug(),
             sign: sign(entry.judgement.verdict),
             words: entry.judgement.verdict.words(),
@@ -49,13 +48,8 @@ pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
                 .collect(),
         }
     });
-    let topics: Vec<_> = ledger
-        .paper
-        .topics
-        .iter()
-        .map(|topic| topic.title)
-        .collect();
-    map(&topics, &nodes.collect::<Vec<_>>())
+    let topics = ledger.paper.topics.iter().map(|topic| topic.title);
+    map(&topics.collect::<Vec<_>>(), &nodes.collect::<Vec<_>>())
 }
 
 /// Ids of the claims that rest on one that is false as printed.
@@ -76,27 +70,24 @@ pub(super) fn key() -> String {
 /// What rests on each claim that fails.
 pub(super) fn what_falls(context: &Context<'_>) -> Result<String, Fault> {
     let ledger = context.ledger;
-    let mut rows = Vec::new();
-    for entry in ledger
-        .entries
-        .iter()
-        .filter(|e| e.judgement.verdict.is_wrong())
-    {
+    let entries = ledger.entries.iter();
+    let failing = entries.filter(|e| e.judgement.verdict.is_wrong());
+    let rows = failing.map(|entry| {
         let [fallen, standing] = ledger.fallen_and_standing(entry.claim.id);
-        rows.push([
+        Ok([
             context.link(entry)?,
             verdict(entry.judgement.verdict),
             context.links(&fallen)?,
             context.links(&standing)?,
-        ]);
-    }
+        ])
+    });
     let head = [
         "Claim",
         "Verdict",
         "Falls with it",
         "Rests on it and stands",
     ];
-    Ok(table("falls", head, rows))
+    tried("falls", head, rows)
 }
 
 /// Every claim with what it rests on and what rests on it.
@@ -104,30 +95,28 @@ pub(super) fn list(context: &Context<'_>) -> Result<String, Fault> {
     let ledger = context.ledger;
     let mut html = String::new();
     for topic in ledger.paper.topics {
-        let of_topic = ledger.entries.iter().filter(|e| e.topic.stem == topic.stem);
-        let rows: Result<Vec<_>, Fault> = of_topic
-            .map(|entry| {
-                let all = ledger.resting_on(entry.claim.id).len();
-                let direct: Vec<_> = context.users(entry.claim.id);
-                let carries = match all {
-                    0 => String::new(),
-                    _ => format!("{} ({} in all)", context.links(&direct)?, count(all)),
-                };
-                Ok([
-                    context.link(entry)?,
-                    verdict(entry.judgement.verdict),
-                    context.links(entry.claim.depends_on)?,
-                    carries,
-                ])
-            })
-            .collect();
-        let rows = rows?;
-        html.push_str(&format!(
+        let row = |entry: &Entry| {
+            let all = ledger.resting_on(entry.claim.id).len();
+            let direct = context.users(entry.claim.id);
+            let carries = match all {
+                0 => String::new(),
+                _ => format!("{} ({} in all)", context.links(&direct)?, count(all)),
+            };
+            Ok([
+                context.link(entry)?,
+                verdict(entry.judgement.verdict),
+                context.links(entry.claim.depends_on)?,
+                carries,
+            ])
+        };
+        let rows = context.of_topic(topic.stem).map(row);
+        let rows = rows.collect::<Result<Vec<_>, Fault>>()?;
+        html += &format!(
             "<details><summary>{}: {}</summary>{}</details>\n",
             topic.title,
             counted(rows.len(), "claim"),
             table("rests", ["Claim", "Verdict", "Rests on", "Carries"], rows)
-        ));
+        );
     }
     Ok(html)
 }

@@ -3,7 +3,7 @@
 use super::changes;
 use super::error::Fault;
 use super::rows::in_rows;
-use super::text::{escape, scientific};
+use super::text::{after_each, escape, scientific, without};
 use crate::notation::{Piece, pieces, plain_formula};
 use crate::trials::{Claim, Paper};
 use katex::macro_expander::MacroMap;
@@ -44,16 +44,13 @@ enum Place {
     Folded,
 }
 
-/// LaTeX, and where it stands.
 type Key = (String, Place);
 
-/// A formula as HTML and as plain text.
 type Form = (String, String);
 
 /// Every formula that this process has set, whichever book it was for.
 static KNOWN: LazyLock<Mutex<HashMap<Key, Form>>> = LazyLock::new(Mutex::default);
 
-/// The formulas set so far.
 struct Set {
     setter: Setter,
     /// Number of a formula.
@@ -135,7 +132,7 @@ impl Setter {
 }
 
 impl Maths {
-    pub(super) fn new() -> Self {
+    pub fn new() -> Self {
         Maths(Mutex::new(Set {
             setter: Setter::new(),
             numbers: HashMap::new(),
@@ -144,7 +141,7 @@ impl Maths {
     }
 
     /// Sets what the claims will need, before they are tried. What cannot be set is reported where it is met.
-    pub(super) fn prepare(&self, paper: &Paper) {
+    pub fn prepare(&self, paper: &Paper) {
         let set = self.set_so_far();
         let words = |claim: &'static Claim| {
             let conditions = claim.conditions.iter().map(|condition| condition.text);
@@ -163,22 +160,22 @@ impl Maths {
     }
 
     /// A formula within a line.
-    pub(super) fn inline(&self, latex: &str) -> Result<String, Fault> {
+    pub fn inline(&self, latex: &str) -> Result<String, Fault> {
         self.set(latex, Place::Inline)
     }
 
     /// A formula on a line of its own.
-    pub(super) fn display(&self, latex: &str) -> Result<String, Fault> {
+    pub fn display(&self, latex: &str) -> Result<String, Fault> {
         self.set(latex, Place::Display)
     }
 
     /// Words with formulas in `$…$` or in our plain notation, as HTML.
-    pub(super) fn words(&self, text: &str) -> Result<String, Fault> {
+    pub fn words(&self, text: &str) -> Result<String, Fault> {
         self.said(text, Place::Inline)
     }
 
     /// The same, for words that stand behind a fold.
-    pub(super) fn folded(&self, text: &str) -> Result<String, Fault> {
+    pub fn folded(&self, text: &str) -> Result<String, Fault> {
         self.said(text, Place::Folded)
     }
 
@@ -227,7 +224,7 @@ impl Maths {
     }
 
     /// The formulas set so far.
-    pub(super) fn forms(&self) -> Forms {
+    pub fn forms(&self) -> Forms {
         self.set_so_far().forms.clone()
     }
 
@@ -238,7 +235,7 @@ impl Maths {
 
 impl Forms {
     /// Puts the formulas in place of their marks.
-    pub(super) fn with_formulas(&self, html: &str) -> String {
+    pub fn with_formulas(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), after, out| {
             // Browsers break a line between a formula and the full stop behind it or the bracket before it.
             let short = plain.chars().count() <= SHORT;
@@ -247,47 +244,43 @@ impl Forms {
             if begins || ends {
                 let bracket = if begins { out.pop() } else { None };
                 let open: String = bracket.into_iter().collect();
-                out.push_str(&format!(
+                *out += &format!(
                     "<span class=\"whole\">{open}{html}{}</span>",
                     &after[..usize::from(ends)]
-                ));
+                );
             } else {
-                out.push_str(html);
+                *out += html;
             }
             usize::from(ends)
         })
     }
 
     /// Puts plain text in place of the marks.
-    pub(super) fn with_words(&self, html: &str) -> String {
+    pub fn with_words(&self, html: &str) -> String {
         self.replaced(html, |(_, plain), _, out| {
-            out.push_str(plain);
+            *out += plain;
             0
         })
     }
 
     /// Puts MathML alone in place of the marks: a tenth of the text, for what is shown by a script.
-    pub(super) fn with_mathml(&self, html: &str) -> String {
+    pub fn with_mathml(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), _, out| {
             let from = html.find("<math").zip(html.find("</math>"));
             let math = from.map(|(start, end)| &html[start..end + "</math>".len()]);
-            out.push_str(math.unwrap_or(plain));
+            *out += math.unwrap_or(plain);
             0
         })
     }
 
     /// Lets `put` write each form, given what follows its mark; it says how much of that it has written, too.
     fn replaced(&self, html: &str, put: impl Fn(&Form, &str, &mut String) -> usize) -> String {
-        let mut out = String::with_capacity(html.len() * 8);
-        let mut parts = html.split(MARK.0);
-        out.push_str(parts.next().unwrap_or_default());
-        for part in parts {
+        after_each(html, MARK.0, |part, out| {
             let (number, after) = part.split_once(MARK.1).unwrap_or((part, ""));
             let formula = number.parse().ok().and_then(|n: usize| self.0.get(n));
-            let done = formula.map_or(0, |formula| put(formula, after, &mut out));
-            out.push_str(&after[done..]);
-        }
-        out
+            let done = formula.map_or(0, |formula| put(formula, after, out));
+            *out += &after[done..];
+        })
     }
 }
 
@@ -305,9 +298,7 @@ fn with_room(html: String) -> String {
 /// Puts braces around what stands under a root: katex-rs loses the room for the sign before a bare symbol.
 fn roots_in_braces(latex: &str) -> String {
     const ROOT: &str = r"\sqrt";
-    let mut parts = latex.split(ROOT);
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
+    after_each(latex, ROOT, |part, out| {
         let part = part.trim_start();
         let end = match part.chars().next() {
             None | Some('{' | '[') => 0,
@@ -317,26 +308,18 @@ fn roots_in_braces(latex: &str) -> String {
             }
             Some(c) => c.len_utf8(),
         };
-        out.push_str(ROOT);
+        *out += ROOT;
         match end {
-            0 => out.push_str(part),
-            end => out.push_str(&format!("{{{}}}{}", &part[..end], &part[end..])),
+            0 => *out += part,
+            end => *out += &format!("{{{}}}{}", &part[..end], &part[end..]),
         }
-    }
-    out
+    })
 }
 
 /// Leaves out the LaTeX source within the MathML, which the search would read as if it were text, and what stands around
 /// it there, which says nothing without it.
 fn without_annotation(html: &str) -> String {
-    let mut rest = html;
-    let mut kept = String::with_capacity(html.len());
-    while let Some(start) = rest.find("<annotation") {
-        kept.push_str(&rest[..start]);
-        const END: &str = "</annotation>";
-        rest = rest[start..].split_once(END).map_or("", |(_, after)| after);
-    }
-    kept += rest;
+    let kept = without(html, "<annotation", "</annotation>");
     [
         "<semantics>",
         "</semantics>",
@@ -394,12 +377,12 @@ fn write_tag(tag: &str, out: &mut String) {
     }
     attributes.sort_unstable();
     out.push('<');
-    out.push_str(name);
+    *out += name;
     for (key, value, quote) in attributes {
         let value = value.replace('\n', " ").replace('|', "&#124;");
-        out.push_str(&format!(" {key}={quote}{value}{quote}"));
+        *out += &format!(" {key}={quote}{value}{quote}");
     }
-    out.push_str(close);
+    *out += close;
 }
 
 #[cfg(test)]

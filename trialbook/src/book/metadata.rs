@@ -1,12 +1,11 @@
 //! What a page says of itself: its name, and what those see who share a link to it.
 
 use super::maths::Forms;
-use super::text::escape;
+use super::text::{escape, without};
 use crate::publishing::Edition;
 
 /// The page that has all pages.
 const PRINT: &str = "print";
-/// mdBook's highlighter.
 const HIGHLIGHTER: &str = "<script src=\"highlight.js\"></script>";
 /// The cards of this paper's claims and symbols.
 const CARDS: &str = "<script src=\"theme/cards.js\"></script>";
@@ -26,19 +25,16 @@ pub(super) fn with_head(
     html: &str,
     forms: &Forms,
 ) -> String {
-    let html = html.replacen("<html ", &format!("<html data-page=\"{stem}\" "), 1);
-    let html = match stem != PRINT && html.contains("<pre") {
-        true => html,
-        false => html.replacen(HIGHLIGHTER, NO_HIGHLIGHTER, 1),
-    };
-    let html = match about {
-        true => html,
-        false => html.replacen(CARDS, "", 1),
-    };
-    let Some((before, rest)) = html.split_once("<title>") else {
-        return html;
-    };
-    let Some((title, after)) = rest.split_once("</title>") else {
+    let mut html = html.replacen("<html ", &format!("<html data-page=\"{stem}\" "), 1);
+    if stem == PRINT || !html.contains("<pre") {
+        html = html.replacen(HIGHLIGHTER, NO_HIGHLIGHTER, 1);
+    }
+    if !about {
+        html = html.replacen(CARDS, "", 1);
+    }
+    let head = html.split_once("<title>");
+    let head = head.and_then(|(before, rest)| Some((before, rest.split_once("</title>")?)));
+    let Some((before, (title, after))) = head else {
         return html;
     };
     let book = escape(edition.title);
@@ -56,18 +52,12 @@ pub(super) fn with_head(
         None => after.to_owned(),
     };
     let base = edition.address.unwrap_or_default();
-    let picture = match edition.picture {
-        Some((name, _)) => format!(
-            "<meta property=\"og:image\" content=\"{base}{name}\"><meta name=\"twitter:card\" content=\"summary_large_image\">"
-        ),
-        None => String::new(),
-    };
-    let place = match edition.address {
-        Some(base) => format!(
-            "<link rel=\"canonical\" href=\"{base}{stem}.html\"><meta property=\"og:url\" content=\"{base}{stem}.html\">"
-        ),
-        None => String::new(),
-    };
+    let picture = edition.picture.map_or(String::new(), |(name, _)| format!(
+        "<meta property=\"og:image\" content=\"{base}{name}\"><meta name=\"twitter:card\" content=\"summary_large_image\">"
+    ));
+    let place = edition.address.map_or(String::new(), |base| format!(
+        "<link rel=\"canonical\" href=\"{base}{stem}.html\"><meta property=\"og:url\" content=\"{base}{stem}.html\">"
+    ));
     format!(
         "{before}<title>{title}</title><meta property=\"og:title\" content=\"{title}\">\
          <meta property=\"og:type\" content=\"article\"><meta property=\"og:description\" content=\"{words}\">{picture}{place}{after}"
@@ -84,10 +74,7 @@ fn description(edition: &Edition, html: &str, forms: &Forms) -> String {
         .filter(|text| !text.starts_with("<em>Section"));
     let text = texts.next().and_then(|text| text.split("</p>").next());
     let words = forms.with_words(text.unwrap_or_default());
-    let mut plain = String::new();
-    for part in words.split('<') {
-        plain.push_str(part.split_once('>').map_or(part, |(_, text)| text));
-    }
+    let plain = without(&words, "<", ">");
     let plain = plain.split_whitespace().collect::<Vec<_>>().join(" ");
     match plain.as_str() {
         "" => escape(edition.description),

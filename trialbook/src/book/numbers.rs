@@ -1,5 +1,6 @@
 //! Numbers of equations in the text, as links.
 
+use super::text::after_each;
 use crate::ledger::Ledger;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -12,13 +13,9 @@ const APART: [&str; 13] = [
 /// Where running text stands.
 const TEXT: [&str; 2] = ["p", "li"];
 
-/// The addresses of the numbered equations.
 pub(super) fn addresses(ledger: &Ledger) -> BTreeMap<u16, String> {
     let entries = ledger.entries.iter();
-    let numbered = entries.filter_map(|entry| {
-        let address = format!("{}.html#{}", entry.topic.stem, entry.claim.id);
-        Some((entry.claim.equation?, address))
-    });
+    let numbered = entries.filter_map(|entry| Some((entry.claim.equation?, entry.address())));
     numbered.collect()
 }
 
@@ -49,32 +46,27 @@ pub(super) fn linked(page: &str, html: &str, addresses: &BTreeMap<u16, String>) 
         }
         if i > 0 {
             out.push('<');
-            out.push_str(&part[..part.len() - text.len()]);
+            out += &part[..part.len() - text.len()];
         }
         if apart > 0 || running == 0 {
-            out.push_str(text);
+            out += text;
             continue;
         }
-        let mut parts = text.split('(');
-        out.push_str(parts.next().unwrap_or_default());
-        for part in parts {
+        out += &after_each(text, "(", |part, out| {
             let number = part.split_once(')').and_then(|(number, after)| {
                 let is_number = number.len() < 4 && number.bytes().all(|b| b.is_ascii_digit());
                 let address = addresses.get(&number.parse().ok()?)?;
                 is_number.then_some((number, address, after))
             });
             let Some((number, address, after)) = number else {
-                out.push('(');
-                out.push_str(part);
-                continue;
+                out.extend(["(", part]);
+                return;
             };
             let own = address.split('#').next() == Some(page);
             let stop = folded > 0 || !own && seen.insert(address);
             let stop = if stop { "" } else { " tabindex=\"-1\"" };
-            out.push_str(&format!(
-                "<a class=\"cite\" href=\"{address}\"{stop}>({number})</a>{after}"
-            ));
-        }
+            *out += &format!("<a class=\"cite\" href=\"{address}\"{stop}>({number})</a>{after}");
+        });
     }
     out
 }

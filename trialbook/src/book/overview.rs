@@ -1,6 +1,6 @@
 //! What the first page shows of the whole: the errors in a line each, a mark for each equation, and a field that answers.
 
-use super::claim_box::{heading, is_formula};
+use super::claim_box::{heading, statement_in_line};
 use super::context::{Context, sign, verdict};
 use super::errata;
 use super::error::Fault;
@@ -18,22 +18,18 @@ pub(super) const ANSWERS: &str = "answers.js";
 pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String, Fault> {
     let line = |entry: &Entry| {
         let wrong = entry.in_short().unwrap_or_default();
-        let wrong = wrong
-            .split_once(": ")
-            .map_or(wrong.as_str(), |(_, wrong)| wrong);
+        let (_, wrong) = wrong.split_once(": ").unwrap_or(("", &wrong));
         let words = context.maths.words(&sentence(wrong))?;
-        let erratum = context.errata.iter().find(|e| e.id == entry.claim.id);
-        let fallen = erratum.map_or(&[][..], |erratum| &erratum.fallen);
-        let fallen = match fallen {
-            [] => String::new(),
-            _ if !with_fallen => String::new(),
-            ids => format!(" With it {}.", context.links(ids)?),
-        };
         let link = context.link(entry)?;
-        let number = match with_fallen {
-            true => format!("No. {}, ", errata::number(context, entry.claim.id)),
-            false => String::new(),
-        };
+        let (mut number, mut fallen) = (String::new(), String::new());
+        if with_fallen {
+            number = format!("No. {}, ", errata::number(context, entry.claim.id));
+            let mut errata = context.errata.iter();
+            let erratum = errata.find(|e| e.id == entry.claim.id);
+            if let Some(erratum) = erratum.filter(|erratum| !erratum.fallen.is_empty()) {
+                fallen = format!(" With it {}.", context.links(&erratum.fallen)?);
+            }
+        }
         Ok(format!("<li>{number}{link}: {words}.{fallen}</li>"))
     };
     let lines: Result<String, Fault> = context.ledger.roots().map(line).collect();
@@ -45,10 +41,9 @@ fn mark(entry: &Entry, name: &str, more: &str) -> String {
     let verdict = entry.judgement.verdict;
     let name = escape(&format!("{name}: {}", verdict.words()));
     format!(
-        "<a class=\"{}\" href=\"{}.html#{}\" title=\"{name}\" aria-label=\"{name}\"{more}>{}</a>",
+        "<a class=\"{}\" href=\"{}\" title=\"{name}\" aria-label=\"{name}\"{more}>{}</a>",
         verdict.slug(),
-        entry.topic.stem,
-        entry.claim.id,
+        entry.address(),
         sign(verdict),
     )
 }
@@ -79,8 +74,7 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
         mark(entry, &name, &more)
     };
     let part = |topic: &&Topic| {
-        let entries = context.ledger.entries.iter();
-        let entries = entries.filter(|entry| entry.topic.stem == topic.stem);
+        let entries = context.of_topic(topic.stem);
         let mut numbered: Vec<_> = entries
             .filter_map(|entry| Some((entry.claim.equation?, entry)))
             .collect();
@@ -88,16 +82,12 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
         let section = first_section(topic);
         // Where topics share a section, what the title has after its colon tells them apart.
         let topics = context.ledger.paper.topics;
-        let shared = topics
-            .iter()
-            .filter(|t| first_section(t) == section)
-            .count()
-            > 1;
-        let part = topic.title.split_once(": ").filter(|_| shared);
-        let label = part.map_or_else(
-            || section.to_owned(),
-            |(_, part)| format!("{section} {part}"),
-        );
+        let sharing = topics.iter().filter(|t| first_section(t) == section);
+        let shared = sharing.count() > 1;
+        let label = match topic.title.split_once(": ") {
+            Some((_, part)) if shared => format!("{section} {part}"),
+            _ => section.to_owned(),
+        };
         let marks: String = numbered.into_iter().map(marked).collect();
         match marks.is_empty() {
             true => marks,
@@ -119,7 +109,6 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
     )
 }
 
-/// The section in which a topic begins.
 fn first_section(topic: &Topic) -> &'static str {
     topic.claims().first().map_or("", |claim| claim.section)
 }
@@ -177,18 +166,17 @@ struct Answers {
 /// The script with all that the field knows.
 pub(super) fn answers(context: &Context<'_>) -> Result<String, Fault> {
     let entries = &context.ledger.entries;
-    let statement = |entry: &Entry| match is_formula(entry.claim, entry.claim.latex) {
-        true => context.maths.inline(entry.claim.latex),
-        false => context.maths.words(entry.claim.latex),
-    };
-    let statements: Result<Vec<_>, _> = entries.iter().map(statement).collect();
+    let statements = entries
+        .iter()
+        .map(|entry| statement_in_line(context, entry.claim));
+    let statements: Result<Vec<_>, _> = statements.collect();
     let (statements, forms) = (statements?, context.maths.forms());
     let claim = |(entry, statement): (&Entry, &String)| {
         let claim = entry.claim;
         let says = entry.in_short();
         Answer {
             id: claim.id,
-            at: format!("{}.html#{}", entry.topic.stem, claim.id),
+            at: entry.address(),
             name: plain_words(&claim.name()),
             equation: claim.equation,
             title: plain_words(claim.title),
@@ -207,7 +195,6 @@ pub(super) fn answers(context: &Context<'_>) -> Result<String, Fault> {
         claims,
         symbols: symbols.collect(),
     };
-    let text =
-        serde_json::to_string(&all).map_err(|error| Fault::Placeholder(error.to_string()))?;
+    let text = serde_json::to_string(&all).map_err(|error| error.to_string())?;
     Ok(format!("window.trialbookAnswers = {text};\n"))
 }

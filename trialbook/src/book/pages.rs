@@ -1,7 +1,7 @@
 //! The pages: which there are, in which order, and their text.
 
 use crate::plotting::Figure;
-use crate::publishing::{Edition, Page, Part};
+use crate::publishing::{Edition, Page};
 use crate::trials::Topic;
 
 /// All pages, in the order of the book.
@@ -26,11 +26,11 @@ pub(super) fn summary(pages: &[Page]) -> String {
     let mut last = None;
     for (i, page) in pages.iter().enumerate() {
         let link = format!("[{}]({})\n", page.title, page.file());
-        text.push_str(&match i {
+        text += &match i {
             0 => link,
             _ if last.replace(page.part) == Some(page.part) => format!("- {link}"),
             _ => format!("\n# {:?}\n\n- {link}", page.part),
-        });
+        };
     }
     text
 }
@@ -40,15 +40,10 @@ fn written(edition: &Edition, stem: &str) -> Option<&'static Page> {
 }
 
 fn topic_page(edition: &Edition, topic: &'static Topic, figures: &[Figure]) -> Page {
-    let text = match written(edition, topic.stem) {
-        Some(page) => page.text.clone(),
-        None => page_of_claims(topic, figures).into(),
-    };
+    let text = written(edition, topic.stem).map(|page| page.text.clone());
     Page {
-        stem: topic.stem,
-        part: Part::Read,
-        title: topic.title,
-        text,
+        text: text.unwrap_or_else(|| page_of_claims(topic, figures).into()),
+        ..Page::new(topic.stem, topic.title, "")
     }
 }
 
@@ -61,9 +56,9 @@ fn page_of_claims(topic: &Topic, figures: &[Figure]) -> String {
     );
     for claim in topic.claims() {
         if figures.iter().any(|figure| figure.id == claim.id) {
-            text.push_str(&format!("{{{{figure {}}}}}\n\n", claim.id));
+            text += &format!("{{{{figure {}}}}}\n\n", claim.id);
         }
-        text.push_str(&format!("{{{{claim {}}}}}\n\n", claim.id));
+        text += &format!("{{{{claim {}}}}}\n\n", claim.id);
     }
     text
 }

@@ -255,7 +255,7 @@ fn broken(list: Vec<Node>, room: f64, display: bool) -> Vec<Vec<Node>> {
         if let Node::Element(tag, _) = first
             && tag == "mo"
         {
-            tag.push_str(" form=\"infix\"");
+            *tag += " form=\"infix\"";
         }
     }
     rows

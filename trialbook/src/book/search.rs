@@ -131,48 +131,44 @@ fn flat_digit(c: char) -> char {
 
 impl Search {
     /// An index of nothing yet, for a book with these claims.
-    pub(super) fn new(context: &Context<'_>) -> Self {
+    pub fn new(context: &Context<'_>) -> Self {
         let mut search = Search::default();
         for (address, phrases) in context.edition.aliases {
-            search
-                .aliases
-                .insert((*address).to_owned(), phrases.join(" "));
-            let phrases = phrases.iter().map(|phrase| (*phrase).to_owned());
-            let exact = phrases.map(|phrase| (phrase, (*address).to_owned()));
+            let address = (*address).to_owned();
+            let exact = phrases
+                .iter()
+                .map(|phrase| ((*phrase).to_owned(), address.clone()));
             search.exact.extend(exact);
+            search.aliases.insert(address, phrases.join(" "));
         }
         for entry in &context.ledger.entries {
             let (claim, verdict) = (entry.claim, entry.judgement.verdict);
-            let address = format!("{}.html#{}", entry.topic.stem, claim.id);
-            let names = claim.equation.map(|n| n.to_string());
-            let names = names
-                .into_iter()
-                .chain([claim.id.to_owned(), plain_words(&claim.name())]);
-            let exact = names.map(|name| (name, address.clone()));
-            search.exact.extend(exact);
+            let address = entry.address();
+            let placed = |text: String| (text, address.clone());
+            let number = claim.equation.map(|n| n.to_string());
+            let names = [claim.id.to_owned(), plain_words(&claim.name())];
+            search
+                .exact
+                .extend(number.into_iter().chain(names).map(placed));
             let number = claim.equation;
             let number = number.map(|n| format!("eq eq{n} equation {n} ({n}) right true wrong"));
             let values = claim.values.iter();
-            let values = values.filter_map(|value| Some((value.shown().ok()?, address.clone())));
-            search.values.extend(values);
-            let formula = (claim.plain.to_owned(), address.clone());
-            search.formulas.push(formula);
+            let values = values.filter_map(|value| value.shown().ok());
+            search.values.extend(values.map(placed));
+            search.formulas.push(placed(claim.plain.to_owned()));
             let sign = claim.correction.filter(|_| verdict.is_wrong());
-            let sign = sign.filter(|correction| correction.change == Change::Sign);
             // What one means by it is in a formula, not in a sentence.
-            let sign = sign.filter(|_| claim.equation.is_some());
+            let is_sign = |change| change == Change::Sign && claim.equation.is_some();
+            let sign = sign.filter(|correction| is_sign(correction.change));
             let sign = sign.map(|_| "sign error".to_owned());
             let symbols = context.edition.symbols.iter();
             let symbols = symbols.filter(|symbol| symbol.claim == claim.id);
             let symbols: Vec<_> = symbols.map(|symbol| symbol.plain.to_owned()).collect();
-            let exact = symbols
-                .iter()
-                .map(|symbol| (symbol.clone(), address.clone()));
-            search.exact.extend(exact);
+            search.exact.extend(symbols.iter().cloned().map(placed));
             let words = number.into_iter().chain(symbols).chain(sign);
             let words: Vec<_> = words.collect();
             let aliases = search.aliases.entry(address.clone()).or_default();
-            aliases.push_str(&format!(" {} {}", verdict.slug(), words.join(" ")));
+            *aliases += &format!(" {} {}", verdict.slug(), words.join(" "));
             search
                 .verdicts
                 .insert(address, [verdict.slug(), verdict.words()]);
@@ -181,7 +177,7 @@ impl Search {
     }
 
     /// Adds a page: its file, and its HTML with words for formulas.
-    pub(super) fn add(&mut self, file: &str, html: &str) {
+    pub fn add(&mut self, file: &str, html: &str) {
         let main = html.split_once("<main>").map_or("", |(_, rest)| rest);
         let main = main.split_once("</main>").map_or(main, |(main, _)| main);
         let first = self.stretches.len();
@@ -237,7 +233,7 @@ impl Search {
                 ) {
                     to.push(' ');
                 }
-                to.push_str(&unescape(text));
+                *to += &unescape(text);
             }
         }
         let mut chapter = String::new();
@@ -256,7 +252,7 @@ impl Search {
     }
 
     /// The file that mdBook's searcher loads.
-    pub(super) fn file(&self) -> Result<String, serde_json::Error> {
+    pub fn file(&self) -> Result<String, serde_json::Error> {
         let fields = ["title", "body", "breadcrumbs", "aliases"];
         let mut index: Index = IndexBuilder::with_language(Box::new(Physics(English::new())))
             .add_fields(fields)

@@ -2,34 +2,31 @@
 
 use super::context::Context;
 use super::error::Fault;
-use super::tables::table;
-use super::text::escape;
+use super::tables::tried;
+use super::text::in_code;
 use std::collections::BTreeSet;
 
-/// The table.
 pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
     let maths = context.maths;
     // What two topics have in common is said once.
     let mut said = BTreeSet::new();
-    let rows: Result<Vec<_>, Fault> = context
-        .edition
-        .symbols
-        .iter()
-        .filter(|symbol| said.insert((symbol.latex, symbol.argument, symbol.meaning, symbol.claim)))
-        .map(|symbol| {
-            let unit = match symbol.unit {
-                "1" => "dimensionless",
-                unit => unit,
-            };
-            Ok([
-                maths.inline(symbol.latex)?,
-                format!("<code>{}</code>", escape(symbol.argument)),
-                maths.words(symbol.meaning)?,
-                unit.to_owned(),
-                context.link(context.entry(symbol.claim)?)?,
-            ])
-        })
-        .collect();
+    let symbols = context.edition.symbols.iter();
+    let symbols = symbols.filter(|symbol| {
+        said.insert((symbol.latex, symbol.argument, symbol.meaning, symbol.claim))
+    });
+    let rows = symbols.map(|symbol| {
+        let unit = match symbol.unit {
+            "1" => "dimensionless",
+            unit => unit,
+        };
+        Ok([
+            maths.inline(symbol.latex)?,
+            in_code(symbol.argument),
+            maths.words(symbol.meaning)?,
+            unit.to_owned(),
+            context.links(&[symbol.claim])?,
+        ])
+    });
     let head = ["Paper", "Code", "Meaning", "Units", "First in"];
-    Ok(table("symbols", head, rows?))
+    tried("symbols", head, rows)
 }

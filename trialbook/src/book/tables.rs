@@ -1,10 +1,10 @@
 //! Tables made from the ledger.
 
-use super::claim_box::is_formula;
+use super::claim_box::statement_in_line;
 use super::context::{Context, verdict};
 use super::error::Fault;
 use super::overview::strip;
-use super::text::{count, counted, escape, size};
+use super::text::{count, counted, escape, in_code, size};
 use crate::evidence::{Evidence, Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Standing, Verdict};
 use crate::trials::Topic;
@@ -18,22 +18,26 @@ pub fn table<const N: usize>(
     head: [&str; N],
     rows: impl IntoIterator<Item = [String; N]>,
 ) -> String {
-    let head: String = head
-        .iter()
-        .map(|cell| format!("<th scope=\"col\">{cell}</th>"))
-        .collect();
+    let head = head.map(|cell| format!("<th scope=\"col\">{cell}</th>"));
+    let head = head.concat();
     let row = |cells: [String; N]| {
-        let cells: String = cells
-            .iter()
-            .map(|cell| format!("<td>{cell}</td>"))
-            .collect();
-        format!("<tr>{cells}</tr>")
+        let cells = cells.map(|cell| format!("<td>{cell}</td>"));
+        format!("<tr>{}</tr>", cells.concat())
     };
     let rows: String = rows.into_iter().map(row).collect();
     format!(
         "<div class=\"table-wrapper {class}\"><table><thead><tr>{head}</tr></thead>\
          <tbody>{rows}</tbody></table></div>\n"
     )
+}
+
+/// The same, of rows that may fail.
+pub(super) fn tried<const N: usize>(
+    class: &str,
+    head: [&str; N],
+    rows: impl Iterator<Item = Result<[String; N], Fault>>,
+) -> Result<String, Fault> {
+    Ok(table(class, head, rows.collect::<Result<Vec<_>, _>>()?))
 }
 
 /// Text as it stands, as a block of HTML.
@@ -43,7 +47,6 @@ pub(super) fn code(text: &str) -> String {
     format!("<pre><code class=\"language-text\">{lines}</code></pre>\n")
 }
 
-/// The sheets of all claims.
 pub(super) fn sheets(context: &Context<'_>) -> Result<String, Fault> {
     let sheet = |entry: &Entry| {
         Ok(format!(
@@ -85,47 +88,32 @@ fn meaning(verdict: Verdict) -> &'static str {
 /// The claims of the topic of this stem: a mark for each, and the table folded away behind their count.
 pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
     let table = topic(context, stem)?;
-    let of_topic = |entry: &&Entry| entry.topic.stem == stem;
-    let entries: Vec<_> = context.ledger.entries.iter().filter(of_topic).collect();
-    let wrong = entries
-        .iter()
-        .filter(|entry| entry.judgement.verdict.is_wrong())
-        .count();
+    let entries: Vec<_> = context.of_topic(stem).collect();
+    let wrong = entries.iter().filter(|e| e.judgement.verdict.is_wrong());
+    let wrong = match wrong.count() {
+        0 => "none".to_owned(),
+        n => count(n),
+    };
     Ok(format!(
-        "<div class=\"claims\">{}<details class=\"contents\"><summary>{}, {} false</summary>{table}</details></div>\n",
+        "<div class=\"claims\">{}<details class=\"contents\"><summary>{}, {wrong} false</summary>{table}</details></div>\n",
         strip(&entries),
         counted(entries.len(), "claim"),
-        if wrong == 0 {
-            "none".to_owned()
-        } else {
-            count(wrong)
-        },
     ))
 }
 
-/// The claims of the topic of this stem.
 fn topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
-    let of_topic = |entry: &&Entry| entry.topic.stem == stem;
-    let entries: Vec<_> = context.ledger.entries.iter().filter(of_topic).collect();
-    if entries.is_empty() {
-        return Err(Fault::Placeholder(format!("there is no topic `{stem}`")));
+    let mut entries = context.of_topic(stem).peekable();
+    if entries.peek().is_none() {
+        return Err(format!("there is no topic `{stem}`").into());
     }
-    let rows: Result<Vec<_>, _> = entries.iter().map(|entry| row(context, entry)).collect();
-    Ok(table(
-        "ledger",
-        ["Claim", "Verdict", "How that is known"],
-        rows?,
-    ))
+    let head = ["Claim", "Verdict", "How that is known"];
+    tried("ledger", head, entries.map(|entry| row(context, entry)))
 }
 
 fn row(context: &Context<'_>, entry: &Entry) -> Result<[String; 3], Fault> {
     let claim = entry.claim;
     let maths = context.maths;
-    let statement = if is_formula(claim, claim.latex) {
-        maths.inline(claim.latex)?
-    } else {
-        maths.words(claim.latex)?
-    };
+    let statement = statement_in_line(context, claim)?;
     // The link already bears the title of a claim without a number.
     let title = match claim.equation {
         Some(_) => maths.words(claim.title)?,
@@ -151,8 +139,8 @@ fn known(entry: &Entry) -> String {
     let first = entry.standing().zip(strongest);
     let first = first.map(|(known, route)| format!("{}, {route}", known.word()));
     let others = (!others.is_empty()).then(|| format!("also {}", others.join(", ")));
-    let points: usize = entry.evidence.iter().map(|e| e.points).sum();
-    let points = (points > 0).then(|| counted(points, "point"));
+    let points = Some(entry.points()).filter(|points| *points > 0);
+    let points = points.map(|points| counted(points, "point"));
     let parts = [first, others, points].into_iter().flatten();
     parts.collect::<Vec<_>>().join("; ")
 }
@@ -164,12 +152,12 @@ pub(super) fn whole_ledger(context: &Context<'_>) -> Result<String, Fault> {
     for entry in &context.ledger.entries {
         let stem = entry.topic.stem;
         if seen.insert(stem) {
-            html.push_str(&format!(
+            html += &format!(
                 "<h2 id=\"ledger-{stem}\"><a class=\"header\" href=\"#ledger-{stem}\">{}{}</a></h2>\n",
                 sections(entry.topic),
                 escape(entry.topic.title)
-            ));
-            html.push_str(&topic(context, stem)?);
+            );
+            html += &topic(context, stem)?;
         }
     }
     Ok(html)
@@ -240,12 +228,11 @@ pub(super) fn tolerances(context: &Context<'_>) -> Result<String, Fault> {
     }
     let mut uses: Vec<_> = uses.into_values().collect();
     uses.sort_by(|(a, _), (b, _)| a.value.total_cmp(&b.value));
-    let mut rows = Vec::new();
-    for (tolerance, trials) in uses {
+    let rows = uses.into_iter().map(|(tolerance, trials)| {
         let reason = context.maths.words(tolerance.reason)?;
-        rows.push([size(tolerance.value), reason, count(trials)]);
-    }
-    Ok(table("tolerances", ["Tolerance", "Reason", "Trials"], rows))
+        Ok([size(tolerance.value), reason, count(trials)])
+    });
+    tried("tolerances", ["Tolerance", "Reason", "Trials"], rows)
 }
 
 /// How many claims of which kind are proved, by which route, and how many are measured.
@@ -276,22 +263,14 @@ pub(super) fn proofs(ledger: &Ledger) -> String {
     )
 }
 
-/// The claims without a proof, by the reason.
 pub(super) fn measured(context: &Context<'_>) -> Result<String, Fault> {
     let row = |(why, claims): &(&str, Vec<&'static Claim>)| {
-        let links = claims
-            .iter()
-            .map(|claim| context.link(context.entry(claim.id)?));
-        let links: Result<Vec<_>, Fault> = links.collect();
-        Ok([context.maths.words(why)?, links?.join(", ")])
+        let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
+        Ok([context.maths.words(why)?, context.links(&ids)?])
     };
     let reasons = context.ledger.paper.unproved();
-    let rows: Result<Vec<_>, Fault> = reasons.iter().map(row).collect();
-    Ok(table(
-        "measured",
-        ["Why there is no proof", "Claims"],
-        rows?,
-    ))
+    let head = ["Why there is no proof", "Claims"];
+    tried("measured", head, reasons.iter().map(row))
 }
 
 /// How many points, the worst disagreement at them and what is allowed.
@@ -305,22 +284,19 @@ fn sizes(measured: &Evidence) -> [String; 3] {
 
 /// Of every claim that was measured, the comparison that came closest to its tolerance.
 pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
-    let row = |entry: &Entry| {
-        let Some(closest) = entry.closest() else {
-            return Ok(None);
-        };
+    let entries = context.ledger.entries.iter();
+    let measured = entries.filter_map(|entry| Some((entry, entry.closest()?)));
+    let rows = measured.map(|(entry, closest)| {
         let [points, worst, tolerance] = sizes(closest);
-        Ok(Some([
+        Ok([
             context.link(entry)?,
             closest.route.name().to_owned(),
             closest.subject.words(entry.is_conditional()).to_owned(),
             points,
             worst,
             tolerance,
-        ]))
-    };
-    let rows = context.ledger.entries.iter().map(row);
-    let rows: Result<Vec<_>, Fault> = rows.filter_map(Result::transpose).collect();
+        ])
+    });
     let head = [
         "Claim",
         "By",
@@ -329,7 +305,7 @@ pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
         "Worst disagreement",
         "Tolerance",
     ];
-    Ok(table("accuracy", head, rows?))
+    tried("accuracy", head, rows)
 }
 
 /// What need not be noticed of each claim, and why: `survivors`, the wrong variants that are not rejected; `cornered`, the mistakes
@@ -346,17 +322,12 @@ pub(super) fn excused(context: &Context<'_>, name: &'static str) -> Result<Strin
         entries().flat_map(move |entry| list(entry.claim).iter().map(move |excuse| (entry, excuse)))
     });
     let rows = all.map(|(entry, excuse)| {
-        Ok([
-            context.link(entry)?,
-            format!("<code>{}</code>", escape(excuse.of)),
-            context.maths.words(excuse.why)?,
-        ])
+        let why = context.maths.words(excuse.why)?;
+        Ok([context.link(entry)?, in_code(excuse.of), why])
     });
-    let rows: Result<Vec<_>, Fault> = rows.collect();
-    Ok(table(name, head, rows?))
+    tried(name, head, rows)
 }
 
-/// The trials of all claims.
 fn trials<'a>(context: &Context<'a>) -> impl Iterator<Item = (&'a Entry, &'static Attempt)> {
     let entries = context.ledger.entries.iter();
     entries.flat_map(|entry| entry.claim.trials.iter().map(move |trial| (entry, trial)))
@@ -386,28 +357,23 @@ pub(super) fn excused_trials(context: &Context<'_>, name: &'static str) -> Resul
     let rows = all.map(|(entry, trial, excuse)| {
         Ok([
             context.link(entry)?,
-            format!("<code>{}</code>", escape(trial.name())),
-            format!("<code>{}</code>", escape(excuse.of)),
+            in_code(trial.name()),
+            in_code(excuse.of),
             context.maths.words(excuse.why)?,
         ])
     });
-    let rows: Result<Vec<_>, Fault> = rows.collect();
-    Ok(table(name, head, rows?))
+    tried(name, head, rows)
 }
 
 /// The trials that agree and notice no mistake in a formula.
 pub(super) fn idle(context: &Context<'_>) -> Result<String, Fault> {
     let idle = trials(context).filter_map(|(entry, trial)| Some((entry, trial, trial.idle?)));
     let rows = idle.map(|(entry, trial, why)| {
-        Ok([
-            context.link(entry)?,
-            format!("<code>{}</code>", escape(trial.name())),
-            context.maths.words(why)?,
-        ])
+        let why = context.maths.words(why)?;
+        Ok([context.link(entry)?, in_code(trial.name()), why])
     });
-    let rows: Result<Vec<_>, Fault> = rows.collect();
     let head = ["Claim", "Trial", "What no formula says"];
-    Ok(table("idle", head, rows?))
+    tried("idle", head, rows)
 }
 
 #[cfg(test)]

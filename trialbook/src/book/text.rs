@@ -20,11 +20,33 @@ pub fn escape(text: &str) -> String {
     out
 }
 
+/// Data as code within a line.
+pub(super) fn in_code(text: &str) -> String {
+    format!("<code>{}</code>", escape(text))
+}
+
+/// A text in which `write` says what stands for each mark and what follows it, up to the next.
+pub(super) fn after_each(
+    text: &str,
+    mark: &str,
+    mut write: impl FnMut(&str, &mut String),
+) -> String {
+    let mut parts = text.split(mark);
+    let mut out = parts.next().unwrap_or_default().to_owned();
+    parts.for_each(|part| write(part, &mut out));
+    out
+}
+
+/// A text without all that stands between two marks, and without these.
+pub(super) fn without(text: &str, open: &str, close: &str) -> String {
+    after_each(text, open, |part, out| {
+        *out += part.split_once(close).map_or("", |(_, after)| after);
+    })
+}
+
 /// The text behind the character references of HTML.
 pub(super) fn unescape(html: &str) -> String {
-    let mut parts = html.split('&');
-    let mut out = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
+    after_each(html, "&", |part, out| {
         let reference = part.split_once(';').and_then(|(name, after)| {
             let c = match name {
                 "amp" => '&',
@@ -46,15 +68,11 @@ pub(super) fn unescape(html: &str) -> String {
         match reference {
             Some((c, after)) => {
                 out.push(c);
-                out.push_str(after);
+                *out += after;
             }
-            None => {
-                out.push('&');
-                out.push_str(part);
-            }
+            None => out.extend(["&", part]),
         }
-    }
-    out
+    })
 }
 
 /// A count in words, up to twelve.
@@ -63,9 +81,8 @@ pub(super) fn in_words(n: usize) -> String {
         "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
         "eleven", "twelve",
     ];
-    WORDS
-        .get(n)
-        .map_or_else(|| count(n), |word| (*word).to_owned())
+    let word = WORDS.get(n).map(|word| (*word).to_owned());
+    word.unwrap_or_else(|| count(n))
 }
 
 /// Functions that a phrase may begin with.
@@ -107,15 +124,13 @@ pub(super) fn value(x: f64) -> String {
         return if x > 0.0 { "∞" } else { "−∞" }.into();
     }
     let scientific = format!("{x:.11e}");
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, e)| e.parse::<i32>().ok());
-    match exponent {
-        Some(e @ -4..=5) if x != 0.0 => {
+    let exponent = scientific.split_once('e');
+    match exponent.and_then(|(_, e)| e.parse::<i32>().ok()) {
+        _ if x == 0.0 => "0".into(),
+        Some(e @ -4..=5) => {
             let decimals = usize::try_from(11 - e).unwrap_or(0);
             trimmed(&format!("{x:.decimals$}")).replace('-', "−")
         }
-        _ if x == 0.0 => "0".into(),
         _ => power_of_ten(&scientific),
     }
 }

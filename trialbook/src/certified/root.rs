@@ -7,15 +7,6 @@ use super::written::{dyadic, ends, rounded_ball, short, short_box, units};
 use crate::exact::{Expr, tree};
 use crate::witness::{self, Witness};
 
-/// An enclosed root.
-#[derive(Debug, Clone)]
-pub struct Root {
-    /// The box in which it exists and is the only one.
-    pub unique_in: Interval,
-    /// The root.
-    pub value: Ball,
-}
-
 /// Bits of the first steps, in which the box shrinks to what an f64 can say.
 const FIRST: usize = 64;
 
@@ -34,7 +25,7 @@ pub fn refine(
     f: impl Fn(&Ball) -> Option<[Ball; 2]>,
     start: Interval,
     bits: usize,
-) -> Result<Root, CertifiedError> {
+) -> Result<Ball, CertifiedError> {
     let failed = |why| CertifiedError::unproved(why, &[start]);
     let image = |x: &Ball, bits: usize| -> Option<Ball> {
         let [_, slope] = f(x)?;
@@ -78,10 +69,7 @@ pub fn refine(
     if !x.interval().inside(start) {
         return Err(failed("the root may lie outside the box"));
     }
-    Ok(Root {
-        unique_in: start,
-        value: x.with_bits(bits),
-    })
+    Ok(x.with_bits(bits))
 }
 
 /// The same, of a function that is written in the variable `x` too, for a witness.
@@ -93,7 +81,7 @@ pub fn refine_written(
     f: impl Fn(&Ball) -> Option<[Ball; 2]>,
     start: Interval,
     bits: usize,
-) -> Result<Root, CertifiedError> {
+) -> Result<Ball, CertifiedError> {
     let root = refine(&f, start, bits)?;
     witness::leave(|| {
         let within = short_box(start);
@@ -108,7 +96,7 @@ pub fn refine_written(
             within: vec![ends(within)],
             corners: [within.lo(), within.hi()].map(|x| vec![units(value(x))]),
             preconditioner: vec![vec![dyadic(short(1.0 / slope))]],
-            root: vec![rounded_ball(&root.value)],
+            root: vec![rounded_ball(&root)],
         })
     });
     Ok(root)

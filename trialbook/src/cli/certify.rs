@@ -1,13 +1,14 @@
 //! Certificates: for each proof a file that a stranger's program can check.
 
 use super::output::{VERSION, csv, json, say};
+use super::screen::progress;
 use crate::book;
 use crate::evidence::{Evidence, Subject};
 use crate::publishing::{Edition, Failure, Format};
 use crate::trials::attempt::Attempt;
 use crate::trials::{Claim, Paper, Sort};
 use crate::witness::{self, Witness};
-use indicatif::{ProgressBar, ProgressStyle};
+
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::Path;
@@ -15,7 +16,6 @@ use std::path::Path;
 /// The version of the files' format.
 const FORMAT: u32 = 4;
 
-/// What stands in a file.
 #[derive(Serialize)]
 struct Certificate {
     format: u32,
@@ -35,7 +35,6 @@ struct Certificate {
     witnesses: Vec<Witness>,
 }
 
-/// A proof and its file.
 #[derive(Serialize)]
 struct Row {
     claim: &'static str,
@@ -46,7 +45,6 @@ struct Row {
     bytes: usize,
 }
 
-/// All proofs and their files.
 #[derive(Serialize)]
 struct List<'a> {
     version: u32,
@@ -64,27 +62,19 @@ pub(super) fn certify(
     let proofs = made(edition.paper, ids);
     let (mut rows, mut files) = (Vec::new(), Vec::new());
     for certificate in proofs {
-        let file = format!("{}-{}.json", certificate.claim, certificate.proof);
         let text = serde_json::to_vec(&certificate)?;
-        let row = Row {
+        let mut row = Row {
             claim: certificate.claim,
             trial: certificate.trial,
-            file: file.clone(),
+            file: String::new(),
             witnesses: certificate.witnesses.len(),
             bytes: text.len(),
         };
-        let empty = certificate.witnesses.is_empty();
-        if !empty {
-            files.push((file, text));
+        if row.witnesses > 0 {
+            row.file = format!("{}-{}.json", certificate.claim, certificate.proof);
+            files.push((row.file.clone(), text));
         }
-        rows.push(Row {
-            file: if empty {
-                String::new()
-            } else {
-                row.file.clone()
-            },
-            ..row
-        });
+        rows.push(row);
     }
     let folder = book::replace(out, edition.name, "certificates", &files)?;
     match format {
@@ -136,9 +126,8 @@ fn made(paper: &'static Paper, ids: &[&str]) -> Vec<Certificate> {
         .filter(|(_, claim)| wanted(claim))
         .flat_map(|(_, claim)| claim.trials.iter().map(move |attempt| (claim, attempt)))
         .collect();
-    let style = ProgressStyle::with_template("{bar:40} {pos}/{len} trials  {eta} left");
-    let bar = ProgressBar::new(attempts.len() as u64)
-        .with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()));
+    let length = attempts.len() as u64;
+    let bar = progress(length, "{bar:40} {pos}/{len} trials  {eta} left");
     let one = |(claim, attempt): &(&'static Claim, &'static Attempt)| {
         let (evidence, witnesses) = witness::of(|| attempt.evidence());
         bar.inc(1);

@@ -16,11 +16,11 @@ use std::{env, fs};
 
 /// How often the trials are made, and by whom.
 pub(super) struct Depth {
-    pub(super) rounds: u32,
+    pub rounds: u32,
     /// How many threads a round has.
-    pub(super) jobs: Option<u16>,
+    pub jobs: Option<u16>,
     /// Where the parts stand that other jobs have made; nothing if the rounds are still to be made.
-    pub(super) parts: Vec<PathBuf>,
+    pub parts: Vec<PathBuf>,
 }
 
 /// The ledger of a usual run with what the other rounds bring, judged anew; and how many rounds there were. An

@@ -19,18 +19,15 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
-/// The verdicts by their slugs.
 pub(super) fn verdicts() -> PossibleValuesParser {
     PossibleValuesParser::new(Verdict::ALL.map(Verdict::slug))
 }
 
-/// The sections of the paper.
 pub(super) fn sections(paper: &Paper) -> PossibleValuesParser {
     let sections: BTreeSet<&str> = paper.claims().map(|(_, claim)| claim.section).collect();
     PossibleValuesParser::new(sections)
 }
 
-/// How errata are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum ErrataFormat {
     /// Plain text
@@ -41,7 +38,6 @@ pub(super) enum ErrataFormat {
     Json,
 }
 
-/// Claims as JSON.
 #[derive(Serialize)]
 struct Claims<'a> {
     version: u32,
@@ -51,7 +47,6 @@ struct Claims<'a> {
     book: Option<&'a Path>,
 }
 
-/// A claim whose verdict is not the recorded one.
 #[derive(Serialize)]
 struct DifferenceRow<'a> {
     id: &'a str,
@@ -67,7 +62,6 @@ struct Tried {
 }
 
 impl Tried {
-    /// Tries all claims, or those of these ids.
     fn new(paper: &'static Paper, ids: Option<&[&str]>, depth: &Depth) -> Result<Self, Failure> {
         let record = Record::parse(paper.record)?;
         let ledger = with_progress(paper, ids);
@@ -104,6 +98,21 @@ impl Tried {
 
     fn all(&self) -> Vec<&Entry> {
         self.ledger.entries.iter().collect()
+    }
+
+    /// Answers with these claims, as text with these words; the exit code.
+    fn answered(
+        &self,
+        entries: &[&Entry],
+        words: impl FnOnce() -> String,
+        format: Format,
+    ) -> Result<u8, Failure> {
+        match format {
+            Format::Text => shown(&words())?,
+            Format::Json => json(&self.rows(entries, None))?,
+            Format::Csv => table(entries)?,
+        }
+        Ok(self.code())
     }
 
     /// Table, differences and summary as text; where quiet is wanted, the differences alone.
@@ -159,25 +168,26 @@ pub(super) fn main_job(
     let (tried, drawn) = rayon::join(|| Tried::new(edition.paper, None, depth), drawn);
     let (tried, (figures, frame)) = (tried?, drawn?);
     let first_page = frame.fill(&tried.ledger, &figures)?;
-    match format {
-        Format::Text if screen().quiet => {
-            say(&format!("{}{}", tried.text(), first_page.display()))?
-        }
-        Format::Text => shown(&format!(
+    let words = || {
+        format!(
             "{}{} comparisons in {:.1} s; {}\nThe book: {}",
             tried.text(),
             tried.ledger.points(),
             start.elapsed().as_secs_f64(),
             tried.as_recorded(),
             first_page.display()
-        ))?,
+        )
+    };
+    match format {
+        Format::Text if screen().quiet => {
+            say(&format!("{}{}", tried.text(), first_page.display()))?
+        }
         Format::Json => json(&tried.rows(&tried.all(), Some(&first_page)))?,
-        Format::Csv => table(&tried.all())?,
+        _ => return tried.answered(&tried.all(), words, format),
     }
     Ok(tried.code())
 }
 
-/// Verifies the claims of these ids, or all.
 pub(super) fn verify(
     edition: &Edition,
     ids: &[String],
@@ -186,12 +196,8 @@ pub(super) fn verify(
 ) -> Result<u8, Failure> {
     let known = known_all(edition, ids)?;
     let tried = Tried::new(edition.paper, (!ids.is_empty()).then_some(&known), depth)?;
-    match format {
-        Format::Text => shown(&format!("{}{}", tried.text(), tried.as_recorded()))?,
-        Format::Json => json(&tried.rows(&tried.all(), None))?,
-        Format::Csv => table(&tried.all())?,
-    }
-    Ok(tried.code())
+    let words = || tried.text() + &tried.as_recorded();
+    tried.answered(&tried.all(), words, format)
 }
 
 /// Prints what a round of a run in depth brings for the claims of these ids, or for all.
@@ -213,7 +219,6 @@ pub(super) fn record(paper: &'static Paper, made: &str, depth: &Depth) -> Result
     Ok(tried.code())
 }
 
-/// Shows claims.
 pub(super) fn show(
     edition: &Edition,
     ids: &[String],
@@ -221,25 +226,18 @@ pub(super) fn show(
     format: Format,
 ) -> Result<u8, Failure> {
     let tried = Tried::new(edition.paper, Some(&known_all(edition, ids)?), depth)?;
-    match format {
-        Format::Text => {
-            let painted = |entry: &Entry| {
-                let verdict = entry.judgement.verdict;
-                let line = |words: &str| format!("\nverdict: {words}\n");
-                let words = verdict.words();
-                let with = line(&screen().paint(verdict, words));
-                entry.sheet().replacen(&line(words), &with, 1)
-            };
-            let sheets: Vec<_> = tried.ledger.entries.iter().map(painted).collect();
-            shown(&sheets.join("\n\n"))?;
-        }
-        Format::Json => json(&tried.rows(&tried.all(), None))?,
-        Format::Csv => table(&tried.all())?,
-    }
-    Ok(tried.code())
+    let painted = |entry: &Entry| {
+        let verdict = entry.judgement.verdict;
+        let line = |words: &str| format!("\nverdict: {words}\n");
+        let words = verdict.words();
+        let with = line(&screen().paint(verdict, words));
+        entry.sheet().replacen(&line(words), &with, 1)
+    };
+    let sheets = || tried.ledger.entries.iter().map(painted);
+    let words = || sheets().collect::<Vec<_>>().join("\n\n");
+    tried.answered(&tried.all(), words, format)
 }
 
-/// Lists the claims of a verdict and a section.
 pub(super) fn list(
     paper: &'static Paper,
     verdict: Option<&str>,
@@ -254,16 +252,13 @@ pub(super) fn list(
     let tried = Tried::new(paper, of_section.as_deref(), depth)?;
     let fits = |e: &&Entry| verdict.is_none_or(|v| e.judgement.verdict.slug() == v);
     let listed: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
-    match format {
-        Format::Text if listed.is_empty() => say("there is no such claim")?,
-        Format::Text => shown(&columns::list(&listed, &screen()))?,
-        Format::Json => json(&tried.rows(&listed, None))?,
-        Format::Csv => table(&listed)?,
-    }
-    Ok(tried.code())
+    let words = || match listed.is_empty() {
+        true => "there is no such claim".to_owned(),
+        false => columns::list(&listed, &screen()),
+    };
+    tried.answered(&listed, words, format)
 }
 
-/// Prints the errata.
 pub(super) fn print_errata(
     edition: &Edition,
     (kind, supplement): (ErrataFormat, bool),
@@ -314,12 +309,7 @@ fn table(entries: &[&Entry]) -> Result<(), Failure> {
             entry.judgement.verdict.slug().to_owned(),
             claim.plain.to_owned(),
             entry.routes(),
-            entry
-                .evidence
-                .iter()
-                .map(|e| e.points)
-                .sum::<usize>()
-                .to_string(),
+            entry.points().to_string(),
             number(worst.map(|e| e.worst)),
             number(worst.map(|e| e.tolerance.value)),
         ]

@@ -85,11 +85,8 @@ impl Series {
     }
 
     /// The negative.
-    pub fn negated(mut self) -> Self {
-        for c in &mut self.coefficients {
-            *c = -&*c;
-        }
-        self
+    pub fn negated(self) -> Self {
+        self.mapped(|_, c| -&c)
     }
 
     /// A sum, known as far as both are.
@@ -130,7 +127,7 @@ impl Series {
         let other = other.clone().trimmed(ring)?;
         let Some(first) = other.coefficients.first() else {
             let divisor = "a series without a term".to_owned();
-            return Err(ExactError::DivisionByZero { divisor });
+            return Err(ExactError::DivisionByZero(divisor));
         };
         let mut quotient: Vec<Rational> = Vec::new();
         for n in 0..self.coefficients.len().min(other.coefficients.len()) {
@@ -154,7 +151,7 @@ impl Series {
         let start = start.and_then(|n| i64::try_from(n).ok());
         let (Some(leading), Some(start)) = (leading, start) else {
             let what = format!("to the power {}", ring.text(exponent));
-            return Err(ExactError::NoSeries { what });
+            return Err(ExactError::NoSeries(what));
         };
         // y = xᵉ obeys x y′ = e x′ y.
         let mut y = vec![ring.raise(&leading, exponent)?];
@@ -205,17 +202,14 @@ impl Series {
             .filter(|(c, _)| !c.is_literally_zero())
             .map(|(c, k)| format!("[{}]{} + ", ring.text(c), power(k)))
             .collect();
-        text.push_str(
-            match self.order() + 1 {
-                0 => "O(1)".to_owned(),
-                k => format!("O({})", power(k).trim_start()),
-            }
-            .as_str(),
-        );
+        text += match self.order() + 1 {
+            0 => "O(1)".to_owned(),
+            k => format!("O({})", power(k).trim_start()),
+        }
+        .as_str();
         text
     }
 
-    /// Without leading coefficients that are zero.
     fn trimmed(mut self, ring: &Ring) -> Result<Self, ExactError> {
         let mut zeros = 0;
         while let Some(c) = self.coefficients.get(zeros) {
@@ -234,16 +228,14 @@ impl Series {
         for power in self.start..0 {
             if !ring.is_zero(&self.coefficient(power).unwrap_or(Rational::int(0)))? {
                 let what = format!("about the power {power} of the small quantity");
-                return Err(ExactError::NoSeries { what });
+                return Err(ExactError::NoSeries(what));
             }
         }
         let all = (0..=self.order()).filter_map(|k| self.coefficient(k));
         let all: Vec<_> = all.collect();
         match all.first() {
             Some(first) => Ok((first.clone(), all)),
-            None => Err(ExactError::NoSeries {
-                what: "of which no term is known".into(),
-            }),
+            None => Err(ExactError::NoSeries("of which no term is known".into())),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::{Entry, Ledger, Verdict};
 use crate::evidence::{Change, Evidence, Outcome, Subject};
-use crate::trials::Sort;
+
 use crate::trials::compare::Failure;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -53,15 +53,9 @@ pub enum ErrataError {
         /// What failed.
         reason: Failure,
     },
-    /// The letter asks for what there is not.
-    #[error("the letter: {says}")]
-    Letter {
-        /// What is wrong with it.
-        says: String,
-    },
-    /// No JSON.
-    #[error("the errata as JSON: {0}")]
-    Json(#[from] serde_json::Error),
+    /// The letter asks for what there is not: what is wrong with it.
+    #[error("the letter: {0}")]
+    Letter(String),
 }
 
 impl Ledger {
@@ -97,10 +91,8 @@ impl Ledger {
     /// Of the claims that rest on this one, those that have their error from others, and those that stand. What is wrong by
     /// an error of its own is neither.
     pub fn fallen_and_standing(&self, id: &str) -> [Vec<&'static str>; 2] {
-        let (wrong, standing): (Vec<_>, Vec<_>) = self
-            .resting_on(id)
-            .into_iter()
-            .partition(|id| self.is_wrong(id));
+        let resting = self.resting_on(id).into_iter();
+        let (wrong, standing): (Vec<_>, Vec<_>) = resting.partition(|id| self.is_wrong(id));
         let inherits = |id: &&str| self.entry(id).is_some_and(|e| !self.inherits(e).is_empty());
         let fallen = wrong.into_iter().filter(inherits).collect();
         [fallen, standing]
@@ -129,12 +121,9 @@ impl Ledger {
 
     /// The wrong claims with an error of their own, without the misprints.
     pub fn roots(&self) -> impl Iterator<Item = &Entry> {
-        let wrong = self
-            .entries
-            .iter()
-            .filter(|e| e.judgement.verdict.is_wrong());
-        let wrong = wrong.filter(|e| e.judgement.verdict != Verdict::Misprint);
-        wrong.filter(|e| self.inherits(e).is_empty())
+        let own = |v: Verdict| v.is_wrong() && v != Verdict::Misprint;
+        let entries = self.entries.iter();
+        entries.filter(move |e| own(e.judgement.verdict) && self.inherits(e).is_empty())
     }
 
     /// The errors of their own by weight: in how many topics a result does not hold, and how many formulas have lost a factor,
@@ -193,10 +182,8 @@ impl Ledger {
 
     /// What a claim is called: `(82)`, `Figure 5`, or its title.
     pub fn name(&self, id: &str) -> String {
-        let Some(entry) = self.entry(id) else {
-            return id.to_owned();
-        };
-        entry.claim.name()
+        let entry = self.entry(id);
+        entry.map_or_else(|| id.to_owned(), |entry| entry.claim.name())
     }
 }
 
@@ -212,20 +199,13 @@ pub(super) fn statement(latex: &str, equation: Option<u16>) -> String {
 /// whose error it inherits.
 fn new_text(entry: &Entry, inherits: &[String]) -> String {
     let claim = entry.claim;
-    let missing = claim
-        .conditions
-        .iter()
-        .filter(|c| c.sort == Sort::Substance)
-        .map(|c| c.text);
-    let missing: Vec<_> = missing.collect();
+    let missing = entry.missing();
     if entry.judgement.verdict == Verdict::Conditional {
         let general = claim.correction.map_or(String::new(), |c| {
-            format!(
-                ". A form that needs no condition: {}",
-                statement(c.latex, claim.equation)
-            )
+            let form = statement(c.latex, claim.equation);
+            format!(". A form that needs no condition: {form}")
         });
-        return format!("add: {}{general}", missing.join("; "));
+        return format!("add: {missing}{general}");
     }
     let Some(correction) = claim.correction else {
         return format!("nothing takes its place; see {}", inherits.join(", "));
@@ -233,20 +213,17 @@ fn new_text(entry: &Entry, inherits: &[String]) -> String {
     let new = statement(correction.latex, claim.equation);
     match missing.is_empty() {
         true => new,
-        false => format!("{new}, for {}", missing.join("; ")),
+        false => format!("{new}, for {missing}"),
     }
 }
 
 /// Why a condition is needed: what happens without it; empty where nothing does.
 fn reason_of_condition(entry: &Entry) -> String {
-    let outside = entry
-        .evidence
-        .iter()
-        .filter(|e| e.subject == Subject::Outside);
+    let outside = |e: &&Evidence| e.subject == Subject::Outside;
+    let outside = entry.evidence.iter().filter(outside);
     let fails = outside.filter(|e| e.outcome() == Outcome::Disagrees);
-    let (failed, points) = fails.fold((0, 0), |(failed, points), e| {
-        (failed + e.failed, points + e.points)
-    });
+    let sum = |(failed, points), e: &Evidence| (failed + e.failed, points + e.points);
+    let (failed, points) = fails.fold((0, 0), sum);
     match points {
         0 => String::new(),
         _ => format!("Without the condition {failed} of {points} comparisons disagree"),

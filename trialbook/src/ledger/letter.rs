@@ -1,9 +1,8 @@
-//! The errata as a letter that can be sent: plain text, LaTeX, or data as JSON.
+//! The errata as a letter that can be sent: plain text or LaTeX.
 
+use super::Ledger;
 use super::errata::{ErrataError, Erratum, statement};
-use super::{Ledger, Verdict};
-use crate::notation::{Piece, decimal, pieces};
-use crate::notation::{command, plain_words};
+use crate::notation::{Piece, command, decimal, pieces, plain_words};
 use crate::trials::Paper;
 
 /// A form of the letter.
@@ -11,15 +10,20 @@ use crate::trials::Paper;
 pub enum Format {
     /// Plain text.
     Text,
-    /// A LaTeX document.
     Latex,
-    /// A list of objects, with the fields of [`Erratum`].
-    Json,
+}
+
+impl Format {
+    fn style(self) -> &'static dyn Style {
+        match self {
+            Format::Text => &Plain,
+            Format::Latex => &Latex,
+        }
+    }
 }
 
 impl Ledger {
-    /// The paper's [letter](Paper::letter), with what its placeholders ask for, or the errata as JSON. A paper without one is
-    /// sent its supplement.
+    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent its supplement.
     ///
     /// In the letter a paragraph is a line of words with formulas in `$…$`, a heading begins with `# `. `[words](#id)` names a
     /// claim that has to be changed. `{{right eq-13}}` is what should stand there,
@@ -30,25 +34,18 @@ impl Ledger {
     /// # Errors
     /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not.
     pub fn letter(&self, format: Format) -> Result<String, ErrataError> {
-        let errata = self.errata()?;
-        match format {
-            Format::Json => Ok(serde_json::to_string_pretty(&errata)? + "\n"),
-            _ if self.paper.letter.is_empty() => self.supplement(format),
-            Format::Text => self.comment(&errata, &Plain),
-            Format::Latex => self.comment(&errata, &Latex),
+        match self.paper.letter {
+            "" => self.supplement(format),
+            _ => self.comment(&self.errata()?, format.style()),
         }
     }
 
-    /// What stands behind the letter: every claim that has to be changed, with all its trials. JSON as the letter's.
+    /// What stands behind the letter: every claim that has to be changed, with all its trials.
     ///
     /// # Errors
     /// As [`Ledger::errata`].
     pub fn supplement(&self, format: Format) -> Result<String, ErrataError> {
-        match format {
-            Format::Json => self.letter(format),
-            Format::Text => Ok(self.trials(&self.errata()?, &Plain)),
-            Format::Latex => Ok(self.trials(&self.errata()?, &Latex)),
-        }
+        Ok(self.trials(&self.errata()?, format.style()))
     }
 
     fn comment(&self, errata: &[Erratum], style: &dyn Style) -> Result<String, ErrataError> {
@@ -67,9 +64,8 @@ impl Ledger {
         let mut parts = line.split("{{");
         let mut out = parts.next().unwrap_or_default().to_owned();
         for part in parts {
-            let (asked, after) = part
-                .split_once("}}")
-                .ok_or_else(|| fault(format!("a placeholder without an end: {part}")))?;
+            let endless = || fault(format!("a placeholder without an end: {part}"));
+            let (asked, after) = part.split_once("}}").ok_or_else(endless)?;
             out += &self.asked(errata, asked)?;
             out += after;
         }
@@ -79,16 +75,14 @@ impl Ledger {
     fn asked(&self, errata: &[Erratum], asked: &str) -> Result<String, ErrataError> {
         let none = || fault(format!("nothing is known of \"{asked}\""));
         let words: Vec<_> = asked.split(' ').collect();
-        let standing = || self.entries.len() - errata.len();
-        let numbered = || {
-            let numbered = self.entries.iter().filter(|e| e.claim.equation.is_some());
-            numbered.count()
-        };
+        let all = self.entries.len();
+        let numbered = self.entries.iter().filter(|e| e.claim.equation.is_some());
+        let numbered = numbered.count();
         match words[..] {
             ["reference"] => Ok(self.paper.reference.to_owned()),
-            ["count", "numbered"] => Ok(numbered().to_string()),
-            ["count", "others"] => Ok((self.entries.len() - numbered()).to_string()),
-            ["count", "standing"] => Ok(standing().to_string()),
+            ["count", "numbered"] => Ok(numbered.to_string()),
+            ["count", "others"] => Ok((all - numbered).to_string()),
+            ["count", "standing"] => Ok((all - errata.len()).to_string()),
             ["right", id] => {
                 let claim = self.entry(id).ok_or_else(none)?.claim;
                 let correction = claim.correction.ok_or_else(none)?;
@@ -117,14 +111,11 @@ impl Ledger {
 
     fn trials(&self, errata: &[Erratum], style: &dyn Style) -> String {
         let mut text = style.opening(self.paper, "Supplement to a comment on");
-        for (title, verdicts) in [
-            ("Corrections", &WRONG[..]),
-            ("Conditions to be stated", &[Verdict::Conditional]),
-        ] {
+        for (title, wrong) in [("Corrections", true), ("Conditions to be stated", false)] {
             text += &style.heading(title);
-            for erratum in of(errata, verdicts) {
+            for erratum in errata.iter().filter(|e| e.verdict.is_wrong() == wrong) {
                 text += &style.item(&self.name(erratum.id), erratum);
-                if !erratum.fallen.is_empty() && erratum.verdict != Verdict::Conditional {
+                if !erratum.fallen.is_empty() && wrong {
                     let names: Vec<_> = erratum.fallen.iter().map(|id| self.name(id)).collect();
                     text += &style.entry("Inherited by", &names.join(", "));
                 }
@@ -135,7 +126,6 @@ impl Ledger {
     }
 }
 
-/// Words without their links to claims.
 fn unlinked(line: &str) -> String {
     let mut out = String::new();
     let mut rest = line;
@@ -150,19 +140,7 @@ fn unlinked(line: &str) -> String {
 }
 
 fn fault(says: String) -> ErrataError {
-    ErrataError::Letter { says }
-}
-
-const WRONG: [Verdict; 4] = [
-    Verdict::Misprint,
-    Verdict::Misderived,
-    Verdict::Inherited,
-    Verdict::Refuted,
-];
-
-fn of<'a>(errata: &'a [Erratum], verdicts: &[Verdict]) -> Vec<&'a Erratum> {
-    let chosen = errata.iter().filter(|e| verdicts.contains(&e.verdict));
-    chosen.collect()
+    ErrataError::Letter(says)
 }
 
 /// A displayed formula that is too wide for its column is made smaller.
@@ -171,10 +149,8 @@ const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\c
 /// The parts of an item that stand in one paragraph, in LaTeX.
 const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
 
-/// How the title of the letter begins.
 const COMMENT: &str = "Comment on";
 
-/// How the letter is set.
 trait Style {
     fn opening(&self, paper: &Paper, what: &str) -> String;
     fn sender(&self) -> String;
@@ -233,13 +209,8 @@ struct Plain;
 
 impl Style for Plain {
     fn opening(&self, paper: &Paper, what: &str) -> String {
-        let Paper {
-            title,
-            authors,
-            reference,
-            ..
-        } = paper;
-        format!("{what} \"{title}\"\nby {authors}, {reference}\n\n")
+        let (title, authors) = (paper.title, paper.authors);
+        format!("{what} \"{title}\"\nby {authors}, {}\n\n", paper.reference)
     }
     fn sender(&self) -> String {
         "[name, affiliation and address of the sender]\n\n".into()
@@ -290,12 +261,7 @@ struct Latex;
 
 impl Style for Latex {
     fn opening(&self, paper: &Paper, what: &str) -> String {
-        let Paper {
-            title,
-            authors,
-            reference,
-            ..
-        } = paper;
+        let (title, authors, reference) = (paper.title, paper.authors, paper.reference);
         // The comment is two pages of a journal, the supplement a report.
         let (columns, size) = match what {
             COMMENT => (",twocolumn", r"\small"),
@@ -369,7 +335,6 @@ fn tex_words(words: &str) -> String {
     parts.collect::<String>().replace("$$", " ")
 }
 
-/// Words without formulas, for LaTeX.
 fn tex_plain(words: &str) -> String {
     let mut out = String::new();
     for piece in pieces(words) {

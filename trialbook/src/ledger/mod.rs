@@ -44,7 +44,6 @@ pub use letter::Format;
 pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "trials")]
 pub use row::{EvidenceRow, Row};
-#[cfg(feature = "trials")]
 #[cfg(feature = "book")]
 pub(crate) use sentences::{count, counted};
 pub use standing::Standing;
@@ -72,6 +71,18 @@ pub struct Entry {
 }
 
 impl Entry {
+    /// Where its box stands within the book.
+    #[cfg(feature = "book")]
+    pub(crate) fn address(&self) -> String {
+        format!("{}.html#{}", self.topic.stem, self.claim.id)
+    }
+
+    /// How many comparisons its trials made together.
+    #[cfg(feature = "book")]
+    pub(crate) fn points(&self) -> usize {
+        self.evidence.iter().map(|e| e.points).sum()
+    }
+
     /// True for a claim that holds under a condition which the paper does not state.
     pub fn is_conditional(&self) -> bool {
         self.judgement.verdict.has_condition()

@@ -95,20 +95,6 @@ impl Evidence {
         }
     }
 
-    /// What was compared and how far it was apart, without the places, which [`measured`](Self::measured) has.
-    pub fn failure(&self) -> String {
-        let failing = self.failing();
-        let mut letters = failing.chars();
-        let first = letters.next().map(|c| c.to_ascii_lowercase());
-        let failing: String = first.into_iter().chain(letters).collect();
-        let far = match self.worst.is_infinite() {
-            true => ", and there is not always a value where the motion has one".to_owned(),
-            false if self.tolerance.value > 0.0 => format!(", by up to {}", short(self.worst, 1)),
-            false => String::new(),
-        };
-        format!("{}: {failing}{far}.", self.opened())
-    }
-
     /// What was compared, with a capital.
     fn opened(&self) -> String {
         let words = self.compared.words();
@@ -125,7 +111,6 @@ impl Evidence {
         }
     }
 
-    /// How many disagree.
     fn failing(&self) -> String {
         match (self.failed, self.points) {
             (1, 1) => "The two sides disagree".to_owned(),
@@ -200,7 +185,6 @@ pub(super) fn rounded_up(size: f64) -> String {
     }
 }
 
-/// A count, its thousands parted.
 pub(crate) fn count(n: usize) -> String {
     let digits = n.to_string();
     let mut out = String::new();

@@ -17,17 +17,19 @@ impl Entry {
             Verdict::Conditional => "Needs a condition".to_owned(),
             _ => return None,
         };
-        let conditions = || {
-            let conditions = self.claim.conditions.iter();
-            let missing = conditions.filter(|c| c.sort == Sort::Substance);
-            let texts: Vec<_> = missing.map(|c| c.text).collect();
-            texts.join("; ")
-        };
         let wrong = match verdict {
-            Verdict::Conditional => conditions(),
+            Verdict::Conditional => self.missing(),
             _ => self.claim.by_hand?.wrong.to_owned(),
         };
         Some(format!("{begins}: {wrong}."))
+    }
+
+    /// The conditions of substance that the paper does not state.
+    pub(super) fn missing(&self) -> String {
+        let conditions = self.claim.conditions.iter();
+        let missing = conditions.filter(|c| c.sort == Sort::Substance);
+        let texts: Vec<_> = missing.map(|c| c.text).collect();
+        texts.join("; ")
     }
 
     /// How it is known: `proved; 1,394 comparisons agree to 2e-13`. Of a claim that fails, how often what is printed fails
@@ -78,8 +80,7 @@ impl Entry {
     fn sources(&self) -> String {
         let ids = self.judgement.inherits.iter();
         let names = ids.map(|id| {
-            let mut claims = self.paper.claims();
-            let found = claims.find(|(_, claim)| claim.id == id);
+            let found = self.paper.find(id);
             let name = found.map_or_else(|| id.clone(), |(_, claim)| claim.name());
             // A title may explain itself behind a colon.
             name.split(':').next().unwrap_or_default().to_owned()

@@ -137,19 +137,13 @@ pub fn judge(
     for e in evidence {
         match e.outcome() {
             Outcome::NotANumber => {
-                return undecided(format!(
-                    "the trial by {} gave no number ({})",
-                    e.route.name(),
-                    e.at
-                ));
+                let (route, at) = (e.route.name(), &e.at);
+                return undecided(format!("the trial by {route} gave no number ({at})"));
             }
             Outcome::TooFewPoints => {
-                return undecided(format!(
-                    "the trial by {} has {} points, it needs {}",
-                    e.route.name(),
-                    e.points,
-                    e.route.min_points()
-                ));
+                let (route, points, least) = (e.route.name(), e.points, e.route.min_points());
+                let ground = format!("the trial by {route} has {points} points, it needs {least}");
+                return undecided(ground);
             }
             Outcome::Agrees | Outcome::Disagrees => {}
         }

@@ -32,7 +32,6 @@ pub fn plain_formula(latex: &str) -> String {
     out.replace(" ,", ",").replace(" ;", ";").replace(" .", ".")
 }
 
-/// What is left to read.
 struct Reader<'a> {
     rest: &'a str,
 }
@@ -166,7 +165,7 @@ impl Reader<'_> {
                 open = is_root;
             }
             let begins = out.len();
-            out.push_str(&item);
+            out += &item;
             if is_fraction && item.contains('/') {
                 match ends_with_function(&out[..begins]) {
                     true => bracket(&mut out, begins),

@@ -2,9 +2,9 @@
 //! rule of `quad-rs`.
 //!
 //! An integrand that is infinite at an end, but integrable, wants to be known by its distance from that end:
-//! near 0 the numbers are dense, near 1 they are not. So put the end at 0, or use [`between_ends`].
+//! near 0 the numbers are dense, near 1 they are not. So put the end at 0.
 
-use super::error::{NumericsError, finite};
+use super::error::{NumericsError, finite, positive};
 #[cfg(not(target_family = "wasm"))]
 use quad_rs::{Integrable, IntegratorConfig, integrate_real};
 
@@ -52,13 +52,7 @@ pub fn integral_within(
     high: f64,
     absolute: f64,
 ) -> Result<Integral, NumericsError> {
-    if !(absolute.is_finite() && absolute > 0.0) {
-        return Err(NumericsError::Argument {
-            name: "absolute",
-            value: absolute,
-            range: "finite and positive",
-        });
-    }
+    positive("absolute", absolute)?;
     finite("low", low)?;
     finite("high", high)?;
     if low == high {
@@ -72,7 +66,14 @@ pub fn integral_within(
     {
         return Ok(integral);
     }
-    adaptive(&f, low, high, absolute)?.checked(high)
+    let integral = adaptive(&f, low, high, absolute)?;
+    if integral.value.is_finite() && integral.error.is_finite() {
+        return Ok(integral);
+    }
+    Err(NumericsError::NotFinite {
+        what: "the integral",
+        at: high,
+    })
 }
 
 /// The value of [`integral_within`] of what a formula gives; not a number where it gives none.
@@ -140,19 +141,6 @@ fn adaptive(
     Ok(sum)
 }
 
-impl Integral {
-    /// The integral, if it is one.
-    fn checked(self, at: f64) -> Result<Self, NumericsError> {
-        if self.value.is_finite() && self.error.is_finite() {
-            return Ok(self);
-        }
-        Err(NumericsError::NotFinite {
-            what: "the integral",
-            at,
-        })
-    }
-}
-
 /// The integral of a smooth function: by the rule on both halves, compared with the rule on the whole. What the
 /// two differ by is the error of the latter, and far more than that of the former.
 fn smooth(f: impl Fn(f64) -> f64, low: f64, high: f64) -> Integral {
@@ -187,25 +175,6 @@ const GAUSS: [(f64, f64); 10] = [
 /// What the rule's rounding errors amount to.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// The integral over an interval of the given `length`, of a function given twice: by the distance from the low
-/// end and by the distance from the high end. Each serves for its half.
-///
-/// # Errors
-/// As for [`integral`].
-pub fn between_ends(
-    from_low: impl Fn(f64) -> f64,
-    from_high: impl Fn(f64) -> f64,
-    length: f64,
-) -> Result<Integral, NumericsError> {
-    let low = integral(from_low, 0.0, 0.5 * length)?;
-    let high = integral(from_high, 0.0, 0.5 * length)?;
-    Integral {
-        value: low.value + high.value,
-        error: low.error + high.error,
-    }
-    .checked(length)
-}
-
 /// Evaluations allowed: a logarithmic or root singularity takes a few thousand.
 const EVALUATIONS: usize = 200_000;
 /// Relative tolerance: just above what the library's own estimate can reach (50 units of rounding).
@@ -226,31 +195,6 @@ mod tests {
             off <= found.error.max(1e-15 * expected.abs()),
             "{found:?} {expected}"
         );
-    }
-
-    #[test]
-    fn the_errors_of_both_halves_count() {
-        let root = |x: f64| libm::sqrt(x);
-        let one = integral(root, 0.0, 1.0).unwrap().error;
-        assert!(one > 0.0);
-        for both in [
-            between_ends(root, |_| 0.0, 2.0),
-            between_ends(|_| 0.0, root, 2.0),
-        ] {
-            assert_eq!(both.unwrap().error, one);
-        }
-        assert_eq!(between_ends(root, root, 2.0).unwrap().error, 2.0 * one);
-    }
-
-    #[test]
-    fn halves_may_have_no_finite_sum() {
-        let half = integral(|_| 1.5e308, 0.0, 1.0).unwrap();
-        assert!((half.value / 1.5e308 - 1.0).abs() < 1e-13);
-        let both = between_ends(|_| 1.5e308, |_| 1.5e308, 2.0);
-        assert!(matches!(
-            both,
-            Err(NumericsError::NotFinite { at: 2.0, .. })
-        ));
     }
 
     #[test]
@@ -283,9 +227,6 @@ mod tests {
         close(integral(|x| 1.0 / libm::sqrt(x), 0.0, 1.0), 2.0);
         close(integral(libm::log, 0.0, 1.0), -1.0);
         close(integral(|x| libm::pow(x, -0.9), 0.0, 1.0), 10.0);
-        // ∫ dx / √(x (1 − x)), singular at both ends.
-        let arc = |x: f64| 1.0 / libm::sqrt(x * (1.0 - x));
-        close(between_ends(arc, arc, 1.0), PI);
     }
 
     #[test]

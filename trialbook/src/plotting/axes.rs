@@ -5,9 +5,7 @@ use super::svg::number;
 use super::text::{markup, width};
 use super::ticks::{self, Step, Tick};
 
-/// Type size of tick labels.
 pub(super) const TICK_SIZE: f64 = 15.0;
-/// Type size of everything else.
 pub(super) const TEXT_SIZE: f64 = 16.0;
 
 /// Sizes that an axis can show lie below this, spans (and values on a logarithmic axis) above its
@@ -107,9 +105,7 @@ impl Axis {
                 (from, to)
             }
             None if low > high => {
-                return Err(FigureError::NoData {
-                    axis: self.label.clone(),
-                });
+                return Err(FigureError::NoData(self.label.clone()));
             }
             None if !within(low, high) => return Err(refused(low, high)),
             // Chosen ticks say that the data's own ends are meant.
@@ -223,38 +219,28 @@ pub(super) fn frame(x: &Scale, y: &Scale) -> String {
         let at = number(x.at(tick.at));
         let small = tick.label.is_empty();
         if x.grid && !small {
-            grid.push_str(&format!("M{at} {}V{}", number(bottom), number(top)));
+            grid += &format!("M{at} {}V{}", number(bottom), number(top));
         }
         let length = if small { 3.0 } else { 5.0 };
-        ticks.push_str(&format!("M{at} {}v{length}", number(bottom)));
-        labels.push_str(&text(x.at(tick.at), bottom + 20.0, "middle", &tick.label));
+        ticks += &format!("M{at} {}v{length}", number(bottom));
+        labels += &text(x.at(tick.at), bottom + 20.0, "middle", &tick.label);
     }
     for tick in &y.ticks {
         let at = number(y.at(tick.at));
         let small = tick.label.is_empty();
         if y.grid && !small {
-            grid.push_str(&format!("M{} {at}H{}", number(left), number(right)));
+            grid += &format!("M{} {at}H{}", number(left), number(right));
         }
         let length = if small { 3.0 } else { 5.0 };
-        ticks.push_str(&format!("M{} {at}h-{length}", number(left)));
-        labels.push_str(&text(left - 9.0, y.at(tick.at) + 5.0, "end", &tick.label));
+        ticks += &format!("M{} {at}h-{length}", number(left));
+        labels += &text(left - 9.0, y.at(tick.at) + 5.0, "end", &tick.label);
     }
     let mut zero = String::new();
     if x.crosses_zero() {
-        zero.push_str(&format!(
-            "M{} {}V{}",
-            number(x.at(0.0)),
-            number(bottom),
-            number(top)
-        ));
+        zero += &format!("M{} {}V{}", number(x.at(0.0)), number(bottom), number(top));
     }
     if y.crosses_zero() {
-        zero.push_str(&format!(
-            "M{} {}H{}",
-            number(left),
-            number(y.at(0.0)),
-            number(right)
-        ));
+        zero += &format!("M{} {}H{}", number(left), number(y.at(0.0)), number(right));
     }
     let axes = format!(
         "M{0} {1}V{2}H{3}",

@@ -113,18 +113,18 @@ fn write_number(value: f64, out: &mut String) {
     match exponent {
         0 => out.push_str(mantissa),
         -5..0 => {
-            out.push_str("0.");
+            *out += "0.";
             out.extend(zeros(exponent.unsigned_abs() as usize - 1));
             out.extend([first, rest]);
         }
         1..12 => {
             let whole = exponent as usize;
-            out.push_str(first);
+            *out += first;
             match rest.split_at_checked(whole) {
                 Some((whole, "")) => out.push_str(whole),
                 Some((whole, part)) => out.extend([whole, ".", part]),
                 None => {
-                    out.push_str(rest);
+                    *out += rest;
                     out.extend(zeros(whole - rest.len()));
                 }
             }

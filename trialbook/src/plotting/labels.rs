@@ -131,7 +131,8 @@ impl Canvas {
     }
 }
 
-fn around(centre: Place, half: Place) -> Frame {
+/// The box around a place, half as wide and half as high as this.
+pub(super) fn around(centre: Place, half: Place) -> Frame {
     Frame {
         left: centre[0] - half[0],
         right: centre[0] + half[0],

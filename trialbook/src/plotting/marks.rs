@@ -319,23 +319,11 @@ impl Rule {
     }
 }
 
-/// Which side of a note its place is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Align {
-    /// The note starts there.
-    Start,
-    /// The note is centred there.
-    Middle,
-    /// The note ends there.
-    End,
-}
-
 /// Words at a place. Labels keep clear of them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Note {
     pub(super) at: [f64; 2],
     pub(super) text: String,
-    pub(super) align: Align,
 }
 
 impl Note {
@@ -344,13 +332,6 @@ impl Note {
         Note {
             at,
             text: text.into(),
-            align: Align::Middle,
         }
-    }
-
-    /// Where the words stand relative to their place.
-    pub fn align(mut self, align: Align) -> Self {
-        self.align = align;
-        self
     }
 }

@@ -164,22 +164,17 @@ impl Panel {
     /// The entries of the key: a sample and words.
     pub(super) fn key(&self, x: &Scale, y: &Scale) -> Vec<(String, String)> {
         let mut entries = Vec::new();
+        let entry = |sample, words: &Option<String>| Some((sample, words.clone()?));
         for mark in &self.marks {
             match mark {
                 Mark::Curve(curve) | Mark::Rule(Rule { line: curve, .. }) => {
-                    if let Some(words) = &curve.key {
-                        entries.push((stroke(curve, "M1 -5H29"), words.clone()));
-                    }
+                    entries.extend(entry(stroke(curve, "M1 -5H29"), &curve.key));
                 }
                 Mark::Points(points) => {
-                    if let Some(words) = &points.key {
-                        entries.push((marker(points, &[[15.0, -5.0]]), words.clone()));
-                    }
+                    entries.extend(entry(marker(points, &[[15.0, -5.0]]), &points.key));
                 }
                 Mark::Area(area) => {
-                    if let Some(words) = &area.key {
-                        entries.push((sample(area.colour, area.opacity), words.clone()));
-                    }
+                    entries.extend(entry(sample(area.colour, area.opacity), &area.key));
                 }
                 Mark::Raster(raster) => {
                     for (n, class) in raster.classes.iter().enumerate() {

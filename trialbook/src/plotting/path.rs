@@ -2,7 +2,6 @@
 
 use super::svg::number;
 
-/// A place on the page.
 pub(super) type Place = [f64; 2];
 
 /// The box that is drawn in.
@@ -109,7 +108,6 @@ pub(super) fn clip_polygon(points: &[Place], frame: &Frame) -> Vec<Place> {
     polygon
 }
 
-/// Distance of `p` from the segment `a` to `b`.
 fn deviation(p: Place, a: Place, b: Place) -> f64 {
     let length = distance(a, b);
     if length == 0.0 {
@@ -155,19 +153,18 @@ pub(super) fn data(pieces: &[Vec<Place>]) -> String {
     let mut out = String::new();
     for piece in pieces {
         for (i, p) in piece.iter().enumerate() {
-            out.push_str(match i {
+            out += match i {
                 0 => "M",
                 1 => "L",
                 _ => " ",
-            });
+            };
             let tenths = |value: f64| number(libm::round(10.0 * value) / 10.0);
-            out.push_str(&format!("{} {}", tenths(p[0]), tenths(p[1])));
+            out += &format!("{} {}", tenths(p[0]), tenths(p[1]));
         }
     }
     out
 }
 
-/// Length of all pieces together.
 pub(super) fn length(pieces: &[Vec<Place>]) -> f64 {
     pieces
         .iter()

@@ -8,7 +8,6 @@ use super::{Axis, Cell, Curve, Figure, FigureError, Panel, Table};
 
 /// Width of the page, in units of which type is 15 or 16 high.
 const WIDTH: f64 = 480.0;
-/// Height of a line of the key.
 const KEY_LINE: f64 = 25.0;
 /// Sample of the key, with the space after it.
 const KEY_SAMPLE: f64 = 36.0;
@@ -109,7 +108,6 @@ impl Plot {
         })
     }
 
-    /// The drawing alone.
     fn draw(&self) -> Result<String, FigureError> {
         if !(1..=4).contains(&self.columns) {
             return Err(layout("columns of a figure", "from 1 to 4", self.columns));
@@ -164,10 +162,10 @@ impl Plot {
                 s.x.pixels = (x0, x0 + inner);
                 s.y.pixels = (y0 + s.height, y0);
                 let drawn = s.draw(x0, y0);
-                body.push_str(&match parted {
+                body += &match parted {
                     true => panels::mark(top, head + foot + 16.0, &drawn),
                     false => drawn,
-                });
+                };
             }
             top += head + foot + 16.0;
         }
@@ -209,23 +207,23 @@ impl Settled<'_> {
         let mut out = String::new();
         if !self.panel.title.is_empty() {
             let at = y0 - self.head() + 16.0;
-            out.push_str(&format!(
+            out += &format!(
                 "{group}{}</g>\n",
                 text(x0 - 6.0, at, "start", &self.panel.title)
-            ));
+            );
         }
-        out.push_str(&self.panel.draw(&self.x, &self.y));
+        out += &self.panel.draw(&self.x, &self.y);
         let mut below = y0 + self.height + self.foot() - KEY_LINE * self.key.len() as f64;
         for line in &self.key {
             below += KEY_LINE;
             for (at, sample, words) in line {
-                out.push_str(&format!(
+                out += &format!(
                     "<g transform=\"translate({} {})\" fill=\"currentColor\" \
                      font-size=\"{TEXT_SIZE}\" stroke-linecap=\"round\">\n{sample}{}</g>\n",
                     number(x0 + at),
                     number(below - 6.0),
                     text(KEY_SAMPLE, 0.0, "start", words)
-                ));
+                );
             }
         }
         out

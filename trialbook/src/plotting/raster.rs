@@ -9,7 +9,6 @@ use super::svg::Colour;
 /// A cell that is not drawn.
 pub const BLANK: u8 = u8::MAX;
 
-/// A class of cells and its look.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Class {
     pub label: String,
@@ -69,20 +68,19 @@ impl Raster {
 
     /// Describes the next class, from class 0 on: a label, the colour of series `n`, the opacity from
     /// 0 to 1. The label stands inside the class where there is room, else in the key.
-    pub fn class(mut self, label: impl Into<String>, n: usize, opacity: f64) -> Self {
-        self.classes.push(Class {
-            label: label.into(),
-            colour: Colour::Series(n),
-            opacity,
-        });
-        self
+    pub fn class(self, label: impl Into<String>, n: usize, opacity: f64) -> Self {
+        self.described(label.into(), Colour::Series(n), opacity)
     }
 
     /// The same in the page's text colour, for what must be seen first.
-    pub fn ink_class(mut self, label: impl Into<String>, opacity: f64) -> Self {
+    pub fn ink_class(self, label: impl Into<String>, opacity: f64) -> Self {
+        self.described(label.into(), Colour::Ink, opacity)
+    }
+
+    fn described(mut self, label: String, colour: Colour, opacity: f64) -> Self {
         self.classes.push(Class {
-            label: label.into(),
-            colour: Colour::Ink,
+            label,
+            colour,
             opacity,
         });
         self
@@ -99,7 +97,6 @@ impl Raster {
         counts
     }
 
-    /// Columns and rows.
     pub(super) fn shape(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }
@@ -145,7 +142,7 @@ impl Raster {
         for start in 0..w * h {
             while level[start] {
                 let walk = walk(&mut level, &mut upright, w, start);
-                out.push_str(&format!("M{} {}{walk}z", start % w, start / w));
+                out += &format!("M{} {}{walk}z", start % w, start / w);
             }
         }
         out

@@ -1,8 +1,8 @@
 //! Marks as SVG, and room for their labels.
 
 use super::axes::{self, Scale, TEXT_SIZE, text};
-use super::labels::{Canvas, anchors};
-use super::marks::{Align, Area, Curve, Label, Marker, Note, Points, Rule};
+use super::labels::{Canvas, anchors, around};
+use super::marks::{Area, Curve, Label, Marker, Note, Points, Rule};
 use super::path::{self, Frame, Place};
 use super::raster::{BLANK, Raster};
 use super::svg::{Colour, number};
@@ -79,13 +79,12 @@ impl<'a> Sketch<'a> {
         if pieces.is_empty() {
             return;
         }
-        self.above.push_str(&stroke(curve, &path::data(&pieces)));
+        self.above += &stroke(curve, &path::data(&pieces));
         self.canvas.lines(&pieces, owner);
         for &fraction in &curve.arrows {
             if let Some((at, direction)) = path::along(&pieces, fraction) {
-                self.above
-                    .push_str(&fill(&arrow(at, direction), curve.colour, 1.0));
-                self.canvas.take(spot(at, 4.0), owner);
+                self.above += &fill(&arrow(at, direction), curve.colour, 1.0);
+                self.canvas.take(around(at, [4.0; 2]), owner);
             }
         }
         if let Some(label) = &curve.label {
@@ -112,9 +111,9 @@ impl<'a> Sketch<'a> {
     pub fn points(&mut self, points: &'a Points, owner: u16) {
         let mut places: Vec<Place> = points.points.iter().map(|p| self.place(p)).collect();
         places.retain(|&p| self.frame.grown(0.01).contains(p));
-        self.above.push_str(&marker(points, &places));
+        self.above += &marker(points, &places);
         for &p in &places {
-            self.canvas.take(spot(p, points.size), owner);
+            self.canvas.take(around(p, [points.size; 2]), owner);
         }
         if let (Some(label), Some(&last)) = (&points.label, places.last()) {
             self.wanted.push(Wanted {
@@ -132,8 +131,7 @@ impl<'a> Sketch<'a> {
         let corners = path::clip_polygon(&corners, &self.frame);
         let data = path::data(&[path::simplify(&corners, TOLERANCE)]);
         if !data.is_empty() {
-            self.below
-                .push_str(&fill(&format!("{data}z"), area.colour, area.opacity));
+            self.below += &fill(&format!("{data}z"), area.colour, area.opacity);
         }
     }
 
@@ -145,7 +143,7 @@ impl<'a> Sketch<'a> {
             .iter()
             .all(|p| self.frame.grown(0.01).contains(self.place(p)))
         {
-            self.below.push_str(&cells);
+            self.below += &cells;
         } else {
             let [x, y] = [self.frame.left, self.frame.top].map(number);
             let [w, h] = [
@@ -171,7 +169,7 @@ impl<'a> Sketch<'a> {
     fn name(&mut self, region: &Region) -> String {
         let words = &region.raster.classes[region.class].label;
         let free = |at: &Place, margin: f64| {
-            let room = room(*at, words, Align::Middle).grown(margin);
+            let room = room(*at, words).grown(margin);
             self.frame.contains([room.left, room.top])
                 && self.frame.contains([room.right, room.bottom])
                 && self.canvas.is_free(room)
@@ -186,7 +184,7 @@ impl<'a> Sketch<'a> {
                 .min_by(|a, b| off(a).total_cmp(&off(b)))
         };
         let at = MARGINS.into_iter().find_map(nearest).unwrap_or(region.at);
-        self.canvas.take(room(at, words, Align::Middle), u16::MAX);
+        self.canvas.take(room(at, words), u16::MAX);
         label(at, words, Colour::Ink)
     }
 
@@ -194,19 +192,9 @@ impl<'a> Sketch<'a> {
     pub fn note(&mut self, note: &Note) {
         let at = self.place(&note.at);
         if self.frame.contains(at) {
-            self.write(at, &note.text, note.align);
+            self.words += &text(at[0], at[1] + 5.0, "middle", &note.text);
+            self.canvas.take(room(at, &note.text), u16::MAX);
         }
-    }
-
-    fn write(&mut self, at: Place, words: &str, align: Align) {
-        let anchor = match align {
-            Align::Start => "start",
-            Align::Middle => "middle",
-            Align::End => "end",
-        };
-        self.words
-            .push_str(&text(at[0], at[1] + 5.0, anchor, words));
-        self.canvas.take(room(at, words, align), u16::MAX);
     }
 
     /// Everything, with axes, and with labels where there is room for them.
@@ -216,7 +204,7 @@ impl<'a> Sketch<'a> {
         for wanted in &self.wanted {
             let words = &wanted.label.text;
             if let Some(at) = self.canvas.place(words, &wanted.anchors, wanted.owner) {
-                labels.push_str(&label(at, words, wanted.colour));
+                labels += &label(at, words, wanted.colour);
             }
         }
         let group = |attributes: &str, content: &str| {
@@ -251,7 +239,6 @@ fn label(at: Place, words: &str, colour: Colour) -> String {
     )
 }
 
-/// Path data of an arrowhead.
 fn arrow(at: Place, [dx, dy]: Place) -> String {
     let corner = |ahead: f64, aside: f64| {
         let p = [
@@ -268,7 +255,6 @@ fn arrow(at: Place, [dx, dy]: Place) -> String {
     )
 }
 
-/// A line in a curve's look.
 pub(super) fn stroke(curve: &Curve, data: &str) -> String {
     let pattern = curve
         .stroke
@@ -281,7 +267,6 @@ pub(super) fn stroke(curve: &Curve, data: &str) -> String {
     )
 }
 
-/// A filled path.
 fn fill(data: &str, colour: Colour, opacity: f64) -> String {
     let opacity = match number(opacity).as_str() {
         "1" => String::new(),
@@ -305,30 +290,21 @@ pub(super) fn marker(points: &Points, places: &[Place]) -> String {
     }
     let r = points.size;
     let shape = match points.marker {
-        Marker::Disc | Marker::Circle => {
-            format!(
-                "m-{0} 0a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0z",
-                number(r),
-                number(2.0 * r)
-            )
-        }
+        Marker::Disc | Marker::Circle => format!(
+            "m-{0} 0a{0} {0} 0 1 0 {1} 0a{0} {0} 0 1 0 -{1} 0z",
+            number(r),
+            number(2.0 * r)
+        ),
         Marker::Square => format!("m-{0} -{0}h{1}v{1}h-{1}z", number(0.9 * r), number(1.8 * r)),
         Marker::Triangle => {
-            format!(
-                "m0 -{0}l{1} {2}h-{3}z",
-                number(1.2 * r),
-                number(1.1 * r),
-                number(1.9 * r),
-                number(2.2 * r)
-            )
+            let [top, across, down, base] = [1.2, 1.1, 1.9, 2.2].map(|part| number(part * r));
+            format!("m0 -{top}l{across} {down}h-{base}z")
         }
-        Marker::Cross => {
-            format!(
-                "m-{0} -{0}l{1} {1}m0 -{1}l-{1} {1}",
-                number(r),
-                number(2.0 * r)
-            )
-        }
+        Marker::Cross => format!(
+            "m-{0} -{0}l{1} {1}m0 -{1}l-{1} {1}",
+            number(r),
+            number(2.0 * r)
+        ),
     };
     let data: String = places
         .iter()
@@ -346,9 +322,7 @@ pub(super) fn marker(points: &Points, places: &[Place]) -> String {
 
 /// The cells of a raster: one path per class, in units of cells, moved and stretched into place.
 fn cells(raster: &Raster, x: &Scale, y: &Scale) -> String {
-    let (columns, rows) = raster.shape();
-    let (left, right) = (x.at(raster.x.0), x.at(raster.x.1));
-    let (bottom, top) = (y.at(raster.y.0), y.at(raster.y.1));
+    let ([left, bottom], [across, upwards]) = cell(raster, x, y);
     let paths: String = raster
         .classes
         .iter()
@@ -360,11 +334,23 @@ fn cells(raster: &Raster, x: &Scale, y: &Scale) -> String {
     format!(
         "<g transform=\"matrix({:.6} 0 0 {:.6} {} {})\" fill-rule=\"evenodd\" \
          shape-rendering=\"crispEdges\">\n{paths}</g>\n",
-        (right - left) / columns as f64,
-        (top - bottom) / rows as f64,
+        across,
+        upwards,
         number(left),
         number(bottom)
     )
+}
+
+/// The corner of a raster at its least values, and the sides of a cell.
+fn cell(raster: &Raster, x: &Scale, y: &Scale) -> (Place, Place) {
+    let (columns, rows) = raster.shape();
+    let (left, right) = (x.at(raster.x.0), x.at(raster.x.1));
+    let (bottom, top) = (y.at(raster.y.0), y.at(raster.y.1));
+    let sides = [
+        (right - left) / columns as f64,
+        (top - bottom) / rows as f64,
+    ];
+    ([left, bottom], sides)
 }
 
 /// Where the label of a raster's class stands, if it fits inside.
@@ -372,13 +358,7 @@ pub(super) fn inside(raster: &Raster, class: usize, x: &Scale, y: &Scale) -> Opt
     let label = &raster.classes.get(class)?.label;
     let number = u8::try_from(class).ok().filter(|&n| n != BLANK)?;
     let (i, j, side) = raster.largest_square(number)?;
-    let (columns, rows) = raster.shape();
-    let (left, right) = (x.at(raster.x.0), x.at(raster.x.1));
-    let (bottom, top) = (y.at(raster.y.0), y.at(raster.y.1));
-    let cell = [
-        (right - left) / columns as f64,
-        (top - bottom) / rows as f64,
-    ];
+    let ([left, bottom], cell) = cell(raster, x, y);
     let half = side as f64 / 2.0;
     let at = [
         left + (i as f64 + half) * cell[0],
@@ -402,24 +382,9 @@ fn covers(raster: &Raster, class: usize, room: &Frame, x: &Scale, y: &Scale) -> 
     (left..=right).all(|i| (bottom..=top).all(|j| raster.class_at(i, j) == Some(class)))
 }
 
-/// The box around a point.
-fn spot(p: Place, radius: f64) -> Frame {
-    Frame {
-        left: p[0] - radius,
-        right: p[0] + radius,
-        top: p[1] - radius,
-        bottom: p[1] + radius,
-    }
-}
-
-/// The box around words.
-fn room(at: Place, words: &str, align: Align) -> Frame {
+fn room(at: Place, words: &str) -> Frame {
     let width = width(words, TEXT_SIZE);
-    let left = match align {
-        Align::Start => at[0],
-        Align::Middle => at[0] - width / 2.0,
-        Align::End => at[0] - width,
-    };
+    let left = at[0] - width / 2.0;
     Frame {
         left,
         right: left + width,
@@ -455,7 +420,7 @@ mod tests {
         };
         // The base line is a little below the middle.
         let at = [number("x"), number("y") - 5.0];
-        let around = room(at, "75 to 100 %", Align::Middle).grown(5.0);
+        let around = room(at, "75 to 100 %").grown(5.0);
         assert!(covers(&raster, 0, &around, &x, &y), "{drawn}");
     }
 }

@@ -50,24 +50,24 @@ pub(super) fn markup(label: &str) -> String {
     for run in runs(label) {
         let text = escape(&run.text);
         let mut attributes = String::new();
-        attributes.push_str(match run.face {
+        attributes += match run.face {
             Face::Upright => "",
             Face::Italic => " font-style=\"italic\"",
             Face::Fraktur => " font-family=\"KaTeX_Fraktur\"",
-        });
+        };
         if run.level != Level::Base {
-            attributes.push_str(" font-size=\"70%\"");
+            attributes += " font-size=\"70%\"";
         }
         if run.level != level {
             // `dy` counts in the type of the run that carries it.
             let shift = (run.level.drop() - level.drop()) / run.level.size();
-            attributes.push_str(&format!(" dy=\"{}em\"", super::svg::number(shift)));
+            attributes += &format!(" dy=\"{}em\"", super::svg::number(shift));
             level = run.level;
         }
         if attributes.is_empty() {
-            out.push_str(&text);
+            out += &text;
         } else {
-            out.push_str(&format!("<tspan{attributes}>{text}</tspan>"));
+            out += &format!("<tspan{attributes}>{text}</tspan>");
         }
     }
     out

@@ -275,12 +275,10 @@ impl Topic {
         lines.iter().copied().zip(self.claims())
     }
 
-    /// The trials and proofs of its modules.
     fn attempts(&self) -> impl Iterator<Item = &'static Attempt> + use<> {
         self.trials.iter().copied().flatten()
     }
 
-    /// What its file says.
     fn read(&self) -> Result<&Read, &ReadError> {
         self.read.get_or_init(|| Read::of(self)).as_ref()
     }
@@ -314,9 +312,9 @@ pub struct Paper {
     pub formulas: Formulas,
 }
 
+#[cfg(feature = "trials")]
 impl Paper {
     /// What a paper need not have: all but its title, its topics and its record.
-    #[cfg(feature = "trials")]
     pub const BLANK: Paper = Paper {
         title: "",
         authors: "",
@@ -331,7 +329,6 @@ impl Paper {
     };
 
     /// All claims with their topics, in the order of the topics.
-    #[cfg(feature = "trials")]
     pub fn claims(&self) -> impl Iterator<Item = (&'static Topic, &'static Claim)> + use<> {
         let of = |topic: &&'static Topic| {
             let topic = *topic;
@@ -341,32 +338,27 @@ impl Paper {
     }
 
     /// The claim of this id, with its topic.
-    #[cfg(feature = "trials")]
     pub fn find(&self, id: &str) -> Option<(&'static Topic, &'static Claim)> {
         self.claims().find(|(_, claim)| claim.id == id)
     }
 
     /// The numbers by which its claims can be found.
-    #[cfg(feature = "trials")]
     pub fn values(&self) -> impl Iterator<Item = &'static Value> + use<> {
         self.claims().flat_map(|(_, claim)| claim.values)
     }
 
     /// The number of this short name.
-    #[cfg(feature = "trials")]
     pub fn value(&self, id: &str) -> Option<&'static Value> {
         self.values().find(|value| value.id == id)
     }
 
     /// The cases by hand, with their claims.
-    #[cfg(feature = "trials")]
     pub fn cases(&self) -> impl Iterator<Item = (&'static Claim, &'static ByHand)> + use<> {
         self.claims()
             .filter_map(|(_, claim)| Some((claim, claim.by_hand.as_ref()?)))
     }
 
     /// The reasons why claims have no proof, each with its claims.
-    #[cfg(feature = "trials")]
     pub fn unproved(&self) -> Vec<(&'static str, Vec<&'static Claim>)> {
         let mut reasons: Vec<(&str, Vec<_>)> = Vec::new();
         for (claim, why) in self
@@ -386,7 +378,6 @@ impl Paper {
     ///
     /// # Errors
     /// The first fault, with its file and line.
-    #[cfg(feature = "trials")]
     pub fn check(&self) -> Result<(), ReadError> {
         let mut ids = BTreeSet::new();
         let mut used = BTreeSet::new();

@@ -1,7 +1,7 @@
 //! Quadrature against mpmath's integrals (`integrals.py`).
 
 use crate::table::{number, rows};
-use trialbook::numerics::quadrature::{between_ends, integral, integral_within};
+use trialbook::numerics::quadrature::{integral, integral_within};
 
 fn integrand(name: &str, k: f64, x: f64) -> f64 {
     match name {
@@ -55,15 +55,4 @@ fn integrals_are_those_of_mpmath() {
         count += 1;
     }
     assert_eq!(count, 31);
-}
-
-#[test]
-fn a_half_circle_has_its_area_from_both_ends() {
-    // √(x (2 − x)) by the distance from either end, against the same integral about the middle.
-    let exact = rows(include_str!("integrals.csv")).find_map(|[name, _, low, _, exact]| {
-        (name == "arc" && low == "-1.0").then(|| number(exact))
-    });
-    let half = |x: f64| libm::sqrt(x * (2.0 - x));
-    let found = between_ends(half, half, 2.0).expect("an integral");
-    assert!(exact.is_some_and(|exact| (found.value - exact).abs() <= 2e-14 * exact));
 }
