@@ -253,7 +253,7 @@ window.slipbookExplorers = (() => {
                     ],
                     values: fate === 1 ? { fate: 'rest', 'σ (μg/Ω²)': fixed(sigma), 'τ (1/Ω)': fixed(tau) }
                         : { fate: fates(fate), 'certain at τ (1/Ω)': fixed(tau) },
-                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}): ${words}.`,
+                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}): ${words}. By the paper’s border it ${Math.hypot(u, v) < paper ? 'rests' : 'escapes'}.`,
                 };
             },
         },

@@ -256,8 +256,10 @@
                 const value = given.get(key) ? Number(given.get(key)) : NaN;
                 state[key] = snap(key, Number.isFinite(value) ? value : inputs[key].start);
             }
-            // Who follows a link to a state wants to watch it.
-            if (query && id === host.id) {
+            // Who follows a link to a state wants to watch it, and is not asked about another.
+            const linked = Boolean(query) && id === host.id;
+            host.querySelector('.predict')?.toggleAttribute('hidden', linked);
+            if (linked) {
                 tell();
                 curtain = !matchMedia('(prefers-reduced-motion: reduce)').matches;
             }

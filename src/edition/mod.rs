@@ -73,7 +73,12 @@ pub static EDITION: Edition = Edition {
         ("turntable.html#turntable", &["turntable", "record", "coin"]),
         ("escape.html#eq-132", &["τ^{3/2}"]),
         ("escape.html#eq-135", &["τ²", "2/9"]),
-        ("rest.html#s4-rest-radius", &["critical radius"]),
+        ("rest.html#where", &["critical radius", "0.872", "1.165"]),
+        ("anisotropic.html#eq-57", &["X", "point X"]),
+        (
+            "beyond.html#static",
+            &["static friction", "sticking friction", "mu_s", "μ_s"],
+        ),
     ],
     watch: &[
         (
@@ -86,17 +91,13 @@ pub static EDITION: Edition = Edition {
         ),
         (
             "s22-vy-two-stages",
-            "sinusoidal.html#explore-sinusoidal?lambda=0.3&w=0.5&across=1",
+            "sinusoidal.html#explore-sinusoidal?lambda=0.318&w=0.5&across=1",
         ),
         ("eq-55", BEYOND_Y),
         ("s24-region-2", BEYOND_Y),
         (
             "fig-5",
             "anisotropic.html#explore-anisotropic?q=6.5&lambda=0.15&w=0.3",
-        ),
-        (
-            "eq-75",
-            "sphere.html#explore-sphere?lambda=1.5&kappa=0.4&u=-1&v=0",
         ),
         (
             "s23-nonzero-again",
@@ -106,17 +107,8 @@ pub static EDITION: Edition = Edition {
         ("eq-83", THROWN_ACROSS),
         ("eq-106", FLICKED_FROM_THE_AXIS),
         ("s4-coriolis-no-work", FLICKED_FROM_THE_AXIS),
-        ("eq-128", ESCAPE),
-        ("eq-129", ESCAPE),
-        ("eq-130", ESCAPE),
-        ("eq-131", ESCAPE),
-        ("eq-132", ESCAPE),
-        ("eq-133", ESCAPE),
-        ("eq-134", ESCAPE),
         ("eq-135", ESCAPE),
         ("eq-136", ESCAPE),
-        ("eq-137", ESCAPE),
-        ("eq-146", BETWEEN),
         ("eq-147", BETWEEN),
         ("s4-psi-free", "rest.html#explore-rest?rho=0.54&u=0&v=-0.2"),
         ("s4-envelope-is-boundary", BETWEEN),

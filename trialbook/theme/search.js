@@ -5,7 +5,7 @@
     'use strict';
     if (!window.elasticlunr) return;
     const GREEK = { alpha: 'α', beta: 'β', gamma: 'γ', delta: 'δ', zeta: 'ζ', eta: 'η', theta: 'θ', kappa: 'κ', lambda: 'λ', mu: 'μ', xi: 'ξ',
-        pi: 'π', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', psi: 'ψ', omega: 'ω', varpi: 'ϖ' };
+        pi: 'π', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', psi: 'ψ', omega: 'ω', varpi: 'ϖ', sqrt: '√' };
     const HIGH = '⁰¹²³⁴⁵⁶⁷⁸⁹', LOW = '₀₁₂₃₄₅₆₇₈₉';
     // What one says around the name of what one means, and what one asks about it.
     const AROUND = new Set(['eq', 'equation', 'the', 'a', 'an', 'this', 'in', 'of', 'paper']);

@@ -82,7 +82,10 @@ impl Ledger {
             ["reference"] => Ok(self.paper.reference.to_owned()),
             ["count", "numbered"] => Ok(numbered.to_string()),
             ["count", "others"] => Ok((all - numbered).to_string()),
-            ["count", "standing"] => Ok((all - errata.len()).to_string()),
+            ["count", "standing"] => {
+                let open = self.counts()[Verdict::Undecided];
+                Ok((all - errata.len() - open).to_string())
+            }
             ["right", id] => {
                 let claim = self.entry(id).ok_or_else(none)?.claim;
                 let correction = claim.correction.ok_or_else(none)?;
