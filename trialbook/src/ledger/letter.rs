@@ -83,7 +83,7 @@ impl Ledger {
             ["count", "numbered"] => Ok(numbered.to_string()),
             ["count", "others"] => Ok((all - numbered).to_string()),
             ["count", "standing"] => {
-                let open = self.counts()[Verdict::Undecided];
+                let open = self.counts()[&super::Verdict::Undecided];
                 Ok((all - errata.len() - open).to_string())
             }
             ["right", id] => {
