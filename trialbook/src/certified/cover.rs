@@ -276,13 +276,7 @@ mod tests {
         assert!(matches!(open, Err(CertifiedError::NotProved { .. })));
     }
 
-    #[test]
-    fn what_reaches_zero_has_neither_sign() {
-        for [lo, hi] in [[0.0, 1.0], [-1.0, 0.0], [0.0, 0.0]] {
-            let signs = [1.0, -1.0].map(|sign| Said::of_sign(Interval::new(lo, hi), sign));
-            assert_eq!(signs, [Said::Nothing; 2]);
-        }
-    }
+    
 
     #[test]
     fn the_search_is_given_up_after_a_number_of_parts() {

@@ -37,12 +37,9 @@ impl Ring {
             // A root of a number never stays below the line.
             let number =
                 radicand.factors().is_empty() && radicand.numerator().as_constant().is_some();
-            let whole = |k: u32| {
-                if number {
-                    k.div_ceil(*degree)
-                } else {
-                    k / degree
-                }
+                        let whole = |k: u32| match number {
+                true => k.div_ceil(*degree),
+                false => k / degree,
             };
             if let Some(whole) = below.map(|(_, k)| whole(*k)).filter(|whole| *whole > 0)
                 && let Some(inverse) = radicand.reciprocal()
@@ -150,11 +147,10 @@ impl Ring {
         let half = |index: usize| self.divide(&self.rate(index, by)?, &Rational::int(2));
         match &self.rules[g] {
             Rule::Constant => Ok(Rational::int(0)),
-            Rule::Free => Ok(by
-                .rates
-                .get(&g)
-                .cloned()
-                .unwrap_or_else(|| Rational::int(0))),
+                        Rule::Free => {
+                let rate = by.rates.get(&g).cloned();
+                Ok(rate.unwrap_or_else(|| Rational::int(0)))
+            }
             Rule::HalfTangent { angle } => Ok((Rational::int(1) + &own * &own) * half(*angle)?),
             Rule::HalfExponential { argument } => Ok(own * half(*argument)?),
             Rule::Logarithm { of } => self.divide(&self.derivative(of, by)?, of),

@@ -19,11 +19,8 @@ impl Polynomial {
             return (found, self);
         }
         let coefficients = self.coefficients_in(g);
-        let end = |part: Option<(&u32, &Polynomial)>| part.and_then(|(_, c)| c.as_constant());
-        let (first, last) = (
-            end(coefficients.first_key_value()),
-            end(coefficients.last_key_value()),
-        );
+                let mut ends = coefficients.values().map(Polynomial::as_constant);
+        let (first, last) = (ends.next().flatten(), ends.next_back().flatten());
         let (Some(first), Some(last)) = (first, last) else {
             return (found, self);
         };

@@ -127,13 +127,12 @@ impl Proof {
             premises: prover.premises,
             obstacle: outcome.err().or(empty),
         };
-        match proof.obstacle {
-            None => recording::end(&proof.title, ring, recording::Outcome::Holds),
-            Some(Obstacle::NotZero { .. }) => {
-                recording::end(&proof.title, ring, recording::Outcome::Fails)
-            }
-            Some(_) => recording::end(&proof.title, ring, recording::Outcome::Open),
-        }
+                let outcome = match proof.obstacle {
+            None => recording::Outcome::Holds,
+            Some(Obstacle::NotZero { .. }) => recording::Outcome::Fails,
+            Some(_) => recording::Outcome::Open,
+        };
+        recording::end(&proof.title, ring, outcome);
         proof
     }
 
@@ -268,17 +267,13 @@ impl<'a> Prover<'a> {
     fn bring(&mut self, says: &str, formula: Option<Expr>, x: &Rational) {
         let normal = self.ring.text(x);
         let formula = formula.map_or_else(|| normal.clone(), written);
-        let known = formula == normal;
-        self.note(
-            says,
-            if known {
-                normal
-            } else {
-                format!("{formula} = {normal}")
-            },
-        );
-        self.brought
-            .push((self.steps.len() - 1, x.clone(), formula));
+                let gives = match formula == normal {
+            true => normal,
+            false => format!("{formula} = {normal}"),
+        };
+        self.note(says, gives);
+        let step = self.steps.len() - 1;
+        self.brought.push((step, x.clone(), formula));
         self.bare = true;
     }
 
@@ -406,11 +401,8 @@ impl<'a> Prover<'a> {
             Some((step, _, left)) => (*step, left.clone()),
             None => (usize::MAX, self.ring.text(x)),
         };
-        let says = self
-            .steps
-            .get(step)
-            .map_or("So", |step| &step.says)
-            .to_owned();
+                let says = self.steps.get(step).map_or("So", |step| &step.says);
+        let says = says.to_owned();
         self.compare(&says, x, &y)?;
         if std::mem::take(&mut self.bare) && step + 1 == self.steps.len() {
             self.steps.pop();

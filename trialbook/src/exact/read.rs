@@ -73,10 +73,7 @@ impl Ring {
             }
             Function::Exp => self.exponential(x),
             Function::Ln => self.ln(x),
-            Function::Sqrt => {
-                let half = self.divide(&Rational::int(1), &Rational::int(2))?;
-                self.raise(x, &half)
-            }
+                        Function::Sqrt => self.raise(x, &self.half()?),
             Function::Asin | Function::Acos => {
                 let known = self.inverses.iter().enumerate();
                 for (i, known) in known.filter(|(_, k)| k.function == function) {

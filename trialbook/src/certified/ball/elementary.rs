@@ -210,16 +210,10 @@ fn exponential_of_small(t: IBig, work: usize) -> (UBig, UBig) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
-    use crate::certified::interval::Interval;
+        use super::*;
 
-    #[test]
-    fn as_an_interval() {
-        let x = Interval::ratio(1, 3);
-        let y = Ball::ratio(1, 3, 200).unwrap();
-        assert!(y.interval().within(x.widened(1e-16)));
-        assert_eq!(y.decimal(20).unwrap(), "0.33333333333333333333");
-    }
+
+    
 
     #[test]
     fn the_sine_of_a_small_angle_is_off_by_few_units_for_each_term() {

@@ -1,16 +1,7 @@
 use super::*;
 use proptest::prelude::*;
 
-#[test]
-fn pi_has_its_digits() {
-    assert_eq!(
-        Ball::pi(bits_for(50)).decimal(50).unwrap(),
-        "3.14159265358979323846264338327950288419716939937511"
-    );
-    // The decimals 991 to 1000.
-    let long = Ball::pi(bits_for(1000)).decimal(1000).unwrap();
-    assert!(long.ends_with("2164201989"), "{}", &long[980..]);
-}
+
 
 #[test]
 fn the_radius_covers_what_more_bits_show() {
@@ -106,8 +97,9 @@ fn only_certain_decimals_are_given() {
 
 #[test]
 fn what_has_no_value_is_none() {
-    let around_zero = Ball::enclosing(Interval::new(-1.0, 1.0), 60).unwrap();
-    assert!(around_zero.sqrt().is_none());
+        let around_zero = Ball::enclosing(Interval::new(-1.0, 1.0), 60).unwrap();
+    let zero = Ball::int(0, 60);
+    assert_eq!((around_zero.sqrt(), zero.sqrt()), (None, Some(zero)));
     assert!(Ball::int(1, 60).over(&around_zero).is_none());
     assert!(around_zero.asin().is_none());
     assert!(around_zero.ln().is_none() && Ball::int(-1, 60).ln().is_none());
@@ -213,13 +205,7 @@ fn sums_products_and_quotients_hold_those_of_the_ends() {
     }
 }
 
-#[test]
-fn a_ball_that_reaches_below_zero_has_no_root() {
-    let mostly_positive = Ball::enclosing(Interval::new(-1.0, 3.0), 60).unwrap();
-    assert!(mostly_positive.sqrt().is_none());
-    let zero = Ball::int(0, 60);
-    assert_eq!(zero.sqrt().unwrap(), zero);
-}
+
 
 #[test]
 fn the_inverse_sine_is_told_close_to_its_ends_and_at_them() {
