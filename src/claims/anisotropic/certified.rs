@@ -49,9 +49,7 @@ fn given(algebra: &[Proof], certificate: impl FnOnce() -> Outcome) -> Outcome {
     tests::DEMANDED.with_borrow_mut(|all| all.extend(algebra.iter().map(|p| p.title().to_owned())));
     match algebra.iter().find(|proof| !proof.holds()) {
         None => certificate(),
-        Some(fails) => Err(CertifiedError::False {
-            at: fails.title().to_owned(),
-        }),
+        Some(fails) => Err(CertifiedError::False(fails.title().to_owned())),
     }
 }
 
@@ -267,7 +265,7 @@ mod tests {
     #[test]
     fn without_the_algebra_there_is_no_certificate() {
         let name = String::new();
-        let fails = Proof::impossible("no", crate::exact::ExactError::UnknownSymbol { name });
+        let fails = Proof::impossible("no", crate::exact::ExactError::UnknownSymbol(name));
         assert!(given(&[exact::E.proof(), fails], || Ok(3)).is_err());
         assert_eq!(given(&[exact::E.proof()], || Ok(3)).unwrap(), 3);
     }

@@ -123,11 +123,9 @@ impl Half {
         let ends_by = |step: &DriveStep, phase| step.end[0] * self.parts <= phase * step.end[1];
         let step = DRIVE.iter().find(|step| !ends_by(step, from));
         let same = |step: &&DriveStep| until * step.end[1] <= step.end[0] * self.parts;
-        let step = step
-            .filter(same)
-            .ok_or_else(|| ExactError::BadDeclaration {
-                what: format!("h from {from} to {until} of {} parts", self.parts),
-            })?;
+        let step = step.filter(same).ok_or_else(|| {
+            ExactError::BadDeclaration(format!("h from {from} to {until} of {} parts", self.parts))
+        })?;
         let h = ratio(step.h);
         Ok(if turn % 2 == 0 { h } else { printed::eq43_h(h) })
     }

@@ -276,8 +276,6 @@ mod tests {
         assert!(matches!(open, Err(CertifiedError::NotProved { .. })));
     }
 
-    
-
     #[test]
     fn the_search_is_given_up_after_a_number_of_parts() {
         // So many parts are halved before the statement is plain everywhere.

@@ -6,12 +6,9 @@ use super::interval::Interval;
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CertifiedError {
-    /// It is false there: that is proved.
-    #[error("it is false at {at}")]
-    False {
-        /// Where.
-        at: String,
-    },
+    /// It is false there, where: that is proved.
+    #[error("it is false at {0}")]
+    False(String),
     /// Nothing follows there. It may still be true.
     #[error("{why}, at {at}")]
     NotProved {
@@ -25,7 +22,7 @@ pub enum CertifiedError {
 impl CertifiedError {
     /// False on a box.
     pub fn failing(cell: &[Interval]) -> Self {
-        CertifiedError::False { at: text(cell) }
+        CertifiedError::False(text(cell))
     }
 
     /// Not plain on a box that cannot be made smaller.

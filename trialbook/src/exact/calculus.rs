@@ -37,7 +37,7 @@ impl Ring {
             // A root of a number never stays below the line.
             let number =
                 radicand.factors().is_empty() && radicand.numerator().as_constant().is_some();
-                        let whole = |k: u32| match number {
+            let whole = |k: u32| match number {
                 true => k.div_ceil(*degree),
                 false => k / degree,
             };
@@ -70,7 +70,7 @@ impl Ring {
             let factor = Rational::from(factor.clone());
             if self.normal(&factor).is_literally_zero() {
                 let divisor = self.text(&factor);
-                return Err(ExactError::DivisionByZero { divisor });
+                return Err(ExactError::DivisionByZero(divisor));
             }
         }
         Ok(self.normal(x).is_literally_zero())
@@ -83,9 +83,7 @@ impl Ring {
     pub fn divide(&self, x: &Rational, y: &Rational) -> Result<Rational, ExactError> {
         let divide = || {
             let inverse = self.normal(y).reciprocal();
-            let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero {
-                divisor: self.text(y),
-            })?;
+            let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero(self.text(y)))?;
             Ok(self.normal(&(x * &inverse)))
         };
         recording::formed(|| recording::quotient(x, y), divide)
@@ -147,7 +145,7 @@ impl Ring {
         let half = |index: usize| self.divide(&self.rate(index, by)?, &Rational::int(2));
         match &self.rules[g] {
             Rule::Constant => Ok(Rational::int(0)),
-                        Rule::Free => {
+            Rule::Free => {
                 let rate = by.rates.get(&g).cloned();
                 Ok(rate.unwrap_or_else(|| Rational::int(0)))
             }
@@ -162,9 +160,9 @@ impl Ring {
                 let mut relative = exponent * &self.divide(&self.derivative(base, by)?, base)?;
                 let growing = self.derivative(exponent, by)?;
                 if !growing.is_literally_zero() {
-                    let ln = self.ln(base).map_err(|_| ExactError::VaryingExponent {
-                        power: self.names[g].clone(),
-                    })?;
+                    let ln = self
+                        .ln(base)
+                        .map_err(|_| ExactError::VaryingExponent(self.names[g].clone()))?;
                     relative = relative + growing * ln;
                 }
                 Ok(own * relative)

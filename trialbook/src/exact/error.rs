@@ -5,45 +5,25 @@
 #[non_exhaustive]
 pub enum ExactError {
     /// A symbol that the ring does not know.
-    #[error("the symbol {name} is not declared in the ring")]
-    UnknownSymbol {
-        /// The symbol.
-        name: String,
-    },
+    #[error("the symbol {0} is not declared in the ring")]
+    UnknownSymbol(String),
     /// A name that is declared already.
-    #[error("the symbol {name} is declared twice")]
-    DeclaredTwice {
-        /// The symbol.
-        name: String,
-    },
+    #[error("the symbol {0} is declared twice")]
+    DeclaredTwice(String),
     /// A symbol that is not free to vary, because it stands for something else.
-    #[error("{name} is not a free symbol of the ring, its rate cannot be chosen")]
-    NotFree {
-        /// The symbol.
-        name: String,
-    },
+    #[error("{0} is not a free symbol of the ring, its rate cannot be chosen")]
+    NotFree(String),
     /// A divisor that is zero in the ring.
-    #[error("division by {divisor}, which is zero")]
-    DivisionByZero {
-        /// The divisor.
-        divisor: String,
-    },
+    #[error("division by {0}, which is zero")]
+    DivisionByZero(String),
     /// A circular function of something that is not made of declared angles.
-    #[error(
-        "{argument} is not a sum of half multiples of declared angles and of π/2, up to 32 of each"
-    )]
-    NoAngle {
-        /// The argument.
-        argument: String,
-    },
+    #[error("{0} is not a sum of half multiples of declared angles and of π/2, up to 32 of each")]
+    NoAngle(String),
     /// A hyperbolic function or an exponential of something that is not made of declared arguments.
     #[error(
-        "{argument} is not a sum of half multiples of declared hyperbolic arguments, up to 32 of each"
+        "{0} is not a sum of half multiples of declared hyperbolic arguments, up to 32 of each"
     )]
-    NoArgument {
-        /// The argument.
-        argument: String,
-    },
+    NoArgument(String),
     /// A power for which there is no generator.
     #[error(
         "({base})^({exponent}) is not a product of declared powers; whole exponents go from −64 to 64"
@@ -55,11 +35,8 @@ pub enum ExactError {
         exponent: String,
     },
     /// A logarithm for which there is no generator.
-    #[error("ln({of}) is not a sum of declared logarithms")]
-    NoLogarithm {
-        /// What the logarithm is taken of.
-        of: String,
-    },
+    #[error("ln({0}) is not a sum of declared logarithms")]
+    NoLogarithm(String),
     /// An inverse function for which no angle is declared.
     #[error("{function}({of}) is not a declared angle")]
     NoInverse {
@@ -69,27 +46,15 @@ pub enum ExactError {
         of: String,
     },
     /// A power or logarithm of a number, or a value that is not what it is declared to be.
-    #[error("{what} cannot be declared")]
-    BadDeclaration {
-        /// What was to be declared.
-        what: String,
-    },
-    /// A function that has no power series there.
-    #[error("there is no series in whole powers {what}")]
-    NoSeries {
-        /// Of what.
-        what: String,
-    },
-    /// Equations for coefficients that contradict each other.
-    #[error("the equations for the coefficients have no solution: {left} is left over")]
-    Unsolvable {
-        /// What would have to be zero.
-        left: String,
-    },
+    #[error("{0} cannot be declared")]
+    BadDeclaration(String),
+    /// A function that has no power series there: of what.
+    #[error("there is no series in whole powers {0}")]
+    NoSeries(String),
+    /// Equations for coefficients that contradict each other: what would have to be zero.
+    #[error("the equations for the coefficients have no solution: {0} is left over")]
+    Unsolvable(String),
     /// A power whose exponent varies, while the logarithm of its base is not declared.
-    #[error("the exponent of {power} varies, and the logarithm of its base is not declared")]
-    VaryingExponent {
-        /// The power.
-        power: String,
-    },
+    #[error("the exponent of {0} varies, and the logarithm of its base is not declared")]
+    VaryingExponent(String),
 }

@@ -54,7 +54,7 @@ impl Ring {
                         for c in rest.iter().skip(1) {
                             if !self.is_zero(c)? {
                                 let what = "with an exponent that varies".into();
-                                return Err(ExactError::NoSeries { what });
+                                return Err(ExactError::NoSeries(what));
                             }
                         }
                         x.power(&exponent, self)
@@ -70,11 +70,11 @@ impl Ring {
         x: &Series,
         order: i64,
     ) -> Result<Series, ExactError> {
-                match function {
-                        Function::Sqrt => x.power(&self.half()?, self),
+        match function {
+            Function::Sqrt => x.power(&self.half()?, self),
             Function::Sin => Ok(self.pair(x, -1)?.1),
             Function::Cos => Ok(self.pair(x, -1)?.0),
-                        Function::Tan => {
+            Function::Tan => {
                 let (cosine, sine) = self.pair(x, -1)?;
                 sine.over(&cosine, self)
             }
@@ -96,7 +96,7 @@ impl Ring {
                     (true, _) => self.read(Expr::new(Node::Pi))? * self.half()?,
                     (false, _) => self.call(function, &first)?,
                 };
-                                let one = Series::constant(Rational::int(1), order);
+                let one = Series::constant(Rational::int(1), order);
                 let root = one.minus(&x.times(x, self)).power(&self.half()?, self)?;
                 match function {
                     Function::Asin => self.integrated(start, x, &root),
@@ -143,16 +143,14 @@ impl Ring {
             Function::Tanh => sinh.over(&cosh, self),
             Function::Coth => cosh.over(&sinh, self),
             Function::Exp => Ok(cosh.plus(&sinh)),
-            _ => Err(ExactError::NoSeries {
-                what: format!(
-                    "of {} of what only its exponential is known",
-                    function.name()
-                ),
-            }),
+            _ => Err(ExactError::NoSeries(format!(
+                "of {} of what only its exponential is known",
+                function.name()
+            ))),
         }
     }
 
-        pub(super) fn half(&self) -> Result<Rational, ExactError> {
+    pub(super) fn half(&self) -> Result<Rational, ExactError> {
         self.divide(&Rational::int(1), &Rational::int(2))
     }
 
@@ -216,7 +214,7 @@ mod tests {
             (x.coth(), -1, ["1", "0", "1/3", "0", "−1/45"]),
             (x.exp(), 0, ["1", "1", "1/2", "1/6", "1/24"]),
             (x.asin(), 1, ["1", "0", "1/6", "0", "3/40"]),
-                        (x.acos(), 0, ["π/2", "−1", "0", "−1/6", "0"]),
+            (x.acos(), 0, ["π/2", "−1", "0", "−1/6", "0"]),
             ((one + x).sqrt(), 0, ["1", "1/2", "−1/8", "1/16", "−5/128"]),
             (one / (one - x).squared(), 0, ["1", "2", "3", "4", "5"]),
             (
@@ -228,8 +226,6 @@ mod tests {
             assert_eq!(coefficients(formula, from), expected, "{formula}");
         }
     }
-
-    
 
     #[test]
     fn what_has_no_series_is_refused() {

@@ -387,6 +387,4 @@ mod tests {
         assert_ne!(a.sin() + b, b + a.sin());
         assert_eq!((a.sin() + b).with("a", b), b.sin() + b);
     }
-
-    
 }

@@ -19,7 +19,7 @@ impl Polynomial {
             return (found, self);
         }
         let coefficients = self.coefficients_in(g);
-                let mut ends = coefficients.values().map(Polynomial::as_constant);
+        let mut ends = coefficients.values().map(Polynomial::as_constant);
         let (first, last) = (ends.next().flatten(), ends.next_back().flatten());
         let (Some(first), Some(last)) = (first, last) else {
             return (found, self);

@@ -48,11 +48,8 @@ pub struct LatexError {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum Problem {
     /// A command or character without a meaning here.
-    #[error("{what} has no meaning here")]
-    Unknown {
-        /// The command or character.
-        what: String,
-    },
+    #[error("{0} has no meaning here")]
+    Unknown(String),
     /// A bracket that does not match another.
     #[error("a bracket that is not opened or not closed")]
     Bracket,
@@ -66,11 +63,8 @@ pub enum Problem {
     #[error("something is missing")]
     Missing,
     /// A name that the lexicon does not have.
-    #[error("the lexicon has no {name}")]
-    Name {
-        /// The name.
-        name: String,
-    },
+    #[error("the lexicon has no {0}")]
+    Name(String),
     /// Something that could be read in more than one way.
     #[error("this can be read in more than one way")]
     Ambiguous,

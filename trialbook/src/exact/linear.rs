@@ -65,7 +65,7 @@ impl Ring {
         for equation in open {
             if !self.is_zero(&equation)? {
                 let left = self.text(&equation);
-                return Err(ExactError::Unsolvable { left });
+                return Err(ExactError::Unsolvable(left));
             }
         }
         Ok(solved)

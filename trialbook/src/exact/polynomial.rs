@@ -66,7 +66,7 @@ impl Polynomial {
         self.terms.iter().map(|(m, c)| (m.as_slice(), c))
     }
 
-        /// How many terms there are.
+    /// How many terms there are.
     pub(super) fn len(&self) -> usize {
         self.terms.len()
     }
@@ -397,6 +397,6 @@ mod tests {
         let [x, y, z] = [0, 1, 2].map(Polynomial::generator);
         let sum = &(&x.pow(3) * &y.pow(2)) + &(&(&x.pow(2) * &y.pow(4)) * &z);
         assert_eq!(sum.common().as_slice(), [2, 2]);
-                assert!((&sum + &int(1)).common().is_empty());
+        assert!((&sum + &int(1)).common().is_empty());
     }
 }

@@ -73,11 +73,8 @@ pub enum Obstacle {
     #[error(transparent)]
     Impossible(#[from] ExactError),
     /// A proof that this one rests on does not hold.
-    #[error("it rests on {title}, which does not hold")]
-    Premise {
-        /// The other proof.
-        title: String,
-    },
+    #[error("it rests on {0}, which does not hold")]
+    Premise(String),
     /// Nothing was compared.
     #[error("nothing was compared")]
     Empty,
@@ -127,7 +124,7 @@ impl Proof {
             premises: prover.premises,
             obstacle: outcome.err().or(empty),
         };
-                let outcome = match proof.obstacle {
+        let outcome = match proof.obstacle {
             None => recording::Outcome::Holds,
             Some(Obstacle::NotZero { .. }) => recording::Outcome::Fails,
             Some(_) => recording::Outcome::Open,
@@ -267,7 +264,7 @@ impl<'a> Prover<'a> {
     fn bring(&mut self, says: &str, formula: Option<Expr>, x: &Rational) {
         let normal = self.ring.text(x);
         let formula = formula.map_or_else(|| normal.clone(), written);
-                let gives = match formula == normal {
+        let gives = match formula == normal {
             true => normal,
             false => format!("{formula} = {normal}"),
         };
@@ -283,9 +280,7 @@ impl<'a> Prover<'a> {
     /// [`Obstacle::Premise`] if that one does not hold.
     pub fn rests_on(&mut self, other: &Proof) -> Result<(), Obstacle> {
         if !other.holds() {
-            return Err(Obstacle::Premise {
-                title: other.title.clone(),
-            });
+            return Err(Obstacle::Premise(other.title.clone()));
         }
         recording::given(&other.title);
         self.steps.push(other.as_step());
@@ -401,7 +396,7 @@ impl<'a> Prover<'a> {
             Some((step, _, left)) => (*step, left.clone()),
             None => (usize::MAX, self.ring.text(x)),
         };
-                let says = self.steps.get(step).map_or("So", |step| &step.says);
+        let says = self.steps.get(step).map_or("So", |step| &step.says);
         let says = says.to_owned();
         self.compare(&says, x, &y)?;
         if std::mem::take(&mut self.bare) && step + 1 == self.steps.len() {

@@ -73,7 +73,7 @@ impl Ring {
             }
             Function::Exp => self.exponential(x),
             Function::Ln => self.ln(x),
-                        Function::Sqrt => self.raise(x, &self.half()?),
+            Function::Sqrt => self.raise(x, &self.half()?),
             Function::Asin | Function::Acos => {
                 let known = self.inverses.iter().enumerate();
                 for (i, known) in known.filter(|(_, k)| k.function == function) {
@@ -92,9 +92,7 @@ impl Ring {
 
     /// Cosine and sine: the powers of h (1 + i u) = exp(iθ/2) of each angle, multiplied.
     pub(super) fn circular(&self, angle: &Rational) -> Result<(Rational, Rational), ExactError> {
-        let error = || ExactError::NoAngle {
-            argument: self.text(angle),
-        };
+        let error = || ExactError::NoAngle(self.text(angle));
         let (mut cosine, mut sine) = (Rational::int(1), Rational::int(0));
         for (g, halves) in angle.as_halves().ok_or_else(error)? {
             let (c, s) = if g == PI {
@@ -120,9 +118,7 @@ impl Ring {
     }
 
     fn exponential(&self, argument: &Rational) -> Result<Rational, ExactError> {
-        let error = || ExactError::NoArgument {
-            argument: self.text(argument),
-        };
+        let error = || ExactError::NoArgument(self.text(argument));
         let mut product = Rational::int(1);
         for (g, halves) in argument.as_halves().ok_or_else(error)? {
             let known = self.arguments.iter().find(|[argument, _]| *argument == g);
@@ -257,7 +253,7 @@ impl Ring {
         if self.is_zero(&(rest - Rational::int(1)))? {
             Ok(sum)
         } else {
-            Err(ExactError::NoLogarithm { of: self.text(of) })
+            Err(ExactError::NoLogarithm(self.text(of)))
         }
     }
 }

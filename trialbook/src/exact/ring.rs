@@ -129,7 +129,7 @@ impl Ring {
     /// [`ExactError::DeclaredTwice`] if the name has a meaning already.
     pub fn define(&mut self, name: &'static str, value: Rational) -> Result<(), ExactError> {
         if self.symbols.contains_key(name) {
-            return Err(ExactError::DeclaredTwice { name: name.into() });
+            return Err(ExactError::DeclaredTwice(name.into()));
         }
         self.symbols.insert(name, value);
         Ok(())
@@ -168,7 +168,7 @@ impl Ring {
         let known = self.angles.iter().find(|[known, ..]| *known == index);
         known
             .map(|[_, tangent, _]| Rational::generator(*tangent))
-            .ok_or_else(|| ExactError::UnknownSymbol { name: angle.into() })
+            .ok_or_else(|| ExactError::UnknownSymbol(angle.into()))
     }
 
     /// Declares an argument of hyperbolic functions, with the exponential of its half; of a name that stands
@@ -219,7 +219,7 @@ impl Ring {
         };
         let exponent = self.one_over(degree, &name)?;
         if self.is_zero(radicand)? {
-            return Err(ExactError::BadDeclaration { what: name });
+            return Err(ExactError::BadDeclaration(name));
         }
         let own = Rational::generator(self.generator(name, rule));
         self.push_power(radicand, exponent.clone(), own.clone());
@@ -239,7 +239,7 @@ impl Ring {
         let name = format!("{}^(1/{degree})", self.operand(radicand));
         let exponent = self.one_over(degree, &name)?;
         if !self.is_zero(&(value.pow(degree) - radicand))? {
-            return Err(ExactError::BadDeclaration { what: name });
+            return Err(ExactError::BadDeclaration(name));
         }
         self.push_power(radicand, exponent, value.clone());
         Ok(())
@@ -266,7 +266,7 @@ impl Ring {
 
     fn one_over(&self, degree: u32, name: &str) -> Result<Rational, ExactError> {
         let reciprocal = Rational::int(i64::from(degree)).reciprocal();
-        reciprocal.ok_or_else(|| ExactError::BadDeclaration { what: name.into() })
+        reciprocal.ok_or_else(|| ExactError::BadDeclaration(name.into()))
     }
 
     /// Declares the logarithm of a positive base that is not a number; returns it.
@@ -301,10 +301,10 @@ impl Ring {
         let value = match function {
             Function::Asin => sine,
             Function::Acos => cosine,
-            _ => return Err(ExactError::BadDeclaration { what }),
+            _ => return Err(ExactError::BadDeclaration(what)),
         };
         if !self.is_zero(&(&value - of))? {
-            return Err(ExactError::BadDeclaration { what });
+            return Err(ExactError::BadDeclaration(what));
         }
         self.inverses.push(KnownInverse {
             function,
@@ -316,7 +316,7 @@ impl Ring {
 
     fn prime(&self, base: &Rational, name: &str) -> Result<Polynomial, ExactError> {
         let numerator = base.numerator();
-        let bad = || ExactError::BadDeclaration { what: name.into() };
+        let bad = || ExactError::BadDeclaration(name.into());
         if numerator.as_constant().is_some() {
             return Err(bad());
         }
@@ -335,7 +335,7 @@ impl Ring {
     /// [`ExactError::UnknownSymbol`] if it is not declared.
     pub fn named(&self, name: &str) -> Result<Rational, ExactError> {
         let known = self.symbols.get(name).cloned();
-        known.ok_or_else(|| ExactError::UnknownSymbol { name: name.into() })
+        known.ok_or_else(|| ExactError::UnknownSymbol(name.into()))
     }
 
     pub(super) fn free_index(&self, name: &str) -> Result<usize, ExactError> {
@@ -343,7 +343,7 @@ impl Ring {
         let index = known.generators().next();
         index
             .filter(|g| matches!(self.rules[*g], Rule::Free) && self.names[*g] == name)
-            .ok_or_else(|| ExactError::NotFree { name: name.into() })
+            .ok_or_else(|| ExactError::NotFree(name.into()))
     }
 
     /// Plain text in the names of the generators.

@@ -130,7 +130,7 @@ impl Series {
         let other = other.clone().trimmed(ring)?;
         let Some(first) = other.coefficients.first() else {
             let divisor = "a series without a term".to_owned();
-            return Err(ExactError::DivisionByZero { divisor });
+            return Err(ExactError::DivisionByZero(divisor));
         };
         let mut quotient: Vec<Rational> = Vec::new();
         for n in 0..self.coefficients.len().min(other.coefficients.len()) {
@@ -154,7 +154,7 @@ impl Series {
         let start = start.and_then(|n| i64::try_from(n).ok());
         let (Some(leading), Some(start)) = (leading, start) else {
             let what = format!("to the power {}", ring.text(exponent));
-            return Err(ExactError::NoSeries { what });
+            return Err(ExactError::NoSeries(what));
         };
         // y = xᵉ obeys x y′ = e x′ y.
         let mut y = vec![ring.raise(&leading, exponent)?];
@@ -232,16 +232,14 @@ impl Series {
         for power in self.start..0 {
             if !ring.is_zero(&self.coefficient(power).unwrap_or(Rational::int(0)))? {
                 let what = format!("about the power {power} of the small quantity");
-                return Err(ExactError::NoSeries { what });
+                return Err(ExactError::NoSeries(what));
             }
         }
         let all = (0..=self.order()).filter_map(|k| self.coefficient(k));
         let all: Vec<_> = all.collect();
         match all.first() {
             Some(first) => Ok((first.clone(), all)),
-            None => Err(ExactError::NoSeries {
-                what: "of which no term is known".into(),
-            }),
+            None => Err(ExactError::NoSeries("of which no term is known".into())),
         }
     }
 }

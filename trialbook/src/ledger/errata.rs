@@ -53,12 +53,9 @@ pub enum ErrataError {
         /// What failed.
         reason: Failure,
     },
-    /// The letter asks for what there is not.
-    #[error("the letter: {says}")]
-    Letter {
-        /// What is wrong with it.
-        says: String,
-    },
+    /// The letter asks for what there is not: what is wrong with it.
+    #[error("the letter: {0}")]
+    Letter(String),
 }
 
 impl Ledger {

@@ -142,7 +142,7 @@ fn unlinked(line: &str) -> String {
 }
 
 fn fault(says: String) -> ErrataError {
-    ErrataError::Letter { says }
+    ErrataError::Letter(says)
 }
 
 /// A displayed formula that is too wide for its column is made smaller.

@@ -107,9 +107,7 @@ impl Axis {
                 (from, to)
             }
             None if low > high => {
-                return Err(FigureError::NoData {
-                    axis: self.label.clone(),
-                });
+                return Err(FigureError::NoData(self.label.clone()));
             }
             None if !within(low, high) => return Err(refused(low, high)),
             // Chosen ticks say that the data's own ends are meant.

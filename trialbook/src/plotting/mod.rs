@@ -102,11 +102,8 @@ pub enum FigureError {
         to: f64,
     },
     /// An axis without fixed ends and without a finite value to take them from.
-    #[error("axis \"{axis}\": no finite value to draw, and no range given")]
-    NoData {
-        /// Label of the axis.
-        axis: String,
-    },
+    #[error("axis \"{0}\": no finite value to draw, and no range given")]
+    NoData(String),
     /// A row of a table with too few or too many cells.
     #[error("a row of the table must have {expected} cells, got {found}")]
     Row {

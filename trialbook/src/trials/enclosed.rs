@@ -57,7 +57,7 @@ pub fn resting_on(
         Some(obstacle) => {
             let at = obstacle.to_string();
             Err(match obstacle {
-                Obstacle::NotZero { .. } => CertifiedError::False { at },
+                Obstacle::NotZero { .. } => CertifiedError::False(at),
                 _ => CertifiedError::NotProved {
                     why: "a step cannot be carried out",
                     at,

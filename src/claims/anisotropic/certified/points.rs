@@ -35,7 +35,7 @@ fn prove_stated(root: [Interval; 2], stated: [Interval; 2]) -> Result<usize, Cer
     let at = format!("{} × {}", root[0], root[1]);
     let mut sides = root.iter().zip(stated);
     if sides.any(|(a, b)| a.meet(b).is_none()) {
-        return Err(CertifiedError::False { at });
+        return Err(CertifiedError::False(at));
     }
     if root.iter().any(|side| side.width() >= 1e-14) {
         let why = "the root is not known well enough";

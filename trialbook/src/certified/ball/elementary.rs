@@ -210,10 +210,7 @@ fn exponential_of_small(t: IBig, work: usize) -> (UBig, UBig) {
 
 #[cfg(test)]
 mod tests {
-        use super::*;
-
-
-    
+    use super::*;
 
     #[test]
     fn the_sine_of_a_small_angle_is_off_by_few_units_for_each_term() {

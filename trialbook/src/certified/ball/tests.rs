@@ -1,8 +1,6 @@
 use super::*;
 use proptest::prelude::*;
 
-
-
 #[test]
 fn the_radius_covers_what_more_bits_show() {
     for k in -40..40 {
@@ -97,7 +95,7 @@ fn only_certain_decimals_are_given() {
 
 #[test]
 fn what_has_no_value_is_none() {
-        let around_zero = Ball::enclosing(Interval::new(-1.0, 1.0), 60).unwrap();
+    let around_zero = Ball::enclosing(Interval::new(-1.0, 1.0), 60).unwrap();
     let zero = Ball::int(0, 60);
     assert_eq!((around_zero.sqrt(), zero.sqrt()), (None, Some(zero)));
     assert!(Ball::int(1, 60).over(&around_zero).is_none());
@@ -204,8 +202,6 @@ fn sums_products_and_quotients_hold_those_of_the_ends() {
         assert_eq!(quotient.is_none(), holds(ends(&b), 0), "{b:?}");
     }
 }
-
-
 
 #[test]
 fn the_inverse_sine_is_told_close_to_its_ends_and_at_them() {

@@ -179,7 +179,7 @@ impl Lister {
                 match &delimiter[..] {
                     "\\vert" | "|" => "\\rvert".to_owned(),
                     ")" | "]" | "\\}" => delimiter,
-                    _ => return Err(Problem::Unknown { what: delimiter }.at(at)),
+                    _ => return Err(Problem::Unknown(delimiter).at(at)),
                 }
             }
             _ => token.to_owned(),
@@ -209,7 +209,7 @@ impl Lister {
         if name == "cases" {
             Ok(())
         } else {
-            Err(Problem::Unknown { what: name }.at(at))
+            Err(Problem::Unknown(name).at(at))
         }
     }
 
@@ -266,7 +266,7 @@ impl Lister {
 
     /// What begins with this token.
     fn kind(&mut self, at: usize, token: String) -> Result<Kind, LatexError> {
-        let unknown = |what: &str| Problem::Unknown { what: what.into() }.at(at);
+        let unknown = |what: &str| Problem::Unknown(what.into()).at(at);
         if let Some(relation) = Relation::of(&token) {
             return Ok(Kind::Relation(relation));
         }

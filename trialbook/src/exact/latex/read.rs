@@ -266,11 +266,8 @@ impl Lexicon {
                 let below = self.number(below, at)?;
                 Ok(self.read(above, at)?.scaled(|x| x / below))
             }
-            Kind::Letter(name) => Err(Problem::Name { name: name.clone() }.at(at)),
-            Kind::Accent(accent, _) => Err(Problem::Name {
-                name: format!("name with {accent}"),
-            }
-            .at(at)),
+            Kind::Letter(name) => Err(Problem::Name(name.clone()).at(at)),
+            Kind::Accent(accent, _) => Err(Problem::Name(format!("name with {accent}")).at(at)),
             _ => Err(Problem::Missing.at(at)),
         }
     }

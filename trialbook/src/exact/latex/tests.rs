@@ -149,8 +149,8 @@ fn a_name_with_operators_counts_where_it_is_the_whole() {
 #[test]
 fn what_is_not_understood_is_said_with_its_place() {
     use Problem::{Ambiguous, Bracket, Kind, Missing, TooLong};
-    let name = |name: &str| Problem::Name { name: name.into() };
-    let unknown = |what: &str| Problem::Unknown { what: what.into() };
+    let name = |name: &str| Problem::Name(name.into());
+    let unknown = |what: &str| Problem::Unknown(what.into());
     for (latex, at, problem) in [
         (r"a+\foo", 2, unknown(r"\foo")),
         ("a+$", 2, unknown("$")),
