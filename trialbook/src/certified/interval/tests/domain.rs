@@ -272,32 +272,3 @@ fn nothing_later_makes_a_bound_of_what_has_none() {
         assert!(stays(-x) && stays(x.hull(Interval::point(0.0))) && stays(x.widened(1.0)));
     }
 }
-
-#[test]
-fn a_power_of_a_negative_number_and_the_sine_of_no_angle_are_not_told() {
-    let [minus_two, minus_one, two, three] = [-2.0, -1.0, 2.0, 3.0].map(Interval::point);
-    let half = Interval::ratio(1, 2);
-    let base = Interval::new(-2.0, -1.0);
-    for power in [
-        minus_two.pow(three),
-        base.pow(three),
-        base.pow(half),
-        minus_two.pow(minus_one),
-        Interval::new(-1.0, 2.0).pow(two),
-        Interval::point(0.0).pow(two),
-    ] {
-        assert_eq!(power, Interval::WHOLE);
-    }
-    let nowhere = Interval::new(2.0, 3.0);
-    assert_eq!(nowhere.asin().sin(), Interval::WHOLE);
-    assert_eq!(nowhere.acos().cos(), Interval::WHOLE);
-    assert_eq!((-nowhere).ln().exp(), Interval::WHOLE);
-    assert_eq!((-nowhere).sqrt().squared(), Interval::WHOLE);
-    assert_eq!((-nowhere).sqrt() * Interval::point(0.0), Interval::WHOLE);
-    // 1/x has no value at 0 and is only known to be above 1 beside it.
-    let beside = Interval::point(1.0) / Interval::new(0.0, 1.0);
-    assert_eq!((beside.lo(), beside.hi()), (1.0, f64::INFINITY));
-    for later in [beside.sin(), (-beside).exp(), Interval::point(1.0) / beside] {
-        assert!(!later.is_bounded(), "{later:?}");
-    }
-}
