@@ -48,7 +48,6 @@ const THEME: &[(&str, &[u8])] = files![
     "theme/katex/fonts/TrialbookMath-Regular.woff2",
 ];
 
-/// The settings of this book.
 pub(super) fn settings(edition: &Edition) -> String {
     SETTINGS.replace("theme/book.", &format!("theme/{}.", edition.name))
 }

@@ -157,7 +157,6 @@ fn check(out: &Path, name: &str) -> Result<(), BookError> {
     Err(BookError::NotOurs { path })
 }
 
-/// The error of a path that cannot be written.
 pub(super) fn unwritable(path: &Path, reason: io::Error) -> BookError {
     BookError::Unwritable {
         path: path.to_owned(),

@@ -3,7 +3,6 @@
 /// Marks what follows it in braces; [`Maths`](super::maths::Maths) knows it.
 pub(super) const MARK: &str = r"\changed";
 
-/// A part of a formula.
 #[derive(Debug, Clone, PartialEq)]
 enum Part<'a> {
     /// What is compared as a whole: a character, a command, what stands between `\left` and its `\right`.

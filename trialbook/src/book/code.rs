@@ -8,7 +8,6 @@ use crate::trials::{Claim, Topic};
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 
-/// A place in the code.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Place {
     /// The file below `src`, or that of a topic's claims.
@@ -39,21 +38,18 @@ impl Place {
     }
 }
 
-/// What stands where.
 pub(super) struct Code<'a> {
     edition: &'a Edition,
     /// Files shown, by their path below `src`, or where the claims are.
     files: BTreeMap<&'static str, Source>,
 }
 
-/// A file.
 struct Source {
     text: &'static str,
     /// Its functions, or its claims, with their lines counted from 0.
     places: Vec<(usize, &'static str)>,
 }
 
-/// The page that shows a file.
 fn page(file: &str) -> String {
     format!("code/{}.html", file.trim_end_matches(".rs"))
 }

@@ -86,7 +86,6 @@ pub(super) fn expand(
     Ok(out)
 }
 
-/// The options that mdBook uses.
 fn options() -> Options {
     Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES

@@ -208,7 +208,6 @@ fn tallies(ledger: &Ledger, of: fn(Tally) -> usize) -> usize {
     entries.map(|entry| of(entry.tally())).sum()
 }
 
-/// The verdict of this slug.
 fn verdict_of(slug: &str) -> Result<Verdict, Fault> {
     let found = Verdict::ALL.into_iter().find(|v| v.slug() == slug);
     found.ok_or_else(|| Fault::Placeholder(format!("there is no verdict `{slug}`")))

@@ -22,7 +22,6 @@ use rayon::prelude::*;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// The name of the page for printing.
 const PRINT: &str = "print.html";
 
 /// The book as mdBook renders it, in a temporary folder: with marks for formulas and for what fills the placeholders.
@@ -166,7 +165,6 @@ impl<'a> Frame<'a> {
         Ok(out.join("index.html"))
     }
 
-    /// What fills each placeholder.
     fn filled(&self, filler: &Filler<'_>) -> Result<Vec<Filled>, BookError> {
         let one = |blank: &Blank| {
             let filled = filler.fill(self.pages[blank.page].stem, &blank.inside);

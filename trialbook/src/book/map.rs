@@ -10,7 +10,6 @@ use crate::plotting::map::{Node, map};
 use crate::plotting::{Figure, FigureError};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// The figure.
 pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
     let entries = &ledger.entries;
     let places: BTreeMap<_, _> = entries

@@ -44,16 +44,13 @@ enum Place {
     Folded,
 }
 
-/// LaTeX, and where it stands.
 type Key = (String, Place);
 
-/// A formula as HTML and as plain text.
 type Form = (String, String);
 
 /// Every formula that this process has set, whichever book it was for.
 static KNOWN: LazyLock<Mutex<HashMap<Key, Form>>> = LazyLock::new(Mutex::default);
 
-/// The formulas set so far.
 struct Set {
     setter: Setter,
     /// Number of a formula.

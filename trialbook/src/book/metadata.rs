@@ -6,7 +6,6 @@ use crate::publishing::Edition;
 
 /// The page that has all pages.
 const PRINT: &str = "print";
-/// mdBook's highlighter.
 const HIGHLIGHTER: &str = "<script src=\"highlight.js\"></script>";
 /// The cards of this paper's claims and symbols.
 const CARDS: &str = "<script src=\"theme/cards.js\"></script>";

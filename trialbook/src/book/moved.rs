@@ -4,7 +4,6 @@ use super::text::escape;
 use crate::publishing::Edition;
 use std::collections::BTreeMap;
 
-/// These pages, by their names.
 pub(super) fn pages(edition: &Edition) -> BTreeMap<&'static str, String> {
     let whole = edition.moved.iter().filter(|(from, _)| !from.contains('#'));
     let page = |(from, to): &(&'static str, &str)| {

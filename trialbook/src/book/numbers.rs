@@ -13,7 +13,6 @@ const APART: [&str; 13] = [
 /// Where running text stands.
 const TEXT: [&str; 2] = ["p", "li"];
 
-/// The addresses of the numbered equations.
 pub(super) fn addresses(ledger: &Ledger) -> BTreeMap<u16, String> {
     let entries = ledger.entries.iter();
     let numbered = entries.filter_map(|entry| Some((entry.claim.equation?, entry.address())));

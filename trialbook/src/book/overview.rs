@@ -109,7 +109,6 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
     )
 }
 
-/// The section in which a topic begins.
 fn first_section(topic: &Topic) -> &'static str {
     topic.claims().first().map_or("", |claim| claim.section)
 }

@@ -6,7 +6,6 @@ use super::tables::tried;
 use super::text::in_code;
 use std::collections::BTreeSet;
 
-/// The table.
 pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
     let maths = context.maths;
     // What two topics have in common is said once.

@@ -47,7 +47,6 @@ pub(super) fn code(text: &str) -> String {
     format!("<pre><code class=\"language-text\">{lines}</code></pre>\n")
 }
 
-/// The sheets of all claims.
 pub(super) fn sheets(context: &Context<'_>) -> Result<String, Fault> {
     let sheet = |entry: &Entry| {
         Ok(format!(
@@ -102,7 +101,6 @@ pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Result<String, 
     ))
 }
 
-/// The claims of the topic of this stem.
 fn topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
     let mut entries = context.of_topic(stem).peekable();
     if entries.peek().is_none() {
@@ -265,7 +263,6 @@ pub(super) fn proofs(ledger: &Ledger) -> String {
     )
 }
 
-/// The claims without a proof, by the reason.
 pub(super) fn measured(context: &Context<'_>) -> Result<String, Fault> {
     let row = |(why, claims): &(&str, Vec<&'static Claim>)| {
         let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
@@ -331,7 +328,6 @@ pub(super) fn excused(context: &Context<'_>, name: &'static str) -> Result<Strin
     tried(name, head, rows)
 }
 
-/// The trials of all claims.
 fn trials<'a>(context: &Context<'a>) -> impl Iterator<Item = (&'a Entry, &'static Attempt)> {
     let entries = context.ledger.entries.iter();
     entries.flat_map(|entry| entry.claim.trials.iter().map(move |trial| (entry, trial)))

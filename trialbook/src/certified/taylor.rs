@@ -192,19 +192,4 @@ mod tests {
             }
         }
     }
-
-    #[test]
-    fn a_variable_begins_with_its_box_and_a_quotient_with_the_quotient() {
-        let cell = Interval::new(2.0, 3.0);
-        let [one, zero] = [1, 0].map(Interval::int);
-        let x = Taylor::<3>::variable(cell);
-        assert_eq!(x.coefficients(), [cell, one, zero]);
-        // 1/(4 − x) about 2: 1/2, 1/4, 1/8.
-        let x = Taylor::<3>::variable(Interval::int(2));
-        let quotient = Taylor::int(1) / (Taylor::int(4) - x);
-        assert_eq!(
-            quotient.coefficients(),
-            [2, 4, 8].map(|n| Interval::ratio(1, n))
-        );
-    }
 }

@@ -16,7 +16,6 @@ use std::path::Path;
 /// The version of the files' format.
 const FORMAT: u32 = 4;
 
-/// What stands in a file.
 #[derive(Serialize)]
 struct Certificate {
     format: u32,
@@ -36,7 +35,6 @@ struct Certificate {
     witnesses: Vec<Witness>,
 }
 
-/// A proof and its file.
 #[derive(Serialize)]
 struct Row {
     claim: &'static str,
@@ -47,7 +45,6 @@ struct Row {
     bytes: usize,
 }
 
-/// All proofs and their files.
 #[derive(Serialize)]
 struct List<'a> {
     version: u32,

@@ -21,7 +21,6 @@ struct Matrix<'a> {
     corners: Vec<CornerRow<'a>>,
 }
 
-/// A formula with a mistake.
 #[derive(Serialize)]
 struct MistakeRow<'a> {
     claim: &'a str,

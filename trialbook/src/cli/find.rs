@@ -54,7 +54,6 @@ pub(super) fn find(paper: &Paper, given: &str, format: Format) -> Result<u8, Fai
     Ok(u8::from(found.is_empty()))
 }
 
-/// Lists all numbers that can be found.
 pub(super) fn all(paper: &Paper, format: Format) -> Result<u8, Failure> {
     let row = |value: &Value| -> Result<[String; 5], Failure> {
         Ok([

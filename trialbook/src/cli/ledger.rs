@@ -19,18 +19,15 @@ use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
-/// The verdicts by their slugs.
 pub(super) fn verdicts() -> PossibleValuesParser {
     PossibleValuesParser::new(Verdict::ALL.map(Verdict::slug))
 }
 
-/// The sections of the paper.
 pub(super) fn sections(paper: &Paper) -> PossibleValuesParser {
     let sections: BTreeSet<&str> = paper.claims().map(|(_, claim)| claim.section).collect();
     PossibleValuesParser::new(sections)
 }
 
-/// How errata are printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum ErrataFormat {
     /// Plain text
@@ -41,7 +38,6 @@ pub(super) enum ErrataFormat {
     Json,
 }
 
-/// Claims as JSON.
 #[derive(Serialize)]
 struct Claims<'a> {
     version: u32,
@@ -51,7 +47,6 @@ struct Claims<'a> {
     book: Option<&'a Path>,
 }
 
-/// A claim whose verdict is not the recorded one.
 #[derive(Serialize)]
 struct DifferenceRow<'a> {
     id: &'a str,
@@ -67,7 +62,6 @@ struct Tried {
 }
 
 impl Tried {
-    /// Tries all claims, or those of these ids.
     fn new(paper: &'static Paper, ids: Option<&[&str]>, depth: &Depth) -> Result<Self, Failure> {
         let record = Record::parse(paper.record)?;
         let ledger = with_progress(paper, ids);
@@ -194,7 +188,6 @@ pub(super) fn main_job(
     Ok(tried.code())
 }
 
-/// Verifies the claims of these ids, or all.
 pub(super) fn verify(
     edition: &Edition,
     ids: &[String],
@@ -226,7 +219,6 @@ pub(super) fn record(paper: &'static Paper, made: &str, depth: &Depth) -> Result
     Ok(tried.code())
 }
 
-/// Shows claims.
 pub(super) fn show(
     edition: &Edition,
     ids: &[String],
@@ -246,7 +238,6 @@ pub(super) fn show(
     tried.answered(&tried.all(), words, format)
 }
 
-/// Lists the claims of a verdict and a section.
 pub(super) fn list(
     paper: &'static Paper,
     verdict: Option<&str>,
@@ -268,7 +259,6 @@ pub(super) fn list(
     tried.answered(&listed, words, format)
 }
 
-/// Prints the errata.
 pub(super) fn print_errata(
     edition: &Edition,
     (kind, supplement): (ErrataFormat, bool),

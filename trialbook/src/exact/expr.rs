@@ -140,7 +140,6 @@ impl Expr {
         self.index
     }
 
-    /// The tree of this number.
     pub(super) fn numbered(index: u32) -> Option<Self> {
         let here = PhantomData;
         let known = STORE.with_borrow(|store| (index as usize) < store.nodes.len());

@@ -13,7 +13,6 @@ use std::ops::{Add, Mul, Neg, Sub};
 /// order that multiplication respects. Up to twenty stand in place: most rings have no more generators.
 type Monomial = SmallVec<[u32; 20]>;
 
-/// A monomial with its coefficient.
 type Term = (Monomial, IBig);
 
 /// A polynomial over ℤ in generators that are known by their index. Exact; zero only if it has no terms.
@@ -66,7 +65,6 @@ impl Polynomial {
         self.terms.iter().map(|(m, c)| (m.as_slice(), c))
     }
 
-    /// How many terms there are.
     pub(super) fn len(&self) -> usize {
         self.terms.len()
     }

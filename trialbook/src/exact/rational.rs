@@ -47,7 +47,6 @@ impl Rational {
         &self.factors
     }
 
-    /// The number below the line.
     pub(super) fn number(&self) -> &IBig {
         &self.number
     }

@@ -131,7 +131,6 @@ impl Ring {
         Ok(product)
     }
 
-    /// Hyperbolic cosine and sine.
     pub(super) fn hyperbolic_pair(&self, x: &Rational) -> Result<(Rational, Rational), ExactError> {
         let (up, down) = (self.exponential(x)?, self.exponential(&-x)?);
         let two = Rational::int(2);

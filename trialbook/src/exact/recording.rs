@@ -22,7 +22,6 @@ pub(super) struct Origin {
     made: Made,
 }
 
-/// How an element was made.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) enum Made {
     /// It was given as it is: a number, a quantity.
@@ -64,7 +63,6 @@ pub(super) enum Known {
     Inverse(usize),
 }
 
-/// How a proof ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Outcome {
     /// All that was compared is equal.
@@ -172,7 +170,6 @@ pub(super) fn joined(
     noted(by(x, y), formed)
 }
 
-/// The negative of an element.
 pub(super) fn negative(x: &Rational, formed: Rational) -> Rational {
     if !is_on() {
         return unnoted(formed);
@@ -237,23 +234,19 @@ pub(super) fn met(known: Known) {
     }
 }
 
-/// One element over another.
 pub(super) fn quotient(x: &Rational, y: &Rational) -> Part {
     Part::Quotient(place(x), place(y))
 }
 
-/// One element to the power of another.
 pub(super) fn raised(x: &Rational, y: &Rational) -> Part {
     Part::Raised(place(x), place(y))
 }
 
-/// A derivative.
 pub(super) fn derivative(x: &Rational, by: &Derivation) -> Part {
     let rates = by.rates().map(|(g, rate)| (g, place(rate))).collect();
     Part::Derivative(place(x), rates)
 }
 
-/// Values, put in.
 pub(super) fn put(x: &Rational, values: &[(&Rational, &Rational)]) -> Part {
     let values = values
         .iter()
@@ -387,7 +380,6 @@ fn is_number(formula: Expr) -> bool {
     }
 }
 
-/// Notes that two elements were compared.
 pub(super) fn compared(says: &str, x: &Rational, y: &Rational) {
     if is_on() {
         let (x, y) = (place(x), place(y));
@@ -395,7 +387,6 @@ pub(super) fn compared(says: &str, x: &Rational, y: &Rational) {
     }
 }
 
-/// Notes that another proof is made use of.
 pub(super) fn given(title: &str) {
     if is_on() {
         with(|tape| {
@@ -406,7 +397,6 @@ pub(super) fn given(title: &str) {
     }
 }
 
-/// A proof begins.
 pub(super) fn begin() {
     if is_on() {
         with(|tape| tape.frames.push(Frame::default()));

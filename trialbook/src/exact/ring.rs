@@ -21,7 +21,6 @@ use super::rational::Rational;
 use super::recording;
 use std::collections::BTreeMap;
 
-/// How a generator behaves.
 #[derive(Debug, Clone)]
 pub(super) enum Rule {
     Constant,
@@ -80,7 +79,6 @@ impl Default for Ring {
     }
 }
 
-/// The index of π among the generators.
 pub(super) const PI: usize = 0;
 
 impl Ring {

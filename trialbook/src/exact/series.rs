@@ -213,7 +213,6 @@ impl Series {
         text
     }
 
-    /// Without leading coefficients that are zero.
     fn trimmed(mut self, ring: &Ring) -> Result<Self, ExactError> {
         let mut zeros = 0;
         while let Some(c) = self.coefficients.get(zeros) {

@@ -133,7 +133,6 @@ impl Ledger {
         Ok(self.judged())
     }
 
-    /// The measured trial that a line is of.
     fn measured_at(&self, brought: &Brought<'_>) -> Option<(usize, usize)> {
         let place = self.position(brought.key);
         place.filter(|(entry, trial)| !self.entries[*entry].evidence[*trial].route.is_proof())
@@ -150,7 +149,6 @@ impl Ledger {
         format!("{made}\t{rounds}\t{points}\n{}", self.round())
     }
 
-    /// The same, as if nothing had been measured.
     fn unmeasured(&self) -> Self {
         let mut ledger = self.clone();
         let evidence = ledger.entries.iter_mut().flat_map(|e| &mut e.evidence);
@@ -161,7 +159,6 @@ impl Ledger {
         ledger
     }
 
-    /// The same evidence, judged anew.
     fn judged(mut self) -> Self {
         let ids: Vec<_> = self.entries.iter().map(|e| e.claim.id).collect();
         self.entries.append(&mut self.beside);
@@ -218,7 +215,6 @@ impl<'a> Deep<'a> {
 #[derive(Debug, Default)]
 pub struct Rounds(BTreeMap<u32, String>);
 
-/// Of which trial a line of a round is.
 fn key(line: &str) -> &str {
     line.split('\t').next().unwrap_or_default()
 }

@@ -96,7 +96,6 @@ impl Entry {
     }
 }
 
-/// The numbers of the mistakes in each formula.
 fn by_formula(variants: &[Variant]) -> BTreeMap<&str, Vec<usize>> {
     let mut of_formula = BTreeMap::<&str, Vec<usize>>::new();
     for (i, variant) in variants.iter().enumerate() {

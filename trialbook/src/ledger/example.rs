@@ -56,7 +56,6 @@ pub(crate) static CHAIN: Topic = Topic::new(
     &[trials![Root Printed 20, Root Corrected 0, Limit Corrected 0, Census Step 0]],
 );
 
-/// The claims, tried and judged.
 pub(crate) fn ledger() -> Ledger {
     Ledger::try_all(&PAPER, |_| {})
 }

@@ -10,7 +10,6 @@ use crate::trials::Paper;
 pub enum Format {
     /// Plain text.
     Text,
-    /// A LaTeX document.
     Latex,
 }
 
@@ -127,7 +126,6 @@ impl Ledger {
     }
 }
 
-/// Words without their links to claims.
 fn unlinked(line: &str) -> String {
     let mut out = String::new();
     let mut rest = line;
@@ -151,10 +149,8 @@ const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\c
 /// The parts of an item that stand in one paragraph, in LaTeX.
 const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
 
-/// How the title of the letter begins.
 const COMMENT: &str = "Comment on";
 
-/// How the letter is set.
 trait Style {
     fn opening(&self, paper: &Paper, what: &str) -> String;
     fn sender(&self) -> String;
@@ -339,7 +335,6 @@ fn tex_words(words: &str) -> String {
     parts.collect::<String>().replace("$$", " ")
 }
 
-/// Words without formulas, for LaTeX.
 fn tex_plain(words: &str) -> String {
     let mut out = String::new();
     for piece in pieces(words) {

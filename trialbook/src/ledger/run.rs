@@ -42,7 +42,6 @@ impl Claim {
     }
 }
 
-/// Tries claims on all cores.
 fn tried(
     paper: &'static Paper,
     claims: Vec<(&'static Topic, &'static Claim)>,

@@ -111,7 +111,6 @@ impl Evidence {
         }
     }
 
-    /// How many disagree.
     fn failing(&self) -> String {
         match (self.failed, self.points) {
             (1, 1) => "The two sides disagree".to_owned(),
@@ -186,7 +185,6 @@ pub(super) fn rounded_up(size: f64) -> String {
     }
 }
 
-/// A count, its thousands parted.
 pub(crate) fn count(n: usize) -> String {
     let digits = n.to_string();
     let mut out = String::new();

@@ -57,13 +57,11 @@ impl Factor {
         }
     }
 
-    /// Without its brackets.
     fn bare(self) -> String {
         self.inside.unwrap_or(self.latex)
     }
 }
 
-/// What is left to read.
 struct Reader<'a> {
     rest: &'a str,
     /// True if what was read so far can only be a formula.

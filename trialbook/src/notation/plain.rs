@@ -32,7 +32,6 @@ pub fn plain_formula(latex: &str) -> String {
     out.replace(" ,", ",").replace(" ;", ";").replace(" .", ".")
 }
 
-/// What is left to read.
 struct Reader<'a> {
     rest: &'a str,
 }

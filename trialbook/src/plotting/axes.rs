@@ -5,9 +5,7 @@ use super::svg::number;
 use super::text::{markup, width};
 use super::ticks::{self, Step, Tick};
 
-/// Type size of tick labels.
 pub(super) const TICK_SIZE: f64 = 15.0;
-/// Type size of everything else.
 pub(super) const TEXT_SIZE: f64 = 16.0;
 
 /// Sizes that an axis can show lie below this, spans (and values on a logarithmic axis) above its

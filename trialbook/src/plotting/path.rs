@@ -2,7 +2,6 @@
 
 use super::svg::number;
 
-/// A place on the page.
 pub(super) type Place = [f64; 2];
 
 /// The box that is drawn in.
@@ -109,7 +108,6 @@ pub(super) fn clip_polygon(points: &[Place], frame: &Frame) -> Vec<Place> {
     polygon
 }
 
-/// Distance of `p` from the segment `a` to `b`.
 fn deviation(p: Place, a: Place, b: Place) -> f64 {
     let length = distance(a, b);
     if length == 0.0 {
@@ -167,7 +165,6 @@ pub(super) fn data(pieces: &[Vec<Place>]) -> String {
     out
 }
 
-/// Length of all pieces together.
 pub(super) fn length(pieces: &[Vec<Place>]) -> f64 {
     pieces
         .iter()

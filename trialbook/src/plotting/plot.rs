@@ -8,7 +8,6 @@ use super::{Axis, Cell, Curve, Figure, FigureError, Panel, Table};
 
 /// Width of the page, in units of which type is 15 or 16 high.
 const WIDTH: f64 = 480.0;
-/// Height of a line of the key.
 const KEY_LINE: f64 = 25.0;
 /// Sample of the key, with the space after it.
 const KEY_SAMPLE: f64 = 36.0;
@@ -109,7 +108,6 @@ impl Plot {
         })
     }
 
-    /// The drawing alone.
     fn draw(&self) -> Result<String, FigureError> {
         if !(1..=4).contains(&self.columns) {
             return Err(layout("columns of a figure", "from 1 to 4", self.columns));

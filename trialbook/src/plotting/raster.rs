@@ -9,7 +9,6 @@ use super::svg::Colour;
 /// A cell that is not drawn.
 pub const BLANK: u8 = u8::MAX;
 
-/// A class of cells and its look.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Class {
     pub label: String,
@@ -98,7 +97,6 @@ impl Raster {
         counts
     }
 
-    /// Columns and rows.
     pub(super) fn shape(&self) -> (usize, usize) {
         (self.columns, self.rows)
     }

@@ -239,7 +239,6 @@ fn label(at: Place, words: &str, colour: Colour) -> String {
     )
 }
 
-/// Path data of an arrowhead.
 fn arrow(at: Place, [dx, dy]: Place) -> String {
     let corner = |ahead: f64, aside: f64| {
         let p = [
@@ -256,7 +255,6 @@ fn arrow(at: Place, [dx, dy]: Place) -> String {
     )
 }
 
-/// A line in a curve's look.
 pub(super) fn stroke(curve: &Curve, data: &str) -> String {
     let pattern = curve
         .stroke
@@ -269,7 +267,6 @@ pub(super) fn stroke(curve: &Curve, data: &str) -> String {
     )
 }
 
-/// A filled path.
 fn fill(data: &str, colour: Colour, opacity: f64) -> String {
     let opacity = match number(opacity).as_str() {
         "1" => String::new(),
@@ -385,7 +382,6 @@ fn covers(raster: &Raster, class: usize, room: &Frame, x: &Scale, y: &Scale) -> 
     (left..=right).all(|i| (bottom..=top).all(|j| raster.class_at(i, j) == Some(class)))
 }
 
-/// The box around words.
 fn room(at: Place, words: &str) -> Frame {
     let width = width(words, TEXT_SIZE);
     let left = at[0] - width / 2.0;

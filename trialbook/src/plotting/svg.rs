@@ -38,7 +38,6 @@ pub(super) const PALETTE: [&str; 6] = [
     "#2a7ab8", "#d1601f", "#1c8f63", "#9a63c2", "#a07a10", "#c74d86",
 ];
 
-/// What a mark is drawn in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Colour {
     /// The page's text colour.

@@ -4,7 +4,6 @@
 /// An end this close to a tick, in steps, counts as on it.
 const SLACK: f64 = 1e-6;
 
-/// A mark on an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tick {
     /// The value.
@@ -43,7 +42,6 @@ impl Step {
         decimal(self.0, self.1)
     }
 
-    /// `k` steps.
     fn times(self, k: i64) -> f64 {
         decimal(k.saturating_mul(self.0), self.1)
     }
@@ -95,7 +93,6 @@ fn written(mantissa: i64, exponent: i32, size: i32) -> String {
     }
 }
 
-/// A power of ten as a label.
 fn power(exponent: i32) -> String {
     match exponent {
         0 => "1".into(),

@@ -175,19 +175,16 @@ pub fn on_balls(formula: Expr, bits: usize, symbol: &dyn Fn(&str) -> Option<Ball
     })
 }
 
-/// The hyperbolic sine and cosine.
 fn hyperbolic(x: &Ball) -> Option<[Ball; 2]> {
     let half = Ball::ratio(1, 2, x.bits())?;
     let [grows, falls] = [x.exp()?, (-x).exp()?];
     Some([&(&grows - &falls) * &half, &(&grows + &falls) * &half])
 }
 
-/// A power of a positive number.
 fn any_power(x: &Ball, power: &Ball) -> Option<Ball> {
     (x.ln()? * power).exp()
 }
 
-/// The largest power that is multiplied out.
 const LARGEST_POWER: usize = 1000;
 
 /// xⁿ for n of at most [`LARGEST_POWER`] in size.

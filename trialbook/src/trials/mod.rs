@@ -275,12 +275,10 @@ impl Topic {
         lines.iter().copied().zip(self.claims())
     }
 
-    /// The trials and proofs of its modules.
     fn attempts(&self) -> impl Iterator<Item = &'static Attempt> + use<> {
         self.trials.iter().copied().flatten()
     }
 
-    /// What its file says.
     fn read(&self) -> Result<&Read, &ReadError> {
         self.read.get_or_init(|| Read::of(self)).as_ref()
     }

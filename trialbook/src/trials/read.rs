@@ -77,7 +77,6 @@ impl File {
         self.path.trim_start_matches("../")
     }
 
-    /// A fault in a line of it.
     pub(super) fn error(&self, line: usize, fault: Fault) -> ReadError {
         ReadError {
             file: self.name().to_owned(),
@@ -214,7 +213,6 @@ struct Worked {
     digits: usize,
 }
 
-/// A claim's entry.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct Entry {
@@ -251,7 +249,6 @@ fn text(text: String) -> &'static str {
     text.trim_end().replace('\n', " ").leak()
 }
 
-/// What a value of the file says.
 fn value<T: for<'de> Deserialize<'de>>(
     file: &File,
     value: Spanned<DeValue<'_>>,
@@ -325,7 +322,6 @@ struct Reader<'a> {
 }
 
 impl Read {
-    /// What the file of a topic says.
     pub(super) fn of(topic: &Topic) -> Result<Self, ReadError> {
         let (common, entries) = entries(&topic.file)?;
         let shared = topic.shared.as_ref().map(self::entries).transpose()?;

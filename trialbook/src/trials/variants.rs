@@ -80,7 +80,6 @@ impl Formulas {
             && values.any(|value| value != 0.0)
     }
 
-    /// Some random arguments.
     fn sample(&self, formula: &Formula<f64>) -> Vec<Vec<f64>> {
         let mut random = fastrand::Rng::with_seed(super::points::SEED);
         (0..20).map(|_| self.point(formula, &mut random)).collect()

@@ -84,7 +84,6 @@ pub enum Kind {
     Text(String),
 }
 
-/// What ends a list.
 #[derive(Clone, Copy, PartialEq)]
 enum End {
     Text,
@@ -213,7 +212,6 @@ impl Lister {
         }
     }
 
-    /// Words in braces.
     fn words(&mut self) -> Result<String, LatexError> {
         let start = self.at;
         match self.token() {

@@ -138,7 +138,6 @@ pub fn search<'a>(
     Ok(found)
 }
 
-/// A decimal number by its significant digits.
 struct Digits {
     negative: bool,
     /// From the first that is not zero on.
