@@ -67,17 +67,14 @@ fn coordinate(part: &str) -> Option<(&str, f64)> {
 /// Three digits, without zeros at their end.
 fn short(value: f64) -> String {
     let scientific = format!("{value:.2e}");
-    let exponent = scientific
-        .split_once('e')
-        .and_then(|(_, e)| e.parse::<i32>().ok());
-    match exponent {
+    let Some((digits, power)) = scientific.split_once('e') else {
+        return scientific;
+    };
+    match power.parse() {
         _ if value == 0.0 => "0".to_owned(),
-        Some(e @ -3..=1) => trimmed(&format!("{value:.*}", usize::try_from(2 - e).unwrap_or(0))),
-        Some(2..=5) => format!("{value:.0}"),
-        _ => match scientific.split_once('e') {
-            Some((digits, power)) => format!("{}e{power}", trimmed(digits)),
-            None => scientific,
-        },
+        Ok(e @ -3..=1) => trimmed(&format!("{value:.*}", (2 - e) as usize)),
+        Ok(2..=5) => format!("{value:.0}"),
+        _ => format!("{}e{power}", trimmed(digits)),
     }
 }
 

@@ -142,14 +142,7 @@ impl Rational {
         for (factor, k) in &self.factors {
             numerator = &numerator * &factor.pow(*k);
         }
-        let mut inverse = Rational {
-            numerator,
-            number: content,
-            factors,
-            origin: Origin::default(),
-        };
-        inverse.cancel();
-        Some(inverse)
+        Some(Self::cancelled(numerator, content, factors))
     }
 
     /// One over all that stands below the line.
@@ -164,10 +157,8 @@ impl Rational {
     /// One over the number below the line.
     pub(super) fn number_inverse(&self) -> Self {
         Rational {
-            numerator: Polynomial::one(),
-            number: self.number.clone(),
             factors: Vec::new(),
-            origin: Origin::default(),
+            ..self.denominator_inverse()
         }
     }
 
@@ -184,35 +175,41 @@ impl Rational {
         count(&self.numerator) - below.sum::<i64>()
     }
 
-    fn cancel(&mut self) {
-        if self.numerator.is_zero() {
-            let origin = self.origin;
-            *self = Rational::from(Polynomial::zero()).formed(origin);
-            return;
+    /// What is common above and below the line is divided out.
+    fn cancelled(
+        mut numerator: Polynomial,
+        mut number: IBig,
+        mut factors: Vec<(Polynomial, u32)>,
+    ) -> Self {
+        if numerator.is_zero() {
+            return numerator.into();
         }
-        for (factor, k) in &mut self.factors {
-            while *k > 0 {
-                let Some(quotient) = self.numerator.divide_exact(factor) else {
-                    break;
-                };
-                self.numerator = quotient;
+        for (factor, k) in &mut factors {
+            while *k > 0
+                && let Some(quotient) = numerator.divide_exact(factor)
+            {
+                numerator = quotient;
                 *k -= 1;
             }
         }
-        self.factors.retain(|(_, k)| *k > 0);
-        if self.number < IBig::ZERO {
-            self.number = -self.number.clone();
-            self.numerator = -&self.numerator;
+        factors.retain(|(_, k)| *k > 0);
+        if number < IBig::ZERO {
+            number = -number;
+            numerator = -&numerator;
         }
-        if self.number != IBig::ONE {
-            let gcd: IBig = (&self.number).gcd(&self.numerator.content()).into();
-            if gcd == IBig::ONE {
-                return;
+        if number != IBig::ONE {
+            let gcd: IBig = (&number).gcd(&numerator.content()).into();
+            if gcd != IBig::ONE {
+                number /= &gcd;
+                let reduced = numerator.divide_exact(&Polynomial::constant(gcd));
+                numerator = reduced.unwrap_or(numerator);
             }
-            self.number = &self.number / &gcd;
-            if let Some(reduced) = self.numerator.divide_exact(&Polynomial::constant(gcd)) {
-                self.numerator = reduced;
-            }
+        }
+        Rational {
+            numerator,
+            number,
+            factors,
+            origin: Origin::default(),
         }
     }
 
@@ -304,14 +301,7 @@ impl Rational {
                 .map_or(0, |(_, k)| *k);
             right = &right * &factor.pow(common - has);
         }
-        let mut sum = Rational {
-            numerator: &left + &right,
-            number: &self.number / &gcd * &other.number,
-            factors,
-            origin: Origin::default(),
-        };
-        sum.cancel();
-        sum
+        Self::cancelled(&left + &right, &self.number / &gcd * &other.number, factors)
     }
 
     fn negated(&self) -> Self {
@@ -354,13 +344,8 @@ impl Mul for &Rational {
                 None => factors.push((factor.clone(), *k)),
             }
         }
-        let mut product = Rational {
-            numerator: &self.numerator * &other.numerator,
-            number: &self.number * &other.number,
-            factors,
-            origin: Origin::default(),
-        };
-        product.cancel();
+        let numerator = &self.numerator * &other.numerator;
+        let product = Rational::cancelled(numerator, &self.number * &other.number, factors);
         recording::joined(Part::Product, self, other, product)
     }
 }

@@ -85,11 +85,8 @@ impl Series {
     }
 
     /// The negative.
-    pub fn negated(mut self) -> Self {
-        for c in &mut self.coefficients {
-            *c = -&*c;
-        }
-        self
+    pub fn negated(self) -> Self {
+        self.mapped(|_, c| -&c)
     }
 
     /// A sum, known as far as both are.

@@ -69,9 +69,8 @@ pub(crate) fn large(c: char, among: &str) -> Option<char> {
 
 /// The small character that stands for a digit or a sign.
 pub(super) fn small(c: char, among: &str) -> Option<char> {
-    let digits = pairs(among).filter(|(large, _)| !large.is_ascii_alphabetic());
-    let mut digits = digits.into_iter();
-    digits.find_map(|(large, small)| (large == c).then_some(small))
+    pairs(among)
+        .find_map(|(large, small)| (large == c && !c.is_ascii_alphabetic()).then_some(small))
 }
 
 fn pairs(of: &str) -> impl Iterator<Item = (char, char)> {

@@ -224,12 +224,11 @@ fn drawn(node: &Node, i: usize, [x, y]: [f64; 2], (name, span): &(String, usize)
 mod tests {
     use super::*;
 
-    #[test]
-    fn what_rests_on_something_stands_to_its_right() {
-        let node = |id, lane, on: &[usize]| Node {
+    fn node(id: &'static str, name: &str, title: &str, lane: usize, on: &[usize]) -> Node {
+        Node {
             id,
-            name: String::new(),
-            title: "a title that is longer than its box is wide".into(),
+            name: name.into(),
+            title: title.into(),
             href: "a.html#b".into(),
             class: "refuted",
             sign: "✗",
@@ -237,7 +236,13 @@ mod tests {
             shaken: false,
             lane,
             on: on.to_vec(),
-        };
+        }
+    }
+
+    #[test]
+    fn what_rests_on_something_stands_to_its_right() {
+        let title = "a title that is longer than its box is wide";
+        let node = |id, lane, on: &[usize]| node(id, "", title, lane, on);
         let nodes = [
             node("a", 0, &[2]),
             node("b", 1, &[0]),
@@ -253,18 +258,7 @@ mod tests {
 
     #[test]
     fn a_name_on_the_map_fits_its_box_and_no_box_lies_on_another() {
-        let node = |id, name: &str, title: &str, on: &[usize]| Node {
-            id,
-            name: name.into(),
-            title: title.into(),
-            href: String::new(),
-            class: "confirmed",
-            sign: "✓",
-            words: "confirmed",
-            shaken: false,
-            lane: 0,
-            on: on.to_vec(),
-        };
+        let node = |id, name: &str, title: &str, on: &[usize]| node(id, name, title, 0, on);
         let long = "what is said here in more words than a box can hold, whatever its width";
         for (id, name, title, said) in [
             ("eq-147", "(147)", long, "(147)"),

@@ -38,7 +38,8 @@ impl Fit {
     }
 }
 
-fn horner(coefficients: &[f64], x: f64) -> f64 {
+/// Σ cₖ xᵏ.
+pub(super) fn horner(coefficients: &[f64], x: f64) -> f64 {
     coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 

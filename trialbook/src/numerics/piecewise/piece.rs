@@ -1,6 +1,6 @@
 //! One monotone piece: its polynomial, its integrals, and where it takes a value.
 
-use super::chebyshev::{Fit, POINTS};
+use super::chebyshev::{Fit, POINTS, horner};
 use crate::numerics::roots::falling_root;
 
 /// A monotone polynomial on [0, length], in powers of the distance s from the left end.
@@ -72,17 +72,13 @@ impl Piece {
 
     /// The value at the distance `s` from the left end.
     pub fn value(&self, s: f64) -> f64 {
-        let mut value = 0.0;
-        for c in self.coefficients[..=self.degree].iter().rev() {
-            value = value * s + c;
-        }
-        value
+        horner(self.coefficients(), s)
     }
 
     /// The value and the slope at `s`.
     pub fn value_slope(&self, s: f64) -> (f64, f64) {
         let (mut value, mut slope) = (0.0, 0.0);
-        for c in self.coefficients[..=self.degree].iter().rev() {
+        for c in self.coefficients().iter().rev() {
             slope = slope * s + value;
             value = value * s + c;
         }
@@ -91,11 +87,8 @@ impl Piece {
 
     /// ∫ s f(s) ds from 0 to `s`, the first moment.
     pub fn moment(&self, s: f64) -> f64 {
-        let terms = self.coefficients[..=self.degree].iter().enumerate();
-        s * s
-            * terms
-                .rev()
-                .fold(0.0, |sum, (k, c)| sum * s + c / (k + 2) as f64)
+        let terms = self.coefficients().iter().enumerate().rev();
+        s * s * terms.fold(0.0, |sum, (k, c)| sum * s + c / (k + 2) as f64)
     }
 
     /// The mean of the function between `s0` and any other point, ready for use.
@@ -154,11 +147,7 @@ pub struct Secant<'p> {
 impl Secant<'_> {
     /// The mean between s₀ and `s`: the integral is (s − s₀) times this, with no loss for s near s₀.
     pub fn mean(&self, s: f64) -> f64 {
-        let mut mean = 0.0;
-        for q in self.quotient[..=self.piece.degree].iter().rev() {
-            mean = mean * s + q;
-        }
-        mean
+        horner(&self.quotient[..=self.piece.degree], s)
     }
 
     /// The mean between s₀ and `s`, and the value at `s`.
