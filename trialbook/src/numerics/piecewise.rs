@@ -12,6 +12,7 @@ mod piece;
 pub use chebyshev::{Fit, interpolate};
 pub use piece::{Piece, Secant};
 
+use super::series;
 use polycool::PolyDyn;
 use std::f64::consts::TAU;
 
@@ -204,7 +205,9 @@ fn refine(
         let fit = interpolate(function, [a, b], size, ARGUMENT)?;
         let first = probes.partition_point(|(at, _)| *at <= a);
         let inside = probes[first..].iter().take_while(|(at, _)| *at < b);
-        let met = |(at, value): &(f64, f64)| (fit.value(at - a) - value).abs() <= MISSED * size;
+        let met = |(at, value): &(f64, f64)| {
+            (series::value(&fit.coefficients, &(at - a)) - value).abs() <= MISSED * size
+        };
         if !(fit.resolved && inside.into_iter().all(met)) {
             if b - a < SHORTEST * TAU || fits.len() + pending.len() > MOST_PARTS {
                 return Err(PiecewiseError::Unresolved { at: a });

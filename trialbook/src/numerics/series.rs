@@ -151,6 +151,16 @@ pub fn value<T: Number>(a: &[T], t: &T) -> T {
     sum
 }
 
+/// Value and slope at distance `t` from the centre.
+pub fn value_slope(a: &[f64], t: f64) -> (f64, f64) {
+    let (mut value, mut slope) = (0.0, 0.0);
+    for c in a.iter().rev() {
+        slope = slope * t + value;
+        value = value * t + c;
+    }
+    (value, slope)
+}
+
 /// Value without the constant term: what the series changes over the distance `t`.
 #[inline(always)]
 pub fn change<T: Number>(a: &[T], t: &T) -> T {
@@ -182,11 +192,7 @@ pub fn arrival(a: &[f64], amount: f64, h: f64) -> f64 {
         return h;
     }
     falling_root(0.0, h, amount / a[1], |t| {
-        let (mut mean, mut slope) = (0.0, 0.0);
-        for c in a[1..].iter().rev() {
-            slope = slope * t + mean;
-            mean = mean * t + c;
-        }
+        let (mean, slope) = value_slope(&a[1..], t);
         (amount - t * mean, -(mean + t * slope))
     })
 }

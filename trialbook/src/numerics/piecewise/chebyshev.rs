@@ -1,5 +1,6 @@
 //! Interpolation of one smooth part at Chebyshev's points, turned into powers from its left end.
 
+use crate::numerics::series::value;
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -29,18 +30,6 @@ pub struct Fit {
     pub tolerance: f64,
     /// Whether at twenty points it misses no more.
     pub resolved: bool,
-}
-
-impl Fit {
-    /// The value at a distance from the left end.
-    pub(super) fn value(&self, distance: f64) -> f64 {
-        horner(&self.coefficients, distance)
-    }
-}
-
-/// Σ cₖ xᵏ.
-pub(super) fn horner(coefficients: &[f64], x: f64) -> f64 {
-    coefficients.iter().rev().fold(0.0, |sum, c| sum * x + c)
 }
 
 /// Interpolates on [a, b] a function whose largest value is about `size` and whose arguments are known to `blur`. The points
@@ -90,7 +79,7 @@ pub fn interpolate<E>(
     let mut resolved = tail <= RESOLVED * size + blur;
     for check in CHECKS {
         let s = (b - a) * check;
-        resolved &= (function(a + s)? - horner(&coefficients, s)).abs() <= tolerance;
+        resolved &= (function(a + s)? - value(&coefficients, &s)).abs() <= tolerance;
     }
     Ok(Fit {
         start: a,

@@ -1,7 +1,8 @@
 //! One monotone piece: its polynomial, its integrals, and where it takes a value.
 
-use super::chebyshev::{Fit, POINTS, horner};
+use super::chebyshev::{Fit, POINTS};
 use crate::numerics::roots::falling_root;
+use crate::numerics::series;
 
 /// A monotone polynomial on [0, length], in powers of the distance s from the left end.
 #[derive(Debug, Clone)]
@@ -72,17 +73,12 @@ impl Piece {
 
     /// The value at the distance `s` from the left end.
     pub fn value(&self, s: f64) -> f64 {
-        horner(self.coefficients(), s)
+        series::value(self.coefficients(), &s)
     }
 
     /// The value and the slope at `s`.
     pub fn value_slope(&self, s: f64) -> (f64, f64) {
-        let (mut value, mut slope) = (0.0, 0.0);
-        for c in self.coefficients().iter().rev() {
-            slope = slope * s + value;
-            value = value * s + c;
-        }
-        (value, slope)
+        series::value_slope(self.coefficients(), s)
     }
 
     /// ∫ s f(s) ds from 0 to `s`, the first moment.
@@ -147,7 +143,7 @@ pub struct Secant<'p> {
 impl Secant<'_> {
     /// The mean between s₀ and `s`: the integral is (s − s₀) times this, with no loss for s near s₀.
     pub fn mean(&self, s: f64) -> f64 {
-        horner(&self.quotient[..=self.piece.degree], s)
+        series::value(&self.quotient[..=self.piece.degree], &s)
     }
 
     /// The mean between s₀ and `s`, and the value at `s`.
