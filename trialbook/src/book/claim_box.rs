@@ -192,13 +192,10 @@ fn by_hand(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let Some(case) = entry.claim.by_hand.filter(|_| fails) else {
         return Ok(String::new());
     };
-    let words = case
-        .words()
-        .map_err(|failure| Fault::Placeholder(failure.to_string()))?;
     Ok(format!(
         "<div class=\"by-hand\"><p><strong>Why:</strong> {}.</p><p><strong>By hand:</strong> {}.{}</p></div>",
         context.maths.words(&sentence(case.reason))?,
-        context.maths.words(&sentence(&words))?,
+        context.maths.words(&sentence(&case.words()?))?,
         context.watch(entry.claim.id)
     ))
 }
@@ -229,7 +226,7 @@ fn linked(context: &Context<'_>, words: &str) -> Result<String, Fault> {
         let (title, after) = part.split_once('”').unwrap_or((part, ""));
         let mut entries = context.ledger.entries.iter();
         let entry = entries.find(|entry| entry.claim.title == title);
-        let none = || Fault::Placeholder(format!("no claim has the title “{title}”"));
+        let none = || format!("no claim has the title “{title}”");
         out += &(context.link(entry.ok_or_else(none)?)? + after);
     }
     Ok(out)

@@ -139,7 +139,7 @@ impl<'a> Code<'a> {
         let all: Vec<_> = shown.chain(engine).collect();
         for module in modules {
             if !all.iter().any(|(file, _)| is_of_module(file, module)) {
-                return Err(Fault::Placeholder(format!("there is no source `{module}`")));
+                return Err(format!("there is no source `{module}`").into());
             }
         }
         let is_counted =

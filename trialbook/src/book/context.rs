@@ -25,8 +25,8 @@ pub(super) struct Context<'a> {
 impl<'a> Context<'a> {
     /// The entry of this id.
     pub fn entry(&self, id: &str) -> Result<&'a Entry, Fault> {
-        let unknown = || Fault::Placeholder(format!("the ledger has no claim `{id}`"));
-        self.ledger.entry(id).ok_or_else(unknown)
+        let unknown = || format!("the ledger has no claim `{id}`");
+        Ok(self.ledger.entry(id).ok_or_else(unknown)?)
     }
 
     /// The entries of the topic of this stem.

@@ -2,6 +2,7 @@
 
 use crate::ledger::ErrataError;
 use crate::plotting::FigureError;
+use crate::trials::compare::Failure;
 use std::io;
 use std::path::PathBuf;
 
@@ -108,6 +109,18 @@ pub(super) enum Fault {
         /// What is wrong with it.
         reason: String,
     },
+}
+
+impl From<String> for Fault {
+    fn from(reason: String) -> Self {
+        Fault::Placeholder(reason)
+    }
+}
+
+impl From<Failure> for Fault {
+    fn from(failure: Failure) -> Self {
+        failure.to_string().into()
+    }
 }
 
 impl From<Fault> for BookError {

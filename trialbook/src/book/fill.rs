@@ -99,7 +99,7 @@ impl<'a> Filler<'a> {
             ["verdict", id] => inline(verdict(context.entry(id)?.judgement.verdict)),
             ["points", id] => inline(count(context.entry(id)?.points())),
             ["worst", id] => {
-                let none = || Fault::Placeholder(format!("no trial of `{id}` gave a disagreement"));
+                let none = || format!("no trial of `{id}` gave a disagreement");
                 inline(size(context.entry(id)?.worst().ok_or_else(none)?.worst))
             }
             ["ref", id] => inline(context.link(context.entry(id)?)?),
@@ -126,20 +126,19 @@ impl<'a> Filler<'a> {
     /// Fills a placeholder of the paper's own.
     fn own(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let mut own = self.context.edition.placeholders.iter();
-        let none = || Fault::Placeholder("there is no such placeholder".into());
-        let own = own.find(|own| own.name == placeholder).ok_or_else(none)?;
-        (own.fill)(page).map_err(|failure| Fault::Placeholder(failure.to_string()))
+        let own = own.find(|own| own.name == placeholder);
+        let own = own.ok_or_else(|| "there is no such placeholder".to_owned())?;
+        (own.fill)(page).map_err(|failure| failure.to_string().into())
     }
 
     /// Notes that a claim is shown, once and on its own page: its address is permanent.
     fn place(&self, page: &str, entry: &Entry) -> Result<(), Fault> {
         let stem = entry.topic.stem;
         if page != stem {
-            let reason = format!("this claim belongs on {stem}.md");
-            return Err(Fault::Placeholder(reason));
+            return Err(format!("this claim belongs on {stem}.md").into());
         }
         if !self.boxed().insert(entry.claim.id) {
-            return Err(Fault::Placeholder("this claim is shown already".into()));
+            return Err("this claim is shown already".to_owned().into());
         }
         Ok(())
     }
@@ -148,7 +147,7 @@ impl<'a> Filler<'a> {
     fn contents(&self, page: &str) -> Result<String, Fault> {
         let mut topics = self.context.ledger.paper.topics.iter();
         let topic = topics.find(|topic| topic.stem == page);
-        let none = || Fault::Placeholder("this is no page of a topic".into());
+        let none = || "this is no page of a topic".to_owned();
         let claims = topic.ok_or_else(none)?.claims();
         let numbers: Vec<u16> = claims.iter().filter_map(|claim| claim.equation).collect();
         let equations = match numbers[..] {
@@ -179,9 +178,9 @@ impl<'a> Filler<'a> {
         let before = placed.position(|rest| rest.starts_with(&format!("{id}}}}}")));
         let number = 1 + before.unwrap_or_default();
         let found = self.context.figures.iter().find(|figure| figure.id == id);
-        let none = || Fault::Placeholder(format!("there is no figure `{id}`"));
+        let none = || format!("there is no figure `{id}`");
         let figure = found.ok_or_else(none)?;
-        let no_svg = || Fault::Placeholder("this figure is not an SVG".into());
+        let no_svg = || "this figure is not an SVG".to_owned();
         let svg = &figure.svg[figure.svg.find("<svg").ok_or_else(no_svg)?..];
         let parts = panels(svg);
         // A drawing with links is not one picture to a screen reader.
@@ -210,7 +209,7 @@ fn tallies(ledger: &Ledger, of: fn(Tally) -> usize) -> usize {
 
 fn verdict_of(slug: &str) -> Result<Verdict, Fault> {
     let found = Verdict::ALL.into_iter().find(|v| v.slug() == slug);
-    found.ok_or_else(|| Fault::Placeholder(format!("there is no verdict `{slug}`")))
+    Ok(found.ok_or_else(|| format!("there is no verdict `{slug}`"))?)
 }
 
 /// Where a figure's data lies within the book.

@@ -3,7 +3,7 @@
 use super::atomic_replace::{Staging, unwritable};
 use super::code::Code;
 use super::context::Context;
-use super::error::{BookError, Fault};
+use super::error::BookError;
 use super::expand::{Blank, MARK, expand};
 use super::fill::{self, Filler};
 use super::links::dead_links;
@@ -169,9 +169,9 @@ impl<'a> Frame<'a> {
         let one = |blank: &Blank| {
             let filled = filler.fill(self.pages[blank.page].stem, &blank.inside);
             let filled = filled.and_then(|filled| match filled {
-                Filled::Block(_) if !blank.alone => Err(Fault::Placeholder(
-                    "must stand alone on its line".to_owned(),
-                )),
+                Filled::Block(_) if !blank.alone => {
+                    Err("must stand alone on its line".to_owned().into())
+                }
                 filled => Ok(filled),
             });
             filled.map_err(|fault| blank.error(&self.pages, fault))

@@ -195,7 +195,6 @@ pub(super) fn answers(context: &Context<'_>) -> Result<String, Fault> {
         claims,
         symbols: symbols.collect(),
     };
-    let text =
-        serde_json::to_string(&all).map_err(|error| Fault::Placeholder(error.to_string()))?;
+    let text = serde_json::to_string(&all).map_err(|error| error.to_string())?;
     Ok(format!("window.trialbookAnswers = {text};\n"))
 }

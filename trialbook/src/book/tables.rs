@@ -104,7 +104,7 @@ pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Result<String, 
 fn topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
     let mut entries = context.of_topic(stem).peekable();
     if entries.peek().is_none() {
-        return Err(Fault::Placeholder(format!("there is no topic `{stem}`")));
+        return Err(format!("there is no topic `{stem}`").into());
     }
     let head = ["Claim", "Verdict", "How that is known"];
     tried("ledger", head, entries.map(|entry| row(context, entry)))

@@ -6,15 +6,15 @@ use super::tables::table;
 use crate::trials::Paper;
 use crate::trials::compare::Failure;
 
-fn no_number(failure: &Failure) -> Fault {
-    Fault::Placeholder(format!("no number: {failure}"))
+fn no_number(failure: Failure) -> Fault {
+    format!("no number: {failure}").into()
 }
 
 /// A number by its short name.
 pub(super) fn shown(paper: &Paper, id: &str) -> Result<String, Fault> {
-    let unknown = || Fault::Placeholder(format!("there is no value `{id}`"));
+    let unknown = || format!("there is no value `{id}`");
     let value = paper.value(id).ok_or_else(unknown)?;
-    value.shown().map_err(|failure| no_number(&failure))
+    value.shown().map_err(no_number)
 }
 
 /// Four digits that matter, as a reader would remember them.
@@ -38,11 +38,11 @@ pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
         Ok(())
     };
     for value in paper.values() {
-        let text = value.shown().map_err(|failure| no_number(&failure))?;
+        let text = value.shown().map_err(no_number)?;
         add(text, context.maths.words(value.meaning)?, value.claim)?;
     }
     for (claim, case) in paper.cases() {
-        let numbers = case.numbers().map_err(|failure| no_number(&failure))?;
+        let numbers = case.numbers().map_err(no_number)?;
         for (text, whose) in numbers.into_iter().zip(["as printed", "in the motion"]) {
             let value: f64 = text.parse().unwrap_or(0.0);
             // Nobody looks a whole number up; and those above need no second row.
