@@ -127,30 +127,25 @@ impl<'a> Frame<'a> {
             });
         }
         let book = self.staging.path("book");
+        let write = |name: &str, text: &str| put(&book.join(name), text.as_bytes());
         let beside = || {
             for (end, format) in [("txt", Format::Text), ("tex", Format::Latex)] {
-                let (letter, all) = (ledger.letter(format)?, ledger.supplement(format)?);
-                put(&book.join(format!("errata.{end}")), letter.as_bytes())?;
-                put(&book.join(format!("supplement.{end}")), all.as_bytes())?;
+                write(&format!("errata.{end}"), &ledger.letter(format)?)?;
+                write(&format!("supplement.{end}"), &ledger.supplement(format)?)?;
             }
-            let register = super::register(self.edition, &errata)?;
-            put(&book.join("errata.csv"), register.as_bytes())?;
+            write("errata.csv", &super::register(self.edition, &errata)?)?;
             for figure in &figures {
-                put(&book.join(fill::data_file(figure)), figure.csv.as_bytes())?;
+                write(&fill::data_file(figure), &figure.csv)?;
             }
-            let answers = overview::answers(&context)?;
-            put(&book.join(overview::ANSWERS), answers.as_bytes())?;
+            write(overview::ANSWERS, &overview::answers(&context)?)?;
             if let Some((name, bytes)) = self.edition.picture {
                 put(&book.join(name), bytes)?;
             }
-            for (name, text) in (self.edition.files)() {
-                put(&book.join(name), text.as_bytes())?;
-            }
             for (name, html) in moved::pages(self.edition) {
-                put(&book.join(name), html.as_bytes())?;
+                write(name, &html)?;
             }
-            let mut pages = code.pages();
-            pages.try_for_each(|(name, html)| put(&book.join(name), html.as_bytes()))
+            let mut files = (self.edition.files)().into_iter().chain(code.pages());
+            files.try_for_each(|(name, text)| write(&name, &text))
         };
         let finish = || self.finish(&context, &book, &filled, &self.maths.forms());
         let (finished, written) = rayon::join(finish, beside);
@@ -192,15 +187,13 @@ impl<'a> Frame<'a> {
         let numbered = numbers::addresses(context.ledger);
         let whole = |(name, html): &(String, String)| {
             let put_in = |number: usize| {
-                let (html, block) = match filled.get(number)? {
-                    Filled::Inline(html) => (html, false),
-                    Filled::Block(html) => (html, true),
-                };
+                let filled = filled.get(number)?;
+                let (Filled::Inline(html) | Filled::Block(html)) = filled;
                 let html = match name.as_str() {
                     PRINT => on_paper(&self.within_one_page(html)),
                     _ => html.clone(),
                 };
-                Some((html, block))
+                Some((html, matches!(filled, Filled::Block(_))))
             };
             let html = with_blanks(html, put_in);
             let stem = name.trim_end_matches(".html");
@@ -210,15 +203,12 @@ impl<'a> Frame<'a> {
             let html = if chapter { with_folds(&html) } else { html };
             // The page of all pages is for paper, and the last part is not about this one.
             let about = page.is_some_and(|page| page.part != Part::Use);
-            let html = if about {
-                numbers::linked(name, &html, &numbered)
-            } else {
-                html
+            let html = match about {
+                true => numbers::linked(name, &html, &numbered),
+                false => html,
             };
-            (
-                name.clone(),
-                metadata::with_head(self.edition, stem, about, &html, forms),
-            )
+            let html = metadata::with_head(self.edition, stem, about, &html, forms);
+            (name.clone(), html)
         };
         let pages: Vec<_> = self.html.par_iter().map(whole).collect();
         let index = || {

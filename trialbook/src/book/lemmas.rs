@@ -55,13 +55,10 @@ fn anchor(title: &str) -> String {
 
 /// All lemmas, with their steps, in the order in which the claims need them.
 pub(super) fn all(context: &Context<'_>) -> Result<String, Fault> {
-    let entries = &context.ledger.entries;
-    let evidence = || entries.iter().flat_map(|entry| &entry.evidence);
-    let mut known: BTreeSet<&str> = evidence()
-        .filter(|e| e.outcome() == Outcome::Agrees)
-        .map(|e| e.title.as_str())
-        .collect();
-    let lemmas = evidence().flat_map(|e| &e.lemmas);
+    let ledger = context.ledger;
+    let proved = ledger.evidence().filter(|e| e.outcome() == Outcome::Agrees);
+    let mut known: BTreeSet<&str> = proved.map(|e| e.title.as_str()).collect();
+    let lemmas = ledger.evidence().flat_map(|e| &e.lemmas);
     let shown = lemmas.filter(|lemma| known.insert(&lemma.title));
     let shown = shown.map(|lemma| {
         let id = anchor(&lemma.title);

@@ -196,12 +196,10 @@ pub(super) fn routes(ledger: &Ledger) -> String {
         ),
     ];
     let rows = ALL.map(|(route, what)| {
-        let evidence = ledger.entries.iter().flat_map(|entry| &entry.evidence);
-        let trials = evidence.filter(|e| e.route == route).count();
-        let proves = if route.is_proof() {
-            "proves"
-        } else {
-            "measures"
+        let trials = ledger.evidence().filter(|e| e.route == route).count();
+        let proves = match route.is_proof() {
+            true => "proves",
+            false => "measures",
         };
         [
             route.name().to_owned(),
@@ -221,8 +219,7 @@ pub(super) fn routes(ledger: &Ledger) -> String {
 /// The tolerances in use, each with its reason.
 pub(super) fn tolerances(context: &Context<'_>) -> Result<String, Fault> {
     let mut uses: BTreeMap<&str, (Tolerance, usize)> = BTreeMap::new();
-    let entries = &context.ledger.entries;
-    for evidence in entries.iter().flat_map(|entry| &entry.evidence) {
+    for evidence in context.ledger.evidence() {
         let tolerance = evidence.tolerance;
         uses.entry(tolerance.name).or_insert((tolerance, 0)).1 += 1;
     }

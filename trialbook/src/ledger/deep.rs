@@ -144,7 +144,7 @@ impl Ledger {
 
     /// The record of this run, of so many rounds, made when and of what the words say, for [`Deep::read`].
     pub fn record(&self, made: &str, rounds: u32) -> String {
-        let measured = self.entries.iter().flat_map(Entry::measured);
+        let measured = self.evidence().filter(|e| !e.route.is_proof());
         let points: usize = measured.map(|e| e.points).sum();
         format!("{made}\t{rounds}\t{points}\n{}", self.round())
     }
@@ -393,11 +393,8 @@ mod tests {
         let ledger = example::ledger();
         let round = ledger.round();
         let twice = ledger.clone().with(&round).unwrap();
-        let proofs = ledger.entries.iter().flat_map(|e| &e.evidence);
-        let proofs: usize = proofs
-            .filter(|e| e.route.is_proof())
-            .map(|e| e.points)
-            .sum();
+        let proofs = ledger.evidence().filter(|e| e.route.is_proof());
+        let proofs: usize = proofs.map(|e| e.points).sum();
         assert_eq!(twice.points() + proofs, 2 * ledger.points());
         assert_eq!(twice.counts(), ledger.counts());
         for worst in ["0.5", "inf", "NaN"] {

@@ -109,8 +109,7 @@ impl Ledger {
     pub fn mistakes_put(&self) -> usize {
         let variants = self.paper.formulas.variants();
         let of_formula = by_formula(&variants);
-        let evidence = self.entries.iter().flat_map(|e| &e.evidence);
-        let read = evidence.flat_map(|e| &e.read);
+        let read = self.evidence().flat_map(|e| &e.read);
         read.filter_map(|formula| of_formula.get(formula))
             .map(Vec::len)
             .sum()

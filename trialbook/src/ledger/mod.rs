@@ -168,8 +168,12 @@ impl Ledger {
 
     /// How many comparisons all trials made together.
     pub fn points(&self) -> usize {
-        let evidence = self.entries.iter().flat_map(|entry| &entry.evidence);
-        evidence.map(|e| e.points).sum()
+        self.evidence().map(|e| e.points).sum()
+    }
+
+    /// What all trials have brought.
+    pub(crate) fn evidence(&self) -> impl Iterator<Item = &Evidence> {
+        self.entries.iter().flat_map(|entry| &entry.evidence)
     }
 }
 

@@ -223,13 +223,6 @@ mod tests {
     }
 
     #[test]
-    fn singular_ends() {
-        close(integral(|x| 1.0 / libm::sqrt(x), 0.0, 1.0), 2.0);
-        close(integral(libm::log, 0.0, 1.0), -1.0);
-        close(integral(|x| libm::pow(x, -0.9), 0.0, 1.0), 10.0);
-    }
-
-    #[test]
     fn no_integral_no_number() {
         assert!(integral(|x| 1.0 / x, 0.0, 1.0).is_err());
         assert!(integral(|_| f64::NAN, 0.0, 1.0).is_err());

@@ -280,30 +280,6 @@ fn what_has_no_meaning_is_refused() -> Result<(), ExactError> {
 }
 
 #[test]
-fn logarithms_of_powers_are_multiples() -> Result<(), ExactError> {
-    let mut ring = ring()?;
-    let [a, b] = [ring.named("a")?, ring.named("b")?];
-    let [ln_a, ln_b] = [ring.logarithm(&a)?, ring.logarithm(&b)?];
-    let formula = Expr::symbol("a").pow(Expr::int(3)) / Expr::symbol("b").squared();
-    let expected = &Rational::int(3) * &ln_a - Rational::int(2) * ln_b;
-    assert!(ring.is_zero(&(ring.read(formula.ln())? - expected))?);
-    Ok(())
-}
-
-#[test]
-fn powers_to_opposite_exponents_are_both_known() -> Result<(), ExactError> {
-    let mut ring = ring()?;
-    let [a, b, lambda] = [ring.named("a")?, ring.named("b")?, ring.named("λ")?];
-    let up = ring.power(&a, &lambda)?;
-    let down = ring.power(&b, &-&lambda)?;
-    let [a, b, l] = ["a", "b", "λ"].map(Expr::symbol);
-    assert!(ring.is_zero(&(ring.read(a.pow(l))? - &up))?);
-    assert!(ring.is_zero(&(ring.read(b.pow(-l))? - &down))?);
-    assert!(ring.is_zero(&(ring.read(b.pow(l))? * &down - Rational::int(1)))?);
-    Ok(())
-}
-
-#[test]
 fn a_function_has_so_many_halves_and_no_more() -> Result<(), ExactError> {
     let ring = ring()?;
     let [alpha, theta] = ["α", "θ"].map(Expr::symbol);
