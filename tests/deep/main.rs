@@ -46,7 +46,7 @@ const SLACK: f64 = 10.0;
 
 /// A tolerance is that of a method, and its reason speaks of the hardest case; two of three of its users come ten times closer, and
 /// each would need a number of its own, that could only be taken from what it measures. What holds each by itself is that it has
-/// to notice a mistake of twice its tolerance (`tests/distrust.rs`).
+/// to notice a mistake of twice its tolerance (`.ci/deep distrust`).
 #[test]
 fn no_tolerance_is_far_looser_than_the_worst_that_it_admits() {
     let [_, deep] = &*LEDGERS;
