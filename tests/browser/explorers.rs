@@ -80,9 +80,9 @@ const STATES: [(&str, &[&str]); 9] = [
     (
         "periodic",
         &[
-            "third=1.5&lambda=0.15&w=1",
-            "third=0&lambda=0.6&w=-2",
-            "third=2&lambda=1.2&w=2",
+            "third=1.5&lambda=0.15&w=1&eta=0",
+            "third=0&lambda=0.6&w=-2&eta=0",
+            "third=2&lambda=1.2&w=2&eta=0",
             "third=0&lambda=0.25&w=0.5&eta=0.5",
         ],
     ),
@@ -487,7 +487,15 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
         explorer.value(&format!(
             "host.querySelectorAll('.inputs input')[{i}].focus()"
         ))?;
-        for key in ["ArrowLeft", "ArrowDown", "ArrowLeft"] {
+        // Away from the end, if it stands there.
+        let lowest = explorer.value(&format!(
+            "(slider => slider.value === slider.min)(host.querySelectorAll('.inputs input')[{i}])"
+        ))?;
+        let keys = match lowest == true {
+            true => ["ArrowRight", "ArrowUp", "ArrowRight"],
+            false => ["ArrowLeft", "ArrowDown", "ArrowLeft"],
+        };
+        for key in keys {
             explorer.page.press(key)?;
         }
         let after = explorer.right()?;

@@ -98,7 +98,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
     ),
     (
         "periodic",
-        "third=1.5&lambda=0.16&w=0.2",
+        "third=1.5&lambda=0.16&w=0.2&eta=0",
         12,
         [1.5, 0.16, 0.2, 0.0],
         tray,

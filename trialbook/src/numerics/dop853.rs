@@ -3,7 +3,7 @@
 //! It shares no line with [`taylor`](super::taylor) and serves to cross-check it. Its step sizes go through the
 //! standard library's powers, so that its last bits may differ between platforms.
 
-use super::error::{NumericsError, finite, positive};
+use super::error::{NumericsError, finite};
 use ode_solvers::dop_shared::{IntegrationError, OutputType};
 use ode_solvers::{DVector, Dop853, System};
 
@@ -43,8 +43,15 @@ pub fn end<const D: usize>(
     for x in state {
         finite("state", x)?;
     }
-    positive("relative", relative)?;
-    positive("absolute", absolute)?;
+    for (name, value) in [("relative", relative), ("absolute", absolute)] {
+        if !(value.is_finite() && value > 0.0) {
+            return Err(NumericsError::Argument {
+                name,
+                value,
+                range: "finite and positive",
+            });
+        }
+    }
     if from == to {
         return Ok(state);
     }

@@ -88,25 +88,13 @@ pub enum NumericsError {
 /// # Errors
 /// [`NumericsError::Argument`] for any other.
 pub fn finite(name: &'static str, value: f64) -> Result<f64, NumericsError> {
-    within(name, value, "finite", true)
-}
-
-/// Requires a finite and positive argument.
-///
-/// # Errors
-/// [`NumericsError::Argument`] for any other.
-pub(super) fn positive(name: &'static str, value: f64) -> Result<f64, NumericsError> {
-    within(name, value, "finite and positive", value > 0.0)
-}
-
-fn within(
-    name: &'static str,
-    value: f64,
-    range: &'static str,
-    inside: bool,
-) -> Result<f64, NumericsError> {
-    match value.is_finite() && inside {
-        true => Ok(value),
-        false => Err(NumericsError::Argument { name, value, range }),
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(NumericsError::Argument {
+            name,
+            value,
+            range: "finite",
+        })
     }
 }
