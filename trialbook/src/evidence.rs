@@ -230,6 +230,9 @@ pub struct Evidence {
     /// The proofs that it rests on, whose steps are not among its own, each after those that it rests on itself.
     #[serde(skip)]
     pub lemmas: Vec<Lemma>,
+    /// What has to be positive for what a proof by algebra shows, as plain text.
+    #[serde(skip)]
+    pub positive: Vec<String>,
     /// True if it covers a part of the claim only: it can speak against the claim, but not for the whole of it.
     pub partial: bool,
     /// The formulas that were read for it, by their paths: `some_crate::some_topic::eq13_time`; also those that were read
@@ -282,6 +285,7 @@ impl Evidence {
             title: String::new(),
             steps: Vec::new(),
             lemmas: Vec::new(),
+            positive: Vec::new(),
             partial: false,
             read: BTreeSet::new(),
             runs: BTreeSet::new(),

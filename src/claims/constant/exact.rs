@@ -1,7 +1,7 @@
 //! Constant acceleration, exactly: proofs of (6) to (20) from Newton's law (1).
 //!
 //! Only Newton's law with A = −A x̂ and v = v (cos θ, sin θ) is entered here; the printed formulas come from
-//! [`crate::paper::constant`], as trees. All holds for 0 < θ, θ₀ < π, where tan(θ/2) is positive.
+//! [`crate::paper::constant`], as trees. What needs a power or the logarithm of tan(θ/2) holds for 0 < θ, θ₀ < π, where it is positive.
 
 mod alignment;
 mod cases;
@@ -23,12 +23,16 @@ use crate::paper::general::eq1_velocity_rate;
 /// The friction λ of a statement.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Regime {
+    /// Any λ, for what needs no power of tan θ/2.
+    AnyAngle,
     /// Any λ; (tan θ/2)^λ is a generator.
     Any,
     /// λ > 1; (tan θ/2)^(λ−1), which tends to 0 with θ, is a generator.
     BeyondOne,
     /// λ = 0.
     Zero,
+    /// λ = 1, for what needs no logarithm.
+    OneAnyAngle,
     /// λ = 1; ln tan(θ/2) is a generator.
     One,
 }
@@ -68,6 +72,9 @@ impl Newton {
         }
         let tangents = [ring.half_tangent("θ")?, ring.half_tangent("θ₀")?];
         match friction {
+            Regime::AnyAngle => {
+                ring.symbol("λ");
+            }
             Regime::Any => {
                 let lambda = ring.symbol("λ");
                 for u in &tangents {
@@ -81,6 +88,7 @@ impl Newton {
                 }
             }
             Regime::Zero => ring.define("λ", Rational::int(0))?,
+            Regime::OneAnyAngle => ring.define("λ", Rational::int(1))?,
             Regime::One => {
                 ring.define("λ", Rational::int(1))?;
                 for u in &tangents {
@@ -139,10 +147,10 @@ fn prove(
         Ok(newton) => Proof::of(title, &newton.ring, |p| {
             let ring = p.ring();
             match friction {
-                Regime::Any => p.note("Friction", "any λ = μg/A"),
+                Regime::AnyAngle | Regime::Any => p.note("Friction", "any λ = μg/A"),
                 Regime::BeyondOne => p.note("Friction", "λ > 1"),
                 Regime::Zero => p.note("Friction", "λ = 0"),
-                Regime::One => p.note("Friction", "λ = 1"),
+                Regime::OneAnyAngle | Regime::One => p.note("Friction", "λ = 1"),
             }
             let theta = Expr::symbol("θ");
             p.read("The sine, made rational", theta.sin())?;

@@ -113,13 +113,6 @@ const STRAIGHT: Way = Way {
 const STRAIGHT_CORRECTED: Way = Way {
     subject: Corrected,
     words: ["", r" of a motion that comes to rest with $\psi\to\pi$"],
-    moments: || {
-        Box::new(WITHIN_ONE.each().map(|straight| {
-            let straight = straight?;
-            let (sigma, close) = close(straight)?;
-            Ok((straight.at(), sigma, close, 1.0))
-        }))
-    },
     ..STRAIGHT
 };
 

@@ -86,6 +86,8 @@ pub struct Proof {
     title: String,
     steps: Vec<Step>,
     premises: Vec<Arc<Proof>>,
+    /// What has to be positive, beside what has to be for a premise.
+    positive: BTreeSet<String>,
     obstacle: Option<Obstacle>,
 }
 
@@ -122,6 +124,7 @@ impl Proof {
             title,
             steps: prover.steps,
             premises: prover.premises,
+            positive: ring.positive(),
             obstacle: outcome.err().or(empty),
         };
         let outcome = match proof.obstacle {
@@ -165,6 +168,7 @@ impl Proof {
             title: title.into(),
             steps: Vec::new(),
             premises: Vec::new(),
+            positive: BTreeSet::new(),
             obstacle: Some(error.into()),
         }
     }
@@ -187,6 +191,14 @@ impl Proof {
     /// The steps, in order, up to the obstacle if there is one.
     pub fn steps(&self) -> &[Step] {
         &self.steps
+    }
+
+    /// What has to be positive for all that is shown, in plain text: the bases of powers and logarithms.
+    pub fn positive(&self) -> BTreeSet<&str> {
+        let premises = self.premises.iter().flat_map(|premise| premise.positive());
+        premises
+            .chain(self.positive.iter().map(String::as_str))
+            .collect()
     }
 
     /// The step by which another proof rests on it.

@@ -19,7 +19,7 @@ use super::expr::Function;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
 use super::recording;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Debug, Clone)]
 pub(super) enum Rule {
@@ -241,6 +241,20 @@ impl Ring {
         }
         self.push_power(radicand, exponent, value.clone());
         Ok(())
+    }
+
+    /// What powers and logarithms are declared of, and roots that are not those of a sum: where they are not positive,
+    /// nothing is proved.
+    pub(super) fn positive(&self) -> BTreeSet<String> {
+        let base = |rule: &Rule| match rule {
+            Rule::Power { base, .. } | Rule::Logarithm { of: base } => Some(self.text(base)),
+            Rule::Root { radicand, .. } => {
+                Some(self.text(radicand)).filter(|text| !text.contains(' '))
+            }
+            _ => None,
+        };
+        let varies = |base: &String| base.contains(|c: char| c.is_alphabetic() && c != 'π');
+        self.rules.iter().filter_map(base).filter(varies).collect()
     }
 
     /// An element's text, in parentheses unless it is a single name.

@@ -140,15 +140,24 @@ impl Evidence {
     }
 
     /// For what an identity holds, where the sentence does not say so itself.
-    fn quantified(&self) -> &'static str {
+    fn quantified(&self) -> String {
         let words = self.compared.words();
         let says = ["every ", "all ", "any "]
             .iter()
             .any(|of| words.contains(of));
-        match self.route == Route::Exact && self.compared.found().is_some() && !says {
-            true => ", for all values of the symbols for which both sides have one",
-            false => "",
+        let mut text = String::new();
+        if self.route == Route::Exact && self.compared.found().is_some() && !says {
+            text += ", for all values of the symbols for which both sides have one";
         }
+        if let [others @ .., last] = &self.positive[..] {
+            let all = match others {
+                [] => format!("{last} is"),
+                _ => format!("{} and {last} are", others.join(", ")),
+            };
+            text += if text.is_empty() { ", where " } else { " and " };
+            text += &format!("{all} positive");
+        }
+        text
     }
 
     fn no_result(&self) -> String {

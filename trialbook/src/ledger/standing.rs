@@ -8,7 +8,8 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Standing {
-    /// The program has checked the whole statement: a formula, held against what it has to equal, or enclosed.
+    /// The program has checked the whole statement: a formula, held against what it has to equal, or enclosed, for the signs
+    /// at which it was tried.
     Proved,
     /// The program has checked the steps of a proof; what joins them is said in words.
     Argued,
@@ -56,11 +57,23 @@ impl Entry {
             Kind::Inequality => by(Route::Certified),
             Kind::Property | Kind::Limit | Kind::Figure => false,
         };
+        // What its trials take in, too, has to be covered by the proof.
+        let covered = |proof: &&Evidence| {
+            let mut signs = proof.positive.iter().map(|base| {
+                let half = base
+                    .strip_prefix("tan(")
+                    .and_then(|of| of.strip_suffix("/2)"));
+                half.unwrap_or(base)
+            });
+            !signs.any(|of| whole.iter().any(|e| e.ranges.falls_below_zero(of)))
+        };
+        let proofs = whole.iter().filter(|e| e.route == Route::Exact);
+        let is_covered = proofs.copied().all(|proof| covered(&proof));
         if whole.is_empty() {
             None
         } else if whole.iter().any(|e| e.is_in_words()) || is_proof && !claim.argument.is_empty() {
             Some(Standing::Argued)
-        } else if is_formula && !TENDS.iter().any(|tends| latex.contains(tends)) {
+        } else if is_formula && is_covered && !TENDS.iter().any(|tends| latex.contains(tends)) {
             Some(Standing::Proved)
         } else {
             Some(Standing::Measured)
@@ -80,9 +93,34 @@ impl Ledger {
 mod tests {
     use super::Standing::{Argued, Measured, Proved};
     use super::*;
-    use crate::evidence::{Compared, Subject};
+    use crate::evidence::{Compared, Ranges, Subject};
     use crate::ledger::example::{ledger, tried};
     use crate::trials::Claim;
+
+    #[test]
+    fn a_proof_for_positive_angles_is_not_one_for_all() {
+        let by = |route| tried(route, Subject::Printed, 0);
+        let mut entry = ledger().entry("eq-8").unwrap().clone();
+        entry.claim = Box::leak(Box::new(Claim {
+            kind: Kind::Equation,
+            latex: "a=b",
+            argument: "",
+            ..*entry.claim
+        }));
+        for (base, at, standing) in [
+            ("tan(θ/2)", "θ = 0.1", Proved),
+            ("tan(θ/2)", "θ = -0.1", Measured),
+            ("θ", "θ = -0.1", Measured),
+            ("tan(θ/2)", "φ = -0.1", Proved),
+        ] {
+            let (mut proof, mut motion) = (by(Route::Exact), by(Route::Integration));
+            proof.positive = vec![base.to_owned()];
+            motion.ranges = Ranges::default();
+            motion.ranges.take(at);
+            entry.evidence = vec![proof, motion];
+            assert_eq!(entry.standing(), Some(standing), "{base} {at}");
+        }
+    }
 
     #[test]
     fn only_a_whole_formula_is_proved() {

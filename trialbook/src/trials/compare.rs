@@ -317,6 +317,7 @@ pub fn proved(proof: &Proof, subject: Subject, compared: Compared) -> Evidence {
         steps: steps(proof),
         lemmas: proof.premises().into_iter().map(lemma).collect(),
         title: proof.title().to_owned(),
+        positive: proof.positive().into_iter().map(str::to_owned).collect(),
         ..Evidence::new(Route::Exact, subject, compared, tolerances::NONE)
     }
 }

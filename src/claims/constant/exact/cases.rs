@@ -42,7 +42,7 @@ pub const EQ16: Statement = by_newton(Printed, paper::eq16_vy::tree, |printed| {
 pub const EQ17: Statement = by_newton(Printed, paper::eq17_invariant::tree, |printed| {
     prove(
         "(17): an expression keeps its value, λ = 1",
-        Regime::One,
+        Regime::OneAnyAngle,
         |p, newton| constant_of_motion(p, newton, printed),
     )
 });

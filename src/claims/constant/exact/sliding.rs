@@ -6,7 +6,7 @@ use trialbook::prelude::*;
 
 /// The rate of a component of the velocity.
 fn component_rate(title: &str, says: &str, component: Expr, printed: Expr) -> Proof {
-    prove(title, Regime::Any, |p, newton| {
+    prove(title, Regime::AnyAngle, |p, newton| {
         let component = p.read(says, component)?;
         let rate = p.derivative("Its rate by (1)", &component, &newton.motion)?;
         let printed = p.read("The printed rate", printed)?;
@@ -35,15 +35,19 @@ pub const EQ7: Statement = by_newton(Printed, paper::eq7_vy_rate::tree, |printed
 });
 
 pub const EQ8: Statement = by_newton(Printed, paper::eq8_hodograph_slope::tree, |printed| {
-    prove("(8): d(v sin θ)/d(v cos θ)", Regime::Any, |p, newton| {
-        let [v, theta] = Expr::symbols(["v", "θ"]);
-        let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
-        let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
-        let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
-        let slope = p.quotient("Their quotient", &y, &x)?;
-        let printed = p.read("The printed slope", printed)?;
-        p.equal("Quotient against printed slope", &slope, &printed)
-    })
+    prove(
+        "(8): d(v sin θ)/d(v cos θ)",
+        Regime::AnyAngle,
+        |p, newton| {
+            let [v, theta] = Expr::symbols(["v", "θ"]);
+            let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
+            let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
+            let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
+            let slope = p.quotient("Their quotient", &y, &x)?;
+            let printed = p.read("The printed slope", printed)?;
+            p.equal("Quotient against printed slope", &slope, &printed)
+        },
+    )
 });
 
 /// d ln v/dθ by (1).
@@ -53,7 +57,7 @@ fn log_speed_rate(p: &mut Prover<'_>, newton: &Newton) -> Result<Rational, Obsta
 }
 
 pub const EQ9: Statement = by_newton(Within, paper::eq9_log_speed_rate::tree, |printed| {
-    prove("(9): (dv/v)/dθ", Regime::Any, |p, newton| {
+    prove("(9): (dv/v)/dθ", Regime::AnyAngle, |p, newton| {
         let rate = log_speed_rate(p, newton)?;
         let printed = p.read("The printed rate", printed)?;
         p.equal("Rate by (1) against printed rate", &rate, &printed)
