@@ -310,11 +310,15 @@ fn addresses_stay() {
             false => address.replacen(page, to.split('#').next()?, 1),
         })
     };
-    for address in include_str!("../../tests/data/addresses.txt").lines() {
+    let addresses = include_str!("../../tests/data/addresses.txt").lines();
+    for (line, address) in (1..).zip(addresses) {
         let now = moved(address).unwrap_or_else(|| address.to_owned());
         let (page, id) = now.split_once('#').unwrap();
         let html = std::str::from_utf8(&files[page]).unwrap();
-        assert!(html.contains(&format!(" id=\"{id}\"")), "{address} is gone");
+        assert!(
+            html.contains(&format!(" id=\"{id}\"")),
+            "tests/data/addresses.txt, line {line}: {address} leads nowhere; `moved` in src/edition/mod.rs may say where it is now"
+        );
     }
     let old = EDITION.moved.iter().filter(|(from, _)| !from.contains('#'));
     for (old, _) in old {

@@ -3,6 +3,14 @@
     'use strict';
     const all = (selector, within = document) => [...within.querySelectorAll(selector)];
 
+    // Past the contents, for the keyboard.
+    const main = document.querySelector('main');
+    if (main) {
+        main.id ||= 'main';
+        main.tabIndex = -1;
+        document.body.insertAdjacentHTML('afterbegin', `<a class="skip" href="#${main.id}">Skip to the page</a>`);
+    }
+
     // mdBook's bar is a landmark, and what opens the contents a button: a label is none to the keyboard.
     document.getElementById('mdbook-menu-bar')?.setAttribute('role', 'banner');
     all('label#mdbook-sidebar-toggle').forEach(label => {

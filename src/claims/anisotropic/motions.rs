@@ -155,11 +155,14 @@ fn drawn([forward, backward]: Rates) -> Proof {
                 "never move apart, and approach each other while one particle goes forward and the other backward",
             );
             let whole = int(2) * Expr::pi();
-            for (rate, friction) in [(&ahead, lambda0), (&back, -q * lambda0)] {
+            for (rate, is, friction) in [
+                (&ahead, "It is that of (51)", lambda0),
+                (&back, "It is that of (52)", -q * lambda0),
+            ] {
                 let velocity = -phi.cos() - friction * phi;
                 let element = p.read("A velocity", velocity)?;
                 let slope = p.slope("Its rate", &element, "φ")?;
-                p.equal("It is that rate", &slope, rate)?;
+                p.equal(is, &slope, rate)?;
                 let change = velocity.with("φ", phi + whole) - velocity;
                 p.identity(
                     ("Its change in a period", change),
