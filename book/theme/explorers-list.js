@@ -33,6 +33,13 @@ window.slipbookExplorers = (() => {
         '0': (_, tau) => `it goes away for ever, which is certain ${tau < 5e-5 ? 'at once' : `after τ = ${fixed(tau)}`}`,
         '-1': () => 'the start is so near the boundary that rounding decides',
     };
+    // What an escape is watched by: title, label and axis of a plot, and the name of the quantity.
+    const LATE = [
+        ['ρ/τ², (136)', 'The distance over the square of the time', 'ρ/τ²', [0.1, 0.3]],
+        ['A/τ√τ, (132)', 'A over the time to the power of three halves', 'A/τ√τ', [0.2, 0.5]],
+        ['(π/2 − ψ) τ, (134)', 'What ψ is short of a right angle, times the time', '(π/2 − ψ) τ', [0, 6]],
+        ['cosh α cosh 2α/A, (129)', 'The quotient of the two sides of (129)', 'cosh α cosh 2α/A', [0.8, 1.6]],
+    ].map(([title, label, quantity, range]) => [`${title}; dashed: printed`, label, { label: quantity, range }, quantity]);
     const fates = fate => fate === 1 ? 'rest' : fate ? 'undecided' : 'escape';
 
     // Ends of two axes that hold the points and the origin, in steps, so that they do not jump with every move.
@@ -300,18 +307,23 @@ window.slipbookExplorers = (() => {
                 at: {},
             },
             inputs: { rho: { label: 'distance ρ from the axis', range: [0.9, 2], step: 0.01, start: 1.1 } },
-            plots: () => [{
-                title: 'ρ/τ²; dashed: 2/9, as printed', label: 'The distance over the square of the time, against the time in powers of ten.',
-                x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y: { label: 'ρ/τ²', range: [0.1, 0.3] }, height: 240,
-            }],
+            // Each tends to a constant, if the power is right; dashed as printed.
+            plots: () => LATE.map(([title, label, y]) => ({
+                title, label: `${label}, against the time in powers of ten.`,
+                x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y, height: 240,
+            })),
             film: ({ rho }, ask, { narrow, set }) => scenes.record(ask(4, rho, 0, -rho), narrow, false, { range: [0.9, 2], set }),
             show({ rho }, ask, { printed }) {
-                const { curves: [growth] } = ask(10, rho);
-                const last = growth.at(-1);
+                const { curves } = ask(10, rho);
+                const many = printed.length / 3;
+                const dashed = [0, 1, 2].map(i => printed.slice(i * many, (i + 1) * many));
+                // A quotient of the two sides of (129).
+                dashed.push([0.5, 1, 4, 1]);
+                const ends = curves.map((curve, i) => [fixed(curve.at(-1)), fixed(dashed[i].at(-1))]);
                 return {
-                    draw: [{ marks: [{ points: growth, series: 1 }, { points: printed, dash: true }] }],
-                    values: { 'ρ/τ² at τ = 10⁴': fixed(last), 'as printed': fixed(printed[1]) },
-                    says: `Put down at ρ = ${fixed(rho, 2)}: at τ = 10⁴ the distance is ${fixed(last)} τ², and not ${fixed(printed[1])} τ².`,
+                    draw: curves.map((curve, i) => ({ marks: [{ points: curve, series: 1 }, { points: dashed[i], dash: true }] })),
+                    values: Object.fromEntries(ends.map(([found, stated], i) => [`${LATE[i][3]} at τ = 10⁴`, `${found}, printed ${stated}`])),
+                    says: `Put down at ρ = ${fixed(rho, 2)}: at τ = 10⁴ the distance is ${ends[0][0]} τ², and not ${ends[0][1]} τ².`,
                 };
             },
         },

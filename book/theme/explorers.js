@@ -148,7 +148,10 @@
         };
         const address = () => `#${host.id}?${keys.map(key => `${key}=${state[key]}`).join('&')}`;
         const panels = plots(set).map((options, i) => new SlipbookPlot(host.querySelector('.plots'), `${host.id}-${i}`, options));
-        host.querySelector('.plots').insertAdjacentHTML('beforeend', `<div class="readout">${explorer.asksFirst ? `<p>${hint}</p>` : ''}<p class="says" role="status"></p><dl></dl></div>`);
+        // What comes of it stands under the film, where the controls do not cover it.
+        const says = '<p class="says" role="status"></p>';
+        if (!explorer.asksFirst) host.querySelector('.theatre').insertAdjacentHTML('afterend', says);
+        host.querySelector('.plots').insertAdjacentHTML('beforeend', `<div class="readout">${explorer.asksFirst ? `<p>${hint}</p>${says}` : ''}<dl></dl></div>`);
 
         // Where an intuition is usually wrong, the reader guesses before the bodies move.
         if (explorer.predict) {

@@ -3,23 +3,37 @@
 use crate::paper::{anisotropic, escape, rest, turntable};
 
 /// The curve of an explorer, by its name: of `turntable`, `rest` and `record` (ρ, p) on the envelope (147); of `escape`
-/// (log₁₀ τ, ρ/τ²) by (136); of `anisotropic` (q, λ₀) on curve C, beyond Y too. None for the others.
+/// (log₁₀ τ, ρ/τ²) by (136), then A/τ^{3/2} by (132), (π/2 − ψ) τ by (134), at as many times each; of `anisotropic` (q, λ₀) on curve C, beyond Y too. None for the others.
 pub fn printed(name: &str) -> Vec<[f64; 2]> {
     match name {
         "record" | "turntable" | "rest" => steps(0.0, 1.3, 130)
             .map(|alpha| {
                 let a = rest::eq147_a(alpha);
                 let place = [turntable::eq112_rho(a, alpha), turntable::eq111_p(a, alpha)];
-                // As far as a picture shows it.
-                place.map(|x: f64| (x * 1e5).round() / 1e5)
+                place.map(shown)
             })
             .collect(),
-        "escape" => [0.5, 4.0].map(|x| [x, escape::eq136_rho(1.0)]).into(),
+        "escape" => {
+            let lines: [fn(f64) -> f64; 3] = [
+                |tau| escape::eq136_rho(tau) / (tau * tau),
+                |tau| escape::eq132_a(tau) / (tau * tau.sqrt()),
+                |tau| escape::eq134_lag(tau) * tau,
+            ];
+            let along = |line: fn(f64) -> f64| {
+                steps(0.5, 4.0, 35).map(move |x| [x, shown(line(10f64.powf(x)))])
+            };
+            lines.into_iter().flat_map(along).collect()
+        }
         "anisotropic" => steps(1.0, 12.0, 110)
             .map(|q| [q, anisotropic::eq55_lambda0(q)])
             .collect(),
         _ => Vec::new(),
     }
+}
+
+/// As far as a picture shows it.
+fn shown(x: f64) -> f64 {
+    (x * 1e5).round() / 1e5
 }
 
 /// `n + 1` numbers at equal distances.

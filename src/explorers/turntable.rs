@@ -64,25 +64,37 @@ pub fn motion(rho: f64, v: [f64; 2]) -> Result<Answer, ExplorerError> {
     })
 }
 
-/// How the distance of a particle put down at rest in the laboratory grows, from τ = 3 to 10⁴.
+/// How a particle put down at rest in the laboratory goes away, from τ = 3 to 10⁴.
 ///
-/// Curves: ρ/τ² against the logarithm of τ to the base 10; to its rest, if it comes to rest.
+/// Curves, against the logarithm of τ to the base 10, and to its rest, if it comes to rest: ρ/τ², A/τ^{3/2}, (π/2 − ψ) τ and
+/// cosh α cosh 2α/A; those with A only where p < ρ.
 ///
 /// # Errors
 /// ρ negative, not finite or above 10⁹.
 pub fn growth(rho: f64) -> Result<Answer, ExplorerError> {
     let run = intrinsic::Run::new(&Start::put_down(rho)?, LATE)?;
     let end = run.end().tau;
-    let mut curve = Vec::new();
+    let mut curves = vec![Vec::new(); 4];
     for decades in spread(0.5, libm::log10(LATE), 140) {
         let tau = libm::exp10(decades);
-        if tau <= end {
-            curve.push([decades, run.at(tau)?.rho() / (tau * tau)]);
+        if tau > end {
+            break;
+        }
+        let now = run.at(tau)?;
+        let hyperbolic = now.a().zip(now.alpha());
+        let shown = [
+            Some(now.rho() / (tau * tau)),
+            hyperbolic.map(|(a, _)| a / (tau * libm::sqrt(tau))),
+            Some(now.lag() * tau),
+            hyperbolic.map(|(a, alpha)| libm::cosh(alpha) * libm::cosh(2.0 * alpha) / a),
+        ];
+        for (curve, value) in curves.iter_mut().zip(shown) {
+            curve.extend(value.map(|value| [decades, value]));
         }
     }
     Ok(Answer {
         values: Vec::new(),
-        curves: vec![curve],
+        curves,
     })
 }
 

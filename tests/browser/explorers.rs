@@ -6,7 +6,7 @@ use crate::pages::{is_marked, none};
 use serde_json::{Value, json};
 use slipbook::breaks::{answer as answer_to, breaks, claims};
 use slipbook::explorers::answer;
-use slipbook::paper::escape::eq136_rho;
+use slipbook::paper::escape::{eq132_a, eq134_lag, eq136_rho};
 
 /// The pages with an explorer, in the order of the book.
 pub const PAGES: [&str; 9] = [
@@ -208,14 +208,24 @@ fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure>
             )
         }
         ("escape", []) => {
-            let last = found.curves[0].last().map_or(f64::NAN, |point| point[1]);
-            let [last, printed] = [last, eq136_rho(1.0)].map(fixed);
+            let end =
+                |curve: &Vec<[f64; 2]>| fixed(curve.last().map_or(f64::NAN, |point| point[1]));
+            let ends: Vec<_> = found.curves.iter().map(end).collect();
+            let late = 1e4_f64;
+            let printed = [eq136_rho(1.0), eq132_a(1.0), eq134_lag(late) * late, 1.0].map(fixed);
+            let values = ["ρ/τ²", "A/τ√τ", "(π/2 − ψ) τ", "cosh α cosh 2α/A"]
+                .into_iter()
+                .zip(ends.iter().zip(&printed));
             (
-                named(
-                    &["ρ/τ² at τ = 10⁴", "as printed"],
-                    &[last.clone(), printed.clone()],
+                values
+                    .map(|(name, (found, printed))| {
+                        format!("{name} at τ = 10⁴: {found}, printed {printed}")
+                    })
+                    .collect(),
+                format!(
+                    "at τ = 10⁴ the distance is {} τ², and not {} τ².",
+                    ends[0], printed[0]
                 ),
-                format!("at τ = 10⁴ the distance is {last} τ², and not {printed} τ²."),
             )
         }
         // It says in a sentence what becomes of the coin.

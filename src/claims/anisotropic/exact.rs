@@ -29,10 +29,7 @@ pub(super) fn frictions() -> Result<Ring, ExactError> {
 
 /// Writes down which angles α and β are.
 pub(super) fn with_angles(p: &mut Prover<'_>) {
-    p.note(
-        "Let sin α = λ₀ and sin β = qλ₀",
-        "with α and β between 0 and π/2",
-    );
+    p.remark("Let sin α = λ₀ and sin β = qλ₀, with α and β between 0 and π/2");
 }
 
 /// 𝔴 after an arc from rest at `from` to `to`, with the deceleration `friction` (its sign included).

@@ -150,10 +150,7 @@ fn drawn([forward, backward]: Rates) -> Proof {
                 "At rest",
                 "friction balances the drive, and the rate, 0, is not below (51) and not above (52)",
             );
-            p.note(
-                "So the velocities of two motions",
-                "never move apart, and approach each other while one particle goes forward and the other backward",
-            );
+            p.remark("So the velocities of two motions never move apart, and approach each other while one particle goes forward and the other backward");
             let whole = int(2) * Expr::pi();
             for (rate, is, friction) in [
                 (&ahead, "It is that of (51)", lambda0),
@@ -169,18 +166,12 @@ fn drawn([forward, backward]: Rates) -> Proof {
                     ("what friction takes or gives", -whole * friction),
                 )?;
             }
-            p.note(
-                "So no motion goes one way for ever",
-                "and a great velocity is smaller in size a period later. The velocity after a period is a continuous function of that before: some velocity is the same a period later",
-            );
+            p.remark("So no motion goes one way for ever, and a great velocity is smaller in size a period later. The velocity after a period is a continuous function of that before: some velocity is the same a period later");
             p.note(
                 "Let two different motions repeat themselves, with the velocities 𝔴 and 𝔴 + d, d > 0",
                 "their distance d stays, so that they never have different directions: 𝔴 is never between −d and 0. So 𝔴 ≥ 0 for ever, and the other goes forward for ever; or 𝔴 ≤ −d for ever, and itself goes backward for ever: a contradiction. Only one motion repeats itself",
             );
-            p.note(
-                "Any other motion",
-                "never crosses it, and comes no farther from it: from period to period its velocity falls, or rises, to a limit, which repeats itself and so is that one",
-            );
+            p.remark("Any other motion never crosses it, and comes no farther from it: from period to period its velocity falls, or rises, to a limit, which repeats itself and so is that one");
             Ok(())
         },
     )
@@ -499,10 +490,7 @@ fn fifth(([forward, backward], d, signs): (Rates, Expr, [Expr; 1])) -> Proof {
         let least = excess + (q - int(1)) * lambda0 + (half.sin() + half.cos()).squared();
         let least = p.read("λ₀ less (56), (q − 1) λ₀, and a square", least)?;
         p.equal("So does backward motion, as q ≥ 1", &back, &least)?;
-        p.note(
-            "So",
-            "a particle with |𝔴| at the start is at rest after |𝔴|/(λ₀ − 1) at the latest, and stays: −qλ₀ < sin φ < λ₀",
-        );
+        p.remark("So a particle with |𝔴| at the start is at rest after |𝔴|/(λ₀ − 1) at the latest, and stays: −qλ₀ < sin φ < λ₀");
         listed(p, signs, [0])
     })
 }

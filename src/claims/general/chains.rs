@@ -80,10 +80,7 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
             "At t = v₀/(μg − a) it is",
             bound.with("t", v0 / (mu * g - a)),
         )?;
-        p.note(
-            "So",
-            "v, which lies below the line, is 0 by then; at rest the inertial force is below the greatest static friction",
-        );
+        p.remark("So v, which lies below the line, is 0 by then; at rest the inertial force is below the greatest static friction");
         Ok(())
     })
 }

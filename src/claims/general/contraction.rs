@@ -25,10 +25,7 @@ fn by_law(law: [Expr; 2]) -> Proof {
         ring(),
         |p| {
             p.rests_on(&eq1_proof(law))?;
-            p.note(
-                "Let v and u be the speeds of two particles under any drive",
-                "and cos the cosine of the angle between their velocities",
-            );
+            p.remark("Let v and u be the speeds of two particles under any drive, and cos the cosine of the angle between their velocities");
             let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
             let [ux, uy] = OTHER.map(Expr::symbol);
             let two = Expr::int(2);

@@ -39,10 +39,7 @@ fn moves(bound: Expr) -> Proof {
                 size - bound,
             ),
         )?;
-        p.note(
-            "So",
-            "while the drive is above the bound no friction of μg at most keeps the particle at rest",
-        );
+        p.remark("So while the drive is above the bound no friction of μg at most keeps the particle at rest");
         Ok(())
     })
 }
@@ -91,10 +88,7 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
             let along = p.read("dv_x/dt by (1)", driven(law[0]))?;
             let terms = margin + more + most * (one - cosine);
             p.reads_as(&along, "of which no term is negative", terms)?;
-            p.note(
-                "So",
-                "v_x grows by δ in each unit of time at least, beyond all bounds",
-            );
+            p.remark("So v_x grows by δ in each unit of time at least, beyond all bounds");
 
             let across = p.read("dv_y/dt by (1)", driven(law[1]))?;
             let motion = p.ring().along(&[("v_x", along), ("v_y", across)])?;
@@ -123,10 +117,7 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
                     terms,
                 ),
             )?;
-            p.note(
-            "A particle that is at rest at some time",
-            "is set in motion along the drive at once: v_x = v from then on, and the same holds",
-        );
+            p.remark("A particle that is at rest at some time is set in motion along the drive at once: v_x = v from then on, and the same holds");
             Ok(())
         },
     )

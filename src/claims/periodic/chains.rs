@@ -64,10 +64,7 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
             "The line |𝔴₀| − (right − left) φ at φ = |𝔴₀|/(right − left), with 𝔴₀ for its size",
             start - (right - left) * time,
         )?;
-        p.note(
-            "So",
-            "𝔴 is 0 by then, and at rest the drive is below the greatest static friction; with a velocity across it falls as fast, by (2)",
-        );
+        p.remark("So 𝔴 is 0 by then, and at rest the drive is below the greatest static friction; with a velocity across it falls as fast, by (2)");
         Ok(())
     })
 }

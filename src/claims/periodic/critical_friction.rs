@@ -34,10 +34,7 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             ring(),
             |p| {
                 with_sign(p, sign);
-                p.note(
-                    "Under the same h let 𝔴₁ have the sign of 𝔴",
-                    "and 𝔴₂ the other one",
-                );
+                p.remark("Under the same h let 𝔴₁ have the sign of 𝔴, and 𝔴₂ the other one");
                 let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
                 p.vanishes("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
                 let signed = Expr::int(sign);
@@ -167,10 +164,7 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         ),
         ("negative, as no size is", -(period * (lambda0 - mean))),
     )?;
-    p.note(
-        "So there is rest in every late period",
-        "and for λ₀ < 1 motion too: |h| > λ₀ for some time, as one of the one-sided limits of h is ±1, and no rest lasts then",
-    );
+    p.remark("So there is rest in every late period, and for λ₀ < 1 motion too: |h| > λ₀ for some time, as one of the one-sided limits of h is ±1, and no rest lasts then");
     Ok(())
 }
 
@@ -222,10 +216,7 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         ),
         ("a square, which is not negative", (pi - length).squared()),
     )?;
-    p.note(
-        "So ℓ or 2π − ℓ is π at most",
-        "and two values of G, which has the period 2π, differ by πλ₀ at most",
-    );
+    p.remark("So ℓ or 2π − ℓ is π at most, and two values of G, which has the period 2π, differ by πλ₀ at most");
     p.identity(
         (
             "Let 𝔴 > 0 for the phase P in each period, in which G then rises by at most",

@@ -35,7 +35,7 @@ impl Chain {
     fn steps(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
         let by = p.ring().by("φ")?;
         let friction = p.ring().named("λ₀")?;
-        p.note("Under the pulses of (42) and (43)", "with 𝔴 > 0");
+        p.remark("Under the pulses of (42) and (43), with 𝔴 > 0");
         for (w, h) in self.cases.iter().zip(self.drive) {
             let w = p.read(&format!("While h = {h}, 𝔴 is"), *w)?;
             let slope = p.derivative("Its rate", &w, &by)?;
@@ -46,13 +46,12 @@ impl Chain {
             let before = i.checked_sub(1).map(|i| self.cases[i]);
             let after = self.cases.get(i).copied();
             let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
-            p.identity(
-                ("𝔴 where a case ends, or 0 before the first", at(before)),
-                (
-                    "𝔴 where the next one begins, or 0 after the last",
-                    at(after),
-                ),
-            )?;
+            let [from, to] = match (before, after) {
+                (None, _) => ["𝔴 where the motion begins", "as in the first case"],
+                (_, None) => ["𝔴 where the last case ends", "rest"],
+                _ => ["𝔴 where a case ends", "as where the next one begins"],
+            };
+            p.identity((from, at(before)), (to, at(after)))?;
         }
         Ok(())
     }

@@ -250,7 +250,7 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         ratio([at - from, parts]),
     )?;
     p.equal("Half a period: that and 1", &length, &Rational::int(1))?;
-    p.note("By (45) it goes on", "with the other sign, and so for ever");
+    p.remark("By (45) it goes on, with the other sign, and so for ever");
     if half.kind() == 1 {
         p.note(
             "While it rests",
@@ -265,9 +265,8 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
 fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
     let [lambda0, psi, other, d] = Expr::symbols(["λ₀", "ψ", "𝔴₁", "D"]);
     let (one, two, h) = (Expr::int(1), Expr::int(2), psi.sin());
-    p.note(
-        "A motion with a velocity across",
-        "has no rest, or is one along the line from a rest on",
+    p.remark(
+        "A motion with a velocity across has no rest, or is one along the line from a rest on",
     );
     for (says, sign, rate) in [
         ("The sign 1", one, rate),
@@ -306,10 +305,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         from,
         ..
     } = *half;
-    p.note(
-        "So in each period the distance falls by an amount that depends on D alone",
-        "and so it goes to 0",
-    );
+    p.remark("So in each period the distance falls by an amount that depends on D alone, and so it goes to 0");
     p.identity(
         (
             "Where this motion is 0, h² − λ₀²",
@@ -317,9 +313,8 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         ),
         ("positive: friction is too weak", ratio([3, 4])),
     )?;
-    p.note(
-        "So a late motion is 0 only near these places, inside the steps",
-        "and no rest lasts there",
+    p.remark(
+        "So a late motion is 0 only near these places, inside the steps, and no rest lasts there",
     );
     Ok(())
 }

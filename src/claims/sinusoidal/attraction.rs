@@ -25,7 +25,7 @@ fn passes((cases, ends): NoRest) -> Proof {
         let w = p.read("The forward case", forward)?;
         let by = p.ring().by("φ")?;
         let slope = p.derivative("Its slope", &w, &by)?;
-        let bend = p.derivative("The slope of that", &slope, &by)?;
+        let bend = p.derivative("Its second derivative", &slope, &by)?;
         p.reads_as(&bend, "", phi.cos())?;
         p.note(
             "From φ̃₁, where the slope sin φ̃₁ − λ₀ is not negative by (40), to π/2",
@@ -115,10 +115,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             let room = p.read("Terms of which none is negative", room)?;
             p.equal(says, &left, &room)?;
         }
-        p.note(
-            "So v ± v_x",
-            "has a rate of the size 2 (1 + λ₀) at most, and at rest stays 0",
-        );
+        p.remark("So v ± v_x has a rate of the size 2 (1 + λ₀) at most, and at rest stays 0");
 
         let length = d / (Expr::int(4) * most);
         p.identity(
@@ -245,7 +242,7 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
             ("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero)),
             ("", phi.sin()),
         )?;
-        p.note("It is 0 on no interval", "and so v_x is not");
+        p.remark("It is 0 on no interval, and so v_x is not");
         Ok(())
     })
 }
@@ -284,10 +281,7 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
         ] {
             p.reads_as(&rate, says, size + more)?;
         }
-        p.note(
-            "So v_x, late and close to (38), is monotone beside each zero of (38)",
-            "and has one zero there; elsewhere (38), and with it v_x, is bounded away from 0",
-        );
+        p.remark("So v_x, late and close to (38), is monotone beside each zero of (38), and has one zero there; elsewhere (38), and with it v_x, is bounded away from 0");
         p.note(
             "For λ_c < λ₀ < 1 v_x becomes (33) exactly",
             "which is not 0 during its slips, and rests in between, twice in a period; for λ₀ > 1 it stops for good",
@@ -327,20 +321,14 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
             ),
             ("at most 2 − π", Expr::int(2) - Expr::pi() * lambda0),
         )?;
-        p.note(
-            "So v is 0 after a finite time",
-            "and stays 0, as |sin φ| ≤ λ₀",
-        );
+        p.remark("So v is 0 after a finite time, and stays 0, as |sin φ| ≤ λ₀");
 
         let [rate, _] = in_units(law, drive);
         let rate = p.read("On the way: dv_x/dφ by (1)", rate)?;
         let slope = p.slope("Its slope by v_y", &rate, "v_y")?;
         let stated = lambda0 * vx * vy / speed.pow(Expr::int(3));
         p.reads_as(&slope, "not 0 but where v_x or v_y is", stated)?;
-        p.note(
-            "Two motions with the same v_x ≠ 0",
-            "and another |v_y| do not keep the same v_x",
-        );
+        p.remark("Two motions with the same v_x ≠ 0, and another |v_y| do not keep the same v_x");
         Ok(())
     })
 }

@@ -22,7 +22,7 @@ fn bounded([ax, ay]: [Expr; 2]) -> Proof {
     };
     Proof::in_ring("The size of (21)", ring(), |p| {
         let [a0, phi] = Expr::symbols(["A₀", "φ"]);
-        p.vanishes("(21) across x, at the phase φ", ay)?;
+        p.vanishes("The component of (21) across x", ay)?;
         p.identity(
             ("A₀² less the square of (21)", a0.squared() - ax.squared()),
             (
@@ -47,7 +47,7 @@ fn vy_vanishes((drive, law, limit): ([Expr; 2], [Expr; 2], Expr)) -> Proof {
     let mu = Expr::symbol("μ");
     Proof::in_ring("v_y vanishes under the sine", ring_across(mu), |p| {
         p.rests_on(&bounded(drive))?;
-        p.note("So", "the drive is along x, and a below may be A₀");
+        p.remark("So the drive is along x, and a below may be A₀");
         decays(p, law, mu, [-Expr::int(1), limit])
     })
 }
@@ -73,7 +73,7 @@ fn weak_drive_stops((drive, speed): ([Expr; 2], Expr)) -> Proof {
             "The line below which v lies, with a = A₀, at t = v₀/(μg − A₀)",
             v0 - (mu * g - a0) * time,
         )?;
-        p.note("So v is 0 by then", "and with it v_x");
+        p.remark("So v is 0 by then, and with it v_x");
         Ok(())
     })
 }

@@ -136,10 +136,7 @@ fn period_ends(end: Expr) -> Proof {
         let [first, second, third, fourth] = phases();
         p.rests_on(&four_points([first, second, third, fourth], Expr::int(4)))?;
         p.rests_on(&slip())?;
-        p.note(
-            "The slip ends before φ₁ + 2π",
-            "and an interval is left until then",
-        );
+        p.remark("The slip ends before φ₁ + 2π, and an interval is left until then");
         let [beta, lambda0] = Expr::symbols(["β", "λ₀"]);
         for (says, phase) in [("φ₁", first), ("the stated end", end)] {
             p.identity(
@@ -246,10 +243,7 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
             &(&there * &sum),
             &apart,
         )?;
-        p.note(
-            "So (31) is positive from β to β + π",
-            "and zero later: φ̃₂ − β > π",
-        );
+        p.remark("So (31) is positive from β to β + π, and zero later: φ̃₂ − β > π");
 
         p.note(
             "From φ̃₂ on the velocity gains at most sin φ + λ₀",

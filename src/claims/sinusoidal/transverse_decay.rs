@@ -347,9 +347,8 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
             ("The stated factor less 1", factor - one),
             ("which is positive", Expr::int(2) * lambda0 / difference),
         )?;
-        p.note(
-            "So L grows like the powers of F",
-            "and v_y falls like the exponential of an exponential",
+        p.remark(
+            "So L grows like the powers of F, and v_y falls like the exponential of an exponential",
         );
         Ok(())
     })
@@ -484,10 +483,7 @@ fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> P
             p.rests_on(&passages(law, motion, passage))?;
             let lambda0 = Expr::symbol("λ₀");
             let [d, factor, _] = passage;
-            p.note(
-                "Two passages in a period multiply ln v_y by the square of the factor, up to bounded terms",
-                "and so they do its fall in a period. That grows beyond all bounds, so that its ratio to the one before tends to the square",
-            );
+            p.remark("Two passages in a period multiply ln v_y by the square of the factor, up to bounded terms, and so they do its fall in a period. That grows beyond all bounds, so that its ratio to the one before tends to the square");
             let one = Expr::int(1);
             let found = p.read("The square", factor.squared())?;
             let excess = found.clone() - p.ring().read(one)?;

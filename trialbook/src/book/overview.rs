@@ -24,11 +24,18 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String,
         let (mut number, mut fallen) = (String::new(), String::new());
         if with_fallen {
             number = format!("No. {}, ", errata::number(context, entry.claim.id));
-            let mut errata = context.errata.iter();
-            let erratum = errata.find(|e| e.id == entry.claim.id);
-            if let Some(erratum) = erratum.filter(|erratum| !erratum.fallen.is_empty()) {
-                fallen = format!(" With it {}.", context.links(&erratum.fallen)?);
-            }
+            let [with_it, _] = context.ledger.fallen_and_standing(entry.claim.id);
+            let mut roots = context.ledger.roots().map(|root| root.claim.id);
+            // Two errors on one way have the same heirs.
+            let alike = roots.find(|root| context.ledger.fallen_and_standing(root)[0] == with_it);
+            fallen = match alike {
+                _ if with_it.is_empty() => String::new(),
+                Some(id) if id != entry.claim.id => format!(
+                    " With it the same as with No. {}.",
+                    errata::number(context, id)
+                ),
+                _ => format!(" With it {}.", context.links(&with_it)?),
+            };
         }
         Ok(format!("<li>{number}{link}: {words}.{fallen}</li>"))
     };

@@ -48,13 +48,16 @@ fn written(formula: Expr) -> String {
 pub struct Step {
     /// What is done: what is read, put in, differentiated, compared.
     pub says: String,
-    /// What comes of it, in plain text.
+    /// What comes of it, in plain text; empty where a sentence says both.
     pub gives: String,
 }
 
 impl fmt::Display for Step {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}: {}", self.says, self.gives)
+        match self.gives.as_str() {
+            "" => write!(f, "{}", self.says),
+            gives => write!(f, "{}: {gives}", self.says),
+        }
     }
 }
 
@@ -270,6 +273,11 @@ impl<'a> Prover<'a> {
             says: says.into(),
             gives,
         });
+    }
+
+    /// Writes down a remark that is one sentence.
+    pub fn remark(&mut self, says: &str) {
+        self.note(says, "");
     }
 
     /// Writes down an element, and the formula from which it was read if there is one that looks different.

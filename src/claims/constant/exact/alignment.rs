@@ -84,7 +84,7 @@ fn at_the_border() -> Proof {
         let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
         let falls = p.read("A sin θ/v, which is positive", a * theta.sin() / v)?;
         p.equal("dθ/dt is less than 0 by that", &-&newton.angle_rate, &falls)?;
-        p.note("So", "θ falls all the time, and below every positive angle");
+        p.remark("So θ falls all the time, and below every positive angle");
         Ok(())
     })
 }

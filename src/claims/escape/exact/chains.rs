@@ -273,7 +273,7 @@ fn alpha_grows(beyond: Beyond) -> Proof {
         let lag = p.read("The rate of ρ − p by (107) and (108)", lag)?;
         let below = p.read("1 less that", int(1) - (rho - speed) * psi.cos())?;
         p.equal("It is 1 less (ρ − p) cos ψ ≥ 0", &lag, &below)?;
-        p.note("So", "ρ − p ≤ c + τ with a constant c");
+        p.remark("So ρ − p ≤ c + τ with a constant c");
         let rate = p.read("dξ/dτ by (101)", beyond.ahead)?;
         let weight = p.read("p (p − ℓ)²", speed * (speed - ell).squared())?;
         let size = rho.squared() - speed.squared();
@@ -288,7 +288,7 @@ fn alpha_grows(beyond: Beyond) -> Proof {
             "by (99) p/τ → ∞, and (ρ − p)/p → 0",
         );
         p.rests_on(&sum(motion::eq111_p::tree(), motion::eq112_rho::tree()))?;
-        p.note("So", "exp(−2α) = (ρ − p)/(ρ + p) → 0");
+        p.remark("So exp(−2α) = (ρ − p)/(ρ + p) → 0");
         Ok(())
     })
 }

@@ -317,10 +317,7 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
             stated,
         )?;
     }
-    p.note(
-        "So V is least at N = 3/4, P = 1/2",
-        "and grows without end where N or P goes to 0 or ∞: it is near its least value only near that point",
-    );
+    p.remark("So V is least at N = 3/4, P = 1/2, and grows without end where N or P goes to 0 or ∞: it is near its least value only near that point");
     let falls = p.derivative("dV/dθ", &height, &by_theta(p, found)?)?;
     let (k, little) = (cosine(t), t.squared() * predator);
     let last = int(1) - (int(1) + little) * k;
@@ -453,7 +450,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "Once 36η ≤ 1",
         "Q falls at the rate (x² + y²)/2 − 3η at least: Q → 0, as V went to its least value",
     );
-    p.note("So", "q → 3√2/32, v → 3√2/8; and N, P and h differ from their limits by an amount of the order of t");
+    p.remark("So q → 3√2/32, v → 3√2/8; and N, P and h differ from their limits by an amount of the order of t");
     let inverse = int(2) - int(2) * (int(1) - t.squared()) * predator;
     let stated = int(2) * predator * t - int(2) * deviations[1];
     p.identity(
@@ -481,10 +478,7 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [_, _, h, t] = state();
     let (rho, psi) = (motion::eq112_rho::tree(), Expr::pi() / int(2) - delta());
     let across = motion::eq95_ell(rho, psi);
-    p.note(
-        "In the laboratory the particle turns about the axis with the table, at the rate 1",
-        "and relative to it at the rate pℓ/ρ², by (96)",
-    );
+    p.remark("In the laboratory the particle turns about the axis with the table, at the rate 1, and relative to it at the rate pℓ/ρ², by (96)");
     let turn = int(1) + speed() * across / rho.squared();
     let stated = (int(1) - h) / t + int(2) * h * cosine(t) * t;
     p.identity(("The rate 1 + pℓ/ρ², over t", turn / t), ("", stated))?;
@@ -575,10 +569,7 @@ fn in_its_time(p: &mut Prover<'_>, law: Expr) -> Result<(), Obstacle> {
     let shift = p.read("κ ln τ", corrected::delay::<Expr>() * Expr::symbol("L"))?;
     let later = start - slope * shift;
     p.equal("The law and its first term at τ − κ ln τ", &stated, &later)?;
-    p.note(
-        "What is of the order of t beside 1",
-        "is of the order of 1/τ, and so less than (ln τ)/τ by any factor in the end; so are the square of (ln τ)/τ, and over τ what 1/t has beside τ − κ ln τ",
-    );
+    p.remark("What is of the order of t beside 1 is of the order of 1/τ, and so less than (ln τ)/τ by any factor in the end; so are the square of (ln τ)/τ, and over τ what 1/t has beside τ − κ ln τ");
     Ok(())
 }
 
@@ -757,10 +748,7 @@ fn eq137(law: Expr) -> Proof {
             let slope = p.slope(&format!("Its rate by {name}"), &left, name)?;
             p.reads_as(&slope, "", int(0))?;
         }
-        p.note(
-            "So the law's rate is p, up to less than τ ln τ by any factor in the end",
-            "and s, the integral of p by (105), is the law, up to less than τ² ln τ by any factor",
-        );
+        p.remark("So the law's rate is p, up to less than τ ln τ by any factor in the end, and s, the integral of p by (105), is the law, up to less than τ² ln τ by any factor");
         Ok(())
     })
 }

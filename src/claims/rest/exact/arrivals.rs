@@ -190,9 +190,8 @@ fn eq144([left, right]: [Expr; 2]) -> Proof {
         let right = p.read("Right side", right)?;
         let alpha = p.ring().named("α")?;
         p.equal("It is α", &right, &alpha)?;
-        p.note(
-            "So",
-            "the left side is (1 + o(1)) dA/dτ, and that is (1 + o(1)) times the right side",
+        p.remark(
+            "So the left side is (1 + o(1)) dA/dτ, and that is (1 + o(1)) times the right side",
         );
         Ok(())
     })
@@ -253,10 +252,7 @@ fn eq143(formula: Expr) -> Proof {
             "As ψ → 0, |R| ≤ η (α + |ψ|) near rest; let 0 < η < 2k/3, η ≠ k − 1",
             "so |ψ|/α^(k−η) grows, as α falls, at the rate (2k + η)/α^(k−η) by α at most: |ψ| is of the order of α^(k−η) + α",
         );
-        p.note(
-            "So R is of the order of α^(3k−3η) + α³",
-            "and R/α^(k+1) has a finite integral from 0, as 3η < 2k and k < 3",
-        );
+        p.remark("So R is of the order of α^(3k−3η) + α³, and R/α^(k+1) has a finite integral from 0, as 3η < 2k and k < 3");
         let stated = p.read("(143)", formula)?;
         let ring = p.ring();
         let slope = p.slope("Its slope", &stated, "α")?;
@@ -269,10 +265,7 @@ fn eq143(formula: Expr) -> Proof {
             "",
             Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)),
         )?;
-        p.note(
-            "So (ψ less (143) with c = 0) over α^k",
-            "has the slope R/α^(k+1) by α, and converges: to 2c. What is left is α^k times the integral of R/α^(k+1) from 0",
-        );
+        p.remark("So (ψ less (143) with c = 0) over α^k has the slope R/α^(k+1) by α, and converges: to 2c. What is left is α^k times the integral of R/α^(k+1) from 0");
         p.note(
             "Now |ψ| is of the order of α^k + α, and R of α^(3k) + α³",
             "so is what is left; 3k > 1, 3k > k and 3 > k: it is of smaller order than α and than α^k",

@@ -47,10 +47,7 @@ pub fn prove(formula: Expr) -> Proof {
         let half = psi / Expr::int(2);
         let (c, s) = (half.cos(), half.sin());
         let ratio = |n, m| Expr::int(n) / Expr::int(m);
-        p.note(
-            "With any ψ",
-            "let S be sin(ψ/2), C be cos(ψ/2), and G as follows, of the size 25/4 at most",
-        );
+        p.remark("With any ψ let S be sin(ψ/2), C be cos(ψ/2), and G as follows, of the size 25/4 at most");
         let above = p.read("A less the formula", boundary::stated() - formula)?;
         let g = Expr::int(2) * c.pow(Expr::int(3))
             - ratio(7, 6) * s * (Expr::int(1) + c.squared())

@@ -119,7 +119,7 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
                     &slope,
                     &ring.named("ζ")?,
                 )?;
-                p.note("x₁ = 2", "makes 2ζ the second term of (143) over α");
+                p.remark("x₁ = 2 makes 2ζ the second term of (143) over α");
                 found = ring.put(&found, &[(&free, &Rational::int(2))])?;
             }
             psi.extend([found, Rational::int(0)]);

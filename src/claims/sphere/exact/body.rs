@@ -85,7 +85,7 @@ fn prove(
                 Force::Sliding => p.note("Friction", "F = −μ m g w/|w| at the contact"),
                 Force::Any => p.note("Friction", "any force F at the contact"),
             }
-            p.note("k", "stands for μ g");
+            p.remark("k stands for μ g");
             p.note("Newton", "m dv/dt = F − m A");
             p.note("Euler", "I dω/dt = (R F_y, −R F_x, 0)");
             steps(p, &body)
