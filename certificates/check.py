@@ -2,7 +2,7 @@
 """Checks certificates with python-flint alone; nothing of it is shared with what wrote them.
 
     python3 check.py FOLDER [DATE]     all files of a folder; with a date, the result is recorded
-    python3 check.py FOLDER --list     writes said.txt anew, if every file is right, for it to be read and reviewed
+    python3 check.py FOLDER --list     writes transcript.txt anew, if every file is right, for it to be read and reviewed
 
 The format is described in the book, on the page "Certificates". Exit code 0 if every file is accepted.
 """
@@ -18,7 +18,7 @@ import flint
 from field import identity
 from formula import demand, keys
 from intervals import motion, number, range_, root
-from said import Said, witness
+from transcript import Transcript, witness
 from ties import tied
 
 KINDS = {"identity": identity, "root": root, "number": number, "range": range_, "motion": motion}
@@ -49,7 +49,7 @@ class Prints:
     def __init__(self, root_):
         self.root = Path(root_)
         self.entries = entries(self.root / "claims")
-        self.said = Said((self.root / "certificates/said.txt").read_text("utf-8"))
+        self.transcript = Transcript((self.root / "certificates/transcript.txt").read_text("utf-8"))
 
     def has(self, claim, statement, corrected, conditions):
         printed, correct, under = self.entries.get(claim, ("", "", None))
@@ -77,8 +77,8 @@ def right(certificate, name, prints):
 def check(certificate, name, prints):
     """Raises `Wrong` unless the certificate is right, and says what is recorded."""
     said = right(certificate, name, prints)
-    demand(name in prints.said.files, "a file that is not listed")
-    demand(prints.said.files[name] == said, "not what is listed")
+    demand(name in prints.transcript.files, "a file that is not listed")
+    demand(prints.transcript.files[name] == said, "not what is listed")
     about, tie = said[0].split("\n")[0].split(": ", 1)[1].rsplit("; ", 1)
     return f"{certificate['claim']},{certificate['proof']},{tie},{about}"
 
@@ -105,9 +105,9 @@ def main(folder, date=None):
     if anew:
         print("\n".join(rejected))
         if not rejected:
-            (prints.root / "certificates/said.txt").write_text(Said.written(accepted), "utf-8")
+            (prints.root / "certificates/transcript.txt").write_text(Transcript.written(accepted), "utf-8")
         return 1 if rejected else 0
-    rejected += [f"{name}: missing" for name in sorted(prints.said.files.keys() - {file.name for file in files})]
+    rejected += [f"{name}: missing" for name in sorted(prints.transcript.files.keys() - {file.name for file in files})]
     ties = dict(sorted(Counter(line.split(",")[2] for line in accepted).items()))
     print("\n".join(rejected))
     print(f"{len(accepted)} of {len(files)} files accepted; the printed formula is", ties)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Spoils certificates and counts those that the checker still accepts.
 
-    python3 corrupt.py FOLDER FROM TO     spoils files number FROM to TO, and says what is still accepted, or refused by said.txt alone
+    python3 corrupt.py FOLDER FROM TO     spoils files number FROM to TO, and says what is still accepted, or refused by transcript.txt alone
 """
 import copy
 import json

@@ -10,7 +10,7 @@ from flint import acb, arb, fmpq, fmpz_mpoly_ctx
 
 from formula import Calculator, Expansion, Series, Value, Wrong, demand, dyadic, evaluate, index, is_name, keys
 from latex import Reader, name
-from said import plain
+from transcript import plain
 
 RULES = {"pi": "rule", "free": "rule name", "half-tangent": "rule of", "half-exponential": "rule of",
          "root": "rule of degree", "power": "rule of to", "logarithm": "rule of"}

@@ -32,6 +32,13 @@ pub(super) fn with_angles(p: &mut Prover<'_>) {
     p.remark("Let sin α = λ₀ and sin β = qλ₀, with α and β between 0 and π/2");
 }
 
+/// The same for one of them.
+pub(super) fn with_angle(p: &mut Prover<'_>, [angle, friction]: [&str; 2]) {
+    p.remark(&format!(
+        "Let sin {angle} = {friction}, with {angle} between 0 and π/2"
+    ));
+}
+
 /// 𝔴 after an arc from rest at `from` to `to`, with the deceleration `friction` (its sign included).
 pub(super) fn arc(from: Expr, to: Expr, friction: Expr) -> Expr {
     from.cos() - to.cos() - friction * (to - from)
@@ -139,7 +146,7 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     };
     Proof::in_ring("(53): curve A", angles(), |p| {
         p.rests_on(&balanced)?;
-        with_angles(p);
+        with_angle(p, ["α", "λ₀"]);
         let [alpha, k, lambda0] = Expr::symbols(["α", "K", "λ₀"]);
         let two = Expr::int(2);
         let end = p.read(
@@ -230,10 +237,10 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
             let factor = p.read("2 sin α", Expr::int(2) * alpha.sin())?;
             p.equal("B is 2 sin α times A", &b, &(&factor * &a))?;
             let condition = p.read(
-                "The condition 2 cos α = π sin α",
+                "What vanishes at λ₀ = λ_c",
                 Expr::int(2) * alpha.cos() - Expr::pi() * alpha.sin(),
             )?;
-            p.equal("B is that condition", &b, &condition)
+            p.equal("B is that", &b, &condition)
         });
         let root = || {
             let mut ring = Ring::new();

@@ -6,7 +6,7 @@
 use super::certified::arcs::{a_falls, b_falls, corner_falls, e_grows};
 use super::exact::{
     arc, frictions, plane, printed_rates, prove_e, prove_eq53, prove_eq54, sides_of_a, sides_of_b,
-    sides_of_e, with_angles,
+    sides_of_e, with_angle, with_angles,
 };
 use crate::paper::anisotropic as printed;
 use trialbook::prelude::*;
@@ -189,9 +189,15 @@ fn slips() -> Result<Ring, ExactError> {
 }
 
 /// A slip in the ring of both frictions: its rate as a product, and the velocity that it leads to.
-fn slip(title: &str, rate: Expr, (product, so): (Expr, &str), friction: Expr) -> Proof {
+fn slip(
+    title: &str,
+    rate: Expr,
+    (product, so): (Expr, &str),
+    friction: Expr,
+    angle: [&str; 2],
+) -> Proof {
     Proof::in_ring(title, slips(), |p| {
-        with_angles(p);
+        with_angle(p, angle);
         let [phi, s] = Expr::symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
         p.reads_as(&rate, "", product)?;
@@ -224,6 +230,7 @@ fn forward_slip(rate: Expr) -> Proof {
             "it is positive from α to π − α and negative from there to 2π + α: a forward slip that begins at α, or later but before π − α, ends between π − α and 2π + α. The velocity has no other zero within a period from its beginning, at whose end it would have risen to −2πλ₀",
         ),
         lambda0,
+        ["α", "λ₀"],
     )
 }
 
@@ -239,6 +246,7 @@ fn backward_slip(rate: Expr) -> Proof {
             "it is negative from π + β to 2π − β and positive from there to 3π + β: a backward slip that begins at π + β, or later but before 2π − β, ends between 2π − β and 3π + β. The velocity has no other zero within a period from its beginning, at whose end it would have fallen to 2πqλ₀",
         ),
         -q_lambda0,
+        ["β", "qλ₀"],
     )
 }
 
@@ -508,7 +516,7 @@ fn border(c: Expr) -> Proof {
         let product = p.read("q times (55): there qλ₀ is the drive's amplitude", q * c)?;
         p.reads_as(&product, "", Expr::int(1))?;
         p.note(
-            "For q < q_Y B lies below C, for q = q_Y it meets C",
+            "For q < q_Y, B lies below C; for q = q_Y it meets C",
             "just below C there is region III, or for q = q_Y region II (or I, were A above it), all with backward motion; above C there is region IV, without",
         );
         Ok(())

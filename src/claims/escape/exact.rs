@@ -233,7 +233,7 @@ fn never_decreases(formula: Expr) -> Proof {
         let grown = p.read("cosh s − 1, which is 0 at s = 0", s.cosh() - one)?;
         let slope = p.slope("Its rate", &grown, "s")?;
         p.reads_as(&slope, "", s.sinh())?;
-        p.remark("So A grows by cosh b − 1 or more within the time b before each such moment, and without end, unless for every b > 0 α stays below b from some time on");
+        p.remark("So A grows by cosh b − 1 or more within the time b before each such moment, and without end, unless for every b > 0, α stays below b from some time on");
         Ok(())
     })
 }

@@ -29,11 +29,16 @@ pub(super) fn for_both_signs(prove: impl Fn(i64) -> Proof) -> Proof {
     if forward.holds() { prove(-1) } else { forward }
 }
 
+/// For which 𝔴 a proof with this sign is.
+pub(in crate::claims) fn side(sign: i64) -> &'static str {
+    if sign > 0 { "𝔴 > 0" } else { "𝔴 < 0" }
+}
+
 /// Writes down for which sign of 𝔴 a proof is, which [`for_both_signs`] carries out.
 pub(super) fn with_sign(p: &mut Prover<'_>, sign: i64) {
     p.note(
-        "For both signs of 𝔴, here with the sign",
-        format!("{sign}; h is sin ψ, any number from −1 to 1"),
+        "The proof is for either sign of 𝔴, here for",
+        format!("{}; h is sin ψ, any number from −1 to 1", side(sign)),
     );
 }
 

@@ -66,6 +66,7 @@ pub(super) fn slows(law: Expr) -> Proof {
     };
     Proof::in_ring("The speed under h and friction", ring(), |p| {
         p.rests_on(&eq2_proof(law))?;
+        p.remark("h is sin ψ, any number from −1 to 1; velocities are in units of A₀/ϖ");
         let [lambda0, vx, vy] = Expr::symbols(["λ₀", "v_x", "v_y"]);
         let speed = (vx.squared() + vy.squared()).sqrt();
         let in_units = law.with("μ", lambda0).with("g", Expr::int(1));

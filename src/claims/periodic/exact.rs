@@ -48,7 +48,10 @@ impl Chain {
             let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
             let [from, to] = match (before, after) {
                 (None, _) => ["𝔴 where the motion begins", "as in the first case"],
-                (_, None) => ["𝔴 where the last case ends", "rest"],
+                (_, None) => [
+                    "𝔴 where the last case ends",
+                    "where it stays or turns at once",
+                ],
                 _ => ["𝔴 where a case ends", "as where the next one begins"],
             };
             p.identity((from, at(before)), (to, at(after)))?;

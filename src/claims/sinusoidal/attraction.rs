@@ -283,7 +283,7 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
         }
         p.remark("So v_x, late and close to (38), is monotone beside each zero of (38), and has one zero there; elsewhere (38), and with it v_x, is bounded away from 0");
         p.note(
-            "For λ_c < λ₀ < 1 v_x becomes (33) exactly",
+            "For λ_c < λ₀ < 1, v_x becomes (33) exactly",
             "which is not 0 during its slips, and rests in between, twice in a period; for λ₀ > 1 it stops for good",
         );
         Ok(())

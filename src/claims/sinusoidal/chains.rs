@@ -3,6 +3,7 @@
 
 use crate::claims::general::chains::{decays, ring_across, stops};
 use crate::claims::general::two_frames::{eq1, eq2};
+use crate::claims::periodic::chains::side;
 use crate::paper::sinusoidal as paper;
 use trialbook::prelude::*;
 
@@ -180,7 +181,7 @@ fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {
     };
     let still = [Expr::int(0), Expr::int(0)];
     Proof::in_ring("Friction across the drive", ring(), |p| {
-        p.note("For both signs of 𝔴, here with the sign", sign.to_string());
+        p.note("The proof is for either sign of 𝔴, here for", side(sign));
         let [w, wy, lambda0] = Expr::symbols(["𝔴", "𝔴_y", "λ₀"]);
         let friction = in_units(law, still).map(|c| c.with("v_x", w).with("v_y", wy));
         let ratio = (w.squared() + wy.squared()).sqrt() / (Expr::int(sign) * w);

@@ -414,7 +414,7 @@ fn last_stage(law: Rate, phase: Expr) -> Proof {
             let room = room / (lambda0.squared() - d.squared());
             p.reads_as(&rate, "at most −1", -one - room)?;
             p.vanishes(
-                "If h is d along v_x, it is −1: the rest",
+                "If h is d along v_x, it is −1: what it has beside −1",
                 room.with("h", sign * d),
             )?;
             p.identity(

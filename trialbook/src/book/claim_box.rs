@@ -1,11 +1,11 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
 use super::certificates;
-use super::changes;
 use super::code::Place;
 use super::context::{Context, verdict};
 use super::deep;
 use super::error::Fault;
+use super::formula_diff;
 use super::lemmas;
 use super::maths::Maths;
 use super::text::{counted, escape, sentence, value};
@@ -145,7 +145,7 @@ pub(super) fn forms(
     }
     let (corrected, words) = apart(corrected);
     let leading = leading(corrected);
-    let [old, new] = changes::marked(claim.latex, leading.unwrap_or(corrected));
+    let [old, new] = formula_diff::marked(claim.latex, leading.unwrap_or(corrected));
     let mut new = statement(context, claim, &new)?;
     if leading.is_some() {
         let next = statement(context, claim, corrected)?;

@@ -1,7 +1,7 @@
 //! Formulas: from LaTeX to HTML and MathML, when the book is built.
 
-use super::changes;
 use super::error::Fault;
+use super::formula_diff;
 use super::rows::in_rows;
 use super::text::{after_each, escape, scientific, without};
 use crate::notation::{Piece, pieces, plain_formula};
@@ -69,7 +69,7 @@ impl Setter {
             // LaTeX has it, KaTeX does not know it.
             macros.insert(r"\mbox".into(), MacroDefinition::StaticStr(r"\text"));
             let changed = MacroDefinition::StaticStr(r"\htmlClass{changed}{#1}");
-            macros.insert(changes::MARK.into(), changed);
+            macros.insert(formula_diff::MARK.into(), changed);
             let output = match place {
                 Place::Folded => OutputFormat::Mathml,
                 Place::Inline | Place::Display => OutputFormat::HtmlAndMathml,
@@ -126,7 +126,7 @@ impl Setter {
         let html = with_room(html);
         Ok((
             html,
-            escape(&plain_formula(&latex.replace(changes::MARK, ""))),
+            escape(&plain_formula(&latex.replace(formula_diff::MARK, ""))),
         ))
     }
 }

@@ -44,10 +44,10 @@
 //! mdBook renders the pages before anything is known of the verdicts, with marks in the place of formulas and of what
 //! fills the placeholders: it then reads a tenth of the text, and the rest is put in last.
 
+mod assembly;
 mod assets;
 mod atomic_replace;
 mod certificates;
-mod changes;
 mod claim_box;
 mod code;
 mod context;
@@ -56,7 +56,7 @@ mod errata;
 mod error;
 mod expand;
 mod fill;
-mod frame;
+mod formula_diff;
 mod lemmas;
 mod links;
 mod map;
@@ -76,9 +76,9 @@ mod tests;
 mod text;
 mod values;
 
+pub use assembly::Frame;
 pub use atomic_replace::bare;
 pub use error::BookError;
-pub use frame::Frame;
 pub use links::{dead_links, files_below};
 pub use register::register;
 pub use tables::table;

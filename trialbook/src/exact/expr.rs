@@ -224,6 +224,8 @@ impl Expr {
             Node::Binary(Binary::Mul, x, y) if x == y => 4,
             Node::Binary(Binary::Mul | Binary::Div, ..) => 3,
             Node::Binary(Binary::Pow, ..) => 4,
+            // One symbol, such as qλ₀, that looks like a product.
+            Node::Symbol(name) if letters_meet(name) => 3,
             Node::Call(..) | Node::Int(_) | Node::Pi | Node::Symbol(_) => 5,
         }
     }
@@ -235,6 +237,15 @@ impl Expr {
             write!(f, "{self}")
         }
     }
+}
+
+/// Whether two letters stand side by side.
+fn letters_meet(name: &str) -> bool {
+    let letter = name.chars().map(char::is_alphabetic);
+    letter
+        .clone()
+        .zip(letter.skip(1))
+        .any(|pair| pair == (true, true))
 }
 
 /// The formula in plain text, with as few parentheses as it needs.
@@ -373,6 +384,7 @@ mod tests {
         assert_eq!((a / (b * c)).to_string(), "a/(b c)");
         assert_eq!((a * (b + c)).squared().to_string(), "(a (b + c))^2");
         assert_eq!((-(a + b)).to_string(), "−(a + b)");
+        assert_eq!(Expr::symbol("qλ₀").squared().to_string(), "(qλ₀)^2");
         assert_eq!(
             (a / Expr::int(2)).tan().pow(-b).to_string(),
             "tan(a/2)^(−b)"

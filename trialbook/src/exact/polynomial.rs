@@ -371,6 +371,7 @@ mod tests {
         assert_eq!(ab.divide_exact(&b), Some(a.clone()));
         assert_eq!((&ab + &int(1)).divide_exact(&a), None);
         assert_eq!(x.divide_exact(&y), None);
+        assert_eq!(x.divide_exact(&x.scale(&IBig::from(2))), None);
         assert_eq!(x.divide_exact(&Polynomial::zero()), None);
         assert_eq!(
             Polynomial::zero().divide_exact(&a),

@@ -14,7 +14,7 @@ use std::fmt;
 use std::sync::Arc;
 
 /// The longest text of a step in characters: more than that nobody reads.
-const LONGEST: usize = 500;
+const LONGEST: usize = 1000;
 
 /// A very long formula up to the last whole term that is read, or its length if not even one is.
 fn shortened(text: &str) -> String {
@@ -484,8 +484,8 @@ mod tests {
     fn what_is_long_is_cut_between_terms() {
         let long = format!("[{}]", "a + ".repeat(LONGEST));
         for (text, expected) in [
-            (format!("a + b {long}"), "a + b … and 2003 characters more"),
-            (long, "an expression of 2002 characters"),
+            (format!("a + b {long}"), "a + b … and 4003 characters more"),
+            (long, "an expression of 4002 characters"),
         ] {
             assert_eq!(shortened(&text), expected);
         }

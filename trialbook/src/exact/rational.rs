@@ -411,6 +411,7 @@ mod tests {
         assert_eq!(half.pow(3).valuation(&p), 3);
         assert_eq!((&half.pow(7) + &half.pow(9)).valuation(&p), 7);
         assert_eq!(half.reciprocal().expect("not zero").valuation(&p), -1);
+        assert!((over(&x, &half) + Rational::int(2)).is_literally_zero());
         assert!(Rational::int(0).reciprocal().is_none());
         assert_eq!(half.text(&[]), "−#0/2");
     }

@@ -3,7 +3,7 @@
 //! With sin α = λ₀ and sin β = qλ₀, both angles from 0 to π/2 and α ≤ β. Each link is an identity of the ring; what is left is to
 //! see that every term of a sum has the same sign.
 
-use super::super::exact::{arc, frictions, with_angles};
+use super::super::exact::{arc, frictions, with_angle, with_angles};
 use crate::exact::Function;
 use crate::paper::anisotropic as printed;
 use trialbook::prelude::*;
@@ -28,8 +28,8 @@ pub fn b_falls() -> Proof {
         let rate = p.read("dα/dβ, as sin α = sin β/q", beta.cos() / (q * alpha.cos()))?;
         let along = p.ring().along(&[("α", rate), ("β", Rational::int(1))])?;
         let ratio = p.ring().read(q)?;
-        let kept = p.derivative("dq/dβ", &ratio, &along)?;
-        p.zero("q stays", &kept)?;
+        let kept = p.derivative("dq/dβ, where q is held fixed", &ratio, &along)?;
+        p.zero("It vanishes", &kept)?;
         let all = p.read("The arc from α to π + β", to_b(alpha, beta))?;
         let slope = p.derivative("Its slope", &all, &along)?;
         let way = Expr::pi() + beta - alpha;
@@ -87,7 +87,7 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The sides of (53)", ring(), |p| {
-        with_angles(p);
+        with_angle(p, ["α", "λ₀"]);
         let [alpha, k] = Expr::symbols(["α", "K"]);
         let left = p.read("The left side", left)?;
         p.reads_as(&left, "", alpha.cot())?;

@@ -85,6 +85,11 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
         |p| {
             given(p, &[&turntable::EQ89, &turntable::EQ103])?;
             p.note(
+                "The bound, of (139), beyond which static friction holds nothing",
+                bound.to_string(),
+            );
+            p.remark("χ is the direction of the velocity, (p cos χ, p sin χ)");
+            p.note(
                 "Let ρ stay bounded",
                 "ρ² − p² is bounded too, and grows by (103) at the rate 2p: so it converges, and with it the length of the path, and the place. As ρ converges, so does p, to 0",
             );
@@ -167,7 +172,7 @@ pub fn stops_along(ahead: Expr) -> Proof {
         )?;
         let least = ell.squared() / (int(2) * speed) - speed;
         p.identity(
-            ("dξ/dτ less ℓ²/2p, plus p", ahead - least),
+            ("dξ/dτ less ℓ²/(2p), plus p", ahead - least),
             (
                 "which is not negative",
                 (int(2) * speed + ell).squared() / (int(2) * speed),
@@ -176,7 +181,7 @@ pub fn stops_along(ahead: Expr) -> Proof {
         p.identity(("ℓ²", ell.squared()), ("", rho.squared() - xi.squared()))?;
         p.note(
             "Let p → 0 as τ → T, a finite time, at ρ > 0",
-            "ξ converges, as it never falls and is ρ at most; so do ρ and ℓ². By (99) p ≤ (1 + R)(T − τ) with the largest ρ as R: were the limit of ℓ² not 0, the integral of ℓ²/2p would be infinite, and ξ unbounded",
+            "ξ converges, as it never falls and is ρ at most; so do ρ and ℓ². By (99) p ≤ (1 + R)(T − τ) with the largest ρ as R: were the limit of ℓ² not 0, the integral of ℓ²/(2p) would be infinite, and ξ unbounded",
         );
         p.note("So ℓ → 0 and ξ → ±ρ", "ψ → 0 or ψ → π");
         Ok(())
@@ -262,7 +267,7 @@ fn alpha_grows(beyond: Beyond) -> Proof {
         p.rests_on(&stops_along(beyond.ahead))?;
         p.note(
             "Suppose that ξ ≤ 1 for ever",
-            "p does not grow, by (99), but A does without end, and with it ρ ≥ A and ℓ² = ρ² − ξ²; so dξ/dτ ≥ ℓ²/2p − p, and ξ, would grow without end, a contradiction",
+            "p does not grow, by (99), but A does without end, and with it ρ ≥ A and ℓ² = ρ² − ξ²; so dξ/dτ ≥ ℓ²/(2p) − p, and ξ, would grow without end, a contradiction",
         );
         p.note(
             "So ξ passes 1, and never falls",

@@ -180,7 +180,7 @@ def witness(w):
     return "\n".join([first, *("  " + line for line in lines)])
 
 
-class Said:
+class Transcript:
     """The record: of each file a paragraph, in which a witness that stands before is named by its place there."""
 
     def __init__(self, text):
