@@ -173,7 +173,7 @@
         const ask = await door(bytes);
         const claims = await ask('claims');
         const sections = [...new Set(claims.map(([, section]) => section))];
-        const option = ([id, section, title], i) => [section, `<option value="${i}">${id.replace(/^eq-(.*)/, '($1)')} ${escaped(title)}</option>`];
+        const option = ([id, section, title], i) => [section, `<option value="${i}">${/^eq-/.test(id) ? `(${id.slice(3)}) ` : ''}${escaped(title)}</option>`];
         const options = claims.map(option);
         host.innerHTML = `<div class="inputs">
             <label>Formula <select name="claim">${sections.map(section => `<optgroup label="Section ${section}">${
@@ -224,7 +224,7 @@
             const read = trials.filter(({ reads }) => reads).length;
             const [before, after] = verdicts;
             find('.says').textContent = `${red} of ${read} ${read === 1 ? 'trial' : 'trials'} that read the formula ${red === 1 ? 'turns' : 'turn'} red. `
-                + (before === after ? `The verdict of the claim alone stays: ${before}.` : `The verdict of the claim alone: ${before} before, ${after} now.`);
+                + (before === after ? `The verdict of the claim alone stays: ${before}.` : `The claim alone, ${before} before, is now ${after}${after === 'undecided' ? ': it fails, and no correction is tried' : ''}.`);
             const redFirst = [...trials].sort((a, b) => (b.agrees[0] && !b.agrees[1]) - (a.agrees[0] && !a.agrees[1]));
             find('.said').innerHTML = redFirst.map(({ trial, compared, reads, agrees, measured }) => {
                 const [mark, word, kind] = !reads ? ['–', 'does not read it', 'idle'] : agrees[1] ? ['✓', 'agrees', 'green']

@@ -20,6 +20,9 @@ window.slipbookExplorers = (() => {
         }
         return 0;
     };
+    // What the paper says of a start: of one with the speed p at the distance ρ, and the border at ρ.
+    const byThePaper = (speed, rho, paper) => speed < rho ? `By the paper’s border, for slow coins, it ${speed < paper ? 'rests' : 'escapes'}.`
+        : 'The paper’s border says nothing where p ≥ ρ.';
     // What lies between the paper's border C and the motion's, where C is the higher one.
     const wedge = (printed, found) => {
         const from = found.findIndex((_, i) => i % 2 === 0 && found[i] > 4.6);
@@ -218,7 +221,7 @@ window.slipbookExplorers = (() => {
                 says: 'The record drags it along. On the record the same path bends the other way.',
                 at: { rho: 0, u: 1.5, v: 0 },
             },
-            hint: 'Drag the coin or the tip of its velocity on the table, and let go; or focus a circle and use the arrow keys. The dashed circle is the paper’s border, (147).',
+            hint: 'Drag the coin or the tip of its velocity on the table, and let go; or focus a circle and use the arrow keys. A dashed circle is the paper’s border for slow coins, (147).',
             inputs: {
                 rho: { label: 'distance ρ', range: [0, 1.6], step: 0.01, start: 0.1 },
                 u: { label: 'velocity outwards', range: [-2, 2], step: 0.01, start: 1.4 },
@@ -260,7 +263,7 @@ window.slipbookExplorers = (() => {
                     ],
                     values: fate === 1 ? { fate: 'rest', 'σ (μg/Ω²)': fixed(sigma), 'τ (1/Ω)': fixed(tau) }
                         : { fate: fates(fate), 'certain at τ (1/Ω)': fixed(tau) },
-                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}): ${words}. By the paper’s border it ${Math.hypot(u, v) < paper ? 'rests' : 'escapes'}.`,
+                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}): ${words}. ${byThePaper(Math.hypot(u, v), rho, paper)}`,
                 };
             },
         },
@@ -287,30 +290,29 @@ window.slipbookExplorers = (() => {
                 { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.4], set, told }),
             show({ rho, u, v }, ask, { printed }) {
                 const { values: [fate, sigma, tau] } = ask(4, rho, u, v);
-                const paper = Math.hypot(u, v) < border(printed, rho) ? 'rests' : 'escapes';
                 return {
                     draw: [],
                     values: {},
-                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}) relative to the record ${FATES[fate](sigma, tau)}. By the paper’s formula for slow coins it ${paper}.`,
+                    says: `From ρ = ${fixed(rho, 2)} with the velocity (${fixed(u, 2)}, ${fixed(v, 2)}) relative to the record ${FATES[fate](sigma, tau)}. ${byThePaper(Math.hypot(u, v), rho, border(printed, rho))}`,
                 };
             },
         },
 
         escape: {
             name: 'How fast does it go?',
-            hint: 'Put the coin down at rest in the laboratory, at the distance that you choose by hand or below, and let the record drag it.',
+            hint: 'Put the coin down at rest in the laboratory, at a distance that you choose with the mouse or the slider, and let the record drag it.',
             predict: {
-                asks: 'First your guess: the coin slides off, and in the end its distance grows as',
-                options: ['τ', 'τ²', 'an exponential of τ'],
+                asks: 'First your guess: the coin slides off. Seen from the room, it circles the axis',
+                options: ['a last time, then it goes straight', 'for ever, more and more slowly', 'as fast as the record'],
                 right: 1,
-                says: 'The size of friction is constant, and so is that of the acceleration.',
+                says: 'Once each time the time has grown 85-fold: far out its path is a logarithmic spiral.',
                 at: {},
             },
             inputs: { rho: { label: 'distance ρ from the axis', range: [0.9, 2], step: 0.01, start: 1.1 } },
             // Each tends to a constant, if the power is right; dashed as printed.
             plots: () => LATE.map(([title, label, y]) => ({
                 title, label: `${label}, against the time in powers of ten.`,
-                x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y, height: 240,
+                x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y, height: 210,
             })),
             film: ({ rho }, ask, { narrow, set }) => scenes.record(ask(4, rho, 0, -rho), narrow, false, { range: [0.9, 2], set }),
             show({ rho }, ask, { printed }) {
@@ -339,7 +341,7 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Choose the friction, and drag the tip of the velocity. From λc on, at 0.537, the block rests in each half period; from 1 on for ever.',
             inputs: {
-                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.3 },
+                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.7 },
                 w: { label: 'velocity along', range: [-2, 2], step: 0.05, start: 0.5 },
                 across: { label: 'velocity across', range: [0, 2], step: 0.05, start: 1 },
             },
@@ -353,7 +355,7 @@ window.slipbookExplorers = (() => {
             film: ({ lambda, w, across }, ask, { narrow, set }) => scenes.plane(ask(13, lambda, w, across), narrow, [w, across], set),
             now: ({ lambda, w, across }, ask) => {
                 const { values: [step], curves: [, velocities, depths] } = ask(13, lambda, w, across);
-                return [i => [i * step, at(velocities, i)[1]], i => [i * step, Math.min(60, at(depths, i)[1])]];
+                return [i => [i * step, at(velocities, i)[1]], i => at(depths, i)[1] < 60 ? [i * step, at(depths, i)[1]] : null];
             },
             show({ lambda, w, across }, ask) {
                 const { values: [, , largest, rest, count, ...list], curves: [, periodic] } = ask(2, 1, lambda, w);
@@ -412,13 +414,13 @@ window.slipbookExplorers = (() => {
                 const signs = Array.from({ length: count }, (_, i) => list[3 * i]);
                 const rests = signs.filter(sign => sign === 0).length;
                 const most = Math.max(...column(shown, 1).map(Math.abs)), high = [0.5, 1, 2, 3].find(n => n >= most) || 5;
-                const many = rests === 0 ? 'no rest' : rests === 1 ? 'one rest' : `${rests} rests`;
+                const many = rests === 0 ? 'it never rests' : `${rests === 1 ? 'one rest' : `${rests} rests`} in each period`;
                 return {
                     draw: [{ y: [-high, high], marks: [{ points: shown, series: 1 }, { points: periodic, series: 2, dash: true }] }, {
                         marks: [{ points: drive, series: 3 }, ...[-lambda, lambda].map(y => ({ points: [0, y, 8 * Math.PI, y], dash: true, faint: true }))],
                     }],
                     values: { 'rests per period': String(rests), 'largest |𝔴|': fixed(largest), 'share of rest': fixed(rest) },
-                    says: `${eta ? `Pulses, η = ${fixed(eta, 2)}` : `Third harmonic ${fixed(third, 2)}`}, λ₀ = ${fixed(lambda, 3)}: ${many} in each period.`,
+                    says: `${eta ? `Pulses, η = ${fixed(eta, 2)}` : `Third harmonic ${fixed(third, 2)}`}, λ₀ = ${fixed(lambda, 3)}: ${many}.`,
                 };
             },
         },
@@ -429,7 +431,7 @@ window.slipbookExplorers = (() => {
                 asks: 'First your guess: a solid ball rests in the laboratory when the floor under it begins to swing, and soon it rolls. Seen from the laboratory it then swings',
                 options: ['as far as the floor', 'less far, with the floor', 'less far, against the floor'],
                 right: 1,
-                says: 'The friction that pushes the ball also turns it, so that it lags behind: 2/7 as far as the floor.',
+                says: 'The friction that pushes the ball also turns it, so that it lags behind: seen from the room, 2/7 as far as the floor.',
                 at: { lambda: 1.5, kappa: 0.4, u: -1, v: 0 },
             },
             hint: 'Choose the friction and the ball (κ is 0.4 if it is solid, 0.67 if hollow); drag the slip at the start, under the ball or in its plane, or focus a circle and use the arrow keys.',
@@ -440,7 +442,7 @@ window.slipbookExplorers = (() => {
                 v: { label: 'slip across', range: [-2, 2], step: 0.02, start: 1 },
             },
             plots: set => [{
-                title: 'slip w_x, centre v_x (dashed), grey: rolls',
+                title: 'slip w_x; dashed v_x on floor; grey: rolls',
                 label: 'Slip and velocity of the centre along the swing against the phase; where the ball rolls the ground is grey.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'velocity (A_0/ϖ)', range: [-2.5, 2.5] }, height: 240,
             }, {
@@ -470,7 +472,7 @@ window.slipbookExplorers = (() => {
                         { marks: [{ points: plane, series: 1 }], hand: [u, v], words: { now: u, text: `along ${fixed(u, 2)}, across ${fixed(v, 2)}: ${begins}` } },
                         { ...around(path, 0.8), marks: [{ points: path, series: 2 }, { points: [0, 0], dots: 4 }] },
                     ],
-                    values: { b: fixed(b), 'first rolls at φ': first < 0 ? 'not within 8π' : fixed(first), 'share of rolling, last period': fixed(share), '|slip| at 8π': fixed(slip) },
+                    values: { 'b = 1 + 1/κ': fixed(b), 'first rolls at φ': first < 0 ? 'not within 8π' : fixed(first), 'share of rolling, last period': fixed(share), '|slip| at 8π': fixed(slip) },
                     says: `λ₀ = ${fixed(lambda, 2)}, κ = ${fixed(kappa, 2)}: ${begins}; in the last of four periods it rolls for ${fixed(100 * share, 1)} % of the time.`,
                 };
             },

@@ -197,13 +197,14 @@ window.slipbookScenes = (() => {
             };
             const [rho] = at(table, 0), from = right + scale * rho;
             const start = [];
+            const tip = velocity && reached(from, y, scale * velocity[0], -scale * velocity[1], size);
             if (velocity) {
                 const around = border.map((c, i) => i % 2 ? y - scale * c : from + scale * c);
                 const low = Math.max(...around.filter((_, i) => i % 2));
                 const middle = around.filter((_, i) => i % 2 === 0).reduce((sum, x, _, all) => sum + x / all.length, 0);
                 if (told && around.length) start.push(path('border', `${line(around)}Z`));
                 if (told && paper) start.push(disc('printed', from, y, scale * paper));
-                start.push(...arrow(from, y, scale * velocity[0], -scale * velocity[1], 'velocity'));
+                start.push(...arrow(from, y, tip[0] - from, tip[1] - y, 'velocity'));
                 if (alone && told && around.length) start.push(note(middle, Math.min(low - 14, 326), 'rests'));
                 if (alone && told && paper) start.push(note(from, y - scale * paper - 8, 'the paper’s'));
                 if (alone && told) start.push(note(right, y - RADIUS * scale + 22, 'flies off'));
@@ -213,7 +214,7 @@ window.slipbookScenes = (() => {
                 move: px => set({ rho: (px - right) / scale }),
                 step: (dx, dy) => set({ rho: [dx + dy] }),
             }, ...(velocity ? [{
-                at: reached(from, y, scale * velocity[0], -scale * velocity[1], size), label: 'the velocity at the start', range: [-2.5, 2.5], now: velocity[1],
+                at: tip, label: 'the velocity at the start', range: [-2.5, 2.5], now: velocity[1],
                 text: `outwards ${SlipbookPlot.fixed(velocity[0], 2)}, along the turning ${SlipbookPlot.fixed(velocity[1], 2)}`,
                 move: (px, py) => set({ u: (px - from) / scale, v: (y - py) / scale }),
                 step: (du, dv) => set({ u: [du], v: [dv] }),

@@ -162,7 +162,7 @@
             const box = host.querySelector('.predict'), buttons = [...box.querySelectorAll('button')];
             buttons.forEach((button, i) => button.addEventListener('click', () => {
                 buttons.forEach(other => other.setAttribute('aria-pressed', other === button));
-                box.querySelector('[role=status]').textContent = `${i === right ? 'Yes.' : `No: ${options[right]}.`} ${says}`;
+                box.querySelector('[role=status]').textContent = `${i === right ? 'Yes.' : `No: ${options[right].replace(/^It /, 'it ')}.`} ${says}`;
                 // What was asked about is what one sees.
                 curtain = true;
                 host.classList.add('guessed');
@@ -236,7 +236,10 @@
             const [shown, now, film] = made;
             panels.forEach((panel, i) => panel.draw(shown.draw[i]));
             places = now;
-            stage?.load({ ...film, alone: !explorer.asksFirst }, !anew);
+            // A film that answers the question waits for the guess.
+            const asked = Object.entries(explorer.predict?.at || {});
+            const answers = asked.length > 0 && asked.every(([key, value]) => state[key] === value);
+            stage?.load({ ...film, alone: !explorer.asksFirst && !answers }, !anew);
             anew = false;
             host.querySelector('dl').innerHTML = Object.entries(shown.values)
                 .map(([term, value]) => `<div><dt>${term.replace(/_(.)/g, '<sub>$1</sub>')}</dt><dd>${value}</dd></div>`).join('');
@@ -309,5 +312,6 @@
     hosts.forEach(host => near.observe(host.nextElementSibling));
     const linked = () => hosts.some(host => location.hash.startsWith(`#${host.id}`)) && open();
     addEventListener('hashchange', linked);
-    linked();
+    // The address says where to, also when the page is loaded again.
+    if (linked()) history.scrollRestoration = 'manual';
 })();

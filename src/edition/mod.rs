@@ -51,6 +51,14 @@ pub static EDITION: Edition = Edition {
             "methods.html#what-you-have-to-trust",
             &["who is right", "trust"],
         ),
+        (
+            "methods.html#how-a-verdict-comes-about",
+            &["proved", "argued", "measured"],
+        ),
+        (
+            "rest.html#boundary",
+            &["fly off", "flies off", "stay on", "stays on"],
+        ),
         ("constant.html#s21-portrait-consistent", &["undecided"]),
         ("constant.html#eq-11", &["v(θ)"]),
         ("constant.html#eq-13", &["θ(t)", "t(θ)"]),
@@ -117,7 +125,6 @@ pub static EDITION: Edition = Edition {
         ("eq-136", ESCAPE),
         ("eq-137", ESCAPE),
         ("eq-147", BETWEEN),
-        ("s4-psi-free", "rest.html#explore-rest?rho=0.54&u=0&v=-0.2"),
         ("s4-envelope-is-boundary", BETWEEN),
     ],
     breaks: |id| {

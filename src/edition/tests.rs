@@ -317,7 +317,7 @@ fn addresses_stay() {
         let html = std::str::from_utf8(&files[page]).unwrap();
         assert!(
             html.contains(&format!(" id=\"{id}\"")),
-            "tests/data/addresses.txt, line {line}: {address} leads nowhere; `moved` in src/edition/mod.rs may say where it is now"
+            "tests/data/addresses.txt, line {line}: {address} leads nowhere; `MOVED` in src/edition/pages.rs says where what has moved is now"
         );
     }
     let old = EDITION.moved.iter().filter(|(from, _)| !from.contains('#'));

@@ -20,10 +20,12 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     ])
 }
 
-/// Three escapes, over seven decades of the time.
+/// A, α and ψ at the start of three escapes.
+const LAUNCHES: [(f64, f64, f64); 3] = [(1.2, 0.3, 1.0), (2.0, 0.5, -1.0), (8.0, 1.0, 2.0)];
+
+/// These, over seven decades of the time.
 fn moments() -> Result<Vec<Vec<Late>>, AllFiguresError> {
-    let launches = [(1.2, 0.3, 1.0), (2.0, 0.5, -1.0), (8.0, 1.0, 2.0)];
-    let all: Result<_, MotionError> = launches
+    let all: Result<_, MotionError> = LAUNCHES
         .into_iter()
         .map(|(a, alpha, psi)| {
             let flight = Flight::new(Launch { a, alpha, psi }, 1e8)?;
@@ -219,7 +221,12 @@ pub fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureError> {
             let points = escape
                 .iter()
                 .map(|&[x, y]| if inside(y) { [x, y] } else { [x, f64::NAN] });
-            panel = panel.curve(Curve::new(points).series(n));
+            let mut curve = Curve::new(points).series(n);
+            // Named once, where there is room.
+            if let (None, Some((a, ..))) = (quantity.printed, LAUNCHES.get(n)) {
+                curve = curve.key(format!("from A = {a}"));
+            }
+            panel = panel.curve(curve);
         }
         plot = plot.panel(panel);
     }

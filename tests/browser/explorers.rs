@@ -195,16 +195,16 @@ fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure>
         ("periodic", [_, largest, rest, _, intervals @ ..]) => {
             let rests = intervals.chunks(3).filter(|i| i[0] == 0.0).count();
             let words = match rests {
-                0 => "no rest".to_owned(),
-                1 => "one rest".to_owned(),
-                _ => format!("{rests} rests"),
+                0 => "it never rests".to_owned(),
+                1 => "one rest in each period".to_owned(),
+                _ => format!("{rests} rests in each period"),
             };
             (
                 named(
                     &["rests per period", "largest |𝔴|", "share of rest"],
                     &[rests.to_string(), fixed(*largest), fixed(*rest)],
                 ),
-                format!(": {words} in each period."),
+                format!(": {words}."),
             )
         }
         ("escape", []) => {
@@ -231,7 +231,7 @@ fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure>
         // It says in a sentence what becomes of the coin.
         ("record", [of, sigma, tau, _]) => (
             Vec::new(),
-            format!("relative to the record {}. By the", fate(*of, *sigma, *tau)),
+            format!("relative to the record {}.", fate(*of, *sigma, *tau)),
         ),
         ("turntable" | "rest", [of, sigma, tau, _]) => {
             let [sigma_of, tau_of] = [*sigma, *tau].map(fixed);
@@ -260,7 +260,7 @@ fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure>
             (
                 named(
                     &[
-                        "b",
+                        "b = 1 + 1/κ",
                         "first rolls at φ",
                         "share of rolling, last period",
                         "|slip| at 8π",
@@ -755,10 +755,11 @@ fn guess(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
         );
         let begins = match explorer.value(&format!("slipbookExplorers.{name}.predict.right"))? {
             right if right == i => "Yes.".to_owned(),
-            _ => format!(
-                "No: {}.",
-                explorer.value(&right)?.as_str().unwrap_or_default()
-            ),
+            _ => {
+                let right = explorer.value(&right)?;
+                let right = right.as_str().unwrap_or_default();
+                format!("No: {}.", right.replacen("It ", "it ", 1))
+            }
         };
         if !told.starts_with(&begins) {
             return Err(format!("{name}: the guess {i} is answered with {told}"));

@@ -404,7 +404,10 @@ fn reasons(ledger: &Ledger) -> Result<(), Failed> {
     if lacking.is_empty() && idle.is_empty() {
         return Ok(());
     }
-    Err(format!("no proof and no reason: {lacking:?}; a reason though proved: {idle:?}").into())
+    Err(format!(
+        "neither `unproved` nor a proof with `whole` or `argument`: {lacking:?}; `unproved` though there is one: {idle:?}"
+    )
+    .into())
 }
 
 /// Every snapshot of a topic's folder belongs to a claim of that topic, or is the README's picture.

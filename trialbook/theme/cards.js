@@ -32,7 +32,7 @@
         }
         const address = target.getAttribute('href');
         const claim = claims.find(claim => claim.at === address || address === `#${claim.id}`);
-        return claim && `<p>${named(claim)}</p><p class="formula">${claim.formula}</p><p>${escape(claim.says)}</p>`;
+        return claim && `<p>${named(claim)}</p><p class="formula">${claim.formula}</p><p>${escape(claim.says).replace(/(\d)e-(\d+)/, '$1 × 10<sup>−$2</sup>')}</p>`;
     }
 
     const card = document.createElement('div');

@@ -8,8 +8,8 @@
         pi: 'π', rho: 'ρ', sigma: 'σ', tau: 'τ', phi: 'φ', psi: 'ψ', omega: 'ω', varpi: 'ϖ', sqrt: '√' };
     const HIGH = '⁰¹²³⁴⁵⁶⁷⁸⁹', LOW = '₀₁₂₃₄₅₆₇₈₉';
     // What one says around the name of what one means, and what one asks about it.
-    const AROUND = new Set(['eq', 'equation', 'the', 'a', 'an', 'this', 'in', 'of', 'paper']);
-    const ASKED = new Set(['what', 'is', 'are', 'does', 'right', 'wrong', 'true', 'false', 'correct', 'hold', 'proof', 'prove']);
+    const AROUND = new Set(['eq', 'equation', 'the', 'a', 'an', 'this', 'in', 'of', 'with', 'paper']);
+    const ASKED = new Set(['what', 'is', 'are', 'does', 'right', 'wrong', 'true', 'false', 'correct', 'hold', 'proof', 'prove', 'mean', 'means']);
     // However it is typed: `λ_c`, `lambda c` and `λc` are the same, `Y` and `y` are not.
     const letters = text => text.replace(/[A-Za-z]+/g, name => GREEK[name.toLowerCase()] || name);
     const flat = text => letters(text)
@@ -54,7 +54,9 @@
     const { prototype } = elasticlunr.Index;
     const byWords = prototype.search;
     prototype.search = function (asked, options) {
-        const found = byWords.call(this, asked, options);
+        const all = byWords.call(this, asked, options);
+        // Where no place has every word, those that have the most of them.
+        const found = all.length ? all : byWords.call(this, asked, { ...options, bool: 'OR' });
         const first = [...new Set([named, valued, written].flatMap(look => look(asked)))];
         const result = ref => found.find(one => one.ref === ref) || { ref, score: 0, doc: this.documentStore.getDoc(ref) };
         return [...first.map(result), ...found.filter(one => !first.includes(one.ref))];

@@ -121,6 +121,15 @@ fn every_correction_is_the_formula_of_the_code() {
 }
 
 #[test]
+fn every_line_of_the_tables_is_of_a_claim() {
+    let numbered = table::PRINTED.iter().map(|line| format!("eq-{}", line.0));
+    let ids = numbered.chain(table::CORRECTED.iter().map(|line| line.0.to_owned()));
+    let known: BTreeSet<_> = PAPER.claims().map(|(_, claim)| claim.id).collect();
+    let idle: BTreeSet<_> = ids.filter(|id| !known.contains(&**id)).collect();
+    assert!(idle.is_empty(), "lines of table.rs of no claim: {idle:?}");
+}
+
+#[test]
 fn every_formula_in_the_words_of_a_row_is_understood() {
     let mut failures = Vec::new();
     for (_, claim) in PAPER.claims().filter(|(_, claim)| claim.equation.is_none()) {

@@ -33,7 +33,7 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, 
     Ok(format!(
         "<article class=\"claim {slug}\" aria-labelledby=\"{id}\"><div class=\"claim-head\">\
          <h3 id=\"{id}\" class=\"claim-title\"><a class=\"header\" href=\"#{id}\">{heading}</a></h3>{verdict}</div>\
-         {wrong}{stated}<details class=\"evidence\" id=\"{id}-evidence\"><summary>{brief}</summary>\
+         {wrong}{stated}<details class=\"evidence\" id=\"{id}-evidence\"><summary>{given}{brief}</summary>\
          <p class=\"claim-place\">Section {section}, {kind} <a class=\"permalink\" href=\"#{id}\">#{id}</a></p>\
          <p class=\"claim-ground\">{ground}</p>{behind}</details></article>\n",
         slug = judgement.verdict.slug(),
@@ -41,6 +41,7 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, 
         heading = maths.words(&heading(claim))?,
         verdict = verdict(judgement.verdict),
         stated = statements(context, entry)?,
+        given = given(context, claim)?,
         brief = maths.words(&sentence(&entry.brief()))?,
         section = escape(claim.section),
         kind = claim.kind.name(),
@@ -106,16 +107,16 @@ fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         return Ok(statement(context, claim, claim.latex)? + &by_hand(context, entry)?);
     };
     let changed = match correction.change {
-        Change::Sign => "a sign",
-        Change::Factor => "a factor",
-        Change::Symbol => "a symbol",
-        Change::Statement => "the statement",
+        Change::Sign => " (changed: a sign)",
+        Change::Factor => " (changed: a factor)",
+        Change::Symbol => " (changed: a symbol)",
+        Change::Statement => "",
     };
     let [old, new] = forms(context, claim, correction.latex)?;
     Ok(format!(
         "<div class=\"{}\">\
          <div class=\"printed\"><p class=\"claim-label\">As printed</p>{old}</div>\
-         <div class=\"corrected\"><p class=\"claim-label\">As corrected (changed: {changed})</p>{new}</div>\
+         <div class=\"corrected\"><p class=\"claim-label\">As corrected{changed}</p>{new}</div>\
          </div>{}",
         side_by_side([&old, &new]),
         by_hand(context, entry)?
@@ -198,6 +199,16 @@ fn by_hand(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
         context.maths.words(&sentence(&case.words()?))?,
         context.watch(entry.claim.id)
     ))
+}
+
+/// The conditions that are stated with a claim, in a line.
+fn given(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
+    let stated = claim.conditions.iter().filter(|c| c.sort == Sort::Stated);
+    let stated: Result<Vec<_>, _> = stated.map(|c| context.maths.words(c.text)).collect();
+    Ok(match stated?.join("; ") {
+        none if none.is_empty() => none,
+        stated => format!("Given {stated}. "),
+    })
 }
 
 fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {

@@ -59,15 +59,15 @@ fn item(context: &Context<'_>, erratum: &Erratum) -> Result<String, Fault> {
         verdict = verdict(erratum.verdict),
     );
     let wrong = maths.words(&erratum.wrong)?;
+    html += &format!("<p><strong>{wrong}</strong></p>");
     let watch = context.watch(erratum.id);
-    html += &format!("<p><strong>{wrong}</strong>{watch}</p>");
-    for (label, words) in [
-        ("Reason", Some(&erratum.reason)),
-        ("By hand", erratum.case.as_ref()),
+    for (label, words, watch) in [
+        ("Reason", Some(&erratum.reason), ""),
+        ("By hand", erratum.case.as_ref(), watch.as_str()),
     ] {
         if let Some(words) = words.filter(|words| !words.is_empty()) {
             html += &format!(
-                "<p><strong>{label}:</strong> {}.</p>",
+                "<p><strong>{label}:</strong> {}.{watch}</p>",
                 maths.words(&sentence(words))?
             );
         }

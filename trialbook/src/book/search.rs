@@ -233,6 +233,9 @@ impl Search {
                 ) {
                     to.push(' ');
                 }
+                if name == "sup" && !closes {
+                    to.push('^');
+                }
                 *to += &unescape(text);
             }
         }

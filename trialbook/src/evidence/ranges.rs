@@ -51,7 +51,11 @@ impl Ranges {
     pub fn words(&self) -> Option<String> {
         let told = !self.mixed && (1..=MOST).contains(&self.coordinates.len());
         let words = |(name, [low, high]): &(String, [f64; 2])| {
-            let [from, to] = [short(*low), short(*high)];
+            let [mut from, to] = [short(*low), short(*high)];
+            // As where λ > 1 is stated, and points lie as close to 1 as a number can.
+            if from == "1" && *low > 1.0 {
+                from = "just above 1".to_owned();
+            }
             match from == to {
                 true => format!("{name} = {from}"),
                 false => format!("{name} from {from} to {to}"),

@@ -225,7 +225,7 @@ impl Expr {
             Node::Binary(Binary::Mul | Binary::Div, ..) => 3,
             Node::Binary(Binary::Pow, ..) => 4,
             // One symbol, such as qλ₀, that looks like a product.
-            Node::Symbol(name) if letters_meet(name) => 3,
+            Node::Symbol(name) if letters_meet(name) => 4,
             Node::Call(..) | Node::Int(_) | Node::Pi | Node::Symbol(_) => 5,
         }
     }
@@ -239,13 +239,15 @@ impl Expr {
     }
 }
 
-/// Whether two letters stand side by side.
+/// Whether two letters stand side by side, outside brackets.
 fn letters_meet(name: &str) -> bool {
-    let letter = name.chars().map(char::is_alphabetic);
+    let index = |c: char| ('ₐ'..='ₜ').contains(&c);
+    let letter = name.chars().map(|c| c.is_alphabetic() && !index(c));
     letter
         .clone()
         .zip(letter.skip(1))
         .any(|pair| pair == (true, true))
+        && !name.starts_with('(')
 }
 
 /// The formula in plain text, with as few parentheses as it needs.

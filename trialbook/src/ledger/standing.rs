@@ -73,7 +73,11 @@ impl Entry {
             None
         } else if whole.iter().any(|e| e.is_in_words()) || is_proof && !claim.argument.is_empty() {
             Some(Standing::Argued)
-        } else if is_formula && is_covered && !TENDS.iter().any(|tends| latex.contains(tends)) {
+        } else if claim.whole
+            && is_formula
+            && is_covered
+            && !TENDS.iter().any(|tends| latex.contains(tends))
+        {
             Some(Standing::Proved)
         } else {
             Some(Standing::Measured)
@@ -105,6 +109,7 @@ mod tests {
             kind: Kind::Equation,
             latex: "a=b",
             argument: "",
+            whole: true,
             ..*entry.claim
         }));
         for (base, at, standing) in [
@@ -162,6 +167,7 @@ mod tests {
                 kind,
                 latex,
                 argument,
+                whole: true,
                 ..*entry.claim
             }));
             assert_eq!(
@@ -169,6 +175,14 @@ mod tests {
                 Some(standing),
                 "{kind:?} {latex} {argument}"
             );
+            // What is not said of it does not count.
+            let unsaid = Claim {
+                whole: false,
+                ..*entry.claim
+            };
+            let claim = std::mem::replace(&mut entry.claim, Box::leak(Box::new(unsaid)));
+            assert_ne!(entry.standing(), Some(Proved));
+            entry.claim = claim;
             entry.evidence[0].partial = true;
             assert_eq!(entry.standing(), None);
         }

@@ -151,6 +151,9 @@ pub struct Claim {
     /// What no program checks of its proof, in words: why what is checked is enough. Empty where that is the whole statement,
     /// and where the proof itself says it between its steps.
     pub argument: &'static str,
+    /// Whether what its proof checks is the whole statement: a proof of which this is not said, and no `argument`, counts for
+    /// nothing more than a comparison.
+    pub whole: bool,
     /// How it is tried.
     #[cfg(feature = "trials")]
     pub trials: &'static [Attempt],

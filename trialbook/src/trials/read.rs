@@ -18,7 +18,7 @@
 //! ```
 //!
 //! An entry may also have `kind`, `section`, `plain` and `corrected-plain`, where the plain text that is computed reads badly,
-//! `argument`, `unproved`, `by-hand`, `values`, `survivors`, `cornered` and `unread`: as [`Claim`] has them. A reason of
+//! `argument`, `whole`, `unproved`, `by-hand`, `values`, `survivors`, `cornered` and `unread`: as [`Claim`] has them. A reason of
 //! a single word is a name. Text in `'''…'''` may be broken into lines.
 
 use super::attempt::Attempt;
@@ -231,6 +231,8 @@ struct Entry {
     corrected_plain: Option<String>,
     argument: Option<Spanned<String>>,
     #[serde(default)]
+    whole: bool,
+    #[serde(default)]
     trials: Vec<Spanned<Tried>>,
     unproved: Option<Spanned<String>>,
     by_hand: Option<Spanned<Worked>>,
@@ -428,6 +430,7 @@ impl Reader<'_> {
             })?,
             correction,
             argument: reason(entry.argument)?.unwrap_or_default(),
+            whole: entry.whole,
             trials: each(entry.trials, |tried| self.attempt(tried))?,
             unproved: reason(entry.unproved)?,
             by_hand: entry

@@ -82,9 +82,10 @@ fn prove(
         Err(error) => Proof::impossible(title, error),
         Ok(body) => Proof::of(title, &body.ring, |p| {
             match friction {
-                Force::Sliding => p.note("Friction", "F = −k m w/|w| at the contact, k = μg"),
+                Force::Sliding => p.note("Friction", "F = −μ m g w/|w| at the contact"),
                 Force::Any => p.note("Friction", "any force F at the contact"),
             }
+            p.remark("k stands for μ g");
             p.note("Newton", "m dv/dt = F − m A");
             p.note("Euler", "I dω/dt = (R F_y, −R F_x, 0)");
             steps(p, &body)
