@@ -81,5 +81,6 @@
     main.addEventListener('focusin', event => event.target.matches('p a[href*="#"], li a[href*="#"]') && soon(event.target, () => show(event.target), 400));
     main.addEventListener('focusout', event => event.target === shown && !card.contains(event.relatedTarget) && hide());
     addEventListener('keydown', event => event.key === 'Escape' && hide());
-    addEventListener('scroll', hide, { passive: true });
+    // What is focused from the keyboard scrolls into view first.
+    addEventListener('scroll', () => shown && hide(), { passive: true });
 })();
