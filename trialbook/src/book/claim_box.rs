@@ -207,7 +207,7 @@ fn given(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
     let stated: Result<Vec<_>, _> = stated.map(|c| context.maths.words(c.text)).collect();
     Ok(match stated?.join("; ") {
         none if none.is_empty() => none,
-        stated => format!("Given {stated}. "),
+        stated => format!("Stated: {stated}. "),
     })
 }
 
