@@ -182,7 +182,7 @@
         const bar = document.createElement('div');
         bar.className = 'filter';
         const ledger = tables[0].matches('.ledger');
-        bar.innerHTML = `<label>Only rows with <input type="search" autocomplete="off" placeholder="${ledger ? 'inherits, 2.2, τ' : '0.537, τ'}"></label>
+        bar.innerHTML = `<label>Only rows with <input type="search" autocomplete="off" placeholder="${ledger ? 'inherits, τ' : '0.537, τ'}"></label>
             ${ledger ? '<label><input type="checkbox"> numbered only</label>' : ''} <span role="status"></span>`;
         const [field, numbered] = all('input', bar), said = bar.querySelector('span');
         const kinds = (ledger ? all('.counts .verdict') : []).map(mark => {
