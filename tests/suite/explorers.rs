@@ -168,6 +168,18 @@ fn a_coin_that_is_kept_has_no_late_times() {
     assert!(kept[0].last().is_none_or(|point| point[0] < 1.0));
 }
 
+/// To within the first correction at τ = 10⁴, some (ln τ)/τ.
+#[test]
+fn a_coin_that_goes_away_comes_near_the_late_laws() {
+    let value = |id| PAPER.value(id).unwrap().number().unwrap();
+    let limits = [value("p"), value("a"), 2.0, 0.75 * SQRT_2];
+    let curves = turntable::growth(1.1).unwrap().curves;
+    for (curve, limit) in curves.iter().zip(limits) {
+        let last = curve[curve.len() - 1][1];
+        assert!((last / limit - 1.0).abs() < 3e-3, "{last} {limit}");
+    }
+}
+
 /// What the explorers ask the reader to guess.
 #[test]
 fn the_guesses_have_the_answers_that_are_given() {
