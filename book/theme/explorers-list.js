@@ -36,13 +36,17 @@ window.slipbookExplorers = (() => {
         '0': (_, tau) => `it goes away for ever, which is certain ${tau < 5e-5 ? 'at once' : `after τ = ${fixed(tau)}`}`,
         '-1': () => 'the start is so near the boundary that rounding decides',
     };
-    // What an escape is watched by: title, label and axis of a plot, and the name of the quantity.
-    const LATE = [
-        ['ρ/τ², (136)', 'The distance over the square of the time', 'ρ/τ²', [0.1, 0.3]],
-        ['A/τ√τ, (132)', 'A over the time to the power of three halves', 'A/τ√τ', [0.2, 0.5]],
-        ['(π/2 − ψ) τ, (134)', 'What ψ is short of a right angle, times the time', '(π/2 − ψ) τ', [0, 6]],
-        ['cosh α cosh 2α/A, (129)', 'The quotient of the two sides of (129)', 'cosh α cosh 2α/A', [0.8, 1.6]],
-    ].map(([title, label, quantity, range]) => [`${title}; dashed: printed`, label, { label: quantity, range }, quantity]);
+    // What an escape is watched by: the quantities, in the order of the answer and of what is printed, and their plots: title, label,
+    // axis, and which quantities.
+    const LATE = ['ρ/τ²', '(π/2 − ψ) τ', 'A²/τ³', 'cosh α cosh 2α/A', 'τ dα/dτ'];
+    const GROWTH = [
+        ['ρ/τ², (136)', 'The distance over the square of the time', 'ρ/τ²', [0.1, 0.3], [0]],
+        ['(π/2 − ψ) τ, (134)', 'What ψ is short of a right angle, times the time', '(π/2 − ψ) τ', [0, 6], [1]],
+        ['A²/τ³, (132)', 'The square of A over the cube of the time', 'A²/τ³', [0.1, 0.25], [2]],
+        ['(128) and (129)', 'The time times the rate of α, and the quotient of the two sides of (129)', '', [-0.5, 1.5], [4, 3]],
+    ];
+    // What is shown at distances in powers of ten is seen from above: their circles, of which that of 1/10 is the axis.
+    const RINGS = [[1, '1'], [4, '10³'], [7, '10⁶']];
     const fates = fate => fate === 1 ? 'rest' : fate ? 'undecided' : 'escape';
 
     // Ends of two axes that hold the points and the origin, in steps, so that they do not jump with every move.
@@ -63,6 +67,9 @@ window.slipbookExplorers = (() => {
         }
         return { x: [-100, 100], y: [-100 * shape, 100 * shape] };
     }
+
+    // The distance from the axis over the time, along a path on the table.
+    const distance = ({ values, curves: [table] }) => column(table, 0).flatMap((x, i) => [i * values.at(-1), Math.hypot(x, table[2 * i + 1])]);
 
     // From when to when the ball rolls.
     const rolling = ({ values: [, , , , count, ...list] }) => Array.from({ length: count }, (_, i) => list.slice(2 * i, 2 * i + 2));
@@ -150,7 +157,7 @@ window.slipbookExplorers = (() => {
             },
             plots: set => [{
                 title: 'regions, by the motion itself', label: 'The map of the regions I to V, with the chosen point.',
-                x: { label: 'q', range: [1, 12] }, y: { label: 'qλ_0', range: [0, 2] }, height: 240,
+                x: { label: 'q', range: [1, 12] }, y: { label: 'qλ_0', range: [0, 2] }, height: 210,
                 hand: {
                     label: 'friction at the chosen point of the map', range: [0.01, 1.2],
                     move: (q, backwards) => set({ q, lambda: backwards / Math.min(12, Math.max(1, q)) }),
@@ -158,10 +165,10 @@ window.slipbookExplorers = (() => {
                 },
             }, {
                 title: '𝔴: from the start, and periodic (dashed)', label: 'Velocity against phase over four periods.',
-                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴' }, height: 240,
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴' }, height: 210,
             }, {
                 title: 'one period: + forth, − back, 0 rest', label: 'One period of the periodic motion, with its intervals.',
-                x: { label: 'φ since the first start' }, y: { label: '𝔴' }, height: 240,
+                x: { label: 'φ since the first start' }, y: { label: '𝔴' }, height: 210,
             }],
             film: ({ q, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(8, q, lambda, w), narrow, q > 1, w, set),
             now: ({ q, lambda, w }, ask) => {
@@ -223,9 +230,9 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Drag the coin or the tip of its velocity on the table, and let go; or focus a circle and use the arrow keys. A dashed circle is the paper’s border for slow coins, (147).',
             inputs: {
-                rho: { label: 'distance ρ', range: [0, 1.6], step: 0.01, start: 0.1 },
-                u: { label: 'velocity outwards', range: [-2, 2], step: 0.01, start: 1.4 },
-                v: { label: 'along the turning', range: [-2.5, 1.5], step: 0.01, start: 0 },
+                rho: { label: 'distance ρ', range: [0, 1.6], step: 0.01, start: 1.2 },
+                u: { label: 'velocity outwards', range: [-2, 2], step: 0.01, start: -1.4 },
+                v: { label: 'along the turning', range: [-2.5, 1.5], step: 0.01, start: -0.6 },
             },
             plots: set => [{
                 title: 'start velocity; inside it rests', equal: true,
@@ -246,19 +253,19 @@ window.slipbookExplorers = (() => {
                 const { values, curves: [table] } = ask(4, rho, u, v);
                 return [null, i => [i * values.at(-1), Math.hypot(...at(table, i))]];
             },
-            show({ rho, u, v }, ask, { printed, moving }) {
-                const { values: [fate, sigma, tau, step], curves: [table] } = ask(4, rho, u, v);
+            show({ rho, u, v }, ask, { printed, moving }, ...beside) {
+                const { values: [fate, sigma, tau] } = ask(4, rho, u, v);
                 const [boundary = []] = ask.later(5, rho, Number(moving)).curves;
                 const paper = border(printed, rho);
                 const words = FATES[fate](sigma, tau);
                 const speed = { now: u, text: `outwards ${fixed(u, 2)}, along the turning ${fixed(v, 2)}: ${words}` };
-                const distance = column(table, 0).flatMap((x, i) => [i * step, Math.hypot(x, table[2 * i + 1])]);
-                const long = nice(distance.at(-2)), far = nice(Math.max(1.2, ...column(distance, 1)));
+                const paths = [ask(4, rho, u, v), ...beside].map(distance);
+                const long = nice(Math.max(...paths.map(path => path.at(-2)))), far = nice(Math.max(1.2, ...paths.flatMap(path => column(path, 1))));
                 return {
                     draw: [
                         { marks: [{ points: boundary, series: 1, fill: 0.2 }, { points: boundary, series: 1 },
                             ...(paper ? [{ points: circle(paper), dash: true }, { points: [0, paper + 0.06], text: '(147)' }] : [])], hand: [u, v], words: speed },
-                        { x: [0, long], y: [0, far], marks: [{ points: [0, 1, long, 1], dash: true, faint: true }, { points: distance, series: fate === 1 ? 1 : 2 },
+                        { x: [0, long], y: [0, far], marks: [{ points: [0, 1, long, 1], dash: true, faint: true }, ...paths.map((points, i) => ({ points, series: i ? 3 : fate === 1 ? 1 : 2 })),
                             ...(fate === 1 ? [{ points: [tau, sigma], series: 1, dots: 6 }] : [])] },
                     ],
                     values: fate === 1 ? { fate: 'rest', 'σ (μg/Ω²)': fixed(sigma), 'τ (1/Ω)': fixed(tau) }
@@ -305,26 +312,33 @@ window.slipbookExplorers = (() => {
                 asks: 'First your guess: the coin slides off. Seen from the room, it circles the axis',
                 options: ['a last time, then it goes straight', 'for ever, more and more slowly', 'as fast as the record'],
                 right: 1,
-                says: 'Once each time the time has grown 85-fold: far out its path is a logarithmic spiral.',
+                says: 'Once each time the time has grown 85-fold: far out its path is a logarithmic spiral, drawn below at distances in powers of ten.',
                 at: {},
             },
             inputs: { rho: { label: 'distance ρ from the axis', range: [0.9, 2], step: 0.01, start: 1.1 } },
-            // Each tends to a constant, if the power is right; dashed as printed.
-            plots: () => LATE.map(([title, label, y]) => ({
-                title, label: `${label}, against the time in powers of ten.`,
-                x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y, height: 210,
-            })),
+            // The first is seen from above; of the others each tends to a constant, if the power is right; dashed as printed.
+            plots: () => [{
+                title: 'from above, ρ in powers of ten', label: 'The path in the laboratory, at distances in powers of ten.', equal: true,
+                x: { label: '', range: [-15, 15], ticks: [] }, y: { label: '', range: [-9, 9], ticks: [] },
+            }, ...GROWTH.map(([title, label, quantity, range], i) => ({
+                title: `${title}; dashed: printed`, label: `${label}, against the time in powers of ten.`,
+                x: { label: 'τ', range: [0.5, 4], ticks: [[1, '10'], [2, '10²'], [3, '10³'], [4, '10⁴']] }, y: { label: quantity, range }, height: i ? 160 : 190,
+            }))],
             film: ({ rho }, ask, { narrow, set }) => scenes.record(ask(4, rho, 0, -rho), narrow, false, { range: [0.9, 2], set }),
             show({ rho }, ask, { printed }) {
-                const { curves } = ask(10, rho);
-                const many = printed.length / 3;
-                const dashed = [0, 1, 2].map(i => printed.slice(i * many, (i + 1) * many));
-                // A quotient of the two sides of (129).
-                dashed.push([0.5, 1, 4, 1]);
+                const curves = [...ask(10, rho).curves], path = curves.pop(), many = printed.length / LATE.length;
+                const dashed = LATE.map((_, i) => printed.slice(i * many, (i + 1) * many));
                 const ends = curves.map((curve, i) => [fixed(curve.at(-1)), fixed(dashed[i].at(-1))]);
                 return {
-                    draw: curves.map((curve, i) => ({ marks: [{ points: curve, series: 1 }, { points: dashed[i], dash: true }] })),
-                    values: Object.fromEntries(ends.map(([found, stated], i) => [`${LATE[i][3]} at τ = 10⁴`, `${found}, printed ${stated}`])),
+                    draw: [
+                        { marks: [...RINGS.flatMap(([r, text]) => [{ points: circle(r), faint: true }, { points: [0, 0.25 - r], text }]),
+                            { points: path, series: 1 }, { points: path.slice(-2), series: 1, dots: 5 }] },
+                        ...GROWTH.map(([, , , , which]) => ({
+                            marks: which.flatMap((k, n) => [{ points: curves[k], series: n + 1 }, { points: dashed[k], dash: true },
+                                ...(which.length > 1 ? [{ points: [3.2, curves[k].at(-1) + 0.1], text: LATE[k] }] : [])]),
+                        })),
+                    ],
+                    values: Object.fromEntries(ends.map(([found, stated], i) => [`${LATE[i]} at τ = 10⁴`, `${found}, printed ${stated}`])),
                     says: `Put down at ρ = ${fixed(rho, 2)}: at τ = 10⁴ the distance is ${ends[0][0]} τ², and not ${ends[0][1]} τ².`,
                 };
             },
@@ -339,7 +353,7 @@ window.slipbookExplorers = (() => {
                 says: 'Each time the motion along the stroke turns round, all of the friction acts across.',
                 at: { lambda: 0.3, w: 0.5, across: 1 },
             },
-            hint: 'Choose the friction, and drag the tip of the velocity. From λc on, at 0.537, the block rests in each half period; from 1 on for ever.',
+            hint: 'Choose the friction, and drag the tip of the velocity. From λ<sub>c</sub> = 0.537 on the block rests in each half period, from 1 on for ever.',
             inputs: {
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.7 },
                 w: { label: 'velocity along', range: [-2, 2], step: 0.05, start: 0.5 },
@@ -347,10 +361,10 @@ window.slipbookExplorers = (() => {
             },
             plots: () => [{
                 title: '𝔴 along; periodic motion dashed', label: 'Velocity along the drive against phase over four periods.',
-                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴' }, height: 240,
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴' }, height: 210,
             }, {
                 title: '−ln 𝔴_y across; exponential dashed', label: 'The negative logarithm of the velocity across against phase, and that of an exponential decay, as the paper has it.',
-                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '−ln 𝔴_y', range: [-1, 60] }, height: 240,
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '−ln 𝔴_y', range: [-1, 60] }, height: 210,
             }],
             film: ({ lambda, w, across }, ask, { narrow, set }) => scenes.plane(ask(13, lambda, w, across), narrow, [w, across], set),
             now: ({ lambda, w, across }, ask) => {
@@ -383,7 +397,7 @@ window.slipbookExplorers = (() => {
         periodic: {
             name: 'Shake it in another rhythm.',
             predict: {
-                asks: 'First your guess: the tray shakes with λ₀ = 0.08, and the block rests twice in each period. Twice as much friction makes these rests',
+                asks: 'First your guess: to a sine its third harmonic is added, 1.5 times as strong. With λ₀ = 0.08 the block rests twice in each period. Twice as much friction makes these rests',
                 options: ['longer', 'shorter', 'disappear'],
                 right: 2,
                 says: 'More friction lifts the shallow loops of the velocity away from zero. The rests come back where it is much larger.',
@@ -398,10 +412,10 @@ window.slipbookExplorers = (() => {
             },
             plots: () => [{
                 title: '𝔴: from the start, and periodic (dashed)', label: 'Velocity against phase over four periods.',
-                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴', range: [-2, 2] }, height: 240,
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '𝔴', range: [-2, 2] }, height: 210,
             }, {
                 title: 'the drive h', label: 'The inertial force against phase over four periods, and the friction.',
-                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'h', range: [-1.2, 1.2] }, height: 240,
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'h', range: [-1.2, 1.2] }, height: 210,
             }],
             film: ({ third, lambda, w, eta }, ask, { narrow, set }) => scenes.tray(ask(12, third, lambda, w, eta), narrow, false, w, set),
             now: ({ third, lambda, w, eta }, ask) => {
@@ -444,7 +458,7 @@ window.slipbookExplorers = (() => {
             plots: set => [{
                 title: 'slip w_x; dashed v_x on floor; grey: rolls',
                 label: 'Slip and velocity of the centre along the swing against the phase; where the ball rolls the ground is grey.',
-                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'velocity (A_0/ϖ)', range: [-2.5, 2.5] }, height: 240,
+                x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'velocity (A_0/ϖ)', range: [-2.5, 2.5] }, height: 210,
             }, {
                 title: 'slip in the plane', label: 'The slip velocity in its plane.', equal: true,
                 x: { label: 'w_x', range: [-2.5, 2.5] }, y: { label: 'w_y', range: [-2, 2] },
@@ -478,9 +492,10 @@ window.slipbookExplorers = (() => {
             },
         },
     };
-    // The same record, with a second coin a hair farther out: the border runs between the two.
+    // The same record, with a second coin a hair farther out, as fast in the laboratory: the border runs between the two.
     const { turntable } = explorers;
     const HAIR = 0.01;
+    const second = ({ rho, u, v }, ask) => ask.beside(4, rho + HAIR, u, v - HAIR);
     explorers.rest = {
         ...turntable,
         name: 'On the border.',
@@ -497,9 +512,16 @@ window.slipbookExplorers = (() => {
             u: { ...turntable.inputs.u, start: 0 },
             v: { ...turntable.inputs.v, start: -0.87 },
         },
-        film: ({ rho, u, v }, ask, { printed, moving, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
-            { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set,
-                beside: ask.beside(4, rho + HAIR, u, v) }),
+        film: (state, ask, { printed, moving, set, narrow }) => {
+            const { rho, u, v } = state;
+            return scenes.record(ask(4, rho, u, v), narrow, false, { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho),
+                velocity: [u, v], range: [0, 1.6], set, beside: second(state, ask) });
+        },
+        show(state, ask, more) {
+            const other = second(state, ask), [fate, sigma, tau] = other.values;
+            const shown = turntable.show(state, ask, more, other);
+            return { ...shown, says: `${shown.says} A hair farther out ${FATES[fate](sigma, tau)}.` };
+        },
     };
     return explorers;
 })();

@@ -80,7 +80,7 @@ window.slipbookScenes = (() => {
             const both = [...places, ...alike], xs = both.filter((_, i) => i % 2 === 0), ys = both.filter((_, i) => i % 2);
             if (!held || !kept) kept = [Math.min(0, ...xs), Math.max(0, ...xs), Math.min(0, ...ys), Math.max(0, ...ys)];
             const [left, right, low, high] = kept;
-            const scale = Math.min(420, (wide - 200) / (right - left), 130 / (high - low));
+            const scale = Math.min(560, (wide - 200) / (right - left), 130 / (high - low));
             const put = (x, y) => [wide / 2 + (x - (left + right) / 2) * scale, 108 - (y - (low + high) / 2) * scale];
             const [x0, y0] = put(0, 0), [u0, v0] = velocities;
             return {

@@ -170,7 +170,7 @@
             }));
         }
 
-        let places = [], curtain = false;
+        let places = [], curtain = false, aim = null;
         const stage = explorer.film && new SlipbookStage(host.querySelector('.theatre'), host.querySelector(explorer.bare ? '.theatre' : '.controls'),
             i => panels.forEach((panel, k) => panel.now(places[k] && i > 0 ? places[k](i) : null)), () => drawn());
         if (stage && !told) {
@@ -244,6 +244,9 @@
             host.querySelector('dl').innerHTML = Object.entries(shown.values)
                 .map(([term, value]) => `<div><dt>${term.replace(/_(.)/g, '<sub>$1</sub>')}</dt><dd>${value}</dd></div>`).join('');
             host.querySelector('.says').textContent = shown.says;
+            // Its place is known when it has been drawn.
+            aim?.scrollIntoView({ block: 'center' });
+            aim = null;
             host.dataset.shown = address();
             if (ask.whole) host.dataset.whole = address();
             if (curtain) {
@@ -269,8 +272,10 @@
                 tell();
                 curtain = !matchMedia('(prefers-reduced-motion: reduce)').matches;
             }
+            aim = panels[linked ? given.get('plot') - 1 : -1]?.svg;
+            for (const { svg } of panels) svg.classList.toggle('aimed', svg === aim);
             draw();
-            if (id === host.id) host.scrollIntoView();
+            if (id === host.id && !aim) host.scrollIntoView();
         };
         host.addEventListener('input', event => event.target.name in inputs && set({ [event.target.name]: Number(event.target.value) }));
         // mdBook turns pages with the arrow keys.

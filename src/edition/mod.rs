@@ -7,6 +7,7 @@ mod physics;
 mod speed;
 #[cfg(test)]
 mod tests;
+mod watch;
 
 use crate::claims::PAPER;
 use crate::{breaks, commands, figures, symbols};
@@ -90,43 +91,7 @@ pub static EDITION: Edition = Edition {
             &["static friction", "sticking friction", "mu_s", "μ_s"],
         ),
     ],
-    watch: &[
-        (
-            "s21-along-acceleration",
-            "constant.html#explore-constant?lambda=0.5&theta=0",
-        ),
-        (
-            "s22-rest-of-period",
-            "sinusoidal.html#explore-sinusoidal?lambda=0.5&w=0&across=0",
-        ),
-        (
-            "s22-vy-two-stages",
-            "sinusoidal.html#explore-sinusoidal?lambda=0.318&w=0.5&across=1",
-        ),
-        ("eq-55", BEYOND_Y),
-        ("s24-region-2", BEYOND_Y),
-        (
-            "fig-5",
-            "anisotropic.html#explore-anisotropic?q=6.5&lambda=0.15&w=0.3",
-        ),
-        (
-            "s23-nonzero-again",
-            "periodic.html#explore-periodic?third=0&lambda=0.25&w=0.8&eta=0.5",
-        ),
-        ("eq-82", THROWN_ACROSS),
-        ("eq-83", THROWN_ACROSS),
-        ("eq-106", FLICKED_FROM_THE_AXIS),
-        ("s4-coriolis-no-work", FLICKED_FROM_THE_AXIS),
-        ("eq-129", ESCAPE),
-        ("eq-130", ESCAPE),
-        ("eq-132", ESCAPE),
-        ("eq-134", ESCAPE),
-        ("eq-135", ESCAPE),
-        ("eq-136", ESCAPE),
-        ("eq-137", ESCAPE),
-        ("eq-147", BETWEEN),
-        ("s4-envelope-is-boundary", BETWEEN),
-    ],
+    watch: watch::PLACES,
     breaks: |id| {
         let claims = breaks::claims();
         let known = claims.iter().any(|claim| claim.id == id);
@@ -212,21 +177,6 @@ pub static EDITION: Edition = Edition {
     ],
     ..Edition::of("slipbook", &PAPER)
 };
-
-/// Between the borders C and E of anisotropic friction: region IV, which the paper takes for II.
-const BEYOND_Y: &str = "anisotropic.html#explore-anisotropic?q=9&lambda=0.1&w=0.3";
-
-/// The block that moves like the slip of a ball that is thrown across.
-const THROWN_ACROSS: &str = "constant.html#explore-constant?lambda=1.75&theta=90";
-
-/// A coin that comes to rest at p²/2, as if the table did not turn.
-const FLICKED_FROM_THE_AXIS: &str = "turntable.html#explore-turntable?rho=0&u=0.2&v=0";
-
-/// A particle that escapes.
-const ESCAPE: &str = "escape.html#explore-escape?rho=1.1";
-
-/// A particle that comes to rest though it is beyond the printed border: A = 0.88 at α = 0.1, ψ = 0.2, to two digits.
-const BETWEEN: &str = "rest.html#explore-rest?rho=0.88&u=0.09&v=-0.02";
 
 /// All sources of the crate.
 static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");

@@ -4,7 +4,7 @@ use super::{Answer, ExplorerError, spread};
 use crate::motion::MotionError;
 use crate::motion::turntable::fate::rests;
 use crate::motion::turntable::{Fate, Start, State, Table, fate, intrinsic, rotating};
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Time between the points of a path.
 const STEP: f64 = 0.04;
@@ -13,7 +13,8 @@ const LONGEST: f64 = 60.0;
 const FARTHEST: f64 = 6.0;
 /// How long a path is followed after its escape is certain.
 const AFTER: f64 = 8.0;
-/// To what time the growth of the distance is shown.
+/// From the logarithm of what time on, to what time, the growth is shown.
+const EARLY: f64 = 0.5;
 const LATE: f64 = 1e4;
 /// Steps along each side of the first survey of the velocities, and the largest of their components.
 const SURVEY: u32 = 10;
@@ -66,32 +67,44 @@ pub fn motion(rho: f64, v: [f64; 2]) -> Result<Answer, ExplorerError> {
 
 /// How a particle put down at rest in the laboratory goes away, from τ = 3 to 10⁴.
 ///
-/// Curves, against the logarithm of τ to the base 10, and to its rest, if it comes to rest: ρ/τ², A/τ^{3/2}, (π/2 − ψ) τ and
-/// cosh α cosh 2α/A; those with A only where p < ρ.
+/// Curves, against the logarithm of τ to the base 10, and to its rest, if it comes to rest: ρ/τ², (π/2 − ψ) τ, and
+/// where p < ρ A²/τ³, cosh α cosh 2α/A and τ dα/dτ. Last its path in the laboratory from τ = 0 on, drawn at
+/// the distance log₁₀ 10ρ, 0 within ρ = 1/10.
 ///
 /// # Errors
 /// ρ negative, not finite or above 10⁹.
 pub fn growth(rho: f64) -> Result<Answer, ExplorerError> {
     let run = intrinsic::Run::new(&Start::put_down(rho)?, LATE)?;
     let end = run.end().tau;
-    let mut curves = vec![Vec::new(); 4];
-    for decades in spread(0.5, libm::log10(LATE), 140) {
-        let tau = libm::exp10(decades);
-        if tau > end {
-            break;
-        }
+    let early = libm::exp10(EARLY);
+    let late = spread(EARLY, libm::log10(LATE), 140).map(libm::exp10);
+    let (mut curves, mut path) = (vec![Vec::new(); 5], Vec::new());
+    for tau in spread(0.0, early, 40)
+        .take(40)
+        .chain(late)
+        .filter(|tau| *tau <= end)
+    {
         let now = run.at(tau)?;
-        let hyperbolic = now.a().zip(now.alpha());
-        let shown = [
-            Some(now.rho() / (tau * tau)),
-            hyperbolic.map(|(a, _)| a / (tau * libm::sqrt(tau))),
-            Some(now.lag() * tau),
-            hyperbolic.map(|(a, alpha)| libm::cosh(alpha) * libm::cosh(2.0 * alpha) / a),
-        ];
+        let distance = libm::log10(10.0 * now.rho()).max(0.0);
+        // Put down at (ρ, 0), it moves on the table along −y at first.
+        let (sine, cosine) = libm::sincos(now.turned + now.psi() - FRAC_PI_2 + tau);
+        path.push([distance * cosine, distance * sine]);
+        if tau < early {
+            continue;
+        }
+        let p = now.p();
+        let mut shown = vec![now.rho() / (tau * tau), now.lag() * tau];
+        if let Some((a, alpha)) = now.a().zip(now.alpha()) {
+            let (cosh, cosh_twice) = (libm::cosh(alpha), libm::cosh(2.0 * alpha));
+            // From sinh α = p/A, dp/dτ = −w and dA/dτ = p/A.
+            let rate = -(now.deficit + p * p / (a * a)) / (a * cosh);
+            shown.extend([a * a / (tau * tau * tau), cosh * cosh_twice / a, tau * rate]);
+        }
         for (curve, value) in curves.iter_mut().zip(shown) {
-            curve.extend(value.map(|value| [decades, value]));
+            curve.push([libm::log10(tau), value]);
         }
     }
+    curves.push(path);
     Ok(Answer {
         values: Vec::new(),
         curves,

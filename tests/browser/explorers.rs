@@ -5,8 +5,9 @@ use crate::chrome::{Failure, Page};
 use crate::pages::{is_marked, none};
 use serde_json::{Value, json};
 use slipbook::breaks::{answer as answer_to, breaks, claims};
+use slipbook::corrections::escape as corrections;
 use slipbook::explorers::answer;
-use slipbook::paper::escape::{eq132_a, eq134_lag, eq136_rho};
+use slipbook::paper::escape::{eq128_alpha_rate, eq132_a, eq134_lag, eq136_rho};
 
 /// The pages with an explorer, in the order of the book.
 pub const PAGES: [&str; 9] = [
@@ -212,10 +213,18 @@ fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure>
                 |curve: &Vec<[f64; 2]>| fixed(curve.last().map_or(f64::NAN, |point| point[1]));
             let ends: Vec<_> = found.curves.iter().map(end).collect();
             let late = 1e4_f64;
-            let printed = [eq136_rho(1.0), eq132_a(1.0), eq134_lag(late) * late, 1.0].map(fixed);
-            let values = ["ρ/τ²", "A/τ√τ", "(π/2 − ψ) τ", "cosh α cosh 2α/A"]
-                .into_iter()
-                .zip(ends.iter().zip(&printed));
+            let a = eq132_a(1.0);
+            let rate = late * eq128_alpha_rate(corrections::alpha(late), corrections::a(late));
+            let printed = [eq136_rho(1.0), eq134_lag(late) * late, a * a, 1.0, rate].map(fixed);
+            let values = [
+                "ρ/τ²",
+                "(π/2 − ψ) τ",
+                "A²/τ³",
+                "cosh α cosh 2α/A",
+                "τ dα/dτ",
+            ]
+            .into_iter()
+            .zip(ends.iter().zip(&printed));
             (
                 values
                     .map(|(name, (found, printed))| {
@@ -662,7 +671,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
             let place = explorer.value(
                 "(coin => [Number(coin.getAttribute('cx')), Number(coin.getAttribute('cy'))])(host.querySelector('.scene .body'))",
             )?;
-            let found = answer(4, [0.1, 1.4, 0.0, 0.0]).map_err(|error| error.to_string())?;
+            let found = answer(4, [1.2, -1.4, -0.6, 0.0]).map_err(|error| error.to_string())?;
             let [x, y] = found.curves[1].last().copied().unwrap_or_default();
             let (there, scale) = ([180.0 + 62.0 * x, 144.0 - 62.0 * y], 0.06);
             let place: [f64; 2] = serde_json::from_value(place).map_err(|e| e.to_string())?;
@@ -884,6 +893,9 @@ pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
         explorer.right()?;
         explorer.unharmed()?;
     }
+    // An address may name a plot, which is then in view.
+    page.open(&book.address("escape.html#explore-escape?rho=1.1&plot=5"))?;
+    page.wait_for("(box => box && box.top >= 0 && box.bottom <= innerHeight)(document.querySelectorAll('.explore-plot')[4]?.matches('.aimed') && document.querySelector('.aimed').getBoundingClientRect())")?;
     Ok(())
 }
 

@@ -76,7 +76,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
                 [low, all.fold(0.0, f64::max)]
             };
             let [[left, right], [low, high]] = [ends(0), ends(1)];
-            let scale = 420.0_f64
+            let scale = 560.0_f64
                 .min(560.0 / (right - left))
                 .min(130.0 / (high - low));
             let places = both.map(|places| {
@@ -152,7 +152,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
             let at = |x: f64, [u, v]: [f64; 2]| [x + 62.0 * u, 144.0 - 62.0 * v];
             let mut places = vec![at(180.0, film.curves[1][i]), at(560.0, film.curves[0][i])];
             // The second coin is shown at the same time; its film has steps of its own.
-            if let Ok(other) = answer(4, [0.88, 0.0, -0.87, 0.0]) {
+            if let Ok(other) = answer(4, [0.88, 0.0, -0.88, 0.0]) {
                 let k = i as f64 * film.values[3] / other.values[3];
                 for (x, curve) in [(180.0, &other.curves[1]), (560.0, &other.curves[0])] {
                     let last = curve.len() - 1;

@@ -60,9 +60,9 @@ pub struct Edition {
     /// Phrases to which a place answers first in the search, whether or not they stand there: its address, such as
     /// `errata.html#errata`, and the phrases.
     pub aliases: &'static [(&'static str, &'static [&'static str])],
-    /// Where one sees a claim fail: the claim's id, and the address of an explorer in that state, such as
-    /// `rest.html#explore-rest?rho=0.5`.
-    pub watch: &'static [(&'static str, &'static str)],
+    /// Where one sees a claim fail: the claim's id, the address of an explorer in that state, such as
+    /// `rest.html#explore-rest?rho=0.5`, and what one watches there.
+    pub watch: &'static [(&'static str, &'static str, &'static str)],
     /// Where the reader may break the formula of the claim of this id, if anywhere: an address.
     pub breaks: fn(&str) -> Option<String>,
     /// The code to show.

@@ -215,11 +215,12 @@
                 shown += !row.hidden;
             });
             said.textContent = shown < rows.length ? `${shown} of ${rows.length}` : '';
-            // A table of which no row is left goes, with a heading of its own.
-            tables.forEach(box => {
+            // A table of which no row is left goes, with what stands between it and the one before, the field aside.
+            tables.forEach((box, k) => {
                 box.hidden = all('tbody tr', box).every(row => row.hidden);
-                const above = box.previousElementSibling;
-                if (above?.matches('h2')) above.hidden = box.hidden;
+                for (let above = box.previousElementSibling; tables.length > 1 && above && above !== bar && above !== tables[k - 1]; above = above.previousElementSibling) {
+                    above.hidden = box.hidden;
+                }
             });
         };
         field.addEventListener('input', filter);
@@ -231,8 +232,9 @@
             filter();
         }));
         // Above the heading of the first of several tables, beside the only one.
-        const first = tables[0].previousElementSibling;
-        (tables.length > 1 && first?.matches('h2') ? first : tables[0]).before(bar);
+        let first = tables[0];
+        while (tables.length > 1 && first && !first.matches('h2')) first = first.previousElementSibling;
+        (first || tables[0]).before(bar);
         const number = text => Number(text.replace(/[,\s]/g, '').replace('−', '-').match(/^\(?(-?[\d.]+)/)?.[1] ?? NaN);
         tables.forEach(box => all('th', box).forEach((head, k) => {
             const button = document.createElement('button');

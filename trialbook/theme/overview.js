@@ -51,10 +51,11 @@
             const hits = await window.trialbookSearch(asked);
             if (asked !== field.value) return;
             const { claims } = window.trialbookAnswers;
-            const item = ({ at, title }) => {
+            const item = ({ at, title, page }) => {
                 const claim = claims.find(claim => claim.at === at);
                 return claim ? `<li>${claim.verdict} <a href="${at}">${escape(claim.name === claim.title ? claim.title : `${claim.name} ${claim.title}`)}</a>
-                    <span class="formula">${claim.formula}</span><small>${escape(claim.says).replace(/(\d)e-(\d+)/, '$1 × 10<sup>−$2</sup>')}</small></li>` : `<li><a href="${at}">${escape(title)}</a></li>`;
+                    <span class="formula">${claim.formula}</span><small>${escape(claim.says).replace(/(\d)e-(\d+)/, '$1 × 10<sup>−$2</sup>')}</small></li>`
+                    : `<li><a href="${at}">${escape(title)}</a>${page === title ? '' : ` <small>${escape(page)}</small>`}</li>`;
             };
             const more = hits.length > 4 ? `<p>${hits.length - 4} more: the search of the book has them.</p>` : '';
             answers.innerHTML = hits.length ? `<ul>${hits.slice(0, 4).map(item).join('')}</ul>${more}`

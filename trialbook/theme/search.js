@@ -31,7 +31,12 @@
         const without = (words, some) => words.filter(word => !some.has(word.toLowerCase()));
         const words = split(asked), meant = without(words, AROUND);
         const names = [words, meant, without(meant, ASKED)].map(key).flatMap(name => [name, `any ${name.toLowerCase()}`]);
-        return places.get(names.find(name => places.has(name))) || [];
+        const found = places.get(names.find(name => places.has(name)));
+        if (found) return found;
+        // Else the longest name of several words that stands in what is asked.
+        const spaced = words => ` ${words.join(' ').toLowerCase()} `, all = spaced(words);
+        const within = window.search.exact.filter(([phrase]) => /\S[ -]\S/.test(phrase) && all.includes(spaced(split(phrase))));
+        return within.sort(([a], [b]) => b.length - a.length).slice(0, 1).map(([, place]) => String(place));
     };
     const valued = asked => {
         const decimal = asked.trim().replace('−', '-').match(/^-?\d*\.(\d+)$/);
@@ -62,7 +67,7 @@
         return [...first.map(result), ...found.filter(one => !first.includes(one.ref))];
     };
 
-    // The addresses and titles of what is found; the index is loaded when one first asks.
+    // The addresses and titles of what is found, and those of the pages; the index is loaded when one first asks.
     let index;
     const load = () => index ||= (window.search.index ? Promise.resolve() : new Promise((done, failed) => {
         const script = document.createElement('script');
@@ -72,6 +77,6 @@
         document.head.append(script);
     })).then(() => elasticlunr.Index.load(window.search.index));
     window.trialbookSearch = async asked => (await load()).search(asked, window.search.search_options)
-        .map(({ ref, doc }) => ({ at: window.search.doc_urls[ref], title: doc.title }));
+        .map(({ ref, doc }) => ({ at: window.search.doc_urls[ref], title: doc.title, page: doc.breadcrumbs.split(' » ')[0] }));
     Object.assign(window.trialbookSearch, { load, letters });
 })();

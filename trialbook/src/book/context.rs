@@ -38,10 +38,10 @@ impl<'a> Context<'a> {
     /// The link to where one sees a claim fail, if there is such a place.
     pub fn watch(&self, id: &str) -> String {
         let mut places = self.edition.watch.iter();
-        let place = places.find(|(claim, _)| *claim == id);
-        let link = |(_, address): &(_, &str)| {
+        let place = places.find(|(claim, ..)| *claim == id);
+        let link = |(_, address, what): &(_, &str, &str)| {
             let address = escape(address);
-            format!(" <a class=\"watch\" href=\"{address}\">▶ watch</a>")
+            format!(" <a class=\"watch\" href=\"{address}\">▶ watch {what}</a>")
         };
         place.map(link).unwrap_or_default()
     }

@@ -55,10 +55,10 @@ impl Entry {
         };
         let agreeing = || measured(holds, Outcome::Agrees);
         let standing = self.standing().filter(|of| *of != Standing::Measured);
-        let form = if fails { "as corrected " } else { "" };
-        if let Some(standing) = standing {
-            parts.push(format!("{form}{}", standing.word()));
-        }
+        let mut known: Vec<_> = standing
+            .map(|of| of.word().to_owned())
+            .into_iter()
+            .collect();
         let points: usize = agreeing().map(|e| e.points).sum();
         if points > 0 {
             let worst = agreeing().map(|e| e.worst).fold(0.0, f64::max);
@@ -67,8 +67,12 @@ impl Entry {
                 worst => format!(" to {}", rounded_up(worst)),
             };
             let plural = if points == 1 { " agrees" } else { "s agree" };
-            let form = if standing.is_none() { form } else { "" };
-            parts.push(format!("{form}{} comparison{plural}{to}", count(points)));
+            known.push(format!("{} comparison{plural}{to}", count(points)));
+        }
+        if fails && !known.is_empty() {
+            parts.push(format!("as corrected: {}", known.join(", ")));
+        } else {
+            parts.extend(known);
         }
         match parts.is_empty() {
             true => "no trial speaks for the whole of it".to_owned(),
