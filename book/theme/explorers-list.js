@@ -315,7 +315,7 @@ window.slipbookExplorers = (() => {
                 says: 'Once each time the time has grown 85-fold: far out its path is a logarithmic spiral, drawn below at distances in powers of ten.',
                 at: {},
             },
-            inputs: { rho: { label: 'distance ρ from the axis', range: [0.9, 2], step: 0.01, start: 1.1 } },
+            inputs: { rho: { label: 'distance ρ', range: [0.9, 2], step: 0.01, start: 1.1 } },
             // The first is seen from above; of the others each tends to a constant, if the power is right; dashed as printed.
             plots: () => [{
                 title: 'from above, ρ in powers of ten', label: 'The path in the laboratory, at distances in powers of ten.', equal: true,

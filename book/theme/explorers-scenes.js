@@ -187,7 +187,7 @@ window.slipbookScenes = (() => {
             const step = values.at(-1), count = Math.max(table.length, beside?.curves[0].length || 0) / 2;
             const later = beside ? step / beside.values.at(-1) : 1;
             const [size, left, right, y, scale] = alone ? [[0, 0, 360, 340], 180, 180, 170, 76]
-                : narrow ? [[0, 0, 380, 224], 94, 286, 98, 42] : [[0, 0, 740, 310], 180, 560, 144, 62];
+                : narrow ? [[0, 0, 380, 224], 94, 286, 98, 42] : [[0, 0, 740, 284], 180, 560, 130, 57];
             const put = x0 => (x, v) => [x0 + scale * x, y - scale * v];
             const slip = i => {
                 const k = Math.min(i, table.length / 2 - 2);

@@ -673,7 +673,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
             )?;
             let found = answer(4, [1.2, -1.4, -0.6, 0.0]).map_err(|error| error.to_string())?;
             let [x, y] = found.curves[1].last().copied().unwrap_or_default();
-            let (there, scale) = ([180.0 + 62.0 * x, 144.0 - 62.0 * y], 0.06);
+            let (there, scale) = ([180.0 + 57.0 * x, 130.0 - 57.0 * y], 0.06);
             let place: [f64; 2] = serde_json::from_value(place).map_err(|e| e.to_string())?;
             if (0..2).any(|i| (place[i] - there[i]).abs() > scale) {
                 return Err(format!(

@@ -136,10 +136,10 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
         4,
         [0.8, -0.6, 0.4, 0.0],
         |film, i| {
-            let at = |x: f64, [u, v]: [f64; 2]| [x + 62.0 * u, 144.0 - 62.0 * v];
+            let at = |x: f64, [u, v]: [f64; 2]| [x + 57.0 * u, 130.0 - 57.0 * v];
             let places = vec![at(180.0, film.curves[1][i]), at(560.0, film.curves[0][i])];
             // The velocity at the start, while it has not begun to move.
-            let start = [62.0 * -0.6, -62.0 * 0.4];
+            let start = [57.0 * -0.6, -57.0 * 0.4];
             (places, if i == 0 { vec![start] } else { Vec::new() })
         },
     ),
@@ -149,7 +149,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
         4,
         [0.87, 0.0, -0.87, 0.0],
         |film, i| {
-            let at = |x: f64, [u, v]: [f64; 2]| [x + 62.0 * u, 144.0 - 62.0 * v];
+            let at = |x: f64, [u, v]: [f64; 2]| [x + 57.0 * u, 130.0 - 57.0 * v];
             let mut places = vec![at(180.0, film.curves[1][i]), at(560.0, film.curves[0][i])];
             // The second coin is shown at the same time; its film has steps of its own.
             if let Ok(other) = answer(4, [0.88, 0.0, -0.88, 0.0]) {
@@ -165,7 +165,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
             (
                 places,
                 if i == 0 {
-                    vec![[0.0, 62.0 * 0.87]]
+                    vec![[0.0, 57.0 * 0.87]]
                 } else {
                     Vec::new()
                 },

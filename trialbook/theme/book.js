@@ -113,9 +113,25 @@
         unfold();
     }
 
+    // The last group of pages is for those who use it in a work of their own: closed, but for who reads one of them.
+    const contents = document.getElementById('mdbook-sidebar'), group = contents && all('.part-title', contents).at(-1);
+    const grouped = group ? all('li', group.parentElement).slice(all('li', group.parentElement).indexOf(group) + 1) : [];
+    if (grouped.length && !grouped.some(item => item.querySelector('.active'))) {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.className = 'group';
+        button.textContent = group.textContent;
+        const put = open => {
+            button.setAttribute('aria-expanded', open);
+            grouped.forEach(item => { item.hidden = !open; });
+        };
+        button.addEventListener('click', () => put(button.getAttribute('aria-expanded') === 'false'));
+        put(false);
+        group.replaceChildren(button);
+    }
+
     // The verdict of a claim, in the list of the page's headings and among what the search finds.
     const marked = new Map(all('.claim').map(box => [box.getAttribute('aria-labelledby'), box.className.split(' ')[1]]));
-    const contents = document.getElementById('mdbook-sidebar');
     const parts = () => all('a[href*="#"]:not(.marked)', contents);
     const markContents = () => {
         all('a[href*="#"]', contents).forEach(link => {
