@@ -338,7 +338,7 @@ window.slipbookExplorers = (() => {
                                 ...(which.length > 1 ? [{ points: [3.2, curves[k].at(-1) + 0.1], text: LATE[k] }] : [])]),
                         })),
                     ],
-                    values: Object.fromEntries(ends.map(([found, stated], i) => [`${LATE[i]} at τ = 10⁴`, `${found}, printed ${stated}`])),
+                    values: { 'at τ = 10⁴': 'found (printed)', ...Object.fromEntries(ends.map(([found, stated], i) => [LATE[i], `${found} (${stated})`])) },
                     says: `Put down at ρ = ${fixed(rho, 2)}: at τ = 10⁴ the distance is ${ends[0][0]} τ², and not ${ends[0][1]} τ².`,
                 };
             },
@@ -353,7 +353,7 @@ window.slipbookExplorers = (() => {
                 says: 'Each time the motion along the stroke turns round, all of the friction acts across.',
                 at: { lambda: 0.3, w: 0.5, across: 1 },
             },
-            hint: 'Choose the friction, and drag the tip of the velocity. From λ<sub>c</sub> = 0.537 on the block rests in each half period, from 1 on for ever.',
+            hint: 'Choose the friction, and drag the tip of the velocity. Above λ<sub>c</sub> = 0.537 the block rests in each half period, above 1 for ever.',
             inputs: {
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.7 },
                 w: { label: 'velocity along', range: [-2, 2], step: 0.05, start: 0.5 },
@@ -400,7 +400,7 @@ window.slipbookExplorers = (() => {
                 asks: 'First your guess: to a sine its third harmonic is added, 1.5 times as strong. With λ₀ = 0.08 the block rests twice in each period. Twice as much friction makes these rests',
                 options: ['longer', 'shorter', 'disappear'],
                 right: 2,
-                says: 'More friction lifts the shallow loops of the velocity away from zero. The rests come back where it is much larger.',
+                says: 'More friction lifts the shallow humps of the velocity away from zero. The rests come back where it is much larger.',
                 at: { third: 1.5, lambda: 0.16 },
             },
             hint: 'Choose how much of the third harmonic is added to the sine, or pulses with gaps between them; choose the friction, and drag the tip of the velocity.',

@@ -390,7 +390,7 @@ pub fn residual(escapes: &[Vec<[f64; 2]>], slope: f64) -> Result<Figure, FigureE
             "How much the speed of three escapes differs from $\\tau^2/(3\\sqrt2)$, relative to it and times $\\tau$. An expansion in powers \
              of $1/\\tau$ would end in horizontal lines. In fact the curves end in parallel lines with the slope $-\\frac{3\\sqrt2}2$ in \
              $\\ln\\tau$ (dashed): the escape lags by a time that grows as the logarithm. Each escape has a shift of time of its \
-             own; two lines are twice the difference of theirs apart.",
+             own; two lines are apart by twice the difference of their shifts.",
         )
         .alt(
             "Three curves over the time from 10 to a hundred million on a logarithmic axis. After a short transient they fall \

@@ -419,7 +419,7 @@ pub fn turning(stops: &[Stop]) -> Result<Figure, FigureError> {
         .caption(
             "The angle $\\psi$ from the velocity to the position against the speed $p$, for particles put down at rest in the laboratory, \
              at the distance $\\rho_0$, and one that slides straight in. The others stop with $\\psi\\to0$, moving outwards: the angle of \
-             the one that stops below $\\sigma=\\frac12$ falls more slowly than the speed, those of the rest in proportion to it. The one that \
+             the one that stops below $\\sigma=\\frac12$ falls more slowly than the speed, those of the others in proportion to it. The one that \
              slides straight in stops with $\\psi\\to\\pi$.",
         )
         .alt(

@@ -169,8 +169,8 @@ pub fn following(escapes: &[(f64, Vec<Following>)]) -> Result<Figure, FigureErro
     Plot::new("turntable-following", "How the angle follows its quasi-fixed point")
         .caption(
             "Three escapes. First $\\psi$ (thick) and, at the $\\alpha$ of the same moment, $\\psi_1$ \
-             (thin). Both tend to $\\pi/2$. Then what $\\psi$ lacks of $\\pi/2$ over what $\\psi_1$ lacks. \
-             Were $\\psi_1$ followed, this ratio would tend to 1 (dotted line).",
+             (thin). Both tend to $\\pi/2$. Then the ratio $(\\pi/2-\\psi)/(\\pi/2-\\psi_1)$. \
+             If $\\psi$ followed $\\psi_1$, it would tend to 1 (dotted line).",
         )
         .alt(
             "Two panels against time on a logarithmic axis. In the first, thick and thin curves rise together to \

@@ -216,21 +216,19 @@ fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure>
             let a = eq132_a(1.0);
             let rate = late * eq128_alpha_rate(corrections::alpha(late), corrections::a(late));
             let printed = [eq136_rho(1.0), eq134_lag(late) * late, a * a, 1.0, rate].map(fixed);
-            let values = [
+            let names = [
                 "ρ/τ²",
                 "(π/2 − ψ) τ",
                 "A²/τ³",
                 "cosh α cosh 2α/A",
                 "τ dα/dτ",
-            ]
-            .into_iter()
-            .zip(ends.iter().zip(&printed));
+            ];
+            let values = names.iter().zip(ends.iter().zip(&printed));
+            let values =
+                values.map(|(name, (found, printed))| format!("{name}: {found} ({printed})"));
+            let head = "at τ = 10⁴: found (printed)".to_owned();
             (
-                values
-                    .map(|(name, (found, printed))| {
-                        format!("{name} at τ = 10⁴: {found}, printed {printed}")
-                    })
-                    .collect(),
+                [head].into_iter().chain(values).collect(),
                 format!(
                     "at τ = 10⁴ the distance is {} τ², and not {} τ².",
                     ends[0], printed[0]

@@ -64,7 +64,7 @@ impl Margins {
 
 impl Strip {
     /// What can be proved beyond what is `known` already, no nearer to the line than `aim` or 10⁻¹² of the way, by layers
-    /// that each come half as near to it as the one before. At most 40 layers on a side, each of at most 4096 cells.
+    /// each half as far from it as the one before. At most 40 layers on a side, each of at most 4096 cells.
     pub fn margins(&self, known: Margins, aim: Margins) -> Margins {
         Margins {
             rest: self.margin(Side::Below, known.rest, aim.rest),

@@ -26,7 +26,7 @@ impl Evidence {
     pub fn comparison(&self) -> String {
         let (words, method) = (self.compared.words(), self.route.method());
         if self.compared.found().is_none() {
-            return format!("To be shown {method}: {words}.");
+            return format!("The statement, {method}: {words}.");
         }
         let points = match self.points {
             // A proof of formulas has no points.

@@ -103,7 +103,7 @@ pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
 );
 
 fn against((sense, [ax, ay]): (Expr, [Expr; 2])) -> Proof {
-    prove("The sense of the sliding", Regime::Any, |p, _| {
+    prove("Which way it slides", Regime::Any, |p, _| {
         given(p, &[&ALIGNS])?;
         let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
         let product = v * theta.cos() * ax + v * theta.sin() * ay;
