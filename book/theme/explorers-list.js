@@ -146,7 +146,7 @@ window.slipbookExplorers = (() => {
                 asks: 'First your guess: friction is twice as strong backwards as forwards. Shaken to and fro, the block in the end drifts fastest where friction is',
                 options: ['weak', 'of medium strength', 'just weak enough to let it move'],
                 right: 0,
-                says: 'However weak, friction has to balance over a period, so the block moves forwards for two thirds of the time. Only the way there takes longer.',
+                says: 'However weak, friction has to balance over a period, so the block moves forwards for two thirds of the time. It only takes longer to settle.',
                 at: { q: 2, lambda: 0.02, w: -0.5 },
             },
             hint: 'Drag the circle on the map, or focus it and use the arrow keys; the start velocity shows how the periodic motion is approached.',
@@ -197,7 +197,7 @@ window.slipbookExplorers = (() => {
                         marks: [...areas, ...borders.map(points => ({ points })),
                             { points: wedge(paper, borders[1] || []), fill: 0.7 },
                             { points: paper, dash: true },
-                            { points: [9.2, 1.07], text: 'II in the paper' },
+                            { points: [9.2, 1.07], text: 'II in the paper' }, { points: [11, 0.62], text: 'E' },
                             ...[[3, 0.2, 1], [4, 0.65, 2], [1.5, 0.83, 3], [5, 1.4, 4], [1.35, 1.75, 5]]
                                 .map(([x, y, n]) => ({ points: [x, y], text: REGIONS[n] }))],
                         hand: [q, q * lambda],
@@ -214,7 +214,7 @@ window.slipbookExplorers = (() => {
                         ],
                     }],
                     values: { region: REGIONS[region], order, 'mean 𝔴': fixed(mean), 'largest |𝔴|': fixed(largest), 'share of rest': fixed(rest) },
-                    says: `q = ${fixed(q, 2)}, λ₀ = ${fixed(lambda, 3)}: region ${REGIONS[region]}, in each period ${intervals.map(([sign]) => WAYS[sign]).join(', ')}.`,
+                    says: `q = ${fixed(q, 2)}, λ₀ = ${fixed(lambda, 3)}: region ${REGIONS[region]}, in each period ${intervals.map(([sign]) => WAYS[sign]).join(', ')}.${region === 4 && q * lambda < border(paper, q) ? ' By the paper’s list region II.' : ''}`,
                 };
             },
         },
@@ -265,7 +265,7 @@ window.slipbookExplorers = (() => {
                     draw: [
                         { marks: [{ points: boundary, series: 1, fill: 0.2 }, { points: boundary, series: 1 },
                             ...(paper ? [{ points: circle(paper), dash: true }, { points: [0, paper + 0.06], text: '(147)' }] : [])], hand: [u, v], words: speed },
-                        { x: [0, long], y: [0, far], marks: [{ points: [0, 1, long, 1], dash: true, faint: true }, ...paths.map((points, i) => ({ points, series: i ? 3 : fate === 1 ? 1 : 2 })),
+                        { x: [0, long], y: [0, far], marks: [{ points: [0, 1, long, 1], dash: true, faint: true }, ...paths.map((points, i) => ({ points, series: i ? 4 : fate === 1 ? 1 : 2 })),
                             ...(fate === 1 ? [{ points: [tau, sigma], series: 1, dots: 6 }] : [])] },
                     ],
                     values: fate === 1 ? { fate: 'rest', 'σ (μg/Ω²)': fixed(sigma), 'τ (1/Ω)': fixed(tau) }
@@ -282,7 +282,7 @@ window.slipbookExplorers = (() => {
                 asks: 'A coin lies on a turning record, half as far out as friction can hold it. It is flicked hard, against the turning.',
                 options: ['It flies off', 'It comes to rest', 'It slides for ever'],
                 right: 1,
-                says: 'In the room it hardly moves, and the record carries it along.',
+                says: 'Seen from the room it stands nearly still at first; the record takes it along before it has slid far.',
                 at: { rho: 0.5, u: 0, v: -0.48 },
             },
             hint: 'Now drag the coin or the tip of its velocity. With the tip in the shaded area it comes to rest; by the paper’s formula for slow coins, within the dashed circle.',
@@ -452,7 +452,7 @@ window.slipbookExplorers = (() => {
             inputs: {
                 lambda: { label: 'friction λ₀', range: [0.05, 1.5], step: 0.01, start: 0.75 },
                 kappa: { label: 'κ (solid 0.40)', range: [0.05, 0.67], step: 0.01, start: 0.4 },
-                u: { label: 'slip along the swing', range: [-2, 2], step: 0.02, start: 0 },
+                u: { label: 'slip along', range: [-2, 2], step: 0.02, start: 0 },
                 v: { label: 'slip across', range: [-2, 2], step: 0.02, start: 1 },
             },
             plots: set => [{
@@ -499,7 +499,7 @@ window.slipbookExplorers = (() => {
     explorers.rest = {
         ...turntable,
         name: 'On the border.',
-        hint: `${turntable.hint} The second coin starts a hair farther out.`,
+        hint: `${turntable.hint} The second coin starts a hair farther out, by 0.01.`,
         predict: {
             asks: 'First your guess: two coins are put down side by side, at rest in the laboratory, one a hair farther out. In the end they are',
             options: ['still side by side', 'a little farther apart', 'one at rest, one gone for ever'],

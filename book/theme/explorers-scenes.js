@@ -23,10 +23,12 @@ window.slipbookScenes = (() => {
         return [path(`arrow ${kind}`, `${line([x, y, ex, ey])}M${n(ex - head * (u + 0.5 * v))} ${n(ey - head * (v - 0.5 * u))}L${n(ex)} ${n(ey)}L${n(ex - head * (u - 0.5 * v))} ${n(ey - head * (v + 0.5 * u))}`)];
     };
     // The points up to a picture, as a trail.
-    const trail = (points, i, place, kind = '') => {
-        const shown = [];
-        for (let k = 0; k <= Math.min(i, points.length / 2 - 1); k++) shown.push(...place(points[2 * k], points[2 * k + 1]));
-        shown.push(...place(...at(points, i)));
+    // `within` is how far to each side of where it may go on the stage; what has left it is not drawn any more.
+    const trail = (points, i, place, kind = '', within = Infinity) => {
+        const shown = [], [middle] = place(0, 0);
+        const put = ([x, y]) => Math.abs(x - middle) < within && shown.push(x, y);
+        for (let k = 0; k <= Math.min(i, points.length / 2 - 1); k++) put(place(points[2 * k], points[2 * k + 1]));
+        put(place(...at(points, i)));
         return path(`trail ${kind}`, line(shown));
     };
 
@@ -223,9 +225,14 @@ window.slipbookScenes = (() => {
                 step, count, rate: 1.6, time: t => `τ = ${t}`, box: size, slip, hands,
                 label: `The coin on the turning record, from above, in the laboratory${alone ? '' : ' and on the table'}. Inside the dotted circle friction can hold it.`,
                 draw: i => {
+                    // Each view keeps to its half.
+                    const half = alone ? Infinity : size[2] / 4 - 8;
+                    const run = (x0, points, i, kind) => {
+                        const [x, height] = put(x0)(...at(points, i));
+                        return [trail(points, i, put(x0), kind, half), ...(Math.abs(x - x0) < half - 9 ? [coin(x, height, kind)] : [])];
+                    };
                     const view = (x0, k, angle) => [...record(x0, y, angle, scale),
-                        ...(beside ? [trail(beside.curves[k], i * later, put(x0), 'other'), coin(...put(x0)(...at(beside.curves[k], i * later)), 'other')] : []),
-                        trail([table, laboratory][k], i, put(x0)), coin(...put(x0)(...at([table, laboratory][k], i)))];
+                        ...(beside ? run(x0, beside.curves[k], i * later, 'other') : []), ...run(x0, [table, laboratory][k], i)];
                     const first = i > 0 ? [] : start, foot = size[3] - 6;
                     return [...view(left, 1, i * step), ...(alone ? [] : [...view(right, 0, 0),
                         text(left, foot, 'in the laboratory', MIDDLE), text(right, foot, 'on the table', MIDDLE)]), ...first];

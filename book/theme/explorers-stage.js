@@ -208,6 +208,7 @@ window.SlipbookStage = (() => {
             if (this.i >= this.film.count - 1) this.show(0);
             if (this.playing) return;
             this.playing = true;
+            this.hands.classList.add('playing');
             this.button.textContent = '❚❚';
             this.button.setAttribute('aria-label', 'Pause');
             let before = performance.now();
@@ -231,6 +232,7 @@ window.SlipbookStage = (() => {
         pause() {
             clearTimeout(this.back);
             this.playing = this.rewind = false;
+            this.hands.classList.remove('playing');
             this.button.textContent = '▶';
             this.button.setAttribute('aria-label', 'Play');
             if (this.loud) this.sound.play(0);

@@ -75,7 +75,10 @@ pub static EDITION: Edition = Edition {
             "anisotropic.html#missing",
             &["missing border", "curve E", "border E"],
         ),
-        ("anisotropic.html#drift", &["ratchet", "drift"]),
+        (
+            "anisotropic.html#drift",
+            &["ratchet", "drift", "mean velocity"],
+        ),
         (
             "general.html#law",
             &["friction", "law of friction", "Coulomb friction"],
@@ -84,7 +87,43 @@ pub static EDITION: Edition = Edition {
         ("turntable.html#turntable", &["turntable", "record", "coin"]),
         ("escape.html#eq-132", &["τ^{3/2}"]),
         ("escape.html#eq-135", &["τ²", "2/9"]),
-        ("rest.html#where", &["critical radius", "0.872", "1.165"]),
+        (
+            "rest.html#where",
+            &["critical radius", "escape speed", "0.872", "1.165"],
+        ),
+        (
+            "constant.html#eq-20",
+            &["how long until it stops", "stopping time"],
+        ),
+        (
+            "beyond.html#path",
+            &[
+                "trajectory",
+                "stopping place",
+                "stop place",
+                "path of the particle",
+            ],
+        ),
+        (
+            "beyond.html#measure",
+            &["measure the critical radius", "how to measure"],
+        ),
+        ("escape.html#eq-134", &["Lotka Volterra"]),
+        ("sphere.html#eq-75", &["minus sign", "wrong sign"]),
+        (
+            "sphere.html#eq-64",
+            &["angular momentum of the sphere", "angular momentum sphere"],
+        ),
+        (
+            "turntable.html#s4-coriolis-no-work",
+            &["work done by friction", "work of friction"],
+        ),
+        ("related.html#paper", &["journal", "published"]),
+        (
+            "rest.html#s4-envelope-is-boundary",
+            &["proof of the boundary"],
+        ),
+        ("sinusoidal.html#s22-vy-vanishes", &["velocity across"]),
         ("anisotropic.html#eq-57", &["X", "point X"]),
         (
             "beyond.html#static",

@@ -62,7 +62,7 @@ pub(super) const PLACES: &[(&str, &str, &str)] = &[
     (
         "eq-146",
         BETWEEN,
-        "a coin rest beyond (147), which follows from it",
+        "a coin come to rest beyond (147), which follows from it",
     ),
     ("eq-147", BETWEEN, AT_REST),
     ("s4-envelope-is-boundary", BETWEEN, AT_REST),
@@ -86,4 +86,4 @@ const QUASI_FIXED: &str = "escape.html#explore-escape?rho=1.1&plot=5";
 
 /// A particle that comes to rest though it is beyond the printed border: A = 0.88 at α = 0.1, ψ = 0.2, to two digits.
 const BETWEEN: &str = "rest.html#explore-rest?rho=0.88&u=0.09&v=-0.02";
-const AT_REST: &str = "a coin at A = 0.88 come to rest";
+const AT_REST: &str = "a coin come to rest that by (147) escapes";

@@ -128,6 +128,7 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
         Ok(ring)
     };
     let balanced = Proof::in_ring("(53): K", balance(), |p| {
+        p.shows("For K = πq/(q + 1): λ₀ 2K = qλ₀ (2π − 2K), so that friction takes forwards in the phase 2K what it gives backwards in the rest of a period.");
         let [q, lambda0] = Expr::symbols(["q", "λ₀"]);
         p.note(
             "Over a period",
@@ -229,6 +230,7 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
             Ok(ring)
         };
         let same = Proof::in_ring("A and B at q = 1", equal(), |p| {
+            p.shows("At q = 1, with sin α = λ₀: (54), left less right side, is 2 sin α times (53), left less right side; both vanish where 2 cos α = π sin α, which is at λ₀ = λ_c.");
             let [alpha, lambda0] = Expr::symbols(["α", "λ₀"]);
             let [left, right] = sides_of_a();
             let a = p.read("A: left less right side", left - right)?;

@@ -140,6 +140,7 @@ fn drawn([forward, backward]: Rates) -> Proof {
         "Every motion is drawn to the one that repeats itself",
         plane(),
         |p| {
+            p.shows("For λ₀ > 0 and q ≥ 1, with rests allowed: exactly one motion along x by (51) and (52) has the period 2π, and the velocity of every other one tends to it.");
             let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
             let [ahead, back] = [p.read("(51)", forward)?, p.read("(52)", backward)?];
             p.identity(
@@ -192,11 +193,12 @@ fn slips() -> Result<Ring, ExactError> {
 fn slip(
     title: &str,
     rate: Expr,
-    (product, so): (Expr, &str),
+    (says, product, so): (&str, Expr, &str),
     friction: Expr,
     angle: [&str; 2],
 ) -> Proof {
     Proof::in_ring(title, slips(), |p| {
+        p.shows(says);
         with_angle(p, angle);
         let [phi, s] = Expr::symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
@@ -226,6 +228,7 @@ fn forward_slip(rate: Expr) -> Proof {
         "Forward motion speeds up and slows down once",
         rate,
         (
+            "Let sin α = λ₀, 0 < α < π/2. A forward slip by (51) that begins at α, or later but before π − α, speeds up until π − α, then slows down, and ends before 2π + α.",
             product,
             "it is positive from α to π − α and negative from there to 2π + α: a forward slip that begins at α, or later but before π − α, ends between π − α and 2π + α. The velocity has no other zero within a period from its beginning, at whose end it would have risen to −2πλ₀",
         ),
@@ -242,6 +245,7 @@ fn backward_slip(rate: Expr) -> Proof {
         "Backward motion speeds up and slows down once",
         rate,
         (
+            "Let sin β = qλ₀, 0 < β < π/2. A backward slip by (52) that begins at π + β, or later but before 2π − β, speeds up until 2π − β, then slows down, and ends before 3π + β.",
             product,
             "it is negative from π + β to 2π − β and positive from there to 3π + β: a backward slip that begins at π + β, or later but before 2π − β, ends between 2π − β and 3π + β. The velocity has no other zero within a period from its beginning, at whose end it would have fallen to 2πqλ₀",
         ),
@@ -266,6 +270,7 @@ fn middle([left, right]: Sides) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("Below A: λ₀K < sin K", ring(), |p| {
+        p.shows("Below A, which is where the left side of (53) exceeds the right one: λ₀K < sin K, with K by (53).");
         let [k, lambda0] = Expr::symbols(["K", "λ₀"]);
         let spare = int(1) - (lambda0 * k / k.sin()).squared();
         let square = (lambda0 * (k.sin() - k * k.cos()) / k.sin().squared()).squared();

@@ -126,14 +126,17 @@ pub(in crate::claims) fn decays(
     let weighted = p.read("v_y² times a growing weight", vy.squared() * weight)?;
     let motion = p.ring().along(&[("v_y", rate), ("t", Rational::int(1))])?;
     let growth = p.derivative("Its rate", &weighted, &motion)?;
-    let excess = (mu - least) / speed + least * (Expr::int(1) / speed - Expr::int(1) / base);
-    let factor = p.read(
-        "Terms of which none is negative, as friction is not below its least value and v not above v₀ + a t",
-        excess,
-    )?;
-    let lost = p.read("−2g times them", -(two * g))? * &factor * &weighted;
+    let excess = least * (Expr::int(1) / speed - Expr::int(1) / base);
+    let factor = match mu == least {
+        true => p.read("Not negative, as v is not above v₀ + a t", excess)?,
+        false => p.read(
+            "Terms of which none is negative, as friction is not below its least value and v not above v₀ + a t",
+            (mu - least) / speed + excess,
+        )?,
+    };
+    let lost = p.ring().read(-(two * g))? * &factor * &weighted;
     p.equal(
-        "The rate is −2g times them and the weighted square",
+        "The rate is −2g times this, times the weighted square",
         &growth,
         &lost,
     )?;
@@ -146,7 +149,7 @@ pub(in crate::claims) fn decays(
     let small = p.ring().read(small)?;
     let late = p.ring().put(&bound, &[(&small, &Rational::int(0))])?;
     let limit = p.read("The square of what v_y is said to tend to", limit.squared())?;
-    p.equal("It and the bound at ε = 0", &limit, &late)
+    p.equal("It is the bound at ε = 0", &limit, &late)
 }
 
 fn across((law, said): ([Expr; 2], [Expr; 2])) -> Proof {

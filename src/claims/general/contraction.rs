@@ -24,8 +24,9 @@ fn by_law(law: [Expr; 2]) -> Proof {
         "The velocities of two motions under one drive never move apart",
         ring(),
         |p| {
+            p.shows("By (1), for two particles under the same drive, whatever it is, each sliding or at rest, the size of the difference of their velocities never grows.");
             p.rests_on(&eq1_proof(law))?;
-            p.remark("Let v and u be the speeds of two particles under any drive, and cos the cosine of the angle between their velocities");
+            p.remark("Let v and u be the speeds of two particles under any drive, and γ the angle between their velocities");
             let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
             let [ux, uy] = OTHER.map(Expr::symbol);
             let two = Expr::int(2);
@@ -43,11 +44,11 @@ fn by_law(law: [Expr; 2]) -> Proof {
             let [v, u] = [[vx, vy], [ux, uy]].map(|[x, y]| (x.squared() + y.squared()).sqrt());
             let cosine = (vx * ux + vy * uy) / (v * u);
             let stated = -(two * mu * g * (v + u) * (Expr::int(1) - cosine));
-            p.reads_as(&rate, "which is −2μg (v + u) (1 − cos)", stated)?;
+            p.reads_as(&rate, "which is −2μg (v + u) (1 − cos γ)", stated)?;
             let across = ((vx * uy - vy * ux) / (v * u)).squared();
             p.identity(
-                ("1 − cos²", Expr::int(1) - cosine.squared()),
-                ("a square, so that cos is at most 1", across),
+                ("1 − cos² γ", Expr::int(1) - cosine.squared()),
+                ("a square, so that cos γ is at most 1", across),
             )?;
             p.note(
                 "So, while both particles slide",

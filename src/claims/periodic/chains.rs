@@ -112,7 +112,7 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
             two * Expr::pi() * s.squared() - m * s * (one - s),
         )?;
         let by_parts = &p.ring().read(two * Expr::pi())? * &fast + &p.ring().read(m)? * &slow;
-        p.equal("What is not negative, and that", &by_parts, &gain)?;
+        p.equal("It is what is not negative", &by_parts, &gain)?;
         let bound = two * Expr::pi() * s / (one - s);
         p.reads_as(
             &gain,
@@ -133,7 +133,7 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
             .ring()
             .put(&rest, &[(&small?, &zero), (&share_of_strong?, &zero)])?;
         let share = p.read("The stated limit of the share", share)?;
-        p.equal("It and that for s = 0 and E = 0", &share, &late)
+        p.equal("It is the share of rest at s = 0 and E = 0", &share, &late)
     })
 }
 
@@ -223,7 +223,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
             ("h half a period later", pulses.h[2], -1),
         ] {
             let h = p.read(says, h)?;
-            p.equal(&format!("It and {way}"), &h, &Rational::int(way))?;
+            p.equal(&format!("It is {way}"), &h, &Rational::int(way))?;
         }
         p.note(
             "So |h| = 1 at all times",
@@ -231,7 +231,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
         );
         let critical = p.read("λ_c at η = 1", at(pulses.critical, one))?;
         p.equal(
-            "It and 1, above which all rests",
+            "It is 1, above which all rests",
             &critical,
             &Rational::int(1),
         )?;

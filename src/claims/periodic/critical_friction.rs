@@ -33,6 +33,7 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             "Two velocities under one drive h along the line",
             ring(),
             |p| {
+                p.shows("By (26) with any h, |h| ≤ 1, for the sine: the distance of two velocities along x stays while they have the same sense, falls at the rate 2λ₀ while they have opposite ones, and does not grow while one particle rests.");
                 with_sign(p, sign);
                 p.remark("Under the same h let 𝔴₁ have the sign of 𝔴, and 𝔴₂ the other one");
                 let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
@@ -65,6 +66,7 @@ pub(super) fn slows(law: Expr) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The speed under h and friction", ring(), |p| {
+        p.shows("Under a drive h along x, whatever v_y is: dv/dφ = h v_x/v − λ₀, which is |h| − λ₀ at most.");
         p.rests_on(&eq2_proof(law))?;
         p.remark("h is sin ψ, any number from −1 to 1; velocities are in units of A₀/ϖ");
         let [lambda0, vx, vy] = Expr::symbols(["λ₀", "v_x", "v_y"]);

@@ -18,6 +18,8 @@ fn ring() -> Ring {
 /// A motion in cases: each solves the equation, they join, and it begins and ends at 0.
 struct Chain {
     title: &'static str,
+    /// What is shown.
+    says: &'static str,
     /// w(φ), case by case.
     cases: Vec<Expr>,
     /// Where the motion begins, where each case ends.
@@ -35,6 +37,7 @@ impl Chain {
     fn steps(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
         let by = p.ring().by("φ")?;
         let friction = p.ring().named("λ₀")?;
+        p.shows(self.says);
         p.remark("Under the pulses of (42) and (43), with 𝔴 > 0");
         for (w, h) in self.cases.iter().zip(self.drive) {
             let w = p.read(&format!("While h = {h}, 𝔴 is"), *w)?;
@@ -66,6 +69,7 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
     let [peak, stop] = printed::eq44_ends(lambda, eta);
     let moving = Chain {
         title: "(44): large friction, from the start of a pulse to rest",
+        says: "Under (42), for η ≤ λ₀ < 1, the first two cases of (44) have the rate h − λ₀, are 0 at φ = 0 and at φ = ηπ/λ₀, and join at φ = ηπ.",
         cases: cases[..2].to_vec(),
         ends: vec![Expr::int(0), peak, stop],
         drive: &[1, 0],
@@ -148,6 +152,7 @@ fn small_friction_chain(cases: [Expr; 3]) -> Proof {
     let [peak, pulse] = supplied::small_friction_ends(eta);
     Chain {
         title: "Small friction under the pulses: from zero to zero in half a period",
+        says: "Under (42) and (43), for 0 < λ₀ ≤ η, the 𝔴 with the rate h − λ₀ that is 0 at φ = π (η − λ₀)/2 is 0 again half a period later.",
         cases: cases.to_vec(),
         ends: vec![start, peak, pulse, start + Expr::pi()],
         drive: &[1, 0, -1],

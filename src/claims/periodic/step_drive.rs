@@ -190,7 +190,7 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
         p.reads_as(&turns, "", Expr::int(2))?;
         let stated = p.read("What is stated for much friction", much)?;
         let last = p.ring().read(again)?;
-        p.equal("It and the last", &stated, &last)
+        p.equal("It is the last of the three", &stated, &last)
     })
 }
 

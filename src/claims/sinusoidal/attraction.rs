@@ -18,6 +18,7 @@ type NoRest = ([Expr; 2], [Expr; 3]);
 /// (38) is a motion: forward from φ̃₁ on for half a period, then the mirror, and nowhere else zero.
 fn passes((cases, ends): NoRest) -> Proof {
     Proof::in_ring("(38) passes through zero twice", ring_of_phi_t1(), |p| {
+        p.shows("For 0 < λ₀ ≤ λ_c: (38) is positive from φ̃₁ to φ̃₁ + π and negative in the half period after that; at the two zeros it does not rest.");
         p.rests_on(&prove_eq38(cases, ends))?;
         given(p, &[&EQ40])?;
         let [phi, pi] = [Expr::symbol("φ"), Expr::pi()];
@@ -58,6 +59,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("Every motion is drawn to (38)", ring(), |p| {
+        p.shows("For 0 < λ₀ ≤ λ_c and any start: D, the distance of the velocity from (38), tends to 0. In each period D² falls by the smaller of λ₀ D²/(4 (1 + λ₀)) and πλ₀ D at least, with D at φ̃₁.");
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&passes(motion))?;
         p.rests_on(&eq2_proof(eq2()))?;
@@ -66,10 +68,13 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         let speed = (vx.squared() + vy.squared()).sqrt();
         let cosine = vx / speed;
         p.note(
-            "Let v be the speed of any motion, W that of (38), and D the distance of their velocities",
-            "the rate of D² is −2λ₀ (v + W) (1 − cos), with the cosine of the angle between them",
+            "Let v be the speed of any motion, W that of (38), D the distance of their velocities, and γ the angle between them",
+            "the rate of D² is −2λ₀ (v + W) (1 − cos γ)",
         );
-        for (says, way, sign) in [("before", "backward", 1), ("after", "forward", -1)] {
+        for (says, way, sign, bound) in [
+            ("before", "backward", 1, "at least v + v_x"),
+            ("after", "forward", -1, "at least v − v_x"),
+        ] {
             let sign = Expr::int(sign);
             p.note(
                 &format!("In the half period {says} φ̃₁"),
@@ -77,10 +82,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             );
             let pull = (speed + other) * (one + sign * cosine);
             let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
-            p.identity(
-                ("(v + W) (1 − cos)", pull),
-                ("at least v ± v_x", least + more),
-            )?;
+            p.identity(("(v + W) (1 − cos γ)", pull), (bound, least + more))?;
         }
 
         let drive = eq21();
@@ -98,7 +100,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
                 one - sine + lambda0 * (one + cosine),
             ),
             (
-                "1 + λ₀ and dv_x/dφ",
+                "1 + λ₀ plus dv_x/dφ",
                 &along,
                 1,
                 one + sine + lambda0 * (one - cosine),
@@ -109,7 +111,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
                 -1,
                 one - sine * cosine + two * lambda0,
             ),
-            ("1 + λ₀ and dv/dφ", &grows, 1, one + sine * cosine),
+            ("1 + λ₀ plus dv/dφ", &grows, 1, one + sine * cosine),
         ] {
             let left = p.ring().read(most)? + &Rational::int(sign) * rate;
             let room = p.read("Terms of which none is negative", room)?;

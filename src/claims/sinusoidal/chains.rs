@@ -22,6 +22,7 @@ fn bounded([ax, ay]: [Expr; 2]) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The size of (21)", ring(), |p| {
+        p.shows("(21) has no component across x, and at every phase φ its size is A₀ at most.");
         let [a0, phi] = Expr::symbols(["A₀", "φ"]);
         p.vanishes("The component of (21) across x", ay)?;
         p.identity(

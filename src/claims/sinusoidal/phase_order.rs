@@ -177,6 +177,7 @@ pub fn slip() -> Proof {
 
 fn ends_once(w: Expr) -> Proof {
     Proof::in_ring("A slip from rest ends once", ring_of_phi1(), |p| {
+        p.shows("For 0 < λ₀ < 1 and sin β = λ₀, 0 < β < π/2: (31) is positive from β up to one phase between π − β and 2π − β, and negative from there to 2π + β.");
         given(p, &[&EQ31])?;
         let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
         let two = Expr::int(2);

@@ -54,6 +54,7 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
         "A large velocity across falls linearly",
         ring_of_motion(),
         |p| {
+            p.shows("By (1) and (21), with v_y > 0: dv_y/dφ exceeds −λ₀ by λ₀ (v_x/v_y)²/2 at most, and is not below it. Velocities are in units of A₀/ϖ.");
             p.rests_on(&eq1_proof(law))?;
             let lambda0 = Expr::symbol("λ₀");
             let ([vx, vy, v], two) = (velocity(), Expr::int(2));
@@ -90,6 +91,7 @@ fn turning(law: Rate) -> Proof {
         "How v_y and the direction of the velocity change together",
         ring_of_motion(),
         |p| {
+            p.shows("By (1) and (21), with v_y > 0 and T = v_y/(v + v_x): ln v_y has the rate −λ₀/v, and ln T the rate −sin φ/v. The motion with v_x reversed, half a period later, has the same law. Velocities are in units of A₀/ϖ.");
             p.rests_on(&eq1_proof(law))?;
             let [lambda0, d, phi] = Expr::symbols(["λ₀", "d", "φ"]);
             let [vx, vy, v] = velocity();
@@ -105,7 +107,7 @@ fn turning(law: Rate) -> Proof {
                 .ring()
                 .along(&[("v_x", along.clone()), ("v_y", across.clone())])?;
             let tangent = p.read(
-                "T, the tangent of half the angle of the velocity with the drive",
+                "T, the tangent of half the angle of the velocity with the x axis",
                 vy / (v + vx),
             )?;
             let turn = p.derivative("Its rate", &tangent, &motion)?;
@@ -154,6 +156,7 @@ fn turning(law: Rate) -> Proof {
 fn near_zero([d, ..]: Passage) -> Proof {
     let title = "The drive beside a zero of (38)";
     Proof::in_ring(title, ring_of_passage(), |p| {
+        p.shows("For λ₀ < λ_c let d = sin φ̃₁, which exceeds λ₀, and m = (d − λ₀)/2. Where |φ − φ̃₁| ≤ m: sin φ ≥ λ₀ + m, and |v_x| is at least m times the distance of φ from a zero of v_x there.");
         given(p, &[&EQ40])?;
         let [lambda0, turn, phi] = Expr::symbols(["λ₀", "φ̃₁", "φ"]);
         let two = Expr::int(2);
@@ -190,6 +193,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The zeros of v_x approach those of (38)", ring(), |p| {
+        p.shows("For 0 < λ₀ < λ_c and v_y > 0, d = sin φ̃₁: late zeros of v_x, first at the distance Z, next Z′, from those of (38), obey Z′ (d + λ₀ − Z′) ≤ Z (d − λ₀ + Z) + Y, with Y for v_y at the phase (d − λ₀)/2 before the first.");
         p.rests_on(&turning(law))?;
         p.rests_on(&prove_eq38(cases, ends))?;
         given(p, &[&TRICHOTOMY])?;
@@ -279,6 +283,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
     };
     let title = "A passage of v_x through zero multiplies ln v_y";
     Proof::in_ring(title, ring(), |p| {
+        p.shows("For 0 < λ₀ < λ_c and v_y > 0: a late passage of v_x through zero multiplies ln v_y by F = (d + λ₀)/(d − λ₀), which exceeds 1, up to terms that stay bounded; d = sin φ̃₁.");
         p.rests_on(&turning(law))?;
         p.rests_on(&zeros_settle(law, motion, passage))?;
         given(p, &[&VY_VANISHES])?;
@@ -358,6 +363,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
 fn lost_at_rest(law: Rate) -> Proof {
     let title = "v_y becomes 0 only where the particle stops";
     Proof::in_ring(title, ring_of_motion(), |p| {
+        p.shows("By (1) and (21), v_y > 0 becomes 0 only where the particle stops, v = 0, at a phase with |sin φ| ≤ λ₀; from then on v_y = 0.");
         p.rests_on(&turning(law))?;
         p.rests_on(&eq2_proof(eq2()))?;
         let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
@@ -374,7 +380,7 @@ fn lost_at_rest(law: Rate) -> Proof {
         )?;
         let [grows] = in_units([eq2()], eq21());
         p.identity(
-            ("1 + λ₀ and dv/dφ by (2)", one + lambda0 + grows),
+            ("1 + λ₀ plus dv/dφ by (2)", one + lambda0 + grows),
             ("which is not negative", one + phi.sin() * vx / v),
         )?;
         p.note(
@@ -393,6 +399,7 @@ fn lost_at_rest(law: Rate) -> Proof {
 fn last_stage(law: Rate, phase: Expr) -> Proof {
     let title = "Where friction exceeds the drive, v_y vanishes within the stated phase";
     Proof::in_ring(title, ring_of_motion(), |p| {
+        p.shows("By (1), under a drive h along x with |h| ≤ d < λ₀: a particle with v_x = 0 comes to rest within the phase λ₀ v_y/(λ₀² − d²), any other within (λ₀ v + d |v_x|)/(λ₀² − d²).");
         p.rests_on(&eq1_proof(law))?;
         let [lambda0, d, h] = Expr::symbols(["λ₀", "d", "h"]);
         let ([vx, vy, v], one) = (velocity(), Expr::int(1));

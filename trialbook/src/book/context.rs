@@ -41,7 +41,12 @@ impl<'a> Context<'a> {
         let place = places.find(|(claim, ..)| *claim == id);
         let link = |(_, address, what): &(_, &str, &str)| {
             let address = escape(address);
-            format!(" <a class=\"watch\" href=\"{address}\">▶ watch {what}</a>")
+            let verb = if address.contains("plot=") {
+                "see"
+            } else {
+                "watch"
+            };
+            format!(" <a class=\"watch\" href=\"{address}\">▶ {verb} {what}</a>")
         };
         place.map(link).unwrap_or_default()
     }

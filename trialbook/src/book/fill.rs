@@ -110,6 +110,13 @@ impl<'a> Filler<'a> {
             ["count", "rejected"] => inline(count(tallies(ledger, |tally| tally.rejected))),
             ["count", "corners"] => inline(count(ledger.paper.corners().len())),
             ["count", "proved"] => known(Standing::Proved),
+            ["count", "proved", "definitions"] => {
+                let proved = ledger.entries.iter().filter(|e| {
+                    e.standing() == Some(Standing::Proved)
+                        && e.judgement.verdict == Verdict::Definition
+                });
+                inline(count(proved.count()))
+            }
             ["count", "argued"] => known(Standing::Argued),
             ["count", "measured"] => known(Standing::Measured),
             ["count", "wrong"] => inline(count(ledger.wrong())),

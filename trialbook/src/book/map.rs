@@ -77,8 +77,8 @@ pub(super) fn what_falls(context: &Context<'_>) -> Result<String, Fault> {
         Ok([
             context.link(entry)?,
             verdict(entry.judgement.verdict),
-            context.links(&fallen)?,
-            context.links(&standing)?,
+            or_nothing(context.links(&fallen)?),
+            or_nothing(context.links(&standing)?),
         ])
     });
     let head = [
@@ -88,6 +88,13 @@ pub(super) fn what_falls(context: &Context<'_>) -> Result<String, Fault> {
         "Rests on it and stands",
     ];
     tried("falls", head, rows)
+}
+
+fn or_nothing(links: String) -> String {
+    match links.is_empty() {
+        true => "nothing".to_owned(),
+        false => links,
+    }
 }
 
 /// Every claim with what it rests on and what rests on it.

@@ -10,6 +10,7 @@ use crate::notation::plain_words;
 use crate::publishing::Edition;
 use crate::trials::Topic;
 use serde::Serialize;
+use std::collections::BTreeSet;
 
 /// Where the answers lie within the book.
 pub(super) const ANSWERS: &str = "answers.js";
@@ -31,7 +32,7 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String,
             fallen = match alike {
                 _ if with_it.is_empty() => String::new(),
                 Some(id) if id != entry.claim.id => format!(
-                    " With it the same as with No. {}.",
+                    " The same claims fall as with No. {}.",
                     errata::number(context, id)
                 ),
                 _ => format!(" With it {}.", context.links(&with_it)?),
@@ -106,8 +107,10 @@ pub(super) fn skeleton(context: &Context<'_>) -> String {
         }
     };
     let parts: String = context.ledger.paper.topics.iter().map(part).collect();
-    let counts = context.ledger.counts();
-    let used = Verdict::ALL.into_iter().filter(|v| counts[v] > 0);
+    let entries = &context.ledger.entries;
+    let numbered = entries.iter().filter(|e| e.claim.equation.is_some());
+    let numbered: BTreeSet<_> = numbered.map(|e| e.judgement.verdict).collect();
+    let used = Verdict::ALL.into_iter().filter(|v| numbered.contains(v));
     let key = used.map(|v| format!("<li class=\"{} marked\">{}</li>", v.slug(), v.words()));
     format!(
         "<div class=\"skeleton\" role=\"group\" aria-label=\"The numbered equations, by verdict\">{parts}</div>\

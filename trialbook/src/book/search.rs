@@ -155,7 +155,10 @@ impl Search {
             let values = claim.values.iter();
             let values = values.filter_map(|value| value.shown().ok());
             search.values.extend(values.map(placed));
-            search.formulas.push(placed(claim.plain.to_owned()));
+            let right = claim.correction.map(|correction| correction.plain);
+            let formulas = [claim.plain].into_iter().chain(right);
+            let formulas = formulas.map(|plain| placed(plain.to_owned()));
+            search.formulas.extend(formulas);
             let sign = claim.correction.filter(|_| verdict.is_wrong());
             // What one means by it is in a formula, not in a sentence.
             let is_sign = |change| change == Change::Sign && claim.equation.is_some();

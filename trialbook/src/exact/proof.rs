@@ -280,6 +280,12 @@ impl<'a> Prover<'a> {
         self.note(says, "");
     }
 
+    /// Writes down first what is shown, with its conditions, where the title does not say it all: the page of lemmas has it
+    /// before the fold.
+    pub fn shows(&mut self, says: &str) {
+        self.note("To be shown", says);
+    }
+
     /// Writes down an element, and the formula from which it was read if there is one that looks different.
     fn bring(&mut self, says: &str, formula: Option<Expr>, x: &Rational) {
         let normal = self.ring.text(x);
@@ -400,7 +406,7 @@ impl<'a> Prover<'a> {
     /// [`Obstacle::NotZero`] with the difference, if they are not.
     pub fn equal(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<(), Obstacle> {
         if self.compare(says, x, y)? {
-            self.note(says, "the difference is 0");
+            self.note(says, "the two are equal");
         }
         Ok(())
     }

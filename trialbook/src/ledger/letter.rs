@@ -82,6 +82,7 @@ impl Ledger {
             ["reference"] => Ok(self.paper.reference.to_owned()),
             ["count", "numbered"] => Ok(numbered.to_string()),
             ["count", "others"] => Ok((all - numbered).to_string()),
+            ["count", "measured"] => Ok(self.known(super::Standing::Measured).to_string()),
             ["count", "standing"] => {
                 let open = self.counts()[&super::Verdict::Undecided];
                 Ok((all - errata.len() - open).to_string())

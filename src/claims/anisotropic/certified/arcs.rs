@@ -19,6 +19,7 @@ fn ratios() -> Result<Ring, ExactError> {
 /// B's arc, which ends at π + β, is 2 at β = 0 and falls with β while q stays.
 pub fn b_falls() -> Proof {
     Proof::in_ring("B's arc falls", ratios(), |p| {
+        p.shows("Let sin α = λ₀, sin β = qλ₀, with q ≥ 1 fixed. B's arc, 𝔴 at π + β after a forward start at α, which is cos α + cos β − λ₀ (π + β − α), is 2 at β = 0 and falls as β grows to π/2.");
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let to_b = |alpha: Expr, beta: Expr| arc(alpha, Expr::pi() + beta, alpha.sin());
         with_angles(p);
@@ -41,6 +42,7 @@ pub fn b_falls() -> Proof {
 /// E's arc, which ends at 2π − β, is λ₀ times what grows with λ₀ while q stays, from −2π on.
 pub fn e_grows() -> Proof {
     Proof::in_ring("E's arc over λ₀ grows", ratios(), |p| {
+        p.shows("Let sin α = λ₀, sin β = qλ₀, with q ≥ 1 fixed. E's arc, 𝔴 at 2π − β after a forward start at α, which is cos α − cos β − λ₀ (2π − β − α), over λ₀ grows as λ₀ grows to 1/q.");
         with_angles(p);
         let [alpha, beta, q] = Expr::symbols(["α", "β", "q"]);
         let late = Expr::int(2) * Expr::pi() - beta;
@@ -64,6 +66,7 @@ pub fn corner_falls() -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The arcs of B and E at β = π/2", ring(), |p| {
+        p.shows("Where qλ₀ = 1, with sin α = λ₀: 𝔴 after the arcs of B and E is sin α times cot α + α − 3π/2, which falls as α grows.");
         let alpha = Expr::symbol("α");
         let three = Expr::int(3) * Expr::pi() / Expr::int(2);
         p.note(
@@ -87,6 +90,7 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The sides of (53)", ring(), |p| {
+        p.shows("With sin α = λ₀, 0 < α < π/2, the left side of (53) is cot α, which falls as α grows; the right side is positive for 0 < K < π.");
         with_angle(p, ["α", "λ₀"]);
         let [alpha, k] = Expr::symbols(["α", "K"]);
         let left = p.read("The left side", left)?;

@@ -171,6 +171,7 @@ fn first(p: &mut Prover<'_>) -> Result<[Vec<Rational>; 3], Obstacle> {
 }
 
 fn solve(p: &mut Prover<'_>) -> Result<Late, Obstacle> {
+    p.shows("ρ, u = ρ − p and δ = π/2 − ψ as series in 1/τ, whose coefficients are polynomials in ln τ, meet (107) to (109) at the first four orders; one constant, b, is left free.");
     rewritten(p)?;
     let ring = p.ring();
     p.note("To be found", "ρ = τ² (q₀ + q₁/τ + …), u = τ (u₀ + u₁/τ + …), δ = (d₀ + d₁/τ + …)/τ, by powers of L = ln τ");

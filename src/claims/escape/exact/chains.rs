@@ -83,6 +83,7 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
         "A motion on a bounded path that never rests converges, not beyond the bound",
         ring(),
         |p| {
+            p.shows("If, by (89), ρ stays bounded and the particle never comes to rest, its place converges, not to one beyond ρ = 1, the bound of (139), and p → 0.");
             given(p, &[&turntable::EQ89, &turntable::EQ103])?;
             p.note(
                 "The bound, of (139), beyond which static friction holds nothing",
@@ -141,6 +142,7 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
         "Where p + ρ is below the bound the particle comes to rest",
         ring(),
         |p| {
+            p.shows("If p + ρ is below 1, the bound of (139), at some time, the particle comes to rest after a finite time, with ρ below the bound, and stays.");
             given(p, &[&turntable::EQ107, &turntable::EQ108])?;
             let [speed, rho, psi] = Expr::symbols(["p", "ρ", "ψ"]);
             let rate = motion::eq107_p_rate::tree() + motion::eq108_rho_rate::tree();
@@ -161,6 +163,7 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
 /// Where p → 0, the position is along the velocity: the angle ψ tends to 0 or to π.
 pub fn stops_along(ahead: Expr) -> Proof {
     polar("Where a particle stops, ψ → 0 or ψ → π", |p| {
+        p.shows("If p → 0 after a finite time, with ρ > 0 there, then, up to whole turns, ψ → 0 or ψ → π.");
         given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
         let [speed, ell, rho, xi] = Expr::symbols(["p", "ℓ", "ρ", "ξ"]);
         p.identity(
@@ -243,6 +246,7 @@ fn sum(p_formula: Expr, rho: Expr) -> Proof {
         Ok(ring)
     };
     Proof::in_ring("(111) and (112): ρ + p and ρ − p", ring(), |p| {
+        p.shows("By (111) and (112): ρ + p = A exp(α) and ρ − p = A exp(−α).");
         let [a, alpha] = Expr::symbols(["A", "α"]);
         for (says, combined, power) in [
             ("ρ + p", rho + p_formula, alpha),
@@ -307,6 +311,7 @@ fn relaxes(formula: Expr) -> Proof {
         Ok(ring)
     };
     let rate = Proof::in_ring("(126) and (114)", near(), |p| {
+        p.shows("The right side of (126) less that of (114) is 2 sin²(ψ/2) + 2 sinh²(α/2)/A, which vanishes with ψ and α.");
         given(p, &[&turntable::EQ114])?;
         let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
         let rate = p.read("(114)", motion::eq114_alpha_rate::tree())?;

@@ -503,6 +503,7 @@ fn spiral(found: Species) -> Proof {
         "Every escape as prey and predator, which settle",
         ring(),
         |p| {
+            p.shows("From every start with p < ρ and A > 1, with t = tan(π/4 − ψ/2): N = cosh α/(2At) → 3/4, P = 1/(t² (exp(4α) − 1)) → 1/2, and 1/t is τ − (3√2/4) ln τ + o(ln τ). In the laboratory the angle less √2 ln τ converges.");
             moves(p, &found)?;
             settles(p, &found)?;
             falls_behind(p, &found)?;
@@ -604,7 +605,11 @@ fn eq128(law: Expr) -> Proof {
             "k in place of it, twice, in the limit",
             int(2) * cosine(limit[3]),
         )?;
-        p.equal("The product of the two, and that", &(&slow * &factor), &own)?;
+        p.equal(
+            "That is the product of the two before",
+            &(&slow * &factor),
+            &own,
+        )?;
         p.identity(
             ("2 − 2N in the limit", int(2) - int(2) * limit[0]),
             ("not 0", half()),

@@ -59,6 +59,7 @@ fn moved() -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The distance of a motion from a barrier", ring(), |p| {
+        p.shows("For u = A − P − sKα³, with P(α, ψ), K > 0 and s = 1 or s = −1: du/dτ = R + m (A − P) + 3sKα² f, R being the rate of A − P on the surface A = P. Here f = −dα/dτ is at least 1/A − 1; m is in the steps.");
         given(
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
@@ -216,6 +217,7 @@ fn lower_than_one(formula: Expr) -> Proof {
     let parts = alpha * (c - alpha * h / int(2)).squared() + alpha.squared() / int(4)
         - alpha.pow(int(3)) * h.squared() / int(4);
     Proof::in_ring("The boundary is below A = 1", least::ring(), |p| {
+        p.shows("For every ψ, 1 less the corrected formula for the boundary is at least α²/4 less a bounded number times α³: positive if α > 0 is small enough.");
         p.identity(
             ("1 less the formula", int(1) - formula),
             (

@@ -59,7 +59,10 @@ pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::new(
 /// α and ψ at rest, of which all else follows.
 pub fn settles() -> Proof {
     let (limits, ahead) = (NEAR_REST.formulas)();
-    polar("α and ψ at rest", |p| settle(p, limits, ahead))
+    polar("α and ψ at rest", |p| {
+        p.shows("If a motion with p < ρ comes to rest after a finite time, then α → 0, and, up to whole turns, ψ → 0, unless the particle comes straight in, with ψ → π.");
+        settle(p, limits, ahead)
+    })
 }
 
 fn settle(p: &mut Prover<'_>, [alpha, psi]: [Expr; 2], ahead: Expr) -> Result<(), Obstacle> {

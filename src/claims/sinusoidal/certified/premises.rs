@@ -32,7 +32,7 @@ pub fn turn(printed: Expr) -> Proof {
     Proof::in_ring("(39) by φ̃₁", ring_of_phi_t1(), |p| {
         let printed = p.read("(39) with λ₀ = 2 cos φ̃₁/π", printed)?;
         let ours = p.ring().named("φ̃₁")?;
-        p.equal("It and φ̃₁", &printed, &ours)
+        p.equal("It is φ̃₁", &printed, &ours)
     })
 }
 
