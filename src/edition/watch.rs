@@ -51,6 +51,7 @@ pub(super) const PLACES: &[(&str, &str, &str)] = &[
     ),
     ("eq-131", GROWTH, "A²/τ³, to which it leads"),
     ("eq-132", GROWTH, "A²/τ³"),
+    ("eq-133", GROWTH, "ρ/τ² and A²/τ³, of which it is made"),
     (
         "eq-134",
         "escape.html#explore-escape?rho=1.1&plot=3",
@@ -66,6 +67,11 @@ pub(super) const PLACES: &[(&str, &str, &str)] = &[
     ),
     ("eq-147", BETWEEN, AT_REST),
     ("s4-envelope-is-boundary", BETWEEN, AT_REST),
+    (
+        "s4-psi-free",
+        "rest.html#explore-rest?rho=0.48&u=0&v=-0.14",
+        "where a coin comes to rest that (145) would bring to σ = 0.505",
+    ),
 ];
 
 /// Between the borders C and E of anisotropic friction: region IV, which the paper takes for II.

@@ -190,6 +190,18 @@ fn a_coin_that_goes_away_comes_near_the_late_laws() {
     assert!((around - winding).abs() < correction, "{angle} {on}");
 }
 
+/// The coin that one is told to watch for the surface of a resting place: (145) with ψ free takes it to σ = 0.505.
+#[test]
+fn a_coin_rests_elsewhere_than_the_surface_with_psi_free_says() {
+    let (rho, p) = (0.48_f64, 0.14);
+    let (a, alpha) = ((rho * rho - p * p).sqrt(), (p / rho).atanh());
+    assert!((paper::rest::eq145_a(0.505, alpha) - a).abs() < 5e-4);
+    let [fate, sigma, ..] = turntable::motion(rho, [0.0, -p]).unwrap().values[..] else {
+        panic!("no fate")
+    };
+    assert!(fate == 1.0 && sigma < 0.49, "{sigma}");
+}
+
 /// What the explorers ask the reader to guess.
 #[test]
 fn the_guesses_have_the_answers_that_are_given() {
