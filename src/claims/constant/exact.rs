@@ -142,22 +142,9 @@ fn prove(
     friction: Regime,
     steps: impl FnOnce(&mut Prover<'_>, &Newton) -> Result<(), Obstacle>,
 ) -> Proof {
-    prove_that(title, "", friction, steps)
-}
-
-/// The same, with what is shown, unless the title says it all.
-fn prove_that(
-    title: &str,
-    says: &str,
-    friction: Regime,
-    steps: impl FnOnce(&mut Prover<'_>, &Newton) -> Result<(), Obstacle>,
-) -> Proof {
     match Newton::new(friction) {
         Err(error) => Proof::impossible(title, error),
         Ok(newton) => Proof::of(title, &newton.ring, |p| {
-            if !says.is_empty() {
-                p.shows(says);
-            }
             let ring = p.ring();
             match friction {
                 Regime::AnyAngle | Regime::Any => p.note("Friction", "any λ = μg/A"),

@@ -9,7 +9,7 @@ use std::collections::BTreeSet;
 
 /// The step by which a proof rests on another one.
 const RESTS: &str = "Shown before: ";
-/// The first step of a proof that says what it shows.
+/// The step of a proof that says what it shows.
 const SHOWS: &str = "To be shown: ";
 
 /// The steps of a proof, behind a fold; those that rest on another proof lead to it.
@@ -114,11 +114,6 @@ fn anchor(title: &str) -> String {
     format!("lemma-{}", words.join("-").to_lowercase())
 }
 
-/// What a proof shows, if its first step says so.
-fn stated(step: Option<&String>) -> Option<&str> {
-    step?.strip_prefix(SHOWS)
-}
-
 /// All lemmas, with their steps, in the order in which the claims need them.
 pub(super) fn all(context: &Context<'_>) -> Result<String, Fault> {
     let ledger = context.ledger;
@@ -129,16 +124,13 @@ pub(super) fn all(context: &Context<'_>) -> Result<String, Fault> {
     let shown = shown.map(|lemma| {
         let id = anchor(&lemma.title);
         let title = context.maths.folded(&lemma.title)?;
-        let (said, from) = match stated(lemma.steps.first()) {
-            Some(said) => (
-                context
-                    .maths
-                    .folded(&lettered(said, &letters(&lemma.steps)))?,
-                1,
-            ),
-            None => (String::new(), 0),
-        };
-        let steps = steps(context, &lemma.steps[from..])?;
+        let mut rest = lemma.steps.clone();
+        let said = rest.iter().position(|step| step.starts_with(SHOWS));
+        let said = said.map_or_else(String::new, |i| rest.remove(i)[SHOWS.len()..].to_owned());
+        let said = context
+            .maths
+            .folded(&lettered(&said, &letters(&lemma.steps)))?;
+        let steps = steps(context, &rest)?;
         Ok(format!(
             "<div class=\"lemma\"><p id=\"{}\"><strong>{title}.</strong> {said}</p>{steps}</div>",
             escape(&id)

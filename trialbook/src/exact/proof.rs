@@ -280,8 +280,8 @@ impl<'a> Prover<'a> {
         self.note(says, "");
     }
 
-    /// Writes down first what is shown, with its conditions, where the title does not say it all: the page of lemmas has it
-    /// before the fold.
+    /// Writes down what is shown, with its conditions, where the title does not say it all: the page of lemmas has it before
+    /// the fold.
     pub fn shows(&mut self, says: &str) {
         self.note("To be shown", says);
     }

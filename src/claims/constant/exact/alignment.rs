@@ -1,7 +1,7 @@
 //! Small friction, λ ≤ 1: it cannot hold the particle, and the velocity aligns with the pull.
 
 use super::cases::late_speed;
-use super::{DEFINED, EQ6, EQ7, Regime, prove, prove_that};
+use super::{DEFINED, EQ6, EQ7, Regime, prove};
 use crate::corrections::constant as corrected;
 use crate::paper::constant as paper;
 use trialbook::prelude::*;
@@ -78,9 +78,8 @@ fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
 
 /// λ = 1, from 0 < θ₀ < π; from θ₀ < 0 the mirror, and at θ₀ = 0 nothing changes.
 fn at_the_border() -> Proof {
-    let says = "For λ = 1 and 0 < θ₀ < π the angle θ of the velocity with the x axis falls all the time, to 0 as t → ∞.";
-    let title = "The velocity aligns at λ = 1";
-    prove_that(title, says, Regime::One, |p, newton| {
+    prove("The velocity aligns at λ = 1", Regime::One, |p, newton| {
+        p.shows("For λ = 1 and 0 < θ₀ < π the angle θ of the velocity with the x axis falls all the time, to 0 as t → ∞.");
         late_speed(p, newton)?;
         p.note("For every θ between θ₀ and 0", "that time has a value");
         let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);

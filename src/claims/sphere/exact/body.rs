@@ -78,22 +78,9 @@ fn prove(
     friction: Force,
     steps: impl FnOnce(&mut Prover<'_>, &Body) -> Result<(), Obstacle>,
 ) -> Proof {
-    prove_that(title, "", friction, steps)
-}
-
-/// The same, with what is shown, unless the title says it all.
-fn prove_that(
-    title: &str,
-    says: &str,
-    friction: Force,
-    steps: impl FnOnce(&mut Prover<'_>, &Body) -> Result<(), Obstacle>,
-) -> Proof {
     match Body::new(friction) {
         Err(error) => Proof::impossible(title, error),
         Ok(body) => Proof::of(title, &body.ring, |p| {
-            if !says.is_empty() {
-                p.shows(says);
-            }
             match friction {
                 Force::Sliding => {
                     p.note("Friction", "F = −μ m g w/|w| at the contact");
@@ -496,11 +483,11 @@ pub const S3_REDUCTION: Vectorial = Vectorial::new(
 
 /// The force m𝐀/b, which static friction can give up to |𝐀| = bμg, keeps the slip velocity as it is.
 pub(super) fn prove_rolling() -> Proof {
-    prove_that(
+    prove(
         "A sphere rolls on where a particle with bμ stays at rest",
-        "If w, the velocity of the sphere's lowest point relative to the plane, is 0, the friction F = mA/b keeps it 0; its size is μmg at most exactly if |A| ≤ bμg.",
         Force::Any,
         |p, body| {
+            p.shows("If w, the velocity of the sphere's lowest point relative to the plane, is 0, the friction F = mA/b keeps it 0; its size is μmg at most exactly if |A| ≤ bμg.");
             for ((axis, w), a) in AXES.iter().zip(slip()).zip(acceleration()).take(2) {
                 let w = p.read(&format!("w {axis}"), w)?;
                 let rate = p.derivative("Its rate", &w, &body.motion)?;
