@@ -17,7 +17,7 @@
 //! of it down; [`breaks`] lets its reader break a formula. [`cli`] is the command. Both get from the [`edition`]
 //! what is this paper's own. For parameters of your own there are the calculators of [`solve`].
 //!
-//! What knows no paper is a crate of its own, [`trialbook`]; its modules stand here under their names.
+//! What knows no paper is [`trialbook`], and [`motion`] is [`slipbook_motion`]: crates of their own, whose modules stand here under their names.
 //!
 //! # Physics
 //!
@@ -113,19 +113,19 @@ pub mod edition;
 #[cfg(feature = "book")]
 pub mod exam;
 #[cfg(feature = "book")]
-pub mod explorers;
-#[cfg(feature = "book")]
 pub mod figures;
-pub mod motion;
 pub mod paper;
 pub mod solve;
 #[cfg(feature = "trials")]
 pub mod symbols;
-#[cfg(feature = "trials")]
-pub mod validated;
 
+#[cfg(feature = "book")]
+pub use slipbook_motion::explorers;
+#[cfg(feature = "trials")]
+pub use slipbook_motion::validated;
+pub use slipbook_motion::{self as motion, numerics};
 #[cfg(feature = "trials")]
 pub use trialbook::exact;
 #[cfg(feature = "book")]
 pub use trialbook::{book, cli};
-pub use trialbook::{evidence, ledger, numerics, scalar, seeded};
+pub use trialbook::{evidence, ledger, scalar, seeded};

@@ -4,7 +4,7 @@
     python3 -m venv /tmp/peers && /tmp/peers/bin/pip install -r benches/peers/requirements.txt
     /tmp/peers/bin/python benches/peers/run.py --rounds 3 --out benches/results.json
 
-Ours is `cargo bench --bench workloads`, read from what criterion leaves; a peer is a script of this folder, which
+Ours is `cargo bench -p slipbook-benches --bench workloads`, read from what criterion leaves; a peer is a script of this folder, which
 prints one line of JSON. Of all rounds the fastest counts, on both sides.
 """
 import argparse
@@ -60,7 +60,7 @@ ONCE = ["w8-fresh"]
 def ours(group, function, items):
     if ".py" in function:
         return theirs(function)[0], ""
-    command = ["cargo", "bench", "--quiet", "--bench", "workloads", "--", "--exact", f"{group}/{function}"]
+    command = ["cargo", "bench", "--quiet", "-p", "slipbook-benches", *PROFILE, "--bench", "workloads", "--", "--exact", f"{group}/{function}"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     accuracy = [line for line in done.stdout.splitlines() if line.startswith(group + ", accuracy")]
     with open(os.path.join(ROOT, "target", "criterion", group, function, "new", "estimates.json")) as file:

@@ -1,11 +1,8 @@
 //! The workloads on which others are measured as well, each with the accuracy that it reaches:
-//! `cargo bench --bench workloads`. `benches/peers` holds the same work as one would write it with other tools.
-
-mod row;
+//! `cargo bench -p slipbook-benches --bench workloads`. `benches/peers` holds the same work as one would write it with other tools.
 
 use criterion::{BenchmarkGroup, Criterion, Throughput, measurement::WallTime};
 use rayon::prelude::*;
-use row::{Arcs, Column, Row};
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
 use slipbook::motion::drive::{Attractor, Drive, DriveState, Friction, Sign};
 use slipbook::motion::turntable::ensemble::{End, Horizon};
@@ -14,20 +11,35 @@ use slipbook::motion::turntable::{Fate, Start, fate};
 use slipbook::numerics::quadrature::integral;
 use slipbook::paper::constant::eq13_time;
 use slipbook::validated::numbers::{LAMBDA_C, Q_Y};
+use slipbook_benches::{Arcs, Column, Row};
 use std::hint::black_box;
-use std::process::{Command, Stdio};
+use std::process::{Command, ExitCode, Stdio};
 use std::time::Duration;
 use trialbook::trials::points::Points;
 
 type Failure = Box<dyn std::error::Error>;
 
-/// Set for a process that is to prove and end.
+/// Set for a process that is to prove and end, and for one that is to be the command.
 const COLD: &str = "SLIPBOOK_BENCH_COLD";
+const COMMAND: &str = "SLIPBOOK_BENCH_COMMAND";
 
-fn main() -> Result<(), Failure> {
+fn main() -> ExitCode {
     if std::env::var_os(COLD).is_some() {
-        return four().then_some(()).ok_or_else(|| "not proved".into());
+        return ExitCode::from(u8::from(!four()));
     }
+    if std::env::var_os(COMMAND).is_some() {
+        return slipbook::cli::run(&slipbook::edition::EDITION);
+    }
+    match measured() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("{failure}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn measured() -> Result<(), Failure> {
     let mut criterion = Criterion::default()
         .sample_size(10)
         .warm_up_time(Duration::from_millis(500))
@@ -287,11 +299,12 @@ fn proofs(c: &mut Criterion) -> Result<(), Failure> {
 
 /// The main job: all claims and the whole book.
 fn everything(c: &mut Criterion) -> Result<(), Failure> {
-    let folder = tempfile::tempdir()?;
+    let (program, folder) = (std::env::current_exe()?, tempfile::tempdir()?);
     let mut group = group(c, "w6-everything", 1);
     group.bench_function("main job", |b| {
         b.iter(|| {
-            Command::new(env!("CARGO_BIN_EXE_slipbook"))
+            Command::new(&program)
+                .env(COMMAND, "1")
                 .arg("--out")
                 .arg(folder.path().join("book"))
                 .stdout(Stdio::null())

@@ -1,30 +1,7 @@
-//! The door through which the book's pages ask the crate's explorers: the same source files, compiled to WebAssembly
-//! without the parts of the crate that a page has no use for.
+//! The door through which the book's pages ask the explorers: their crate compiled to WebAssembly, without what a page has no
+//! use for.
 
-#[path = "../../src/explorers/mod.rs"]
-pub mod explorers;
-#[path = "../../src/motion/mod.rs"]
-pub mod motion;
-#[path = "../../trialbook/src/scalar.rs"]
-pub mod scalar;
-
-/// The tools that the motions use.
-#[path = "../../trialbook/src/numerics"]
-pub mod numerics {
-    pub mod batch;
-    pub mod double;
-    pub mod error;
-    pub mod events;
-    pub mod lanes;
-    pub mod number;
-    pub mod piecewise;
-    pub mod roots;
-    pub mod series;
-    pub mod taylor;
-
-    pub use error::NumericsError;
-}
-
+use slipbook_motion::explorers;
 use std::cell::RefCell;
 
 thread_local! {

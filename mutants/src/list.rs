@@ -3,7 +3,7 @@
 //! ```text
 //! = coriolis-doubled
 //! In the frame of the table the Coriolis force is twice what it is.
-//! @ src/motion/turntable/rotating.rs
+//! @ motion/src/turntable/rotating.rs
 //! - along_x[k] = omega * omega * x[k] + ⟦2.0⟧ * omega * v[k];
 //! + 4.0
 //! ```

@@ -4,14 +4,11 @@
 //! [`Evidence`](crate::evidence::Evidence). Whether a claim holds is not said here: the [ledger](crate::ledger) judges.
 
 pub mod corners;
-mod failure;
 pub mod formulas;
 pub mod laid_over;
 mod shared;
 pub mod tolerances;
 pub mod variants;
-
-impl trialbook::trials::runs::Setting for crate::motion::drive::Drive {}
 
 pub mod anisotropic;
 pub mod constant;

@@ -220,35 +220,29 @@ pub static EDITION: Edition = Edition {
 /// All sources of the crate.
 static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
 
-/// The modules whose sources are shown: what the two sides are made of, where they meet, and the calculators.
-const SHOWN: [&str; 7] = [
-    "claims",
-    "corrections",
-    "motion",
-    "paper",
-    "solve",
-    "symbols",
-    "validated",
-];
+/// The modules whose sources are shown: what the printed side is made of, where the two meet, and the calculators.
+const SHOWN: [&str; 5] = ["claims", "corrections", "paper", "solve", "symbols"];
 
 /// The sources that the book shows: path and text.
-fn sources() -> Vec<(&'static str, &'static str)> {
-    let mut files = texts(&SOURCES);
-    files.retain(|(path, _)| {
+fn sources() -> Vec<(String, &'static str)> {
+    let own = texts(&SOURCES).into_iter().filter(|(path, _)| {
         path.split(['/', '.'])
             .next()
             .is_some_and(|module| SHOWN.contains(&module))
     });
-    files
+    let own = own.map(|(path, text)| (path.to_owned(), text));
+    let motion = texts(&crate::motion::SOURCES).into_iter();
+    own.chain(motion.map(|(path, text)| (format!("motion/src/{path}"), text)))
+        .collect()
 }
 
 /// The side that knows no formula, for a topic.
 #[allow(clippy::unnecessary_wraps)]
 fn motion(topic: &str) -> Option<&'static str> {
     Some(match topic {
-        "general" | "constant" => "motion/particle.rs",
-        "sphere" => "motion/sphere.rs",
-        "turntable" | "escape" | "rest" => "motion/turntable/mod.rs",
-        _ => "motion/drive/mod.rs",
+        "general" | "constant" => "motion/src/particle.rs",
+        "sphere" => "motion/src/sphere.rs",
+        "turntable" | "escape" | "rest" => "motion/src/turntable/mod.rs",
+        _ => "motion/src/drive/mod.rs",
     })
 }

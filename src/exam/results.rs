@@ -36,7 +36,7 @@ const FILES: [(&str, &str); 7] = [
     ),
 ];
 
-/// What `cargo bench --bench exam` wrote.
+/// What `cargo bench -p slipbook-benches --bench exam` wrote.
 const OURS: &str = include_str!("../../benches/exam/results/ours.json");
 
 /// A result file.

@@ -18,6 +18,7 @@ mod json;
 mod judge;
 mod motions;
 mod numbers;
+mod one_build;
 mod pages;
 mod prose;
 mod readme;

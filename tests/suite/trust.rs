@@ -55,8 +55,7 @@ fn the_page_is_complete() {
         "trialbook/src/trials",
         "trialbook/src/numerics",
         "trialbook/src/seeded",
-        "src/validated",
-        "src/motion",
+        "motion/src",
         "src/paper",
         "src/corrections",
     ] {

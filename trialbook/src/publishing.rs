@@ -205,9 +205,9 @@ impl Page {
 /// The code to show beside the claims.
 #[derive(Debug, Clone, Copy)]
 pub struct Sources {
-    /// The files, by their paths below `src`, and their texts. In folders, `paper`, `corrections` and `claims` have a file
+    /// The files, by their paths below `src` or, with `/src/` in them, from the top of the repository, and their texts. In folders, `paper`, `corrections` and `claims` have a file
     /// or a folder for each topic, by its stem; without folders any file may hold anything.
-    pub files: fn() -> Vec<(&'static str, &'static str)>,
+    pub files: fn() -> Vec<(String, &'static str)>,
     /// The file in which the motion of the topic of this stem is found without the paper.
     pub motion: fn(&str) -> Option<&'static str>,
 }
@@ -237,7 +237,7 @@ pub fn texts(folder: &'static Dir<'static>) -> Vec<(&'static str, &'static str)>
 macro_rules! sources {
     ($($file:literal),* $(,)?) => {
         $crate::publishing::Sources {
-            files: || vec![$(($file, include_str!($file))),*],
+            files: || vec![$(($file.to_owned(), include_str!($file))),*],
             ..$crate::publishing::Sources::NONE
         }
     };

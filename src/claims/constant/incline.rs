@@ -6,31 +6,15 @@ use super::launches::Turn;
 use crate::claims::tolerances::FOREIGN;
 use crate::numerics::double::Double;
 use crate::paper::{constant as printed, general};
+use nalgebra::Vector3;
 use trialbook::prelude::*;
 
-type Vector = [f64; 3];
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: Vector, b: Vector) -> Vector {
-    [0, 1, 2].map(|i| {
-        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
-        a[j] * b[k] - a[k] * b[j]
-    })
-}
-
-/// A sum of vectors, each times a number.
-fn sum<const N: usize>(terms: [(f64, Vector); N]) -> Vector {
-    [0, 1, 2].map(|i| terms.iter().map(|(times, vector)| times * vector[i]).sum())
-}
+type Vector = Vector3<f64>;
 
 /// A vector turned by an angle about a unit vector, after Rodrigues.
 fn turned(vector: Vector, axis: Vector, angle: f64) -> Vector {
     let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
-    let along = (1.0 - cosine) * dot(axis, vector);
-    sum([(cosine, vector), (sine, cross(axis, vector)), (along, axis)])
+    cosine * vector + sine * axis.cross(&vector) + (1.0 - cosine) * axis.dot(&vector) * axis
 }
 
 /// A plane tilted by β about a horizontal axis, and a particle on it.
@@ -50,7 +34,7 @@ struct Incline {
 impl Incline {
     fn any(points: &mut Points) -> Self {
         let beta = points.uniform(0.1, 1.4);
-        let [x, y, z] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+        let [x, y, z] = [Vector::x(), Vector::y(), Vector::z()];
         let direction = points.uniform(0.0, 6.0);
         let axis = turned(y, z, direction);
         let down = turned(turned(x, z, direction), axis, beta);
@@ -60,7 +44,7 @@ impl Incline {
             mu: points.uniform(0.01, 1.0),
             beta,
             down,
-            across: cross(normal, down),
+            across: normal.cross(&down),
             normal,
             v0: points.uniform(0.5, 5.0),
             theta0: points.uniform(0.1, 3.0),
@@ -69,10 +53,9 @@ impl Incline {
 
     /// Weight, normal force and friction on a unit mass that slides with velocity `v`.
     fn acceleration(&self, v: Vector) -> Vector {
-        let weight = [0.0, 0.0, -self.g];
-        let push = -dot(weight, self.normal);
-        let friction = -self.mu * push / libm::sqrt(dot(v, v));
-        sum([(1.0, weight), (push, self.normal), (friction, v)])
+        let weight = -self.g * Vector::z();
+        let push = -weight.dot(&self.normal);
+        weight + push * self.normal - self.mu * push / v.norm() * v
     }
 
     fn lambda(&self) -> f64 {
@@ -84,10 +67,7 @@ impl Incline {
     }
 
     fn velocity(&self, v: f64, theta: f64) -> Vector {
-        sum([
-            (v * libm::cos(theta), self.down),
-            (v * libm::sin(theta), self.across),
-        ])
+        v * libm::cos(theta) * self.down + v * libm::sin(theta) * self.across
     }
 
     fn at(&self) -> String {
@@ -114,15 +94,16 @@ fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)
             let duration =
                 points.uniform(0.1, 0.5) * incline.v0 / (incline.a() * (1.0 + incline.lambda()));
             let start = incline.velocity(incline.v0, incline.theta0);
-            let rate = |_: f64, v: &Vector| incline.acceleration(*v);
-            let end = dop853::end(rate, 0.0, start, duration, 1e-14, 1e-16)?;
-            let theta = libm::atan2(dot(end, incline.across), dot(end, incline.down));
+            let rate = |_: f64, v: &[f64; 3]| incline.acceleration(Vector::from(*v)).into();
+            let end = dop853::end(rate, 0.0, start.into(), duration, 1e-14, 1e-16)?;
+            let end = Vector::from(end);
+            let theta = libm::atan2(end.dot(&incline.across), end.dot(&incline.down));
             let Incline { v0, theta0, .. } = incline;
             let at = [incline.lambda(), incline.a(), v0, theta0, theta].map(Double::from);
             let turn = Turn {
                 theta,
                 t: duration,
-                v: libm::sqrt(dot(end, end)),
+                v: end.norm(),
                 ..Turn::launch(incline.lambda(), incline.a(), v0, theta0)
             };
             let (stated, found, scale) = pair(at, &turn);
@@ -154,7 +135,7 @@ fn eq1() -> Evidence {
         Ok(Pair {
             at: incline.at(),
             stated: down + 2.0 * across,
-            found: dot(force, incline.down) + 2.0 * dot(force, incline.across),
+            found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
             scale: incline.a() * (1.0 + incline.lambda()),
         })
     })
@@ -182,13 +163,14 @@ fn same_motion() -> Evidence {
         let flat = [v * libm::cos(theta), v * libm::sin(theta)];
         let stated = dop853::end(law, 0.0, flat, duration, 1e-13, 1e-15);
         let [down, across] = stated.unwrap_or([f64::NAN; 2]);
-        let rate = |_: f64, v: &Vector| incline.acceleration(*v);
+        let rate = |_: f64, v: &[f64; 3]| incline.acceleration(Vector::from(*v)).into();
         let start = incline.velocity(v, theta);
-        let end = dop853::end(rate, 0.0, start, duration, 1e-14, 1e-16)?;
+        let end = dop853::end(rate, 0.0, start.into(), duration, 1e-14, 1e-16)?;
+        let end = Vector::from(end);
         Ok(Pair {
             at: incline.at(),
             stated: down + 2.0 * across,
-            found: dot(end, incline.down) + 2.0 * dot(end, incline.across),
+            found: end.dot(&incline.down) + 2.0 * end.dot(&incline.across),
             scale: v,
         })
     })
@@ -213,7 +195,7 @@ pub fn forces() -> Evidence {
                 at: incline.at(),
                 stated: printed::eq6_vx_rate(lambda, a, theta)
                     + 2.0 * printed::eq7_vy_rate(lambda, a, theta),
-                found: dot(force, incline.down) + 2.0 * dot(force, incline.across),
+                found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
                 scale: a * (1.0 + lambda),
             })
         })

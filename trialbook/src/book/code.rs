@@ -10,28 +10,28 @@ use std::collections::BTreeMap;
 
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Place {
-    /// The file below `src`, or that of a topic's claims.
-    file: &'static str,
+    /// The file as [`Code`] has it.
+    file: String,
     /// The function, or the id of a claim; empty for the file as a whole.
     name: String,
 }
 
 impl Place {
-    fn new(file: &'static str, name: &str) -> Self {
-        let name = name.to_owned();
+    fn new(file: &str, name: &str) -> Self {
+        let (file, name) = (file.to_owned(), name.to_owned());
         Place { file, name }
     }
 
     /// The address within the book.
     pub fn address(&self) -> String {
         let hash = if self.name.is_empty() { "" } else { "#" };
-        format!("{}{hash}{}", page(self.file), self.name)
+        format!("{}{hash}{}", page(&self.file), self.name)
     }
 
     /// A link, with the function's name or else the file's.
     pub fn link(&self) -> String {
         let words = match self.name.as_str() {
-            "" => self.file,
+            "" => &self.file,
             name => name,
         };
         format!("<a href=\"{}\">{}</a>", self.address(), in_code(words))
@@ -40,14 +40,20 @@ impl Place {
 
 pub(super) struct Code<'a> {
     edition: &'a Edition,
-    /// Files shown, by their path below `src`, or where the claims are.
-    files: BTreeMap<&'static str, Source>,
+    /// Files shown, by their path below `src` or, for those of another crate, from the top; or where the claims are.
+    files: BTreeMap<String, Source>,
 }
 
 struct Source {
     text: &'static str,
     /// Its functions, or its claims, with their lines counted from 0.
     places: Vec<(usize, &'static str)>,
+}
+
+/// Where a file is, from the top of the repository.
+fn path(file: &str) -> String {
+    let here = file.ends_with(".rs") && !file.contains("/src/");
+    format!("{}{file}", if here { "src/" } else { "" })
 }
 
 fn page(file: &str) -> String {
@@ -65,21 +71,20 @@ impl<'a> Code<'a> {
         let claims = topics.filter(|topic| topic.file.above == 0).map(|topic| {
             let lines = topic.lines().map(|(line, claim)| (line - 1, claim.id));
             let (text, places) = (topic.file.text, lines.collect());
-            (topic.file.name(), Source { text, places })
+            (topic.file.name().to_owned(), Source { text, places })
         });
         let files = files.chain(claims).collect();
         Code { edition, files }
     }
 
     /// The sources of a topic in a module: `claims/escape.rs` and all in `claims/escape`. All where there are no modules.
-    fn of_topic(
-        &self,
-        module: &str,
-        topic: &Topic,
-    ) -> impl Iterator<Item = (&'static str, &Source)> {
+    fn of_topic(&self, module: &str, topic: &Topic) -> impl Iterator<Item = (&str, &Source)> {
         let stem = format!("{module}/{}", topic.stem);
         let flat = self.files.keys().all(|file| !file.contains('/'));
-        let files = self.files.iter().map(|(file, source)| (*file, source));
+        let files = self
+            .files
+            .iter()
+            .map(|(file, source)| (file.as_str(), source));
         files.filter(move |(file, _)| {
             let rest = file.strip_prefix(stem.as_str());
             flat || rest.is_some_and(|rest| rest == ".rs" || rest.starts_with('/'))
@@ -118,7 +123,7 @@ impl<'a> Code<'a> {
     /// Where a trial is written.
     pub fn trial(&self, trial: &Attempt) -> Option<Place> {
         let path = trial.file();
-        let here = |file: &&&str| {
+        let here = |file: &&String| {
             let stem = file.trim_end_matches(".rs");
             let above = path.strip_suffix(stem);
             let root = path == "src/" && matches!(stem, "main" | "lib");
@@ -133,7 +138,7 @@ impl<'a> Code<'a> {
     /// How much code stands in these modules, by their paths, without comments and tests.
     pub fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
         let shown = self.files.iter().filter(|(file, _)| file.ends_with(".rs"));
-        let shown = shown.map(|(file, source)| (format!("src/{file}"), source.text));
+        let shown = shown.map(|(file, source)| (path(file), source.text));
         let engine = texts(&ENGINE).into_iter();
         let engine = engine.map(|(file, text)| (format!("trialbook/src/{file}"), text));
         let all: Vec<_> = shown.chain(engine).collect();
@@ -226,12 +231,12 @@ fn code_page(file: &str, source: &Source, book: &str) -> String {
         code.push('\n');
     }
     let book = escape(book);
-    let folder = if file.ends_with(".rs") { "src/" } else { "" };
+    let path = path(file);
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{file}</title>\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\
          <style>{STYLE}</style></head><body><header><a href=\"{up}index.html\">{book}</a></header>\
-         <main><h1>{folder}{file}</h1><pre tabindex=\"0\"><code>{code}</code></pre></main></body></html>\n"
+         <main><h1>{path}</h1><pre tabindex=\"0\"><code>{code}</code></pre></main></body></html>\n"
     )
 }
 

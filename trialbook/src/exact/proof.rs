@@ -418,14 +418,13 @@ impl<'a> Prover<'a> {
     pub fn reads_as(&mut self, x: &Rational, seen: &str, formula: Expr) -> Result<(), Obstacle> {
         let y = self.ring.read(formula)?;
         let mut brought = self.brought.iter().rev();
-        let (step, left) = match brought.find(|(_, element, _)| element.is_written_as(x)) {
-            Some((step, _, left)) => (*step, left.clone()),
-            None => (usize::MAX, self.ring.text(x)),
-        };
-        let says = self.steps.get(step).map_or("So", |step| &step.says);
-        let says = says.to_owned();
+        let brought = brought.find(|(_, element, _)| element.is_written_as(x));
+        let left = brought.map_or_else(|| self.ring.text(x), |(.., left)| left.clone());
+        let step = brought.map(|(step, ..)| *step);
+        let says = step.and_then(|step| self.steps.get(step));
+        let says = says.map_or("So", |step| &step.says).to_owned();
         self.compare(&says, x, &y)?;
-        if std::mem::take(&mut self.bare) && step + 1 == self.steps.len() {
+        if std::mem::take(&mut self.bare) && step.is_some_and(|step| step + 1 == self.steps.len()) {
             self.steps.pop();
         }
         let mut parts = vec![written(formula)];

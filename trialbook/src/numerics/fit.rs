@@ -1,10 +1,12 @@
-//! Linear least squares: the coefficients with which a sum of given functions comes nearest to data.
+//! Linear least squares: the coefficients with which a sum of given functions comes nearest to data, and the [condition
+//! number](Fit::condition), which says how well the data tell the functions apart.
 //!
-//! The design matrix is decomposed by Householder reflections (`nalgebra`'s QR), its columns scaled to unit length
-//! first, so that basis functions of very different sizes do no harm.
+//! The design matrix, its columns scaled to unit length so that basis functions of very different sizes do no harm, is
+//! decomposed by `faer`: Householder's QR for the coefficients, singular values for the condition.
 
 use super::error::NumericsError;
-use nalgebra::{DMatrix, DVector};
+use faer::Mat;
+use faer::linalg::solvers::SolveLstsq;
 
 /// A fitted sum of functions.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,6 +20,9 @@ pub struct Fit {
     pub residual: f64,
     /// Largest absolute residual.
     pub worst: f64,
+    /// The condition number of the scaled design matrix, its largest singular value over the smallest: so many times
+    /// larger, at most, is a relative error of the coefficients than one of the data. At least 1; dimensionless.
+    pub condition: f64,
 }
 
 /// Fits `y` ≈ Σ cᵢ · basisᵢ(x) to the data (x, y).
@@ -33,10 +38,14 @@ pub fn fit(data: &[(f64, f64)], basis: &[&dyn Fn(f64) -> f64]) -> Result<Fit, Nu
         unknowns: columns,
         rank,
     };
+    let beyond = || NumericsError::Library {
+        method: "least squares",
+        message: "the data are too large or too small".to_owned(),
+    };
     if columns == 0 || rows < columns {
         return Err(undetermined(rows.min(columns)));
     }
-    let mut design = DMatrix::from_fn(rows, columns, |i, j| basis[j](data[i].0));
+    let mut design = Mat::from_fn(rows, columns, |i, j| basis[j](data[i].0));
     for (i, (x, y)) in data.iter().enumerate() {
         if !(y.is_finite() && (0..columns).all(|j| design[(i, j)].is_finite())) {
             return Err(NumericsError::NotFinite {
@@ -45,57 +54,48 @@ pub fn fit(data: &[(f64, f64)], basis: &[&dyn Fn(f64) -> f64]) -> Result<Fit, Nu
             });
         }
     }
-    let mut scales = Vec::with_capacity(columns);
-    for mut column in design.column_iter_mut() {
-        let scale = column.norm();
-        if !(scale > 0.0 && scale.is_finite()) {
+    let scales: Vec<f64> = design.col_iter().map(|column| column.norm_l2()).collect();
+    for (column, scale) in design.col_iter_mut().zip(&scales) {
+        if !(*scale > 0.0 && scale.is_finite()) {
             return Err(undetermined(columns - 1));
         }
-        column /= scale;
-        scales.push(scale);
+        column.iter_mut().for_each(|x| *x /= scale);
     }
-    let qr = design.clone().qr();
-    let r = qr.r();
-    let rank = (0..columns)
-        .filter(|&j| r[(j, j)].abs() > DEPENDENT)
-        .count();
+    let singular = design.singular_values().map_err(|_| beyond())?;
+    let rank = singular.iter().filter(|&&s| s > DEPENDENT).count();
     if rank < columns {
         return Err(undetermined(rank));
     }
-    let values = DVector::from_iterator(rows, data.iter().map(|(_, y)| *y));
-    let mut turned = values.clone();
-    qr.q_tr_mul(&mut turned);
-    r.solve_upper_triangular_mut(&mut turned.rows_mut(0, columns));
-    let solution = turned.rows(0, columns).into_owned();
-    let mut inverse = DMatrix::identity(columns, columns);
-    r.solve_upper_triangular_mut(&mut inverse);
-    let residuals = values - design * &solution;
-    let squares = residuals.norm_squared();
+    let values = Mat::from_fn(rows, 1, |i, _| data[i].1);
+    let qr = design.qr();
+    let solution = qr.solve_lstsq(&values);
+    let residuals = &values - &design * &solution;
+    let squares = residuals.squared_norm_l2();
     let variance = if rows > columns {
         squares / (rows - columns) as f64
     } else {
         0.0
     };
     // The covariance is variance · R⁻¹R⁻ᵀ.
-    let error = |j: usize| libm::sqrt(variance) * inverse.row(j).norm() / scales[j];
+    let mut inverse = Mat::<f64>::identity(columns, columns);
+    qr.thin_R().solve_upper_triangular_in_place(&mut inverse);
+    let error = |j: usize| libm::sqrt(variance) * inverse.row(j).norm_l2() / scales[j];
     let fit = Fit {
-        coefficients: (0..columns).map(|j| solution[j] / scales[j]).collect(),
+        coefficients: (0..columns).map(|j| solution[(j, 0)] / scales[j]).collect(),
         errors: (0..columns).map(error).collect(),
         residual: libm::sqrt(squares / rows as f64),
-        worst: residuals.amax(),
+        worst: residuals.norm_max(),
+        condition: singular[0] / singular[columns - 1],
     };
     let mut numbers = fit.coefficients.iter().chain(&fit.errors);
     if numbers.all(|x| x.is_finite()) && fit.residual.is_finite() {
         Ok(fit)
     } else {
-        Err(NumericsError::Library {
-            method: "least squares",
-            message: "the data are too large or too small".to_owned(),
-        })
+        Err(beyond())
     }
 }
 
-/// A column whose part not in the span of those before it is shorter than this counts as dependent on them.
+/// A design matrix with unit columns and a smaller singular value than this has columns that depend on each other.
 const DEPENDENT: f64 = 1e-13;
 
 #[cfg(test)]
@@ -125,6 +125,18 @@ mod tests {
         assert!((fit.errors[0] - libm::sqrt(1.4)).abs() < 1e-14, "{fit:?}");
         assert!((fit.errors[1] - libm::sqrt(0.4)).abs() < 1e-14);
         assert!((fit.residual - 1.0).abs() < 1e-14 && (fit.worst - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn the_condition_is_that_of_the_angle_between_the_columns() {
+        // Unit columns at an angle γ have the singular values √(1 ± cos γ), so that the condition number is cot(γ/2).
+        for cosine in [0.0, 0.6, 1.0 - 1e-6] {
+            let sine = libm::sqrt((1.0 - cosine) * (1.0 + cosine));
+            let other = move |x: f64| if x == 0.0 { 7.0 * cosine } else { 7.0 * sine };
+            let fit = fit(&[(0.0, 1.0), (1.0, 2.0)], &[&|x| 1.0 - x, &other]).unwrap();
+            let expected = (1.0 + cosine) / sine;
+            assert!((fit.condition / expected - 1.0).abs() < 1e-9, "{fit:?}");
+        }
     }
 
     #[test]

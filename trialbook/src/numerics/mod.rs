@@ -4,14 +4,13 @@
 //! made of few elementary functions, whose coefficients follow from each other by short recurrences
 //! ([`series`]). A step of order 26 is long, its error is known from its last coefficients, and the step
 //! itself is a polynomial, so that a value between two nodes ([`taylor::Step::at`]) and the time of an
-//! event ([`events`]) are as good as the nodes. The same code works over any [`number::Number`], such as numbers of
+//! event are as good as the nodes. The same code works over any [`number::Number`], such as numbers of
 //! twice the width ([`mod@double`]), in which the rounding of an `f64` is seen.
 //!
 //! Whoever integrates with one's own code alone proves little, so there is a second, foreign integrator
 //! ([`dop853`]). Integrals go through a Gauss–Legendre rule, or an adaptive Gauss–Kronrod one where that does not
 //! suffice ([`quadrature`]), equations in one unknown through bracketing root-finders ([`roots`]), fits through a QR
-//! decomposition ([`fit`]). A periodic function that is integrated again and again is first represented by
-//! polynomials ([`piecewise`]).
+//! decomposition ([`fit`]), the growth of small deviations through eigenvalues ([`mod@eigenvalues`]).
 //!
 //! Every door returns a typed error instead of a number that is not one, and none of them can run forever.
 // Where it is not built, its name leads to the feature that brings it.
@@ -20,21 +19,21 @@
     doc = "",
     doc = "[`dop853`]: crate#features",
     doc = "[`quadrature`]: crate#features",
+    doc = "[`mod@eigenvalues`]: crate#features",
     doc = "[`fit`]: crate#features"
 )]
 
-pub mod batch;
 #[cfg(feature = "trials")]
 pub mod dop853;
 pub mod double;
+#[cfg(feature = "trials")]
+pub mod eigenvalues;
 pub mod error;
-pub mod events;
 pub mod expression;
 #[cfg(feature = "trials")]
 pub mod fit;
 pub mod lanes;
 pub mod number;
-pub mod piecewise;
 #[cfg(feature = "trials")]
 pub mod quadrature;
 pub mod roots;

@@ -1,0 +1,82 @@
+//! What bodies do on a rough moving plane, from Newton's law and Coulomb's friction alone.
+//!
+//! The plane is pulled with the acceleration A(t); in its frame a body feels −A per unit of mass. Dry friction
+//! adds μg against the velocity while the body slides. At rest, friction holds it as long as it can, up to the
+//! same μg: the body starts to slide when |A| exceeds μg, and not before. That is all the physics in this module:
+//!
+//! ```text
+//! sliding:   dv/dt = −A(t) − μg v/|v|
+//! sticking:  v = 0 while |A(t)| ≤ μg
+//! ```
+//!
+//! Two points need care, and both are where v = 0. On the way to a stop the direction of v can turn
+//! infinitely fast; so sliding is integrated in a time s that runs ever faster, dt = |v| ds, in which nothing is
+//! singular ([`particle`]). And a body at rest whose friction is just overcome has no direction yet; its
+//! first moments come from a power series in t about the start.
+//!
+//! A [`spring`] may hold the block too: one more force in the same law. What is known of A(t) by its values alone,
+//! from a function or a table, becomes pieces of polynomials with a stated error ([`fitted`]).
+//!
+//! No solution in closed form is used here, not even as a first guess.
+//!
+//! [`validated`] encloses such motions, [`exam`] makes questions for physics engines of them, and [`explorers`] answers what the
+//! figures of a book ask. The tools are [`numerics`].
+//!
+//! # Features
+//!
+//! `parallel`: ensembles on all cores. `trials`: enclosures, the exam, and motions as sides of trials. `explorers`: what figures ask. `sources`: the sources
+//! as texts.
+// Where a module is not built, its name leads to the feature that brings it.
+#![cfg_attr(
+    not(feature = "trials"),
+    doc = "",
+    doc = "[`exam`]: #features",
+    doc = "[`validated`]: #features"
+)]
+#![cfg_attr(not(feature = "explorers"), doc = "", doc = "[`explorers`]: #features")]
+
+pub mod acceleration;
+pub mod clock;
+pub mod drive;
+pub mod error;
+#[cfg(feature = "trials")]
+pub mod exam;
+#[cfg(feature = "explorers")]
+pub mod explorers;
+pub mod fitted;
+pub mod launch;
+pub mod numerics;
+pub mod onset;
+pub mod particle;
+pub mod signal;
+pub mod sphere;
+pub mod spring;
+pub mod trajectory;
+pub mod turntable;
+#[cfg(feature = "trials")]
+pub mod validated;
+
+pub use acceleration::{Acceleration, Coefficients, Plane, Series};
+pub use error::MotionError;
+pub use fitted::{FitError, Fitted};
+pub use launch::Launch;
+pub use particle::{run, run_to_stop};
+pub use signal::Signal;
+pub use trajectory::{Motion, Phase, PhaseKind, State};
+
+#[cfg(feature = "trials")]
+use trialbook::exact;
+use trialbook::scalar;
+#[cfg(feature = "trials")]
+use trialbook::trials::runs::{Setting, failures};
+
+#[cfg(feature = "trials")]
+failures!(drive::DriveError, MotionError);
+
+#[cfg(feature = "trials")]
+impl Setting for drive::Drive {}
+
+/// The sources of this crate, by their paths below `src`.
+#[cfg(feature = "sources")]
+pub static SOURCES: include_dir::Dir<'static> =
+    include_dir::include_dir!("$CARGO_MANIFEST_DIR/src");

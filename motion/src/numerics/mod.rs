@@ -1,0 +1,8 @@
+//! The tools of [`trialbook::numerics`], and what only motions need of the kind: many starts at once ([`batch`]), the times
+//! of events ([`events`]), functions by pieces ([`piecewise`]).
+
+pub mod batch;
+pub mod events;
+pub mod piecewise;
+
+pub use trialbook::numerics::*;

@@ -1,0 +1,152 @@
+//! A particle on a rough turntable that turns at a steady rate about a vertical axis (section 4 of the paper).
+//!
+//! Newton's law with Coulomb friction, three times over: in axes that turn with the table ([`rotating`]), in axes
+//! at rest in the laboratory ([`inertial`]), and in components along and across the velocity ([`intrinsic`]). The
+//! last are regular where the particle comes to rest, so that they tell quickly and reliably whether it does
+//! ([`mod@fate`]), where the boundary lies ([`mod@boundary`]), and what an escape is like much later. Where friction
+//! hardly outweighs the pull, the last approach to rest has equations of its own (`slow`).
+//!
+//! Before all three stands the law of static friction: a particle at rest on the table at the distance r from the
+//! axis stays there if Ω²r ≤ μg. If Ω²r > μg it starts at once, straight away from the axis.
+
+pub mod boundary;
+pub mod ensemble;
+pub mod fate;
+pub mod inertial;
+pub mod intrinsic;
+pub mod moment;
+pub mod path;
+pub mod rotating;
+mod slow;
+
+use super::error::{MotionError, check as argument};
+
+pub use boundary::{boundary, critical_radius, critical_speed};
+pub use fate::{Escaping, Fate, fate};
+pub use intrinsic::{Intrinsic, Start};
+pub use path::Path;
+
+/// Where a particle is and how it moves, in one of the two frames. Both have their origin on the axis and coincide at t = 0.
+pub use super::State;
+
+#[cfg(all(test, feature = "trials"))]
+mod tests;
+
+/// The table and the particle. Both the friction and the turning may be absent, and Ω may have either sign.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Table {
+    /// Angular velocity Ω of the table, counterclockwise, in 1/time.
+    pub omega: f64,
+    /// Coefficient of friction μ ≥ 0, dimensionless.
+    pub mu: f64,
+    /// Gravity g > 0, in length/time².
+    pub g: f64,
+    /// Mass m > 0 of the particle.
+    pub mass: f64,
+}
+
+/// Ω = μ = g = m = 1: lengths in units of μg/Ω², times in units of 1/Ω.
+impl Default for Table {
+    fn default() -> Self {
+        Self {
+            omega: 1.0,
+            mu: 1.0,
+            g: 1.0,
+            mass: 1.0,
+        }
+    }
+}
+
+/// `vector` turned counterclockwise by the given angle.
+fn turned(vector: [f64; 2], angle: f64) -> [f64; 2] {
+    let (s, c) = libm::sincos(angle);
+    [c * vector[0] - s * vector[1], s * vector[0] + c * vector[1]]
+}
+
+impl Table {
+    /// Checks the parameters.
+    ///
+    /// # Errors
+    /// [`MotionError::Argument`] for Ω not finite, μ negative, g or m not positive, and for any above 10⁵⁰.
+    pub fn check(&self) -> Result<(), MotionError> {
+        size("omega", self.omega)?;
+        let allowed = (0.0..=LARGEST).contains(&self.mu);
+        argument("mu", self.mu, allowed, "finite, between 0 and 1e50")?;
+        for (name, value) in [("g", self.g), ("mass", self.mass)] {
+            let allowed = value > 0.0 && value <= LARGEST;
+            argument(name, value, allowed, "finite and positive, at most 1e50")?;
+        }
+        Ok(())
+    }
+
+    /// Largest deceleration by friction, μg, in length/time².
+    pub fn friction(&self) -> f64 {
+        self.mu * self.g
+    }
+
+    /// The unit of length μg/Ω² in which the dimensionless table has its own, infinite for Ω = 0.
+    pub fn length(&self) -> f64 {
+        self.friction() / (self.omega * self.omega)
+    }
+
+    /// Whether static friction holds a particle that is at rest on the table at distance `radius` from the axis.
+    pub fn holds(&self, radius: f64) -> bool {
+        self.omega * self.omega * radius <= self.friction()
+    }
+
+    /// Kinetic energy relative to the table and potential energy of the centrifugal force, ½m(v² − Ω²r²), for a
+    /// state in the table's frame.
+    pub fn energy(&self, state: &State) -> f64 {
+        let (p, r) = (state.speed(), self.omega * state.radius());
+        0.5 * self.mass * (p - r) * (p + r)
+    }
+
+    /// A state relative to the table as seen from the laboratory.
+    pub fn to_laboratory(&self, state: &State) -> State {
+        let [x, y] = state.x;
+        let [u, v] = state.v;
+        let angle = self.omega * state.t;
+        State {
+            t: state.t,
+            x: turned([x, y], angle),
+            v: turned([u - self.omega * y, v + self.omega * x], angle),
+        }
+    }
+
+    /// A state in the laboratory as seen from the table.
+    pub fn to_table(&self, state: &State) -> State {
+        let [x, y] = state.x;
+        let [u, v] = state.v;
+        let angle = -self.omega * state.t;
+        State {
+            t: state.t,
+            x: turned([x, y], angle),
+            v: turned([u + self.omega * y, v - self.omega * x], angle),
+        }
+    }
+}
+
+/// Largest size of what is given: products of several are still numbers.
+const LARGEST: f64 = 1e50;
+
+/// A number of either sign in its range.
+fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
+    let range = "finite, at most 1e50 in absolute value";
+    argument(name, value, value.abs() <= LARGEST, range)
+}
+
+/// Checks a start and the time up to which it is to be followed.
+fn check_start(start: &State, until: f64) -> Result<(), MotionError> {
+    let parts = [
+        ("t", start.t),
+        ("x", start.x[0]),
+        ("y", start.x[1]),
+        ("vx", start.v[0]),
+        ("vy", start.v[1]),
+    ];
+    for (name, value) in parts {
+        size(name, value)?;
+    }
+    size("until", until)?;
+    argument("until", until, until >= start.t, "not before the start")
+}

@@ -1,0 +1,138 @@
+//! A finished motion on the table, in the frame in which it was integrated.
+
+use super::{State, Table};
+use crate::Coefficients;
+use crate::clock::Clocked;
+use crate::error::MotionError;
+
+/// How the particle moves for a while.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Leg {
+    /// Sliding; components t, x, y, v_x, v_y.
+    Slide(Clocked<5>),
+    /// The first moments after a start from rest: coefficients of x, y, v_x, v_y in powers of t − from.
+    Onset {
+        from: f64,
+        series: Box<[Coefficients; 4]>,
+    },
+    /// The last moments before a stop, at a steady deceleration relative to the table; a state in its frame.
+    Stopping { state: State, to: f64 },
+    /// At rest on the table at the given place.
+    Rest { from: f64, place: [f64; 2] },
+}
+
+impl Leg {
+    fn from(&self) -> f64 {
+        match self {
+            Self::Slide(slide) => slide
+                .nodes()
+                .next()
+                .map_or(f64::NEG_INFINITY, |node| node[0]),
+            Self::Stopping { state, .. } => state.t,
+            Self::Onset { from, .. } | Self::Rest { from, .. } => *from,
+        }
+    }
+}
+
+/// The frame to which states belong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Frame {
+    /// Axes that turn with the table.
+    Table,
+    /// Axes at rest in the laboratory.
+    Laboratory,
+}
+
+/// A motion from a start to an end.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
+    pub(super) table: Table,
+    pub(super) frame: Frame,
+    pub(super) legs: Vec<Leg>,
+    pub(super) stops: Vec<f64>,
+    pub(super) start: f64,
+    pub(super) end: f64,
+}
+
+impl Path {
+    /// The times at which the speed relative to the table becomes zero.
+    pub fn stops(&self) -> &[f64] {
+        &self.stops
+    }
+
+    /// Where on the table, in its own axes, the particle rests at the end, if it does.
+    pub fn resting_place(&self) -> Option<[f64; 2]> {
+        match self.legs.last() {
+            Some(Leg::Rest { place, .. }) => Some(*place),
+            _ => None,
+        }
+    }
+
+    /// Time at the end.
+    pub fn end(&self) -> f64 {
+        self.end
+    }
+
+    /// State at time `t` in the frame of the integration.
+    ///
+    /// # Errors
+    /// [`MotionError::Argument`] for a time before the start or after the end.
+    pub fn at(&self, t: f64) -> Result<State, MotionError> {
+        let range = "between the start and the end of the motion";
+        super::argument("t", t, t >= self.start && t <= self.end, range)?;
+        let index = self.legs.partition_point(|leg| leg.from() <= t);
+        match &self.legs[index.saturating_sub(1)] {
+            Leg::Slide(slide) => {
+                let [_, x, y, u, v] = slide.at(t)?;
+                Ok(State {
+                    t,
+                    x: [x, y],
+                    v: [u, v],
+                })
+            }
+            Leg::Onset { from, series } => {
+                let [x, y, u, v] =
+                    [0, 1, 2, 3].map(|i| crate::numerics::series::value(&series[i], &(t - from)));
+                Ok(State {
+                    t,
+                    x: [x, y],
+                    v: [u, v],
+                })
+            }
+            Leg::Stopping { state, to } => {
+                let part = ((t - state.t) / (to - state.t)).min(1.0);
+                let way = (t - state.t) * (1.0 - 0.5 * part);
+                Ok(self.seen(State {
+                    t,
+                    x: [0, 1].map(|i| state.x[i] + way * state.v[i]),
+                    v: state.v.map(|v| (1.0 - part) * v),
+                }))
+            }
+            Leg::Rest { place, .. } => Ok(self.seen(State {
+                t,
+                x: *place,
+                v: [0.0; 2],
+            })),
+        }
+    }
+
+    /// State at time `t` relative to the table.
+    ///
+    /// # Errors
+    /// As for [`at`](Self::at).
+    pub fn on_table(&self, t: f64) -> Result<State, MotionError> {
+        let state = self.at(t)?;
+        Ok(match self.frame {
+            Frame::Table => state,
+            Frame::Laboratory => self.table.to_table(&state),
+        })
+    }
+
+    /// A state relative to the table, in the frame of this path.
+    fn seen(&self, state: State) -> State {
+        match self.frame {
+            Frame::Table => state,
+            Frame::Laboratory => self.table.to_laboratory(&state),
+        }
+    }
+}
