@@ -26,7 +26,7 @@ def ours(folder):
         shutil.copy(known, home)
     subprocess.run(["git", "clone", "--quiet", "--no-local", ROOT, clone], check=True)
     environment = {**os.environ, "CARGO_HOME": home, "CARGO_TARGET_DIR": os.path.join(folder, "target")}
-    subprocess.run(["cargo", "run", "--quiet", "--release"], cwd=clone, env=environment, check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cargo", "run", "--quiet"], cwd=clone, env=environment, check=True, stdout=subprocess.DEVNULL)
 
 
 def theirs(folder):

@@ -10,8 +10,9 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 /// What the crate is built from, from the top of the repository.
-const PARTS: [&str; 6] = [
+const PARTS: [&str; 7] = [
     "src",
+    "motion/src",
     "claims",
     "book",
     "snapshots",
@@ -81,13 +82,15 @@ pub fn write(mistakes: &[Mistake], copy: &Path) -> Result<Vec<Lost>, Box<dyn Err
                 })?
                 .into_bytes(),
         };
+        let allowed = b"#![allow(warnings, clippy::all)]\n".as_slice();
         let bytes = match file {
-            "src/lib.rs" => [
-                b"#![allow(warnings, clippy::all)]\n".as_slice(),
-                &bytes,
-                include_bytes!("../copy/wrong.rs"),
-            ]
-            .concat(),
+            "src/lib.rs" => {
+                let switches = b"pub use slipbook_motion::{NOTED, go_wrong, passed};\n";
+                [allowed, &bytes, switches].concat()
+            }
+            "motion/src/lib.rs" => {
+                [allowed, &bytes, include_bytes!("../copy/wrong.rs")].concat()
+            }
             _ => bytes,
         };
         put(&copy.join(file), &bytes)?;
@@ -96,8 +99,11 @@ pub fn write(mistakes: &[Mistake], copy: &Path) -> Result<Vec<Lost>, Box<dyn Err
         &copy.join("verdicts.rs"),
         include_bytes!("../copy/verdicts.rs"),
     )?;
-    let manifest = manifest(&fs::read_to_string("Cargo.toml")?);
-    put(&copy.join("Cargo.toml"), manifest.as_bytes())?;
+    for crate_of in ["", "motion/"] {
+        let path = format!("{crate_of}Cargo.toml");
+        let manifest = manifest(&fs::read_to_string(&path)?);
+        put(&copy.join(path), manifest.as_bytes())?;
+    }
     // As it is, so that the same versions are built; cargo notes the other name in it.
     if !copy.join("Cargo.lock").exists() {
         fs::copy("Cargo.lock", copy.join("Cargo.lock"))?;
@@ -105,7 +111,7 @@ pub fn write(mistakes: &[Mistake], copy: &Path) -> Result<Vec<Lost>, Box<dyn Err
     Ok(lost)
 }
 
-/// The manifest of the copy: another name, so that its artefacts can lie beside those of the crate, and no tests.
+/// A manifest of the copy: another name, so that its artefacts can lie beside those of the crate, and no tests.
 fn manifest(text: &str) -> String {
     let mut out = String::new();
     let mut kept = false;
@@ -119,11 +125,16 @@ fn manifest(text: &str) -> String {
             _ => line,
         };
         if kept {
-            out += &line.replace("path = \"trialbook\"", "path = \"../../trialbook\"");
+            let engine = |path: &str| format!("path = \"{path}trialbook\"");
+            let line = line.replace(&engine("../"), &engine("../../../"));
+            out += &line.replace(&engine(""), &engine("../../"));
             out.push('\n');
         }
     }
-    out + "[workspace]\n\n[[bin]]\nname = \"verdicts\"\npath = \"verdicts.rs\"\n"
+    match out.contains("name = \"slipbook-wrong\"") {
+        true => out + "[workspace]\n\n[[bin]]\nname = \"verdicts\"\npath = \"verdicts.rs\"\n",
+        false => out,
+    }
 }
 
 /// Writes a file if it is not there yet as it should be, so that cargo builds no more than it must.
@@ -139,12 +150,12 @@ fn put(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
 pub fn build(copy: &Path) -> Result<PathBuf, Box<dyn Error>> {
     let target = std::path::absolute("target")?;
     let built = Command::new("cargo")
-        .args(["build", "--release", "--bin", "verdicts", "--target-dir"])
+        .args(["build", "--bin", "verdicts", "--target-dir"])
         .arg(&target)
         .current_dir(copy)
         .status()?;
     if !built.success() {
         return Err("the copy does not compile".into());
     }
-    Ok(target.join("release/verdicts"))
+    Ok(target.join("debug/verdicts"))
 }

@@ -3,7 +3,7 @@
 //! A copy of the crate is written in which each mistake stands behind a switch, and is built once. With no switch on it
 //! has to come to the recorded verdicts; then the ledger is tried once for each mistake, in a process of its own.
 //!
-//! The copy is kept in `target/physics`; what it depends on is shared with the crate's own build for release. The table
+//! The copy is kept in `target/physics`; what it depends on is shared with the crate's own build. The table
 //! goes to `snapshots/physics.csv`, and which measurement reacts to how many of them to `snapshots/reactions.csv`. Of what was
 //! recorded there no measurement may have ceased to react, and one that reacts to nothing needs a line in
 //! `mutants/reads_no_motion.txt`. Names of mistakes may follow: then only these are tried and nothing is recorded.

@@ -5,7 +5,7 @@
 //! vectors test too. Of all cases a part is tried each time; all ten thousand of a kind with
 //!
 //! ```text
-//! SLIPBOOK_DIGITS=10000 cargo test --release --test suite digits::
+//! SLIPBOOK_DIGITS=10000 cargo test --test suite digits::
 //! ```
 //!
 //! which also compares the counts with `snapshots/digits.csv`, from which the book draws its figure, and writes them anew
