@@ -4,8 +4,9 @@
     python3 -m venv /tmp/peers && /tmp/peers/bin/pip install -r benches/peers/requirements.txt
     /tmp/peers/bin/python benches/peers/run.py --rounds 3 --out benches/results.json
 
-Ours is `cargo bench -p slipbook-benches --bench workloads`, read from what criterion leaves; a peer is a script of this folder, which
-prints one line of JSON. Of all rounds the fastest counts, on both sides.
+Ours is `cargo bench -p slipbook-benches --bench workloads`, read from what criterion leaves, in README's own build (profile dev)
+and in that of released binaries (profile release); a peer is a script of this folder, which prints one line of JSON. Of all
+rounds the fastest counts, on all sides. The settings of the two profiles are kept with the figures.
 """
 import argparse
 import datetime
@@ -14,6 +15,7 @@ import os
 import platform
 import subprocess
 import sys
+import tomllib
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -57,19 +59,36 @@ ROWS = [
 ONCE = ["w8-fresh"]
 
 
-def ours(group, function, items):
+PROFILES = ("dev", "release")
+
+
+def ours(profile, group, function, items):
     if ".py" in function:
         return theirs(function)[0], ""
-    command = ["cargo", "bench", "--quiet", "-p", "slipbook-benches", *PROFILE, "--bench", "workloads", "--", "--exact", f"{group}/{function}"]
+    command = ["cargo", "bench", "--quiet", "-p", "slipbook-benches", "--profile", profile, "--bench", "workloads", "--", "--exact", f"{group}/{function}"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
-    accuracy = [line for line in done.stdout.splitlines() if line.startswith(group + ", accuracy")]
+    accuracy = [line.removeprefix(group + ", ") for line in done.stdout.splitlines() if line.startswith(group + ", accuracy")]
     with open(os.path.join(ROOT, "target", "criterion", group, function, "new", "estimates.json")) as file:
         nanoseconds = json.load(file)["median"]["point_estimate"]
-    return nanoseconds / items / 1e3, "; ".join(line.split(": ", 1)[0].split(", ", 1)[1] + ": " + line.split(": ", 1)[1] for line in accuracy)
+    return nanoseconds / items / 1e3, "; ".join(accuracy)
+
+
+def settings():
+    """What Cargo.toml says of the profiles."""
+    with open(os.path.join(ROOT, "Cargo.toml"), "rb") as file:
+        return tomllib.load(file)["profile"]
 
 
 # The ensemble on one core, from a thousand starts to a million: what one costs must not grow.
 GROWTH = [1024, 10000, 99856, 1000000]
+
+
+def processor():
+    """The processor, with the widest registers that are used here."""
+    with open("/proc/cpuinfo") as file:
+        flags = file.read()
+    wide = [name for name in ("avx512f", "avx2") if f" {name} " in flags]
+    return ", ".join([platform.machine(), *wide[:1]])
 
 
 def theirs(command):
@@ -90,30 +109,32 @@ def main():
     for work, group, function, items, peer, command in ROWS:
         if not group.startswith(arguments.only):
             continue
-        best = {"work": work, "peer": peer, "ours_us": float("inf"), "peer_us": float("inf"), "accuracy": ""}
+        best = dict.fromkeys(("ours_us", "released_us", "peer_us"), float("inf"))
+        # What is no bench of ours has one profile.
+        keys = dict(zip(PROFILES, best)) if ".py" not in function else {"dev": "ours_us"}
+        accuracy = ""
         try:
             for _ in range(1 if group in ONCE else arguments.rounds):
-                mine, accuracy = ours(group, function, items)
-                other, _ = theirs(command)
-                best["ours_us"] = min(best["ours_us"], mine)
-                best["peer_us"] = min(best["peer_us"], other)
-                best["accuracy"] = accuracy
+                for profile, key in keys.items():
+                    mine, accuracy = ours(profile, group, function, items)
+                    best[key] = min(best[key], mine)
+                best["peer_us"] = min(best["peer_us"], theirs(command)[0])
         except (subprocess.CalledProcessError, OSError, IndexError, KeyError) as error:
             print(f"{work}, {peer}: {error} {getattr(error, 'stderr', '')}", file=sys.stderr)
             continue
-        best["ratio"] = float(f"{best['peer_us'] / best['ours_us']:.3g}")
-        for key in ("ours_us", "peer_us"):
-            best[key] = float(f"{best[key]:.3g}")
-        print(json.dumps(best), flush=True)
-        rows.append(best)
+        best = {key: float(f"{best[key]:.3g}") for key in [*keys.values(), "peer_us"]}
+        row = {"work": work, "peer": peer, **best, "accuracy": accuracy}
+        print(json.dumps(row), flush=True)
+        rows.append(row)
     growth = []
     if "w1".startswith(arguments.only[:2]):
         for starts in GROWTH:
-            times = [ours("w1-turntable", f"one core, {starts}", starts)[0] for _ in range(arguments.rounds)]
+            times = [ours("dev", "w1-turntable", f"one core, {starts}", starts)[0] for _ in range(arguments.rounds)]
             growth.append({"starts": starts, "each_us": float(f"{min(times):.3g}")})
             print(json.dumps(growth[-1]), flush=True)
-    machine = f"{platform.machine()}, {os.cpu_count()} cores"
-    result = {"date": datetime.date.today().isoformat(), "machine": machine, "rounds": arguments.rounds, "rows": rows, "growth": growth}
+    machine = f"{processor()}, {os.cpu_count()} cores"
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
+    result = {"date": datetime.date.today().isoformat(), "commit": commit, "profiles": settings(), "machine": machine, "rounds": arguments.rounds, "rows": rows, "growth": growth}
     with open(arguments.out + ".part", "w") as file:
         json.dump(result, file, indent=1)
         file.write("\n")
