@@ -12,7 +12,7 @@ mod watch;
 use crate::claims::PAPER;
 use crate::{breaks, commands, figures, symbols};
 use include_dir::{Dir, include_dir};
-use trialbook::publishing::{Edition, Placeholder, Sources, texts};
+use trialbook::publishing::{Edition, Filled, Placeholder, Sources, texts};
 
 /// The book and the command.
 pub static EDITION: Edition = Edition {
@@ -141,6 +141,16 @@ pub static EDITION: Edition = Edition {
         motion,
     },
     placeholders: &[
+        Placeholder {
+            name: "cite",
+            fill: |_| {
+                let [version, by] = [env!("CARGO_PKG_VERSION"), env!("CARGO_PKG_AUTHORS")];
+                let licence = env!("CARGO_PKG_LICENSE");
+                Ok(Filled::Inline(format!(
+                    "Slipbook {version}, by {by}; licence {licence}"
+                )))
+            },
+        },
         Placeholder {
             name: "explorer",
             fill: explorer::place,

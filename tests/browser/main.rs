@@ -37,7 +37,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 30] = [
+const TESTS: [(&str, Test); 31] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -81,8 +81,9 @@ const TESTS: [(&str, Test); 30] = [
     ("every_slider_shows_its_picture_in_time", measures::sliders),
     ("every_picture_is_drawn_in_time", measures::frames),
     ("a_phone_shows_all", measures::phone),
-    ("paper_holds_the_errata", measures::paper),
+    ("all_pages_in_one_come_in_time", measures::paper),
     ("nothing_on_paper_is_too_small_to_read", paper::sizes),
+    ("nothing_lies_over_the_sheets", paper::sheets),
     ("what_one_points_at_is_said", measures::cards),
     ("pages_are_accessible", access::pages),
     ("themes_are_accessible", access::themes),
@@ -93,7 +94,7 @@ const TIMED: [&str; 4] = [
     "every_answer_comes_in_time",
     "every_slider_shows_its_picture_in_time",
     "every_picture_is_drawn_in_time",
-    "paper_holds_the_errata",
+    "all_pages_in_one_come_in_time",
 ];
 
 /// Whether times are measured, with nothing else at the same time.

@@ -27,6 +27,18 @@ fn without(text: &str, open: &str, close: &str) -> String {
 fn the_letters_can_be_sent() {
     let ledger = &*LEDGER;
     let [text, latex] = [Format::Text, Format::Latex].map(|format| ledger.letter(format).unwrap());
+    let [text, latex] = [(Format::Text, text), (Format::Latex, latex)].map(|(format, sent)| {
+        assert!(sent.contains("[name") && sent.contains("[address"));
+        format.signed(
+            sent,
+            Some("A. Nobody/Here & There"),
+            Some("https://b.example/a_b"),
+        )
+    });
+    assert!(text.contains("From A. Nobody, Here & There\n") && text.contains("/a_b"));
+    assert!(latex.contains(r"From A. Nobody, Here \& There") && latex.contains(r"a\_b"));
+    let tags: BTreeSet<_> = latex.split(r"\tag{").skip(1).map(|tag| &tag[..4]).collect();
+    assert!(tags.len() == latex.matches(r"\tag{").count() && tags.len() > 10);
     assert!(text.lines().all(|line| line.chars().count() <= 78));
     let foreign: Vec<_> = latex.chars().filter(|c| !c.is_ascii()).collect();
     assert!(foreign.is_empty(), "no LaTeX for {foreign:?}");
@@ -36,8 +48,11 @@ fn the_letters_can_be_sent() {
 /// It names all that has to be changed, and nothing else.
 #[test]
 fn the_letter_names_every_error() {
-    let links = PAPER.letter.split("](#").skip(1);
-    let named: BTreeSet<_> = links.filter_map(|link| link.split(')').next()).collect();
+    let links = PAPER.letter.replace("{{right ", "](#");
+    let links = links.split("](#").skip(1);
+    let named: BTreeSet<_> = links
+        .filter_map(|link| link.split([')', '}']).next())
+        .collect();
     let errata = LEDGER.errata().unwrap();
     let wrong: BTreeSet<_> = errata.iter().map(|erratum| erratum.id).collect();
     assert_eq!(named, wrong);

@@ -2,7 +2,7 @@
 
 use super::Ledger;
 use super::errata::{ErrataError, Erratum, statement};
-use crate::notation::{Piece, command, decimal, pieces, plain_words};
+use crate::notation::{Piece, command, decimal, pieces, plain_formula, plain_words};
 use crate::trials::Paper;
 
 /// A form of the letter.
@@ -20,13 +20,27 @@ impl Format {
             Format::Latex => &Latex,
         }
     }
+
+    /// What is sent, with who sends it, name, affiliation and address parted by slashes, and where the program can be found.
+    pub fn signed(self, mut sent: String, from: Option<&str>, code: Option<&str>) -> String {
+        let from = from.map(|from| from.replace('/', ", "));
+        for (blank, words) in [(SENDER, from.as_deref()), (CODE, code)] {
+            let words = words.unwrap_or(blank).chars();
+            let words: String = match self {
+                Format::Text => words.collect(),
+                Format::Latex => words.map(tex_char).collect(),
+            };
+            sent = sent.replace(blank, &words);
+        }
+        sent
+    }
 }
 
 impl Ledger {
-    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent its supplement.
+    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent its errata, without trials.
     ///
     /// In the letter a paragraph is a line of words with formulas in `$…$`, a heading begins with `# `. `[words](#id)` names a
-    /// claim that has to be changed. `{{right eq-13}}` is what should stand there,
+    /// claim that has to be changed. `{{right eq-13}}` is what should stand there, with its number on a line of its own;
     /// `{{stated eq-13}}` and `{{found eq-13}}` are the numbers of its case by hand; `{{value lambda-c 3}}` is a number of the
     /// paper with three decimals; `{{count numbered}}`, `{{count others}}` and `{{count standing}}` count equations, other
     /// statements, and what need not be changed; `{{reference}}` is where the paper can be found.
@@ -35,7 +49,7 @@ impl Ledger {
     /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not.
     pub fn letter(&self, format: Format) -> Result<String, ErrataError> {
         match self.paper.letter {
-            "" => self.supplement(format),
+            "" => Ok(self.list(&self.errata()?, format.style(), COMMENT)),
             _ => self.comment(&self.errata()?, format.style()),
         }
     }
@@ -45,18 +59,27 @@ impl Ledger {
     /// # Errors
     /// As [`Ledger::errata`].
     pub fn supplement(&self, format: Format) -> Result<String, ErrataError> {
-        Ok(self.trials(&self.errata()?, format.style()))
+        let what = "Supplement to a comment on";
+        Ok(self.list(&self.errata()?, format.style(), what))
     }
 
     fn comment(&self, errata: &[Erratum], style: &dyn Style) -> Result<String, ErrataError> {
-        let mut text = style.opening(self.paper, COMMENT) + &style.sender();
+        let mut text = style.opening(self.paper, COMMENT);
         for line in self.paper.letter.lines().filter(|line| !line.is_empty()) {
-            text += &match line.strip_prefix("# ") {
-                Some(title) => style.heading(title),
-                None => style.paragraph(&self.filled(errata, &unlinked(line))?),
+            let id = line.strip_prefix("{{right ");
+            let claim = id.and_then(|id| Some(self.entry(id.strip_suffix("}}")?)?.claim));
+            let right = claim.and_then(|claim| Some((claim.equation?, claim.correction?.latex)));
+            let next = match (line.strip_prefix("# "), right) {
+                (Some(title), _) => style.heading(title),
+                (_, Some((number, latex))) => {
+                    text.truncate(text.trim_end().len());
+                    style.numbered(number, latex)
+                }
+                _ => style.paragraph(&self.filled(errata, &unlinked(line))?),
             };
+            text += &next;
         }
-        Ok(text + style.closing())
+        Ok(text + style.closing(COMMENT))
     }
 
     /// A line of the letter with its placeholders filled.
@@ -113,12 +136,17 @@ impl Ledger {
         }
     }
 
-    fn trials(&self, errata: &[Erratum], style: &dyn Style) -> String {
-        let mut text = style.opening(self.paper, "Supplement to a comment on");
+    /// The errata one by one; with their trials, unless it is a comment.
+    fn list(&self, errata: &[Erratum], style: &dyn Style, what: &str) -> String {
+        let mut text = style.opening(self.paper, what);
         for (title, wrong) in [("Corrections", true), ("Conditions to be stated", false)] {
-            text += &style.heading(title);
+            let mut heading = style.heading(title);
             for erratum in errata.iter().filter(|e| e.verdict.is_wrong() == wrong) {
+                text += &std::mem::take(&mut heading);
                 text += &style.item(&self.name(erratum.id), erratum);
+                for said in erratum.evidence.iter().filter(|_| what != COMMENT) {
+                    text += &style.entry("Trial", said);
+                }
                 if !erratum.fallen.is_empty() && wrong {
                     let names: Vec<_> = erratum.fallen.iter().map(|id| self.name(id)).collect();
                     text += &style.entry("Inherited by", &names.join(", "));
@@ -126,7 +154,8 @@ impl Ledger {
                 text.push('\n');
             }
         }
-        text + style.closing()
+        let code = format!("The program that makes the trials is at {CODE}.");
+        text + &style.paragraph(&code) + style.closing(what)
     }
 }
 
@@ -147,8 +176,14 @@ fn fault(says: String) -> ErrataError {
     ErrataError::Letter(says)
 }
 
-/// A displayed formula that is too wide for its column is made smaller.
-const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}";
+/// Stand for what [`Format::signed`] brings.
+const SENDER: &str = "[name, affiliation and address]";
+const CODE: &str = "[address of the code]";
+
+/// Whether a formula is too long for a line of a column, or for standing beside its number with its words.
+fn is_long(latex: &str) -> bool {
+    plain_formula(latex).chars().count() > 48
+}
 
 /// The parts of an item that stand in one paragraph, in LaTeX.
 const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
@@ -157,12 +192,13 @@ const COMMENT: &str = "Comment on";
 
 trait Style {
     fn opening(&self, paper: &Paper, what: &str) -> String;
-    fn sender(&self) -> String;
     fn heading(&self, title: &str) -> String;
     fn paragraph(&self, words: &str) -> String;
+    /// An equation with its number, in the paragraph before it.
+    fn numbered(&self, number: u16, latex: &str) -> String;
     fn title(&self, name: &str, erratum: &Erratum) -> String;
     fn entry(&self, label: &str, words: &str) -> String;
-    fn closing(&self) -> &'static str;
+    fn closing(&self, what: &str) -> &'static str;
 
     /// `Misprint: the sign of the second term.`
     fn wrong(&self, erratum: &Erratum) -> String {
@@ -179,9 +215,6 @@ trait Style {
         }
         if let Some(case) = &erratum.case {
             text += &self.entry("A case by hand", &closed(case));
-        }
-        for said in &erratum.evidence {
-            text += &self.entry("Trial", said);
         }
         text
     }
@@ -208,22 +241,36 @@ fn about(name: &str, erratum: &Erratum) -> String {
     }
 }
 
+/// By whom a paper is, and where it can be found, as far as that is known.
+fn source(paper: &Paper) -> String {
+    let by = match paper.authors {
+        "" => String::new(),
+        authors => format!("by {authors}"),
+    };
+    let known = [by.as_str(), paper.reference].into_iter();
+    known
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
 /// Plain text, 78 characters a line.
 struct Plain;
 
 impl Style for Plain {
     fn opening(&self, paper: &Paper, what: &str) -> String {
-        let (title, authors) = (paper.title, paper.authors);
-        format!("{what} \"{title}\"\nby {authors}, {}\n\n", paper.reference)
-    }
-    fn sender(&self) -> String {
-        "[name, affiliation and address of the sender]\n\n".into()
+        let (title, source) = (paper.title, source(paper));
+        format!("{what} \"{title}\"\n{source}\n\nTo the authors\nFrom {SENDER}\n\n")
     }
     fn heading(&self, title: &str) -> String {
         format!("{}\n{}\n\n", title.to_uppercase(), "=".repeat(title.len()))
     }
     fn paragraph(&self, words: &str) -> String {
         wrapped(&plain_words(words), 0) + "\n"
+    }
+    fn numbered(&self, number: u16, latex: &str) -> String {
+        let line = format!("({number}) {}", plain_formula(latex));
+        format!("\n\n{}\n", wrapped(&line, 4))
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         let (verdict, section) = (erratum.verdict.words(), erratum.section);
@@ -239,7 +286,7 @@ impl Style for Plain {
             text
         }
     }
-    fn closing(&self) -> &'static str {
+    fn closing(&self, _: &str) -> &'static str {
         ""
     }
 }
@@ -265,31 +312,43 @@ struct Latex;
 
 impl Style for Latex {
     fn opening(&self, paper: &Paper, what: &str) -> String {
-        let (title, authors, reference) = (paper.title, paper.authors, paper.reference);
         // The comment is two pages of a journal, the supplement a report.
-        let (columns, size) = match what {
-            COMMENT => (",twocolumn", r"\small"),
-            _ => ("", ""),
+        let columns = match what {
+            COMMENT => "\\begin{multicols}{2}\n",
+            _ => "",
         };
         format!(
-            "\\documentclass[10pt{columns}]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm,graphicx}}\n\
-             \\usepackage[margin=14mm]{{geometry}}\n{FIT}\n\n\
-             \\title{{{what} ``{title}''\\\\\\large by {authors}, {reference}}}\n\\author{{[name]\\\\{{}}[affiliation and \
-             address]}}\n\\date{{}}\n\n\\begin{{document}}{size}\n\\maketitle\n\n"
+            "{}{{\\Large {what} ``{}''}}\\\\[2pt]\n{}\\\\[8pt]\nTo the authors\\\\[4pt]\nFrom {SENDER}\n\\end{{center}}\n{columns}\n",
+            include_str!("letter.tex"),
+            paper.title,
+            source(paper),
         )
-    }
-    fn sender(&self) -> String {
-        // It stands in the title.
-        String::new()
     }
     fn heading(&self, title: &str) -> String {
         format!("\\subsection*{{{title}}}\n\n")
     }
     fn paragraph(&self, words: &str) -> String {
-        match alone(words) {
-            Some(formula) => displayed(formula),
-            None => format!("{}\n\n", tex_words(words)),
+        let mut text = String::new();
+        for (i, part) in words.split('$').enumerate() {
+            text += &match i % 2 {
+                0 => tex_plain(part),
+                _ if is_long(part) => format!("\n\\[\\broken{{{}}}\\]\n", breakable(part)),
+                _ => format!("${}$", breakable(part)),
+            };
         }
+        // The stop behind a formula stands where that does.
+        for stop in [",", ";", "."] {
+            text = text.replace(&format!("}}\\]\n{stop} "), &format!("{stop}}}\\]\n"));
+        }
+        text.replace("$$", " ") + "\n\n"
+    }
+    fn numbered(&self, number: u16, latex: &str) -> String {
+        let parts = latex.split_once(r"\quad\text{").filter(|_| is_long(latex));
+        let formula = parts.map_or(latex, |(formula, _)| formula);
+        let words = parts.map_or(String::new(), |(_, words)| {
+            tex_words(&closed(words.trim_end_matches('}')))
+        });
+        format!("\n\\begin{{gather*}}\n{formula}\\tag{{{number}}}\n\\end{{gather*}}\n{words}\n\n")
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         format!(
@@ -309,8 +368,11 @@ impl Style for Latex {
             None => format!("\\emph{{{label}:}} {}\n{end}", tex_words(words)),
         }
     }
-    fn closing(&self) -> &'static str {
-        "\\end{document}\n"
+    fn closing(&self, what: &str) -> &'static str {
+        match what {
+            COMMENT => "\\end{multicols}\n\\end{document}\n",
+            _ => "\\end{document}\n",
+        }
     }
 }
 
@@ -328,15 +390,24 @@ fn displayed(formula: &str) -> String {
 fn tex_words(words: &str) -> String {
     let parts = words.split('$').enumerate().map(|(i, part)| match i % 2 {
         0 => tex_plain(part),
-        // Between \left and \right no line can break.
-        _ => format!(
-            "${}$",
-            part.replace(r"\left[", r"\bigl[")
-                .replace(r"\right]", r"\bigr]")
-        ),
+        _ => format!("${}$", breakable(part)),
     });
     // Neighbours join into one formula.
     parts.collect::<String>().replace("$$", " ")
+}
+
+/// A formula in which lines can break: not between `\left` and `\right`, nor in a fraction, which has a stroke if it is long.
+fn breakable(formula: &str) -> String {
+    let formula = formula
+        .replace(r"\left[", r"\bigl[")
+        .replace(r"\right]", r"\bigr]");
+    let inside = formula
+        .strip_prefix(r"\frac{")
+        .and_then(|rest| rest.strip_suffix('}'));
+    let long = inside.filter(|inside| inside.len() > 300 && inside.matches("}{").count() == 1);
+    long.map_or(formula.clone(), |inside| {
+        format!("({})", inside.replace("}{", ")/("))
+    })
 }
 
 fn tex_plain(words: &str) -> String {
@@ -344,7 +415,7 @@ fn tex_plain(words: &str) -> String {
     for piece in pieces(words) {
         match piece {
             Piece::Text(text) => out.extend(text.chars().map(tex_char)),
-            Piece::Formula(latex) => out += &format!("${latex}$"),
+            Piece::Formula(latex) => out += &format!("${}$", breakable(&latex)),
             Piece::Minus => out += "$-$",
             Piece::Scientific(number) => {
                 let (mantissa, exponent) = number.split_once('e').unwrap_or((number, "0"));
@@ -360,7 +431,8 @@ fn tex_plain(words: &str) -> String {
 
 fn tex_char(c: char) -> String {
     match c {
-        '&' | '%' | '#' | '_' | '{' | '}' => format!("\\{c}"),
+        '&' | '%' | '#' | '_' | '{' | '}' | '$' => format!("\\{c}"),
+        '/' => r"/\allowbreak{}".into(),
         '^' => "\\^{}".into(),
         '~' => "\\~{}".into(),
         '\\' => "$\\backslash$".into(),
@@ -407,6 +479,9 @@ mod tests {
                 .letter(Format::Text)
                 .map_err(|error| error.to_string())
         };
+        let sent = said("").unwrap();
+        assert_eq!(sent.lines().nth(1), Some(""), "nobody wrote it");
+        assert!(sent.contains("\nCORRECTIONS\n") && !sent.contains("Trial: "));
         let letter = said("[(4)](#eq-4) is {{right eq-4}}; {{count numbered}}, {{count standing}}");
         assert!(
             letter.as_ref().unwrap().contains("(4) is d = −1; "),
