@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 """Checks certificates with python-flint alone; nothing of it is shared with what wrote them.
 
-    python3 check.py FOLDER [DATE]     all files of a folder; with a date, the result is recorded
-    python3 check.py FOLDER --list     writes transcript.txt anew, if every file is right, for it to be read and reviewed
+    python3 check.py FOLDER      all files of a folder, of which none may be missing
+    python3 check.py FILE...     these files alone
 
-The format is described in the book, on the page "Certificates". Exit code 0 if every file is accepted.
+The format is described in the book, on the page "Certificates". Exit code 0 if every file is accepted, 2 if none is named.
 """
+import argparse
 import json
 import subprocess
 import sys
@@ -13,7 +14,10 @@ import tomllib
 from collections import Counter
 from pathlib import Path
 
-import flint
+try:
+    import flint
+except ImportError:
+    sys.exit("python-flint is missing: pip install python-flint")
 
 from field import identity
 from formula import demand, keys
@@ -93,9 +97,20 @@ def opened(file):
     return json.loads(Path(file).read_text("utf-8"), object_pairs_hook=once)
 
 
-def main(folder, date=None):
+def main(words=None):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("paths", metavar="PATH", nargs="+", type=Path)
+    parser.add_argument("--list", action="store_true", help="write transcript.txt anew, if every file is right, for it to be read and reviewed")
+    parser.add_argument("--record", metavar="DATE", help="record the result")
+    asked = parser.parse_args(words)
+    for path in asked.paths:
+        if not path.exists():
+            parser.error(f"there is no {path}")
+    alone = all(path.is_file() for path in asked.paths)
+    if not alone and len(asked.paths) > 1 or alone and (asked.list or asked.record):
+        parser.error("one folder, or files; only a folder is listed or recorded")
     prints = Prints(Path(__file__).resolve().parent.parent)
-    files, anew = sorted(Path(folder).glob("*.json")), date == "--list"
+    files, anew = asked.paths if alone else sorted(asked.paths[0].glob("*.json")), asked.list
     accepted, rejected = [], []
     for file in files:
         try:
@@ -107,17 +122,19 @@ def main(folder, date=None):
         if not rejected:
             (prints.root / "certificates/transcript.txt").write_text(Transcript.written(accepted), "utf-8")
         return 1 if rejected else 0
-    rejected += [f"{name}: missing" for name in sorted(prints.transcript.files.keys() - {file.name for file in files})]
+    missing = [] if alone else sorted(prints.transcript.files.keys() - {file.name for file in files})
+    if missing:
+        rejected.append(f"{len(missing)} missing, the first of them {missing[0]}; to check some alone, name the files")
     ties = dict(sorted(Counter(line.split(",")[2] for line in accepted).items()))
     print("\n".join(rejected))
     print(f"{len(accepted)} of {len(files)} files accepted; the printed formula is", ties)
-    if date and not rejected:
+    if asked.record and not rejected:
         # Who accepted what, when, and of which commit.
         commit = subprocess.run(["git", "-C", prints.root, "rev-parse", "--short", "HEAD"], capture_output=True, check=True, text=True).stdout.strip()
         by = f"Python {sys.version.split()[0]}, python-flint {flint.__version__}, FLINT {flint.__FLINT_VERSION__}"
-        (prints.root / "snapshots/certificates.csv").write_text("\n".join([f"{date},{commit},{by}", *accepted, ""]), "utf-8")
+        (prints.root / "snapshots/certificates.csv").write_text("\n".join([f"{asked.record},{commit},{by}", *accepted, ""]), "utf-8")
     return 1 if rejected or not files else 0
 
 
 if __name__ == "__main__":
-    sys.exit(main(*sys.argv[1:3]))
+    sys.exit(main())

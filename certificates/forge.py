@@ -727,7 +727,7 @@ def incomplete(folder, file):
     """What becomes of a folder with this one file alone, which is right."""
     with tempfile.TemporaryDirectory() as few, contextlib.redirect_stdout(io.StringIO()) as said:
         shutil.copy(os.path.join(folder, file), few)
-        code = check.main(few)
+        code = check.main([few])
     return None if code == 1 and "1 of 1 files accepted" in said.getvalue() else "accepted"
 
 

@@ -3,14 +3,21 @@
 use crate::numerics::error::plain;
 use crate::numerics::expression::expression;
 use crate::solve::{Double, SolveError};
+use clap::builder::{StringValueParser, TypedValueParser};
+use clap::{Arg, Command, Error};
+use std::ffi::OsStr;
 use std::str::FromStr;
 
-/// One number, or equally spaced ones.
+/// One number, or several with equal differences or ratios.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Axis {
     low: Double,
     high: Double,
     count: u64,
+    /// Whether it is given as a range, be it one of a single number.
+    range: bool,
+    /// Whether the ratios are equal.
+    log: bool,
     /// Whether it names degrees.
     degrees: bool,
 }
@@ -34,25 +41,64 @@ impl FromStr for Axis {
                 .ok_or_else(|| format!("`{part}` is not finite"))
         };
         let degrees = text.contains("deg") || text.contains('°');
-        match text.split(':').collect::<Vec<_>>()[..] {
-            [one] => Ok(Self {
-                degrees,
-                ..number(one)?.into()
-            }),
-            [low, high, count] => {
-                let count: u64 = count.parse().unwrap_or(0);
-                if !(2..=1_000_000_000).contains(&count) {
-                    return Err("COUNT must be a whole number from 2 to 10⁹".into());
-                }
-                Ok(Self {
-                    low: end(low)?,
-                    high: end(high)?,
-                    count,
+        let (low, high, count, log) = match text.split(':').collect::<Vec<_>>()[..] {
+            [one] => {
+                return Ok(Self {
                     degrees,
-                })
+                    ..number(one)?.into()
+                });
             }
-            _ => Err("a number, or LOW:HIGH:COUNT".into()),
+            [low, high, count] => (end(low)?, end(high)?, count, false),
+            [low, high, count, "log"] => (end(low)?, end(high)?, count, true),
+            _ => return Err(FORMS.into()),
+        };
+        let count = count.parse().unwrap_or(0);
+        if !(1..=1_000_000_000).contains(&count) {
+            return Err("COUNT must be a whole number from 1 to 10⁹".into());
         }
+        if log && !(f64::from(low) > 0.0 && f64::from(high) > 0.0) {
+            return Err("LOW and HIGH must be positive for equal ratios".into());
+        }
+        Ok(Self {
+            low,
+            high,
+            count,
+            range: true,
+            log,
+            degrees,
+        })
+    }
+}
+
+/// What may stand for a number.
+const FORMS: &str = "a number, LOW:HIGH:COUNT or LOW:HIGH:COUNT:log";
+
+/// Reads an [`Axis`]. Of a number with a unit it says what its option measures, and in what.
+#[derive(Clone)]
+pub(super) struct Plain;
+
+impl TypedValueParser for Plain {
+    type Value = Axis;
+
+    fn parse_ref(
+        &self,
+        command: &Command,
+        arg: Option<&Arg>,
+        value: &OsStr,
+    ) -> Result<Axis, Error> {
+        let help = arg.and_then(Arg::get_help).map(ToString::to_string);
+        let read = move |text: String| {
+            let told = |error: String| match &help {
+                Some(help) if error.contains("operator is missing before") => {
+                    format!("{error}. Units are not typed; it is: {help}")
+                }
+                _ if error.ends_with("comma") => format!("{error}; several are LOW:HIGH:COUNT"),
+                _ => error,
+            };
+            text.parse::<Axis>().map_err(told)
+        };
+        let parser = StringValueParser::new().try_map(read);
+        parser.parse_ref(command, arg, value)
     }
 }
 
@@ -62,6 +108,8 @@ impl From<Double> for Axis {
             low: one,
             high: one,
             count: 1,
+            range: false,
+            log: false,
             degrees: false,
         }
     }
@@ -90,9 +138,15 @@ impl Axis {
         }
         let share = i as f64 / (self.count - 1) as f64;
         let [low, high] = [self.low, self.high].map(f64::from);
-        let between = low * (1.0 - share) + high * share;
+        let [from, to] = [low, high].map(|end| if self.log { libm::log10(end) } else { end });
+        let between = from * (1.0 - share) + to * share;
+        let between = if self.log {
+            libm::exp10(between)
+        } else {
+            between
+        };
         // What is nothing beside both ends is rounding.
-        if between.abs() < 1e-15 * low.abs().max(high.abs()) {
+        if !self.log && between.abs() < 1e-15 * low.abs().max(high.abs()) {
             return Double::default();
         }
         let text = format!("{between:.14e}");
@@ -105,7 +159,7 @@ pub(super) struct Point {
     index: u64,
     /// How many points the axes asked so far have together; nothing if more than 2⁶⁴.
     pub(super) total: Option<u64>,
-    /// Names and numbers of the axes that have more than one.
+    /// Names and numbers of the axes that are ranges.
     pub(super) swept: Vec<(&'static str, f64)>,
     /// What is wrong with one of the numbers, if there is.
     pub(super) refused: Option<SolveError>,
@@ -126,7 +180,7 @@ impl Point {
         let number = axis.at(self.index % axis.count);
         self.index /= axis.count;
         self.total = self.total.and_then(|total| total.checked_mul(axis.count));
-        if axis.count > 1 {
+        if axis.range {
             self.swept.push((name, number.into()));
         }
         number
@@ -188,11 +242,22 @@ mod tests {
             let apart = f64::from(found - shown).abs();
             assert!(apart <= rounding, "{found:?} {shown:?}");
         }
+        let [one, decades]: [Axis; 2] = ["5:7:1", "1e-3:1:4:log"].map(|axis| axis.parse().unwrap());
+        assert!((one.count(), one.range, one.at(0)) == (1, true, 5.0.into()));
+        assert_eq!([1, 2].map(|i| f64::from(decades.at(i))), [0.01, 0.1]);
         assert_eq!("0.5".parse::<Axis>().unwrap().at(0), 0.5.into());
         let axis: Axis = "-pi:180deg:3".parse().unwrap();
         assert!(f64::from(axis.at(2)) == std::f64::consts::PI && f64::from(axis.at(1)) == 0.0);
         for wrong in [
-            "", "1:2", "1:2:1", "1:2:x", "nan:1:2", "1:inf:3", "1:2:3:4", "0,5",
+            "",
+            "1:2",
+            "1:2:0",
+            "1:2:x",
+            "nan:1:2",
+            "1:inf:3",
+            "1:2:3:4",
+            "0,5",
+            "0:1:3:log",
         ] {
             assert!(wrong.parse::<Axis>().is_err(), "{wrong}");
         }

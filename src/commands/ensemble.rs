@@ -1,8 +1,8 @@
 //! `ensemble`: where many particles on the turntable end, one line each, written while the others are still on
 //! their way.
 
-use super::axis::{Axis, Point, is_it_degrees};
-use super::sweep::told;
+use super::axis::{Axis, Plain, Point, is_it_degrees};
+use super::pieces::{Stop, end, in_pieces, told};
 use crate::numerics::error::plain as number;
 use crate::solve::turntable::{End, Horizon, LENGTH, MotionError, SPEED, Start, TIME};
 use crate::solve::{Double, RADIANS, head, known};
@@ -10,29 +10,24 @@ use clap::Args;
 use rayon::prelude::*;
 use serde_json::json;
 use std::collections::BTreeMap;
-use std::io::{self, BufWriter, ErrorKind, Write};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
-use trialbook::cli::{Shard, VERSION, complain, progress, unwritten};
+use std::io::{self, BufWriter, Write};
+use trialbook::cli::{Shard, VERSION, ascii, complain};
 use trialbook::publishing::{Failure, Format};
 
-/// Exit code after Ctrl-C, as shells have it.
-const STOPPED: u8 = 130;
-
-/// Starts that are followed together; after each such piece the rows are written.
-const PIECE: u64 = 1 << 16;
+/// The least and the most starts that are followed together; after each such piece the rows are written.
+const PIECES: [u64; 2] = [1 << 12, 1 << 16];
 
 /// The starts, and how far they are followed.
 #[derive(Debug, Args)]
 pub(super) struct Ensemble {
     /// Distances ρ of the starts from the axis, in units of μg/Ω²: one, or LOW:HIGH:COUNT
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = Plain)]
     rho: Axis,
     /// Speeds p relative to the table, in units of μg/Ω
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = Plain)]
     p: Axis,
     /// Angles ψ from the velocity to the position, in radians; `120deg` are degrees
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = Plain)]
     psi: Axis,
     /// Distance at which a particle counts as gone, in units of μg/Ω²
     #[arg(
@@ -109,53 +104,25 @@ impl Ensemble {
         if let Some(warning) = is_it_degrees("psi", &self.psi) {
             complain("slipbook", &warning);
         }
-        let stop = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&stop);
-        // A second Ctrl-C does not wait.
-        ctrlc::set_handler(move || {
-            if flag.swap(true, Ordering::Relaxed) {
-                std::process::exit(i32::from(STOPPED));
-            }
-        })?;
         let mut writer = Writer {
             format,
             out: BufWriter::new(io::stdout()),
             shard,
         };
-        match self.follow(total, &horizon, &stop, &mut writer) {
-            Err(Stop::Pipe) => Ok(0),
-            Err(Stop::Failure(error)) => Err(error),
-            Ok(counts) => {
-                let range = shard.range(total);
-                let of = range.end - range.start;
-                let code = told(counts.bad, counts.done);
-                if counts.done == of {
-                    return Ok(code);
-                }
-                let done = counts.done;
-                complain("slipbook", &format!("stopped after {done} of {of} starts"));
-                Ok(STOPPED)
-            }
-        }
+        let followed = self.follow(total, &horizon, &mut writer);
+        followed.or_else(Stop::code)
     }
 
     fn follow(
         &self,
         total: u64,
         horizon: &Horizon,
-        stop: &AtomicBool,
         writer: &mut Writer<impl Write + Sync>,
-    ) -> Result<Counts, Stop> {
+    ) -> Result<u8, Stop> {
         let range = writer.shard.range(total);
-        let bar = progress(
-            range.end - range.start,
-            "{bar:40} {pos}/{len} starts  {eta} left",
-        );
         writer.begin()?;
         let mut counts = Counts::default();
-        let mut next = range.start;
-        while next < range.end && !stop.load(Ordering::Relaxed) {
-            let piece = next..range.end.min(next + PIECE);
+        let next = in_pieces(range.clone(), PIECES, "starts", |piece| {
             let places: Vec<_> = piece
                 .clone()
                 .into_par_iter()
@@ -175,27 +142,23 @@ impl Ensemble {
                 .into_iter()
                 .map(|start| start.and_then(|_| ends.next().ok_or_else(none)))
                 .collect();
-            let first = next;
             let rows: Vec<_> = (places.par_iter().zip(ends).enumerate())
                 .map(|(n, (place, end))| {
                     let end = match end {
                         Ok(end) if is_rough(&end) => exactly(horizon, place),
                         other => other,
                     };
-                    (writer.row(first + n as u64, place, &end), end)
+                    (writer.row(piece.start + n as u64, place, &end), end)
                 })
                 .collect();
             for (row, end) in rows {
                 counts.take(&end);
                 writer.out.write_all(row.as_bytes())?;
             }
-            next = piece.end;
-            writer.out.flush()?;
-            bar.set_position(counts.done);
-        }
-        bar.finish_and_clear();
+            Ok(writer.out.flush()?)
+        })?;
         writer.end(&counts, next, total)?;
-        Ok(counts)
+        Ok(told(&range, (next, counts.bad), "starts"))
     }
 
     /// ρ, p and ψ of a start, ψ running fastest.
@@ -231,28 +194,6 @@ fn exactly(horizon: &Horizon, place: &[f64; 3]) -> Result<End, String> {
     end.map_err(|error| error.to_string())
 }
 
-/// Why the work ends early.
-enum Stop {
-    /// The reader has closed the pipe, and has read enough.
-    Pipe,
-    Failure(Failure),
-}
-
-impl From<io::Error> for Stop {
-    fn from(error: io::Error) -> Self {
-        match error.kind() {
-            ErrorKind::BrokenPipe => Self::Pipe,
-            _ => Self::Failure(unwritten(error).into()),
-        }
-    }
-}
-
-impl From<Failure> for Stop {
-    fn from(failure: Failure) -> Self {
-        Self::Failure(failure)
-    }
-}
-
 /// What is written, row by row.
 struct Writer<W> {
     format: Format,
@@ -266,7 +207,8 @@ impl<W: Write> Writer<W> {
             _ if !self.shard.is_first() => Ok(()),
             Format::Text => Ok(()),
             Format::Csv => {
-                let [rho, p, psi, sigma, tau] = UNITS.map(|(name, unit)| head(name, unit));
+                let heads = UNITS.map(|(name, unit)| ascii(&head(name, unit)));
+                let [rho, p, psi, sigma, tau] = heads;
                 writeln!(
                     self.out,
                     "{rho},{p},{psi},outcome,{sigma},{tau},sigma_digits,tau_digits,note"
@@ -314,7 +256,7 @@ impl<W: Write> Writer<W> {
                 let (sigma, tau) = (text(sigma), text(tau));
                 let [of_sigma, of_tau] = digits.map(|n| n.map_or(String::new(), |n| n.to_string()));
                 let note = note.map_or(String::new(), |note| {
-                    format!("\"{}\"", note.replace('"', "'"))
+                    format!("\"{}\"", ascii(note).replace('"', "'"))
                 });
                 format!("{rho},{p},{psi},{outcome},{sigma},{tau},{of_sigma},{of_tau},{note}\n")
             }
@@ -358,12 +300,10 @@ impl<W: Write> Writer<W> {
                 writeln!(self.out, "{done} {starts}: {rest}, {far}, {other}{refused}")?;
             }
             Format::Csv => {}
-            // A part that was stopped ends the list too, so that what is there can be read.
-            Format::Json if self.shard.is_last() || next < self.shard.range(total).end => writeln!(
-                self.out,
-                "\n  ],\n  \"done\": {next},\n  \"of\": {total}\n}}"
-            )?,
-            Format::Json => {}
+            Format::Json => {
+                let end = end(self.shard, next, total).unwrap_or_default();
+                self.out.write_all(end.as_bytes())?;
+            }
         }
         self.out.flush()
     }
@@ -442,16 +382,6 @@ mod tests {
         assert_eq!([&rest["sigma"], &rest["tau"]], [0.512, 3.123_456_79]);
         assert_eq!([&rest["sigma_digits"], &rest["tau_digits"]], [3, 9]);
         assert!(far["sigma_digits"].is_null() && far["tau_digits"] == 5);
-    }
-
-    #[test]
-    fn what_was_stopped_can_be_read() {
-        for done in 0..=3 {
-            let said = written(Format::Json, &vec![REST; done], 3);
-            let whole: serde_json::Value = serde_json::from_str(&said).unwrap();
-            assert_eq!(whole["ends"].as_array().unwrap().len(), done);
-            assert_eq!((&whole["done"], &whole["of"]), (&done.into(), &3.into()));
-        }
     }
 
     #[test]

@@ -3,6 +3,7 @@
 mod axis;
 mod ensemble;
 mod exam;
+mod pieces;
 mod plot;
 mod question;
 mod solve;
@@ -20,7 +21,8 @@ pub const ALL: [Command; 3] = [
                 .after_help(
                     "Example:\n  slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2 --plot\n  slipbook solve sinusoidal --lambda0 0.1:1:10 --csv\n\n\
                      A number may be an expression: pi/2, 120deg, 2/sqrt(4+pi^2). LOW:HIGH:COUNT in the place of a number asks at COUNT \
-                     equally spaced ones; several such make a grid, the last one running fastest.\n\n\
+                     equally spaced ones, a row each, and LOW:HIGH:COUNT:log at such with equal ratios; several such make a grid, the last one \
+                     running fastest. Ctrl-C ends it after the present piece of work: the rows so far are whole, the exit code is 130.\n\n\
                      Each number of an answer has its unit. With --mu all that is given and answered is in SI units, else in the paper's.\n\n\
                      A number of up to 15 digits is taken as it stands, a longer one as the floating-point number next to it.",
                 )
@@ -29,8 +31,9 @@ pub const ALL: [Command; 3] = [
     },
     Command {
         command: || {
-            ensemble::Ensemble::augment_args(clap::Command::new("ensemble"))
-                .about("Follow many particles on a turntable and say where each ends; rows are written as the work goes on")
+            let ensemble = ensemble::Ensemble::augment_args(clap::Command::new("ensemble"))
+                .about("Follow many particles on a turntable and say where each ends; rows are written as the work goes on");
+            solve::directed(ensemble, crate::solve::axes::TABLE)
                 .after_help(
                     "Example:\n  slipbook ensemble --rho 0.5 --p 0:1.5:1000 --psi=-3.14:3.14:1000 --csv > ends.csv\n\n\
                      With --shard 3/16 a job does its part of sixteen. A start out of range is a row that says why.\n\n\

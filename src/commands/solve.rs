@@ -1,6 +1,7 @@
 //! The command `solve`: the calculators of [`crate::solve`].
 
-use super::axis::{Axis, Point, is_it_degrees};
+use super::axis::{Axis, Plain, Point, is_it_degrees};
+use super::pieces::Stop;
 use super::plot;
 use super::question::{Asked, Question};
 use super::sweep::{self, aligned};
@@ -8,13 +9,13 @@ use crate::numerics::error::plain as number;
 use crate::solve::constant::At;
 use crate::solve::turntable::MotionError;
 use crate::solve::{
-    DIMENSIONLESS, Double, Field, RADIANS, Report, SolveError, Unit, Value, anisotropic, constant,
-    periodic, rest, sinusoidal, sphere, turntable,
+    DIMENSIONLESS, Double, Field, RADIANS, Report, SolveError, Unit, Value, anisotropic, axes,
+    constant, periodic, rest, sinusoidal, sphere, turntable,
 };
 use clap::{Arg, ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;
-use trialbook::cli::{Shard, complain, csv, json, say, screen, show};
+use trialbook::cli::{Shard, ascii, complain, csv, json, say, screen, show};
 use trialbook::publishing::{Failure, Format};
 
 /// A calculator.
@@ -38,9 +39,25 @@ struct Also {
 
 /// The command `solve` with its problems.
 pub(super) fn command() -> clap::Command {
-    let range = |arg: Arg| arg.value_name("RANGE").allow_hyphen_values(true);
-    Solve::augment_args(clap::Command::new("solve"))
-        .mut_subcommands(|problem| Also::augment_args(problem.mut_args(range)))
+    let range = |arg: Arg| {
+        let arg = arg.value_name("RANGE").value_parser(Plain);
+        arg.allow_hyphen_values(true)
+    };
+    Solve::augment_args(clap::Command::new("solve")).mut_subcommands(|problem| {
+        let axes = match problem.get_name() {
+            "constant" | "sphere" => axes::LINE,
+            "turntable" | "turntable-boundary" => axes::TABLE,
+            _ => axes::DRIVE,
+        };
+        directed(Also::augment_args(problem.mut_args(range)), axes)
+    })
+}
+
+/// A command whose help says which way the axes point.
+pub(super) fn directed(command: clap::Command, axes: &str) -> clap::Command {
+    let about = command.get_about().map(ToString::to_string);
+    let axes = axes.replace("```text\n", "").replace("```\n", "");
+    command.long_about(about.unwrap_or_default() + "\n\n" + &axes)
 }
 
 /// Answers, and plots if that is wanted.
@@ -75,7 +92,7 @@ enum Problem {
     /// The large-time motion with a friction that depends on the direction
     #[command(after_help = "Example:\n  slipbook solve anisotropic --q 2 --lambda0 0.45")]
     Anisotropic {
-        /// q, backward friction over forward friction
+        /// q = μ₋/μ₊, backward friction over forward friction; forward is along +x
         #[arg(long)]
         q: Axis,
         #[command(flatten)]
@@ -99,7 +116,7 @@ enum Problem {
         /// α, with p = A sinh α and ρ = A cosh α
         #[arg(long)]
         alpha: Axis,
-        /// ψ, the angle from the velocity to the position (radians; `120deg` are degrees)
+        /// ψ, the angle from the velocity to the position, counterclockwise as the table turns (radians; `120deg` are degrees)
         #[arg(long)]
         psi: Axis,
     },
@@ -176,10 +193,10 @@ struct Constant {
     /// Initial speed, in m/s beside --mu
     #[arg(long)]
     v0: Axis,
-    /// Initial angle of the velocity with the x axis, in (−π, π]; `120deg` are degrees
+    /// Initial angle of the velocity with the x axis, which points against the plane's acceleration; radians in (−π, π], `120deg` are degrees
     #[arg(long)]
     theta0: Axis,
-    /// The plane's acceleration A, in m/s² beside --mu [default: 1]
+    /// The plane's acceleration A, which points along −x; in m/s² beside --mu [default: 1]
     #[arg(long)]
     accel: Option<Axis>,
     #[command(flatten)]
@@ -194,13 +211,13 @@ struct Sphere {
     gamma: Option<Axis>,
     #[command(flatten)]
     weight: Weight,
-    /// The plane's acceleration A in m/s², beside --mu
+    /// The plane's acceleration A in m/s², which points along −x, beside --mu
     #[arg(long, requires = "mu", conflicts_with = "gamma")]
     accel: Option<Axis>,
     /// Initial slip, in √(μgR), or in m/s beside --mu
     #[arg(long)]
     u0: Axis,
-    /// Initial angle of the slip with the x axis, in (−π, π]; `120deg` are degrees
+    /// Initial angle of the slip with the x axis, which points against the plane's acceleration; radians in (−π, π], `120deg` are degrees
     #[arg(long)]
     theta0: Axis,
     /// The sphere's radius R in m, beside --mu: the spin is answered in 1/s then, else the speed ωR that it gives the rim
@@ -213,14 +230,14 @@ struct Sphere {
     moment: Moment,
 }
 
-/// The moment that is asked for.
+/// The moment that is asked for: if none is named, that of the stop.
 #[derive(Args)]
-#[group(required = true, multiple = false)]
+#[group(multiple = false)]
 struct Moment {
-    /// When the angle has fallen to this (radians)
+    /// When the angle has fallen to this (radians) [default: when it stops for good; of a sphere, when it rolls]
     #[arg(long)]
     theta: Option<Axis>,
-    /// At this time: in s beside --mu, else as v/A counts it, or for a sphere in √(R/(μg))
+    /// At this time instead: in s beside --mu, else as v/A counts it, or for a sphere in √(R/(μg))
     #[arg(long)]
     time: Option<Axis>,
 }
@@ -229,7 +246,8 @@ impl Moment {
     fn at(&self, point: &mut Point) -> At<Double> {
         match (self.theta, self.time) {
             (Some(theta), _) => At::Theta(point.on("theta", &theta)),
-            (None, time) => At::Time(point.on("time", &time.unwrap_or_default())),
+            (None, Some(time)) => At::Time(point.on("time", &time)),
+            (None, None) => At::Stop,
         }
     }
 }
@@ -238,7 +256,7 @@ impl Moment {
 struct Turntable {
     #[command(flatten)]
     start: Start,
-    /// ψ, the angle from the velocity to the position, counterclockwise (radians; `120deg` are degrees)
+    /// ψ, the angle from the velocity to the position, counterclockwise as the table turns (radians; `120deg` are degrees)
     #[arg(long, conflicts_with_all = ["x", "y", "vx", "vy"])]
     psi: Option<Axis>,
     /// Speed p of a start by --rho, in units of μg/Ω
@@ -262,7 +280,7 @@ struct Turntable {
     /// The coefficient of friction μ, of a start by --r
     #[arg(long, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
     mu: Option<Axis>,
-    /// The table's angular velocity Ω in 1/s, of a start by --r
+    /// The table's angular velocity Ω in 1/s, counterclockwise, of a start by --r
     #[arg(long, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
     omega: Option<Axis>,
     /// The acceleration of gravity g in m/s², of a start by --r
@@ -481,27 +499,27 @@ impl Problem {
         }
     }
 
-    /// What was given in SI units and stands in an error as a ratio.
-    fn converted(&self) -> &'static [&'static str] {
-        let of = |mu: Option<Axis>, names: &'static [&'static str]| match mu {
-            Some(_) => names,
-            None => &[],
-        };
-        match self {
-            Problem::Constant(given) => of(given.weight.mu, &["lambda"]),
+    /// Whether something given in SI units stands in an error by this name, as a ratio.
+    fn is_converted(&self, name: &str) -> bool {
+        let (mu, names) = match self {
+            Problem::Constant(given) => (given.weight.mu, "lambda"),
             Problem::Sinusoidal(friction)
             | Problem::Pulse { friction, .. }
-            | Problem::Anisotropic { friction, .. } => {
-                of(friction.weight.mu, &["lambda0", "q lambda0"])
-            }
-            Problem::Sphere(given) => of(given.weight.mu, &["gamma", "u0"]),
-            Problem::Turntable(given) => of(given.mu, &["rho", "p", "time"]),
-            Problem::TurntableBoundary { .. } => &[],
-        }
+            | Problem::Anisotropic { friction, .. } => (friction.weight.mu, "lambda0, q lambda0"),
+            Problem::Sphere(given) => (given.weight.mu, "gamma, u0"),
+            Problem::Turntable(given) => (given.mu, "rho, p, time"),
+            Problem::TurntableBoundary { .. } => (None, ""),
+        };
+        mu.is_some() && names.split(", ").any(|of| of == name)
     }
 
     /// An error, with what it has to do with what was given: an angle out of range was most likely meant in degrees.
     fn explained(&self, error: SolveError) -> Failure {
+        if let SolveError::Parameter { name, value, .. } = error
+            && let Some(hint) = self.instead(name, value)
+        {
+            return format!("{error}; {hint}").into();
+        }
         match error {
             SolveError::Parameter { name, value, .. }
                 if name.starts_with("theta") && value.abs() > std::f64::consts::PI =>
@@ -511,12 +529,35 @@ impl Problem {
             }
             SolveError::Parameter { name, .. }
             | SolveError::Motion(MotionError::Argument { name, .. })
-                if self.converted().contains(&name) =>
+                if self.is_converted(name) =>
             {
                 format!("{error}; that is what the SI units given come to").into()
             }
             other => other.into(),
         }
+    }
+
+    /// What to ask instead, where there is nothing of what is given or it is the other way round.
+    fn instead(&self, name: &str, value: f64) -> Option<&'static str> {
+        Some(match (self, name) {
+            (Problem::Turntable(_), "omega") if value < 0.0 => {
+                "a table that turns clockwise is the mirror image: turn the sign of psi"
+            }
+            (Problem::Constant(given), "lambda") if given.weight.mu.is_some() && value > 1.0 => {
+                "for no pull --accel 1e-12 serves, to 12 digits"
+            }
+            _ if value != 0.0 => return None,
+            (_, "accel" | "gamma") => "for none 1e-12 serves, to 12 digits",
+            (_, "v0" | "u0") => "for none 1e-20 serves",
+            (Problem::Turntable(_), "omega") => "a table at rest is `solve constant --accel 1e-12`",
+            (Problem::Turntable(_), "mu") => {
+                "without friction it goes straight on, seen from the room"
+            }
+            (Problem::Sphere(_), "mu") => {
+                "without friction its centre goes as in `solve constant --mu 0`"
+            }
+            _ => return None,
+        })
     }
 
     /// The angles that may be of any size.
@@ -541,13 +582,14 @@ impl Solve {
         if let Some(warning) = warning {
             complain("slipbook", &warning);
         }
-        if total > 1 || also.shard.is_some() {
+        if !point.swept.is_empty() || also.shard.is_some() {
             if also.plot.is_some() {
                 return Err("--plot: it draws one answer, and here are several".into());
             }
             let ask = |point: &mut Point| self.problem.question(point);
             let unit = |name: &str| Unit::name(self.problem.unit(name), &question.units);
-            return sweep::run(&ask, &unit, total, also.shard, format);
+            let swept = sweep::run(&ask, &unit, total, also.shard, format);
+            return swept.or_else(Stop::code);
         }
         let report = question
             .report()
@@ -628,13 +670,13 @@ fn table(report: &Report) -> Result<(), Failure> {
         vec![
             field.name.to_owned(),
             empty(field.value),
-            field.unit.to_owned(),
+            ascii(field.unit),
             way(&report.by_formula),
             way(&report.by_motion),
             report
                 .digits
                 .map_or(String::new(), |digits| digits.to_string()),
-            report.note.clone(),
+            ascii(&report.note),
         ]
     });
     csv(

@@ -1,6 +1,7 @@
 //! A calculator at the points of a grid: a row each. One that is out of range is a row that says why.
 
 use super::axis::Point;
+use super::pieces::{Stop, end, in_pieces, told};
 use super::question::Question;
 use super::solve::word;
 use crate::numerics::error::plain as number;
@@ -8,13 +9,13 @@ use crate::solve::{Field, Report, SolveError, VERSION, Value, head};
 use rayon::prelude::*;
 use serde_json::{Map, json};
 use std::fmt::Write as _;
-use std::io::{self, ErrorKind, Write};
-use trialbook::cli::{Shard, complain, screen, show, unwritten};
+use std::io::{self, Write};
+use trialbook::cli::{Shard, ascii, screen, show};
 use trialbook::plotting::{Cell, Table};
 use trialbook::publishing::{Failure, Format};
 
-/// Points that are asked together; after each such piece the rows are written.
-const PIECE: u64 = 1024;
+/// The least and the most points that are asked together; after each such piece the rows are written.
+const PIECES: [u64; 2] = [8, 1024];
 
 /// A point with its answer.
 struct Row {
@@ -30,15 +31,16 @@ pub(super) fn run(
     total: u64,
     shard: Option<Shard>,
     format: Format,
-) -> Result<u8, Failure> {
+) -> Result<u8, Stop> {
     if shard.is_some() && format == Format::Text {
-        return Err("--shard goes with --csv or --json, whose parts can be joined".into());
+        let refused = "--shard goes with --csv or --json, whose parts can be joined";
+        return Err(Stop::Failure(refused.into()));
     }
     let shard = shard.unwrap_or(Shard::WHOLE);
     let mut first = Point::new(0);
     let question = ask(&mut first);
     let given = || first.swept.iter().rev().map(|(name, _)| *name);
-    let answered = question.heads()?;
+    let answered = question.heads().map_err(Failure::from)?;
     // Where the answer has a quantity of the same name, what is given says so.
     let given_head = |name| match head(name, unit(name)) {
         head if answered.contains(&head) => format!("given {head}"),
@@ -51,12 +53,7 @@ pub(super) fn run(
     let heads: Vec<_> = heads.iter().map(String::as_str).collect();
     let range = shard.range(total);
     let mut out = io::stdout().lock();
-    let mut written = |text: String| match out.write_all(text.as_bytes()).and_then(|()| out.flush())
-    {
-        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(false),
-        Err(error) => Err(unwritten(error)),
-        Ok(()) => Ok(true),
-    };
+    let mut written = |text: String| out.write_all(text.as_bytes()).and_then(|()| out.flush());
     if format == Format::Json && shard.is_first() {
         let (name, version) = (question.asked.name(), VERSION);
         let units: Map<_, _> = given()
@@ -66,15 +63,10 @@ pub(super) fn run(
         let begin = format!(
             "{{\n  \"version\": {version},\n  \"problem\": \"{name}\",\n  \"units\": {units},\n  \"answers\": ["
         );
-        if !written(begin)? {
-            return Ok(0);
-        }
+        written(begin)?;
     }
-    let (mut next, mut refused) = (range.start, 0);
-    let mut all = Vec::new();
-    while next < range.end {
-        let piece = next..range.end.min(next + PIECE);
-        next = piece.end;
+    let (mut refused, mut all) = (0, Vec::new());
+    let next = in_pieces(range.clone(), PIECES, "rows", |piece| {
         let rows = piece.into_par_iter().map(|index| {
             let mut point = Point::new(index);
             let answer = ask(&mut point).report();
@@ -90,32 +82,19 @@ pub(super) fn run(
         let text = match format {
             Format::Text => {
                 all.extend(rows.iter().map(cells));
-                continue;
+                return Ok(());
             }
             Format::Csv => table(&heads, &rows)?,
             Format::Json => rows.iter().map(object).collect(),
         };
-        if !written(text)? {
-            return Ok(0);
-        }
-    }
+        Ok(written(text)?)
+    })?;
     match format {
-        Format::Json if shard.is_last() => written("\n  ]\n}\n".to_owned())?,
-        Format::Text => {
-            show(&aligned(&heads, keys, &all, screen().width))?;
-            true
-        }
-        _ => true,
-    };
-    Ok(told(refused, range.end - range.start))
-}
-
-/// Says how many rows are refused, if any is; the exit code, which is that of bad input where there is no other row.
-pub(super) fn told(refused: u64, rows: u64) -> u8 {
-    if refused > 0 {
-        complain("slipbook", &format!("{refused} of {rows} rows refused"));
+        Format::Text => show(&aligned(&heads, keys, &all, screen().width))?,
+        Format::Csv => {}
+        Format::Json => written(end(shard, next, total).unwrap_or_default())?,
     }
-    if refused > 0 && refused == rows { 2 } else { 0 }
+    Ok(told(&range, (next, refused), "rows"))
 }
 
 /// The cells of a row: the place, the quantities, digits and note.
@@ -150,7 +129,7 @@ fn table(heads: &[&str], rows: &[Row]) -> Result<String, Failure> {
     for row in rows {
         table.row(filled(cells(row), heads.len()).into_iter().map(Cell::Text))?;
     }
-    let text = table.into_text();
+    let text = ascii(&table.into_text());
     Ok(match rows.first().is_some_and(|row| row.index == 0) {
         true => text,
         false => text

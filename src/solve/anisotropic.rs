@@ -1,4 +1,6 @@
 //! Anisotropic friction under a sinusoidal drive: the large-time motion and its region.
+//!
+#![doc = include_str!("axes/drive.md")]
 
 use super::sinusoidal::{Slip, friction, settle, two_periods};
 use super::{

@@ -1,4 +1,6 @@
-//! Constant acceleration: the velocity of a launched particle and its place, at an angle or at a time.
+//! Constant acceleration: the velocity of a launched particle and its place, at an angle, at a time or at the stop.
+//!
+#![doc = include_str!("axes/line.md")]
 
 use super::{
     Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, RADIANS, SMALL, Said, SolveError, UNITS,
@@ -21,6 +23,8 @@ pub enum At<T = f64> {
     Theta(T),
     /// This long after the launch.
     Time(T),
+    /// When it stops for good; of a sphere, when it begins to roll.
+    Stop,
 }
 
 impl<T> At<T> {
@@ -28,6 +32,7 @@ impl<T> At<T> {
         match self {
             At::Theta(theta) => At::Theta(f(theta)),
             At::Time(time) => At::Time(f(time)),
+            At::Stop => At::Stop,
         }
     }
 }
@@ -104,7 +109,7 @@ impl<T: Quantity> ConstantProblem<T> {
     ///
     /// # Errors
     /// [`SolveError::Parameter`] for a parameter out of range or an angle that the velocity never has: it turns
-    /// from θ₀ towards 0 and gets there only in the limit.
+    /// from θ₀ towards 0 and gets there only in the limit. [`SolveError::NoStop`] for the stop of one that goes on.
     pub fn solve(&self) -> Result<Answer<ConstantState>, SolveError> {
         let near = self.near();
         near.check()?;
@@ -220,6 +225,10 @@ impl ConstantProblem {
         let stop_time = to_rest.as_ref().and_then(Motion::first_stop);
         let state = match self.at {
             At::Time(t) => launch.motion(t)?.end(),
+            At::Stop => match &to_rest {
+                Some(motion) => motion.end(),
+                None => return Ok(None),
+            },
             At::Theta(theta) if theta == self.theta0 => launch.motion(0.0)?.end(),
             At::Theta(theta) => {
                 let towards = [libm::cos(theta), libm::sin(theta)];
@@ -275,6 +284,7 @@ pub(super) fn check_moment(theta0: f64, at: At) -> Result<(), SolveError> {
     match at {
         At::Theta(theta) => check("theta", theta, theta.is_finite(), "finite"),
         At::Time(t) => check("time", t, (0.0..=1e40).contains(&t), "between 0 and 1e40"),
+        At::Stop => Ok(()),
     }
 }
 
@@ -441,6 +451,10 @@ impl Formulas {
         match at {
             At::Theta(theta) => self.at_theta(theta),
             At::Time(t) => Ok(self.at_time(t)),
+            At::Stop => {
+                let stop = self.stop_time().ok_or(SolveError::NoStop)?;
+                Ok(self.at_time(stop))
+            }
         }
     }
 

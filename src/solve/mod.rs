@@ -7,6 +7,8 @@
 //! Cost: each answer is that of a few motions, which have their [limits](crate::motion): milliseconds as a rule, some tenths
 //! of a second on the turntable's boundary.
 //!
+#![doc = include_str!("axes/library.md")]
+//!
 //! What is given is taken as exact: an `f64` as the number that it is, a typed decimal fraction as it stands
 //! ([`Double`]).
 //!
@@ -21,6 +23,15 @@
 //! ```
 
 pub mod anisotropic;
+/// Which way the axes of the problems point, as Markdown: words and a sketch.
+pub mod axes {
+    /// Where the plane has one acceleration.
+    pub const LINE: &str = include_str!("axes/line.md");
+    /// Where it is driven to and fro.
+    pub const DRIVE: &str = include_str!("axes/drive.md");
+    /// On the turntable.
+    pub const TABLE: &str = include_str!("axes/table.md");
+}
 pub mod constant;
 pub mod periodic;
 mod report;
@@ -74,6 +85,9 @@ pub enum SolveError {
         /// Speed there, dimensionless.
         p: f64,
     },
+    /// Its stop is asked for, and it has none.
+    #[error("it slides for ever: say at which time or angle")]
+    NoStop,
     /// The two ways to the answer have no digit in common, and nothing explains it.
     #[error(
         "no digit of the answer is known: formula and motion, or two integrations of the motion, do not agree"

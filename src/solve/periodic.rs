@@ -1,4 +1,6 @@
 //! A train of pulses: the large-time motion.
+//!
+#![doc = include_str!("axes/drive.md")]
 
 use super::sinusoidal::{AT_REST, Swing, below, friction, settle, swings, two_periods};
 use super::{Answer, Curve, PHASES, Quantity, ROUNDED, Said, SolveError, check};

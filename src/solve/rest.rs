@@ -1,4 +1,6 @@
 //! The turntable's boundary between rest and escape.
+//!
+#![doc = include_str!("axes/table.md")]
 
 use super::{Answer, Curve, DIMENSIONLESS, Field, Fields, Quantity, Said, SolveError, check};
 use crate::corrections::rest as corrected;

@@ -1,4 +1,6 @@
 //! A sinusoidal drive: the large-time motion.
+//!
+#![doc = include_str!("axes/drive.md")]
 
 use super::{
     Answer, Curve, Field, Fields, PHASES, Quantity, RADIANS, ROUNDED, SMALL, Said, SolveError,

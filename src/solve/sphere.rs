@@ -1,4 +1,6 @@
-//! A sphere under constant acceleration: its slip and its spin, at an angle of the slip or at a time.
+//! A sphere under constant acceleration: its slip and its spin, at an angle of the slip, at a time or when it rolls.
+//!
+#![doc = include_str!("axes/line.md")]
 
 use super::constant::{At, Formulas, check_moment};
 use super::{
@@ -86,7 +88,8 @@ impl<T: Quantity> SphereProblem<T> {
     /// Slip and spin at the moment asked for.
     ///
     /// # Errors
-    /// [`SolveError::Parameter`] for a parameter out of range or an angle that the slip never has.
+    /// [`SolveError::Parameter`] for a parameter out of range or an angle that the slip never has, [`SolveError::NoStop`]
+    /// where rolling is asked for and never begins.
     pub fn solve(&self) -> Result<Answer<SphereState>, SolveError> {
         let near = self.near();
         near.check()?;
@@ -270,6 +273,10 @@ impl SphereProblem {
         let rolls_at = rolling.filter(|t| t.to == Contact::Rolling).map(|t| t.t);
         let (tau, turns) = match self.at {
             At::Time(tau) => (tau, false),
+            At::Stop => match rolls_at {
+                Some(tau) => (tau, true),
+                None => return Ok(None),
+            },
             At::Theta(theta) => match self.reaches(theta, rolls_at)? {
                 Some(moment) => moment,
                 None => return Ok(None),

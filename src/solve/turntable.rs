@@ -1,5 +1,7 @@
 //! The turntable: rest or escape, and the state at a time.
 //!
+#![doc = include_str!("axes/table.md")]
+//!
 //! No formula gives a motion here. Where the others compare a formula with the motion, two integrations stand: in
 //! components along and across the velocity, in numbers of twice the width, and in the table's axes or in the
 //! laboratory's in `f64`.

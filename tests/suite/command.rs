@@ -5,6 +5,7 @@ mod cases;
 use crate::{cells, slipbook};
 use serde_json::Value;
 use slipbook::ledger::Format;
+use slipbook::solve::axes;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -75,33 +76,8 @@ fn a_book_is_not_written_where_nobody_looks_for_it() {
 /// What the rest of the line leaves idle is not taken in silence.
 #[test]
 fn no_option_is_given_in_vain() {
-    let cases = [
-        ("constant --lambda 1 --v0 1 --theta0 1 --time 1", "g mu"),
-        ("sinusoidal --lambda0 0.5", "g mu a0 omega"),
-        ("pulse --eta 0.5 --lambda0 0.5", "g mu a0 omega"),
-        ("anisotropic --q 2 --lambda0 0.5", "g mu a0 omega"),
-        (
-            "sphere --gamma 1 --u0 1 --theta0 1 --time 1",
-            "g mu accel radius",
-        ),
-        (
-            "turntable --rho 0.5 --p 0.1 --psi 1",
-            "A alpha x y vx vy r speed mu omega g",
-        ),
-        (
-            "turntable --A 0.5 --alpha 1 --psi 1",
-            "rho p x y vx vy r speed mu omega g",
-        ),
-        (
-            "turntable --x 0 --y 0 --vx 0 --vy 0",
-            "psi rho p A alpha r speed mu omega g",
-        ),
-        (
-            "turntable --r 0.1 --speed 0.1 --psi 1 --mu 0.3 --omega 3",
-            "rho p A alpha x y vx vy",
-        ),
-    ];
-    for (line, idle) in cases {
+    let cases = include_str!("command/vain.txt").lines();
+    for (line, idle) in cases.map(|case| case.split_once(" => ").unwrap()) {
         let alone = format!("solve {line}");
         let output = asked(&alone);
         assert!(output.status.success(), "{alone}: {}", text(&output.stderr));
@@ -246,6 +222,12 @@ fn shells_get_their_completions() {
 fn the_manual_and_the_schema_come_from_what_they_describe() {
     let page = text(&asked("man").stdout);
     assert!(page.contains(".TH slipbook 1"), "{page}");
+    let json = include_str!("../../book/src/json.md");
+    assert!(
+        [axes::LINE, axes::DRIVE, axes::TABLE]
+            .iter()
+            .all(|axes| json.contains(axes))
+    );
     let schema: Value = serde_json::from_slice(&asked("schema").stdout).unwrap();
     let find = &schema["$defs"]["find"]["properties"];
     assert_eq!(
@@ -485,25 +467,28 @@ fn the_parts_of_a_grid_make_the_whole() {
 /// Ctrl-C is a signal only where there are signals.
 #[cfg(unix)]
 #[test]
-fn an_ensemble_stops_in_good_order() {
+fn long_work_stops_in_good_order() {
     use std::io::{BufRead, BufReader, Read};
 
+    let ensemble = "ensemble --rho 0.5 --p 0:1.5:100000 --psi=-3:3:100000";
+    let solve = "solve constant --lambda 0.5 --v0 1 --theta0 1 --time 0:2:1000000";
+    let boundary = "solve turntable-boundary --alpha 0.1:1:100 --psi 0:3:100";
     // The whole, and a part that is not the last.
-    for (part, of) in [
-        (&[][..], 10_000_000_000_u64),
-        (&["--shard", "1/2"], 5_000_000_000),
+    for (line, part, list, of, total) in [
+        (ensemble, "", "ends", 10_000_000_000_u64, 10_000_000_000_u64),
+        (
+            ensemble,
+            " --shard 1/2",
+            "ends",
+            5_000_000_000,
+            10_000_000_000,
+        ),
+        (solve, "", "answers", 1_000_000, 1_000_000),
+        (solve, " --shard 1/2", "answers", 500_000, 1_000_000),
+        (boundary, "", "answers", 10_000, 10_000),
     ] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
-            .args([
-                "ensemble",
-                "--rho",
-                "0.5",
-                "--p",
-                "0:1.5:100000",
-                "--psi=-3:3:100000",
-                "--json",
-            ])
-            .args(part)
+            .args(format!("{line}{part} --json").split(' '))
             .stdout(Stdio::piped())
             .stderr(Stdio::piped())
             .spawn()
@@ -519,16 +504,18 @@ fn an_ensemble_stops_in_good_order() {
         assert!(interrupted.unwrap().success());
         out.read_to_string(&mut said).unwrap();
         let output = child.wait_with_output().unwrap();
-        assert_eq!(output.status.code(), Some(130));
+        assert_eq!(output.status.code(), Some(130), "{line}");
         let whole: Value = serde_json::from_str(&said).unwrap();
-        let rows = whole["ends"].as_array().unwrap().len();
+        let rows = whole[list].as_array().unwrap().len();
         assert!(
             rows > 0 && whole["done"] == rows,
             "{rows} {}",
             whole["done"]
         );
-        assert_eq!(whole["of"], 10_000_000_000_u64);
-        assert!(text(&output.stderr).contains(&format!("stopped after {rows} of {of} starts")));
+        assert_eq!(whole["of"], total);
+        let what = if list == "ends" { "starts" } else { "rows" };
+        let told = format!("stopped after {rows} of {of} {what}");
+        assert!(text(&output.stderr).contains(&told), "{line}");
     }
 }
 

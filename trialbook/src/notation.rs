@@ -1,10 +1,14 @@
 //! Formulas as LaTeX and as plain text, and the way from each to the other.
 
+#[cfg(feature = "book")]
+mod ascii;
 mod latex;
 pub(crate) mod letters;
 mod pieces;
 mod plain;
 
+#[cfg(feature = "book")]
+pub use ascii::ascii;
 #[cfg(feature = "book")]
 pub(crate) use latex::command;
 pub use pieces::{Piece, decimal, pieces};

@@ -2,11 +2,12 @@
 
 use super::error::BookError;
 use std::fs::{self, File};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
 
-/// The file in a temporary folder that its run keeps locked. The system ends the lock with the run, however that ends.
+/// The file in a temporary folder that its run keeps locked, with the name of the book's place. The system ends the lock with the
+/// run, however that ends.
 const LOCK: &str = "lock";
 
 /// How often another run may come in between.
@@ -34,7 +35,7 @@ impl Staging {
         sweep(parent, &prefix);
         let folder = tempfile::Builder::new().prefix(&prefix).tempdir_in(parent);
         let folder = folder.map_err(|reason| unwritable(parent, bare(reason)))?;
-        let lock = lock(&folder.path().join(LOCK));
+        let lock = lock(&folder.path().join(LOCK), &out);
         Ok(Staging {
             _lock: lock.map_err(|reason| unwritable(parent, reason))?,
             folder,
@@ -113,25 +114,37 @@ impl Places {
 }
 
 /// Makes a file and locks it. There is something in it only once it is locked, so that no other run finds it free before.
-fn lock(path: &Path) -> io::Result<File> {
+fn lock(path: &Path, out: &Path) -> io::Result<File> {
     let mut file = File::create(path)?;
     // A file system without locks has none that could be found free, either.
     if file.lock().is_ok() {
-        file.write_all(b"locked")?;
+        let name = out.file_name().and_then(|name| name.to_str());
+        writeln!(file, "{}", name.unwrap_or_default())?;
     }
     Ok(file)
 }
 
-/// Removes what killed runs have left in `parent`: temporary folders whose lock nobody holds. What cannot be removed is in
-/// nobody's way.
+/// Removes what killed runs have left in `parent`: temporary folders whose lock nobody holds. A book that such a run has taken
+/// away, and put none in its place, goes back first. What cannot be removed is in nobody's way.
 fn sweep(parent: &Path, prefix: &str) {
     let entries = fs::read_dir(parent).into_iter().flatten().flatten();
     for entry in entries.filter(|e| e.file_name().to_string_lossy().starts_with(prefix)) {
-        let lock = File::open(entry.path().join(LOCK));
-        let locked = |lock: &File| lock.metadata().is_ok_and(|lock| lock.len() > 0);
-        if lock.is_ok_and(|lock| locked(&lock) && lock.try_lock().is_ok()) {
-            let _ = fs::remove_dir_all(entry.path());
+        let Ok(mut lock) = File::open(entry.path().join(LOCK)) else {
+            continue;
+        };
+        let locked = lock.metadata().is_ok_and(|lock| lock.len() > 0);
+        if !locked || lock.try_lock().is_err() {
+            continue;
         }
+        let mut name = String::new();
+        if lock.read_to_string(&mut name).is_ok() && !name.trim_end().is_empty() {
+            for attempt in (0..=ATTEMPTS).rev() {
+                // Only into an empty place can a folder be renamed.
+                let old = entry.path().join(format!("old-{attempt}"));
+                let _ = fs::rename(old, parent.join(name.trim_end()));
+            }
+        }
+        let _ = fs::remove_dir_all(entry.path());
     }
 }
 
@@ -239,6 +252,34 @@ mod tests {
         next.swap(&book).unwrap();
         drop(alive);
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+    }
+
+    #[test]
+    fn a_book_that_a_killed_run_has_taken_away_is_put_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let [out, other] = ["book", "other"].map(|name| folder.path().join(name));
+        // Killed between the two renames.
+        let killed = |out: &Path| {
+            let (staging, book) = staged(out, "earlier");
+            staging.swap(&book).unwrap();
+            let (staging, _) = staged(out, "later");
+            fs::rename(out, staging.path("old-0")).unwrap();
+            let _ = staging.folder.keep();
+        };
+        let text = |out: &Path| fs::read_to_string(out.join("index.html")).unwrap_or_default();
+        for next in [&out, &other] {
+            killed(&out);
+            assert_eq!(text(&out), "");
+            drop(Staging::beside(next, "paper").unwrap());
+            assert_eq!(text(&out), "earlier");
+            assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+        }
+        // One that has come since stays.
+        killed(&out);
+        fs::create_dir(&out).unwrap();
+        fs::write(out.join("index.html"), "since").unwrap();
+        drop(Staging::beside(&other, "paper").unwrap());
+        assert_eq!(text(&out), "since");
     }
 
     #[test]

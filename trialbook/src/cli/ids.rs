@@ -45,7 +45,7 @@ pub(super) fn known_all(edition: &Edition, words: &[String]) -> Result<Vec<&'sta
 const NAMED: usize = 6;
 
 /// The id that is meant: one as it stands, an equation by its number as in `13`, `(13)`, `EQ-13` or `eq13`, a figure in the
-/// same way, or the one id that begins like that or has it within.
+/// same way, the claim of a number by its name, `lambda-c`, or the one id that begins like that or has it within.
 fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
     let ids = || edition.paper.claims().map(|(_, Claim { id, .. })| *id);
     let name = edition.name;
@@ -57,6 +57,9 @@ fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
     let is = |id: &&str| id.to_lowercase() == plain;
     if let Some(id) = ids().find(|id| *id == word).or_else(|| ids().find(is)) {
         return Ok(id);
+    }
+    if let Some(value) = edition.paper.value(&lower) {
+        return Ok(value.claim);
     }
     let begins = |id: &&str| id.to_lowercase().starts_with(&plain);
     let within = |id: &&str| id.to_lowercase().contains(&plain);

@@ -12,15 +12,17 @@ use crate::publishing::{Edition, Failure, Format};
 use crate::trials::points::set_round;
 use crate::trials::{Claim, Paper};
 use clap::ValueEnum;
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValue, PossibleValuesParser};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::path::Path;
 use std::time::Instant;
 
+/// Verdicts by their short names, or by the words that are printed.
 pub(super) fn verdicts() -> PossibleValuesParser {
-    PossibleValuesParser::new(Verdict::ALL.map(Verdict::slug))
+    let named = |verdict: Verdict| PossibleValue::new(verdict.slug()).alias(verdict.words());
+    PossibleValuesParser::new(Verdict::ALL.map(named))
 }
 
 pub(super) fn sections(paper: &Paper) -> PossibleValuesParser {
@@ -240,7 +242,7 @@ pub(super) fn show(
 
 pub(super) fn list(
     paper: &'static Paper,
-    verdict: Option<&str>,
+    verdicts: &[String],
     section: Option<&str>,
     depth: &Depth,
     format: Format,
@@ -250,7 +252,11 @@ pub(super) fn list(
         there.map(|(_, claim)| claim.id).collect()
     });
     let tried = Tried::new(paper, of_section.as_deref(), depth)?;
-    let fits = |e: &&Entry| verdict.is_none_or(|v| e.judgement.verdict.slug() == v);
+    let fits = |e: &&Entry| {
+        let of = e.judgement.verdict;
+        let is = |named: &String| [of.slug(), of.words()].contains(&named.as_str());
+        verdicts.is_empty() || verdicts.iter().any(is)
+    };
     let listed: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
     let words = || match listed.is_empty() {
         true => "there is no such claim".to_owned(),
@@ -399,14 +405,14 @@ mod tests {
                 jobs: None,
                 parts: Vec::new(),
             };
-            let ids = ["eq-8".to_owned()];
+            let [ids, misprint] = ["eq-8", "misprint"].map(|word| [word.to_owned()]);
             [
                 verify(&edition, &ids, &depth, csv),
                 show(&edition, &ids, &depth, csv),
-                list(paper, None, Some("2"), &depth, csv),
-                list(paper, Some("misprint"), Some("2"), &depth, csv),
+                list(paper, &[], Some("2"), &depth, csv),
+                list(paper, &misprint, Some("2"), &depth, csv),
                 verify(&edition, &[], &depth, csv),
-                list(paper, Some("misprint"), None, &depth, csv),
+                list(paper, &misprint, None, &depth, csv),
                 super::record(paper, "2026-01-01", &depth),
             ]
             .map(Result::unwrap)

@@ -17,13 +17,17 @@ mod shard;
 mod table;
 
 pub use crate::book::bare;
+pub use crate::notation::ascii;
 pub use output::{VERSION, complain, csv, json, no_table, say, show, unwritten};
 pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
 
 use crate::publishing::{Edition, Failure, Format};
+use crate::trials::listed;
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
+use std::env;
+use std::ffi::OsString;
 use std::io::{self, ErrorKind, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -125,9 +129,9 @@ enum Command {
     },
     /// Try claims and list them with their verdicts
     List {
-        /// Only claims of this verdict
-        #[arg(long, value_parser = ledger::verdicts())]
-        verdict: Option<String>,
+        /// Only claims of this verdict, as it is printed or by its short name, or of one of several between commas
+        #[arg(long, value_parser = ledger::verdicts(), value_delimiter = ',')]
+        verdict: Vec<String>,
         /// Only claims of this section of the paper
         #[arg(long)]
         section: Option<String>,
@@ -249,11 +253,19 @@ const OWN: usize = 7;
 
 /// Runs the command line of this process.
 pub fn run(edition: &Edition) -> ExitCode {
-    let answered = match whole(edition).try_get_matches() {
+    ExitCode::from(exit_code(edition, said(edition, env::args_os())))
+}
+
+/// The answer to a command line. Where something is wrong in the files of the claims, no command knows what it would say.
+fn said(edition: &Edition, words: impl Iterator<Item = OsString>) -> Result<u8, Failure> {
+    let faults = edition.paper.check();
+    if !faults.is_empty() {
+        return Err(listed(&faults).into());
+    }
+    match whole(edition).try_get_matches_from(words) {
         Ok(matches) => answer(edition, &matches),
         Err(help) => told(&help),
-    };
-    ExitCode::from(exit_code(edition, answered))
+    }
 }
 
 /// Prints help, a version, or what is wrong with the command line.
@@ -275,7 +287,6 @@ fn exit_code(edition: &Edition, answer: Result<u8, Failure>) -> u8 {
 }
 
 fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
-    edition.paper.check()?;
     let common = Common::from_arg_matches(matches)?;
     if let Some(jobs) = common.jobs {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.into());
@@ -330,13 +341,9 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
             certify::certify(edition, &ids, &into, format)
         }
         Command::Show { ids } => ledger::show(edition, &ids, &depth, format),
-        Command::List { verdict, section } => ledger::list(
-            paper,
-            verdict.as_deref(),
-            section.as_deref(),
-            &depth,
-            format,
-        ),
+        Command::List { verdict, section } => {
+            ledger::list(paper, &verdict, section.as_deref(), &depth, format)
+        }
         Command::Errata {
             format: kind,
             supplement,
@@ -421,8 +428,40 @@ fn completions(edition: &Edition, shell: Shell, format: Format) -> Result<u8, Fa
 mod tests {
     use super::*;
     use crate::publishing::Page;
-    use crate::trials::Paper;
+    use crate::trials::read::File;
+    use crate::trials::{Paper, Topic};
     use std::fs;
+
+    #[test]
+    fn a_damaged_file_of_claims_is_told_by_every_command() {
+        let text = "[eq-1]\ntitel = 'speed'\nlatex = 'v'\n[eq-2]\ntitle = '$v'\nlatex = 'v'";
+        let topic: &_ = Box::leak(Box::new(Topic::new("stone", "", File::here(text), &[])));
+        let topics = vec![topic].leak();
+        let paper = Box::leak(Box::new(Paper {
+            topics,
+            ..Paper::BLANK
+        }));
+        let edition = Edition::of("stone", paper);
+        for line in [
+            "",
+            "--version",
+            "--help",
+            "list",
+            "show 1",
+            "man",
+            "completions bash",
+        ] {
+            let words = ["stone"].into_iter().chain(line.split_whitespace());
+            let answer = said(&edition, words.map(OsString::from));
+            let told = answer.as_ref().unwrap_err().to_string();
+            let all = ["unknown field `titel`", "a `$` has no partner"];
+            assert!(
+                all.iter().all(|fault| told.contains(fault)),
+                "{line}: {told}"
+            );
+            assert_eq!(exit_code(&edition, answer), 2);
+        }
+    }
 
     /// What the main job says to a book whose first page has this text.
     fn main_job(text: &'static str, out: &std::path::Path) -> Result<u8, Failure> {

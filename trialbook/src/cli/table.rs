@@ -43,8 +43,11 @@ pub(super) fn table(entries: &[Entry], screen: &Screen) -> String {
             });
         }
     }
-    let texts = set(&lines, screen);
-    let mut text = String::new();
+    let (mut text, texts) = set(
+        ["claim", "verdict", "off by", "statement", "found by"],
+        &lines,
+        screen,
+    );
     for section in sections {
         // Nothing can fail in writing to a string.
         let _ = writeln!(text, "\nSection {section}");
@@ -68,18 +71,21 @@ pub(super) fn list(entries: &[&Entry], screen: &Screen) -> String {
             last: String::new(),
         })
         .collect();
-    set(&lines, screen).concat()
+    let (head, lines) = set(["claim", "verdict", "section", "title", ""], &lines, screen);
+    head + &lines.concat()
 }
 
-/// The lines, in columns as wide as they need; on a narrow screen what is long gets a line of its own.
-fn set(lines: &[Line<'_>], screen: &Screen) -> Vec<String> {
-    let widest = |of: &dyn Fn(&Line<'_>) -> usize| lines.iter().map(of).max().unwrap_or(0);
+/// The names of the columns, and the lines, as wide as they need; on a narrow screen what is long gets a line of its own.
+fn set(names: [&str; 5], lines: &[Line<'_>], screen: &Screen) -> (String, Vec<String>) {
     let count = |text: &str| text.chars().count();
-    let first = widest(&|line| count(&line.cells[0]));
-    let second = widest(&|line| count(&line.cells[1]));
-    let verdict = widest(&|line| count(line.entry.judgement.verdict.words()));
-    let last = widest(&|line| count(&line.last));
-    let longest = widest(&|line| count(line.text)).min(WIDEST);
+    let widest = |name: usize, of: &dyn Fn(&Line<'_>) -> usize| {
+        lines.iter().map(of).fold(count(names[name]), usize::max)
+    };
+    let first = widest(0, &|line| count(&line.cells[0]));
+    let second = widest(2, &|line| count(&line.cells[1]));
+    let verdict = widest(1, &|line| count(line.entry.judgement.verdict.words()));
+    let last = widest(4, &|line| count(&line.last));
+    let longest = widest(3, &|line| count(line.text)).min(WIDEST);
     // Two spaces before each column.
     let fixed = first + second + verdict + 8;
     let room = screen
@@ -88,23 +94,27 @@ fn set(lines: &[Line<'_>], screen: &Screen) -> Vec<String> {
     let one_line = room >= LEAST.min(longest);
     let column = longest.min(room);
     let rest = room.saturating_sub(column) >= last + 2;
-    lines
-        .iter()
-        .map(|line| {
-            let words = line.entry.judgement.verdict.words();
-            let painted = screen.paint(line.entry.judgement.verdict, words);
-            let space = " ".repeat(verdict - count(words));
-            let [a, b] = &line.cells;
-            let mut text = format!("  {a:<first$}  {painted}{space}  {b:<second$}");
-            let last = if rest { line.last.as_str() } else { "" };
-            if one_line {
-                let _ = write!(text, "  {:<column$}  {last}", cut(line.text, column));
-            } else {
-                let width = screen.width.unwrap_or(usize::MAX).saturating_sub(6);
-                let _ = write!(text, "\n      {}", cut(line.text, width));
-            }
-            text.truncate(text.trim_end().len());
-            text + "\n"
-        })
-        .collect()
+    let [a, b, c, d, e] = names;
+    let e = if rest { e } else { "" };
+    let mut head = format!("  {a:<first$}  {b:<verdict$}  {c:<second$}");
+    if one_line {
+        let _ = write!(head, "  {d:<column$}  {e}");
+    }
+    let lines = lines.iter().map(|line| {
+        let words = line.entry.judgement.verdict.words();
+        let painted = screen.paint(line.entry.judgement.verdict, words);
+        let space = " ".repeat(verdict - count(words));
+        let [a, b] = &line.cells;
+        let mut text = format!("  {a:<first$}  {painted}{space}  {b:<second$}");
+        let last = if rest { line.last.as_str() } else { "" };
+        if one_line {
+            let _ = write!(text, "  {:<column$}  {last}", cut(line.text, column));
+        } else {
+            let width = screen.width.unwrap_or(usize::MAX).saturating_sub(6);
+            let _ = write!(text, "\n      {}", cut(line.text, width));
+        }
+        text.truncate(text.trim_end().len());
+        text + "\n"
+    });
+    (head.trim_end().to_owned() + "\n", lines.collect())
 }

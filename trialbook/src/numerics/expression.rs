@@ -12,6 +12,9 @@ pub enum ExpressionError {
     /// A word that is neither a number nor a function.
     #[error("`{0}` is no number: numbers, + - * / ^ ( ), pi, deg and {FUNCTIONS} are known")]
     Word(String),
+    /// A number that is not 0 and beyond those that can be read.
+    #[error("`{0}` is too large a number, or too small a one")]
+    Size(String),
     /// Something else than what has to come.
     #[error("`{text}` is no number: {wanted} is missing {place}")]
     Missing {
@@ -140,7 +143,13 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
             let digits = self.rest;
             self.rest = &digits[decimal(digits)..];
             let digits = &digits[..digits.len() - self.rest.len()];
-            (self.number)(digits).ok_or_else(|| ExpressionError::Word(digits.to_owned()))?
+            let size = digits.starts_with(|c: char| c.is_ascii_digit()) || digits.len() > 1;
+            let wrong = if size {
+                ExpressionError::Size
+            } else {
+                ExpressionError::Word
+            };
+            (self.number)(digits).ok_or_else(|| wrong(digits.to_owned()))?
         } else {
             self.word()?
         };

@@ -42,7 +42,7 @@ use {
     attempt::Attempt,
     by_hand::{ByHand, Numbers},
     formulas::Formulas,
-    read::{Fault, File, Read, ReadError},
+    read::{Fault, File, Read, ReadError, unused},
     std::collections::BTreeSet,
     std::sync::OnceLock,
     values::{Number, Value},
@@ -218,7 +218,7 @@ pub struct Topic {
     #[cfg(feature = "trials")]
     numbers: &'static [Number],
     #[cfg(feature = "trials")]
-    read: OnceLock<Result<Read, ReadError>>,
+    read: OnceLock<Read>,
 }
 
 #[cfg(feature = "trials")]
@@ -263,28 +263,33 @@ impl Topic {
     /// Its claims, in the paper's order; read when they are first asked for.
     ///
     /// # Panics
-    /// If its file cannot be read: [`Paper::check`] says so with an error.
+    /// If something is wrong in its file: [`Paper::check`] says what.
     pub fn claims(&self) -> &'static [Claim] {
-        match self.read() {
-            Ok(read) => read.claims,
-            Err(error) => panic!("{error}"),
-        }
+        let Read { claims, faults, .. } = self.read();
+        assert!(faults.is_empty(), "{}", listed(faults));
+        claims
     }
 
     /// Its claims, with the lines from 1 in which their entries begin.
     #[cfg(feature = "book")]
     pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'static Claim)> {
-        let lines = self.read().map_or(&[][..], |read| &read.lines);
-        lines.iter().copied().zip(self.claims())
+        self.read().lines.iter().copied().zip(self.claims())
     }
 
     fn attempts(&self) -> impl Iterator<Item = &'static Attempt> + use<> {
         self.trials.iter().copied().flatten()
     }
 
-    fn read(&self) -> Result<&Read, &ReadError> {
-        self.read.get_or_init(|| Read::of(self)).as_ref()
+    fn read(&self) -> &Read {
+        self.read.get_or_init(|| Read::of(self))
     }
+}
+
+/// What is wrong, a line each.
+#[cfg(feature = "trials")]
+pub(crate) fn listed(faults: &[ReadError]) -> String {
+    let lines: Vec<_> = faults.iter().map(ReadError::to_string).collect();
+    lines.join("\n")
 }
 
 /// A paper: what it claims, and all that belongs to its claims.
@@ -376,37 +381,37 @@ impl Paper {
         reasons
     }
 
-    /// Whether all files of its claims can be read: all that they name is there, and all that there is for them to name, they
-    /// name.
-    ///
-    /// # Errors
-    /// The first fault, with its file and line.
-    pub fn check(&self) -> Result<(), ReadError> {
+    /// What is wrong in the files of its claims, all at once: what cannot be read, what they name and is not there, and what
+    /// is there for them to name and they do not.
+    pub fn check(&self) -> Vec<ReadError> {
+        let reads = self.topics.iter().map(|topic| (&topic.file, topic.read()));
+        let reads: Vec<_> = reads.collect();
+        let all = reads
+            .iter()
+            .flat_map(|(_, read)| read.faults.iter().cloned());
+        let mut faults: Vec<_> = all.collect();
         let mut ids = BTreeSet::new();
-        let mut used = BTreeSet::new();
-        for topic in self.topics {
-            let read = topic.read().map_err(ReadError::clone)?;
-            for (claim, line) in read.claims.iter().zip(&read.lines) {
-                if !ids.insert(claim.id) {
-                    return Err(topic.file.error(*line, Fault::Twice(claim.id.into())));
-                }
-            }
-            used.extend(&read.used);
+        for (file, read) in &reads {
+            let twice = read.ids.iter().filter(|(_, id)| !ids.insert(*id));
+            faults.extend(twice.map(|(line, id)| file.error(*line, Fault::Twice((*id).into()))));
         }
-        for topic in self.topics {
-            let read = topic.read().map_err(ReadError::clone)?;
-            if let Some((line, id)) = read.from.iter().find(|(_, id)| !ids.contains(id)) {
-                return Err(topic.file.error(*line, Fault::unknown("claim", id)));
+        // In a file that is broken there may be more.
+        if !reads.iter().any(|(_, read)| read.broken) {
+            for (file, read) in &reads {
+                let nobody = read.from.iter().filter(|(_, id)| !ids.contains(id));
+                let unknown =
+                    |(line, id): &(usize, &str)| file.error(*line, Fault::unknown("claim", id));
+                faults.extend(nobody.map(unknown));
             }
         }
-        let shared: Vec<_> = self
-            .topics
-            .iter()
-            .filter_map(|topic| topic.shared)
-            .collect();
-        shared
-            .iter()
-            .try_for_each(|file| read::all_used(file, &used))
+        if faults.is_empty() {
+            let used = reads.iter().flat_map(|(_, read)| &read.used).collect();
+            let shared = self.topics.iter().filter_map(|topic| topic.shared);
+            faults.extend(shared.flat_map(|file| unused(&file, &used)));
+        }
+        faults.sort_by(|a, b| (&a.file, a.line).cmp(&(&b.file, b.line)));
+        faults.dedup();
+        faults
     }
 }
 
