@@ -2,10 +2,12 @@
 
 mod latex;
 pub(crate) mod letters;
+mod numerals;
 mod pieces;
 mod plain;
 
 #[cfg(feature = "book")]
 pub(crate) use latex::command;
+pub use numerals::number;
 pub use pieces::{Piece, decimal, pieces};
 pub use plain::{plain_formula, plain_words};

@@ -1,6 +1,6 @@
 //! Captions, and what they say to those who do not see the figure, tried on the numbers of the figure.
 
-use super::choices::Held;
+use super::choices::{Held, gone};
 use super::data::{Data, FIGURES, column, falls, peak, rises, steepens};
 use super::numbers::{decimals, number, slots};
 use super::text::words;
@@ -195,7 +195,7 @@ tried! {
         let peaks: Vec<[f64; 2]> = data.groups().iter().map(|(_, rows)| peak(rows, 1, 2)).collect();
         peaks.windows(2).all(|two| two[0][0] > two[1][0] && two[0][1] > two[1][1])
     };
-    "escape-compensated": "values ({dashed|solid}) on their way", "corrected ones ({solid|dashed})" => |data| {
+    "escape-compensated": "§ ({dashed|solid}) on their way", "corrected ones ({solid|dashed})" => |data| {
         let (printed, corrected) = (data.keys("printed: "), data.keys("corrected: "));
         let ends = data.groups().into_iter().map(|(_, rows)| rows[rows.len() - 1][3]);
         let settled = |(end, key): (f64, &(&str, bool))| (end - key.0.parse::<f64>().unwrap()).abs() < 1e-5;
@@ -381,33 +381,28 @@ fn most_lost(data: &Data) -> Vec<f64> {
 #[test]
 fn what_a_caption_says_of_its_numbers_is_so() {
     let mut held = Held::default();
+    let of = |id: &str| {
+        let figure = FIGURES.iter().find(|figure| figure.id == id);
+        let figure = figure.unwrap_or_else(|| panic!("there is no figure {id}"));
+        (words(&format!("{} | {}", figure.caption, figure.alt)), Data::of(figure))
+    };
     for (id, all, holds) in TRIED {
-        let Some(figure) = FIGURES.iter().find(|figure| figure.id == *id) else {
-            println!("there is no figure {id}");
-            continue;
-        };
-        let text = words(&format!("{} | {}", figure.caption, figure.alt));
-        let data = Data::of(figure);
-        if data.0.is_empty() {
-            println!("nothing is recorded for {id}");
-            continue;
-        }
+        let (text, data) = of(id);
         let holds = holds(&data);
         for pattern in *all {
             held.hold(id, &text, pattern, |choice| (choice == 0) == holds);
         }
     }
     for (id, pattern, right, tolerance) in NUMBERS {
-        let figure = FIGURES.iter().find(|figure| figure.id == *id);
-        let data = figure.map(Data::of);
-        let text = figure.map_or_else(Vec::new, |figure| {
-            words(&format!("{} | {}", figure.caption, figure.alt))
-        });
+        let (text, data) = of(id);
         let found = slots(&text, pattern);
-        let says =
-            |(_, at, length): &(usize, usize, usize)| number(&text[*at..at + length]).unwrap();
-        let off = |n: f64| data.as_ref().map_or(0.0, |data| (n - right(data)).abs());
-        if !found.is_empty() && !found.iter().map(says).any(|n| off(n) <= *tolerance) {
+        let off = |(_, at, length): &(usize, usize, usize)| {
+            (number(&text[*at..at + length]).unwrap() - right(&data)).abs()
+        };
+        if found.is_empty() {
+            held.wrong.push(gone(id, pattern));
+        }
+        if !found.iter().all(|slot| off(slot) <= *tolerance) {
             held.wrong.push(format!("{id}: wrong in {pattern:?}"));
         }
     }

@@ -221,6 +221,22 @@ pub fn is_arithmetic(latex: &str, given: &Given) -> bool {
     })
 }
 
+/// Whether a formula is a letter, with its accents and its index, and nothing else.
+pub fn is_name(latex: &str) -> bool {
+    let sides = statements(latex).unwrap_or_default();
+    let [statement] = &sides[..] else {
+        return false;
+    };
+    let [side] = &statement.sides[..] else {
+        return false;
+    };
+    let only = |value: &Value| match *value {
+        Value::Number(_) => symbol(*value).is_some(),
+        Value::Vector([x, ..]) => symbol(Value::Number(x)).is_some(),
+    };
+    !latex.starts_with('+') && read(latex, side, &Given::new()).is_ok_and(|value| only(&value))
+}
+
 /// The name that a side is, if it is nothing else.
 fn symbol(side: Value) -> Option<&'static str> {
     match side.number()?.node() {

@@ -126,6 +126,13 @@ impl<'a> Frame<'a> {
                 page: format!("{}.md", entry.topic.stem),
             });
         }
+        let said = |name| {
+            let mut blanks = self.blanks.iter();
+            blanks.any(|blank| blank.inside.split_whitespace().take(2).eq(["is", name]))
+        };
+        if let Some(word) = self.edition.words.iter().find(|word| !said(word.name)) {
+            return Err(BookError::SaidNowhere { name: word.name });
+        }
         let book = self.staging.path("book");
         let write = |name: &str, text: &str| put(&book.join(name), text.as_bytes());
         let beside = || {
