@@ -70,7 +70,7 @@ pub struct Edition {
     /// The placeholders of its own.
     pub placeholders: &'static [Placeholder],
     /// What the words and numbers of its pages are computed by.
-    pub words: &'static [Word],
+    pub words: &'static [&'static [Word]],
     /// The files of its own: path within the book, and text.
     pub files: fn() -> Vec<(String, String)>,
     /// The commands of its own, listed after those of every paper.

@@ -12,21 +12,7 @@ use trialbook::publishing::{Failure, Word};
 type Known<T = f64> = Result<T, Failure>;
 
 /// The words of all pages.
-pub(super) static WORDS: &[Word] = &{
-    const ALL: [&[Word]; 4] = [sliding::WORDS, shaken::WORDS, turning::WORDS, told::WORDS];
-    const COUNT: usize = ALL[0].len() + ALL[1].len() + ALL[2].len() + ALL[3].len();
-    let mut words = [ALL[0][0]; COUNT];
-    let (mut at, mut list) = (0, 0);
-    while list < ALL.len() {
-        let mut i = 0;
-        while i < ALL[list].len() {
-            words[at] = ALL[list][i];
-            (at, i) = (at + 1, i + 1);
-        }
-        list += 1;
-    }
-    words
-};
+pub(super) const WORDS: &[&[Word]] = &[sliding::WORDS, shaken::WORDS, turning::WORDS, told::WORDS];
 
 /// What says which word it is, or which number.
 trait Says {
@@ -91,6 +77,10 @@ fn same(a: f64, b: f64, tolerance: f64) -> bool {
 /// What is computed along a range, if all of it can be.
 fn tried<T>(values: impl Iterator<Item = Known<T>>) -> Known<std::vec::IntoIter<T>> {
     Ok(values.collect::<Known<Vec<_>>>()?.into_iter())
+}
+
+fn known<T>(value: T) -> Known<T> {
+    Ok(value)
 }
 
 fn found<T>(value: Option<T>) -> Known<T> {

@@ -1,6 +1,6 @@
 //! The chapters on what is shaken: by a sine, by any drive, and with two frictions.
 
-use super::{Known, along, falls, found, rises, same, tried, words};
+use super::{Known, along, falls, found, known, rises, same, tried, words};
 use crate::claims::PAPER;
 use crate::claims::anisotropic::drift::budget;
 use crate::claims::anisotropic::simulated::{Curves, attractor, curve_a, curve_e, order};
@@ -13,7 +13,7 @@ use crate::numerics::roots::root;
 use crate::paper::{anisotropic, periodic, sinusoidal as sine};
 use crate::solve::{anisotropic as ratchet, sinusoidal};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
-use trialbook::publishing::{Failure, Word};
+use trialbook::publishing::Word;
 
 words! {
     "factor-falls" => {
@@ -36,7 +36,7 @@ words! {
         let friction = Friction::new(0.5, 0.5)?;
         tried(SPECIAL.iter().map(|phase| {
             let start = DriveState { phi: phase(0.5) - 1e-3, w: 0.0 };
-            let after = |time| Ok::<_, Failure>(swing.advance(friction, start, start.phi + time)?.end.w);
+            let after = |time| known(swing.advance(friction, start, start.phi + time)?.end.w);
             Ok(after(5e-4)? == 0.0 && after(0.1)? != 0.0)
         }))?.filter(|ends| *ends).count()
     };
@@ -123,7 +123,7 @@ words! {
         found(<[bool; 5]>::try_from(tried(at.iter().map(never))?.as_slice()).ok())?
     };
     "below-the-backward" => {
-        let moves = |lambda0: f64| Ok::<_, Failure>(ratchet::AnisotropicProblem { q: 4.0, lambda0 }.solve()?.best);
+        let moves = |lambda0: f64| known(ratchet::AnisotropicProblem { q: 4.0, lambda0 }.solve()?.best);
         // The amplitude in units of the friction backward and forward: just below and above each.
         let [below, above] = [moves(0.26)?, moves(0.24)?];
         let [weak, strong] = [moves(1.01)?, moves(0.99)?];
@@ -141,9 +141,9 @@ words! {
         let alike = |q: f64, lambda0: f64| {
             let printed = anisotropic::region(lambda0, &Curves::at(q)?.printed);
             let moves = ratchet::AnisotropicProblem { q, lambda0 }.solve()?.best.region;
-            Ok::<_, Failure>(printed.map(|i| ["I", "II", "III", "IV", "V"][i - 1]) == Some(moves))
+            known(printed.map(|i| ["I", "II", "III", "IV", "V"][i - 1]) == Some(moves))
         };
-        let all_alike = |q: f64| Ok::<_, Failure>(tried(along(0.013, 1.1).map(|lambda0| alike(q, lambda0)))?.all(|alike| alike));
+        let all_alike = |q: f64| known(tried(along(0.013, 1.1).map(|lambda0| alike(q, lambda0)))?.all(|alike| alike));
         all_alike(1.5)? && all_alike(4.5)? && !alike(8.0, 0.12)?
     };
 }
@@ -178,7 +178,7 @@ fn slip(lambda: f64) -> Known {
 /// What is left after some periods without friction of the difference of two velocities.
 fn left_of_a_difference() -> Known {
     let (swing, none) = (sine_drive()?, Friction::new(0.0, 0.0)?);
-    let end = |w| Ok::<_, Failure>(swing.advance(none, DriveState { phi: 0.3, w }, 50.0)?.end.w);
+    let end = |w| known(swing.advance(none, DriveState { phi: 0.3, w }, 50.0)?.end.w);
     Ok((end(0.7)? - end(0.2)?) / 0.5)
 }
 

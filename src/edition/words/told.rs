@@ -1,6 +1,6 @@
 //! The pages on how it is known.
 
-use super::{found, words};
+use super::{Known, found, words};
 use crate::edition::pages::WRITTEN;
 use crate::evidence::{Compared, Evidence, Kind, Route, Subject, Tolerance};
 use crate::ledger::{Verdict, judge};
@@ -10,13 +10,11 @@ use std::panic::Location;
 use trialbook::publishing::Word;
 
 words! {
-    "digits-certain" => {
-        // Of an interval as long above as below, as the code on the page has it.
-        let page = found(WRITTEN.iter().find(|page| page.stem == "rest"))?;
-        let (_, off) = found(page.text.split_once(".abs() > "))?;
-        let off: f64 = found(off.split(|c: char| c == ')' || c == ' ').next())?.trim_end_matches(';').parse()?;
-        libm::floor(-libm::log10(2.0 * off))
-    };
+    // Of an interval as long above as below.
+    "digits-certain" => libm::floor(-libm::log10(2.0 * margin()?));
+    "critical-margin" => margin()?;
+    "new-results" => headings("new")?;
+    "questions-beyond" => headings("beyond")?;
     "digits-of-two" => libm::floor((parts() * f64::MANTISSA_DIGITS as usize) as f64 * libm::log10(2.0));
     "parts-of-two" => parts();
     "routes-needed" => {
@@ -34,6 +32,21 @@ words! {
         [neither, two(Route::Quadrature, true) && two(Route::Integration, false)]
     };
     "tangent-of-half" => [decides(libm::tan), decides(libm::cos), decides(libm::sin)];
+}
+
+fn text(stem: &str) -> Known<&'static str> {
+    Ok(&found(WRITTEN.iter().find(|page| page.stem == stem))?.text)
+}
+
+/// How many parts a page has.
+fn headings(stem: &str) -> Known<usize> {
+    Ok(text(stem)?.matches("\n## ").count())
+}
+
+/// How near to the critical radius and speed the proofs come, as the code on the page has it.
+fn margin() -> Known {
+    let (_, off) = found(text("rest")?.split_once(".abs() > "))?;
+    Ok(found(off.split(' ').next())?.parse()?)
 }
 
 /// How many floating-point numbers the calculators' numbers are made of.

@@ -1,6 +1,6 @@
 //! The chapters on the turntable.
 
-use super::{Known, along, falls, found, same, tried, words};
+use super::{Known, along, falls, found, known, same, tried, words};
 use crate::claims::PAPER;
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape;
@@ -8,10 +8,12 @@ use crate::motion::State;
 use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::{Fate, Start, Table, boundary, critical_radius, critical_speed, fate, inertial, intrinsic::Run, rotating};
 use crate::numerics::fit::fit;
+use crate::numerics::roots::root;
+use crate::paper::rest::eq143_exponent;
 use crate::paper::{escape as growing, turntable as print};
 use crate::solve::turntable;
 use std::f64::consts::{PI, SQRT_2, TAU};
-use trialbook::publishing::{Failure, Word};
+use trialbook::publishing::Word;
 
 words! {
     "outwards" => {
@@ -23,7 +25,7 @@ words! {
         // At rest in the room it is carried along; at rest on the record friction only holds it.
         let later = |v| {
             let start = State { t: 0.0, x: [0.5, 0.0], v: [0.0, v] };
-            Ok::<_, Failure>(inertial::run(&Table::default(), &start, 0.1)?.at(0.1)?)
+            known(inertial::run(&Table::default(), &start, 0.1)?.at(0.1)?)
         };
         later(0.0)?.v[1] > 0.09 && (later(0.5)?.speed() - 0.5).abs() < 1e-12
     };
@@ -78,7 +80,7 @@ words! {
     "turns-of-the-table" => libm::round((1e8 - 1e4) / TAU / 1e6) * 1e6;
     "per-cent-apart" => {
         let pairs = [("a-printed", "a"), ("p-printed", "p"), ("s-printed", "s")];
-        let value = |id| Ok::<_, Failure>(found(PAPER.value(id))?.number()?);
+        let value = |id| known(found(PAPER.value(id))?.number()?);
         let apart = tried(pairs.iter().map(|(printed, right)| Ok((value(printed)? / value(right)? - 1.0).abs())))?;
         libm::ceil(100.0 * apart.fold(0.0, f64::max))
     };
@@ -93,6 +95,9 @@ words! {
         let powers = fit(data.as_slice(), &[&|_| 1.0, &|t| 1.0 / t, &|t| 1.0 / (t * t)])?;
         decimals((powers.coefficients[0] * 3.0 * SQRT_2 - 1.0).abs())
     };
+    "cube-exceeds-below" => power_of_the_constant(1.0 / 3.0)?;
+    "falls-more-slowly-below" => power_of_the_constant(1.0)?;
+    "third-order-above" => power_of_the_constant(3.0)?;
     "slower" => {
         let critical = critical_speed()?;
         rests(0.0, 0.99 * critical, 0.0)? && !rests(0.0, 1.01 * critical, 0.0)?
@@ -104,7 +109,7 @@ words! {
     "inwards-faster" => rests(0.3, 1.05 * critical_speed()?, PI)?;
     "put-down-beyond" => {
         let critical = critical_radius()?;
-        let ends = |rho: f64| Ok::<_, Failure>(matches!(fate(&Start::put_down(rho)?)?, Fate::Rest { .. }));
+        let ends = |rho: f64| known(matches!(fate(&Start::put_down(rho)?)?, Fate::Rest { .. }));
         ends(0.999 * critical)? && !ends(1.001 * critical)?
     };
     "psi-free-of-145" => {
@@ -114,20 +119,20 @@ words! {
     "faster-and-less-until-then" => {
         // With ψ that has not relaxed, and with one that has, from the same A and α.
         let end = |psi| match fate(&Start::hyperbolic(0.7, 0.02, psi)?)? {
-            Fate::Rest { sigma, .. } => Ok::<_, Failure>(sigma),
+            Fate::Rest { sigma, .. } => known(sigma),
             other => Err(format!("{other:?}").into()),
         };
         let rate = |psi: f64| print::eq114_alpha_rate(0.7, 0.02, psi);
         end(1.5)? < end(0.07)? && rate(1.5) < rate(0.07)
     };
     "digits-of-the-critical" => {
-        let decimals = |id| Ok::<_, Failure>(found(PAPER.value(id))?.decimals);
+        let decimals = |id| known(found(PAPER.value(id))?.decimals);
         decimals("critical-radius")?.min(decimals("critical-speed")?)
     };
     "below-the-line" => {
         // In the slow motion ψ ≈ 2α, a = A − 1.
         let alpha = 0.01;
-        let rests = |a: f64| Ok::<_, Failure>(matches!(fate(&Start::hyperbolic(1.0 + a, alpha, 2.0 * alpha)?)?, Fate::Rest { .. }));
+        let rests = |a: f64| known(matches!(fate(&Start::hyperbolic(1.0 + a, alpha, 2.0 * alpha)?)?, Fate::Rest { .. }));
         let border = boundary(alpha, 2.0 * alpha)? - 1.0;
         (border + alpha).abs() < 0.05 * alpha && rests(-1.1 * alpha)? && !rests(-0.9 * alpha)?
     };
@@ -135,6 +140,12 @@ words! {
 
 fn rests(rho: f64, p: f64, psi: f64) -> Known<bool> {
     Ok(matches!(fate(&Start::polar(rho, p, psi)?)?, Fate::Rest { .. }))
+}
+
+/// The σ at which the term of (143) with the constant goes as this power of α.
+fn power_of_the_constant(power: f64) -> Known {
+    let sigma = root(|sigma: f64| 1.0 + eq143_exponent(sigma) - power, 0.1, 0.9)?;
+    Ok(libm::round(1e6 * sigma) / 1e6)
 }
 
 /// ψ and the rest, a little after a start.

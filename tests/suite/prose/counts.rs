@@ -21,11 +21,9 @@ enum Count {
     Among(fn(&Page) -> Vec<f64>),
     /// In the code of the same section.
     Code,
-    /// This placeholder and no other.
-    Filled(&'static str),
 }
 
-use Count::{Among, Code, Filled, Is};
+use Count::{Among, Code, Is};
 
 /// A page, words with `{}` for the number, and what it has to be.
 type Row = (&'static str, &'static str, Count);
@@ -129,27 +127,6 @@ counts! {
     "anisotropic", "{} questions four borders" => Among(curves);
     "anisotropic", "questions {} borders" => Among(curves);
     "anisotropic", "{} questions decide what comes next" => Among(curves);
-    "errata", "{} claims are false" => Filled("count wrong");
-    "errata", "{} of them by an error of their own" => Filled("count roots");
-    "errata", "{} because what they rest on" => Filled("count heirs");
-    "errata", "{} by a slip in print" => Filled("count misprint");
-    "errata", "{} need" => Filled("count conditional");
-    "new", "up to the distance {}" => Filled("value critical-radius");
-    "new", "up to the speed {}" => Filled("value critical-speed");
-    "rest", "the critical radius {}" => Filled("value critical-radius");
-    "methods", "of the {} claims" => Filled("count claims");
-    "methods", "proved {} of the" => Filled("count proved");
-    "methods", "argued {}" => Filled("count argued");
-    "methods", "measured {}" => Filled("count measured");
-    "methods", "of {} wrong variants" => Filled("count variants");
-    "methods", "variants {} are rejected" => Filled("count rejected");
-    "methods", "each of these {} mistakes" => Filled("count corners");
-    "methods", "{} times in all" => Filled("count put");
-    "index", "in {} comparisons" => Filled("count points");
-    "index", "in {} topics" => Filled("count results");
-    "index", "{} formulas have lost" => Filled("count factors");
-    "index", "{} slips of the pen" => Filled("count misprint");
-    "ledger", "all {} claims" => Filled("count claims");
 }
 
 /// Whether a page has the number right that a row is about, wherever it says so; none if nowhere.
@@ -171,9 +148,6 @@ fn holds((_, pattern, count): &Row, page: &Page) -> Option<bool> {
                 let code = here.into_iter().flat_map(Section::code);
                 among(code.flat_map(|code| [literals(code), quotients(code)].concat()).collect())
             }
-            Filled(placeholder) => slot
-                .iter()
-                .all(|word| word.text == format!("{{{placeholder}}}")),
         }
     };
     (!found.is_empty()).then(|| found.iter().all(right))

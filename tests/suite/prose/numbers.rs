@@ -11,7 +11,7 @@ pub fn number(words: &[Word]) -> Option<f64> {
     notation::number(&texts).filter(|_| !matches!(texts[..], ["a" | "the" | "no" | "none", ..]))
 }
 
-/// Where a text has the words of a pattern: the place of the first, and of what it has for `{}`, a number or a placeholder, the
+/// Where a text has the words of a pattern: the place of the first, and of the number that it has for `{}`, the
 /// place and the length.
 pub fn slots(text: &[Word], pattern: &str) -> Vec<(usize, usize, usize)> {
     let (before, after) = pattern.split_once("{}").expect("a place for a number");
@@ -21,8 +21,7 @@ pub fn slots(text: &[Word], pattern: &str) -> Vec<(usize, usize, usize)> {
         let fits = |length: &usize| {
             let slot = &text[first..text.len().min(first + length)];
             let together = slot.iter().rev().skip(1).all(|word| !word.ends);
-            let placeholder = *length == 1 && slot.iter().all(|word| word.text.starts_with('{'));
-            slot.len() == *length && together && (placeholder || number(slot).is_some())
+            slot.len() == *length && together && number(slot).is_some()
         };
         let length = (1..=4).rev().find(fits)?;
         // Of three hundred the hundred alone is no number.
@@ -118,7 +117,7 @@ pub fn decimals(text: &str) -> Vec<&str> {
     found
 }
 
-/// The decimals of a section with code that are neither in the code nor in arithmetic that is tried as it stands.
+/// The decimals of a section that are neither in the code nor in arithmetic that is tried as it stands.
 fn from_nowhere(section: &Section) -> Vec<String> {
     let known: Vec<f64> = section.code().flat_map(literals).collect();
     let mut given = Given::new();
@@ -149,9 +148,8 @@ fn from_nowhere(section: &Section) -> Vec<String> {
             .parse()
             .is_ok_and(|number: f64| known.contains(&number))
     });
-    let has_code = section.code().next().is_some();
     let line = |number: &&str| format!("{}: {number}", section.page);
-    wanted.iter().filter(|_| has_code).map(line).collect()
+    wanted.iter().map(line).collect()
 }
 
 #[test]

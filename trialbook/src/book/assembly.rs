@@ -130,7 +130,7 @@ impl<'a> Frame<'a> {
             let mut blanks = self.blanks.iter();
             blanks.any(|blank| blank.inside.split_whitespace().take(2).eq(["is", name]))
         };
-        if let Some(word) = self.edition.words.iter().find(|word| !said(word.name)) {
+        if let Some(word) = self.edition.words.iter().copied().flatten().find(|word| !said(word.name)) {
             return Err(BookError::SaidNowhere { name: word.name });
         }
         let book = self.staging.path("book");

@@ -134,7 +134,7 @@ impl<'a> Filler<'a> {
 
     /// Of the words between `|` the one that is so; or a number, if it is the one that is computed.
     fn said(&self, name: &str, said: &str) -> Result<String, Fault> {
-        let mut words = self.context.edition.words.iter();
+        let mut words = self.context.edition.words.iter().copied().flatten();
         let none = || format!("nothing is computed by the name `{name}`");
         let word = words.find(|word| word.name == name).ok_or_else(none)?;
         let is = (word.is)().map_err(|failure| failure.to_string())?;

@@ -18,6 +18,9 @@ fn one(word: &str) -> Option<f64> {
             times + part
         });
     }
+    if let Some((above, below)) = word.split_once('/') {
+        return Some(one(above)? / one(below)?);
+    }
     if let Some(power) = word.strip_prefix("10").filter(|power| !power.is_empty()) {
         let digit = |c| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|d| d == c);
         if let Some(power) = power.chars().try_fold(0, |n, c| Some(10 * n + digit(c)?)) {
