@@ -9,5 +9,7 @@ mod plain;
 #[cfg(feature = "book")]
 pub(crate) use latex::command;
 pub use numerals::number;
+#[cfg(feature = "book")]
+pub(crate) use numerals::word;
 pub use pieces::{Piece, decimal, pieces};
 pub use plain::{plain_formula, plain_words};

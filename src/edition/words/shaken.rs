@@ -2,9 +2,9 @@
 
 use super::{Known, along, falls, found, known, rises, same, tried, words};
 use crate::claims::PAPER;
+use crate::claims::anisotropic::census;
 use crate::claims::anisotropic::drift::budget;
 use crate::claims::anisotropic::simulated::{Curves, attractor, curve_a, curve_e, order};
-use crate::claims::anisotropic::census;
 use crate::claims::periodic::drawn;
 use crate::claims::periodic::drives::{Phase, motion, third_harmonic};
 use crate::corrections::{anisotropic as border, periodic as pulses, sinusoidal as swing};
@@ -16,7 +16,7 @@ use std::f64::consts::{FRAC_PI_2, PI, SQRT_2, TAU};
 use trialbook::publishing::Word;
 
 words! {
-    "factor-falls" => {
+    "factor-falls-1" => {
         let lambda_c = 2.0 / libm::sqrt(4.0 + PI * PI);
         let end = swing::contraction(lambda_c);
         swing::contraction(0.0) == 1.0 && end < 1e-15 && falls(along(0.0, lambda_c).map(swing::contraction))
@@ -26,8 +26,8 @@ words! {
         (1.8..2.0).contains(&factor) && never_rests(1.01 * factor)? && !never_rests(0.99 * factor)?
     };
     "smaller-rests" => !never_rests(1.7)? && never_rests(2.0)?;
-    "slip-lasts-nearly-all" => [slip(1e-3)? > 0.9, slip(1e-3)? < 0.1, (slip(1e-3)? - 0.5).abs() < 0.1];
-    "without-friction-nothing-forgotten" => [same(left_of_a_difference()?, 1.0, 1e-12), left_of_a_difference()? < 0.5];
+    "nearly-the-whole-period" => [slip(1e-3)? > 0.9, slip(1e-3)? < 0.1, (slip(1e-3)? - 0.5).abs() < 0.1];
+    "nothing-forgotten-keeps" => [same(left_of_a_difference()?, 1.0, 1e-12), left_of_a_difference()? < 0.5];
     "special-phases" => PAPER.values().filter(|v| v.id.starts_with("phi-")).count();
     "special-phases-merged" => different_phases(TAU);
     "special-phases-with-both-ends" => different_phases(9.0);
@@ -77,11 +77,11 @@ words! {
     "rests-then" => rests()?[1];
     "rests-at-most" => rests()?[2];
     "rests-at-last" => rests()?[3];
-    "b-positive" => tried(along(1.5, 12.0).map(|q| {
+    "b-positive-and-falls" => tried(along(1.5, 12.0).map(|q| {
         let over = excess(anisotropic::eq54_sides, q);
         Ok(over(0.0) > 0.0 && falls(along(0.0, 1.0 / q).map(over)))
     }))?.all(|holds| holds);
-    "e-falls-at-first" => tried(along(1.5, 12.0).map(|q| {
+    "e-0-falls-convex" => tried(along(1.5, 12.0).map(|q| {
         let over = excess(border::e_sides, q);
         let slopes = along(0.0, 0.95 / q).map(|x| over(x + 1e-4 / q) - over(x));
         Ok(over(0.0) == 0.0 && over(1e-3 / q) < 0.0 && rises(slopes))
@@ -90,7 +90,7 @@ words! {
         let [b, e] = [anisotropic::eq54_sides, border::e_sides].map(|sides| excess(sides, *q)(1.0 / q));
         (b - e).abs() < 1e-12 && b * sign > 0.0
     });
-    "drift-faster" => {
+    "drift-faster-larger-q" => {
         let drift = |q: f64, lambda0: f64| Ok(budget(q, lambda0)?.drift);
         falls(tried(along(0.01, 0.97).map(|lambda0| drift(2.6, lambda0)))?) && rises(tried(along(1.1, 6.0).map(|q| drift(q, 0.05)))?)
     };
@@ -99,7 +99,7 @@ words! {
         let most = lost(SQRT_2 / PI);
         (most - 4.0 / PI).abs() < 1e-15 && along(0.05, 0.53).all(|lambda0| lost(lambda0) < most)
     };
-    "b-lower" => {
+    "b-lower-in-III" => {
         // (54) falls through zero on B.
         let over = excess(anisotropic::eq54_sides, 2.0);
         over(0.406) > 0.0 && over(0.408) < 0.0
@@ -113,7 +113,7 @@ words! {
         let motion = attractor(2.0, 0.2)?;
         [imparted(|_| 1.0).abs() < 1e-9, imparted(|phi| motion.w(phi)).abs() < 1e-9]
     };
-    "never-backward" => {
+    "never-backward-in-IV" => {
         // In the order of the words: IV, I, II, III, V.
         let never = |(region, lambda0): &(&str, f64)| {
             let period = ratchet::AnisotropicProblem { q: 2.0, lambda0: *lambda0 }.solve()?.best;
@@ -122,7 +122,7 @@ words! {
         let at = [("IV", 0.55), ("I", 0.2), ("II", 0.38), ("III", 0.45), ("V", 1.1)];
         found(<[bool; 5]>::try_from(tried(at.iter().map(never))?.as_slice()).ok())?
     };
-    "below-the-backward" => {
+    "below-mu_-g" => {
         let moves = |lambda0: f64| known(ratchet::AnisotropicProblem { q: 4.0, lambda0 }.solve()?.best);
         // The amplitude in units of the friction backward and forward: just below and above each.
         let [below, above] = [moves(0.26)?, moves(0.24)?];
@@ -164,7 +164,9 @@ fn excess(sides: fn(f64, f64) -> [f64; 2], q: f64) -> impl Fn(f64) -> f64 + Copy
 
 /// Whether the particle never rests, under a drive whose amplitude is so many times the friction.
 fn never_rests(factor: f64) -> Known<bool> {
-    let problem = sinusoidal::SinusoidalProblem { lambda0: 1.0 / factor };
+    let problem = sinusoidal::SinusoidalProblem {
+        lambda0: 1.0 / factor,
+    };
     Ok(problem.solve()?.best.rest_fraction == 0.0)
 }
 
@@ -185,7 +187,11 @@ fn left_of_a_difference() -> Known {
 /// When the friction 1.25 stops the velocity 1 that a force pushes along.
 fn stop(force: f64) -> Known {
     let drive = Drive::new(|_| force, &[])?;
-    let path = drive.advance(Friction::new(1.25, 1.25)?, DriveState { phi: 0.0, w: 1.0 }, 9.0)?;
+    let path = drive.advance(
+        Friction::new(1.25, 1.25)?,
+        DriveState { phi: 0.0, w: 1.0 },
+        9.0,
+    )?;
     Ok(found(path.intervals.last())?.start)
 }
 
@@ -197,7 +203,11 @@ fn sets_off(phi: f64) -> Known<bool> {
         false => periodic::eq43_h(periodic::eq42_h(eta, phi - PI)),
     };
     let drive = Drive::new(h, &[eta * PI, PI, PI + eta * PI])?;
-    let path = drive.advance(Friction::new(0.3, 0.3)?, DriveState { phi, w: 0.0 }, phi + 0.1)?;
+    let path = drive.advance(
+        Friction::new(0.3, 0.3)?,
+        DriveState { phi, w: 0.0 },
+        phi + 0.1,
+    )?;
     Ok(path.end.w != 0.0)
 }
 
@@ -208,7 +218,12 @@ fn imparted(f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// The special phases of a period, by λ₀.
-const SPECIAL: [fn(f64) -> f64; 4] = [sine::eq27_phi1, sine::eq28_phi2, sine::eq29_phi3, sine::eq30_phi4];
+const SPECIAL: [fn(f64) -> f64; 4] = [
+    sine::eq27_phi1,
+    sine::eq28_phi2,
+    sine::eq29_phi3,
+    sine::eq30_phi4,
+];
 
 /// How many of them differ without friction, if those are the same that are so far apart.
 fn different_phases(turn: f64) -> usize {
@@ -220,7 +235,14 @@ fn different_phases(turn: f64) -> usize {
 
 /// How many regimes sinusoidal shaking has, from little friction to much.
 fn regimes() -> Known<usize> {
-    let of = |i: u32| Ok(sinusoidal::SinusoidalProblem { lambda0: f64::from(i) / 20.0 }.solve()?.best.regime);
+    let of = |i: u32| {
+        Ok(sinusoidal::SinusoidalProblem {
+            lambda0: f64::from(i) / 20.0,
+        }
+        .solve()?
+        .best
+        .regime)
+    };
     let mut all: Vec<_> = tried((1..30).map(of))?.collect();
     all.dedup();
     Ok(all.len())
@@ -232,25 +254,34 @@ fn intervals(lambda: f64) -> Known<Vec<(Sign, f64)>> {
     let motion = found(motion(&drive, lambda)?)?;
     let largest = |i: &Interval| {
         let phases = (0..=200).map(|k| i.start + i.length() * f64::from(k) / 200.0);
-        (i.sign, phases.map(|phi| motion.w(phi).abs()).fold(0.0, f64::max))
+        (
+            i.sign,
+            phases.map(|phi| motion.w(phi).abs()).fold(0.0, f64::max),
+        )
     };
     Ok(motion.intervals().iter().map(largest).collect())
 }
 
 fn loops(lambda: f64) -> Known<Vec<f64>> {
-    let moving = intervals(lambda)?.into_iter().filter(|(sign, _)| *sign != Sign::Rest);
+    let moving = intervals(lambda)?
+        .into_iter()
+        .filter(|(sign, _)| *sign != Sign::Rest);
     Ok(moving.map(|(_, size)| size).collect())
 }
 
 fn resting(lambda: f64) -> Known<bool> {
-    Ok(intervals(lambda)?.iter().any(|(sign, _)| *sign == Sign::Rest))
+    Ok(intervals(lambda)?
+        .iter()
+        .any(|(sign, _)| *sign == Sign::Rest))
 }
 
 /// The loops with less than half of the largest speed, by their numbers.
 fn shallow(lambda: f64) -> Known<Vec<usize>> {
     let sizes = loops(lambda)?;
     let most = sizes.iter().copied().fold(0.0, f64::max);
-    Ok((0..sizes.len()).filter(|i| sizes[*i] <= 0.5 * most).collect())
+    Ok((0..sizes.len())
+        .filter(|i| sizes[*i] <= 0.5 * most)
+        .collect())
 }
 
 /// How many of the shallow loops more friction deepens, or flattens.
@@ -258,7 +289,11 @@ fn deepened(deeper: bool) -> Known<usize> {
     // The same loops one after the other, as none has gone.
     let (weak, strong) = (loops(0.02)?, loops(0.05)?);
     let of = shallow(0.02)?;
-    found((weak.len() == strong.len()).then(|| of.iter().filter(|i| (strong[**i] > weak[**i]) == deeper).count()))
+    found((weak.len() == strong.len()).then(|| {
+        of.iter()
+            .filter(|i| (strong[**i] > weak[**i]) == deeper)
+            .count()
+    }))
 }
 
 /// How many rests there are in a period, one number after the other, under growing friction.
@@ -269,5 +304,7 @@ fn rests() -> Known<[usize; 4]> {
     };
     let mut rests: Vec<usize> = tried(drawn::census(100)?[1].phases.iter().map(rests))?.collect();
     rests.dedup();
-    rests.try_into().map_err(|rests| format!("{rests:?}").into())
+    rests
+        .try_into()
+        .map_err(|rests| format!("{rests:?}").into())
 }

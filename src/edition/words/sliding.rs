@@ -3,6 +3,7 @@
 use super::{Known, along, falls, found, rises, same, words};
 use crate::motion::sphere::{Ball, Sphere};
 use crate::motion::{Launch, Plane, State, run};
+use crate::numerics::roots::root;
 use crate::paper::{constant, sphere};
 use libm::hypot;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -10,12 +11,12 @@ use trialbook::publishing::Word;
 
 words! {
     "stop-falls" => falls(along(0.0, PI).map(|theta0| constant::eq20_stop_time(2.0, 1.0, 1.0, theta0)));
-    "speed-falls" => {
+    "speed-falls-sum-constant" => {
         let states = launched(1.0)?;
         let off = |s: &State| (s.speed() + s.v[0] - 1.0 - libm::cos(2.0)).abs();
         falls(states.iter().map(State::speed)) && rises(states.iter().map(|s| s.v[0])) && states.iter().all(|s| off(s) < 1e-12)
     };
-    "across-shrinks" => {
+    "across-can-shrink" => {
         let [none, weak, even] = [launched(0.0)?, launched(0.5)?, launched(1.0)?];
         [none, weak, even].iter().all(|states| states.windows(2).all(|two| two[1].v[1] <= two[0].v[1]))
     };
@@ -34,9 +35,13 @@ words! {
     "half-tangent-start" => half_tangent(0.0)?;
     "half-tangent-end" => half_tangent(1e4)?;
     "speed-kept-across" => libm::round(1e9 * kept(90.0)?) * 1e-9;
+    "degrees-for-three-quarters" => {
+        let angle = root(|degrees: f64| kept(degrees).map_or(f64::NAN, |kept| kept - 0.75), 1.0, 179.0)?;
+        libm::round(angle)
+    };
     "later-than-at-rest" => Launch::new(2.0, 1.0, 1.0, FRAC_PI_2)?.motion_to_rest()?.end().t * 2.0 - 1.0;
     "onto-motion" => [speed_rate_along([0.6, 0.5])?, speed_rate_along([0.7, -0.4])?];
-    "only-friction-in-the-room" => {
+    "room-inertial-force:-only-friction" => {
         let speed = libm::sqrt(0.61);
         [in_the_room([-0.6 / speed, -0.5 / speed])?, in_the_room([0.7, -0.4])?]
     };
@@ -86,17 +91,26 @@ fn turned(into: fn(f64) -> f64) -> Known<bool> {
 /// tan(θ/2) at a time, over what it was at the start.
 fn half_tangent(t: f64) -> Known {
     let motion = Launch::new(0.5, 1.0, 1.0, 2.0)?.motion(1e4)?;
-    Ok(libm::round(libm::tan(motion.at(t)?.direction() / 2.0) / libm::tan(1.0)))
+    Ok(libm::round(
+        libm::tan(motion.at(t)?.direction() / 2.0) / libm::tan(1.0),
+    ))
 }
 
 /// The share of its speed that a particle keeps at λ = 1, launched at so many degrees to the inertial force.
 fn kept(degrees: f64) -> Known {
-    Ok(Launch::new(1.0, 1.0, 1.0, degrees.to_radians())?.motion(400.0)?.end().speed())
+    Ok(Launch::new(1.0, 1.0, 1.0, degrees.to_radians())?
+        .motion(400.0)?
+        .end()
+        .speed())
 }
 
 /// The rate of a velocity (0.6, 0.5) on a plane with the acceleration (−0.7, 0.4) and the friction 1.
 fn rate() -> Known<([f64; 2], f64)> {
-    let start = State { t: 0.0, x: [0.0; 2], v: [0.6, 0.5] };
+    let start = State {
+        t: 0.0,
+        x: [0.0; 2],
+        v: [0.6, 0.5],
+    };
     let h = 1e-6;
     let later = run(&Plane::constant([-0.7, 0.4]), 1.0, start, h)?.end();
     let of = |i: usize| (later.v[i] - start.v[i]) / h;
@@ -106,7 +120,11 @@ fn rate() -> Known<([f64; 2], f64)> {
 fn speed_rate_along(direction: [f64; 2]) -> Known<bool> {
     let ([x, y], speed) = rate()?;
     let size = hypot(direction[0], direction[1]);
-    Ok(same((x * direction[0] + y * direction[1]) / size, speed, 1e-4))
+    Ok(same(
+        (x * direction[0] + y * direction[1]) / size,
+        speed,
+        1e-4,
+    ))
 }
 
 /// Whether this force alone accelerates the particle in the laboratory.

@@ -56,7 +56,11 @@ fn parts() -> usize {
 
 /// What agrees, by a route, from a motion that is run there.
 fn by(route: Route, run: Option<&'static Location<'static>>) -> Evidence {
-    const ANY: Tolerance = Tolerance { name: "ANY", value: 1e-10, reason: "whichever" };
+    const ANY: Tolerance = Tolerance {
+        name: "ANY",
+        value: 1e-10,
+        reason: "whichever",
+    };
     let compared = Compared::one("a formula", "the motion");
     Evidence {
         points: 1000,
@@ -82,7 +86,8 @@ fn decides(of: fn(f64) -> f64) -> bool {
     let apart = |of: fn(f64) -> f64, one: f64, other: f64| (of(one) - of(other)).abs();
     all().all(|one| {
         all().all(|other| {
-            apart(of, one / 2.0, other / 2.0) >= 1e-9 || apart(libm::sin, one, other) + apart(libm::cos, one, other) < 1e-6
+            apart(of, one / 2.0, other / 2.0) >= 1e-9
+                || apart(libm::sin, one, other) + apart(libm::cos, one, other) < 1e-6
         })
     })
 }

@@ -6,7 +6,10 @@ use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape;
 use crate::motion::State;
 use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::{Fate, Start, Table, boundary, critical_radius, critical_speed, fate, inertial, intrinsic::Run, rotating};
+use crate::motion::turntable::{
+    Fate, Start, Table, boundary, critical_radius, critical_speed, fate, inertial, intrinsic::Run,
+    rotating,
+};
 use crate::numerics::fit::fit;
 use crate::numerics::roots::root;
 use crate::paper::rest::eq143_exponent;
@@ -21,7 +24,7 @@ words! {
         moment.velocity[0] > 0.0 && moment.psi.abs() < 0.02
     };
     "axis-behind" => (soon(0.0, 1.0, 0.0)?.psi - 1e-2).abs() < 1e-4;
-    "against-the-velocity-on-the-record" => {
+    "against-the-record" => {
         // At rest in the room it is carried along; at rest on the record friction only holds it.
         let later = |v| {
             let start = State { t: 0.0, x: [0.5, 0.0], v: [0.0, v] };
@@ -34,7 +37,7 @@ words! {
         let seen = Table::default().to_laboratory(&at_rest);
         seen.x[1] > 0.0 && seen.v[1] > 0.0
     };
-    "counterclockwise-from-velocity" => {
+    "counterclockwise-velocity-to-the-position" => {
         let moment = soon(1.0, 1.0, 0.5)?;
         let ([x, y], [u, v]) = (moment.position, moment.velocity);
         let turned = libm::atan2(y, x) - libm::atan2(v, u);
@@ -102,11 +105,11 @@ words! {
         let critical = critical_speed()?;
         rests(0.0, 0.99 * critical, 0.0)? && !rests(0.0, 1.01 * critical, 0.0)?
     };
-    "easier-farther" => {
+    "farther-is-easier" => {
         // The speed above which a particle thrown straight outwards escapes.
         falls(tried((0..9).map(|i| Ok(between(|p| Start::polar(0.1 * f64::from(i), p, 0.0), 1e-9, 2.0, 1e-6)?)))?)
     };
-    "inwards-faster" => rests(0.3, 1.05 * critical_speed()?, PI)?;
+    "inwards-may-exceed" => rests(0.3, 1.05 * critical_speed()?, PI)?;
     "put-down-beyond" => {
         let critical = critical_radius()?;
         let ends = |rho: f64| known(matches!(fate(&Start::put_down(rho)?)?, Fate::Rest { .. }));
@@ -139,7 +142,10 @@ words! {
 }
 
 fn rests(rho: f64, p: f64, psi: f64) -> Known<bool> {
-    Ok(matches!(fate(&Start::polar(rho, p, psi)?)?, Fate::Rest { .. }))
+    Ok(matches!(
+        fate(&Start::polar(rho, p, psi)?)?,
+        Fate::Rest { .. }
+    ))
 }
 
 /// The σ at which the term of (143) with the constant goes as this power of α.
@@ -150,7 +156,9 @@ fn power_of_the_constant(power: f64) -> Known {
 
 /// ψ and the rest, a little after a start.
 fn soon(rho: f64, p: f64, psi: f64) -> Known<turntable::Moment> {
-    Ok(turntable::TurntableProblem::Polar { rho, p, psi }.at(1e-2)?.best)
+    Ok(turntable::TurntableProblem::Polar { rho, p, psi }
+        .at(1e-2)?
+        .best)
 }
 
 /// How many decimals are right of what is right to so much.
@@ -160,7 +168,12 @@ fn decimals(off: f64) -> f64 {
 
 /// A place in units of μg/Ω² after the time 2/Ω, of a start that is given in these units.
 fn turning(mu: f64, x: f64) -> Known {
-    let table = Table { omega: 2.0 + mu, mu, g: 10.0, mass: 0.1 };
+    let table = Table {
+        omega: 2.0 + mu,
+        mu,
+        g: 10.0,
+        mass: 0.1,
+    };
     let length = table.length();
     let start = State {
         t: 0.0,

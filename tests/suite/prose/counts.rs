@@ -9,7 +9,6 @@ use slipbook::claims::PAPER;
 use slipbook::claims::corners::CORNERS;
 use slipbook::motion::sphere::Ball;
 use slipbook::motion::turntable::{Start, intrinsic};
-use slipbook::motion::Launch;
 use slipbook::seeded::Corner;
 use slipbook::solve::VERSION;
 use std::collections::BTreeSet;
@@ -98,14 +97,6 @@ counts! {
         let section = behind(&page.text, "{#solve-anisotropic}").split("\n## ").next();
         some(section.unwrap_or_default().matches("| number | length of ").count())
     });
-    "constant", "at {} to the inertial force" => Is(|| {
-        let (mut near, mut far) = (1.0, 179.0);
-        while far - near > 1e-6 {
-            let middle = 0.5 * (near + far);
-            *(if kept(middle) > 0.75 { &mut near } else { &mut far }) = middle;
-        }
-        near.round()
-    });
     "constant", "with a {} of the time left" => Code;
     "constant", "about a {} of its initial value" => Code;
     "constant", "ends up with {} of its speed" => Code;
@@ -146,7 +137,10 @@ fn holds((_, pattern, count): &Row, page: &Page) -> Option<bool> {
                 let sections = sections_of(&page.name, &page.text);
                 let here = sections.iter().rfind(|section| section.from <= start);
                 let code = here.into_iter().flat_map(Section::code);
-                among(code.flat_map(|code| [literals(code), quotients(code)].concat()).collect())
+                among(
+                    code.flat_map(|code| [literals(code), quotients(code)].concat())
+                        .collect(),
+                )
             }
         }
     };
@@ -288,12 +282,6 @@ fn without_number(topic: &str) -> f64 {
         .claims()
         .filter(|(of, claim)| of.stem == topic && claim.equation.is_none());
     of_topic.count() as f64
-}
-
-/// The share of its speed that a particle keeps at λ = 1, launched at so many degrees to the inertial force.
-fn kept(degrees: f64) -> f64 {
-    let launch = Launch::new(1.0, 1.0, 1.0, degrees.to_radians()).unwrap();
-    launch.motion(400.0).unwrap().end().speed()
 }
 
 /// How many arguments these formulas have.

@@ -2,7 +2,9 @@
 
 use super::compare;
 use slipbook::exact::Expr;
-use slipbook::exact::latex::{LatexError, Lexicon, Problem, Relation, Side, Statement, Value, statements};
+use slipbook::exact::latex::{
+    LatexError, Lexicon, Problem, Relation, Side, Statement, Value, statements,
+};
 use slipbook::scalar::Scalar;
 
 /// What is to be said of a formula in which something is related to something.

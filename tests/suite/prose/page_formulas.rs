@@ -39,7 +39,11 @@ fn key(latex: &str) -> String {
         r"\geq" => r"\ge",
         piece => piece,
     };
-    pieces.filter(counts).map(same).collect::<Vec<_>>().join(" ")
+    pieces
+        .filter(counts)
+        .map(same)
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 /// A formula of a page: the page, the line, the formula, and what is to be said of it where it stands.
@@ -90,14 +94,18 @@ impl Asked {
             asked.extend(all.map(|formula| (page.clone(), key(formula))));
         }
         for (_, claim) in PAPER.claims() {
-            for latex in [claim.latex].into_iter().chain(claim.correction.map(|c| c.latex)) {
+            for latex in [claim.latex]
+                .into_iter()
+                .chain(claim.correction.map(|c| c.latex))
+            {
                 let formulas = match latex.contains('$') {
                     true => formulas_of(latex),
                     false => vec![latex.to_owned()],
                 };
                 // A short one may be any.
-                let long = formulas.iter().filter(|formula| pieces(formula).len() > 8);
-                asked.extend(long.map(|formula| (String::new(), key(formula))));
+                let keys = formulas.iter().map(|formula| key(formula));
+                let long = keys.filter(|key| key.split(' ').count() > 8);
+                asked.extend(long.map(|key| (String::new(), key)));
             }
         }
         Self(asked)
@@ -106,13 +114,16 @@ impl Asked {
     /// What is wrong with a formula of a page.
     fn fault(&self, (page, line, formula, what): &Here) -> Option<String> {
         let of = |page: &str| self.0.contains(&(page.to_owned(), key(formula)));
-        if let Some(Found::Wrong(why)) = what && !of(page) {
+        if let Some(Found::Wrong(why)) = what
+            && !of(page)
+        {
             return Some(format!("{page}.md, line {line}: `{formula}`: {why}"));
         }
         let key = key(formula);
         let sides: Vec<_> = key.split(" = ").collect();
         let says_nothing = sides.windows(2).any(|two| two[0] == two[1]);
-        let fine = *what == Some(Found::Holds) && !says_nothing || of(page) || of("") || is_name(formula);
+        let fine =
+            *what == Some(Found::Holds) && !says_nothing || of(page) || of("") || is_name(formula);
         (!fine).then(|| {
             format!(
                 "{page}.md, line {line}: nothing asks whether `{formula}` is right: correct it, or say below `# {page}` in {TABLE} by \
@@ -126,17 +137,30 @@ impl Asked {
 fn every_formula_on_a_page_is_asked() {
     let (library, entries, formulas) = (Library::new(), entries(), formulas());
     let asked = Asked::new(&entries);
-    let mut failures: Vec<_> = formulas.iter().filter_map(|here| asked.fault(here)).collect();
-    let there: BTreeSet<_> = formulas.iter().map(|(page, _, formula, _)| (page, key(formula))).collect();
+    let mut failures: Vec<_> = formulas
+        .iter()
+        .filter_map(|here| asked.fault(here))
+        .collect();
+    let there: BTreeSet<_> = formulas
+        .iter()
+        .map(|(page, _, formula, _)| (page, key(formula)))
+        .collect();
     for (page, givens, formula) in &entries {
         if !there.contains(&(page, key(formula))) {
             failures.push(format!("{page}.md no longer says `{formula}`: take it out of {TABLE}, or change it there, too"));
         }
-        if !givens.is_empty() && let Err(why) = given::hold(&library, givens, formula) {
+        if !givens.is_empty()
+            && let Err(why) = given::hold(&library, givens, formula)
+        {
             failures.push(format!("{page}: {formula} where {givens}: {why}"));
         }
     }
-    assert!(failures.is_empty(), "{} failures:\n{}", failures.len(), failures.join("\n"));
+    assert!(
+        failures.is_empty(),
+        "{} failures:\n{}",
+        failures.len(),
+        failures.join("\n")
+    );
 }
 
 #[test]
@@ -152,7 +176,10 @@ fn a_slip_in_a_formula_is_seen() {
     }
     let asked = Asked::new(&entries);
     let mut unseen = Vec::new();
-    for (page, line, formula, _) in formulas.iter().filter(|(_, _, formula, _)| !is_name(formula)) {
+    for (page, line, formula, _) in formulas
+        .iter()
+        .filter(|(_, _, formula, _)| !is_name(formula))
+    {
         for slip in mistakes(formula) {
             let here = (page.clone(), *line, slip, None);
             // What is said elsewhere on the page, or is true as well, is no slip that could be told.

@@ -128,9 +128,23 @@ impl<'a> Frame<'a> {
         }
         let said = |name| {
             let mut blanks = self.blanks.iter();
-            blanks.any(|blank| blank.inside.split_whitespace().take(2).eq(["is", name]))
+            let of = |blank: &Blank| {
+                let mut words = blank.inside.split_whitespace();
+                words.next() == Some("is")
+                    && words
+                        .next()
+                        .is_some_and(|is| is.trim_start_matches('!') == name)
+            };
+            blanks.any(of)
         };
-        if let Some(word) = self.edition.words.iter().copied().flatten().find(|word| !said(word.name)) {
+        if let Some(word) = self
+            .edition
+            .words
+            .iter()
+            .copied()
+            .flatten()
+            .find(|word| !said(word.name))
+        {
             return Err(BookError::SaidNowhere { name: word.name });
         }
         let book = self.staging.path("book");

@@ -81,7 +81,9 @@ pub enum BookError {
         page: String,
     },
     /// What is computed for no page.
-    #[error("no page says what is computed as `{name}`: take it out, or put {{{{is {name} …}}}} where it belongs")]
+    #[error(
+        "no page says what is computed as `{name}`: take it out, or put {{{{is {name} …}}}} where it belongs"
+    )]
     SaidNowhere {
         /// Its name.
         name: &'static str,

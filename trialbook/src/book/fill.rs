@@ -6,8 +6,8 @@ use super::error::Fault;
 use super::text::{count, escape, in_words, size};
 use super::{certificates, deep, errata, lemmas, map, overview, symbols, tables, values};
 use crate::evidence::Kind;
-use crate::notation::number;
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
+use crate::notation::number;
 use crate::plotting::{Figure, panels};
 use crate::publishing::{Filled, Page};
 use std::collections::BTreeSet;
@@ -132,13 +132,26 @@ impl<'a> Filler<'a> {
         }
     }
 
-    /// Of the words between `|` the one that is so; or a number, if it is the one that is computed.
+    /// Of the words between `|` the one that is so; or a number, if it is the one that is computed. A word that the name has stands first,
+    /// or, where the name is turned by `!`, second.
     fn said(&self, name: &str, said: &str) -> Result<String, Fault> {
+        let bare = name.trim_start_matches('!');
         let mut words = self.context.edition.words.iter().copied().flatten();
-        let none = || format!("nothing is computed by the name `{name}`");
-        let word = words.find(|word| word.name == name).ok_or_else(none)?;
+        let none = || format!("nothing is computed by the name `{bare}`");
+        let word = words.find(|word| word.name == bare).ok_or_else(none)?;
         let is = (word.is)().map_err(|failure| failure.to_string())?;
         let choices: Vec<_> = said.split('|').collect();
+        let plain = |said: &str| said.replace(['$', '\\', '(', ')'], "").replace(' ', "-");
+        let named = choices.iter().position(|said| bare.contains(&plain(said)));
+        let turned = name != bare;
+        if choices.len() > 1 && named.is_some_and(|at| at != usize::from(turned)) {
+            return Err(
+                "the word that the name has stands first; `!` before the name turns it round"
+                    .to_owned()
+                    .into(),
+            );
+        }
+        let is = if turned { 1.0 - is } else { is };
         let right = match choices[..] {
             [only] => {
                 let said = only.to_lowercase();
@@ -148,7 +161,10 @@ impl<'a> Filler<'a> {
             _ => is >= 0.0 && is.fract() == 0.0 && is < choices.len() as f64,
         };
         match right {
-            true => self.context.maths.words(choices.get(is as usize).unwrap_or(&said)),
+            true => self
+                .context
+                .maths
+                .words(choices.get(is as usize).unwrap_or(&said)),
             false => Err(format!("computed is {is}, of words their place from 0").into()),
         }
     }

@@ -46,25 +46,46 @@ fn words_and_numbers_are_as_they_are_computed() {
     let folder = TempDir::new().unwrap();
     let out = folder.path().join("book");
     let said = |text: &str| {
-        let page = Page { text: text.to_owned().into(), ..Page::new("own", "own", "") };
+        let page = Page {
+            text: text.to_owned().into(),
+            ..Page::new("own", "own", "")
+        };
         let edition = Edition {
             pages: vec![page].leak(),
             words: &[&[
-                Word { name: "six", is: || Ok(6.0) },
-                Word { name: "rises", is: || Ok(1.0) },
+                Word {
+                    name: "six",
+                    is: || Ok(6.0),
+                },
+                Word {
+                    name: "second",
+                    is: || Ok(1.0),
+                },
             ]],
             ..EDITION
         };
         write(&edition, &ledger(), &[], &out)?;
         Ok::<_, BookError>(fs::read_to_string(out.join("own.html")).unwrap())
     };
-    let html = said("# A\n\nIt {{is rises $p$ falls|$q$ rises}} {{is six six}} times.\n").unwrap();
+    let html = said("# A\n\nIt {{is second $p$ falls|$q$ rises}} {{is six six}} times.\n").unwrap();
     assert!(html.contains("</span> rises six times.") && !html.contains("falls"));
     for (text, told) in [
-        ("{{is rises falls|rises}} {{is six seven}}", "own.md, line 1: `{{is six seven}}`: computed is 6"),
-        ("{{is rises falls|rises}} {{is six few}}", "computed is 6"),
-        ("{{is rises falls|rises}} {{is six two|three}}", "computed is 6, of words their place from 0"),
-        ("{{is six six}}", "no page says what is computed as `rises`"),
+        (
+            "{{is second falls|rises}} {{is six seven}}",
+            "own.md, line 1: `{{is six seven}}`: computed is 6",
+        ),
+        (
+            "{{is second first|second}}",
+            "`!` before the name turns it round",
+        ),
+        (
+            "{{is second falls|rises}} {{is six two|three}}",
+            "computed is 6, of words their place from 0",
+        ),
+        (
+            "{{is six six}}",
+            "no page says what is computed as `second`",
+        ),
     ] {
         let error = said(text).expect_err(text).to_string();
         assert!(error.contains(told), "{text}: {error}");
