@@ -132,8 +132,8 @@ impl<'a> Filler<'a> {
         }
     }
 
-    /// Of the words between `|` the one that is so; or a number, if it is the one that is computed. A word that the name has stands first,
-    /// or, where the name is turned by `!`, second.
+    /// Of the words between `|` the one that is so; or a number, if it is the one that is computed. Words cannot change places unseen: the
+    /// one that the name has stands first, or second if the name has a `!` before it.
     fn said(&self, name: &str, said: &str) -> Result<String, Fault> {
         let bare = name.trim_start_matches('!');
         let mut words = self.context.edition.words.iter().copied().flatten();
@@ -143,15 +143,10 @@ impl<'a> Filler<'a> {
         let choices: Vec<_> = said.split('|').collect();
         let plain = |said: &str| said.replace(['$', '\\', '(', ')'], "").replace(' ', "-");
         let named = choices.iter().position(|said| bare.contains(&plain(said)));
-        let turned = name != bare;
-        if choices.len() > 1 && named.is_some_and(|at| at != usize::from(turned)) {
-            return Err(
-                "the word that the name has stands first; `!` before the name turns it round"
-                    .to_owned()
-                    .into(),
-            );
+        if named.unwrap_or(0) != usize::from(name != bare) {
+            let why = "the word that the name has stands first, or second if the name has a `!` before it";
+            return Err(why.to_owned().into());
         }
-        let is = if turned { 1.0 - is } else { is };
         let right = match choices[..] {
             [only] => {
                 let said = only.to_lowercase();

@@ -74,10 +74,7 @@ fn words_and_numbers_are_as_they_are_computed() {
             "{{is second falls|rises}} {{is six seven}}",
             "own.md, line 1: `{{is six seven}}`: computed is 6",
         ),
-        (
-            "{{is second first|second}}",
-            "`!` before the name turns it round",
-        ),
+        ("{{is second first|second}}", "stands first, or second"),
         (
             "{{is second falls|rises}} {{is six two|three}}",
             "computed is 6, of words their place from 0",
