@@ -6,7 +6,7 @@ use crate::claims::anisotropic::census;
 use crate::claims::anisotropic::drift::budget;
 use crate::claims::anisotropic::simulated::{Curves, attractor, curve_a, curve_e, order};
 use crate::claims::periodic::drawn;
-use crate::claims::periodic::drives::{Phase, motion, third_harmonic};
+use crate::claims::periodic::drives::{Phase, motion, named, phase, third_harmonic};
 use crate::corrections::{anisotropic as border, periodic as pulses, sinusoidal as swing};
 use crate::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
 use crate::numerics::roots::root;
@@ -298,11 +298,12 @@ fn deepened(deeper: bool) -> Known<usize> {
 
 /// How many rests there are in a period, one number after the other, under growing friction.
 fn rests() -> Known<[usize; 4]> {
-    let rests = |phase: &Phase| match phase {
-        Phase::Rests(n) => Ok(*n),
+    let bar = found(named()?.into_iter().nth(1))?;
+    let at = |cell| match phase(&bar.drive, drawn::friction(cell, 100))? {
+        Phase::Rests(n) => Ok(n),
         other => Err(format!("{other:?}").into()),
     };
-    let mut rests: Vec<usize> = tried(drawn::census(100)?[1].phases.iter().map(rests))?.collect();
+    let mut rests: Vec<usize> = tried((0..100).map(at))?.collect();
     rests.dedup();
     rests
         .try_into()
