@@ -8,6 +8,7 @@ mod speed;
 #[cfg(test)]
 mod tests;
 mod watch;
+mod words;
 
 use crate::claims::PAPER;
 use crate::{breaks, commands, figures, symbols};
@@ -216,6 +217,7 @@ pub static EDITION: Edition = Edition {
             fill: |_| speed::circumstances(),
         },
     ],
+    words: words::WORDS,
     files: explorer::files,
     commands: &commands::ALL,
     examples: &[

@@ -78,7 +78,7 @@ fn no_page_passes_a_verdict_of_its_own() {
         let mut words = page.words.iter().map(|word| &word.text);
         let verdict = |word: &&String| {
             let verdicts = ["refuted", "misprint", "confirmed", "undecided"];
-            !word.starts_with('{') && verdicts.iter().any(|verdict| word.contains(verdict))
+            verdicts.iter().any(|verdict| word.contains(verdict))
         };
         let own = words.find(verdict);
         assert_eq!(own, None, "{}.md says it in its own words", page.name);

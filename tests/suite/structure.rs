@@ -36,7 +36,7 @@ const OF_THE_PAPER: &str = "
     figures: claims exam motion plotting solve trials
     breaks: claims corrections evidence ledger notation paper scalar seeded trials
     commands: numerics exam figures cli plotting publishing solve
-    edition: evidence breaks claims exam ledger figures motion notation symbols book commands plotting publishing trials
+    edition: evidence breaks claims corrections exam ledger figures motion notation numerics paper solve symbols book commands plotting publishing trials
 ";
 
 /// What knows Newton's law, the row `motion` being all modules of its crate that have none of their own.

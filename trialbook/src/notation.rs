@@ -4,6 +4,7 @@
 mod ascii;
 mod latex;
 pub(crate) mod letters;
+mod numerals;
 mod pieces;
 mod plain;
 
@@ -11,5 +12,8 @@ mod plain;
 pub use ascii::ascii;
 #[cfg(feature = "book")]
 pub(crate) use latex::command;
+pub use numerals::number;
+#[cfg(feature = "book")]
+pub(crate) use numerals::word;
 pub use pieces::{Piece, decimal, pieces};
 pub use plain::{plain_formula, plain_words};

@@ -69,6 +69,8 @@ pub struct Edition {
     pub sources: Sources,
     /// The placeholders of its own.
     pub placeholders: &'static [Placeholder],
+    /// What the words and numbers of its pages are computed by.
+    pub words: &'static [&'static [Word]],
     /// The files of its own: path within the book, and text.
     pub files: fn() -> Vec<(String, String)>,
     /// The commands of its own, listed after those of every paper.
@@ -101,6 +103,7 @@ impl Edition {
             breaks: |_| None,
             sources: Sources::NONE,
             placeholders: &[],
+            words: &[],
             files: Vec::new,
             commands: &[],
             examples: &[],
@@ -252,6 +255,15 @@ pub enum Filled {
     Inline(String),
     /// A block.
     Block(String),
+}
+
+/// A word or a number on a page that is computed: `{{is name falls|rises}}`, `{{is name six}}`.
+#[derive(Debug, Clone, Copy)]
+pub struct Word {
+    /// Its name.
+    pub name: &'static str,
+    /// The number; or which of the words it is, from 0.
+    pub is: fn() -> Result<f64, Failure>,
 }
 
 /// A placeholder: `{{name}}`.

@@ -27,12 +27,10 @@ fn says(text: &[Word], reading: &str) -> bool {
 #[derive(Default)]
 pub struct Held {
     pub wrong: Vec<String>,
-    found: usize,
-    all: usize,
 }
 
 impl Held {
-    /// Of the choices of a pattern a text has the right ones, if it says any.
+    /// Of the choices of a pattern a text has the right ones, and one at least.
     pub fn hold(
         &mut self,
         name: &str,
@@ -42,10 +40,8 @@ impl Held {
     ) {
         let mut said = readings(pattern);
         said.retain(|(_, reading)| says(text, reading));
-        self.all += 1;
-        self.found += usize::from(!said.is_empty());
         if said.is_empty() {
-            println!("{name}: it no longer says {pattern:?}");
+            self.wrong.push(gone(name, pattern));
         }
         said.retain(|(choice, _)| !right(*choice));
         let wrong = said
@@ -54,12 +50,18 @@ impl Held {
         self.wrong.extend(wrong);
     }
 
-    /// Fails if something is wrong, or little is said.
+    /// Fails if something is wrong, or no longer there.
     pub fn end(&self) {
-        println!("{} of {} choices are still there", self.found, self.all);
-        let enough = 2 * self.found > self.all;
-        assert!(self.wrong.is_empty() && enough, "{}", self.wrong.join("\n"));
+        assert!(self.wrong.is_empty(), "{}", self.wrong.join("\n"));
     }
+}
+
+/// What to do where the words of a row are gone.
+pub fn gone(name: &str, pattern: &str) -> String {
+    format!(
+        "{name}: it no longer says {pattern:?}, which `tests/suite/prose` asks of it: put the words into that row as they are now; \
+         take the row out if nothing of the kind is said any more"
+    )
 }
 
 #[test]
@@ -69,7 +71,7 @@ fn the_wrong_choice_is_told_from_the_right_one() {
         ("So the *less* friction, the faster.", true, false),
         ("So the less friction, the slower.", true, true),
         ("So the less friction, the faster.", false, true),
-        ("So with less friction it is faster.", true, false),
+        ("So with less friction it is faster.", true, true),
     ] {
         let right = |choice: usize| (choice == 0) == is_first;
         let mut held = Held::default();

@@ -2,7 +2,9 @@
 
 use super::compare;
 use slipbook::exact::Expr;
-use slipbook::exact::latex::{LatexError, Lexicon, Problem, Relation, Side, Value, statements};
+use slipbook::exact::latex::{
+    LatexError, Lexicon, Problem, Relation, Side, Statement, Value, statements,
+};
 use slipbook::scalar::Scalar;
 
 /// What is to be said of a formula in which something is related to something.
@@ -219,6 +221,19 @@ pub fn is_arithmetic(latex: &str, given: &Given) -> bool {
             .windows(2)
             .any(|pair| pair.iter().all(Option::is_some))
     })
+}
+
+/// Whether a formula is a letter, with its accents and its index, and nothing else.
+pub fn is_name(latex: &str) -> bool {
+    let sides = statements(latex).unwrap_or_default();
+    let [Statement { sides, .. }] = &sides[..] else {
+        return false;
+    };
+    let value = sides.first().map(|side| read(latex, side, &Given::new()));
+    let name = value.and_then(|value| match value.ok()? {
+        Value::Vector([x, ..]) | Value::Number(x) => symbol(Value::Number(x)),
+    });
+    sides.len() == 1 && !latex.starts_with('+') && name.is_some()
 }
 
 /// The name that a side is, if it is nothing else.

@@ -2,49 +2,16 @@
 
 use super::formulas::{Given, found, is_arithmetic};
 use super::text::{Block, Section, Word, sections, stands, words};
+use trialbook::notation;
 
-/// Words that count, each with its value behind it.
-const WORDS: &str = "once 1 one 1 two 2 twice 2 three 3 four 4 five 5 six 6 seven 7 eight 8 nine 9 ten 10 eleven 11 twelve 12
-    thirteen 13 fourteen 14 fifteen 15 sixteen 16 seventeen 17 eighteen 18 nineteen 19 twenty 20 thirty 30 forty 40 fifty 50
-    sixty 60 seventy 70 eighty 80 ninety 90 hundred 1e2 thousand 1e3 million 1e6 billion 1e9 half 0.5 quarter 0.25
-    quarters 0.25 third 0.3333333333333333 thirds 0.3333333333333333 tenth 0.1 tenths 0.1 hundredth 0.01 hundredths 0.01
-    thousandth 1e-3 thousandths 1e-3 millionth 1e-6 millionths 1e-6 billionth 1e-9 billionths 1e-9 % 0.01";
-
-/// The number that a word is.
-fn one(word: &str) -> Option<f64> {
-    let word = word.trim_end_matches("-way");
-    if let Some((times, part)) = word.split_once('-') {
-        let (times, part) = (one(times)?, one(part)?);
-        return Some(if part < 1.0 {
-            part / times
-        } else {
-            times + part
-        });
-    }
-    if let Some(power) = word.strip_prefix("10").filter(|power| !power.is_empty()) {
-        let digit = |c| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|d| d == c);
-        if let Some(power) = power.chars().try_fold(0, |n, c| Some(10 * n + digit(c)?)) {
-            return Some(10_f64.powi(power as i32));
-        }
-    }
-    if word.starts_with(|c: char| c.is_ascii_digit()) {
-        return word.replace(',', "").parse().ok();
-    }
-    let mut known = WORDS.split_whitespace();
-    known.find(|known| *known == word)?;
-    known.next()?.parse().ok()
-}
-
-/// The number that words are which stand beside each other: three times a quarter, or one and a half.
+/// The number that words are which stand beside each other.
 pub fn number(words: &[Word]) -> Option<f64> {
     let texts: Vec<&str> = words.iter().map(|word| &word.text[..]).collect();
-    if let [whole, "and", "a", part] = texts[..] {
-        return Some(one(whole)? + one(part)?);
-    }
-    texts.into_iter().map(one).product()
+    // With its article a number would be another slot.
+    notation::number(&texts).filter(|_| !matches!(texts[..], ["a" | "the" | "no" | "none", ..]))
 }
 
-/// Where a text has the words of a pattern: the place of the first, and of what it has for `{}`, a number or a placeholder, the
+/// Where a text has the words of a pattern: the place of the first, and of the number that it has for `{}`, the
 /// place and the length.
 pub fn slots(text: &[Word], pattern: &str) -> Vec<(usize, usize, usize)> {
     let (before, after) = pattern.split_once("{}").expect("a place for a number");
@@ -54,8 +21,7 @@ pub fn slots(text: &[Word], pattern: &str) -> Vec<(usize, usize, usize)> {
         let fits = |length: &usize| {
             let slot = &text[first..text.len().min(first + length)];
             let together = slot.iter().rev().skip(1).all(|word| !word.ends);
-            let placeholder = *length == 1 && slot.iter().all(|word| word.text.starts_with('{'));
-            slot.len() == *length && together && (placeholder || number(slot).is_some())
+            slot.len() == *length && together && number(slot).is_some()
         };
         let length = (1..=4).rev().find(fits)?;
         // Of three hundred the hundred alone is no number.
@@ -151,7 +117,7 @@ pub fn decimals(text: &str) -> Vec<&str> {
     found
 }
 
-/// The decimals of a section with code that are neither in the code nor in arithmetic that is tried as it stands.
+/// The decimals of a section that are neither in the code nor in arithmetic that is tried as it stands.
 fn from_nowhere(section: &Section) -> Vec<String> {
     let known: Vec<f64> = section.code().flat_map(literals).collect();
     let mut given = Given::new();
@@ -182,9 +148,8 @@ fn from_nowhere(section: &Section) -> Vec<String> {
             .parse()
             .is_ok_and(|number: f64| known.contains(&number))
     });
-    let has_code = section.code().next().is_some();
     let line = |number: &&str| format!("{}: {number}", section.page);
-    wanted.iter().filter(|_| has_code).map(line).collect()
+    wanted.iter().map(line).collect()
 }
 
 #[test]

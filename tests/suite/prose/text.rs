@@ -13,7 +13,7 @@ pub struct Word {
     pub ends: bool,
 }
 
-/// The words of a text, without its code and the targets of its links; of the placeholders those for counts and values stay.
+/// The words of a text, without its code, its placeholders and the targets of its links.
 pub fn words(text: &str) -> Vec<Word> {
     let mut words = Vec::new();
     let mut at = 0;
@@ -25,17 +25,12 @@ pub fn words(text: &str) -> Vec<Word> {
             let tag = |c: char| c == '/' || c.is_ascii_alphabetic();
             (*open != "<" || inside.starts_with(tag)).then_some(())?;
             let end = inside.find(close)?;
-            Some((&inside[..end], open.len() + end + close.len()))
+            Some(open.len() + end + close.len())
         });
         let mut push = |text: String, ends| words.push(Word { text, at, ends });
-        if let Some((inside, length)) = skipped {
+        if let Some(length) = skipped {
             if first == '$' {
                 push("§".to_owned(), false);
-            } else if ["count ", "value "]
-                .iter()
-                .any(|kind| inside.starts_with(kind))
-            {
-                push(format!("{{{inside}}}"), false);
             }
             at += length;
         } else if first.is_whitespace() {
@@ -46,7 +41,7 @@ pub fn words(text: &str) -> Vec<Word> {
                 (i > 0 && (c.is_whitespace() || opens)).then_some(i)
             };
             let whole = &rest[..rest.char_indices().find_map(stops).unwrap_or(rest.len())];
-            let word = whole.trim_matches(|c: char| !(c.is_alphanumeric() || "%×§{}".contains(c)));
+            let word = whole.trim_matches(|c: char| !(c.is_alphanumeric() || "%×§".contains(c)));
             if !word.is_empty() {
                 push(
                     word.to_lowercase(),
@@ -211,7 +206,7 @@ pub fn formulas_of(text: &str) -> Vec<String> {
 fn a_page_falls_into_words_and_into_sections_of_prose_and_code() {
     let text = "# A {#a}\nx {{y}} `z` [b](c.md), {{count d}}\n<div>\n```rust\nlet a = 1;\n```\n$c$\n## B\n```text\n3\n```\nd\n";
     let found: Vec<_> = words(text).into_iter().map(|word| word.text).collect();
-    assert_eq!(found, ["a", "x", "b", "{count d}", "§", "b", "d"]);
+    assert_eq!(found, ["a", "x", "b", "§", "b", "d"]);
     let sections = sections_of("p", text);
     let shown = sections
         .iter()

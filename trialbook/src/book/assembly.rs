@@ -126,6 +126,27 @@ impl<'a> Frame<'a> {
                 page: format!("{}.md", entry.topic.stem),
             });
         }
+        let said = |name| {
+            let mut blanks = self.blanks.iter();
+            let of = |blank: &Blank| {
+                let mut words = blank.inside.split_whitespace();
+                words.next() == Some("is")
+                    && words
+                        .next()
+                        .is_some_and(|is| is.trim_start_matches('!') == name)
+            };
+            blanks.any(of)
+        };
+        if let Some(word) = self
+            .edition
+            .words
+            .iter()
+            .copied()
+            .flatten()
+            .find(|word| !said(word.name))
+        {
+            return Err(BookError::SaidNowhere { name: word.name });
+        }
         let book = self.staging.path("book");
         let write = |name: &str, text: &str| put(&book.join(name), text.as_bytes());
         let beside = || {

@@ -80,6 +80,14 @@ pub enum BookError {
         /// The page where it belongs.
         page: String,
     },
+    /// What is computed for no page.
+    #[error(
+        "no page says what is computed as `{name}`: take it out, or put {{{{is {name} …}}}} where it belongs"
+    )]
+    SaidNowhere {
+        /// Its name.
+        name: &'static str,
+    },
     /// Links that lead nowhere.
     #[error("dead links, each behind its page: {}", links.join("; "))]
     DeadLinks {

@@ -115,12 +115,19 @@ fn pieces(page: &Page) -> Result<Vec<(Range<usize>, Piece)>, BookError> {
                 return Err(markup(page, range.start, HEADING));
             }
             Event::Start(Tag::CodeBlock(_)) | Event::Code(_) => pieces.push((range, Piece::Code)),
+            // In a placeholder it is a choice.
+            Event::InlineMath(_) if in_braces(&page.text[..range.start]) => {}
             Event::InlineMath(latex) => pieces.push((range, formula(latex.into_string(), false))),
             Event::DisplayMath(latex) => pieces.push((range, formula(latex.into_string(), true))),
             _ => {}
         }
     }
     Ok(pieces)
+}
+
+/// Whether a placeholder is open at the end.
+fn in_braces(before: &str) -> bool {
+    before.rfind("{{") > before.rfind("}}").max(before.rfind('\n'))
 }
 
 const HEADING: &str =

@@ -7,6 +7,7 @@ use super::text::{count, escape, in_words, size};
 use super::{certificates, deep, errata, lemmas, map, overview, symbols, tables, values};
 use crate::evidence::Kind;
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
+use crate::notation::number;
 use crate::plotting::{Figure, panels};
 use crate::publishing::{Filled, Page};
 use std::collections::BTreeSet;
@@ -102,6 +103,7 @@ impl<'a> Filler<'a> {
                 let none = || format!("no trial of `{id}` gave a disagreement");
                 inline(size(context.entry(id)?.worst().ok_or_else(none)?.worst))
             }
+            ["is", name, said @ ..] => inline(self.said(name, &said.join(" "))?),
             ["ref", id] => inline(context.link(context.entry(id)?)?),
             ["count", "claims"] => inline(count(ledger.entries.len())),
             ["count", "points"] => inline(count(ledger.points())),
@@ -127,6 +129,38 @@ impl<'a> Filler<'a> {
             ["value", id] => inline(values::shown(ledger.paper, id)?),
             ["count", slug] => inline(count(ledger.counts()[&verdict_of(slug)?])),
             _ => self.own(page, placeholder.trim()),
+        }
+    }
+
+    /// Of the words between `|` the one that is so; or a number, if it is the one that is computed. Words cannot change places unseen: the
+    /// one that the name has stands first, or second if the name has a `!` before it.
+    fn said(&self, name: &str, said: &str) -> Result<String, Fault> {
+        let bare = name.trim_start_matches('!');
+        let mut words = self.context.edition.words.iter().copied().flatten();
+        let none = || format!("nothing is computed by the name `{bare}`");
+        let word = words.find(|word| word.name == bare).ok_or_else(none)?;
+        let is = (word.is)().map_err(|failure| failure.to_string())?;
+        let choices: Vec<_> = said.split('|').collect();
+        let plain = |said: &str| said.replace(['$', '\\', '(', ')'], "").replace(' ', "-");
+        let named = choices.iter().position(|said| bare.contains(&plain(said)));
+        if named.unwrap_or(0) != usize::from(name != bare) {
+            let why = "the word that the name has stands first, or second if the name has a `!` before it";
+            return Err(why.to_owned().into());
+        }
+        let right = match choices[..] {
+            [only] => {
+                let said = only.to_lowercase();
+                let said: Vec<_> = said.split_whitespace().collect();
+                number(&said).is_some_and(|n| (n - is).abs() <= 1e-9 * is.abs())
+            }
+            _ => is >= 0.0 && is.fract() == 0.0 && is < choices.len() as f64,
+        };
+        match right {
+            true => self
+                .context
+                .maths
+                .words(choices.get(is as usize).unwrap_or(&said)),
+            false => Err(format!("computed is {is}, of words their place from 0").into()),
         }
     }
 

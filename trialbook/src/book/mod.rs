@@ -36,6 +36,8 @@
 //! | `{{lemmas}}` | the proofs that others rest on and that no box shows |
 //! | `{{count proved}}`, `argued`, `measured` | how many claims are known in this way |
 //! | `{{lines src/motion}}` | how much code stands in these modules, without comments and tests, and their paths |
+//! | `{{is fall falls\|rises}}` | the first word if what is computed by this name says so, else the second, and so on; `!fall` for `rises\|falls` |
+//! | `{{is loops six}}` | the number as it stands there, if it is the one that is computed by this name |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
 //!
 //! An edition may have more of its own. Those that stand for a box, a figure or a table stand alone on their line. None is

@@ -2,7 +2,7 @@
 
 use super::{BookError, write};
 use crate::ledger::example::{PAPER, ledger};
-use crate::publishing::{Edition, Page, Part};
+use crate::publishing::{Edition, Page, Part, Word};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -42,6 +42,54 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
 }
 
 #[test]
+fn words_and_numbers_are_as_they_are_computed() {
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    let said = |text: &str| {
+        let page = Page {
+            text: text.to_owned().into(),
+            ..Page::new("own", "own", "")
+        };
+        let edition = Edition {
+            pages: vec![page].leak(),
+            words: &[&[
+                Word {
+                    name: "six",
+                    is: || Ok(6.0),
+                },
+                Word {
+                    name: "second",
+                    is: || Ok(1.0),
+                },
+            ]],
+            ..EDITION
+        };
+        write(&edition, &ledger(), &[], &out)?;
+        Ok::<_, BookError>(fs::read_to_string(out.join("own.html")).unwrap())
+    };
+    let html = said("# A\n\nIt {{is second $p$ falls|$q$ rises}} {{is six six}} times.\n").unwrap();
+    assert!(html.contains("</span> rises six times.") && !html.contains("falls"));
+    for (text, told) in [
+        (
+            "{{is second falls|rises}} {{is six seven}}",
+            "own.md, line 1: `{{is six seven}}`: computed is 6",
+        ),
+        ("{{is second first|second}}", "stands first, or second"),
+        (
+            "{{is second falls|rises}} {{is six two|three}}",
+            "computed is 6, of words their place from 0",
+        ),
+        (
+            "{{is six six}}",
+            "no page says what is computed as `second`",
+        ),
+    ] {
+        let error = said(text).expect_err(text).to_string();
+        assert!(error.contains(told), "{text}: {error}");
+    }
+}
+
+#[test]
 fn what_cannot_be_filled_or_set_is_named_with_page_and_line() {
     let folder = TempDir::new().unwrap();
     let out = folder.path().join("book");
@@ -69,6 +117,7 @@ fn what_cannot_be_filled_or_set_is_named_with_page_and_line() {
             r"methods.md, line 2: the formula `\nonsense{x}`",
         ),
         ("## On $x$", "needs an id of its own"),
+        ("{{is six six}}", "nothing is computed by the name `six`"),
     ] {
         let error = with(&[("methods", &format!("\n{added}\n"))], &out).expect_err(added);
         assert!(error.to_string().contains(told), "{added}: {error}");

@@ -1,7 +1,7 @@
 //! Text and numbers for HTML.
 
 pub(super) use crate::ledger::{count, counted};
-use crate::notation::decimal;
+use crate::notation::{decimal, word};
 
 /// Data as text in HTML, on one line.
 pub fn escape(text: &str) -> String {
@@ -77,12 +77,7 @@ pub(super) fn unescape(html: &str) -> String {
 
 /// A count in words, up to twelve.
 pub(super) fn in_words(n: usize) -> String {
-    const WORDS: [&str; 13] = [
-        "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
-        "eleven", "twelve",
-    ];
-    let word = WORDS.get(n).map(|word| (*word).to_owned());
-    word.unwrap_or_else(|| count(n))
+    word(n).map_or_else(|| count(n), str::to_owned)
 }
 
 /// Functions that a phrase may begin with.
