@@ -118,7 +118,7 @@
     const fields = () => Object.values(index.index);
     const mended = asked => asked.replace(/\p{L}{5,}/gu, word => {
         const typed = word.toLowerCase();
-        if (stemmed([typed]).every(token => fields().some(field => field.expandToken(token).length))) return word;
+        if (stemmed([typed]).every(token => fields().some(field => field.expandToken(token).length)) || vocabulary().has(typed)) return word;
         const [[best] = [word]] = [...vocabulary()].filter(([other]) => near(typed, other)).sort(([, a], [, b]) => b - a);
         return best;
     });

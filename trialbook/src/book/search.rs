@@ -139,9 +139,9 @@ impl Search {
                 .iter()
                 .map(|phrase| ((*phrase).to_owned(), address.clone()));
             search.exact.extend(exact);
-            // What is a sentence is not found by each of its words.
+            // One of several words is found by all of them.
             let mut words = phrases.to_vec();
-            words.retain(|phrase| phrase.split(' ').count() < 3);
+            words.retain(|phrase| !phrase.contains(' '));
             search.aliases.insert(address, words.join(" "));
         }
         for entry in &context.ledger.entries {
