@@ -88,8 +88,8 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Choose the friction; drag the tip of the velocity, on the table or in its plane, or focus a circle and use the arrow keys.',
             inputs: {
-                lambda: { label: 'friction λ', range: [0, 3], step: 0.01, start: 1.2 },
-                theta: { label: 'launch angle θ₀', unit: '°', range: [-179, 180], step: 1, start: 120 },
+                lambda: { label: 'friction λ', range: [0, 3], step: 0.01 },
+                theta: { label: 'launch angle θ₀', unit: '°', range: [-179, 180], step: 1 },
             },
             plots: set => [{
                 title: 'velocity (hodograph)',
@@ -151,9 +151,9 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Drag the circle on the map, or focus it and use the arrow keys; the start velocity shows how the periodic motion is approached.',
             inputs: {
-                q: { label: 'ratio q', range: [1, 12], step: 0.02, start: 2 },
-                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.45 },
-                w: { label: 'velocity at start', range: [-2, 2], step: 0.05, start: 1.5 },
+                q: { label: 'ratio q', range: [1, 12], step: 0.02 },
+                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002 },
+                w: { label: 'velocity at start', range: [-2, 2], step: 0.05 },
             },
             plots: set => [{
                 title: 'regions, by the motion itself', label: 'The map of the regions I to V, with the chosen point.',
@@ -230,9 +230,9 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Drag the coin or the tip of its velocity on the table, and let go; or focus a circle and use the arrow keys. A dashed circle is the paper’s border for slow coins, (147).',
             inputs: {
-                rho: { label: 'distance ρ', range: [0, 1.6], step: 0.01, start: 1.2 },
-                u: { label: 'velocity outwards', range: [-2, 2], step: 0.01, start: -1.4 },
-                v: { label: 'along the turning', range: [-2.5, 1.5], step: 0.01, start: -0.6 },
+                rho: { label: 'distance ρ', range: [0, 1.6], step: 0.01 },
+                u: { label: 'velocity outwards', range: [-2, 2], step: 0.01 },
+                v: { label: 'along the turning', range: [-2.5, 1.5], step: 0.01 },
             },
             plots: set => [{
                 title: 'start velocity; inside it rests', equal: true,
@@ -247,8 +247,8 @@ window.slipbookExplorers = (() => {
                 title: 'distance; friction can hold it below 1', label: 'The distance from the axis against the time, with that within which friction can hold the particle.',
                 x: { label: 'τ' }, y: { label: 'ρ' }, height: 310,
             }],
-            film: ({ rho, u, v }, ask, { printed, moving, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
-                { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set }),
+            film: ({ rho, u, v }, ask, { printed, moving, told, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
+                { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set, told }),
             now: ({ rho, u, v }, ask) => {
                 const { values, curves: [table] } = ask(4, rho, u, v);
                 return [null, i => [i * values.at(-1), Math.hypot(...at(table, i))]];
@@ -287,9 +287,9 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Now drag the coin or the tip of its velocity. With the tip in the shaded area it comes to rest; by the paper’s formula for slow coins, within the dashed circle.',
             inputs: {
-                rho: { label: 'distance ρ from the axis', range: [0, 1.4], step: 0.01, start: 0.5 },
-                u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01, start: 0 },
-                v: { label: 'velocity along the turning', range: [-2.5, 2.5], step: 0.01, start: -0.48 },
+                rho: { label: 'distance ρ from the axis', range: [0, 1.4], step: 0.01 },
+                u: { label: 'velocity outwards', range: [-2.5, 2.5], step: 0.01 },
+                v: { label: 'velocity along the turning', range: [-2.5, 2.5], step: 0.01 },
             },
             bare: true,
             plots: () => [],
@@ -355,9 +355,9 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Choose the friction, and drag the tip of the velocity. Above λ<sub>c</sub> = 0.537 the block rests in each half period, above 1 for ever.',
             inputs: {
-                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.7 },
-                w: { label: 'velocity along', range: [-2, 2], step: 0.05, start: 0.5 },
-                across: { label: 'velocity across', range: [0, 2], step: 0.05, start: 1 },
+                lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002 },
+                w: { label: 'velocity along', range: [-2, 2], step: 0.05 },
+                across: { label: 'velocity across', range: [0, 2], step: 0.05 },
             },
             plots: () => [{
                 title: '𝔴 along; periodic motion dashed', label: 'Velocity along the drive against phase over four periods.',
@@ -405,7 +405,7 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Choose how much of the third harmonic is added to the sine, or pulses with gaps between them; choose the friction, and drag the tip of the velocity.',
             inputs: {
-                third: { label: 'third harmonic', range: [0, 2], step: 0.05, start: 1.5 },
+                third: { label: 'third harmonic', range: [0, 2], step: 0.05 },
                 lambda: { label: 'friction λ₀', range: [0.01, 1.2], step: 0.002, start: 0.08 },
                 w: { label: 'velocity at start', range: [-2, 2], step: 0.05, start: 0.2 },
                 eta: { label: 'or pulses, of share η', range: [0, 0.95], step: 0.05, start: 0 },
@@ -450,10 +450,10 @@ window.slipbookExplorers = (() => {
             },
             hint: 'Choose the friction and the ball (κ is 0.4 if it is solid, 0.67 if hollow); drag the slip at the start, under the ball or in its plane, or focus a circle and use the arrow keys.',
             inputs: {
-                lambda: { label: 'friction λ₀', range: [0.05, 1.5], step: 0.01, start: 0.75 },
-                kappa: { label: 'κ (solid 0.40)', range: [0.05, 0.67], step: 0.01, start: 0.4 },
-                u: { label: 'slip along', range: [-2, 2], step: 0.02, start: 0 },
-                v: { label: 'slip across', range: [-2, 2], step: 0.02, start: 1 },
+                lambda: { label: 'friction λ₀', range: [0.05, 1.5], step: 0.01 },
+                kappa: { label: 'κ (solid 0.40)', range: [0.05, 0.67], step: 0.01 },
+                u: { label: 'slip along', range: [-2, 2], step: 0.02 },
+                v: { label: 'slip across', range: [-2, 2], step: 0.02 },
             },
             plots: set => [{
                 title: 'slip w_x; dashed v_x on floor; grey: rolls',
@@ -507,15 +507,10 @@ window.slipbookExplorers = (() => {
             says: 'The border runs between them.',
             at: { rho: 0.87, u: 0, v: -0.87 },
         },
-        inputs: {
-            rho: { ...turntable.inputs.rho, start: 0.87 },
-            u: { ...turntable.inputs.u, start: 0 },
-            v: { ...turntable.inputs.v, start: -0.87 },
-        },
-        film: (state, ask, { printed, moving, set, narrow }) => {
+        film: (state, ask, { printed, moving, told, set, narrow }) => {
             const { rho, u, v } = state;
             return scenes.record(ask(4, rho, u, v), narrow, false, { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho),
-                velocity: [u, v], range: [0, 1.6], set, beside: second(state, ask) });
+                velocity: [u, v], range: [0, 1.6], set, told, beside: second(state, ask) });
         },
         show(state, ask, more) {
             const other = second(state, ask), [fate, sigma, tau] = other.values;

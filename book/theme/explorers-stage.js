@@ -73,26 +73,13 @@ window.SlipbookStage = (() => {
                 this.loud = on;
                 this.sound.play(0);
             });
-            // What nobody sees any more need not move; what is seen for the most part may begin.
-            new IntersectionObserver(entries => {
-                const { isIntersecting, intersectionRatio } = entries.at(-1);
-                if (!isIntersecting && this.playing) this.pause();
-                this.seen = intersectionRatio >= 0.6;
-                this.begin();
-            }, { threshold: [0, 0.6] }).observe(this.svg);
+            // What nobody sees any more need not move.
+            new IntersectionObserver(entries => !entries.at(-1).isIntersecting && this.playing && this.pause()).observe(this.svg);
             this.pause();
         }
 
-        // Plays a film that begins by itself, once it is there and in view; then its start is shown again.
-        begin() {
-            if (!this.film?.alone || !this.seen || this.begun || matchMedia('(prefers-reduced-motion: reduce)').matches) return;
-            this.begun = true;
-            this.play();
-            this.rewind = true;
-        }
-
-        // film: step (time between pictures), count, rate (time a second), time(i) in words, box, label, draw(i), slip(i), hands,
-        // and alone if it begins by itself. A film that is `kept` shows the same motion.
+        // film: step (time between pictures), count, rate (time a second), time(i) in words, box, label, draw(i), slip(i), hands.
+        // A film that is `kept` shows the same motion.
         load(film, kept) {
             this.film = film;
             this.svg.setAttribute('viewBox', film.box.join(' '));
@@ -101,7 +88,6 @@ window.SlipbookStage = (() => {
             this.slider.max = film.count - 1;
             this.giveHands(film.hands || []);
             this.show(kept ? this.i : 0);
-            this.begin();
         }
 
         // The hands are made once and keep the focus while the film changes.
@@ -120,7 +106,6 @@ window.SlipbookStage = (() => {
                         knob.setPointerCapture(event.pointerId);
                         this.pause();
                         this.held = true;
-                        this.begun = true;
                         here(event);
                         event.preventDefault();
                         knob.focus({ preventScroll: true });
@@ -136,7 +121,6 @@ window.SlipbookStage = (() => {
                     knob.addEventListener('pointercancel', () => { this.held = false; });
                     // The keys move the start, so it is the start that one sees.
                     knob.addEventListener('focus', () => {
-                        this.begun = true;
                         if (this.held || !this.i) return;
                         this.pause();
                         this.show(0);

@@ -107,8 +107,10 @@
 
     function start(host, ask) {
         const name = host.dataset.explorer;
-        const { inputs, plots, show, ...explorer } = slipbookExplorers[name];
+        const { inputs, plots, show, predict, ...explorer } = slipbookExplorers[name];
         const keys = Object.keys(inputs);
+        // What is asked about stands there before it moves.
+        const first = Object.fromEntries(keys.map(key => [key, inputs[key].start ?? predict.at[key]]));
         const state = {};
         const digits = key => (String(inputs[key].step).split('.')[1] || '').length;
         const snap = (key, value) => {
@@ -123,13 +125,14 @@
                 <input type="range" name="${key}" min="${inputs[key].range[0]}" max="${inputs[key].range[1]}" step="${inputs[key].step}"></label>`).join('')}
                 <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button></div></div></div></div>`;
         host.classList.toggle('bare', Boolean(explorer.bare));
-        // What is asked about is not told before it has been seen.
-        let told = !explorer.asksFirst;
+        // What is asked about is not told before it has been guessed, or seen, or something has been taken in hand.
+        let told = false;
         const tell = () => {
             told = true;
-            host.classList.remove('untold', 'guessed');
+            host.classList.remove('asking', 'untold', 'guessed');
         };
-        host.classList.toggle('untold', !told);
+        host.classList.add('asking');
+        host.classList.toggle('untold', Boolean(explorer.asksFirst));
         const printed = (host.dataset.printed || '').split(/[ ,]+/).filter(Boolean).map(Number);
         const sliders = Object.fromEntries([...host.querySelectorAll('input')].map(slider => [slider.name, slider]));
         let noted;
@@ -154,32 +157,31 @@
         host.querySelector('.plots').insertAdjacentHTML('beforeend', `<div class="readout">${explorer.asksFirst ? `<p>${hint}</p>${says}` : ''}<dl></dl></div>`);
 
         // Where an intuition is usually wrong, the reader guesses before the bodies move.
-        if (explorer.predict) {
-            const { asks, options, right, says, at } = explorer.predict;
-            // Above the part in which the controls stay in view, so that they never cover it.
-            host.querySelector('.theatre').parentElement.insertAdjacentHTML('beforebegin', `<div class="predict" role="group" aria-label="Your guess"><p>${asks}</p>
-                <div>${options.map(option => `<button type="button" aria-pressed="false">${option}</button>`).join('')}</div><span role="status"></span></div>`);
-            const box = host.querySelector('.predict'), buttons = [...box.querySelectorAll('button')];
-            buttons.forEach((button, i) => button.addEventListener('click', () => {
-                buttons.forEach(other => other.setAttribute('aria-pressed', other === button));
-                box.querySelector('[role=status]').textContent = `${i === right ? 'Yes.' : `No: ${options[right].replace(/^It /, 'it ')}.`} ${says}`;
-                // What was asked about is what one sees.
-                curtain = true;
-                host.classList.add('guessed');
-                set(at);
-            }));
-        }
+        const { asks, options, right, says: answer, at } = predict;
+        // Above the part in which the controls stay in view, so that they never cover it.
+        host.querySelector('.theatre').parentElement.insertAdjacentHTML('beforebegin', `<div class="predict" role="group" aria-label="Your guess"><p>${asks}</p>
+            <div>${options.map(option => `<button type="button" aria-pressed="false">${option}</button>`).join('')}</div><span role="status"></span></div>`);
+        const box = host.querySelector('.predict'), buttons = [...box.querySelectorAll('button')];
+        buttons.forEach((button, i) => button.addEventListener('click', () => {
+            buttons.forEach(other => other.setAttribute('aria-pressed', other === button));
+            box.querySelector('[role=status]').textContent = `${i === right ? 'Yes.' : `No: ${options[right].replace(/^It /, 'it ')}.`} ${answer}`;
+            // What was asked about is what one sees.
+            curtain = true;
+            host.classList.add('guessed');
+            if (!explorer.asksFirst) tell();
+            set(at);
+        }));
 
         let places = [], curtain = false, aim = null;
-        const stage = explorer.film && new SlipbookStage(host.querySelector('.theatre'), host.querySelector(explorer.bare ? '.theatre' : '.controls'),
+        const stage = new SlipbookStage(host.querySelector('.theatre'), host.querySelector(explorer.bare ? '.theatre' : '.controls'),
             i => panels.forEach((panel, k) => panel.now(places[k] && i > 0 ? places[k](i) : null)), () => drawn());
-        if (stage && !told) {
-            stage.ended = () => {
-                if (told) return;
-                tell();
-                drawn();
-            };
-        }
+        const showAll = () => {
+            if (told) return;
+            tell();
+            drawn();
+        };
+        if (explorer.asksFirst) stage.ended = showAll;
+        else for (const kind of ['click', 'input']) host.querySelector('.film').addEventListener(kind, showAll);
 
         let due = null;
         let anew = false;
@@ -223,7 +225,7 @@
             const made = [
                 () => show(state, ask, { printed, moving }),
                 () => explorer.now ? explorer.now(state, ask) : [],
-                () => stage && explorer.film(state, ask, { printed, moving, told, set, narrow: stage.narrow, held: stage.held }),
+                () => explorer.film(state, ask, { printed, moving, told, set, narrow: stage.narrow, held: stage.held }),
             ].map(part => {
                 try {
                     return part();
@@ -236,10 +238,7 @@
             const [shown, now, film] = made;
             panels.forEach((panel, i) => panel.draw(shown.draw[i]));
             places = now;
-            // A film that answers the question waits for the guess.
-            const asked = Object.entries(explorer.predict?.at || {});
-            const answers = asked.length > 0 && asked.every(([key, value]) => state[key] === value);
-            stage?.load({ ...film, alone: !explorer.asksFirst && !answers }, !anew);
+            stage.load(film, !anew);
             anew = false;
             host.querySelector('dl').innerHTML = Object.entries(shown.values)
                 .map(([term, value]) => `<div><dt>${term.replace(/_(.)/g, '<sub>$1</sub>')}</dt><dd>${value}</dd></div>`).join('');
@@ -263,11 +262,11 @@
             for (const key of keys) {
                 // Nothing behind the sign is not 0.
                 const value = given.get(key) ? Number(given.get(key)) : NaN;
-                state[key] = snap(key, Number.isFinite(value) ? value : inputs[key].start);
+                state[key] = snap(key, Number.isFinite(value) ? value : first[key]);
             }
             // Who follows a link to a state wants to watch it, and is not asked about another.
             const linked = Boolean(query) && id === host.id;
-            host.querySelector('.predict')?.toggleAttribute('hidden', linked);
+            box.toggleAttribute('hidden', linked);
             if (linked) {
                 tell();
                 curtain = !matchMedia('(prefers-reduced-motion: reduce)').matches;
@@ -280,7 +279,7 @@
         host.addEventListener('input', event => event.target.name in inputs && set({ [event.target.name]: Number(event.target.value) }));
         // mdBook turns pages with the arrow keys.
         host.addEventListener('keydown', event => event.key.startsWith('Arrow') && event.stopPropagation());
-        host.querySelector('.inputs button').addEventListener('click', () => set(Object.fromEntries(keys.map(key => [key, inputs[key].start]))));
+        host.querySelector('.inputs button').addEventListener('click', () => set(first));
         host.querySelector('.copy').addEventListener('click', async event => {
             const link = new URL(address(), location.href).href;
             try {
@@ -312,9 +311,8 @@
     const hosts = [...document.querySelectorAll('[data-explorer]')];
     let opening;
     const open = () => opening ||= door().then(ask => hosts.forEach(host => start(host, ask)));
-    // The module is loaded when its place comes near, or is linked to.
-    const near = new IntersectionObserver(entries => entries.some(entry => entry.isIntersecting) && open(), { rootMargin: '1200px' });
-    hosts.forEach(host => near.observe(host.nextElementSibling));
+    // The module is loaded as soon as the page is there, wherever one reads: what came later would move it.
+    (window.requestIdleCallback || setTimeout)(open);
     const linked = () => hosts.some(host => location.hash.startsWith(`#${host.id}`)) && open();
     addEventListener('hashchange', linked);
     // The address says where to, also when the page is loaded again.

@@ -669,7 +669,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
             let place = explorer.value(
                 "(coin => [Number(coin.getAttribute('cx')), Number(coin.getAttribute('cy'))])(host.querySelector('.scene .body'))",
             )?;
-            let found = answer(4, [1.2, -1.4, -0.6, 0.0]).map_err(|error| error.to_string())?;
+            let found = answer(4, [0.0, 1.5, 0.0, 0.0]).map_err(|error| error.to_string())?;
             let [x, y] = found.curves[1].last().copied().unwrap_or_default();
             let (there, scale) = ([180.0 + 57.0 * x, 130.0 - 57.0 * y], 0.06);
             let place: [f64; 2] = serde_json::from_value(place).map_err(|e| e.to_string())?;
@@ -694,30 +694,30 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
     let time = "Number(document.querySelector('#explore-record .film input').value)";
     explorer.page.wait_for(&format!("{time} > 1"))?;
     untold(page, book)?;
-    // For who has nothing against it, bodies that come into view move once, and are back at their start when one is taken.
+    // Before the guess all stand as they are asked about, and nothing is told, also for who has nothing against motion.
     page.still(false)?;
-    let time = "Number(document.querySelector('#explore-escape .film input').value)";
-    let seen = "document.querySelector('.stage svg').scrollIntoView({ block: 'center', behavior: 'instant' })";
-    for still in [false, true] {
-        page.still(still)?;
-        page.open(&book.address("escape.html"))?;
-        page.explored()?;
-        page.value(seen)?;
-        if still {
-            break;
-        }
-        page.wait_for(&format!("{time} > 1"))?;
-        page.value("document.querySelector('#explore-escape .stage .hand').focus()")?;
-        page.wait_for(&format!("{time} === 0"))?;
+    let mut wrong = Vec::new();
+    for name in PAGES.map(name_on) {
+        let mut explorer = Explorer::open(page, book, name, "")?;
+        let said = explorer.texts(&format!(
+            "(async ({{ predict: {{ asks, at }} }}) => {{
+                host.querySelector('.stage').scrollIntoView({{ block: 'center', behavior: 'instant' }});
+                await new Promise(done => setTimeout(done, 400));
+                const shown = key => Number(host.querySelector(`.inputs [name=${{key}}]`).value);
+                const named = [...asks.matchAll(/λ₀? = ([\\d.]+)/g)].map(([, number]) => Number(number));
+                return [
+                    ...named.filter(number => number !== shown('lambda')).map(number => `λ is ${{shown('lambda')}}, not ${{number}}`),
+                    ...Object.keys(at).filter(key => shown(key) !== at[key] && !(key === 'lambda' && named.length)).map(key => `${{key}} is ${{shown(key)}}`),
+                    ...[...host.querySelectorAll('.says, .explore-plot [clip-path] *, .border, .printed')]
+                        .filter(part => part.checkVisibility({{ visibilityProperty: true }})).map(part => `${{part.outerHTML}} is told`),
+                    ...Number(host.querySelector('.film input').value) || host.querySelector('.play').ariaLabel === 'Pause' ? ['it moves'] : [],
+                ];
+            }})(slipbookExplorers.{name})"
+        ))?;
+        wrong.extend(said.into_iter().map(|words| format!("{name}: {words}")));
     }
-    // What is in view has been told so by then.
-    page.value("new Promise(seen => new IntersectionObserver(seen).observe(document.querySelector('.stage svg'))).then(() => new Promise(requestAnimationFrame))")?;
-    match page.value(time)? {
-        zero if zero.as_f64() == Some(0.0) => Ok(()),
-        moved => Err(format!(
-            "the bodies have moved to {moved} by themselves for who does not want it"
-        )),
-    }
+    page.still(true)?;
+    none(wrong)
 }
 
 /// The first page asks, and neither border is drawn before the film has been seen; then both are, and what is said is seen.
@@ -778,6 +778,10 @@ fn guess(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
              (document.getElementById('explore-{name}'))"
         ))?;
         explorer.right()?;
+    }
+    let seen = explorer.value("host.querySelector('.says').checkVisibility({ visibilityProperty: true }) || slipbookExplorers.record === slipbookExplorers[host.dataset.explorer]")?;
+    if seen != true {
+        return Err(format!("{name}: after the guess nothing is said"));
     }
     explorer.value("host.querySelector('.play[aria-label=Pause]')?.click()")?;
     Ok(())

@@ -68,6 +68,7 @@ const TESTS: [(&str, Test); 31] = [
     ("bodies_move_on_every_stage", explorers::stages),
     ("pictures_are_those_of_the_crate", scenes::pictures),
     ("boxes_fold_and_unfold", pages::folds),
+    ("pages_keep_their_length", pages::lengths),
     ("the_first_page_answers", pages::front),
     ("a_formula_can_be_broken", explorers::broken),
     ("long_tables_filter_and_sort", pages::filters),

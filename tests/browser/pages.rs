@@ -137,8 +137,6 @@ pub fn folds(page: &mut Page, book: &Book) -> Result<(), Failure> {
     for name in CHAPTERS {
         page.open(&book.address(&format!("{name}.html")))?;
         page.explored()?;
-        // Not as it is guessed before it comes into view.
-        page.value("document.head.insertAdjacentHTML('beforeend', '<style>main > * { content-visibility: visible !important }</style>')")?;
         let height = page.value("document.documentElement.scrollHeight")?;
         lengths.push((name, height.as_f64().unwrap_or(f64::INFINITY) / 900.0));
         // What a box needs besides its formula.
@@ -197,6 +195,44 @@ pub fn folds(page: &mut Page, book: &Book) -> Result<(), Failure> {
     none(wrong)
 }
 
+/// A page has its length half a second after it is there, and the place of an address its own.
+pub fn lengths(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let mut wrong = Vec::new();
+    for width in [1400, 390] {
+        page.resize(width, 900)?;
+        for name in CHAPTERS.into_iter().chain(["errata", "lemmas"]) {
+            let address = book.address(&format!("{name}.html"));
+            page.open(&address)?;
+            let places = page.texts("[...document.querySelectorAll('main [id]:is(h2, h3, .erratum, .lemma > p)')].map(place => place.id)")?;
+            page.open("about:blank")?;
+            page.open(&format!("{address}#{}", places[2 * places.len() / 3]))?;
+            let found = page.texts(
+                "(async () => {
+                    const wait = time => new Promise(done => setTimeout(done, time));
+                    const high = () => document.documentElement.scrollHeight;
+                    const top = () => document.getElementById(location.hash.slice(1)).getBoundingClientRect().top;
+                    await wait(500);
+                    const before = [top(), high()];
+                    await wait(1000);
+                    const moved = Math.abs(top() - before[0]);
+                    for (let y = 0; y < high(); y += 600) {
+                        scrollTo({ top: y, behavior: 'instant' });
+                        await wait(20);
+                    }
+                    const grown = Math.abs(high() / before[1] - 1);
+                    return [...before[0] < 0 || before[0] > 120 ? [`lands at ${before[0]}`] : [], ...moved > 3 ? [`moves by ${moved}`] : [], ...grown > 0.02 ? [`grows by ${grown}`] : []];
+                })()",
+            )?;
+            wrong.extend(
+                found
+                    .into_iter()
+                    .map(|words| format!("{name}, {width} wide, {words}")),
+            );
+        }
+    }
+    none(wrong)
+}
+
 /// The first page answers to numbers, symbols and words, and has a mark for every equation.
 pub fn front(page: &mut Page, book: &Book) -> Result<(), Failure> {
     page.open(&book.address("index.html"))?;
@@ -223,6 +259,14 @@ pub fn front(page: &mut Page, book: &Book) -> Result<(), Failure> {
                 .map(|words| format!("\"{asked}\": without a verdict or a formula, {words}")),
         );
     }
+    // What it has no room for is a link away.
+    let more = "document.querySelector('.ask .answers p a')?.href";
+    page.value("(field => { field.value = 'sphere'; field.dispatchEvent(new Event('input')); })(document.querySelector('.ask input'))")?;
+    page.wait_for(&format!("{more}?.endsWith('?search=sphere')"))?;
+    let more = page.value(more)?;
+    page.open(more.as_str().unwrap_or_default())?;
+    page.wait_for("document.querySelectorAll('#mdbook-searchresults a').length > 4")?;
+    page.open(&book.address("index.html"))?;
     // Its own hint is among what is asked.
     let hint = page.value("document.querySelector('.ask input').placeholder")?;
     for example in hint.as_str().unwrap_or_default().split(", ") {

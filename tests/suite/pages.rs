@@ -3,6 +3,7 @@
 use crate::prose::text::pages;
 use crate::{BOOK, LEDGER};
 use slipbook::claims::PAPER;
+use slipbook::evidence::Evidence;
 use slipbook::ledger::Format;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -124,6 +125,34 @@ fn no_formula_of_a_trial_stands_bare() {
         }
     }
     assert!(bare_ones.is_empty(), "{bare_ones:#?}");
+}
+
+/// Each begins as a sentence does, and no formula breaks off before a sign.
+#[test]
+fn steps_of_proofs_are_sentences() {
+    let of = |e: &Evidence| {
+        let lemmas = e.lemmas.iter().flat_map(|lemma| lemma.steps.clone());
+        e.steps.iter().cloned().chain(lemmas).collect::<Vec<_>>()
+    };
+    let mut wrong = BTreeSet::new();
+    for step in LEDGER
+        .entries
+        .iter()
+        .flat_map(|entry| entry.evidence.iter().flat_map(of))
+    {
+        let all = pieces(&step);
+        let begins = |text: &str| text.starts_with(|c: char| c.is_lowercase());
+        let ragged = matches!(all[0], Piece::Text(text) if begins(text));
+        let torn = all.windows(3).any(|three| match three {
+            [Piece::Formula(_), Piece::Text(" "), Piece::Text(sign)] => "+−=<>≤≥·×".contains(sign),
+            [Piece::Formula(_), Piece::Text(sign), _] => "/^_(".contains(sign),
+            _ => false,
+        });
+        if ragged || torn {
+            wrong.insert(step);
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 /// How often each character stands in a text, less how often in another.

@@ -47,6 +47,7 @@
             const asked = field.value;
             delete answers.dataset.asked;
             if (!asked.trim()) { answers.replaceChildren(); return; }
+            if (!window.trialbookAnswers) answers.textContent = '…';
             await load();
             const hits = await window.trialbookSearch(asked);
             if (asked !== field.value) return;
@@ -57,7 +58,7 @@
                     <span class="formula">${claim.formula}</span><small>${escape(claim.says).replace(/(\d)e-(\d+)/, '$1 × 10<sup>−$2</sup>')}</small></li>`
                     : `<li><a href="${at}">${escape(title)}</a>${page === title ? '' : ` <small>${escape(page)}</small>`}</li>`;
             };
-            const more = hits.length > 4 ? `<p>${hits.length - 4} more: the search of the book has them.</p>` : '';
+            const more = hits.length > 4 ? `<p><a href="?search=${encodeURIComponent(asked)}">${hits.length - 4} more</a></p>` : '';
             answers.innerHTML = hits.length ? `<ul>${hits.slice(0, 4).map(item).join('')}</ul>${more}`
                 : '<p>Nothing found: try an equation’s number, a symbol such as λc, a value such as 0.537, or a word.</p>';
             answers.dataset.asked = asked;

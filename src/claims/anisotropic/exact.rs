@@ -298,7 +298,7 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
         };
         let growth = p.read("cos β, by which d(qλ₀) = cos β dβ", Expr::symbol("β").cos())?;
         let rate = on_c(p, &(&growth * &turn))?;
-        p.zero("d(qλ₀)/dα along B, at β = π/2", &rate)?;
+        p.zero("d(qλ₀)/dα along B is 0 at β = π/2", &rate)?;
         let meeting = on_c(p, &b)?;
         let [alpha] = Expr::symbols(["α"]);
         let x = Expr::int(3) * Expr::pi() / Expr::int(2) - alpha;
@@ -306,9 +306,9 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
         p.equal("B at β = π/2 vanishes with it", &meeting, &condition)?;
         let [q, _] = [alpha.cot(), Expr::int(0)];
         let square = p.read("1 + x², with x = tan x = cot α", Expr::int(1) + q.squared())?;
-        let one = p.read("times λ₀²", Expr::symbol("λ₀").squared())?;
+        let one = p.read("The square of λ₀", Expr::symbol("λ₀").squared())?;
         p.equal(
-            "makes q = 1/λ₀ = √(1 + x²)",
+            "Their product is 1, so that q = 1/λ₀ = √(1 + x²)",
             &(&square * &one),
             &Rational::int(1),
         )?;
@@ -352,7 +352,7 @@ fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         &half_square,
     )?;
     p.quotient(
-        "which is not zero: the slope has the inverse",
+        "The slope is not zero, as it has the inverse",
         &Rational::int(1),
         &slope,
     )?;

@@ -129,7 +129,7 @@ fn listed<const N: usize>(
             _ => "Backward motion, −1 in the list",
         };
         let sign = p.read(says, sign)?;
-        p.equal("It is", &sign, &Rational::int(found))?;
+        p.equal("It is the number in the list", &sign, &Rational::int(found))?;
     }
     Ok(())
 }
@@ -429,7 +429,7 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
             size * (product * tangent - int(2) * d),
         )?;
         p.equal(
-            "π + d times 𝔴 is π − d times the second, and the third",
+            "π + d times 𝔴 is π − d times the second, and so the third",
             &weighted,
             &(&first + &second),
         )?;

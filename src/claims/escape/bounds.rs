@@ -2,7 +2,7 @@
 //!
 //! With q = (N − ¾)/t, v = (P − ½)/t and their limits q₀, v₀, as in [`spiral`], the region 0 < t ≤ 1/20, (8/3)(q − q₀)² + (v − v₀)² ≤
 //! 1/16 is never left, as intervals show on its edge; every escape comes into it. Inside, the quantities of the motion are
-//! those of the laws at the time 1/t times 1 + tE, with bounds on E, and 1/t falls behind the time by a logarithm at most:
+//! those of the laws at the time 1/t times 1 + t E, with bounds on E, and 1/t falls behind the time by a logarithm at most:
 //! both by intervals, on the whole region at once.
 
 use super::exact::spiral::{self, State};
@@ -86,7 +86,7 @@ impl Inside {
         predator + (predator * self.t).squared()
     }
 
-    /// w, the positive solution of w² = 4P (1 − wt).
+    /// w, the positive solution of w² = 4P (1 − w t).
     fn w(self) -> Expr {
         int(2) * self.square().sqrt() - int(2) * self.predator() * self.t
     }
@@ -137,7 +137,7 @@ fn inside() -> Inside {
     }
 }
 
-/// 1 + tE is the product of 1 + t g over these g, of which there is one at least.
+/// 1 + t E is the product of 1 + t g over these g, of which there is one at least.
 fn product_less_one(t: Expr, parts: Vec<Expr>) -> Expr {
     let product = parts.into_iter().reduce(|e, g| e + (int(1) + t * e) * g);
     product.unwrap_or_else(|| int(0))
@@ -161,7 +161,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let at = Inside::symbols();
     p.note(
         "Let t be positive, q₀ = 3√2/32, v₀ = 3√2/8, q = (N − 3/4)/t, v = (P − 1/2)/t, and dθ = 2t dτ",
-        "N, P, h = 1 − wt, and w, positive, the square of which is 4Ph",
+        "N, P, h = 1 − w t, and w, positive, the square of which is 4Ph",
     );
     let [_, predator, h, _] = at.state();
     p.identity(("w²", at.w().squared()), ("", int(4) * predator * h))?;
@@ -211,7 +211,7 @@ impl Ratio {
         product_less_one(at.t, (self.parts)(at))
     }
 
-    /// It is 1 + tE.
+    /// It is 1 + t E.
     fn near_one(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
         let at = Inside::symbols();
         let limit = (self.inverse)([over_n(3, 4), over_n(1, 2), int(1), int(0)]);
@@ -219,7 +219,7 @@ impl Ratio {
         let ratio = p.ring().read(ratio)?;
         let stated = p.ring().read(int(1) + at.t * self.excess(at))?;
         p.equal(
-            "A power of the law at the time 1/t over that of the motion is 1 + tE, with the E that the intervals enclose",
+            "A power of the law at the time 1/t over that of the motion is 1 + t E, with the E that the intervals enclose",
             &ratio,
             &stated,
         )?;
@@ -308,7 +308,7 @@ const A: BoundedLaw = BoundedLaw {
         },
         between: [-5, 1],
     }),
-    so: "A⁴ over its law's is (1 − b/τ)⁶/(1 + tE), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, at most 1 + 3/(4τ), and at least 1 − 3b/(2τ) − 1/(8τ), as (1 − b/τ) t = 1/τ",
+    so: "A⁴ over its law's is (1 − b/τ)⁶/(1 + t E), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, at most 1 + 3/(4τ), and at least 1 − 3b/(2τ) − 1/(8τ), as (1 − b/τ) t = 1/τ",
 };
 
 const ALPHA: BoundedLaw = BoundedLaw {
@@ -322,7 +322,7 @@ const ALPHA: BoundedLaw = BoundedLaw {
         },
         between: [0, 4],
     }),
-    so: "exp(4α) over its law's is (1 − b/τ)²/(1 + tE): 4 times the difference of α is 2 ln(1 − b/τ) − ln(1 + tE), not above 0 and at least −2 (27/26) (b + 1)/τ",
+    so: "exp(4α) over its law's is (1 − b/τ)²/(1 + t E): 4 times the difference of α is 2 ln(1 − b/τ) − ln(1 + t E), not above 0 and at least −2 (27/26) (b + 1)/τ",
 };
 
 const LAG: BoundedLaw = BoundedLaw {
@@ -342,7 +342,7 @@ const SPEED: BoundedLaw = BoundedLaw {
         },
         between: [0, 5],
     }),
-    so: "p² over its law's is (1 − b/τ)⁴/(1 + tE): at most 1 and, by the root, p over its law's at least 1 − 2b/τ − 5/(4τ), as (1 − b/τ) t = 1/τ",
+    so: "p² over its law's is (1 − b/τ)⁴/(1 + t E): at most 1 and, by the root, p over its law's at least 1 − 2b/τ − 5/(4τ), as (1 − b/τ) t = 1/τ",
 };
 
 const RHO: BoundedLaw = BoundedLaw {
@@ -356,7 +356,7 @@ const RHO: BoundedLaw = BoundedLaw {
         },
         between: [-5, 0],
     }),
-    so: "ρ² over its law's is (1 − b/τ)⁴/(1 + tE), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, ρ over its law's is at least 1 − 2b/τ and at most 1 + 3/(2τ)",
+    so: "ρ² over its law's is (1 − b/τ)⁴/(1 + t E), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, ρ over its law's is at least 1 − 2b/τ and at most 1 + 3/(2τ)",
 };
 
 pub(super) const TRIALS: &[Attempt] = trials![
@@ -454,7 +454,7 @@ mod tests {
     /// From what is known of 1/t and E in the region, at the ends and between, to what is stated.
     #[test]
     fn what_is_stated_follows_from_the_region() {
-        // The law's power that is 1 + tE, and the law's power of the time.
+        // The law's power that is 1 + t E, and the law's power of the time.
         let powers = [(4, 6), (4, 2), (0, 0), (2, 4), (2, 4)];
         for ((law, chain), (power, of_time)) in ALL.into_iter().zip(stated()).zip(powers) {
             for (i, j) in (0..90).flat_map(|i| (0..=20).map(move |j| (i, j))) {

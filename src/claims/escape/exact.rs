@@ -160,7 +160,7 @@ pub fn eq126(formula: Expr) -> Proof {
         let rate = p.expand("(114) there", rate, &values, ("α", 4))?;
         let stated = p.read("(126)", formula)?;
         let first = rate.coefficient(0).ok_or(Obstacle::Empty)?;
-        p.equal("Against the first term", &first, &stated)
+        p.equal("It is the first term", &first, &stated)
     })
 }
 

@@ -112,7 +112,7 @@ pub(in crate::claims) fn decays(
     let speed = (vx.squared() + vy.squared()).sqrt();
     let rate = p.read("dv_y/dt by (1), with an acceleration along x", along[1])?;
     let motion = p.ring().along(&[("v_y", rate.clone())])?;
-    let square = p.read("v_y²", vy.squared())?;
+    let square = p.read("The square of v_y", vy.squared())?;
     let fall = p.derivative("Its rate", &square, &motion)?;
     let stated = trend * (two * mu * g * vy.squared() / speed);
     p.reads_as(&fall, "which is not positive", stated)?;

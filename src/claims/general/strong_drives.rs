@@ -31,7 +31,11 @@ fn moves(bound: Expr) -> Proof {
         let size = (ax.squared() + ay.squared()).sqrt();
         let needed = p.read("Its size squared", size.squared())?;
         let components = p.ring().read(ax.squared() + ay.squared())?;
-        p.equal("The squares of the components, added", &needed, &components)?;
+        p.equal(
+            "It is the squares of the components, added",
+            &needed,
+            &components,
+        )?;
         p.identity(
             ("What is needed less the greatest friction", size - mu * g),
             (
@@ -92,7 +96,7 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
 
             let across = p.read("dv_y/dt by (1)", driven(law[1]))?;
             let motion = p.ring().along(&[("v_x", along), ("v_y", across)])?;
-            let square = p.read("v_y²", vy.squared())?;
+            let square = p.read("The square of v_y", vy.squared())?;
             let fall = p.derivative("Its rate", &square, &motion)?;
             let lost = -(two * most * vy.squared() / speed);
             p.reads_as(&fall, "which is not positive", lost)?;

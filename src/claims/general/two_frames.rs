@@ -229,7 +229,7 @@ pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
         let along = p.ring().along(&[("v_x", x), ("v_y", y)])?;
         let rate = p.derivative("Its rate", &speed, &along)?;
         let formula = p.read("The printed rate", formula)?;
-        p.equal("Rate against printed rate", &rate, &formula)
+        p.equal("The rate is the printed one", &rate, &formula)
     })
 }
 

@@ -63,7 +63,7 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
         let half = psi / Expr::int(2);
         let square = (half.sin() - signed * half.cos()).squared();
         let square = p.read("A square, which is not negative", square)?;
-        p.equal("That less the rate, and the square", &room, &square)?;
+        p.equal("That less the rate is the square", &room, &square)?;
         let time = start / (right - left);
         p.vanishes(
             "The line |𝔴₀| − (right − left) φ at φ = |𝔴₀|/(right − left), with 𝔴₀ for its size",
@@ -100,9 +100,9 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
             "With λ₀ = 1 − s², |h| − λ₀ is at most 1 − λ₀",
             one - friction,
         )?;
-        let slow = p.read("and, where |h| ≤ 1 − s, at most", one - s - friction)?;
+        let slow = p.read("Where |h| ≤ 1 − s, it is at most", one - s - friction)?;
         let stated = p.read("−s (1 − s)", -(s * (one - s)))?;
-        p.equal("The last two", &slow, &stated)?;
+        p.equal("The last two are equal", &slow, &stated)?;
         p.note(
             "m: for how long in a period, in the mean over many, the particle moves while |h| ≤ 1 − s",
             "per period |𝔴| grows in the mean by 2π times the first and m times the second at most; it does not sink below 0, so that in the limit of many periods this is not negative",
@@ -151,15 +151,15 @@ fn normalised(([pulse, gap], largest): ([Expr; 2], Expr)) -> Proof {
     let h = Expr::symbol("h");
     Proof::in_ring("The size of the pulses", ring(1), |p| {
         let length = p.read("The length of a pulse by (42)", printed::eq42_end::tree())?;
-        let growth = p.slope("grows with η at the rate", &length, "η")?;
+        let growth = p.slope("Its rate with η", &length, "η")?;
         p.reads_as(&growth, "positive", Expr::pi())?;
         let eta = p.ring().named("η")?;
         let none = p.ring().put(&length, &[(&eta, &Rational::int(0))])?;
-        p.zero("The length at η = 0", &none)?;
+        p.zero("The length is 0 at η = 0", &none)?;
         let size = p.read("The stated size", largest)?;
         p.reads_as(&size, "h in a pulse by (42)", pulse)?;
         let none = p.read("In a gap", gap)?;
-        p.zero("h", &none)?;
+        p.zero("h is 0", &none)?;
         let own = p.read("The square of h", h.squared())?;
         p.reads_as(
             &own,
@@ -259,7 +259,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
             "the particle comes to rest and stays: |h| = 0 < λ₀",
         );
         let critical = p.read("λ_c at η = 0", at(pulses.critical, zero))?;
-        p.zero("It, below which no λ₀ is", &critical)
+        p.zero("It is 0, below which no λ₀ is", &critical)
     })
 }
 
@@ -292,7 +292,7 @@ fn nonzero_again(rate: Expr, h: [Expr; 4], critical: Expr, again: Expr, sign: i6
         p.vanishes("h in the gap", h[1])?;
         p.vanishes("What is said, with that h", again.with("ψ", Expr::int(0)))?;
         let pulse = p.read("h in the pulse from π on", h[2])?;
-        p.equal("It is not 0, but", &pulse, &Rational::int(-1))?;
+        p.equal("It is not 0, but −1", &pulse, &Rational::int(-1))?;
         p.identity(
             ("What friction gives by (26)", rate - psi.sin()),
             (

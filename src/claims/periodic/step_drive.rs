@@ -216,7 +216,7 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
             Slides(sign, left) => {
                 if sign != way {
                     let turn = p.read(&format!("It turns at the part {at}, from"), w)?;
-                    p.zero("𝔴", &turn)?;
+                    p.zero("𝔴 is 0", &turn)?;
                 }
                 way = sign;
                 let signed = if sign > 0 {
@@ -234,7 +234,7 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
             }
             Rests(room) => {
                 let still = p.read(&format!("It rests up to the part {until}"), w)?;
-                p.zero("𝔴", &still)?;
+                p.zero("𝔴 is 0", &still)?;
                 p.identity(
                     ("λ₀² − h² there", lambda0.squared() - h.squared()),
                     ("positive: friction holds it", size(room)),
@@ -244,12 +244,12 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         at = until;
     }
     let end = p.read("In the end it is, over π", w)?;
-    p.zero("𝔴", &end)?;
+    p.zero("𝔴 is 0", &end)?;
     let length = p.read(
         "The time from its beginning, over π",
         ratio([at - from, parts]),
     )?;
-    p.equal("Half a period: that and 1", &length, &Rational::int(1))?;
+    p.equal("That is half a period, 1", &length, &Rational::int(1))?;
     p.remark("By (45) it goes on, with the other sign, and so for ever");
     if half.kind() == 1 {
         p.note(

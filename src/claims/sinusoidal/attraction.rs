@@ -183,7 +183,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         )?;
         let along = p.read("sin φ v_x/v", phi.sin() * vx / speed)?;
         let friction = p.ring().read(lambda0)?;
-        p.equal("The rate and that less λ₀", &rate, &(&along - &friction))?;
+        p.equal("The rate is that less λ₀", &rate, &(&along - &friction))?;
         p.identity(
             (
                 "sin²φ less its square",

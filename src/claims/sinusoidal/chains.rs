@@ -143,7 +143,7 @@ fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Pr
             "At β = π/2, b = 0, it is",
             two * (Expr::int(0).sin() - Expr::int(0)),
         )?;
-        p.zero("That", &end)?;
+        p.zero("That is 0", &end)?;
         p.note(
             "So for β < π/2 it is positive",
             "𝔴 grows by it once in each period",

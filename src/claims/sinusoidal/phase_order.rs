@@ -240,7 +240,7 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
             apart,
         )?;
         p.equal(
-            "That times their sum, which is positive",
+            "It is that times their sum, which is positive",
             &(&there * &sum),
             &apart,
         )?;
@@ -262,7 +262,7 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
             -(two * lambda0 * (end - beta - pi)),
         )?;
         p.equal(
-            "The value there and that less the left side",
+            "The value there is that less the left side",
             &later,
             &(&stated - &left),
         )

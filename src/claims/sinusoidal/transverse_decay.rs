@@ -124,7 +124,7 @@ fn turning(law: Rate) -> Proof {
             let apart = of_y - ring.read(lambda0 / d)? * of_t;
             let drift = p.read("λ₀ (sin φ − d)/(d v)", lambda0 * (phi.sin() - d) / (d * v))?;
             p.equal(
-                "The rate of ln v_y less λ₀/d times that of ln T, with any d > 0",
+                "It is the rate of ln v_y less λ₀/d times that of ln T, with any d > 0",
                 &apart,
                 &drift,
             )?;

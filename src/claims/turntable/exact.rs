@@ -68,7 +68,7 @@ fn rate(
         let own = p.ring().named(of)?;
         let found = p.derivative("Its rate by (89)", &own, &setting.motion)?;
         let printed = p.read("The printed rate", printed[0])?;
-        p.equal("Rate by (89) against printed rate", &found, &printed)
+        p.equal("The rate by (89) is the printed one", &found, &printed)
     })
 }
 

@@ -263,9 +263,21 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     let trials = entry.evidence.iter().enumerate();
     let (proofs, others): (Vec<_>, Vec<_>) = trials.partition(|(_, e)| e.route.is_proof());
     let conditional = entry.is_conditional();
-    let items = proofs.into_iter().chain(others).map(|(i, e)| {
+    let above = |i: usize| {
+        proofs
+            .iter()
+            .filter(move |(k, _)| *k < i)
+            .map(|(_, e)| e.steps.as_slice())
+    };
+    let items = proofs.iter().chain(&others).map(|(i, e)| {
         let checked = certificates::line(context, entry, e);
-        trial(context, e, (conditional, &checked), code(i).as_ref())
+        trial(
+            context,
+            e,
+            above(*i),
+            (conditional, &checked),
+            code(*i).as_ref(),
+        )
     });
     let items = items.collect::<Result<String, Fault>>()?;
     let Tally { rejected, tried } = entry.tally();
@@ -284,9 +296,10 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
     ))
 }
 
-fn trial(
+fn trial<'a>(
     context: &Context<'_>,
     evidence: &Evidence,
+    above: impl Iterator<Item = &'a [String]>,
     (conditional, checked): (bool, &str),
     code: Option<&Place>,
 ) -> Result<String, Fault> {
@@ -305,7 +318,7 @@ fn trial(
     if proved.is_none() {
         reason = format!(" Tolerance: {}.", maths.words(evidence.tolerance.reason)?);
     } else if !evidence.steps.is_empty() {
-        proof = lemmas::steps(context, &evidence.steps)?;
+        proof = lemmas::steps(context, &evidence.steps, above)?;
     }
     Ok(format!(
         "<li class=\"{class}\"><p><strong>{route}</strong>, {about}: <span class=\"outcome\">{outcome}</span>. \

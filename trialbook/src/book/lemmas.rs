@@ -4,6 +4,7 @@ use super::context::Context;
 use super::error::Fault;
 use super::text::{counted, escape};
 use crate::evidence::{Evidence, Outcome};
+use crate::exact::NORMAL;
 use crate::notation::{Piece, pieces};
 use std::collections::BTreeSet;
 
@@ -12,25 +13,72 @@ const RESTS: &str = "Shown before: ";
 /// The step of a proof that says what it shows.
 const SHOWS: &str = "To be shown: ";
 
-/// The steps of a proof, behind a fold; those that rest on another proof lead to it.
-pub(super) fn steps(context: &Context<'_>, steps: &[String]) -> Result<String, Fault> {
+/// As many steps as an earlier proof has too are not written again.
+const SAME: usize = 4;
+
+/// The steps of a proof, behind a fold; those that rest on another proof lead to it, and those of a proof above to this.
+pub(super) fn steps<'a>(
+    context: &Context<'_>,
+    steps: &[String],
+    above: impl Iterator<Item = &'a [String]>,
+) -> Result<String, Fault> {
     let count = counted(steps.len(), "step");
     let letters = letters(steps);
+    let said = |text: &str| context.maths.folded(&lettered(text, &letters));
     let step = |step: &String| {
-        let words = context.maths.folded(&lettered(step, &letters))?;
-        let place = step
-            .strip_prefix(RESTS)
-            .and_then(|title| place(context, title));
-        Ok(match place {
+        let (step, normal) = step.split_once(NORMAL).unwrap_or((step, ""));
+        let words = said(step)?;
+        let fold = match normal {
+            "" => String::new(),
+            normal => format!(
+                "<details class=\"normal\"><summary>In normal form</summary>{}</details>",
+                said(normal)?
+            ),
+        };
+        let place = step.strip_prefix(RESTS);
+        Ok(match place.and_then(|title| place_of(context, title)) {
             Some(place) => format!("<li><a href=\"{place}\">{words}</a></li>"),
-            None => format!("<li>{words}</li>"),
+            None => format!("<li>{words}{fold}</li>"),
         })
     };
-    let all: Result<String, Fault> = steps.iter().map(step).collect();
+    let mut all = steps
+        .iter()
+        .map(step)
+        .collect::<Result<Vec<String>, Fault>>()?;
+    if let Some((proof, from, at, n)) = same(steps, above) {
+        let which = ["first", "second", "third"].get(proof).unwrap_or(&"last");
+        let as_above = format!(
+            "<li>Steps {} to {} of the {which} proof</li><li value=\"{}\">",
+            from + 1,
+            from + n,
+            at + n + 1
+        );
+        all.splice(at..at + n, []);
+        if let Some(next) = all.get_mut(at) {
+            *next = next.replacen("<li>", &as_above, 1);
+        }
+    }
     Ok(format!(
         "<details class=\"proof\"><summary>The proof, {count}</summary><div class=\"steps\"><ol>{}</ol></div></details>",
-        all?
+        all.concat()
     ))
+}
+
+/// The longest stretch of steps that is also one of a proof above, if it is long enough and not all: of which, where it begins
+/// there and here, and how long it is.
+fn same<'a>(
+    steps: &[String],
+    above: impl Iterator<Item = &'a [String]>,
+) -> Option<(usize, usize, usize, usize)> {
+    let stretches = above.enumerate().flat_map(|(proof, other)| {
+        let starts = (0..other.len()).flat_map(|i| (0..steps.len()).map(move |k| (i, k)));
+        starts.map(move |(i, k)| {
+            let pairs = other[i..].iter().zip(&steps[k..]);
+            (proof, i, k, pairs.take_while(|(a, b)| a == b).count())
+        })
+    });
+    let long = stretches.filter(|(_, _, k, n)| *n >= SAME && k + n < steps.len());
+    long.max_by_key(|(.., n)| *n)
 }
 
 /// The capitals that stand for something in these steps: those in their formulas, where no index follows.
@@ -91,7 +139,7 @@ fn lettered(step: &str, letters: &BTreeSet<char>) -> String {
 }
 
 /// The address of the proof of this title: in the box of the first claim that has it, or on the page of lemmas.
-fn place(context: &Context<'_>, title: &str) -> Option<String> {
+fn place_of(context: &Context<'_>, title: &str) -> Option<String> {
     let entries = &context.ledger.entries;
     if let Some(entry) = entries
         .iter()
@@ -130,7 +178,7 @@ pub(super) fn all(context: &Context<'_>) -> Result<String, Fault> {
         let said = context
             .maths
             .folded(&lettered(&said, &letters(&lemma.steps)))?;
-        let steps = steps(context, &rest)?;
+        let steps = steps(context, &rest, std::iter::empty())?;
         Ok(format!(
             "<div class=\"lemma\"><p id=\"{}\"><strong>{title}.</strong> {said}</p>{steps}</div>",
             escape(&id)

@@ -2,7 +2,7 @@
 
 use super::error::Fault;
 use super::formula_diff;
-use super::rows::in_rows;
+use super::rows::{LAST_ROW, in_rows};
 use super::text::{after_each, escape, scientific, without};
 use crate::notation::{Piece, pieces, plain_formula};
 use crate::trials::{Claim, Paper};
@@ -123,7 +123,7 @@ impl Setter {
             Place::Folded => in_rows(&html),
             Place::Inline | Place::Display => html,
         };
-        let html = with_room(html);
+        let html = with_room(&html);
         Ok((
             html,
             escape(&plain_formula(&latex.replace(formula_diff::MARK, ""))),
@@ -241,6 +241,15 @@ impl Forms {
             let short = plain.chars().count() <= SHORT;
             let ends = short && after.starts_with(['.', ',', ';', ':', '?', '!', ')']);
             let begins = short && out.ends_with('(');
+            // Nor does a line begin with the sign behind a formula in rows.
+            let last = html
+                .rfind(LAST_ROW)
+                .filter(|_| after.starts_with([',', '.', ';', ':']));
+            if let Some(last) = last {
+                let (before, rest) = html.split_at(last);
+                *out += &format!("{before}<mo>{}</mo>{rest}", &after[..1]);
+                return 1;
+            }
             if begins || ends {
                 let bracket = if begins { out.pop() } else { None };
                 let open: String = bracket.into_iter().collect();
@@ -284,14 +293,34 @@ impl Forms {
     }
 }
 
-/// MathML with the names of functions as operators: browsers put room before these.
-fn with_room(html: String) -> String {
-    const FUNCTIONS: [&str; 10] = [
-        "arcsin", "arccos", "cos", "cosh", "cot", "exp", "ln", "sin", "sinh", "tan",
-    ];
-    FUNCTIONS.iter().fold(html, |html, name| {
-        let operator = format!("<mo lspace=\"0.17em\" rspace=\"0em\">{name}</mo>");
-        html.replace(&format!("<mi>{name}</mi>"), &operator)
+/// MathML with the names of functions as operators, and with room before them and before an argument without brackets.
+fn with_room(html: &str) -> String {
+    const APPLY: &str = "<mo>\u{2061}</mo>";
+    after_each(html, APPLY, |part, out| {
+        let name = out
+            .strip_suffix("</mi>")
+            .and_then(|out| Some(out.rsplit_once("<mi>")?.1.to_owned()));
+        if let Some(name) = name {
+            out.truncate(out.len() - name.len() - "<mi></mi>".len());
+            *out += &format!("<mo lspace=\"0.17em\" rspace=\"0em\">{name}</mo>");
+        }
+        // A power stands between the two.
+        let power = part.strip_prefix("</mrow><mn>").and_then(|power| {
+            let end = power.find("</mn></")? + "</mn></".len();
+            Some(power[end..].find('>')? + end + "</mrow><mn>>".len())
+        });
+        let power = power.unwrap_or(0);
+        let mut text = part[power..]
+            .split('>')
+            .filter_map(|text| text.chars().next());
+        *out += &format!("{APPLY}{}", &part[..power]);
+        if text
+            .find(|c| *c != '<')
+            .is_some_and(|c| !"([|{".contains(c))
+        {
+            *out += "<mspace width=\"0.17em\"/>";
+        }
+        *out += &part[power..];
     })
 }
 
@@ -388,6 +417,7 @@ fn write_tag(tag: &str, out: &mut String) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::notation::letters::FUNCTIONS;
 
     #[test]
     fn attributes_come_in_order() {
@@ -414,6 +444,34 @@ mod tests {
             let marked = maths.inline(latex).unwrap();
             let html = maths.forms().with_formulas(&marked);
             assert!(html.contains("padding-left:0.833em"), "{latex}: {html}");
+        }
+    }
+
+    #[test]
+    fn functions_have_room_before_a_bare_argument() {
+        let maths = Maths::new();
+        for name in FUNCTIONS {
+            for (argument, rooms) in [(" ψ", 1), ("² ψ", 1), ("(ψ)", 0), ("²(ψ)", 0)] {
+                let marked = maths.folded(&format!("{name}{argument}")).unwrap();
+                let html = maths.forms().with_formulas(&marked);
+                assert_eq!(html.matches("<mspace").count(), rooms, "{html}");
+                assert!(!html.contains(&format!("<mi>{name}</mi>")), "{html}");
+            }
+        }
+    }
+
+    #[test]
+    fn no_line_begins_with_the_sign_behind_rows() {
+        let maths = Maths::new();
+        let long = "a_x + b_x + c_x + ".repeat(9);
+        for text in [format!("So: {long}d, as stated"), format!("So: {long}d.")] {
+            let marked = maths.folded(&text).unwrap();
+            let html = maths.forms().with_formulas(&marked);
+            let (_, after) = html.rsplit_once("</math>").unwrap();
+            assert!(
+                html.contains("</mtable>") && !after.contains([',', '.']),
+                "{html}"
+            );
         }
     }
 

@@ -7,6 +7,9 @@ const INDENT: f64 = 1.5;
 /// What is left at least for a part between its neighbours in a row.
 const LEAST: f64 = 8.0;
 
+/// Behind the last row.
+pub(super) const LAST_ROW: &str = "</mrow></mtd></mtr></mtable>";
+
 /// A piece of MathML: text, or an element with what stands in its tag.
 #[derive(Debug, Clone, PartialEq)]
 enum Node {

@@ -139,7 +139,10 @@ impl Search {
                 .iter()
                 .map(|phrase| ((*phrase).to_owned(), address.clone()));
             search.exact.extend(exact);
-            search.aliases.insert(address, phrases.join(" "));
+            // One of several words is found by all of them.
+            let mut words = phrases.to_vec();
+            words.retain(|phrase| !phrase.contains(' '));
+            search.aliases.insert(address, words.join(" "));
         }
         for entry in &context.ledger.entries {
             let (claim, verdict) = (entry.claim, entry.judgement.verdict);
@@ -147,11 +150,28 @@ impl Search {
             let placed = |text: String| (text, address.clone());
             let number = claim.equation.map(|n| n.to_string());
             let names = [claim.id.to_owned(), plain_words(&claim.name())];
-            search
-                .exact
-                .extend(number.into_iter().chain(names).map(placed));
+            let title = Some(plain_words(claim.title)).filter(|title| title.contains(' '));
+            let names = number.into_iter().chain(names).chain(title);
+            search.exact.extend(names.map(placed));
+            // A page begins with the section that it is about; another begins with its first claim.
+            let (section, page) = (
+                format!("section {}", claim.section),
+                format!("{}.html#", entry.topic.stem),
+            );
+            let known = |name: &str| {
+                let mut exact = search.exact.iter();
+                exact.any(|(words, at)| words.starts_with(name) && at.starts_with(&page))
+            };
+            if !known(&section) {
+                let place = if known("section ") {
+                    address.clone()
+                } else {
+                    page
+                };
+                search.exact.push((section, place));
+            }
             let number = claim.equation;
-            let number = number.map(|n| format!("eq eq{n} equation {n} ({n}) right true wrong"));
+            let number = number.map(|n| format!("eq eq{n} equation {n} ({n})"));
             let values = claim.values.iter();
             let values = values.filter_map(|value| value.shown().ok());
             search.values.extend(values.map(placed));
@@ -295,9 +315,13 @@ impl Search {
     }
 }
 
-/// What leads to addresses, with the numbers of these; what leads nowhere is left out.
+/// What leads to addresses, with the numbers of these; a page is its first place, and what leads nowhere is left out.
 fn placed<'a>(named: &'a [(String, String)], addresses: &[&str]) -> Vec<(&'a str, usize)> {
-    let place = |address: &String| addresses.iter().position(|a| *a == address.as_str());
+    let place = |address: &String| {
+        let is =
+            |a: &&str| *a == address || address.ends_with('#') && a.starts_with(address.as_str());
+        addresses.iter().position(is)
+    };
     let named = named.iter();
     let named = named.filter_map(|(words, address)| Some((words.as_str(), place(address)?)));
     named.collect()

@@ -40,6 +40,7 @@ fn joined(op: Binary, x: Expr, y: Expr) -> Expr {
         (Binary::Add, Some(n), Some(m)) => whole(n.checked_add(m)),
         (Binary::Sub, Some(n), Some(m)) => whole(n.checked_sub(m)),
         (Binary::Mul, Some(n), Some(m)) => whole(n.checked_mul(m)),
+        (Binary::Div, Some(n), Some(m)) if n.checked_rem(m) == Some(0) => whole(n.checked_div(m)),
         (Binary::Add, Some(0), _) | (Binary::Mul, Some(1), _) => y,
         (Binary::Add | Binary::Sub, _, Some(0))
         | (Binary::Mul | Binary::Div | Binary::Pow, _, Some(1)) => x,
@@ -97,6 +98,7 @@ mod tests {
             (x / int(-2), -(x / int(2))),
             (int(-2) / int(-3), int(2) / int(3)),
             (x / a, x / int(0)),
+            (x * (int(-4) / int(2)), -(x * int(2))),
         ] {
             assert_eq!(folded(formula, &value), expected, "{formula}");
         }

@@ -41,6 +41,8 @@ pub use constant_folding::folded;
 pub use error::ExactError;
 pub use expr::{Binary, Expr, Function, Node};
 pub use polynomial::Polynomial;
+#[cfg(feature = "book")]
+pub(crate) use proof::NORMAL;
 pub use proof::{Obstacle, Proof, Prover, Step};
 pub use rational::Rational;
 pub use recording::tree;

@@ -8,6 +8,7 @@ use super::rational::Rational;
 use super::recording;
 use super::ring::Ring;
 use super::series::Series;
+use crate::notation::letters::{HIGH, large};
 use crate::scalar::Scalar;
 use std::collections::BTreeSet;
 use std::fmt;
@@ -15,9 +16,16 @@ use std::sync::Arc;
 
 /// The longest text of a step in characters: more than that nobody reads.
 const LONGEST: usize = 1000;
+/// The longest normal form that stands beside another formula; twice as long it stands in a step by itself.
+const LINE: usize = 40;
+/// Before the normal form, behind what a step gives.
+pub(crate) const NORMAL: &str = "; in normal form: ";
 
 /// A very long formula up to the last whole term that is read, or its length if not even one is.
-fn shortened(text: &str) -> String {
+fn shortened(text: String) -> String {
+    if text.chars().count() <= LONGEST {
+        return text;
+    }
     let mut depth = 0_i32;
     let mut end = 0;
     for (at, c) in text.char_indices().take(LONGEST) {
@@ -40,7 +48,40 @@ fn shortened(text: &str) -> String {
 /// A formula as a reader sees it: without idle parts, and with one sign in a place.
 fn written(formula: Expr) -> String {
     let text = folded(formula, &|_| None).to_string();
+    let text = text.replace('-', "−");
     text.replace("+ −", "− ").replace("− −", "+ ")
+}
+
+fn length(text: &str) -> usize {
+    text.chars().count()
+}
+
+/// Whether two formulas are the same but for the order.
+fn alike(a: &str, b: &str) -> bool {
+    let sorted = |text: &str| {
+        let mut all: Vec<_> = text.chars().filter(|c| *c != ' ').collect();
+        all.sort_unstable();
+        all
+    };
+    sorted(a) == sorted(b)
+}
+
+/// Whether a sentence ends with a formula, has it before a comma, or is it.
+fn has_said(says: &str, formula: &str) -> bool {
+    let plain = |text: &str| {
+        let one = |c: char| match large(c, HIGH) {
+            Some(digit) => format!("^{digit}"),
+            None => c.to_string(),
+        };
+        let chars = text.chars().filter(|c| *c != ' ');
+        chars.map(one).collect::<String>()
+    };
+    let (says, formula) = (plain(says), plain(formula));
+    let mut sides = says.split('=').skip(usize::from(says.contains('=')));
+    sides.any(|side| {
+        let rest = side.strip_prefix(formula.as_str());
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(','))
+    })
 }
 
 /// One step of a proof.
@@ -50,14 +91,19 @@ pub struct Step {
     pub says: String,
     /// What comes of it, in plain text; empty where a sentence says both.
     pub gives: String,
+    /// The same in the ring's normal form, where this is no help to a reader; else empty.
+    pub normal: String,
 }
 
 impl fmt::Display for Step {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.gives.as_str() {
-            "" => write!(f, "{}", self.says),
-            gives => write!(f, "{}: {gives}", self.says),
+        write!(f, "{}", self.says)?;
+        for (before, text) in [(": ", &self.gives), (NORMAL, &self.normal)] {
+            if !text.is_empty() {
+                write!(f, "{before}{text}")?;
+            }
         }
+        Ok(())
     }
 }
 
@@ -209,6 +255,7 @@ impl Proof {
         Step {
             says: "Shown before".into(),
             gives: self.title.clone(),
+            normal: String::new(),
         }
     }
 
@@ -248,8 +295,8 @@ impl fmt::Display for Proof {
 pub struct Prover<'a> {
     ring: &'a Ring,
     steps: Vec<Step>,
-    /// Elements, with the step that brought each and the formula that stands there for it.
-    brought: Vec<(usize, Rational, String)>,
+    /// Elements, with the step that brought each and the formula that was read for it, if any was.
+    brought: Vec<(usize, Rational, Option<String>)>,
     /// Whether the last of these has not been compared yet.
     bare: bool,
     premises: Vec<Arc<Proof>>,
@@ -265,13 +312,15 @@ impl<'a> Prover<'a> {
 
     /// Writes down a remark: an assumption, the meaning of a symbol, or a result, of which a very long one is shortened.
     pub fn note(&mut self, says: &str, gives: impl Into<String>) {
-        let mut gives = gives.into();
-        if gives.chars().count() > LONGEST {
-            gives = shortened(&gives);
-        }
+        self.write(says, gives.into(), String::new());
+    }
+
+    fn write(&mut self, says: &str, gives: String, normal: String) {
+        let [gives, normal] = [gives, normal].map(shortened);
         self.steps.push(Step {
             says: says.into(),
             gives,
+            normal,
         });
     }
 
@@ -286,15 +335,22 @@ impl<'a> Prover<'a> {
         self.note("To be shown", says);
     }
 
-    /// Writes down an element, and the formula from which it was read if there is one that looks different.
+    /// Writes down an element by the formula from which it was read, if there is one, and by its normal form where that is
+    /// shorter.
     fn bring(&mut self, says: &str, formula: Option<Expr>, x: &Rational) {
         let normal = self.ring.text(x);
-        let formula = formula.map_or_else(|| normal.clone(), written);
-        let gives = match formula == normal {
-            true => normal,
-            false => format!("{formula} = {normal}"),
+        let formula = formula.map(written);
+        let long = length(&normal) > LINE;
+        let (gives, normal) = match &formula {
+            Some(formula) if alike(formula, &normal) => (formula.clone(), String::new()),
+            Some(formula) if has_said(says, formula) && !long => (String::new(), String::new()),
+            Some(formula) if has_said(says, formula) => (String::new(), normal),
+            Some(formula) if long && length(formula) < length(&normal) => (formula.clone(), normal),
+            Some(formula) => (format!("{formula} = {normal}"), String::new()),
+            None if length(&normal) > 2 * LINE => (String::new(), normal),
+            None => (normal, String::new()),
         };
-        self.note(says, gives);
+        self.write(says, gives, normal);
         let step = self.steps.len() - 1;
         self.brought.push((step, x.clone(), formula));
         self.bare = true;
@@ -400,13 +456,13 @@ impl<'a> Prover<'a> {
         Ok(quotient)
     }
 
-    /// Demands that two elements are equal. That a number is itself, or a formula, is no step.
+    /// Demands that two elements are equal, as a sentence says. That a number is itself, or a formula, is no step.
     ///
     /// # Errors
     /// [`Obstacle::NotZero`] with the difference, if they are not.
     pub fn equal(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<(), Obstacle> {
         if self.compare(says, x, y)? {
-            self.note(says, "the two are equal");
+            self.remark(says);
         }
         Ok(())
     }
@@ -419,7 +475,7 @@ impl<'a> Prover<'a> {
         let y = self.ring.read(formula)?;
         let mut brought = self.brought.iter().rev();
         let brought = brought.find(|(_, element, _)| element.is_written_as(x));
-        let left = brought.map_or_else(|| self.ring.text(x), |(.., left)| left.clone());
+        let left = brought.and_then(|(.., left)| left.clone());
         let step = brought.map(|(step, ..)| *step);
         let says = step.and_then(|step| self.steps.get(step));
         let says = says.map_or("So", |step| &step.says).to_owned();
@@ -427,12 +483,20 @@ impl<'a> Prover<'a> {
         if std::mem::take(&mut self.bare) && step.is_some_and(|step| step + 1 == self.steps.len()) {
             self.steps.pop();
         }
-        let mut parts = vec![written(formula)];
-        if left != parts[0] {
-            parts[0] = format!("{left} = {}", parts[0]);
+        let (right, normal) = (written(formula), self.ring.text(x));
+        let folds = left.is_none() && length(&normal) > LINE;
+        let (left, normal) = match (left, folds) {
+            (None, true) => (right.clone(), normal),
+            (left, _) => (left.unwrap_or(normal), String::new()),
+        };
+        let mut gives = match alike(&left, &right) {
+            true => right,
+            false => format!("{left} = {right}"),
+        };
+        if !seen.is_empty() {
+            gives += &format!(", {seen}");
         }
-        parts.extend((!seen.is_empty()).then(|| seen.into()));
-        self.note(&says, parts.join(", "));
+        self.write(&says, gives, normal);
         Ok(())
     }
 
@@ -492,7 +556,7 @@ mod tests {
             (format!("a + b {long}"), "a + b … and 4003 characters more"),
             (long, "an expression of 4002 characters"),
         ] {
-            assert_eq!(shortened(&text), expected);
+            assert_eq!(shortened(text), expected);
         }
     }
 
@@ -566,6 +630,35 @@ mod tests {
         }
     }
 
+    /// By its sentence, or beside it; long in the ring's own form, it stands apart.
+    #[test]
+    fn a_formula_stands_there_once() {
+        let mut ring = Ring::new();
+        ring.angle("δ");
+        let half = Expr::symbol("δ") / Expr::int(2);
+        let steps = |says: &str, formula: Expr| {
+            let proof = Proof::of("t", &ring, |p| p.read(says, formula).map(drop));
+            proof.steps()[0].to_string()
+        };
+        for (says, formula, step) in [
+            ("t = tan(δ/2), then small", half.tan(), ""),
+            ("t² = tan(δ/2)²", half.tan().squared(), ""),
+            ("tan(δ/2)", half.tan(), ""),
+            ("t = tan(δ/2) + 1", half.tan(), ": tan(δ/2)"),
+            ("Four", Expr::int(8) / Expr::int(2), ": 4"),
+            ("It", -Expr::int(1), ": −1"),
+            (
+                "The sine",
+                half.sin() + Expr::symbol("δ").sin(),
+                ": sin(δ/2) + sin(δ); in normal form: ",
+            ),
+        ] {
+            let found = steps(says, formula);
+            assert!(found.starts_with(&format!("{says}{step}")), "{found}");
+            assert_eq!(found.contains(NORMAL), step.contains(NORMAL), "{found}");
+        }
+    }
+
     /// The formula stands beside what it is compared with, in the step that brought this or in one more.
     #[test]
     fn what_is_the_same_is_one_step() {
@@ -585,7 +678,7 @@ mod tests {
             steps,
             [
                 "A square: (x + 2)^2 = x^2 + (x + 1) 4",
-                "A square: (x + 2)^2 = (2 + x)^2, not negative",
+                "A square: (2 + x)^2, not negative",
                 "Its slope: 2 (x + 2) = 2 x + 4",
                 "So: 4 (x^2 + 4 x + 4) = 4 (x + 2)^2",
             ]

@@ -43,7 +43,7 @@ pub(super) const ACCENTS: &[(&str, char)] = &[
 ];
 
 /// Functions by their names, which are LaTeX's too.
-pub(super) const FUNCTIONS: &[&str] = &[
+pub(crate) const FUNCTIONS: &[&str] = &[
     "sin", "cos", "tan", "cot", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "coth",
     "exp", "ln", "min", "max",
 ];

@@ -61,7 +61,7 @@ fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
             ),
         )?;
         p.note("So, for λ < 1", "v_x grows beyond all bounds");
-        let square = p.read("v_y²", vy.squared())?;
+        let square = p.read("The square of v_y", vy.squared())?;
         let fall = p.derivative("Its rate", &square, &newton.motion)?;
         p.reads_as(
             &fall,

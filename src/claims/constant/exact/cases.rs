@@ -20,9 +20,9 @@ fn component(
     let expected = p.derivative("Its rate by (1)", &component, &newton.motion)?;
     let value = p.read("As printed", printed)?;
     let rate = p.slope("The rate of that", &value, "t")?;
-    p.equal("Rate by (1) against printed rate", &expected, &rate)?;
+    p.equal("The rate by (1) is the printed one", &expected, &rate)?;
     let at_start = p.read("At t = 0", printed.with("t", Expr::int(0)))?;
-    p.equal("Against the start", &at_start, &p.ring().read(start)?)
+    p.equal("It is the start", &at_start, &p.ring().read(start)?)
 }
 
 pub const EQ15: Statement = by_newton(Printed, eq15, |printed| {
@@ -60,8 +60,8 @@ pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Ob
         * (half0.sin().squared() * (Expr::int(1) - r.squared()) / two
             - half0.cos().squared() * r.ln());
     let time = p.read("The time at angle θ is", time)?;
-    let rate = p.slope("for its derivative", &time, "θ")?;
-    p.equal("is dt/dθ by (1)", &rate, &newton.time_rate(&read)?)?;
+    let rate = p.slope("Its derivative", &time, "θ")?;
+    p.equal("That is dt/dθ by (1)", &rate, &newton.time_rate(&read)?)?;
     p.note(
         "For θ → 0 it grows beyond bounds",
         "−ln tan(θ/2) → ∞, all else stays finite",
@@ -97,7 +97,10 @@ pub const EQ20: Statement = by_newton(Printed, paper::eq20_stop_time::tree, |pri
         |p, newton| {
             given(p, &[&EQ11, &EQ13])?;
             let speed = p.read("The speed by (11)", paper::eq11_speed::tree())?;
-            p.zero("For θ → 0 the speed", &newton.at_zero_angle(&speed)?)?;
+            p.zero(
+                "For θ → 0 the speed goes to 0",
+                &newton.at_zero_angle(&speed)?,
+            )?;
             let time = p.read("The time by (13)", paper::eq13_time::tree())?;
             let stop = newton.at_zero_angle(&time)?;
             p.note("For θ → 0", p.ring().text(&stop));

@@ -10,7 +10,7 @@ fn component_rate(title: &str, says: &str, component: Expr, printed: Expr) -> Pr
         let component = p.read(says, component)?;
         let rate = p.derivative("Its rate by (1)", &component, &newton.motion)?;
         let printed = p.read("The printed rate", printed)?;
-        p.equal("Rate by (1) against printed rate", &rate, &printed)
+        p.equal("The rate by (1) is the printed one", &rate, &printed)
     })
 }
 
@@ -45,7 +45,7 @@ pub const EQ8: Statement = by_newton(Printed, paper::eq8_hodograph_slope::tree, 
             let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
             let slope = p.quotient("Their quotient", &y, &x)?;
             let printed = p.read("The printed slope", printed)?;
-            p.equal("Quotient against printed slope", &slope, &printed)
+            p.equal("The quotient is the printed slope", &slope, &printed)
         },
     )
 });
@@ -60,7 +60,7 @@ pub const EQ9: Statement = by_newton(Within, paper::eq9_log_speed_rate::tree, |p
     prove("(9): (dv/v)/dθ", Regime::AnyAngle, |p, newton| {
         let rate = log_speed_rate(p, newton)?;
         let printed = p.read("The printed rate", printed)?;
-        p.equal("Rate by (1) against printed rate", &rate, &printed)
+        p.equal("The rate by (1) is the printed one", &rate, &printed)
     })
 });
 
@@ -82,7 +82,7 @@ pub(super) fn constant_of_motion(
         return Err(Obstacle::NotZero { says, normal_form });
     }
     let rate = p.derivative("Its rate by (1)", &value, &newton.motion)?;
-    p.zero("The rate", &rate)
+    p.zero("The rate is 0", &rate)
 }
 
 pub const EQ10: Statement = by_newton(Within, paper::eq10_invariant::tree, |printed| {
@@ -99,9 +99,9 @@ pub const EQ11: Statement = by_newton(Within, paper::eq11_speed::tree, |printed|
         let speed = p.read("The printed speed", printed)?;
         let slope = p.slope("Its derivative with respect to θ", &speed, "θ")?;
         let rate = p.quotient("Divided by itself", &slope, &speed)?;
-        p.equal("Against (dv/v)/dθ by (1)", &rate, &expected)?;
+        p.equal("It is (dv/v)/dθ by (1)", &rate, &expected)?;
         let start = p.read("At θ = θ₀", at_start(printed))?;
-        p.equal("Against v₀", &start, &p.ring().named("v₀")?)
+        p.equal("It is v₀", &start, &p.ring().named("v₀")?)
     })
 });
 
@@ -133,7 +133,7 @@ pub const EQ12: Statement = by_newton(Within, eq12, |printed| {
         p.note("A dt/dθ by (1), with that speed", p.ring().text(&rate));
         p.read("D, the derivative of tan(θ/2)^λ", Expr::symbol("D"))?;
         let printed = p.read("The printed rate", printed)?;
-        p.equal("Rate by (1) against printed rate", &rate, &printed)
+        p.equal("The rate by (1) is the printed one", &rate, &printed)
     })
 });
 
@@ -145,9 +145,9 @@ pub const EQ13: Statement = by_newton(Within, paper::eq13_time::tree, |printed| 
         p.note("dt/dθ by (1), with that speed", p.ring().text(&expected));
         let time = p.read("The printed time", printed)?;
         let rate = p.slope("Its derivative with respect to θ", &time, "θ")?;
-        p.equal("Against dt/dθ by (1)", &rate, &expected)?;
+        p.equal("It is dt/dθ by (1)", &rate, &expected)?;
         let start = p.read("At θ = θ₀", at_start(printed))?;
-        p.zero("The printed time at the start", &start)
+        p.zero("The printed time is 0 at the start", &start)
     })
 });
 

@@ -161,7 +161,7 @@ fn first(p: &mut Prover<'_>) -> Result<[Vec<Rational>; 3], Obstacle> {
     p.note("First order of dδ/dτ, which must vanish", ring.text(&last));
     let amplitude = p.read("Its positive root q", corrected::amplitude::<Expr>())?;
     let known = [(ring.named("q")?, amplitude)];
-    p.zero("With that", &put(ring, &last, &known)?)?;
+    p.zero("With that it vanishes", &put(ring, &last, &known)?)?;
     for series in &mut ansatz {
         for c in series {
             *c = put(ring, &put(ring, c, &solved)?, &known)?;
@@ -214,7 +214,7 @@ fn solve(p: &mut Prover<'_>) -> Result<Late, Obstacle> {
     for k in 0..=ORDER {
         for left in at_order(ring, &own, k)? {
             p.zero(
-                &format!("An equation of motion with these, at the order {k}"),
+                &format!("An equation of motion holds with these at the order {k}"),
                 &left,
             )?;
         }
@@ -296,7 +296,7 @@ pub fn agree(
     let at = |series: &Series, k| series.coefficient(k).ok_or(Obstacle::Empty);
     for k in law.start().min(first)..=first + 1 {
         p.equal(
-            &format!("The two at the order z^{k}"),
+            &format!("The two agree at the order z^{k}"),
             &at(law, k)?,
             &at(quantity, k)?,
         )?;
@@ -308,7 +308,11 @@ pub fn agree(
     if logarithm {
         let by = ring.by("L")?;
         let slope = |series| Ok::<_, Obstacle>(ring.derivative(&at(series, first + 2)?, &by)?);
-        p.equal("The two beside (ln τ)/τ", &slope(law)?, &slope(quantity)?)?;
+        p.equal(
+            "The two agree beside (ln τ)/τ",
+            &slope(law)?,
+            &slope(quantity)?,
+        )?;
     }
     Ok(())
 }

@@ -287,7 +287,11 @@ fn alpha_grows(beyond: Beyond) -> Proof {
         let weight = p.read("p (p − ℓ)²", speed * (speed - ell).squared())?;
         let size = rho.squared() - speed.squared();
         let square = p.read("(A² − ξ²)²", (size - xi.squared()).squared())?;
-        p.equal("It times that", &(&rate * &weight), &square)?;
+        p.equal(
+            "That is the product of the two before",
+            &(&rate * &weight),
+            &square,
+        )?;
         p.note(
             "If ξ stayed bounded",
             "p would stay between two multiples of τ, and ρ below one; A², which grows at the rate 2p, would exceed a multiple of τ². As |p − ℓ| ≤ p + ρ, dξ/dτ would exceed a multiple of τ, and ξ would grow without end, a contradiction",

@@ -1,6 +1,6 @@
 //! Every motion that begins with p < ρ and A > 1 ends on the spiral: theorems about (128) to (137) as corrected.
 //!
-//! With δ = π/2 − ψ and t = tan(δ/2), the numbers N = cosh α/(2At) and P = 1/(t² (e^(4α) − 1)) change in the time θ, for which
+//! With δ = π/2 − ψ and t = tan(δ/2), the numbers N = cosh α/(2 A t) and P = 1/(t² (e^(4α) − 1)) change in the time θ, for which
 //! dθ = 2t dτ, as prey and predator do:
 //!
 //! dN/dθ = N (2 − 2N − P),  dP/dθ = P (4N − 2 − 2P),
@@ -256,10 +256,14 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let clock = p.ring().read(int(2) * t)?;
     let slower = p.quotient("dt/dθ", &rate, &clock)?;
     let stated = p.read("−t (1 − (1 − t²) P)", fall(predator, t))?;
-    p.equal("With P = 1/(t² (exp(4α) − 1)), the two", &slower, &stated)?;
+    p.equal(
+        "With P = 1/(t² (exp(4α) − 1)), the two are equal",
+        &slower,
+        &stated,
+    )?;
     let logarithmic = found.rates_at(own);
     let species = [
-        ("N = cosh α/(2At)", n, logarithmic[0]),
+        ("N = cosh α/(2 A t)", n, logarithmic[0]),
         ("P", predator, logarithmic[1]),
     ];
     for (name, formula, stated) in species {
@@ -333,7 +337,7 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     )?;
     p.identity(("1 − (1 + t² P) k", last), ("", k * (t.squared() - little)))?;
     p.note(
-        "In the brackets 1, N and P have the factors 1 − kh, 1 − h, t², 1 − (1 + t² P) k and t² P = 1/(exp(4α) − 1)",
+        "In the brackets 1, N and P have the factors 1 − k h, 1 − h, t², 1 − (1 + t² P) k and t² P = 1/(exp(4α) − 1)",
         "all of them go to 0: let η be the largest of their sizes",
     );
     p.note(
@@ -503,7 +507,7 @@ fn spiral(found: Species) -> Proof {
         "Every escape as prey and predator, which settle",
         ring(),
         |p| {
-            p.shows("From every start with p < ρ and A > 1, with t = tan(π/4 − ψ/2): N = cosh α/(2At) → 3/4, P = 1/(t² (exp(4α) − 1)) → 1/2, and 1/t is τ − (3√2/4) ln τ + o(ln τ). In the laboratory the angle less √2 ln τ converges.");
+            p.shows("From every start with p < ρ and A > 1, with t = tan(π/4 − ψ/2): N = cosh α/(2 A t) → 3/4, P = 1/(t² (exp(4α) − 1)) → 1/2, and 1/t is τ − (3√2/4) ln τ + o(ln τ). In the laboratory the angle less √2 ln τ converges.");
             moves(p, &found)?;
             settles(p, &found)?;
             falls_behind(p, &found)?;
@@ -529,7 +533,7 @@ fn after(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle
         comes(p)?;
         p.note(
             "From there",
-            "t = tan(π/4 − ψ/2), N = cosh α/(2At), P = 1/(t² (exp(4α) − 1)), h = tanh α; N → 3/4, P → 1/2, h → 1, up to the order of t; 1/t = τ − κ ln τ + o(ln τ) with κ = 3√2/4",
+            "t = tan(π/4 − ψ/2), N = cosh α/(2 A t), P = 1/(t² (exp(4α) − 1)), h = tanh α; N → 3/4, P → 1/2, h → 1, up to the order of t; 1/t = τ − κ ln τ + o(ln τ) with κ = 3√2/4",
         );
         steps(p)
     })
@@ -569,7 +573,7 @@ fn in_its_time(p: &mut Prover<'_>, law: Expr) -> Result<(), Obstacle> {
     let slope = p.slope("The rate of that", &start, "τ")?;
     let shift = p.read("κ ln τ", corrected::delay::<Expr>() * Expr::symbol("L"))?;
     let later = start - slope * shift;
-    p.equal("The law and its first term at τ − κ ln τ", &stated, &later)?;
+    p.equal("The law is its first term at τ − κ ln τ", &stated, &later)?;
     p.remark("What is of the order of t beside 1 is of the order of 1/τ, and so less than (ln τ)/τ by any factor in the end; so are the square of (ln τ)/τ, and over τ what 1/t has beside τ − κ ln τ");
     Ok(())
 }
@@ -701,11 +705,8 @@ fn eq133(law: Expr) -> Proof {
 fn eq134(law: Expr) -> Proof {
     after("(134) in every escape", |p| {
         p.note("t = tan(δ/2) → 0", "δ is 2t, up to the order of t³");
-        let half_lag = p.read(
-            "Half the law's first term, times τ",
-            first(law) * tau() / int(2),
-        )?;
-        p.reads_as(&half_lag, "as tτ in the limit", int(1))?;
+        let lag = p.read("The law's first term", first(law))?;
+        p.reads_as(&lag, "as 2t in the limit, where tτ is 1", int(2) / tau())?;
         in_its_time(p, law)
     })
 }

@@ -161,7 +161,7 @@ fn left_side(p: &mut Prover<'_>, left: Expr) -> Result<(), Obstacle> {
     let limit = inwards(p)?;
     let left = p.read("Left side", left)?;
     p.equal(
-        "Against the slope times the limit",
+        "It is the slope times the limit",
         &left,
         &(limit * p.ring().named("slope")?),
     )
@@ -242,8 +242,12 @@ fn eq143(formula: Expr) -> Proof {
         p.zero("It has no term without ε", &order(&slope, 0)?)?;
         let linear = k * psi - Expr::int(2) * k * alpha;
         let linear = near(p, "With k = σ/(1 − σ), kψ − 2kα", linear, 2)?;
-        p.equal("The first terms", &order(&slope, 1)?, &order(&linear, 1)?)?;
-        p.zero("Its second term", &order(&slope, 2)?)?;
+        p.equal(
+            "The first terms are equal",
+            &order(&slope, 1)?,
+            &order(&linear, 1)?,
+        )?;
+        p.zero("Its second term is 0", &order(&slope, 2)?)?;
         p.note(
             "Both being analytic in α and ψ",
             "α dψ/dα = kψ − 2kα + R with |R| ≤ C (α + |ψ|)³, as A − σ is of the order of α²",

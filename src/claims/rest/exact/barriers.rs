@@ -101,7 +101,7 @@ fn surface(formula: Expr) -> Proof {
         let small = Series::monomial(Rational::int(1), 1, boundary::ENOUGH);
         let a = p.expand("P", formula, &[("α", &small)], ("α", 2))?;
         let left = imbalance(p.ring(), &a)?;
-        p.zero("R at the order α^0", &order(&left, 0)?)?;
+        p.zero("R has no term of the order α^0", &order(&left, 0)?)?;
         p.note(
             "Nor has R a term of the order α, as shown before",
             "its coefficients as a series in α are polynomials in cos(ψ/2) and sin(ψ/2), so that |R| ≤ Cα² for all ψ, with a constant C",

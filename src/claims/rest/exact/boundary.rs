@@ -111,7 +111,7 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
     for k in 0..ORDER {
         let left = left.coefficient(k).ok_or(Obstacle::Empty)?;
         p.zero(
-            &format!("With these, the equation at the order α^{k}"),
+            &format!("With these, the equation holds at the order α^{k}"),
             &left,
         )?;
     }
@@ -147,7 +147,11 @@ pub(super) fn agrees(
     for k in 0..=order {
         let [stated, found] =
             [&stated, a].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
-        p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
+        p.equal(
+            &format!("It agrees with A at the order α^{k}"),
+            &stated?,
+            &found?,
+        )?;
     }
     Ok(())
 }

@@ -26,7 +26,11 @@ pub(super) fn where_it_is(p: &mut Prover<'_>, formula: Expr, y: Rational) -> Res
     for k in 0..=ORDER {
         let [stated, found] =
             [&stated, &there].map(|series| series.coefficient(k).ok_or(Obstacle::Empty));
-        p.equal(&format!("Against A at the order α^{k}"), &stated?, &found?)?;
+        p.equal(
+            &format!("It agrees with A at the order α^{k}"),
+            &stated?,
+            &found?,
+        )?;
     }
     Ok(())
 }

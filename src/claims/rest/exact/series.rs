@@ -147,7 +147,7 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
         for k in 0..ORDER {
             let left = left.coefficient(k).ok_or(Obstacle::Empty)?;
             p.zero(
-                &format!("{says} with these series, at the order {k}"),
+                &format!("{says} holds with these series at the order {k}"),
                 &left,
             )?;
         }
@@ -182,7 +182,7 @@ fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
 pub fn eq140(formula: Expr) -> Proof {
     from_series("(140): dα/dτ near rest", |p, [_, _, rate]| {
         let stated = p.read("(140)", formula)?;
-        p.equal("Against the first term of dα/dτ", &order(rate, 0)?, &stated)
+        p.equal("It is the first term of dα/dτ", &order(rate, 0)?, &stated)
     })
 }
 
@@ -203,7 +203,7 @@ pub fn eq141(formula: Expr) -> Proof {
         let stated = p.expand("(141) with that", formula, &[("τ", &time)], ("α", ORDER))?;
         p.zero("It has no term without α", &order(&stated, 0)?)?;
         p.equal(
-            "Its first term against α",
+            "Its first term is α",
             &order(&stated, 1)?,
             &Rational::int(1),
         )
@@ -234,7 +234,7 @@ fn first_terms(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
 fn left_side(p: &mut Prover<'_>, rate: &Series, left: Expr) -> Result<(), Obstacle> {
     let product = order(rate, 0)? * p.ring().named("slope")?;
     let left = p.read("Left side", left)?;
-    p.equal("Against the slope times dα/dτ", &left, &product)
+    p.equal("It is the slope times dα/dτ", &left, &product)
 }
 
 /// (142): its two sides are the first terms of dψ/dα dα/dτ and of dψ/dτ.
@@ -245,7 +245,11 @@ pub fn eq142([left, right]: [Expr; 2]) -> Proof {
         let psi = Series::monomial(p.ring().named("y")?, 1, ENOUGH);
         let values = [("α", &small()), ("ψ", &psi)];
         let right = p.expand("Right side", right, &values, ("α", 1))?;
-        p.equal("Against dψ/dτ", &order(&right, 0)?, &order(&turning, 0)?)
+        p.equal(
+            "It is that of dψ/dτ",
+            &order(&right, 0)?,
+            &order(&turning, 0)?,
+        )
     })
 }
 
@@ -256,7 +260,7 @@ pub fn eq144([left, right]: [Expr; 2]) -> Proof {
         left_side(p, &rate, left)?;
         let right = p.expand("Right side", right, &[("α", &small())], ("α", 1))?;
         for k in [0, 1] {
-            let says = format!("Against dA/dτ at the order {k}");
+            let says = format!("It agrees with dA/dτ at the order {k}");
             p.equal(&says, &order(&right, k)?, &order(&growth, k)?)?;
         }
         Ok(())
@@ -275,7 +279,7 @@ pub fn eq143(formula: Expr) -> Proof {
         let first = ring.put(&order(psi, 1)?, &[(&ring.named("ζ")?, &zeta)])?;
         let stated = p.read("(143)", formula)?;
         p.equal(
-            "Against the first term of ψ",
+            "It is the first term of ψ",
             &stated,
             &(first * ring.named("α")?),
         )
@@ -287,7 +291,7 @@ pub fn eq145(formula: Expr) -> Proof {
     from_series("(145): A near rest", |p, [_, a, _]| {
         let stated = p.expand("(145)", formula, &[("α", &small())], ("α", 3))?;
         for k in 0..=2 {
-            let says = format!("Against A at the order {k}");
+            let says = format!("It agrees with A at the order {k}");
             p.equal(&says, &order(&stated, k)?, &order(a, k)?)?;
         }
         Ok(())

@@ -38,7 +38,7 @@ pub fn prove(formula: Expr) -> Proof {
         p.zero("It has no term of the order α", &order(&a, 1)?)?;
         let left = imbalance(ring, &a)?;
         p.zero(
-            "dA/dτ less ∂A/∂α dα/dτ and ∂A/∂ψ dψ/dτ, by (113) to (115), at the order α",
+            "dA/dτ less ∂A/∂α dα/dτ and ∂A/∂ψ dψ/dτ, by (113) to (115), is 0 at the order α",
             &order(&left, 1)?,
         )?;
         let level = ring.half_tangent("ψ")?;

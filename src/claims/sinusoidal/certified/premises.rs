@@ -13,12 +13,12 @@ pub fn phases(printed: [Expr; 3], left: Expr) -> Proof {
         for ((name, printed), ours) in names.into_iter().zip(printed).zip(by_phi1(beta)) {
             let printed = p.read(name, printed)?;
             let ours = p.ring().read(ours)?;
-            p.equal("It, with λ₀ = sin β", &printed, &ours)?;
+            p.equal("With λ₀ = sin β it is that", &printed, &ours)?;
         }
         let left = p.read("The left side of (32)", left.with("φ₁", beta))?;
         let slope = p.slope("Its slope by φ", &left, "φ")?;
         let stated = p.ring().read(phi.sin() - lambda0)?;
-        p.equal("The slope and sin φ − λ₀", &slope, &stated)
+        p.equal("The slope is sin φ − λ₀", &slope, &stated)
     })
 }
 
@@ -44,7 +44,10 @@ pub fn vanishing(f: Expr, order: usize) -> Proof {
         let series = p.expand("In powers of b", f, &[("b", &b)], ("b", last + 1))?;
         for k in 0..last {
             let coefficient = series.coefficient(k).ok_or(Obstacle::Empty)?;
-            p.zero(&format!("The coefficient of the power {k}"), &coefficient)?;
+            p.zero(
+                &format!("The coefficient of the power {k} is 0"),
+                &coefficient,
+            )?;
         }
         Ok(())
     })

@@ -107,9 +107,9 @@ fn rates(
         for ((axis, q), printed) in AXES.iter().zip(quantity).zip(printed) {
             let q = p.read(&format!("The quantity {axis}"), q)?;
             let rate = p.derivative("Its rate", &q, &body.motion)?;
-            let factor = p.read("times", factor)?;
+            let factor = p.read("The factor", factor)?;
             let printed = p.read(&format!("Printed {axis}"), printed)?;
-            p.equal("Rate against printed rate", &(rate * factor), &printed)?;
+            p.equal("The rate is the printed one", &(rate * factor), &printed)?;
         }
         Ok(())
     })
@@ -332,7 +332,7 @@ pub const EQ79: Vectorial = Vectorial::new(
                 let printed = p.read(&format!("Printed {axis}"), printed)?;
                 let rate =
                     p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
-                p.equal("The two rates", &own, &rate)?;
+                p.equal("The two rates are equal", &own, &rate)?;
             }
             upright(p, rho_rate()[2])?;
             upright(p, along_z)
@@ -401,7 +401,7 @@ pub const EQ69: Vectorial = Vectorial::new(
                     let u = p.read(&format!("u {axis}"), u)?;
                     let rate = p.derivative("du/dt", &u, &body.motion)?;
                     let stated = p.read("(74)", stated)?;
-                    p.equal("du/dt against (74) times dτ/dt", &rate, &(stated * &clock))?;
+                    p.equal("du/dt is (74) times dτ/dt", &rate, &(stated * &clock))?;
                 }
                 Ok(())
             },
@@ -517,12 +517,12 @@ pub const S3_SPIN_CONSTANT: Vectorial = Vectorial::new(
                 let rate = p.derivative("Its rate", &spin, &body.motion)?;
                 for stated in stated {
                     let stated = p.read("Stated", stated)?;
-                    p.equal("Rate against stated rate", &rate, &stated)?;
+                    p.equal("The rate is the stated one", &rate, &stated)?;
                 }
                 for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
                     let q = p.read("Of", q)?;
-                    let rate = p.derivative("the rate", &q, &body.motion)?;
-                    let slope = p.slope("has with respect to ω_z the slope", &rate, "ω_z")?;
+                    let rate = p.derivative("The rate", &q, &body.motion)?;
+                    let slope = p.slope("Its slope by ω_z", &rate, "ω_z")?;
                     p.reads_as(&slope, "", Expr::int(0))?;
                 }
                 Ok(())

@@ -135,13 +135,13 @@ pub const EQ60: Vectorial = Vectorial::new(
             for i in 0..3 {
                 p.note("Σ r × (m/6) d²r/dt²", p.ring().text(&spin_rate[i]));
                 p.equal(
-                    &format!("is I α {}", AXES[i]),
+                    &format!("That is I α {}", AXES[i]),
                     &spin_rate[i],
                     &(&inertia * &alpha[i]),
                 )?;
                 let printed = p.read(&format!("Printed {}", AXES[i]), printed[i])?;
                 p.equal(
-                    "Torque of F, N and the inertial forces against it",
+                    "It is the torque of F, N and the inertial forces",
                     &torque[i],
                     &printed,
                 )?;

@@ -96,7 +96,7 @@ pub const EQ102: Vectorial = Vectorial::new(
             let rate = p.derivative("dρ/dτ by (89)", &rho, &setting.motion)?;
             for formula in printed {
                 let printed = p.read("A printed expression", formula)?;
-                p.equal("Against ρ dρ/dτ", &printed, &(&rho * &rate))?;
+                p.equal("It is ρ dρ/dτ", &printed, &(&rho * &rate))?;
             }
             Ok(())
         })

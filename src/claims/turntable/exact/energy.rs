@@ -22,7 +22,7 @@ pub const EQ103: Vectorial = Vectorial::new(
                 let energy = p.read("The printed energy", printed[0])?;
                 let rate = p.derivative("Its rate by (89)", &energy, &setting.motion)?;
                 let printed = p.read("The printed rate", printed[1])?;
-                p.equal("Rate by (89) against printed rate", &rate, &printed)
+                p.equal("The rate by (89) is the printed one", &rate, &printed)
             },
         )
     },
@@ -38,7 +38,7 @@ fn keeps_its_value(title: &str, setting: Result<Setting, ExactError>, formula: &
             return p.equal("It must depend on s", &slope, &Rational::int(1));
         }
         let rate = p.derivative("Its rate along the motion", &value, &setting.motion)?;
-        p.zero("The rate", &rate)
+        p.zero("The rate is 0", &rate)
     })
 }
 
@@ -115,6 +115,6 @@ fn prove_works(work: Vec<Expr>) -> Proof {
         let friction = p.read("The power of friction", rough - smooth)?;
         let work = p.read("The work along the way s", work[0])?;
         let rate = p.derivative("Its rate", &work, &setting.motion)?;
-        p.equal("Against the power of friction", &rate, &friction)
+        p.equal("It is the power of friction", &rate, &friction)
     })
 }

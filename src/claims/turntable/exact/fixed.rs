@@ -41,11 +41,7 @@ fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstac
     // q lies between −π/2 and π/2, where the cosine is the positive root.
     let double = Expr::int(2) * Expr::symbol("α");
     let cosine = p.read("The cosine of q", Expr::int(1) / double.cosh())?;
-    p.equal(
-        "Its square against 1 − sin² q",
-        &(&cosine * &cosine),
-        &squared,
-    )?;
+    p.equal("Its square is 1 − sin² q", &(&cosine * &cosine), &squared)?;
     let tangent = p.quotient("tan(q/2) = sin q/(1 + cos q)", &sine, &(&one + &cosine))?;
     let value = ring.put(
         &ring.normal(&value),
@@ -64,7 +60,7 @@ fn prove_zero(printed: Vec<Expr>) -> Proof {
     let title = "(115) is zero at a quasi-fixed point";
     prove(title, Setting::fixed(), |p, _| {
         let rate = at_angle(p, paper::eq115_psi_rate::tree(), printed[0])?;
-        p.zero("dψ/dτ", &rate)
+        p.zero("dψ/dτ is 0", &rate)
     })
 }
 
@@ -94,10 +90,10 @@ fn prove_slope(printed: Vec<Expr>) -> Proof {
         for (name, angle, sign) in [("ψ₁", angles[0], -1), ("ψ₂", angles[1], 1)] {
             p.note("At", name);
             let rate = at_angle(p, printed[0], angle)?;
-            p.zero("dψ/dτ there", &rate)?;
+            p.zero("There dψ/dτ is 0", &rate)?;
             let value = at_angle(p, tree, angle)?;
             let rate = p.read("The rate expected", Expr::int(sign) * expected)?;
-            p.equal("Slope against that", &value, &rate)?;
+            p.equal("The slope is that", &value, &rate)?;
         }
         p.note("Sign", "sinh 2α > 0 for α > 0: ψ₁ attracts, ψ₂ repels");
         Ok(())

@@ -58,7 +58,7 @@ fn prove_eq86(printed: Vec<Expr>) -> Proof {
             let acceleration = p.derivative("The rate of that", &velocity, &motion)?;
             let force = p.read("The friction per mass", force)?;
             p.equal(
-                "Acceleration in the laboratory against friction",
+                "The acceleration in the laboratory is that by friction",
                 &acceleration,
                 &force,
             )?;
@@ -124,7 +124,7 @@ fn without_dimensions(title: &str, position: &[Expr], time: Expr, rates: &[Expr]
             let second = p.quotient("In τ", &second, &clock)?;
             let formula = put_vectors(*formula, state);
             let formula = p.read("(89), with (87) and (88) put in", formula)?;
-            p.equal("Second rate by (86) against (89)", &second, &formula)?;
+            p.equal("The second rate by (86) is that of (89)", &second, &formula)?;
         }
         Ok(())
     })
@@ -174,7 +174,7 @@ fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational
     prove(title, Setting::cartesian(), |p, setting| {
         let left = left(elements(p, setting)?);
         let printed = p.read("The printed right-hand side", printed[0])?;
-        p.equal("Against the left-hand side", &printed, &left)
+        p.equal("It is the left-hand side", &printed, &left)
     })
 }
 
@@ -222,7 +222,7 @@ fn prove_mirror(printed: Vec<Expr>) -> Proof {
         for (formula, mirrored) in printed.iter().zip([ax, -ay]) {
             let image = put_vectors(*formula, [[x, -y], [u, -v]]).with("Ω", -Expr::symbol("Ω"));
             let image = p.read("(86) with −Ω, at the mirrored state", image)?;
-            p.equal("Against the mirrored acceleration", &image, &mirrored)?;
+            p.equal("It is the mirrored acceleration", &image, &mirrored)?;
         }
         Ok(())
     })

@@ -51,7 +51,7 @@ fn half_exponential(p: &mut Prover<'_>, alpha: &Rational) -> Result<Rational, Ob
             if ring.is_zero(&(alpha - &known))? {
                 let zeta = Expr::symbol("ζ").pow(Expr::int(k));
                 let half = (beta / Expr::int(2)).exp().pow(Expr::int(n));
-                p.note("α, in terms of iπ/2 and β", format!("{k} iπ/2 + {n} β"));
+                p.remark(&format!("α is {k} times iπ/2 and {n} times β"));
                 return p.read(
                     "exp(α/2), by Euler's formula with ζ = exp(iπ/4)",
                     zeta * half,
