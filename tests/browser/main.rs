@@ -37,7 +37,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 30] = [
+const TESTS: [(&str, Test); 31] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -83,6 +83,7 @@ const TESTS: [(&str, Test); 30] = [
     ("a_phone_shows_all", measures::phone),
     ("paper_holds_the_errata", measures::paper),
     ("nothing_on_paper_is_too_small_to_read", paper::sizes),
+    ("nothing_lies_over_the_sheets", paper::sheets),
     ("what_one_points_at_is_said", measures::cards),
     ("pages_are_accessible", access::pages),
     ("themes_are_accessible", access::themes),

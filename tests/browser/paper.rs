@@ -56,6 +56,11 @@ pub fn sizes(page: &mut Page, book: &Book) -> Result<(), Failure> {
                     const [own, room] = [formula, formula.closest('.katex-display, .claim-words, .says, li, p, td, div')].map(box => box.getBoundingClientRect().width);
                     if (own > 1.03 * room) found.push(`${words.slice(0, 60)} is ${own.toFixed(0)} wide and has ${room.toFixed(0)}`);
                 });
+                // What is fixed would lie on every sheet.
+                document.querySelectorAll('body *').forEach(part => {
+                    const place = getComputedStyle(part).position;
+                    if (['fixed', 'sticky'].includes(place) && part.checkVisibility()) found.push(`${place}: ${part.className} ${part.textContent.slice(0, 60)}`);
+                });
                 const width = document.documentElement.scrollWidth;
                 if (width > innerWidth) found.push(`it is ${width} wide`);
                 if (count < 20) found.push(`only ${count} words`);
@@ -64,6 +69,35 @@ pub fn sizes(page: &mut Page, book: &Book) -> Result<(), Failure> {
         )?;
         wrong.extend(found.into_iter().map(|words| format!("{name}: {words}")));
         page.call("Emulation.setEmulatedMedia", json!({ "media": "" }))?;
+    }
+    none(wrong)
+}
+
+/// What a printer gets can be read, and no words stand at the same place on most of its sheets, but in the foot, as what lies over
+/// all of them would.
+pub fn sheets(page: &mut Page, book: &Book) -> Result<(), Failure> {
+    let mut wrong = Vec::new();
+    for name in ["errata", "ledger", "constant", "rest"] {
+        page.open(&book.address(&format!("{name}.html")))?;
+        let printed = page.call("Page.printToPDF", json!({ "preferCSSPageSize": true }))?;
+        let data = printed["data"].as_str().ok_or("nothing is printed")?;
+        let found = page.texts(&format!(
+            "({})('{data}').then(sheets => {{
+                const bare = words => words.replace(/\\s/g, ''), found = [], places = {{}};
+                const title = bare(document.querySelector('h1').textContent);
+                if (sheets.length < 4 || !bare(sheets[0].map(([words]) => words).join('')).includes(title)) found.push(`${{sheets.length}} sheets without ${{title}}`);
+                for (const [words, place] of sheets.flat()) {{
+                    const key = `${{words}} at ${{place}}`;
+                    if (words.trim().length > 1 && !(place?.split(' ')[1] > 1060)) places[key] = (places[key] ?? 0) + 1;
+                }}
+                for (const [words, times] of Object.entries(places)) {{
+                    if (2 * times > sheets.length) found.push(`${{words}} on ${{times}} of ${{sheets.length}} sheets`);
+                }}
+                return found;
+            }})",
+            include_str!("pdf.js")
+        ))?;
+        wrong.extend(found.into_iter().map(|words| format!("{name}: {words}")));
     }
     none(wrong)
 }

@@ -1,6 +1,7 @@
 //! A first paper on trial: a stone falls. (1) holds; (2) is wrong.
 
 use trialbook::prelude::*;
+use trialbook::trials::by_hand::Numbers;
 
 /// As printed: g is gravity, t the time since the stone was let go.
 mod paper {
@@ -100,6 +101,11 @@ static FALL: Topic = Topic::new(
         latex = 's=gt'
         corrected = 's=gt^2/2'
         trials = ["fall::way_by_motion", "fall::right_way_by_motion", "fall::right_way_by_integral"]
+        [eq-2.by-hand]
+        wrong = 'it is the way with the speed of the end all along'
+        reason = 'The speed grows evenly from 0 to $gt$: on the way it is half of that in the mean'
+        case = 'Take $g=10$ and $t=3$: in the middle the speed is 15. Printed: {stated}. In the motion: {found}'
+        digits = 0
     "#,
     ),
     &[trials![
@@ -109,7 +115,12 @@ static FALL: Topic = Topic::new(
         right_way_by_motion,
         right_way_by_integral
     ]],
-);
+)
+.by_hand(&[Numbers::new(
+    "eq-2",
+    || Ok(paper::eq2_way(10.0, 3.0)),
+    || Ok(motion([10.0, 3.0])?[0]),
+)]);
 
 static PAPER: Paper = Paper {
     title: "The falling stone",

@@ -158,7 +158,7 @@ impl Page {
         "The sheets",
         include_str!("../pages/sheets.md"),
     );
-    /// What is wrong, with the letters to the journal.
+    /// What is wrong, with the letters about it.
     pub const ERRATA: Page = Page::of(
         Part::Check,
         "errata",

@@ -34,11 +34,13 @@ pub(super) static CASES: [Numbers; 4] = [
 ];
 
 /// The numbers by which claims can be found.
-pub(super) static VALUES: [Number; 6] = [
+pub(super) static VALUES: [Number; 8] = [
     Number::new("critical-radius", || Ok(turntable::critical_radius()?)),
     Number::new("critical-speed", || Ok(turntable::critical_speed()?)),
     Number::new("envelope", || Ok(printed::eq147_a(0.1))),
+    Number::new("boundary-least", || Ok(corrected::boundary_least(0.1))),
     Number::new("boundary", boundary_example),
+    Number::new("boundary-series", || Ok(corrected::boundary_a(0.1, 0.2))),
     Number::new("boundary-slope", || Ok(corrected::boundary_slope(PI / 2.0))),
     Number::new("boundary-curvature", || {
         Ok(corrected::boundary_curvature(0.0))

@@ -1,9 +1,13 @@
 //! The decimals in the cases by hand, worked out once more.
 
-use super::formulas::{Found, Given, found};
+use super::formulas::{Found, Given, found, number, read};
 use super::numbers::decimals;
-use super::text::formulas_of;
+use super::text::{bare, formulas_of};
+use crate::LEDGER;
 use slipbook::claims::PAPER;
+use slipbook::corrections::rest::{boundary_a, boundary_least};
+use slipbook::exact::latex::statements;
+use slipbook::ledger::{Format, Sender};
 use std::f64::consts::{FRAC_1_PI, PI, TAU};
 
 /// The friction, where the drive pulls backward, and the forward motion at the end of that: λ₀ and what follows it.
@@ -50,10 +54,10 @@ fn by_hand(claim: &str) -> Vec<f64> {
         }
         // v²/(2μg).
         "eq-106" | "s4-coriolis-no-work" => vec![25.0 / (2.0 * 0.5 * 10.0)],
-        // The last is a start between the printed and the true boundary.
-        "s4-envelope-is-boundary" => vec![0.1, 0.2, 1.0 - 0.1, 0.88],
+        // The last but one is a start between the printed and the true boundary.
+        "s4-envelope-is-boundary" => vec![0.1, 0.2, 1.0 - 0.1, 0.88, boundary_a(0.1, 0.2)],
         // α, and ψ = 2α.
-        "eq-147" => vec![0.1, 1.0 - 0.1, 2.0 * 0.1],
+        "eq-147" => vec![0.1, 1.0 - 0.1, 2.0 * 0.1, boundary_least(0.1)],
         _ => Vec::new(),
     }
 }
@@ -74,6 +78,18 @@ fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
         }
     }
     assert!(tried > 0);
+    // The letter takes its examples from the cases.
+    let all: Vec<f64> = PAPER
+        .cases()
+        .flat_map(|(claim, _)| by_hand(claim.id))
+        .collect();
+    for number in decimals(&bare(PAPER.letter)) {
+        let places = number.len() - number.find('.').unwrap() - 1;
+        let known = all
+            .iter()
+            .any(|value| number == format!("{value:.places$}"));
+        assert!(known, "the letter: {number}");
+    }
     let (_, envelope) = PAPER.find("s4-envelope-is-boundary").unwrap();
     let numbers = envelope.by_hand.unwrap().computed;
     let between = [
@@ -90,19 +106,72 @@ fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
 #[test]
 fn the_arithmetic_of_the_cases_by_hand_is_right() {
     let mut failures = Vec::new();
-    for (claim, case) in PAPER.cases() {
-        for text in [case.reason.to_owned(), case.words().unwrap()] {
-            // A name that is given twice may mean the first or the last.
-            let (mut given, mut first) = (Given::new(), Given::new());
-            for formula in formulas_of(&text) {
-                let last = found(&formula, &mut given);
-                let by_first = found(&formula, &mut Given::with(first.clone()));
-                first.complete(&given);
-                if let (Some(Found::Wrong(why)), Some(Found::Wrong(_))) = (last, by_first) {
-                    failures.push(format!("{}: {formula}: {why}", claim.id));
-                }
+    let letter = LEDGER.letter(Format::Latex, &Sender::default()).unwrap();
+    let paragraphs = letter
+        .split("\n\n")
+        .map(|text| ("the letter", text.to_owned()));
+    let cases = PAPER.cases().flat_map(|(claim, case)| {
+        [case.reason.to_owned(), case.words().unwrap()].map(|text| (claim.id, text))
+    });
+    for (place, text) in cases.chain(paragraphs) {
+        // A name that is given twice may mean the first or the last.
+        let (mut given, mut first) = (Given::new(), Given::new());
+        for formula in formulas_of(&text) {
+            let last = found(&formula, &mut given);
+            let by_first = found(&formula, &mut Given::with(first.clone()));
+            first.complete(&given);
+            if let (Some(Found::Wrong(why)), Some(Found::Wrong(_))) = (last, by_first) {
+                failures.push(format!("{place}: {formula}: {why}"));
             }
         }
     }
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Where what is right has a value at what a case gives, the case shows it, and so does the letter, if it has the case's number: who
+/// puts the numbers into the formula finds what stands beside it.
+#[test]
+fn what_is_right_is_worked_out_where_its_case_is() {
+    let letter = LEDGER.letter(Format::Text, &Sender::default()).unwrap();
+    let mut tried = Vec::new();
+    for (claim, case) in PAPER.cases() {
+        let (words, Some(correction)) = (case.words().unwrap(), claim.correction) else {
+            continue;
+        };
+        let mut given = Given::new();
+        for formula in formulas_of(&words) {
+            found(&formula, &mut given);
+        }
+        let latex = match correction.latex.contains('$') {
+            true => correction.latex.to_owned(),
+            false => format!("${}$", correction.latex),
+        };
+        for formula in formulas_of(&latex) {
+            let formula = formula.split(r"\quad\text{").next().unwrap_or_default();
+            let formula = [r"+\cdots", r"+O(\alpha^3)"]
+                .iter()
+                .fold(formula.to_owned(), |f, rest| f.replace(rest, ""));
+            // What it says its names are.
+            found(&formula, &mut given);
+            for statement in statements(&formula).unwrap_or_default() {
+                let side = statement.sides.last().unwrap();
+                let value = |given: &Given| number(read(&formula, side, given).ok()?);
+                let (Some(value), None) = (value(&given), value(&Given::new())) else {
+                    continue;
+                };
+                let shown = format!("{value:.*}", case.digits);
+                assert!(words.contains(&shown), "{}: {formula} is {shown}", claim.id);
+                let of_letter = PAPER
+                    .letter
+                    .contains(&format!("{{{{found {}}}}}", claim.id));
+                assert!(
+                    !of_letter || letter.contains(&shown),
+                    "the letter: {formula} is {shown}"
+                );
+                tried.push(claim.id);
+            }
+        }
+    }
+    println!("worked out: {tried:?}");
+    assert!(!tried.is_empty());
 }

@@ -180,7 +180,7 @@ pub fn sections_of(page: &str, text: &str) -> Vec<Section> {
 }
 
 /// Prose without what stands between marks and is no prose.
-fn bare(text: &str) -> String {
+pub fn bare(text: &str) -> String {
     let lines = text
         .split_inclusive('\n')
         .filter(|line| !line.starts_with('<'));

@@ -41,7 +41,10 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String,
         Ok(format!("<li>{number}{link}: {words}.{fallen}</li>"))
     };
     let lines: Result<String, Fault> = context.ledger.roots().map(line).collect();
-    Ok(format!("<ul class=\"errors\">{}</ul>\n", lines?))
+    Ok(match lines?.as_str() {
+        "" => "<p>Nothing is false by an error of its own.</p>\n".to_owned(),
+        lines => format!("<ul class=\"errors\">{lines}</ul>\n"),
+    })
 }
 
 /// A mark that leads to a claim, by its verdict.

@@ -59,10 +59,11 @@ pub(super) fn sheets(context: &Context<'_>) -> Result<String, Fault> {
     context.ledger.entries.iter().map(sheet).collect()
 }
 
-/// How many claims got which verdict.
+/// How many claims got which verdict, of those that there are.
 pub(super) fn counts(ledger: &Ledger) -> String {
     let counts = ledger.counts();
-    let rows = Verdict::ALL.map(|v| [verdict(v), count(counts[&v]), meaning(v).to_owned()]);
+    let given = Verdict::ALL.into_iter().filter(|v| counts[v] > 0);
+    let rows = given.map(|v| [verdict(v), count(counts[&v]), meaning(v).to_owned()]);
     table("counts", ["Verdict", "Claims", "Meaning"], rows)
 }
 

@@ -262,13 +262,18 @@ pub(super) fn list(
 pub(super) fn print_errata(
     edition: &Edition,
     (kind, supplement): (ErrataFormat, bool),
+    sender: ledger::Sender<'_>,
     depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
+    let unsigned = sender.from.or(sender.code).is_none();
+    if kind == ErrataFormat::Json && (supplement || !unsigned) {
+        return Err("--supplement, --from and --code go with --format text or latex".into());
+    }
     let tried = Tried::new(edition.paper, None, depth)?;
     let letter = |format| match supplement {
-        true => tried.ledger.supplement(format),
-        false => tried.ledger.letter(format),
+        true => tried.ledger.supplement(format, &sender),
+        false => tried.ledger.letter(format, &sender),
     };
     match (kind, format) {
         (ErrataFormat::Json, _) | (_, Format::Json) => json(&serde_json::json!({

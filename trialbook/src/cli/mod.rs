@@ -21,6 +21,7 @@ pub use output::{VERSION, complain, csv, json, no_table, say, show, unwritten};
 pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
 
+use crate::ledger::Sender;
 use crate::publishing::{Edition, Failure, Format};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
@@ -140,6 +141,12 @@ enum Command {
         /// All that has to be changed, with every trial, instead of the comment of two pages
         #[arg(long, conflicts_with_all = ["json", "csv"])]
         supplement: bool,
+        /// Who signs it: `NAME/AFFILIATION`, and an address behind another slash; in place of "[name]" and what follows
+        #[arg(long, value_name = "NAME/AFFILIATION", conflicts_with_all = ["json", "csv"])]
+        from: Option<String>,
+        /// Where the program can be found, in place of "[address of the code]"
+        #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["json", "csv"])]
+        code: Option<String>,
     },
     /// Find the claims that carry a number, to the digits given, and mark its first wrong digit
     ///
@@ -190,7 +197,11 @@ pub fn command(edition: &Edition) -> clap::Command {
         (0, "verify", first),
         (1, "show", first),
         (2, "list", "--verdict refuted"),
-        (3, "errata", "--format latex"),
+        (
+            3,
+            "errata",
+            "--format latex --from 'A. Person/Some University'",
+        ),
         (4, "find", "0.5"),
         (5, "distrust", first),
         (6, "certify", first),
@@ -330,7 +341,18 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
         Command::Errata {
             format: kind,
             supplement,
-        } => ledger::print_errata(edition, (kind, supplement), &depth, format),
+            from,
+            code,
+        } => {
+            let (from, code) = (from.as_deref(), code.as_deref());
+            ledger::print_errata(
+                edition,
+                (kind, supplement),
+                Sender { from, code },
+                &depth,
+                format,
+            )
+        }
         Command::Find { number: None } => find::all(paper, format),
         Command::Find {
             number: Some(number),

@@ -2,8 +2,28 @@
 
 use super::Ledger;
 use super::errata::{ErrataError, Erratum, statement};
-use crate::notation::{Piece, command, decimal, pieces, plain_words};
+use crate::notation::{Piece, command, decimal, pieces, plain_formula, plain_words};
 use crate::trials::Paper;
+
+/// Who sends a letter. What is not given stands in brackets, to be filled in.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Sender<'a> {
+    /// Name, affiliation and address, with a slash between any two.
+    pub from: Option<&'a str>,
+    /// Where the program can be found.
+    pub code: Option<&'a str>,
+}
+
+impl Sender<'_> {
+    fn lines(&self) -> Vec<&str> {
+        let from = self.from.unwrap_or("[name]/[affiliation and address]");
+        from.split('/').map(str::trim).collect()
+    }
+
+    fn code(&self) -> &str {
+        self.code.unwrap_or("[address of the code]")
+    }
+}
 
 /// A form of the letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,20 +43,22 @@ impl Format {
 }
 
 impl Ledger {
-    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent its supplement.
+    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent its errata, without
+    /// the trials.
     ///
     /// In the letter a paragraph is a line of words with formulas in `$…$`, a heading begins with `# `. `[words](#id)` names a
-    /// claim that has to be changed. `{{right eq-13}}` is what should stand there,
+    /// claim that has to be changed. `{{right eq-13}}` is what should stand there, on a line of its own with its number;
     /// `{{stated eq-13}}` and `{{found eq-13}}` are the numbers of its case by hand; `{{value lambda-c 3}}` is a number of the
     /// paper with three decimals; `{{count numbered}}`, `{{count others}}` and `{{count standing}}` count equations, other
-    /// statements, and what need not be changed; `{{reference}}` is where the paper can be found.
+    /// statements, and what need not be changed; `{{reference}}` is where the paper can be found, `{{code}}` where the program.
     ///
     /// # Errors
     /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not.
-    pub fn letter(&self, format: Format) -> Result<String, ErrataError> {
+    pub fn letter(&self, format: Format, sender: &Sender<'_>) -> Result<String, ErrataError> {
+        let (errata, style) = (self.errata()?, format.style());
         match self.paper.letter {
-            "" => self.supplement(format),
-            _ => self.comment(&self.errata()?, format.style()),
+            "" => Ok(self.list(&errata, style, COMMENT, sender)),
+            _ => self.comment(&errata, style, sender),
         }
     }
 
@@ -44,19 +66,33 @@ impl Ledger {
     ///
     /// # Errors
     /// As [`Ledger::errata`].
-    pub fn supplement(&self, format: Format) -> Result<String, ErrataError> {
-        Ok(self.trials(&self.errata()?, format.style()))
+    pub fn supplement(&self, format: Format, sender: &Sender<'_>) -> Result<String, ErrataError> {
+        let what = "Supplement to a comment on";
+        Ok(self.list(&self.errata()?, format.style(), what, sender))
     }
 
-    fn comment(&self, errata: &[Erratum], style: &dyn Style) -> Result<String, ErrataError> {
-        let mut text = style.opening(self.paper, COMMENT) + &style.sender();
+    fn comment(
+        &self,
+        errata: &[Erratum],
+        style: &dyn Style,
+        sender: &Sender<'_>,
+    ) -> Result<String, ErrataError> {
+        let mut text = style.opening(self.paper, COMMENT, sender);
         for line in self.paper.letter.lines().filter(|line| !line.is_empty()) {
-            text += &match line.strip_prefix("# ") {
-                Some(title) => style.heading(title),
-                None => style.paragraph(&self.filled(errata, &unlinked(line))?),
+            text += &match (line.strip_prefix("# "), self.displayed(line)) {
+                (Some(title), _) => style.heading(title),
+                (_, Some((number, latex))) => style.numbered(number, latex),
+                _ => style.paragraph(&self.filled(errata, &unlinked(line))?, sender.code()),
             };
         }
-        Ok(text + style.closing())
+        Ok(style.finished(text))
+    }
+
+    /// The number and the right form of the equation that a line asks for and nothing else.
+    fn displayed(&self, line: &str) -> Option<(u16, &'static str)> {
+        let id = line.strip_prefix("{{right ")?.strip_suffix("}}")?;
+        let claim = self.entry(id)?.claim;
+        Some((claim.equation?, claim.correction?.latex))
     }
 
     /// A line of the letter with its placeholders filled.
@@ -80,6 +116,7 @@ impl Ledger {
         let numbered = numbered.count();
         match words[..] {
             ["reference"] => Ok(self.paper.reference.to_owned()),
+            ["code"] => Ok(CODE.to_string()),
             ["count", "numbered"] => Ok(numbered.to_string()),
             ["count", "others"] => Ok((all - numbered).to_string()),
             ["count", "measured"] => Ok(self.known(super::Standing::Measured).to_string()),
@@ -113,12 +150,27 @@ impl Ledger {
         }
     }
 
-    fn trials(&self, errata: &[Erratum], style: &dyn Style) -> String {
-        let mut text = style.opening(self.paper, "Supplement to a comment on");
+    /// The errata one by one; with their trials, unless it is a comment.
+    fn list(
+        &self,
+        errata: &[Erratum],
+        style: &dyn Style,
+        what: &str,
+        sender: &Sender<'_>,
+    ) -> String {
+        let mut text = style.opening(self.paper, what, sender);
         for (title, wrong) in [("Corrections", true), ("Conditions to be stated", false)] {
-            text += &style.heading(title);
-            for erratum in errata.iter().filter(|e| e.verdict.is_wrong() == wrong) {
+            let errata = errata.iter().filter(|e| e.verdict.is_wrong() == wrong);
+            for (i, erratum) in errata.enumerate() {
+                if i == 0 {
+                    text += &style.heading(title);
+                }
                 text += &style.item(&self.name(erratum.id), erratum);
+                if what != COMMENT {
+                    for said in &erratum.evidence {
+                        text += &style.entry("Trial", said);
+                    }
+                }
                 if !erratum.fallen.is_empty() && wrong {
                     let names: Vec<_> = erratum.fallen.iter().map(|id| self.name(id)).collect();
                     text += &style.entry("Inherited by", &names.join(", "));
@@ -126,7 +178,8 @@ impl Ledger {
                 text.push('\n');
             }
         }
-        text + style.closing()
+        let code = format!("The program that makes the trials is at {CODE}.");
+        style.finished(text + &style.paragraph(&code, sender.code()))
     }
 }
 
@@ -147,8 +200,15 @@ fn fault(says: String) -> ErrataError {
     ErrataError::Letter(says)
 }
 
-/// A displayed formula that is too wide for its column is made smaller.
-const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}";
+/// Stands for the address of the program, in which no sign is one of LaTeX.
+const CODE: char = '\u{e000}';
+
+/// How many characters of plain text a formula may have that stands in a line of a column, or beside its number.
+const SHORT: usize = 48;
+
+/// A displayed formula that is too wide for its column is made smaller; `\broken` breaks it.
+const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}
+\newcommand{\broken}[1]{\parbox{.96\columnwidth}{\centering$\displaystyle #1$}}";
 
 /// The parts of an item that stand in one paragraph, in LaTeX.
 const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
@@ -156,13 +216,14 @@ const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
 const COMMENT: &str = "Comment on";
 
 trait Style {
-    fn opening(&self, paper: &Paper, what: &str) -> String;
-    fn sender(&self) -> String;
+    fn opening(&self, paper: &Paper, what: &str, sender: &Sender<'_>) -> String;
     fn heading(&self, title: &str) -> String;
-    fn paragraph(&self, words: &str) -> String;
+    fn paragraph(&self, words: &str, code: &str) -> String;
+    /// An equation in its right form, with its number.
+    fn numbered(&self, number: u16, latex: &str) -> String;
     fn title(&self, name: &str, erratum: &Erratum) -> String;
     fn entry(&self, label: &str, words: &str) -> String;
-    fn closing(&self) -> &'static str;
+    fn finished(&self, text: String) -> String;
 
     /// `Misprint: the sign of the second term.`
     fn wrong(&self, erratum: &Erratum) -> String {
@@ -179,9 +240,6 @@ trait Style {
         }
         if let Some(case) = &erratum.case {
             text += &self.entry("A case by hand", &closed(case));
-        }
-        for said in &erratum.evidence {
-            text += &self.entry("Trial", said);
         }
         text
     }
@@ -208,22 +266,34 @@ fn about(name: &str, erratum: &Erratum) -> String {
     }
 }
 
+/// By whom a paper is, and where it can be found, as far as that is known.
+fn source(paper: &Paper) -> String {
+    let parts = [paper.authors, paper.reference];
+    let known: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
+    let by = if paper.authors.is_empty() { "" } else { "by " };
+    format!("{by}{}", known.join(", "))
+}
+
 /// Plain text, 78 characters a line.
 struct Plain;
 
 impl Style for Plain {
-    fn opening(&self, paper: &Paper, what: &str) -> String {
-        let (title, authors) = (paper.title, paper.authors);
-        format!("{what} \"{title}\"\nby {authors}, {}\n\n", paper.reference)
-    }
-    fn sender(&self) -> String {
-        "[name, affiliation and address of the sender]\n\n".into()
+    fn opening(&self, paper: &Paper, what: &str, sender: &Sender<'_>) -> String {
+        format!(
+            "{what} \"{}\"\n{}\n\nTo the authors\nFrom {}\n\n",
+            paper.title,
+            source(paper),
+            sender.lines().join("\n     ")
+        )
     }
     fn heading(&self, title: &str) -> String {
         format!("{}\n{}\n\n", title.to_uppercase(), "=".repeat(title.len()))
     }
-    fn paragraph(&self, words: &str) -> String {
-        wrapped(&plain_words(words), 0) + "\n"
+    fn paragraph(&self, words: &str, code: &str) -> String {
+        wrapped(&plain_words(words).replace(CODE, code), 0) + "\n"
+    }
+    fn numbered(&self, number: u16, latex: &str) -> String {
+        wrapped(&format!("({number}) {}", plain_formula(latex)), 4) + "\n"
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         let (verdict, section) = (erratum.verdict.words(), erratum.section);
@@ -239,8 +309,8 @@ impl Style for Plain {
             text
         }
     }
-    fn closing(&self) -> &'static str {
-        ""
+    fn finished(&self, text: String) -> String {
+        text
     }
 }
 
@@ -264,32 +334,61 @@ fn wrapped(words: &str, indent: usize) -> String {
 struct Latex;
 
 impl Style for Latex {
-    fn opening(&self, paper: &Paper, what: &str) -> String {
-        let (title, authors, reference) = (paper.title, paper.authors, paper.reference);
+    fn opening(&self, paper: &Paper, what: &str, sender: &Sender<'_>) -> String {
         // The comment is two pages of a journal, the supplement a report.
-        let (columns, size) = match what {
-            COMMENT => (",twocolumn", r"\small"),
-            _ => ("", ""),
+        let columns = match what {
+            COMMENT => "\\raggedcolumns\\begin{multicols}{2}\n",
+            _ => "",
         };
+        let lines: Vec<_> = sender.lines().into_iter().map(tex_plainly).collect();
         format!(
-            "\\documentclass[10pt{columns}]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm,graphicx}}\n\
-             \\usepackage[margin=14mm]{{geometry}}\n{FIT}\n\n\
-             \\title{{{what} ``{title}''\\\\\\large by {authors}, {reference}}}\n\\author{{[name]\\\\{{}}[affiliation and \
-             address]}}\n\\date{{}}\n\n\\begin{{document}}{size}\n\\maketitle\n\n"
+            "\\documentclass[10pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm,graphicx,multicol}}\n\
+             \\usepackage[a4paper,margin=18mm]{{geometry}}\n\\setlength\\emergencystretch{{3em}}\n\\allowdisplaybreaks\n{FIT}\n\n\\begin{{document}}\n\
+             \\begin{{center}}\n{{\\Large {what} ``{}''}}\\\\[2pt]\n{}\\\\[8pt]\nTo the authors\\\\[4pt]\nFrom {}\n\\end{{center}}\n\
+             {columns}\n",
+            paper.title,
+            source(paper),
+            lines.join("\\\\{}\n")
         )
-    }
-    fn sender(&self) -> String {
-        // It stands in the title.
-        String::new()
     }
     fn heading(&self, title: &str) -> String {
         format!("\\subsection*{{{title}}}\n\n")
     }
-    fn paragraph(&self, words: &str) -> String {
-        match alone(words) {
-            Some(formula) => displayed(formula),
-            None => format!("{}\n\n", tex_words(words)),
+    fn paragraph(&self, words: &str, code: &str) -> String {
+        let mut parts = words.split('$');
+        let mut out = tex_words(parts.next().unwrap_or_default());
+        while let (Some(formula), Some(after)) = (parts.next(), parts.next()) {
+            if plain_formula(formula).chars().count() <= SHORT {
+                out += &tex_words(&format!("${formula}$"));
+                out += &tex_words(after);
+                continue;
+            }
+            // The stop behind a formula stands where that does.
+            let (stop, after) = after.split_at(usize::from(after.starts_with([',', ';', '.'])));
+            // What it says a name is stays together.
+            let formula = match breakable(formula).split_once(r",\quad") {
+                Some((formula, name)) => format!(r"{formula},\quad{{{name}}}"),
+                None => breakable(formula),
+            };
+            out += &format!(
+                "\n\\[\\broken{{{formula}{stop}}}\\]\n{}",
+                tex_words(after.trim_start())
+            );
         }
+        format!(
+            "{}\n\n",
+            out.replace("$$", " ").replace(CODE, &tex_plainly(code))
+        )
+    }
+    fn numbered(&self, number: u16, latex: &str) -> String {
+        let words = latex.split_once(r"\quad\text{");
+        let words = words.filter(|_| plain_formula(latex).chars().count() > SHORT);
+        let (formula, words) = words.unwrap_or((latex, ""));
+        let words = match words.strip_suffix('}') {
+            Some(words) => format!("\\noindent {}\n\n", tex_words(&closed(words))),
+            None => String::new(),
+        };
+        format!("\\begin{{gather*}}\n{formula}\\tag{{{number}}}\n\\end{{gather*}}\n{words}")
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         format!(
@@ -309,8 +408,13 @@ impl Style for Latex {
             None => format!("\\emph{{{label}:}} {}\n{end}", tex_words(words)),
         }
     }
-    fn closing(&self) -> &'static str {
-        "\\end{document}\n"
+    fn finished(&self, text: String) -> String {
+        // Neighbours are one display, which begins no paragraph.
+        let text = text.replace("\n\\end{gather*}\n\\begin{gather*}\n", "\\\\\n");
+        let text = text.replace("\n\n\\begin{gather*}", "\n\\begin{gather*}");
+        let columns = text.contains(r"\begin{multicols}");
+        let end = if columns { "\\end{multicols}\n" } else { "" };
+        text + end + "\\end{document}\n"
     }
 }
 
@@ -328,15 +432,37 @@ fn displayed(formula: &str) -> String {
 fn tex_words(words: &str) -> String {
     let parts = words.split('$').enumerate().map(|(i, part)| match i % 2 {
         0 => tex_plain(part),
-        // Between \left and \right no line can break.
-        _ => format!(
-            "${}$",
-            part.replace(r"\left[", r"\bigl[")
-                .replace(r"\right]", r"\bigr]")
-        ),
+        _ => format!("${}$", breakable(part)),
     });
     // Neighbours join into one formula.
     parts.collect::<String>().replace("$$", " ")
+}
+
+/// A formula in which lines can break: not between `\left` and `\right`, nor in a fraction, for which a long one has a stroke.
+fn breakable(formula: &str) -> String {
+    let formula = formula.replace(r"\left[", r"\bigl[");
+    let formula = formula.replace(r"\right]", r"\bigr]");
+    let parts = formula
+        .strip_prefix(r"\frac{")
+        .and_then(|rest| rest.strip_suffix('}'));
+    match parts.and_then(|parts| parts.split_once("}{")) {
+        Some((above, below))
+            if above.len() > 300 && above.matches('{').count() == above.matches('}').count() =>
+        {
+            format!(r"\bigl({above}\bigr)/\bigl({below}\bigr)")
+        }
+        _ => formula,
+    }
+}
+
+/// A name or an address, in which nothing is a formula; a line may break behind a stroke.
+fn tex_plainly(words: &str) -> String {
+    let tex = |c: char| match c {
+        '/' => r"/\allowbreak ".to_owned(),
+        '$' => r"\$".to_owned(),
+        c => tex_char(c),
+    };
+    words.chars().map(tex).collect()
 }
 
 fn tex_plain(words: &str) -> String {
@@ -344,7 +470,7 @@ fn tex_plain(words: &str) -> String {
     for piece in pieces(words) {
         match piece {
             Piece::Text(text) => out.extend(text.chars().map(tex_char)),
-            Piece::Formula(latex) => out += &format!("${latex}$"),
+            Piece::Formula(latex) => out += &format!("${}$", breakable(&latex)),
             Piece::Minus => out += "$-$",
             Piece::Scientific(number) => {
                 let (mantissa, exponent) = number.split_once('e').unwrap_or((number, "0"));
@@ -404,7 +530,7 @@ mod tests {
             };
             ledger.paper = Box::leak(Box::new(paper));
             ledger
-                .letter(Format::Text)
+                .letter(Format::Text, &Sender::default())
                 .map_err(|error| error.to_string())
         };
         let letter = said("[(4)](#eq-4) is {{right eq-4}}; {{count numbered}}, {{count standing}}");
