@@ -143,7 +143,13 @@ pub static EDITION: Edition = Edition {
     placeholders: &[
         Placeholder {
             name: "cite",
-            fill: |_| Ok(Filled::Inline(cite())),
+            fill: |_| {
+                let [version, by] = [env!("CARGO_PKG_VERSION"), env!("CARGO_PKG_AUTHORS")];
+                let licence = env!("CARGO_PKG_LICENSE");
+                Ok(Filled::Inline(format!(
+                    "Slipbook {version}, by {by}; licence {licence}"
+                )))
+            },
         },
         Placeholder {
             name: "explorer",
@@ -226,18 +232,6 @@ static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
 
 /// The modules whose sources are shown: what the printed side is made of, where the two meet, and the calculators.
 const SHOWN: [&str; 5] = ["claims", "corrections", "paper", "solve", "symbols"];
-
-/// Who made it, and how it is cited.
-fn cite() -> String {
-    let cited = include_str!("../../CITATION.cff");
-    let said = |key| {
-        let value = cited.lines().find_map(|line| line.strip_prefix(key));
-        value.unwrap_or_default().trim_matches(['"', ' '])
-    };
-    let [title, version, message] = ["title:", "version:", "message:"].map(said);
-    let [authors, licence] = [env!("CARGO_PKG_AUTHORS"), env!("CARGO_PKG_LICENSE")];
-    format!("{title} {version}, by {authors}; licence {licence}. {message}")
-}
 
 /// The sources that the book shows: path and text.
 fn sources() -> Vec<(String, &'static str)> {

@@ -81,7 +81,7 @@ const TESTS: [(&str, Test); 31] = [
     ("every_slider_shows_its_picture_in_time", measures::sliders),
     ("every_picture_is_drawn_in_time", measures::frames),
     ("a_phone_shows_all", measures::phone),
-    ("paper_holds_the_errata", measures::paper),
+    ("all_pages_in_one_come_in_time", measures::paper),
     ("nothing_on_paper_is_too_small_to_read", paper::sizes),
     ("nothing_lies_over_the_sheets", paper::sheets),
     ("what_one_points_at_is_said", measures::cards),
@@ -94,7 +94,7 @@ const TIMED: [&str; 4] = [
     "every_answer_comes_in_time",
     "every_slider_shows_its_picture_in_time",
     "every_picture_is_drawn_in_time",
-    "paper_holds_the_errata",
+    "all_pages_in_one_come_in_time",
 ];
 
 /// Whether times are measured, with nothing else at the same time.

@@ -224,21 +224,9 @@ pub fn phone(page: &mut Page, book: &Book) -> Result<(), Failure> {
     none(wrong)
 }
 
-/// The errata fill few pages of paper, and all pages in one are there in time.
+/// All pages in one are there in time.
 pub fn paper(page: &mut Page, book: &Book) -> Result<(), Failure> {
-    page.open(&book.address("errata.html"))?;
-    let printed = page.call("Page.printToPDF", json!({ "preferCSSPageSize": true }))?;
-    let data = printed["data"].as_str().ok_or("nothing is printed")?;
-    let pages = page.value(&format!(
-        "atob('{data}').match(/\\/Type \\/Page[^s]/g).length"
-    ))?;
     let mut wrong = Vec::new();
-    if pages
-        .as_u64()
-        .is_none_or(|pages| !(5..=40).contains(&pages))
-    {
-        wrong.push(format!("the errata have {pages} pages"));
-    }
     // The time of the page's own thread: what else this machine does is not counted.
     page.call("Performance.enable", json!({ "timeDomain": "threadTicks" }))?;
     page.open(&book.address("print.html"))?;

@@ -1,5 +1,5 @@
-// The words on each sheet of a PDF, with the place where they begin: [[["Errata", "15 49"], …], …]. A browser prints glyphs; its
-// fonts say which letters they are.
+// What is wrong with the sheets of a PDF: its words cannot be read, or some stand at the same place on most of its sheets, but in
+// the foot, as what lies over all of them would. A browser prints glyphs; its fonts say which letters they are.
 async data => {
     const objects = new Map([...atob(data).matchAll(/^(\d+) 0 obj\n([^]*?)\nendobj/gm)].map(([, number, body]) => [number, body]));
     const at = (body, key) => objects.get(body.match(new RegExp(`/${key} (\\d+) 0 R`))[1]);
@@ -28,9 +28,20 @@ async data => {
         for (const [, part] of (await stream(at(body, 'Contents'))).matchAll(/BT\n([^]*?)ET/g)) {
             font = letters.get(fonts.get(part.match(/\/(F\d+)/)?.[1])) ?? font;
             const codes = [...part.matchAll(/<(\w+)>/g)].flatMap(([, codes]) => codes.match(/.{1,4}/g));
-            words.push([codes.map(code => font.get(parseInt(code, 16)) ?? '').join(''), part.match(/(\S+ \S+) Tm/)?.[1]]);
+            words.push([codes.map(code => font.get(parseInt(code, 16)) ?? '').join(''), part.match(/(\S+) (\S+) Tm/) ?? []]);
         }
         sheets.push(words);
     }
-    return sheets;
+    const bare = words => words.replace(/\s/g, ''), found = [], places = {};
+    const title = bare(document.querySelector('h1').textContent);
+    if (!bare(sheets[0].map(([words]) => words).join('')).includes(title)) found.push(`${title} is not on the first sheet`);
+    if (sheets.length < 5 || sheets.length > 40) found.push(`it has ${sheets.length} sheets`);
+    for (const [words, [, x, y]] of sheets.flat()) {
+        const key = `${words} at ${x} ${y}`;
+        if (words.trim().length > 1 && !(y > 1060)) places[key] = (places[key] ?? 0) + 1;
+    }
+    for (const [key, times] of Object.entries(places)) {
+        if (2 * times > sheets.length) found.push(`${key} on ${times} of ${sheets.length} sheets`);
+    }
+    return found;
 }

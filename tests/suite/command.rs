@@ -4,7 +4,7 @@ mod cases;
 
 use crate::{cells, slipbook};
 use serde_json::Value;
-use slipbook::ledger::{Format, Sender};
+use slipbook::ledger::Format;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
@@ -49,9 +49,7 @@ fn what_is_wrong_has_the_same_verdict_alone() {
 #[test]
 fn the_letter_as_plain_text_has_no_formulas_of_latex() {
     let ledger = &*crate::LEDGER;
-    let sender = Sender::default();
-    let letter = ledger.letter(Format::Text, &sender);
-    for letter in [letter, ledger.supplement(Format::Text, &sender)] {
+    for letter in [ledger.letter(Format::Text), ledger.supplement(Format::Text)] {
         let letter = letter.unwrap();
         assert!(letter.contains("(134)"));
         let left: Vec<_> = letter

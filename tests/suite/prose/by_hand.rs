@@ -7,8 +7,8 @@ use crate::LEDGER;
 use slipbook::claims::PAPER;
 use slipbook::corrections::rest::{boundary_a, boundary_least};
 use slipbook::exact::latex::statements;
-use slipbook::ledger::{Format, Sender};
-use std::f64::consts::{FRAC_1_PI, PI, TAU};
+use slipbook::ledger::Format;
+use std::f64::consts::{FRAC_1_PI, FRAC_PI_2, PI, SQRT_2, TAU};
 
 /// The friction, where the drive pulls backward, and the forward motion at the end of that: λ₀ and what follows it.
 fn wedge(q: f64, lambda: f64) -> [f64; 7] {
@@ -45,6 +45,10 @@ fn by_hand(claim: &str) -> Vec<f64> {
             ];
             [&taken[..], &[cosine, other, lambda, end, begin, speed]].concat()
         }
+        "eq-134" => {
+            let lag = 2.0 / 1200.0 * (1.0 + 0.75 * SQRT_2 * 1200_f64.ln() / 1200.0);
+            vec![lag, FRAC_PI_2 - lag]
+        }
         "eq-55" => vec![0.9 / 9.0],
         "fig-5" => {
             let q = 6.5;
@@ -65,31 +69,24 @@ fn by_hand(claim: &str) -> Vec<f64> {
 #[test]
 fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
     let mut tried = 0;
-    for (claim, case) in PAPER.cases() {
+    let cases = PAPER.cases().map(|(claim, case)| {
         let text = format!("{} {} {}", case.wrong, case.reason, case.case);
-        let by_hand = by_hand(claim.id);
+        (claim.id, text, by_hand(claim.id))
+    });
+    // The letter takes its examples from the cases.
+    let all = PAPER.cases().flat_map(|(claim, _)| by_hand(claim.id));
+    let letter = ("the letter", bare(PAPER.letter), all.collect());
+    for (place, text, by_hand) in cases.chain([letter]) {
         for number in decimals(&text) {
             let places = number.len() - number.find('.').unwrap() - 1;
             let known = by_hand
                 .iter()
                 .any(|value| number == format!("{value:.places$}"));
-            assert!(by_hand.is_empty() || known, "{}: {number}", claim.id);
+            assert!(by_hand.is_empty() || known, "{place}: {number}");
             tried += usize::from(known);
         }
     }
     assert!(tried > 0);
-    // The letter takes its examples from the cases.
-    let all: Vec<f64> = PAPER
-        .cases()
-        .flat_map(|(claim, _)| by_hand(claim.id))
-        .collect();
-    for number in decimals(&bare(PAPER.letter)) {
-        let places = number.len() - number.find('.').unwrap() - 1;
-        let known = all
-            .iter()
-            .any(|value| number == format!("{value:.places$}"));
-        assert!(known, "the letter: {number}");
-    }
     let (_, envelope) = PAPER.find("s4-envelope-is-boundary").unwrap();
     let numbers = envelope.by_hand.unwrap().computed;
     let between = [
@@ -106,14 +103,14 @@ fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
 #[test]
 fn the_arithmetic_of_the_cases_by_hand_is_right() {
     let mut failures = Vec::new();
-    let letter = LEDGER.letter(Format::Latex, &Sender::default()).unwrap();
-    let paragraphs = letter
+    let letter = LEDGER.letter(Format::Latex).unwrap();
+    let letter = letter
         .split("\n\n")
         .map(|text| ("the letter", text.to_owned()));
     let cases = PAPER.cases().flat_map(|(claim, case)| {
         [case.reason.to_owned(), case.words().unwrap()].map(|text| (claim.id, text))
     });
-    for (place, text) in cases.chain(paragraphs) {
+    for (place, text) in cases.chain(letter) {
         // A name that is given twice may mean the first or the last.
         let (mut given, mut first) = (Given::new(), Given::new());
         for formula in formulas_of(&text) {
@@ -128,30 +125,28 @@ fn the_arithmetic_of_the_cases_by_hand_is_right() {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Where what is right has a value at what a case gives, the case shows it, and so does the letter, if it has the case's number: who
-/// puts the numbers into the formula finds what stands beside it.
+/// Where what is right has a value at what a case gives, the case shows it, and so does the letter if it has the case's number.
 #[test]
 fn what_is_right_is_worked_out_where_its_case_is() {
-    let letter = LEDGER.letter(Format::Text, &Sender::default()).unwrap();
-    let mut tried = Vec::new();
+    let letter = LEDGER.letter(Format::Text).unwrap();
+    let mut tried = 0;
     for (claim, case) in PAPER.cases() {
-        let (words, Some(correction)) = (case.words().unwrap(), claim.correction) else {
-            continue;
-        };
-        let mut given = Given::new();
+        let (words, mut given) = (case.words().unwrap(), Given::new());
         for formula in formulas_of(&words) {
             found(&formula, &mut given);
         }
-        let latex = match correction.latex.contains('$') {
-            true => correction.latex.to_owned(),
-            false => format!("${}$", correction.latex),
+        let right = claim.correction.map_or("", |right| right.latex);
+        let right = right.replace(r"+\cdots", "").replace(r"+O(\alpha^3)", "");
+        let formulas = match right.contains('$') {
+            true => formulas_of(&right),
+            false => right
+                .split(r"\quad\text")
+                .take(1)
+                .map(str::to_owned)
+                .collect(),
         };
-        for formula in formulas_of(&latex) {
-            let formula = formula.split(r"\quad\text{").next().unwrap_or_default();
-            let formula = [r"+\cdots", r"+O(\alpha^3)"]
-                .iter()
-                .fold(formula.to_owned(), |f, rest| f.replace(rest, ""));
-            // What it says its names are.
+        for formula in formulas {
+            // What it says its names are is given, too.
             found(&formula, &mut given);
             for statement in statements(&formula).unwrap_or_default() {
                 let side = statement.sides.last().unwrap();
@@ -160,18 +155,12 @@ fn what_is_right_is_worked_out_where_its_case_is() {
                     continue;
                 };
                 let shown = format!("{value:.*}", case.digits);
-                assert!(words.contains(&shown), "{}: {formula} is {shown}", claim.id);
-                let of_letter = PAPER
-                    .letter
-                    .contains(&format!("{{{{found {}}}}}", claim.id));
-                assert!(
-                    !of_letter || letter.contains(&shown),
-                    "the letter: {formula} is {shown}"
-                );
-                tried.push(claim.id);
+                let sent = PAPER.letter.contains(&format!("found {}}}", claim.id));
+                let told = words.contains(&shown) && (!sent || letter.contains(&shown));
+                assert!(told, "{}: {formula} is {shown}", claim.id);
+                tried += 1;
             }
         }
     }
-    println!("worked out: {tried:?}");
-    assert!(!tried.is_empty());
+    assert!(tried > 3, "{tried}");
 }

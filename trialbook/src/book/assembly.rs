@@ -13,7 +13,7 @@ use super::search::Search;
 use super::text::{after_each, without};
 use super::{assets, map, metadata, moved, numbers, overview, put};
 use crate::ledger::deep::Deep;
-use crate::ledger::{Format, Ledger, Sender};
+use crate::ledger::{Format, Ledger};
 use crate::plotting::Figure;
 use crate::publishing::{Edition, Filled, Page, Part};
 use mdbook_driver::MDBook;
@@ -129,13 +129,9 @@ impl<'a> Frame<'a> {
         let book = self.staging.path("book");
         let write = |name: &str, text: &str| put(&book.join(name), text.as_bytes());
         let beside = || {
-            let sender = Sender::default();
             for (end, format) in [("txt", Format::Text), ("tex", Format::Latex)] {
-                write(&format!("errata.{end}"), &ledger.letter(format, &sender)?)?;
-                write(
-                    &format!("supplement.{end}"),
-                    &ledger.supplement(format, &sender)?,
-                )?;
+                write(&format!("errata.{end}"), &ledger.letter(format)?)?;
+                write(&format!("supplement.{end}"), &ledger.supplement(format)?)?;
             }
             write("errata.csv", &super::register(self.edition, &errata)?)?;
             for figure in &figures {

@@ -262,18 +262,20 @@ pub(super) fn list(
 pub(super) fn print_errata(
     edition: &Edition,
     (kind, supplement): (ErrataFormat, bool),
-    sender: ledger::Sender<'_>,
+    (from, code): (Option<&str>, Option<&str>),
     depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
-    let unsigned = sender.from.or(sender.code).is_none();
-    if kind == ErrataFormat::Json && (supplement || !unsigned) {
+    if kind == ErrataFormat::Json && (supplement || from.or(code).is_some()) {
         return Err("--supplement, --from and --code go with --format text or latex".into());
     }
     let tried = Tried::new(edition.paper, None, depth)?;
-    let letter = |format| match supplement {
-        true => tried.ledger.supplement(format, &sender),
-        false => tried.ledger.letter(format, &sender),
+    let letter = |format: ledger::Format| {
+        let sent = match supplement {
+            true => tried.ledger.supplement(format),
+            false => tried.ledger.letter(format),
+        };
+        sent.map(|sent| format.signed(sent, from, code))
     };
     match (kind, format) {
         (ErrataFormat::Json, _) | (_, Format::Json) => json(&serde_json::json!({

@@ -21,7 +21,6 @@ pub use output::{VERSION, complain, csv, json, no_table, say, show, unwritten};
 pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
 
-use crate::ledger::Sender;
 use crate::publishing::{Edition, Failure, Format};
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
@@ -141,7 +140,7 @@ enum Command {
         /// All that has to be changed, with every trial, instead of the comment of two pages
         #[arg(long, conflicts_with_all = ["json", "csv"])]
         supplement: bool,
-        /// Who signs it: `NAME/AFFILIATION`, and an address behind another slash; in place of "[name]" and what follows
+        /// Who signs it, in place of "[name, affiliation and address]"
         #[arg(long, value_name = "NAME/AFFILIATION", conflicts_with_all = ["json", "csv"])]
         from: Option<String>,
         /// Where the program can be found, in place of "[address of the code]"
@@ -344,14 +343,8 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
             from,
             code,
         } => {
-            let (from, code) = (from.as_deref(), code.as_deref());
-            ledger::print_errata(
-                edition,
-                (kind, supplement),
-                Sender { from, code },
-                &depth,
-                format,
-            )
+            let sender = (from.as_deref(), code.as_deref());
+            ledger::print_errata(edition, (kind, supplement), sender, &depth, format)
         }
         Command::Find { number: None } => find::all(paper, format),
         Command::Find {

@@ -5,26 +5,6 @@ use super::errata::{ErrataError, Erratum, statement};
 use crate::notation::{Piece, command, decimal, pieces, plain_formula, plain_words};
 use crate::trials::Paper;
 
-/// Who sends a letter. What is not given stands in brackets, to be filled in.
-#[derive(Debug, Clone, Copy, Default)]
-pub struct Sender<'a> {
-    /// Name, affiliation and address, with a slash between any two.
-    pub from: Option<&'a str>,
-    /// Where the program can be found.
-    pub code: Option<&'a str>,
-}
-
-impl Sender<'_> {
-    fn lines(&self) -> Vec<&str> {
-        let from = self.from.unwrap_or("[name]/[affiliation and address]");
-        from.split('/').map(str::trim).collect()
-    }
-
-    fn code(&self) -> &str {
-        self.code.unwrap_or("[address of the code]")
-    }
-}
-
 /// A form of the letter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
@@ -40,25 +20,37 @@ impl Format {
             Format::Latex => &Latex,
         }
     }
+
+    /// What is sent, with who sends it, name, affiliation and address parted by slashes, and where the program can be found.
+    pub fn signed(self, mut sent: String, from: Option<&str>, code: Option<&str>) -> String {
+        let from = from.map(|from| from.replace('/', ", "));
+        for (blank, words) in [(SENDER, from.as_deref()), (CODE, code)] {
+            let words = words.unwrap_or(blank).chars();
+            let words: String = match self {
+                Format::Text => words.collect(),
+                Format::Latex => words.map(tex_char).collect(),
+            };
+            sent = sent.replace(blank, &words);
+        }
+        sent
+    }
 }
 
 impl Ledger {
-    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent its errata, without
-    /// the trials.
+    /// The paper's [letter](Paper::letter), with what its placeholders ask for. A paper without one is sent its errata, without trials.
     ///
     /// In the letter a paragraph is a line of words with formulas in `$…$`, a heading begins with `# `. `[words](#id)` names a
-    /// claim that has to be changed. `{{right eq-13}}` is what should stand there, on a line of its own with its number;
+    /// claim that has to be changed. `{{right eq-13}}` is what should stand there, with its number on a line of its own;
     /// `{{stated eq-13}}` and `{{found eq-13}}` are the numbers of its case by hand; `{{value lambda-c 3}}` is a number of the
     /// paper with three decimals; `{{count numbered}}`, `{{count others}}` and `{{count standing}}` count equations, other
-    /// statements, and what need not be changed; `{{reference}}` is where the paper can be found, `{{code}}` where the program.
+    /// statements, and what need not be changed; `{{reference}}` is where the paper can be found.
     ///
     /// # Errors
     /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not.
-    pub fn letter(&self, format: Format, sender: &Sender<'_>) -> Result<String, ErrataError> {
-        let (errata, style) = (self.errata()?, format.style());
+    pub fn letter(&self, format: Format) -> Result<String, ErrataError> {
         match self.paper.letter {
-            "" => Ok(self.list(&errata, style, COMMENT, sender)),
-            _ => self.comment(&errata, style, sender),
+            "" => Ok(self.list(&self.errata()?, format.style(), COMMENT)),
+            _ => self.comment(&self.errata()?, format.style()),
         }
     }
 
@@ -66,33 +58,27 @@ impl Ledger {
     ///
     /// # Errors
     /// As [`Ledger::errata`].
-    pub fn supplement(&self, format: Format, sender: &Sender<'_>) -> Result<String, ErrataError> {
+    pub fn supplement(&self, format: Format) -> Result<String, ErrataError> {
         let what = "Supplement to a comment on";
-        Ok(self.list(&self.errata()?, format.style(), what, sender))
+        Ok(self.list(&self.errata()?, format.style(), what))
     }
 
-    fn comment(
-        &self,
-        errata: &[Erratum],
-        style: &dyn Style,
-        sender: &Sender<'_>,
-    ) -> Result<String, ErrataError> {
-        let mut text = style.opening(self.paper, COMMENT, sender);
+    fn comment(&self, errata: &[Erratum], style: &dyn Style) -> Result<String, ErrataError> {
+        let mut text = style.opening(self.paper, COMMENT);
         for line in self.paper.letter.lines().filter(|line| !line.is_empty()) {
-            text += &match (line.strip_prefix("# "), self.displayed(line)) {
+            let id = line.strip_prefix("{{right ");
+            let claim = id.and_then(|id| Some(self.entry(id.strip_suffix("}}")?)?.claim));
+            let right = claim.and_then(|claim| Some((claim.equation?, claim.correction?.latex)));
+            text += &match (line.strip_prefix("# "), right) {
                 (Some(title), _) => style.heading(title),
-                (_, Some((number, latex))) => style.numbered(number, latex),
-                _ => style.paragraph(&self.filled(errata, &unlinked(line))?, sender.code()),
+                (_, Some((number, latex))) => {
+                    text.truncate(text.trim_end().len());
+                    style.numbered(number, latex)
+                }
+                _ => style.paragraph(&self.filled(errata, &unlinked(line))?),
             };
         }
-        Ok(style.finished(text))
-    }
-
-    /// The number and the right form of the equation that a line asks for and nothing else.
-    fn displayed(&self, line: &str) -> Option<(u16, &'static str)> {
-        let id = line.strip_prefix("{{right ")?.strip_suffix("}}")?;
-        let claim = self.entry(id)?.claim;
-        Some((claim.equation?, claim.correction?.latex))
+        Ok(text + style.closing(COMMENT))
     }
 
     /// A line of the letter with its placeholders filled.
@@ -116,7 +102,6 @@ impl Ledger {
         let numbered = numbered.count();
         match words[..] {
             ["reference"] => Ok(self.paper.reference.to_owned()),
-            ["code"] => Ok(CODE.to_string()),
             ["count", "numbered"] => Ok(numbered.to_string()),
             ["count", "others"] => Ok((all - numbered).to_string()),
             ["count", "measured"] => Ok(self.known(super::Standing::Measured).to_string()),
@@ -151,25 +136,15 @@ impl Ledger {
     }
 
     /// The errata one by one; with their trials, unless it is a comment.
-    fn list(
-        &self,
-        errata: &[Erratum],
-        style: &dyn Style,
-        what: &str,
-        sender: &Sender<'_>,
-    ) -> String {
-        let mut text = style.opening(self.paper, what, sender);
+    fn list(&self, errata: &[Erratum], style: &dyn Style, what: &str) -> String {
+        let mut text = style.opening(self.paper, what);
         for (title, wrong) in [("Corrections", true), ("Conditions to be stated", false)] {
-            let errata = errata.iter().filter(|e| e.verdict.is_wrong() == wrong);
-            for (i, erratum) in errata.enumerate() {
-                if i == 0 {
-                    text += &style.heading(title);
-                }
+            let mut heading = style.heading(title);
+            for erratum in errata.iter().filter(|e| e.verdict.is_wrong() == wrong) {
+                text += &std::mem::take(&mut heading);
                 text += &style.item(&self.name(erratum.id), erratum);
-                if what != COMMENT {
-                    for said in &erratum.evidence {
-                        text += &style.entry("Trial", said);
-                    }
+                for said in erratum.evidence.iter().filter(|_| what != COMMENT) {
+                    text += &style.entry("Trial", said);
                 }
                 if !erratum.fallen.is_empty() && wrong {
                     let names: Vec<_> = erratum.fallen.iter().map(|id| self.name(id)).collect();
@@ -179,7 +154,7 @@ impl Ledger {
             }
         }
         let code = format!("The program that makes the trials is at {CODE}.");
-        style.finished(text + &style.paragraph(&code, sender.code()))
+        text + &style.paragraph(&code) + style.closing(what)
     }
 }
 
@@ -200,15 +175,14 @@ fn fault(says: String) -> ErrataError {
     ErrataError::Letter(says)
 }
 
-/// Stands for the address of the program, in which no sign is one of LaTeX.
-const CODE: char = '\u{e000}';
+/// Stand for what [`Format::signed`] brings.
+const SENDER: &str = "[name, affiliation and address]";
+const CODE: &str = "[address of the code]";
 
-/// How many characters of plain text a formula may have that stands in a line of a column, or beside its number.
-const SHORT: usize = 48;
-
-/// A displayed formula that is too wide for its column is made smaller; `\broken` breaks it.
-const FIT: &str = r"\newcommand{\fit}[1]{\sbox0{$\displaystyle #1$}\ifdim\wd0>\columnwidth\resizebox{\columnwidth}{!}{\usebox0}\else\usebox0\fi}
-\newcommand{\broken}[1]{\parbox{.96\columnwidth}{\centering$\displaystyle #1$}}";
+/// Whether a formula is too long for a line of a column, or for standing beside its number with its words.
+fn is_long(latex: &str) -> bool {
+    plain_formula(latex).chars().count() > 48
+}
 
 /// The parts of an item that stand in one paragraph, in LaTeX.
 const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
@@ -216,14 +190,14 @@ const RUN_IN: [&str; 3] = ["Printed", "Said", "Reason"];
 const COMMENT: &str = "Comment on";
 
 trait Style {
-    fn opening(&self, paper: &Paper, what: &str, sender: &Sender<'_>) -> String;
+    fn opening(&self, paper: &Paper, what: &str) -> String;
     fn heading(&self, title: &str) -> String;
-    fn paragraph(&self, words: &str, code: &str) -> String;
-    /// An equation in its right form, with its number.
+    fn paragraph(&self, words: &str) -> String;
+    /// An equation with its number, in the paragraph before it.
     fn numbered(&self, number: u16, latex: &str) -> String;
     fn title(&self, name: &str, erratum: &Erratum) -> String;
     fn entry(&self, label: &str, words: &str) -> String;
-    fn finished(&self, text: String) -> String;
+    fn closing(&self, what: &str) -> &'static str;
 
     /// `Misprint: the sign of the second term.`
     fn wrong(&self, erratum: &Erratum) -> String {
@@ -268,32 +242,34 @@ fn about(name: &str, erratum: &Erratum) -> String {
 
 /// By whom a paper is, and where it can be found, as far as that is known.
 fn source(paper: &Paper) -> String {
-    let parts = [paper.authors, paper.reference];
-    let known: Vec<_> = parts.into_iter().filter(|part| !part.is_empty()).collect();
-    let by = if paper.authors.is_empty() { "" } else { "by " };
-    format!("{by}{}", known.join(", "))
+    let by = match paper.authors {
+        "" => String::new(),
+        authors => format!("by {authors}"),
+    };
+    let known = [by.as_str(), paper.reference].into_iter();
+    known
+        .filter(|part| !part.is_empty())
+        .collect::<Vec<_>>()
+        .join(", ")
 }
 
 /// Plain text, 78 characters a line.
 struct Plain;
 
 impl Style for Plain {
-    fn opening(&self, paper: &Paper, what: &str, sender: &Sender<'_>) -> String {
-        format!(
-            "{what} \"{}\"\n{}\n\nTo the authors\nFrom {}\n\n",
-            paper.title,
-            source(paper),
-            sender.lines().join("\n     ")
-        )
+    fn opening(&self, paper: &Paper, what: &str) -> String {
+        let (title, source) = (paper.title, source(paper));
+        format!("{what} \"{title}\"\n{source}\n\nTo the authors\nFrom {SENDER}\n\n")
     }
     fn heading(&self, title: &str) -> String {
         format!("{}\n{}\n\n", title.to_uppercase(), "=".repeat(title.len()))
     }
-    fn paragraph(&self, words: &str, code: &str) -> String {
-        wrapped(&plain_words(words).replace(CODE, code), 0) + "\n"
+    fn paragraph(&self, words: &str) -> String {
+        wrapped(&plain_words(words), 0) + "\n"
     }
     fn numbered(&self, number: u16, latex: &str) -> String {
-        wrapped(&format!("({number}) {}", plain_formula(latex)), 4) + "\n"
+        let line = format!("({number}) {}", plain_formula(latex));
+        format!("\n\n{}\n", wrapped(&line, 4))
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         let (verdict, section) = (erratum.verdict.words(), erratum.section);
@@ -309,8 +285,8 @@ impl Style for Plain {
             text
         }
     }
-    fn finished(&self, text: String) -> String {
-        text
+    fn closing(&self, _: &str) -> &'static str {
+        ""
     }
 }
 
@@ -334,61 +310,42 @@ fn wrapped(words: &str, indent: usize) -> String {
 struct Latex;
 
 impl Style for Latex {
-    fn opening(&self, paper: &Paper, what: &str, sender: &Sender<'_>) -> String {
+    fn opening(&self, paper: &Paper, what: &str) -> String {
         // The comment is two pages of a journal, the supplement a report.
         let columns = match what {
-            COMMENT => "\\raggedcolumns\\begin{multicols}{2}\n",
+            COMMENT => "\\begin{multicols}{2}\n",
             _ => "",
         };
-        let lines: Vec<_> = sender.lines().into_iter().map(tex_plainly).collect();
         format!(
-            "\\documentclass[10pt]{{article}}\n\\usepackage[utf8]{{inputenc}}\n\\usepackage{{amsmath,amssymb,bm,graphicx,multicol}}\n\
-             \\usepackage[a4paper,margin=18mm]{{geometry}}\n\\setlength\\emergencystretch{{3em}}\n\\allowdisplaybreaks\n{FIT}\n\n\\begin{{document}}\n\
-             \\begin{{center}}\n{{\\Large {what} ``{}''}}\\\\[2pt]\n{}\\\\[8pt]\nTo the authors\\\\[4pt]\nFrom {}\n\\end{{center}}\n\
-             {columns}\n",
+            "{}{{\\Large {what} ``{}''}}\\\\[2pt]\n{}\\\\[8pt]\nTo the authors\\\\[4pt]\nFrom {SENDER}\n\\end{{center}}\n{columns}\n",
+            include_str!("letter.tex"),
             paper.title,
             source(paper),
-            lines.join("\\\\{}\n")
         )
     }
     fn heading(&self, title: &str) -> String {
         format!("\\subsection*{{{title}}}\n\n")
     }
-    fn paragraph(&self, words: &str, code: &str) -> String {
-        let mut parts = words.split('$');
-        let mut out = tex_words(parts.next().unwrap_or_default());
-        while let (Some(formula), Some(after)) = (parts.next(), parts.next()) {
-            if plain_formula(formula).chars().count() <= SHORT {
-                out += &tex_words(&format!("${formula}$"));
-                out += &tex_words(after);
-                continue;
-            }
-            // The stop behind a formula stands where that does.
-            let (stop, after) = after.split_at(usize::from(after.starts_with([',', ';', '.'])));
-            // What it says a name is stays together.
-            let formula = match breakable(formula).split_once(r",\quad") {
-                Some((formula, name)) => format!(r"{formula},\quad{{{name}}}"),
-                None => breakable(formula),
+    fn paragraph(&self, words: &str) -> String {
+        let mut text = String::new();
+        for (i, part) in words.split('$').enumerate() {
+            text += &match i % 2 {
+                0 => tex_plain(part),
+                _ if is_long(part) => format!("\n\\[\\broken{{{}}}\\]\n", breakable(part)),
+                _ => format!("${}$", breakable(part)),
             };
-            out += &format!(
-                "\n\\[\\broken{{{formula}{stop}}}\\]\n{}",
-                tex_words(after.trim_start())
-            );
         }
-        format!(
-            "{}\n\n",
-            out.replace("$$", " ").replace(CODE, &tex_plainly(code))
-        )
+        // The stop behind a formula stands where that does.
+        for stop in [",", ";", "."] {
+            text = text.replace(&format!("}}\\]\n{stop} "), &format!("{stop}}}\\]\n"));
+        }
+        text.replace("$$", " ") + "\n\n"
     }
     fn numbered(&self, number: u16, latex: &str) -> String {
-        let words = latex.split_once(r"\quad\text{");
-        let words = words.filter(|_| plain_formula(latex).chars().count() > SHORT);
-        let (formula, words) = words.unwrap_or((latex, ""));
-        let words = match words.strip_suffix('}') {
-            Some(words) => format!("\\noindent {}\n\n", tex_words(&closed(words))),
-            None => String::new(),
-        };
-        format!("\\begin{{gather*}}\n{formula}\\tag{{{number}}}\n\\end{{gather*}}\n{words}")
+        let parts = latex.split_once(r"\quad\text{").filter(|_| is_long(latex));
+        let (formula, words) = parts.unwrap_or((latex, ""));
+        let words = tex_words(words.trim_end_matches('}'));
+        format!("\n\\begin{{gather*}}\n{formula}\\tag{{{number}}}\n\\end{{gather*}}\n{words}\n\n")
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
         format!(
@@ -408,13 +365,11 @@ impl Style for Latex {
             None => format!("\\emph{{{label}:}} {}\n{end}", tex_words(words)),
         }
     }
-    fn finished(&self, text: String) -> String {
-        // Neighbours are one display, which begins no paragraph.
-        let text = text.replace("\n\\end{gather*}\n\\begin{gather*}\n", "\\\\\n");
-        let text = text.replace("\n\n\\begin{gather*}", "\n\\begin{gather*}");
-        let columns = text.contains(r"\begin{multicols}");
-        let end = if columns { "\\end{multicols}\n" } else { "" };
-        text + end + "\\end{document}\n"
+    fn closing(&self, what: &str) -> &'static str {
+        match what {
+            COMMENT => "\\end{multicols}\n\\end{document}\n",
+            _ => "\\end{document}\n",
+        }
     }
 }
 
@@ -438,31 +393,18 @@ fn tex_words(words: &str) -> String {
     parts.collect::<String>().replace("$$", " ")
 }
 
-/// A formula in which lines can break: not between `\left` and `\right`, nor in a fraction, for which a long one has a stroke.
+/// A formula in which lines can break: not between `\left` and `\right`, nor in a fraction, which has a stroke if it is long.
 fn breakable(formula: &str) -> String {
-    let formula = formula.replace(r"\left[", r"\bigl[");
-    let formula = formula.replace(r"\right]", r"\bigr]");
-    let parts = formula
+    let formula = formula
+        .replace(r"\left[", r"\bigl[")
+        .replace(r"\right]", r"\bigr]");
+    let inside = formula
         .strip_prefix(r"\frac{")
         .and_then(|rest| rest.strip_suffix('}'));
-    match parts.and_then(|parts| parts.split_once("}{")) {
-        Some((above, below))
-            if above.len() > 300 && above.matches('{').count() == above.matches('}').count() =>
-        {
-            format!(r"\bigl({above}\bigr)/\bigl({below}\bigr)")
-        }
-        _ => formula,
-    }
-}
-
-/// A name or an address, in which nothing is a formula; a line may break behind a stroke.
-fn tex_plainly(words: &str) -> String {
-    let tex = |c: char| match c {
-        '/' => r"/\allowbreak ".to_owned(),
-        '$' => r"\$".to_owned(),
-        c => tex_char(c),
-    };
-    words.chars().map(tex).collect()
+    let long = inside.filter(|inside| inside.len() > 300 && inside.matches("}{").count() == 1);
+    long.map_or(formula.clone(), |inside| {
+        format!("({})", inside.replace("}{", ")/("))
+    })
 }
 
 fn tex_plain(words: &str) -> String {
@@ -486,7 +428,8 @@ fn tex_plain(words: &str) -> String {
 
 fn tex_char(c: char) -> String {
     match c {
-        '&' | '%' | '#' | '_' | '{' | '}' => format!("\\{c}"),
+        '&' | '%' | '#' | '_' | '{' | '}' | '$' => format!("\\{c}"),
+        '/' => r"/\allowbreak{}".into(),
         '^' => "\\^{}".into(),
         '~' => "\\~{}".into(),
         '\\' => "$\\backslash$".into(),
@@ -530,9 +473,12 @@ mod tests {
             };
             ledger.paper = Box::leak(Box::new(paper));
             ledger
-                .letter(Format::Text, &Sender::default())
+                .letter(Format::Text)
                 .map_err(|error| error.to_string())
         };
+        let sent = said("").unwrap();
+        assert_eq!(sent.lines().nth(1), Some(""), "nobody wrote it");
+        assert!(sent.contains("\nCORRECTIONS\n") && !sent.contains("Trial: "));
         let letter = said("[(4)](#eq-4) is {{right eq-4}}; {{count numbered}}, {{count standing}}");
         assert!(
             letter.as_ref().unwrap().contains("(4) is d = −1; "),

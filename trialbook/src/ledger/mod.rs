@@ -40,7 +40,7 @@ pub use errata::{ErrataError, Erratum};
 #[cfg(feature = "trials")]
 pub use key::Key;
 #[cfg(feature = "book")]
-pub use letter::{Format, Sender};
+pub use letter::Format;
 pub use record::{Difference, Record, RecordError};
 #[cfg(feature = "trials")]
 pub use row::{EvidenceRow, Row};
