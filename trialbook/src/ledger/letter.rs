@@ -69,7 +69,7 @@ impl Ledger {
             let id = line.strip_prefix("{{right ");
             let claim = id.and_then(|id| Some(self.entry(id.strip_suffix("}}")?)?.claim));
             let right = claim.and_then(|claim| Some((claim.equation?, claim.correction?.latex)));
-            text += &match (line.strip_prefix("# "), right) {
+            let next = match (line.strip_prefix("# "), right) {
                 (Some(title), _) => style.heading(title),
                 (_, Some((number, latex))) => {
                     text.truncate(text.trim_end().len());
@@ -77,6 +77,7 @@ impl Ledger {
                 }
                 _ => style.paragraph(&self.filled(errata, &unlinked(line))?),
             };
+            text += &next;
         }
         Ok(text + style.closing(COMMENT))
     }
