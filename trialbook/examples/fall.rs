@@ -84,6 +84,13 @@ fn right_way_by_integral() -> Evidence {
     })
 }
 
+/// What the case by hand has: printed, and in the motion.
+static CASES: [Numbers; 1] = [Numbers::new(
+    "eq-2",
+    || Ok(paper::eq2_way(10.0, 3.0)),
+    || Ok(motion([10.0, 3.0])?[0]),
+)];
+
 static FALL: Topic = Topic::new(
     "fall",
     "The fall",
@@ -102,8 +109,8 @@ static FALL: Topic = Topic::new(
         corrected = 's=gt^2/2'
         trials = ["fall::way_by_motion", "fall::right_way_by_motion", "fall::right_way_by_integral"]
         [eq-2.by-hand]
-        wrong = 'it is the way with the speed of the end all along'
-        reason = 'The speed grows evenly from 0 to $gt$: on the way it is half of that in the mean'
+        wrong = 'it takes the speed at the end for the whole way'
+        reason = 'The speed grows evenly from 0 to $gt$; its mean is half of that'
         case = 'Take $g=10$ and $t=3$: in the middle the speed is 15. Printed: {stated}. In the motion: {found}'
         digits = 0
     "#,
@@ -116,11 +123,7 @@ static FALL: Topic = Topic::new(
         right_way_by_integral
     ]],
 )
-.by_hand(&[Numbers::new(
-    "eq-2",
-    || Ok(paper::eq2_way(10.0, 3.0)),
-    || Ok(motion([10.0, 3.0])?[0]),
-)]);
+.by_hand(&CASES);
 
 static PAPER: Paper = Paper {
     title: "The falling stone",

@@ -344,8 +344,10 @@ impl Style for Latex {
     }
     fn numbered(&self, number: u16, latex: &str) -> String {
         let parts = latex.split_once(r"\quad\text{").filter(|_| is_long(latex));
-        let (formula, words) = parts.unwrap_or((latex, ""));
-        let words = tex_words(words.trim_end_matches('}'));
+        let formula = parts.map_or(latex, |(formula, _)| formula);
+        let words = parts.map_or(String::new(), |(_, words)| {
+            tex_words(&closed(words.trim_end_matches('}')))
+        });
         format!("\n\\begin{{gather*}}\n{formula}\\tag{{{number}}}\n\\end{{gather*}}\n{words}\n\n")
     }
     fn title(&self, name: &str, erratum: &Erratum) -> String {
