@@ -3,6 +3,7 @@
 use crate::prose::text::pages;
 use crate::{BOOK, LEDGER};
 use slipbook::claims::PAPER;
+use slipbook::edition::EDITION;
 use slipbook::evidence::Evidence;
 use slipbook::ledger::Format;
 use std::collections::{BTreeMap, BTreeSet};
@@ -153,6 +154,18 @@ fn steps_of_proofs_are_sentences() {
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
+}
+
+#[test]
+fn what_answers_to_words_is_there() {
+    for line in EDITION.aliases.lines() {
+        let place = line
+            .split_once('\t')
+            .and_then(|(place, _)| place.split_once('#'));
+        let (page, id) = place.unwrap_or_else(|| panic!("no place in \"{line}\""));
+        let html = fs::read_to_string(BOOK.join(page)).unwrap();
+        assert!(html.contains(&format!("id=\"{id}\"")), "{line}");
+    }
 }
 
 /// How often each character stands in a text, less how often in another.

@@ -57,9 +57,10 @@ pub struct Edition {
     pub figures: fn() -> Result<Vec<Figure>, Failure>,
     /// The symbols of the formulas.
     pub symbols: &'static [Symbol],
-    /// Phrases to which a place answers first in the search, whether or not they stand there: its address, such as
-    /// `errata.html#errata`, and the phrases.
-    pub aliases: &'static [(&'static str, &'static [&'static str])],
+    /// To what a place answers first in the search, whether or not it stands there, a line each: its address, such as
+    /// `errata.html#errata`, a tabulator, and with `; ` between them words, which are found in any question, and phrases, which are
+    /// found whole.
+    pub aliases: &'static str,
     /// Where one sees a claim fail: the claim's id, the address of an explorer in that state, such as
     /// `rest.html#explore-rest?rho=0.5`, and what one watches there.
     pub watch: &'static [(&'static str, &'static str, &'static str)],
@@ -98,7 +99,7 @@ impl Edition {
             usual: Page::USUAL,
             figures: || Ok(Vec::new()),
             symbols: &[],
-            aliases: &[],
+            aliases: "",
             watch: &[],
             breaks: |_| None,
             sources: Sources::NONE,

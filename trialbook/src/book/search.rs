@@ -133,16 +133,16 @@ impl Search {
     /// An index of nothing yet, for a book with these claims.
     pub fn new(context: &Context<'_>) -> Self {
         let mut search = Search::default();
-        for (address, phrases) in context.edition.aliases {
-            let address = (*address).to_owned();
+        let lines = context.edition.aliases.lines();
+        for (address, phrases) in lines.filter_map(|line| line.split_once('\t')) {
+            let phrases = phrases.split("; ");
             let exact = phrases
-                .iter()
-                .map(|phrase| ((*phrase).to_owned(), address.clone()));
+                .clone()
+                .map(|phrase| (phrase.to_owned(), address.to_owned()));
             search.exact.extend(exact);
-            // One of several words is found by all of them.
-            let mut words = phrases.to_vec();
-            words.retain(|phrase| !phrase.contains(' '));
-            search.aliases.insert(address, words.join(" "));
+            let words = phrases.filter(|phrase| !phrase.contains(' '));
+            let words = words.collect::<Vec<_>>().join(" ");
+            search.aliases.insert(address.to_owned(), words);
         }
         for entry in &context.ledger.entries {
             let (claim, verdict) = (entry.claim, entry.judgement.verdict);
