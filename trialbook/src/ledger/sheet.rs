@@ -71,6 +71,10 @@ fn trial(text: &mut String, e: &Evidence, conditional: bool) {
     if !e.title.is_empty() {
         let _ = writeln!(text, "    {}", e.title);
     }
+    // A lemma that is lost is missed here, also by what rests on it through others.
+    for lemma in &e.lemmas {
+        let _ = writeln!(text, "    rests on: {}", lemma.title);
+    }
     for s in &e.samples {
         let [stated, found] = match e.outcome() {
             Outcome::Disagrees => apart(s, e.tolerance.value),
