@@ -300,28 +300,21 @@ impl Ring {
         };
         let same = |x: &Rational, y: &Rational| self.is_zero(&(x - y)).unwrap_or(false);
         let named = |x: &Rational| self.symbols.iter().find(|(_, of)| same(x, of));
-        let cosine = |x: &Rational| {
-            let mut angles = self.angles.iter().map(|[g, ..]| *g);
-            angles.find(|g| {
-                let turned = self.circular(&Rational::generator(*g));
-                turned.is_ok_and(|(cosine, _)| same(x, &cosine))
-            })
-        };
-        let is_arcsine = |g: usize| {
+        let text = |x: &Rational| named(x).map_or_else(|| self.text(x), |(name, _)| (*name).into());
+        // A cosine or sine is positive with an angle that is an arcsine or arccosine.
+        let beside = |x: &Rational| {
             let mut known = self.inverses.iter();
             known.any(|known| {
-                known.function == Function::Asin && same(&known.angle, &Rational::generator(g))
+                let both = self.circular(&known.angle);
+                both.is_ok_and(|(cosine, sine)| match known.function {
+                    Function::Asin => same(x, &cosine),
+                    _ => same(x, &sine),
+                })
             })
         };
-        let values = self.powers.iter().map(|known| &known.value);
-        let values = values
-            .chain(&self.supposed)
-            .filter_map(|x| match (named(x), cosine(x)) {
-                _ if self.has_positive_terms(x) => None,
-                (Some((name, _)), _) => Some((*name).to_owned()),
-                (_, Some(g)) => (!is_arcsine(g)).then(|| format!("cos {}", self.names[g])),
-                _ => Some(self.text(x)),
-            });
+        let roots = self.powers.iter().map(|known| &known.value);
+        let roots = roots.filter(|x| !self.has_positive_terms(x) && !beside(x));
+        let values = roots.chain(&self.supposed).map(text);
         let chosen = |known: &&KnownInverse| named(&known.of).is_none();
         let ends = self.inverses.iter().filter(chosen).flat_map(|known| {
             let (pi, twice) = (Rational::generator(PI), &known.angle * &Rational::int(2));

@@ -340,83 +340,68 @@ fn a_root_of_a_product_finds_its_number_in_any_order() -> Result<(), ExactError>
 /// Of a root and an angle that are named, which branch it is; of one that is chosen for a name, nothing.
 #[test]
 fn a_branch_is_said() {
-    fn positive(declare: impl Fn(&mut Ring) -> Result<(), ExactError>) -> Vec<String> {
-        let mut ring = Ring::of(["x", "λ"]);
+    type Declare = fn(&mut Ring, Rational, Rational) -> Result<(), ExactError>;
+    let cases: [(Declare, &[&str]); 6] = [
+        (|ring, x, _| ring.root_is(&x.pow(2), 2, &x), &["x"]),
+        (|ring, x, _| ring.root_is(&x.pow(2), 2, &-x), &["−x"]),
+        (|ring, x, _| ring.root_is(&x.pow(4), 2, &x.pow(2)), &[]),
+        (
+            |ring, _, sine| ring.inverse(Function::Asin, &sine, &ring.named("θ")?),
+            &["π + 2 θ", "π − 2 θ"],
+        ),
+        (
+            |ring, _, sine| {
+                ring.define("λ", sine.clone())?;
+                ring.inverse(Function::Asin, &sine, &ring.named("θ")?)?;
+                let cosine = ring.read(Expr::symbol("θ").cos())?;
+                ring.root_is(&(Rational::int(1) - &sine * &sine), 2, &cosine)
+            },
+            &[],
+        ),
+        (
+            |ring, x, _| {
+                ring.suppose_positive(&x - &Rational::int(1));
+                Ok(())
+            },
+            &["x − 1"],
+        ),
+    ];
+    for (declare, said) in cases {
+        let mut ring = Ring::of(["x"]);
         ring.angle("θ");
-        declare(&mut ring).unwrap();
-        ring.positive().into_iter().collect()
+        let (x, sine) = (Expr::symbol("x"), Expr::symbol("θ").sin());
+        let [x, sine] = [x, sine].map(|f| ring.read(f).unwrap());
+        declare(&mut ring, x.clone(), sine).unwrap();
+        assert_eq!(ring.positive().into_iter().collect::<Vec<_>>(), said);
+        // What has a root already would be 0 for some sign of it.
+        assert!(ring.root(&x.pow(6), 2).is_err() && ring.root(&x.pow(3), 2).is_ok());
     }
-    let named = |ring: &Ring, name| ring.named(name).unwrap();
-    assert_eq!(
-        positive(|ring| {
-            let x = named(ring, "x");
-            ring.root_is(&x.pow(2), 2, &x)
-        }),
-        ["x"]
-    );
-    assert_eq!(
-        positive(|ring| {
-            let x = named(ring, "x");
-            ring.root_is(&x.pow(2), 2, &-&x)
-        }),
-        ["−x"]
-    );
-    let sine = |ring: &Ring| ring.read(Expr::symbol("θ").sin());
-    assert_eq!(
-        positive(|ring| ring.inverse(Function::Asin, &sine(ring)?, &named(ring, "θ"))),
-        ["π + 2 θ", "π − 2 θ"]
-    );
-    assert_eq!(
-        positive(|ring| {
-            let other = ring.read(Expr::pi() - Expr::symbol("θ"))?;
-            ring.inverse(Function::Asin, &sine(ring)?, &other)
-        }),
-        ["3 π − 2 θ", "−π + 2 θ"]
-    );
-    assert_eq!(
-        positive(|ring| {
-            let of = sine(ring)?;
-            ring.define("μ", of.clone())?;
-            let cosine = ring.read(Expr::symbol("θ").cos())?;
-            ring.inverse(Function::Asin, &of, &named(ring, "θ"))?;
-            ring.root_is(&(Rational::int(1) - &of * &of), 2, &cosine)
-        }),
-        [""; 0]
-    );
-    assert_eq!(
-        positive(|ring| {
-            let [x, lambda] = ["x", "λ"].map(|name| named(ring, name));
-            ring.suppose_positive(&lambda - &Rational::int(1));
-            ring.root_is(&x.pow(4), 2, &x.pow(2))
-        }),
-        ["λ − 1"]
-    );
-    // What has a root already would be 0 for some sign of it.
-    let mut ring = Ring::of(["x"]);
-    let x = ring.named("x").unwrap();
-    assert!(ring.root(&x.pow(2), 2).is_err() && ring.root(&x.pow(3), 2).is_ok());
 }
 
 #[test]
 fn what_is_positive_by_its_form_is_told() {
     let mut ring = Ring::of(["x", "λ"]);
     ring.angle("θ");
-    let [x, lambda] = ["x", "λ"].map(|name| ring.named(name).unwrap());
-    let one = Rational::int(1);
-    let root = ring.root(&x, 2).unwrap();
-    let cosine = ring.read(Expr::symbol("θ").cos()).unwrap();
-    let above = &lambda - &one;
-    let all = [
-        &x.pow(2) + &one,
-        &root + &one,
-        &above * &(&x.pow(4) + &root),
-        &one + &cosine,
-        &lambda + &cosine,
-        -&above,
-        Rational::int(0),
-    ];
-    let told = |ring: &Ring| all.clone().map(|x| ring.is_positive(&x).unwrap());
-    assert_eq!(told(&ring), [true, true, false, true, false, false, false]);
-    ring.suppose_positive(above.clone());
-    assert_eq!(told(&ring), [true, true, true, true, false, false, false]);
+    let [x, lambda, theta] = Expr::symbols(["x", "λ", "θ"]);
+    let (one, own) = (Expr::int(1), ring.named("x").unwrap());
+    ring.root(&own, 2).unwrap();
+    let above = ring.read(lambda - one).unwrap();
+    let (more, less) = (
+        (lambda - one) * (x.squared() + x.sqrt()),
+        lambda + theta.cos(),
+    );
+    for supposed in [false, true] {
+        for (formula, expected) in [
+            (x.squared() + x.sqrt(), true),
+            (one + theta.cos(), true),
+            (more, supposed),
+            (-more, false),
+            (less, false),
+            (x - x, false),
+        ] {
+            let x = ring.read(formula).unwrap();
+            assert_eq!(ring.is_positive(&x).unwrap(), expected, "{formula}");
+        }
+        ring.suppose_positive(above.clone());
+    }
 }
