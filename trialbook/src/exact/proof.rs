@@ -573,6 +573,24 @@ mod tests {
         assert!(sum.compares() && rests.holds() && !rests.compares());
     }
 
+    #[test]
+    fn what_holds_for_both_signs_needs_neither() {
+        let of = |sign: i64| {
+            let mut ring = Ring::of(["x"]);
+            let x = ring.named("x").unwrap();
+            let root = &x * &Rational::int(sign);
+            ring.root_is(&x.pow(2), 2, &root).unwrap();
+            Proof::of("t", &ring, |p| p.equal("It", &root.pow(2), &x.pow(2)))
+        };
+        assert_eq!(of(-1).positive().into_iter().collect::<Vec<_>>(), ["−x"]);
+        assert!(Proof::for_both_signs(of).positive().is_empty());
+        for wrong in [1, -1] {
+            let fails = || Proof::impossible("t", ExactError::UnknownSymbol("y".into()));
+            let either = |sign| if sign == wrong { fails() } else { of(sign) };
+            assert!(!Proof::for_both_signs(either).holds());
+        }
+    }
+
     /// Neither in the proof nor in its certificate, and whether that is written or not.
     #[test]
     fn what_is_so_as_it_stands_is_no_step() {
