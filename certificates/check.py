@@ -19,12 +19,14 @@ try:
 except ImportError:
     sys.exit("python-flint is missing: pip install python-flint")
 
-from field import identity
-from formula import demand, keys
+from field import identity, inequalities
+from formula import Wrong, demand, keys
 from intervals import motion, number, range_, root
 from transcript import Transcript, witness
 from ties import tied
 
+# Kinds of claims that are formulas, which their own proofs have to compare.
+FORMULAS = ("definition", "equation", "number")
 KINDS = {"identity": identity, "root": root, "number": number, "range": range_, "motion": motion}
 
 
@@ -34,7 +36,7 @@ def text(value):
 
 
 def entries(folder):
-    """Of each claim, by its entry: the statement, what replaces it, and its conditions, without remarks."""
+    """Of each claim, by its entry: the statement, what replaces it, its conditions, without remarks, and whether it is a formula."""
     files = {file.stem: tomllib.loads(file.read_text("utf-8")) for file in folder.glob("*.toml")}
     shared, found = files.pop("shared")["conditions"], {}
     for file in files.values():
@@ -43,7 +45,8 @@ def entries(folder):
             if claim not in ("section", "reasons"):
                 given = [known[c] if isinstance(c, str) else c for c in entry.get("conditions", [])]
                 under = [text(said) for c in given for sort, said in c.items() if sort != "remark"]
-                found[claim] = text(entry["latex"]), text(entry.get("corrected", "")), under
+                kind = entry.get("kind", "equation" if claim.startswith("eq-") else "property")
+                found[claim] = text(entry["latex"]), text(entry.get("corrected", "")), under, kind in FORMULAS
     return found
 
 
@@ -56,7 +59,7 @@ class Prints:
         self.transcript = Transcript((self.root / "certificates/transcript.txt").read_text("utf-8"))
 
     def has(self, claim, statement, corrected, conditions):
-        printed, correct, under = self.entries.get(claim, ("", "", None))
+        printed, correct, under, _ = self.entries.get(claim, ("", "", None, False))
         return statement == (correct if corrected else printed) and conditions == under
 
 
@@ -67,24 +70,38 @@ def right(certificate, name, prints):
     demand(type(version) is int and version == 4, "another version of the format")
     demand(type(proof) is int and name == f"{claim}-{proof}.json", "another file's name")
     demand(prints.has(claim, statement, "corrected" in about, conditions), "the statement is not printed so")
-    demand(any(w.get("kind") != "identity" or w.get("equal") for w in witnesses), "nothing is compared")
+    own = witnesses[-1:] if prints.entries[claim][3] else witnesses
+    demand(any(w.get("kind") != "identity" or w.get("equal") for w in own), "nothing is compared")
     before, under = [], [] if about.startswith("without") else conditions
     for w in witnesses:
         demand(w.get("kind") in KINDS, f"no kind of witness: {w.get('kind')}")
-        before.append(KINDS[w["kind"]](w, before, *[under, claim] * (w["kind"] == "identity")))
+        before.append(KINDS[w["kind"]](w, before, *[under] * (w["kind"] == "identity")))
     head = [f"{name}: {about}; {tied(statement, witnesses)}", f"statement: {statement}",
             *(f"condition: {text}" for text in conditions), f"says: {says}"]
     demand(not any("\n" in line for line in head), "a text of two lines")
     return "\n".join(head), [witness(w) for w in witnesses]
 
 
-def check(certificate, name, prints):
+def use(certificate):
+    """What becomes of the identities without the conditions that begin as inequalities: refused, as these are used, or not."""
+    conditions, witnesses = [c for c in certificate["conditions"] if inequalities(c)], certificate["witnesses"]
+    if not conditions or certificate["about"].startswith("without"):
+        return "none"
+    try:
+        before = [w.get("title") for w in witnesses]
+        all(identity(w, before) for w in witnesses if w["kind"] == "identity")
+    except Wrong:
+        return "used"
+    return "idle"
+
+
+def check(certificate, name, prints, record=False):
     """Raises `Wrong` unless the certificate is right, and says what is recorded."""
     said = right(certificate, name, prints)
     demand(name in prints.transcript.files, "a file that is not listed")
     demand(prints.transcript.files[name] == said, "not what is listed")
     about, tie = said[0].split("\n")[0].split(": ", 1)[1].rsplit("; ", 1)
-    return f"{certificate['claim']},{certificate['proof']},{tie},{about}"
+    return f"{certificate['claim']},{certificate['proof']},{tie},{use(certificate) if record else ''},{about}"
 
 
 def once(pairs):
@@ -114,7 +131,8 @@ def main(words=None):
     accepted, rejected = [], []
     for file in files:
         try:
-            accepted.append((right if anew else check)(opened(file), file.name, prints))
+            of = opened(file), file.name, prints
+            accepted.append(right(*of) if anew else check(*of, bool(date)))
         except Exception as error:  # whatever a broken file brings about
             rejected.append(f"{file.name}: {type(error).__name__}: {error}")
     if anew:

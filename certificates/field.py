@@ -16,10 +16,6 @@ RULES = {"pi": "rule", "free": "rule name", "half-tangent": "rule of", "half-exp
          "root": "rule of degree", "power": "rule of to", "logarithm": "rule of"}
 WORTH = {"pi": lambda: arb.pi(), "half-tangent": lambda x: (x / 2).tan(), "half-exponential": lambda x: (x / 2).exp(),
          "power": pow, "logarithm": arb.log}
-
-# What a symbol is there, in a proof of what is so at one point only: put in, it changes nothing of what is made of the symbol.
-# It is so in that claim's file alone.
-RELATIONS = {("s24-Y", "B and C touch at Y"): ("α", ["-", ["/", ["*", "3", "π"], "2"], ["cot", "α"]])}
 # At so many places what is said of signs and branches has to hold, of so many that are looked at.
 PLACES, TRIES = 3, 3000
 # What has to hold everywhere is looked at for the signs of so many of the free generators in it, each in so many tries.
@@ -63,14 +59,14 @@ class Element(Value):
 class Field(Calculator):
     """The generators with their relations."""
 
-    def __init__(self, generators, symbols, powers, inverses, conditions=(), relation=(None, None)):
+    def __init__(self, generators, symbols, powers, inverses, conditions=()):
         self.n = len(generators)
         self.ctx = fmpz_mpoly_ctx.get([f"g{i}" for i in range(self.n)], "lex")
         self.one = self.ctx.constant(1)
         self.g = [Element(self, g, self.one) for g in self.ctx.gens()]
         # A root is a power; of roots, radicand and degree are known too.
         self.rules, self.roots, self.powers, self.inverses, self.symbols = [], {}, [], [], {"π": self.g[0]}
-        self.half, self.places, self.divisors, self.relation = self.number(fmpq(1, 2)), None, [], relation
+        self.half, self.places, self.divisors = self.number(fmpq(1, 2)), None, []
         for g, x in enumerate(generators):
             self.rules.append(self.rule(g, x))
         demand(self.rules and self.rules[0] == ("pi",), "without π")
@@ -109,14 +105,12 @@ class Field(Calculator):
         demand(all(map(self.differs, self.divisors)), "division by zero")
 
     def conditions(self, texts):
-        """What is positive by the claim's conditions, as far as these begin with inequalities between what occurs here; and
-        whether it may be zero."""
+        """What is positive by the claim's conditions, as far as these are inequalities between what occurs here; and whether it
+        may be zero."""
         symbols, found = {name(x): x for x in self.symbols}, []
         spelled = lambda tree: [tree[0], *map(spelled, tree[1:])] if isinstance(tree, list) else symbols.get(tree, tree)
         for text in texts:
-            latex = re.match(r"\$([^$]*)\$", text)
-            sides = re.split(r"(<|>|\\leq?(?![a-z])|\\geq?(?![a-z]))", latex[1]) if latex else []
-            for left, sign, right in zip(sides[::2], sides[1::2], sides[2::2]):
+            for left, sign, right in inequalities(text):
                 try:
                     left, right = (evaluate(spelled(*Reader(side).sides()), self) for side in (left, right))
                 except (Wrong, TypeError):  # it cannot be read, or is about something else
@@ -447,10 +441,7 @@ class Field(Calculator):
         demand(0 not in values, "π is no other number")
         all_, there = [values.get(g, own) for g, own in enumerate(self.g)], x.occurring()
         of = {g: self.made_of(self.g[g]) - {g} for g in self.made_of(x)}
-        own, tree = self.relation
-        itself = {g for g in values if own in self.symbols and self.same(self.symbols[own], self.g[g]) and self.same(values[g], evaluate(tree, self))}
-        result, values = self.value(x, all_, self), {g: y for g, y in values.items() if g not in itself}
-        all_ = [values.get(g, own) for g, own in enumerate(self.g)]
+        result = self.value(x, all_, self)
         for g in of:
             if g in values or of[g] & values.keys():
                 others = [h for h in there - {g} if of[g] & (of[h] | {h}) and g not in of[h]]
@@ -471,20 +462,27 @@ class Field(Calculator):
         return result
 
 
-def identity(w, before, conditions=(), claim=None):
+def inequalities(text):
+    """A condition that is one, or several in a row, and says nothing else: left side, sign and right side of each."""
+    latex = re.fullmatch(r"\$([^$]*)\$", text)
+    sides = re.split(r"(<|>|\\leq?(?![a-z])|\\geq?(?![a-z]))", latex[1]) if latex else []
+    return list(zip(sides[::2], sides[1::2], sides[2::2]))
+
+
+def identity(w, before, conditions=()):
     """Some stand in several files; each is looked at once."""
     given = w.get("given", [])
     demand(all(isinstance(other, str) and other in before for other in given), "it rests on a proof that is not there")
-    return carried_out(json.dumps(w), tuple(conditions), RELATIONS.get((claim, w.get("title"))) and claim)
+    return carried_out(json.dumps(w), tuple(conditions))
 
 
 @cache
-def carried_out(text, conditions, claim):
+def carried_out(text, conditions):
     w = json.loads(text)
     _, title, _, generators, symbols, powers, inverses, parts, gives, equal, fails = keys(
         w, "kind title given generators symbols powers inverses parts gives equal fails")
     demand(type(fails) is bool and len(equal) >= fails, "nothing is compared")
-    f = Field(generators, symbols, powers, inverses, conditions, RELATIONS.get((claim, title), (None, None)))
+    f = Field(generators, symbols, powers, inverses, conditions)
     demand(len(gives) == len(parts), "not as many results as parts")
     made, used = [], set()
     for part, result in zip(parts, gives):

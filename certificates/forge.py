@@ -258,6 +258,11 @@ def nothing_shown(c, other):
     c["witnesses"] = [w | {"equal": [], "parts": [], "gives": []} for w in c["witnesses"] if w["kind"] == "identity"]
 
 
+def own_link_emptied(c, other):
+    """An equation that is shown by what it rests on alone."""
+    c["witnesses"][-1] |= {"equal": [], "parts": [], "gives": []}
+
+
 def without_its_end(c, other):
     c["witnesses"].pop()
 
@@ -283,6 +288,7 @@ IN_FILES = [
     (no_statement, "the statement is not printed so"),
     (other_condition, "the statement is not printed so"),
     (nothing_shown, "nothing is compared"),
+    (own_link_emptied, "nothing is compared"),
     (other_sign, "the statement is not printed so"),
     (without_its_end, "not what is listed"),
     (other_name, "another file's name"),
@@ -465,6 +471,12 @@ def another_condition():
     return lambda w, _: identity(w, [], ["$b>-1$"]), witness, why
 
 
+def excepted_condition():
+    """The same where b > 0 is what is excepted."""
+    _, witness, why = power_of_zero()
+    return lambda w, _: identity(w, [], ["$b>0$ is excepted: there it is not so"]), witness, why
+
+
 def power_of_zero_that_is_not():
     """x + x^b at 0 is 7, for b > 0."""
     witness = claimed(ANY_POWER, *at(TO_ANY, (1, "0"), (3, "7"), "7"))[1]
@@ -488,9 +500,9 @@ def root_left_as_it_is():
 
 
 def touch_at_another_point():
-    """The same under the title of the proof that puts in what is so at Y alone."""
+    """The same under the title of a proof of what is so at one point alone."""
     _, witness, why = root_left_as_it_is()
-    return lambda w, _: identity(w, [], (), "s24-Y"), {**witness, "title": "B and C touch at Y"}, why
+    return identity, {**witness, "title": "B and C touch at Y"}, why
 
 
 def root_below_left_as_it_is():
@@ -548,10 +560,10 @@ TWO_SINES = {"above": [["2", [0, 0, 1, 2]]], "number": "1", "below": []}
 
 
 def touch_in_another_claim():
-    """α + sin α is 3π/2 − cot α + sin α everywhere, under the title of the proof where α is that."""
+    """α + sin α is 3π/2 − cot α + sin α everywhere, though α is that at Y alone."""
     there = ["-", ["/", ["*", "3", "π"], "2"], ["cot", "α"]]
     _, witness = claimed([{"rule": "free", "name": "α"}, *ANGLE[1:]], *at(["+", "α", ["sin", "α"]], (1, there), ["+", there, ["sin", "α"]]))
-    return lambda w, _: identity(w, [], (), "eq-1"), {**witness, "title": "B and C touch at Y"}, "a value against a rule"
+    return identity, {**witness, "title": "B and C touch at Y"}, "a value against a rule"
 
 
 def angle_turned():
@@ -662,6 +674,13 @@ def name_like_a_formula():
     return *claimed([X, odd], [{"read": ["+", "x", "1"]}, {"read": "x + 1"}], [(0, 1)], fails=True), "no name"
 
 
+def name_alike(sign):
+    """x differs from what looks like x."""
+    def odd():
+        return *claimed([X, {"rule": "free", "name": sign}], [{"read": "x"}, {"read": sign}], [(0, 1)], fails=True), "no name"
+    return odd
+
+
 def no_decimal():
     """x + ¼ for x, as if it were a decimal with no digits behind the point."""
     from intervals import number
@@ -686,12 +705,13 @@ def named_as_pi():
 FALSE = [other_branch, at_the_end, at_the_end_of_a_side, by_the_slope_along_x, above_the_sine, cube_root, roots_of_what_is_negative,
          root_beside_the_angle, by_the_root_of_a_square, by_an_imaginary_zero, over_zero_as_written, other_logarithm, other_cosine, negative_root, beyond_the_exponent,
          disproof_elsewhere, no_decimal,
-         nothing_times_anything, named_as_pi, logarithm_of_zero, power_of_a_negative_number, power_of_zero, another_condition,
+         nothing_times_anything, named_as_pi, logarithm_of_zero, power_of_a_negative_number, power_of_zero, another_condition, excepted_condition,
          power_of_zero_that_is_not, tangent_at_its_pole, at_a_known_place, root_left_as_it_is, root_below_left_as_it_is, root_turned, touch_at_another_point,
          imaginary_root, two_angles_in_one, root_of_a_square, arcsine_of_a_sine, touch_in_another_claim, angle_turned,
          root_of_what_goes_along, root_beside_its_angle, root_by_chance, three_for_pi, exponential_of_a_number, exponential_beside_its_symbol,
          exponential_of_a_constant, left_constant, exponent_to_no_order, symbol_over_zero, rate_by_nothing, hidden_rate,
-         two_for_the_price_of_one, read_twice, name_like_a_formula, numbers_that_differ, one_point, root_with_itself]
+         two_for_the_price_of_one, read_twice, name_like_a_formula, name_alike("x\u034f"), name_alike("\u0445"), numbers_that_differ, one_point,
+         root_with_itself]
 
 
 def refused(reason, call):
@@ -714,7 +734,8 @@ def forged(whole, files, prints):
         yield reason, refused(reason, lambda: check.check(c, files[i], prints))
     for spoil, reason in IN_FILES:
         numbers = (i for i, c in enumerate(whole) if [w["kind"] for w in c["witnesses"]][1:] == ["number", "number"])
-        i = next(numbers if spoil != other_sign else (i for i, c in enumerate(whole) if "-" in c["statement"]))
+        fits = {other_sign: lambda c: "-" in c["statement"], own_link_emptied: lambda c: c["claim"] == "eq-82"}
+        i = next((i for i, c in enumerate(whole) if fits[spoil](c)) if spoil in fits else numbers)
         c = copy.deepcopy(whole[i])
         spoil(c, next(other for other in whole if other["claim"] not in (c["claim"], "s24-X") and "$" not in other["statement"]))
         yield reason, refused(reason, lambda: check.check(c, files[i], prints))

@@ -17,8 +17,10 @@ MEANT = {
 OPERATIONS = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
 
 
-# A name cannot be taken for a formula, nor for a part or a generator in the text of what is said.
-NAME = re.compile("(?!\\d|[ag]\\d+$)(\\w|[\u0300-\u036f\u2032\u208a\u208b\u22a5])+(/d\\w+)?")
+# A name cannot be taken for a formula, nor for a part or a generator in the text of what is said, nor for another name: its letters
+# are Latin, Greek that are no Latin ones in print, ℓ and Fraktur; its marks can be seen.
+SIGN = "[A-Za-z0-9_ΓΔΘΛΞΠΣΦΨΩα-ξπ-ωϖℓ\U0001d51e-\U0001d537\u0300-\u030c\u2032\u2080-\u208b\u22a5]"
+NAME = re.compile(f"(?!\\d|[ag]\\d+$){SIGN}+(/d{SIGN}+)?")
 
 
 class Wrong(Exception):

@@ -216,46 +216,48 @@ pub(super) fn sides_of_e() -> [Expr; 2] {
     corrected::e_sides(lambda0, q_lambda0)
 }
 
-/// (57): at q = 1 the two curves are one condition, tan α = 2/π, and the printed λ₀ meets it.
+/// (57): at q = 1 the two curves are one condition, which only the printed λ₀ meets.
 pub const X: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one("X", "(53) and (54) at $q=1$"),
     printed::eq57_x,
-    |[q, lambda0]| {
-        let equal = || {
-            let mut ring = frictions()?;
-            let alpha = ring.named("α")?;
+    |[q, critical]| {
+        let lambda0 = Expr::symbol("λ₀");
+        let k = |mut ring: Ring| {
             ring.define("K", ring.read(printed::eq53_k(q))?)?;
-            ring.define("alike", alpha)?;
             Ok(ring)
         };
-        let same = Proof::in_ring("A and B at q = 1", equal(), |p| {
-            p.shows("At q = 1, with sin α = λ₀: (54), left less right side, is 2 sin α times (53), left less right side; both vanish where 2 cos α = π sin α, which is at λ₀ = λ_c.");
-            let [alpha, lambda0] = Expr::symbols(["α", "λ₀"]);
+        let same = Proof::in_ring("A and B at the q of X", frictions().and_then(k), |p| {
+            p.shows("At q = 1, with sin α = λ₀: (54), left less right side, is 2 sin α times (53), left less right side.");
             let [left, right] = sides_of_a();
             let a = p.read("A: left less right side", left - right)?;
-            let [left, right] = printed::eq54_sides(lambda0, lambda0);
+            let [left, right] = printed::eq54_sides(lambda0, q * lambda0);
             let b = p.read("B: left less right side", left - right)?;
-            let factor = p.read("2 sin α", Expr::int(2) * alpha.sin())?;
-            p.equal("B is 2 sin α times A", &b, &(&factor * &a))?;
-            let condition = p.read(
-                "What vanishes at λ₀ = λ_c",
-                Expr::int(2) * alpha.cos() - Expr::pi() * alpha.sin(),
-            )?;
-            p.equal("B is that", &b, &condition)
+            let factor = p.read("2 sin α", Expr::int(2) * Expr::symbol("α").sin())?;
+            p.equal("B is 2 sin α times A", &b, &(&factor * &a))
         });
-        let root = || {
-            let mut ring = Ring::new();
-            let square = ring.read(Expr::int(4) + Expr::pi() * Expr::pi())?;
+        let roots = || {
+            let mut ring = Ring::of(["λ₀"]);
+            let own = ring.named("λ₀")?;
+            ring.root(&(Rational::int(1) - &own * &own), 2)?;
+            ring.suppose_positive(own);
+            let square = ring.read(Expr::int(4) + Expr::pi().squared())?;
             ring.root(&square, 2)?;
-            Ok(ring)
+            k(ring)
         };
-        Proof::in_ring("(57): X", root(), |p| {
+        Proof::in_ring("(57): X", roots(), |p| {
             p.rests_on(&same)?;
-            let sine = p.read("sin α, the printed λ₀", lambda0)?;
-            let cosine = p.read("cos α = π sin α/2", Expr::pi() * lambda0 / Expr::int(2))?;
-            let one = &sine * &sine + &cosine * &cosine;
-            p.equal("Their squares add up to 1", &one, &Rational::int(1))
+            let [left, right] = sides_of_a();
+            let a = p.read("A: left less right side", left - right)?;
+            let cosine = (Expr::int(1) - lambda0.squared()).sqrt();
+            let factor = Expr::int(2) * lambda0 * (Expr::int(2) * cosine + Expr::pi() * lambda0);
+            let factor = p.read("A factor", factor)?;
+            p.positive("It", &factor)?;
+            let distance = critical.squared() - lambda0.squared();
+            let product = (Expr::int(4) + Expr::pi().squared()) * distance;
+            let says = "A times that, by the printed λ₀, where alone it is 0";
+            let product = p.read(says, product)?;
+            p.equal("The two", &(&a * &factor), &product)
         })
     },
 );
@@ -275,7 +277,9 @@ pub const Y: Statement<[Expr; 2]> = Statement::new(
 fn prove_y([left, right]: [Expr; 2]) -> Proof {
     let ring = || {
         let mut ring = frictions()?;
-        ring.symbol("x");
+        for name in ["x", "D"] {
+            ring.symbol(name);
+        }
         Ok(ring)
     };
     Proof::in_ring("B and C touch at Y", ring(), |p| {
@@ -317,27 +321,32 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// B beside Y in powers of ε = asin λ₀ − α: qλ₀ = sin β has no term in ε, and a negative one in ε².
+/// B beside Y in powers of ε = asin λ₀ − α: qλ₀ = sin β has no term in ε, and a negative one in ε². The length D of the arc is
+/// cot α at Y, and grows as β − α.
 fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let ring = p.ring();
-    let [alpha, beta] = Expr::symbols(["α", "β"]);
+    let [alpha, beta, length] = Expr::symbols(["α", "β", "D"]);
     let half_turn = ring.read(Expr::pi())?;
-    let (own, x) = (ring.named("α")?, ring.named("x")?);
-    let place = Expr::int(3) * Expr::pi() / Expr::int(2) - alpha.cot();
-    let place = p.read("At Y, where x = cot α, α itself is", place)?;
+    let (own, x, one) = (ring.named("α")?, ring.named("x")?, Rational::int(1));
+    let mut d = vec![p.read("The length of the arc at Y is x, which is", alpha.cot())?];
     let zeros = || std::iter::repeat_n(Rational::int(0), ORDER);
-    let a = [own.clone(), Rational::int(1)].into_iter().chain(zeros());
+    let a = [own, one.clone()].into_iter().chain(zeros());
     let a = Series::new(0, a.collect());
     let mut b = vec![ring.divide(&half_turn, &Rational::int(2))?];
-    let end = arc(alpha, Expr::pi() + beta, alpha.sin());
+    let end = alpha.cos() - (Expr::pi() + beta).cos() - alpha.sin() * length;
     for k in 1..=ORDER {
-        let trial = Series::new(0, b.iter().chain([&x]).cloned().collect());
-        let left = ring.expand(end, &[("α", &a), ("β", &trial)], ORDER as i64)?;
+        let slower = if k == 1 { &x - &one } else { x.clone() };
+        let trial = |known: &[Rational], next: &Rational| {
+            Series::new(0, known.iter().chain([next]).cloned().collect())
+        };
+        let known = [("α", &a), ("β", &trial(&b, &x)), ("D", &trial(&d, &slower))];
+        let left = ring.expand(end, &known, ORDER as i64)?;
         let left = left.coefficient(k as i64).ok_or(Obstacle::Empty)?;
-        let left = ring.put(&left, &[(&own, &place)])?;
         let says = format!("B at the order ε^{k}, for the coefficient x of β");
-        let solved = p.solve(&says, &[left], None, &["x"])?;
-        b.extend(solved.into_iter().map(|(_, value)| value));
+        for (x, value) in p.solve(&says, &[left], None, &["x"])? {
+            d.push(ring.put(&slower, &[(&x, &value)])?);
+            b.push(value);
+        }
     }
     let b = Series::new(0, b);
     let slope = b.coefficient(1).ok_or(Obstacle::Empty)?;

@@ -1,7 +1,8 @@
 //! Constant acceleration, exactly: proofs of (6) to (20) from Newton's law (1).
 //!
 //! Only Newton's law with A = −A x̂ and v = v (cos θ, sin θ) is entered here; the printed formulas come from
-//! [`crate::paper::constant`], as trees. What needs a power or the logarithm of tan(θ/2) holds for 0 < θ, θ₀ < π, where it is positive.
+//! [`crate::paper::constant`], as trees. What needs a power or the logarithm of tan(θ/2) holds for 0 < θ, θ₀ < π, where it is
+//! positive; what needs powers of the quotient of two only, for both signs of the angles.
 
 mod alignment;
 mod cases;
@@ -25,9 +26,9 @@ use crate::paper::general::eq1_velocity_rate;
 pub enum Regime {
     /// Any λ, for what needs no power of tan θ/2.
     AnyAngle,
-    /// Any λ; (tan θ/2)^λ is a generator.
-    Any,
-    /// λ > 1; (tan θ/2)^(λ−1), which tends to 0 with θ, is a generator.
+    /// Any λ, with the sign of both angles; (±tan θ/2)^λ is a generator.
+    Any(i64),
+    /// λ = 1 + e with e > 0; (tan θ/2)^e, which tends to 0 with θ, is a generator.
     BeyondOne,
     /// λ = 0.
     Zero,
@@ -64,25 +65,32 @@ impl Newton {
     fn new(friction: Regime) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
         let [a, v] = ["A", "v"].map(|name| ring.symbol(name));
-        for name in ["v₀", "v₀x", "v₀y", "t"] {
+        for name in ["v₀", "t"] {
             ring.symbol(name);
         }
         for name in ["θ", "θ₀"] {
             ring.angle(name);
         }
+        let [v0, theta0] = Expr::symbols(["v₀", "θ₀"]);
+        ring.define("v₀x", ring.read(v0 * theta0.cos())?)?;
+        ring.define("v₀y", ring.read(v0 * theta0.sin())?)?;
         let tangents = [ring.half_tangent("θ")?, ring.half_tangent("θ₀")?];
         match friction {
             Regime::AnyAngle => {
                 ring.symbol("λ");
             }
-            Regime::Any => {
+            Regime::Any(sign) => {
                 let lambda = ring.symbol("λ");
                 for u in &tangents {
-                    ring.power(u, &lambda)?;
+                    ring.power(&(u * &Rational::int(sign)), &lambda)?;
                 }
             }
             Regime::BeyondOne => {
-                let excess = ring.symbol("λ") - Rational::int(1);
+                let excess = ring.symbol("e");
+                ring.define("λ", &excess + &Rational::int(1))?;
+                for x in [&a, &excess] {
+                    ring.suppose_positive(x.clone());
+                }
                 for u in &tangents {
                     ring.power(u, &excess)?;
                 }
@@ -147,8 +155,8 @@ fn prove(
         Ok(newton) => Proof::of(title, &newton.ring, |p| {
             let ring = p.ring();
             match friction {
-                Regime::AnyAngle | Regime::Any => p.note("Friction", "any λ = μg/A"),
-                Regime::BeyondOne => p.note("Friction", "λ > 1"),
+                Regime::AnyAngle | Regime::Any(_) => p.note("Friction", "any λ = μg/A"),
+                Regime::BeyondOne => p.note("Friction", "λ = 1 + e, e > 0"),
                 Regime::Zero => p.note("Friction", "λ = 0"),
                 Regime::OneAnyAngle | Regime::One => p.note("Friction", "λ = 1"),
             }

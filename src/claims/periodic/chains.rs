@@ -23,18 +23,12 @@ fn ring(sign: i64) -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// A proof for both signs of 𝔴.
-pub(super) fn for_both_signs(prove: impl Fn(i64) -> Proof) -> Proof {
-    let forward = prove(1);
-    if forward.holds() { prove(-1) } else { forward }
-}
-
 /// For which 𝔴 a proof with this sign is.
 pub(in crate::claims) fn side(sign: i64) -> &'static str {
     if sign > 0 { "𝔴 > 0" } else { "𝔴 < 0" }
 }
 
-/// Writes down for which sign of 𝔴 a proof is, which [`for_both_signs`] carries out.
+/// Writes down for which sign of 𝔴 a proof is, which [`Proof::for_both_signs`] carries out.
 pub(super) fn with_sign(p: &mut Prover<'_>, sign: i64) {
     p.note(
         "The proof is for either sign of 𝔴, here for",
@@ -49,7 +43,7 @@ pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
         r"for every $h$ with $\lvert h\rvert\le1$, every $\lambda_0>1$ and every start (26) with $h$ for the sine gives $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le1-\lambda_0<0$, so that the particle is at rest after $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ at the latest, and stays, as $\lvert h\rvert<\lambda_0$",
     ),
     || (rate(), printed::s23_rest_sides::tree()),
-    |(rate, sides)| for_both_signs(|sign| rest_above_one(rate, sides, sign)),
+    |(rate, sides)| Proof::for_both_signs(|sign| rest_above_one(rate, sides, sign)),
 );
 
 fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
@@ -81,7 +75,7 @@ pub const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::new(
         r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the phases at which it moves although $\lvert h\rvert\le1-s$ are, in the mean over many periods, at most $s/(1-s)$ of all; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
     ),
     || (rate(), printed::s23_late_share()),
-    |(rate, share)| for_both_signs(|sign| mostly_at_rest(rate, share, sign)),
+    |(rate, share)| Proof::for_both_signs(|sign| mostly_at_rest(rate, share, sign)),
 );
 
 fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
@@ -204,7 +198,7 @@ const EXTREMES: Statement<(Expr, Pulses)> = Statement::new(
         r"at $\eta=1$ the pulses of (42), (43) leave no gap, so that $\lvert h\rvert=1>\lambda_0$ at all times for every $\lambda_0<1$ and nothing rests, and $\lambda_\mathrm c$ of (46) is 1; at $\eta=0$ they have no length, so that $h=0$, for every $\lambda_0>0$ the particle is at rest after $\lvert\mathfrak w_0\rvert/\lambda_0$ by (26) and stays, and $\lambda_\mathrm c$ is 0",
     ),
     || (rate(), pulses()),
-    |(rate, pulses)| for_both_signs(|sign| extremes(rate, pulses, sign)),
+    |(rate, pulses)| Proof::for_both_signs(|sign| extremes(rate, pulses, sign)),
 );
 
 fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
@@ -274,7 +268,7 @@ const AGAIN: Statement<(Expr, [Expr; 4], Expr, Expr)> = Statement::new(
         (rate(), drive(), critical(), corrected::nonzero_again(h))
     },
     |(rate, h, critical, again)| {
-        for_both_signs(|sign| nonzero_again(rate, h, critical, again, sign))
+        Proof::for_both_signs(|sign| nonzero_again(rate, h, critical, again, sign))
     },
 );
 

@@ -3,7 +3,7 @@
 //!
 //! H is an antiderivative of h, and c its median: H is above c for half of each period at most, and below c for half at most.
 
-use super::chains::{for_both_signs, rate, with_sign};
+use super::chains::{rate, with_sign};
 use super::step_drive::CHANGES;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
@@ -18,7 +18,7 @@ fn h() -> Expr {
 
 /// By (26) two velocities under one h come no farther apart, and closer by 2λ₀ while they have opposite signs.
 pub(super) fn never_part(rate: Expr) -> Proof {
-    for_both_signs(|sign| {
+    Proof::for_both_signs(|sign| {
         let ring = || -> Result<Ring, ExactError> {
             let mut ring = Ring::new();
             ring.symbol("λ₀");
@@ -91,7 +91,7 @@ pub const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
         r"for every piecewise continuous $h$ of the period $2\pi$, at each phase one of its one-sided limits, with the largest size 1, which is smaller for some time, and which, if its mean $m$ is 0, does not vanish, nor has the limit 0 from one side, where its antiderivative $H$ is at its median $c$: from every start, with any velocity across, there is rest for some time and motion for some time in every late period if $\langle\lvert h\rvert\rangle<\lambda_0<1$, and from some time on no rest if $0<\lambda_0<\min(\delta,\eta/\pi)$, where $\lvert h\rvert\ge\delta$ wherever $\lvert H-c\rvert\le\eta$, or if $m\ne0$ and $0<\lambda_0<\lvert m\rvert$. So there is a least number $\lambda_\mathrm c$ such that all $\lambda_0$ between it and 1 have rests, with $0<\lambda_\mathrm c<1$; and for one $h$ the behaviour changes at two more values at least",
     ),
     || (eq2(), rate(), printed::s23_rests()),
-    |(law, rate, kinds)| for_both_signs(|sign| threshold(law, rate, kinds, sign)),
+    |(law, rate, kinds)| Proof::for_both_signs(|sign| threshold(law, rate, kinds, sign)),
 );
 
 /// The ring of (26), with the sign of 𝔴.

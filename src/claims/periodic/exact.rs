@@ -31,13 +31,15 @@ struct Chain {
 impl Chain {
     fn prove(&self) -> Proof {
         let ring = ring();
-        Proof::of(self.title, &ring, |p| self.steps(p))
+        Proof::of(self.title, &ring, |p| {
+            p.shows(self.says);
+            self.steps(p)
+        })
     }
 
     fn steps(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
         let by = p.ring().by("φ")?;
         let friction = p.ring().named("λ₀")?;
-        p.shows(self.says);
         p.remark("Under the pulses of (42) and (43), with 𝔴 > 0");
         for (w, h) in self.cases.iter().zip(self.drive) {
             let w = p.read(&format!("While h = {h}, 𝔴 is"), *w)?;
@@ -76,7 +78,7 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
     };
     let ring = ring();
     Proof::of("(44): motion and rest", &ring, |p| {
-        p.rests_on(&moving.prove())?;
+        moving.steps(p)?;
         p.note(
             "In the gap h = 0",
             "|h| ≤ λ₀: what is at rest stays at rest",

@@ -162,14 +162,7 @@ const FRICTION_ACROSS: Statement<([Expr; 2], Expr)> = Statement::new(
         let stated = paper::s22_across_friction::tree();
         (eq1(), stated)
     },
-    |(law, stated)| {
-        let forward = friction_across(law, stated, 1);
-        if forward.holds() {
-            friction_across(law, stated, -1)
-        } else {
-            forward
-        }
-    },
+    |(law, stated)| Proof::for_both_signs(|sign| friction_across(law, stated, sign)),
 );
 
 fn friction_across(law: [Expr; 2], stated: Expr, sign: i64) -> Proof {

@@ -95,76 +95,68 @@ pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
         r"Newton's law (1) on the line, in the symbols (21) to (24), for both signs of $\mathfrak w$",
     ),
     || (units(), eq26_rate()),
-    |(units, rate)| {
-        let forward = prove_eq26(units, rate, 1);
-        if forward.holds() {
-            prove_eq26(units, rate, -1)
-        } else {
-            forward
-        }
-    },
+    |(units, rate)| Proof::for_both_signs(|sign| prove_eq26(units, rate, sign)),
 );
 
-/// sin of a printed phase is ±λ₀, and its cosine, by which the drive grows or falls there, is that of asin λ₀ or its negative:
-/// two phases in a period have the same sine.
-fn prove_phase(phase: Expr, sign: i64, growth: i64) -> Proof {
-    Proof::in_ring("The drive at the printed phase", ring_of_phi1(), |p| {
-        let first = Expr::symbol("λ₀").asin().cos();
+/// Drive and friction, sin φ ∓ λ₀, are a product of which each factor is zero once in a turn: one of them at a printed phase,
+/// which lies in this quarter of the period, from 0, for 0 < λ₀ < 1. The drive's slope there is that at asin λ₀, or its negative.
+fn prove_phase(phase: Expr, quarter: i64) -> Proof {
+    let sign = if quarter < 2 { 1 } else { -1 };
+    let growth = if quarter % 3 == 0 { 1 } else { -1 };
+    let ring = || {
+        let mut ring = ring_of_phi1()?;
+        let (beta, pi) = (ring.named("β")?, ring.read(Expr::pi())?);
+        ring.suppose_positive(&pi - &(&beta * &Rational::int(2)));
+        ring.suppose_positive(beta);
+        Ok(ring)
+    };
+    Proof::in_ring("The drive at the printed phase", ring(), |p| {
+        let ring = p.ring();
+        let [lambda0, phi, beta] = Expr::symbols(["λ₀", "φ", "β"]);
+        let (two, sign, growth) = (Expr::int(2), Expr::int(sign), Expr::int(growth));
+        p.remark("Let sin β = λ₀, with β between 0 and π/2");
+        let rising = ((phi - sign * beta) / two).sin();
+        let falling = ((phi + sign * beta) / two).cos();
+        p.identity(
+            ("Drive and friction", phi.sin() - sign * lambda0),
+            (
+                "of which each factor is 0 once in a turn",
+                two * rising * falling,
+            ),
+        )?;
+        let own = if quarter % 3 == 0 { rising } else { falling };
+        p.vanishes("One of them at the printed phase", own.with("φ", phase))?;
         p.identity(
             ("The slope of the drive there", phase.cos()),
-            ("that at asin λ₀, with its sign", Expr::int(growth) * first),
+            (
+                "with its sign that at asin λ₀",
+                growth * lambda0.asin().cos(),
+            ),
         )?;
-        let signed = Expr::int(sign) * Expr::symbol("λ₀");
-        p.identity(
-            ("The drive at the printed phase", phase.sin()),
-            ("friction, with its sign", signed),
-        )
+        let end = |n: i64| ring.read(Expr::int(n) * Expr::pi() / two);
+        let phase = ring.read(phase)?;
+        let [first, last] = [&phase - &end(quarter)?, &end(quarter + 1)? - &phase];
+        p.positive(
+            "From the beginning of its quarter of the period to it",
+            &first,
+        )?;
+        p.positive("From it to the end of that", &last)
     })
 }
 
-/// (27): sin φ₁ = λ₀.
-const EQ27: Statement = Statement::new(
-    Printed,
-    Compared::many(
-        "the sine and the cosine of (27)",
-        r"$\lambda_0$ and $\cos\sin^{-1}\lambda_0$",
-    ),
-    paper::eq27_phi1::tree,
-    |phase| prove_phase(phase, 1, 1),
-);
+#[track_caller]
+const fn at_phase(phase: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
+    let compared = Compared::one(
+        "the phase",
+        r"the one zero of $\sin\phi\mp\lambda_0$, a product, in its quarter of the period, for $0<\lambda_0<1$",
+    );
+    Statement::new(Printed, compared, phase, prove)
+}
 
-/// (28): sin φ₂ = λ₀.
-const EQ28: Statement = Statement::new(
-    Printed,
-    Compared::many(
-        "the sine and the cosine of (28)",
-        r"$\lambda_0$ and $-\cos\sin^{-1}\lambda_0$",
-    ),
-    paper::eq28_phi2::tree,
-    |phase| prove_phase(phase, 1, -1),
-);
-
-/// (29): sin φ₃ = −λ₀.
-const EQ29: Statement = Statement::new(
-    Printed,
-    Compared::many(
-        "the sine and the cosine of (29)",
-        r"$-\lambda_0$ and $-\cos\sin^{-1}\lambda_0$",
-    ),
-    paper::eq29_phi3::tree,
-    |phase| prove_phase(phase, -1, -1),
-);
-
-/// (30): sin φ₄ = −λ₀.
-const EQ30: Statement = Statement::new(
-    Printed,
-    Compared::many(
-        "the sine and the cosine of (30)",
-        r"$-\lambda_0$ and $\cos\sin^{-1}\lambda_0$",
-    ),
-    paper::eq30_phi4::tree,
-    |phase| prove_phase(phase, -1, 1),
-);
+const EQ27: Statement = at_phase(paper::eq27_phi1::tree, |phase| prove_phase(phase, 0));
+const EQ28: Statement = at_phase(paper::eq28_phi2::tree, |phase| prove_phase(phase, 1));
+const EQ29: Statement = at_phase(paper::eq29_phi3::tree, |phase| prove_phase(phase, 2));
+const EQ30: Statement = at_phase(paper::eq30_phi4::tree, |phase| prove_phase(phase, 3));
 
 /// A slip: its slope is sin φ ∓ λ₀, and it is zero at `start`.
 fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obstacle> {
@@ -200,18 +192,29 @@ pub const EQ31: Statement = Statement::new(
     prove_eq31,
 );
 
-/// (31) at `end`, which stands for φ̃₂ or φ₃, against the left side of (32) or (34).
-fn prove_end(title: &str, left: Expr, end: Expr) -> Proof {
+/// (31) `later` than an angle δ, for which another one, `end`, is put in: against the left side of (32) or (34).
+fn prove_end(title: &str, left: Expr, later: Expr, end: &'static str) -> Proof {
     let ring = || {
         let mut ring = ring_of_phi1()?;
         ring.angle("φ̃₂");
+        ring.angle("δ");
         Ok(ring)
     };
     Proof::in_ring(title, ring(), |p| {
-        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+        let [lambda0, phi, delta] = Expr::symbols(["λ₀", "φ", "δ"]);
         let slip = paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi);
         p.rests_on(&prove_eq31(slip))?;
-        p.identity(("(31) there", slip.with("φ", end)), ("the left side", left))
+        let at = p.read("(31) at an angle with δ", slip.with("φ", delta + later))?;
+        let ring = p.ring();
+        let half = |angle| -> Result<_, ExactError> {
+            Ok([ring.named(angle)?, ring.half_tangent(angle)?])
+        };
+        let [[from, u], [to, w]] = [half("δ")?, half(end)?];
+        let cosine = |angle: &'static str| ring.read((Expr::symbol(angle) / Expr::int(2)).cos());
+        let values = [(&from, &to), (&u, &w), (&cosine("δ")?, &cosine(end)?)];
+        let there = ring.put(&at, &values)?;
+        p.note(&format!("It at δ = {end}"), ring.text(&there));
+        p.reads_as(&there, "the left side", left)
     })
 }
 
@@ -225,7 +228,7 @@ pub const EQ32: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (32)", r"(31) at $\tilde\phi_2$"),
     eq32_left,
-    |left| prove_end("(32): the slip (31) ends at φ̃₂", left, Expr::symbol("φ̃₂")),
+    |left| prove_end("(32): the slip (31) ends at φ̃₂", left, Expr::int(0), "φ̃₂"),
 );
 
 fn eq34_left() -> Expr {
@@ -243,8 +246,8 @@ pub const EQ34: Statement = Statement::new(
     Compared::one("the left side of (34)", r"(31) at $\phi_3$"),
     eq34_left,
     |left| {
-        let end = paper::eq29_phi3::tree();
-        prove_end("(34): the slip (31) would be negative at φ₃", left, end)
+        let title = "(34): the slip (31) would be negative at φ₃ = π + β";
+        prove_end(title, left, Expr::pi(), "β")
     },
 );
 

@@ -9,12 +9,13 @@ use crate::ledger::Entry;
 use std::collections::BTreeMap;
 
 /// The record of a check: when, of which commit and by whom, then a line for each certificate: claim, which of its proofs,
-/// where its printed formula was found, and what form of the claim the proof was about.
+/// where its printed formula was found, whether it is accepted without its
+/// conditions too, and what form of the claim the proof was about.
 struct Record<'a> {
     when: &'a str,
     commit: &'a str,
     engine: &'a str,
-    lines: Vec<[&'a str; 4]>,
+    lines: Vec<[&'a str; 5]>,
 }
 
 impl<'a> Record<'a> {
@@ -23,7 +24,7 @@ impl<'a> Record<'a> {
         let (when, head) = lines.next()?.split_once(',')?;
         let (commit, engine) = head.split_once(',')?;
         let cells = |line: &'a str| {
-            let cells: Vec<&str> = line.splitn(4, ',').collect();
+            let cells: Vec<&str> = line.splitn(5, ',').collect();
             cells.try_into().ok()
         };
         Some(Record {
@@ -37,11 +38,17 @@ impl<'a> Record<'a> {
     /// What a box says of the claim's proof of this number, which is about this form of it.
     fn says(&self, claim: &str, proof: usize, about: &str, in_words: bool) -> &'static str {
         let known =
-            |[id, nth, _, of]: &[&str; 4]| (*id, nth.parse(), *of) == (claim, Ok(proof), about);
-        match (self.lines.iter().any(known), in_words) {
-            (true, false) => "Checked by a second engine",
-            (true, true) => "Its identities were checked by a second engine, its words were not",
-            (false, _) => "No certificate of it has been checked",
+            |[id, nth, .., of]: &&[&str; 5]| (*id, nth.parse(), *of) == (claim, Ok(proof), about);
+        let line = self.lines.iter().find(known);
+        match line.map(|[_, _, tie, ..]| *tie) {
+            None => "No certificate of it has been checked",
+            Some("formula") if !in_words => "Checked by a second engine",
+            Some(tie) if in_words || tie == "words" => {
+                "Its identities were checked by a second engine, its words were not"
+            }
+            Some(_) => {
+                "Its identities were checked by a second engine; the printed formula is not among them as it stands"
+            }
         }
     }
 }
@@ -68,7 +75,7 @@ pub(super) fn summary(context: &Context<'_>) -> Result<String, Fault> {
         return Ok("<p>No certificate has been checked so far.</p>".to_owned());
     };
     let mut ties: BTreeMap<&str, usize> = BTreeMap::new();
-    for [_, _, tie, _] in &record.lines {
+    for [_, _, tie, ..] in &record.lines {
         *ties.entry(tie).or_default() += 1;
     }
     let head = format!(
@@ -88,7 +95,19 @@ pub(super) fn summary(context: &Context<'_>) -> Result<String, Fault> {
         };
         [words.to_owned(), count(n)]
     });
-    Ok(head + &table("certified", ["the printed formula", "certificates"], rows))
+    let uses = |word| record.lines.iter().filter(move |line| line[3] == word);
+    let link = |[id, ..]: &[&str; 5]| context.link(context.entry(id)?);
+    let needed: Vec<_> = uses("used").map(link).collect::<Result<_, _>>()?;
+    let conditions = format!(
+        "<p>{} bear conditions that are inequalities; {} of them {} refused without these: {}. What the others calculate is true \
+         without them, and no file takes a fact from a proof on which it rests: a hypothesis that is missing is not noticed here.</p>",
+        count(needed.len() + uses("idle").count()),
+        count(needed.len()),
+        if needed.len() == 1 { "is" } else { "are" },
+        needed.join(", "),
+    );
+    let ties = table("certified", ["the printed formula", "certificates"], rows);
+    Ok(head + &ties + &conditions)
 }
 
 #[cfg(test)]
@@ -97,8 +116,10 @@ mod tests {
 
     #[test]
     fn only_a_proof_on_record_was_checked() {
-        let record = "2026-11-26,0123,FLINT\neq-1,2,formula,as corrected, a part of it\n";
-        let record = Record::of(record).unwrap();
+        let with =
+            |tie| format!("2026-11-26,0123,FLINT\neq-1,2,{tie},idle,as corrected, a part of it\n");
+        let text = with("formula");
+        let record = Record::of(&text).unwrap();
         assert_eq!(
             [
                 record.when,
@@ -119,6 +140,26 @@ mod tests {
                 assert_eq!(says.contains("second engine"), checked, "{says}");
                 assert_eq!(says.contains("its words"), checked && in_words, "{says}");
             }
+        }
+        // And of another formula than the printed one only where that is said.
+        for (tie, qualified) in [
+            ("formula", false),
+            ("elsewhere", true),
+            ("mere names", true),
+            ("not read", true),
+            ("words", true),
+        ] {
+            let text = with(tie);
+            let of = |in_words| {
+                let about = "as corrected, a part of it";
+                Record::of(&text).unwrap().says("eq-1", 2, about, in_words)
+            };
+            assert_eq!(
+                of(false) != "Checked by a second engine",
+                qualified,
+                "{tie}"
+            );
+            assert!(of(true).ends_with("its words were not"), "{tie}");
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::output::{VERSION, csv, json, say};
 use super::screen::progress;
 use crate::book;
-use crate::evidence::{Evidence, Subject};
+use crate::evidence::{Evidence, Kind, Subject};
 use crate::publishing::{Edition, Failure, Format};
 use crate::trials::attempt::Attempt;
 use crate::trials::{Claim, Paper, Sort};
@@ -146,6 +146,10 @@ fn made(paper: &'static Paper, ids: &[&str]) -> Vec<Certificate> {
 }
 
 fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> Certificate {
+    // Of a formula the last of them, the claim's own, has to compare something.
+    let is_formula = matches!(claim.kind, Kind::Definition | Kind::Equation | Kind::Number);
+    let bare = |left: &Witness| matches!(left, Witness::Identity(left) if left.equal.is_empty());
+    let is_bare = is_formula && witnesses.last().is_some_and(bare);
     let corrected = claim
         .correction
         .filter(|_| evidence.subject == Subject::Corrected);
@@ -161,7 +165,7 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
         proof: 1,
         trial: evidence.trial,
         says: evidence.comparison(),
-        witnesses,
+        witnesses: if is_bare { Vec::new() } else { witnesses },
     }
 }
 

@@ -3,9 +3,12 @@
 use super::error::ExactError;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
-use super::recording;
-use super::ring::{Ring, Rule};
-use std::collections::BTreeMap;
+use super::recording::{self, below, made_of};
+use super::ring::{PI, Ring, Rule};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Values of generators.
+type Values<'a> = BTreeMap<usize, &'a Rational>;
 
 /// The rates of the free symbols along a motion, or with respect to one of them; 0 for all others.
 #[derive(Debug, Clone, Default)]
@@ -170,11 +173,13 @@ impl Ring {
         }
     }
 
-    /// The element with values put in for some of its generators. It is for the caller to put in values that
-    /// belong together, where generators depend on each other.
+    /// The element with values put in for some of its generators. What is made of these has to be put in too, with the
+    /// value that its rule gives; a half tangent, half exponential or logarithm may have any, if all else that occurs
+    /// does without what it is made of.
     ///
     /// # Errors
-    /// [`ExactError::DivisionByZero`] if that makes a divisor zero.
+    /// [`ExactError::AgainstRule`] if a generator in it does not keep to its rule, [`ExactError::DivisionByZero`] if a
+    /// divisor becomes zero.
     pub fn put(
         &self,
         x: &Rational,
@@ -188,20 +193,77 @@ impl Ring {
         x: &Rational,
         values: &[(&Rational, &Rational)],
     ) -> Result<Rational, ExactError> {
-        let values: Vec<_> = values
+        let values: Values<'_> = values
             .iter()
             .filter_map(|(g, value)| Some((g.generators().next()?, *value)))
             .collect();
+        let of = |g: usize| made_of(self, below(&self.rules[g]));
+        let there: BTreeSet<usize> = x.generators().collect();
+        for g in made_of(self, there.clone()) {
+            let (own, is_put) = (of(g), values.contains_key(&g));
+            if is_put || own.iter().any(|h| values.contains_key(h)) {
+                let beside = |h: &usize| {
+                    let theirs = of(*h);
+                    let shared = own.contains(h) || !own.is_disjoint(&theirs);
+                    *h != g && shared && !theirs.contains(&g)
+                };
+                if !self.keeps(g, &values, is_put && !there.iter().any(beside))? {
+                    return Err(ExactError::AgainstRule(self.names[g].clone()));
+                }
+            }
+        }
+        self.at(x, &values)
+    }
+
+    /// Whether a generator has the value that its rule gives it where others have these; alone, it may have any.
+    fn keeps(&self, g: usize, values: &Values<'_>, alone: bool) -> Result<bool, ExactError> {
+        let at = |x: &Rational| self.at(x, values);
+        let of = |h: usize| at(&Rational::generator(h));
+        let same = |x: &Rational, y: &Rational| self.is_zero(&(x - y));
+        let (one, new) = (Rational::int(1), of(g)?);
+        match &self.rules[g] {
+            Rule::Constant => Ok(false),
+            Rule::Free => Ok(true),
+            Rule::Root { radicand, degree } => {
+                let of = at(radicand)?;
+                let is_positive = self.is_zero(&of)? || self.is_positive(&new)?;
+                Ok(is_positive && same(&new.pow(*degree), &of)?)
+            }
+            Rule::Power { base, exponent } => {
+                let (base, exponent) = (at(base)?, at(exponent)?);
+                if self.is_zero(&base)? {
+                    return Ok(self.is_zero(&new)? && self.is_positive(&exponent)?);
+                }
+                Ok(self.is_positive(&new)? && same(&self.raise(&base, &exponent)?, &new)?)
+            }
+            Rule::HalfExponential { argument } => Ok(self.is_positive(&new)?
+                && (alone || same(&self.exponential(&of(*argument)?)?, &(&new * &new))?)),
+            _ if alone => Ok(true),
+            Rule::HalfTangent { angle } => {
+                let angle = of(*angle)?;
+                let turns = angle
+                    .as_halves()
+                    .is_some_and(|of| of.iter().any(|(g, k)| *g == PI && k.abs() > 1));
+                let (cosine, sine) = self.circular(&angle)?;
+                let square = &new * &new;
+                let all = &one + &square;
+                Ok(!turns
+                    && same(&(cosine * &all), &(&one - &square))?
+                    && same(&(sine * &all), &(&new + &new))?)
+            }
+            Rule::Logarithm { of } => same(&self.ln(&at(of)?)?, &new),
+        }
+    }
+
+    fn at(&self, x: &Rational, values: &Values<'_>) -> Result<Rational, ExactError> {
         let into = |p: &Polynomial| {
             p.terms()
                 .fold(Rational::int(0), |sum, (monomial, coefficient)| {
                     let start = Rational::from(Polynomial::constant(coefficient.clone()));
                     let powers = monomial.iter().enumerate().filter(|(_, k)| **k > 0);
                     sum + powers.fold(start, |term, (g, k)| {
-                        let known = values.iter().find(|(index, _)| *index == g);
-                        let value =
-                            known.map_or_else(|| Rational::generator(g), |(_, v)| (*v).clone());
-                        term * value.pow(*k)
+                        let known = values.get(&g).map(|value| value.pow(*k));
+                        term * known.unwrap_or_else(|| Rational::generator(g).pow(*k))
                     })
                 })
         };
@@ -217,7 +279,9 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
+    use super::super::expr::Expr;
     use super::*;
+    use crate::scalar::Scalar;
 
     #[test]
     fn roots_stay_below_the_line_only_as_bare_factors() {
@@ -262,5 +326,67 @@ mod tests {
             let found = slope(&ring, power, name).unwrap();
             assert!(is(&found * base, power * &x));
         }
+    }
+
+    #[test]
+    fn a_value_that_is_put_in_keeps_to_its_rule() {
+        let mut ring = Ring::new();
+        let [x, u, k, lambda] = ["x", "u", "k", "λ"].map(|name| ring.symbol(name));
+        let [zero, one, two, three, four] = [0, 1, 2, 3, 4].map(Rational::int);
+        let (theta, alpha) = (ring.angle("θ"), ring.hyperbolic("α"));
+        let half = ring.half_tangent("θ").unwrap();
+        let root = ring.root(&x, 2).unwrap();
+        let power = ring.power(&u, &(&lambda - &one)).unwrap();
+        let ln = ring.logarithm(&k).unwrap();
+        let read = |name: &'static str, f: fn(Expr) -> Expr| {
+            ring.read(f(Expr::symbol(name) / Expr::int(2))).unwrap()
+        };
+        let (cosine, exp) = (read("θ", Expr::cos), read("α", Expr::exp));
+        let pi = Rational::generator(PI);
+        let [of_root, of_power] = [&x * &root, (&one + &u) * &power];
+        let of_angle = &theta * &(&half + &cosine);
+        let turned = &theta + &(&pi * &two);
+        let minus = -&two;
+        for (of, values, gives) in [
+            (&of_root, vec![(&x, &four), (&root, &two)], Some(8)),
+            (&of_root, vec![(&x, &four), (&root, &three)], None),
+            (&of_root, vec![(&x, &four), (&root, &minus)], None),
+            (&of_root, vec![(&x, &four)], None),
+            (&of_root, vec![(&root, &two)], None),
+            (&of_root, vec![(&x, &zero), (&root, &zero)], Some(0)),
+            // It is for an exponent above 0 only.
+            (&of_power, vec![(&u, &zero), (&power, &zero)], None),
+            (&of_power, vec![(&u, &zero), (&power, &one)], None),
+            (
+                &of_angle,
+                vec![(&theta, &zero), (&half, &zero), (&cosine, &one)],
+                Some(0),
+            ),
+            (
+                &of_angle,
+                vec![(&theta, &zero), (&half, &one), (&cosine, &one)],
+                None,
+            ),
+            (&of_angle, vec![(&theta, &zero), (&half, &zero)], None),
+            (&of_angle, vec![(&theta, &turned)], None),
+            (&half, vec![(&half, &two)], Some(2)),
+            (&(&k + &ln), vec![(&k, &one), (&ln, &zero)], Some(1)),
+            (&(&k + &ln), vec![(&k, &one), (&ln, &one)], None),
+            (&exp, vec![(&exp, &two)], Some(2)),
+            (&exp, vec![(&exp, &-&k)], None),
+            (&(&alpha * &exp), vec![(&alpha, &zero), (&exp, &two)], None),
+            (&pi, vec![(&pi, &three)], None),
+        ] {
+            let found = ring.put(of, &values);
+            let is_refused = matches!(found, Err(ExactError::AgainstRule(_)));
+            let value = found
+                .ok()
+                .and_then(|found| ring.normal(&found).as_integer());
+            assert_eq!(value, gives.map(dashu_int::IBig::from), "{}", ring.text(of));
+            assert_eq!(is_refused, gives.is_none(), "{}", ring.text(of));
+        }
+        let values = [(&u, &zero), (&power, &zero)];
+        ring.suppose_positive(&lambda - &one);
+        assert!(ring.put(&of_power, &values).unwrap().is_literally_zero());
     }
 }

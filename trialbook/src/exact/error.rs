@@ -48,6 +48,9 @@ pub enum ExactError {
     /// A power or logarithm of a number, or a value that is not what it is declared to be.
     #[error("{0} cannot be declared")]
     BadDeclaration(String),
+    /// A value for a generator that its rule does not give it.
+    #[error("{0} has another value there, or none, by what it is made of")]
+    AgainstRule(String),
     /// A function that has no power series there: of what.
     #[error("there is no series in whole powers {0}")]
     NoSeries(String),

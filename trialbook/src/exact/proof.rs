@@ -121,6 +121,9 @@ pub enum Obstacle {
     /// A step that cannot be carried out.
     #[error(transparent)]
     Impossible(#[from] ExactError),
+    /// An element that had to be positive by its form.
+    #[error("it does not show that {0} is positive")]
+    NotPositive(String),
     /// A proof that this one rests on does not hold.
     #[error("it rests on {0}, which does not hold")]
     Premise(String),
@@ -137,6 +140,8 @@ pub struct Proof {
     premises: Vec<Arc<Proof>>,
     /// What has to be positive, beside what has to be for a premise.
     positive: BTreeSet<String>,
+    /// Whether it compares anything itself that is not so as it stands.
+    compares: bool,
     obstacle: Option<Obstacle>,
 }
 
@@ -168,11 +173,13 @@ impl Proof {
         };
         recording::begin();
         let outcome = steps(&mut prover);
-        let empty = (!prover.compared).then_some(Obstacle::Empty);
+        let is_empty = !prover.compared && prover.premises.is_empty();
+        let empty = is_empty.then_some(Obstacle::Empty);
         let proof = Proof {
             title,
             steps: prover.steps,
             premises: prover.premises,
+            compares: prover.compared,
             positive: ring.positive(),
             obstacle: outcome.err().or(empty),
         };
@@ -218,8 +225,20 @@ impl Proof {
             steps: Vec::new(),
             premises: Vec::new(),
             positive: BTreeSet::new(),
+            compares: false,
             obstacle: Some(error.into()),
         }
+    }
+
+    /// A proof that is carried out for either sign of something. What has to be positive in only one of them says which it is.
+    pub fn for_both_signs(of: impl Fn(i64) -> Proof) -> Self {
+        let first = of(1);
+        if !first.holds() {
+            return first;
+        }
+        let mut second = of(-1);
+        second.positive.retain(|x| first.positive.contains(x));
+        second
     }
 
     /// What is proved.
@@ -232,6 +251,11 @@ impl Proof {
         self.obstacle.is_none()
     }
 
+    /// Whether it compares anything itself that is not so as it stands, and does not rest on others alone.
+    pub fn compares(&self) -> bool {
+        self.compares
+    }
+
     /// Why it does not hold; `None` if it does.
     pub fn obstacle(&self) -> Option<&Obstacle> {
         self.obstacle.as_ref()
@@ -242,7 +266,7 @@ impl Proof {
         &self.steps
     }
 
-    /// What has to be positive for all that is shown, in plain text: the bases of powers and logarithms.
+    /// What has to be positive for all that is shown, in plain text.
     pub fn positive(&self) -> BTreeSet<&str> {
         let premises = self.premises.iter().flat_map(|premise| premise.positive());
         premises
@@ -300,7 +324,7 @@ pub struct Prover<'a> {
     /// Whether the last of these has not been compared yet.
     bare: bool,
     premises: Vec<Arc<Proof>>,
-    /// Whether anything was compared.
+    /// Whether anything was compared that is not so as it stands.
     compared: bool,
 }
 
@@ -503,11 +527,11 @@ impl<'a> Prover<'a> {
     /// Demands that two elements are equal; whether they look different.
     fn compare(&mut self, says: &str, x: &Rational, y: &Rational) -> Result<bool, Obstacle> {
         let difference = x - y;
-        self.compared = true;
         let is_zero = self.ring.is_zero(&difference)?;
         if is_zero && recording::is_plain(x, y, &difference, self.ring) {
             return Ok(false);
         }
+        self.compared = true;
         recording::compared(says, x, y);
         if is_zero {
             return Ok(true);
@@ -516,6 +540,39 @@ impl<'a> Prover<'a> {
             says: says.into(),
             normal_form: self.ring.text(&self.ring.normal(&difference)),
         })
+    }
+
+    /// Demands that an element keeps its value along a motion: that it changes with the state, and its rate is zero.
+    ///
+    /// # Errors
+    /// [`Obstacle::NotZero`] if it is not so.
+    pub fn constant(&mut self, x: &Rational, motion: &Derivation) -> Result<(), Obstacle> {
+        let moves = |g| {
+            let rate = self.ring.derivative(&Rational::generator(g), motion);
+            rate.is_ok_and(|rate| !rate.is_literally_zero())
+        };
+        if !x.generators().any(moves) {
+            // A number keeps its value along any motion: that would say nothing about this one.
+            return Err(Obstacle::NotZero {
+                says: "It must depend on the state of motion".into(),
+                normal_form: self.ring.text(x),
+            });
+        }
+        let rate = self.derivative("Its rate along the motion", x, motion)?;
+        self.zero("The rate", &rate)
+    }
+
+    /// Demands that an element is positive by its form: a product of what is supposed to be, and of sums without a negative term.
+    ///
+    /// # Errors
+    /// [`Obstacle::NotPositive`] if it has another form.
+    pub fn positive(&mut self, says: &str, x: &Rational) -> Result<(), Obstacle> {
+        let text = self.ring.text(x);
+        if !self.ring.is_positive(x)? {
+            return Err(Obstacle::NotPositive(text));
+        }
+        self.note(says, format!("{text}, which is positive"));
+        Ok(())
     }
 
     /// Demands that two formulas, each with what is said of it, are the same.
@@ -566,7 +623,36 @@ mod tests {
         let one = Rational::int(1);
         let empty = Proof::of("nothing", &ring, |_| Ok(()));
         assert_eq!(empty.obstacle(), Some(&Obstacle::Empty));
-        assert!(Proof::of("one is one", &ring, |p| p.equal("It", &one, &one)).holds());
+        let idle = |premises: &[Proof]| {
+            Proof::of("one is one", &ring, |p| {
+                premises.iter().try_for_each(|other| p.rests_on(other))?;
+                p.equal("It", &one, &one)
+            })
+        };
+        assert_eq!(idle(&[]).obstacle(), Some(&Obstacle::Empty));
+        let sum = Proof::of("a sum", &ring, |p| {
+            p.equal("It", &(&one + &one), &Rational::int(2))
+        });
+        let rests = idle(&[sum.clone()]);
+        assert!(sum.compares() && rests.holds() && !rests.compares());
+    }
+
+    #[test]
+    fn what_holds_for_both_signs_needs_neither() {
+        let of = |sign: i64| {
+            let mut ring = Ring::of(["x"]);
+            let x = ring.named("x").unwrap();
+            let root = &x * &Rational::int(sign);
+            ring.root_is(&x.pow(2), 2, &root).unwrap();
+            Proof::of("t", &ring, |p| p.equal("It", &root.pow(2), &x.pow(2)))
+        };
+        assert_eq!(of(-1).positive().into_iter().collect::<Vec<_>>(), ["−x"]);
+        assert!(Proof::for_both_signs(of).positive().is_empty());
+        for wrong in [1, -1] {
+            let fails = || Proof::impossible("t", ExactError::UnknownSymbol("y".into()));
+            let either = |sign| if sign == wrong { fails() } else { of(sign) };
+            assert!(!Proof::for_both_signs(either).holds());
+        }
     }
 
     /// Neither in the proof nor in its certificate, and whether that is written or not.
@@ -590,13 +676,18 @@ mod tests {
         ] {
             let compare = || Proof::of("t", &ring, |p| p.equal("It", &left, &right));
             let (written, witness) = witness::of(compare);
-            let [Witness::Identity(witness)] = &witness[..] else {
-                panic!("{witness:?}")
-            };
             for proof in [&compare(), &written] {
-                assert!(proof.holds() && proof.steps().len() == steps, "{proof}");
+                assert_eq!(
+                    (proof.holds(), proof.steps().len()),
+                    (steps > 0, steps),
+                    "{proof}"
+                );
             }
-            assert_eq!(witness.equal.len(), steps, "{written}");
+            // Where nothing is compared there is none.
+            assert_eq!(witness.len(), steps, "{written}");
+            if let [Witness::Identity(witness)] = &witness[..] {
+                assert_eq!(witness.equal.len(), steps, "{written}");
+            }
         }
     }
 
@@ -699,14 +790,15 @@ mod tests {
     #[test]
     fn a_proof_names_all_that_it_rests_on() {
         let ring = Ring::new();
-        let [zero, one] = [0, 1].map(Rational::int);
+        let one = Rational::int(1);
+        let none = &one - &one;
         let [first, second] =
-            ["first", "second"].map(|title| Proof::of(title, &ring, |p| p.zero("It", &zero)));
+            ["first", "second"].map(|title| Proof::of(title, &ring, |p| p.zero("It", &none)));
         let fails = Proof::of("false", &ring, |p| p.zero("It", &one));
         let resting_on = |premises: &[&Proof]| {
             Proof::of("last", &ring, |p| {
                 premises.iter().try_for_each(|other| p.rests_on(other))?;
-                p.equal("It", &one, &one)
+                p.zero("It", &none)
             })
         };
         for (premises, titles) in [

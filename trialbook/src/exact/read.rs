@@ -117,7 +117,7 @@ impl Ring {
         Ok((cosine, sine))
     }
 
-    fn exponential(&self, argument: &Rational) -> Result<Rational, ExactError> {
+    pub(super) fn exponential(&self, argument: &Rational) -> Result<Rational, ExactError> {
         let error = || ExactError::NoArgument(self.text(argument));
         let mut product = Rational::int(1);
         for (g, halves) in argument.as_halves().ok_or_else(error)? {
@@ -140,7 +140,7 @@ impl Ring {
         ))
     }
 
-    fn whole_power(&self, base: &Rational, n: i64) -> Result<Rational, ExactError> {
+    pub(super) fn whole_power(&self, base: &Rational, n: i64) -> Result<Rational, ExactError> {
         let size = u32::try_from(n.abs())
             .ok()
             .filter(|_| n.abs() <= LARGEST_POWER);

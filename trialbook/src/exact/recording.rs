@@ -540,7 +540,7 @@ fn names(parts: &[Part]) -> BTreeSet<String> {
 }
 
 /// The generators that a generator is made of.
-fn below(rule: &Rule) -> BTreeSet<usize> {
+pub(super) fn below(rule: &Rule) -> BTreeSet<usize> {
     match rule {
         Rule::Constant | Rule::Free => BTreeSet::new(),
         Rule::HalfTangent { angle: of } | Rule::HalfExponential { argument: of } => [*of].into(),
@@ -551,7 +551,7 @@ fn below(rule: &Rule) -> BTreeSet<usize> {
 }
 
 /// The generators that these are made of, with these.
-fn made_of(ring: &Ring, mut these: BTreeSet<usize>) -> BTreeSet<usize> {
+pub(super) fn made_of(ring: &Ring, mut these: BTreeSet<usize>) -> BTreeSet<usize> {
     for g in (0..ring.rules.len()).rev() {
         if these.contains(&g) {
             these.extend(below(&ring.rules[g]));

@@ -19,6 +19,7 @@ use super::expr::Function;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
 use super::recording;
+use dashu_int::IBig;
 use std::collections::{BTreeMap, BTreeSet};
 
 #[derive(Debug, Clone)]
@@ -71,6 +72,7 @@ pub struct Ring {
     pub(super) powers: Vec<KnownPower>,
     pub(super) logarithms: Vec<KnownLogarithm>,
     pub(super) inverses: Vec<KnownInverse>,
+    supposed: Vec<Rational>,
 }
 
 impl Default for Ring {
@@ -93,6 +95,7 @@ impl Ring {
             powers: Vec::new(),
             logarithms: Vec::new(),
             inverses: Vec::new(),
+            supposed: Vec::new(),
         }
     }
 
@@ -205,7 +208,7 @@ impl Ring {
     /// The radicand must have no root in the ring as it is.
     ///
     /// # Errors
-    /// [`ExactError::BadDeclaration`] for degree 0 or the radicand 0.
+    /// [`ExactError::BadDeclaration`] for degree 0, the radicand 0, and a product of powers of that degree.
     pub fn root(&mut self, radicand: &Rational, degree: u32) -> Result<Rational, ExactError> {
         let name = match degree {
             2 => format!("√{}", self.operand(radicand)),
@@ -216,7 +219,11 @@ impl Ring {
             degree,
         };
         let exponent = self.one_over(degree, &name)?;
-        if self.is_zero(radicand)? {
+        let numerator = radicand.numerator();
+        let mut powers = numerator.degrees().into_values().peekable();
+        let is_power =
+            numerator.len() == 1 && powers.peek().is_some() && powers.all(|k| k % degree == 0);
+        if self.is_zero(radicand)? || is_power && radicand.factors().is_empty() {
             return Err(ExactError::BadDeclaration(name));
         }
         let own = Rational::generator(self.generator(name, rule));
@@ -243,8 +250,46 @@ impl Ring {
         Ok(())
     }
 
-    /// What powers and logarithms are declared of, and roots that are not those of a sum: where they are not positive,
-    /// nothing is proved.
+    /// Supposes that an element is positive: what is shown is shown where it is, and says so.
+    pub fn suppose_positive(&mut self, x: Rational) {
+        self.supposed.push(x);
+    }
+
+    /// Whether an element is positive by its form: a product of what is supposed to be and of sums that have no negative term.
+    pub(super) fn is_positive(&self, x: &Rational) -> Result<bool, ExactError> {
+        let mut rest = self.normal(x);
+        for of in &self.supposed {
+            let prime = self.prime(of, "");
+            let k = prime.map_or(0, |prime| rest.valuation(&prime));
+            rest = self.divide(&rest, &self.whole_power(of, k)?)?;
+        }
+        Ok(self.has_positive_terms(&rest))
+    }
+
+    fn has_positive_terms(&self, x: &Rational) -> bool {
+        let free = |g: usize| {
+            let rule = &self.rules[g];
+            let own = Rational::generator(g);
+            !self.supposed.iter().any(|x| x.is_written_as(&own))
+                && matches!(
+                    rule,
+                    Rule::Free | Rule::HalfTangent { .. } | Rule::Logarithm { .. }
+                )
+        };
+        let of = |p: &Polynomial| {
+            p.terms().all(|(powers, c)| {
+                let mut powers = powers.iter().enumerate();
+                *c > IBig::ZERO && powers.all(|(g, k)| k % 2 == 0 || !free(g))
+            })
+        };
+        let mut below = x.factors().iter();
+        !x.is_literally_zero() && of(x.numerator()) && below.all(|(f, k)| k % 2 == 0 || of(f))
+    }
+
+    /// What has to be positive for all that is proved: what powers and logarithms are declared of, and roots that are not
+    /// those of a sum; what is said to be a root; how far angles that are said to be arcsines or arccosines are from the
+    /// ends of their ranges; and what is supposed. An angle that is there to name another symbol by its sine or cosine is
+    /// within the range because it is chosen so.
     pub(super) fn positive(&self) -> BTreeSet<String> {
         let base = |rule: &Rule| match rule {
             Rule::Power { base, .. } | Rule::Logarithm { of: base } => Some(self.text(base)),
@@ -253,8 +298,35 @@ impl Ring {
             }
             _ => None,
         };
+        let same = |x: &Rational, y: &Rational| self.is_zero(&(x - y)).unwrap_or(false);
+        let named = |x: &Rational| self.symbols.iter().find(|(_, of)| same(x, of));
+        let text = |x: &Rational| named(x).map_or_else(|| self.text(x), |(name, _)| (*name).into());
+        // A cosine or sine is positive with an angle that is an arcsine or arccosine.
+        let beside = |x: &Rational| {
+            let mut known = self.inverses.iter();
+            known.any(|known| {
+                let both = self.circular(&known.angle);
+                both.is_ok_and(|(cosine, sine)| match known.function {
+                    Function::Asin => same(x, &cosine),
+                    _ => same(x, &sine),
+                })
+            })
+        };
+        let roots = self.powers.iter().map(|known| &known.value);
+        let roots = roots.filter(|x| !self.has_positive_terms(x) && !beside(x));
+        let values = roots.chain(&self.supposed).map(text);
+        let chosen = |known: &&KnownInverse| named(&known.of).is_none();
+        let ends = self.inverses.iter().filter(chosen).flat_map(|known| {
+            let (pi, twice) = (Rational::generator(PI), &known.angle * &Rational::int(2));
+            let [low, high] = match known.function {
+                Function::Asin => [&pi + &twice, &pi - &twice],
+                _ => [known.angle.clone(), &pi - &known.angle],
+            };
+            [low, high].map(|x| self.text(&x))
+        });
+        let all = self.rules.iter().filter_map(base).chain(values).chain(ends);
         let varies = |base: &String| base.contains(|c: char| c.is_alphabetic() && c != 'π');
-        self.rules.iter().filter_map(base).filter(varies).collect()
+        all.filter(varies).collect()
     }
 
     /// An element's text, in parentheses unless it is a single name.

@@ -71,6 +71,16 @@ fn trial(text: &mut String, e: &Evidence, conditional: bool) {
     if !e.title.is_empty() {
         let _ = writeln!(text, "    {}", e.title);
     }
+    // A premise that is lost, of the proof or of one of its lemmas, is missed here.
+    let lemmas = e.lemmas.iter().map(|of| (of.title.as_str(), &of.steps));
+    for (title, steps) in std::iter::once(("it", &e.steps)).chain(lemmas) {
+        let known = steps
+            .iter()
+            .filter_map(|step| step.strip_prefix("Shown before: "));
+        for known in known {
+            let _ = writeln!(text, "    {title} rests on: {known}");
+        }
+    }
     for s in &e.samples {
         let [stated, found] = match e.outcome() {
             Outcome::Disagrees => apart(s, e.tolerance.value),

@@ -8,8 +8,9 @@ use serde::Serialize;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Standing {
-    /// The program has checked the whole statement: a formula, held against what it has to equal, or enclosed, for the signs
-    /// at which it was tried.
+    /// The program has checked the whole statement: a formula, or a sentence that says no more than one, held against what it
+    /// has to equal, or enclosed, for the signs at which it was tried. What is continuous, and has the rate 0 but at single
+    /// instants, is taken to be constant: so equal rates and equal starts are enough.
     Proved,
     /// The program has checked the steps of a proof; what joins them is said in words.
     Argued,
@@ -52,10 +53,10 @@ impl Entry {
             _ => claim.latex,
         };
         let is_formula = match claim.kind {
-            Kind::Definition | Kind::Equation | Kind::Number => is_proof,
+            Kind::Definition | Kind::Equation | Kind::Number | Kind::Property => is_proof,
             // What sign an identity leaves is a matter of words.
             Kind::Inequality => by(Route::Certified),
-            Kind::Property | Kind::Limit | Kind::Figure => false,
+            Kind::Limit | Kind::Figure => false,
         };
         // What its trials take in, too, has to be covered by the proof.
         let covered = |proof: &&Evidence| {
@@ -148,7 +149,15 @@ mod tests {
             (Kind::Equation, r"a\approx b", "", &exact, Measured),
             (Kind::Inequality, "a<b", "", &exact, Measured),
             (Kind::Inequality, "a<b", "", &certified, Proved),
-            (Kind::Property, "it stops", "", &exact, Measured),
+            (
+                Kind::Property,
+                "(3) has the constant (4)",
+                "",
+                &exact,
+                Proved,
+            ),
+            (Kind::Property, "it stops", "", &shown, Argued),
+            (Kind::Limit, "it stops", "", &exact, Measured),
             (Kind::Property, "it stops", "As $a<b$.", &exact, Argued),
             (Kind::Equation, formula, "As $a<b$.", &exact, Argued),
             (

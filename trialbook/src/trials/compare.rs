@@ -299,10 +299,13 @@ pub(super) fn lemma(proof: &Proof) -> Lemma {
 
 /// Evidence from a proof, with its steps: it holds or it does not.
 pub fn proved(proof: &Proof, subject: Subject, compared: Compared) -> Evidence {
+    // Of two sides that are said to be compared, the proof itself has to compare something.
+    let is_idle = compared.found().is_some() && !proof.compares();
     Evidence {
         points: 1,
         // A step that cannot be carried out says nothing about the claim.
         worst: match proof.obstacle() {
+            None if is_idle => f64::NAN,
             None => 0.0,
             Some(Obstacle::NotZero { .. }) => f64::INFINITY,
             Some(_) => f64::NAN,
@@ -312,6 +315,7 @@ pub fn proved(proof: &Proof, subject: Subject, compared: Compared) -> Evidence {
                 format!("the step “{says}” leaves the difference {normal_form}, not 0")
             }
             Some(obstacle) => format!("a step of the proof fails ({obstacle})"),
+            None if is_idle => "it compares nothing itself".to_owned(),
             None => String::new(),
         },
         steps: steps(proof),

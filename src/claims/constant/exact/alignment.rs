@@ -14,7 +14,7 @@ pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
     ),
     paper::s21_cannot_hold_sides::tree,
     |[left, right]| {
-        prove("Friction cannot hold", Regime::Any, |p, _| {
+        prove("Friction cannot hold", Regime::AnyAngle, |p, _| {
             given(p, &[&DEFINED, &EQ6])?;
             let [a, lambda] = Expr::symbols(["A", "λ"]);
             p.note("μg by (5)", "λA");
@@ -47,7 +47,7 @@ pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::new(
 );
 
 fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
-    prove("The velocity aligns", Regime::Any, |p, newton| {
+    prove("The velocity aligns", Regime::AnyAngle, |p, newton| {
         given(p, &[&EQ6, &EQ7])?;
         p.rests_on(&at_the_border())?;
         let [a, lambda, v, theta] = Expr::symbols(["A", "λ", "v", "θ"]);
@@ -104,7 +104,7 @@ pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
 );
 
 fn against((sense, [ax, ay]): (Expr, [Expr; 2])) -> Proof {
-    prove("Which way it slides", Regime::Any, |p, _| {
+    prove("Which way it slides", Regime::AnyAngle, |p, _| {
         given(p, &[&ALIGNS])?;
         let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
         let product = v * theta.cos() * ax + v * theta.sin() * ay;

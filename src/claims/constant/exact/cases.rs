@@ -1,7 +1,7 @@
 //! The special cases: λ = 0, (15) and (16); λ = 1, (17) to (19); λ > 1, (20).
 
 use super::sliding::constant_of_motion;
-use super::{EQ11, EQ13, Newton, Regime, by_newton, prove};
+use super::{EQ11, EQ13, EQ14, Newton, Regime, at_start, by_newton, prove};
 use crate::paper::constant as paper;
 use trialbook::prelude::*;
 
@@ -14,28 +14,32 @@ pub(super) fn eq15() -> Expr {
 fn component(
     p: &mut Prover<'_>,
     newton: &Newton,
-    [component, start, printed]: [Expr; 3],
+    [component, printed]: [Expr; 2],
 ) -> Result<(), Obstacle> {
+    let start = at_start(component).with("v", Expr::symbol("v₀"));
     let component = p.read("The component", component)?;
     let expected = p.derivative("Its rate by (1)", &component, &newton.motion)?;
     let value = p.read("As printed", printed)?;
     let rate = p.slope("The rate of that", &value, "t")?;
     p.equal("The rate by (1) is the printed one", &expected, &rate)?;
-    let at_start = p.read("At t = 0", printed.with("t", Expr::int(0)))?;
-    p.equal("It is the start", &at_start, &p.ring().read(start)?)
+    let ring = p.ring();
+    let first = ring.put(&value, &[(&ring.named("t")?, &Rational::int(0))])?;
+    p.note("That at t = 0", ring.text(&first));
+    let start = p.read("The component at the start", start)?;
+    p.equal("It is the start", &first, &start)
 }
 
 pub const EQ15: Statement = by_newton(Printed, eq15, |printed| {
     prove("(15): v_x without friction", Regime::Zero, |p, newton| {
-        let [v, theta, start] = Expr::symbols(["v", "θ", "v₀x"]);
-        component(p, newton, [v * theta.cos(), start, printed])
+        let [v, theta] = Expr::symbols(["v", "θ"]);
+        component(p, newton, [v * theta.cos(), printed])
     })
 });
 
 pub const EQ16: Statement = by_newton(Printed, paper::eq16_vy::tree, |printed| {
     prove("(16): v_y without friction", Regime::Zero, |p, newton| {
-        let [v, theta, start] = Expr::symbols(["v", "θ", "v₀y"]);
-        component(p, newton, [v * theta.sin(), start, printed])
+        let [v, theta] = Expr::symbols(["v", "θ"]);
+        component(p, newton, [v * theta.sin(), printed])
     })
 });
 
@@ -90,7 +94,23 @@ pub const EQ19: Statement = by_newton(Printed, paper::eq19_vy_limit::tree, |prin
     late_component(title, "v_y", Expr::symbol("θ").sin(), printed)
 });
 
+/// v is a quotient by (14): what is above falls, to 0 at T, and what is below is positive.
 pub const EQ20: Statement = by_newton(Printed, paper::eq20_stop_time::tree, |printed| {
+    prove("(20): where (14) is 0", Regime::BeyondOne, |p, _| {
+        given(p, &[&EQ14])?;
+        let [lambda, theta] = Expr::symbols(["λ", "θ"]);
+        let below = p.read("λ + cos θ", lambda + theta.cos())?;
+        p.positive("Below the line in (14)", &below)?;
+        let speed = p.read("(14)", paper::eq14_speed_at_time::tree())?;
+        let fall = p.slope("It changes with t by", &speed, "t")?;
+        p.positive("which times −(λ + cos θ) is", &-(&fall * &below))?;
+        let stop = paper::eq14_speed_at_time::tree().with("t", printed);
+        p.vanishes("(14) at the printed time", stop)
+    })
+});
+
+/// The angle tends to 0 at the same time.
+pub const EQ20_WITHIN: Statement = by_newton(Within, paper::eq20_stop_time::tree, |printed| {
     prove(
         "(20): the time at which the particle stops",
         Regime::BeyondOne,
@@ -108,6 +128,3 @@ pub const EQ20: Statement = by_newton(Printed, paper::eq20_stop_time::tree, |pri
         },
     )
 });
-
-/// The same for a claim of which it says more.
-pub const EQ20_WITHIN: Statement = EQ20.about(Within);

@@ -70,31 +70,32 @@ pub(super) fn constant_of_motion(
     formula: Expr,
 ) -> Result<(), Obstacle> {
     let value = p.read("The printed expression", formula)?;
-    let constant = value.generators().all(|g| {
-        let own = Rational::generator(g);
-        let rate = p.ring().derivative(&own, &newton.motion);
-        where_defined(rate).is_some_and(|rate| rate.is_literally_zero())
-    });
-    if constant {
-        // A number keeps its value along any motion: that would say nothing about this one.
-        let normal_form = p.ring().text(&value);
-        let says = "It must depend on the state of motion".into();
-        return Err(Obstacle::NotZero { says, normal_form });
-    }
-    let rate = p.derivative("Its rate by (1)", &value, &newton.motion)?;
-    p.zero("The rate is 0", &rate)
+    p.constant(&value, &newton.motion)
 }
 
 pub const EQ10: Statement = by_newton(Within, paper::eq10_invariant::tree, |printed| {
     prove(
         "(10): an expression keeps its value",
-        Regime::Any,
+        Regime::Any(1),
         |p, newton| constant_of_motion(p, newton, printed),
     )
 });
 
+/// A proof with powers of the quotient of tan(θ/2) and tan(θ₀/2), for positive angles and for negative ones.
+pub(super) fn at_both_sides(
+    title: &str,
+    steps: impl Fn(&mut Prover<'_>, &Newton) -> Result<(), Obstacle>,
+) -> Proof {
+    Proof::for_both_signs(|sign| {
+        prove(title, Regime::Any(sign), |p, newton| {
+            p.note("The sign of both angles", sign.to_string());
+            steps(p, newton)
+        })
+    })
+}
+
 pub const EQ11: Statement = by_newton(Within, paper::eq11_speed::tree, |printed| {
-    prove("(11): the speed at angle θ", Regime::Any, |p, newton| {
+    at_both_sides("(11): the speed at angle θ", |p, newton| {
         let expected = log_speed_rate(p, newton)?;
         let speed = p.read("The printed speed", printed)?;
         let slope = p.slope("Its derivative with respect to θ", &speed, "θ")?;
@@ -113,7 +114,7 @@ pub(super) fn eq12() -> Expr {
 pub const EQ12: Statement = by_newton(Within, eq12, |printed| {
     let title = "(12): A dt/dθ";
     let with_power = || {
-        let mut newton = Newton::new(Regime::Any)?;
+        let mut newton = Newton::new(Regime::Any(1))?;
         let power = (Expr::symbol("θ") / Expr::int(2))
             .tan()
             .pow(Expr::symbol("λ"));
@@ -138,7 +139,7 @@ pub const EQ12: Statement = by_newton(Within, eq12, |printed| {
 });
 
 pub const EQ13: Statement = by_newton(Within, paper::eq13_time::tree, |printed| {
-    prove("(13): the time at angle θ", Regime::Any, |p, newton| {
+    at_both_sides("(13): the time at angle θ", |p, newton| {
         given(p, &[&EQ11])?;
         let speed = p.read("The speed", paper::eq11_speed::tree())?;
         let expected = newton.time_rate(&speed)?;
@@ -152,18 +153,20 @@ pub const EQ13: Statement = by_newton(Within, paper::eq13_time::tree, |printed| 
 });
 
 pub const EQ14: Statement = by_newton(Within, paper::eq14_speed_at_time::tree, |printed| {
-    prove(
-        "(14): the speed at angle θ and time t",
-        Regime::Any,
-        |p, _| {
-            given(p, &[&EQ11, &EQ13])?;
-            p.identity(
-                (
-                    "The printed speed, with t from (13)",
-                    printed.with("t", paper::eq13_time::tree()),
-                ),
-                ("the speed by (11)", paper::eq11_speed::tree()),
-            )
-        },
-    )
+    let title = "(14): the speed at angle θ and time t";
+    prove(title, Regime::AnyAngle, |p, newton| {
+        let [v, v0, lambda, theta] = Expr::symbols(["v", "v₀", "λ", "θ"]);
+        let weight = lambda + theta.cos();
+        let sum = p.read("λv + v_x", v * weight)?;
+        let rate = p.derivative("Its rate by (1)", &sum, &newton.motion)?;
+        let weight = p.ring().read(weight)?;
+        let printed = p.read("The printed speed", printed)? * weight;
+        let linear = p.slope("Times λ + cos θ it has the rate", &printed, "t")?;
+        p.equal("The two rates", &rate, &linear)?;
+        let t = p.ring().named("t")?;
+        let first = p.ring().put(&printed, &[(&t, &Rational::int(0))])?;
+        p.note("That product at t = 0", p.ring().text(&first));
+        let start = p.read("λv + v_x at the start", v0 * at_start(lambda + theta.cos()))?;
+        p.equal("The two", &first, &start)
+    })
 });

@@ -5,56 +5,67 @@ use super::{AS_A_PARTICLE, Components, EQ74, S3_REDUCTION, Vectorial};
 use crate::claims::constant::exact as constant;
 use crate::corrections::sphere as corrected;
 use crate::paper::constant as particle;
+use crate::paper::general::eq1_velocity_rate;
 use crate::paper::sphere as paper;
 use trialbook::prelude::*;
 
-/// The ring of λ, γ, u₀, θ, θ₀ and τ, with the powers of the half tangents.
-pub(super) fn ring() -> Result<Ring, ExactError> {
-    let mut ring = Ring::of(["γ", "u₀", "τ"]);
-    for name in ["θ", "θ₀"] {
-        ring.angle(name);
-    }
+/// The ring of both sets of letters, with the powers of the half tangents of angles of a sign.
+fn ring(sign: i64) -> Result<Ring, ExactError> {
+    let mut ring = Ring::of(["γ", "u₀", "τ", "A", "v₀", "t"]);
+    let u = ring.symbol("u");
+    ring.root_is(&(&u * &u), 2, &u)?;
     let lambda = ring.symbol("λ");
     for name in ["θ", "θ₀"] {
-        let u = ring.half_tangent(name)?;
+        ring.angle(name);
+        let u = ring.half_tangent(name)? * Rational::int(sign);
         ring.power(&u, &lambda)?;
     }
     Ok(ring)
 }
 
-fn prove(
-    title: &str,
-    rests_on: &Statement,
-    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
-) -> Proof {
-    match ring() {
-        Err(error) => Proof::impossible(title, error),
-        Ok(ring) => Proof::of(title, &ring, |p| {
+/// Whether the formula says the same as the particle's, with the sphere's letters put in.
+fn prove(title: &str, formula: &[Expr], rests_on: &Statement, particle: Expr) -> Proof {
+    Proof::for_both_signs(|sign| {
+        Proof::in_ring(title, ring(sign), |p| {
             given(p, &[&EQ74, &S3_REDUCTION, rests_on])?;
-            p.note(
-                "(74) is (1) with",
-                "u for v, γ for A, b for μg, τ for t; λ = b/γ",
-            );
-            steps(p)
-        }),
-    }
-}
-
-/// Whether the formula says the same as the particle's, in the sphere's variables.
-fn same(p: &mut Prover<'_>, formula: Components, particle: Expr) -> Result<(), Obstacle> {
-    let particle = p.read("The particle's formula", particle)?;
-    for formula in formula {
-        p.reads_as(&particle, "the formula", formula)?;
-    }
-    Ok(())
+            p.note("The sign of both angles", sign.to_string());
+            let ring = p.ring();
+            let names = [("A", "γ"), ("v₀", "u₀"), ("t", "τ")];
+            let mut letters = Vec::new();
+            for (own, ours) in names {
+                letters.push((ring.named(own)?, ring.named(ours)?));
+            }
+            let values: Vec<_> = letters.iter().map(|(own, ours)| (own, ours)).collect();
+            let [lambda, a, gamma, u, theta] = Expr::symbols(["λ", "A", "γ", "u", "θ"]);
+            let (zero, one) = (Expr::int(0), Expr::int(1));
+            let [x, y] = [u * theta.cos(), u * theta.sin()];
+            let law = eq1_velocity_rate([-a, zero], lambda * a, one, [x, y]);
+            let slip = paper::eq74_slip_rate(lambda * gamma, [-gamma, zero, zero], [x, y, zero]);
+            for (law, slip) in law.into_iter().zip(slip) {
+                let law = p.read("(1) with u for v and λA for μg", law)?;
+                let law = ring.put(&law, &values)?;
+                p.note("With γ for A, u₀ for v₀ and τ for t", ring.text(&law));
+                p.reads_as(&law, "(74) with b = λγ", slip)?;
+            }
+            let own = p.read("The particle's formula", particle)?;
+            let ours = ring.put(&own, &values)?;
+            p.note("The same in the sphere's letters", ring.text(&ours));
+            formula
+                .iter()
+                .try_for_each(|formula| p.reads_as(&ours, "the formula", *formula))
+        })
+    })
 }
 
 pub const EQ81: Vectorial =
     Vectorial::new(Within, AS_A_PARTICLE, paper::eq81_slip::parts, |formula| {
-        let [lambda, u0, theta0, theta] = Expr::symbols(["λ", "u₀", "θ₀", "θ"]);
-        prove("(81): u at the angle θ", &constant::EQ11, |p| {
-            same(p, formula, particle::eq11_speed(lambda, u0, theta0, theta))
-        })
+        let particle = particle::eq11_speed::tree();
+        prove(
+            "(81): u at the angle θ",
+            &formula,
+            &constant::EQ11,
+            particle,
+        )
     });
 
 pub const EQ82: Vectorial =
@@ -64,14 +75,13 @@ pub const CORRECTED_82: Vectorial =
     Vectorial::new(Corrected, AS_A_PARTICLE, corrected::time::parts, prove_eq82);
 
 fn prove_eq82(formula: Components) -> Proof {
-    let [lambda, gamma, u0, theta0, theta] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ"]);
-    prove("(82): τ at the angle θ", &constant::EQ13, |p| {
-        same(
-            p,
-            formula,
-            particle::eq13_time(lambda, gamma, u0, theta0, theta),
-        )
-    })
+    let particle = particle::eq13_time::tree();
+    prove(
+        "(82): τ at the angle θ",
+        &formula,
+        &constant::EQ13,
+        particle,
+    )
 }
 
 pub const EQ83: Vectorial = Vectorial::new(
@@ -89,16 +99,7 @@ pub const CORRECTED_83: Vectorial = Vectorial::new(
 );
 
 fn prove_eq83(formula: Components) -> Proof {
-    let [lambda, gamma, u0, theta0, theta, tau] = Expr::symbols(["λ", "γ", "u₀", "θ₀", "θ", "τ"]);
-    prove(
-        "(83): u at the angle θ and the time τ",
-        &constant::EQ14,
-        |p| {
-            same(
-                p,
-                formula,
-                particle::eq14_speed_at_time(lambda, gamma, u0, theta0, theta, tau),
-            )
-        },
-    )
+    let particle = particle::eq14_speed_at_time::tree();
+    let title = "(83): u at the angle θ and the time τ";
+    prove(title, &formula, &constant::EQ14, particle)
 }

@@ -12,7 +12,9 @@ use trialbook::prelude::*;
 enum Force {
     /// Coulomb's, while the sphere slides.
     Sliding,
-    /// Any force, as while the sphere rolls.
+    /// That which keeps the slip velocity 0.
+    Rolling,
+    /// Any force.
     Any,
 }
 
@@ -52,6 +54,10 @@ impl Body {
                 let along = |w: &Rational| ring.divide(&-(&pressed * w), &size);
                 [along(&slip[0])?, along(&slip[1])?]
             }
+            Force::Rolling => {
+                let held = |a: &Rational| ring.divide(&(&m * a), &ring.named("b")?);
+                [held(&ax)?, held(&ay)?]
+            }
             Force::Any => ["F_x", "F_y"].map(|name| ring.symbol(name)),
         };
         // Newton: m dv/dt = F − m A. Euler: I dω/dt = R × F = (R F_y, −R F_x, 0).
@@ -86,6 +92,7 @@ fn prove(
                     p.note("Friction", "F = −μ m g w/|w| at the contact");
                     p.remark("k stands for μ g");
                 }
+                Force::Rolling => p.note("Friction", "F = mA/b, which keeps the slip velocity 0"),
                 Force::Any => p.note("Friction", "any force F at the contact"),
             }
             p.note("Newton", "m dv/dt = F − m A");
@@ -508,25 +515,27 @@ pub const S3_SPIN_CONSTANT: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     paper::s3_zeta3_rate::parts,
-    |stated| {
-        prove(
-            "ζ₃ is constant and enters nothing else",
-            Force::Sliding,
-            |p, body| {
-                let spin = p.read("The vertical spin", omega()[2])?;
-                let rate = p.derivative("Its rate", &spin, &body.motion)?;
-                for stated in stated {
-                    let stated = p.read("Stated", stated)?;
-                    p.equal("The rate is the stated one", &rate, &stated)?;
-                }
-                for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
-                    let q = p.read("Of", q)?;
-                    let rate = p.derivative("The rate", &q, &body.motion)?;
-                    let slope = p.slope("Its slope by ω_z", &rate, "ω_z")?;
-                    p.reads_as(&slope, "", Expr::int(0))?;
-                }
-                Ok(())
-            },
-        )
+    |stated| match spin_constant(Force::Rolling, &stated) {
+        rolling if rolling.holds() => spin_constant(Force::Sliding, &stated),
+        fails => fails,
     },
 );
+
+fn spin_constant(friction: Force, stated: &[Expr]) -> Proof {
+    let title = "ζ₃ is constant and enters nothing else";
+    prove(title, friction, |p, body| {
+        let spin = p.read("The vertical spin", omega()[2])?;
+        let rate = p.derivative("Its rate", &spin, &body.motion)?;
+        for stated in stated {
+            let stated = p.read("Stated", *stated)?;
+            p.equal("The rate is the stated one", &rate, &stated)?;
+        }
+        for q in [velocity()[0], velocity()[1], omega()[0], omega()[1]] {
+            let q = p.read("Of", q)?;
+            let rate = p.derivative("The rate", &q, &body.motion)?;
+            let slope = p.slope("Its slope by ω_z", &rate, "ω_z")?;
+            p.reads_as(&slope, "", Expr::int(0))?;
+        }
+        Ok(())
+    })
+}

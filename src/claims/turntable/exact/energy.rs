@@ -28,17 +28,10 @@ pub const EQ103: Vectorial = Vectorial::new(
     },
 );
 
-/// The formula keeps its value and depends on the state.
 fn keeps_its_value(title: &str, setting: Result<Setting, ExactError>, formula: &[Expr]) -> Proof {
     prove(title, setting, |p, setting| {
         let value = p.read("The expression", formula[0])?;
-        let slope = p.slope("Its change with s alone", &value, "s")?;
-        if slope.is_literally_zero() {
-            // Without the work it could be any number; that would say nothing about the motion.
-            return p.equal("It must depend on s", &slope, &Rational::int(1));
-        }
-        let rate = p.derivative("Its rate along the motion", &value, &setting.motion)?;
-        p.zero("The rate is 0", &rate)
+        p.constant(&value, &setting.motion)
     })
 }
 

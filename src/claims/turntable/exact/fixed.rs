@@ -27,14 +27,9 @@ pub(super) fn name_arcsine(formula: Expr) -> (Expr, Option<Expr>) {
     }
 }
 
-/// A function of α and ψ at the angle ψ that a formula with an arcsine gives.
-fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstacle> {
+/// Puts in the half tangent of q, the arcsine of a formula in α.
+fn with_arcsine(p: &mut Prover<'_>, x: &Rational, sine: Expr) -> Result<Rational, Obstacle> {
     let ring = p.ring();
-    let (angle, sine) = name_arcsine(angle);
-    let value = p.read("At the angle, with q for the arcsine", f.with("ψ", angle))?;
-    let Some(sine) = sine else {
-        return Ok(value);
-    };
     let sine = p.read("The sine of q", sine)?;
     let one = Rational::int(1);
     let squared = ring.normal(&(&one - &sine * &sine));
@@ -43,24 +38,52 @@ fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstac
     let cosine = p.read("The cosine of q", Expr::int(1) / double.cosh())?;
     p.equal("Its square is 1 − sin² q", &(&cosine * &cosine), &squared)?;
     let tangent = p.quotient("tan(q/2) = sin q/(1 + cos q)", &sine, &(&one + &cosine))?;
-    let value = ring.put(
-        &ring.normal(&value),
-        &[(&ring.half_tangent("q")?, &tangent)],
-    )?;
+    let value = ring.put(&ring.normal(x), &[(&ring.half_tangent("q")?, &tangent)])?;
     p.note("With that", ring.text(&value));
     Ok(value)
 }
 
-const ZERO: Compared = Compared::one("(115) at this angle", "0");
-pub const EQ124: Vectorial = Vectorial::new(Printed, ZERO, paper::eq124_psi1::parts, prove_zero);
-pub const EQ125: Vectorial = Vectorial::new(Printed, ZERO, paper::eq125_psi2::parts, prove_zero);
+/// A function of α and ψ at the angle ψ that a formula with an arcsine gives.
+fn at_angle(p: &mut Prover<'_>, f: Expr, angle: Expr) -> Result<Rational, Obstacle> {
+    let (angle, sine) = name_arcsine(angle);
+    let value = p.read("At the angle, with q for the arcsine", f.with("ψ", angle))?;
+    sine.map_or(Ok(value.clone()), |sine| with_arcsine(p, &value, sine))
+}
 
-/// (115) is zero at the given angle, α held fixed.
-fn prove_zero(printed: Vec<Expr>) -> Proof {
+const ZERO: Compared = Compared::one(
+    "(115)",
+    "a product of which one factor is zero at this angle, and the other one at the other",
+);
+pub const EQ124: Vectorial = Vectorial::new(Printed, ZERO, paper::eq124_psi1::parts, |printed| {
+    let [first, _] = factors();
+    prove_zero(printed[0], first)
+});
+pub const EQ125: Vectorial = Vectorial::new(Printed, ZERO, paper::eq125_psi2::parts, |printed| {
+    let [_, second] = factors();
+    prove_zero(printed[0], second)
+});
+
+/// Each is zero once in a turn.
+fn factors() -> [Expr; 2] {
+    let [psi, q] = Expr::symbols(["ψ", "q"]);
+    let two = Expr::int(2);
+    [((psi - q) / two).sin(), ((psi + q) / two).cos()]
+}
+
+/// A factor of (115) is zero at the given angle.
+fn prove_zero(printed: Expr, factor: Expr) -> Proof {
     let title = "(115) is zero at a quasi-fixed point";
     prove(title, Setting::fixed(), |p, _| {
-        let rate = at_angle(p, paper::eq115_psi_rate::tree(), printed[0])?;
-        p.zero("dψ/dτ is 0", &rate)
+        let (angle, sine) = name_arcsine(printed);
+        p.remark("Let q be the arcsine in the formula");
+        p.vanishes("A factor at the angle", factor.with("ψ", angle))?;
+        let [first, second] = factors();
+        let double = Expr::int(2) * Expr::symbol("α");
+        let product = -(Expr::int(4) * double.coth() * first * second);
+        let product = p.read("With the other factor, each zero once in a turn", product)?;
+        let sine = sine.ok_or(Obstacle::Empty)?;
+        let product = with_arcsine(p, &product, sine)?;
+        p.reads_as(&product, "which is (115)", paper::eq115_psi_rate::tree())
     })
 }
 

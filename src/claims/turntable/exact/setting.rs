@@ -115,7 +115,9 @@ impl Setting {
     ) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
         let own = ring.symbol(size);
-        ring.hyperbolic(angle);
+        let argument = ring.hyperbolic(angle);
+        ring.suppose_positive(own.clone());
+        ring.suppose_positive(argument);
         for (name, formula) in ["p", "ρ"].into_iter().zip(formulas) {
             let value = ring.read(formula)?;
             ring.define(name, value)?;

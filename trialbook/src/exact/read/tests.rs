@@ -336,3 +336,72 @@ fn a_root_of_a_product_finds_its_number_in_any_order() -> Result<(), ExactError>
     }
     Ok(())
 }
+
+/// Of a root and an angle that are named, which branch it is; of one that is chosen for a name, nothing.
+#[test]
+fn a_branch_is_said() {
+    type Declare = fn(&mut Ring, Rational, Rational) -> Result<(), ExactError>;
+    let cases: [(Declare, &[&str]); 6] = [
+        (|ring, x, _| ring.root_is(&x.pow(2), 2, &x), &["x"]),
+        (|ring, x, _| ring.root_is(&x.pow(2), 2, &-x), &["−x"]),
+        (|ring, x, _| ring.root_is(&x.pow(4), 2, &x.pow(2)), &[]),
+        (
+            |ring, _, sine| ring.inverse(Function::Asin, &sine, &ring.named("θ")?),
+            &["π + 2 θ", "π − 2 θ"],
+        ),
+        (
+            |ring, _, sine| {
+                ring.define("λ", sine.clone())?;
+                ring.inverse(Function::Asin, &sine, &ring.named("θ")?)?;
+                let cosine = ring.read(Expr::symbol("θ").cos())?;
+                ring.root_is(&(Rational::int(1) - &sine * &sine), 2, &cosine)
+            },
+            &[],
+        ),
+        (
+            |ring, x, _| {
+                ring.suppose_positive(&x - &Rational::int(1));
+                Ok(())
+            },
+            &["x − 1"],
+        ),
+    ];
+    for (declare, said) in cases {
+        let mut ring = Ring::of(["x"]);
+        ring.angle("θ");
+        let (x, sine) = (Expr::symbol("x"), Expr::symbol("θ").sin());
+        let [x, sine] = [x, sine].map(|f| ring.read(f).unwrap());
+        declare(&mut ring, x.clone(), sine).unwrap();
+        assert_eq!(ring.positive().into_iter().collect::<Vec<_>>(), said);
+        // What has a root already would be 0 for some sign of it.
+        assert!(ring.root(&x.pow(6), 2).is_err() && ring.root(&x.pow(3), 2).is_ok());
+    }
+}
+
+#[test]
+fn what_is_positive_by_its_form_is_told() {
+    let mut ring = Ring::of(["x", "λ"]);
+    ring.angle("θ");
+    let [x, lambda, theta] = Expr::symbols(["x", "λ", "θ"]);
+    let (one, own) = (Expr::int(1), ring.named("x").unwrap());
+    ring.root(&own, 2).unwrap();
+    let above = ring.read(lambda - one).unwrap();
+    let (more, less) = (
+        (lambda - one) * (x.squared() + x.sqrt()),
+        lambda + theta.cos(),
+    );
+    for supposed in [false, true] {
+        for (formula, expected) in [
+            (x.squared() + x.sqrt(), true),
+            (one + theta.cos(), true),
+            (more, supposed),
+            (-more, false),
+            (less, false),
+            (x - x, false),
+        ] {
+            let x = ring.read(formula).unwrap();
+            assert_eq!(ring.is_positive(&x).unwrap(), expected, "{formula}");
+        }
+        ring.suppose_positive(above.clone());
+    }
+}
