@@ -37,7 +37,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
 
-const TESTS: [(&str, Test); 31] = [
+const TESTS: [(&str, Test); 32] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
