@@ -10,6 +10,7 @@ mod tests;
 mod watch;
 
 use crate::claims::PAPER;
+use crate::claims::rest::fates;
 use crate::{breaks, commands, figures, symbols};
 use include_dir::{Dir, include_dir};
 use trialbook::publishing::{Edition, Placeholder, Sources, texts};
@@ -207,6 +208,11 @@ pub static EDITION: Edition = Edition {
         },
     ],
     files: explorer::files,
+    data: || {
+        let records = [figures::RECORD, fates::RECORD, physics::RECORD, speed::RESULTS];
+        let texts = explorer::TEXTS.map(|(_, text)| text);
+        [&records[..], &texts].concat()
+    },
     commands: &commands::ALL,
     examples: &[
         ("verify", "eq-13 eq-82"),

@@ -69,8 +69,7 @@ fn note(shape: &mut Shape, path: &str, value: &Value) {
 
 fn written(command: &str) -> Value {
     let output = crate::slipbook(&command.split(' ').collect::<Vec<_>>());
-    let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{command}: {complaint}");
+    assert_eq!(crate::succeeded(&output), Ok(()), "{command}");
     serde_json::from_slice(&output.stdout).unwrap()
 }
 

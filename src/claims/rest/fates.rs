@@ -1,6 +1,7 @@
 //! Maps of fates at one A, in the plane of α and ψ: simulation says where the boundary runs, validated integration
 //! proves the fates on both sides of it.
 
+use trialbook::data::{Text, text};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::boundary::between;
@@ -23,7 +24,7 @@ const HALVINGS: u32 = 4;
 const NEAREST: f64 = 2e-4;
 
 /// The maps that were made once, since it takes long.
-const RECORD: &str = include_str!("../../../snapshots/fates.csv");
+pub const RECORD: Text = text!("snapshots/fates.csv");
 
 /// The boundary is found to this width in α.
 const WIDTH: f64 = 1e-9;
@@ -168,7 +169,7 @@ pub fn open(rows: &[Row]) -> f64 {
 
 /// Of which commit the recorded maps are.
 pub fn as_of() -> &'static str {
-    trialbook::trials::as_of(RECORD)
+    trialbook::trials::as_of(&RECORD)
 }
 
 /// The maps that the book shows, as `examples/fates.rs` made them; nothing where a line is not one of theirs.

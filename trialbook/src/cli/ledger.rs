@@ -63,7 +63,7 @@ struct Tried {
 
 impl Tried {
     fn new(paper: &'static Paper, ids: Option<&[&str]>, depth: &Depth) -> Result<Self, Failure> {
-        let record = Record::parse(paper.record)?;
+        let record = Record::parse(&paper.record)?;
         let ledger = with_progress(paper, ids);
         let (ledger, rounds) = deepened(ledger, ids.unwrap_or_default(), depth)?;
         let mut differences = record.differences(&ledger);

@@ -265,7 +265,7 @@ fn exit_code(edition: &Edition, answer: Result<u8, Failure>) -> u8 {
 }
 
 fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
-    edition.paper.check()?;
+    edition.check()?;
     let common = Common::from_arg_matches(matches)?;
     if let Some(jobs) = common.jobs {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(jobs.into());

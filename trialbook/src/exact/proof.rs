@@ -500,8 +500,13 @@ mod tests {
     fn a_proof_compares_something() {
         let ring = Ring::new();
         let one = Rational::int(1);
-        let empty = Proof::of("nothing", &ring, |_| Ok(()));
-        assert_eq!(empty.obstacle(), Some(&Obstacle::Empty));
+        let note = |p: &mut Prover<'_>| {
+            p.note("It is said", "and not compared");
+            Ok(())
+        };
+        for empty in [Proof::of("nothing", &ring, |_| Ok(())), Proof::of("a note", &ring, note)] {
+            assert_eq!(empty.obstacle(), Some(&Obstacle::Empty), "{empty}");
+        }
         assert!(Proof::of("one is one", &ring, |p| p.equal("It", &one, &one)).holds());
     }
 

@@ -34,7 +34,7 @@ impl Ledger {
     /// # Errors
     /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not.
     pub fn letter(&self, format: Format) -> Result<String, ErrataError> {
-        match self.paper.letter {
+        match &*self.paper.letter {
             "" => self.supplement(format),
             _ => self.comment(&self.errata()?, format.style()),
         }
@@ -375,6 +375,7 @@ fn tex_char(c: char) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::data::Text;
 
     #[test]
     fn words_become_tex() {
@@ -398,7 +399,7 @@ mod tests {
         let mut said = |letter: &'static str| {
             let topics = ledger.paper.topics;
             let paper = Paper {
-                letter,
+                letter: Text::Built(letter),
                 topics,
                 ..Paper::BLANK
             };

@@ -23,8 +23,10 @@
 
 use super::attempt::Attempt;
 use super::by_hand::ByHand;
+use super::points::mixed;
 use super::values::Value;
 use super::{Claim, Condition, Correction, Excuse, Sort, Topic};
+use crate::data::Text;
 use crate::evidence::{Change, Kind};
 use crate::notation::{plain_formula, plain_words};
 use crate::seeded::Corner;
@@ -38,21 +40,21 @@ use toml::de::{DeTable, DeValue, ValueDeserializer};
 /// A file of claims.
 #[derive(Debug, Clone, Copy)]
 pub struct File {
-    /// Where it is, from the source that names it.
+    /// Where it is, from the crate's folder.
     pub path: &'static str,
     /// What it says.
-    pub text: &'static str,
+    pub text: Text,
     /// How many lines of the file stand above the text.
     pub above: usize,
 }
 
-/// A file of claims, by its path from the source in which this stands: `claims!("../../claims/rest.toml")`.
+/// A file of claims, by its path from the crate's folder: `claims!("claims/rest.toml")`.
 #[macro_export]
 macro_rules! claims {
     ($path:literal) => {
         $crate::trials::read::File {
             path: $path,
-            text: include_str!($path),
+            text: $crate::data::text!($path),
             above: 0,
         }
     };
@@ -67,19 +69,14 @@ impl File {
         let place = Location::caller();
         Self {
             path: place.file(),
-            text,
+            text: Text::Built(text),
             above: place.line() as usize,
         }
     }
 
-    /// Its path from the folder in which all sources are.
-    pub fn name(&self) -> &'static str {
-        self.path.trim_start_matches("../")
-    }
-
     pub(super) fn error(&self, line: usize, fault: Fault) -> ReadError {
         ReadError {
-            file: self.name().to_owned(),
+            file: self.path.to_owned(),
             line,
             fault,
         }
@@ -267,7 +264,9 @@ type Row = (usize, &'static str, Entry);
 
 /// What claims have in common, and the entries in their order.
 fn entries(file: &File) -> Result<(Common, Vec<Row>), ReadError> {
-    let table = DeTable::parse(file.text).map_err(|error| {
+    let read = file.text.read();
+    let read = read.map_err(|error| file.error(1, Fault::Form(error.to_string())))?;
+    let table = DeTable::parse(read).map_err(|error| {
         let at = error.span().map_or(0, |span| span.start);
         file.error(file.line(at), Fault::Form(error.message().to_owned()))
     })?;
@@ -431,7 +430,11 @@ impl Reader<'_> {
             correction,
             argument: reason(entry.argument)?.unwrap_or_default(),
             whole: entry.whole,
-            trials: each(entry.trials, |tried| self.attempt(tried))?,
+            trials: each(entry.trials.into_iter().zip(0..), |(tried, nth)| {
+                let seat = mixed(id.bytes().map(u64::from).chain([nth]));
+                let attempt = self.attempt(tried)?;
+                Ok(Attempt { seat, ..attempt })
+            })?,
             unproved: reason(entry.unproved)?,
             by_hand: entry
                 .by_hand
@@ -626,8 +629,8 @@ unproved = "it is a picture"
             "fall",
             "The fall",
             File {
-                path: "../fall.toml",
-                text,
+                path: "fall.toml",
+                text: Text::Built(text),
                 above: 0,
             },
             TRIALS,
