@@ -266,9 +266,9 @@ fn term(latex: &str, at: &BTreeMap<&str, f64>) -> Option<f64> {
     }
 }
 
-/// Whether what a condition begins with holds at a point: `a<b<c`, `a>b` or `a\neq b,c`; nothing if it is in words, or about
-/// something else.
-fn holds(text: &str, at: &BTreeMap<&str, f64>) -> Option<bool> {
+/// Whether what a condition begins with holds at a point, or by how little it does not: `a<b<c`, `a>b` or `a\neq b,c`; nothing if
+/// it is in words, or about something else.
+fn holds(text: &str, at: &BTreeMap<&str, f64>, nearly: f64) -> Option<bool> {
     let (relation, _) = text.strip_prefix('$')?.split_once('$')?;
     if let Some((left, right)) = relation.split_once(r"\neq") {
         let left = term(left, at)?;
@@ -277,11 +277,11 @@ fn holds(text: &str, at: &BTreeMap<&str, f64>) -> Option<bool> {
         return Some(others?.iter().all(|right| (left - right).abs() > 1e-6));
     }
     if let Some((left, right)) = relation.split_once('>') {
-        return Some(term(left, at)? > term(right, at)?);
+        return Some(term(left, at)? > term(right, at)? - nearly);
     }
     let terms: Option<Vec<_>> = relation.split('<').map(|one| term(one, at)).collect();
     let terms = terms?;
-    (terms.len() > 1).then(|| terms.windows(2).all(|pair| pair[0] < pair[1]))
+    (terms.len() > 1).then(|| terms.windows(2).all(|pair| pair[0] < pair[1] + nearly))
 }
 
 /// The points that a condition excepts are those at which it does not hold as it is printed, and those at which the claim is tried as
@@ -291,10 +291,14 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
     let everywhere: BTreeMap<_, _> = SYMBOLS.iter().map(|symbol| (symbol.plain, 0.5)).collect();
     for entry in &ledger.entries {
         for condition in entry.claim.conditions {
-            let at = |s: &Sample| {
+            let at = |s: &Sample, nearly| {
                 let named = s.at.split(", ").filter_map(|part| part.split_once(" = "));
                 let at = named.filter_map(|(name, x)| Some((name, x.parse().ok()?)));
-                holds(condition.text, &at.collect())
+                let mut at: BTreeMap<_, _> = at.collect();
+                if let (Some(x), Some(y)) = (at.get("v_x"), at.get("v_y")) {
+                    at.insert("p", f64::hypot(*x, *y));
+                }
+                holds(condition.text, &at, nearly)
             };
             let of = |subjects: &'static [Subject]| {
                 let evidence = entry.evidence.iter();
@@ -304,7 +308,8 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
             if condition.sort == Sort::Stated {
                 let tried = of(&[Subject::Printed, Subject::Within]);
                 let mut samples = tried.flat_map(|e| e.samples.iter().chain(&e.farthest));
-                if samples.any(|s| at(s) == Some(false)) {
+                // The points are written to six decimals.
+                if samples.any(|s| at(s, 1e-6) == Some(false)) {
                     strange.push(named("tried where this does not hold"));
                 }
             }
@@ -312,7 +317,7 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
                 continue;
             }
             let told = of(&[Subject::Excepted]).filter_map(|e| {
-                let same = e.samples.iter().map(|s| Some(at(s)? == (s.stated == 1.0)));
+                let same = e.samples.iter().map(|s| Some(at(s, 0.0)? == (s.stated == 1.0)));
                 let same: Option<Vec<_>> = same.collect();
                 same.map(|same| same.iter().all(|same| *same))
             });
@@ -321,7 +326,7 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
             let friction = [r"$\lambda_0>0$: ", r"$\mu>0$: "];
             let foreign = condition.sort == Sort::Convention
                 && !friction.iter().any(|some| condition.text.starts_with(some));
-            let readable = holds(condition.text, &everywhere).is_some();
+            let readable = holds(condition.text, &everywhere, 0.0).is_some();
             if foreign || !told.contains(&true) && (readable || !told.is_empty()) {
                 strange.push(named("other points are excepted than this says"));
             }

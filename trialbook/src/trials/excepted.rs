@@ -78,9 +78,11 @@ pub fn no_value<const N: usize>(
 
 /// A coordinate with six decimals, or with as many as show on which side of a round number it is.
 fn place(x: f64) -> String {
-    let short = format!("{x:.6}");
-    let near = short.parse().is_ok_and(|y: f64| x != y && (x - y).abs() < 1e-7);
-    if near { format!("{x:.12}") } else { short }
+    let from_round = (x - libm::round(1e3 * x) / 1e3).abs();
+    match from_round > 0.0 && from_round < 1e-7 {
+        true => format!("{x:.12}"),
+        false => format!("{x:.6}"),
+    }
 }
 
 /// Whether something is so at each point, with whether that is expected.
