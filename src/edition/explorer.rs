@@ -13,7 +13,10 @@ pub(super) const TEXTS: [(&str, Text); 8] = [
     ("explorers.css", text!("book/theme/explorers.css")),
     ("explorers-plot.js", text!("book/theme/explorers-plot.js")),
     ("explorers-stage.js", text!("book/theme/explorers-stage.js")),
-    ("explorers-scenes.js", text!("book/theme/explorers-scenes.js")),
+    (
+        "explorers-scenes.js",
+        text!("book/theme/explorers-scenes.js"),
+    ),
     ("explorers-list.js", text!("book/theme/explorers-list.js")),
     ("explorers.js", text!("book/theme/explorers.js")),
     ("breaks.css", text!("book/theme/breaks.css")),
@@ -24,13 +27,22 @@ pub(super) const TEXTS: [(&str, Text); 8] = [
 pub(super) fn files() -> Vec<(String, String)> {
     let module = base64(include_bytes!("../../book/theme/explorers.wasm"));
     let breaks = base64(include_bytes!("../../book/theme/breaks.wasm"));
-    let modules = [("breaks", "Breaks", breaks), ("explorers", "Module", module)];
+    let modules = [
+        ("breaks", "Breaks", breaks),
+        ("explorers", "Module", module),
+    ];
     let modules = modules.map(|(name, of, module)| {
-        (format!("{name}-module.js"), format!("window.slipbook{of} = \"{module}\";\n"))
+        (
+            format!("{name}-module.js"),
+            format!("window.slipbook{of} = \"{module}\";\n"),
+        )
     });
-    let texts = TEXTS.iter().map(|(name, text)| (name.to_string(), text.to_string()));
+    let texts = TEXTS
+        .iter()
+        .map(|(name, text)| (name.to_string(), text.to_string()));
     let all = texts.chain(modules);
-    all.map(|(name, text)| (format!("theme/{name}"), text)).collect()
+    all.map(|(name, text)| (format!("theme/{name}"), text))
+        .collect()
 }
 
 /// The pages that have an explorer, and its name. It stands right before the figure that takes its place where scripts are

@@ -209,7 +209,12 @@ pub static EDITION: Edition = Edition {
     ],
     files: explorer::files,
     data: || {
-        let records = [figures::RECORD, fates::RECORD, physics::RECORD, speed::RESULTS];
+        let records = [
+            figures::RECORD,
+            fates::RECORD,
+            physics::RECORD,
+            speed::RESULTS,
+        ];
         let texts = explorer::TEXTS.map(|(_, text)| text);
         [&records[..], &texts].concat()
     },

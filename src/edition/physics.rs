@@ -1,8 +1,8 @@
 //! The table of mistakes in the physics, as the committed record has it.
 
-use trialbook::data::{Text, text};
 use crate::claims::PAPER;
 use trialbook::book::{escape, table};
+use trialbook::data::{Text, text};
 use trialbook::notation::plain_words;
 use trialbook::publishing::Filled;
 use trialbook::trials::as_of;

@@ -1,8 +1,8 @@
 //! The tables under "How fast", from the committed result file.
 
-use trialbook::data::{Text, text};
 use serde::Deserialize;
 use trialbook::book::{escape, table};
+use trialbook::data::{Text, text};
 use trialbook::publishing::{Failure, Filled};
 
 /// What `benches/peers/run.py` wrote.

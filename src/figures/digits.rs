@@ -1,7 +1,7 @@
 //! The figure of the digits that the calculators claim, from the recorded counts.
 
-use trialbook::data::{Text, text};
 use super::AllFiguresError;
+use trialbook::data::{Text, text};
 use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
 use trialbook::trials::as_of;
 

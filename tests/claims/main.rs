@@ -53,13 +53,17 @@ fn main() -> ExitCode {
             true => name == text,
             false => name.contains(text.as_str()),
         };
-        !arguments.list
-            && arguments.filter.iter().all(fits)
-            && !arguments.skip.iter().any(fits)
+        !arguments.list && arguments.filter.iter().all(fits) && !arguments.skip.iter().any(fits)
     };
     let claims: Vec<_> = PAPER
         .claims()
-        .map(|(topic, claim)| (format!("{}::{}", topic.stem, claim.id), topic.stem, claim.id))
+        .map(|(topic, claim)| {
+            (
+                format!("{}::{}", topic.stem, claim.id),
+                topic.stem,
+                claim.id,
+            )
+        })
         .collect();
     let whole = WHOLE.iter().any(|(name, _)| asked(name));
     let some = claims.iter().filter(|(name, ..)| asked(name));
@@ -105,7 +109,11 @@ fn verdicts(ledger: &Ledger) -> Result<(), Failed> {
 /// What each claim is derived from or refers to, on a line.
 fn dependencies() -> Result<(), Failed> {
     let line = |(_, c): (_, &Claim)| format!("{}: {}\n", c.id, c.depends_on.join(" "));
-    same_as_snapshot("", "dependencies", &PAPER.claims().map(line).collect::<String>())
+    same_as_snapshot(
+        "",
+        "dependencies",
+        &PAPER.claims().map(line).collect::<String>(),
+    )
 }
 
 /// What a trial finds without the paper, and in what units it compares, stays where it is when a formula is wrong.
@@ -113,7 +121,10 @@ fn leaning(ledger: &Ledger) -> Result<(), Failed> {
     let leans = ledger.leaning().into_iter().map(|(key, trial, formula)| {
         format!("{key}, {trial}: what it finds, or its scale, moves with a mistake in {formula}")
     });
-    none(&leans.collect::<Vec<_>>(), "find it without the formula, by the motion")
+    none(
+        &leans.collect::<Vec<_>>(),
+        "find it without the formula, by the motion",
+    )
 }
 
 /// Fails with what was found, and with what to do.
@@ -317,7 +328,10 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
                 continue;
             }
             let told = of(&[Subject::Excepted]).filter_map(|e| {
-                let same = e.samples.iter().map(|s| Some(at(s, 0.0)? == (s.stated == 1.0)));
+                let same = e
+                    .samples
+                    .iter()
+                    .map(|s| Some(at(s, 0.0)? == (s.stated == 1.0)));
                 let same: Option<Vec<_>> = same.collect();
                 same.map(|same| same.iter().all(|same| *same))
             });
@@ -468,7 +482,10 @@ fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     };
     let all = [
         said("no trial rejects", survivors.difference(&excused).collect()),
-        said("a reason (`survivors`) for nothing:", excused.difference(&survivors).collect()),
+        said(
+            "a reason (`survivors`) for nothing:",
+            excused.difference(&survivors).collect(),
+        ),
     ];
     none(
         &all.concat(),
@@ -489,8 +506,12 @@ fn reasons(ledger: &Ledger) -> Result<(), Failed> {
         [proved, measured].map(|of| of.into_iter().map(|e| e.claim.id).collect::<BTreeSet<_>>());
     let lacking: Vec<_> = measured.difference(&given).collect();
     let idle: Vec<_> = given.intersection(&proved).collect();
-    let lacking = lacking.into_iter().map(|id| format!("{id}: measured, and no reason why"));
-    let idle = idle.into_iter().map(|id| format!("{id}: `unproved`, and there is a proof"));
+    let lacking = lacking
+        .into_iter()
+        .map(|id| format!("{id}: measured, and no reason why"));
+    let idle = idle
+        .into_iter()
+        .map(|id| format!("{id}: `unproved`, and there is a proof"));
     none(
         &lacking.chain(idle).collect::<Vec<_>>(),
         "give the entry a proof with `whole` or `argument`, or say why it has none (`unproved`)",
@@ -527,6 +548,10 @@ fn same_as_snapshot(folder: &str, name: &str, text: &str) -> Result<(), Failed> 
     set_hook(Box::new(|_| {}));
     let compared = catch_unwind(AssertUnwindSafe(same));
     set_hook(hook);
-    compared
-        .map_err(|_| format!("{name} differs from its snapshot: `cargo insta review` shows how; accept what is right").into())
+    compared.map_err(|_| {
+        format!(
+            "{name} differs from its snapshot: `cargo insta review` shows how; accept what is right"
+        )
+        .into()
+    })
 }

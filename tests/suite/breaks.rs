@@ -20,7 +20,10 @@ fn the_module_in_the_page_gives_the_answers_of_the_crate() {
     let rows = read(page.call("claims", ()));
     let rows: Vec<_> = rows.as_array().unwrap().iter().map(|row| &row[0]).collect();
     let ids: Vec<_> = all.iter().map(|claim| claim.id).collect();
-    let mut old: Vec<_> = ids.iter().filter(|id| rows.iter().all(|row| row != *id)).collect();
+    let mut old: Vec<_> = ids
+        .iter()
+        .filter(|id| rows.iter().all(|row| row != *id))
+        .collect();
     for (number, id) in rows.iter().enumerate() {
         let Some(id) = ids.iter().find(|known| id == known) else {
             panic!("{id} is in the module and no claim any more: {REBUILD}");
@@ -37,7 +40,10 @@ fn the_module_in_the_page_gives_the_answers_of_the_crate() {
         println!("PROBE {id} {w:?} {:?} {same}", began.elapsed());
         old.extend((!same).then_some(id));
     }
-    assert!(old.is_empty(), "the module is older than {old:?}: {REBUILD}");
+    assert!(
+        old.is_empty(),
+        "the module is older than {old:?}: {REBUILD}"
+    );
     let beyond = read(page.call("broken", (0_u32, 1_000_000_u32)));
     assert_eq!(beyond, Value::Null);
 }

@@ -42,13 +42,19 @@ fn what_is_printed_is_what_the_paper_prints() {
     let line = |claim: &Claim| {
         let signs = claim.latex.replace(r"\left", "").replace(r"\right", "");
         let signs = signs.bytes().filter(|c| !b"{} ".contains(c));
-        let sum = signs.fold(0_u32, |sum, c| sum.rotate_left(5).wrapping_mul(31) ^ u32::from(c));
-        let sum = claim.equation.map_or(String::new(), |_| format!(" {sum:08x}"));
+        let sum = signs.fold(0_u32, |sum, c| {
+            sum.rotate_left(5).wrapping_mul(31) ^ u32::from(c)
+        });
+        let sum = claim
+            .equation
+            .map_or(String::new(), |_| format!(" {sum:08x}"));
         format!("{} {}{sum}", claim.id, claim.section)
     };
     let paper: Vec<_> = include_str!("../data/printed.txt").lines().collect();
     let printed: Vec<_> = all().map(line).collect();
-    let gone = paper.iter().filter(|line| printed.iter().all(|other| other != *line));
+    let gone = paper
+        .iter()
+        .filter(|line| printed.iter().all(|other| other != *line));
     let gone = gone.map(|line| {
         let (id, _) = line.split_once(' ').unwrap_or((line, ""));
         let now = printed.iter().find(|line| line.starts_with(&format!("{id} ")));
@@ -57,9 +63,17 @@ fn what_is_printed_is_what_the_paper_prints() {
              wrong, or the claim is given up, change the line"
         )
     });
-    let known = |line: &&String| paper.iter().any(|other| other.split(' ').next() == line.split(' ').next());
+    let known = |line: &&String| {
+        paper
+            .iter()
+            .any(|other| other.split(' ').next() == line.split(' ').next())
+    };
     let new = printed.iter().filter(|line| !known(line));
-    let new = new.map(|line| format!("tests/data/printed.txt lacks `{line}`: add it, once you have held it against the paper"));
+    let new = new.map(|line| {
+        format!(
+            "tests/data/printed.txt lacks `{line}`: add it, once you have held it against the paper"
+        )
+    });
     none(gone.chain(new).collect());
 }
 

@@ -3,8 +3,9 @@
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
+use trialbook::data::{Text, text};
 
-const PAGE: &str = include_str!("../../book/src/json.md");
+const PAGE: Text = text!("book/src/json.md");
 
 /// Paths of fields, each with the types that it has.
 type Shape = BTreeMap<String, BTreeSet<String>>;

@@ -5,6 +5,7 @@ use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
 use slipbook::numerics::roots::root;
 use std::fmt::Debug;
 use std::panic::Location;
+use trialbook::data::text;
 use trialbook::trials::compare::{Pair, Trial};
 use trialbook::trials::{Condition, Sort};
 
@@ -317,7 +318,7 @@ fn a_root_at_an_end_is_that_end() {
 /// The verdicts that the page gives in its rules are those that the judge gives in these cases, in the same order.
 #[test]
 fn the_page_gives_the_rules_of_the_judge() {
-    let page = include_str!("../../book/src/methods.md");
+    let page = text!("book/src/methods.md").as_str();
     let rules = page.split("## The judge {#judge}").nth(1).unwrap();
     let rules = rules.split("```").next().unwrap();
     let rules = rules.split_whitespace().collect::<Vec<_>>().join(" ");

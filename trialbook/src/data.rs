@@ -48,15 +48,22 @@ impl Text {
         })?;
         Ok(read.entry(path).or_insert(text.leak()))
     }
+
+    /// The same, where an error has been told before: `Edition::check` does.
+    ///
+    /// # Panics
+    /// If its file cannot be read.
+    pub fn as_str(self) -> &'static str {
+        self.read().unwrap_or_else(|error| panic!("{error}"))
+    }
 }
 
-/// # Panics
-/// If its file cannot be read: `Paper::check` and `Edition::check` say so with an error.
+/// As [`Text::as_str`].
 impl Deref for Text {
     type Target = str;
 
-    fn deref(&self) -> &'static str {
-        self.read().unwrap_or_else(|error| panic!("{error}"))
+    fn deref(&self) -> &str {
+        self.as_str()
     }
 }
 
@@ -68,8 +75,11 @@ macro_rules! text {
         const TEXT: $crate::data::Text =
             $crate::data::Text::File(concat!(env!("CARGO_MANIFEST_DIR"), "/", $path));
         #[cfg(not(debug_assertions))]
-        const TEXT: $crate::data::Text =
-            $crate::data::Text::Built(include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $path)));
+        const TEXT: $crate::data::Text = $crate::data::Text::Built(include_str!(concat!(
+            env!("CARGO_MANIFEST_DIR"),
+            "/",
+            $path
+        )));
         TEXT
     }};
 }
@@ -82,11 +92,14 @@ mod tests {
 
     #[test]
     fn a_file_is_read_where_it_is_and_missed_by_its_path() {
-        let own: &str = &text!("src/data.rs");
+        let own = text!("src/data.rs").as_str();
         assert!(own.contains("a_file_is_read_where_it_is"));
         let none = Text::File("/no/such/file");
         let error = none.read().unwrap_err().to_string();
-        assert!(error.starts_with("/no/such/file belongs to this build, and cannot be read: "), "{error}");
+        assert!(
+            error.starts_with("/no/such/file belongs to this build, and cannot be read: "),
+            "{error}"
+        );
         assert_eq!(&*Text::Built("a"), "a");
     }
 }

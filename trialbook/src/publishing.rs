@@ -177,12 +177,7 @@ impl Page {
         text!("pages/sheets.md"),
     );
     /// What is wrong, with the letters to the journal.
-    pub const ERRATA: Page = Page::of(
-        Part::Check,
-        "errata",
-        "Errata",
-        text!("pages/errata.md"),
-    );
+    pub const ERRATA: Page = Page::of(Part::Check, "errata", "Errata", text!("pages/errata.md"));
     /// What the verdicts rest on.
     pub const METHODS: Page = Page::of(
         Part::Trust,
@@ -200,12 +195,7 @@ impl Page {
     }
 
     /// A page of a part, by its stem, its title and its text.
-    pub const fn of(
-        part: Part,
-        stem: &'static str,
-        title: &'static str,
-        text: Text,
-    ) -> Self {
+    pub const fn of(part: Part, stem: &'static str, title: &'static str, text: Text) -> Self {
         Self {
             stem,
             part,

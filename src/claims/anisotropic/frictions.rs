@@ -52,10 +52,7 @@ fn dimensional([mu_plus, mu_minus, g, a0, phi]: [f64; 5]) -> Result<f64, Failure
     Ok(settled.ok_or("a motion that drifts")?.w(phi))
 }
 
-fn against_dimensional(
-    with: &'static str,
-    friction: fn([f64; 5]) -> (f64, f64),
-) -> Evidence {
+fn against_dimensional(with: &'static str, friction: fn([f64; 5]) -> (f64, f64)) -> Evidence {
     const DIMENSIONAL: &str =
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$";
     Trial::consistency(
@@ -135,21 +132,15 @@ fn summed_rate(
 
 pub(super) const TRIALS: &[Attempt] = trials![
     // The other friction is entered by hand.
-    eq47 = against_dimensional(
-        r"$\lambda_+$ of (47)",
-        |[mu_plus, mu_minus, g, a0, _]| {
-            (printed::eq47_lambda_plus(mu_plus, g, a0), mu_minus / a0 * g)
-        }
-    ),
-    eq48 = against_dimensional(
-        r"$\lambda_-$ of (48)",
-        |[mu_plus, mu_minus, g, a0, _]| {
-            (
-                mu_plus / a0 * g,
-                printed::eq48_lambda_minus(mu_minus, g, a0),
-            )
-        }
-    ),
+    eq47 = against_dimensional(r"$\lambda_+$ of (47)", |[mu_plus, mu_minus, g, a0, _]| {
+        (printed::eq47_lambda_plus(mu_plus, g, a0), mu_minus / a0 * g)
+    }),
+    eq48 = against_dimensional(r"$\lambda_-$ of (48)", |[mu_plus, mu_minus, g, a0, _]| {
+        (
+            mu_plus / a0 * g,
+            printed::eq48_lambda_minus(mu_minus, g, a0),
+        )
+    }),
     eq49 = against_dimensional(
         r"$\lambda_+$ of (49), $\lambda_0=\mu_+g/A_0$,",
         |[mu_plus, mu_minus, g, a0, _]| {
@@ -165,14 +156,8 @@ pub(super) const TRIALS: &[Attempt] = trials![
             (lambda0, minus)
         },
     ),
-    eq51_quadrature = summed_rate(
-        "(51)",
-        ("forwards", Sign::Positive),
-        |_, lambda0, phi| { printed::eq51_rate(lambda0, phi) }
-    ),
-    eq52_quadrature = summed_rate(
-        "(52)",
-        ("backwards", Sign::Negative),
-        printed::eq52_rate
-    ),
+    eq51_quadrature = summed_rate("(51)", ("forwards", Sign::Positive), |_, lambda0, phi| {
+        printed::eq51_rate(lambda0, phi)
+    }),
+    eq52_quadrature = summed_rate("(52)", ("backwards", Sign::Negative), printed::eq52_rate),
 ];

@@ -49,11 +49,7 @@ fn census(
             true => format!("q = {q:.6}, λ₀ = {lambda0:.6}"),
             false => (q.to_bits().rotate_left(32) ^ lambda0.to_bits()).to_string(),
         };
-        Ok(Pair::plain(
-            at,
-            stated,
-            found,
-        ))
+        Ok(Pair::plain(at, stated, found))
     })
 }
 

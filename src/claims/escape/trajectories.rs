@@ -219,10 +219,7 @@ fn all_relaxed() -> Result<Vec<Relaxed>, Failure> {
     launched(0.4, |_, points| points.uniform(-2.9, 2.9))
 }
 
-fn launched(
-    least_a: f64,
-    psi: fn(f64, &mut Points) -> f64,
-) -> Result<Vec<Relaxed>, Failure> {
+fn launched(least_a: f64, psi: fn(f64, &mut Points) -> f64) -> Result<Vec<Relaxed>, Failure> {
     let mut points = Points::here();
     let launch = |i: usize| {
         let a = if i.is_multiple_of(2) {

@@ -1,7 +1,6 @@
 //! Maps of fates at one A, in the plane of α and ψ: simulation says where the boundary runs, validated integration
 //! proves the fates on both sides of it.
 
-use trialbook::data::{Text, text};
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
 use crate::motion::turntable::boundary::between;
@@ -9,6 +8,7 @@ use crate::validated::turntable::{Margins, Strip};
 use rayon::prelude::*;
 use std::fmt;
 use trialbook::certified::written::decimal;
+use trialbook::data::{Text, text};
 
 /// Largest α of a map. Simulation decides whether the boundary lies below it.
 pub const REACH: f64 = 1.5;

@@ -197,16 +197,8 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    psi1 = stands_still(
-        ["(124)", "below"],
-        BELOW_AND_ABOVE[0],
-        printed::eq124_psi1
-    ),
-    psi2 = stands_still(
-        ["(125)", "above"],
-        BELOW_AND_ABOVE[1],
-        printed::eq125_psi2
-    ),
+    psi1 = stands_still(["(124)", "below"], BELOW_AND_ABOVE[0], printed::eq124_psi1),
+    psi2 = stands_still(["(125)", "above"], BELOW_AND_ABOVE[1], printed::eq125_psi2),
     separation,
     frozen
 ];

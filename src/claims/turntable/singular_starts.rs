@@ -144,15 +144,10 @@ const COMPONENTS: Quantity = ("the sum of the components of the velocity", |v| {
 
 pub(super) const TRIALS: &[Attempt] = trials![
     eq86,
-    eq89 = first_moment(
-        "(89) at rest, summed as well,",
-        AT_REST,
-        COMPONENTS,
-        |v| {
-            let [ax, ay] = printed::eq89_acceleration(v.position, v.rate);
-            ax + ay
-        }
-    ),
+    eq89 = first_moment("(89) at rest, summed as well,", AT_REST, COMPONENTS, |v| {
+        let [ax, ay] = printed::eq89_acceleration(v.position, v.rate);
+        ax + ay
+    }),
     eq91 = first_moment("(91) at rest", AT_REST, MOMENT, |v| {
         printed::eq91_moment(v.position, v.rate)
     }),
@@ -174,12 +169,9 @@ pub(super) const TRIALS: &[Attempt] = trials![
         printed::eq107_p_rate(v.rho, v.psi)
     }),
     // With the ψ of a particle that is about to arrive on the axis.
-    eq108 = first_moment(
-        r"(108) on the axis, with $\psi=\pi$,",
-        LAUNCHED,
-        RHO,
-        |v| { printed::eq108_rho_rate(v.p, PI) }
-    ),
+    eq108 = first_moment(r"(108) on the axis, with $\psi=\pi$,", LAUNCHED, RHO, |v| {
+        printed::eq108_rho_rate(v.p, PI)
+    }),
     eq109 = first_moment("(109) at a start from rest", RELEASED, PSI, eq109),
     eq109_on_the_axis = first_moment("(109) on the axis", LAUNCHED, PSI, eq109),
     eq114 = first_moment(r"(114) at rest, with $\psi=0$,", HELD, ALPHA, |v| {

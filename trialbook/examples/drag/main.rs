@@ -82,7 +82,12 @@ const TRIALS: &[Attempt] = trials! {
     right_quadrature = tried(Trial::quadrature, Corrected, corrections::eq6_top,
         |[k, g, w]| Ok(integral(|v| v / (g + k * v), 0.0, w)?.value))
 };
-static STONE: Topic = Topic::new("stone", "The stone", claims!("examples/drag/claims.toml"), &[TRIALS]);
+static STONE: Topic = Topic::new(
+    "stone",
+    "The stone",
+    claims!("examples/drag/claims.toml"),
+    &[TRIALS],
+);
 static PAPER: Paper = Paper {
     title: "The thrown stone",
     authors: "N. N.",

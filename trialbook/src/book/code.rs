@@ -70,7 +70,7 @@ impl<'a> Code<'a> {
         // What stands in a source is not shown apart.
         let claims = topics.filter(|topic| topic.file.above == 0).map(|topic| {
             let lines = topic.lines().map(|(line, claim)| (line - 1, claim.id));
-            let text = topic.file.text.read().unwrap_or_default();
+            let text = topic.file.text.as_str();
             let places = lines.collect();
             (topic.file.path.to_owned(), Source { text, places })
         });

@@ -1,7 +1,7 @@
 //! The pages: which there are, in which order, and their text.
 
-use crate::plotting::Figure;
 use crate::data::Text;
+use crate::plotting::Figure;
 use crate::publishing::{Edition, Page};
 use crate::trials::Topic;
 

@@ -504,7 +504,10 @@ mod tests {
             p.note("It is said", "and not compared");
             Ok(())
         };
-        for empty in [Proof::of("nothing", &ring, |_| Ok(())), Proof::of("a note", &ring, note)] {
+        for empty in [
+            Proof::of("nothing", &ring, |_| Ok(())),
+            Proof::of("a note", &ring, note),
+        ] {
             assert_eq!(empty.obstacle(), Some(&Obstacle::Empty), "{empty}");
         }
         assert!(Proof::of("one is one", &ring, |p| p.equal("It", &one, &one)).holds());

@@ -166,7 +166,9 @@ impl Ledger {
             let half_more = Seed::of_value(formula, Mistake::Part(2));
             let places = of_formula.get(formula).into_iter().flatten();
             let seeds = once(half_more).chain(places.map(|i| variants[*i].seed));
-            let reactions = seeds.take(FEW).map(|seed| self.entries[entry].reaction(trial, seed));
+            let reactions = seeds
+                .take(FEW)
+                .map(|seed| self.entries[entry].reaction(trial, seed));
             let mut seen = reactions.filter(|r| r.stated || r.leans());
             seen.next().is_some_and(|reaction| reaction.leans())
         });

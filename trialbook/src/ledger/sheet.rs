@@ -74,7 +74,11 @@ fn trial(text: &mut String, e: &Evidence, conditional: bool) {
     );
     if !e.route.is_proof() {
         let [least, most] = e.scales.map(ranges::short);
-        let to = if least == most { String::new() } else { format!(" to {most}") };
+        let to = if least == most {
+            String::new()
+        } else {
+            format!(" to {most}")
+        };
         let _ = writeln!(
             text,
             "    {} of {} points differ; in units of {least}{to}",
@@ -103,7 +107,13 @@ fn apart(sample: &Sample, tolerance: f64) -> [String; 2] {
     }
     // What is nothing beside the other side is rounding, and another number on another machine.
     let [stated, found] = [sample.stated, sample.found];
-    let nothing = |x: f64, other: f64| if x.abs() < 1e-15 * other.abs() { 0.0 } else { x };
+    let nothing = |x: f64, other: f64| {
+        if x.abs() < 1e-15 * other.abs() {
+            0.0
+        } else {
+            x
+        }
+    };
     let sides = [nothing(stated, found), nothing(found, stated)];
     let both = |digits| sides.map(|value| with_digits(value, digits));
     let differ = |[stated, found]: &[String; 2]| stated != found;
