@@ -19,6 +19,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::thread;
+use trialbook::trials::attempt::Attempt;
 use trialbook::trials::statement::Proved;
 use trialbook::trials::{Claim, Sort};
 
@@ -248,18 +249,15 @@ fn values(ledger: &Ledger) -> Result<(), Failed> {
         let close = |x: f64| (x / number - 1.0).abs() < 1e-9;
         let pair = |s: &Sample| close(s.stated) || close(s.found);
         let shows = |e: &Evidence| e.samples.iter().chain(&e.farthest).any(pair);
-        let known = evidence().any(|e| formulas(e) || runs(e) || shows(e));
-        if known == VALUES_BY_HAND.contains(&(value.id, value.claim)) {
-            strange.push(format!(
-                "{} of {}: {:?}",
-                value.id, value.claim, read.formulas
-            ));
+        if !evidence().any(|e| formulas(e) || runs(e) || shows(e)) {
+            strange.push((value.id, value.claim));
         }
     }
-    none(
-        &strange,
-        "compute the value from a formula or from runs that a trial of its claim reads; of one that is a root or a run of its own \
-         say so in `VALUES_BY_HAND`, and of no other",
+    let said = |(id, claim)| format!("{id} of {claim}");
+    excused(
+        strange.into_iter().map(said),
+        VALUES_BY_HAND.iter().copied().map(said),
+        "compute the value from a formula or runs that a trial of its claim reads, or name it in `VALUES_BY_HAND`",
     )
 }
 
@@ -354,16 +352,18 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
 
 /// Evidence for which no formula of its claim was read is that for which a reason is given, and no other.
 fn reading(ledger: &Ledger) -> Result<(), Failed> {
-    let wrong = ledger.entries.iter().flat_map(|entry| {
-        let trials = entry.claim.trials.iter().zip(entry.keyed());
-        trials.filter_map(|(trial, (key, e))| {
-            let missing = PAPER.formulas.is_missing(entry.claim.id, e);
-            (missing != trial.elsewhere.is_some()).then(|| key.to_string())
+    let those = |wanted: fn(&Entry, &Attempt, &Evidence) -> bool| {
+        ledger.entries.iter().flat_map(move |entry| {
+            let trials = entry.claim.trials.iter().zip(entry.keyed());
+            trials.filter_map(move |(trial, (key, e))| {
+                wanted(entry, trial, e).then(|| key.to_string())
+            })
         })
-    });
-    none(
-        &wrong.collect::<Vec<_>>(),
-        "read a formula of the claim in the trial, or say why it reads none (`elsewhere`); where it reads one, take that reason out",
+    };
+    excused(
+        those(|entry, _, e| PAPER.formulas.is_missing(entry.claim.id, e)),
+        those(|_, trial, _| trial.elsewhere.is_some()),
+        "read a formula of the claim in the trial, or say why it reads none (`elsewhere`)",
     )
 }
 
@@ -428,31 +428,37 @@ fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
         let all = parts.into_iter().map(|part| part.join().expect("no panic"));
         all.flatten().collect()
     });
-    let attempts = as_recorded.iter().flat_map(|entry| {
+    let given = as_recorded.iter().flat_map(|entry| {
         let attempts = entry.claim.trials.iter();
-        attempts.map(|attempt| ((entry.claim.id, attempt.name()), attempt.spared))
+        attempts.flat_map(|attempt| {
+            let proof = (entry.claim.id, attempt.name());
+            attempt.spared.iter().map(move |spared| (proof, spared.of))
+        })
     });
-    let excused = attempts.flat_map(|(proof, spared)| spared.iter().map(move |s| (proof, s.of)));
-    let excused: BTreeSet<_> = excused.collect();
-    let without: Vec<_> = spared.difference(&excused).collect();
-    let for_nothing: Vec<_> = excused.difference(&spared).collect();
-    let said = |what: &str, all: Vec<&((&str, &str), &str)>| {
-        all.into_iter()
-            .map(|((claim, proof), formula)| format!("{claim}, {proof}: {what} {formula}"))
-            .collect::<Vec<_>>()
-    };
-    let all = [
-        said("also shows what is wrong in", without),
-        said("a reason (`spared`) for nothing:", for_nothing),
-    ];
-    none(
-        &all.concat(),
-        "have the proof use all of the formula, or say what does not enter (`spared`) where the entry names the proof",
+    let said = |((claim, proof), formula)| format!("{claim}, {proof}: a mistake in {formula}");
+    excused(
+        spared.into_iter().map(said),
+        given.map(said),
+        "have the proof fail for it, or say what of the formula does not enter (`spared`) where the entry names the proof",
     )?;
     let exact = |e: &&Evidence| e.route == Route::Exact && e.outcome() == Outcome::Agrees;
     let evidence = as_recorded.iter().flat_map(|entry| &entry.evidence);
     let read: usize = evidence.filter(exact).map(|e| e.read.len()).sum();
     all_asked(proofs.len(), read, "formulas that proofs read")
+}
+
+/// Fails with what is so without a reason that is given, and with reasons for nothing.
+fn excused(
+    found: impl Iterator<Item = String>,
+    given: impl Iterator<Item = String>,
+    mend: &str,
+) -> Result<(), Failed> {
+    let [found, given] = [found.collect(), given.collect::<BTreeSet<_>>()];
+    let without = found.difference(&given);
+    let without = without.map(|what| format!("{what}, without a reason"));
+    let idle = given.difference(&found);
+    let idle = idle.map(|what| format!("{what}, a reason for nothing"));
+    none(&without.chain(idle).collect::<Vec<_>>(), mend)
 }
 
 /// Fails where a test asks less than there is.
@@ -470,25 +476,12 @@ fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     let entries = as_recorded(ledger);
     let told = |id: &str| entries.iter().any(|entry| entry.claim.id == id);
     let survivors = variants.iter().zip(&rejected).filter(|(_, yes)| !**yes);
-    let survivors = survivors.map(|(v, _)| (v.claim.as_str(), v.text.as_str()));
-    let survivors: BTreeSet<_> = survivors.filter(|(id, _)| told(id)).collect();
+    let survivors = survivors.filter(|(v, _)| told(&v.claim));
     let claims = PAPER.claims().filter(|(_, claim)| told(claim.id));
-    let excused = claims.flat_map(|(_, claim)| claim.survivors.iter().map(|s| (claim.id, s.of)));
-    let excused: BTreeSet<_> = excused.collect();
-    let said = |what: &str, all: Vec<&(&str, &str)>| {
-        all.into_iter()
-            .map(|(claim, text)| format!("{claim}: {what} {text}"))
-            .collect::<Vec<_>>()
-    };
-    let all = [
-        said("no trial rejects", survivors.difference(&excused).collect()),
-        said(
-            "a reason (`survivors`) for nothing:",
-            excused.difference(&survivors).collect(),
-        ),
-    ];
-    none(
-        &all.concat(),
+    let given = claims.flat_map(|(_, claim)| claim.survivors.iter().map(|s| (claim.id, s.of)));
+    excused(
+        survivors.map(|(v, _)| format!("{}: {}", v.claim, v.text)),
+        given.map(|(id, text)| format!("{id}: {text}")),
         "add a trial that tells it from the formula, or say in the claim's entry why none can (`survivors`)",
     )?;
     let there = ledger.entries.iter().map(|entry| entry.tally().tried).sum();
@@ -497,23 +490,14 @@ fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
 
 /// The claims without a proof are those for which a reason is given.
 fn reasons(ledger: &Ledger) -> Result<(), Failed> {
-    let given = PAPER.claims().filter(|(_, claim)| claim.unproved.is_some());
-    let given: BTreeSet<_> = given.map(|(_, claim)| claim.id).collect();
-    let entries = as_recorded(ledger).into_iter();
-    let by_proof = |entry: &&Entry| entry.standing().is_some_and(|of| of != Standing::Measured);
-    let (proved, measured): (Vec<_>, Vec<_>) = entries.partition(by_proof);
-    let [proved, measured] =
-        [proved, measured].map(|of| of.into_iter().map(|e| e.claim.id).collect::<BTreeSet<_>>());
-    let lacking: Vec<_> = measured.difference(&given).collect();
-    let idle: Vec<_> = given.intersection(&proved).collect();
-    let lacking = lacking
-        .into_iter()
-        .map(|id| format!("{id}: measured, and no reason why"));
-    let idle = idle
-        .into_iter()
-        .map(|id| format!("{id}: `unproved`, and there is a proof"));
-    none(
-        &lacking.chain(idle).collect::<Vec<_>>(),
+    let entries = || as_recorded(ledger).into_iter();
+    let measured = |entry: &&Entry| matches!(entry.standing(), None | Some(Standing::Measured));
+    let id = |entry: &Entry| entry.claim.id.to_owned();
+    excused(
+        entries().filter(measured).map(id),
+        entries()
+            .filter(|entry| entry.claim.unproved.is_some())
+            .map(id),
         "give the entry a proof with `whole` or `argument`, or say why it has none (`unproved`)",
     )
 }
