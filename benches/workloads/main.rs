@@ -225,7 +225,7 @@ fn digits(c: &mut Criterion) -> Result<(), Failure> {
 
 /// The time from θ₀ to θ (λ, θ₀, θ, v₀, A): by (13), and by quadrature of dt in x = ln tan(θ/2), which is smooth.
 fn quadrature(c: &mut Criterion) -> Result<(), Failure> {
-    let mut points = Points::stream(900);
+    let mut points = Points::here();
     let mut draw = |_| {
         let (lambda, theta0) = (points.uniform(0.1, 3.0), points.uniform(0.2, 3.0));
         let theta = theta0 * points.uniform(0.05, 1.0);

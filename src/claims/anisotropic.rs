@@ -26,7 +26,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "anisotropic",
     "Anisotropic friction",
-    claims!("../../claims/anisotropic.toml"),
+    claims!("claims/anisotropic.toml"),
     &[
         transverse::TRIALS,
         certified::TRIALS,

@@ -22,7 +22,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "constant",
     "Constant acceleration",
-    claims!("../../claims/constant.toml"),
+    claims!("claims/constant.toml"),
     &[
         definitions::TRIALS,
         drawn::TRIALS,

@@ -17,7 +17,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "escape",
     "The turntable: escape",
-    claims!("../../claims/escape.toml"),
+    claims!("claims/escape.toml"),
     &[
         bounds::TRIALS,
         exact::TRIALS,

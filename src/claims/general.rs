@@ -16,7 +16,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "general",
     "Sliding on an accelerating plane",
-    claims!("../../claims/general.toml"),
+    claims!("claims/general.toml"),
     &[
         chains::TRIALS,
         excepted::TRIALS,

@@ -20,6 +20,7 @@ pub mod sinusoidal;
 pub mod sphere;
 pub mod turntable;
 
+use trialbook::data::text;
 pub use trialbook::trials::values;
 use trialbook::trials::{Paper, Topic};
 
@@ -41,11 +42,11 @@ pub static PAPER: Paper = Paper {
     title: "Slipping and rolling on a rough accelerating surface",
     authors: "M. Khorrami, A. Aghamohammadi and C. Aghamohammadi",
     reference: "arXiv:2307.15836",
-    letter: include_str!("../../book/letter.md"),
+    letter: text!("book/letter.md"),
     topics: TOPICS.as_slice(),
-    record: include_str!("../../snapshots/verdicts.snap"),
+    record: text!("snapshots/verdicts.snap"),
     tries_variants: true,
-    deep: include_str!("../../snapshots/deep.tsv"),
-    certified: include_str!("../../snapshots/certificates.csv"),
+    deep: text!("snapshots/deep.tsv"),
+    certified: text!("snapshots/certificates.csv"),
     formulas: formulas::FORMULAS,
 };

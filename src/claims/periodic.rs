@@ -21,7 +21,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "periodic",
     "Any periodic acceleration",
-    claims!("../../claims/periodic.toml"),
+    claims!("claims/periodic.toml"),
     &[
         pulse_remarks::TRIALS,
         critical_friction::TRIALS,

@@ -19,7 +19,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "rest",
     "The turntable: rest",
-    claims!("../../claims/rest.toml"),
+    claims!("claims/rest.toml"),
     &[
         approach::TRIALS,
         boundary::TRIALS,

@@ -28,7 +28,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "sinusoidal",
     "Sinusoidal acceleration: stick and slip",
-    claims!("../../claims/sinusoidal.toml"),
+    claims!("claims/sinusoidal.toml"),
     &[
         transverse::TRIALS,
         argument::TRIALS,

@@ -19,7 +19,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "sphere",
     "A sphere that slips and rolls",
-    claims!("../../claims/sphere.toml"),
+    claims!("claims/sphere.toml"),
     &[
         angle::TRIALS,
         any_drive::TRIALS,

@@ -23,7 +23,7 @@ use trialbook::prelude::{Topic, claims};
 pub static TOPIC: Topic = Topic::new(
     "turntable",
     "The turntable: equations",
-    claims!("../../claims/turntable.toml"),
+    claims!("claims/turntable.toml"),
     &[
         analytic_continuation::TRIALS,
         definitions::TRIALS,

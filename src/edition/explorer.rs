@@ -5,50 +5,44 @@
 //! `book/theme/breaks.wasm`. Pages opened from the disk may not fetch anything, so a module goes into a script as text.
 
 use crate::claims::laid_over;
+use trialbook::data::{Text, text};
 use trialbook::publishing::{Failure, Filled};
+
+/// The scripts and the styles.
+pub(super) const TEXTS: [(&str, Text); 8] = [
+    ("explorers.css", text!("book/theme/explorers.css")),
+    ("explorers-plot.js", text!("book/theme/explorers-plot.js")),
+    ("explorers-stage.js", text!("book/theme/explorers-stage.js")),
+    (
+        "explorers-scenes.js",
+        text!("book/theme/explorers-scenes.js"),
+    ),
+    ("explorers-list.js", text!("book/theme/explorers-list.js")),
+    ("explorers.js", text!("book/theme/explorers.js")),
+    ("breaks.css", text!("book/theme/breaks.css")),
+    ("breaks.js", text!("book/theme/breaks.js")),
+];
 
 /// The scripts and the style, with the module as text: path within the book, and text.
 pub(super) fn files() -> Vec<(String, String)> {
     let module = base64(include_bytes!("../../book/theme/explorers.wasm"));
     let breaks = base64(include_bytes!("../../book/theme/breaks.wasm"));
-    let named = [
-        (
-            "explorers.css",
-            include_str!("../../book/theme/explorers.css"),
-        ),
-        (
-            "explorers-plot.js",
-            include_str!("../../book/theme/explorers-plot.js"),
-        ),
-        (
-            "explorers-stage.js",
-            include_str!("../../book/theme/explorers-stage.js"),
-        ),
-        (
-            "explorers-scenes.js",
-            include_str!("../../book/theme/explorers-scenes.js"),
-        ),
-        (
-            "explorers-list.js",
-            include_str!("../../book/theme/explorers-list.js"),
-        ),
-        (
-            "explorers.js",
-            include_str!("../../book/theme/explorers.js"),
-        ),
-        ("breaks.css", include_str!("../../book/theme/breaks.css")),
-        ("breaks.js", include_str!("../../book/theme/breaks.js")),
-        (
-            "breaks-module.js",
-            &format!("window.slipbookBreaks = \"{breaks}\";\n"),
-        ),
-        (
-            "explorers-module.js",
-            &format!("window.slipbookModule = \"{module}\";\n"),
-        ),
+    let modules = [
+        ("breaks", "Breaks", breaks),
+        ("explorers", "Module", module),
     ];
-    let file = |(name, text): (&str, &str)| (format!("theme/{name}"), text.to_owned());
-    named.into_iter().map(file).collect()
+    let modules = modules.map(|(name, of, module)| {
+        (
+            format!("{name}-module.js"),
+            format!("window.slipbook{of} = \"{module}\";\n"),
+        )
+    });
+    let texts = TEXTS
+        .iter()
+        .map(|(name, text)| (name.to_string(), text.to_string()));
+    let all = texts.chain(modules);
+    all.map(|(name, text)| (format!("theme/{name}"), text))
+        .collect()
 }
 
 /// The pages that have an explorer, and its name. It stands right before the figure that takes its place where scripts are

@@ -11,6 +11,7 @@ mod watch;
 mod words;
 
 use crate::claims::PAPER;
+use crate::claims::rest::fates;
 use crate::{breaks, commands, figures, symbols};
 use include_dir::{Dir, include_dir};
 use trialbook::publishing::{Edition, Filled, Placeholder, Sources, texts};
@@ -119,6 +120,16 @@ pub static EDITION: Edition = Edition {
     ],
     words: words::WORDS,
     files: explorer::files,
+    data: || {
+        let records = [
+            figures::RECORD,
+            fates::RECORD,
+            physics::RECORD,
+            speed::RESULTS,
+        ];
+        let texts = explorer::TEXTS.map(|(_, text)| text);
+        [&records[..], &texts].concat()
+    },
     commands: &commands::ALL,
     examples: &[
         ("verify", "eq-13 eq-82"),

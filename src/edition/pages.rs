@@ -1,5 +1,6 @@
 //! The pages as they are written, and where those of earlier books are now.
 
+use trialbook::data::text;
 use trialbook::publishing::{Page, Part};
 
 /// One list of the written pages, for the book and for the doctests; a topic has its title elsewhere.
@@ -10,7 +11,7 @@ macro_rules! written {
             Part::$part,
             stringify!($stem),
             concat!($($title)?),
-            include_str!(concat!("../../book/src/", stringify!($stem), ".md")),
+            text!(concat!("book/src/", stringify!($stem), ".md")),
         )),+),+];
 
         /// The code on the pages runs as tests.

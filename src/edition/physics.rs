@@ -2,12 +2,13 @@
 
 use crate::claims::PAPER;
 use trialbook::book::{escape, table};
+use trialbook::data::{Text, text};
 use trialbook::notation::plain_words;
 use trialbook::publishing::Filled;
 use trialbook::trials::as_of;
 
 /// What the tool `mutants` wrote.
-const RECORD: &str = include_str!("../../snapshots/physics.csv");
+pub(super) const RECORD: Text = text!("snapshots/physics.csv");
 
 /// Each mistake, how many verdicts it changed, and which claims noticed first. A row that does not fit what there is now is
 /// left out.
@@ -15,7 +16,7 @@ pub(super) fn table_of() -> Filled {
     let rows = RECORD.lines().skip(1).filter_map(row);
     let head = ["Mistake", "Verdicts that change", "Noticed by"];
     let table = table("physics", head, rows);
-    Filled::Block(format!("<p>{}.</p>{table}", escape(as_of(RECORD))))
+    Filled::Block(format!("<p>{}.</p>{table}", escape(as_of(&RECORD))))
 }
 
 fn row(line: &str) -> Option<[String; 3]> {

@@ -2,10 +2,11 @@
 
 use serde::Deserialize;
 use trialbook::book::{escape, table};
+use trialbook::data::{Text, text};
 use trialbook::publishing::{Failure, Filled};
 
 /// What `benches/peers/run.py` wrote.
-const RESULTS: &str = include_str!("../../benches/results.json");
+pub(super) const RESULTS: Text = text!("benches/results.json");
 /// How this program is compiled.
 const MANIFEST: &str = include_str!("../../Cargo.toml");
 
@@ -56,7 +57,7 @@ fn ratio(peer: f64, ours: f64) -> String {
 }
 
 fn results() -> Result<Results, Failure> {
-    read(RESULTS)
+    read(&RESULTS)
 }
 
 fn read(text: &str) -> Result<Results, Failure> {

@@ -1,15 +1,16 @@
 //! The figure of the digits that the calculators claim, from the recorded counts.
 
 use super::AllFiguresError;
+use trialbook::data::{Text, text};
 use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
 use trialbook::trials::as_of;
 
 /// Counted by `tests/digits`, which in the deep tier also tries whether it still holds.
-const RECORD: &str = include_str!("../../snapshots/digits.csv");
+pub(crate) const RECORD: Text = text!("snapshots/digits.csv");
 
 pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     let counts: Vec<Count> = RECORD.lines().skip(1).filter_map(count).collect();
-    Ok(vec![digits(&counts, as_of(RECORD))?])
+    Ok(vec![digits(&counts, as_of(&RECORD))?])
 }
 
 /// A line of the record, if it is one.

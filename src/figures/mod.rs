@@ -4,6 +4,7 @@
 mod anisotropic;
 mod constant;
 mod digits;
+pub(crate) use digits::RECORD;
 mod drift;
 mod escape;
 mod exam;

@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 /// The ledger of a usual run, and with what the deep run has brought in its place.
 static LEDGERS: LazyLock<[Ledger; 2]> = LazyLock::new(|| {
     let now = Ledger::try_all(&PAPER, |_| {});
-    let record = Deep::read(PAPER.deep).expect("there is a record of a deep run");
+    let record = Deep::read(&PAPER.deep).expect("there is a record of a deep run");
     assert!(record.comparisons >= 10_000_000, "{}", record.comparisons);
     let deep = record.in_place_of(&now);
     [now, deep]

@@ -11,30 +11,45 @@ fn read(bytes: &[u8]) -> Value {
     serde_json::from_slice(&json[..length as usize]).unwrap()
 }
 
-/// Rebuild the module with `book/breaks/rebuild` where this fails.
+/// The ids, all ways to break every formula, and what the trials of each claim say of two of them: a module that was made of other
+/// formulas, or of other trials that notice something else, is told by the claim.
 #[test]
 fn the_module_in_the_page_gives_the_answers_of_the_crate() {
     let mut page = Page::open(include_bytes!("../../book/theme/breaks.wasm"));
     let all = claims();
-    let ids: Vec<_> = all.iter().map(|c| Value::from(c.id)).collect();
     let rows = read(page.call("claims", ()));
-    assert!(rows.as_array().unwrap().iter().map(|row| &row[0]).eq(&ids));
-
-    // A formula with an integral behind it, a threshold, a misprint.
-    for id in ["eq-9", "eq-15", "eq-75"] {
-        let number = all.iter().position(|c| c.id == id).unwrap();
-        let said_of = read(page.call("ways", number as u32));
-        let ways = breaks(id);
-        assert_eq!(said_of, to_value(&ways).unwrap(), "{id}");
+    let rows: Vec<_> = rows.as_array().unwrap().iter().map(|row| &row[0]).collect();
+    let ids: Vec<_> = all.iter().map(|claim| claim.id).collect();
+    let mut old: Vec<_> = ids
+        .iter()
+        .filter(|id| rows.iter().all(|row| row != *id))
+        .collect();
+    for (number, id) in rows.iter().enumerate() {
+        let Some(id) = ids.iter().find(|known| id == known) else {
+            panic!("{id} is in the module and no claim any more: {REBUILD}");
+        };
+        let began = std::time::Instant::now();
+        let (said_of, ways) = (read(page.call("ways", number as u32)), breaks(id));
+        let mut same = said_of == to_value(&ways).unwrap();
+        let w = began.elapsed();
         for (i, way) in [(0, &ways[0]), (ways.len() - 1, &ways[ways.len() - 1])] {
-            let found = read(page.call("broken", (number as u32, i as u32)));
+            let found = same.then(|| read(page.call("broken", (number as u32, i as u32))));
             let expected = to_value(said(id, way)).unwrap();
-            assert_eq!(outcomes(&found), outcomes(&expected), "{id} {}", way.wrong);
+            same = found.is_some_and(|found| outcomes(&found) == outcomes(&expected));
         }
+        println!("PROBE {id} {w:?} {:?} {same}", began.elapsed());
+        old.extend((!same).then_some(id));
     }
+    assert!(
+        old.is_empty(),
+        "the module is older than {old:?}: {REBUILD}"
+    );
     let beyond = read(page.call("broken", (0_u32, 1_000_000_u32)));
     assert_eq!(beyond, Value::Null);
 }
+
+/// What to do then.
+const REBUILD: &str = "run `book/breaks/rebuild`, which adds the target wasm32-unknown-unknown to the toolchain, and commit book/theme/breaks.wasm";
 
 fn said(id: &str, way: &Break) -> slipbook::breaks::Answer {
     let all = claims();

@@ -29,6 +29,48 @@ fn the_equations_stand_in_their_order() {
     );
 }
 
+/// Each claim by its id and section, and of an equation a number for the signs that it prints, whatever braces, blanks and sizes
+/// of brackets stand around them. The paper does not change, and neither do these lines: nothing writes them.
+#[test]
+fn what_is_printed_is_what_the_paper_prints() {
+    let line = |claim: &Claim| {
+        let signs = claim.latex.replace(r"\left", "").replace(r"\right", "");
+        let signs = signs.bytes().filter(|c| !b"{} ".contains(c));
+        let sum = signs.fold(0_u32, |sum, c| {
+            sum.rotate_left(5).wrapping_mul(31) ^ u32::from(c)
+        });
+        let sum = claim
+            .equation
+            .map_or(String::new(), |_| format!(" {sum:08x}"));
+        format!("{} {}{sum}", claim.id, claim.section)
+    };
+    let paper: Vec<_> = include_str!("../data/printed.txt").lines().collect();
+    let printed: Vec<_> = all().map(line).collect();
+    let gone = paper
+        .iter()
+        .filter(|line| printed.iter().all(|other| other != *line));
+    let gone = gone.map(|line| {
+        let (id, _) = line.split_once(' ').unwrap_or((line, ""));
+        let now = printed.iter().find(|line| line.starts_with(&format!("{id} ")));
+        format!(
+            "{id}: tests/data/printed.txt has `{line}`, the entry gives {now:?}. Hold the entry against the paper; only if the line was \
+             wrong, or the claim is given up, change the line"
+        )
+    });
+    let known = |line: &&String| {
+        paper
+            .iter()
+            .any(|other| other.split(' ').next() == line.split(' ').next())
+    };
+    let new = printed.iter().filter(|line| !known(line));
+    let new = new.map(|line| {
+        format!(
+            "tests/data/printed.txt lacks `{line}`: add it, once you have held it against the paper"
+        )
+    });
+    none(gone.chain(new).collect());
+}
+
 #[test]
 fn all_that_the_files_name_is_there_and_named() {
     none(PAPER.check().iter().map(ToString::to_string).collect());
@@ -125,11 +167,6 @@ fn dependencies_exist_once_each() {
         for (i, on) in claim.depends_on.iter().enumerate() {
             if *on == claim.id {
                 offences.push(format!("{}: depends on itself", claim.id));
-            } else if PAPER.find(on).is_none() {
-                offences.push(format!(
-                    "{}: depends on `{on}`, which is no claim",
-                    claim.id
-                ));
             }
             if claim.depends_on[..i].contains(on) {
                 offences.push(format!("{}: names `{on}` twice", claim.id));

@@ -9,6 +9,7 @@ use slipbook::solve::axes;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use trialbook::data::text;
 
 /// The command with the words of a line.
 fn asked(line: &str) -> Output {
@@ -34,7 +35,7 @@ fn json(line: &str) -> Value {
 /// Whether an error is a misprint or inherited is seen from the neighbours, which are tried too.
 #[test]
 fn what_is_wrong_has_the_same_verdict_alone() {
-    let record = include_str!("../../snapshots/verdicts.snap");
+    let record = text!("snapshots/verdicts.snap").as_str();
     let wrong = record.lines().filter_map(|line| {
         let (id, verdict) = line.split_once(": ")?;
         ["misprint", "misderived", "inherited"]
@@ -638,7 +639,7 @@ fn each_round_has_points_of_its_own() {
 #[test]
 fn ensembles_on_the_pages_run() {
     let mut count = 0;
-    let page = include_str!("../../book/src/json.md");
+    let page = text!("book/src/json.md").as_str();
     for line in page
         .lines()
         .filter_map(|line| line.strip_prefix("slipbook ensemble "))
@@ -657,9 +658,7 @@ fn ensembles_on_the_pages_run() {
 
 #[test]
 fn the_readme_gives_the_exit_codes() {
-    let (_, says) = include_str!("../../README.md")
-        .split_once("exit code")
-        .unwrap();
+    let (_, says) = text!("README.md").as_str().split_once("exit code").unwrap();
     let digits = says.chars().filter(char::is_ascii_digit).take(3);
     assert_eq!(digits.collect::<String>(), "012");
     assert_eq!(asked("verify eq-11").status.code(), Some(0));

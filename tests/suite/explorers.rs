@@ -8,6 +8,7 @@ use slipbook::explorers::{anisotropic, answer, constant, periodic, plane, sphere
 use slipbook::motion::drive::Sign;
 use slipbook::paper;
 use std::f64::consts::{LN_10, SQRT_2, TAU};
+use trialbook::data::text;
 
 fn ask(page: &mut Page, number: u32, [a, b, c, d]: [f64; 4]) -> Vec<f64> {
     let bytes = page.call("ask", (number, a, b, c, d));
@@ -258,7 +259,7 @@ fn the_guesses_have_the_answers_that_are_given() {
         );
     }
     // So these are the answers, in the order of the list.
-    let script = include_str!("../../book/theme/explorers-list.js");
+    let script = text!("book/theme/explorers-list.js").as_str();
     let answers = script.split("options: ['").skip(1).map(|asked| {
         let (options, rest) = asked.split_once("'],").unwrap();
         let (_, right) = rest.split_once("right: ").unwrap();
@@ -284,7 +285,7 @@ fn the_guesses_have_the_answers_that_are_given() {
 /// The numbers in what an explorer says, in their order. What the guesses are about, and what is answered, is computed above.
 #[test]
 fn the_numbers_around_an_explorer_are_those_of_the_claims() {
-    let script = include_str!("../../book/theme/explorers-list.js");
+    let script = text!("book/theme/explorers-list.js").as_str();
     let value = |id| PAPER.value(id).unwrap().number().unwrap();
     let critical = format!("{:.3}", value("lambda-c"));
     let solid = value("kappa-solid");
@@ -333,14 +334,14 @@ fn the_numbers_around_an_explorer_are_those_of_the_claims() {
 #[test]
 fn each_explorer_stands_before_a_figure() {
     for page in [
-        include_str!("../../book/src/index.md"),
-        include_str!("../../book/src/constant.md"),
-        include_str!("../../book/src/sinusoidal.md"),
-        include_str!("../../book/src/escape.md"),
-        include_str!("../../book/src/rest.md"),
-        include_str!("../../book/src/anisotropic.md"),
-        include_str!("../../book/src/sphere.md"),
-        include_str!("../../book/src/turntable.md"),
+        text!("book/src/index.md").as_str(),
+        text!("book/src/constant.md").as_str(),
+        text!("book/src/sinusoidal.md").as_str(),
+        text!("book/src/escape.md").as_str(),
+        text!("book/src/rest.md").as_str(),
+        text!("book/src/anisotropic.md").as_str(),
+        text!("book/src/sphere.md").as_str(),
+        text!("book/src/turntable.md").as_str(),
     ] {
         assert_eq!(page.matches("{{explorer}}").count(), 1);
         assert!(page.contains("\n\n{{explorer}}\n\n{{figure "));

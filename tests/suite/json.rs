@@ -3,8 +3,9 @@
 
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
+use trialbook::data::{Text, text};
 
-const PAGE: &str = include_str!("../../book/src/json.md");
+const PAGE: Text = text!("book/src/json.md");
 
 /// Paths of fields, each with the types that it has.
 type Shape = BTreeMap<String, BTreeSet<String>>;
@@ -69,8 +70,7 @@ fn note(shape: &mut Shape, path: &str, value: &Value) {
 
 fn written(command: &str) -> Value {
     let output = crate::slipbook(&command.split(' ').collect::<Vec<_>>());
-    let complaint = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert_eq!(output.status.code(), Some(0), "{command}: {complaint}");
+    assert_eq!(crate::succeeded(&output), Ok(()), "{command}");
     serde_json::from_slice(&output.stdout).unwrap()
 }
 

@@ -5,6 +5,7 @@ use slipbook::ledger::{Judgement, Verdict, in_view_of, judge};
 use slipbook::numerics::roots::root;
 use std::fmt::Debug;
 use std::panic::Location;
+use trialbook::data::text;
 use trialbook::trials::compare::{Pair, Trial};
 use trialbook::trials::{Condition, Sort};
 
@@ -58,7 +59,14 @@ const CHANGES: [Change; 4] = [
     Change::Symbol,
     Change::Statement,
 ];
+const SOME_RUNS: &Location<'static> = place();
+const OTHER_RUNS: &Location<'static> = place();
 const KINDS: [Kind; 2] = [Kind::Property, Kind::Definition];
+
+#[track_caller]
+const fn place() -> &'static Location<'static> {
+    Location::caller()
+}
 
 /// The one of these that is written so.
 fn named<T: Copy + Debug>(all: &[T], word: &str) -> Option<T> {
@@ -96,9 +104,17 @@ impl Case {
                 subject = named(&SUBJECTS, word).unwrap_or_else(|| panic!("`{word}` in {text}"));
                 return None;
             };
+            let (route, runs) = route.split_once('@').unwrap_or((route, ""));
             let route = named(&ROUTES, route).unwrap_or_else(|| panic!("`{word}` in {text}"));
             let worst = if word.starts_with('+') { GOOD } else { BAD };
-            Some(evidence(route, subject, worst))
+            let runs = runs.chars().map(|run| match run {
+                'a' => SOME_RUNS,
+                _ => OTHER_RUNS,
+            });
+            Some(Evidence {
+                runs: runs.collect(),
+                ..evidence(route, subject, worst)
+            })
         };
         Case {
             kind: kind.unwrap_or(Kind::Equation),
@@ -182,27 +198,6 @@ fn infinity_and_nothing_confirm_nothing_and_what_fails_is_said() {
     let mut none = evidence(Route::Integration, Subject::Printed, f64::NAN);
     none.at = "the integrator failed".into();
     assert!(ground(&[none]).contains("the integrator failed"));
-}
-
-#[test]
-fn two_routes_that_have_read_the_same_runs_are_one_route() {
-    let [here, there] = [Location::caller(), place()];
-    let by = |route, runs: &[_]| Evidence {
-        runs: runs.iter().copied().collect(),
-        ..evidence(route, Subject::Printed, GOOD)
-    };
-    let census = by(Route::Census, &[here, there]);
-    let judged = |all: &[Evidence]| judge(Kind::Equation, None, &[], all).verdict;
-    let shared = [census, by(Route::Integration, &[here])];
-    assert_eq!(judged(&shared), Verdict::Undecided);
-    let apart = [by(Route::Census, &[there]), by(Route::Integration, &[here])];
-    assert_eq!(judged(&apart), Verdict::Confirmed);
-    let third = [&shared[..], &[by(Route::Root, &[])]].concat();
-    assert_eq!(judged(&third), Verdict::Confirmed);
-}
-
-fn place() -> &'static Location<'static> {
-    Location::caller()
 }
 
 fn own(verdict: Verdict) -> Judgement {
@@ -323,7 +318,7 @@ fn a_root_at_an_end_is_that_end() {
 /// The verdicts that the page gives in its rules are those that the judge gives in these cases, in the same order.
 #[test]
 fn the_page_gives_the_rules_of_the_judge() {
-    let page = include_str!("../../book/src/methods.md");
+    let page = text!("book/src/methods.md").as_str();
     let rules = page.split("## The judge {#judge}").nth(1).unwrap();
     let rules = rules.split("```").next().unwrap();
     let rules = rules.split_whitespace().collect::<Vec<_>>().join(" ");

@@ -29,22 +29,50 @@ mod trust;
 mod units;
 
 use slipbook::claims::PAPER;
+use slipbook::edition::EDITION;
 use slipbook::ledger::Ledger;
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::LazyLock;
 use wasmi::{Engine, Instance, Linker, Module, Store, WasmParams};
 
+/// What many tests use: made once, or each of them says why it is not.
+struct Made<T>(LazyLock<Result<T, String>>);
+
+impl<T> Deref for Made<T> {
+    type Target = T;
+
+    fn deref(&self) -> &T {
+        self.0.as_ref().unwrap_or_else(|why| panic!("{why}"))
+    }
+}
+
 /// All claims, tried.
-static LEDGER: LazyLock<Ledger> = LazyLock::new(|| Ledger::try_all(&PAPER, |_| {}));
+static LEDGER: Made<Ledger> = Made(LazyLock::new(|| {
+    EDITION.check().map_err(|faults| faults.to_string())?;
+    Ok(Ledger::try_all(&PAPER, |_| {}))
+}));
 
 /// The book, as the main job writes it.
-static BOOK: LazyLock<PathBuf> = LazyLock::new(|| {
+static BOOK: Made<PathBuf> = Made(LazyLock::new(|| {
     let out = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
     let job = slipbook(&["--quiet", "--out", out.to_str().expect("a name")]);
-    assert!(job.status.success());
-    out
-});
+    succeeded(&job).map(|()| out)
+}));
+
+/// What a command said that did not end with 0, and what to do.
+fn succeeded(output: &Output) -> Result<(), String> {
+    let said = [&output.stdout, &output.stderr].map(|said| String::from_utf8_lossy(said));
+    match output.status.code() {
+        Some(0) => Ok(()),
+        Some(1) => Err(format!(
+            "{}\nA verdict is not the recorded one: `cargo test --test claims` says why. Accept what is right, and then run this.",
+            said.concat()
+        )),
+        code => Err(format!("{}\n(it ended with {code:?})", said.concat())),
+    }
+}
 
 /// What the command answers.
 fn slipbook(arguments: &[&str]) -> Output {

@@ -7,6 +7,7 @@ use slipbook::ledger::{Standing, Verdict};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
+use trialbook::data::text;
 
 #[test]
 fn the_table_of_verdicts_is_the_ledgers() {
@@ -97,7 +98,8 @@ fn the_descriptions_of_the_crate_agree() {
     assert!(checked.contains(paper["name"].as_str().unwrap()));
     assert!(checked.contains(paper["url"].as_str().unwrap()));
     assert!(
-        include_str!("../../README.md")
+        text!("README.md")
+            .as_str()
             .contains(&format!("Rust {}", env!("CARGO_PKG_RUST_VERSION")))
     );
 }
@@ -190,8 +192,8 @@ fn the_package_has_all_sources() {
 /// The page shows the script as it is, which continuous integration runs where Python has what it needs.
 #[test]
 fn the_script_is_on_its_page() {
-    let script = include_str!("../../book/python/figures.py");
-    let page = include_str!("../../book/src/json.md");
+    let script = text!("book/python/figures.py").as_str();
+    let page = text!("book/src/json.md").as_str();
     assert!(page.contains(&format!("```python\n{script}```\n")));
     assert!(script.lines().count() <= 40);
 }

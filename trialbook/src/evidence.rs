@@ -1,7 +1,7 @@
 //! What a claim is and what a trial of it brings: the vocabulary of the claims and of their judge.
 
 mod compared;
-mod ranges;
+pub(crate) mod ranges;
 
 pub use compared::Compared;
 pub use ranges::Ranges;
@@ -207,6 +207,11 @@ pub struct Evidence {
     pub points: usize,
     /// At how many of them the two sides differ by more than the tolerance.
     pub failed: usize,
+    /// How many of them are the same as one before: where they are, and what was stated, found and taken for a scale there.
+    pub repeated: usize,
+    /// The smallest and the largest scale.
+    #[serde(skip)]
+    pub scales: [f64; 2],
     /// Between which ends the points lie.
     pub ranges: Ranges,
     /// What was stated, found and taken for a scale, at all points to the last bit.
@@ -261,7 +266,7 @@ pub enum Outcome {
     Disagrees,
     /// Our own side gave no number.
     NotANumber,
-    /// Not enough points to say anything.
+    /// Not enough points to say anything, or most of them repeat others.
     TooFewPoints,
 }
 
@@ -275,6 +280,8 @@ impl Evidence {
             compared,
             points: 0,
             failed: 0,
+            repeated: 0,
+            scales: [f64::INFINITY, 0.0],
             ranges: Ranges::default(),
             sides: Sides::default(),
             worst: 0.0,
@@ -317,11 +324,21 @@ impl Evidence {
         })
     }
 
+    /// How many of its points differ.
+    pub fn different(&self) -> usize {
+        self.points - self.repeated
+    }
+
+    /// How many points have to differ: as many as its route needs, and half of all.
+    pub fn needed(&self) -> usize {
+        self.route.min_points().max(self.points.div_ceil(2))
+    }
+
     /// Reads the evidence by its own tolerance.
     pub fn outcome(&self) -> Outcome {
         if self.worst.is_nan() || !self.tolerance.value.is_finite() {
             Outcome::NotANumber
-        } else if self.points < self.route.min_points() {
+        } else if self.different() < self.needed() {
             Outcome::TooFewPoints
         } else if self.worst <= self.tolerance.value {
             Outcome::Agrees

@@ -37,6 +37,7 @@ pub mod book;
 pub mod certified;
 #[cfg(feature = "book")]
 pub mod cli;
+pub mod data;
 pub mod evidence;
 #[cfg(feature = "trials")]
 pub mod exact;

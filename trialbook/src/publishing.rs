@@ -1,10 +1,10 @@
 //! What the book and the command of a paper have of their own; all else is the same for every paper.
 
+use crate::data::{Text, text};
 use crate::plotting::Figure;
 use crate::seeded::Symbol;
-use crate::trials::Paper;
+use crate::trials::{Paper, listed};
 use include_dir::{Dir, DirEntry};
-use std::borrow::Cow;
 
 /// Why something of a paper's own could not be made: a sentence for the reader.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
@@ -74,6 +74,8 @@ pub struct Edition {
     pub words: &'static [&'static [Word]],
     /// The files of its own: path within the book, and text.
     pub files: fn() -> Vec<(String, String)>,
+    /// The other texts that all this is made of.
+    pub data: fn() -> Vec<Text>,
     /// The commands of its own, listed after those of every paper.
     pub commands: &'static [Command],
     /// What follows a command in the example of its help, where the first claim of the paper would not do: the
@@ -106,9 +108,28 @@ impl Edition {
             placeholders: &[],
             words: &[],
             files: Vec::new,
+            data: Vec::new,
             commands: &[],
             examples: &[],
         }
+    }
+
+    /// Whether what it is made of can be read: the paper's claims and its pages.
+    ///
+    /// # Errors
+    /// What is wrong, with its file.
+    pub fn check(&self) -> Result<(), Failure> {
+        let paper = self.paper;
+        let faults = paper.check();
+        if !faults.is_empty() {
+            return Err(listed(&faults).into());
+        }
+        let texts = [paper.letter, paper.record, paper.deep, paper.certified];
+        let pages = self.written().map(|page| page.text);
+        for text in pages.chain(texts).chain((self.data)()) {
+            text.read()?;
+        }
+        Ok(())
     }
 
     /// The pages that are written: its own, and the usual ones.
@@ -142,39 +163,34 @@ pub struct Page {
     /// Its name there.
     pub title: &'static str,
     /// Its text.
-    pub text: Cow<'static, str>,
+    pub text: Text,
 }
 
 impl Page {
     /// The verdicts at a glance.
-    pub const INDEX: Page = Page::new("index", "Overview", include_str!("../pages/index.md"));
+    pub const INDEX: Page = Page::of(Part::Read, "index", "Overview", text!("pages/index.md"));
     /// Every claim with its verdict.
     pub const LEDGER: Page = Page::of(
         Part::Check,
         "ledger",
         "The ledger",
-        include_str!("../pages/ledger.md"),
+        text!("pages/ledger.md"),
     );
     /// All that is known of each claim.
     pub const SHEETS: Page = Page::of(
         Part::Check,
         "sheets",
         "The sheets",
-        include_str!("../pages/sheets.md"),
+        text!("pages/sheets.md"),
     );
     /// What is wrong, with the letters about it.
-    pub const ERRATA: Page = Page::of(
-        Part::Check,
-        "errata",
-        "Errata",
-        include_str!("../pages/errata.md"),
-    );
+    pub const ERRATA: Page = Page::of(Part::Check, "errata", "Errata", text!("pages/errata.md"));
     /// What the verdicts rest on.
     pub const METHODS: Page = Page::of(
         Part::Trust,
         "methods",
         "How a verdict comes about",
-        include_str!("../pages/methods.md"),
+        text!("pages/methods.md"),
     );
 
     /// The pages that serve any paper, but for the first one.
@@ -182,21 +198,16 @@ impl Page {
 
     /// A page to read, by its stem, its title and its text.
     pub const fn new(stem: &'static str, title: &'static str, text: &'static str) -> Self {
-        Self::of(Part::Read, stem, title, text)
+        Self::of(Part::Read, stem, title, Text::Built(text))
     }
 
     /// A page of a part, by its stem, its title and its text.
-    pub const fn of(
-        part: Part,
-        stem: &'static str,
-        title: &'static str,
-        text: &'static str,
-    ) -> Self {
+    pub const fn of(part: Part, stem: &'static str, title: &'static str, text: Text) -> Self {
         Self {
             stem,
             part,
             title,
-            text: Cow::Borrowed(text),
+            text,
         }
     }
 

@@ -45,7 +45,7 @@ pub fn columns() -> Result<&'static [Column], Failure> {
 }
 
 fn run() -> Result<Vec<Column>, Failure> {
-    let mut points = Points::stream(300);
+    let mut points = Points::here();
     let step = |(from, to): (f64, f64), cells: usize| (to - from) / cells as f64;
     let along_q = match round() % 2 {
         0 => Q,
@@ -170,7 +170,7 @@ mod tests {
     #[test]
     fn other_starts_lead_to_the_same_kind() {
         use super::super::simulated::{attractor_from, own_digits};
-        let mut random = Points::stream(301);
+        let mut random = Points::here();
         let points = columns().unwrap().iter();
         let points = points.flat_map(|column| column.cells.iter().map(|cell| (column.q, *cell)));
         for (q, (lambda0, found)) in points.step_by(997) {

@@ -11,8 +11,8 @@ use std::f64::consts::PI;
 use trialbook::prelude::*;
 
 /// Seeded starts, the plain one first.
-fn starts(stream: u64) -> impl Iterator<Item = DriveState> {
-    let mut points = Points::stream(stream);
+fn starts() -> impl Iterator<Item = DriveState> {
+    let mut points = Points::here();
     (0..24).map(move |i| match i {
         0 => START,
         _ => DriveState {
@@ -27,12 +27,12 @@ fn at(start: DriveState) -> String {
 }
 
 /// (57) with a change of the motion with equal frictions.
-fn x(change_of: &'static str, stream: u64, holds: fn(&[Interval]) -> bool) -> Evidence {
+fn x(change_of: &'static str, holds: fn(&[Interval]) -> bool) -> Evidence {
     const EQUAL: &str = r"the $\lambda_0$ at which, for $q=1$, ";
     const X: [&str; 3] = [r"$\lambda_0$ of X", "", ""];
     let compared = Compared::composed(X, [EQUAL, change_of, " in the simulated motion"]);
     let [_, lambda0] = printed::eq57_x();
-    Trial::by(Route::Root, Printed, compared, ROOT).over(starts(stream), |start| {
+    Trial::by(Route::Root, Printed, compared, ROOT).over(starts(), |start| {
         let found = change(1.0, 1e-9, start, holds)?;
         Ok(Pair {
             at: at(start),
@@ -55,7 +55,7 @@ fn y_decimals() -> Evidence {
     );
     let [q, lambda0] = printed::eq58_y();
     let both = |start| [(start, true), (start, false)];
-    trial.over(starts(310).flat_map(both), |(start, is_q)| {
+    trial.over(starts().flat_map(both), |(start, is_q)| {
         let found = simulated_y(start)?;
         let (name, stated, found) = if is_q {
             ("q", q, found)
@@ -78,7 +78,7 @@ fn y_limit() -> Evidence {
         .over(r"$\eta$ from $10^{-5}$ to $10^{-10}$"),
         THREE_DECIMALS,
     )
-    .over(steps(732), |k| {
+    .over(steps(), |k| {
         let eta = 1e-5 * libm::exp10(-k / 5.0);
         let [low, high] = opening(eta)?;
         Ok(Pair::plain(
@@ -135,7 +135,7 @@ fn y_by_slip() -> Evidence {
 /// The q of Y by simulation, from several starts.
 static SIMULATED_POINTS: Runs<Vec<(DriveState, f64)>> = Runs::new(|| {
     let point = |start| simulated_y(start).map(|q| (start, q));
-    every(starts(311).map(point))
+    every(starts().map(point))
 });
 
 /// Y from the printed formulas, NaN if they have no common point.
@@ -156,7 +156,7 @@ fn y_contact() -> Evidence {
         .over(r"$\eta$ from $10^{-3}$ to $10^{-10}$"),
         CONTACT,
     )
-    .over(steps(733), |k| {
+    .over(steps(), |k| {
         let eta = 1e-3 * libm::exp2(-k);
         let y = printed_y();
         let [low, high] = opening(eta)?;
@@ -176,7 +176,7 @@ fn y_curvature() -> Evidence {
         r"the $\lambda_0$ at which direct reversals end in the simulation, in units of its distance from $q\lambda_0=1$",
     )
     .over(r"$q=q_Y\pm\delta$"), CONTACT);
-    trial.over(steps(734), |k| {
+    trial.over(steps(), |k| {
         let (y, own) = (printed_y(), own_y()?);
         let delta = 1e-2 * libm::exp10(-k / 24.0);
         let both = [own - delta, own + delta];
@@ -194,8 +194,8 @@ fn y_curvature() -> Evidence {
 }
 
 /// So many steps towards a limit.
-fn steps(stream: u64) -> Vec<f64> {
-    Points::stream(stream).grid((0..24).map(f64::from))
+fn steps() -> Vec<f64> {
+    Points::here().grid((0..24).map(f64::from))
 }
 
 /// The ends in q of region II along qλ₀ = 1 − η, by simulation.
@@ -206,10 +206,10 @@ fn opening(eta: f64) -> Result<[f64; 2], Failure> {
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    x_root = x("a rest appears", 308, restless),
+    x_root = x("a rest appears", restless),
     y_decimals,
     y_limit,
-    x_both = x("direct reversals end", 309, reverses),
+    x_both = x("direct reversals end", reverses),
     y_digits,
     y_by_slip,
     y_contact,

@@ -17,8 +17,8 @@ fn ratio(i: usize, points: &mut Points) -> f64 {
 }
 
 /// μ₊, μ₋, g, A₀ and a phase. Half of the cases lie in the region without rest, half beyond it.
-fn laboratory(stream: u64) -> impl Iterator<Item = [f64; 5]> {
-    let mut points = Points::stream(stream);
+fn laboratory() -> impl Iterator<Item = [f64; 5]> {
+    let mut points = Points::here();
     (0..100).map(move |i| {
         let (g, a0) = (points.uniform(0.2, 5.0), points.log_uniform(0.1, 10.0));
         let lambda = match i % 10 {
@@ -52,11 +52,7 @@ fn dimensional([mu_plus, mu_minus, g, a0, phi]: [f64; 5]) -> Result<f64, Failure
     Ok(settled.ok_or("a motion that drifts")?.w(phi))
 }
 
-fn against_dimensional(
-    with: &'static str,
-    stream: u64,
-    friction: fn([f64; 5]) -> (f64, f64),
-) -> Evidence {
+fn against_dimensional(with: &'static str, friction: fn([f64; 5]) -> (f64, f64)) -> Evidence {
     const DIMENSIONAL: &str =
         r"$\varpi v_x$ under $A_0\sin\phi$ and the decelerations $\mu_+g$ and $\mu_-g$";
     Trial::consistency(
@@ -66,7 +62,7 @@ fn against_dimensional(
             [DIMENSIONAL, "", ""],
         ),
     )
-    .over(laboratory(stream), |case| {
+    .over(laboratory(), |case| {
         let [mu_plus, mu_minus, g, a0, phi] = case;
         let (plus, minus) = friction(case);
         let w = || -> Result<f64, Failure> {
@@ -88,11 +84,10 @@ fn against_dimensional(
 /// A printed rate, integrated within an interval of this sign, with the change of 𝔴 there.
 fn summed_rate(
     law: &'static str,
-    stream: u64,
     (way, sign): (&'static str, Sign),
     rate: fn(f64, f64, f64) -> f64,
 ) -> Evidence {
-    let mut points = Points::stream(stream);
+    let mut points = Points::here();
     // For q < 4 and λ₀ < 1/q there is motion both ways, for large q below (53).
     let cases = (0..300).map(move |i| {
         let (q, lambda0) = match i % 50 {
@@ -137,26 +132,17 @@ fn summed_rate(
 
 pub(super) const TRIALS: &[Attempt] = trials![
     // The other friction is entered by hand.
-    eq47 = against_dimensional(
-        r"$\lambda_+$ of (47)",
-        302,
-        |[mu_plus, mu_minus, g, a0, _]| {
-            (printed::eq47_lambda_plus(mu_plus, g, a0), mu_minus / a0 * g)
-        }
-    ),
-    eq48 = against_dimensional(
-        r"$\lambda_-$ of (48)",
-        303,
-        |[mu_plus, mu_minus, g, a0, _]| {
-            (
-                mu_plus / a0 * g,
-                printed::eq48_lambda_minus(mu_minus, g, a0),
-            )
-        }
-    ),
+    eq47 = against_dimensional(r"$\lambda_+$ of (47)", |[mu_plus, mu_minus, g, a0, _]| {
+        (printed::eq47_lambda_plus(mu_plus, g, a0), mu_minus / a0 * g)
+    }),
+    eq48 = against_dimensional(r"$\lambda_-$ of (48)", |[mu_plus, mu_minus, g, a0, _]| {
+        (
+            mu_plus / a0 * g,
+            printed::eq48_lambda_minus(mu_minus, g, a0),
+        )
+    }),
     eq49 = against_dimensional(
         r"$\lambda_+$ of (49), $\lambda_0=\mu_+g/A_0$,",
-        304,
         |[mu_plus, mu_minus, g, a0, _]| {
             let plus = printed::eq49_lambda_plus(mu_plus * g / a0);
             (plus, mu_minus / a0 * g)
@@ -164,23 +150,14 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     eq50 = against_dimensional(
         r"$\lambda_-$ of (50), $q=\mu_-/\mu_+$,",
-        305,
         |[mu_plus, mu_minus, g, a0, _]| {
             let lambda0 = mu_plus * g / a0;
             let minus = printed::eq50_lambda_minus(mu_minus / mu_plus, lambda0);
             (lambda0, minus)
         },
     ),
-    eq51_quadrature = summed_rate(
-        "(51)",
-        306,
-        ("forwards", Sign::Positive),
-        |_, lambda0, phi| { printed::eq51_rate(lambda0, phi) }
-    ),
-    eq52_quadrature = summed_rate(
-        "(52)",
-        307,
-        ("backwards", Sign::Negative),
-        printed::eq52_rate
-    ),
+    eq51_quadrature = summed_rate("(51)", ("forwards", Sign::Positive), |_, lambda0, phi| {
+        printed::eq51_rate(lambda0, phi)
+    }),
+    eq52_quadrature = summed_rate("(52)", ("backwards", Sign::Negative), printed::eq52_rate),
 ];

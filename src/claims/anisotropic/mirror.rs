@@ -21,7 +21,7 @@ pub fn integration() -> Evidence {
             r"$\mathfrak w(\phi)$ of the motion with $q<1$ and $\lambda_0$",
         ),
     );
-    let mut points = Points::stream(312);
+    let mut points = Points::here();
     trial.over(0..400, |i| {
         let (q, lambda0) = small_ratio(&mut points);
         let lambda0 = match i % 20 {
@@ -74,7 +74,7 @@ pub fn census() -> Evidence {
             r"that of the simulated motion at $(q,\lambda_0)$, forward and backward exchanged",
         ),
     );
-    let mut points = Points::stream(313);
+    let mut points = Points::here();
     let words = listed_digits();
     trial.over(0..2000, |_| {
         let (q, lambda0) = small_ratio(&mut points);

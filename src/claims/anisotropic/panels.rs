@@ -149,7 +149,7 @@ pub fn census() -> Evidence {
             r"those of the simulated motion, and the largest $\lvert\mathfrak w\rvert$, from eight starts",
         ),
     );
-    let mut points = Points::stream(314);
+    let mut points = Points::here();
     let words = listed_digits();
     let mut cases = Vec::new();
     for panel in 0..PANELS.len() {

@@ -58,7 +58,7 @@ fn ratios() -> Vec<f64> {
     list.extend((0..22).map(|k| 1.0 + 11.0 * (f64::from(k) + 0.5) / 22.0));
     list.extend((0..12).map(|k| 1.0 + 3.6 * (f64::from(k) + 0.4) / 12.0));
     list.extend([14.0, 20.0, 35.0]);
-    Points::stream(730).grid(list)
+    Points::here().grid(list)
 }
 
 /// Rows for all values of q at which the curves are tried.
@@ -70,7 +70,7 @@ pub fn rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
 /// Rows far out, q from 200 to 20,000.
 pub static FAR_ROWS: Runs<Vec<Row>> = Runs::new(|| {
     let q = (0..=20).map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0));
-    all_rows(&Points::stream(731).grid(q), 1e-12)
+    all_rows(&Points::here().grid(q), 1e-12)
 });
 
 fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {

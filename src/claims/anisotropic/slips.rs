@@ -16,7 +16,7 @@ fn blurred(friction: f64) -> f64 {
 /// q, λ₀ and the direction of a slip, in all regions with slips: from next to no friction to next to all that the drive
 /// overcomes.
 fn slips() -> Vec<(f64, f64, Sign)> {
-    let mut points = Points::stream(750);
+    let mut points = Points::here();
     let mut slips = Vec::new();
     for i in 0..100 {
         let share = points.uniform(0.05, 0.95);
@@ -70,7 +70,7 @@ pub fn without_rest() -> Evidence {
         "those of the motion",
     )
     .over("region I"));
-    let mut points = Points::stream(751);
+    let mut points = Points::here();
     let cases = rows().map(|row| {
         let Row { q, changes, .. } = row?;
         Ok((*q, changes.rest * points.uniform(0.02, 1.0)))

@@ -99,7 +99,7 @@ pub fn vanishes() -> Evidence {
         ),
         GONE,
     );
-    let mut points = Points::stream(320);
+    let mut points = Points::here();
     trial.over(0..24, |_| {
         let (rough, v) = (Rough::any(&mut points), start(&mut points));
         let states = followed(|theta| rough.towards(theta), v, 8.0)?;
@@ -131,7 +131,7 @@ fn never_grows() -> Evidence {
         ),
     );
     static MOTIONS: Runs<Vec<Slowed>> = Runs::new(|| {
-        let mut points = Points::stream(321);
+        let mut points = Points::here();
         every((0..24).map(|_| {
             let (rough, v) = (Rough::any(&mut points), start(&mut points));
             let states = followed(|theta| rough.towards(theta), v, 1.0)?;
@@ -171,7 +171,7 @@ pub fn outside() -> Evidence {
         ),
         GONE,
     );
-    let mut points = Points::stream(322);
+    let mut points = Points::here();
     trial.over(0..20, |_| {
         let v = start(&mut points);
         let states = followed(|_| 0.0, v, 8.0)?;

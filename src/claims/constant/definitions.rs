@@ -14,7 +14,7 @@ fn eq3() -> Evidence {
             "the velocity of a particle from rest without friction, on a plane that is pulled towards $-x$",
         ),
     );
-    let mut points = Points::stream(8);
+    let mut points = Points::here();
     trial.over(0..1000, |_| {
         let (a, t) = (points.log_uniform(0.1, 10.0), points.uniform(0.1, 5.0));
         let rest = State::moving([0.0; 2]);
@@ -62,7 +62,7 @@ fn eq5() -> Evidence {
             r"that of another with the same $\lambda$ of (5) and different $\mu$, $g$, $A$, $v_0$, at the same $At/v_0$",
         ),
     );
-    let mut points = Points::stream(9);
+    let mut points = Points::here();
     trial.over(0..1000, |_| {
         let (theta0, mu, g) = (
             points.uniform(0.1, 3.0),

@@ -16,7 +16,7 @@ fn senses(
     velocity: impl Fn(f64, [f64; 2], [f64; 2]) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
     let trial = Trial::by(route, subject, compared, NONE);
-    let launches = Points::stream(711).within(30, [[0.0, 0.8], [-3.0, 3.0], [-3.0, 3.0]]);
+    let launches = Points::here().within(30, [[0.0, 0.8], [-3.0, 3.0], [-3.0, 3.0]]);
     trial.at(
         ["λ", "angle of A", "angle of v₀"],
         launches,

@@ -4,37 +4,37 @@ use crate::motion::{Plane, State, run};
 use crate::paper::constant as printed;
 use trialbook::prelude::*;
 
-/// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, whose size is 1.
-fn speed(lambda: f64, t: f64) -> Result<f64, Failure> {
+/// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, which has this size.
+fn speed(lambda: f64, a: f64, t: f64) -> Result<f64, Failure> {
     let start = State::moving([0.0; 2]);
-    Ok(run(&Plane::constant([-1.0, 0.0]), lambda, start, t)?
+    Ok(run(&Plane::constant([-a, 0.0]), lambda * a, start, t)?
         .end()
         .v[0])
 }
 
-fn moves(subject: Subject, frictions: Vec<f64>) -> Evidence {
+fn moves(subject: Subject, frictions: Vec<[f64; 2]>) -> Evidence {
     let compared = Compared::one(
         r"whether $\lambda\le1$ (1 if so)",
         "whether a particle that begins at rest moves",
     );
-    Trial::census(subject, compared).over(frictions, |lambda| {
+    Trial::census(subject, compared).over(frictions, |[lambda, a]| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);
         Ok(Pair::plain(
-            format!("λ = {lambda:.9}"),
+            format!("λ = {lambda:.9}, A = {a:.3}"),
             is(left <= right),
-            is(speed(lambda, 1.0)? > 0.0),
+            is(speed(lambda, a, 1.0)? > 0.0),
         ))
     })
 }
 
 /// On both sides of λ = 1.
-fn around_one() -> Vec<f64> {
-    let mut points = Points::stream(721);
+fn around_one() -> Vec<[f64; 2]> {
+    let mut points = Points::here();
     let mut frictions: Vec<_> = (0..60).map(|_| points.uniform(0.0, 3.0)).collect();
     for near in [1e-9, 1e-6, 1e-3] {
         frictions.extend([1.0 - near, 1.0 + near]);
     }
-    frictions
+    frictions.into_iter().map(|lambda| [lambda, 1.0]).collect()
 }
 
 /// λ < 1: as fast as the law along the line has it.
@@ -46,22 +46,21 @@ pub fn velocity() -> Evidence {
             "the velocity at the time $t$ of a particle that begins at rest",
         ),
     );
-    let launches = Points::stream(722).within(40, [[0.0, 2.0], [0.1, 5.0]]);
+    let launches = Points::here().within(40, [[0.0, 2.0], [0.1, 5.0]]);
     trial.at(["λ", "t"], launches, 5.0, |[lambda, t]| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);
         let stated = match left <= right {
             true => t * printed::eq6_vx_rate(lambda, 1.0, 0.0),
             false => 0.0,
         };
-        Ok([stated, speed(lambda, t)?])
+        Ok([stated, speed(lambda, 1.0, t)?])
     })
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
     census = moves(Within, around_one()),
     velocity,
-    // λ = 1, with 𝐀 of any size.
-    outside = moves(Outside, vec![1.0; 20]),
+    outside = moves(Outside, Points::here().within(20, [[1.0; 2], [0.1, 10.0]])),
     critical = no_inside(
         "a friction",
         r"$\lambda=1$",

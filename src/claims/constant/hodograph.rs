@@ -27,7 +27,7 @@ fn eq8_outside() -> Evidence {
         r"(8) at $\lambda=1$, $\theta=0$",
         "the change of the velocity in half a unit of time",
     );
-    let mut points = Points::stream(15);
+    let mut points = Points::here();
     Trial::motion(Outside, compared).over(0..20, |_| {
         let (a, v0) = (points.uniform(0.5, 2.0), points.uniform(0.5, 2.0));
         let launch = Turn::launch(1.0, a, v0, 0.0);

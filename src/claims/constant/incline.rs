@@ -87,7 +87,7 @@ impl Incline {
 /// known.
 fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
     let trial = Trial::by(Route::Integration, Printed, compared, FOREIGN);
-    let mut points = Points::stream(12);
+    let mut points = Points::here();
     trial
         .over(0..300, |_| {
             let incline = Incline::any(&mut points);
@@ -121,7 +121,7 @@ fn eq1() -> Evidence {
             "the same sum for weight, normal force and friction",
         ),
     );
-    let mut points = Points::stream(716);
+    let mut points = Points::here();
     trial.over(0..200, |_| {
         let incline = Incline::any(&mut points);
         let (v, theta) = (incline.v0, incline.theta0);
@@ -151,7 +151,7 @@ fn same_motion() -> Evidence {
         ),
         FOREIGN,
     );
-    let mut points = Points::stream(717);
+    let mut points = Points::here();
     trial.over(0..60, |_| {
         let incline = Incline::any(&mut points);
         let (v, theta) = (incline.v0, incline.theta0);
@@ -185,7 +185,7 @@ pub fn forces() -> Evidence {
             "the same sum of the components of weight, normal force and friction",
         ),
     );
-    let mut points = Points::stream(13);
+    let mut points = Points::here();
     trial
         .over(0..1000, |_| {
             let incline = Incline::any(&mut points);

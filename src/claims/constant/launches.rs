@@ -220,7 +220,7 @@ const ANGLES: [f64; 7] = [1e-6, 0.4, 1.3, PI / 2.0, 2.2, 3.0, PI - 1e-6];
 /// (λ, A, v₀, θ₀, θ): the edges of the domain, launches with cos θ₀ = −λ and nearly so, turns to where the
 /// hodograph is upright, λ cos θ = 1, and almost into the line of the acceleration, and random points.
 fn launches() -> Vec<[f64; 5]> {
-    let mut points = Points::stream(1);
+    let mut points = Points::here();
     let mut launches = Vec::new();
     let add = |lambda: f64, theta0: f64, launches: &mut Vec<_>, points: &mut Points| {
         let (a, v0) = (points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0));
@@ -320,7 +320,7 @@ pub static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
 
 /// Turns so far round that next to no angle is left: below, at and above the critical friction.
 pub static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
-    let mut points = Points::stream(15);
+    let mut points = Points::here();
     every((0..60).map(|i| {
         let lambda = match i % 4 {
             0 => 1.0,
@@ -340,7 +340,7 @@ pub static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
 
 /// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
 pub fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
-    let mut points = Points::stream(2);
+    let mut points = Points::here();
     (0..40).map(move |i| {
         let theta0 = if i % 2 == 0 { 0.0 } else { PI };
         let launch = Turn::launch(
@@ -362,7 +362,7 @@ pub fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
 
 /// Motions with λ < 1 at the angle where cos θ = −λ.
 pub fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
-    let mut points = Points::stream(3);
+    let mut points = Points::here();
     (0..40).map(move |_| {
         let theta = points.uniform(PI / 2.0 + 0.05, PI - 0.3);
         let theta0 = points.uniform(theta + 0.05, PI - 0.05);
@@ -379,7 +379,7 @@ pub fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
 
 /// Turns at λ = 1.
 pub fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
-    let mut points = Points::stream(4);
+    let mut points = Points::here();
     (0..1000).map(move |_| {
         let theta0 = points.sign() * points.uniform(0.01, PI - 0.01);
         let theta = theta0 * points.uniform(0.05, 0.98);
@@ -395,7 +395,7 @@ pub fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
 
 /// Flights without friction, with the state at a later time.
 pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
-    let mut points = Points::stream(5);
+    let mut points = Points::here();
     (0..1000).map(move |i| {
         let theta0 = match i {
             0 => 0.0,
@@ -419,7 +419,7 @@ const LATE: f64 = 40.0;
 pub static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
 
 fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
-    let mut points = Points::stream(6);
+    let mut points = Points::here();
     (0..1000).map(move |i| {
         let theta0 = match i {
             0 => 0.0,
@@ -456,7 +456,7 @@ impl Stop {
 pub static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
 
 fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
-    let mut points = Points::stream(7);
+    let mut points = Points::here();
     (0..700).map(move |i| {
         let lambda = match i % 4 {
             0 => 1.0 + points.log_uniform(1e-9, 1e-1),
@@ -500,12 +500,12 @@ impl Aligned {
 }
 
 /// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
-pub static ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(10));
+pub static ALIGNED: Runs<Vec<Aligned>> = Runs::new(all_aligned);
 
 /// Others of the same kinds.
-pub static OTHERS_ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| all_aligned(14));
+pub static OTHERS_ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| others(all_aligned));
 
-fn all_aligned(stream: u64) -> Result<Vec<Aligned>, Failure> {
+fn all_aligned() -> Result<Vec<Aligned>, Failure> {
     let aligned = |start: Turn| -> Result<_, Failure> {
         let motion = start.motion(start.time(1e8))?;
         Ok(Aligned {
@@ -514,7 +514,7 @@ fn all_aligned(stream: u64) -> Result<Vec<Aligned>, Failure> {
             broken: unlike_aligning(&motion),
         })
     };
-    every(launches_below_critical(stream).map(aligned))
+    every(launches_below_critical().map(aligned))
 }
 
 /// The steps on which the angle grows, and the phases of rest.
@@ -532,8 +532,8 @@ fn grows(before: f64, after: f64) -> bool {
     after > before * (1.0 + 1e-14)
 }
 
-fn launches_below_critical(stream: u64) -> impl Iterator<Item = Turn> {
-    let mut points = Points::stream(stream);
+fn launches_below_critical() -> impl Iterator<Item = Turn> {
+    let mut points = Points::here();
     (0..120).map(move |i| {
         let lambda = match i % 4 {
             0 => 1.0,
@@ -552,7 +552,7 @@ fn launches_below_critical(stream: u64) -> impl Iterator<Item = Turn> {
 
 /// Launches at λ = 1 straight against the inertial force.
 pub fn held() -> impl Iterator<Item = Turn> {
-    let mut points = Points::stream(11);
+    let mut points = Points::here();
     (0..40).map(move |_| at_random(1.0, PI, &mut points))
 }
 

@@ -52,7 +52,7 @@ pub fn turns() -> Evidence {
             "whether the sense of sliding changes more than once (1 if so)",
         ),
     );
-    let mut points = Points::stream(723);
+    let mut points = Points::here();
     trial.over(0..60, |i| {
         let (driven, at, motion) = motion(&mut points, i)?;
         Ok(Pair::plain(at, is(driven), is(senses(&motion)?.len() > 2)))
@@ -69,7 +69,7 @@ fn both_ways() -> Evidence {
         ),
         NONE,
     );
-    let mut points = Points::stream(724);
+    let mut points = Points::here();
     trial.over(0..60, |i| {
         let (driven, at, motion) = motion(&mut points, i)?;
         let mut largest = (0.0, 0.0);

@@ -45,7 +45,7 @@ fn eq126_order() -> Evidence {
         ),
         FIRST_OMITTED,
     );
-    let mut points = Points::stream(607);
+    let mut points = Points::here();
     trial.over(0..60, |_| {
         let alpha0 = points.log_uniform(1e-3, 3e-2);
         let launch = Launch {
@@ -88,7 +88,7 @@ fn above_one(subject: Subject) -> Evidence {
 
 /// Launches from A > 1, then others, about which (127) says nothing.
 fn launches_around_one() -> impl Iterator<Item = Launch> {
-    let mut points = Points::stream(608);
+    let mut points = Points::here();
     (0..250).map(move |i| Launch {
         a: match i {
             200.. => points.uniform(0.05, 0.95),
@@ -128,7 +128,7 @@ fn eq127_root() -> Evidence {
         NEAR_CORNER,
     );
     let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
-    trial.over(Points::stream(745).grid(angles), |psi| {
+    trial.over(Points::here().grid(angles), |psi| {
         let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
         let found = between(launch, 0.99, 1.01, 1e-6)?;
         Ok(Pair::plain(
@@ -247,7 +247,7 @@ fn relaxed_ratio_rate() -> Evidence {
         ),
         RELAXED,
     );
-    let points = Points::stream(706).within(40, [[1.2, 5.0], [-8.0, -4.0]]);
+    let points = Points::here().within(40, [[1.2, 5.0], [-8.0, -4.0]]);
     trial.at(["A", "lg α"], points, 1.0, |[size, power]| {
         let small = libm::exp10(power);
         let psi = corrected::relaxed_ratio(size) * turntable::eq124_psi1(small);

@@ -36,7 +36,7 @@ fn relatively(
     (name, [low, high]): (&str, [f64; 2]),
     pair: impl Fn(f64) -> [f64; 2],
 ) -> Evidence {
-    let points = Points::stream(702).within(20, [[low, high]]);
+    let points = Points::here().within(20, [[low, high]]);
     let trial = Trial::by(route, Step, Compared::one(stated, found), tolerance);
     let points = points.into_iter().map(|[power]| [libm::exp10(power)]);
     trial.at([name], points, 1.0, |[x]| {

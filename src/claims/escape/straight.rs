@@ -83,13 +83,13 @@ pub fn straight_in(rho: f64, p: f64) -> Result<StraightIn, MotionError> {
 }
 
 /// Starts with A > 1 that come straight in, and stop beyond ρ = 1.
-pub static BEYOND_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(605, 1.3, 2.5));
+pub static BEYOND_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(1.3, 2.5));
 
 /// Starts that come straight in and stay at rest.
-pub static WITHIN_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(606, 0.02, 0.95));
+pub static WITHIN_ONE: Runs<Vec<StraightIn>> = Runs::new(|| from(0.02, 0.95));
 
-fn from(stream: u64, nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, Failure> {
-    let mut points = Points::stream(stream);
+fn from(nearest: f64, farthest: f64) -> Result<Vec<StraightIn>, Failure> {
+    let mut points = Points::here();
     every((0..20).map(|_| {
         let rho = points.log_uniform(nearest, farthest);
         straight_in(rho, rho * points.uniform(0.05, 0.3))

@@ -122,13 +122,13 @@ impl Escape {
 }
 
 /// Escapes from A > 1.
-pub static ESCAPES: Runs<Vec<Escape>> = Runs::new(|| all_escapes(600));
+pub static ESCAPES: Runs<Vec<Escape>> = Runs::new(all_escapes);
 
 /// Others of the same kind.
-pub static OTHER_ESCAPES: Runs<Vec<Escape>> = Runs::new(|| all_escapes(603));
+pub static OTHER_ESCAPES: Runs<Vec<Escape>> = Runs::new(|| others(all_escapes));
 
-fn all_escapes(stream: u64) -> Result<Vec<Escape>, Failure> {
-    let mut points = Points::stream(stream);
+fn all_escapes() -> Result<Vec<Escape>, Failure> {
+    let mut points = Points::here();
     let launch = |_| Launch {
         a: points.uniform(1.05, 4.0),
         alpha: points.log_uniform(0.1, 1.5),
@@ -166,13 +166,13 @@ pub fn escape(launch: Launch) -> Result<Escape, MotionError> {
 }
 
 /// Launches with p < ρ of every kind, followed to their rest or to τ = 10⁴.
-pub static FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| all_flights(601));
+pub static FLIGHTS: Runs<Vec<Flight>> = Runs::new(all_flights);
 
 /// Others of the same kinds.
-pub static OTHER_FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| all_flights(604));
+pub static OTHER_FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| others(all_flights));
 
-fn all_flights(stream: u64) -> Result<Vec<Flight>, Failure> {
-    let mut points = Points::stream(stream);
+fn all_flights() -> Result<Vec<Flight>, Failure> {
+    let mut points = Points::here();
     let launch = |_| Launch {
         a: points.uniform(0.05, 2.0),
         alpha: points.log_uniform(1e-3, 2.0),
@@ -203,28 +203,24 @@ impl Relaxed {
 /// Launches with tiny α and any ψ but near π, with the state when ψ has relaxed: for A > 1, where α grows meanwhile
 /// and ψ falls as α^(−A/(A−1)), at a hundred thousand times the initial α, else when p has fallen by the factor 10¹².
 pub fn relaxed() -> impl Iterator<Item = Result<&'static Relaxed, Failure>> {
-    static RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| all_relaxed(602));
+    static RELAXED: Runs<Vec<Relaxed>> = Runs::new(all_relaxed);
     RELAXED.each()
 }
 
 /// Others of the same kinds.
-pub static OTHERS_RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| all_relaxed(609));
+pub static OTHERS_RELAXED: Runs<Vec<Relaxed>> = Runs::new(|| others(all_relaxed));
 
 /// Launches with a ψ of the order of α, so that their ratio has relaxed too. For A < 0.7 it takes too long to be seen, and
 /// for A < ½ for ever.
 pub static RELAXED_RATIOS: Runs<Vec<Relaxed>> =
-    Runs::new(|| launched(710, 0.7, |alpha, points| alpha * points.uniform(-5.0, 5.0)));
+    Runs::new(|| launched(0.7, |alpha, points| alpha * points.uniform(-5.0, 5.0)));
 
-fn all_relaxed(stream: u64) -> Result<Vec<Relaxed>, Failure> {
-    launched(stream, 0.4, |_, points| points.uniform(-2.9, 2.9))
+fn all_relaxed() -> Result<Vec<Relaxed>, Failure> {
+    launched(0.4, |_, points| points.uniform(-2.9, 2.9))
 }
 
-fn launched(
-    stream: u64,
-    least_a: f64,
-    psi: fn(f64, &mut Points) -> f64,
-) -> Result<Vec<Relaxed>, Failure> {
-    let mut points = Points::stream(stream);
+fn launched(least_a: f64, psi: fn(f64, &mut Points) -> f64) -> Result<Vec<Relaxed>, Failure> {
+    let mut points = Points::here();
     let launch = |i: usize| {
         let a = if i.is_multiple_of(2) {
             points.uniform(1.05, 3.0)

@@ -49,8 +49,8 @@ pub fn any_start(points: &mut Points, speed: f64) -> State {
 }
 
 /// Accelerations of every bounded shape with largest size `amplitude`, friction 1, starts of every direction.
-pub fn bounded(stream: u64, amplitude: f64) -> impl Iterator<Item = Case> {
-    let mut points = Points::stream(stream);
+pub fn bounded(amplitude: f64) -> impl Iterator<Item = Case> {
+    let mut points = Points::here();
     let shapes = (0..SHAPES.len())
         .filter(|&i| SHAPES[i] != "growing")
         .cycle();

@@ -17,12 +17,12 @@ pub struct Returning {
 }
 
 /// The accelerations that exceed μg again and again, then those that never do, and what they do.
-pub static RETURNING: Runs<Vec<Returning>> = Runs::new(|| all_returning([23, 33]));
+pub static RETURNING: Runs<Vec<Returning>> = Runs::new(all_returning);
 
 /// Others of the same kinds.
-pub static OTHERS_RETURNING: Runs<Vec<Returning>> = Runs::new(|| all_returning([36, 37]));
+pub static OTHERS_RETURNING: Runs<Vec<Returning>> = Runs::new(|| others(all_returning));
 
-fn all_returning([strong, weak]: [u64; 2]) -> Result<Vec<Returning>, Failure> {
+fn all_returning() -> Result<Vec<Returning>, Failure> {
     let returning = |(name, plane, size, period)| -> Result<_, Failure> {
         let motion = run(&plane, 1.0, AT_REST, 5.0 * period)?;
         Ok(Returning {
@@ -32,12 +32,12 @@ fn all_returning([strong, weak]: [u64; 2]) -> Result<Vec<Returning>, Failure> {
             phases: motion.phases().to_vec(),
         })
     };
-    let all = strong_that_return(strong).chain(weak_that_return(weak));
+    let all = strong_that_return().chain(weak_that_return());
     every(all.map(returning))
 }
 
 /// Accelerations that are larger than μg once a period at least, from 1.1 to 3 times, of all shapes; friction 1.
-fn strong_that_return(stream: u64) -> impl Iterator<Item = (String, Plane, f64, f64)> {
+fn strong_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
     const KINDS: [&str; 7] = [
         "oscillating",
         "sign-changing",
@@ -47,11 +47,11 @@ fn strong_that_return(stream: u64) -> impl Iterator<Item = (String, Plane, f64, 
         "decaying",
         "rotating",
     ];
-    periodic(stream, &KINDS, [1.1, 3.0])
+    periodic(&KINDS, [1.1, 3.0])
 }
 
 /// Accelerations of the shapes that are bounded by their size, from 0.2 to 0.95 μg; friction 1.
-fn weak_that_return(stream: u64) -> impl Iterator<Item = (String, Plane, f64, f64)> {
+fn weak_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
     const KINDS: [&str; 5] = [
         "oscillating",
         "sign-changing",
@@ -59,16 +59,15 @@ fn weak_that_return(stream: u64) -> impl Iterator<Item = (String, Plane, f64, f6
         "constant",
         "rotating",
     ];
-    periodic(stream, &KINDS, [0.2, 0.95])
+    periodic(&KINDS, [0.2, 0.95])
 }
 
 /// Accelerations of these shapes in turn, each with its size and its period.
 fn periodic(
-    stream: u64,
     kinds: &'static [&'static str],
     [low, high]: [f64; 2],
 ) -> impl Iterator<Item = (String, Plane, f64, f64)> {
-    let mut points = Points::stream(stream);
+    let mut points = Points::here();
     kinds.iter().cycle().take(28).map(move |kind| {
         let (size, period) = (points.uniform(low, high), points.log_uniform(0.5, 5.0));
         let frequency = std::f64::consts::TAU / period;
@@ -123,12 +122,12 @@ impl Pulled {
 }
 
 /// All strong accelerations, then weak ones.
-pub static PULLED: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([24, 34]));
+pub static PULLED: Runs<Vec<Pulled>> = Runs::new(all_pulled);
 
 /// Others of the same kinds.
-pub static OTHERS_PULLED: Runs<Vec<Pulled>> = Runs::new(|| all_pulled([38, 39]));
+pub static OTHERS_PULLED: Runs<Vec<Pulled>> = Runs::new(|| others(all_pulled));
 
-fn all_pulled([strongly, weakly]: [u64; 2]) -> Result<Vec<Pulled>, Failure> {
+fn all_pulled() -> Result<Vec<Pulled>, Failure> {
     let pulled = |(name, plane, least, start)| -> Result<_, Failure> {
         let motion = run(&plane, 1.0, start, 400.0)?;
         Ok(Pulled {
@@ -138,7 +137,7 @@ fn all_pulled([strongly, weakly]: [u64; 2]) -> Result<Vec<Pulled>, Failure> {
             gained: motion.end().speed() - motion.at(200.0)?.speed(),
         })
     };
-    every(strong(strongly).chain(weak(weakly)).map(pulled))
+    every(strong().chain(weak()).map(pulled))
 }
 
 /// The steps on which the speed does not grow, from a time on.
@@ -147,8 +146,8 @@ fn falls(motion: &Motion, from: f64) -> usize {
 }
 
 /// |A| of 1.2 to 3 with a part that decays, oscillates or grows; friction 1.
-fn strong(stream: u64) -> impl Iterator<Item = (String, Plane, f64, State)> {
-    let mut points = Points::stream(stream);
+fn strong() -> impl Iterator<Item = (String, Plane, f64, State)> {
+    let mut points = Points::here();
     (0..32).map(move |i| {
         let rate = points.log_uniform(0.1, 3.0);
         let shape = [0, 2, 3, 4][i % 4];
@@ -172,8 +171,8 @@ fn strong(stream: u64) -> impl Iterator<Item = (String, Plane, f64, State)> {
 }
 
 /// |A| of 0.2 to 0.9, constant but for its sign; friction 1.
-fn weak(stream: u64) -> impl Iterator<Item = (String, Plane, f64, State)> {
-    let mut points = Points::stream(stream);
+fn weak() -> impl Iterator<Item = (String, Plane, f64, State)> {
+    let mut points = Points::here();
     (0..16).map(move |i| {
         let shape = [0, 5][i % 2];
         let (size, rate) = (points.uniform(0.2, 0.9), points.log_uniform(0.1, 3.0));

@@ -44,7 +44,7 @@ fn stops_census() -> Evidence {
         r"whether the speed falls on every step and the motion stops by $v_0/(\mu g-\max\lvert\bm A\rvert)$, or $20v_0$",
     )
     .over(r"where, above $\mu g$, $\bm A$ is constant, against the velocity");
-    let weak = bounded(21, 0.95).map(|case| (0.95, case));
+    let weak = bounded(0.95).map(|case| (0.95, case));
     Trial::census(Printed, compared).over(weak.chain(pulled_along()), |(largest, case)| {
         let stops = unlike_a_stop(&case)? == 0;
         Ok(whether(case.name, largest < stops_below(), stops))
@@ -53,7 +53,7 @@ fn stops_census() -> Evidence {
 
 /// Constant accelerations of 1.05 to 3 μg, against which the particle starts, with their sizes; friction 1.
 fn pulled_along() -> impl Iterator<Item = (f64, Case)> {
-    let mut points = Points::stream(35);
+    let mut points = Points::here();
     (0..20).map(move |_| {
         let (size, speed) = (points.uniform(1.05, 3.0), points.log_uniform(0.2, 5.0));
         let start = any_start(&mut points, speed);
@@ -93,7 +93,7 @@ fn stops_integration() -> Evidence {
             "that time itself",
         ),
     );
-    trial.over(bounded(22, 0.9), |case| {
+    trial.over(bounded(0.9), |case| {
         let v0 = case.start.speed();
         let motion = run_to_stop(&case.plane, case.friction, case.start, 100.0 * v0)?;
         let stop = motion.first_stop().unwrap_or(f64::INFINITY);
@@ -182,7 +182,7 @@ fn rest_outside() -> Evidence {
         ),
         SHORT_PUSH,
     );
-    let mut points = Points::stream(30);
+    let mut points = Points::here();
     trial.over(0..40, |_| {
         let (strength, length) = (points.uniform(1.1, 5.0), points.log_uniform(1e-6, 1.0));
         let fastest = |length: f64| pushed(strength, length);
@@ -259,7 +259,7 @@ fn grows_outside() -> Evidence {
         Outside,
         Compared::one("the larger of the speeds at $t$ and $t+1$", "that at $t+1$"),
     );
-    let mut points = Points::stream(26);
+    let mut points = Points::here();
     trial.over(0..100, |_| {
         let (theta0, t) = (points.uniform(0.8, 2.4), points.uniform(3.0, 8.0));
         let excess = Signal::Gaussian {
@@ -286,7 +286,7 @@ fn across_census() -> Evidence {
     Trial::census(Printed, Compared::constant(
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ on every step (1 if it grows on one, or stays while it is not zero)",
-    )).over(fixed_direction(27), |case| {
+    )).over(fixed_direction(), |case| {
         let falls = grows_across(&case)? == 0;
         Ok(Pair::plain(case.name, printed::s2_across_trend(), if falls { -1.0 } else { 1.0 }))
     })
@@ -308,7 +308,7 @@ fn across_outside() -> Evidence {
     Trial::census(Outside, Compared::constant(
         "$-1$, for a fall",
         r"the sign of the change of $\lvert v_\perp\rvert$ in ten units of time without friction",
-    )).over(fixed_direction(29), |case| {
+    )).over(fixed_direction(), |case| {
         let end = run(&case.plane, 0.0, case.start, 10.0)?.end();
         let (before, after) = (case.across(&case.start), case.across(&end));
         Ok(Pair::plain(case.name, printed::s2_across_trend(), sense(after - before, end.speed())))
@@ -333,7 +333,7 @@ fn across_quadrature() -> Evidence {
             r"the change of $\ln\lvert v_\perp\rvert$",
         ),
     )
-    .over(fixed_direction(28), |case| {
+    .over(fixed_direction(), |case| {
         let until = 0.5 * case.start.speed() / (1.0 + case.largest);
         let until = case.plane.next_break(0.0).map_or(until, |b| until.min(b));
         let motion = run(&case.plane, 1.0, case.start, until)?;
@@ -358,7 +358,7 @@ fn across_limit() -> Evidence {
         ),
         VANISHES,
     );
-    let bounded = fixed_direction(29).filter(|case| case.largest.is_finite());
+    let bounded = fixed_direction().filter(|case| case.largest.is_finite());
     trial.over(bounded, |case| {
         let size = case.start.speed();
         // It never grows: most need not be followed to the end, where it would be below any number of interest.
@@ -386,8 +386,8 @@ fn across_integration() -> Evidence {
             r"$\lvert v_\perp\rvert$ itself",
         ),
     );
-    let mut points = Points::stream(31);
-    let bounded = fixed_direction(32).filter(|case| case.largest.is_finite());
+    let mut points = Points::here();
+    let bounded = fixed_direction().filter(|case| case.largest.is_finite());
     trial.over(bounded, |case| {
         let more = off_friction(points.log_uniform(1.0, 15.0) * case.largest) / case.largest;
         let (largest, late) = (more * case.largest, points.log_uniform(1.0, 30.0));
@@ -440,8 +440,8 @@ fn off_friction(size: f64) -> f64 {
 }
 
 /// Fixed directions, all shapes that have one; friction 1.
-fn fixed_direction(stream: u64) -> impl Iterator<Item = Across> {
-    let mut points = Points::stream(stream);
+fn fixed_direction() -> impl Iterator<Item = Across> {
+    let mut points = Points::here();
     let shapes = (0..SHAPES.len())
         .filter(|&i| SHAPES[i] != "rotating")
         .cycle();

@@ -12,7 +12,7 @@ const GRAVITY: f64 = 0.5;
 
 /// The cases, each up to a time before the particle can stop and before the acceleration can jump.
 fn cases() -> impl Iterator<Item = (Case, f64)> {
-    bounded(20, 3.0).map(|case| {
+    bounded(3.0).map(|case| {
         let before_rest = 0.9 * case.start.speed() / (3.0 + case.friction);
         let before_jump = case
             .plane

@@ -6,7 +6,7 @@ use crate::claims::tolerances::{GAINED, NONE};
 use crate::corrections::periodic as corrected;
 use crate::motion::drive::{DriveState, Friction};
 use crate::paper::periodic as printed;
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 use trialbook::prelude::*;
 
 /// Motions of small friction, λ₀ < η, in the gap before π and as far behind π, in the next pulse: what is said to become
@@ -18,7 +18,7 @@ fn around_pi(
     pair: impl Fn([f64; 3]) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
     let trial = Trial::by(route, subject, compared, GAINED);
-    let points = Points::stream(712).within(40, [[0.3, 0.8], [0.05, 0.6], [0.1, 0.8]]);
+    let points = Points::here().within(40, [[0.3, 0.8], [0.05, 0.6], [0.1, 0.8]]);
     let points = points
         .into_iter()
         .enumerate()
@@ -71,7 +71,7 @@ fn largest(
 }
 
 fn widths() -> Vec<[f64; 1]> {
-    let mut widths = Points::stream(713).within(40, [[0.0, 1.0]]);
+    let mut widths = Points::here().within(40, [[0.0, 1.0]]);
     widths.extend([[1e-6], [1.0]]);
     widths
 }
@@ -93,10 +93,12 @@ fn twelve_digits(x: f64) -> f64 {
 fn largest_outside() -> Evidence {
     let compared = Compared::one(
         r"the largest $\lvert h\rvert$ that is assumed, 1,",
-        "that of pulses of no width",
+        r"$\lvert h\rvert$ of pulses of no width",
     );
-    let none = vec![[0.0]; 20];
-    largest(Route::Census, Outside, compared, none, seen)
+    let phases = Points::here().within(20, [[0.0; 2], [0.0, TAU]]);
+    Trial::census(Outside, compared).at(["η", "φ"], phases, 1.0, |[eta, phi]| {
+        Ok([printed::s23_largest(), pulses(eta)?.h(phi).abs()])
+    })
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![

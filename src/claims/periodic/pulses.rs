@@ -17,7 +17,7 @@ const NEAR_ENDS: [f64; 4] = [1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6];
 
 /// (η, λ₀) with η < λ₀ < 1 over the whole triangle, and along its edges.
 fn above() -> Vec<(f64, f64)> {
-    let mut points = Points::stream(200);
+    let mut points = Points::here();
     let mut list = square(&mut points, |eta, share| eta + (1.0 - eta) * share);
     list.push((2e-4, 5e-4));
     list
@@ -26,7 +26,7 @@ fn above() -> Vec<(f64, f64)> {
 /// (η, λ₀) with 0 < λ₀ < η, and along the edges; λ₀ from a hundredth of η, below which rounding, divided by
 /// the small loss per period, shows.
 fn below() -> Vec<(f64, f64)> {
-    let mut points = Points::stream(201);
+    let mut points = Points::here();
     square(&mut points, |eta, share| eta * (0.01 + 0.99 * share))
         .into_iter()
         .filter(|(eta, _)| *eta > 0.05)
@@ -137,7 +137,7 @@ fn area([pulse, gap]: [f64; 2], eta: f64, phi: f64) -> f64 {
 
 /// Gains of a smooth particle from rest at φ = 0: `expected` says until when, and how much.
 fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
-    let mut points = Points::stream(202);
+    let mut points = Points::here();
     trial.over(0..200, |i| {
         let eta = match i {
             198 => 0.0,
@@ -209,7 +209,7 @@ pub fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64
 
 fn from_rest(compared: Compared, value: impl Fn((f64, f64), f64) -> [f64; 2]) -> Evidence {
     let trial = Trial::motion(Printed, compared);
-    let mut points = Points::stream(205);
+    let mut points = Points::here();
     trial.over(0..30, |_| {
         let eta = points.uniform(0.05, 0.95);
         let lambda = points.uniform(eta, 1.0);
@@ -226,7 +226,7 @@ fn from_rest(compared: Compared, value: impl Fn((f64, f64), f64) -> [f64; 2]) ->
 
 /// Widths of pulses at which λ_c is bracketed.
 fn widths() -> Vec<f64> {
-    let mut points = Points::stream(203);
+    let mut points = Points::here();
     let edges = [1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6];
     (0..44)
         .map(|_| points.uniform(0.0, 1.0))
@@ -321,7 +321,7 @@ fn extremes_census() -> Evidence {
         )
         .over(r"$\eta=1$ and $\eta=0$"),
     );
-    let mut points = Points::stream(204);
+    let mut points = Points::here();
     let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
     let frictions = (0..200).map(|_| points.uniform(0.0, 1.0)).chain(edges);
     trial.over(
@@ -354,7 +354,7 @@ fn extremes_outside() -> Evidence {
         Compared::constant("the stated 1", "the number of rests in a period")
             .over(r"$\eta=0$ and $\lambda_0=0$"),
     );
-    let starts = Points::stream(227).within(24, [[0.1, 3.0]]);
+    let starts = Points::here().within(24, [[0.1, 3.0]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
         let drive = pulses(0.0)?;
         let start = DriveState { phi: 0.0, w };
@@ -382,7 +382,7 @@ fn extremes_limit() -> Evidence {
         LIMIT_OF_WIDTH,
     );
     let distances = (1..13).map(|k| Scalar::pow(10.0, -0.25 * f64::from(k)));
-    let distances = Points::stream(746).grid(distances).into_iter();
+    let distances = Points::here().grid(distances).into_iter();
     trial.over(
         distances.flat_map(|delta| [(delta, true), (delta, false)]),
         |(delta, nearly_one)| {

@@ -28,7 +28,7 @@ fn within_time() -> Evidence {
         ),
         NONE,
     );
-    let mut points = Points::stream(210);
+    let mut points = Points::here();
     let drives = named();
     trial.over(0..1000, |i| {
         let drives = drives.as_ref().map_err(Clone::clone)?;
@@ -86,7 +86,7 @@ pub fn stopping_time() -> Evidence {
         ),
         ROOT,
     );
-    let mut points = Points::stream(211);
+    let mut points = Points::here();
     trial.over(0..60, |_| {
         let shape = Harmonics::random(&mut points)?;
         let lambda = 1.0 + points.log_uniform(0.05, 10.0);
@@ -129,7 +129,7 @@ pub fn sharp() -> Evidence {
     );
     let drives = named();
     let excess = [1e-3, -1e-3, 0.0, 1e-9, -1e-6, 1e-6, -0.1, 0.1, 9.0, -1e-5];
-    let excess = Points::stream(748).grid(excess);
+    let excess = Points::here().grid(excess);
     trial.over(
         (0..10).flat_map(|k| excess.iter().map(move |e| (k, *e))),
         |(k, excess)| {

@@ -24,7 +24,7 @@ pub fn limit() -> Evidence {
         .over("three harmonics at random"),
         SHARE,
     );
-    let mut points = Points::stream(228);
+    let mut points = Points::here();
     trial.over(0..30, |i| {
         let drive = Harmonics::random(&mut points)?.drive()?;
         let delta = 1e-8;
@@ -44,7 +44,7 @@ pub fn census() -> Evidence {
         r"whether it is at $\lambda_0$ between $1-10^{-3}$ and 1",
     )
     .over("three harmonics at random"));
-    let mut points = Points::stream(229);
+    let mut points = Points::here();
     trial.over(0..60, |i| {
         let drive = Harmonics::random(&mut points)?.drive()?;
         let delta = points.log_uniform(1e-9, 1e-3);
@@ -66,7 +66,7 @@ pub fn two_valued() -> Evidence {
             r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",
         ),
     );
-    let mut points = Points::stream(230);
+    let mut points = Points::here();
     trial.over(0..24, |_| {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
         let drive = steps_between(x, y)?;

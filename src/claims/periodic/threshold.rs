@@ -68,7 +68,7 @@ fn rests(name: &str, drive: &Drive, lambda: f64, much: bool) -> Result<Pair, Fai
 
 /// The named drives that are generic and without a mean, and random ones.
 fn admitted() -> Result<Vec<Named>, DriveError> {
-    let mut points = Points::stream(220);
+    let mut points = Points::here();
     let mut list: Vec<Named> = named()?.into_iter().filter(|d| d.generic).collect();
     for _ in 0..24 {
         list.push(Named {
@@ -142,7 +142,7 @@ fn two_zeros_root() -> Evidence {
         ),
         THRESHOLD,
     );
-    let mut points = Points::stream(221);
+    let mut points = Points::here();
     trial.over(0..20, |_| {
         let (a, p) = (points.uniform(0.0, 0.3), points.uniform(0.0, TAU));
         let (b, r) = (points.uniform(0.0, 0.08), points.uniform(0.0, TAU));
@@ -169,7 +169,7 @@ fn again_and_again() -> Evidence {
         ),
     );
     let amplitudes = (0..20).map(|k| 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0);
-    trial.over(Points::stream(747).grid(amplitudes), |a| {
+    trial.over(Points::here().grid(amplitudes), |a| {
         let drive = third_harmonic(a)?;
         let seen: Result<Vec<bool>, _> = (1..200)
             .map(|k| Ok::<_, DriveError>(phase(&drive, 0.005 * f64::from(k))?.rests()))
@@ -189,7 +189,7 @@ fn with_mean() -> Evidence {
         )
         .over("sines with a mean"),
     );
-    let mut points = Points::stream(222);
+    let mut points = Points::here();
     trial.over(0..60, |i| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
         let (share, large) = (points.uniform(0.001, 0.999), i % 2 == 0);
@@ -216,7 +216,7 @@ fn with_mean_drift() -> Evidence {
             r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
         ),
     );
-    let mut points = Points::stream(226);
+    let mut points = Points::here();
     trial.over(0..60, |_| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
         let lambda = drive.mean().abs() * points.uniform(0.001, 0.999);
@@ -233,7 +233,7 @@ fn with_mean_close() -> Evidence {
             r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
         ),
     );
-    let mut points = Points::stream(225);
+    let mut points = Points::here();
     trial.over(0..24, |_| {
         let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
         let lambda = drive.mean().abs() * (1.0 - points.log_uniform(1e-5, 1e-3));
@@ -258,7 +258,7 @@ pub fn two_valued() -> Evidence {
             r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1,",
         ),
     );
-    let mut points = Points::stream(223);
+    let mut points = Points::here();
     trial.over(0..60, |_| {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
         let drive = steps_between(x, y)?;
@@ -280,7 +280,7 @@ pub fn level() -> Evidence {
             r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$,",
         ),
     );
-    let mut points = Points::stream(224);
+    let mut points = Points::here();
     trial.over(0..60, |_| {
         let p = points.uniform(0.1, 1.5);
         let lambda = points.log_uniform(1e-5, 1e-2);

@@ -170,7 +170,7 @@ fn close(straight: &StraightIn) -> Result<(f64, Close), MotionError> {
 /// On the boundary, which leads to A = 1, α = 0, with ψ = 2α + 2α².
 static BORDERS_NEAR_ONE: Runs<Vec<Close>> = Runs::new(|| {
     let alphas = (1..=20).map(|i| 0.005 * f64::from(i));
-    every(Points::stream(743).grid(alphas).into_iter().map(leaving))
+    every(Points::here().grid(alphas).into_iter().map(leaving))
 });
 
 /// A moment after the point of the boundary with this α: the motion stays on the boundary. It never comes to rest; where (141)

@@ -38,8 +38,8 @@ pub fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
 pub fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>> {
     static BORDERS: Runs<Vec<Border>> = Runs::new(|| {
         let angles = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
-        let angles = Points::stream(735).grid(angles);
-        let alphas = Points::stream(736).grid([0.3, 0.1, 0.03, 0.01]);
+        let angles = Points::here().grid(angles);
+        let alphas = Points::here().grid([0.3, 0.1, 0.03, 0.01]);
         let points = angles
             .into_iter()
             .flat_map(|psi| alphas.iter().map(move |alpha| (*alpha, psi)));
@@ -109,7 +109,7 @@ const CORRECTED: Compared = Compared::one(
 /// The slow motion, ψ = 2α, which the derivation of (147) is about.
 fn slow() -> impl Iterator<Item = Result<Border, Failure>> {
     let alphas = (0..20).map(|i| 0.02 + 0.01 * f64::from(i));
-    let alphas = Points::stream(737).grid(alphas).into_iter();
+    let alphas = Points::here().grid(alphas).into_iter();
     alphas.map(|alpha| Ok(border(alpha, 2.0 * alpha)?))
 }
 
@@ -125,7 +125,7 @@ fn least_root() -> Evidence {
         THIRD_ORDER,
     );
     let alphas = (0..20).map(|i| 0.01 + 0.01 * f64::from(i));
-    trial.over(Points::stream(738).grid(alphas), |alpha| {
+    trial.over(Points::here().grid(alphas), |alpha| {
         let round = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
         let near = (-4..=4).map(|k| alpha * f64::from(k));
         let mut least = f64::INFINITY;
@@ -149,7 +149,7 @@ fn least_root() -> Evidence {
 /// Points so close to A = 1, α = 0 that the second-order boundary is one to a part in 10⁸ or less.
 fn close() -> impl Iterator<Item = Result<Border, Failure>> {
     let angles = (0..10).map(|k| PI * (f64::from(k) - 4.0) / 5.0);
-    let angles = Points::stream(739).grid(angles).into_iter();
+    let angles = Points::here().grid(angles).into_iter();
     // A start may be counted several turns on.
     let angles = angles.chain([1.5, -2.5, 159.3].map(|turns| PI * turns));
     let points = angles.flat_map(|psi| [1e-3, 1e-4].map(|alpha| (alpha, psi)));
@@ -197,7 +197,7 @@ const STARTS: [usize; 2] = [4020, 1000];
 
 /// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
 pub static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
-    let mut points = Points::stream(640);
+    let mut points = Points::here();
     let [near, away] = STARTS;
     let case = |i| -> Result<_, Failure> {
         let (low, high, reach) = if i < near {
@@ -288,7 +288,7 @@ pub struct Surface {
 /// Twenty such places.
 pub static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
     let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
-    every(Points::stream(740).grid(sigmas).into_iter().map(surface))
+    every(Points::here().grid(sigmas).into_iter().map(surface))
 });
 
 /// ψ = 2α + 2α², in which the boundary leads to A = 1, α = 0.

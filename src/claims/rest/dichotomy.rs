@@ -10,8 +10,8 @@ use crate::paper::rest as printed;
 use trialbook::prelude::*;
 
 /// Starts all over the inner part of the states, by ρ, p and ψ.
-fn starts(stream: u64, count: usize) -> Vec<[f64; 3]> {
-    Points::stream(stream).within(count, [[0.0, 3.0], [0.0, 3.0], [-3.1, 3.1]])
+fn starts(count: usize) -> Vec<[f64; 3]> {
+    Points::here().within(count, [[0.0, 3.0], [0.0, 3.0], [-3.1, 3.1]])
 }
 
 /// By bounds on the energy, which make a fate certain: many starts together.
@@ -23,7 +23,7 @@ pub fn fates() -> Evidence {
             "whether the fate is neither rest nor escape by the bounds on its energy (1 if so)",
         ),
     );
-    let points = starts(714, 5000);
+    let points = starts(5000);
     let begun = points
         .iter()
         .map(|[rho, p, psi]| Start::polar(*rho, *p, *psi));
@@ -50,7 +50,7 @@ pub fn followed() -> Evidence {
         ),
         NONE,
     );
-    trial.at(["ρ", "p", "ψ"], starts(715, 200), 1.0, |[rho, p, psi]| {
+    trial.at(["ρ", "p", "ψ"], starts(200), 1.0, |[rho, p, psi]| {
         let start = State {
             t: 0.0,
             x: [rho * libm::cos(psi), rho * libm::sin(psi)],
@@ -82,7 +82,7 @@ fn on_the_boundary() -> Evidence {
         ),
         NONE,
     );
-    let places = Points::stream(741).grid((0..20).map(f64::from));
+    let places = Points::here().grid((0..20).map(f64::from));
     trial.over(places, |i| {
         let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 1.0);
         let run = Run::new(&Start::hyperbolic(boundary(alpha, psi)?, alpha, psi)?, 8.0)?;
@@ -110,7 +110,7 @@ fn beside_the_boundary() -> Evidence {
             "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
         ),
     );
-    let places = Points::stream(742).grid((0..40).map(f64::from));
+    let places = Points::here().grid((0..40).map(f64::from));
     trial.over(places, |i| {
         let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 2.0);
         let on = boundary(alpha, psi)?;

@@ -8,6 +8,7 @@ use crate::validated::turntable::{Margins, Strip};
 use rayon::prelude::*;
 use std::fmt;
 use trialbook::certified::written::decimal;
+use trialbook::data::{Text, text};
 
 /// Largest α of a map. Simulation decides whether the boundary lies below it.
 pub const REACH: f64 = 1.5;
@@ -23,7 +24,7 @@ const HALVINGS: u32 = 4;
 const NEAREST: f64 = 2e-4;
 
 /// The maps that were made once, since it takes long.
-const RECORD: &str = include_str!("../../../snapshots/fates.csv");
+pub const RECORD: Text = text!("snapshots/fates.csv");
 
 /// The boundary is found to this width in α.
 const WIDTH: f64 = 1e-9;
@@ -168,7 +169,7 @@ pub fn open(rows: &[Row]) -> f64 {
 
 /// Of which commit the recorded maps are.
 pub fn as_of() -> &'static str {
-    trialbook::trials::as_of(RECORD)
+    trialbook::trials::as_of(&RECORD)
 }
 
 /// The maps that the book shows, as `examples/fates.rs` made them; nothing where a line is not one of theirs.

@@ -21,7 +21,7 @@ fn eq139_nudge() -> Evidence {
         NEAR_CORNER,
     );
     let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
-    trial.over(Points::stream(744).grid(angles), |psi| {
+    trial.over(Points::here().grid(angles), |psi| {
         let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
         Ok(Pair::plain(
             format!("p = 0.0001, ψ = {psi:.6}"),
@@ -41,7 +41,7 @@ struct Rider {
 }
 
 static RIDERS: Runs<Vec<Rider>> = Runs::new(|| {
-    let mut points = Points::stream(641);
+    let mut points = Points::here();
     every((0..20).map(|i| rider(&mut points, i)))
 });
 
@@ -119,7 +119,7 @@ fn eq139_at_the_edge() -> Evidence {
         ),
         NONE,
     );
-    let mut points = Points::stream(642);
+    let mut points = Points::here();
     trial.over(0..40, |i| {
         let table = Table::default();
         let off = points.sign() * points.log_uniform(1e-11, 9e-10);

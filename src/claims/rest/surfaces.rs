@@ -29,14 +29,14 @@ pub fn bend(sigma: f64, psi: f64) -> Result<f64, Failure> {
 }
 
 /// σ and ψ of the surfaces that are looked at.
-fn places(stream: u64) -> Vec<[f64; 2]> {
-    Points::stream(stream).within(30, [[0.25, 0.85], [-2.6, 2.6]])
+fn places() -> Vec<[f64; 2]> {
+    Points::here().within(30, [[0.25, 0.85], [-2.6, 2.6]])
 }
 
 fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64) -> Evidence {
     const FROM: &str = r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$";
     let compared = Compared::one(law, FROM).over(r"$\alpha=(1-\sigma)/100$");
-    Trial::by(Route::Root, subject, compared, THIRD_ORDER).over(places(645), |[sigma, psi]| {
+    Trial::by(Route::Root, subject, compared, THIRD_ORDER).over(places(), |[sigma, psi]| {
         let alpha = 0.01 * (1.0 - sigma);
         Ok(Pair {
             at: format!("σ = {sigma:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
@@ -58,7 +58,7 @@ pub fn bends() -> Evidence {
         ),
         SURFACE,
     )
-    .over(places(646), |[sigma, psi]| {
+    .over(places(), |[sigma, psi]| {
         Ok(Pair::plain(
             format!("σ = {sigma:.6}, ψ = {psi:.6}"),
             sigma * corrected::surface_bend(sigma, psi),

@@ -135,15 +135,15 @@ impl Approach {
 }
 
 /// Motions to rest at σ from 0.05 to 0.98.
-pub static APPROACHES: Runs<Vec<Approach>> = Runs::new(|| all_approaches(620));
+pub static APPROACHES: Runs<Vec<Approach>> = Runs::new(all_approaches);
 
 /// Others of the same kinds.
-pub static OTHER_APPROACHES: Runs<Vec<Approach>> = Runs::new(|| all_approaches(622));
+pub static OTHER_APPROACHES: Runs<Vec<Approach>> = Runs::new(|| others(all_approaches));
 
-fn all_approaches(stream: u64) -> Result<Vec<Approach>, Failure> {
-    let mut points = Points::stream(stream);
+fn all_approaches() -> Result<Vec<Approach>, Failure> {
+    let mut points = Points::here();
     let mut found = Vec::new();
-    for _ in 0..160 {
+    for _ in 0..220 {
         let rho = points.uniform(0.05, 1.0);
         let p = rho.min(1.0 - rho) * points.uniform(0.1, 0.9);
         let start = [rho, p, points.uniform(-2.8, 2.8)];
@@ -179,7 +179,7 @@ pub fn gentle_approaches_to(
 
 /// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.
 pub static APPROACHES_TO_ONE_HALF: Runs<Vec<Approach>> = Runs::new(|| {
-    let mut points = Points::stream(621);
+    let mut points = Points::here();
     every((0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5))))
 });
 

@@ -64,7 +64,7 @@ fn stays_census() -> Evidence {
             "whether the large-time motion along the drive moves",
         ),
     );
-    let mut points = Points::stream(178);
+    let mut points = Points::here();
     let large = (0..60).map(|_| points.uniform(1.0, 3.0));
     let frictions: Vec<_> = dense().into_iter().step_by(5).chain(large).collect();
     trial.over(frictions, |lambda| {
@@ -86,7 +86,7 @@ fn stays_motion() -> Evidence {
         ),
         NONE,
     );
-    let mut points = Points::stream(179);
+    let mut points = Points::here();
     trial.over(0..24, |_| {
         let lambda = points.uniform(0.25, 1.4);
         let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
@@ -124,7 +124,7 @@ fn across_rate() -> Evidence {
         ),
         ACROSS,
     );
-    let mut points = Points::stream(180);
+    let mut points = Points::here();
     trial.over(0..30, |_| {
         let [lambda, phi, w_x] = away_from_zeros(&mut points)?;
         let h = 1e-4;
@@ -153,7 +153,7 @@ fn across_proportional() -> Evidence {
         ),
         ACROSS,
     );
-    let mut points = Points::stream(181);
+    let mut points = Points::here();
     trial.over(0..30, |_| {
         let [lambda, phi, w_x] = away_from_zeros(&mut points)?;
         let lost = |v_y: f64| -> Result<f64, Failure> {

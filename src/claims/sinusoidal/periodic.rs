@@ -90,7 +90,7 @@ fn eq38_outside() -> Evidence {
             "the motion without friction, from any start, at 256 phases of the period",
         ),
     );
-    let mut points = Points::stream(140);
+    let mut points = Points::here();
     trial.pairs(0..24, |_| {
         let start = DriveState {
             phi: 0.0,
@@ -194,7 +194,7 @@ fn eq39_outside() -> Evidence {
             r"the phase at which the motion without friction turns positive, from any start with $-2<\mathfrak w<0$ at $\phi=0$",
         ),
     );
-    let starts = Points::stream(720).within(24, [[-1.9, -0.1]]);
+    let starts = Points::here().within(24, [[-1.9, -0.1]]);
     trial.at(["𝔴"], starts, 1.0, |[w]| {
         let motion = settled(0.0, DriveState { phi: 0.0, w })?;
         let found = interval(&motion, Sign::Positive)?.start;
@@ -241,7 +241,7 @@ fn rest_interval_reached() -> Evidence {
             r"$\mathfrak w$ at 40 phases of the period that follows the first rest on the way from any start",
         ),
     );
-    let mut points = Points::stream(141);
+    let mut points = Points::here();
     trial.pairs(large(), |lambda| {
         let start = DriveState {
             phi: points.uniform(0.0, TAU),

@@ -181,7 +181,7 @@ fn four_points_outside() -> Evidence {
             r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
         ),
     );
-    let mut points = Points::stream(120);
+    let mut points = Points::here();
     trial.over(0..24, |_| {
         let a = points.uniform(0.0, TAU);
         let zeros = balanced(drive()?, 0.0);
@@ -200,7 +200,7 @@ fn rest_ends_motion() -> Evidence {
         Printed,
         Compared::one("the nearer of (27) and (29)", "the end of a simulated rest"),
     );
-    let mut points = Points::stream(121);
+    let mut points = Points::here();
     let mut ends = Vec::new();
     for _ in 0..100 {
         let lambda = points.uniform(0.03, 0.999);
@@ -241,7 +241,7 @@ fn rest_ends_census() -> Evidence {
             "0",
         ),
     );
-    let mut points = Points::stream(122);
+    let mut points = Points::here();
     trial.over(0..20, |_| {
         let lambda = points.uniform(lambda_c() + 0.02, 0.97);
         let v = [points.uniform(-0.5, 0.5), points.uniform(0.1, 0.5)];

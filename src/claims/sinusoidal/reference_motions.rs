@@ -69,7 +69,7 @@ pub fn forward(list: &[Interval]) -> Option<&Interval> {
 
 /// Frictions below λ_c: down to a millionth, up to a billionth below λ_c.
 pub fn small() -> Vec<f64> {
-    let mut points = Points::stream(100);
+    let mut points = Points::here();
     let c = lambda_c();
     let mut list: Vec<_> = (0..60).map(|_| points.uniform(0.02, c)).collect();
     list.extend([1e-6, 1e-3, 1e-2, c - 1e-3, c - 1e-6, c - 1e-9]);
@@ -78,7 +78,7 @@ pub fn small() -> Vec<f64> {
 
 /// Frictions between λ_c and 1, to a billionth of either.
 pub fn large() -> Vec<f64> {
-    let mut points = Points::stream(101);
+    let mut points = Points::here();
     let c = lambda_c();
     let mut list: Vec<_> = (0..60).map(|_| points.uniform(c, 1.0)).collect();
     list.extend([c + 1e-9, c + 1e-6, c + 1e-3]);
@@ -88,7 +88,7 @@ pub fn large() -> Vec<f64> {
 
 /// Frictions between 0 and 1, and both ends to a billionth.
 pub fn all() -> Vec<f64> {
-    let mut points = Points::stream(102);
+    let mut points = Points::here();
     let mut list: Vec<_> = (0..200).map(|_| points.uniform(0.0, 1.0)).collect();
     for near in [1e-9, 1e-6, 1e-3] {
         list.extend([near, 1.0 - near, lambda_c() - near, lambda_c() + near]);
@@ -99,7 +99,7 @@ pub fn all() -> Vec<f64> {
 
 /// A dense set of frictions between 0 and 1, with the two ends and λ_c approached to 1e-9.
 pub fn dense() -> Vec<f64> {
-    let mut points = Points::stream(103);
+    let mut points = Points::here();
     let mut list: Vec<_> = (0..1200).map(|_| points.uniform(1e-3, 1.0)).collect();
     for i in 0..30 {
         let near = libm::pow(10.0, -3.0 - 0.2 * f64::from(i));

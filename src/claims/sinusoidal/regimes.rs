@@ -94,7 +94,7 @@ pub fn listed_kind(list: &[Interval]) -> f64 {
 
 /// Frictions from 0 to 5, the two thresholds approached to 1e-9 from both sides.
 fn frictions() -> Vec<f64> {
-    let mut points = Points::stream(150);
+    let mut points = Points::here();
     let mut list = dense();
     list.extend((0..200).map(|_| points.uniform(1.0, 5.0)));
     list.extend((0..30).map(|i| 1.0 + libm::pow(10.0, -3.0 - 0.2 * f64::from(i))));
@@ -134,7 +134,7 @@ pub fn trichotomy_motion() -> Evidence {
         ),
         NONE,
     );
-    let mut points = Points::stream(151);
+    let mut points = Points::here();
     trial.over(0..20, |_| {
         let lambda = points.uniform(0.1, 1.5);
         let start = points.uniform(0.0, TAU);
@@ -163,7 +163,7 @@ pub fn trichotomy_outside() -> Evidence {
             r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
         ),
     );
-    let mut points = Points::stream(152);
+    let mut points = Points::here();
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 3.0);
         let attractor = settled(0.0, DriveState { phi: 0.0, w })?;
@@ -186,7 +186,7 @@ fn weak_drive_motion() -> Evidence {
         ),
         NONE,
     );
-    let mut points = Points::stream(153);
+    let mut points = Points::here();
     trial.over(0..30, |i| {
         let range = if i % 3 == 0 { [0.1, 0.95] } else { [1.05, 4.0] };
         let lambda = points.uniform(range[0], range[1]);

@@ -10,8 +10,8 @@ use std::f64::consts::{PI, TAU};
 use trialbook::prelude::*;
 
 /// Frictions below λ_c, where the passages are not too steep to be followed.
-fn below(stream: u64, high: f64) -> impl Iterator<Item = f64> {
-    let mut points = Points::stream(stream);
+fn below(high: f64) -> impl Iterator<Item = f64> {
+    let mut points = Points::here();
     (0..20).map(move |_| points.uniform(0.05, high))
 }
 
@@ -43,7 +43,7 @@ fn period_factor() -> Evidence {
         LOGARITHM,
     );
     let next_to_none = [2e-4, 5e-4, 9e-4];
-    let frictions = below(170, lambda_c() - 1e-3).chain(next_to_none);
+    let frictions = below(lambda_c() - 1e-3).chain(next_to_none);
     trial.over(frictions, |lambda| {
         let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
         let start = PlanarState {
@@ -98,7 +98,7 @@ fn first_stage_correction() -> Evidence {
         ),
         SECOND_ORDER,
     );
-    let mut points = Points::stream(176);
+    let mut points = Points::here();
     trial.over(0..30, |_| {
         let lambda = points.uniform(0.2, 1.4);
         let w_x = points.uniform(-3.0, 3.0);
@@ -128,7 +128,7 @@ fn passage_limit() -> Evidence {
         ),
         PASSAGE,
     );
-    trial.over(below(172, 0.42), |lambda| {
+    trial.over(below(0.42), |lambda| {
         let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
         let through = |v_y: f64| -> Result<_, Failure> {
             let motion = Particle::plain(lambda).run(phi, [w_x, v_y], phi + PI)?;
@@ -156,7 +156,7 @@ fn passage_quadrature() -> Evidence {
         ),
         PASSAGE,
     );
-    trial.over(below(173, lambda_c() - 1e-2), |lambda| {
+    trial.over(below(lambda_c() - 1e-2), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let zero = forward(attractor.intervals()).ok_or("no slip")?.end;
         // In ln(distance) the integrand is smooth; the coefficient is its mean over a decade.
@@ -219,7 +219,7 @@ pub fn last_stage() -> Evidence {
         ),
         LAST_STAGE,
     );
-    let mut points = Points::stream(175);
+    let mut points = Points::here();
     trial.over(0..20, |_| {
         let lambda = points.uniform(lambda_c(), 1.4);
         let phi = points.uniform(0.0, 0.9) * Scalar::asin(lambda.min(1.0));

@@ -20,7 +20,7 @@ struct Onset {
 
 /// The onset of rest for 24 starts: bisection on the simulation alone, down to neighbouring numbers.
 static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
-    let mut points = Points::stream(130);
+    let mut points = Points::here();
     let mut start = || DriveState {
         phi: points.uniform(0.0, TAU),
         w: points.uniform(-3.0, 3.0),
@@ -74,7 +74,7 @@ fn eq37_root() -> Evidence {
         ),
         ROOT,
     );
-    let mut points = Points::stream(131);
+    let mut points = Points::here();
     trial.over(0..24, |_| {
         let (low, high) = (points.uniform(0.01, 0.5), points.uniform(0.6, 0.99));
         Ok(Pair::plain(

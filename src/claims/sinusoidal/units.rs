@@ -18,7 +18,7 @@ pub fn eq21() -> Evidence {
             "the gain of $v_x+v_y$ of a particle without friction",
         ),
     );
-    let mut points = Points::stream(110);
+    let mut points = Points::here();
     trial.over(0..40, |_| {
         let (a0, varpi) = (points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0));
         let from = points.uniform(0.1, 6.0) / varpi;
@@ -71,7 +71,7 @@ impl Twins {
 
 /// Two dozen pairs of twins.
 static ALL_TWINS: Runs<Vec<Twins>> = Runs::new(|| {
-    let mut points = Points::stream(111);
+    let mut points = Points::here();
     every((0..24).map(|_| twins(&mut points)))
 });
 
@@ -156,8 +156,8 @@ fn eq24() -> Evidence {
 }
 
 /// Frictions on both sides of 1, 1 itself included.
-fn around_one(stream: u64) -> Vec<f64> {
-    let mut points = Points::stream(stream);
+fn around_one() -> Vec<f64> {
+    let mut points = Points::here();
     let mut list: Vec<_> = (0..24).map(|_| points.uniform(0.02, 2.0)).collect();
     list.extend([1.0 - 1e-9, 1.0 - 1e-6, 1.0, 1.0 + 1e-9, 1.0 + 1e-6]);
     list
@@ -174,7 +174,7 @@ fn eq25_motion() -> Evidence {
         ),
         NONE,
     )
-    .over(around_one(114), |lambda| {
+    .over(around_one(), |lambda| {
         let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
         let [left, right] = printed::eq25_sides(lambda);
         Ok(Pair::plain(
@@ -194,7 +194,7 @@ fn eq25_census() -> Evidence {
             "whether the large-time motion is not rest for ever",
         ),
     )
-    .over(around_one(115), |lambda| {
+    .over(around_one(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
         let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);
         let [left, right] = printed::eq25_sides(lambda);
@@ -211,7 +211,7 @@ fn eq26_quadrature() -> Evidence {
             r"the change of $\mathfrak w$ of a particle that began with $v_y\ne0$, or, from $\phi=0.5$ to 1.5, of one that began along the drive, with $\lambda_0$ near 0 and 1",
         ),
     );
-    let mut points = Points::stream(116);
+    let mut points = Points::here();
     let edges = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4].map(Ok);
     let cases = (0..20).map(Err).chain(edges);
     trial.over(cases, |case| {
@@ -275,7 +275,7 @@ mod tests {
 
     #[test]
     fn frictions_come_as_close_to_one_from_both_sides() {
-        let off = around_one(0)
+        let off = around_one()
             .into_iter()
             .map(|lambda| ((lambda - 1.0) * 1e9).round());
         let mut close: Vec<_> = off.filter(|d| d.abs() < 1e4).collect();

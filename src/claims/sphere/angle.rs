@@ -126,7 +126,7 @@ const EDGES: [f64; 4] = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4, 12.0];
 
 /// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges, then late ones.
 static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
-    let mut points = Points::stream(404);
+    let mut points = Points::here();
     let turn = |i: usize| {
         let lambda = match i {
             160..180 => 1.0,
@@ -152,7 +152,7 @@ static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
 
 /// Slips along the line of the acceleration.
 static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
-    let mut points = Points::stream(405);
+    let mut points = Points::here();
     let turn = |i: usize| {
         let lambda = points.uniform(0.1, 4.0);
         let theta0 = [0.0, PI][i % 2];
@@ -383,7 +383,7 @@ fn eq83_step() -> Evidence {
         Compared::one("$u$ by (83) at the time of (82)", "$u$ by (81)"),
         ROOT,
     );
-    let points = Points::stream(703).within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
+    let points = Points::here().within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
     trial.at(
         ["λ", "u₀", "θ₀", "θ"],
         points,

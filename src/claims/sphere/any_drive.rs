@@ -47,7 +47,7 @@ pub fn census() -> Evidence {
             "what a sphere does in a late period (0 if it never rolls, 1 if it rolls at times, 2 if it always does)",
         ),
     );
-    let mut points = Points::stream(420);
+    let mut points = Points::here();
     trial.over(0..30, |i| {
         let (shape, _, Bounds { low, high }) = any(&mut points)?;
         let share = points.uniform(0.05, 0.95);
@@ -87,7 +87,7 @@ pub fn parts() -> Evidence {
             "that of a late period in which a sphere rolls",
         ),
     );
-    let mut points = Points::stream(421);
+    let mut points = Points::here();
     trial.over(0..20, |i| {
         let (shape, drive, Bounds { high, .. }) = any(&mut points)?;
         let lambda = high + (1.0 - high) * points.uniform(0.05, 0.8);

@@ -141,7 +141,7 @@ fn eq67() -> Evidence {
             "the time at which a sphere on a plane at rest begins to roll",
         ),
     );
-    let mut points = Points::stream(402);
+    let mut points = Points::here();
     trial.over(0..60, |i| {
         let sphere = sphere(i, &mut points);
         let (w, angle) = (points.log_uniform(0.1, 10.0), points.uniform(-3.1, 3.1));

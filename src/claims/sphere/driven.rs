@@ -223,7 +223,7 @@ fn eq84() -> Evidence {
             r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
         ),
     );
-    let mut points = Points::stream(410);
+    let mut points = Points::here();
     trial.over(0..20, |i| {
         let lambda = points.uniform(0.05, 1.5);
         let swing = Swing::new(i, &mut points, lambda);
@@ -266,7 +266,7 @@ fn eq85() -> Evidence {
             r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
         ),
     );
-    let mut points = Points::stream(411);
+    let mut points = Points::here();
     trial.over(0..30, |i| {
         let (q, lambda) = (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4));
         let (swing, directed) = directed(i, &mut points, q, lambda);
@@ -311,7 +311,7 @@ pub fn trichotomy_census() -> Evidence {
             "the same count of changes between sliding and rolling of a sphere in a late period",
         ),
     );
-    let mut points = Points::stream(412);
+    let mut points = Points::here();
     let cases = parts(lambda_c().map(frictions));
     trial.over(cases.enumerate(), |(i, lambda)| {
         let lambda = lambda?;
@@ -337,7 +337,7 @@ pub fn trichotomy_motion() -> Evidence {
             "that of a late period in which a sphere, started in any direction, rolls",
         ),
     );
-    let mut points = Points::stream(413);
+    let mut points = Points::here();
     trial.over(0..20, |i| {
         let lambda = points.uniform(0.25, 1.5);
         let swing = Swing::new(i, &mut points, lambda);
@@ -364,7 +364,7 @@ pub fn trichotomy_outside() -> Evidence {
             r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
         ),
     );
-    let mut points = Points::stream(414);
+    let mut points = Points::here();
     trial.over(0..24, |_| {
         let w = points.uniform(0.1, 2.5);
         let outcome =
@@ -389,7 +389,7 @@ fn rolling_ends() -> Evidence {
         ),
         MOTION,
     );
-    let mut points = Points::stream(415);
+    let mut points = Points::here();
     trial.over(0..24, |i| {
         let lambda = points.uniform(0.05, 0.95);
         let swing = Swing::new(i, &mut points, lambda);
@@ -432,7 +432,7 @@ fn pulse_census() -> Evidence {
             "that of a sphere's late period under the pulses",
         ),
     );
-    let mut points = Points::stream(416);
+    let mut points = Points::here();
     let all = pulse_points(&mut points, 20);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
         let swing = Swing::new(i, &mut points, lambda);
@@ -459,7 +459,7 @@ fn pulse_motion() -> Evidence {
             "that of a late period in which the sphere rolls, under the pulses",
         ),
     );
-    let mut points = Points::stream(417);
+    let mut points = Points::here();
     let all = pulse_points(&mut points, 20);
     trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
         let swing = Swing::new(i, &mut points, lambda);
@@ -526,7 +526,7 @@ fn anisotropic_census() -> Evidence {
             "that of the sphere's slip",
         ),
     );
-    let mut points = Points::stream(418);
+    let mut points = Points::here();
     let all = map_points(&mut points, 40);
     trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
         let (swing, directed) = directed(i, &mut points, q, lambda);
@@ -549,7 +549,7 @@ fn anisotropic_motion() -> Evidence {
             "those of the sphere's slip",
         ),
     );
-    let mut points = Points::stream(419);
+    let mut points = Points::here();
     let resting = |(q, lambda): &(f64, f64)| q * lambda > 1.0;
     let all = map_points(&mut points, 40).into_iter().filter(resting);
     trial.over(all.enumerate(), |(i, (q, lambda))| {
@@ -652,7 +652,7 @@ mod tests {
     /// −A₀ h(ϖ t), h by (42), (43): 1 for ηπ, nothing, −1 for ηπ, nothing.
     #[test]
     fn the_pulses_are_those_of_the_drive() {
-        let mut points = Points::stream(0);
+        let mut points = Points::here();
         let swing = Swing::new(0, &mut points, 0.5);
         let plane = swing.pulses(0.25);
         for (phi, h) in [

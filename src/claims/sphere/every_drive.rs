@@ -39,7 +39,7 @@ fn reduction_motion() -> Evidence {
 
 /// A sphere that rolls when the plane begins to pull, more than friction can follow, along a direction that turns.
 fn released() -> impl Iterator<Item = Result<Followed, Failure>> {
-    let mut points = Points::stream(419);
+    let mut points = Points::here();
     (0..24).map(move |i| {
         let case = case(i, &mut points);
         let [x, y] = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
@@ -100,7 +100,7 @@ fn reduction_small_slip() -> Evidence {
             "that in which the sphere, a billion times as fast, comes to roll",
         ),
     );
-    let mut points = Points::stream(420);
+    let mut points = Points::here();
     trial.over(0..20, |i| {
         let sphere = sphere(i, &mut points);
         let [x, y] = [points.uniform(0.5, 2.0), points.uniform(0.5, 2.0)];

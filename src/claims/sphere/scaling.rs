@@ -86,7 +86,7 @@ impl Plan {
 }
 
 static TWINS: Runs<Vec<Twins>> = Runs::new(|| {
-    let mut points = Points::stream(403);
+    let mut points = Points::here();
     let pair = |i: usize| -> Result<_, Failure> {
         let plan = Plan::new(&mut points);
         let mut ours = sphere(i, &mut points);
@@ -178,7 +178,7 @@ fn eq71_both_ways() -> Evidence {
             r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",
         ),
     );
-    let mut points = Points::stream(421);
+    let mut points = Points::here();
     trial.over(0..24, |i| {
         let sphere = sphere(i, &mut points);
         let (radius, mu, g) = (sphere.radius, sphere.mu, sphere.g);

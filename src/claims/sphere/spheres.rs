@@ -247,7 +247,7 @@ pub fn case(i: usize, points: &mut Points) -> Case {
 
 /// Motions that end before sliding does.
 pub static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
-    let mut points = Points::stream(400);
+    let mut points = Points::here();
     let run = |i| {
         let case = case(i, &mut points);
         let [x, y] = case.sphere.contact(&case.start);
@@ -266,7 +266,7 @@ pub static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
 
 /// Motions that slide and roll.
 pub static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
-    let mut points = Points::stream(401);
+    let mut points = Points::here();
     let run = |i| {
         let case = case(i, &mut points);
         let until = points.uniform(3.0, 9.0);

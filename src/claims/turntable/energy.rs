@@ -99,7 +99,7 @@ fn work_step() -> Evidence {
         ),
         FRAMES,
     );
-    let points = Points::stream(705).within(40, [[0.2, 3.0]; 3]);
+    let points = Points::here().within(40, [[0.2, 3.0]; 3]);
     trial.at(["m", "g", "s"], points, 1.0, |[m, g, s]| {
         let at_rest = |s| printed::eq106_constant(m, g, 1.0, [0.0; 2], [0.0; 2], s);
         Ok([

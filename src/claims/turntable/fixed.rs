@@ -43,7 +43,6 @@ fn at(a: f64, alpha: f64) -> String {
 
 fn stands_still(
     [law, side]: [&'static str; 2],
-    stream: u64,
     range: [f64; 2],
     formula: fn(f64) -> f64,
 ) -> Evidence {
@@ -54,7 +53,7 @@ fn stands_still(
     ];
     let compared = Compared::composed([law, "", ""], angle);
     let trial = Trial::by(Route::Root, Printed, compared, STANDS_STILL);
-    let mut points = Points::stream(stream);
+    let mut points = Points::here();
     let mut states: Vec<_> = (0..30).map(|_| state(&mut points)).collect();
     states.extend(far_states(&mut points));
     trial.over(states, |(a, alpha)| {
@@ -100,7 +99,7 @@ fn separation() -> Evidence {
             r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
         ),
     );
-    let mut points = Points::stream(532);
+    let mut points = Points::here();
     trial.over(0..40, |i| {
         let (a, alpha) = state(&mut points);
         let psi = standstill(a, alpha, BELOW_AND_ABOVE[i % 2])?;
@@ -134,7 +133,7 @@ fn frozen() -> Evidence {
         ),
         FOREIGN,
     );
-    let mut points = Points::stream(533);
+    let mut points = Points::here();
     trial.over(0..40, |i| {
         let (alpha, start) = (points.log_uniform(0.1, 1.5), points.uniform(-3.1, 3.1));
         let direction = [1.0, -1.0][i % 2];
@@ -198,18 +197,8 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
 }
 
 pub(super) const TRIALS: &[Attempt] = trials![
-    psi1 = stands_still(
-        ["(124)", "below"],
-        530,
-        BELOW_AND_ABOVE[0],
-        printed::eq124_psi1
-    ),
-    psi2 = stands_still(
-        ["(125)", "above"],
-        531,
-        BELOW_AND_ABOVE[1],
-        printed::eq125_psi2
-    ),
+    psi1 = stands_still(["(124)", "below"], BELOW_AND_ABOVE[0], printed::eq124_psi1),
+    psi2 = stands_still(["(125)", "above"], BELOW_AND_ABOVE[1], printed::eq125_psi2),
     separation,
     frozen
 ];

@@ -80,7 +80,7 @@ fn eq86_turns() -> Evidence {
         ),
         FOREIGN,
     );
-    let mut points = Points::stream(502);
+    let mut points = Points::here();
     trial.over(0..20, |_| {
         let table = any_table(&mut points, 0.3);
         let (r, direction) = (

@@ -63,7 +63,6 @@ pub fn rate_at_start(
 /// What a formula gives at the beginning, against the rate of a quantity.
 fn first_moment(
     law: &'static str,
-    stream: u64,
     begins: &[Begin],
     (name, quantity): Quantity,
     formula: fn(&View) -> f64,
@@ -74,7 +73,7 @@ fn first_moment(
         Compared::composed([law, "", ""], ["the rate of ", name, ""]),
         DIFFERENCES,
     );
-    let mut points = Points::stream(stream);
+    let mut points = Points::here();
     trial.over(0..30, |i| {
         let begin = begins[i % begins.len()];
         let start = state(begin, &mut points);
@@ -110,7 +109,7 @@ pub fn eq86() -> Evidence {
         ),
         DIFFERENCES,
     );
-    let mut points = Points::stream(510);
+    let mut points = Points::here();
     trial.over(0..30, |i| {
         let table = any_table(&mut points, 0.3);
         let unit = state(AT_REST[i % 2], &mut points);
@@ -145,56 +144,45 @@ const COMPONENTS: Quantity = ("the sum of the components of the velocity", |v| {
 
 pub(super) const TRIALS: &[Attempt] = trials![
     eq86,
-    eq89 = first_moment(
-        "(89) at rest, summed as well,",
-        511,
-        AT_REST,
-        COMPONENTS,
-        |v| {
-            let [ax, ay] = printed::eq89_acceleration(v.position, v.rate);
-            ax + ay
-        }
-    ),
-    eq91 = first_moment("(91) at rest", 512, AT_REST, MOMENT, |v| {
+    eq89 = first_moment("(89) at rest, summed as well,", AT_REST, COMPONENTS, |v| {
+        let [ax, ay] = printed::eq89_acceleration(v.position, v.rate);
+        ax + ay
+    }),
+    eq91 = first_moment("(91) at rest", AT_REST, MOMENT, |v| {
         printed::eq91_moment(v.position, v.rate)
     }),
-    eq92 = first_moment("(92) at rest", 513, AT_REST, ALONG, |v| {
+    eq92 = first_moment("(92) at rest", AT_REST, ALONG, |v| {
         printed::eq92_virial(v.position, v.rate)
     }),
     // Where friction holds the particle, ξ has no value; its largest possible one is taken.
-    eq99 = first_moment(r"(99) at rest, with $\rho$ for $\xi$,", 514, HELD, P, |v| {
+    eq99 = first_moment(r"(99) at rest, with $\rho$ for $\xi$,", HELD, P, |v| {
         printed::eq99_p_rate(v.xi)
     }),
-    eq100 = first_moment("(100) at a start from rest", 515, RELEASED, ELL, |v| {
+    eq100 = first_moment("(100) at a start from rest", RELEASED, ELL, |v| {
         printed::eq100_ell_rate(v.p, v.ell, v.xi)
     }),
-    eq101 = first_moment("(101) at a start from rest", 516, RELEASED, XI, |v| {
+    eq101 = first_moment("(101) at a start from rest", RELEASED, XI, |v| {
         printed::eq101_xi_rate(v.p, v.ell)
     }),
     // Nor has ψ; 0 is taken, which makes the rate largest.
-    eq107 = first_moment(r"(107) at rest, with $\psi=0$,", 517, HELD, P, |v| {
+    eq107 = first_moment(r"(107) at rest, with $\psi=0$,", HELD, P, |v| {
         printed::eq107_p_rate(v.rho, v.psi)
     }),
     // With the ψ of a particle that is about to arrive on the axis.
-    eq108 = first_moment(
-        r"(108) on the axis, with $\psi=\pi$,",
-        523,
-        LAUNCHED,
-        RHO,
-        |v| { printed::eq108_rho_rate(v.p, PI) }
-    ),
-    eq109 = first_moment("(109) at a start from rest", 518, RELEASED, PSI, eq109),
-    eq109_on_the_axis = first_moment("(109) on the axis", 522, LAUNCHED, PSI, eq109),
-    eq114 = first_moment(r"(114) at rest, with $\psi=0$,", 519, HELD, ALPHA, |v| {
+    eq108 = first_moment(r"(108) on the axis, with $\psi=\pi$,", LAUNCHED, RHO, |v| {
+        printed::eq108_rho_rate(v.p, PI)
+    }),
+    eq109 = first_moment("(109) at a start from rest", RELEASED, PSI, eq109),
+    eq109_on_the_axis = first_moment("(109) on the axis", LAUNCHED, PSI, eq109),
+    eq114 = first_moment(r"(114) at rest, with $\psi=0$,", HELD, ALPHA, |v| {
         let (a, alpha) = v.inner();
         printed::eq114_alpha_rate(a, alpha, v.psi)
     }),
-    eq115 = first_moment("(115) at a start from rest", 520, RELEASED, PSI, |v| {
+    eq115 = first_moment("(115) at a start from rest", RELEASED, PSI, |v| {
         printed::eq115_psi_rate(v.inner().1, v.psi)
     }),
     eq120 = first_moment(
         r"(120) on the axis, with $\psi=\pi$,",
-        524,
         LAUNCHED,
         BETA,
         |v| {
@@ -202,12 +190,11 @@ pub(super) const TRIALS: &[Attempt] = trials![
             printed::eq120_beta_rate(b, beta, PI)
         }
     ),
-    eq121 = first_moment("(121) on the axis", 521, LAUNCHED, PSI, |v| {
+    eq121 = first_moment("(121) on the axis", LAUNCHED, PSI, |v| {
         printed::eq121_psi_rate(v.outer().1, v.psi)
     }),
     tangential = first_moment(
         "the projection of (89) on the velocity at rest",
-        514,
         HELD,
         P,
         |v| printed::s4_tangential_rate([v.xi, -v.ell], [v.p, 0.0]),

@@ -47,7 +47,7 @@ impl Loose {
 
 /// Thirty of them, in all directions.
 static LOOSE: Runs<Vec<Loose>> = Runs::new(|| {
-    let mut points = Points::stream(530);
+    let mut points = Points::here();
     let one = |i| -> Result<_, Failure> {
         let rho = match i % 3 {
             0 => 1.0 + points.log_uniform(1e-3, 1e-1),
@@ -225,7 +225,7 @@ fn stop(i: usize, points: &mut Points) -> Result<Stop, Failure> {
 
 /// Twenty-four of them.
 static TO_REST: Runs<Vec<Stop>> = Runs::new(|| {
-    let mut points = Points::stream(531);
+    let mut points = Points::here();
     every((0..24).map(|i| stop(i, &mut points)))
 });
 
@@ -343,7 +343,7 @@ fn eq104_of_many() -> Evidence {
         let stop = stop?;
         Ok(stop.kept(MANY, stop.of_many[1]))
     });
-    let mut points = Points::stream(532);
+    let mut points = Points::here();
     let going = (0..24).map(|_| -> Result<_, Failure> {
         let (rho, psi) = (points.uniform(0.5, 2.0), points.uniform(-2.8, 2.8));
         let p = points.uniform(0.5, 3.0);

@@ -172,7 +172,7 @@ const TRIES: usize = 5000;
 const OFF: f64 = 0.1;
 
 static STRETCHES: Runs<Vec<Stretch>> = Runs::new(|| {
-    let mut points = Points::stream(500);
+    let mut points = Points::here();
     let mut found: Vec<Stretch> = Vec::new();
     for _ in 0..TRIES {
         if ANY.iter().all(|class| count(&found, *class) == EACH) {
@@ -312,7 +312,7 @@ pub fn any_table(points: &mut Points, slowest: f64) -> Table {
 }
 
 static LAUNCHES: Runs<Vec<Launch>> = Runs::new(|| {
-    let mut points = Points::stream(501);
+    let mut points = Points::here();
     let mut found = Vec::new();
     while found.len() < 2 * EACH {
         let mut table = any_table(&mut points, 0.05);

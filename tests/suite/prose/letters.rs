@@ -4,10 +4,11 @@ use super::text::{formulas_of, sections};
 use slipbook::claims::PAPER;
 use slipbook::symbols::SYMBOLS;
 use std::collections::{BTreeMap, BTreeSet};
+use trialbook::data::{Text, text};
 use trialbook::trials::Topic;
 
 /// The page with the table of the letters of our own.
-const TABLE: &str = include_str!("../../../book/src/lookup.md");
+const TABLE: Text = text!("book/src/lookup.md");
 
 /// What needs no declaration: numbers with names, axes, orders of magnitude, and what a text calls by a capital.
 const PLAIN: [&str; 8] = ["pi", "O", "bm x", "bm y", "bm z", "x", "y", "z"];

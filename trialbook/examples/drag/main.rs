@@ -54,7 +54,7 @@ type Found = fn([f64; 3]) -> Result<f64, Failure>;
 fn tried(by: fn(Subject, Compared) -> Trial, of: Subject, says: Stated, is: Found) -> Evidence {
     let trial = by(of, Compared::one("the formula", "what Newton's law gives"));
     let pair = |[k, g, w]: [f64; 3]| Ok([says(k, g, w), is([k, g, w])?]);
-    let throws = Points::stream(1).within(40, [[0.5, 2.0]; 3]);
+    let throws = Points::here().within(40, [[0.5, 2.0]; 3]);
     trial.at(["k", "g", "w"], throws, 10.0, pair)
 }
 /// Velocity upwards and height at the time `t`.
@@ -82,12 +82,17 @@ const TRIALS: &[Attempt] = trials! {
     right_quadrature = tried(Trial::quadrature, Corrected, corrections::eq6_top,
         |[k, g, w]| Ok(integral(|v| v / (g + k * v), 0.0, w)?.value))
 };
-static STONE: Topic = Topic::new("stone", "The stone", claims!("claims.toml"), &[TRIALS]);
+static STONE: Topic = Topic::new(
+    "stone",
+    "The stone",
+    claims!("examples/drag/claims.toml"),
+    &[TRIALS],
+);
 static PAPER: Paper = Paper {
     title: "The thrown stone",
     authors: "N. N.",
     topics: &[&STONE],
-    record: include_str!("verdicts.txt"),
+    record: text!("examples/drag/verdicts.txt"),
     formulas: formulas_of!(paper, corrections),
     ..Paper::BLANK
 };

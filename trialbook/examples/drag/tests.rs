@@ -8,7 +8,7 @@ use trialbook::trials::variants::Variant;
 #[test]
 fn the_verdicts_are_the_recorded_ones_and_wrong_variants_are_rejected() {
     let ledger = Ledger::try_all(&PAPER, |_| {});
-    assert_eq!(Record::text_of(&ledger), PAPER.record);
+    assert_eq!(Record::text_of(&ledger), *PAPER.record);
     let variants = PAPER.formulas.variants();
     let kept = variants.iter().zip(ledger.rejected(&variants));
     let kept = kept.filter(|(_, rejected)| !rejected);

@@ -105,7 +105,7 @@ impl<'a> Frame<'a> {
     fn finished(self, ledger: &Ledger, figures: &[Figure]) -> Result<PathBuf, BookError> {
         let figures = [figures, &[map::figure(ledger)?]].concat();
         let (errata, code) = (ledger.errata()?, Code::new(self.edition));
-        let deep = Deep::read(ledger.paper.deep).map(|deep| {
+        let deep = Deep::read(&ledger.paper.deep).map(|deep| {
             let brought = deep.in_place_of(ledger);
             (deep, brought)
         });

@@ -55,7 +55,7 @@ impl<'a> Record<'a> {
 
 /// Whether a proof of the entry that holds was checked, in a sentence; empty for others, and where there is no record.
 pub(super) fn line(context: &Context<'_>, entry: &Entry, evidence: &Evidence) -> String {
-    let Some(record) = Record::of(context.ledger.paper.certified) else {
+    let Some(record) = Record::of(&context.ledger.paper.certified) else {
         return String::new();
     };
     if !evidence.route.is_proof() || evidence.outcome() != Outcome::Agrees {
@@ -71,7 +71,7 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry, evidence: &Evidence) ->
 
 /// How many certificates were accepted, when and by whom, and where the printed formulas were found.
 pub(super) fn summary(context: &Context<'_>) -> Result<String, Fault> {
-    let Some(record) = Record::of(context.ledger.paper.certified) else {
+    let Some(record) = Record::of(&context.ledger.paper.certified) else {
         return Ok("<p>No certificate has been checked so far.</p>".to_owned());
     };
     let mut ties: BTreeMap<&str, usize> = BTreeMap::new();

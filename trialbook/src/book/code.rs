@@ -70,8 +70,9 @@ impl<'a> Code<'a> {
         // What stands in a source is not shown apart.
         let claims = topics.filter(|topic| topic.file.above == 0).map(|topic| {
             let lines = topic.lines().map(|(line, claim)| (line - 1, claim.id));
-            let (text, places) = (topic.file.text, lines.collect());
-            (topic.file.name().to_owned(), Source { text, places })
+            let text = topic.file.text.as_str();
+            let places = lines.collect();
+            (topic.file.path.to_owned(), Source { text, places })
         });
         let files = files.chain(claims).collect();
         Code { edition, files }
@@ -116,7 +117,7 @@ impl<'a> Code<'a> {
 
     /// The entry of a claim.
     pub fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
-        let (file, _) = self.files.get_key_value(topic.file.name())?;
+        let (file, _) = self.files.get_key_value(topic.file.path)?;
         Some(Place::new(file, claim.id))
     }
 

@@ -1,5 +1,6 @@
 //! The pages: which there are, in which order, and their text.
 
+use crate::data::Text;
 use crate::plotting::Figure;
 use crate::publishing::{Edition, Page};
 use crate::trials::Topic;
@@ -40,9 +41,9 @@ fn written(edition: &Edition, stem: &str) -> Option<&'static Page> {
 }
 
 fn topic_page(edition: &Edition, topic: &'static Topic, figures: &[Figure]) -> Page {
-    let text = written(edition, topic.stem).map(|page| page.text.clone());
+    let text = written(edition, topic.stem).map(|page| page.text);
     Page {
-        text: text.unwrap_or_else(|| page_of_claims(topic, figures).into()),
+        text: text.unwrap_or_else(|| Text::Built(page_of_claims(topic, figures).leak())),
         ..Page::new(topic.stem, topic.title, "")
     }
 }

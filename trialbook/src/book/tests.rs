@@ -1,6 +1,7 @@
 //! Writing a book: what is refused, and what is left of it. The paper is the example's.
 
 use super::{BookError, write};
+use crate::data::Text;
 use crate::ledger::example::{PAPER, ledger};
 use crate::publishing::{Edition, Page, Part, Word};
 use std::collections::BTreeMap;
@@ -16,7 +17,7 @@ fn with(pages: &[(&'static str, &str)], out: &Path) -> Result<PathBuf, BookError
         stem,
         part: Part::Read,
         title: stem,
-        text: text.to_string().into(),
+        text: Text::Built(text.to_string().leak()),
     });
     let pages: Vec<_> = pages.collect();
     let edition = Edition {
@@ -47,7 +48,7 @@ fn words_and_numbers_are_as_they_are_computed() {
     let out = folder.path().join("book");
     let said = |text: &str| {
         let page = Page {
-            text: text.to_owned().into(),
+            text: Text::Built(text.to_owned().leak()),
             ..Page::new("own", "own", "")
         };
         let edition = Edition {

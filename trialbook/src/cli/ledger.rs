@@ -65,7 +65,7 @@ struct Tried {
 
 impl Tried {
     fn new(paper: &'static Paper, ids: Option<&[&str]>, depth: &Depth) -> Result<Self, Failure> {
-        let record = Record::parse(paper.record)?;
+        let record = Record::parse(&paper.record)?;
         let ledger = with_progress(paper, ids);
         let (ledger, rounds) = deepened(ledger, ids.unwrap_or_default(), depth)?;
         let mut differences = record.differences(&ledger);
@@ -393,7 +393,7 @@ mod tests {
     #[test]
     fn each_command_that_tries_claims_tells_of_a_difference_by_its_exit_code() {
         let codes = |kept: &str| {
-            let record = kept.to_owned().leak();
+            let record = crate::data::Text::Built(kept.to_owned().leak());
             let paper: &'static Paper = Box::leak(Box::new(Paper {
                 record,
                 topics: example::PAPER.topics,

@@ -23,7 +23,6 @@ pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
 
 use crate::publishing::{Edition, Failure, Format};
-use crate::trials::listed;
 use clap::{ArgMatches, Args, CommandFactory, FromArgMatches, Parser, Subcommand};
 use clap_complete::Shell;
 use std::env;
@@ -258,10 +257,7 @@ pub fn run(edition: &Edition) -> ExitCode {
 
 /// The answer to a command line. Where something is wrong in the files of the claims, no command knows what it would say.
 fn said(edition: &Edition, words: impl Iterator<Item = OsString>) -> Result<u8, Failure> {
-    let faults = edition.paper.check();
-    if !faults.is_empty() {
-        return Err(listed(&faults).into());
-    }
+    edition.check()?;
     match whole(edition).try_get_matches_from(words) {
         Ok(matches) => answer(edition, &matches),
         Err(help) => told(&help),

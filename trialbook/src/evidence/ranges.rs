@@ -75,7 +75,7 @@ fn coordinate(part: &str) -> Option<(&str, f64)> {
 }
 
 /// Three digits, without zeros at their end.
-fn short(value: f64) -> String {
+pub(crate) fn short(value: f64) -> String {
     let scientific = format!("{value:.2e}");
     let Some((digits, power)) = scientific.split_once('e') else {
         return scientific;

@@ -621,8 +621,16 @@ mod tests {
     fn a_proof_compares_something() {
         let ring = Ring::new();
         let one = Rational::int(1);
-        let empty = Proof::of("nothing", &ring, |_| Ok(()));
-        assert_eq!(empty.obstacle(), Some(&Obstacle::Empty));
+        let note = |p: &mut Prover<'_>| {
+            p.note("It is said", "and not compared");
+            Ok(())
+        };
+        for empty in [
+            Proof::of("nothing", &ring, |_| Ok(())),
+            Proof::of("a note", &ring, note),
+        ] {
+            assert_eq!(empty.obstacle(), Some(&Obstacle::Empty), "{empty}");
+        }
         let idle = |premises: &[Proof]| {
             Proof::of("one is one", &ring, |p| {
                 premises.iter().try_for_each(|other| p.rests_on(other))?;

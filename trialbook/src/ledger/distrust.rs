@@ -1,11 +1,12 @@
 //! Trials held against the mistakes that can be seeded in what they read: each has to notice, and what it finds without
 //! the paper has to stay where it is.
 
-use super::{Entry, Ledger, parallel};
+use super::{Entry, Key, Ledger, parallel};
 use crate::evidence::{Evidence, Outcome, Subject};
-use crate::seeded::{self, Seed};
+use crate::seeded::{self, Mistake, Seed};
 use crate::trials::variants::Variant;
 use std::collections::BTreeMap;
+use std::iter::once;
 
 /// What a trial does when a mistake is seeded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,6 +35,10 @@ impl Reaction {
             scale: measured && after.sides.scale != before.sides.scale,
             failed: after.failed,
         }
+    }
+
+    fn leans(&self) -> bool {
+        self.found || self.scale
     }
 }
 
@@ -75,7 +80,7 @@ impl Tried {
 
     /// The first variant that changes what it finds, or in what units it compares.
     pub fn leans_on(&self) -> Option<usize> {
-        let first = self.reactions.iter().find(|(_, r)| r.found || r.scale);
+        let first = self.reactions.iter().find(|(_, r)| r.leans());
         first.map(|(variant, _)| *variant)
     }
 }
@@ -141,6 +146,39 @@ impl Ledger {
                 reactions,
             }
         })
+    }
+
+    /// The measurements of which what they find, or in what units they compare, moves with a mistake in a formula, with their names
+    /// and that formula: the first mistake that they see at all.
+    pub fn leaning(&self) -> Vec<(Key, &'static str, &'static str)> {
+        let variants = self.paper.formulas.variants();
+        let of_formula = by_formula(&variants);
+        let entries = self.entries.iter().enumerate();
+        let trials = entries.flat_map(|(entry, e)| (0..e.evidence.len()).map(move |t| (entry, t)));
+        let read = trials.flat_map(|(entry, trial)| {
+            let evidence = &self.entries[entry].evidence[trial];
+            let read = evidence.read.iter().filter(|_| !evidence.route.is_proof());
+            read.map(move |formula| (entry, trial, *formula))
+        });
+        let read: Vec<_> = read.collect();
+        let leans = parallel::each(read.len(), |i| {
+            let (entry, trial, formula) = read[i];
+            let half_more = Seed::of_value(formula, Mistake::Part(2));
+            let places = of_formula.get(formula).into_iter().flatten();
+            let seeds = once(half_more).chain(places.map(|i| variants[*i].seed));
+            let reactions = seeds
+                .take(FEW)
+                .map(|seed| self.entries[entry].reaction(trial, seed));
+            let mut seen = reactions.filter(|r| r.stated || r.leans());
+            seen.next().is_some_and(|reaction| reaction.leans())
+        });
+        let leaning = read.into_iter().zip(leans).filter(|(_, leans)| *leans);
+        leaning
+            .map(|((entry, trial, formula), _)| {
+                let of = &self.entries[entry];
+                (of.key(trial), of.evidence[trial].trial, formula)
+            })
+            .collect()
     }
 
     fn reactions(

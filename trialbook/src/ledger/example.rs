@@ -34,7 +34,7 @@ macro_rules! trials {
 static TOPIC: Topic = Topic::new(
     "examples",
     "Examples",
-    claims!("example.toml"),
+    claims!("src/ledger/example.toml"),
     &[trials![
         Root Printed 3, Root Printed 5, Root Printed 20, Root Corrected 0, Limit Corrected 0, Census Step 0, Census Step 20,
         Root Within 0, Limit Within 0, Root Outside 7, Limit Outside 4, Exact Printed 0, Certified Printed 0
@@ -52,7 +52,7 @@ pub(crate) static PAPER: Paper = Paper {
 pub(crate) static CHAIN: Topic = Topic::new(
     "heirs",
     "Heirs",
-    claims!("chain.toml"),
+    claims!("src/ledger/chain.toml"),
     &[trials![Root Printed 20, Root Corrected 0, Limit Corrected 0, Census Step 0]],
 );
 

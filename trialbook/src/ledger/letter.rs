@@ -48,7 +48,7 @@ impl Ledger {
     /// # Errors
     /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not.
     pub fn letter(&self, format: Format) -> Result<String, ErrataError> {
-        match self.paper.letter {
+        match &*self.paper.letter {
             "" => Ok(self.list(&self.errata()?, format.style(), COMMENT)),
             _ => self.comment(&self.errata()?, format.style()),
         }
@@ -447,6 +447,7 @@ fn tex_char(c: char) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::data::Text;
 
     #[test]
     fn words_become_tex() {
@@ -470,7 +471,7 @@ mod tests {
         let mut said = |letter: &'static str| {
             let topics = ledger.paper.topics;
             let paper = Paper {
-                letter,
+                letter: Text::Built(letter),
                 topics,
                 ..Paper::BLANK
             };

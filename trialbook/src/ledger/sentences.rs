@@ -167,8 +167,8 @@ impl Evidence {
         };
         match self.outcome() {
             Outcome::TooFewPoints => {
-                let least = self.route.min_points();
-                format!("Too few points: at least {least} are needed.")
+                let least = self.needed();
+                format!("Too few points: at least {least} different ones are needed.")
             }
             _ if self.at.is_empty() => format!("{what}."),
             _ => format!("{what}: {}.", self.at.trim_end_matches('.')),

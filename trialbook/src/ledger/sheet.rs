@@ -1,7 +1,7 @@
 //! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
 
-use super::Entry;
-use crate::evidence::{Evidence, Outcome, Sample};
+use super::{Entry, Tally};
+use crate::evidence::{Evidence, Outcome, Sample, ranges};
 use crate::notation::plain_words;
 use crate::trials::Sort;
 use std::fmt::Write;
@@ -50,6 +50,10 @@ impl Entry {
         if let Some(standing) = self.standing() {
             let _ = writeln!(text, "known: {}", standing.word());
         }
+        let Tally { rejected, tried } = self.tally();
+        if tried > 0 {
+            let _ = writeln!(text, "wrong variants: {rejected} of {tried} are rejected");
+        }
         if !claim.argument.is_empty() {
             let _ = writeln!(text, "argument: {}", plain_words(claim.argument));
         }
@@ -68,6 +72,20 @@ fn trial(text: &mut String, e: &Evidence, conditional: bool) {
         text,
         "\ntrial by {route}, {about}:\n    {comparison} {result}"
     );
+    if !e.route.is_proof() {
+        let [least, most] = e.scales.map(ranges::short);
+        let to = if least == most {
+            String::new()
+        } else {
+            format!(" to {most}")
+        };
+        let _ = writeln!(
+            text,
+            "    {} of {} points differ; in units of {least}{to}",
+            e.different(),
+            e.points
+        );
+    }
     if !e.title.is_empty() {
         let _ = writeln!(text, "    {}", e.title);
     }
@@ -97,7 +115,17 @@ fn apart(sample: &Sample, tolerance: f64) -> [String; 2] {
     if let Some(counts) = counts(sample, tolerance) {
         return counts;
     }
-    let both = |digits| [sample.stated, sample.found].map(|value| with_digits(value, digits));
+    // What is nothing beside the other side is rounding, and another number on another machine.
+    let [stated, found] = [sample.stated, sample.found];
+    let nothing = |x: f64, other: f64| {
+        if x.abs() < 1e-15 * other.abs() {
+            0.0
+        } else {
+            x
+        }
+    };
+    let sides = [nothing(stated, found), nothing(found, stated)];
+    let both = |digits| sides.map(|value| with_digits(value, digits));
     let differ = |[stated, found]: &[String; 2]| stated != found;
     // One digit more than the first that differs.
     let first = (digits(tolerance)..17).find(|digits| differ(&both(*digits)));

@@ -113,18 +113,21 @@ mod tests {
             whole: true,
             ..*entry.claim
         }));
-        for (base, at, standing) in [
-            ("tan(θ/2)", "θ = 0.1", Proved),
-            ("tan(θ/2)", "θ = -0.1", Measured),
-            ("θ", "θ = -0.1", Measured),
-            ("tan(θ/2)", "φ = -0.1", Proved),
+        for (bases, at, standing) in [
+            (&["tan(θ/2)"][..], "θ = 0.1", Proved),
+            (&["tan(θ/2)"], "θ = -0.1", Measured),
+            (&["θ"], "θ = -0.1", Measured),
+            (&["tan(θ/2)"], "φ = -0.1", Proved),
+            (&["λ", "θ"], "θ = -0.1", Measured),
+            (&["θ", "λ", "μ"], "θ = -0.1, λ = 1", Measured),
+            (&["λ", "μ"], "θ = -0.1", Proved),
         ] {
             let (mut proof, mut motion) = (by(Route::Exact), by(Route::Integration));
-            proof.positive = vec![base.to_owned()];
+            proof.positive = bases.iter().map(ToString::to_string).collect();
             motion.ranges = Ranges::default();
             motion.ranges.take(at);
             entry.evidence = vec![proof, motion];
-            assert_eq!(entry.standing(), Some(standing), "{base} {at}");
+            assert_eq!(entry.standing(), Some(standing), "{bases:?} {at}");
         }
     }
 

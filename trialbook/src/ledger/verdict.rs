@@ -141,8 +141,9 @@ pub fn judge(
                 return undecided(format!("the trial by {route} gave no number ({at})"));
             }
             Outcome::TooFewPoints => {
-                let (route, points, least) = (e.route.name(), e.points, e.route.min_points());
-                let ground = format!("the trial by {route} has {points} points, it needs {least}");
+                let (route, points, least) = (e.route.name(), e.different(), e.needed());
+                let ground =
+                    format!("the trial by {route} has {points} different points, it needs {least}");
                 return undecided(ground);
             }
             Outcome::Agrees | Outcome::Disagrees => {}

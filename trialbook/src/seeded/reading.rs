@@ -12,6 +12,8 @@ pub struct Read {
     pub formulas: BTreeSet<&'static str>,
     /// Shared runs, by the places where they are declared.
     pub runs: BTreeSet<&'static Location<'static>>,
+    /// How often something failed meanwhile.
+    pub failures: usize,
 }
 
 /// So many formulas take turns in a motion.
@@ -58,6 +60,11 @@ pub fn note_runs(runs: &'static Location<'static>) {
     READ.with_borrow_mut(|read| read.as_mut().map(|read| read.runs.insert(runs)));
 }
 
+/// Notes that something fails on this thread.
+pub fn note_failure() {
+    READ.with_borrow_mut(|read| read.as_mut().map(|read| read.failures += 1));
+}
+
 /// Calls `f`, and says what it has read on this thread.
 pub fn of<T>(f: impl FnOnce() -> T) -> (T, Read) {
     let _before = Before::set_aside(Some(Read::default()));
@@ -71,6 +78,7 @@ pub fn also(read: &Read) {
         if let Some(noted) = noted {
             noted.formulas.extend(&read.formulas);
             noted.runs.extend(&read.runs);
+            noted.failures += read.failures;
         }
     });
 }
@@ -116,6 +124,7 @@ mod tests {
         let expected = expected.map(|(i, runs)| Read {
             formulas: BTreeSet::from([paths[i]]),
             runs,
+            failures: 0,
         });
         assert_eq!([read, later.clone()], expected);
         assert_eq!(of(|| also(&later)).1, later);

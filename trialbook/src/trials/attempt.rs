@@ -2,6 +2,7 @@
 
 use super::Excuse;
 use super::compare::noted;
+use super::points::seated;
 use super::statement::Proved;
 use crate::evidence::Evidence;
 use std::fmt;
@@ -15,6 +16,8 @@ pub struct Attempt {
     pub(super) path: &'static str,
     /// Where it is listed, which is the file in which it is written.
     pub(super) place: &'static Location<'static>,
+    /// For what it draws its points: its claim, and its number there.
+    pub(super) seat: u64,
     /// Why it notices no mistake in what it reads, or reads nothing, though it agrees: what of the claim no formula says.
     pub idle: Option<&'static str>,
     /// Why it reads no formula of its claim.
@@ -51,6 +54,7 @@ impl Attempt {
             how,
             path,
             place: Location::caller(),
+            seat: 0,
             idle: None,
             elsewhere: None,
             coarse: &[],
@@ -82,10 +86,11 @@ impl Attempt {
 
     /// What it brings, and which formulas it has read for it.
     pub fn evidence(&self) -> Evidence {
-        let evidence = noted(|| match self.how {
+        let brought = || match self.how {
             How::Measured(trial) => trial(),
             How::Proved(statement) => statement.evidence(),
-        });
+        };
+        let evidence = noted(|| seated(self.seat, brought));
         Evidence {
             trial: self.name(),
             ..evidence

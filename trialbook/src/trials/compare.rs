@@ -10,6 +10,7 @@ use crate::numerics::double::Double;
 use crate::numerics::number::Real;
 use crate::seeded::reading;
 use std::borrow::Borrow;
+use std::collections::HashSet;
 
 /// One comparison.
 pub struct Pair {
@@ -147,7 +148,7 @@ impl Trial {
     /// Compares all pairs that come; compiled once for all.
     fn gather(&self, next: &mut dyn FnMut() -> Option<Result<Pair, Failure>>) -> Evidence {
         let mut evidence = Evidence::new(self.route, self.subject, self.compared, self.tolerance);
-        let mut kept = Kept::default();
+        let mut kept = Taken::default();
         while let Some(pair) = next() {
             if !take(&mut evidence, &mut kept, pair) {
                 break;
@@ -182,7 +183,7 @@ impl Trial {
 }
 
 /// Adds a pair to the evidence, or why there is none; says whether the next one is wanted.
-fn take(evidence: &mut Evidence, kept: &mut Kept, pair: Result<Pair, Failure>) -> bool {
+fn take(evidence: &mut Evidence, kept: &mut Taken, pair: Result<Pair, Failure>) -> bool {
     let pair = match pair {
         Ok(pair) => pair,
         Err(error) => {
@@ -199,6 +200,11 @@ fn take(evidence: &mut Evidence, kept: &mut Kept, pair: Result<Pair, Failure>) -
     ] {
         *side = with_word(*side, value.to_bits());
     }
+    let words = [pair.stated, pair.found, pair.scale].map(f64::to_bits);
+    let point = pair.at.bytes().map(u64::from).chain(words);
+    evidence.repeated += usize::from(!kept.points.insert(point.fold(0, with_word)));
+    let [least, most] = evidence.scales;
+    evidence.scales = [least.min(pair.scale), most.max(pair.scale)];
     let disagreement = pair.disagreement();
     if disagreement.is_nan() {
         (evidence.worst, evidence.at) = (f64::NAN, pair.at);
@@ -215,8 +221,15 @@ fn take(evidence: &mut Evidence, kept: &mut Kept, pair: Result<Pair, Failure>) -
         evidence.at.clone_from(&sample.at);
         evidence.farthest = Some(sample.clone());
     }
-    kept.keep(evidence, sample, disagreement);
+    kept.sort.keep(evidence, sample, disagreement);
     true
+}
+
+/// What was taken so far: which points, and what sort of pairs is kept.
+#[derive(Default)]
+struct Taken {
+    points: HashSet<u64>,
+    sort: Kept,
 }
 
 /// What sort of pairs is kept for readers: those that agree; as soon as one disagrees, those that do; as soon as one does so
@@ -280,6 +293,10 @@ impl Pair {
 /// What a trial brings, and which formulas it has read for it.
 pub fn noted(trial: impl FnOnce() -> Evidence) -> Evidence {
     let (mut evidence, read) = reading::of(trial);
+    if read.failures > 0 && !evidence.worst.is_nan() {
+        evidence.worst = f64::NAN;
+        evidence.at = format!("{} runs or values failed and were left out", read.failures);
+    }
     evidence.read.extend(read.formulas);
     evidence.runs.extend(read.runs);
     evidence

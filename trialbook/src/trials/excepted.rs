@@ -28,7 +28,7 @@ pub fn no_inside<const N: usize>(
     );
     let compared = compared.over("random ones, those that are excepted, and some close to them");
     let domain = coordinates.map(|(_, range)| range);
-    let mut random = Points::stream(700);
+    let mut random = Points::here();
     let mut points: Vec<_> = excepted.iter().map(|point| (*point, false)).collect();
     for i in 0..POINTS {
         points.push((domain.map(|[low, high]| random.uniform(low, high)), true));
@@ -63,7 +63,7 @@ pub fn no_value<const N: usize>(
         ["whether ", holds, ""],
     );
     let compared = compared.over_composed(["some of them random, the others ", others, ""]);
-    let usual = Points::stream(701).within(POINTS, coordinates.map(|(_, range)| range));
+    let usual = Points::here().within(POINTS, coordinates.map(|(_, range)| range));
     let usual = usual
         .into_iter()
         .map(|point| (point.map(Interval::point), true));
@@ -76,6 +76,15 @@ pub fn no_value<const N: usize>(
     whether(compared, coordinates, looked_at)
 }
 
+/// A coordinate with six decimals, or with as many as show on which side of a round number it is.
+fn place(x: f64) -> String {
+    let from_round = (x - libm::round(1e3 * x) / 1e3).abs();
+    match from_round > 0.0 && from_round < 1e-7 {
+        true => format!("{x:.12}"),
+        false => format!("{x:.6}"),
+    }
+}
+
 /// Whether something is so at each point, with whether that is expected.
 fn whether<const N: usize>(
     compared: Compared,
@@ -86,7 +95,7 @@ fn whether<const N: usize>(
     trial.over(points, |(point, is_so, expected)| {
         let named = coordinates.iter().zip(point);
         let at: Vec<_> = named
-            .map(|((name, _), x)| format!("{name} = {x:.6}"))
+            .map(|((name, _), x)| format!("{name} = {}", place(x)))
             .collect();
         Ok(Pair {
             at: at.join(", "),

@@ -35,6 +35,7 @@ pub mod values;
 #[cfg(feature = "trials")]
 pub mod variants;
 
+use crate::data::Text;
 use crate::evidence::{Change, Kind};
 #[cfg(feature = "trials")]
 use {
@@ -302,23 +303,26 @@ pub struct Paper {
     /// Where it can be found: a journal's reference or a number of an archive.
     pub reference: &'static str,
     /// A letter to its authors or its journal, as `Ledger::letter` reads it; empty for none.
-    pub letter: &'static str,
+    pub letter: Text,
     /// Its claims, by topics in its own order.
     pub topics: &'static [&'static Topic],
     /// The recorded verdicts: a line `id: verdict` for each claim.
-    pub record: &'static str,
+    pub record: Text,
     /// True if a test puts every wrong variant to the trials, and finds that no other passes than the claims name as survivors.
     pub tries_variants: bool,
     /// The record of a deep run; empty if none was made.
     #[cfg(feature = "trials")]
-    pub deep: &'static str,
+    pub deep: Text,
     /// The record of a check of its certificates by another engine; empty if there was none.
     #[cfg(feature = "trials")]
-    pub certified: &'static str,
+    pub certified: Text,
     /// Its formulas.
     #[cfg(feature = "trials")]
     pub formulas: Formulas,
 }
+
+#[cfg(feature = "trials")]
+const NONE: Text = Text::Built("");
 
 #[cfg(feature = "trials")]
 impl Paper {
@@ -327,12 +331,12 @@ impl Paper {
         title: "",
         authors: "",
         reference: "",
-        letter: "",
+        letter: NONE,
         topics: &[],
-        record: "",
+        record: NONE,
         tries_variants: false,
-        deep: "",
-        certified: "",
+        deep: NONE,
+        certified: NONE,
         formulas: Formulas::NONE,
     };
 

@@ -1,5 +1,6 @@
 //! Where claims are tried: seeded random points of a domain, with its edges.
 
+use std::cell::Cell;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 /// The seed of every random point, so that a run can be repeated.
@@ -19,19 +20,58 @@ pub fn round() -> u64 {
     ROUND.load(Ordering::Relaxed)
 }
 
-/// Seeded random numbers; `stream` keeps the trials' points apart.
+thread_local! {
+    /// For what points are drawn on this thread, and how many streams it has begun.
+    static SEAT: Cell<Option<[u64; 2]>> = const { Cell::new(None) };
+}
+
+/// Draws points for what has this seat: each stream that `f` begins is its own.
+pub(super) fn seated<T>(seat: u64, f: impl FnOnce() -> T) -> T {
+    struct Before(Option<[u64; 2]>);
+    impl Drop for Before {
+        fn drop(&mut self) {
+            SEAT.set(self.0);
+        }
+    }
+    let _before = Before(SEAT.replace(Some([seat, 0])));
+    f()
+}
+
+/// The same for what trials share, whoever asks for it first.
+pub(super) fn shared<T>(f: impl FnOnce() -> T) -> T {
+    seated(0, f)
+}
+
+/// What `f` makes, of other points than it draws by itself.
+pub fn others<T>(f: impl FnOnce() -> T) -> T {
+    seated(1, f)
+}
+
+/// A number that these words lead to, and next to no others.
+pub(super) fn mixed(words: impl IntoIterator<Item = u64>) -> u64 {
+    let mix = |sum, word| fastrand::Rng::with_seed(sum ^ word).u64(..);
+    words.into_iter().fold(SEED, mix)
+}
+
+/// Seeded random numbers. A stream is told by its place: the trial by its claim and its number there, and how many streams the
+/// trial has begun; names, files and lines do not matter. What trials share has no claim: there what is drawn, the ends of
+/// every range, tells streams apart, and [`others`].
 pub struct Points(fastrand::Rng);
 
 impl Points {
-    /// The stream of this number.
-    pub fn stream(stream: u64) -> Self {
-        // An odd number spreads the rounds over all seeds.
-        let round = round().wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        Points(fastrand::Rng::with_seed(SEED ^ (stream << 32) ^ round))
+    /// The next stream of the trial, or of the shared runs, that are under way on this thread.
+    pub fn here() -> Self {
+        let [seat, begun] = SEAT.get().unwrap_or_default();
+        SEAT.set(SEAT.get().map(|_| [seat, begun + 1]));
+        Points(fastrand::Rng::with_seed(mixed([seat, begun, round()])))
     }
 
     /// Uniform between `low` and `high`.
     pub fn uniform(&mut self, low: f64, high: f64) -> f64 {
+        // Not to the last bit, which a range that is computed owes to the machine.
+        let ends = [low, high].map(|end| (end as f32).to_bits().into());
+        let last = self.0.u64(..);
+        self.0.seed(mixed([last].into_iter().chain(ends)));
         low + (high - low) * self.0.f64()
     }
 
@@ -75,11 +115,30 @@ impl Points {
 
 #[cfg(test)]
 mod tests {
-    use super::Points;
+    use super::{Points, others, seated, shared};
+
+    /// Neither the trial's name nor where it is written matters.
+    #[test]
+    fn each_place_draws_points_of_its_own_and_the_same_ones_again() {
+        let draw = |ends: [f64; 2]| Points::here().within(2, [ends]);
+        let two = || [draw([0.0, 1.0]), draw([0.0, 1.0])].concat();
+        let made = || [two(), draw([0.0, 2.0])].concat();
+        let all = || {
+            let inside = || [two(), shared(made), two()].concat();
+            [seated(7, inside), seated(8, two), shared(|| others(made))].concat()
+        };
+        let mut drawn = all();
+        assert_eq!(drawn, all());
+        drawn.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        assert!(drawn.windows(2).all(|pair| pair[0] != pair[1]), "{drawn:?}");
+        // Whoever asks first.
+        assert_eq!(shared(made), seated(9, || shared(made)));
+        assert_eq!(two()[..2], two()[2..]);
+    }
 
     #[test]
     fn a_grid_that_moves_stays_in_order_and_in_its_range() {
-        let [c, a, d, b] = Points::stream(1).moved(&[2.0, 0.0, 3.0, 1.0])[..] else {
+        let [c, a, d, b] = Points::here().moved(&[2.0, 0.0, 3.0, 1.0])[..] else {
             panic!("one for each");
         };
         assert!(0.0 < a && a < 1.0 && 1.0 < b && b < 2.0, "{a} {b}");
@@ -87,7 +146,7 @@ mod tests {
             2.0 < c && c < 3.0 && 2.0 < d && d < 3.0 && c != d,
             "{c} {d}"
         );
-        assert_eq!(Points::stream(1).moved(&[7.0]), [7.0]);
-        assert_eq!(Points::stream(1).grid([2.0, 0.0]), [2.0, 0.0]);
+        assert_eq!(Points::here().moved(&[7.0]), [7.0]);
+        assert_eq!(Points::here().grid([2.0, 0.0]), [2.0, 0.0]);
     }
 }

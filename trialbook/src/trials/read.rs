@@ -23,8 +23,10 @@
 
 use super::attempt::Attempt;
 use super::by_hand::ByHand;
+use super::points::mixed;
 use super::values::Value;
 use super::{Claim, Condition, Correction, Excuse, Sort, Topic};
+use crate::data::Text;
 use crate::evidence::{Change, Kind};
 use crate::notation::{plain_formula, plain_words};
 use crate::seeded::Corner;
@@ -38,21 +40,21 @@ use toml::de::{DeTable, DeValue, ValueDeserializer};
 /// A file of claims.
 #[derive(Debug, Clone, Copy)]
 pub struct File {
-    /// Where it is, from the source that names it.
+    /// Where it is, from the crate's folder.
     pub path: &'static str,
     /// What it says.
-    pub text: &'static str,
+    pub text: Text,
     /// How many lines of the file stand above the text.
     pub above: usize,
 }
 
-/// A file of claims, by its path from the source in which this stands: `claims!("../../claims/rest.toml")`.
+/// A file of claims, by its path from the crate's folder: `claims!("claims/rest.toml")`.
 #[macro_export]
 macro_rules! claims {
     ($path:literal) => {
         $crate::trials::read::File {
             path: $path,
-            text: include_str!($path),
+            text: $crate::data::text!($path),
             above: 0,
         }
     };
@@ -67,19 +69,14 @@ impl File {
         let place = Location::caller();
         Self {
             path: place.file(),
-            text,
+            text: Text::Built(text),
             above: place.line() as usize,
         }
     }
 
-    /// Its path from the folder in which all sources are.
-    pub fn name(&self) -> &'static str {
-        self.path.trim_start_matches("../")
-    }
-
     pub(super) fn error(&self, line: usize, fault: Fault) -> ReadError {
         ReadError {
-            file: self.name().to_owned(),
+            file: self.path.to_owned(),
             line,
             fault,
         }
@@ -292,7 +289,11 @@ type Row = (usize, &'static str, Option<Entry>);
 
 /// What claims have in common, and the entries in their order.
 fn entries(file: &File, faults: &mut Vec<ReadError>) -> (Common, Vec<Row>) {
-    let (table, errors) = DeTable::parse_recoverable(file.text);
+    let read = file.text.read().unwrap_or_else(|error| {
+        faults.push(file.error(1, Fault::Form(error.to_string())));
+        ""
+    });
+    let (table, errors) = DeTable::parse_recoverable(read);
     faults.extend(errors.iter().map(|error| file.form(0, error)));
     let mut rows: Vec<_> = table.into_inner().into_iter().collect();
     rows.sort_by_key(|(key, _)| key.span().start);
@@ -492,7 +493,11 @@ impl Reader<'_> {
             correction,
             argument: entry.argument.map_or("", |why| self.reason(why)),
             whole: entry.whole.is_some(),
-            trials: each(entry.trials, |tried| self.attempt(tried)),
+            trials: each(entry.trials.into_iter().zip(0..), |(tried, nth)| {
+                let seat = mixed(id.bytes().map(u64::from).chain([nth]));
+                let attempt = self.attempt(tried)?;
+                Some(Attempt { seat, ..attempt })
+            }),
             unproved: entry.unproved.map(|why| self.reason(why)),
             by_hand: entry.by_hand.and_then(|case| self.by_hand(id, case)),
             values: each(entry.values, |(name, shown)| self.value(id, &name, shown)),
@@ -660,8 +665,8 @@ mod tests {
             "fall",
             "The fall",
             File {
-                path: "../fall.toml",
-                text,
+                path: "fall.toml",
+                text: Text::Built(text),
                 above: 0,
             },
             TRIALS,
@@ -760,7 +765,7 @@ mod tests {
     fn faults_are_gathered() {
         const SHARED: File = File {
             path: "../shared.toml",
-            text: "conditions.soon = { stated = '$t' }\nreasons.idle = 'used by nobody'",
+            text: Text::Built("conditions.soon = { stated = '$t' }\nreasons.idle = 'used by nobody'"),
             above: 0,
         };
         let told = |texts: [&str; 2]| {

@@ -1,5 +1,6 @@
 //! What several trials share: motions that are followed once, and why one could not be.
 
+use super::points::shared;
 use super::values::NotDecimal;
 use crate::certified::error::CertifiedError;
 use crate::numerics::NumericsError;
@@ -19,6 +20,7 @@ pub struct Failure(Arc<dyn Error + Send + Sync>);
 impl Failure {
     /// An error as the reason.
     pub fn of(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        reading::note_failure();
         Failure(error.into().into())
     }
 }
@@ -96,7 +98,7 @@ impl<T> Runs<T> {
     /// # Errors
     /// Why there are none; a formula that was read in making them is a reason too.
     pub fn get(&self) -> Result<&T, Failure> {
-        let made = || match reading::of(self.make) {
+        let made = || match reading::of(|| shared(self.make)) {
             (made, read) if read.formulas.is_empty() => (made, read),
             (_, read) => {
                 let formulas = &read.formulas;
@@ -132,12 +134,12 @@ impl<T> Derived<T> {
 
     /// Hands out what is derived.
     pub fn with<R>(&self, then: impl FnOnce(&T) -> R) -> R {
-        let made = || seeded::without(|| reading::of(self.make));
+        let made = || seeded::without(|| reading::of(|| shared(self.make)));
         let (made, read) = self.made.get_or_init(made);
         reading::also(read);
         // Where a proof is recorded, it is to be seen how.
         if seeded::is_in_any(&read.formulas) || witness::recording() != 0 {
-            return then(&(self.make)());
+            return then(&shared(self.make));
         }
         then(made)
     }
