@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 use trialbook::book::{self, BookError};
+use trialbook::data::Text;
 use trialbook::plotting::Figure;
 use trialbook::publishing::{Edition, Page, Part};
 use trialbook::trials::read::File;
@@ -62,7 +63,9 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
 
 /// The paper with a deep run of one claim.
 static DEEP: Paper = Paper {
-    deep: "commit 0, 2026-01-01\t2\t2468\neq-11 integration printed 1\t2468\t0\t4e-13\tλ = 2\n",
+    deep: Text::Built(
+        "commit 0, 2026-01-01\t2\t2468\neq-11 integration printed 1\t2468\t0\t4e-13\tλ = 2\n",
+    ),
     ..PAPER
 };
 
@@ -473,7 +476,7 @@ fn with_page(
 ) -> Result<PathBuf, BookError> {
     let mut pages = EDITION.pages.to_vec();
     let page: &mut Page = pages.iter_mut().find(|page| page.stem == stem).unwrap();
-    page.text = change(&page.text).into();
+    page.text = Text::Built(change(&page.text).leak());
     let edition = Edition {
         pages: pages.leak(),
         ..EDITION

@@ -262,7 +262,7 @@ mod tests {
     fn accelerations_that_return_have_their_shapes() {
         let e = libm::exp(-0.2);
         let mut kinds = 0;
-        for (name, plane, _, period) in strong_that_return(23) {
+        for (name, plane, _, period) in strong_that_return() {
             let size: f64 = name.split(&[' ', ','][..]).nth(4).unwrap().parse().unwrap();
             let at = |quarters: f64| {
                 plane

@@ -75,7 +75,7 @@ fn the_decimals_of_the_cases_are_those_of_pencil_and_paper() {
     });
     // The letter takes its examples from the cases.
     let all = PAPER.cases().flat_map(|(claim, _)| by_hand(claim.id));
-    let letter = ("the letter", bare(PAPER.letter), all.collect());
+    let letter = ("the letter", bare(&PAPER.letter), all.collect());
     for (place, text, by_hand) in cases.chain([letter]) {
         for number in decimals(&text) {
             let places = number.len() - number.find('.').unwrap() - 1;

@@ -765,7 +765,9 @@ mod tests {
     fn faults_are_gathered() {
         const SHARED: File = File {
             path: "../shared.toml",
-            text: Text::Built("conditions.soon = { stated = '$t' }\nreasons.idle = 'used by nobody'"),
+            text: Text::Built(
+                "conditions.soon = { stated = '$t' }\nreasons.idle = 'used by nobody'",
+            ),
             above: 0,
         };
         let told = |texts: [&str; 2]| {
