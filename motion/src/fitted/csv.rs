@@ -240,7 +240,10 @@ fn places(heads: &[Vec<&str>], count: usize, asked: &Columns) -> Result<Places, 
                 .each_ref()
                 .map(|list| &list[..])
             {
-                [[], [], [], [one]] => [Some(*one), None],
+                // Of several letters a may be one like the others.
+                [[], [], [], [one]] if names.len() == 2 || columns[*one].words != ["a"] => {
+                    [Some(*one), None]
+                }
                 [[x], [], ..] => [Some(*x), None],
                 [[], [y], ..] => [None, Some(*y)],
                 [[x], [y], ..] => [Some(*x), Some(*y)],
@@ -290,7 +293,8 @@ impl Column {
             .to_lowercase()
             .replace(['{', '}'], " ")
             .replace("g-force", "gforce")
-            .replace("g force", "gforce");
+            .replace("g force", "gforce")
+            .replace('|', " abs ");
         // A letter in brackets is an axis, all else a unit.
         let (mut bare, mut unit) = (String::new(), String::new());
         for (k, part) in name.split(['(', '[', ')', ']']).enumerate() {
@@ -797,6 +801,18 @@ mod tests {
                 matches!(with(wrong), Err(FitError::Line { line: 1, .. })),
                 "{wrong:?}"
             );
+        }
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn any_text_is_read_or_refused(text in "[taxyg_ ,;#\\t\\n\\r\"0-9.e()/²s:|-]{0,60}", name in "[a-z0-9 ]{0,3}") {
+            let (name, unit) = (Some(&name[..]), Some("g"));
+            for columns in [Columns::default(), Columns { time: name, ..Columns::default() }, Columns { y: name, unit, ..Columns::default() }] {
+                if let Ok(rows) = rows(&text, &columns) {
+                    assert!(rows.windows(2).all(|pair| pair[0].0 < pair[1].0));
+                }
+            }
         }
     }
 }
