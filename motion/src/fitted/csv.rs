@@ -79,7 +79,8 @@ pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, 
     let mut sign = None;
     for (n, line) in lines {
         let cells = cells(line, separator);
-        let mut read = |(i, size): (usize, f64)| Ok(size * read(cells[i], separator, &mut sign)?);
+        let mut read =
+            |(i, size): (usize, f64)| read(cells[i], separator, &mut sign).map(|x| size * x);
         let mut row = || {
             if cells.len() != count {
                 return Err("every line needs as many cells as the first");
@@ -158,7 +159,7 @@ fn places(heads: &[Vec<&str>], count: usize, asked: &Columns) -> Result<Places, 
     let find = |name: &str| {
         let called = |head: &&str| {
             let bare = head.split(['(', '[']).next().unwrap_or(head);
-            [head, bare]
+            [*head, bare]
                 .iter()
                 .any(|head| head.trim().eq_ignore_ascii_case(name.trim()))
         };
@@ -187,7 +188,7 @@ fn places(heads: &[Vec<&str>], count: usize, asked: &Columns) -> Result<Places, 
     )?;
     let sized = |i: usize, given: Option<f64>, size: fn(&Column) -> Option<f64>, why| {
         let own = || columns.get(i).map_or(Some(1.0), size);
-        Ok((i, given.or_else(own).ok_or(why)?))
+        given.or_else(own).map(|size| (i, size)).ok_or(why)
     };
     let time = match asked.time {
         Some(name) => find(name)?,
