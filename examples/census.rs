@@ -21,7 +21,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let rests: Vec<f64> = ends
         .iter()
         .filter_map(|end| match end {
-            End::Rest { sigma, .. } => Some(*sigma),
+            Ok(End::Rest { sigma, .. }) => Some(*sigma),
             _ => None,
         })
         .collect();

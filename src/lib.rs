@@ -59,7 +59,7 @@
 //! let starts = (0..100).map(|i| Start::polar(0.5, 0.015 * f64::from(i), 1.0));
 //! let starts = starts.collect::<Result<Vec<_>, _>>()?;
 //! let ends = Horizon { rho: 100.0, tau: 50.0 }.follow(&starts)?;
-//! let rests = ends.iter().filter(|end| matches!(end, End::Rest { .. })).count();
+//! let rests = ends.iter().filter(|end| matches!(end, Ok(End::Rest { .. }))).count();
 //! assert!(0 < rests && rests < 100);
 //! # Ok::<(), slipbook::motion::MotionError>(())
 //! ```

@@ -91,7 +91,7 @@ fn ends_against_single(horizon: &Horizon, starts: &[Start]) -> Result<(), Failur
     let sample: Vec<Start> = starts.iter().step_by(487).copied().collect();
     let (mut radius, mut time, mut mismatch) = (0.0_f64, 0.0_f64, 0);
     for (start, end) in sample.iter().zip(horizon.follow_alone(&sample)?) {
-        match (end, fate(start)?) {
+        match (end?, fate(start)?) {
             (End::Rest { sigma, .. }, Fate::Rest { sigma: exact, .. }) => {
                 radius = radius.max((sigma / exact - 1.0).abs());
             }

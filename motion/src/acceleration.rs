@@ -7,7 +7,7 @@ use crate::numerics::taylor::TERMS;
 /// Taylor coefficients of a function of time, to the order of the integrator.
 pub type Coefficients = [f64; TERMS];
 
-/// The acceleration A(t) of the plane, in length/time².
+/// The acceleration A(t) of the plane in the laboratory, in length/time²: a body on it is pulled [the other way](super).
 ///
 /// [`Plane`] makes one of signals, [`Fitted`](super::Fitted) one of a function's values or of a table, [`Series`] one of a
 /// function's Taylor coefficients.
@@ -20,10 +20,33 @@ pub trait Acceleration: Sync {
         None
     }
 
+    /// The first and the last time at which it is known.
+    fn times(&self) -> [f64; 2] {
+        [f64::NEG_INFINITY, f64::INFINITY]
+    }
+
+    /// How many pieces it is stored in, each of which allows a motion a hundred steps more: 0 for a formula.
+    fn pieces(&self) -> usize {
+        0
+    }
+
     /// How far a component may be from the acceleration that is meant, in length/time², beyond rounding.
     fn error(&self) -> f64 {
         0.0
     }
+}
+
+/// Requires that the acceleration is known at `t`.
+pub(super) fn known(plane: &dyn Acceleration, t: f64) -> Result<(), MotionError> {
+    let [from, to] = plane.times();
+    let fit = t >= from && t <= to;
+    fit.then_some(())
+        .ok_or(MotionError::Outside { t, from, to })
+}
+
+/// The most steps of a motion on this plane.
+pub(super) fn most_steps(plane: &dyn Acceleration) -> usize {
+    plane.pieces().saturating_mul(100).saturating_add(50_000)
 }
 
 /// An acceleration by a function from the time to the Taylor coefficients of (A_x, A_y), without breaks. The coefficients
@@ -81,7 +104,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The same acceleration at all times.
+    /// The same acceleration at all times: the plane gets faster along `a`, and a body on it is pulled along −`a`.
     pub fn constant(a: [f64; 2]) -> Self {
         Self {
             x: Signal::constant(a[0]),
@@ -89,7 +112,7 @@ impl Plane {
         }
     }
 
-    /// A(t) = direction · signal(t).
+    /// The plane accelerates by A(t) = direction · signal(t).
     pub fn along(direction: [f64; 2], signal: Signal) -> Self {
         Self {
             x: signal.clone().times(direction[0]),
@@ -97,7 +120,7 @@ impl Plane {
         }
     }
 
-    /// A(t) = amplitude(t) · (cos φ, sin φ), φ = frequency · t + phase.
+    /// The plane accelerates by A(t) = amplitude(t) · (cos φ, sin φ), φ = frequency · t + phase.
     pub fn rotating(amplitude: Signal, frequency: f64, phase: f64) -> Self {
         let turned =
             |phase| Signal::Product(vec![amplitude.clone(), Signal::Sine { frequency, phase }]);

@@ -25,6 +25,21 @@ pub enum MotionError {
         /// Time reached.
         t: f64,
     },
+    /// The motion leaves the times at which its acceleration is known.
+    #[error(
+        "the acceleration is known from t = {} to {}, not at {}",
+        plain(*from),
+        plain(*to),
+        plain(*t)
+    )]
+    Outside {
+        /// Start or end of the motion.
+        t: f64,
+        /// The first time at which the acceleration is known,
+        from: f64,
+        /// and the last.
+        to: f64,
+    },
     /// A numerical method failed on the way.
     #[error(transparent)]
     Numerics(#[from] NumericsError),

@@ -2,6 +2,8 @@
 
 mod csv;
 
+pub use csv::Columns;
+
 use super::acceleration::{Acceleration, Coefficients};
 use crate::numerics::piecewise::interpolate;
 use crate::numerics::taylor::TERMS;
@@ -73,7 +75,8 @@ pub enum FitError {
     },
 }
 
-/// A(t) as a chain of polynomials, on a range of times; outside it has no value, and a motion that gets there is an error.
+/// A(t) as a chain of polynomials, on a range of [times](Self::times); a motion that leaves it is a
+/// [`MotionError::Outside`](super::MotionError::Outside).
 ///
 /// ```
 /// use slipbook_motion::{Fitted, State, run};
@@ -139,7 +142,7 @@ const LEAST_ROWS: usize = 7;
 const LARGEST: f64 = 1e50;
 
 impl Fitted {
-    /// From a function of the time to (A_x, A_y) in length/time², for times in `[from, to]`. `breaks` lists the times at
+    /// From a function of the time to the plane's acceleration (A_x, A_y) in length/time² ([pulled](super) is the other way), for times in `[from, to]`. `breaks` lists the times at
     /// which it jumps or has a kink.
     ///
     /// `width` is how long the shortest pulse lasts, from its beginning to its end: the function is asked, and the fit held
@@ -208,7 +211,7 @@ impl Fitted {
         })
     }
 
-    /// From a table of times and (A_x, A_y) in length/time², by cubic splines through all of it, natural at the ends.
+    /// From a table of times and the plane's acceleration (A_x, A_y) in length/time², by cubic splines through all of it, natural at the ends.
     /// [`error`](Self::error) is an estimate from the table itself: the largest distance of a row that is left out from the
     /// spline through every second one. A spline through all is better, by sixteen where the table resolves the motion;
     /// noise of the instrument is in it as it is in the table. Noise across the drive is a drive too: a particle then hardly
@@ -251,22 +254,29 @@ impl Fitted {
     /// From the text of a CSV file, such as an accelerometer's: a line for each time, with its cells behind semicolons, tabs,
     /// commas or spaces, of which the first that is in the first line counts. Each cell is read right, or its line refused.
     ///
-    /// - A head, with its units or with a line of units below, names the columns: t or time (or by the unit s), and x or y or
-    ///   both (also as ax, acc_x, “Linear Acceleration x (m/s^2)”). One more column alone is A_x; all others are passed over.
-    ///   The units, where they are given, have to be s and m/s².
-    /// - Without a head a line is t, A_x and, if there is a third number, A_y, in units of your choice.
+    /// - A head, with its units or with a line of units below, names the columns. The time is called t or time, or has a unit of
+    ///   time: s, ms, us, ns, min or h. Without a unit it is in s; of several times one that is said to be in s counts.
+    /// - A column is the acceleration if its name says so (a word that begins with acc or has accel in it, a, or g-force; with the
+    ///   axis, as in ax, acc_x, “Linear Acceleration x”) or its unit does: m/s², also of mm, cm, km, ft, in; g or mg behind a mere
+    ///   axis. Along x, along y, one each, or along no axis: that is A_x. It is turned into m/s², which it is without a unit.
+    /// - All other columns are passed over: velocities, angular ones, fields, x and y without a unit. So are, whatever their unit,
+    ///   a size, an error, the pull of gravity. Where none is left, or two are the same, the file is refused: see
+    ///   [`from_csv_with`](Self::from_csv_with).
+    /// - Without a head a line is t, A_x and, if there is a third number, A_y, in units of your choice. A remark `# t ax ay` is a head.
     /// - The decimal sign is one for all numbers: a point or, where commas do not separate, a comma. There are none for thousands.
-    /// - Lines have the same number of cells, those that are read are finite numbers, and the times rise.
+    /// - Lines have the same number of cells, those that are read are finite numbers, and the times rise: no times of the clock.
     /// - Quotes around cells, a byte order mark and a first line `sep=;` are understood; empty lines and those that begin with
     ///   `#` are passed over.
     ///
-    /// So all formats of phyphox are read. All else is as for [`from_table`](Self::from_table).
+    /// So all formats of phyphox are read. A sensor that lies on the plane measures the A of [`Acceleration`], with its sign. All
+    /// else is as for [`from_table`](Self::from_table).
     ///
     /// ```
     /// use slipbook_motion::Fitted;
     ///
     /// let file: String = (0..100).map(|k| format!("{};{}\n", 0.1 * f64::from(k), k % 7)).collect();
     /// let shaken = Fitted::from_csv(&format!("Time (s);Acceleration x (m/s^2)\n{file}"))?;
+    /// assert!(Fitted::from_csv(&format!("t;v_x\n{file}")).is_err());
     /// # Ok::<(), slipbook_motion::FitError>(())
     /// ```
     ///
@@ -274,7 +284,32 @@ impl Fitted {
     /// [`FitError::Line`] for the first line that cannot be read, or could be read in two ways; and as for
     /// [`from_table`](Self::from_table).
     pub fn from_csv(text: &str) -> Result<Self, FitError> {
-        Self::from_table(&csv::rows(text)?)
+        Self::from_csv_with(text, &Columns::default())
+    }
+
+    /// As [`from_csv`](Self::from_csv), with columns and units of your choice where `columns` has them: what a column is called
+    /// is then no longer asked, though a unit in its head has to be one of acceleration, or of time, unless it is given too.
+    ///
+    /// ```
+    /// use slipbook_motion::{Columns, Fitted};
+    ///
+    /// let file: String = (0..100).map(|k| format!("{k},{},9.8,{},0\n", 0.01 * f64::from(k), k % 7)).collect();
+    /// let file = format!("time,seconds_elapsed,z,y,x\n{file}");
+    /// assert!(Fitted::from_csv(&file).is_err());
+    /// let columns = Columns { x: Some("x"), y: Some("y"), ..Columns::default() };
+    /// assert_eq!(Fitted::from_csv_with(&file, &columns)?.times(), [0.0, 0.99]);
+    /// # Ok::<(), slipbook_motion::FitError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// As for [`from_csv`](Self::from_csv); [`FitError::Line`] with the head's line for a column or a unit that there is not.
+    pub fn from_csv_with(text: &str, columns: &Columns) -> Result<Self, FitError> {
+        Self::from_table(&csv::rows(text, columns)?)
+    }
+
+    /// The first and the last time at which it is known.
+    pub fn times(&self) -> [f64; 2] {
+        [self.components[0][0].from, self.until]
     }
 
     /// The largest error of a component, in length/time²: measured for a function, estimated for a table.
@@ -410,15 +445,38 @@ impl Acceleration for Fitted {
         [x, y, end].into_iter().flatten().reduce(f64::min)
     }
 
+    fn times(&self) -> [f64; 2] {
+        self.times()
+    }
+
+    fn pieces(&self) -> usize {
+        self.components.iter().map(Vec::len).sum()
+    }
+
     fn error(&self) -> f64 {
         self.error
     }
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
-    use crate::{Plane, Signal, State, run};
+    use crate::{MotionError, Plane, Signal, State, run, run_to_stop};
+
+    /// A record of a plane that is shaken, with noise: a slip may begin and end every few rows.
+    pub fn noisy(from: f64, rows: u32, seed: u64) -> Fitted {
+        let mut state = seed;
+        let mut random = || {
+            state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(1);
+            (state >> 40) as f64 / f64::from(1 << 24)
+        };
+        let mut noise = || 0.1 * (random() + random() + random() + random() - 2.0);
+        let rows = (0..rows).map(|k| {
+            let t = 0.002 * f64::from(k);
+            (from + t, [3.0 * libm::sin(4.4 * t) + noise(), noise()])
+        });
+        Fitted::from_table(&rows.collect::<Vec<_>>()).unwrap()
+    }
 
     fn start() -> State {
         State::moving([1.0, 0.5])
@@ -508,7 +566,19 @@ mod tests {
         assert!(Fitted::from_fn(jump, [1.0, 1.0], 0.1, &[]).is_err());
         assert!(Fitted::from_fn(|_| [f64::NAN, 0.0], [0.0, 1.0], 0.1, &[]).is_err());
         // Beyond its times there is no motion.
-        assert!(run(&listed, 0.1, start(), 4.0).is_err());
+        for (from, until, told) in [(0.0, 4.0, 4.0), (-1.0, 2.0, -1.0), (5.0, 5.0, 5.0)] {
+            let start = State { t: from, ..start() };
+            let outside = MotionError::Outside {
+                t: told,
+                from: 0.0,
+                to: 3.0,
+            };
+            assert_eq!(run(&listed, 0.1, start, until), Err(outside));
+        }
+        // A stop within them is found, whatever the end.
+        let slow = State::moving([-0.1, 0.0]);
+        assert!(run_to_stop(&listed, 1.0, slow, 9.0).is_ok());
+        assert!(run_to_stop(&listed, 0.1, start(), 9.0).is_err());
     }
 
     /// Where the rows lie unevenly too, slope and curvature of the spline are continuous.

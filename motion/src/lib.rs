@@ -9,6 +9,22 @@
 //! sticking:  v = 0 while |A(t)| ≤ μg
 //! ```
 //!
+//! One sign for all of it: A is how the plane accelerates, in the laboratory, and what the body on it feels is the opposite.
+//!
+//! ```text
+//!      in the laboratory                on the plane
+//!   ┌─────────────────────┐        ┌─────────────────────┐
+//!   │                     │  A     │    −A               │
+//!   │          ■          │ ───→   │   ←───── ■          │
+//!   │                     │        │                     │
+//!   └─────────────────────┘        └─────────────────────┘     ───→ x
+//!     A = (2, 0): the plane          the block is pulled
+//!     gets faster along x            along −x
+//! ```
+//!
+//! Velocities and places are those on the plane, in axes that do not turn. What moves with a truck while that speeds up slides
+//! against its A; where a formula of section 2.1 has the pull along x, as in [`Launch`], A is −A x̂.
+//!
 //! Two points need care, and both are where v = 0. On the way to a stop the direction of v can turn
 //! infinitely fast; so sliding is integrated in a time s that runs ever faster, dt = |v| ds, in which nothing is
 //! singular ([`particle`]). And a body at rest whose friction is just overcome has no direction yet; its
@@ -37,6 +53,7 @@
 
 pub mod acceleration;
 pub mod clock;
+mod creep;
 pub mod drive;
 pub mod error;
 #[cfg(feature = "trials")]
@@ -58,7 +75,7 @@ pub mod validated;
 
 pub use acceleration::{Acceleration, Coefficients, Plane, Series};
 pub use error::MotionError;
-pub use fitted::{FitError, Fitted};
+pub use fitted::{Columns, FitError, Fitted};
 pub use launch::Launch;
 pub use particle::{run, run_to_stop};
 pub use signal::Signal;

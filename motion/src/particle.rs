@@ -7,13 +7,14 @@ mod stick;
 #[cfg(all(test, feature = "trials"))]
 mod tests;
 
-use super::acceleration::{Acceleration, Coefficients};
+use super::acceleration::{Acceleration, Coefficients, known, most_steps};
 use super::error::{MotionError, check, finite};
-use super::trajectory::{Motion, Phase, PhaseKind, Piece, State};
+use super::trajectory::{Arc, Motion, Phase, PhaseKind, Piece, State};
+use crate::numerics::series::value;
 use crate::numerics::taylor::reach;
 
-/// The motion of a particle from `start` until the time `until`, on a plane with the given acceleration and the
-/// given `friction` μg (length/time²). A start with v = 0 is allowed: it sticks or begins to slide.
+/// The motion of a particle from `start` until the time `until`, on a plane that accelerates by A(t), which [pulls](super) it
+/// along −A, with the given `friction` μg (length/time²). A start with v = 0 is allowed: it sticks or begins to slide.
 ///
 /// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned, for the
 /// acceleration as it is given: what its own error makes of them says [`Motion::drive_error`]. The
@@ -23,18 +24,21 @@ use crate::numerics::taylor::reach;
 /// [`MotionError::Argument`] for a parameter that is not finite or out of range: friction, speed and |A| are 0 or
 /// between 10⁻⁵⁰ and 10⁵⁰, times and positions at most 10⁵⁰ in absolute value, `until` not before the start.
 /// [`MotionError::Numerics`] when the motion leaves the finite numbers.
-/// [`MotionError::Steps`] for a motion of more than 50,000 steps. One that slides in two dimensions while |A| exceeds
-/// the friction by no more than a small part of it takes about as many steps as that part is contained in 1.
+/// [`MotionError::Outside`] for times at which the acceleration is not known.
+/// [`MotionError::Steps`] for a motion of more than 50,000 steps, and a hundred for each piece of the acceleration.
 pub fn run(
     plane: &dyn Acceleration,
     friction: f64,
     start: State,
     until: f64,
 ) -> Result<Motion, MotionError> {
-    Run::new(plane, friction, start, until)?.finish(false)
+    let run = Run::new(plane, friction, start, until)?;
+    known(plane, until)?;
+    run.finish(false)
 }
 
-/// As [`run`], in cost too, but ends with the first stop. If there is none before `until`, [`Motion::first_stop`] is empty.
+/// As [`run`], in cost too, but ends with the first stop, up to which the acceleration has to be known. If there is none before
+/// `until`, [`Motion::first_stop`] is empty.
 ///
 /// # Errors
 /// As for [`run`].
@@ -47,8 +51,6 @@ pub fn run_to_stop(
     Run::new(plane, friction, start, until)?.finish(true)
 }
 
-/// Steps that one motion may take.
-const MAX_STEPS: usize = 50_000;
 /// Largest and smallest sizes whose squares and high powers are still numbers.
 const LARGEST: f64 = 1e50;
 const SMALLEST: f64 = 1e-50;
@@ -102,6 +104,7 @@ impl<'a> Run<'a> {
         size("speed of the start", start.speed())?;
         let fit = until >= start.t && until <= LARGEST;
         check("until", until, fit, "not before the start, at most 1e50")?;
+        known(plane, start.t)?;
         let motion = Motion::begin(start, plane.error());
         Ok(Self {
             plane,
@@ -148,20 +151,16 @@ impl<'a> Run<'a> {
     fn local(&mut self) -> Result<Local, MotionError> {
         let t = self.state.t;
         self.steps += 1;
-        if self.steps > MAX_STEPS {
-            return Err(MotionError::Steps {
-                limit: MAX_STEPS,
-                t,
-            });
+        let limit = most_steps(self.plane);
+        if self.steps > limit {
+            return Err(MotionError::Steps { limit, t });
+        }
+        if t >= self.plane.times()[1] {
+            known(self.plane, self.until)?;
         }
         let a = self.plane.coefficients(t);
         let size = libm::hypot(a[0][0], a[1][0]);
-        check(
-            "|A|",
-            size,
-            size <= LARGEST,
-            "finite, at most 1e50 (one known by its values has none outside their times)",
-        )?;
+        check("|A|", size, size <= LARGEST, "finite, at most 1e50")?;
         if let Some(c) = a.iter().flatten().find(|c| !c.is_finite()) {
             check("a Taylor coefficient of A", *c, false, "finite")?;
         }
@@ -183,6 +182,29 @@ impl<'a> Run<'a> {
                 landing: Some(landing),
             }
         })
+    }
+
+    /// A piece over the time `h`, or until it lands, with a velocity known by its series.
+    fn arc(&mut self, v: [Coefficients; 2], h: f64, landing: Option<f64>) {
+        let State { t, x, .. } = self.state;
+        let path: [Coefficients; 2] = [0, 1].map(|i| {
+            let order = |k: usize| k.checked_sub(1).map_or(x[i], |j| v[i][j] / k as f64);
+            std::array::from_fn(order)
+        });
+        let to = landing.unwrap_or(t + h).min(self.until);
+        let both = |c: &[Coefficients; 2]| [value(&c[0], &h), value(&c[1], &h)];
+        let end = State {
+            t: to,
+            v: both(&v),
+            x: both(&path),
+        };
+        let arc = Arc {
+            from: t,
+            to,
+            v,
+            x: path,
+        };
+        self.push(Piece::Arc(Box::new(arc)), end);
     }
 
     /// Ends a piece: the motion is now in `state`.

@@ -115,14 +115,16 @@ impl Sphere {
         [-v[1] / self.radius, v[0] / self.radius, spin]
     }
 
-    /// The motion from `start` until the time `until` on a plane with the given acceleration. A contact velocity
+    /// The motion from `start` until the time `until` on a plane with the given acceleration, [against](super) which the sphere is
+    /// pulled. A contact velocity
     /// below 10⁻¹⁴ of the velocities of which it is the sum counts as zero at the start.
     ///
     /// Times, v, ω and x are right to about 10⁻¹² relative where the problem is well conditioned, for the acceleration as it
     /// is given: what its own error makes of them says [`BallMotion::drive_error`].
     ///
     /// # Errors
-    /// [`MotionError::Argument`] for a parameter out of range, [`MotionError::Steps`] after 50,000 steps,
+    /// [`MotionError::Argument`] for a parameter out of range, [`MotionError::Outside`] for times at which the acceleration is not
+    /// known, [`MotionError::Steps`] after 50,000 steps and a hundred for each piece of the acceleration,
     /// [`MotionError::Numerics`] when the motion or the acceleration leaves the finite numbers.
     pub fn run(
         &self,

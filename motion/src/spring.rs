@@ -5,8 +5,8 @@
 //! sticking:  v = 0 while |P(t) − ω²x| ≤ μg
 //! ```
 //!
-//! P is the pull on a unit of mass, in the plane's frame; x counts from where the spring is relaxed. Between events
-//! x and v are power series in time.
+//! P is the pull on a unit of mass, in the plane's frame: −A if the plane [accelerates](super) by A; x counts from where the
+//! spring is relaxed. Between events x and v are power series in time.
 
 use super::acceleration::Coefficients;
 use super::error::check;

@@ -99,7 +99,7 @@ impl Ensemble {
         };
         // What is out of range is a row that says so; where there is no other row, a failure.
         if total == 1 {
-            start(&horizon, self.place(0))?;
+            horizon.follow(&[start(self.place(0))?])?.remove(0)?;
         }
         if let Some(warning) = is_it_degrees("psi", &self.psi) {
             complain("slipbook", &warning);
@@ -128,19 +128,16 @@ impl Ensemble {
                 .into_par_iter()
                 .map(|i| self.place(i))
                 .collect();
-            let starts = places.par_iter().map(|place| start(horizon, *place));
-            let starts: Vec<_> = starts
-                .map(|start| start.map_err(|e| e.to_string()))
-                .collect();
-            let good: Vec<_> = starts
-                .iter()
-                .filter_map(|start| start.as_ref().ok().copied())
-                .collect();
+            let starts: Vec<_> = places.par_iter().map(|place| start(*place)).collect();
+            let good: Vec<_> = starts.iter().flatten().copied().collect();
             let mut ends = horizon.follow(&good).map_err(Failure::from)?.into_iter();
-            let none = || "there is no end".to_owned();
             let ends: Vec<_> = starts
                 .into_iter()
-                .map(|start| start.and_then(|_| ends.next().ok_or_else(none)))
+                .map(|start| {
+                    let start = start.map_err(|error| error.to_string())?;
+                    let end = ends.next().unwrap_or(Ok(End::Unfinished(start)));
+                    end.map_err(|error| error.to_string())
+                })
                 .collect();
             let rows: Vec<_> = (places.par_iter().zip(ends).enumerate())
                 .map(|(n, (place, end))| {
@@ -170,10 +167,8 @@ impl Ensemble {
     }
 }
 
-fn start(horizon: &Horizon, [rho, p, psi]: [f64; 3]) -> Result<Start, MotionError> {
-    let start = Start::polar(rho, p, psi)?;
-    horizon.accepts(&[start])?;
-    Ok(start)
+fn start([rho, p, psi]: [f64; 3]) -> Result<Start, MotionError> {
+    Start::polar(rho, p, psi)
 }
 
 /// An end whose time is less well known than this part of it is found again, exactly.

@@ -6,6 +6,8 @@
 //! - w' = h(φ) + λ₋ while w < 0,
 //! - w stays 0 while −λ₋ ≤ h(φ) ≤ λ₊.
 //!
+//! h pulls the body along +w in the plane's frame: where the plane [accelerates](super) by A, h is −A in units of its size.
+//!
 //! Nothing else is known: h is any function of period 2π, represented once by [`Piecewise`], and every arc,
 //! stop, start and passage through zero is read off that representation. One [`Drive`] serves any number of
 //! friction pairs.

@@ -2,14 +2,29 @@
 
 use super::{FitError, LARGEST};
 
-/// Where t, A_x and A_y stand.
-type Columns = (usize, [Option<usize>; 2]);
+/// Which columns [`Fitted::from_csv_with`](super::Fitted::from_csv_with) reads, where the head does not say so by itself.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Columns<'a> {
+    /// The column of the times: its head, with or without the unit, or its number from 1.
+    pub time: Option<&'a str>,
+    /// That of A_x. If this or that of A_y is given, the other is zero where it is not.
+    pub x: Option<&'a str>,
+    /// That of A_y.
+    pub y: Option<&'a str>,
+    /// Unit of the times in place of the head's: s, ms, us, ns, min or h.
+    pub time_unit: Option<&'a str>,
+    /// Unit of the accelerations in place of the head's: m/s^2, mm/s^2, cm/s^2, km/s^2, ft/s^2, in/s^2, g or mg.
+    pub unit: Option<&'a str>,
+}
 
 /// The rows; their times rise.
-pub(super) fn rows(text: &str) -> Result<Vec<(f64, [f64; 2])>, FitError> {
+pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, FitError> {
     let passed = |line: &str| line.trim().is_empty() || line.starts_with('#');
+    let text = text.trim_start_matches('\u{feff}');
+    let end = if text.contains('\n') { '\n' } else { '\r' };
+    let all = || text.split(end).map(|line| line.trim_end_matches('\r'));
     let mut lines = (1..)
-        .zip(text.trim_start_matches('\u{feff}').lines())
+        .zip(all())
         .filter(|(_, line)| !passed(line))
         .peekable();
     let first = lines.peek().map_or("", |(_, line)| line);
@@ -30,7 +45,7 @@ pub(super) fn rows(text: &str) -> Result<Vec<(f64, [f64; 2])>, FitError> {
     };
     let refuse = |line, text: &str, why| FitError::Line {
         line,
-        text: text.to_owned(),
+        text: text.chars().take(100).collect(),
         why,
     };
     let count = cells(first, separator).len();
@@ -40,17 +55,40 @@ pub(super) fn rows(text: &str) -> Result<Vec<(f64, [f64; 2])>, FitError> {
     {
         heads.push(cells(line, separator));
     }
-    let (time, axes) = columns(&heads, count).map_err(|why| refuse(number, first, why))?;
+    // As `numpy.savetxt` writes it: the last line of remarks before the numbers, if it names the time.
+    let remark = all()
+        .take_while(|line| passed(line))
+        .filter_map(|line| line.strip_prefix('#'))
+        .last();
+    if heads.is_empty()
+        && let Some(remark) = remark
+    {
+        let named = |cells: &Vec<&str>| {
+            cells.len() == count && cells.iter().any(|cell| Column::of(cell).is_time())
+        };
+        heads.extend(
+            [separator, ' ', ',']
+                .map(|c| cells(remark, c))
+                .into_iter()
+                .find(named),
+        );
+    }
+    let Places { time, axes, large } =
+        places(&heads, count, asked).map_err(|why| refuse(number, first, why))?;
     let mut rows: Vec<(f64, [f64; 2])> = Vec::new();
     let mut sign = None;
     for (n, line) in lines {
         let cells = cells(line, separator);
-        let mut read = |i: usize| read(cells[i], separator, &mut sign);
+        let mut read =
+            |(i, size): (usize, f64)| read(cells[i], separator, &mut sign).map(|x| size * x);
         let mut row = || {
             if cells.len() != count {
                 return Err("every line needs as many cells as the first");
             }
             let t = read(time)?;
+            if t.abs() > large {
+                return Err("so late a time is hardly in seconds: its head has to say its unit");
+            }
             if rows.last().is_some_and(|(before, _)| *before >= t) {
                 return Err("its time is not after the one before");
             }
@@ -91,81 +129,349 @@ fn read(cell: &str, separator: char, sign: &mut Option<char>) -> Result<f64, &'s
         }
     }
     let number = parsed(cell).filter(|x| x.abs() <= LARGEST);
-    number.ok_or("a cell is empty or no finite number")
+    number.ok_or(match cell.contains(':') {
+        true => "a time of the clock: times have to be numbers",
+        false => "a cell is empty or no finite number",
+    })
 }
 
-/// Finds the columns: by the names in the head and, if there is one, the line of units below.
-fn columns(heads: &[Vec<&str>], count: usize) -> Result<Columns, &'static str> {
-    let Some(names) = heads.first() else {
-        return match count {
-            2 => Ok((0, [Some(1), None])),
-            3 => Ok((0, [Some(1), Some(2)])),
-            _ => Err("without a head a row is a time and one or two numbers"),
-        };
-    };
-    let mut units = Vec::new();
-    let (mut times, mut others) = (Vec::new(), Vec::new());
-    let mut axes: [Vec<usize>; 3] = Default::default();
-    for (i, name) in names.iter().enumerate() {
-        let name = name.to_lowercase();
-        let (name, mut unit) = name.rsplit_once(['(', '[']).unwrap_or((&name, ""));
-        let apart = |c: char| !c.is_alphanumeric();
-        let mut words: Vec<_> = name.split(apart).filter(|word| !word.is_empty()).collect();
-        let last = |word: &mut &str| {
-            matches!(
-                *word,
-                "s" | "ms" | "us" | "µs" | "μs" | "ns" | "min" | "g" | "mg"
-            )
-        };
-        if words.len() > 1
-            && let Some(last) = words.pop_if(last)
-        {
-            unit = last;
+/// Where t, A_x and A_y stand, and what they have to be multiplied by to be in s and m/s².
+struct Places {
+    time: (usize, f64),
+    axes: [Option<(usize, f64)>; 2],
+    /// The latest time that can be meant: one in nanoseconds may have no unit either.
+    large: f64,
+}
+
+/// Finds the columns: by what is asked for, by the names in the head and, if there is one, the line of units below.
+fn places(heads: &[Vec<&str>], count: usize, asked: &Columns) -> Result<Places, &'static str> {
+    let empty = Vec::new();
+    let names = heads.first().unwrap_or(&empty);
+    let mut columns: Vec<_> = names.iter().map(|name| Column::of(name)).collect();
+    if let Some(units) = heads.get(1) {
+        if units.len() != columns.len() {
+            return Err("both lines of the head need as many cells");
         }
-        if let Some(below) = heads.get(1) {
-            unit = below
-                .get(i)
-                .ok_or("both lines of the head need as many cells")?;
+        for (column, unit) in columns.iter_mut().zip(units) {
+            column.unit = plain(unit);
         }
-        let unit = unit.replace([' ', '^', '*', '·', '(', ')', '[', ']'], "");
-        let along = |axis: char| {
-            let named = |word: &&str| {
-                word.strip_suffix(axis)
-                    .is_some_and(|rest| "acceleration".starts_with(rest))
-            };
-            words.iter().any(named)
-        };
-        if matches!(words[..], ["t" | "time"]) || words.contains(&"seconds") || unit == "s" {
-            times.push(i);
-        } else if let Some(axis) = ['x', 'y', 'z'].into_iter().position(along) {
-            axes[axis].push(i);
-        } else {
-            others.push(i);
-        }
-        units.push(unit);
     }
-    let [time] = times[..] else {
-        return Err("of the heads one has to be t or time, or have the unit s");
+    let find = |name: &str| {
+        let called = |head: &&str| {
+            let bare = head.split(['(', '[']).next().unwrap_or(head);
+            [*head, bare]
+                .iter()
+                .any(|head| head.trim().eq_ignore_ascii_case(name.trim()))
+        };
+        let mut found = (0..names.len()).filter(|i| called(&names[*i]));
+        let number = || name.parse().ok().and_then(|n: usize| n.checked_sub(1));
+        match (found.next(), found.next()) {
+            (Some(i), None) => Ok(i),
+            (None, _) => number()
+                .filter(|i| *i < count)
+                .ok_or("no column has the name asked for"),
+            _ => Err("two columns have the name asked for: give its number"),
+        }
     };
-    let axes = match (&axes.each_ref().map(|list| &list[..]), &others[..]) {
-        ([[], [], []], [one]) => [Some(*one), None],
-        ([[x], [], _], _) => [Some(*x), None],
-        ([[], [y], _], _) => [None, Some(*y)],
-        ([[x], [y], _], _) => [Some(*x), Some(*y)],
-        _ => return Err("of the heads one has to name x, or one y, or one each"),
+    let given = |unit: Option<&str>, size: fn(&str) -> Option<f64>, why| {
+        unit.map(|unit| size(&plain(unit)).ok_or(why)).transpose()
     };
-    let fit = |i: usize| {
-        matches!(
-            &units[i][..],
-            "" | "m/s2" | "m/s²" | "m/s/s" | "ms-2" | "ms⁻²"
-        )
+    let time_unit = given(
+        asked.time_unit,
+        seconds,
+        "the unit asked for is none of time",
+    )?;
+    let unit = given(
+        asked.unit,
+        of_acceleration,
+        "the unit asked for is none of acceleration",
+    )?;
+    let sized = |i: usize, given: Option<f64>, size: fn(&Column) -> Option<f64>, why| {
+        let own = || columns.get(i).map_or(Some(1.0), size);
+        given.or_else(own).map(|size| (i, size)).ok_or(why)
     };
-    if matches!(&units[time][..], "" | "s") && axes.into_iter().flatten().all(fit) {
-        Ok((time, axes))
-    } else {
-        Err("the units have to be s and m/s^2")
+    let time = match asked.time {
+        Some(name) => find(name)?,
+        None if names.is_empty() => 0,
+        None => {
+            let of = |unit: fn(&Column) -> bool| {
+                let fit = |i: &usize| columns[*i].is_time() && unit(&columns[*i]);
+                (0..columns.len()).filter(fit).collect::<Vec<_>>()
+            };
+            // One that says that it is in seconds goes before those in other units, and these before those that say none.
+            let kinds = [
+                of(|c| seconds(&c.unit) == Some(1.0)),
+                of(|c| seconds(&c.unit).is_some()),
+                of(|_| true),
+            ];
+            match kinds
+                .iter()
+                .find(|kind| !kind.is_empty())
+                .map(|kind| &kind[..])
+            {
+                Some([one]) => *one,
+                Some(_) => return Err("several columns are times: choose one"),
+                None => {
+                    return Err(
+                        "no column is the time: one has to be called t or time, or have the unit s",
+                    );
+                }
+            }
+        }
+    };
+    let time = sized(
+        time,
+        time_unit,
+        Column::seconds,
+        "its time has no unit of time: s, ms, us, ns, min or h",
+    )?;
+    let chosen = match (asked.x, asked.y) {
+        (None, None) if names.is_empty() => match count {
+            2 => [Some(1), None],
+            3 => [Some(1), Some(2)],
+            _ => return Err("without a head a row is a time and one or two numbers"),
+        },
+        (None, None) => {
+            let along = |axis| {
+                let fit = |i: &usize| *i != time.0 && columns[*i].is_acceleration(axis);
+                (0..columns.len()).filter(fit).collect::<Vec<_>>()
+            };
+            match [Some('x'), Some('y'), Some('z'), None]
+                .map(along)
+                .each_ref()
+                .map(|list| &list[..])
+            {
+                // Of several letters a may be one like the others.
+                [[], [], [], [one]] if names.len() == 2 || columns[*one].words != ["a"] => {
+                    [Some(*one), None]
+                }
+                [[x], [], ..] => [Some(*x), None],
+                [[], [y], ..] => [None, Some(*y)],
+                [[x], [y], ..] => [Some(*x), Some(*y)],
+                [[], [], ..] => {
+                    return Err(
+                        "no column says that it is an acceleration along x or y: by its name, as ax, acc_x, accel x, or by its unit, as m/s^2; else choose the columns",
+                    );
+                }
+                _ => {
+                    return Err("several columns are the acceleration along the same axis: choose");
+                }
+            }
+        }
+        (x, y) => [x.map(find).transpose()?, y.map(find).transpose()?],
+    };
+    let why = "an acceleration has no unit of one: m/s^2, cm/s^2, ft/s^2, g or mg";
+    let place = |i: Option<usize>| i.map(|i| sized(i, unit, Column::metres, why)).transpose();
+    let [x, y] = chosen.map(place);
+    let unstated = time_unit.is_none()
+        && columns
+            .get(time.0)
+            .is_some_and(|column| column.unit.is_empty());
+    let large = if unstated { 1e11 } else { f64::INFINITY };
+    Ok(Places {
+        time,
+        axes: [x?, y?],
+        large,
+    })
+}
+
+/// What the head says of a column.
+struct Column {
+    words: Vec<String>,
+    /// Its unit without what can be written in several ways; nothing where none is said.
+    unit: String,
+}
+
+/// Parts of words for other things than the acceleration of the plane, though its name or unit may stand beside them.
+const OTHER: [&str; 17] = [
+    "ang", "gyr", "rot", "jerk", "vel", "speed", "err", "unc", "std", "sigma", "bias", "abs",
+    "mag", "total", "norm", "max", "rms",
+];
+
+impl Column {
+    fn of(name: &str) -> Self {
+        let name = name
+            .to_lowercase()
+            .replace(['{', '}'], " ")
+            .replace("g-force", "gforce")
+            .replace("g force", "gforce")
+            .replace('|', " abs ");
+        // A letter in brackets is an axis, all else a unit.
+        let (mut bare, mut unit) = (String::new(), String::new());
+        for (k, part) in name.split(['(', '[', ')', ']']).enumerate() {
+            match part.trim() {
+                part if k % 2 == 0 || matches!(part, "x" | "y" | "z") => bare = bare + " " + part,
+                part => unit = plain(part),
+            }
+        }
+        let apart = |c: char| !c.is_alphanumeric();
+        let words = bare.split(apart).filter(|word| !word.is_empty());
+        let mut column = Self {
+            words: words.map(str::to_owned).collect(),
+            unit,
+        };
+        if column.unit.is_empty() {
+            let last = |word: &String| axis(word).is_some() || is_acceleration(word);
+            let behind = column
+                .words
+                .iter()
+                .rposition(last)
+                .map_or(column.words.len(), |k| k + 1);
+            let tail = plain(&column.words[behind..].concat());
+            let time = column
+                .words
+                .iter()
+                .map(|word| plain(word))
+                .find(|word| seconds(word).is_some());
+            if of_acceleration(&tail).is_some() {
+                column.unit = tail;
+            } else if let Some(unit) = time.filter(|_| column.is_time()) {
+                column.unit = unit;
+            } else if bare.contains("/s") {
+                column.unit = "/s".to_owned();
+            } else if column.words.iter().any(|word| word.starts_with("gf")) {
+                column.unit = "g".to_owned();
+            }
+        }
+        column
+    }
+
+    fn is_time(&self) -> bool {
+        let timely = |word: &String| {
+            let known = [
+                "elapsed", "since", "start", "run", "epoch", "unix", "zeit", "temps", "tiempo",
+                "tempo",
+            ];
+            word == "t"
+                || word.starts_with("time")
+                || known.contains(&&word[..])
+                || seconds(&plain(word)).is_some()
+                || word.parse::<u32>().is_ok()
+        };
+        !self.words.is_empty() && self.words.iter().all(timely)
+            || self.unit == "s"
+            || self.unit.len() > 1 && seconds(&self.unit).is_some()
+    }
+
+    /// Whether it is one along this axis, by name or by unit; one along none where no axis is named.
+    fn is_acceleration(&self, along: Option<char>) -> bool {
+        let axis_of = |word: &String| axis(word).map(|(axis, _)| axis);
+        let short = match &self.words[..] {
+            [a] => a == "a",
+            [a, next, ..] => a == "a" && axis_of(next).is_some(),
+            [] => false,
+        };
+        let full = |word: &String| {
+            is_acceleration(word) || axis(word).is_some_and(|(_, rest)| !rest.is_empty())
+        };
+        let named = short || self.words.iter().any(full);
+        // Grams are written as g too, and gauss as G.
+        let bare = |word: &String| matches!(&word[..], "x" | "y" | "axis");
+        let sure = !self.unit.ends_with('g') || along.is_some() && self.words.iter().all(bare);
+        let united = of_acceleration(&self.unit).is_some() && sure;
+        let other = |word: &String| {
+            OTHER.iter().any(|other| word.starts_with(other)) || !named && word.starts_with("grav")
+        };
+        self.words.iter().find_map(axis_of) == along
+            && (named || united)
+            && !self.words.iter().any(other)
+    }
+
+    fn seconds(&self) -> Option<f64> {
+        if self.unit.is_empty() {
+            Some(1.0)
+        } else {
+            seconds(&self.unit)
+        }
+    }
+
+    fn metres(&self) -> Option<f64> {
+        if self.unit.is_empty() {
+            Some(1.0)
+        } else {
+            of_acceleration(&self.unit)
+        }
     }
 }
+
+/// Whether a word means acceleration.
+fn is_acceleration(word: &str) -> bool {
+    let part = ["accel", "accél", "acel", "beschl", "gforce"];
+    word == "gf" || word.ends_with("acc") || part.iter().any(|part| word.contains(part))
+}
+
+/// The axis of a word that is one, or a short form of acceleration with one, and what stands before it.
+fn axis(word: &str) -> Option<(char, &str)> {
+    let axis = word
+        .chars()
+        .last()
+        .filter(|c| matches!(c, 'x' | 'y' | 'z'))?;
+    let rest = word.strip_suffix(axis)?;
+    ("acceleration".starts_with(rest) || is_acceleration(rest)).then_some((axis, rest))
+}
+
+/// A unit without what can be written in several ways.
+fn plain(unit: &str) -> String {
+    let mut unit = unit.to_lowercase();
+    unit.retain(|c| !c.is_whitespace() && !"^*.()[]{}·⋅".contains(c));
+    for (long, short) in [
+        ("metres", "m"),
+        ("meters", "m"),
+        ("metre", "m"),
+        ("meter", "m"),
+        ("per", "/"),
+        ("squared", "2"),
+        ("seconds", "s"),
+        ("second", "s"),
+        ("secs", "s"),
+        ("sec", "s"),
+        ("²", "2"),
+        ("⁻", "-"),
+        ("−", "-"),
+        ("µ", "u"),
+        ("μ", "u"),
+    ] {
+        unit = unit.replace(long, short);
+    }
+    unit
+}
+
+fn seconds(unit: &str) -> Option<f64> {
+    Some(match unit {
+        "s" => 1.0,
+        "ms" | "millis" => 1e-3,
+        "us" | "micros" => 1e-6,
+        "ns" | "nanos" => 1e-9,
+        "min" | "minutes" => 60.0,
+        "h" | "hours" => 3600.0,
+        _ => return None,
+    })
+}
+
+fn of_acceleration(unit: &str) -> Option<f64> {
+    let (length, rest) = ["mm", "cm", "km", "ft", "in", "m"]
+        .iter()
+        .find_map(|length| Some((*length, unit.strip_prefix(length)?)))
+        .unwrap_or(("", unit));
+    let size = match length {
+        "mm" => 1e-3,
+        "cm" => 1e-2,
+        "km" => 1e3,
+        "ft" => 0.3048,
+        "in" => 0.0254,
+        _ => 1.0,
+    };
+    match (length, rest) {
+        ("", "g" | "gn" | "g0") => Some(G),
+        ("m", "g") => Some(1e-3 * G),
+        ("", _) => None,
+        (_, "/s2" | "/s/s" | "/ss" | "s-2" | "s2" | "ps2") => Some(size),
+        _ => None,
+    }
+}
+
+/// The standard acceleration of gravity, in m/s².
+const G: f64 = 9.806_65;
 
 #[cfg(test)]
 mod tests {
@@ -176,6 +482,10 @@ mod tests {
         (10.0, [0.51, 0.0]),
         (20.0, [-1.5, 2e-3]),
     ];
+
+    fn read(text: &str) -> Result<Vec<(f64, [f64; 2])>, FitError> {
+        rows(text, &Columns::default())
+    }
 
     #[test]
     fn a_file_is_read_right_however_it_is_written() {
@@ -189,13 +499,13 @@ mod tests {
             "n,accY [m/s²],accX [m/s²],accZ [m/s²],t/s\n0,-0.1,0.5,9.8,0\n1,0,0.51,9.8,10\n2,.002,-1.5,9.8,20\n",
             "\"Time, elapsed (s)\",\"ax\",\"ay\"\n\"0\",\"0.5\",\"-0.1\"\n\"10\",\"0.51\",\"0\"\n\"20\",\"-1.5\",\"0.002\"\n",
         ] {
-            assert_eq!(rows(text), Ok(DATA.to_vec()), "{text}");
+            assert_eq!(read(text), Ok(DATA.to_vec()), "{text}");
         }
-        let one = |text| rows(text).unwrap()[1];
+        let one = |text| read(text).unwrap()[1];
         assert_eq!(one("time;a\n0;1\n2;3,5"), (2.0, [3.5, 0.0]));
         assert_eq!(one("t,ay\n0,1\n2,3"), (2.0, [0.0, 3.0]));
         assert_eq!(one("0,1\n2,3"), (2.0, [3.0, 0.0]));
-        assert_eq!(rows("# nothing"), Ok(Vec::new()));
+        assert_eq!(read("# nothing"), Ok(Vec::new()));
     }
 
     /// The app writes five formats: a point behind commas, tabs and semicolons, a comma behind tabs and semicolons.
@@ -214,7 +524,7 @@ mod tests {
         for (between, point) in [(",", "."), ("\t", "."), (";", "."), ("\t", ","), (";", ",")] {
             let [head, lines] = [&head, &lines].map(|part| part.replace(',', between));
             let file = format!("{head}\n{}\n", lines.replace('.', point));
-            assert_eq!(rows(&file), Ok(DATA.to_vec()), "{file}");
+            assert_eq!(read(&file), Ok(DATA.to_vec()), "{file}");
         }
     }
 
@@ -253,25 +563,257 @@ mod tests {
             ("t,ax\n0,1\n0,2\n", 3),
             ("t,ax\n1,1\n\n0,2\n", 4),
             // Units and names.
-            ("t_ms;ax\n0;1\n", 1),
-            ("Time (ms),ax\n0,1\n", 1),
-            ("timestamp_us,ax\n0,1\n", 1),
-            ("time,ax (g)\n0,1\n", 1),
-            ("time,ax,ay\nms,m/s^2,m/s^2\n0,1,2\n", 1),
-            ("time,ax,ay\ns,m/s^2,g\n0,1,2\n", 1),
             ("time,ax,ay\ns,m/s^2\n0,1,2\n", 1),
             ("time,seconds_elapsed,z,y,x\n1,1,1,1,1\n", 1),
-            ("millis,ax\n0,1\n", 1),
-            ("t,ax,gyro x\n0,1,2\n", 1),
             ("t,a,b\n0,1,2\n", 1),
             ("t,az\n0,1\n", 1),
             ("ax,ay\n0,1\n", 1),
         ] {
-            let refused = rows(text).unwrap_err();
+            let refused = read(text).unwrap_err();
             assert!(
                 matches!(refused, FitError::Line { line, .. } if line == at),
                 "{text}: {refused}"
             );
+        }
+    }
+
+    /// One column, whatever stands beside it.
+    fn alone(head: &str) -> Result<f64, FitError> {
+        Ok(read(&format!("Time (s);{head};note\n0.5;1;3\n"))?[0].1[0])
+    }
+
+    #[test]
+    fn an_acceleration_is_one_by_its_name_or_its_unit() {
+        for head in [
+            "ax",
+            "a_x",
+            "aX",
+            "Acc X",
+            "acc.x",
+            "accX",
+            "AcX",
+            "accel_x",
+            "x accel",
+            "LinearAccelerationX",
+            "a_{x}",
+            "a",
+            "acceleration",
+            "Acceleration - x (m/s²) Run #1",
+            "Latest: X Acceleration (m/s²)",
+            "x (m/s^2)",
+            "x-axis [m s⁻²]",
+            "Beschleunigung x",
+            "userAccelX",
+            "Acceleration (x)",
+            "acc x m/s2",
+            "ax_m_s2",
+            "x (meters per second squared)",
+            "x (m/sec/sec)",
+            "user acceleration without gravity x",
+        ] {
+            assert_eq!(alone(head), Ok(1.0), "{head}");
+        }
+        for (head, size) in [
+            ("ax (g)", G),
+            ("gFx", G),
+            ("G-Force X", G),
+            ("x-axis (g)", G),
+            ("accel_x_g", G),
+            ("accelerometerAccelerationX(G)", G),
+            ("ax [mg]", 1e-3 * G),
+            ("ax (cm/s^2)", 1e-2),
+            ("accel x (ft/s²)", 0.3048),
+        ] {
+            assert_eq!(alone(head), Ok(size), "{head}");
+        }
+        for head in [
+            "x",
+            "y",
+            "vx",
+            "v_x",
+            "velocity_x",
+            "velocity x (m/s)",
+            "v",
+            "speed",
+            "position",
+            "x (m)",
+            "x_m",
+            "gyro_x",
+            "gx",
+            "gyroX (rad/s)",
+            "mag_x",
+            "magnetic field x (µT)",
+            "B_x (G)",
+            "jerk_x",
+            "jerk x (m/s³)",
+            "force x",
+            "F_x (N)",
+            "temperature",
+            "T (K)",
+            "weight (g)",
+            "angular acceleration x",
+            "alpha_x",
+            "accuracy_x",
+            "ax_err",
+            "acc_x uncertainty",
+            "gravity x (m/s²)",
+            "|a|",
+            "absolute acceleration (m/s²)",
+            "height of a ball",
+            "current (A)",
+            "lux",
+            "delay",
+            "max",
+            "pressure",
+            "az",
+            "acceleration z (m/s²)",
+            "accel x (deg/s)",
+            "ax (V)",
+            "acc x m/s",
+        ] {
+            let refused = alone(head);
+            assert!(
+                matches!(refused, Err(FitError::Line { line: 1, .. })),
+                "{head}: {refused:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn of_many_columns_those_of_the_acceleration_are_taken() {
+        let row =
+            |head: &str, numbers: &str| read(&format!("{head}\n{numbers}\n")).map(|rows| rows[0]);
+        for (head, numbers, t, a) in [
+            (
+                "time,accel_x,accel_y,accel_z,gyro_x,gyro_y,gyro_z",
+                "1,2,3,9.8,7,7,7",
+                1.0,
+                [2.0, 3.0],
+            ),
+            ("t\tx\tv_{x}\ta_{x}", "1\t2\t3\t4", 1.0, [4.0, 0.0]),
+            ("Time (ms),ax", "250,2", 0.25, [2.0, 0.0]),
+            ("millis;ay;temperature", "250;2;20", 0.25, [0.0, 2.0]),
+            ("timestamp_us,ax", "250000,2", 0.25, [2.0, 0.0]),
+            (
+                "time,seconds_elapsed,ax",
+                "1767767458048101000,2.5,4",
+                2.5,
+                [4.0, 0.0],
+            ),
+            (
+                "epoch (ms),time (-13:00),elapsed (s),x-axis (g),z-axis (g)",
+                "1767767458048,12:00,2.5,1,9",
+                2.5,
+                [G, 0.0],
+            ),
+            ("time,ax,ay\nms,m/s^2,g", "500,1,1", 0.5, [1.0, G]),
+            ("# t ax ay", "0.5 1 2", 0.5, [1.0, 2.0]),
+            ("# by numpy\n# t,ax,ay", "0.5,1,2", 0.5, [1.0, 2.0]),
+        ] {
+            assert_eq!(row(head, numbers), Ok((t, a)), "{head}");
+        }
+        for (head, numbers) in [
+            ("time,z,y,x", "1,2,3,4"),
+            ("t,ax,accel_x", "1,2,3"),
+            ("time_s,elapsed (s),ax", "1,2,3"),
+            ("Time (hh:mm),ax", "1,2"),
+            ("# t vx vy", "0.5 1 2"),
+            ("# t,x,y", "0.5,1,2"),
+        ] {
+            assert!(
+                matches!(row(head, numbers), Err(FitError::Line { .. })),
+                "{head}"
+            );
+        }
+        for (file, at, what) in [
+            ("time,ax\n1767767458048101000,1\n", 2, "unit"),
+            ("time,ax\n10:00:00.5,1\n", 2, "clock"),
+            ("t,ax\n0,1\n1,2\n2,NaN\n", 4, "number"),
+            ("t,vx\r0,1\r1,2\r", 1, "acceleration"),
+        ] {
+            let Err(FitError::Line { line, why, .. }) = read(file) else {
+                panic!("{file}")
+            };
+            assert!(line == at && why.contains(what), "{file}: {line} {why}");
+        }
+        assert_eq!(read("t,ax\r0,1\r1,2\r").map(|rows| rows.len()), Ok(2));
+    }
+
+    #[test]
+    fn columns_and_units_can_be_given() {
+        let file = "time,seconds_elapsed,z,y,x (m)\n2000,0.5,9.8,3,2\n";
+        let with = |columns: Columns| rows(file, &columns).map(|rows| rows[0]);
+        let (x, y) = (Some("X"), Some("y"));
+        let unit = Some("m/s²");
+        assert_eq!(
+            with(Columns {
+                x,
+                y,
+                unit,
+                ..Columns::default()
+            }),
+            Ok((0.5, [2.0, 3.0]))
+        );
+        let time = Some("time");
+        let chosen = Columns {
+            time,
+            y: Some("4"),
+            time_unit: Some("ms"),
+            unit: Some("g"),
+            ..Columns::default()
+        };
+        assert_eq!(with(chosen), Ok((2.0, [0.0, 3.0 * G])));
+        let headless = Columns {
+            time: Some("2"),
+            x: Some("1"),
+            ..Columns::default()
+        };
+        assert_eq!(rows("5 0.5 7 8", &headless), Ok(vec![(0.5, [5.0, 0.0])]));
+        for wrong in [
+            // Its head says m.
+            Columns {
+                x,
+                ..Columns::default()
+            },
+            Columns {
+                y: Some("w"),
+                ..Columns::default()
+            },
+            Columns {
+                y: Some("6"),
+                ..Columns::default()
+            },
+            Columns {
+                y: Some("0"),
+                ..Columns::default()
+            },
+            Columns {
+                y,
+                unit: Some("m/s"),
+                ..Columns::default()
+            },
+            Columns {
+                y,
+                time_unit: Some("m"),
+                ..Columns::default()
+            },
+        ] {
+            assert!(
+                matches!(with(wrong), Err(FitError::Line { line: 1, .. })),
+                "{wrong:?}"
+            );
+        }
+    }
+
+    proptest::proptest! {
+        #[test]
+        fn any_text_is_read_or_refused(text in "[taxyg_ ,;#\\t\\n\\r\"0-9.e()/²s:|-]{0,60}", name in "[a-z0-9 ]{0,3}") {
+            let (name, unit) = (Some(&name[..]), Some("g"));
+            for columns in [Columns::default(), Columns { time: name, ..Columns::default() }, Columns { y: name, unit, ..Columns::default() }] {
+                if let Ok(rows) = rows(&text, &columns) {
+                    assert!(rows.windows(2).all(|pair| pair[0].0 < pair[1].0));
+                }
+            }
         }
     }
 }

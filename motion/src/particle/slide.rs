@@ -6,6 +6,7 @@
 //! A stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
 
 use super::super::acceleration::Coefficients;
+use super::super::creep::creep;
 use super::super::trajectory::{Arc, Piece, SlideStep, State};
 use super::{MotionError, Run};
 use crate::numerics::number::Number;
@@ -142,10 +143,29 @@ impl Run<'_> {
         let (mut carry, mut work) = ([0.0; 5], Work::default());
         let mut start = [v[0], v[1], t, x[0], x[1]];
         drop_negligible(&mut start, &mut carry);
+        // How long the direction may still remember what it was.
+        let mut memory = 0.0;
         while self.state.t < self.until {
             let local = self.local()?;
             let speed = libm::hypot(start[0], start[1]);
             fastest = fastest.max(speed);
+            if memory <= 0.0 {
+                match creep(&local.a, self.friction, [start[0], start[1]], local.left) {
+                    Ok(creep) => {
+                        let landing = local.landing.filter(|_| creep.h == local.left);
+                        self.arc(creep.velocity, creep.h, landing);
+                        if creep.stops {
+                            self.state.v = [0.0; 2];
+                            return Ok(true);
+                        }
+                        let State { t, v, x } = self.state;
+                        start = [v[0], v[1], t, x[0], x[1]];
+                        carry = [0.0; 5];
+                        continue;
+                    }
+                    Err(wait) => memory = wait,
+                }
+            }
             let size = libm::hypot(local.a[0][0], local.a[1][0]);
             let unit = unit(size.max(self.friction).max(speed / local.left).min(FASTEST));
             sliding.prepare(&local.a, self.friction, unit);
@@ -159,6 +179,7 @@ impl Run<'_> {
                 step.h = step.s_at(local.left);
                 landing = local.landing;
             }
+            memory -= step.h * size / unit;
             integrator.advance(&step);
             if let Some(t) = landing {
                 integrator.set(2, t);

@@ -13,32 +13,19 @@
 //! otherwise what lower orders know.
 
 use super::super::acceleration::Coefficients;
-use super::super::trajectory::{Arc, Piece, State};
+use super::super::creep::{pull, velocity};
 use super::stick::Release;
 use super::{MotionError, Run};
 use crate::numerics::events::roots;
-use crate::numerics::series::{convolution, product, square, value};
+use crate::numerics::series::{convolution, product, square};
 use crate::numerics::taylor::{TERMS, reach};
 
 impl Run<'_> {
     /// Slides from rest for a first short time.
     pub(super) fn depart(&mut self, release: Release) -> Result<(), MotionError> {
         let local = self.local()?;
-        let State { t, x, .. } = self.state;
         let size = libm::hypot(local.a[0][0], local.a[1][0]);
-        // Unit vector of −A, and that across it.
-        let e = [-local.a[0][0] / size, -local.a[1][0] / size];
-        let mut along: Coefficients =
-            std::array::from_fn(|k| -(local.a[0][k] * e[0] + local.a[1][k] * e[1]));
-        let mut across: Coefficients =
-            std::array::from_fn(|k| -(local.a[1][k] * e[0] - local.a[0][k] * e[1]));
-        (along[0], across[0]) = (size, 0.0);
-        // Of a fixed direction only rounding is left across it, which the recurrence below would amplify.
-        for (k, c) in across.iter_mut().enumerate() {
-            if c.abs() <= 4.0 * f64::EPSILON * libm::hypot(local.a[0][k], local.a[1][k]) {
-                *c = 0.0;
-            }
-        }
+        let (e, along, across) = pull(&local.a, size);
         let net = match release {
             Release::Smooth => 0.0,
             Release::Sudden => size - self.friction,
@@ -54,34 +41,7 @@ impl Run<'_> {
         if let Some(stop) = roots(&speed, h)?.first() {
             (h, landing) = (0.5 * stop.at, None);
         }
-        let mut v = [[0.0; TERMS]; 2];
-        let mut path = [[0.0; TERMS]; 2];
-        (path[0][0], path[1][0]) = (x[0], x[1]);
-        for k in 0..TERMS {
-            let (c, s) = (product(&speed, &cosine, k), product(&speed, &sine, k));
-            v[0][k] = e[0] * c - e[1] * s;
-            v[1][k] = e[1] * c + e[0] * s;
-            if k + 1 < TERMS {
-                path[0][k + 1] = v[0][k] / (k + 1) as f64;
-                path[1][k + 1] = v[1][k] / (k + 1) as f64;
-            }
-        }
-        let to = landing.unwrap_or(t + h).min(self.until);
-        let both = |c: &[Coefficients; 2]| [value(&c[0], &h), value(&c[1], &h)];
-        let end = State {
-            t: to,
-            v: both(&v),
-            x: both(&path),
-        };
-        self.push(
-            Piece::Arc(Box::new(Arc {
-                from: t,
-                to,
-                v,
-                x: path,
-            })),
-            end,
-        );
+        self.arc(velocity(e, &speed, &cosine, &sine), h, landing);
         Ok(())
     }
 }

@@ -1,7 +1,10 @@
 //! Motions whose course is known without this integrator.
 
 use super::*;
+use crate::fitted::tests::noisy;
+use crate::numerics::series::value_slope;
 use crate::numerics::taylor::TERMS;
+use crate::trajectory::SlideStep;
 use crate::{Plane, Series, Signal};
 use proptest::prelude::*;
 use std::f64::consts::PI;
@@ -267,8 +270,6 @@ proptest! {
         friction in 0.0..4.0,
         v in prop::array::uniform2(-3.0..3.0),
     ) {
-        // Nearer to it, a slip is so slow that it takes too many steps: see the next test.
-        prop_assume!(libm::fabs(libm::hypot(a[0], a[1]) / friction - 1.0) > 3e-3);
         let sine = Signal::Sine { frequency, phase: 1.0 };
         let plane = Plane { x: sine.times(a[0]), y: Signal::constant(a[1]) };
         let motion = run(&plane, friction, State::moving(v), 10.0).unwrap();
@@ -283,27 +284,114 @@ proptest! {
     }
 }
 
+/// Where |A| exceeds the friction 1 by e − c t² a slip lasts from −√(e/c) to 2√(e/c) and goes 9e²/(4c), by the integrals of that,
+/// but for parts of the order of e: however small e is, and in few steps.
 #[test]
-fn slips_too_slow_to_be_followed_are_told() {
-    // |A| exceeds the friction by a part of it, twice a period.
-    let slips = |part: f64, until: f64| {
-        let sine = Signal::Sine {
-            frequency: -4.4,
-            phase: 1.0,
-        };
+fn a_slip_takes_as_many_steps_however_slow_it_is() {
+    for (k, turning) in [(2, 0.2), (3, -0.2), (4, 0.5), (6, 0.2), (8, 0.1)] {
+        let e = libm::pow(10.0, -f64::from(k));
+        let c = 1.0 - 0.5 * turning * turning;
         let plane = Plane {
-            x: sine.times(1.5),
-            y: Signal::constant(0.4),
+            x: Signal::Polynomial(vec![1.0 + e, 0.0, -1.0]),
+            y: Signal::Polynomial(vec![0.0, turning]),
         };
-        let friction = libm::hypot(1.5, 0.4) / (1.0 + part);
-        run(&plane, friction, State::moving([0.0; 2]), until)
-    };
-    assert!(slips(1e-2, 10.0).is_ok());
-    let told = slips(1e-5, 10.0).unwrap_err();
-    assert!(
-        matches!(told, MotionError::Steps { limit: 50_000, t } if t < 10.0),
-        "{told}"
-    );
+        let start = State {
+            t: -0.9,
+            ..State::moving([0.0; 2])
+        };
+        let motion = run(&plane, 1.0, start, 0.9).unwrap();
+        let [begin, stop] = [motion.starts()[0], motion.stops()[0]];
+        let half = libm::sqrt(e / c);
+        near(stop - begin, 3.0 * half, 2.0 * e + 1e-8);
+        near(-motion.end().x[0], 2.25 * e * e / c, 4.0 * e + 1e-7);
+        let most = if k < 3 { 400 } else { 20 };
+        assert!(motion.nodes().count() < most, "{e}");
+    }
+}
+
+/// A step of time with the friction that brings closest to rest, and no more than it has; halved until the difference tells how
+/// far it is from the motion.
+#[test]
+fn a_noisy_record_moves_a_block_as_short_steps_do() {
+    for seed in 0..4 {
+        let plane = noisy(0.0, 600, seed);
+        let stepped = |parts: u32| {
+            let h = 0.002 / f64::from(parts);
+            let (mut v, mut x) = ([0.0_f64; 2], [0.0_f64; 2]);
+            for k in 0..599 * parts {
+                let a = plane.coefficients((f64::from(k) + 0.5) * h).map(|c| c[0]);
+                let free = [0, 1].map(|i| v[i] - h * a[i]);
+                let speed = libm::hypot(free[0], free[1]);
+                let kept = (1.0 - 1.96 * h / speed).max(0.0);
+                for i in 0..2 {
+                    x[i] += 0.5 * h * (v[i] + kept * free[i]);
+                    v[i] = kept * free[i];
+                }
+            }
+            [v[0], v[1], x[0], x[1]]
+        };
+        let [coarse, fine] = [stepped(40), stepped(80)];
+        let motion = run(&plane, 1.96, State::moving([0.0; 2]), 0.002 * 599.0).unwrap();
+        let State { v, x, .. } = motion.end();
+        assert!(!motion.stops().is_empty() && x[0].abs() > 1e-2);
+        for (i, found) in [v[0], v[1], x[0], x[1]].into_iter().enumerate() {
+            let step = (coarse[i] - fine[i]).abs();
+            let off = (found - fine[i]).abs();
+            assert!(off <= 2.0 * step + 1e-9, "{seed} {i}: {off:e} {step:e}");
+        }
+    }
+}
+
+/// Each piece of a motion begins where the last one ended, and every series in t, of a departure or a creep, obeys Newton's law.
+#[test]
+fn pieces_join_and_series_in_time_obey_the_law() {
+    let mut creeps = 0;
+    for seed in 4..12 {
+        let plane = noisy(0.0, 400, seed);
+        let motion = run(&plane, 1.96, State::moving([0.0; 2]), 0.002 * 399.0).unwrap();
+        let mut before = [0.0; 2];
+        for piece in &motion.pieces {
+            let [begin, end] = match piece {
+                Piece::Slide(step) => [0.0, step.h].map(|s| step.state(s, 0.0).v),
+                Piece::Arc(arc) => [arc.from, arc.to].map(|t| piece.at(t).unwrap().v),
+                Piece::Rest { .. } => [[0.0; 2]; 2],
+            };
+            for i in 0..2 {
+                let off = (begin[i] - before[i]).abs();
+                let speed = libm::hypot(begin[0], begin[1]);
+                assert!(off <= 1e-13 * speed + 1e-16, "{begin:?} {before:?}");
+            }
+            before = end;
+            // The last arc of a slide proper is below rounding, and straight.
+            let Piece::Arc(arc) = piece else { continue };
+            if arc.v[0][2] == 0.0 {
+                continue;
+            }
+            creeps += u32::from(begin != [0.0; 2]);
+            for part in [0.1, 0.5, 0.9] {
+                let tau = part * (arc.to - arc.from);
+                let [(x, dx), (y, dy)] = arc.v.each_ref().map(|v| value_slope(v, tau));
+                let speed = libm::hypot(x, y);
+                let a = plane.coefficients(arc.from + tau).map(|c| c[0]);
+                for off in [dx + a[0] + 1.96 * x / speed, dy + a[1] + 1.96 * y / speed] {
+                    assert!(off.abs() < 1e-11, "{begin:?}: {off:e}");
+                }
+            }
+        }
+    }
+    assert!(creeps > 20, "{creeps}");
+}
+
+/// A minute at 500 Hz is no matter of luck, and takes a few steps a row.
+#[test]
+fn a_long_record_is_run_through() {
+    for seed in 20..23 {
+        let plane = noisy(0.0, 30_000, seed);
+        let motion = run(&plane, 1.96, State::moving([0.0; 2]), 0.002 * 29_999.0).unwrap();
+        assert!(motion.stops().len() > 100);
+        let steps = motion.nodes().count();
+        assert!((30_000..150_000).contains(&steps), "{steps}");
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //! Newton's and Euler's laws as for any sphere: while its lowest point slides forwards, friction is −μ₊mg, while it
 //! slides backwards, +μ₋mg; it rolls while the force that this takes lies between the two.
 
-use super::super::acceleration::{Acceleration, Coefficients};
+use super::super::acceleration::{Acceleration, Coefficients, known, most_steps};
 use super::super::error::{MotionError, finite};
 use super::{Sphere, check};
 use crate::numerics::events::{Way, roots};
@@ -52,17 +52,17 @@ pub struct LineMotion {
     pub end: LineState,
 }
 
-/// Pieces that a motion may have.
-const PIECES: usize = 50_000;
 /// Forces this close count as equal, in units of their size.
 const EQUAL: f64 = 1e-13;
 
 impl Directed {
     /// The motion along x from the velocity `v` of the centre and the angular velocity `omega` about y at the time
-    /// `from` until the time `until`; of the acceleration only the x component counts.
+    /// `from` until the time `until`; of the plane's acceleration A only the x component
+    /// counts, and the sphere is [pulled](super::super) along −A_x.
     ///
     /// # Errors
-    /// [`MotionError::Argument`] for a parameter out of range, [`MotionError::Steps`] after 50,000 pieces,
+    /// [`MotionError::Argument`] for a parameter out of range, [`MotionError::Outside`] for times at which the
+    /// acceleration is not known, [`MotionError::Steps`] after 50,000 pieces (a hundred more for each of the acceleration's),
     /// [`MotionError::Numerics`] when the acceleration leaves the finite numbers.
     pub fn run(
         &self,
@@ -84,6 +84,7 @@ impl Directed {
             check(name, given, fit, "finite, at most 1e50 in absolute value")?;
         }
         check("until", until, until >= from, "not before the start")?;
+        known(plane, from).and(known(plane, until))?;
         let slip = v - self.sphere.radius * omega;
         let mut state = LineState {
             t: from,
@@ -93,7 +94,8 @@ impl Directed {
         };
         let mut stretches: Vec<Stretch> = Vec::new();
         let mut released = None;
-        for _ in 0..PIECES {
+        let limit = most_steps(plane);
+        for _ in 0..limit {
             if state.t >= until {
                 return Ok(LineMotion {
                     stretches,
@@ -112,10 +114,7 @@ impl Directed {
                 }),
             }
         }
-        Err(MotionError::Steps {
-            limit: PIECES,
-            t: state.t,
-        })
+        Err(MotionError::Steps { limit, t: state.t })
     }
 
     /// One piece with one analytic description: its way, and the way in which sliding begins at its end.

@@ -1,6 +1,7 @@
 //! A motion of the sphere, one piece after the other.
 
-use super::super::acceleration::{Acceleration, Coefficients};
+use super::super::acceleration::{Acceleration, Coefficients, known, most_steps};
+use super::super::creep::creep;
 use super::super::error::finite;
 use super::super::onset::onset;
 use super::slide::{Sliding, Work};
@@ -9,8 +10,6 @@ use crate::numerics::events::{Way, roots};
 use crate::numerics::series::{arrival, change, square, value};
 use crate::numerics::taylor::{Control, Integrator, Step, TERMS, reach};
 
-/// Steps that a motion may take.
-const STEPS: usize = 50_000;
 /// A contact velocity below this part of the largest one ends sliding.
 const STOP: f64 = 1e-18;
 /// At the start, below this part of the velocities of which it is the sum, it is zero.
@@ -31,6 +30,8 @@ struct Run<'a> {
     pieces: Vec<Piece>,
     transitions: Vec<Transition>,
     begin: Option<Contact>,
+    /// Whether rolling has just ended as the pull outgrew friction: what the rounding of the time makes of that is nothing.
+    released: bool,
 }
 
 /// The acceleration about the present time, how long its series serves, and the time at which that is over if a
@@ -73,6 +74,7 @@ pub(super) fn run(
         )?;
     }
     check("until", until, until >= t, "not before the start")?;
+    known(plane, t).and(known(plane, until))?;
     let mut c = sphere.contact(start);
     let size = libm::hypot(v[0], v[1]) + sphere.radius * libm::hypot(omega[0], omega[1]);
     if libm::hypot(c[0], c[1]) <= NONE * size {
@@ -91,6 +93,7 @@ pub(super) fn run(
         pieces: Vec::new(),
         transitions: Vec::new(),
         begin: None,
+        released: false,
     };
     while run.t < until {
         if run.slip() > 0.0 {
@@ -150,8 +153,9 @@ impl Run<'_> {
     fn local(&mut self) -> Result<Local, MotionError> {
         let t = self.t;
         self.steps += 1;
-        if self.steps > STEPS {
-            return Err(MotionError::Steps { limit: STEPS, t });
+        let limit = most_steps(self.plane);
+        if self.steps > limit {
+            return Err(MotionError::Steps { limit, t });
         }
         let a = self.plane.coefficients(t);
         for c in a.iter().flatten() {
@@ -174,9 +178,27 @@ impl Run<'_> {
     fn slide(&mut self) -> Result<(), MotionError> {
         let mut fastest = 0f64;
         let mut carried = ([0.0; 10], Work::default());
+        let limit = self.sphere.yielding(self.sphere.friction());
+        // How long the direction may still remember what it was.
+        let mut memory = 0.0;
         while self.t < self.until {
             let local = self.local()?;
             fastest = fastest.max(self.slip());
+            if memory <= 0.0 {
+                let c = [self.parts[7], self.parts[8]];
+                match creep(&local.a, limit, c, local.left) {
+                    Ok(creep) => {
+                        self.slip_by(&local, &creep.velocity, creep.h);
+                        if creep.stops {
+                            (self.parts[7], self.parts[8]) = (0.0, 0.0);
+                            return Ok(());
+                        }
+                        carried.0 = [0.0; 10];
+                        continue;
+                    }
+                    Err(wait) => memory = wait,
+                }
+            }
             let sliding = Sliding::new(self.sphere, local.a);
             let mut state = [self.t; 10];
             state[1..].copy_from_slice(&self.parts);
@@ -189,6 +211,7 @@ impl Run<'_> {
                 step.h = arrival(&step.series[0], local.left, step.h);
                 landing = local.landing;
             }
+            memory -= step.h * libm::hypot(local.a[0][0], local.a[1][0]);
             integrator.advance(&step);
             if let Some(t) = landing {
                 integrator.set(0, t);
@@ -220,6 +243,10 @@ impl Run<'_> {
         let mut excess: Coefficients =
             std::array::from_fn(|k| square(&force[0], k) + square(&force[1], k));
         excess[0] -= limit;
+        let released = std::mem::take(&mut self.released);
+        if released || excess[0].abs() <= EQUAL * limit {
+            excess[0] = 0.0;
+        }
         let mut power = 1.0;
         let mut first = 0.0;
         for c in &excess {
@@ -229,19 +256,24 @@ impl Run<'_> {
             }
             power *= local.left;
         }
-        if first > 0.0 && (excess[0] > 0.0 || excess[0].abs() <= EQUAL * limit) {
+        if first > 0.0 && excess[0] >= 0.0 {
             self.enter(Contact::Sliding);
-            return self.begin_sliding(&local, give);
+            let limit = if released {
+                libm::hypot(local.a[0][0], local.a[1][0])
+            } else {
+                self.sphere.yielding(self.sphere.friction())
+            };
+            let start = onset(limit, local.left, |m, _| local.a.map(|a| -a[m]))?;
+            self.slip_by(&local, &start.velocity, start.h);
+            return Ok(());
         }
         self.enter(Contact::Rolling);
-        if excess[0].abs() <= EQUAL * limit {
-            excess[0] = 0.0;
-        }
         // The square of a series is good for less far than the series.
         let trusted = reach(&excess).min(local.left);
         let release = roots(&excess, trusted)?
             .into_iter()
             .find(|root| root.way == Way::Rising);
+        self.released = release.is_some();
         let (h, landing) = match release {
             Some(root) => (root.at, None),
             None if trusted < local.left => (trusted, None),
@@ -251,11 +283,9 @@ impl Run<'_> {
         Ok(())
     }
 
-    /// The first moments of sliding.
-    fn begin_sliding(&mut self, local: &Local, give: f64) -> Result<(), MotionError> {
-        let limit = self.sphere.yielding(self.sphere.friction());
-        let start = onset(limit, local.left, |m, _| local.a.map(|a| -a[m]))?;
-        let c = start.velocity;
+    /// A piece over the time `h`, if that is left, with a contact velocity known by its series.
+    fn slip_by(&mut self, local: &Local, c: &[Coefficients; 2], h: f64) {
+        let give = self.sphere.yielding(1.0);
         // The force that the plane must exert for c to change as it does.
         let force = [0, 1].map(|i| {
             std::array::from_fn(|k| {
@@ -263,13 +293,12 @@ impl Run<'_> {
                 (rate + local.a[i][k]) / give
             })
         });
-        let (h, landing) = if start.h < local.left {
-            (start.h, None)
+        let (h, landing) = if h < local.left {
+            (h, None)
         } else {
             (local.left, local.landing)
         };
-        self.follow(&local.a, &force, &c, h, landing);
-        Ok(())
+        self.follow(&local.a, &force, c, h, landing);
     }
 
     /// A piece over the time `h` under a known force.

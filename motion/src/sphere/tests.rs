@@ -1,7 +1,8 @@
 //! The sphere by hand, and in what it conserves.
 
 use super::*;
-use crate::{Plane, Signal};
+use crate::fitted::tests::noisy;
+use crate::{Plane, Signal, State, run};
 use proptest::prelude::*;
 
 fn ball(v: [f64; 2], omega: [f64; 3]) -> Ball {
@@ -25,6 +26,37 @@ fn odd() -> Sphere {
 
 fn still() -> Plane {
     Plane::constant([0.0; 2])
+}
+
+/// The lowest point moves as a block that friction holds with what it has on that point, slips however slow and noise included;
+/// late in a record too, where its times are rounded by more than forces.
+#[test]
+fn the_lowest_point_moves_as_a_block() {
+    let sphere = Sphere {
+        mu: 0.56,
+        ..Sphere::with_kappa(0.4)
+    };
+    for (seed, from) in [(1, 0.0), (2, 600.0), (3, 6e3), (4, 6e4)] {
+        let plane = noisy(from, 1000, seed);
+        let until = plane.times()[1];
+        let start = Ball {
+            t: from,
+            ..ball([0.0; 2], [0.0; 3])
+        };
+        let rolled = sphere.run(&plane, &start, until).unwrap();
+        let rest = State {
+            t: from,
+            ..State::moving([0.0; 2])
+        };
+        let moved = run(&plane, 1.96, rest, until).unwrap();
+        assert!(moved.stops().len() > 3);
+        for k in 0..1998 {
+            let t = from + 0.001 * f64::from(k);
+            let (slip, v) = (rolled.slip(t).unwrap(), moved.at(t).unwrap().v);
+            let off = libm::hypot(slip[0] - v[0], slip[1] - v[1]);
+            assert!(off < 1e-12 * (1.0 + from), "{seed} {t}: {off:e}");
+        }
+    }
 }
 
 #[test]

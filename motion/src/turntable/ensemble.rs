@@ -95,17 +95,17 @@ const BRINK: f64 = 0.001;
 const PIECE: usize = 1024;
 
 impl Horizon {
-    /// The ends of these particles' ways, in their order. With the feature `parallel` all cores share the work; the result does
-    /// not depend on how.
+    /// The ends of these particles' ways, in their order, or why there is none: for a start that no constructor of [`Start`]
+    /// gives, or one at rest beyond ρ = 1 (it starts by itself, and this time is not that of the ensemble), and for that alone. With
+    /// the feature `parallel` all cores share the work; the result does not depend on how.
     ///
     /// Cost: for each some fifty steps as a rule, and at most [`STEPS`] before it is followed alone.
     ///
     /// # Errors
-    /// [`MotionError::Argument`] for a horizon that is not positive and finite, a start that no constructor of
-    /// [`Start`] gives, or one at rest beyond ρ = 1 (it starts by itself, and this time is not that of the ensemble).
-    pub fn follow(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
-        self.accepts(starts)?;
-        let ends = |piece| self.piece(piece);
+    /// [`MotionError::Argument`] for a horizon that is not positive or above 10⁶.
+    pub fn follow(&self, starts: &[Start]) -> Result<Vec<Result<End, MotionError>>, MotionError> {
+        self.check()?;
+        let ends = |piece| self.each(piece);
         #[cfg(feature = "parallel")]
         let pieces = starts.par_chunks(PIECE).flat_map_iter(ends);
         #[cfg(not(feature = "parallel"))]
@@ -117,9 +117,23 @@ impl Horizon {
     ///
     /// # Errors
     /// As for [`follow`](Self::follow).
-    pub fn follow_alone(&self, starts: &[Start]) -> Result<Vec<End>, MotionError> {
-        self.accepts(starts)?;
-        Ok(self.piece(starts))
+    pub fn follow_alone(
+        &self,
+        starts: &[Start],
+    ) -> Result<Vec<Result<End, MotionError>>, MotionError> {
+        self.check()?;
+        Ok(self.each(starts))
+    }
+
+    fn each(&self, starts: &[Start]) -> Vec<Result<End, MotionError>> {
+        let fit = |start: &&Start| moves(start).is_ok();
+        let followed: Vec<_> = starts.iter().filter(fit).copied().collect();
+        let mut ends = self.piece(&followed).into_iter();
+        let end = |start: &Start| {
+            moves(start)?;
+            Ok(ends.next().unwrap_or(End::Unfinished(*start)))
+        };
+        starts.iter().map(end).collect()
     }
 
     /// The end of the way of one particle from the distance `rho` with the speed `p` and the angle `psi` (radians), all
@@ -130,28 +144,27 @@ impl Horizon {
     /// As for [`follow`](Self::follow) and [`Start::polar`].
     pub fn follow_exactly(&self, rho: Double, p: Double, psi: Double) -> Result<End, MotionError> {
         let near = Start::polar(rho.to_f64(), p.to_f64(), psi.to_f64())?;
-        self.accepts(&[near])?;
+        self.check()?;
+        moves(&near)?;
         let exact = Exact::polar(rho, p, psi);
         let end = self.closely::<_, EXACTLY>(exact, &WIDE);
         Ok(end.unwrap_or(End::Unfinished(near)))
     }
 
-    /// Whether these starts can be followed, before it is done.
-    ///
-    /// # Errors
-    /// As for [`follow`](Self::follow).
-    pub fn accepts(&self, starts: &[Start]) -> Result<(), MotionError> {
+    fn check(&self) -> Result<(), MotionError> {
         for (name, value) in [("rho", self.rho), ("tau", self.tau)] {
             let allowed = value > 0.0 && value <= 1e6;
             super::argument(name, value, allowed, "positive, at most 1e6")?;
         }
-        for start in starts {
-            check(start)?;
-            let moves = start.p > 0.0 || start.rho() <= 1.0;
-            super::argument("p", start.p, moves, "positive where rho > 1")?;
-        }
         Ok(())
     }
+}
+
+/// Whether a start can be followed, before it is done.
+fn moves(start: &Start) -> Result<(), MotionError> {
+    check(start)?;
+    let moves = start.p > 0.0 || start.rho() <= 1.0;
+    super::argument("p", start.p, moves, "positive where rho > 1")
 }
 
 /// How far a way went.
@@ -622,7 +635,7 @@ mod tests {
         let ends = HORIZON.follow(&starts).unwrap();
         let (mut rests, mut far) = (0, 0);
         for (start, end) in starts.iter().zip(&ends) {
-            match (*end, fate(start).unwrap()) {
+            match (end.clone().unwrap(), fate(start).unwrap()) {
                 (
                     End::Rest {
                         sigma,
@@ -669,7 +682,7 @@ mod tests {
             let near = Start::polar(rho.to_f64(), p.to_f64(), 0.0).unwrap();
             assert!(!matches!(
                 HORIZON.follow(&[near]).unwrap()[..],
-                [End::Rest { .. }]
+                [Ok(End::Rest { .. })]
             ));
             let end = HORIZON.follow_exactly(rho, p, Double::from(0.0)).unwrap();
             let End::Rest { tau, tau_error, .. } = end else {
@@ -706,7 +719,7 @@ mod tests {
         };
         let mut late = 0;
         for (start, end) in starts.iter().zip(horizon.follow(&starts).unwrap()) {
-            let End::Late(there) = end else { continue };
+            let Ok(End::Late(there)) = end else { continue };
             let exact = Run::new(start, 3.0).unwrap().end().parts;
             for (a, b) in [
                 (there.p, exact.p),
@@ -733,27 +746,27 @@ mod tests {
     #[test]
     fn rest_stays_and_what_cannot_be_followed_is_refused() {
         let still = Start::polar(0.7, 0.0, 0.0).unwrap();
-        let [end] = HORIZON.follow(&[still]).unwrap()[..] else {
-            panic!()
-        };
+        let ends = HORIZON.follow(&[still]).unwrap();
         let rest = End::Rest {
             sigma: 0.7,
             sigma_error: 0.0,
             tau: 0.0,
             tau_error: 0.0,
         };
-        assert_eq!(end, rest);
+        assert_eq!(ends, [Ok(rest)]);
         assert_eq!(HORIZON.follow(&[]).unwrap(), []);
         let loose = Start::polar(1.1, 0.0, 0.0).unwrap();
         let broken = Start {
             p: f64::NAN,
             ..still
         };
-        for starts in [[loose], [broken]] {
-            assert!(matches!(
-                HORIZON.follow(&starts),
-                Err(MotionError::Argument { .. })
-            ));
+        // A start that is refused changes no other's end.
+        for bad in [loose, broken] {
+            let refused = |end: &_| matches!(end, Err(MotionError::Argument { name: "p", .. }));
+            for follow in [Horizon::follow, Horizon::follow_alone] {
+                let ends = follow(&HORIZON, &[bad, still, bad]).unwrap();
+                assert!(refused(&ends[0]) && ends[1] == Ok(rest) && refused(&ends[2]));
+            }
         }
         for (rho, tau) in [
             (0.0, 1.0),
@@ -807,11 +820,15 @@ mod tests {
         };
         for (rho, p, psi) in [(200.0, 1e-3, 0.0), (101.0, 1.0, 2.0), (100.0, 99.0, 0.0)] {
             let start = Start::polar(rho, p, psi).unwrap();
-            assert_eq!(HORIZON.follow(&[start]).unwrap(), [at_once], "{rho} {p}");
+            assert_eq!(
+                HORIZON.follow(&[start]).unwrap(),
+                [Ok(at_once)],
+                "{rho} {p}"
+            );
         }
         // Rounding puts this one inside.
         let start = Start::polar(100.0, 99.0, 1.57).unwrap();
-        let [End::Far { tau, tau_error }] = HORIZON.follow(&[start]).unwrap()[..] else {
+        let [Ok(End::Far { tau, tau_error })] = HORIZON.follow(&[start]).unwrap()[..] else {
             panic!()
         };
         assert!((0.0..=tau_error).contains(&tau) && tau_error < 1e-11);
@@ -821,13 +838,13 @@ mod tests {
         };
         let [still, moving] = [0.0, 0.3].map(|p| Start::polar(0.5, p, 0.0).unwrap());
         let ends = near.follow(&[still, moving]).unwrap();
-        assert!(matches!(ends[0], End::Rest { sigma: 0.5, .. }) && ends[1] == at_once);
+        assert!(matches!(ends[0], Ok(End::Rest { sigma: 0.5, .. })) && ends[1] == Ok(at_once));
     }
 
     #[test]
     fn what_moves_beyond_the_largest_rest_is_followed() {
         let fast = Start::polar(1.1, 0.5, 0.3).unwrap();
-        let [End::Far { tau, .. }] = HORIZON.follow(&[fast]).unwrap()[..] else {
+        let [Ok(End::Far { tau, .. })] = HORIZON.follow(&[fast]).unwrap()[..] else {
             panic!()
         };
         let rho = Run::new(&fast, tau).unwrap().end().rho();
@@ -852,12 +869,12 @@ mod tests {
         ] {
             let ends = HORIZON.follow(&[start]).unwrap();
             let [
-                End::Rest {
+                Ok(End::Rest {
                     sigma: place,
                     sigma_error,
                     tau: time,
                     tau_error,
-                },
+                }),
             ] = ends[..]
             else {
                 panic!("{ends:?}")
@@ -866,7 +883,7 @@ mod tests {
             assert!((time - tau).abs() <= tau_error && (time - tau).abs() < 1e-8);
         }
         // Too fast to rest there: it hovers, and goes.
-        let [End::Far { tau, tau_error }] =
+        let [Ok(End::Far { tau, tau_error })] =
             HORIZON.follow(&[place(0.9999, 1.1e-4, 0.0)]).unwrap()[..]
         else {
             panic!()
@@ -880,7 +897,8 @@ mod tests {
             tau: 3.0,
             ..HORIZON
         };
-        let [End::Late(there)] = brief.follow(&[place(0.9999, 1.1e-4, 0.0)]).unwrap()[..] else {
+        let [Ok(End::Late(there))] = brief.follow(&[place(0.9999, 1.1e-4, 0.0)]).unwrap()[..]
+        else {
             panic!()
         };
         let exact = Run::new(&place(0.9999, 1.1e-4, 0.0), 3.0)
@@ -908,7 +926,7 @@ mod tests {
                 panic!("{k}")
             };
             let start = Start::polar(rho, p, psi).unwrap();
-            let [End::Far { tau, tau_error }] = horizon.follow(&[start]).unwrap()[..] else {
+            let [Ok(End::Far { tau, tau_error })] = horizon.follow(&[start]).unwrap()[..] else {
                 panic!("{k}")
             };
             assert!(

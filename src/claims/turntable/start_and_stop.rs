@@ -203,7 +203,7 @@ fn stop(i: usize, points: &mut Points) -> Result<Stop, Failure> {
         tau: time,
         tau_error,
         ..
-    } = horizon.follow_alone(&[alone])?[0]
+    } = horizon.follow_alone(&[alone])?.remove(0)?
     else {
         return Err("of many, it does not come to rest".into());
     };
@@ -348,7 +348,7 @@ fn eq104_of_many() -> Evidence {
         let (rho, psi) = (points.uniform(0.5, 2.0), points.uniform(-2.8, 2.8));
         let p = points.uniform(0.5, 3.0);
         let start = Start::polar(rho, p, psi)?;
-        let (name, tau, end) = match HORIZON.follow_alone(&[start])?[0] {
+        let (name, tau, end) = match HORIZON.follow_alone(&[start])?.remove(0)? {
             End::Far { tau, .. } => ("at ρ = 3", tau, None),
             End::Late(state) => ("at τ = 2", HORIZON.tau, Some(state)),
             End::Rest { tau, sigma, .. } => {

@@ -195,12 +195,12 @@ fn rest_by_another_law_in_other_variables() {
         alone[0].number(s, known(s, error), sigma, &case);
         alone[1].number(t, known(t, tau_error), tau, &case);
         let [
-            End::Rest {
+            Ok(End::Rest {
                 sigma: s,
                 sigma_error,
                 tau: t,
                 tau_error,
-            },
+            }),
         ] = horizon.follow_alone(&[start]).unwrap()[..]
         else {
             panic!("{case}")
@@ -233,7 +233,7 @@ fn escape_by_another_law_in_other_variables() {
         let horizon = Horizon { rho: far, tau: 1e3 };
         let start = Start::polar(rho, p, psi).unwrap();
         let case = format!("{rho:?} {p:?} {psi:?} {far:?}");
-        let [End::Far { tau, tau_error }] = horizon.follow_alone(&[start]).unwrap()[..] else {
+        let [Ok(End::Far { tau, tau_error })] = horizon.follow_alone(&[start]).unwrap()[..] else {
             panic!("{case}")
         };
         tally.number(tau, known(tau, tau_error), exact, &case);
