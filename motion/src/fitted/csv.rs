@@ -596,7 +596,6 @@ mod tests {
             "x accel",
             "LinearAccelerationX",
             "a_{x}",
-            "a",
             "acceleration",
             "Acceleration - x (m/s²) Run #1",
             "Latest: X Acceleration (m/s²)",

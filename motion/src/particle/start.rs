@@ -105,7 +105,7 @@ mod tests {
     #[test]
     fn of_two_stops_the_first_decides() {
         use super::super::run;
-        use crate::{Plane, Signal};
+        use crate::{Plane, Signal, State};
         let pull = Signal::Polynomial(vec![0.5 + 0.3, -0.8, 0.3]);
         for e in [[1.0, 0.0], [0.0, -1.0], [0.6, 0.8]] {
             let plane = Plane::along(e.map(|c: f64| -c), pull.clone());
