@@ -303,10 +303,10 @@ fn conditions(ledger: &Ledger) -> Result<(), Failed> {
             let at = |s: &Sample, nearly| {
                 let named = s.at.split(", ").filter_map(|part| part.split_once(" = "));
                 let at = named.filter_map(|(name, x)| Some((name, x.parse().ok()?)));
-                let mut at: BTreeMap<_, _> = at.collect();
-                if let (Some(x), Some(y)) = (at.get("v_x"), at.get("v_y")) {
-                    at.insert("p", f64::hypot(*x, *y));
-                }
+                let mut at: BTreeMap<&str, f64> = at.collect();
+                let velocity = at.get("v_x").zip(at.get("v_y"));
+                let speed = velocity.map(|(x, y)| ("p", x.hypot(*y)));
+                at.extend(speed);
                 holds(condition.text, &at, nearly)
             };
             let of = |subjects: &'static [Subject]| {
@@ -430,7 +430,7 @@ fn wrong_proofs(ledger: &Ledger) -> Result<(), Failed> {
     });
     let given = as_recorded.iter().flat_map(|entry| {
         let attempts = entry.claim.trials.iter();
-        attempts.flat_map(|attempt| {
+        attempts.flat_map(move |attempt| {
             let proof = (entry.claim.id, attempt.name());
             attempt.spared.iter().map(move |spared| (proof, spared.of))
         })

@@ -11,8 +11,8 @@ fn read(bytes: &[u8]) -> Value {
     serde_json::from_slice(&json[..length as usize]).unwrap()
 }
 
-/// The ids, all ways to break every formula, and what the trials of each claim say of two of them: a module that was made of other
-/// formulas, or of other trials that notice something else, is told by the claim.
+/// The ids and all ways to break every formula: a module that was made of another formula is told by the claim. What the trials say
+/// takes long in it: of the first and the last way to break a formula with an integral behind it, a threshold and a misprint.
 #[test]
 fn the_module_in_the_page_gives_the_answers_of_the_crate() {
     let mut page = Page::open(include_bytes!("../../book/theme/breaks.wasm"));
@@ -28,16 +28,15 @@ fn the_module_in_the_page_gives_the_answers_of_the_crate() {
         let Some(id) = ids.iter().find(|known| id == known) else {
             panic!("{id} is in the module and no claim any more: {REBUILD}");
         };
-        let began = std::time::Instant::now();
         let (said_of, ways) = (read(page.call("ways", number as u32)), breaks(id));
         let mut same = said_of == to_value(&ways).unwrap();
-        let w = began.elapsed();
-        for (i, way) in [(0, &ways[0]), (ways.len() - 1, &ways[ways.len() - 1])] {
+        let both = [(0, &ways[0]), (ways.len() - 1, &ways[ways.len() - 1])];
+        let tried = ["eq-9", "eq-15", "eq-75"].contains(id);
+        for (i, way) in both.into_iter().filter(|_| tried) {
             let found = same.then(|| read(page.call("broken", (number as u32, i as u32))));
             let expected = to_value(said(id, way)).unwrap();
             same = found.is_some_and(|found| outcomes(&found) == outcomes(&expected));
         }
-        println!("PROBE {id} {w:?} {:?} {same}", began.elapsed());
         old.extend((!same).then_some(id));
     }
     assert!(

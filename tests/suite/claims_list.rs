@@ -50,7 +50,7 @@ fn what_is_printed_is_what_the_paper_prints() {
         .iter()
         .filter(|line| printed.iter().all(|other| other != *line));
     let gone = gone.map(|line| {
-        let (id, _) = line.split_once(' ').unwrap_or((line, ""));
+        let (id, _) = line.split_once(' ').unwrap_or((*line, ""));
         let now = printed.iter().find(|line| line.starts_with(&format!("{id} ")));
         format!(
             "{id}: tests/data/printed.txt has `{line}`, the entry gives {now:?}. Hold the entry against the paper; only if the line was \

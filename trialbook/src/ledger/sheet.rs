@@ -118,7 +118,7 @@ fn apart(sample: &Sample, tolerance: f64) -> [String; 2] {
     // What is nothing beside the other side is rounding, and another number on another machine.
     let [stated, found] = [sample.stated, sample.found];
     let nothing = |x: f64, other: f64| {
-        if x.abs() < 1e-15 * other.abs() {
+        if other.is_finite() && x.abs() < 1e-15 * other.abs() {
             0.0
         } else {
             x
