@@ -62,6 +62,8 @@ words! {
         let slip = found(path.intervals.iter().find(|i| i.sign == Sign::Positive))?;
         (slip.end - FRAC_PI_2).div_euclid(0.99 * (FRAC_PI_2 - slip.start))
     };
+    // The push takes a quarter of the period.
+    "pull-longer" => (TAU - FRAC_PI_2) / FRAC_PI_2;
     "third-harmonic" => drawn::THIRD;
     "humps" => loops(0.04)?.len();
     "large-humps" => loops(0.04)?.len() - shallow(0.04)?.len();

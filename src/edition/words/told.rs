@@ -13,6 +13,10 @@ words! {
     // Of an interval as long above as below.
     "digits-certain" => libm::floor(-libm::log10(2.0 * margin()?));
     "critical-margin" => margin()?;
+    "radii-from" => enclosed(1)?[0];
+    "radii-to" => enclosed(1)?[2];
+    "speeds-from" => enclosed(2)?[0];
+    "speeds-to" => enclosed(2)?[2];
     "new-results" => headings("new")?;
     "questions-beyond" => headings("beyond")?;
     "digits-of-two" => libm::floor((parts() * f64::MANTISSA_DIGITS as usize) as f64 * libm::log10(2.0));
@@ -47,6 +51,14 @@ fn headings(stem: &str) -> Known<usize> {
 fn margin() -> Known {
     let (_, off) = found(text("rest")?.split_once(".abs() > "))?;
     Ok(found(off.split(' ').next())?.parse()?)
+}
+
+/// From where to the border, and from where on the other side: of the radii, and then of the speeds.
+fn enclosed(which: usize) -> Known<[f64; 4]> {
+    let list = found(text("rest")?.split("for ends in ").nth(which))?;
+    let list = found(list.split('{').next())?.split(['[', ']', ',', ' ']);
+    let numbers: Vec<f64> = list.filter_map(|number| number.parse().ok()).collect();
+    found(numbers.try_into().ok())
 }
 
 /// How many floating-point numbers the calculators' numbers are made of.

@@ -53,10 +53,8 @@ counts! {
         command.iter().map(|line| line.split(' ').count() as f64).collect()
     });
     "escape", "is within {} of" => Code;
-    "rest", "from there to {} all escape" => Code;
     "rest", "turns {} times a minute" => Code;
     "rest", "less than a {} of each" => Code;
-    "rest", "from 0.9 to {}" => Code;
     "json", "takes some {} steps" => Is(|| 10.0 * (steps() / 10.0).round());
     "json", "same for a {} starts" => Among(|_| timed().into_iter().take(1).collect());
     "json", "as for a {}" => Among(|_| timed().into_iter().skip(1).collect());
@@ -105,7 +103,6 @@ counts! {
         let ball = Ball { t: 0.0, x: [0.0; 2], v: [0.0; 2], omega: [0.0; 3] };
         ball.omega.len() as f64
     });
-    "periodic", "pull {} times as long" => Code;
     "periodic", "rests for a {} of each" => Code;
     "periodic", "fill {} of the time" => Code;
     "anisotropic", "each of {} ×" => Code;
