@@ -704,7 +704,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
                 host.querySelector('.stage').scrollIntoView({{ block: 'center', behavior: 'instant' }});
                 await new Promise(done => setTimeout(done, 400));
                 const shown = key => Number(host.querySelector(`.inputs [name=${{key}}]`).value);
-                const named = [...asks.matchAll(/λ₀? = ([\\d.]+)/g)].map(([, number]) => Number(number));
+                const named = [...asks.matchAll(/λ₀? = (\\d+(?:\\.\\d+)?)/g)].map(([, number]) => Number(number));
                 return [
                     ...named.filter(number => number !== shown('lambda')).map(number => `λ is ${{shown('lambda')}}, not ${{number}}`),
                     ...Object.keys(at).filter(key => shown(key) !== at[key] && !(key === 'lambda' && named.length)).map(key => `${{key}} is ${{shown(key)}}`),

@@ -6,13 +6,13 @@ use super::*;
 fn a_proof_reads_as_steps() {
     let text = EQ9.proof().to_string();
     assert!(
-        text.contains("The printed rate: (λ − cos(θ))/sin(θ) = "),
+        text.contains("The printed rate: (λ − cos(θ))/sin(θ); in normal form: "),
         "{text}"
     );
     assert!(text.ends_with("Shown.\n"), "{text}");
     let wrong = (EQ9.prove)(-(EQ9.formulas)()).to_string();
     assert!(
-        wrong.contains("Not proved: Rate by (1) against printed rate: the difference is "),
+        wrong.contains("Not proved: The rate by (1) is the printed one: the difference is "),
         "{wrong}"
     );
 }
