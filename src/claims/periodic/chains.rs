@@ -60,7 +60,7 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
         p.equal("That less the rate is the square", &room, &square)?;
         let time = start / (right - left);
         p.vanishes(
-            "The line |𝔴₀| − (right − left) φ at φ = |𝔴₀|/(right − left), with 𝔴₀ for its size",
+            "The line |𝔴₀| − d φ at φ = |𝔴₀|/d, d being the right less the left side, with 𝔴₀ for its size",
             start - (right - left) * time,
         )?;
         p.remark("So 𝔴 is 0 by then, and at rest the drive is below the greatest static friction; with a velocity across it falls as fast, by (2)");

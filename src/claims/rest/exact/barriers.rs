@@ -59,7 +59,7 @@ fn moved() -> Proof {
         Ok(ring)
     };
     Proof::in_ring("The distance of a motion from a barrier", ring(), |p| {
-        p.shows("For u = A − P − sKα³, with P(α, ψ), K > 0 and s = 1 or s = −1: du/dτ = R + m (A − P) + 3sKα² f, R being the rate of A − P on the surface A = P. Here f = −dα/dτ is at least 1/A − 1; m is in the steps.");
+        p.shows("For u = A − P − s K α³, with P(α, ψ), K > 0 and s = 1 or s = −1: du/dτ = R + m (A − P) + 3s K α² f, R being the rate of A − P on the surface A = P. Here f = −dα/dτ is at least 1/A − 1; m is in the steps.");
         given(
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
@@ -68,7 +68,7 @@ fn moved() -> Proof {
         let [surface, b, d, k, s] = Expr::symbols(["P", "b", "d", "K", "s"]);
         p.note(
             "Let A = P(α, ψ) be a surface with the slopes b by α and d by ψ, K > 0, and s = 1 or s = −1",
-            "the barrier is the surface moved by sKα³, and u = A − P − sKα³ is the distance of a motion from it",
+            "the barrier is the surface moved by s K α³, and u = A − P − s K α³ is the distance of a motion from it",
         );
         let falls = |a| -motion::eq114_alpha_rate(a, alpha, psi);
         let [growth, turning] = [motion::eq113_a_rate::tree(), motion::eq115_psi_rate::tree()];
@@ -79,7 +79,7 @@ fn moved() -> Proof {
         let parts = residual + pull + int(3) * s * k * alpha.squared() * falls(a);
         p.identity(
             ("du/dτ by (113) to (115)", rate),
-            ("which is R + m (A − P) + 3sKα² f: the residual R is the rate of A − P on the surface itself, m = −b cosh α/(AP), and f = −dα/dτ", parts),
+            ("which is R + m (A − P) + 3s K α² f: the residual R is the rate of A − P on the surface itself, m = −b cosh α/(A P), and f = −dα/dτ", parts),
         )?;
         let parts = int(2) * (psi / int(2)).sin().squared()
             + int(2) * (alpha / int(2)).sinh().squared() / a

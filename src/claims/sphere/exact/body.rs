@@ -494,7 +494,7 @@ pub(super) fn prove_rolling() -> Proof {
         "A sphere rolls on where a particle with bμ stays at rest",
         Force::Any,
         |p, body| {
-            p.shows("If w, the velocity of the sphere's lowest point relative to the plane, is 0, the friction F = mA/b keeps it 0; its size is μmg at most exactly if |A| ≤ bμg.");
+            p.shows("If w, the velocity of the sphere's lowest point relative to the plane, is 0, the friction F = m A/b keeps it 0; its size is μmg at most exactly if |A| ≤ bμg.");
             for ((axis, w), a) in AXES.iter().zip(slip()).zip(acceleration()).take(2) {
                 let w = p.read(&format!("w {axis}"), w)?;
                 let rate = p.derivative("Its rate", &w, &body.motion)?;
@@ -503,7 +503,7 @@ pub(super) fn prove_rolling() -> Proof {
                 p.reads_as(&rate, "", force - a)?;
             }
             p.note(
-                "So w = 0 is kept by F = mA/b",
+                "So w = 0 is kept by F = m A/b",
                 "that is at most μmg exactly if |A| ≤ bμg",
             );
             Ok(())

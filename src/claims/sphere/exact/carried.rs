@@ -128,7 +128,7 @@ fn regions(lambda0: Expr) -> Proof {
         let q = Expr::symbol("q");
         p.note(
             "μ is that of slip towards +x, qμ that of slip towards −x",
-            "static friction F = mA/b holds as long as A is at most b times the friction of its direction",
+            "static friction F = m A/b holds as long as A is at most b times the friction of its direction",
         );
         let forward = anisotropic::eq47_lambda_plus(b * mu, g, a0);
         let backward = anisotropic::eq48_lambda_minus(b * q * mu, g, a0);
