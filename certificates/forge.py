@@ -734,7 +734,7 @@ def forged(whole, files, prints):
         yield reason, refused(reason, lambda: check.check(c, files[i], prints))
     for spoil, reason in IN_FILES:
         numbers = (i for i, c in enumerate(whole) if [w["kind"] for w in c["witnesses"]][1:] == ["number", "number"])
-        fits = {other_sign: lambda c: "-" in c["statement"], own_link_emptied: lambda c: c["claim"] == "eq-82"}
+        fits = {other_sign: lambda c: "-" in c["statement"], own_link_emptied: lambda c: c["claim"] == "eq-81"}
         i = next((i for i, c in enumerate(whole) if fits[spoil](c)) if spoil in fits else numbers)
         c = copy.deepcopy(whole[i])
         spoil(c, next(other for other in whole if other["claim"] not in (c["claim"], "s24-X") and "$" not in other["statement"]))
