@@ -8,6 +8,7 @@ use std::path::{Path, PathBuf};
 /// The modules of the engine, which knows no paper, each with those that it may name. A formula is a tree too, so that what is seeded in
 /// it knows trees.
 const ENGINE: &str = "
+    data:
     scalar:
     seeded: exact scalar
     evidence:
@@ -16,13 +17,13 @@ const ENGINE: &str = "
     witness:
     exact: notation scalar seeded witness
     certified: exact numerics scalar witness
-    trials: scalar evidence numerics exact certified seeded witness notation
-    ledger: evidence trials seeded notation
+    trials: data scalar evidence numerics exact certified seeded witness notation
+    ledger: data evidence trials seeded notation
     plotting:
-    publishing: trials plotting seeded
-    prelude: trials publishing evidence exact plotting ledger numerics scalar seeded
-    book: evidence trials ledger plotting publishing notation
-    cli: trials evidence ledger plotting notation numerics book publishing witness
+    publishing: data trials plotting seeded
+    prelude: data trials publishing evidence exact plotting ledger numerics scalar seeded
+    book: data evidence exact trials ledger plotting publishing notation
+    cli: data trials evidence ledger plotting notation numerics book publishing witness
 ";
 
 /// What knows this paper.
@@ -32,11 +33,11 @@ const OF_THE_PAPER: &str = "
     corrections: scalar seeded symbols
     solve: corrections motion numerics paper scalar
     exam: motion numerics
-    claims: trials validated scalar evidence numerics motion paper corrections exact certified seeded symbols witness
-    figures: claims exam motion plotting solve trials
+    claims: data trials validated scalar evidence numerics motion paper corrections exact certified seeded symbols witness
+    figures: data claims exam motion plotting solve trials
     breaks: claims corrections evidence ledger notation paper scalar seeded trials
     commands: numerics exam figures cli plotting publishing solve
-    edition: evidence breaks claims corrections exam ledger figures motion notation numerics paper solve symbols book commands plotting publishing trials
+    edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper solve symbols book commands plotting publishing trials
 ";
 
 /// What knows Newton's law, the row `motion` being all modules of its crate that have none of their own.
