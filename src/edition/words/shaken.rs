@@ -72,7 +72,7 @@ words! {
     "flattened-humps" => deepened(false)?;
     "rests-back-at-larger" => {
         // None, then some, then none: those that come back need much more friction.
-        let at = tried([0.04, 0.08, 0.16, 0.32].into_iter().map(|lambda| Ok(resting(lambda)?)))?;
+        let at = tried([0.04, 0.08, 0.16, 0.32].into_iter().map(resting))?;
         at.eq([false, true, false, true])
     };
     "rests-at-first" => rests()?[0];
