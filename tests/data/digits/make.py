@@ -413,6 +413,9 @@ def values():
     # 1 - alpha + a alpha^2 with 3 a = 7/2. At other psi, to first order, A stays while d alpha/d psi = alpha
     # tan(psi/2), so that 1 - A = alpha cos^2(psi/2).
     slope, curvature = mp.cos(pi / 4) ** 2, mpf(7) / 6
+    alpha = mpf(1) / 10
+    near, far = mp.cos(alpha), mp.sin(alpha)
+    bend = curvature * near**4 + 2 * far * near**3 - (far * near) ** 2 + 2 * far**3 * near / 3 - far**4 / 4
     return [
         ("lambda-c", 2 / sqrt(4 + pi**2)),
         ("fig-3-start", mp.acos(pi * inverse / 2)),
@@ -446,6 +449,8 @@ def values():
         ("fig-4-friction", half),
         ("y-root", x),
         ("boundary-curvature", curvature),
+        ("boundary-least", 1 - alpha + curvature * alpha**2),
+        ("boundary-series", 1 - alpha * near**2 + bend * alpha**2),
     ]
 
 
