@@ -764,7 +764,7 @@ mod tests {
     #[test]
     fn faults_are_gathered() {
         const SHARED: File = File {
-            path: "../shared.toml",
+            path: "shared.toml",
             text: Text::Built(
                 "conditions.soon = { stated = '$t' }\nreasons.idle = 'used by nobody'",
             ),
