@@ -14,12 +14,12 @@ const ENGINE: &str = "
     evidence:
     notation:
     numerics: scalar
-    witness:
+    witness: data
     exact: notation scalar seeded witness
     certified: exact numerics scalar witness
     trials: data scalar evidence numerics exact certified seeded witness notation
     ledger: data evidence trials seeded notation
-    plotting:
+    plotting: data
     publishing: data trials plotting seeded
     prelude: data trials publishing evidence exact plotting ledger numerics scalar seeded
     book: data evidence exact trials ledger plotting publishing notation

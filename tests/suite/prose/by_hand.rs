@@ -132,6 +132,10 @@ fn what_is_right_is_worked_out_where_its_case_is() {
     let mut tried = 0;
     for (claim, case) in PAPER.cases() {
         let (words, mut given) = (case.words().unwrap(), Given::new());
+        // What a case finds in a limit is no value at its numbers.
+        if words.contains(r"\to0") {
+            continue;
+        }
         for formula in formulas_of(&words) {
             found(&formula, &mut given);
         }
@@ -148,10 +152,12 @@ fn what_is_right_is_worked_out_where_its_case_is() {
         for formula in formulas {
             // What it says its names are is given, too.
             found(&formula, &mut given);
-            for statement in statements(&formula).unwrap_or_default() {
-                let [_, .., side] = &statement.sides[..] else {
-                    continue;
-                };
+            // A letter alone says nothing; what follows says what letters stand for.
+            if formula.trim().len() == 1 {
+                continue;
+            }
+            for statement in statements(&formula).unwrap_or_default().iter().take(1) {
+                let side = statement.sides.last().unwrap();
                 let value = |given: &Given| number(read(&formula, side, given).ok()?);
                 let (Some(value), None) = (value(&given), value(&Given::new())) else {
                     continue;

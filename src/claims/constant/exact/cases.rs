@@ -103,7 +103,7 @@ pub const EQ20: Statement = by_newton(Printed, paper::eq20_stop_time::tree, |pri
         p.positive("Below the line in (14)", &below)?;
         let speed = p.read("(14)", paper::eq14_speed_at_time::tree())?;
         let fall = p.slope("It changes with t by", &speed, "t")?;
-        p.positive("which times −(λ + cos θ) is", &-(&fall * &below))?;
+        p.positive("Times −(λ + cos θ) that is", &-(&fall * &below))?;
         let stop = paper::eq14_speed_at_time::tree().with("t", printed);
         p.vanishes("(14) at the printed time", stop)
     })
