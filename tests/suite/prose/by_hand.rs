@@ -136,9 +136,13 @@ fn what_is_right_is_worked_out_where_its_case_is() {
         if words.contains(r"\to0") {
             continue;
         }
+        // A name that is given twice means the first.
+        let mut first = Given::new();
         for formula in formulas_of(&words) {
             found(&formula, &mut given);
+            first.complete(&given);
         }
+        let mut given = first;
         let right = claim.correction.map_or("", |right| right.latex);
         let right = right.replace(r"+\cdots", "").replace(r"+O(\alpha^3)", "");
         let formulas = match right.contains('$') {
@@ -153,7 +157,12 @@ fn what_is_right_is_worked_out_where_its_case_is() {
             // What it says its names are is given, too.
             found(&formula, &mut given);
             // A letter alone says nothing; what follows says what letters stand for.
-            if formula.trim().len() == 1 {
+            if formula
+                .trim()
+                .trim_start_matches('\\')
+                .chars()
+                .all(char::is_alphabetic)
+            {
                 continue;
             }
             for statement in statements(&formula).unwrap_or_default().iter().take(1) {
