@@ -134,11 +134,8 @@ pub(super) fn velocity(
     cosine: &Coefficients,
     sine: &Coefficients,
 ) -> [Coefficients; 2] {
-    let mut v = [[0.0; TERMS]; 2];
-    for k in 0..TERMS {
-        let (c, s) = (product(size, cosine, k), product(size, sine, k));
-        v[0][k] = e[0] * c - e[1] * s;
-        v[1][k] = e[1] * c + e[0] * s;
-    }
-    v
+    let turned = |along: f64, across: f64| {
+        std::array::from_fn(|k| along * product(size, cosine, k) + across * product(size, sine, k))
+    };
+    [turned(e[0], -e[1]), turned(e[1], e[0])]
 }

@@ -83,6 +83,7 @@ pub use trajectory::{Motion, Phase, PhaseKind, State};
 
 #[cfg(feature = "trials")]
 use trialbook::exact;
+#[cfg(any(test, feature = "trials"))]
 use trialbook::scalar;
 #[cfg(feature = "trials")]
 use trialbook::trials::runs::{Setting, failures};

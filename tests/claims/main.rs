@@ -355,9 +355,9 @@ fn reading(ledger: &Ledger) -> Result<(), Failed> {
     let those = |wanted: fn(&Entry, &Attempt, &Evidence) -> bool| {
         ledger.entries.iter().flat_map(move |entry| {
             let trials = entry.claim.trials.iter().zip(entry.keyed());
-            trials.filter_map(move |(trial, (key, e))| {
-                wanted(entry, trial, e).then(|| key.to_string())
-            })
+            trials
+                .filter(move |(trial, (_, e))| wanted(entry, trial, e))
+                .map(|(_, (key, _))| key.to_string())
         })
     };
     excused(

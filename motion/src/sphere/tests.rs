@@ -49,7 +49,7 @@ fn the_lowest_point_moves_as_a_block() {
             ..State::moving([0.0; 2])
         };
         let moved = run(&plane, 1.96, rest, until).unwrap();
-        assert!(moved.stops().len() > 0, "{seed}");
+        assert!(!moved.stops().is_empty(), "{seed}");
         for k in 0..1998 {
             let t = from + 0.001 * f64::from(k);
             let (slip, v) = (rolled.slip(t).unwrap(), moved.at(t).unwrap().v);

@@ -641,7 +641,7 @@ mod tests {
         let sum = Proof::of("a sum", &ring, |p| {
             p.equal("It", &(&one + &one), &Rational::int(2))
         });
-        let rests = idle(&[sum.clone()]);
+        let rests = idle(std::slice::from_ref(&sum));
         assert!(sum.compares() && rests.holds() && !rests.compares());
     }
 

@@ -483,7 +483,7 @@ impl Reader<'_> {
             }),
             conditions: each(entry.conditions, |given| self.condition(given)),
             domain: each(entry.domain, |(letter, [low, high])| {
-                if !(low < high) {
+                if low.is_nan() || high.is_nan() || low >= high {
                     let told = "a domain is two numbers, the lower one first".to_owned();
                     self.fault(letter.span().start, Fault::Form(told));
                 }
