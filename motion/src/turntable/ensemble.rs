@@ -122,7 +122,10 @@ impl Horizon {
         starts: &[Start],
     ) -> Result<Vec<Result<End, MotionError>>, MotionError> {
         self.check()?;
-        Ok(self.each(starts))
+        Ok(starts
+            .chunks(PIECE)
+            .flat_map(|piece| self.each(piece))
+            .collect())
     }
 
     fn each(&self, starts: &[Start]) -> Vec<Result<End, MotionError>> {
@@ -354,15 +357,17 @@ impl Horizon {
         let series = series();
         let at = |i: usize, h: f64| value(&series[i], &h);
         if far {
-            // Three sums side by side: none waits for itself.
+            const { assert!(N.is_multiple_of(2)) };
+            // Six sums side by side, of even powers and of odd: none waits for itself.
             let parts = |h: f64| {
-                let mut sums = [0.0; 3];
-                for k in (0..N).rev() {
-                    for (sum, series) in sums.iter_mut().zip(&series[1..]) {
-                        *sum = *sum * h + series[k];
+                let (mut even, mut odd) = ([0.0; 3], [0.0; 3]);
+                for k in (0..N).step_by(2).rev() {
+                    for (i, series) in series[1..].iter().enumerate() {
+                        even[i] = even[i] * (h * h) + series[k];
+                        odd[i] = odd[i] * (h * h) + series[k + 1];
                     }
                 }
-                sums
+                [0, 1, 2].map(|i| odd[i] * h + even[i])
             };
             let h = crossing(h, |h| excess(parts(h)));
             let tau = at(0, h);
