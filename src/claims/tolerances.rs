@@ -97,9 +97,17 @@ LATE_ANGLE = 2e-8,
 LIMIT_OF_WIDTH = 2e-10,
     "the jumps of h are known to 4e-16 at the worst, and the least width, 1e-3, divides that twice; as measured it is 3e-11";
 
+/// A ratio of eigenvalues of a linearised motion.
+LINEARISED = 1e-12,
+    "rounding, in differences of steps of 1e-2 and in the iteration for the eigenvalues";
+
 /// A factor of very large logarithms.
 LOGARITHM = 1e-8,
     "terms that stay bounded, beside a logarithm of 1e9";
+
+/// A Floquet multiplier, between 0.1 and 1.
+MULTIPLIER = 1e-7,
+    "a motion over a period is known to 1e-14, and divided by twice the step of 1e-5; the square of the step is less";
 
 /// A place on the boundary close to A = 1, α = 0.
 NEAR_CORNER = 2e-4,

@@ -232,6 +232,12 @@ fn derivatives<T: Number>(k: usize, p: &[T], w: &[T], zeta: &[T]) -> [T; 4] {
     ]
 }
 
+/// The rates of p, w = 1 − ξ and ζ by the s of dτ = p ds, in which a rest lies at infinity. Dimensionless.
+pub fn rates([p, w, zeta]: [f64; 3]) -> [f64; 3] {
+    let [_, speed, deficit, forward] = derivatives(0, &[p], &[w], &[zeta]);
+    [speed, deficit, forward]
+}
+
 /// The law of motion with components τ, p, w, ζ.
 pub(super) struct Law;
 

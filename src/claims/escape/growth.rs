@@ -24,7 +24,8 @@ pub struct Limit {
     pub log: f64,
 }
 
-const TERMS: [&dyn Fn(f64) -> f64; 6] = [
+/// What is fitted, by the time τ.
+pub const TERMS: [&dyn Fn(f64) -> f64; 6] = [
     &|_| 1.0,
     &|t| libm::log(t) / t,
     &|t| 1.0 / t,

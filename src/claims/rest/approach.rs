@@ -11,12 +11,13 @@ use super::trajectories::{
 use crate::claims::escape::straight::{StraightIn, WITHIN_ONE, time_to_stop};
 use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::claims::tolerances::{
-    BOUNDARY, DIFFERENCES, FIRST_OMITTED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
+    BOUNDARY, DIFFERENCES, FIRST_OMITTED, LINEARISED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
 };
 use crate::corrections::rest as corrected;
 use crate::motion::MotionError;
 use crate::motion::turntable::Start;
-use crate::motion::turntable::intrinsic::Run;
+use crate::motion::turntable::intrinsic::{self, Run};
+use crate::numerics::eigenvalues::{eigenvalues, jacobian};
 use crate::paper::rest as printed;
 use std::f64::consts::PI;
 use trialbook::prelude::*;
@@ -341,6 +342,35 @@ fn exponents(
     )
 }
 
+/// The exponent of α beside c by the motion linearised about the rest, where s is the time: across the motion (p = 0) and with
+/// it.
+fn eq143_linearised() -> Evidence {
+    let trial = Trial::by(
+        Route::Root,
+        Within,
+        Compared::one(
+            r"$(2\sigma-1)/(1-\sigma)$",
+            r"the rate at which $\zeta$ falls at $p=0$, over that at which $p$ falls, less 1: eigenvalues of the motion linearised about the rest",
+        ),
+        LINEARISED,
+    );
+    let sigmas = Points::here().within(20, [[0.26, 0.74]]);
+    trial.at(["σ"], sigmas, 1.0, |[sigma]| {
+        let rest = [0.0, 1.0 - sigma, 0.0];
+        let matrix = jacobian(|x| Ok::<_, Failure>(intrinsic::rates(x)), rest, [STEP; 3])?;
+        let [_, [_, a, b], [_, c, d]] = matrix;
+        let across = eigenvalues([[a, b], [c, d]])?;
+        // What the eigenvalues of the whole have beside these.
+        let sum = |of: &[[f64; 2]]| of.iter().map(|[real, _]| real).sum::<f64>();
+        let along = sum(&eigenvalues(matrix)?) - sum(&across);
+        let found = across[0][0] / along - 1.0;
+        Ok([printed::eq143_exponent(sigma), found])
+    })
+}
+
+/// Steps of the differences about a rest, of products of two numbers: without an error of the method.
+const STEP: f64 = 1e-2;
+
 /// Two levels of p for the exponent.
 fn early_levels(sigma: f64) -> [f64; 2] {
     if sigma < 0.5 {
@@ -456,6 +486,7 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
         .count()
 }
 pub(super) const TRIALS: &[Attempt] = trials![
+    eq143_linearised,
     eq140_motion = EXACTLY.tries(EQ140),
     eq140_order = BY_ORDER.tries(EQ140),
     eq140_straight = STRAIGHT.tries(EQ140),

@@ -1,12 +1,13 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
 use super::reference_motions::{
-    ORIGIN, Slip, drive, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
+    ORIGIN, Particle, Slip, drive, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
 };
-use crate::claims::tolerances::{APPROACH, ROOT};
+use crate::claims::tolerances::{APPROACH, MULTIPLIER, ROOT};
 use crate::corrections::sinusoidal as corrected;
 use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
 use crate::numerics::double::Double;
+use crate::numerics::eigenvalues::{eigenvalues, jacobian};
 use crate::paper::sinusoidal as printed;
 use std::f64::consts::{FRAC_PI_2, TAU};
 use trialbook::prelude::*;
@@ -163,6 +164,29 @@ fn eq38_approach() -> Evidence {
     })
 }
 
+/// The same by the plane motion, as its Floquet multiplier: the larger eigenvalue of the derivative of the velocity after a
+/// period by that before. The other one, of the velocity across, is next to zero.
+fn eq38_multiplier() -> Evidence {
+    let trial = Trial::by(
+        Route::Integration,
+        Within,
+        Compared::one(
+            r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
+            "the larger Floquet multiplier of the motion in the plane about the periodic one, an eigenvalue of its derivative over a period",
+        ),
+        MULTIPLIER,
+    );
+    let frictions = small().into_iter().filter(|l| (0.1..0.4).contains(l));
+    trial.over(frictions, |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let phi = interval(&attractor, Sign::Positive)?.start + 1.0;
+        let after = |v| Ok::<_, Failure>(Particle::plain(lambda).run(phi, v, phi + TAU)?.end().v);
+        let matrix = jacobian(after, [attractor.w(phi), 0.0], [1e-5; 2])?;
+        let [_, [found, _]] = eigenvalues(matrix)?;
+        Ok(Pair::plain(at(lambda, phi), corrected::contraction(lambda), found))
+    })
+}
+
 /// The interval of this sign, in a motion from rest.
 fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
     let found = attractor.intervals().iter().find(|i| i.sign == sign);
@@ -269,6 +293,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq38_motion,
     eq38_unique = one_motion(small(), Within),
     eq38_approach,
+    eq38_multiplier,
     eq38_outside,
     eq39_motion,
     eq39_outside,

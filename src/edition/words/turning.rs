@@ -2,6 +2,7 @@
 
 use super::{Known, along, falls, found, known, same, tried, words};
 use crate::claims::PAPER;
+use crate::claims::escape::growth::TERMS;
 use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
 use crate::corrections::escape;
 use crate::motion::State;
@@ -90,14 +91,11 @@ words! {
     "digits-of-the-limit" => decimals(ESCAPE_LIMIT.value);
     "digits-of-the-logarithm" => decimals(ESCAPE_CORRECTION.value);
     "digits-by-powers" => {
-        let start = Start::hyperbolic(1.5, 0.3, 1.0)?;
-        let data = tried((0..40).map(|i| {
-            let tau = libm::exp10(6.0 + f64::from(i) / 20.0);
-            Ok((tau, Run::new(&start, tau)?.end().p() / (tau * tau)))
-        }))?;
-        let powers = fit(data.as_slice(), &[&|_| 1.0, &|t| 1.0 / t, &|t| 1.0 / (t * t)])?;
+        let powers = fit(&late_speeds()?, &[&|_| 1.0, &|t| 1.0 / t, &|t| 1.0 / (t * t)])?;
         decimals((powers.coefficients[0] * 3.0 * SQRT_2 - 1.0).abs())
     };
+    "terms-of-the-fit" => TERMS.len();
+    "condition-of-the-fit" => libm::exp10(decimals(1.0 / fit(&late_speeds()?, &TERMS)?.condition));
     "cube-exceeds-below" => power_of_the_constant(1.0 / 3.0)?;
     "falls-more-slowly-below" => power_of_the_constant(1.0)?;
     "third-order-above" => power_of_the_constant(3.0)?;
@@ -159,6 +157,16 @@ fn soon(rho: f64, p: f64, psi: f64) -> Known<turntable::Moment> {
     Ok(turntable::TurntableProblem::Polar { rho, p, psi }
         .at(1e-2)?
         .best)
+}
+
+/// p/τ² of one escape, at moments of the last two decades.
+fn late_speeds() -> Known<Vec<(f64, f64)>> {
+    let start = Start::hyperbolic(1.5, 0.3, 1.0)?;
+    let speeds = tried((0..40).map(|i| {
+        let tau = libm::exp10(6.0 + f64::from(i) / 20.0);
+        Ok((tau, Run::new(&start, tau)?.end().p() / (tau * tau)))
+    }))?;
+    known(speeds.collect())
 }
 
 /// How many decimals are right of what is right to so much.

@@ -216,8 +216,10 @@ fn take(evidence: &mut Evidence, kept: &mut Taken, pair: Result<Pair, Failure>) 
         stated: pair.stated,
         found: pair.found,
     };
-    if evidence.at.is_empty() || disagreement > evidence.worst {
-        evidence.worst = disagreement;
+    // Of two that differ in last bits only, the first one is named on every machine.
+    let farther = disagreement > (1.0 + 1e-9) * evidence.worst;
+    evidence.worst = evidence.worst.max(disagreement);
+    if evidence.at.is_empty() || farther {
         evidence.at.clone_from(&sample.at);
         evidence.farthest = Some(sample.clone());
     }
