@@ -64,6 +64,9 @@ pub(crate) const HIGH: &str = "0⁰1¹2²3³4⁴5⁵6⁶7⁷8⁸9⁹+⁺-⁻nⁿ
 
 /// What a character stands for, if it is one of these small ones.
 pub(crate) fn large(c: char, among: &str) -> Option<char> {
+    if c.is_ascii() {
+        return None;
+    }
     pairs(among).find_map(|(large, small)| (small == c).then_some(large))
 }
 
