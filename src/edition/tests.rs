@@ -206,6 +206,18 @@ fn the_book_is_whole() {
 
     for page in &pages {
         let html = text(page);
+        for math in html.split("<math").skip(1) {
+            let mut open = Vec::new();
+            for tag in math.split("</math>").next().unwrap().split('<').skip(1) {
+                match tag.strip_prefix('/') {
+                    Some(end) => {
+                        assert_eq!(open.pop(), end.split('>').next(), "{page}: {math:.200}")
+                    }
+                    None if tag.split('>').next().unwrap().ends_with('/') => {}
+                    None => open.push(tag.split([' ', '>']).next().unwrap()),
+                }
+            }
+        }
         let ids = values(html, "id");
         assert_eq!(
             ids.iter().collect::<BTreeSet<_>>().len(),

@@ -8,7 +8,7 @@ async data => {
         return new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'))).text();
     };
     const letters = new Map();
-    const read = async number => {
+    const learn = async number => {
         const map = new Map();
         for (const [, rows] of (await stream(at(objects.get(number), 'ToUnicode'))).matchAll(/beginbf\w+\n([^]*?)\nendbf/g)) {
             for (const row of rows.split('\n')) {
@@ -22,7 +22,7 @@ async data => {
     for (const body of objects.values()) {
         if (!/\/Type \/Page\b/.test(body)) continue;
         const fonts = new Map([...body.matchAll(/\/(F\d+) (\d+) 0 R/g)].map(([, name, number]) => [name, number]));
-        for (const number of fonts.values()) if (!letters.has(number)) await read(number);
+        for (const number of fonts.values()) if (!letters.has(number)) await learn(number);
         const words = [];
         let font;
         for (const [, part] of (await stream(at(body, 'Contents'))).matchAll(/BT\n([^]*?)ET/g)) {
@@ -33,8 +33,9 @@ async data => {
         sheets.push(words);
     }
     const bare = words => words.replace(/\s/g, ''), found = [], places = {};
-    const title = bare(document.querySelector('h1').textContent);
-    if (!bare(sheets[0].map(([words]) => words).join('')).includes(title)) found.push(`${title} is not on the first sheet`);
+    const title = bare(document.querySelector('main h1').textContent);
+    const read = sheet => bare(sheet.map(([words]) => words).join(''));
+    if (!sheets.some(sheet => read(sheet).includes(title))) found.push(`${title} is on no sheet: ${read(sheets[0]).slice(0, 60)}`);
     if (sheets.length < 5 || sheets.length > 40) found.push(`it has ${sheets.length} sheets`);
     for (const [words, [, x, y]] of sheets.flat()) {
         const key = `${words} at ${x} ${y}`;

@@ -183,7 +183,11 @@ fn eq38_multiplier() -> Evidence {
         let after = |v| Ok::<_, Failure>(Particle::plain(lambda).run(phi, v, phi + TAU)?.end().v);
         let matrix = jacobian(after, [attractor.w(phi), 0.0], [1e-5; 2])?;
         let [_, [found, _]] = eigenvalues(matrix)?;
-        Ok(Pair::plain(at(lambda, phi), corrected::contraction(lambda), found))
+        Ok(Pair::plain(
+            at(lambda, phi),
+            corrected::contraction(lambda),
+            found,
+        ))
     })
 }
 

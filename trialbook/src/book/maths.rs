@@ -297,11 +297,12 @@ impl Forms {
 fn with_room(html: &str) -> String {
     const APPLY: &str = "<mo>\u{2061}</mo>";
     after_each(html, APPLY, |part, out| {
-        let name = out
-            .strip_suffix("</mi>")
-            .and_then(|out| Some(out.rsplit_once("<mi>")?.1.to_owned()));
-        if let Some(name) = name {
-            out.truncate(out.len() - name.len() - "<mi></mi>".len());
+        let name = out.strip_suffix("</mi>").and_then(|out| {
+            let (before, name) = out.rsplit_once("<mi")?;
+            Some((before.len(), name.split_once('>')?.1.to_owned()))
+        });
+        if let Some((before, name)) = name {
+            out.truncate(before);
             *out += &format!("<mo lspace=\"0.17em\" rspace=\"0em\">{name}</mo>");
         }
         // A power stands between the two.
