@@ -129,7 +129,7 @@ impl Row {
     }
 }
 
-/// Region I, as in [`super::without_rest`], with the addition theorem in place of sines of its phases.
+/// Region I, as in `without_rest`, with the addition theorem in place of sines of its phases.
 pub fn without_rest(plus: f64, column: &Column) -> Option<Arcs> {
     let Column {
         k, sin, cos, ratio, ..

@@ -1,6 +1,6 @@
 //! The state at a time, in numbers of any width and as close to rest as they can say.
 //!
-//! The equations are those of [`intrinsic`](super::intrinsic), near rest at ρ = 1 those of [`slow`](super::slow).
+//! The equations are those of [`intrinsic`](super::intrinsic), near rest at ρ = 1 slower ones.
 
 use super::intrinsic::{Exact, Tracked};
 use super::slow::{Slow, Width};

@@ -406,7 +406,8 @@ fn breakable(formula: &str) -> String {
         .and_then(|rest| rest.strip_suffix('}'));
     let long = inside.filter(|inside| inside.len() > 300 && inside.matches("}{").count() == 1);
     long.map_or(formula.clone(), |inside| {
-        format!("({})", inside.replace("}{", ")/("))
+        let quotient = inside.replace("}{", ")/(");
+        format!("({})", quotient.replace(") ", r") \allowbreak "))
     })
 }
 
