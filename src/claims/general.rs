@@ -12,6 +12,14 @@ pub mod two_frames;
 use super::shared::SHARED;
 use trialbook::prelude::{Topic, claims};
 
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::two_frames::{NAMES, eq1, eq1_proof};
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::motion::{Acceleration, Phase};
+    pub(super) use crate::paper::general as printed;
+}
+
 /// The topic.
 pub static TOPIC: Topic = Topic::new(
     "general",

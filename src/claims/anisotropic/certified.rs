@@ -13,15 +13,14 @@
 pub(super) mod arcs;
 pub mod points;
 
+use super::prelude::*;
 use super::{exact, motions};
-use crate::paper::anisotropic as printed;
 use crate::validated::drive::{self, Edge, arc};
 use trialbook::certified::cover::{Said, everywhere, everywhere_written};
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::written::{Of, sign, slope};
-use trialbook::prelude::*;
 use trialbook::trials::enclosed::{certified, citing};
 
 type Two = Jet<2>;

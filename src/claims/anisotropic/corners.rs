@@ -1,14 +1,7 @@
 //! Trials of the points X and Y: where the curves meet, and how.
 
-use super::simulated::{
-    START, attractor, bisect, change, order, own_y, restless, reverses, simulated_y, touching,
-};
-use crate::claims::tolerances::{CONTACT, MOTION, ROOT, THREE_DECIMALS};
-use crate::corrections::anisotropic as corrected;
-use crate::motion::drive::{DriveState, Interval};
-use crate::paper::anisotropic as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::simulated::{bisect, change, order, restless, reverses, simulated_y};
 
 /// Seeded starts, the plain one first.
 fn starts() -> impl Iterator<Item = DriveState> {

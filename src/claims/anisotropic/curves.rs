@@ -1,14 +1,8 @@
 //! Trials of the curves: (53) to (56), and E, which continues B. Where they are tried, the simulation says.
 
-use super::rows::{FAR_ROWS, Row, rows};
-use super::simulated::{
-    Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, orders,
-    printed_list, simulated,
-};
-use crate::claims::tolerances::{FAR_A, FAR_E, ROOT};
-use crate::corrections::anisotropic as corrected;
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::rows::FAR_ROWS;
+use super::simulated::{Regions, curve_a, curve_b, curves_as_corrected, orders};
 
 /// A curve: what gives its λ₀ at a q, and this; NaN where there is none.
 type Law = (&'static str, fn(f64) -> f64);

@@ -4,10 +4,7 @@
 //! are rational in the tangents of half these angles. An arc from rest at φ₀ is ∫ (sin φ ∓ λ±) dφ =
 //! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
 
-use crate::corrections::anisotropic as corrected;
-use crate::exact::{Function, Series};
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// A ring with the friction of forward motion as sin α and that of backward motion as sin β.
 pub(super) fn frictions() -> Result<Ring, ExactError> {

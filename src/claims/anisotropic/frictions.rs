@@ -1,11 +1,7 @@
 //! Trials of (47) to (52): the two frictions, and the rates while sliding either way.
 
-use super::simulated::{START, attractor, attractor_from};
-use crate::motion::drive::{Drive, Friction, Sign};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::anisotropic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::motion::drive::Drive;
 
 /// A ratio q: moderate, 1 where λ₀ is close to 1, and large in every tenth case.
 fn ratio(i: usize, points: &mut Points) -> f64 {

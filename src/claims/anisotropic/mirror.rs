@@ -1,10 +1,7 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
-use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
-use crate::motion::drive::{DriveState, Friction};
-use crate::paper::anisotropic as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::simulated::{drive, from_forward};
 
 /// (q, λ₀) with q < 1, and so that the mirrored λ₀ lies between 0 and 1.4.
 fn small_ratio(points: &mut Points) -> (f64, f64) {

@@ -8,8 +8,7 @@ use super::exact::{
     arc, frictions, plane, printed_rates, prove_e, prove_eq53, prove_eq54, sides_of_a, sides_of_b,
     sides_of_e, with_angle, with_angles,
 };
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 type Rates = [Expr; 2];
 type Sides = [Expr; 2];

@@ -1,11 +1,7 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
-use super::simulated::{START, attractor_from, listed_digits, own_digits};
-use crate::motion::drive::{Attractor, DriveState, Friction};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::anisotropic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::simulated::own_digits;
 
 /// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
 pub const PANELS: [(f64, f64); 5] = [

@@ -1,15 +1,8 @@
 //! Trials of the list of regions and of the diagram.
 
 use super::census;
-use super::rows::{Row, rows};
-use super::simulated::{
-    Regions, attractor_from, corrected_list, curves_as_corrected, curves_as_printed, listed_digits,
-    orders, own_digits, own_y, printed_list, simulated,
-};
-use crate::claims::tolerances::ROOT;
-use crate::motion::drive::{DriveState, Friction};
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::simulated::{Regions, curves_as_corrected, curves_as_printed, orders, own_digits};
 
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
 type Says = Box<dyn Fn(f64) -> Option<f64>>;

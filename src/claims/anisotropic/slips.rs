@@ -1,12 +1,6 @@
 //! What the slips bring, of which the paper says nothing: how far the particle goes, and what friction takes.
 
-use super::rows::{Row, rows};
-use super::simulated::attractor;
-use crate::corrections::anisotropic as corrected;
-use crate::motion::drive::Sign;
-use crate::paper::anisotropic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The less friction takes in a period, the less the motion itself knows of its velocity.
 fn blurred(friction: f64) -> f64 {

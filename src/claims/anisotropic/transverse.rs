@@ -1,9 +1,7 @@
 //! Trials of the velocity across the drive under a friction that depends on the direction of the velocity.
 
-use crate::claims::tolerances::GONE;
-use crate::paper::{anisotropic as printed, general};
-use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::paper::general;
 
 /// A friction over the drive's amplitude, by the direction of the velocity, against which it acts: never 0.
 #[derive(Debug, Clone, Copy)]

@@ -1,9 +1,8 @@
 //! The velocity across the drive dies under every friction that depends on the direction, but is nowhere below some size.
 
+use super::prelude::*;
 use crate::claims::general::chains::{decays, ring_across};
 use crate::claims::general::two_frames::eq1;
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
 
 /// v_y → 0.
 pub const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::new(

@@ -1,9 +1,6 @@
 //! Trials of (3) to (5): the definitions are consistent with the use made of them.
 
-use super::launches::{TURNS, Turn};
-use crate::motion::{Plane, State, run};
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// (3): a particle at rest on a smooth plane is left behind, against this acceleration.
 fn eq3() -> Evidence {

@@ -1,11 +1,6 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
-use super::launches::Turn;
-use crate::motion::{Motion, MotionError, State};
-use crate::numerics::double::Double;
-use crate::paper::constant as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// A motion in units of v₀ and A.
 #[derive(Debug, Clone)]

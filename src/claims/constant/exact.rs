@@ -11,13 +11,12 @@ mod sliding;
 #[cfg(test)]
 mod tests;
 
+use super::prelude::*;
 pub use alignment::{AGAINST, ALIGNS, CANNOT_HOLD};
 pub use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
 pub use sliding::*;
-use trialbook::prelude::*;
 
-use crate::exact::Derivation;
 use crate::paper::constant as paper;
 use crate::paper::general::eq1_velocity_rate;
 

@@ -1,9 +1,7 @@
 //! What the conditions of section 2.1 except: points at which the formulas have no value, or that fill no stretch.
 
-use crate::paper::constant as printed;
-use std::f64::consts::PI;
+use super::prelude::*;
 use trialbook::certified::interval::Interval;
-use trialbook::prelude::*;
 
 pub(in crate::claims) const LAMBDA: (&str, [f64; 2]) = ("λ", [0.1, 0.9]);
 const SPEED: (&str, [f64; 2]) = ("v₀", [0.5, 2.0]);

@@ -1,13 +1,7 @@
 //! Trials of what section 2.1 says in words.
 
-use super::launches::{ALIGNED, Aligned, OTHERS_ALIGNED, STOPS, Stop, Turn, held};
-use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
-use crate::corrections::constant as corrected;
-use crate::motion::MotionError;
-use crate::motion::State;
-use crate::numerics::quadrature::sum;
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::launches::{ALIGNED, Aligned, OTHERS_ALIGNED, STOPS, Stop, held};
+use super::prelude::*;
 
 /// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
 fn small_friction_limit() -> Evidence {

@@ -1,10 +1,6 @@
 //! Trials of the sense in which a particle slides in the end: along the plane's acceleration, or against it.
 
-use crate::claims::tolerances::NONE;
-use crate::corrections::constant as corrected;
-use crate::motion::{Plane, Signal, State, run};
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// Launches of any direction on a plane with λ < 1, by λ, the directions of the acceleration and of the velocity, until
 /// friction has little left to turn: as printed and as corrected, by the sign of 𝐯·𝐀.

@@ -1,8 +1,6 @@
 //! Trials of whether friction keeps a particle at rest that begins so.
 
-use crate::motion::{Plane, State, run};
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, which has this size.
 fn speed(lambda: f64, a: f64, t: f64) -> Result<f64, Failure> {

@@ -1,11 +1,8 @@
 //! Trials of (6) to (11): the two components of Newton's law, the hodograph's slope, the speed against the
 //! angle.
 
-use super::launches::{TURNS, Turn, straight, turns_where};
-use crate::claims::tolerances::DIFFERENCES;
-use crate::numerics::double::Double;
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::launches::{straight, turns_where};
+use super::prelude::*;
 
 /// What is read from a turn: stated, found, and the scale in units of A (1 + λ).
 type Reading = fn(&Turn) -> [f64; 3];

@@ -2,12 +2,9 @@
 //! λ = μ cot β of section 2.1. Of the claim that the article on the inclined plane agrees it is a part: that its formulas
 //! are right too is not known here.
 
-use super::launches::Turn;
-use crate::claims::tolerances::FOREIGN;
-use crate::numerics::double::Double;
-use crate::paper::{constant as printed, general};
+use super::prelude::*;
+use crate::paper::general;
 use nalgebra::Vector3;
-use trialbook::prelude::*;
 
 type Vector = Vector3<f64>;
 

@@ -1,12 +1,7 @@
 //! Trials of (15) to (20): no friction, critical friction, and the time of stopping.
 
-use super::launches::{SETTLED, STOPS, STOPS_OVER_THE_ANGLE, Turn, frictionless};
-use crate::claims::tolerances::TERMINAL;
-use crate::motion::State;
-use crate::numerics::double::Double;
-use crate::numerics::quadrature::sum;
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::launches::{SETTLED, STOPS, STOPS_OVER_THE_ANGLE, frictionless};
+use super::prelude::*;
 
 fn flown((start, state): &(Turn, State)) -> String {
     format!("{}, t = {:.6}", start.at(), state.t)

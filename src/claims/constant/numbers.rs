@@ -1,7 +1,7 @@
 //! The two numbers of each case by hand. The words are in the claims' entries.
 
 use super::final_direction::sense_of_sliding;
-use crate::paper::constant as printed;
+use super::prelude::*;
 use trialbook::trials::by_hand::Numbers;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.

@@ -1,10 +1,7 @@
 //! Trials of how a motion under a drive that changes with time differs from all on an inclined plane: along the slope the sense
 //! of sliding changes once at most, under a drive again and again.
 
-use crate::claims::tolerances::NONE;
-use crate::motion::{Motion, Plane, Signal, State, run};
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// Periods, or as many units of time on an incline.
 const PERIODS: f64 = 6.0;

@@ -1,11 +1,7 @@
 //! Trials of (12) to (14): the time against the angle.
 
-use super::launches::{LATE_TURNS, TURNS, Turn, straight, turns_where};
-use crate::claims::tolerances::ROOT;
-use crate::corrections::constant as corrected;
-use crate::numerics::double::Double;
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::launches::{LATE_TURNS, straight, turns_where};
+use super::prelude::*;
 
 fn eq13(turn: &Turn) -> Double {
     let number = Double::from;

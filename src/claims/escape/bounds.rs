@@ -6,12 +6,12 @@
 //! both by intervals, on the whole region at once.
 
 use super::exact::spiral::{self, State};
+use super::prelude::*;
 use trialbook::certified::cover::{Said, everywhere_written};
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::written::{Condition, Of, sign};
-use trialbook::prelude::*;
 use trialbook::trials::enclosed::resting_on;
 
 /// What is shown from the time on at which the region is entered.

@@ -4,12 +4,9 @@ pub mod asymptotic_series;
 pub mod chains;
 pub mod spiral;
 
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::escape as corrected;
-use crate::exact::{Binary, Function, Node, Series};
-use crate::paper::{escape as printed, turntable as motion};
+use super::prelude::*;
+use crate::exact::{Binary, Node};
 use asymptotic_series::{Late, agree, from_series, law_series, rate};
-use trialbook::prelude::*;
 
 fn tau() -> Expr {
     Expr::symbol("τ")

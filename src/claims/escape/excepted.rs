@@ -1,7 +1,7 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
+use super::prelude::*;
 use super::trajectories::{FLIGHTS, Flight, Relaxed, a, alpha, relaxed};
-use trialbook::prelude::*;
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {

@@ -4,13 +4,9 @@
 //! that lags behind τ by a multiple of ln τ (see [`crate::corrections::escape`]); a fit that knows only powers
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
-use super::trajectories::{ESCAPES, Escape, LATE, Late, a, alpha};
-use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
-use crate::corrections::escape as corrected;
-use crate::motion::turntable::Start;
+use super::prelude::*;
+use super::trajectories::{Escape, LATE, Late, a, alpha};
 use crate::numerics::fit::fit;
-use crate::paper::escape as printed;
-use trialbook::prelude::*;
 
 /// What is followed: a number at a late moment of a motion.
 pub type Quantity = fn(&Late) -> f64;

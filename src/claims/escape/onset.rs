@@ -1,20 +1,15 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
 use super::growth::{A_RATE, ALPHA_RATE, LAG, SIZE, limits};
+use super::prelude::*;
 use super::straight::{BEYOND_ONE, StraightIn, time_to_stop};
 use super::trajectories::{
     Escape, FLIGHTS, Flight, LATE, Launch, OTHER_ESCAPES, OTHER_FLIGHTS, OTHERS_RELAXED,
     RELAXED_RATIOS, Relaxed, a, alpha, rates, relaxed,
 };
-use crate::claims::tolerances::{DIFFERENCES, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED};
-use crate::corrections::escape as corrected;
-use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Start, State, Table, rotating};
-use crate::paper::{escape as printed, turntable};
-use std::f64::consts::{FRAC_PI_2, PI};
-use trialbook::prelude::*;
+use crate::motion::turntable::{State, Table, rotating};
+use crate::paper::turntable;
 
 /// (126) with the rate of α after ψ has relaxed.
 fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {

@@ -1,10 +1,8 @@
 //! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
 
-use super::trajectories::{ESCAPES, a, alpha};
-use crate::claims::tolerances::{QUADRATURE, ROOT};
-use crate::paper::{escape as printed, turntable};
-use std::f64::consts::FRAC_PI_2;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{a, alpha};
+use crate::paper::turntable;
 
 /// What is printed against what its predecessors give, relatively, at twenty values in a range of powers of ten.
 fn step(

@@ -1,9 +1,8 @@
 //! Theorems about every acceleration of the plane, as chains of inequalities: each link is an identity of the ring, with 𝐀 any
 //! vector at that instant, and a term that has a sign.
 
-use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
-use crate::paper::general as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::two_frames::{eq2, eq2_proof, ring};
 
 /// A weak drive lets the particle stop.
 pub const STOPS: Statement = Statement::new(

@@ -1,8 +1,7 @@
 //! Two particles under one drive come no farther apart in velocity.
 
 use super::chains::at_most_its_size;
-use super::two_frames::{NAMES, eq1, eq1_proof};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The other velocity.
 const OTHER: [&str; 2] = ["u_x", "u_y"];

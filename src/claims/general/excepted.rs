@@ -1,6 +1,6 @@
 //! What the conditions of section 2 except.
 
-use trialbook::prelude::*;
+use super::prelude::*;
 
 pub(super) const TRIALS: &[Attempt] = trials![
     // A push at a single instant.

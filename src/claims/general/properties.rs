@@ -7,11 +7,8 @@ use super::accelerations::{Case, SHAPES, along_a_line, any_start, bounded};
 use super::examples::{
     AT_REST, OTHERS_PULLED, OTHERS_RETURNING, PULLED, Pulled, RETURNING, Returning, violations,
 };
-use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
-use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::general as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::motion::run_to_stop;
 
 /// μ and g of unit friction, without rounding.
 const UNIT: [f64; 2] = [0.5, 2.0];

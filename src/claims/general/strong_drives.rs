@@ -1,9 +1,8 @@
 //! Theorems about drives that exceed the friction, as chains of identities of the ring and terms that have a sign: that no rest
 //! lasts, and that the speed grows in the end if the direction is fixed.
 
-use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
-use crate::paper::general as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::two_frames::{eq2, eq2_proof, ring};
 
 /// What friction must give to keep a particle at rest exceeds what it can give exactly where |𝐀| exceeds the stated bound.
 pub const MOVES: Statement = Statement::new(

@@ -1,11 +1,7 @@
 //! Trials of (1) and (2): the law seen from the plane against the law seen from the laboratory.
 
 use super::accelerations::{Case, bounded};
-use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
-use crate::motion::{Acceleration, State, run};
-use crate::numerics::quadrature::sum;
-use crate::paper::general as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// g: so small that some coefficients of friction exceed 1.
 const GRAVITY: f64 = 0.5;

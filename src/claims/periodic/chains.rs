@@ -2,11 +2,10 @@
 //! rest; and what the pulses are at their two extremes.
 
 use super::exact::{EQ44, EQ46};
+use super::prelude::*;
 use crate::claims::general::chains::STOPS;
 use crate::corrections::periodic as corrected;
-use crate::paper::periodic as printed;
 use crate::paper::sinusoidal::eq26_rate;
-use trialbook::prelude::*;
 
 /// d𝔴/dφ by (26) where h is the sine of some angle ψ: any number from −1 to 1 is one.
 pub(super) fn rate() -> Expr {

@@ -4,12 +4,11 @@
 //! H is an antiderivative of h, and c its median: H is above c for half of each period at most, and below c for half at most.
 
 use super::chains::{rate, with_sign};
+use super::prelude::*;
 use super::step_drive::CHANGES;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
 use crate::claims::general::two_frames::{eq2, eq2_proof};
-use crate::paper::periodic as printed;
-use trialbook::prelude::*;
 
 /// The drive in the place of the sine, any number from −1 to 1.
 fn h() -> Expr {

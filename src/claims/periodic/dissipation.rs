@@ -1,8 +1,7 @@
 //! What friction takes from the motion under pulses, of which the paper says nothing.
 
-use super::drives::{motion, pulses};
-use crate::corrections::periodic as supplied;
-use trialbook::prelude::*;
+use super::drives::motion;
+use super::prelude::*;
 
 fn lost([eta, lambda]: [f64; 2]) -> Result<f64, Failure> {
     let drive = pulses(eta)?;

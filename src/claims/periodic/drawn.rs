@@ -1,10 +1,7 @@
 //! What the chapter's figures show: the same drives and motions that are tried.
 
-use super::drives::{Phase, motion, named, phase, phase_of, pulses, rest_share, third_harmonic};
-use crate::motion::drive::{Drive, DriveError};
-use crate::paper::periodic as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::drives::{motion, named, phase, phase_of, rest_share, third_harmonic};
+use super::prelude::*;
 
 /// One drive of the census.
 #[derive(Debug, Clone)]

@@ -3,9 +3,7 @@
 //! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
 //! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
-use crate::corrections::periodic as supplied;
-use crate::paper::periodic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 fn symbols() -> [Expr; 3] {
     Expr::symbols(["λ₀", "η", "φ"])

@@ -1,13 +1,9 @@
 //! Trials of two remarks on the pulses: what becomes nonzero again at φ = π, and that their largest size is 1.
 
-use super::drives::{motion, pulses};
+use super::drives::motion;
+use super::prelude::*;
 use super::pulses::on_a_plane;
-use crate::claims::tolerances::{GAINED, NONE};
 use crate::corrections::periodic as corrected;
-use crate::motion::drive::{DriveState, Friction};
-use crate::paper::periodic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
 
 /// Motions of small friction, λ₀ < η, in the gap before π and as far behind π, in the next pulse: what is said to become
 /// nonzero again there, with the pull. A short stretch of a motion that does not change its direction tells the acceleration.

@@ -1,13 +1,7 @@
 //! Trials of (42) to (46): the train of pulses.
 
-use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
-use crate::claims::tolerances::{LIMIT_OF_WIDTH, THRESHOLD};
-use crate::corrections::periodic as supplied;
-use crate::motion::drive::{Attractor, DriveError, DriveState, Friction};
-use crate::motion::{Plane, Signal, run};
-use crate::paper::periodic as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::drives::{boundary, motion, phase, phase_of};
+use super::prelude::*;
 
 /// Phases per half period at which a whole motion is compared; the joints are added.
 const PHASES: u32 = 48;

@@ -2,14 +2,10 @@
 //!
 //! While w > 0, w' = h − λ₀ ≤ 1 − λ₀, and likewise for w < 0: |w| is used up within |w₀|/(λ₀ − 1).
 
-use super::drives::{Harmonics, Phase, named, phase};
-use crate::claims::tolerances::{NONE, ROOT};
-use crate::motion::drive::{DriveState, Friction, Interval, Sign};
-use crate::numerics::quadrature::integral_within;
+use super::drives::{named, phase};
+use super::prelude::*;
+use crate::motion::drive::Interval;
 use crate::paper::general;
-use crate::paper::periodic as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
 use trialbook::trials::points::round;
 
 fn at(name: &str, lambda: f64, start: DriveState) -> String {

@@ -1,10 +1,7 @@
 //! Trials of how long a particle is at rest in a period when friction is slightly below the largest drive.
 
-use super::drives::{Harmonics, motion, rest_share, steps_between};
-use crate::claims::tolerances::SHARE;
-use crate::motion::drive::Drive;
-use crate::paper::periodic as printed;
-use trialbook::prelude::*;
+use super::drives::{motion, rest_share, steps_between};
+use super::prelude::*;
 
 /// The share of rest at λ₀ = 1 − δ.
 fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {

@@ -7,11 +7,10 @@
 use super::chains::rate;
 use super::critical_friction::{never_part, slows};
 use super::exact::EQ45;
+use super::prelude::*;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
 use crate::claims::general::two_frames::eq2;
-use crate::paper::periodic as printed;
-use trialbook::prelude::*;
 
 /// n/d.
 type Fraction = [i64; 2];

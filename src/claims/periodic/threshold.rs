@@ -1,15 +1,9 @@
 //! Trials of what is said of a threshold λ_c for any h: that there is one, and that there may be more.
 
 use super::drives::{
-    Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps_between,
-    third_harmonic,
+    Named, biased, boundary, level_at_median, named, phase, steps_between, third_harmonic,
 };
-use crate::claims::tolerances::THRESHOLD;
-use crate::motion::drive::{Drive, DriveError};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::periodic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// Samples of a drive over its period.
 const SAMPLES: usize = 4096;

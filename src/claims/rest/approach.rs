@@ -4,23 +4,15 @@
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
 use super::boundary::{angle_towards_one, border};
+use super::prelude::*;
 use super::trajectories::{
     APPROACHES, APPROACHES_TO_ONE_HALF, Approach, Close, OTHER_APPROACHES, approaches_to,
     gentle_approaches_to,
 };
 use crate::claims::escape::straight::{StraightIn, WITHIN_ONE, time_to_stop};
 use crate::claims::escape::trajectories::{a, alpha, rates};
-use crate::claims::tolerances::{
-    BOUNDARY, DIFFERENCES, FIRST_OMITTED, LINEARISED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
-};
-use crate::corrections::rest as corrected;
-use crate::motion::MotionError;
-use crate::motion::turntable::Start;
-use crate::motion::turntable::intrinsic::{self, Run};
+use crate::motion::turntable::intrinsic;
 use crate::numerics::eigenvalues::{eigenvalues, jacobian};
-use crate::paper::rest as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
 
 /// What an equation says at σ and what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> [f64; 3];

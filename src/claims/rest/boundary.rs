@@ -1,15 +1,8 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
-use trialbook::prelude::*;
+use super::prelude::*;
 
-use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, THIRD_ORDER};
-use crate::corrections::rest as corrected;
-use crate::motion::MotionError;
-use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::fate::rests;
-use crate::motion::turntable::{Fate, Start, fate};
-use crate::paper::rest as printed;
-use std::f64::consts::PI;
 
 /// A point of the boundary.
 #[derive(Debug, Clone, Copy)]

@@ -1,10 +1,9 @@
 //! Fates by validated integration: where (147) says one thing and Newton's law the other.
 
 use super::boundary::{border, corrected_a, printed_a};
-use crate::claims::tolerances::NONE;
+use super::prelude::*;
 use crate::validated::turntable::{Fate, fate};
 use trialbook::certified::written::decimal;
-use trialbook::prelude::*;
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
 pub const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];

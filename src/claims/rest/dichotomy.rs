@@ -1,13 +1,8 @@
 //! Trials of the statement that every start leads to rest or to an unbounded motion.
 
-use crate::claims::tolerances::NONE;
-use crate::motion::MotionError;
+use super::prelude::*;
 use crate::motion::turntable::boundary::boundary;
 use crate::motion::turntable::ensemble::rests;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial};
-use crate::paper::rest as printed;
-use trialbook::prelude::*;
 
 /// Starts all over the inner part of the states, by ρ, p and ψ.
 fn starts(count: usize) -> Vec<[f64; 3]> {

@@ -10,9 +10,7 @@ pub mod saddle;
 pub mod series;
 pub mod surfaces;
 
-use crate::claims::turntable::exact as turntable;
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::of(["σ", "α"]);

@@ -1,10 +1,8 @@
 //! What the conditions near rest except: single resting places, and starts that come straight in, which lie on a surface.
 
+use super::prelude::*;
 use super::trajectories::{APPROACHES, Approach};
-use crate::paper::rest as printed;
-use std::f64::consts::FRAC_PI_2;
 use trialbook::certified::interval::Interval;
-use trialbook::prelude::*;
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub fn straight_in() -> Evidence {

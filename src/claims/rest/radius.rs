@@ -1,13 +1,8 @@
 //! Trials of where rest is possible, (139) and its words.
 
 use super::boundary::CENSUS;
-use crate::claims::tolerances::{NEAR_CORNER, NONE};
-use crate::motion::MotionError;
-use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
-use crate::paper::rest as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::motion::turntable::rotating;
 
 /// (139) with the largest distance from which a nudged particle comes back to rest.
 fn eq139_nudge() -> Evidence {

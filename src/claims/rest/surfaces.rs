@@ -1,10 +1,7 @@
 //! Trials of the surfaces of starts that come to rest at one distance σ, for every ψ.
 
 use super::boundary::resting_place;
-use crate::claims::tolerances::{SURFACE, THIRD_ORDER};
-use crate::corrections::rest as corrected;
-use crate::paper::rest as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The A from which a start with these α and ψ comes to rest at σ, by the motion. A grows on the way, so it is below σ.
 fn on_the_surface(sigma: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {

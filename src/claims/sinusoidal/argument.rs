@@ -1,12 +1,8 @@
 //! Trials of the steps of section 2.2 between its formulas: that a slip from rest outlasts half the period, that the motion
 //! along the drive does not die, and how friction acts across it.
 
-use super::reference_motions::{ORIGIN, Particle, Slip, at, dense, drive, lambda_c, settled};
-use crate::claims::tolerances::{ACROSS, NONE};
-use crate::motion::drive::{Friction, PlanarState, Sign};
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::{at, dense};
 
 /// Whether the slip that begins at φ₁ lasts longer than half the period, and leaves a velocity below zero a period after φ₁.
 fn outlasts(lambda: f64) -> Result<bool, Failure> {

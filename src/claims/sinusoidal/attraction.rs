@@ -9,9 +9,9 @@ use super::exact::{
     EQ33, EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove_eq38, ring_of_phi_t1, ring_of_phi1,
 };
 use super::phase_order::slip;
+use super::prelude::*;
 use crate::claims::general::contraction::never_farther_apart;
-use crate::claims::general::two_frames::{eq1, eq2, eq2_proof};
-use trialbook::prelude::*;
+use crate::claims::general::two_frames::eq2_proof;
 
 type NoRest = ([Expr; 2], [Expr; 3]);
 

@@ -12,8 +12,7 @@
 
 mod premises;
 
-use crate::claims::tolerances::NONE;
-use crate::paper::sinusoidal as printed;
+use super::prelude::*;
 use crate::validated::numbers::LAMBDA_C;
 use premises::by_phi1;
 use trialbook::certified::cover::{Said, everywhere_written};
@@ -22,7 +21,6 @@ use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::taylor::Taylor;
 use trialbook::certified::written::{Of, agree, coefficient, sign, slope};
-use trialbook::prelude::*;
 use trialbook::trials::enclosed::{certified, numbers, on_balls, resting_on};
 
 type One = Jet<1>;

@@ -1,11 +1,10 @@
 //! Theorems about every motion under the sinusoidal drive (21), by the law (1): v_y dies, a weak drive ends all, a strong one
 //! nothing, and how friction acts across.
 
+use super::prelude::*;
 use crate::claims::general::chains::{decays, ring_across, stops};
-use crate::claims::general::two_frames::{eq1, eq2};
 use crate::claims::periodic::chains::side;
 use crate::paper::sinusoidal as paper;
-use trialbook::prelude::*;
 
 /// (21) at the phase φ.
 pub(super) fn eq21() -> [Expr; 2] {

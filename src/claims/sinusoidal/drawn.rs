@@ -1,15 +1,8 @@
 //! The curves of fig-2 to fig-4: what is tried here is what the book draws.
 
-use super::reference_motions::{
-    ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled,
-};
-use crate::claims::tolerances::FORGOTTEN;
-use crate::motion::drive::{PlanarState, Sign};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::{eq33, eq38, printed_late};
+use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
 /// λ₀ of fig-3.
 pub const SMALL: f64 = FRAC_1_PI;

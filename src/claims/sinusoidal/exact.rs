@@ -3,9 +3,8 @@
 //! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
 //! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
 
-use crate::exact::Function;
+use super::prelude::*;
 use crate::paper::sinusoidal as paper;
-use trialbook::prelude::*;
 
 /// The ring in which λ₀ = sin φ₁, so that arcsin λ₀ = φ₁ and √(1 − λ₀²) = cos φ₁.
 pub(super) fn ring_of_phi1() -> Result<Ring, ExactError> {

@@ -1,6 +1,6 @@
 //! What the conditions of sections 2.2 and 3 except.
 
-use trialbook::prelude::*;
+use super::prelude::*;
 
 pub(in crate::claims) const TRIALS: &[Attempt] = trials![
     no_friction = no_inside(

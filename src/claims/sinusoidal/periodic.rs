@@ -1,16 +1,8 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
-use super::reference_motions::{
-    ORIGIN, Particle, Slip, drive, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
-};
-use crate::claims::tolerances::{APPROACH, MULTIPLIER, ROOT};
-use crate::corrections::sinusoidal as corrected;
-use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
-use crate::numerics::double::Double;
+use super::prelude::*;
+use super::reference_motions::{eq33, eq38, large, small, starts};
 use crate::numerics::eigenvalues::{eigenvalues, jacobian};
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::prelude::*;
 
 /// Phases over a period at which a periodic form is compared.
 const PHASES: u32 = 256;
@@ -183,7 +175,11 @@ fn eq38_multiplier() -> Evidence {
         let after = |v| Ok::<_, Failure>(Particle::plain(lambda).run(phi, v, phi + TAU)?.end().v);
         let matrix = jacobian(after, [attractor.w(phi), 0.0], [1e-5; 2])?;
         let [_, [found, _]] = eigenvalues(matrix)?;
-        Ok(Pair::plain(at(lambda, phi), corrected::contraction(lambda), found))
+        Ok(Pair::plain(
+            at(lambda, phi),
+            corrected::contraction(lambda),
+            found,
+        ))
     })
 }
 

@@ -2,9 +2,8 @@
 //! can end, and how long a slip from rest lasts. All by φ₁ = β, λ₀ = sin β.
 
 use super::exact::{EQ31, EQ32, EQ36, ring_of_phi1, with_lambda_c};
-use crate::corrections::sinusoidal as corrected;
+use super::prelude::*;
 use crate::paper::sinusoidal as paper;
-use trialbook::prelude::*;
 
 /// (27) to (30).
 fn phases() -> [Expr; 4] {

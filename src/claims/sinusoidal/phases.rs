@@ -1,14 +1,7 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::reference_motions::{ORIGIN, Particle, all, at, drive, lambda_c};
-use crate::claims::tolerances::ROOT;
-use crate::motion::PhaseKind;
-use crate::motion::drive::{Drive, DriveState, Friction, Sign};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::{all, at};
 
 type Formula = fn(Double) -> Double;
 

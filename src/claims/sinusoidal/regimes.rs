@@ -1,14 +1,7 @@
 //! Trials of what section 2.2 says in words of the motion along the line.
 
-use super::reference_motions::{
-    ORIGIN, Particle, Slip, at, dense, drive, end_spread, phi_t2, settled, small, starts,
-};
-use crate::claims::tolerances::{NONE, ROOT};
-use crate::motion::PhaseKind;
-use crate::motion::drive::{DriveState, Friction, Interval, Sign};
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::{at, dense, small, starts};
 
 /// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
 fn no_rest_census() -> Evidence {

@@ -1,12 +1,7 @@
 //! Trials of where the rest of the period ends that begins at φ₁: what follows the slip up to φ̃₂.
 
-use super::reference_motions::{Slip, small};
-use crate::claims::tolerances::ROOT;
-use crate::corrections::sinusoidal as corrected;
-use crate::numerics::quadrature::sum;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::small;
 
 /// What is said of the end, at a phase inside the slip that begins at φ₁ for this λ₀.
 type Stated = (&'static str, fn(f64, f64) -> f64);

@@ -1,13 +1,8 @@
 //! Trials of what replaces the second stage: an exponential of an exponential, or an end after a finite time.
 
-use super::reference_motions::{ORIGIN, Particle, at, drive, forward, lambda_c, settled};
+use super::prelude::*;
+use super::reference_motions::{at, forward};
 use super::transverse::{Flight, flights_where, strobed};
-use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
-use crate::corrections::sinusoidal as corrected;
-use crate::motion::drive::{Attractor, PlanarState};
-use crate::numerics::quadrature::integral_within;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
 
 /// Frictions below λ_c, where the passages are not too steep to be followed.
 fn below(high: f64) -> impl Iterator<Item = f64> {

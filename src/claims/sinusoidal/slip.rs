@@ -1,14 +1,7 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
-use super::reference_motions::{
-    ORIGIN, Particle, Slip, all, at, dense, drive, end_spread, phi_t2, small,
-};
-use crate::claims::tolerances::{EDGE, ROOT};
-use crate::motion::drive::{DriveState, Friction};
-use crate::numerics::double::Double;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::{all, at, dense, small};
 
 fn eq31_motion() -> Evidence {
     Trial::motion(

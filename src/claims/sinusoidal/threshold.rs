@@ -1,15 +1,8 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
-use super::reference_motions::{
-    ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small,
-};
+use super::prelude::*;
+use super::reference_motions::{dense, excess_length, forward, small};
 use super::slip::eq34;
-use crate::claims::tolerances::{ONSET, ROOT};
-use crate::motion::drive::{DriveState, Sign};
-use crate::numerics::double::Double;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
 
 /// A start, and the friction from which on the motion that it leads to has rests.
 #[derive(Debug, Clone, Copy)]

@@ -1,12 +1,8 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
-use super::reference_motions::{Particle, drive, lambda_c, printed_late};
-use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE};
-use crate::motion::drive::PlanarState;
+use super::prelude::*;
+use super::reference_motions::printed_late;
 use crate::paper::general;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::prelude::*;
 
 /// A motion in the plane, once a period from φ = 0 on.
 pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<PlanarState>, Failure> {

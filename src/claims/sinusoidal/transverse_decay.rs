@@ -7,10 +7,9 @@
 use super::attraction::{IGNORES_VY, TRICHOTOMY};
 use super::chains::{VY_VANISHES, eq21, in_units};
 use super::exact::{EQ40, eq38, prove_eq38, ring_of_phi_t1};
-use crate::claims::general::two_frames::{eq1, eq1_proof, eq2, eq2_proof};
-use crate::corrections::sinusoidal as corrected;
+use super::prelude::*;
+use crate::claims::general::two_frames::{eq1_proof, eq2_proof};
 use crate::paper::sinusoidal as paper;
-use trialbook::prelude::*;
 
 /// Of the velocity, by (1).
 type Rate = [Expr; 2];

@@ -1,13 +1,7 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
-use super::reference_motions::{ORIGIN, Particle, at, drive, settled};
-use crate::claims::tolerances::NONE;
-use crate::motion::Motion;
-use crate::motion::drive::{Friction, Sign};
-use crate::numerics::quadrature::sum;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::at;
 
 /// (21): what a particle on a smooth plane gains is the integral of −A.
 pub fn eq21() -> Evidence {

@@ -1,16 +1,9 @@
 //! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
 
-use super::spheres::{Units, braking, sphere};
+use super::prelude::*;
+use super::spheres::Units;
 use crate::claims::constant::launches::Turn as Launched;
-use crate::claims::tolerances::ROOT;
 use crate::corrections::constant::{speed, time};
-use crate::corrections::sphere as corrected;
-use crate::motion::sphere::{Ball, Sphere};
-use crate::motion::{Plane, State, run};
-use crate::numerics::double::Double;
-use crate::paper::sphere as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
 
 /// A sphere under A = −A x̂, and what its slip has become.
 #[derive(Debug, Clone)]

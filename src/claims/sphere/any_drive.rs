@@ -2,12 +2,10 @@
 
 use super::driven::{Swing, of_settled, part};
 use super::every_drive::rolling_time;
+use super::prelude::*;
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::periodic::threshold::{Bounds, bounds};
-use crate::motion::drive::{Drive, Sign};
 use crate::paper::periodic;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
 
 /// A drive of three harmonics at random, and the frictions between which section 2.3 leaves it open whether it rests.
 fn any(points: &mut Points) -> Result<(Harmonics, Drive, Bounds), Failure> {

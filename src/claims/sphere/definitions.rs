@@ -1,12 +1,7 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
-use super::spheres::{Followed, MIXED, braking, length, sphere, weighed};
-use crate::claims::tolerances::FOREIGN;
-use crate::motion::Plane;
-use crate::motion::sphere::{Ball, Contact};
-use crate::numerics::quadrature::sum;
-use crate::paper::sphere as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::spheres::{MIXED, length};
 
 /// Friction on the sphere whose lowest point has this velocity relative to the plane.
 fn friction(run: &Followed, slip: [f64; 3]) -> [f64; 3] {

@@ -1,18 +1,13 @@
 //! Trials of (84), (85) and of the statements about a plane that swings: 3.2 to 3.4.
 
 use super::every_drive::rolling_time;
-use super::spheres::{braking, sphere};
+use super::prelude::*;
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::sinusoidal::reference_motions::drive;
 use crate::claims::sinusoidal::regimes::{kind, listed_kind};
-use crate::claims::tolerances::MOTION;
-use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
-use crate::motion::sphere::{Ball, BallMotion, Contact, Directed, Sphere};
-use crate::motion::{Plane, Signal};
-use crate::paper::{periodic, sinusoidal, sphere as printed};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::prelude::*;
+use crate::motion::drive::{Attractor, DriveState, Friction, Interval};
+use crate::paper::{periodic, sinusoidal};
 
 /// Periods after which the motion counts as settled.
 const SETTLED: f64 = 10.0;

@@ -1,12 +1,7 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
-use super::spheres::{Case, Followed, MIXED, braking, case, length, moments, sphere, weighed};
-use crate::corrections::sphere as corrected;
-use crate::motion::sphere::{Ball, Contact};
-use crate::motion::{PhaseKind, Plane, Signal, State, run};
-use crate::paper::sphere as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::spheres::{Case, MIXED, case, length, moments};
 
 /// The particle with bμ that begins with the sphere's slip velocity; none if bμ is below zero.
 fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, Failure> {

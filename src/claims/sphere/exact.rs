@@ -10,10 +10,10 @@ mod newton;
 #[cfg(test)]
 mod tests;
 
+use super::prelude::*;
 pub use angle::*;
 pub use body::*;
 pub use newton::*;
-use trialbook::prelude::*;
 
 /// Components of a vector, as trees; a scalar has one.
 pub type Components = Vec<Expr>;

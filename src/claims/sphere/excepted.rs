@@ -1,9 +1,8 @@
 //! What the conditions of section 3 except.
 
+use super::prelude::*;
 use crate::claims::constant::excepted::{END, HOLDS, LAMBDA, START, half, int, two_thirds};
-use crate::paper::sphere as printed;
 use trialbook::certified::interval::Interval;
-use trialbook::prelude::*;
 
 pub(super) const TRIALS: &[Attempt] = trials![
     eq81 = no_value(

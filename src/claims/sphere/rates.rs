@@ -1,12 +1,7 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
-use super::spheres::{Followed, SLIDING, length, moments, weighed};
-use crate::corrections::sphere as corrected;
-use crate::motion::State;
-use crate::motion::sphere::Ball;
-use crate::numerics::quadrature::sum;
-use crate::paper::sphere as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::spheres::{SLIDING, length, moments};
 
 /// A vector of a state of the sphere: its name and its value.
 type Vector = (&'static str, fn(&Followed, &Ball) -> [f64; 3]);

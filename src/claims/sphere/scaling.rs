@@ -1,12 +1,8 @@
 //! Trials of (62) and (68) to (72): two spheres that differ in all but the dimensionless quantities move alike, and one
 //! of them has 1 for each unit.
 
-use super::spheres::{Case, Dimensionless, Followed, SLIDING, Units, length, sphere, weighed};
-use crate::motion::sphere::{Ball, Directed, Sphere};
-use crate::motion::{Plane, Signal};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::sphere as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::spheres::{Case, Dimensionless, SLIDING, Units, length};
 
 /// A sphere and the one with m = R = μ = g = 1 and the same κ, with the same drive and start in their own units, until
 /// the same time in these: what the definitions make of the motion of the one is the motion of the other itself.

@@ -1,9 +1,7 @@
 //! Trials of (122) and (123): the first case's formulas with complex A and α, along motions with p > ρ.
 
 use super::complex::Complex;
-use super::trajectories::{FASTER, View, stretches};
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// A and α by (122) and (123).
 fn inner(view: &View) -> [Complex; 2] {

@@ -2,11 +2,8 @@
 //!
 //! The motion is integrated twice: in Cartesian components, and in components along and across the velocity.
 
-use super::trajectories::{ANY, Class, FASTER, P, Quantity, RHO, SLOWER, View, stretches};
-use crate::claims::tolerances::FRAMES;
-use crate::motion::turntable::Intrinsic;
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{Class, SLOWER};
 
 /// At both ends of each stretch: what formulas give from one integration with what the other has.
 fn ends<const N: usize>(

@@ -1,10 +1,6 @@
 //! The motions that the chapter draws: two launches from the axis, one that comes to rest and one that escapes.
 
-use crate::motion::MotionError;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Start, State, Table, inertial, rotating};
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The speeds of the launches.
 pub const SPEEDS: [f64; 2] = [1.0, 1.5];

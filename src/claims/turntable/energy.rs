@@ -1,12 +1,7 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::trajectories::{ANY, Launch, Stretch, View, launches, stretches};
-use crate::claims::tolerances::FRAMES;
-use crate::corrections::turntable as corrections;
-use crate::motion::turntable::{State, Table};
-use crate::numerics::quadrature::sum;
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{Launch, launches};
 
 fn change_of_eq104(stretch: &Stretch) -> Result<f64, Failure> {
     let [from, to] = [stretch.part(stretch.from)?, stretch.part(stretch.to)?];

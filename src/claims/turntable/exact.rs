@@ -14,6 +14,7 @@ mod setting;
 #[cfg(test)]
 mod tests;
 
+use super::prelude::*;
 pub use components::*;
 pub use definitions::*;
 pub use energy::*;
@@ -21,7 +22,6 @@ pub use fixed::*;
 pub use frames::*;
 pub use hyperbolic::*;
 pub use setting::Setting;
-use trialbook::prelude::*;
 
 /// A statement about the turntable: formulas, or the two components of one.
 pub type Vectorial = Statement<Vec<Expr>>;

@@ -1,8 +1,7 @@
 //! What the conditions of section 4 except: a particle at rest on the table, and one on the axis.
 
-use crate::paper::turntable as printed;
+use super::prelude::*;
 use trialbook::certified::interval::Interval;
-use trialbook::prelude::*;
 
 const FAR: [f64; 2] = [0.5, 2.0];
 

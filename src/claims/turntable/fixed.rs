@@ -1,15 +1,9 @@
 //! Trials of the quasi-fixed points (124) and (125): where ψ stands still, and what deviations do. And how well ψ follows
 //! ψ₁ when α moves, for a figure.
 
+use super::prelude::*;
 use super::singular_starts::rate_at_start;
-use crate::claims::tolerances::{FOREIGN, STANDS_STILL};
-use crate::motion::MotionError;
-use crate::motion::turntable::Start;
-use crate::motion::turntable::intrinsic::Run;
 use crate::numerics::{NumericsError, dop853, roots};
-use crate::paper::turntable as printed;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::prelude::*;
 
 /// dψ/dτ at the beginning of a motion.
 fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {

@@ -1,13 +1,7 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
-use super::trajectories::{ANY, Launch, Stretch, View, any_table, launches, stretches};
-use crate::claims::tolerances::{FOREIGN, FRAMES};
-use crate::motion::MotionError;
-use crate::motion::turntable::{Path, State, Table, inertial, rotating};
-use crate::numerics::quadrature::sum;
-use crate::paper::turntable as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{Launch, any_table, launches};
 
 fn acceleration(table: &Table, state: &State) -> [f64; 2] {
     printed::eq86_acceleration(table.omega, table.mu, table.g, state.x, state.v)

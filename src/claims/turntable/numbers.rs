@@ -1,9 +1,8 @@
 //! The two numbers of each case by hand. The words are in the claims' entries.
 
+use super::prelude::*;
 use super::projections;
-use crate::motion::{Plane, State, run};
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use crate::motion::State;
 use trialbook::trials::by_hand::Numbers;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.

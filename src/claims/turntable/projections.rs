@@ -1,12 +1,9 @@
 //! Trials of where (100) and (101) come from: which rate the two laws of motion are combined with.
 
+use super::prelude::*;
 use super::rates::change;
 use super::singular_starts::first_rate;
-use super::trajectories::{ANY, ELL, P, View, XI};
 use crate::corrections::turntable as corrected;
-use crate::motion::turntable::{State, Table};
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
 
 /// The rate of u: section 4 has no u, and so no value for it.
 const U_RATE: f64 = f64::NAN;

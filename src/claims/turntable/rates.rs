@@ -1,13 +1,7 @@
 //! Printed rates, integrated along motions, against what changed.
 
-use super::trajectories::{
-    ALONG, ALPHA, ANY, BETA, Class, ELL, FASTER, MOMENT, P, PSI, Quantity, RHO, SLOWER, Stretch,
-    View, XI, samples, stretches,
-};
-use crate::motion::MotionError;
-use crate::paper::turntable as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{ALONG, ALPHA, BETA, Class, MOMENT, PSI, SLOWER, samples};
 
 /// What the quadratures are asked for.
 const ASKED: f64 = 1e-13;

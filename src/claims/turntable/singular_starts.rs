@@ -1,15 +1,8 @@
 //! Where the printed formulas divide by zero and the motion goes on: a particle put down at rest on the table,
 //! and one launched from the axis.
 
-use super::trajectories::{
-    ALONG, ALPHA, BETA, ELL, MOMENT, P, PSI, Quantity, RHO, View, XI, any_table,
-};
-use crate::claims::tolerances::DIFFERENCES;
-use crate::motion::MotionError;
-use crate::motion::turntable::{State, Table, rotating};
-use crate::paper::turntable as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{ALONG, ALPHA, BETA, MOMENT, PSI, any_table};
 
 /// How a motion begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

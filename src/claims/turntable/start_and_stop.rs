@@ -2,16 +2,11 @@
 //! particle that stops stays.
 
 use super::frames::{eq89_rate, weighed};
-use super::trajectories::{ANY, Stretch, View, stretches};
-use crate::claims::tolerances::{ENDS, FRAMES, MOTION, OF_MANY};
+use super::prelude::*;
 use crate::motion::turntable::ensemble::{End, Horizon};
-use crate::motion::turntable::intrinsic::{Exact, Run};
+use crate::motion::turntable::intrinsic::Exact;
 use crate::motion::turntable::moment::moment;
-use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
-use crate::numerics::quadrature::sum;
-use crate::paper::turntable as printed;
-use std::f64::consts::FRAC_PI_2;
-use trialbook::prelude::*;
+use crate::motion::turntable::{Fate, fate};
 
 /// A motion that starts by itself, from rest on the table beyond ρ = 1.
 #[derive(Debug)]

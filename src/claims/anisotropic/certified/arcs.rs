@@ -4,9 +4,7 @@
 //! see that every term of a sum has the same sign.
 
 use super::super::exact::{arc, frictions, with_angle, with_angles};
-use crate::exact::Function;
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use crate::claims::anisotropic::prelude::*;
 
 /// The ring of both frictions, with q as their ratio.
 fn ratios() -> Result<Ring, ExactError> {

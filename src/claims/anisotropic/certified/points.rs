@@ -2,15 +2,13 @@
 
 use super::super::exact;
 use super::{Two, on_a, prove_b, q_y};
-use crate::claims::tolerances::NONE;
-use crate::paper::anisotropic as printed;
+use crate::claims::anisotropic::prelude::*;
 use crate::validated::drive::arc;
 use crate::validated::numbers::{LAMBDA_Y, Q_Y};
 use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::{Interval, PI};
 use trialbook::certified::krawczyk;
 use trialbook::certified::written::agree;
-use trialbook::prelude::*;
 use trialbook::trials::enclosed::{DIGITS, certified, numbers, on_balls};
 
 /// The two sides of an equation of λ₀ and qλ₀, or of K and λ₀.

@@ -2,9 +2,8 @@
 
 use super::cases::late_speed;
 use super::{DEFINED, EQ6, EQ7, Regime, prove};
-use crate::corrections::constant as corrected;
+use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
-use trialbook::prelude::*;
 
 /// The pull less the greatest friction is A times the difference of the sides.
 pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(

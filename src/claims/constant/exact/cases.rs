@@ -2,8 +2,8 @@
 
 use super::sliding::constant_of_motion;
 use super::{EQ11, EQ13, EQ14, Newton, Regime, at_start, by_newton, prove};
+use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
-use trialbook::prelude::*;
 
 pub(super) fn eq15() -> Expr {
     let [a, v0x, t] = Expr::symbols(["A", "v₀x", "t"]);

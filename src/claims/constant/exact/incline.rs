@@ -1,8 +1,8 @@
 //! An inclined plane at rest has the law of a drive that is constant, and none that of a drive that changes with time.
 
+use crate::claims::constant::prelude::*;
 use crate::claims::general::two_frames::{self, eq1};
 use crate::paper::constant as paper;
-use trialbook::prelude::*;
 
 /// Weight, normal force and friction in space give (1) with (3).
 pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(

@@ -1,8 +1,8 @@
 //! Any friction: (6) to (14).
 
 use super::{Newton, Regime, at_start, by_newton, prove};
+use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
-use trialbook::prelude::*;
 
 /// The rate of a component of the velocity.
 fn component_rate(title: &str, says: &str, component: Expr, printed: Expr) -> Proof {

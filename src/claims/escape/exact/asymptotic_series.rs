@@ -4,11 +4,7 @@
 //! coefficients of xᵏ are polynomials in L of degree k. The first order fixes q₀, u₀, d₀; a shift of τ leaves one constant
 //! of the second order free, b.
 
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::escape as corrected;
-use crate::exact::Series;
-use crate::paper::turntable as motion;
-use trialbook::prelude::*;
+use crate::claims::escape::prelude::*;
 use trialbook::trials::runs::Derived;
 
 /// The laws are stated to the first order in x, logarithms being counted as numbers; two more follow.

@@ -1,10 +1,9 @@
 //! Theorems about every motion that begins with p < ρ and A > 1, or near α = 0: each link is an identity of the ring, and a
 //! term that has a sign.
 
+use crate::claims::escape::prelude::*;
 use crate::claims::rest::exact::eq139;
 use crate::claims::turntable::exact::{self as turntable, Setting};
-use crate::paper::{escape as printed, turntable as motion};
-use trialbook::prelude::*;
 
 /// What the theorems on escape say of a bound, by the printed law of motion.
 #[derive(Debug, Clone, Copy)]

@@ -10,11 +10,7 @@
 
 use super::chains::ALPHA_GROWS;
 use super::{exponential, tau};
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::escape as corrected;
-use crate::exact::Derivation;
-use crate::paper::turntable as motion;
-use trialbook::prelude::*;
+use crate::claims::escape::prelude::*;
 use trialbook::trials::runs::Derived;
 
 /// N, P, h = tanh α, and t.

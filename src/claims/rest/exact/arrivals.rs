@@ -5,10 +5,7 @@
 //! (143) solves, and to whose solutions every other comes as fast as those terms fall.
 
 use super::{chains, series};
-use crate::claims::turntable::exact as turntable;
-use crate::exact::Series;
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// What is shown of every motion to rest.
 macro_rules! of_every_rest {

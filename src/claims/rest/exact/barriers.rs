@@ -7,10 +7,7 @@
 use super::boundary::{self, imbalance};
 use super::{least, surfaces};
 use crate::claims::escape::exact::chains as fates;
-use crate::claims::turntable::exact as turntable;
-use crate::exact::Series;
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// The surface of starts that come to rest at σ.
 pub const SURFACE: Statement = Statement::new(

@@ -4,9 +4,7 @@ use super::arrivals;
 use crate::claims::escape::exact::chains::{
     acceleration, comes_to_rest, polar, pushed, stops_along,
 };
-use crate::claims::turntable::exact as turntable;
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// Rest or escape.
 pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(

@@ -1,9 +1,7 @@
 //! The least A of the boundary between rest and escape, over all ψ: what there is in place of the envelope (147).
 
 use super::boundary;
-use crate::corrections::rest as corrected;
-use crate::exact::Series;
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// The boundary is stated to this power of α.
 const ORDER: i64 = 2;

@@ -1,10 +1,6 @@
 //! The surfaces of starts that come to rest close to ρ = 1: hyperbolas around a saddle.
 
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::rest as corrected;
-use crate::exact::Series;
-use crate::paper::turntable as motion;
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// The lowest order is wanted; one more follows.
 const ORDER: i64 = 2;

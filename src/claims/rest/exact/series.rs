@@ -4,10 +4,7 @@
 //! that (143) prints. The coefficients are found order by order from the equations of motion (113) to (115), which are
 //! proved from Newton's law.
 
-use crate::claims::turntable::exact as turntable;
-use crate::exact::{Derivation, Series};
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 use trialbook::trials::runs::Derived;
 
 /// Coefficients to be found at one order.

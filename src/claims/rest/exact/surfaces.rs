@@ -4,11 +4,7 @@
 //! finite at ψ = 0, where the motions to rest arrive.
 
 use super::boundary::{ENOUGH, imbalance};
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::rest as corrected;
-use crate::exact::Series;
-use crate::paper::rest as printed;
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// The power of α to which the surface is stated.
 const ORDER: i64 = 2;

@@ -1,8 +1,8 @@
 //! What the statements on whole ranges take for granted, proved in exact arithmetic.
 
 use super::super::exact::{ring_of_phi_t1, ring_of_phi1};
-use crate::exact::{Series, folded};
-use trialbook::prelude::*;
+use crate::claims::sinusoidal::prelude::*;
+use crate::exact::folded;
 
 /// By φ₁, here β, the phases are β, π − β and 2π − β, and λ₀ = sin β; and (32)'s left side, of λ₀, φ₁ and φ, has the
 /// slope sin φ − λ₀.

@@ -3,11 +3,10 @@
 
 use super::{AS_A_PARTICLE, Components, EQ74, S3_REDUCTION, Vectorial};
 use crate::claims::constant::exact as constant;
-use crate::corrections::sphere as corrected;
+use crate::claims::sphere::prelude::*;
 use crate::paper::constant as particle;
 use crate::paper::general::eq1_velocity_rate;
 use crate::paper::sphere as paper;
-use trialbook::prelude::*;
 
 /// The ring of both sets of letters, with the powers of the half tangents of angles of a sign.
 fn ring(sign: i64) -> Result<Ring, ExactError> {

@@ -1,11 +1,9 @@
 //! The sliding sphere, (63) to (79): rates by the laws of motion against printed rates.
 
 use super::{AXES, BY_COMPONENTS, BY_DEFINITION, Components, Vectorial};
-use crate::corrections::sphere as corrected;
-use crate::exact::Derivation;
+use crate::claims::sphere::prelude::*;
 use crate::paper::general::eq1_velocity_rate;
 use crate::paper::sphere as paper;
-use trialbook::prelude::*;
 
 /// The friction force on the sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

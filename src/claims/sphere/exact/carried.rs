@@ -7,8 +7,8 @@ use crate::claims::periodic::chains::{MOSTLY_AT_REST, REST_ABOVE_ONE};
 use crate::claims::periodic::critical_friction::THRESHOLD;
 use crate::claims::periodic::exact as pulses;
 use crate::claims::sinusoidal::attraction;
+use crate::claims::sphere::prelude::*;
 use crate::paper::{anisotropic, sinusoidal, sphere as paper};
-use trialbook::prelude::*;
 
 /// The pulse train.
 const PULSE: Statement = Statement::new(

@@ -1,8 +1,8 @@
 //! The laws themselves: (59) from the laboratory, (60) from the sphere's parts.
 
 use super::{AXES, Vectorial};
+use crate::claims::sphere::prelude::*;
 use crate::paper::sphere as paper;
-use trialbook::prelude::*;
 
 type Vector = [Rational; 3];
 

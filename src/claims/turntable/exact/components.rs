@@ -1,9 +1,9 @@
 //! The motion by p, ℓ, ξ and by p, ρ, ψ: (96) to (102), (107) to (109).
 
 use super::{Setting, Vectorial, changes, prove, rate, vectors};
+use crate::claims::turntable::prelude::*;
 use crate::corrections::turntable as corrected;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 #[track_caller]
 const fn equation(

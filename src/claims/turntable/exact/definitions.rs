@@ -1,8 +1,8 @@
 //! The definitions (93) to (95), (110) to (112), (116) to (118), by what they have to be consistent with.
 
 use super::{Setting, Vectorial, prove, vectors};
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 #[track_caller]
 const fn consistent(

@@ -1,9 +1,8 @@
 //! Work and energy: (103), (104), (106) as printed and corrected, the powers of the forces.
 
 use super::{RATE, Setting, Vectorial, prove, vectors};
-use crate::corrections::turntable as corrections;
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 pub const EQ103: Vectorial = Vectorial::new(
     Printed,

@@ -1,9 +1,9 @@
 //! The quasi-fixed points (124) and (125), and their stability.
 
 use super::{Setting, Vectorial, prove};
+use crate::claims::turntable::prelude::*;
 use crate::exact::Node;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 /// A formula with the angle q wherever it has an arcsine, and what that is the arcsine of.
 pub(super) fn name_arcsine(formula: Expr) -> (Expr, Option<Expr>) {

@@ -2,8 +2,8 @@
 //! mirror image.
 
 use super::{Setting, Vectorial, prove, vectors};
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 pub const EQ86: Vectorial = Vectorial::new(
     Within,

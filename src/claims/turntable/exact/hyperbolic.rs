@@ -2,8 +2,8 @@
 //! (122) and (123).
 
 use super::{Setting, Vectorial, changes, prove, rate};
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 pub const EQ113: Vectorial = changes(Printed, paper::eq113_a_rate::parts, |printed| {
     rate("(113): dA/dτ", Setting::slower(), "A", &printed)

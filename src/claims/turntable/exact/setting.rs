@@ -1,9 +1,8 @@
 //! The rings in which the proofs are carried out, each with the motion in it.
 
 use super::vectors;
-use crate::exact::Derivation;
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 /// A ring and the motion in it.
 #[derive(Debug)]
