@@ -19,8 +19,7 @@ mod slips;
 mod transverse;
 mod transverse_decay;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

@@ -15,8 +15,7 @@ mod numbers;
 mod only_constant;
 mod time;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

@@ -10,8 +10,7 @@ pub mod steps;
 pub mod straight;
 pub mod trajectories;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

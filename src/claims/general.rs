@@ -9,8 +9,7 @@ mod properties;
 pub mod strong_drives;
 pub mod two_frames;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

@@ -14,8 +14,7 @@ mod rest_share;
 mod step_drive;
 pub mod threshold;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

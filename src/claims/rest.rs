@@ -12,8 +12,7 @@ pub mod radius;
 pub mod surfaces;
 pub mod trajectories;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

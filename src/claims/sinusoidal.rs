@@ -21,8 +21,7 @@ mod transverse;
 pub mod transverse_decay;
 mod units;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

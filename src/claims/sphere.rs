@@ -12,8 +12,7 @@ mod rates;
 mod scaling;
 mod spheres;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

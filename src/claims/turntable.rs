@@ -16,8 +16,7 @@ mod singular_starts;
 mod start_and_stop;
 pub mod trajectories;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
 
 /// What the topic's modules use.
 mod prelude {

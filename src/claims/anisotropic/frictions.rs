@@ -126,7 +126,7 @@ fn summed_rate(
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // The other friction is entered by hand.
     eq47 = against_dimensional(r"$\lambda_+$ of (47)", |[mu_plus, mu_minus, g, a0, _]| {
         (printed::eq47_lambda_plus(mu_plus, g, a0), mu_minus / a0 * g)
@@ -155,5 +155,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq51_quadrature = summed_rate("(51)", ("forwards", Sign::Positive), |_, lambda0, phi| {
         printed::eq51_rate(lambda0, phi)
     }),
-    eq52_quadrature = summed_rate("(52)", ("backwards", Sign::Negative), printed::eq52_rate),
+    eq52_quadrature = summed_rate("(52)", ("backwards", Sign::Negative), printed::eq52_rate)
 ];

@@ -96,10 +96,10 @@ impl Rates {
 pub fn quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Printed,
-        Compared::one(
+        [
             r"$\mathfrak w(\phi)$ in each panel, made of the integrals of (51) and (52) over $\phi$ and of rests, in the order of the list,",
             "the simulated motion over two periods",
-        ),
+        ],
     );
     let panels = PANELS.into_iter().zip(printed::signs());
     let periods: Vec<_> = panels
@@ -174,7 +174,7 @@ pub fn census() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![quadrature, census];
+attempts![quadrature, census];
 
 #[cfg(test)]
 mod tests {

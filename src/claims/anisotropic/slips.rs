@@ -36,10 +36,14 @@ fn slips() -> Vec<(f64, f64, Sign)> {
 
 /// How far a slip goes, by how long it takes.
 pub fn distances() -> Evidence {
-    Trial::motion(Remark, Compared::one(
-        r"$2(\sin K-K\cos K)\sqrt{1-(\lambda K/\sin K)^2}$ for a slip of length $2K$ under the friction $\lambda$",
-        "how far the particle goes in that slip of the motion",
-    )).over(slips(), |(q, lambda0, sign)| {
+    let trial = Trial::motion(
+        Remark,
+        [
+            r"$2(\sin K-K\cos K)\sqrt{1-(\lambda K/\sin K)^2}$ for a slip of length $2K$ under the friction $\lambda$",
+            "how far the particle goes in that slip of the motion",
+        ],
+    );
+    trial.over(slips(), |(q, lambda0, sign)| {
         let motion = attractor(q, lambda0)?;
         let slip = motion.intervals().iter().find(|i| i.sign == sign);
         let length = slip.ok_or("no such slip")?.length();
@@ -88,4 +92,4 @@ pub fn without_rest() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![distances, without_rest];
+attempts![distances, without_rest];

@@ -70,7 +70,7 @@ fn both_panels() -> impl Iterator<Item = Result<Curve, Failure>> {
 pub fn points() -> Evidence {
     Trial::motion(
         Printed,
-        Compared::one("(11) at the angle of each drawn point", "the speed there"),
+        ["(11) at the angle of each drawn point", "the speed there"],
     )
     .pairs(both_panels(), |curve| {
         let Curve {
@@ -97,10 +97,10 @@ pub fn points() -> Evidence {
 pub fn ends() -> Evidence {
     let trial = Trial::census(
         Printed,
-        Compared::one(
+        [
             "whether a curve ends in motion, as in panel (a), or at rest, as in panel (b) (1 for motion),",
             "what the motion does",
-        ),
+        ],
     );
     let at = |curve: &Curve| format!("λ = {}, θ₀ = {:.6}", curve.lambda, curve.theta0);
     trial.each(both_panels(), at, |curve| {
@@ -110,4 +110,4 @@ pub fn ends() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![points, ends];
+attempts![points, ends];

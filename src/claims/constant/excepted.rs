@@ -42,7 +42,7 @@ fn eq13_time([lambda, theta0, theta]: [Interval; 3]) -> Interval {
     printed::eq13_time(lambda, int(1), int(1), theta0, theta)
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq8 = no_value(
         "(8)",
         HOLDS,
@@ -129,5 +129,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         [("λ", [1.0, 10.0]), ("θ₀", [0.0, PI])],
         &[[1.5, PI], [5.0, PI]],
         |[_, theta0]| theta0 != PI,
-    ),
+    )
 ];

@@ -37,15 +37,15 @@ fn around_one() -> Vec<[f64; 2]> {
 
 /// λ < 1: as fast as the law along the line has it.
 pub fn velocity() -> Evidence {
-    let trial = Trial::motion(
+    let launches = Points::here().within(40, [[0.0, 2.0], [0.1, 5.0]]);
+    Trial::motion(
         Within,
-        Compared::one(
+        [
             r"$t$ times the rate (6) at $\theta=0$, or 0 where $\lambda\le1$ does not hold,",
             "the velocity at the time $t$ of a particle that begins at rest",
-        ),
-    );
-    let launches = Points::here().within(40, [[0.0, 2.0], [0.1, 5.0]]);
-    trial.at(["λ", "t"], launches, 5.0, |[lambda, t]| {
+        ],
+    )
+    .at(["λ", "t"], launches, 5.0, |[lambda, t]| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);
         let stated = match left <= right {
             true => t * printed::eq6_vx_rate(lambda, 1.0, 0.0),
@@ -55,7 +55,7 @@ pub fn velocity() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     census = moves(Within, around_one()),
     velocity,
     outside = moves(Outside, Points::here().within(20, [[1.0; 2], [0.1, 10.0]])),

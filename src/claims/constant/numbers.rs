@@ -2,7 +2,6 @@
 
 use super::final_direction::sense_of_sliding;
 use super::prelude::*;
-use trialbook::trials::by_hand::Numbers;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 1] = [Numbers::new(

@@ -42,23 +42,22 @@ fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
 
 /// How often the sense changes.
 pub fn turns() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::constant(
             "0 for a constant pull, 1 for a sine",
             "whether the sense of sliding changes more than once (1 if so)",
         ),
-    );
-    let mut points = Points::here();
-    trial.over(0..60, |i| {
-        let (driven, at, motion) = motion(&mut points, i)?;
+    )
+    .drawn(0..60, |i, points| {
+        let (driven, at, motion) = motion(points, i)?;
         Ok(Pair::plain(at, is(driven), is(senses(&motion)?.len() > 2)))
     })
 }
 
 fn both_ways() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Printed,
         Compared::constant(
             r"$-1$ for a sine, 1 for a constant pull",
@@ -66,9 +65,8 @@ fn both_ways() -> Evidence {
         ),
         NONE,
     );
-    let mut points = Points::here();
-    trial.over(0..60, |i| {
-        let (driven, at, motion) = motion(&mut points, i)?;
+    trial.drawn(0..60, |i, points| {
+        let (driven, at, motion) = motion(points, i)?;
         let mut largest = (0.0, 0.0);
         for k in 0..100 {
             let t = TAU * (4.0 + f64::from(k) / 100.0);
@@ -87,4 +85,4 @@ fn both_ways() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![turns, both_ways];
+attempts![turns, both_ways];

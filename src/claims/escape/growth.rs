@@ -268,7 +268,7 @@ fn sides(ratio: &'static str, formula: Quantity) -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq128_limit = following(EQ128, Printed, ALPHA_RATE),
     corrected128_limit = following(CORRECTED128, Corrected, ALPHA_RATE),
     eq129_limit = sides(PRODUCT.0, |l| printed::eq129_a(alpha(&l.state))
@@ -337,7 +337,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq137_exponent = WAY.exponent("(137)", Printed, printed::eq137_s),
     corrected137_limit = WAY.corrected(r"$1/(9\sqrt2)$", corrected::s),
     corrected137_delay = WAY.delay(r"$-9\sqrt2/4$"),
-    eq138_limit = sides("$(A^2/2)/s$", eq138),
+    eq138_limit = sides("$(A^2/2)/s$", eq138)
 ];
 
 #[cfg(test)]

@@ -5,10 +5,7 @@ use super::prelude::*;
 use std::f64::consts::SQRT_2;
 use trialbook::certified::ball::Ball;
 use trialbook::certified::enclosure::Enclosure;
-use trialbook::certified::error::CertifiedError;
-use trialbook::trials::by_hand::Numbers;
 use trialbook::trials::enclosed::on_balls;
-use trialbook::trials::values::Number;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 10] = [
@@ -78,7 +75,7 @@ fn of((_, quantity): Named) -> Result<f64, Failure> {
 }
 
 fn one() -> Expr {
-    Expr::int(1)
+    int(1)
 }
 
 /// A formula without symbols, enclosed.

@@ -28,7 +28,7 @@ fn against(
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // λ₀ > η.
     with_rests = against(
         (r"$(1-\lambda_0)\eta^2\pi^2$", supplied::loss_with_rests),
@@ -43,5 +43,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ),
         |eta, share| eta * share,
         [[0.3, 5e-4], [1.0 - 1e-4, 1.0 - 5e-4]]
-    ),
+    )
 ];

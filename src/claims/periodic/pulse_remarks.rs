@@ -85,22 +85,10 @@ fn twelve_digits(x: f64) -> f64 {
     libm::round(1e12 * x) / 1e12
 }
 
-/// Pulses of no width.
-fn largest_outside() -> Evidence {
-    let compared = Compared::one(
-        r"the largest $\lvert h\rvert$ that is assumed, 1,",
-        r"$\lvert h\rvert$ of pulses of no width",
-    );
-    let phases = Points::here().within(20, [[0.0; 2], [0.0, TAU]]);
-    Trial::census(Outside, compared).at(["η", "φ"], phases, 1.0, |[eta, phi]| {
-        Ok([printed::s23_largest(), pulses(eta)?.h(phi).abs()])
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // As printed: friction.
     friction_again = around_pi(
-        Route::Integration,
+        Integration,
         Printed,
         Compared::one(
             r"the acceleration of friction, which is said to become nonzero again at $\pi$,",
@@ -110,7 +98,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     // As corrected: the drive.
     pull_again = around_pi(
-        Route::Integration,
+        Integration,
         Corrected,
         Compared::one(
             r"the drive, which becomes nonzero again at $\pi$,",
@@ -123,7 +111,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     // The same, with a particle on a plane.
     pull_again_on_a_plane = around_pi(
-        Route::Quadrature,
+        Quadrature,
         Corrected,
         Compared::one(
             r"the drive in the middle of a short stretch before or after $\pi$",
@@ -138,7 +126,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     // By the pulses' values.
     largest_census = largest(
-        Route::Census,
+        Census,
         Within,
         Compared::one(
             r"the largest $\lvert h\rvert$ that is assumed, 1,",
@@ -149,7 +137,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     // By what a pulse gives a smooth particle, over its length.
     largest_integration = largest(
-        Route::Integration,
+        Integration,
         Within,
         Compared::one(
             r"the largest $\lvert h\rvert$ that is assumed, 1,",
@@ -162,7 +150,17 @@ pub(super) const TRIALS: &[Attempt] = trials![
             Ok(twelve_digits(end.end.w / (eta * PI)))
         },
     ),
-    largest_outside,
+    // Pulses of no width.
+    largest_outside = {
+        let compared = Compared::one(
+            r"the largest $\lvert h\rvert$ that is assumed, 1,",
+            r"$\lvert h\rvert$ of pulses of no width",
+        );
+        let phases = Points::here().within(20, [[0.0; 2], [0.0, TAU]]);
+        Trial::census(Outside, compared).at(["η", "φ"], phases, 1.0, |[eta, phi]| {
+            Ok([printed::s23_largest(), pulses(eta)?.h(phi).abs()])
+        })
+    },
     no_width = no_inside(
         "a pulse",
         r"$\eta=0$",

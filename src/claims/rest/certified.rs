@@ -27,12 +27,12 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
 /// (147) with proved fates.
 pub fn printed() -> Evidence {
     Trial::by(
-        Route::Certified,
+        Certified,
         Printed,
-        Compared::one(
+        [
             "the fate by (147) (1 for rest, 0 for escape)",
             "that by validated integration",
-        ),
+        ],
         NONE,
     )
     .over(WRONG, |start| proved(start, printed_a(start[1])))
@@ -41,7 +41,7 @@ pub fn printed() -> Evidence {
 /// The second-order boundary with proved fates on both sides of it.
 pub fn corrected() -> Evidence {
     let trial = Trial::by(
-        Route::Certified,
+        Certified,
         Corrected,
         Compared::one(
             "the fate by the corrected formula (1 for rest, 0 for escape)",
@@ -64,7 +64,7 @@ pub fn corrected() -> Evidence {
         .of_a_part()
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![printed, corrected];
+attempts![printed, corrected];
 
 #[cfg(test)]
 mod tests {

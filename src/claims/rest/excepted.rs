@@ -19,7 +19,7 @@ pub fn straight_in() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // The resting place at which friction is only just as strong as the centrifugal force.
     edge = no_inside(
         "a resting place",
@@ -40,5 +40,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
             Interval::int(1)
         ]],
         |[sigma, alpha, c]| printed::eq143_psi(sigma, c, alpha),
-    ),
+    )
 ];

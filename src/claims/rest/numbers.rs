@@ -5,8 +5,6 @@ use super::prelude::*;
 use super::surfaces::bend;
 use crate::motion::turntable;
 use std::f64::consts::SQRT_2;
-use trialbook::trials::by_hand::Numbers;
-use trialbook::trials::values::Number;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [

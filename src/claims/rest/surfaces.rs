@@ -33,7 +33,7 @@ fn places() -> Vec<[f64; 2]> {
 fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64) -> Evidence {
     const FROM: &str = r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$";
     let compared = Compared::one(law, FROM).over(r"$\alpha=(1-\sigma)/100$");
-    Trial::by(Route::Root, subject, compared, THIRD_ORDER).over(places(), |[sigma, psi]| {
+    Trial::by(Root, subject, compared, THIRD_ORDER).over(places(), |[sigma, psi]| {
         let alpha = 0.01 * (1.0 - sigma);
         Ok(Pair {
             at: format!("σ = {sigma:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
@@ -47,12 +47,12 @@ fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64
 /// The coefficient of α².
 pub fn bends() -> Evidence {
     Trial::by(
-        Route::Limit,
+        Limit,
         Corrected,
-        Compared::one(
+        [
             r"the corrected coefficient of $-\alpha^2$",
             r"the limit of $(\sigma-A)/\alpha^2$ on the surface that the motion makes",
-        ),
+        ],
         SURFACE,
     )
     .over(places(), |[sigma, psi]| {
@@ -64,7 +64,7 @@ pub fn bends() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     psi_free = by_root(Printed, r"(145), whatever $\psi$ is,", |sigma, alpha, _| {
         printed::eq145_a(sigma, alpha)
     }),

@@ -3,8 +3,6 @@
 use super::prelude::*;
 use crate::validated::numbers;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
-use trialbook::trials::by_hand::Numbers;
-use trialbook::trials::values::Number;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 2] = [

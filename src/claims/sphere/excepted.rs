@@ -4,7 +4,7 @@ use super::prelude::*;
 use crate::claims::constant::excepted::{END, HOLDS, LAMBDA, START, half, int, two_thirds};
 use trialbook::certified::interval::Interval;
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq81 = no_value(
         "(81)",
         HOLDS,
@@ -35,5 +35,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         |[lambda, theta0, theta, tau]| {
             printed::eq83_slip_at_time(lambda, int(1), theta0, theta, tau)
         },
-    ),
+    )
 ];

@@ -58,4 +58,4 @@ fn eq123() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![eq122, eq123];
+attempts![eq122, eq123];

@@ -45,7 +45,7 @@ fn prove(
 
 /// Position and velocity in Cartesian components.
 fn vectors() -> [[Expr; 2]; 2] {
-    [Expr::symbols(["x", "y"]), Expr::symbols(["u", "v"])]
+    [symbols(["x", "y"]), symbols(["u", "v"])]
 }
 
 #[track_caller]
@@ -72,7 +72,7 @@ fn rate(
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     &EQ86,
     &EQ87,
     &EQ88,

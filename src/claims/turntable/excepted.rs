@@ -38,7 +38,7 @@ fn sum([x, y]: [Interval; 2]) -> Interval {
     x + y
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq86 = at(
         REST,
         "(86)",
@@ -46,8 +46,13 @@ pub(super) const TRIALS: &[Attempt] = trials![
         MOTION,
         STILL,
         |[x, y, u, v]| {
-            let one = int(1);
-            sum(printed::eq86_acceleration(one, one, one, [x, y], [u, v]))
+            sum(printed::eq86_acceleration(
+                int(1),
+                int(1),
+                int(1),
+                [x, y],
+                [u, v],
+            ))
         }
     ),
     eq89 = at(
@@ -113,5 +118,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ["β", "ψ"],
         [0, 1],
         |[beta, psi]| { printed::eq121_psi_rate(beta, psi) }
-    ),
+    )
 ];

@@ -3,7 +3,6 @@
 use super::prelude::*;
 use super::projections;
 use crate::motion::State;
-use trialbook::trials::by_hand::Numbers;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [

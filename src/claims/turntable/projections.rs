@@ -25,7 +25,7 @@ const BY_RADIUS_AND_U: &str =
 const BY_RADIUS_AND_P: &str =
     r"$\mathrm d\xi/\mathrm d\tau$ by the law along the radius and $\mathrm dp/\mathrm d\tau$,";
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     tangential = change(
         "the projection of (89) on the velocity,",
         Within,
@@ -44,5 +44,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
     }),
     radial_corrected = change(BY_RADIUS_AND_P, Corrected, ANY, XI, |v| {
         corrected::radial_rate(v.p, v.ell, v.xi)
-    }),
+    })
 ];

@@ -76,7 +76,7 @@ fn eq102_sum(v: &View) -> f64 {
     first + 2.0 * second + 4.0 * third
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq90 = change("(90)", Printed, ANY, HALF_P2, |v| {
         printed::eq90_power(v.position, v.rate)
     }),
@@ -129,5 +129,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
     }),
     eq121 = integral("(121)", Within, FASTER, PSI.0, turned, |v| {
         printed::eq121_psi_rate(v.outer().1, v.psi)
-    }),
+    })
 ];

@@ -4,7 +4,6 @@
 //! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
 
 use crate::claims::rest::prelude::*;
-use trialbook::trials::runs::Derived;
 
 /// The boundary is stated to the second order; two more follow.
 const ORDER: i64 = 4;
@@ -186,4 +185,4 @@ pub const PRINTED: Statement = Statement::new(
     |formula| prove(formula, 1),
 );
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&PRINTED, &CORRECTED];
+attempts![&PRINTED, &CORRECTED];

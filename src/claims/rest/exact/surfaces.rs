@@ -12,9 +12,7 @@ const ORDER: i64 = 2;
 pub(super) fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     ring.angle("ψ");
-    for name in ["σ", "α"] {
-        ring.symbol(name);
-    }
+    ring.symbols(["σ", "α"]);
     Ok(ring)
 }
 
@@ -69,4 +67,4 @@ pub const CORRECTED: Statement = Statement::new(
     prove,
 );
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&CORRECTED];
+attempts![&CORRECTED];

@@ -35,8 +35,8 @@ fn prove(title: &str, formula: &[Expr], rests_on: &Statement, particle: Expr) ->
                 letters.push((ring.named(own)?, ring.named(ours)?));
             }
             let values: Vec<_> = letters.iter().map(|(own, ours)| (own, ours)).collect();
-            let [lambda, a, gamma, u, theta] = Expr::symbols(["λ", "A", "γ", "u", "θ"]);
-            let (zero, one) = (Expr::int(0), Expr::int(1));
+            let [lambda, a, gamma, u, theta] = symbols(["λ", "A", "γ", "u", "θ"]);
+            let (zero, one) = (int(0), int(1));
             let [x, y] = [u * theta.cos(), u * theta.sin()];
             let law = eq1_velocity_rate([-a, zero], lambda * a, one, [x, y]);
             let slip = paper::eq74_slip_rate(lambda * gamma, [-gamma, zero, zero], [x, y, zero]);
