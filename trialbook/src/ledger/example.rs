@@ -1,7 +1,7 @@
 //! A paper made up for the tests: what each claim comes to can be told by counting.
 
 use super::Ledger;
-use crate::evidence::{Compared, Evidence, Route, Subject};
+use crate::evidence::{Evidence, Route, Subject};
 use crate::trials::attempt::Attempt;
 use crate::trials::compare::{Pair, Trial};
 use crate::trials::read::claims;
