@@ -19,8 +19,20 @@ mod slips;
 mod transverse;
 mod transverse_decay;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::rows::{Row, rows};
+    pub(super) use super::simulated::{
+        Curves, START, attractor, attractor_from, corrected_list, listed_digits, own_y,
+        printed_list, simulated, touching,
+    };
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::corrections::anisotropic as corrected;
+    pub(super) use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
+    pub(super) use crate::paper::anisotropic as printed;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

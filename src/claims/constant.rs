@@ -15,8 +15,15 @@ mod numbers;
 mod only_constant;
 mod time;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::launches::{TURNS, Turn};
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::corrections::constant as corrected;
+    pub(super) use crate::paper::constant as printed;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -10,8 +10,19 @@ pub mod steps;
 pub mod straight;
 pub mod trajectories;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::trajectories::ESCAPES;
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::claims::turntable::exact as turntable;
+    pub(super) use crate::corrections::escape as corrected;
+    pub(super) use crate::motion::turntable::Start;
+    pub(super) use crate::motion::turntable::intrinsic::{Intrinsic, Run};
+    pub(super) use crate::paper::escape as printed;
+    pub(super) use crate::paper::turntable as motion;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -9,8 +9,15 @@ mod properties;
 pub mod strong_drives;
 pub mod two_frames;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::two_frames::{NAMES, eq1, eq1_proof};
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::motion::{Acceleration, Phase};
+    pub(super) use crate::paper::general as printed;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -6,6 +6,7 @@
 pub mod corners;
 pub mod formulas;
 pub mod laid_over;
+mod prelude;
 mod shared;
 pub mod tolerances;
 pub mod variants;

@@ -14,8 +14,18 @@ mod rest_share;
 mod step_drive;
 pub mod threshold;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::drives::{Harmonics, Phase, pulses};
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::corrections::periodic as supplied;
+    pub(super) use crate::motion::drive::{
+        Attractor, Drive, DriveError, DriveState, Friction, Sign,
+    };
+    pub(super) use crate::paper::periodic as printed;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -12,8 +12,19 @@ pub mod radius;
 pub mod surfaces;
 pub mod trajectories;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::claims::turntable::exact as turntable;
+    pub(super) use crate::corrections::rest as corrected;
+    pub(super) use crate::motion::turntable::boundary::between;
+    pub(super) use crate::motion::turntable::intrinsic::Run;
+    pub(super) use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial};
+    pub(super) use crate::paper::rest as printed;
+    pub(super) use crate::paper::turntable as motion;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

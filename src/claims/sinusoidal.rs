@@ -21,8 +21,22 @@ mod transverse;
 pub mod transverse_decay;
 mod units;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::reference_motions::{
+        ORIGIN, Particle, Slip, drive, end_spread, lambda_c, phi_t2, settled,
+    };
+    pub(super) use crate::claims::general::two_frames::{eq1, eq2};
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::corrections::sinusoidal as corrected;
+    pub(super) use crate::motion::drive::{
+        Attractor, Drive, DriveState, Friction, Interval, PlanarState, Sign,
+    };
+    pub(super) use crate::numerics::number::Real;
+    pub(super) use crate::paper::sinusoidal as printed;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -12,8 +12,17 @@ mod rates;
 mod scaling;
 mod spheres;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::spheres::{Followed, braking, sphere, weighed};
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::corrections::sphere as corrected;
+    pub(super) use crate::motion::drive::{Drive, Sign};
+    pub(super) use crate::motion::sphere::{Ball, BallMotion, Contact, Directed, Sphere};
+    pub(super) use crate::paper::sphere as printed;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -16,8 +16,21 @@ mod singular_starts;
 mod start_and_stop;
 pub mod trajectories;
 
-use super::shared::SHARED;
-use trialbook::prelude::{Topic, claims};
+use prelude::*;
+
+/// What the topic's modules use.
+mod prelude {
+    pub(super) use super::trajectories::{
+        ANY, ELL, FASTER, P, Quantity, RHO, Stretch, View, XI, stretches,
+    };
+    pub(super) use crate::claims::prelude::*;
+    pub(super) use crate::corrections::turntable as corrections;
+    pub(super) use crate::motion::turntable::intrinsic::Run;
+    pub(super) use crate::motion::turntable::{
+        Intrinsic, Path, Start, State, Table, inertial, rotating,
+    };
+    pub(super) use crate::paper::turntable as printed;
+}
 
 /// The topic.
 pub static TOPIC: Topic = Topic::new(

@@ -1,7 +1,6 @@
 //! The census of the plane: the kind of motion at many points, by simulation alone; and how both lists fare with it.
 
-use super::simulated::{corrected_list, listed_digits, printed_list, simulated};
-use trialbook::prelude::*;
+use super::prelude::*;
 use trialbook::trials::points::round;
 
 /// Cells of the census along q, thirty for each unit.

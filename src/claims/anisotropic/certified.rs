@@ -13,15 +13,13 @@
 pub(super) mod arcs;
 pub mod points;
 
+use super::prelude::*;
 use super::{exact, motions};
-use crate::paper::anisotropic as printed;
 use crate::validated::drive::{self, Edge, arc};
 use trialbook::certified::cover::{Said, everywhere, everywhere_written};
-use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::written::{Of, sign, slope};
-use trialbook::prelude::*;
 use trialbook::trials::enclosed::{certified, citing};
 
 type Two = Jet<2>;
@@ -65,7 +63,7 @@ fn corner<S: Scalar>(q: S) -> S {
 
 /// That c, which has one zero at most, has it at q_Y, where it changes from negative to positive.
 fn prove_corner(critical: Interval) -> Outcome {
-    let c = || corner(Expr::symbol("q"));
+    let c = || corner(symbol("q"));
     let mut parts = 0;
     for way in [-1.0, 1.0] {
         let q = critical + Interval::point(way * NEAR_Y);
@@ -132,7 +130,7 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
     };
     // At q = 1, where A and B meet, the arc is 0, as far as can be seen (and exactly so, by the proof of (57)).
     let written_arc = |edge| {
-        let q = Expr::symbol("q");
+        let q = symbol("q");
         let lambda0 = self::on_a(q);
         arc_to(edge, [q, (q * lambda0).asin()])
     };
@@ -158,7 +156,7 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
     })?;
     // Beyond Y A lies below π/q², and there E's arc is negative, as it is below.
     let written = || {
-        let arc = arcs::e_beyond([Expr::symbol("p"), Expr::pi()]);
+        let arc = arcs::e_beyond([symbol("p"), pi()]);
         (["p"], vec![(Of::Rest, sign(arc, -1.0).into())])
     };
     let far = Interval::new(0.0, (Interval::int(1) / y).hi());
@@ -195,7 +193,7 @@ fn regions() -> [Proof; 5] {
     ]
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     a_once = shows(
         &[arcs::a_falls(exact::sides_of_a())],
         Printed,
@@ -282,7 +280,7 @@ mod tests {
         refused(prove_b(exact::sides_of_e()));
         refused(prove_e(exact::sides_of_b()));
         let [left, right] = exact::sides_of_b();
-        let off = Expr::symbol("λ₀") / Expr::int(1_000_000);
+        let off = symbol("λ₀") / int(1_000_000);
         refused(prove_b([left, right + off]));
         refused(prove_corner(q_y().unwrap() + Interval::point(1e-12)));
         // A raised by a part in a thousand crosses B.

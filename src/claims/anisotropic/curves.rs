@@ -1,14 +1,8 @@
 //! Trials of the curves: (53) to (56), and E, which continues B. Where they are tried, the simulation says.
 
-use super::rows::{FAR_ROWS, Row, rows};
-use super::simulated::{
-    Regions, corrected_list, curve_a, curve_b, curves_as_corrected, listed_digits, orders,
-    printed_list, simulated,
-};
-use crate::claims::tolerances::{FAR_A, FAR_E, ROOT};
-use crate::corrections::anisotropic as corrected;
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::rows::FAR_ROWS;
+use super::simulated::{Regions, curve_a, curve_b, curves_as_corrected, orders};
 
 /// A curve: what gives its λ₀ at a q, and this; NaN where there is none.
 type Law = (&'static str, fn(f64) -> f64);
@@ -59,7 +53,7 @@ fn change(
     (law, stated): Law,
     (name, found): Change,
 ) -> Evidence {
-    let trial = Trial::by(Route::Root, subject, lambda0_of(law, name), ROOT);
+    let trial = Trial::by(Root, subject, lambda0_of(law, name), ROOT);
     over(&trial, only(rows(), |row| wanted(row)), [stated], found)
 }
 
@@ -131,42 +125,12 @@ fn beyond_y(row: &Row) -> bool {
 
 fn far_out(subject: Subject, (law, stated): Law, (name, found): Change) -> Evidence {
     let trial = Trial::by(
-        Route::Limit,
+        Limit,
         subject,
         lambda0_of(law, name).over("$q$ from 200 to 20,000"),
         FAR_A,
     );
     over(&trial, FAR_ROWS.each(), [stated], found)
-}
-
-fn eq54_ends() -> Evidence {
-    let trial = Trial::census(
-        Remark,
-        Compared::one(
-            "whether (54) has a root (1 if so)",
-            "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
-        ),
-    );
-    let at = |row: &Row| format!("q = {:.6}", row.q);
-    trial.each(rows(), at, |row| {
-        Ok([is(!on_b(row.q).is_nan()), is(row.before_y), 1.0])
-    })
-}
-
-/// E for large q, and its asymptotic form.
-fn e_limit() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Corrected,
-        Compared::many(
-            r"the root of E, and $4\pi/(q+1)^2\,[1-4\pi^2/(q+7/3)^2]$, to which it tends,",
-            r"the $\lambda_0$ at which direct reversals end",
-        )
-        .over("$q$ from 200 to 20,000"),
-        FAR_E,
-    );
-    let both = [on_b_or_e, corrected::e_far];
-    over(&trial, FAR_ROWS.each(), both, REVERSAL.1)
 }
 
 /// Where friction backwards is as strong as the drive.
@@ -177,7 +141,7 @@ fn off_one(row: &Row) -> bool {
     row.q > 1.01
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq53_root = change(Printed, everywhere, EQ53, REST),
     eq53_census = sides(Printed, PRINTED, everywhere, REST),
     eq53_limit = far_out(Printed, EQ53, REST),
@@ -191,7 +155,19 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     eq54_root = change(Printed, before_y, EQ54, REVERSAL),
     eq54_census = sides(Printed, PRINTED, before_y, REVERSAL),
-    eq54_ends,
+    eq54_ends = {
+        let trial = Trial::census(
+            Remark,
+            [
+                "whether (54) has a root (1 if so)",
+                "whether, on C, the forward motion of the simulation ends before the drive is lowest (1 if so)",
+            ],
+        );
+        let at = |row: &Row| format!("q = {:.6}", row.q);
+        trial.each(rows(), at, |row| {
+            Ok([is(!on_b(row.q).is_nan()), is(row.before_y), 1.0])
+        })
+    },
     eq55_root = change(Printed, everywhere, EQ55, BACKWARD),
     eq55_census = sides(Printed, PRINTED, off_one, AS_STRONG),
     eq55_corrected_root = change(Corrected, before_y, EQ55, BACKWARD),
@@ -200,5 +176,19 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq56_census = sides(Printed, PRINTED, everywhere, MOTION),
     e_root = change(Corrected, beyond_y, E, REVERSAL),
     e_census = sides(Corrected, CORRECTED, everywhere, REVERSAL),
-    e_limit
+    // E for large q, and its asymptotic form.
+    e_limit = {
+        let trial = Trial::by(
+            Limit,
+            Corrected,
+            Compared::many(
+                r"the root of E, and $4\pi/(q+1)^2\,[1-4\pi^2/(q+7/3)^2]$, to which it tends,",
+                r"the $\lambda_0$ at which direct reversals end",
+            )
+            .over("$q$ from 200 to 20,000"),
+            FAR_E,
+        );
+        let both = [on_b_or_e, corrected::e_far];
+        over(&trial, FAR_ROWS.each(), both, REVERSAL.1)
+    }
 ];

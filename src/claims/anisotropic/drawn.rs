@@ -2,12 +2,9 @@
 
 use super::census::{self, Column, LAMBDA0, Q};
 use super::panels::{PANELS, motion};
-use super::rows::{FAR_ROWS, Row, rows};
-use super::simulated::{Curves, START, attractor, fits, printed_list, touching};
-use crate::corrections::anisotropic as corrected;
-use crate::paper::anisotropic as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::rows::FAR_ROWS;
+use super::simulated::fits;
 
 /// One point of the census in a map: q and λ₀, found and printed region.
 pub type Cell = ([f64; 2], usize, Option<usize>);

@@ -1,11 +1,8 @@
 //! How far the particle creeps in a period and what friction takes from it: from the closed forms of the slips, which know
 //! the regions but no motion. The paper says nothing of either.
 
-use super::simulated::Curves;
+use super::prelude::*;
 use crate::corrections::anisotropic::{self as corrected, slip_distance};
-use crate::paper::anisotropic as printed;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::prelude::*;
 
 /// What a period brings, dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq)]

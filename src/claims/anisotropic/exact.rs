@@ -4,10 +4,7 @@
 //! are rational in the tangents of half these angles. An arc from rest at φ₀ is ∫ (sin φ ∓ λ±) dφ =
 //! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
 
-use crate::corrections::anisotropic as corrected;
-use crate::exact::{Function, Series};
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// A ring with the friction of forward motion as sin α and that of backward motion as sin β.
 pub(super) fn frictions() -> Result<Ring, ExactError> {
@@ -15,8 +12,8 @@ pub(super) fn frictions() -> Result<Ring, ExactError> {
     for (angle, friction) in [("α", "λ₀"), ("β", "qλ₀")] {
         let value = ring.angle(angle);
         let (sine, cosine) = (
-            ring.read(Expr::symbol(angle).sin())?,
-            ring.read(Expr::symbol(angle).cos())?,
+            ring.read(symbol(angle).sin())?,
+            ring.read(symbol(angle).cos())?,
         );
         ring.inverse(Function::Asin, &sine, &value)?;
         // Both angles lie between 0 and π/2.
@@ -64,7 +61,7 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
     };
     Proof::in_ring("(51) and (52)", ring(), |p| {
         let ring = p.ring();
-        let [a0, g, phi] = Expr::symbols(["A₀", "g", "φ"]);
+        let [a0, g, phi] = symbols(["A₀", "g", "φ"]);
         p.note(
             "While sliding",
             "dv_x/dt = A₀ sin φ less the friction, φ = ϖt, 𝔴 = ϖv_x/A₀",
@@ -79,7 +76,7 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
                 definitions[i + 2]
             );
             let solved = p.solve(&says, &[own? - named?], None, &[names[i]])?;
-            let newton = (a0 * phi.sin() - Expr::int(sign) * Expr::symbol(names[i]) * g) / a0;
+            let newton = (a0 * phi.sin() - int(sign) * symbol(names[i]) * g) / a0;
             let found = p.read("d𝔴/dφ by Newton's law", newton)?;
             let values: Vec<_> = solved.iter().map(|(x, value)| (x, value)).collect();
             let found = ring.put(&found, &values)?;
@@ -88,28 +85,6 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
         Ok(())
     })
 }
-
-/// (51).
-const EQ51: Statement = Statement::new(
-    Printed,
-    Compared::one(
-        "(51)",
-        "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
-    ),
-    printed::eq51_rate::tree,
-    |formula| prove_rates(definitions(), [formula, printed_rates()[1]]),
-);
-
-/// (52).
-const EQ52: Statement = Statement::new(
-    Printed,
-    Compared::one(
-        "(52)",
-        "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
-    ),
-    printed::eq52_rate::tree,
-    |formula| prove_rates(definitions(), [printed_rates()[0], formula]),
-);
 
 /// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
 pub const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
@@ -129,14 +104,13 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     };
     let balanced = Proof::in_ring("(53): K", balance(), |p| {
         p.shows("For K = πq/(q + 1): λ₀ 2K = qλ₀ (2π − 2K), so that friction takes forwards in the phase 2K what it gives backwards in the rest of a period.");
-        let [q, lambda0] = Expr::symbols(["q", "λ₀"]);
+        let [q, lambda0] = symbols(["q", "λ₀"]);
         p.note(
             "Over a period",
             "the drive gives nothing, and so friction takes forwards in 2K what it gives backwards in 2π − 2K: λ₀ 2K = qλ₀ (2π − 2K)",
         );
-        let two = Expr::int(2);
-        let lost = lambda0 * two * k_formula;
-        let gained = q * lambda0 * (two * Expr::pi() - two * k_formula);
+        let lost = lambda0 * 2 * k_formula;
+        let gained = q * lambda0 * (2 * pi() - 2 * k_formula);
         let lost = p.read("Taken forwards, with the printed K", lost)?;
         p.reads_as(&lost, "what is given backwards", gained)
     });
@@ -148,13 +122,12 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("(53): curve A", angles(), |p| {
         p.rests_on(&balanced)?;
         with_angle(p, ["α", "λ₀"]);
-        let [alpha, k, lambda0] = Expr::symbols(["α", "K", "λ₀"]);
-        let two = Expr::int(2);
+        let [alpha, k, lambda0] = symbols(["α", "K", "λ₀"]);
         let end = p.read(
             "𝔴 at α + 2K after a start at α",
-            arc(alpha, alpha + two * k, lambda0),
+            arc(alpha, alpha + 2 * k, lambda0),
         )?;
-        let factor = two * k.sin().squared() * alpha.sin();
+        let factor = 2 * k.sin().squared() * alpha.sin();
         let stated = p.read(
             "2 sin²K sin α times left less right side",
             factor * (left - right),
@@ -163,26 +136,15 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// (54), as the condition that a forward arc ends at π + asin(qλ₀).
-const EQ54: Statement<[Expr; 2]> = Statement::new(
-    Printed,
-    Compared::one(
-        "(54)",
-        r"the forward arc from $\sin^{-1}\lambda_0$ to $\pi+\sin^{-1}(q\lambda_0)$",
-    ),
-    sides_of_b,
-    prove_eq54,
-);
-
 /// (54): forward motion from α ends where backward motion could begin, at π + β.
 pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("(54): curve B", frictions(), |p| {
         with_angles(p);
-        let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
+        let [alpha, beta, lambda0] = symbols(["α", "β", "λ₀"]);
         p.identity(
             (
                 "𝔴 at π + β after a start at α",
-                arc(alpha, Expr::pi() + beta, lambda0),
+                arc(alpha, pi() + beta, lambda0),
             ),
             ("the left side less the right one", left - right),
         )
@@ -193,8 +155,8 @@ pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
 pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("Curve E", frictions(), |p| {
         with_angles(p);
-        let [alpha, beta, lambda0] = Expr::symbols(["α", "β", "λ₀"]);
-        let late = Expr::int(2) * Expr::pi() - beta;
+        let [alpha, beta, lambda0] = symbols(["α", "β", "λ₀"]);
+        let late = 2 * pi() - beta;
         p.identity(
             ("𝔴 at 2π − β after a start at α", arc(alpha, late, lambda0)),
             ("the left side less the right one", left - right),
@@ -203,7 +165,7 @@ pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
 }
 
 pub(super) fn sides_of_b() -> [Expr; 2] {
-    let [lambda0, q_lambda0] = Expr::symbols(["λ₀", "qλ₀"]);
+    let [lambda0, q_lambda0] = symbols(["λ₀", "qλ₀"]);
     printed::eq54_sides(lambda0, q_lambda0)
 }
 
@@ -212,7 +174,7 @@ pub(super) fn sides_of_a() -> [Expr; 2] {
 }
 
 pub(super) fn sides_of_e() -> [Expr; 2] {
-    let [lambda0, q_lambda0] = Expr::symbols(["λ₀", "qλ₀"]);
+    let [lambda0, q_lambda0] = symbols(["λ₀", "qλ₀"]);
     corrected::e_sides(lambda0, q_lambda0)
 }
 
@@ -222,7 +184,7 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
     Compared::one("X", "(53) and (54) at $q=1$"),
     printed::eq57_x,
     |[q, critical]| {
-        let lambda0 = Expr::symbol("λ₀");
+        let lambda0 = symbol("λ₀");
         let k = |mut ring: Ring| {
             ring.define("K", ring.read(printed::eq53_k(q))?)?;
             Ok(ring)
@@ -233,7 +195,7 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
             let a = p.read("A: left less right side", left - right)?;
             let [left, right] = printed::eq54_sides(lambda0, q * lambda0);
             let b = p.read("B: left less right side", left - right)?;
-            let factor = p.read("2 sin α", Expr::int(2) * Expr::symbol("α").sin())?;
+            let factor = p.read("2 sin α", 2 * symbol("α").sin())?;
             p.equal("B is 2 sin α times A", &b, &(&factor * &a))
         });
         let roots = || {
@@ -241,7 +203,7 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
             let own = ring.named("λ₀")?;
             ring.root(&(Rational::int(1) - &own * &own), 2)?;
             ring.suppose_positive(own);
-            let square = ring.read(Expr::int(4) + Expr::pi().squared())?;
+            let square = ring.read(4 + pi().squared())?;
             ring.root(&square, 2)?;
             k(ring)
         };
@@ -249,12 +211,12 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
             p.rests_on(&same)?;
             let [left, right] = sides_of_a();
             let a = p.read("A: left less right side", left - right)?;
-            let cosine = (Expr::int(1) - lambda0.squared()).sqrt();
-            let factor = Expr::int(2) * lambda0 * (Expr::int(2) * cosine + Expr::pi() * lambda0);
+            let cosine = (1 - lambda0.squared()).sqrt();
+            let factor = 2 * lambda0 * (2 * cosine + pi() * lambda0);
             let factor = p.read("A factor", factor)?;
             p.positive("It", &factor)?;
             let distance = critical.squared() - lambda0.squared();
-            let product = (Expr::int(4) + Expr::pi().squared()) * distance;
+            let product = (4 + pi().squared()) * distance;
             let says = "A times that, by the printed λ₀, where alone it is 0";
             let product = p.read(says, product)?;
             p.equal("The two", &(&a * &factor), &product)
@@ -277,9 +239,7 @@ pub const Y: Statement<[Expr; 2]> = Statement::new(
 fn prove_y([left, right]: [Expr; 2]) -> Proof {
     let ring = || {
         let mut ring = frictions()?;
-        for name in ["x", "D"] {
-            ring.symbol(name);
-        }
+        ring.symbols(["x", "D"]);
         Ok(ring)
     };
     Proof::in_ring("B and C touch at Y", ring(), |p| {
@@ -291,7 +251,7 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
             // β = π/2, where the tangent of the half is 1 and its cosine 1/√2; only cos²(β/2) occurs.
             let ring = p.ring();
             let beta = ring.named("β")?;
-            let half = ring.read(Expr::pi() / Expr::int(2))?;
+            let half = ring.read(pi() / 2)?;
             ring.put(
                 x,
                 &[
@@ -300,17 +260,17 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
                 ],
             )
         };
-        let growth = p.read("cos β, by which d(qλ₀) = cos β dβ", Expr::symbol("β").cos())?;
+        let growth = p.read("cos β, by which d(qλ₀) = cos β dβ", symbol("β").cos())?;
         let rate = on_c(p, &(&growth * &turn))?;
         p.zero("d(qλ₀)/dα along B is 0 at β = π/2", &rate)?;
         let meeting = on_c(p, &b)?;
-        let [alpha] = Expr::symbols(["α"]);
-        let x = Expr::int(3) * Expr::pi() / Expr::int(2) - alpha;
+        let [alpha] = symbols(["α"]);
+        let x = 3 * pi() / 2 - alpha;
         let condition = p.read("x cos x − sin x with x = 3π/2 − α", x * x.cos() - x.sin())?;
         p.equal("B at β = π/2 vanishes with it", &meeting, &condition)?;
-        let [q, _] = [alpha.cot(), Expr::int(0)];
-        let square = p.read("1 + x², with x = tan x = cot α", Expr::int(1) + q.squared())?;
-        let one = p.read("The square of λ₀", Expr::symbol("λ₀").squared())?;
+        let [q, _] = [alpha.cot(), int(0)];
+        let square = p.read("1 + x², with x = tan x = cot α", 1 + q.squared())?;
+        let one = p.read("The square of λ₀", symbol("λ₀").squared())?;
         p.equal(
             "Their product is 1, so that q = 1/λ₀ = √(1 + x²)",
             &(&square * &one),
@@ -325,15 +285,15 @@ fn prove_y([left, right]: [Expr; 2]) -> Proof {
 /// cot α at Y, and grows as β − α.
 fn touch(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     let ring = p.ring();
-    let [alpha, beta, length] = Expr::symbols(["α", "β", "D"]);
-    let half_turn = ring.read(Expr::pi())?;
+    let [alpha, beta, length] = symbols(["α", "β", "D"]);
+    let half_turn = ring.read(pi())?;
     let (own, x, one) = (ring.named("α")?, ring.named("x")?, Rational::int(1));
     let mut d = vec![p.read("The length of the arc at Y is x, which is", alpha.cot())?];
     let zeros = || std::iter::repeat_n(Rational::int(0), ORDER);
     let a = [own, one.clone()].into_iter().chain(zeros());
     let a = Series::new(0, a.collect());
     let mut b = vec![ring.divide(&half_turn, &Rational::int(2))?];
-    let end = alpha.cos() - (Expr::pi() + beta).cos() - alpha.sin() * length;
+    let end = alpha.cos() - (pi() + beta).cos() - alpha.sin() * length;
     for k in 1..=ORDER {
         let slower = if k == 1 { &x - &one } else { x.clone() };
         let trial = |known: &[Rational], next: &Rational| {
@@ -393,51 +353,15 @@ fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
     })
 }
 
-/// (55): backward motion can begin, d𝔴/dφ < 0 by (52) at some φ, exactly below C.
-const EQ55: Statement = Statement::new(
-    Step,
-    Compared::one(
-        "(52)",
-        r"$q$ times the difference of $\lambda_0$ and (55), plus a square that vanishes at $\phi=3\pi/2$",
-    ),
-    printed::eq55_lambda0::tree,
-    |curve| {
-        let [q, lambda0, phi] = Expr::symbols(["q", "λ₀", "φ"]);
-        let half = phi / Expr::int(2);
-        let square = (half.sin() + half.cos()).squared();
-        let rate = printed::eq52_rate::tree();
-        prove_start("(55): curve C", rate, q * (lambda0 - curve), square)
-    },
-);
-
-/// (56): forward motion can begin, d𝔴/dφ > 0 by (51) at some φ, exactly below D.
-const EQ56: Statement = Statement::new(
-    Printed,
-    Compared::one(
-        "(51)",
-        r"(56) less $\lambda_0$, less a square that vanishes at $\phi=\pi/2$",
-    ),
-    printed::eq56_lambda0,
-    |curve| {
-        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        let half = phi / Expr::int(2);
-        let square = (half.sin() - half.cos()).squared();
-        let rate = printed::eq51_rate::tree();
-        prove_start("(56): curve D", rate, curve - lambda0, -square)
-    },
-);
-
 /// The mirror takes each printed rate into the other.
 fn prove_mirror(([forward, backward], [other_q, other_lambda0]): ([Expr; 2], [Expr; 2])) -> Proof {
     Proof::in_ring("The mirror", plane(), |p| {
-        let [phi] = Expr::symbols(["φ"]);
+        let [phi] = symbols(["φ"]);
         let mirrored = |rate: Expr| {
             let [apart, both] = ["q there", "λ₀ there"];
-            let rate = rate
-                .with("q", Expr::symbol(apart))
-                .with("λ₀", Expr::symbol(both));
+            let rate = rate.with("q", symbol(apart)).with("λ₀", symbol(both));
             let rate = rate.with(apart, other_q).with(both, other_lambda0);
-            -rate.with("φ", phi + Expr::pi())
+            -rate.with("φ", phi + pi())
         };
         for (says, here, there) in [
             ("Forward motion", forward, backward),
@@ -455,17 +379,6 @@ fn prove_mirror(([forward, backward], [other_q, other_lambda0]): ([Expr; 2], [Ex
 pub(super) fn printed_rates() -> [Expr; 2] {
     [printed::eq51_rate::tree(), printed::eq52_rate::tree()]
 }
-
-/// (53).
-const EQ53: Statement<(Expr, [Expr; 2])> = Statement::new(
-    Printed,
-    Compared::one(
-        "(53)",
-        r"the balance of friction over a period, with a forward arc of length $2K$ from $\sin^{-1}\lambda_0$",
-    ),
-    || (printed::eq53_k::tree(), sides_of_a()),
-    |(a, b)| prove_eq53(a, b),
-);
 
 /// E, as the condition that a forward arc ends at 2π − asin(qλ₀).
 pub const E: Statement<[Expr; 2]> = Statement::new(
@@ -490,8 +403,84 @@ pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     prove_mirror,
 );
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    &DEFINED, &EQ51, &EQ52, &EQ53, &EQ54, &EQ55, &EQ56, &X, &MIRROR, &E, &Y
+attempts![
+    &DEFINED,
+    // (51).
+    &EQ51 = Statement::new(
+        Printed,
+        Compared::one(
+            "(51)",
+            "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
+        ),
+        printed::eq51_rate::tree,
+        |formula| prove_rates(definitions(), [formula, printed_rates()[1]]),
+    ),
+    // (52).
+    &EQ52 = Statement::new(
+        Printed,
+        Compared::one(
+            "(52)",
+            "Newton's law along $x$, in the units of (23), (24) and (47) to (50)",
+        ),
+        printed::eq52_rate::tree,
+        |formula| prove_rates(definitions(), [printed_rates()[0], formula]),
+    ),
+    // (53).
+    &EQ53 = Statement::new(
+        Printed,
+        Compared::one(
+            "(53)",
+            r"the balance of friction over a period, with a forward arc of length $2K$ from $\sin^{-1}\lambda_0$",
+        ),
+        || (printed::eq53_k::tree(), sides_of_a()),
+        |(a, b)| prove_eq53(a, b),
+    ),
+    // (54), as the condition that a forward arc ends at π + asin(qλ₀).
+    &EQ54 = Statement::new(
+        Printed,
+        Compared::one(
+            "(54)",
+            r"the forward arc from $\sin^{-1}\lambda_0$ to $\pi+\sin^{-1}(q\lambda_0)$",
+        ),
+        sides_of_b,
+        prove_eq54,
+    ),
+    // (55): backward motion can begin, d𝔴/dφ < 0 by (52) at some φ, exactly below C.
+    &EQ55 = Statement::new(
+        Step,
+        Compared::one(
+            "(52)",
+            r"$q$ times the difference of $\lambda_0$ and (55), plus a square that vanishes at $\phi=3\pi/2$",
+        ),
+        printed::eq55_lambda0::tree,
+        |curve| {
+            let [q, lambda0, phi] = symbols(["q", "λ₀", "φ"]);
+            let half = phi / 2;
+            let square = (half.sin() + half.cos()).squared();
+            let rate = printed::eq52_rate::tree();
+            prove_start("(55): curve C", rate, q * (lambda0 - curve), square)
+        },
+    ),
+    // (56): forward motion can begin, d𝔴/dφ > 0 by (51) at some φ, exactly below D.
+    &EQ56 = Statement::new(
+        Printed,
+        Compared::one(
+            "(51)",
+            r"(56) less $\lambda_0$, less a square that vanishes at $\phi=\pi/2$",
+        ),
+        printed::eq56_lambda0,
+        |curve: Expr| {
+            let [lambda0, phi] = symbols(["λ₀", "φ"]);
+            let half = phi / 2;
+            let square = (half.sin() - half.cos()).squared();
+            let rate = printed::eq51_rate::tree();
+            prove_start("(56): curve D", rate, curve - lambda0, -square)
+        },
+    ),
+    &X,
+    &MIRROR,
+    &E,
+    &Y
 ];
 
 #[cfg(test)]

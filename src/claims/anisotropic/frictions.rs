@@ -1,11 +1,7 @@
 //! Trials of (47) to (52): the two frictions, and the rates while sliding either way.
 
-use super::simulated::{START, attractor, attractor_from};
-use crate::motion::drive::{Drive, Friction, Sign};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::anisotropic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::motion::drive::Drive;
 
 /// A ratio q: moderate, 1 where λ₀ is close to 1, and large in every tenth case.
 fn ratio(i: usize, points: &mut Points) -> f64 {
@@ -130,7 +126,7 @@ fn summed_rate(
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // The other friction is entered by hand.
     eq47 = against_dimensional(r"$\lambda_+$ of (47)", |[mu_plus, mu_minus, g, a0, _]| {
         (printed::eq47_lambda_plus(mu_plus, g, a0), mu_minus / a0 * g)
@@ -159,5 +155,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq51_quadrature = summed_rate("(51)", ("forwards", Sign::Positive), |_, lambda0, phi| {
         printed::eq51_rate(lambda0, phi)
     }),
-    eq52_quadrature = summed_rate("(52)", ("backwards", Sign::Negative), printed::eq52_rate),
+    eq52_quadrature = summed_rate("(52)", ("backwards", Sign::Negative), printed::eq52_rate)
 ];

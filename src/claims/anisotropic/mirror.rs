@@ -1,10 +1,7 @@
 //! Trials of the mirror: φ → φ + π, 𝔴 → −𝔴 turns the friction (λ₀, q) into (qλ₀, 1/q).
 
-use super::simulated::{START, attractor_from, corrected_list, drive, from_forward, listed_digits};
-use crate::motion::drive::{DriveState, Friction};
-use crate::paper::anisotropic as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::simulated::{drive, from_forward};
 
 /// (q, λ₀) with q < 1, and so that the mirrored λ₀ lies between 0 and 1.4.
 fn small_ratio(points: &mut Points) -> (f64, f64) {
@@ -16,14 +13,13 @@ fn small_ratio(points: &mut Points) -> (f64, f64) {
 pub fn integration() -> Evidence {
     let trial = Trial::motion(
         Printed,
-        Compared::one(
+        [
             r"$-\mathfrak w(\phi+\pi)$ of the motion with $1/q$ and $q\lambda_0$ from the mirrored start",
             r"$\mathfrak w(\phi)$ of the motion with $q<1$ and $\lambda_0$",
-        ),
+        ],
     );
-    let mut points = Points::here();
-    trial.over(0..400, |i| {
-        let (q, lambda0) = small_ratio(&mut points);
+    trial.drawn(0..400, |i, points| {
+        let (q, lambda0) = small_ratio(points);
         let lambda0 = match i % 20 {
             7 => 5e-4,
             8 => 1.0 - 5e-4,
@@ -69,10 +65,10 @@ pub fn integration() -> Evidence {
 pub fn census() -> Evidence {
     let trial = Trial::census(
         Printed,
-        Compared::one(
+        [
             r"the order of slips and rests in a period by the corrected list at $(1/q,q\lambda_0)$ (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
             r"that of the simulated motion at $(q,\lambda_0)$, forward and backward exchanged",
-        ),
+        ],
     );
     let mut points = Points::here();
     let words = listed_digits();
@@ -94,4 +90,4 @@ pub fn census() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![integration, census];
+attempts![integration, census];

@@ -8,8 +8,7 @@ use super::exact::{
     arc, frictions, plane, printed_rates, prove_e, prove_eq53, prove_eq54, sides_of_a, sides_of_b,
     sides_of_e, with_angle, with_angles,
 };
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 type Rates = [Expr; 2];
 type Sides = [Expr; 2];
@@ -18,21 +17,17 @@ type Sides = [Expr; 2];
 type CurveA = (Expr, Sides);
 
 /// Region I.
-pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::new(
+pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion along $x$ is drawn; the drive exceeds friction at both phases",
-    ),
+    r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion along $x$ is drawn; the drive exceeds friction at both phases",
     || (printed_rates(), curve_a(), printed::s24_first_signs()),
     first,
 );
 
 /// Region II, as corrected.
-pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::new(
+pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::shown(
     Corrected,
-    Compared::shown(
-        r"for every $q\ge1$ and $\lambda_0$ above A, below B if $q\le q_Y$ and below E if $q>q_Y$: forward from $\sin^{-1}\lambda_0$, at once backward, then rest; between E and C forward, then rest; every motion along $x$ is drawn to this one",
-    ),
+    r"for every $q\ge1$ and $\lambda_0$ above A, below B if $q\le q_Y$ and below E if $q>q_Y$: forward from $\sin^{-1}\lambda_0$, at once backward, then rest; between E and C forward, then rest; every motion along $x$ is drawn to this one",
     || {
         let signs = (printed::s24_second_signs(), printed::s24_fourth_signs());
         (
@@ -49,11 +44,9 @@ pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::new
 type Lists = ([Expr; 3], [Expr; 2]);
 
 /// Region III.
-pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::new(
+pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for every $1\le q<q_Y$ and $\lambda_0$ between B and C: forward from $\sin^{-1}\lambda_0$, rest, backward from $\pi+\sin^{-1}(q\lambda_0)$, rest; every motion along $x$ is drawn to this one",
-    ),
+    r"for every $1\le q<q_Y$ and $\lambda_0$ between B and C: forward from $\sin^{-1}\lambda_0$, rest, backward from $\pi+\sin^{-1}(q\lambda_0)$, rest; every motion along $x$ is drawn to this one",
     || {
         (
             printed_rates(),
@@ -66,11 +59,9 @@ pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::new(
 );
 
 /// Region IV.
-pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::new(
+pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for every $q\ge1$ and $1/q<\lambda_0<1$: forward from $\sin^{-1}\lambda_0$, then rest; every motion along $x$ is drawn to this one",
-    ),
+    r"for every $q\ge1$ and $1/q<\lambda_0<1$: forward from $\sin^{-1}\lambda_0$, then rest; every motion along $x$ is drawn to this one",
     || {
         let curves = [on_c(), printed::eq56_lambda0()];
         (printed_rates(), curves, printed::s24_fourth_signs())
@@ -79,11 +70,9 @@ pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::new(
 );
 
 /// Region V.
-pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
+pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for every $q\ge1$ and $\lambda_0>1$ the rates (51) and (52) oppose the motion by $\lambda_0-1$ at least: from every velocity along $x$ the particle is at rest after a finite time, and stays",
-    ),
+    r"for every $q\ge1$ and $\lambda_0>1$ the rates (51) and (52) oppose the motion by $\lambda_0-1$ at least: from every velocity along $x$ the particle is at rest after a finite time, and stays",
     || {
         (
             printed_rates(),
@@ -94,26 +83,12 @@ pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::new(
     fifth,
 );
 
-/// C, as far as it is a border.
-const CURVE_C: Statement = Statement::new(
-    Corrected,
-    Compared::shown(
-        r"for every $1\le q\le q_Y$ there is backward motion just below (55), as in III or, at $q_Y$, in I or II, and none between it and D",
-    ),
-    on_c,
-    border,
-);
-
 fn curve_a() -> CurveA {
     (printed::eq53_k::tree(), sides_of_a())
 }
 
 fn on_c() -> Expr {
     printed::eq55_lambda0::tree()
-}
-
-fn int(n: i64) -> Expr {
-    Expr::int(n)
 }
 
 /// The list says of the intervals of a period what was found.
@@ -141,18 +116,18 @@ fn drawn([forward, backward]: Rates) -> Proof {
         plane(),
         |p| {
             p.shows("For λ₀ > 0 and q ≥ 1, with rests allowed: exactly one motion along x by (51) and (52) has the period 2π, and the velocity of every other one tends to it.");
-            let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
+            let [phi, q, lambda0] = symbols(["φ", "q", "λ₀"]);
             let [ahead, back] = [p.read("(51)", forward)?, p.read("(52)", backward)?];
             p.identity(
                 ("(52) less (51)", backward - forward),
-                ("which is positive", (int(1) + q) * lambda0),
+                ("which is positive", (1 + q) * lambda0),
             )?;
             p.note(
                 "At rest",
                 "friction balances the drive, and the rate, 0, is not below (51) and not above (52)",
             );
             p.remark("So the velocities of two motions never move apart, and approach each other while one particle goes forward and the other backward");
-            let whole = int(2) * Expr::pi();
+            let whole = 2 * pi();
             for (rate, is, friction) in [
                 (&ahead, "It is that of (51)", lambda0),
                 (&back, "It is that of (52)", -q * lambda0),
@@ -184,7 +159,7 @@ fn slips() -> Result<Ring, ExactError> {
     for name in ["φ", "s"] {
         ring.angle(name);
     }
-    let [alpha, beta] = Expr::symbols(["α", "β"]);
+    let [alpha, beta] = symbols(["α", "β"]);
     ring.define("q", ring.read(beta.sin() / alpha.sin())?)?;
     Ok(ring)
 }
@@ -200,7 +175,7 @@ fn slip(
     Proof::in_ring(title, slips(), |p| {
         p.shows(says);
         with_angle(p, angle);
-        let [phi, s] = Expr::symbols(["φ", "s"]);
+        let [phi, s] = symbols(["φ", "s"]);
         let rate = p.read("The printed rate", rate)?;
         p.reads_as(&rate, "", product)?;
         p.note("So", so);
@@ -208,7 +183,7 @@ fn slip(
         let element = p.read("The velocity since a start at s", velocity)?;
         let slope = p.slope("Its rate", &element, "φ")?;
         p.equal("It is the printed rate", &slope, &rate)?;
-        let whole = int(2) * Expr::pi();
+        let whole = 2 * pi();
         for (says, end, left) in [
             ("At s it is", s, int(0)),
             ("A period later it is", s + whole, -whole * friction),
@@ -222,8 +197,8 @@ fn slip(
 
 /// Forward motion.
 fn forward_slip(rate: Expr) -> Proof {
-    let [phi, alpha, lambda0] = Expr::symbols(["φ", "α", "λ₀"]);
-    let product = int(2) * ((phi + alpha) / int(2)).cos() * ((phi - alpha) / int(2)).sin();
+    let [phi, alpha, lambda0] = symbols(["φ", "α", "λ₀"]);
+    let product = 2 * ((phi + alpha) / 2).cos() * ((phi - alpha) / 2).sin();
     slip(
         "Forward motion speeds up and slows down once",
         rate,
@@ -239,8 +214,8 @@ fn forward_slip(rate: Expr) -> Proof {
 
 /// Backward motion.
 fn backward_slip(rate: Expr) -> Proof {
-    let [phi, beta, q_lambda0] = Expr::symbols(["φ", "β", "qλ₀"]);
-    let product = int(2) * ((phi + beta) / int(2)).sin() * ((phi - beta) / int(2)).cos();
+    let [phi, beta, q_lambda0] = symbols(["φ", "β", "qλ₀"]);
+    let product = 2 * ((phi + beta) / 2).sin() * ((phi - beta) / 2).cos();
     slip(
         "Backward motion speeds up and slows down once",
         rate,
@@ -271,8 +246,8 @@ fn middle([left, right]: Sides) -> Proof {
     };
     Proof::in_ring("Below A: λ₀K < sin K", ring(), |p| {
         p.shows("Below A, which is where the left side of (53) exceeds the right one: λ₀K < sin K, with K by (53).");
-        let [k, lambda0] = Expr::symbols(["K", "λ₀"]);
-        let spare = int(1) - (lambda0 * k / k.sin()).squared();
+        let [k, lambda0] = symbols(["K", "λ₀"]);
+        let spare = 1 - (lambda0 * k / k.sin()).squared();
         let square = (lambda0 * (k.sin() - k * k.cos()) / k.sin().squared()).squared();
         let parts = lambda0.squared() * (left.squared() - right.squared()) + square;
         p.identity(("1 − (λ₀K/sin K)²", spare), ("λ₀² times the difference of the squared sides of (53), which is positive below A, and a square: so λ₀K < sin K", parts))
@@ -285,12 +260,12 @@ fn whole_period() -> Result<Ring, ExactError> {
     for name in ["y", "m"] {
         ring.angle(name);
     }
-    let [y, m, k] = Expr::symbols(["y", "m", "K"]);
-    ring.define("K", ring.read(Expr::pi() / int(2) + y)?)?;
+    let [y, m, k] = symbols(["y", "m", "K"]);
+    ring.define("K", ring.read(pi() / 2 + y)?)?;
     let lambda0 = ring.read(m.sin() * k.sin() / k)?;
     ring.root(&ring.normal(&(Rational::int(1) - &lambda0 * &lambda0)), 2)?;
     ring.define("λ₀", lambda0)?;
-    ring.define("q", ring.read(k / (Expr::pi() - k))?)?;
+    ring.define("q", ring.read(k / (pi() - k))?)?;
     Ok(ring)
 }
 
@@ -304,29 +279,29 @@ fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2]))
             "Below A the left side L of (53) exceeds the right side R, which is positive",
             "as λ₀K < sin K, there is an m between π/2 and π with sin m = λ₀K/sin K. Let K = π/2 + y: 0 ≤ y < π/2, as q ≥ 1",
         );
-        let [y, m, k, q, lambda0] = Expr::symbols(["y", "m", "K", "q", "λ₀"]);
+        let [y, m, k, q, lambda0] = symbols(["y", "m", "K", "q", "λ₀"]);
         p.identity(("K by (53), for q = K/(π − K)", k_formula), ("", k))?;
         let (begin, turn) = (m - k, m + k);
-        let whole = int(2) * Expr::pi();
+        let whole = 2 * pi();
         p.vanishes("Forward from m − K: 𝔴 at m + K", arc(begin, turn, lambda0))?;
         let back = arc(turn, begin + whole, -q * lambda0);
         p.vanishes("Backward from there: 𝔴 at m − K + 2π", back)?;
         let pull = p.read("The pull at m − K", begin.sin() - lambda0)?;
-        let factor = -m.cos() * k.sin() + lambda0 * (int(1) + k * y.tan());
+        let factor = -m.cos() * k.sin() + lambda0 * (1 + k * y.tan());
         let factor = p.read("−cos m sin K + λ₀ (1 + K tan y), which is positive", factor)?;
         let both = (lambda0 * k.sin()).squared() * (left - right) * (left + right);
         let both = p.read("(λ₀ sin K)² (L − R)(L + R), which is positive", both)?;
         p.equal("Their product is that", &(&pull * &factor), &both)?;
         let other = p.read("The pull back at m + K", -turn.sin() - q * lambda0)?;
-        let (quarter, near) = (Expr::pi().squared() / int(4), Expr::pi() / int(2) - y);
+        let (quarter, near) = (pi().squared() / 4, pi() / 2 - y);
         let rest = (quarter - y.squared()) * y.sin() - y * y.cos();
         let more = p.read(
             "2λ₀/((π/2 − y) cos y) times (π²/4 − y²) sin y − y cos y",
-            int(2) * lambda0 * rest / (near * y.cos()),
+            2 * lambda0 * rest / (near * y.cos()),
         )?;
         p.equal("It exceeds the other by that", &(&other - &pull), &more)?;
         let rest = p.read("Here (π²/4 − y²) sin y − y cos y", rest)?;
-        let chord = int(2) * y / Expr::pi();
+        let chord = 2 * y / pi();
         let terms =
             (quarter - y.squared()) * (y.sin() - chord) + y * (near - y.cos()) + near * chord * y;
         p.reads_as(&rest, "of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y", terms)?;
@@ -370,10 +345,10 @@ fn second((rates, (k_formula, a), [b, e], signs): (Rates, CurveA, [Sides; 2], Li
             "So, in region II",
             "the slip ends between π + β and 2π − β, where backward motion follows at once",
         );
-        let [alpha, end, q, lambda0] = Expr::symbols(["α", "z", "q", "λ₀"]);
-        let whole = int(2) * Expr::pi();
+        let [alpha, end, q, lambda0] = symbols(["α", "z", "q", "λ₀"]);
+        let whole = 2 * pi();
         let both = arc(alpha, end, lambda0) + arc(end, alpha + whole, -q * lambda0);
-        let left = (int(1) + q) * lambda0 * (alpha + int(2) * k_formula - end);
+        let left = (1 + q) * lambda0 * (alpha + 2 * k_formula - end);
         p.identity(
             (
                 "𝔴 at 2π + α if the backward motion from z lasted until then",
@@ -400,12 +375,12 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
         p.rests_on(&prove_eq54(b))?;
         p.rests_on(&b_falls())?;
         with_angles(p);
-        let [alpha, beta, q, lambda0] = Expr::symbols(["α", "β", "q", "λ₀"]);
+        let [alpha, beta, q, lambda0] = symbols(["α", "β", "q", "λ₀"]);
         p.identity(
             ("q (C − λ₀), by (55)", q * (c - lambda0)),
             (
                 "positive, as sin β = qλ₀ with β < π/2 below C",
-                ((beta / int(2)).cos() - (beta / int(2)).sin()).squared(),
+                ((beta / 2).cos() - (beta / 2).sin()).squared(),
             ),
         )?;
         p.note(
@@ -414,31 +389,28 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
         );
         let d = beta - alpha;
         let size = alpha.cos() + beta.cos();
-        let end = arc(Expr::pi() + beta, int(2) * Expr::pi() + alpha, -q * lambda0);
+        let end = arc(pi() + beta, 2 * pi() + alpha, -q * lambda0);
         let end = p.read("𝔴 of that slip at 2π + α", end)?;
-        let weighted = &p.ring().read(Expr::pi() + d)? * &end;
+        let weighted = &p.ring().read(pi() + d)? * &end;
         let short = p.read(
             "Right less left side of (54), which is positive",
             b[1] - b[0],
         )?;
-        let first = &p.ring().read(Expr::pi() - d)? * &short;
-        let tangent = (d / int(2)).tan();
-        let product = Expr::pi().squared() - d.squared();
+        let first = &p.ring().read(pi() - d)? * &short;
+        let tangent = (d / 2).tan();
+        let product = pi().squared() - d.squared();
         let second = p.read(
             "(cos α + cos β) times (π² − d²) tan(d/2) − 2d, where d = β − α",
-            size * (product * tangent - int(2) * d),
+            size * (product * tangent - 2 * d),
         )?;
         p.equal(
             "π + d times 𝔴 is π − d times the second, and so the third",
             &weighted,
             &(&first + &second),
         )?;
-        let terms = product * (tangent - d / int(2)) + d / int(2) * (product - int(4));
+        let terms = product * (tangent - d / 2) + d / 2 * (product - 4);
         p.identity(
-            (
-                "Here (π² − d²) tan(d/2) − 2d",
-                product * tangent - int(2) * d,
-            ),
+            ("Here (π² − d²) tan(d/2) − 2d", product * tangent - 2 * d),
             ("of which no term is negative, as 0 ≤ d < π/2", terms),
         )?;
         p.note(
@@ -456,14 +428,14 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
             ring.angle(name);
         }
         ring.symbol("q");
-        ring.define("λ₀", ring.read(Expr::symbol("α").sin())?)?;
+        ring.define("λ₀", ring.read(symbol("α").sin())?)?;
         Ok(ring)
     };
     Proof::in_ring("Region IV", ring(), |p| {
         p.rests_on(&drawn(rates))?;
         p.rests_on(&forward_slip(rates[0]))?;
-        let [alpha, phi, q, lambda0] = Expr::symbols(["α", "φ", "q", "λ₀"]);
-        let square = |x: Expr| ((x / int(2)).sin() + (x / int(2)).cos()).squared();
+        let [alpha, phi, q, lambda0] = symbols(["α", "φ", "q", "λ₀"]);
+        let square = |x: Expr| ((x / 2).sin() + (x / 2).cos()).squared();
         p.identity(
             ("D − λ₀, by (56)", d - lambda0),
             (
@@ -492,15 +464,15 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
 
 fn fifth(([forward, backward], d, signs): (Rates, Expr, [Expr; 1])) -> Proof {
     Proof::in_ring("Region V", plane(), |p| {
-        let [phi, q, lambda0] = Expr::symbols(["φ", "q", "λ₀"]);
-        let half = phi / int(2);
+        let [phi, q, lambda0] = symbols(["φ", "q", "λ₀"]);
+        let half = phi / 2;
         let excess = lambda0 - d;
         let ahead = p.read("(51)", forward)?;
         let least = excess + (half.sin() - half.cos()).squared();
         let least = p.read("λ₀ less (56), and a square", least)?;
         p.equal("Forward motion slows down by that", &-&ahead, &least)?;
         let back = p.read("(52)", backward)?;
-        let least = excess + (q - int(1)) * lambda0 + (half.sin() + half.cos()).squared();
+        let least = excess + (q - 1) * lambda0 + (half.sin() + half.cos()).squared();
         let least = p.read("λ₀ less (56), (q − 1) λ₀, and a square", least)?;
         p.equal("So does backward motion, as q ≥ 1", &back, &least)?;
         p.remark("So a particle with |𝔴| at the start is at rest after |𝔴|/(λ₀ − 1) at the latest, and stays: −qλ₀ < sin φ < λ₀");
@@ -517,9 +489,9 @@ fn border(c: Expr) -> Proof {
         p.rests_on(&SECOND.proof())?;
         p.rests_on(&fourth(rates, [c, d], [ahead, rest]))?;
         p.rests_on(&corner_falls())?;
-        let q = Expr::symbol("q");
+        let q = symbol("q");
         let product = p.read("q times (55): there qλ₀ is the drive's amplitude", q * c)?;
-        p.reads_as(&product, "", Expr::int(1))?;
+        p.reads_as(&product, "", int(1))?;
         p.note(
             "For q < q_Y, B lies below C; for q = q_Y it meets C",
             "just below C there is region III, or for q = q_Y region II (or I, were A above it), all with backward motion; above C there is region IV, without",
@@ -528,4 +500,17 @@ fn border(c: Expr) -> Proof {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![&CURVE_C, &FIRST, &SECOND, &THIRD, &FOURTH, &FIFTH];
+attempts![
+    // C, as far as it is a border.
+    &CURVE_C = Statement::shown(
+        Corrected,
+        r"for every $1\le q\le q_Y$ there is backward motion just below (55), as in III or, at $q_Y$, in I or II, and none between it and D",
+        on_c,
+        border
+    ),
+    &FIRST,
+    &SECOND,
+    &THIRD,
+    &FOURTH,
+    &FIFTH
+];

@@ -1,12 +1,8 @@
 //! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
 
-use super::simulated::{self, Curves, touching};
-use crate::corrections::anisotropic as corrected;
-use crate::paper::anisotropic as printed;
+use super::prelude::*;
+use super::simulated;
 use crate::validated::numbers;
-use trialbook::prelude::*;
-use trialbook::trials::by_hand::Numbers;
-use trialbook::trials::values::Number;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 3] = [

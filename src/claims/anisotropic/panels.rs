@@ -1,11 +1,7 @@
 //! fig-6: one motion for each region, built from the printed rates in the printed order, and simulated.
 
-use super::simulated::{START, attractor_from, listed_digits, own_digits};
-use crate::motion::drive::{Attractor, DriveState, Friction};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::anisotropic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::simulated::own_digits;
 
 /// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
 pub const PANELS: [(f64, f64); 5] = [
@@ -100,10 +96,10 @@ impl Rates {
 pub fn quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Printed,
-        Compared::one(
+        [
             r"$\mathfrak w(\phi)$ in each panel, made of the integrals of (51) and (52) over $\phi$ and of rests, in the order of the list,",
             "the simulated motion over two periods",
-        ),
+        ],
     );
     let panels = PANELS.into_iter().zip(printed::signs());
     let periods: Vec<_> = panels
@@ -178,7 +174,7 @@ pub fn census() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![quadrature, census];
+attempts![quadrature, census];
 
 #[cfg(test)]
 mod tests {

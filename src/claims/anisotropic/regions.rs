@@ -1,15 +1,8 @@
 //! Trials of the list of regions and of the diagram.
 
 use super::census;
-use super::rows::{Row, rows};
-use super::simulated::{
-    Regions, attractor_from, corrected_list, curves_as_corrected, curves_as_printed, listed_digits,
-    orders, own_digits, own_y, printed_list, simulated,
-};
-use crate::claims::tolerances::ROOT;
-use crate::motion::drive::{DriveState, Friction};
-use crate::paper::anisotropic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::simulated::{Regions, curves_as_corrected, curves_as_printed, orders, own_digits};
 
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
 type Says = Box<dyn Fn(f64) -> Option<f64>>;
@@ -114,7 +107,7 @@ fn ends(
     wanted: fn(&Row) -> bool,
 ) -> Evidence {
     let trial = Trial::by(
-        Route::Root,
+        Root,
         subject,
         Compared::composed(
             [r"each end of the region in $\lambda_0$ by the ", name, ""],
@@ -183,22 +176,6 @@ fn begins_below_c(row: &Row) -> bool {
     !row.before_y
 }
 
-/// Region I without friction.
-fn first_outside() -> Evidence {
-    let trial = Trial::census(
-        Outside,
-        Compared::one(
-            "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
-            "that of the motion without friction that begins with $1<\\mathfrak w<3$ at $\\phi=0$",
-        ),
-    );
-    let starts = Points::here().within(24, [[1.0, 3.0]]);
-    trial.at(["𝔴"], starts, 1.0, |[w]| {
-        let motion = attractor_from(DriveState { phi: 0.0, w }, Friction::new(0.0, 0.0)?)?;
-        Ok([listed_digits()[0], own_digits(motion.intervals())])
-    })
-}
-
 /// What region II has too much: between E and C.
 fn beyond_e(subject: Subject) -> Evidence {
     let compared =
@@ -237,74 +214,39 @@ pub fn diagram() -> Evidence {
     census(&trial, |q, _, _| q <= LARGEST_Q, says)
 }
 
-/// The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
-/// Where B has ended, it enters two at C.
-fn diagram_step() -> Evidence {
-    let trial = Trial::census(
-        Step,
-        Compared::one(
-            r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
-            "the expected 1",
-        ),
-    );
-    let points = Points::here().within(400, [[1.0, LARGEST_Q], [0.0, 1.4]]);
-    trial.at(["q", "λ₀"], points, 1.0, |[q, lambda0]| {
-        let beyond_the_crossed = |curves: printed::Curves| {
-            let crossed = [curves.a, curves.b.unwrap_or(curves.c), curves.c, curves.d];
-            let below = crossed.iter().filter(|curve| **curve < lambda0).count();
-            Some(printed::region(lambda0, &curves)? as f64 - below as f64)
-        };
-        let curves = where_defined(curves_as_printed(q));
-        Ok([curves.and_then(beyond_the_crossed).unwrap_or(f64::NAN), 1.0])
-    })
-}
-
-/// The corrected diagram at all points of the census.
-fn corrected_diagram() -> Evidence {
-    let trial = Trial::census(
-        Corrected,
-        orders("the corrected diagram").over("$q$ from 1 to 12"),
-    );
-    let says = |q| all_words(corrected_list(q));
-    census(&trial, |_, _, _| true, says)
-}
-
 /// The corrected diagram farther out.
 pub fn far() -> Evidence {
-    let trial = Trial::census(Corrected, orders("the corrected diagram"));
     let points = Points::here().within(1000, [[12.0, 30.0], [1e-6, 1.0]]);
-    trial.at(["q", "qλ₀/2"], points, 1.0, |[q, share]| {
-        let lambda0 = 2.0 * share / q;
-        let stated = all_words(corrected_list(q))(lambda0);
-        Ok([stated.unwrap_or(f64::NAN), simulated(q, lambda0)?])
-    })
+    Trial::census(Corrected, orders("the corrected diagram")).at(
+        ["q", "qλ₀/2"],
+        points,
+        1.0,
+        |[q, share]| {
+            let lambda0 = 2.0 * share / q;
+            let stated = all_words(corrected_list(q))(lambda0);
+            Ok([stated.unwrap_or(f64::NAN), simulated(q, lambda0)?])
+        },
+    )
 }
 
-/// The corrected diagram's curves with the changes of the motion, none left out.
-fn corrected_curves() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Corrected,
-        Compared::many(
-            r"$\lambda_0$ on A, on B or E, on C (on E beyond Y) and on D",
-            r"the $\lambda_0$ at which a rest appears, direct reversals end, backward motion ends and all motion ends",
-        ),
-        ROOT,
-    );
-    let names = ["rest", "reversal", "backward", "motion"];
-    trial.pairs(rows(), |row| {
-        let row = row?;
-        let stated = corrected_bounds(row);
-        Ok((0..4)
-            .map(|i| beside(row, names[i], stated[i], i))
-            .collect())
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     first_census = one_census(Printed, AS_PRINTED, 1, 31.0),
     first_ends = ends(Printed, PRINTED, 1, everywhere),
-    first_outside,
+    // Region I without friction.
+    first_outside = {
+        let trial = Trial::census(
+            Outside,
+            [
+                "the order of slips and rests in a period by the claim (3 for a forward slip, 2 for a rest, 1 for a backward slip)",
+                "that of the motion without friction that begins with $1<\\mathfrak w<3$ at $\\phi=0$",
+            ],
+        );
+        let starts = Points::here().within(24, [[1.0, 3.0]]);
+        trial.at(["𝔴"], starts, 1.0, |[w]| {
+            let motion = attractor_from(DriveState { phi: 0.0, w }, Friction::new(0.0, 0.0)?)?;
+            Ok([listed_digits()[0], own_digits(motion.intervals())])
+        })
+    },
     second_census = one_census(Printed, AS_PRINTED, 2, 312.0),
     second_ends = ends(Printed, PRINTED, 2, has_second),
     second_corrected_census = one_census(Corrected, AS_CORRECTED, 2, 312.0),
@@ -319,8 +261,55 @@ pub(super) const TRIALS: &[Attempt] = trials![
     fifth_census = one_census(Printed, AS_PRINTED, 5, 2.0),
     fifth_ends = ends(Printed, PRINTED, 5, everywhere),
     diagram,
-    corrected_diagram,
+    // The corrected diagram at all points of the census.
+    corrected_diagram = {
+        let trial = Trial::census(
+            Corrected,
+            orders("the corrected diagram").over("$q$ from 1 to 12"),
+        );
+        let says = |q| all_words(corrected_list(q));
+        census(&trial, |_, _, _| true, says)
+    },
     far,
-    corrected_curves,
-    diagram_step
+    // The corrected diagram's curves with the changes of the motion, none left out.
+    corrected_curves = {
+        let trial = Trial::by(
+            Root,
+            Corrected,
+            Compared::many(
+                r"$\lambda_0$ on A, on B or E, on C (on E beyond Y) and on D",
+                r"the $\lambda_0$ at which a rest appears, direct reversals end, backward motion ends and all motion ends",
+            ),
+            ROOT,
+        );
+        let names = ["rest", "reversal", "backward", "motion"];
+        trial.pairs(rows(), |row| {
+            let row = row?;
+            let stated = corrected_bounds(row);
+            Ok((0..4)
+                .map(|i| beside(row, names[i], stated[i], i))
+                .collect())
+        })
+    },
+    // The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
+    // Where B has ended, it enters two at C.
+    diagram_step = {
+        let trial = Trial::census(
+            Step,
+            [
+                r"the region by the printed list, less the number of curves below $\lambda_0$, C counted twice where B has ended,",
+                "the expected 1",
+            ],
+        );
+        let points = Points::here().within(400, [[1.0, LARGEST_Q], [0.0, 1.4]]);
+        trial.at(["q", "λ₀"], points, 1.0, |[q, lambda0]| {
+            let beyond_the_crossed = |curves: printed::Curves| {
+                let crossed = [curves.a, curves.b.unwrap_or(curves.c), curves.c, curves.d];
+                let below = crossed.iter().filter(|curve| **curve < lambda0).count();
+                Some(printed::region(lambda0, &curves)? as f64 - below as f64)
+            };
+            let curves = where_defined(curves_as_printed(q));
+            Ok([curves.and_then(beyond_the_crossed).unwrap_or(f64::NAN), 1.0])
+        })
+    }
 ];

@@ -1,8 +1,8 @@
 //! The changes of the simulated motion at many values of q, and the laws far out.
 
-use super::simulated::{Changes, START, own_y};
+use super::prelude::*;
+use super::simulated::Changes;
 use crate::numerics::fit::fit;
-use trialbook::prelude::*;
 
 /// One q and what the simulation finds there.
 #[derive(Debug, Clone, Copy)]

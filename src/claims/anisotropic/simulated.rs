@@ -1,11 +1,8 @@
 //! The simulated motions of section 2.4, one by one, and the curves and lists that they are held against.
 
+use super::prelude::*;
 pub use crate::claims::sinusoidal::reference_motions::drive;
-use crate::corrections::anisotropic as corrected;
-use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Outcome, Sign};
-use crate::paper::anisotropic as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use crate::motion::drive::Outcome;
 
 /// The order of slips and rests by what is said of it, against that of the simulated motion.
 pub const fn orders(by: &'static str) -> Compared {

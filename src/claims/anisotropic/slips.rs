@@ -1,12 +1,6 @@
 //! What the slips bring, of which the paper says nothing: how far the particle goes, and what friction takes.
 
-use super::rows::{Row, rows};
-use super::simulated::attractor;
-use crate::corrections::anisotropic as corrected;
-use crate::motion::drive::Sign;
-use crate::paper::anisotropic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The less friction takes in a period, the less the motion itself knows of its velocity.
 fn blurred(friction: f64) -> f64 {
@@ -42,10 +36,14 @@ fn slips() -> Vec<(f64, f64, Sign)> {
 
 /// How far a slip goes, by how long it takes.
 pub fn distances() -> Evidence {
-    Trial::motion(Remark, Compared::one(
-        r"$2(\sin K-K\cos K)\sqrt{1-(\lambda K/\sin K)^2}$ for a slip of length $2K$ under the friction $\lambda$",
-        "how far the particle goes in that slip of the motion",
-    )).over(slips(), |(q, lambda0, sign)| {
+    let trial = Trial::motion(
+        Remark,
+        [
+            r"$2(\sin K-K\cos K)\sqrt{1-(\lambda K/\sin K)^2}$ for a slip of length $2K$ under the friction $\lambda$",
+            "how far the particle goes in that slip of the motion",
+        ],
+    );
+    trial.over(slips(), |(q, lambda0, sign)| {
         let motion = attractor(q, lambda0)?;
         let slip = motion.intervals().iter().find(|i| i.sign == sign);
         let length = slip.ok_or("no such slip")?.length();
@@ -94,4 +92,4 @@ pub fn without_rest() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![distances, without_rest];
+attempts![distances, without_rest];

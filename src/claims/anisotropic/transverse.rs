@@ -1,9 +1,7 @@
 //! Trials of the velocity across the drive under a friction that depends on the direction of the velocity.
 
-use crate::claims::tolerances::GONE;
-use crate::paper::{anisotropic as printed, general};
-use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::paper::general;
 
 /// A friction over the drive's amplitude, by the direction of the velocity, against which it acts: never 0.
 #[derive(Debug, Clone, Copy)]
@@ -90,18 +88,17 @@ fn start(points: &mut Points) -> [f64; 2] {
 
 /// What is left in the end.
 pub fn vanishes() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
+    Trial::by(
+        Limit,
         Printed,
         Compared::constant(
             "the stated 0",
             r"$\mathfrak w_y$ after sixty periods under a friction that depends on the direction",
         ),
         GONE,
-    );
-    let mut points = Points::here();
-    trial.over(0..24, |_| {
-        let (rough, v) = (Rough::any(&mut points), start(&mut points));
+    )
+    .drawn(0..24, |_, points| {
+        let (rough, v) = (Rough::any(points), start(points));
         let states = followed(|theta| rough.towards(theta), v, 8.0)?;
         let last = states.last().ok_or("no state")?;
         Ok(Pair {
@@ -125,10 +122,10 @@ struct Slowed {
 fn never_grows() -> Evidence {
     let trial = Trial::census(
         Printed,
-        Compared::one(
+        [
             r"the number of states at which (1), with the friction of their direction, lets $\mathfrak w_y>0$ grow",
             r"that of the pieces of the motion on which $\ln\mathfrak w_y$ grows, over sixty periods",
-        ),
+        ],
     );
     static MOTIONS: Runs<Vec<Slowed>> = Runs::new(|| {
         let mut points = Points::here();
@@ -162,18 +159,17 @@ fn lets_grow(rough: &Rough, [a, b, phi]: Logarithms) -> bool {
 
 /// Without friction it keeps its value.
 pub fn outside() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    Trial::by(
+        Integration,
         Outside,
         Compared::constant(
             "the stated 0",
             r"$\mathfrak w_y$ after sixty periods without friction",
         ),
         GONE,
-    );
-    let mut points = Points::here();
-    trial.over(0..20, |_| {
-        let v = start(&mut points);
+    )
+    .drawn(0..20, |_, points| {
+        let v = start(points);
         let states = followed(|_| 0.0, v, 8.0)?;
         let last = states.last().ok_or("no state")?;
         Ok(Pair {
@@ -200,7 +196,7 @@ fn at(rough: &Rough, v: [f64; 2]) -> String {
     )
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![vanishes, never_grows, outside];
+attempts![vanishes, never_grows, outside];
 
 #[cfg(test)]
 mod tests {

@@ -1,11 +1,6 @@
 //! The curves of fig-1 and of the chapter's other figures: what is tried here is what the book draws.
 
-use super::launches::Turn;
-use crate::motion::{Motion, MotionError, State};
-use crate::numerics::double::Double;
-use crate::paper::constant as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// A motion in units of v₀ and A.
 #[derive(Debug, Clone)]
@@ -75,7 +70,7 @@ fn both_panels() -> impl Iterator<Item = Result<Curve, Failure>> {
 pub fn points() -> Evidence {
     Trial::motion(
         Printed,
-        Compared::one("(11) at the angle of each drawn point", "the speed there"),
+        ["(11) at the angle of each drawn point", "the speed there"],
     )
     .pairs(both_panels(), |curve| {
         let Curve {
@@ -102,10 +97,10 @@ pub fn points() -> Evidence {
 pub fn ends() -> Evidence {
     let trial = Trial::census(
         Printed,
-        Compared::one(
+        [
             "whether a curve ends in motion, as in panel (a), or at rest, as in panel (b) (1 for motion),",
             "what the motion does",
-        ),
+        ],
     );
     let at = |curve: &Curve| format!("λ = {}, θ₀ = {:.6}", curve.lambda, curve.theta0);
     trial.each(both_panels(), at, |curve| {
@@ -115,4 +110,4 @@ pub fn ends() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![points, ends];
+attempts![points, ends];

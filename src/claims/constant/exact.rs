@@ -11,13 +11,12 @@ mod sliding;
 #[cfg(test)]
 mod tests;
 
+use super::prelude::*;
 pub use alignment::{AGAINST, ALIGNS, CANNOT_HOLD};
 pub use cases::*;
 pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
 pub use sliding::*;
-use trialbook::prelude::*;
 
-use crate::exact::Derivation;
 use crate::paper::constant as paper;
 use crate::paper::general::eq1_velocity_rate;
 
@@ -64,14 +63,12 @@ struct Newton {
 impl Newton {
     fn new(friction: Regime) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
-        let [a, v] = ["A", "v"].map(|name| ring.symbol(name));
-        for name in ["v₀", "t"] {
-            ring.symbol(name);
-        }
+        let [a, v] = ring.symbols(["A", "v"]);
+        ring.symbols(["v₀", "t"]);
         for name in ["θ", "θ₀"] {
             ring.angle(name);
         }
-        let [v0, theta0] = Expr::symbols(["v₀", "θ₀"]);
+        let [v0, theta0] = symbols(["v₀", "θ₀"]);
         ring.define("v₀x", ring.read(v0 * theta0.cos())?)?;
         ring.define("v₀y", ring.read(v0 * theta0.sin())?)?;
         let tangents = [ring.half_tangent("θ")?, ring.half_tangent("θ₀")?];
@@ -104,7 +101,7 @@ impl Newton {
                 }
             }
         }
-        let theta = Expr::symbol("θ");
+        let theta = symbol("θ");
         let (vx, vy) = (&v * ring.read(theta.cos())?, &v * ring.read(theta.sin())?);
         // (1): dv/dt = −A − μg v/v, with μg = λA by (5).
         let drag = ring.divide(&(ring.named("λ")? * &a), &v)?;
@@ -130,12 +127,12 @@ impl Newton {
     /// The limit θ → 0, in which tan(θ/2) and its positive power tend to 0.
     fn at_zero_angle(&self, x: &Rational) -> Result<Rational, ExactError> {
         let [zero, one] = [0, 1].map(Rational::int);
-        let theta = Expr::symbol("θ");
-        let half = theta / Expr::int(2);
+        let theta = symbol("θ");
+        let half = theta / 2;
         let (angle, u) = (self.ring.read(theta)?, self.ring.half_tangent("θ")?);
         let h = self.ring.read(half.cos())?;
         let mut values = vec![(&angle, &zero), (&u, &zero), (&h, &one)];
-        let power = half.tan().pow(Expr::symbol("λ") - Expr::int(1));
+        let power = half.tan().pow(symbol("λ") - 1);
         // For λ = 1 the power is 1 and needs no value of its own.
         let power = self.ring.read(power)?;
         if power.as_integer().is_none() {
@@ -160,7 +157,7 @@ fn prove(
                 Regime::Zero => p.note("Friction", "λ = 0"),
                 Regime::OneAnyAngle | Regime::One => p.note("Friction", "λ = 1"),
             }
-            let theta = Expr::symbol("θ");
+            let theta = symbol("θ");
             p.read("The sine, made rational", theta.sin())?;
             p.read("The cosine, made rational", theta.cos())?;
             p.note("dv/dt by (1), along v", ring.text(&newton.speed_rate));
@@ -194,7 +191,7 @@ pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
             Ok(ring)
         };
         Proof::in_ring(title, setting(), |p| {
-            let [lambda, mu, g] = Expr::symbols(["λ", "μ", "g"]);
+            let [lambda, mu, g] = symbols(["λ", "μ", "g"]);
             p.read("λ by (5)", lambda)?;
             let rates = eq1_velocity_rate([ax, ay], mu, g, [vx, vy]);
             let printed = [paper::eq6_vx_rate::tree(), paper::eq7_vy_rate::tree()];
@@ -210,10 +207,10 @@ pub const DEFINED: Statement<[Expr; 5]> = Statement::new(
 );
 
 fn at_start(formula: Expr) -> Expr {
-    formula.with("θ", Expr::symbol("θ₀"))
+    formula.with("θ", symbol("θ₀"))
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     &DEFINED,
     &EQ6,
     &EQ7,

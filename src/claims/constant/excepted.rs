@@ -1,9 +1,7 @@
 //! What the conditions of section 2.1 except: points at which the formulas have no value, or that fill no stretch.
 
-use crate::paper::constant as printed;
-use std::f64::consts::PI;
+use super::prelude::*;
 use trialbook::certified::interval::Interval;
-use trialbook::prelude::*;
 
 pub(in crate::claims) const LAMBDA: (&str, [f64; 2]) = ("λ", [0.1, 0.9]);
 const SPEED: (&str, [f64; 2]) = ("v₀", [0.5, 2.0]);
@@ -44,7 +42,7 @@ fn eq13_time([lambda, theta0, theta]: [Interval; 3]) -> Interval {
     printed::eq13_time(lambda, int(1), int(1), theta0, theta)
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq8 = no_value(
         "(8)",
         HOLDS,
@@ -131,5 +129,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         [("λ", [1.0, 10.0]), ("θ₀", [0.0, PI])],
         &[[1.5, PI], [5.0, PI]],
         |[_, theta0]| theta0 != PI,
-    ),
+    )
 ];

@@ -1,129 +1,12 @@
 //! Trials of what section 2.1 says in words.
 
-use super::launches::{ALIGNED, Aligned, OTHERS_ALIGNED, STOPS, Stop, Turn, held};
-use crate::claims::tolerances::{LATE_ANGLE, NONE, ROOT, SLOPE};
-use crate::corrections::constant as corrected;
-use crate::motion::MotionError;
-use crate::motion::State;
-use crate::numerics::quadrature::sum;
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
-
-/// λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
-fn small_friction_limit() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Within,
-        Compared::constant("the stated 0", "the angle of the velocity at $At/v_0=10^8$"),
-        LATE_ANGLE,
-    );
-    let at = |aligned: &Aligned| aligned.start.at();
-    trial.each(ALIGNED.each(), at, |aligned| {
-        Ok([printed::s21_late_angle(), aligned.angle, 1.0])
-    })
-}
-
-/// λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving; for λ > 1 it does not.
-fn small_friction_census() -> Evidence {
-    let trial = Trial::census(
-        Within,
-        Compared::one(
-            r"whether $\lambda\le1$ (1 if so)",
-            "whether the particle never rests and its angle grows on no step",
-        ),
-    );
-    let moving = OTHERS_ALIGNED
-        .each()
-        .map(|aligned| aligned.map(|a| (a.start, a.aligns())));
-    let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
-    let stopping = STOPS
-        .each()
-        .map(|stop| stop.map(|s| (s.start, !at_rest(s))));
-    trial.over(moving.chain(stopping), |motion| {
-        let (start, aligns) = motion?;
-        let [left, right] = printed::s21_keeps_moving_sides(start.lambda);
-        Ok(Pair::plain(start.at(), is(left <= right), is(aligns)))
-    })
-}
-
-/// λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
-fn small_friction_outside() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Outside,
-        Compared::constant(
-            "1, for motion",
-            "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
-        ),
-        NONE,
-    )
-    .over(held(), |launch: Turn| {
-        let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
-        Ok(Pair::plain(
-            launch.at(),
-            is(left <= right),
-            moves_late(&launch)?,
-        ))
-    })
-}
+use super::launches::{ALIGNED, Aligned, OTHERS_ALIGNED, STOPS, Stop, held};
+use super::prelude::*;
 
 /// 1 for sliding and 0 for rest, at A t/v₀ = 100.
 fn moves_late(launch: &Turn) -> Result<f64, MotionError> {
     let late = launch.motion(launch.time(100.0))?.end();
     Ok(if late.speed() > 0.0 { 1.0 } else { 0.0 })
-}
-
-/// λ > 1: towards the stop, d ln θ/d ln v is positive and that of a motion that turns into the x axis, so θ → 0.
-fn large_friction_limit() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Within,
-        Compared::one(
-            r"$1/(\lambda-1)$",
-            r"$\mathrm d\ln\theta/\mathrm d\ln v$ over the last steps before the stop, extrapolated to $\theta=0$",
-        ),
-        SLOPE,
-    );
-    // Others have not turned yet when their speed is lost in rounding.
-    let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
-    let turning = only(STOPS.each(), |s| turns(s) && !s.start.is_straight());
-    trial.each(turning, Stop::at, |stop| {
-        let found = last_slope(stop);
-        Ok([
-            corrected::turning_slope(stop.start.lambda, 0.0),
-            found,
-            found,
-        ])
-    })
-}
-
-/// λ > 1, however large: all the way down ln v falls as ln tan(θ/2) says, so that θ → 0 with v.
-fn large_friction_turns() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Within,
-        Compared::one(
-            r"$\int(\lambda-\cos\theta)\,\mathrm d\ln\tan(\theta/2)$ from the launch to the last step",
-            r"$\ln v/v_0$ of the motion there",
-        ),
-        ROOT,
-    );
-    let turning = only(STOPS.each(), |s| !s.start.is_straight());
-    trial.each(turning, Stop::at, |stop| {
-        let Turn {
-            lambda, v0, theta0, ..
-        } = stop.start;
-        let tangent = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
-        let fall = |s: &State| (tangent(s.direction()), libm::log(s.speed() / v0));
-        let mut falls = stop.nodes.iter().map(fall);
-        let last = falls.rfind(|(turn, slow)| turn.is_finite() && slow.is_finite());
-        let (turned, found) = last.ok_or("no step")?;
-        let side = 2f64.copysign(theta0);
-        let rate = |y: f64| 1.0 / corrected::turning_slope(lambda, side * libm::atan(libm::exp(y)));
-        let scale = (1.0 + found.abs()) * stop.start.condition();
-        let stated = sum(rate, tangent(theta0), turned, 1e-14 * scale);
-        Ok([stated, found, scale])
-    })
 }
 
 /// d ln θ/d ln v at θ = 0, by the last three nodes at which both are normal numbers: what it differs by at small θ goes with
@@ -145,36 +28,134 @@ fn last_slope(stop: &Stop) -> f64 {
     (theta2 - part * theta1) / (v2 - part * v1)
 }
 
-/// λ > 1 and θ₀ = π: the particle stops without turning.
-fn large_friction_outside() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+attempts![
+    // λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
+    small_friction_limit = {
+        let at = |aligned: &Aligned| aligned.start.at();
+        Trial::by(
+            Limit,
+            Within,
+            Compared::constant("the stated 0", "the angle of the velocity at $At/v_0=10^8$"),
+            LATE_ANGLE,
+        )
+        .each(ALIGNED.each(), at, |aligned| {
+            Ok([printed::s21_late_angle(), aligned.angle, 1.0])
+        })
+    },
+    // λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving; for λ > 1 it does not.
+    small_friction_census = {
+        let trial = Trial::census(
+            Within,
+            [
+                r"whether $\lambda\le1$ (1 if so)",
+                "whether the particle never rests and its angle grows on no step",
+            ],
+        );
+        let moving = OTHERS_ALIGNED
+            .each()
+            .map(|aligned| aligned.map(|a| (a.start, a.aligns())));
+        let at_rest = |s: &Stop| s.nodes.last().is_some_and(|end| end.speed() == 0.0);
+        let stopping = STOPS
+            .each()
+            .map(|stop| stop.map(|s| (s.start, !at_rest(s))));
+        trial.over(moving.chain(stopping), |motion| {
+            let (start, aligns) = motion?;
+            let [left, right] = printed::s21_keeps_moving_sides(start.lambda);
+            Ok(Pair::plain(start.at(), is(left <= right), is(aligns)))
+        })
+    },
+    // λ = 1 and θ₀ = π: static friction holds what kinetic friction has stopped.
+    small_friction_outside = Trial::by(
+        Integration,
         Outside,
         Compared::constant(
-            "the stated 0",
-            "the angle of the velocity at 99 % of the time of stopping",
+            "1, for motion",
+            "what the particle does at $At/v_0=100$ (1 for sliding, 0 for rest)",
         ),
-        LATE_ANGLE,
-    );
-    let backwards = only(STOPS.each(), |s| {
-        s.start.is_straight() && s.start.theta0 != 0.0
-    });
-    trial.each(backwards, Stop::at, |stop| {
-        Ok([
-            0.0,
-            stop.start.motion_to_rest()?.at(0.99 * stop.t)?.direction(),
-            1.0,
-        ])
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
-    small_friction_limit,
-    small_friction_census,
-    small_friction_outside,
-    large_friction_limit,
-    large_friction_turns,
-    large_friction_outside
+        NONE,
+    )
+    .over(held(), |launch: Turn| {
+        let [left, right] = printed::s21_keeps_moving_sides(launch.lambda);
+        Ok(Pair::plain(
+            launch.at(),
+            is(left <= right),
+            moves_late(&launch)?,
+        ))
+    }),
+    // λ > 1: towards the stop, d ln θ/d ln v is positive and that of a motion that turns into the x axis, so θ → 0.
+    large_friction_limit = {
+        let trial = Trial::by(
+            Limit,
+            Within,
+            [
+                r"$1/(\lambda-1)$",
+                r"$\mathrm d\ln\theta/\mathrm d\ln v$ over the last steps before the stop, extrapolated to $\theta=0$",
+            ],
+            SLOPE,
+        );
+        // Others have not turned yet when their speed is lost in rounding.
+        let turns = |s: &Stop| (1.2..4.0).contains(&s.start.lambda) && s.start.theta0.abs() < 3.1;
+        let turning = only(STOPS.each(), |s| turns(s) && !s.start.is_straight());
+        trial.each(turning, Stop::at, |stop| {
+            let found = last_slope(stop);
+            Ok([
+                corrected::turning_slope(stop.start.lambda, 0.0),
+                found,
+                found,
+            ])
+        })
+    },
+    // λ > 1, however large: all the way down ln v falls as ln tan(θ/2) says, so that θ → 0 with v.
+    large_friction_turns = {
+        let trial = Trial::by(
+            Integration,
+            Within,
+            [
+                r"$\int(\lambda-\cos\theta)\,\mathrm d\ln\tan(\theta/2)$ from the launch to the last step",
+                r"$\ln v/v_0$ of the motion there",
+            ],
+            ROOT,
+        );
+        let turning = only(STOPS.each(), |s| !s.start.is_straight());
+        trial.each(turning, Stop::at, |stop| {
+            let Turn {
+                lambda, v0, theta0, ..
+            } = stop.start;
+            let tangent = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
+            let fall = |s: &State| (tangent(s.direction()), libm::log(s.speed() / v0));
+            let mut falls = stop.nodes.iter().map(fall);
+            let last = falls.rfind(|(turn, slow)| turn.is_finite() && slow.is_finite());
+            let (turned, found) = last.ok_or("no step")?;
+            let side = 2f64.copysign(theta0);
+            let rate =
+                |y: f64| 1.0 / corrected::turning_slope(lambda, side * libm::atan(libm::exp(y)));
+            let scale = (1.0 + found.abs()) * stop.start.condition();
+            let stated = sum(rate, tangent(theta0), turned, 1e-14 * scale);
+            Ok([stated, found, scale])
+        })
+    },
+    // λ > 1 and θ₀ = π: the particle stops without turning.
+    large_friction_outside = {
+        let backwards = only(STOPS.each(), |s| {
+            s.start.is_straight() && s.start.theta0 != 0.0
+        });
+        Trial::by(
+            Integration,
+            Outside,
+            Compared::constant(
+                "the stated 0",
+                "the angle of the velocity at 99 % of the time of stopping",
+            ),
+            LATE_ANGLE,
+        )
+        .each(backwards, Stop::at, |stop| {
+            Ok([
+                0.0,
+                stop.start.motion_to_rest()?.at(0.99 * stop.t)?.direction(),
+                1.0,
+            ])
+        })
+    }
 ];
 
 #[cfg(test)]

@@ -1,10 +1,6 @@
 //! Trials of the sense in which a particle slides in the end: along the plane's acceleration, or against it.
 
-use crate::claims::tolerances::NONE;
-use crate::corrections::constant as corrected;
-use crate::motion::{Plane, Signal, State, run};
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// Launches of any direction on a plane with λ < 1, by λ, the directions of the acceleration and of the velocity, until
 /// friction has little left to turn: as printed and as corrected, by the sign of 𝐯·𝐀.
@@ -15,9 +11,8 @@ fn senses(
     stated: f64,
     velocity: impl Fn(f64, [f64; 2], [f64; 2]) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
-    let trial = Trial::by(route, subject, compared, NONE);
     let launches = Points::here().within(30, [[0.0, 0.8], [-3.0, 3.0], [-3.0, 3.0]]);
-    trial.at(
+    Trial::by(route, subject, compared, NONE).at(
         ["λ", "angle of A", "angle of v₀"],
         launches,
         1.0,
@@ -60,29 +55,29 @@ pub fn sense_of_sliding() -> Result<f64, Failure> {
 const ON_THE_PLANE: &str = r"the sign of $\bm v\cdot\bm A$ in the motion at $t=50\,v_0/A$";
 const AGAINST: &str = r"the expected $-1$, for against $\bm A$";
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     along = senses(
         Printed,
-        Route::Census,
+        Census,
         Compared::constant(r"the expected 1, for along $\bm A$", ON_THE_PLANE),
         printed::s21_late_sense(),
         by_motion
     ),
     against = senses(
         Corrected,
-        Route::Census,
+        Census,
         Compared::constant(AGAINST, ON_THE_PLANE),
         corrected::late_sense(),
         by_motion
     ),
     against_in_the_laboratory = senses(
         Corrected,
-        Route::Integration,
+        Integration,
         Compared::constant(
             AGAINST,
             r"the sign of $(\bm V-\bm U)\cdot\bm A$ in the laboratory, where friction alone acts,",
         ),
         corrected::late_sense(),
         in_the_laboratory
-    ),
+    )
 ];

@@ -1,8 +1,6 @@
 //! Trials of whether friction keeps a particle at rest that begins so.
 
-use crate::motion::{Plane, State, run};
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The velocity at a time of a particle that begins at rest, against the direction of 𝐀, which has this size.
 fn speed(lambda: f64, a: f64, t: f64) -> Result<f64, Failure> {
@@ -39,15 +37,15 @@ fn around_one() -> Vec<[f64; 2]> {
 
 /// λ < 1: as fast as the law along the line has it.
 pub fn velocity() -> Evidence {
-    let trial = Trial::motion(
+    let launches = Points::here().within(40, [[0.0, 2.0], [0.1, 5.0]]);
+    Trial::motion(
         Within,
-        Compared::one(
+        [
             r"$t$ times the rate (6) at $\theta=0$, or 0 where $\lambda\le1$ does not hold,",
             "the velocity at the time $t$ of a particle that begins at rest",
-        ),
-    );
-    let launches = Points::here().within(40, [[0.0, 2.0], [0.1, 5.0]]);
-    trial.at(["λ", "t"], launches, 5.0, |[lambda, t]| {
+        ],
+    )
+    .at(["λ", "t"], launches, 5.0, |[lambda, t]| {
         let [left, right] = printed::s21_cannot_hold_sides(lambda);
         let stated = match left <= right {
             true => t * printed::eq6_vx_rate(lambda, 1.0, 0.0),
@@ -57,7 +55,7 @@ pub fn velocity() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     census = moves(Within, around_one()),
     velocity,
     outside = moves(Outside, Points::here().within(20, [[1.0; 2], [0.1, 10.0]])),

@@ -2,12 +2,9 @@
 //! λ = μ cot β of section 2.1. Of the claim that the article on the inclined plane agrees it is a part: that its formulas
 //! are right too is not known here.
 
-use super::launches::Turn;
-use crate::claims::tolerances::FOREIGN;
-use crate::numerics::double::Double;
-use crate::paper::{constant as printed, general};
+use super::prelude::*;
+use crate::paper::general;
 use nalgebra::Vector3;
-use trialbook::prelude::*;
 
 type Vector = Vector3<f64>;
 
@@ -86,7 +83,7 @@ impl Incline {
 /// A printed formula of (λ, A, v₀, θ₀, θ) with what is found of it on the incline, and the size in units of which that is
 /// known.
 fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)) -> Evidence {
-    let trial = Trial::by(Route::Integration, Printed, compared, FOREIGN);
+    let trial = Trial::by(Integration, Printed, compared, FOREIGN);
     let mut points = Points::here();
     trial
         .over(0..300, |_| {
@@ -112,48 +109,18 @@ fn slides(compared: Compared, pair: fn([Double; 5], &Turn) -> (Double, f64, f64)
         .of_a_part()
 }
 
-/// (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
-fn eq1() -> Evidence {
-    let trial = Trial::consistency(
-        Printed,
-        Compared::one(
-            r"(1), with $g\sin\beta$ against the slope for $\bm A$ and $g\cos\beta$ for $g$, as the component down the slope plus twice that across,",
-            "the same sum for weight, normal force and friction",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..200, |_| {
-        let incline = Incline::any(&mut points);
-        let (v, theta) = (incline.v0, incline.theta0);
-        let [down, across] = general::eq1_velocity_rate(
-            [-incline.a(), 0.0],
-            incline.mu,
-            incline.g * libm::cos(incline.beta),
-            [v * libm::cos(theta), v * libm::sin(theta)],
-        );
-        let force = incline.acceleration(incline.velocity(v, theta));
-        Ok(Pair {
-            at: incline.at(),
-            stated: down + 2.0 * across,
-            found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
-            scale: incline.a() * (1.0 + incline.lambda()),
-        })
-    })
-}
-
 fn same_motion() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Printed,
-        Compared::one(
+        [
             "the velocity by (1), integrated in the plane, as the component down the slope plus twice that across,",
             "the same sum for the motion on an incline in three dimensions",
-        ),
+        ],
         FOREIGN,
     );
-    let mut points = Points::here();
-    trial.over(0..60, |_| {
-        let incline = Incline::any(&mut points);
+    trial.drawn(0..60, |_, points| {
+        let incline = Incline::any(points);
         let (v, theta) = (incline.v0, incline.theta0);
         let duration = 0.4 * v / (incline.a() * (1.0 + incline.lambda()));
         let normal = incline.g * libm::cos(incline.beta);
@@ -180,10 +147,10 @@ fn same_motion() -> Evidence {
 pub fn forces() -> Evidence {
     let trial = Trial::consistency(
         Printed,
-        Compared::one(
+        [
             "(6) plus twice (7)",
             "the same sum of the components of weight, normal force and friction",
-        ),
+        ],
     );
     let mut points = Points::here();
     trial
@@ -202,8 +169,34 @@ pub fn forces() -> Evidence {
         .of_a_part()
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq1,
+attempts![
+    // (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
+    eq1 = {
+        let trial = Trial::consistency(
+            Printed,
+            [
+                r"(1), with $g\sin\beta$ against the slope for $\bm A$ and $g\cos\beta$ for $g$, as the component down the slope plus twice that across,",
+                "the same sum for weight, normal force and friction",
+            ],
+        );
+        trial.drawn(0..200, |_, points| {
+            let incline = Incline::any(points);
+            let (v, theta) = (incline.v0, incline.theta0);
+            let [down, across] = general::eq1_velocity_rate(
+                [-incline.a(), 0.0],
+                incline.mu,
+                incline.g * libm::cos(incline.beta),
+                [v * libm::cos(theta), v * libm::sin(theta)],
+            );
+            let force = incline.acceleration(incline.velocity(v, theta));
+            Ok(Pair {
+                at: incline.at(),
+                stated: down + 2.0 * across,
+                found: force.dot(&incline.down) + 2.0 * force.dot(&incline.across),
+                scale: incline.a() * (1.0 + incline.lambda()),
+            })
+        })
+    },
     same_motion,
     speed = slides(
         Compared::one(

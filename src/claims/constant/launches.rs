@@ -1,13 +1,10 @@
 //! The motions that the printed formulas of section 2.1 are held against: launches at a speed v₀ and an
 //! angle θ₀, followed until the velocity has turned to an angle θ.
 
-use crate::motion::{Launch, Motion, MotionError, PhaseKind, State};
+use super::prelude::*;
+use crate::motion::Launch;
 use crate::numerics::NumericsError;
-use crate::numerics::double::Double;
-use crate::numerics::quadrature::integral_within;
 use std::cell::Cell;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
 
 /// Values of an integrand that are asked for at most.
 const EVALUATIONS: usize = 20_000;

@@ -1,8 +1,7 @@
 //! The two numbers of each case by hand. The words are in the claims' entries.
 
 use super::final_direction::sense_of_sliding;
-use crate::paper::constant as printed;
-use trialbook::trials::by_hand::Numbers;
+use super::prelude::*;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 1] = [Numbers::new(

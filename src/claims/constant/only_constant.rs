@@ -1,10 +1,7 @@
 //! Trials of how a motion under a drive that changes with time differs from all on an inclined plane: along the slope the sense
 //! of sliding changes once at most, under a drive again and again.
 
-use crate::claims::tolerances::NONE;
-use crate::motion::{Motion, Plane, Signal, State, run};
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// Periods, or as many units of time on an incline.
 const PERIODS: f64 = 6.0;
@@ -45,23 +42,22 @@ fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
 
 /// How often the sense changes.
 pub fn turns() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Printed,
         Compared::constant(
             "0 for a constant pull, 1 for a sine",
             "whether the sense of sliding changes more than once (1 if so)",
         ),
-    );
-    let mut points = Points::here();
-    trial.over(0..60, |i| {
-        let (driven, at, motion) = motion(&mut points, i)?;
+    )
+    .drawn(0..60, |i, points| {
+        let (driven, at, motion) = motion(points, i)?;
         Ok(Pair::plain(at, is(driven), is(senses(&motion)?.len() > 2)))
     })
 }
 
 fn both_ways() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Printed,
         Compared::constant(
             r"$-1$ for a sine, 1 for a constant pull",
@@ -69,9 +65,8 @@ fn both_ways() -> Evidence {
         ),
         NONE,
     );
-    let mut points = Points::here();
-    trial.over(0..60, |i| {
-        let (driven, at, motion) = motion(&mut points, i)?;
+    trial.drawn(0..60, |i, points| {
+        let (driven, at, motion) = motion(points, i)?;
         let mut largest = (0.0, 0.0);
         for k in 0..100 {
             let t = TAU * (4.0 + f64::from(k) / 100.0);
@@ -90,4 +85,4 @@ fn both_ways() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![turns, both_ways];
+attempts![turns, both_ways];

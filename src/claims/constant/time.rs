@@ -1,11 +1,7 @@
 //! Trials of (12) to (14): the time against the angle.
 
-use super::launches::{LATE_TURNS, TURNS, Turn, straight, turns_where};
-use crate::claims::tolerances::ROOT;
-use crate::corrections::constant as corrected;
-use crate::numerics::double::Double;
-use crate::paper::constant as printed;
-use trialbook::prelude::*;
+use super::launches::{LATE_TURNS, straight, turns_where};
+use super::prelude::*;
 
 fn eq13(turn: &Turn) -> Double {
     let number = Double::from;
@@ -23,108 +19,6 @@ fn eq12_rate(turn: &Turn, theta: f64) -> f64 {
     let power = Scalar::pow(Scalar::tan(theta / 2.0), turn.lambda);
     let d_power = turn.lambda * power / Scalar::sin(theta);
     printed::eq12_time_rate(turn.lambda, turn.v0, turn.theta0, theta, d_power)
-}
-
-/// (12), integrated over the angle.
-fn eq12_quadrature() -> Evidence {
-    Trial::quadrature(
-        Within,
-        Compared::one(r"the integral of (12) over $\theta$", "$At$ of the motion"),
-    )
-    .each(
-        turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
-        Turn::at,
-        |turn| {
-            let found = turn.a * turn.t;
-            let enough = 1e-14 * turn.condition() * found;
-            let stated = turn.integral(|theta| eq12_rate(turn, theta), enough);
-            Ok([stated.unwrap_or(f64::NAN), found, found])
-        },
-    )
-}
-
-/// (12) where it has no value, while the motion turns as ever: at λ = 0, and for θ < 0 with friction.
-fn eq12_outside() -> Evidence {
-    let trial = Trial::motion(
-        Outside,
-        Compared::one(
-            r"(12) per $\mathrm d\theta$",
-            r"$A\,\mathrm dt/\mathrm d\theta=-v/\sin\theta$ of the motion",
-        ),
-    );
-    let wanted =
-        |turn: &Turn| turn.lambda == 0.0 || turn.lambda.fract() != 0.0 && turn.theta0 < 0.0;
-    trial.each(turns_where(wanted), Turn::at, |turn| {
-        let found = -turn.v / Scalar::sin(turn.theta);
-        Ok([eq12_rate(turn, turn.theta), found, found.abs()])
-    })
-}
-
-/// (13) with the time of the motion.
-pub fn eq13_motion() -> Evidence {
-    Trial::motion(
-        Within,
-        Compared::one(
-            "(13)",
-            r"the time at which the motion has turned to $\theta$",
-        ),
-    )
-    .over(turns_where(Turn::has_a_time), |turn| {
-        let turn = turn?;
-        Ok(Pair::wide(turn.at(), eq13(turn), turn.t).within(turn.time_scale()))
-    })
-}
-
-/// (13) with the integral of dt.
-fn eq13_quadrature() -> Evidence {
-    Trial::quadrature(
-        Within,
-        Compared::one(
-            "(13)",
-            r"$\int\mathrm dt$ over the angle, along and across the velocity",
-        ),
-    )
-    .over(
-        turns_where(|turn| turn.has_a_time() && turn.is_gentle()),
-        |turn| {
-            let turn = turn?;
-            let found = turn.time_over_the_angle(turn.ln_fall())?;
-            Ok(Pair::wide(turn.at(), eq13(turn), found).within(turn.time_scale()))
-        },
-    )
-}
-
-/// (13) solved for the angle at the time of the motion.
-fn eq13_root() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Within,
-        Compared::one(
-            r"the root $\theta$ of (13) at $t$",
-            "the angle of the motion then",
-        ),
-        ROOT,
-    );
-    let wanted =
-        |turn: &Turn| turn.has_a_time() && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle();
-    trial.each(turns_where(wanted), Turn::at, |turn| {
-        let late =
-            |theta| printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t;
-        let (low, high) = (0.9 * turn.theta, turn.theta0);
-        let stated = root(late, low.min(high), low.max(high)).unwrap_or(f64::NAN);
-        // What rounding, enlarged by 1/(1 − λ), leaves of the time leaves an angle open by dθ/dt.
-        let slope = turn.v / (turn.a * Scalar::sin(turn.theta).abs());
-        let open = turn.t * turn.condition() / (1.0 - turn.lambda).abs().min(1.0);
-        Ok([stated, turn.theta, turn.theta.abs().max(open / slope)])
-    })
-}
-
-/// (13) where it is 0/0 or 0·∞: at λ = 1 and where cos θ₀ = −λ.
-fn eq13_singular() -> Evidence {
-    let compared = Compared::one("(13)", "the time of the motion")
-        .over(r"$\lambda=1$ or $\cos\theta_0=-\lambda$");
-    let singular = turns_where(|turn| !turn.has_a_time());
-    eq13_outside(compared, singular.map(|turn| turn.copied()))
 }
 
 fn eq13_outside(
@@ -149,40 +43,14 @@ fn eq14<S: Scalar + From<f64>>(turn: &Turn) -> S {
     )
 }
 
-fn eq14_motion() -> Evidence {
-    let trial = Trial::motion(
-        Within,
-        Compared::one("(14) at the angle and time of the motion", "its speed"),
-    );
-    let all = TURNS.each().map(|turn| turn.copied()).chain(straight());
-    trial.over(all, |turn| {
-        let turn = &turn?;
-        Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(turn.speed_at_time_scale()))
-    })
-}
-
-/// (14) where cos θ = −λ, the angle at which it is 0/0.
-fn eq14_outside() -> Evidence {
-    Trial::motion(
-        Outside,
-        Compared::one(
-            r"(14) where $\cos\theta=-\lambda$",
-            "the speed of the motion",
-        ),
-    )
-    .each(super::launches::turns_to_the_gap(), Turn::at, |turn| {
-        Ok([eq14::<f64>(turn), turn.v, turn.v])
-    })
-}
-
 /// The regular form of the time at all points, those included where (13) has no value.
 pub fn regular_time() -> Evidence {
     Trial::motion(
         Corrected,
-        Compared::one(
+        [
             "the regular form of the time, where (13) has a value and where not,",
             "that of the motion",
-        ),
+        ],
     )
     .each(TURNS.each(), Turn::at, |turn| {
         Ok([
@@ -198,71 +66,14 @@ fn regular(turn: &Turn, ln_r: f64) -> f64 {
     corrected::time(turn.lambda, turn.a, turn.v0, turn.theta0, ln_r)
 }
 
-/// The regular form of the time, so late that next to no angle is left.
-fn regular_late() -> Evidence {
-    Trial::motion(
-        Corrected,
-        Compared::one("the regular form of the time", "that of the motion")
-            .over("turns to a hundredth of the angle down to $10^{-80}$"),
-    )
-    .each(LATE_TURNS.each(), Turn::at, |turn| {
-        Ok([
-            regular(turn, turn.ln_fall()),
-            turn.t,
-            turn.t * turn.condition(),
-        ])
-    })
-}
-
-/// The regular form of the speed by the logarithm, at those points and at all others.
-fn regular_speed_by_log() -> Evidence {
-    Trial::motion(
-        Corrected,
-        Compared::one(
-            r"the regular form of the speed, by $\ln r$,",
-            "that of the motion",
-        ),
-    )
-    .each(LATE_TURNS.each().chain(TURNS.each()), Turn::at, |turn| {
-        Ok([
-            corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
-            turn.v,
-            turn.v.max(turn.v0) * turn.condition(),
-        ])
-    })
-}
-
-/// The regular forms solved for the angle at a time.
-fn regular_angle() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Corrected,
-        Compared::one(
-            r"$\theta$ with $\tan(\theta/2)=r\tan(\theta_0/2)$, at the root $r$ of the regular form of the time,",
-            "the angle of the motion then",
-        ),
-        ROOT,
-    );
-    let wanted = |turn: &Turn| turn.lambda <= 1.0 && turn.is_gentle();
-    trial.each(turns_where(wanted), Turn::at, |turn| {
-        let ln_r = root(|ln_r| regular(turn, ln_r) - turn.t, -100.0, 0.0).unwrap_or(f64::NAN);
-        let [sine, cosine] = corrected::half_angle(turn.theta0, libm::exp(ln_r));
-        Ok([
-            2.0 * libm::atan2(sine, cosine),
-            turn.theta,
-            turn.theta0.abs(),
-        ])
-    })
-}
-
 /// The regular forms along the line of the acceleration: the speed at the r that they give for a time.
 pub fn regular_straight() -> Evidence {
     let trial = Trial::motion(
         Corrected,
-        Compared::one(
+        [
             "the regular form of the speed along the line of the acceleration, at the root $r$ of the regular time,",
             "that of the motion",
-        ),
+        ],
     );
     trial.over(straight(), |turn| {
         let Turn {
@@ -285,10 +96,10 @@ pub fn regular_straight() -> Evidence {
     })
 }
 
-fn regular_speed() -> Evidence {
-    Trial::motion(
+attempts![
+    regular_speed = Trial::motion(
         Corrected,
-        Compared::one("the regular form of the speed", "that of the motion"),
+        ["the regular form of the speed", "that of the motion"],
     )
     .each(TURNS.each(), Turn::at, |turn| {
         Ok([
@@ -296,26 +107,174 @@ fn regular_speed() -> Evidence {
             turn.v,
             turn.v * turn.condition(),
         ])
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
-    regular_speed,
+    }),
     regular_straight,
-    regular_speed_by_log,
-    eq12_quadrature,
-    eq12_outside,
-    eq13_motion,
-    eq13_quadrature,
-    eq13_root,
-    eq13_singular,
+    // The regular form of the speed by the logarithm, at those points and at all others.
+    regular_speed_by_log = Trial::motion(
+        Corrected,
+        [
+            r"the regular form of the speed, by $\ln r$,",
+            "that of the motion",
+        ],
+    )
+    .each(LATE_TURNS.each().chain(TURNS.each()), Turn::at, |turn| {
+        Ok([
+            corrected::speed_by_log(turn.lambda, turn.v0, turn.theta0, turn.ln_fall()),
+            turn.v,
+            turn.v.max(turn.v0) * turn.condition(),
+        ])
+    }),
+    // (12), integrated over the angle.
+    eq12_quadrature = Trial::quadrature(
+        Within,
+        [r"the integral of (12) over $\theta$", "$At$ of the motion"],
+    )
+    .each(
+        turns_where(|turn| turn.lambda > 0.0 && turn.theta0 > 0.0 && turn.is_gentle()),
+        Turn::at,
+        |turn| {
+            let found = turn.a * turn.t;
+            let enough = 1e-14 * turn.condition() * found;
+            let stated = turn.integral(|theta| eq12_rate(turn, theta), enough);
+            Ok([stated.unwrap_or(f64::NAN), found, found])
+        },
+    ),
+    // (12) where it has no value, while the motion turns as ever: at λ = 0, and for θ < 0 with friction.
+    eq12_outside = {
+        let wanted =
+            |turn: &Turn| turn.lambda == 0.0 || turn.lambda.fract() != 0.0 && turn.theta0 < 0.0;
+        Trial::motion(
+            Outside,
+            [
+                r"(12) per $\mathrm d\theta$",
+                r"$A\,\mathrm dt/\mathrm d\theta=-v/\sin\theta$ of the motion",
+            ],
+        )
+        .each(turns_where(wanted), Turn::at, |turn| {
+            let found = -turn.v / Scalar::sin(turn.theta);
+            Ok([eq12_rate(turn, turn.theta), found, found.abs()])
+        })
+    },
+    // (13) with the time of the motion.
+    eq13_motion = Trial::motion(
+        Within,
+        [
+            "(13)",
+            r"the time at which the motion has turned to $\theta$",
+        ],
+    )
+    .over(turns_where(Turn::has_a_time), |turn| {
+        let turn = turn?;
+        Ok(Pair::wide(turn.at(), eq13(turn), turn.t).within(turn.time_scale()))
+    }),
+    // (13) with the integral of dt.
+    eq13_quadrature = Trial::quadrature(
+        Within,
+        [
+            "(13)",
+            r"$\int\mathrm dt$ over the angle, along and across the velocity",
+        ],
+    )
+    .over(
+        turns_where(|turn| turn.has_a_time() && turn.is_gentle()),
+        |turn| {
+            let turn = turn?;
+            let found = turn.time_over_the_angle(turn.ln_fall())?;
+            Ok(Pair::wide(turn.at(), eq13(turn), found).within(turn.time_scale()))
+        },
+    ),
+    // (13) solved for the angle at the time of the motion.
+    eq13_root = {
+        let wanted =
+            |turn: &Turn| turn.has_a_time() && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle();
+        Trial::by(
+            Root,
+            Within,
+            [
+                r"the root $\theta$ of (13) at $t$",
+                "the angle of the motion then",
+            ],
+            ROOT,
+        )
+        .each(turns_where(wanted), Turn::at, |turn| {
+            let late = |theta| {
+                printed::eq13_time(turn.lambda, turn.a, turn.v0, turn.theta0, theta) - turn.t
+            };
+            let (low, high) = (0.9 * turn.theta, turn.theta0);
+            let stated = root(late, low.min(high), low.max(high)).unwrap_or(f64::NAN);
+            // What rounding, enlarged by 1/(1 − λ), leaves of the time leaves an angle open by dθ/dt.
+            let slope = turn.v / (turn.a * Scalar::sin(turn.theta).abs());
+            let open = turn.t * turn.condition() / (1.0 - turn.lambda).abs().min(1.0);
+            Ok([stated, turn.theta, turn.theta.abs().max(open / slope)])
+        })
+    },
+    // (13) where it is 0/0 or 0·∞: at λ = 1 and where cos θ₀ = −λ.
+    eq13_singular = {
+        let compared = Compared::one("(13)", "the time of the motion")
+            .over(r"$\lambda=1$ or $\cos\theta_0=-\lambda$");
+        let singular = turns_where(|turn| !turn.has_a_time());
+        eq13_outside(compared, singular.map(|turn| turn.copied()))
+    },
     eq13_straight = eq13_outside(
         Compared::one("(13)", "the time of the motion").over(r"$\theta_0=0$ or $\pi$"),
         straight(),
     ),
     regular_time,
-    regular_late,
-    regular_angle,
-    eq14_motion,
-    eq14_outside
+    // The regular form of the time, so late that next to no angle is left.
+    regular_late = Trial::motion(
+        Corrected,
+        Compared::one("the regular form of the time", "that of the motion")
+            .over("turns to a hundredth of the angle down to $10^{-80}$"),
+    )
+    .each(LATE_TURNS.each(), Turn::at, |turn| {
+        Ok([
+            regular(turn, turn.ln_fall()),
+            turn.t,
+            turn.t * turn.condition(),
+        ])
+    }),
+    // The regular forms solved for the angle at a time.
+    regular_angle = {
+        let trial = Trial::by(
+            Root,
+            Corrected,
+            [
+                r"$\theta$ with $\tan(\theta/2)=r\tan(\theta_0/2)$, at the root $r$ of the regular form of the time,",
+                "the angle of the motion then",
+            ],
+            ROOT,
+        );
+        let wanted = |turn: &Turn| turn.lambda <= 1.0 && turn.is_gentle();
+        trial.each(turns_where(wanted), Turn::at, |turn| {
+            let ln_r = root(|ln_r| regular(turn, ln_r) - turn.t, -100.0, 0.0).unwrap_or(f64::NAN);
+            let [sine, cosine] = corrected::half_angle(turn.theta0, libm::exp(ln_r));
+            Ok([
+                2.0 * libm::atan2(sine, cosine),
+                turn.theta,
+                turn.theta0.abs(),
+            ])
+        })
+    },
+    eq14_motion = {
+        let all = TURNS.each().map(|turn| turn.copied()).chain(straight());
+        Trial::motion(
+            Within,
+            ["(14) at the angle and time of the motion", "its speed"],
+        )
+        .over(all, |turn| {
+            let turn = &turn?;
+            Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(turn.speed_at_time_scale()))
+        })
+    },
+    // (14) where cos θ = −λ, the angle at which it is 0/0.
+    eq14_outside = Trial::motion(
+        Outside,
+        [
+            r"(14) where $\cos\theta=-\lambda$",
+            "the speed of the motion",
+        ],
+    )
+    .each(super::launches::turns_to_the_gap(), Turn::at, |turn| {
+        Ok([eq14::<f64>(turn), turn.v, turn.v])
+    })
 ];

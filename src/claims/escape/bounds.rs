@@ -6,12 +6,11 @@
 //! both by intervals, on the whole region at once.
 
 use super::exact::spiral::{self, State};
+use super::prelude::*;
 use trialbook::certified::cover::{Said, everywhere_written};
-use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::written::{Condition, Of, sign};
-use trialbook::prelude::*;
 use trialbook::trials::enclosed::resting_on;
 
 /// What is shown from the time on at which the region is entered.
@@ -58,17 +57,13 @@ struct Inside {
     t: Expr,
 }
 
-fn int(n: i64) -> Expr {
-    Expr::int(n)
-}
-
 fn over_n(n: i64, m: i64) -> Expr {
     int(n) / int(m)
 }
 
 impl Inside {
     fn symbols() -> Self {
-        let [q, v, t] = Expr::symbols(["q", "v", "t"]);
+        let [q, v, t] = symbols(["q", "v", "t"]);
         Inside { q, v, t }
     }
 
@@ -88,40 +83,40 @@ impl Inside {
 
     /// w, the positive solution of w² = 4P (1 − w t).
     fn w(self) -> Expr {
-        int(2) * self.square().sqrt() - int(2) * self.predator() * self.t
+        2 * self.square().sqrt() - 2 * self.predator() * self.t
     }
 
     fn state(self) -> State {
-        let h = int(1) - self.w() * self.t;
+        let h = 1 - self.w() * self.t;
         [self.prey(), self.predator(), h, self.t]
     }
 
     /// By how much 1/t is slower than τ, over t.
     fn slower(self) -> Expr {
-        int(2) * self.v - self.t - int(2) * self.v * self.t.squared()
+        2 * self.v - self.t - 2 * self.v * self.t.squared()
     }
 }
 
 /// q₀ and v₀.
 fn middle() -> [Expr; 2] {
     let root = int(2).sqrt();
-    [int(3) * root / int(32), int(3) * root / int(8)]
+    [3 * root / 32, 3 * root / 8]
 }
 
 /// How fast (8/3)(q − q₀)² + (v − v₀)² changes in θ.
 fn change(at: Inside) -> Expr {
     let [q0, v0] = middle();
     let [dq, dv] = spiral::follow([at.q, at.v, at.w()], at.state());
-    over_n(16, 3) * (at.q - q0) * dq + int(2) * (at.v - v0) * dv
+    over_n(16, 3) * (at.q - q0) * dq + 2 * (at.v - v0) * dv
 }
 
 /// A point of the edge.
 fn edge() -> Inside {
     let [q0, v0] = middle();
-    let [f, t] = Expr::symbols(["f", "t"]);
+    let [f, t] = symbols(["f", "t"]);
     Inside {
-        q: q0 + int(6).sqrt() / int(16) * f.cos(),
-        v: v0 + f.sin() / int(4),
+        q: q0 + int(6).sqrt() / 16 * f.cos(),
+        v: v0 + f.sin() / 4,
         t,
     }
 }
@@ -129,7 +124,7 @@ fn edge() -> Inside {
 /// A point of the region, or of the box about it.
 fn inside() -> Inside {
     let [q0, v0] = middle();
-    let [x, y, t] = Expr::symbols(["x", "y", "t"]);
+    let [x, y, t] = symbols(["x", "y", "t"]);
     Inside {
         q: q0 + x,
         v: v0 + y,
@@ -139,7 +134,7 @@ fn inside() -> Inside {
 
 /// 1 + t E is the product of 1 + t g over these g, of which there is one at least.
 fn product_less_one(t: Expr, parts: Vec<Expr>) -> Expr {
-    let product = parts.into_iter().reduce(|e, g| e + (int(1) + t * e) * g);
+    let product = parts.into_iter().reduce(|e, g| e + (1 + t * e) * g);
     product.unwrap_or_else(|| int(0))
 }
 
@@ -164,7 +159,7 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         "N, P, h = 1 − w t, and w, positive, the square of which is 4Ph",
     );
     let [_, predator, h, _] = at.state();
-    p.identity(("w²", at.w().squared()), ("", int(4) * predator * h))?;
+    p.identity(("w²", at.w().squared()), ("", 4 * predator * h))?;
     let [q0, v0] = middle();
     let height = over_n(8, 3) * (at.q - q0).squared() + (at.v - v0).squared();
     let read = p.read("Q", height)?;
@@ -185,12 +180,9 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         ("Q at q₀ + (√6/16) cos f, v₀ + (1/4) sin f", on_edge),
         ("", over_n(1, 16)),
     )?;
-    let rate = int(2) - int(2) * (int(1) - at.t.squared()) * predator;
+    let rate = 2 - 2 * (1 - at.t.squared()) * predator;
     p.identity(
-        (
-            "1 less the rate of 1/t in τ, over t",
-            (int(1) - rate) / at.t,
-        ),
+        ("1 less the rate of 1/t in τ, over t", (1 - rate) / at.t),
         ("", at.slower()),
     )?;
     p.note(
@@ -217,7 +209,7 @@ impl Ratio {
         let limit = (self.inverse)([over_n(3, 4), over_n(1, 2), int(1), int(0)]);
         let ratio = (self.inverse)(at.state()) / limit;
         let ratio = p.ring().read(ratio)?;
-        let stated = p.ring().read(int(1) + at.t * self.excess(at))?;
+        let stated = p.ring().read(1 + at.t * self.excess(at))?;
         p.equal(
             "A power of the law at the time 1/t over that of the motion is 1 + t E, with the E that the intervals enclose",
             &ratio,
@@ -300,11 +292,11 @@ fn everywhere<const N: usize>(
 const A: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ132.proof(),
     ratio: Some(Ratio {
-        inverse: |state| int(1) / spiral::fourth_power(state),
+        inverse: |state| 1 / spiral::fourth_power(state),
         parts: |at| {
             let [prey, w] = [over_n(4, 3) * at.q, at.w()];
-            let slower = -w / int(2);
-            vec![int(2) * at.v, -w, prey, prey, prey, prey, slower, slower]
+            let slower = -w / 2;
+            vec![2 * at.v, -w, prey, prey, prey, prey, slower, slower]
         },
         between: [-5, 1],
     }),
@@ -314,11 +306,11 @@ const A: BoundedLaw = BoundedLaw {
 const ALPHA: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ133.proof(),
     ratio: Some(Ratio {
-        inverse: |state| int(1) / spiral::fourth_exponential(state),
+        inverse: |state| 1 / spiral::fourth_exponential(state),
         parts: |at| {
             let p = at.predator();
-            let more = p * at.t / (int(1) + p * at.t.squared());
-            vec![int(2) * at.v, -more]
+            let more = p * at.t / (1 + p * at.t.squared());
+            vec![2 * at.v, -more]
         },
         between: [0, 4],
     }),
@@ -334,11 +326,11 @@ const LAG: BoundedLaw = BoundedLaw {
 const SPEED: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ135.proof(),
     ratio: Some(Ratio {
-        inverse: |state| int(1) / spiral::square_of_speed(state),
+        inverse: |state| 1 / spiral::square_of_speed(state),
         parts: |at| {
             let [prey, w] = [over_n(4, 3) * at.q, at.w()];
-            let (slower, faster) = (-w / int(2), w / (int(1) - w * at.t));
-            vec![int(2) * at.v, faster, prey, prey, slower, slower]
+            let (slower, faster) = (-w / 2, w / (1 - w * at.t));
+            vec![2 * at.v, faster, prey, prey, slower, slower]
         },
         between: [0, 5],
     }),
@@ -348,18 +340,18 @@ const SPEED: BoundedLaw = BoundedLaw {
 const RHO: BoundedLaw = BoundedLaw {
     limit: || spiral::EQ136.proof(),
     ratio: Some(Ratio {
-        inverse: |state| int(1) / spiral::square_of_distance(state),
+        inverse: |state| 1 / spiral::square_of_distance(state),
         parts: |at| {
             let [prey, w] = [over_n(4, 3) * at.q, at.w()];
-            let slower = -w / int(2);
-            vec![int(2) * at.v, -w, prey, prey, slower, slower]
+            let slower = -w / 2;
+            vec![2 * at.v, -w, prey, prey, slower, slower]
         },
         between: [-5, 0],
     }),
     so: "ρ² over its law's is (1 − b/τ)⁴/(1 + t E), at most 1/(1 − 5/(2τ)), and so 1 + 3/τ, as τ ≥ 20: by the root, ρ over its law's is at least 1 − 2b/τ and at most 1 + 3/(2τ)",
 };
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // (132) as corrected, to the first order.
     eq132 = A.evidence(from_then_on!(
         r"$1-\frac{1/8+3\ln(\tau/20)}\tau\le\frac{3A}{2^{1/4}\tau^{3/2}}\le1+\frac3{4\tau}$"
@@ -379,7 +371,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     // (136) as corrected, to the first order.
     eq136 = RHO.evidence(from_then_on!(
         r"$1-\frac{4\ln(\tau/20)}\tau\le\frac{3\sqrt2\,\rho}{\tau^2}\le1+\frac3{2\tau}$"
-    )),
+    ))
 ];
 
 #[cfg(test)]
@@ -493,9 +485,7 @@ mod tests {
     fn stated() -> [[Expr; 3]; 5] {
         let mut lexicon = Lexicon::new();
         for (latex, plain) in NAMES {
-            lexicon
-                .add(latex, Value::Number(Expr::symbol(plain)))
-                .unwrap();
+            lexicon.add(latex, Value::Number(symbol(plain))).unwrap();
         }
         [0, 1, 2, 3, 4].map(|law: usize| {
             let words = TRIALS[law].evidence().compared.stated();

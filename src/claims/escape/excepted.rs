@@ -1,27 +1,28 @@
 //! What the conditions of section 4 on escapes except: starts that come straight in, which lie on a surface.
 
+use super::prelude::*;
 use super::trajectories::{FLIGHTS, Flight, Relaxed, a, alpha, relaxed};
-use trialbook::prelude::*;
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
 pub fn escaping() -> Evidence {
-    let trial = Trial::census(
+    let beyond = only(FLIGHTS.each(), |flight| flight.launch.a > 1.0);
+    Trial::census(
         Excepted,
         Compared::constant(
             "the expected 1, for an escape",
             "whether $A$ of the motion exceeds $10^4$ (1 if so)",
         )
         .over("random starts with $A>1$ that do not come straight in"),
-    );
-    let beyond = only(FLIGHTS.each(), |flight| flight.launch.a > 1.0);
-    trial.each(beyond, Flight::at, |flight| {
+    )
+    .each(beyond, Flight::at, |flight| {
         Ok([1.0, is(a(&flight.run.end()) > 1e4), 1.0])
     })
 }
 
-/// Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
-fn small_alpha() -> Evidence {
-    Trial::census(
+attempts![
+    escaping,
+    // Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
+    small_alpha = Trial::census(
         Excepted,
         Compared::constant(
             r"the expected 1, for a fall of $\psi$ to 0",
@@ -33,6 +34,4 @@ fn small_alpha() -> Evidence {
         let near = alpha(&relaxed.state) < 1e-3 && relaxed.state.psi().abs() < 1e-3;
         Ok([1.0, is(near), 1.0])
     })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![escaping, small_alpha];
+];

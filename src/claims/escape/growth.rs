@@ -4,13 +4,9 @@
 //! that lags behind τ by a multiple of ln τ (see [`crate::corrections::escape`]); a fit that knows only powers
 //! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
 
-use super::trajectories::{ESCAPES, Escape, LATE, Late, a, alpha};
-use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
-use crate::corrections::escape as corrected;
-use crate::motion::turntable::Start;
+use super::prelude::*;
+use super::trajectories::{Escape, LATE, Late, a, alpha};
 use crate::numerics::fit::fit;
-use crate::paper::escape as printed;
-use trialbook::prelude::*;
 
 /// What is followed: a number at a late moment of a motion.
 pub type Quantity = fn(&Late) -> f64;
@@ -272,7 +268,7 @@ fn sides(ratio: &'static str, formula: Quantity) -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq128_limit = following(EQ128, Printed, ALPHA_RATE),
     corrected128_limit = following(CORRECTED128, Corrected, ALPHA_RATE),
     eq129_limit = sides(PRODUCT.0, |l| printed::eq129_a(alpha(&l.state))
@@ -341,7 +337,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq137_exponent = WAY.exponent("(137)", Printed, printed::eq137_s),
     corrected137_limit = WAY.corrected(r"$1/(9\sqrt2)$", corrected::s),
     corrected137_delay = WAY.delay(r"$-9\sqrt2/4$"),
-    eq138_limit = sides("$(A^2/2)/s$", eq138),
+    eq138_limit = sides("$(A^2/2)/s$", eq138)
 ];
 
 #[cfg(test)]

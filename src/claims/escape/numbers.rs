@@ -1,17 +1,11 @@
 //! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
 
 use super::growth::{self, DISTANCE, LAG, Named, SIZE, SPEED, WAY};
-use super::trajectories::ESCAPES;
-use crate::corrections::escape as corrected;
-use crate::paper::escape as printed;
-use std::f64::consts::{SQRT_2, TAU};
+use super::prelude::*;
+use std::f64::consts::SQRT_2;
 use trialbook::certified::ball::Ball;
 use trialbook::certified::enclosure::Enclosure;
-use trialbook::certified::error::CertifiedError;
-use trialbook::prelude::*;
-use trialbook::trials::by_hand::Numbers;
 use trialbook::trials::enclosed::on_balls;
-use trialbook::trials::values::Number;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 10] = [
@@ -81,7 +75,7 @@ fn of((_, quantity): Named) -> Result<f64, Failure> {
 }
 
 fn one() -> Expr {
-    Expr::int(1)
+    int(1)
 }
 
 /// A formula without symbols, enclosed.

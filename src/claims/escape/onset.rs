@@ -1,26 +1,21 @@
 //! Trials of what section 4 says about escape in words, and of (126), (127).
 
 use super::growth::{A_RATE, ALPHA_RATE, LAG, SIZE, limits};
+use super::prelude::*;
 use super::straight::{BEYOND_ONE, StraightIn, time_to_stop};
 use super::trajectories::{
     Escape, FLIGHTS, Flight, LATE, Launch, OTHER_ESCAPES, OTHER_FLIGHTS, OTHERS_RELAXED,
     RELAXED_RATIOS, Relaxed, a, alpha, rates, relaxed,
 };
-use crate::claims::tolerances::{DIFFERENCES, FIRST_OMITTED, NEAR_CORNER, NONE, RELAXED};
-use crate::corrections::escape as corrected;
-use crate::motion::MotionError;
 use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Start, State, Table, rotating};
-use crate::paper::{escape as printed, turntable};
-use std::f64::consts::{FRAC_PI_2, PI};
-use trialbook::prelude::*;
+use crate::motion::turntable::{State, Table, rotating};
+use crate::paper::turntable;
 
 /// (126) with the rate of α after ψ has relaxed.
 fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
     const RATE: &str = r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed";
     Trial::by(
-        Route::Integration,
+        Integration,
         subject,
         Compared::composed(["(126)", "", ""], [RATE, when, ""]),
         RELAXED,
@@ -37,16 +32,15 @@ fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
 /// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
 fn eq126_order() -> Evidence {
     let trial = Trial::by(
-        Route::Limit,
+        Limit,
         Printed,
-        Compared::one(
+        [
             "(126)",
             r"$\mathrm d\alpha/\mathrm d\tau$ of the motion from $\psi=\psi_1$, in units of $100(\alpha^2+\psi^2)$",
-        ),
+        ],
         FIRST_OMITTED,
     );
-    let mut points = Points::here();
-    trial.over(0..60, |_| {
+    trial.drawn(0..60, |_, points| {
         let alpha0 = points.log_uniform(1e-3, 3e-2);
         let launch = Launch {
             a: points.uniform(0.7, 3.0),
@@ -115,70 +109,6 @@ fn stays(run: &Run) -> f64 {
     is(stops || run.end().rho() < 30.0)
 }
 
-/// (127) where it decides: close to α = 0, the A at which rest gives way to escape.
-fn eq127_root() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Printed,
-        Compared::one(
-            "the bound of (127)",
-            "the $A$ at which the motion passes from rest to escape",
-        )
-        .over(r"$\alpha=10^{-4}$"),
-        NEAR_CORNER,
-    );
-    let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
-    trial.over(Points::here().grid(angles), |psi| {
-        let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
-        let found = between(launch, 0.99, 1.01, 1e-6)?;
-        Ok(Pair::plain(
-            format!("α = 0.0001, ψ = {psi:.6}"),
-            printed::eq127_least_a(),
-            found,
-        ))
-    })
-}
-
-/// A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
-fn never_decreases_way() -> Evidence {
-    Trial::motion(
-        Printed,
-        Compared::one(
-            "$A^2$ at the start, and more by $2s$,",
-            "$A^2$ at the end, along the motion",
-        ),
-    )
-    .each(FLIGHTS.each(), Flight::at, |flight| {
-        let end = flight.run.end();
-        let (before, found) = (flight.launch.a * flight.launch.a, end.parts.energy());
-        Ok([
-            before + 2.0 * printed::s4_a_trend::<f64>() * end.s,
-            found,
-            found,
-        ])
-    })
-}
-
-/// A grows from each start to the end, and falls on no step by more than its rounding.
-fn never_decreases_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::constant(
-            "1, for growth",
-            r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
-        ),
-    );
-    trial.each(OTHER_FLIGHTS.each(), Flight::at, |flight| {
-        let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
-        let end = flight.run.end();
-        Ok([
-            printed::s4_a_trend(),
-            trend(&energies, [end.p(), alpha(&end), a(&end)]),
-            1.0,
-        ])
-    })
-}
-
 /// −1 if a list of A² falls, 0 if a motion with this end, by p, α and A, neither rests nor escapes, else 1.
 fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
     let falls = |w: &[f64]| w[1] < w[0] * (1.0 - 1e-14);
@@ -192,35 +122,15 @@ fn trend(energies: &[f64], [p, alpha, a]: [f64; 3]) -> f64 {
     }
 }
 
-/// ψ after many relaxation times, against ψ₁.
-fn small_alpha_angle() -> Evidence {
-    Trial::by(
-        Route::Limit,
-        Within,
-        Compared::one(
-            r"$\psi_1$",
-            r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
-        ),
-        RELAXED,
-    )
-    .each(OTHERS_RELAXED.each(), Relaxed::at, |relaxed| {
-        Ok([
-            turntable::eq124_psi1(alpha(&relaxed.state)),
-            relaxed.state.psi(),
-            1.0,
-        ])
-    })
-}
-
 /// ψ over ψ₁, which both vanish.
 pub fn relaxed_ratio() -> Evidence {
     let trial = Trial::by(
-        Route::Limit,
+        Limit,
         Remark,
-        Compared::one(
+        [
             r"$\psi_1A/(2A-1)$",
             r"$\psi$ of a motion in which the ratio $\psi/\psi_1$ has relaxed, $\alpha$ below a millionth",
-        ),
+        ],
         RELAXED,
     );
     trial.each(RELAXED_RATIOS.each(), Relaxed::at, |relaxed| {
@@ -236,103 +146,14 @@ pub fn relaxed_ratio() -> Evidence {
     })
 }
 
-/// That ratio by the equations of motion: with it, ψ and α fall or grow alike.
-fn relaxed_ratio_rate() -> Evidence {
-    let trial = Trial::by(
-        Route::Consistency,
-        Remark,
-        Compared::one(
-            r"the relative rate of $\psi$ by (115) at $\psi=\psi_1A/(2A-1)$ over that of $\alpha$ by (126)",
-            "the expected 1",
-        ),
-        RELAXED,
-    );
-    let points = Points::here().within(40, [[1.2, 5.0], [-8.0, -4.0]]);
-    trial.at(["A", "lg α"], points, 1.0, |[size, power]| {
-        let small = libm::exp10(power);
-        let psi = corrected::relaxed_ratio(size) * turntable::eq124_psi1(small);
-        let turn = turntable::eq115_psi_rate(small, psi) / psi;
-        Ok([turn * small / printed::eq126_alpha_rate(size), 1.0])
-    })
-}
-
-/// ψ when a particle that comes straight in has almost stopped.
-fn small_alpha_straight() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Outside,
-        Compared::one(
-            r"$\psi_1$",
-            r"$\psi$ of a motion that comes straight in, when $\alpha$ has fallen below a ten-thousandth",
-        ),
-        RELAXED,
-    );
-    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
-        let state = straight.with_alpha_below(1e-4);
-        Ok([turntable::eq124_psi1(alpha(&state)), state.psi(), 1.0])
-    })
-}
-
 /// What a law of the logarithm has before it.
 fn factor(law: fn(f64) -> f64) -> f64 {
     (law(LATE) - law(1.0)) / libm::log(LATE)
 }
 
-fn alpha_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            r"the number of decades of $\tau$ from 100 to $10^8$ over which $\alpha$ of (133) grows by more than 1",
-            r"that of those over which $\alpha$ of the motion does",
-        ),
-    );
-    let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
-    trial.each(OTHER_ESCAPES.each(), Escape::at, |escape| {
-        let stated: Vec<f64> = times().map(printed::eq133_alpha).collect();
-        let found: Result<Vec<_>, MotionError> =
-            times().map(|tau| Ok(alpha(&escape.run.at(tau)?))).collect();
-        Ok([grown(&stated) as f64, grown(&found?) as f64, 1.0])
-    })
-}
-
 /// How often a list grows by more than 1.
 fn grown(values: &[f64]) -> usize {
     values.windows(2).filter(|w| w[1] - w[0] > 1.0).count()
-}
-
-/// Stops of particles that come straight in from A > 1, in the frame of the table.
-fn straight_stops() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Outside,
-        Compared::constant(
-            "the stated 0",
-            "the number of stops of a particle that comes straight in from $A>1$",
-        ),
-        NONE,
-    )
-    .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
-        Ok([0.0, table_stops(straight)? as f64, 1.0])
-    })
-}
-
-/// (127) where a particle comes straight in.
-fn above_one_straight() -> Evidence {
-    Trial::census(
-        Outside,
-        Compared::one(
-            "whether (127) holds at the start (1 if so, for an escape)",
-            "what becomes of a particle that comes straight in (0 if it stops)",
-        ),
-    )
-    .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
-        let start = libm::sqrt((straight.rho - straight.p) * (straight.rho + straight.p));
-        Ok([
-            is(start > printed::eq127_least_a()),
-            is(table_stops(straight)? == 0),
-            1.0,
-        ])
-    })
 }
 
 /// How often a particle stops in Cartesian axes on the table, up to τ = 20.
@@ -351,33 +172,49 @@ pub fn table_stops(straight: &StraightIn) -> Result<usize, MotionError> {
         .len())
 }
 
-/// A particle that comes straight in from A > 1: the way in which it slows down, against its own law.
-fn straight_rate() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Corrected,
-        Compared::one(
-            r"$-1-1/\rho$",
-            r"$\mathrm d\alpha/\mathrm d\tau$ of a particle that has almost stopped, coming straight in",
-        ),
-        DIFFERENCES,
-    );
-    trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
-        let state = straight.with_alpha_below(1e-5);
-        let time = time_to_stop(&state);
-        let run = Run::new(&state.parts, 0.5 * time)?;
-        let [rate] = rates(0.25 * time, 1e-2 * time, |t| Ok([alpha(&run.at(t)?)]))?;
-        let stated = crate::corrections::rest::alpha_rate_straight_in(state.rho());
-        Ok([stated, rate, rate.abs()])
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq126_relaxed = after_relaxing(Printed, r" and $\alpha$ is below a millionth"),
     eq126_order,
     above_one_census = above_one(Printed),
-    eq127_root,
-    above_one_straight,
+    // (127) where it decides: close to α = 0, the A at which rest gives way to escape.
+    eq127_root = {
+        let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
+        Trial::by(
+            Root,
+            Printed,
+            Compared::one(
+                "the bound of (127)",
+                "the $A$ at which the motion passes from rest to escape",
+            )
+            .over(r"$\alpha=10^{-4}$"),
+            NEAR_CORNER,
+        )
+        .over(Points::here().grid(angles), |psi| {
+            let launch = |a: f64| Start::hyperbolic(a, 1e-4, psi);
+            let found = between(launch, 0.99, 1.01, 1e-6)?;
+            Ok(Pair::plain(
+                format!("α = 0.0001, ψ = {psi:.6}"),
+                printed::eq127_least_a(),
+                found,
+            ))
+        })
+    },
+    // (127) where a particle comes straight in.
+    above_one_straight = Trial::census(
+        Outside,
+        [
+            "whether (127) holds at the start (1 if so, for an escape)",
+            "what becomes of a particle that comes straight in (0 if it stops)",
+        ],
+    )
+    .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
+        let start = libm::sqrt((straight.rho - straight.p) * (straight.rho + straight.p));
+        Ok([
+            is(start > printed::eq127_least_a()),
+            is(table_stops(straight)? == 0),
+            1.0,
+        ])
+    }),
     alpha_by_a_grows = limits(
         r"the factor that (130) has before $\ln A$",
         Printed,
@@ -398,19 +235,148 @@ pub(super) const TRIALS: &[Attempt] = trials![
         (r"$\psi$", |l| FRAC_PI_2 - LAG.over.1(l)),
         FRAC_PI_2 - printed::eq134_lag(LATE * LATE)
     ),
-    never_decreases_way,
-    never_decreases_census,
-    small_alpha_angle,
+    // A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
+    never_decreases_way = Trial::motion(
+        Printed,
+        [
+            "$A^2$ at the start, and more by $2s$,",
+            "$A^2$ at the end, along the motion",
+        ],
+    )
+    .each(FLIGHTS.each(), Flight::at, |flight| {
+        let end = flight.run.end();
+        let (before, found) = (flight.launch.a * flight.launch.a, end.parts.energy());
+        Ok([
+            before + 2.0 * printed::s4_a_trend::<f64>() * end.s,
+            found,
+            found,
+        ])
+    }),
+    // A grows from each start to the end, and falls on no step by more than its rounding.
+    never_decreases_census = {
+        let trial = Trial::census(
+            Printed,
+            Compared::constant(
+                "1, for growth",
+                r"the sign of the change of $A$ ($-1$ if it falls on a step, 0 if at the end $\alpha$ is not small nor $A$ large)",
+            ),
+        );
+        trial.each(OTHER_FLIGHTS.each(), Flight::at, |flight| {
+            let energies: Vec<f64> = flight.run.nodes().map(|s| s.parts.energy()).collect();
+            let end = flight.run.end();
+            Ok([
+                printed::s4_a_trend(),
+                trend(&energies, [end.p(), alpha(&end), a(&end)]),
+                1.0,
+            ])
+        })
+    },
+    // ψ after many relaxation times, against ψ₁.
+    small_alpha_angle = Trial::by(
+        Limit,
+        Within,
+        [
+            r"$\psi_1$",
+            r"$\psi$ of the motion when it has relaxed after a start with $\alpha<10^{-11}$",
+        ],
+        RELAXED,
+    )
+    .each(OTHERS_RELAXED.each(), Relaxed::at, |relaxed| {
+        Ok([
+            turntable::eq124_psi1(alpha(&relaxed.state)),
+            relaxed.state.psi(),
+            1.0,
+        ])
+    }),
     small_alpha_rate = after_relaxing(Within, r" after a start with $\alpha<10^{-11}$"),
-    small_alpha_straight,
+    // ψ when a particle that comes straight in has almost stopped.
+    small_alpha_straight = {
+        let trial = Trial::by(
+            Integration,
+            Outside,
+            [
+                r"$\psi_1$",
+                r"$\psi$ of a motion that comes straight in, when $\alpha$ has fallen below a ten-thousandth",
+            ],
+            RELAXED,
+        );
+        trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
+            let state = straight.with_alpha_below(1e-4);
+            Ok([turntable::eq124_psi1(alpha(&state)), state.psi(), 1.0])
+        })
+    },
     relaxed_ratio,
-    relaxed_ratio_rate,
+    // That ratio by the equations of motion: with it, ψ and α fall or grow alike.
+    relaxed_ratio_rate = {
+        let trial = Trial::by(
+            Consistency,
+            Remark,
+            [
+                r"the relative rate of $\psi$ by (115) at $\psi=\psi_1A/(2A-1)$ over that of $\alpha$ by (126)",
+                "the expected 1",
+            ],
+            RELAXED,
+        );
+        let points = Points::here().within(40, [[1.2, 5.0], [-8.0, -4.0]]);
+        trial.at(["A", "lg α"], points, 1.0, |[size, power]| {
+            let small = libm::exp10(power);
+            let psi = corrected::relaxed_ratio(size) * turntable::eq124_psi1(small);
+            let turn = turntable::eq115_psi_rate(small, psi) / psi;
+            Ok([turn * small / printed::eq126_alpha_rate(size), 1.0])
+        })
+    },
     // Under the condition that the start does not come straight in.
     above_one_within = above_one(Within),
     a_grows = limits("$2^{1/4}/3$", Within, SIZE.over, corrected::a(1.0)),
-    straight_stops,
-    straight_rate,
-    alpha_census
+    // Stops of particles that come straight in from A > 1, in the frame of the table.
+    straight_stops = Trial::by(
+        Integration,
+        Outside,
+        Compared::constant(
+            "the stated 0",
+            "the number of stops of a particle that comes straight in from $A>1$",
+        ),
+        NONE,
+    )
+    .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
+        Ok([0.0, table_stops(straight)? as f64, 1.0])
+    }),
+    // A particle that comes straight in from A > 1: the way in which it slows down, against its own law.
+    straight_rate = {
+        let trial = Trial::by(
+            Integration,
+            Corrected,
+            [
+                r"$-1-1/\rho$",
+                r"$\mathrm d\alpha/\mathrm d\tau$ of a particle that has almost stopped, coming straight in",
+            ],
+            DIFFERENCES,
+        );
+        trial.each(BEYOND_ONE.each(), StraightIn::at, |straight| {
+            let state = straight.with_alpha_below(1e-5);
+            let time = time_to_stop(&state);
+            let run = Run::new(&state.parts, 0.5 * time)?;
+            let [rate] = rates(0.25 * time, 1e-2 * time, |t| Ok([alpha(&run.at(t)?)]))?;
+            let stated = crate::corrections::rest::alpha_rate_straight_in(state.rho());
+            Ok([stated, rate, rate.abs()])
+        })
+    },
+    alpha_census = {
+        let trial = Trial::census(
+            Printed,
+            [
+                r"the number of decades of $\tau$ from 100 to $10^8$ over which $\alpha$ of (133) grows by more than 1",
+                r"that of those over which $\alpha$ of the motion does",
+            ],
+        );
+        let times = || (2..=8).map(|n| libm::pow(10.0, f64::from(n)));
+        trial.each(OTHER_ESCAPES.each(), Escape::at, |escape| {
+            let stated: Vec<f64> = times().map(printed::eq133_alpha).collect();
+            let found: Result<Vec<_>, MotionError> =
+                times().map(|tau| Ok(alpha(&escape.run.at(tau)?))).collect();
+            Ok([grown(&stated) as f64, grown(&found?) as f64, 1.0])
+        })
+    }
 ];
 
 #[cfg(test)]

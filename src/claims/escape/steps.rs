@@ -1,10 +1,8 @@
 //! The steps from (128) to (137), each by itself: what the printed predecessor gives, with what is printed.
 
-use super::trajectories::{ESCAPES, a, alpha};
-use crate::claims::tolerances::{QUADRATURE, ROOT};
-use crate::paper::{escape as printed, turntable};
-use std::f64::consts::FRAC_PI_2;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{a, alpha};
+use crate::paper::turntable;
 
 /// What is printed against what its predecessors give, relatively, at twenty values in a range of powers of ten.
 fn step(
@@ -12,7 +10,7 @@ fn step(
     range: (&str, [f64; 2]),
     pair: impl Fn(f64) -> [f64; 2],
 ) -> Evidence {
-    relatively(Route::Limit, words, ROOT, range, pair)
+    relatively(Limit, words, ROOT, range, pair)
 }
 
 /// What a printed law gains from τ to 2τ against the integral of its rate.
@@ -22,7 +20,7 @@ fn summed(
     rate: impl Fn(f64) -> f64,
 ) -> Evidence {
     let range = ("τ", [-1.0, 1.0]);
-    relatively(Route::Quadrature, words, QUADRATURE, range, |tau| {
+    relatively(Quadrature, words, QUADRATURE, range, |tau| {
         let found = integral(&rate, tau, 2.0 * tau);
         let gained = law(2.0 * tau) - law(tau);
         [gained, found.map_or(f64::NAN, |sum| sum.value)]
@@ -37,7 +35,7 @@ fn relatively(
     pair: impl Fn(f64) -> [f64; 2],
 ) -> Evidence {
     let points = Points::here().within(20, [[low, high]]);
-    let trial = Trial::by(route, Step, Compared::one(stated, found), tolerance);
+    let trial = Trial::by(route, Step, [stated, found], tolerance);
     let points = points.into_iter().map(|[power]| [libm::exp10(power)]);
     trial.at([name], points, 1.0, |[x]| {
         let [stated, found] = pair(x);
@@ -48,12 +46,12 @@ fn relatively(
 /// (129) from (128): a step that is wrong by itself. It puts 0 for dα/dτ, which is a third of cosh α/A at late times.
 pub fn eq129() -> Evidence {
     let trial = Trial::by(
-        Route::Limit,
+        Limit,
         Step,
-        Compared::one(
+        [
             r"(128) over $(\cosh\alpha)/A$ at the $A$ of (129), where it vanishes,",
             r"$\mathrm d\alpha/\mathrm d\tau$ of the motion over $(\cosh\alpha)/A$, late in escapes",
-        ),
+        ],
         ROOT,
     );
     trial.over(ESCAPES.each(), |escape| {
@@ -69,7 +67,7 @@ pub fn eq129() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq129,
     // Where α is large.
     eq130 = step(
@@ -138,5 +136,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ],
         printed::eq137_s,
         |t| turntable::eq105_arc_rate(printed::eq135_p(t)),
-    ),
+    )
 ];

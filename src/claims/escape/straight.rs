@@ -3,12 +3,8 @@
 //! They are found by shooting. Near ψ = π the angle runs away to one side or to the other; between two starts that
 //! do the one and the other lies one that does neither.
 
+use super::prelude::*;
 use super::trajectories::alpha;
-use crate::motion::MotionError;
-use crate::motion::turntable::Start;
-use crate::motion::turntable::intrinsic::{Intrinsic, Run};
-use std::f64::consts::PI;
-use trialbook::prelude::*;
 
 /// A start that comes straight in.
 #[derive(Debug)]

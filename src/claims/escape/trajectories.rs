@@ -1,9 +1,6 @@
 //! The motions that the statements about escape are held against.
 
-use crate::motion::MotionError;
-use crate::motion::turntable::Start;
-use crate::motion::turntable::intrinsic::{Intrinsic, Run};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// A start with p < ρ, by A, α and ψ.
 #[derive(Debug, Clone, Copy)]

@@ -1,7 +1,6 @@
 //! The accelerations on which statements about every A(t) are tried.
 
-use crate::motion::{Plane, Signal, State};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// An acceleration, friction, and a start.
 pub struct Case {

@@ -1,26 +1,21 @@
 //! Theorems about every acceleration of the plane, as chains of inequalities: each link is an identity of the ring, with 𝐀 any
 //! vector at that instant, and a term that has a sign.
 
-use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
-use crate::paper::general as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::two_frames::{eq2, eq2_proof, ring};
 
 /// A weak drive lets the particle stop.
-pub const STOPS: Statement = Statement::new(
+pub const STOPS: Statement = Statement::shown(
     Printed,
-    Compared::shown(
-        r"with $\lvert\bm A\rvert\le a<\mu g$, (2) gives $\mathrm dv/\mathrm dt\le a-\mu g<0$, so that the particle is at rest after $v_0/(\mu g-a)$ at the latest, and stays: static friction holds it",
-    ),
+    r"with $\lvert\bm A\rvert\le a<\mu g$, (2) gives $\mathrm dv/\mathrm dt\le a-\mu g<0$, so that the particle is at rest after $v_0/(\mu g-a)$ at the latest, and stays: static friction holds it",
     eq2,
     stops,
 );
 
 /// The velocity across a drive of fixed direction decays.
-pub const ACROSS: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
+pub const ACROSS: Statement<([Expr; 2], [Expr; 2])> = Statement::shown(
     Within,
-    Compared::shown(
-        r"with $\bm A$ along $x$ and $\mu>0$, (1) gives $v_y^2$ the rate $-2\mu g\,v_y^2/v$; with $\lvert\bm A\rvert\le a$ as well, $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2\mu g/a}$ never grows, so that $v_y\to0$",
-    ),
+    r"with $\bm A$ along $x$ and $\mu>0$, (1) gives $v_y^2$ the rate $-2\mu g\,v_y^2/v$; with $\lvert\bm A\rvert\le a$ as well, $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2\mu g/a}$ never grows, so that $v_y\to0$",
     || {
         let said = [printed::s2_across_trend(), printed::s2_across_limit()];
         (eq1(), said)
@@ -31,15 +26,13 @@ pub const ACROSS: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
 /// The ring of the law, with a bound a of |𝐀|, the speed v₀ at the beginning, and the time.
 fn with_bound() -> Result<Ring, ExactError> {
     let mut ring = ring()?;
-    for name in ["a", "v₀", "t", "C", "ε"] {
-        ring.symbol(name);
-    }
+    ring.symbols(["a", "v₀", "t", "C", "ε"]);
     Ok(ring)
 }
 
 /// −𝐀·𝐯/v ≤ |𝐀|, by Lagrange's identity.
 pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obstacle> {
-    let [ax, ay, _, _, vx, vy] = NAMES.map(Expr::symbol);
+    let [ax, ay, _, _, vx, vy] = NAMES.map(symbol);
     let sizes = (ax.squared() + ay.squared()) * (vx.squared() + vy.squared());
     let rest = sizes - (ax * vx + ay * vy).squared();
     p.identity(
@@ -57,8 +50,8 @@ pub(in crate::claims) fn at_most_its_size(p: &mut Prover<'_>) -> Result<(), Obst
 pub(in crate::claims) fn stops(formula: Expr) -> Proof {
     Proof::in_ring("A weak drive lets the particle stop", with_bound(), |p| {
         p.rests_on(&eq2_proof(formula))?;
-        let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
-        let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
+        let [ax, ay, mu, g, vx, vy] = NAMES.map(symbol);
+        let [a, v0, t] = symbols(["a", "v₀", "t"]);
         let rate = p.read("dv/dt by (2)", formula)?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         let above = p.read("a − μg less that", a - mu * g)? - &rate;
@@ -88,10 +81,10 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
 /// The ring of a coefficient μ that may change with the direction of the velocity, and of its least value.
 pub(in crate::claims) fn ring_across(least: Expr) -> Result<Ring, ExactError> {
     let mut ring = with_bound()?;
-    let [a, v0, t, g] = Expr::symbols(["a", "v₀", "t", "g"]);
+    let [a, v0, t, g] = symbols(["a", "v₀", "t", "g"]);
     ring.symbol("m");
     let base = ring.read(v0 + a * t)?;
-    let exponent = ring.read(Expr::int(2) * least * g / a)?;
+    let exponent = ring.read(2 * least * g / a)?;
     ring.power(&base, &exponent)?;
     Ok(ring)
 }
@@ -105,16 +98,15 @@ pub(in crate::claims) fn decays(
     [trend, limit]: [Expr; 2],
 ) -> Result<(), Obstacle> {
     p.rests_on(&eq1_proof(law))?;
-    let [_, _, mu, g, vx, vy] = NAMES.map(Expr::symbol);
-    let [a, v0, t] = Expr::symbols(["a", "v₀", "t"]);
-    let two = Expr::int(2);
-    let along = law.map(|rate| rate.with("A_y", Expr::int(0)));
+    let [_, _, mu, g, vx, vy] = NAMES.map(symbol);
+    let [a, v0, t] = symbols(["a", "v₀", "t"]);
+    let along = law.map(|rate| rate.with("A_y", int(0)));
     let speed = (vx.squared() + vy.squared()).sqrt();
     let rate = p.read("dv_y/dt by (1), with an acceleration along x", along[1])?;
     let motion = p.ring().along(&[("v_y", rate.clone())])?;
     let square = p.read("The square of v_y", vy.squared())?;
     let fall = p.derivative("Its rate", &square, &motion)?;
-    let stated = trend * (two * mu * g * vy.squared() / speed);
+    let stated = trend * (2 * mu * g * vy.squared() / speed);
     p.reads_as(&fall, "which is not positive", stated)?;
     at_most_its_size(p)?;
     p.note(
@@ -122,11 +114,11 @@ pub(in crate::claims) fn decays(
         "dv/dt ≤ a, and v ≤ v₀ + a t",
     );
     let base = v0 + a * t;
-    let weight = base.pow(two * least * g / a);
+    let weight = base.pow(2 * least * g / a);
     let weighted = p.read("v_y² times a growing weight", vy.squared() * weight)?;
     let motion = p.ring().along(&[("v_y", rate), ("t", Rational::int(1))])?;
     let growth = p.derivative("Its rate", &weighted, &motion)?;
-    let excess = least * (Expr::int(1) / speed - Expr::int(1) / base);
+    let excess = least * (1 / speed - 1 / base);
     let factor = match mu == least {
         true => p.read("Not negative, as v is not above v₀ + a t", excess)?,
         false => p.read(
@@ -134,7 +126,7 @@ pub(in crate::claims) fn decays(
             (mu - least) / speed + excess,
         )?,
     };
-    let lost = p.ring().read(-(two * g))? * &factor * &weighted;
+    let lost = p.ring().read(-(2 * g))? * &factor * &weighted;
     p.equal(
         "The rate is −2g times this, times the weighted square",
         &growth,
@@ -144,7 +136,7 @@ pub(in crate::claims) fn decays(
         "So v_y² is at most C ε",
         "C is the weighted square at the beginning, ε one over the weight, which goes to 0",
     );
-    let [c, small] = Expr::symbols(["C", "ε"]);
+    let [c, small] = symbols(["C", "ε"]);
     let bound = p.read("The bound", c * small)?;
     let small = p.ring().read(small)?;
     let late = p.ring().put(&bound, &[(&small, &Rational::int(0))])?;
@@ -153,7 +145,7 @@ pub(in crate::claims) fn decays(
 }
 
 fn across((law, said): ([Expr; 2], [Expr; 2])) -> Proof {
-    let mu = Expr::symbol("μ");
+    let mu = symbol("μ");
     Proof::in_ring(
         "The velocity across the drive decays",
         ring_across(mu),
@@ -161,4 +153,4 @@ fn across((law, said): ([Expr; 2], [Expr; 2])) -> Proof {
     )
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![&STOPS, &ACROSS];
+attempts![&STOPS, &ACROSS];

@@ -1,8 +1,7 @@
 //! Two particles under one drive come no farther apart in velocity.
 
 use super::chains::at_most_its_size;
-use super::two_frames::{NAMES, eq1, eq1_proof};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The other velocity.
 const OTHER: [&str; 2] = ["u_x", "u_y"];
@@ -27,9 +26,8 @@ fn by_law(law: [Expr; 2]) -> Proof {
             p.shows("By (1), for two particles under the same drive, whatever it is, each sliding or at rest, the size of the difference of their velocities never grows.");
             p.rests_on(&eq1_proof(law))?;
             p.remark("Let v and u be the speeds of two particles under any drive, and γ the angle between their velocities");
-            let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
-            let [ux, uy] = OTHER.map(Expr::symbol);
-            let two = Expr::int(2);
+            let [ax, ay, mu, g, vx, vy] = NAMES.map(symbol);
+            let [ux, uy] = OTHER.map(symbol);
             let mut rates = Vec::new();
             for (i, (name, other)) in ["v_x", "v_y"].into_iter().zip(OTHER).enumerate() {
                 let own = p.read("A component of (1), for the first", law[i])?;
@@ -43,11 +41,11 @@ fn by_law(law: [Expr; 2]) -> Proof {
             let rate = p.derivative("Its rate", &square, &both)?;
             let [v, u] = [[vx, vy], [ux, uy]].map(|[x, y]| (x.squared() + y.squared()).sqrt());
             let cosine = (vx * ux + vy * uy) / (v * u);
-            let stated = -(two * mu * g * (v + u) * (Expr::int(1) - cosine));
+            let stated = -(2 * mu * g * (v + u) * (1 - cosine));
             p.reads_as(&rate, "which is −2μg (v + u) (1 − cos γ)", stated)?;
             let across = ((vx * uy - vy * ux) / (v * u)).squared();
             p.identity(
-                ("1 − cos² γ", Expr::int(1) - cosine.squared()),
+                ("1 − cos² γ", 1 - cosine.squared()),
                 ("a square, so that cos γ is at most 1", across),
             )?;
             p.note(
@@ -66,7 +64,7 @@ fn by_law(law: [Expr; 2]) -> Proof {
             p.reads_as(
                 &rate,
                 "which is −2v times μg and the component of the drive along the velocity",
-                -(two * v * (along + mu * g)),
+                -(2 * v * (along + mu * g)),
             )?;
             at_most_its_size(p)?;
             p.note(
@@ -87,7 +85,7 @@ mod tests {
         let proof = never_farther_apart();
         assert!(proof.holds(), "{proof}");
         let [x, y] = eq1();
-        let more = Expr::symbol("v_x") / Expr::int(1_000_000);
+        let more = symbol("v_x") / int(1_000_000);
         assert!(!by_law([x - more, y]).holds());
         assert!(!by_law([x, y - more]).holds());
     }

@@ -1,8 +1,7 @@
 //! Motions that several trials of the statements about every A(t) look at.
 
 use super::accelerations::{SHAPES, along_a_line, any_start};
-use crate::motion::{Motion, Phase, Plane, Signal, State, run};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// Five periods of a motion from rest.
 pub struct Returning {

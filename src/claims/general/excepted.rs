@@ -1,8 +1,8 @@
 //! What the conditions of section 2 except.
 
-use trialbook::prelude::*;
+use super::prelude::*;
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // A push at a single instant.
     instants = no_inside(
         "a push",
@@ -17,5 +17,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         [("μ", [0.0, 1.0])],
         &[[0.0]],
         |[mu]| mu > 0.0
-    ),
+    )
 ];

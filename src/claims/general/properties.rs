@@ -7,11 +7,8 @@ use super::accelerations::{Case, SHAPES, along_a_line, any_start, bounded};
 use super::examples::{
     AT_REST, OTHERS_PULLED, OTHERS_RETURNING, PULLED, Pulled, RETURNING, Returning, violations,
 };
-use crate::claims::tolerances::{NONE, SHORT_PUSH, VANISHES};
-use crate::motion::{Acceleration, Phase, PhaseKind, Plane, Signal, State, run, run_to_stop};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::general as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::motion::run_to_stop;
 
 /// μ and g of unit friction, without rounding.
 const UNIT: [f64; 2] = [0.5, 2.0];
@@ -84,83 +81,12 @@ fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
     Ok(rises + runs_on)
 }
 
-/// The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
-fn stops_integration() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one(
-            "the time at which the motion stops, moved into the bounds that (2) sets where it lies outside,",
-            "that time itself",
-        ),
-    );
-    trial.over(bounded(0.9), |case| {
-        let v0 = case.start.speed();
-        let motion = run_to_stop(&case.plane, case.friction, case.start, 100.0 * v0)?;
-        let stop = motion.first_stop().unwrap_or(f64::INFINITY);
-        let [soonest, latest] = [0.9, -0.9].map(|a| v0 / (stops_below() + a));
-        Ok(Pair {
-            at: case.name,
-            stated: stop.max(soonest).min(latest),
-            found: stop,
-            scale: v0,
-        })
-    })
-}
-
-/// Motions, from rest, under accelerations that exceed μg again and again, where every rest ends, or never, where none does.
-fn rest_census() -> Evidence {
-    Trial::census(
-        Within,
-        Compared::one(
-            r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
-            "whether no rest lasts longer than a period",
-        ),
-    )
-    .over(RETURNING.each(), |returning| {
-        let Returning {
-            name,
-            size,
-            period,
-            phases,
-        } = returning?;
-        let ends = long_rests(phases, *period) == 0;
-        Ok(whether(name.clone(), *size > rest_ends_above(), ends))
-    })
-}
-
 /// The rests that last longer than a period.
 fn long_rests(phases: &[Phase], period: f64) -> usize {
     let rests = phases.iter().filter(|p| p.kind == PhaseKind::Stick);
     rests
         .filter(|p| p.to - p.from > period * (1.0 + 1e-9))
         .count()
-}
-
-/// Others move in every period, or do not.
-fn rest_integration() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Within,
-        Compared::one(
-            r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
-            "whether the motion has slid in each of five periods",
-        ),
-        NONE,
-    )
-    .over(OTHERS_RETURNING.each(), |returning| {
-        let Returning {
-            name,
-            size,
-            period,
-            phases,
-        } = returning?;
-        let slid = |n: i32| {
-            let (from, to) = (f64::from(n) * period, f64::from(n + 1) * period);
-            slides(phases, from, to)
-        };
-        let moves = (0..5).all(slid);
-        Ok(whether(name.clone(), *size > rest_ends_above(), moves))
-    })
 }
 
 /// Whether it slides at some time between these two.
@@ -171,36 +97,6 @@ fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
         .any(|p| p.from < to && p.to > from)
 }
 
-/// A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
-fn rest_outside() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Outside,
-        Compared::constant(
-            r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant",
-            "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0,",
-        ),
-        SHORT_PUSH,
-    );
-    let mut points = Points::here();
-    trial.over(0..40, |_| {
-        let (strength, length) = (points.uniform(1.1, 5.0), points.log_uniform(1e-6, 1.0));
-        let fastest = |length: f64| pushed(strength, length);
-        Ok(Pair {
-            at: format!(
-                "A = {strength:.6} μg at one instant, from pushes of {length:.6} and half of it"
-            ),
-            stated: if strength > rest_ends_above() {
-                strength
-            } else {
-                0.0
-            },
-            found: 2.0 * fastest(length / 2.0)? - fastest(length)?,
-            scale: strength,
-        })
-    })
-}
-
 /// The largest speed that a push of this strength and length leaves; friction 1.
 fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
     let pulse = Signal::Pulse {
@@ -209,76 +105,6 @@ fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
     };
     let motion = run(&Plane::along([-strength, 0.0], pulse), 1.0, AT_REST, 10.0)?;
     Ok(motion.nodes().map(|s| s.speed()).fold(0.0, f64::max))
-}
-
-/// Accelerations of fixed direction: where |A| ≥ 1.2 μg, from some time on, every step raises the speed; where |A| ≤ 0.9 μg,
-/// none does.
-fn grows_census() -> Evidence {
-    Trial::census(
-        Within,
-        Compared::one(
-            r"whether $\lvert\bm A\rvert>\mu g$ at all times (1 if so)",
-            "whether the speed grows on every step from $t=200$ to 400",
-        ),
-    )
-    .over(PULLED.each(), |pulled| {
-        let pulled = pulled?;
-        let stated = pulled.least > speeds_up_above();
-        Ok(whether(pulled.name.clone(), stated, pulled.grows()))
-    })
-}
-
-/// Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
-fn grows_integration() -> Evidence {
-    let trial = Trial::motion(
-        Within,
-        Compared::one(
-            r"the larger of $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$ and the speed gained from $t=200$ to 400",
-            "the speed gained",
-        ),
-    );
-    trial.over(OTHERS_PULLED.each(), |pulled| {
-        let Pulled {
-            name,
-            least,
-            gained,
-            ..
-        } = pulled?;
-        Ok(Pair {
-            at: name.clone(),
-            stated: gained.max(0.95 * 200.0 * (least - speeds_up_above())),
-            found: *gained,
-            scale: gained.max(1.0),
-        })
-    })
-}
-
-/// |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
-fn grows_outside() -> Evidence {
-    let trial = Trial::motion(
-        Outside,
-        Compared::one("the larger of the speeds at $t$ and $t+1$", "that at $t+1$"),
-    );
-    let mut points = Points::here();
-    trial.over(0..100, |_| {
-        let (theta0, t) = (points.uniform(0.8, 2.4), points.uniform(3.0, 8.0));
-        let excess = Signal::Gaussian {
-            centre: 0.0,
-            width: 1.0,
-        };
-        let size = Signal::Sum(vec![Signal::constant(1.0), excess]);
-        let start = State::moving([3.0 * libm::cos(theta0), 3.0 * libm::sin(theta0)]);
-        let motion = run(&Plane::along([-1.0, 0.0], size), 1.0, start, t + 1.0)?;
-        let (before, after) = (motion.at(t)?.speed(), motion.at(t + 1.0)?.speed());
-        // Above 1 at all times, if by less than rounding.
-        let strong = speeds_up_above() <= 1.0;
-        Ok(Pair {
-            at: format!("|A| = μg (1 + exp(−t²)), v₀ = 3, θ₀ = {theta0:.6}, t = {t:.6}"),
-            stated: if strong { after.max(before) } else { after },
-            found: after,
-            scale: before,
-        })
-    })
 }
 
 /// Across a fixed direction, every step lowers what velocity there is.
@@ -324,67 +150,14 @@ fn sense(change: f64, speed: f64) -> f64 {
     }
 }
 
-/// Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
-fn across_quadrature() -> Evidence {
-    Trial::quadrature(
-        Printed,
-        Compared::one(
-            r"$-\int\mu g/v\,\mathrm dt$ along the motion",
-            r"the change of $\ln\lvert v_\perp\rvert$",
-        ),
-    )
-    .over(fixed_direction(), |case| {
-        let until = 0.5 * case.start.speed() / (1.0 + case.largest);
-        let until = case.plane.next_break(0.0).map_or(until, |b| until.min(b));
-        let motion = run(&case.plane, 1.0, case.start, until)?;
-        let rate = |t: f64| motion.at(t).map_or(f64::NAN, |s| 1.0 / s.speed());
-        let size = integral_within(rate, 0.0, until, 1e-14)?.value;
-        Ok(Pair::plain(
-            format!("{}, t = {until:.6}", case.name),
-            printed::s2_across_trend::<f64>() * size,
-            libm::log(case.across(&motion.end()) / case.across(&case.start)),
-        ))
-    })
-}
-
-/// Bounded A: what is left of v⊥ after a long time.
-fn across_limit() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Printed,
-        Compared::constant(
-            "the stated 0",
-            r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$,",
-        ),
-        VANISHES,
-    );
-    let bounded = fixed_direction().filter(|case| case.largest.is_finite());
-    trial.over(bounded, |case| {
-        let size = case.start.speed();
-        // It never grows: most need not be followed to the end, where it would be below any number of interest.
-        let mut late = case.late / 64.0;
-        let mut found = f64::INFINITY;
-        while late < case.late && found > 1e-3 * VANISHES.value * size {
-            late *= 2.0;
-            found = case.across(&run(&case.plane, 1.0, case.start, late)?.end());
-        }
-        Ok(Pair {
-            at: format!("{}, t = {late:.6}", case.name),
-            stated: size * printed::s2_across_limit::<f64>(),
-            found,
-            scale: size,
-        })
-    })
-}
-
 /// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
 fn across_integration() -> Evidence {
     let trial = Trial::motion(
         Printed,
-        Compared::one(
+        [
             r"the smaller of $\lvert v_\perp\rvert$ at a late time and the bound $v_{\perp0}(1+At/v_0)^{-\mu g/A}$, with $A$ up to $30\mu g$,",
             r"$\lvert v_\perp\rvert$ itself",
-        ),
+        ],
     );
     let mut points = Points::here();
     let bounded = fixed_direction().filter(|case| case.largest.is_finite());
@@ -467,18 +240,212 @@ fn fixed_direction() -> impl Iterator<Item = Across> {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     stops_census,
-    stops_integration,
-    rest_census,
-    rest_integration,
-    rest_outside,
-    grows_census,
-    grows_integration,
-    grows_outside,
+    // The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
+    stops_integration = {
+        let trial = Trial::motion(
+            Printed,
+            [
+                "the time at which the motion stops, moved into the bounds that (2) sets where it lies outside,",
+                "that time itself",
+            ],
+        );
+        trial.over(bounded(0.9), |case| {
+            let v0 = case.start.speed();
+            let motion = run_to_stop(&case.plane, case.friction, case.start, 100.0 * v0)?;
+            let stop = motion.first_stop().unwrap_or(f64::INFINITY);
+            let [soonest, latest] = [0.9, -0.9].map(|a| v0 / (stops_below() + a));
+            Ok(Pair {
+                at: case.name,
+                stated: stop.max(soonest).min(latest),
+                found: stop,
+                scale: v0,
+            })
+        })
+    },
+    // Motions, from rest, under accelerations that exceed μg again and again, where every rest ends, or never, where none does.
+    rest_census = Trial::census(
+        Within,
+        [
+            r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
+            "whether no rest lasts longer than a period",
+        ],
+    )
+    .over(RETURNING.each(), |returning| {
+        let Returning {
+            name,
+            size,
+            period,
+            phases,
+        } = returning?;
+        let ends = long_rests(phases, *period) == 0;
+        Ok(whether(name.clone(), *size > rest_ends_above(), ends))
+    }),
+    // Others move in every period, or do not.
+    rest_integration = Trial::by(
+        Integration,
+        Within,
+        [
+            r"whether $\lvert\bm A\rvert$ exceeds $\mu g$ in every period (1 if so)",
+            "whether the motion has slid in each of five periods",
+        ],
+        NONE,
+    )
+    .over(OTHERS_RETURNING.each(), |returning| {
+        let Returning {
+            name,
+            size,
+            period,
+            phases,
+        } = returning?;
+        let slid = |n: i32| {
+            let (from, to) = (f64::from(n) * period, f64::from(n + 1) * period);
+            slides(phases, from, to)
+        };
+        let moves = (0..5).all(slid);
+        Ok(whether(name.clone(), *size > rest_ends_above(), moves))
+    }),
+    // A push at a single instant, as the limit of pushes that last ever shorter: what it leaves of speed is nothing.
+    rest_outside = {
+        let trial = Trial::by(
+            Limit,
+            Outside,
+            Compared::constant(
+                r"1, for motion, where $\lvert\bm A\rvert>\mu g$ at an instant",
+                "the largest speed, in units of a push's strength, extrapolated from pushes of two lengths to length 0,",
+            ),
+            SHORT_PUSH,
+        );
+        trial.drawn(0..40, |_, points| {
+            let (strength, length) = (points.uniform(1.1, 5.0), points.log_uniform(1e-6, 1.0));
+            let fastest = |length: f64| pushed(strength, length);
+            Ok(Pair {
+                at: format!(
+                    "A = {strength:.6} μg at one instant, from pushes of {length:.6} and half of it"
+                ),
+                stated: if strength > rest_ends_above() {
+                    strength
+                } else {
+                    0.0
+                },
+                found: 2.0 * fastest(length / 2.0)? - fastest(length)?,
+                scale: strength,
+            })
+        })
+    },
+    // Accelerations of fixed direction: where |A| ≥ 1.2 μg, from some time on, every step raises the speed; where |A| ≤ 0.9 μg,
+    // none does.
+    grows_census = Trial::census(
+        Within,
+        [
+            r"whether $\lvert\bm A\rvert>\mu g$ at all times (1 if so)",
+            "whether the speed grows on every step from $t=200$ to 400",
+        ],
+    )
+    .over(PULLED.each(), |pulled| {
+        let pulled = pulled?;
+        let stated = pulled.least > speeds_up_above();
+        Ok(whether(pulled.name.clone(), stated, pulled.grows()))
+    }),
+    // Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
+    grows_integration = {
+        let trial = Trial::motion(
+            Within,
+            [
+                r"the larger of $0.95\cdot200(\min\lvert\bm A\rvert-\mu g)$ and the speed gained from $t=200$ to 400",
+                "the speed gained",
+            ],
+        );
+        trial.over(OTHERS_PULLED.each(), |pulled| {
+            let Pulled {
+                name,
+                least,
+                gained,
+                ..
+            } = pulled?;
+            Ok(Pair {
+                at: name.clone(),
+                stated: gained.max(0.95 * 200.0 * (least - speeds_up_above())),
+                found: *gained,
+                scale: gained.max(1.0),
+            })
+        })
+    },
+    // |A| = μg (1 + e^(−t²)), always above μg: the speed falls for ever.
+    grows_outside = Trial::motion(
+        Outside,
+        ["the larger of the speeds at $t$ and $t+1$", "that at $t+1$"],
+    )
+    .drawn(0..100, |_, points| {
+        let (theta0, t) = (points.uniform(0.8, 2.4), points.uniform(3.0, 8.0));
+        let excess = Signal::Gaussian {
+            centre: 0.0,
+            width: 1.0,
+        };
+        let size = Signal::Sum(vec![Signal::constant(1.0), excess]);
+        let start = State::moving([3.0 * libm::cos(theta0), 3.0 * libm::sin(theta0)]);
+        let motion = run(&Plane::along([-1.0, 0.0], size), 1.0, start, t + 1.0)?;
+        let (before, after) = (motion.at(t)?.speed(), motion.at(t + 1.0)?.speed());
+        // Above 1 at all times, if by less than rounding.
+        let strong = speeds_up_above() <= 1.0;
+        Ok(Pair {
+            at: format!("|A| = μg (1 + exp(−t²)), v₀ = 3, θ₀ = {theta0:.6}, t = {t:.6}"),
+            stated: if strong { after.max(before) } else { after },
+            found: after,
+            scale: before,
+        })
+    }),
     across_census,
-    across_quadrature,
-    across_limit,
+    // Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
+    across_quadrature = Trial::quadrature(
+        Printed,
+        [
+            r"$-\int\mu g/v\,\mathrm dt$ along the motion",
+            r"the change of $\ln\lvert v_\perp\rvert$",
+        ],
+    )
+    .over(fixed_direction(), |case| {
+        let until = 0.5 * case.start.speed() / (1.0 + case.largest);
+        let until = case.plane.next_break(0.0).map_or(until, |b| until.min(b));
+        let motion = run(&case.plane, 1.0, case.start, until)?;
+        let rate = |t: f64| motion.at(t).map_or(f64::NAN, |s| 1.0 / s.speed());
+        let size = integral_within(rate, 0.0, until, 1e-14)?.value;
+        Ok(Pair::plain(
+            format!("{}, t = {until:.6}", case.name),
+            printed::s2_across_trend::<f64>() * size,
+            libm::log(case.across(&motion.end()) / case.across(&case.start)),
+        ))
+    }),
+    // Bounded A: what is left of v⊥ after a long time.
+    across_limit = {
+        let bounded = fixed_direction().filter(|case| case.largest.is_finite());
+        Trial::by(
+            Limit,
+            Printed,
+            Compared::constant(
+                "the stated 0",
+                r"$\lvert v_\perp\rvert/v_0$ after a long time, with $A$ bounded by twice $\mu g$,",
+            ),
+            VANISHES,
+        )
+        .over(bounded, |case| {
+            let size = case.start.speed();
+            // It never grows: most need not be followed to the end, where it would be below any number of interest.
+            let mut late = case.late / 64.0;
+            let mut found = f64::INFINITY;
+            while late < case.late && found > 1e-3 * VANISHES.value * size {
+                late *= 2.0;
+                found = case.across(&run(&case.plane, 1.0, case.start, late)?.end());
+            }
+            Ok(Pair {
+                at: format!("{}, t = {late:.6}", case.name),
+                stated: size * printed::s2_across_limit::<f64>(),
+                found,
+                scale: size,
+            })
+        })
+    },
     across_integration,
     across_outside
 ];

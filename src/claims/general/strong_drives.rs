@@ -1,16 +1,13 @@
 //! Theorems about drives that exceed the friction, as chains of identities of the ring and terms that have a sign: that no rest
 //! lasts, and that the speed grows in the end if the direction is fixed.
 
-use super::two_frames::{NAMES, eq1, eq1_proof, eq2, eq2_proof, ring};
-use crate::paper::general as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::two_frames::{eq2, eq2_proof, ring};
 
 /// What friction must give to keep a particle at rest exceeds what it can give exactly where |𝐀| exceeds the stated bound.
-pub const MOVES: Statement = Statement::new(
+pub const MOVES: Statement = Statement::shown(
     Within,
-    Compared::shown(
-        r"at rest friction has to balance $-\bm A$, and can give $\mu g$ at most: for every $\bm A$ the lack $\lvert\bm A\rvert-\mu g$ is positive exactly where $\lvert\bm A\rvert$ exceeds the stated bound, so that no rest outlasts the beginning of a stretch of time on which it does",
-    ),
+    r"at rest friction has to balance $-\bm A$, and can give $\mu g$ at most: for every $\bm A$ the lack $\lvert\bm A\rvert-\mu g$ is positive exactly where $\lvert\bm A\rvert$ exceeds the stated bound, so that no rest outlasts the beginning of a stretch of time on which it does",
     printed::s2_rest_ends_above::tree,
     moves,
 );
@@ -18,12 +15,12 @@ pub const MOVES: Statement = Statement::new(
 fn moves(bound: Expr) -> Proof {
     let ring = || {
         let mut ring = Ring::new();
-        let [_, _, ax, ay] = ["μ", "g", "A_x", "A_y"].map(|name| ring.symbol(name));
+        let [_, _, ax, ay] = ring.symbols(["μ", "g", "A_x", "A_y"]);
         ring.root(&(ax.pow(2) + ay.pow(2)), 2)?;
         Ok(ring)
     };
     Proof::in_ring("A strong drive ends every rest", ring(), |p| {
-        let [ax, ay, mu, g, ..] = NAMES.map(Expr::symbol);
+        let [ax, ay, mu, g, ..] = NAMES.map(symbol);
         p.note(
             "A particle at rest moves as the plane does",
             "by Newton's law in the laboratory friction gives it the plane's acceleration",
@@ -48,25 +45,10 @@ fn moves(bound: Expr) -> Proof {
     })
 }
 
-/// A drive of fixed direction that exceeds the friction by a margin makes the speed grow in the end.
-const SPEEDS_UP: Statement<(Expr, [Expr; 2], Expr)> = Statement::new(
-    Within,
-    Compared::shown(
-        r"with $\bm A=-a\,\hat{\bm x}$ and $a\ge\mu g+\delta$, $\delta>0$, at all times, from every start: by (1) $\mathrm dv_x/\mathrm dt\ge\delta$, $v_y^2$ never grows, and $v_x/v$ never falls; it comes above $\mu g/(\mu g+\delta)$ and stays there, and by (2) $\mathrm dv/\mathrm dt>0$ from then on",
-    ),
-    || {
-        let bound = printed::s2_speeds_up_above::tree();
-        (bound, eq1(), eq2())
-    },
-    speeds_up,
-);
-
 /// The ring of the law, with the margin δ and what the drive has beyond it, e.
 pub(in crate::claims) fn with_margin() -> Result<Ring, ExactError> {
     let mut ring = ring()?;
-    for name in ["δ", "e"] {
-        ring.symbol(name);
-    }
+    ring.symbols(["δ", "e"]);
     Ok(ring)
 }
 
@@ -77,9 +59,8 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
         |p| {
             p.rests_on(&eq1_proof(law))?;
             p.rests_on(&eq2_proof(speed_rate))?;
-            let [_, _, mu, g, vx, vy] = NAMES.map(Expr::symbol);
-            let [margin, more] = Expr::symbols(["δ", "e"]);
-            let (one, two) = (Expr::int(1), Expr::int(2));
+            let [_, _, mu, g, vx, vy] = NAMES.map(symbol);
+            let [margin, more] = symbols(["δ", "e"]);
             let speed = (vx.squared() + vy.squared()).sqrt();
             let (cosine, most) = (vx / speed, mu * g);
             p.note(
@@ -87,10 +68,10 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
                 "along x, of the size a: the stated bound, δ > 0 and some e ≥ 0, added",
             );
             let pull = bound + margin + more;
-            let driven = |rate: Expr| rate.with("A_x", -pull).with("A_y", Expr::int(0));
+            let driven = |rate: Expr| rate.with("A_x", -pull).with("A_y", int(0));
 
             let along = p.read("dv_x/dt by (1)", driven(law[0]))?;
-            let terms = margin + more + most * (one - cosine);
+            let terms = margin + more + most * (1 - cosine);
             p.reads_as(&along, "of which no term is negative", terms)?;
             p.remark("So v_x grows by δ in each unit of time at least, beyond all bounds");
 
@@ -98,7 +79,7 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
             let motion = p.ring().along(&[("v_x", along), ("v_y", across)])?;
             let square = p.read("The square of v_y", vy.squared())?;
             let fall = p.derivative("Its rate", &square, &motion)?;
-            let lost = -(two * most * vy.squared() / speed);
+            let lost = -(2 * most * vy.squared() / speed);
             p.reads_as(&fall, "which is not positive", lost)?;
 
             let direction = p.read("v_x/v", cosine)?;
@@ -106,11 +87,11 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
             p.reads_as(
                 &turn,
                 "which is not negative",
-                pull * vy.squared() / speed.pow(Expr::int(3)),
+                pull * vy.squared() / speed.pow(int(3)),
             )?;
             let enough = most / (most + margin);
             let least = cosine.squared() - enough.squared();
-            let room = vx.squared() * (one - enough.squared()) - enough.squared() * vy.squared();
+            let room = vx.squared() * (1 - enough.squared()) - enough.squared() * vy.squared();
             p.identity(("(v_x/v)² less the square of μg/(μg + δ)", least), ("positive from some time on, as v_x grows beyond all bounds, v_y does not and μg/(μg + δ) < 1", room / speed.squared()))?;
 
             let terms = (most + margin) * (cosine - enough) + more * cosine;
@@ -127,4 +108,16 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
     )
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![&MOVES, &SPEEDS_UP];
+attempts![
+    &MOVES,
+    // A drive of fixed direction that exceeds the friction by a margin makes the speed grow in the end.
+    &SPEEDS_UP = Statement::shown(
+        Within,
+        r"with $\bm A=-a\,\hat{\bm x}$ and $a\ge\mu g+\delta$, $\delta>0$, at all times, from every start: by (1) $\mathrm dv_x/\mathrm dt\ge\delta$, $v_y^2$ never grows, and $v_x/v$ never falls; it comes above $\mu g/(\mu g+\delta)$ and stays there, and by (2) $\mathrm dv/\mathrm dt>0$ from then on",
+        || {
+            let bound = printed::s2_speeds_up_above::tree();
+            (bound, eq1(), eq2())
+        },
+        speeds_up
+    )
+];

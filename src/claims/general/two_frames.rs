@@ -1,11 +1,7 @@
 //! Trials of (1) and (2): the law seen from the plane against the law seen from the laboratory.
 
 use super::accelerations::{Case, bounded};
-use crate::claims::tolerances::{DIFFERENCES, FOREIGN};
-use crate::motion::{Acceleration, State, run};
-use crate::numerics::quadrature::sum;
-use crate::paper::general as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// g: so small that some coefficients of friction exceed 1.
 const GRAVITY: f64 = 0.5;
@@ -25,30 +21,6 @@ fn cases() -> impl Iterator<Item = (Case, f64)> {
 
 fn acceleration(case: &Case, t: f64) -> [f64; 2] {
     case.plane.coefficients(t).map(|series| series[0])
-}
-
-/// (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
-/// points against V − U, where U is the plane's velocity.
-fn eq1_laboratory() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            r"$\bm v$ of (1), integrated,",
-            r"$\bm V-\bm U$ of the laboratory, where friction alone acts, component by component",
-        ),
-        FOREIGN,
-    )
-    .pairs(cases(), |(case, until)| {
-        let (stated, found) = (by_the_law(&case, until), in_the_laboratory(&case, until)?);
-        let pair = |i: usize| Pair {
-            at: format!("{}, t = {until:.6}", case.name),
-            stated: stated[i],
-            found: found[i],
-            scale: case.start.speed(),
-        };
-        Ok([0, 1].map(pair).into())
-    })
 }
 
 /// The velocity that (1) leads to; not a number if it leads to none.
@@ -103,7 +75,7 @@ fn followed(
     rate: fn(&Case, &State) -> f64,
     quantity: fn(&State) -> f64,
 ) -> Evidence {
-    Trial::by(Route::Integration, Printed, compared, DIFFERENCES).pairs(cases(), |(case, until)| {
+    Trial::by(Integration, Printed, compared, DIFFERENCES).pairs(cases(), |(case, until)| {
         let motion = run(&case.plane, case.friction, case.start, until)?;
         let look = |n: u32| {
             let state = motion.at(until * f64::from(n) / f64::from(TIMES + 1))?;
@@ -141,21 +113,10 @@ fn summed(
     })
 }
 
-/// (1) from the laboratory, where friction alone acts, against the velocity relative to the plane.
-pub const EQ1: Statement<[Expr; 2]> = Statement::new(
-    Printed,
-    Compared::one(
-        "the velocity's rate in the laboratory, by (1) and the plane's acceleration,",
-        "that by friction alone",
-    ),
-    eq1,
-    eq1_proof,
-);
-
 pub(super) const NAMES: [&str; 6] = ["A_x", "A_y", "μ", "g", "v_x", "v_y"];
 
 pub(in crate::claims) fn eq1() -> [Expr; 2] {
-    let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+    let [ax, ay, mu, g, vx, vy] = NAMES.map(symbol);
     printed::eq1_velocity_rate([ax, ay], mu, g, [vx, vy])
 }
 
@@ -171,13 +132,11 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
     let title = "(1): the rate of the velocity relative to the plane";
     let setting = || -> Result<Ring, ExactError> {
         let mut ring = ring()?;
-        for name in ["U_x", "U_y"] {
-            ring.symbol(name);
-        }
+        ring.symbols(["U_x", "U_y"]);
         Ok(ring)
     };
     Proof::in_ring(title, setting(), |p| {
-        let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+        let [ax, ay, mu, g, vx, vy] = NAMES.map(symbol);
         p.note(
             "In the laboratory",
             "velocity U + v; the plane's velocity U has the rate A",
@@ -193,7 +152,7 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
         let along = p.ring().along(&rates)?;
         let speed = (vx.squared() + vy.squared()).sqrt();
         for (name, own) in [("U_x", vx), ("U_y", vy)] {
-            let seen = p.read("A component of the velocity", Expr::symbol(name) + own)?;
+            let seen = p.read("A component of the velocity", symbol(name) + own)?;
             let rate = p.derivative("Its rate", &seen, &along)?;
             p.reads_as(&rate, "friction per mass, against v", -mu * g * own / speed)?;
         }
@@ -201,26 +160,15 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
     })
 }
 
-/// (2) from (1): the rate of √(v_x² + v_y²).
-pub const EQ2: Statement = Statement::new(
-    Printed,
-    Compared::one(
-        "(2)",
-        r"the rate of $\lvert\bm v\rvert$ by (1), as algebraic functions of the components",
-    ),
-    eq2,
-    eq2_proof,
-);
-
 pub(in crate::claims) fn eq2() -> Expr {
-    let [ax, ay, mu, g, vx, vy] = NAMES.map(Expr::symbol);
+    let [ax, ay, mu, g, vx, vy] = NAMES.map(symbol);
     printed::eq2_speed_rate([ax, ay], mu, g, [vx, vy])
 }
 
 pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
     let title = "(2): the rate of the speed";
     Proof::in_ring(title, ring(), |p| {
-        let [_, _, _, _, vx, vy] = NAMES.map(Expr::symbol);
+        let [_, _, _, _, vx, vy] = NAMES.map(symbol);
         let [x, y] = eq1();
         p.rests_on(&eq1_proof([x, y]))?;
         let x = p.read("dv_x/dt by (1)", x)?;
@@ -233,9 +181,38 @@ pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    &EQ1,
-    eq1_laboratory,
+attempts![
+    // (1) from the laboratory, where friction alone acts, against the velocity relative to the plane.
+    &EQ1 = Statement::new(
+        Printed,
+        Compared::one(
+            "the velocity's rate in the laboratory, by (1) and the plane's acceleration,",
+            "that by friction alone",
+        ),
+        eq1,
+        eq1_proof,
+    ),
+    // (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
+    // points against V − U, where U is the plane's velocity.
+    eq1_laboratory = Trial::by(
+        Integration,
+        Printed,
+        [
+            r"$\bm v$ of (1), integrated,",
+            r"$\bm V-\bm U$ of the laboratory, where friction alone acts, component by component",
+        ],
+        FOREIGN,
+    )
+    .pairs(cases(), |(case, until)| {
+        let (stated, found) = (by_the_law(&case, until), in_the_laboratory(&case, until)?);
+        let pair = |i: usize| Pair {
+            at: format!("{}, t = {until:.6}", case.name),
+            stated: stated[i],
+            found: found[i],
+            scale: case.start.speed(),
+        };
+        Ok([0, 1].map(pair).into())
+    }),
     eq1_quadrature = summed(
         Compared::one(
             "the integral of (1), its second component taken twice,",
@@ -252,7 +229,16 @@ pub(super) const TRIALS: &[Attempt] = trials![
         eq1_rate,
         components
     ),
-    &EQ2,
+    // (2) from (1): the rate of √(v_x² + v_y²).
+    &EQ2 = Statement::new(
+        Printed,
+        Compared::one(
+            "(2)",
+            r"the rate of $\lvert\bm v\rvert$ by (1), as algebraic functions of the components",
+        ),
+        eq2,
+        eq2_proof,
+    ),
     eq2_quadrature = summed(
         Compared::one(
             "the integral of (2) over $t$ along the motion",

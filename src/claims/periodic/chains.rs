@@ -2,15 +2,14 @@
 //! rest; and what the pulses are at their two extremes.
 
 use super::exact::{EQ44, EQ46};
+use super::prelude::*;
 use crate::claims::general::chains::STOPS;
 use crate::corrections::periodic as corrected;
-use crate::paper::periodic as printed;
 use crate::paper::sinusoidal::eq26_rate;
-use trialbook::prelude::*;
 
 /// d𝔴/dφ by (26) where h is the sine of some angle ψ: any number from −1 to 1 is one.
 pub(super) fn rate() -> Expr {
-    let [lambda0, psi, w] = Expr::symbols(["λ₀", "ψ", "𝔴"]);
+    let [lambda0, psi, w] = symbols(["λ₀", "ψ", "𝔴"]);
     eq26_rate(lambda0, psi, w)
 }
 
@@ -37,11 +36,9 @@ pub(super) fn with_sign(p: &mut Prover<'_>, sign: i64) {
 }
 
 /// λ₀ > 1: rest.
-pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
+pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for every $h$ with $\lvert h\rvert\le1$, every $\lambda_0>1$ and every start (26) with $h$ for the sine gives $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le1-\lambda_0<0$, so that the particle is at rest after $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ at the latest, and stays, as $\lvert h\rvert<\lambda_0$",
-    ),
+    r"for every $h$ with $\lvert h\rvert\le1$, every $\lambda_0>1$ and every start (26) with $h$ for the sine gives $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le1-\lambda_0<0$, so that the particle is at rest after $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ at the latest, and stays, as $\lvert h\rvert<\lambda_0$",
     || (rate(), printed::s23_rest_sides::tree()),
     |(rate, sides)| Proof::for_both_signs(|sign| rest_above_one(rate, sides, sign)),
 );
@@ -49,12 +46,12 @@ pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::new(
 fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
     Proof::in_ring("Very large friction: rest", ring(sign), |p| {
         given(p, &[&STOPS])?;
-        let [psi, start] = Expr::symbols(["ψ", "𝔴₀"]);
+        let [psi, start] = symbols(["ψ", "𝔴₀"]);
         with_sign(p, sign);
-        let signed = Expr::int(sign);
+        let signed = int(sign);
         let speed = p.read("d|𝔴|/dφ by (26)", signed * rate)?;
         let room = p.read("The left less the right side", left - right)? - &speed;
-        let half = psi / Expr::int(2);
+        let half = psi / 2;
         let square = (half.sin() - signed * half.cos()).squared();
         let square = p.read("A square, which is not negative", square)?;
         p.equal("That less the rate is the square", &room, &square)?;
@@ -69,33 +66,27 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
 }
 
 /// The part of the time that is rest tends to all of it as λ₀ → 1.
-pub const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::new(
+pub const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the phases at which it moves although $\lvert h\rvert\le1-s$ are, in the mean over many periods, at most $s/(1-s)$ of all; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
-    ),
+    r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the phases at which it moves although $\lvert h\rvert\le1-s$ are, in the mean over many periods, at most $s/(1-s)$ of all; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
     || (rate(), printed::s23_late_share()),
     |(rate, share)| Proof::for_both_signs(|sign| mostly_at_rest(rate, share, sign)),
 );
 
 fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
     Proof::in_ring("Rest for most of the time", ring(sign), |p| {
-        let [lambda0, psi, s, m, e] = Expr::symbols(["λ₀", "ψ", "s", "m", "E"]);
-        let [one, two] = [1, 2].map(Expr::int);
+        let [lambda0, psi, s, m, e] = symbols(["λ₀", "ψ", "s", "m", "E"]);
         with_sign(p, sign);
         p.identity(
-            ("d|𝔴|/dφ by (26)", Expr::int(sign) * rate),
-            ("at most |h| − λ₀", Expr::int(sign) * psi.sin() - lambda0),
+            ("d|𝔴|/dφ by (26)", int(sign) * rate),
+            ("at most |h| − λ₀", int(sign) * psi.sin() - lambda0),
         )?;
         p.note("While the particle rests", "|𝔴| stays 0");
 
-        let friction = one - s.squared();
-        let fast = p.read(
-            "With λ₀ = 1 − s², |h| − λ₀ is at most 1 − λ₀",
-            one - friction,
-        )?;
-        let slow = p.read("Where |h| ≤ 1 − s, it is at most", one - s - friction)?;
-        let stated = p.read("−s (1 − s)", -(s * (one - s)))?;
+        let friction = 1 - s.squared();
+        let fast = p.read("With λ₀ = 1 − s², |h| − λ₀ is at most 1 − λ₀", 1 - friction)?;
+        let slow = p.read("Where |h| ≤ 1 − s, it is at most", 1 - s - friction)?;
+        let stated = p.read("−s (1 − s)", -(s * (1 - s)))?;
         p.equal("The last two are equal", &slow, &stated)?;
         p.note(
             "m: for how long in a period, in the mean over many, the particle moves while |h| ≤ 1 − s",
@@ -103,24 +94,21 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
         );
         let gain = p.read(
             "2π s² − m s (1 − s)",
-            two * Expr::pi() * s.squared() - m * s * (one - s),
+            2 * pi() * s.squared() - m * s * (1 - s),
         )?;
-        let by_parts = &p.ring().read(two * Expr::pi())? * &fast + &p.ring().read(m)? * &slow;
+        let by_parts = &p.ring().read(2 * pi())? * &fast + &p.ring().read(m)? * &slow;
         p.equal("It is what is not negative", &by_parts, &gain)?;
-        let bound = two * Expr::pi() * s / (one - s);
+        let bound = 2 * pi() * s / (1 - s);
         p.reads_as(
             &gain,
             "s (1 − s) times what m is below 2πs/(1 − s)",
-            s * (one - s) * (bound - m),
+            s * (1 - s) * (bound - m),
         )?;
         p.note(
             "E: the share of the phases with |h| > 1 − s",
             "it tends to 0 with s, if |h| is 1 at single instants",
         );
-        let rest = p.read(
-            "The share of rest is at least",
-            one - bound / (two * Expr::pi()) - e,
-        )?;
+        let rest = p.read("The share of rest is at least", 1 - bound / (2 * pi()) - e)?;
         let [small, share_of_strong] = [s, e].map(|x| p.ring().read(x));
         let zero = Rational::int(0);
         let late = p
@@ -131,22 +119,12 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
     })
 }
 
-/// The largest |h| of the pulses.
-const NORMALISED: Statement<([Expr; 2], Expr)> = Statement::new(
-    Within,
-    Compared::shown(
-        r"for every $\eta>0$ the pulse of (42), which has the length $\eta\pi>0$, has the stated size, and the gap and both mirrored by (43) have none that is larger",
-    ),
-    || (printed::eq42_cases(), printed::s23_largest()),
-    normalised,
-);
-
 fn normalised(([pulse, gap], largest): ([Expr; 2], Expr)) -> Proof {
-    let h = Expr::symbol("h");
+    let h = symbol("h");
     Proof::in_ring("The size of the pulses", ring(1), |p| {
         let length = p.read("The length of a pulse by (42)", printed::eq42_end::tree())?;
         let growth = p.slope("Its rate with η", &length, "η")?;
-        p.reads_as(&growth, "positive", Expr::pi())?;
+        p.reads_as(&growth, "positive", pi())?;
         let eta = p.ring().named("η")?;
         let none = p.ring().put(&length, &[(&eta, &Rational::int(0))])?;
         p.zero("The length is 0 at η = 0", &none)?;
@@ -191,26 +169,16 @@ fn critical() -> Expr {
     printed::eq46_lambda_c::tree()
 }
 
-/// η = 1 and η = 0.
-const EXTREMES: Statement<(Expr, Pulses)> = Statement::new(
-    Within,
-    Compared::shown(
-        r"at $\eta=1$ the pulses of (42), (43) leave no gap, so that $\lvert h\rvert=1>\lambda_0$ at all times for every $\lambda_0<1$ and nothing rests, and $\lambda_\mathrm c$ of (46) is 1; at $\eta=0$ they have no length, so that $h=0$, for every $\lambda_0>0$ the particle is at rest after $\lvert\mathfrak w_0\rvert/\lambda_0$ by (26) and stays, and $\lambda_\mathrm c$ is 0",
-    ),
-    || (rate(), pulses()),
-    |(rate, pulses)| Proof::for_both_signs(|sign| extremes(rate, pulses, sign)),
-);
-
 fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
     Proof::in_ring("The two extremes of the pulses", ring(sign), |p| {
-        let [lambda0, start] = Expr::symbols(["λ₀", "𝔴₀"]);
-        let [zero, one] = [0, 1].map(Expr::int);
+        let [lambda0, start] = symbols(["λ₀", "𝔴₀"]);
+        let [zero, one] = [0, 1].map(int);
         let at = |formula: Expr, eta: Expr| formula.with("η", eta);
         with_sign(p, sign);
 
         p.identity(
             ("At η = 1 a pulse ends at", at(pulses.end, one)),
-            ("half a period", Expr::pi()),
+            ("half a period", pi()),
         )?;
         for (says, h, way) in [
             ("h in a pulse", pulses.h[0], 1),
@@ -240,7 +208,7 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
         p.identity(
             (
                 "d|𝔴|/dφ by (26) with h = 0",
-                Expr::int(sign) * rate.with("ψ", zero),
+                int(sign) * rate.with("ψ", zero),
             ),
             ("", -lambda0),
         )?;
@@ -257,57 +225,62 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
     })
 }
 
-/// What becomes nonzero again at π.
-const AGAIN: Statement<(Expr, [Expr; 4], Expr, Expr)> = Statement::new(
-    Corrected,
-    Compared::shown(
-        r"for every $\lambda_0>0$ and every $\eta$ between 0 and 1: what (26) gives a particle without friction is $h$, by (42) 0 in the gap before $\pi$ and by (43) $-1$ in the pulse behind it; friction gives one that still slides $\mp\lambda_0$, before $\pi$ as after it. By (44) the slip ends before that if $\lambda_0>\eta$, which is $\lambda_\mathrm c$ of (46), and not otherwise",
-    ),
-    || {
-        let h = Expr::symbol("ψ").sin();
-        (rate(), drive(), critical(), corrected::nonzero_again(h))
-    },
-    |(rate, h, critical, again)| {
-        Proof::for_both_signs(|sign| nonzero_again(rate, h, critical, again, sign))
-    },
-);
-
 fn nonzero_again(rate: Expr, h: [Expr; 4], critical: Expr, again: Expr, sign: i64) -> Proof {
     Proof::in_ring("What becomes nonzero again", ring(sign), |p| {
-        let [lambda0, psi] = Expr::symbols(["λ₀", "ψ"]);
+        let [lambda0, psi] = symbols(["λ₀", "ψ"]);
         with_sign(p, sign);
         p.identity(
-            (
-                "d𝔴/dφ by (26) without friction",
-                rate.with("λ₀", Expr::int(0)),
-            ),
+            ("d𝔴/dφ by (26) without friction", rate.with("λ₀", int(0))),
             ("what is said to become nonzero again", again),
         )?;
         p.vanishes("h in the gap", h[1])?;
-        p.vanishes("What is said, with that h", again.with("ψ", Expr::int(0)))?;
+        p.vanishes("What is said, with that h", again.with("ψ", int(0)))?;
         let pulse = p.read("h in the pulse from π on", h[2])?;
         p.equal("It is not 0, but −1", &pulse, &Rational::int(-1))?;
         p.identity(
             ("What friction gives by (26)", rate - psi.sin()),
             (
                 "λ₀ against the velocity, at every h",
-                -(Expr::int(sign) * lambda0),
+                -(int(sign) * lambda0),
             ),
         )?;
         given(p, &[&EQ44, &EQ46])?;
         let [_, stop] = printed::eq44_ends::tree();
-        let excess = Expr::pi() * (lambda0 - critical) / lambda0;
+        let excess = pi() * (lambda0 - critical) / lambda0;
         p.identity(
-            ("π less the end of the slip by (44)", Expr::pi() - stop),
+            ("π less the end of the slip by (44)", pi() - stop),
             ("positive for λ₀ > λ_c only", excess),
         )
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     &REST_ABOVE_ONE,
     &MOSTLY_AT_REST,
-    &AGAIN,
-    &NORMALISED,
-    &EXTREMES
+    // What becomes nonzero again at π.
+    &AGAIN = Statement::shown(
+        Corrected,
+        r"for every $\lambda_0>0$ and every $\eta$ between 0 and 1: what (26) gives a particle without friction is $h$, by (42) 0 in the gap before $\pi$ and by (43) $-1$ in the pulse behind it; friction gives one that still slides $\mp\lambda_0$, before $\pi$ as after it. By (44) the slip ends before that if $\lambda_0>\eta$, which is $\lambda_\mathrm c$ of (46), and not otherwise",
+        || {
+            let h = symbol("ψ").sin();
+            (rate(), drive(), critical(), corrected::nonzero_again(h))
+        },
+        |(rate, h, critical, again)| {
+            Proof::for_both_signs(|sign| nonzero_again(rate, h, critical, again, sign))
+        }
+    ),
+    // The largest |h| of the pulses.
+    &NORMALISED = Statement::shown(
+        Within,
+        r"for every $\eta>0$ the pulse of (42), which has the length $\eta\pi>0$, has the stated size, and the gap and both mirrored by (43) have none that is larger",
+        || (printed::eq42_cases(), printed::s23_largest()),
+        normalised
+    ),
+    // η = 1 and η = 0.
+    &EXTREMES = Statement::shown(
+        Within,
+        r"at $\eta=1$ the pulses of (42), (43) leave no gap, so that $\lvert h\rvert=1>\lambda_0$ at all times for every $\lambda_0<1$ and nothing rests, and $\lambda_\mathrm c$ of (46) is 1; at $\eta=0$ they have no length, so that $h=0$, for every $\lambda_0>0$ the particle is at rest after $\lvert\mathfrak w_0\rvert/\lambda_0$ by (26) and stays, and $\lambda_\mathrm c$ is 0",
+        || (rate(), pulses()),
+        |(rate, pulses)| Proof::for_both_signs(|sign| extremes(rate, pulses, sign))
+    )
 ];

@@ -4,16 +4,15 @@
 //! H is an antiderivative of h, and c its median: H is above c for half of each period at most, and below c for half at most.
 
 use super::chains::{rate, with_sign};
+use super::prelude::*;
 use super::step_drive::CHANGES;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
 use crate::claims::general::two_frames::{eq2, eq2_proof};
-use crate::paper::periodic as printed;
-use trialbook::prelude::*;
 
 /// The drive in the place of the sine, any number from −1 to 1.
 fn h() -> Expr {
-    Expr::symbol("ψ").sin()
+    symbol("ψ").sin()
 }
 
 /// By (26) two velocities under one h come no farther apart, and closer by 2λ₀ while they have opposite signs.
@@ -36,13 +35,13 @@ pub(super) fn never_part(rate: Expr) -> Proof {
                 p.shows("By (26) with any h, |h| ≤ 1, for the sine: the distance of two velocities along x stays while they have the same sense, falls at the rate 2λ₀ while they have opposite ones, and does not grow while one particle rests.");
                 with_sign(p, sign);
                 p.remark("Under the same h let 𝔴₁ have the sign of 𝔴, and 𝔴₂ the other one");
-                let [lambda0, same, other] = Expr::symbols(["λ₀", "𝔴₁", "𝔴₂"]);
+                let [lambda0, same, other] = symbols(["λ₀", "𝔴₁", "𝔴₂"]);
                 p.vanishes("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
-                let signed = Expr::int(sign);
+                let signed = int(sign);
                 let closer = signed * (rate - rate.with("𝔴", other));
                 p.identity(
                     ("The rate of the distance of 𝔴 from 𝔴₂", closer),
-                    ("", -(Expr::int(2) * lambda0)),
+                    ("", -(2 * lambda0)),
                 )?;
                 p.identity(
                     ("That of its distance from 0", signed * rate),
@@ -60,7 +59,7 @@ pub(super) fn never_part(rate: Expr) -> Proof {
 pub(super) fn slows(law: Expr) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = Ring::new();
-        let [_, vx, vy] = ["λ₀", "v_x", "v_y"].map(|name| ring.symbol(name));
+        let [_, vx, vy] = ring.symbols(["λ₀", "v_x", "v_y"]);
         ring.angle("ψ");
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
@@ -69,13 +68,13 @@ pub(super) fn slows(law: Expr) -> Proof {
         p.shows("Under a drive h along x, whatever v_y is: dv/dφ = h v_x/v − λ₀, which is |h| − λ₀ at most.");
         p.rests_on(&eq2_proof(law))?;
         p.remark("h is sin ψ, any number from −1 to 1; velocities are in units of A₀/ϖ");
-        let [lambda0, vx, vy] = Expr::symbols(["λ₀", "v_x", "v_y"]);
+        let [lambda0, vx, vy] = symbols(["λ₀", "v_x", "v_y"]);
         let speed = (vx.squared() + vy.squared()).sqrt();
-        let in_units = law.with("μ", lambda0).with("g", Expr::int(1));
-        let driven = in_units.with("A_x", -h()).with("A_y", Expr::int(0));
+        let in_units = law.with("μ", lambda0).with("g", int(1));
+        let driven = in_units.with("A_x", -h()).with("A_y", int(0));
         p.identity(("dv/dφ by (2)", driven), ("", h() * vx / speed - lambda0))?;
         p.identity(
-            ("1 − (v_x/v)²", Expr::int(1) - (vx / speed).squared()),
+            ("1 − (v_x/v)²", 1 - (vx / speed).squared()),
             (
                 "a square, so that v_x/v is 1 at most",
                 (vy / speed).squared(),
@@ -85,11 +84,9 @@ pub(super) fn slows(law: Expr) -> Proof {
 }
 
 /// A threshold.
-pub const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
+pub const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for every piecewise continuous $h$ of the period $2\pi$, at each phase one of its one-sided limits, with the largest size 1, which is smaller for some time, and which, if its mean $m$ is 0, does not vanish, nor has the limit 0 from one side, where its antiderivative $H$ is at its median $c$: from every start, with any velocity across, there is rest for some time and motion for some time in every late period if $\langle\lvert h\rvert\rangle<\lambda_0<1$, and from some time on no rest if $0<\lambda_0<\min(\delta,\eta/\pi)$, where $\lvert h\rvert\ge\delta$ wherever $\lvert H-c\rvert\le\eta$, or if $m\ne0$ and $0<\lambda_0<\lvert m\rvert$. So there is a least number $\lambda_\mathrm c$ such that all $\lambda_0$ between it and 1 have rests, with $0<\lambda_\mathrm c<1$; and for one $h$ the behaviour changes at two more values at least",
-    ),
+    r"for every piecewise continuous $h$ of the period $2\pi$, at each phase one of its one-sided limits, with the largest size 1, which is smaller for some time, and which, if its mean $m$ is 0, does not vanish, nor has the limit 0 from one side, where its antiderivative $H$ is at its median $c$: from every start, with any velocity across, there is rest for some time and motion for some time in every late period if $\langle\lvert h\rvert\rangle<\lambda_0<1$, and from some time on no rest if $0<\lambda_0<\min(\delta,\eta/\pi)$, where $\lvert h\rvert\ge\delta$ wherever $\lvert H-c\rvert\le\eta$, or if $m\ne0$ and $0<\lambda_0<\lvert m\rvert$. So there is a least number $\lambda_\mathrm c$ such that all $\lambda_0$ between it and 1 have rests, with $0<\lambda_\mathrm c<1$; and for one $h$ the behaviour changes at two more values at least",
     || (eq2(), rate(), printed::s23_rests()),
     |(law, rate, kinds)| Proof::for_both_signs(|sign| threshold(law, rate, kinds, sign)),
 );
@@ -112,7 +109,7 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
         with_sign(p, sign);
         above_the_mean(p, rate, sign)?;
         let stated = p.read("What is stated for much friction, 1 for rests", much)?;
-        p.reads_as(&stated, "", Expr::int(1))?;
+        p.reads_as(&stated, "", int(1))?;
         p.note(
             "Little friction, for motions along the line",
             "a motion with a velocity across has no rest, or is one along the line from a rest on",
@@ -130,13 +127,13 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
 
 /// M < λ₀ < 1: rests.
 fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obstacle> {
-    let [lambda0, mean, start, n] = Expr::symbols(["λ₀", "M", "𝔴₀", "n"]);
-    let period = Expr::int(2) * Expr::pi();
+    let [lambda0, mean, start, n] = symbols(["λ₀", "M", "𝔴₀", "n"]);
+    let period = 2 * pi();
     p.note(
         "First, let λ₀ exceed M, the mean of |h|",
         "M < 1, as |h| ≤ 1, and |h| < 1 for some time",
     );
-    let signed = Expr::int(sign);
+    let signed = int(sign);
     p.identity(
         ("d|𝔴|/dφ by (26)", signed * rate),
         ("at most |h| − λ₀", signed * h() - lambda0),
@@ -161,9 +158,7 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
     p.identity(
         (
             "From 0, where a rest ends, a period without rest would leave at most",
-            (start + gain * n)
-                .with("𝔴₀", Expr::int(0))
-                .with("n", Expr::int(1)),
+            (start + gain * n).with("𝔴₀", int(0)).with("n", int(1)),
         ),
         ("negative, as no size is", -(period * (lambda0 - mean))),
     )?;
@@ -173,10 +168,10 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
 
 /// m = 0 and little friction: no rest.
 fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obstacle> {
-    let [lambda0, m, level, median, w] = Expr::symbols(["λ₀", "m", "H", "c", "𝔴"]);
-    let [length, forward, near] = Expr::symbols(["ℓ", "P", "η"]);
-    let [zero, two, pi] = [Expr::int(0), Expr::int(2), Expr::pi()];
-    let signed = Expr::int(sign);
+    let [lambda0, m, level, median, w] = symbols(["λ₀", "m", "H", "c", "𝔴"]);
+    let [length, forward, near] = symbols(["ℓ", "P", "η"]);
+    let [zero, two, pi] = [int(0), int(2), pi()];
+    let signed = int(sign);
     p.note(
         "Second, let m, the mean of h, be 0, and λ₀ be small",
         "H, the antiderivative of h, has the period 2π; c is its median: H ≥ c for π at least in each period, and H ≤ c for π at least",
@@ -259,17 +254,17 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
 
 /// 0 < λ₀ < |m|: no rest either.
 fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obstacle> {
-    let lambda0 = Expr::symbol("λ₀");
-    let signed = Expr::int(sign);
+    let lambda0 = symbol("λ₀");
+    let signed = int(sign);
     p.note(
         "Third, let m differ from 0, and λ₀ be below |m|",
         "in each period the drive exceeds friction on the whole",
     );
     for (says, way) in [("m > 0", 1), ("m < 0", -1)] {
-        let way = Expr::int(way);
+        let way = int(way);
         p.note("The case", says);
         let beyond = way * rate - (way * h() - lambda0);
-        let stated = lambda0 * (Expr::int(1) - way * signed);
+        let stated = lambda0 * (1 - way * signed);
         p.identity(
             (
                 "The rate of ±𝔴 by (26), with the sign of m, less ±h − λ₀",
@@ -286,20 +281,20 @@ fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
     Ok(())
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![&THRESHOLD];
+attempts![&THRESHOLD];
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn small() -> Expr {
-        Expr::symbol("λ₀") / Expr::int(1_000_000)
+        symbol("λ₀") / int(1_000_000)
     }
 
     /// Each argument by itself needs the friction of (26), which is as strong at every velocity.
     #[test]
     fn each_part_refuses_a_friction_that_grows_with_the_velocity() {
-        let w = Expr::symbol("𝔴");
+        let w = symbol("𝔴");
         let (rate, wrong) = (rate(), rate() - small() * w);
         type Steps = fn(&mut Prover<'_>, Expr, i64) -> Result<(), Obstacle>;
         let parts: [Steps; 3] = [above_the_mean, near_the_median, against_a_mean];
@@ -314,6 +309,6 @@ mod tests {
         assert!(never_part(rate).holds());
         assert!(!never_part(wrong).holds());
         assert!(slows(eq2()).holds());
-        assert!(!slows(eq2() - Expr::symbol("v_x") * Expr::symbol("g")).holds());
+        assert!(!slows(eq2() - symbol("v_x") * symbol("g")).holds());
     }
 }

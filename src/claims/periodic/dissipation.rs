@@ -1,8 +1,7 @@
 //! What friction takes from the motion under pulses, of which the paper says nothing.
 
-use super::drives::{motion, pulses};
-use crate::corrections::periodic as supplied;
-use trialbook::prelude::*;
+use super::drives::motion;
+use super::prelude::*;
 
 fn lost([eta, lambda]: [f64; 2]) -> Result<f64, Failure> {
     let drive = pulses(eta)?;
@@ -29,7 +28,7 @@ fn against(
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // λ₀ > η.
     with_rests = against(
         (r"$(1-\lambda_0)\eta^2\pi^2$", supplied::loss_with_rests),
@@ -44,5 +43,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ),
         |eta, share| eta * share,
         [[0.3, 5e-4], [1.0 - 1e-4, 1.0 - 5e-4]]
-    ),
+    )
 ];

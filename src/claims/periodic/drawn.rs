@@ -1,10 +1,7 @@
 //! What the chapter's figures show: the same drives and motions that are tried.
 
-use super::drives::{Phase, motion, named, phase, phase_of, pulses, rest_share, third_harmonic};
-use crate::motion::drive::{Drive, DriveError};
-use crate::paper::periodic as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::drives::{motion, named, phase, phase_of, rest_share, third_harmonic};
+use super::prelude::*;
 
 /// One drive of the census.
 #[derive(Debug, Clone)]
@@ -105,27 +102,27 @@ pub fn shares(side: usize) -> Result<Vec<f64>, DriveError> {
     Ok(shares)
 }
 
-/// The drawn shares with those that follow from (44): 1 − η/λ₀ for λ₀ above (46), else 0.
-fn shares_motion() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one(
-            r"the share of the third case of (44), 0 for $\lambda_0$ below (46),",
-            "the share of the period at rest in the motion",
-        ),
-    );
-    let side = 33;
-    trial.over(parts(shares(side)).enumerate(), |(cell, found)| {
-        let (eta, lambda) = (friction(cell % side, side), friction(cell / side, side));
-        let [_, stop] = printed::eq44_ends(lambda, eta);
-        let share = 1.0 - stop / std::f64::consts::PI;
-        let large = lambda > printed::eq46_lambda_c(eta);
-        Ok(Pair::plain(
-            format!("η = {eta:.6}, λ₀ = {lambda:.6}"),
-            if large { share } else { 0.0 },
-            found?,
-        ))
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![shares_motion];
+attempts![
+    // The drawn shares with those that follow from (44): 1 − η/λ₀ for λ₀ above (46), else 0.
+    shares_motion = {
+        let side = 33;
+        Trial::motion(
+            Printed,
+            [
+                r"the share of the third case of (44), 0 for $\lambda_0$ below (46),",
+                "the share of the period at rest in the motion",
+            ],
+        )
+        .over(parts(shares(side)).enumerate(), |(cell, found)| {
+            let (eta, lambda) = (friction(cell % side, side), friction(cell / side, side));
+            let [_, stop] = printed::eq44_ends(lambda, eta);
+            let share = 1.0 - stop / std::f64::consts::PI;
+            let large = lambda > printed::eq46_lambda_c(eta);
+            Ok(Pair::plain(
+                format!("η = {eta:.6}, λ₀ = {lambda:.6}"),
+                if large { share } else { 0.0 },
+                found?,
+            ))
+        })
+    }
+];

@@ -1,8 +1,6 @@
 //! The drives on which section 2.3 is tried, each with max |h| = 1, and the kinds of motion under them.
 
-use crate::motion::drive::{Attractor, Drive, DriveError, DriveState, Friction, Sign};
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// From here a motion starts whose kind is asked for.
 const REST: DriveState = DriveState { phi: 0.0, w: 0.0 };

@@ -3,9 +3,7 @@
 //! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
 //! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
-use crate::corrections::periodic as supplied;
-use crate::paper::periodic as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 fn symbols() -> [Expr; 3] {
     Expr::symbols(["λ₀", "η", "φ"])
@@ -50,7 +48,7 @@ impl Chain {
         for (i, end) in self.ends.iter().enumerate() {
             let before = i.checked_sub(1).map(|i| self.cases[i]);
             let after = self.cases.get(i).copied();
-            let at = |w: Option<Expr>| w.unwrap_or(Expr::int(0)).with("φ", *end);
+            let at = |w: Option<Expr>| w.unwrap_or(int(0)).with("φ", *end);
             let [from, to] = match (before, after) {
                 (None, _) => ["𝔴 where the motion begins", "as in the first case"],
                 (_, None) => [
@@ -73,7 +71,7 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
         title: "(44): large friction, from the start of a pulse to rest",
         says: "Under (42), for η ≤ λ₀ < 1, the first two cases of (44) have the rate h − λ₀, are 0 at φ = 0 and at φ = ηπ/λ₀, and join at φ = ηπ.",
         cases: cases[..2].to_vec(),
-        ends: vec![Expr::int(0), peak, stop],
+        ends: vec![int(0), peak, stop],
         drive: &[1, 0],
     };
     let ring = ring();
@@ -109,7 +107,7 @@ pub const EQ45: Statement = Statement::new(
                 "the force there, for negative velocity and h of (43)",
                 printed::eq43_h::tree() + friction,
             )?;
-            p.vanishes("At 𝔴 = 0", mirrored.with("𝔴", Expr::int(0)))
+            p.vanishes("At 𝔴 = 0", mirrored.with("𝔴", int(0)))
         })
     },
 );
@@ -130,7 +128,7 @@ pub const EQ46: Statement = Statement::new(
             let [lambda, eta, _] = symbols();
             let [_, stop] = printed::eq44_ends(lambda, eta);
             let stop = p.read("At λ_c the stop of (44) is at", stop.with("λ₀", critical))?;
-            let pulse = p.ring().read(Expr::pi())?;
+            let pulse = p.ring().read(pi())?;
             p.equal("The next pulse begins at π", &stop, &pulse)?;
             let start = supplied::small_friction_start(lambda, eta);
             let start = p.read(
@@ -156,7 +154,7 @@ fn small_friction_chain(cases: [Expr; 3]) -> Proof {
         title: "Small friction under the pulses: from zero to zero in half a period",
         says: "Under (42) and (43), for 0 < λ₀ ≤ η, the 𝔴 with the rate h − λ₀ that is 0 at φ = π (η − λ₀)/2 is 0 again half a period later.",
         cases: cases.to_vec(),
-        ends: vec![start, peak, pulse, start + Expr::pi()],
+        ends: vec![start, peak, pulse, start + pi()],
         drive: &[1, 0, -1],
     }
     .prove()
@@ -178,4 +176,4 @@ pub const EQ44: Statement<[Expr; 3]> = Statement::new(
     eq44_chain,
 );
 
-pub(super) const TRIALS: &[Attempt] = trials![&EQ44, &EQ45, &EQ46];
+attempts![&EQ44, &EQ45, &EQ46];

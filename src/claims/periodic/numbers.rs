@@ -1,10 +1,7 @@
 //! The two numbers of each case by hand. The words are in the claims' entries.
 
-use super::drives::pulses;
+use super::prelude::*;
 use super::pulse_remarks::friction;
-use crate::paper::periodic as printed;
-use std::f64::consts::PI;
-use trialbook::trials::by_hand::Numbers;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 1] = [Numbers::new(

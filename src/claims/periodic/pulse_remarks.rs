@@ -1,13 +1,9 @@
 //! Trials of two remarks on the pulses: what becomes nonzero again at φ = π, and that their largest size is 1.
 
-use super::drives::{motion, pulses};
+use super::drives::motion;
+use super::prelude::*;
 use super::pulses::on_a_plane;
-use crate::claims::tolerances::{GAINED, NONE};
 use crate::corrections::periodic as corrected;
-use crate::motion::drive::{DriveState, Friction};
-use crate::paper::periodic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
 
 /// Motions of small friction, λ₀ < η, in the gap before π and as far behind π, in the next pulse: what is said to become
 /// nonzero again there, with the pull. A short stretch of a motion that does not change its direction tells the acceleration.
@@ -89,22 +85,10 @@ fn twelve_digits(x: f64) -> f64 {
     libm::round(1e12 * x) / 1e12
 }
 
-/// Pulses of no width.
-fn largest_outside() -> Evidence {
-    let compared = Compared::one(
-        r"the largest $\lvert h\rvert$ that is assumed, 1,",
-        r"$\lvert h\rvert$ of pulses of no width",
-    );
-    let phases = Points::here().within(20, [[0.0; 2], [0.0, TAU]]);
-    Trial::census(Outside, compared).at(["η", "φ"], phases, 1.0, |[eta, phi]| {
-        Ok([printed::s23_largest(), pulses(eta)?.h(phi).abs()])
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // As printed: friction.
     friction_again = around_pi(
-        Route::Integration,
+        Integration,
         Printed,
         Compared::one(
             r"the acceleration of friction, which is said to become nonzero again at $\pi$,",
@@ -114,7 +98,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     // As corrected: the drive.
     pull_again = around_pi(
-        Route::Integration,
+        Integration,
         Corrected,
         Compared::one(
             r"the drive, which becomes nonzero again at $\pi$,",
@@ -127,7 +111,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     // The same, with a particle on a plane.
     pull_again_on_a_plane = around_pi(
-        Route::Quadrature,
+        Quadrature,
         Corrected,
         Compared::one(
             r"the drive in the middle of a short stretch before or after $\pi$",
@@ -142,7 +126,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     // By the pulses' values.
     largest_census = largest(
-        Route::Census,
+        Census,
         Within,
         Compared::one(
             r"the largest $\lvert h\rvert$ that is assumed, 1,",
@@ -153,7 +137,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     // By what a pulse gives a smooth particle, over its length.
     largest_integration = largest(
-        Route::Integration,
+        Integration,
         Within,
         Compared::one(
             r"the largest $\lvert h\rvert$ that is assumed, 1,",
@@ -166,7 +150,17 @@ pub(super) const TRIALS: &[Attempt] = trials![
             Ok(twelve_digits(end.end.w / (eta * PI)))
         },
     ),
-    largest_outside,
+    // Pulses of no width.
+    largest_outside = {
+        let compared = Compared::one(
+            r"the largest $\lvert h\rvert$ that is assumed, 1,",
+            r"$\lvert h\rvert$ of pulses of no width",
+        );
+        let phases = Points::here().within(20, [[0.0; 2], [0.0, TAU]]);
+        Trial::census(Outside, compared).at(["η", "φ"], phases, 1.0, |[eta, phi]| {
+            Ok([printed::s23_largest(), pulses(eta)?.h(phi).abs()])
+        })
+    },
     no_width = no_inside(
         "a pulse",
         r"$\eta=0$",

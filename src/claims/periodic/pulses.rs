@@ -1,13 +1,7 @@
 //! Trials of (42) to (46): the train of pulses.
 
-use super::drives::{Phase, boundary, motion, phase, phase_of, pulses};
-use crate::claims::tolerances::{LIMIT_OF_WIDTH, THRESHOLD};
-use crate::corrections::periodic as supplied;
-use crate::motion::drive::{Attractor, DriveError, DriveState, Friction};
-use crate::motion::{Plane, Signal, run};
-use crate::paper::periodic as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::drives::{boundary, motion, phase, phase_of};
+use super::prelude::*;
 
 /// Phases per half period at which a whole motion is compared; the joints are added.
 const PHASES: u32 = 48;
@@ -99,36 +93,6 @@ fn joints((eta, lambda): (f64, f64)) -> [f64; 2] {
     [eta * PI, eta * PI + (1.0 - lambda) * eta * PI / lambda]
 }
 
-/// (42): a smooth particle gains what the printed pulse gives until φ.
-fn eq42() -> Evidence {
-    let trial = Trial::consistency(
-        Printed,
-        Compared::one(
-            r"the area of (42) up to $\phi$",
-            r"$\mathfrak w$ of a smooth particle that starts at rest under pulses that fill the share $\eta$",
-        ),
-    );
-    gains(&trial, |eta, phi| {
-        (phi, area(printed::eq42_cases(), eta, phi))
-    })
-}
-
-/// (43): the second half takes back what the first has given.
-fn eq43() -> Evidence {
-    let trial = Trial::consistency(
-        Printed,
-        Compared::one(
-            r"the area of (42) and, up to $\pi+\phi$, of (43)",
-            r"$\mathfrak w$ of a smooth particle there",
-        ),
-    );
-    gains(&trial, |eta, phi| {
-        let first = printed::eq42_cases();
-        let second = first.map(printed::eq43_h);
-        (PI + phi, area(first, eta, PI) + area(second, eta, phi))
-    })
-}
-
 /// The area under a pulse and the gap after it, up to φ.
 fn area([pulse, gap]: [f64; 2], eta: f64, phi: f64) -> f64 {
     let end = phi.min(printed::eq42_end(eta));
@@ -137,8 +101,7 @@ fn area([pulse, gap]: [f64; 2], eta: f64, phi: f64) -> f64 {
 
 /// Gains of a smooth particle from rest at φ = 0: `expected` says until when, and how much.
 fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
-    let mut points = Points::here();
-    trial.over(0..200, |i| {
+    trial.drawn(0..200, |i, points| {
         let eta = match i {
             198 => 0.0,
             199 => 1.0,
@@ -152,44 +115,6 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
             stated,
             found: path.end.w,
             scale: PI,
-        })
-    })
-}
-
-fn eq44_motion() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one(
-            r"the largest difference of (44) from $\mathfrak w$ of the motion, over the first half period,",
-            "0",
-        ),
-    );
-    trial.over(above(), |point| {
-        with_motion(point, |motion| {
-            let ends = joints(point);
-            // No term of (44) is larger.
-            let scale = point.0 * PI;
-            let values = phases(0.0, ends).map(|phi| [phi, eq44(point, phi), motion.w(phi)]);
-            Ok(worst(point, scale, values))
-        })
-    })
-}
-
-/// (45), with (44) in it, with the simulated motion over the other half.
-fn eq45_motion() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one(
-            r"the largest difference of (45), with (44), from $\mathfrak w$ of the motion, over the second half period,",
-            "0",
-        ),
-    );
-    trial.over(above(), |point| {
-        with_motion(point, |motion| {
-            let ends = joints(point);
-            let value = |phi| [phi, printed::eq45_w(eq44(point, phi)), motion.w(PI + phi)];
-            // π + φ is known to the spacing of numbers near 2π.
-            Ok(worst(point, PI, phases(0.0, ends).map(value)))
         })
     })
 }
@@ -208,9 +133,7 @@ pub fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64
 }
 
 fn from_rest(compared: Compared, value: impl Fn((f64, f64), f64) -> [f64; 2]) -> Evidence {
-    let trial = Trial::motion(Printed, compared);
-    let mut points = Points::here();
-    trial.over(0..30, |_| {
+    Trial::motion(Printed, compared).drawn(0..30, |_, points| {
         let eta = points.uniform(0.05, 0.95);
         let lambda = points.uniform(eta, 1.0);
         let (phi, angle) = (points.uniform(0.0, PI), points.uniform(-PI, PI));
@@ -242,89 +165,20 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
     })
 }
 
-fn eq46_root() -> Evidence {
-    Trial::by(
-        Route::Root,
-        Printed,
-        Compared::one(
-            "(46)",
-            r"the $\lambda_0$ at which rests appear in the motion",
-        ),
-        THRESHOLD,
-    )
-    .over(widths(), |eta| {
-        Ok(Pair::plain(
-            format!("η = {eta:.6}"),
-            printed::eq46_lambda_c(eta),
-            bracketed(eta)?,
-        ))
-    })
-}
-
-/// (46) over the whole square: two rests per period above λ_c, none below.
-fn eq46_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::constant(
-            r"2 for $\lambda_0$ above (46) and 0 below",
-            "the number of rests in a period of the motion",
-        ),
-    );
-    let points = above().into_iter().zip(below()).flat_map(|(a, b)| [a, b]);
-    trial.over(points, |(eta, lambda)| {
-        let found = match phase(&pulses(eta)?, lambda)? {
-            Phase::Rests(rests) => rests as f64,
-            Phase::Still | Phase::Drifts => return Err(Failure::from("no periodic slip")),
-        };
-        Ok(Pair::plain(
-            at((eta, lambda)),
-            if lambda > printed::eq46_lambda_c(eta) {
-                2.0
-            } else {
-                0.0
-            },
-            found,
-        ))
-    })
-}
-
-/// Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
-fn below_motion() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one(
-            r"the largest difference between our own formula for the motion without rest, for $\lambda_0$ below (46), and $\mathfrak w$ of the motion",
-            "0",
-        ),
-    );
-    trial.over(below(), |(eta, lambda)| {
-        with_motion((eta, lambda), |motion| {
-            let start = motion.intervals().first().map_or(0.0, |i| i.start);
-            let start = start.rem_euclid(PI);
-            let values = phases(start, [eta * PI, PI]).flat_map(|phi| {
-                let case = supplied::small_friction_case(eta, phi);
-                let w = supplied::small_friction_cases(lambda, eta, phi)[case];
-                [(phi, w), (PI + phi, -w)].map(|(phi, w)| [phi, w, motion.w(phi)])
-            });
-            Ok(worst((eta, lambda), PI, values))
-        })
-    })
-}
-
 /// η = 1 and η = 0 themselves.
 fn extremes_census() -> Evidence {
-    let trial = Trial::census(
+    let mut points = Points::here();
+    let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
+    let frictions = (0..200).map(|_| points.uniform(0.0, 1.0)).chain(edges);
+    Trial::census(
         Printed,
         Compared::constant(
             "0 below (46) and 1 above",
             "the number of rests in a period (1 for a particle at rest for ever)",
         )
         .over(r"$\eta=1$ and $\eta=0$"),
-    );
-    let mut points = Points::here();
-    let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
-    let frictions = (0..200).map(|_| points.uniform(0.0, 1.0)).chain(edges);
-    trial.over(
+    )
+    .over(
         frictions.flat_map(|lambda| [(1.0, lambda), (0.0, lambda)]),
         |(eta, lambda)| {
             let drive = pulses(eta)?;
@@ -347,32 +201,12 @@ fn extremes_census() -> Evidence {
     )
 }
 
-/// No pulses and no friction.
-fn extremes_outside() -> Evidence {
-    let trial = Trial::census(
-        Outside,
-        Compared::constant("the stated 1", "the number of rests in a period")
-            .over(r"$\eta=0$ and $\lambda_0=0$"),
-    );
-    let starts = Points::here().within(24, [[0.1, 3.0]]);
-    trial.at(["𝔴"], starts, 1.0, |[w]| {
-        let drive = pulses(0.0)?;
-        let start = DriveState { phi: 0.0, w };
-        let motion = drive.attractor(Friction::new(0.0, 0.0)?, start, 100)?;
-        let small = 0.0 < printed::eq46_lambda_c(0.0);
-        let rests = match motion.settled().map(|m| phase_of(&m)) {
-            Some(Phase::Rests(rests)) => rests as f64,
-            Some(Phase::Still) => 1.0,
-            Some(Phase::Drifts) | None => return Err("the motion drifts".into()),
-        };
-        Ok([if small { 0.0 } else { 1.0 }, rests])
-    })
-}
-
 /// η → 1 and η → 0: the phase that is to vanish is as narrow as 1 − η, or as η.
 fn extremes_limit() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
+    let distances = (1..13).map(|k| Scalar::pow(10.0, -0.25 * f64::from(k)));
+    let distances = Points::here().grid(distances).into_iter();
+    Trial::by(
+        Limit,
         Printed,
         Compared::one(
             r"the width of the vanishing phase by (46), over $\delta$,",
@@ -380,10 +214,8 @@ fn extremes_limit() -> Evidence {
         )
         .over(r"$\eta=1-\delta$ (large friction) and $\eta=\delta$ (small friction)"),
         LIMIT_OF_WIDTH,
-    );
-    let distances = (1..13).map(|k| Scalar::pow(10.0, -0.25 * f64::from(k)));
-    let distances = Points::here().grid(distances).into_iter();
-    trial.over(
+    )
+    .over(
         distances.flat_map(|delta| [(delta, true), (delta, false)]),
         |(delta, nearly_one)| {
             let eta = if nearly_one { 1.0 - delta } else { delta };
@@ -403,10 +235,53 @@ fn extremes_limit() -> Evidence {
     )
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq42,
-    eq43,
-    eq44_motion,
+attempts![
+    // (42): a smooth particle gains what the printed pulse gives until φ.
+    eq42 = {
+        let trial = Trial::consistency(
+            Printed,
+            [
+                r"the area of (42) up to $\phi$",
+                r"$\mathfrak w$ of a smooth particle that starts at rest under pulses that fill the share $\eta$",
+            ],
+        );
+        gains(&trial, |eta, phi| {
+            (phi, area(printed::eq42_cases(), eta, phi))
+        })
+    },
+    // (43): the second half takes back what the first has given.
+    eq43 = {
+        let trial = Trial::consistency(
+            Printed,
+            [
+                r"the area of (42) and, up to $\pi+\phi$, of (43)",
+                r"$\mathfrak w$ of a smooth particle there",
+            ],
+        );
+        gains(&trial, |eta, phi| {
+            let first = printed::eq42_cases();
+            let second = first.map(printed::eq43_h);
+            (PI + phi, area(first, eta, PI) + area(second, eta, phi))
+        })
+    },
+    eq44_motion = {
+        let trial = Trial::motion(
+            Printed,
+            [
+                r"the largest difference of (44) from $\mathfrak w$ of the motion, over the first half period,",
+                "0",
+            ],
+        );
+        trial.over(above(), |point| {
+            with_motion(point, |motion| {
+                let ends = joints(point);
+                // No term of (44) is larger.
+                let scale = point.0 * PI;
+                let values = phases(0.0, ends).map(|phi| [phi, eq44(point, phi), motion.w(phi)]);
+                Ok(worst(point, scale, values))
+            })
+        })
+    },
     // (44) with a particle on a plane, whose acceleration jumps.
     eq44_plane = from_rest(
         Compared::one(
@@ -415,7 +290,24 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ),
         |point, phi| [phi, eq44(point, phi)]
     ),
-    eq45_motion,
+    // (45), with (44) in it, with the simulated motion over the other half.
+    eq45_motion = {
+        let trial = Trial::motion(
+            Printed,
+            [
+                r"the largest difference of (45), with (44), from $\mathfrak w$ of the motion, over the second half period,",
+                "0",
+            ],
+        );
+        trial.over(above(), |point| {
+            with_motion(point, |motion| {
+                let ends = joints(point);
+                let value = |phi| [phi, printed::eq45_w(eq44(point, phi)), motion.w(PI + phi)];
+                // π + φ is known to the spacing of numbers near 2π.
+                Ok(worst(point, PI, phases(0.0, ends).map(value)))
+            })
+        })
+    },
     eq45_plane = from_rest(
         Compared::one(
             "(45), with (44),",
@@ -423,12 +315,93 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ),
         |point, phi| { [PI + phi, printed::eq45_w(eq44(point, phi))] }
     ),
-    eq46_root,
-    eq46_census,
-    below_motion,
+    eq46_root = Trial::by(
+        Root,
+        Printed,
+        [
+            "(46)",
+            r"the $\lambda_0$ at which rests appear in the motion",
+        ],
+        THRESHOLD,
+    )
+    .over(widths(), |eta| {
+        Ok(Pair::plain(
+            format!("η = {eta:.6}"),
+            printed::eq46_lambda_c(eta),
+            bracketed(eta)?,
+        ))
+    }),
+    // (46) over the whole square: two rests per period above λ_c, none below.
+    eq46_census = {
+        let points = above().into_iter().zip(below()).flat_map(|(a, b)| [a, b]);
+        Trial::census(
+            Printed,
+            Compared::constant(
+                r"2 for $\lambda_0$ above (46) and 0 below",
+                "the number of rests in a period of the motion",
+            ),
+        )
+        .over(points, |(eta, lambda)| {
+            let found = match phase(&pulses(eta)?, lambda)? {
+                Phase::Rests(rests) => rests as f64,
+                Phase::Still | Phase::Drifts => return Err(Failure::from("no periodic slip")),
+            };
+            Ok(Pair::plain(
+                at((eta, lambda)),
+                if lambda > printed::eq46_lambda_c(eta) {
+                    2.0
+                } else {
+                    0.0
+                },
+                found,
+            ))
+        })
+    },
+    // Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
+    below_motion = {
+        let trial = Trial::motion(
+            Printed,
+            [
+                r"the largest difference between our own formula for the motion without rest, for $\lambda_0$ below (46), and $\mathfrak w$ of the motion",
+                "0",
+            ],
+        );
+        trial.over(below(), |(eta, lambda)| {
+            with_motion((eta, lambda), |motion| {
+                let start = motion.intervals().first().map_or(0.0, |i| i.start);
+                let start = start.rem_euclid(PI);
+                let values = phases(start, [eta * PI, PI]).flat_map(|phi| {
+                    let case = supplied::small_friction_case(eta, phi);
+                    let w = supplied::small_friction_cases(lambda, eta, phi)[case];
+                    [(phi, w), (PI + phi, -w)].map(|(phi, w)| [phi, w, motion.w(phi)])
+                });
+                Ok(worst((eta, lambda), PI, values))
+            })
+        })
+    },
     extremes_census,
     extremes_limit,
-    extremes_outside,
+    // No pulses and no friction.
+    extremes_outside = {
+        let starts = Points::here().within(24, [[0.1, 3.0]]);
+        Trial::census(
+            Outside,
+            Compared::constant("the stated 1", "the number of rests in a period")
+                .over(r"$\eta=0$ and $\lambda_0=0$"),
+        )
+        .at(["𝔴"], starts, 1.0, |[w]| {
+            let drive = pulses(0.0)?;
+            let start = DriveState { phi: 0.0, w };
+            let motion = drive.attractor(Friction::new(0.0, 0.0)?, start, 100)?;
+            let small = 0.0 < printed::eq46_lambda_c(0.0);
+            let rests = match motion.settled().map(|m| phase_of(&m)) {
+                Some(Phase::Rests(rests)) => rests as f64,
+                Some(Phase::Still) => 1.0,
+                Some(Phase::Drifts) | None => return Err("the motion drifts".into()),
+            };
+            Ok([if small { 0.0 } else { 1.0 }, rests])
+        })
+    },
     neither = no_inside(
         "a pair of width and friction",
         r"$\lambda_0=0$",

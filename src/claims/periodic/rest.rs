@@ -2,14 +2,10 @@
 //!
 //! While w > 0, w' = h − λ₀ ≤ 1 − λ₀, and likewise for w < 0: |w| is used up within |w₀|/(λ₀ − 1).
 
-use super::drives::{Harmonics, Phase, named, phase};
-use crate::claims::tolerances::{NONE, ROOT};
-use crate::motion::drive::{DriveState, Friction, Interval, Sign};
-use crate::numerics::quadrature::integral_within;
+use super::drives::{named, phase};
+use super::prelude::*;
+use crate::motion::drive::Interval;
 use crate::paper::general;
-use crate::paper::periodic as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
 use trialbook::trials::points::round;
 
 fn at(name: &str, lambda: f64, start: DriveState) -> String {
@@ -20,7 +16,7 @@ fn at(name: &str, lambda: f64, start: DriveState) -> String {
 /// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
 fn within_time() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Printed,
         Compared::constant(
             r"1 for $\lambda_0>1$ and 0 below",
@@ -78,17 +74,16 @@ fn left(w: f64, later: &[Interval]) -> f64 {
 /// When it comes to rest: the motion's first rest with the root of the equation's integral.
 pub fn stopping_time() -> Evidence {
     let trial = Trial::by(
-        Route::Root,
+        Root,
         Printed,
-        Compared::one(
+        [
             r"the root of $\lvert\mathfrak w_0\rvert+\int(1)\,\mathrm d\phi$, taken along the velocity,",
             "the phase at which the motion comes to rest",
-        ),
+        ],
         ROOT,
     );
-    let mut points = Points::here();
-    trial.over(0..60, |_| {
-        let shape = Harmonics::random(&mut points)?;
+    trial.drawn(0..60, |_, points| {
+        let shape = Harmonics::random(points)?;
         let lambda = 1.0 + points.log_uniform(0.05, 10.0);
         let (phi, w) = (
             points.uniform(0.0, TAU),
@@ -118,34 +113,36 @@ pub fn stopping_time() -> Evidence {
     })
 }
 
-/// 1 is the exact bound: from 1 on all is still, below it something moves.
-pub fn sharp() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::constant(
-            r"1 for $\lambda_0\ge1$ and 0 below",
-            "whether the motion is at rest for ever (1 if so)",
-        ),
-    );
-    let drives = named();
-    let excess = [1e-3, -1e-3, 0.0, 1e-9, -1e-6, 1e-6, -0.1, 0.1, 9.0, -1e-5];
-    let excess = Points::here().grid(excess);
-    trial.over(
-        (0..10).flat_map(|k| excess.iter().map(move |e| (k, *e))),
-        |(k, excess)| {
-            let drives = drives.as_ref().map_err(Clone::clone)?;
-            let one = &drives[k % drives.len()];
-            let still = phase(&one.drive, 1.0 + excess)? == Phase::Still;
-            Ok(Pair::plain(
-                format!("{}: λ₀ − 1 = {excess:e}", one.name),
-                stated_rest(1.0 + excess),
-                is(still),
-            ))
-        },
-    )
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![within_time, stopping_time, sharp];
+attempts![
+    within_time,
+    stopping_time,
+    // 1 is the exact bound: from 1 on all is still, below it something moves.
+    sharp = {
+        let drives = named();
+        let excess = [1e-3, -1e-3, 0.0, 1e-9, -1e-6, 1e-6, -0.1, 0.1, 9.0, -1e-5];
+        let excess = Points::here().grid(excess);
+        Trial::census(
+            Printed,
+            Compared::constant(
+                r"1 for $\lambda_0\ge1$ and 0 below",
+                "whether the motion is at rest for ever (1 if so)",
+            ),
+        )
+        .over(
+            (0..10).flat_map(|k| excess.iter().map(move |e| (k, *e))),
+            |(k, excess)| {
+                let drives = drives.as_ref().map_err(Clone::clone)?;
+                let one = &drives[k % drives.len()];
+                let still = phase(&one.drive, 1.0 + excess)? == Phase::Still;
+                Ok(Pair::plain(
+                    format!("{}: λ₀ − 1 = {excess:e}", one.name),
+                    stated_rest(1.0 + excess),
+                    is(still),
+                ))
+            },
+        )
+    }
+];
 
 #[cfg(test)]
 mod tests {

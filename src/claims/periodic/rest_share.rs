@@ -1,10 +1,7 @@
 //! Trials of how long a particle is at rest in a period when friction is slightly below the largest drive.
 
-use super::drives::{Harmonics, motion, rest_share, steps_between};
-use crate::claims::tolerances::SHARE;
-use crate::motion::drive::Drive;
-use crate::paper::periodic as printed;
-use trialbook::prelude::*;
+use super::drives::{motion, rest_share, steps_between};
+use super::prelude::*;
 
 /// The share of rest at λ₀ = 1 − δ.
 fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {
@@ -14,8 +11,8 @@ fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {
 
 /// λ₀ → 1: the motion that is left lasts as √δ, and then as powers of it.
 pub fn limit() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
+    Trial::by(
+        Limit,
         Printed,
         Compared::one(
             "the whole period, 1,",
@@ -23,10 +20,9 @@ pub fn limit() -> Evidence {
         )
         .over("three harmonics at random"),
         SHARE,
-    );
-    let mut points = Points::here();
-    trial.over(0..30, |i| {
-        let drive = Harmonics::random(&mut points)?.drive()?;
+    )
+    .drawn(0..30, |i, points| {
+        let drive = Harmonics::random(points)?.drive()?;
         let delta = 1e-8;
         let [far, near] = [share(&drive, 4.0 * delta)?, share(&drive, delta)?];
         Ok(Pair::plain(
@@ -59,15 +55,14 @@ pub fn census() -> Evidence {
 
 /// |h| = 1 throughout: no rest, however near λ₀ is to 1.
 pub fn two_valued() -> Evidence {
-    let trial = Trial::census(
+    Trial::census(
         Remark,
         Compared::constant(
             "the expected 0",
             r"the share of rest for steps between 1 and $-1$ with $\lambda_0$ just below 1",
         ),
-    );
-    let mut points = Points::here();
-    trial.over(0..24, |_| {
+    )
+    .drawn(0..24, |_, points| {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
         let drive = steps_between(x, y)?;
         let delta = points.log_uniform(1e-6, 1e-1);
@@ -79,4 +74,4 @@ pub fn two_valued() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![limit, census, two_valued];
+attempts![limit, census, two_valued];

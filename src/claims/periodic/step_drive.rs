@@ -7,11 +7,10 @@
 use super::chains::rate;
 use super::critical_friction::{never_part, slows};
 use super::exact::EQ45;
+use super::prelude::*;
 use crate::claims::general::contraction::never_farther_apart;
 use crate::claims::general::strong_drives::MOVES;
 use crate::claims::general::two_frames::eq2;
-use crate::paper::periodic as printed;
-use trialbook::prelude::*;
 
 /// n/d.
 type Fraction = [i64; 2];
@@ -20,7 +19,7 @@ type Fraction = [i64; 2];
 type Size = [u32; 2];
 
 fn ratio([n, d]: Fraction) -> Expr {
-    Expr::int(n) / Expr::int(d)
+    int(n) / int(d)
 }
 
 fn size([n, d]: Size) -> Expr {
@@ -138,11 +137,9 @@ impl Half {
 }
 
 /// Rests that come, go and come again.
-pub const CHANGES: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
+pub const CHANGES: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for the $h$ that for $0<\phi<\pi$ is $-1/6$ between $3\pi/8$ and $\pi/2$ and else 1, with (43): from every start, with any velocity across, there is no rest at $\lambda_0=1/8$, there are two rests in every late period at $1/5$, none from some time on at $1/2$, and two again at $2/3$",
-    ),
+    r"for the $h$ that for $0<\phi<\pi$ is $-1/6$ between $3\pi/8$ and $\pi/2$ and else 1, with (43): from every start, with any velocity across, there is no rest at $\lambda_0=1/8$, there are two rests in every late period at $1/5$, none from some time on at $1/2$, and two again at $2/3$",
     || (eq2(), rate(), printed::s23_rests()),
     |(law, rate, kinds)| changes(law, rate, kinds, HALVES),
 )
@@ -182,12 +179,12 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
         }
         let seen = halves.map(|half| half.kind().to_string()).join(", ");
         p.note("Rests at these three λ₀, 1 if there are", seen);
-        let [come, go, again] = halves.map(|half| Expr::int(half.kind()));
+        let [come, go, again] = halves.map(|half| int(half.kind()));
         let turns = p.read(
             "Changes among them",
             (come - go).squared() + (go - again).squared(),
         )?;
-        p.reads_as(&turns, "", Expr::int(2))?;
+        p.reads_as(&turns, "", int(2))?;
         let stated = p.read("What is stated for much friction", much)?;
         let last = p.ring().read(again)?;
         p.equal("It is the last of the three", &stated, &last)
@@ -204,12 +201,12 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
     } = *half;
     let lambda0 = ratio([n, d]);
     let own = |of: Expr| of.with("λ₀", lambda0);
-    let sine = Expr::symbol("ψ").sin();
+    let sine = symbol("ψ").sin();
     p.note(
         &format!("For λ₀ = {n}/{d}, in parts π/{parts} of the half period"),
         format!("a motion with 𝔴 = 0 at the part {from}:"),
     );
-    let (mut at, mut w, mut way) = (from, Expr::int(0), 1);
+    let (mut at, mut w, mut way) = (from, int(0), 1);
     for (until, does) in half.stretches.iter().copied() {
         let h = half.h(at, until)?;
         match does {
@@ -222,11 +219,11 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
                 let signed = if sign > 0 {
                     rate
                 } else {
-                    rate.with("𝔴", Expr::symbol("𝔴₁"))
+                    rate.with("𝔴", symbol("𝔴₁"))
                 };
                 let slope = own(signed) - sine + h;
                 let end = w + slope * ratio([until - at, parts]);
-                w = Expr::int(sign) * size(left);
+                w = int(sign) * size(left);
                 p.identity(
                     (&format!("By (26), at the part {until}, for 𝔴 over π"), end),
                     ("of the sign that friction was given, or 0", w),
@@ -263,8 +260,8 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
 
 /// That all motions tend to one without rest that slides forward for half a period and backward for the other.
 fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
-    let [lambda0, psi, other, d] = Expr::symbols(["λ₀", "ψ", "𝔴₁", "D"]);
-    let (one, two, h) = (Expr::int(1), Expr::int(2), psi.sin());
+    let [lambda0, psi, other, d] = symbols(["λ₀", "ψ", "𝔴₁", "D"]);
+    let (one, two, h) = (int(1), int(2), psi.sin());
     p.remark(
         "A motion with a velocity across has no rest, or is one along the line from a rest on",
     );
@@ -319,7 +316,7 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
     Ok(())
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![&CHANGES];
+attempts![&CHANGES];
 
 #[cfg(test)]
 mod tests {

@@ -1,15 +1,9 @@
 //! Trials of what is said of a threshold λ_c for any h: that there is one, and that there may be more.
 
 use super::drives::{
-    Harmonics, Named, Phase, biased, boundary, level_at_median, named, phase, steps_between,
-    third_harmonic,
+    Named, biased, boundary, level_at_median, named, phase, steps_between, third_harmonic,
 };
-use crate::claims::tolerances::THRESHOLD;
-use crate::motion::drive::{Drive, DriveError};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::periodic as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// Samples of a drive over its period.
 const SAMPLES: usize = 4096;
@@ -80,29 +74,6 @@ fn admitted() -> Result<Vec<Named>, DriveError> {
     Ok(list)
 }
 
-/// Every admitted drive: no rest below the one bound, motion with rest above the other.
-fn both_ends() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::constant(
-            r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
-            "whether the motion has rests (1 if so)",
-        ),
-    );
-    trial.pairs(parts(admitted()), |one| {
-        let Named { name, drive, .. } = one?;
-        let Bounds { low, high } = bounds(&drive);
-        let below = [0.5, 0.99, 0.1].map(|share| (low * share, false));
-        let above = [0.5, 0.01, 0.999].map(|share| (high + (1.0 - high) * share, true));
-        let cases = below.into_iter().zip(above).flat_map(|(a, b)| [a, b]);
-        // A random drive may come so near to a level median that the lower bound is lost in the sampling.
-        let cases = cases.filter(|(lambda, _)| *lambda > 0.0);
-        cases
-            .map(|(lambda, much)| rests(name, &drive, lambda, much))
-            .collect()
-    })
-}
-
 /// λ_c of a drive whose motion without rest has two zeros: they are half a period apart, at a and a + π with
 /// ∫ h = πλ₀ between them, and the rest appears where the weaker of h(a) and −h(a + π) has sunk to λ₀.
 fn two_zero_threshold(shape: &Harmonics) -> Result<f64, Failure> {
@@ -131,116 +102,6 @@ fn two_zero_threshold(shape: &Harmonics) -> Result<f64, Failure> {
     Err("the two levels do not meet".into())
 }
 
-/// λ_c from that condition, with the place where rests appear in the simulation.
-fn two_zeros_root() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Printed,
-        Compared::one(
-            r"the $\lambda_0$ at which $\int h=\pi\lambda_0$ between zeros half a period apart and $h$ is $\lambda_0$ at one",
-            r"the $\lambda_0$ at which rests appear in the motion",
-        ),
-        THRESHOLD,
-    );
-    let mut points = Points::here();
-    trial.over(0..20, |_| {
-        let (a, p) = (points.uniform(0.0, 0.3), points.uniform(0.0, TAU));
-        let (b, r) = (points.uniform(0.0, 0.08), points.uniform(0.0, TAU));
-        let shape = Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, a, p), (3, b, r)])?;
-        let drive = shape.drive()?;
-        let Bounds { low, high } = bounds(&drive);
-        Ok(Pair::plain(
-            format!("sin φ + {a:.6} sin(2φ + {p:.6}) + {b:.6} sin(3φ + {r:.6}), scaled"),
-            two_zero_threshold(&shape)?,
-            boundary(low, high, |lambda| {
-                Ok::<_, DriveError>(phase(&drive, lambda)?.rests())
-            })?,
-        ))
-    })
-}
-
-/// More than one change: rests come, go, and come again as the friction grows.
-fn again_and_again() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::constant(
-            "the stated 3",
-            r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
-        ),
-    );
-    let amplitudes = (0..20).map(|k| 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0);
-    trial.over(Points::here().grid(amplitudes), |a| {
-        let drive = third_harmonic(a)?;
-        let seen: Result<Vec<bool>, _> = (1..200)
-            .map(|k| Ok::<_, DriveError>(phase(&drive, 0.005 * f64::from(k))?.rests()))
-            .collect();
-        let changes = seen?.windows(2).filter(|w| w[0] != w[1]).count();
-        Ok(Pair::plain(format!("a = {a:.6}"), 3.0, changes as f64))
-    })
-}
-
-/// With a mean: no rest below it, and rests above the mean of |h|.
-fn with_mean() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::constant(
-            r"0 below the mean of $h$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
-            "whether the motion has rests (1 if so; one that drifts has none)",
-        )
-        .over("sines with a mean"),
-    );
-    let mut points = Points::here();
-    trial.over(0..60, |i| {
-        let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
-        let (share, large) = (points.uniform(0.001, 0.999), i % 2 == 0);
-        let high = bounds(&drive).high;
-        let lambda = match large {
-            true => high + (1.0 - high) * share,
-            false => drive.mean().abs() * share,
-        };
-        let pair = rests("sine with a mean", &drive, lambda, large)?;
-        Ok(Pair {
-            // What drifts has no rest.
-            found: pair.found.max(0.0),
-            ..pair
-        })
-    })
-}
-
-/// With a mean: how it goes on below it.
-fn with_mean_drift() -> Evidence {
-    let trial = Trial::census(
-        Remark,
-        Compared::constant(
-            "the expected $-1$, for a drift",
-            r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..60, |_| {
-        let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
-        let lambda = drive.mean().abs() * points.uniform(0.001, 0.999);
-        drifting(&drive, lambda)
-    })
-}
-
-/// The same close to where the friction is as strong as the mean.
-fn with_mean_close() -> Evidence {
-    let trial = Trial::census(
-        Remark,
-        Compared::constant(
-            "the expected $-1$, for a drift",
-            r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..24, |_| {
-        let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
-        let lambda = drive.mean().abs() * (1.0 - points.log_uniform(1e-5, 1e-3));
-        drifting(&drive, lambda)
-    })
-}
-
 fn drifting(drive: &Drive, lambda: f64) -> Result<Pair, Failure> {
     let pair = rests("sine with a mean", drive, lambda, false)?;
     Ok(Pair {
@@ -258,8 +119,7 @@ pub fn two_valued() -> Evidence {
             r"whether the motion has rests (1 if so), for steps between 1 and $-1$ and $\lambda_0$ just below 1,",
         ),
     );
-    let mut points = Points::here();
-    trial.over(0..60, |_| {
+    trial.drawn(0..60, |_, points| {
         let (x, y) = (points.uniform(0.2, 2.9), points.uniform(0.2, 2.9));
         let drive = steps_between(x, y)?;
         let lambda = 1.0 - points.log_uniform(1e-6, 1e-1);
@@ -280,8 +140,7 @@ pub fn level() -> Evidence {
             r"whether the motion has rests (1 if so), for $\sin\phi+\sin(2\phi+p)$, scaled, $0<p<\pi/2$, and small $\lambda_0$,",
         ),
     );
-    let mut points = Points::here();
-    trial.over(0..60, |_| {
+    trial.drawn(0..60, |_, points| {
         let p = points.uniform(0.1, 1.5);
         let lambda = points.log_uniform(1e-5, 1e-2);
         let name = format!("p = {p:.6}");
@@ -289,13 +148,128 @@ pub fn level() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    both_ends,
-    two_zeros_root,
-    again_and_again,
-    with_mean,
-    with_mean_drift,
-    with_mean_close,
+attempts![
+    // Every admitted drive: no rest below the one bound, motion with rest above the other.
+    both_ends = {
+        let trial = Trial::census(
+            Printed,
+            Compared::constant(
+                r"0 where $\lvert h\rvert>\lambda_0$ wherever $\lvert H-c\rvert\le\pi\lambda_0$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
+                "whether the motion has rests (1 if so)",
+            ),
+        );
+        trial.pairs(parts(admitted()), |one| {
+            let Named { name, drive, .. } = one?;
+            let Bounds { low, high } = bounds(&drive);
+            let below = [0.5, 0.99, 0.1].map(|share| (low * share, false));
+            let above = [0.5, 0.01, 0.999].map(|share| (high + (1.0 - high) * share, true));
+            let cases = below.into_iter().zip(above).flat_map(|(a, b)| [a, b]);
+            // A random drive may come so near to a level median that the lower bound is lost in the sampling.
+            let cases = cases.filter(|(lambda, _)| *lambda > 0.0);
+            cases
+                .map(|(lambda, much)| rests(name, &drive, lambda, much))
+                .collect()
+        })
+    },
+    // λ_c from that condition, with the place where rests appear in the simulation.
+    two_zeros_root = {
+        let trial = Trial::by(
+            Root,
+            Printed,
+            [
+                r"the $\lambda_0$ at which $\int h=\pi\lambda_0$ between zeros half a period apart and $h$ is $\lambda_0$ at one",
+                r"the $\lambda_0$ at which rests appear in the motion",
+            ],
+            THRESHOLD,
+        );
+        trial.drawn(0..20, |_, points| {
+            let (a, p) = (points.uniform(0.0, 0.3), points.uniform(0.0, TAU));
+            let (b, r) = (points.uniform(0.0, 0.08), points.uniform(0.0, TAU));
+            let shape = Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, a, p), (3, b, r)])?;
+            let drive = shape.drive()?;
+            let Bounds { low, high } = bounds(&drive);
+            Ok(Pair::plain(
+                format!("sin φ + {a:.6} sin(2φ + {p:.6}) + {b:.6} sin(3φ + {r:.6}), scaled"),
+                two_zero_threshold(&shape)?,
+                boundary(low, high, |lambda| {
+                    Ok::<_, DriveError>(phase(&drive, lambda)?.rests())
+                })?,
+            ))
+        })
+    },
+    // More than one change: rests come, go, and come again as the friction grows.
+    again_and_again = {
+        let trial = Trial::census(
+            Printed,
+            Compared::constant(
+                "the stated 3",
+                r"the number of times that rests appear or disappear for $\sin\phi+a\sin3\phi$ as $\lambda_0$ grows from 0 to 1",
+            ),
+        );
+        let amplitudes = (0..20).map(|k| 1.4 + 0.15 * (f64::from(k) + 0.5) / 20.0);
+        trial.over(Points::here().grid(amplitudes), |a| {
+            let drive = third_harmonic(a)?;
+            let seen: Result<Vec<bool>, _> = (1..200)
+                .map(|k| Ok::<_, DriveError>(phase(&drive, 0.005 * f64::from(k))?.rests()))
+                .collect();
+            let changes = seen?.windows(2).filter(|w| w[0] != w[1]).count();
+            Ok(Pair::plain(format!("a = {a:.6}"), 3.0, changes as f64))
+        })
+    },
+    // With a mean: no rest below it, and rests above the mean of |h|.
+    with_mean = Trial::census(
+        Printed,
+        Compared::constant(
+            r"0 below the mean of $h$, and 1 where $\langle\lvert h\rvert\rangle<\lambda_0<1$",
+            "whether the motion has rests (1 if so; one that drifts has none)",
+        )
+        .over("sines with a mean"),
+    )
+    .drawn(0..60, |i, points| {
+        let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
+        let (share, large) = (points.uniform(0.001, 0.999), i % 2 == 0);
+        let high = bounds(&drive).high;
+        let lambda = match large {
+            true => high + (1.0 - high) * share,
+            false => drive.mean().abs() * share,
+        };
+        let pair = rests("sine with a mean", &drive, lambda, large)?;
+        Ok(Pair {
+            // What drifts has no rest.
+            found: pair.found.max(0.0),
+            ..pair
+        })
+    }),
+    // With a mean: how it goes on below it.
+    with_mean_drift = {
+        let trial = Trial::census(
+            Remark,
+            Compared::constant(
+                "the expected $-1$, for a drift",
+                r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ below the mean of $h$,",
+            ),
+        );
+        trial.drawn(0..60, |_, points| {
+            let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
+            let lambda = drive.mean().abs() * points.uniform(0.001, 0.999);
+            drifting(&drive, lambda)
+        })
+    },
+    // The same close to where the friction is as strong as the mean.
+    with_mean_close = {
+        let trial = Trial::census(
+            Remark,
+            Compared::constant(
+                "the expected $-1$, for a drift",
+                r"0 or 1 for a periodic motion without or with rests, $-1$ for one that drifts, at $\lambda_0$ a part in $10^3$ or less below the mean of $h$,",
+            ),
+        );
+        trial.drawn(0..24, |_, points| {
+            let drive = biased(points.sign() * points.uniform(0.02, 0.9))?;
+            let lambda = drive.mean().abs() * (1.0 - points.log_uniform(1e-5, 1e-3));
+            drifting(&drive, lambda)
+        })
+    },
     two_valued,
     level
 ];

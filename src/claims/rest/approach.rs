@@ -4,23 +4,15 @@
 //! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
 
 use super::boundary::{angle_towards_one, border};
+use super::prelude::*;
 use super::trajectories::{
     APPROACHES, APPROACHES_TO_ONE_HALF, Approach, Close, OTHER_APPROACHES, approaches_to,
     gentle_approaches_to,
 };
 use crate::claims::escape::straight::{StraightIn, WITHIN_ONE, time_to_stop};
 use crate::claims::escape::trajectories::{a, alpha, rates};
-use crate::claims::tolerances::{
-    BOUNDARY, DIFFERENCES, FIRST_OMITTED, LINEARISED, NEAR_REST, NEAR_REST_EXPONENT, RELAXED,
-};
-use crate::corrections::rest as corrected;
-use crate::motion::MotionError;
-use crate::motion::turntable::Start;
-use crate::motion::turntable::intrinsic::{self, Run};
+use crate::motion::turntable::intrinsic;
 use crate::numerics::eigenvalues::{eigenvalues, jacobian};
-use crate::paper::rest as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
 
 /// What an equation says at σ and what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> [f64; 3];
@@ -63,7 +55,7 @@ impl Way {
 
 /// At p = 10⁻²⁰, for σ not so small that ψ has not relaxed even there.
 const EXACTLY: Way = Way {
-    route: Route::Integration,
+    route: Integration,
     subject: Within,
     tolerance: DIFFERENCES,
     words: [r"at $p=10^{-20}$, ", ""],
@@ -78,7 +70,7 @@ const EXACTLY: Way = Way {
 
 /// At p = 10⁻³, in units of the order of what is left out.
 const BY_ORDER: Way = Way {
-    route: Route::Limit,
+    route: Limit,
     subject: Within,
     tolerance: FIRST_OMITTED,
     words: [
@@ -97,7 +89,7 @@ const BY_ORDER: Way = Way {
 
 /// On the way into a rest with ψ → π.
 const STRAIGHT: Way = Way {
-    route: Route::Integration,
+    route: Integration,
     subject: Outside,
     tolerance: RELAXED,
     words: [r"on the way into a rest with $\psi\to\pi$, ", ""],
@@ -119,7 +111,7 @@ const STRAIGHT_CORRECTED: Way = Way {
 
 /// At σ = 1, where the motion takes for ever: on the boundary.
 const AT_ONE: Way = Way {
-    route: Route::Root,
+    route: Root,
     subject: Outside,
     tolerance: BOUNDARY,
     words: ["on the boundary, ", ""],
@@ -288,19 +280,16 @@ const CONSTANT: Compared = Compared::one(
 );
 
 fn constants(subject: Subject, compared: Compared, ranges: &'static [(f64, f64)]) -> Evidence {
-    Trial::by(Route::Limit, subject, compared, NEAR_REST).over(
-        gentle_approaches_to(ranges),
-        |approach| {
-            let approach = approach?;
-            let [found, alpha, left_out] = constant(approach)?;
-            Ok(Pair {
-                at: format!("{}, α = {alpha:.6e}", approach.at()),
-                stated: printed::eq143_constant(approach.sigma),
-                found,
-                scale: unit(subject, 1.0 + found.abs(), left_out, NEAR_REST),
-            })
-        },
-    )
+    Trial::by(Limit, subject, compared, NEAR_REST).over(gentle_approaches_to(ranges), |approach| {
+        let approach = approach?;
+        let [found, alpha, left_out] = constant(approach)?;
+        Ok(Pair {
+            at: format!("{}, α = {alpha:.6e}", approach.at()),
+            stated: printed::eq143_constant(approach.sigma),
+            found,
+            scale: unit(subject, 1.0 + found.abs(), left_out, NEAR_REST),
+        })
+    })
 }
 
 /// The scale of a comparison: what is left out can be the larger part of a difference where c is large, or, beside a slope, where
@@ -324,7 +313,7 @@ fn exponents(
     ranges: &'static [(f64, f64)],
     levels: fn(f64) -> [f64; 2],
 ) -> Evidence {
-    Trial::by(Route::Integration, subject, compared, NEAR_REST_EXPONENT).over(
+    Trial::by(Integration, subject, compared, NEAR_REST_EXPONENT).over(
         gentle_approaches_to(ranges),
         |approach| {
             let approach = approach?;
@@ -342,32 +331,6 @@ fn exponents(
     )
 }
 
-/// The exponent of α beside c by the motion linearised about the rest, where s is the time: across the motion (p = 0) and with
-/// it.
-fn eq143_linearised() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Within,
-        Compared::one(
-            r"$(2\sigma-1)/(1-\sigma)$",
-            r"the rate at which $\zeta$ falls at $p=0$, over that at which $p$ falls, less 1: eigenvalues of the motion linearised about the rest",
-        ),
-        LINEARISED,
-    );
-    let sigmas = Points::here().within(20, [[0.26, 0.74]]);
-    trial.at(["σ"], sigmas, 1.0, |[sigma]| {
-        let rest = [0.0, 1.0 - sigma, 0.0];
-        let matrix = jacobian(|x| Ok::<_, Failure>(intrinsic::rates(x)), rest, [STEP; 3])?;
-        let [_, [_, a, b], [_, c, d]] = matrix;
-        let across = eigenvalues([[a, b], [c, d]])?;
-        // What the eigenvalues of the whole have beside these.
-        let sum = |of: &[[f64; 2]]| of.iter().map(|[real, _]| real).sum::<f64>();
-        let along = sum(&eigenvalues(matrix)?) - sum(&across);
-        let found = across[0][0] / along - 1.0;
-        Ok([printed::eq143_exponent(sigma), found])
-    })
-}
-
 /// Steps of the differences about a rest, of products of two numbers: without an error of the method.
 const STEP: f64 = 1e-2;
 
@@ -378,86 +341,6 @@ fn early_levels(sigma: f64) -> [f64; 2] {
     } else {
         [1e-6, 1e-7]
     }
-}
-
-/// σ = 1/2: no value.
-fn eq143_one_half() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Outside,
-        Compared::one(
-            r"(143) over $2\alpha$",
-            r"$\psi/(2\alpha)$ of the motion at $p=10^{-10}$",
-        )
-        .over(r"$\sigma=1/2$"),
-        NEAR_REST,
-    )
-    .each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
-        let close = approach.close(1e-10)?;
-        Ok([
-            printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
-            close.ratio(),
-            close.ratio().abs(),
-        ])
-    })
-}
-/// The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
-fn eq143_regular() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Corrected,
-        Compared::one(
-            r"the regular form of (143) over $2\alpha$, its constant taken at $p=10^{-10}$,",
-            r"$\psi/(2\alpha)$ at $p=10^{-12}$",
-        )
-        .over(r"$\sigma=1/2$"),
-        NEAR_REST,
-    )
-    .each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
-        let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
-        let ratio = |c: f64, alpha: f64| corrected::psi_at_one_half(c, alpha) / (2.0 * alpha);
-        let c = far.ratio() - ratio(0.0, far.alpha);
-        Ok([ratio(c, near.alpha), near.ratio(), near.ratio().abs()])
-    })
-}
-fn near_rest_angle() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Within,
-        Compared::many(
-            r"the limits 0 of $\alpha$ and $\psi$",
-            r"$\alpha$ and $\psi$ of the motion at $p=10^{-30}$",
-        ),
-        RELAXED,
-    );
-    let both = with_each(approaches_to(&[(0.3, 0.98)]), [0, 1]);
-    trial.over(both, |case| {
-        let (approach, i) = case?;
-        let end = approach.run.end();
-        Ok(Pair::plain(
-            approach.at(),
-            printed::s4_near_rest_limits()[i],
-            [alpha(&end), end.psi()][i],
-        ))
-    })
-}
-/// Random motions to rest, on which ψ and α come nearer to their limits at the end.
-fn near_rest_census() -> Evidence {
-    let trial = Trial::census(
-        Within,
-        Compared::one(
-            r"the number of tenfold falls of $p$, from $10^{-10}$ on, over which $\alpha$ and $\psi$ both come nearer to their limits 0,",
-            "that of all such falls",
-        ),
-    );
-    trial.each(OTHER_APPROACHES.each(), Approach::at, |approach| {
-        let states = tenfold(&approach.run);
-        Ok([
-            nearing(&states, printed::s4_near_rest_limits()) as f64,
-            states.len().saturating_sub(2) as f64,
-            1.0,
-        ])
-    })
 }
 
 /// α and ψ where p has fallen below 10⁻⁹, and then below 10⁻¹⁰ and so on, tenfold each time, to 10⁻²⁸.
@@ -485,8 +368,32 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
         .filter(|&n| [0, 1].iter().all(|&i| nears(n, i)))
         .count()
 }
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq143_linearised,
+attempts![
+    // The exponent of α beside c by the motion linearised about the rest, where s is the time: across the motion (p = 0) and with
+    // it.
+    eq143_linearised = {
+        let trial = Trial::by(
+            Root,
+            Within,
+            [
+                r"$(2\sigma-1)/(1-\sigma)$",
+                r"the rate at which $\zeta$ falls at $p=0$, over that at which $p$ falls, less 1: eigenvalues of the motion linearised about the rest",
+            ],
+            LINEARISED,
+        );
+        let sigmas = Points::here().within(20, [[0.26, 0.74]]);
+        trial.at(["σ"], sigmas, 1.0, |[sigma]| {
+            let rest = [0.0, 1.0 - sigma, 0.0];
+            let matrix = jacobian(|x| Ok::<_, Failure>(intrinsic::rates(x)), rest, [STEP; 3])?;
+            let [_, [_, a, b], [_, c, d]] = matrix;
+            let across = eigenvalues([[a, b], [c, d]])?;
+            // What the eigenvalues of the whole have beside these.
+            let sum = |of: &[[f64; 2]]| of.iter().map(|[real, _]| real).sum::<f64>();
+            let along = sum(&eigenvalues(matrix)?) - sum(&across);
+            let found = across[0][0] / along - 1.0;
+            Ok([printed::eq143_exponent(sigma), found])
+        })
+    },
     eq140_motion = EXACTLY.tries(EQ140),
     eq140_order = BY_ORDER.tries(EQ140),
     eq140_straight = STRAIGHT.tries(EQ140),
@@ -532,12 +439,46 @@ pub(super) const TRIALS: &[Attempt] = trials![
         &[(0.8, 0.98)],
         |_| [1e-3, 1e-4]
     ),
-    eq143_one_half,
+    // σ = 1/2: no value.
+    eq143_one_half = Trial::by(
+        Integration,
+        Outside,
+        Compared::one(
+            r"(143) over $2\alpha$",
+            r"$\psi/(2\alpha)$ of the motion at $p=10^{-10}$",
+        )
+        .over(r"$\sigma=1/2$"),
+        NEAR_REST,
+    )
+    .each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
+        let close = approach.close(1e-10)?;
+        Ok([
+            printed::eq143_psi(0.5, 0.0, close.alpha) / (2.0 * close.alpha),
+            close.ratio(),
+            close.ratio().abs(),
+        ])
+    }),
     // (143) has no such motion.
     eq143_straight = STRAIGHT.tries(("(143)", r"$\psi$ of the motion", |sigma, c| {
         [printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0]
     })),
-    eq143_regular,
+    // The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
+    eq143_regular = Trial::by(
+        Integration,
+        Corrected,
+        Compared::one(
+            r"the regular form of (143) over $2\alpha$, its constant taken at $p=10^{-10}$,",
+            r"$\psi/(2\alpha)$ at $p=10^{-12}$",
+        )
+        .over(r"$\sigma=1/2$"),
+        NEAR_REST,
+    )
+    .each(APPROACHES_TO_ONE_HALF.each(), Approach::at, |approach| {
+        let (far, near) = (approach.close(1e-10)?, approach.close(1e-12)?);
+        let ratio = |c: f64, alpha: f64| corrected::psi_at_one_half(c, alpha) / (2.0 * alpha);
+        let c = far.ratio() - ratio(0.0, far.alpha);
+        Ok([ratio(c, near.alpha), near.ratio(), near.ratio().abs()])
+    }),
     eq144_motion = EXACTLY.tries(EQ144_WAY),
     eq144_order = BY_ORDER.tries(EQ144),
     eq144_straight = STRAIGHT.tries(EQ144),
@@ -548,8 +489,45 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq145_at_one = AT_ONE.tries(("(145)", "$A$", |sigma, c| {
         [printed::eq145_a(sigma, c.alpha), c.a, 1.0]
     })),
-    near_rest_angle,
-    near_rest_census,
+    near_rest_angle = {
+        let both = with_each(approaches_to(&[(0.3, 0.98)]), [0, 1]);
+        Trial::by(
+            Limit,
+            Within,
+            Compared::many(
+                r"the limits 0 of $\alpha$ and $\psi$",
+                r"$\alpha$ and $\psi$ of the motion at $p=10^{-30}$",
+            ),
+            RELAXED,
+        )
+        .over(both, |case| {
+            let (approach, i) = case?;
+            let end = approach.run.end();
+            Ok(Pair::plain(
+                approach.at(),
+                printed::s4_near_rest_limits()[i],
+                [alpha(&end), end.psi()][i],
+            ))
+        })
+    },
+    // Random motions to rest, on which ψ and α come nearer to their limits at the end.
+    near_rest_census = {
+        let trial = Trial::census(
+            Within,
+            [
+                r"the number of tenfold falls of $p$, from $10^{-10}$ on, over which $\alpha$ and $\psi$ both come nearer to their limits 0,",
+                "that of all such falls",
+            ],
+        );
+        trial.each(OTHER_APPROACHES.each(), Approach::at, |approach| {
+            let states = tenfold(&approach.run);
+            Ok([
+                nearing(&states, printed::s4_near_rest_limits()) as f64,
+                states.len().saturating_sub(2) as f64,
+                1.0,
+            ])
+        })
+    },
     near_rest_straight = STRAIGHT.tries(("the stated 0", r"$\psi$ of the motion", |_, c| {
         [printed::s4_near_rest_limits()[1], c.psi, 1.0]
     })),
@@ -557,7 +535,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
         STRAIGHT_CORRECTED.tries((r"$\pi-2\alpha/(2+1/\sigma)$", r"$\psi$", |sigma, c| {
             let stated = PI - corrected::angle_straight_in(sigma, c.alpha);
             [stated, c.psi, c.alpha]
-        })),
+        }))
 ];
 
 #[cfg(test)]

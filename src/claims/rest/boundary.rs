@@ -1,15 +1,8 @@
 //! Trials of the boundary between rest and escape: bisection, and a census of starts.
 
-use trialbook::prelude::*;
+use super::prelude::*;
 
-use crate::claims::tolerances::{BOUNDARY, CLOSING_SURFACES, THIRD_ORDER};
-use crate::corrections::rest as corrected;
-use crate::motion::MotionError;
-use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::fate::rests;
-use crate::motion::turntable::{Fate, Start, fate};
-use crate::paper::rest as printed;
-use std::f64::consts::PI;
 
 /// A point of the boundary.
 #[derive(Debug, Clone, Copy)]
@@ -88,9 +81,8 @@ fn on_the_border(
     compared: Compared,
     borders: impl Iterator<Item = Result<Border, Failure>>,
 ) -> Evidence {
-    let trial = Trial::by(Route::Root, subject, compared, tolerance);
     let at = |Border { alpha, psi, .. }: &Border| format!("α = {alpha}, ψ = {psi:.6}");
-    trial.each(borders, at, |&Border { alpha, psi, a }| {
+    Trial::by(Root, subject, compared, tolerance).each(borders, at, |&Border { alpha, psi, a }| {
         let [stated, scale] = law(alpha, psi);
         Ok([stated, a, scale])
     })
@@ -116,12 +108,12 @@ fn slow() -> impl Iterator<Item = Result<Border, Failure>> {
 /// The least A of the boundary over ψ: the least of those at twelve angles all round, and at some of the order of α.
 fn least_root() -> Evidence {
     let trial = Trial::by(
-        Route::Root,
+        Root,
         Corrected,
-        Compared::one(
+        [
             r"$1-\alpha+\frac76\alpha^2$",
             r"the least $A$, over 21 $\psi$, at which the motion passes from rest to escape, in units of $1000\alpha^3$",
-        ),
+        ],
         THIRD_ORDER,
     );
     let alphas = (0..20).map(|i| 0.01 + 0.01 * f64::from(i));
@@ -236,42 +228,9 @@ fn counted(case: &Case, rests: bool) -> Pair {
     )
 }
 
-/// Who comes to rest by (147), and who does.
-fn printed_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            "the fate by (147) (1 for rest, 0 for escape)",
-            "that of the motion",
-        ),
-    );
-    // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
-    let small = only(CENSUS.each(), |case| case.start[1] < 0.3);
-    trial.over(small, |case| {
-        let case = case?;
-        Ok(counted(case, rests_as_printed(case.start)))
-    })
-}
-
 /// Whether a start, by A, α and ψ, comes to rest by (147).
 fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
     a < printed_a(alpha)
-}
-
-/// Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
-fn corrected_census() -> Evidence {
-    let trial = Trial::census(
-        Corrected,
-        Compared::one(
-            r"the fate by the corrected boundary, to the order $\alpha^2$ (1 for rest, 0 for escape),",
-            r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
-        ),
-    );
-    trial.over(only(CENSUS.each(), |case| case.clear), |case| {
-        let case = case?;
-        let [a, alpha, psi] = case.start;
-        Ok(counted(case, a < corrected_a(alpha, psi)))
-    })
 }
 
 /// A place on a surface of constant σ, on the slow motion near σ = 1, where (146) holds.
@@ -316,14 +275,14 @@ fn surface(sigma: f64) -> Result<Surface, Failure> {
 
 fn slopes(subject: Subject, compared: Compared, stated: fn(f64, f64) -> f64) -> Evidence {
     let compared = compared.over(r"$\psi=2\alpha$");
-    let trial = Trial::by(Route::Root, subject, compared, CLOSING_SURFACES);
+    let trial = Trial::by(Root, subject, compared, CLOSING_SURFACES);
     let at = |s: &Surface| format!("σ = {:.6}, α = {:.6}", s.sigma, s.alpha);
     trial.each(SURFACES.each(), at, |s| {
         Ok([stated(s.sigma, s.alpha), s.slope, 1.0])
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
     real_surfaces = slopes(
         Printed,
@@ -344,9 +303,38 @@ pub(super) const TRIALS: &[Attempt] = trials![
     ),
     printed_slow = on_the_border(AS_PRINTED, EQ147.over(r"$\psi=2\alpha$"), slow()),
     least_root,
-    printed_census,
+    // Who comes to rest by (147), and who does.
+    printed_census = {
+        // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
+        let small = only(CENSUS.each(), |case| case.start[1] < 0.3);
+        Trial::census(
+            Printed,
+            [
+                "the fate by (147) (1 for rest, 0 for escape)",
+                "that of the motion",
+            ],
+        )
+        .over(small, |case| {
+            let case = case?;
+            Ok(counted(case, rests_as_printed(case.start)))
+        })
+    },
     printed_root = on_the_border(AS_PRINTED, EQ147, borders().map(|border| border.copied())),
-    corrected_census,
+    // Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
+    corrected_census = {
+        let trial = Trial::census(
+            Corrected,
+            [
+                r"the fate by the corrected boundary, to the order $\alpha^2$ (1 for rest, 0 for escape),",
+                r"that of the motion, where it is the same with $A$ changed by $6\alpha^3$ either way",
+            ],
+        );
+        trial.over(only(CENSUS.each(), |case| case.clear), |case| {
+            let case = case?;
+            let [a, alpha, psi] = case.start;
+            Ok(counted(case, a < corrected_a(alpha, psi)))
+        })
+    },
     corrected_root = on_the_border(
         AS_CORRECTED,
         CORRECTED,

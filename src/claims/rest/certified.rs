@@ -1,10 +1,9 @@
 //! Fates by validated integration: where (147) says one thing and Newton's law the other.
 
 use super::boundary::{border, corrected_a, printed_a};
-use crate::claims::tolerances::NONE;
+use super::prelude::*;
 use crate::validated::turntable::{Fate, fate};
 use trialbook::certified::written::decimal;
-use trialbook::prelude::*;
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
 pub const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];
@@ -28,12 +27,12 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
 /// (147) with proved fates.
 pub fn printed() -> Evidence {
     Trial::by(
-        Route::Certified,
+        Certified,
         Printed,
-        Compared::one(
+        [
             "the fate by (147) (1 for rest, 0 for escape)",
             "that by validated integration",
-        ),
+        ],
         NONE,
     )
     .over(WRONG, |start| proved(start, printed_a(start[1])))
@@ -42,7 +41,7 @@ pub fn printed() -> Evidence {
 /// The second-order boundary with proved fates on both sides of it.
 pub fn corrected() -> Evidence {
     let trial = Trial::by(
-        Route::Certified,
+        Certified,
         Corrected,
         Compared::one(
             "the fate by the corrected formula (1 for rest, 0 for escape)",
@@ -65,7 +64,7 @@ pub fn corrected() -> Evidence {
         .of_a_part()
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![printed, corrected];
+attempts![printed, corrected];
 
 #[cfg(test)]
 mod tests {

@@ -1,13 +1,8 @@
 //! Trials of the statement that every start leads to rest or to an unbounded motion.
 
-use crate::claims::tolerances::NONE;
-use crate::motion::MotionError;
+use super::prelude::*;
 use crate::motion::turntable::boundary::boundary;
 use crate::motion::turntable::ensemble::rests;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial};
-use crate::paper::rest as printed;
-use trialbook::prelude::*;
 
 /// Starts all over the inner part of the states, by ρ, p and ψ.
 fn starts(count: usize) -> Vec<[f64; 3]> {
@@ -42,7 +37,7 @@ pub fn fates() -> Evidence {
 /// In the laboratory, up to τ = 100: each has one of the two fates, and not both. From ρ² − p² > 1 none comes back to rest.
 pub fn followed() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Within,
         Compared::constant(
             "the expected 0, for no third fate",
@@ -71,64 +66,64 @@ fn third_fate(path: &Path, tau: f64) -> Result<f64, MotionError> {
     Ok(1.0 - rests - escapes)
 }
 
-/// Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
-fn on_the_boundary() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Outside,
-        Compared::constant(
-            "the expected 0, for no third fate",
-            r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
-        ),
-        NONE,
-    );
-    let places = Points::here().grid((0..20).map(f64::from));
-    trial.over(places, |i| {
-        let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 1.0);
-        let run = Run::new(&Start::hyperbolic(boundary(alpha, psi)?, alpha, psi)?, 8.0)?;
-        let (before, after) = (run.at(4.0)?, run.at(8.0)?);
-        let creeps = creeps([&before, &after].map(|s| [s.rho(), s.p()]));
-        Ok(Pair::plain(
-            format!("α = {alpha:.6}, ψ = {psi:.6} on the boundary"),
-            printed::s4_third_fates(),
-            is(creeps),
-        ))
-    })
-}
-
 /// Whether a particle, by ρ and p before and after, still moves, far more slowly, and nearer to ρ = 1.
 fn creeps([[far, fast], [near, slow]]: [[f64; 2]; 2]) -> bool {
     slow > 0.0 && slow < 0.1 * fast && (near - 1.0).abs() < (far - 1.0).abs()
 }
 
-/// That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
-fn beside_the_boundary() -> Evidence {
-    let trial = Trial::census(
-        Excepted,
-        Compared::constant(
-            "the expected 1",
-            "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
-        ),
-    );
-    let places = Points::here().grid((0..40).map(f64::from));
-    trial.over(places, |i| {
-        let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 2.0);
-        let on = boundary(alpha, psi)?;
-        let beside = |part: f64| -> Result<Fate, Failure> {
-            Ok(fate(&Start::hyperbolic(on * (1.0 + part), alpha, psi)?)?)
-        };
-        let sides = [beside(-1e-6)?, beside(1e-6)?];
-        let apart = matches!(sides, [Fate::Rest { .. }, Fate::Escape { .. }]);
-        Ok(Pair::plain(
-            format!("α = {alpha:.6}, ψ = {psi:.6}"),
-            1.0,
-            is(apart),
-        ))
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] =
-    trials![fates, followed, on_the_boundary, beside_the_boundary];
+attempts![
+    fates,
+    followed,
+    // Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
+    on_the_boundary = {
+        let trial = Trial::by(
+            Root,
+            Outside,
+            Compared::constant(
+                "the expected 0, for no third fate",
+                r"whether a particle that starts on the boundary still moves at $\tau=8$, nearer to $\rho=1$ and more slowly than at $\tau=4$ (1 if so)",
+            ),
+            NONE,
+        );
+        let places = Points::here().grid((0..20).map(f64::from));
+        trial.over(places, |i| {
+            let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 1.0);
+            let run = Run::new(&Start::hyperbolic(boundary(alpha, psi)?, alpha, psi)?, 8.0)?;
+            let (before, after) = (run.at(4.0)?, run.at(8.0)?);
+            let creeps = creeps([&before, &after].map(|s| [s.rho(), s.p()]));
+            Ok(Pair::plain(
+                format!("α = {alpha:.6}, ψ = {psi:.6} on the boundary"),
+                printed::s4_third_fates(),
+                is(creeps),
+            ))
+        })
+    },
+    // That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
+    beside_the_boundary = {
+        let trial = Trial::census(
+            Excepted,
+            Compared::constant(
+                "the expected 1",
+                "whether a start a millionth below the boundary rests and one above it escapes (1 if so)",
+            ),
+        );
+        let places = Points::here().grid((0..40).map(f64::from));
+        trial.over(places, |i| {
+            let (alpha, psi) = (0.05 + 0.02 * i, 0.1 * i - 2.0);
+            let on = boundary(alpha, psi)?;
+            let beside = |part: f64| -> Result<Fate, Failure> {
+                Ok(fate(&Start::hyperbolic(on * (1.0 + part), alpha, psi)?)?)
+            };
+            let sides = [beside(-1e-6)?, beside(1e-6)?];
+            let apart = matches!(sides, [Fate::Rest { .. }, Fate::Escape { .. }]);
+            Ok(Pair::plain(
+                format!("α = {alpha:.6}, ψ = {psi:.6}"),
+                1.0,
+                is(apart),
+            ))
+        })
+    }
+];
 
 #[cfg(test)]
 mod tests {

@@ -10,9 +10,7 @@ pub mod saddle;
 pub mod series;
 pub mod surfaces;
 
-use crate::claims::turntable::exact as turntable;
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use super::prelude::*;
 
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::of(["σ", "α"]);
@@ -29,9 +27,9 @@ fn prove(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle
 pub fn eq139(bound: Expr) -> Proof {
     prove("(139): where a push starts no motion", |p| {
         given(p, &[&turntable::EQ107])?;
-        let [sigma, psi] = Expr::symbols(["σ", "ψ"]);
+        let [sigma, psi] = symbols(["σ", "ψ"]);
         let excess = sigma - bound;
-        let less = Expr::int(2) * sigma * (psi / Expr::int(2)).sin().squared();
+        let less = 2 * sigma * (psi / 2).sin().squared();
         p.identity(
             ("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi)),
             ("σ less the bound, less what is not negative", excess - less),
@@ -55,8 +53,8 @@ pub fn eq146(formula: Expr) -> Proof {
 /// (147) is (145) where (146) holds, with σ < 1.
 pub fn eq147(formula: Expr) -> Proof {
     prove("(147) is (145) with (146) put in", |p| {
-        let alpha = Expr::symbol("α");
-        let solved = Expr::int(1) - alpha / Expr::int(2).sqrt();
+        let alpha = symbol("α");
+        let solved = 1 - alpha / int(2).sqrt();
         p.note("(146) solved for σ < 1", "σ = 1 − α/√2");
         let right = printed::eq146_right::tree().with("σ", solved);
         let right = p.read("(146) there", right)?;
@@ -79,29 +77,29 @@ pub const EQ139: Statement = Statement::new(
     eq139,
 );
 
-/// (146) against (145).
-const EQ146: Statement = Statement::new(
-    Step,
-    Compared::one(
-        "(146)",
-        "the derivative of (145), the terms left out being dropped",
-    ),
-    printed::eq146_right::tree,
-    eq146,
-);
-
-/// (147) against (145) and (146).
-const EQ147: Statement = Statement::new(
-    Step,
-    Compared::one(
-        "(147)",
-        "(145) where (146) holds, the terms left out being dropped",
-    ),
-    printed::eq147_a::tree,
-    eq147,
-);
-
 #[cfg(test)]
 mod tests;
 
-pub(super) const TRIALS: &[Attempt] = trials![&EQ139, &EQ146, &EQ147];
+attempts![
+    &EQ139,
+    // (146) against (145).
+    &EQ146 = Statement::new(
+        Step,
+        Compared::one(
+            "(146)",
+            "the derivative of (145), the terms left out being dropped",
+        ),
+        printed::eq146_right::tree,
+        eq146,
+    ),
+    // (147) against (145) and (146).
+    &EQ147 = Statement::new(
+        Step,
+        Compared::one(
+            "(147)",
+            "(145) where (146) holds, the terms left out being dropped",
+        ),
+        printed::eq147_a::tree,
+        eq147,
+    )
+];

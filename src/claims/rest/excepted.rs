@@ -1,10 +1,8 @@
 //! What the conditions near rest except: single resting places, and starts that come straight in, which lie on a surface.
 
+use super::prelude::*;
 use super::trajectories::{APPROACHES, Approach};
-use crate::paper::rest as printed;
-use std::f64::consts::FRAC_PI_2;
 use trialbook::certified::interval::Interval;
-use trialbook::prelude::*;
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub fn straight_in() -> Evidence {
@@ -21,7 +19,7 @@ pub fn straight_in() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     // The resting place at which friction is only just as strong as the centrifugal force.
     edge = no_inside(
         "a resting place",
@@ -42,5 +40,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
             Interval::int(1)
         ]],
         |[sigma, alpha, c]| printed::eq143_psi(sigma, c, alpha),
-    ),
+    )
 ];

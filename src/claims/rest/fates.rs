@@ -1,9 +1,7 @@
 //! Maps of fates at one A, in the plane of α and ψ: simulation says where the boundary runs, validated integration
 //! proves the fates on both sides of it.
 
-use crate::motion::MotionError;
-use crate::motion::turntable::Start;
-use crate::motion::turntable::boundary::between;
+use super::prelude::*;
 use crate::validated::turntable::{Margins, Strip};
 use rayon::prelude::*;
 use std::fmt;

@@ -1,14 +1,10 @@
 //! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
 
 use super::boundary::SURFACES;
+use super::prelude::*;
 use super::surfaces::bend;
-use crate::corrections::rest as corrected;
 use crate::motion::turntable;
-use crate::paper::rest as printed;
-use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
-use trialbook::prelude::*;
-use trialbook::trials::by_hand::Numbers;
-use trialbook::trials::values::Number;
+use std::f64::consts::SQRT_2;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [

@@ -1,35 +1,8 @@
 //! Trials of where rest is possible, (139) and its words.
 
 use super::boundary::CENSUS;
-use crate::claims::tolerances::{NEAR_CORNER, NONE};
-use crate::motion::MotionError;
-use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
-use crate::paper::rest as printed;
-use trialbook::prelude::*;
-
-/// (139) with the largest distance from which a nudged particle comes back to rest.
-fn eq139_nudge() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Printed,
-        Compared::one(
-            "(139)",
-            r"the $\rho$ up to which a particle nudged by $p=10^{-4}$ comes to rest",
-        ),
-        NEAR_CORNER,
-    );
-    let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
-    trial.over(Points::here().grid(angles), |psi| {
-        let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
-        Ok(Pair::plain(
-            format!("p = 0.0001, ψ = {psi:.6}"),
-            printed::eq139_largest_sigma(),
-            found,
-        ))
-    })
-}
+use super::prelude::*;
+use crate::motion::turntable::rotating;
 
 /// A particle at rest on a table of any Ω, μ, g.
 struct Rider {
@@ -72,33 +45,6 @@ fn rider(points: &mut Points, i: usize) -> Result<Rider, MotionError> {
     })
 }
 
-fn eq139_stays() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            "whether a particle stays, by (139) (1 if so),",
-            "whether one stays that rides with the table, seen from the laboratory",
-        ),
-        NONE,
-    )
-    .over(RIDERS.each(), |rider| {
-        let Rider {
-            table,
-            sigma,
-            moved,
-        } = rider?;
-        Ok(Pair::plain(
-            format!(
-                "σ = {sigma:.6}, Ω = {:.6}, μ = {:.6}, g = {:.6}",
-                table.omega, table.mu, table.g
-            ),
-            is(*sigma <= printed::eq139_largest_sigma()),
-            is(stayed(*moved)),
-        ))
-    })
-}
-
 /// Whether a particle that ends this far from its circle, in units of the table's length, has stayed. The slowest rider off its
 /// circle, a millionth beyond σ = 1, moves by more.
 fn stayed(moved: f64) -> bool {
@@ -111,16 +57,15 @@ const SOON: f64 = 0.1;
 /// (139) where it decides: at rest on the table, a part in 10⁹ or less from the edge.
 fn eq139_at_the_edge() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Printed,
-        Compared::one(
+        [
             "whether a particle stays, by (139) (1 if so),",
             r"whether one stays that is put at rest on the table within $10^{-9}$ of $\sigma=1$: in the frame of the table, in the laboratory, and by its fate",
-        ),
+        ],
         NONE,
     );
-    let mut points = Points::here();
-    trial.over(0..40, |i| {
+    trial.drawn(0..40, |i, points| {
         let table = Table::default();
         let off = points.sign() * points.log_uniform(1e-11, 9e-10);
         let direction = points.uniform(-3.1, 3.1);
@@ -157,37 +102,82 @@ const EVERY: usize = 16;
 /// Long after the last of them has come to rest.
 const LONG: f64 = 1e3;
 
-/// Where particles come to rest: never beyond the largest σ.
-fn resting_places() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            r"$\sigma$, but at most that of (139),",
-            r"$\sigma$ of random starts that come to rest",
-        ),
-    );
-    let resting = only(CENSUS.each(), |case| case.rests);
-    trial.over(resting.step_by(EVERY), |case| {
-        let [a, alpha, psi] = case?.start;
-        // The place itself: the fate's bounds make use of σ ≤ 1.
-        let sigma = Run::new(&Start::hyperbolic(a, alpha, psi)?, LONG)?
-            .end()
-            .rho();
-        Ok(Pair::plain(
-            format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
-            allowed(sigma),
-            sigma,
-        ))
-    })
-}
-
 /// σ, if (139) allows it, else the largest that it allows.
 fn allowed(sigma: f64) -> f64 {
     sigma.min(printed::eq139_largest_sigma())
 }
 
-pub(super) const TRIALS: &[Attempt] =
-    trials![eq139_nudge, eq139_stays, eq139_at_the_edge, resting_places];
+attempts![
+    // (139) with the largest distance from which a nudged particle comes back to rest.
+    eq139_nudge = {
+        let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
+        Trial::by(
+            Root,
+            Printed,
+            [
+                "(139)",
+                r"the $\rho$ up to which a particle nudged by $p=10^{-4}$ comes to rest",
+            ],
+            NEAR_CORNER,
+        )
+        .over(Points::here().grid(angles), |psi| {
+            let found = between(|rho| Start::polar(rho, 1e-4, psi), 0.9, 1.1, 1e-6)?;
+            Ok(Pair::plain(
+                format!("p = 0.0001, ψ = {psi:.6}"),
+                printed::eq139_largest_sigma(),
+                found,
+            ))
+        })
+    },
+    eq139_stays = Trial::by(
+        Integration,
+        Printed,
+        [
+            "whether a particle stays, by (139) (1 if so),",
+            "whether one stays that rides with the table, seen from the laboratory",
+        ],
+        NONE,
+    )
+    .over(RIDERS.each(), |rider| {
+        let Rider {
+            table,
+            sigma,
+            moved,
+        } = rider?;
+        Ok(Pair::plain(
+            format!(
+                "σ = {sigma:.6}, Ω = {:.6}, μ = {:.6}, g = {:.6}",
+                table.omega, table.mu, table.g
+            ),
+            is(*sigma <= printed::eq139_largest_sigma()),
+            is(stayed(*moved)),
+        ))
+    }),
+    eq139_at_the_edge,
+    // Where particles come to rest: never beyond the largest σ.
+    resting_places = {
+        let resting = only(CENSUS.each(), |case| case.rests);
+        Trial::census(
+            Printed,
+            [
+                r"$\sigma$, but at most that of (139),",
+                r"$\sigma$ of random starts that come to rest",
+            ],
+        )
+        .over(resting.step_by(EVERY), |case| {
+            let [a, alpha, psi] = case?.start;
+            // The place itself: the fate's bounds make use of σ ≤ 1.
+            let sigma = Run::new(&Start::hyperbolic(a, alpha, psi)?, LONG)?
+                .end()
+                .rho();
+            Ok(Pair::plain(
+                format!("A = {a:.6}, α = {alpha:.6}, ψ = {psi:.6}, σ = {sigma:.6}"),
+                allowed(sigma),
+                sigma,
+            ))
+        })
+    }
+];
 
 #[cfg(test)]
 mod tests {

@@ -1,10 +1,7 @@
 //! Trials of the surfaces of starts that come to rest at one distance σ, for every ψ.
 
 use super::boundary::resting_place;
-use crate::claims::tolerances::{SURFACE, THIRD_ORDER};
-use crate::corrections::rest as corrected;
-use crate::paper::rest as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The A from which a start with these α and ψ comes to rest at σ, by the motion. A grows on the way, so it is below σ.
 fn on_the_surface(sigma: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
@@ -36,7 +33,7 @@ fn places() -> Vec<[f64; 2]> {
 fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64) -> Evidence {
     const FROM: &str = r"the $A$ from which a start with these $\alpha$ and $\psi$ comes to rest at $\sigma$, in units of $1000\alpha^3$";
     let compared = Compared::one(law, FROM).over(r"$\alpha=(1-\sigma)/100$");
-    Trial::by(Route::Root, subject, compared, THIRD_ORDER).over(places(), |[sigma, psi]| {
+    Trial::by(Root, subject, compared, THIRD_ORDER).over(places(), |[sigma, psi]| {
         let alpha = 0.01 * (1.0 - sigma);
         Ok(Pair {
             at: format!("σ = {sigma:.6}, α = {alpha:.6}, ψ = {psi:.6}"),
@@ -50,12 +47,12 @@ fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64
 /// The coefficient of α².
 pub fn bends() -> Evidence {
     Trial::by(
-        Route::Limit,
+        Limit,
         Corrected,
-        Compared::one(
+        [
             r"the corrected coefficient of $-\alpha^2$",
             r"the limit of $(\sigma-A)/\alpha^2$ on the surface that the motion makes",
-        ),
+        ],
         SURFACE,
     )
     .over(places(), |[sigma, psi]| {
@@ -67,7 +64,7 @@ pub fn bends() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     psi_free = by_root(Printed, r"(145), whatever $\psi$ is,", |sigma, alpha, _| {
         printed::eq145_a(sigma, alpha)
     }),

@@ -1,10 +1,8 @@
 //! The motions that the statements about rest are held against: particles followed down to p = 10⁻³⁰.
 
+use super::prelude::*;
 use crate::claims::escape::trajectories::{a, alpha, rates};
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Start, fate};
 use std::sync::{Mutex, PoisonError};
-use trialbook::prelude::*;
 
 /// A motion that ends at rest.
 #[derive(Debug)]

@@ -1,12 +1,8 @@
 //! Trials of the steps of section 2.2 between its formulas: that a slip from rest outlasts half the period, that the motion
 //! along the drive does not die, and how friction acts across it.
 
-use super::reference_motions::{ORIGIN, Particle, Slip, at, dense, drive, lambda_c, settled};
-use crate::claims::tolerances::{ACROSS, NONE};
-use crate::motion::drive::{Friction, PlanarState, Sign};
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::{at, dense};
 
 /// Whether the slip that begins at φ₁ lasts longer than half the period, and leaves a velocity below zero a period after φ₁.
 fn outlasts(lambda: f64) -> Result<bool, Failure> {
@@ -16,78 +12,46 @@ fn outlasts(lambda: f64) -> Result<bool, Failure> {
     Ok(slip.end - slip.start > PI && later < 0.0)
 }
 
-/// λ₀ < λ_c, and beyond.
-fn outlasts_census() -> Evidence {
-    let trial = Trial::census(
-        Within,
-        Compared::one(
-            r"whether $\lambda_0<\lambda_\mathrm c$ (1 if so)",
-            r"whether the slip from $\phi_1$ on lasts longer than $\pi$ and $\mathfrak w<0$ a period after $\phi_1$",
-        ),
-    );
-    trial.over(dense().into_iter().step_by(3), |lambda| {
-        Ok(Pair::plain(
-            at(lambda),
-            is(lambda < printed::eq37_lambda_c()),
-            is(outlasts(lambda)?),
-        ))
-    })
+/// λ₀ < λ_c and a phase at which the large-time motion is away from its zeros, with its 𝔴 there.
+fn away_from_zeros(points: &mut Points) -> Result<[f64; 3], Failure> {
+    let lambda = points.uniform(0.1, lambda_c());
+    let motion = settled(lambda, ORIGIN)?;
+    let slip = motion.intervals().first().ok_or("no interval")?;
+    let phi = slip.start + slip.length() * points.uniform(0.25, 0.75);
+    Ok([lambda, phi, motion.w(phi)])
 }
 
-/// Without friction it lasts for the whole period, and nothing is lost.
-fn outlasts_outside() -> Evidence {
-    let trial = Trial::census(
-        Outside,
-        Compared::constant(
-            "1, as the claim has it",
-            r"whether, without friction, $\mathfrak w<0$ (1 if so) one to twenty periods after a start from rest at the phase 0",
-        ),
-    );
-    trial.over(1..=20, |periods| {
-        let friction = Friction::new(0.0, 0.0)?;
-        let later = f64::from(periods) * TAU;
-        let later = drive()?.advance(friction, ORIGIN, later)?.end.w;
-        Ok(Pair::plain(
-            format!("λ₀ = 0, periods: {periods}"),
-            1.0,
-            is(later < -1e-12),
-        ))
-    })
-}
-
-/// Motion for ever below λ₀ = 1, and none above.
-fn stays_census() -> Evidence {
-    let trial = Trial::census(
+attempts![
+    // Motion for ever below λ₀ = 1, and none above.
+    stays_census = {
+        let mut points = Points::here();
+        let large = (0..60).map(|_| points.uniform(1.0, 3.0));
+        let frictions: Vec<_> = dense().into_iter().step_by(5).chain(large).collect();
+        Trial::census(
+            Printed,
+            [
+                r"whether $\lambda_0<1$ (1 if so)",
+                "whether the large-time motion along the drive moves",
+            ],
+        )
+        .over(frictions, |lambda| {
+            let motion = settled(lambda, ORIGIN)?;
+            let [left, right] = printed::eq25_sides(lambda);
+            let moves = motion.intervals().iter().any(|i| i.sign != Sign::Rest);
+            Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
+        })
+    },
+    // The same of a particle that was pushed across the drive too, in its sixth period.
+    stays_motion = Trial::by(
+        Integration,
         Printed,
-        Compared::one(
-            r"whether $\lambda_0<1$ (1 if so)",
-            "whether the large-time motion along the drive moves",
-        ),
-    );
-    let mut points = Points::here();
-    let large = (0..60).map(|_| points.uniform(1.0, 3.0));
-    let frictions: Vec<_> = dense().into_iter().step_by(5).chain(large).collect();
-    trial.over(frictions, |lambda| {
-        let motion = settled(lambda, ORIGIN)?;
-        let [left, right] = printed::eq25_sides(lambda);
-        let moves = motion.intervals().iter().any(|i| i.sign != Sign::Rest);
-        Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
-    })
-}
-
-/// The same of a particle that was pushed across the drive too, in its sixth period.
-fn stays_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
+        [
             r"whether $\lambda_0<1$ (1 if so)",
             "whether $v_x$ of a particle on the plane has another value than 0 in its sixth period",
-        ),
+        ],
         NONE,
-    );
-    let mut points = Points::here();
-    trial.over(0..24, |_| {
+    )
+    .drawn(0..24, |_, points| {
         let lambda = points.uniform(0.25, 1.4);
         let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
         let motion = Particle::plain(lambda).run(0.0, v, 6.0 * TAU)?;
@@ -101,83 +65,98 @@ fn stays_motion() -> Evidence {
             is(left < right),
             is(moves),
         ))
-    })
-}
-
-/// λ₀ < λ_c and a phase at which the large-time motion is away from its zeros, with its 𝔴 there.
-fn away_from_zeros(points: &mut Points) -> Result<[f64; 3], Failure> {
-    let lambda = points.uniform(0.1, lambda_c());
-    let motion = settled(lambda, ORIGIN)?;
-    let slip = motion.intervals().first().ok_or("no interval")?;
-    let phi = slip.start + slip.length() * points.uniform(0.25, 0.75);
-    Ok([lambda, phi, motion.w(phi)])
-}
-
-/// The rate of ln 𝔴_y, where that is −20.
-fn across_rate() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            r"the relative rate $-\lambda_0/\lvert\mathfrak w\rvert$ of $\mathfrak w_y$ by a friction proportional to $\mathfrak w_y$",
-            r"$\mathrm d\ln\mathfrak w_y/\mathrm d\phi$ of the motion, by differences, at $\mathfrak w_y=\mathrm e^{-20}$",
-        ),
-        ACROSS,
-    );
-    let mut points = Points::here();
-    trial.over(0..30, |_| {
-        let [lambda, phi, w_x] = away_from_zeros(&mut points)?;
-        let h = 1e-4;
-        let ln_w_y = -20.0;
-        let start = PlanarState { phi, w_x, ln_w_y };
-        let states = drive()?.planar(lambda, start, &[phi + h, phi + 2.0 * h])?;
-        let [one, two] = [0, 1].map(|k: usize| states[k].ln_w_y - ln_w_y);
-        let found = (4.0 * one - two) / (2.0 * h);
-        Ok(Pair {
-            at: format!("{}, φ = {phi:.6}", at(lambda)),
-            stated: printed::s22_across_friction(lambda, w_x, 1.0),
-            found,
-            scale: found.abs(),
+    }),
+    // The rate of ln 𝔴_y, where that is −20.
+    across_rate = {
+        let trial = Trial::by(
+            Integration,
+            Printed,
+            [
+                r"the relative rate $-\lambda_0/\lvert\mathfrak w\rvert$ of $\mathfrak w_y$ by a friction proportional to $\mathfrak w_y$",
+                r"$\mathrm d\ln\mathfrak w_y/\mathrm d\phi$ of the motion, by differences, at $\mathfrak w_y=\mathrm e^{-20}$",
+            ],
+            ACROSS,
+        );
+        trial.drawn(0..30, |_, points| {
+            let [lambda, phi, w_x] = away_from_zeros(points)?;
+            let h = 1e-4;
+            let ln_w_y = -20.0;
+            let start = PlanarState { phi, w_x, ln_w_y };
+            let states = drive()?.planar(lambda, start, &[phi + h, phi + 2.0 * h])?;
+            let [one, two] = [0, 1].map(|k: usize| states[k].ln_w_y - ln_w_y);
+            let found = (4.0 * one - two) / (2.0 * h);
+            Ok(Pair {
+                at: format!("{}, φ = {phi:.6}", at(lambda)),
+                stated: printed::s22_across_friction(lambda, w_x, 1.0),
+                found,
+                scale: found.abs(),
+            })
         })
-    })
-}
-
-/// What a particle on the plane loses across the drive, of 10⁻³ and of 10⁻⁵.
-fn across_proportional() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Printed,
-        Compared::one(
-            r"the ratio of the friction across the drive at two velocities that are as 100 to 1",
-            r"that of what $v_y=10^{-4}$ and $v_y=10^{-6}$ lose in a hundredth of a period away from the zeros of $v_x$",
-        ),
-        ACROSS,
-    );
-    let mut points = Points::here();
-    trial.over(0..30, |_| {
-        let [lambda, phi, w_x] = away_from_zeros(&mut points)?;
-        let lost = |v_y: f64| -> Result<f64, Failure> {
-            let motion = Particle::plain(lambda).run(phi, [w_x, v_y], phi + 0.01 * TAU)?;
-            Ok(v_y - motion.end().v[1])
-        };
-        let friction = |w_y| printed::s22_across_friction(lambda, w_x, w_y);
-        let found = lost(1e-4)? / lost(1e-6)?;
-        Ok(Pair {
-            at: format!("{}, φ = {phi:.6}", at(lambda)),
-            stated: friction(1e-4) / friction(1e-6),
-            found,
-            scale: found,
+    },
+    // What a particle on the plane loses across the drive, of 10⁻³ and of 10⁻⁵.
+    across_proportional = {
+        let trial = Trial::by(
+            Limit,
+            Printed,
+            [
+                r"the ratio of the friction across the drive at two velocities that are as 100 to 1",
+                r"that of what $v_y=10^{-4}$ and $v_y=10^{-6}$ lose in a hundredth of a period away from the zeros of $v_x$",
+            ],
+            ACROSS,
+        );
+        trial.drawn(0..30, |_, points| {
+            let [lambda, phi, w_x] = away_from_zeros(points)?;
+            let lost = |v_y: f64| -> Result<f64, Failure> {
+                let motion = Particle::plain(lambda).run(phi, [w_x, v_y], phi + 0.01 * TAU)?;
+                Ok(v_y - motion.end().v[1])
+            };
+            let friction = |w_y| printed::s22_across_friction(lambda, w_x, w_y);
+            let found = lost(1e-4)? / lost(1e-6)?;
+            Ok(Pair {
+                at: format!("{}, φ = {phi:.6}", at(lambda)),
+                stated: friction(1e-4) / friction(1e-6),
+                found,
+                scale: found,
+            })
         })
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
-    stays_census,
-    stays_motion,
-    across_rate,
-    across_proportional,
-    outlasts_census,
-    outlasts_outside,
+    },
+    // λ₀ < λ_c, and beyond.
+    outlasts_census = {
+        let trial = Trial::census(
+            Within,
+            [
+                r"whether $\lambda_0<\lambda_\mathrm c$ (1 if so)",
+                r"whether the slip from $\phi_1$ on lasts longer than $\pi$ and $\mathfrak w<0$ a period after $\phi_1$",
+            ],
+        );
+        trial.over(dense().into_iter().step_by(3), |lambda| {
+            Ok(Pair::plain(
+                at(lambda),
+                is(lambda < printed::eq37_lambda_c()),
+                is(outlasts(lambda)?),
+            ))
+        })
+    },
+    // Without friction it lasts for the whole period, and nothing is lost.
+    outlasts_outside = {
+        let trial = Trial::census(
+            Outside,
+            Compared::constant(
+                "1, as the claim has it",
+                r"whether, without friction, $\mathfrak w<0$ (1 if so) one to twenty periods after a start from rest at the phase 0",
+            ),
+        );
+        trial.over(1..=20, |periods| {
+            let friction = Friction::new(0.0, 0.0)?;
+            let later = f64::from(periods) * TAU;
+            let later = drive()?.advance(friction, ORIGIN, later)?.end.w;
+            Ok(Pair::plain(
+                format!("λ₀ = 0, periods: {periods}"),
+                1.0,
+                is(later < -1e-12),
+            ))
+        })
+    },
     neither_end = no_inside(
         "a friction",
         r"$\lambda_0=0$ and $\lambda_0=\lambda_\mathrm c$",

@@ -9,9 +9,9 @@ use super::exact::{
     EQ33, EQ34, EQ35, EQ36, EQ40, eq33, eq38, prove_eq38, ring_of_phi_t1, ring_of_phi1,
 };
 use super::phase_order::slip;
+use super::prelude::*;
 use crate::claims::general::contraction::never_farther_apart;
-use crate::claims::general::two_frames::{eq1, eq2, eq2_proof};
-use trialbook::prelude::*;
+use crate::claims::general::two_frames::eq2_proof;
 
 type NoRest = ([Expr; 2], [Expr; 3]);
 
@@ -21,7 +21,7 @@ fn passes((cases, ends): NoRest) -> Proof {
         p.shows("For 0 < λ₀ ≤ λ_c: (38) is positive from φ̃₁ to φ̃₁ + π and negative in the half period after that; at the two zeros it does not rest.");
         p.rests_on(&prove_eq38(cases, ends))?;
         given(p, &[&EQ40])?;
-        let [phi, pi] = [Expr::symbol("φ"), Expr::pi()];
+        let [phi, pi] = [symbol("φ"), pi()];
         let [forward, backward] = cases;
         let w = p.read("The forward case", forward)?;
         let by = p.ring().by("φ")?;
@@ -53,7 +53,7 @@ fn passes((cases, ends): NoRest) -> Proof {
 fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = Ring::new();
-        let [_, _, _, vx, vy] = ["λ₀", "W", "D", "v_x", "v_y"].map(|name| ring.symbol(name));
+        let [_, _, _, vx, vy] = ring.symbols(["λ₀", "W", "D", "v_x", "v_y"]);
         ring.angle("φ");
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
@@ -63,8 +63,7 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&passes(motion))?;
         p.rests_on(&eq2_proof(eq2()))?;
-        let [lambda0, other, d, vx, vy, phi] = Expr::symbols(["λ₀", "W", "D", "v_x", "v_y", "φ"]);
-        let [one, two] = [1, 2].map(Expr::int);
+        let [lambda0, other, d, vx, vy, phi] = symbols(["λ₀", "W", "D", "v_x", "v_y", "φ"]);
         let speed = (vx.squared() + vy.squared()).sqrt();
         let cosine = vx / speed;
         p.note(
@@ -75,19 +74,19 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             ("before", "backward", 1, "at least v + v_x"),
             ("after", "forward", -1, "at least v − v_x"),
         ] {
-            let sign = Expr::int(sign);
+            let sign = int(sign);
             p.note(
                 &format!("In the half period {says} φ̃₁"),
                 format!("(38) goes {way}"),
             );
-            let pull = (speed + other) * (one + sign * cosine);
-            let (least, more) = (speed + sign * vx, other * (one + sign * cosine));
+            let pull = (speed + other) * (1 + sign * cosine);
+            let (least, more) = (speed + sign * vx, other * (1 + sign * cosine));
             p.identity(("(v + W) (1 − cos γ)", pull), (bound, least + more))?;
         }
 
         let drive = eq21();
         let [rate, _] = in_units(law, drive);
-        let most = one + lambda0;
+        let most = 1 + lambda0;
         let along = p.read("dv_x/dφ by (1)", rate)?;
         let [grows] = in_units([eq2()], drive);
         let grows = p.read("dv/dφ by (2)", grows)?;
@@ -97,21 +96,21 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
                 "1 + λ₀ less dv_x/dφ",
                 &along,
                 -1,
-                one - sine + lambda0 * (one + cosine),
+                1 - sine + lambda0 * (1 + cosine),
             ),
             (
                 "1 + λ₀ plus dv_x/dφ",
                 &along,
                 1,
-                one + sine + lambda0 * (one - cosine),
+                1 + sine + lambda0 * (1 - cosine),
             ),
             (
                 "1 + λ₀ less dv/dφ",
                 &grows,
                 -1,
-                one - sine * cosine + two * lambda0,
+                1 - sine * cosine + 2 * lambda0,
             ),
-            ("1 + λ₀ plus dv/dφ", &grows, 1, one + sine * cosine),
+            ("1 + λ₀ plus dv/dφ", &grows, 1, 1 + sine * cosine),
         ] {
             let left = p.ring().read(most)? + &Rational::int(sign) * rate;
             let room = p.read("Terms of which none is negative", room)?;
@@ -119,13 +118,13 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         }
         p.remark("So v ± v_x has a rate of the size 2 (1 + λ₀) at most, and at rest stays 0");
 
-        let length = d / (Expr::int(4) * most);
+        let length = d / (4 * most);
         p.identity(
             (
                 "D less that rate times the phase D/(4 (1 + λ₀))",
-                d - two * most * length,
+                d - 2 * most * length,
             ),
-            ("", d / two),
+            ("", d / 2),
         )?;
         p.note(
             "At φ̃₁, where W = 0 and v = D",
@@ -134,9 +133,9 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
         p.identity(
             (
                 "Meanwhile the squared distance falls, at the rate 2λ₀ (D/2) at least, by",
-                two * lambda0 * (d / two) * length,
+                2 * lambda0 * (d / 2) * length,
             ),
-            ("", lambda0 * d.squared() / (Expr::int(4) * most)),
+            ("", lambda0 * d.squared() / (4 * most)),
         )?;
         p.note(
             "Or, if that phase exceeds the half period in which (38) keeps its sense",
@@ -151,7 +150,7 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_phi1()?;
         ring.angle("x");
-        let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
+        let [vx, vy] = ring.symbols(["v_x", "v_y"]);
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
     };
@@ -161,15 +160,15 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         p.rests_on(&eq2_proof(law))?;
         p.rests_on(&slip())?;
         given(p, &[&EQ34, &EQ35, &EQ36])?;
-        let [beta, lambda0, vx, vy, phi] = Expr::symbols(["β", "λ₀", "v_x", "v_y", "φ"]);
-        let pi = Expr::pi();
+        let [beta, lambda0, vx, vy, phi] = symbols(["β", "λ₀", "v_x", "v_y", "φ"]);
+        let pi = pi();
         p.note(
             "For λ₀ > λ_c, (31) is negative at φ₃, and so φ̃₂ < φ₃",
             "with β = φ₁, (33) rests from φ̃₂ > π − β to φ₃ = π + β, where |sin φ| < λ₀:",
         );
-        let x = Expr::symbol("x");
+        let x = symbol("x");
         let excess = (pi + beta - x).sin().squared() - lambda0.squared();
-        let product = -(x.sin() * (Expr::int(2) * beta - x).sin());
+        let product = -(x.sin() * (2 * beta - x).sin());
         p.identity(
             ("sin²φ − λ₀² at φ = π + β − x", excess),
             ("negative for 0 < x < 2β", product),
@@ -199,33 +198,11 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
     })
 }
 
-/// Drawn to (33), from every start.
-const REST_INTERVAL: Statement<(Expr, [Expr; 4])> = Statement::new(
-    Printed,
-    Compared::shown(
-        r"for every $\lambda_0$ with $\tilde\phi_2<\phi_3$: the velocities of two motions under one drive never move apart, while (33) rests the speed of any other motion falls by $\lambda_0-\lvert\sin\phi\rvert>0$ at least, and so from every start, with any $v_y$, the distance from (33) is 0 after a finite number of its rests",
-    ),
-    || (eq2(), eq33()),
-    |(law, cases)| drawn_to_rests(law, cases),
-);
-
-/// Drawn to (38), from every start, so that no other motion is periodic.
-const NO_REST_BELOW: Statement<([Expr; 2], NoRest)> = Statement::new(
-    Printed,
-    Compared::shown(
-        r"for every $0<\lambda_0<\lambda_\mathrm c$: the velocities of two motions under one drive never move apart, and in each period the distance $D$ of any motion from (38) shrinks by at least an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",
-    ),
-    || (eq1(), eq38()),
-    no_rest_below,
-);
-
 fn empty() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     ring.angle("φ");
-    for name in ["v_x", "v_y", "λ₀"] {
-        ring.symbol(name);
-    }
-    let [vx, vy] = Expr::symbols(["v_x", "v_y"]);
+    ring.symbols(["v_x", "v_y", "λ₀"]);
+    let [vx, vy] = symbols(["v_x", "v_y"]);
     let square = ring.read(vx.squared() + vy.squared())?;
     ring.root(&square, 2)?;
     Ok(ring)
@@ -238,7 +215,7 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
             "Let a motion have the period P; its distance from (38) goes to 0",
             "so does the change of (38) over P, which has the period 2π and so is 0: P is a period of (38), too. So the distance returns after P, and is 0: the motion is (38), which rests on no interval",
         );
-        let [phi, zero] = [Expr::symbol("φ"), Expr::int(0)];
+        let [phi, zero] = [symbol("φ"), int(0)];
         let [rate, _] = in_units(law, eq21());
         p.identity(
             ("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero)),
@@ -250,11 +227,9 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
 }
 
 /// The three kinds.
-pub const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new(
+pub const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::shown(
     Within,
-    Compared::shown(
-        r"from every start, with any $v_y$: for every $0<\lambda_0<\lambda_\mathrm c$ the motion tends to (38), and beside its two zeros in a period, where $\mathrm dv_x/\mathrm d\phi$ has a sign by (1), $v_x$ has one zero each; for every $\lambda_\mathrm c<\lambda_0<1$ it has become (33), with two intervals of rest, after a finite time; for every $\lambda_0>1$ it rests after a finite time for ever",
-    ),
+    r"from every start, with any $v_y$: for every $0<\lambda_0<\lambda_\mathrm c$ the motion tends to (38), and beside its two zeros in a period, where $\mathrm dv_x/\mathrm d\phi$ has a sign by (1), $v_x$ has one zero each; for every $\lambda_\mathrm c<\lambda_0<1$ it has become (33), with two intervals of rest, after a finite time; for every $\lambda_0>1$ it rests after a finite time for ever",
     || (eq1(), eq38(), eq33()),
     trichotomy,
 );
@@ -264,21 +239,20 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
         p.rests_on(&drawn_to_no_rest(law, no_rest))?;
         p.rests_on(&drawn_to_rests(eq2(), rests))?;
         given(p, &[&WEAK_DRIVE_STOPS, &VX_STAYS, &EQ36, &EQ40])?;
-        let [lambda0, vx, vy, phi] = Expr::symbols(["λ₀", "v_x", "v_y", "φ"]);
+        let [lambda0, vx, vy, phi] = symbols(["λ₀", "v_x", "v_y", "φ"]);
         let cosine = vx / (vx.squared() + vy.squared()).sqrt();
         let [rate, _] = in_units(law, eq21());
         let rate = p.read("For λ₀ < λ_c: dv_x/dφ by (1)", rate)?;
-        let one = Expr::int(1);
         for (says, size, more) in [
             (
                 "sin φ − λ₀, which is positive beside φ̃₁, and what is not negative",
                 phi.sin() - lambda0,
-                lambda0 * (one - cosine),
+                lambda0 * (1 - cosine),
             ),
             (
                 "sin φ + λ₀, which is negative beside φ̃₁ + π, less what is not negative",
                 phi.sin() + lambda0,
-                -(lambda0 * (one + cosine)),
+                -(lambda0 * (1 + cosine)),
             ),
         ] {
             p.reads_as(&rate, says, size + more)?;
@@ -293,11 +267,9 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
 }
 
 /// The start across the drive is forgotten, but matters before.
-pub const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::new(
+pub const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::shown(
     Within,
-    Compared::shown(
-        r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$, both of which they become after a finite time; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
-    ),
+    r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$, both of which they become after a finite time; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
     || (eq1(), eq38(), eq33()),
     ignores_vy,
 );
@@ -306,7 +278,7 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
     Proof::in_ring("The start across the drive is forgotten", empty(), |p| {
         p.rests_on(&drawn_to_no_rest(law, no_rest))?;
         p.rests_on(&drawn_to_rests(eq2(), rests))?;
-        let [lambda0, vx, vy, phi] = Expr::symbols(["λ₀", "v_x", "v_y", "φ"]);
+        let [lambda0, vx, vy, phi] = symbols(["λ₀", "v_x", "v_y", "φ"]);
         let speed = (vx.squared() + vy.squared()).sqrt();
         let drive = eq21();
         let [growth] = in_units([eq2()], drive);
@@ -315,25 +287,41 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
             ("at most |sin φ| − λ₀", phi.sin() * vx / speed - lambda0),
         )?;
         let whole = -phi.cos() - lambda0 * phi;
-        let gain = whole.with("φ", Expr::pi()) - whole.with("φ", Expr::int(0));
+        let gain = whole.with("φ", pi()) - whole.with("φ", int(0));
         p.identity(
             (
                 "So in half a period v grows by −cos φ − λ₀φ from 0 to π at most",
                 gain,
             ),
-            ("at most 2 − π", Expr::int(2) - Expr::pi() * lambda0),
+            ("at most 2 − π", 2 - pi() * lambda0),
         )?;
         p.remark("So v is 0 after a finite time, and stays 0, as |sin φ| ≤ λ₀");
 
         let [rate, _] = in_units(law, drive);
         let rate = p.read("On the way: dv_x/dφ by (1)", rate)?;
         let slope = p.slope("Its slope by v_y", &rate, "v_y")?;
-        let stated = lambda0 * vx * vy / speed.pow(Expr::int(3));
+        let stated = lambda0 * vx * vy / speed.pow(int(3));
         p.reads_as(&slope, "not 0 but where v_x or v_y is", stated)?;
         p.remark("Two motions with the same v_x ≠ 0, and another |v_y| do not keep the same v_x");
         Ok(())
     })
 }
 
-pub(super) const TRIALS: &[Attempt] =
-    trials![&IGNORES_VY, &REST_INTERVAL, &NO_REST_BELOW, &TRICHOTOMY];
+attempts![
+    &IGNORES_VY,
+    // Drawn to (33), from every start.
+    &REST_INTERVAL = Statement::shown(
+        Printed,
+        r"for every $\lambda_0$ with $\tilde\phi_2<\phi_3$: the velocities of two motions under one drive never move apart, while (33) rests the speed of any other motion falls by $\lambda_0-\lvert\sin\phi\rvert>0$ at least, and so from every start, with any $v_y$, the distance from (33) is 0 after a finite number of its rests",
+        || (eq2(), eq33()),
+        |(law, cases)| drawn_to_rests(law, cases)
+    ),
+    // Drawn to (38), from every start, so that no other motion is periodic.
+    &NO_REST_BELOW = Statement::shown(
+        Printed,
+        r"for every $0<\lambda_0<\lambda_\mathrm c$: the velocities of two motions under one drive never move apart, and in each period the distance $D$ of any motion from (38) shrinks by at least an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",
+        || (eq1(), eq38()),
+        no_rest_below
+    ),
+    &TRICHOTOMY
+];

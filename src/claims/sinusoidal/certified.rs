@@ -12,17 +12,14 @@
 
 mod premises;
 
-use crate::claims::tolerances::NONE;
-use crate::paper::sinusoidal as printed;
+use super::prelude::*;
 use crate::validated::numbers::LAMBDA_C;
 use premises::by_phi1;
 use trialbook::certified::cover::{Said, everywhere_written};
-use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
 use trialbook::certified::taylor::Taylor;
 use trialbook::certified::written::{Of, agree, coefficient, sign, slope};
-use trialbook::prelude::*;
 use trialbook::trials::enclosed::{certified, numbers, on_balls, resting_on};
 
 type One = Jet<1>;
@@ -63,7 +60,7 @@ fn prove_sign(f: Expr, order: usize, wanted: f64) -> Outcome {
 
 /// φ₁, φ₂ and φ₄ as printed.
 fn phases() -> [Expr; 3] {
-    let lambda0 = Expr::symbol("λ₀");
+    let lambda0 = symbol("λ₀");
     [
         printed::eq27_phi1(lambda0),
         printed::eq28_phi2(lambda0),
@@ -73,7 +70,7 @@ fn phases() -> [Expr; 3] {
 
 /// The left side of (32) as printed, of λ₀, φ₁ and φ.
 fn left() -> Expr {
-    let [lambda0, phi1, phi] = ["λ₀", "φ₁", "φ"].map(Expr::symbol);
+    let [lambda0, phi1, phi] = ["λ₀", "φ₁", "φ"].map(symbol);
     printed::eq32_left(lambda0, phi1, phi)
 }
 
@@ -84,9 +81,9 @@ fn prove_bracket(phases: [Expr; 3], left: Expr, compared: Compared) -> Evidence 
         let left = left.with("φ", phi);
         left.with("φ₁", phi1).with("λ₀", phi1.sin())
     };
-    let b = Expr::symbol("b");
+    let b = symbol("b");
     // From the end at which each vanishes: λ₀ = 1, and λ₀ = 0.
-    let second = at(Expr::pi() / Expr::int(2) - b, 1);
+    let second = at(pi() / 2 - b, 1);
     let fourth = at(b, 2);
     let premises = [
         premises::phases(phases, left),
@@ -101,34 +98,6 @@ fn prove_bracket(phases: [Expr; 3], left: Expr, compared: Compared) -> Evidence 
 pub fn bracket() -> Evidence {
     let compared = Compared::shown(
         r"(32) has its signs at $\phi_2$ and $\phi_4$ for all $0<\lambda_0<1$, by subdivision, and next to $\lambda_0=1$ and $\lambda_0=0$ by series whose remainders are bounded",
-    );
-    prove_bracket(phases(), left(), compared)
-}
-
-/// φ̃₂ = φ₄ without friction, where (32) has the solution 2π.
-fn bracket_outside() -> Evidence {
-    let trial = Trial::by(
-        Route::Certified,
-        Outside,
-        Compared::constant(
-            r"1, for $\tilde\phi_2<\phi_4$",
-            r"whether $\phi_4$ is no solution of (32) (1 if so)",
-        )
-        .over(r"$\lambda_0=0$"),
-        NONE,
-    );
-    let zero = Expr::int(0);
-    let end = printed::eq30_phi4(zero);
-    let left = printed::eq32_left(zero, printed::eq27_phi1(zero), end);
-    trial.over([premises::solution(left)], |proof| {
-        Ok(Pair::plain("λ₀ = 0".into(), 1.0, is(!proof.holds())))
-    })
-}
-
-/// (32) has one solution between φ₁ and φ₄.
-fn one_end() -> Evidence {
-    let compared = Compared::shown(
-        r"(32) rises from 0 at $\phi_1$ to $\phi_2$, is positive there, falls from there on and is negative at $\phi_4$: it has one solution in between for every $0<\lambda_0<1$",
     );
     prove_bracket(phases(), left(), compared)
 }
@@ -190,7 +159,7 @@ fn turn_by_itself<S: Scalar>(phi_t1: S) -> S {
 
 fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence {
     let change = || {
-        let [by, lambda0] = Expr::symbols(["φ̃₁", "λ₀"]);
+        let [by, lambda0] = symbols(["φ̃₁", "λ₀"]);
         let written = ("φ̃₁", turn_by_itself(by));
         let falls = prove_slope(turn_by_itself::<One>, written, 1.0, angles())?;
         Ok(falls + prove_change(turn, turn(lambda0), critical)?)
@@ -216,17 +185,41 @@ pub fn lambda_c() -> Evidence {
     let evidence = numbers([("lambda-c", LAMBDA_C)], Printed, compared, |bits| {
         [on_balls(printed::eq37_lambda_c::<Expr>(), bits, &|_| None)]
     });
-    agree(printed::eq37_lambda_c(), Expr::symbol("x").sin());
+    agree(printed::eq37_lambda_c(), symbol("x").sin());
     evidence
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    one_end,
+attempts![
+    // (32) has one solution between φ₁ and φ₄.
+    one_end = {
+        let compared = Compared::shown(
+            r"(32) rises from 0 at $\phi_1$ to $\phi_2$, is positive there, falls from there on and is negative at $\phi_4$: it has one solution in between for every $0<\lambda_0<1$",
+        );
+        prove_bracket(phases(), left(), compared)
+    },
     threshold,
     lambda_c,
     turns,
     bracket,
-    bracket_outside
+    // φ̃₂ = φ₄ without friction, where (32) has the solution 2π.
+    bracket_outside = {
+        let zero = int(0);
+        let end = printed::eq30_phi4(zero);
+        let left = printed::eq32_left(zero, printed::eq27_phi1(zero), end);
+        Trial::by(
+            Certified,
+            Outside,
+            Compared::constant(
+                r"1, for $\tilde\phi_2<\phi_4$",
+                r"whether $\phi_4$ is no solution of (32) (1 if so)",
+            )
+            .over(r"$\lambda_0=0$"),
+            NONE,
+        )
+        .over([premises::solution(left)], |proof| {
+            Ok(Pair::plain("λ₀ = 0".into(), 1.0, is(!proof.holds())))
+        })
+    }
 ];
 
 #[cfg(test)]
@@ -247,16 +240,16 @@ mod tests {
         let [a, b, d] = phases();
         refused(&prove_bracket([a, d, b], left(), NOTHING));
         // Changed in the middle, and at either end.
-        let lambda0 = Expr::symbol("λ₀");
-        let far = Expr::int(1) - lambda0.squared();
+        let lambda0 = symbol("λ₀");
+        let far = 1 - lambda0.squared();
         for [n, m, k, l] in [
             [2, 1, 1, 2],
             [1, 1000, 1, 0],
             [1, 100, 1, 1],
             [1, 100, 0, 2],
         ] {
-            let off = lambda0.pow(Expr::int(k)) * far.pow(Expr::int(l));
-            let off = Expr::int(n) * off / Expr::int(m);
+            let off = lambda0.pow(int(k)) * far.pow(int(l));
+            let off = int(n) * off / int(m);
             refused(&prove_bracket(phases(), left() - off, NOTHING));
         }
         // Of the same value, or with the slope and the ends that count.
@@ -319,11 +312,11 @@ mod tests {
 
     #[test]
     fn one_order_more_than_vanishes_is_looked_at() {
-        let b = Expr::symbol("b");
+        let b = symbol("b");
         let proof = premises::vanishing(b - b.sin(), 3);
         assert!(proof.holds(), "{proof}");
         assert_eq!(proof.steps()[0].gives, "b − sin(b) = [1/6] b^3 + O(b^5)");
-        let proof = premises::vanishing(Expr::int(1) - b.cos(), 2);
+        let proof = premises::vanishing(1 - b.cos(), 2);
         assert_eq!(proof.steps()[0].gives, "1 − cos(b) = [1/2] b^2 + O(b^4)");
         assert!(!premises::vanishing(b - b.sin(), 4).holds());
     }

@@ -1,15 +1,8 @@
 //! The curves of fig-2 to fig-4: what is tried here is what the book draws.
 
-use super::reference_motions::{
-    ORIGIN, Particle, drive, eq33, eq38, phi_t2, printed_late, settled,
-};
-use crate::claims::tolerances::FORGOTTEN;
-use crate::motion::drive::{PlanarState, Sign};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::{eq33, eq38, printed_late};
+use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
 /// λ₀ of fig-3.
 pub const SMALL: f64 = FRAC_1_PI;
@@ -76,60 +69,6 @@ fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
     })
 }
 
-/// fig-2: every eighth drawn point with a particle on the plane.
-fn fig2_motion() -> Evidence {
-    Trial::motion(
-        Printed,
-        Compared::one(
-            r"$\mathfrak w$ of the drawn motion",
-            "$v_x$ of a particle on the plane",
-        )
-        .over("every eighth drawn one"),
-    )
-    .pairs(parts(transients()), |curve| {
-        let curve = curve?;
-        let until = TAU * f64::from(PERIODS);
-        let motion = Particle::plain(curve.lambda).run(0.0, [W_X, curve.w_y], until)?;
-        let pair = |state: &PlanarState| {
-            Ok(Pair {
-                at: curve.at(state.phi),
-                stated: state.w_x,
-                found: motion.at(state.phi)?.v[0],
-                scale: 1.0 + W_X + curve.w_y,
-            })
-        };
-        curve.states.iter().step_by(8).map(pair).collect()
-    })
-}
-
-/// fig-2: where all its curves end, by a particle on the plane that starts like each of them.
-fn fig2_limit() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Printed,
-        Compared::one(
-            r"$\mathfrak w$ by (38) or (33), as $\lambda_0$ says,",
-            "$v_x$ of a particle on the plane 15 to 16 periods after it started like a drawn motion",
-        ),
-        FORGOTTEN,
-    );
-    let starts = [SMALL, LARGE].into_iter();
-    let starts = starts.flat_map(|lambda| W_Y.into_iter().map(move |w_y| (lambda, w_y)));
-    let late = |(lambda, w_y)| {
-        let motion = Particle::plain(lambda).run(0.0, [W_X, w_y], TAU * f64::from(FOLLOWED));
-        let motion = motion.map(std::rc::Rc::new);
-        let phases = (0..4).map(|k| TAU * (f64::from(FOLLOWED) - 0.25 * f64::from(k)));
-        phases.map(move |phi| (lambda, w_y, phi, motion.clone()))
-    };
-    trial.over(starts.flat_map(late), |(lambda, w_y, phi, motion)| {
-        Ok(Pair::plain(
-            format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}"),
-            printed_late(lambda, phi),
-            motion?.at(phi)?.v[0],
-        ))
-    })
-}
-
 /// Points (φ, 𝔴) of the large-time motion over two periods, as fig-3 and fig-4 show it.
 ///
 /// # Errors
@@ -144,19 +83,18 @@ pub fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
 
 /// Every drawn point with the printed form, in the period that begins at a phase.
 fn drawn(law: &'static str, lambda: f64, from: f64, form: impl Fn(f64) -> Double) -> Evidence {
-    Trial::motion(
-        Printed,
-        Compared::one(law, "the drawn points of the simulated motion"),
+    Trial::motion(Printed, [law, "the drawn points of the simulated motion"]).over(
+        parts(two_periods(lambda)),
+        |point| {
+            let [phi, found] = point?;
+            Ok(Pair {
+                at: format!("φ = {phi:.6}"),
+                stated: form(from + (phi - from).rem_euclid(TAU)).to_f64(),
+                found,
+                scale: 2.0,
+            })
+        },
     )
-    .over(parts(two_periods(lambda)), |point| {
-        let [phi, found] = point?;
-        Ok(Pair {
-            at: format!("φ = {phi:.6}"),
-            stated: form(from + (phi - from).rem_euclid(TAU)).to_f64(),
-            found,
-            scale: 2.0,
-        })
-    })
 }
 
 /// Points (periods, −ln 𝔴_y) of a motion in the plane from 𝔴_y = 0.3 at φ = π/2, as long as 𝔴_y is not zero.
@@ -221,9 +159,57 @@ fn framed(lambda: f64, top: f64, within: &'static str) -> Evidence {
     )
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    fig2_motion,
-    fig2_limit,
+attempts![
+    // fig-2: every eighth drawn point with a particle on the plane.
+    fig2_motion = Trial::motion(
+        Printed,
+        Compared::one(
+            r"$\mathfrak w$ of the drawn motion",
+            "$v_x$ of a particle on the plane",
+        )
+        .over("every eighth drawn one"),
+    )
+    .pairs(parts(transients()), |curve| {
+        let curve = curve?;
+        let until = TAU * f64::from(PERIODS);
+        let motion = Particle::plain(curve.lambda).run(0.0, [W_X, curve.w_y], until)?;
+        let pair = |state: &PlanarState| {
+            Ok(Pair {
+                at: curve.at(state.phi),
+                stated: state.w_x,
+                found: motion.at(state.phi)?.v[0],
+                scale: 1.0 + W_X + curve.w_y,
+            })
+        };
+        curve.states.iter().step_by(8).map(pair).collect()
+    }),
+    // fig-2: where all its curves end, by a particle on the plane that starts like each of them.
+    fig2_limit = {
+        let trial = Trial::by(
+            Limit,
+            Printed,
+            [
+                r"$\mathfrak w$ by (38) or (33), as $\lambda_0$ says,",
+                "$v_x$ of a particle on the plane 15 to 16 periods after it started like a drawn motion",
+            ],
+            FORGOTTEN,
+        );
+        let starts = [SMALL, LARGE].into_iter();
+        let starts = starts.flat_map(|lambda| W_Y.into_iter().map(move |w_y| (lambda, w_y)));
+        let late = |(lambda, w_y)| {
+            let motion = Particle::plain(lambda).run(0.0, [W_X, w_y], TAU * f64::from(FOLLOWED));
+            let motion = motion.map(std::rc::Rc::new);
+            let phases = (0..4).map(|k| TAU * (f64::from(FOLLOWED) - 0.25 * f64::from(k)));
+            phases.map(move |phi| (lambda, w_y, phi, motion.clone()))
+        };
+        trial.over(starts.flat_map(late), |(lambda, w_y, phi, motion)| {
+            Ok(Pair::plain(
+                format!("λ₀ = {lambda:.6}, 𝔴_y = {w_y} at φ = 0, φ = {phi:.6}"),
+                printed_late(lambda, phi),
+                motion?.at(phi)?.v[0],
+            ))
+        })
+    },
     fig3_motion = drawn(
         r"(38) for $\lambda_0=1/\pi$",
         SMALL,

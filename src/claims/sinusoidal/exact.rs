@@ -3,16 +3,15 @@
 //! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
 //! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
 
-use crate::exact::Function;
+use super::prelude::*;
 use crate::paper::sinusoidal as paper;
-use trialbook::prelude::*;
 
 /// The ring in which λ₀ = sin φ₁, so that arcsin λ₀ = φ₁ and √(1 − λ₀²) = cos φ₁.
 pub(super) fn ring_of_phi1() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     let angle = ring.angle("β");
     ring.angle("φ");
-    let beta = Expr::symbol("β");
+    let beta = symbol("β");
     let (sine, cosine) = (ring.read(beta.sin())?, ring.read(beta.cos())?);
     ring.inverse(Function::Asin, &sine, &angle)?;
     ring.root_is(&(Rational::int(1) - &sine * &sine), 2, &cosine)?;
@@ -25,9 +24,9 @@ pub(super) fn ring_of_phi_t1() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     let angle = ring.angle("φ̃₁");
     ring.angle("φ");
-    let cosine = ring.read(Expr::symbol("φ̃₁").cos())?;
+    let cosine = ring.read(symbol("φ̃₁").cos())?;
     ring.inverse(Function::Acos, &cosine, &angle)?;
-    let pi = ring.read(Expr::pi())?;
+    let pi = ring.read(pi())?;
     let lambda = ring.divide(&(Rational::int(2) * cosine), &pi)?;
     ring.define("λ₀", lambda)?;
     Ok(ring)
@@ -35,7 +34,7 @@ pub(super) fn ring_of_phi_t1() -> Result<Ring, ExactError> {
 
 /// (21) to (24): the acceleration along x, λ₀, φ, and 𝔴.
 fn units() -> [Expr; 4] {
-    let [a0, varpi, vx] = Expr::symbols(["A₀", "ϖ", "v_x"]);
+    let [a0, varpi, vx] = symbols(["A₀", "ϖ", "v_x"]);
     let [ax, _] = paper::eq21_acceleration::tree();
     [
         ax,
@@ -56,13 +55,13 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
         Ok(ring)
     };
     Proof::in_ring("(26): d𝔴/dφ", ring(), |p| {
-        let [varpi, mu, g, phi] = Expr::symbols(["ϖ", "μ", "g", "φ"]);
+        let [varpi, mu, g, phi] = symbols(["ϖ", "μ", "g", "φ"]);
         p.note("The velocity's sign", sign.to_string());
         p.read("λ₀ by (22)", friction)?;
         let at_phase = |formula: Expr| formula.with("t", phi / varpi);
         let ours = p.read("(23) at t = φ/ϖ", at_phase(phase))?;
         p.equal("It is φ", &ours, &p.ring().read(phi)?)?;
-        let newton = -at_phase(ax) - Expr::int(sign) * mu * g;
+        let newton = -at_phase(ax) - int(sign) * mu * g;
         let newton = p.read("dv_x/dt by (1) and (21)", newton)?;
         let read = |p: &mut Prover<'_>, says: &str, formula: Expr, name: &str| {
             let element = p.ring().read(formula)?;
@@ -78,14 +77,6 @@ fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -
 fn eq26_rate() -> Expr {
     paper::eq26_rate::tree()
 }
-
-/// (21) to (24) by the use made of them: with them Newton's law becomes (26).
-pub const DEFINITIONS: Statement<([Expr; 4], Expr, i64)> = Statement::new(
-    Printed,
-    Compared::one("Newton's law in the symbols (21) to (24)", "(26)"),
-    || (units(), eq26_rate(), 1),
-    |(a, b, c)| prove_eq26(a, b, c),
-);
 
 /// (26), for velocities of both signs.
 pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
@@ -105,15 +96,15 @@ fn prove_phase(phase: Expr, quarter: i64) -> Proof {
     let growth = if quarter % 3 == 0 { 1 } else { -1 };
     let ring = || {
         let mut ring = ring_of_phi1()?;
-        let (beta, pi) = (ring.named("β")?, ring.read(Expr::pi())?);
+        let (beta, pi) = (ring.named("β")?, ring.read(pi())?);
         ring.suppose_positive(&pi - &(&beta * &Rational::int(2)));
         ring.suppose_positive(beta);
         Ok(ring)
     };
     Proof::in_ring("The drive at the printed phase", ring(), |p| {
         let ring = p.ring();
-        let [lambda0, phi, beta] = Expr::symbols(["λ₀", "φ", "β"]);
-        let (two, sign, growth) = (Expr::int(2), Expr::int(sign), Expr::int(growth));
+        let [lambda0, phi, beta] = symbols(["λ₀", "φ", "β"]);
+        let (two, sign, growth) = (int(2), int(sign), int(growth));
         p.remark("Let sin β = λ₀, with β between 0 and π/2");
         let rising = ((phi - sign * beta) / two).sin();
         let falling = ((phi + sign * beta) / two).cos();
@@ -133,7 +124,7 @@ fn prove_phase(phase: Expr, quarter: i64) -> Proof {
                 growth * lambda0.asin().cos(),
             ),
         )?;
-        let end = |n: i64| ring.read(Expr::int(n) * Expr::pi() / two);
+        let end = |n: i64| ring.read(int(n) * pi() / two);
         let phase = ring.read(phase)?;
         let [first, last] = [&phase - &end(quarter)?, &end(quarter + 1)? - &phase];
         p.positive(
@@ -153,23 +144,14 @@ const fn at_phase(phase: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement {
     Statement::new(Printed, compared, phase, prove)
 }
 
-const EQ27: Statement = at_phase(paper::eq27_phi1::tree, |phase| prove_phase(phase, 0));
-const EQ28: Statement = at_phase(paper::eq28_phi2::tree, |phase| prove_phase(phase, 1));
-const EQ29: Statement = at_phase(paper::eq29_phi3::tree, |phase| prove_phase(phase, 2));
-const EQ30: Statement = at_phase(paper::eq30_phi4::tree, |phase| prove_phase(phase, 3));
-
 /// A slip: its slope is sin φ ∓ λ₀, and it is zero at `start`.
 fn slip(p: &mut Prover<'_>, w: Expr, sign: i64, start: Expr) -> Result<(), Obstacle> {
-    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
     let value = p.read("The printed 𝔴", w)?;
     let slope = p.slope("Its slope", &value, "φ")?;
-    p.reads_as(
-        &slope,
-        "the slope by (26)",
-        phi.sin() - Expr::int(sign) * lambda0,
-    )?;
+    p.reads_as(&slope, "the slope by (26)", phi.sin() - int(sign) * lambda0)?;
     let at_start = p.read("Where the slip begins", w.with("φ", start))?;
-    p.reads_as(&at_start, "", Expr::int(0))
+    p.reads_as(&at_start, "", int(0))
 }
 
 fn prove_eq31(w: Expr) -> Proof {
@@ -186,7 +168,7 @@ pub const EQ31: Statement = Statement::new(
         r"(26) for $\mathfrak w>0$, and 0",
     ),
     || {
-        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
         paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi)
     },
     prove_eq31,
@@ -201,7 +183,7 @@ fn prove_end(title: &str, left: Expr, later: Expr, end: &'static str) -> Proof {
         Ok(ring)
     };
     Proof::in_ring(title, ring(), |p| {
-        let [lambda0, phi, delta] = Expr::symbols(["λ₀", "φ", "δ"]);
+        let [lambda0, phi, delta] = symbols(["λ₀", "φ", "δ"]);
         let slip = paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi);
         p.rests_on(&prove_eq31(slip))?;
         let at = p.read("(31) at an angle with δ", slip.with("φ", delta + later))?;
@@ -210,7 +192,7 @@ fn prove_end(title: &str, left: Expr, later: Expr, end: &'static str) -> Proof {
             Ok([ring.named(angle)?, ring.half_tangent(angle)?])
         };
         let [[from, u], [to, w]] = [half("δ")?, half(end)?];
-        let cosine = |angle: &'static str| ring.read((Expr::symbol(angle) / Expr::int(2)).cos());
+        let cosine = |angle: &'static str| ring.read((symbol(angle) / 2).cos());
         let values = [(&from, &to), (&u, &w), (&cosine("δ")?, &cosine(end)?)];
         let there = ring.put(&at, &values)?;
         p.note(&format!("It at δ = {end}"), ring.text(&there));
@@ -219,7 +201,7 @@ fn prove_end(title: &str, left: Expr, later: Expr, end: &'static str) -> Proof {
 }
 
 fn eq32_left() -> Expr {
-    let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
+    let [lambda0, end] = symbols(["λ₀", "φ̃₂"]);
     paper::eq32_left(lambda0, paper::eq27_phi1::tree(), end)
 }
 
@@ -228,11 +210,11 @@ pub const EQ32: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (32)", r"(31) at $\tilde\phi_2$"),
     eq32_left,
-    |left| prove_end("(32): the slip (31) ends at φ̃₂", left, Expr::int(0), "φ̃₂"),
+    |left| prove_end("(32): the slip (31) ends at φ̃₂", left, int(0), "φ̃₂"),
 );
 
 fn eq34_left() -> Expr {
-    let lambda0 = Expr::symbol("λ₀");
+    let lambda0 = symbol("λ₀");
     paper::eq34_left(
         lambda0,
         paper::eq27_phi1(lambda0),
@@ -247,7 +229,7 @@ pub const EQ34: Statement = Statement::new(
     eq34_left,
     |left| {
         let title = "(34): the slip (31) would be negative at φ₃ = π + β";
-        prove_end(title, left, Expr::pi(), "β")
+        prove_end(title, left, pi(), "β")
     },
 );
 
@@ -267,8 +249,8 @@ const EQ25: Statement<[Expr; 2]> = Statement::new(
             Ok(ring)
         };
         Proof::in_ring("(25): where the drive can start a slip", ring(), |p| {
-            let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-            let half = phi / Expr::int(2);
+            let [lambda0, phi] = symbols(["λ₀", "φ"]);
+            let half = phi / 2;
             let square = (half.sin() - half.cos()).squared();
             p.identity(
                 ("The drive less friction, by (26)", phi.sin() - lambda0),
@@ -298,7 +280,7 @@ pub const EQ33: Statement<[Expr; 4]> = Statement::new(
             Ok(ring)
         };
         Proof::in_ring("(33): slips and rests", ring(), |p| {
-            let [lambda0, end] = Expr::symbols(["λ₀", "φ̃₂"]);
+            let [lambda0, end] = symbols(["λ₀", "φ̃₂"]);
             let (phi1, phi3) = (paper::eq27_phi1::tree(), paper::eq29_phi3::tree());
             let [forward, first_rest, backward, second_rest] = cases;
             slip(p, forward, 1, phi1)?;
@@ -318,18 +300,14 @@ pub const EQ33: Statement<[Expr; 4]> = Statement::new(
             let second = p.read("(33) at φ̃₂ + π", backward.with("φ", ends[3]))?;
             p.equal("It vanishes with (32) too", &second, &-left)?;
             let period = p.read("The period of the cases", ends[4] - ends[0])?;
-            p.equal(
-                "It is 2π",
-                &period,
-                &p.ring().read(Expr::int(2) * Expr::pi())?,
-            )
+            p.equal("It is 2π", &period, &p.ring().read(2 * pi())?)
         })
     },
 );
 
 /// The four cases of (33).
 pub(super) fn eq33() -> [Expr; 4] {
-    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
     paper::eq33_w(
         lambda0,
         paper::eq27_phi1::tree(),
@@ -345,7 +323,7 @@ pub const EQ35: Statement = Statement::new(
     paper::eq35_left::tree,
     |left| {
         Proof::in_ring("(35): (34) in the friction alone", ring_of_phi1(), |p| {
-            let lambda0 = Expr::symbol("λ₀");
+            let lambda0 = symbol("λ₀");
             let (phi1, phi3) = (paper::eq27_phi1(lambda0), paper::eq29_phi3(lambda0));
             p.identity(
                 (
@@ -360,25 +338,11 @@ pub const EQ35: Statement = Statement::new(
 
 /// Adds √(4 + π²), and √π² = π.
 pub(super) fn with_lambda_c(mut ring: Ring) -> Result<Ring, ExactError> {
-    let pi = ring.read(Expr::pi())?;
+    let pi = ring.read(pi())?;
     ring.root(&(Rational::int(4) + &pi * &pi), 2)?;
     ring.root_is(&(&pi * &pi), 2, &pi)?;
     Ok(ring)
 }
-
-/// The left side of (35) vanishes at λ_c.
-const EQ37: Statement = Statement::new(
-    Printed,
-    Compared::one("the left side of (35) at (37)", "0"),
-    paper::eq37_lambda_c,
-    |critical| {
-        Proof::in_ring(
-            "(37): the critical friction",
-            with_lambda_c(Ring::new()),
-            |p| p.vanishes("The left side of (35) at λ_c", paper::eq35_left(critical)),
-        )
-    },
-);
 
 /// `found` = (1 + π²/4) (right² − left²): its sign is that of right − left, both being positive.
 fn beside_lambda_c(
@@ -386,7 +350,7 @@ fn beside_lambda_c(
     found: Expr,
     [left, right]: [Expr; 2],
 ) -> Result<(), Obstacle> {
-    let factor = Expr::int(1) + Expr::pi().squared() / Expr::int(4);
+    let factor = 1 + pi().squared() / 4;
     let expected = factor * (right.squared() - left.squared());
     p.identity(
         ("The difference of squares", found),
@@ -410,11 +374,11 @@ pub const EQ36: Statement<[Expr; 2]> = Statement::new(
             with_lambda_c(ring)
         };
         Proof::in_ring("(36): (35) squared", ring(), |p| {
-            let lambda0 = Expr::symbol("λ₀");
+            let lambda0 = symbol("λ₀");
             let left = paper::eq35_left(lambda0);
             // (a − b)(a + b) with a − b the left side of (35) and b = π λ₀.
-            let other = left + Expr::int(2) * Expr::pi() * lambda0;
-            beside_lambda_c(p, left * other / Expr::int(4), sides)
+            let other = left + 2 * pi() * lambda0;
+            beside_lambda_c(p, left * other / 4, sides)
         })
     },
 );
@@ -431,7 +395,7 @@ pub const EQ40: Statement<[Expr; 2]> = Statement::new(
     |sides| {
         let ring = || with_lambda_c(ring_of_phi_t1()?);
         Proof::in_ring("(40): the drive where (38) vanishes", ring(), |p| {
-            let lambda0 = Expr::symbol("λ₀");
+            let lambda0 = symbol("λ₀");
             let drive = paper::eq39_phi_t1(lambda0).sin();
             beside_lambda_c(p, drive.squared() - lambda0.squared(), sides)
         })
@@ -445,65 +409,79 @@ pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
         slip(p, backward, -1, ends[1])?;
         for (w, end) in [(forward, ends[1]), (backward, ends[2])] {
             let value = p.read("Where the slip ends", w.with("φ", end))?;
-            p.reads_as(&value, "", Expr::int(0))?;
+            p.reads_as(&value, "", int(0))?;
         }
         let length = p.read("From where it begins to where it ends", ends[2] - ends[0])?;
-        let period = p.read("A period", Expr::int(2) * Expr::pi())?;
+        let period = p.read("A period", 2 * pi())?;
         p.equal("Its length is a period", &length, &period)
     })
 }
 
-/// (38) with (39) solves (26) and closes after a period.
-const EQ38: Statement<([Expr; 2], [Expr; 3])> = Statement::new(
-    Within,
-    Compared::many(
-        "the slopes of (38), and both its ends,",
-        "(26), and 0 by (39)",
-    ),
-    eq38,
-    |(a, b)| prove_eq38(a, b),
-);
-
 /// The cases of (38), and their ends.
 pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
-    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
     let turn = paper::eq39_phi_t1::tree();
     (paper::eq38_w(lambda0, turn, phi), paper::eq38_ends(turn))
 }
 
-/// (39): with it the forward slip of (38) ends in zero.
-const EQ39: Statement = Statement::new(
-    Printed,
-    Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),
-    paper::eq39_phi_t1::tree,
-    |turn| {
-        Proof::in_ring("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
-            let lambda0 = Expr::symbol("λ₀");
-            let [forward, _] = paper::eq38_w(lambda0, turn, turn + Expr::pi());
-            p.vanishes("(38) half a period after φ̃₁", forward)
-        })
-    },
-);
-
 #[cfg(test)]
 mod tests;
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    &DEFINITIONS,
+attempts![
+    // (21) to (24) by the use made of them: with them Newton's law becomes (26).
+    &DEFINITIONS = Statement::new(
+        Printed,
+        Compared::one("Newton's law in the symbols (21) to (24)", "(26)"),
+        || (units(), eq26_rate(), 1),
+        |(a, b, c)| prove_eq26(a, b, c),
+    ),
     &EQ25,
     &EQ26,
-    &EQ27,
-    &EQ28,
-    &EQ29,
-    &EQ30,
+    &EQ27 = at_phase(paper::eq27_phi1::tree, |phase| prove_phase(phase, 0)),
+    &EQ28 = at_phase(paper::eq28_phi2::tree, |phase| prove_phase(phase, 1)),
+    &EQ29 = at_phase(paper::eq29_phi3::tree, |phase| prove_phase(phase, 2)),
+    &EQ30 = at_phase(paper::eq30_phi4::tree, |phase| prove_phase(phase, 3)),
     &EQ31,
     &EQ32,
     &EQ33,
     &EQ34,
     &EQ35,
     &EQ36,
-    &EQ37,
-    &EQ38,
-    &EQ39,
+    // The left side of (35) vanishes at λ_c.
+    &EQ37 = Statement::new(
+        Printed,
+        Compared::one("the left side of (35) at (37)", "0"),
+        paper::eq37_lambda_c,
+        |critical| {
+            Proof::in_ring(
+                "(37): the critical friction",
+                with_lambda_c(Ring::new()),
+                |p| p.vanishes("The left side of (35) at λ_c", paper::eq35_left(critical)),
+            )
+        },
+    ),
+    // (38) with (39) solves (26) and closes after a period.
+    &EQ38 = Statement::new(
+        Within,
+        Compared::many(
+            "the slopes of (38), and both its ends,",
+            "(26), and 0 by (39)",
+        ),
+        eq38,
+        |(a, b)| prove_eq38(a, b),
+    ),
+    // (39): with it the forward slip of (38) ends in zero.
+    &EQ39 = Statement::new(
+        Printed,
+        Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),
+        paper::eq39_phi_t1::tree,
+        |turn| {
+            Proof::in_ring("(39): where 𝔴 turns positive", ring_of_phi_t1(), |p| {
+                let lambda0 = symbol("λ₀");
+                let [forward, _] = paper::eq38_w(lambda0, turn, turn + pi());
+                p.vanishes("(38) half a period after φ̃₁", forward)
+            })
+        },
+    ),
     &EQ40
 ];

@@ -1,13 +1,13 @@
 //! What the conditions of sections 2.2 and 3 except.
 
-use trialbook::prelude::*;
+use super::prelude::*;
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![
+attempts![
     no_friction = no_inside(
         "a friction",
         r"$\lambda_0=0$",
         [("λ₀", [0.0, 1.0])],
         &[[0.0]],
         |[lambda0]| lambda0 > 0.0,
-    ),
+    )
 ];

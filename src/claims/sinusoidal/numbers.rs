@@ -1,13 +1,8 @@
 //! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
 
-use super::reference_motions::{ORIGIN, drive, settled};
-use crate::motion::drive::{PlanarState, Sign};
-use crate::paper::sinusoidal as printed;
+use super::prelude::*;
 use crate::validated::numbers;
-use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2, FRAC_PI_2, PI, TAU};
-use trialbook::prelude::*;
-use trialbook::trials::by_hand::Numbers;
-use trialbook::trials::values::Number;
+use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 2] = [

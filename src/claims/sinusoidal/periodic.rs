@@ -1,16 +1,8 @@
 //! Trials of (33), (38), (39): the two periodic motions, over whole periods.
 
-use super::reference_motions::{
-    ORIGIN, Particle, Slip, drive, end_spread, eq33, eq38, large, phi_t2, settled, small, starts,
-};
-use crate::claims::tolerances::{APPROACH, MULTIPLIER, ROOT};
-use crate::corrections::sinusoidal as corrected;
-use crate::motion::drive::{Attractor, DriveState, Friction, Interval, Sign};
-use crate::numerics::double::Double;
+use super::prelude::*;
+use super::reference_motions::{eq33, eq38, large, small, starts};
 use crate::numerics::eigenvalues::{eigenvalues, jacobian};
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::prelude::*;
 
 /// Phases over a period at which a periodic form is compared.
 const PHASES: u32 = 256;
@@ -40,73 +32,6 @@ fn over_a_period(
     phases(from).map(pair).collect()
 }
 
-/// (33) over a whole period.
-fn eq33_motion() -> Evidence {
-    Trial::motion(
-        Printed,
-        Compared::one(
-            r"(33), with $\tilde\phi_2$ by (32),",
-            "the simulated large-time motion at 256 phases of the period",
-        ),
-    )
-    .pairs(
-        large().into_iter().zip(starts().into_iter().cycle()),
-        |(lambda, start)| {
-            let attractor = settled(lambda, start)?;
-            let end = phi_t2(lambda);
-            let from = Slip::of(lambda)?.start;
-            let form = |phi| eq33(lambda, end, phi);
-            Ok(over_a_period(lambda, &attractor, from, form))
-        },
-    )
-}
-
-/// (38) over a whole period.
-fn eq38_motion() -> Evidence {
-    Trial::motion(
-        Within,
-        Compared::one(
-            "(38) with (39)",
-            "the simulated large-time motion at 256 phases of the period",
-        ),
-    )
-    .pairs(
-        small().into_iter().zip(starts().into_iter().cycle()),
-        |(lambda, start)| {
-            let attractor = settled(lambda, start)?;
-            let from = interval(&attractor, Sign::Positive)?.start;
-            Ok(over_a_period(lambda, &attractor, from, |phi| {
-                eq38(lambda, phi)
-            }))
-        },
-    )
-}
-
-/// λ₀ = 0: every start keeps its own motion.
-fn eq38_outside() -> Evidence {
-    let trial = Trial::motion(
-        Outside,
-        Compared::one(
-            "(38) with (39)",
-            "the motion without friction, from any start, at 256 phases of the period",
-        ),
-    );
-    let mut points = Points::here();
-    trial.pairs(0..24, |_| {
-        let start = DriveState {
-            phi: 0.0,
-            w: points.uniform(0.5, 3.0),
-        };
-        let attractor = settled(0.0, start)?;
-        let from = FRAC_PI_2;
-        let pair = |phi: f64| {
-            let at = format!("λ₀ = 0, 𝔴 = {:.6} at φ = 0, φ = {phi:.6}", start.w);
-            Pair::wide(at, eq38(0.0, phi), attractor.w(phi)).within(start.w)
-        };
-        Ok(phases(from).map(pair).collect())
-    })
-}
-
 fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
     Trial::census(
         subject,
@@ -132,12 +57,12 @@ const PERIODS: u32 = 320;
 /// How fast the periodic motion is approached: the distance to it, period by period.
 fn eq38_approach() -> Evidence {
     let trial = Trial::by(
-        Route::Limit,
+        Limit,
         Within,
-        Compared::one(
+        [
             r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
             "the factor by which a simulated motion's distance to the periodic one shrinks in a period",
-        ),
+        ],
         APPROACH,
     );
     let frictions = small().into_iter().filter(|l| (0.02..0.5).contains(l));
@@ -164,110 +89,20 @@ fn eq38_approach() -> Evidence {
     })
 }
 
-/// The same by the plane motion, as its Floquet multiplier: the larger eigenvalue of the derivative of the velocity after a
-/// period by that before. The other one, of the velocity across, is next to zero.
-fn eq38_multiplier() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Within,
-        Compared::one(
-            r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
-            "the larger Floquet multiplier of the motion in the plane about the periodic one, an eigenvalue of its derivative over a period",
-        ),
-        MULTIPLIER,
-    );
-    let frictions = small().into_iter().filter(|l| (0.1..0.4).contains(l));
-    trial.over(frictions, |lambda| {
-        let attractor = settled(lambda, ORIGIN)?;
-        let phi = interval(&attractor, Sign::Positive)?.start + 1.0;
-        let after = |v| Ok::<_, Failure>(Particle::plain(lambda).run(phi, v, phi + TAU)?.end().v);
-        let matrix = jacobian(after, [attractor.w(phi), 0.0], [1e-5; 2])?;
-        let [_, [found, _]] = eigenvalues(matrix)?;
-        Ok(Pair::plain(
-            at(lambda, phi),
-            corrected::contraction(lambda),
-            found,
-        ))
-    })
-}
-
 /// The interval of this sign, in a motion from rest.
 fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
     let found = attractor.intervals().iter().find(|i| i.sign == sign);
     Ok(*found.ok_or("no such interval")?)
 }
 
-fn eq39_motion() -> Evidence {
-    Trial::motion(
-        Printed,
-        Compared::one(
-            "(39)",
-            "the phase at which the simulated large-time motion turns positive",
-        ),
-    )
-    .over(small(), |lambda| {
-        let attractor = settled(lambda, ORIGIN)?;
-        let found = interval(&attractor, Sign::Positive)?.start;
-        let stated = printed::eq39_phi_t1(Double::from(lambda));
-        let scale = found.max(1.0 / (1.0 - attractor.contraction()));
-        Ok(Pair::wide(format!("λ₀ = {lambda:.6}"), stated, found).within(scale))
-    })
-}
-
-fn eq39_outside() -> Evidence {
-    let trial = Trial::motion(
-        Outside,
-        Compared::one(
-            "(39)",
-            r"the phase at which the motion without friction turns positive, from any start with $-2<\mathfrak w<0$ at $\phi=0$",
-        ),
-    );
-    let starts = Points::here().within(24, [[-1.9, -0.1]]);
-    trial.at(["𝔴"], starts, 1.0, |[w]| {
-        let motion = settled(0.0, DriveState { phi: 0.0, w })?;
-        let found = interval(&motion, Sign::Positive)?.start;
-        Ok([printed::eq39_phi_t1(0.0), found])
-    })
-}
-
-/// Where the rests lie: [φ̃₂, φ₃], and half a period later.
-fn rest_interval_root() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Printed,
-        Compared::many(
-            r"the ends of $[\tilde\phi_2,\phi_3]$ and $[\tilde\phi_2+\pi,\phi_1+2\pi]$, with the root $\tilde\phi_2$ of (32),",
-            "the ends of the simulated rests",
-        ),
-        ROOT,
-    );
-    trial.pairs(large(), |lambda| {
-        let end = phi_t2(lambda);
-        let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
-        let [_, stated @ ..] = printed::eq33_ends(phi1, end, phi3);
-        let list = settled(lambda, ORIGIN)?;
-        let rests = list.intervals().iter().filter(|i| i.sign == Sign::Rest);
-        let found: Vec<_> = rests.flat_map(|i| [i.start, i.end]).collect();
-        let slip = Slip::of(lambda)?;
-        let spread = end_spread(lambda, slip.end).max(1.0 / libm::cos(slip.start));
-        let pair = |(i, stated): (usize, f64)| Pair {
-            at: format!("λ₀ = {lambda:.6}"),
-            stated,
-            found: found.get(i).copied().unwrap_or(f64::NAN),
-            scale: spread,
-        };
-        Ok(stated.into_iter().enumerate().map(pair).collect())
-    })
-}
-
 /// After its first rest a motion is the periodic one, from whatever start.
 fn rest_interval_reached() -> Evidence {
     let trial = Trial::motion(
         Printed,
-        Compared::one(
+        [
             "(33)",
             r"$\mathfrak w$ at 40 phases of the period that follows the first rest on the way from any start",
-        ),
+        ],
     );
     let mut points = Points::here();
     trial.pairs(large(), |lambda| {
@@ -291,16 +126,154 @@ fn rest_interval_reached() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq33_motion,
+attempts![
+    // (33) over a whole period.
+    eq33_motion = Trial::motion(
+        Printed,
+        [
+            r"(33), with $\tilde\phi_2$ by (32),",
+            "the simulated large-time motion at 256 phases of the period",
+        ],
+    )
+    .pairs(
+        large().into_iter().zip(starts().into_iter().cycle()),
+        |(lambda, start)| {
+            let attractor = settled(lambda, start)?;
+            let end = phi_t2(lambda);
+            let from = Slip::of(lambda)?.start;
+            let form = |phi| eq33(lambda, end, phi);
+            Ok(over_a_period(lambda, &attractor, from, form))
+        },
+    ),
     eq33_unique = one_motion(large(), Printed),
-    eq38_motion,
+    // (38) over a whole period.
+    eq38_motion = Trial::motion(
+        Within,
+        [
+            "(38) with (39)",
+            "the simulated large-time motion at 256 phases of the period",
+        ],
+    )
+    .pairs(
+        small().into_iter().zip(starts().into_iter().cycle()),
+        |(lambda, start)| {
+            let attractor = settled(lambda, start)?;
+            let from = interval(&attractor, Sign::Positive)?.start;
+            Ok(over_a_period(lambda, &attractor, from, |phi| {
+                eq38(lambda, phi)
+            }))
+        },
+    ),
     eq38_unique = one_motion(small(), Within),
     eq38_approach,
-    eq38_multiplier,
-    eq38_outside,
-    eq39_motion,
-    eq39_outside,
-    rest_interval_root,
+    // The same by the plane motion, as its Floquet multiplier: the larger eigenvalue of the derivative of the velocity after a
+    // period by that before. The other one, of the velocity across, is next to zero.
+    eq38_multiplier = {
+        let trial = Trial::by(
+            Integration,
+            Within,
+            [
+                r"$[(d-\lambda_0)/(d+\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,",
+                "the larger Floquet multiplier of the motion in the plane about the periodic one, an eigenvalue of its derivative over a period",
+            ],
+            MULTIPLIER,
+        );
+        let frictions = small().into_iter().filter(|l| (0.1..0.4).contains(l));
+        trial.over(frictions, |lambda| {
+            let attractor = settled(lambda, ORIGIN)?;
+            let phi = interval(&attractor, Sign::Positive)?.start + 1.0;
+            let after =
+                |v| Ok::<_, Failure>(Particle::plain(lambda).run(phi, v, phi + TAU)?.end().v);
+            let matrix = jacobian(after, [attractor.w(phi), 0.0], [1e-5; 2])?;
+            let [_, [found, _]] = eigenvalues(matrix)?;
+            Ok(Pair::plain(
+                at(lambda, phi),
+                corrected::contraction(lambda),
+                found,
+            ))
+        })
+    },
+    // λ₀ = 0: every start keeps its own motion.
+    eq38_outside = {
+        let mut points = Points::here();
+        Trial::motion(
+            Outside,
+            [
+                "(38) with (39)",
+                "the motion without friction, from any start, at 256 phases of the period",
+            ],
+        )
+        .pairs(0..24, |_| {
+            let start = DriveState {
+                phi: 0.0,
+                w: points.uniform(0.5, 3.0),
+            };
+            let attractor = settled(0.0, start)?;
+            let from = FRAC_PI_2;
+            let pair = |phi: f64| {
+                let at = format!("λ₀ = 0, 𝔴 = {:.6} at φ = 0, φ = {phi:.6}", start.w);
+                Pair::wide(at, eq38(0.0, phi), attractor.w(phi)).within(start.w)
+            };
+            Ok(phases(from).map(pair).collect())
+        })
+    },
+    eq39_motion = Trial::motion(
+        Printed,
+        [
+            "(39)",
+            "the phase at which the simulated large-time motion turns positive",
+        ],
+    )
+    .over(small(), |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let found = interval(&attractor, Sign::Positive)?.start;
+        let stated = printed::eq39_phi_t1(Double::from(lambda));
+        let scale = found.max(1.0 / (1.0 - attractor.contraction()));
+        Ok(Pair::wide(format!("λ₀ = {lambda:.6}"), stated, found).within(scale))
+    }),
+    eq39_outside = {
+        let trial = Trial::motion(
+            Outside,
+            [
+                "(39)",
+                r"the phase at which the motion without friction turns positive, from any start with $-2<\mathfrak w<0$ at $\phi=0$",
+            ],
+        );
+        let starts = Points::here().within(24, [[-1.9, -0.1]]);
+        trial.at(["𝔴"], starts, 1.0, |[w]| {
+            let motion = settled(0.0, DriveState { phi: 0.0, w })?;
+            let found = interval(&motion, Sign::Positive)?.start;
+            Ok([printed::eq39_phi_t1(0.0), found])
+        })
+    },
+    // Where the rests lie: [φ̃₂, φ₃], and half a period later.
+    rest_interval_root = {
+        let trial = Trial::by(
+            Root,
+            Printed,
+            Compared::many(
+                r"the ends of $[\tilde\phi_2,\phi_3]$ and $[\tilde\phi_2+\pi,\phi_1+2\pi]$, with the root $\tilde\phi_2$ of (32),",
+                "the ends of the simulated rests",
+            ),
+            ROOT,
+        );
+        trial.pairs(large(), |lambda| {
+            let end = phi_t2(lambda);
+            let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
+            let [_, stated @ ..] = printed::eq33_ends(phi1, end, phi3);
+            let list = settled(lambda, ORIGIN)?;
+            let rests = list.intervals().iter().filter(|i| i.sign == Sign::Rest);
+            let found: Vec<_> = rests.flat_map(|i| [i.start, i.end]).collect();
+            let slip = Slip::of(lambda)?;
+            let spread = end_spread(lambda, slip.end).max(1.0 / libm::cos(slip.start));
+            let pair = |(i, stated): (usize, f64)| Pair {
+                at: format!("λ₀ = {lambda:.6}"),
+                stated,
+                found: found.get(i).copied().unwrap_or(f64::NAN),
+                scale: spread,
+            };
+            Ok(stated.into_iter().enumerate().map(pair).collect())
+        })
+    },
     rest_interval_reached
 ];

@@ -2,13 +2,12 @@
 //! can end, and how long a slip from rest lasts. All by φ₁ = β, λ₀ = sin β.
 
 use super::exact::{EQ31, EQ32, EQ36, ring_of_phi1, with_lambda_c};
-use crate::corrections::sinusoidal as corrected;
+use super::prelude::*;
 use crate::paper::sinusoidal as paper;
-use trialbook::prelude::*;
 
 /// (27) to (30).
 fn phases() -> [Expr; 4] {
-    let lambda0 = Expr::symbol("λ₀");
+    let lambda0 = symbol("λ₀");
     [
         paper::eq27_phi1(lambda0),
         paper::eq28_phi2(lambda0),
@@ -17,23 +16,13 @@ fn phases() -> [Expr; 4] {
     ]
 }
 
-/// The four phases, and no other.
-const FOUR_POINTS: Statement<([Expr; 4], Expr)> = Statement::new(
-    Within,
-    Compared::shown(
-        r"for every $0<\lambda_0<1$: $\sin^2\phi-\lambda_0^2=\sin(\phi-\phi_1)\sin(\phi+\phi_1)$, whose factors vanish twice each in a period, at $\phi_1$ and $\phi_3$ and at $\phi_2$ and $\phi_4$ of (27) to (30), which are four different phases",
-    ),
-    || (phases(), paper::s22_points()),
-    |(phases, number)| four_points(phases, number),
-);
-
 fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
     Proof::in_ring(
         "The drive equals friction four times",
         ring_of_phi1(),
         |p| {
-            let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
-            let pi = Expr::pi();
+            let [beta, lambda0, phi] = symbols(["β", "λ₀", "φ"]);
+            let pi = pi();
             let product = (phi - beta).sin() * (phi + beta).sin();
             p.identity(
                 ("sin²φ − λ₀²", phi.sin().squared() - lambda0.squared()),
@@ -43,7 +32,7 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
                 "Of the phases from 0 to 2π",
                 "the first sine vanishes at β and π + β only, the second at π − β and 2π − β only",
             );
-            let zeros = [beta, pi - beta, pi + beta, Expr::int(2) * pi - beta];
+            let zeros = [beta, pi - beta, pi + beta, 2 * pi - beta];
             for (i, (printed, zero)) in phases.into_iter().zip(zeros).enumerate() {
                 p.identity(
                     (&format!("The printed phase {}", i + 1), printed),
@@ -60,45 +49,32 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
             ] {
                 p.identity(
                     (says, zeros[later] - zeros[earlier]),
-                    ("positive for β < π/2", pi - Expr::int(2) * beta),
+                    ("positive for β < π/2", pi - 2 * beta),
                 )?;
             }
             p.identity(
                 ("From the second to the third", zeros[2] - zeros[1]),
-                ("positive for β > 0", Expr::int(2) * beta),
+                ("positive for β > 0", 2 * beta),
             )?;
             p.identity(
                 ("The stated number", number),
-                (
-                    "two zeros of each sine, none in common",
-                    Expr::int(2) + Expr::int(2),
-                ),
+                ("two zeros of each sine, none in common", int(2) + 2),
             )
         },
     )
 }
 
-/// |sin φ| rises above λ₀ at φ₁ and φ₃, and sinks below it at φ₂ and φ₄.
-const REST_ENDS: Statement<[Expr; 4]> = Statement::new(
-    Printed,
-    Compared::shown(
-        r"for every $0<\lambda_0<1$ a rest can end only where $\lvert\sin\phi\rvert$ rises above $\lambda_0$: of the four phases (27) to (30) at which the two are equal, $\sin^2\phi$ rises with the slope $2\sin\phi_1\cos\phi_1>0$ at $\phi_1$ and $\phi_3$ and falls with it at $\phi_2$ and $\phi_4$; for $\lambda_0\ge1$ no rest ends, and for $\lambda_0=0$ there is none",
-    ),
-    phases,
-    rest_ends,
-);
-
 fn rest_ends(phases: [Expr; 4]) -> Proof {
     Proof::in_ring("Where a rest can end", ring_of_phi1(), |p| {
-        p.rests_on(&four_points(phases, Expr::int(4)))?;
-        let [beta, phi] = Expr::symbols(["β", "φ"]);
+        p.rests_on(&four_points(phases, int(4)))?;
+        let [beta, phi] = symbols(["β", "φ"]);
         p.note(
             "Static friction holds a particle as long as |sin φ| ≤ λ₀, and no longer",
             "a rest ends at a phase at which |sin φ| is λ₀, and above λ₀ just after it",
         );
         let drive = p.read("sin²φ", phi.sin().squared())?;
         let slope = p.slope("Its slope", &drive, "φ")?;
-        let stated = Expr::int(2) * phi.sin() * phi.cos();
+        let stated = 2 * phi.sin() * phi.cos();
         p.reads_as(&slope, "", stated)?;
         let steep = p.read(
             "2 sin β cos β, positive for 0 < β < π/2",
@@ -120,24 +96,14 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
     })
 }
 
-/// Where the period ends that begins with the slip at φ₁.
-const PERIOD_ENDS: Statement = Statement::new(
-    Corrected,
-    Compared::shown(
-        r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above $+\lambda_0$ at $\phi_1$ only, and again a period later; in between it gives nothing, and the slip ends before",
-    ),
-    || corrected::rest_of_period_end(paper::eq27_phi1::tree()),
-    period_ends,
-);
-
 fn period_ends(end: Expr) -> Proof {
     let title = "The period of the slip ends where the next slip begins";
     Proof::in_ring(title, ring_of_phi1(), |p| {
         let [first, second, third, fourth] = phases();
-        p.rests_on(&four_points([first, second, third, fourth], Expr::int(4)))?;
+        p.rests_on(&four_points([first, second, third, fourth], int(4)))?;
         p.rests_on(&slip())?;
         p.remark("The slip ends before φ₁ + 2π, and an interval is left until then");
-        let [beta, lambda0] = Expr::symbols(["β", "λ₀"]);
+        let [beta, lambda0] = symbols(["β", "λ₀"]);
         for (says, phase) in [("φ₁", first), ("the stated end", end)] {
             p.identity(
                 (&format!("The drive, sin φ, at {says}"), phase.sin()),
@@ -160,10 +126,7 @@ fn period_ends(end: Expr) -> Proof {
         }
         p.identity(
             ("From φ₁ to the stated end", end - first),
-            (
-                "so that it is the next such phase",
-                Expr::int(2) * Expr::pi(),
-            ),
+            ("so that it is the next such phase", 2 * pi()),
         )?;
         p.vanishes("What the drive gives on the way", first.cos() - end.cos())
     })
@@ -171,7 +134,7 @@ fn period_ends(end: Expr) -> Proof {
 
 /// The slip (31) from rest rises to φ₂ and falls from there on to φ₁ + 2π, and has sunk below zero at φ₄: it ends between the two.
 pub fn slip() -> Proof {
-    let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
+    let [lambda0, phi] = symbols(["λ₀", "φ"]);
     ends_once(paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi))
 }
 
@@ -179,19 +142,18 @@ fn ends_once(w: Expr) -> Proof {
     Proof::in_ring("A slip from rest ends once", ring_of_phi1(), |p| {
         p.shows("For 0 < λ₀ < 1 and sin β = λ₀, 0 < β < π/2: (31) is positive from β up to one phase between π − β and 2π − β, and negative from there to 2π + β.");
         given(p, &[&EQ31])?;
-        let [beta, lambda0, phi] = Expr::symbols(["β", "λ₀", "φ"]);
-        let two = Expr::int(2);
+        let [beta, lambda0, phi] = symbols(["β", "λ₀", "φ"]);
         let printed = p.read("(31), with sin β = λ₀", w)?;
         let slope = p.slope("Its slope", &printed, "φ")?;
-        let halves = ((phi - beta) / two).sin() * ((phi + beta) / two).cos();
+        let halves = ((phi - beta) / 2).sin() * ((phi + beta) / 2).cos();
         p.reads_as(
             &slope,
             "positive from β to π − β, negative from there to 2π + β",
-            two * halves,
+            2 * halves,
         )?;
         p.identity(
-            ("(31) at 2π − β", w.with("φ", two * Expr::pi() - beta)),
-            ("negative", -(two * lambda0 * (Expr::pi() - beta))),
+            ("(31) at 2π − β", w.with("φ", 2 * pi() - beta)),
+            ("negative", -(2 * lambda0 * (pi() - beta))),
         )?;
         p.note(
             "So, as (31) is 0 at β",
@@ -200,23 +162,6 @@ fn ends_once(w: Expr) -> Proof {
         Ok(())
     })
 }
-
-/// A slip from rest outlasts half the period below λ_c.
-const OUTLASTS: Statement<(Expr, Expr)> = Statement::new(
-    Within,
-    Compared::shown(
-        r"for every $0<\lambda_0<\lambda_\mathrm c$ the slip (31) is still positive at $\phi_1+\pi$, where it is the left side of (35), and has not been zero since $\phi_1$; and with the largest possible forward friction $+\lambda_0$ from $\tilde\phi_2$ on, $\mathfrak w(\phi_1+2\pi)=-2\lambda_0(\tilde\phi_2-\phi_1-\pi)<0$",
-    ),
-    || {
-        let [lambda0, phi, end] = Expr::symbols(["λ₀", "φ", "φ̃₂"]);
-        let phi1 = paper::eq27_phi1::tree();
-        (
-            paper::eq31_w(lambda0, phi1, phi),
-            paper::eq32_left(lambda0, phi1, end),
-        )
-    },
-    outlasts,
-);
 
 fn outlasts((w, left): (Expr, Expr)) -> Proof {
     let ring = || {
@@ -227,13 +172,13 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
     Proof::in_ring("A slip outlasts half the period", ring(), |p| {
         given(p, &[&EQ32, &EQ36])?;
         p.rests_on(&ends_once(w))?;
-        let [beta, lambda0, phi, end] = Expr::symbols(["β", "λ₀", "φ", "φ̃₂"]);
-        let (two, pi) = (Expr::int(2), Expr::pi());
+        let [beta, lambda0, phi, end] = symbols(["β", "λ₀", "φ", "φ̃₂"]);
+        let (two, pi) = (int(2), pi());
         let there = p.read("(31) at β + π", w.with("φ", beta + pi))?;
         p.reads_as(&there, "the left side of (35)", paper::eq35_left::tree())?;
         let [friction, critical] = paper::eq36_sides::tree();
         let sum = p.read("Its terms, added", two * beta.cos() + pi * lambda0)?;
-        let factor = Expr::int(4) + pi.squared();
+        let factor = 4 + pi.squared();
         let apart = factor * (critical.squared() - friction.squared());
         let apart = p.read(
             "(4 + π²) (λ_c² − λ₀²), positive where (36) does not hold",
@@ -269,4 +214,40 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![&FOUR_POINTS, &REST_ENDS, &OUTLASTS, &PERIOD_ENDS];
+attempts![
+    // The four phases, and no other.
+    &FOUR_POINTS = Statement::shown(
+        Within,
+        r"for every $0<\lambda_0<1$: $\sin^2\phi-\lambda_0^2=\sin(\phi-\phi_1)\sin(\phi+\phi_1)$, whose factors vanish twice each in a period, at $\phi_1$ and $\phi_3$ and at $\phi_2$ and $\phi_4$ of (27) to (30), which are four different phases",
+        || (phases(), paper::s22_points()),
+        |(phases, number)| four_points(phases, number)
+    ),
+    // |sin φ| rises above λ₀ at φ₁ and φ₃, and sinks below it at φ₂ and φ₄.
+    &REST_ENDS = Statement::shown(
+        Printed,
+        r"for every $0<\lambda_0<1$ a rest can end only where $\lvert\sin\phi\rvert$ rises above $\lambda_0$: of the four phases (27) to (30) at which the two are equal, $\sin^2\phi$ rises with the slope $2\sin\phi_1\cos\phi_1>0$ at $\phi_1$ and $\phi_3$ and falls with it at $\phi_2$ and $\phi_4$; for $\lambda_0\ge1$ no rest ends, and for $\lambda_0=0$ there is none",
+        phases,
+        rest_ends
+    ),
+    // A slip from rest outlasts half the period below λ_c.
+    &OUTLASTS = Statement::shown(
+        Within,
+        r"for every $0<\lambda_0<\lambda_\mathrm c$ the slip (31) is still positive at $\phi_1+\pi$, where it is the left side of (35), and has not been zero since $\phi_1$; and with the largest possible forward friction $+\lambda_0$ from $\tilde\phi_2$ on, $\mathfrak w(\phi_1+2\pi)=-2\lambda_0(\tilde\phi_2-\phi_1-\pi)<0$",
+        || {
+            let [lambda0, phi, end] = symbols(["λ₀", "φ", "φ̃₂"]);
+            let phi1 = paper::eq27_phi1::tree();
+            (
+                paper::eq31_w(lambda0, phi1, phi),
+                paper::eq32_left(lambda0, phi1, end),
+            )
+        },
+        outlasts
+    ),
+    // Where the period ends that begins with the slip at φ₁.
+    &PERIOD_ENDS = Statement::shown(
+        Corrected,
+        r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above $+\lambda_0$ at $\phi_1$ only, and again a period later; in between it gives nothing, and the slip ends before",
+        || corrected::rest_of_period_end(paper::eq27_phi1::tree()),
+        period_ends
+    )
+];

@@ -1,14 +1,7 @@
 //! Trials of (27) to (30) and of what happens at these phases.
 
-use super::reference_motions::{ORIGIN, Particle, all, at, drive, lambda_c};
-use crate::claims::tolerances::ROOT;
-use crate::motion::PhaseKind;
-use crate::motion::drive::{Drive, DriveState, Friction, Sign};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::{all, at};
 
 type Formula = fn(Double) -> Double;
 
@@ -22,7 +15,7 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
     ];
     const ZERO: &str = r"the zero of $\lvert\sin\phi\rvert-\lambda_0$ in ";
     Trial::by(
-        Route::Root,
+        Root,
         Printed,
         Compared::composed([law, "", ""], [ZERO, QUARTERS[usize::from(quarter)], ""]),
         ROOT,
@@ -127,103 +120,6 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
     found
 }
 
-/// Four points, by counting.
-fn four_points_census() -> Evidence {
-    Trial::census(
-        Within,
-        Compared::constant(
-            "the stated 4",
-            r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
-        ),
-    )
-    .over(all(), |lambda| {
-        Ok(Pair::plain(
-            at(lambda),
-            printed::s22_points(),
-            balanced(drive()?, lambda).len() as f64,
-        ))
-    })
-}
-
-/// The four points, each in its place.
-fn four_points_root() -> Evidence {
-    Trial::by(
-        Route::Root,
-        Within,
-        Compared::many(
-            "(27) to (30)",
-            r"the crossings of $h$ with $\pm\lambda_0$, in order",
-        ),
-        ROOT,
-    )
-    .pairs(all(), |lambda| {
-        let stated: [Formula; 4] = [
-            printed::eq27_phi1,
-            printed::eq28_phi2,
-            printed::eq29_phi3,
-            printed::eq30_phi4,
-        ];
-        let found = balanced(drive()?, lambda);
-        let pairs = stated.into_iter().enumerate().map(|(i, stated)| {
-            let found = found.get(i).copied().unwrap_or(f64::NAN);
-            beside_a_motion(lambda, stated, found)
-        });
-        Ok(pairs.collect())
-    })
-}
-
-/// λ₀ = 0: the points meet in pairs.
-fn four_points_outside() -> Evidence {
-    let trial = Trial::census(
-        Outside,
-        Compared::constant(
-            "the stated 4",
-            r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..24, |_| {
-        let a = points.uniform(0.0, TAU);
-        let zeros = balanced(drive()?, 0.0);
-        let all = zeros.iter().flat_map(|phi| [*phi, phi + TAU]);
-        Ok(Pair::plain(
-            format!("λ₀ = 0, a = {a:.6}"),
-            printed::s22_points(),
-            all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
-        ))
-    })
-}
-
-/// Every rest of a motion on the line ends at φ₁ or φ₃.
-fn rest_ends_motion() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one("the nearer of (27) and (29)", "the end of a simulated rest"),
-    );
-    let mut points = Points::here();
-    let mut ends = Vec::new();
-    for _ in 0..100 {
-        let lambda = points.uniform(0.03, 0.999);
-        let start = DriveState {
-            phi: points.uniform(0.0, TAU),
-            w: points.uniform(-1.0, 1.0) * points.uniform(0.0, 1.0).round(),
-        };
-        let over = parts(rests_from(lambda, start));
-        ends.extend(over.map(|end| Ok::<_, Failure>((lambda, end?))));
-    }
-    trial.over(ends, |end| {
-        let (lambda, end) = end?;
-        let l = Double::from(lambda);
-        let phase = end.rem_euclid(TAU);
-        let [phi1, phi3] = [printed::eq27_phi1(l), printed::eq29_phi3(l)];
-        let off = |phi: Double| (phi.to_f64() - phase).abs();
-        let nearer = if off(phi1) < off(phi3) { phi1 } else { phi3 };
-        let scale = end.max(1.0 / libm::cos(end).abs());
-        let at = format!("λ₀ = {lambda:.6}, φ = {end:.6}");
-        Ok(Pair::wide(at, nearer, phase).within(scale))
-    })
-}
-
 /// The ends of all rests on the way from a start.
 fn rests_from(lambda: f64, start: DriveState) -> Result<Vec<f64>, Failure> {
     let until = start.phi + 30.0;
@@ -236,13 +132,12 @@ fn rests_from(lambda: f64, start: DriveState) -> Result<Vec<f64>, Failure> {
 fn rest_ends_census() -> Evidence {
     let trial = Trial::census(
         Printed,
-        Compared::one(
+        [
             r"the number of rests that end elsewhere than at (27) and (29), of a particle that began with $v_y\ne0$ and rests at least once,",
             "0",
-        ),
+        ],
     );
-    let mut points = Points::here();
-    trial.over(0..20, |_| {
+    trial.drawn(0..20, |_, points| {
         let lambda = points.uniform(lambda_c() + 0.02, 0.97);
         let v = [points.uniform(-0.5, 0.5), points.uniform(0.1, 0.5)];
         let until = 3.0 * TAU;
@@ -266,7 +161,7 @@ fn rest_ends_census() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq27_root = by_root("(27)", printed::eq27_phi1, 0),
     eq27_motion = by_release("(27)", printed::eq27_phi1, ("0", 0.0)),
     eq28_root = by_root("(28)", printed::eq28_phi2, 1),
@@ -275,10 +170,92 @@ pub(super) const TRIALS: &[Attempt] = trials![
     eq29_motion = by_release("(29)", printed::eq29_phi3, (r"\pi", PI)),
     eq30_root = by_root("(30)", printed::eq30_phi4, 3),
     eq30_motion = by_extremum("(30)", printed::eq30_phi4, ("backwards", Sign::Negative)),
-    four_points_census,
-    four_points_root,
-    four_points_outside,
-    rest_ends_motion,
+    // Four points, by counting.
+    four_points_census = Trial::census(
+        Within,
+        Compared::constant(
+            "the stated 4",
+            r"the number of phases in a period at which $\lvert h\rvert$ equals the friction",
+        ),
+    )
+    .over(all(), |lambda| {
+        Ok(Pair::plain(
+            at(lambda),
+            printed::s22_points(),
+            balanced(drive()?, lambda).len() as f64,
+        ))
+    }),
+    // The four points, each in its place.
+    four_points_root = Trial::by(
+        Root,
+        Within,
+        Compared::many(
+            "(27) to (30)",
+            r"the crossings of $h$ with $\pm\lambda_0$, in order",
+        ),
+        ROOT,
+    )
+    .pairs(all(), |lambda| {
+        let stated: [Formula; 4] = [
+            printed::eq27_phi1,
+            printed::eq28_phi2,
+            printed::eq29_phi3,
+            printed::eq30_phi4,
+        ];
+        let found = balanced(drive()?, lambda);
+        let pairs = stated.into_iter().enumerate().map(|(i, stated)| {
+            let found = found.get(i).copied().unwrap_or(f64::NAN);
+            beside_a_motion(lambda, stated, found)
+        });
+        Ok(pairs.collect())
+    }),
+    // λ₀ = 0: the points meet in pairs.
+    four_points_outside = Trial::census(
+        Outside,
+        Compared::constant(
+            "the stated 4",
+            r"the number of phases in $[a,a+2\pi)$ at which $h$ vanishes, without friction,",
+        ),
+    )
+    .drawn(0..24, |_, points| {
+        let a = points.uniform(0.0, TAU);
+        let zeros = balanced(drive()?, 0.0);
+        let all = zeros.iter().flat_map(|phi| [*phi, phi + TAU]);
+        Ok(Pair::plain(
+            format!("λ₀ = 0, a = {a:.6}"),
+            printed::s22_points(),
+            all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
+        ))
+    }),
+    // Every rest of a motion on the line ends at φ₁ or φ₃.
+    rest_ends_motion = {
+        let trial = Trial::motion(
+            Printed,
+            ["the nearer of (27) and (29)", "the end of a simulated rest"],
+        );
+        let mut points = Points::here();
+        let mut ends = Vec::new();
+        for _ in 0..100 {
+            let lambda = points.uniform(0.03, 0.999);
+            let start = DriveState {
+                phi: points.uniform(0.0, TAU),
+                w: points.uniform(-1.0, 1.0) * points.uniform(0.0, 1.0).round(),
+            };
+            let over = parts(rests_from(lambda, start));
+            ends.extend(over.map(|end| Ok::<_, Failure>((lambda, end?))));
+        }
+        trial.over(ends, |end| {
+            let (lambda, end) = end?;
+            let l = Double::from(lambda);
+            let phase = end.rem_euclid(TAU);
+            let [phi1, phi3] = [printed::eq27_phi1(l), printed::eq29_phi3(l)];
+            let off = |phi: Double| (phi.to_f64() - phase).abs();
+            let nearer = if off(phi1) < off(phi3) { phi1 } else { phi3 };
+            let scale = end.max(1.0 / libm::cos(end).abs());
+            let at = format!("λ₀ = {lambda:.6}, φ = {end:.6}");
+            Ok(Pair::wide(at, nearer, phase).within(scale))
+        })
+    },
     rest_ends_census
 ];
 

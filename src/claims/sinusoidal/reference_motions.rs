@@ -1,12 +1,7 @@
 //! The motions that the printed formulas of section 2.2 are held against, and the frictions at which they are tried.
 
-use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
-use crate::motion::{Motion, Plane, Signal, particle, trajectory};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::motion::{particle, trajectory};
 
 /// The name of a point with this friction.
 pub fn at(lambda: f64) -> String {

@@ -1,32 +1,7 @@
 //! Trials of what section 2.2 says in words of the motion along the line.
 
-use super::reference_motions::{
-    ORIGIN, Particle, Slip, at, dense, drive, end_spread, phi_t2, settled, small, starts,
-};
-use crate::claims::tolerances::{NONE, ROOT};
-use crate::motion::PhaseKind;
-use crate::motion::drive::{DriveState, Friction, Interval, Sign};
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
-
-/// λ₀ < λ_c: no start leads to a motion with a rest; above all do.
-fn no_rest_census() -> Evidence {
-    Trial::census(
-        Printed,
-        Compared::constant(
-            r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
-            "whether the simulated motions from seven starts have no rest at large times (1 if so)",
-        ),
-    )
-    .over(dense().into_iter().step_by(4), |lambda| {
-        Ok(Pair::plain(
-            at(lambda),
-            is(lambda < printed::eq37_lambda_c()),
-            is(all_rests(lambda)? == 0),
-        ))
-    })
-}
+use super::prelude::*;
+use super::reference_motions::{at, dense, small, starts};
 
 /// The rests in a period at large times, of all starts together.
 fn all_rests(lambda: f64) -> Result<usize, Failure> {
@@ -37,31 +12,6 @@ fn all_rests(lambda: f64) -> Result<usize, Failure> {
         rests += list.filter(|i| i.sign == Sign::Rest).count();
     }
     Ok(rests)
-}
-
-/// The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
-fn no_rest_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            r"$-2\lambda_0(\tilde\phi_2-\phi_1-\pi)$, with the root $\tilde\phi_2$ of (32),",
-            r"$\mathfrak w$ a period after a rest has ended at $\phi_1$, where it has to be negative",
-        ),
-        ROOT,
-    );
-    trial.over(small(), |lambda| {
-        let (phi1, end) = (printed::eq27_phi1(lambda), phi_t2(lambda));
-        let friction = Friction::new(lambda, lambda)?;
-        let slip = Slip::of(lambda)?;
-        let w = drive()?.advance(friction, ORIGIN, slip.start + TAU)?.end.w;
-        Ok(Pair {
-            at: at(lambda),
-            stated: -2.0 * lambda * (end - phi1 - PI),
-            found: if w < 0.0 { w } else { f64::NAN },
-            scale: 10.0 + lambda * end_spread(lambda, slip.end),
-        })
-    })
 }
 
 /// A kind of large-time motion as a number: zeros in a period, ten times the rests, or −1 for rest throughout.
@@ -105,10 +55,10 @@ fn frictions() -> Vec<f64> {
 pub fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
         Within,
-        Compared::one(
+        [
             r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
             "the same of the simulated list of intervals",
-        ),
+        ],
     );
     trial.over(
         frictions().into_iter().zip(starts().into_iter().cycle()),
@@ -126,16 +76,15 @@ pub fn trichotomy_census() -> Evidence {
 /// The three kinds by the other integrator: stops and rests of a particle over its third period.
 pub fn trichotomy_motion() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Within,
-        Compared::one(
+        [
             r"the number of zeros plus ten times that of rests in a period (2 below $\lambda_\mathrm c$, 20 above, $-1$ for rest throughout above 1)",
             "that of a particle on the plane, over its third period",
-        ),
+        ],
         NONE,
     );
-    let mut points = Points::here();
-    trial.over(0..20, |_| {
+    trial.drawn(0..20, |_, points| {
         let lambda = points.uniform(0.1, 1.5);
         let start = points.uniform(0.0, TAU);
         let (from, to) = (start + 2.0 * TAU, start + 3.0 * TAU);
@@ -163,44 +112,13 @@ pub fn trichotomy_outside() -> Evidence {
             r"the number of zeros in a period without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
         ),
     );
-    let mut points = Points::here();
-    trial.over(0..24, |_| {
+    trial.drawn(0..24, |_, points| {
         let w = points.uniform(0.1, 3.0);
         let attractor = settled(0.0, DriveState { phi: 0.0, w })?;
         Ok(Pair::plain(
             format!("λ₀ = 0, 𝔴 = {w:.6} at φ = 0"),
             stated_kind(0.0),
             listed_kind(attractor.intervals()),
-        ))
-    })
-}
-
-/// A₀ < μg: a particle with any velocity comes to rest and stays there.
-fn weak_drive_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            "whether (25) fails (1 if so)",
-            "whether a particle, launched in any direction, is at rest over the last period of four",
-        ),
-        NONE,
-    );
-    let mut points = Points::here();
-    trial.over(0..30, |i| {
-        let range = if i % 3 == 0 { [0.1, 0.95] } else { [1.05, 4.0] };
-        let lambda = points.uniform(range[0], range[1]);
-        let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
-        let from = points.uniform(0.0, TAU);
-        let motion = Particle::plain(lambda).run(from, v, from + 4.0 * TAU)?;
-        let mut largest = 0.0_f64;
-        for phi in fourth_period(from) {
-            largest = largest.max(motion.at(phi)?.speed());
-        }
-        Ok(Pair::plain(
-            format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
-            stated_still(lambda),
-            is(largest == 0.0),
         ))
     })
 }
@@ -216,26 +134,6 @@ fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
     (0..=32).map(move |k| from + TAU * (3.0 + f64::from(k) / 32.0))
 }
 
-/// A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
-fn weak_drive_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            "whether (25) fails (1 if so)",
-            "whether the simulated large-time motion is rest throughout, from seven starts",
-        ),
-    );
-    let frictions = frictions().into_iter().enumerate();
-    let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);
-    trial.over(some, |(_, lambda)| {
-        Ok(Pair::plain(
-            at(lambda),
-            stated_still(lambda),
-            is(all_still(lambda)?),
-        ))
-    })
-}
-
 /// Whether it is at rest throughout at large times, from every start.
 fn all_still(lambda: f64) -> Result<bool, Failure> {
     let mut still = true;
@@ -245,11 +143,93 @@ fn all_still(lambda: f64) -> Result<bool, Failure> {
     Ok(still)
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    weak_drive_motion,
-    weak_drive_census,
-    no_rest_motion,
-    no_rest_census,
+attempts![
+    // A₀ < μg: a particle with any velocity comes to rest and stays there.
+    weak_drive_motion = {
+        let trial = Trial::by(
+            Integration,
+            Printed,
+            [
+                "whether (25) fails (1 if so)",
+                "whether a particle, launched in any direction, is at rest over the last period of four",
+            ],
+            NONE,
+        );
+        trial.drawn(0..30, |i, points| {
+            let range = if i % 3 == 0 { [0.1, 0.95] } else { [1.05, 4.0] };
+            let lambda = points.uniform(range[0], range[1]);
+            let v = [points.uniform(-1.0, 1.0), points.uniform(-1.0, 1.0)];
+            let from = points.uniform(0.0, TAU);
+            let motion = Particle::plain(lambda).run(from, v, from + 4.0 * TAU)?;
+            let mut largest = 0.0_f64;
+            for phi in fourth_period(from) {
+                largest = largest.max(motion.at(phi)?.speed());
+            }
+            Ok(Pair::plain(
+                format!("λ₀ = {lambda:.6}, v_x = {:.6}, v_y = {:.6}", v[0], v[1]),
+                stated_still(lambda),
+                is(largest == 0.0),
+            ))
+        })
+    },
+    // A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
+    weak_drive_census = {
+        let frictions = frictions().into_iter().enumerate();
+        let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);
+        Trial::census(
+            Printed,
+            [
+                "whether (25) fails (1 if so)",
+                "whether the simulated large-time motion is rest throughout, from seven starts",
+            ],
+        )
+        .over(some, |(_, lambda)| {
+            Ok(Pair::plain(
+                at(lambda),
+                stated_still(lambda),
+                is(all_still(lambda)?),
+            ))
+        })
+    },
+    // The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
+    no_rest_motion = {
+        let trial = Trial::by(
+            Integration,
+            Printed,
+            [
+                r"$-2\lambda_0(\tilde\phi_2-\phi_1-\pi)$, with the root $\tilde\phi_2$ of (32),",
+                r"$\mathfrak w$ a period after a rest has ended at $\phi_1$, where it has to be negative",
+            ],
+            ROOT,
+        );
+        trial.over(small(), |lambda| {
+            let (phi1, end) = (printed::eq27_phi1(lambda), phi_t2(lambda));
+            let friction = Friction::new(lambda, lambda)?;
+            let slip = Slip::of(lambda)?;
+            let w = drive()?.advance(friction, ORIGIN, slip.start + TAU)?.end.w;
+            Ok(Pair {
+                at: at(lambda),
+                stated: -2.0 * lambda * (end - phi1 - PI),
+                found: if w < 0.0 { w } else { f64::NAN },
+                scale: 10.0 + lambda * end_spread(lambda, slip.end),
+            })
+        })
+    },
+    // λ₀ < λ_c: no start leads to a motion with a rest; above all do.
+    no_rest_census = Trial::census(
+        Printed,
+        Compared::constant(
+            r"1 for $\lambda_0<\lambda_\mathrm c$ and 0 above",
+            "whether the simulated motions from seven starts have no rest at large times (1 if so)",
+        ),
+    )
+    .over(dense().into_iter().step_by(4), |lambda| {
+        Ok(Pair::plain(
+            at(lambda),
+            is(lambda < printed::eq37_lambda_c()),
+            is(all_rests(lambda)? == 0),
+        ))
+    }),
     trichotomy_census,
     trichotomy_motion,
     trichotomy_outside

@@ -1,12 +1,7 @@
 //! Trials of where the rest of the period ends that begins at φ₁: what follows the slip up to φ̃₂.
 
-use super::reference_motions::{Slip, small};
-use crate::claims::tolerances::ROOT;
-use crate::corrections::sinusoidal as corrected;
-use crate::numerics::quadrature::sum;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::small;
 
 /// What is said of the end, at a phase inside the slip that begins at φ₁ for this λ₀.
 type Stated = (&'static str, fn(f64, f64) -> f64);
@@ -17,12 +12,11 @@ fn at_each(
     compared: Compared,
     pair: impl Fn(f64, f64) -> Result<[f64; 2], Failure>,
 ) -> Evidence {
-    let trial = Trial::by(route, subject, compared, ROOT);
     let points = small().into_iter().map(|lambda| {
         let slip = Slip::of(lambda);
         [lambda, slip.map_or(f64::NAN, |s| 0.5 * (s.start + s.end))]
     });
-    trial.at(["λ₀", "φ"], points, TAU, |[lambda, phi]| {
+    Trial::by(route, subject, compared, ROOT).at(["λ₀", "φ"], points, TAU, |[lambda, phi]| {
         pair(lambda, phi)
     })
 }
@@ -41,7 +35,7 @@ const CORRECTED: Stated = (r"$\phi_1+2\pi$", |lambda, _| {
 fn next_start(subject: Subject, (end, stated): Stated) -> Evidence {
     const NEXT: &str = r"the phase after $\phi_1$ at which the drive next exceeds friction forward";
     let compared = Compared::one(end, NEXT);
-    at_each(Route::Root, subject, compared, |lambda, phi| {
+    at_each(Root, subject, compared, |lambda, phi| {
         let found = root(|phi| libm::sin(phi) - lambda, 1.5 * PI, 2.5 * PI)?;
         Ok([stated(lambda, phi), found])
     })
@@ -53,15 +47,15 @@ fn nothing_given(subject: Subject, (end, stated): Stated) -> Evidence {
         [r"what the drive gives from $\phi_1$ to ", end, ""],
         ["the 0 of a whole period", "", ""],
     );
-    at_each(Route::Quadrature, subject, compared, |lambda, phi| {
+    at_each(Quadrature, subject, compared, |lambda, phi| {
         let start = Slip::of(lambda)?.start;
         Ok([sum(libm::sin, start, stated(lambda, phi), 1e-13), 0.0])
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     printed_root = next_start(Printed, PRINTED),
     printed_quadrature = nothing_given(Printed, PRINTED),
     corrected_root = next_start(Corrected, CORRECTED),
-    corrected_quadrature = nothing_given(Corrected, CORRECTED),
+    corrected_quadrature = nothing_given(Corrected, CORRECTED)
 ];

@@ -1,13 +1,8 @@
 //! Trials of what replaces the second stage: an exponential of an exponential, or an end after a finite time.
 
-use super::reference_motions::{ORIGIN, Particle, at, drive, forward, lambda_c, settled};
+use super::prelude::*;
+use super::reference_motions::{at, forward};
 use super::transverse::{Flight, flights_where, strobed};
-use crate::claims::tolerances::{LAST_STAGE, LOGARITHM, NONE, PASSAGE, SECOND_ORDER};
-use crate::corrections::sinusoidal as corrected;
-use crate::motion::drive::{Attractor, PlanarState};
-use crate::numerics::quadrature::integral_within;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
 
 /// Frictions below λ_c, where the passages are not too steep to be followed.
 fn below(high: f64) -> impl Iterator<Item = f64> {
@@ -34,12 +29,12 @@ fn passage_factor(lambda: f64) -> f64 {
 /// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
 fn period_factor() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Corrected,
-        Compared::one(
+        [
             PERIOD,
             r"the factor by which $\ln\mathfrak w_y$ grows in a period, from $\ln\mathfrak w_y=-10^9$ on",
-        ),
+        ],
         LOGARITHM,
     );
     let next_to_none = [2e-4, 5e-4, 9e-4];
@@ -62,98 +57,15 @@ fn period_factor() -> Evidence {
     })
 }
 
-/// The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
-fn period_factor_reached() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Corrected,
-        Compared::one(
-            PERIOD,
-            r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
-        ),
-        PASSAGE,
-    );
-    trial.each(flights_where(Flight::never_rests), Flight::at, |flight| {
-        let strobe: Vec<_> = flight.strobe().collect();
-        let last = strobe
-            .iter()
-            .rposition(|s| s.ln_w_y > -1e15)
-            .ok_or("no state")?;
-        let factor = match last.checked_sub(1) {
-            Some(before) => strobe[last].ln_w_y / strobe[before].ln_w_y,
-            None => f64::NAN,
-        };
-        Ok([1.0 / corrected::contraction(flight.lambda), factor, factor])
-    })
-}
-
-/// The correction of the first stage: friction leans towards the drive by half the square of the ratio of the velocities.
-fn first_stage_correction() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Corrected,
-        Compared::one(
-            r"$-\frac12[(\mathfrak w+1)^2+\frac12]$, with $\mathfrak w$ at $\phi=0$,",
-            r"$\mathfrak w_y^2$ times the relative excess of the mean slope of $\mathfrak w_y$ over a period above $-\lambda_0$",
-        ),
-        SECOND_ORDER,
-    );
-    let mut points = Points::here();
-    trial.over(0..30, |_| {
-        let lambda = points.uniform(0.2, 1.4);
-        let w_x = points.uniform(-3.0, 3.0);
-        let w_y = points.log_uniform(500.0, 2000.0);
-        let states = strobed(lambda, w_x, w_y, 1)?;
-        let [first, last] = [0, 1].map(|k: usize| Scalar::exp(states[k].ln_w_y));
-        let slope = (last - first) / TAU;
-        let middle = 0.5 * (first + last);
-        let found = (slope / -lambda - 1.0) * middle * middle;
-        Ok(Pair {
-            at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}"),
-            stated: corrected::first_stage_lean(w_x),
-            found,
-            scale: found.abs().max(2.0),
-        })
-    })
-}
-
-/// λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
-fn passage_limit() -> Evidence {
-    let trial = Trial::by(
-        Route::Limit,
-        Corrected,
-        Compared::one(
-            PASSAGE_FACTOR,
-            r"the ratio of $\Delta\ln v_y$ after and before a passage of a particle with $v_y=10^{-6}$ and $10^{-8}$",
-        ),
-        PASSAGE,
-    );
-    trial.over(below(0.42), |lambda| {
-        let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
-        let through = |v_y: f64| -> Result<_, Failure> {
-            let motion = Particle::plain(lambda).run(phi, [w_x, v_y], phi + PI)?;
-            Ok(Scalar::ln(motion.end().v[1]))
-        };
-        let after = through(1e-6)? - through(1e-8)?;
-        let found = after / Scalar::ln(100.0);
-        Ok(Pair {
-            at: at(lambda),
-            stated: passage_factor(lambda),
-            found,
-            scale: found,
-        })
-    })
-}
-
 /// λ₀ < λ_c, by quadrature of d ln 𝔴_y = −λ₀ dφ/|𝔴| towards and from a zero of the simulated motion on the line.
 fn passage_quadrature() -> Evidence {
     let trial = Trial::by(
-        Route::Quadrature,
+        Quadrature,
         Corrected,
-        Compared::one(
+        [
             PASSAGE_FACTOR,
             r"$(1+q)/(1-p)$, where $p$ and $q$ are the coefficients of the logarithm in $\lambda_0\int\mathrm d\phi/\lvert\mathfrak w\rvert$ before and after a zero of $\mathfrak w$",
-        ),
+        ],
         PASSAGE,
     );
     trial.over(below(lambda_c() - 1e-2), |lambda| {
@@ -181,28 +93,6 @@ fn passage_quadrature() -> Evidence {
     })
 }
 
-/// λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
-fn finite_end() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Corrected,
-        Compared::constant(
-            "the expected 1",
-            r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
-        ),
-        NONE,
-    );
-    trial.each(
-        flights_where(|flight| flight.lambda > lambda_c()),
-        Flight::at,
-        |flight| {
-            let last = flight.last()?;
-            let line = settled(flight.lambda, ORIGIN)?.w(last.phi);
-            Ok([1.0, is(ended([last.ln_w_y, last.w_x], line)), 1.0])
-        },
-    )
-}
-
 /// Whether of a motion, by ln 𝔴_y and 𝔴_x, that along the line is left and nothing else.
 fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
     ln_w_y == f64::NEG_INFINITY && (w_x - line).abs() < 1e-12
@@ -211,16 +101,15 @@ fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
 /// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
 pub fn last_stage() -> Evidence {
     let trial = Trial::by(
-        Route::Limit,
+        Limit,
         Corrected,
-        Compared::one(
+        [
             r"$\lambda_0/(\lambda_0^2-d^2)$, with $d=\lvert h\rvert$,",
             r"the time, over $v_y$, that a particle with $v_x=0$ and a small $v_y$ takes to stop where $d<\lambda_0$",
-        ),
+        ],
         LAST_STAGE,
     );
-    let mut points = Points::here();
-    trial.over(0..20, |_| {
+    trial.drawn(0..20, |_, points| {
         let lambda = points.uniform(lambda_c(), 1.4);
         let phi = points.uniform(0.0, 0.9) * Scalar::asin(lambda.min(1.0));
         let h = Scalar::sin(phi);
@@ -237,13 +126,109 @@ pub fn last_stage() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    first_stage_correction,
+attempts![
+    // The correction of the first stage: friction leans towards the drive by half the square of the ratio of the velocities.
+    first_stage_correction = {
+        let trial = Trial::by(
+            Limit,
+            Corrected,
+            [
+                r"$-\frac12[(\mathfrak w+1)^2+\frac12]$, with $\mathfrak w$ at $\phi=0$,",
+                r"$\mathfrak w_y^2$ times the relative excess of the mean slope of $\mathfrak w_y$ over a period above $-\lambda_0$",
+            ],
+            SECOND_ORDER,
+        );
+        trial.drawn(0..30, |_, points| {
+            let lambda = points.uniform(0.2, 1.4);
+            let w_x = points.uniform(-3.0, 3.0);
+            let w_y = points.log_uniform(500.0, 2000.0);
+            let states = strobed(lambda, w_x, w_y, 1)?;
+            let [first, last] = [0, 1].map(|k: usize| Scalar::exp(states[k].ln_w_y));
+            let slope = (last - first) / TAU;
+            let middle = 0.5 * (first + last);
+            let found = (slope / -lambda - 1.0) * middle * middle;
+            Ok(Pair {
+                at: format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}"),
+                stated: corrected::first_stage_lean(w_x),
+                found,
+                scale: found.abs().max(2.0),
+            })
+        })
+    },
     period_factor,
-    period_factor_reached,
-    passage_limit,
+    // The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
+    period_factor_reached = {
+        let trial = Trial::by(
+            Limit,
+            Corrected,
+            [
+                PERIOD,
+                r"the last growth of $\ln\mathfrak w_y$ over a period on the way from $\mathfrak w_y$ of order one to $\exp(-10^{15})$",
+            ],
+            PASSAGE,
+        );
+        trial.each(flights_where(Flight::never_rests), Flight::at, |flight| {
+            let strobe: Vec<_> = flight.strobe().collect();
+            let last = strobe
+                .iter()
+                .rposition(|s| s.ln_w_y > -1e15)
+                .ok_or("no state")?;
+            let factor = match last.checked_sub(1) {
+                Some(before) => strobe[last].ln_w_y / strobe[before].ln_w_y,
+                None => f64::NAN,
+            };
+            Ok([1.0 / corrected::contraction(flight.lambda), factor, factor])
+        })
+    },
+    // λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
+    passage_limit = {
+        let trial = Trial::by(
+            Limit,
+            Corrected,
+            [
+                PASSAGE_FACTOR,
+                r"the ratio of $\Delta\ln v_y$ after and before a passage of a particle with $v_y=10^{-6}$ and $10^{-8}$",
+            ],
+            PASSAGE,
+        );
+        trial.over(below(0.42), |lambda| {
+            let [phi, w_x] = on_the_way(&settled(lambda, ORIGIN)?)?;
+            let through = |v_y: f64| -> Result<_, Failure> {
+                let motion = Particle::plain(lambda).run(phi, [w_x, v_y], phi + PI)?;
+                Ok(Scalar::ln(motion.end().v[1]))
+            };
+            let after = through(1e-6)? - through(1e-8)?;
+            let found = after / Scalar::ln(100.0);
+            Ok(Pair {
+                at: at(lambda),
+                stated: passage_factor(lambda),
+                found,
+                scale: found,
+            })
+        })
+    },
     passage_quadrature,
-    finite_end,
+    // λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
+    finite_end = {
+        let trial = Trial::by(
+            Integration,
+            Corrected,
+            Compared::constant(
+                "the expected 1",
+                r"whether $\mathfrak w_y$ is exactly 0 after ten periods, and $\mathfrak w$ then that of the motion on the line (1 if so)",
+            ),
+            NONE,
+        );
+        trial.each(
+            flights_where(|flight| flight.lambda > lambda_c()),
+            Flight::at,
+            |flight| {
+                let last = flight.last()?;
+                let line = settled(flight.lambda, ORIGIN)?.w(last.phi);
+                Ok([1.0, is(ended([last.ln_w_y, last.w_x], line)), 1.0])
+            },
+        )
+    },
     last_stage
 ];
 

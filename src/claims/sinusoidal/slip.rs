@@ -1,101 +1,7 @@
 //! Trials of (31), (32), (34), (35): one slip after a rest, and where it ends.
 
-use super::reference_motions::{
-    ORIGIN, Particle, Slip, all, at, dense, drive, end_spread, phi_t2, small,
-};
-use crate::claims::tolerances::{EDGE, ROOT};
-use crate::motion::drive::{DriveState, Friction};
-use crate::numerics::double::Double;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
-
-fn eq31_motion() -> Evidence {
-    Trial::motion(
-        Printed,
-        Compared::one(
-            "(31)",
-            r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
-        ),
-    )
-    .pairs(all(), |lambda| {
-        let slip = Slip::of(lambda)?;
-        let friction = Friction::new(lambda, lambda)?;
-        let mut pairs = Vec::new();
-        for k in 1..=40 {
-            let phi = slip.start + (slip.end - slip.start) * f64::from(k) / 41.0;
-            let found = drive()?.advance(friction, ORIGIN, phi)?.end.w;
-            let [l, phi_n] = [lambda, phi].map(Double::from);
-            let stated = printed::eq31_w(l, printed::eq27_phi1(l), phi_n);
-            let at = format!("λ₀ = {lambda:.6}, φ = {phi:.6}");
-            pairs.push(Pair::wide(at, stated, found).within(2.0 + lambda * phi));
-        }
-        Ok(pairs)
-    })
-}
-
-fn eq32_root() -> Evidence {
-    Trial::by(
-        Route::Root,
-        Printed,
-        Compared::one(
-            r"the root of (32) between $\phi_2$ and $\phi_4$",
-            "the end of the simulated slip",
-        ),
-        ROOT,
-    )
-    .over(all(), |lambda| {
-        let found = Slip::of(lambda)?.end;
-        Ok(Pair {
-            at: at(lambda),
-            stated: phi_t2(lambda),
-            found,
-            scale: found + end_spread(lambda, found),
-        })
-    })
-}
-
-/// (32) at the time at which a particle, followed by the other integrator, comes back to rest.
-fn eq32_motion() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one("(32) at the end of a slip of a particle from rest", "0"),
-    );
-    // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
-    let frictions = all().into_iter().enumerate();
-    let some = frictions
-        .filter(|(i, _)| i % 8 == 0 || *i >= 200)
-        .map(|(_, lambda)| lambda);
-    trial.over(some, |lambda| {
-        let motion = Particle::plain(lambda).run(0.0, [0.0; 2], 2.0 * PI)?;
-        let end = motion.first_stop().ok_or("no stop")?;
-        let [l, phi] = [lambda, end].map(Double::from);
-        let stated = printed::eq32_left(l, printed::eq27_phi1(l), phi);
-        Ok(Pair::wide(at(lambda), stated, 0.0).within(2.0 + lambda * end))
-    })
-}
-
-/// (32): nowhere before its root, as found by simulation, does its left side vanish.
-fn eq32_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            "the number of phases, of 1000 between the ends of the simulated slip, at which (32) is not positive",
-            "0",
-        ),
-    );
-    let frictions = all().into_iter().filter(|l| (1e-3..=0.999).contains(l));
-    trial.over(frictions, |lambda| {
-        let slip = Slip::of(lambda)?;
-        let phi1 = printed::eq27_phi1(lambda);
-        let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
-        Ok(Pair::plain(
-            at(lambda),
-            not_positive(slip.start, slip.end, left) as f64,
-            0.0,
-        ))
-    })
-}
+use super::prelude::*;
+use super::reference_motions::{all, at, dense, small};
 
 /// At how many of 1000 places between these two it is not positive.
 fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
@@ -103,31 +9,15 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
     (1..=1000).filter(|k| left(place(*k)) <= 0.0).count()
 }
 
-/// φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
-fn bracket_census() -> Evidence {
-    Trial::census(
-        Printed,
-        Compared::one(
-            "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
-            "1",
-        ),
-    )
-    .over(dense(), |lambda| {
-        let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
-        let end = Slip::of(lambda)?.end;
-        Ok(Pair::plain(at(lambda), is(low < end && end < high), 1.0))
-    })
-}
-
 /// How close φ̃₂ comes: √(4πλ₀) to φ₄ as λ₀ → 0, √(2(1 − λ₀)) to φ₂ as λ₀ → 1.
 fn bracket_limit() -> Evidence {
     let trial = Trial::by(
-        Route::Limit,
+        Limit,
         Printed,
-        Compared::one(
+        [
             r"the gap between $\tilde\phi_2$ of the simulated slip and (30) or (28), over $\sqrt{4\pi\lambda_0}$ for $\lambda_0\to0$ and over $\sqrt{2(1-\lambda_0)}$ for $\lambda_0\to1$,",
             "1",
-        ),
+        ],
         EDGE,
     );
     let exponents = (0..15).map(|i| -9.0 - 0.1 * f64::from(i));
@@ -197,11 +87,86 @@ fn ends_early(law: &'static str, inequality: fn(f64) -> bool) -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq31_motion,
-    eq32_root,
-    eq32_motion,
-    eq32_census,
+attempts![
+    eq31_motion = Trial::motion(
+        Printed,
+        [
+            "(31)",
+            r"$\mathfrak w$ of the motion that rests until $\phi_1$, at 40 phases of the slip",
+        ],
+    )
+    .pairs(all(), |lambda| {
+        let slip = Slip::of(lambda)?;
+        let friction = Friction::new(lambda, lambda)?;
+        let mut pairs = Vec::new();
+        for k in 1..=40 {
+            let phi = slip.start + (slip.end - slip.start) * f64::from(k) / 41.0;
+            let found = drive()?.advance(friction, ORIGIN, phi)?.end.w;
+            let [l, phi_n] = [lambda, phi].map(Double::from);
+            let stated = printed::eq31_w(l, printed::eq27_phi1(l), phi_n);
+            let at = format!("λ₀ = {lambda:.6}, φ = {phi:.6}");
+            pairs.push(Pair::wide(at, stated, found).within(2.0 + lambda * phi));
+        }
+        Ok(pairs)
+    }),
+    eq32_root = Trial::by(
+        Root,
+        Printed,
+        [
+            r"the root of (32) between $\phi_2$ and $\phi_4$",
+            "the end of the simulated slip",
+        ],
+        ROOT,
+    )
+    .over(all(), |lambda| {
+        let found = Slip::of(lambda)?.end;
+        Ok(Pair {
+            at: at(lambda),
+            stated: phi_t2(lambda),
+            found,
+            scale: found + end_spread(lambda, found),
+        })
+    }),
+    // (32) at the time at which a particle, followed by the other integrator, comes back to rest.
+    eq32_motion = {
+        let trial = Trial::motion(
+            Printed,
+            ["(32) at the end of a slip of a particle from rest", "0"],
+        );
+        // Every eighth of the random frictions, and all that lie at the ends and at λ_c.
+        let frictions = all().into_iter().enumerate();
+        let some = frictions
+            .filter(|(i, _)| i % 8 == 0 || *i >= 200)
+            .map(|(_, lambda)| lambda);
+        trial.over(some, |lambda| {
+            let motion = Particle::plain(lambda).run(0.0, [0.0; 2], 2.0 * PI)?;
+            let end = motion.first_stop().ok_or("no stop")?;
+            let [l, phi] = [lambda, end].map(Double::from);
+            let stated = printed::eq32_left(l, printed::eq27_phi1(l), phi);
+            Ok(Pair::wide(at(lambda), stated, 0.0).within(2.0 + lambda * end))
+        })
+    },
+    // (32): nowhere before its root, as found by simulation, does its left side vanish.
+    eq32_census = {
+        let trial = Trial::census(
+            Printed,
+            [
+                "the number of phases, of 1000 between the ends of the simulated slip, at which (32) is not positive",
+                "0",
+            ],
+        );
+        let frictions = all().into_iter().filter(|l| (1e-3..=0.999).contains(l));
+        trial.over(frictions, |lambda| {
+            let slip = Slip::of(lambda)?;
+            let phi1 = printed::eq27_phi1(lambda);
+            let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
+            Ok(Pair::plain(
+                at(lambda),
+                not_positive(slip.start, slip.end, left) as f64,
+                0.0,
+            ))
+        })
+    },
     eq34_motion = left_with_motion("(34)", eq34),
     eq34_census = ends_early("(34)", |lambda| eq34(lambda) < 0.0),
     eq35_motion = left_with_motion("(35)", printed::eq35_left),
@@ -210,7 +175,19 @@ pub(super) const TRIALS: &[Attempt] = trials![
         let [left, right] = printed::eq36_sides(lambda);
         left > right
     }),
-    bracket_census,
+    // φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
+    bracket_census = Trial::census(
+        Printed,
+        [
+            "whether (28) and (30) hold the end of the simulated slip between them (1 if so)",
+            "1",
+        ],
+    )
+    .over(dense(), |lambda| {
+        let (low, high) = (printed::eq28_phi2(lambda), printed::eq30_phi4(lambda));
+        let end = Slip::of(lambda)?.end;
+        Ok(Pair::plain(at(lambda), is(low < end && end < high), 1.0))
+    }),
     bracket_limit
 ];
 

@@ -1,15 +1,8 @@
 //! Trials of (34), (36), (37), (40), (41): the critical friction.
 
-use super::reference_motions::{
-    ORIGIN, Slip, dense, excess_length, forward, lambda_c, settled, small,
-};
+use super::prelude::*;
+use super::reference_motions::{dense, excess_length, forward, small};
 use super::slip::eq34;
-use crate::claims::tolerances::{ONSET, ROOT};
-use crate::motion::drive::{DriveState, Sign};
-use crate::numerics::double::Double;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
 
 /// A start, and the friction from which on the motion that it leads to has rests.
 #[derive(Debug, Clone, Copy)]
@@ -47,53 +40,15 @@ fn at(onset: &Onset) -> String {
     format!("from φ = {:.6}, 𝔴 = {:.6}", onset.start.phi, onset.start.w)
 }
 
-/// (37) with the onset of rest.
-fn eq37_motion() -> Evidence {
-    Trial::by(
-        Route::Integration,
+attempts![
+    // (34): its root with the onset of rest.
+    eq34_root = Trial::by(
+        Root,
         Printed,
-        Compared::one(
-            "(37)",
-            "the friction at which simulated rests appear, by bisection",
-        ),
-        ONSET,
-    )
-    .each(ONSETS.each(), at, |onset| {
-        Ok([printed::eq37_lambda_c(), onset.lambda, onset.lambda])
-    })
-}
-
-/// (37) with the friction from which on a slip ends before the next one can begin, from several brackets.
-fn eq37_root() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Printed,
-        Compared::one(
-            "(37)",
-            "the root of how much longer than half a period a simulated slip lasts, from several brackets",
-        ),
-        ROOT,
-    );
-    let mut points = Points::here();
-    trial.over(0..24, |_| {
-        let (low, high) = (points.uniform(0.01, 0.5), points.uniform(0.6, 0.99));
-        Ok(Pair::plain(
-            format!("λ₀ between {low:.6} and {high:.6}"),
-            printed::eq37_lambda_c(),
-            root(excess_length, low, high)?,
-        ))
-    })
-}
-
-/// (34): its root with the onset of rest.
-fn eq34_root() -> Evidence {
-    Trial::by(
-        Route::Root,
-        Printed,
-        Compared::one(
+        [
             "the root of the left side of (34)",
             "the friction at which simulated rests appear",
-        ),
+        ],
         ONSET,
     )
     .each(ONSETS.each(), at, |onset| {
@@ -102,17 +57,47 @@ fn eq34_root() -> Evidence {
             onset.lambda,
             1.0,
         ])
-    })
-}
-
-/// (40) holds exactly where the simulated motion passes through zero without rest.
-fn eq40_census() -> Evidence {
-    Trial::census(
+    }),
+    // (37) with the friction from which on a slip ends before the next one can begin, from several brackets.
+    eq37_root = {
+        let trial = Trial::by(
+            Root,
+            Printed,
+            [
+                "(37)",
+                "the root of how much longer than half a period a simulated slip lasts, from several brackets",
+            ],
+            ROOT,
+        );
+        trial.drawn(0..24, |_, points| {
+            let (low, high) = (points.uniform(0.01, 0.5), points.uniform(0.6, 0.99));
+            Ok(Pair::plain(
+                format!("λ₀ between {low:.6} and {high:.6}"),
+                printed::eq37_lambda_c(),
+                root(excess_length, low, high)?,
+            ))
+        })
+    },
+    // (37) with the onset of rest.
+    eq37_motion = Trial::by(
+        Integration,
         Printed,
-        Compared::one(
+        [
+            "(37)",
+            "the friction at which simulated rests appear, by bisection",
+        ],
+        ONSET,
+    )
+    .each(ONSETS.each(), at, |onset| {
+        Ok([printed::eq37_lambda_c(), onset.lambda, onset.lambda])
+    }),
+    // (40) holds exactly where the simulated motion passes through zero without rest.
+    eq40_census = Trial::census(
+        Printed,
+        [
             "whether (40) holds (1 if so)",
             "whether the simulated large-time motion has no rest",
-        ),
+        ],
     )
     .over(dense(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
@@ -122,17 +107,14 @@ fn eq40_census() -> Evidence {
             is(left < right),
             is(attractor.intervals().iter().all(|i| i.sign != Sign::Rest)),
         ))
-    })
-}
-
-/// (41): φ̃₁ − φ₁ with what the simulation finds for both.
-fn eq41_motion() -> Evidence {
-    Trial::motion(
+    }),
+    // (41): φ̃₁ − φ₁ with what the simulation finds for both.
+    eq41_motion = Trial::motion(
         Printed,
-        Compared::one(
+        [
             "the difference of the sides of (41)",
             "the same of the simulation, where it has to be positive",
-        ),
+        ],
     )
     .over(small(), |lambda| {
         let attractor = settled(lambda, ORIGIN)?;
@@ -144,38 +126,28 @@ fn eq41_motion() -> Evidence {
         let scale = found.max(1.0 / (1.0 - attractor.contraction()));
         let found = if found > 0.0 { found } else { f64::NAN };
         Ok(Pair::wide(at, left - right, found).within(scale))
-    })
-}
-
-/// (41): its sign, everywhere below λ_c.
-fn eq41_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            "whether (41) holds (1 if so)",
-            "whether the simulated motion turns later than a rest would end",
+    }),
+    // (41): its sign, everywhere below λ_c.
+    eq41_census = {
+        let below = dense().into_iter().filter(|lambda| *lambda < lambda_c());
+        Trial::census(
+            Printed,
+            Compared::one(
+                "whether (41) holds (1 if so)",
+                "whether the simulated motion turns later than a rest would end",
+            )
+            .over(r"$\lambda_0<\lambda_\mathrm c$"),
         )
-        .over(r"$\lambda_0<\lambda_\mathrm c$"),
-    );
-    let below = dense().into_iter().filter(|lambda| *lambda < lambda_c());
-    trial.over(below, |lambda| {
-        let attractor = settled(lambda, ORIGIN)?;
-        let turn = forward(attractor.intervals());
-        let [left, right] =
-            printed::eq41_sides(printed::eq39_phi_t1(lambda), printed::eq27_phi1(lambda));
-        Ok(Pair::plain(
-            format!("λ₀ = {lambda:.6}"),
-            is(left > right),
-            is(turn.ok_or("no slip")?.start > Slip::of(lambda)?.start),
-        ))
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq34_root,
-    eq37_root,
-    eq37_motion,
-    eq40_census,
-    eq41_motion,
-    eq41_census
+        .over(below, |lambda| {
+            let attractor = settled(lambda, ORIGIN)?;
+            let turn = forward(attractor.intervals());
+            let [left, right] =
+                printed::eq41_sides(printed::eq39_phi_t1(lambda), printed::eq27_phi1(lambda));
+            Ok(Pair::plain(
+                format!("λ₀ = {lambda:.6}"),
+                is(left > right),
+                is(turn.ok_or("no slip")?.start > Slip::of(lambda)?.start),
+            ))
+        })
+    }
 ];

@@ -1,12 +1,8 @@
 //! Trials of what section 2.2 says of the velocity across the drive: how it dies, and what it leaves behind.
 
-use super::reference_motions::{Particle, drive, lambda_c, printed_late};
-use crate::claims::tolerances::{EXPONENTIAL, FIRST_STAGE, FORGOTTEN, GONE};
-use crate::motion::drive::PlanarState;
+use super::prelude::*;
+use super::reference_motions::printed_late;
 use crate::paper::general;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::{FRAC_PI_2, TAU};
-use trialbook::prelude::*;
 
 /// A motion in the plane, once a period from φ = 0 on.
 pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<PlanarState>, Failure> {
@@ -109,113 +105,18 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
     format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}")
 }
 
-/// v_y → 0: what is left after ten periods.
-fn vanishes_limit() -> Evidence {
-    Trial::by(
-        Route::Limit,
-        Printed,
-        Compared::constant(
-            "the stated 0",
-            r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
-        ),
-        GONE,
-    )
-    .each(flights_where(|_| true), Flight::at, |flight| {
-        Ok([
-            printed::s22_late_vy(),
-            Scalar::exp(flight.last()?.ln_w_y),
-            flight.start[1],
-        ])
-    })
-}
-
-/// The same by the other integrator, with little friction too.
-fn vanishes_motion() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::constant(
-            "the stated 0",
-            "$v_y$ of a particle on the plane after five periods",
-        ),
-        GONE,
-    );
-    let mut points = Points::here();
-    trial.over(0..20, |_| {
-        let lambda = points.uniform(0.25, 1.4);
-        let v = [points.uniform(-1.0, 1.0), points.uniform(0.05, 1.0)];
-        let end = Particle::plain(lambda).run(0.0, v, 5.0 * TAU)?.end();
-        Ok(Pair {
-            at: at([lambda, v[0], v[1]]),
-            stated: printed::s22_late_vy(),
-            found: end.v[1],
-            scale: v[1],
-        })
-    })
-}
-
-/// Without friction v_y keeps its value.
-fn vanishes_outside() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Outside,
-        Compared::constant(
-            "the expected 0",
-            "$v_y$ of a particle on the plane after five periods without friction",
-        ),
-        GONE,
-    );
-    let starts = Points::here().within(20, [[-1.0, 1.0], [0.05, 1.0]]);
-    trial.over(starts, |v| {
-        let end = Particle::plain(0.0).run(0.0, v, 5.0 * TAU)?.end();
-        Ok(Pair {
-            at: at([0.0, v[0], v[1]]),
-            stated: printed::s22_late_vy(),
-            found: end.v[1],
-            scale: v[1],
-        })
-    })
-}
-
-/// On the way v_y never grows.
-fn vanishes_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            r"the number of states at which (1) lets $\mathfrak w_y>0$ grow",
-            r"that of the steps of an eighth of a period on which $\ln\mathfrak w_y$ grows, over ten periods",
-        ),
-    );
-    trial.each(flights_where(|_| true), Flight::at, |flight| {
-        let steps = flight.states.windows(2);
-        // Beside a huge logarithm a change of order one is lost in rounding.
-        let rounding = |s: &PlanarState| 1e-13 * s.ln_w_y.abs().min(f64::MAX);
-        let grows = steps.filter(|s| s[1].ln_w_y > s[0].ln_w_y + rounding(&s[0]));
-        Ok([
-            flight
-                .states
-                .iter()
-                .filter(|s| flight.is_to_grow(s))
-                .count() as f64,
-            grows.count() as f64,
-            1.0,
-        ])
-    })
-}
-
 /// First stage: the mean slope of 𝔴_y over a period, while 𝔴_y is ten thousand times 𝔴_x or more.
 pub fn first_stage() -> Evidence {
     let trial = Trial::by(
-        Route::Limit,
+        Limit,
         Printed,
-        Compared::one(
+        [
             r"$-\lambda_0$",
             r"the mean slope of $\mathfrak w_y$ over a period, or eight where friction is next to none, in which it stays above $10^4\lvert\mathfrak w\rvert$",
-        ),
+        ],
         FIRST_STAGE,
     );
-    let mut points = Points::here();
-    trial.over(0..36, |i| {
+    trial.drawn(0..36, |i, points| {
         // With next to no friction next to nothing is lost: less of it drowns in the rounding of a smaller velocity, and
         // over more periods.
         let (frictions, most, [low, high], periods) = match i {
@@ -236,27 +137,6 @@ pub fn first_stage() -> Evidence {
     })
 }
 
-/// Second stage, as printed: an exponential falls by the same factor in every period.
-fn second_stage() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::constant(
-            "the stated 1",
-            r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$,",
-        ),
-        EXPONENTIAL,
-    );
-    trial.each(flights_where(Flight::never_rests), Flight::at, |flight| {
-        let strobe: Vec<_> = flight.strobe().map(|s| s.ln_w_y).collect();
-        Ok([
-            printed::s22_second_stage_ratio(),
-            third_over_second(&strobe)?,
-            1.0,
-        ])
-    })
-}
-
 /// The fall of a logarithm in the third step after the number has fallen below 1e-3, over that in the second.
 fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
     let small = logarithms.iter().position(|l| *l < -6.9);
@@ -268,35 +148,8 @@ fn third_over_second(logarithms: &[f64]) -> Result<f64, Failure> {
     Ok(fall(2) / fall(1))
 }
 
-/// The large-time v_x, from several v_y, is that of a motion on the line.
-fn ignores_motion() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            r"$\mathfrak w$ by (38), (33) or rest, as $\lambda_0$ says,",
-            r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
-        ),
-        FORGOTTEN,
-    )
-    .pairs(flights_where(|_| true), |flight| {
-        let flight = flight?;
-        let last = flight.states.iter().rev().take(A_PERIOD as usize);
-        let pair = |state: &PlanarState| {
-            Pair::plain(
-                format!("{}, φ = {:.6}", flight.at(), state.phi),
-                printed_late(flight.lambda, state.phi),
-                state.w_x,
-            )
-        };
-        Ok(last.map(pair).collect())
-    })
-}
-
 fn ignores(subject: Subject, compared: Compared, [low, high]: [f64; 2]) -> Evidence {
-    let trial = Trial::census(subject, compared);
-    let mut points = Points::here();
-    trial.over(0..20, |_| {
+    Trial::census(subject, compared).drawn(0..20, |_, points| {
         let (lambda, w_x) = (points.uniform(low, high), points.uniform(-1.0, 1.0));
         let phases = first_period();
         let mut curves = Vec::new();
@@ -328,14 +181,135 @@ fn each_differs(curves: &[Vec<f64>]) -> bool {
     curves.windows(2).all(|pair| apart(&pair[0], &pair[1]))
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    vanishes_limit,
-    vanishes_motion,
-    vanishes_census,
-    vanishes_outside,
+attempts![
+    // v_y → 0: what is left after ten periods.
+    vanishes_limit = Trial::by(
+        Limit,
+        Printed,
+        Compared::constant(
+            "the stated 0",
+            r"$\mathfrak w_y$ after ten periods, from $\ln\mathfrak w_y$,",
+        ),
+        GONE,
+    )
+    .each(flights_where(|_| true), Flight::at, |flight| {
+        Ok([
+            printed::s22_late_vy(),
+            Scalar::exp(flight.last()?.ln_w_y),
+            flight.start[1],
+        ])
+    }),
+    // The same by the other integrator, with little friction too.
+    vanishes_motion = Trial::by(
+        Integration,
+        Printed,
+        Compared::constant(
+            "the stated 0",
+            "$v_y$ of a particle on the plane after five periods",
+        ),
+        GONE,
+    )
+    .drawn(0..20, |_, points| {
+        let lambda = points.uniform(0.25, 1.4);
+        let v = [points.uniform(-1.0, 1.0), points.uniform(0.05, 1.0)];
+        let end = Particle::plain(lambda).run(0.0, v, 5.0 * TAU)?.end();
+        Ok(Pair {
+            at: at([lambda, v[0], v[1]]),
+            stated: printed::s22_late_vy(),
+            found: end.v[1],
+            scale: v[1],
+        })
+    }),
+    // On the way v_y never grows.
+    vanishes_census = {
+        let trial = Trial::census(
+            Printed,
+            [
+                r"the number of states at which (1) lets $\mathfrak w_y>0$ grow",
+                r"that of the steps of an eighth of a period on which $\ln\mathfrak w_y$ grows, over ten periods",
+            ],
+        );
+        trial.each(flights_where(|_| true), Flight::at, |flight| {
+            let steps = flight.states.windows(2);
+            // Beside a huge logarithm a change of order one is lost in rounding.
+            let rounding = |s: &PlanarState| 1e-13 * s.ln_w_y.abs().min(f64::MAX);
+            let grows = steps.filter(|s| s[1].ln_w_y > s[0].ln_w_y + rounding(&s[0]));
+            Ok([
+                flight
+                    .states
+                    .iter()
+                    .filter(|s| flight.is_to_grow(s))
+                    .count() as f64,
+                grows.count() as f64,
+                1.0,
+            ])
+        })
+    },
+    // Without friction v_y keeps its value.
+    vanishes_outside = {
+        let starts = Points::here().within(20, [[-1.0, 1.0], [0.05, 1.0]]);
+        Trial::by(
+            Integration,
+            Outside,
+            Compared::constant(
+                "the expected 0",
+                "$v_y$ of a particle on the plane after five periods without friction",
+            ),
+            GONE,
+        )
+        .over(starts, |v| {
+            let end = Particle::plain(0.0).run(0.0, v, 5.0 * TAU)?.end();
+            Ok(Pair {
+                at: at([0.0, v[0], v[1]]),
+                stated: printed::s22_late_vy(),
+                found: end.v[1],
+                scale: v[1],
+            })
+        })
+    },
     first_stage,
-    second_stage,
-    ignores_motion,
+    // Second stage, as printed: an exponential falls by the same factor in every period.
+    second_stage = {
+        let trial = Trial::by(
+            Integration,
+            Printed,
+            Compared::constant(
+                "the stated 1",
+                r"the fall of $\ln\mathfrak w_y$ in the third period after $\mathfrak w_y$ has fallen below $10^{-3}$, over that in the second, for $\lambda_0<\lambda_\mathrm c$,",
+            ),
+            EXPONENTIAL,
+        );
+        trial.each(flights_where(Flight::never_rests), Flight::at, |flight| {
+            let strobe: Vec<_> = flight.strobe().map(|s| s.ln_w_y).collect();
+            Ok([
+                printed::s22_second_stage_ratio(),
+                third_over_second(&strobe)?,
+                1.0,
+            ])
+        })
+    },
+    // The large-time v_x, from several v_y, is that of a motion on the line.
+    ignores_motion = Trial::by(
+        Integration,
+        Printed,
+        [
+            r"$\mathfrak w$ by (38), (33) or rest, as $\lambda_0$ says,",
+            r"$\mathfrak w$ of a motion in the plane at eight phases of its tenth period",
+        ],
+        FORGOTTEN,
+    )
+    .pairs(flights_where(|_| true), |flight| {
+        let flight = flight?;
+        let last = flight.states.iter().rev().take(A_PERIOD as usize);
+        let pair = |state: &PlanarState| {
+            Pair::plain(
+                format!("{}, φ = {:.6}", flight.at(), state.phi),
+                printed_late(flight.lambda, state.phi),
+                state.w_x,
+            )
+        };
+        Ok(last.map(pair).collect())
+    }),
     // On the way v_x does depend on v_y.
     ignores_census = ignores(
         Printed,

@@ -7,10 +7,9 @@
 use super::attraction::{IGNORES_VY, TRICHOTOMY};
 use super::chains::{VY_VANISHES, eq21, in_units};
 use super::exact::{EQ40, eq38, prove_eq38, ring_of_phi_t1};
-use crate::claims::general::two_frames::{eq1, eq1_proof, eq2, eq2_proof};
-use crate::corrections::sinusoidal as corrected;
+use super::prelude::*;
+use crate::claims::general::two_frames::{eq1_proof, eq2_proof};
 use crate::paper::sinusoidal as paper;
-use trialbook::prelude::*;
 
 /// Of the velocity, by (1).
 type Rate = [Expr; 2];
@@ -20,7 +19,7 @@ type NoRest = ([Expr; 2], [Expr; 3]);
 type Passage = [Expr; 3];
 
 fn passage_formulas() -> Passage {
-    let lambda0 = Expr::symbol("λ₀");
+    let lambda0 = symbol("λ₀");
     let d = corrected::drive_at_zero(lambda0);
     let factor = corrected::passage_factor(lambda0, d);
     [d, factor, corrected::contraction(lambda0)]
@@ -28,7 +27,7 @@ fn passage_formulas() -> Passage {
 
 fn ring_of_motion() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
-    let [_, _, _, vx, vy] = ["λ₀", "d", "h", "v_x", "v_y"].map(|name| ring.symbol(name));
+    let [_, _, _, vx, vy] = ring.symbols(["λ₀", "d", "h", "v_x", "v_y"]);
     ring.angle("φ");
     ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
     Ok(ring)
@@ -37,14 +36,14 @@ fn ring_of_motion() -> Result<Ring, ExactError> {
 /// The ring in which sin φ̃₁ is the positive root of 1 − (πλ₀/2)².
 fn ring_of_passage() -> Result<Ring, ExactError> {
     let mut ring = ring_of_phi_t1()?;
-    let turn = Expr::symbol("φ̃₁");
+    let turn = symbol("φ̃₁");
     let [sine, cosine] = [ring.read(turn.sin())?, ring.read(turn.cos())?];
     ring.root_is(&(Rational::int(1) - &cosine * &cosine), 2, &sine)?;
     Ok(ring)
 }
 
 fn velocity() -> [Expr; 3] {
-    let [vx, vy] = Expr::symbols(["v_x", "v_y"]);
+    let [vx, vy] = symbols(["v_x", "v_y"]);
     [vx, vy, (vx.squared() + vy.squared()).sqrt()]
 }
 
@@ -56,8 +55,8 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
         |p| {
             p.shows("By (1) and (21), with v_y > 0: dv_y/dφ exceeds −λ₀ by λ₀ (v_x/v_y)²/2 at most, and is not below it. Velocities are in units of A₀/ϖ.");
             p.rests_on(&eq1_proof(law))?;
-            let lambda0 = Expr::symbol("λ₀");
-            let ([vx, vy, v], two) = (velocity(), Expr::int(2));
+            let lambda0 = symbol("λ₀");
+            let ([vx, vy, v], two) = (velocity(), int(2));
             let [_, across] = in_units(law, eq21());
             let excess = lambda0 * vx.squared() / (v * (v + vy));
             p.identity(
@@ -93,7 +92,7 @@ fn turning(law: Rate) -> Proof {
         |p| {
             p.shows("By (1) and (21), with v_y > 0 and T = v_y/(v + v_x): ln v_y has the rate −λ₀/v, and ln T the rate −sin φ/v. The motion with v_x reversed, half a period later, has the same law. Velocities are in units of A₀/ϖ.");
             p.rests_on(&eq1_proof(law))?;
-            let [lambda0, d, phi] = Expr::symbols(["λ₀", "d", "φ"]);
+            let [lambda0, d, phi] = symbols(["λ₀", "d", "φ"]);
             let [vx, vy, v] = velocity();
             let rates = in_units(law, eq21());
             let along = p.read("dv_x/dφ by (1) and (21)", rates[0])?;
@@ -133,7 +132,7 @@ fn turning(law: Rate) -> Proof {
                 ("which is v + |v_x| where v_x < 0", v - vx),
             )?;
             // The other zero is the mirror image.
-            let pi = Expr::pi();
+            let pi = pi();
             for (says, rate, sign) in [("dv_x/dφ", rates[0], -1), ("dv_y/dφ", rates[1], 1)] {
                 let mirrored = rate.with("v_x", -vx).with("φ", phi + pi);
                 p.identity(
@@ -143,7 +142,7 @@ fn turning(law: Rate) -> Proof {
                     ),
                     (
                         "that before, with the sign of a mirror image",
-                        Expr::int(sign) * rate,
+                        int(sign) * rate,
                     ),
                 )?;
             }
@@ -158,19 +157,18 @@ fn near_zero([d, ..]: Passage) -> Proof {
     Proof::in_ring(title, ring_of_passage(), |p| {
         p.shows("For λ₀ < λ_c let d = sin φ̃₁, which exceeds λ₀, and m = (d − λ₀)/2. Where |φ − φ̃₁| ≤ m: sin φ ≥ λ₀ + m, and |v_x| is at least m times the distance of φ from a zero of v_x there.");
         given(p, &[&EQ40])?;
-        let [lambda0, turn, phi] = Expr::symbols(["λ₀", "φ̃₁", "φ"]);
-        let two = Expr::int(2);
+        let [lambda0, turn, phi] = symbols(["λ₀", "φ̃₁", "φ"]);
         p.identity(
             ("The stated size d of the drive at a zero", d),
             ("", paper::eq39_phi_t1::tree().sin()),
         )?;
         p.note("By (40)", "d > λ₀ below λ_c");
-        let halves = two * ((phi - turn) / two).sin() * ((phi + turn) / two).cos();
+        let halves = 2 * ((phi - turn) / 2).sin() * ((phi + turn) / 2).cos();
         p.identity(
             ("sin φ − d", phi.sin() - d),
             ("of the size |φ − φ̃₁| at most", halves),
         )?;
-        let margin = (d - lambda0) / two;
+        let margin = (d - lambda0) / 2;
         p.identity(
             ("With m = (d − λ₀)/2: d − m", d - margin),
             ("", lambda0 + margin),
@@ -187,7 +185,7 @@ fn near_zero([d, ..]: Passage) -> Proof {
 fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_passage()?;
-        let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
+        let [vx, vy] = ring.symbols(["v_x", "v_y"]);
         ring.angle("Z");
         ring.root(&(vx.pow(2) + vy.pow(2)), 2)?;
         Ok(ring)
@@ -198,9 +196,8 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         p.rests_on(&prove_eq38(cases, ends))?;
         given(p, &[&TRICHOTOMY])?;
         p.rests_on(&near_zero(passage))?;
-        let [lambda0, phi, turn, z] = Expr::symbols(["λ₀", "φ", "φ̃₁", "Z"]);
+        let [lambda0, phi, turn, z] = symbols(["λ₀", "φ", "φ̃₁", "Z"]);
         let [vx, vy, v] = velocity();
-        let (one, two) = (Expr::int(1), Expr::int(2));
         p.note(
             "Late, the motion is close to (38)",
             "v_x has one zero within m of each zero of (38), at a distance Z from it that tends to 0; elsewhere |v_x| has a positive lower bound",
@@ -208,8 +205,8 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         let [along, _] = in_units(law, eq21());
         let along = p.read("dv_x/dφ by (1) and (21)", along)?;
         for (says, sign) in [("v_x > 0", 1), ("v_x < 0", -1)] {
-            let sign = Expr::int(sign);
-            let lack = one - sign * vx / v;
+            let sign = int(sign);
+            let lack = 1 - sign * vx / v;
             let terms = phi.sin() - sign * lambda0 + sign * lambda0 * lack;
             p.reads_as(
                 &along,
@@ -221,7 +218,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
                     "(v_y + |v_x|)² less v²",
                     (vy + sign * vx).squared() - v.squared(),
                 ),
-                ("not negative", two * vy * sign * vx),
+                ("not negative", 2 * vy * sign * vx),
             )?;
         }
         p.note(
@@ -230,7 +227,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         );
 
         let [forward, backward] = cases;
-        let pi = Expr::pi();
+        let pi = pi();
         let rise = turn.cos() - (turn + z).cos();
         p.identity(
             ("(38) at φ̃₁ + Z", forward.with("φ", turn + z)),
@@ -239,7 +236,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
                 rise - lambda0 * z,
             ),
         )?;
-        let before = backward.with("φ", turn + two * pi - z);
+        let before = backward.with("φ", turn + 2 * pi - z);
         let rise = (turn - z).cos() - turn.cos();
         p.identity(
             ("(38) at φ̃₁ − Z, a period later", before),
@@ -267,7 +264,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
                 "The stated factor of ln v_y times (d − λ₀)/(d + λ₀)",
                 factor * ratio,
             ),
-            ("", one),
+            ("", int(1)),
         )
     })
 }
@@ -276,9 +273,7 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
 fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_passage()?;
-        for name in ["L", "b", "e", "Z", "Z′", "Y", "B"] {
-            ring.symbol(name);
-        }
+        ring.symbols(["L", "b", "e", "Z", "Z′", "Y", "B"]);
         Ok(ring)
     };
     let title = "A passage of v_x through zero multiplies ln v_y";
@@ -288,9 +283,8 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
         p.rests_on(&zeros_settle(law, motion, passage))?;
         given(p, &[&VY_VANISHES])?;
         p.rests_on(&near_zero(passage))?;
-        let [lambda0, before, b, e] = Expr::symbols(["λ₀", "L", "b", "e"]);
+        let [lambda0, before, b, e] = symbols(["λ₀", "L", "b", "e"]);
         let [d, factor, _] = passage;
-        let one = Expr::int(1);
         p.note(
             "Let −ln v_y be L at the phase m before φ̃₁, and M at the phase m after",
             "as |v_x| has positive bounds at both, ln T is L at the one and −M at the other, up to bounded terms: it changes by b − L − M, with a bounded b",
@@ -312,7 +306,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
             "ln v_y changes by a bounded amount, as |v_x| has a positive lower bound",
         );
 
-        let [z, next, y, bound] = Expr::symbols(["Z", "Z′", "Y", "B"]);
+        let [z, next, y, bound] = symbols(["Z", "Z′", "Y", "B"]);
         let (sum, difference) = (d + lambda0, d - lambda0);
         p.note(
             "So, with L′ for the next passage and a constant B",
@@ -323,7 +317,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
             "so the sums of Y and of L Y over all passages are finite; and so is that of Z, which but for Y shrinks by a factor below 1",
         );
         let product = (z * (difference + z) + y) * (sum * before + bound);
-        let terms = sum * difference * z * before * (one + z / difference)
+        let terms = sum * difference * z * before * (1 + z / difference)
             + bound * z * (difference + z)
             + y * (sum * before + bound);
         p.identity(
@@ -336,7 +330,7 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
                 terms,
             ),
         )?;
-        let close = sum * difference * (one - next / sum) * (one - z / difference);
+        let close = sum * difference * (1 - next / sum) * (1 - z / difference);
         p.identity(
             (
                 "The factors of Z′ L′ on the left sides",
@@ -349,8 +343,8 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
             "the product of all these factors is finite: Z L stays bounded, and so do Z M, e and M − F L",
         );
         p.identity(
-            ("The stated factor less 1", factor - one),
-            ("which is positive", Expr::int(2) * lambda0 / difference),
+            ("The stated factor less 1", factor - 1),
+            ("which is positive", 2 * lambda0 / difference),
         )?;
         p.remark(
             "So L grows like the powers of F, and v_y falls like the exponential of an exponential",
@@ -366,8 +360,8 @@ fn lost_at_rest(law: Rate) -> Proof {
         p.shows("By (1) and (21), v_y > 0 becomes 0 only where the particle stops, v = 0, at a phase with |sin φ| ≤ λ₀; from then on v_y = 0.");
         p.rests_on(&turning(law))?;
         p.rests_on(&eq2_proof(eq2()))?;
-        let [lambda0, phi] = Expr::symbols(["λ₀", "φ"]);
-        let ([vx, _, v], one) = (velocity(), Expr::int(1));
+        let [lambda0, phi] = symbols(["λ₀", "φ"]);
+        let ([vx, _, v], one) = (velocity(), int(1));
         p.note(
             "ln v_y has the rate −λ₀/v, and is finite while v > 0",
             "so v_y becomes 0 only where v does, and there all of it is lost",
@@ -401,18 +395,18 @@ fn last_stage(law: Rate, phase: Expr) -> Proof {
     Proof::in_ring(title, ring_of_motion(), |p| {
         p.shows("By (1), under a drive h along x with |h| ≤ d < λ₀: a particle with v_x = 0 comes to rest within the phase λ₀ v_y/(λ₀² − d²), any other within (λ₀ v + d |v_x|)/(λ₀² − d²).");
         p.rests_on(&eq1_proof(law))?;
-        let [lambda0, d, h] = Expr::symbols(["λ₀", "d", "h"]);
-        let ([vx, vy, v], one) = (velocity(), Expr::int(1));
+        let [lambda0, d, h] = symbols(["λ₀", "d", "h"]);
+        let ([vx, vy, v], one) = (velocity(), int(1));
         p.note(
             "Let h be the drive, and |h| ≤ d < λ₀",
             "as long as the particle slides",
         );
-        let [x, y] = in_units(law, [-h, Expr::int(0)]);
+        let [x, y] = in_units(law, [-h, int(0)]);
         let along = p.read("dv_x/dφ by (1)", x)?;
         let across = p.read("dv_y/dφ by (1)", y)?;
         let motion = p.ring().along(&[("v_x", along), ("v_y", across)])?;
         for (says, sign) in [("v_x ≥ 0", 1), ("v_x ≤ 0", -1)] {
-            let sign = Expr::int(sign);
+            let sign = int(sign);
             p.note("The case", says);
             let left = (lambda0 * v + sign * d * vx) / (lambda0.squared() - d.squared());
             let left = p.read("X = (λ₀ v + d |v_x|)/(λ₀² − d²)", left)?;
@@ -463,13 +457,11 @@ fn two_stages((law, slope, motion, passage, phase): (Rate, Expr, NoRest, Passage
 }
 
 /// The two stages, as corrected.
-const TWO_STAGES: Statement<(Rate, Expr, NoRest, Passage, Expr)> = Statement::new(
+const TWO_STAGES: Statement<(Rate, Expr, NoRest, Passage, Expr)> = Statement::shown(
     Corrected,
-    Compared::shown(
-        r"for every $\lambda_0>0$ and $v_y>0$ the rate of $\mathfrak w_y$ is $-\lambda_0$ up to $\frac12\lambda_0(v_x/v_y)^2$; for every $0<\lambda_0<\lambda_\mathrm c$ and every motion whose speed never becomes 0 each passage, from some time on, multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, $d=\sin\tilde\phi_1$, up to terms that stay bounded, and a particle whose speed becomes 0 loses all of $v_y$; for every $\lambda_0>\lambda_\mathrm c$ $v_y=0$ after a finite time, and with $v_x=0$ and $\lvert\sin\phi\rvert\le d<\lambda_0$ as long as it slides within a phase of $\lambda_0\mathfrak w_y/(\lambda_0^2-d^2)$",
-    ),
+    r"for every $\lambda_0>0$ and $v_y>0$ the rate of $\mathfrak w_y$ is $-\lambda_0$ up to $\frac12\lambda_0(v_x/v_y)^2$; for every $0<\lambda_0<\lambda_\mathrm c$ and every motion whose speed never becomes 0 each passage, from some time on, multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, $d=\sin\tilde\phi_1$, up to terms that stay bounded, and a particle whose speed becomes 0 loses all of $v_y$; for every $\lambda_0>\lambda_\mathrm c$ $v_y=0$ after a finite time, and with $v_x=0$ and $\lvert\sin\phi\rvert\le d<\lambda_0$ as long as it slides within a phase of $\lambda_0\mathfrak w_y/(\lambda_0^2-d^2)$",
     || {
-        let [lambda0, d, vy] = Expr::symbols(["λ₀", "d", "v_y"]);
+        let [lambda0, d, vy] = symbols(["λ₀", "d", "v_y"]);
         (
             eq1(),
             paper::s22_first_stage_slope::tree(),
@@ -488,13 +480,12 @@ fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> P
         ring_of_passage(),
         |p| {
             p.rests_on(&passages(law, motion, passage))?;
-            let lambda0 = Expr::symbol("λ₀");
+            let lambda0 = symbol("λ₀");
             let [d, factor, _] = passage;
             p.remark("Two passages in a period multiply ln v_y by the square of the factor, up to bounded terms, and so they do its fall in a period. That grows beyond all bounds, so that its ratio to the one before tends to the square");
-            let one = Expr::int(1);
             let found = p.read("The square", factor.squared())?;
-            let excess = found.clone() - p.ring().read(one)?;
-            let positive = Expr::int(4) * d * lambda0 / (d - lambda0).squared();
+            let excess = found.clone() - p.ring().read(int(1))?;
+            let positive = 4 * d * lambda0 / (d - lambda0).squared();
             let positive = p.read("4 d λ₀/(d − λ₀)², positive for every λ₀ > 0", positive)?;
             p.equal("It is above 1 by that", &excess, &positive)?;
             p.reads_as(&found, "the stated ratio", ratio)
@@ -520,7 +511,7 @@ pub const EXPONENTIAL: Statement<(Expr, Rate, NoRest, Passage)> = Statement::new
     |(ratio, law, motion, passage)| ratio_of_falls(ratio, law, motion, passage),
 );
 
-pub(super) const TRIALS: &[Attempt] = trials![&EXPONENTIAL, &TWO_STAGES];
+attempts![&EXPONENTIAL, &TWO_STAGES];
 
 #[cfg(test)]
 mod tests {

@@ -1,25 +1,18 @@
 //! Trials of (21) to (26): the dimensionless symbols are consistent, and (26) is what the motion obeys.
 
-use super::reference_motions::{ORIGIN, Particle, at, drive, settled};
-use crate::claims::tolerances::NONE;
-use crate::motion::Motion;
-use crate::motion::drive::{Friction, Sign};
-use crate::numerics::quadrature::sum;
-use crate::paper::sinusoidal as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::reference_motions::at;
 
 /// (21): what a particle on a smooth plane gains is the integral of −A.
 pub fn eq21() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
-        Compared::one(
+        [
             "the integral of (21) over $t$, its $x$ component with the sign changed,",
             "the gain of $v_x+v_y$ of a particle without friction",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..40, |_| {
+        ],
+    )
+    .drawn(0..40, |_, points| {
         let (a0, varpi) = (points.log_uniform(0.1, 10.0), points.log_uniform(0.1, 10.0));
         let from = points.uniform(0.1, 6.0) / varpi;
         let t = from + points.uniform(0.1, 7.0) / varpi;
@@ -105,56 +98,6 @@ fn twins(points: &mut Points) -> Result<Twins, Failure> {
     })
 }
 
-/// (22): the motion without units, with the friction (22), is the motion in units.
-fn eq22() -> Evidence {
-    Trial::consistency(
-        Printed,
-        Compared::one(
-            r"$\mathfrak w$ of $\mathfrak w'=h\mp\lambda_0$, with $\lambda_0$ by (22),",
-            r"$\varpi v_x/A_0$ of the particle",
-        ),
-    )
-    .each(ALL_TWINS.each(), Twins::at, |twins| {
-        let lambda = printed::eq22_lambda0(twins.mu, twins.g, twins.a0);
-        let drive = drive()?;
-        // Of a friction that cannot be nothing is stated.
-        let stated = Friction::new(lambda, lambda)
-            .and_then(|friction| drive.advance(friction, ORIGIN, twins.varpi * twins.t));
-        let stated = stated.map_or(f64::NAN, |path| path.end.w);
-        Ok([stated, twins.varpi * twins.vx / twins.a0, 1.0])
-    })
-}
-
-/// (23): both start to slide at the same phase.
-fn eq23() -> Evidence {
-    Trial::consistency(
-        Printed,
-        Compared::one(
-            "(23) of the time at which the particle starts",
-            "the phase at which its twin does",
-        ),
-    )
-    .each(ALL_TWINS.each(), Twins::at, |twins| {
-        let stated = printed::eq23_phase(twins.varpi, twins.release);
-        Ok([stated, twins.twin_release, 1.0])
-    })
-}
-
-/// (24): the velocities are the same.
-fn eq24() -> Evidence {
-    Trial::consistency(
-        Printed,
-        Compared::one(
-            "(24) of the particle's $v_x$",
-            "the velocity of its twin without units",
-        ),
-    )
-    .each(ALL_TWINS.each(), Twins::at, |twins| {
-        let stated = printed::eq24_w(twins.varpi, twins.vx, twins.a0);
-        Ok([stated, twins.twin_w, 1.0])
-    })
-}
-
 /// Frictions on both sides of 1, 1 itself included.
 fn around_one() -> Vec<f64> {
     let mut points = Points::here();
@@ -163,53 +106,14 @@ fn around_one() -> Vec<f64> {
     list
 }
 
-/// (25): exactly then a particle at rest is set in motion.
-fn eq25_motion() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            "whether (25) holds (1 if so)",
-            "whether a particle at rest starts to slide within a period",
-        ),
-        NONE,
-    )
-    .over(around_one(), |lambda| {
-        let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
-        let [left, right] = printed::eq25_sides(lambda);
-        Ok(Pair::plain(
-            at(lambda),
-            is(left < right),
-            is(!motion.starts().is_empty()),
-        ))
-    })
-}
-
-/// (25): exactly then the large-time motion is not rest.
-fn eq25_census() -> Evidence {
-    Trial::census(
-        Printed,
-        Compared::one(
-            "whether (25) holds (1 if so)",
-            "whether the large-time motion is not rest for ever",
-        ),
-    )
-    .over(around_one(), |lambda| {
-        let attractor = settled(lambda, ORIGIN)?;
-        let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);
-        let [left, right] = printed::eq25_sides(lambda);
-        Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
-    })
-}
-
 /// (26): its integral over a part of a slip is what 𝔴 changes by, in a motion that began with a velocity across.
 fn eq26_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Printed,
-        Compared::one(
+        [
             r"the integral of (26) over $\phi$, over half a slip,",
             r"the change of $\mathfrak w$ of a particle that began with $v_y\ne0$, or, from $\phi=0.5$ to 1.5, of one that began along the drive, with $\lambda_0$ near 0 and 1",
-        ),
+        ],
     );
     let mut points = Points::here();
     let edges = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4].map(Ok);
@@ -259,13 +163,82 @@ fn eq26_summed(
     ))
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq21,
-    eq22,
-    eq23,
-    eq24,
-    eq25_motion,
-    eq25_census,
+    // (22): the motion without units, with the friction (22), is the motion in units.
+    eq22 = Trial::consistency(
+        Printed,
+        [
+            r"$\mathfrak w$ of $\mathfrak w'=h\mp\lambda_0$, with $\lambda_0$ by (22),",
+            r"$\varpi v_x/A_0$ of the particle",
+        ],
+    )
+    .each(ALL_TWINS.each(), Twins::at, |twins| {
+        let lambda = printed::eq22_lambda0(twins.mu, twins.g, twins.a0);
+        let drive = drive()?;
+        // Of a friction that cannot be nothing is stated.
+        let stated = Friction::new(lambda, lambda)
+            .and_then(|friction| drive.advance(friction, ORIGIN, twins.varpi * twins.t));
+        let stated = stated.map_or(f64::NAN, |path| path.end.w);
+        Ok([stated, twins.varpi * twins.vx / twins.a0, 1.0])
+    }),
+    // (23): both start to slide at the same phase.
+    eq23 = Trial::consistency(
+        Printed,
+        [
+            "(23) of the time at which the particle starts",
+            "the phase at which its twin does",
+        ],
+    )
+    .each(ALL_TWINS.each(), Twins::at, |twins| {
+        let stated = printed::eq23_phase(twins.varpi, twins.release);
+        Ok([stated, twins.twin_release, 1.0])
+    }),
+    // (24): the velocities are the same.
+    eq24 = Trial::consistency(
+        Printed,
+        [
+            "(24) of the particle's $v_x$",
+            "the velocity of its twin without units",
+        ],
+    )
+    .each(ALL_TWINS.each(), Twins::at, |twins| {
+        let stated = printed::eq24_w(twins.varpi, twins.vx, twins.a0);
+        Ok([stated, twins.twin_w, 1.0])
+    }),
+    // (25): exactly then a particle at rest is set in motion.
+    eq25_motion = Trial::by(
+        Integration,
+        Printed,
+        [
+            "whether (25) holds (1 if so)",
+            "whether a particle at rest starts to slide within a period",
+        ],
+        NONE,
+    )
+    .over(around_one(), |lambda| {
+        let motion = Particle::plain(lambda).run(0.0, [0.0; 2], TAU)?;
+        let [left, right] = printed::eq25_sides(lambda);
+        Ok(Pair::plain(
+            at(lambda),
+            is(left < right),
+            is(!motion.starts().is_empty()),
+        ))
+    }),
+    // (25): exactly then the large-time motion is not rest.
+    eq25_census = Trial::census(
+        Printed,
+        [
+            "whether (25) holds (1 if so)",
+            "whether the large-time motion is not rest for ever",
+        ],
+    )
+    .over(around_one(), |lambda| {
+        let attractor = settled(lambda, ORIGIN)?;
+        let moves = attractor.intervals().iter().any(|i| i.sign != Sign::Rest);
+        let [left, right] = printed::eq25_sides(lambda);
+        Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
+    }),
     eq26_quadrature
 ];
 

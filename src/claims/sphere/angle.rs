@@ -1,16 +1,9 @@
 //! Trials of (80) to (83): slip under constant acceleration, in the paper's own units, of the rigid sphere.
 
-use super::spheres::{Units, braking, sphere};
+use super::prelude::*;
+use super::spheres::Units;
 use crate::claims::constant::launches::Turn as Launched;
-use crate::claims::tolerances::ROOT;
 use crate::corrections::constant::{speed, time};
-use crate::corrections::sphere as corrected;
-use crate::motion::sphere::{Ball, Sphere};
-use crate::motion::{Plane, State, run};
-use crate::numerics::double::Double;
-use crate::paper::sphere as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
 
 /// A sphere under A = −A x̂, and what its slip has become.
 #[derive(Debug, Clone)]
@@ -167,37 +160,11 @@ static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
     every((0..40).map(turn))
 });
 
-/// (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
-fn eq80() -> Evidence {
-    Trial::consistency(
-        Printed,
-        Compared::one(
-            r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
-            "$u/u_0$ of a sphere at the same $At/v_0$",
-        ),
-    )
-    .each(TURNS.each(), Turn::at, |turn| {
-        let start = State::moving([libm::cos(turn.slip.theta0), libm::sin(turn.slip.theta0)]);
-        let t = turn.slip.a * turn.slip.t / turn.slip.v0;
-        let sphere = turn.sphere;
-        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
-        let b = printed::eq67_factor(kappa);
-        let lambda = printed::eq80_lambda(b, sphere.mu, sphere.g, turn.a);
-        let particle = run(&Plane::constant([-1.0, 0.0]), lambda, start, t);
-        // No particle has a friction below zero.
-        Ok([
-            particle.map_or(f64::NAN, |particle| particle.end().speed()),
-            turn.slip.v / turn.slip.v0,
-            1.0,
-        ])
-    })
-}
-
 /// (81).
 pub fn eq81() -> Evidence {
     Trial::motion(
         Within,
-        Compared::one("(81)", r"the slip of the motion at the angle $\theta$"),
+        ["(81)", r"the slip of the motion at the angle $\theta$"],
     )
     .over(TURNS.each(), |turn| {
         let turn = turn?;
@@ -206,55 +173,16 @@ pub fn eq81() -> Evidence {
     })
 }
 
-/// (81) along the line of the acceleration, where it is 0/0.
-fn eq81_outside() -> Evidence {
-    Trial::motion(
-        Outside,
-        Compared::one(
-            "(81) along the line of the acceleration",
-            "the slip of the motion",
-        ),
-    )
-    .each(STRAIGHT.each(), Turn::at, |turn| {
-        Ok([
-            printed::eq81_slip(
-                turn.slip.lambda,
-                turn.slip.v0,
-                turn.slip.theta0,
-                turn.slip.theta,
-            ),
-            turn.slip.v,
-            turn.slip.v0,
-        ])
-    })
-}
-
-/// The form of (81) without singular points.
-fn regular_slip() -> Evidence {
-    Trial::motion(
-        Corrected,
-        Compared::one("the regular form of $u$", "the slip of the motion"),
-    )
-    .each(TURNS.each(), Turn::at, |turn| {
-        Ok([
-            speed(
-                turn.slip.lambda,
-                turn.slip.v0,
-                turn.slip.theta0,
-                turn.slip.r(),
-            ),
-            turn.slip.v,
-            turn.slip.v.max(turn.slip.v0) * turn.slip.condition(),
-        ])
-    })
-}
-
 /// The regular forms along the line of the acceleration: r from the regular time, u from r.
 pub fn regular_straight() -> Evidence {
-    Trial::motion(Corrected, Compared::one(
-        r"the regular form of $u$ along the line of the acceleration, with $r$ from the regular form of $\tau$,",
-        "the slip of the motion",
-    )).each(STRAIGHT.each(), Turn::at, |turn| {
+    let trial = Trial::motion(
+        Corrected,
+        [
+            r"the regular form of $u$ along the line of the acceleration, with $r$ from the regular form of $\tau$,",
+            "the slip of the motion",
+        ],
+    );
+    trial.each(STRAIGHT.each(), Turn::at, |turn| {
         let Launched {
             lambda,
             a: gamma,
@@ -293,7 +221,7 @@ fn at_turns(
     formula: Time,
 ) -> Evidence {
     let turns = only(TURNS.each(), |turn| wanted(turn));
-    Trial::motion(subject, Compared::one(stated, name)).over(turns, |turn| {
+    Trial::motion(subject, [stated, name]).over(turns, |turn| {
         let turn = turn?;
         let [found, scale] = found(&turn.slip);
         Ok(Pair::wide(turn.at(), formula(turn.numbers()), found).within(scale))
@@ -305,43 +233,14 @@ fn corrected_time([lambda, u0, theta0, theta, _, gamma]: [Double; 6]) -> Double 
     corrected::time(lambda, gamma, u0, theta0, theta)
 }
 
-/// (82) with its factor, from Newton's law across and along the slip: u dθ = −γ sin θ dτ and du = (γ cos θ − λγ) dτ.
-fn corrected82_quadrature() -> Evidence {
-    let compared = Compared::one(
-        r"(82) over $\gamma$",
-        r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by another library's integrator",
-    );
-    let turns = only(TURNS.each(), |t| {
-        t.slip.has_a_time() && t.slip.condition() < 100.0 && t.slip.theta.abs() > 1e-3
-    });
-    Trial::quadrature(Corrected, compared).over(turns, |turn| {
-        let turn = turn?;
-        let Launched {
-            lambda,
-            a: gamma,
-            v0: u0,
-            theta0,
-            theta,
-            ..
-        } = turn.slip;
-        // ln(u/u₀) and γτ/u₀ over y = ln tan(θ/2), in which dy = dθ/sin θ and cos θ = −tanh y.
-        let rates = |y: f64, [ln_u, _]: &[f64; 2]| [lambda + libm::tanh(y), -libm::exp(*ln_u)];
-        let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
-        let [_, late] = dop853::end(rates, y(theta0), [0.0; 2], y(theta), 1e-14, 1e-15)?;
-        let found = late * u0 / gamma;
-        let stated = corrected_time(turn.numbers());
-        Ok(Pair::wide(turn.at(), stated, found).within(turn.slip.time_scale()))
-    })
-}
-
 /// The form of (82) without singular points: at λ = 1 and cos θ₀ = −λ too.
 pub fn regular_time() -> Evidence {
     Trial::motion(
         Corrected,
-        Compared::one(
+        [
             r"the regular form of $\tau$",
             r"that of the motion, $\lambda=1$ and $\cos\theta_0=-\lambda$ included",
-        ),
+        ],
     )
     .each(TURNS.each(), Turn::at, |turn| {
         Ok([
@@ -375,38 +274,101 @@ pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
         .collect()
 }
 
-/// (83) from (81) and (82): with the time of (82) it has to give the slip of (81).
-fn eq83_step() -> Evidence {
-    let trial = Trial::by(
-        Route::Consistency,
-        Step,
-        Compared::one("$u$ by (83) at the time of (82)", "$u$ by (81)"),
-        ROOT,
-    );
-    let points = Points::here().within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
-    trial.at(
-        ["λ", "u₀", "θ₀", "θ"],
-        points,
-        1.0,
-        |[lambda, u0, theta0, theta]| {
-            let tau = printed::eq82_time(lambda, u0, theta0, theta);
-            let slip = printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau);
-            Ok([slip / printed::eq81_slip(lambda, u0, theta0, theta), 1.0])
-        },
+attempts![
+    // (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
+    eq80 = Trial::consistency(
+        Printed,
+        [
+            r"$v/v_0$ of a particle with $\mu g=\lambda A$, with $\lambda$ by (80),",
+            "$u/u_0$ of a sphere at the same $At/v_0$",
+        ],
     )
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq80,
+    .each(TURNS.each(), Turn::at, |turn| {
+        let start = State::moving([libm::cos(turn.slip.theta0), libm::sin(turn.slip.theta0)]);
+        let t = turn.slip.a * turn.slip.t / turn.slip.v0;
+        let sphere = turn.sphere;
+        let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
+        let b = printed::eq67_factor(kappa);
+        let lambda = printed::eq80_lambda(b, sphere.mu, sphere.g, turn.a);
+        let particle = run(&Plane::constant([-1.0, 0.0]), lambda, start, t);
+        // No particle has a friction below zero.
+        Ok([
+            particle.map_or(f64::NAN, |particle| particle.end().speed()),
+            turn.slip.v / turn.slip.v0,
+            1.0,
+        ])
+    }),
     eq81,
-    eq81_outside,
-    regular_slip,
+    // (81) along the line of the acceleration, where it is 0/0.
+    eq81_outside = Trial::motion(
+        Outside,
+        [
+            "(81) along the line of the acceleration",
+            "the slip of the motion",
+        ],
+    )
+    .each(STRAIGHT.each(), Turn::at, |turn| {
+        Ok([
+            printed::eq81_slip(
+                turn.slip.lambda,
+                turn.slip.v0,
+                turn.slip.theta0,
+                turn.slip.theta,
+            ),
+            turn.slip.v,
+            turn.slip.v0,
+        ])
+    }),
+    // The form of (81) without singular points.
+    regular_slip = Trial::motion(
+        Corrected,
+        ["the regular form of $u$", "the slip of the motion"],
+    )
+    .each(TURNS.each(), Turn::at, |turn| {
+        Ok([
+            speed(
+                turn.slip.lambda,
+                turn.slip.v0,
+                turn.slip.theta0,
+                turn.slip.r(),
+            ),
+            turn.slip.v,
+            turn.slip.v.max(turn.slip.v0) * turn.slip.condition(),
+        ])
+    }),
     regular_straight,
     eq82 = at_turns(Printed, "(82)", TIME, |[lambda, u0, theta0, theta, ..]| {
         printed::eq82_time(lambda, u0, theta0, theta)
     }),
     corrected82 = at_turns(Corrected, r"(82) over $\gamma$", TIME, corrected_time),
-    corrected82_quadrature,
+    // (82) with its factor, from Newton's law across and along the slip: u dθ = −γ sin θ dτ and du = (γ cos θ − λγ) dτ.
+    corrected82_quadrature = {
+        let compared = Compared::one(
+            r"(82) over $\gamma$",
+            r"$-\int u\,\mathrm d\theta/(\gamma\sin\theta)$, with $u=u_0\exp\int(\lambda-\cos\theta)\,\mathrm d\theta/\sin\theta$, both integrals by another library's integrator",
+        );
+        let turns = only(TURNS.each(), |t| {
+            t.slip.has_a_time() && t.slip.condition() < 100.0 && t.slip.theta.abs() > 1e-3
+        });
+        Trial::quadrature(Corrected, compared).over(turns, |turn| {
+            let turn = turn?;
+            let Launched {
+                lambda,
+                a: gamma,
+                v0: u0,
+                theta0,
+                theta,
+                ..
+            } = turn.slip;
+            // ln(u/u₀) and γτ/u₀ over y = ln tan(θ/2), in which dy = dθ/sin θ and cos θ = −tanh y.
+            let rates = |y: f64, [ln_u, _]: &[f64; 2]| [lambda + libm::tanh(y), -libm::exp(*ln_u)];
+            let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
+            let [_, late] = dop853::end(rates, y(theta0), [0.0; 2], y(theta), 1e-14, 1e-15)?;
+            let found = late * u0 / gamma;
+            let stated = corrected_time(turn.numbers());
+            Ok(Pair::wide(turn.at(), stated, found).within(turn.slip.time_scale()))
+        })
+    },
     regular_time,
     eq83 = at_turns(
         Printed,
@@ -424,5 +386,24 @@ pub(super) const TRIALS: &[Attempt] = trials![
             corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)
         }
     ),
-    eq83_step
+    // (83) from (81) and (82): with the time of (82) it has to give the slip of (81).
+    eq83_step = {
+        let points = Points::here().within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
+        Trial::by(
+            Consistency,
+            Step,
+            ["$u$ by (83) at the time of (82)", "$u$ by (81)"],
+            ROOT,
+        )
+        .at(
+            ["λ", "u₀", "θ₀", "θ"],
+            points,
+            1.0,
+            |[lambda, u0, theta0, theta]| {
+                let tau = printed::eq82_time(lambda, u0, theta0, theta);
+                let slip = printed::eq83_slip_at_time(lambda, u0, theta0, theta, tau);
+                Ok([slip / printed::eq81_slip(lambda, u0, theta0, theta), 1.0])
+            },
+        )
+    }
 ];

@@ -2,12 +2,10 @@
 
 use super::driven::{Swing, of_settled, part};
 use super::every_drive::rolling_time;
+use super::prelude::*;
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::periodic::threshold::{Bounds, bounds};
-use crate::motion::drive::{Drive, Sign};
 use crate::paper::periodic;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
 
 /// A drive of three harmonics at random, and the frictions between which section 2.3 leaves it open whether it rests.
 fn any(points: &mut Points) -> Result<(Harmonics, Drive, Bounds), Failure> {
@@ -47,17 +45,16 @@ pub fn census() -> Evidence {
             "what a sphere does in a late period (0 if it never rolls, 1 if it rolls at times, 2 if it always does)",
         ),
     );
-    let mut points = Points::here();
-    trial.over(0..30, |i| {
-        let (shape, _, Bounds { low, high }) = any(&mut points)?;
+    trial.drawn(0..30, |i, points| {
+        let (shape, _, Bounds { low, high }) = any(points)?;
         let share = points.uniform(0.05, 0.95);
         let lambda = match i % 3 {
             0 => low * (0.8 + 0.2 * share),
             1 => high + (1.0 - high) * share,
             _ => 1.0 + share,
         };
-        let swing = Swing::new(i, &mut points, lambda);
-        let rolled = rolls(&swing, &shape, start(&mut points))?;
+        let swing = Swing::new(i, points, lambda);
+        let rolled = rolls(&swing, &shape, start(points))?;
         let own = swing.stated();
         let [least, _] = periodic::s23_rest_sides(own);
         let stated = if own > least {
@@ -82,17 +79,16 @@ pub fn census() -> Evidence {
 pub fn parts() -> Evidence {
     let trial = Trial::motion(
         Printed,
-        Compared::one(
+        [
             r"the part of a period in which a particle rests under the same drive, with $\lambda_0$ of (84),",
             "that of a late period in which a sphere rolls",
-        ),
+        ],
     );
-    let mut points = Points::here();
-    trial.over(0..20, |i| {
-        let (shape, drive, Bounds { high, .. }) = any(&mut points)?;
+    trial.drawn(0..20, |i, points| {
+        let (shape, drive, Bounds { high, .. }) = any(points)?;
         let lambda = high + (1.0 - high) * points.uniform(0.05, 0.8);
-        let swing = Swing::new(i, &mut points, lambda);
-        let found = rolls(&swing, &shape, start(&mut points))?;
+        let swing = Swing::new(i, points, lambda);
+        let found = rolls(&swing, &shape, start(points))?;
         let own = swing.stated();
         Ok(Pair {
             at: swing.at(),
@@ -103,4 +99,4 @@ pub fn parts() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![census, parts];
+attempts![census, parts];

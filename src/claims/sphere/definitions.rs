@@ -1,12 +1,7 @@
 //! Trials of (59) to (62), (67) and (76): the laws from the laboratory, the definitions by the use made of them.
 
-use super::spheres::{Followed, MIXED, braking, length, sphere, weighed};
-use crate::claims::tolerances::FOREIGN;
-use crate::motion::Plane;
-use crate::motion::sphere::{Ball, Contact};
-use crate::numerics::quadrature::sum;
-use crate::paper::sphere as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::spheres::{MIXED, length};
 
 /// Friction on the sphere whose lowest point has this velocity relative to the plane.
 fn friction(run: &Followed, slip: [f64; 3]) -> [f64; 3] {
@@ -44,12 +39,12 @@ fn by_the_laws(run: &Followed) -> [f64; 5] {
 /// (59): the laboratory knows no inertial force. There the centre's velocity V changes by friction alone.
 fn eq59() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Printed,
-        Compared::one(
+        [
             r"$\bm v$ by (59) and (60)",
             r"$\bm V-\bm U$ of the laboratory, where friction alone acts, each vector by the one number $x+2y$",
-        ),
+        ],
         FOREIGN,
     );
     trial.each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
@@ -79,36 +74,14 @@ fn eq59() -> Evidence {
     })
 }
 
-/// (60): against the rigid body's own integrator.
-fn eq60() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            r"$\bm\omega$ by (59) and (60), by another library's integrator,",
-            r"$\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
-        ),
-        FOREIGN,
-    )
-    .each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
-        let [_, _, x, y, z] = by_the_laws(run);
-        let found = run.motion.end().omega;
-        Ok([
-            weighed([x, y, z]),
-            weighed(found),
-            length(found) + length(run.case.start.omega),
-        ])
-    })
-}
-
 /// (61): the point at **R** from the centre of a rolling sphere is at rest.
 fn eq61() -> Evidence {
     let trial = Trial::consistency(
         Printed,
-        Compared::one(
+        [
             r"$-\bm\omega\times$ (61)",
             "the velocity of the centre of a rolling sphere, each vector by the one number $x+2y$",
-        ),
+        ],
     );
     let states = with_each(
         MIXED.each(),
@@ -134,16 +107,15 @@ fn eq61() -> Evidence {
 
 /// (67): on a plane at rest the slip velocity w lasts for w/(bμg).
 fn eq67() -> Evidence {
-    let trial = Trial::consistency(
+    Trial::consistency(
         Printed,
-        Compared::one(
+        [
             r"$w/(b\mu g)$, with $b$ by (67),",
             "the time at which a sphere on a plane at rest begins to roll",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..60, |i| {
-        let sphere = sphere(i, &mut points);
+        ],
+    )
+    .drawn(0..60, |i, points| {
+        let sphere = sphere(i, points);
         let (w, angle) = (points.log_uniform(0.1, 10.0), points.uniform(-3.1, 3.1));
         let start = Ball {
             t: 0.0,
@@ -169,28 +141,50 @@ fn eq67() -> Evidence {
     })
 }
 
-/// (76): what the plane gains on a body that feels no friction.
-fn eq76() -> Evidence {
-    let trial = Trial::consistency(
+attempts![
+    eq59,
+    // (60): against the rigid body's own integrator.
+    eq60 = Trial::by(
+        Integration,
         Printed,
-        Compared::one(
-            r"the integral of (76) over $\tau$",
-            r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
-        ),
-    );
-    trial.each(MIXED.each(), Followed::at_end, |run| {
-        let (_, mu, g) = run.case.parameters();
-        let rate = |t: f64| {
-            let gamma = printed::eq72_acceleration(mu, g, run.case.acceleration(t));
-            run.tau_rate() * weighed(printed::eq76_nu_rate(gamma))
-        };
-        let size = run.until / run.units().time * run.case.size / run.units().push;
+        [
+            r"$\bm\omega$ by (59) and (60), by another library's integrator,",
+            r"$\bm\omega$ of the motion, each vector by the one number $x+2y+3z$",
+        ],
+        FOREIGN,
+    )
+    .each(super::spheres::SLIDING.each(), Followed::at_end, |run| {
+        let [_, _, x, y, z] = by_the_laws(run);
+        let found = run.motion.end().omega;
         Ok([
-            sum(rate, 0.0, run.until, 1e-13 * size),
-            weighed(super::rates::nu(run, run.until)?),
-            size,
+            weighed([x, y, z]),
+            weighed(found),
+            length(found) + length(run.case.start.omega),
         ])
-    })
-}
-
-pub(super) const TRIALS: &[Attempt] = trials![eq59, eq60, eq61, eq67, eq76];
+    }),
+    eq61,
+    eq67,
+    // (76): what the plane gains on a body that feels no friction.
+    eq76 = {
+        let trial = Trial::consistency(
+            Printed,
+            [
+                r"the integral of (76) over $\tau$",
+                r"$-\bm v/\sqrt{\mu gR}$ of a particle from rest without friction, each vector by the one number $x+2y$",
+            ],
+        );
+        trial.each(MIXED.each(), Followed::at_end, |run| {
+            let (_, mu, g) = run.case.parameters();
+            let rate = |t: f64| {
+                let gamma = printed::eq72_acceleration(mu, g, run.case.acceleration(t));
+                run.tau_rate() * weighed(printed::eq76_nu_rate(gamma))
+            };
+            let size = run.until / run.units().time * run.case.size / run.units().push;
+            Ok([
+                sum(rate, 0.0, run.until, 1e-13 * size),
+                weighed(super::rates::nu(run, run.until)?),
+                size,
+            ])
+        })
+    }
+];

@@ -1,18 +1,13 @@
 //! Trials of (84), (85) and of the statements about a plane that swings: 3.2 to 3.4.
 
 use super::every_drive::rolling_time;
-use super::spheres::{braking, sphere};
+use super::prelude::*;
 use crate::claims::anisotropic::simulated::{from_forward, own_digits};
 use crate::claims::periodic::drives::Harmonics;
 use crate::claims::sinusoidal::reference_motions::drive;
 use crate::claims::sinusoidal::regimes::{kind, listed_kind};
-use crate::claims::tolerances::MOTION;
-use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Interval, Sign};
-use crate::motion::sphere::{Ball, BallMotion, Contact, Directed, Sphere};
-use crate::motion::{Plane, Signal};
-use crate::paper::{periodic, sinusoidal, sphere as printed};
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::prelude::*;
+use crate::motion::drive::{Attractor, DriveState, Friction, Interval};
+use crate::paper::{periodic, sinusoidal};
 
 /// Periods after which the motion counts as settled.
 const SETTLED: f64 = 10.0;
@@ -214,36 +209,6 @@ fn lambda_c() -> Result<f64, Failure> {
     LAMBDA.get().copied()
 }
 
-/// (84): the slip obeys the drive of section 2.2 with this λ₀.
-fn eq84() -> Evidence {
-    let trial = Trial::consistency(
-        Printed,
-        Compared::one(
-            r"$\mathfrak w$ of the one-dimensional drive with $\lambda_0$ by (84)",
-            r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..20, |i| {
-        let lambda = points.uniform(0.05, 1.5);
-        let swing = Swing::new(i, &mut points, lambda);
-        let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
-        let phi = points.uniform(1.0, 15.0);
-        let lambda = swing.stated();
-        let stated = w_after(lambda, lambda, w, phi);
-        let motion = swing
-            .sphere
-            .run(&swing.sine(), &swing.start(w, share), swing.t(phi))?;
-        let found = motion.slip(swing.t(phi))?[0] * swing.frequency / swing.a0;
-        Ok(Pair {
-            at: format!("{}, 𝔴 = {w:.6}, φ = {phi:.6}", swing.at()),
-            stated,
-            found,
-            scale: 1.0 + w.abs(),
-        })
-    })
-}
-
 /// The sphere with μ₋ = qμ₊, and λ₀ of (85).
 fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Directed) {
     let swing = Swing::new(i, points, lambda);
@@ -261,15 +226,14 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
 fn eq85() -> Evidence {
     let trial = Trial::consistency(
         Printed,
-        Compared::one(
+        [
             r"$\mathfrak w$ of the drive with $\lambda_+=\lambda_0$ of (85) and $\lambda_-=q\lambda_0$",
             r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
-        ),
+        ],
     );
-    let mut points = Points::here();
-    trial.over(0..30, |i| {
+    trial.drawn(0..30, |i, points| {
         let (q, lambda) = (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4));
-        let (swing, directed) = directed(i, &mut points, q, lambda);
+        let (swing, directed) = directed(i, points, q, lambda);
         let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
         let phi = points.uniform(1.0, 15.0);
         let lambda = swing.stated_plus();
@@ -306,10 +270,10 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
 pub fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
         Within,
-        Compared::one(
+        [
             r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (37), 20 above, $-1$ for rest throughout above 1)",
             "the same count of changes between sliding and rolling of a sphere in a late period",
-        ),
+        ],
     );
     let mut points = Points::here();
     let cases = parts(lambda_c().map(frictions));
@@ -330,17 +294,16 @@ pub fn trichotomy_census() -> Evidence {
 
 /// How long it rolls in a period, from a start in any direction, against the rests of the drive.
 pub fn trichotomy_motion() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Within,
-        Compared::one(
+        [
             r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
             "that of a late period in which a sphere, started in any direction, rolls",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..20, |i| {
+        ],
+    )
+    .drawn(0..20, |i, points| {
         let lambda = points.uniform(0.25, 1.5);
-        let swing = Swing::new(i, &mut points, lambda);
+        let swing = Swing::new(i, points, lambda);
         let mut start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
         start.v[1] = points.uniform(-1.0, 1.0) * swing.a0 / swing.frequency;
         let late = settled_phase(lambda);
@@ -364,8 +327,7 @@ pub fn trichotomy_outside() -> Evidence {
             r"the number of zeros in a period of a slip without friction, of starts with $\mathfrak w>0$ at $\phi=0$,",
         ),
     );
-    let mut points = Points::here();
-    trial.over(0..24, |_| {
+    trial.drawn(0..24, |_, points| {
         let w = points.uniform(0.1, 2.5);
         let outcome =
             drive()?.attractor(Friction::new(0.0, 0.0)?, DriveState { phi: 0.0, w }, 100)?;
@@ -375,36 +337,6 @@ pub fn trichotomy_outside() -> Evidence {
             2.0,
             listed_kind(attractor.intervals()),
         ))
-    })
-}
-
-/// Rolling holds as long as friction suffices: the sphere set rolling at φ = 0 begins to slide where sin φ = λ₀.
-fn rolling_ends() -> Evidence {
-    let trial = Trial::by(
-        Route::Root,
-        Within,
-        Compared::one(
-            r"the root $\phi$ of $\sin\phi=\lambda_0$, with $\lambda_0$ by (84),",
-            r"the phase at which a sphere that rolls at $\phi=0$ begins to slide",
-        ),
-        MOTION,
-    );
-    let mut points = Points::here();
-    trial.over(0..24, |i| {
-        let lambda = points.uniform(0.05, 0.95);
-        let swing = Swing::new(i, &mut points, lambda);
-        let stated = root(|phi| libm::sin(phi) - swing.stated(), 0.0, FRAC_PI_2);
-        let motion = swing
-            .sphere
-            .run(&swing.sine(), &swing.start(0.0, 0.4), swing.t(2.0))?;
-        let first = motion.transitions().first().ok_or("it does not slide")?;
-        Ok(Pair {
-            at: swing.at(),
-            // There is no root beyond 1.
-            stated: stated.unwrap_or(f64::NAN),
-            found: first.t * swing.frequency,
-            scale: 1.0 / libm::sqrt(1.0 - lambda * lambda),
-        })
     })
 }
 
@@ -423,45 +355,18 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
     (0..count).map(point).collect()
 }
 
-/// The pulse train: kinds on both sides of λ₀ = η.
-fn pulse_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (46), 20 above, $-1$ for rest throughout above 1)",
-            "that of a sphere's late period under the pulses",
-        ),
-    );
-    let mut points = Points::here();
-    let all = pulse_points(&mut points, 20);
-    trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
-        let swing = Swing::new(i, &mut points, lambda);
-        let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
-        let (from, to) = (
-            swing.t(SETTLED * TAU + 0.01),
-            swing.t((SETTLED + 1.0) * TAU + 0.01),
-        );
-        let motion = swing.sphere.run(&swing.pulses(eta), &start, to)?;
-        Ok(Pair::plain(
-            format!("η = {eta:.6}, {}", swing.at()),
-            stated_kind(swing.stated(), periodic::eq46_lambda_c(eta)),
-            rolled(&motion, from, to)?,
-        ))
-    })
-}
-
 /// The pulse train: the part of a period in which the drive rests.
 fn pulse_motion() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one(
-            r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
-            "that of a late period in which the sphere rolls, under the pulses",
-        ),
-    );
     let mut points = Points::here();
     let all = pulse_points(&mut points, 20);
-    trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
+    Trial::motion(
+        Printed,
+        [
+            r"the part of a period in which the drive's motion, $\lambda_0$ by (84), rests",
+            "that of a late period in which the sphere rolls, under the pulses",
+        ],
+    )
+    .over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
         let swing = Swing::new(i, &mut points, lambda);
         let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
         let (from, to) = (swing.t(SETTLED * TAU), swing.t((SETTLED + 1.0) * TAU));
@@ -515,55 +420,6 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
     (0..count)
         .map(|_| (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4)))
         .collect()
-}
-
-/// The order of forward slip, backward slip and rolling in a period, as the particle has it.
-fn anisotropic_census() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (3 for a forward slip, 2 for a rest, 1 for a backward slip),",
-            "that of the sphere's slip",
-        ),
-    );
-    let mut points = Points::here();
-    let all = map_points(&mut points, 40);
-    trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
-        let (swing, directed) = directed(i, &mut points, q, lambda);
-        let (ways, _) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
-        let (drive, lambda) = (drive()?, swing.stated_plus());
-        Ok(Pair::plain(
-            format!("q = {q:.6}, {}", swing.at()),
-            of_settled(drive, lambda, q * lambda, own_digits),
-            from_forward(ways.into_iter().map(f64::from).collect()),
-        ))
-    })
-}
-
-/// How long each lasts.
-fn anisotropic_motion() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::many(
-            r"the parts of a period of backward motion and rest, the second one taken twice, of the drive with $\lambda_0$ of (85), where it rests at all,",
-            "those of the sphere's slip",
-        ),
-    );
-    let mut points = Points::here();
-    let resting = |(q, lambda): &(f64, f64)| q * lambda > 1.0;
-    let all = map_points(&mut points, 40).into_iter().filter(resting);
-    trial.over(all.enumerate(), |(i, (q, lambda))| {
-        let (swing, directed) = directed(i, &mut points, q, lambda);
-        let (_, lengths) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
-        let (drive, lambda) = (drive()?, swing.stated_plus());
-        Ok(Pair::plain(
-            format!("q = {q:.6}, {}", swing.at()),
-            of_settled(drive, lambda, q * lambda, |all| {
-                part(all, Sign::Negative) + 2.0 * part(all, Sign::Rest)
-            }),
-            lengths[0] + 2.0 * lengths[1],
-        ))
-    })
 }
 
 /// The slip velocity and the velocity of the centre of a solid sphere on a swinging plane, over two late periods.
@@ -625,17 +481,137 @@ pub fn swinging(lambda: f64) -> Result<Swinging, Failure> {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq84,
+attempts![
+    // (84): the slip obeys the drive of section 2.2 with this λ₀.
+    eq84 = Trial::consistency(
+        Printed,
+        [
+            r"$\mathfrak w$ of the one-dimensional drive with $\lambda_0$ by (84)",
+            r"$\varpi w_x/A_0$ of the sphere's slip velocity $\bm w$",
+        ],
+    )
+    .drawn(0..20, |i, points| {
+        let lambda = points.uniform(0.05, 1.5);
+        let swing = Swing::new(i, points, lambda);
+        let (w, share) = (points.uniform(-2.0, 2.0), points.uniform(-1.0, 2.0));
+        let phi = points.uniform(1.0, 15.0);
+        let lambda = swing.stated();
+        let stated = w_after(lambda, lambda, w, phi);
+        let motion = swing
+            .sphere
+            .run(&swing.sine(), &swing.start(w, share), swing.t(phi))?;
+        let found = motion.slip(swing.t(phi))?[0] * swing.frequency / swing.a0;
+        Ok(Pair {
+            at: format!("{}, 𝔴 = {w:.6}, φ = {phi:.6}", swing.at()),
+            stated,
+            found,
+            scale: 1.0 + w.abs(),
+        })
+    }),
     eq85,
     trichotomy_census,
     trichotomy_motion,
-    rolling_ends,
+    // Rolling holds as long as friction suffices: the sphere set rolling at φ = 0 begins to slide where sin φ = λ₀.
+    rolling_ends = Trial::by(
+        Root,
+        Within,
+        [
+            r"the root $\phi$ of $\sin\phi=\lambda_0$, with $\lambda_0$ by (84),",
+            r"the phase at which a sphere that rolls at $\phi=0$ begins to slide",
+        ],
+        MOTION,
+    )
+    .drawn(0..24, |i, points| {
+        let lambda = points.uniform(0.05, 0.95);
+        let swing = Swing::new(i, points, lambda);
+        let stated = root(|phi| libm::sin(phi) - swing.stated(), 0.0, FRAC_PI_2);
+        let motion = swing
+            .sphere
+            .run(&swing.sine(), &swing.start(0.0, 0.4), swing.t(2.0))?;
+        let first = motion.transitions().first().ok_or("it does not slide")?;
+        Ok(Pair {
+            at: swing.at(),
+            // There is no root beyond 1.
+            stated: stated.unwrap_or(f64::NAN),
+            found: first.t * swing.frequency,
+            scale: 1.0 / libm::sqrt(1.0 - lambda * lambda),
+        })
+    }),
     trichotomy_outside,
-    pulse_census,
+    // The pulse train: kinds on both sides of λ₀ = η.
+    pulse_census = {
+        let trial = Trial::census(
+            Printed,
+            [
+                r"the number of zeros plus ten times that of rests in a period (with $\lambda_0$ by (84), 2 below $\lambda_\mathrm c$ of (46), 20 above, $-1$ for rest throughout above 1)",
+                "that of a sphere's late period under the pulses",
+            ],
+        );
+        let mut points = Points::here();
+        let all = pulse_points(&mut points, 20);
+        trial.over(all.into_iter().enumerate(), |(i, (eta, lambda))| {
+            let swing = Swing::new(i, &mut points, lambda);
+            let start = swing.start(points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0));
+            let (from, to) = (
+                swing.t(SETTLED * TAU + 0.01),
+                swing.t((SETTLED + 1.0) * TAU + 0.01),
+            );
+            let motion = swing.sphere.run(&swing.pulses(eta), &start, to)?;
+            Ok(Pair::plain(
+                format!("η = {eta:.6}, {}", swing.at()),
+                stated_kind(swing.stated(), periodic::eq46_lambda_c(eta)),
+                rolled(&motion, from, to)?,
+            ))
+        })
+    },
     pulse_motion,
-    anisotropic_census,
-    anisotropic_motion
+    // The order of forward slip, backward slip and rolling in a period, as the particle has it.
+    anisotropic_census = {
+        let trial = Trial::census(
+            Printed,
+            [
+                r"the order of slips and rests in a period of the drive, with $\lambda_0$ by (85) (3 for a forward slip, 2 for a rest, 1 for a backward slip),",
+                "that of the sphere's slip",
+            ],
+        );
+        let mut points = Points::here();
+        let all = map_points(&mut points, 40);
+        trial.over(all.into_iter().enumerate(), |(i, (q, lambda))| {
+            let (swing, directed) = directed(i, &mut points, q, lambda);
+            let (ways, _) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
+            let (drive, lambda) = (drive()?, swing.stated_plus());
+            Ok(Pair::plain(
+                format!("q = {q:.6}, {}", swing.at()),
+                of_settled(drive, lambda, q * lambda, own_digits),
+                from_forward(ways.into_iter().map(f64::from).collect()),
+            ))
+        })
+    },
+    // How long each lasts.
+    anisotropic_motion = {
+        let trial = Trial::motion(
+            Printed,
+            Compared::many(
+                r"the parts of a period of backward motion and rest, the second one taken twice, of the drive with $\lambda_0$ of (85), where it rests at all,",
+                "those of the sphere's slip",
+            ),
+        );
+        let mut points = Points::here();
+        let resting = |(q, lambda): &(f64, f64)| q * lambda > 1.0;
+        let all = map_points(&mut points, 40).into_iter().filter(resting);
+        trial.over(all.enumerate(), |(i, (q, lambda))| {
+            let (swing, directed) = directed(i, &mut points, q, lambda);
+            let (_, lengths) = late_stretches(&swing, &directed, points.uniform(-1.0, 1.0))?;
+            let (drive, lambda) = (drive()?, swing.stated_plus());
+            Ok(Pair::plain(
+                format!("q = {q:.6}, {}", swing.at()),
+                of_settled(drive, lambda, q * lambda, |all| {
+                    part(all, Sign::Negative) + 2.0 * part(all, Sign::Rest)
+                }),
+                lengths[0] + 2.0 * lengths[1],
+            ))
+        })
+    }
 ];
 
 #[cfg(test)]

@@ -1,12 +1,7 @@
 //! Trials of the statements in words about every A(t): the reduction, and the vertical spin.
 
-use super::spheres::{Case, Followed, MIXED, braking, case, length, moments, sphere, weighed};
-use crate::corrections::sphere as corrected;
-use crate::motion::sphere::{Ball, Contact};
-use crate::motion::{PhaseKind, Plane, Signal, State, run};
-use crate::paper::sphere as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::spheres::{Case, MIXED, case, length, moments};
 
 /// The particle with bμ that begins with the sphere's slip velocity; none if bμ is below zero.
 fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, Failure> {
@@ -14,27 +9,6 @@ fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, 
     let start = State::moving(case.sphere.contact(&case.start));
     let friction = case.b() * case.sphere.mu * case.sphere.g;
     Ok(run(&case.plane, friction, start, run_of.until)?)
-}
-
-/// The slip velocity is the particle's velocity, sliding and rolling.
-fn reduction_motion() -> Evidence {
-    Trial::motion(Printed, Compared::one(
-        r"$\bm v$ of a particle with $b\mu$ under the same $\bm A$",
-        "the slip velocity of the motion, sliding and rolling, each vector by the one number $x+2y$",
-    )).over(moments(), |state| {
-        let (run, t) = state?;
-        let v = || -> Result<[f64; 2], Failure> { Ok(particle(run)?.at(t)?.v) };
-        let [x, y] = v().unwrap_or([f64::NAN; 2]);
-        let [sx, sy] = run.motion.slip(t)?;
-        let [ux, uy] = run.case.sphere.contact(&run.case.start);
-        let push = length(run.case.acceleration(t)).max(run.case.sphere.mu * run.case.sphere.g);
-        Ok(Pair {
-            at: run.at(t),
-            stated: x + 2.0 * y,
-            found: sx + 2.0 * sy,
-            scale: libm::hypot(ux, uy) + push * t,
-        })
-    })
 }
 
 /// A sphere that rolls when the plane begins to pull, more than friction can follow, along a direction that turns.
@@ -65,44 +39,17 @@ fn released() -> impl Iterator<Item = Result<Followed, Failure>> {
     })
 }
 
-/// The slip that begins by itself is the particle's velocity from rest.
-fn reduction_from_rest() -> Evidence {
-    Trial::motion(Printed, Compared::one(
-        r"$\bm v$ of a particle with $b\mu$, from rest, under the same turning $\bm A$",
-        "the slip velocity of a sphere that rolls at the start, each vector by the one number $x+2y$",
-    )).over(released(), |run| {
-        let run = run?;
-        let Followed {
-            case,
-            motion,
-            until,
-        } = &run;
-        let friction = case.b() * case.sphere.mu * case.sphere.g;
-        let rest = State::moving([0.0; 2]);
-        let particle = crate::motion::run(&case.plane, friction, rest, *until);
-        let [x, y] = particle.map_or([f64::NAN; 2], |particle| particle.end().v);
-        let [sx, sy] = motion.slip(*until)?;
-        Ok(Pair {
-            at: run.at(*until),
-            stated: x + 2.0 * y,
-            found: sx + 2.0 * sy,
-            scale: case.size * until,
-        })
-    })
-}
-
 /// A slip that is small beside the velocity lasts as long as the particle's velocity does.
 fn reduction_small_slip() -> Evidence {
-    let trial = Trial::motion(
+    Trial::motion(
         Printed,
-        Compared::one(
+        [
             r"the time in which a particle with $b\mu$ that is as slow as the slip stops",
             "that in which the sphere, a billion times as fast, comes to roll",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..20, |i| {
-        let sphere = sphere(i, &mut points);
+        ],
+    )
+    .drawn(0..20, |i, points| {
+        let sphere = sphere(i, points);
         let [x, y] = [points.uniform(0.5, 2.0), points.uniform(0.5, 2.0)];
         let slip = points.log_uniform(1e-11, 1e-9);
         let start = Ball {
@@ -128,28 +75,6 @@ fn reduction_small_slip() -> Evidence {
             found: rolls,
             scale: until,
         })
-    })
-}
-
-fn reduction_rolling() -> Evidence {
-    Trial::motion(
-        Printed,
-        Compared::one(
-            r"the time that a particle with $b\mu$ rests",
-            "the time that the sphere rolls",
-        ),
-    )
-    .each(MIXED.each(), Followed::at_end, |run| {
-        let rests = |particle: crate::motion::Motion| {
-            let phases = particle.phases().iter();
-            let rests = phases.filter(|phase| phase.kind == PhaseKind::Stick);
-            rests.map(|phase| phase.to - phase.from).sum()
-        };
-        Ok([
-            particle(run).map_or(f64::NAN, rests),
-            rolling_time(&run.motion, 0.0, run.until)?,
-            run.until,
-        ])
     })
 }
 
@@ -240,11 +165,80 @@ fn with_three_times_the_spin(ball: Ball) -> Ball {
     }
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    reduction_motion,
-    reduction_from_rest,
+attempts![
+    // The slip velocity is the particle's velocity, sliding and rolling.
+    reduction_motion = {
+        let trial = Trial::motion(
+            Printed,
+            [
+                r"$\bm v$ of a particle with $b\mu$ under the same $\bm A$",
+                "the slip velocity of the motion, sliding and rolling, each vector by the one number $x+2y$",
+            ],
+        );
+        trial.over(moments(), |state| {
+            let (run, t) = state?;
+            let v = || -> Result<[f64; 2], Failure> { Ok(particle(run)?.at(t)?.v) };
+            let [x, y] = v().unwrap_or([f64::NAN; 2]);
+            let [sx, sy] = run.motion.slip(t)?;
+            let [ux, uy] = run.case.sphere.contact(&run.case.start);
+            let push = length(run.case.acceleration(t)).max(run.case.sphere.mu * run.case.sphere.g);
+            Ok(Pair {
+                at: run.at(t),
+                stated: x + 2.0 * y,
+                found: sx + 2.0 * sy,
+                scale: libm::hypot(ux, uy) + push * t,
+            })
+        })
+    },
+    // The slip that begins by itself is the particle's velocity from rest.
+    reduction_from_rest = {
+        let trial = Trial::motion(
+            Printed,
+            [
+                r"$\bm v$ of a particle with $b\mu$, from rest, under the same turning $\bm A$",
+                "the slip velocity of a sphere that rolls at the start, each vector by the one number $x+2y$",
+            ],
+        );
+        trial.over(released(), |run| {
+            let run = run?;
+            let Followed {
+                case,
+                motion,
+                until,
+            } = &run;
+            let friction = case.b() * case.sphere.mu * case.sphere.g;
+            let rest = State::moving([0.0; 2]);
+            let particle = crate::motion::run(&case.plane, friction, rest, *until);
+            let [x, y] = particle.map_or([f64::NAN; 2], |particle| particle.end().v);
+            let [sx, sy] = motion.slip(*until)?;
+            Ok(Pair {
+                at: run.at(*until),
+                stated: x + 2.0 * y,
+                found: sx + 2.0 * sy,
+                scale: case.size * until,
+            })
+        })
+    },
     reduction_small_slip,
-    reduction_rolling,
+    reduction_rolling = Trial::motion(
+        Printed,
+        [
+            r"the time that a particle with $b\mu$ rests",
+            "the time that the sphere rolls",
+        ],
+    )
+    .each(MIXED.each(), Followed::at_end, |run| {
+        let rests = |particle: crate::motion::Motion| {
+            let phases = particle.phases().iter();
+            let rests = phases.filter(|phase| phase.kind == PhaseKind::Stick);
+            rests.map(|phase| phase.to - phase.from).sum()
+        };
+        Ok([
+            particle(run).map_or(f64::NAN, rests),
+            rolling_time(&run.motion, 0.0, run.until)?,
+            run.until,
+        ])
+    }),
     reduction_rest,
     spin_constant
 ];

@@ -10,10 +10,10 @@ mod newton;
 #[cfg(test)]
 mod tests;
 
+use super::prelude::*;
 pub use angle::*;
 pub use body::*;
 pub use newton::*;
-use trialbook::prelude::*;
 
 /// Components of a vector, as trees; a scalar has one.
 pub type Components = Vec<Expr>;
@@ -37,7 +37,7 @@ const AS_A_PARTICLE: Compared = Compared::one(
 /// Names of a vector's components, for the steps of a proof.
 const AXES: [&str; 3] = ["along x", "along y", "along z"];
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     &EQ59,
     &EQ60,
     &EQ62,

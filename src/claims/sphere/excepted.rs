@@ -1,11 +1,10 @@
 //! What the conditions of section 3 except.
 
+use super::prelude::*;
 use crate::claims::constant::excepted::{END, HOLDS, LAMBDA, START, half, int, two_thirds};
-use crate::paper::sphere as printed;
 use trialbook::certified::interval::Interval;
-use trialbook::prelude::*;
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq81 = no_value(
         "(81)",
         HOLDS,
@@ -36,5 +35,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         |[lambda, theta0, theta, tau]| {
             printed::eq83_slip_at_time(lambda, int(1), theta0, theta, tau)
         },
-    ),
+    )
 ];

@@ -1,12 +1,6 @@
 //! The two numbers of each case by hand, and the numbers by which claims can be found. The words are in the claims' entries.
 
-use crate::motion::Plane;
-use crate::motion::sphere::{Ball, BallMotion, Sphere};
-use crate::paper::sphere as printed;
-use std::f64::consts::FRAC_PI_2;
-use trialbook::prelude::*;
-use trialbook::trials::by_hand::Numbers;
-use trialbook::trials::values::Number;
+use super::prelude::*;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 3] = [

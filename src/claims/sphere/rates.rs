@@ -1,12 +1,7 @@
 //! Trials of (63) to (66), (73) to (75) and (77) to (79): along motions of the rigid sphere.
 
-use super::spheres::{Followed, SLIDING, length, moments, weighed};
-use crate::corrections::sphere as corrected;
-use crate::motion::State;
-use crate::motion::sphere::Ball;
-use crate::numerics::quadrature::sum;
-use crate::paper::sphere as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::spheres::{SLIDING, length, moments};
 
 /// A vector of a state of the sphere: its name and its value.
 type Vector = (&'static str, fn(&Followed, &Ball) -> [f64; 3]);
@@ -118,35 +113,13 @@ pub(super) fn nu(run: &Followed, t: f64) -> Result<[f64; 3], Failure> {
     Ok([-x / unit, -y / unit, 0.0])
 }
 
-fn eq79() -> Evidence {
-    let compared = Compared::one(
-        r"(79), with $\bm c$ from the start,",
-        r"$\mathrm d\bm\rho/\mathrm d\tau$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",
-    );
-    Trial::motion(Printed, compared).over(moments(), |state| {
-        let (run, t) = state?;
-        let (start, now, b) = (run.dimensionless(0.0)?, run.dimensionless(t)?, run.case.b());
-        let (own, own_start) = (run.own(t)?, run.own(0.0)?);
-        let zero = [0.0; 3];
-        let without = printed::eq79_velocity(b, zero, start.u, zero);
-        let c = [0, 1, 2].map(|i| start.rho_rate[i] - without[i]);
-        let nu = nu(run, t)?;
-        Ok(Pair {
-            at: run.at(t),
-            stated: weighed(printed::eq79_velocity(b, nu, now.u, c)),
-            found: weighed(own.rho_rate),
-            scale: length(nu) + length(own.u) + length(own.rho_rate) + length(own_start.rho_rate),
-        })
-    })
-}
-
 /// A rate by (77) or (78) less γ, the rate of ν.
 fn less_nu(run: &Followed, gamma: [f64; 3], both: [f64; 3]) -> [f64; 3] {
     let nu = printed::eq76_nu_rate(gamma);
     per_time(run, [0, 1, 2].map(|i| both[i] - nu[i]))
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq63 = summed("(63) over $t$", VELOCITY, |run, ball, _, t| {
         let (_, mu, g) = run.case.parameters();
         let a = run.case.acceleration(t);
@@ -191,5 +164,28 @@ pub(super) const TRIALS: &[Attempt] = trials![
         let (gamma, u) = gamma_u(run, slip, t);
         less_nu(run, gamma, printed::eq78_rate(run.case.b(), u))
     }),
-    eq79,
+    eq79 = {
+        let compared = Compared::one(
+            r"(79), with $\bm c$ from the start,",
+            r"$\mathrm d\bm\rho/\mathrm d\tau$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$",
+        );
+        Trial::motion(Printed, compared).over(moments(), |state| {
+            let (run, t) = state?;
+            let (start, now, b) = (run.dimensionless(0.0)?, run.dimensionless(t)?, run.case.b());
+            let (own, own_start) = (run.own(t)?, run.own(0.0)?);
+            let zero = [0.0; 3];
+            let without = printed::eq79_velocity(b, zero, start.u, zero);
+            let c = [0, 1, 2].map(|i| start.rho_rate[i] - without[i]);
+            let nu = nu(run, t)?;
+            Ok(Pair {
+                at: run.at(t),
+                stated: weighed(printed::eq79_velocity(b, nu, now.u, c)),
+                found: weighed(own.rho_rate),
+                scale: length(nu)
+                    + length(own.u)
+                    + length(own.rho_rate)
+                    + length(own_start.rho_rate),
+            })
+        })
+    }
 ];

@@ -1,12 +1,8 @@
 //! Trials of (62) and (68) to (72): two spheres that differ in all but the dimensionless quantities move alike, and one
 //! of them has 1 for each unit.
 
-use super::spheres::{Case, Dimensionless, Followed, SLIDING, Units, length, sphere, weighed};
-use crate::motion::sphere::{Ball, Directed, Sphere};
-use crate::motion::{Plane, Signal};
-use crate::numerics::quadrature::integral_within;
-use crate::paper::sphere as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::spheres::{Case, Dimensionless, SLIDING, Units, length};
 
 /// A sphere and the one with m = R = μ = g = 1 and the same κ, with the same drive and start in their own units, until
 /// the same time in these: what the definitions make of the motion of the one is the motion of the other itself.
@@ -142,45 +138,17 @@ fn first_change(run: &Followed) -> f64 {
     run.motion.transitions().first().map_or(0.0, |c| c.t)
 }
 
-/// (68) as what the velocity adds up to.
-fn eq68_way() -> Evidence {
-    let trial = Trial::consistency(
-        Printed,
-        Compared::one(
-            "the change of (68)",
-            r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
-        ),
-    );
-    trial.each(SLIDING.each(), Followed::at_end, |run| {
-        let (radius, ..) = run.case.parameters();
-        let place = |[x, y]: [f64; 2]| weighed(printed::eq68_position(radius, [x, y, 0.0]));
-        let rate = |t: f64| {
-            let ball = run.motion.at(t);
-            ball.map_or(f64::NAN, |b| (b.v[0] + 2.0 * b.v[1]) / radius)
-        };
-        let (start, end) = (&run.case.start, run.motion.end());
-        let size = libm::hypot(start.v[0], start.v[1]) + run.case.size * run.until;
-        let scale = size * run.until / radius;
-        Ok([
-            place(end.x) - place(start.x),
-            integral_within(rate, 0.0, run.until, 1e-13 * scale)?.value,
-            scale + libm::hypot(start.x[0], start.x[1]) / radius,
-        ])
-    })
-}
-
 /// (71) where the sphere slides with one friction forwards and with another backwards.
 fn eq71_both_ways() -> Evidence {
     let trial = Trial::consistency(
         Printed,
-        Compared::one(
+        [
             r"$\bm u$ by (71) from $\mathrm d\bm r/\mathrm dt$ and $\bm\omega$",
             r"that from the slip velocity, of a sphere on a line with $\mu_-\ne\mu_+$, which has equations of its own",
-        ),
+        ],
     );
-    let mut points = Points::here();
-    trial.over(0..24, |i| {
-        let sphere = sphere(i, &mut points);
+    trial.drawn(0..24, |i, points| {
+        let sphere = sphere(i, points);
         let (radius, mu, g) = (sphere.radius, sphere.mu, sphere.g);
         let frequency = points.uniform(0.5, 3.0);
         let sine = Signal::Sine {
@@ -222,7 +190,7 @@ fn driven(_: &Followed, state: &Dimensionless) -> [f64; 3] {
     [0, 1, 2].map(|k| state.gamma[k] + state.rho_rate[k])
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq62 = alike(
         [
             r"the sum of $\kappa$ by (62), along $x$, and $\mathrm d\bm\rho/\mathrm d\tau$",
@@ -237,7 +205,32 @@ pub(super) const TRIALS: &[Attempt] = trials![
         |_, state| state.rho,
         |_, state| state.rho
     ),
-    eq68_way,
+    // (68) as what the velocity adds up to.
+    eq68_way = {
+        let trial = Trial::consistency(
+            Printed,
+            [
+                "the change of (68)",
+                r"the integral of $(\mathrm d\bm r/\mathrm dt)/R$ over $t$ of a sphere that slides, each vector by the one number $x+2y$",
+            ],
+        );
+        trial.each(SLIDING.each(), Followed::at_end, |run| {
+            let (radius, ..) = run.case.parameters();
+            let place = |[x, y]: [f64; 2]| weighed(printed::eq68_position(radius, [x, y, 0.0]));
+            let rate = |t: f64| {
+                let ball = run.motion.at(t);
+                ball.map_or(f64::NAN, |b| (b.v[0] + 2.0 * b.v[1]) / radius)
+            };
+            let (start, end) = (&run.case.start, run.motion.end());
+            let size = libm::hypot(start.v[0], start.v[1]) + run.case.size * run.until;
+            let scale = size * run.until / radius;
+            Ok([
+                place(end.x) - place(start.x),
+                integral_within(rate, 0.0, run.until, 1e-13 * scale)?.value,
+                scale + libm::hypot(start.x[0], start.x[1]) / radius,
+            ])
+        })
+    },
     eq69 = alike(
         [
             r"the time $\tau$ by (69) of the first change between sliding and rolling",
@@ -270,5 +263,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ],
         driven,
         driven
-    ),
+    )
 ];

@@ -1,11 +1,7 @@
 //! The motions of the rigid sphere that section 3 is held against, with m, R, I, μ and g that are not 1.
 
-use crate::motion::MotionError;
-use crate::motion::sphere::{Ball, BallMotion, Sphere};
-use crate::motion::{Acceleration, Plane, Signal};
-use crate::paper::sphere as printed;
-use std::f64::consts::{PI, TAU};
-use trialbook::prelude::*;
+use super::prelude::*;
+use crate::motion::Acceleration;
 
 /// A sphere on a plane, from a start.
 #[derive(Debug, Clone)]

@@ -1,9 +1,7 @@
 //! Trials of (122) and (123): the first case's formulas with complex A and α, along motions with p > ρ.
 
 use super::complex::Complex;
-use super::trajectories::{FASTER, View, stretches};
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// A and α by (122) and (123).
 fn inner(view: &View) -> [Complex; 2] {
@@ -60,4 +58,4 @@ fn eq123() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![eq122, eq123];
+attempts![eq122, eq123];

@@ -2,11 +2,8 @@
 //!
 //! The motion is integrated twice: in Cartesian components, and in components along and across the velocity.
 
-use super::trajectories::{ANY, Class, FASTER, P, Quantity, RHO, SLOWER, View, stretches};
-use crate::claims::tolerances::FRAMES;
-use crate::motion::turntable::Intrinsic;
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{Class, SLOWER};
 
 /// At both ends of each stretch: what formulas give from one integration with what the other has.
 fn ends<const N: usize>(
@@ -39,7 +36,7 @@ fn defined(
     pair: impl Fn(&View, &Intrinsic) -> [f64; 2],
 ) -> Evidence {
     let compared = Compared::one(stated, found);
-    ends(Route::Consistency, compared, classes, |view, part| {
+    ends(Consistency, compared, classes, |view, part| {
         [pair(view, part)]
     })
 }
@@ -47,7 +44,7 @@ fn defined(
 /// A relation: the left-hand side by components along the velocity with what the Cartesian motion has, and the right-hand side of
 /// the Cartesian motion with what the components have; or the other way round.
 fn both_sides(compared: Compared, pairs: impl Fn(&View, &Intrinsic) -> [[f64; 2]; 2]) -> Evidence {
-    ends(Route::Integration, compared, ANY, pairs)
+    ends(Integration, compared, ANY, pairs)
 }
 
 /// A case: its symbols in words, where it is tried, and its symbols by components along the velocity.
@@ -72,7 +69,7 @@ fn by_case(
     formula: fn(f64, f64) -> f64,
 ) -> Evidence {
     let compared = Compared::composed([law, symbols, ""], [name, "", ""]);
-    ends(Route::Consistency, compared, classes, |view, part| {
+    ends(Consistency, compared, classes, |view, part| {
         let (size, angle) = of(part);
         [[formula(size, angle), quantity(view)]]
     })
@@ -100,7 +97,7 @@ fn outer(part: &Intrinsic) -> (f64, f64) {
     (b, libm::asinh(part.rho() / b))
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq93 = defined(
         [
             "(93) of the Cartesian velocity",
@@ -196,5 +193,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         },
     ),
     eq117 = by_case("(117)", OUTER, P, printed::eq117_p),
-    eq118 = by_case("(118)", OUTER, RHO, printed::eq118_rho),
+    eq118 = by_case("(118)", OUTER, RHO, printed::eq118_rho)
 ];

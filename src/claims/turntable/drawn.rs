@@ -1,10 +1,6 @@
 //! The motions that the chapter draws: two launches from the axis, one that comes to rest and one that escapes.
 
-use crate::motion::MotionError;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Start, State, Table, inertial, rotating};
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The speeds of the launches.
 pub const SPEEDS: [f64; 2] = [1.0, 1.5];
@@ -72,18 +68,18 @@ pub fn launched(speed: f64) -> Result<Launched, MotionError> {
 
 /// (104) at every drawn moment, rest included.
 pub fn kept() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one(
-            "(104) at each drawn moment, on the way to rest and at rest,",
-            "its value at the launch",
-        ),
-    );
     let launches = SPEEDS.into_iter().map(launched);
     let all = launches.flat_map(|launch| {
         parts(launch.map(|l| l.moments.into_iter().map(move |moment| (l.speed, moment))))
     });
-    trial.over(all, |point| {
+    Trial::motion(
+        Printed,
+        [
+            "(104) at each drawn moment, on the way to rest and at rest,",
+            "its value at the launch",
+        ],
+    )
+    .over(all, |point| {
         let (speed, Moment { tau, p, rho, s, .. }) = point?;
         Ok(Pair {
             at: format!("launched from the axis with p = {speed}, at τ = {tau:.6}"),
@@ -94,4 +90,4 @@ pub fn kept() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![kept];
+attempts![kept];

@@ -1,12 +1,7 @@
 //! Trials of work and energy: (104) to (106), and who does the work.
 
-use super::trajectories::{ANY, Launch, Stretch, View, launches, stretches};
-use crate::claims::tolerances::FRAMES;
-use crate::corrections::turntable as corrections;
-use crate::motion::turntable::{State, Table};
-use crate::numerics::quadrature::sum;
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{Launch, launches};
 
 fn change_of_eq104(stretch: &Stretch) -> Result<f64, Failure> {
     let [from, to] = [stretch.part(stretch.from)?, stretch.part(stretch.to)?];
@@ -14,71 +9,11 @@ fn change_of_eq104(stretch: &Stretch) -> Result<f64, Failure> {
     Ok(to - from)
 }
 
-/// (104), with the arc length of the integration by components.
-fn eq104() -> Evidence {
-    Trial::motion(
-        Printed,
-        Compared::one("the change of (104) over a stretch of motion", "0"),
-    )
-    .each(stretches(ANY), Stretch::at, |stretch| {
-        Ok([change_of_eq104(stretch)?, 0.0, 1.0])
-    })
-}
-
-/// (104) with the length of the path, in the words that call it a constant of motion.
-fn eq104_kept() -> Evidence {
-    let trial = Trial::motion(
-        Printed,
-        Compared::one(
-            "the change of (104), with $s$, over a stretch of motion",
-            "the expected 0",
-        ),
-    );
-    balance(&trial, |stretch| Ok([change_of_eq104(stretch)?, 0.0]))
-}
-
-/// What p, ℓ and ξ give alone.
-fn eq104_without_s() -> Evidence {
-    let trial = Trial::quadrature(
-        Remark,
-        Compared::one(
-            r"the integral of $-p$ over a stretch of motion",
-            r"the change of $\frac12(p^2-\ell^2-\xi^2)$",
-        ),
-    );
-    balance(&trial, |stretch| {
-        let view = |tau| stretch.view(tau);
-        let [begin, end] = [view(stretch.from)?, view(stretch.to)?];
-        let value = |v: &View| 0.5 * (v.p * v.p - v.ell * v.ell - v.xi * v.xi);
-        let rate = |v: &View| -printed::eq105_arc_rate(v.p);
-        Ok([stretch.sum(rate, 1e-13), value(&end) - value(&begin)])
-    })
-}
-
 fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) -> Evidence {
     trial.each(stretches(ANY), Stretch::at, |stretch| {
         let size = 0.5 * stretch.part(stretch.to)?.rho().powi(2);
         let [stated, found] = pair(stretch)?;
         Ok([stated, found, size.max(1.0)])
-    })
-}
-
-fn eq105() -> Evidence {
-    Trial::by(
-        Route::Consistency,
-        Printed,
-        Compared::one(
-            r"the integral of (105) over $\tau$ in the frame of the table",
-            "the arc length by components along the velocity",
-        ),
-        FRAMES,
-    )
-    .each(stretches(ANY), Stretch::at, |stretch| {
-        Ok([
-            stretch.sum(|v| printed::eq105_arc_rate(v.p), 1e-13),
-            stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
-            1.0,
-        ])
     })
 }
 
@@ -90,17 +25,17 @@ pub fn way(launch: &Launch) -> Result<f64, Failure> {
 
 /// The work of friction by (106): what the terms without s gain, if (106) keeps its value.
 fn work_step() -> Evidence {
-    let trial = Trial::by(
-        Route::Consistency,
+    let points = Points::here().within(40, [[0.2, 3.0]; 3]);
+    Trial::by(
+        Consistency,
         Step,
-        Compared::one(
+        [
             "$-mgs$, the work of friction, over what kinetic and centrifugal energy gain by (106)",
             "the expected 1",
-        ),
+        ],
         FRAMES,
-    );
-    let points = Points::here().within(40, [[0.2, 3.0]; 3]);
-    trial.at(["m", "g", "s"], points, 1.0, |[m, g, s]| {
+    )
+    .at(["m", "g", "s"], points, 1.0, |[m, g, s]| {
         let at_rest = |s| printed::eq106_constant(m, g, 1.0, [0.0; 2], [0.0; 2], s);
         Ok([
             printed::friction_work(m, g, s) / (at_rest(0.0) - at_rest(s)),
@@ -115,23 +50,17 @@ fn kept(
     compared: Compared,
     energy: impl Fn(&Table, &State, f64) -> f64,
 ) -> Evidence {
-    Trial::by(Route::Integration, subject, compared, FRAMES).each(
-        launches(),
-        Launch::at,
-        |launch| {
-            let Table { omega, mass: m, .. } = launch.table;
-            let end = launch.still.on_table(launch.to)?;
-            let size = |s: &State| {
-                0.5 * m * (s.speed() * s.speed() + omega * omega * s.radius() * s.radius())
-            };
-            Ok([
-                energy(&launch.table, &end, way(launch)?)
-                    - energy(&launch.table, &launch.start, 0.0),
-                0.0,
-                size(&launch.start).max(size(&end)),
-            ])
-        },
-    )
+    Trial::by(Integration, subject, compared, FRAMES).each(launches(), Launch::at, |launch| {
+        let Table { omega, mass: m, .. } = launch.table;
+        let end = launch.still.on_table(launch.to)?;
+        let size =
+            |s: &State| 0.5 * m * (s.speed() * s.speed() + omega * omega * s.radius() * s.radius());
+        Ok([
+            energy(&launch.table, &end, way(launch)?) - energy(&launch.table, &launch.start, 0.0),
+            0.0,
+            size(&launch.start).max(size(&end)),
+        ])
+    })
 }
 
 /// The work that friction does on the particle relative to the table, as the laboratory has it. There friction
@@ -152,30 +81,26 @@ fn work(subject: Subject, stated: &'static str, formula: impl Fn(&Table, f64) ->
         stated,
         "the work of friction along the path of length $s$ on the table, found in the laboratory",
     );
-    Trial::by(Route::Integration, subject, compared, FRAMES).each(
-        launches(),
-        Launch::at,
-        |launch| {
-            let found = friction_work(launch)?;
-            Ok([
-                formula(&launch.table, way(launch)?),
-                found,
-                found.abs().max(launch.table.energy(&launch.start).abs()),
-            ])
-        },
-    )
+    Trial::by(Integration, subject, compared, FRAMES).each(launches(), Launch::at, |launch| {
+        let found = friction_work(launch)?;
+        Ok([
+            formula(&launch.table, way(launch)?),
+            found,
+            found.abs().max(launch.table.energy(&launch.start).abs()),
+        ])
+    })
 }
 
 /// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken
 /// off is the work of the Coriolis force.
 pub fn coriolis() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Printed,
-        Compared::one(
+        [
             "the work of the Coriolis force of (86)",
             "the change of kinetic energy in the frame of the table, less the works of the centrifugal force and of friction",
-        ),
+        ],
         FRAMES,
     );
     trial.each(launches(), Launch::at, |launch| {
@@ -195,9 +120,31 @@ pub fn coriolis() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq104,
-    eq105,
+attempts![
+    // (104), with the arc length of the integration by components.
+    eq104 = Trial::motion(
+        Printed,
+        ["the change of (104) over a stretch of motion", "0"],
+    )
+    .each(stretches(ANY), Stretch::at, |stretch| {
+        Ok([change_of_eq104(stretch)?, 0.0, 1.0])
+    }),
+    eq105 = Trial::by(
+        Consistency,
+        Printed,
+        [
+            r"the integral of (105) over $\tau$ in the frame of the table",
+            "the arc length by components along the velocity",
+        ],
+        FRAMES,
+    )
+    .each(stretches(ANY), Stretch::at, |stretch| {
+        Ok([
+            stretch.sum(|v| printed::eq105_arc_rate(v.p), 1e-13),
+            stretch.part(stretch.to)?.s - stretch.part(stretch.from)?.s,
+            1.0,
+        ])
+    }),
     eq106 = kept(
         Printed,
         Compared::one("the change of (106) over a motion", "0"),
@@ -213,8 +160,34 @@ pub(super) const TRIALS: &[Attempt] = trials![
             corrections::constant(mass, mu, g, omega, state.x, state.v, s)
         }
     ),
-    eq104_kept,
-    eq104_without_s,
+    // (104) with the length of the path, in the words that call it a constant of motion.
+    eq104_kept = {
+        let trial = Trial::motion(
+            Printed,
+            [
+                "the change of (104), with $s$, over a stretch of motion",
+                "the expected 0",
+            ],
+        );
+        balance(&trial, |stretch| Ok([change_of_eq104(stretch)?, 0.0]))
+    },
+    // What p, ℓ and ξ give alone.
+    eq104_without_s = {
+        let trial = Trial::quadrature(
+            Remark,
+            [
+                r"the integral of $-p$ over a stretch of motion",
+                r"the change of $\frac12(p^2-\ell^2-\xi^2)$",
+            ],
+        );
+        balance(&trial, |stretch| {
+            let view = |tau| stretch.view(tau);
+            let [begin, end] = [view(stretch.from)?, view(stretch.to)?];
+            let value = |v: &View| 0.5 * (v.p * v.p - v.ell * v.ell - v.xi * v.xi);
+            let rate = |v: &View| -printed::eq105_arc_rate(v.p);
+            Ok([stretch.sum(rate, 1e-13), value(&end) - value(&begin)])
+        })
+    },
     friction = work(Printed, "$-mgs$", |table, s| {
         printed::friction_work(table.mass, table.g, s)
     }),

@@ -14,6 +14,7 @@ mod setting;
 #[cfg(test)]
 mod tests;
 
+use super::prelude::*;
 pub use components::*;
 pub use definitions::*;
 pub use energy::*;
@@ -21,7 +22,6 @@ pub use fixed::*;
 pub use frames::*;
 pub use hyperbolic::*;
 pub use setting::Setting;
-use trialbook::prelude::*;
 
 /// A statement about the turntable: formulas, or the two components of one.
 pub type Vectorial = Statement<Vec<Expr>>;
@@ -45,7 +45,7 @@ fn prove(
 
 /// Position and velocity in Cartesian components.
 fn vectors() -> [[Expr; 2]; 2] {
-    [Expr::symbols(["x", "y"]), Expr::symbols(["u", "v"])]
+    [symbols(["x", "y"]), symbols(["u", "v"])]
 }
 
 #[track_caller]
@@ -72,7 +72,7 @@ fn rate(
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     &EQ86,
     &EQ87,
     &EQ88,

@@ -1,8 +1,7 @@
 //! What the conditions of section 4 except: a particle at rest on the table, and one on the axis.
 
-use crate::paper::turntable as printed;
+use super::prelude::*;
 use trialbook::certified::interval::Interval;
-use trialbook::prelude::*;
 
 const FAR: [f64; 2] = [0.5, 2.0];
 
@@ -39,7 +38,7 @@ fn sum([x, y]: [Interval; 2]) -> Interval {
     x + y
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq86 = at(
         REST,
         "(86)",
@@ -47,8 +46,13 @@ pub(super) const TRIALS: &[Attempt] = trials![
         MOTION,
         STILL,
         |[x, y, u, v]| {
-            let one = int(1);
-            sum(printed::eq86_acceleration(one, one, one, [x, y], [u, v]))
+            sum(printed::eq86_acceleration(
+                int(1),
+                int(1),
+                int(1),
+                [x, y],
+                [u, v],
+            ))
         }
     ),
     eq89 = at(
@@ -114,5 +118,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
         ["β", "ψ"],
         [0, 1],
         |[beta, psi]| { printed::eq121_psi_rate(beta, psi) }
-    ),
+    )
 ];

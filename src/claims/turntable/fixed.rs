@@ -1,15 +1,9 @@
 //! Trials of the quasi-fixed points (124) and (125): where ψ stands still, and what deviations do. And how well ψ follows
 //! ψ₁ when α moves, for a figure.
 
+use super::prelude::*;
 use super::singular_starts::rate_at_start;
-use crate::claims::tolerances::{FOREIGN, STANDS_STILL};
-use crate::motion::MotionError;
-use crate::motion::turntable::Start;
-use crate::motion::turntable::intrinsic::Run;
 use crate::numerics::{NumericsError, dop853, roots};
-use crate::paper::turntable as printed;
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-use trialbook::prelude::*;
 
 /// dψ/dτ at the beginning of a motion.
 fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
@@ -52,7 +46,7 @@ fn stands_still(
         r" $\pi/2$ at which $\psi$ of the motion stands still for a moment",
     ];
     let compared = Compared::composed([law, "", ""], angle);
-    let trial = Trial::by(Route::Root, Printed, compared, STANDS_STILL);
+    let trial = Trial::by(Root, Printed, compared, STANDS_STILL);
     let mut points = Points::here();
     let mut states: Vec<_> = (0..30).map(|_| state(&mut points)).collect();
     states.extend(far_states(&mut points));
@@ -88,70 +82,6 @@ const HIDDEN: f64 = 1e-12;
 
 /// Where ψ₁ is looked for, and where ψ₂.
 const BELOW_AND_ABOVE: [[f64; 2]; 2] = [[0.0, FRAC_PI_2], [FRAC_PI_2, PI]];
-
-/// Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
-/// shrinks.
-fn separation() -> Evidence {
-    let trial = Trial::census(
-        Printed,
-        Compared::one(
-            r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
-            r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
-        ),
-    );
-    let mut points = Points::here();
-    trial.over(0..40, |i| {
-        let (a, alpha) = state(&mut points);
-        let psi = standstill(a, alpha, BELOW_AND_ABOVE[i % 2])?;
-        let parting = psi_rate(a, alpha, psi + 1e-4)? - psi_rate(a, alpha, psi - 1e-4)?;
-        let is = |formula: f64| (psi - formula).abs() < STANDS_STILL.value;
-        let stated = match [
-            is(printed::eq124_psi1(alpha)),
-            is(printed::eq125_psi2(alpha)),
-        ] {
-            [true, false] => -1.0,
-            [false, true] => 1.0,
-            _ => f64::NAN,
-        };
-        Ok(Pair::plain(
-            format!("{}, ψ = {psi:.6}", at(a, alpha)),
-            stated,
-            f64::signum(parting),
-        ))
-    })
-}
-
-/// (115) with α held fixed, from any angle: forwards in time it ends where ψ stands still and attracts, backwards where it
-/// repels.
-fn frozen() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::many(
-            r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
-            r"the angles below and above $\pi/2$ at which the forces turn velocity and position equally fast",
-        ),
-        FOREIGN,
-    );
-    let mut points = Points::here();
-    trial.over(0..40, |i| {
-        let (alpha, start) = (points.log_uniform(0.1, 1.5), points.uniform(-3.1, 3.1));
-        let direction = [1.0, -1.0][i % 2];
-        let rate = |_: f64, psi: &[f64; 1]| [direction * printed::eq115_psi_rate(alpha, psi[0])];
-        // Fifty times the time in which a small deviation falls to a third.
-        let until = 50.0 * 0.5 * libm::sinh(2.0 * alpha);
-        let end = dop853::end(rate, 0.0, [start], until, 1e-13, 1e-13);
-        let [low, high] = BELOW_AND_ABOVE[i % 2];
-        let found = roots::root(|psi| turning(alpha, psi), low, high)?;
-        Ok(Pair::plain(
-            format!("α = {alpha:.6}, from ψ = {start:.6}"),
-            end.map_or(f64::NAN, |[end]| {
-                end - TAU * libm::round((end - found) / TAU)
-            }),
-            found,
-        ))
-    })
-}
 
 /// How much faster the position turns than the velocity, with p = sinh α, ρ = cosh α: the velocity is turned by the
 /// centrifugal force ρ sin ψ and the Coriolis force 2p across it.
@@ -196,11 +126,70 @@ pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionErro
     (0..=80).map(moment).collect()
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     psi1 = stands_still(["(124)", "below"], BELOW_AND_ABOVE[0], printed::eq124_psi1),
     psi2 = stands_still(["(125)", "above"], BELOW_AND_ABOVE[1], printed::eq125_psi2),
-    separation,
-    frozen
+    // Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
+    // shrinks.
+    separation = {
+        let trial = Trial::census(
+            Printed,
+            [
+                r"which angle it is where $\psi$ stands still ($-1$ for $\psi_1$, 1 for $\psi_2$)",
+                r"the sign of the rate at which two motions with the same $A$ and $\alpha$, and with $\psi$ smaller and larger by $10^{-4}$, move apart",
+            ],
+        );
+        trial.drawn(0..40, |i, points| {
+            let (a, alpha) = state(points);
+            let psi = standstill(a, alpha, BELOW_AND_ABOVE[i % 2])?;
+            let parting = psi_rate(a, alpha, psi + 1e-4)? - psi_rate(a, alpha, psi - 1e-4)?;
+            let is = |formula: f64| (psi - formula).abs() < STANDS_STILL.value;
+            let stated = match [
+                is(printed::eq124_psi1(alpha)),
+                is(printed::eq125_psi2(alpha)),
+            ] {
+                [true, false] => -1.0,
+                [false, true] => 1.0,
+                _ => f64::NAN,
+            };
+            Ok(Pair::plain(
+                format!("{}, ψ = {psi:.6}", at(a, alpha)),
+                stated,
+                f64::signum(parting),
+            ))
+        })
+    },
+    // (115) with α held fixed, from any angle: forwards in time it ends where ψ stands still and attracts, backwards where it
+    // repels.
+    frozen = {
+        let trial = Trial::by(
+            Integration,
+            Printed,
+            Compared::many(
+                r"the angles, up to turns, to which (115) leads from any $\psi$ at fixed $\alpha$, forwards and backwards in time,",
+                r"the angles below and above $\pi/2$ at which the forces turn velocity and position equally fast",
+            ),
+            FOREIGN,
+        );
+        trial.drawn(0..40, |i, points| {
+            let (alpha, start) = (points.log_uniform(0.1, 1.5), points.uniform(-3.1, 3.1));
+            let direction = [1.0, -1.0][i % 2];
+            let rate =
+                |_: f64, psi: &[f64; 1]| [direction * printed::eq115_psi_rate(alpha, psi[0])];
+            // Fifty times the time in which a small deviation falls to a third.
+            let until = 50.0 * 0.5 * libm::sinh(2.0 * alpha);
+            let end = dop853::end(rate, 0.0, [start], until, 1e-13, 1e-13);
+            let [low, high] = BELOW_AND_ABOVE[i % 2];
+            let found = roots::root(|psi| turning(alpha, psi), low, high)?;
+            Ok(Pair::plain(
+                format!("α = {alpha:.6}, from ψ = {start:.6}"),
+                end.map_or(f64::NAN, |[end]| {
+                    end - TAU * libm::round((end - found) / TAU)
+                }),
+                found,
+            ))
+        })
+    }
 ];
 
 #[cfg(test)]

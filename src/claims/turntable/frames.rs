@@ -1,13 +1,7 @@
 //! Trials of the law of motion, with its dimensions and without, (86) to (89), and of its mirror image.
 
-use super::trajectories::{ANY, Launch, Stretch, View, any_table, launches, stretches};
-use crate::claims::tolerances::{FOREIGN, FRAMES};
-use crate::motion::MotionError;
-use crate::motion::turntable::{Path, State, Table, inertial, rotating};
-use crate::numerics::quadrature::sum;
-use crate::paper::turntable as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{Launch, any_table, launches};
 
 fn acceleration(table: &Table, state: &State) -> [f64; 2] {
     printed::eq86_acceleration(table.omega, table.mu, table.g, state.x, state.v)
@@ -48,41 +42,37 @@ fn summed(
     compared: Compared,
     image: fn(Table, State) -> (Table, State),
 ) -> Evidence {
-    Trial::by(Route::Quadrature, subject, compared, FRAMES).over(
-        with_each(launches(), [0, 1]),
-        |case| {
-            let (launch, i) = case?;
-            let of = |state: State| image(launch.table, state);
-            let rate = |t: f64| {
-                let here = launch.turning.at(t).map(of);
-                here.map_or(f64::NAN, |(table, state)| acceleration(&table, &state)[i])
-            };
-            let velocity = |state: State| of(state).1.v[i];
-            let unit = launch.table.length() * launch.table.omega;
-            Ok(Pair {
-                at: launch.at(),
-                stated: sum(rate, 0.0, launch.to, 1e-13 * unit),
-                found: velocity(launch.still.on_table(launch.to)?) - velocity(launch.start),
-                scale: unit,
-            })
-        },
-    )
+    Trial::by(Quadrature, subject, compared, FRAMES).over(with_each(launches(), [0, 1]), |case| {
+        let (launch, i) = case?;
+        let of = |state: State| image(launch.table, state);
+        let rate = |t: f64| {
+            let here = launch.turning.at(t).map(of);
+            here.map_or(f64::NAN, |(table, state)| acceleration(&table, &state)[i])
+        };
+        let velocity = |state: State| of(state).1.v[i];
+        let unit = launch.table.length() * launch.table.omega;
+        Ok(Pair {
+            at: launch.at(),
+            stated: sum(rate, 0.0, launch.to, 1e-13 * unit),
+            found: velocity(launch.still.on_table(launch.to)?) - velocity(launch.start),
+            scale: unit,
+        })
+    })
 }
 
 /// (86) as an equation for the motion, through several turns of the table.
 fn eq86_turns() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    Trial::by(
+        Integration,
         Within,
-        Compared::one(
+        [
             "the place on the table by (86), through three turns,",
             "that found in the laboratory, as the sum of its components",
-        ),
+        ],
         FOREIGN,
-    );
-    let mut points = Points::here();
-    trial.over(0..20, |_| {
-        let table = any_table(&mut points, 0.3);
+    )
+    .drawn(0..20, |_, points| {
+        let table = any_table(points, 0.3);
         let (r, direction) = (
             table.length() * points.uniform(1.5, 3.0),
             points.uniform(-3.1, 3.1),
@@ -139,12 +129,12 @@ pub(super) fn eq89_rate(v: &View) -> f64 {
 /// (89), likewise.
 pub fn eq89() -> Evidence {
     let trial = Trial::by(
-        Route::Quadrature,
+        Quadrature,
         Within,
-        Compared::one(
+        [
             r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
             r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
-        ),
+        ],
         FRAMES,
     );
     trial.each(stretches(ANY), Stretch::at, |stretch| {
@@ -172,12 +162,12 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
 /// (87): motions on any table are one and the same in these units.
 pub fn eq87() -> Evidence {
     Trial::by(
-        Route::Consistency,
+        Consistency,
         Printed,
-        Compared::one(
+        [
             "(87) of a motion on any table",
             r"the motion for $\Omega=\mu g=1$, component by component",
-        ),
+        ],
         FRAMES,
     )
     .over(with_each(launches(), [0, 1]), |case| {
@@ -195,12 +185,12 @@ pub fn eq87() -> Evidence {
 /// (88), likewise.
 pub fn eq88() -> Evidence {
     let trial = Trial::by(
-        Route::Consistency,
+        Consistency,
         Printed,
-        Compared::one(
+        [
             r"the place at the time (88) for $\Omega=\mu g=1$",
             r"the place at the time $t$ on any table, over $\mu g/\Omega^2$, component by component",
-        ),
+        ],
         FRAMES,
     );
     trial.over(with_each(launches(), [0, 1]), |case| {
@@ -215,4 +205,4 @@ pub fn eq88() -> Evidence {
     })
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![eq86, eq86_turns, eq87, eq88, eq89, mirror];
+attempts![eq86, eq86_turns, eq87, eq88, eq89, mirror];

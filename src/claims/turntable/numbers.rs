@@ -1,10 +1,8 @@
 //! The two numbers of each case by hand. The words are in the claims' entries.
 
+use super::prelude::*;
 use super::projections;
-use crate::motion::{Plane, State, run};
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
-use trialbook::trials::by_hand::Numbers;
+use crate::motion::State;
 
 /// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [

@@ -1,12 +1,9 @@
 //! Trials of where (100) and (101) come from: which rate the two laws of motion are combined with.
 
+use super::prelude::*;
 use super::rates::change;
 use super::singular_starts::first_rate;
-use super::trajectories::{ANY, ELL, P, View, XI};
 use crate::corrections::turntable as corrected;
-use crate::motion::turntable::{State, Table};
-use crate::paper::turntable as printed;
-use trialbook::prelude::*;
 
 /// The rate of u: section 4 has no u, and so no value for it.
 const U_RATE: f64 = f64::NAN;
@@ -28,7 +25,7 @@ const BY_RADIUS_AND_U: &str =
 const BY_RADIUS_AND_P: &str =
     r"$\mathrm d\xi/\mathrm d\tau$ by the law along the radius and $\mathrm dp/\mathrm d\tau$,";
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     tangential = change(
         "the projection of (89) on the velocity,",
         Within,
@@ -47,5 +44,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
     }),
     radial_corrected = change(BY_RADIUS_AND_P, Corrected, ANY, XI, |v| {
         corrected::radial_rate(v.p, v.ell, v.xi)
-    }),
+    })
 ];

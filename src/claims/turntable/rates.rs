@@ -1,13 +1,7 @@
 //! Printed rates, integrated along motions, against what changed.
 
-use super::trajectories::{
-    ALONG, ALPHA, ANY, BETA, Class, ELL, FASTER, MOMENT, P, PSI, Quantity, RHO, SLOWER, Stretch,
-    View, XI, samples, stretches,
-};
-use crate::motion::MotionError;
-use crate::paper::turntable as printed;
-use std::f64::consts::TAU;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{ALONG, ALPHA, BETA, Class, MOMENT, PSI, SLOWER, samples};
 
 /// What the quadratures are asked for.
 const ASKED: f64 = 1e-13;
@@ -82,7 +76,7 @@ fn eq102_sum(v: &View) -> f64 {
     first + 2.0 * second + 4.0 * third
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq90 = change("(90)", Printed, ANY, HALF_P2, |v| {
         printed::eq90_power(v.position, v.rate)
     }),
@@ -135,5 +129,5 @@ pub(super) const TRIALS: &[Attempt] = trials![
     }),
     eq121 = integral("(121)", Within, FASTER, PSI.0, turned, |v| {
         printed::eq121_psi_rate(v.outer().1, v.psi)
-    }),
+    })
 ];

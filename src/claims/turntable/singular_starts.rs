@@ -1,15 +1,8 @@
 //! Where the printed formulas divide by zero and the motion goes on: a particle put down at rest on the table,
 //! and one launched from the axis.
 
-use super::trajectories::{
-    ALONG, ALPHA, BETA, ELL, MOMENT, P, PSI, Quantity, RHO, View, XI, any_table,
-};
-use crate::claims::tolerances::DIFFERENCES;
-use crate::motion::MotionError;
-use crate::motion::turntable::{State, Table, rotating};
-use crate::paper::turntable as printed;
-use std::f64::consts::PI;
-use trialbook::prelude::*;
+use super::prelude::*;
+use super::trajectories::{ALONG, ALPHA, BETA, MOMENT, PSI, any_table};
 
 /// How a motion begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -67,16 +60,15 @@ fn first_moment(
     (name, quantity): Quantity,
     formula: fn(&View) -> f64,
 ) -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    Trial::by(
+        Integration,
         Outside,
         Compared::composed([law, "", ""], ["the rate of ", name, ""]),
         DIFFERENCES,
-    );
-    let mut points = Points::here();
-    trial.over(0..30, |i| {
+    )
+    .drawn(0..30, |i, points| {
         let begin = begins[i % begins.len()];
-        let start = state(begin, &mut points);
+        let start = state(begin, points);
         let (rho, p) = (start.radius(), start.speed());
         let begun = match begin {
             Begin::Held => "held",
@@ -100,19 +92,18 @@ const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
 
 /// (86) at rest, on tables of any Ω, μ, g.
 pub fn eq86() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
+    Trial::by(
+        Integration,
         Outside,
-        Compared::one(
+        [
             "(86) at rest",
             "the acceleration, as the sum of its components",
-        ),
+        ],
         DIFFERENCES,
-    );
-    let mut points = Points::here();
-    trial.over(0..30, |i| {
-        let table = any_table(&mut points, 0.3);
-        let unit = state(AT_REST[i % 2], &mut points);
+    )
+    .drawn(0..30, |i, points| {
+        let table = any_table(points, 0.3);
+        let unit = state(AT_REST[i % 2], points);
         let start = State {
             x: unit.x.map(|x| x * table.length()),
             ..unit
@@ -142,7 +133,7 @@ const COMPONENTS: Quantity = ("the sum of the components of the velocity", |v| {
     v.rate[0] + v.rate[1]
 });
 
-pub(super) const TRIALS: &[Attempt] = trials![
+attempts![
     eq86,
     eq89 = first_moment("(89) at rest, summed as well,", AT_REST, COMPONENTS, |v| {
         let [ax, ay] = printed::eq89_acceleration(v.position, v.rate);
@@ -198,7 +189,7 @@ pub(super) const TRIALS: &[Attempt] = trials![
         HELD,
         P,
         |v| printed::s4_tangential_rate([v.xi, -v.ell], [v.p, 0.0]),
-    ),
+    )
 ];
 
 #[cfg(test)]

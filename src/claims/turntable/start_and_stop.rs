@@ -2,16 +2,11 @@
 //! particle that stops stays.
 
 use super::frames::{eq89_rate, weighed};
-use super::trajectories::{ANY, Stretch, View, stretches};
-use crate::claims::tolerances::{ENDS, FRAMES, MOTION, OF_MANY};
+use super::prelude::*;
 use crate::motion::turntable::ensemble::{End, Horizon};
-use crate::motion::turntable::intrinsic::{Exact, Run};
+use crate::motion::turntable::intrinsic::Exact;
 use crate::motion::turntable::moment::moment;
-use crate::motion::turntable::{Fate, Path, Start, State, Table, fate, inertial, rotating};
-use crate::numerics::quadrature::sum;
-use crate::paper::turntable as printed;
-use std::f64::consts::FRAC_PI_2;
-use trialbook::prelude::*;
+use crate::motion::turntable::{Fate, fate};
 
 /// A motion that starts by itself, from rest on the table beyond ρ = 1.
 #[derive(Debug)]
@@ -70,52 +65,6 @@ static LOOSE: Runs<Vec<Loose>> = Runs::new(|| {
     every((0..30).map(one))
 });
 
-/// (89) from the moment of a start on: friction is overcome, and has its full size at once.
-fn eq89_from_rest() -> Evidence {
-    let trial = Trial::by(
-        Route::Quadrature,
-        Within,
-        Compared::one(
-            r"the integral of (89) over $\tau$ along a motion that starts from rest, in the frame of the table,",
-            r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
-        ),
-        FRAMES,
-    );
-    trial.each(LOOSE.each(), Loose::at, |loose| {
-        Ok([
-            loose.sum(eq89_rate),
-            weighed(loose.still.on_table(loose.to)?.v),
-            1.0,
-        ])
-    })
-}
-
-/// (89) with the direction of the velocity that the components along it keep.
-fn eq89_by_components() -> Evidence {
-    let trial = Trial::by(
-        Route::Quadrature,
-        Within,
-        Compared::one(
-            r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
-            r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector by the one number $x+2y$",
-        ),
-        FRAMES,
-    );
-    trial.each(stretches(ANY), Stretch::at, |stretch| {
-        let [u, v] = stretch.view(0.0)?.rate;
-        let velocity = |tau: f64| -> Result<f64, Failure> {
-            let part = stretch.part(tau)?;
-            let (sine, cosine) = libm::sincos(libm::atan2(v, u) + part.turned);
-            Ok(part.p() * weighed([cosine, sine]))
-        };
-        Ok([
-            stretch.sum(eq89_rate, 1e-13),
-            velocity(stretch.to)? - velocity(stretch.from)?,
-            1.0,
-        ])
-    })
-}
-
 /// Terms of the series of a state at a time.
 const TERMS: usize = 24;
 
@@ -126,7 +75,7 @@ fn from_rest(
     rate: fn(&View) -> f64,
     quantity: fn([f64; 3]) -> f64,
 ) -> Evidence {
-    Trial::by(Route::Quadrature, Within, compared, MOTION).each(LOOSE.each(), Loose::at, |loose| {
+    Trial::by(Quadrature, Within, compared, MOTION).each(LOOSE.each(), Loose::at, |loose| {
         let start = Exact::from(&Start::polar(loose.rho, 0.0, 0.0)?);
         let end = moment::<f64, TERMS>(&start, loose.to)?;
         Ok([
@@ -266,64 +215,7 @@ fn by_each(programs: usize) -> impl Iterator<Item = (usize, Result<&'static Stop
         .flat_map(move |stop| (0..programs).map(move |i| (i, stop.clone())))
 }
 
-/// (104) where a motion has come to rest.
-fn eq104_at_rest() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Printed,
-        Compared::one(
-            "the change of (104) from the start to the place of rest, by four programs,",
-            "0",
-        ),
-        ENDS,
-    )
-    .over(by_each(4), |(i, stop)| {
-        let stop = stop?;
-        Ok(match stop.ends.get(i) {
-            Some((by, _, sigma)) => stop.kept(by, *sigma),
-            None => stop.kept("the state long after the stop", stop.later),
-        })
-    })
-}
-
-fn eq99_until_rest() -> Evidence {
-    Trial::by(
-        Route::Integration,
-        Within,
-        Compared::one(
-            r"the integral of (99) over $\tau$ along a motion until it stops, by three programs,",
-            "$-p$ at the start",
-        ),
-        ENDS,
-    )
-    .over(by_each(3), |(i, stop)| {
-        let stop = stop?;
-        let (by, time, _) = stop.ends[i];
-        stop.slowed(by, time)
-    })
-}
-
 const MANY: &str = "many at once";
-
-/// (99) until motions of which many are followed at once stop.
-fn eq99_of_many() -> Evidence {
-    let trial = Trial::by(
-        Route::Integration,
-        Within,
-        Compared::one(
-            r"the integral of (99) over $\tau$ along a motion until it stops, of many followed at once,",
-            "$-p$ at the start",
-        ),
-        OF_MANY,
-    );
-    trial.over(TO_REST.each(), |stop| {
-        let stop = stop?;
-        let [time, _, error] = stop.of_many;
-        let pair = stop.slowed(MANY, time)?;
-        let scale = pair.scale.max(error / OF_MANY.value);
-        Ok(Pair { scale, ..pair })
-    })
-}
 
 /// How far and how long many at once are followed.
 const HORIZON: Horizon = Horizon { rho: 3.0, tau: 2.0 };
@@ -331,12 +223,12 @@ const HORIZON: Horizon = Horizon { rho: 3.0, tau: 2.0 };
 /// (104) where motions end of which many are followed at once: at rest, at a distance, at a time.
 fn eq104_of_many() -> Evidence {
     let trial = Trial::by(
-        Route::Integration,
+        Integration,
         Printed,
-        Compared::one(
+        [
             r"the change of (104) from the start to rest, to $\rho=3$ or to $\tau=2$, of many followed at once,",
             "0",
-        ),
+        ],
         OF_MANY,
     );
     let resting = TO_REST.each().map(|stop| -> Result<_, Failure> {
@@ -368,9 +260,51 @@ fn eq104_of_many() -> Evidence {
     trial.over(resting.chain(going), |pair: Result<Pair, Failure>| pair)
 }
 
-pub(super) const TRIALS: &[Attempt] = trials![
-    eq89_from_rest,
-    eq89_by_components,
+attempts![
+    // (89) from the moment of a start on: friction is overcome, and has its full size at once.
+    eq89_from_rest = {
+        let trial = Trial::by(
+            Quadrature,
+            Within,
+            [
+                r"the integral of (89) over $\tau$ along a motion that starts from rest, in the frame of the table,",
+                r"$\mathrm d\bm\rho/\mathrm d\tau$ found in the laboratory, each vector by the one number $x+2y$",
+            ],
+            FRAMES,
+        );
+        trial.each(LOOSE.each(), Loose::at, |loose| {
+            Ok([
+                loose.sum(eq89_rate),
+                weighed(loose.still.on_table(loose.to)?.v),
+                1.0,
+            ])
+        })
+    },
+    // (89) with the direction of the velocity that the components along it keep.
+    eq89_by_components = {
+        let trial = Trial::by(
+            Quadrature,
+            Within,
+            [
+                r"the integral of (89) over $\tau$ along the motion found in the frame of the table",
+                r"the change of $\mathrm d\bm\rho/\mathrm d\tau$ by components along the velocity, each vector by the one number $x+2y$",
+            ],
+            FRAMES,
+        );
+        trial.each(stretches(ANY), Stretch::at, |stretch| {
+            let [u, v] = stretch.view(0.0)?.rate;
+            let velocity = |tau: f64| -> Result<f64, Failure> {
+                let part = stretch.part(tau)?;
+                let (sine, cosine) = libm::sincos(libm::atan2(v, u) + part.turned);
+                Ok(part.p() * weighed([cosine, sine]))
+            };
+            Ok([
+                stretch.sum(eq89_rate, 1e-13),
+                velocity(stretch.to)? - velocity(stretch.from)?,
+                1.0,
+            ])
+        })
+    },
     eq91_from_rest = from_rest(
         Compared::one(
             r"the integral of (91) over $\tau$ along a motion that starts from rest, in the frame of the table,",
@@ -387,8 +321,55 @@ pub(super) const TRIALS: &[Attempt] = trials![
         |v| printed::eq92_virial(v.position, v.rate),
         |[p, xi, _]| p * xi,
     ),
-    eq99_until_rest,
-    eq99_of_many,
-    eq104_at_rest,
+    eq99_until_rest = Trial::by(
+        Integration,
+        Within,
+        [
+            r"the integral of (99) over $\tau$ along a motion until it stops, by three programs,",
+            "$-p$ at the start",
+        ],
+        ENDS,
+    )
+    .over(by_each(3), |(i, stop)| {
+        let stop = stop?;
+        let (by, time, _) = stop.ends[i];
+        stop.slowed(by, time)
+    }),
+    // (99) until motions of which many are followed at once stop.
+    eq99_of_many = {
+        let trial = Trial::by(
+            Integration,
+            Within,
+            [
+                r"the integral of (99) over $\tau$ along a motion until it stops, of many followed at once,",
+                "$-p$ at the start",
+            ],
+            OF_MANY,
+        );
+        trial.over(TO_REST.each(), |stop| {
+            let stop = stop?;
+            let [time, _, error] = stop.of_many;
+            let pair = stop.slowed(MANY, time)?;
+            let scale = pair.scale.max(error / OF_MANY.value);
+            Ok(Pair { scale, ..pair })
+        })
+    },
+    // (104) where a motion has come to rest.
+    eq104_at_rest = Trial::by(
+        Integration,
+        Printed,
+        [
+            "the change of (104) from the start to the place of rest, by four programs,",
+            "0",
+        ],
+        ENDS,
+    )
+    .over(by_each(4), |(i, stop)| {
+        let stop = stop?;
+        Ok(match stop.ends.get(i) {
+            Some((by, _, sigma)) => stop.kept(by, *sigma),
+            None => stop.kept("the state long after the stop", stop.later),
+        })
+    }),
     eq104_of_many
 ];

@@ -3,11 +3,7 @@
 //! Each is integrated three times by programs that share no equation: in the frame of the table, in the
 //! laboratory, and by components along the velocity. The printed formulas see only its states.
 
-use crate::motion::MotionError;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Intrinsic, Path, Start, State, Table, inertial, rotating};
-use crate::numerics::quadrature::sum;
-use trialbook::prelude::*;
+use super::prelude::*;
 
 /// The particle's speed relative to the table against that of the table under it, ρ, over a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

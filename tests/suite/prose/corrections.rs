@@ -12,7 +12,7 @@ pub fn time(x: &[Expr]) -> Vec<Expr> {
 /// A law ∝ τ^(n/d) in the time τ − delay ln τ instead of τ, to first order in the delay.
 fn late(law: fn(Expr) -> Expr, [n, d]: [i64; 2], tau: Expr) -> Vec<Expr> {
     let power = Expr::int(n) / Expr::int(d);
-    let late = power * escape::delay() * tau.ln() / tau;
+    let late = power * escape::delay::<Expr>() * tau.ln() / tau;
     vec![law(tau) * (Expr::int(1) - late)]
 }
 

@@ -61,6 +61,13 @@ enum Form {
     Constant,
 }
 
+/// One thing that is stated, and what is found.
+impl From<[&'static str; 2]> for Compared {
+    fn from([stated, found]: [&'static str; 2]) -> Self {
+        Compared::one(stated, found)
+    }
+}
+
 impl Compared {
     /// One thing that is stated, and what is found.
     pub const fn one(stated: &'static str, found: &'static str) -> Self {

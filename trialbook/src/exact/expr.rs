@@ -316,6 +316,28 @@ impl Div for Expr {
     }
 }
 
+/// With a whole number on either side.
+macro_rules! with_whole_numbers {
+    ($($operator:ident $method:ident),*) => {
+        $(
+            impl $operator<i64> for Expr {
+                type Output = Self;
+                fn $method(self, other: i64) -> Self {
+                    self.$method(Expr::int(other))
+                }
+            }
+
+            impl $operator<Expr> for i64 {
+                type Output = Expr;
+                fn $method(self, other: Expr) -> Expr {
+                    Expr::int(self).$method(other)
+                }
+            }
+        )*
+    };
+}
+with_whole_numbers!(Add add, Sub sub, Mul mul, Div div);
+
 impl Neg for Expr {
     type Output = Self;
     fn neg(self) -> Self {

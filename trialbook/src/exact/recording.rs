@@ -420,7 +420,7 @@ pub(super) fn end(title: &str, ring: &Ring, outcome: Outcome) {
     witness::leave(|| {
         let names = names(&parts);
         let needed = needed(ring, generators, &names);
-        let symbols = ring.symbols().filter(|(name, _)| {
+        let symbols = ring.declared().filter(|(name, _)| {
             let itself = ring.free_index(name).is_ok();
             names.contains(*name) && !itself
         });
@@ -564,7 +564,7 @@ pub(super) fn made_of(ring: &Ring, mut these: BTreeSet<usize>) -> BTreeSet<usize
 /// angle, and of a hyperbolic argument, too.
 fn needed(ring: &Ring, mut needed: BTreeSet<usize>, names: &BTreeSet<String>) -> BTreeSet<usize> {
     needed.insert(PI);
-    let named = ring.symbols().filter(|(name, _)| names.contains(*name));
+    let named = ring.declared().filter(|(name, _)| names.contains(*name));
     needed.extend(named.flat_map(|(_, x)| x.generators()));
     let mut needed = made_of(ring, needed);
     let angles = ring.angles.iter().map(|all| all.as_slice());

@@ -124,6 +124,11 @@ impl Ring {
         symbol
     }
 
+    /// The same for several.
+    pub fn symbols<const N: usize>(&mut self, names: [&'static str; N]) -> [Rational; N] {
+        names.map(|name| self.symbol(name))
+    }
+
     /// Lets a name stand for an element.
     ///
     /// # Errors
@@ -409,7 +414,7 @@ impl Ring {
     }
 
     /// All names, with what they stand for.
-    pub(super) fn symbols(&self) -> impl Iterator<Item = (&'static str, &Rational)> {
+    pub(super) fn declared(&self) -> impl Iterator<Item = (&'static str, &Rational)> {
         self.symbols.iter().map(|(name, x)| (*name, x))
     }
 

@@ -1,7 +1,7 @@
 //! A paper made up for the tests: what each claim comes to can be told by counting.
 
 use super::Ledger;
-use crate::evidence::{Compared, Evidence, Route, Subject};
+use crate::evidence::{Evidence, Route, Subject};
 use crate::trials::attempt::Attempt;
 use crate::trials::compare::{Pair, Trial};
 use crate::trials::read::claims;
@@ -10,7 +10,7 @@ use crate::trials::{Paper, Topic};
 
 /// Twenty points, at so many of which what is stated is off by 1; the last agree but for a rounding.
 pub(crate) fn tried(route: Route, subject: Subject, failed: u8) -> Evidence {
-    let trial = Trial::by(route, subject, Compared::one("$a$", "$b$"), MOTION);
+    let trial = Trial::by(route, subject, ["$a$", "$b$"], MOTION);
     trial.over(0..20, |n| {
         Ok(Pair {
             at: format!("n = {n}"),

@@ -1,5 +1,6 @@
 //! How a trial compares: stated value against found value, over many points, into one [`Evidence`].
 
+use super::points::Points;
 pub use super::runs::Failure;
 use super::runs::parts;
 use super::tolerances;
@@ -72,36 +73,36 @@ pub struct Trial {
 
 impl Trial {
     /// A formula or statement against the integrated motion.
-    pub const fn motion(subject: Subject, compared: Compared) -> Self {
+    pub fn motion(subject: Subject, compared: impl Into<Compared>) -> Self {
         Self::by(Route::Integration, subject, compared, tolerances::MOTION)
     }
 
     /// A formula against a quadrature.
-    pub const fn quadrature(subject: Subject, compared: Compared) -> Self {
+    pub fn quadrature(subject: Subject, compared: impl Into<Compared>) -> Self {
         Self::by(Route::Quadrature, subject, compared, tolerances::QUADRATURE)
     }
 
     /// Something that is so or not, or is counted, case by case.
-    pub const fn census(subject: Subject, compared: Compared) -> Self {
+    pub fn census(subject: Subject, compared: impl Into<Compared>) -> Self {
         Self::by(Route::Census, subject, compared, tolerances::NONE)
     }
 
     /// Two ways to the same, of which each may have the motion in it.
-    pub const fn consistency(subject: Subject, compared: Compared) -> Self {
+    pub fn consistency(subject: Subject, compared: impl Into<Compared>) -> Self {
         Self::by(Route::Consistency, subject, compared, tolerances::MOTION)
     }
 
     /// By any route, to any tolerance.
-    pub const fn by(
+    pub fn by(
         route: Route,
         subject: Subject,
-        compared: Compared,
+        compared: impl Into<Compared>,
         tolerance: Tolerance,
     ) -> Self {
         Trial {
             route,
             subject,
-            compared,
+            compared: compared.into(),
             tolerance,
         }
     }
@@ -114,6 +115,16 @@ impl Trial {
     ) -> Evidence {
         let mut points = points.into_iter();
         self.gather(&mut || points.next().map(&mut pair))
+    }
+
+    /// The same for cases of which each draws what else it needs, from one stream for all.
+    pub fn drawn<P>(
+        &self,
+        cases: impl IntoIterator<Item = P>,
+        mut pair: impl FnMut(P, &mut Points) -> Result<Pair, Failure>,
+    ) -> Evidence {
+        let mut points = Points::here();
+        self.over(cases, |case| pair(case, &mut points))
     }
 
     /// The same for runs and their like, of which `at` tells the point, and `values` what is stated, what is found and the scale.

@@ -2,9 +2,8 @@
 
 use super::compare::{Compared, Pair, Trial};
 use super::points::Points;
-use super::tolerances::NONE;
 use crate::certified::interval::Interval;
-use crate::evidence::{Evidence, Route, Subject};
+use crate::evidence::{Evidence, Subject};
 
 /// Points of the domain, and as many more near what is excepted, that are looked at.
 const POINTS: usize = 40;
@@ -91,7 +90,7 @@ fn whether<const N: usize>(
     coordinates: [(&str, [f64; 2]); N],
     points: impl IntoIterator<Item = ([f64; N], bool, bool)>,
 ) -> Evidence {
-    let trial = Trial::by(Route::Census, Subject::Excepted, compared, NONE);
+    let trial = Trial::census(Subject::Excepted, compared);
     trial.over(points, |(point, is_so, expected)| {
         let named = coordinates.iter().zip(point);
         let at: Vec<_> = named

@@ -43,6 +43,17 @@ impl<F> Statement<F> {
         }
     }
 
+    /// A statement in which no two sides are compared, by what it says, written where this is called.
+    #[track_caller]
+    pub const fn shown(
+        subject: Subject,
+        clause: &'static str,
+        formulas: fn() -> F,
+        prove: fn(F) -> Proof,
+    ) -> Self {
+        Self::new(subject, Compared::shown(clause), formulas, prove)
+    }
+
     /// The same for a claim of which it says this.
     pub const fn about(self, subject: Subject) -> Self {
         Self { subject, ..self }

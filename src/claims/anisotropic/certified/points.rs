@@ -2,33 +2,16 @@
 
 use super::super::exact;
 use super::{Two, on_a, prove_b, q_y};
-use crate::claims::tolerances::NONE;
-use crate::paper::anisotropic as printed;
+use crate::claims::anisotropic::prelude::*;
 use crate::validated::drive::arc;
 use crate::validated::numbers::{LAMBDA_Y, Q_Y};
-use trialbook::certified::error::CertifiedError;
 use trialbook::certified::interval::{Interval, PI};
 use trialbook::certified::krawczyk;
 use trialbook::certified::written::agree;
-use trialbook::prelude::*;
 use trialbook::trials::enclosed::{DIGITS, certified, numbers, on_balls};
 
 /// The two sides of an equation of λ₀ and qλ₀, or of K and λ₀.
 type Sides = fn(Two, Two) -> [Two; 2];
-
-/// X: (53) and (54) have one common root near (57).
-fn x_unique() -> Evidence {
-    let compared = Compared::one(
-        "(57)",
-        r"the only common root of (53) and (54) in $0.97\le q\le1.03$, $0.525\le\lambda_0\le0.55$, which is enclosed to $10^{-14}$ and has a positive $\lambda_0$",
-    );
-    let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
-    let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
-    for (stated, name) in printed::eq57_x::<Expr>().into_iter().zip(["q", "λ₀"]) {
-        agree(stated, Expr::symbol(name));
-    }
-    certified(proof, Printed, compared)
-}
 
 /// That the stated point may be the root, which is known to 1e-14.
 fn prove_stated(root: [Interval; 2], stated: [Interval; 2]) -> Result<usize, CertifiedError> {
@@ -65,32 +48,7 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
 
 /// q of Y by the length x of its forward motion.
 fn length_to_q() -> Expr {
-    (Expr::int(1) + Expr::symbol("x").squared()).sqrt()
-}
-
-/// The decimals of (58), to the last one.
-fn y_rounding() -> Evidence {
-    let trial = Trial::by(
-        Route::Certified,
-        Printed,
-        Compared::one("(58)", "the enclosure of Y, rounded to three decimals"),
-        NONE,
-    );
-    let points = [("q of Y", Q_Y), ("λ₀ of Y", LAMBDA_Y)]
-        .into_iter()
-        .zip(printed::eq58_y());
-    let rounded = trial.over(points, |((name, value), stated)| {
-        Ok(Pair::plain(
-            format!("{name}, rounded"),
-            stated,
-            value.decimal(3)?.parse()?,
-        ))
-    });
-    let q = length_to_q();
-    let [stated_q, stated_lambda0] = printed::eq58_y();
-    agree(stated_q, q);
-    agree(stated_lambda0, Expr::int(1) / q);
-    rounded
+    (1 + symbol("x").squared()).sqrt()
 }
 
 /// (54) and (55) at Y.
@@ -102,12 +60,12 @@ pub fn y_digits() -> Evidence {
     let evidence = numbers([("q of Y", Q_Y)], Printed, compared, |bits| {
         let spare = bits + 32;
         let y = where_defined(Q_Y.ball(DIGITS + 8));
-        let q = Expr::symbol("q");
-        let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), Expr::int(1));
+        let q = symbol("q");
+        let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), int(1));
         [on_balls(q + left - right, spare, &|_| y.clone()).map(|ball| ball.with_bits(bits))]
     });
     let q = length_to_q();
-    let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), Expr::int(1));
+    let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), int(1));
     agree(left, right);
     evidence
 }
@@ -129,7 +87,7 @@ fn sign_of(velocity: Interval) -> f64 {
 
 /// A point of the printed region II where the drive never pulls the particle back.
 fn no_way_back() -> Evidence {
-    let trial = Trial::by(Route::Certified, Printed, Compared::one(
+    let trial = Trial::by(Certified, Printed, Compared::one(
         r"the sign of $\mathfrak w$ at the last moment at which the drive could pull backward, $-1$ in the printed region II, whose forward motion is over by then,",
         "the sign that the arc of Newton's law has there",
     )
@@ -151,8 +109,47 @@ fn no_way_back() -> Evidence {
     })
 }
 
-pub(in crate::claims) const TRIALS: &[Attempt] =
-    trials![x_unique, y_rounding, no_way_back, y_digits];
+attempts![
+    // X: (53) and (54) have one common root near (57).
+    x_unique = {
+        let compared = Compared::one(
+            "(57)",
+            r"the only common root of (53) and (54) in $0.97\le q\le1.03$, $0.525\le\lambda_0\le0.55$, which is enclosed to $10^{-14}$ and has a positive $\lambda_0$",
+        );
+        let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
+        let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
+        for (stated, name) in printed::eq57_x::<Expr>().into_iter().zip(["q", "λ₀"]) {
+            agree(stated, symbol(name));
+        }
+        certified(proof, Printed, compared)
+    },
+    // The decimals of (58), to the last one.
+    y_rounding = {
+        let trial = Trial::by(
+            Certified,
+            Printed,
+            ["(58)", "the enclosure of Y, rounded to three decimals"],
+            NONE,
+        );
+        let points = [("q of Y", Q_Y), ("λ₀ of Y", LAMBDA_Y)]
+            .into_iter()
+            .zip(printed::eq58_y());
+        let rounded = trial.over(points, |((name, value), stated)| {
+            Ok(Pair::plain(
+                format!("{name}, rounded"),
+                stated,
+                value.decimal(3)?.parse()?,
+            ))
+        });
+        let q = length_to_q();
+        let [stated_q, stated_lambda0] = printed::eq58_y();
+        agree(stated_q, q);
+        agree(stated_lambda0, 1 / q);
+        rounded
+    },
+    no_way_back,
+    y_digits
+];
 
 #[cfg(test)]
 mod tests {

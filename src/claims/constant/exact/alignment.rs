@@ -2,21 +2,18 @@
 
 use super::cases::late_speed;
 use super::{DEFINED, EQ6, EQ7, Regime, prove};
-use crate::corrections::constant as corrected;
+use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
-use trialbook::prelude::*;
 
 /// The pull less the greatest friction is A times the difference of the sides.
-pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
+pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::shown(
     Within,
-    Compared::shown(
-        r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",
-    ),
+    r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",
     paper::s21_cannot_hold_sides::tree,
     |[left, right]| {
         prove("Friction cannot hold", Regime::AnyAngle, |p, _| {
             given(p, &[&DEFINED, &EQ6])?;
-            let [a, lambda] = Expr::symbols(["A", "λ"]);
+            let [a, lambda] = symbols(["A", "λ"]);
             p.note("μg by (5)", "λA");
             let lack = p.read("The pull less the greatest friction", a - lambda * a)?;
             p.reads_as(
@@ -24,21 +21,16 @@ pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::new(
                 "A times the right side less the left one",
                 a * (right - left),
             )?;
-            let begins = p.read(
-                "(6) at θ = 0",
-                paper::eq6_vx_rate::tree().with("θ", Expr::int(0)),
-            )?;
+            let begins = p.read("(6) at θ = 0", paper::eq6_vx_rate::tree().with("θ", int(0)))?;
             p.equal("The rate from rest is that too", &begins, &lack)
         })
     },
 );
 
 /// λ ≤ 1: v_x grows for ever, or, at λ = 1, the angle falls below every other.
-pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::new(
+pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::shown(
     Within,
-    Compared::shown(
-        r"for every $\lambda<1$ and every start $v_x$ grows by $A(1-\lambda)$ in each unit of time at least and $v_y^2$ never grows, so that $\tan\theta=v_y/v_x\to0$; for $\lambda=1$ and $\theta_0\neq\pi$ the time at which the velocity has the angle $\theta$ is finite for every $\theta$ between $\theta_0$ and 0, and beyond all bounds as $\theta\to0$",
-    ),
+    r"for every $\lambda<1$ and every start $v_x$ grows by $A(1-\lambda)$ in each unit of time at least and $v_y^2$ never grows, so that $\tan\theta=v_y/v_x\to0$; for $\lambda=1$ and $\theta_0\neq\pi$ the time at which the velocity has the angle $\theta$ is finite for every $\theta$ between $\theta_0$ and 0, and beyond all bounds as $\theta\to0$",
     || {
         let sides = paper::s21_keeps_moving_sides::tree();
         (sides, paper::s21_late_angle())
@@ -50,9 +42,9 @@ fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
     prove("The velocity aligns", Regime::AnyAngle, |p, newton| {
         given(p, &[&EQ6, &EQ7])?;
         p.rests_on(&at_the_border())?;
-        let [a, lambda, v, theta] = Expr::symbols(["A", "λ", "v", "θ"]);
+        let [a, lambda, v, theta] = symbols(["A", "λ", "v", "θ"]);
         let [vx, vy] = [v * theta.cos(), v * theta.sin()];
-        let terms = a * (right - left) + a * lambda * (Expr::int(1) - theta.cos());
+        let terms = a * (right - left) + a * lambda * (1 - theta.cos());
         p.identity(
             ("(6)", paper::eq6_vx_rate::tree()),
             (
@@ -63,12 +55,8 @@ fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
         p.note("So, for λ < 1", "v_x grows beyond all bounds");
         let square = p.read("The square of v_y", vy.squared())?;
         let fall = p.derivative("Its rate", &square, &newton.motion)?;
-        p.reads_as(
-            &fall,
-            "by (7)",
-            Expr::int(2) * vy * paper::eq7_vy_rate::tree(),
-        )?;
-        let lost = Expr::int(2) * a * lambda * v * theta.sin().squared();
+        p.reads_as(&fall, "by (7)", 2 * vy * paper::eq7_vy_rate::tree())?;
+        let lost = 2 * a * lambda * v * theta.sin().squared();
         let lost = p.read("2Aλ v sin²θ, which is not negative", lost)?;
         p.equal("The rate is less than 0 by that", &-&fall, &lost)?;
         p.identity(("tan θ", theta.tan()), ("", vy / vx))?;
@@ -82,7 +70,7 @@ fn at_the_border() -> Proof {
         p.shows("For λ = 1 and 0 < θ₀ < π the angle θ of the velocity with the x axis falls all the time, to 0 as t → ∞.");
         late_speed(p, newton)?;
         p.note("For every θ between θ₀ and 0", "that time has a value");
-        let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
+        let [a, v, theta] = symbols(["A", "v", "θ"]);
         let falls = p.read("A sin θ/v, which is positive", a * theta.sin() / v)?;
         p.equal("dθ/dt is less than 0 by that", &-&newton.angle_rate, &falls)?;
         p.remark("So θ falls all the time, and below every positive angle");
@@ -91,11 +79,9 @@ fn at_the_border() -> Proof {
 }
 
 /// In the end the particle slides against the plane's acceleration.
-pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
+pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::shown(
     Corrected,
-    Compared::shown(
-        r"for every $\lambda\le1$, but for $\lambda=1$ with $\theta_0=\pi$: by (3) the cosine of the angle between $\bm v$ and $\bm A$ is $-\cos\theta$, and $\theta\to0$ is proved",
-    ),
+    r"for every $\lambda\le1$, but for $\lambda=1$ with $\theta_0=\pi$: by (3) the cosine of the angle between $\bm v$ and $\bm A$ is $-\cos\theta$, and $\theta\to0$ is proved",
     || {
         let drive = paper::eq3_acceleration::tree();
         (corrected::late_sense(), drive)
@@ -106,14 +92,14 @@ pub const AGAINST: Statement<(Expr, [Expr; 2])> = Statement::new(
 fn against((sense, [ax, ay]): (Expr, [Expr; 2])) -> Proof {
     prove("Which way it slides", Regime::AnyAngle, |p, _| {
         given(p, &[&ALIGNS])?;
-        let [a, v, theta] = Expr::symbols(["A", "v", "θ"]);
+        let [a, v, theta] = symbols(["A", "v", "θ"]);
         let product = v * theta.cos() * ax + v * theta.sin() * ay;
         p.identity(
             ("The cosine of the angle between the two", product / (v * a)),
             ("", -theta.cos()),
         )?;
         p.identity(
-            ("It at θ = 0", (product / (v * a)).with("θ", Expr::int(0))),
+            ("It at θ = 0", (product / (v * a)).with("θ", int(0))),
             ("the stated sense", sense),
         )
     })

@@ -2,11 +2,11 @@
 
 use super::sliding::constant_of_motion;
 use super::{EQ11, EQ13, EQ14, Newton, Regime, at_start, by_newton, prove};
+use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
-use trialbook::prelude::*;
 
 pub(super) fn eq15() -> Expr {
-    let [a, v0x, t] = Expr::symbols(["A", "v₀x", "t"]);
+    let [a, v0x, t] = symbols(["A", "v₀x", "t"]);
     paper::eq15_vx(a, v0x, t)
 }
 
@@ -16,7 +16,7 @@ fn component(
     newton: &Newton,
     [component, printed]: [Expr; 2],
 ) -> Result<(), Obstacle> {
-    let start = at_start(component).with("v", Expr::symbol("v₀"));
+    let start = at_start(component).with("v", symbol("v₀"));
     let component = p.read("The component", component)?;
     let expected = p.derivative("Its rate by (1)", &component, &newton.motion)?;
     let value = p.read("As printed", printed)?;
@@ -31,14 +31,14 @@ fn component(
 
 pub const EQ15: Statement = by_newton(Printed, eq15, |printed| {
     prove("(15): v_x without friction", Regime::Zero, |p, newton| {
-        let [v, theta] = Expr::symbols(["v", "θ"]);
+        let [v, theta] = symbols(["v", "θ"]);
         component(p, newton, [v * theta.cos(), printed])
     })
 });
 
 pub const EQ16: Statement = by_newton(Printed, paper::eq16_vy::tree, |printed| {
     prove("(16): v_y without friction", Regime::Zero, |p, newton| {
-        let [v, theta] = Expr::symbols(["v", "θ"]);
+        let [v, theta] = symbols(["v", "θ"]);
         component(p, newton, [v * theta.sin(), printed])
     })
 });
@@ -53,16 +53,14 @@ pub const EQ17: Statement = by_newton(Printed, paper::eq17_invariant::tree, |pri
 
 /// λ = 1: the speed, after a proof that θ reaches 0 at no finite time.
 pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Obstacle> {
-    let [v0, theta0, theta, a] = Expr::symbols(["v₀", "θ₀", "θ", "A"]);
+    let [v0, theta0, theta, a] = symbols(["v₀", "θ₀", "θ", "A"]);
     given(p, &[&EQ11])?;
     let speed = paper::eq11_speed::tree();
     let read = p.read("The speed by (11)", speed)?;
-    let two = Expr::int(2);
-    let (half, half0) = (theta / two, theta0 / two);
+    let (half, half0) = (theta / 2, theta0 / 2);
     let r = half.tan() / half0.tan();
-    let time = v0 / a
-        * (half0.sin().squared() * (Expr::int(1) - r.squared()) / two
-            - half0.cos().squared() * r.ln());
+    let time =
+        v0 / a * (half0.sin().squared() * (1 - r.squared()) / 2 - half0.cos().squared() * r.ln());
     let time = p.read("The time at angle θ is", time)?;
     let rate = p.slope("Its derivative", &time, "θ")?;
     p.equal("That is dt/dθ by (1)", &rate, &newton.time_rate(&read)?)?;
@@ -86,19 +84,19 @@ fn late_component(title: &str, name: &str, direction: Expr, printed: Expr) -> Pr
 
 pub const EQ18: Statement = by_newton(Printed, paper::eq18_vx_limit::tree, |printed| {
     let title = "(18): v_x at large times, λ = 1";
-    late_component(title, "v_x", Expr::symbol("θ").cos(), printed)
+    late_component(title, "v_x", symbol("θ").cos(), printed)
 });
 
 pub const EQ19: Statement = by_newton(Printed, paper::eq19_vy_limit::tree, |printed| {
     let title = "(19): v_y at large times, λ = 1";
-    late_component(title, "v_y", Expr::symbol("θ").sin(), printed)
+    late_component(title, "v_y", symbol("θ").sin(), printed)
 });
 
 /// v is a quotient by (14): what is above falls, to 0 at T, and what is below is positive.
 pub const EQ20: Statement = by_newton(Printed, paper::eq20_stop_time::tree, |printed| {
     prove("(20): where (14) is 0", Regime::BeyondOne, |p, _| {
         given(p, &[&EQ14])?;
-        let [lambda, theta] = Expr::symbols(["λ", "θ"]);
+        let [lambda, theta] = symbols(["λ", "θ"]);
         let below = p.read("λ + cos θ", lambda + theta.cos())?;
         p.positive("Below the line in (14)", &below)?;
         let speed = p.read("(14)", paper::eq14_speed_at_time::tree())?;

@@ -1,15 +1,13 @@
 //! An inclined plane at rest has the law of a drive that is constant, and none that of a drive that changes with time.
 
+use crate::claims::constant::prelude::*;
 use crate::claims::general::two_frames::{self, eq1};
 use crate::paper::constant as paper;
-use trialbook::prelude::*;
 
 /// Weight, normal force and friction in space give (1) with (3).
-pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
+pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
-    ),
+    r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
     || (eq1(), paper::eq3_acceleration::tree()),
     on_an_incline,
 );
@@ -22,8 +20,8 @@ fn on_an_incline((law, drive): ([Expr; 2], [Expr; 2])) -> Proof {
         Ok(ring)
     };
     Proof::in_ring(title, ring(), |p| {
-        let [mu, g, vx, vy, beta] = Expr::symbols(["μ", "g", "v_x", "v_y", "β"]);
-        let [zero, one] = [0, 1].map(Expr::int);
+        let [mu, g, vx, vy, beta] = symbols(["μ", "g", "v_x", "v_y", "β"]);
+        let [zero, one] = [0, 1].map(int);
         let (sine, cosine) = (beta.sin(), beta.cos());
         let (down, across, normal) = (
             [cosine, zero, -sine],
@@ -72,25 +70,21 @@ fn on_an_incline((law, drive): ([Expr; 2], [Expr; 2])) -> Proof {
 }
 
 /// The rates at a velocity and at the opposite one add up to twice the pull.
-pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::new(
+pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: at a time at which $-\bm A$ is not that pull a motion that passes with the velocity $\bm v$, or one with $-\bm v$, is none on the inclined plane",
-    ),
+    r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: at a time at which $-\bm A$ is not that pull a motion that passes with the velocity $\bm v$, or one with $-\bm v$, is none on the inclined plane",
     eq1,
     |law| {
         let title = "No incline has a drive that changes";
         let ring = || -> Result<Ring, ExactError> {
             let mut ring = two_frames::ring()?;
-            for name in ["P_x", "P_y", "k"] {
-                ring.symbol(name);
-            }
+            ring.symbols(["P_x", "P_y", "k"]);
             Ok(ring)
         };
         Proof::in_ring(title, ring(), |p| {
-            let [ax, ay, vx, vy] = Expr::symbols(["A_x", "A_y", "v_x", "v_y"]);
-            let [px, py, k] = Expr::symbols(["P_x", "P_y", "k"]);
-            let (two, speed) = (Expr::int(2), (vx.squared() + vy.squared()).sqrt());
+            let [ax, ay, vx, vy] = symbols(["A_x", "A_y", "v_x", "v_y"]);
+            let [px, py, k] = symbols(["P_x", "P_y", "k"]);
+            let (two, speed) = (int(2), (vx.squared() + vy.squared()).sqrt());
             p.note(
             "On an inclined plane",
             "weight gives the pull P along the slope, friction k against the velocity, both constant",

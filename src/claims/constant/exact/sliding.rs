@@ -1,8 +1,8 @@
 //! Any friction: (6) to (14).
 
 use super::{Newton, Regime, at_start, by_newton, prove};
+use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
-use trialbook::prelude::*;
 
 /// The rate of a component of the velocity.
 fn component_rate(title: &str, says: &str, component: Expr, printed: Expr) -> Proof {
@@ -15,7 +15,7 @@ fn component_rate(title: &str, says: &str, component: Expr, printed: Expr) -> Pr
 }
 
 pub const EQ6: Statement = by_newton(Printed, paper::eq6_vx_rate::tree, |printed| {
-    let along = Expr::symbol("v") * Expr::symbol("θ").cos();
+    let along = symbol("v") * symbol("θ").cos();
     component_rate(
         "(6): d(v cos θ)/dt",
         "The component along x",
@@ -25,7 +25,7 @@ pub const EQ6: Statement = by_newton(Printed, paper::eq6_vx_rate::tree, |printed
 });
 
 pub const EQ7: Statement = by_newton(Printed, paper::eq7_vy_rate::tree, |printed| {
-    let across = Expr::symbol("v") * Expr::symbol("θ").sin();
+    let across = symbol("v") * symbol("θ").sin();
     component_rate(
         "(7): d(v sin θ)/dt",
         "The component along y",
@@ -39,7 +39,7 @@ pub const EQ8: Statement = by_newton(Printed, paper::eq8_hodograph_slope::tree, 
         "(8): d(v sin θ)/d(v cos θ)",
         Regime::AnyAngle,
         |p, newton| {
-            let [v, theta] = Expr::symbols(["v", "θ"]);
+            let [v, theta] = symbols(["v", "θ"]);
             let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
             let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
             let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
@@ -107,7 +107,7 @@ pub const EQ11: Statement = by_newton(Within, paper::eq11_speed::tree, |printed|
 });
 
 pub(super) fn eq12() -> Expr {
-    let [lambda, v0, theta0, theta, d_power] = Expr::symbols(["λ", "v₀", "θ₀", "θ", "D"]);
+    let [lambda, v0, theta0, theta, d_power] = symbols(["λ", "v₀", "θ₀", "θ", "D"]);
     paper::eq12_time_rate(lambda, v0, theta0, theta, d_power)
 }
 
@@ -115,9 +115,7 @@ pub const EQ12: Statement = by_newton(Within, eq12, |printed| {
     let title = "(12): A dt/dθ";
     let with_power = || {
         let mut newton = Newton::new(Regime::Any(1))?;
-        let power = (Expr::symbol("θ") / Expr::int(2))
-            .tan()
-            .pow(Expr::symbol("λ"));
+        let power = (symbol("θ") / 2).tan().pow(symbol("λ"));
         let power = newton.ring.read(power)?;
         let slope = newton.ring.derivative(&power, &newton.ring.by("θ")?)?;
         newton.ring.define("D", slope)?;
@@ -132,7 +130,7 @@ pub const EQ12: Statement = by_newton(Within, eq12, |printed| {
         let speed = p.read("The speed", paper::eq11_speed::tree())?;
         let rate = newton.time_rate(&speed)? * p.ring().named("A")?;
         p.note("A dt/dθ by (1), with that speed", p.ring().text(&rate));
-        p.read("D, the derivative of tan(θ/2)^λ", Expr::symbol("D"))?;
+        p.read("D, the derivative of tan(θ/2)^λ", symbol("D"))?;
         let printed = p.read("The printed rate", printed)?;
         p.equal("The rate by (1) is the printed one", &rate, &printed)
     })
@@ -155,7 +153,7 @@ pub const EQ13: Statement = by_newton(Within, paper::eq13_time::tree, |printed| 
 pub const EQ14: Statement = by_newton(Within, paper::eq14_speed_at_time::tree, |printed| {
     let title = "(14): the speed at angle θ and time t";
     prove(title, Regime::AnyAngle, |p, newton| {
-        let [v, v0, lambda, theta] = Expr::symbols(["v", "v₀", "λ", "θ"]);
+        let [v, v0, lambda, theta] = symbols(["v", "v₀", "λ", "θ"]);
         let weight = lambda + theta.cos();
         let sum = p.read("λv + v_x", v * weight)?;
         let rate = p.derivative("Its rate by (1)", &sum, &newton.motion)?;

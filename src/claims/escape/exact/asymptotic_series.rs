@@ -4,12 +4,7 @@
 //! coefficients of xᵏ are polynomials in L of degree k. The first order fixes q₀, u₀, d₀; a shift of τ leaves one constant
 //! of the second order free, b.
 
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::escape as corrected;
-use crate::exact::Series;
-use crate::paper::turntable as motion;
-use trialbook::prelude::*;
-use trialbook::trials::runs::Derived;
+use crate::claims::escape::prelude::*;
 
 /// The laws are stated to the first order in x, logarithms being counted as numbers; two more follow.
 const ORDER: i64 = 3;
@@ -57,13 +52,13 @@ pub fn ring() -> Result<Ring, ExactError> {
 
 /// dρ/dτ, du/dτ and dδ/dτ in terms of ρ, u and δ.
 fn rates() -> [Expr; 3] {
-    let [rho, u, delta] = Expr::symbols(["ρ", "u", "δ"]);
-    let half = (delta / Expr::int(2)).sin();
+    let [rho, u, delta] = symbols(["ρ", "u", "δ"]);
+    let half = (delta / 2).sin();
     let p = rho - u;
     [
         p * delta.sin(),
-        Expr::int(1) - u * delta.sin(),
-        u.squared() / (rho * p) * delta.cos() - Expr::int(4) * half.squared(),
+        1 - u * delta.sin(),
+        u.squared() / (rho * p) * delta.cos() - 4 * half.squared(),
     ]
 }
 
@@ -73,8 +68,8 @@ fn rewritten(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         p,
         &[&turntable::EQ107, &turntable::EQ108, &turntable::EQ109],
     )?;
-    let [rho, u, delta] = Expr::symbols(["ρ", "u", "δ"]);
-    let psi = Expr::pi() / Expr::int(2) - delta;
+    let [rho, u, delta] = symbols(["ρ", "u", "δ"]);
+    let psi = pi() / 2 - delta;
     let outwards = motion::eq108_rho_rate(rho - u, psi);
     let printed = [
         outwards,
@@ -325,7 +320,7 @@ mod tests {
     fn what_is_to_be_found_is_a_sum_of_powers_of_the_logarithm() {
         let ring = ring().unwrap();
         let found = polynomial(&ring, &["x₁", "x₂", "x₀"]).unwrap();
-        let [x0, x1, x2, log] = Expr::symbols(["x₀", "x₁", "x₂", "L"]);
+        let [x0, x1, x2, log] = symbols(["x₀", "x₁", "x₂", "L"]);
         let expected = ring.read(x0 + x2 * log + x1 * log * log).unwrap();
         assert!(ring.is_zero(&(found - expected)).unwrap());
     }

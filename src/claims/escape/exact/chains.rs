@@ -1,10 +1,9 @@
 //! Theorems about every motion that begins with p < ρ and A > 1, or near α = 0: each link is an identity of the ring, and a
 //! term that has a sign.
 
+use crate::claims::escape::prelude::*;
 use crate::claims::rest::exact::eq139;
 use crate::claims::turntable::exact::{self as turntable, Setting};
-use crate::paper::{escape as printed, turntable as motion};
-use trialbook::prelude::*;
 
 /// What the theorems on escape say of a bound, by the printed law of motion.
 #[derive(Debug, Clone, Copy)]
@@ -29,42 +28,24 @@ impl Beyond {
 }
 
 /// (127), and what follows from it in words.
-pub const ESCAPES: Statement<Beyond> = Statement::new(
+pub const ESCAPES: Statement<Beyond> = Statement::shown(
     Within,
-    Compared::shown(
-        r"from every start with $p<\rho$ and $A$ above the bound $A$ grows without end, and the speed vanishes only if $\psi\to\pi$; for every $A$ below the bound the particle comes to rest if $\alpha$ is small enough",
-    ),
+    r"from every start with $p<\rho$ and $A$ above the bound $A$ grows without end, and the speed vanishes only if $\psi\to\pi$; for every $A$ below the bound the particle comes to rest if $\alpha$ is small enough",
     Beyond::printed,
     escapes,
 );
 
 /// α grows too.
-pub const ALPHA_GROWS: Statement<Beyond> = Statement::new(
+pub const ALPHA_GROWS: Statement<Beyond> = Statement::shown(
     Printed,
-    Compared::shown(
-        r"from every start with $p<\rho$ and $A>1$, also one that comes straight in, $\xi=\rho\cos\psi$ grows without end, so that $p/\tau\to\infty$ while $\rho-p$ grows at most as $\tau$, and $\mathrm e^{-2\alpha}=\frac{\rho-p}{\rho+p}\to0$",
-    ),
+    r"from every start with $p<\rho$ and $A>1$, also one that comes straight in, $\xi=\rho\cos\psi$ grows without end, so that $p/\tau\to\infty$ while $\rho-p$ grows at most as $\tau$, and $\mathrm e^{-2\alpha}=\frac{\rho-p}{\rho+p}\to0$",
     Beyond::printed,
     alpha_grows,
 );
 
-/// ψ relaxes near α = 0.
-const RELAXES: Statement = Statement::new(
-    Within,
-    Compared::shown(
-        r"for every $A>0$ at the start, $\lvert\psi\rvert<\pi$ and $\varepsilon>0$, however small: if $\alpha$ is small enough at the start, then within a time below $\varepsilon$ the angle $\psi$ comes closer than $\varepsilon$ to 0 and so to $\psi_1$, stays there while $\alpha$ is small, and $\mathrm d\alpha/\mathrm d\tau$ is then as close to (126)",
-    ),
-    printed::eq126_alpha_rate::tree,
-    relaxes,
-);
-
-fn int(n: i64) -> Expr {
-    Expr::int(n)
-}
-
 /// (89) for the velocity p (cos χ, sin χ).
 pub fn acceleration() -> [Expr; 2] {
-    let [x, y, p, chi] = Expr::symbols(["x", "y", "p", "χ"]);
+    let [x, y, p, chi] = symbols(["x", "y", "p", "χ"]);
     motion::eq89_acceleration([x, y], [p * chi.cos(), p * chi.sin()])
 }
 
@@ -94,21 +75,21 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
                 "Let ρ stay bounded",
                 "ρ² − p² is bounded too, and grows by (103) at the rate 2p: so it converges, and with it the length of the path, and the place. As ρ converges, so does p, to 0",
             );
-            let [x, y, speed, chi, theta] = Expr::symbols(["x", "y", "p", "χ", "θ"]);
+            let [x, y, speed, chi, theta] = symbols(["x", "y", "p", "χ", "θ"]);
             let outwards = [theta.cos(), theta.sin()];
             let along = |[a, b]: [Expr; 2]| a * outwards[0] + b * outwards[1];
             let push = p.read(
                 "The component of (89) in the direction θ of that place",
                 along(acceleration),
             )?;
-            let least = along([x, y]) - bound - int(2) * speed;
+            let least = along([x, y]) - bound - 2 * speed;
             let least = p.read(
                 "That of the position, less the bound and 2p: in the end above a positive number, if the place is beyond the bound",
                 least,
             )?;
-            let half = (chi - theta) / int(2);
-            let squares = int(2) * speed * (half.sin() + half.cos()).squared()
-                + int(2) * half.sin().squared();
+            let half = (chi - theta) / 2;
+            let squares =
+                2 * speed * (half.sin() + half.cos()).squared() + 2 * half.sin().squared();
             let squares = p.read(
                 "What Coriolis force and friction are above −2p and −1, two squares",
                 squares,
@@ -144,11 +125,11 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
         |p| {
             p.shows("If p + ρ is below 1, the bound of (139), at some time, the particle comes to rest after a finite time, with ρ below the bound, and stays.");
             given(p, &[&turntable::EQ107, &turntable::EQ108])?;
-            let [speed, rho, psi] = Expr::symbols(["p", "ρ", "ψ"]);
+            let [speed, rho, psi] = symbols(["p", "ρ", "ψ"]);
             let rate = motion::eq107_p_rate::tree() + motion::eq108_rho_rate::tree();
             let rate = p.read("The rate of p + ρ by (107) and (108)", rate)?;
             let sum = speed + rho;
-            let fall = bound - sum + int(2) * sum * (psi / int(2)).sin().squared();
+            let fall = bound - sum + 2 * sum * (psi / 2).sin().squared();
             p.reads_as(&rate, "at most p + ρ less the bound", -fall)?;
             p.rests_on(&eq139(bound))?;
             p.note(
@@ -165,7 +146,7 @@ pub fn stops_along(ahead: Expr) -> Proof {
     polar("Where a particle stops, ψ → 0 or ψ → π", |p| {
         p.shows("If p → 0 after a finite time, with ρ > 0 there, then, up to whole turns, ψ → 0 or ψ → π.");
         given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
-        let [speed, ell, rho, xi] = Expr::symbols(["p", "ℓ", "ρ", "ξ"]);
+        let [speed, ell, rho, xi] = symbols(["p", "ℓ", "ρ", "ξ"]);
         p.identity(
             ("dξ/dτ by (101)", ahead),
             (
@@ -173,12 +154,12 @@ pub fn stops_along(ahead: Expr) -> Proof {
                 (speed + ell).squared() / speed,
             ),
         )?;
-        let least = ell.squared() / (int(2) * speed) - speed;
+        let least = ell.squared() / (2 * speed) - speed;
         p.identity(
             ("dξ/dτ less ℓ²/(2p), plus p", ahead - least),
             (
                 "which is not negative",
-                (int(2) * speed + ell).squared() / (int(2) * speed),
+                (2 * speed + ell).squared() / (2 * speed),
             ),
         )?;
         p.identity(("ℓ²", ell.squared()), ("", rho.squared() - xi.squared()))?;
@@ -214,7 +195,7 @@ fn escapes(beyond: Beyond) -> Proof {
             "if A were bounded, so would be the length of the path, and ρ: so A grows without end",
         );
         p.rests_on(&stops_along(ahead))?;
-        let [xi] = Expr::symbols(["ξ"]);
+        let [xi] = symbols(["ξ"]);
         p.identity(
             ("dp/dτ by (99)", motion::eq99_p_rate::tree()),
             ("ξ less the bound", xi - bound),
@@ -247,7 +228,7 @@ fn sum(p_formula: Expr, rho: Expr) -> Proof {
     };
     Proof::in_ring("(111) and (112): ρ + p and ρ − p", ring(), |p| {
         p.shows("By (111) and (112): ρ + p = A exp(α) and ρ − p = A exp(−α).");
-        let [a, alpha] = Expr::symbols(["A", "α"]);
+        let [a, alpha] = symbols(["A", "α"]);
         for (says, combined, power) in [
             ("ρ + p", rho + p_formula, alpha),
             ("ρ − p", rho - p_formula, -alpha),
@@ -277,10 +258,10 @@ fn alpha_grows(beyond: Beyond) -> Proof {
             "So ξ passes 1, and never falls",
             "from some time on dp/dτ = ξ − 1 ≥ δ with a constant δ > 0, and cos ψ > 0",
         );
-        let [speed, rho, psi, ell, xi] = Expr::symbols(["p", "ρ", "ψ", "ℓ", "ξ"]);
+        let [speed, rho, psi, ell, xi] = symbols(["p", "ρ", "ψ", "ℓ", "ξ"]);
         let lag = motion::eq108_rho_rate::tree() - motion::eq107_p_rate::tree();
         let lag = p.read("The rate of ρ − p by (107) and (108)", lag)?;
-        let below = p.read("1 less that", int(1) - (rho - speed) * psi.cos())?;
+        let below = p.read("1 less that", 1 - (rho - speed) * psi.cos())?;
         p.equal("It is 1 less (ρ − p) cos ψ ≥ 0", &lag, &below)?;
         p.remark("So ρ − p ≤ c + τ with a constant c");
         let rate = p.read("dξ/dτ by (101)", beyond.ahead)?;
@@ -317,11 +298,10 @@ fn relaxes(formula: Expr) -> Proof {
     let rate = Proof::in_ring("(126) and (114)", near(), |p| {
         p.shows("The right side of (126) less that of (114) is 2 sin²(ψ/2) + 2 sinh²(α/2)/A, which vanishes with ψ and α.");
         given(p, &[&turntable::EQ114])?;
-        let [a, alpha, psi] = Expr::symbols(["A", "α", "ψ"]);
+        let [a, alpha, psi] = symbols(["A", "α", "ψ"]);
         let rate = p.read("(114)", motion::eq114_alpha_rate::tree())?;
         let stated = p.read("(126)", formula)?;
-        let small = int(2) * (psi / int(2)).sin().squared()
-            + int(2) * (alpha / int(2)).sinh().squared() / a;
+        let small = 2 * (psi / 2).sin().squared() + 2 * (alpha / 2).sinh().squared() / a;
         let small = p.read("Two terms that vanish with ψ and α", small)?;
         p.equal("They differ by these", &(&stated - &rate), &small)
     });
@@ -335,19 +315,19 @@ fn relaxes(formula: Expr) -> Proof {
                 &turntable::EQ124,
             ],
         )?;
-        let [speed, rho, psi] = Expr::symbols(["p", "ρ", "ψ"]);
+        let [speed, rho, psi] = symbols(["p", "ρ", "ψ"]);
         let turn = p.read("dψ/dτ by (109)", motion::eq109_psi_rate::tree())?;
         let along = p.ring().along(&[("ψ", turn)])?;
-        let tangent = p.read("t = tan(ψ/2)", (psi / int(2)).tan())?;
+        let tangent = p.read("t = tan(ψ/2)", (psi / 2).tan())?;
         let fall = p.derivative("dt/dτ", &tangent, &along)?;
-        let t = (psi / int(2)).tan();
-        let parts = speed * (int(1) + t.squared()) - (rho + speed.squared() / rho) * t;
+        let t = (psi / 2).tan();
+        let parts = speed * (1 + t.squared()) - (rho + speed.squared() / rho) * t;
         let parts = p.read("p (1 + t²) − (ρ + p²/ρ) t", parts)?;
         let by = p.ring().read(speed)?;
         p.equal("By s with dτ = p ds, dt/ds is that", &(&fall * &by), &parts)?;
         let faster = p.read("dp/dτ by (107)", motion::eq107_p_rate::tree())?;
-        let most = p.read("1 + ρ", int(1) + rho)?;
-        let spare = int(2) + int(2) * rho * (psi / int(2)).sin().squared();
+        let most = p.read("1 + ρ", 1 + rho)?;
+        let spare = 2 + 2 * rho * (psi / 2).sin().squared();
         let spare = p.read("2 + 2ρ sin²(ψ/2), which is not negative", spare)?;
         p.equal("It lies below 1 + ρ by that", &(&most - &faster), &spare)?;
         p.note(
@@ -367,4 +347,14 @@ fn relaxes(formula: Expr) -> Proof {
     })
 }
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&ESCAPES, &RELAXES, &ALPHA_GROWS];
+attempts![
+    &ESCAPES,
+    // ψ relaxes near α = 0.
+    &RELAXES = Statement::shown(
+        Within,
+        r"for every $A>0$ at the start, $\lvert\psi\rvert<\pi$ and $\varepsilon>0$, however small: if $\alpha$ is small enough at the start, then within a time below $\varepsilon$ the angle $\psi$ comes closer than $\varepsilon$ to 0 and so to $\psi_1$, stays there while $\alpha$ is small, and $\mathrm d\alpha/\mathrm d\tau$ is then as close to (126)",
+        printed::eq126_alpha_rate::tree,
+        relaxes
+    ),
+    &ALPHA_GROWS
+];

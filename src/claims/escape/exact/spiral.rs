@@ -10,12 +10,7 @@
 
 use super::chains::ALPHA_GROWS;
 use super::{exponential, tau};
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::escape as corrected;
-use crate::exact::Derivation;
-use crate::paper::turntable as motion;
-use trialbook::prelude::*;
-use trialbook::trials::runs::Derived;
+use crate::claims::escape::prelude::*;
 
 /// N, P, h = tanh α, and t.
 pub type State = [Expr; 4];
@@ -112,12 +107,8 @@ pub const EQ137: Statement = theorem(
     eq137,
 );
 
-fn int(n: i64) -> Expr {
-    Expr::int(n)
-}
-
 fn half() -> Expr {
-    int(1) / int(2)
+    int(1) / 2
 }
 
 /// What the theorem says of the two numbers.
@@ -133,15 +124,14 @@ struct Species {
 
 impl Species {
     fn found() -> Self {
-        let [n, predator, h, t] = Expr::symbols(NAMES);
-        let (k, less) = (cosine(t), int(1) - t.squared());
-        let more = int(1) + t.squared() * predator;
-        let prey_rate = int(1) + k * h - int(2) * h * n - less * predator;
-        let predator_rate =
-            int(2) * (int(1) - less * predator - int(2) * more * k + int(2) * more * n);
+        let [n, predator, h, t] = symbols(NAMES);
+        let (k, less) = (cosine(t), 1 - t.squared());
+        let more = 1 + t.squared() * predator;
+        let prey_rate = 1 + k * h - 2 * h * n - less * predator;
+        let predator_rate = 2 * (1 - less * predator - 2 * more * k + 2 * more * n);
         Species {
             rates: [prey_rate, predator_rate],
-            rest: [int(3) / int(4), half()],
+            rest: [int(3) / 4, half()],
             delay: corrected::delay(),
         }
     }
@@ -162,26 +152,26 @@ impl Species {
 
 /// k = cos²(δ/2).
 fn cosine(t: Expr) -> Expr {
-    int(1) / (int(1) + t.squared())
+    1 / (1 + t.squared())
 }
 
 /// dt/dθ.
 fn fall(predator: Expr, t: Expr) -> Expr {
-    -(t * (int(1) - (int(1) - t.squared()) * predator))
+    -(t * (1 - (1 - t.squared()) * predator))
 }
 
 fn delta() -> Expr {
-    Expr::symbol("δ")
+    symbol("δ")
 }
 
 /// The state of a motion, in A, α and δ.
 fn state() -> State {
-    let [a, alpha] = Expr::symbols(["A", "α"]);
-    let t = (delta() / int(2)).tan();
-    let less = (int(4) * alpha).exp() - int(1);
+    let [a, alpha] = symbols(["A", "α"]);
+    let t = (delta() / 2).tan();
+    let less = (4 * alpha).exp() - 1;
     [
-        alpha.cosh() / (int(2) * a * t),
-        int(1) / (t.squared() * less),
+        alpha.cosh() / (2 * a * t),
+        1 / (t.squared() * less),
         alpha.tanh(),
         t,
     ]
@@ -190,7 +180,7 @@ fn state() -> State {
 /// A, α and δ; the state in symbols of its own, and what else the proof is about; τ and its logarithm L.
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
-    let [_, tau] = ["A", "τ"].map(|name| ring.symbol(name));
+    let [_, tau] = ring.symbols(["A", "τ"]);
     ring.hyperbolic("α");
     ring.angle("δ");
     for name in NAMES.into_iter().chain(["q", "v", "w", "x", "y", "L"]) {
@@ -217,14 +207,14 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
             &turntable::EQ115,
         ],
     )?;
-    let [a, alpha] = Expr::symbols(["A", "α"]);
-    let psi = Expr::pi() / int(2) - delta();
-    let push = int(2) / ((int(4) * alpha).exp() - int(1));
+    let [a, alpha] = symbols(["A", "α"]);
+    let psi = pi() / 2 - delta();
+    let push = 2 / ((4 * alpha).exp() - 1);
     let turn = p.read(
         "With δ = π/2 − ψ, dδ/dτ by (115)",
         -motion::eq115_psi_rate(alpha, psi),
     )?;
-    let parts = int(2) * push * delta().cos() - int(4) * (delta() / int(2)).sin().squared();
+    let parts = 2 * push * delta().cos() - 4 * (delta() / 2).sin().squared();
     p.reads_as(&turn, "with m = 2/(exp(4α) − 1)", parts)?;
     p.note(
         "ξ = ρ cos ψ grows without end",
@@ -243,7 +233,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [n, predator, h, t] = own;
     let tangent = p.read("t = tan(δ/2), then between 0 and 1", t)?;
     let rate = p.derivative("dt/dτ", &tangent, &along)?;
-    let parts = push * (int(1) - t.squared()) - int(2) * t.squared();
+    let parts = push * (1 - t.squared()) - 2 * t.squared();
     p.reads_as(&rate, "", parts)?;
     p.note(
         "As α → ∞, m → 0: let m < η², with any η > 0",
@@ -253,7 +243,7 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "dt/dτ ≥ −2t², so that 1/t ≤ 2τ + c",
         "the time θ with dθ = 2t dτ grows without end, as ln τ at least",
     );
-    let clock = p.ring().read(int(2) * t)?;
+    let clock = p.ring().read(2 * t)?;
     let slower = p.quotient("dt/dθ", &rate, &clock)?;
     let stated = p.read("−t (1 − (1 − t²) P)", fall(predator, t))?;
     p.equal(
@@ -273,18 +263,18 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         p.reads_as(&rate, "as stated, with h = tanh α", stated)?;
     }
     p.identity(
-        ("((1 − h)/t)²", ((int(1) - h) / t).squared()),
-        ("", int(4) * predator * h),
+        ("((1 − h)/t)²", ((1 - h) / t).squared()),
+        ("", 4 * predator * h),
     )?;
-    let inverse = p.ring().read(int(1) / t)?;
+    let inverse = p.ring().read(1 / t)?;
     let grows = p.derivative("The rate of 1/t in τ", &inverse, &along)?;
-    let stated = int(2) - int(2) * (int(1) - t.squared()) * predator;
+    let stated = 2 - 2 * (1 - t.squared()) * predator;
     p.reads_as(&grows, "", stated)
 }
 
 /// The rates in θ, of N, P and t as symbols.
 fn by_theta(p: &Prover<'_>, found: &Species) -> Result<Derivation, Obstacle> {
-    let [n, predator, _, t] = Expr::symbols(NAMES);
+    let [n, predator, _, t] = symbols(NAMES);
     let ring = p.ring();
     Ok(ring.along(&[
         ("N", ring.read(n * found.rates[0])?),
@@ -295,7 +285,7 @@ fn by_theta(p: &Prover<'_>, found: &Species) -> Result<Derivation, Obstacle> {
 
 /// They settle.
 fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
-    let [n, predator, h, t] = Expr::symbols(NAMES);
+    let [n, predator, h, t] = symbols(NAMES);
     let [n0, p0] = found.rest;
     p.note(
         "From here on N, P, h and t are these four as symbols",
@@ -307,12 +297,9 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     for rate in found.rates_at(found.limit()) {
         p.vanishes("There, at N = 3/4 and P = 1/2", rate)?;
     }
-    let height = int(4) * (n - n0 * n.ln()) + predator - p0 * predator.ln();
+    let height = 4 * (n - n0 * n.ln()) + predator - p0 * predator.ln();
     let height = p.read("V", height)?;
-    let slopes = [
-        ("N", int(4) * (n - n0) / n),
-        ("P", (predator - p0) / predator),
-    ];
+    let slopes = [("N", 4 * (n - n0) / n), ("P", (predator - p0) / predator)];
     for (name, stated) in slopes {
         let slope = p.slope("Its slope", &height, name)?;
         p.reads_as(
@@ -324,12 +311,12 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     p.remark("So V is least at N = 3/4, P = 1/2, and grows without end where N or P goes to 0 or ∞: it is near its least value only near that point");
     let falls = p.derivative("dV/dθ", &height, &by_theta(p, found)?)?;
     let (k, little) = (cosine(t), t.squared() * predator);
-    let last = int(1) - (int(1) + little) * k;
-    let first = (k * h - int(1)) + int(2) * (int(1) - h) * n + t.squared() * predator;
-    let second = t.squared() * predator + int(2) * last + int(2) * little * n;
-    let stated = int(4) * (n - n0) * first + int(2) * (predator - p0) * second
-        - int(8) * (n - n0).squared()
-        - int(2) * (predator - p0).squared();
+    let last = 1 - (1 + little) * k;
+    let first = (k * h - 1) + 2 * (1 - h) * n + t.squared() * predator;
+    let second = t.squared() * predator + 2 * last + 2 * little * n;
+    let stated = 4 * (n - n0) * first + 2 * (predator - p0) * second
+        - 8 * (n - n0).squared()
+        - 2 * (predator - p0).squared();
     p.reads_as(
         &falls,
         "two products with brackets, less two squares",
@@ -344,12 +331,10 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "With x = |N − 3/4| and y = |P − 1/2|",
         "the first bracket is at most η (1 + 2N + P), and so η (3 + 2x + y), in size, the second η (2 + 2N + P), and so η (4 + 2x + y)",
     );
-    let [x, y] = Expr::symbols(["x", "y"]);
-    let most = int(4) * x * (int(3) + int(2) * x + y) + int(2) * y * (int(4) + int(2) * x + y);
-    let spare = int(10) + int(18) * x.squared() + int(10) * y.squared() - most;
-    let squares = int(6) * (int(1) - x).squared()
-        + int(4) * (int(1) - y).squared()
-        + int(4) * (x - y).squared();
+    let [x, y] = symbols(["x", "y"]);
+    let most = 4 * x * (3 + 2 * x + y) + 2 * y * (4 + 2 * x + y);
+    let spare = 10 + 18 * x.squared() + 10 * y.squared() - most;
+    let squares = 6 * (1 - x).squared() + 4 * (1 - y).squared() + 4 * (x - y).squared();
     p.identity(
         (
             "10 + 18x² + 10y² less 4x (3 + 2x + y) + 2y (4 + 2x + y)",
@@ -365,8 +350,8 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "Where V exceeds its least value by a given amount or more",
         "x² + y² is above a positive number, and 10η below half of that from some time on: so V comes below that amount, and stays there",
     );
-    let unity = p.read("2 − 2P at P = 1/2", int(2) - int(2) * p0)?;
-    p.reads_as(&unity, "", Expr::int(1))?;
+    let unity = p.read("2 − 2P at P = 1/2", 2 - 2 * p0)?;
+    p.reads_as(&unity, "", int(1))?;
     p.note(
         "So N → 3/4 and P → 1/2",
         "1/t has the rate 1 in the end: tτ → 1",
@@ -376,23 +361,23 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
 
 /// The rates in θ of q = (N − ¾)/t and v = (P − ½)/t, with w = (1 − h)/t.
 pub fn follow([q, v, w]: [Expr; 3], [n, predator, h, t]: State) -> [Expr; 2] {
-    let (k, less) = (cosine(t), int(1) - t.squared());
-    let feeds = predator + int(2) * (int(1) - predator) * k + int(2) * predator * n;
-    let prey_rate = -(int(2) * q) - v + w * (int(2) * n - int(1)) + t * (predator - k * h);
-    let predator_rate = int(4) * q - int(2) * v + int(2) * t * feeds;
+    let (k, less) = (cosine(t), 1 - t.squared());
+    let feeds = predator + 2 * (1 - predator) * k + 2 * predator * n;
+    let prey_rate = -(2 * q) - v + w * (2 * n - 1) + t * (predator - k * h);
+    let predator_rate = 4 * q - 2 * v + 2 * t * feeds;
     [
-        n * prey_rate + q * (int(1) - less * predator),
-        predator * predator_rate + v * (int(1) - less * predator),
+        n * prey_rate + q * (1 - less * predator),
+        predator * predator_rate + v * (1 - less * predator),
     ]
 }
 
 /// How far they are from there, over t; and what 1/t makes of it.
 fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
-    let [n, predator, h, t] = Expr::symbols(NAMES);
+    let [n, predator, h, t] = symbols(NAMES);
     let [n0, p0] = found.rest;
     let own = [n, predator, h, t];
     let deviations = [(n - n0) / t, (predator - p0) / t];
-    let lag = (int(1) - h) / t;
+    let lag = (1 - h) / t;
     let stated = follow([deviations[0], deviations[1], lag], own);
     let along = by_theta(p, found)?;
     let names = ["q = (N − 3/4)/t", "v = (P − 1/2)/t"];
@@ -401,19 +386,19 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         let rate = p.derivative("Its rate in θ", &deviation, &along)?;
         p.reads_as(&rate, "with w = (1 − h)/t", stated)?;
     }
-    let [q, v, w, x, y] = Expr::symbols(["q", "v", "w", "x", "y"]);
+    let [q, v, w, x, y] = symbols(["q", "v", "w", "x", "y"]);
     let root = int(2).sqrt();
     p.note("w is positive, and its square, 4Ph, tends to 2", "w → √2");
     let exact = follow([q, v, w], own);
     let limit = follow([q, v, root], found.limit());
-    let (k, slower) = (cosine(t), p0 - (int(1) - t.squared()) * predator);
-    let feeds = predator + int(2) * (int(1) - predator) * k + int(2) * predator * n;
+    let (k, slower) = (cosine(t), p0 - (1 - t.squared()) * predator);
+    let feeds = predator + 2 * (1 - predator) * k + 2 * predator * n;
     let rest_of = [
-        -((n - n0) * (int(2) * q + v))
-            + (n * w * (int(2) * n - int(1)) - n0 * root * (int(2) * n0 - int(1)))
+        -((n - n0) * (2 * q + v))
+            + (n * w * (2 * n - 1) - n0 * root * (2 * n0 - 1))
             + n * t * (predator - k * h)
             + q * slower,
-        (predator - p0) * (int(4) * q - int(2) * v) + int(2) * predator * t * feeds + v * slower,
+        (predator - p0) * (4 * q - 2 * v) + 2 * predator * t * feeds + v * slower,
     ];
     for ((exact, limit), rest_of) in exact.into_iter().zip(limit).zip(rest_of) {
         let limit = p.read("A rate with the limits put in", limit)?;
@@ -421,7 +406,7 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         let rest_of = p.read("1, q and v with factors that go to 0", rest_of)?;
         p.equal("The rate differs by that", &(&exact - &limit), &rest_of)?;
     }
-    let [q0, v0] = [found.delay / int(8), found.delay / int(2)];
+    let [q0, v0] = [found.delay / 8, found.delay / 2];
     let linear = limit.map(|rate| rate.with("q", q0 + x).with("v", v0 + y));
     for rate in linear {
         let rate = rate.with("x", int(0)).with("y", int(0));
@@ -431,18 +416,18 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         ("x", p.read("Of x = q − 3√2/32", linear[0])?),
         ("y", p.read("Of y = v − 3√2/8", linear[1])?),
     ])?;
-    let size = int(8) / int(3) * x.squared() + y.squared();
+    let size = int(8) / 3 * x.squared() + y.squared();
     let size = p.read("Q", size)?;
     let shrinks = p.derivative("Its rate with the limits", &size, &along)?;
-    let stated = -(int(16) / int(3) * x.squared()) - y.squared();
+    let stated = -(int(16) / 3 * x.squared()) - y.squared();
     p.reads_as(&shrinks, "squares", stated)?;
     p.note(
         "The true rates differ from these by η (1 + |x| + |y|) at most, with another η that goes to 0",
         "so dQ/dθ differs by 6η (|x| + |y|) (1 + |x| + |y|) at most, as 16/3 and 2 are below 6",
     );
-    let most = int(6) * (x + y) * (int(1) + x + y);
-    let spare = int(3) + int(18) * (x.squared() + y.squared()) - most;
-    let squares = int(3) * (int(1) - x - y).squared() + int(9) * (x - y).squared();
+    let most = 6 * (x + y) * (1 + x + y);
+    let spare = 3 + 18 * (x.squared() + y.squared()) - most;
+    let squares = 3 * (1 - x - y).squared() + 9 * (x - y).squared();
     p.identity(
         (
             "3 + 18 (x² + y²) less 6 (x + y) (1 + x + y), with x for |x| and y for |y|",
@@ -455,10 +440,10 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         "Q falls at the rate (x² + y²)/2 − 3η at least: Q → 0, as V went to its least value",
     );
     p.remark("So q → 3√2/32, v → 3√2/8; and N, P and h differ from their limits by an amount of the order of t");
-    let inverse = int(2) - int(2) * (int(1) - t.squared()) * predator;
-    let stated = int(2) * predator * t - int(2) * deviations[1];
+    let inverse = 2 - 2 * (1 - t.squared()) * predator;
+    let stated = 2 * predator * t - 2 * deviations[1];
     p.identity(
-        ("The rate of 1/t less 1, over t", (inverse - int(1)) / t),
+        ("The rate of 1/t less 1, over t", (inverse - 1) / t),
         ("", stated),
     )?;
     p.note(
@@ -480,15 +465,15 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         ],
     )?;
     let [_, _, h, t] = state();
-    let (rho, psi) = (motion::eq112_rho::tree(), Expr::pi() / int(2) - delta());
+    let (rho, psi) = (motion::eq112_rho::tree(), pi() / 2 - delta());
     let across = motion::eq95_ell(rho, psi);
     p.remark("In the laboratory the particle turns about the axis with the table, at the rate 1, and relative to it at the rate pℓ/ρ², by (96)");
-    let turn = int(1) + speed() * across / rho.squared();
-    let stated = (int(1) - h) / t + int(2) * h * cosine(t) * t;
+    let turn = 1 + speed() * across / rho.squared();
+    let stated = (1 - h) / t + 2 * h * cosine(t) * t;
     p.identity(("The rate 1 + pℓ/ρ², over t", turn / t), ("", stated))?;
     let [_, predator, h, _] = found.limit();
     p.identity(
-        ("The square of w, 4Ph, in the limit", int(4) * predator * h),
+        ("The square of w, 4Ph, in the limit", 4 * predator * h),
         (
             "the square of the winding",
             corrected::winding::<Expr>().squared(),
@@ -571,7 +556,7 @@ fn in_its_time(p: &mut Prover<'_>, law: Expr) -> Result<(), Obstacle> {
     let stated = p.read("The law, with L = ln τ", law)?;
     let start = p.read("Its first term", first(law))?;
     let slope = p.slope("The rate of that", &start, "τ")?;
-    let shift = p.read("κ ln τ", corrected::delay::<Expr>() * Expr::symbol("L"))?;
+    let shift = p.read("κ ln τ", corrected::delay::<Expr>() * symbol("L"))?;
     let later = start - slope * shift;
     p.equal("The law is its first term at τ − κ ln τ", &stated, &later)?;
     p.remark("What is of the order of t beside 1 is of the order of 1/τ, and so less than (ln τ)/τ by any factor in the end; so are the square of (ln τ)/τ, and over τ what 1/t has beside τ − κ ln τ");
@@ -585,39 +570,36 @@ fn speed() -> Expr {
 fn eq128(law: Expr) -> Proof {
     after("(128) in every escape", |p| {
         given(p, &[&turntable::EQ114])?;
-        let [a, alpha] = Expr::symbols(["A", "α"]);
+        let [a, alpha] = symbols(["A", "α"]);
         let [n, predator, h, t] = state();
-        let psi = Expr::pi() / int(2) - delta();
+        let psi = pi() / 2 - delta();
         let rate = motion::eq114_alpha_rate(a, alpha, psi) / t;
         p.identity(
             ("dα/dτ over t, by (114)", rate),
-            ("with k = 1/(1 + t²)", int(2) * (cosine(t) - n)),
+            ("with k = 1/(1 + t²)", 2 * (cosine(t) - n)),
         )?;
         let friction = alpha.cosh() / a;
-        p.identity(("cosh α/A, over t", friction / t), ("", int(2) * n))?;
+        p.identity(("cosh α/A, over t", friction / t), ("", 2 * n))?;
         let square = |[_, predator, h, _]: State| {
-            let squares = int(1) + h.squared();
-            int(4) * predator * h * (int(1) + h).squared() / squares.squared()
+            let squares = 1 + h.squared();
+            4 * predator * h * (1 + h).squared() / squares.squared()
         };
-        let slow = int(1) / (t * (int(2) * alpha).cosh()).squared();
+        let slow = 1 / (t * (2 * alpha).cosh()).squared();
         p.identity(("1/(t cosh 2α)²", slow), ("", square([n, predator, h, t])))?;
         let limit = Species::found().limit();
         let slow = p.read("The positive root, in the limit", square(limit).sqrt())?;
-        let factor = (law + friction) * (int(2) * alpha).cosh();
+        let factor = (law + friction) * (2 * alpha).cosh();
         let factor = p.read("The factor of 1/cosh 2α in the law", factor)?;
         let own = p.read(
             "k in place of it, twice, in the limit",
-            int(2) * cosine(limit[3]),
+            2 * cosine(limit[3]),
         )?;
         p.equal(
             "That is the product of the two before",
             &(&slow * &factor),
             &own,
         )?;
-        p.identity(
-            ("2 − 2N in the limit", int(2) - int(2) * limit[0]),
-            ("not 0", half()),
-        )?;
+        p.identity(("2 − 2N in the limit", 2 - 2 * limit[0]), ("not 0", half()))?;
         p.note("So, as tτ → 1", "both sides times τ tend to 1/2");
         Ok(())
     })
@@ -625,11 +607,11 @@ fn eq128(law: Expr) -> Proof {
 
 fn eq129(law: Expr) -> Proof {
     after("(129) in every escape", |p| {
-        let a = Expr::symbol("A");
+        let a = symbol("A");
         let product = crate::paper::escape::eq129_a::tree() / a;
         let value = |[n, predator, h, _]: State| {
-            let above = n * (int(1) + h.squared());
-            above.squared() / (predator * h * (int(1) + h).squared())
+            let above = n * (1 + h.squared());
+            above.squared() / (predator * h * (1 + h).squared())
         };
         has_limit(p, (product, 2, 0), value, law / a)
     })
@@ -637,9 +619,9 @@ fn eq129(law: Expr) -> Proof {
 
 fn eq130(law: Expr) -> Proof {
     after("(130) in every escape", |p| {
-        let [a, alpha] = Expr::symbols(["A", "α"]);
+        let [a, alpha] = symbols(["A", "α"]);
         let value = |state| fourth_exponential(state).pow(int(3)) / fourth_power(state);
-        let powers = [(int(12) * alpha).exp(), exponential(law, 12)];
+        let powers = [(12 * alpha).exp(), exponential(law, 12)];
         let [own, stated] = powers.map(|power| power / a.pow(int(4)));
         has_limit(p, (own, 1, 0), value, stated)?;
         p.note(
@@ -655,30 +637,30 @@ fn eq131(law: Expr) -> Proof {
         let mut ring = ring()?;
         let a = ring.named("A")?;
         ring.root(&a, 3)?;
-        let number = ring.read(int(3) * int(2).sqrt())?;
+        let number = ring.read(3 * int(2).sqrt())?;
         ring.root(&number, 3)?;
         Ok(ring)
     };
     Proof::in_ring("(131) in every escape", with_cubes(), |p| {
         given(p, &[&turntable::EQ113, &EQ130])?;
-        let [alpha] = Expr::symbols(["α"]);
-        let rate = int(2) * motion::eq113_a_rate::tree() * (-alpha).exp();
+        let [alpha] = symbols(["α"]);
+        let rate = 2 * motion::eq113_a_rate::tree() * (-alpha).exp();
         p.identity(
             ("Twice dA/dτ by (113), over exp α", rate),
-            ("which tends to 1", int(1) - (int(-2) * alpha).exp()),
+            ("which tends to 1", 1 - (-2 * alpha).exp()),
         )?;
-        p.identity(("The cube of twice the law", (int(2) * law).pow(int(3))), ("exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1", exponential((EQ130.formulas)(), 3)))
+        p.identity(("The cube of twice the law", (2 * law).pow(int(3))), ("exp(3α) by (130) as corrected, to which that of the motion has a ratio that tends to 1", exponential((EQ130.formulas)(), 3)))
     })
 }
 
 /// A⁴ t⁶.
 pub fn fourth_power([n, predator, h, _]: State) -> Expr {
-    int(1) / (int(64) * predator * h * n.pow(int(4)) * (int(1) + h).squared())
+    1 / (64 * predator * h * n.pow(int(4)) * (1 + h).squared())
 }
 
 fn eq132(law: Expr) -> Proof {
     after("(132) in every escape", |p| {
-        let [a] = Expr::symbols(["A"]);
+        let [a] = symbols(["A"]);
         has_limit(p, (a, 4, 6), fourth_power, first(law))?;
         in_its_time(p, law)
     })
@@ -686,13 +668,13 @@ fn eq132(law: Expr) -> Proof {
 
 /// exp(4α) t².
 pub fn fourth_exponential([_, predator, _, t]: State) -> Expr {
-    int(1) / predator + t.squared()
+    1 / predator + t.squared()
 }
 
 fn eq133(law: Expr) -> Proof {
     after("(133) in every escape", |p| {
-        let [alpha] = Expr::symbols(["α"]);
-        let own = (int(4) * alpha).exp();
+        let [alpha] = symbols(["α"]);
+        let own = (4 * alpha).exp();
         has_limit(p, (own, 1, 2), fourth_exponential, exponential(law, 4))?;
         p.note(
             "So exp(4α)/τ² tends to that of the law",
@@ -706,14 +688,14 @@ fn eq134(law: Expr) -> Proof {
     after("(134) in every escape", |p| {
         p.note("t = tan(δ/2) → 0", "δ is 2t, up to the order of t³");
         let lag = p.read("The law's first term", first(law))?;
-        p.reads_as(&lag, "as 2t in the limit, where tτ is 1", int(2) / tau())?;
+        p.reads_as(&lag, "as 2t in the limit, where tτ is 1", 2 / tau())?;
         in_its_time(p, law)
     })
 }
 
 /// (ρt²)².
 pub fn square_of_distance([n, predator, h, _]: State) -> Expr {
-    int(1) / (int(16) * predator * h * n.squared() * (int(1) + h).squared())
+    1 / (16 * predator * h * n.squared() * (1 + h).squared())
 }
 
 /// (pt²)².
@@ -759,6 +741,6 @@ fn eq137(law: Expr) -> Proof {
     })
 }
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![
+attempts![
     &EQ128, &EQ129, &EQ130, &EQ131, &EQ132, &EQ133, &EQ134, &EQ135, &EQ136, &EQ137
 ];

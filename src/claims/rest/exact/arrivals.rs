@@ -5,10 +5,7 @@
 //! (143) solves, and to whose solutions every other comes as fast as those terms fall.
 
 use super::{chains, series};
-use crate::claims::turntable::exact as turntable;
-use crate::exact::Series;
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// What is shown of every motion to rest.
 macro_rules! of_every_rest {
@@ -152,7 +149,7 @@ fn eq141(formula: Expr) -> Proof {
             "With τ = 0 at rest",
             "by the mean-value theorem α/τ is dα/dτ at a time between: it has the same limit",
         );
-        p.reads_as(&limit, "(141) over τ", formula / Expr::symbol("τ"))
+        p.reads_as(&limit, "(141) over τ", formula / symbol("τ"))
     })
 }
 
@@ -170,16 +167,16 @@ fn left_side(p: &mut Prover<'_>, left: Expr) -> Result<(), Obstacle> {
 fn eq142([left, right]: [Expr; 2]) -> Proof {
     arriving("(142) of every motion to rest", Ok(ring()), |p| {
         left_side(p, left)?;
-        let [alpha, psi] = Expr::symbols(["α", "ψ"]);
+        let [alpha, psi] = symbols(["α", "ψ"]);
         let turning = motion::eq115_psi_rate::tree();
-        let share = (Expr::int(2) - turning) * alpha / psi;
+        let share = (2 - turning) * alpha / psi;
         let share = near(p, "2 less dψ/dτ by (115), over ψ/α", share, 1)?;
         p.equal("Its limit is 1", &order(&share, 0)?, &Rational::int(1))?;
         p.note(
             "So, whatever ψ/α is",
             "dψ/dτ = 2 − (1 + o(1)) ψ/α, and the left side is (1 + o(1)) dψ/dτ",
         );
-        p.identity(("Right side", right), ("", Expr::int(2) - psi / alpha))
+        p.identity(("Right side", right), ("", 2 - psi / alpha))
     })
 }
 
@@ -199,7 +196,7 @@ fn eq144([left, right]: [Expr; 2]) -> Proof {
 
 /// dA/dτ is as small as α.
 fn growth(p: &mut Prover<'_>) -> Result<(), Obstacle> {
-    let alpha = Expr::symbol("α");
+    let alpha = symbol("α");
     let ratio = near(
         p,
         "dA/dτ by (113), over α",
@@ -219,7 +216,7 @@ fn eq145(formula: Expr) -> Proof {
         );
         let twice = limit * Rational::int(2);
         let coefficient = p.quotient("1 over that", &Rational::int(1), &twice)?;
-        let [sigma, alpha] = Expr::symbols(["σ", "α"]);
+        let [sigma, alpha] = symbols(["σ", "α"]);
         p.reads_as(
             &coefficient,
             "(145) less σ, over α²",
@@ -231,8 +228,8 @@ fn eq145(formula: Expr) -> Proof {
 fn eq143(formula: Expr) -> Proof {
     arriving("(143) of every motion to rest", with_power(), |p| {
         p.rests_on(&EQ145.proof())?;
-        let [sigma, alpha, psi] = Expr::symbols(["σ", "α", "ψ"]);
-        let k = sigma / (Expr::int(1) - sigma);
+        let [sigma, alpha, psi] = symbols(["σ", "α", "ψ"]);
+        let k = sigma / (1 - sigma);
         let slope = alpha * motion::eq115_psi_rate::tree() / alpha_rate();
         p.note(
             "By (145)",
@@ -240,7 +237,7 @@ fn eq143(formula: Expr) -> Proof {
         );
         let slope = near(p, "α dψ/dα by (114) and (115)", slope, 2)?;
         p.zero("It has no term without ε", &order(&slope, 0)?)?;
-        let linear = k * psi - Expr::int(2) * k * alpha;
+        let linear = k * psi - 2 * k * alpha;
         let linear = near(p, "With k = σ/(1 − σ), kψ − 2kα", linear, 2)?;
         p.equal(
             "The first terms are equal",
@@ -261,14 +258,10 @@ fn eq143(formula: Expr) -> Proof {
         let ring = p.ring();
         let slope = p.slope("Its slope", &stated, "α")?;
         let left = slope * ring.named("α")? - ring.read(k)? * &stated;
-        let right = ring.read(Expr::int(-2) * k * alpha)?;
+        let right = ring.read(-2 * k * alpha)?;
         p.equal("α times that, less k times (143), is −2kα", &left, &right)?;
         let free = p.slope("Its slope by c", &stated, "c")?;
-        p.reads_as(
-            &free,
-            "",
-            Expr::int(2) * alpha * alpha.pow(k - Expr::int(1)),
-        )?;
+        p.reads_as(&free, "", 2 * alpha * alpha.pow(k - 1))?;
         p.remark("So (ψ less (143) with c = 0) over α^k has the slope R/α^(k+1) by α, and converges: to 2c. What is left is α^k times the integral of R/α^(k+1) from 0");
         p.note(
             "Now |ψ| is of the order of α^k + α, and R of α^(3k) + α³",
@@ -278,5 +271,4 @@ fn eq143(formula: Expr) -> Proof {
     })
 }
 
-pub(in crate::claims) const TRIALS: &[Attempt] =
-    trials![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];
+attempts![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];

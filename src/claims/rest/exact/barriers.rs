@@ -7,44 +7,31 @@
 use super::boundary::{self, imbalance};
 use super::{least, surfaces};
 use crate::claims::escape::exact::chains as fates;
-use crate::claims::turntable::exact as turntable;
-use crate::exact::Series;
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// The surface of starts that come to rest at σ.
-pub const SURFACE: Statement = Statement::new(
+pub const SURFACE: Statement = Statement::shown(
     Corrected,
-    Compared::shown(
-        r"for every $\sigma$ between 0 and 1 there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, from which the particle comes to rest at $\sigma$ has an $A$ that differs from the corrected $A(\sigma,\alpha,\psi)$ by $K\alpha^3$ at most; and for each such $\alpha$ and each $\psi$ there is a start with rest at $\sigma$",
-    ),
+    r"for every $\sigma$ between 0 and 1 there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, from which the particle comes to rest at $\sigma$ has an $A$ that differs from the corrected $A(\sigma,\alpha,\psi)$ by $K\alpha^3$ at most; and for each such $\alpha$ and each $\psi$ there is a start with rest at $\sigma$",
     surfaces::CORRECTED.formulas,
     surface,
 );
 
 /// The boundary between rest and escape.
-pub const BOUNDARY: Statement = Statement::new(
+pub const BOUNDARY: Statement = Statement::shown(
     Corrected,
-    Compared::shown(
-        r"there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that from every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, the particle comes to rest if $A$ is below the corrected formula by more than $K\alpha^3$, and escapes if it is above by more; for each $\alpha$ and $\psi$ there is an $A$ between from which it comes to $\rho=1$: in a finite time only if $\psi\to\pi$",
-    ),
+    r"there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that from every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, the particle comes to rest if $A$ is below the corrected formula by more than $K\alpha^3$, and escapes if it is above by more; for each $\alpha$ and $\psi$ there is an $A$ between from which it comes to $\rho=1$: in a finite time only if $\psi\to\pi$",
     boundary::stated,
     rest_or_escape,
 );
 
 /// Its lowest points.
-pub const LEAST: Statement = Statement::new(
+pub const LEAST: Statement = Statement::shown(
     Corrected,
-    Compared::shown(
-        r"there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that, with $0<\alpha<\alpha_0$, the particle comes to rest from every start with an $A$ below $1-\alpha+\frac76\alpha^2$ by more than $K\alpha^3$, whatever $\psi$ is, and escapes, if $\psi=2\alpha$, where $A$ is above by more",
-    ),
+    r"there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that, with $0<\alpha<\alpha_0$, the particle comes to rest from every start with an $A$ below $1-\alpha+\frac76\alpha^2$ by more than $K\alpha^3$, whatever $\psi$ is, and escapes, if $\psi=2\alpha$, where $A$ is above by more",
     least::CORRECTED.formulas,
     lowest,
 );
-
-fn int(n: i64) -> Expr {
-    Expr::int(n)
-}
 
 fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
     series.coefficient(power).ok_or(Obstacle::Empty)
@@ -64,29 +51,27 @@ fn moved() -> Proof {
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
         )?;
-        let [a, alpha, psi, sigma] = Expr::symbols(["A", "α", "ψ", "σ"]);
-        let [surface, b, d, k, s] = Expr::symbols(["P", "b", "d", "K", "s"]);
+        let [a, alpha, psi, sigma] = symbols(["A", "α", "ψ", "σ"]);
+        let [surface, b, d, k, s] = symbols(["P", "b", "d", "K", "s"]);
         p.note(
             "Let A = P(α, ψ) be a surface with the slopes b by α and d by ψ, K > 0, and s = 1 or s = −1",
             "the barrier is the surface moved by s K α³, and u = A − P − s K α³ is the distance of a motion from it",
         );
         let falls = |a| -motion::eq114_alpha_rate(a, alpha, psi);
         let [growth, turning] = [motion::eq113_a_rate::tree(), motion::eq115_psi_rate::tree()];
-        let rate =
-            growth + b * falls(a) - d * turning + int(3) * s * k * alpha.squared() * falls(a);
+        let rate = growth + b * falls(a) - d * turning + 3 * s * k * alpha.squared() * falls(a);
         let residual = growth + b * falls(surface) - d * turning;
         let pull = -(b * alpha.cosh() / (a * surface)) * (a - surface);
-        let parts = residual + pull + int(3) * s * k * alpha.squared() * falls(a);
+        let parts = residual + pull + 3 * s * k * alpha.squared() * falls(a);
         p.identity(
             ("du/dτ by (113) to (115)", rate),
             ("which is R + m (A − P) + 3s K α² f: the residual R is the rate of A − P on the surface itself, m = −b cosh α/(A P), and f = −dα/dτ", parts),
         )?;
-        let parts = int(2) * (psi / int(2)).sin().squared()
-            + int(2) * (alpha / int(2)).sinh().squared() / a
-            + (int(1) / a - int(1));
+        let parts =
+            2 * (psi / 2).sin().squared() + 2 * (alpha / 2).sinh().squared() / a + (1 / a - 1);
         p.identity(("f", falls(a)), ("at least 1/A − 1", parts))?;
         p.identity(
-            ("1/A − 1 less 1/σ − 1", int(1) / a - int(1) / sigma),
+            ("1/A − 1 less 1/σ − 1", 1 / a - 1 / sigma),
             ("not negative where A ≤ σ", (sigma - a) / (sigma * a)),
         )
     })
@@ -152,8 +137,8 @@ fn rest_or_escape(formula: Expr) -> Proof {
             "the coefficients of P and R as series in α are polynomials in cos(ψ/2) and sin(ψ/2), so that |R| ≤ Cα^4 for all ψ, with a constant C",
         );
         let slope = p.ring().normal(&-&order(a, 1)?);
-        let psi = Expr::symbol("ψ");
-        let stated = p.read("(1 + cos ψ)/2", (int(1) + psi.cos()) / int(2))?;
+        let psi = symbol("ψ");
+        let stated = p.read("(1 + cos ψ)/2", (1 + psi.cos()) / 2)?;
         p.equal("It is −b at α = 0", &slope, &stated)?;
         p.note(
             "Inside: where |ψ| ≤ π/2",
@@ -207,19 +192,19 @@ fn above(p: &mut Prover<'_>) -> Result<(), Obstacle> {
 
 /// How far the formula is below 1.
 fn lower_than_one(formula: Expr) -> Proof {
-    let [alpha, psi] = Expr::symbols(["α", "ψ"]);
-    let half = psi / int(2);
+    let [alpha, psi] = symbols(["α", "ψ"]);
+    let half = psi / 2;
     let (c, s) = (half.cos(), half.sin());
     let ratio = |n, m| int(n) / int(m);
-    let h = ratio(11, 12) * c.pow(int(3)) + int(2) * s * c.squared() - s.squared() * c
+    let h = ratio(11, 12) * c.pow(int(3)) + 2 * s * c.squared() - s.squared() * c
         + ratio(2, 3) * s.pow(int(3))
-        + c / int(2);
-    let parts = alpha * (c - alpha * h / int(2)).squared() + alpha.squared() / int(4)
-        - alpha.pow(int(3)) * h.squared() / int(4);
+        + c / 2;
+    let parts = alpha * (c - alpha * h / 2).squared() + alpha.squared() / 4
+        - alpha.pow(int(3)) * h.squared() / 4;
     Proof::in_ring("The boundary is below A = 1", least::ring(), |p| {
         p.shows("For every ψ, 1 less the corrected formula for the boundary is at least α²/4 less a bounded number times α³: positive if α > 0 is small enough.");
         p.identity(
-            ("1 less the formula", int(1) - formula),
+            ("1 less the formula", 1 - formula),
             (
                 "at least α²/4 less a bounded number times α³: positive for small α",
                 parts,
@@ -270,4 +255,4 @@ fn lowest(formula: Expr) -> Proof {
     })
 }
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&LEAST, &SURFACE, &BOUNDARY];
+attempts![&LEAST, &SURFACE, &BOUNDARY];

@@ -3,12 +3,7 @@
 //! With t = tan(ψ/2), Fₖ = (aₖ + x₁ t + … + x₂ₖ t²ᵏ)/(1 + t²)ᵏ. The equation of the order k gives the xₙ of Fₖ, and the
 //! constant aₖ₋₁ of the order before, as the condition that it can be solved at ψ = 0.
 
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::rest as corrected;
-use crate::exact::{Derivation, Series};
-use crate::paper::turntable as motion;
-use trialbook::prelude::*;
-use trialbook::trials::runs::Derived;
+use crate::claims::rest::prelude::*;
 
 /// The boundary is stated to the second order; two more follow.
 const ORDER: i64 = 4;
@@ -190,4 +185,4 @@ pub const PRINTED: Statement = Statement::new(
     |formula| prove(formula, 1),
 );
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&PRINTED, &CORRECTED];
+attempts![&PRINTED, &CORRECTED];

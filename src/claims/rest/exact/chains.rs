@@ -4,16 +4,12 @@ use super::arrivals;
 use crate::claims::escape::exact::chains::{
     acceleration, comes_to_rest, polar, pushed, stops_along,
 };
-use crate::claims::turntable::exact as turntable;
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// Rest or escape.
-pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::new(
+pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Within,
-    Compared::shown(
-        r"every motion that never comes to rest, though $\rho$ stays bounded, converges to a place, with $p\to0$: inside $\rho=1$ it would come to rest, beyond it would be pushed away, so that it creeps towards $\rho=1$",
-    ),
+    r"every motion that never comes to rest, though $\rho$ stays bounded, converges to a place, with $p\to0$: inside $\rho=1$ it would come to rest, beyond it would be pushed away, so that it creeps towards $\rho=1$",
     || {
         (
             printed::s4_third_fates(),
@@ -42,11 +38,9 @@ fn dichotomy((third, bound, acceleration): (Expr, Expr, [Expr; 2])) -> Proof {
 }
 
 /// How the particle comes to rest.
-pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::new(
+pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::shown(
     Within,
-    Compared::shown(
-        r"for every motion with $p<\rho$ that comes to rest after a finite time, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved under their conditions",
-    ),
+    r"for every motion with $p<\rho$ that comes to rest after a finite time, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved under their conditions",
     || {
         (
             printed::s4_near_rest_limits(),
@@ -105,4 +99,4 @@ fn near_rest((limits, ahead): ([Expr; 2], Expr)) -> Proof {
     })
 }
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&NEAR_REST, &DICHOTOMY];
+attempts![&NEAR_REST, &DICHOTOMY];

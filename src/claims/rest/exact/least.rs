@@ -1,9 +1,7 @@
 //! The least A of the boundary between rest and escape, over all ψ: what there is in place of the envelope (147).
 
 use super::boundary;
-use crate::corrections::rest as corrected;
-use crate::exact::Series;
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// The boundary is stated to this power of α.
 const ORDER: i64 = 2;
@@ -47,20 +45,18 @@ pub fn prove(formula: Expr) -> Proof {
         let y = p.ring().named("y")?;
         where_it_is(p, formula, y)?;
 
-        let [alpha, psi] = Expr::symbols(["α", "ψ"]);
-        let half = psi / Expr::int(2);
+        let [alpha, psi] = symbols(["α", "ψ"]);
+        let half = psi / 2;
         let (c, s) = (half.cos(), half.sin());
-        let ratio = |n, m| Expr::int(n) / Expr::int(m);
+        let ratio = |n, m| int(n) / int(m);
         p.remark("With any ψ let S be sin(ψ/2), C be cos(ψ/2), and G as follows, of the size 25/4 at most");
         let above = p.read("A less the formula", boundary::stated() - formula)?;
-        let g = Expr::int(2) * c.pow(Expr::int(3))
-            - ratio(7, 6) * s * (Expr::int(1) + c.squared())
-            - s * c.squared()
+        let g = 2 * c.pow(int(3)) - ratio(7, 6) * s * (1 + c.squared()) - s * c.squared()
             + ratio(2, 3) * s.squared() * c
-            - ratio(1, 4) * s.pow(Expr::int(3));
+            - ratio(1, 4) * s.pow(int(3));
         p.read("G", g)?;
-        let square = alpha * (s + alpha * g / Expr::int(2)).squared();
-        let parts = square - alpha.pow(Expr::int(3)) * g.squared() / Expr::int(4);
+        let square = alpha * (s + alpha * g / 2).squared();
+        let parts = square - alpha.pow(int(3)) * g.squared() / 4;
         p.reads_as(&above, "which is α (S + αG/2)² − α³G²/4", parts)?;
         p.note(
             "So A is nowhere less than the formula",
@@ -92,7 +88,7 @@ pub const PRINTED: Statement = Statement::new(
     prove,
 );
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&PRINTED, &CORRECTED];
+attempts![&PRINTED, &CORRECTED];
 
 #[cfg(test)]
 mod tests {
@@ -100,7 +96,7 @@ mod tests {
 
     #[test]
     fn what_lies_below_the_boundary_by_the_third_order_is_refused() {
-        let below = (CORRECTED.formulas)() - Expr::symbol("α").pow(Expr::int(3));
+        let below = (CORRECTED.formulas)() - symbol("α").pow(int(3));
         assert!(!prove(below).holds());
     }
 }

@@ -1,18 +1,14 @@
 //! The surfaces of starts that come to rest close to ρ = 1: hyperbolas around a saddle.
 
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::rest as corrected;
-use crate::exact::Series;
-use crate::paper::turntable as motion;
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// The lowest order is wanted; one more follows.
 const ORDER: i64 = 2;
 
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::of(["a", "x", "y", "σ", "α"]);
-    let [sigma, alpha] = Expr::symbols(["σ", "α"]);
-    let square = ring.read((Expr::int(1) - sigma).squared() + alpha.squared())?;
+    let [sigma, alpha] = symbols(["σ", "α"]);
+    let square = ring.read((1 - sigma).squared() + alpha.squared())?;
     ring.root(&square, 2)?;
     Ok(ring)
 }
@@ -34,7 +30,7 @@ pub fn prove(formula: Expr) -> Proof {
             ("α", &scaled("x")?),
             ("ψ", &scaled("y")?),
         ];
-        let alpha = Expr::symbol("α");
+        let alpha = symbol("α");
         let mut found = Vec::new();
         for (says, formula, name) in [
             ("dA/dτ by (113)", motion::eq113_a_rate::tree(), "x"),
@@ -51,20 +47,20 @@ pub fn prove(formula: Expr) -> Proof {
             found.push(order(1)?);
         }
         let saddle = ring.along(&[("a", found.remove(0)), ("x", found.remove(0))])?;
-        let [a, x, sigma] = Expr::symbols(["a", "x", "σ"]);
+        let [a, x, sigma] = symbols(["a", "x", "σ"]);
         let kept = p.read("a² − x²", a.squared() - x.squared())?;
         let rate = p.derivative("Its rate", &kept, &saddle)?;
-        p.reads_as(&rate, "", Expr::int(0))?;
+        p.reads_as(&rate, "", int(0))?;
         p.note(
             "At rest α = 0 and A = σ",
             "so (A − 1)² − α² is (1 − σ)²: A = 1 − √((1 − σ)² + α²)",
         );
-        let deficit = Expr::int(1) - sigma;
-        let surface = Expr::int(1) - (deficit.squared() + alpha.squared()).sqrt();
+        let deficit = 1 - sigma;
+        let surface = 1 - (deficit.squared() + alpha.squared()).sqrt();
         p.identity(
             (
                 "(A − 1)² − α² with this A",
-                (surface - Expr::int(1)).squared() - alpha.squared(),
+                (surface - 1).squared() - alpha.squared(),
             ),
             ("", deficit.squared()),
         )?;
@@ -85,7 +81,7 @@ pub const CORRECTED: Statement = Statement::new(
     prove,
 );
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&CORRECTED];
+attempts![&CORRECTED];
 
 #[cfg(test)]
 mod tests {

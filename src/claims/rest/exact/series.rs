@@ -4,11 +4,7 @@
 //! that (143) prints. The coefficients are found order by order from the equations of motion (113) to (115), which are
 //! proved from Newton's law.
 
-use crate::claims::turntable::exact as turntable;
-use crate::exact::{Derivation, Series};
-use crate::paper::{rest as printed, turntable as motion};
-use trialbook::prelude::*;
-use trialbook::trials::runs::Derived;
+use crate::claims::rest::prelude::*;
 
 /// Coefficients to be found at one order.
 const UNKNOWN: [&str; 7] = ["x₀", "x₁", "x₂", "x₃", "x₄", "x₅", "x₆"];
@@ -37,7 +33,7 @@ fn small() -> Series {
 
 /// What α d/dα is of ζ.
 fn moving(ring: &Ring) -> Result<Derivation, ExactError> {
-    let zeta = Expr::symbol("ζ");
+    let zeta = symbol("ζ");
     ring.along(&[("ζ", ring.read(zeta * printed::eq143_exponent::tree())?)])
 }
 
@@ -271,7 +267,7 @@ pub fn eq144([left, right]: [Expr; 2]) -> Proof {
 pub fn eq143(formula: Expr) -> Proof {
     from_series("(143): ψ near rest", |p, [psi, ..]| {
         let ring = p.ring();
-        let [alpha, c] = Expr::symbols(["α", "c"]);
+        let [alpha, c] = symbols(["α", "c"]);
         let zeta = p.read(
             "ζ",
             c * crate::scalar::Scalar::pow(alpha, printed::eq143_exponent::tree()),
@@ -312,7 +308,7 @@ pub const EQ142: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
     || {
-        let [sigma, slope] = Expr::symbols(["σ", "slope"]);
+        let [sigma, slope] = symbols(["σ", "slope"]);
         [
             printed::eq142_left(sigma, slope),
             printed::eq142_right::tree(),
@@ -327,7 +323,7 @@ pub const EQ144: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
     || {
-        let [sigma, slope] = Expr::symbols(["σ", "slope"]);
+        let [sigma, slope] = symbols(["σ", "slope"]);
         [
             printed::eq144_left(sigma, slope),
             printed::eq144_right::tree(),
@@ -338,5 +334,4 @@ pub const EQ144: Statement<[Expr; 2]> = Statement::new(
 /// (145) against them.
 pub const EQ145: Statement = Statement::new(Within, SERIES, printed::eq145_a::tree, eq145);
 
-pub(in crate::claims) const TRIALS: &[Attempt] =
-    trials![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];
+attempts![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];

@@ -4,11 +4,7 @@
 //! finite at ψ = 0, where the motions to rest arrive.
 
 use super::boundary::{ENOUGH, imbalance};
-use crate::claims::turntable::exact as turntable;
-use crate::corrections::rest as corrected;
-use crate::exact::Series;
-use crate::paper::rest as printed;
-use trialbook::prelude::*;
+use crate::claims::rest::prelude::*;
 
 /// The power of α to which the surface is stated.
 const ORDER: i64 = 2;
@@ -16,9 +12,7 @@ const ORDER: i64 = 2;
 pub(super) fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     ring.angle("ψ");
-    for name in ["σ", "α"] {
-        ring.symbol(name);
-    }
+    ring.symbols(["σ", "α"]);
     Ok(ring)
 }
 
@@ -73,4 +67,4 @@ pub const CORRECTED: Statement = Statement::new(
     prove,
 );
 
-pub(in crate::claims) const TRIALS: &[Attempt] = trials![&CORRECTED];
+attempts![&CORRECTED];

@@ -1,13 +1,13 @@
 //! What the statements on whole ranges take for granted, proved in exact arithmetic.
 
 use super::super::exact::{ring_of_phi_t1, ring_of_phi1};
-use crate::exact::{Series, folded};
-use trialbook::prelude::*;
+use crate::claims::sinusoidal::prelude::*;
+use crate::exact::folded;
 
 /// By φ₁, here β, the phases are β, π − β and 2π − β, and λ₀ = sin β; and (32)'s left side, of λ₀, φ₁ and φ, has the
 /// slope sin φ − λ₀.
 pub fn phases(printed: [Expr; 3], left: Expr) -> Proof {
-    let [beta, lambda0, phi] = ["β", "λ₀", "φ"].map(Expr::symbol);
+    let [beta, lambda0, phi] = ["β", "λ₀", "φ"].map(symbol);
     Proof::in_ring("the phases by φ₁ = β", ring_of_phi1(), |p| {
         let names = ["φ₁", "φ₂", "φ₄"];
         for ((name, printed), ours) in names.into_iter().zip(printed).zip(by_phi1(beta)) {

@@ -3,11 +3,10 @@
 
 use super::{AS_A_PARTICLE, Components, EQ74, S3_REDUCTION, Vectorial};
 use crate::claims::constant::exact as constant;
-use crate::corrections::sphere as corrected;
+use crate::claims::sphere::prelude::*;
 use crate::paper::constant as particle;
 use crate::paper::general::eq1_velocity_rate;
 use crate::paper::sphere as paper;
-use trialbook::prelude::*;
 
 /// The ring of both sets of letters, with the powers of the half tangents of angles of a sign.
 fn ring(sign: i64) -> Result<Ring, ExactError> {
@@ -36,8 +35,8 @@ fn prove(title: &str, formula: &[Expr], rests_on: &Statement, particle: Expr) ->
                 letters.push((ring.named(own)?, ring.named(ours)?));
             }
             let values: Vec<_> = letters.iter().map(|(own, ours)| (own, ours)).collect();
-            let [lambda, a, gamma, u, theta] = Expr::symbols(["λ", "A", "γ", "u", "θ"]);
-            let (zero, one) = (Expr::int(0), Expr::int(1));
+            let [lambda, a, gamma, u, theta] = symbols(["λ", "A", "γ", "u", "θ"]);
+            let (zero, one) = (int(0), int(1));
             let [x, y] = [u * theta.cos(), u * theta.sin()];
             let law = eq1_velocity_rate([-a, zero], lambda * a, one, [x, y]);
             let slip = paper::eq74_slip_rate(lambda * gamma, [-gamma, zero, zero], [x, y, zero]);

@@ -1,11 +1,9 @@
 //! The sliding sphere, (63) to (79): rates by the laws of motion against printed rates.
 
 use super::{AXES, BY_COMPONENTS, BY_DEFINITION, Components, Vectorial};
-use crate::corrections::sphere as corrected;
-use crate::exact::Derivation;
+use crate::claims::sphere::prelude::*;
 use crate::paper::general::eq1_velocity_rate;
 use crate::paper::sphere as paper;
-use trialbook::prelude::*;
 
 /// The friction force on the sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -28,13 +26,11 @@ pub(super) struct Body {
 impl Body {
     fn new(friction: Force) -> Result<Self, ExactError> {
         let mut ring = Ring::new();
-        let [m, inertia, radius, mu, k] = ["m", "I", "R", "μ", "k"].map(|name| ring.symbol(name));
-        let [ax, ay] = ["A_x", "A_y"].map(|name| ring.symbol(name));
-        let [vx, vy] = ["v_x", "v_y"].map(|name| ring.symbol(name));
-        let [wx, wy, _] = ["ω_x", "ω_y", "ω_z"].map(|name| ring.symbol(name));
-        for name in ["ν_x", "ν_y", "c_x", "c_y", "t"] {
-            ring.symbol(name);
-        }
+        let [m, inertia, radius, mu, k] = ring.symbols(["m", "I", "R", "μ", "k"]);
+        let [ax, ay] = ring.symbols(["A_x", "A_y"]);
+        let [vx, vy] = ring.symbols(["v_x", "v_y"]);
+        let [wx, wy, _] = ring.symbols(["ω_x", "ω_y", "ω_z"]);
+        ring.symbols(["ν_x", "ν_y", "c_x", "c_y", "t"]);
         // k stands for μg; the roots of k and R serve (69) to (71).
         let g = ring.divide(&k, &mu)?;
         ring.define("g", g)?;
@@ -58,7 +54,7 @@ impl Body {
                 let held = |a: &Rational| ring.divide(&(&m * a), &ring.named("b")?);
                 [held(&ax)?, held(&ay)?]
             }
-            Force::Any => ["F_x", "F_y"].map(|name| ring.symbol(name)),
+            Force::Any => ring.symbols(["F_x", "F_y"]),
         };
         // Newton: m dv/dt = F − m A. Euler: I dω/dt = R × F = (R F_y, −R F_x, 0).
         let lever = ring.divide(&radius, &inertia)?;
@@ -123,18 +119,18 @@ fn rates(
 }
 
 fn zero() -> Expr {
-    Expr::int(0)
+    int(0)
 }
 fn acceleration() -> [Expr; 3] {
-    let [x, y] = Expr::symbols(["A_x", "A_y"]);
+    let [x, y] = symbols(["A_x", "A_y"]);
     [x, y, zero()]
 }
 fn velocity() -> [Expr; 3] {
-    let [x, y] = Expr::symbols(["v_x", "v_y"]);
+    let [x, y] = symbols(["v_x", "v_y"]);
     [x, y, zero()]
 }
 fn omega() -> [Expr; 3] {
-    Expr::symbols(["ω_x", "ω_y", "ω_z"])
+    symbols(["ω_x", "ω_y", "ω_z"])
 }
 fn contact() -> [Expr; 3] {
     paper::eq61_contact::tree()
@@ -143,7 +139,7 @@ fn slip() -> [Expr; 3] {
     paper::slip(velocity(), omega(), contact())
 }
 fn mu_g_radius() -> [Expr; 3] {
-    Expr::symbols(["μ", "g", "R"])
+    symbols(["μ", "g", "R"])
 }
 /// u by (71).
 fn u() -> [Expr; 3] {
@@ -158,17 +154,17 @@ fn gamma() -> [Expr; 3] {
 /// dτ/dt by (69).
 fn tau_rate() -> Expr {
     let [mu, g, radius] = mu_g_radius();
-    paper::eq69_time(radius, mu, g, Expr::int(1))
+    paper::eq69_time(radius, mu, g, int(1))
 }
 fn per_tau() -> Expr {
-    Expr::int(1) / tau_rate()
+    1 / tau_rate()
 }
 /// dρ/dτ by (68) and (69).
 fn rho_rate() -> [Expr; 3] {
-    paper::eq68_position(Expr::symbol("R"), velocity()).map(|c| c / tau_rate())
+    paper::eq68_position(symbol("R"), velocity()).map(|c| c / tau_rate())
 }
 fn nu() -> [Expr; 3] {
-    let [x, y] = Expr::symbols(["ν_x", "ν_y"]);
+    let [x, y] = symbols(["ν_x", "ν_y"]);
     [x, y, zero()]
 }
 pub(super) fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
@@ -182,10 +178,7 @@ pub const EQ63: Vectorial = Vectorial::new(
         let [mu, g, _] = mu_g_radius();
         paper::eq63_velocity_rate(acceleration(), mu, g, velocity(), omega(), contact()).into()
     },
-    |printed| {
-        let one = Expr::int(1);
-        rates("(63): d²r/dt²", Force::Sliding, velocity(), one, printed)
-    },
+    |printed| rates("(63): d²r/dt²", Force::Sliding, velocity(), int(1), printed),
 );
 
 pub(super) fn eq64() -> Components {
@@ -193,7 +186,7 @@ pub(super) fn eq64() -> Components {
     paper::eq64_spin_rate(mu, g, velocity(), omega(), contact()).into()
 }
 pub const EQ64: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq64, |printed| {
-    let factor = Expr::symbol("κ") * Expr::symbol("R").squared();
+    let factor = symbol("κ") * symbol("R").squared();
     rates("(64): κ R² dω/dt", Force::Sliding, omega(), factor, printed)
 });
 
@@ -202,17 +195,16 @@ pub const EQ65: Vectorial = Vectorial::new(
     BY_COMPONENTS,
     || {
         let [mu, g, _] = mu_g_radius();
-        let kappa = Expr::symbol("κ");
+        let kappa = symbol("κ");
         paper::eq65_spin_slip_rate(kappa, mu, g, velocity(), omega(), contact()).into()
     },
     |printed| {
         let spin_share = paper::slip([zero(); 3], omega(), contact());
-        let one = Expr::int(1);
         rates(
             "(65): d(ω × R)/dt",
             Force::Sliding,
             spin_share,
-            one,
+            int(1),
             printed,
         )
     },
@@ -223,15 +215,14 @@ pub const EQ66: Vectorial = Vectorial::new(
     BY_COMPONENTS,
     || {
         let [mu, g, _] = mu_g_radius();
-        paper::eq66_slip_rate(acceleration(), Expr::symbol("b"), mu, g, slip()).into()
+        paper::eq66_slip_rate(acceleration(), symbol("b"), mu, g, slip()).into()
     },
     |printed| {
-        let one = Expr::int(1);
         rates(
             "(66): d(dr/dt + ω × R)/dt",
             Force::Sliding,
             slip(),
-            one,
+            int(1),
             printed,
         )
     },
@@ -251,7 +242,7 @@ pub const EQ73: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq73, |printe
 });
 
 pub(super) fn eq74() -> Components {
-    paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u()).into()
+    paper::eq74_slip_rate(symbol("b"), gamma(), u()).into()
 }
 
 pub const EQ74: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq74, |printed| {
@@ -309,7 +300,7 @@ pub const EQ77: Vectorial = Vectorial::new(
 pub const EQ78: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
-    || paper::eq78_rate(Expr::symbol("b"), u()).into(),
+    || paper::eq78_rate(symbol("b"), u()).into(),
     |printed| {
         let quantity = sum(u(), nu());
         rates(
@@ -327,8 +318,8 @@ pub const EQ79: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || {
-        let [cx, cy] = Expr::symbols(["c_x", "c_y"]);
-        paper::eq79_velocity(Expr::symbol("b"), nu(), u(), [cx, cy, zero()]).into()
+        let [cx, cy] = symbols(["c_x", "c_y"]);
+        paper::eq79_velocity(symbol("b"), nu(), u(), [cx, cy, zero()]).into()
     },
     |printed| {
         let along_z = printed[2];
@@ -356,7 +347,7 @@ pub const EQ62: Vectorial = Vectorial::new(
     ),
     paper::eq62_kappa::parts,
     |kappa| {
-        let factor = kappa[0] * Expr::symbol("R").squared();
+        let factor = kappa[0] * symbol("R").squared();
         let title = "(62): κ in κ R² dω/dt by (64)";
         rates(title, Force::Sliding, omega(), factor, eq64())
     },
@@ -375,7 +366,7 @@ pub const EQ68: Vectorial = Vectorial::new(
         r"(73), with $\bm\rho$ by the definition,",
         "Newton's law for the sphere",
     ),
-    || paper::eq68_position(Expr::symbol("R"), velocity()).into(),
+    || paper::eq68_position(symbol("R"), velocity()).into(),
     |rate| {
         let rho_rate = [0, 1, 2].map(|i| rate[i] / tau_rate());
         prove("(68): d²ρ/dτ² by (73)", Force::Sliding, |p, body| {
@@ -395,7 +386,7 @@ pub const EQ69: Vectorial = Vectorial::new(
     BY_DEFINITION,
     || {
         let [mu, g, radius] = mu_g_radius();
-        vec![paper::eq69_time(radius, mu, g, Expr::symbol("t"))]
+        vec![paper::eq69_time(radius, mu, g, symbol("t"))]
     },
     |tau| {
         prove(
@@ -444,7 +435,7 @@ pub const EQ71: Vectorial = Vectorial::new(
     || u().into(),
     |slip| {
         let u = [0, 1, 2].map(|i| slip[i]);
-        let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma(), u).into();
+        let stated = paper::eq74_slip_rate(symbol("b"), gamma(), u).into();
         let title = "(71): du/dτ by (74)";
         rates(title, Force::Sliding, u, per_tau(), stated)
     },
@@ -457,7 +448,7 @@ pub const EQ72: Vectorial = Vectorial::new(
     || gamma().into(),
     |pull| {
         let gamma = [0, 1, 2].map(|i| pull[i]);
-        let stated = paper::eq74_slip_rate(Expr::symbol("b"), gamma, u()).into();
+        let stated = paper::eq74_slip_rate(symbol("b"), gamma, u()).into();
         let title = "(72): γ in du/dτ by (74)";
         rates(title, Force::Sliding, u(), per_tau(), stated)
     },
@@ -470,7 +461,7 @@ pub const S3_REDUCTION: Vectorial = Vectorial::new(
     || {
         let [mu, g, _] = mu_g_radius();
         let ([ax, ay, _], [wx, wy, _]) = (acceleration(), slip());
-        eq1_velocity_rate([ax, ay], Expr::symbol("b") * mu, g, [wx, wy]).into()
+        eq1_velocity_rate([ax, ay], symbol("b") * mu, g, [wx, wy]).into()
     },
     |particle| {
         prove(
@@ -499,7 +490,7 @@ pub(super) fn prove_rolling() -> Proof {
                 let w = p.read(&format!("w {axis}"), w)?;
                 let rate = p.derivative("Its rate", &w, &body.motion)?;
                 let force = ["F_x", "F_y"][usize::from(*axis != AXES[0])];
-                let force = Expr::symbol("b") * Expr::symbol(force) / Expr::symbol("m");
+                let force = symbol("b") * symbol(force) / symbol("m");
                 p.reads_as(&rate, "", force - a)?;
             }
             p.note(
@@ -534,7 +525,7 @@ fn spin_constant(friction: Force, stated: &[Expr]) -> Proof {
             let q = p.read("Of", q)?;
             let rate = p.derivative("The rate", &q, &body.motion)?;
             let slope = p.slope("Its slope by ω_z", &rate, "ω_z")?;
-            p.reads_as(&slope, "", Expr::int(0))?;
+            p.reads_as(&slope, "", int(0))?;
         }
         Ok(())
     })

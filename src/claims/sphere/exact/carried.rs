@@ -7,41 +7,13 @@ use crate::claims::periodic::chains::{MOSTLY_AT_REST, REST_ABOVE_ONE};
 use crate::claims::periodic::critical_friction::THRESHOLD;
 use crate::claims::periodic::exact as pulses;
 use crate::claims::sinusoidal::attraction;
+use crate::claims::sphere::prelude::*;
 use crate::paper::{anisotropic, sinusoidal, sphere as paper};
-use trialbook::prelude::*;
-
-/// The pulse train.
-const PULSE: Statement = Statement::new(
-    Printed,
-    Compared::shown(
-        r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that (44) to (46) are proved",
-    ),
-    || {
-        let [b, mu, g, a0] = symbols();
-        paper::eq84_lambda(b, mu, g, a0)
-    },
-    pulse,
-);
-
-/// Any periodic drive.
-const ANY_DRIVE: Statement = Statement::new(
-    Printed,
-    Compared::shown(
-        r"for every sphere and every start: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22), and (26) with $h$ for the sine is its equation; for that it is proved that all rests above $\lambda_0=1$, that the share of rest tends to 1 below it if $\lvert h\rvert=1$ at single instants, and that, under the conditions of that theorem, some $\lambda_\mathrm c$ divides large friction, with rests, from small, without",
-    ),
-    || {
-        let [b, mu, g, a0] = symbols();
-        paper::eq84_lambda(b, mu, g, a0)
-    },
-    any_drive,
-);
 
 /// The sinusoidal drive.
-pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::new(
+pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::shown(
     Within,
-    Compared::shown(
-        r"for every sphere, every start and every $\lambda_0>0$ of (84) but $\lambda_\mathrm c$ and 1: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that the three kinds are proved, with the zeros and the rests, and that $\lambda_\mathrm c$ of (37) is where the curves A and B meet",
-    ),
+    r"for every sphere, every start and every $\lambda_0>0$ of (84) but $\lambda_\mathrm c$ and 1: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that the three kinds are proved, with the zeros and the rests, and that $\lambda_\mathrm c$ of (37) is where the curves A and B meet",
     || {
         let [b, mu, g, a0] = symbols();
         [
@@ -52,19 +24,6 @@ pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::new(
     trichotomy,
 );
 
-/// Anisotropic friction.
-pub const ANISOTROPIC: Statement = Statement::new(
-    Printed,
-    Compared::shown(
-        r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu_\pm$ in place of $\mu_\pm$, which makes (85) of (49) and $q$ times (85) of (50); for that the regions, with E, are proved for every $q\ge1$",
-    ),
-    || {
-        let [b, mu, g, a0] = symbols();
-        paper::eq85_lambda(b, mu, g, a0)
-    },
-    regions,
-);
-
 fn symbols() -> [Expr; 4] {
     Expr::symbols(["b", "μ", "g", "A₀"])
 }
@@ -72,7 +31,7 @@ fn symbols() -> [Expr; 4] {
 fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::of(["b", "μ", "g", "A₀", "q"]);
     // For (37).
-    let square = ring.read(Expr::int(4) + Expr::pi() * Expr::pi())?;
+    let square = ring.read(4 + pi() * pi())?;
     ring.root(&square, 2)?;
     Ok(ring)
 }
@@ -125,7 +84,7 @@ fn trichotomy([lambda0, critical]: [Expr; 2]) -> Proof {
 fn regions(lambda0: Expr) -> Proof {
     carried("The regions of the sphere", |p| {
         let [b, mu, g, a0] = symbols();
-        let q = Expr::symbol("q");
+        let q = symbol("q");
         p.note(
             "μ is that of slip towards +x, qμ that of slip towards −x",
             "static friction F = m A/b holds as long as A is at most b times the friction of its direction",
@@ -159,5 +118,36 @@ fn regions(lambda0: Expr) -> Proof {
     })
 }
 
-pub(in crate::claims) const TRIALS: &[Attempt] =
-    trials![&TRICHOTOMY, &ANY_DRIVE, &PULSE, &ANISOTROPIC];
+attempts![
+    &TRICHOTOMY,
+    // Any periodic drive.
+    &ANY_DRIVE = Statement::shown(
+        Printed,
+        r"for every sphere and every start: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22), and (26) with $h$ for the sine is its equation; for that it is proved that all rests above $\lambda_0=1$, that the share of rest tends to 1 below it if $\lvert h\rvert=1$ at single instants, and that, under the conditions of that theorem, some $\lambda_\mathrm c$ divides large friction, with rests, from small, without",
+        || {
+            let [b, mu, g, a0] = symbols();
+            paper::eq84_lambda(b, mu, g, a0)
+        },
+        any_drive
+    ),
+    // The pulse train.
+    &PULSE = Statement::shown(
+        Printed,
+        r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that (44) to (46) are proved",
+        || {
+            let [b, mu, g, a0] = symbols();
+            paper::eq84_lambda(b, mu, g, a0)
+        },
+        pulse
+    ),
+    // Anisotropic friction.
+    &ANISOTROPIC = Statement::shown(
+        Printed,
+        r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu_\pm$ in place of $\mu_\pm$, which makes (85) of (49) and $q$ times (85) of (50); for that the regions, with E, are proved for every $q\ge1$",
+        || {
+            let [b, mu, g, a0] = symbols();
+            paper::eq85_lambda(b, mu, g, a0)
+        },
+        regions
+    )
+];

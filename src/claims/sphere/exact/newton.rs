@@ -1,8 +1,8 @@
 //! The laws themselves: (59) from the laboratory, (60) from the sphere's parts.
 
 use super::{AXES, Vectorial};
+use crate::claims::sphere::prelude::*;
 use crate::paper::sphere as paper;
-use trialbook::prelude::*;
 
 type Vector = [Rational; 3];
 
@@ -22,8 +22,8 @@ pub const EQ59: Vectorial = Vectorial::new(
         "Newton's law in the laboratory, where friction alone acts",
     ),
     || {
-        let [m, ax, ay, fx, fy] = Expr::symbols(["m", "A_x", "A_y", "F_x", "F_y"]);
-        let zero = Expr::int(0);
+        let [m, ax, ay, fx, fy] = symbols(["m", "A_x", "A_y", "F_x", "F_y"]);
+        let zero = int(0);
         paper::eq59_momentum_rate(m, [ax, ay, zero], [fx, fy, zero]).into()
     },
     |printed| {
@@ -87,19 +87,19 @@ pub const EQ60: Vectorial = Vectorial::new(
         "Newton's law for six point masses that move as one body",
     ),
     || {
-        let [fx, fy] = Expr::symbols(["F_x", "F_y"]);
+        let [fx, fy] = symbols(["F_x", "F_y"]);
         let contact = paper::eq61_contact::tree();
-        paper::eq60_spin_rate(contact, [fx, fy, Expr::int(0)]).into()
+        paper::eq60_spin_rate(contact, [fx, fy, int(0)]).into()
     },
     |printed| {
         let title = "(60): I dω/dt";
         let mut ring = Ring::new();
-        let [m, arm, radius, normal] = ["m", "a", "R", "N"].map(|name| ring.symbol(name));
+        let [m, arm, radius, normal] = ring.symbols(["m", "a", "R", "N"]);
         let vector =
             |ring: &mut Ring, names: [&'static str; 3]| names.map(|name| ring.symbol(name));
         let omega = vector(&mut ring, ["ω_x", "ω_y", "ω_z"]);
         let alpha = vector(&mut ring, ["α_x", "α_y", "α_z"]);
-        let [ax, ay, fx, fy] = ["A_x", "A_y", "F_x", "F_y"].map(|name| ring.symbol(name));
+        let [ax, ay, fx, fy] = ring.symbols(["A_x", "A_y", "F_x", "F_y"]);
         let zero = || Rational::int(0);
         let each = match ring.divide(&m, &Rational::int(6)) {
             Ok(each) => each,

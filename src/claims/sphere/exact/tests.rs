@@ -5,6 +5,5 @@ use super::*;
 #[test]
 fn vectors_are_added_component_by_component() {
     let [a, b, c] = Expr::symbols(["a", "b", "c"]);
-    let sum = body::sum([a, b, c], [c, a, b]);
-    assert_eq!(sum, [a + c, b + a, c + b]);
+    assert_eq!(body::sum([a, b, c], [c, a, b]), [a + c, b + a, c + b]);
 }

@@ -1,9 +1,9 @@
 //! The motion by p, ℓ, ξ and by p, ρ, ψ: (96) to (102), (107) to (109).
 
 use super::{Setting, Vectorial, changes, prove, rate, vectors};
+use crate::claims::turntable::prelude::*;
 use crate::corrections::turntable as corrected;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 #[track_caller]
 const fn equation(
@@ -27,7 +27,7 @@ fn sides(title: &str, printed: &[Expr]) -> Proof {
 pub const EQ96: Vectorial = equation(
     "the right side, with (95)",
     || {
-        let [p, ell] = Expr::symbols(["p", "ℓ"]);
+        let [p, ell] = symbols(["p", "ℓ"]);
         let [position, rate] = vectors();
         paper::eq96_angular_momentum(p, ell, position, rate).into()
     },
@@ -36,7 +36,7 @@ pub const EQ96: Vectorial = equation(
 pub const EQ97: Vectorial = equation(
     "the right side, with (94)",
     || {
-        let [p, xi] = Expr::symbols(["p", "ξ"]);
+        let [p, xi] = symbols(["p", "ξ"]);
         let [position, rate] = vectors();
         paper::eq97_radial(p, xi, position, rate).into()
     },
@@ -45,7 +45,7 @@ pub const EQ97: Vectorial = equation(
 pub const EQ98: Vectorial = equation(
     "the right side, with (94) and (95)",
     || {
-        let [ell, xi] = Expr::symbols(["ℓ", "ξ"]);
+        let [ell, xi] = symbols(["ℓ", "ξ"]);
         paper::eq98_distance(vectors()[0], ell, xi).into()
     },
     |printed| sides("(98), with (94) and (95)", &printed),
@@ -87,7 +87,7 @@ pub const EQ102: Vectorial = Vectorial::new(
         r"$\rho\,\mathrm d\rho/\mathrm d\tau$ by (89)",
     ),
     || {
-        let [ell, xi, p] = [["ℓ", "dℓ/dτ"], ["ξ", "dξ/dτ"], ["p", "dp/dτ"]].map(Expr::symbols);
+        let [ell, xi, p] = [["ℓ", "dℓ/dτ"], ["ξ", "dξ/dτ"], ["p", "dp/dτ"]].map(symbols);
         paper::eq102_rate(ell, xi, p).into()
     },
     |printed| {

@@ -1,8 +1,8 @@
 //! The definitions (93) to (95), (110) to (112), (116) to (118), by what they have to be consistent with.
 
 use super::{Setting, Vectorial, prove, vectors};
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 #[track_caller]
 const fn consistent(
@@ -29,7 +29,7 @@ pub const EQ93: Vectorial = consistent(
     Compared::one("(93)", "the size of the velocity"),
     || vec![paper::eq93_speed(vectors()[1])],
     |printed| {
-        let size = Expr::symbol("p");
+        let size = symbol("p");
         let expected = ("the size of the velocity p (cos χ, sin χ)", size);
         is("(93): p", Setting::polar(), &printed, expected)
     },
@@ -39,7 +39,7 @@ pub const EQ94: Vectorial = consistent(
     paper::eq94_xi::parts,
     |printed| {
         let [[x, y], [u, v]] = vectors();
-        let along = (x * u + y * v) / Expr::symbol("p");
+        let along = (x * u + y * v) / symbol("p");
         let expected = ("the position along the velocity", along);
         is("(94): ξ", Setting::polar(), &printed, expected)
     },
@@ -52,7 +52,7 @@ pub const EQ95: Vectorial = consistent(
     paper::eq95_ell::parts,
     |printed| {
         let [[x, y], [u, v]] = vectors();
-        let across = (x * v - y * u) / Expr::symbol("p");
+        let across = (x * v - y * u) / symbol("p");
         let expected = ("the moment of the velocity about the axis, over p", across);
         is("(95): ℓ", Setting::polar(), &printed, expected)
     },
@@ -62,7 +62,7 @@ pub const EQ110: Vectorial = consistent(
     Compared::one("(110), by (111) and (112),", "$-A^2$"),
     paper::eq110_case::parts,
     |printed| {
-        let expected = ("negative", -Expr::symbol("A").squared());
+        let expected = ("negative", -symbol("A").squared());
         let title = "(110): with (111) and (112)";
         is(title, Setting::slower(), &printed, expected)
     },
@@ -71,7 +71,7 @@ pub const EQ116: Vectorial = consistent(
     Compared::one("(116), by (117) and (118),", "$B^2$"),
     paper::eq116_case::parts,
     |printed| {
-        let expected = ("positive", Expr::symbol("B").squared());
+        let expected = ("positive", symbol("B").squared());
         let title = "(116): with (117) and (118)";
         is(title, Setting::faster(), &printed, expected)
     },
@@ -90,7 +90,7 @@ fn sums(
             ("The sum of the two", larger + smaller, 1),
             ("The difference of the two", larger - smaller, -1),
         ] {
-            let expected = size * (Expr::int(sign) * argument).exp();
+            let expected = size * (int(sign) * argument).exp();
             p.identity((says, sum), ("as it should be", expected))?;
         }
         Ok(())

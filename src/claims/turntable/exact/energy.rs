@@ -1,9 +1,8 @@
 //! Work and energy: (103), (104), (106) as printed and corrected, the powers of the forces.
 
 use super::{RATE, Setting, Vectorial, prove, vectors};
-use crate::corrections::turntable as corrections;
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 pub const EQ103: Vectorial = Vectorial::new(
     Printed,
@@ -49,7 +48,7 @@ pub const PRINTED_106: Vectorial = Vectorial::new(
     Printed,
     Compared::one("the rate of (106) along (86)", "0"),
     || {
-        let [m, g, omega, s] = Expr::symbols(["m", "g", "Ω", "s"]);
+        let [m, g, omega, s] = symbols(["m", "g", "Ω", "s"]);
         let [r, v] = vectors();
         vec![paper::eq106_constant(m, g, omega, r, v, s)]
     },
@@ -59,7 +58,7 @@ pub const CORRECTED_106: Vectorial = Vectorial::new(
     Corrected,
     Compared::one(r"the rate of (106) with $m\mu gs$, along (86),", "0"),
     || {
-        let [m, mu, g, omega, s] = Expr::symbols(["m", "μ", "g", "Ω", "s"]);
+        let [m, mu, g, omega, s] = symbols(["m", "μ", "g", "Ω", "s"]);
         let [r, v] = vectors();
         vec![corrections::constant(m, mu, g, omega, r, v, s)]
     },
@@ -95,14 +94,14 @@ pub const CORRECTED_WORK: Vectorial = Vectorial::new(
 fn prove_works(work: Vec<Expr>) -> Proof {
     let title = "the works of the Coriolis force and of friction";
     prove(title, Setting::dimensional(), |p, setting| {
-        let [omega, mu, g, m] = Expr::symbols(["Ω", "μ", "g", "m"]);
+        let [omega, mu, g, m] = symbols(["Ω", "μ", "g", "m"]);
         let [r, v] = vectors();
-        let zero = Expr::int(0);
+        let zero = int(0);
         let power = |[ax, ay]: [Expr; 2]| m * (ax * v[0] + ay * v[1]);
         // On the axis and without friction the Coriolis force is alone.
         let coriolis = power(paper::eq86_acceleration(omega, zero, g, [zero; 2], v));
         let coriolis = p.read("The power of the Coriolis force", coriolis)?;
-        p.reads_as(&coriolis, "", Expr::int(0))?;
+        p.reads_as(&coriolis, "", int(0))?;
         let smooth = power(paper::eq86_acceleration(omega, zero, g, r, v));
         let rough = power(paper::eq86_acceleration(omega, mu, g, r, v));
         let friction = p.read("The power of friction", rough - smooth)?;

@@ -1,15 +1,15 @@
 //! The quasi-fixed points (124) and (125), and their stability.
 
 use super::{Setting, Vectorial, prove};
+use crate::claims::turntable::prelude::*;
 use crate::exact::Node;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 /// A formula with the angle q wherever it has an arcsine, and what that is the arcsine of.
 pub(super) fn name_arcsine(formula: Expr) -> (Expr, Option<Expr>) {
     use crate::exact::Function;
     match formula.node() {
-        Node::Call(Function::Asin, of) => (Expr::symbol("q"), Some(of)),
+        Node::Call(Function::Asin, of) => (symbol("q"), Some(of)),
         Node::Call(f, x) => {
             let (x, of) = name_arcsine(x);
             (Expr::new(Node::Call(f, x)), of)
@@ -34,8 +34,8 @@ fn with_arcsine(p: &mut Prover<'_>, x: &Rational, sine: Expr) -> Result<Rational
     let one = Rational::int(1);
     let squared = ring.normal(&(&one - &sine * &sine));
     // q lies between −π/2 and π/2, where the cosine is the positive root.
-    let double = Expr::int(2) * Expr::symbol("α");
-    let cosine = p.read("The cosine of q", Expr::int(1) / double.cosh())?;
+    let double = 2 * symbol("α");
+    let cosine = p.read("The cosine of q", 1 / double.cosh())?;
     p.equal("Its square is 1 − sin² q", &(&cosine * &cosine), &squared)?;
     let tangent = p.quotient("tan(q/2) = sin q/(1 + cos q)", &sine, &(&one + &cosine))?;
     let value = ring.put(&ring.normal(x), &[(&ring.half_tangent("q")?, &tangent)])?;
@@ -65,9 +65,8 @@ pub const EQ125: Vectorial = Vectorial::new(Printed, ZERO, paper::eq125_psi2::pa
 
 /// Each is zero once in a turn.
 fn factors() -> [Expr; 2] {
-    let [psi, q] = Expr::symbols(["ψ", "q"]);
-    let two = Expr::int(2);
-    [((psi - q) / two).sin(), ((psi + q) / two).cos()]
+    let [psi, q] = symbols(["ψ", "q"]);
+    [((psi - q) / 2).sin(), ((psi + q) / 2).cos()]
 }
 
 /// A factor of (115) is zero at the given angle.
@@ -78,8 +77,8 @@ fn prove_zero(printed: Expr, factor: Expr) -> Proof {
         p.remark("Let q be the arcsine in the formula");
         p.vanishes("A factor at the angle", factor.with("ψ", angle))?;
         let [first, second] = factors();
-        let double = Expr::int(2) * Expr::symbol("α");
-        let product = -(Expr::int(4) * double.coth() * first * second);
+        let double = 2 * symbol("α");
+        let product = -(4 * double.coth() * first * second);
         let product = p.read("With the other factor, each zero once in a turn", product)?;
         let sine = sine.ok_or(Obstacle::Empty)?;
         let product = with_arcsine(p, &product, sine)?;
@@ -101,12 +100,12 @@ pub const S4_QUASI_FIXED_STABILITY: Vectorial = Vectorial::new(
 fn prove_slope(printed: Vec<Expr>) -> Proof {
     let title = "the slope of (115) at its zeros, α held fixed";
     prove(title, Setting::fixed(), |p, _| {
-        let [alpha, psi] = Expr::symbols(["α", "ψ"]);
-        let expected = Expr::int(2) / (Expr::int(2) * alpha).sinh();
+        let [alpha, psi] = symbols(["α", "ψ"]);
+        let expected = 2 / (2 * alpha).sinh();
         let read = p.read("(115)", printed[0])?;
         let found = p.slope("Its derivative with respect to ψ", &read, "ψ")?;
         // The same derivative as a tree, to be taken at an angle.
-        let tree = -(Expr::int(2) * psi.cos() * (Expr::int(2) * alpha).coth());
+        let tree = -(2 * psi.cos() * (2 * alpha).coth());
         let as_tree = p.read("The same, written out", tree)?;
         p.equal("They are the same", &found, &as_tree)?;
         let angles = [paper::eq124_psi1::tree(), paper::eq125_psi2::tree()];
@@ -115,7 +114,7 @@ fn prove_slope(printed: Vec<Expr>) -> Proof {
             let rate = at_angle(p, printed[0], angle)?;
             p.zero("There dψ/dτ is 0", &rate)?;
             let value = at_angle(p, tree, angle)?;
-            let rate = p.read("The rate expected", Expr::int(sign) * expected)?;
+            let rate = p.read("The rate expected", int(sign) * expected)?;
             p.equal("The slope is that", &value, &rate)?;
         }
         p.note("Sign", "sinh 2α > 0 for α > 0: ψ₁ attracts, ψ₂ repels");

@@ -2,8 +2,8 @@
 //! mirror image.
 
 use super::{Setting, Vectorial, prove, vectors};
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 pub const EQ86: Vectorial = Vectorial::new(
     Within,
@@ -25,7 +25,7 @@ pub const S4_MIRROR: Vectorial = Vectorial::new(
 );
 
 fn eq86() -> Vec<Expr> {
-    let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);
+    let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
     let [r, v] = vectors();
     paper::eq86_acceleration(omega, mu, g, r, v).into()
 }
@@ -46,7 +46,7 @@ fn prove_eq86(printed: Vec<Expr>) -> Proof {
         ])?;
         p.note("Instead of that law", "the one given by the formulas read");
         let [[x, y], [u, v]] = vectors();
-        let [phi, mu, g] = Expr::symbols(["φ", "μ", "g"]);
+        let [phi, mu, g] = symbols(["φ", "μ", "g"]);
         let speed = (u.squared() + v.squared()).sqrt();
         let seen =
             |a: Expr, b: Expr| [a * phi.cos() - b * phi.sin(), a * phi.sin() + b * phi.cos()];
@@ -87,13 +87,13 @@ pub const EQ89: Vectorial = Vectorial::new(
 );
 
 fn eq87() -> Vec<Expr> {
-    let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);
+    let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
     paper::eq87_position(omega, mu, g, vectors()[0]).into()
 }
 
 /// With s for the time.
 fn eq88() -> Vec<Expr> {
-    let [omega, time] = Expr::symbols(["Ω", "s"]);
+    let [omega, time] = symbols(["Ω", "s"]);
     vec![paper::eq88_time(omega, time)]
 }
 
@@ -110,10 +110,10 @@ fn without_dimensions(title: &str, position: &[Expr], time: Expr, rates: &[Expr]
         let time = p.read("(88), with s for the time", time)?;
         let clock = p.slope("dτ/dt", &time, "s")?;
         let ratio = p.quotient("dτ/dt over Ω", &clock, &ring.named("Ω")?)?;
-        p.reads_as(&ratio, "", Expr::int(1))?;
+        p.reads_as(&ratio, "", int(1))?;
         // (87) is linear in 𝐫: the same factor takes d𝐫/dt to d𝛒/dt, and 1/Ω takes that to d𝛒/dτ.
         let own = vectors();
-        let velocity = |place: Expr| put_vectors(place, [own[1], own[1]]) / Expr::symbol("Ω");
+        let velocity = |place: Expr| put_vectors(place, [own[1], own[1]]) / symbol("Ω");
         let [x, y] = [position[0], position[1]];
         let state = [[x, y], [velocity(x), velocity(y)]];
         for (place, formula) in [x, y].into_iter().zip(rates) {
@@ -136,7 +136,7 @@ fn put_vectors(formula: Expr, [[x, y], [u, v]]: [[Expr; 2]; 2]) -> Expr {
     let names = [("x", "x*"), ("y", "y*"), ("u", "u*"), ("v", "v*")];
     let formula = names
         .iter()
-        .fold(formula, |f, (name, star)| f.with(name, Expr::symbol(star)));
+        .fold(formula, |f, (name, star)| f.with(name, symbol(star)));
     names
         .iter()
         .zip([x, y, u, v])
@@ -220,7 +220,7 @@ fn prove_mirror(printed: Vec<Expr>) -> Proof {
         let ax = p.derivative("d²x/dt² by (86)", &u_element, &setting.motion)?;
         let ay = p.derivative("d²y/dt² by (86)", &v_element, &setting.motion)?;
         for (formula, mirrored) in printed.iter().zip([ax, -ay]) {
-            let image = put_vectors(*formula, [[x, -y], [u, -v]]).with("Ω", -Expr::symbol("Ω"));
+            let image = put_vectors(*formula, [[x, -y], [u, -v]]).with("Ω", -symbol("Ω"));
             let image = p.read("(86) with −Ω, at the mirrored state", image)?;
             p.equal("It is the mirrored acceleration", &image, &mirrored)?;
         }

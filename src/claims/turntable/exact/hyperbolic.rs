@@ -2,8 +2,8 @@
 //! (122) and (123).
 
 use super::{Setting, Vectorial, changes, prove, rate};
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 pub const EQ113: Vectorial = changes(Printed, paper::eq113_a_rate::parts, |printed| {
     rate("(113): dA/dτ", Setting::slower(), "A", &printed)
@@ -42,15 +42,15 @@ const MOST: i64 = 4;
 /// exp(α/2) for α = n β + k iπ/2, by Euler's formula ζᵏ exp(β/2)ⁿ.
 fn half_exponential(p: &mut Prover<'_>, alpha: &Rational) -> Result<Rational, Obstacle> {
     let ring = p.ring();
-    let [i, beta] = Expr::symbols(["i", "β"]);
-    let quarter = ring.read(i * Expr::pi() / Expr::int(2))?;
+    let [i, beta] = symbols(["i", "β"]);
+    let quarter = ring.read(i * pi() / 2)?;
     let beta_element = ring.read(beta)?;
     for k in -MOST..=MOST {
         for n in -MOST..=MOST {
             let known = &quarter * &Rational::int(k) + &beta_element * &Rational::int(n);
             if ring.is_zero(&(alpha - &known))? {
-                let zeta = Expr::symbol("ζ").pow(Expr::int(k));
-                let half = (beta / Expr::int(2)).exp().pow(Expr::int(n));
+                let zeta = symbol("ζ").pow(int(k));
+                let half = (beta / 2).exp().pow(int(n));
                 p.remark(&format!("α is {k} times iπ/2 and {n} times β"));
                 return p.read(
                     "exp(α/2), by Euler's formula with ζ = exp(iπ/4)",
@@ -72,7 +72,7 @@ fn continuation(title: &str, a: Expr, alpha: Expr) -> Proof {
         let a = p.read("A", a)?;
         let alpha_element = p.read("α", alpha)?;
         let half = half_exponential(p, &alpha_element)?;
-        let own = ring.read((Expr::symbol("α") / Expr::int(2)).exp())?;
+        let own = ring.read((symbol("α") / 2).exp())?;
         let own_a = ring.named("A")?;
         let ours = [(&own_a, &a), (&own, &half)];
         let mut same = |says: &str, inner: Expr, outer: Expr| -> Result<(), Obstacle> {
@@ -91,7 +91,7 @@ fn continuation(title: &str, a: Expr, alpha: Expr) -> Proof {
             paper::eq118_rho::tree(),
         )?;
         // A is a fixed multiple of B, and α differs from β by a constant: so do their rates.
-        let ratio = paper::eq122_a(Expr::symbol("i"), Expr::int(1));
+        let ratio = paper::eq122_a(symbol("i"), int(1));
         same(
             "(113) becomes (119)",
             paper::eq113_a_rate::tree(),

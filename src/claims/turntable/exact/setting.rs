@@ -1,9 +1,8 @@
 //! The rings in which the proofs are carried out, each with the motion in it.
 
 use super::vectors;
-use crate::exact::Derivation;
+use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
-use trialbook::prelude::*;
 
 /// A ring and the motion in it.
 #[derive(Debug)]
@@ -21,12 +20,10 @@ impl Setting {
     /// arc length s; the motion is that of (86).
     pub fn dimensional() -> Result<Self, ExactError> {
         let mut ring = plain();
-        for name in ["Ω", "μ", "g", "m", "s"] {
-            ring.symbol(name);
-        }
+        ring.symbols(["Ω", "μ", "g", "m", "s"]);
         ring.angle("φ");
         let [r, v] = vectors();
-        let [omega, mu, g] = Expr::symbols(["Ω", "μ", "g"]);
+        let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
         root_of_speed(&mut ring)?;
         // Ω, μ and g are positive.
         let unit = ring.read(omega / (mu * g))?;
@@ -124,7 +121,7 @@ impl Setting {
         }
         let Rates { p, rho, psi, chi } = rates(&mut ring)?;
         let [more, less] = order([p, rho]);
-        let angle_itself = Expr::symbol(angle);
+        let angle_itself = symbol(angle);
         let [sinh, cosh] = [angle_itself.sinh(), angle_itself.cosh()].map(|f| ring.read(f));
         let [sinh, cosh] = [sinh?, cosh?];
         // The size grows by cosh times the rate of the greater less sinh times that of the other.
@@ -145,9 +142,7 @@ impl Setting {
         let zeta = ring.root(&Rational::int(-1), 4)?;
         ring.define("ζ", zeta.clone())?;
         ring.define("i", &zeta * &zeta)?;
-        for name in ["A", "B"] {
-            ring.symbol(name);
-        }
+        ring.symbols(["A", "B"]);
         for name in ["α", "β"] {
             ring.hyperbolic(name);
         }
@@ -166,7 +161,7 @@ impl Setting {
         for name in ["ψ", "q"] {
             ring.angle(name);
         }
-        let double = Expr::int(2) * Expr::symbol("α");
+        let double = 2 * symbol("α");
         let [tanh, cosh] = [ring.read(double.tanh())?, ring.read(double.cosh())?];
         let one = Rational::int(1);
         let cosine = ring.divide(&one, &cosh)?;
@@ -205,7 +200,7 @@ fn rates(ring: &mut Ring) -> Result<Rates, ExactError> {
     for name in ["ψ", "χ"] {
         ring.angle(name);
     }
-    let [p_tree, rho_tree, psi, chi] = Expr::symbols(["p", "ρ", "ψ", "χ"]);
+    let [p_tree, rho_tree, psi, chi] = symbols(["p", "ρ", "ψ", "χ"]);
     let outwards = chi + psi;
     for (name, formula) in [
         ("x", rho_tree * outwards.cos()),
