@@ -2,6 +2,7 @@
 //! drawing with its numbers, made with the tools of [`trialbook::plotting`].
 
 mod anisotropic;
+mod census;
 mod constant;
 mod digits;
 pub(crate) use digits::RECORD;
@@ -47,6 +48,9 @@ impl From<Failure> for AllFiguresError {
         Self::Data(failure.to_string())
     }
 }
+
+/// A figure, or why there is none.
+type Drawn<T = Figure> = Result<T, AllFiguresError>;
 
 /// Every figure, in the order of the book.
 ///

@@ -351,6 +351,4 @@ fn the_page_gives_the_rules_of_the_judge() {
     let verdicts = cases.into_iter().chain([heir.verdict]);
     let said: Vec<_> = rules.split("**").skip(1).step_by(2).collect();
     assert_eq!(said, verdicts.map(Verdict::words).collect::<Vec<_>>());
-    assert_eq!(disagreement(f64::NAN, 1.0, 1.0), f64::INFINITY);
-    assert!(disagreement(1.0, f64::NAN, 1.0).is_nan());
 }

@@ -4,24 +4,28 @@ use crate::exam::ExamError;
 use crate::motion::State;
 use crate::numerics::roots::root;
 
-/// What stands twice: a case without a reason, since none is needed.
-macro_rules! case {
-    ($source:ident, $asked:literal, $printed:expr, $unit:literal, $ours:expr) => {
-        case!($source, $asked, $printed, $unit, $ours, "")
-    };
-    ($source:ident, $asked:literal, $printed:expr, $unit:literal, $ours:expr, $why:expr) => {
-        Case {
+/// Cases: the source, what is asked, the number, its unit, and ours; where the two differ, why.
+macro_rules! cases {
+    ($($source:ident, $asked:literal, $printed:expr, $unit:literal, $ours:expr $(, $why:expr)?;)*) => {
+        [$(Case {
             source: &$source,
             asked: $asked,
             printed: $printed,
             unit: $unit,
-            why: $why,
+            why: [$($why,)? ""][0],
             ours: $ours,
-        }
+        }),*]
     };
 }
 
-pub(super) use case;
+/// Sources: a name, what it is, and what of it was read.
+macro_rules! sources {
+    ($($name:ident: $title:literal, $read:literal;)*) => {
+        $(pub(super) static $name: Source = Source { title: $title, read: $read };)*
+    };
+}
+
+pub(super) use {cases, sources};
 
 /// A root of something that may fail.
 pub(super) fn zero_of(

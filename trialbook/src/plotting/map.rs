@@ -117,10 +117,10 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
                 number(to[0]),
                 number(to[1])
             );
-            table.row([node.id.into(), node.words.into(), nodes[on].id.into()])?;
+            table.row([node.id, node.words, nodes[on].id])?;
         }
         if node.on.is_empty() {
-            table.row([node.id.into(), node.words.into(), "".into()])?;
+            table.row([node.id, node.words, ""])?;
         }
     }
     for (i, node) in nodes.iter().enumerate() {
