@@ -1,9 +1,11 @@
 //! A calculator at the points of a grid: a row each. One that is out of range is a row that says why.
 
-use super::axis::Point;
-use super::pieces::{Stop, end, in_pieces, told};
-use super::question::Question;
-use super::solve::word;
+use super::{
+    axis::Point,
+    pieces::{Stop, end, in_pieces, told},
+    question::Question,
+    solve::word,
+};
 use crate::numerics::error::plain as number;
 use crate::solve::{Field, Report, SolveError, VERSION, Value, head};
 use rayon::prelude::*;

@@ -1,9 +1,11 @@
 //! The tables of the page on the exam.
 
-use crate::exam::published::sliding::{self, Beside, Yield};
-use crate::exam::published::{Standing, cases};
-use crate::exam::results::{self, Mark};
-use crate::exam::{Answer, Basis, TASKS};
+use crate::exam::{
+    Answer, Basis, TASKS,
+    published::sliding::{self, Beside, Yield},
+    published::{Standing, cases},
+    results::{self, Mark},
+};
 use trialbook::book::{escape, table};
 use trialbook::publishing::{Failure, Filled};
 

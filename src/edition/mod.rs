@@ -10,8 +10,7 @@ mod tests;
 mod watch;
 mod words;
 
-use crate::claims::PAPER;
-use crate::claims::rest::fates;
+use crate::claims::{PAPER, rest::fates};
 use crate::{breaks, commands, figures, symbols};
 use include_dir::{Dir, include_dir};
 use trialbook::publishing::{Edition, Filled, Placeholder, Sources, texts};

@@ -11,8 +11,7 @@ use trialbook::book::{self, BookError};
 use trialbook::data::Text;
 use trialbook::plotting::Figure;
 use trialbook::publishing::{Edition, Page, Part};
-use trialbook::trials::read::File;
-use trialbook::trials::{Claim, Paper, Topic};
+use trialbook::trials::{Claim, Paper, Topic, read::File};
 
 /// A claim with everything that a box can show, some of it hostile.
 static FULL: Topic = Topic::new(
@@ -286,7 +285,9 @@ fn numbers_are_links_where_the_paper_is_spoken_of() {
         assert_eq!(html.contains("theme/cards.js"), about, "{}", page.stem);
         assert!(about || !html.contains("class=\"cite\""), "{}", page.stem);
     }
-    assert!(text("escape.html").contains("<a class=\"cite\" href=\"turntable.html#eq-113\">(113)</a>"));
+    assert!(
+        text("escape.html").contains("<a class=\"cite\" href=\"turntable.html#eq-113\">(113)</a>")
+    );
 }
 
 #[test]

@@ -4,8 +4,10 @@
 //! of backward to forward friction, φ the phase and 𝔴 the velocity.
 
 use super::Drawn;
-use crate::claims::anisotropic::simulated::{Changes, Curves};
-use crate::claims::anisotropic::{census as counted, drawn, panels, rows};
+use crate::claims::{
+    anisotropic::simulated::{Changes, Curves},
+    anisotropic::{census as counted, drawn, panels, rows},
+};
 use std::f64::consts::PI;
 use trialbook::plotting::{
     Area, Axis, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Table,

@@ -1,10 +1,14 @@
 //! The figures of section 4, escape. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
 use super::{AllFiguresError, Drawn};
-use crate::claims::escape::growth::{LAG, Power, SIZE, SPEED, corrected_limits, printed_limits};
-use crate::claims::escape::trajectories::{Flight, Late, Launch};
-use crate::motion::MotionError;
-use crate::motion::turntable::{self, State, critical_radius, inertial};
+use crate::claims::{
+    escape::growth::{LAG, Power, SIZE, SPEED, corrected_limits, printed_limits},
+    escape::trajectories::{Flight, Late, Launch},
+};
+use crate::motion::{
+    MotionError,
+    turntable::{self, State, critical_radius, inertial},
+};
 use std::f64::consts::TAU;
 use trialbook::plotting::{
     Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Table,

@@ -1,8 +1,10 @@
 //! The figure of the exam, from the committed results: what an answer costs each candidate.
 
 use super::{AllFiguresError, Drawn};
-use crate::exam::results::{Candidate, ResultsError, candidates, ours, tasks};
-use crate::exam::{Answer, TASKS};
+use crate::exam::{
+    Answer, TASKS,
+    results::{Candidate, ResultsError, candidates, ours, tasks},
+};
 use trialbook::plotting::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
 
 /// The tasks drawn: a stop in the plane, and a stick and slip.

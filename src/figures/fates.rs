@@ -1,12 +1,12 @@
 //! The figures of section 4, who comes to rest and how. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::Drawn;
-use super::census::Census;
-use crate::claims::escape::straight::straight_in;
-use crate::claims::rest::fates as maps;
-use crate::motion::MotionError;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Start, critical_radius, critical_speed, fate};
+use super::{Drawn, census::Census};
+use crate::claims::{escape::straight::straight_in, rest::fates as maps};
+use crate::motion::{
+    MotionError,
+    turntable::intrinsic::Run,
+    turntable::{Fate, Start, critical_radius, critical_speed, fate},
+};
 use std::f64::consts::PI;
 use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Points, Rule, Table};
 

@@ -19,8 +19,7 @@ mod sphere;
 mod tests;
 mod turntable;
 
-use crate::motion::MotionError;
-use crate::motion::drive::DriveError;
+use crate::motion::{MotionError, drive::DriveError};
 use rayon::prelude::*;
 use trialbook::plotting::{Figure, FigureError};
 use trialbook::trials::compare::Failure;

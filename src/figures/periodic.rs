@@ -4,8 +4,10 @@
 //! friction, η the share of a half period that a pulse fills.
 
 use super::Drawn;
-use crate::claims::periodic::drawn::{self, Row, Wave};
-use crate::claims::periodic::drives::Phase;
+use crate::claims::{
+    periodic::drawn::{self, Row, Wave},
+    periodic::drives::Phase,
+};
 use std::f64::consts::{PI, TAU};
 use trialbook::plotting::{
     Area, Axis, Curve, Figure, FigureError, Note, Panel, Plot, Points, Raster, Table,

@@ -1,12 +1,13 @@
 //! The figures of section 4, the boundary of rest. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::census::Census;
-use super::{AllFiguresError, Drawn};
+use super::{AllFiguresError, Drawn, census::Census};
 use crate::claims::rest::boundary;
-use crate::motion::MotionError;
-use crate::motion::turntable::ensemble::rests;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Start, fate};
+use crate::motion::{
+    MotionError,
+    turntable::ensemble::rests,
+    turntable::intrinsic::Run,
+    turntable::{Fate, Start, fate},
+};
 use std::f64::consts::{PI, TAU};
 use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Points, Rule, Table};
 

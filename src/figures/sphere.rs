@@ -1,11 +1,15 @@
 //! The figures of section 3: a sphere that slides and rolls.
 
 use super::Drawn;
-use crate::claims::sphere::angle;
-use crate::claims::sphere::driven::{self, Swinging};
-use crate::motion::MotionError;
-use crate::motion::sphere::{Sphere, Turning};
-use crate::motion::turntable::{State, Table as Turntable, inertial};
+use crate::claims::{
+    sphere::angle,
+    sphere::driven::{self, Swinging},
+};
+use crate::motion::{
+    MotionError,
+    sphere::{Sphere, Turning},
+    turntable::{State, Table as Turntable, inertial},
+};
 use std::f64::consts::{PI, TAU};
 use trialbook::plotting::{Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Table};
 

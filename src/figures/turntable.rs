@@ -3,8 +3,10 @@
 //! Dimensionless throughout: lengths in μg/Ω², times in 1/Ω.
 
 use super::Drawn;
-use crate::claims::turntable::drawn::{self, Launched, Moment};
-use crate::claims::turntable::fixed::{self, Following};
+use crate::claims::{
+    turntable::drawn::{self, Launched, Moment},
+    turntable::fixed::{self, Following},
+};
 use std::f64::consts::PI;
 use trialbook::plotting::{
     Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Table,

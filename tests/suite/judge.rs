@@ -6,8 +6,10 @@ use slipbook::numerics::roots::root;
 use std::fmt::Debug;
 use std::panic::Location;
 use trialbook::data::text;
-use trialbook::trials::compare::{Pair, Trial};
-use trialbook::trials::{Condition, Sort};
+use trialbook::trials::{
+    Condition, Sort,
+    compare::{Pair, Trial},
+};
 
 const GOOD: f64 = 1e-13;
 const BAD: f64 = 1e-3;

@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::fitted::tests::noisy;
-use crate::numerics::series::value_slope;
-use crate::numerics::taylor::TERMS;
+use crate::numerics::{series::value_slope, taylor::TERMS};
 use crate::trajectory::SlideStep;
 use crate::{Plane, Series, Signal};
 use proptest::prelude::*;

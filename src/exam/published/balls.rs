@@ -1,11 +1,16 @@
 //! Balls that slide until they roll.
 
-use super::Printed::{Decimal, Fraction};
-use super::follow::{cases, sources, zero_of};
-use super::{Case, Source};
+use super::{
+    Case,
+    Printed::{Decimal, Fraction},
+    Source,
+    follow::{cases, sources, zero_of},
+};
 use crate::exam::ExamError;
-use crate::motion::Plane;
-use crate::motion::sphere::{Ball, Contact, Sphere, Turning};
+use crate::motion::{
+    Plane,
+    sphere::{Ball, Contact, Sphere, Turning},
+};
 use std::f64::consts::{FRAC_PI_6, PI, TAU};
 
 sources! {

@@ -1,11 +1,16 @@
 //! Blocks on floors, slopes, trucks and springs.
 
-use super::Printed::{Decimal, Formula};
-use super::follow::{border, cases, moving, sources, zero_of};
-use super::{Case, Source};
+use super::{
+    Case,
+    Printed::{Decimal, Formula},
+    Source,
+    follow::{border, cases, moving, sources, zero_of},
+};
 use crate::exam::ExamError;
-use crate::motion::spring::{Spring, SpringState};
-use crate::motion::{Motion, Plane, Signal, State, run, run_to_stop};
+use crate::motion::{
+    Motion, Plane, Signal, State, run, run_to_stop,
+    spring::{Spring, SpringState},
+};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, PI, SQRT_2, TAU};
 
 sources! {

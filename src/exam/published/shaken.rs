@@ -1,12 +1,17 @@
 //! Bodies on tables that shake or turn.
 
-use super::Printed::{Decimal, Formula};
-use super::follow::{border, cases, moving, sources};
-use super::{Case, Source};
+use super::{
+    Case,
+    Printed::{Decimal, Formula},
+    Source,
+    follow::{border, cases, moving, sources},
+};
 use crate::exam::ExamError;
-use crate::motion::spring::{Spring, SpringState};
-use crate::motion::turntable::{self, Table, rotating};
-use crate::motion::{Plane, Signal, run};
+use crate::motion::{
+    Plane, Signal, run,
+    spring::{Spring, SpringState},
+    turntable::{self, Table, rotating},
+};
 use std::f64::consts::TAU;
 
 sources! {

@@ -3,8 +3,10 @@
 
 use super::config;
 use proptest::prelude::*;
-use slipbook::claims::PAPER;
-use slipbook::claims::values::{decimal_of, search};
+use slipbook::claims::{
+    PAPER,
+    values::{decimal_of, search},
+};
 use slipbook::cli;
 use slipbook::edition::EDITION;
 use slipbook::ledger::Record;

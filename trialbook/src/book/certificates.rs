@@ -1,9 +1,11 @@
 //! Which proofs a second engine has checked, by their certificates.
 
-use super::context::Context;
-use super::error::Fault;
-use super::tables::table;
-use super::text::{count, escape};
+use super::{
+    context::Context,
+    error::Fault,
+    tables::table,
+    text::{count, escape},
+};
 use crate::evidence::{Evidence, Outcome};
 use crate::ledger::Entry;
 use std::collections::BTreeMap;

@@ -1,14 +1,15 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
-use super::certificates;
-use super::code::Place;
-use super::context::{Context, verdict};
-use super::deep;
-use super::error::Fault;
-use super::formula_diff;
-use super::lemmas;
-use super::maths::Maths;
-use super::text::{counted, escape, sentence, value};
+use super::{
+    certificates,
+    code::Place,
+    context::{Context, verdict},
+    deep,
+    error::Fault,
+    formula_diff, lemmas,
+    maths::Maths,
+    text::{counted, escape, sentence, value},
+};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally};
 use crate::trials::{Claim, Sort};

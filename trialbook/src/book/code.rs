@@ -1,10 +1,11 @@
 //! The code behind the claims: the sources as pages of the book, and where in them a claim's parts stand.
 
-use super::error::Fault;
-use super::text::{count, escape, in_code};
+use super::{
+    error::Fault,
+    text::{count, escape, in_code},
+};
 use crate::publishing::{Edition, texts};
-use crate::trials::attempt::Attempt;
-use crate::trials::{Claim, Topic};
+use crate::trials::{Claim, Topic, attempt::Attempt};
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 

@@ -1,12 +1,8 @@
 //! What a page may speak of: the ledger, the figures, the code, and links between them.
 
-use super::code::Code;
-use super::error::Fault;
-use super::maths::Maths;
-use super::text::escape;
+use super::{code::Code, error::Fault, maths::Maths, text::escape};
 use crate::evidence::Kind;
-use crate::ledger::deep::Deep;
-use crate::ledger::{Entry, Erratum, Ledger, Verdict};
+use crate::ledger::{Entry, Erratum, Ledger, Verdict, deep::Deep};
 use crate::plotting::Figure;
 use crate::publishing::Edition;
 

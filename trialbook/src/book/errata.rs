@@ -1,9 +1,11 @@
 //! The page of errata, and the letters beside it.
 
-use super::claim_box::{forms, heading, side_by_side, statement};
-use super::context::{Context, verdict};
-use super::error::Fault;
-use super::text::sentence;
+use super::{
+    claim_box::{forms, heading, side_by_side, statement},
+    context::{Context, verdict},
+    error::Fault,
+    text::sentence,
+};
 use crate::ledger::{Erratum, Verdict};
 
 /// The errata with these verdicts, in the paper's order.

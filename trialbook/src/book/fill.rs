@@ -1,10 +1,14 @@
 //! What each placeholder stands for.
 
-use super::claim_box;
-use super::context::{Context, verdict};
-use super::error::Fault;
-use super::text::{count, escape, in_words, size};
-use super::{certificates, deep, errata, lemmas, map, overview, symbols, tables, values};
+use super::{
+    certificates, claim_box,
+    context::{Context, verdict},
+    deep, errata,
+    error::Fault,
+    lemmas, map, overview, symbols, tables,
+    text::{count, escape, in_words, size},
+    values,
+};
 use crate::evidence::Kind;
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
 use crate::notation::number;

@@ -1,8 +1,10 @@
 //! The lemmas: proofs that other proofs rest on and that no box shows, each once.
 
-use super::context::Context;
-use super::error::Fault;
-use super::text::{counted, escape};
+use super::{
+    context::Context,
+    error::Fault,
+    text::{counted, escape},
+};
 use crate::evidence::{Evidence, Outcome};
 use crate::exact::NORMAL;
 use crate::notation::{Piece, pieces};

@@ -1,13 +1,17 @@
 //! The map of claims: its figure, and the same as lists.
 
-use super::context::{Context, sign, verdict};
-use super::error::Fault;
-use super::tables::{table, tried};
-use super::text::{count, counted};
+use super::{
+    context::{Context, sign, verdict},
+    error::Fault,
+    tables::{table, tried},
+    text::{count, counted},
+};
 use crate::ledger::{Entry, Ledger, Verdict};
 use crate::notation::plain_words;
-use crate::plotting::map::{Node, map};
-use crate::plotting::{Figure, FigureError};
+use crate::plotting::{
+    Figure, FigureError,
+    map::{Node, map},
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {

@@ -1,9 +1,11 @@
 //! Formulas: from LaTeX to HTML and MathML, when the book is built.
 
-use super::error::Fault;
-use super::formula_diff;
-use super::rows::{LAST_ROW, in_rows};
-use super::text::{after_each, escape, scientific, without};
+use super::{
+    error::Fault,
+    formula_diff,
+    rows::{LAST_ROW, in_rows},
+    text::{after_each, escape, scientific, without},
+};
 use crate::notation::{Piece, pieces, plain_formula};
 use crate::trials::{Claim, Paper};
 use katex::macro_expander::MacroMap;

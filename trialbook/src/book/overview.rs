@@ -1,10 +1,12 @@
 //! What the first page shows of the whole: the errors in a line each, a mark for each equation, and a field that answers.
 
-use super::claim_box::{heading, statement_in_line};
-use super::context::{Context, sign, verdict};
-use super::errata;
-use super::error::Fault;
-use super::text::{escape, sentence};
+use super::{
+    claim_box::{heading, statement_in_line},
+    context::{Context, sign, verdict},
+    errata,
+    error::Fault,
+    text::{escape, sentence},
+};
 use crate::ledger::{Entry, Verdict};
 use crate::notation::plain_words;
 use crate::publishing::Edition;

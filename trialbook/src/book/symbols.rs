@@ -1,9 +1,6 @@
 //! The index of symbols: the paper's, the code's, what they mean and in which units.
 
-use super::context::Context;
-use super::error::Fault;
-use super::tables::tried;
-use super::text::in_code;
+use super::{context::Context, error::Fault, tables::tried, text::in_code};
 use std::collections::BTreeSet;
 
 pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {

@@ -1,15 +1,15 @@
 //! Tables made from the ledger.
 
-use super::claim_box::statement_in_line;
-use super::context::{Context, verdict};
-use super::error::Fault;
-use super::overview::strip;
-use super::text::{count, counted, escape, in_code, size};
+use super::{
+    claim_box::statement_in_line,
+    context::{Context, verdict},
+    error::Fault,
+    overview::strip,
+    text::{count, counted, escape, in_code, size},
+};
 use crate::evidence::{Evidence, Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Standing, Verdict};
-use crate::trials::Topic;
-use crate::trials::attempt::Attempt;
-use crate::trials::{Claim, Excuse};
+use crate::trials::{Claim, Excuse, Topic, attempt::Attempt};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A table, as a block of HTML. The cells are HTML.

@@ -1,10 +1,7 @@
 //! The index of values: find a claim by a number.
 
-use super::context::Context;
-use super::error::Fault;
-use super::tables::table;
-use crate::trials::Paper;
-use crate::trials::compare::Failure;
+use super::{context::Context, error::Fault, tables::table};
+use crate::trials::{Paper, compare::Failure};
 
 fn no_number(failure: Failure) -> Fault {
     format!("no number: {failure}").into()

@@ -1,9 +1,11 @@
 //! The map of claims: a box for each, in lanes, and a line for each step of derivation.
 
-use super::plot::FACES;
-use super::svg::{escape, number};
-use super::text::width;
-use super::{Figure, FigureError, Table};
+use super::{
+    Figure, FigureError, Table,
+    plot::FACES,
+    svg::{escape, number},
+    text::width,
+};
 use std::collections::BTreeSet;
 
 /// A claim on the map.

@@ -1,10 +1,12 @@
 //! The page: panels in a grid, their keys, and the finished figure.
 
-use super::axes::{Scale, TEXT_SIZE, text};
-use super::panels;
-use super::svg::{escape, number};
-use super::text::width;
-use super::{Axis, Curve, Figure, FigureError, Panel, Table};
+use super::{
+    Axis, Curve, Figure, FigureError, Panel, Table,
+    axes::{Scale, TEXT_SIZE, text},
+    panels,
+    svg::{escape, number},
+    text::width,
+};
 
 /// Width of the page, in units of which type is 15 or 16 high.
 const WIDTH: f64 = 480.0;
