@@ -78,7 +78,8 @@ const BASIN: usize = 160;
 /// Who comes to rest, by distance and velocity in the laboratory; the second panel has the velocity of the table too.
 fn basins() -> Drawn {
     // Relative to the table, whose own velocity is ρ, across.
-    let directions: [(&str, &str, fn(f64, f64) -> [f64; 2]); 2] = [
+    type Velocity = fn(f64, f64) -> [f64; 2];
+    let directions: [(&str, &str, Velocity); 2] = [
         ("outward", "outward velocity", |rho, u| [u, -rho]),
         (
             "along",

@@ -1,7 +1,7 @@
 //! The explorers under a reader's hands; whatever they show is held against the crate.
 
 use crate::Book;
-use crate::chrome::{Failure, Page};
+use crate::chrome::{Page, Seen};
 use crate::pages::{is_marked, none};
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
@@ -100,7 +100,7 @@ const STATES: [(&str, &[&str]); 9] = [
 
 /// What an explorer must show at a state, from the crate: the values with their names and units, in order; and what it says,
 /// or a part of it.
-fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure> {
+fn expected(name: &str, state: &[f64]) -> Seen<(Vec<String>, String)> {
     let mut given = [0.0; 4];
     given[..state.len()].copy_from_slice(state);
     if name == "sinusoidal" {
@@ -295,12 +295,7 @@ struct Explorer<'p, 'b> {
 }
 
 impl<'p, 'b> Explorer<'p, 'b> {
-    fn open(
-        page: &'p mut Page<'b>,
-        book: &Book,
-        name: &'static str,
-        state: &str,
-    ) -> Result<Self, Failure> {
+    fn open(page: &'p mut Page<'b>, book: &Book, name: &'static str, state: &str) -> Seen<Self> {
         let query = if state.is_empty() {
             String::new()
         } else {
@@ -316,7 +311,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// Follows an address on the same page.
-    fn go(&mut self, state: &str) -> Result<(), Failure> {
+    fn go(&mut self, state: &str) -> Seen {
         let hash = format!("#explore-{}?{state}", self.name);
         self.page.value(&format!("location.hash = '{hash}'"))?;
         self.wait_for(&format!("host.dataset.shown === '{hash}'"))
@@ -329,34 +324,34 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// The value of such an expression.
-    fn value(&mut self, expression: &str) -> Result<Value, Failure> {
+    fn value(&mut self, expression: &str) -> Seen<Value> {
         self.page.value(&self.of_host(expression))
     }
 
     /// The same as numbers, or what else it is.
-    fn read<T: DeserializeOwned>(&mut self, expression: &str) -> Result<T, Failure> {
+    fn read<T: DeserializeOwned>(&mut self, expression: &str) -> Seen<T> {
         let value = self.value(expression)?;
         serde_json::from_value(value).map_err(|error| format!("{}: {error}", self.name))
     }
 
     /// Waits until such a condition holds.
-    fn wait_for(&mut self, condition: &str) -> Result<(), Failure> {
+    fn wait_for(&mut self, condition: &str) -> Seen {
         self.page.wait_for(&self.of_host(condition))
     }
 
     /// The inputs, once the picture has caught up with them.
-    fn state(&mut self) -> Result<Vec<f64>, Failure> {
+    fn state(&mut self) -> Seen<Vec<f64>> {
         self.wait_for("host.dataset.shown !== undefined")?;
         self.read("[...host.querySelectorAll('.inputs input')].map(i => Number(i.value))")
     }
 
     /// Waits until the bodies move.
-    fn plays(&mut self) -> Result<(), Failure> {
+    fn plays(&mut self) -> Seen {
         self.wait_for(&format!("{TIME} > 1"))
     }
 
     /// Waits until an input is no longer what it was.
-    fn moved(&mut self, before: &[f64]) -> Result<(), Failure> {
+    fn moved(&mut self, before: &[f64]) -> Seen {
         let inputs = "[...host.querySelectorAll('.inputs input')]";
         self.wait_for(&format!(
             "{inputs}.some((input, i) => Number(input.value) !== {before:?}[i])"
@@ -364,7 +359,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// Presses a key with this part in focus; it has to move one input.
-    fn steps(&mut self, part: &str, key: &str) -> Result<(), Failure> {
+    fn steps(&mut self, part: &str, key: &str) -> Seen {
         let before = self.right()?;
         self.page.press(key)?;
         let after = self.right()?;
@@ -378,7 +373,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// Requires that all that is shown is what the crate says, and returns the state.
-    fn right(&mut self) -> Result<Vec<f64>, Failure> {
+    fn right(&mut self) -> Seen<Vec<f64>> {
         let (name, state) = (self.name, self.state()?);
         let shown: Vec<String> = self.read(
             "[...host.querySelectorAll('dd')].map(e => `${e.previousElementSibling.textContent}: ${e.textContent}`)",
@@ -395,7 +390,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// The curves of all plots, as drawn.
-    fn drawn(&mut self) -> Result<Value, Failure> {
+    fn drawn(&mut self) -> Seen<Value> {
         self.value(
             "[...host.querySelectorAll('.curve, .stage path')].map(e => e.getAttribute('d'))",
         )
@@ -411,7 +406,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// Brings a plot into view; the place of its hand and the corners of its frame on the screen.
-    fn places(&mut self, plot: usize) -> Result<[[f64; 2]; 3], Failure> {
+    fn places(&mut self, plot: usize) -> Seen<[[f64; 2]; 3]> {
         self.read(&format!(
             "(plot => {{ plot.scrollIntoView({{ block: 'center', behavior: 'instant' }});
                 const [hand, frame] = [plot.querySelector('.hand circle'), plot.querySelector('.frame')].map(e => e.getBoundingClientRect());
@@ -421,7 +416,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// Brings a hand on the stage into view; its place on the screen.
-    fn body(&mut self, k: u64) -> Result<[f64; 2], Failure> {
+    fn body(&mut self, k: u64) -> Seen<[f64; 2]> {
         self.read(&format!(
             "(hand => {{ hand.scrollIntoView({{ block: 'center', behavior: 'instant' }}); const box = hand.lastElementChild.getBoundingClientRect();
                 return [box.x + box.width / 2, box.y + box.height / 2]; }})(host.querySelectorAll('.stage .hand')[{k}])"
@@ -429,7 +424,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// Requires that the reader is still on the page and that it has not complained.
-    fn unharmed(&mut self) -> Result<(), Failure> {
+    fn unharmed(&mut self) -> Seen {
         let (name, complaints) = (self.name, self.page.complaints());
         let here: String = self.read("location.pathname")?;
         if !complaints.is_empty() || !here.ends_with(&format!("{}.html", page_of(name))) {
@@ -440,7 +435,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
 }
 
 /// Whatever a reader at a desk does with it, each explorer shows what the crate says.
-pub fn desk(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn desk(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         let first = explorer.right()?;
@@ -462,7 +457,7 @@ pub fn desk(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Led to a state by its address, it shows that state.
-fn states(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn states(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let states = STATES.iter().find(|(of, _)| *of == name);
     for state in states.ok_or("no states")?.1 {
@@ -482,7 +477,7 @@ fn states(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// The arrow keys move every hand, and no key turns the page.
-fn keyboard(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn keyboard(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     for plot in 0..explorer.hands().len() {
         explorer.value(&format!(
@@ -507,7 +502,7 @@ fn keyboard(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// The arrow keys move every slider, and no other.
-fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn sliders(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count = match name {
         // It has hands alone.
@@ -545,7 +540,7 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// The mouse takes every hand along, on its way too.
-fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     for &plot in explorer.hands() {
         let (before, drawn) = (explorer.right()?, explorer.drawn()?);
@@ -582,7 +577,7 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// On the stage, too, each hand of a body is moved by the arrow keys, one input at a time, and follows the mouse.
-fn bodies(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn bodies(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count: u64 = explorer.read("host.querySelectorAll('.stage .hand').length")?;
     if count == 0 {
@@ -609,7 +604,7 @@ fn bodies(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// On a phone, a tap moves the hand.
-pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn touch(page: &mut Page, book: &Book) -> Seen {
     page.resize(390, 800)?;
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
@@ -634,7 +629,7 @@ pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
 
 /// On every stage bodies move: they are played, stepped and drawn along, and end where the crate says; the coin of the first
 /// page is taken by hand and let go.
-pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn stages(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         let picture = "host.querySelector('.scene').innerHTML";
@@ -721,7 +716,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// The first page asks, and neither border is drawn before the film has been seen; then both are, and what is said is seen.
-fn untold(page: &mut Page, book: &Book) -> Result<(), Failure> {
+fn untold(page: &mut Page, book: &Book) -> Seen {
     let mut explorer = Explorer::open(page, book, "record", "")?;
     let told = "[...host.querySelectorAll('.scene :is(.border, .printed)')].map(e => e.getAttribute('class')).join()
         + ['.hint', '.says'].map(part => host.querySelector(part).checkVisibility()).join()";
@@ -745,7 +740,7 @@ fn untold(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Where the reader is asked to guess, whatever they say is answered, and what was asked about is shown.
-fn guess(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn guess(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count: u64 = explorer.read("host.querySelectorAll('.predict button').length")?;
     for i in 0..count {
@@ -791,7 +786,7 @@ const ODD: [&str; 7] = [
 ];
 
 /// All that is written, at every state, is words and nothing of their markup; so are labels that nobody has thought of.
-pub fn labels(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn labels(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for (name, states) in STATES {
         let mut explorer = Explorer::open(page, book, name, "")?;
@@ -833,7 +828,7 @@ const PLAIN: &str = "text => text.textContent.replaceAll('\u{200b}', '')";
 const SEEN: &str = "label => label.replace(/_(.)/gsu, '$1').replaceAll('𝔴', 'w')";
 
 /// The address follows the hand and leads back to the same view; the page's own fragments still lead to their places.
-pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn addresses(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         if explorer.page.value("location.hash")? != "" {
@@ -894,7 +889,7 @@ pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Break it yourself: what turns red in the page is what turns red in the crate.
-pub fn broken(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn broken(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("breaking.html"))?;
     page.wait_for("document.querySelector('#broken button') !== null")?;
     page.value("document.querySelector('#broken button').click()")?;

@@ -4,7 +4,7 @@ use super::{
     Case,
     Printed::{Decimal, Fraction},
     Source,
-    follow::{cases, sources, zero_of},
+    follow::{Found, cases, sources, zero_of},
 };
 use crate::exam::ExamError;
 use crate::motion::{
@@ -119,7 +119,7 @@ pub(super) static CASES: [Case; 32] = cases! {
 };
 
 /// The bowling ball after a second.
-fn bowled() -> Result<Ball, ExamError> {
+fn bowled() -> Found<Ball> {
     let sphere = Sphere {
         mass: 1.0,
         radius: 0.11,
@@ -142,7 +142,7 @@ fn with(v: f64, turning: f64) -> Ball {
 }
 
 /// The state in which a ball of these properties begins to roll.
-fn rolling(sphere: Sphere, start: Ball) -> Result<Ball, ExamError> {
+fn rolling(sphere: Sphere, start: Ball) -> Found<Ball> {
     let motion = sphere.run(&Plane::constant([0.0; 2]), &start, 1e3)?;
     let mut changes = motion.transitions().iter();
     let change = changes.find(|change| change.to == Contact::Rolling);
@@ -150,7 +150,7 @@ fn rolling(sphere: Sphere, start: Ball) -> Result<Ball, ExamError> {
 }
 
 /// The way of a ball with a given radius of gyration until it rolls, in feet.
-fn gyration() -> Result<f64, ExamError> {
+fn gyration() -> Found {
     let part = 3.28 / (27.0 / TAU);
     let sphere = Sphere {
         mu: 0.2,
@@ -161,7 +161,7 @@ fn gyration() -> Result<f64, ExamError> {
 }
 
 /// The solid ball of velocity 1 and this angular velocity when it begins to roll, μg = R = 1.
-fn rolls(turning: f64) -> Result<Ball, ExamError> {
+fn rolls(turning: f64) -> Found<Ball> {
     rolling(Sphere::with_kappa(0.4), with(1.0, turning))
 }
 
@@ -174,13 +174,13 @@ const DRAKE_BALL: Sphere = Sphere {
     g: 9.8,
 };
 
-fn drake(until: f64) -> Result<Ball, ExamError> {
+fn drake(until: f64) -> Found<Ball> {
     Ok(DRAKE_BALL
         .run(&Plane::constant([0.0; 2]), &drake_start(), until)?
         .end())
 }
 
-fn drake_rolls() -> Result<f64, ExamError> {
+fn drake_rolls() -> Found {
     Ok(rolling(DRAKE_BALL, drake_start())?.t)
 }
 
@@ -192,7 +192,7 @@ fn drake_start() -> Ball {
 }
 
 /// What friction takes from the weight of a sphere that slides down a slope of 30°.
-fn slides() -> Result<f64, ExamError> {
+fn slides() -> Found {
     let (radius, mass) = (0.5, 16.1 / 32.2);
     let sphere = Sphere {
         mass,
@@ -209,7 +209,7 @@ fn slides() -> Result<f64, ExamError> {
 }
 
 /// A ball on a turntable of angular velocity 1: half an orbit reverses its velocity.
-fn orbit() -> Result<f64, ExamError> {
+fn orbit() -> Found {
     let table = Turning {
         omega: 1.0,
         pull: [0.0; 2],
@@ -219,7 +219,7 @@ fn orbit() -> Result<f64, ExamError> {
 }
 
 /// How fast a pull drives it away, over an orbit that starts at rest.
-fn drift() -> Result<f64, ExamError> {
+fn drift() -> Found {
     let (pull, lasts) = (0.1, TAU / orbit()?);
     let table = Turning {
         omega: 1.0,

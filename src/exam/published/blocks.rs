@@ -4,7 +4,7 @@ use super::{
     Case,
     Printed::{Decimal, Formula},
     Source,
-    follow::{border, cases, moving, sources, zero_of},
+    follow::{Found, border, cases, moving, sources, zero_of},
 };
 use crate::exam::ExamError;
 use crate::motion::{
@@ -110,7 +110,7 @@ pub(super) static CASES: [Case; 28] = cases! {
 const RUBBED: f64 = 300.0 / 7.3e-4;
 
 /// A body that starts with `v` along x, under a pull along x, until it stops.
-fn stop(v: f64, friction: f64) -> Result<State, ExamError> {
+fn stop(v: f64, friction: f64) -> Found<State> {
     let start = moving(v);
     Ok(run_to_stop(&Plane::constant([0.0; 2]), friction, start, 1e6)?.end())
 }
@@ -119,7 +119,7 @@ fn way(end: State) -> f64 {
     end.x[0]
 }
 
-fn pulled(pull: f64, friction: f64, until: f64) -> Result<Motion, ExamError> {
+fn pulled(pull: f64, friction: f64, until: f64) -> Found<Motion> {
     Ok(run(
         &Plane::constant([-pull, 0.0]),
         friction,
@@ -129,24 +129,24 @@ fn pulled(pull: f64, friction: f64, until: f64) -> Result<Motion, ExamError> {
 }
 
 /// g sin − μ g cos at 45° and μ = 0.3, read off the velocity after a second.
-fn slope() -> Result<f64, ExamError> {
+fn slope() -> Found {
     let along = 9.81 * libm::sin(FRAC_PI_4);
     Ok(pulled(along, 0.3 * along, 1.0)?.end().v[0])
 }
 
 /// The μg that stops a body of velocity `v` after this way.
-fn friction_that_stops(v: f64, after: f64) -> Result<f64, ExamError> {
+fn friction_that_stops(v: f64, after: f64) -> Found {
     zero_of(|friction| Ok(way(stop(v, friction)?) - after), 0.1, 100.0)
 }
 
 /// When a body at rest has slid this far.
-fn slid(pull: f64, friction: f64, far: f64) -> Result<f64, ExamError> {
+fn slid(pull: f64, friction: f64, far: f64) -> Found {
     let motion = pulled(pull, friction, 100.0)?;
     zero_of(|t| Ok(motion.at(t)?.x[0] - far), 0.0, 100.0)
 }
 
 /// The largest pull that friction holds.
-fn held(friction: f64) -> Result<f64, ExamError> {
+fn held(friction: f64) -> Found {
     border(
         |pull| Ok(!pulled(pull, friction, 1.0)?.starts().is_empty()),
         1.0,
@@ -155,7 +155,7 @@ fn held(friction: f64) -> Result<f64, ExamError> {
 }
 
 /// A block on a spring, until it rests.
-fn spring_at_rest() -> Result<SpringState, ExamError> {
+fn spring_at_rest() -> Found<SpringState> {
     let spring = Spring {
         frequency: 1.0,
         friction: 1.0,
@@ -171,7 +171,7 @@ fn spring_at_rest() -> Result<SpringState, ExamError> {
 }
 
 /// The mass of code_aster at its n-th turn: one coordinate, at 45° to its way.
-fn turn(n: usize) -> Result<f64, ExamError> {
+fn turn(n: usize) -> Found {
     let spring = Spring {
         frequency: 100.0,
         friction: 1.0,
@@ -187,7 +187,7 @@ fn turn(n: usize) -> Result<f64, ExamError> {
 }
 
 /// The last turn in sixty periods of a force sin rt, on a spring of frequency 1: by then the motion repeats.
-fn shaken(r: f64, friction: f64) -> Result<SpringState, ExamError> {
+fn shaken(r: f64, friction: f64) -> Found<SpringState> {
     let spring = Spring {
         frequency: 1.0,
         friction,
@@ -207,7 +207,7 @@ fn shaken(r: f64, friction: f64) -> Result<SpringState, ExamError> {
 }
 
 /// What pulls the block at its turns.
-fn left_over(r: f64, friction: f64) -> Result<f64, ExamError> {
+fn left_over(r: f64, friction: f64) -> Found {
     let turn = shaken(r, friction)?;
     Ok((libm::sin(r * turn.t) - turn.x).abs())
 }

@@ -4,9 +4,8 @@ use super::{
     Case,
     Printed::{Decimal, Formula},
     Source,
-    follow::{border, cases, moving, sources},
+    follow::{Found, border, cases, moving, sources},
 };
-use crate::exam::ExamError;
 use crate::motion::{
     Plane, Signal, run,
     spring::{Spring, SpringState},
@@ -52,7 +51,7 @@ pub(super) static CASES: [Case; 9] = cases! {
 };
 
 /// The largest amplitude of a shaken table on which a block does not move in a period.
-fn amplitude(frequency: f64, mu: f64) -> Result<f64, ExamError> {
+fn amplitude(frequency: f64, mu: f64) -> Found {
     let omega = TAU * frequency;
     let moved = |amplitude: f64| {
         let sine = Signal::Sine {
@@ -67,7 +66,7 @@ fn amplitude(frequency: f64, mu: f64) -> Result<f64, ExamError> {
 }
 
 /// Whether a coin put down on a turning table moves.
-fn goes(omega: f64, friction: f64, radius: f64) -> Result<bool, ExamError> {
+fn goes(omega: f64, friction: f64, radius: f64) -> Found<bool> {
     let table = Table {
         omega,
         mu: 1.0,
@@ -84,18 +83,18 @@ fn goes(omega: f64, friction: f64, radius: f64) -> Result<bool, ExamError> {
 }
 
 /// The largest distance from the axis at which friction holds a coin.
-fn coin(omega: f64, friction: f64) -> Result<f64, ExamError> {
+fn coin(omega: f64, friction: f64) -> Found {
     border(|radius| goes(omega, friction, radius), 0.01, 1.0)
 }
 
 /// The least μg that holds a coin.
-fn coin_friction(radius: f64, omega: f64) -> Result<f64, ExamError> {
+fn coin_friction(radius: f64, omega: f64) -> Found {
     border(|friction| goes(omega, friction, radius), 1.0, 10.0)
 }
 
 /// A mass pressed with 10 N on a plate with the acceleration a sin 2πt, μ = 0.1: normal force times
 /// slip between t = 4 and 12, for a second.
-fn wear(a: f64) -> Result<f64, ExamError> {
+fn wear(a: f64) -> Found {
     let spring = Spring {
         frequency: 0.0,
         friction: 1.0,
@@ -110,7 +109,7 @@ fn wear(a: f64) -> Result<f64, ExamError> {
         phase: 0.0,
     };
     let pull = Signal::Product(vec![Signal::constant(a), sine]);
-    let slipped = |until: f64| -> Result<f64, ExamError> {
+    let slipped = |until: f64| -> Found {
         let motion = spring.run(&pull, start, until)?;
         let places = motion.turns.iter().chain([&motion.end]);
         let (way, _) = places.fold((0.0, start.x), |(way, x), place| {

@@ -2,7 +2,7 @@
 
 use super::{
     context::Context,
-    error::Fault,
+    error::Html,
     tables::table,
     text::{count, escape},
 };
@@ -72,7 +72,7 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry, evidence: &Evidence) ->
 }
 
 /// How many certificates were accepted, when and by whom, and where the printed formulas were found.
-pub(super) fn summary(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn summary(context: &Context<'_>) -> Html {
     let Some(record) = Record::of(&context.ledger.paper.certified) else {
         return Ok("<p>No certificate has been checked so far.</p>".to_owned());
     };

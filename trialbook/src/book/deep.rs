@@ -2,7 +2,7 @@
 
 use super::{
     context::Context,
-    error::Fault,
+    error::Html,
     tables::tried,
     text::{count, counted, escape, size},
 };
@@ -36,7 +36,7 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry) -> String {
 }
 
 /// Of which commit it was made, how much was compared by each route, and what came closest to its tolerance.
-pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn table_of(context: &Context<'_>) -> Html {
     let Some((deep, ledger)) = &context.deep else {
         return Ok("<p>No deep run is recorded.</p>".to_owned());
     };

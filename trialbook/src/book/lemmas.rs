@@ -2,7 +2,7 @@
 
 use super::{
     context::Context,
-    error::Fault,
+    error::{Fault, Html},
     text::{counted, escape},
 };
 use crate::evidence::{Evidence, Outcome};
@@ -23,7 +23,7 @@ pub(super) fn steps<'a>(
     context: &Context<'_>,
     steps: &[String],
     above: impl Iterator<Item = &'a [String]>,
-) -> Result<String, Fault> {
+) -> Html {
     let count = counted(steps.len(), "step");
     let letters = letters(steps);
     let said = |text: &str| context.maths.folded(&lettered(text, &letters));
@@ -165,7 +165,7 @@ fn anchor(title: &str) -> String {
 }
 
 /// All lemmas, with their steps, in the order in which the claims need them.
-pub(super) fn all(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn all(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let proved = ledger.evidence().filter(|e| e.outcome() == Outcome::Agrees);
     let mut known: BTreeSet<&str> = proved.map(|e| e.title.as_str()).collect();

@@ -2,7 +2,7 @@
 
 use super::{
     context::{Context, sign, verdict},
-    error::Fault,
+    error::{Fault, Html},
     tables::{table, tried},
     text::{count, counted},
 };
@@ -72,7 +72,7 @@ pub(super) fn key() -> String {
 }
 
 /// What rests on each claim that fails.
-pub(super) fn what_falls(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn what_falls(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let entries = ledger.entries.iter();
     let failing = entries.filter(|e| e.judgement.verdict.is_wrong());
@@ -102,7 +102,7 @@ fn or_nothing(links: String) -> String {
 }
 
 /// Every claim with what it rests on and what rests on it.
-pub(super) fn list(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn list(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let mut html = String::new();
     for topic in ledger.paper.topics {
