@@ -1,7 +1,9 @@
 //! A census on the turntable: how many of ten thousand particles come to rest, and how far out at most.
 
-use slipbook::motion::turntable::Start;
-use slipbook::motion::turntable::ensemble::{End, Horizon};
+use slipbook::motion::{
+    turntable::Start,
+    turntable::ensemble::{End, Horizon},
+};
 use std::f64::consts::PI;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

@@ -1,7 +1,9 @@
 //! A ball on a table that is shaken ever more weakly, by a function of the time; and the same by a table of values.
 
-use slipbook::motion::Fitted;
-use slipbook::motion::sphere::{Ball, Sphere};
+use slipbook::motion::{
+    Fitted,
+    sphere::{Ball, Sphere},
+};
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let shaking = |t: f64| [8.0 * (5.0 * t).sin() * (-0.3 * t).exp(), 0.0];

@@ -2,8 +2,7 @@
 #![no_main]
 
 use libfuzzer_sys::fuzz_target;
-use slipbook::claims::PAPER;
-use slipbook::claims::values::search;
+use slipbook::claims::{PAPER, values::search};
 
 fuzz_target!(|number: &str| {
     if let Ok(found) = search(PAPER.values(), number) {

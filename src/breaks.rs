@@ -1,8 +1,7 @@
 //! A formula that the reader breaks, and which trials of its claim notice: what a page of the book asks, compiled to
 //! WebAssembly. Some topics take part, to keep the module small.
 
-use crate::claims::formulas::FORMULAS;
-use crate::claims::{constant, escape, rest, sphere};
+use crate::claims::{constant, escape, formulas::FORMULAS, rest, sphere};
 use crate::evidence::{Evidence, Outcome};
 use crate::scalar::Scalar;
 use crate::seeded::{Formula, Mistake, Seed, with};
@@ -10,8 +9,10 @@ use crate::{corrections, paper};
 use serde::Serialize;
 use std::collections::BTreeSet;
 use trialbook::notation::plain_words;
-use trialbook::trials::formulas::{Formulas, text};
-use trialbook::trials::{Claim, Topic};
+use trialbook::trials::{
+    Claim, Topic,
+    formulas::{Formulas, text},
+};
 
 /// The topics that take part.
 pub static TOPICS: [&Topic; 4] = [

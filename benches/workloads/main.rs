@@ -4,10 +4,12 @@
 use criterion::{BenchmarkGroup, Criterion, Throughput, measurement::WallTime};
 use rayon::prelude::*;
 use slipbook::claims::constant::exact::{EQ11, EQ12, EQ13, EQ14};
-use slipbook::motion::drive::{Attractor, Drive, DriveState, Friction, Sign};
-use slipbook::motion::turntable::ensemble::{End, Horizon};
-use slipbook::motion::turntable::intrinsic::Run;
-use slipbook::motion::turntable::{Fate, Start, fate};
+use slipbook::motion::{
+    drive::{Attractor, Drive, DriveState, Friction, Sign},
+    turntable::ensemble::{End, Horizon},
+    turntable::intrinsic::Run,
+    turntable::{Fate, Start, fate},
+};
 use slipbook::numerics::quadrature::integral;
 use slipbook::paper::constant::eq13_time;
 use slipbook::validated::numbers::{LAMBDA_C, Q_Y};

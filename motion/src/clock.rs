@@ -5,9 +5,11 @@
 //! one more component of the state, by convention the first.
 
 use super::error::MotionError;
-use crate::numerics::NumericsError;
-use crate::numerics::series::{arrival, change};
-use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
+use crate::numerics::{
+    NumericsError,
+    series::{arrival, change},
+    taylor::{Control, Integrator, Step, System, TERMS},
+};
 
 /// A stretch of motion of `D` components, the first of which is the time t.
 #[derive(Debug, Clone, PartialEq)]

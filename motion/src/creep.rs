@@ -12,9 +12,11 @@
 //! the stop too, where steps of a slide would follow each q/|f|.
 
 use super::acceleration::Coefficients;
-use crate::numerics::events::roots;
-use crate::numerics::series::{convolution, product, square, value};
-use crate::numerics::taylor::{TERMS, reach};
+use crate::numerics::{
+    events::roots,
+    series::{convolution, product, square, value},
+    taylor::{TERMS, reach},
+};
 
 /// A motion with a direction that has no memory.
 pub(super) struct Creep {

@@ -1,7 +1,6 @@
 //! Why there is no motion to show.
 
-use crate::numerics::NumericsError;
-use crate::numerics::error::plain;
+use crate::numerics::{NumericsError, error::plain};
 
 /// Why a motion cannot be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]

@@ -5,8 +5,7 @@ mod csv;
 pub use csv::Columns;
 
 use super::acceleration::{Acceleration, Coefficients};
-use crate::numerics::piecewise::interpolate;
-use crate::numerics::taylor::TERMS;
+use crate::numerics::{piecewise::interpolate, taylor::TERMS};
 use std::cell::Cell;
 
 /// Why values make no acceleration.

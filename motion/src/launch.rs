@@ -1,10 +1,12 @@
 //! The launch of section 2.1's particle: constant acceleration, given by four numbers and checked.
 
-use super::acceleration::Plane;
-use super::error::MotionError;
-use super::error::check;
-use super::particle::{run, run_to_stop};
-use super::trajectory::{Motion, State};
+use super::{
+    acceleration::Plane,
+    error::MotionError,
+    error::check,
+    particle::{run, run_to_stop},
+    trajectory::{Motion, State},
+};
 use std::f64::consts::PI;
 
 /// A particle that leaves the origin at t = 0 with speed v₀ and angle θ₀ from the x axis, on a plane that

@@ -11,9 +11,11 @@
 //! order by order: the term of order m of f·n̂ contains θₘ only in −|f₀| θₘ, that of q dθ/dt only in m q₁ θₘ.
 
 use super::acceleration::Coefficients;
-use crate::numerics::series::{product, sin_cos, value};
-use crate::numerics::taylor::{TERMS, reach};
-use crate::numerics::{NumericsError, events};
+use crate::numerics::{
+    NumericsError, events,
+    series::{product, sin_cos, value},
+    taylor::{TERMS, reach},
+};
 
 /// A start from sliding speed zero.
 #[derive(Debug, Clone, PartialEq)]

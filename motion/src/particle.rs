@@ -7,11 +7,12 @@ mod stick;
 #[cfg(all(test, feature = "trials"))]
 mod tests;
 
-use super::acceleration::{Acceleration, Coefficients, known, most_steps};
-use super::error::{MotionError, check, finite};
-use super::trajectory::{Arc, Motion, Phase, PhaseKind, Piece, State};
-use crate::numerics::series::value;
-use crate::numerics::taylor::reach;
+use super::{
+    acceleration::{Acceleration, Coefficients, known, most_steps},
+    error::{MotionError, check, finite},
+    trajectory::{Arc, Motion, Phase, PhaseKind, Piece, State},
+};
+use crate::numerics::{series::value, taylor::reach};
 
 /// The motion of a particle from `start` until the time `until`, on a plane that accelerates by A(t), which [pulls](super) it
 /// along −A, with the given `friction` μg (length/time²). A start with v = 0 is allowed: it sticks or begins to slide.

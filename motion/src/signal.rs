@@ -1,8 +1,7 @@
 //! Functions of time that know their own Taylor series: what accelerations are made of.
 
 use super::acceleration::Coefficients;
-use crate::numerics::series;
-use crate::numerics::taylor::TERMS;
+use crate::numerics::{series, taylor::TERMS};
 
 /// A function of the time t, dimensionless or with the unit of its constants.
 #[derive(Debug, Clone, PartialEq)]

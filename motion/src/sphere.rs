@@ -26,10 +26,14 @@ mod tests;
 pub use line::{Directed, LineMotion, LineState, Stretch};
 pub use turning::Turning;
 
-use super::acceleration::{Acceleration, Coefficients};
-use super::error::{MotionError, check};
-use crate::numerics::series::{arrival, value};
-use crate::numerics::taylor::{Step, TERMS};
+use super::{
+    acceleration::{Acceleration, Coefficients},
+    error::{MotionError, check},
+};
+use crate::numerics::{
+    series::{arrival, value},
+    taylor::{Step, TERMS},
+};
 
 /// A homogeneous or hollow sphere and the plane under it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -8,13 +8,17 @@
 //! P is the pull on a unit of mass, in the plane's frame: −A if the plane [accelerates](super) by A; x counts from where the
 //! spring is relaxed. Between events x and v are power series in time.
 
-use super::acceleration::Coefficients;
-use super::error::check;
-use super::error::{MotionError, finite};
-use super::signal::Signal;
-use crate::numerics::events::{Way, roots};
-use crate::numerics::series::value;
-use crate::numerics::taylor::{TERMS, reach};
+use super::{
+    acceleration::Coefficients,
+    error::check,
+    error::{MotionError, finite},
+    signal::Signal,
+};
+use crate::numerics::{
+    events::{Way, roots},
+    series::value,
+    taylor::{TERMS, reach},
+};
 
 /// A spring and the friction under the block.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,10 +1,11 @@
 //! A finished motion: what happened when, and the state at any time in between.
 
-use super::acceleration::Coefficients;
-use super::error::MotionError;
-use crate::numerics::events::roots;
-use crate::numerics::series::{arrival, change, value};
-use crate::numerics::taylor::{Step, TERMS};
+use super::{acceleration::Coefficients, error::MotionError};
+use crate::numerics::{
+    events::roots,
+    series::{arrival, change, value},
+    taylor::{Step, TERMS},
+};
 
 /// State of a particle: on a plane in its frame, on a turntable in the frame that is named.
 #[derive(Debug, Clone, Copy, PartialEq)]

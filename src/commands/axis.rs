@@ -1,7 +1,6 @@
 //! Numbers of the command line: one, or equally spaced ones; and the grid that several such make.
 
-use crate::numerics::error::plain;
-use crate::numerics::expression::expression;
+use crate::numerics::{error::plain, expression::expression};
 use crate::solve::{Double, SolveError};
 use clap::builder::{StringValueParser, TypedValueParser};
 use clap::{Arg, Command, Error};

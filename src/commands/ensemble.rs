@@ -1,11 +1,15 @@
 //! `ensemble`: where many particles on the turntable end, one line each, written while the others are still on
 //! their way.
 
-use super::axis::{Axis, Plain, Point, is_it_degrees};
-use super::pieces::{Stop, end, in_pieces, told};
+use super::{
+    axis::{Axis, Plain, Point, is_it_degrees},
+    pieces::{Stop, end, in_pieces, told},
+};
 use crate::numerics::error::plain as number;
-use crate::solve::turntable::{End, Horizon, LENGTH, MotionError, SPEED, Start, TIME};
-use crate::solve::{Double, RADIANS, head, known};
+use crate::solve::{
+    Double, RADIANS, head, known,
+    turntable::{End, Horizon, LENGTH, MotionError, SPEED, Start, TIME},
+};
 use clap::Args;
 use rayon::prelude::*;
 use serde_json::json;

@@ -13,20 +13,6 @@ pub(super) struct Question {
     pub(super) refused: Option<SolveError>,
 }
 
-/// A calculator with its parameters, in the paper's units.
-pub(super) enum Asked {
-    Constant(constant::ConstantProblem<Double>),
-    Sinusoidal(sinusoidal::SinusoidalProblem<Double>),
-    Pulse(periodic::PeriodicProblem<Double>),
-    Anisotropic(anisotropic::AnisotropicProblem<Double>),
-    Sphere(sphere::SphereProblem<Double>),
-    /// What becomes of a start.
-    Fate(turntable::TurntableProblem<Double>),
-    /// Its state at a time.
-    Moment(turntable::TurntableProblem<Double>, Double),
-    Boundary(rest::BoundaryProblem<Double>),
-}
-
 impl Question {
     /// The answer in the units that it is asked in.
     ///
@@ -61,89 +47,81 @@ impl Question {
     }
 }
 
-impl Asked {
-    /// Its name on the command line.
-    pub(super) fn name(&self) -> &'static str {
-        match self {
-            Self::Constant(_) => "constant",
-            Self::Sinusoidal(_) => "sinusoidal",
-            Self::Pulse(_) => "pulse",
-            Self::Anisotropic(_) => "anisotropic",
-            Self::Sphere(_) => "sphere",
-            Self::Fate(_) | Self::Moment(..) => "turntable",
-            Self::Boundary(_) => "turntable-boundary",
+/// The calculators with one answer: the parameters, the name on the command line, and parameters that are in range.
+macro_rules! asked {
+    ($($kind:ident: $problem:ty = $name:literal, $easy:expr;)*) => {
+        /// A calculator with its parameters, in the paper's units.
+        pub(super) enum Asked {
+            $($kind($problem),)*
+            /// What becomes of a start.
+            Fate(turntable::TurntableProblem<Double>),
+            /// Its state at a time.
+            Moment(turntable::TurntableProblem<Double>, Double),
         }
-    }
 
-    fn report(&self, units: &[Unit]) -> Result<Report, SolveError> {
-        let name = self.name();
-        Ok(match self {
-            Self::Constant(given) => given.solve()?.report_in(name, units),
-            Self::Sinusoidal(given) => given.solve()?.report_in(name, units),
-            Self::Pulse(given) => given.solve()?.report_in(name, units),
-            Self::Anisotropic(given) => given.solve()?.report_in(name, units),
-            Self::Sphere(given) => given.solve()?.report_in(name, units),
-            Self::Fate(given) => given.fate()?.report_in(name, units),
-            Self::Moment(given, time) => given.at(*time)?.report_in(name, units),
-            Self::Boundary(given) => given.solve()?.report_in(name, units),
-        })
-    }
-
-    fn curve(&self) -> Result<Curve, SolveError> {
-        match self {
-            Self::Constant(given) => given.curve(),
-            Self::Sinusoidal(given) => given.curve(),
-            Self::Pulse(given) => given.curve(),
-            Self::Anisotropic(given) => given.curve(),
-            Self::Sphere(given) => given.curve(),
-            Self::Fate(given) => given.curve(None),
-            Self::Moment(given, time) => given.curve(Some((*time).into())),
-            Self::Boundary(given) => given.curve(),
-        }
-    }
-
-    /// The same calculator at parameters that are in range.
-    fn easy(&self) -> Self {
-        let [half, one] = [0.5, 1.0].map(Double::from);
-        let start = turntable::TurntableProblem::Polar {
-            rho: half,
-            p: half,
-            psi: one,
-        };
-        match self {
-            Self::Constant(_) => Self::Constant(constant::ConstantProblem {
-                lambda: half,
-                v0: one,
-                theta0: one,
-                accel: one,
-                at: constant::At::Time(one),
-            }),
-            Self::Sinusoidal(_) => {
-                Self::Sinusoidal(sinusoidal::SinusoidalProblem { lambda0: half })
+        impl Asked {
+            /// Its name on the command line.
+            pub(super) fn name(&self) -> &'static str {
+                match self {
+                    $(Self::$kind(_) => $name,)*
+                    Self::Fate(_) | Self::Moment(..) => "turntable",
+                }
             }
-            Self::Pulse(_) => Self::Pulse(periodic::PeriodicProblem {
-                eta: half,
-                lambda0: half,
-            }),
-            Self::Anisotropic(_) => Self::Anisotropic(anisotropic::AnisotropicProblem {
-                q: Double::from(2.0),
-                lambda0: half,
-            }),
-            Self::Sphere(_) => Self::Sphere(sphere::SphereProblem {
-                gamma: one + one,
-                u0: one,
-                theta0: one,
-                kappa: half,
-                at: constant::At::Time(half),
-            }),
-            Self::Fate(_) => Self::Fate(start),
-            Self::Moment(..) => Self::Moment(start, half),
-            Self::Boundary(_) => Self::Boundary(rest::BoundaryProblem {
-                alpha: half,
-                psi: one,
-            }),
+
+            fn report(&self, units: &[Unit]) -> Result<Report, SolveError> {
+                let name = self.name();
+                Ok(match self {
+                    $(Self::$kind(given) => given.solve()?.report_in(name, units),)*
+                    Self::Fate(given) => given.fate()?.report_in(name, units),
+                    Self::Moment(given, time) => given.at(*time)?.report_in(name, units),
+                })
+            }
+
+            fn curve(&self) -> Result<Curve, SolveError> {
+                match self {
+                    $(Self::$kind(given) => given.curve(),)*
+                    Self::Fate(given) => given.curve(None),
+                    Self::Moment(given, time) => given.curve(Some((*time).into())),
+                }
+            }
+
+            /// The same calculator at parameters that are in range.
+            fn easy(&self) -> Self {
+                let [rho, p, psi] = [0.5, 0.5, 1.0].map(Double::from);
+                let start = turntable::TurntableProblem::Polar { rho, p, psi };
+                match self {
+                    $(Self::$kind(_) => Self::$kind($easy),)*
+                    Self::Fate(_) => Self::Fate(start),
+                    Self::Moment(..) => Self::Moment(start, p),
+                }
+            }
         }
-    }
+    };
+}
+
+asked! {
+    Constant: constant::ConstantProblem<Double> = "constant", constant::ConstantProblem {
+        lambda: 0.5.into(),
+        v0: 1.0.into(),
+        theta0: 1.0.into(),
+        accel: 1.0.into(),
+        at: constant::At::Time(1.0.into()),
+    };
+    Sinusoidal: sinusoidal::SinusoidalProblem<Double> = "sinusoidal",
+        sinusoidal::SinusoidalProblem { lambda0: 0.5.into() };
+    Pulse: periodic::PeriodicProblem<Double> = "pulse",
+        periodic::PeriodicProblem { eta: 0.5.into(), lambda0: 0.5.into() };
+    Anisotropic: anisotropic::AnisotropicProblem<Double> = "anisotropic",
+        anisotropic::AnisotropicProblem { q: 2.0.into(), lambda0: 0.5.into() };
+    Sphere: sphere::SphereProblem<Double> = "sphere", sphere::SphereProblem {
+        gamma: 2.0.into(),
+        u0: 1.0.into(),
+        theta0: 1.0.into(),
+        kappa: 0.5.into(),
+        at: constant::At::Time(0.5.into()),
+    };
+    Boundary: rest::BoundaryProblem<Double> = "turntable-boundary",
+        rest::BoundaryProblem { alpha: 0.5.into(), psi: 1.0.into() };
 }
 
 #[cfg(test)]

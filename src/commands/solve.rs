@@ -1,16 +1,16 @@
 //! The command `solve`: the calculators of [`crate::solve`].
 
-use super::axis::{Axis, Plain, Point, is_it_degrees};
-use super::pieces::Stop;
-use super::plot;
-use super::question::{Asked, Question};
-use super::sweep::{self, aligned};
+use super::{
+    axis::{Axis, Plain, Point, is_it_degrees},
+    pieces::Stop,
+    plot,
+    question::{Asked, Question},
+    sweep::{self, aligned},
+};
 use crate::numerics::error::plain as number;
-use crate::solve::constant::At;
-use crate::solve::turntable::MotionError;
 use crate::solve::{
     DIMENSIONLESS, Double, Field, RADIANS, Report, SolveError, Unit, Value, anisotropic, axes,
-    constant, periodic, rest, sinusoidal, sphere, turntable,
+    constant, constant::At, periodic, rest, sinusoidal, sphere, turntable, turntable::MotionError,
 };
 use clap::{Arg, ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;

@@ -1,9 +1,11 @@
 //! A calculator at the points of a grid: a row each. One that is out of range is a row that says why.
 
-use super::axis::Point;
-use super::pieces::{Stop, end, in_pieces, told};
-use super::question::Question;
-use super::solve::word;
+use super::{
+    axis::Point,
+    pieces::{Stop, end, in_pieces, told},
+    question::Question,
+    solve::word,
+};
 use crate::numerics::error::plain as number;
 use crate::solve::{Field, Report, SolveError, VERSION, Value, head};
 use rayon::prelude::*;
@@ -11,7 +13,7 @@ use serde_json::{Map, json};
 use std::fmt::Write as _;
 use std::io::{self, Write};
 use trialbook::cli::{Shard, ascii, screen, show};
-use trialbook::plotting::{Cell, Table};
+use trialbook::plotting::Table;
 use trialbook::publishing::{Failure, Format};
 
 /// The least and the most points that are asked together; after each such piece the rows are written.
@@ -127,7 +129,7 @@ fn filled(mut cells: Vec<String>, width: usize) -> Vec<String> {
 fn table(heads: &[&str], rows: &[Row]) -> Result<String, Failure> {
     let mut table = Table::new(heads);
     for row in rows {
-        table.row(filled(cells(row), heads.len()).into_iter().map(Cell::Text))?;
+        table.row(filled(cells(row), heads.len()))?;
     }
     let text = ascii(&table.into_text());
     Ok(match rows.first().is_some_and(|row| row.index == 0) {

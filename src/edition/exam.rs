@@ -1,9 +1,11 @@
 //! The tables of the page on the exam.
 
-use crate::exam::published::sliding::{self, Beside, Yield};
-use crate::exam::published::{Standing, cases};
-use crate::exam::results::{self, Mark};
-use crate::exam::{Answer, Basis, TASKS};
+use crate::exam::{
+    Answer, Basis, TASKS,
+    published::sliding::{self, Beside, Yield},
+    published::{Standing, cases},
+    results::{self, Mark},
+};
 use trialbook::book::{escape, table};
 use trialbook::publishing::{Failure, Filled};
 
@@ -65,30 +67,38 @@ fn digit(x: f64) -> String {
     }
 }
 
-/// The smallest error that each candidate keeps on each task, and ours.
-pub(super) fn errors() -> Result<Filled, Failure> {
+/// A table with a column for each task: ours, and a row for each candidate, of what these say of a task and how long it lasts.
+fn by_task(
+    ours: impl Fn(&str, f64) -> Result<String, Failure>,
+    theirs: impl Fn(&[Mark]) -> Option<String>,
+) -> Result<Filled, Failure> {
     let tasks = results::tasks()?;
     let mut head = vec!["Candidate".to_owned(), "Settings".to_owned()];
     head.extend(tasks.iter().map(|(task, _)| format!("<code>{task}</code>")));
-    let mut rows = Vec::new();
-    let mut own = vec![
-        "<strong>ours</strong>".to_owned(),
-        "from event to event".to_owned(),
-    ];
-    for (task, _) in &tasks {
-        own.push(shaded(our_error(task)?));
+    let mut own = OURS.map(str::to_owned).to_vec();
+    for (task, lasts) in &tasks {
+        own.push(ours(task, *lasts)?);
     }
-    rows.push(own);
+    let mut rows = vec![own];
     for candidate in results::candidates()? {
         let mut row = vec![escape(&candidate.name), escape(&candidate.settings)];
         for (task, _) in &tasks {
-            let marks = candidate.marks(task)?;
-            let best = results::kept(&marks).map(|mark| mark.error);
-            row.push(best.map_or(String::new(), shaded));
+            row.push(theirs(&candidate.marks(task)?).unwrap_or_default());
         }
         rows.push(row);
     }
     Ok(Filled::Block(wide(&head, &rows)))
+}
+
+/// Who we are beside the candidates, and our settings.
+const OURS: [&str; 2] = ["<strong>ours</strong>", "from event to event"];
+
+/// The smallest error that each candidate keeps on each task, and ours.
+pub(super) fn errors() -> Result<Filled, Failure> {
+    by_task(
+        |task, _| Ok(shaded(our_error(task)?)),
+        |marks| results::kept(marks).map(|mark| shaded(mark.error)),
+    )
 }
 
 /// An error on a ground that is the darker the more digits are right.
@@ -103,28 +113,16 @@ const EQUAL: f64 = 1e-3;
 
 /// What a unit of time costs each candidate where it is within [`EQUAL`] of the answer, and ours.
 pub(super) fn costs() -> Result<Filled, Failure> {
-    let tasks = results::tasks()?;
-    let seconds = results::ours()?.seconds;
-    let mut head = vec!["Candidate".to_owned(), "Settings".to_owned()];
-    head.extend(tasks.iter().map(|(task, _)| format!("<code>{task}</code>")));
-    let mut own = vec![
-        "<strong>ours</strong>".to_owned(),
-        "from event to event".to_owned(),
-    ];
-    for (task, lasts) in &tasks {
-        let seconds = seconds.get(*task).ok_or("a task that was not timed")?;
-        own.push(super::speed::time(1e6 * seconds / lasts));
-    }
-    let mut rows = vec![own];
-    for candidate in results::candidates()? {
-        let mut row = vec![escape(&candidate.name), escape(&candidate.settings)];
-        for (task, _) in &tasks {
-            let cost = results::cost_within(&candidate.marks(task)?, EQUAL);
-            row.push(cost.map_or(String::new(), |cost| super::speed::time(1e6 * cost)));
-        }
-        rows.push(row);
-    }
-    Ok(Filled::Block(wide(&head, &rows)))
+    let ours = results::ours()?;
+    by_task(
+        |task, lasts| our_cost(&ours, task, lasts),
+        |marks| results::cost_within(marks, EQUAL).map(|cost| super::speed::time(1e6 * cost)),
+    )
+}
+
+fn our_cost(ours: &results::Ours, task: &str, lasts: f64) -> Result<String, Failure> {
+    let seconds = ours.seconds.get(task).ok_or("a task that was not timed")?;
+    Ok(super::speed::time(1e6 * seconds / lasts))
 }
 
 /// The accuracy of [`costs`].
@@ -160,10 +158,9 @@ pub(super) fn runs() -> Result<Filled, Failure> {
     let mut rows = Vec::new();
     for (task, lasts) in results::tasks()? {
         let name = format!("<code>{task}</code>");
-        let seconds = ours.seconds.get(task).ok_or("a task that was not timed")?;
-        let cost = super::speed::time(1e6 * seconds / lasts);
-        let ours = ["<strong>ours</strong>", "from event to event", ""].map(str::to_owned);
-        let [who, how, none] = ours;
+        let cost = our_cost(&ours, task, lasts)?;
+        let [who, how] = OURS.map(str::to_owned);
+        let none = String::new();
         rows.push([
             name.clone(),
             who,

@@ -10,11 +10,15 @@ mod tests;
 mod watch;
 mod words;
 
-use crate::claims::PAPER;
-use crate::claims::rest::fates;
+use crate::claims::{PAPER, rest::fates};
 use crate::{breaks, commands, figures, symbols};
 use include_dir::{Dir, include_dir};
 use trialbook::publishing::{Edition, Filled, Placeholder, Sources, texts};
+
+/// What stands on the pages between braces, and what fills it.
+macro_rules! placeholders {
+    ($($name:literal => $fill:expr;)*) => { [$(Placeholder { name: $name, fill: $fill }),*] };
+}
 
 /// The book and the command.
 pub static EDITION: Edition = Edition {
@@ -42,82 +46,29 @@ pub static EDITION: Edition = Edition {
         files: sources,
         motion,
     },
-    placeholders: &[
-        Placeholder {
-            name: "cite",
-            fill: |_| {
-                let [version, by] = [env!("CARGO_PKG_VERSION"), env!("CARGO_PKG_AUTHORS")];
-                let licence = env!("CARGO_PKG_LICENSE");
-                Ok(Filled::Inline(format!(
-                    "Slipbook {version}, by {by}; licence {licence}"
-                )))
-            },
-        },
-        Placeholder {
-            name: "explorer",
-            fill: explorer::place,
-        },
-        Placeholder {
-            name: "break",
-            fill: explorer::breakable,
-        },
-        Placeholder {
-            name: "physics",
-            fill: |_| Ok(physics::table_of()),
-        },
-        Placeholder {
-            name: "exam",
-            fill: |_| exam::table_of(),
-        },
-        Placeholder {
-            name: "exam-errors",
-            fill: |_| exam::errors(),
-        },
-        Placeholder {
-            name: "exam-costs",
-            fill: |_| exam::costs(),
-        },
-        Placeholder {
-            name: "exam-equal",
-            fill: |_| exam::equal(),
-        },
-        Placeholder {
-            name: "exam-runs",
-            fill: |_| exam::runs(),
-        },
-        Placeholder {
-            name: "exam-promises",
-            fill: |_| exam::promises(),
-        },
-        Placeholder {
-            name: "exam-sat-on",
-            fill: |_| exam::sat_on(),
-        },
-        Placeholder {
-            name: "published",
-            fill: |_| exam::published(),
-        },
-        Placeholder {
-            name: "sliding",
-            fill: |_| exam::sliding(),
-        },
-        Placeholder {
-            name: "sliding-read",
-            fill: |_| exam::sliding_read(),
-        },
-        Placeholder {
-            name: "speed",
-            fill: |_| speed::table_of(),
-        },
-        Placeholder {
-            name: "growth",
-            fill: |_| speed::growth(),
-        },
-        Placeholder {
-            name: "measured-on",
-            fill: |_| speed::circumstances(),
-        },
-    ],
+    placeholders: &placeholders! {
+        "cite" => |_| {
+            let [version, by] = [env!("CARGO_PKG_VERSION"), env!("CARGO_PKG_AUTHORS")];
+            let licence = env!("CARGO_PKG_LICENSE");
+            Ok(Filled::Inline(format!("Slipbook {version}, by {by}; licence {licence}")))
+        };
+        "explorer" => explorer::place;
+        "break" => explorer::breakable;
+        "physics" => |_| Ok(physics::table_of());
+        "exam" => |_| exam::table_of();
+        "exam-errors" => |_| exam::errors();
+        "exam-costs" => |_| exam::costs();
+        "exam-equal" => |_| exam::equal();
+        "exam-runs" => |_| exam::runs();
+        "exam-promises" => |_| exam::promises();
+        "exam-sat-on" => |_| exam::sat_on();
+        "published" => |_| exam::published();
+        "sliding" => |_| exam::sliding();
+        "sliding-read" => |_| exam::sliding_read();
+        "speed" => |_| speed::table_of();
+        "growth" => |_| speed::growth();
+        "measured-on" => |_| speed::circumstances();
+    },
     words: words::WORDS,
     files: explorer::files,
     data: || {

@@ -11,8 +11,7 @@ use trialbook::book::{self, BookError};
 use trialbook::data::Text;
 use trialbook::plotting::Figure;
 use trialbook::publishing::{Edition, Page, Part};
-use trialbook::trials::read::File;
-use trialbook::trials::{Claim, Paper, Topic};
+use trialbook::trials::{Claim, Paper, Topic, read::File};
 
 /// A claim with everything that a box can show, some of it hostile.
 static FULL: Topic = Topic::new(
@@ -143,15 +142,15 @@ fn values<'a>(html: &'a str, attribute: &str) -> Vec<&'a str> {
     parts.map(|part| part.split('"').next().unwrap()).collect()
 }
 
+/// What stands behind the first of these words, up to the second.
+fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
+    let behind = text.split(start).nth(1).expect(start);
+    behind.split(end).next().unwrap_or_default()
+}
+
 /// The text of a page's content, without tags and without code.
 fn prose(html: &str) -> String {
-    let main = html
-        .split("<main>")
-        .nth(1)
-        .unwrap()
-        .split("</main>")
-        .next()
-        .unwrap();
+    let main = between(html, "<main>", "</main>");
     let mut text = String::new();
     let mut code = 0_usize;
     for part in main.split('<').skip(1) {
@@ -188,10 +187,14 @@ fn whole() -> &'static BTreeMap<String, Vec<u8>> {
     &FILES
 }
 
+/// A page of it, or another of its texts.
+fn text(name: &str) -> &'static str {
+    std::str::from_utf8(&whole()[name]).unwrap()
+}
+
 #[test]
 fn the_book_is_whole() {
     let files = whole();
-    let text = |name: &str| std::str::from_utf8(&files[name]).unwrap();
     let pages: Vec<_> = files
         .keys()
         .filter(|name| name.ends_with(".html"))
@@ -236,10 +239,9 @@ fn the_book_is_whole() {
             }
         }
     }
-    for (name, bytes) in files {
+    for name in files.keys() {
         if name.ends_with(".css") {
-            let css = std::str::from_utf8(bytes).unwrap();
-            for url in css.split("url(").skip(1) {
+            for url in text(name).split("url(").skip(1) {
                 let url = url.split(')').next().unwrap().trim_matches(['"', '\'']);
                 if url.starts_with("data:") {
                     continue;
@@ -264,9 +266,8 @@ fn the_book_is_whole() {
 /// Figures are numbered through a page, whichever of them a script folds away.
 #[test]
 fn figures_have_the_numbers_of_their_places() {
-    let files = whole();
     for page in EDITION.pages {
-        let html = std::str::from_utf8(&files[&format!("{}.html", page.stem)]).unwrap();
+        let html = text(&format!("{}.html", page.stem));
         let captions = html.split("<figcaption>").skip(1);
         for (i, caption) in captions.enumerate() {
             let number = format!("<strong>Fig. {}.</strong>", i + 1);
@@ -278,22 +279,20 @@ fn figures_have_the_numbers_of_their_places() {
 /// Numbers in the text lead to their equations, but where another paper's are meant; there are no cards there either.
 #[test]
 fn numbers_are_links_where_the_paper_is_spoken_of() {
-    let files = whole();
     for page in EDITION.pages {
-        let html = std::str::from_utf8(&files[&format!("{}.html", page.stem)]).unwrap();
+        let html = text(&format!("{}.html", page.stem));
         let about = page.part != Part::Use;
         assert_eq!(html.contains("theme/cards.js"), about, "{}", page.stem);
         assert!(about || !html.contains("class=\"cite\""), "{}", page.stem);
     }
-    let escape = std::str::from_utf8(&files["escape.html"]).unwrap();
-    assert!(escape.contains("<a class=\"cite\" href=\"turntable.html#eq-113\">(113)</a>"));
+    assert!(
+        text("escape.html").contains("<a class=\"cite\" href=\"turntable.html#eq-113\">(113)</a>")
+    );
 }
 
 #[test]
 fn the_page_for_printing_leads_to_places_within_itself() {
-    let files = whole();
-    let html = std::str::from_utf8(&files["print.html"]).unwrap();
-    let main = html.split("<main>").nth(1).unwrap();
+    let main = text("print.html").split("<main>").nth(1).unwrap();
     for link in values(main, "href") {
         let chapter = link.split_once(".html").map(|(stem, _)| stem);
         assert!(
@@ -329,9 +328,8 @@ fn addresses_stay() {
     for (line, address) in (1..).zip(addresses) {
         let now = moved(address).unwrap_or_else(|| address.to_owned());
         let (page, id) = now.split_once('#').unwrap();
-        let html = std::str::from_utf8(&files[page]).unwrap();
         assert!(
-            html.contains(&format!(" id=\"{id}\"")),
+            text(page).contains(&format!(" id=\"{id}\"")),
             "tests/data/addresses.txt, line {line}: {address} leads nowhere; `MOVED` in src/edition/pages.rs says where what has moved is now"
         );
     }
@@ -349,8 +347,7 @@ fn addresses_stay() {
 
 #[test]
 fn the_search_finds_numbers_and_symbols() {
-    let files = whole();
-    let index = std::str::from_utf8(&files["searchindex.js"]).unwrap();
+    let index = text("searchindex.js");
     for title in [
         r#""title":"(37) "#,
         "sinusoidal.html#eq-37",
@@ -365,18 +362,13 @@ fn the_search_finds_numbers_and_symbols() {
 
 #[test]
 fn every_claim_has_its_address_and_its_verdict() {
-    let files = whole();
     for entry in &ledger().entries {
-        let page = &files[&format!("{}.html", entry.topic.stem)];
-        let html = std::str::from_utf8(page).unwrap();
+        let html = text(&format!("{}.html", entry.topic.stem));
         let start = format!("aria-labelledby=\"{}\"", entry.claim.id);
-        let claim = html.split(&start).nth(1).expect(entry.claim.id);
-        let claim = claim.split("</article>").next().unwrap();
+        let claim = between(html, &start, "</article>");
         let verdict = entry.judgement.verdict;
         let mark = format!("<span class=\"verdict {}\">", verdict.slug());
-        let badge = claim.split(&mark).nth(1).expect(entry.claim.id);
-        let badge = badge.split("</div>").next().unwrap();
-        let parts = badge.split('<');
+        let parts = between(claim, &mark, "</div>").split('<');
         let words = parts.map(|part| part.split_once('>').map_or(part, |(_, text)| text));
         assert_eq!(words.collect::<String>(), verdict.words());
         assert!(claim.contains(&format!("id=\"{}\"", entry.claim.id)));
@@ -385,15 +377,8 @@ fn every_claim_has_its_address_and_its_verdict() {
 
 #[test]
 fn a_box_shows_all_and_data_stays_data() {
-    let files = whole();
-    let html = std::str::from_utf8(&files["constant.html"]).unwrap();
-    let full = html
-        .split("id=\"eq-13\"")
-        .nth(1)
-        .unwrap()
-        .split("</article>")
-        .next()
-        .unwrap();
+    let html = text("constant.html");
+    let full = between(html, "id=\"eq-13\"", "</article>");
     for part in [
         "misprint",
         "As printed",
@@ -416,8 +401,7 @@ fn a_box_shows_all_and_data_stays_data() {
         assert!(full.contains(part), "no {part} in {full}");
     }
     assert!(!html.contains("<script>alert"));
-    let proof = full.split("<strong>exact</strong>").nth(1).unwrap();
-    let proof = proof.split("<strong>").next().unwrap();
+    let proof = between(full, "<strong>exact</strong>", "<strong>");
     assert!(
         proof.contains("<span class=\"outcome\">shown</span>"),
         "{proof}"
@@ -431,20 +415,8 @@ fn a_box_shows_all_and_data_stays_data() {
     }
     assert!(!proof.contains("tolerance"), "{proof}");
     assert!(full.find("<strong>exact</strong>") < full.find("<strong>quadrature</strong>"));
-    let used = html
-        .split("id=\"eq-11\"")
-        .nth(1)
-        .unwrap()
-        .split("</article>")
-        .next()
-        .unwrap();
-    let users = used
-        .split("Used by ")
-        .nth(1)
-        .unwrap()
-        .split("</p>")
-        .next()
-        .unwrap();
+    let used = between(html, "id=\"eq-11\"", "</article>");
+    let users = between(used, "Used by ", "</p>");
     assert!(users.contains("<a href=\"constant.html#eq-13\" title="));
 }
 
@@ -536,8 +508,7 @@ fn every_claim_leads_to_its_code() {
         let claim = entry.claim;
         let page = fs::read_to_string(out.join(format!("{}.html", entry.topic.stem))).unwrap();
         let start = format!("aria-labelledby=\"{}\"", claim.id);
-        let html = page.split(&start).nth(1).unwrap();
-        let html = html.split("</article>").next().unwrap();
+        let html = between(&page, &start, "</article>");
         let leads =
             |word: &str, module: &str| html.contains(&format!("{word} <a href=\"code/{module}/"));
         assert!(

@@ -3,15 +3,17 @@
 //! All quantities are dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the ratio
 //! of backward to forward friction, φ the phase and 𝔴 the velocity.
 
-use super::AllFiguresError;
-use crate::claims::anisotropic::simulated::Curves;
-use crate::claims::anisotropic::{census as counted, drawn, panels, rows};
+use super::Drawn;
+use crate::claims::{
+    anisotropic::simulated::{Changes, Curves},
+    anisotropic::{census as counted, drawn, panels, rows},
+};
 use std::f64::consts::PI;
 use trialbook::plotting::{
-    Area, Axis, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Stroke, Table,
+    Area, Axis, Curve, Figure, FigureError, Marker, Note, Panel, Plot, Points, Table,
 };
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     Ok(vec![
         region_diagram()?,
         region_waves()?,
@@ -31,11 +33,7 @@ pub(super) fn heights(curves: &Curves) -> Heights {
     }
 }
 
-fn region_map(
-    columns: std::ops::Range<usize>,
-    rows: usize,
-    largest_q: f64,
-) -> Result<Map, AllFiguresError> {
+fn region_map(columns: std::ops::Range<usize>, rows: usize, largest_q: f64) -> Drawn<Map> {
     let map = drawn::map(columns, rows)?;
     let count = counted::count(largest_q)?;
     // A region is at most 5.
@@ -55,36 +53,20 @@ fn region_map(
 }
 
 /// fig-5.
-fn region_diagram() -> Result<Figure, AllFiguresError> {
+fn region_diagram() -> Drawn {
     Ok(fig5(&region_map(0..180, 180, 7.0)?)?)
 }
 
 /// The census beyond Y.
-fn region_census() -> Result<Figure, AllFiguresError> {
+fn region_census() -> Drawn {
     let map = region_map(90..330, 36, f64::INFINITY)?;
     Ok(census(&map)?)
 }
 
 /// fig-6.
-fn region_waves() -> Result<Figure, AllFiguresError> {
+fn region_waves() -> Drawn {
     let waves: Vec<_> = drawn::waves()?.into_iter().zip(panels::PANELS).collect();
     Ok(fig6(&waves)?)
-}
-
-/// The boundaries for large q.
-fn region_boundaries() -> Result<Figure, AllFiguresError> {
-    let seen = |row: &rows::Row| -> Result<_, AllFiguresError> {
-        Ok(Seen {
-            curves: heights(&Curves::at(row.q)?),
-            rest: row.changes.rest,
-            reversal: row.changes.reversal,
-            backward: row.changes.backward,
-            motion: row.changes.motion,
-        })
-    };
-    let rows = drawn::boundaries()?;
-    let seen = rows.iter().map(seen).collect::<Result<Vec<_>, _>>()?;
-    Ok(far(&seen, rows::far_laws()?)?)
 }
 
 /// Where the curves stand at one q; none where a curve has no point.
@@ -172,20 +154,10 @@ impl Map {
             ("curve E", |h| h.e),
         ];
         for (name, of) in curves {
-            for [q, lambda0] in self.height(of) {
-                table.row([name.into(), q.into(), lambda0.into()])?;
-            }
+            table.rows(name, self.height(of))?;
         }
-        for (name, [q, lambda0]) in ["point X", "point Y"].into_iter().zip(self.corners) {
-            table.row([name.into(), q.into(), lambda0.into()])?;
-        }
-        for [q, lambda0] in self.wrong() {
-            table.row([
-                "point where the printed list is wrong".into(),
-                q.into(),
-                lambda0.into(),
-            ])?;
-        }
+        table.rows((), ["point X", "point Y"].iter().zip(self.corners))?;
+        table.rows("point where the printed list is wrong", self.wrong())?;
         Ok(table)
     }
 }
@@ -236,7 +208,7 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
     let b = || {
         Curve::new(map.height(|h| h.b))
             .series(1)
-            .stroke(Stroke::Dotted)
+            .dotted()
             .label_at("'B'", 0.2)
     };
     let printed = base("as printed", |h| Some(h.c))
@@ -244,7 +216,7 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
         .curve(
             Curve::new(map.height(|h| Some(h.c)))
                 .series(2)
-                .stroke(Stroke::Solid)
+                .solid()
                 .label_at("'C'", 0.33),
         )
         .curve(b());
@@ -252,14 +224,14 @@ pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
         .curve(
             Curve::new(map.height(|h| before(h, h.c)))
                 .series(2)
-                .stroke(Stroke::Solid)
+                .solid()
                 .label_at("'C'", 0.4),
         )
         .curve(b())
         .curve(
             Curve::new(map.height(|h| h.e))
                 .series(4)
-                .stroke(Stroke::Solid)
+                .solid()
                 .label_at("'E'", 0.8),
         );
     Plot::new("fig-5", "The regions of the anisotropic friction")
@@ -292,24 +264,9 @@ fn wedge(map: &Map) -> Result<Panel, FigureError> {
     .title("where they differ")
     .height(260.0)
     .area(map.wedge().key("'IV', where the list has 'II'"))
-    .curve(
-        plain(|h| Some(h.c))
-            .series(2)
-            .stroke(Stroke::Solid)
-            .label_at("'C'", 0.75),
-    )
-    .curve(
-        plain(|h| h.b)
-            .series(1)
-            .stroke(Stroke::Dotted)
-            .label_at("'B'", 0.3),
-    )
-    .curve(
-        plain(|h| h.e)
-            .series(4)
-            .stroke(Stroke::Solid)
-            .label_at("'E'", 0.7),
-    )
+    .curve(plain(|h| Some(h.c)).series(2).solid().label_at("'C'", 0.75))
+    .curve(plain(|h| h.b).series(1).dotted().label_at("'B'", 0.3))
+    .curve(plain(|h| h.e).series(4).solid().label_at("'E'", 0.7))
     .points(Points::new([map.corners[1]]).ink().label("Y"))
     .note(Note::new([4.4, 0.16], "'II'"))
     .note(Note::new([6.0, 0.22], "'IV'")))
@@ -347,7 +304,7 @@ pub fn census(map: &Map) -> Result<Figure, FigureError> {
         Curve::new(map.height(|h| h.b))
             .ink()
             .width(1.2)
-            .stroke(Stroke::Dotted)
+            .dotted()
             .label_at("'B'", 0.1),
     )
     .curve(
@@ -385,26 +342,12 @@ pub fn census(map: &Map) -> Result<Figure, FigureError> {
         .figure(map.table()?)
 }
 
-/// Where the simulated motion changes at one q.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Seen {
-    /// The curves there.
-    pub curves: Heights,
-    /// The least λ₀ with a rest.
-    pub rest: f64,
-    /// The largest λ₀ at which forward motion turns straight into backward motion.
-    pub reversal: f64,
-    /// The largest λ₀ with backward motion.
-    pub backward: f64,
-    /// The largest λ₀ with motion.
-    pub motion: f64,
-}
-
 /// The boundaries for large q, formulas and simulation.
-///
-/// # Errors
-/// As [`Plot::figure`].
-pub fn far(seen: &[Seen], laws: [rows::PowerLaw; 2]) -> Result<Figure, FigureError> {
+fn region_boundaries() -> Drawn {
+    let laws = rows::far_laws()?;
+    let seen = |row: &rows::Row| Ok((heights(&Curves::at(row.q)?), row.changes));
+    let seen: Drawn<Vec<_>> = drawn::boundaries()?.iter().map(seen).collect();
+    let seen = seen?;
     let mut table = Table::new(&[
         "q",
         "lambda_0 on A",
@@ -415,28 +358,21 @@ pub fn far(seen: &[Seen], laws: [rows::PowerLaw; 2]) -> Result<Figure, FigureErr
         "backward motion ends",
         "motion ends",
     ]);
-    for one in seen {
-        let h = one.curves;
+    for (h, changes) in &seen {
         let b_or_e = h.b.or(h.e).unwrap_or(f64::NAN);
-        let numbers = [
-            h.q,
-            h.a,
-            b_or_e,
-            h.c,
-            one.rest,
-            one.reversal,
-            one.backward,
-            one.motion,
-        ];
-        table.row(numbers.map(Into::into))?;
+        let Changes {
+            rest,
+            reversal,
+            backward,
+            motion,
+            ..
+        } = *changes;
+        table.row([h.q, h.a, b_or_e, h.c, rest, reversal, backward, motion])?;
     }
     let formula = |of: fn(&Heights) -> Option<f64>| {
-        Curve::new(
-            seen.iter()
-                .filter_map(move |s| Some([s.curves.q, of(&s.curves)?])),
-        )
+        Curve::new(seen.iter().filter_map(|(h, _)| Some([h.q, of(h)?])))
     };
-    let found = |of: fn(&Seen) -> f64| Points::new(seen.iter().map(move |s| [s.curves.q, of(s)]));
+    let found = |of: fn(&Changes) -> f64| Points::new(seen.iter().map(|(h, at)| [h.q, of(at)]));
     let panel = Panel::new(
         Axis::log("q").range(1.0, 3e4),
         Axis::log("λ_0").range(1e-9, 10.0),
@@ -446,13 +382,13 @@ pub fn far(seen: &[Seen], laws: [rows::PowerLaw; 2]) -> Result<Figure, FigureErr
     .curve(
         formula(|h| Some(h.c))
             .series(2)
-            .stroke(Stroke::Dotted)
+            .dotted()
             .label_at("'C'", 0.75),
     )
     .curve(
         formula(|h| h.b.or(h.e))
             .series(1)
-            .stroke(Stroke::Solid)
+            .solid()
             .label_at("'B, E'", 0.8),
     )
     .curve(formula(|h| Some(h.a)).series(0).label_at("'A'", 0.6))
@@ -479,7 +415,7 @@ pub fn far(seen: &[Seen], laws: [rows::PowerLaw; 2]) -> Result<Figure, FigureErr
             scientific(&number(law.prefactor))
         )
     };
-    Plot::new("anisotropic-far", "The boundaries for large ratios of the frictions")
+    Ok(Plot::new("anisotropic-far", "The boundaries for large ratios of the frictions")
         .caption(format!(
             "Where the motion changes, by bisection on the simulation (marks), with the curves. Far out a rest appears \
              at {}, which is $\\pi$; direct reversals, and with them all backward motion, end at {}, which is \
@@ -492,7 +428,7 @@ pub fn far(seen: &[Seen], laws: [rows::PowerLaw; 2]) -> Result<Figure, FigureErr
              leave it near q = 4.6 and follow E, which falls as the square of q, in parallel with A below it.",
         )
         .panel(panel)
-        .figure(table)
+        .figure(table)?)
 }
 
 /// Turns the exponent of a number such as 3e-9 into LaTeX.
@@ -532,10 +468,7 @@ pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
         );
     for (name, wave) in ["I", "II", "III", "IV", "V"].into_iter().zip(waves) {
         let (points, (q, lambda0)) = wave;
-        for [phi, w] in points {
-            let head = [name.into(), q.into(), lambda0.into()];
-            table.row(head.into_iter().chain([phi.into(), w.into()]))?;
-        }
+        table.rows((name, q, lambda0), points)?;
         let title = format!("'{name}'\u{2003}q = {q}, λ_0 = {lambda0}");
         plot = plot.panel(
             Panel::new(
@@ -544,7 +477,7 @@ pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
             )
             .title(title)
             .height(120.0)
-            .curve(Curve::new(points.iter().copied())),
+            .curve(Curve::new(points)),
         );
     }
     plot.figure(table)

@@ -1,14 +1,14 @@
 //! The figure of the digits that the calculators claim, from the recorded counts.
 
-use super::AllFiguresError;
+use super::Drawn;
 use trialbook::data::{Text, text};
-use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Stroke, Table};
+use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Raster, Table};
 use trialbook::trials::as_of;
 
 /// Counted by `tests/digits`, which in the deep tier also tries whether it still holds.
 pub(crate) const RECORD: Text = text!("snapshots/digits.csv");
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     let counts: Vec<Count> = RECORD.lines().skip(1).filter_map(count).collect();
     Ok(vec![digits(&counts, as_of(&RECORD))?])
 }
@@ -59,12 +59,8 @@ fn cells(counts: &[Count]) -> [usize; SIDE * SIDE] {
 pub fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["calculator", "claimed", "true", "cases"]);
     for count in counts {
-        table.row([
-            count.calculator.as_str().into(),
-            f64::from(count.claimed).into(),
-            f64::from(count.true_digits).into(),
-            (count.cases as f64).into(),
-        ])?;
+        let [claimed, right] = [count.claimed, count.true_digits].map(f64::from);
+        table.row((&count.calculator, claimed, right, count.cases as f64))?;
     }
     let cells = cells(counts);
     let class = |cases: &usize| match cases {
@@ -90,7 +86,7 @@ pub fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
     .curve(
         Curve::new([[ends.0, ends.0], [ends.1, ends.1]])
             .ink()
-            .stroke(Stroke::Dashed)
+            .dashed()
             .key("as many"),
     );
     Plot::new("digits", "Digits claimed and digits true")

@@ -1,11 +1,11 @@
 //! The figure of the drift under anisotropic friction, and of what it costs. Dimensionless, as in [`super::anisotropic`].
 
-use super::AllFiguresError;
+use super::Drawn;
 use super::anisotropic::{Heights, heights};
 use crate::claims::anisotropic::drawn::{self, Budgets};
-use trialbook::plotting::{Area, Axis, Curve, Figure, FigureError, Panel, Plot, Stroke, Table};
+use trialbook::plotting::{Area, Axis, Curve, Figure, FigureError, Panel, Plot, Table};
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     Ok(vec![drift(&drawn::budgets()?)?])
 }
 
@@ -22,14 +22,7 @@ const LOSSES: [f64; 6] = [0.05, 0.25, 0.5, 0.75, 1.0, 1.2];
 pub fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["q", "lambda_0", "mean velocity", "lost in a period"]);
     for (q, found) in budgets.q.iter().zip(&budgets.found) {
-        for (lambda0, [drift, lost]) in budgets.lambda0.iter().zip(found) {
-            table.row([
-                (*q).into(),
-                (*lambda0).into(),
-                (*drift).into(),
-                (*lost).into(),
-            ])?;
-        }
+        table.rows(q, budgets.lambda0.iter().zip(found))?;
     }
     Plot::new("anisotropic-drift", "How fast it creeps, and what that costs")
         .caption(
@@ -60,7 +53,7 @@ fn map(budgets: &Budgets, title: &str, which: usize, levels: &[f64]) -> Panel {
         // Where both end at the frame, no line joins them.
         let gap = [[f64::NAN; 2]];
         let line = Curve::new(line.chain(&gap).chain(upper.iter().rev()).copied());
-        let line = line.series(which).stroke(Stroke::Solid).width(1.2);
+        let line = line.series(which).solid().width(1.2);
         panel = panel
             .area(Area::between(lower, upper).series(which).opacity(0.1))
             .curve(line.label_at(level.to_string(), 0.3));
@@ -74,7 +67,7 @@ fn map(budgets: &Budgets, title: &str, which: usize, levels: &[f64]) -> Panel {
     panel
         .curve(curve(|h| Some(h.d)).label_at("'D'", 0.9))
         .curve(curve(|h| h.e.is_none().then_some(h.c)).label_at("'C'", 0.3))
-        .curve(curve(|h| h.b).stroke(Stroke::Dotted).label_at("'B'", 0.1))
+        .curve(curve(|h| h.b).dotted().label_at("'B'", 0.1))
         .curve(curve(|h| h.e).label_at("'E'", 0.8))
         .curve(curve(|h| Some(h.a)).label_at("'A'", 0.3))
 }

@@ -1,21 +1,25 @@
 //! The figures of section 4, escape. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::AllFiguresError;
-use crate::claims::escape::growth::{LAG, Power, SIZE, SPEED, corrected_limits, printed_limits};
-use crate::claims::escape::trajectories::{Flight, Late, Launch};
-use crate::motion::MotionError;
-use crate::motion::turntable::{self, State, critical_radius, inertial};
+use super::{AllFiguresError, Drawn};
+use crate::claims::{
+    escape::growth::{LAG, Power, SIZE, SPEED, corrected_limits, printed_limits},
+    escape::trajectories::{Flight, Late, Launch},
+};
+use crate::motion::{
+    MotionError,
+    turntable::{self, State, critical_radius, inertial},
+};
 use std::f64::consts::TAU;
 use trialbook::plotting::{
-    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table,
+    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Table,
 };
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     let moments = moments()?;
     Ok(vec![
         growths(&moments)?,
         residuals(&moments)?,
-        two_paths()?,
+        paths()?,
         ray()?,
     ])
 }
@@ -24,7 +28,7 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
 const LAUNCHES: [(f64, f64, f64); 3] = [(1.2, 0.3, 1.0), (2.0, 0.5, -1.0), (8.0, 1.0, 2.0)];
 
 /// These, over seven decades of the time.
-fn moments() -> Result<Vec<Vec<Late>>, AllFiguresError> {
+fn moments() -> Drawn<Vec<Vec<Late>>> {
     let all: Result<_, MotionError> = LAUNCHES
         .into_iter()
         .map(|(a, alpha, psi)| {
@@ -45,19 +49,8 @@ fn moments() -> Result<Vec<Vec<Late>>, AllFiguresError> {
     Ok(all?)
 }
 
-/// What the first correction leaves of their speeds.
-fn residuals(moments: &[Vec<Late>]) -> Result<Figure, AllFiguresError> {
-    let [limit, ..] = corrected_limits();
-    let left = |late: &Late| [late.tau, (SPEED.over.1(late) / limit - 1.0) * late.tau];
-    let escapes: Vec<Vec<_>> = moments
-        .iter()
-        .map(|one| one.iter().map(left).collect())
-        .collect();
-    Ok(residual(&escapes, SPEED.corrected_log())?)
-}
-
 /// Their growth.
-fn growths(moments: &[Vec<Late>]) -> Result<Figure, AllFiguresError> {
+fn growths(moments: &[Vec<Late>]) -> Drawn {
     let [speed, size, lag] = corrected_limits();
     let [printed_speed, printed_size] = printed_limits();
     let followed = |of: &Power| {
@@ -93,75 +86,8 @@ fn growths(moments: &[Vec<Late>]) -> Result<Figure, AllFiguresError> {
     ])?)
 }
 
-/// Two particles put down at rest in the laboratory.
-fn two_paths() -> Result<Figure, AllFiguresError> {
-    let table = turntable::Table::default();
-    let path = |rho: f64, until: f64, label: &str| -> Result<_, MotionError> {
-        let start = State {
-            t: 0.0,
-            x: [rho, 0.0],
-            v: [0.0; 2],
-        };
-        let run = inertial::run(&table, &start, until)?;
-        let (mut on_table, mut in_laboratory) = (Vec::new(), Vec::new());
-        for i in 0..=400 {
-            let t = until * f64::from(i) / 400.0;
-            let (seen, here) = (run.on_table(t)?, run.at(t)?);
-            on_table.push([t, seen.x[0], seen.x[1]]);
-            in_laboratory.push([t, here.x[0], here.x[1]]);
-        }
-        Ok(Path {
-            label: label.into(),
-            table: on_table,
-            laboratory: in_laboratory,
-        })
-    };
-    Ok(paths(&[
-        path(0.86, 14.0, "ρ_0 = 0.86: rest")?,
-        path(0.89, 14.0, "ρ_0 = 0.89: escape")?,
-    ])?)
-}
-
-/// Particles put down along a ray, on both sides of the critical radius.
-fn ray() -> Result<Figure, AllFiguresError> {
-    let critical = critical_radius()?;
-    let steps = [
-        -0.5, -0.36, -0.24, -0.14, -0.06, -0.01, 0.001, 0.01, 0.05, 0.12, 0.24, 0.4,
-    ];
-    let ways = steps.map(|step| -> Result<_, MotionError> {
-        let rho = critical + step;
-        let start = State {
-            t: 0.0,
-            x: [rho, 0.0],
-            v: [0.0; 2],
-        };
-        let run = inertial::run(&turntable::Table::default(), &start, 16.0)?;
-        let rests = run.resting_place().is_some();
-        // What happens at rest, or outside the picture, adds nothing.
-        let end = run
-            .stops()
-            .last()
-            .copied()
-            .filter(|_| rests)
-            .unwrap_or(16.0);
-        let mut way = Vec::new();
-        for i in 0..=120 {
-            let t = end * f64::from(i) / 120.0;
-            let seen = run.on_table(t)?;
-            way.push([t, seen.x[0], seen.x[1]]);
-            if seen.radius() > 4.5 {
-                break;
-            }
-        }
-        Ok(PutDown { rho, rests, way })
-    });
-    let ways = ways.into_iter().collect::<Result<Vec<_>, _>>()?;
-    Ok(fan(&ways, critical)?)
-}
-
 /// A quantity over its power of the time, with the printed and the corrected limit.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Compensated {
+pub(super) struct Compensated {
     /// Name in the table: `p/tau^2`.
     pub name: &'static str,
     /// Name on the axis.
@@ -179,7 +105,7 @@ pub struct Compensated {
 /// Compensated plots: each quantity over the power of τ by which it grows, against τ.
 ///
 /// Fails as [`Plot::figure`] does.
-pub fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureError> {
+pub(super) fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["quantity", "escape", "tau", "value"]);
     let mut plot = Plot::new("escape-compensated", "How an escape grows")
         .caption(
@@ -201,22 +127,14 @@ pub fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureError> {
         .height(230.0)
         .rule(
             Rule::horizontal(quantity.corrected)
-                .stroke(Stroke::Solid)
+                .solid()
                 .key(format!("corrected: {:.6}", quantity.corrected)),
         );
         if let Some(printed) = quantity.printed {
             panel = panel.rule(Rule::horizontal(printed).key(format!("printed: {printed:.6}")));
         }
         for (n, escape) in quantity.escapes.iter().enumerate() {
-            for [tau, value] in escape {
-                let number = n as f64 + 1.0;
-                table.row([
-                    quantity.name.into(),
-                    number.into(),
-                    (*tau).into(),
-                    (*value).into(),
-                ])?;
-            }
+            table.rows((quantity.name, n as f64 + 1.0), escape)?;
             let inside = |y: f64| y > quantity.range.0 && y < quantity.range.1;
             let points = escape
                 .iter()
@@ -233,50 +151,41 @@ pub fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureError> {
     plot.figure(table)
 }
 
-/// A path in one frame.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Path {
-    /// What becomes of the particle.
-    pub label: String,
-    /// (τ, x, y) on the table.
-    pub table: Vec<[f64; 3]>,
-    /// (τ, x, y) in the laboratory.
-    pub laboratory: Vec<[f64; 3]>,
+/// The motion, until this time, of a particle put down at rest in the laboratory.
+fn put_down(rho: f64, until: f64) -> Result<turntable::Path, MotionError> {
+    let start = State {
+        t: 0.0,
+        x: [rho, 0.0],
+        v: [0.0; 2],
+    };
+    inertial::run(&turntable::Table::default(), &start, until)
 }
 
 /// Two particles put down at rest in the laboratory, on either side of the critical radius.
-///
-/// Fails as [`Plot::figure`] does.
-pub fn paths(paths: &[Path]) -> Result<Figure, FigureError> {
+fn paths() -> Drawn {
     let mut table = Table::new(&["path", "frame", "tau", "x", "y"]);
-    let new = |title: &str| {
-        Panel::new(
-            Axis::linear("x").range(-2.2, 2.2),
-            Axis::linear("y").range(-2.2, 2.2),
-        )
-        .title(title)
-        .equal()
-    };
+    let axis = |name| Axis::linear(name).range(-2.2, 2.2);
+    let new = |title: &str| Panel::new(axis("x"), axis("y")).title(title).equal();
     let mut panels = [new("'on the table'"), new("'in the laboratory'")];
-    for (n, path) in paths.iter().enumerate() {
-        for (panel, (frame, points)) in panels
-            .iter_mut()
-            .zip([("table", &path.table), ("laboratory", &path.laboratory)])
-        {
-            for [tau, x, y] in points {
-                let head = [path.label.as_str().into(), frame.into()];
-                table.row(
-                    head.into_iter()
-                        .chain([(*tau).into(), (*x).into(), (*y).into()]),
-                )?;
+    let starts = [(0.86, "ρ_0 = 0.86: rest"), (0.89, "ρ_0 = 0.89: escape")];
+    for (n, (rho, label)) in starts.into_iter().enumerate() {
+        let run = put_down(rho, 14.0)?;
+        let mut ways = [Vec::new(), Vec::new()];
+        for i in 0..=400 {
+            let t = 14.0 * f64::from(i) / 400.0;
+            for (way, seen) in ways.iter_mut().zip([run.on_table(t)?, run.at(t)?]) {
+                way.push((t, seen.x));
             }
-            let curve = Curve::new(points.iter().map(|&[_, x, y]| [x, y]));
-            let curve = curve.series(n).arrows(&[0.5]).key(path.label.clone());
+        }
+        for ((panel, frame), way) in panels.iter_mut().zip(["table", "laboratory"]).zip(&ways) {
+            table.rows((label, frame), way)?;
+            let curve = Curve::new(way.iter().map(|(_, x)| x));
+            let curve = curve.series(n).arrows(&[0.5]).key(label);
             *panel = panel.clone().curve(curve);
         }
     }
     let [on_table, in_laboratory] = panels;
-    Plot::new("escape-paths", "Rest and escape, seen from the table and from the laboratory")
+    Ok(Plot::new("escape-paths", "Rest and escape, seen from the table and from the laboratory")
         .caption(
             "Two particles put down at rest in the laboratory, one just inside and one just outside the critical \
              radius. On the table both first slide backwards. One comes to rest there and rides in a circle ever \
@@ -289,28 +198,16 @@ pub fn paths(paths: &[Path]) -> Result<Figure, FigureError> {
         )
         .panel(on_table)
         .panel(in_laboratory)
-        .figure(table)
+        .figure(table)?)
 }
 
-/// A particle put down on the table, and the way that it takes there.
-#[derive(Debug, Clone, PartialEq)]
-pub struct PutDown {
-    /// Distance from the axis.
-    pub rho: f64,
-    /// True if it comes to rest.
-    pub rests: bool,
-    /// (τ, x, y) on the table.
-    pub way: Vec<[f64; 3]>,
-}
-
-/// Rays along which the particles of [`fan`] are put down.
+/// Rays along which the particles of [`ray`] are put down.
 const RAYS: u32 = 12;
 
-/// Particles put down at rest in the laboratory along rays, and what becomes of them on the table; `critical` is the
-/// radius that parts them. The ways are those along one ray; the others are the same, turned.
-///
-/// Fails as [`Plot::figure`] does.
-pub fn fan(ways: &[PutDown], critical: f64) -> Result<Figure, FigureError> {
+/// Particles put down at rest in the laboratory along rays, on both sides of the critical radius, and what becomes of them on
+/// the table. They are followed along one ray; the others are the same, turned.
+fn ray() -> Drawn {
+    let critical = critical_radius()?;
     let mut table = Table::new(&["rho_0", "fate", "tau", "x", "y"]);
     let axis = |name| Axis::linear(name).range(-3.0, 3.0);
     let turned = |[x, y]: [f64; 2], ray: u32| {
@@ -319,37 +216,43 @@ pub fn fan(ways: &[PutDown], critical: f64) -> Result<Figure, FigureError> {
     };
     let circle = (0..=180).map(|i| libm::sincos(TAU * f64::from(i) / 180.0));
     let circle = circle.map(|(s, c)| [critical * c, critical * s]);
-    let mut panel = Panel::new(axis("x"), axis("y")).equal().curve(
-        Curve::new(circle)
-            .ink()
-            .stroke(Stroke::Dotted)
-            .key("critical radius"),
-    );
+    let circle = Curve::new(circle).ink().dotted().key("critical radius");
+    let mut panel = Panel::new(axis("x"), axis("y")).equal().curve(circle);
     let mut ends = Vec::new();
-    for (rests, words) in [(true, "rest"), (false, "escape")] {
-        for (n, way) in ways.iter().filter(|way| way.rests == rests).enumerate() {
-            for [tau, x, y] in &way.way {
-                let cells = [
-                    way.rho.into(),
-                    words.into(),
-                    (*tau).into(),
-                    (*x).into(),
-                    (*y).into(),
-                ];
-                table.row(cells)?;
+    let inner = [-0.5, -0.36, -0.24, -0.14, -0.06, -0.01];
+    let outer = [0.001, 0.01, 0.05, 0.12, 0.24, 0.4];
+    for (rests, words, steps) in [(true, "rest", inner), (false, "escape", outer)] {
+        for (n, step) in steps.into_iter().enumerate() {
+            let rho = critical + step;
+            let run = put_down(rho, 16.0)?;
+            if run.resting_place().is_some() != rests {
+                return Err(AllFiguresError::Data(format!("ρ₀ = {rho} is no {words}")));
             }
+            // What happens at rest, or outside the picture, adds nothing.
+            let stop = run.stops().last().copied().filter(|_| rests);
+            let end = stop.unwrap_or(16.0);
+            let mut way = Vec::new();
+            for i in 0..=120 {
+                let t = end * f64::from(i) / 120.0;
+                let seen = run.on_table(t)?;
+                way.push((t, seen.x));
+                if seen.radius() > 4.5 {
+                    break;
+                }
+            }
+            table.rows((rho, words), &way)?;
             for ray in 0..RAYS {
-                let points = way.way.iter().map(|&[_, x, y]| turned([x, y], ray));
+                let points = way.iter().map(|(_, x)| turned(*x, ray));
                 let curve = Curve::new(points).series(usize::from(!rests));
-                let curve = curve.stroke(Stroke::Solid).width(1.3);
+                let curve = curve.solid().width(1.3);
                 let first = n == 0 && ray == 0;
                 panel = panel.curve(if first { curve.key(words) } else { curve });
-                let end = way.way.last().filter(|_| rests);
-                ends.extend(end.map(|&[_, x, y]| turned([x, y], ray)));
+                let end = way.last().filter(|_| rests);
+                ends.extend(end.map(|(_, x)| turned(*x, ray)));
             }
         }
     }
-    Plot::new("escape-fan", "Put down on a turning record")
+    Ok(Plot::new("escape-fan", "Put down on a turning record")
         .caption(
             "Particles put down, at rest in the laboratory, on a turning table, along twelve rays, and the paths that they follow on it. \
              Friction carries the inner ones along: where the dots are they rest. The outer ones slide off. Next to \
@@ -360,32 +263,28 @@ pub fn fan(ways: &[PutDown], critical: f64) -> Result<Figure, FigureError> {
              circle, the outer ones sweep backwards around it in widening arcs and leave the picture.",
         )
         .panel(panel.points(Points::new(ends).series(0).marker(Marker::Disc).size(3.5)))
-        .figure(table)
+        .figure(table)?)
 }
 
-/// What is left of the speed of several escapes once the leading law is taken off, over 1/τ: it falls along a line in ln τ.
-///
-/// Fails as [`Plot::figure`] does.
-pub fn residual(escapes: &[Vec<[f64; 2]>], slope: f64) -> Result<Figure, FigureError> {
+/// What is left of the speed of the escapes once the leading law is taken off, over 1/τ: it falls along a line in ln τ.
+fn residuals(moments: &[Vec<Late>]) -> Drawn {
+    let ([limit, ..], slope) = (corrected_limits(), SPEED.corrected_log());
+    let left = |late: &Late| [late.tau, (SPEED.over.1(late) / limit - 1.0) * late.tau];
     let mut table = Table::new(&["escape", "tau", "(3 sqrt(2) p/tau^2 - 1) tau"]);
     let mut panel = Panel::new(Axis::log("τ"), Axis::linear("(3√2 p/τ^2 − 1) τ")).height(300.0);
-    for (n, escape) in escapes.iter().enumerate() {
-        for [tau, value] in escape {
-            table.row([(n as f64 + 1.0).into(), (*tau).into(), (*value).into()])?;
-        }
-        panel = panel.curve(
-            Curve::new(escape.iter().copied())
-                .series(n)
-                .stroke(Stroke::Solid),
-        );
+    for (n, moments) in moments.iter().enumerate() {
+        let left = moments.iter().map(left);
+        table.rows(n as f64 + 1.0, left.clone())?;
+        panel = panel.curve(Curve::new(left).series(n).solid());
     }
     // Through the last point of the first escape.
-    if let Some([end, value]) = escapes.first().and_then(|escape| escape.last()).copied() {
+    if let Some(last) = moments.first().and_then(|moments| moments.last()) {
+        let [end, value] = left(last);
         let line = [1e1, end].map(|tau| [tau, value + slope * libm::log(tau / end)]);
         let key = format!("slope {slope:.6} per unit of ln τ");
-        panel = panel.curve(Curve::new(line).ink().stroke(Stroke::Dashed).key(key));
+        panel = panel.curve(Curve::new(line).ink().dashed().key(key));
     }
-    Plot::new("escape-residual", "The logarithm in an escape")
+    Ok(Plot::new("escape-residual", "The logarithm in an escape")
         .caption(
             "How much the speed of three escapes differs from $\\tau^2/(3\\sqrt2)$, relative to it and times $\\tau$. An expansion in powers \
              of $1/\\tau$ would end in horizontal lines. In fact the curves end in parallel lines with the slope $-\\frac{3\\sqrt2}2$ in \
@@ -397,5 +296,5 @@ pub fn residual(escapes: &[Vec<[f64; 2]>], slope: f64) -> Result<Figure, FigureE
              along straight parallel lines; a dashed line has the same slope.",
         )
         .panel(panel)
-        .figure(table)
+        .figure(table)?)
 }

@@ -1,16 +1,16 @@
 //! The figure of the exam, from the committed results: what an answer costs each candidate.
 
-use super::AllFiguresError;
-use crate::exam::results::{Candidate, ResultsError, candidates, ours, tasks};
-use crate::exam::{Answer, TASKS};
-use trialbook::plotting::{
-    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Stroke, Table,
+use super::{AllFiguresError, Drawn};
+use crate::exam::{
+    Answer, TASKS,
+    results::{Candidate, ResultsError, candidates, ours, tasks},
 };
+use trialbook::plotting::{Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Table};
 
 /// The tasks drawn: a stop in the plane, and a stick and slip.
 const DRAWN: [&str; 2] = ["stop-place", "heat"];
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     let data = sat().map_err(|error| AllFiguresError::Data(error.to_string()))?;
     Ok(vec![exam(&data)?])
 }
@@ -99,6 +99,7 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
             "A panel for each task, with logarithmic axes: cost and error. Each candidate is a line that begins at its coarsest run. The lines of the \
              engines end far from rounding, those of the solvers with events at it, where the square of our motion is, too.",
         );
+    let drawn = |[cost, error]: &[f64; 2]| [*cost, error.max(ROUNDING)];
     for sat in tasks {
         let mut panel = Panel::new(Axis::log("'cost'"), Axis::log("'error'"))
             .title(sat.task)
@@ -110,32 +111,14 @@ pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
             .enumerate()
             .filter(|(_, runs)| !runs.points.is_empty());
         for (n, runs) in sitting {
-            for [cost, error] in &runs.points {
-                let cells = [
-                    sat.task.into(),
-                    runs.name.as_str().into(),
-                    (*cost).into(),
-                    error.max(ROUNDING).into(),
-                ];
-                table.row(cells)?;
-            }
-            let points = runs
-                .points
-                .iter()
-                .map(|[cost, error]| [*cost, error.max(ROUNDING)]);
-            let curve = Curve::new(points).series(n).stroke(Stroke::Solid);
+            let points = runs.points.iter().map(drawn);
+            table.rows((sat.task, &runs.name), points.clone())?;
+            let curve = Curve::new(points).series(n).solid();
             panel = panel.curve(curve.label(format!("'{}'", runs.name)));
         }
-        let [cost, error] = sat.ours;
-        table.row([
-            sat.task.into(),
-            "ours".into(),
-            cost.into(),
-            error.max(ROUNDING).into(),
-        ])?;
-        let own = Points::new([[cost, error.max(ROUNDING)]])
-            .ink()
-            .marker(Marker::Square);
+        let own = drawn(&sat.ours);
+        table.row((sat.task, "ours", own))?;
+        let own = Points::new([own]).ink().marker(Marker::Square);
         plot = plot.panel(panel.points(own.label("'ours'")));
     }
     plot.figure(table)

@@ -2,6 +2,7 @@
 //! drawing with its numbers, made with the tools of [`trialbook::plotting`].
 
 mod anisotropic;
+mod census;
 mod constant;
 mod digits;
 pub(crate) use digits::RECORD;
@@ -18,8 +19,7 @@ mod sphere;
 mod tests;
 mod turntable;
 
-use crate::motion::MotionError;
-use crate::motion::drive::DriveError;
+use crate::motion::{MotionError, drive::DriveError};
 use rayon::prelude::*;
 use trialbook::plotting::{Figure, FigureError};
 use trialbook::trials::compare::Failure;
@@ -47,6 +47,9 @@ impl From<Failure> for AllFiguresError {
         Self::Data(failure.to_string())
     }
 }
+
+/// A figure, or why there is none.
+type Drawn<T = Figure> = Result<T, AllFiguresError>;
 
 /// Every figure, in the order of the book.
 ///

@@ -3,15 +3,17 @@
 //! All dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| = 1, λ₀ the
 //! friction, η the share of a half period that a pulse fills.
 
-use super::AllFiguresError;
-use crate::claims::periodic::drawn::{self, Row, Wave};
-use crate::claims::periodic::drives::Phase;
+use super::Drawn;
+use crate::claims::{
+    periodic::drawn::{self, Row, Wave},
+    periodic::drives::Phase,
+};
 use std::f64::consts::{PI, TAU};
 use trialbook::plotting::{
-    Area, Axis, Curve, Figure, FigureError, Note, Panel, Plot, Points, Raster, Stroke, Table,
+    Area, Axis, Curve, Figure, FigureError, Note, Panel, Plot, Points, Raster, Table,
 };
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     let side = 140;
     Ok(vec![
         census(&drawn::census(400)?)?,
@@ -40,7 +42,7 @@ pub fn census(rows: &[Row]) -> Result<Figure, FigureError> {
                 Some(n) => (n.min(FOUR_OR_MORE) as u8, n.to_string()),
             };
             cells.push(class);
-            table.row([row.name.into(), lambda.into(), words.as_str().into()])?;
+            table.row((row.name, lambda, words))?;
         }
     }
     let names: Vec<(f64, String)> = rows
@@ -138,9 +140,7 @@ fn phases(label: &str) -> Axis {
 fn listed(waves: &[Wave]) -> Result<Table, FigureError> {
     let mut table = Table::new(&["lambda_0", "phi (rad)", "h", "w"]);
     for wave in waves {
-        for [phi, h, w] in &wave.points {
-            table.row([wave.lambda.into(), phi.into(), h.into(), w.into()])?;
-        }
+        table.rows(wave.lambda, &wave.points)?;
     }
     Ok(table)
 }
@@ -205,7 +205,7 @@ pub fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
         let panel = Panel::new(phases("φ"), Axis::linear("𝔴").range(-top, top))
             .height(150.0)
             .title(rests(wave))
-            .curve(Curve::new(drive).ink().stroke(Stroke::Dotted).width(1.2))
+            .curve(Curve::new(drive).ink().dotted().width(1.2))
             .curve(Curve::new(path));
         plot = plot.panel(panel);
     }
@@ -220,11 +220,7 @@ pub fn rest_shares(side: usize, shares: &[f64]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["eta", "lambda_0", "share of the period at rest"]);
     let middle = |k: usize| (k as f64 + 0.5) / side as f64;
     for (cell, share) in shares.iter().enumerate() {
-        table.row([
-            middle(cell % side).into(),
-            middle(cell / side).into(),
-            share.into(),
-        ])?;
+        table.row([middle(cell % side), middle(cell / side), *share])?;
     }
     let class = |share: &f64| {
         if *share == 0.0 {

@@ -1,17 +1,17 @@
 //! The figures of section 4, the boundary of rest. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::AllFiguresError;
+use super::{AllFiguresError, Drawn, census::Census};
 use crate::claims::rest::boundary;
-use crate::motion::MotionError;
-use crate::motion::turntable::ensemble::rests;
-use crate::motion::turntable::intrinsic::Run;
-use crate::motion::turntable::{Fate, Start, fate};
-use std::f64::consts::PI;
-use trialbook::plotting::{
-    Axis, Curve, Figure, FigureError, Panel, Plot, Points, Raster, Rule, Stroke, Table,
+use crate::motion::{
+    MotionError,
+    turntable::ensemble::rests,
+    turntable::intrinsic::Run,
+    turntable::{Fate, Start, fate},
 };
+use std::f64::consts::{PI, TAU};
+use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Points, Rule, Table};
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     Ok(vec![censuses()?, borders()?, phase_space()?])
 }
 
@@ -28,8 +28,8 @@ const STEPS: i32 = 30;
 /// Halvings of such a step.
 const HALVINGS: i32 = 9;
 
-/// The level line of the boundary at this A: for each angle the first α from which the particle escapes.
-fn level(a: f64) -> Result<Level, AllFiguresError> {
+/// The level line of the boundary at this A, as (α, ψ): for each angle the first α from which the particle escapes.
+fn level(a: f64) -> Drawn<Vec<[f64; 2]>> {
     let angle = |k: i32| 2.0 * PI * f64::from(k) / f64::from(ANGLES) - PI;
     let angles: Vec<f64> = (0..=ANGLES).map(angle).collect();
     let escapes = |alphas: &[f64]| -> Result<Vec<bool>, MotionError> {
@@ -65,64 +65,24 @@ fn level(a: f64) -> Result<Level, AllFiguresError> {
             }
         }
     }
-    Ok(Level {
-        a,
-        found: std::iter::zip(alphas, angles)
-            .map(|(alpha, psi)| [alpha, psi])
-            .collect(),
-        printed: boundary::printed_alpha(a),
-    })
-}
-
-/// The phase space from above: level lines of the boundary, and motions.
-fn phase_space() -> Result<Figure, AllFiguresError> {
-    let motion = |[a, alpha, psi]: [f64; 3]| -> Result<_, MotionError> {
-        let start = Start::hyperbolic(a, alpha, psi)?;
-        let rests = matches!(fate(&start)?, Fate::Rest { .. });
-        let run = Run::new(&start, 8.0)?;
-        let there = |tau: f64| run.at(tau).map(|x| x.alpha().map(|alpha| [alpha, x.psi()]));
-        let way = (0..=800).map(|i| there(0.01 * f64::from(i)));
-        let way: Vec<_> = way.collect::<Result<_, _>>()?;
-        // Angle and α of a particle at rest are no more.
-        let way = way.into_iter().flatten().filter(|[alpha, _]| *alpha > 1e-4);
-        Ok(Motion {
-            rests,
-            way: way.take_while(|[alpha, _]| *alpha < REACH).collect(),
-        })
-    };
-    let levels: Result<Vec<_>, AllFiguresError> =
-        [0.9, 0.8, 0.7, 0.6].into_iter().map(level).collect();
-    let starts = [
-        [0.7, 0.6, 2.4],
-        [0.7, 0.6, 1.2],
-        [0.8, 0.4, -2.4],
-        [0.9, 0.3, -1.2],
-    ];
-    let motions: Result<Vec<_>, _> = starts.into_iter().map(motion).collect();
-    Ok(space(&levels?, &motions?, REACH)?)
+    let level = std::iter::zip(alphas, angles);
+    Ok(level.map(<[f64; 2]>::from).collect())
 }
 
 /// Cells along each side of the census.
 const SIDE: usize = 60;
 
-fn censuses() -> Result<Figure, AllFiguresError> {
+fn censuses() -> Drawn {
     let (alphas, sizes) = ((0.0, 0.3), (0.6, 1.05));
-    let at = |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / SIDE as f64;
-    let one = |(name, psi): (&'static str, f64)| -> Result<_, AllFiguresError> {
-        let start = |k: usize| Start::hyperbolic(at(sizes, k / SIDE), at(alphas, k % SIDE), psi);
-        let starts: Result<Vec<_>, _> = (0..SIDE * SIDE).map(start).collect();
-        let certain: Option<Vec<bool>> = rests(&starts?)?.into_iter().collect();
-        let undecided = || AllFiguresError::Data("the fate of a cell is not certain".into());
+    let one = |(name, psi)| -> Drawn<_> {
+        let start = |[alpha, a]: [f64; 2]| Start::hyperbolic(a, alpha, psi);
         let line = |f: &dyn Fn(f64) -> f64| {
             let alphas = (0..=60).map(|i| 0.005 * f64::from(i));
             alphas.map(|alpha| [alpha, f(alpha)]).collect()
         };
-        Ok(Census {
+        Ok(Section {
             psi: name,
-            side: SIDE,
-            rests: certain.ok_or_else(undecided)?,
-            alpha: alphas,
-            a: sizes,
+            census: Census::new(SIDE, [alphas, sizes], start)?,
             printed: line(&boundary::printed_a),
             corrected: line(&|alpha| boundary::corrected_a(alpha, psi)),
             found: edge(alphas.1, sizes, psi)?,
@@ -134,7 +94,7 @@ fn censuses() -> Result<Figure, AllFiguresError> {
 }
 
 /// The A at which rest turns into escape, for α out to `far`; at rest it is 1.
-fn edge(far: f64, (low, high): (f64, f64), psi: f64) -> Result<Vec<[f64; 2]>, AllFiguresError> {
+fn edge(far: f64, (low, high): (f64, f64), psi: f64) -> Drawn<Vec<[f64; 2]>> {
     let alphas: Vec<f64> = (1..=30).map(|k| far * f64::from(k) / 30.0).collect();
     let mut bounds = vec![(low, high); alphas.len()];
     for _ in 0..=HALVINGS {
@@ -156,56 +116,23 @@ fn edge(far: f64, (low, high): (f64, f64), psi: f64) -> Result<Vec<[f64; 2]>, Al
     Ok(std::iter::once([0.0, 1.0]).chain(found).collect())
 }
 
-/// The boundary by bisection at the trials' points.
-fn borders() -> Result<Figure, AllFiguresError> {
-    let mut list: Vec<Around> = Vec::new();
-    for border in boundary::borders() {
-        let border = border?;
-        let known = list.iter().position(|one| one.alpha == border.alpha);
-        let index = known.unwrap_or_else(|| {
-            let angles = (0..=120).map(|k| PI * (f64::from(k) - 60.0) / 60.0);
-            let corrected = |psi| [psi, boundary::corrected_a(border.alpha, psi)];
-            list.push(Around {
-                alpha: border.alpha,
-                found: Vec::new(),
-                corrected: angles.map(corrected).collect(),
-                printed: boundary::printed_a(border.alpha),
-            });
-            list.len() - 1
-        });
-        list[index].found.push([border.psi, border.a]);
-    }
-    // The smallest first: it is the nearest to the limit. The largest is beyond the reach of second order.
-    list.retain(|one| one.alpha < 0.2);
-    list.reverse();
-    Ok(around(&list)?)
-}
-
-/// A census of starts in the (α, A) plane at one ψ.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Census {
+/// A census of starts in the (α, A) plane at one ψ, with the boundary as (α, A).
+pub(super) struct Section {
     /// Name of the angle.
     pub psi: &'static str,
-    /// Cells along each side; cells row by row from the lowest A, true for rest.
-    pub side: usize,
-    /// Rest or not.
-    pub rests: Vec<bool>,
-    /// Ends of the α axis.
-    pub alpha: (f64, f64),
-    /// Ends of the A axis.
-    pub a: (f64, f64),
-    /// (147): (α, A).
+    pub census: Census,
+    /// (147).
     pub printed: Vec<[f64; 2]>,
-    /// The second-order boundary: (α, A).
+    /// To second order.
     pub corrected: Vec<[f64; 2]>,
-    /// The boundary by bisection on the motion: (α, A).
+    /// By bisection on the motion.
     pub found: Vec<[f64; 2]>,
 }
 
 /// Who comes to rest, at several ψ, with the printed and the corrected boundary.
 ///
 /// Fails as [`Plot::figure`] and [`Raster::new`] do.
-pub fn census(list: &[Census]) -> Result<Figure, FigureError> {
+pub(super) fn census(list: &[Section]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["psi", "alpha", "A", "rests"]);
     let mut plot = Plot::new("rest-census", "Who comes to rest")
         .caption(
@@ -219,81 +146,43 @@ pub fn census(list: &[Census]) -> Result<Figure, FigureError> {
              from A = 1, steeply at ψ = 0, half as steeply at ψ = π/2, and hardly at all at ψ = 5π/6; the solid \
              line is its edge, the dotted curve follows it where α is small, the dashed curve runs well below.",
         );
-    for census in list {
-        let side = census.side as f64;
-        for (k, rests) in census.rests.iter().enumerate() {
-            let at =
-                |(from, to): (f64, f64), i: usize| from + (to - from) * (i as f64 + 0.5) / side;
-            let (alpha, a) = (
-                at(census.alpha, k % census.side),
-                at(census.a, k / census.side),
-            );
-            table.row([
-                census.psi.into(),
-                alpha.into(),
-                a.into(),
-                f64::from(u8::from(*rests)).into(),
-            ])?;
-        }
-        for [alpha, a] in &census.found {
-            table.row([
-                census.psi.into(),
-                (*alpha).into(),
-                (*a).into(),
-                "border".into(),
-            ])?;
-        }
-        let cells = census.rests.iter().map(|rests| u8::from(!rests)).collect();
-        let raster = Raster::new(census.side, census.side, census.alpha, census.a, cells)?
-            .class("rest", 0, 0.35)
-            .class("escape", 1, 0.08);
-        let panel = Panel::new(
-            Axis::linear("α").range(census.alpha.0, census.alpha.1),
-            Axis::linear("A").range(census.a.0, census.a.1),
-        )
-        .title(format!("ψ = {}", census.psi))
-        .height(240.0)
-        .raster(raster)
-        .curve(
-            Curve::new(census.found.iter().copied())
-                .ink()
-                .key("by bisection"),
-        )
-        .curve(
-            Curve::new(census.corrected.iter().copied())
-                .ink()
-                .stroke(Stroke::Dotted)
-                .key("to second order"),
-        )
-        .curve(
-            Curve::new(census.printed.iter().copied())
-                .ink()
-                .stroke(Stroke::Dashed)
-                .key("(147)"),
-        );
+    for section in list {
+        let (psi, found) = (section.psi, &section.found);
+        table.rows(psi, section.census.rows())?;
+        table.rows(psi, found.iter().map(|at| (at, "border")))?;
+        let panel = (section.census)
+            .panel([Axis::linear("α"), Axis::linear("A")])?
+            .title(format!("ψ = {psi}"))
+            .height(240.0)
+            .curve(Curve::new(found).ink().key("by bisection"))
+            .curve(
+                Curve::new(&section.corrected)
+                    .ink()
+                    .dotted()
+                    .key("to second order"),
+            )
+            .curve(Curve::new(&section.printed).ink().dashed().key("(147)"));
         plot = plot.panel(panel);
     }
     plot.figure(table)
 }
 
-/// The boundary at one α.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Around {
-    /// α.
-    pub alpha: f64,
-    /// (ψ, A) by bisection.
-    pub found: Vec<[f64; 2]>,
-    /// (ψ, A) to second order.
-    pub corrected: Vec<[f64; 2]>,
-    /// A by (147).
-    pub printed: f64,
-}
-
-/// How far the boundary lies below A = 1, in units of α, all round ψ.
-///
-/// Fails as [`Plot::figure`] does.
-pub fn around(list: &[Around]) -> Result<Figure, FigureError> {
-    use std::f64::consts::PI;
+/// How far the boundary lies below A = 1, in units of α, all round ψ: by bisection at the trials' points.
+fn borders() -> Drawn {
+    // (ψ, A) for each α.
+    let mut list: Vec<(f64, Vec<[f64; 2]>)> = Vec::new();
+    for border in boundary::borders() {
+        let border = border?;
+        let known = list.iter().position(|(alpha, _)| *alpha == border.alpha);
+        let index = known.unwrap_or_else(|| {
+            list.push((border.alpha, Vec::new()));
+            list.len() - 1
+        });
+        list[index].1.push([border.psi, border.a]);
+    }
+    // The smallest first: it is the nearest to the limit. The largest is beyond the reach of second order.
+    list.retain(|(alpha, _)| *alpha < 0.2);
+    list.reverse();
     let mut table = Table::new(&["alpha", "psi (rad)", "A, by bisection"]);
     let angles = [
         (-PI, "−π"),
@@ -306,28 +195,21 @@ pub fn around(list: &[Around]) -> Result<Figure, FigureError> {
         Axis::linear("ψ").range(-PI, PI).ticks(angles),
         Axis::linear("(1 − A)/α").range(0.0, 1.5),
     );
-    for (n, one) in list.iter().enumerate() {
-        for [psi, a] in &one.found {
-            table.row([one.alpha.into(), (*psi).into(), (*a).into()])?;
-        }
-        let scaled = |&[psi, a]: &[f64; 2]| [psi, (1.0 - a) / one.alpha];
+    for (n, (alpha, found)) in list.iter().enumerate() {
+        table.rows(alpha, found)?;
+        let scaled = |[psi, a]: [f64; 2]| [psi, (1.0 - a) / alpha];
+        let angles = (0..=120).map(|k| PI * (f64::from(k) - 60.0) / 60.0);
+        let corrected = angles.map(|psi| scaled([psi, boundary::corrected_a(*alpha, psi)]));
+        let found = Points::new(found.iter().copied().map(scaled));
         panel = panel
-            .curve(
-                Curve::new(one.corrected.iter().map(scaled))
-                    .series(n)
-                    .stroke(Stroke::Solid),
-            )
-            .points(
-                Points::new(one.found.iter().map(scaled))
-                    .series(n)
-                    .key(format!("α = {}", one.alpha)),
-            );
+            .curve(Curve::new(corrected).series(n).solid())
+            .points(found.series(n).key(format!("α = {alpha}")));
     }
-    if let Some(first) = list.first() {
-        let printed = (1.0 - first.printed) / first.alpha;
-        panel = panel.rule(Rule::horizontal(printed).key(format!("(147), α = {}", first.alpha)));
+    if let Some((alpha, _)) = list.first() {
+        let printed = (1.0 - boundary::printed_a(*alpha)) / alpha;
+        panel = panel.rule(Rule::horizontal(printed).key(format!("(147), α = {alpha}")));
     }
-    Plot::new("rest-boundary", "The boundary all round")
+    Ok(Plot::new("rest-boundary", "The boundary all round")
         .caption(
             "How far below $A=1$ the boundary between rest and escape lies, in units of $\\alpha$, against $\\psi$: by \
              bisection (marks) and to second order in $\\alpha$ (curves). For $\\alpha\\to0$ it is $\\cos^2(\\psi/2)$. The \
@@ -338,68 +220,45 @@ pub fn around(list: &[Around]) -> Result<Figure, FigureError> {
              dashed line runs at 1.4, above all of them.",
         )
         .panel(panel)
-        .figure(table)
+        .figure(table)?)
 }
 
-/// A level line of the boundary.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Level {
-    /// A.
-    pub a: f64,
-    /// (α, ψ) by bisection.
-    pub found: Vec<[f64; 2]>,
-    /// α by (147), the same for all ψ.
-    pub printed: f64,
-}
-
-/// A motion through the phase space.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
-    /// Whether it comes to rest.
-    pub rests: bool,
-    /// (α, ψ) on the way.
-    pub way: Vec<[f64; 2]>,
-}
-
-/// The phase space (A, α, ψ) from above, out to α = `reach`: the boundary's level lines, and motions.
-///
-/// Fails as [`Plot::figure`] does.
-pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure, FigureError> {
-    use std::f64::consts::TAU;
+/// The phase space (A, α, ψ) from above: level lines of the boundary, and motions.
+fn phase_space() -> Drawn {
     let polar = |&[alpha, psi]: &[f64; 2]| [alpha * libm::cos(psi), alpha * libm::sin(psi)];
     let mut table = Table::new(&["what", "A", "alpha", "psi (rad)"]);
-    let axis = |name: &str| Axis::linear(name).range(-reach, reach);
+    let axis = |name: &str| Axis::linear(name).range(-REACH, REACH);
     let mut panel = Panel::new(axis("α cos ψ"), axis("α sin ψ")).equal();
-    for (n, level) in levels.iter().enumerate() {
-        for &[alpha, psi] in &level.found {
-            table.row(["boundary".into(), level.a.into(), alpha.into(), psi.into()])?;
-        }
-        let circle = (0..=90).map(|i| polar(&[level.printed, TAU * f64::from(i) / 90.0]));
+    for (n, a) in [0.9, 0.8, 0.7, 0.6].into_iter().enumerate() {
+        let (found, printed) = (level(a)?, boundary::printed_alpha(a));
+        table.rows(("boundary", a), &found)?;
+        let circle = (0..=90).map(|i| polar(&[printed, TAU * f64::from(i) / 90.0]));
+        let found = Curve::new(found.iter().map(polar)).series(n).solid();
         panel = panel
-            .curve(
-                Curve::new(level.found.iter().map(polar))
-                    .series(n)
-                    .stroke(Stroke::Solid)
-                    .label_at(format!("A = {}", level.a), 0.22),
-            )
-            .curve(
-                Curve::new(circle)
-                    .series(n)
-                    .stroke(Stroke::Dotted)
-                    .width(1.2),
-            );
+            .curve(found.label_at(format!("A = {a}"), 0.22))
+            .curve(Curve::new(circle).series(n).dotted().width(1.2));
     }
     // Those that leave run together, and have one label.
     let mut leaving = Some("escape");
-    for motion in motions {
-        let what = if motion.rests { "rests" } else { "escapes" };
-        for &[alpha, psi] in &motion.way {
-            table.row([what.into(), "".into(), alpha.into(), psi.into()])?;
-        }
-        let curve = Curve::new(motion.way.iter().map(polar))
-            .ink()
-            .arrows(&[0.4]);
-        panel = panel.curve(match motion.rests {
+    for [a, alpha, psi] in [
+        [0.7, 0.6, 2.4],
+        [0.7, 0.6, 1.2],
+        [0.8, 0.4, -2.4],
+        [0.9, 0.3, -1.2],
+    ] {
+        let start = Start::hyperbolic(a, alpha, psi)?;
+        let rests = matches!(fate(&start)?, Fate::Rest { .. });
+        let run = Run::new(&start, 8.0)?;
+        let there = |tau: f64| run.at(tau).map(|x| x.alpha().map(|alpha| [alpha, x.psi()]));
+        let way = (0..=800).map(|i| there(0.01 * f64::from(i)));
+        let way: Vec<_> = way.collect::<Result<_, _>>()?;
+        // Angle and α of a particle at rest are no more.
+        let way = way.into_iter().flatten().filter(|[alpha, _]| *alpha > 1e-4);
+        let way: Vec<_> = way.take_while(|[alpha, _]| *alpha < REACH).collect();
+        let what = if rests { "rests" } else { "escapes" };
+        table.rows((what, ""), &way)?;
+        let curve = Curve::new(way.iter().map(polar)).ink().arrows(&[0.4]);
+        panel = panel.curve(match rests {
             true => curve.label_at(what, 0.25),
             false => match leaving.take() {
                 Some(both) => curve.label_at(both, 0.7),
@@ -407,7 +266,7 @@ pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure,
             },
         });
     }
-    Plot::new("rest-space", "The phase space from above")
+    Ok(Plot::new("rest-space", "The phase space from above")
         .caption(
             "The space of $A$, $\\alpha$ and $\\psi$ seen along the $A$ axis, with $\\alpha$ as the distance from the middle \
              and $\\psi$ as the angle; the middle is rest. A start with the given $A$ comes to rest inside its line (solid, \
@@ -421,5 +280,5 @@ pub fn space(levels: &[Level], motions: &[Motion], reach: f64) -> Result<Figure,
              run in from the left; some end in the middle, some leave to the right.",
         )
         .panel(panel)
-        .figure(table)
+        .figure(table)?)
 }

@@ -3,12 +3,12 @@
 //! Without units throughout: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one across it,
 //! λ₀ the friction over the drive's amplitude.
 
-use super::AllFiguresError;
+use super::Drawn;
 use crate::claims::sinusoidal::drawn::{self, Transient};
 use std::f64::consts::PI;
 use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     let curves = drawn::transients()?;
     let panel = |lambda: f64, title: &'static str| {
         let own = curves.iter().filter(|curve| curve.lambda == lambda);
@@ -16,9 +16,8 @@ pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
     };
     let small = drawn::two_periods(drawn::SMALL)?;
     let large = drawn::two_periods(drawn::LARGE)?;
-    let depths =
-        |lambda: f64| -> Result<_, AllFiguresError> { Ok((lambda, drawn::depths(lambda)?)) };
-    let periodic = |lambda: f64| -> Result<_, AllFiguresError> {
+    let depths = |lambda: f64| -> Drawn<_> { Ok((lambda, drawn::depths(lambda)?)) };
+    let periodic = |lambda: f64| -> Drawn<_> {
         let mut points = drawn::two_periods(lambda)?;
         points.truncate(points.len() / 2 + 1);
         Ok((lambda, points))
@@ -88,16 +87,10 @@ pub fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureError> {
         .title(*title)
         .height(210.0);
         for (n, curve) in curves.iter().enumerate() {
-            for state in &curve.states {
-                let row = [curve.lambda, curve.w_y, state.phi, state.w_x];
-                table.row(row.map(|value| value.into()))?;
-            }
+            let points = curve.states.iter().map(|s| [s.phi, s.w_x]);
+            table.rows([curve.lambda, curve.w_y], points.clone())?;
             let key = format!("𝔴_y = {}", curve.w_y);
-            panel = panel.curve(
-                Curve::new(curve.states.iter().map(|s| [s.phi, s.w_x]))
-                    .series(n)
-                    .key(key),
-            );
+            panel = panel.curve(Curve::new(points).series(n).key(key));
         }
         plot = plot.panel(panel);
     }
@@ -124,9 +117,7 @@ pub struct TwoPeriods<'a> {
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
 pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["phi (rad)", "w"]);
-    for [phi, w] in shown.points {
-        table.row([phi.into(), w.into()])?;
-    }
+    table.rows((), shown.points)?;
     let TwoPeriods {
         id,
         lambda,
@@ -145,7 +136,7 @@ pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
             .ticks(multiples_of_pi(4)),
         Axis::linear("𝔴").range(-top, top).ticks(marks),
     )
-    .curve(Curve::new(points.iter().copied()).series(0));
+    .curve(Curve::new(points).series(0));
     let rests = points.windows(2).any(|p| p[0][1] == 0.0 && p[1][1] == 0.0);
     let (said, seen) = if rests {
         (
@@ -184,15 +175,9 @@ pub fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
         Axis::log("−ln 𝔴_y").range(1.0, 1e20),
     );
     for (n, (lambda, points)) in decays.iter().enumerate() {
-        for [period, depth] in points {
-            table.row([lambda.into(), period.into(), depth.into()])?;
-        }
+        table.rows(lambda, points)?;
         let label = format!("λ_0 = {lambda}");
-        panel = panel.curve(
-            Curve::new(points.iter().copied())
-                .series(n)
-                .label_at(label, 0.7),
-        );
+        panel = panel.curve(Curve::new(points).series(n).label_at(label, 0.7));
     }
     let exponential = (0..=100)
         .map(|k| 0.2 * f64::from(k))
@@ -210,7 +195,7 @@ pub fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
         .panel(panel.curve(
             Curve::new(exponential)
                 .ink()
-                .stroke(trialbook::plotting::Stroke::Dotted)
+                .dotted()
                 .label_at("'an exponential'", 0.9),
         ))
         .figure(table)
@@ -221,19 +206,13 @@ pub fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
 /// `points` are (λ₀, share), `critical` is λ_c. Fails as [`Plot::figure`] does, thus when there is no finite point.
 pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "share of rest"]);
-    for [lambda, share] in points {
-        table.row([lambda.into(), share.into()])?;
-    }
+    table.rows((), points)?;
     let panel = Panel::new(
         Axis::linear("λ_0").range(0.0, 1.2),
         Axis::linear("'share of rest'").range(0.0, 1.05),
     )
-    .curve(Curve::new(points.iter().copied()).series(0))
-    .rule(
-        Rule::vertical(critical)
-            .stroke(trialbook::plotting::Stroke::Dotted)
-            .label("λ_c"),
-    )
+    .curve(Curve::new(points).series(0))
+    .rule(Rule::vertical(critical).dotted().label("λ_c"))
     .height(220.0);
     Plot::new("sinusoidal-rest", "How long it rests")
         .caption(
@@ -257,11 +236,9 @@ pub fn family(motions: &[Curved]) -> Result<Figure, FigureError> {
         Axis::linear("𝔴").range(-1.1, 1.1),
     );
     for (n, (lambda, points)) in motions.iter().enumerate() {
-        for [phi, w] in points {
-            table.row([lambda.into(), phi.into(), w.into()])?;
-        }
+        table.rows(lambda, points)?;
         let key = format!("λ_0 = {lambda}");
-        panel = panel.curve(Curve::new(points.iter().copied()).series(n).key(key));
+        panel = panel.curve(Curve::new(points).series(n).key(key));
     }
     Plot::new("sinusoidal-family", "Large-time motions")
         .caption(

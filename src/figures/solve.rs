@@ -9,13 +9,9 @@ use trialbook::plotting::{Axis, Figure, FigureError, Panel, Plot, Table};
 pub fn figure(curve: &solve::Curve) -> Result<Figure, FigureError> {
     let labels = curve.labels();
     let mut table = Table::new(&labels.each_ref().map(String::as_str));
-    for [x, y] in &curve.points {
-        table.row([x.into(), y.into()])?;
-    }
+    table.rows((), &curve.points)?;
     let [x, y] = labels.map(Axis::linear);
-    let mut panel = Panel::new(x, y).curve(trialbook::plotting::Curve::new(
-        curve.points.iter().copied(),
-    ));
+    let mut panel = Panel::new(x, y).curve(trialbook::plotting::Curve::new(&curve.points));
     let span = |axis: usize| {
         let values = || curve.points.iter().map(|p| p[axis]);
         values().fold(f64::NEG_INFINITY, f64::max) - values().fold(f64::INFINITY, f64::min)

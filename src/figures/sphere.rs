@@ -1,20 +1,22 @@
 //! The figures of section 3: a sphere that slides and rolls.
 
-use super::AllFiguresError;
-use crate::claims::sphere::angle;
-use crate::claims::sphere::driven::{self, Swinging};
-use crate::motion::MotionError;
-use crate::motion::sphere::{Sphere, Turning};
-use crate::motion::turntable::{State, Table as Turntable, inertial};
-use std::f64::consts::{PI, TAU};
-use trialbook::plotting::{
-    Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Stroke, Table,
+use super::Drawn;
+use crate::claims::{
+    sphere::angle,
+    sphere::driven::{self, Swinging},
 };
+use crate::motion::{
+    MotionError,
+    sphere::{Sphere, Turning},
+    turntable::{State, Table as Turntable, inertial},
+};
+use std::f64::consts::{PI, TAU};
+use trialbook::plotting::{Area, Axis, Curve, Figure, FigureError, Panel, Plot, Points, Table};
 
 /// λ₀ below λ_c, between λ_c and 1, above 1.
 const LAMBDAS: [f64; 3] = [0.3, 0.75, 1.2];
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     let motions: Result<Vec<_>, _> = LAMBDAS.into_iter().map(driven::swinging).collect();
     Ok(vec![
         times(&angle::times_over_printed()?)?,
@@ -71,11 +73,9 @@ pub fn let_go(ball: &[[f64; 3]], coin: &[[f64; 3]]) -> Result<Figure, FigureErro
     let axis = |name| Axis::linear(name).range(-EDGE, EDGE);
     let mut panel = Panel::new(axis("x"), axis("y")).equal();
     for (n, (body, path)) in [("ball", ball), ("coin", coin)].into_iter().enumerate() {
-        for [tau, x, y] in path {
-            table.row([body.into(), (*tau).into(), (*x).into(), (*y).into()])?;
-        }
+        table.rows(body, path)?;
         let curve = Curve::new(path.iter().map(|&[_, x, y]| [x, y]));
-        panel = panel.curve(curve.series(n).stroke(Stroke::Solid).key(body));
+        panel = panel.curve(curve.series(n).solid().key(body));
     }
     Plot::new("sphere-turntable", "A ball and a coin let go on a turntable")
         .caption(
@@ -114,9 +114,7 @@ pub fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
              and the whole panel is shaded. The centre swings in all three.",
         );
     for (n, motion) in motions.iter().enumerate() {
-        for [phi, slip, v] in &motion.points {
-            table.row([motion.lambda.into(), phi.into(), slip.into(), v.into()])?;
-        }
+        table.rows(motion.lambda, &motion.points)?;
         let phases = [0, 1, 2, 3, 4].map(|k| {
             let name = ["0", "π", "2π", "3π", "4π"][k];
             (k as f64 * PI, name)
@@ -132,8 +130,8 @@ pub fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
             panel = panel.area(Area::new(corners).ink().opacity(0.12));
         }
         let against = |k: usize| motion.points.iter().map(move |p| [p[0], p[k]]);
-        let mut slip = Curve::new(against(1)).series(0).stroke(Stroke::Solid);
-        let mut centre = Curve::new(against(2)).series(1).stroke(Stroke::Dashed);
+        let mut slip = Curve::new(against(1)).series(0).solid();
+        let mut centre = Curve::new(against(2)).series(1).dashed();
         if n == 0 {
             slip = slip.key("slip");
             centre = centre.key("centre");
@@ -150,9 +148,7 @@ pub fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
 /// Fails as [`Plot::figure`] does.
 pub fn times(points: &[[f64; 2]]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["gamma", "tau of the motion over (82)"]);
-    for [gamma, ratio] in points {
-        table.row([gamma.into(), ratio.into()])?;
-    }
+    table.rows((), points)?;
     let (low, high) = points
         .iter()
         .fold((1.0_f64, 1.0_f64), |(low, high), [g, _]| {
@@ -162,16 +158,16 @@ pub fn times(points: &[[f64; 2]]) -> Result<Figure, FigureError> {
         .curve(
             Curve::new([[low, 1.0], [high, 1.0]])
                 .series(1)
-                .stroke(Stroke::Dashed)
+                .dashed()
                 .label_at("as printed: 1", 0.2),
         )
         .curve(
             Curve::new([[low, 1.0 / low], [high, 1.0 / high]])
                 .series(0)
-                .stroke(Stroke::Solid)
+                .solid()
                 .label_at("as corrected: 1/γ", 0.75),
         )
-        .points(Points::new(points.iter().copied()).ink().size(3.0));
+        .points(Points::new(points).ink().size(3.0));
     Plot::new("sphere-times", "The factor that (82) lacks")
         .caption(
             "The time $\\tau$ that a sphere in three dimensions takes to turn its slip from $\\theta_0$ to $\\theta$, \

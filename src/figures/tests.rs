@@ -229,7 +229,7 @@ fn what_cannot_be_drawn_is_refused_by_name() {
         Err(not_positive),
         "also when the axis has its ends"
     );
-    let empty = constant::stopping_time(&[]).unwrap_err();
+    let empty = plot(Panel::new(Axis::linear("x"), Axis::linear("y"))).unwrap_err();
     assert!(matches!(empty, FigureError::NoData { .. }), "{empty}");
     let flat = plot(panel(Axis::linear("x")).height(f64::NAN)).unwrap_err();
     assert!(matches!(flat, FigureError::Layout { .. }));
@@ -277,20 +277,21 @@ fn figures_of_records_are_drawn_without_them() {
 /// What the tables beside the figures call the columns is what stands there.
 #[test]
 fn tables_have_what_their_columns_say() {
-    let [alpha, a] = [(0.0, 0.5), (2.0, 4.0)];
-    let census = rest::Census {
-        psi: "0",
+    let census = census::Census {
         side: 2,
+        ends: [(0.0, 0.5), (2.0, 4.0)],
         rests: vec![true, true, false, true],
-        alpha,
-        a,
+    };
+    let section = rest::Section {
+        psi: "0",
+        census,
         printed: vec![[0.0, 3.0], [0.5, 2.5]],
         corrected: vec![[0.0, 3.0], [0.5, 2.75]],
         found: vec![[0.25, 3.25]],
     };
     let rows = |figure: Figure| -> Vec<String> { figure.csv.lines().map(str::to_owned).collect() };
     assert_eq!(
-        rows(rest::census(&[census]).unwrap()),
+        rows(rest::census(&[section]).unwrap()),
         [
             "psi,alpha,A,rests",
             "0,0.125,2.5,1",

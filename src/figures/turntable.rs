@@ -2,19 +2,21 @@
 //!
 //! Dimensionless throughout: lengths in μg/Ω², times in 1/Ω.
 
-use super::AllFiguresError;
-use crate::claims::turntable::drawn::{self, Launched, Moment};
-use crate::claims::turntable::fixed::{self, Following};
+use super::Drawn;
+use crate::claims::{
+    turntable::drawn::{self, Launched, Moment},
+    turntable::fixed::{self, Following},
+};
 use std::f64::consts::PI;
 use trialbook::plotting::{
-    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Stroke, Table,
+    Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Table,
 };
 
-pub(super) fn figures() -> Result<Vec<Figure>, AllFiguresError> {
+pub(super) fn figures() -> Drawn<Vec<Figure>> {
     let [rests, escapes] = drawn::SPEEDS.map(drawn::launched);
     let launches = [rests?, escapes?];
     let escape = |start: [f64; 3]| Ok((start[0], fixed::following(start)?));
-    let escapes: Result<Vec<_>, AllFiguresError> = fixed::ESCAPES.into_iter().map(escape).collect();
+    let escapes: Drawn<Vec<_>> = fixed::ESCAPES.into_iter().map(escape).collect();
     Ok(vec![
         energy(&launches[0])?,
         paths(&launches)?,
@@ -38,11 +40,11 @@ pub fn paths(launches: &[Launched]) -> Result<Figure, FigureError> {
         "Y in the laboratory (mu g/Omega^2)",
     ]);
     for launch in launches {
-        for moment in &launch.moments {
-            let ([x, y], [bx, by]) = (moment.table, moment.laboratory);
-            let row = [moment.tau, x, y, bx, by].map(|value| value.into());
-            table.row([launch.speed.into()].into_iter().chain(row))?;
-        }
+        let moments = launch.moments.iter();
+        table.rows(
+            launch.speed,
+            moments.map(|m| (m.tau, m.table, m.laboratory)),
+        )?;
     }
     let panel = |title: &str, place: fn(&Moment) -> [f64; 2], labels: [&str; 2]| {
         let axis = |label: &str| Axis::linear(label).range(-SHOWN, SHOWN);
@@ -100,9 +102,7 @@ pub fn energy(launch: &Launched) -> Result<Figure, FigureError> {
             [tau, kinetic, centrifugal, s, kinetic + centrifugal + s]
         })
         .collect();
-    for row in &rows {
-        table.row(row.map(|value| value.into()))?;
-    }
+    table.rows((), &rows)?;
     let mut panel = Panel::new(Axis::linear("τ"), Axis::linear("energy in m(μg)^2/Ω^2"));
     for (n, label) in ["p^2/2", "−ρ^2/2", "s"].into_iter().enumerate() {
         let curve = rows.iter().map(|row| [row[0], row[n + 1]]);
@@ -111,7 +111,7 @@ pub fn energy(launch: &Launched) -> Result<Figure, FigureError> {
     let sum = rows.iter().map(|row| [row[0], row[4]]);
     panel = panel.curve(Curve::new(sum).ink().label_at("sum", 0.8));
     if let Some(rest) = launch.rest {
-        panel = panel.rule(Rule::vertical(rest).stroke(Stroke::Dotted).label("rest"));
+        panel = panel.rule(Rule::vertical(rest).dotted().label("rest"));
     }
     Plot::new("turntable-energy", "Energy on the turntable")
         .caption(
@@ -139,9 +139,7 @@ pub fn following(escapes: &[(f64, Vec<Following>)]) -> Result<Figure, FigureErro
         "(pi/2-psi)/(pi/2-psi_1)",
     ]);
     for (a, moments) in escapes {
-        for m in moments {
-            table.row([a, &m.tau, &m.psi, &m.psi1, &m.ratio].map(|value| value.into()))?;
-        }
+        table.rows(a, moments.iter().map(|m| [m.tau, m.psi, m.psi1, m.ratio]))?;
     }
     let quarters = [
         (0.0, "0"),
@@ -165,7 +163,7 @@ pub fn following(escapes: &[(f64, Vec<Following>)]) -> Result<Figure, FigureErro
             .curve(Curve::new(against_time(|m| m.psi1)).series(n).width(0.8));
         ratios = ratios.curve(Curve::new(against_time(|m| m.ratio)).series(n));
     }
-    let follows = Rule::horizontal(1.0).stroke(Stroke::Dotted);
+    let follows = Rule::horizontal(1.0).dotted();
     Plot::new("turntable-following", "How the angle follows its quasi-fixed point")
         .caption(
             "Three escapes. First $\\psi$ (thick) and, at the $\\alpha$ of the same moment, $\\psi_1$ \

@@ -2,14 +2,12 @@
 //!
 #![doc = include_str!("axes/drive.md")]
 
-use super::sinusoidal::{Slip, friction, settle, two_periods};
 use super::{
     Answer, Curve, Field, Fields, PHASES, Quantity, RADIANS, SMALL, Said, SolveError, UNITS, check,
+    sinusoidal::{Slip, friction, settle, two_periods},
 };
 use crate::motion::drive::{Attractor, Drive, Friction, Sign};
-use crate::numerics::NumericsError;
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
+use crate::numerics::{NumericsError, double::Double, number::Real};
 use crate::paper::{anisotropic as printed, sinusoidal};
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;

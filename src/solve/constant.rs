@@ -7,10 +7,8 @@ use super::{
     UNSEEN_ANGLE, check, followed, size, steps,
 };
 use crate::corrections::constant as corrected;
-use crate::motion::trajectory::Motion;
-use crate::motion::{self, Launch};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
+use crate::motion::{self, Launch, trajectory::Motion};
+use crate::numerics::{double::Double, number::Real};
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;

@@ -47,8 +47,7 @@ mod units;
 pub use report::{Report, VERSION};
 pub use units::{DIMENSIONLESS, RADIANS, Unit, head};
 
-use crate::motion::MotionError;
-use crate::motion::drive::DriveError;
+use crate::motion::{MotionError, drive::DriveError};
 use crate::numerics::NumericsError;
 pub use crate::numerics::double::Double;
 pub(crate) use crate::numerics::error::plain;

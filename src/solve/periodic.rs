@@ -2,12 +2,13 @@
 //!
 #![doc = include_str!("axes/drive.md")]
 
-use super::sinusoidal::{AT_REST, Swing, below, friction, settle, swings, two_periods};
-use super::{Answer, Curve, PHASES, Quantity, ROUNDED, Said, SolveError, check};
+use super::{
+    Answer, Curve, PHASES, Quantity, ROUNDED, Said, SolveError, check,
+    sinusoidal::{AT_REST, Swing, below, friction, settle, swings, two_periods},
+};
 use crate::corrections::periodic as corrected;
 use crate::motion::drive::{Drive, Friction};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
+use crate::numerics::{double::Double, number::Real};
 use crate::paper::periodic as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::PI;

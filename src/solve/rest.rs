@@ -4,12 +4,13 @@
 
 use super::{Answer, Curve, DIMENSIONLESS, Field, Fields, Quantity, Said, SolveError, check};
 use crate::corrections::rest as corrected;
-use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::fate::{Certain, Ending, follow};
-use crate::motion::turntable::intrinsic::Exact;
-use crate::motion::turntable::{Start, boundary};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
+use crate::motion::{
+    turntable::boundary::between,
+    turntable::fate::{Certain, Ending, follow},
+    turntable::intrinsic::Exact,
+    turntable::{Start, boundary},
+};
+use crate::numerics::{double::Double, number::Real};
 use crate::paper::turntable as printed;
 use crate::scalar::Scalar;
 

@@ -7,9 +7,7 @@ use super::{
     UNITS, check, steps,
 };
 use crate::motion::drive::{Attractor, Drive, DriveState, Friction, Outcome, Sign};
-use crate::numerics::NumericsError;
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
+use crate::numerics::{NumericsError, double::Double, number::Real};
 use crate::paper::sinusoidal as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;

@@ -2,17 +2,18 @@
 //!
 #![doc = include_str!("axes/line.md")]
 
-use super::constant::{At, Formulas, check_moment};
 use super::{
     Answer, Curve, Field, Fields, LEAST_ANGLE, Quantity, RADIANS, ROUNDED, ROUNDING, SMALL, Said,
-    SolveError, UNITS, UNSEEN_ANGLE, check, followed, size, steps,
+    SolveError, UNITS, UNSEEN_ANGLE, check,
+    constant::{At, Formulas, check_moment},
+    followed, size, steps,
 };
 use crate::corrections::sphere as corrected;
-use crate::motion::Plane;
-use crate::motion::sphere::{Ball, BallMotion, Contact, Sphere};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
-use crate::numerics::roots::root;
+use crate::motion::{
+    Plane,
+    sphere::{Ball, BallMotion, Contact, Sphere},
+};
+use crate::numerics::{double::Double, number::Real, roots::root};
 use crate::paper::sphere as printed;
 use std::f64::consts::PI;
 

@@ -14,13 +14,13 @@ pub use crate::motion::turntable::Start;
 pub use crate::motion::turntable::ensemble::{End, Horizon};
 
 use super::{Answer, Curve, Field, Fields, Quantity, RADIANS, SolveError, check, steps};
-use crate::motion::turntable::fate::{Certain, Ending, Rest, follow};
-use crate::motion::turntable::intrinsic::Exact;
-use crate::motion::turntable::moment::{Moment as Parts, moment};
-use crate::motion::turntable::{Path, State, Table, inertial, rotating};
-use crate::numerics::double::Double;
-use crate::numerics::number::Real;
-use crate::numerics::taylor::TERMS;
+use crate::motion::{
+    turntable::fate::{Certain, Ending, Rest, follow},
+    turntable::intrinsic::Exact,
+    turntable::moment::{Moment as Parts, moment},
+    turntable::{Path, State, Table, inertial, rotating},
+};
+use crate::numerics::{double::Double, number::Real, taylor::TERMS};
 use crate::paper::turntable as printed;
 use crate::scalar::Scalar;
 use std::f64::consts::TAU;

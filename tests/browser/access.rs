@@ -1,7 +1,7 @@
 //! Accessibility by axe-core, which is not part of this crate: see the licences in `axe/`.
 
 use crate::Book;
-use crate::chrome::{Failure, Page};
+use crate::chrome::{Page, Seen};
 use crate::pages::none;
 use crate::visit::visits;
 
@@ -19,7 +19,7 @@ const LOOKS: [(&str, &[&str]); 4] = [
 ];
 
 /// The rules that the open page breaks: each with what it asks and the first places.
-fn broken(page: &mut Page, rules: &str) -> Result<Vec<String>, Failure> {
+fn broken(page: &mut Page, rules: &str) -> Seen<Vec<String>> {
     page.value(concat!(include_str!("axe/axe.min.js"), ";0"))?;
     // Style sheets on the disk may not be read once more. Checking takes its time for each formula; twenty stand for those of the page, which are all made alike. What is
     // folded away is not looked at, only walked through; the answers to the exercises are unfolded.
@@ -34,12 +34,12 @@ fn broken(page: &mut Page, rules: &str) -> Result<Vec<String>, Failure> {
 }
 
 /// The rules of all kinds that the open page breaks.
-pub fn all_broken(page: &mut Page) -> Result<Vec<String>, Failure> {
+pub fn all_broken(page: &mut Page) -> Seen<Vec<String>> {
     broken(page, ALL)
 }
 
 /// No page breaks a rule on contrast, names, landmarks and the rest.
-pub fn pages(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn pages(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?.iter();
     let found = visits.flat_map(|(name, visit)| {
         visit
@@ -51,7 +51,7 @@ pub fn pages(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Words can be read and links be told from them in every theme.
-pub fn themes(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn themes(page: &mut Page, book: &Book) -> Seen {
     let mut found = Vec::new();
     for (name, themes) in LOOKS {
         page.open(&book.address(name))?;

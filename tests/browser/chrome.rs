@@ -13,6 +13,8 @@ use std::{env, thread};
 
 /// What goes wrong, in words.
 pub type Failure = String;
+/// What was looked for, or what is wrong.
+pub type Seen<T = ()> = Result<T, Failure>;
 
 /// How long an answer or a condition may take before it counts as never coming.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -84,7 +86,7 @@ impl Inbox {
 
 impl Browser {
     /// Starts the browser, with its own data in an empty folder.
-    pub fn start(path: &Path, data: &Path) -> Result<Self, Failure> {
+    pub fn start(path: &Path, data: &Path) -> Seen<Self> {
         // The browser reads from descriptor 3 and writes to 4; a standard command can only give 0 and 1.
         let mut child = Command::new("sh")
             .args([
@@ -127,7 +129,7 @@ impl Browser {
         })
     }
 
-    fn call(&self, session: Option<&str>, method: &str, params: Value) -> Result<Value, Failure> {
+    fn call(&self, session: Option<&str>, method: &str, params: Value) -> Seen<Value> {
         let id = self.last.fetch_add(1, Ordering::Relaxed) + 1;
         let mut request = json!({ "id": id, "method": method, "params": params });
         if let Some(session) = session {
@@ -143,7 +145,7 @@ impl Browser {
     }
 
     /// A new page, empty, of the size of a screen, in a window of its own that shares no settings with others.
-    pub fn page(&self) -> Result<Page<'_>, Failure> {
+    pub fn page(&self) -> Seen<Page<'_>> {
         let context = self.call(None, "Target.createBrowserContext", json!({}))?;
         let context = text(&context["browserContextId"]);
         let create =
@@ -189,12 +191,12 @@ pub struct Page<'b> {
 }
 
 impl Page<'_> {
-    pub fn call(&mut self, method: &str, params: Value) -> Result<Value, Failure> {
+    pub fn call(&mut self, method: &str, params: Value) -> Seen<Value> {
         self.browser.call(Some(&self.session), method, params)
     }
 
     /// Whether nothing may move by itself.
-    pub fn still(&mut self, still: bool) -> Result<(), Failure> {
+    pub fn still(&mut self, still: bool) -> Seen {
         let value = if still { "reduce" } else { "no-preference" };
         let feature = json!({ "name": "prefers-reduced-motion", "value": value });
         self.call(
@@ -204,14 +206,14 @@ impl Page<'_> {
         .map(drop)
     }
 
-    pub fn resize(&mut self, width: u32, height: u32) -> Result<(), Failure> {
+    pub fn resize(&mut self, width: u32, height: u32) -> Seen {
         let size = json!({ "width": width, "height": height, "deviceScaleFactor": 1, "mobile": width < 600 });
         self.call("Emulation.setDeviceMetricsOverride", size)
             .map(drop)
     }
 
     /// Opens an address and waits until the page, its fonts and its explorers are there.
-    pub fn open(&mut self, address: &str) -> Result<(), Failure> {
+    pub fn open(&mut self, address: &str) -> Seen {
         self.browser.inbox.lock().events.remove(&self.session);
         let answer = self.call("Page.navigate", json!({ "url": address }))?;
         if let Some(error) = answer.get("errorText") {
@@ -237,7 +239,7 @@ impl Page<'_> {
     }
 
     /// Goes to the explorer of the page, if it has one, and back: it is made when it comes near. The page for printing makes none.
-    pub fn explored(&mut self) -> Result<(), Failure> {
+    pub fn explored(&mut self) -> Seen {
         self.value("document.querySelector('[data-explorer]')?.nextElementSibling.scrollIntoView({ behavior: 'instant' })")?;
         self.wait_for(
             "[...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown
@@ -248,7 +250,7 @@ impl Page<'_> {
     }
 
     /// The value of an expression in the page; a promise is waited for.
-    pub fn value(&mut self, expression: &str) -> Result<Value, Failure> {
+    pub fn value(&mut self, expression: &str) -> Seen<Value> {
         let given =
             json!({ "expression": expression, "awaitPromise": true, "returnByValue": true });
         let mut answer = self.call("Runtime.evaluate", given)?;
@@ -259,14 +261,14 @@ impl Page<'_> {
     }
 
     /// The strings in an array.
-    pub fn texts(&mut self, expression: &str) -> Result<Vec<String>, Failure> {
+    pub fn texts(&mut self, expression: &str) -> Seen<Vec<String>> {
         let value = self.value(expression)?;
         let list = value.as_array().ok_or(format!("{expression} is no list"))?;
         Ok(list.iter().map(text).collect())
     }
 
     /// Waits until a condition holds in the page.
-    pub fn wait_for(&mut self, condition: &str) -> Result<(), Failure> {
+    pub fn wait_for(&mut self, condition: &str) -> Seen {
         let start = Instant::now();
         while start.elapsed() < PATIENCE {
             // Between two pages there is nothing to ask.
@@ -282,7 +284,7 @@ impl Page<'_> {
     }
 
     /// Presses a key, such as `ArrowUp`, on whatever has the focus.
-    pub fn press(&mut self, key: &str) -> Result<(), Failure> {
+    pub fn press(&mut self, key: &str) -> Seen {
         let code = match key {
             "Enter" => 13,
             "ArrowLeft" => 37,
@@ -303,13 +305,13 @@ impl Page<'_> {
     }
 
     /// Types text into whatever has the focus.
-    pub fn write(&mut self, given: &str) -> Result<(), Failure> {
+    pub fn write(&mut self, given: &str) -> Seen {
         self.call("Input.insertText", json!({ "text": given }))
             .map(drop)
     }
 
     /// Presses the mouse at the first place, moves it along the others, and lets go.
-    pub fn drag(&mut self, places: &[[f64; 2]]) -> Result<(), Failure> {
+    pub fn drag(&mut self, places: &[[f64; 2]]) -> Seen {
         let (first, last) = match places {
             [first, .., last] | [first @ last] => (first, last),
             [] => return Ok(()),
@@ -328,7 +330,7 @@ impl Page<'_> {
     }
 
     /// Touches a place and lets go.
-    pub fn tap(&mut self, [x, y]: [f64; 2]) -> Result<(), Failure> {
+    pub fn tap(&mut self, [x, y]: [f64; 2]) -> Seen {
         self.call(
             "Emulation.setTouchEmulationEnabled",
             json!({ "enabled": true }),

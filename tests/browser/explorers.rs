@@ -1,8 +1,9 @@
 //! The explorers under a reader's hands; whatever they show is held against the crate.
 
 use crate::Book;
-use crate::chrome::{Failure, Page};
+use crate::chrome::{Page, Seen};
 use crate::pages::{is_marked, none};
+use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 use slipbook::breaks::{answer as answer_to, breaks, claims};
 use slipbook::corrections::escape as corrections;
@@ -99,7 +100,7 @@ const STATES: [(&str, &[&str]); 9] = [
 
 /// What an explorer must show at a state, from the crate: the values with their names and units, in order; and what it says,
 /// or a part of it.
-fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure> {
+fn expected(name: &str, state: &[f64]) -> Seen<(Vec<String>, String)> {
     let mut given = [0.0; 4];
     given[..state.len()].copy_from_slice(state);
     if name == "sinusoidal" {
@@ -284,6 +285,9 @@ fn expected(name: &str, state: &[f64]) -> Result<(Vec<String>, String), Failure>
     })
 }
 
+/// How far a film has been played.
+const TIME: &str = "Number(host.querySelector('.film input').value)";
+
 /// An explorer as a reader has it before them.
 struct Explorer<'p, 'b> {
     page: &'p mut Page<'b>,
@@ -291,12 +295,7 @@ struct Explorer<'p, 'b> {
 }
 
 impl<'p, 'b> Explorer<'p, 'b> {
-    fn open(
-        page: &'p mut Page<'b>,
-        book: &Book,
-        name: &'static str,
-        state: &str,
-    ) -> Result<Self, Failure> {
+    fn open(page: &'p mut Page<'b>, book: &Book, name: &'static str, state: &str) -> Seen<Self> {
         let query = if state.is_empty() {
             String::new()
         } else {
@@ -312,53 +311,74 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// Follows an address on the same page.
-    fn go(&mut self, state: &str) -> Result<(), Failure> {
+    fn go(&mut self, state: &str) -> Seen {
         let hash = format!("#explore-{}?{state}", self.name);
-        let name = self.name;
         self.page.value(&format!("location.hash = '{hash}'"))?;
-        self.page.wait_for(&format!(
-            "document.getElementById('explore-{name}').dataset.shown === '{hash}'"
-        ))
+        self.wait_for(&format!("host.dataset.shown === '{hash}'"))
     }
 
-    /// A value of an expression in which `host` is the explorer.
-    fn value(&mut self, expression: &str) -> Result<Value, Failure> {
+    /// An expression in which `host` is the explorer.
+    fn of_host(&self, expression: &str) -> String {
         let name = self.name;
-        self.page.value(&format!(
-            "(host => {expression})(document.getElementById('explore-{name}'))"
-        ))
+        format!("(host => {expression})(document.getElementById('explore-{name}'))")
     }
 
-    /// The strings in an array, as [`value`](Self::value).
-    fn texts(&mut self, expression: &str) -> Result<Vec<String>, Failure> {
-        let name = self.name;
-        self.page.texts(&format!(
-            "(host => {expression})(document.getElementById('explore-{name}'))"
-        ))
+    /// The value of such an expression.
+    fn value(&mut self, expression: &str) -> Seen<Value> {
+        self.page.value(&self.of_host(expression))
+    }
+
+    /// The same as numbers, or what else it is.
+    fn read<T: DeserializeOwned>(&mut self, expression: &str) -> Seen<T> {
+        let value = self.value(expression)?;
+        serde_json::from_value(value).map_err(|error| format!("{}: {error}", self.name))
+    }
+
+    /// Waits until such a condition holds.
+    fn wait_for(&mut self, condition: &str) -> Seen {
+        self.page.wait_for(&self.of_host(condition))
     }
 
     /// The inputs, once the picture has caught up with them.
-    fn state(&mut self) -> Result<Vec<f64>, Failure> {
-        let name = self.name;
-        self.page.wait_for(&format!(
-            "document.getElementById('explore-{name}').dataset.shown !== undefined"
-        ))?;
-        let state =
-            self.value("[...host.querySelectorAll('.inputs input')].map(i => Number(i.value))")?;
-        let numbers = state
-            .as_array()
-            .map(|list| list.iter().filter_map(Value::as_f64).collect());
-        numbers.ok_or_else(|| format!("{name} has no inputs"))
+    fn state(&mut self) -> Seen<Vec<f64>> {
+        self.wait_for("host.dataset.shown !== undefined")?;
+        self.read("[...host.querySelectorAll('.inputs input')].map(i => Number(i.value))")
+    }
+
+    /// Waits until the bodies move.
+    fn plays(&mut self) -> Seen {
+        self.wait_for(&format!("{TIME} > 1"))
+    }
+
+    /// Waits until an input is no longer what it was.
+    fn moved(&mut self, before: &[f64]) -> Seen {
+        let inputs = "[...host.querySelectorAll('.inputs input')]";
+        self.wait_for(&format!(
+            "{inputs}.some((input, i) => Number(input.value) !== {before:?}[i])"
+        ))
+    }
+
+    /// Presses a key with this part in focus; it has to move one input.
+    fn steps(&mut self, part: &str, key: &str) -> Seen {
+        let before = self.right()?;
+        self.page.press(key)?;
+        let after = self.right()?;
+        match before.iter().zip(&after).filter(|(a, b)| a != b).count() {
+            1 => Ok(()),
+            _ => Err(format!(
+                "{}, {part}: {key} led from {before:?} to {after:?}",
+                self.name
+            )),
+        }
     }
 
     /// Requires that all that is shown is what the crate says, and returns the state.
-    fn right(&mut self) -> Result<Vec<f64>, Failure> {
+    fn right(&mut self) -> Seen<Vec<f64>> {
         let (name, state) = (self.name, self.state()?);
-        let shown = self.page.texts(&format!(
-            "[...document.querySelectorAll('#explore-{name} dd')].map(e => `${{e.previousElementSibling.textContent}}: ${{e.textContent}}`)"
-        ))?;
-        let says = self.value("host.querySelector('.says').textContent")?;
-        let says = says.as_str().unwrap_or_default();
+        let shown: Vec<String> = self.read(
+            "[...host.querySelectorAll('dd')].map(e => `${e.previousElementSibling.textContent}: ${e.textContent}`)",
+        )?;
+        let says: String = self.read("host.querySelector('.says').textContent")?;
         let (values, words) = expected(name, &state)?;
         if shown == values && says.contains(&words) {
             Ok(state)
@@ -370,7 +390,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// The curves of all plots, as drawn.
-    fn drawn(&mut self) -> Result<Value, Failure> {
+    fn drawn(&mut self) -> Seen<Value> {
         self.value(
             "[...host.querySelectorAll('.curve, .stage path')].map(e => e.getAttribute('d'))",
         )
@@ -386,34 +406,28 @@ impl<'p, 'b> Explorer<'p, 'b> {
     }
 
     /// Brings a plot into view; the place of its hand and the corners of its frame on the screen.
-    fn places(&mut self, plot: usize) -> Result<[[f64; 2]; 3], Failure> {
-        let list = self.value(&format!(
+    fn places(&mut self, plot: usize) -> Seen<[[f64; 2]; 3]> {
+        self.read(&format!(
             "(plot => {{ plot.scrollIntoView({{ block: 'center', behavior: 'instant' }});
                 const [hand, frame] = [plot.querySelector('.hand circle'), plot.querySelector('.frame')].map(e => e.getBoundingClientRect());
                 return [[hand.x + hand.width / 2, hand.y + hand.height / 2], [frame.left, frame.bottom], [frame.right, frame.top]]; }})
              (host.querySelectorAll('.explore-plot')[{plot}])"
-        ))?;
-        serde_json::from_value(list).map_err(|error| error.to_string())
+        ))
     }
 
     /// Brings a hand on the stage into view; its place on the screen.
-    fn body(&mut self, k: u64) -> Result<[f64; 2], Failure> {
-        let place = self.value(&format!(
+    fn body(&mut self, k: u64) -> Seen<[f64; 2]> {
+        self.read(&format!(
             "(hand => {{ hand.scrollIntoView({{ block: 'center', behavior: 'instant' }}); const box = hand.lastElementChild.getBoundingClientRect();
                 return [box.x + box.width / 2, box.y + box.height / 2]; }})(host.querySelectorAll('.stage .hand')[{k}])"
-        ))?;
-        serde_json::from_value(place).map_err(|error| error.to_string())
+        ))
     }
 
     /// Requires that the reader is still on the page and that it has not complained.
-    fn unharmed(&mut self) -> Result<(), Failure> {
+    fn unharmed(&mut self) -> Seen {
         let (name, complaints) = (self.name, self.page.complaints());
-        let here = self.page.value("location.pathname")?;
-        if !complaints.is_empty()
-            || !here
-                .as_str()
-                .is_some_and(|path| path.ends_with(&format!("{}.html", page_of(name))))
-        {
+        let here: String = self.read("location.pathname")?;
+        if !complaints.is_empty() || !here.ends_with(&format!("{}.html", page_of(name))) {
             return Err(format!("{name}: at {here} with complaints {complaints:?}"));
         }
         Ok(())
@@ -421,7 +435,7 @@ impl<'p, 'b> Explorer<'p, 'b> {
 }
 
 /// Whatever a reader at a desk does with it, each explorer shows what the crate says.
-pub fn desk(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn desk(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         let first = explorer.right()?;
@@ -443,7 +457,7 @@ pub fn desk(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Led to a state by its address, it shows that state.
-fn states(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn states(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let states = STATES.iter().find(|(of, _)| *of == name);
     for state in states.ok_or("no states")?.1 {
@@ -463,7 +477,7 @@ fn states(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// The arrow keys move every hand, and no key turns the page.
-fn keyboard(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn keyboard(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     for plot in 0..explorer.hands().len() {
         explorer.value(&format!(
@@ -477,14 +491,10 @@ fn keyboard(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
             "ArrowDown",
             "ArrowDown",
         ] {
-            let (before, drawn) = (explorer.right()?, explorer.drawn()?);
-            explorer.page.press(key)?;
-            let after = explorer.right()?;
-            let moved = before.iter().zip(&after).filter(|(a, b)| a != b).count();
-            if moved != 1 || explorer.drawn()? == drawn {
-                return Err(format!(
-                    "{name}, hand {plot}: {key} led from {before:?} to {after:?}"
-                ));
+            let drawn = explorer.drawn()?;
+            explorer.steps(&format!("hand {plot}"), key)?;
+            if explorer.drawn()? == drawn {
+                return Err(format!("{name}, hand {plot}: {key} draws nothing anew"));
             }
         }
     }
@@ -492,7 +502,7 @@ fn keyboard(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// The arrow keys move every slider, and no other.
-fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn sliders(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     let count = match name {
         // It has hands alone.
@@ -505,10 +515,9 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
             "host.querySelectorAll('.inputs input')[{i}].focus()"
         ))?;
         // Away from the end, if it stands there.
-        let lowest = explorer.value(&format!(
+        let keys = match explorer.read(&format!(
             "(slider => slider.value === slider.min)(host.querySelectorAll('.inputs input')[{i}])"
-        ))?;
-        let keys = match lowest == true {
+        ))? {
             true => ["ArrowRight", "ArrowUp", "ArrowRight"],
             false => ["ArrowLeft", "ArrowDown", "ArrowLeft"],
         };
@@ -527,13 +536,11 @@ fn sliders(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
         return Ok(());
     }
     // The address follows, a little later; until then a link to the address that still stands leads nowhere.
-    explorer.page.wait_for(&format!(
-        "document.getElementById('explore-{name}').dataset.shown === location.hash"
-    ))
+    explorer.wait_for("host.dataset.shown === location.hash")
 }
 
 /// The mouse takes every hand along, on its way too.
-fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn mouse(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
     for &plot in explorer.hands() {
         let (before, drawn) = (explorer.right()?, explorer.drawn()?);
@@ -570,10 +577,9 @@ fn mouse(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// On the stage, too, each hand of a body is moved by the arrow keys, one input at a time, and follows the mouse.
-fn bodies(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn bodies(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
-    let count = explorer.value("host.querySelectorAll('.stage .hand').length")?;
-    let count = count.as_u64().unwrap_or(0);
+    let count: u64 = explorer.read("host.querySelectorAll('.stage .hand').length")?;
     if count == 0 {
         return Err(format!("{name}: nothing on the stage can be taken"));
     }
@@ -582,15 +588,7 @@ fn bodies(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
             "host.querySelectorAll('.stage .hand')[{k}].focus()"
         ))?;
         for key in ["ArrowRight", "ArrowUp", "ArrowLeft", "ArrowDown"] {
-            let before = explorer.right()?;
-            explorer.page.press(key)?;
-            let after = explorer.right()?;
-            let moved = before.iter().zip(&after).filter(|(a, b)| a != b).count();
-            if moved != 1 {
-                return Err(format!(
-                    "{name}, body {k}: {key} led from {before:?} to {after:?}"
-                ));
-            }
+            explorer.steps(&format!("body {k}"), key)?;
         }
         let ([x, y], before) = (explorer.body(k)?, explorer.right()?);
         explorer
@@ -606,7 +604,7 @@ fn bodies(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
 }
 
 /// On a phone, a tap moves the hand.
-pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn touch(page: &mut Page, book: &Book) -> Seen {
     page.resize(390, 800)?;
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
@@ -616,19 +614,13 @@ pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
             explorer
                 .page
                 .tap([0.3 * low[0] + 0.7 * high[0], 0.7 * low[1] + 0.3 * high[1]])?;
-            explorer.page.wait_for(&format!(
-                "[...document.querySelectorAll('#explore-{name} .inputs input')].some((input, i) => Number(input.value) !== {}[i])",
-                json!(before)
-            ))?;
+            explorer.moved(&before)?;
             explorer.right()?;
         }
         let before = explorer.right()?;
         let [x, y] = explorer.body(0)?;
         explorer.page.tap([x + 12.0, y - 9.0])?;
-        explorer.page.wait_for(&format!(
-            "[...document.querySelectorAll('#explore-{name} .inputs input')].some((input, i) => Number(input.value) !== {}[i])",
-            json!(before)
-        ))?;
+        explorer.moved(&before)?;
         explorer.right()?;
         explorer.unharmed()?;
     }
@@ -637,7 +629,7 @@ pub fn touch(page: &mut Page, book: &Book) -> Result<(), Failure> {
 
 /// On every stage bodies move: they are played, stepped and drawn along, and end where the crate says; the coin of the first
 /// page is taken by hand and let go.
-pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn stages(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         let picture = "host.querySelector('.scene').innerHTML";
@@ -650,12 +642,11 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
         )?;
         let first = explorer.value(picture)?;
         explorer.value("host.querySelector('.play').click()")?;
-        let time = format!("Number(document.querySelector('#explore-{name} .film input').value)");
-        explorer.page.wait_for(&format!("{time} > 1"))?;
+        explorer.plays()?;
         explorer.value("host.querySelector('.play').click()")?;
-        let (at, moved) = (explorer.value(&time)?, explorer.value(picture)?);
+        let (at, moved) = (explorer.value(TIME)?, explorer.value(picture)?);
         explorer.value("host.querySelector('.on').click()")?;
-        if moved == first || explorer.value(&time)? == at {
+        if moved == first || explorer.value(TIME)? == at {
             return Err(format!("{name}: nothing moves"));
         }
         let draw_along = |to: &str| {
@@ -672,13 +663,12 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
             // Later it is out of the picture.
             const PICTURE: usize = 20;
             explorer.value(&draw_along(&PICTURE.to_string()))?;
-            let place = explorer.value(
+            let place: [f64; 2] = explorer.read(
                 "(coin => [Number(coin.getAttribute('cx')), Number(coin.getAttribute('cy'))])(host.querySelector('.scene .body'))",
             )?;
             let found = answer(4, [0.0, 1.5, 0.0, 0.0]).map_err(|error| error.to_string())?;
             let [x, y] = found.curves[1][PICTURE];
             let (there, scale) = ([180.0 + 57.0 * x, 130.0 - 57.0 * y], 0.06);
-            let place: [f64; 2] = serde_json::from_value(place).map_err(|e| e.to_string())?;
             if (0..2).any(|i| (place[i] - there[i]).abs() > scale) {
                 return Err(format!(
                     "{name}: the coin is at {place:?}, not at {there:?}"
@@ -697,15 +687,14 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
     if explorer.right()? == before {
         return Err("the coin's velocity does not follow the mouse".into());
     }
-    let time = "Number(document.querySelector('#explore-record .film input').value)";
-    explorer.page.wait_for(&format!("{time} > 1"))?;
+    explorer.plays()?;
     untold(page, book)?;
     // Before the guess all stand as they are asked about, and nothing is told, also for who has nothing against motion.
     page.still(false)?;
     let mut wrong = Vec::new();
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
-        let said = explorer.texts(&format!(
+        let said: Vec<String> = explorer.read(&format!(
             "(async ({{ predict: {{ asks, at }} }}) => {{
                 host.querySelector('.stage').scrollIntoView({{ block: 'center', behavior: 'instant' }});
                 await new Promise(done => setTimeout(done, 400));
@@ -727,7 +716,7 @@ pub fn stages(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// The first page asks, and neither border is drawn before the film has been seen; then both are, and what is said is seen.
-fn untold(page: &mut Page, book: &Book) -> Result<(), Failure> {
+fn untold(page: &mut Page, book: &Book) -> Seen {
     let mut explorer = Explorer::open(page, book, "record", "")?;
     let told = "[...host.querySelectorAll('.scene :is(.border, .printed)')].map(e => e.getAttribute('class')).join()
         + ['.hint', '.says'].map(part => host.querySelector(part).checkVisibility()).join()";
@@ -736,16 +725,13 @@ fn untold(page: &mut Page, book: &Book) -> Result<(), Failure> {
         return Err(format!("before the question {before} is told"));
     }
     explorer.value("host.querySelector('.predict button').click()")?;
-    explorer
-        .page
-        .wait_for("Number(document.querySelector('#explore-record .film input').value) > 1")?;
+    explorer.plays()?;
     let during = explorer.value(told)?;
     if during != before {
         return Err(format!("while the bodies move {during} is told"));
     }
-    explorer.page.wait_for(
-        "document.querySelector('#explore-record .border') && document.querySelector('#explore-record .printed') !== null",
-    )?;
+    explorer
+        .wait_for("host.querySelector('.border') && host.querySelector('.printed') !== null")?;
     let after = explorer.value(told)?;
     if after != "border,printedtrue,true" {
         return Err(format!("in the end {after} is told"));
@@ -754,34 +740,29 @@ fn untold(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Where the reader is asked to guess, whatever they say is answered, and what was asked about is shown.
-fn guess(explorer: &mut Explorer<'_, '_>) -> Result<(), Failure> {
+fn guess(explorer: &mut Explorer<'_, '_>) -> Seen {
     let name = explorer.name;
-    let count = explorer.value("host.querySelectorAll('.predict button').length")?;
-    for i in 0..count.as_u64().unwrap_or(0) {
+    let count: u64 = explorer.read("host.querySelectorAll('.predict button').length")?;
+    for i in 0..count {
         explorer.value(&format!(
             "host.querySelectorAll('.predict button')[{i}].click()"
         ))?;
-        let told = explorer.value("host.querySelector('.predict [role=status]').textContent")?;
-        let told = told.as_str().unwrap_or_default();
-        let right = format!(
-            "slipbookExplorers.{name}.predict.options[slipbookExplorers.{name}.predict.right]"
-        );
-        let begins = match explorer.value(&format!("slipbookExplorers.{name}.predict.right"))? {
-            right if right == i => "Yes.".to_owned(),
-            _ => {
-                let right = explorer.value(&right)?;
-                let right = right.as_str().unwrap_or_default();
-                format!("No: {}.", right.replacen("It ", "it ", 1))
-            }
+        let told: String =
+            explorer.read("host.querySelector('.predict [role=status]').textContent")?;
+        let (right, answer): (u64, String) = explorer.read(&format!(
+            "(({{ right, options }}) => [right, options[right]])(slipbookExplorers.{name}.predict)"
+        ))?;
+        let begins = match right == i {
+            true => "Yes.".to_owned(),
+            false => format!("No: {}.", answer.replacen("It ", "it ", 1)),
         };
         if !told.starts_with(&begins) {
             return Err(format!("{name}: the guess {i} is answered with {told}"));
         }
-        explorer.page.wait_for(&format!(
-            "(host => Number(host.querySelector('.film input').value) > 0 && host.querySelector('.play').ariaLabel === 'Pause'
+        explorer.wait_for(&format!(
+            "{TIME} > 0 && host.querySelector('.play').ariaLabel === 'Pause'
                 && Object.entries(slipbookExplorers.{name}.predict.at).every(([key, value]) =>
-                    Number(host.querySelector(`.inputs [name=${{key}}]`).value) === value))
-             (document.getElementById('explore-{name}'))"
+                    Number(host.querySelector(`.inputs [name=${{key}}]`).value) === value)"
         ))?;
         explorer.right()?;
     }
@@ -805,7 +786,7 @@ const ODD: [&str; 7] = [
 ];
 
 /// All that is written, at every state, is words and nothing of their markup; so are labels that nobody has thought of.
-pub fn labels(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn labels(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for (name, states) in STATES {
         let mut explorer = Explorer::open(page, book, name, "")?;
@@ -813,14 +794,14 @@ pub fn labels(page: &mut Page, book: &Book) -> Result<(), Failure> {
             if !state.is_empty() {
                 explorer.go(state)?;
             }
-            let written = explorer.texts(
+            let written: Vec<String> = explorer.read(
                 "[...host.querySelectorAll('*')].flatMap(e => ['aria-label', 'aria-valuetext', 'title'].map(a => e.getAttribute(a) || '')
                     .concat([...e.childNodes].filter(n => n.nodeType === Node.TEXT_NODE).map(n => n.data)))",
             )?;
             let marked = written.into_iter().filter(|text| is_marked(text));
             wrong.extend(marked.map(|text| format!("{name} at {state}: {text}")));
         }
-        wrong.extend(explorer.texts(&format!(
+        wrong.extend(explorer.read::<Vec<String>>(&format!(
             "(seen => slipbookExplorers[host.dataset.explorer].plots(() => {{}}).flatMap(plot => [plot.title, plot.x.label, plot.y.label])
                 .map({SEEN}).filter(words => !seen.includes(words)).map(words => `not seen: ${{words}}`))
              ([...host.querySelectorAll('svg text')].map({PLAIN}))"
@@ -847,7 +828,7 @@ const PLAIN: &str = "text => text.textContent.replaceAll('\u{200b}', '')";
 const SEEN: &str = "label => label.replace(/_(.)/gsu, '$1').replaceAll('𝔴', 'w')";
 
 /// The address follows the hand and leads back to the same view; the page's own fragments still lead to their places.
-pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn addresses(page: &mut Page, book: &Book) -> Seen {
     for name in PAGES.map(name_on) {
         let mut explorer = Explorer::open(page, book, name, "")?;
         if explorer.page.value("location.hash")? != "" {
@@ -908,7 +889,7 @@ pub fn addresses(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Break it yourself: what turns red in the page is what turns red in the crate.
-pub fn broken(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn broken(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("breaking.html"))?;
     page.wait_for("document.querySelector('#broken button') !== null")?;
     page.value("document.querySelector('#broken button').click()")?;

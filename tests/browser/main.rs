@@ -16,7 +16,7 @@ mod paper;
 mod scenes;
 mod visit;
 
-use chrome::{Browser, Failure, Page};
+use chrome::{Browser, Page, Seen};
 use libtest_mimic::{Arguments, Trial};
 use slipbook::book::files_below;
 use slipbook::edition::EDITION;
@@ -35,7 +35,7 @@ use visit::Visit;
 const TABS: usize = 3;
 
 /// A test: what it does in a fresh tab, with the book.
-type Test = fn(&mut Page, &Book) -> Result<(), Failure>;
+type Test = fn(&mut Page, &Book) -> Seen;
 
 const TESTS: [(&str, Test); 32] = [
     (
@@ -139,8 +139,8 @@ fn main() -> ExitCode {
 #[derive(Default)]
 struct Shared {
     path: Option<PathBuf>,
-    book: OnceLock<Result<Book, Failure>>,
-    browser: OnceLock<Result<Running, Failure>>,
+    book: OnceLock<Seen<Book>>,
+    browser: OnceLock<Seen<Running>>,
 }
 
 /// A browser with the folder of its data.
@@ -150,7 +150,7 @@ struct Running {
 }
 
 impl Running {
-    fn start(path: &Path) -> Result<Self, Failure> {
+    fn start(path: &Path) -> Seen<Self> {
         let data = tempfile::tempdir().map_err(|error| error.to_string())?;
         Ok(Running {
             browser: Browser::start(path, data.path())?,
@@ -160,7 +160,7 @@ impl Running {
 }
 
 impl Shared {
-    fn run(&self, test: Test) -> Result<(), Failure> {
+    fn run(&self, test: Test) -> Seen {
         let path = self.path.as_ref().ok_or("no Chromium on the search path")?;
         // The browser starts while the book is written.
         let (book, running) = thread::scope(|scope| {
@@ -181,11 +181,11 @@ pub struct Book {
     /// Its pages, by their paths within it.
     pub pages: Vec<String>,
     /// What was seen on them.
-    visits: OnceLock<Result<BTreeMap<String, Visit>, Failure>>,
+    visits: OnceLock<Seen<BTreeMap<String, Visit>>>,
 }
 
 impl Book {
-    fn write() -> Result<Self, Failure> {
+    fn write() -> Seen<Self> {
         let folder = tempfile::tempdir().map_err(|error| error.to_string())?;
         let out = folder.path().join("book");
         let mut command = Command::new(env!("CARGO_BIN_EXE_slipbook"));

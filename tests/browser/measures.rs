@@ -1,7 +1,7 @@
 //! What a reader waits for and can read: times with a processor four times slower, sizes on a phone, pages of paper.
 
 use crate::Book;
-use crate::chrome::{Failure, Page};
+use crate::chrome::{Page, Seen};
 use crate::explorers::{PAGES, page_of};
 use crate::pages::{CHAPTERS, none};
 use serde_json::{Value, json};
@@ -53,13 +53,13 @@ const GIVEN: [(u32, &[[f64; 4]]); 14] = [
     (13, &[[0.3, 0.5, 1.0, 0.0], [0.2, 0.0, 0.3, 0.0]]),
 ];
 
-fn slow(page: &mut Page, rate: f64) -> Result<(), Failure> {
+fn slow(page: &mut Page, rate: f64) -> Seen {
     page.call("Emulation.setCPUThrottlingRate", json!({ "rate": rate }))
         .map(drop)
 }
 
 /// Every question is answered within the time, the border between rest and escape too; other work on the machine aside.
-pub fn answers(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn answers(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     slow(page, SLOWER)?;
     let given: Vec<Value> = GIVEN
@@ -95,7 +95,7 @@ pub fn answers(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// From the slider to the picture: all that is computed and drawn for it, by one thread that is slowed down.
-pub fn sliders(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn sliders(page: &mut Page, book: &Book) -> Seen {
     // Without workers the page's own thread answers; those would not be slowed down.
     let alone = json!({ "source": "window.Worker = undefined;" });
     page.call("Page.addScriptToEvaluateOnNewDocument", alone)?;
@@ -131,7 +131,7 @@ pub fn sliders(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Every picture of a film is drawn in less than the time that it is shown.
-pub fn frames(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn frames(page: &mut Page, book: &Book) -> Seen {
     let mut late = Vec::new();
     for name in PAGES.map(crate::explorers::name_on) {
         page.open(&book.address(&format!("{}.html", page_of(name))))?;
@@ -166,7 +166,7 @@ pub fn frames(page: &mut Page, book: &Book) -> Result<(), Failure> {
 
 /// On a phone the words of all figures can be read, and what one plays with stays in view with each picture; an explorer stands
 /// in the first third of its page.
-pub fn phone(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn phone(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in PAGES.map(crate::explorers::name_on) {
         page.resize(1400, 900)?;
@@ -225,7 +225,7 @@ pub fn phone(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// All pages in one are there in time.
-pub fn paper(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn paper(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     // The time of the page's own thread: what else this machine does is not counted.
     page.call("Performance.enable", json!({ "timeDomain": "threadTicks" }))?;
@@ -244,7 +244,7 @@ pub fn paper(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// What one points at is said in short: a number in the text, a symbol.
-pub fn cards(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn cards(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address(&format!("{}.html", CHAPTERS[7])))?;
     let mut wrong = Vec::new();
     for (pointed, says) in [

@@ -1,13 +1,13 @@
 //! Pages, links, search, print.
 
 use crate::Book;
-use crate::chrome::{Failure, Page};
+use crate::chrome::{Page, Seen};
 use crate::visit::visits;
 use serde_json::json;
 use std::collections::BTreeSet;
 
 /// Every page loads, and neither complains nor asks anybody for anything.
-pub fn load(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn load(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?.iter();
     let found = visits.flat_map(|(name, visit)| {
         visit
@@ -19,7 +19,7 @@ pub fn load(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Every address in a page, of a link or of a file, leads to a file of the book, every fragment to a place in it.
-pub fn links(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn links(page: &mut Page, book: &Book) -> Seen {
     let (root, visits) = (book.address(""), visits(page, book)?);
     let leads = |address: &str| {
         let Some(path) = address.strip_prefix(&root) else {
@@ -57,7 +57,7 @@ pub fn is_marked(label: &str) -> bool {
 }
 
 /// The labels of the figures are words, on every page.
-pub fn labels(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn labels(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?;
     let all = || {
         visits
@@ -82,7 +82,7 @@ fn questions() -> impl Iterator<Item = (&'static str, &'static str)> {
 }
 
 /// The search finds first what one asks for, and a claim among what is found bears its verdict's mark.
-pub fn search(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn search(page: &mut Page, book: &Book) -> Seen {
     let mut missing = Vec::new();
     page.open(&book.address("index.html"))?;
     page.value("document.getElementById('mdbook-search-toggle').click()")?;
@@ -131,7 +131,7 @@ pub const CHAPTERS: [&str; 9] = [
 ];
 
 /// Folded, the chapters are short, and so are the boxes of what stands; the switch unfolds all and is remembered.
-pub fn folds(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn folds(page: &mut Page, book: &Book) -> Seen {
     page.resize(1400, 900)?;
     let (mut lengths, mut wrong) = (Vec::new(), Vec::new());
     for name in CHAPTERS {
@@ -196,7 +196,7 @@ pub fn folds(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// A page has its length half a second after it is there, and the place of an address its own.
-pub fn lengths(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn lengths(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for width in [1400, 390] {
         page.resize(width, 900)?;
@@ -234,7 +234,7 @@ pub fn lengths(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// The first page answers to numbers, symbols and words, and has a mark for every equation.
-pub fn front(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn front(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     let mut wrong = Vec::new();
     for (asked, address) in questions() {
@@ -302,7 +302,7 @@ pub fn front(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// The long tables keep the rows that one asks for, and sort.
-pub fn filters(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn filters(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("ledger.html"))?;
     let mut wrong = Vec::new();
     let shown =
@@ -366,7 +366,7 @@ pub fn filters(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// The addresses of earlier books lead to where things are now; without scripts to the page.
-pub fn moved(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn moved(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for scripts in [true, false] {
         page.call(
@@ -401,7 +401,7 @@ pub fn moved(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// The contents are opened and closed without a mouse.
-pub fn contents(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn contents(page: &mut Page, book: &Book) -> Seen {
     page.open(&book.address("index.html"))?;
     page.value("document.querySelector('button[aria-controls=mdbook-sidebar]').focus()")?;
     for open in [false, true] {
@@ -415,7 +415,7 @@ pub fn contents(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// On a screen of 390 pixels nothing sticks out at the side.
-pub fn narrow(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn narrow(page: &mut Page, book: &Book) -> Seen {
     let visits = visits(page, book)?
         .iter()
         .filter(|(name, _)| book.is_chapter(name));
@@ -427,7 +427,7 @@ pub fn narrow(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// With scripts off, the figures are seen and the places of the explorers are not.
-pub fn without_scripts(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn without_scripts(page: &mut Page, book: &Book) -> Seen {
     page.call(
         "Emulation.setScriptExecutionDisabled",
         json!({ "value": true }),
@@ -454,7 +454,7 @@ pub fn without_scripts(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// The print page holds the figures, not the explorers.
-pub fn printing(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn printing(page: &mut Page, book: &Book) -> Seen {
     let visit = visits(page, book)?.get("print.html");
     let seen = &visit.ok_or("no page for printing")?.explorers;
     let expected = json!(crate::explorers::PAGES.map(|_| [false, true]));
@@ -466,7 +466,7 @@ pub fn printing(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// Fails with a list of what was found, unless it is empty.
-pub fn none(found: Vec<String>) -> Result<(), Failure> {
+pub fn none(found: Vec<String>) -> Seen {
     if found.is_empty() {
         Ok(())
     } else {

@@ -1,7 +1,7 @@
 //! What comes out of a printer.
 
 use crate::Book;
-use crate::chrome::{Failure, Page};
+use crate::chrome::{Page, Seen};
 use crate::pages::{CHAPTERS, none};
 use serde_json::json;
 
@@ -13,7 +13,7 @@ const HARD: [&str; 6] = ["errata", "ledger", "methods", "lookup", "exam", "map"]
 
 /// Words, figures and formulas are printed in eight points at least, but for indices and powers, and no formula is wider than its
 /// place, for which a browser would set the whole page smaller.
-pub fn sizes(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn sizes(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in CHAPTERS.into_iter().chain(HARD) {
         page.resize(SHEET, 1000)?;
@@ -74,7 +74,7 @@ pub fn sizes(page: &mut Page, book: &Book) -> Result<(), Failure> {
 }
 
 /// What a printer gets can be read, and nothing lies over it; the errata fill few sheets.
-pub fn sheets(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn sheets(page: &mut Page, book: &Book) -> Seen {
     let mut wrong = Vec::new();
     for name in ["errata", "ledger", "constant", "rest"] {
         page.open(&book.address(&format!("{name}.html")))?;

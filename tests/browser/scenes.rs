@@ -1,7 +1,7 @@
 //! What the stages draw, picture by picture: bodies where the crate says, turned as it says, with arrows along their velocities.
 
 use crate::Book;
-use crate::chrome::{Failure, Page};
+use crate::chrome::{Page, Seen};
 use crate::explorers::page_of;
 use crate::pages::none;
 use serde_json::Value;
@@ -24,7 +24,7 @@ struct Drawn {
 }
 
 /// Reads what is drawn at a picture.
-fn drawn(page: &mut Page, name: &str, picture: usize) -> Result<Drawn, Failure> {
+fn drawn(page: &mut Page, name: &str, picture: usize) -> Seen<Drawn> {
     let found: Value = page.value(&format!(
         "(host => {{
             const bar = host.querySelector('.film input');
@@ -175,7 +175,7 @@ const SCENES: [(&str, &str, usize, [f64; 4], Expected); 7] = [
 ];
 
 /// Bodies stand, turn and point as the crate says.
-pub fn pictures(page: &mut Page, book: &Book) -> Result<(), Failure> {
+pub fn pictures(page: &mut Page, book: &Book) -> Seen {
     page.resize(1400, 1000)?;
     let mut wrong = Vec::new();
     for (name, state, number, given, expected) in SCENES {

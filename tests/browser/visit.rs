@@ -1,7 +1,7 @@
 //! One visit to every page, and what was seen there.
 
 use crate::access::all_broken;
-use crate::chrome::{Failure, Page};
+use crate::chrome::{Failure, Page, Seen};
 use crate::{Book, TABS};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,7 +27,7 @@ pub struct Visit {
 }
 
 /// The visits, made when they are first asked for, in several tabs.
-pub fn visits<'b>(page: &Page, book: &'b Book) -> Result<&'b BTreeMap<String, Visit>, Failure> {
+pub fn visits<'b>(page: &Page, book: &'b Book) -> Seen<&'b BTreeMap<String, Visit>> {
     let next = AtomicUsize::new(0);
     let some = || {
         let (mut page, mut some) = (page.browser.page()?, Vec::new());
@@ -49,7 +49,7 @@ pub fn visits<'b>(page: &Page, book: &'b Book) -> Result<&'b BTreeMap<String, Vi
     book.visits.get_or_init(all).as_ref().map_err(Clone::clone)
 }
 
-fn visit(page: &mut Page, book: &Book, name: &str) -> Result<Visit, Failure> {
+fn visit(page: &mut Page, book: &Book, name: &str) -> Seen<Visit> {
     // A phone first: a page that is laid out once more for a desk is laid out twice, and not three times.
     if book.is_chapter(name) {
         page.resize(390, 800)?;

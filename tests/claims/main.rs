@@ -4,8 +4,7 @@
 
 use insta::{Settings, assert_snapshot};
 use libtest_mimic::{Arguments, Failed, Trial};
-use slipbook::claims::PAPER;
-use slipbook::claims::variants::Variant;
+use slipbook::claims::{PAPER, variants::Variant};
 use slipbook::edition::EDITION;
 use slipbook::evidence::{Evidence, Outcome, Route, Sample, Subject};
 use slipbook::ledger::{Entry, Ledger, Record, Standing};
@@ -19,9 +18,7 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 use std::thread;
-use trialbook::trials::attempt::Attempt;
-use trialbook::trials::statement::Proved;
-use trialbook::trials::{Claim, Sort};
+use trialbook::trials::{Claim, Sort, attempt::Attempt, statement::Proved};
 
 /// What is asked of the whole ledger.
 type Test = fn(&Ledger) -> Result<(), Failed>;

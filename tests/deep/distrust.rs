@@ -2,15 +2,15 @@
 //! its comparisons disagree with the mistakes is recorded: a trial that has been made more lenient has fewer.
 
 use insta::{Settings, assert_snapshot};
-use slipbook::claims::PAPER;
-use slipbook::claims::variants::Variant;
-use slipbook::ledger::distrust::{Extent, Tried};
-use slipbook::ledger::{Key, Ledger};
+use slipbook::claims::{PAPER, variants::Variant};
+use slipbook::ledger::{
+    Key, Ledger,
+    distrust::{Extent, Tried},
+};
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use trialbook::trials::attempt::Attempt;
-use trialbook::trials::{Claim, Excuse, Topic};
+use trialbook::trials::{Claim, Excuse, Topic, attempt::Attempt};
 
 #[test]
 fn every_trial_notices_mistakes_and_is_as_strict_as_recorded() {

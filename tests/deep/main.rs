@@ -7,8 +7,7 @@ mod fates;
 
 use slipbook::claims::PAPER;
 use slipbook::evidence::Outcome;
-use slipbook::ledger::Ledger;
-use slipbook::ledger::deep::Deep;
+use slipbook::ledger::{Ledger, deep::Deep};
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
 

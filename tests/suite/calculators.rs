@@ -2,9 +2,9 @@
 
 use slipbook::claims::anisotropic::simulated::Curves;
 use slipbook::paper::anisotropic::region;
-use slipbook::solve::anisotropic::AnisotropicProblem;
 use slipbook::solve::{
-    Curve, SolveError, anisotropic, constant, periodic, rest, sinusoidal, sphere, turntable,
+    Curve, SolveError, anisotropic, anisotropic::AnisotropicProblem, constant, periodic, rest,
+    sinusoidal, sphere, turntable,
 };
 use std::f64::consts::{PI, TAU};
 

@@ -1,16 +1,20 @@
 //! What is enclosed is what was meant: held against ordinary numbers and the motion.
 
-use slipbook::claims::PAPER;
-use slipbook::claims::anisotropic::simulated::{curve_a, curve_b, curve_e};
-use slipbook::motion::drive::{Drive, DriveState, Friction, Sign};
-use slipbook::motion::turntable::{Fate, Start, fate};
+use slipbook::claims::{
+    PAPER,
+    anisotropic::simulated::{curve_a, curve_b, curve_e},
+};
+use slipbook::motion::{
+    drive::{Drive, DriveState, Friction, Sign},
+    turntable::{Fate, Start, fate},
+};
 use slipbook::paper::sinusoidal::eq37_lambda_c;
-use slipbook::validated::drive;
-use slipbook::validated::turntable::{self, fate_launched, fate_put_down};
+use slipbook::validated::{
+    drive,
+    turntable::{self, fate_launched, fate_put_down},
+};
 use std::f64::consts::{FRAC_1_SQRT_2, TAU};
-use trialbook::certified::ball::Ball;
-use trialbook::certified::error::CertifiedError;
-use trialbook::certified::interval::Interval;
+use trialbook::certified::{ball::Ball, error::CertifiedError, interval::Interval};
 
 /// The middle of the enclosure.
 fn certain(name: &str) -> f64 {

@@ -1,8 +1,7 @@
 //! What is claimed is claimed of something: for each claim a point within what it is stated for, at which all formulas of the paper and of
 //! the corrections that it tries have values, by enclosure. It is given in sixteenths, but for the phases that follow from λ₀.
 
-use slipbook::claims::PAPER;
-use slipbook::claims::formulas::formulas;
+use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::numerics::roots::root;
 use slipbook::seeded::Formula;
 use std::collections::BTreeMap;

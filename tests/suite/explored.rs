@@ -3,9 +3,11 @@
 
 use fastrand::Rng;
 use slipbook::explorers::{Answer, answer};
-use slipbook::motion::Launch;
-use slipbook::motion::drive::{Drive, PlanarState};
-use slipbook::motion::turntable::{Fate, Start, State, Table, fate, inertial};
+use slipbook::motion::{
+    Launch,
+    drive::{Drive, PlanarState},
+    turntable::{Fate, Start, State, Table, fate, inertial},
+};
 use slipbook::paper;
 use std::f64::consts::{PI, SQRT_2, TAU};
 

@@ -2,8 +2,7 @@
 //! found elsewhere.
 
 use crate::Page;
-use slipbook::claims::PAPER;
-use slipbook::claims::anisotropic::simulated::Curves;
+use slipbook::claims::{PAPER, anisotropic::simulated::Curves};
 use slipbook::explorers::{anisotropic, answer, constant, periodic, plane, sphere, turntable};
 use slipbook::motion::drive::Sign;
 use slipbook::paper;

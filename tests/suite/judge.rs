@@ -6,8 +6,10 @@ use slipbook::numerics::roots::root;
 use std::fmt::Debug;
 use std::panic::Location;
 use trialbook::data::text;
-use trialbook::trials::compare::{Pair, Trial};
-use trialbook::trials::{Condition, Sort};
+use trialbook::trials::{
+    Condition, Sort,
+    compare::{Pair, Trial},
+};
 
 const GOOD: f64 = 1e-13;
 const BAD: f64 = 1e-3;
@@ -351,6 +353,4 @@ fn the_page_gives_the_rules_of_the_judge() {
     let verdicts = cases.into_iter().chain([heir.verdict]);
     let said: Vec<_> = rules.split("**").skip(1).step_by(2).collect();
     assert_eq!(said, verdicts.map(Verdict::words).collect::<Vec<_>>());
-    assert_eq!(disagreement(f64::NAN, 1.0, 1.0), f64::INFINITY);
-    assert!(disagreement(1.0, f64::NAN, 1.0).is_nan());
 }

@@ -1,8 +1,10 @@
 //! Motions on the plane, of the sphere and on the turntable: near their stops, along their directions, and where they
 //! leave the numbers.
 
-use slipbook::motion::turntable::{Path, Table, inertial, rotating};
-use slipbook::motion::{MotionError, Plane, Signal, State, run, sphere, turntable};
+use slipbook::motion::{
+    MotionError, Plane, Signal, State, run, sphere, turntable,
+    turntable::{Path, Table, inertial, rotating},
+};
 use slipbook::numerics::NumericsError;
 
 fn table() -> Table {

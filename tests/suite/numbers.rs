@@ -1,7 +1,6 @@
 //! The numbers of the cases by hand, worked out once more with paper and pencil; the search among the known numbers.
 
-use slipbook::claims::PAPER;
-use slipbook::claims::values::search;
+use slipbook::claims::{PAPER, values::search};
 use slipbook::numerics::expression::expression;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_PI, LN_2, PI, SQRT_2, TAU};

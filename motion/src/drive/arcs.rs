@@ -3,10 +3,11 @@
 //! On a piece, h is monotone. So the size u = |w| of a moving particle is convex or concave there: it has at
 //! most one extremum, where h meets the friction's level, and its first zero can be bracketed for certain.
 
-use super::intervals::Sign;
-use super::{Drive, Friction};
-use crate::numerics::piecewise::{Piece, Piecewise, Secant};
-use crate::numerics::roots::falling_root;
+use super::{Drive, Friction, intervals::Sign};
+use crate::numerics::{
+    piecewise::{Piece, Piecewise, Secant},
+    roots::falling_root,
+};
 use std::f64::consts::TAU;
 
 /// On a monotone piece a motion can at most stop, turn, stop again and start again: no more events than this.

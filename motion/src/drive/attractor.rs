@@ -5,9 +5,11 @@
 //! the bracket that those signs give, goes to the motion that plain following would reach, only faster; the
 //! last period is always a plain one.
 
-use super::arcs::{Mark, Walker};
-use super::intervals::{Interval, Sign, between, canonical, drops_one};
-use super::{Drive, DriveError, DriveState, Friction};
+use super::{
+    Drive, DriveError, DriveState, Friction,
+    arcs::{Mark, Walker},
+    intervals::{Interval, Sign, between, canonical, drops_one},
+};
 use std::f64::consts::TAU;
 
 /// The state after one more period must agree with itself to this, in units of the largest |h|.

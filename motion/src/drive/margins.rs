@@ -1,8 +1,10 @@
 //! What is measured on a periodic motion: its extremes, its mean, and how near it is to another kind.
 
-use super::DriveState;
-use super::attractor::Attractor;
-use super::intervals::{Interval, Sign};
+use super::{
+    DriveState,
+    attractor::Attractor,
+    intervals::{Interval, Sign},
+};
 use std::f64::consts::TAU;
 
 /// How near a periodic motion is to one with another list of intervals. Infinite where nothing can change

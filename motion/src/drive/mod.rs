@@ -32,9 +32,11 @@ pub use intervals::{Interval, Sign, ZERO_LENGTH};
 pub use margins::Margins;
 pub use planar::PlanarState;
 
-use crate::numerics::NumericsError;
-use crate::numerics::error::plain;
-use crate::numerics::piecewise::{Piecewise, PiecewiseError};
+use crate::numerics::{
+    NumericsError,
+    error::plain,
+    piecewise::{Piecewise, PiecewiseError},
+};
 use arcs::{Mark, Walker};
 use std::f64::consts::TAU;
 

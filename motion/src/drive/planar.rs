@@ -14,10 +14,12 @@
 //! within a finite phase, and w_y is 0 from then on.
 
 use super::{Drive, DriveError, DriveState, Friction};
-use crate::numerics::NumericsError;
-use crate::numerics::piecewise::Piece;
-use crate::numerics::series::{Series, arrival, convolution, exp};
-use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
+use crate::numerics::{
+    NumericsError,
+    piecewise::Piece,
+    series::{Series, arrival, convolution, exp},
+    taylor::{Control, Integrator, Step, System, TERMS},
+};
 use std::f64::consts::TAU;
 
 /// Below this logarithm of the speed the phase does not advance any more.

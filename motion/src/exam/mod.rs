@@ -23,9 +23,7 @@ use crate::MotionError;
 use crate::drive::DriveError;
 use crate::numerics::NumericsError;
 use serde::Serialize;
-use trialbook::certified::enclosure::Enclosure;
-use trialbook::certified::error::CertifiedError;
-use trialbook::certified::interval::Interval;
+use trialbook::certified::{enclosure::Enclosure, error::CertifiedError, interval::Interval};
 
 /// A set-up, a question with one answer, and two ways to it. All quantities are dimensionless, in the units that the
 /// set-up names.

@@ -3,10 +3,7 @@
 use super::{Answer, Other, Task, fraction};
 use crate::{Launch, MotionError, Plane, Signal, State, run};
 use std::f64::consts::FRAC_PI_2;
-use trialbook::certified::ball::Ball;
-use trialbook::certified::enclosure::Enclosure;
-use trialbook::certified::interval::Interval;
-use trialbook::certified::root::refine;
+use trialbook::certified::{ball::Ball, enclosure::Enclosure, interval::Interval, root::refine};
 
 /// The block of strong friction, launched across the pull.
 const ACROSS: &str = "A block slides on a horizontal plane with friction λ = μg/A = 3/2 under a steady pull A along x (an inclined \

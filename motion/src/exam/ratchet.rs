@@ -4,8 +4,7 @@
 //! (λ₋ − λ₊)/2 forward: a tray that is tilted. So an engine without anisotropic friction can sit these tasks, and a second
 //! integrator finds the answers.
 
-use super::tray::sine;
-use super::{Answer, DIMENSIONLESS, ExamError, Other, Task};
+use super::{Answer, DIMENSIONLESS, ExamError, Other, Task, tray::sine};
 use crate::drive::{Drive, DriveState, Friction, Sign};
 use crate::numerics::roots::root;
 use crate::validated::numbers;

@@ -5,9 +5,7 @@ use crate::drive::{Attractor, Drive, DriveError, DriveState, Friction, PlanarSta
 use crate::validated::{drive, numbers};
 use crate::{Plane, Signal, run};
 use std::f64::consts::TAU;
-use trialbook::certified::ball::Ball;
-use trialbook::certified::enclosure::Enclosure;
-use trialbook::certified::error::CertifiedError;
+use trialbook::certified::{ball::Ball, enclosure::Enclosure, error::CertifiedError};
 
 /// The set-up of a friction λ₀.
 macro_rules! shaken {

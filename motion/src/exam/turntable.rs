@@ -1,14 +1,12 @@
 //! A coin on a turntable: small, so that it is a particle.
 
 use super::{Answer, ExamError, Other, Task};
-use crate::turntable::boundary::between;
-use crate::turntable::intrinsic::Run;
 use crate::turntable::{
-    Fate, Start, State, Table, critical_radius, critical_speed, fate, inertial,
+    Fate, Start, State, Table, boundary::between, critical_radius, critical_speed, fate, inertial,
+    intrinsic::Run,
 };
 use crate::validated::turntable::{Fate as Proved, fate_launched, fate_put_down};
-use trialbook::certified::error::CertifiedError;
-use trialbook::certified::interval::Interval;
+use trialbook::certified::{error::CertifiedError, interval::Interval};
 
 /// The table, but for how the coin gets there.
 macro_rules! table {

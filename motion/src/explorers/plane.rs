@@ -1,7 +1,6 @@
 //! Section 2.2: a block on a floor that is shaken along a line, with a velocity across it. Units as for the [tray](super::tray).
 
-use super::anisotropic::drive;
-use super::{Answer, ExplorerError, PICTURES, spread};
+use super::{Answer, ExplorerError, PICTURES, anisotropic::drive, spread};
 use crate::drive::PlanarState;
 use std::f64::consts::TAU;
 

@@ -2,8 +2,7 @@
 
 use super::{Answer, ExplorerError, spread};
 use crate::MotionError;
-use crate::turntable::fate::rests;
-use crate::turntable::{Fate, Start, State, Table, fate, intrinsic, rotating};
+use crate::turntable::{Fate, Start, State, Table, fate, fate::rests, intrinsic, rotating};
 use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Time between the points of a path.

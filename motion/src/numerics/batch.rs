@@ -3,9 +3,7 @@
 //! The [`System`] is that of a single motion. What a single motion's integrator does more carefully (sums with a
 //! carry, every component by itself) is left out here: a batch is for nine digits of many motions.
 
-use trialbook::numerics::lanes::Lanes;
-use trialbook::numerics::series::change;
-use trialbook::numerics::taylor::System;
+use trialbook::numerics::{lanes::Lanes, series::change, taylor::System};
 
 /// The series of `D` components to `N` terms, of `L` motions about where they are.
 #[derive(Debug, Clone)]

@@ -5,9 +5,7 @@
 //! rounding is a root too: there the function only touches zero.
 
 use polycool::PolyDyn;
-use trialbook::numerics::error::NumericsError;
-use trialbook::numerics::roots::root;
-use trialbook::numerics::series::value;
+use trialbook::numerics::{error::NumericsError, roots::root, series::value};
 
 /// How a function is zero.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

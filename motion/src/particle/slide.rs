@@ -5,13 +5,17 @@
 //! exponentially in s, each component with all its digits, and a sharp turn at low speed takes its time.
 //! A stop is reached only in the limit; once the time left is below the rounding of the time slid, it is added.
 
-use super::super::acceleration::Coefficients;
-use super::super::creep::creep;
-use super::super::trajectory::{Arc, Piece, SlideStep, State};
-use super::{MotionError, Run};
-use crate::numerics::number::Number;
-use crate::numerics::series::{convolution, product, sqrt, square};
-use crate::numerics::taylor::{Control, Integrator, Step, System, TERMS};
+use super::{
+    super::acceleration::Coefficients,
+    super::creep::creep,
+    super::trajectory::{Arc, Piece, SlideStep, State},
+    MotionError, Run,
+};
+use crate::numerics::{
+    number::Number,
+    series::{convolution, product, sqrt, square},
+    taylor::{Control, Integrator, Step, System, TERMS},
+};
 
 /// The equations of motion, about a time at which the acceleration is known.
 struct Sliding {

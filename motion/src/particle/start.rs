@@ -12,13 +12,17 @@
 //! (ϑ′ = σ′/cos ϑ), order k of the second equation contains σ_k with the factor a_∥(0) + k v′(0) > 0, and
 //! otherwise what lower orders know.
 
-use super::super::acceleration::Coefficients;
-use super::super::creep::{pull, velocity};
-use super::stick::Release;
-use super::{MotionError, Run};
-use crate::numerics::events::roots;
-use crate::numerics::series::{convolution, product, square};
-use crate::numerics::taylor::{TERMS, reach};
+use super::{
+    super::acceleration::Coefficients,
+    super::creep::{pull, velocity},
+    MotionError, Run,
+    stick::Release,
+};
+use crate::numerics::{
+    events::roots,
+    series::{convolution, product, square},
+    taylor::{TERMS, reach},
+};
 
 impl Run<'_> {
     /// Slides from rest for a first short time.

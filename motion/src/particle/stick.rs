@@ -1,11 +1,15 @@
 //! Sticking: v = 0 while |A| ≤ μg.
 
-use super::super::acceleration::Coefficients;
-use super::super::trajectory::{Piece, State};
-use super::{MotionError, Run};
-use crate::numerics::events::{Way, roots};
-use crate::numerics::series::square;
-use crate::numerics::taylor::{TERMS, reach};
+use super::{
+    super::acceleration::Coefficients,
+    super::trajectory::{Piece, State},
+    MotionError, Run,
+};
+use crate::numerics::{
+    events::{Way, roots},
+    series::square,
+    taylor::{TERMS, reach},
+};
 
 /// How a particle gets loose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,8 +2,7 @@
 
 use super::*;
 use crate::fitted::tests::noisy;
-use crate::numerics::series::value_slope;
-use crate::numerics::taylor::TERMS;
+use crate::numerics::{series::value_slope, taylor::TERMS};
 use crate::trajectory::SlideStep;
 use crate::{Plane, Series, Signal};
 use proptest::prelude::*;
@@ -16,11 +15,16 @@ fn near(found: f64, expected: f64, relative: f64) {
     );
 }
 
+/// The motion of a particle with this velocity at t = 0.
+fn go(plane: &dyn Acceleration, friction: f64, v: [f64; 2], until: f64) -> Motion {
+    run(plane, friction, State::moving(v), until).unwrap()
+}
+
 #[test]
 fn one_dimension_by_hand() {
     // −A = (1, 0). Against it with μg = 1/2: slows at 3/2, from 3 in time 2 over 3, then runs back at 1/2.
     let plane = Plane::constant([-1.0, 0.0]);
-    let motion = run(&plane, 0.5, State::moving([-3.0, 0.0]), 6.0).unwrap();
+    let motion = go(&plane, 0.5, [-3.0, 0.0], 6.0);
     assert_eq!(motion.stops().len(), 1);
     near(motion.stops()[0], 2.0, 4e-15);
     assert_eq!(motion.starts(), motion.stops());
@@ -38,7 +42,7 @@ fn one_dimension_by_hand() {
         (3.0, 2.0, 3.0, 4.5),
         (-3.0, 1.0, 1.5, -2.25),
     ] {
-        let motion = run(&plane, friction, State::moving([vx, 0.0]), 100.0).unwrap();
+        let motion = go(&plane, friction, [vx, 0.0], 100.0);
         near(motion.first_stop().unwrap(), stop, 4e-15);
         near(motion.end().x[0], way, 4e-15);
         assert_eq!(
@@ -48,13 +52,13 @@ fn one_dimension_by_hand() {
         assert_eq!(motion.end().v, [0.0; 2]);
     }
     // With the pull at λ = 1: goes on for ever at the same speed.
-    let motion = run(&plane, 1.0, State::moving([3.0, 0.0]), 1e9).unwrap();
+    let motion = go(&plane, 1.0, [3.0, 0.0], 1e9);
     assert_eq!((motion.first_stop(), motion.end().v), (None, [3.0, 0.0]));
     // λ = 1 ± 10⁻⁹: T = v/(λ − 1), or faster and faster.
     let slow = (1.0 + 1e-9) - 1.0;
-    let motion = run(&plane, 1.0 + 1e-9, State::moving([3.0, 0.0]), 1e10).unwrap();
+    let motion = go(&plane, 1.0 + 1e-9, [3.0, 0.0], 1e10);
     near(motion.first_stop().unwrap(), 3.0 / slow, 1e-13);
-    let motion = run(&plane, 1.0 - 1e-9, State::moving([3.0, 0.0]), 1e10).unwrap();
+    let motion = go(&plane, 1.0 - 1e-9, [3.0, 0.0], 1e10);
     near(motion.end().v[0], 3.0 + (1.0 - (1.0 - 1e-9)) * 1e10, 1e-13);
 }
 
@@ -62,21 +66,13 @@ fn one_dimension_by_hand() {
 fn nearly_against_the_pull() {
     // The speed dips far below the offset 10⁻¹²; from there it goes as from a stop at 2/3·…: same end.
     let plane = Plane::constant([-1.0, 0.0]);
-    let exact = run(&plane, 0.5, State::moving([-3.0, 0.0]), 6.0)
-        .unwrap()
-        .end();
-    let near_by = run(&plane, 0.5, State::moving([-3.0, 3e-12]), 6.0).unwrap();
+    let exact = go(&plane, 0.5, [-3.0, 0.0], 6.0).end();
+    let near_by = go(&plane, 0.5, [-3.0, 3e-12], 6.0);
     assert!(near_by.stops().is_empty());
     assert!((near_by.end().v[0] - exact.v[0]).abs() < 1e-11 && near_by.end().v[1] > 0.0);
     // With λ > 1 both stop, at times that differ by the order of the offset squared.
-    let exact = run(&plane, 1.5, State::moving([-3.0, 0.0]), 6.0)
-        .unwrap()
-        .first_stop()
-        .unwrap();
-    let near_by = run(&plane, 1.5, State::moving([-3.0, 3e-12]), 6.0)
-        .unwrap()
-        .first_stop()
-        .unwrap();
+    let exact = go(&plane, 1.5, [-3.0, 0.0], 6.0).first_stop().unwrap();
+    let near_by = go(&plane, 1.5, [-3.0, 3e-12], 6.0).first_stop().unwrap();
     near(near_by, exact, 1e-14);
 }
 
@@ -89,7 +85,7 @@ fn mirrored_bit_for_bit() {
         ..mirror
     };
     for v in [[0.0, 0.0], [-1.0, 0.4]] {
-        let one = run(&plane, 0.9, State::moving(v), 5.0).unwrap();
+        let one = go(&plane, 0.9, v, 5.0);
         let two = run(&mirror, 0.9, State::moving([v[0], -v[1]]), 5.0).unwrap();
         assert_eq!(one.nodes().count(), two.nodes().count());
         for (a, b) in one.nodes().zip(two.nodes()) {
@@ -137,7 +133,7 @@ fn a_turning_pull_that_is_just_held_is_held() {
     for k in 0..20 {
         let starts = |amplitude, until| {
             let plane = Plane::rotating(Signal::constant(amplitude), 2.0, 0.3 * f64::from(k));
-            let motion = run(&plane, 1.0, State::moving([0.0; 2]), until).unwrap();
+            let motion = go(&plane, 1.0, [0.0; 2], until);
             motion.starts().to_vec()
         };
         assert_eq!(starts(1.0, 2.0), [0.0; 0], "{k}");
@@ -172,7 +168,7 @@ fn jumps_are_met_exactly() {
             half: 1.0,
         },
     );
-    let motion = run(&square, 0.25, State::moving([0.0; 2]), 2.5).unwrap();
+    let motion = go(&square, 0.25, [0.0; 2], 2.5);
     near(motion.at(1.0).unwrap().v[0], -0.75, 1e-14);
     near(motion.stops()[0], 1.6, 1e-14);
     near(motion.at(2.0).unwrap().v[0], 0.3, 1e-14);
@@ -186,7 +182,7 @@ fn jumps_are_met_exactly() {
             to: 5.001,
         },
     );
-    let motion = run(&pulse, 1.0, State::moving([0.0; 2]), 100.0).unwrap();
+    let motion = go(&pulse, 1.0, [0.0; 2], 100.0);
     assert_eq!(motion.starts(), [5.0]);
     near(motion.stops()[0], 5.001 + 0.999, 1e-13);
     // A far narrow Gaussian is not stepped over.
@@ -197,7 +193,7 @@ fn jumps_are_met_exactly() {
             width: 0.01,
         },
     );
-    let motion = run(&bump, 0.0, State::moving([1.0, 0.0]), 1000.0).unwrap();
+    let motion = go(&bump, 0.0, [1.0, 0.0], 1000.0);
     // Rounding of a time near 500 is 10⁻¹¹ of the width.
     near(motion.end().v[1], 0.01 * libm::sqrt(PI), 1e-12);
 }
@@ -210,7 +206,7 @@ fn a_user_function_is_an_acceleration() {
         a
     };
     let given = Series::new(given, [0.0, 3.0]).unwrap();
-    let motion = run(&given, 0.0, State::moving([0.0, 1.0]), 3.0).unwrap();
+    let motion = go(&given, 0.0, [0.0, 1.0], 3.0);
     near(motion.end().v[0], 4.5, 1e-14);
 }
 
@@ -272,7 +268,7 @@ proptest! {
     ) {
         let sine = Signal::Sine { frequency, phase: 1.0 };
         let plane = Plane { x: sine.times(a[0]), y: Signal::constant(a[1]) };
-        let motion = run(&plane, friction, State::moving(v), 10.0).unwrap();
+        let motion = go(&plane, friction, v, 10.0);
         let phases = motion.phases();
         prop_assert_eq!(phases[0].from, 0.0);
         prop_assert_eq!(phases[phases.len() - 1].to, 10.0);
@@ -331,7 +327,7 @@ fn a_noisy_record_moves_a_block_as_short_steps_do() {
             [v[0], v[1], x[0], x[1]]
         };
         let [coarse, fine] = [stepped(40), stepped(80)];
-        let motion = run(&plane, 1.96, State::moving([0.0; 2]), 0.002 * 599.0).unwrap();
+        let motion = go(&plane, 1.96, [0.0; 2], 0.002 * 599.0);
         let State { v, x, .. } = motion.end();
         assert!(!motion.stops().is_empty() && x[0].abs() > 1e-2);
         for (i, found) in [v[0], v[1], x[0], x[1]].into_iter().enumerate() {
@@ -348,7 +344,7 @@ fn pieces_join_and_series_in_time_obey_the_law() {
     let mut creeps = 0;
     for seed in 4..40 {
         let plane = noisy(0.0, 400, seed);
-        let motion = run(&plane, 1.96, State::moving([0.0; 2]), 0.002 * 399.0).unwrap();
+        let motion = go(&plane, 1.96, [0.0; 2], 0.002 * 399.0);
         let mut before = [0.0; 2];
         for piece in &motion.pieces {
             let [begin, end] = match piece {
@@ -387,7 +383,7 @@ fn pieces_join_and_series_in_time_obey_the_law() {
 fn a_long_record_is_run_through() {
     for seed in 20..23 {
         let plane = noisy(0.0, 30_000, seed);
-        let motion = run(&plane, 1.96, State::moving([0.0; 2]), 0.002 * 29_999.0).unwrap();
+        let motion = go(&plane, 1.96, [0.0; 2], 0.002 * 29_999.0);
         assert!(motion.stops().len() > 100);
         let steps = motion.nodes().count();
         assert!((30_000..150_000).contains(&steps), "{steps}");
@@ -428,14 +424,14 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
     };
     // On a pull that turns it slides for ever: the first moments and many steps are one phase.
     let turning = Plane::rotating(Signal::constant(2.0), 1.0, 0.0);
-    let motion = run(&turning, 0.5, State::moving([0.0; 2]), 40.0).unwrap();
+    let motion = go(&turning, 0.5, [0.0; 2], 40.0);
     assert_eq!(list(&motion), [(PhaseKind::Slide, 0.0, 40.0)]);
     // Released at t = 2 by a pull that grows, as above.
     let ramp = Plane {
         x: Signal::constant(0.0),
         y: Signal::Polynomial(vec![0.0, -0.5]),
     };
-    let motion = run(&ramp, 1.0, State::moving([0.0; 2]), 5.0).unwrap();
+    let motion = go(&ramp, 1.0, [0.0; 2], 5.0);
     let [
         (PhaseKind::Stick, 0.0, release),
         (PhaseKind::Slide, from, 5.0),
@@ -454,7 +450,7 @@ fn phases_end_where_the_particle_stands_still_and_only_there() {
     }
     // Against the pull and back: stopped for no time at t = 2, but stopped.
     let plane = Plane::constant([-1.0, 0.0]);
-    let motion = run(&plane, 0.5, State::moving([-3.0, 0.0]), 6.0).unwrap();
+    let motion = go(&plane, 0.5, [-3.0, 0.0], 6.0);
     let stop = motion.stops()[0];
     let expected = [(PhaseKind::Slide, 0.0, stop), (PhaseKind::Slide, stop, 6.0)];
     assert_eq!(list(&motion), expected);
@@ -467,7 +463,7 @@ fn a_velocity_across_that_is_next_to_nothing_is_nothing() {
         for i in [0, 1] {
             let mut v = [1.0; 2];
             v[i] = small;
-            let motion = run(&still, 0.5, State::moving(v), 1.0).unwrap();
+            let motion = go(&still, 0.5, v, 1.0);
             let State { v, x, .. } = motion.end();
             assert_eq!((v[i] != 0.0, x[i] != 0.0), (kept, kept), "{v:?} {x:?}");
             near(v[1 - i], 0.5, 1e-14);
@@ -480,13 +476,9 @@ fn a_velocity_across_that_is_next_to_nothing_is_nothing() {
 fn the_slowest_growth_releases() {
     for rate in [1e-9, 1e-12] {
         let pull = |rate: f64| Plane::along([-1.0, 0.0], Signal::Polynomial(vec![1.0, rate]));
-        let end = run(&pull(rate), 1.0, State::moving([0.0; 2]), 2.0)
-            .unwrap()
-            .end();
+        let end = go(&pull(rate), 1.0, [0.0; 2], 2.0).end();
         near(end.v[0], 2.0 * rate, 1e-3);
-        let held = run(&pull(-rate), 1.0, State::moving([0.0; 2]), 2.0)
-            .unwrap()
-            .end();
+        let held = go(&pull(-rate), 1.0, [0.0; 2], 2.0).end();
         assert_eq!(held.v, [0.0; 2]);
     }
 }
@@ -502,11 +494,7 @@ fn the_slowest_turning_shows() {
             a
         };
         let plane = Series::new(turning, [0.0, 2.0]).unwrap();
-        run(&plane, 1.0, State::moving([0.0; 2]), 1.0)
-            .unwrap()
-            .end()
-            .v[1]
-            / rate
+        go(&plane, 1.0, [0.0; 2], 1.0).end().v[1] / rate
     };
     let plain = across(1e-4);
     assert!(plain > 0.0);

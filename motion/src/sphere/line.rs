@@ -3,12 +3,16 @@
 //! Newton's and Euler's laws as for any sphere: while its lowest point slides forwards, friction is −μ₊mg, while it
 //! slides backwards, +μ₋mg; it rolls while the force that this takes lies between the two.
 
-use super::super::acceleration::{Acceleration, Coefficients, known, most_steps};
-use super::super::error::{MotionError, finite};
-use super::{Sphere, check};
-use crate::numerics::events::{Way, roots};
-use crate::numerics::series::value;
-use crate::numerics::taylor::{TERMS, reach};
+use super::{
+    super::acceleration::{Acceleration, Coefficients, known, most_steps},
+    super::error::{MotionError, finite},
+    Sphere, check,
+};
+use crate::numerics::{
+    events::{Way, roots},
+    series::value,
+    taylor::{TERMS, reach},
+};
 
 /// A sphere, whose `mu` serves forward sliding, with another coefficient of friction for backward sliding.
 #[derive(Debug, Clone, Copy, PartialEq)]

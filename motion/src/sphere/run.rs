@@ -1,14 +1,18 @@
 //! A motion of the sphere, one piece after the other.
 
-use super::super::acceleration::{Acceleration, Coefficients, known, most_steps};
-use super::super::creep::creep;
-use super::super::error::finite;
-use super::super::onset::onset;
-use super::slide::{Sliding, Work};
-use super::{Ball, BallMotion, Contact, MotionError, PARTS, Piece, Sphere, Transition, check};
-use crate::numerics::events::{Way, roots};
-use crate::numerics::series::{arrival, change, square, value};
-use crate::numerics::taylor::{Control, Integrator, Step, TERMS, reach};
+use super::{
+    super::acceleration::{Acceleration, Coefficients, known, most_steps},
+    super::creep::creep,
+    super::error::finite,
+    super::onset::onset,
+    Ball, BallMotion, Contact, MotionError, PARTS, Piece, Sphere, Transition, check,
+    slide::{Sliding, Work},
+};
+use crate::numerics::{
+    events::{Way, roots},
+    series::{arrival, change, square, value},
+    taylor::{Control, Integrator, Step, TERMS, reach},
+};
 
 /// A contact velocity below this part of the largest one ends sliding.
 const STOP: f64 = 1e-18;

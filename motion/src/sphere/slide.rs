@@ -1,9 +1,10 @@
 //! Sliding: Newton's and Euler's laws in the time s, dt = |c| ds.
 
-use super::super::acceleration::Coefficients;
-use super::{Sphere, cross};
-use crate::numerics::series::{convolution, product, sqrt, square};
-use crate::numerics::taylor::{System, TERMS};
+use super::{super::acceleration::Coefficients, Sphere, cross};
+use crate::numerics::{
+    series::{convolution, product, sqrt, square},
+    taylor::{System, TERMS},
+};
 
 /// The laws of sliding about a time at which the acceleration is known.
 pub(super) struct Sliding<'a> {

@@ -5,16 +5,20 @@
 //! a particle that has come to its end makes room for the next at once. One that comes so close to the border of rest and
 //! escape that these steps are too rough is followed once more, alone and more closely.
 
-use super::fate::{self, Speeds, judge};
-use super::intrinsic::{Exact, Law, Start, check};
-use super::slow::{Slow, Width};
+use super::{
+    fate::{self, Speeds, judge},
+    intrinsic::{Exact, Law, Start, check},
+    slow::{Slow, Width},
+};
 use crate::error::MotionError;
-use crate::numerics::batch::Batch;
-use crate::numerics::double::Double;
-use crate::numerics::lanes::{Lanes, Wide, widest};
-use crate::numerics::number::Real;
-use crate::numerics::series::{arrival, value};
-use crate::numerics::taylor::{Control, Integrator, Step};
+use crate::numerics::{
+    batch::Batch,
+    double::Double,
+    lanes::{Lanes, Wide, widest},
+    number::Real,
+    series::{arrival, value},
+    taylor::{Control, Integrator, Step},
+};
 #[cfg(feature = "parallel")]
 use rayon::prelude::*;
 use std::sync::LazyLock;

@@ -26,8 +26,10 @@
 //! is not: ρ > 1 there, or p does not decrease.
 //! It may stop for a moment (a start from rest at ρ > 1, a motion straight inwards).
 
-use super::intrinsic::{Exact, Law, Start, check};
-use super::slow::{Slow, Width};
+use super::{
+    intrinsic::{Exact, Law, Start, check},
+    slow::{Slow, Width},
+};
 use crate::error::MotionError;
 use crate::numerics::taylor::{Control, Integrator, Step};
 
@@ -337,8 +339,7 @@ pub fn judge<T: Width>(&[tau, p, w, zeta]: &[T; 4]) -> Option<(Certain<T>, bool)
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::double::Double;
-    use crate::numerics::number::Number;
+    use crate::numerics::{double::Double, number::Number};
 
     #[test]
     fn a_state_makes_certain_what_its_bounds_allow() {

@@ -8,13 +8,17 @@
 //!
 //! With dt = |w| ds all right-hand sides are regular at w = 0; without friction, dt = ds does.
 
-use super::path::{Frame, Leg, Path};
-use super::{State, Table, check_start};
+use super::{
+    State, Table, check_start,
+    path::{Frame, Leg, Path},
+};
 use crate::Coefficients;
 use crate::clock::Clocked;
 use crate::error::MotionError;
-use crate::numerics::series::{product, sqrt, square};
-use crate::numerics::taylor::{System, TERMS};
+use crate::numerics::{
+    series::{product, sqrt, square},
+    taylor::{System, TERMS},
+};
 use crate::onset::onset;
 
 /// Steps that a motion may take before it is given up.

@@ -21,9 +21,11 @@
 use super::argument;
 use crate::clock::Clocked;
 use crate::error::MotionError;
-use crate::numerics::number::{Number, Real};
-use crate::numerics::series::{product, square};
-use crate::numerics::taylor::System;
+use crate::numerics::{
+    number::{Number, Real},
+    series::{product, square},
+    taylor::System,
+};
 
 /// A state on the dimensionless table, by components along and across the velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,11 +2,15 @@
 //!
 //! The equations are those of [`intrinsic`](super::intrinsic), near rest at ρ = 1 slower ones.
 
-use super::intrinsic::{Exact, Tracked};
-use super::slow::{Slow, Width};
+use super::{
+    intrinsic::{Exact, Tracked},
+    slow::{Slow, Width},
+};
 use crate::error::MotionError;
-use crate::numerics::series::{arrival, change, value};
-use crate::numerics::taylor::{Control, Integrator, Step, System};
+use crate::numerics::{
+    series::{arrival, change, value},
+    taylor::{Control, Integrator, Step, System},
+};
 
 /// A state on the way, by components along and across the velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -190,8 +194,7 @@ fn when<T: Width, const N: usize>(clock: &[T; N], left: T, h: f64) -> T {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::numerics::double::Double;
-    use crate::numerics::number::Real;
+    use crate::numerics::{double::Double, number::Real};
     use crate::turntable::Start;
 
     /// From rest at ρ it is driven by ρ − 1 at first: dp/dτ = ρ − 1, straight away from the axis. Before and behind the moment

@@ -7,13 +7,17 @@
 //! the centrifugal force, the Coriolis force and friction, per unit of mass. With dt = |v| ds all right-hand sides
 //! are regular at v = 0; without friction, dt = ds does.
 
-use super::path::{Frame, Leg, Path};
-use super::{State, Table, check_start};
+use super::{
+    State, Table, check_start,
+    path::{Frame, Leg, Path},
+};
 use crate::Coefficients;
 use crate::clock::Clocked;
 use crate::error::MotionError;
-use crate::numerics::series::{product, sqrt, square};
-use crate::numerics::taylor::{System, TERMS};
+use crate::numerics::{
+    series::{product, sqrt, square},
+    taylor::{System, TERMS},
+};
 use crate::onset::onset;
 
 /// Steps that a motion may take before it is given up.

@@ -16,10 +16,12 @@
 //! What is left are two slow equations whose series have steps as long as their own time scale: the motion that takes
 //! 10¹² steps of ζ is over in a hundred.
 
-use crate::numerics::double::Double;
-use crate::numerics::number::{Number, Real};
-use crate::numerics::series::{product, square};
-use crate::numerics::taylor::System;
+use crate::numerics::{
+    double::Double,
+    number::{Number, Real},
+    series::{product, square},
+    taylor::System,
+};
 use std::sync::LazyLock;
 
 /// Largest weight of the terms of G.

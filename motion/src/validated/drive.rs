@@ -6,10 +6,12 @@
 
 use crate::exact::Expr;
 use crate::scalar::Scalar;
-use trialbook::certified::ball::Ball;
-use trialbook::certified::error::CertifiedError;
-use trialbook::certified::interval::Interval;
-use trialbook::certified::root::{refine, refine_written};
+use trialbook::certified::{
+    ball::Ball,
+    error::CertifiedError,
+    interval::Interval,
+    root::{refine, refine_written},
+};
 
 /// Bits beyond those asked for that what follows a root may cost.
 const SPARE: usize = 16;

@@ -1,9 +1,7 @@
 //! Numbers of the drive, each with as many certain digits as one asks for.
 
 use super::drive::{self, Edge};
-use trialbook::certified::ball::Ball;
-use trialbook::certified::enclosure::Enclosure;
-use trialbook::certified::error::CertifiedError;
+use trialbook::certified::{ball::Ball, enclosure::Enclosure, error::CertifiedError};
 
 /// The critical friction.
 pub const LAMBDA_C: Enclosure = Enclosure(drive::lambda_c);

@@ -24,13 +24,17 @@ mod strip;
 pub use strip::{Margins, Strip};
 
 use crate::exact::{Expr, tree};
-use crate::numerics::series::{product, square};
-use crate::numerics::taylor::System;
+use crate::numerics::{
+    series::{product, square},
+    taylor::System,
+};
 use crate::scalar::Scalar;
-use trialbook::certified::error::CertifiedError;
-use trialbook::certified::flow::{Taken, step_within};
-use trialbook::certified::interval::Interval;
-use trialbook::certified::written::{close_box, ends, number};
+use trialbook::certified::{
+    error::CertifiedError,
+    flow::{Taken, step_within},
+    interval::Interval,
+    written::{close_box, ends, number},
+};
 use trialbook::witness::{self, Motion, Tree, Witness};
 
 /// What becomes of a particle, proved.

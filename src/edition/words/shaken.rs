@@ -1,12 +1,14 @@
 //! The chapters on what is shaken: by a sine, by any drive, and with two frictions.
 
 use super::{Known, along, falls, found, known, rises, same, tried, words};
-use crate::claims::PAPER;
-use crate::claims::anisotropic::census;
-use crate::claims::anisotropic::drift::budget;
-use crate::claims::anisotropic::simulated::{Curves, attractor, curve_a, curve_e, order};
-use crate::claims::periodic::drawn;
-use crate::claims::periodic::drives::{Phase, motion, named, phase, third_harmonic};
+use crate::claims::{
+    PAPER,
+    anisotropic::census,
+    anisotropic::drift::budget,
+    anisotropic::simulated::{Curves, attractor, curve_a, curve_e, order},
+    periodic::drawn,
+    periodic::drives::{Phase, motion, named, phase, third_harmonic},
+};
 use crate::corrections::{anisotropic as border, periodic as pulses, sinusoidal as swing};
 use crate::motion::drive::{Drive, DriveState, Friction, Interval, Sign};
 use crate::numerics::roots::root;

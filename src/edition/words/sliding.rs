@@ -1,8 +1,10 @@
 //! The chapters on sliding, on the constant acceleration and on the sphere.
 
 use super::{Known, along, falls, found, rises, same, words};
-use crate::motion::sphere::{Ball, Sphere};
-use crate::motion::{Launch, Plane, State, run};
+use crate::motion::{
+    Launch, Plane, State, run,
+    sphere::{Ball, Sphere},
+};
 use crate::numerics::roots::root;
 use crate::paper::{constant, sphere};
 use libm::hypot;

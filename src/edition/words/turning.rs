@@ -1,20 +1,22 @@
 //! The chapters on the turntable.
 
 use super::{Known, along, falls, found, known, same, tried, words};
-use crate::claims::PAPER;
-use crate::claims::escape::growth::TERMS;
-use crate::claims::tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT};
-use crate::corrections::escape;
-use crate::motion::State;
-use crate::motion::turntable::boundary::between;
-use crate::motion::turntable::{
-    Fate, Start, Table, boundary, critical_radius, critical_speed, fate, inertial, intrinsic::Run,
-    rotating,
+use crate::claims::{
+    PAPER,
+    escape::growth::TERMS,
+    tolerances::{ESCAPE_CORRECTION, ESCAPE_LIMIT},
 };
-use crate::numerics::fit::fit;
-use crate::numerics::roots::root;
-use crate::paper::rest::eq143_exponent;
-use crate::paper::{escape as growing, turntable as print};
+use crate::corrections::escape;
+use crate::motion::{
+    State,
+    turntable::boundary::between,
+    turntable::{
+        Fate, Start, Table, boundary, critical_radius, critical_speed, fate, inertial,
+        intrinsic::Run, rotating,
+    },
+};
+use crate::numerics::{fit::fit, roots::root};
+use crate::paper::{escape as growing, rest::eq143_exponent, turntable as print};
 use crate::solve::turntable;
 use std::f64::consts::{PI, SQRT_2, TAU};
 use trialbook::publishing::Word;

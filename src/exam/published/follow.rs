@@ -4,31 +4,34 @@ use crate::exam::ExamError;
 use crate::motion::State;
 use crate::numerics::roots::root;
 
-/// What stands twice: a case without a reason, since none is needed.
-macro_rules! case {
-    ($source:ident, $asked:literal, $printed:expr, $unit:literal, $ours:expr) => {
-        case!($source, $asked, $printed, $unit, $ours, "")
-    };
-    ($source:ident, $asked:literal, $printed:expr, $unit:literal, $ours:expr, $why:expr) => {
-        Case {
+/// What is found by following a motion.
+pub(super) type Found<T = f64> = Result<T, ExamError>;
+
+/// Cases: the source, what is asked, the number, its unit, and ours; where the two differ, why.
+macro_rules! cases {
+    ($($source:ident, $asked:literal, $printed:expr, $unit:literal, $ours:expr $(, $why:expr)?;)*) => {
+        [$(Case {
             source: &$source,
             asked: $asked,
             printed: $printed,
             unit: $unit,
-            why: $why,
+            why: [$($why,)? ""][0],
             ours: $ours,
-        }
+        }),*]
     };
 }
 
-pub(super) use case;
+/// Sources: a name, what it is, and what of it was read.
+macro_rules! sources {
+    ($($name:ident: $title:literal, $read:literal;)*) => {
+        $(pub(super) static $name: Source = Source { title: $title, read: $read };)*
+    };
+}
+
+pub(super) use {cases, sources};
 
 /// A root of something that may fail.
-pub(super) fn zero_of(
-    mut f: impl FnMut(f64) -> Result<f64, ExamError>,
-    low: f64,
-    high: f64,
-) -> Result<f64, ExamError> {
+pub(super) fn zero_of(mut f: impl FnMut(f64) -> Found, low: f64, high: f64) -> Found {
     let mut failed = None;
     let found = root(
         |x| {
@@ -47,11 +50,7 @@ pub(super) fn zero_of(
 }
 
 /// The border between bodies that stay and bodies that move, to 10⁻⁹ of its size, more than any of the sources has.
-pub(super) fn border(
-    moved: impl Fn(f64) -> Result<bool, ExamError>,
-    mut low: f64,
-    mut high: f64,
-) -> Result<f64, ExamError> {
+pub(super) fn border(moved: impl Fn(f64) -> Found<bool>, mut low: f64, mut high: f64) -> Found {
     let of_low = moved(low)?;
     while high - low > 1e-9 * high {
         let middle = 0.5 * (low + high);

@@ -1,7 +1,6 @@
 //! Spheres.
 
-use crate::solve::constant::At;
-use crate::solve::sphere::SphereProblem;
+use crate::solve::{constant::At, sphere::SphereProblem};
 use std::f64::consts::PI;
 
 /// Powers of γ stay numbers: up to the largest one there is an answer, whatever the rest.

@@ -2,11 +2,9 @@
 
 use super::{any, config, each};
 use proptest::prelude::*;
-use slipbook::claims::PAPER;
-use slipbook::claims::formulas::formulas;
+use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::scalar::Scalar;
-use trialbook::certified::ball::Ball;
-use trialbook::certified::interval::Interval;
+use trialbook::certified::{ball::Ball, interval::Interval};
 
 /// A pair of bounds in order, or the whole line.
 fn bounded(x: Interval) -> bool {

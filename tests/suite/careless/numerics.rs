@@ -2,12 +2,15 @@
 
 use super::{SHAPES, any, config, each, finite, some};
 use proptest::prelude::*;
-use slipbook::numerics::number::Number;
-use slipbook::numerics::piecewise::Piecewise;
-use slipbook::numerics::roots::{falling_root, root};
-use slipbook::numerics::series::{Series, arrival, product};
-use slipbook::numerics::taylor::{Control, System, TERMS, integrate, reach};
-use slipbook::numerics::{dop853, events, fit, quadrature};
+use slipbook::numerics::{
+    dop853, events, fit,
+    number::Number,
+    piecewise::Piecewise,
+    quadrature,
+    roots::{falling_root, root},
+    series::{Series, arrival, product},
+    taylor::{Control, System, TERMS, integrate, reach},
+};
 use std::cell::Cell;
 use std::f64::consts::TAU;
 

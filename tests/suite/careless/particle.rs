@@ -2,8 +2,9 @@
 
 use super::{any, config, each, finite, on_the_way, or_zeros, some};
 use proptest::prelude::*;
-use slipbook::motion::onset::onset;
-use slipbook::motion::{Acceleration, Launch, Motion, Plane, Signal, State, run, run_to_stop};
+use slipbook::motion::{
+    Acceleration, Launch, Motion, Plane, Signal, State, onset::onset, run, run_to_stop,
+};
 
 /// Any signal, and sums and products of such.
 fn signal() -> impl Strategy<Value = Signal> {

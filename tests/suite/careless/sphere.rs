@@ -1,7 +1,6 @@
 //! The sphere, in three dimensions and along a line.
 
-use super::particle::plane;
-use super::{any, config, each, finite, on_the_way, or_zeros};
+use super::{any, config, each, finite, on_the_way, or_zeros, particle::plane};
 use proptest::prelude::*;
 use slipbook::motion::sphere::{Ball, Directed, Sphere};
 

@@ -3,13 +3,15 @@
 
 use super::config;
 use proptest::prelude::*;
-use slipbook::claims::PAPER;
-use slipbook::claims::values::{decimal_of, search};
+use slipbook::claims::{
+    PAPER,
+    values::{decimal_of, search},
+};
 use slipbook::cli;
 use slipbook::edition::EDITION;
 use slipbook::ledger::Record;
 use trialbook::notation::{pieces, plain_formula, plain_words};
-use trialbook::plotting::{Cell, Table};
+use trialbook::plotting::Table;
 
 /// Any text, or one that is nearly a number, a range, a record or a formula.
 fn text() -> impl Strategy<Value = String> {
@@ -88,10 +90,10 @@ proptest! {
         let mut table = Table::new(&["a, b", "c"]);
         let mut expected = vec![vec!["a, b".to_owned(), "c".to_owned()]];
         for row in rows {
-            table.row(row.clone().map(Cell::Text)).unwrap();
+            table.row(row.clone()).unwrap();
             expected.push(row.to_vec());
         }
-        table.row([Cell::Number(number), Cell::Whole(7)]).unwrap();
+        table.row((number, 7_u64)).unwrap();
         let mut read = cells(&table.into_text());
         let last = read.pop().unwrap();
         prop_assert_eq!(read, expected);

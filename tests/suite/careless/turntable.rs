@@ -2,10 +2,12 @@
 
 use super::{any, config, each, finite, on_the_way, or_zeros};
 use proptest::prelude::*;
-use slipbook::motion::turntable::ensemble::{End, Horizon};
-use slipbook::motion::turntable::fate::rests;
-use slipbook::motion::turntable::{
-    Fate, Start, State, Table, boundary, boundary::between, fate, inertial, intrinsic, rotating,
+use slipbook::motion::{
+    turntable::ensemble::{End, Horizon},
+    turntable::fate::rests,
+    turntable::{
+        Fate, Start, State, Table, boundary, boundary::between, fate, inertial, intrinsic, rotating,
+    },
 };
 
 /// Starts as the constructors make them, and by hand.

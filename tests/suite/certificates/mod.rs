@@ -63,15 +63,6 @@ fn the_equations_hold_for_numbers_modulo_a_prime_and_no_others_do() {
     let mut random = fastrand::Rng::with_seed(1);
     let (mut right, mut beyond, mut spoilt, mut missed) = (0_usize, Vec::new(), 0, Vec::new());
     for Left { name, witness, .. } in of_kind("identity") {
-        // What is compared with itself is equal whatever it is.
-        for equal in list(&witness["equal"]) {
-            let [left, right] = ["left", "right"].map(|side| equal[side].as_u64());
-            assert_ne!(
-                left, right,
-                "{name}: {}: {}",
-                witness["title"], equal["says"]
-            );
-        }
         match modular::holds(witness, &mut random) {
             Ok(true) => right += 1,
             Ok(false) => panic!("{name}: {} does not hold", witness["title"]),
@@ -196,6 +187,7 @@ fn no_equation_is_compared_twice() {
             let sides =
                 ["left", "right"].map(|side| equal[side].as_u64().map(|at| made[at as usize]));
             let mut pair = sides.map(|side| side.map(|(hash, _)| hash));
+            // What is compared with itself is equal whatever it is.
             assert_ne!(pair[0], pair[1], "{}: {}", witness["title"], equal["says"]);
             pair.sort_unstable();
             let named = sides.iter().flatten().any(|(_, named)| *named);

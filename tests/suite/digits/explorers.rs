@@ -2,10 +2,12 @@
 
 use super::{Room, TERMS, cases};
 use slipbook::explorers::sphere;
-use slipbook::numerics::double::Double;
-use slipbook::numerics::number::Real;
-use slipbook::numerics::series::{product, sqrt, square, value};
-use slipbook::numerics::taylor::{Control, Integrator, Step, System};
+use slipbook::numerics::{
+    double::Double,
+    number::Real,
+    series::{product, sqrt, square, value},
+    taylor::{Control, Integrator, Step, System},
+};
 use std::f64::consts::{PI, TAU};
 
 /// Half a unit of the fourth digit after the point, with room for its rounding.

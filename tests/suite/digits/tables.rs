@@ -1,9 +1,7 @@
 //! The numbers that are known, and the search for them, against forty digits.
 
-use super::cases;
-use super::vectors::rows;
-use slipbook::claims::PAPER;
-use slipbook::claims::values::search;
+use super::{cases, vectors::rows};
+use slipbook::claims::{PAPER, values::search};
 use slipbook::motion::turntable::{critical_radius, critical_speed};
 use std::collections::BTreeSet;
 

@@ -1,15 +1,18 @@
 //! The turntable against an integration in numbers of 31 digits in the table's own axes: other variables and another law
 //! than those of the calculators, up to where its steps become too short.
 
-use super::tally::Tally;
-use super::{Room, TERMS, cases};
+use super::{Room, TERMS, cases, tally::Tally};
 use slipbook::motion::turntable::{Fate, boundary, fate};
-use slipbook::numerics::double::Double;
-use slipbook::numerics::number::Real;
-use slipbook::numerics::series::{product, sqrt, square, value};
-use slipbook::numerics::taylor::{Control, Integrator, Step, System};
-use slipbook::solve::known;
-use slipbook::solve::turntable::{End, Horizon, Start, TurntableProblem};
+use slipbook::numerics::{
+    double::Double,
+    number::Real,
+    series::{product, sqrt, square, value},
+    taylor::{Control, Integrator, Step, System},
+};
+use slipbook::solve::{
+    known,
+    turntable::{End, Horizon, Start, TurntableProblem},
+};
 use std::f64::consts::PI;
 
 /// x′ = v, v′ = x + 2 v×ẑ − v/|v|, in a time s with dt = |v| ds; components t, x, y, v_x, v_y.

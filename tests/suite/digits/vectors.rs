@@ -1,11 +1,9 @@
 //! The calculators with formulas, and some of the turntable's, against the foreign program.
 
-use super::cases;
-use super::tally::Tally;
-use slipbook::solve::constant::At;
+use super::{cases, tally::Tally};
 use slipbook::solve::{
-    Answer, Fields, SolveError, anisotropic, constant, known, periodic, rest, sinusoidal, sphere,
-    turntable,
+    Answer, Fields, SolveError, anisotropic, constant, constant::At, known, periodic, rest,
+    sinusoidal, sphere, turntable,
 };
 use std::fs;
 use std::path::Path;

@@ -1,8 +1,10 @@
 //! The decimals in the cases by hand, worked out once more.
 
-use super::formulas::{Found, Given, found, number, read};
-use super::numbers::decimals;
-use super::text::{bare, formulas_of};
+use super::{
+    formulas::{Found, Given, found, number, read},
+    numbers::decimals,
+    text::{bare, formulas_of},
+};
 use crate::LEDGER;
 use slipbook::claims::PAPER;
 use slipbook::corrections::rest::{boundary_a, boundary_least};

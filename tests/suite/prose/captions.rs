@@ -1,11 +1,12 @@
 //! Captions, and what they say to those who do not see the figure, tried on the numbers of the figure.
 
-use super::choices::Held;
-use super::data::{Data, FIGURES, column, falls, peak, rises, steepens};
-use super::numbers::decimals;
-use super::text::words;
-use slipbook::claims::PAPER;
-use slipbook::claims::periodic::drawn::ETA;
+use super::{
+    choices::Held,
+    data::{Data, FIGURES, column, falls, peak, rises, steepens},
+    numbers::decimals,
+    text::words,
+};
+use slipbook::claims::{PAPER, periodic::drawn::ETA};
 use slipbook::motion::turntable::{Fate, Start, fate};
 use std::f64::consts::{FRAC_PI_2, PI, SQRT_2};
 

@@ -1,14 +1,17 @@
 //! Counts from the code and the files beside a page, or from what the page itself shows; others are computed where the book is made,
 //! `src/edition/words`. A row is found by a few words around the number: they have to be there, and each number there right.
 
-use super::choices::gone;
-use super::numbers::{literals, number, quotients, slots};
-use super::printed_part::Library;
-use super::text::{Page, Section, pages, sections_of};
-use slipbook::claims::PAPER;
-use slipbook::claims::corners::CORNERS;
-use slipbook::motion::sphere::Ball;
-use slipbook::motion::turntable::{Start, intrinsic};
+use super::{
+    choices::gone,
+    numbers::{literals, number, quotients, slots},
+    printed_part::Library,
+    text::{Page, Section, pages, sections_of},
+};
+use slipbook::claims::{PAPER, corners::CORNERS};
+use slipbook::motion::{
+    sphere::Ball,
+    turntable::{Start, intrinsic},
+};
 use slipbook::seeded::Corner;
 use slipbook::solve::VERSION;
 use std::collections::BTreeSet;

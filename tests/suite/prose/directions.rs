@@ -1,15 +1,17 @@
 //! Directions, names and causes that the code says, of the words that could stand there, the one of which it is so. Those of the pages are
 //! computed where the book is made, `src/edition/words`.
 
-use super::choices::Held;
-use super::text::words;
-use slipbook::claims::PAPER;
-use slipbook::claims::tolerances::VANISHES;
+use super::{choices::Held, text::words};
+use slipbook::claims::{PAPER, tolerances::VANISHES};
 use slipbook::exam::TASKS;
-use slipbook::motion::turntable::{Start, State as Turning, Table, intrinsic::Run, rotating};
-use slipbook::motion::{Plane, State, run};
-use slipbook::paper::turntable::{eq107_p_rate, eq109_psi_rate};
-use slipbook::paper::{general, sphere};
+use slipbook::motion::{
+    Plane, State, run,
+    turntable::{Start, State as Turning, Table, intrinsic::Run, rotating},
+};
+use slipbook::paper::{
+    general, sphere,
+    turntable::{eq107_p_rate, eq109_psi_rate},
+};
 use slipbook::symbols::SYMBOLS;
 use std::f64::consts::{PI, SQRT_2};
 

@@ -1,9 +1,9 @@
 //! Formulas in running text: what of them is true as it stands.
 
 use super::compare;
-use slipbook::exact::Expr;
-use slipbook::exact::latex::{
-    LatexError, Lexicon, Problem, Relation, Side, Statement, Value, statements,
+use slipbook::exact::{
+    Expr,
+    latex::{LatexError, Lexicon, Problem, Relation, Side, Statement, Value, statements},
 };
 use slipbook::scalar::Scalar;
 

@@ -4,11 +4,15 @@
 //! digit behind them counts the relations of a formula that has several. `row` with a digit says what that row of its cases is to be. A piece of
 //! the formula that the reader does not understand, such as an integral, has its value given in the same way, as «piece»; «piece»=, parts two statements there.
 
-use super::compare;
-use super::formulas::{Found, Given, found, number, read};
-use super::printed_part::Library;
-use slipbook::exact::Expr;
-use slipbook::exact::latex::{Value, statements};
+use super::{
+    compare,
+    formulas::{Found, Given, found, number, read},
+    printed_part::Library,
+};
+use slipbook::exact::{
+    Expr,
+    latex::{Value, statements},
+};
 
 /// Whether a formula holds where this is given; if not, why.
 pub fn hold(library: &Library, givens: &str, formula: &str) -> Result<(), String> {

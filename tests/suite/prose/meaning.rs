@@ -1,8 +1,10 @@
 //! What the names of a printed formula mean: the arguments of the formula that it is held against.
 
 use super::printed_part::Library;
-use slipbook::exact::Expr;
-use slipbook::exact::latex::{LatexError, Lexicon, Statement, Value};
+use slipbook::exact::{
+    Expr,
+    latex::{LatexError, Lexicon, Statement, Value},
+};
 use slipbook::scalar::Scalar;
 use slipbook::seeded::{Formula, symbol};
 use slipbook::symbols::SYMBOLS;

@@ -1,10 +1,12 @@
 //! The formulas in the text of the pages: each is asked, or said to be a definition; nothing else may stand there.
 
-use super::formulas::{Found, Given, found, is_name};
-use super::given;
-use super::mistakes::{mistakes, pieces};
-use super::printed_part::Library;
-use super::text::{bare, formulas_of, pages};
+use super::{
+    formulas::{Found, Given, found, is_name},
+    given,
+    mistakes::{mistakes, pieces},
+    printed_part::Library,
+    text::{bare, formulas_of, pages},
+};
 use slipbook::claims::PAPER;
 use std::collections::BTreeSet;
 

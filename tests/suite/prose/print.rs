@@ -3,10 +3,12 @@
 //! What no formula says, a left side or a relation, is held by its letters against the plain text, which is in the claim's entry
 //! or, where it is computed, in its snapshot alone.
 
-use super::compare::Same;
-use super::printed_part::Library;
-use super::table::{self, Line, Place};
-use super::words;
+use super::{
+    compare::Same,
+    printed_part::Library,
+    table::{self, Line, Place},
+    words,
+};
 use slipbook::claims::PAPER;
 use slipbook::exact::latex::statements;
 use std::collections::BTreeSet;

@@ -1,11 +1,15 @@
 //! A part of a print, held against a formula of the code.
 
-use super::compare::{self, Same};
-use super::meaning::{lexicon, tree};
-use super::table::{self, Line, Place};
+use super::{
+    compare::{self, Same},
+    meaning::{lexicon, tree},
+    table::{self, Line, Place},
+};
 use slipbook::claims::formulas::formulas;
-use slipbook::exact::Expr;
-use slipbook::exact::latex::{Lexicon, Side, Statement, Value, statements};
+use slipbook::exact::{
+    Expr,
+    latex::{Lexicon, Side, Statement, Value, statements},
+};
 use slipbook::scalar::Scalar;
 use slipbook::seeded::Formula;
 

@@ -1,10 +1,13 @@
 //! That the comparison can fail: slips of the pen in the prints, mistakes in the formulas of the code.
 
-use super::mistakes::mistakes;
-use super::print::{corrected, corrections, in_the_same_words, lines, printed};
-use super::printed_part::Library;
-use super::table::{self, Line};
-use super::{compare, meaning, words};
+use super::{
+    compare, meaning,
+    mistakes::mistakes,
+    print::{corrected, corrections, in_the_same_words, lines, printed},
+    printed_part::Library,
+    table::{self, Line},
+    words,
+};
 use slipbook::claims::{PAPER, formulas::formulas};
 use slipbook::exact::Expr;
 use slipbook::seeded::{self, Formula};

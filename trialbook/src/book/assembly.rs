@@ -1,19 +1,21 @@
 //! The book in two steps: what stands on its pages whatever the verdicts, and all that fills them.
 
-use super::atomic_replace::{Staging, unwritable};
-use super::code::Code;
-use super::context::Context;
-use super::error::BookError;
-use super::expand::{Blank, MARK, expand};
-use super::fill::{self, Filler};
-use super::links::dead_links;
-use super::maths::{Forms, Maths};
-use super::pages;
-use super::search::Search;
-use super::text::{after_each, without};
-use super::{assets, map, metadata, moved, numbers, overview, put};
-use crate::ledger::deep::Deep;
-use crate::ledger::{Format, Ledger};
+use super::{
+    assets,
+    atomic_replace::{Staging, unwritable},
+    code::Code,
+    context::Context,
+    error::BookError,
+    expand::{Blank, MARK, expand},
+    fill::{self, Filler},
+    links::dead_links,
+    map,
+    maths::{Forms, Maths},
+    metadata, moved, numbers, overview, pages, put,
+    search::Search,
+    text::{after_each, without},
+};
+use crate::ledger::{Format, Ledger, deep::Deep};
 use crate::plotting::Figure;
 use crate::publishing::{Edition, Filled, Page, Part};
 use mdbook_driver::MDBook;

@@ -1,9 +1,11 @@
 //! Which proofs a second engine has checked, by their certificates.
 
-use super::context::Context;
-use super::error::Fault;
-use super::tables::table;
-use super::text::{count, escape};
+use super::{
+    context::Context,
+    error::Html,
+    tables::table,
+    text::{count, escape},
+};
 use crate::evidence::{Evidence, Outcome};
 use crate::ledger::Entry;
 use std::collections::BTreeMap;
@@ -70,7 +72,7 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry, evidence: &Evidence) ->
 }
 
 /// How many certificates were accepted, when and by whom, and where the printed formulas were found.
-pub(super) fn summary(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn summary(context: &Context<'_>) -> Html {
     let Some(record) = Record::of(&context.ledger.paper.certified) else {
         return Ok("<p>No certificate has been checked so far.</p>".to_owned());
     };

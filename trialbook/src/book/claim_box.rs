@@ -1,20 +1,21 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
-use super::certificates;
-use super::code::Place;
-use super::context::{Context, verdict};
-use super::deep;
-use super::error::Fault;
-use super::formula_diff;
-use super::lemmas;
-use super::maths::Maths;
-use super::text::{counted, escape, sentence, value};
+use super::{
+    certificates,
+    code::Place,
+    context::{Context, verdict},
+    deep,
+    error::{Fault, Html},
+    formula_diff, lemmas,
+    maths::Maths,
+    text::{counted, escape, sentence, value},
+};
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally};
 use crate::trials::{Claim, Sort};
 
 /// The box of one claim, as a block of HTML: what is stated, what is wrong with it, and behind a fold the evidence.
-pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
+pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Html {
     let (claim, judgement, maths) = (entry.claim, &entry.judgement, context.maths);
     let wrong = entry.in_short().map(|words| maths.words(&words));
     let wrong = wrong.transpose()?.map_or(String::new(), |words| {
@@ -71,11 +72,7 @@ pub(super) fn heading(claim: &Claim) -> String {
 }
 
 /// What a claim states, or what replaces it: a formula on its own line, or words with formulas in them.
-pub(super) fn statement(
-    context: &Context<'_>,
-    claim: &Claim,
-    latex: &str,
-) -> Result<String, Fault> {
+pub(super) fn statement(context: &Context<'_>, claim: &Claim, latex: &str) -> Html {
     if is_formula(claim, latex) {
         let formula = context.maths.display(latex)?;
         Ok(format!("<div class=\"claim-formula\">{formula}</div>"))
@@ -86,7 +83,7 @@ pub(super) fn statement(
 }
 
 /// What a claim states, within a line.
-pub(super) fn statement_in_line(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
+pub(super) fn statement_in_line(context: &Context<'_>, claim: &Claim) -> Html {
     if is_formula(claim, claim.latex) {
         context.maths.inline(claim.latex)
     } else {
@@ -100,7 +97,7 @@ fn is_formula(claim: &Claim, latex: &str) -> bool {
 }
 
 /// What is printed; of a claim that fails, beside it what is right, and why.
-fn statements(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
+fn statements(context: &Context<'_>, entry: &Entry) -> Html {
     let claim = entry.claim;
     let fails = entry.judgement.verdict.is_wrong();
     let Some(correction) = claim.correction.filter(|_| fails) else {
@@ -176,7 +173,7 @@ fn leading(latex: &str) -> Option<&str> {
 }
 
 /// The form of a claim that needs its condition no more: nothing is corrected by it.
-fn unconditional(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
+fn unconditional(context: &Context<'_>, entry: &Entry) -> Html {
     let conditional = entry.judgement.verdict.has_condition();
     let Some(form) = entry.claim.correction.filter(|_| conditional) else {
         return Ok(String::new());
@@ -188,7 +185,7 @@ fn unconditional(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> 
 }
 
 /// Why the claim fails, and a case to check on paper.
-fn by_hand(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
+fn by_hand(context: &Context<'_>, entry: &Entry) -> Html {
     let fails = entry.judgement.verdict.is_wrong();
     let Some(case) = entry.claim.by_hand.filter(|_| fails) else {
         return Ok(String::new());
@@ -202,7 +199,7 @@ fn by_hand(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
 }
 
 /// The conditions that are stated with a claim, in a line.
-fn given(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
+fn given(context: &Context<'_>, claim: &Claim) -> Html {
     let stated = claim.conditions.iter().filter(|c| c.sort == Sort::Stated);
     let stated: Result<Vec<_>, _> = stated.map(|c| context.maths.words(c.text)).collect();
     Ok(match stated?.join("; ") {
@@ -211,7 +208,7 @@ fn given(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
     })
 }
 
-fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
+fn conditions(context: &Context<'_>, claim: &Claim) -> Html {
     if claim.conditions.is_empty() {
         return Ok(String::new());
     }
@@ -230,7 +227,7 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
 }
 
 /// Words in which a claim's title in quotation marks is a link to its box.
-fn linked(context: &Context<'_>, words: &str) -> Result<String, Fault> {
+fn linked(context: &Context<'_>, words: &str) -> Html {
     let mut parts = words.split('“');
     let mut out = parts.next().unwrap_or_default().to_owned();
     for part in parts {
@@ -244,7 +241,7 @@ fn linked(context: &Context<'_>, words: &str) -> Result<String, Fault> {
 }
 
 /// What no program checks of its proof.
-fn argument(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
+fn argument(context: &Context<'_>, claim: &Claim) -> Html {
     if claim.argument.is_empty() {
         return Ok(String::new());
     }
@@ -254,7 +251,7 @@ fn argument(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
     ))
 }
 
-fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
+fn trials(context: &Context<'_>, entry: &Entry) -> Html {
     if entry.evidence.is_empty() {
         return Ok(String::new());
     }
@@ -279,7 +276,7 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Result<String, Fault> {
             code(*i).as_ref(),
         )
     });
-    let items = items.collect::<Result<String, Fault>>()?;
+    let items = items.collect::<Html>()?;
     let Tally { rejected, tried } = entry.tally();
     let variants = match tried {
         0 => String::new(),
@@ -302,7 +299,7 @@ fn trial<'a>(
     above: impl Iterator<Item = &'a [String]>,
     (conditional, checked): (bool, &str),
     code: Option<&Place>,
-) -> Result<String, Fault> {
+) -> Html {
     let maths = context.maths;
     let (class, outcome) = match evidence.outcome() {
         Outcome::Agrees => ("agrees", "agrees"),
@@ -337,7 +334,7 @@ fn trial<'a>(
 }
 
 /// A few of the compared pairs; of those that disagree, unfolded, the farthest apart too.
-fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
+fn samples(maths: &Maths, evidence: &Evidence) -> Html {
     if evidence.samples.is_empty() {
         return Ok(String::new());
     }
@@ -365,7 +362,7 @@ fn samples(maths: &Maths, evidence: &Evidence) -> Result<String, Fault> {
 }
 
 /// What the claim depends on, and what depends on it.
-fn neighbours(context: &Context<'_>, claim: &Claim) -> Result<String, Fault> {
+fn neighbours(context: &Context<'_>, claim: &Claim) -> Html {
     Ok(context.neighbours("Depends on", claim.depends_on)?
         + &context.neighbours("Used by", &context.users(claim.id))?)
 }

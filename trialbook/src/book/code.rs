@@ -1,10 +1,11 @@
 //! The code behind the claims: the sources as pages of the book, and where in them a claim's parts stand.
 
-use super::error::Fault;
-use super::text::{count, escape, in_code};
+use super::{
+    error::Html,
+    text::{count, escape, in_code},
+};
 use crate::publishing::{Edition, texts};
-use crate::trials::attempt::Attempt;
-use crate::trials::{Claim, Topic};
+use crate::trials::{Claim, Topic, attempt::Attempt};
 use include_dir::{Dir, include_dir};
 use std::collections::BTreeMap;
 
@@ -137,7 +138,7 @@ impl<'a> Code<'a> {
     }
 
     /// How much code stands in these modules, by their paths, without comments and tests.
-    pub fn lines(&self, modules: &[&str]) -> Result<String, Fault> {
+    pub fn lines(&self, modules: &[&str]) -> Html {
         let shown = self.files.iter().filter(|(file, _)| file.ends_with(".rs"));
         let shown = shown.map(|(file, source)| (path(file), source.text));
         let engine = texts(&ENGINE).into_iter();

@@ -1,12 +1,13 @@
 //! What a page may speak of: the ledger, the figures, the code, and links between them.
 
-use super::code::Code;
-use super::error::Fault;
-use super::maths::Maths;
-use super::text::escape;
+use super::{
+    code::Code,
+    error::{Fault, Html},
+    maths::Maths,
+    text::escape,
+};
 use crate::evidence::Kind;
-use crate::ledger::deep::Deep;
-use crate::ledger::{Entry, Erratum, Ledger, Verdict};
+use crate::ledger::{Entry, Erratum, Ledger, Verdict, deep::Deep};
 use crate::plotting::Figure;
 use crate::publishing::Edition;
 
@@ -59,7 +60,7 @@ impl<'a> Context<'a> {
     }
 
     /// A line of links to claims' boxes; nothing where there are none.
-    pub fn neighbours(&self, words: &str, ids: &[&str]) -> Result<String, Fault> {
+    pub fn neighbours(&self, words: &str, ids: &[&str]) -> Html {
         Ok(match self.links(ids)? {
             none if none.is_empty() => none,
             links => format!("<p class=\"neighbours\">{words} {links}</p>"),
@@ -67,7 +68,7 @@ impl<'a> Context<'a> {
     }
 
     /// A link to a claim's box.
-    pub fn link(&self, entry: &Entry) -> Result<String, Fault> {
+    pub fn link(&self, entry: &Entry) -> Html {
         // The book has figures of its own.
         let whose = match entry.claim.kind {
             Kind::Figure => "the paper's ",
@@ -83,7 +84,7 @@ impl<'a> Context<'a> {
     }
 
     /// Links to claims' boxes.
-    pub fn links(&self, ids: &[&str]) -> Result<String, Fault> {
+    pub fn links(&self, ids: &[&str]) -> Html {
         let links: Result<Vec<_>, _> = ids.iter().map(|id| self.link(self.entry(id)?)).collect();
         Ok(links?.join(", "))
     }

@@ -1,9 +1,11 @@
 //! What a deep run has brought.
 
-use super::context::Context;
-use super::error::Fault;
-use super::tables::tried;
-use super::text::{count, counted, escape, size};
+use super::{
+    context::Context,
+    error::Html,
+    tables::tried,
+    text::{count, counted, escape, size},
+};
 use crate::evidence::{Evidence, Route};
 use crate::ledger::Entry;
 use std::collections::BTreeMap;
@@ -34,7 +36,7 @@ pub(super) fn line(context: &Context<'_>, entry: &Entry) -> String {
 }
 
 /// Of which commit it was made, how much was compared by each route, and what came closest to its tolerance.
-pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn table_of(context: &Context<'_>) -> Html {
     let Some((deep, ledger)) = &context.deep else {
         return Ok("<p>No deep run is recorded.</p>".to_owned());
     };
@@ -87,11 +89,12 @@ pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::code::Code;
-    use super::super::maths::Maths;
     use super::*;
-    use crate::ledger::deep::Deep;
-    use crate::ledger::example::{PAPER, ledger};
+    use super::{super::code::Code, super::maths::Maths};
+    use crate::ledger::{
+        deep::Deep,
+        example::{PAPER, ledger},
+    };
     use crate::publishing::Edition;
 
     static EDITION: Edition = Edition::of("examples", &PAPER);

@@ -1,13 +1,15 @@
 //! The page of errata, and the letters beside it.
 
-use super::claim_box::{forms, heading, side_by_side, statement};
-use super::context::{Context, verdict};
-use super::error::Fault;
-use super::text::sentence;
+use super::{
+    claim_box::{forms, heading, side_by_side, statement},
+    context::{Context, verdict},
+    error::Html,
+    text::sentence,
+};
 use crate::ledger::{Erratum, Verdict};
 
 /// The errata with these verdicts, in the paper's order.
-pub(super) fn list(context: &Context<'_>, verdicts: &[Verdict]) -> Result<String, Fault> {
+pub(super) fn list(context: &Context<'_>, verdicts: &[Verdict]) -> Html {
     let errata = context.errata.iter();
     let chosen = errata.filter(|e| verdicts.contains(&e.verdict));
     let items = chosen.map(|erratum| item(context, erratum));
@@ -31,7 +33,7 @@ pub(super) fn number(context: &Context<'_>, id: &str) -> usize {
     1 + all.iter().take_while(|erratum| erratum.id != id).count()
 }
 
-fn item(context: &Context<'_>, erratum: &Erratum) -> Result<String, Fault> {
+fn item(context: &Context<'_>, erratum: &Erratum) -> Html {
     let maths = context.maths;
     let entry = context.entry(erratum.id)?;
     let title = maths.words(&heading(entry.claim))?;

@@ -105,6 +105,9 @@ pub enum BookError {
     Render(String),
 }
 
+/// HTML that stands for something, or why there is none.
+pub(super) type Html = Result<String, Fault>;
+
 /// What is wrong, before it is known on which page and line.
 #[derive(Debug)]
 pub(super) enum Fault {

@@ -1,10 +1,14 @@
 //! What each placeholder stands for.
 
-use super::claim_box;
-use super::context::{Context, verdict};
-use super::error::Fault;
-use super::text::{count, escape, in_words, size};
-use super::{certificates, deep, errata, lemmas, map, overview, symbols, tables, values};
+use super::{
+    certificates, claim_box,
+    context::{Context, verdict},
+    deep, errata,
+    error::{Fault, Html},
+    lemmas, map, overview, symbols, tables,
+    text::{count, escape, in_words, size},
+    values,
+};
 use crate::evidence::Kind;
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
 use crate::notation::number;
@@ -134,7 +138,7 @@ impl<'a> Filler<'a> {
 
     /// Of the words between `|` the one that is so; or a number, if it is the one that is computed. Words cannot change places unseen: the
     /// one that the name has stands first, or second if the name has a `!` before it.
-    fn said(&self, name: &str, said: &str) -> Result<String, Fault> {
+    fn said(&self, name: &str, said: &str) -> Html {
         let bare = name.trim_start_matches('!');
         let mut words = self.context.edition.words.iter().copied().flatten();
         let none = || format!("nothing is computed by the name `{bare}`");
@@ -185,7 +189,7 @@ impl<'a> Filler<'a> {
     }
 
     /// What the topic of a page consists of: its equations, its statements in words, its figures.
-    fn contents(&self, page: &str) -> Result<String, Fault> {
+    fn contents(&self, page: &str) -> Html {
         let mut topics = self.context.ledger.paper.topics.iter();
         let topic = topics.find(|topic| topic.stem == page);
         let none = || "this is no page of a topic".to_owned();
@@ -211,7 +215,7 @@ impl<'a> Filler<'a> {
     }
 
     /// The figure of this id, with its number on the page.
-    fn figure(&self, page: &str, id: &str) -> Result<String, Fault> {
+    fn figure(&self, page: &str, id: &str) -> Html {
         let text = self.pages.iter().find(|other| other.stem == page);
         let mut placed = text
             .into_iter()

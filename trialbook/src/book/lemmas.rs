@@ -1,8 +1,10 @@
 //! The lemmas: proofs that other proofs rest on and that no box shows, each once.
 
-use super::context::Context;
-use super::error::Fault;
-use super::text::{counted, escape};
+use super::{
+    context::Context,
+    error::{Fault, Html},
+    text::{counted, escape},
+};
 use crate::evidence::{Evidence, Outcome};
 use crate::exact::NORMAL;
 use crate::notation::{Piece, pieces};
@@ -21,7 +23,7 @@ pub(super) fn steps<'a>(
     context: &Context<'_>,
     steps: &[String],
     above: impl Iterator<Item = &'a [String]>,
-) -> Result<String, Fault> {
+) -> Html {
     let count = counted(steps.len(), "step");
     let letters = letters(steps);
     let said = |text: &str| context.maths.folded(&lettered(text, &letters));
@@ -163,7 +165,7 @@ fn anchor(title: &str) -> String {
 }
 
 /// All lemmas, with their steps, in the order in which the claims need them.
-pub(super) fn all(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn all(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let proved = ledger.evidence().filter(|e| e.outcome() == Outcome::Agrees);
     let mut known: BTreeSet<&str> = proved.map(|e| e.title.as_str()).collect();

@@ -1,13 +1,17 @@
 //! The map of claims: its figure, and the same as lists.
 
-use super::context::{Context, sign, verdict};
-use super::error::Fault;
-use super::tables::{table, tried};
-use super::text::{count, counted};
+use super::{
+    context::{Context, sign, verdict},
+    error::{Fault, Html},
+    tables::{table, tried},
+    text::{count, counted},
+};
 use crate::ledger::{Entry, Ledger, Verdict};
 use crate::notation::plain_words;
-use crate::plotting::map::{Node, map};
-use crate::plotting::{Figure, FigureError};
+use crate::plotting::{
+    Figure, FigureError,
+    map::{Node, map},
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 pub(super) fn figure(ledger: &Ledger) -> Result<Figure, FigureError> {
@@ -68,7 +72,7 @@ pub(super) fn key() -> String {
 }
 
 /// What rests on each claim that fails.
-pub(super) fn what_falls(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn what_falls(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let entries = ledger.entries.iter();
     let failing = entries.filter(|e| e.judgement.verdict.is_wrong());
@@ -98,7 +102,7 @@ fn or_nothing(links: String) -> String {
 }
 
 /// Every claim with what it rests on and what rests on it.
-pub(super) fn list(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn list(context: &Context<'_>) -> Html {
     let ledger = context.ledger;
     let mut html = String::new();
     for topic in ledger.paper.topics {

@@ -1,9 +1,11 @@
 //! Formulas: from LaTeX to HTML and MathML, when the book is built.
 
-use super::error::Fault;
-use super::formula_diff;
-use super::rows::{LAST_ROW, in_rows};
-use super::text::{after_each, escape, scientific, without};
+use super::{
+    error::{Fault, Html},
+    formula_diff,
+    rows::{LAST_ROW, in_rows},
+    text::{after_each, escape, scientific, without},
+};
 use crate::notation::{Piece, pieces, plain_formula};
 use crate::trials::{Claim, Paper};
 use katex::macro_expander::MacroMap;
@@ -160,26 +162,26 @@ impl Maths {
     }
 
     /// A formula within a line.
-    pub fn inline(&self, latex: &str) -> Result<String, Fault> {
+    pub fn inline(&self, latex: &str) -> Html {
         self.set(latex, Place::Inline)
     }
 
     /// A formula on a line of its own.
-    pub fn display(&self, latex: &str) -> Result<String, Fault> {
+    pub fn display(&self, latex: &str) -> Html {
         self.set(latex, Place::Display)
     }
 
     /// Words with formulas in `$…$` or in our plain notation, as HTML.
-    pub fn words(&self, text: &str) -> Result<String, Fault> {
+    pub fn words(&self, text: &str) -> Html {
         self.said(text, Place::Inline)
     }
 
     /// The same, for words that stand behind a fold.
-    pub fn folded(&self, text: &str) -> Result<String, Fault> {
+    pub fn folded(&self, text: &str) -> Html {
         self.said(text, Place::Folded)
     }
 
-    fn said(&self, text: &str, place: Place) -> Result<String, Fault> {
+    fn said(&self, text: &str, place: Place) -> Html {
         if text.matches('$').count() % 2 == 1 {
             return Err(Fault::Formula {
                 formula: text.to_owned(),
@@ -196,7 +198,7 @@ impl Maths {
     }
 
     /// Plain words: formulas and numbers as a printer sets them.
-    fn plain(&self, words: &str, place: Place) -> Result<String, Fault> {
+    fn plain(&self, words: &str, place: Place) -> Html {
         let pieces = pieces(words).into_iter();
         pieces
             .map(|piece| match piece {
@@ -209,7 +211,7 @@ impl Maths {
     }
 
     /// The mark of a formula; sets it if it is new.
-    fn set(&self, latex: &str, place: Place) -> Result<String, Fault> {
+    fn set(&self, latex: &str, place: Place) -> Html {
         let mark = |number: usize| format!("{}{number}{}", MARK.0, MARK.1);
         let key = (latex.to_owned(), place);
         let mut set = self.set_so_far();

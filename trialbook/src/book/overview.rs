@@ -1,10 +1,12 @@
 //! What the first page shows of the whole: the errors in a line each, a mark for each equation, and a field that answers.
 
-use super::claim_box::{heading, statement_in_line};
-use super::context::{Context, sign, verdict};
-use super::errata;
-use super::error::Fault;
-use super::text::{escape, sentence};
+use super::{
+    claim_box::{heading, statement_in_line},
+    context::{Context, sign, verdict},
+    errata,
+    error::Html,
+    text::{escape, sentence},
+};
 use crate::ledger::{Entry, Verdict};
 use crate::notation::plain_words;
 use crate::publishing::Edition;
@@ -16,7 +18,7 @@ use std::collections::BTreeSet;
 pub(super) const ANSWERS: &str = "answers.js";
 
 /// The independent errors, a line each; with what falls with each, if that is asked for.
-pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String, Fault> {
+pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Html {
     let line = |entry: &Entry| {
         let wrong = entry.in_short().unwrap_or_default();
         let (_, wrong) = wrong.split_once(": ").unwrap_or(("", &wrong));
@@ -40,7 +42,7 @@ pub(super) fn errors(context: &Context<'_>, with_fallen: bool) -> Result<String,
         }
         Ok(format!("<li>{number}{link}: {words}.{fallen}</li>"))
     };
-    let lines: Result<String, Fault> = context.ledger.roots().map(line).collect();
+    let lines: Html = context.ledger.roots().map(line).collect();
     Ok(match lines?.as_str() {
         "" => "<p>Nothing is false by an error of its own.</p>\n".to_owned(),
         lines => format!("<ul class=\"errors\">{lines}</ul>\n"),
@@ -177,7 +179,7 @@ struct Answers {
 }
 
 /// The script with all that the field knows.
-pub(super) fn answers(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn answers(context: &Context<'_>) -> Html {
     let entries = &context.ledger.entries;
     let statements = entries
         .iter()

@@ -2,7 +2,7 @@
 
 use crate::ledger::Erratum;
 use crate::notation::plain_words;
-use crate::plotting::{Cell, FigureError, Table};
+use crate::plotting::{FigureError, Table};
 use crate::publishing::Edition;
 
 /// The register as CSV: where it stands, what is printed, what is right, why, on what evidence, and by which command that is
@@ -37,7 +37,7 @@ pub fn register(edition: &Edition, errata: &[Erratum]) -> Result<String, FigureE
             erratum.inherits.join(" "),
             format!("{} verify {}", edition.name, erratum.id),
         ];
-        table.row(cells.map(Cell::Text))?;
+        table.row(cells)?;
     }
     Ok(table.into_text())
 }

@@ -3,11 +3,12 @@
 //! mdBook's own index reads a formula twice, as MathML and as HTML, and drops Greek letters and brackets. This one
 //! takes its place, in the form that mdBook's searcher reads.
 
-use super::context::Context;
-use super::text::unescape;
+use super::{context::Context, text::unescape};
 use crate::evidence::Change;
-use crate::notation::letters::{GREEK, HIGH, large};
-use crate::notation::plain_words;
+use crate::notation::{
+    letters::{GREEK, HIGH, large},
+    plain_words,
+};
 use elasticlunr::lang::English;
 use elasticlunr::{Index, IndexBuilder, Language, Pipeline};
 use serde_json::json;

@@ -1,12 +1,9 @@
 //! The index of symbols: the paper's, the code's, what they mean and in which units.
 
-use super::context::Context;
-use super::error::Fault;
-use super::tables::tried;
-use super::text::in_code;
+use super::{context::Context, error::Html, tables::tried, text::in_code};
 use std::collections::BTreeSet;
 
-pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn table_of(context: &Context<'_>) -> Html {
     let maths = context.maths;
     // What two topics have in common is said once.
     let mut said = BTreeSet::new();

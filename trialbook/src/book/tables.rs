@@ -1,15 +1,15 @@
 //! Tables made from the ledger.
 
-use super::claim_box::statement_in_line;
-use super::context::{Context, verdict};
-use super::error::Fault;
-use super::overview::strip;
-use super::text::{count, counted, escape, in_code, size};
+use super::{
+    claim_box::statement_in_line,
+    context::{Context, verdict},
+    error::{Fault, Html},
+    overview::strip,
+    text::{count, counted, escape, in_code, size},
+};
 use crate::evidence::{Evidence, Kind, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Standing, Verdict};
-use crate::trials::Topic;
-use crate::trials::attempt::Attempt;
-use crate::trials::{Claim, Excuse};
+use crate::trials::{Claim, Excuse, Topic, attempt::Attempt};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A table, as a block of HTML. The cells are HTML.
@@ -36,7 +36,7 @@ pub(super) fn tried<const N: usize>(
     class: &str,
     head: [&str; N],
     rows: impl Iterator<Item = Result<[String; N], Fault>>,
-) -> Result<String, Fault> {
+) -> Html {
     Ok(table(class, head, rows.collect::<Result<Vec<_>, _>>()?))
 }
 
@@ -47,7 +47,7 @@ pub(super) fn code(text: &str) -> String {
     format!("<pre><code class=\"language-text\">{lines}</code></pre>\n")
 }
 
-pub(super) fn sheets(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn sheets(context: &Context<'_>) -> Html {
     let sheet = |entry: &Entry| {
         Ok(format!(
             "<h2 id=\"sheet-{id}\"><a class=\"header\" href=\"#sheet-{id}\">{name}</a></h2>\n{}",
@@ -87,7 +87,7 @@ fn meaning(verdict: Verdict) -> &'static str {
 }
 
 /// The claims of the topic of this stem: a mark for each, and the table folded away behind their count.
-pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
+pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Html {
     let table = topic(context, stem)?;
     let entries: Vec<_> = context.of_topic(stem).collect();
     let wrong = entries.iter().filter(|e| e.judgement.verdict.is_wrong());
@@ -102,7 +102,7 @@ pub(super) fn folded_topic(context: &Context<'_>, stem: &str) -> Result<String, 
     ))
 }
 
-fn topic(context: &Context<'_>, stem: &str) -> Result<String, Fault> {
+fn topic(context: &Context<'_>, stem: &str) -> Html {
     let mut entries = context.of_topic(stem).peekable();
     if entries.peek().is_none() {
         return Err(format!("there is no topic `{stem}`").into());
@@ -147,7 +147,7 @@ fn known(entry: &Entry) -> String {
 }
 
 /// All claims, topic by topic.
-pub(super) fn whole_ledger(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn whole_ledger(context: &Context<'_>) -> Html {
     let mut html = String::new();
     let mut seen = BTreeSet::new();
     for entry in &context.ledger.entries {
@@ -218,7 +218,7 @@ pub(super) fn routes(ledger: &Ledger) -> String {
 }
 
 /// The tolerances in use, each with its reason.
-pub(super) fn tolerances(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn tolerances(context: &Context<'_>) -> Html {
     let mut uses: BTreeMap<&str, (Tolerance, usize)> = BTreeMap::new();
     for evidence in context.ledger.evidence() {
         let tolerance = evidence.tolerance;
@@ -261,7 +261,7 @@ pub(super) fn proofs(ledger: &Ledger) -> String {
     )
 }
 
-pub(super) fn measured(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn measured(context: &Context<'_>) -> Html {
     let row = |(why, claims): &(&str, Vec<&'static Claim>)| {
         let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
         Ok([context.maths.words(why)?, context.links(&ids)?])
@@ -281,7 +281,7 @@ fn sizes(measured: &Evidence) -> [String; 3] {
 }
 
 /// Of every claim that was measured, the comparison that came closest to its tolerance.
-pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn accuracy(context: &Context<'_>) -> Html {
     let entries = context.ledger.entries.iter();
     let measured = entries.filter_map(|entry| Some((entry, entry.closest()?)));
     let rows = measured.map(|(entry, closest)| {
@@ -308,7 +308,7 @@ pub(super) fn accuracy(context: &Context<'_>) -> Result<String, Fault> {
 
 /// What need not be noticed of each claim, and why: `survivors`, the wrong variants that are not rejected; `cornered`, the mistakes
 /// in a corner that no measurement notices, and then the formulas that none reads.
-pub(super) fn excused(context: &Context<'_>, name: &'static str) -> Result<String, Fault> {
+pub(super) fn excused(context: &Context<'_>, name: &'static str) -> Html {
     type Lists = &'static [fn(&Claim) -> &[Excuse]];
     let head = ["Claim", "Wrong variant", "Why it stands"];
     let lists: Lists = match name {
@@ -333,7 +333,7 @@ fn trials<'a>(context: &Context<'a>) -> impl Iterator<Item = (&'a Entry, &'stati
 
 /// What of a formula trials need not notice: `coarse`, where measurements do not notice a mistake of twice their tolerance; `spared`, where
 /// proofs do not reject every wrong variant.
-pub(super) fn excused_trials(context: &Context<'_>, name: &'static str) -> Result<String, Fault> {
+pub(super) fn excused_trials(context: &Context<'_>, name: &'static str) -> Html {
     type List = fn(&Attempt) -> &'static [Excuse];
     let (head, list): (_, List) = match name {
         "spared" => (
@@ -364,7 +364,7 @@ pub(super) fn excused_trials(context: &Context<'_>, name: &'static str) -> Resul
 }
 
 /// The trials that agree and notice no mistake in a formula.
-pub(super) fn idle(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn idle(context: &Context<'_>) -> Html {
     let idle = trials(context).filter_map(|(entry, trial)| Some((entry, trial, trial.idle?)));
     let rows = idle.map(|(entry, trial, why)| {
         let why = context.maths.words(why)?;

@@ -1,17 +1,18 @@
 //! The index of values: find a claim by a number.
 
-use super::context::Context;
-use super::error::Fault;
-use super::tables::table;
-use crate::trials::Paper;
-use crate::trials::compare::Failure;
+use super::{
+    context::Context,
+    error::{Fault, Html},
+    tables::table,
+};
+use crate::trials::{Paper, compare::Failure};
 
 fn no_number(failure: Failure) -> Fault {
     format!("no number: {failure}").into()
 }
 
 /// A number by its short name.
-pub(super) fn shown(paper: &Paper, id: &str) -> Result<String, Fault> {
+pub(super) fn shown(paper: &Paper, id: &str) -> Html {
     let unknown = || format!("there is no value `{id}`");
     let value = paper.value(id).ok_or_else(unknown)?;
     value.shown().map_err(no_number)
@@ -27,7 +28,7 @@ fn short(text: &str) -> String {
 }
 
 /// All numbers by size: those with a name, and those of the cases by hand.
-pub(super) fn table_of(context: &Context<'_>) -> Result<String, Fault> {
+pub(super) fn table_of(context: &Context<'_>) -> Html {
     let paper = context.ledger.paper;
     let mut rows: Vec<(f64, [String; 4])> = Vec::new();
     let mut add = |text: String, meaning: String, claim: &str| -> Result<(), Fault> {

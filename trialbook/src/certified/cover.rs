@@ -1,8 +1,10 @@
 //! Statements about whole ranges, by subdivision: a box is halved until the statement is plain on every part.
 
-use super::error::CertifiedError;
-use super::interval::Interval;
-use super::written::{Asked, Condition, Of, ends};
+use super::{
+    error::CertifiedError,
+    interval::Interval,
+    written::{Asked, Condition, Of, ends},
+};
 use crate::witness::{self, Case, Cover, Piece, Witness};
 use std::collections::VecDeque;
 

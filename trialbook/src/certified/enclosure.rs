@@ -1,8 +1,10 @@
 //! A number with as many certain digits as one asks for.
 
-use super::ball::{Ball, bits_for};
-use super::error::CertifiedError;
-use super::interval::Interval;
+use super::{
+    ball::{Ball, bits_for},
+    error::CertifiedError,
+    interval::Interval,
+};
 
 /// How a number is enclosed: by its ball with so many bits after the point. Dimensionless.
 #[derive(Debug, Clone, Copy)]

@@ -10,12 +10,16 @@ mod tilted;
 
 pub use tilted::Tilted;
 
-use super::error::CertifiedError;
-use super::interval::Interval;
-use super::written::{close_box, dyadic, ends, short, short_box};
-use crate::numerics::number::Number;
-use crate::numerics::series::Series;
-use crate::numerics::taylor::{Control, Integrator, Step, System};
+use super::{
+    error::CertifiedError,
+    interval::Interval,
+    written::{close_box, dyadic, ends, short, short_box},
+};
+use crate::numerics::{
+    number::Number,
+    series::Series,
+    taylor::{Control, Integrator, Step, System},
+};
 use crate::witness;
 
 /// Coefficients of a series; the last one is that of the remainder.

@@ -1,9 +1,11 @@
 //! A common root of several equations: existence and uniqueness in a box, by Krawczyk's operator.
 
-use super::error::CertifiedError;
-use super::interval::Interval;
-use super::jet::Jet;
-use super::written::{dyadic, ends, rounded, short, short_box, units};
+use super::{
+    error::CertifiedError,
+    interval::Interval,
+    jet::Jet,
+    written::{dyadic, ends, rounded, short, short_box, units},
+};
 use crate::exact::{Expr, folded, tree};
 use crate::witness::{self, Root, Witness};
 

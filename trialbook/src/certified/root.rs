@@ -1,9 +1,11 @@
 //! A root of one equation: that it exists and is the only one in a box, and as many bits of it as wanted.
 
-use super::ball::Ball;
-use super::error::CertifiedError;
-use super::interval::Interval;
-use super::written::{dyadic, ends, rounded_ball, short, short_box, units};
+use super::{
+    ball::Ball,
+    error::CertifiedError,
+    interval::Interval,
+    written::{dyadic, ends, rounded_ball, short, short_box, units},
+};
 use crate::exact::{Expr, tree};
 use crate::witness::{self, Witness};
 

@@ -1,9 +1,11 @@
 //! Numbers, conditions and roots as a witness has them.
 
-use super::ball::Ball;
-use super::interval::Interval;
-use super::jet::{Jet, over};
-use super::taylor::Taylor;
+use super::{
+    ball::Ball,
+    interval::Interval,
+    jet::{Jet, over},
+    taylor::Taylor,
+};
 use crate::exact::{Expr, folded, tree};
 use crate::scalar::Scalar;
 use crate::witness::{self, Number, Tree, Witness};

@@ -1,12 +1,13 @@
 //! Certificates: for each proof a file that a stranger's program can check.
 
-use super::output::{VERSION, csv, json, say};
-use super::screen::progress;
+use super::{
+    output::{VERSION, csv, json, say},
+    screen::progress,
+};
 use crate::book;
 use crate::evidence::{Evidence, Kind, Subject};
 use crate::publishing::{Edition, Failure, Format};
-use crate::trials::attempt::Attempt;
-use crate::trials::{Claim, Paper, Sort};
+use crate::trials::{Claim, Paper, Sort, attempt::Attempt};
 use crate::witness::{self, Witness};
 
 use rayon::prelude::*;
@@ -173,9 +174,7 @@ fn certificate(claim: &Claim, evidence: &Evidence, witnesses: Vec<Witness>) -> C
 mod tests {
     use super::*;
     use crate::evidence::{Compared, Route};
-    use crate::trials::Topic;
-    use crate::trials::read::File;
-    use crate::trials::tolerances::NONE;
+    use crate::trials::{Topic, read::File, tolerances::NONE};
 
     #[test]
     fn proofs_without_a_certificate_are_named_and_not_counted() {

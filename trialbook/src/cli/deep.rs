@@ -1,10 +1,11 @@
 //! A run in depth: the trials at ever other points, each round in a process of its own, or many jobs with a part of the rounds each.
 
-use super::output::{complain, say};
-use super::screen::progress;
-use super::shard::Shard;
-use crate::ledger::Ledger;
-use crate::ledger::deep::Rounds;
+use super::{
+    output::{complain, say},
+    screen::progress,
+    shard::Shard,
+};
+use crate::ledger::{Ledger, deep::Rounds};
 use crate::publishing::Failure;
 use ctrlc::Error;
 use indicatif::ProgressBar;

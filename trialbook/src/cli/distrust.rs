@@ -1,13 +1,16 @@
 //! Mistakes that are seeded in the formulas, and which trial notices which.
 
-use super::output::{VERSION, csv, json, say};
-use super::screen::progress;
-use crate::ledger::Ledger;
-use crate::ledger::distrust::{Extent, Tried};
-use crate::ledger::sensitivity::Slight;
+use super::{
+    output::{VERSION, csv, json, say},
+    screen::progress,
+};
+use crate::ledger::{
+    Ledger,
+    distrust::{Extent, Tried},
+    sensitivity::Slight,
+};
 use crate::publishing::{Edition, Failure, Format};
-use crate::trials::Paper;
-use crate::trials::variants::Variant;
+use crate::trials::{Paper, variants::Variant};
 use serde::Serialize;
 use std::fmt::Write;
 

@@ -1,11 +1,15 @@
 //! The command `find`.
 
-use super::output::{VERSION, csv, json, show};
-use super::screen::screen;
+use super::{
+    output::{VERSION, csv, json, show},
+    screen::screen,
+};
 use crate::notation::plain_words;
 use crate::publishing::{Failure, Format};
-use crate::trials::Paper;
-use crate::trials::values::{Form, Match, Value, decimal_of, search};
+use crate::trials::{
+    Paper,
+    values::{Form, Match, Value, decimal_of, search},
+};
 use std::fmt::Write;
 
 /// What is given, which may begin with a minus, unless it is a misspelt option.

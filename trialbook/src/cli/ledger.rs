@@ -1,16 +1,17 @@
 //! The commands that try claims: the main job, `verify`, `show`, `list` and `errata`.
 
-use super::deep::{Depth, deepened};
-use super::ids::known_all;
-use super::output::{VERSION, csv, json, say, show as shown};
-use super::screen::{progress, screen};
 use super::table as columns;
+use super::{
+    deep::{Depth, deepened},
+    ids::known_all,
+    output::{VERSION, csv, json, say, show as shown},
+    screen::{progress, screen},
+};
 use crate::book;
 use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
 use crate::numerics::error::plain;
 use crate::publishing::{Edition, Failure, Format};
-use crate::trials::points::set_round;
-use crate::trials::{Claim, Paper};
+use crate::trials::{Claim, Paper, points::set_round};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
 use serde::Serialize;

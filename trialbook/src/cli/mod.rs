@@ -424,8 +424,7 @@ fn completions(edition: &Edition, shell: Shell, format: Format) -> Result<u8, Fa
 mod tests {
     use super::*;
     use crate::publishing::Page;
-    use crate::trials::read::File;
-    use crate::trials::{Paper, Topic};
+    use crate::trials::{Paper, Topic, read::File};
     use std::fs;
 
     #[test]

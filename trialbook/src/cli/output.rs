@@ -1,7 +1,7 @@
 //! Printing: text, JSON and CSV, on standard output and whole.
 
 use super::screen::{screen, wrapped};
-use crate::plotting::{Cell, Table};
+use crate::plotting::Table;
 use crate::publishing::Failure;
 use serde::Serialize;
 use std::io::{self, ErrorKind, Write};
@@ -86,7 +86,7 @@ pub fn json(value: &impl Serialize) -> Result<(), Failure> {
 pub fn csv(headers: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Result<(), Failure> {
     let mut table = Table::new(headers);
     for row in rows {
-        table.row(row.into_iter().map(Cell::Text))?;
+        table.row(row)?;
     }
     Ok(say(&table.into_text())?)
 }

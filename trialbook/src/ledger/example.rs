@@ -2,11 +2,13 @@
 
 use super::Ledger;
 use crate::evidence::{Evidence, Route, Subject};
-use crate::trials::attempt::Attempt;
-use crate::trials::compare::{Pair, Trial};
-use crate::trials::read::claims;
-use crate::trials::tolerances::MOTION;
-use crate::trials::{Paper, Topic};
+use crate::trials::{
+    Paper, Topic,
+    attempt::Attempt,
+    compare::{Pair, Trial},
+    read::claims,
+    tolerances::MOTION,
+};
 
 /// Twenty points, at so many of which what is stated is off by 1; the last agree but for a rounding.
 pub(crate) fn tried(route: Route, subject: Subject, failed: u8) -> Evidence {

@@ -142,13 +142,14 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::example::tried;
-    use super::super::{Entry, Judgement, Verdict};
-    use super::{EvidenceRow, Row, evidence};
+    use super::{
+        super::example::tried,
+        super::{Entry, Judgement, Verdict},
+        EvidenceRow, Row, evidence,
+    };
     use crate::evidence::{Compared, Evidence, Route, Subject, Tolerance};
     use crate::notation::plain_words;
-    use crate::trials::read::File;
-    use crate::trials::{Paper, Topic};
+    use crate::trials::{Paper, Topic, read::File};
     use std::panic::Location;
 
     static TOPIC: Topic = Topic::new(

@@ -2,8 +2,7 @@
 
 use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
 use crate::evidence::Evidence;
-use crate::trials::attempt::Attempt;
-use crate::trials::{Claim, Paper, Topic};
+use crate::trials::{Claim, Paper, Topic, attempt::Attempt};
 use rayon::prelude::*;
 use std::iter;
 use std::ops::Range;

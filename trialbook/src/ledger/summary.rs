@@ -1,7 +1,9 @@
 //! A claim in a line: what is wrong with it, and how that or the contrary is known.
 
-use super::sentences::{count, rounded_up};
-use super::{Entry, Standing, Verdict};
+use super::{
+    Entry, Standing, Verdict,
+    sentences::{count, rounded_up},
+};
 use crate::evidence::{Outcome, Subject};
 use crate::trials::Sort;
 

@@ -6,10 +6,12 @@
 //! of high-order Taylor methods", Exp. Math. 14, 2005, section 3.2): nothing is tried and rejected. Times and
 //! states are summed with a carry, so that long runs lose only what single steps lose.
 
-use super::error::NumericsError;
-use super::lanes::{Wide, widest};
-use super::number::Number;
-use super::series::{Series, changes, value};
+use super::{
+    error::NumericsError,
+    lanes::{Wide, widest},
+    number::Number,
+    series::{Series, changes, value},
+};
 
 /// Number of coefficients that serves f64 well: order 26.
 pub const TERMS: usize = 27;

@@ -1,9 +1,11 @@
 //! Axes: from values to places on the page, and back to what a reader reads off.
 
-use super::FigureError;
-use super::svg::number;
-use super::text::{markup, width};
-use super::ticks::{self, Step, Tick};
+use super::{
+    FigureError,
+    svg::number,
+    text::{markup, width},
+    ticks::{self, Step, Tick},
+};
 
 pub(super) const TICK_SIZE: f64 = 15.0;
 pub(super) const TEXT_SIZE: f64 = 16.0;

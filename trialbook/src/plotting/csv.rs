@@ -2,40 +2,74 @@
 
 use super::FigureError;
 
-/// One entry of a table.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Cell {
-    /// A number, written with 12 significant digits; one that is not finite is left empty.
-    Number(f64),
-    /// A whole number, written in full.
-    Whole(u64),
-    /// Words.
-    Text(String),
+/// What a row of a table is made of: a number, written with 12 significant digits and left empty if it is not finite; a whole
+/// number, written in full; words; or several of these.
+pub trait Cells {
+    /// Adds them to a row, each as it is written.
+    fn add_to(&self, row: &mut Vec<String>);
 }
 
-impl From<f64> for Cell {
-    fn from(value: f64) -> Self {
-        Cell::Number(value)
+impl Cells for f64 {
+    fn add_to(&self, row: &mut Vec<String>) {
+        row.push(number(*self));
     }
 }
 
-impl From<&f64> for Cell {
-    fn from(value: &f64) -> Self {
-        Cell::Number(*value)
+impl Cells for u64 {
+    fn add_to(&self, row: &mut Vec<String>) {
+        row.push(self.to_string());
     }
 }
 
-impl From<u64> for Cell {
-    fn from(value: u64) -> Self {
-        Cell::Whole(value)
+impl Cells for str {
+    fn add_to(&self, row: &mut Vec<String>) {
+        row.push(quoted(self));
     }
 }
 
-impl From<&str> for Cell {
-    fn from(value: &str) -> Self {
-        Cell::Text(value.into())
+impl Cells for String {
+    fn add_to(&self, row: &mut Vec<String>) {
+        self.as_str().add_to(row);
     }
 }
+
+impl<T: Cells + ?Sized> Cells for &T {
+    fn add_to(&self, row: &mut Vec<String>) {
+        (**self).add_to(row);
+    }
+}
+
+impl<T: Cells> Cells for [T] {
+    fn add_to(&self, row: &mut Vec<String>) {
+        self.iter().for_each(|cells| cells.add_to(row));
+    }
+}
+
+impl<T: Cells> Cells for Vec<T> {
+    fn add_to(&self, row: &mut Vec<String>) {
+        self.as_slice().add_to(row);
+    }
+}
+
+impl<T: Cells, const N: usize> Cells for [T; N] {
+    fn add_to(&self, row: &mut Vec<String>) {
+        self.as_slice().add_to(row);
+    }
+}
+
+macro_rules! tuples {
+    ($(($($part:ident)*))*) => {$(
+        impl<$($part: Cells),*> Cells for ($($part,)*) {
+            #[allow(non_snake_case, unused_variables)]
+            fn add_to(&self, row: &mut Vec<String>) {
+                let ($($part,)*) = self;
+                $($part.add_to(row);)*
+            }
+        }
+    )*};
+}
+
+tuples! { () (A B) (A B C) (A B C D) }
 
 /// A table in the making: one column per quantity, one row per point.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,26 +90,27 @@ impl Table {
     }
 
     /// Adds a row. [`FigureError::Row`] if it has not one cell per column.
-    pub fn row(&mut self, cells: impl IntoIterator<Item = Cell>) -> Result<(), FigureError> {
-        let cells: Vec<Cell> = cells.into_iter().collect();
+    pub fn row(&mut self, row: impl Cells) -> Result<(), FigureError> {
+        let mut cells = Vec::with_capacity(self.columns);
+        row.add_to(&mut cells);
         if cells.len() != self.columns {
             return Err(FigureError::Row {
                 expected: self.columns,
                 found: cells.len(),
             });
         }
-        for (i, cell) in cells.iter().enumerate() {
-            if i > 0 {
-                self.text.push(',');
-            }
-            match cell {
-                Cell::Number(value) => write_number(*value, &mut self.text),
-                Cell::Whole(value) => self.text.push_str(&value.to_string()),
-                Cell::Text(words) => self.text.push_str(&quoted(words)),
-            }
-        }
+        self.text += &cells.join(",");
         self.text.push('\n');
         Ok(())
+    }
+
+    /// Adds rows that all begin with `head`, each as [`row`](Self::row) does.
+    pub fn rows(
+        &mut self,
+        head: impl Cells,
+        rows: impl IntoIterator<Item: Cells>,
+    ) -> Result<(), FigureError> {
+        rows.into_iter().try_for_each(|row| self.row((&head, row)))
     }
 
     /// The whole table as text.
@@ -92,14 +127,14 @@ fn quoted(text: &str) -> String {
     }
 }
 
-/// Writes `value` rounded to 12 significant digits, without superfluous zeros; nothing if it is not finite.
-fn write_number(value: f64, out: &mut String) {
+/// `value` rounded to 12 significant digits, without superfluous zeros; nothing if it is not finite.
+fn number(value: f64) -> String {
+    let mut out = String::new();
     if !value.is_finite() {
-        return;
+        return out;
     }
     if value == 0.0 {
-        out.push('0');
-        return;
+        return "0".into();
     }
     if value < 0.0 {
         out.push('-');
@@ -113,36 +148,31 @@ fn write_number(value: f64, out: &mut String) {
     match exponent {
         0 => out.push_str(mantissa),
         -5..0 => {
-            *out += "0.";
+            out += "0.";
             out.extend(zeros(exponent.unsigned_abs() as usize - 1));
             out.extend([first, rest]);
         }
         1..12 => {
             let whole = exponent as usize;
-            *out += first;
+            out += first;
             match rest.split_at_checked(whole) {
                 Some((whole, "")) => out.push_str(whole),
                 Some((whole, part)) => out.extend([whole, ".", part]),
                 None => {
-                    *out += rest;
+                    out += rest;
                     out.extend(zeros(whole - rest.len()));
                 }
             }
         }
         _ => out.push_str(&format!("{mantissa}e{exponent}")),
     }
+    out
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use proptest::prelude::*;
-
-    fn number(value: f64) -> String {
-        let mut text = String::new();
-        write_number(value, &mut text);
-        text
-    }
 
     #[test]
     fn numbers_are_written_plainly() {
@@ -178,9 +208,7 @@ mod tests {
     #[test]
     fn words_with_commas_and_quotes_are_quoted() {
         let mut table = Table::new(&["state", "t (s)"]);
-        table
-            .row(["slides, \"then\" rests".into(), 0.5.into()])
-            .unwrap();
+        table.row(("slides, \"then\" rests", 0.5)).unwrap();
         assert_eq!(
             table.into_text(),
             "state,t (s)\n\"slides, \"\"then\"\" rests\",0.5\n"
@@ -194,6 +222,6 @@ mod tests {
             expected: 2,
             found: 1,
         };
-        assert_eq!(table.row([1.0.into()]), Err(error));
+        assert_eq!(table.row(1.0), Err(error));
     }
 }

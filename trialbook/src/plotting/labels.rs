@@ -1,8 +1,10 @@
 //! Finds room for words: beside their own curve, off every other, inside the frame.
 
-use super::axes::TEXT_SIZE;
-use super::path::{Frame, Place, along};
-use super::text::width;
+use super::{
+    axes::TEXT_SIZE,
+    path::{Frame, Place, along},
+    text::width,
+};
 
 /// Side of a cell of the map of what is taken, in units of the page.
 const CELL: f64 = 2.0;

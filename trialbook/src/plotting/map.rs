@@ -1,9 +1,11 @@
 //! The map of claims: a box for each, in lanes, and a line for each step of derivation.
 
-use super::plot::FACES;
-use super::svg::{escape, number};
-use super::text::width;
-use super::{Figure, FigureError, Table};
+use super::{
+    Figure, FigureError, Table,
+    plot::FACES,
+    svg::{escape, number},
+    text::width,
+};
 use std::collections::BTreeSet;
 
 /// A claim on the map.
@@ -117,10 +119,10 @@ pub fn map(lanes: &[&str], nodes: &[Node]) -> Result<Figure, FigureError> {
                 number(to[0]),
                 number(to[1])
             );
-            table.row([node.id.into(), node.words.into(), nodes[on].id.into()])?;
+            table.row([node.id, node.words, nodes[on].id])?;
         }
         if node.on.is_empty() {
-            table.row([node.id.into(), node.words.into(), "".into()])?;
+            table.row([node.id, node.words, ""])?;
         }
     }
     for (i, node) in nodes.iter().enumerate() {

@@ -1,10 +1,11 @@
 //! What a panel can show, besides a raster: curves, points, areas, rules and notes.
 
 use super::svg::Colour;
+use std::borrow::Borrow;
 
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Stroke {
+pub(super) enum Stroke {
     /// Without a break.
     Solid,
     /// Dashes.
@@ -44,6 +45,31 @@ pub(super) struct Label {
     pub at: f64,
 }
 
+fn listed(points: impl IntoIterator<Item: Borrow<[f64; 2]>>) -> Vec<[f64; 2]> {
+    points.into_iter().map(|point| *point.borrow()).collect()
+}
+
+/// What curves, points and areas have alike.
+macro_rules! alike {
+    ($($mark:ident),*) => {$(
+        impl $mark {
+            /// The page's text colour.
+            pub fn ink(mut self) -> Self {
+                self.colour = Colour::Ink;
+                self
+            }
+
+            /// An entry in the key below the panel, where there is no room for a label.
+            pub fn key(mut self, text: impl Into<String>) -> Self {
+                self.key = Some(text.into());
+                self
+            }
+        }
+    )*};
+}
+
+alike!(Curve, Points, Area);
+
 /// A line through points.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
@@ -59,9 +85,9 @@ pub struct Curve {
 impl Curve {
     /// A solid line in the first series' colour through `[x, y]` in order. A point that is not finite
     /// is a gap.
-    pub fn new(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+    pub fn new(points: impl IntoIterator<Item: Borrow<[f64; 2]>>) -> Self {
         Curve {
-            points: points.into_iter().collect(),
+            points: listed(points),
             colour: Colour::Series(0),
             stroke: Stroke::Solid,
             width: 1.8,
@@ -78,15 +104,21 @@ impl Curve {
         self
     }
 
-    /// The page's text colour.
-    pub fn ink(mut self) -> Self {
-        self.colour = Colour::Ink;
+    /// Without a break, whatever the series.
+    pub fn solid(mut self) -> Self {
+        self.stroke = Stroke::Solid;
         self
     }
 
-    /// Another dash pattern.
-    pub fn stroke(mut self, stroke: Stroke) -> Self {
-        self.stroke = stroke;
+    /// In dashes.
+    pub fn dashed(mut self) -> Self {
+        self.stroke = Stroke::Dashed;
+        self
+    }
+
+    /// In dots.
+    pub fn dotted(mut self) -> Self {
+        self.stroke = Stroke::Dotted;
         self
     }
 
@@ -113,12 +145,6 @@ impl Curve {
             text: text.into(),
             at: fraction,
         });
-        self
-    }
-
-    /// An entry in the key below the panel, where there is no room for a label.
-    pub fn key(mut self, text: impl Into<String>) -> Self {
-        self.key = Some(text.into());
         self
     }
 }
@@ -151,9 +177,9 @@ pub struct Points {
 
 impl Points {
     /// Discs in the first series' colour at `[x, y]`. A point that is not finite is left out.
-    pub fn new(points: impl IntoIterator<Item = [f64; 2]>) -> Self {
+    pub fn new(points: impl IntoIterator<Item: Borrow<[f64; 2]>>) -> Self {
         Points {
-            points: points.into_iter().collect(),
+            points: listed(points),
             colour: Colour::Series(0),
             marker: Marker::Disc,
             size: 4.0,
@@ -173,12 +199,6 @@ impl Points {
         ];
         self.colour = Colour::Series(n);
         self.marker = markers[n % markers.len()];
-        self
-    }
-
-    /// The page's text colour.
-    pub fn ink(mut self) -> Self {
-        self.colour = Colour::Ink;
         self
     }
 
@@ -202,12 +222,6 @@ impl Points {
         });
         self
     }
-
-    /// An entry in the key below the panel.
-    pub fn key(mut self, text: impl Into<String>) -> Self {
-        self.key = Some(text.into());
-        self
-    }
 }
 
 /// A filled polygon without an outline.
@@ -222,9 +236,9 @@ pub struct Area {
 impl Area {
     /// The polygon with these corners `[x, y]`, tinted in the first series' colour. A corner that is
     /// not finite is left out.
-    pub fn new(corners: impl IntoIterator<Item = [f64; 2]>) -> Self {
+    pub fn new(corners: impl IntoIterator<Item: Borrow<[f64; 2]>>) -> Self {
         Area {
-            points: corners.into_iter().collect(),
+            points: listed(corners),
             colour: Colour::Series(0),
             opacity: 0.18,
             key: None,
@@ -246,21 +260,9 @@ impl Area {
         self
     }
 
-    /// The page's text colour.
-    pub fn ink(mut self) -> Self {
-        self.colour = Colour::Ink;
-        self
-    }
-
     /// Another opacity, from 0 to 1; 0.18 if not set.
     pub fn opacity(mut self, opacity: f64) -> Self {
         self.opacity = opacity;
-        self
-    }
-
-    /// An entry in the key below the panel.
-    pub fn key(mut self, text: impl Into<String>) -> Self {
-        self.key = Some(text.into());
         self
     }
 }
@@ -280,7 +282,7 @@ impl Rule {
         Rule {
             horizontal,
             at,
-            line: Curve::new([]).ink().stroke(Stroke::Dashed).width(1.2),
+            line: Curve::new([[0.0; 2]; 0]).ink().dashed().width(1.2),
         }
     }
 
@@ -294,15 +296,15 @@ impl Rule {
         Rule::new(false, x)
     }
 
-    /// Colour and dash pattern of series `n` (counted from 0).
-    pub fn series(mut self, n: usize) -> Self {
-        self.line = self.line.series(n).width(1.6);
+    /// Without a break.
+    pub fn solid(mut self) -> Self {
+        self.line = self.line.solid();
         self
     }
 
-    /// Another dash pattern.
-    pub fn stroke(mut self, stroke: Stroke) -> Self {
-        self.line = self.line.stroke(stroke);
+    /// In dots.
+    pub fn dotted(mut self) -> Self {
+        self.line = self.line.dotted();
         self
     }
 

@@ -23,9 +23,7 @@
 //!
 //! let parabola: Vec<[f64; 2]> = (0..=100).map(|i| f64::from(i) / 50.0).map(|x| [x, x * x]).collect();
 //! let mut table = Table::new(&["x (m)", "y (m)"]);
-//! for [x, y] in &parabola {
-//!     table.row([x.into(), y.into()])?;
-//! }
+//! table.rows((), &parabola)?;
 //! let figure = Plot::new("parabola", "A parabola")
 //!     .caption("The path $y = x^2$.")
 //!     .alt("A curve that rises ever more steeply.")
@@ -54,8 +52,8 @@ mod text;
 mod ticks;
 
 pub use axes::Axis;
-pub use csv::{Cell, Table};
-pub use marks::{Area, Curve, Marker, Note, Points, Rule, Stroke};
+pub use csv::{Cells, Table};
+pub use marks::{Area, Curve, Marker, Note, Points, Rule};
 pub use panel::Panel;
 pub use panels::panels;
 pub use plot::Plot;

@@ -1,10 +1,12 @@
 //! A panel: two axes, and what is drawn between them.
 
-use super::FigureError;
-use super::axes::{Axis, Scale};
-use super::marks::{Area, Curve, Note, Points, Rule};
-use super::raster::Raster;
-use super::sketch::{Sketch, inside, marker, sample, stroke};
+use super::{
+    FigureError,
+    axes::{Axis, Scale},
+    marks::{Area, Curve, Note, Points, Rule},
+    raster::Raster,
+    sketch::{Sketch, inside, marker, sample, stroke},
+};
 
 #[derive(Debug, Clone, PartialEq)]
 enum Mark {

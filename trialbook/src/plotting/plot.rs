@@ -1,10 +1,12 @@
 //! The page: panels in a grid, their keys, and the finished figure.
 
-use super::axes::{Scale, TEXT_SIZE, text};
-use super::panels;
-use super::svg::{escape, number};
-use super::text::width;
-use super::{Axis, Cell, Curve, Figure, FigureError, Panel, Table};
+use super::{
+    Axis, Curve, Figure, FigureError, Panel, Table,
+    axes::{Scale, TEXT_SIZE, text},
+    panels,
+    svg::{escape, number},
+    text::width,
+};
 
 /// Width of the page, in units of which type is 15 or 16 high.
 const WIDTH: f64 = 480.0;
@@ -86,9 +88,7 @@ impl Plot {
     ) -> Result<Figure, FigureError> {
         let headers: Vec<_> = [x.label.as_str()].into_iter().chain(names).collect();
         let mut table = Table::new(&headers);
-        for (at, heights) in rows {
-            table.row([at].into_iter().chain(heights).map(Cell::from))?;
-        }
+        table.rows((), rows)?;
         let panel = (0..N).fold(Panel::new(x, y), |panel, i| {
             let points = rows.iter().map(|(at, heights)| [*at, heights[i]]);
             panel.curve(Curve::new(points).series(i + 1).label(names[i]))

@@ -1,12 +1,14 @@
 //! Marks as SVG, and room for their labels.
 
-use super::axes::{self, Scale, TEXT_SIZE, text};
-use super::labels::{Canvas, anchors, around};
-use super::marks::{Area, Curve, Label, Marker, Note, Points, Rule};
-use super::path::{self, Frame, Place};
-use super::raster::{BLANK, Raster};
-use super::svg::{Colour, number};
-use super::text::{markup, width};
+use super::{
+    axes::{self, Scale, TEXT_SIZE, text},
+    labels::{Canvas, anchors, around},
+    marks::{Area, Curve, Label, Marker, Note, Points, Rule},
+    path::{self, Frame, Place},
+    raster::{BLANK, Raster},
+    svg::{Colour, number},
+    text::{markup, width},
+};
 
 /// How far a drawn curve may lie from its data, in units of the page.
 const TOLERANCE: f64 = 0.08;
@@ -396,8 +398,7 @@ fn room(at: Place, words: &str) -> Frame {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::plotting::axes::Axis;
-    use crate::plotting::panel::Panel;
+    use crate::plotting::{axes::Axis, panel::Panel};
 
     #[test]
     fn the_name_of_a_region_stands_off_its_edges() {

@@ -1,7 +1,9 @@
 //! A number that counts the places of a formula, and makes a mistake at one of them.
 
-use super::mistake::{SEED, begin, pass};
-use super::{Mistake, Parts, Place};
+use super::{
+    Mistake, Parts, Place,
+    mistake::{SEED, begin, pass},
+};
 use crate::scalar::Scalar;
 use std::f64::consts::FRAC_1_SQRT_2;
 use std::ops::{Add, Div, Mul, Neg, Sub};

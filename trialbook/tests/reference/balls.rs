@@ -2,8 +2,7 @@
 //! the result is not much wider than it must be.
 
 use crate::table::{ball, number, rows};
-use trialbook::certified::ball::Ball;
-use trialbook::certified::interval::Interval;
+use trialbook::certified::{ball::Ball, interval::Interval};
 
 /// Bits behind those of the result with which it is compared.
 const SPARE: usize = 64;

@@ -1,12 +1,13 @@
 //! The Taylor integrator against mpmath's solutions (`motions.py`), in doubles and in numbers of 31 digits.
 
 use crate::table::{ball, number, rows};
-use trialbook::certified::ball::Ball;
-use trialbook::certified::interval::Interval;
-use trialbook::numerics::double::Double;
-use trialbook::numerics::number::{Number, Real};
-use trialbook::numerics::series::{Series, power, product, sin_cos, sqrt, square};
-use trialbook::numerics::taylor::{Control, Integrator, Step, System, TERMS, integrate};
+use trialbook::certified::{ball::Ball, interval::Interval};
+use trialbook::numerics::{
+    double::Double,
+    number::{Number, Real},
+    series::{Series, power, product, sin_cos, sqrt, square},
+    taylor::{Control, Integrator, Step, System, TERMS, integrate},
+};
 
 /// Components, the unused ones at rest at 0.
 const MOST: usize = 4;

@@ -1,8 +1,7 @@
 //! One monotone piece: its polynomial, its integrals, and where it takes a value.
 
 use super::chebyshev::{Fit, POINTS};
-use crate::numerics::roots::falling_root;
-use crate::numerics::series;
+use crate::numerics::{roots::falling_root, series};
 
 /// A monotone polynomial on [0, length], in powers of the distance s from the left end.
 #[derive(Debug, Clone)]

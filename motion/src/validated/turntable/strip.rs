@@ -3,9 +3,7 @@
 
 use super::{Judged, Law, judge};
 use crate::scalar::Scalar;
-use trialbook::certified::flow::Tilted;
-use trialbook::certified::interval::Interval;
-use trialbook::certified::jet::Jet;
+use trialbook::certified::{flow::Tilted, interval::Interval, jet::Jet};
 
 /// Starts with one A, a range of ψ, and α from 0 to a largest one.
 #[derive(Debug, Clone, Copy)]

@@ -1,8 +1,7 @@
 //! π, the sine and the cosine, the inverse sine, the exponential function and the logarithm, to any number of bits.
 
 use super::Ball;
-use crate::certified::interval::Interval;
-use crate::certified::root::refine;
+use crate::certified::{interval::Interval, root::refine};
 use crate::scalar::Scalar;
 use dashu_int::ops::{BitTest, SquareRoot, UnsignedAbs};
 use dashu_int::{IBig, UBig};

@@ -1,8 +1,7 @@
 //! A set of starts that is carried without being boxed at each step: it turns and shears as the motions do.
 
 use super::{Extended, GROW, Image, LONGEST, SHORTEST, SHRINK, image};
-use crate::certified::error::CertifiedError;
-use crate::certified::interval::Interval;
+use crate::certified::{error::CertifiedError, interval::Interval};
 use crate::numerics::taylor::System;
 use std::array::from_fn;
 

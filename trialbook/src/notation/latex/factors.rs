@@ -1,7 +1,9 @@
 //! The factors of a formula in our plain notation.
 
-use super::super::letters::{ACCENTS, FUNCTIONS, is_small};
-use super::{Factor, Reader, command};
+use super::{
+    super::letters::{ACCENTS, FUNCTIONS, is_small},
+    Factor, Reader, command,
+};
 
 /// A letter of a formula that is not ASCII.
 pub(super) fn is_letter(c: char) -> bool {

@@ -1,7 +1,9 @@
 //! Indices and powers in our plain notation.
 
-use super::super::letters::{HIGH, LOW, large};
-use super::{Factor, Reader, command};
+use super::{
+    super::letters::{HIGH, LOW, large},
+    Factor, Reader, command,
+};
 
 impl Reader<'_> {
     /// Indices, powers and primes behind a factor; nothing if it is a name of the code.

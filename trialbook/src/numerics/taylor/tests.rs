@@ -1,9 +1,11 @@
 //! The integrator on motions whose ends are known without it.
 
 use super::*;
-use crate::numerics::dop853;
-use crate::numerics::roots::root;
-use crate::numerics::series::{power, product, square};
+use crate::numerics::{
+    dop853,
+    roots::root,
+    series::{power, product, square},
+};
 use std::f64::consts::PI;
 
 /// Kepler's problem with unit gravity: x, y, ẋ, ẏ.
