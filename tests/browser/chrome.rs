@@ -238,15 +238,20 @@ impl Page<'_> {
         self.wait_for("document.fonts.status === 'loaded'")
     }
 
-    /// Goes to the explorer of the page, if it has one, and back: it is made when it comes near. The page for printing makes none.
+    /// Goes to the explorer of the page, if it has one, and back. The page for printing makes none.
     pub fn explored(&mut self) -> Seen {
         self.value("document.querySelector('[data-explorer]')?.nextElementSibling.scrollIntoView({ behavior: 'instant' })")?;
+        self.begun()?;
+        self.value("scrollTo({ top: 0, behavior: 'instant' })")
+            .map(drop)
+    }
+
+    /// Waits until all explorers show something, wherever one reads.
+    pub fn begun(&mut self) -> Seen {
         self.wait_for(
             "[...document.querySelectorAll('[data-explorer]')].every(host => host.dataset.shown
                  || location.pathname.endsWith('/print.html'))",
-        )?;
-        self.value("scrollTo({ top: 0, behavior: 'instant' })")
-            .map(drop)
+        )
     }
 
     /// The value of an expression in the page; a promise is waited for.

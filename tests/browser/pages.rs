@@ -206,6 +206,7 @@ pub fn lengths(page: &mut Page, book: &Book) -> Seen {
             let places = page.texts("[...document.querySelectorAll('main [id]:is(h2, h3, .erratum, .lemma > p)')].map(place => place.id)")?;
             page.open(&book.address("certificates.html"))?;
             page.open(&format!("{address}#{}", places[2 * places.len() / 3]))?;
+            page.begun()?;
             let found = page.texts(
                 "(async () => {
                     const wait = time => new Promise(done => setTimeout(done, time));
