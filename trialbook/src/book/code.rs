@@ -82,7 +82,8 @@ impl<'a> Code<'a> {
     /// The sources of a topic in a module: `claims/escape.rs` and all in `claims/escape`. All where there are no modules.
     fn of_topic(&self, module: &str, topic: &Topic) -> impl Iterator<Item = (&str, &Source)> {
         let stem = format!("{module}/{}", topic.stem);
-        let flat = self.files.keys().all(|file| !file.contains('/'));
+        let mut modules = self.files.keys().filter(|file| file.ends_with(".rs"));
+        let flat = modules.all(|file| !file.contains('/'));
         let files = self
             .files
             .iter()
