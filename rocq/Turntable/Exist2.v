@@ -1,7 +1,7 @@
 (* Section 4: from every place and velocity there is a motion on the turntable, slipping or at rest *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Sphere Sinusoidal Fate Alpha Picard Exist.
+From Slipbook Require Import Motion Turntable Turntable2 Sphere Pieces Fate Alpha Picard Exist.
 Open Scope R_scope.
 
 (* a motion whose friction loses at most d of its power *)

@@ -1,7 +1,7 @@
 (* (104), (106), (109), (113) to (115), (124), (125) of every motion on the turntable *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Sphere Sinusoidal Periodic Steady Work Fate Alpha Formulas.
+From Slipbook Require Import Motion Turntable Turntable2 Sphere Pieces Periodic Steady Work Fate Alpha Formulas.
 Open Scope R_scope.
 
 (* (90) to (93): psi is the angle from the velocity to the position *)

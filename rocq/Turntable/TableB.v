@@ -1,7 +1,7 @@
 (* (116) to (121): the other side, p > rho, of every motion on the turntable *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Sphere Sinusoidal Periodic Fate Alpha TableAngle Formulas.
+From Slipbook Require Import Motion Turntable Turntable2 Sphere Pieces Periodic Fate Alpha TableAngle Formulas.
 Open Scope R_scope.
 
 (* (117), (118) *)
