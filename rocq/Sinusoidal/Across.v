@@ -147,7 +147,7 @@ Lemma passage_bounds u del : 0 < del -> del <= (d - l) / 2 -> del < u < PI - del
 Proof.
   intros h0 h1 hu k1 k2. destruct (late_sign l phi0 w wy hl M del) as (m & s1 & m0 & s10 & S). lra. destruct late_speed as (s2 & s20 & V). pose proof PI_RGT_0.
   assert (hk : 0 <= k1 /\ 0 <= k2) by (unfold k1, k2; split; apply Rmult_le_pos; try lra; left; apply Rinv_0_lt_compat; lra).
-  set (A := 2 * l / m * PI). assert (A0 : 0 <= A) by (unfold A; repeat apply Rmult_le_pos; try lra; left; now apply Rinv_0_lt_compat).
+  set (A := 2 * l / m * PI). assert (A0 : 0 <= A) by (unfold A; apply Rmult_le_pos; [ apply Rmult_le_pos; [ lra | left; now apply Rinv_0_lt_compat ] | lra ]).
   assert (l16 : 0 < ln 16) by (rewrite <- ln_1; apply ln_increasing; lra). set (C := (1 + k1) * A + k1 * A + 2 * ln 16 + 2 * Rabs (ln m)).
   assert (C0 : 0 <= C). { pose proof (Rabs_pos (ln m)). assert (0 <= (1 + k1) * A) by nra. assert (0 <= k1 * A) by nra. unfold C. lra. }
   exists C, (Rmax s1 s2). split; trivial. intros s n hs ph. pose proof (Rmax_l s1 s2). pose proof (Rmax_r s1 s2). set (Z := s + (PI - u)). set (e := sg (n + 1)).
@@ -179,8 +179,8 @@ Proof.
   assert (ra2 : ln (v (Z - del) + e * w (Z - del)) = Q (Z - del) - ln (v (Z - del) + - e * w (Z - del))).
   { destruct (moving (Z - del) ltac:(unfold Z; lra)) as (_ & n1 & _). apply Rabs_def2 in n1. pose proof (nrm_sq (w (Z - del)) (wy (Z - del))) as n2.
     assert (0 < v (Z - del) + e * w (Z - del) /\ 0 < v (Z - del) + - e * w (Z - del)) as [x1 x2] by (destruct ee as [-> | ->]; lra).
-    rewrite <- (Rplus_0_r (ln (v (Z - del) + e * w (Z - del)))), <- (Rminus_diag_eq (ln (v (Z - del) + - e * w (Z - del))) _ eq_refl). unfold Rminus at 3. rewrite <- Rplus_assoc, <- ln_mult by trivial.
-    f_equal. f_equal. transitivity (v (Z - del) ^ 2 - e ^ 2 * w (Z - del) ^ 2); [ ring | ]. rewrite n2. destruct ee as [-> | ->]; ring. }
+    enough (E : ln (v (Z - del) + e * w (Z - del)) + ln (v (Z - del) + - e * w (Z - del)) = Q (Z - del)) by lra. rewrite <- ln_mult by trivial.
+    f_equal. transitivity (v (Z - del) ^ 2 - e ^ 2 * w (Z - del) ^ 2); [ ring | ]. rewrite n2. destruct ee as [-> | ->]; ring. }
   rewrite ra2 in T1, T2. assert ((1 + k1) * (Q s - A) <= (1 + k1) * Q (Z - del)) by (apply Rmult_le_compat_l; lra). assert (k1 * (Q (Z + del) - A) <= k1 * Q (s + PI)) by (apply Rmult_le_compat_l; lra).
   assert (k2 * Q (s + PI) <= k2 * Q (Z + del)) by (apply Rmult_le_compat_l; lra). assert ((1 + k2) * Q (Z - del) <= (1 + k2) * Q s) by (apply Rmult_le_compat_l; lra).
   assert (0 <= (1 + k1) * A) by nra. assert (0 <= k1 * A) by nra. pose proof (Rabs_pos (ln m)). unfold C. split; lra.

@@ -62,11 +62,12 @@ Proof.
   assert (I1 : IZR (j + 1) = IZR j + 1) by apply plus_IZR. assert (I2 : IZR (j + 1 + 1) = IZR j + 1 + 1) by now rewrite plus_IZR, I1.
   assert (E1 : phi0 + Z1 = p + IZR (j + 1) * PI) by (rewrite I1, Ij; unfold Z1, u; lra). assert (E2 : phi0 + Z2 = p + IZR (j + 1 + 1) * PI) by (rewrite I2, Ij; unfold Z2, u; lra).
   assert (g1 : sg (j + 1) = - sg j) by apply sg_succ. assert (g2 : sg (j + 1 + 1) = sg j) by (rewrite !sg_succ; ring).
-  assert (A : forall y, s <= y <= Z1 - d -> 0 < sg j * w y) by (intros y Hy; apply Rlt_le_trans with (1 := m0); apply S; unfold Z1, u in *; lra).
+  assert (off : forall y, phi0 + y - p - IZR j * PI = u + (y - s)) by (intros y; rewrite Ij; unfold u; lra).
+  assert (A : forall y, s <= y <= Z1 - d -> 0 < sg j * w y) by (intros y Hy; apply Rlt_le_trans with (1 := m0); apply S; rewrite ?off; unfold Z1 in *; lra).
   assert (B : forall y, Z1 + d <= y <= Z2 - d -> sg j * w y < 0).
-  { intros y Hy. enough (m <= sg (j + 1) * w y) by (rewrite g1 in *; lra). apply S; rewrite ?I1; unfold Z1, Z2, u in *; lra. }
+  { intros y Hy. enough (m <= sg (j + 1) * w y) by (rewrite g1 in *; lra). apply S; [ unfold Z1 in *; lra | ]. rewrite I1. pose proof (off y). unfold Z1, Z2 in *. lra. }
   assert (C : forall y, Z2 + d <= y <= s + 2 * PI -> 0 < sg j * w y).
-  { intros y Hy. enough (m <= sg (j + 1 + 1) * w y) by (rewrite g2 in *; lra). apply S; rewrite ?I2; unfold Z2, u in *; lra. }
+  { intros y Hy. enough (m <= sg (j + 1 + 1) * w y) by (rewrite g2 in *; lra). apply S; [ unfold Z2 in *; lra | ]. rewrite I2. pose proof (off y). unfold Z2 in *. lra. }
   destruct (crossing d Z1 (j + 1) ltac:(lra) E1) as (z1 & h1 & w1 & u1); [ unfold Z1; lra | | | ].
   { rewrite g1. specialize (A (Z1 - d)). unfold Z1 in *. lra. } { rewrite g1. specialize (B (Z1 + d)). unfold Z1, Z2 in *. lra. }
   destruct (crossing d Z2 (j + 1 + 1) ltac:(lra) E2) as (z2 & h2 & w2 & u2); [ unfold Z2; lra | | | ].
