@@ -267,3 +267,91 @@ Proof.
     unfold eq39_phi_t1 in H2. rewrite cos_acos in H2 by nra. nra. }
   pose proof (sin_increasing_1 (asin lam) (eq39_phi_t1 lam) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) H). lra.
 Qed.
+
+(* ---- at large times ---- *)
+Lemma units_pos mu g A0 : 0 < A0 -> 0 <= mu * g -> 0 <= eq22_lambda0 mu g A0.
+Proof. intros hA h0. unfold eq22_lambda0. apply Rmult_le_pos; [ trivial | left; now apply Rinv_0_lt_compat ]. Qed.
+(* With any friction the velocity across the drive tends to zero. *)
+Theorem s22_vy_vanishes mu g A0 varpi t0 vx vy : 0 < mu * g -> block mu g A0 varpi t0 vx vy -> is_lim vy p_infty s22_late_vy.
+Proof.
+  intros h0 B. apply (across_vanishes (mu * g) (Rabs A0 + 1) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) vx vy); trivial; [ pose proof (Rabs_pos A0); lra | ].
+  intros t _. unfold eq21_acceleration_1. pose proof (SIN_bound (varpi * (t0 + t))). rewrite Rabs_mult, Rabs_Ropp. assert (Rabs (sin (varpi * (t0 + t))) <= 1) by (apply Rabs_le; lra). pose proof (Rabs_pos A0). nra.
+Qed.
+(* Without friction there is a motion that keeps its velocity across, and whose velocity along is never zero. *)
+Theorem s22_vy_vanishes__needs_friction : shaken 0 0 (fun s => 2 - cos s) (fun _ => 1) /\ forall s, 0 < 2 - cos s.
+Proof.
+  split. 2: { intros s. pose proof (COS_bound s). lra. } rewrite shaken_sin. split; [ | intros; cont | ].
+  - intros s _. apply derivable_continuous_pt. reg.
+  - intros s _. exists 0, 0. split; [ split; [ lra | ring ] | ]. split; [ | eapply rder_eq; [ rd | ring ] ]. apply rder_of. auto_derive; trivial. rewrite Rplus_0_l. ring.
+Qed.
+(* A drive weaker than friction: after this time the block is at rest, for good. *)
+Theorem s22_weak_drive_stops mu g A0 varpi t0 vx vy t : 0 < A0 < mu * g -> block mu g A0 varpi t0 vx vy -> nrm (vx 0) (vy 0) / (mu * g - A0) <= t ->
+  vx t = 0 /\ vy t = 0.
+Proof.
+  intros h B. apply (weak_stops (mu * g) A0 _ _ vx vy ltac:(lra) B). intros u _. unfold eq21_acceleration_1, eq21_acceleration_2. rewrite nrm_line, Rabs_mult, Rabs_Ropp.
+  pose proof (SIN_bound (varpi * (t0 + u))). assert (Rabs (sin (varpi * (t0 + u))) <= 1) by (apply Rabs_le; lra). rewrite (Rabs_pos_eq A0) by lra. nra.
+Qed.
+(* A drive that can be stronger: however late, vx reaches a size that does not depend on the motion. *)
+Theorem s22_vx_stays mu g A0 varpi t0 vx vy : 0 <= mu * g < A0 -> 0 < varpi -> block mu g A0 varpi t0 vx vy ->
+  let b := PI / 2 - eq27_phi1 (eq22_lambda0 mu g A0) in let c := A0 / varpi * (sin b - b * cos b) in
+  0 < c /\ (forall T, exists t, T <= t /\ c <= Rabs (vx t)) /\ ~ is_lim vx p_infty 0.
+Proof.
+  intros h hv B b c. apply (block_units mu g A0 varpi t0 _ _ ltac:(lra) hv) in B. set (l := eq22_lambda0 mu g A0) in *. pose proof (units_pos mu g A0 ltac:(lra) (proj1 h)) as l0. fold l in l0.
+  assert (l1 : l < 1) by (unfold l, eq22_lambda0; apply Rlt_div_l; lra). assert (hb : 0 < b <= PI / 2 /\ cos b = l).
+  { unfold b, eq27_phi1. rewrite cos_shift, sin_asin by lra. pose proof (asin_bound_lt l ltac:(lra)). split; [ | trivial ]. destruct l0 as [l0 | <-]; [ destruct (p1_range l ltac:(lra)); lra | rewrite asin_0; pose proof PI_RGT_0; lra ]. }
+  destruct hb as [hb cb]. assert (k0 : 0 < sin b - b * cos b).
+  { replace 0 with (sin 0 - 0 * cos 0) by (rewrite sin_0; ring). apply (up (fun b => sin b - b * cos b) (fun b => b * sin b)); [ lra | intros; auto_derive; trivial; ring | ].
+    intros y Hy. apply Rmult_lt_0_compat; [ lra | apply sin_gt_0; lra ]. }
+  assert (V : 0 < A0 / varpi) by (apply Rdiv_lt_0_compat; lra). assert (c0 : 0 < c) by (unfold c; now apply Rmult_lt_0_compat).
+  assert (F : forall T, exists t, T <= t /\ c <= Rabs (vx t)).
+  { intros T. destruct (phase_after (eq23_phase varpi t0) (asin l) (Rmax 0 (varpi * T))) as (s & hs & ph). pose proof (Rmax_l 0 (varpi * T)). pose proof (Rmax_r 0 (varpi * T)).
+    pose proof (gain l _ _ _ l0 B s (s + 2 * b) ltac:(lra)) as G. cbv beta in G. destruct (at_sin _ s _ 0 ph) as [_ c1]. rewrite !Rplus_0_r in c1. destruct (at_sin _ s _ (2 * b) ph) as [_ c2]. rewrite c1, c2 in G.
+    replace (asin l + 2 * b) with (PI - asin l) in G by (unfold b, eq27_phi1; field). rewrite (cos_minus PI), cos_PI, sin_PI in G. replace (cos (asin l)) with (sin b) in G by (unfold b, eq27_phi1; apply sin_shift).
+    assert (hT : forall u, 0 <= u -> T <= (s + u) / varpi) by (intros u hu; apply Rle_div_r; lra). assert (sz : forall x, eq24_w varpi x A0 = x / (A0 / varpi)) by (intros; unfold eq24_w; field; lra). rewrite !sz in G.
+    rewrite <- cb in G. set (k := sin b - b * cos b) in *. set (x := vx (s / varpi)) in *. set (y := vx ((s + 2 * b) / varpi)) in *.
+    destruct (Rle_lt_dec c (Rabs y)) as [q | q]. exists ((s + 2 * b) / varpi). split; [ apply hT; lra | trivial ].
+    exists (s / varpi). split; [ replace s with (s + 0) by ring; apply hT; lra | ]. fold x. apply Rabs_def2 in q. replace y with (y / (A0 / varpi) * (A0 / varpi)) in q by (field; lra). apply Rle_trans with (2 := Rabs_maj2 x).
+    replace x with (x / (A0 / varpi) * (A0 / varpi)) by (field; lra). unfold c in *. fold k in q |- *. set (r := A0 / varpi) in *. assert (2 * k <= y / r - x / r) by (unfold k; lra). nra. }
+  split; [ trivial | split; [ trivial | ] ]. intros L. apply is_lim_spec in L. destruct (L (mkposreal c c0)) as [T HT]. destruct (F (T + 1)) as (t & ht & K). specialize (HT t ltac:(lra)). rewrite Rminus_0_r in HT. simpl in HT. lra.
+Qed.
+(* Friction along and across the drive while w is not zero: across it is -lambda0 wy/|w|, along it is lambda0 against w, but for (wy/w)^2/2 of it. *)
+Theorem s22_friction_across lam phi0 w wy s : 0 <= lam -> shaken lam phi0 w wy -> 0 <= s -> w s <> 0 -> exists fx fy,
+  rder w s (fx - eq21_acceleration_1 1 1 (phi0 + s)) /\ rder wy s (fy - eq21_acceleration_2 1 1 (phi0 + s)) /\
+  Rabs (fy - s22_across_friction lam (w s) (wy s)) <= (wy s / w s) ^ 2 / 2 * Rabs (s22_across_friction lam (w s) (wy s)) /\
+  Rabs (fx - - lam * (w s / Rabs (w s))) <= (wy s / w s) ^ 2 / 2 * lam.
+Proof.
+  intros hl M hs hw. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & C & _ & _ & X & Y). exists fx, fy. destruct (coulomb_slip _ _ _ _ _ hl C) as [E F].
+  pose proof (Rabs_pos_lt _ hw) as x0. destruct (nearly (Rabs (w s)) (wy s) x0) as [n1 n2]. assert (en : nrm (Rabs (w s)) (wy s) = nrm (w s) (wy s)) by (unfold nrm; now rewrite pow2_abs). rewrite en in *.
+  replace ((wy s / Rabs (w s)) ^ 2) with ((wy s / w s) ^ 2) in n2 by (unfold Rdiv; rewrite !Rpow_mult_distr, <- !Rinv_pow, pow2_abs by lra; trivial).
+  set (q := (wy s / w s) ^ 2) in *. set (n := nrm (w s) (wy s)) in *. set (x := Rabs (w s)) in *. assert (n0 : 0 < n) by lra.
+  assert (small : Rabs (x / n - 1) <= q / 2). { assert (x / n <= 1) by (apply Rle_div_l; lra). assert (1 - q / 2 <= x / n) by (apply Rle_div_r; trivial). apply Rabs_le; lra. }
+  unfold s22_across_friction, eq21_acceleration_1, eq21_acceleration_2. replace (sqrt (w s ^ 2)) with x by (unfold x; rewrite <- (pow2_abs (w s)), sqrt_pow2; trivial; apply Rabs_pos).
+  split; [ eapply rder_eq; [ exact X | rewrite Rmult_1_l; ring ] | split; [ eapply rder_eq; [ exact Y | ring ] | split ] ].
+  - replace (fy - - lam * wy s / x) with ((x / n - 1) * (- lam * wy s / x)). rewrite Rabs_mult. apply Rmult_le_compat_r; [ apply Rabs_pos | trivial ].
+    replace fy with (- lam * wy s / n) by (rewrite <- F; field; lra). field; lra.
+  - replace (fx - - lam * (w s / x)) with ((x / n - 1) * (- lam * (w s / x))). rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; trivial.
+    rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq lam) by trivial. unfold Rdiv. rewrite Rabs_mult, Rabs_inv. fold x. rewrite Rabs_Rabsolu || idtac. replace (Rabs x) with x by (symmetry; apply Rabs_pos_eq; lra). right. field. lra.
+    replace fx with (- lam * w s / n) by (rewrite <- E; field; lra). field; lra.
+Qed.
+(* Whatever the two starts, and at every friction but none: the difference of the two vx tends to zero. *)
+Theorem s22_attractor_ignores_vy lam phi0 w wy u uy : 0 < lam -> shaken lam phi0 w wy -> shaken lam phi0 u uy -> is_lim (fun s => w s - u s) p_infty 0 /\
+  (w 0 = u 0 -> w 0 <> 0 -> forall d, 0 < d -> (forall s, 0 <= s < d -> w s = u s) -> Rabs (wy 0) = Rabs (uy 0)).
+Proof.
+  intros h0 M N. split.
+  - assert (same : (exists s1, forall s, s1 <= s -> w s = u s) -> is_lim (fun s => w s - u s) p_infty 0).
+    { intros [s1 S]. apply is_lim_spec. intros eps. exists s1. intros s hs. rewrite S by lra. replace (u s - u s - 0) with 0 by ring. rewrite Rabs_R0. apply cond_pos. }
+    destruct (Rle_lt_dec lam eq37_lambda_c) as [k | k].
+    { destruct (w38_attracts lam ltac:(lra) phi0 w wy M) as [X _]. destruct (w38_attracts lam ltac:(lra) phi0 u uy N) as [Y _].
+      apply (is_lim_ext (fun s => (w s - w38 lam (phi0 + s)) - (u s - w38 lam (phi0 + s)))). intros; ring. replace 0 with (0 - 0) by ring. now apply is_lim_minus'. }
+    apply same. destruct (Rlt_le_dec lam 1) as [k1 | k1].
+    + destruct (slip_end_exists lam ltac:(lra)) as [e E]. assert (q : e < eq29_phi3 lam) by (apply (eq_36 lam e ltac:(lra) E); exact k).
+      destruct (w33_reached lam e ltac:(lra) E q phi0 w wy M) as (s1 & _ & R). destruct (w33_reached lam e ltac:(lra) E q phi0 u uy N) as (s2 & _ & R').
+      exists (Rmax s1 s2). intros s hs. pose proof (Rmax_l s1 s2). pose proof (Rmax_r s1 s2). rewrite (proj1 (R s ltac:(lra))), (proj1 (R' s ltac:(lra))). trivial.
+    + destruct (all_stop lam phi0 w wy k1 M) as (s1 & _ & R). destruct (all_stop lam phi0 u uy k1 N) as (s2 & _ & R').
+      exists (Rmax s1 s2). intros s hs. pose proof (Rmax_l s1 s2). pose proof (Rmax_r s1 s2). rewrite (proj1 (R s ltac:(lra))), (proj1 (R' s ltac:(lra))). trivial.
+  - intros e0 hw d hd S. destruct (law lam phi0 w wy ltac:(lra) M 0 ltac:(lra)) as (fx & fy & C & _ & _ & X & _). destruct (law lam phi0 u uy ltac:(lra) N 0 ltac:(lra)) as (gx & gy & D & _ & _ & Y & _).
+    assert (e : sin (phi0 + 0) + fx = sin (phi0 + 0) + gx) by (apply (rder_unique w u 0 _ _ d); trivial; intros s Hs; apply S; lra). assert (e1 : fx = gx) by lra.
+    destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) C) as [E _]. destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) D) as [F _]. rewrite <- e0, <- e1 in F.
+    pose proof (nrm_sq (w 0) (wy 0)) as n1. pose proof (nrm_sq (w 0) (uy 0)) as n2. assert (fx <> 0) by (intros z; rewrite z in E; apply hw; nra).
+    assert (en : nrm (w 0) (wy 0) = nrm (w 0) (uy 0)) by (apply (Rmult_eq_reg_r fx); [ lra | trivial ]). rewrite en in n1. apply Rsqr_eq_abs_0. rewrite !Rsqr_pow2. lra.
+Qed.
