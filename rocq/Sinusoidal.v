@@ -322,7 +322,7 @@ Theorem s22_friction_across lam phi0 w wy s : 0 <= lam -> shaken lam phi0 w wy -
 Proof.
   intros hl M hs hw. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & C & _ & _ & X & Y). exists fx, fy. destruct (coulomb_slip _ _ _ _ _ hl C) as [E F].
   pose proof (Rabs_pos_lt _ hw) as x0. destruct (nearly (Rabs (w s)) (wy s) x0) as [n1 n2]. assert (en : nrm (Rabs (w s)) (wy s) = nrm (w s) (wy s)) by (unfold nrm; now rewrite pow2_abs). rewrite en in *.
-  replace ((wy s / Rabs (w s)) ^ 2) with ((wy s / w s) ^ 2) in n2 by (unfold Rdiv; rewrite !Rpow_mult_distr, <- !Rinv_pow, pow2_abs by lra; trivial).
+  replace ((wy s / Rabs (w s)) ^ 2) with ((wy s / w s) ^ 2) in n2 by (unfold Rdiv; rewrite !Rpow_mult_distr, !pow_inv, pow2_abs; trivial).
   set (q := (wy s / w s) ^ 2) in *. set (n := nrm (w s) (wy s)) in *. set (x := Rabs (w s)) in *. assert (n0 : 0 < n) by lra.
   assert (small : Rabs (x / n - 1) <= q / 2). { assert (x / n <= 1) by (apply Rle_div_l; lra). assert (1 - q / 2 <= x / n) by (apply Rle_div_r; trivial). apply Rabs_le; lra. }
   unfold s22_across_friction, eq21_acceleration_1, eq21_acceleration_2. replace (sqrt (w s ^ 2)) with x by (unfold x; rewrite <- (pow2_abs (w s)), sqrt_pow2; trivial; apply Rabs_pos).
