@@ -18,7 +18,6 @@ use super::error::ExactError;
 use super::expr::Function;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
-use super::recording;
 use dashu_int::IBig;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -233,7 +232,7 @@ impl Ring {
         }
         let own = Rational::generator(self.generator(name, rule));
         self.push_power(radicand, exponent.clone(), own.clone());
-        recording::formed(|| recording::raised(radicand, &exponent), || Ok(own))
+        Ok(own.formed())
     }
 
     /// Says which element of the ring is the positive root of a radicand.

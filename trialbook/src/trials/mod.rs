@@ -39,7 +39,9 @@ use crate::data::Text;
 use crate::evidence::{Change, Kind};
 #[cfg(feature = "trials")]
 use {
+    crate::data::Folder,
     crate::seeded::Corner,
+    crate::theorems::{Known, Theorems},
     attempt::Attempt,
     by_hand::{ByHand, Numbers},
     formulas::Formulas,
@@ -313,9 +315,9 @@ pub struct Paper {
     /// The record of a deep run; empty if none was made.
     #[cfg(feature = "trials")]
     pub deep: Text,
-    /// The record of a check of its certificates by another engine; empty if there was none.
+    /// Its theorems before a proof assistant's kernel.
     #[cfg(feature = "trials")]
-    pub certified: Text,
+    pub theorems: &'static Theorems,
     /// Its formulas.
     #[cfg(feature = "trials")]
     pub formulas: Formulas,
@@ -323,9 +325,16 @@ pub struct Paper {
 
 #[cfg(feature = "trials")]
 const NONE: Text = Text::Built("");
+#[cfg(feature = "trials")]
+static NO_THEOREMS: Theorems = Theorems::new(Folder::None, NONE);
 
 #[cfg(feature = "trials")]
 impl Paper {
+    /// What is known of its theorems.
+    pub fn known_theorems(&self) -> &Known {
+        self.theorems.known(self)
+    }
+
     /// What a paper need not have: all but its title, its topics and its record.
     pub const BLANK: Paper = Paper {
         title: "",
@@ -336,7 +345,7 @@ impl Paper {
         record: NONE,
         tries_variants: false,
         deep: NONE,
-        certified: NONE,
+        theorems: &NO_THEOREMS,
         formulas: Formulas::NONE,
     };
 
