@@ -16,8 +16,9 @@
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
 //! | `{{certified}}` | how many proofs a second engine has checked |
+//! | `{{unreached}}` | a table of the claims of which no theorem says the whole, with what is missing |
+//! | `{{definitions}}` | what the statements of the theorems speak of, with links to it in the boxes |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
-//! | `{{measured}}` | a table of the claims without a proof, by the reason |
 //! | `{{symbols}}`, `{{values}}` | the indexes |
 //! | `{{errata misprint refuted}}` | the errata with these verdicts |
 //! | `{{map key}}`, `{{map list}}`, `{{falls}}` | the signs of the map of claims, and what it shows as tables |
@@ -76,6 +77,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 mod text;
+mod theorems;
 mod values;
 
 pub use assembly::Frame;

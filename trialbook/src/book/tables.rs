@@ -237,38 +237,35 @@ pub(super) fn tolerances(context: &Context<'_>) -> Html {
 pub(super) fn proofs(ledger: &Ledger) -> String {
     let row = |name: &str, counts: &dyn Fn(&Entry) -> bool| {
         let entries: Vec<_> = ledger.entries.iter().filter(|e| counts(e)).collect();
-        let [proved, argued, measured] = Standing::ALL.map(|of| {
+        let [proved, argued, measured, defined] = Standing::ALL.map(|of| {
             let known = entries.iter().filter(|e| e.standing() == Some(of));
             count(known.count())
         });
         let all = count(entries.len());
-        [name.to_owned(), proved, argued, measured, all]
+        [name.to_owned(), proved, argued, measured, defined, all]
     };
     let numbered = |e: &Entry| e.claim.equation.is_some();
-    let definition = |e: &Entry| e.claim.kind == Kind::Definition;
     let rows = [
-        row("Numbered, not a definition", &|e| {
-            numbered(e) && !definition(e)
-        }),
-        row("Numbered definitions", &|e| numbered(e) && definition(e)),
+        row("Numbered", &numbered),
         row("Statements in words and pictures", &|e| !numbered(e)),
         row("All", &|_| true),
     ];
     table(
         "proofs",
-        ["Claims", "Proved", "Argued", "Measured", "All"],
+        ["Claims", "Proved", "Argued", "Measured", "Defined", "All"],
         rows,
     )
 }
 
-pub(super) fn measured(context: &Context<'_>) -> Html {
+/// What is missing where no theorem says the whole of a claim.
+pub(super) fn unreached(context: &Context<'_>) -> Html {
     let row = |(why, claims): &(&str, Vec<&'static Claim>)| {
         let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
         Ok([context.maths.words(why)?, context.links(&ids)?])
     };
     let reasons = context.ledger.paper.unproved();
-    let head = ["Why there is no proof", "Claims"];
-    tried("measured", head, reasons.iter().map(row))
+    let head = ["What is missing", "Claims"];
+    tried("unreached", head, reasons.iter().map(row))
 }
 
 /// How many points, the worst disagreement at them and what is allowed.
