@@ -68,11 +68,7 @@ impl Theorems {
                 Ok(record) => (record, None),
                 Err(fault) => (Vec::new(), Some(fault)),
             };
-            Known {
-                sources,
-                record,
-                fault,
-            }
+            Known { sources, record, formulas, fault }
         })
     }
 }

@@ -7,7 +7,7 @@ use super::{
     overview::strip,
     text::{count, counted, escape, in_code, size},
 };
-use crate::evidence::{Evidence, Kind, Route, Tolerance};
+use crate::evidence::{Evidence, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Standing, Verdict};
 use crate::trials::{Claim, Excuse, Topic, attempt::Attempt};
 use std::collections::{BTreeMap, BTreeSet};

@@ -84,17 +84,14 @@ fn list(
     whole: bool,
     format: Format,
 ) -> Result<(), Failure> {
-    let of = |claim: &&'static Claim| {
-        known
-            .of_claim(claim.id)
-            .into_iter()
-            .map(move |(accepted, _)| (claim.id, accepted))
-    };
-    let rows = || claims.iter().flat_map(of);
+    let ids = claims.iter().map(|claim| claim.id);
+    let rows: Vec<_> = ids
+        .flat_map(|id| known.of_claim(id).into_iter().map(move |(accepted, _)| (id, accepted)))
+        .collect();
     match format {
         Format::Json => json(&List {
             version: VERSION,
-            theorems: rows().map(|(claim, theorem)| Row { claim, theorem }).collect(),
+            theorems: rows.iter().copied().map(|(claim, theorem)| Row { claim, theorem }).collect(),
         }),
         Format::Csv => csv(
             &[
@@ -107,7 +104,7 @@ fn list(
                 "seconds",
                 "statement",
             ],
-            rows().map(|(claim, a)| {
+            rows.iter().copied().map(|(claim, a)| {
                 vec![
                     claim.to_owned(),
                     a.name.clone(),
@@ -121,7 +118,7 @@ fn list(
             }),
         ),
         Format::Text => {
-            let text = rows().map(|(_, a)| match whole {
+            let text = rows.iter().copied().map(|(_, a)| match whole {
                 true => format!(
                     "{} ({}, {})\n{}\n\n",
                     a.name,

@@ -41,7 +41,7 @@ pub fn definitions(formulas: &[Formula<Expr>], corrections: &str) -> String {
             none if none.is_empty() => none,
             names => format!(" ({names} : R)"),
         };
-        let own = |symbol| {
+        let own = |symbol: &'static str| {
             let at = formula.symbols.iter().position(|own| *own == symbol);
             at.map_or(symbol, |at| &arguments[at])
         };
