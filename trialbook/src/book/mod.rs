@@ -15,7 +15,6 @@
 //! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
-//! | `{{certified}}` | how many proofs a second engine has checked |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
 //! | `{{measured}}` | a table of the claims without a proof, by the reason |
 //! | `{{symbols}}`, `{{values}}` | the indexes |
@@ -49,7 +48,6 @@
 mod assembly;
 mod assets;
 mod atomic_replace;
-mod certificates;
 mod claim_box;
 mod code;
 mod context;

@@ -7,7 +7,7 @@ use super::{
     overview::strip,
     text::{count, counted, escape, in_code, size},
 };
-use crate::evidence::{Evidence, Kind, Route, Tolerance};
+use crate::evidence::{Evidence, Route, Tolerance};
 use crate::ledger::{Entry, Ledger, Standing, Verdict};
 use crate::trials::{Claim, Excuse, Topic, attempt::Attempt};
 use std::collections::{BTreeMap, BTreeSet};
@@ -237,26 +237,22 @@ pub(super) fn tolerances(context: &Context<'_>) -> Html {
 pub(super) fn proofs(ledger: &Ledger) -> String {
     let row = |name: &str, counts: &dyn Fn(&Entry) -> bool| {
         let entries: Vec<_> = ledger.entries.iter().filter(|e| counts(e)).collect();
-        let [proved, argued, measured] = Standing::ALL.map(|of| {
+        let [proved, argued, measured, defined] = Standing::ALL.map(|of| {
             let known = entries.iter().filter(|e| e.standing() == Some(of));
             count(known.count())
         });
         let all = count(entries.len());
-        [name.to_owned(), proved, argued, measured, all]
+        [name.to_owned(), proved, argued, measured, defined, all]
     };
     let numbered = |e: &Entry| e.claim.equation.is_some();
-    let definition = |e: &Entry| e.claim.kind == Kind::Definition;
     let rows = [
-        row("Numbered, not a definition", &|e| {
-            numbered(e) && !definition(e)
-        }),
-        row("Numbered definitions", &|e| numbered(e) && definition(e)),
+        row("Numbered", &numbered),
         row("Statements in words and pictures", &|e| !numbered(e)),
         row("All", &|_| true),
     ];
     table(
         "proofs",
-        ["Claims", "Proved", "Argued", "Measured", "All"],
+        ["Claims", "Proved", "Argued", "Measured", "Defined", "All"],
         rows,
     )
 }
