@@ -5,7 +5,6 @@ mod attractors;
 mod breaks;
 mod calculators;
 mod careless;
-mod certificates;
 mod certified;
 mod claims_list;
 mod command;

@@ -1,7 +1,7 @@
 //! What each placeholder stands for.
 
 use super::{
-    certificates, claim_box,
+    claim_box,
     context::{Context, verdict},
     deep, errata,
     error::{Fault, Html},
@@ -80,7 +80,6 @@ impl<'a> Filler<'a> {
             ["proofs"] => block(tables::proofs(ledger)),
             ["unreached"] => block(tables::unreached(context)?),
             ["accuracy"] => block(tables::accuracy(context)?),
-            ["certified"] => block(certificates::summary(context)?),
             ["deep"] => block(deep::table_of(context)?),
             ["survivors"] => block(tables::excused(context, "survivors")?),
             ["spared"] => block(tables::excused_trials(context, "spared")?),

@@ -15,7 +15,6 @@
 //! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
-//! | `{{certified}}` | how many proofs a second engine has checked |
 //! | `{{unreached}}` | a table of the claims of which no theorem says the whole, with what is missing |
 //! | `{{definitions}}` | what the statements of the theorems speak of, with links to it in the boxes |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
@@ -50,7 +49,6 @@
 mod assembly;
 mod assets;
 mod atomic_replace;
-mod certificates;
 mod claim_box;
 mod code;
 mod context;

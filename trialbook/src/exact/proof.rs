@@ -134,6 +134,7 @@ pub enum Obstacle {
 
 /// What was tried to prove, how, and with what success.
 #[derive(Debug, Clone, PartialEq, Eq)]
+#[must_use = "it shows nothing unless it is asked whether it holds"]
 pub struct Proof {
     title: String,
     steps: Vec<Step>,

@@ -151,16 +151,12 @@ pub struct Claim {
     pub depends_on: &'static [&'static str],
     /// What replaces it, where it fails.
     pub correction: Option<Correction>,
-    /// What no program checks of its proof, in words: why what is checked is enough. Empty where that is the whole statement,
-    /// and where the proof itself says it between its steps.
+    /// Why what its trials prove is enough, in words; empty where the proof itself says it between its steps.
     pub argument: &'static str,
-    /// Whether what its proof checks is the whole statement: a proof of which this is not said, and no `argument`, counts for
-    /// nothing more than a comparison.
-    pub whole: bool,
     /// How it is tried.
     #[cfg(feature = "trials")]
     pub trials: &'static [Attempt],
-    /// Why it has no proof, where it has none.
+    /// What is missing, where no theorem says the whole of it.
     pub unproved: Option<&'static str>,
     /// Why it fails, with a case to check by hand.
     #[cfg(feature = "trials")]
