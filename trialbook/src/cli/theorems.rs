@@ -53,7 +53,7 @@ pub(super) fn theorems(
         let trees = (paper.formulas.trees)();
         say(&formulas::definitions(&trees, paper.formulas.corrections))?;
     } else if wanted.questions {
-        say(&record::questions(known.wanted(paper).into_iter()))?;
+        say(&record::questions(&known.sources, &known.wanted(paper)))?;
     } else if let Some(folder) = &wanted.answers {
         say(&made(known, folder)?)?;
     } else {

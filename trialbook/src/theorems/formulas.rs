@@ -104,6 +104,7 @@ fn written<'a>(tree: Expr, place: Level, name: &dyn Fn(&'static str) -> &'a str,
         Node::Int(_) | Node::Pi | Node::Symbol(_) => Level::Atom,
         Node::Neg(_) => Level::Opposite,
         Node::Binary(Binary::Add | Binary::Sub, ..) => Level::Sum,
+        Node::Binary(Binary::Mul, x, y) if x == y => Level::Power,
         Node::Binary(Binary::Mul | Binary::Div, ..) => Level::Product,
         Node::Binary(Binary::Pow, ..) | Node::Call(..) => Level::Power,
     };
@@ -127,6 +128,10 @@ fn written<'a>(tree: Expr, place: Level, name: &dyn Fn(&'static str) -> &'a str,
             }
             _ => call("Rpower", &[x, y], name, out),
         },
+        Node::Binary(Binary::Mul, x, y) if x == y => {
+            written(x, Level::Atom, name, out);
+            *out += " ^ 2";
+        }
         Node::Binary(join, x, y) => {
             let (sign, next) = match join {
                 Binary::Add => (" + ", Level::Product),

@@ -129,26 +129,35 @@ fn head(line: &str) -> Option<Accepted> {
 
 /// What stands before the name of a theorem where `coqc` answers for it.
 const NEXT: &str = "== ";
+/// What stands before the names of theorems where it says on what they rest.
+const ALL: &str = "=== ";
 
-/// A file that asks `coqc` for the statements of these theorems and for what they rest on.
-pub fn questions<'a>(theorems: impl Iterator<Item = &'a Item>) -> String {
-    let (mut files, mut asked) = (BTreeSet::new(), String::new());
-    for Item { file, name, .. } in theorems {
-        let module = file.trim_end_matches(".v").replace('/', ".");
-        let _ = write!(
-            asked,
-            "Goal True. idtac \"{NEXT}{name}\". Abort.\nCheck @Slipbook.{module}.{name}.\nPrint Assumptions Slipbook.{module}.{name}.\n"
-        );
-        files.insert(module);
+/// A file that asks `coqc` for the statements of these theorems and for what they rest on: one by one where a file computes with
+/// intervals, and of all others together, as each such question takes a second.
+pub fn questions(sources: &Sources, theorems: &[&Item]) -> String {
+    let path = |item: &Item| format!("Slipbook.{}.{}", item.file.trim_end_matches(".v").replace('/', "."), item.name);
+    let (computing, others): (Vec<&Item>, Vec<&Item>) =
+        theorems.iter().partition(|item| sources.requires(&item.file, "Interval"));
+    let files: BTreeSet<_> = theorems.iter().map(|item| item.file.trim_end_matches(".v").replace('/', ".")).collect();
+    let mut asked = String::from("Require Import Reals.\nFrom Coquelicot Require Import Coquelicot.\n");
+    for file in files {
+        let _ = writeln!(asked, "Require Slipbook.{file}.");
     }
-    let files: String = files
-        .iter()
-        .map(|module| format!("Require Slipbook.{module}.\n"))
-        .collect();
-    format!(
-        "Require Import Reals.\nFrom Coquelicot Require Import Coquelicot.\n{files}From Slipbook Require Import Motion.\n\
-         Open Scope R_scope.\nSet Printing Width 110.\n{asked}"
-    )
+    asked += "From Slipbook Require Import Motion.\nOpen Scope R_scope.\nSet Printing Width 110.\n";
+    for item in theorems {
+        let _ = writeln!(asked, "Goal True. idtac \"{NEXT}{}\". Abort.\nCheck @{}.", item.name, path(item));
+    }
+    for (i, group) in computing.into_iter().map(|item| vec![item]).chain([others]).enumerate() {
+        let names: Vec<_> = group.iter().map(|item| item.name.as_str()).collect();
+        let all: Vec<_> = group.iter().map(|item| format!("@{}", path(item))).collect();
+        let _ = writeln!(
+            asked,
+            "Goal True. idtac \"{ALL}{}\". Abort.\nDefinition all_{i} := ({}, tt).\nPrint Assumptions all_{i}.",
+            names.join(" "),
+            all.join(", ")
+        );
+    }
+    asked
 }
 
 /// The record by what `coqc` has answered, and by how long each sentence took: for each file, what `-time` prints.
@@ -161,31 +170,27 @@ pub fn made(
     times: &BTreeMap<String, String>,
     before: &[Accepted],
 ) -> Result<Vec<Accepted>, String> {
+    let (statements, rests) = answers.split_at(answers.find(ALL).unwrap_or(answers.len()));
+    let mut axioms: BTreeMap<&str, Vec<String>> = BTreeMap::new();
+    for group in rests.split(ALL).skip(1) {
+        let (names, list) = group.split_once('\n').unwrap_or((group, ""));
+        let own = list.split_once("Axioms:").map_or(Vec::new(), |(_, list)| axioms_of(list));
+        axioms.extend(names.split(' ').map(|name| (name, own.clone())));
+    }
     let mut all = Vec::new();
-    for answer in answers.split(NEXT).skip(1) {
+    for answer in statements.split(NEXT).skip(1) {
         let (name, said) = answer.split_once('\n').unwrap_or((answer, ""));
         let none = || format!("no answer for {name}");
         let item = sources.proved(name).ok_or_else(none)?;
-        let (statement, axioms) = said.split_once("Axioms:").unwrap_or((said, ""));
-        let (_, statement) = statement.split_once(" : ").ok_or_else(none)?;
-        let statement = statement.replace("Closed under the global context", "");
-        let margin = statement
-            .lines()
-            .skip(1)
-            .filter(|line| !line.trim().is_empty());
-        let margin = margin
-            .map(|line| line.len() - line.trim_start().len())
-            .min()
-            .unwrap_or_default();
-        let lines = statement
-            .trim_end()
-            .lines()
-            .map(|line| match line.starts_with(' ') {
-                true => &line[margin..],
-                false => line,
-            });
+        let (_, statement) = said.split_once(" : ").ok_or_else(none)?;
+        let margin = statement.lines().skip(1).filter(|line| !line.trim().is_empty());
+        let margin = margin.map(|line| line.len() - line.trim_start().len()).min().unwrap_or_default();
+        let lines = statement.trim_end().lines().map(|line| match line.starts_with(' ') {
+            true => &line[margin..],
+            false => line,
+        });
         let statement = lines.collect::<Vec<_>>().join("\n");
-        let axioms = axioms_of(axioms);
+        let axioms = axioms.get(name).ok_or_else(none)?.clone();
         let mark = sources.mark(item);
         let known = before
             .iter()
@@ -272,10 +277,10 @@ mod tests {
             .iter()
             .filter(|item| item.word == "Theorem")
             .collect();
-        let asked = questions(theorems.into_iter());
+        let asked = questions(&sources, &theorems);
         assert!(asked.contains("Check @Slipbook.A.eq_2.") && asked.contains("Require Slipbook.A."));
-        let answers = "== eq_1\neq_1\n     : forall v : R,\n       motion v ->\n         0 <= v\nAxioms:\nClassicalDedekindReals.sig_not_dec : forall P\n  more\n\
-            == eq_2\neq_2\n     : 0 < 1\nAxioms:\nUint63.add_spec : x\nMine.odd : False\n";
+        let answers = "== eq_1\neq_1\n     : forall v : R,\n       motion v ->\n         0 <= v\n== eq_2\neq_2\n     : 0 < 1\n\
+            === eq_2\nall_0 = x\nAxioms:\nUint63.add_spec : x\nMine.odd : False\n=== eq_1\nAxioms:\nClassicalDedekindReals.sig_not_dec : forall P\n  more\n";
         let times = [(
             "A.v".to_owned(),
             format!(

@@ -58,14 +58,20 @@ pub struct Sources {
     /// In the files' order.
     pub items: Vec<Item>,
     meanings: BTreeMap<String, Vec<usize>>,
+    /// The files that a file requires, by their names without folders.
+    requires: BTreeMap<String, Vec<String>>,
 }
 
 impl Sources {
     /// Reads files, each a path and a text.
     pub fn read<'a>(files: impl Iterator<Item = (&'a str, &'a str)>) -> Self {
-        let items: Vec<_> = files
-            .flat_map(|(path, text)| declared(path, text))
-            .collect();
+        let (mut items, mut requires) = (Vec::new(), BTreeMap::new());
+        for (path, text) in files {
+            items.extend(declared(path, text));
+            let lines = text.lines().filter(|line| line.contains("Require"));
+            let names = lines.flat_map(names).map(str::to_owned);
+            requires.insert(path.to_owned(), names.collect());
+        }
         let mut meanings: BTreeMap<String, Vec<usize>> = BTreeMap::new();
         for (i, item) in items
             .iter()
@@ -74,7 +80,7 @@ impl Sources {
         {
             meanings.entry(item.name.clone()).or_default().push(i);
         }
-        Sources { items, meanings }
+        Sources { items, meanings, requires }
     }
 
     /// The theorem or lemma of this name.
@@ -88,6 +94,21 @@ impl Sources {
     pub fn meaning(&self, name: &str) -> Option<&Item> {
         let first = self.meanings.get(name)?.first()?;
         self.items.get(*first)
+    }
+
+    /// Whether a file requires one of this name, by itself or through others.
+    pub fn requires(&self, file: &str, name: &str) -> bool {
+        let (mut open, mut known) = (vec![file], BTreeSet::new());
+        while let Some(file) = open.pop() {
+            let required = self.requires.get(file).map_or(&[][..], Vec::as_slice);
+            if required.iter().any(|required| required == name) {
+                return true;
+            }
+            let stem = |path: &str| path.rsplit('/').next().map(|name| name.trim_end_matches(".v").to_owned());
+            let next = self.requires.keys().filter(|path| stem(path).is_some_and(|stem| required.contains(&stem)));
+            open.extend(next.filter(|path| known.insert(path.as_str())).map(String::as_str));
+        }
+        false
     }
 
     /// What a text of a file uses, and what that uses: the nearest of one name.
