@@ -24,6 +24,7 @@ mod readme;
 mod rows;
 mod same;
 mod structure;
+mod theorems;
 mod trust;
 mod units;
 

@@ -4,8 +4,10 @@
 //! of it, or of what is wrong with it. That the hypotheses of `eq_13` can be met, `eq_13__occurs` shows.
 
 pub mod formulas;
+pub mod prose;
 pub mod record;
 pub mod source;
+pub mod term;
 
 use crate::data::{Folder, Text};
 use crate::trials::Paper;
@@ -34,6 +36,8 @@ pub struct Known {
     pub sources: Sources,
     /// The record.
     pub record: Vec<Accepted>,
+    /// The claims that try the formulas, by the names of their definitions, and whether these are printed.
+    pub formulas: BTreeMap<String, (String, bool)>,
     /// What is wrong with it.
     pub fault: Option<String>,
 }
@@ -51,7 +55,9 @@ impl Theorems {
     /// What is known of them; read when it is first asked for.
     pub fn known(&self, paper: &Paper) -> &Known {
         self.known.get_or_init(|| {
-            let own = formulas::definitions(&(paper.formulas.trees)(), paper.formulas.corrections);
+            let trees = (paper.formulas.trees)();
+            let own = formulas::definitions(&trees, paper.formulas.corrections);
+            let formulas = formulas::tried(&trees, &paper.formulas);
             let files = self.files.texts(".v");
             let texts = files.iter().map(|(path, text)| match path.as_str() {
                 FORMULAS => (FORMULAS, own.as_str()),
@@ -62,11 +68,7 @@ impl Theorems {
                 Ok(record) => (record, None),
                 Err(fault) => (Vec::new(), Some(fault)),
             };
-            Known {
-                sources,
-                record,
-                fault,
-            }
+            Known { sources, record, formulas, fault }
         })
     }
 }
@@ -94,6 +96,20 @@ impl Known {
     fn current<'a>(&'a self, accepted: &'a Accepted) -> Option<(&'a Accepted, &'a Item)> {
         let item = self.sources.proved(&accepted.name)?;
         (self.sources.mark(item) == accepted.mark).then_some((accepted, item))
+    }
+
+    /// How the formula of a definition is written: `\\text{(13)}`, with a hat where it is what replaces a printed one or adds to it.
+    pub fn formula(&self, paper: &Paper, name: &str) -> Option<String> {
+        let (claim, printed) = self.formulas.get(name)?;
+        let (_, claim) = paper.find(claim)?;
+        let number = match claim.equation {
+            Some(number) => format!("({number})"),
+            None => claim.title.replace('$', ""),
+        };
+        Some(match printed {
+            true => format!("\\text{{{number}}}"),
+            false => format!("\\widehat{{\\text{{{number}}}}}"),
+        })
     }
 
     /// Whether the whole of a claim is a theorem.

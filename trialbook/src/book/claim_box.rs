@@ -8,6 +8,7 @@ use super::{
     formula_diff, lemmas,
     maths::Maths,
     text::{counted, escape, sentence, value},
+    theorems,
 };
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally};
@@ -46,6 +47,7 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Html {
         section = escape(claim.section),
         kind = claim.kind.name(),
         behind = [
+            theorems::of_claim(context, entry)?,
             unconditional(context, entry)?,
             conditions(context, claim)?,
             argument(context, claim)?,

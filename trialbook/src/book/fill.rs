@@ -7,6 +7,7 @@ use super::{
     error::{Fault, Html},
     lemmas, map, overview, symbols, tables,
     text::{count, escape, in_words, size},
+    theorems,
     values,
 };
 use crate::evidence::Kind;
@@ -75,8 +76,9 @@ impl<'a> Filler<'a> {
             ["ledger"] => block(tables::whole_ledger(context)?),
             ["ledger", topic] => block(tables::folded_topic(context, topic)?),
             ["lemmas"] => block(lemmas::all(context)?),
+            ["definitions"] => block(theorems::definitions(context)?),
             ["proofs"] => block(tables::proofs(ledger)),
-            ["measured"] => block(tables::measured(context)?),
+            ["unreached"] => block(tables::unreached(context)?),
             ["accuracy"] => block(tables::accuracy(context)?),
             ["deep"] => block(deep::table_of(context)?),
             ["survivors"] => block(tables::excused(context, "survivors")?),
@@ -115,13 +117,8 @@ impl<'a> Filler<'a> {
             ["count", "rejected"] => inline(count(tallies(ledger, |tally| tally.rejected))),
             ["count", "corners"] => inline(count(ledger.paper.corners().len())),
             ["count", "proved"] => known(Standing::Proved),
-            ["count", "proved", "definitions"] => {
-                let proved = ledger.entries.iter().filter(|e| {
-                    e.standing() == Some(Standing::Proved)
-                        && e.judgement.verdict == Verdict::Definition
-                });
-                inline(count(proved.count()))
-            }
+            ["count", "defined"] => known(Standing::Defined),
+            ["count", "theorems"] => inline(count(ledger.paper.known_theorems().record.len())),
             ["count", "argued"] => known(Standing::Argued),
             ["count", "measured"] => known(Standing::Measured),
             ["count", "wrong"] => inline(count(ledger.wrong())),

@@ -15,8 +15,9 @@
 //! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
+//! | `{{unreached}}` | a table of the claims of which no theorem says the whole, with what is missing |
+//! | `{{definitions}}` | what the statements of the theorems speak of, with links to it in the boxes |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
-//! | `{{measured}}` | a table of the claims without a proof, by the reason |
 //! | `{{symbols}}`, `{{values}}` | the indexes |
 //! | `{{errata misprint refuted}}` | the errata with these verdicts |
 //! | `{{map key}}`, `{{map list}}`, `{{falls}}` | the signs of the map of claims, and what it shows as tables |
@@ -74,6 +75,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 mod text;
+mod theorems;
 mod values;
 
 pub use assembly::Frame;

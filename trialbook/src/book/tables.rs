@@ -257,14 +257,15 @@ pub(super) fn proofs(ledger: &Ledger) -> String {
     )
 }
 
-pub(super) fn measured(context: &Context<'_>) -> Html {
+/// What is missing where no theorem says the whole of a claim.
+pub(super) fn unreached(context: &Context<'_>) -> Html {
     let row = |(why, claims): &(&str, Vec<&'static Claim>)| {
         let ids: Vec<_> = claims.iter().map(|claim| claim.id).collect();
         Ok([context.maths.words(why)?, context.links(&ids)?])
     };
     let reasons = context.ledger.paper.unproved();
-    let head = ["Why there is no proof", "Claims"];
-    tried("measured", head, reasons.iter().map(row))
+    let head = ["What is missing", "Claims"];
+    tried("unreached", head, reasons.iter().map(row))
 }
 
 /// How many points, the worst disagreement at them and what is allowed.

@@ -2,10 +2,12 @@
 
 use super::output::{VERSION, csv, json, say};
 use crate::publishing::{Edition, Failure, Format};
-use crate::theorems::{Known, formulas, record};
+use crate::theorems::record::{self, Accepted};
+use crate::theorems::{Known, formulas};
 use crate::trials::Claim;
 
 use clap::Args;
+use serde::Serialize;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -23,6 +25,19 @@ pub(super) struct Wanted {
     /// Print the record, by what coqc answered and by the FILE.timing beside the sources in that folder
     #[arg(long, value_name = "FOLDER", conflicts_with = "ids")]
     answers: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct List<'a> {
+    version: u32,
+    theorems: Vec<Row<'a>>,
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    claim: &'static str,
+    #[serde(flatten)]
+    theorem: &'a Accepted,
 }
 
 /// Answers for these claims, or for all.
@@ -69,18 +84,15 @@ fn list(
     whole: bool,
     format: Format,
 ) -> Result<(), Failure> {
-    let of = |claim: &&'static Claim| {
-        known
-            .of_claim(claim.id)
-            .into_iter()
-            .map(move |(accepted, _)| (claim.id, accepted))
-    };
-    let rows = || claims.iter().flat_map(of);
+    let ids = claims.iter().map(|claim| claim.id);
+    let rows: Vec<_> = ids
+        .flat_map(|id| known.of_claim(id).into_iter().map(move |(accepted, _)| (id, accepted)))
+        .collect();
     match format {
-        Format::Json => json(&serde_json::json!({
-            "version": VERSION,
-            "theorems": rows().map(|(claim, accepted)| serde_json::json!({ "claim": claim, "theorem": accepted })).collect::<Vec<_>>(),
-        })),
+        Format::Json => json(&List {
+            version: VERSION,
+            theorems: rows.iter().copied().map(|(claim, theorem)| Row { claim, theorem }).collect(),
+        }),
         Format::Csv => csv(
             &[
                 "claim",
@@ -92,7 +104,7 @@ fn list(
                 "seconds",
                 "statement",
             ],
-            rows().map(|(claim, a)| {
+            rows.iter().copied().map(|(claim, a)| {
                 vec![
                     claim.to_owned(),
                     a.name.clone(),
@@ -106,7 +118,7 @@ fn list(
             }),
         ),
         Format::Text => {
-            let text = rows().map(|(_, a)| match whole {
+            let text = rows.iter().copied().map(|(_, a)| match whole {
                 true => format!(
                     "{} ({}, {})\n{}\n\n",
                     a.name,

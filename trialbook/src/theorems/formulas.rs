@@ -2,6 +2,8 @@
 
 use crate::exact::{Binary, Expr, Function, Node};
 use crate::seeded::Formula;
+use crate::trials::formulas::Formulas;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// The file's first lines: functions that Rocq's library has not.
@@ -39,36 +41,43 @@ pub fn definitions(formulas: &[Formula<Expr>], corrections: &str) -> String {
             none if none.is_empty() => none,
             names => format!(" ({names} : R)"),
         };
-        let symbols: Vec<_> = formula
-            .symbols
-            .iter()
-            .map(|name| Expr::symbol(name))
-            .collect();
-        let parts = (formula.value)(&symbols);
-        let name = name(formula, corrections);
-        for (i, part) in parts.iter().enumerate() {
-            let name = match parts.len() {
-                1 => name.clone(),
-                _ => format!("{name}_{}", i + 1),
-            };
+        let own = |symbol: &'static str| {
+            let at = formula.symbols.iter().position(|own| *own == symbol);
+            at.map_or(symbol, |at| &arguments[at])
+        };
+        for (name, part) in parts(formula, corrections) {
             let mut body = String::new();
-            written(
-                *part,
-                Level::Sum,
-                &|symbol| {
-                    let at = formula.symbols.iter().position(|own| *own == symbol);
-                    at.map_or(symbol, |at| &arguments[at])
-                },
-                &mut body,
-            );
+            written(part, Level::Sum, &own, &mut body);
             let _ = writeln!(file, "Definition {name}{binders} : R := {body}.");
         }
     }
     file
 }
 
+/// The parts of a formula by the names of their definitions.
+fn parts(formula: &Formula<Expr>, corrections: &str) -> Vec<(String, Expr)> {
+    let symbols: Vec<_> = formula.symbols.iter().map(|name| Expr::symbol(name)).collect();
+    let parts = (formula.value)(&symbols);
+    let name = name(formula, corrections);
+    match parts.as_slice() {
+        [whole] => vec![(name, *whole)],
+        _ => (1..).zip(parts).map(|(i, part)| (format!("{name}_{i}"), part)).collect(),
+    }
+}
+
+/// The claims that try the formulas, by the names of their definitions, and whether these are printed.
+pub(super) fn tried(trees: &[Formula<Expr>], formulas: &Formulas) -> BTreeMap<String, (String, bool)> {
+    let of_one = |formula: &Formula<Expr>| {
+        let claim = formula.claim()?;
+        let printed = formulas.is_printed(formula.path);
+        let parts = parts(formula, formulas.corrections).into_iter();
+        Some(parts.map(|(name, _)| (name, (claim.clone(), printed))).collect::<Vec<_>>())
+    };
+    trees.iter().filter_map(of_one).flatten().collect()
+}
+
 /// `eq13_time`; `right_turntable_constant`.
-pub(super) fn name(formula: &Formula<Expr>, corrections: &str) -> String {
+fn name(formula: &Formula<Expr>, corrections: &str) -> String {
     match formula.path.split_once(corrections) {
         None => formula.name.to_owned(),
         Some((_, path)) => format!("right_{}", path.replace("::", "_")),

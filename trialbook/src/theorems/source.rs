@@ -84,6 +84,12 @@ impl Sources {
             .find(|item| item.is_proved() && item.name == name)
     }
 
+    /// The first definition of this name.
+    pub fn meaning(&self, name: &str) -> Option<&Item> {
+        let first = self.meanings.get(name)?.first()?;
+        self.items.get(*first)
+    }
+
     /// What a text of a file uses, and what that uses: the nearest of one name.
     pub fn used<'a>(&self, texts: impl Iterator<Item = &'a str>, file: &str) -> BTreeSet<usize> {
         let mut known = BTreeSet::new();
