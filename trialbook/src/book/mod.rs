@@ -121,28 +121,6 @@ pub fn check(edition: &Edition, out: &Path) -> Result<(), BookError> {
     Staging::beside(out, edition.name).map(drop)
 }
 
-/// Puts a folder of these files in the place of an earlier one that the program wrote there; returns where that is.
-///
-/// # Errors
-/// [`BookError`] where something else is there, or it cannot be written.
-pub(crate) fn replace(
-    out: &Path,
-    name: &'static str,
-    kind: &str,
-    files: &[(String, Vec<u8>)],
-) -> Result<PathBuf, BookError> {
-    let staging = atomic_replace::Staging::beside(out, name)?;
-    let (places, folder) = (staging.places(), staging.path(kind));
-    let written = || {
-        for (file, bytes) in files {
-            put(&folder.join(file), bytes)?;
-        }
-        staging.mark(&folder)?;
-        staging.swap(&folder)
-    };
-    written().map_err(|error| places.named(error))
-}
-
 /// Writes one file, with its folders.
 fn put(path: &Path, bytes: &[u8]) -> Result<(), BookError> {
     let folder = path.parent().unwrap_or(path);

@@ -16,13 +16,6 @@ pub struct Derivation {
     rates: BTreeMap<usize, Rational>,
 }
 
-impl Derivation {
-    /// The generators whose rates are given, with these.
-    pub(super) fn rates(&self) -> impl Iterator<Item = (usize, &Rational)> {
-        self.rates.iter().map(|(g, rate)| (*g, rate))
-    }
-}
-
 impl Ring {
     /// The normal form: powers of roots below their degree above the line, and as bare factors below it.
     pub fn normal(&self, x: &Rational) -> Rational {

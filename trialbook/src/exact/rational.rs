@@ -46,10 +46,6 @@ impl Rational {
         &self.factors
     }
 
-    pub(super) fn number(&self) -> &IBig {
-        &self.number
-    }
-
     /// How it was formed.
     pub(super) fn made(&self) -> Made {
         self.made

@@ -412,11 +412,6 @@ impl Ring {
         numerator.divide_exact(&content).ok_or_else(bad)
     }
 
-    /// All names, with what they stand for.
-    pub(super) fn declared(&self) -> impl Iterator<Item = (&'static str, &Rational)> {
-        self.symbols.iter().map(|(name, x)| (*name, x))
-    }
-
     /// What a name stands for.
     ///
     /// # Errors
