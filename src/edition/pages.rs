@@ -65,9 +65,15 @@ pub(super) const MOVED: &[(&str, &str)] = &[
         "methods.html#accuracy",
     ),
     ("certificates.html", "kernel.html"),
-    ("certificates.html#certificate-corrupted", "kernel.html#kernel"),
+    (
+        "certificates.html#certificate-corrupted",
+        "kernel.html#kernel",
+    ),
     ("certificates.html#certificate-file", "kernel.html#kernel"),
-    ("certificates.html#certificate-identity", "kernel.html#kernel"),
+    (
+        "certificates.html#certificate-identity",
+        "kernel.html#kernel",
+    ),
     ("certificates.html#certificate-lean", "kernel.html#kernel"),
     ("certificates.html#certificate-motion", "kernel.html#kernel"),
     ("certificates.html#certificate-range", "kernel.html#kernel"),

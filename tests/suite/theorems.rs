@@ -20,7 +20,10 @@ fn the_definitions_are_the_formulas() {
     let own = formulas::definitions(&trees, PAPER.formulas.corrections);
     let files = PAPER.theorems.files.texts(".v");
     let (_, written) = files.iter().find(|(path, _)| path == FORMULAS).unwrap();
-    let differs = own.lines().zip(written.lines()).find(|(own, written)| own != written);
+    let differs = own
+        .lines()
+        .zip(written.lines())
+        .find(|(own, written)| own != written);
     assert!(
         own == *written,
         "rocq/{FORMULAS} is not of these formulas, as in {differs:?}: {AGAIN}"
@@ -31,20 +34,43 @@ fn the_definitions_are_the_formulas() {
 fn the_record_is_of_these_files() {
     let known = known();
     assert_eq!(known.fault, None);
-    let wanted: BTreeSet<_> = known.wanted(&PAPER).iter().map(|item| item.name.as_str()).collect();
-    let recorded: BTreeSet<_> = known.record.iter().map(|accepted| accepted.name.as_str()).collect();
+    let wanted: BTreeSet<_> = known
+        .wanted(&PAPER)
+        .iter()
+        .map(|item| item.name.as_str())
+        .collect();
+    let recorded: BTreeSet<_> = known
+        .record
+        .iter()
+        .map(|accepted| accepted.name.as_str())
+        .collect();
     assert_eq!(wanted, recorded, "{AGAIN}");
-    let moved: Vec<_> = known.record.iter().filter(|accepted| {
-        known.sources.proved(&accepted.name).is_none_or(|item| known.sources.mark(item) != accepted.mark)
-    }).map(|accepted| &accepted.name).collect();
-    assert!(moved.is_empty(), "not as they were accepted: {moved:?}: {AGAIN}");
+    let moved: Vec<_> = known
+        .record
+        .iter()
+        .filter(|accepted| {
+            known
+                .sources
+                .proved(&accepted.name)
+                .is_none_or(|item| known.sources.mark(item) != accepted.mark)
+        })
+        .map(|accepted| &accepted.name)
+        .collect();
+    assert!(
+        moved.is_empty(),
+        "not as they were accepted: {moved:?}: {AGAIN}"
+    );
 }
 
 /// Two lists of axioms, and none of ours; nothing is left open.
 #[test]
 fn theorems_rest_on_what_is_said() {
     for accepted in &known().record {
-        let other: Vec<_> = accepted.axioms.iter().filter(|axiom| !AXIOMS.contains(&axiom.as_str())).collect();
+        let other: Vec<_> = accepted
+            .axioms
+            .iter()
+            .filter(|axiom| !AXIOMS.contains(&axiom.as_str()))
+            .collect();
         assert!(other.is_empty(), "{} rests on {other:?}", accepted.name);
     }
 }
@@ -54,14 +80,20 @@ fn theorems_rest_on_what_is_said() {
 fn a_theorem_speaks_of_its_own_formula() {
     let known = known();
     for (_, claim) in PAPER.claims() {
-        let own: BTreeSet<_> = known.formulas.iter().filter(|(_, (of, _))| of == claim.id).map(|(name, _)| name).collect();
+        let own: BTreeSet<_> = known
+            .formulas
+            .iter()
+            .filter(|(_, (of, _))| of == claim.id)
+            .map(|(name, _)| name)
+            .collect();
         let theorems = known.of_claim(claim.id);
         if own.is_empty() || theorems.is_empty() {
             continue;
         }
         let speaks = theorems.iter().any(|(_, item)| {
             let used = known.sources.behind(item);
-            used.iter().any(|i| own.contains(&known.sources.items[*i].name))
+            used.iter()
+                .any(|i| own.contains(&known.sources.items[*i].name))
         });
         assert!(speaks, "no theorem of {} speaks of {own:?}", claim.id);
     }
@@ -74,29 +106,54 @@ fn what_is_supposed_occurs() {
     let moves = |term: &Term| {
         let text = format!("{term:?}");
         let used = known.sources.used([text.as_str()].into_iter(), "");
-        used.iter().any(|i| known.sources.items[*i].word == "Record")
+        used.iter()
+            .any(|i| known.sources.items[*i].word == "Record")
     };
-    let open: Vec<_> = known.record.iter().filter(|accepted| {
-        let statement = Term::read(&accepted.statement);
-        let supposed = statement.as_ref().map_or(Vec::new(), Term::supposed);
-        supposed.into_iter().any(moves) && !accepted.occurs
-    }).map(|accepted| &accepted.name).collect();
-    assert!(open.is_empty(), "nothing shows that the hypotheses can be met of {open:?}");
+    let open: Vec<_> = known
+        .record
+        .iter()
+        .filter(|accepted| {
+            let statement = Term::read(&accepted.statement);
+            let supposed = statement.as_ref().map_or(Vec::new(), Term::supposed);
+            supposed.into_iter().any(moves) && !accepted.occurs
+        })
+        .map(|accepted| &accepted.name)
+        .collect();
+    assert!(
+        open.is_empty(),
+        "nothing shows that the hypotheses can be met of {open:?}"
+    );
 }
 
 #[test]
 fn every_statement_is_told_as_mathematics() {
     for accepted in &known().record {
-        assert!(Term::read(&accepted.statement).is_some(), "{}: {}", accepted.name, accepted.statement);
+        assert!(
+            Term::read(&accepted.statement).is_some(),
+            "{}: {}",
+            accepted.name,
+            accepted.statement
+        );
     }
 }
 
 /// Of a claim whose whole is no theorem, the entry says what is missing, and of no other.
 #[test]
 fn what_is_missing_is_said_where_it_is_missing() {
-    let named: Vec<_> = PAPER.claims().filter(|(_, claim)| {
-        let open = claim.kind != Kind::Definition && !known().record.iter().any(|accepted| accepted.name == named(claim.id));
-        open != claim.unproved.is_some()
-    }).map(|(_, claim)| claim.id).collect();
-    assert!(named.is_empty(), "`unproved` where there is a theorem of the whole, or none where there is none: {named:?}");
+    let named: Vec<_> = PAPER
+        .claims()
+        .filter(|(_, claim)| {
+            let open = claim.kind != Kind::Definition
+                && !known()
+                    .record
+                    .iter()
+                    .any(|accepted| accepted.name == named(claim.id));
+            open != claim.unproved.is_some()
+        })
+        .map(|(_, claim)| claim.id)
+        .collect();
+    assert!(
+        named.is_empty(),
+        "`unproved` where there is a theorem of the whole, or none where there is none: {named:?}"
+    );
 }

@@ -68,7 +68,12 @@ impl Theorems {
                 Ok(record) => (record, None),
                 Err(fault) => (Vec::new(), Some(fault)),
             };
-            Known { sources, record, formulas, fault }
+            Known {
+                sources,
+                record,
+                formulas,
+                fault,
+            }
         })
     }
 }

@@ -5,9 +5,7 @@
 //! of such an arc. Friction backwards is q times as large. Frictions and phases are dimensionless.
 
 use crate::scalar::Scalar;
-use trialbook::certified::{
-    ball::Ball, error::CertifiedError, interval::Interval, root::refine,
-};
+use trialbook::certified::{ball::Ball, error::CertifiedError, interval::Interval, root::refine};
 
 /// Bits beyond those asked for that what follows a root may cost.
 const SPARE: usize = 16;

@@ -7,8 +7,7 @@ use super::{
     error::{Fault, Html},
     lemmas, map, overview, symbols, tables,
     text::{count, escape, in_words, size},
-    theorems,
-    values,
+    theorems, values,
 };
 use crate::evidence::Kind;
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};

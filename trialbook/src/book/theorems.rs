@@ -1,10 +1,6 @@
 //! Theorems before the kernel: in the box of their claim, and all of them on a page.
 
-use super::{
-    context::Context,
-    error::Html,
-    text::escape,
-};
+use super::{context::Context, error::Html, text::escape};
 use crate::ledger::Entry;
 use crate::theorems::prose::{Said, Writer};
 use crate::theorems::record::Accepted;
@@ -12,20 +8,33 @@ use crate::theorems::source::{Item, names};
 
 /// The theorems of a claim: as mathematics, what is supposed first, and as they were accepted.
 pub(super) fn of_claim(context: &Context<'_>, entry: &Entry) -> Html {
-    let all = context.ledger.paper.known_theorems().of_claim(entry.claim.id);
-    all.into_iter().map(|(accepted, item)| theorem(context, accepted, item)).collect()
+    let all = context
+        .ledger
+        .paper
+        .known_theorems()
+        .of_claim(entry.claim.id);
+    all.into_iter()
+        .map(|(accepted, item)| theorem(context, accepted, item))
+        .collect()
 }
 
 fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
     let paper = context.ledger.paper;
     let known = paper.known_theorems();
     let formula = |name: &str| known.formula(paper, name);
-    let writer = Writer { sources: &known.sources, formula: &formula };
+    let writer = Writer {
+        sources: &known.sources,
+        formula: &formula,
+    };
     let told = match writer.said(&accepted.statement) {
         Some(said) => told(context, &said)?,
         None => String::new(),
     };
-    let occurs = if accepted.occurs { "; that this occurs is shown, too" } else { "" };
+    let occurs = if accepted.occurs {
+        "; that this occurs is shown, too"
+    } else {
+        ""
+    };
     Ok(format!(
         "<div class=\"theorem\" id=\"{name}\"><p class=\"claim-label\">{}</p><p>{about}</p>{told}\
          <details class=\"rocq\"><summary>As the kernel has accepted it</summary><pre><code class=\"language-text nohighlight\">Theorem {name} :\n{statement}.</code></pre>\
@@ -48,12 +57,20 @@ fn told(context: &Context<'_>, said: &Said) -> Html {
         if of.is_empty() {
             return Ok(String::new());
         }
-        let items = of.iter().map(|one| Ok(format!("<li>{}</li>", context.maths.words(one)?)));
-        Ok(format!("<p>{before}</p><ul>{}</ul>", items.collect::<Html>()?))
+        let items = of
+            .iter()
+            .map(|one| Ok(format!("<li>{}</li>", context.maths.words(one)?)));
+        Ok(format!(
+            "<p>{before}</p><ul>{}</ul>",
+            items.collect::<Html>()?
+        ))
     };
     let given = match said.given.is_empty() {
         true => String::new(),
-        false => format!("<p>Given {}.</p>", context.maths.words(&said.given.join("; "))?),
+        false => format!(
+            "<p>Given {}.</p>",
+            context.maths.words(&said.given.join("; "))?
+        ),
     };
     Ok(given + &list("Suppose", &said.supposed)? + &list("Then", &said.holds)?)
 }
@@ -70,9 +87,13 @@ fn linked(context: &Context<'_>, statement: &str) -> String {
             false => rest.find(word).unwrap_or(rest.len()),
         };
         let text = &rest[..length];
-        let own = names(text).next().filter(|own| sources.meaning(own).is_some());
+        let own = names(text)
+            .next()
+            .filter(|own| sources.meaning(own).is_some());
         match own.filter(|_| text.starts_with(word)) {
-            Some(own) => out += &format!("<a href=\"{}#{own}\">{}</a>", page(context), escape(text)),
+            Some(own) => {
+                out += &format!("<a href=\"{}#{own}\">{}</a>", page(context), escape(text))
+            }
             None => out += &escape(text),
         }
         rest = &rest[length..];
@@ -90,7 +111,12 @@ fn page(context: &Context<'_>) -> String {
 /// What statements speak of: every definition that one of them uses, file by file.
 pub(super) fn definitions(context: &Context<'_>) -> Html {
     let known = context.ledger.paper.known_theorems();
-    let used: std::collections::BTreeSet<_> = known.record.iter().filter_map(|a| known.sources.proved(&a.name)).flat_map(|item| known.sources.behind(item)).collect();
+    let used: std::collections::BTreeSet<_> = known
+        .record
+        .iter()
+        .filter_map(|a| known.sources.proved(&a.name))
+        .flat_map(|item| known.sources.behind(item))
+        .collect();
     let all = used.into_iter().map(|i| {
         let Item { name, about, text, file, .. } = &known.sources.items[i];
         Ok(format!(

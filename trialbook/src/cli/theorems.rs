@@ -86,12 +86,21 @@ fn list(
 ) -> Result<(), Failure> {
     let ids = claims.iter().map(|claim| claim.id);
     let rows: Vec<_> = ids
-        .flat_map(|id| known.of_claim(id).into_iter().map(move |(accepted, _)| (id, accepted)))
+        .flat_map(|id| {
+            known
+                .of_claim(id)
+                .into_iter()
+                .map(move |(accepted, _)| (id, accepted))
+        })
         .collect();
     match format {
         Format::Json => json(&List {
             version: VERSION,
-            theorems: rows.iter().copied().map(|(claim, theorem)| Row { claim, theorem }).collect(),
+            theorems: rows
+                .iter()
+                .copied()
+                .map(|(claim, theorem)| Row { claim, theorem })
+                .collect(),
         }),
         Format::Csv => csv(
             &[

@@ -56,22 +56,36 @@ pub fn definitions(formulas: &[Formula<Expr>], corrections: &str) -> String {
 
 /// The parts of a formula by the names of their definitions.
 fn parts(formula: &Formula<Expr>, corrections: &str) -> Vec<(String, Expr)> {
-    let symbols: Vec<_> = formula.symbols.iter().map(|name| Expr::symbol(name)).collect();
+    let symbols: Vec<_> = formula
+        .symbols
+        .iter()
+        .map(|name| Expr::symbol(name))
+        .collect();
     let parts = (formula.value)(&symbols);
     let name = name(formula, corrections);
     match parts.as_slice() {
         [whole] => vec![(name, *whole)],
-        _ => (1..).zip(parts).map(|(i, part)| (format!("{name}_{i}"), part)).collect(),
+        _ => (1..)
+            .zip(parts)
+            .map(|(i, part)| (format!("{name}_{i}"), part))
+            .collect(),
     }
 }
 
 /// The claims that try the formulas, by the names of their definitions, and whether these are printed.
-pub(super) fn tried(trees: &[Formula<Expr>], formulas: &Formulas) -> BTreeMap<String, (String, bool)> {
+pub(super) fn tried(
+    trees: &[Formula<Expr>],
+    formulas: &Formulas,
+) -> BTreeMap<String, (String, bool)> {
     let of_one = |formula: &Formula<Expr>| {
         let claim = formula.claim()?;
         let printed = formulas.is_printed(formula.path);
         let parts = parts(formula, formulas.corrections).into_iter();
-        Some(parts.map(|(name, _)| (name, (claim.clone(), printed))).collect::<Vec<_>>())
+        Some(
+            parts
+                .map(|(name, _)| (name, (claim.clone(), printed)))
+                .collect::<Vec<_>>(),
+        )
     };
     trees.iter().filter_map(of_one).flatten().collect()
 }

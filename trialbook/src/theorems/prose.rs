@@ -47,15 +47,25 @@ const KNOWN: [(&str, &str); 21] = [
 ];
 
 /// Functions that LaTeX knows by name.
-const NAMED: [&str; 9] = ["sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "coth", "ln"];
+const NAMED: [&str; 9] = [
+    "sin", "cos", "tan", "cot", "sinh", "cosh", "tanh", "coth", "ln",
+];
 
 const GREEK: [&str; 22] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu", "nu", "xi", "pi", "rho", "sigma", "tau", "phi",
-    "chi", "psi", "omega", "Omega",
+    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "kappa", "lambda", "mu",
+    "nu", "xi", "pi", "rho", "sigma", "tau", "phi", "chi", "psi", "omega", "Omega",
 ];
 /// Greek letters as they are shortened in the files.
-const SHORT: [(&str, &str); 8] =
-    [("lam", "lambda"), ("al", "alpha"), ("be", "beta"), ("ph", "phi"), ("th", "theta"), ("Om", "Omega"), ("eps", "varepsilon"), ("PI", "pi")];
+const SHORT: [(&str, &str); 8] = [
+    ("lam", "lambda"),
+    ("al", "alpha"),
+    ("be", "beta"),
+    ("ph", "phi"),
+    ("th", "theta"),
+    ("Om", "Omega"),
+    ("eps", "varepsilon"),
+    ("PI", "pi"),
+];
 
 /// Puts statements into words: by the readings that definitions give of themselves, and by the names of the formulas.
 pub struct Writer<'a> {
@@ -80,14 +90,16 @@ impl Writer<'_> {
                 self.apart(body, said);
             }
             Term::Let(name, value, body) => {
-                said.supposed.push(format!("${}={}$", letter(name), self.math(value, 0)));
+                said.supposed
+                    .push(format!("${}={}$", letter(name), self.math(value, 0)));
                 self.apart(body, said);
             }
             Term::Joined(first, rest) if rest[0].0 == "->" => {
                 let mut all: Vec<&Term> = vec![first];
                 all.extend(rest.iter().map(|(_, term)| term));
                 let last = all.pop();
-                said.supposed.extend(all.into_iter().flat_map(|one| self.each(one)));
+                said.supposed
+                    .extend(all.into_iter().flat_map(|one| self.each(one)));
                 if let Some(last) = last {
                     self.apart(last, said);
                 }
@@ -119,10 +131,19 @@ impl Writer<'_> {
             }
             Term::Bound("exists", bound, body) => {
                 let such = self.each(body).join(", and ");
-                format!("there {} {} such that {such}", if bound.len() == 1 { "is" } else { "are" }, listed(bound))
+                format!(
+                    "there {} {} such that {such}",
+                    if bound.len() == 1 { "is" } else { "are" },
+                    listed(bound)
+                )
             }
             Term::Let(name, value, body) => {
-                format!("with ${}={}$: {}", letter(name), self.math(value, 0), self.words(body))
+                format!(
+                    "with ${}={}$: {}",
+                    letter(name),
+                    self.math(value, 0),
+                    self.words(body)
+                )
             }
             Term::Joined(_, rest) => match rest[0].0 {
                 "->" => {
@@ -138,7 +159,9 @@ impl Writer<'_> {
                 Term::Joined(..) => format!("it is not so that {}", self.words(of)),
                 _ => format!("not: {}", self.words(of)),
             },
-            Term::Of(name, of) => self.reading(name, of).unwrap_or_else(|| format!("${}$", self.math(term, 0))),
+            Term::Of(name, of) => self
+                .reading(name, of)
+                .unwrap_or_else(|| format!("${}$", self.math(term, 0))),
             _ => format!("${}$", self.math(term, 0)),
         }
     }
@@ -148,7 +171,9 @@ impl Writer<'_> {
             return self.words(term);
         };
         let all = std::iter::once(&**first).chain(rest.iter().map(|(_, term)| term));
-        all.map(|one| self.words(one)).collect::<Vec<_>>().join(between)
+        all.map(|one| self.words(one))
+            .collect::<Vec<_>>()
+            .join(between)
     }
 
     /// What is supposed, and what holds then.
@@ -174,8 +199,11 @@ impl Writer<'_> {
         let (_, reading) = item.about.split_once('«')?;
         let (reading, _) = reading.split_once('»')?;
         let parameters = parameters(item);
-        let values: BTreeMap<&str, String> =
-            parameters.iter().map(String::as_str).zip(of.iter().map(|term| self.math(term, 0))).collect();
+        let values: BTreeMap<&str, String> = parameters
+            .iter()
+            .map(String::as_str)
+            .zip(of.iter().map(|term| self.math(term, 0)))
+            .collect();
         let mut out = String::new();
         for (i, part) in reading.split('$').enumerate() {
             match i % 2 {
@@ -196,7 +224,13 @@ impl Writer<'_> {
     }
 
     fn math(&self, term: &Term, place: u8) -> String {
-        let bracketed = |own: u8, text: String| if own < place { format!("({text})") } else { text };
+        let bracketed = |own: u8, text: String| {
+            if own < place {
+                format!("({text})")
+            } else {
+                text
+            }
+        };
         match term {
             Term::Name(name) => match (self.formula)(name) {
                 Some(formula) => formula,
@@ -206,9 +240,14 @@ impl Writer<'_> {
             Term::Value(head, of) => match (&**head, of.as_slice()) {
                 _ => format!("{}({})", self.math(head, ATOM), self.list(of)),
             },
-            Term::Joined(first, rest) if rest.len() == 1 && rest[0].0 == "/" => {
-                bracketed(PRODUCT, format!("\\frac{{{}}}{{{}}}", self.math(first, 0), self.math(&rest[0].1, 0)))
-            }
+            Term::Joined(first, rest) if rest.len() == 1 && rest[0].0 == "/" => bracketed(
+                PRODUCT,
+                format!(
+                    "\\frac{{{}}}{{{}}}",
+                    self.math(first, 0),
+                    self.math(&rest[0].1, 0)
+                ),
+            ),
             Term::Joined(base, rest) if rest[0].0 == "^" => {
                 let (base, power) = (&**base, self.math(&rest[0].1, 0));
                 match base {
@@ -228,7 +267,11 @@ impl Writer<'_> {
                 for (sign, next) in rest {
                     text = match *sign {
                         "/" => format!("\\frac{{{text}}}{{{}}}", self.math(next, 0)),
-                        sign => format!("{text}{}{}", shown(sign), self.math(next, own + u8::from(own > 0))),
+                        sign => format!(
+                            "{text}{}{}",
+                            shown(sign),
+                            self.math(next, own + u8::from(own > 0))
+                        ),
                     };
                 }
                 bracketed(own, text)
@@ -239,20 +282,36 @@ impl Writer<'_> {
             // A function that is given by its value.
             Term::Bound("fun", bound, body) => match bound.as_slice() {
                 [(name, _)] if name == "_" => self.math(body, place),
-                [(name, _)] => bracketed(0, format!("{}\\mapsto{}", letter(name), self.math(body, 0))),
+                [(name, _)] => {
+                    bracketed(0, format!("{}\\mapsto{}", letter(name), self.math(body, 0)))
+                }
                 _ => self.math(body, place),
             },
             Term::Bound(..) => format!("\\text{{{}}}", self.words(term)),
-            Term::Let(name, value, body) => format!("{}\\;({}={})", self.math(body, 0), letter(name), self.math(value, 0)),
+            Term::Let(name, value, body) => format!(
+                "{}\\;({}={})",
+                self.math(body, 0),
+                letter(name),
+                self.math(value, 0)
+            ),
             Term::If(a, b, c) => {
-                format!("\\begin{{cases}}{}&{}\\\\{}&\\text{{else}}\\end{{cases}}", self.math(b, 0), self.math(a, 0), self.math(c, 0))
+                format!(
+                    "\\begin{{cases}}{}&{}\\\\{}&\\text{{else}}\\end{{cases}}",
+                    self.math(b, 0),
+                    self.math(a, 0),
+                    self.math(c, 0)
+                )
             }
             Term::Tuple(parts) => format!("({})", self.list(parts)),
         }
     }
 
     fn list(&self, terms: &[Term]) -> String {
-        terms.iter().map(|term| self.math(term, 0)).collect::<Vec<_>>().join(",")
+        terms
+            .iter()
+            .map(|term| self.math(term, 0))
+            .collect::<Vec<_>>()
+            .join(",")
     }
 
     fn argument(&self, of: &[Term]) -> String {
@@ -272,10 +331,12 @@ impl Writer<'_> {
         if let Some(reading) = self.reading(name, of) {
             let mut parts = reading.split('$');
             return match (parts.next(), parts.next(), parts.next(), parts.next()) {
-                (Some(""), Some(formula), Some(""), None) => match place >= POWER && formula.contains(['+', '-']) {
-                    true => format!("({formula})"),
-                    false => formula.to_owned(),
-                },
+                (Some(""), Some(formula), Some(""), None) => {
+                    match place >= POWER && formula.contains(['+', '-']) {
+                        true => format!("({formula})"),
+                        false => formula.to_owned(),
+                    }
+                }
                 _ => format!("\\text{{{reading}}}"),
             };
         }
@@ -288,7 +349,10 @@ impl Writer<'_> {
             "m_infty" => "-\\infty".to_owned(),
             "True" => "\\text{true}".to_owned(),
             "False" => "\\text{false}".to_owned(),
-            _ => self.reading(name, &[]).map_or_else(|| letter(name), |reading| reading.trim_matches('$').to_owned()),
+            _ => self.reading(name, &[]).map_or_else(
+                || letter(name),
+                |reading| reading.trim_matches('$').to_owned(),
+            ),
         }
     }
 }
@@ -319,8 +383,13 @@ fn letter(name: &str) -> String {
     }
     let primes = name.len() - name.trim_end_matches('\'').len();
     let name = &name[..name.len() - primes];
-    let short = SHORT.iter().find(|(short, _)| name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_') == *short);
-    let long = GREEK.iter().filter(|greek| name.starts_with(**greek)).max_by_key(|greek| greek.len());
+    let short = SHORT.iter().find(|(short, _)| {
+        name.trim_end_matches(|c: char| c.is_ascii_digit() || c == '_') == *short
+    });
+    let long = GREEK
+        .iter()
+        .filter(|greek| name.starts_with(**greek))
+        .max_by_key(|greek| greek.len());
     let (own, index) = match (short, long) {
         (Some((short, greek)), _) => (format!("\\{greek}"), &name[short.len()..]),
         (None, Some(greek)) => (format!("\\{greek}"), &name[greek.len()..]),
@@ -334,7 +403,13 @@ fn letter(name: &str) -> String {
         0 => String::new(),
         1 => format!("_{index}"),
         _ if index.chars().all(|c| c.is_ascii_digit()) => format!("_{{{index}}}"),
-        _ => return format!("\\mathit{{{}}}{}", name.replace('_', "\\_"), "'".repeat(primes)),
+        _ => {
+            return format!(
+                "\\mathit{{{}}}{}",
+                name.replace('_', "\\_"),
+                "'".repeat(primes)
+            );
+        }
     };
     format!("{own}{index}{}", "'".repeat(primes))
 }
@@ -348,7 +423,10 @@ fn listed(bound: &[(String, String)]) -> String {
 /// What is given, those of one kind together: `$A$, $v_0$`; `functions $v_x$, $v_y$`.
 fn kinds(bound: &[(String, String)]) -> Vec<String> {
     let parts = bound.chunk_by(|a, b| a.1 == b.1).map(|alike| {
-        let letters: Vec<_> = alike.iter().map(|(name, _)| format!("${}$", letter(name))).collect();
+        let letters: Vec<_> = alike
+            .iter()
+            .map(|(name, _)| format!("${}$", letter(name)))
+            .collect();
         let many = if alike.len() == 1 { "" } else { "s" };
         match alike[0].1.as_str() {
             "R" | "" => letters.join(", "),
@@ -369,7 +447,12 @@ fn replaced(formula: &str, values: &BTreeMap<&str, String>) -> String {
         // What follows `\` is a command.
         let command = first == '\\';
         let length = match command {
-            true => 1 + rest[1..].find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len() - 1).max(1),
+            true => {
+                1 + rest[1..]
+                    .find(|c: char| !c.is_ascii_alphabetic())
+                    .unwrap_or(rest.len() - 1)
+                    .max(1)
+            }
             false if first.is_alphabetic() => rest.find(|c: char| !word(c)).unwrap_or(rest.len()),
             false => first.len_utf8(),
         };
@@ -385,7 +468,10 @@ fn replaced(formula: &str, values: &BTreeMap<&str, String>) -> String {
 
 /// The names of what a definition is of.
 fn parameters(item: &Item) -> Vec<String> {
-    let rest = item.text.split_once(&item.name).map_or("", |(_, rest)| rest);
+    let rest = item
+        .text
+        .split_once(&item.name)
+        .map_or("", |(_, rest)| rest);
     let mut names = Vec::new();
     let mut kind = false;
     for word in rest.split_inclusive(|c: char| " (){}:".contains(c)) {
@@ -399,7 +485,11 @@ fn parameters(item: &Item) -> Vec<String> {
         match end {
             ')' | '}' => kind = false,
             // Outside of brackets the type, or the body, begins.
-            ':' if !rest[..rest.find(word).unwrap_or(0)].ends_with('(') && depth(rest, word) == 0 => break,
+            ':' if !rest[..rest.find(word).unwrap_or(0)].ends_with('(')
+                && depth(rest, word) == 0 =>
+            {
+                break;
+            }
             ':' => kind = true,
             _ => {}
         }
@@ -409,7 +499,9 @@ fn parameters(item: &Item) -> Vec<String> {
 
 /// How many brackets are open where a word stands in a text.
 fn depth(text: &str, word: &str) -> i32 {
-    let at = (word.as_ptr() as usize).wrapping_sub(text.as_ptr() as usize).min(text.len());
+    let at = (word.as_ptr() as usize)
+        .wrapping_sub(text.as_ptr() as usize)
+        .min(text.len());
     text[..at].chars().fold(0, |depth, c| match c {
         '(' | '{' => depth + 1,
         ')' | '}' => depth - 1,
@@ -428,15 +520,27 @@ mod tests {
     fn a_theorem_is_told_as_mathematics() {
         let sources = Sources::read([("A.v", FILE)].into_iter());
         let formula = |name: &str| (name == "eq20_stop_time").then(|| "\\text{(20)}".to_owned());
-        let writer = Writer { sources: &sources, formula: &formula };
+        let writer = Writer {
+            sources: &sources,
+            formula: &formula,
+        };
         let said = writer
             .said(
                 "forall (A lam : R) (vx vy : R -> R), 0 < A -> motion (A * lam) (fun _ : R => - A) (fun _ : R => 0) vx vy -> \
                  (forall t : R, 0 <= t < Formulas.eq20_stop_time lam A -> nrm (vx t) (vy t) <> 0) /\\ (exists s : R, s ^ 2 = sin s / 2)",
             )
             .unwrap();
-        assert_eq!(said.given, ["$A$, $\\lambda$", "the functions $v_x$, $v_y$"]);
-        assert_eq!(said.supposed, ["$0<A$", "$(v_x,v_y)$ is a motion under $(-A,0)$ with $\\mu g=A\\,\\lambda$"]);
+        assert_eq!(
+            said.given,
+            ["$A$, $\\lambda$", "the functions $v_x$, $v_y$"]
+        );
+        assert_eq!(
+            said.supposed,
+            [
+                "$0<A$",
+                "$(v_x,v_y)$ is a motion under $(-A,0)$ with $\\mu g=A\\,\\lambda$"
+            ]
+        );
         assert_eq!(
             said.holds,
             [
@@ -446,7 +550,14 @@ mod tests {
         );
         assert_eq!(parameters(&sources.items[0]), ["k", "Ax", "Ay", "vx", "vy"]);
         assert_eq!(parameters(&sources.items[1]), ["l", "a", "t"]);
-        for (name, latex) in [("theta0", "\\theta_0"), ("vx", "v_x"), ("x'", "x'"), ("lam", "\\lambda"), ("phitilde2", "\\mathit{phitilde2}"), ("t1", "t_1")] {
+        for (name, latex) in [
+            ("theta0", "\\theta_0"),
+            ("vx", "v_x"),
+            ("x'", "x'"),
+            ("lam", "\\lambda"),
+            ("phitilde2", "\\mathit{phitilde2}"),
+            ("t1", "t_1"),
+        ] {
             assert_eq!(letter(name), latex);
         }
     }

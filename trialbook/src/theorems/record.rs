@@ -135,21 +135,45 @@ const ALL: &str = "=== ";
 /// A file that asks `coqc` for the statements of these theorems and for what they rest on: one by one where a file computes with
 /// intervals, and of all others together, as each such question takes a second.
 pub fn questions(sources: &Sources, theorems: &[&Item]) -> String {
-    let path = |item: &Item| format!("Slipbook.{}.{}", item.file.trim_end_matches(".v").replace('/', "."), item.name);
-    let (computing, others): (Vec<&Item>, Vec<&Item>) =
-        theorems.iter().partition(|item| sources.requires(&item.file, "Interval"));
-    let files: BTreeSet<_> = theorems.iter().map(|item| item.file.trim_end_matches(".v").replace('/', ".")).collect();
-    let mut asked = String::from("Require Import Reals.\nFrom Coquelicot Require Import Coquelicot.\n");
+    let path = |item: &Item| {
+        format!(
+            "Slipbook.{}.{}",
+            item.file.trim_end_matches(".v").replace('/', "."),
+            item.name
+        )
+    };
+    let (computing, others): (Vec<&Item>, Vec<&Item>) = theorems
+        .iter()
+        .partition(|item| sources.requires(&item.file, "Interval"));
+    let files: BTreeSet<_> = theorems
+        .iter()
+        .map(|item| item.file.trim_end_matches(".v").replace('/', "."))
+        .collect();
+    let mut asked =
+        String::from("Require Import Reals.\nFrom Coquelicot Require Import Coquelicot.\n");
     for file in files {
         let _ = writeln!(asked, "Require Slipbook.{file}.");
     }
     asked += "From Slipbook Require Import Motion.\nOpen Scope R_scope.\nSet Printing Width 110.\n";
     for item in theorems {
-        let _ = writeln!(asked, "Goal True. idtac \"{NEXT}{}\". Abort.\nCheck @{}.", item.name, path(item));
+        let _ = writeln!(
+            asked,
+            "Goal True. idtac \"{NEXT}{}\". Abort.\nCheck @{}.",
+            item.name,
+            path(item)
+        );
     }
-    for (i, group) in computing.into_iter().map(|item| vec![item]).chain([others]).enumerate() {
+    for (i, group) in computing
+        .into_iter()
+        .map(|item| vec![item])
+        .chain([others])
+        .enumerate()
+    {
         let names: Vec<_> = group.iter().map(|item| item.name.as_str()).collect();
-        let all: Vec<_> = group.iter().map(|item| format!("@{}", path(item))).collect();
+        let all: Vec<_> = group
+            .iter()
+            .map(|item| format!("@{}", path(item)))
+            .collect();
         let _ = writeln!(
             asked,
             "Goal True. idtac \"{ALL}{}\". Abort.\nDefinition all_{i} := ({}, tt).\nPrint Assumptions all_{i}.",
@@ -174,7 +198,9 @@ pub fn made(
     let mut axioms: BTreeMap<&str, Vec<String>> = BTreeMap::new();
     for group in rests.split(ALL).skip(1) {
         let (names, list) = group.split_once('\n').unwrap_or((group, ""));
-        let own = list.split_once("Axioms:").map_or(Vec::new(), |(_, list)| axioms_of(list));
+        let own = list
+            .split_once("Axioms:")
+            .map_or(Vec::new(), |(_, list)| axioms_of(list));
         axioms.extend(names.split(' ').map(|name| (name, own.clone())));
     }
     let mut all = Vec::new();
@@ -183,12 +209,21 @@ pub fn made(
         let none = || format!("no answer for {name}");
         let item = sources.proved(name).ok_or_else(none)?;
         let (_, statement) = said.split_once(" : ").ok_or_else(none)?;
-        let margin = statement.lines().skip(1).filter(|line| !line.trim().is_empty());
-        let margin = margin.map(|line| line.len() - line.trim_start().len()).min().unwrap_or_default();
-        let lines = statement.trim_end().lines().map(|line| match line.starts_with(' ') {
-            true => &line[margin..],
-            false => line,
-        });
+        let margin = statement
+            .lines()
+            .skip(1)
+            .filter(|line| !line.trim().is_empty());
+        let margin = margin
+            .map(|line| line.len() - line.trim_start().len())
+            .min()
+            .unwrap_or_default();
+        let lines = statement
+            .trim_end()
+            .lines()
+            .map(|line| match line.starts_with(' ') {
+                true => &line[margin..],
+                false => line,
+            });
         let statement = lines.collect::<Vec<_>>().join("\n");
         let axioms = axioms.get(name).ok_or_else(none)?.clone();
         let mark = sources.mark(item);

@@ -80,7 +80,11 @@ impl Sources {
         {
             meanings.entry(item.name.clone()).or_default().push(i);
         }
-        Sources { items, meanings, requires }
+        Sources {
+            items,
+            meanings,
+            requires,
+        }
     }
 
     /// The theorem or lemma of this name.
@@ -104,9 +108,19 @@ impl Sources {
             if required.iter().any(|required| required == name) {
                 return true;
             }
-            let stem = |path: &str| path.rsplit('/').next().map(|name| name.trim_end_matches(".v").to_owned());
-            let next = self.requires.keys().filter(|path| stem(path).is_some_and(|stem| required.contains(&stem)));
-            open.extend(next.filter(|path| known.insert(path.as_str())).map(String::as_str));
+            let stem = |path: &str| {
+                path.rsplit('/')
+                    .next()
+                    .map(|name| name.trim_end_matches(".v").to_owned())
+            };
+            let next = self
+                .requires
+                .keys()
+                .filter(|path| stem(path).is_some_and(|stem| required.contains(&stem)));
+            open.extend(
+                next.filter(|path| known.insert(path.as_str()))
+                    .map(String::as_str),
+            );
         }
         false
     }
@@ -296,7 +310,7 @@ mod tests {
         assert_eq!(theorem.context, ["Variable k : R", "Hypothesis hk : 0 < k"]);
         assert_eq!(
             (theorem.line, &FILE[theorem.span[1] - 4..theorem.span[1]]),
-            (9, "Qed.")
+            (10, "Qed.")
         );
         assert_eq!(sources.items[0].about, "How fast.");
         let mark = |text: &str| {

@@ -39,7 +39,10 @@ const BINDERS: [&str; 3] = ["forall", "exists", "fun"];
 impl Term {
     /// Reads a statement; nothing for what is written otherwise.
     pub fn read(text: &str) -> Option<Term> {
-        let mut reader = Reader { words: words(text), at: 0 };
+        let mut reader = Reader {
+            words: words(text),
+            at: 0,
+        };
         let term = reader.term()?;
         (reader.at == reader.words.len()).then_some(term)
     }
@@ -138,7 +141,11 @@ impl<'a> Reader<'a> {
                 if bracketed {
                     self.must(")")?;
                 }
-                bound.extend(names.iter().map(|name| ((*name).to_owned(), what.join(" "))));
+                bound.extend(
+                    names
+                        .iter()
+                        .map(|name| ((*name).to_owned(), what.join(" "))),
+                );
             }
             self.must(end)?;
             return Some(Term::Bound(binder, bound, Box::new(self.term()?)));
@@ -199,7 +206,11 @@ impl<'a> Reader<'a> {
     fn applied(&mut self) -> Option<Term> {
         let head = self.atom()?;
         let mut of = Vec::new();
-        while self.next() == "(" || self.next().starts_with(|c: char| c.is_alphanumeric() || c == '_') {
+        while self.next() == "("
+            || self
+                .next()
+                .starts_with(|c: char| c.is_alphanumeric() || c == '_')
+        {
             if matches!(self.next(), "in" | "then" | "else") {
                 break;
             }
@@ -226,7 +237,10 @@ impl<'a> Reader<'a> {
         }
         let word = self.take();
         let named = word.starts_with(|c: char| c.is_alphanumeric() || c == '_');
-        let own = word.rsplit('.').next().filter(|own| named && !own.is_empty())?;
+        let own = word
+            .rsplit('.')
+            .next()
+            .filter(|own| named && !own.is_empty())?;
         Some(Term::Name(own.to_owned()))
     }
 }
@@ -242,16 +256,45 @@ mod tests {
         assert_eq!(
             read("0 <= s < t /\\ ~ a = b"),
             Term::Joined(
-                Box::new(Term::Joined(Box::new(name("0")), vec![("<=", name("s")), ("<", name("t"))])),
-                vec![("/\\", Term::Before("~", Box::new(Term::Joined(Box::new(name("a")), vec![("=", name("b"))]))))]
+                Box::new(Term::Joined(
+                    Box::new(name("0")),
+                    vec![("<=", name("s")), ("<", name("t"))]
+                )),
+                vec![(
+                    "/\\",
+                    Term::Before(
+                        "~",
+                        Box::new(Term::Joined(Box::new(name("a")), vec![("=", name("b"))]))
+                    )
+                )]
             )
         );
-        assert_eq!(read("- x ^ 2"), Term::Before("-", Box::new(Term::Joined(Box::new(name("x")), vec![("^", name("2"))]))));
-        assert_eq!(read("Formulas.eq5 (v 0)"), Term::Of("eq5".into(), vec![Term::Of("v".into(), vec![name("0")])]));
-        let Term::Bound("forall", bound, _) = read("forall (k : R) (x y : R -> R), motion k (fun _ : R => - A) x y -> True") else { panic!() };
+        assert_eq!(
+            read("- x ^ 2"),
+            Term::Before(
+                "-",
+                Box::new(Term::Joined(Box::new(name("x")), vec![("^", name("2"))]))
+            )
+        );
+        assert_eq!(
+            read("Formulas.eq5 (v 0)"),
+            Term::Of("eq5".into(), vec![Term::Of("v".into(), vec![name("0")])])
+        );
+        let Term::Bound("forall", bound, _) =
+            read("forall (k : R) (x y : R -> R), motion k (fun _ : R => - A) x y -> True")
+        else {
+            panic!()
+        };
         let real = |name: &str| (name.to_owned(), "R -> R".to_owned());
-        assert_eq!(bound, [("k".to_owned(), "R".to_owned()), real("x"), real("y")]);
-        for text in ["exists t0 : R, 0 <= t0 /\\ (forall t : R, t0 <= t -> x t = 0)", "let p := (a, b, 0) in p = q <-> z = 0", "(fun x : R => x) 2 = 2"] {
+        assert_eq!(
+            bound,
+            [("k".to_owned(), "R".to_owned()), real("x"), real("y")]
+        );
+        for text in [
+            "exists t0 : R, 0 <= t0 /\\ (forall t : R, t0 <= t -> x t = 0)",
+            "let p := (a, b, 0) in p = q <-> z = 0",
+            "(fun x : R => x) 2 = 2",
+        ] {
             assert!(Term::read(text).is_some(), "{text}");
         }
         assert_eq!(Term::read("0 <= "), None);
