@@ -374,21 +374,27 @@ pub(super) fn idle(context: &Context<'_>) -> Html {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::Subject;
+    use crate::evidence::{Kind, Subject};
 
     #[test]
     fn proofs_are_counted_by_what_they_are() {
-        let html = proofs(&crate::ledger::example::ledger());
+        let mut ledger = crate::ledger::example::ledger();
+        let last = ledger.entries.last_mut().unwrap();
+        last.claim = Box::leak(Box::new(Claim {
+            kind: Kind::Definition,
+            ..*last.claim
+        }));
+        let html = proofs(&ledger);
         let cells = |name: &str| {
             let (_, row) = html.split_once(&format!("<td>{name}</td>")).unwrap();
             let row = row.split("</tr>").next().unwrap();
             row.replace("</td><td>", " ")
         };
-        // (6) to (8) are proved; of the others one is undecided.
-        for name in ["Numbered, not a definition", "All"] {
-            assert_eq!(cells(name), "<td>3 0 4 8</td>");
+        // (6) and (7) have proofs, (8) needs none; of the others one is undecided.
+        for name in ["Numbered", "All"] {
+            assert_eq!(cells(name), "<td>0 2 4 1 8</td>");
         }
-        assert_eq!(cells("Numbered definitions"), "<td>0 0 0 0</td>");
+        assert_eq!(cells("Statements in words and pictures"), "<td>0 0 0 0 0</td>");
     }
 
     #[test]
