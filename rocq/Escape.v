@@ -164,7 +164,7 @@ Lemma seen T t : s <= T -> hunt T zf hf Nf Pf -> (forall t, T <= t -> 0 < p t /\
   A t ^ 2 = / (4 * Nf t ^ 2 * (1 + hf t) * W t * zf t ^ 3).
 Proof.
   intros Ts H HT Ht. destruct (state x y u w T H HT t Ht) as (t0 & z0 & hh & N0 & h1 & pe & re & Ee). destruct (inside t ltac:(lra)) as (A0 & A2 & _ & k1 & k2 & k3 & k4).
-  fold zf hf Nf in *. pose proof (cosh_pos (alpha t)) as c0. assert (zz : 0 < zf t ^ 2) by nra. assert (z3 : 0 < zf t ^ 3) by nra. assert (ec : cosh (alpha t) = rho t / A t) by (rewrite k2; field; lra). assert (es : sinh (alpha t) = p t / A t) by (rewrite k1; field; lra).
+  fold zf hf Nf in z0, hh, N0, h1, pe, re, Ee. pose proof (cosh_pos (alpha t)) as c0. assert (zz : 0 < zf t ^ 2) by nra. assert (z3 : 0 < zf t ^ 3) by nra. assert (ec : cosh (alpha t) = rho t / A t) by (rewrite k2; field; lra). assert (es : sinh (alpha t) = p t / A t) by (rewrite k1; field; lra).
   repeat split; trivial; try lra.
   - replace (2 * alpha t) with (alpha t - - alpha t) by ring. unfold Rminus at 1. rewrite exp_plus, exp_Ropp. pose proof (exp_pos (- alpha t)) as x0.
     replace (exp (alpha t)) with ((rho t + p t) / A t) by (rewrite k3; field; lra). replace (exp (- alpha t)) with ((rho t - p t) / A t) by (rewrite k4; field; lra).
@@ -173,7 +173,6 @@ Proof.
   - rewrite cosh_double, es. replace (1 + 2 * (p t / A t) ^ 2) with (1 + 2 * p t ^ 2 / A t ^ 2) by (field; lra).
     replace (A t ^ 2) with (rho t ^ 2 * (1 - hf t ^ 2)). 2: { rewrite A2. transitivity (rho t ^ 2 - p t ^ 2). rewrite pe. ring. rewrite !nrm_sq. ring. }
     assert (r0 : 0 < rho t) by (rewrite k2; nra). rewrite pe. field. split; nra.
-  - rewrite A2. exact Ee.
 Qed.
 Ltac in_the_end T t Ht := destruct (seen T t) as (t0 & z0 & hh & N0 & c0 & ea & eA & e2 & eE); trivial.
 Ltac known T := destruct spiral as (T & Ts & H & HT);
@@ -200,7 +199,7 @@ Proof.
   assert (L : tends (fun t => t * right_escape_alpha_rate (alpha t) (A t)) (1 / 2)).
   { apply (tends_ext T (fun t => (zf t * t) * (sqrt 2 * (1 + hf t) * W t / (1 + hf t ^ 2) - 2 * Nf t))).
     - intros t Ht. in_the_end T t Ht. unfold right_escape_alpha_rate. rewrite eA, e2. field. repeat split; nra.
-    - limit. lra. field_simplify_eq; [ ring [s2] | lra ]. }
+    - limit. lra. replace (sqrt 2 * (1 + 1) * sqrt 2) with (2 * sqrt 2 ^ 2) by ring. rewrite s2. field. }
   split; [ | now split ]. destruct (in_the_end 1 _ _ (1 / 2) L ltac:(lra)) as (T2 & T20 & H2).
   apply (tends_ext T2 (fun t => (t * dalpha t) * / (t * right_escape_alpha_rate (alpha t) (A t)))).
   - intros t Ht. specialize (H2 t Ht). apply Rabs_def2 in H2. field. split; nra.
@@ -217,7 +216,7 @@ Qed.
 Theorem eq_129 : is_lim (fun t => eq129_a (alpha t) / A t) p_infty right_escape_product_over_a.
 Proof.
   known T. apply (tends_ext T (fun t => 2 * Nf t * (1 + hf t ^ 2) / ((1 + hf t) * W t))).
-  - intros t Ht. in_the_end T t Ht. unfold eq129_a. transitivity (cosh (alpha t) / A t * cosh (2 * alpha t)). unfold Rdiv; ring. rewrite eA, e2. field. repeat split; nra.
+  - intros t Ht. in_the_end T t Ht. unfold eq129_a. symmetry. transitivity (cosh (alpha t) / A t * cosh (2 * alpha t)). unfold Rdiv; ring. rewrite eA, e2. field. repeat split; nra.
   - limit. nra. unfold right_escape_product_over_a. field_simplify_eq; [ ring [s2] | lra ].
 Qed.
 Theorem eq_129__printed : right_escape_product_over_a <> 1.
@@ -303,7 +302,7 @@ Qed.
 
 Lemma atan_close z : 0 < z -> Rabs (atan z / z - 1) <= z ^ 2.
 Proof.
-  intros z0. assert (D : forall r, is_derive atan r (/ (1 + r ^ 2))). { intros r. apply is_derive_Reals. replace (r ^ 2) with (r²) by (unfold Rsqr; ring). apply derivable_pt_lim_atan. }
+  intros z0. assert (D : forall r, is_derive atan r (/ (1 + r ^ 2))). { intros r. apply is_derive_Reals, derivable_pt_lim_atan. }
   assert (C : forall r, continuity_pt atan r) by (intros r; apply derivable_continuous_pt; exists (/ (1 + r ^ 2)); apply is_derive_Reals, D).
   assert (up : atan z - z <= atan 0 - 0).
   { apply (rder_decr (fun r => atan r - r)); [ lra | intros r Hr; pose proof (C r); contq | ]. intros r Hr. eexists. split. apply (rder_minus atan (fun r => r)); [ apply rder_of, D | rdq ].
@@ -320,7 +319,7 @@ Proof.
   - intros t Ht. in_the_end T t Ht. destruct (HT t Ht) as (p0 & x0 & E1). destruct (shape x y u w t p0 x0 E1) as (pr & _ & _ & _ & xe & le & _). fold zf in xe, le.
     destruct (Hpsi t ltac:(lra)) as [range [a1 a2]]. assert (r0 : 0 < rho t) by lra. assert (q0 : 0 < 1 + zf t ^ 2) by nra.
     assert (c1 : cos (psi t) = 2 * zf t * / (1 + zf t ^ 2)). { apply (Rmult_eq_reg_l (rho t)); [ | lra ]. rewrite <- xe, a1. field. lra. }
-    assert (c2 : sin (psi t) = (1 - zf t ^ 2) * / (1 + zf t ^ 2)). { apply (Rmult_eq_reg_l (rho t)); [ | lra ]. apply Ropp_eq_reg. rewrite <- le, a2. field. lra. }
+    assert (c2 : sin (psi t) = (1 - zf t ^ 2) * / (1 + zf t ^ 2)). { apply (Rmult_eq_reg_l (rho t)); [ | lra ]. rewrite a2 in le. replace (- (rho t * p t * sin (psi t)) * / p t) with (- (rho t * sin (psi t))) in le by (field; lra). lra. }
     assert (c0' : 0 < cos (psi t)). { rewrite c1. apply Rmult_lt_0_compat. lra. now apply Rinv_0_lt_compat. }
     pose proof PI_RGT_0 as pi0. assert (near0 : - (PI / 2) < psi t < PI / 2).
     { split; apply Rnot_le_lt; intros k; [ rewrite <- cos_neg in c0'; pose proof (cos_le_0 (- psi t) ltac:(lra) ltac:(lra)) | pose proof (cos_le_0 (psi t) ltac:(lra) ltac:(lra)) ]; lra. }
@@ -395,7 +394,7 @@ Proof.
   - intros t Ht. destruct (inside t Ht) as (A0 & A2 & _). pose proof (energy t Ht) as e. fold c in e. unfold eq138_s. rewrite <- A2 in e. replace (len t) with (A t ^ 2 / 2 - c) by lra.
     destruct (Req_dec (A t ^ 2 / 2 - c) 0) as [z | n].
     + rewrite z. unfold Rdiv. replace (1 - 2 * c * (/ A t) ^ 2) with 0. rewrite Rinv_0. ring. replace c with (A t ^ 2 / 2) by lra. field. lra.
-    + field. repeat split; try lra. intros k. apply n. lra.
+    + field. repeat split; try lra; intros k; apply n; lra.
   - pose proof (is_lim_inv A p_infty p_infty K ltac:(discriminate)) as I. simpl in I. limit. lra. field.
 Qed.
 End Path.
