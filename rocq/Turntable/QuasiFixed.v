@@ -96,7 +96,8 @@ Proof.
   exists (/ (q * b * e)). intros t Ht. assert (i0 : 0 < / (q * b * e)) by (apply Rinv_0_lt_compat; apply Rmult_lt_0_compat; nra). pose proof (ratio_falls t ltac:(lra)) as R. fold q in R.
   rewrite Rminus_0_r. apply (Rmult_lt_reg_r b); trivial. unfold b at 1. rewrite <- Rabs_mult, R, !Rabs_mult, (Rabs_pos_eq (exp _)) by (left; apply exp_pos).
   assert (s1 : Rabs (from1 0) <= 1) by (apply Rabs_le, SIN_bound). assert (s2 : Rabs (from2 t) <= 1) by (apply Rabs_le, SIN_bound). pose proof (Rabs_pos (from1 0)). pose proof (Rabs_pos (from2 t)).
-  assert (qt : 1 < q * t * (b * e)). { apply (Rmult_lt_compat_l (q * b * e)) in Ht; [ | apply Rmult_lt_0_compat; nra ]. rewrite Rinv_r in Ht by nra. lra. }
+  assert (qb : 0 < q * b * e) by (apply Rmult_lt_0_compat; nra). assert (qt : 1 < q * t * (b * e)).
+  { apply (Rmult_lt_compat_l _ _ _ qb) in Ht. rewrite Rinv_r in Ht by lra. replace (q * t * (b * e)) with (q * b * e * t) by ring. exact Ht. }
   pose proof (exp_ineq1_le (q * t)) as x1. assert (e1 : exp (q * t) * exp (- (q * t)) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). pose proof (exp_pos (- (q * t))) as x0.
   apply Rle_lt_trans with (exp (- (q * t)) * 1 * 1). { apply Rmult_le_compat; nra. }
   assert (be : 0 < b * e) by nra. apply (Rmult_lt_reg_l (exp (q * t))). apply exp_pos. rewrite !Rmult_1_r, e1. nra.
