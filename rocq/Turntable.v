@@ -1,7 +1,7 @@
 (* Section 4 up to (125): a particle that slips or rests on a turning table, in the paper's order *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas Picard TableMotions Lab TableAngles QuasiFixed.
+From Slipbook Require Import Motion Formulas Picard TableMotions Lab TableAngle QuasiFixed.
 From Slipbook Require Export TableLaws.
 Open Scope R_scope.
 
@@ -344,17 +344,34 @@ Proof.
   assert (z0 : sinh (be t) <> 0) by (intros z; rewrite z in k2; lra). pose proof (cosh_pos (be t)). eapply rder_eq. apply (psi_rate x y u w psi S P t ht ltac:(lra) r0 C).
   unfold eq109_psi_rate, eq121_psi_rate. rewrite k1, k2. transitivity (2 - sin (psi t) * (sinh (be t) / cosh (be t) + cosh (be t) / sinh (be t))). field. lra. rewrite psi_rate_hyperbolic by trivial. ring.
 Qed.
-Let a s := at_i (fun i => eq122_a i (B s)).
-Let alpha s := at_i (fun i => eq123_alpha i (be s)).
+(* the complex A of (122) and alpha of (123) *)
+Notation A_i s := (at_i (fun i => eq122_a i (B s))).
+Notation alpha_i s := (at_i (fun i => eq123_alpha i (be s))).
+Lemma complex_parameters s : A_i s = (0, - B s) /\ alpha_i s = (be s, PI / 2).
+Proof. unfold at_i, eq122_a, eq123_alpha. split; f_equal; field. Qed.
+Ltac parts := destruct (complex_parameters t) as [ea eb]; rewrite ?ea, ?eb; unfold csinh, ccosh; cbn [fst snd]; rewrite ?cos_PI2, ?sin_PI2.
 (* (122) with (123): p = A sinh alpha and rho = A cosh alpha, (111) and (112), for this complex A and no other; and A has the rate (113) *)
-Theorem eq_122 : (forall A, (RtoC (p t) = A * csinh (alpha t) /\ RtoC (rho t) = A * ccosh (alpha t))%C <-> A = a t) /\ crder a t (csinh (alpha t)).
+Theorem eq_122 : (forall A, (RtoC (p t) = A * csinh (alpha_i t) /\ RtoC (rho t) = A * ccosh (alpha_i t))%C <-> A = A_i t) /\
+  crder (fun s => A_i s) t (csinh (alpha_i t)).
 Proof.
-Admitted. (* TODO *)
+  pose proof eq_119 as D. destruct (K t (Rle_refl t) outer) as [k1 k2]. unfold eq117_p, eq118_rho, eq119_b_rate in *. pose proof (cosh_pos (be t)). split.
+  - intros [a b]. parts. rewrite k1, k2. unfold RtoC, Cmult. cbn [fst snd]. split.
+    + intros [h _]. injection h as h1 h2. f_equal; apply (Rmult_eq_reg_r (cosh (be t))); lra.
+    + intros h. injection h as -> ->. split; f_equal; ring.
+  - parts. split; cbn [fst snd]; unfold at_i, eq122_a; cbn [fst snd]; (eapply rder_eq; [ rd | cbv beta; ring ]).
+Qed.
 (* (123) with (122): alpha has the rate (114) and psi the rate (115) of these complex A and alpha *)
-Theorem eq_123 : rho t <> 0 -> right_continuous psi t -> crder alpha t (RtoC (cos (psi t)) - ccosh (alpha t) / a t)%C /\
-  exists l, rder psi t l /\ RtoC l = (2 * (1 - RtoC (sin (psi t)) * (ccosh (2 * alpha t) / csinh (2 * alpha t))))%C.
+Theorem eq_123 : rho t <> 0 -> right_continuous psi t -> crder (fun s => alpha_i s) t (RtoC (cos (psi t)) - ccosh (alpha_i t) / A_i t)%C /\
+  exists l, rder psi t l /\ RtoC l = (2 * (1 - RtoC (sin (psi t)) * (ccosh (2 * alpha_i t) / csinh (2 * alpha_i t))))%C.
 Proof.
-Admitted. (* TODO *)
+  intros r0 C. pose proof (eq_120 r0) as D. pose proof (eq_121 r0 C) as D'. destruct (B_rates x y u w psi B be S P t ht outer K) as (B0 & _).
+  destruct (K t (Rle_refl t) outer) as [_ k]. unfold eq118_rho in k. assert (s0 : sinh (be t) <> 0) by (intros z; rewrite z in k; lra). pose proof (cosh_pos (be t)) as c0. split.
+  - parts. split; cbn [fst snd]; unfold at_i, eq123_alpha; cbn [fst snd];
+    (eapply rder_eq; [ rd | unfold eq120_beta_rate, RtoC, Cminus, Cplus, Copp, Cdiv, Cmult, Cinv; cbn [fst snd]; field; nra ]).
+  - exists (eq121_psi_rate (be t) (psi t)). split; trivial. replace (2 * alpha_i t)%C with (2 * be t, PI) by (parts; unfold RtoC, Cmult; cbn [fst snd]; f_equal; field).
+    unfold csinh, ccosh. cbn [fst snd]. rewrite cos_PI, sin_PI. assert (sinh (2 * be t) <> 0) by (rewrite sinh_2; nra).
+    apply injective_projections; unfold eq121_psi_rate, coth, RtoC, Cminus, Cplus, Copp, Cdiv, Cmult, Cinv; cbn [fst snd]; field; nra.
+Qed.
 End Outer.
 
 (* psi_1 attracts and psi_2 repels, alpha held fixed: every solution of (115) that does not start at psi_2 goes to psi_1 up to whole turns, exactly at this rate *)

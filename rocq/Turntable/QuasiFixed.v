@@ -1,7 +1,7 @@
 (* psi with alpha held fixed: the ratio of sin ((psi - psi_1) / 2) to sin ((psi - psi_2) / 2) falls exactly as exp (- 2 t / sinh 2 alpha) *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion RightDerivatives Picard TableAngles Formulas.
+From Slipbook Require Import Motion RightDerivatives Picard TableAngle Formulas.
 Open Scope R_scope.
 
 Lemma tanh_range al : 0 < al -> 0 < tanh (2 * al) < 1.
