@@ -9,6 +9,10 @@ Ltac emptied T := lazymatch T with
   | forall x : ?A, @?B x => let z := fresh "z" in constr:(forall z : A, ltac:(let b := eval cbv beta in (B z) in let r := emptied b in exact r))
   | _ => constr:(False) end.
 Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
+(* a motion from the start given, with its angle, at the moment 0 *)
+Ltac from x0 y0 u0 w0 := destruct (motion_with_angle x0 y0 u0 w0) as (x & y & u & w & psi & S & P & (e1 & e2 & e3 & e4) & Q);
+  pose proof (Rle_refl 0) as now.
+Ltac start := repeat match goal with e : ?f 0 = _ |- context [?f 0] => rewrite e end; repeat first [ rewrite nrm_x0 by lra | rewrite nrm_0y by lra ].
 
 (* ---- the law and its units ---- *)
 (* (86): friction alone accelerates a particle in the laboratory; seen from the table its law is that of (86), rests included, and while it slides just (86) *)
@@ -99,6 +103,11 @@ Proof.
 Qed.
 End Projections.
 End Motions.
+Lemma eq_90__occurs : ltac:(occurs eq_90).
+Proof. intros H. from 0 2 1 0. destruct (s_law _ _ _ _ S 0 now) as (_ & _ & fx & fy & _ & U & W). exact (H x y u w S 0 now _ _ U W). Qed.
+Lemma eq_91__occurs : ltac:(occurs eq_91).
+Proof. intros H. from 0 2 1 0. destruct (s_law _ _ _ _ S 0 now) as (_ & _ & fx & fy & _ & U & W). apply (H x y u w S 0 now _ _ U W). start. lra. Qed.
+Lemma eq_92__occurs : ltac:(occurs eq_92). Proof. exact eq_91__occurs. Qed.
 
 (* ---- p, xi and ell ---- *)
 (* (96): with psi of any position and velocity, and ell by (95) *)
@@ -193,6 +202,24 @@ Theorem eq_109 : p t <> 0 -> rho t <> 0 -> right_continuous psi t -> rder psi t 
 Proof. intros N r0. apply (psi_rate x y u w psi S P t ht N r0). Qed.
 End Angle.
 
+Lemma eq_99__occurs : ltac:(occurs eq_99).
+Proof. intros H. from 0 2 1 0. apply (H x y u w psi S P 0 now). start. lra. Qed.
+Lemma eq_100__occurs : ltac:(occurs eq_100). Proof. exact eq_99__occurs. Qed.
+Lemma eq_101__occurs : ltac:(occurs eq_101). Proof. exact eq_99__occurs. Qed.
+Lemma eq_107__occurs : ltac:(occurs eq_107). Proof. exact eq_99__occurs. Qed.
+Lemma s4_projection_tangential__occurs : ltac:(occurs s4_projection_tangential). Proof. exact eq_99__occurs. Qed.
+Lemma s4_projection_azimuthal__occurs : ltac:(occurs s4_projection_azimuthal). Proof. exact eq_99__occurs. Qed.
+Lemma s4_projection_radial__occurs : ltac:(occurs s4_projection_radial). Proof. exact eq_99__occurs. Qed.
+Lemma eq_102__occurs : ltac:(occurs eq_102).
+Proof.
+  intros H. from 0 2 1 0. assert (N : nrm (u 0) (w 0) <> 0) by (start; lra). assert (M : nrm (x 0) (y 0) <> 0) by (start; lra).
+  exact (H x y u w psi S P 0 now _ _ _ _ N (eq_108 _ _ _ _ _ S P 0 now M) (eq_100 _ _ _ _ _ S P 0 now N) (eq_101 _ _ _ _ _ S P 0 now N) (eq_99 _ _ _ _ _ S P 0 now N)).
+Qed.
+Lemma eq_108__occurs : ltac:(occurs eq_108).
+Proof. intros H. from 0 2 1 0. apply (H x y u w psi S P 0 now). start. lra. Qed.
+Lemma eq_109__occurs : ltac:(occurs eq_109).
+Proof. intros H. from 0 2 1 0. apply (H x y u w psi S P 0 now); [ start; lra .. | apply Q; lra ]. Qed.
+
 (* ---- energy ---- *)
 (* (103) at every moment, at rest too *)
 Theorem eq_103 x y u w t : spin x y u w -> 0 <= t -> rder (fun t => eq103_energy (nrm (u t) (w t)) (nrm (x t) (y t))) t (eq103_energy_rate (nrm (u t) (w t))).
@@ -200,6 +227,8 @@ Proof.
   intros S Ht. apply (rder_near _ (fun t => (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) * - / 2) t _ 1 Rlt_0_1). { intros s _. unfold eq103_energy. rewrite !nrm_sq. field. }
   eapply rder_eq. apply (rder_mult (fun t => x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) (fun _ => - / 2)); [ apply (E_rate x y u w S t Ht) | rd ]. unfold eq103_energy_rate. cbv beta. field.
 Qed.
+Lemma eq_103__occurs : ltac:(occurs eq_103).
+Proof. intros H. from 0 2 1 0. exact (H x y u w 0 S now). Qed.
 (* (104) of every motion, with the length of its path, rests included *)
 Theorem eq_104 x y u w s t : spin x y u w -> arc_length u w s -> 0 <= t ->
   eq104_constant (nrm (u t) (w t)) (nrm (x t) (y t)) (s t) = eq104_constant (nrm (u 0) (w 0)) (nrm (x 0) (y 0)) (s 0).
@@ -208,18 +237,32 @@ Proof.
   - cont; first [ apply cs | apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
   - eapply rder_eq. apply (rder_plus (fun t => (nrm (u t) (w t) ^ 2 - nrm (x t) (y t) ^ 2) * / 2) s); [ apply (eq_103 x y u w r S); lra | apply ds; lra ]. unfold eq103_energy_rate, eq105_arc_rate. ring.
 Qed.
+Lemma eq_104__occurs : ltac:(occurs eq_104).
+Proof. intros H. from 0 2 1 0. apply (H x y u w _ 0 S (arc_exists 1 1 x y u w Rlt_0_1 (proj1 (spin_is_turntable _ _ _ _) S)) now). Qed.
 (* The equations (99) to (101), of whatever functions, have (104) for a constant once s is joined to them by (105); what p, ell, xi give alone falls at the rate p *)
-Theorem s4_constant_of_motion p l xi s : (forall t, 0 < t -> continuity_pt p t /\ continuity_pt l t /\ continuity_pt xi t /\ continuity_pt s t) ->
-  (forall t, 0 <= t -> p t <> 0 /\ rder p t (eq99_p_rate (xi t)) /\ rder l t (eq100_ell_rate (p t) (l t) (xi t)) /\ rder xi t (eq101_xi_rate (p t) (l t)) /\ rder s t (eq105_arc_rate (p t))) ->
-  forall t, 0 <= t -> eq104_constant (p t) (nrm (l t) (xi t)) (s t) = eq104_constant (p 0) (nrm (l 0) (xi 0)) (s 0) /\
+Theorem s4_constant_of_motion p l xi s T : (forall t, 0 < t < T -> continuity_pt p t /\ continuity_pt l t /\ continuity_pt xi t /\ continuity_pt s t) ->
+  (forall t, 0 <= t < T -> p t <> 0 /\ rder p t (eq99_p_rate (xi t)) /\ rder l t (eq100_ell_rate (p t) (l t) (xi t)) /\
+    rder xi t (eq101_xi_rate (p t) (l t)) /\ rder s t (eq105_arc_rate (p t))) ->
+  forall t, 0 <= t < T -> eq104_constant (p t) (nrm (l t) (xi t)) (s t) = eq104_constant (p 0) (nrm (l 0) (xi 0)) (s 0) /\
   rder (fun t => eq103_energy (p t) (nrm (l t) (xi t))) t (- p t).
 Proof.
-  intros C D. assert (K : forall t, 0 <= t -> rder (fun t => eq103_energy (p t) (nrm (l t) (xi t))) t (- p t)).
-  { intros t Ht. destruct (D t Ht) as (N & DP & DL & DX & _). apply (rder_near _ (fun t => (p t ^ 2 - (l t ^ 2 + xi t ^ 2)) * / 2) t _ 1 Rlt_0_1). { intros r _. unfold eq103_energy. now rewrite nrm_sq. }
-    eapply rder_eq. rd. simpl. unfold eq99_p_rate, eq100_ell_rate, eq101_xi_rate. field. exact N. }
-  intros t Ht. split; [ | now apply K ]. apply (rder_const (fun t => eq104_constant (p t) (nrm (l t) (xi t)) (s t))); trivial; intros r Hr; unfold eq104_constant, Rdiv.
+  intros C D. assert (K : forall t, 0 <= t < T -> rder (fun t => eq103_energy (p t) (nrm (l t) (xi t))) t (- p t)).
+  { intros t Ht. destruct (D t Ht) as (N & DP & DL & DX & _). apply (rder_near _ (fun t => (p t ^ 2 - (l t ^ 2 + xi t ^ 2)) * / 2) t _ 1 Rlt_0_1).
+    { intros r _. unfold eq103_energy. now rewrite nrm_sq. } eapply rder_eq. rd. simpl. unfold eq99_p_rate, eq100_ell_rate, eq101_xi_rate. field. exact N. }
+  intros t Ht. split; [ | now apply K ]. apply (rder_const (fun t => eq104_constant (p t) (nrm (l t) (xi t)) (s t))); [ lra | | ]; intros r Hr; unfold eq104_constant, Rdiv.
   - destruct (C r ltac:(lra)) as (? & ? & ? & ?). cont.
-  - destruct (D r ltac:(lra)) as (_ & _ & _ & _ & DS). eapply rder_eq. apply (rder_plus (fun t => (p t ^ 2 - nrm (l t) (xi t) ^ 2) * / 2) s); [ apply K; lra | exact DS ]. unfold eq105_arc_rate. ring.
+  - destruct (D r ltac:(lra)) as (_ & _ & _ & _ & DS). eapply rder_eq. apply (rder_plus (fun t => (p t ^ 2 - nrm (l t) (xi t) ^ 2) * / 2) s); [ apply K; lra | exact DS ].
+    unfold eq105_arc_rate. ring.
+Qed.
+Lemma s4_constant_of_motion__occurs : ltac:(occurs s4_constant_of_motion).
+Proof.
+  intros H. from 0 2 1 0. assert (N : nrm (u 0) (w 0) <> 0) by (start; lra). destruct (slips_on _ _ _ _ S 0 now N) as (d & d0 & Hd). rewrite Rplus_0_l in Hd.
+  destruct (arc_exists 1 1 x y u w Rlt_0_1 (proj1 (spin_is_turntable _ _ _ _) S)) as [cs ds].
+  eapply (H (fun t => nrm (u t) (w t)) (fun t => (x t * w t - y t * u t) * / nrm (u t) (w t)) (fun t => (x t * u t + y t * w t) * / nrm (u t) (w t)) _ d); [ | | exact (conj now d0) ]; intros t Ht.
+  - specialize (Hd t ltac:(lra)). assert (cp : continuity_pt (fun t => nrm (u t) (w t)) t) by table S. assert (ci : continuity_pt (fun t => / nrm (u t) (w t)) t) by (apply (continuity_pt_inv (fun t => nrm (u t) (w t))); [ exact cp | lra ]).
+    repeat split; [ exact cp | apply (continuity_pt_mult (fun t => x t * w t - y t * u t)); [ table S | exact ci ] | apply (continuity_pt_mult (fun t => x t * u t + y t * w t)); [ table S | exact ci ] | apply cs; lra ].
+  - specialize (Hd t ltac:(lra)). assert (n : nrm (u t) (w t) <> 0) by lra. repeat split; trivial; [ now apply (dp x y u w S) | | now apply (eq101 x y u w S) | now apply ds ].
+    eapply rder_eq. now apply (eq100 x y u w S). unfold eq100_ell_rate. field. exact n.
 Qed.
 
 Section Energy.
@@ -264,6 +307,15 @@ Proof.
   - intros h. eapply rder_eq. exact D. destruct h as [-> | ->]; ring.
 Qed.
 End Energy.
+Ltac with_dimensions H := destruct (turntable_exists 2 (3 * 10) 0 2 1 0) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra; pose proof (Rle_refl 0) as now.
+Lemma eq_106__occurs : ltac:(occurs eq_106).
+Proof. intros H. with_dimensions H. exact (H 4 3 10 2 x y u w _ S (arc_exists 2 (3 * 10) x y u w ltac:(lra) S) 0 now). Qed.
+Lemma eq_106__printed__occurs : ltac:(occurs eq_106__printed).
+Proof. intros H. with_dimensions H. apply (H 4 3 10 2 x y u w _ S (arc_exists 2 (3 * 10) x y u w ltac:(lra) S) 0 now); lra. Qed.
+Lemma s4_coriolis_no_work__occurs : ltac:(occurs s4_coriolis_no_work).
+Proof.
+  intros H. with_dimensions H. destruct (t_law _ _ _ _ _ _ S 0 now) as (_ & _ & fx & fy & C & _). exact (H 4 3 10 2 x y u w _ S (arc_exists 2 (3 * 10) x y u w ltac:(lra) S) 0 now fx fy C).
+Qed.
 
 (* ---- hyperbolic parameters, p < rho: A and alpha by (111) and (112) ---- *)
 Section Inner.
@@ -311,6 +363,16 @@ Proof.
   - intros e. eapply rder_eq. exact D. apply Q. rewrite e, sin_PI_x. apply sin_asin. lra.
 Qed.
 End Inner.
+(* p = 1, rho = 2, psi = pi/2: a quarter turn from both sides *)
+Ltac inner_start := from 0 2 1 0; match goal with S : spin ?x ?y ?u ?w, Q : _ -> right_continuous ?psi _ /\ _ |- _ =>
+  destruct (with_A x y u w S) as (A & al & K); [ start; lra | ]; assert (I : eq110_case (nrm (u 0) (w 0)) (nrm (x 0) (y 0)) < 0) by (unfold eq110_case; start; lra);
+  assert (N : nrm (u 0) (w 0) <> 0) by (start; lra); destruct Q as [C q]; [ lra | ];
+  assert (B : psi 0 = PI / 2) by (rewrite q; unfold arccot; replace ((0 * 1 + 2 * 0) / (2 * 1 - 0 * 0)) with 0 by field; rewrite atan_0; ring) end.
+Lemma eq_113__occurs : ltac:(occurs eq_113). Proof. intros H. inner_start. exact (H x y u w A al S 0 now K I). Qed.
+Lemma eq_114__occurs : ltac:(occurs eq_114). Proof. intros H. inner_start. exact (H x y u w psi A al S P 0 now K I N). Qed.
+Lemma eq_115__occurs : ltac:(occurs eq_115). Proof. intros H. inner_start. exact (H x y u w psi A al S P 0 now K N C). Qed.
+Lemma eq_124__occurs : ltac:(occurs eq_124). Proof. intros H. inner_start. pose proof PI_RGT_0. apply (H x y u w psi A al S P 0 now K N C). lra. Qed.
+Lemma eq_125__occurs : ltac:(occurs eq_125). Proof. intros H. inner_start. pose proof PI_RGT_0. apply (H x y u w psi A al S P 0 now K N C). lra. Qed.
 
 (* ---- p > rho: B and beta by (117) and (118) ---- *)
 (* the value at the imaginary unit i of a formula of first degree in i *)
@@ -373,8 +435,16 @@ Proof.
     apply injective_projections; unfold eq121_psi_rate, coth, RtoC, Cminus, Cplus, Copp, Cdiv, Cmult, Cinv; cbn [fst snd]; field; nra.
 Qed.
 End Outer.
+Ltac outer_start := from 0 1 2 0; match goal with S : spin ?x ?y ?u ?w, Q : _ -> right_continuous _ _ /\ _ |- _ => destruct (with_B x y u w) as (B & be & K);
+  assert (I : 0 < eq116_case (nrm (u 0) (w 0)) (nrm (x 0) (y 0))) by (unfold eq116_case; start; lra); assert (N : nrm (x 0) (y 0) <> 0) by (start; lra); destruct Q as [C q]; [ lra | ] end.
+Lemma eq_119__occurs : ltac:(occurs eq_119). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I). Qed.
+Lemma eq_120__occurs : ltac:(occurs eq_120). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I N). Qed.
+Lemma eq_121__occurs : ltac:(occurs eq_121). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I N C). Qed.
+Lemma eq_122__occurs : ltac:(occurs eq_122). Proof. exact eq_119__occurs. Qed.
+Lemma eq_123__occurs : ltac:(occurs eq_123). Proof. exact eq_121__occurs. Qed.
 
-(* psi_1 attracts and psi_2 repels, alpha held fixed: every solution of (115) that does not start at psi_2 goes to psi_1 up to whole turns, exactly at this rate *)
+(* psi_1 attracts and psi_2 repels, alpha held fixed: of every solution of (115) that does not start at psi_2 (up to whole turns) the ratio of sin ((psi - psi_1)/2)
+   to sin ((psi - psi_2)/2) falls exactly at the rate 2 / sinh 2 alpha, so that psi goes to psi_1 (up to whole turns), however near psi_2 it started *)
 Theorem s4_quasi_fixed_stability al psi : 0 < al -> (forall t, 0 < t -> continuity_pt psi t) -> (forall t, 0 <= t -> rder psi t (eq115_psi_rate al (psi t))) ->
   let from1 t := sin ((psi t - eq124_psi1 al) / 2) in let from2 t := sin ((psi t - eq125_psi2 al) / 2) in from2 0 <> 0 ->
   (forall t, 0 <= t -> from2 t <> 0 /\ from1 t / from2 t = exp (- (2 / sinh (2 * al) * t)) * (from1 0 / from2 0)) /\ is_lim from1 p_infty 0.
@@ -382,4 +452,11 @@ Proof.
   intros Ha C D f1 f2 N. split; [ | exact (attracted al psi Ha C D N) ]. intros t Ht. pose proof (stays_away al psi Ha C D N t Ht) as M. split; [ exact M | ].
   pose proof (ratio_falls al psi Ha C D N t Ht) as R. apply (Rmult_eq_reg_r (f2 t * f2 0)); [ | apply Rmult_integral_contrapositive; split; [ exact M | exact N ] ].
   transitivity (f1 t * f2 0). field. exact M. transitivity (exp (- (2 / sinh (2 * al) * t)) * f1 0 * f2 t). exact R. field. exact N.
+Qed.
+(* as near to psi_2 as one likes, on either side *)
+Lemma s4_quasi_fixed_stability__occurs al e : 0 < al -> 0 < Rabs e < PI -> exists psi, psi 0 = eq125_psi2 al + e /\ sin ((psi 0 - eq125_psi2 al) / 2) <> 0 /\
+  (forall t, 0 < t -> continuity_pt psi t) /\ forall t, 0 <= t -> rder psi t (eq115_psi_rate al (psi t)).
+Proof.
+  intros Ha He. destruct (frozen_exists al (eq125_psi2 al + e) Ha) as (psi & e0 & C & D). exists psi. split; trivial. rewrite e0. replace (eq125_psi2 al + e - eq125_psi2 al) with e by ring. split; auto.
+  unfold Rabs in He. destruct (Rcase_abs e). pose proof (sin_lt_0_var (e / 2)). lra. pose proof (sin_gt_0 (e / 2)). lra.
 Qed.

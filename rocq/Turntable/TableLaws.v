@@ -29,8 +29,10 @@ Ltac table S := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | 
 
 Lemma stops u w : nrm u w = 0 -> u = 0 /\ w = 0.
 Proof. intros z. apply sq_sum. rewrite <- nrm_sq, z. lra. Qed.
-Lemma nrm_00 : nrm 0 0 = 0.
-Proof. unfold nrm. replace (0 ^ 2 + 0 ^ 2) with 0 by ring. apply sqrt_0. Qed.
+Lemma nrm_x0 a : 0 <= a -> nrm a 0 = a.
+Proof. intros H. unfold nrm. replace (a ^ 2 + 0 ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
+Lemma nrm_0y a : 0 <= a -> nrm 0 a = a.
+Proof. intros H. unfold nrm. replace (0 ^ 2 + a ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
 Lemma nrm_scale c a b : 0 <= c -> nrm (c * a) (c * b) = c * nrm a b.
 Proof. intros Hc. unfold nrm. replace ((c * a) ^ 2 + (c * b) ^ 2) with (c ^ 2 * (a ^ 2 + b ^ 2)) by ring. rewrite sqrt_mult_alt by nra. now rewrite sqrt_pow2. Qed.
 Lemma angle_iff x y u w psi : position_angle x y u w psi <-> angle x y u w psi.
@@ -172,4 +174,12 @@ Proof.
   - intros t Ht. destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & [B P] & U & W). split; [ exact X | ]. split; [ now apply rder_opp | ].
     exists fx, (- fy). split. { split. lra. replace (nrm (u t) (- w t)) with (nrm (u t) (w t)) by (unfold nrm; f_equal; ring). lra. }
     split. { eapply rder_eq; [ exact U | ring ]. } eapply rder_eq; [ apply rder_opp, W | ring ].
+Qed.
+(* the length of its path, by the energy *)
+Lemma arc_exists Om k x y u w : 0 < k -> turntable Om k x y u w -> arc_length u w (fun t => (Om ^ 2 * (x t ^ 2 + y t ^ 2) - (u t ^ 2 + w t ^ 2)) * / (2 * k)).
+Proof.
+  intros Hk S. split; intros t Ht.
+  - destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?). cont.
+  - destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & [_ P] & U & W). unfold eq105_arc_rate. eapply rder_eq. rd. simpl. set (n := nrm _ _) in *.
+    transitivity (- (fx * u t + fy * w t) / k). field; lra. rewrite P. field. lra.
 Qed.

@@ -221,7 +221,7 @@ Proof.
     unfold g. field. lra.
   - symmetry in z. destruct (stops u0 w0 z) as [z1 z2]. destruct (Rle_lt_dec (nrm x0 y0) 1) as [r1 | r1]; pose proof (nrm_pos x0 y0); set (r := nrm x0 y0) in *.
     + (* it rests *) exists (- x0), (- y0), 0. split. { split. nra. rewrite z, z1, z2. ring. } intros h Hh a b. unfold a, b. rewrite z1, z2.
-      replace (0 + h * (x0 + 2 * 0 + - x0)) with 0 by ring. replace (0 + h * (y0 - 2 * 0 + - y0)) with 0 by ring. rewrite nrm_00. lra.
+      replace (0 + h * (x0 + 2 * 0 + - x0)) with 0 by ring. replace (0 + h * (y0 - 2 * 0 + - y0)) with 0 by ring. rewrite nrm_x0; lra.
     + (* it is put down outside rho = 1 *) exists (- (x0 / r)), (- (y0 / r)), 0. split. { split; [ | rewrite z, z1, z2; ring ]. right. replace ((- (x0 / r)) ^ 2 + (- (y0 / r)) ^ 2) with ((x0 ^ 2 + y0 ^ 2) / r ^ 2) by (field; lra). rewrite <- rr. field. lra. }
       intros h Hh a b. unfold a, b. rewrite z1, z2. set (k := h * (1 - / r)). assert (k0 : 0 <= k). { apply Rmult_le_pos; [ lra | ]. assert (/ r < / 1) by (apply Rinv_lt_contravar; lra). lra. }
       replace (0 + h * (x0 + 2 * 0 + - (x0 / r))) with (k * x0) by (unfold k; field; lra). replace (0 + h * (y0 - 2 * 0 + - (y0 / r))) with (k * y0) by (unfold k; field; lra).
@@ -258,29 +258,4 @@ Proof.
   intros HO Hk. destruct (Rlt_dec 0 Om) as [h | h]. { now apply pos. }
   destruct (pos (- Om) (- y0) (- w0)) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra. apply mirrored in S. rewrite Ropp_involutive in S.
   exists x, (fun t => - y t), u, (fun t => - w t). rewrite e2, e4. repeat split; trivial; try apply S; lra.
-Qed.
-(* every start that slips with xi >= 1, that is rho cos psi >= 1, slips for ever, and its speed never falls *)
-Theorem slip_exists x0 y0 u0 w0 : 0 < nrm u0 w0 -> nrm u0 w0 <= x0 * u0 + y0 * w0 ->
-  exists x y u w, spin x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0 /\ forall t, 0 <= t -> nrm u0 w0 <= nrm (u t) (w t).
-Proof.
-  intros p0 H0. destruct (table_exists x0 y0 u0 w0) as (x & y & u & w & S & e1 & e2 & e3 & e4). exists x, y, u, w. repeat (split; [ trivial | ]).
-  set (p t := nrm (u t) (w t)). set (xi t := (x t * u t + y t * w t) * / p t). assert (pp : p 0 = nrm u0 w0) by (unfold p; now rewrite e3, e4).
-  assert (x1 : 1 <= xi 0). { unfold xi. rewrite pp, e1, e2, e3, e4. apply Rle_div_r; lra. }
-  assert (up : forall T, 0 <= T -> (forall t, 0 <= t < T -> 0 < p t) -> p 0 <= p T).
-  { intros T HT K. apply Ropp_le_cancel. apply (rder_decr (fun t => - p t)); trivial; intros r Hr. unfold p; table S.
-    specialize (K r Hr) as kr. exists (- (xi r - 1)). split. { apply (rder_opp p), (dp x y u w S r); unfold p in *; lra. }
-    enough (xi 0 <= xi r) by lra. apply Ropp_le_cancel. apply (rder_decr (fun t => - xi t)); [ lra | | ]; intros q Hq; assert (kq : 0 < p q) by (apply K; lra).
-    - apply (continuity_pt_opp xi), (continuity_pt_mult (fun t => x t * u t + y t * w t) (fun t => / p t)). table S. apply (continuity_pt_inv p); [ unfold p; table S | lra ].
-    - eexists. split. apply (rder_opp xi), (eq101 x y u w S q); unfold p in kq; lra. enough (0 <= (p q + (x q * w q - y q * u q) * / p q) ^ 2 / p q) by (unfold p in *; lra).
-      apply Rmult_le_pos. apply pow2_ge_0. left. now apply Rinv_0_lt_compat. }
-  rewrite <- pp. intros T HT. apply up; trivial. intros s Hs. apply (real_ind (fun t => 0 < p t) 0 s); try lra; intros t Ht K.
-  - assert (p 0 <= p t) by (apply up; [ lra | intros; apply K; lra ]). lra.
-  - specialize (K t ltac:(lra)). apply (right_pos p t (xi t - 1)); trivial. apply (dp x y u w S t); unfold p in K; lra.
-Qed.
-(* a motion with A > 1 *)
-Corollary slip_witness : exists x y u w, spin x y u w /\ 1 < x 0 ^ 2 + y 0 ^ 2 - (u 0 ^ 2 + w 0 ^ 2) /\ forall t, 0 <= t -> 1 <= nrm (u t) (w t).
-Proof.
-  assert (e : nrm 1 0 = 1) by (unfold nrm; replace (1 ^ 2 + 0 ^ 2) with 1 by ring; apply sqrt_1).
-  destruct (slip_exists 2 0 1 0) as (x & y & u & w & S & e1 & e2 & e3 & e4 & P); rewrite ?e; try lra.
-  exists x, y, u, w. split; trivial. rewrite e1, e2, e3, e4. rewrite e in P. split; trivial. lra.
 Qed.
