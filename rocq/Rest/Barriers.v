@@ -14,7 +14,7 @@ Definition wb P X L := X ^ 2 + L ^ 2 - P ^ 2 - 1 + P * (1 + X) + P ^ 2 * q2 X L 
 Definition n2 X L := - (5 / 12) * (1 + X) + 2 / 3 * L.
 Definition n3 X L := 4 / 3 + 49 / 48 - 73 / 90 * L * (1 + 2 * (1 + X)).
 Definition q3X X L := 49 / 48 - 73 / 90 * L * (1 + 2 * (1 + X)).
-Definition q3L X L := - (2 / 15) - 73 / 90 * ((1 + X) + (1 + X) ^ 2).
+Definition q3L (X L : R) := - (2 / 15) - 73 / 90 * ((1 + X) + (1 + X) ^ 2).
 (* what is left of the rate of w *)
 Definition rest_b P X L := (- q3 X L + n2 X L + (2 * L * q3X X L - 2 * X * q3L X L) + n2 X L * (1 - q2 X L) - n3 X L * (1 + X))
   + P * (q3X X L - n2 X L * q3 X L + n3 X L * (1 - q2 X L)) - P ^ 2 * (n3 X L * q3 X L).
@@ -57,7 +57,7 @@ Proof.
   assert (a3 : p0 * B <= / 4). { apply (Rmult_le_compat_r B) in a2; [ | lra ]. replace (/ (4 * B) * B) with (/ 4) in a2 by (field; lra). exact a2. }
   assert (box : forall P X L, 0 <= P <= p0 -> X ^ 2 + L ^ 2 - P ^ 2 <= 1 -> Rabs P <= 2 /\ Rabs X <= 2 /\ Rabs L <= 2).
   { intros P X L HP HE. pose proof (pow2_ge_0 X). pose proof (pow2_ge_0 L). repeat split; apply Rabs_le; split; nra. }
-  set (K := 4 * B + 10). exists K, p0. split. unfold K; lra. split. lra. split; [ | split ].
+  set (K := 4 * B + 20). exists K, p0. split. unfold K; lra. split. lra. split; [ | split ].
   - intros P X L HP HE. destruct (box P X L HP HE) as (b1 & b2 & b3). destruct (HB P X L b1 b2 b3) as (H1 & H2 & _).
     apply Rabs_le_between in b2, H1, H2. unfold wb. replace (X ^ 2 + L ^ 2 - P ^ 2 - 1 + P * (1 + X) + P ^ 2 * q2 X L + P ^ 3 * q3 X L - (X ^ 2 + L ^ 2 - P ^ 2 - 1))
       with (P * (1 + X + P * q2 X L + P ^ 2 * q3 X L)) by ring.
@@ -68,9 +68,17 @@ Proof.
     set (z := 1 + X). assert (l2 : L ^ 2 = P ^ 2 + 2 * z - z ^ 2) by (unfold z; lra). assert (z0 : - (P ^ 2 / 2) <= z <= 2 + P ^ 2 / 2).
     { pose proof (pow2_ge_0 L). unfold z. split; nra. } replace (2 + X) with (1 + z) by (unfold z; ring). clearbody z.
     enough (0 <= P * (z + P / 2 - 5 / 24 * P * z ^ 2 + 2 / 3 * P * L * (1 + z) + P ^ 2 * (b + K))) by lra. apply Rmult_le_pos. lra.
-    assert (k1 : - (L ^ 2 / 8 + 9 * P ^ 2) <= 2 / 3 * P * L * (1 + z)).
-    { pose proof (pow2_ge_0 (L / 4 + 4 / 3 * (P * (1 + z)))). assert (16 / 9 * (P * (1 + z)) ^ 2 <= 18 * P ^ 2). { replace ((P * (1 + z)) ^ 2) with (P ^ 2 * (1 + z) ^ 2) by ring. assert ((1 + z) ^ 2 <= 10) by nra. nra. } lra. }
-    assert (k2 : 5 / 24 * P * z ^ 2 <= z ^ 2 / 8) by (pose proof (pow2_ge_0 z); nra). assert (k3 : P ^ 2 * 10 <= P ^ 2 * (b + K)) by (apply Rmult_le_compat_l; [ nra | unfold K; lra ]). lra.
+    assert (k1 : - (L ^ 2 / 8 + 18 * P ^ 2) <= 2 / 3 * P * L * (1 + z)).
+    { pose proof (pow2_ge_0 (L / 4 + 4 / 3 * (P * (1 + z)))).
+      assert (p2 : 0 <= P ^ 2 <= / 36) by (split; nra).
+      assert (z1 : 0 <= 1 + z <= 31 / 10) by lra.
+      assert (z2 : (1 + z) ^ 2 <= 10) by nra.
+      assert (z3 : P ^ 2 * (1 + z) ^ 2 <= P ^ 2 * 10) by (apply Rmult_le_compat_l; lra).
+      replace ((L / 4 + 4 / 3 * (P * (1 + z))) ^ 2) with (L ^ 2 / 16 + 2 / 3 * P * L * (1 + z) + 16 / 9 * (P ^ 2 * (1 + z) ^ 2)) in H by field.
+      pose proof (pow2_ge_0 L). lra. }
+    assert (k2 : 5 / 24 * P * z ^ 2 <= z ^ 2 / 8) by (pose proof (pow2_ge_0 z); nra). 
+    assert (k3 : P ^ 2 * 20 <= P ^ 2 * (b + K)) by (apply Rmult_le_compat_l; [ apply pow2_ge_0 | unfold K; lra ]).
+    pose proof (pow2_ge_0 P). lra.
   - intros s P X L t Hs [P0 P1] HE HP HX HL.
     destruct (box (P t) (X t) (L t) ltac:(lra) HE) as (b1 & b2 & b3). destruct (HB _ _ _ b1 b2 b3) as (_ & _ & H3 & H4 & H5).
     apply Rabs_le_between in H3, H4, H5. unfold wall. pose proof (pow2_ge_0 (L t)).
@@ -80,7 +88,8 @@ Proof.
     set (n := n2 (X t) (L t)) in *. set (n' := n3 (X t) (L t)) in *. set (q := P t) in *.
     assert (x1 : X t - 1 <= q ^ 2 / 2) by nra.
     assert (m1 : / 2 <= 1 + q * n + q ^ 2 * n').
-    { assert (qB : q * B <= / 4) by nra. assert (- (q * B) <= q * n) by nra. assert (- (q * B) <= q ^ 2 * n') by nra. lra. }
+    { assert (qB : q * B <= / 4) by nra. assert (- (q * B) <= q * n) by nra. assert (q ^ 2 <= q) by nra. assert (0 <= q ^ 2 * (n' + B)) by (apply Rmult_le_pos; [ apply pow2_ge_0 | lra ]).
+      assert (q ^ 2 * B <= q * B) by (apply Rmult_le_compat_r; lra). lra. }
     set (m := 1 + q * n + q ^ 2 * n') in *. clearbody m w z. clear H3 H4 HB n n' b1 b2 b3 box.
     assert (q3 : 0 < q ^ 3) by (apply pow_lt; lra).
     assert (sz : - B <= s * z) by (destruct Hs; subst s; lra).
@@ -123,6 +132,6 @@ Proof.
   match goal with |- _ <= ?h => replace h with ((1 + X t) * d * q * (g * w' - K * q ^ 3) + q ^ 2 * ((1 + X t) * d * q ^ 2 * K + g * z + 3 * K * (1 - X t))) end.
   2: { unfold z. unfold d. simpl. field. nra. }
   assert (m0 : 0 <= (1 + X t) * d) by (apply Rmult_le_pos; lra). assert (gz : - B <= g * z) by (destruct Hg; subst g; lra).
-  assert (k1 : B <= 3 * K * (1 - X t)) by nra. assert (0 <= (1 + X t) * d * q ^ 2 * K) by (repeat apply Rmult_le_pos; try lra; apply pow2_ge_0).
+  assert (k1 : B <= 3 * K * (1 - X t)) by nra. assert (0 <= (1 + X t) * d * q ^ 2 * K) by (apply Rmult_le_pos; [ apply Rmult_le_pos; [ exact m0 | apply pow2_ge_0 ] | lra ]).
   apply Rplus_le_le_0_compat; apply Rmult_le_pos; try (apply pow2_ge_0); try lra. apply Rmult_le_pos; lra.
 Qed.

@@ -91,12 +91,12 @@ Proof.
   { intros s T Hs HT pT N HE V0. enough (k : - (s * (E T - 1) + K * p T) <= - V s 0) by (rewrite pT in k; lra).
     apply (ll_le (fun t => - (s * (E t - 1) + K * p t)) T _ 0); trivial.
     - apply (ll_cont (fun t => - (s * (E t - 1) + K * p t))). cont.
-    - intros t Ht. destruct (gr s T Hs N HE V0 t Ht) as [g1 g2]. specialize (low s t Hs g2 (HE t Ht)). nra. }
+    - intros t Ht. destruct (gr s T Hs N HE V0 t Ht) as [g1 g2]. specialize (low s t Hs g2 (HE t Ht)). assert (0 <= V s 0 * t) by (apply Rmult_le_pos; lra). lra. }
   assert (two : forall t, E t <= 1 -> p t = 0 -> forall r, t <= r -> 0 <= t -> p r = 0).
   { intros t HE pt r Hr Ht. destruct (stop0 u w t pt) as [z1 z2]. destruct (table_rest_lasts x y u w S t r ltac:(lra) pt) as (_ & _ & e1 & e2).
     unfold E in HE. rewrite z1, z2 in HE. lra. now apply at_rest. }
-  split; intros V0; fold (V (- (1)) 0) in V0; fold (V 1 0) in V0.
-  - (* below *)
+  split; intros V0.
+  - (* below *) change (0 < V (- (1)) 0) in V0.
     assert (below : forall b, (forall t, 0 <= t < b -> 0 < p t) -> forall t, 0 <= t < b -> E t < 1).
     { assert (one : forall b t, (forall t, 0 <= t < b -> 0 < p t) -> (forall r, 0 <= r <= t -> E r <= 1) -> 0 <= t < b -> E t < 1).
       { intros b t N HE Ht. destruct (HE t ltac:(lra)) as [l | e]; trivial. exfalso.
@@ -108,7 +108,7 @@ Proof.
           assert (pth : p t <= h). { apply (left_le p h 0 t); trivial. apply cp; lra. intros r Hr. now apply sm. }
           split; [ | lra ]. apply Ropp_le_cancel. apply (ll_le (fun t => - V (- (1)) t) t _ 0); trivial.
           - apply (ll_cont (fun t => - V (- (1)) t)). destruct (r_cont _ _ _ _ _ R t ltac:(lra)) as (c1 & c2 & c3). apply continuity_pt_opp. now apply (wall_cont K (- (1)) p X L).
-          - intros r Hr. destruct (gr (- (1)) t ltac:(now right) ltac:(intros; apply N; lra) ltac:(intros; apply HE; lra) V0 r Hr). nra. }
+          - intros r Hr. destruct (gr (- (1)) t ltac:(now right) ltac:(intros; apply N; lra) ltac:(intros; apply HE; lra) V0 r Hr). assert (0 <= V (- (1)) 0 * r) by (apply Rmult_le_pos; lra). lra. }
         destruct Vt as [v1 v2]. specialize (at1 (p t) (X t) (L t) v2). rewrite (Eof t pt) in at1. specialize (at1 e). unfold V in v1 at 2. lra. }
       intros b N t Ht. apply (real_ind (fun t => E t < 1) 0 t); try lra.
       - apply (one b 0); trivial; [ | lra ]. intros r Hr. replace r with 0 by lra. exact E0.
@@ -121,7 +121,7 @@ Proof.
     + exfalso. apply (ever (- (1))); trivial. now right. intros t Ht. left. apply (below (t + 1)); [ intros; apply N | ]; lra.
     + exists T. split. lra. split; trivial. pose proof (stop (- (1)) T ltac:(now right) T0 pT N ltac:(intros; left; now apply (below T)) V0) as k.
       destruct (stop0 u w T pT) as [z1 z2]. unfold E in k. rewrite z1, z2 in k. pose proof (nrm_sq (x T) (y T)). pose proof (nrm_pos (x T) (y T)). nra.
-  - (* above *)
+  - (* above *) change (0 < V 1 0) in V0.
     apply Classical_Prop.NNPP. intros no. assert (HE : forall t, 0 <= t -> E t <= 1). { intros t Ht. apply Rnot_lt_le. intros k. apply no. exists t. auto. }
     destruct (first_stop x y u w S p0) as [N | (T & T0 & pT & N)].
     + apply (ever 1); auto.
@@ -136,7 +136,7 @@ Proof.
   intros Hs. destruct (walls_rate s Hs) as (K & h & K0 & h0 & rate). exists K, h. split; trivial. split; trivial.
   intros x y u w T S T0 pT rT N Hh. 
   set (p t := nrm (u t) (w t)) in *. set (X t := (x t * u t + y t * w t) * / nrm (u t) (w t)). set (L t := (x t * w t - y t * u t) * / nrm (u t) (w t)).
-  fold (p 0) (X 0) (L 0) in Hh |- *.
+  change (Rabs (ws s (p 0) (X 0) (L 0)) <= K * p 0 ^ 3).
   set (E t := x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) in *.
   assert (ET : E T = s ^ 2). { unfold E. destruct (stop0 u w T pT) as [-> ->]. rewrite <- rT, nrm_sq. ring. }
   assert (HE : forall t, 0 <= t < T -> E t <= s ^ 2). { intros t Ht. rewrite <- ET. apply (A_never_falls x y u w S). lra. }
@@ -157,8 +157,11 @@ Proof.
     enough (- (g * (E T - s ^ 2) + C * p T) <= - V 0) by (unfold p in H; rewrite pT, ET in H; lra).
     apply (ll_le _ _ _ 0 _ lim); trivial. intros t Ht. specialize (up t Ht). specialize (sm t Ht). pose proof (Eof t Ht) as e. specialize (HE t Ht).
     unfold V in up at 2. unfold ws in up. rewrite e in up. assert (q : 0 <= qs s (X t) <= C).
-    { unfold qs, C. assert (xx : X t ^ 2 <= 2) by (pose proof (pow2_ge_0 (L t)); nra). assert (0 <= (1 + X t) ^ 2 <= 9) by (split; nra). split; nra. }
+    { unfold qs, C. set (c := / (2 * (1 - s ^ 2))) in *. assert (p1 : p t ^ 2 <= 1) by nra. pose proof (pow2_ge_0 (L t)). pose proof (pow2_ge_0 (X t - 1)). pose proof (pow2_ge_0 (1 + X t)).
+      assert (0 <= (1 + X t) ^ 2 * c) by (apply Rmult_le_pos; lra). assert ((1 + X t) ^ 2 * c <= 9 * c) by (apply Rmult_le_compat_r; lra). lra. }
     assert (0 < K * p t ^ 3) by (apply Rmult_lt_0_compat; trivial; apply pow_lt; lra).
-    assert (p t ^ 2 * qs s (X t) <= C * p t) by nra. assert (0 <= p t ^ 2 * qs s (X t)) by nra. assert (0 <= C * p t) by nra. destruct Hg; subst g; lra. }
+    set (v := qs s (X t)) in *. set (n := p t) in *. assert (a1 : n * v <= 1 * C) by (apply Rmult_le_compat; lra). assert (a2 : n * (n * v) <= n * (1 * C)) by (apply Rmult_le_compat_l; lra).
+    assert (a3 : 0 <= n * (n * v)) by (repeat apply Rmult_le_pos; lra). assert (a4 : 0 <= C * n) by (apply Rmult_le_pos; lra).
+    replace (n ^ 2 * v) with (n * (n * v)) in up by ring. cbv beta. fold n. destruct Hg; subst g; lra. }
   apply Rabs_le. pose proof (one 1 ltac:(now left)). pose proof (one (- (1)) ltac:(now right)). lra.
 Qed.

@@ -39,6 +39,13 @@ Proof.
   intros C. apply ll_iff. apply continuity_pt_filterlim in C. intros P HP. specialize (C P HP). destruct C as [d Hd].
   exists d. intros y B _. exact (Hd y B).
 Qed.
+(* a bound on the left of T holds at T *)
+Lemma left_le f c s T : s < T -> continuity_pt f T -> (forall t, s <= t < T -> f t <= c) -> f T <= c.
+Proof.
+  intros sT C H. apply Rnot_lt_le. intros k. destruct (ll_cont f T C (f T - c) ltac:(lra)) as (d & d0 & Hd).
+  set (t := Rmax s (T - d / 2)). assert (t1 : s <= t) by apply Rmax_l. assert (t2 : T - d / 2 <= t) by apply Rmax_r.
+  assert (t3 : t < T) by (apply Rmax_lub_lt; lra). specialize (Hd t ltac:(lra)). specialize (H t ltac:(lra)). apply Rabs_def2 in Hd. lra.
+Qed.
 Lemma ll_ext f g T l d : 0 < d -> (forall t, T - d < t < T -> g t = f t) -> left_lim f T l -> left_lim g T l.
 Proof.
   intros Hd K H e He. destruct (H e He) as (c & c0 & Hc). exists (Rmin c d). split. now apply Rmin_pos.
