@@ -1,7 +1,7 @@
 (* A half period that ends with the opposite of what it began with makes a motion for all times *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal.
+From Slipbook Require Import Motion General Pieces.
 Open Scope R_scope.
 
 Lemma rder_near f g t l d : 0 < d -> (forall s, t <= s < t + d -> g s = f s) -> rder g t l -> rder f t l.

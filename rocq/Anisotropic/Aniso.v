@@ -1,7 +1,7 @@
 (* 2.4: friction on a line that differs forward and backward *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal Periodic.
+From Slipbook Require Import Motion General Pieces Periodic.
 Open Scope R_scope.
 
 (* the force of friction at the velocity w: - l forward, m backward, anything between at rest *)

@@ -1,7 +1,7 @@
 (* 2.4, 3.4: the rates, the mirror, the sphere, the point X *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal Periodic Aniso Formulas.
+From Slipbook Require Import Motion General Pieces Periodic Aniso Formulas.
 Open Scope R_scope.
 
 (* (51), (52): the rates while it moves *)

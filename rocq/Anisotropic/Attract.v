@@ -1,7 +1,7 @@
 (* 2.2, 2.4: a motion that reverses at once, without rest, attracts every other *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal Periodic Aniso.
+From Slipbook Require Import Motion General Pieces Periodic Aniso.
 Open Scope R_scope.
 
 Lemma lim_zero (f : R -> R) : (forall e, 0 < e -> exists t1, forall t, t1 <= t -> Rabs (f t) <= e) -> is_lim f p_infty 0.

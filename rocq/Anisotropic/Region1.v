@@ -1,7 +1,7 @@
 (* 2.4: region I, below A: forward and backward without rest *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal Periodic Steady Aniso Formulas Regions Region3 Attract.
+From Slipbook Require Import Motion General Pieces Periodic Steady Aniso Formulas Regions Region3 Attract.
 Open Scope R_scope.
 
 Lemma between_asin m x : 0 < m < 1 -> - (PI / 2) < x < 3 * (PI / 2) -> m < sin x -> asin m < x < PI - asin m.

@@ -1,7 +1,7 @@
 (* 2.4: region II, corrected: above A, below B, C and E *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal Periodic Steady Aniso Formulas Regions Region3 Attract Region1.
+From Slipbook Require Import Motion General Pieces Periodic Steady Aniso Formulas Regions Region3 Attract Region1.
 Open Scope R_scope.
 
 Lemma x_cos_lt x : 0 < x < PI -> x * cos x < sin x.

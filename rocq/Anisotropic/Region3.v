@@ -1,7 +1,7 @@
 (* 2.4: region III, between B and C: two rests *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal Periodic Steady Aniso Formulas Regions.
+From Slipbook Require Import Motion General Pieces Periodic Steady Aniso Formulas Regions.
 Open Scope R_scope.
 
 Lemma x_cos_sin x : 0 <= x <= PI / 2 -> x * cos x <= sin x.

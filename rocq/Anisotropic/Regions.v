@@ -2,7 +2,7 @@
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Sinusoidal Periodic Steady Aniso Formulas.
+From Slipbook Require Import Motion General Pieces Periodic Steady Aniso Formulas.
 Open Scope R_scope.
 
 (* (51), (52) integrated: forward from a, backward from b *)

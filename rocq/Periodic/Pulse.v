@@ -1,7 +1,7 @@
 (* 2.3: the pulses (42), (43) and the motion (44), (45), from lambda_c = eta on (46) *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal Periodic.
+From Slipbook Require Import Motion General Pieces Periodic.
 Open Scope R_scope.
 
 Lemma ext_anti T g : 0 < T -> forall t, ext T g (t + T) = - ext T g t.
