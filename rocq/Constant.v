@@ -1,103 +1,140 @@
-(* 2.1: constant acceleration of the plane, A = (-A, 0); lambda = k / A *)
+(* Section 2.1, the plane is pulled with the constant acceleration (-A, 0), lambda = mu g / A: (6) to (20) and what is said beside them, of every motion.
+   pulled A lambda vx vy: a motion under this pull (Constant/Slip.v); polar vx vy v theta: v and theta are its speed and angle, (4) (Constant/Angle.v). *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General.
+From Slipbook Require Import Motion Formulas.
+From Slipbook.General Require Import Rates Contraction Exists Straight.
+From Slipbook.Constant Require Export Slip Angle.
 Open Scope R_scope.
 
-Section Constant.
-Variables (A lam : R) (vx vy : R -> R).
+Ltac emptied T := lazymatch T with
+  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
+  | _ => constr:(False) end.
+Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
+
+(* ---- motions, from every start: at rest, at any angle, for every lambda ---- *)
+Theorem pull_has_a_motion A lam v0 theta0 : 0 < A -> 0 <= lam ->
+  exists vx vy, pulled A lam vx vy /\ vx 0 = eq4_velocity_1 v0 theta0 /\ vy 0 = eq4_velocity_2 v0 theta0.
+Proof. intros hA hl. apply plane_has_a_motion. apply Rmult_le_pos; lra. intros; split; cont. Qed.
+(* one that starts across the pull, with its speed and angle; for lambda <= 1 it never stops *)
+Lemma across_start A lam : 0 < A -> 0 <= lam -> exists vx vy v theta, pulled A lam vx vy /\ polar vx vy v theta /\ v 0 = 1 /\ theta 0 = PI / 2 /\
+  vx 0 = 0 /\ vy 0 = 1 /\ (lam <= 1 -> forall t, 0 <= t -> 0 < v t).
+Proof.
+  intros hA hl. destruct (plane_has_a_motion (A * lam) (fun _ => eq3_acceleration_1 A) (fun _ => eq3_acceleration_2 A) 0 1) as (vx & vy & M & e1 & e2).
+  apply Rmult_le_pos; lra. intros; split; cont. exists vx, vy, (fun t => nrm (vx t) (vy t)), (fun t => angle (vx t) (vy t)). rewrite e1, e2, angle_up.
+  assert (n1 : nrm 0 1 = 1) by (unfold nrm; replace (0 ^ 2 + 1 ^ 2) with 1 by ring; apply sqrt_1).
+  split; [ exact M | ]. split; [ | repeat split; trivial ].
+  - intros t Ht. split; [ apply nrm_pos | apply angle_polar ].
+  - intros h t Ht. pose proof (plus_rises A lam vx vy hA hl M 0 t h ltac:(lra)) as r. rewrite e1, e2, n1 in r. destruct (sides vx vy t) as (_ & b & _). lra.
+Qed.
+
+Section Motions.
+Variables (A lam : R) (vx vy v theta : R -> R).
 Hypothesis hA : 0 < A.
 Hypothesis hl : 0 <= lam.
-Hypothesis M : motion (A * lam) (fun _ => - A) (fun _ => 0) vx vy.
-Let v t := nrm (vx t) (vy t).
+Hypothesis M : pulled A lam vx vy.
+Hypothesis P : polar vx vy v theta.
+Notation slips_until t := (forall s, 0 <= s <= t -> 0 < v s).
+Let slip t (H : slips_until t) s (Hs : 0 <= s <= t) : nrm (vx s) (vy s) <> 0.
+Proof. rewrite (polar_speed vx vy v theta s P) by lra. specialize (H s Hs). lra. Qed.
 
-(* while it slips: Newton's law (1) with its signs *)
-Lemma newton t : 0 <= t -> v t <> 0 ->
-  rder vx t (A - A * lam * (vx t / v t)) /\ rder vy t (- A * lam * (vy t / v t)).
+(* (6), (7): while it slips *)
+Theorem eq_6 t : 0 <= t -> 0 < v t -> rder (fun s => eq4_velocity_1 (v s) (theta s)) t (eq6_vx_rate lam A (theta t)).
 Proof.
-  intros Ht N. destruct (m_law _ _ _ _ _ M t Ht) as (fx & fy & C & X & Y).
-  assert (hk : 0 <= A * lam) by nra. destruct (coulomb_slip _ _ _ _ _ hk C) as [e1 e2]. fold (v t) in *.
-  split; (eapply rder_eq; [ eassumption | apply (Rmult_eq_reg_l (v t)); [ | exact N ] ]);
-   [ replace (v t * (fx - - A)) with (v t * fx + A * v t) by ring; rewrite e1 
-   | replace (v t * (fy - 0)) with (v t * fy) by ring; rewrite e2 ]; field; exact N.
+  intros Ht p. pose proof (polar_speed vx vy v theta t P Ht) as e. destruct (P t Ht) as (_ & _ & ex & _). destruct (pull_rates A lam vx vy hA hl M t Ht ltac:(lra)) as (X & _).
+  apply (rder_ext _ vx t _ 1 Rlt_0_1). intros s Hs. now destruct (P s ltac:(lra)) as (_ & _ & ? & _).
+  eapply rder_eq. exact X. rewrite e, ex. unfold eq6_vx_rate, eq4_velocity_1. field. lra.
 Qed.
-
-(* (6), (7): with any angle *)
-Theorem eq6 theta t : 0 <= t -> v t <> 0 -> (forall s, vx s = v s * cos (theta s)) ->
-  rder (fun s => v s * cos (theta s)) t (A * (1 - lam * cos (theta t))).
+Theorem eq_7 t : 0 <= t -> 0 < v t -> rder (fun s => eq4_velocity_2 (v s) (theta s)) t (eq7_vy_rate lam A (theta t)).
 Proof.
-  intros Ht N H. destruct (newton t Ht N) as [[F [D E]] _]. exists F. split; [ | intros; rewrite <- H; auto ].
-  replace (A * (1 - lam * cos (theta t))) with (A - A * lam * (vx t / v t)); trivial. rewrite H. field. exact N.
+  intros Ht p. pose proof (polar_speed vx vy v theta t P Ht) as e. destruct (P t Ht) as (_ & _ & _ & ey). destruct (pull_rates A lam vx vy hA hl M t Ht ltac:(lra)) as (_ & Y & _).
+  apply (rder_ext _ vy t _ 1 Rlt_0_1). intros s Hs. now destruct (P s ltac:(lra)) as (_ & _ & _ & ?).
+  eapply rder_eq. exact Y. rewrite e, ey. unfold eq7_vy_rate, eq4_velocity_2. field. lra.
 Qed.
-Theorem eq7 theta t : 0 <= t -> v t <> 0 -> (forall s, vy s = v s * sin (theta s)) ->
-  rder (fun s => v s * sin (theta s)) t (- A * lam * sin (theta t)).
+(* (8): the rates p and q of the two components of the velocity stand in the printed ratio; q is 0 where lambda cos theta = 1 only
+   (for lambda = 1 that is theta = 0, where p is 0, too; for lambda > 1 the path is upright there). *)
+Theorem eq_8 t : 0 <= t -> 0 < v t -> exists p q, rder (fun s => eq4_velocity_2 (v s) (theta s)) t p /\ rder (fun s => eq4_velocity_1 (v s) (theta s)) t q /\
+  (q = 0 <-> lam * cos (theta t) = 1) /\ (q <> 0 -> p / q = eq8_hodograph_slope lam (theta t)).
 Proof.
-  intros Ht N H. destruct (newton t Ht N) as [_ [F [D E]]]. exists F. split; [ | intros; rewrite <- H; auto ].
-  replace (- A * lam * sin (theta t)) with (- A * lam * (vy t / v t)); trivial. rewrite H. field. exact N.
+  intros Ht n. exists (eq7_vy_rate lam A (theta t)), (eq6_vx_rate lam A (theta t)). split. now apply eq_7. split. now apply eq_6.
+  unfold eq7_vy_rate, eq6_vx_rate, eq8_hodograph_slope. split. split; intros e; nra. intros e. field. split; [ | lra ]. intros z. apply e. rewrite z. ring.
 Qed.
-
-(* (14): lambda v + vx grows at A (1 - lambda^2) while it slips *)
-Theorem eq14 t : 0 <= t -> (forall s, 0 <= s < t -> v s <> 0) ->
-  lam * v t + vx t = lam * v 0 + vx 0 + (1 - lam ^ 2) * A * t.
+(* (9): at an angle, the relative rate of the speed is the printed multiple of the rate w of the angle *)
+Theorem eq_9 t : 0 <= t -> 0 < v t -> theta t <> 0 -> theta t <> PI ->
+  exists w d, rder theta t w /\ rder v t d /\ w <> 0 /\ d / v t = eq9_log_speed_rate lam (theta t) * w.
 Proof.
-  intros Ht N.
-  enough (lam * v t + vx t - (1 - lam ^ 2) * A * t = lam * v 0 + vx 0 - (1 - lam ^ 2) * A * 0) by lra.
-  apply (rder_const (fun t => lam * nrm (vx t) (vy t) + vx t - (1 - lam ^ 2) * A * t)); trivial; intros s Hs.
-  - cont; [ apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) | apply (m_cx _ _ _ _ _ M) ]; lra.
-  - destruct (newton s ltac:(lra) (N s Hs)) as [X Y]. specialize (N s Hs).
-    eapply rder_eq. rd. exact N. unfold v in *. pose proof (nrm_sq (vx s) (vy s)). set (n := nrm (vx s) (vy s)) in *.
-    field_simplify_eq; [ | exact N ]. replace (vy s ^ 2) with (n ^ 2 - vx s ^ 2) by lra. ring.
+  intros Ht p n0 n1. pose proof (polar_speed vx vy v theta t P Ht) as e. destruct (P t Ht) as (_ & b & ex & _). unfold eq4_velocity_1 in ex.
+  destruct (pull_rates A lam vx vy hA hl M t Ht ltac:(lra)) as (_ & _ & S). rewrite e, ex in S.
+  assert (s0 : sin (theta t) <> 0). { intros z. destruct (Rdichotomy _ _ n0). pose proof (sin_gt_0 (- theta t)). rewrite sin_neg in H0. lra. pose proof (sin_gt_0 (theta t)). lra. }
+  exists (- (A * sin (theta t) / v t)), (A * (v t * cos (theta t) / v t) - A * lam). split. now apply (angle_rate A lam vx vy v theta). split; [ | split ].
+  - apply (rder_ext _ (fun s => nrm (vx s) (vy s)) t _ 1 Rlt_0_1). intros s Hs. apply (polar_speed vx vy v theta); trivial; lra. exact S.
+  - intros z. apply s0. apply (Rmult_eq_reg_l (A / v t)). lra. apply Rgt_not_eq. now apply Rdiv_lt_0_compat.
+  - unfold eq9_log_speed_rate. field. split; lra.
 Qed.
-
-(* (20), exactly: it comes to rest at T, not before, and stays *)
-Let T := (lam * v 0 + vx 0) / (A * (lam ^ 2 - 1)).
-Lemma vx_le t : Rabs (vx t) <= v t.
-Proof. unfold v, nrm. rewrite <- sqrt_Rsqr_abs. apply sqrt_le_1_alt. unfold Rsqr. pose proof (pow2_ge_0 (vy t)). lra. Qed.
-Lemma v0_cases t : v t = 0 -> vx t = 0 /\ vy t = 0.
-Proof. intros e. apply sq_sum. rewrite <- nrm_sq. fold (v t). rewrite e. lra. Qed.
-
-Theorem eq20 : 1 < lam -> (forall t, 0 <= t < T -> v t <> 0) /\ (forall t, T <= t -> 0 <= t -> v t = 0).
+(* a start with 0 < theta < PI has vy > 0 as long as it slips *)
+Lemma stays_above t : 0 <= t -> slips_until t -> 0 < theta 0 < PI -> 0 < theta t < PI.
 Proof.
-  intros h1. assert (hk : 0 <= A * lam) by nra. assert (hd : 0 < A * (lam ^ 2 - 1)) by nra.
-  assert (hT : A * (lam ^ 2 - 1) * T = lam * v 0 + vx 0) by (unfold T; field; split; nra).
-  assert (stay : forall s, 0 <= s -> v s = 0 -> forall t, s <= t -> v t = 0).
-  { intros s Hs e t Hst. destruct (v0_cases _ e) as [e1 e2].
-    destruct (rest_lasts _ _ _ _ _ s hk M Hs) with (t := t) as [g1 g2]; trivial.
-    - intros _ _. unfold nrm. replace ((- A) ^ 2 + 0 ^ 2) with (Rsqr A) by (unfold Rsqr; ring). rewrite sqrt_Rsqr; nra.
-    - unfold v, nrm. rewrite g1, g2. replace (0 ^ 2 + 0 ^ 2) with 0 by ring. apply sqrt_0. }
-  (* the first moment of rest within [0, t], if any, is T *)
-  assert (slip : forall t, 0 <= t -> v t <> 0 -> lam * v t + vx t = A * (lam ^ 2 - 1) * (T - t) /\ 0 < v t).
-  { intros t Ht N. split.
-    - rewrite (eq14 t Ht); [ lra | ]. intros s Hs e. apply N. apply (stay s); lra.
-    - pose proof (nrm_pos (vx t) (vy t)). fold (v t) in *. lra. }
-  split; intros t Ht.
-  - intros e.
-    assert (E : lam * v 0 + vx 0 + (lam ^ 2 - 1) * A * 0 <= lam * v t + vx t + (lam ^ 2 - 1) * A * t).
-    { apply Ropp_le_cancel. apply (rder_decr (fun t => - (lam * nrm (vx t) (vy t) + vx t + (lam ^ 2 - 1) * A * t))); [ lra | | ]; intros s Hs.
-      - apply continuity_pt_opp. cont; [ apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) | apply (m_cx _ _ _ _ _ M) ]; lra.
-      - destruct (Req_dec (v s) 0) as [z | z].
-        + exists (- ((lam ^ 2 - 1) * A)). split; [ | nra ]. exists (fun t => - ((lam ^ 2 - 1) * A * t)). split. { auto_derive; [ trivial | ring ]. }
-          intros r Hr. cbv beta. pose proof (stay s ltac:(lra) z r Hr) as er. fold (v r). rewrite er. destruct (v0_cases _ er) as [-> _]. inR. ring.
-        + destruct (newton s ltac:(lra) z) as [X Y]. exists (- 0). split; [ | lra ].
-          eapply rder_eq. rd. exact z. unfold v in *. pose proof (nrm_sq (vx s) (vy s)). set (n := nrm (vx s) (vy s)) in *.
-          field_simplify_eq; [ | exact z ]. replace (vy s ^ 2) with (n ^ 2 - vx s ^ 2) by lra. ring. }
-    rewrite e in E. destruct (v0_cases _ e) as [e1 _]. rewrite e1 in E. nra.
-  - intros H0. destruct (Req_dec (v t) 0) as [z | z]; trivial. exfalso.
-    destruct (slip t H0 z) as [e p]. pose proof (vx_le t). apply Rabs_le_between in H. nra.
+  intros Ht H h0. destruct (P 0 (Rle_refl 0)) as (_ & _ & _ & y0). destruct (P t Ht) as (_ & b & _ & y). unfold eq4_velocity_2 in *.
+  pose proof (sin_gt_0 (theta 0) ltac:(lra) ltac:(lra)) as s0. pose proof (H 0 ltac:(lra)) as p0. pose proof (H t ltac:(lra)) as pt.
+  destruct (power_law A lam vx vy hA hl M t Ht (slip t H)) as (_ & _ & _ & q & _). rewrite y0. nra. apply upper_half; trivial. rewrite y0, y in q.
+  assert (0 < v 0 * sin (theta 0)) by now apply Rmult_lt_0_compat. assert (0 < v t * sin (theta t)) by nra. nra.
 Qed.
-
-(* (10), in logarithms: no angle is needed *)
-Lemma law10 t : 0 <= t -> (forall s, 0 <= s <= t -> 0 < vy s) ->
-  ln (vy t) - lam * (ln (vy t) - ln (v t + vx t)) = ln (vy 0) - lam * (ln (vy 0) - ln (v 0 + vx 0)).
+(* (11): from every start at an angle, above or below the x-axis, as long as it slips *)
+Theorem eq_11 t : 0 <= t -> slips_until t -> theta 0 <> 0 -> theta 0 <> PI -> v t = eq11_speed lam (v 0) (theta 0) (theta t).
 Proof.
-  intros Ht P.
-  assert (N : forall s, 0 <= s <= t -> 0 < v s /\ 0 < v s + vx s).
-  { intros s Hs. specialize (P s Hs). unfold v. pose proof (nrm_pos (vx s) (vy s)). pose proof (nrm_sq (vx s) (vy s)). nra. }
-  apply (rder_const (fun t => ln (vy t) - lam * (ln (vy t) - ln (nrm (vx t) (vy t) + vx t)))); trivial; intros s Hs;
-    destruct (N s ltac:(lra)) as [n1 n2]; unfold v in *.
-  - cont; try (apply P; lra); trivial; [ apply (m_cy _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) | apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) | apply (m_cx _ _ _ _ _ M) ]; lra.
-  - destruct (newton s ltac:(lra) ltac:(unfold v; lra)) as [X Y]. specialize (P s ltac:(lra)). unfold v in *.
-    eapply rder_eq. rd; trivial; lra. pose proof (nrm_sq (vx s) (vy s)). set (n := nrm (vx s) (vy s)) in *.
-    field_simplify_eq; [ | repeat split; lra ]. replace (vy s ^ 2) with (n ^ 2 - vx s ^ 2) by lra. ring.
+  intros Ht H n0 n1. destruct (P 0 (Rle_refl 0)) as (_ & b0 & _ & y0). destruct (P t Ht) as (_ & b & _ & y). pose proof (H 0 ltac:(lra)) as p0. pose proof (H t ltac:(lra)) as pt.
+  unfold eq4_velocity_2 in *. assert (s0 : sin (theta 0) <> 0).
+  { intros z. destruct (Rdichotomy _ _ n0) as [k | k]. pose proof (sin_gt_0 (- theta 0)) as q. rewrite sin_neg in q. lra. pose proof (sin_gt_0 (theta 0)). lra. }
+  assert (Y0 : vy 0 <> 0) by (rewrite y0; apply Rmult_integral_contrapositive; lra). pose proof (power_law A lam vx vy hA hl M t Ht (slip t H) Y0) as (_ & _ & _ & q & _ & e).
+  assert (st : sin (theta t) <> 0) by (intros z; rewrite y, z in q; lra). assert (n1' : theta t <> PI) by (intros z; apply st; rewrite z; apply sin_PI).
+  destruct (tan_half vx vy v theta P t Ht pt n1') as [_ et]. destruct (tan_half vx vy v theta P 0 (Rle_refl 0) p0 n1) as [_ e0].
+  rewrite et, e0 in e. unfold eq11_speed. rewrite <- e, y, y0. field. repeat split; trivial; lra.
 Qed.
-End Constant.
+(* (10): from every start with 0 < theta < PI the value does not change as long as it slips (and the angle stays between 0 and PI) *)
+Theorem eq_10 t : 0 <= t -> slips_until t -> 0 < theta 0 < PI -> 0 < theta t < PI /\ eq10_invariant lam (v t) (theta t) = eq10_invariant lam (v 0) (theta 0).
+Proof.
+  intros Ht H h0. pose proof (stays_above t Ht H h0) as h. split; trivial. pose proof (eq_11 t Ht H ltac:(lra) ltac:(lra)) as e. unfold eq11_speed in e.
+  pose proof (sin_gt_0 (theta 0) ltac:(lra) ltac:(lra)) as s0. pose proof (sin_gt_0 (theta t) ltac:(lra) ltac:(lra)) as st.
+  pose proof (tan_gt_0 (theta 0 / 2) ltac:(lra) ltac:(lra)) as t0. pose proof (tan_gt_0 (theta t / 2) ltac:(lra) ltac:(lra)) as tt.
+  unfold eq10_invariant. unfold Rpower in *. rewrite (ln_div (tan (theta t / 2))) in e by trivial. set (a := ln (tan (theta t / 2))) in *. set (b := ln (tan (theta 0 / 2))) in *.
+  rewrite e. transitivity (v 0 * sin (theta 0) * (exp (lam * (a - b)) * exp (- lam * a))). field. lra. rewrite <- exp_plus. f_equal. f_equal. ring.
+Qed.
+(* (12): along the motion, with x4 = d (tan (theta/2))^lambda / d theta and the rate w of the angle, A is the printed rate times w *)
+Theorem eq_12 t x4 : 0 < lam -> 0 <= t -> slips_until t -> 0 < theta 0 < PI -> is_derive (fun th => Rpower (tan (th / 2)) lam) (theta t) x4 ->
+  exists w, rder theta t w /\ A = eq12_time_rate lam (v 0) (theta 0) (theta t) x4 * w.
+Proof.
+  intros l0 Ht H h0 D. destruct (eq_10 t Ht H h0) as [h e]. pose proof (H t ltac:(lra)) as pt. exists (- (A * sin (theta t) / v t)).
+  split. apply (angle_rate A lam vx vy v theta); trivial; lra.
+  pose proof (sin_gt_0 (theta t) ltac:(lra) ltac:(lra)) as st. pose proof (tan_gt_0 (theta t / 2) ltac:(lra) ltac:(lra)) as tt. destruct (half_angle (theta t) ltac:(lra)) as [c0 et].
+  assert (ch : 0 < cos (theta t / 2)) by (apply cos_gt_0; lra).
+  assert (D' : is_derive (fun th => Rpower (tan (th / 2)) lam) (theta t) (lam * Rpower (tan (theta t / 2)) lam / sin (theta t))).
+  { unfold Rpower. replace (lam * exp (lam * ln (tan (theta t / 2))) / sin (theta t)) with (/ sin (theta t) * (lam * exp (lam * ln (tan (theta t / 2))))) by (unfold Rdiv; ring).
+    apply (is_derive_comp (fun x => exp (lam * x)) (fun th => ln (tan (th / 2)))). auto_derive; trivial. ring.
+    unfold tan in *. auto_derive. split. lra. split; trivial. 
+    assert (es : sin (theta t) = 2 * sin (theta t / 2) * cos (theta t / 2)) by (rewrite <- sin_2a; f_equal; field). rewrite es.
+    assert (sh : 0 < sin (theta t / 2)) by (apply sin_gt_0; lra). pose proof (sc (theta t / 2)) as q. change (theta t * / 2) with (theta t / 2).
+    set (s := sin (theta t / 2)) in *. set (c := cos (theta t / 2)) in *. field_simplify_eq; [ | split; lra ]. nra. }
+  apply is_derive_unique in D. apply is_derive_unique in D'. rewrite D' in D. unfold eq12_time_rate. rewrite <- D. unfold eq10_invariant in e. rewrite !Rpower_Ropp in e.
+  pose proof (exp_pos (lam * ln (tan (theta 0 / 2)))) as q0. pose proof (exp_pos (lam * ln (tan (theta t / 2)))) as q. fold (Rpower (tan (theta 0 / 2)) lam) in q0. fold (Rpower (tan (theta t / 2)) lam) in q.
+  set (r0 := Rpower (tan (theta 0 / 2)) lam) in *. set (r := Rpower (tan (theta t / 2)) lam) in *. replace (v 0 * sin (theta 0) / r0) with (v t * sin (theta t) / r) by exact e. field. repeat split; lra.
+Qed.
+(* (14): from every start, as long as it slips *)
+Theorem eq_14 t : 0 <= t -> (forall s, 0 <= s < t -> 0 < v s) -> lam + cos (theta t) <> 0 -> v t = eq14_speed_at_time lam A (v 0) (theta 0) (theta t) t.
+Proof.
+  intros Ht H n. assert (N : forall s, 0 <= s < t -> nrm (vx s) (vy s) <> 0). { intros s Hs. rewrite (polar_speed vx vy v theta s P) by lra. specialize (H s Hs). lra. }
+  pose proof (moved A lam vx vy hA hl M t Ht N) as e. rewrite !(polar_speed vx vy v theta) in e by (trivial; lra). destruct (P t Ht) as (_ & _ & ex & _). destruct (P 0 (Rle_refl 0)) as (_ & _ & e0 & _).
+  rewrite ex, e0 in e. unfold eq4_velocity_1 in e. unfold eq14_speed_at_time. apply (Rmult_eq_reg_r (lam + cos (theta t))); trivial.
+  replace (v t * (lam + cos (theta t))) with (lam * v t + v t * cos (theta t)) by ring. rewrite e. field. trivial.
+Qed.
+(* (13): from every start at an angle, as long as it slips *)
+Theorem eq_13 t : 0 <= t -> slips_until t -> theta 0 <> 0 -> theta 0 <> PI -> lam <> 1 -> lam + cos (theta 0) <> 0 ->
+  t = eq13_time lam A (v 0) (theta 0) (theta t).
+Proof.
+  intros Ht H n0 n1 h1 h0. pose proof (eq_11 t Ht H n0 n1) as E. pose proof (moved A lam vx vy hA hl M t Ht (fun s Hs => slip t H s ltac:(lra))) as e.
+  rewrite !(polar_speed vx vy v theta) in e by (trivial; lra). destruct (P t Ht) as (_ & _ & ex & _). destruct (P 0 (Rle_refl 0)) as (_ & _ & e0 & _).
+  rewrite ex, e0 in e. unfold eq4_velocity_1, eq11_speed in *. assert (l2 : 1 - lam ^ 2 <> 0) by nra. unfold eq13_time. pose proof (H t ltac:(lra)) as pt.
+  assert (st : sin (theta t) <> 0). { intros z. rewrite z in E. unfold Rdiv in E. rewrite Rinv_0 in E. lra. }
+  set (X := Rpower _ lam) in *. apply (Rmult_eq_reg_l ((1 - lam ^ 2) * A)); [ | apply Rmult_integral_contrapositive; lra ].
+  transitivity (v t * (lam + cos (theta t)) - v 0 * (lam + cos (theta 0))). lra. rewrite E at 1. field. repeat split; lra.
+Qed.
+End Motions.
