@@ -68,7 +68,7 @@ Proof.
   intros h1 h2. pose proof PI_RGT_0. assert (e0 : 0 < eta * PI) by nra. assert (e1 : l * (eta * PI / l) = eta * PI) by (field; lra). assert (e2 : eta * PI < eta * PI / l) by (apply (Rmult_lt_reg_l l); [ lra | rewrite e1; nra ]). assert (e3 : eta * PI / l < PI) by (apply (Rmult_lt_reg_l l); [ lra | rewrite e1; nra ]).
   unfold w44, eq44_ends_1, eq44_ends_2. split; [ lra | split; [ lra | ] ].
   assert (last : ext PI (glue (eta * PI) (eq44_cases_1 l eta) (glue (eta * PI / l) (eq44_cases_2 l eta) (eq44_cases_3 l eta))) PI = 0).
-  { rewrite <- (Rplus_0_l PI) at 2. rewrite ext_anti, ext_first, glue_l by lra. unfold eq44_cases_1. ring. }
+  { match goal with |- ext PI ?G PI = 0 => pose proof (ext_anti PI G H 0) as Q end. rewrite Rplus_0_l in Q. rewrite Q, ext_first, glue_l by lra. unfold eq44_cases_1. ring. }
   split; [ | split ]; intros ph Hph.
   - rewrite ext_first by lra. destruct (Req_dec ph (eta * PI)) as [-> | n]; [ rewrite glue_r, glue_l by lra; unfold eq44_cases_1, eq44_cases_2; ring | apply glue_l; lra ].
   - rewrite ext_first, glue_r by lra. destruct (Req_dec ph (eta * PI / l)) as [-> | n]; [ rewrite glue_r by lra; unfold eq44_cases_2, eq44_cases_3; lra | apply glue_l; lra ].
