@@ -6,74 +6,79 @@ From Slipbook Require Import Motion TableLaws Picard.
 Open Scope R_scope.
 
 Definition almost d ux uy fx fy := fx ^ 2 + fy ^ 2 <= 1 /\ fx * ux + fy * uy <= d - nrm ux uy.
-Record near d (x y u w : R -> R) : Prop := {
-  n_c : forall t, 0 < t -> continuity_pt x t /\ continuity_pt y t /\ continuity_pt u t /\ continuity_pt w t;
-  n_law : forall t, 0 <= t -> rder x t (u t) /\ rder y t (w t) /\ exists fx fy, almost d (u t) (w t) fx fy /\
-            rder u t (x t + 2 * w t + fx) /\ rder w t (y t - 2 * u t + fy) }.
-Lemma spin_near x y u w : spin x y u w -> near 0 x y u w.
+Record near d (f : place -> R -> R) : Prop := {
+  n_c : forall i t, 0 < t -> continuity_pt (f i) t;
+  n_law : forall t, 0 <= t -> rder (f px) t (f pu t) /\ rder (f py) t (f pw t) /\ exists fx fy, almost d (f pu t) (f pw t) fx fy /\
+            rder (f pu) t (f px t + 2 * f pw t + fx) /\ rder (f pw) t (f py t - 2 * f pu t + fy) }.
+Definition state (x y u w : R -> R) i := match i with px => x | py => y | pu => u | pw => w end.
+Lemma spin_near x y u w : spin x y u w -> near 0 (state x y u w).
 Proof.
-  intros S. split. intros t Ht. repeat split; [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; trivial.
-  intros t Ht. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & [B P] & U & W). split; trivial. split; trivial. exists fx, fy. split; [ split; lra | auto ].
+  intros S. split. { intros i t Ht. destruct i; [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; trivial. }
+  intros t Ht. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & [B P] & U & W). split; trivial. split; trivial. exists fx, fy. split; [ split; simpl; lra | auto ].
 Qed.
-Lemma near_apart d1 d2 x1 y1 u1 w1 x2 y2 u2 w2 : near d1 x1 y1 u1 w1 -> near d2 x2 y2 u2 w2 -> forall s t, 0 <= s <= t ->
-  ((x1 t - x2 t) ^ 2 + (y1 t - y2 t) ^ 2 + (u1 t - u2 t) ^ 2 + (w1 t - w2 t) ^ 2 + (d1 + d2)) * exp (- (2) * t) <=
-  ((x1 s - x2 s) ^ 2 + (y1 s - y2 s) ^ 2 + (u1 s - u2 s) ^ 2 + (w1 s - w2 s) ^ 2 + (d1 + d2)) * exp (- (2) * s).
+(* the squared distance of two motions *)
+Definition far (f g : place -> R -> R) t := (f px t - g px t) ^ 2 + (f py t - g py t) ^ 2 + (f pu t - g pu t) ^ 2 + (f pw t - g pw t) ^ 2.
+Lemma far_ge f g i t : 0 <= (f i t - g i t) ^ 2 <= far f g t.
 Proof.
-  intros S1 S2 s t Hst. apply (rder_decr (fun t => ((x1 t - x2 t) ^ 2 + (y1 t - y2 t) ^ 2 + (u1 t - u2 t) ^ 2 + (w1 t - w2 t) ^ 2 + (d1 + d2)) * exp (- (2) * t))); [ lra | | ]; intros r Hr.
-  - destruct (n_c _ _ _ _ _ S1 r) as (? & ? & ? & ?); [ lra | ]. destruct (n_c _ _ _ _ _ S2 r) as (? & ? & ? & ?); [ lra | ]. cont.
-  - destruct (n_law _ _ _ _ _ S1 r) as (X1 & Y1 & f1 & g1 & [B1 P1] & U1 & W1); [ lra | ].
-    destruct (n_law _ _ _ _ _ S2 r) as (X2 & Y2 & f2 & g2 & [B2 P2] & U2 & W2); [ lra | ].
+  unfold far. pose proof (pow2_ge_0 (f px t - g px t)). pose proof (pow2_ge_0 (f py t - g py t)). pose proof (pow2_ge_0 (f pu t - g pu t)). pose proof (pow2_ge_0 (f pw t - g pw t)).
+  destruct i; lra.
+Qed.
+Lemma near_apart d1 d2 f g s t : near d1 f -> near d2 g -> 0 <= s <= t -> (far f g t + (d1 + d2)) * exp (- (2) * t) <= (far f g s + (d1 + d2)) * exp (- (2) * s).
+Proof.
+  intros S1 S2 Hst. apply (rder_decr (fun t => (far f g t + (d1 + d2)) * exp (- (2) * t))); [ lra | | ]; intros r Hr; unfold far.
+  - pose proof (fun i => n_c _ _ S1 i r ltac:(lra)). pose proof (fun i => n_c _ _ S2 i r ltac:(lra)). cont.
+  - destruct (n_law _ _ S1 r) as (X1 & Y1 & f1 & g1 & [B1 P1] & U1 & W1); [ lra | ].
+    destruct (n_law _ _ S2 r) as (X2 & Y2 & f2 & g2 & [B2 P2] & U2 & W2); [ lra | ].
     eexists. split. rd. cbv beta. simpl pred. simpl INR. set (e := exp _). assert (e0 : 0 < e) by apply exp_pos.
-    pose proof (power_bound 1 f2 g2 (u1 r) (w1 r) Rle_0_1 ltac:(lra)). pose proof (power_bound 1 f1 g1 (u2 r) (w2 r) Rle_0_1 ltac:(lra)).
-    pose proof (pow2_ge_0 (x1 r - x2 r - (u1 r - u2 r))). pose proof (pow2_ge_0 (y1 r - y2 r - (w1 r - w2 r))).
+    pose proof (power_bound 1 f2 g2 (f pu r) (f pw r) Rle_0_1 ltac:(lra)). pose proof (power_bound 1 f1 g1 (g pu r) (g pw r) Rle_0_1 ltac:(lra)).
+    pose proof (pow2_ge_0 (f px r - g px r - (f pu r - g pu r))). pose proof (pow2_ge_0 (f py r - g py r - (f pw r - g pw r))).
     match goal with |- ?a * e + ?d * (?c * e) <= 0 => assert (a + d * c <= 0); [ | nra ] end. lra.
 Qed.
 
-(* A motion, almost, against the straight line from a state with the friction (fx, fy) there: they part as h^3, if the friction loses h^2 at most along it *)
+(* A motion, almost, against the straight line from a state v with the friction (fx, fy) there: they part as h^3, if that friction loses h^2 at most along the line *)
+Definition rate (v : place -> R) fx fy i := match i with px => v pu | py => v pw | pu => v px + 2 * v pw + fx | pw => v py - 2 * v pu + fy end.
 Section Follow.
-Variables d t x0 y0 u0 w0 fx fy C : R.
-Variables x y u w : R -> R.
-Notation ax := (x0 + 2 * w0 + fx).
-Notation ay := (y0 - 2 * u0 + fy).
-Definition gap s := (x s - (x0 + (s - t) * u0)) ^ 2 + (y s - (y0 + (s - t) * w0)) ^ 2 + (u s - (u0 + (s - t) * ax)) ^ 2 + (w s - (w0 + (s - t) * ay)) ^ 2.
-Definition bend := ax ^ 2 + ay ^ 2 + (u0 + 2 * ay) ^ 2 + (w0 - 2 * ax) ^ 2 + 2 * C.
-Hypothesis S : near d x y u w.
+Variables (d t fx fy C : R) (v : place -> R) (f : place -> R -> R).
+Notation a i := (rate v fx fy i).
+Definition line i s := v i + (s - t) * a i.
+Definition bend := a pu ^ 2 + a pw ^ 2 + (v pu + 2 * a pw) ^ 2 + (v pw - 2 * a pu) ^ 2 + 2 * C.
+Hypothesis S : near d f.
 Hypothesis hd : 0 <= d.
 Hypothesis ht : 0 <= t.
 Hypothesis hf : fx ^ 2 + fy ^ 2 <= 1.
-Hypothesis hC : forall h, 0 <= h <= 1 -> nrm (u0 + h * ax) (w0 + h * ay) + (fx * (u0 + h * ax) + fy * (w0 + h * ay)) <= C * h ^ 2.
+Hypothesis hC : forall h, 0 <= h <= 1 -> nrm (v pu + h * a pu) (v pw + h * a pw) + (fx * (v pu + h * a pu) + fy * (v pw + h * a pw)) <= C * h ^ 2.
 
 Lemma bend_pos : 0 <= bend.
 Proof.
-  pose proof (hC 1 ltac:(lra)) as H. pose proof (power_bound 1 fx fy (u0 + 1 * ax) (w0 + 1 * ay) Rle_0_1 ltac:(lra)). unfold bend.
-  pose proof (pow2_ge_0 ax). pose proof (pow2_ge_0 ay). pose proof (pow2_ge_0 (u0 + 2 * ay)). pose proof (pow2_ge_0 (w0 - 2 * ax)). lra.
+  pose proof (hC 1 ltac:(lra)) as H. pose proof (power_bound 1 fx fy (v pu + 1 * a pu) (v pw + 1 * a pw) Rle_0_1 ltac:(lra)). unfold bend.
+  pose proof (pow2_ge_0 (a pu)). pose proof (pow2_ge_0 (a pw)). pose proof (pow2_ge_0 (v pu + 2 * a pw)). pose proof (pow2_ge_0 (v pw - 2 * a pu)). lra.
 Qed.
-Lemma follow h : 0 <= h <= 1 -> gap (t + h) <= exp 3 * (gap t + 2 * d + bend * h ^ 3).
+Lemma follow h : 0 <= h <= 1 -> far f line (t + h) <= exp 3 * (far f line t + 2 * d + bend * h ^ 3).
 Proof.
   intros Hh. pose proof bend_pos as b0. set (K := bend) in *.
-  assert (M : gap (t + h) * exp (- (3) * (t + h - t)) - 2 * d * (t + h - t) - K * / 3 * (t + h - t) ^ 3 <= gap t * exp (- (3) * (t - t)) - 2 * d * (t - t) - K * / 3 * (t - t) ^ 3).
-  { apply (rder_decr (fun s => gap s * exp (- (3) * (s - t)) - 2 * d * (s - t) - K * / 3 * (s - t) ^ 3)); [ lra | | ]; intros s Hs; unfold gap.
-    - destruct (n_c _ _ _ _ _ S s) as (? & ? & ? & ?); [ lra | ]. cont.
-    - destruct (n_law _ _ _ _ _ S s ltac:(lra)) as (X & Y & gx & gy & [B P] & U & W). eexists. split. rd. cbv beta. simpl pred. simpl INR.
+  set (G s := far f line s * exp (- (3) * (s - t)) - 2 * d * (s - t) - K * / 3 * (s - t) ^ 3).
+  assert (M : G (t + h) <= G t).
+  { apply (rder_decr G); [ lra | | ]; intros s Hs; unfold G, far, line.
+    - pose proof (fun i => n_c _ _ S i s ltac:(lra)). cont.
+    - destruct (n_law _ _ S s ltac:(lra)) as (X & Y & gx & gy & [B P] & U & W). eexists. split. rd. cbv beta. simpl pred. simpl INR.
       set (e := exp (- (3) * (s - t))). assert (e0 : 0 < e <= 1). { split. apply exp_pos. rewrite <- exp_0. apply exp_up. lra. }
       set (m := s - t) in *. assert (m0 : 0 <= m <= 1) by (unfold m; lra). specialize (hC m m0).
-      set (dx := x s - (x0 + m * u0)) in *. set (dy := y s - (y0 + m * w0)) in *. set (du := u s - (u0 + m * ax)) in *. set (dw := w s - (w0 + m * ay)) in *.
-      pose proof (power_bound 1 gx gy (u0 + m * ax) (w0 + m * ay) Rle_0_1 ltac:(lra)) as Q1. pose proof (power_bound 1 fx fy (u s) (w s) Rle_0_1 ltac:(lra)) as Q2.
+      set (dx := f px s - (v px + m * a px)) in *. set (dy := f py s - (v py + m * a py)) in *. set (du := f pu s - (v pu + m * a pu)) in *. set (dw := f pw s - (v pw + m * a pw)) in *.
+      pose proof (power_bound 1 gx gy (v pu + m * a pu) (v pw + m * a pw) Rle_0_1 ltac:(lra)) as Q1. pose proof (power_bound 1 fx fy (f pu s) (f pw s) Rle_0_1 ltac:(lra)) as Q2.
       assert (Q3 : (gx - fx) * du + (gy - fy) * dw <= d + C * m ^ 2) by (unfold du, dw; lra).
-      set (G := dx ^ 2 + dy ^ 2 + du ^ 2 + dw ^ 2) in *.
-      set (T := 2 * dx * (du + m * ax) + 2 * dy * (dw + m * ay) + 2 * du * (dx + 2 * dw + m * (u0 + 2 * ay) + (gx - fx)) + 2 * dw * (dy - 2 * du + m * (w0 - 2 * ax) + (gy - fy))).
-      assert (main : T <= 3 * G + (2 * d + K * m ^ 2)).
-      { pose proof (pow2_ge_0 (dx - m * ax)). pose proof (pow2_ge_0 (dy - m * ay)). pose proof (pow2_ge_0 (du - m * (u0 + 2 * ay))). pose proof (pow2_ge_0 (dw - m * (w0 - 2 * ax))).
-        pose proof (pow2_ge_0 (dx - du)). pose proof (pow2_ge_0 (dy - dw)). unfold T, G, K, bend. lra. }
+      set (D := dx ^ 2 + dy ^ 2 + du ^ 2 + dw ^ 2) in *.
+      set (T := 2 * dx * (du + m * a pu) + 2 * dy * (dw + m * a pw) + 2 * du * (dx + 2 * dw + m * (v pu + 2 * a pw) + (gx - fx)) + 2 * dw * (dy - 2 * du + m * (v pw - 2 * a pu) + (gy - fy))).
+      assert (main : T <= 3 * D + (2 * d + K * m ^ 2)).
+      { pose proof (pow2_ge_0 (dx - m * a pu)). pose proof (pow2_ge_0 (dy - m * a pw)). pose proof (pow2_ge_0 (du - m * (v pu + 2 * a pw))). pose proof (pow2_ge_0 (dw - m * (v pw - 2 * a pu))).
+        pose proof (pow2_ge_0 (dx - du)). pose proof (pow2_ge_0 (dy - dw)). unfold T, D, K, bend. lra. }
       assert (c0 : 0 <= 2 * d + K * m ^ 2). { pose proof (Rmult_le_pos _ _ b0 (pow2_ge_0 m)). lra. }
-      match goal with |- ?g <= 0 => replace g with ((T - 3 * G) * e - (2 * d + K * m ^ 2)) end. nra.
-      unfold T, G, dx, dy, du, dw. field. }
-  replace (t + h - t) with h in M by ring. rewrite Rminus_eq_0, Rmult_0_r, exp_0 in M.
+      match goal with |- ?g <= 0 => replace g with ((T - 3 * D) * e - (2 * d + K * m ^ 2)) end. nra.
+      unfold T, D, dx, dy, du, dw. simpl. field. }
+  unfold G in M. replace (t + h - t) with h in M by ring. rewrite Rminus_eq_0, Rmult_0_r, exp_0 in M.
   assert (e1 : exp (- (3) * h) * exp (3 * h) = 1) by (rewrite <- exp_plus; replace (- (3) * h + 3 * h) with 0 by ring; apply exp_0).
-  assert (e2 : exp (3 * h) <= exp 3) by (apply exp_up; lra). pose proof (exp_pos (3 * h)).
-  assert (h3 : 0 <= K * h ^ 3) by (apply Rmult_le_pos; [ trivial | apply pow_le; lra ]). assert (0 <= gap t).
-  { unfold gap. rewrite Rminus_eq_0. apply Rplus_le_le_0_compat; [ apply Rplus_le_le_0_compat; [ apply Rplus_le_le_0_compat | ] | ]; apply pow2_ge_0. }
-  assert (M2 : gap (t + h) * exp (- (3) * h) <= gap t + 2 * d + K * h ^ 3) by nra.
+  assert (e2 : exp (3 * h) <= exp 3) by (apply exp_up; lra). pose proof (exp_pos (3 * h)). pose proof (far_ge f line px t).
+  assert (h3 : 0 <= K * h ^ 3) by (apply Rmult_le_pos; [ trivial | apply pow_le; lra ]).
+  assert (M2 : far f line (t + h) * exp (- (3) * h) <= far f line t + 2 * d + K * h ^ 3) by nra.
   apply (Rmult_le_compat_r (exp (3 * h))) in M2; [ | lra ]. rewrite Rmult_assoc, e1, Rmult_1_r in M2. eapply Rle_trans; [ exact M2 | ]. rewrite (Rmult_comm (exp 3)). apply Rmult_le_compat_l; lra.
 Qed.
 End Follow.
@@ -141,23 +146,19 @@ Definition Z n := proj1_sig (regular n).
 Lemma Z_spec n : (forall i, Z n i 0 = c i) /\ (forall i t, continuity_pt (Z n i) t) /\
   forall i t, 0 <= t -> is_derive (Z n i) t (field89 (de n) i (fun j => Z n j t)).
 Proof. exact (proj2_sig (regular n)). Qed.
-Lemma Z_near n : near (de n) (Z n px) (Z n py) (Z n pu) (Z n pw).
+Lemma Z_near n : near (de n) (Z n).
 Proof.
-  destruct (Z_spec n) as (_ & C & D). split. { intros; repeat split; apply C. } intros t Ht. split. { apply rder_of, (D px t Ht). } split. { apply rder_of, (D py t Ht). }
+  destruct (Z_spec n) as (_ & C & D). split. { intros; apply C. } intros t Ht. split. { apply rder_of, (D px t Ht). } split. { apply rder_of, (D py t Ht). }
   eexists. eexists. split. apply (almost_field (de n)), de_pos. split; (eapply rder_eq; [ apply rder_of | ]). apply (D pu t Ht). simpl. ring. apply (D pw t Ht). simpl. ring.
 Qed.
 Lemma Z_step n i t : 0 <= t -> Rabs (Z (S n) i t - Z n i t) <= 4 * exp t / 2 * (/ 2) ^ n.
 Proof.
-  intros Ht. pose proof (near_apart _ _ _ _ _ _ _ _ _ _ (Z_near (S n)) (Z_near n) 0 t ltac:(lra)) as H.
-  destruct (Z_spec n) as (I & _). destruct (Z_spec (S n)) as (J & _). rewrite !I, !J in H. rewrite Rmult_0_r, exp_0 in H.
+  intros Ht. pose proof (near_apart _ _ _ _ 0 t (Z_near (S n)) (Z_near n) ltac:(lra)) as H.
+  assert (z : far (Z (S n)) (Z n) 0 = 0) by (unfold far; rewrite !(proj1 (Z_spec _)); ring). rewrite z, Rmult_0_r, exp_0 in H.
   assert (q0 : 0 < exp t) by apply exp_pos. assert (e : exp (- (2) * t) * exp t ^ 2 = 1). { replace (exp t ^ 2) with (exp t * exp t) by ring. rewrite <- !exp_plus. replace (- (2) * t + (t + t)) with 0 by ring. apply exp_0. }
-  assert (d1 : de (S n) = de n / 4) by (unfold de; simpl; field). pose proof (de_pos n) as d0. destruct (half_pos n) as [h0 h1].
-  set (D := (Z (S n) px t - Z n px t) ^ 2 + (Z (S n) py t - Z n py t) ^ 2 + (Z (S n) pu t - Z n pu t) ^ 2 + (Z (S n) pw t - Z n pw t) ^ 2) in *.
-  apply (Rmult_le_compat_r (exp t ^ 2)) in H; [ | nra ]. rewrite Rmult_assoc, e in H.
-  assert (K : D <= (4 * exp t / 2 * (/ 2) ^ n) ^ 2). { replace ((4 * exp t / 2 * (/ 2) ^ n) ^ 2) with (4 * exp t ^ 2 * de n) by (rewrite de_sq; field). rewrite d1 in H. pose proof (Rmult_lt_0_compat _ _ d0 (pow_lt _ 2 q0)). nra. }
-  apply abs_of_sq. { apply Rmult_le_pos; lra. } unfold D in K.
-  pose proof (pow2_ge_0 (Z (S n) px t - Z n px t)). pose proof (pow2_ge_0 (Z (S n) py t - Z n py t)). pose proof (pow2_ge_0 (Z (S n) pu t - Z n pu t)). pose proof (pow2_ge_0 (Z (S n) pw t - Z n pw t)).
-  destruct i; lra.
+  assert (d1 : de (S n) = de n / 4) by (unfold de; simpl; field). pose proof (de_pos n) as d0. destruct (half_pos n) as [h0 h1]. pose proof (far_ge (Z (S n)) (Z n) i t) as D.
+  apply (Rmult_le_compat_r (exp t ^ 2)) in H; [ | nra ]. rewrite Rmult_assoc, e in H. apply abs_of_sq. { apply Rmult_le_pos; lra. }
+  replace ((4 * exp t / 2 * (/ 2) ^ n) ^ 2) with (4 * exp t ^ 2 * de n) by (rewrite de_sq; field). rewrite d1 in H. pose proof (Rmult_lt_0_compat _ _ d0 (pow_lt _ 2 q0)). nra.
 Qed.
 (* the limit: it is the motion *)
 Definition V i t := proj1_sig (lim_geo (fun n => Z n i (Rmax 0 t)) (4 * exp (Rmax 0 t)) (fun n => Z_step n i (Rmax 0 t) (Rmax_l 0 t))).
@@ -176,56 +177,46 @@ Qed.
 Lemma V_cont i t : continuity_pt (V i) t.
 Proof. apply (cont_limit (fun n => Z n i) (V i) 4 1 t); [ lra | intros n; apply (Z_spec n) | intros n s; rewrite Rmult_1_l; apply V_close ]. Qed.
 (* friction that is right at t, and loses only h^2 along the straight line from there, gives the rates at t *)
-Lemma V_rates t fx fy C : 0 <= t -> fx ^ 2 + fy ^ 2 <= 1 ->
-  (forall h, 0 <= h <= 1 -> let a := V pu t + h * (V px t + 2 * V pw t + fx) in let b := V pw t + h * (V py t - 2 * V pu t + fy) in nrm a b + (fx * a + fy * b) <= C * h ^ 2) ->
-  rder (V px) t (V pu t) /\ rder (V py) t (V pw t) /\ rder (V pu) t (V px t + 2 * V pw t + fx) /\ rder (V pw) t (V py t - 2 * V pu t + fy).
+Lemma V_rates t fx fy C : let v i := V i t in let a := rate v fx fy in 0 <= t -> fx ^ 2 + fy ^ 2 <= 1 ->
+  (forall h, 0 <= h <= 1 -> nrm (v pu + h * a pu) (v pw + h * a pw) + (fx * (v pu + h * a pu) + fy * (v pw + h * a pw)) <= C * h ^ 2) -> forall i, rder (V i) t (a i).
 Proof.
-  intros Ht hf hC. set (K := bend (V px t) (V py t) (V pu t) (V pw t) fx fy C). pose proof (bend_pos (V px t) (V py t) (V pu t) (V pw t) fx fy C hf hC) as K0. fold K in K0.
-  pose proof (exp_pos 3) as e3. assert (rate : forall i l, (forall n h, 0 <= h <= 1 ->
-    (Z n i (t + h) - (V i t + h * l)) ^ 2 <= gap t (V px t) (V py t) (V pu t) (V pw t) fx fy (Z n px) (Z n py) (Z n pu) (Z n pw) (t + h)) -> rder (V i) t l).
-  { intros i l H. apply (rder_cube _ _ _ (2 * (exp 3 * K))). nra. intros h Hh. apply (le_by_halves _ _ (32 * exp (t + h) ^ 2 + 2 * exp 3 * (64 * exp t ^ 2 + 2))). intros n.
-    specialize (H n h Hh). pose proof (follow (de n) t _ _ _ _ fx fy C _ _ _ _ (Z_near n) (Rlt_le _ _ (de_pos n)) Ht hf hC h Hh) as F. fold K in F.
-    pose proof (V_uniform n i (t + h) ltac:(lra)) as Q. pose proof (de_half n) as d1. destruct (half_pos n) as [h0 _].
-    assert (G : gap t (V px t) (V py t) (V pu t) (V pw t) fx fy (Z n px) (Z n py) (Z n pu) (Z n pw) t <= 64 * exp t ^ 2 * (/ 2) ^ n).
-    { unfold gap. rewrite Rminus_eq_0, !Rmult_0_l, !Rplus_0_r. pose proof (V_uniform n px t Ht). pose proof (V_uniform n py t Ht). pose proof (V_uniform n pu t Ht). pose proof (V_uniform n pw t Ht). lra. }
-    set (z := Z n i (t + h)) in *. set (v := V i (t + h)) in *. set (r := V i t + h * l) in *.
-    assert (M : (v - r) ^ 2 <= 2 * (z - v) ^ 2 + 2 * (z - r) ^ 2) by (pose proof (pow2_ge_0 (2 * z - v - r)); lra).
-    set (g := gap _ _ _ _ _ _ _ _ _ _ _ (t + h)) in *. set (g0 := gap _ _ _ _ _ _ _ _ _ _ _ t) in *.
-    assert (F2 : g <= exp 3 * (64 * exp t ^ 2 * (/ 2) ^ n + 2 * (/ 2) ^ n + K * h ^ 3)). { eapply Rle_trans; [ exact F | ]. apply Rmult_le_compat_l; lra. }
-    lra. }
-  assert (G : forall n h, gap t (V px t) (V py t) (V pu t) (V pw t) fx fy (Z n px) (Z n py) (Z n pu) (Z n pw) (t + h) =
-    (Z n px (t + h) - (V px t + h * V pu t)) ^ 2 + (Z n py (t + h) - (V py t + h * V pw t)) ^ 2 + (Z n pu (t + h) - (V pu t + h * (V px t + 2 * V pw t + fx))) ^ 2 +
-    (Z n pw (t + h) - (V pw t + h * (V py t - 2 * V pu t + fy))) ^ 2). { intros n h. unfold gap. now replace (t + h - t) with h by ring. }
-  repeat split; apply rate; intros n h Hh; rewrite G;
-  pose proof (pow2_ge_0 (Z n px (t + h) - (V px t + h * V pu t))); pose proof (pow2_ge_0 (Z n py (t + h) - (V py t + h * V pw t)));
-  pose proof (pow2_ge_0 (Z n pu (t + h) - (V pu t + h * (V px t + 2 * V pw t + fx)))); pose proof (pow2_ge_0 (Z n pw (t + h) - (V pw t + h * (V py t - 2 * V pu t + fy)))); lra.
+  intros v a Ht hf hC i. set (K := bend fx fy C v). pose proof (bend_pos fx fy C v hf hC) as K0. fold K in K0. pose proof (exp_pos 3) as e3.
+  apply (rder_cube _ _ _ (2 * (exp 3 * K))). nra. intros h Hh. apply (le_by_halves _ _ (32 * exp (t + h) ^ 2 + 2 * exp 3 * (64 * exp t ^ 2 + 2))). intros n.
+  pose proof (follow (de n) t fx fy C v _ (Z_near n) (Rlt_le _ _ (de_pos n)) Ht hf hC h Hh) as F. fold K in F. set (l := line t fx fy v) in *.
+  pose proof (far_ge (Z n) l i (t + h)) as H. pose proof (V_uniform n i (t + h) ltac:(lra)) as Q. pose proof (de_half n) as d1. destruct (half_pos n) as [h0 _].
+  assert (G : far (Z n) l t <= 64 * exp t ^ 2 * (/ 2) ^ n).
+  { unfold far, l, line. rewrite Rminus_eq_0, !Rmult_0_l, !Rplus_0_r. pose proof (V_uniform n px t Ht). pose proof (V_uniform n py t Ht). pose proof (V_uniform n pu t Ht). pose proof (V_uniform n pw t Ht). unfold v. lra. }
+  replace (V i t + h * a i) with (l i (t + h)) by (unfold l, line; fold a; replace (t + h - t) with h by ring; reflexivity).
+  set (z := Z n i (t + h)) in *. set (r := V i (t + h)) in *. assert (M : (r - l i (t + h)) ^ 2 <= 2 * (z - r) ^ 2 + 2 * (z - l i (t + h)) ^ 2) by (pose proof (pow2_ge_0 (2 * z - r - l i (t + h))); lra).
+  assert (F2 : far (Z n) l (t + h) <= exp 3 * (64 * exp t ^ 2 * (/ 2) ^ n + 2 * (/ 2) ^ n + K * h ^ 3)). { eapply Rle_trans; [ exact F | ]. apply Rmult_le_compat_l; lra. }
+  lra.
 Qed.
 Lemma V_spin : spin (V px) (V py) (V pu) (V pw).
 Proof.
-  split; try (intros; apply V_cont). intros t Ht. set (x0 := V px t). set (y0 := V py t). set (u0 := V pu t). set (w0 := V pw t).
-  enough (exists fx fy C, coulomb 1 u0 w0 fx fy /\ forall h, 0 <= h <= 1 -> let a := u0 + h * (x0 + 2 * w0 + fx) in let b := w0 + h * (y0 - 2 * u0 + fy) in nrm a b + (fx * a + fy * b) <= C * h ^ 2) as (fx & fy & C & F & H).
-  { pose proof F as [F1 _]. destruct (V_rates t fx fy C Ht ltac:(lra) H) as (X & Y & U & W). split; [ exact X | split; [ exact Y | ] ]. exists fx, fy. auto. }
-  pose proof (nrm_sq u0 w0) as pp. pose proof (nrm_sq x0 y0) as rr. destruct (nrm_pos u0 w0) as [P | z].
+  split; try (intros; apply V_cont). intros t Ht. set (v i := V i t).
+  enough (exists fx fy C, coulomb 1 (v pu) (v pw) fx fy /\ forall h, 0 <= h <= 1 -> let b i := v i + h * rate v fx fy i in nrm (b pu) (b pw) + (fx * b pu + fy * b pw) <= C * h ^ 2) as (fx & fy & C & F & H).
+  { pose proof F as [F1 _]. pose proof (V_rates t fx fy C Ht ltac:(lra) H) as R. split; [ exact (R px) | split; [ exact (R py) | ] ]. exists fx, fy. split; [ exact F | split; [ exact (R pu) | exact (R pw) ] ]. }
+  set (x0 := v px). set (y0 := v py). set (u0 := v pu). set (w0 := v pw). pose proof (nrm_sq u0 w0) as pp. pose proof (nrm_sq x0 y0) as rr. destruct (nrm_pos u0 w0) as [P | z].
   - (* it slips *)
-    set (p := nrm u0 w0) in *. set (fx := - (1) * u0 / p). set (fy := - (1) * w0 / p). set (ax := x0 + 2 * w0 + fx). set (ay := y0 - 2 * u0 + fy).
+    set (p := nrm u0 w0) in *. set (fx := - (1) * u0 / p). set (fy := - (1) * w0 / p). set (ax := rate v fx fy pu). set (ay := rate v fx fy pw).
     exists fx, fy, ((ax ^ 2 + ay ^ 2) / p). split. { apply coulomb_iff. lra. right. fold p. split; [ lra | auto ]. }
-    intros h Hh a b. pose proof (nrm_sq ax ay) as aa. pose proof (nrm_pos ax ay) as a0. set (M := nrm ax ay) in *. set (q := (u0 * ax + w0 * ay) / p).
-    assert (fL : fx * a + fy * b = - (p + h * q)). { unfold fx, fy, a, b, q. fold ax. fold ay. apply (Rmult_eq_reg_l p); [ | lra ]. field_simplify; [ | lra | lra ]. rewrite pp. ring. }
+    intros h Hh b. change (b pu) with (u0 + h * ax). change (b pw) with (w0 + h * ay). pose proof (nrm_sq ax ay) as aa. pose proof (nrm_pos ax ay) as a0. set (M := nrm ax ay) in *. set (q := (u0 * ax + w0 * ay) / p).
+    assert (fL : fx * (u0 + h * ax) + fy * (w0 + h * ay) = - (p + h * q)). { unfold fx, fy, q. apply (Rmult_eq_reg_l p); [ | lra ]. field_simplify; [ | lra | lra ]. rewrite pp. ring. }
     pose proof (power_bound p u0 w0 ax ay (Rlt_le _ _ P) ltac:(lra)) as Q. fold M in Q. rewrite fL, <- aa.
-    set (g := p + h * q + h ^ 2 * M ^ 2 / p). enough (nrm a b <= g) by (unfold g in *; lra).
+    set (g := p + h * q + h ^ 2 * M ^ 2 / p). enough (nrm (u0 + h * ax) (w0 + h * ay) <= g) by (unfold g in *; lra).
     assert (pq : p * q = u0 * ax + w0 * ay) by (unfold q; field; lra).
     assert (g0 : 0 <= g). { apply (Rmult_le_reg_l p); trivial. unfold g. replace (p * (p + h * q + h ^ 2 * M ^ 2 / p)) with (p ^ 2 + h * (p * q) + h ^ 2 * M ^ 2) by (field; lra). rewrite pq. assert (h * - (p * M) <= h * (u0 * ax + w0 * ay)) by (apply Rmult_le_compat_l; lra). nra. }
     unfold nrm. rewrite <- (sqrt_pow2 g) by trivial. apply sqrt_le_1_alt.
-    replace (a ^ 2 + b ^ 2) with (p ^ 2 + 2 * h * (p * q) + h ^ 2 * M ^ 2) by (rewrite pp, pq, aa; unfold a, b; fold ax; fold ay; ring).
+    replace ((u0 + h * ax) ^ 2 + (w0 + h * ay) ^ 2) with (p ^ 2 + 2 * h * (p * q) + h ^ 2 * M ^ 2) by (rewrite pp, pq, aa; ring).
     enough (g ^ 2 - (p ^ 2 + 2 * h * (p * q) + h ^ 2 * M ^ 2) = h ^ 2 * ((q + h * M ^ 2 / p) ^ 2 + M ^ 2)) by (pose proof (Rmult_le_pos _ _ (pow2_ge_0 h) (Rplus_le_le_0_compat _ _ (pow2_ge_0 (q + h * M ^ 2 / p)) (pow2_ge_0 M))); lra).
     unfold g. field. lra.
-  - symmetry in z. destruct (stops u0 w0 z) as [z1 z2]. destruct (Rle_lt_dec (nrm x0 y0) 1) as [r1 | r1]; pose proof (nrm_pos x0 y0); set (r := nrm x0 y0) in *.
-    + (* it rests *) exists (- x0), (- y0), 0. split. { split. nra. rewrite z, z1, z2. ring. } intros h Hh a b. unfold a, b. rewrite z1, z2.
-      replace (0 + h * (x0 + 2 * 0 + - x0)) with 0 by ring. replace (0 + h * (y0 - 2 * 0 + - y0)) with 0 by ring. rewrite nrm_x0; lra.
-    + (* it is put down outside rho = 1 *) exists (- (x0 / r)), (- (y0 / r)), 0. split. { split; [ | rewrite z, z1, z2; ring ]. right. replace ((- (x0 / r)) ^ 2 + (- (y0 / r)) ^ 2) with ((x0 ^ 2 + y0 ^ 2) / r ^ 2) by (field; lra). rewrite <- rr. field. lra. }
-      intros h Hh a b. unfold a, b. rewrite z1, z2. set (k := h * (1 - / r)). assert (k0 : 0 <= k). { apply Rmult_le_pos; [ lra | ]. assert (/ r < / 1) by (apply Rinv_lt_contravar; lra). lra. }
-      replace (0 + h * (x0 + 2 * 0 + - (x0 / r))) with (k * x0) by (unfold k; field; lra). replace (0 + h * (y0 - 2 * 0 + - (y0 / r))) with (k * y0) by (unfold k; field; lra).
-      rewrite nrm_scale by trivial. fold r. replace (- (x0 / r) * (k * x0) + - (y0 / r) * (k * y0)) with (- (k * ((x0 ^ 2 + y0 ^ 2) / r))) by (field; lra). rewrite <- rr. right. field. lra.
+  - (* it stands: with friction against its place, as much as there is of it up to 1 *)
+    symmetry in z. destruct (stops u0 w0 z) as [z1 z2]. pose proof (nrm_pos x0 y0). set (r := nrm x0 y0) in *. pose proof (Rmax_l 1 r). pose proof (Rmax_r 1 r). set (m := Rmax 1 r) in *.
+    exists (- (x0 / m)), (- (y0 / m)), 0. split. { split; [ | rewrite z, z1, z2; ring ]. replace ((- (x0 / m)) ^ 2 + (- (y0 / m)) ^ 2) with (r ^ 2 / m ^ 2) by (rewrite rr; field; lra). apply Rle_div_l; nra. }
+    intros h Hh b. set (k := h * (1 - / m)). assert (k0 : 0 <= k). { apply Rmult_le_pos; [ lra | ]. assert (/ m <= / 1) by (apply Rinv_le_contravar; lra). lra. }
+    assert (b1 : b pu = k * x0) by (unfold b, rate, k; fold u0 w0 x0; rewrite z1, z2; field; lra). assert (b2 : b pw = k * y0) by (unfold b, rate, k; fold u0 w0 y0; rewrite z1, z2; field; lra).
+    rewrite b1, b2, nrm_scale by trivial. fold r. replace (- (x0 / m) * (k * x0) + - (y0 / m) * (k * y0)) with (- (k * (r ^ 2 / m))) by (rewrite rr; field; lra).
+    unfold k, m, Rmax. destruct Rle_dec; right; field; lra.
 Qed.
 End Exist.
 
@@ -241,11 +232,10 @@ Theorem table_one_motion x0 y0 u0 w0 : exists x y u w, (spin x y u w /\ x 0 = x0
   forall t, 0 <= t -> x' t = x t /\ y' t = y t /\ u' t = u t /\ w' t = w t.
 Proof.
   destruct (table_exists x0 y0 u0 w0) as (x & y & u & w & S & e1 & e2 & e3 & e4). exists x, y, u, w. split; auto.
-  intros x' y' u' w' S' f1 f2 f3 f4 t Ht. pose proof (near_apart _ _ _ _ _ _ _ _ _ _ (spin_near _ _ _ _ S') (spin_near _ _ _ _ S) 0 t ltac:(lra)) as H.
-  rewrite e1, e2, e3, e4, f1, f2, f3, f4, !Rminus_eq_0 in H. pose proof (exp_pos (- (2) * t)).
-  pose proof (pow2_ge_0 (x' t - x t)). pose proof (pow2_ge_0 (y' t - y t)). pose proof (pow2_ge_0 (u' t - u t)). pose proof (pow2_ge_0 (w' t - w t)).
-  assert (D : (x' t - x t) ^ 2 + (y' t - y t) ^ 2 + (u' t - u t) ^ 2 + (w' t - w t) ^ 2 + (0 + 0) <= 0).
-  { apply (Rmult_le_reg_r (exp (- (2) * t))); trivial. eapply Rle_trans; [ exact H | right; ring ]. } repeat split; nra.
+  intros x' y' u' w' S' f1 f2 f3 f4 t Ht. pose proof (near_apart _ _ _ _ 0 t (spin_near _ _ _ _ S') (spin_near _ _ _ _ S) ltac:(lra)) as H. set (f := state x' y' u' w') in *. set (g := state x y u w) in *.
+  assert (z : far f g 0 = 0) by (unfold far, f, g; simpl; rewrite e1, e2, e3, e4, f1, f2, f3, f4; ring). rewrite z in H. assert (D : far f g t <= 0).
+  { apply (Rmult_le_reg_r (exp (- (2) * t))). apply exp_pos. lra. }
+  pose proof (far_ge f g px t). pose proof (far_ge f g py t). pose proof (far_ge f g pu t). pose proof (far_ge f g pw t). unfold f, g, state in *. repeat split; nra.
 Qed.
 (* with dimensions, for every rate of turning and every friction *)
 Theorem turntable_exists Om k x0 y0 u0 w0 : Om <> 0 -> 0 < k -> exists x y u w, turntable Om k x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0.
