@@ -2,7 +2,7 @@
    Every motion with A > 1 at some moment escapes by the laws shown here; of the printed ones (128) to (137) none holds. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Sphere Fate Alpha TableAngle Exist Formulas Late Prey Spiral.
+From Slipbook Require Import Motion Turntable Turntable2 Sphere Fate Alpha TableAngle Exist Exist2 Formulas Late Prey Spiral.
 Open Scope R_scope.
 
 Ltac emptied T := lazymatch T with
@@ -52,11 +52,11 @@ Proof.
 Qed.
 
 (* (126): where alpha is small and psi near psi_1 of (124) the rate of alpha is 1 - 1/A: up to their distance and a multiple of sinh^2 alpha *)
-Theorem eq_126 x y u w A alpha psi t d : spin x y u w -> 0 <= t -> 0 < d -> 0 < nrm (u t) (w t) ->
-  (forall r, t <= r < t + d -> 0 < A r /\ hyperbolic (x r) (y r) (u r) (w r) (A r) (alpha r)) -> angle (x t) (y t) (u t) (w t) psi ->
+Theorem eq_126 x y u w A alpha psi t d (table : spin x y u w) (from : 0 <= t) (lasts : 0 < d) (slips : 0 < nrm (u t) (w t))
+  (inner : forall r, t <= r < t + d -> 0 < A r /\ hyperbolic (x r) (y r) (u r) (w r) (A r) (alpha r)) (turned : angle (x t) (y t) (u t) (w t) psi) :
   exists l, rder alpha t l /\ Rabs (l - eq126_alpha_rate (A t)) <= Rabs (psi - eq124_psi1 (alpha t)) + (2 + / (2 * A t)) * sinh (alpha t) ^ 2.
 Proof.
-  intros S Ht Hd p0 H [e1 _]. assert (AE : forall r, t <= r < t + d -> sqrt (x r ^ 2 + y r ^ 2 - (u r ^ 2 + w r ^ 2)) = A r).
+  revert table from lasts slips inner turned. intros S Ht Hd p0 H [e1 _]. assert (AE : forall r, t <= r < t + d -> sqrt (x r ^ 2 + y r ^ 2 - (u r ^ 2 + w r ^ 2)) = A r).
   { intros r Hr. destruct (H r Hr) as (A0 & k1 & k2). unfold eq111_p, eq112_rho in *. rewrite <- (sqrt_pow2 (A r)) by lra. f_equal.
     rewrite <- !nrm_sq, k1, k2, !Rpow_mult_distr, cosh2. ring. }
   destruct (H t ltac:(lra)) as (A0 & k1 & k2). pose proof (AE t ltac:(lra)) as At.
@@ -313,11 +313,12 @@ Proof.
   rewrite atan_0 in *. replace (atan z / z - 1) with ((atan z - z) / z) by (field; lra). apply Rabs_le. split; [ apply Rle_div_r | apply Rle_div_l ]; trivial; nra.
 Qed.
 (* pi/2 - psi, where psi is chosen between - pi and pi *)
-Theorem eq_134 psi : (forall t, s <= t -> - PI < psi t <= PI /\ angle (x t) (y t) (u t) (w t) (psi t)) -> follows (fun t => PI / 2 - psi t) right_escape_lag (3 * sqrt 2 / 4).
+Theorem eq_134 psi (range : forall t, s <= t -> - PI < psi t <= PI /\ angle (x t) (y t) (u t) (w t) (psi t)) :
+  follows (fun t => PI / 2 - psi t) right_escape_lag (3 * sqrt 2 / 4).
 Proof.
-  intros Hpsi. known T. apply follows_of. apply (near_ext T (fun t => atan (zf t) / zf t * / U x y u w t)).
+  known T. apply follows_of. apply (near_ext T (fun t => atan (zf t) / zf t * / U x y u w t)).
   - intros t Ht. in_the_end T t Ht. destruct (HT t Ht) as (p0 & x0 & E1). destruct (shape x y u w t p0 x0 E1) as (pr & _ & _ & _ & xe & le & _). fold zf in xe, le.
-    destruct (Hpsi t ltac:(lra)) as [range [a1 a2]]. assert (r0 : 0 < rho t) by lra. assert (q0 : 0 < 1 + zf t ^ 2) by nra.
+    destruct (range t ltac:(lra)) as [rg [a1 a2]]. assert (r0 : 0 < rho t) by lra. assert (q0 : 0 < 1 + zf t ^ 2) by nra.
     assert (c1 : cos (psi t) = 2 * zf t * / (1 + zf t ^ 2)). { apply (Rmult_eq_reg_l (rho t)); [ | lra ]. rewrite <- xe, a1. field. lra. }
     assert (c2 : sin (psi t) = (1 - zf t ^ 2) * / (1 + zf t ^ 2)). { apply (Rmult_eq_reg_l (rho t)); [ | lra ]. rewrite a2 in le. replace (- (rho t * p t * sin (psi t)) * / p t) with (- (rho t * sin (psi t))) in le by (field; lra). lra. }
     assert (c0' : 0 < cos (psi t)). { rewrite c1. apply Rmult_lt_0_compat. lra. now apply Rinv_0_lt_compat. }
@@ -335,9 +336,10 @@ Proof.
       * exists T. intros t Ht. in_the_end T t Ht. field. lra.
     + field.
 Qed.
-Theorem eq_134__printed psi : (forall t, s <= t -> - PI < psi t <= PI /\ angle (x t) (y t) (u t) (w t) (psi t)) -> misses (fun t => PI / 2 - psi t) eq134_lag 0.
+Theorem eq_134__printed psi (range : forall t, s <= t -> - PI < psi t <= PI /\ angle (x t) (y t) (u t) (w t) (psi t)) :
+  misses (fun t => PI / 2 - psi t) eq134_lag 0.
 Proof.
-  intros Hpsi. destruct (eq_134 psi Hpsi) as [K _]. split; [ | lra ]. pose proof inv_time as I. cbv beta in K, I.
+  destruct (eq_134 psi range) as [K _]. split; [ | lra ]. pose proof inv_time as I. cbv beta in K, I.
   apply (tends_ext 1 (fun t => (PI / 2 - psi t) / right_escape_lag t * (2 / 3 * sqrt (3 * / t)))).
   - intros t Ht. unfold right_escape_lag, eq134_lag. replace (1 / 2) with (/ 2) by field. assert (q : 0 < 3 / t) by (apply Rdiv_lt_0_compat; lra). rewrite Rpower_sqrt by trivial.
     change (3 * / t) with (3 / t). pose proof (sqrt_lt_R0 _ q) as r0. assert (r2 : sqrt (3 / t) ^ 2 = 3 / t) by (rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra).
@@ -406,3 +408,75 @@ Proof.
   assert (2 * (M + 1) <= ln (sqrt 2 * t)); [ | lra ]. rewrite <- (ln_exp (2 * (M + 1))) at 1. apply ln_mono. split. apply exp_pos. nra.
 Qed.
 End Escapes.
+
+(* ---- what these theorems speak of exists ---- *)
+(* every motion inside p < rho has an A and an alpha, and while it slips a psi *)
+Lemma inner_exists x y u w s : spin x y u w -> 0 <= s -> 0 < x s ^ 2 + y s ^ 2 - (u s ^ 2 + w s ^ 2) -> exists A alpha,
+  (forall t, A t = sqrt (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2))) /\ forall t, s <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha t).
+Proof.
+  intros S Hs HE. set (A t := sqrt (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2))). exists A, (fun t => arcsinh (nrm (u t) (w t) / A t)). split; trivial.
+  intros t Ht. pose proof (A_never_falls x y u w S s t ltac:(lra)) as up. assert (A0 : 0 < A t) by (apply sqrt_lt_R0; lra).
+  assert (A2 : A t ^ 2 = x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) by (unfold A; rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra). split; trivial.
+  unfold hyperbolic, eq111_p, eq112_rho. set (a := arcsinh (nrm (u t) (w t) / A t)). assert (sa : sinh a = nrm (u t) (w t) / A t) by apply sinh_arcsinh. split. rewrite sa. field. lra.
+  pose proof (cosh2 a) as c2. pose proof (cosh_pos a) as c0. pose proof (nrm_pos (x t) (y t)). apply Rsqr_inj; trivial. apply Rmult_le_pos; lra. rewrite !Rsqr_pow2, Rpow_mult_distr, c2, sa, nrm_sq.
+  pose proof (nrm_sq (u t) (w t)). field_simplify_eq; [ | lra ]. lra.
+Qed.
+Definition angle_of x y u w := let c := (x * u + y * w) / (nrm x y * nrm u w) in if Rle_dec (x * w - y * u) 0 then acos c else - acos c.
+Lemma angle_exists x y u w : 0 < nrm x y -> 0 < nrm u w -> - PI < angle_of x y u w <= PI /\ angle x y u w (angle_of x y u w).
+Proof.
+  intros r0 p0. pose proof (nrm_sq x y) as r2. pose proof (nrm_sq u w) as p2. unfold angle, angle_of. set (r := nrm x y) in *. set (p := nrm u w) in *. cbv zeta. set (c := (x * u + y * w) / (r * p)). set (l := (x * w - y * u) / (r * p)).
+  assert (rp : 0 < r * p) by nra. assert (cl : c ^ 2 + l ^ 2 = 1). { unfold c, l. field_simplify_eq; [ | lra ]. ring [r2 p2]. }
+  assert (c1 : -1 <= c <= 1) by (split; nra). pose proof (acos_bound c) as [a0 a1]. pose proof (cos_acos c c1) as ca. pose proof (sin_acos c c1) as sa.
+  assert (q : sqrt (1 - c²) = Rabs l) by (rewrite <- sqrt_Rsqr_abs; f_equal; rewrite !Rsqr_pow2; lra). rewrite q in sa. assert (le : x * w - y * u = l * (r * p)) by (unfold l; field; lra).
+  destruct (Rle_dec (x * w - y * u) 0) as [k | k]; rewrite ?cos_neg, ?sin_neg, ca, sa, le.
+  - rewrite Rabs_left1 by nra. pose proof PI_RGT_0. split; [ lra | ]. unfold c. split; field; lra.
+  - assert (l0 : 0 < l) by nra. rewrite Rabs_pos_eq by lra. assert (acos c <> PI). { intros e. rewrite e, cos_PI in ca. nra. } split; [ lra | ]. unfold c. split; field; lra.
+Qed.
+(* a motion that escapes, with all that goes with it *)
+Lemma an_escape : exists x y u w A alpha, spin x y u w /\ (forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha t)) /\ eq127_least_a < A 0 /\
+  (forall t, 0 <= t -> 0 < nrm (u t) (w t)) /\ (exists psi, forall t, 0 <= t -> - PI < psi t <= PI /\ angle (x t) (y t) (u t) (w t) (psi t)) /\
+  (exists dA, forall t, 0 <= t -> rder A t (dA t)) /\ (exists dalpha, forall t, 0 <= t -> 0 < nrm (u t) (w t) -> rder alpha t (dalpha t)) /\
+  exists len, (forall t, 0 < t -> continuity_pt len t) /\ forall t, 0 <= t -> rder len t (eq105_arc_rate (nrm (u t) (w t))).
+Proof.
+  destruct slip_witness as (x & y & u & w & S & E1 & P). destruct (inner_exists x y u w 0 S (Rle_refl 0) ltac:(lra)) as (A & alpha & Ae & In). exists x, y, u, w, A, alpha.
+  assert (p0 : forall t, 0 <= t -> 0 < nrm (u t) (w t)) by (intros t Ht; specialize (P t Ht); lra).
+  assert (ps : forall t, 0 <= t -> - PI < angle_of (x t) (y t) (u t) (w t) <= PI /\ angle (x t) (y t) (u t) (w t) (angle_of (x t) (y t) (u t) (w t))).
+  { intros t Ht. apply angle_exists; auto. destruct (In t Ht) as (A0 & _ & e). rewrite e. unfold eq112_rho. pose proof (cosh_pos (alpha t)). nra. }
+  assert (R : forall t, 0 <= t -> rder A t (eq113_a_rate (alpha t)) /\ rder alpha t (eq114_alpha_rate (A t) (alpha t) (angle_of (x t) (y t) (u t) (w t)))).
+  { intros t Ht. destruct (ps t Ht) as [_ [a1 _]]. pose proof (A_never_falls x y u w S 0 t ltac:(lra)). destruct (eq_114 x y u w S t Ht (p0 t Ht) _ alpha 1 Rlt_0_1 ltac:(lra) a1) as [R1 R2].
+    { intros r Hr. rewrite <- Ae. apply In. lra. } rewrite <- Ae in R2. split; trivial. destruct R1 as (F & F1 & F2). exists F. split; trivial. intros r Hr. rewrite Ae. now apply F2. }
+  split; trivial. split; trivial. split. { rewrite Ae. unfold eq127_least_a. rewrite <- sqrt_1 at 1. apply sqrt_lt_1_alt. lra. } split; trivial.
+  split. { exists (fun t => angle_of (x t) (y t) (u t) (w t)). exact ps. } split. { exists (fun t => eq113_a_rate (alpha t)). intros t Ht. now apply R. }
+  split. { exists (fun t => eq114_alpha_rate (A t) (alpha t) (angle_of (x t) (y t) (u t) (w t))). intros t Ht _. now apply R. }
+  exists (fun t => - ((u t ^ 2 + w t ^ 2 - (x t ^ 2 + y t ^ 2)) * / 2)). split; intros t Ht.
+  - cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
+  - eapply rder_eq. apply (rder_opp (fun t => (u t ^ 2 + w t ^ 2 - (x t ^ 2 + y t ^ 2)) * / 2)), (eq103 x y u w S t Ht). unfold eq105_arc_rate. ring.
+Qed.
+Ltac an_escape := intros H; pose proof (Rle_refl 0); destruct an_escape as (x & y & u & w & A & alpha & S & In & A1 & p0 & (psi & Hpsi) & (dA & HdA) & (dalpha & Hda) & len & Hlen & Hlen');
+  first [ eapply (H x y u w A alpha 0); eassumption | idtac ].
+Lemma eq_126__occurs : ltac:(occurs eq_126).
+Proof. an_escape. apply (H x y u w A alpha (psi 0) 0 1); trivial; try lra. now apply p0. intros r Hr. apply In. lra. now apply Hpsi. Qed.
+Lemma eq_127__occurs : ltac:(occurs eq_127). Proof. an_escape. Qed.
+Lemma s4_A_never_decreases__occurs : ltac:(occurs s4_A_never_decreases). Proof. an_escape. Qed.
+Lemma s4_escape_if_A_above_1__occurs : ltac:(occurs s4_escape_if_A_above_1). Proof. an_escape. Qed.
+Lemma eq_128__occurs : ltac:(occurs eq_128). Proof. an_escape. Qed.
+Lemma eq_129__occurs : ltac:(occurs eq_129). Proof. an_escape. Qed.
+Lemma eq_130__occurs : ltac:(occurs eq_130). Proof. an_escape. Qed.
+Lemma eq_131__occurs : ltac:(occurs eq_131). Proof. an_escape. Qed.
+Lemma eq_132__occurs : ltac:(occurs eq_132). Proof. an_escape. Qed.
+Lemma eq_133__occurs : ltac:(occurs eq_133). Proof. an_escape. Qed.
+Lemma eq_134__occurs : ltac:(occurs eq_134). Proof. an_escape. Qed.
+Lemma eq_135__occurs : ltac:(occurs eq_135). Proof. an_escape. Qed.
+Lemma eq_136__occurs : ltac:(occurs eq_136). Proof. an_escape. Qed.
+Lemma eq_137__occurs : ltac:(occurs eq_137). Proof. an_escape. Qed.
+Lemma eq_138__occurs : ltac:(occurs eq_138). Proof. an_escape. Qed.
+Lemma s4_alpha_unbounded__occurs : ltac:(occurs s4_alpha_unbounded). Proof. an_escape. Qed.
+(* ... and one that is caught as (127) says: from rho = 1/2, p = 1/4 *)
+Lemma eq_127__caught_occurs : exists x y u w A alpha, spin x y u w /\ (forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha t)) /\
+  A 0 < eq127_least_a /\ 0 < alpha 0 < ln (1 / A 0).
+Proof.
+  destruct (table_exists (/ 2) 0 (/ 4) 0) as (x & y & u & w & S & e1 & e2 & e3 & e4). destruct (inner_exists x y u w 0 S (Rle_refl 0)) as (A & alpha & Ae & In). rewrite e1, e2, e3, e4. lra.
+  exists x, y, u, w, A, alpha. split; trivial. split; trivial. destruct (inside x y u w A alpha 0 In 0 (Rle_refl 0)) as (A0 & A2 & _ & k1 & _ & sum & _). rewrite e1, e2, e3, e4 in *.
+  assert (n : forall a, 0 <= a -> nrm a 0 = a) by (intros a Ha; unfold nrm; replace (a ^ 2 + 0 ^ 2) with (a ^ 2) by ring; now apply sqrt_pow2). rewrite !n in * by lra.
+  unfold eq127_least_a. split. nra. split. { apply sinh_sign. nra. } rewrite <- (ln_exp (alpha 0)). apply ln_increasing. apply exp_pos. apply Rlt_div_r; trivial. lra.
+Qed.
