@@ -3,7 +3,7 @@
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Formulas Pieces Periodic Aniso Limits.
+From Slipbook Require Import Motion General Formulas Pieces Periodic Aniso Rates.
 From Slipbook Require Import Steady AttractPlane Reached Shaken LargeTime AcrossStop Zeros Across.
 Open Scope R_scope.
 
