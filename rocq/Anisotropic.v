@@ -3,7 +3,7 @@
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion HalfPeriod Drawn Line Slips Regions Curves Across Formulas.
+From Slipbook Require Import Motion HalfPeriod Drawn Line Slips Regions Curves Transverse Formulas.
 Open Scope R_scope.
 
 Ltac emptied T := lazymatch T with
