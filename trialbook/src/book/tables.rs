@@ -394,7 +394,10 @@ mod tests {
         for name in ["Numbered", "All"] {
             assert_eq!(cells(name), "<td>0 2 4 1 8</td>");
         }
-        assert_eq!(cells("Statements in words and pictures"), "<td>0 0 0 0 0</td>");
+        assert_eq!(
+            cells("Statements in words and pictures"),
+            "<td>0 0 0 0 0</td>"
+        );
     }
 
     #[test]
