@@ -131,7 +131,7 @@ Theorem eq_127 : (eq127_least_a < A s -> is_lim A p_infty p_infty) /\
   (A s < eq127_least_a -> alpha s < ln (1 / A s) -> exists T, forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0).
 Proof.
   destruct (inside s (Rle_refl s)) as (A0 & A2 & _ & _ & _ & sum & _). unfold eq127_least_a. split; intros H.
-  - apply A_to_infinity, (s4_escape_if_A_above_1 x y u w table s from). nra.
+  - apply A_to_infinity, (unbounded_above_1 x y u w table s from). nra.
   - intros a. assert (m1 : rho s + p s < 1).
     { rewrite sum. apply (Rmult_lt_reg_l (/ A s)). now apply Rinv_0_lt_compat. rewrite <- Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra.
       replace (/ A s) with (1 / A s) by (field; lra). rewrite <- (exp_ln (1 / A s)). now apply exp_increasing. apply Rdiv_lt_0_compat; lra. }
@@ -168,7 +168,7 @@ Theorem s4_escape_if_A_above_1 : is_lim A p_infty p_infty /\ ((forall t, s <= t 
   exists T, s <= T /\ p T = 0 /\ (forall t, T < t -> 0 < p t) /\
     forall t, s <= t < T -> 0 < p t /\ (x t * u t + y t * w t) / (rho t * p t) <= - / cosh (alpha t)).
 Proof.
-  pose proof E_above as HE. pose proof (A_never_falls x y u w table) as up. split. { now apply A_to_infinity, (s4_escape_if_A_above_1 x y u w table s from). }
+  pose proof E_above as HE. pose proof (A_never_falls x y u w table) as up. split. { now apply A_to_infinity, (unbounded_above_1 x y u w table s from). }
   destruct (Classical_Prop.classic (exists T, s <= T /\ p T = 0)) as [(T & T0 & z) | never].
   - right. exists T. split; trivial. split; trivial. split. { apply (stops_once x y u w table T); trivial. lra. specialize (up s T ltac:(lra)). lra. }
     intros t Ht. assert (p0 : 0 < p t). { destruct (nrm_pos (u t) (w t)) as [k | k]; trivial. exfalso. pose proof (stops_once x y u w table t ltac:(lra) ltac:(specialize (up s t ltac:(lra)); lra) ltac:(lra) T ltac:(lra)). lra. }

@@ -17,11 +17,12 @@ const ENGINE: &str = "
     exact: notation scalar seeded
     certified: numerics scalar
     trials: data scalar evidence numerics exact certified seeded notation theorems
+    theorems: data exact seeded trials
     ledger: data evidence trials seeded notation
     plotting: data
     publishing: data trials plotting seeded
     prelude: data trials publishing evidence exact plotting ledger numerics scalar seeded
-    book: data evidence exact trials ledger plotting publishing notation
+    book: data evidence exact trials ledger plotting publishing notation theorems
     cli: data trials evidence ledger plotting notation numerics book publishing theorems
 ";
 

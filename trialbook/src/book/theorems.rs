@@ -27,7 +27,8 @@ fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
         formula: &formula,
     };
     let told = match writer.said(&accepted.statement) {
-        Some(said) => told(context, &said)?,
+        // What cannot be set so is shown as it was accepted alone.
+        Some(said) => told(context, &said).unwrap_or_default(),
         None => String::new(),
     };
     let occurs = if accepted.occurs {

@@ -50,7 +50,10 @@ impl Entry {
             Some(Standing::Defined)
         } else if self.paper.known_theorems().is_proved(claim.id) {
             Some(Standing::Proved)
-        } else if whole.iter().any(|e| e.route.is_proof()) {
+        } else if whole
+            .iter()
+            .any(|e| e.is_in_words() || e.route.is_proof() && !claim.argument.is_empty())
+        {
             Some(Standing::Argued)
         } else {
             Some(Standing::Measured)

@@ -26,13 +26,13 @@ const KNOWN: [(&str, &str); 21] = [
     ("rder", "$#1$ has the right derivative $#3$ at $#2$"),
     ("is_derive", "$#1$ has the derivative $#3$ at $#2$"),
     ("continuity_pt", "$#1$ is continuous at $#2$"),
-    ("is_lim", "$#1\\to#3$ as its argument tends to $#2$"),
+    ("is_lim", "$#1\\to #3$ as its argument tends to $#2$"),
     ("is_lim_seq", "the sequence $#1$ tends to $#2$"),
     ("is_RInt", "the integral of $#1$ from $#2$ to $#3$ is $#4$"),
     ("Finite", "$#1$"),
     ("RInt", "$\\int_{#2}^{#3}#1$"),
     ("nrm", "$\\lvert(#1,#2)\\rvert$"),
-    ("Rabs", "$\\lvert#1\\rvert$"),
+    ("Rabs", "$\\lvert #1\\rvert$"),
     ("sqrt", "$\\sqrt{#1}$"),
     ("Rpower", "$(#1)^{#2}$"),
     ("exp", "$\\mathrm e^{#1}$"),
@@ -282,9 +282,10 @@ impl Writer<'_> {
             // A function that is given by its value.
             Term::Bound("fun", bound, body) => match bound.as_slice() {
                 [(name, _)] if name == "_" => self.math(body, place),
-                [(name, _)] => {
-                    bracketed(0, format!("{}\\mapsto{}", letter(name), self.math(body, 0)))
-                }
+                [(name, _)] => bracketed(
+                    0,
+                    format!("{}\\mapsto {}", letter(name), self.math(body, 0)),
+                ),
                 _ => self.math(body, place),
             },
             Term::Bound(..) => format!("\\text{{{}}}", self.words(term)),
