@@ -237,9 +237,7 @@ impl Writer<'_> {
                 None => self.constant(name),
             },
             Term::Of(name, of) => self.value(name, of, place),
-            Term::Value(head, of) => match (&**head, of.as_slice()) {
-                _ => format!("{}({})", self.math(head, ATOM), self.list(of)),
-            },
+            Term::Value(head, of) => format!("{}({})", self.math(head, ATOM), self.list(of)),
             Term::Joined(first, rest) if rest.len() == 1 && rest[0].0 == "/" => bracketed(
                 PRODUCT,
                 format!(
