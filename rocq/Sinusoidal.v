@@ -3,7 +3,7 @@
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Formulas Pieces Periodic Aniso Limits.
+From Slipbook Require Import Motion General Formulas Pieces Periodic Aniso Rates.
 From Slipbook Require Import Steady AttractPlane Reached Shaken LargeTime AcrossStop Zeros Across.
 Open Scope R_scope.
 
@@ -274,7 +274,7 @@ Proof. intros hA h0. unfold eq22_lambda0. apply Rmult_le_pos; [ trivial | left; 
 (* With any friction the velocity across the drive tends to zero. *)
 Theorem s22_vy_vanishes mu g A0 varpi t0 vx vy : 0 < mu * g -> block mu g A0 varpi t0 vx vy -> is_lim vy p_infty s22_late_vy.
 Proof.
-  intros h0 B. apply (across_vanishes (mu * g) (Rabs A0 + 1) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) vx vy); trivial; [ pose proof (Rabs_pos A0); lra | ].
+  intros h0 B. apply (across_vanishes (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) vx vy (Rlt_le _ _ h0) B (Rabs A0 + 1)); trivial; [ pose proof (Rabs_pos A0); lra | ].
   intros t _. unfold eq21_acceleration_1. pose proof (SIN_bound (varpi * (t0 + t))). rewrite Rabs_mult, Rabs_Ropp. assert (Rabs (sin (varpi * (t0 + t))) <= 1) by (apply Rabs_le; lra). pose proof (Rabs_pos A0). nra.
 Qed.
 (* Without friction there is a motion that keeps its velocity across, and whose velocity along is never zero. *)
