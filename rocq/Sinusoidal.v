@@ -355,3 +355,159 @@ Proof.
     pose proof (nrm_sq (w 0) (wy 0)) as n1. pose proof (nrm_sq (w 0) (uy 0)) as n2. assert (fx <> 0) by (intros z; rewrite z in E; apply hw; nra).
     assert (en : nrm (w 0) (wy 0) = nrm (w 0) (uy 0)) by (apply (Rmult_eq_reg_r fx); [ lra | trivial ]). rewrite en in n1. apply Rsqr_eq_abs_0. rewrite !Rsqr_pow2. lra.
 Qed.
+
+(* ---- below lambda_c no rest, and how many there are above ---- *)
+(* A slip from a rest at phi1 lasts longer than half the period, and a period after its start the block goes backward. *)
+Theorem s22_slip_longer_than_half lam e phi0 w wy c : 0 < lam < eq37_lambda_c -> slip_end lam e -> shaken lam phi0 w wy -> 0 <= c ->
+  at_phase phi0 c (eq27_phi1 lam) -> w c = 0 -> wy c = 0 -> PI < e - eq27_phi1 lam /\ w (c + 2 * PI) < 0.
+Proof.
+  intros [h0 hc] E M c0 ph w0 wy0. pose proof lambda_c_between. assert (hl : 0 < lam < 1) by lra. pose proof PI_RGT_0.
+  destruct (slip_end_is lam e hl E) as (A & z & P & N). destruct (p1_range lam hl) as [b _]. destruct (left_sign lam ltac:(lra)) as (k & k0 & S). rewrite <- (h_PI lam hl) in S.
+  assert (long : PI < e - asin lam). { apply Rnot_le_lt. intros q. destruct q as [q | q]; [ specialize (N PI ltac:(lra)) | rewrite q in z ]; nra. } split; [ exact long | ].
+  set (tau := e - asin lam) in *. destruct (slip_is lam phi0 w wy (Rlt_le _ _ h0) M c tau tau c0 ph w0 wy0) as [q _]; [ | lra | ].
+  { intros t Ht. destruct (Req_dec t 0) as [-> | ]; [ rewrite h_0; lra | left; apply P; lra ]. }
+  pose proof (gain lam phi0 w wy (Rlt_le _ _ h0) M (c + tau) (c + 2 * PI) ltac:(lra)) as [_ G]. destruct (at_sin phi0 c _ tau ph) as [_ c1]. destruct (at_sin phi0 c _ (2 * PI) ph) as [_ c2].
+  rewrite c1, c2, q, z in G. unfold eq27_phi1 in G. rewrite cos_2PI_plus in G. unfold h in z. nra.
+Qed.
+Lemma drive_low lam : 0 < lam < 1 -> forall x, PI - asin lam <= x <= asin lam + 2 * PI -> sin x <= lam.
+Proof.
+  intros hl x H. destruct (p1_range lam hl) as [[a b] e]. destruct (Req_dec x (PI - asin lam)) as [-> | ]; [ rewrite sin_PI_x; lra | ].
+  destruct (Req_dec x (asin lam + 2 * PI)) as [-> | ]; [ rewrite sin_2PI_plus; lra | ]. left. apply sin_low; lra.
+Qed.
+(* The period of the slip: after phitilde2 the drive cannot start a slip forward until phi1 + 2 pi, and from there on it does; its sum over it is 0. *)
+Theorem s22_rest_of_period lam e : 0 < lam < 1 -> slip_end lam e -> let last := right_sinusoidal_rest_of_period_end (eq27_phi1 lam) in
+  e < last /\ (forall y, e <= y -> ((forall x, e <= x <= y -> sin x <= lam) <-> y <= last)) /\ is_RInt sin (eq27_phi1 lam) last 0.
+Proof.
+  intros hl E last. destruct (slip_end_is lam e hl E) as (A & _). destruct (p1_range lam hl) as [[a b] s]. unfold last, right_sinusoidal_rest_of_period_end, eq27_phi1. split; [ lra | split ].
+  - intros y hy. split; [ | intros H x hx; apply drive_low; lra ]. intros H. apply Rnot_lt_le. intros k. set (x := Rmin y (asin lam + 2 * PI + (PI / 2 - asin lam))).
+    assert (hx : asin lam + 2 * PI < x <= y /\ x <= 2 * PI + PI / 2) by (unfold x; split; [ split; [ apply Rmin_glb_lt; lra | apply Rmin_l ] | pose proof (Rmin_r y (asin lam + 2 * PI + (PI / 2 - asin lam))); lra ]).
+    pose proof (H x ltac:(lra)) as L. pose proof (sin_above lam hl (x - 2 * PI) ltac:(lra)) as Q. rewrite <- (sin_2PI_plus (x - 2 * PI)) in Q. replace (x - 2 * PI + 2 * PI) with x in Q by ring. lra.
+  - replace 0 with (minus (- cos (asin lam + 2 * PI)) (- cos (asin lam))) by (rewrite cos_2PI_plus; unfold minus, plus, opp; simpl; ring).
+    apply (is_RInt_derive (fun x => - cos x) sin); intros x _; [ auto_derive; trivial; ring | apply continuity_pt_filterlim, continuity_sin ].
+Qed.
+(* As printed, with phi for phi1, that is so at phi = phi1 only. *)
+Theorem s22_rest_of_period__printed lam e phi : 0 < lam < 1 -> slip_end lam e -> e <= s22_rest_of_period_end phi ->
+  ((forall y, e <= y -> ((forall x, e <= x <= y -> sin x <= lam) <-> y <= s22_rest_of_period_end phi)) <-> phi = eq27_phi1 lam).
+Proof.
+  intros hl E hp. destruct (s22_rest_of_period lam e hl E) as (l1 & R & _). set (last := right_sinusoidal_rest_of_period_end (eq27_phi1 lam)) in *.
+  assert (same : last = eq27_phi1 lam + 2 * PI) by reflexivity. unfold s22_rest_of_period_end in *. split.
+  - intros P. assert (phi + 2 * PI <= last) by (apply R; trivial; apply P; lra). assert (last <= phi + 2 * PI) by (apply P; [ lra | apply R; lra ]). lra.
+  - intros ->. exact R.
+Qed.
+Lemma sine_vanishes x y : 0 < y - x < PI -> sin x = 0 -> sin y = 0 -> False.
+Proof. intros H X Y. pose proof (sin_gt_0 (y - x) ltac:(lra) ltac:(lra)) as S. rewrite sin_minus, X, Y in S. lra. Qed.
+(* Below lambda_c no motion that repeats itself, with any period, has a velocity along the drive that vanishes on an interval. *)
+Theorem s22_no_rest_below lam phi0 w wy P r s : 0 <= lam < eq37_lambda_c -> shaken lam phi0 w wy -> 0 < P ->
+  (forall t, 0 <= t -> w (t + P) = w t /\ wy (t + P) = wy t) -> 0 <= r < s -> exists t, r <= t <= s /\ w t <> 0.
+Proof.
+  intros hl M hP per H. apply Classical_Prop.NNPP. intros no. assert (Z : forall t, r <= t <= s -> w t = 0).
+  { intros t Ht. destruct (Req_dec (w t) 0) as [ | n]; trivial. exfalso. apply no. now exists t. }
+  set (y := Rmin ((r + s) / 2) (r + 1)). pose proof PI2_3_2. assert (hy : r < y <= (r + s) / 2 /\ y <= r + 1) by (unfold y; repeat split; [ apply Rmin_glb_lt; lra | apply Rmin_l | apply Rmin_r ]).
+  destruct hl as [[h0 | <-] hc].
+  - assert (hp : 0 < lam <= eq37_lambda_c) by lra. pose proof (periodic_is_38 lam hp phi0 w wy P M hP per) as E.
+    pose proof (proj1 (E r ltac:(lra))) as e1. pose proof (proj1 (E y ltac:(lra))) as e2. rewrite Z in e1, e2 by lra. symmetry in e1, e2. apply (w38_zeros lam hp) in e1, e2.
+    destruct e1 as [n Hn]. destruct e2 as [m Hm]. assert (IZR n < IZR m < IZR n + 1) as [m1 m2] by (split; nra). rewrite <- plus_IZR in m2. apply lt_IZR in m1. apply lt_IZR in m2. lia.
+  - assert (S : forall t, r <= t < s -> sin (phi0 + t) = 0).
+    { intros t Ht. pose proof (rest_needs_friction 0 phi0 w wy (Rle_refl 0) M r s t ltac:(lra) ltac:(lra) ltac:(intros; apply Z; lra)) as B. apply Rabs_le_between in B. lra. }
+    apply (sine_vanishes (phi0 + r) (phi0 + y)); [ lra | apply S; lra | apply S; lra ].
+Qed.
+(* Small, large and very large friction: of every motion, from some time on, in each period, the zeros of vx. A period may begin at any phase but those
+   of the zeros of (38) in the first case; in the second it is counted from the end of a rest. *)
+Theorem s22_trichotomy lam phi0 w wy : 0 < lam -> shaken lam phi0 w wy ->
+  (lam < eq37_lambda_c -> forall phi, (forall n, phi <> eq39_phi_t1 lam + IZR n * PI) -> exists s1, forall s, s1 <= s -> at_phase phi0 s phi ->
+    exists z1 z2, s < z1 < z2 /\ z2 < s + 2 * PI /\ forall z, s <= z <= s + 2 * PI -> (w z = 0 <-> z = z1 \/ z = z2)) /\
+  (eq37_lambda_c < lam < 1 -> exists tau s1, 0 < tau < PI /\ slip_end lam (eq27_phi1 lam + tau) /\ forall s, s1 <= s -> at_phase phi0 s (eq27_phi1 lam) ->
+    forall z, s < z <= s + 2 * PI -> (w z = 0 <-> s + tau <= z <= s + PI \/ s + PI + tau <= z <= s + 2 * PI)) /\
+  (1 <= lam -> exists s1, forall s, s1 <= s -> w s = 0).
+Proof.
+  intros h0 M. split; [ | split ].
+  - intros hc phi ne. apply (two_zeros lam phi0 w wy ltac:(lra) M phi ne).
+  - intros hc. pose proof lambda_c_between. assert (hl : 0 < lam < 1) by lra. destruct (slip_end_exists lam hl) as [e E].
+    assert (q : e < eq29_phi3 lam) by (apply (eq_36 lam e hl E); exact (proj1 hc)). destruct (s22_rest_interval lam e phi0 w wy hl E q M) as [s1 R]. destruct (ends lam e hl E q) as (o & _).
+    destruct (p1_range lam hl) as [[a b] _]. exists (e - asin lam), s1. split; [ lra | split; [ unfold eq27_phi1; replace (asin lam + (e - asin lam)) with e by ring; trivial | ] ].
+    intros s hs [n ph] z hz. destruct (R z (asin lam + (z - s)) ltac:(lra)) as (_ & r1 & r2 & r3 & r4). { exists n. unfold eq27_phi1 in ph. lra. }
+    unfold eq27_phi1, eq29_phi3 in *. split.
+    + intros wz. destruct (Rlt_le_dec z (s + (e - asin lam))) as [k | k]. rewrite wz in r1. lra. destruct (Rle_lt_dec z (s + PI)) as [k1 | k1]. left; lra.
+      right. split; [ | lra ]. apply Rnot_lt_le. intros k2. rewrite wz in r3. lra.
+    + intros [K | K]; [ apply r2 | apply r4 ]; lra.
+  - intros h1. destruct (all_stop lam phi0 w wy h1 M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).
+Qed.
+(* Without friction it fails: this motion has no zero. *)
+Theorem s22_trichotomy__needs_friction : shaken 0 0 (fun s => 2 - cos s) (fun _ => 1) /\ forall s, 2 - cos s <> 0.
+Proof. destruct s22_vy_vanishes__needs_friction as [M P]. split; trivial. intros s. specialize (P s). lra. Qed.
+
+(* ---- the two stages of the velocity across ---- *)
+(* While wy is large it falls at the rate lambda0, but for (w/wy)^2/2 of it. *)
+Theorem s22_vy_two_stages__first lam phi0 w wy s : 0 <= lam -> shaken lam phi0 w wy -> 0 <= s -> 0 < wy s ->
+  exists r, rder wy s r /\ s22_first_stage_slope lam <= r <= s22_first_stage_slope lam + lam * (w s / wy s) ^ 2 / 2.
+Proof.
+  intros hl M hs y0. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & C & _ & _ & _ & Y). exists fy. split; trivial. destruct (coulomb_slip _ _ _ _ _ hl C) as [_ F].
+  destruct (nearly (wy s) (w s) y0) as [n1 n2]. assert (en : nrm (wy s) (w s) = nrm (w s) (wy s)) by (unfold nrm; f_equal; ring). rewrite en in *. unfold s22_first_stage_slope. set (n := nrm (w s) (wy s)) in *.
+  assert (e : fy = - lam * (wy s / n)) by (apply (Rmult_eq_reg_l n); [ rewrite F; field; lra | lra ]). assert (wy s / n <= 1) by (apply Rle_div_l; lra). assert (1 - (w s / wy s) ^ 2 / 2 <= wy s / n) by (apply Rle_div_r; lra).
+  rewrite e. split; nra.
+Qed.
+(* Above lambda_c it is exactly zero after a finite time. *)
+Theorem s22_vy_two_stages__above lam phi0 w wy : eq37_lambda_c < lam -> shaken lam phi0 w wy -> exists s1, forall s, s1 <= s -> wy s = 0.
+Proof.
+  intros h0 M. pose proof lambda_c_between. destruct (Rlt_le_dec lam 1) as [k | k].
+  - destruct (slip_end_exists lam ltac:(lra)) as [e E]. assert (q : e < eq29_phi3 lam) by (apply (eq_36 lam e ltac:(lra) E); exact h0).
+    destruct (w33_reached lam e ltac:(lra) E q phi0 w wy M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).
+  - destruct (all_stop lam phi0 w wy k M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).
+Qed.
+(* Where w is zero while friction exceeds a drive of size d at most, what is left is lost within the stated phase. *)
+Theorem s22_vy_two_stages__last lam d phi0 w wy s u : 0 <= d < lam -> shaken lam phi0 w wy -> 0 <= s -> w s = 0 ->
+  s + right_sinusoidal_last_stage lam d (Rabs (wy s)) <= u -> (forall t, s <= t <= u -> Rabs (sin (phi0 + t)) <= d) -> w u = 0 /\ wy u = 0.
+Proof.
+  intros hd M hs w0 hu A. apply (stops_within lam d phi0 w wy hd M s u hs); trivial. rewrite w0, Rabs_R0. replace (nrm 0 (wy s)) with (Rabs (wy s)); [ unfold right_sinusoidal_last_stage in hu; now rewrite Rmult_0_r, Rplus_0_r | ].
+  unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring.
+Qed.
+Lemma right_of_nonzero f t l u : rder f t l -> f t <> 0 -> t < u -> exists s, t < s < u /\ f s <> 0.
+Proof.
+  intros [F [D E]] n h. assert (C : continuity_pt F t) by (apply derivable_continuous_pt; exists l; now apply is_derive_Reals). rewrite <- E in n by lra.
+  destruct (C (Rabs (F t)) (Rabs_pos_lt _ n)) as (d & d0 & H). set (s := t + Rmin d (u - t) / 2). assert (0 < Rmin d (u - t)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (u - t)). pose proof (Rmin_r d (u - t)).
+  exists s. split; [ unfold s; lra | ]. rewrite <- E by (unfold s; lra). intros z. assert (K : Rabs (F s - F t) < Rabs (F t)).
+  { apply H. split. split; [ exact I | unfold s; lra ]. simpl. unfold R_dist. apply Rabs_def1; unfold s; lra. } rewrite z, Rminus_0_l, Rabs_Ropp in K. lra.
+Qed.
+(* It becomes zero only where the block stops, and then for good. *)
+Theorem s22_vy_two_stages__stop lam phi0 w wy s u : 0 < lam -> shaken lam phi0 w wy -> 0 <= s < u -> wy s <> 0 -> wy u = 0 ->
+  (exists t, s < t <= u /\ w t = 0 /\ wy t = 0) /\ forall t, u <= t -> wy t = 0.
+Proof.
+  intros h0 M hs y0 yu. split. 2: { intros t ht. pose proof (wy_falls lam phi0 w wy h0 M u t ltac:(lra)). rewrite yu in *. nra. }
+  apply Classical_Prop.NNPP. intros no. destruct (law lam phi0 w wy ltac:(lra) M s) as (_ & gy & _ & _ & _ & _ & R); [ lra | ]. destruct (right_of_nonzero _ _ _ u R y0 (proj2 hs)) as (c & hc & yc).
+  destruct (continuity_ab_min (fun t => nrm (w t) (wy t)) c u) as (x & X & hx); [ lra | | ].
+  { intros t Ht. apply cont_nrm; [ apply (cont_w lam phi0 w wy M) | apply (cont_wy lam phi0 w wy M) ]; lra. }
+  assert (m0 : 0 < nrm (w x) (wy x)). { destruct (nrm_pos (w x) (wy x)) as [p | p]; trivial. exfalso. symmetry in p. destruct (nrm_zero _ _ p) as [p1 p2]. apply no. exists x. split; [ lra | auto ]. } set (m := nrm (w x) (wy x)) in *.
+  assert (F : - (wy u ^ 2 * exp (2 * lam / m * u)) <= - (wy c ^ 2 * exp (2 * lam / m * c))).
+  { apply (rder_decr (fun t => - (wy t ^ 2 * exp (2 * lam / m * t)))); [ lra | | ]; intros t Ht.
+    - cont. apply (cont_wy lam phi0 w wy M). lra.
+    - destruct (law lam phi0 w wy ltac:(lra) M t) as (fx & fy & C & _ & _ & _ & Y); [ lra | ]. destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) C) as [_ E]. specialize (X t ltac:(lra)). cbv beta in X. fold m in X. set (n := nrm (w t) (wy t)) in *.
+      eexists. split. rd. cbv beta. set (G := exp _). assert (0 < G) by apply exp_pos. assert (e : fy = - lam * wy t / n) by (rewrite <- E; field; lra).
+      match goal with |- ?g <= 0 => replace g with (- (2 * lam * wy t ^ 2 * (n - m) * / (n * m) * G)) by (rewrite e; simpl; field; lra) end.
+      assert (0 < / (n * m)) by (apply Rinv_0_lt_compat; nra). pose proof (pow2_ge_0 (wy t)). enough (0 <= 2 * lam * wy t ^ 2 * (n - m) * / (n * m) * G) by lra. set (q := wy t ^ 2) in *. clearbody q. repeat apply Rmult_le_pos; lra. }
+  rewrite yu in F. pose proof (exp_pos (2 * lam / m * c)). assert (0 < wy c ^ 2) by (pose proof (pow2_ge_0 (wy c)); nra). nra.
+Qed.
+(* Below lambda_c each passage of w through zero multiplies ln |wy| by the stated factor in the limit: moments half a period apart, at any phase but
+   those of the zeros of (38). *)
+Theorem s22_vy_two_stages__factor lam phi0 w wy s0 : 0 < lam < eq37_lambda_c -> shaken lam phi0 w wy -> (forall s, 0 <= s -> wy s <> 0) -> 0 <= s0 ->
+  (forall n, phi0 + s0 <> eq39_phi_t1 lam + IZR n * PI) ->
+  is_lim_seq (fun j => ln (Rabs (wy (s0 + INR (S j) * PI))) / ln (Rabs (wy (s0 + INR j * PI))))
+    (right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam)).
+Proof.
+  intros hl M N hs ne. replace (right_sinusoidal_drive_at_zero lam) with (sin (eq39_phi_t1 lam)). exact (passage_factor lam phi0 w wy hl M N s0 hs ne).
+  pose proof lambda_c_between. destruct (small lam ltac:(lra) ltac:(lra)) as [a b]. unfold right_sinusoidal_drive_at_zero, eq39_phi_t1. rewrite sin_acos by lra. f_equal. unfold Rsqr. ring.
+Qed.
+(* So the printed ratio of the falls of ln wy in two periods, the square of the factor, is right without friction only; *)
+Theorem s22_vy_two_stages__printed lam : 0 <= lam < eq37_lambda_c ->
+  (right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam) ^ 2 = s22_second_stage_ratio <-> lam = 0).
+Proof.
+  intros hl. pose proof lambda_c_between. pose proof PI_RGT_0. assert (hs : PI * lam / 2 <= 1). { destruct hl as [[h0 | <-] hc]; [ pose proof (small lam ltac:(lra) ltac:(lra)); lra | lra ]. }
+  destruct (turn_sign lam (proj1 hl) hs) as (c & c0 & T). assert (l0 : -1 <= PI * lam / 2) by nra. unfold right_sinusoidal_drive_at_zero, right_sinusoidal_passage_factor, s22_second_stage_ratio.
+  replace (sqrt (1 - (PI * lam / 2) ^ 2)) with (sin (eq39_phi_t1 lam)) by (unfold eq39_phi_t1; rewrite sin_acos by lra; f_equal; unfold Rsqr; ring). set (d := sin (eq39_phi_t1 lam)) in *. assert (k : lam < d) by nra.
+  split; [ | intros ->; field; lra ]. intros E. assert (F : (d + lam) ^ 2 = (d - lam) ^ 2) by (replace ((d + lam) ^ 2) with (((d + lam) / (d - lam)) ^ 2 * (d - lam) ^ 2) by (field; lra); rewrite E; ring). nra.
+Qed.
+(* and with any friction wy falls in the end faster than every exponential, from every start. *)
+Theorem s22_vy_two_stages__not_exponential lam phi0 w wy k : 0 < lam -> shaken lam phi0 w wy -> is_lim (fun s => wy s * exp (k * s)) p_infty 0.
+Proof.
+  intros h0 M. destruct (Rle_lt_dec lam eq37_lambda_c) as [q | q]. now apply (superexponential lam phi0 w).
+  destruct (s22_vy_two_stages__above lam phi0 w wy q M) as [s1 Z]. apply is_lim_spec. intros eps. exists s1. intros s hs. rewrite Z by lra. rewrite Rmult_0_l, Rminus_0_r, Rabs_R0. apply cond_pos.
+Qed.
