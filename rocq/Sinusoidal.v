@@ -3,8 +3,7 @@
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Formulas Pieces Periodic Aniso Rates.
-From Slipbook Require Import Steady AttractPlane Reached Shaken LargeTime AcrossStop Zeros Across.
+From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Steady Shaken LargeTime AcrossStop Zeros Across.
 Open Scope R_scope.
 
 Ltac emptied T := lazymatch T with
@@ -21,7 +20,7 @@ Theorem eq_25 mu g A0 varpi t0 : 0 < A0 -> 0 < varpi -> let lam := eq22_lambda0 
 Proof.
   intros hA hv lam. unfold eq25_sides_1, eq25_sides_2. assert (e1 : lam < 1 <-> mu * g < A0) by (unfold lam, eq22_lambda0; rewrite <- Rdiv_lt_1 by trivial; tauto).
   assert (sz : forall t, nrm (eq21_acceleration_1 A0 varpi t) (eq21_acceleration_2 A0 varpi t) = A0 * Rabs (sin (varpi * t))).
-  { intros t. unfold eq21_acceleration_1, eq21_acceleration_2. rewrite nrm_line, Rabs_mult, Rabs_Ropp, (Rabs_pos_eq A0) by lra. trivial. }
+  { intros t. unfold eq21_acceleration_1, eq21_acceleration_2. rewrite nrm_x, Rabs_mult, Rabs_Ropp, (Rabs_pos_eq A0) by lra. trivial. }
   assert (peak : forall c, exists t, varpi * (c + t) = PI / 2 + IZR 0 /\ True) by (intros c; exists (PI / 2 / varpi - c); split; [ simpl; field; lra | trivial ]).
   rewrite e1. split; [ tauto | split ].
   - split.
@@ -51,7 +50,7 @@ Proof.
   assert (l0 : 0 <= l) by (unfold l, eq22_lambda0; apply Rmult_le_pos; [ trivial | left; now apply Rinv_0_lt_compat ]).
   destruct (law l _ _ _ l0 B (eq23_phase varpi t)) as (fx & fy & C & _ & _ & X & _); [ unfold eq23_phase; nra | ]. eapply rder_eq; [ exact X | ].
   assert (e : eq23_phase varpi t / varpi = t) by (unfold eq23_phase; field; lra). destruct (coulomb_slip _ _ _ _ _ l0 C) as [E _]. rewrite !e in E. rewrite hy in E.
-  set (w := eq24_w varpi (vx t) A0) in *. replace (eq24_w varpi 0 A0) with 0 in E by (unfold eq24_w; field; lra). rewrite nrm_line in E.
+  set (w := eq24_w varpi (vx t) A0) in *. replace (eq24_w varpi 0 A0) with 0 in E by (unfold eq24_w; field; lra). rewrite nrm_x in E.
   assert (w0 : w <> 0). { unfold w, eq24_w. intros z. apply hx. apply (Rmult_eq_reg_l (varpi / A0)); [ rewrite Rmult_0_r, <- z; field; lra | ]. apply Rmult_integral_contrapositive_currified; [ lra | apply Rinv_neq_0_compat; lra ]. }
   pose proof (Rabs_pos_lt _ w0). unfold eq26_rate. rewrite <- (pow2_abs w), sqrt_pow2 by apply Rabs_pos.
   replace (eq23_phase varpi (t0 + t)) with (eq23_phase varpi t0 + eq23_phase varpi t) by (unfold eq23_phase; ring). unfold Rminus. f_equal.
@@ -255,7 +254,7 @@ Proof.
   assert (hu : 0 < u < d /\ u < PI) by (unfold u; lra). specialize (St u ltac:(lra)). rewrite Rplus_0_l in St. replace (g38 lam p 0) with 0 in St by (unfold g38; rewrite Rplus_0_r; ring). assert (wn : g38 lam p u < 0) by nra.
   assert (on : forall t, 0 <= t < PI -> w38 lam (p + t) = g38 lam p t). { intros t Ht. rewrite w38_ext. fold p. replace (p + t - p) with t by ring. now apply ext_first. }
   destruct (law lam p _ _ ltac:(lra) (M p) u ltac:(lra)) as (fx & fy & C & _ & _ & X & _). cbv beta in C, X. rewrite (on u) in C by lra. destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) C) as [Q _].
-  rewrite nrm_line, Rabs_left in Q by trivial. enough (sin (p + u) + fx = sin (p + u) - lam) by nra.
+  rewrite nrm_x, Rabs_left in Q by trivial. enough (sin (p + u) + fx = sin (p + u) - lam) by nra.
   apply (rder_unique (fun s => w38 lam (p + s)) (g38 lam p) u _ _ (PI - u)); trivial; [ lra | intros s Hs; apply on; lra | apply rder_of, g_der ].
 Qed.
 (* (41): (38) turns forward after the drive has come to beat friction, exactly below lambda_c. *)
@@ -288,7 +287,7 @@ Qed.
 Theorem s22_weak_drive_stops mu g A0 varpi t0 vx vy t : 0 < A0 < mu * g -> block mu g A0 varpi t0 vx vy -> nrm (vx 0) (vy 0) / (mu * g - A0) <= t ->
   vx t = 0 /\ vy t = 0.
 Proof.
-  intros h B. apply (weak_stops (mu * g) A0 _ _ vx vy ltac:(lra) B). intros u _. unfold eq21_acceleration_1, eq21_acceleration_2. rewrite nrm_line, Rabs_mult, Rabs_Ropp.
+  intros h B. apply (weak_stops (mu * g) A0 _ _ vx vy ltac:(lra) B). intros u _. unfold eq21_acceleration_1, eq21_acceleration_2. rewrite nrm_x, Rabs_mult, Rabs_Ropp.
   pose proof (SIN_bound (varpi * (t0 + u))). assert (Rabs (sin (varpi * (t0 + u))) <= 1) by (apply Rabs_le; lra). rewrite (Rabs_pos_eq A0) by lra. nra.
 Qed.
 (* A drive that can be stronger: however late, vx reaches a size that does not depend on the motion. *)

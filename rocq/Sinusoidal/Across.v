@@ -2,7 +2,7 @@
    w through zero multiplies its logarithm in the limit. The last by the logarithm of T = wy/(v + w), whose rate is -sin/v, that of wy being -l/v. *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Rates Formulas Pieces Periodic Aniso Steady AttractPlane Shaken LargeTime Zeros.
+From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Steady Shaken LargeTime Zeros.
 Open Scope R_scope.
 
 (* friction near one axis: n is the speed, x the fast component, y the slow one *)
@@ -31,7 +31,7 @@ Proof.
     - cont; [ apply (cont_wy l phi0 w wy M) | ]; lra.
     - destruct (law l phi0 w wy l0 M t) as (fx & fy & C & _ & _ & X & Y); [ lra | ]. specialize (H t ltac:(lra)).
       eexists. split. rd. lra. cbv beta. set (E := exp _). assert (0 < E) by apply exp_pos. set (x := t - s + e) in *. assert (0 < x) by (unfold x; lra).
-      destruct (coulomb_slip _ _ _ _ _ l0 C) as [_ F]. pose proof (nrm_ge (w t) (wy t)) as [_ N]. set (n := nrm (w t) (wy t)) in *.
+      destruct (coulomb_slip _ _ _ _ _ l0 C) as [_ F]. pose proof (abs_nrm (w t) (wy t)) as [_ N]. set (n := nrm (w t) (wy t)) in *.
       assert (K : 2 * (wy t * fy) + l * wy t ^ 2 / x <= 0).
       { destruct (Req_dec (wy t) 0) as [-> | z]; [ unfold Rdiv; lra | ]. assert (0 < n) by (pose proof (Rabs_pos_lt _ z); lra). assert (0 < wy t ^ 2) by nra.
         replace fy with (- l * wy t / n) by (rewrite <- F; field; lra). replace (2 * (wy t * (- l * wy t / n)) + l * wy t ^ 2 / x) with (l * wy t ^ 2 * (n - 2 * x) / (n * x)) by (field; lra).

@@ -2,7 +2,7 @@
    l |v| + d |w| falls at the rate l^2 - d^2 (by steps: |w| need not have a derivative). *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Dini AttractPlane Reached Shaken.
+From Slipbook Require Import Motion General Dini Rates Drawn Shaken.
 Open Scope R_scope.
 
 Section Stop.
@@ -19,7 +19,7 @@ Proof.
   assert (N : forall t, s <= t <= u -> 0 < nrm (w t) (wy t)).
   { intros t Ht. destruct (nrm_pos (w t) (wy t)) as [p | p]; trivial. exfalso. apply z. symmetry in p. destruct (nrm_zero _ _ p) as [p1 p2].
     destruct (stays l phi0 w wy hl M t u) as [q1 q2]; trivial; [ lra | | ]. intros y Hy. specialize (hA y ltac:(lra)). lra.
-    rewrite q1, q2. rewrite nrm_line. apply Rabs_R0. }
+    rewrite q1, q2. rewrite nrm_x. apply Rabs_R0. }
   assert (F : l * nrm (w u) (wy u) + d * Rabs (w u) + (l ^ 2 - d ^ 2) * u <= L0 + (l ^ 2 - d ^ 2) * s).
   { apply (dini_decr (fun t => l * nrm (w t) (wy t) + d * Rabs (w t) + (l ^ 2 - d ^ 2) * t)); [ lra | | ]; intros t Ht.
     - pose proof (cont_w l phi0 w wy M t ltac:(lra)). pose proof (cont_wy l phi0 w wy M t ltac:(lra)).

@@ -2,7 +2,7 @@
    above lambda_c, tends to (38) up to it, and is at rest from some time on where friction is never exceeded. *)
 Require Import Reals Lra Psatz ZArith FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas Pieces Periodic Pulse Aniso Steady AttractPlane Reached Shaken.
+From Slipbook Require Import Motion General Formulas HalfPeriod Drawn Steady Shaken.
 Open Scope R_scope.
 
 (* the phase phi, less whole periods, in the period that begins at start *)

@@ -2,7 +2,7 @@
    at phi1, and where rests are possible. *)
 Require Import Reals Lra Psatz ZArith FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas Pieces Periodic Aniso Steady AttractPlane.
+From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Steady.
 Open Scope R_scope.
 
 (* The block on a plane with the acceleration (21), of size A0 and frequency varpi: (vx, vy) is its velocity at the time t after the start, which is
@@ -29,12 +29,19 @@ Proof.
   apply functional_extensionality. intros s. rewrite Rmult_1_l. ring.
 Qed.
 
-(* ---- units ---- *)
-Lemma nrm_scale c x y : 0 <= c -> nrm (c * x) (c * y) = c * nrm x y.
+(* there is one right derivative *)
+Lemma rder_unique f g t l m d : 0 < d -> (forall s, t <= s < t + d -> f s = g s) -> rder f t l -> rder g t m -> l = m.
 Proof.
-  intros H. unfold nrm. replace ((c * x) ^ 2 + (c * y) ^ 2) with (c ^ 2 * (x ^ 2 + y ^ 2)) by ring.
-  rewrite sqrt_mult_alt by apply pow2_ge_0. now rewrite sqrt_pow2.
+  intros hd. assert (A : forall f g l m, (forall s, t <= s < t + d -> f s = g s) -> rder f t l -> rder g t m -> m <= l).
+  { clear f g l m. intros f g l m E F G. apply le_epsilon. intros e he. destruct (rder_step _ _ _ F (e / 2) ltac:(lra)) as (a & a0 & A).
+    destruct (rder_step _ _ _ (rder_opp _ _ _ G) (e / 2) ltac:(lra)) as (b & b0 & B). cbv beta in B. set (x := Rmin d (Rmin a b) / 2).
+    pose proof (Rmin_l d (Rmin a b)). pose proof (Rmin_r d (Rmin a b)). pose proof (Rmin_l a b). pose proof (Rmin_r a b).
+    assert (0 < Rmin d (Rmin a b)) by (repeat apply Rmin_pos; trivial). assert (xx : 0 < x /\ x < a /\ x < b /\ x < d) by (unfold x; lra).
+    specialize (A x ltac:(lra)). specialize (B x ltac:(lra)). rewrite !E in A by lra. nra. }
+  intros E F G. apply Rle_antisym; [ apply (A g f) | apply (A f g) ]; trivial. intros s Hs. symmetry. now apply E.
 Qed.
+
+(* ---- units ---- *)
 Lemma rder_scale f c b t l : 0 < b -> rder f (b * t) l -> rder (fun s => c * f (b * s)) t (c * b * l).
 Proof.
   intros hb [F [D E]]. exists (fun s => c * F (b * s)). split; [ | intros s Hs; rewrite E; trivial; now apply Rmult_le_compat_l; [ lra | ] ].
@@ -132,7 +139,7 @@ Proof.
   apply (rder_decr (fun t => w t ^ 2 + wy t ^ 2)); [ lra | | ]; intros t Ht.
   - cont; [ apply cont_w | apply cont_wy ]; lra.
   - destruct (law t) as (fx & fy & [_ P] & _ & _ & X & Y); [ lra | ]. eexists. split. rd. simpl.
-    pose proof (nrm_ge (w t) (wy t)) as [N _]. specialize (HA t Ht).
+    pose proof (abs_nrm (w t) (wy t)) as [N _]. specialize (HA t Ht).
     assert (sin (phi0 + t) * w t <= l * nrm (w t) (wy t)).
     { apply Rle_trans with (1 := Rle_abs _). rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. } lra.
 Qed.
@@ -154,7 +161,7 @@ Proof.
     + destruct (law t) as (fx & fy & [_ C] & F & _ & X & Y); [ lra | ].
       assert (D : rder (fun t => h l (t - c)) t (sin (asin l + (t - c)) - l)) by (apply rder_shift, rder_of, h_der).
       destruct (at_sin phi0 c (asin l) (t - c) P) as [S _]. replace (c + (t - c)) with t in S by ring. rewrite S in X.
-      eexists. split. rd. specialize (Q (t - c) ltac:(lra)). pose proof (nrm_ge (w t) (wy t)) as [N _]. pose proof (Rle_abs (w t)).
+      eexists. split. rd. specialize (Q (t - c) ltac:(lra)). pose proof (abs_nrm (w t) (wy t)) as [N _]. pose proof (Rle_abs (w t)).
       match goal with |- ?g <= 0 => replace g with (2 * ((fx * w t + fy * wy t) + l * w t - h l (t - c) * (fx + l))) by (simpl; ring) end. rewrite C. nra.
   - replace (c + u - c) with u in a by ring. lra.
 Qed.

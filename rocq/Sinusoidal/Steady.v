@@ -2,7 +2,7 @@
    without. Times are counted from the start of the forward slip; motions come by half_period from half of their period. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas Pieces Periodic.
+From Slipbook Require Import Motion General Formulas HalfPeriod.
 Open Scope R_scope.
 
 Lemma up f f' a b : a < b -> (forall c, a <= c <= b -> is_derive f c (f' c)) -> (forall c, a < c < b -> 0 < f' c) -> f a < f b.
@@ -10,6 +10,11 @@ Proof.
   intros H D P. destruct (MVT_cor2 f f' a b H) as (c & E & Hc). { intros; now apply is_derive_Reals, D. }
   specialize (P c Hc). nra.
 Qed.
+Lemma sq_lt_inv a b : 0 <= b -> a ^ 2 < b ^ 2 -> a < b. Proof. intros. nra. Qed.
+Lemma nrm_forward x : 0 <= x -> nrm x 0 = x.
+Proof. intros H. unfold nrm. replace (x ^ 2 + 0 ^ 2) with (Rsqr x) by (unfold Rsqr; ring). now apply sqrt_Rsqr. Qed.
+Lemma ext_period T g : 0 < T -> forall t, ext T g (t + 2 * T) = ext T g t.
+Proof. intros hT t. replace (t + 2 * T) with (t + T + T) by ring. rewrite !ext_anti by trivial. ring. Qed.
 Lemma cos_2PI_minus x : cos (2 * PI - x) = cos x. Proof. rewrite cos_minus, cos_2PI, sin_2PI. ring. Qed.
 Lemma sin_2PI_minus x : sin (2 * PI - x) = - sin x. Proof. rewrite sin_minus, cos_2PI, sin_2PI. ring. Qed.
 Lemma sin_2PI_plus x : sin (x + 2 * PI) = sin x. Proof. rewrite <- (sin_period x 1). f_equal. simpl. ring. Qed.

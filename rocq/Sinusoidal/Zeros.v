@@ -2,7 +2,7 @@
    so that w is strictly monotone there, and elsewhere w is as close to (38) as one likes. *)
 Require Import Reals Lra Psatz ZArith Ranalysis5.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas Pieces Periodic Aniso Steady Shaken LargeTime.
+From Slipbook Require Import Motion General Formulas HalfPeriod Steady Shaken LargeTime.
 Open Scope R_scope.
 
 Section Zeros.
