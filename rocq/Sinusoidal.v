@@ -3,7 +3,7 @@
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Steady Shaken LargeTime AcrossStop Zeros Across.
+From Slipbook Require Import Motion General Exists Rates Formulas HalfPeriod Drawn Steady Shaken LargeTime AcrossStop Zeros Across.
 Open Scope R_scope.
 
 Ltac emptied T := lazymatch T with
@@ -460,30 +460,12 @@ Proof.
   intros hd M hs w0 hu A. apply (stops_within lam d phi0 w wy hd M s u hs); trivial. rewrite w0, Rabs_R0. replace (nrm 0 (wy s)) with (Rabs (wy s)); [ unfold right_sinusoidal_last_stage in hu; now rewrite Rmult_0_r, Rplus_0_r | ].
   unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring.
 Qed.
-Lemma right_of_nonzero f t l u : rder f t l -> f t <> 0 -> t < u -> exists s, t < s < u /\ f s <> 0.
-Proof.
-  intros [F [D E]] n h. assert (C : continuity_pt F t) by (apply derivable_continuous_pt; exists l; now apply is_derive_Reals). rewrite <- E in n by lra.
-  destruct (C (Rabs (F t)) (Rabs_pos_lt _ n)) as (d & d0 & H). set (s := t + Rmin d (u - t) / 2). assert (0 < Rmin d (u - t)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (u - t)). pose proof (Rmin_r d (u - t)).
-  exists s. split; [ unfold s; lra | ]. rewrite <- E by (unfold s; lra). intros z. assert (K : Rabs (F s - F t) < Rabs (F t)).
-  { apply H. split. split; [ exact I | unfold s; lra ]. simpl. unfold R_dist. apply Rabs_def1; unfold s; lra. } rewrite z, Rminus_0_l, Rabs_Ropp in K. lra.
-Qed.
 (* It becomes zero only where the block stops, and then for good. *)
 Theorem s22_vy_two_stages__stop lam phi0 w wy s u : 0 < lam -> shaken lam phi0 w wy -> 0 <= s < u -> wy s <> 0 -> wy u = 0 ->
   (exists t, s < t <= u /\ w t = 0 /\ wy t = 0) /\ forall t, u <= t -> wy t = 0.
 Proof.
   intros h0 M hs y0 yu. split. 2: { intros t ht. pose proof (wy_falls lam phi0 w wy h0 M u t ltac:(lra)). rewrite yu in *. nra. }
-  apply Classical_Prop.NNPP. intros no. destruct (law lam phi0 w wy ltac:(lra) M s) as (_ & gy & _ & _ & _ & _ & R); [ lra | ]. destruct (right_of_nonzero _ _ _ u R y0 (proj2 hs)) as (c & hc & yc).
-  destruct (continuity_ab_min (fun t => nrm (w t) (wy t)) c u) as (x & X & hx); [ lra | | ].
-  { intros t Ht. apply cont_nrm; [ apply (cont_w lam phi0 w wy M) | apply (cont_wy lam phi0 w wy M) ]; lra. }
-  assert (m0 : 0 < nrm (w x) (wy x)). { destruct (nrm_pos (w x) (wy x)) as [p | p]; trivial. exfalso. symmetry in p. destruct (nrm_zero _ _ p) as [p1 p2]. apply no. exists x. split; [ lra | auto ]. } set (m := nrm (w x) (wy x)) in *.
-  assert (F : - (wy u ^ 2 * exp (2 * lam / m * u)) <= - (wy c ^ 2 * exp (2 * lam / m * c))).
-  { apply (rder_decr (fun t => - (wy t ^ 2 * exp (2 * lam / m * t)))); [ lra | | ]; intros t Ht.
-    - cont. apply (cont_wy lam phi0 w wy M). lra.
-    - destruct (law lam phi0 w wy ltac:(lra) M t) as (fx & fy & C & _ & _ & _ & Y); [ lra | ]. destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) C) as [_ E]. specialize (X t ltac:(lra)). cbv beta in X. fold m in X. set (n := nrm (w t) (wy t)) in *.
-      eexists. split. rd. cbv beta. set (G := exp _). assert (0 < G) by apply exp_pos. assert (e : fy = - lam * wy t / n) by (rewrite <- E; field; lra).
-      match goal with |- ?g <= 0 => replace g with (- (2 * lam * wy t ^ 2 * (n - m) * / (n * m) * G)) by (rewrite e; simpl; field; lra) end.
-      assert (0 < / (n * m)) by (apply Rinv_0_lt_compat; nra). pose proof (pow2_ge_0 (wy t)). enough (0 <= 2 * lam * wy t ^ 2 * (n - m) * / (n * m) * G) by lra. set (q := wy t ^ 2) in *. clearbody q. repeat apply Rmult_le_pos; lra. }
-  rewrite yu in F. pose proof (exp_pos (2 * lam / m * c)). assert (0 < wy c ^ 2) by (pose proof (pow2_ge_0 (wy c)); nra). nra.
+  apply (stops_when lam phi0); trivial.
 Qed.
 (* Below lambda_c each passage of w through zero multiplies ln |wy| by the stated factor in the limit: moments half a period apart, at any phase but
    those of the zeros of (38). *)
@@ -510,3 +492,85 @@ Proof.
   intros h0 M. destruct (Rle_lt_dec lam eq37_lambda_c) as [q | q]. now apply (superexponential lam phi0 w).
   destruct (s22_vy_two_stages__above lam phi0 w wy q M) as [s1 Z]. apply is_lim_spec. intros eps. exists s1. intros s hs. rewrite Z by lra. rewrite Rmult_0_l, Rminus_0_r, Rabs_R0. apply cond_pos.
 Qed.
+
+(* ---- The motions of which these theorems speak exist ---- *)
+Lemma a_block mu g A0 varpi t0 vx0 vy0 : 0 <= mu * g -> exists vx vy, block mu g A0 varpi t0 vx vy /\ vx 0 = vx0 /\ vy 0 = vy0.
+Proof.
+  intros h. apply plane_has_a_motion; trivial. intros t _. unfold eq21_acceleration_1, eq21_acceleration_2. split; [ | cont ]. apply derivable_continuous_pt. reg.
+Qed.
+Lemma a_motion lam phi0 w0 wy0 : 0 <= lam -> exists w wy, shaken lam phi0 w wy /\ w 0 = w0 /\ wy 0 = wy0.
+Proof. intros h. apply a_block. lra. Qed.
+Lemma quarter : 1 / 4 < eq37_lambda_c < 3 / 4.
+Proof.
+  destruct lambda_c_is as [b e]. pose proof PI2_3_2. pose proof PI_4.
+  set (L := eq37_lambda_c) in *. assert (9 <= PI ^ 2 <= 16) by nra. assert (0 <= L ^ 2) by apply pow2_ge_0. assert (13 * L ^ 2 <= 4 <= 20 * L ^ 2) by nra. nra.
+Qed.
+Lemma at_start phi : at_phase phi 0 phi. Proof. exists 0%Z. simpl. ring. Qed.
+(* friction 3/4, with rests *)
+Lemma some_rests : exists e, slip_end (3 / 4) e /\ e < eq29_phi3 (3 / 4).
+Proof. pose proof quarter. destruct (slip_end_exists (3 / 4) ltac:(lra)) as [e E]. exists e. split; trivial. apply (eq_36 (3 / 4) e ltac:(lra) E). change (eq36_sides_2 (3 / 4)) with eq37_lambda_c. unfold eq36_sides_1. lra. Qed.
+Lemma eq_26__occurs : ltac:(occurs eq_26).
+Proof. intros H. destruct (a_block 1 1 2 1 0 1 0) as (x & y & M & x0 & y0). lra. refine (H 1 1 2 1 0 x y 0 _ _ _ M _ _ y0); lra. Qed.
+Lemma s22_rest_ends__occurs : ltac:(occurs s22_rest_ends).
+Proof.
+  intros H. destruct some_rests as (e & E & q). assert (hl : 0 < 3 / 4 < 1) by lra. destruct (ends _ e hl E q) as (o & z & P). destruct (p1_range _ hl) as [[a b] _]. set (b1 := asin (3 / 4)) in *. unfold eq29_phi3 in q. fold b1 in q.
+  refine (H (3 / 4) e _ _ 0 (PI + b1 - e) _ (w33_motion (3 / 4) e hl E q e) _ _ _); try lra.
+  - intros t Ht. split; trivial. apply w33_rest; trivial. fold b1. lra.
+  - intros d d0. set (u := Rmin d (e - b1) / 2). assert (0 < Rmin d (e - b1)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (e - b1)). pose proof (Rmin_r d (e - b1)).
+    exists (PI + b1 - e + u). split; [ unfold u; lra | left ]. replace (e + (PI + b1 - e + u)) with (b1 + u + PI) by ring. rewrite w33_anti by trivial.
+    pose proof (w33_slip (3 / 4) e hl E q (b1 + u) ltac:(fold b1; unfold u; lra)). lra.
+Qed.
+Lemma eq_31__occurs : ltac:(occurs eq_31).
+Proof.
+  intros H. destruct some_rests as (e & E & _). destruct (a_motion (3 / 4) (eq27_phi1 (3 / 4)) 0 0) as (w & wy & M & w0 & y0). lra. pose proof E as [h _].
+  refine (H (3 / 4) e _ w wy 0 e _ E M _ (at_start _) w0 y0 _); lra.
+Qed.
+Lemma eq_33__occurs : ltac:(occurs eq_33).
+Proof. intros H. destruct some_rests as (e & E & q). destruct (a_motion (3 / 4) 0 1 1) as (w & wy & M & _). lra. refine (H (3 / 4) e 0 w wy _ E q M). lra. Qed.
+Lemma s22_rest_interval__occurs : ltac:(occurs s22_rest_interval).
+Proof. intros H. destruct some_rests as (e & E & q). destruct (a_motion (3 / 4) 0 1 1) as (w & wy & M & _). lra. refine (H (3 / 4) e 0 w wy _ E q M). lra. Qed.
+Lemma eq_38__occurs : ltac:(occurs eq_38).
+Proof. intros H. pose proof quarter. destruct (a_motion (1 / 4) 0 1 1) as (w & wy & M & _). lra. refine (H (1 / 4) 0 w wy _ M). lra. Qed.
+Lemma s22_vy_vanishes__occurs : ltac:(occurs s22_vy_vanishes).
+Proof. intros H. destruct (a_block 1 1 2 3 0 1 1) as (x & y & M & _). lra. refine (H 1 1 2 3 0 x y _ M). lra. Qed.
+Lemma s22_weak_drive_stops__occurs : ltac:(occurs s22_weak_drive_stops).
+Proof. intros H. destruct (a_block 2 1 1 3 0 1 1) as (x & y & M & _). lra. refine (H 2 1 1 3 0 x y _ _ M (Rle_refl _)). lra. Qed.
+Lemma s22_vx_stays__occurs : ltac:(occurs s22_vx_stays).
+Proof. intros H. destruct (a_block 1 1 2 3 0 1 1) as (x & y & M & _). lra. refine (H 1 1 2 3 0 x y _ _ M); lra. Qed.
+Lemma s22_friction_across__occurs : ltac:(occurs s22_friction_across).
+Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & w0 & _). lra. refine (H 1 0 w wy 0 _ M _ _); lra. Qed.
+Lemma s22_attractor_ignores_vy__occurs : ltac:(occurs s22_attractor_ignores_vy).
+Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & _). lra. destruct (a_motion 1 0 1 2) as (u & uy & N & _). lra. refine (H 1 0 w wy u uy _ M N). lra. Qed.
+Lemma s22_slip_longer_than_half__occurs : ltac:(occurs s22_slip_longer_than_half).
+Proof.
+  intros H. pose proof quarter. destruct (slip_end_exists (1 / 4) ltac:(lra)) as [e E]. destruct (a_motion (1 / 4) (eq27_phi1 (1 / 4)) 0 0) as (w & wy & M & w0 & y0). lra.
+  refine (H (1 / 4) e _ w wy 0 _ E M _ (at_start _) w0 y0); lra.
+Qed.
+Lemma s22_no_rest_below__occurs : ltac:(occurs s22_no_rest_below).
+Proof.
+  intros H. pose proof quarter. pose proof PI_RGT_0. refine (H (1 / 4) 0 _ _ (2 * PI) 0 1 _ (w38_motion (1 / 4) _ 0) _ _ _); try lra.
+  intros t _. split; trivial. rewrite <- (w38_period (1 / 4) (0 + t)). f_equal. ring.
+Qed.
+Lemma s22_trichotomy__occurs : ltac:(occurs s22_trichotomy).
+Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & _). lra. refine (H 1 0 w wy _ M). lra. Qed.
+Lemma s22_vy_two_stages__first__occurs : ltac:(occurs s22_vy_two_stages__first).
+Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & w0 & y0). lra. refine (H 1 0 w wy 0 _ M _ _); lra. Qed.
+Lemma s22_vy_two_stages__above__occurs : ltac:(occurs s22_vy_two_stages__above).
+Proof. intros H. pose proof quarter. destruct (a_motion (3 / 4) 0 1 1) as (w & wy & M & _). lra. refine (H (3 / 4) 0 w wy _ M). lra. Qed.
+Lemma s22_vy_two_stages__last__occurs : ltac:(occurs s22_vy_two_stages__last).
+Proof.
+  intros H. destruct (a_motion 2 0 0 1) as (w & wy & M & w0 & y0). lra. refine (H 2 1 0 w wy 0 (0 + right_sinusoidal_last_stage 2 1 (Rabs (wy 0))) _ M _ w0 (Rle_refl _) _); try lra.
+  intros t _. pose proof (SIN_bound (0 + t)). apply Rabs_le; lra.
+Qed.
+Lemma s22_vy_two_stages__stop__occurs : ltac:(occurs s22_vy_two_stages__stop).
+Proof.
+  intros H. destruct (a_motion 2 0 0 1) as (w & wy & M & w0 & y0). lra. destruct (all_stop 2 0 w wy ltac:(lra) M) as (s1 & h1 & Z).
+  refine (H 2 0 w wy 0 (s1 + 1) _ M _ _ _); try lra. apply (Z (s1 + 1)). lra.
+Qed.
+Lemma s22_vy_two_stages__factor__occurs : ltac:(occurs s22_vy_two_stages__factor).
+Proof.
+  intros H. pose proof quarter. pose proof PI_RGT_0. assert (hl : 0 < 1 / 4 < eq37_lambda_c) by lra. destruct (never_zero (1 / 4) hl) as (w & wy & M & N).
+  refine (H (1 / 4) _ w wy 1 hl M N _ _); [ lra | ]. intros n E. pose proof PI2_3_2. assert (0 < IZR n < 1) as [n0 n1] by (split; nra). apply lt_IZR in n0. apply lt_IZR in n1. lia.
+Qed.
+Lemma s22_vy_two_stages__not_exponential__occurs : ltac:(occurs s22_vy_two_stages__not_exponential).
+Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & _). lra. refine (H 1 0 w wy 1 _ M). lra. Qed.

@@ -2,7 +2,7 @@
    w through zero multiplies its logarithm in the limit. The last by the logarithm of T = wy/(v + w), whose rate is -sin/v, that of wy being -l/v. *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Steady Shaken LargeTime Zeros.
+From Slipbook Require Import Motion General Exists Rates Formulas HalfPeriod Drawn Steady Shaken LargeTime Zeros.
 Open Scope R_scope.
 
 (* friction near one axis: n is the speed, x the fast component, y the slow one *)
@@ -85,6 +85,30 @@ Proof.
   - intros B. exists (Rabs B). split. apply Rabs_pos. intros s hs. pose proof (exp_ineq1_le (2 * s)). pose proof (Rle_abs B). pose proof (Rabs_pos B). lra.
 Qed.
 End Across.
+
+(* ---- where wy becomes zero the block stops ---- *)
+Lemma right_of_nonzero f t l u : rder f t l -> f t <> 0 -> t < u -> exists s, t < s < u /\ f s <> 0.
+Proof.
+  intros [F [D E]] n h. assert (C : continuity_pt F t) by (apply derivable_continuous_pt; exists l; now apply is_derive_Reals). rewrite <- E in n by lra.
+  destruct (C (Rabs (F t)) (Rabs_pos_lt _ n)) as (d & d0 & H). set (s := t + Rmin d (u - t) / 2). assert (0 < Rmin d (u - t)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (u - t)). pose proof (Rmin_r d (u - t)).
+  exists s. split; [ unfold s; lra | ]. rewrite <- E by (unfold s; lra). intros z. assert (K : Rabs (F s - F t) < Rabs (F t)).
+  { apply H. split. split; [ exact I | unfold s; lra ]. simpl. unfold R_dist. apply Rabs_def1; unfold s; lra. } rewrite z, Rminus_0_l, Rabs_Ropp in K. lra.
+Qed.
+Lemma stops_when l phi0 w wy s u : 0 < l -> shaken l phi0 w wy -> 0 <= s < u -> wy s <> 0 -> wy u = 0 -> exists t, s < t <= u /\ w t = 0 /\ wy t = 0.
+Proof.
+  intros h0 M hs y0 yu. apply Classical_Prop.NNPP. intros no. destruct (law l phi0 w wy ltac:(lra) M s) as (_ & gy & _ & _ & _ & _ & R); [ lra | ]. destruct (right_of_nonzero _ _ _ u R y0 (proj2 hs)) as (c & hc & yc).
+  destruct (continuity_ab_min (fun t => nrm (w t) (wy t)) c u) as (x & X & hx); [ lra | | ].
+  { intros t Ht. apply cont_nrm; [ apply (cont_w l phi0 w wy M) | apply (cont_wy l phi0 w wy M) ]; lra. }
+  assert (m0 : 0 < nrm (w x) (wy x)). { destruct (nrm_pos (w x) (wy x)) as [p | p]; trivial. exfalso. symmetry in p. destruct (nrm_zero _ _ p) as [p1 p2]. apply no. exists x. split; [ lra | auto ]. } set (m := nrm (w x) (wy x)) in *.
+  assert (F : - (wy u ^ 2 * exp (2 * l / m * u)) <= - (wy c ^ 2 * exp (2 * l / m * c))).
+  { apply (rder_decr (fun t => - (wy t ^ 2 * exp (2 * l / m * t)))); [ lra | | ]; intros t Ht.
+    - cont. apply (cont_wy l phi0 w wy M). lra.
+    - destruct (law l phi0 w wy ltac:(lra) M t) as (fx & fy & C & _ & _ & _ & Y); [ lra | ]. destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) C) as [_ E]. specialize (X t ltac:(lra)). cbv beta in X. fold m in X. set (n := nrm (w t) (wy t)) in *.
+      eexists. split. rd. cbv beta. set (G := exp _). assert (0 < G) by apply exp_pos. assert (e : fy = - l * wy t / n) by (rewrite <- E; field; lra).
+      match goal with |- ?g <= 0 => replace g with (- (2 * l * wy t ^ 2 * (n - m) * / (n * m) * G)) by (rewrite e; simpl; field; lra) end.
+      assert (0 < / (n * m)) by (apply Rinv_0_lt_compat; nra). pose proof (pow2_ge_0 (wy t)). enough (0 <= 2 * l * wy t ^ 2 * (n - m) * / (n * m) * G) by lra. set (q := wy t ^ 2) in *. clearbody q. repeat apply Rmult_le_pos; lra. }
+  rewrite yu in F. pose proof (exp_pos (2 * l / m * c)). assert (0 < wy c ^ 2) by (pose proof (pow2_ge_0 (wy c)); nra). nra.
+Qed.
 
 (* ---- passages through zero ---- *)
 Section Passages.
@@ -229,3 +253,47 @@ Proof.
   apply Rabs_def1; lra.
 Qed.
 End Passages.
+
+(* There are such motions: from a small velocity across at a zero of (38) on, the block could stop only where (38) is nearly zero, and there the drive
+   beats friction, so that v + w, or v - w, grows. *)
+Lemma never_zero l : 0 < l < eq37_lambda_c -> exists w wy, shaken l (eq39_phi_t1 l) w wy /\ forall s, 0 <= s -> wy s <> 0.
+Proof.
+  intros hl. pose proof lambda_c_between. assert (h1 : 0 < l < 1) by lra. assert (hp : 0 < l <= eq37_lambda_c) by lra. pose proof PI_RGT_0. destruct (room l hl) as (ra & rb & rc). set (p := eq39_phi_t1 l) in *.
+  set (d := (p - asin l) / 2). destruct (continuity_ab_min (g38 l p) d (PI - d)) as (x & X & hx); [ unfold d; lra | | ].
+  { intros c _. apply derivable_continuous_pt. exists (sin (p + c) - l). apply is_derive_Reals, g_der. }
+  assert (m0 : 0 < g38 l p x) by (apply (g_pos l h1 (proj2 hp)); unfold d in *; lra). set (e := g38 l p x / 2). assert (e0 : 0 < e) by (unfold e; lra).
+  destruct (plane_has_a_motion l (fun s => - sin (p + s)) (fun _ => 0) 0 e ltac:(lra)) as (w & wy & M & w0 & y0). { intros t _. split; [ apply derivable_continuous_pt; reg | cont ]. }
+  rewrite <- shaken_sin in M. exists w, wy. split; trivial. intros u hu yu.
+  (* the first moment of rest *)
+  destruct (completeness (fun t => 0 <= t <= u /\ wy t <> 0)) as [z [Z1 Z2]]. { exists u. intros t [Ht _]. lra. } { exists 0. split; [ lra | rewrite y0; lra ]. }
+  assert (z0 : 0 <= z) by (apply Z1; split; [ lra | rewrite y0; lra ]). assert (zu : z <= u) by (apply Z2; intros t [Ht _]; lra).
+  assert (before : forall t, 0 <= t < z -> wy t <> 0).
+  { intros t Ht yt. assert (z <= t); [ | lra ]. apply Z2. intros y [Hy ny]. apply Rnot_lt_le. intros q. pose proof (wy_falls l p w wy (proj1 hl) M t y ltac:(lra)) as F. rewrite yt in F. apply ny. nra. }
+  assert (yz : wy z = 0).
+  { destruct (Req_dec (wy z) 0) as [ | n]; trivial. exfalso. destruct (Req_dec z u) as [-> | ]; [ contradiction | ]. destruct (law l p w wy ltac:(lra) M z z0) as (_ & gy & _ & _ & _ & _ & R).
+    destruct (right_of_nonzero _ _ _ u R n ltac:(lra)) as (s & hs & ns). specialize (Z1 s ltac:(split; [ lra | trivial ])). lra. }
+  assert (zp : 0 < z). { destruct z0 as [ | <-]; trivial. rewrite y0 in yz. lra. }
+  destruct (stops_when l p w wy 0 z (proj1 hl) M ltac:(lra) ltac:(rewrite y0; lra) yz) as (t & Ht & wt & yt). assert (t = z) as -> by (destruct (Req_dec t z); trivial; destruct (before t ltac:(lra) yt)).
+  (* so (38) is nearly zero there *)
+  pose proof (w38_motion l hp p) as W. pose proof M as M'. rewrite shaken_sin in W, M'. pose proof (contraction l _ _ w wy _ _ ltac:(lra) M' W 0 z ltac:(lra)) as G. cbv beta in G. rewrite wt, yt, w0, y0, Rplus_0_r in G. unfold p in G at 2. rewrite w38_turn in G. fold p in G.
+  destruct (per_spec (p - d) PI ltac:(lra) (p + z)) as [j Hj]. set (a := p + z - p - IZR j * PI).
+  assert (near : a <= d).
+  { apply Rnot_lt_le. intros q. assert (K : g38 l p x <= g38 l p a) by (apply X; unfold a in *; lra). rewrite w38_ext, (ext_on PI _ PI_RGT_0 j) in G by (unfold a, d, p in *; lra). fold p in G. fold a in G.
+    assert (e < g38 l p a) by (unfold e in *; lra). destruct (sg_cases j) as [Ej | Ej]; rewrite Ej in G; nra. }
+  set (g := sg j). assert (gg : g = 1 \/ g = -1) by apply sg_cases. set (b := Rmax 0 (z - d)). assert (hb : 0 <= b < z /\ z - d <= b) by (unfold b, d; repeat split; [ apply Rmax_l | apply Rmax_lub_lt; lra | apply Rmax_r ]).
+  assert (sz : forall s, 0 <= s < z -> Rabs (w s) < nrm (w s) (wy s)).
+  { intros s hs. specialize (before s hs). pose proof (nrm_sq (w s) (wy s)) as N. rewrite <- (pow2_abs (w s)) in N. pose proof (Rabs_pos (w s)). pose proof (nrm_pos (w s) (wy s)). assert (0 < wy s ^ 2) by (pose proof (pow2_ge_0 (wy s)); nra). nra. }
+  assert (F : - (nrm (w z) (wy z) + g * w z) <= - (nrm (w b) (wy b) + g * w b)).
+  { apply (rder_decr (fun s => - (nrm (w s) (wy s) + g * w s))); [ lra | | ]; intros s hs.
+    - cont; [ apply (cont_w l p w wy M) | apply (cont_wy l p w wy M) | apply (cont_w l p w wy M) ]; lra.
+    - destruct (law l p w wy ltac:(lra) M s) as (fx & fy & C & _ & _ & A & B); [ lra | ]. destruct (coulomb_slip _ _ _ _ _ (z_0 l hl) C) as [E _]. destruct C as [_ P]. specialize (sz s ltac:(lra)). pose proof (Rabs_pos (w s)). apply Rabs_def2 in sz. set (n := nrm (w s) (wy s)) in *. assert (n0 : 0 < n) by lra.
+      assert (S : l <= g * sin (p + s)).
+      { rewrite (a_shift PI sin neg_sin (p + s) j). fold g. replace (p + s - IZR j * PI) with (p + a + (s - z)) by (unfold a; ring). rewrite <- Rmult_assoc. replace (g * g) with 1 by (destruct gg as [-> | ->]; ring). rewrite Rmult_1_l.
+        destruct (p1_range l h1) as [_ es]. destruct (Req_dec (p + a + (s - z)) (asin l)) as [-> | ]; [ rewrite es; lra | left; apply sin_above; trivial; unfold a, d in *; lra ]. }
+      eexists. split. rd. fold n. lra. cbv beta. fold n.
+      match goal with |- ?q <= 0 => replace q with (- ((g * sin (p + s) - l) * (n + g * w s) / n)) end.
+      + assert (0 <= (g * sin (p + s) - l) * (n + g * w s) / n); [ | lra ]. repeat apply Rmult_le_pos; [ lra | destruct gg as [-> | ->]; lra | left; now apply Rinv_0_lt_compat ].
+      + replace fx with (- l * w s / n) by (rewrite <- E; field; lra). replace (wy s * fy) with (- l * n + l * w s ^ 2 / n). destruct gg as [-> | ->]; field; lra.
+        replace (wy s * fy) with (fx * w s + fy * wy s - fx * w s) by ring. rewrite P. fold n. replace fx with (- l * w s / n) by (rewrite <- E; field; lra). field; lra. }
+  rewrite wt, yt, nrm_forward in F by lra. specialize (sz b ltac:(lra)). apply Rabs_def2 in sz. destruct gg as [Eg | Eg]; rewrite Eg in F; lra.
+Qed.
