@@ -24,7 +24,8 @@ Lemma ext_turn g p phi : let x := in_period p phi in p <= x < p + 2 * PI /\
 Proof.
   intros x. pose proof PI_RGT_0. assert (h2 : 0 < 2 * PI) by lra. unfold x, in_period.
   pose proof (proj2 (floor_spec (2 * PI) h2 (phi - p) _) eq_refl) as H1. set (n := floor (2 * PI) (phi - p)) in *. split; [ lra | ].
-  replace (phi - p) with (phi - IZR n * (2 * PI) - p + IZR n * (2 * PI)) by ring. rewrite (whole_periods (ext PI g)) by (intros; now apply ext_period).
+  replace (phi - p) with (phi - IZR n * (2 * PI) - p + IZR n * (2 * PI)) by ring.
+  rewrite (whole_periods (ext PI g)) by (intros; now apply ext_period).
   assert (h3 : p <= phi - IZR n * (2 * PI) < p + 2 * PI) by lra. set (y := phi - IZR n * (2 * PI)) in *. destruct (Rlt_dec y (p + PI)).
   - apply ext_first. lra.
   - replace (y - p) with (y - p - PI + PI) by ring. rewrite ext_anti, ext_first by lra. do 2 f_equal. ring.
@@ -93,22 +94,29 @@ Lemma periodic_is_38 phi0 w wy P : shaken l phi0 w wy -> 0 < P -> (forall s, 0 <
 Proof.
   intros M hP per s hs. destruct (w38_attracts phi0 w wy M) as [X Y]. pose proof PI_RGT_0.
   assert (Pn : forall n s, 0 <= s -> w (s + INR n * P) = w s /\ wy (s + INR n * P) = wy s).
-  { induction n as [ | n IH ]; intros u hu. simpl. rewrite Rmult_0_l, Rplus_0_r. auto. rewrite S_INR. replace (u + (INR n + 1) * P) with (u + INR n * P + P) by ring.
+  { induction n as [ | n IH ]; intros u hu. simpl. rewrite Rmult_0_l, Rplus_0_r. auto. rewrite S_INR.
+    replace (u + (INR n + 1) * P) with (u + INR n * P + P) by ring.
     pose proof (pos_INR n). assert (0 <= INR n * P) by nra. destruct (per (u + INR n * P)) as [-> ->]; [ lra | ]. now apply IH. }
-  assert (late : forall f : R -> R, is_lim f p_infty 0 -> forall e, 0 < e -> forall c, 0 < c -> exists n, forall u, 0 <= u -> Rabs (f (u + INR n * c)) < e).
-  { intros f F e he c hc. apply is_lim_spec in F. destruct (F (mkposreal e he)) as [T HT]. destruct (nat_above (T / c)) as [n Hn]. exists n. intros u hu.
+  assert (late : forall f : R -> R, is_lim f p_infty 0 -> forall e, 0 < e -> forall c, 0 < c -> exists n, forall u, 0 <= u ->
+  Rabs (f (u + INR n * c)) < e).
+  { intros f F e he c hc. apply is_lim_spec in F. destruct (F (mkposreal e he)) as [T HT]. destruct (nat_above (T / c)) as [n Hn]. exists n.
+    intros u hu.
     apply Rlt_div_l in Hn; trivial. specialize (HT (u + INR n * c) ltac:(lra)). rewrite Rminus_0_r in HT. exact HT. }
   assert (two : forall n x, w38 l (x + INR n * (2 * PI)) = w38 l x) by (intros n x; rewrite INR_IZR_INZ; apply (whole_periods (w38 l)), w38_period).
   assert (zero : forall x, (forall e, 0 < e -> Rabs x < e) -> x = 0).
   { intros x Z. destruct (Req_dec x 0) as [ | ne]; trivial. specialize (Z (Rabs x) (Rabs_pos_lt x ne)). lra. }
   (* P is a period of (38), too *)
   assert (same : forall u, 0 <= u -> w38 l (phi0 + (u + P)) = w38 l (phi0 + u)).
-  { intros u hu. enough (w38 l (phi0 + (u + P)) - w38 l (phi0 + u) = 0) by lra. apply zero. intros e he. destruct (late _ X (e / 2) ltac:(lra) (2 * PI) ltac:(lra)) as [n N].
+  { intros u hu. enough (w38 l (phi0 + (u + P)) - w38 l (phi0 + u) = 0) by lra. apply zero. intros e he.
+    destruct (late _ X (e / 2) ltac:(lra) (2 * PI) ltac:(lra)) as [n N].
     assert (0 <= INR n * (2 * PI)) by (pose proof (pos_INR n); nra). pose proof (N u hu) as N1. pose proof (N (u + P) ltac:(lra)) as N2.
-    replace (u + P + INR n * (2 * PI)) with (u + INR n * (2 * PI) + P) in N2 at 1 by ring. rewrite (proj1 (per (u + INR n * (2 * PI)) ltac:(lra))) in N2.
-    rewrite <- !Rplus_assoc, two in N1. rewrite <- !Rplus_assoc, two in N2. rewrite <- Rplus_assoc. apply Rabs_def2 in N1. apply Rabs_def2 in N2. apply Rabs_def1; lra. }
+    replace (u + P + INR n * (2 * PI)) with (u + INR n * (2 * PI) + P) in N2 at 1 by ring.
+    rewrite (proj1 (per (u + INR n * (2 * PI)) ltac:(lra))) in N2.
+    rewrite <- !Rplus_assoc, two in N1. rewrite <- !Rplus_assoc, two in N2. rewrite <- Rplus_assoc. apply Rabs_def2 in N1. apply Rabs_def2 in N2.
+    apply Rabs_def1; lra. }
   assert (samen : forall n u, 0 <= u -> w38 l (phi0 + (u + INR n * P)) = w38 l (phi0 + u)).
-  { induction n as [ | n IH ]; intros u hu. simpl. rewrite Rmult_0_l, Rplus_0_r. trivial. rewrite S_INR. replace (u + (INR n + 1) * P) with (u + INR n * P + P) by ring.
+  { induction n as [ | n IH ]; intros u hu. simpl. rewrite Rmult_0_l, Rplus_0_r. trivial. rewrite S_INR.
+    replace (u + (INR n + 1) * P) with (u + INR n * P + P) by ring.
     rewrite same, IH; trivial. pose proof (pos_INR n). assert (0 <= INR n * P) by nra. lra. }
   split; [ enough (w s - w38 l (phi0 + s) = 0) by lra | ]; apply zero; intros e he.
   - destruct (late _ X e he P hP) as [n N]. specialize (N s hs). now rewrite samen, (proj1 (Pn n s hs)) in N.
@@ -122,8 +130,10 @@ Proof. unfold eq32_left, eq27_phi1, h. replace (asin l + (x - asin l)) with x by
 Lemma slip_end_is l e : 0 < l < 1 -> slip_end l e -> let tau := e - asin l in
   PI - 2 * asin l < tau < 2 * PI - 2 * asin l /\ h l tau = 0 /\ (forall t, 0 < t < tau -> 0 < h l t) /\ (forall t, tau < t <= 2 * PI -> h l t < 0).
 Proof.
-  intros hl (E1 & E2 & E3) tau. destruct (slip_once l hl) as (u & U & z & P & N). destruct (p1_range l hl) as [[a b] _]. rewrite left_h in E2. fold tau in E2.
-  assert (0 < tau) by (unfold tau, eq27_phi1 in *; lra). enough (tau = u) as -> by auto. destruct (Rtotal_order tau u) as [k | [k | k]]; trivial; exfalso.
+  intros hl (E1 & E2 & E3) tau. destruct (slip_once l hl) as (u & U & z & P & N). destruct (p1_range l hl) as [[a b] _]. rewrite left_h in E2.
+  fold tau in E2.
+  assert (0 < tau) by (unfold tau, eq27_phi1 in *; lra). enough (tau = u) as -> by auto.
+  destruct (Rtotal_order tau u) as [k | [k | k]]; trivial; exfalso.
   - specialize (P tau ltac:(lra)). lra.
   - apply (E3 (asin l + u)). unfold tau, eq27_phi1 in *. lra. rewrite left_h. rewrite <- z. f_equal. ring.
 Qed.
@@ -163,22 +173,27 @@ Qed.
 Lemma w33_rest x : e <= x <= p1 + PI -> w33 l e x = 0.
 Proof.
   intros H. destruct ends as (o & _ & P). destruct (p1_range l hl) as [[a b] _]. pose proof PI_RGT_0. destruct (Req_dec x (p1 + PI)) as [-> | ne].
-  - rewrite w33_anti, w33_ext, ext_first by lra. unfold g33. destruct (Rlt_dec (p1 - p1) (e - p1)); [ | lra ]. replace (p1 - p1) with 0 by ring. rewrite h_0. ring.
+  - rewrite w33_anti, w33_ext, ext_first by lra. unfold g33. destruct (Rlt_dec (p1 - p1) (e - p1)); [ | lra ]. replace (p1 - p1) with 0 by ring.
+    rewrite h_0. ring.
   - rewrite w33_ext, ext_first by lra. unfold g33. destruct (Rlt_dec (x - p1) (e - p1)); lra.
 Qed.
 Lemma w33_motion phi0 : shaken l phi0 (fun s => w33 l e (phi0 + s)) (fun _ => 0).
 Proof.
   destruct ends as (o & z & P). destruct (p1_range l hl) as [[a b] _].
-  eapply motion_eq. apply (steady_any l p1 (g33 l (e - p1)) phi0 (steady33 l hl (e - p1) ltac:(lra) z P)). all: trivial. intros s. now rewrite w33_ext.
+  eapply motion_eq. apply (steady_any l p1 (g33 l (e - p1)) phi0 (steady33 l hl (e - p1) ltac:(lra) z P)). all: trivial. intros s.
+  now rewrite w33_ext.
 Qed.
 Lemma w33_reached phi0 w wy : shaken l phi0 w wy -> exists s1, 0 <= s1 /\ forall s, s1 <= s -> w s = w33 l e (phi0 + s) /\ wy s = 0.
 Proof.
-  intros M. pose proof (w33_motion phi0) as W. rewrite shaken_sin in M, W. pose proof PI_RGT_0. destruct ends as (o & z & P). destruct (p1_range l hl) as [[a b] e1].
-  apply (plane_reached l (2 * PI) ((e + PI + p1) / 2 - phi0) (PI + p1 - phi0) (fun s => - sin (phi0 + s)) (fun s => w33 l e (phi0 + s))); trivial; try lra.
+  intros M. pose proof (w33_motion phi0) as W. rewrite shaken_sin in M, W. pose proof PI_RGT_0. destruct ends as (o & z & P).
+  destruct (p1_range l hl) as [[a b] e1].
+  apply (plane_reached l (2 * PI) ((e + PI + p1) / 2 - phi0) (PI + p1 - phi0) (fun s => - sin (phi0 + s)) (fun s => w33 l e (phi0 + s))); trivial;
+  try lra.
   - intros s. f_equal. rewrite <- (sin_2PI_plus (phi0 + s)). f_equal. ring.
   - intros s. replace (phi0 + (s + 2 * PI)) with (phi0 + s + 2 * PI) by ring. apply w33_period.
   - intros s Hs. apply w33_rest. lra.
-  - rewrite Rabs_Ropp. replace (phi0 + ((e + PI + p1) / 2 - phi0)) with ((e + PI + p1) / 2) by ring. set (x := (e + PI + p1) / 2). assert (PI - p1 < x < PI + p1) by (unfold x; lra).
+  - rewrite Rabs_Ropp. replace (phi0 + ((e + PI + p1) / 2 - phi0)) with ((e + PI + p1) / 2) by ring. set (x := (e + PI + p1) / 2).
+    assert (PI - p1 < x < PI + p1) by (unfold x; lra).
     rewrite <- e1. rewrite <- (sin_PI_x x). apply Rabs_def1; [ | rewrite <- sin_neg ]; apply sin_increasing_1; lra.
   - apply (continuity_pt_opp (fun s => sin (phi0 + s))), derivable_continuous_pt. reg.
 Qed.
@@ -190,7 +205,8 @@ Proof.
   intros hl M. rewrite shaken_sin in M. pose proof PI_RGT_0.
   apply (plane_reached l (2 * PI) (- phi0) (- phi0 + 1) (fun s => - sin (phi0 + s)) (fun _ => 0)); trivial; try lra.
   - intros s. f_equal. rewrite <- (sin_2PI_plus (phi0 + s)). f_equal. ring.
-  - split; [ intros; cont | intros; cont | ]. intros t _. exists (- sin (phi0 + t)), 0. pose proof (SIN_bound (phi0 + t)). split; [ split; [ nra | rewrite nrm_forward by lra; ring ] | ].
+  - split; [ intros; cont | intros; cont | ]. intros t _. exists (- sin (phi0 + t)), 0. pose proof (SIN_bound (phi0 + t)).
+    split; [ split; [ nra | rewrite nrm_forward by lra; ring ] | ].
     split; (eapply rder_eq; [ rd | ring ]).
   - replace (phi0 + - phi0) with 0 by ring. rewrite sin_0, Ropp_0, Rabs_R0. lra.
   - apply (continuity_pt_opp (fun s => sin (phi0 + s))), derivable_continuous_pt. reg.

@@ -21,7 +21,8 @@ Definition slip_end (lam e : R) : Prop :=
 Lemma motion_eq k a b x y k' a' b' x' y' : motion k a b x y -> k = k' -> (forall s, a s = a' s) -> (forall s, b s = b' s) ->
   (forall s, x s = x' s) -> (forall s, y s = y' s) -> motion k' a' b' x' y'.
 Proof.
-  intros M <- A B X Y. now rewrite <- (functional_extensionality _ _ A), <- (functional_extensionality _ _ B), <- (functional_extensionality _ _ X), <- (functional_extensionality _ _ Y).
+  intros M <- A B X Y. now rewrite <- (functional_extensionality _ _ A), <- (functional_extensionality _ _ B), <- (functional_extensionality _ _ X),
+  <- (functional_extensionality _ _ Y).
 Qed.
 Lemma shaken_sin lam phi0 w wy : shaken lam phi0 w wy = motion lam (fun s => - sin (phi0 + s)) (fun _ => 0) w wy.
 Proof.
@@ -56,7 +57,8 @@ Proof.
   { intros f t H Ht. apply (continuity_pt_mult (fun _ => c)). cont. apply (continuity_pt_comp (fun s => b * s) f). cont. apply H. nra. }
   split; [ intros; now apply S | intros; now apply S | ]. intros t Ht. destruct (L (b * t)) as (fx & fy & [F P] & X & Y); [ nra | ].
   exists (c * b * fx), (c * b * fy). split; [ split | split ].
-  - replace ((c * b * fx) ^ 2 + (c * b * fy) ^ 2) with ((c * b) ^ 2 * (fx ^ 2 + fy ^ 2)) by ring. replace ((c * b * k) ^ 2) with ((c * b) ^ 2 * k ^ 2) by ring. apply Rmult_le_compat_l; [ apply pow2_ge_0 | trivial ].
+  - replace ((c * b * fx) ^ 2 + (c * b * fy) ^ 2) with ((c * b) ^ 2 * (fx ^ 2 + fy ^ 2)) by ring.
+    replace ((c * b * k) ^ 2) with ((c * b) ^ 2 * k ^ 2) by ring. apply Rmult_le_compat_l; [ apply pow2_ge_0 | trivial ].
   - rewrite nrm_scale by lra. transitivity (c * b * c * (fx * v (b * t) + fy * w (b * t))); [ ring | rewrite P; ring ].
   - replace (c * b * fx - c * b * A (b * t)) with (c * b * (fx - A (b * t))) by ring. now apply rder_scale.
   - replace (c * b * fy - c * b * B (b * t)) with (c * b * (fy - B (b * t))) by ring. now apply rder_scale.
@@ -113,7 +115,8 @@ Section Motion.
 Variables (l phi0 : R) (w wy : R -> R).
 Hypothesis hl : 0 <= l.
 Hypothesis M : shaken l phi0 w wy.
-Lemma law s : 0 <= s -> exists fx fy, coulomb l (w s) (wy s) fx fy /\ - l <= fx <= l /\ - l <= fy <= l /\ rder w s (sin (phi0 + s) + fx) /\ rder wy s fy.
+Lemma law s : 0 <= s -> exists fx fy, coulomb l (w s) (wy s) fx fy /\ - l <= fx <= l /\ - l <= fy <= l /\ rder w s (sin (phi0 + s) + fx)
+  /\ rder wy s fy.
 Proof.
   intros hs. rewrite shaken_sin in M. destruct (m_law _ _ _ _ _ M s hs) as (fx & fy & C & X & Y). exists fx, fy. pose proof (proj1 C).
   split; [ trivial | split; [ nra | split; [ nra | split ] ] ]. eapply rder_eq; [ exact X | ring ]. eapply rder_eq; [ exact Y | ring ].
@@ -162,7 +165,8 @@ Proof.
       assert (D : rder (fun t => h l (t - c)) t (sin (asin l + (t - c)) - l)) by (apply rder_shift, rder_of, h_der).
       destruct (at_sin phi0 c (asin l) (t - c) P) as [S _]. replace (c + (t - c)) with t in S by ring. rewrite S in X.
       eexists. split. rd. specialize (Q (t - c) ltac:(lra)). pose proof (abs_nrm (w t) (wy t)) as [N _]. pose proof (Rle_abs (w t)).
-      match goal with |- ?g <= 0 => replace g with (2 * ((fx * w t + fy * wy t) + l * w t - h l (t - c) * (fx + l))) by (simpl; ring) end. rewrite C. nra.
+      match goal with |- ?g <= 0 => replace g with (2 * ((fx * w t + fy * wy t) + l * w t - h l (t - c) * (fx + l))) by (simpl; ring) end.
+      rewrite C. nra.
   - replace (c + u - c) with u in a by ring. lra.
 Qed.
 End Motion.

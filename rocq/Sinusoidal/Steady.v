@@ -35,7 +35,8 @@ Lemma left_sign l : 0 <= l <= 1 -> exists c, 0 < c /\ eq35_left l * c = eq37_lam
 Proof.
   intros H. destruct lambda_c_is as [b e]. pose proof PI_RGT_0. unfold eq35_left. assert (Q : 0 <= sqrt (1 - l ^ 2)) by apply sqrt_pos.
   assert (Q2 : sqrt (1 - l ^ 2) ^ 2 = 1 - l ^ 2) by (apply pow2_sqrt; nra). set (q := sqrt (1 - l ^ 2)) in *. set (L := eq37_lambda_c) in *.
-  assert (0 <= PI * l) by nra. assert (P : 0 < 2 * q + PI * l). { destruct H as [[h | <-] _]; [ nra | ]. assert (q <> 0) by (intros z; rewrite z in Q2; lra). lra. }
+  assert (0 <= PI * l) by nra. assert (P : 0 < 2 * q + PI * l). { destruct H as [[h | <-] _]; [ nra | ].
+  assert (q <> 0) by (intros z; rewrite z in Q2; lra). lra. }
   assert (D : 0 < (4 + PI ^ 2) * (L + l)) by nra. exists ((2 * q + PI * l) / ((4 + PI ^ 2) * (L + l))). split; [ now apply Rdiv_lt_0_compat | ].
   apply (Rmult_eq_reg_r ((4 + PI ^ 2) * (L + l))); [ | lra ].
   transitivity ((2 * q) ^ 2 - (PI * l) ^ 2); [ field; nra | ]. rewrite Rpow_mult_distr, Q2.
@@ -47,7 +48,8 @@ Proof.
   intros H H1. destruct lambda_c_is as [b e]. pose proof PI_RGT_0. unfold eq39_phi_t1. set (p := acos (PI * l / 2)). assert (0 <= PI * l) by nra.
   assert (C : cos p = PI * l / 2) by (apply cos_acos; lra). assert (B : 0 <= p <= PI) by apply acos_bound.
   assert (S : 0 <= sin p) by (apply sin_ge_0; lra). assert (S2 : sin p ^ 2 = 1 - (PI * l / 2) ^ 2) by (rewrite <- C, <- !Rsqr_pow2; apply sin2).
-  set (L := eq37_lambda_c) in *. assert (P : 0 < sin p + l). { destruct H as [h | <-]; [ lra | ]. assert (sin p <> 0) by (intros z; rewrite z in S2; lra). lra. }
+  set (L := eq37_lambda_c) in *. assert (P : 0 < sin p + l). { destruct H as [h | <-]; [ lra | ].
+  assert (sin p <> 0) by (intros z; rewrite z in S2; lra). lra. }
   assert (D : 0 < (4 + PI ^ 2) * (L + l)) by nra. exists (4 * (sin p + l) / ((4 + PI ^ 2) * (L + l))). split; [ apply Rdiv_lt_0_compat; lra | ].
   apply (Rmult_eq_reg_r ((4 + PI ^ 2) * (L + l))); [ | lra ].
   transitivity (4 * (sin p ^ 2 - l ^ 2)); [ field; nra | ]. rewrite S2.
@@ -63,7 +65,8 @@ Definition h t := - l * t + cos p1 - cos (p1 + t).
 Lemma p1_range : 0 < p1 < PI / 2 /\ sin p1 = l.
 Proof.
   assert (e : sin p1 = l) by (apply sin_asin; lra). assert (b : - (PI / 2) < p1 < PI / 2) by (apply asin_bound_lt; lra).
-  repeat split; trivial; try lra. apply Rnot_le_lt. intros k. pose proof (sin_incr_1 p1 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) k). rewrite sin_0 in *. lra.
+  repeat split; trivial; try lra. apply Rnot_le_lt. intros k. pose proof (sin_incr_1 p1 0 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) k).
+  rewrite sin_0 in *. lra.
 Qed.
 Lemma cos_p1 : cos p1 = sqrt (1 - l ^ 2).
 Proof. rewrite cos_asin by lra. f_equal. unfold Rsqr. ring. Qed.
@@ -101,7 +104,8 @@ Proof.
   - intros c Hc. pose proof (sin_low (p1 + c)). lra.
 Qed.
 (* (32): one end, between phi2 and phi4 *)
-Lemma slip_once : exists tau, PI - 2 * p1 < tau < 2 * PI - 2 * p1 /\ h tau = 0 /\ (forall t, 0 < t < tau -> 0 < h t) /\ (forall t, tau < t <= 2 * PI -> h t < 0).
+Lemma slip_once : exists tau, PI - 2 * p1 < tau < 2 * PI - 2 * p1 /\ h tau = 0 /\ (forall t, 0 < t < tau ->
+  0 < h t) /\ (forall t, tau < t <= 2 * PI -> h t < 0).
 Proof.
   destruct p1_range as [[a b] e]. pose proof PI_RGT_0. pose proof (h_up (PI - 2 * p1) ltac:(lra)) as u.
   assert (d : h (2 * PI - 2 * p1) < 0). { unfold h. replace (p1 + (2 * PI - 2 * p1)) with (2 * PI - p1) by ring. rewrite cos_2PI_minus. nra. }
@@ -121,7 +125,8 @@ Proof. intros t. rewrite <- Rplus_assoc, neg_sin. ring. Qed.
 
 (* (33): slip, rest, and the same with the other sign half a period later *)
 Definition g33 tau t := if Rlt_dec t tau then h t else 0.
-Lemma steady33 tau : 0 < tau < PI -> h tau = 0 -> (forall t, 0 < t < tau -> 0 < h t) -> motion l (fun t => - sin (p1 + t)) (fun _ => 0) (ext PI (g33 tau)) (fun _ => 0).
+Lemma steady33 tau : 0 < tau < PI -> h tau = 0 -> (forall t, 0 < t < tau -> 0 < h t) ->
+  motion l (fun t => - sin (p1 + t)) (fun _ => 0) (ext PI (g33 tau)) (fun _ => 0).
 Proof.
   intros ht z P. destruct p1_range as [[a b] e]. pose proof PI_RGT_0.
   assert (t2 : PI - 2 * p1 < tau). { apply Rnot_le_lt. intros k. pose proof (h_up tau ltac:(lra)). lra. }
@@ -129,9 +134,11 @@ Proof.
   - unfold g33. destruct (Rlt_dec PI tau); [ lra | ]. destruct (Rlt_dec 0 tau); [ rewrite h_0; ring | lra ].
   - intros t Ht. destruct (total_order_T t tau) as [[k | ->] | k].
     + apply (cont_glue _ h h t (tau - t)); try apply h_cont; [ lra | | ]; intros s Hs; unfold g33; destruct (Rlt_dec s tau); trivial; lra.
-    + apply (cont_glue _ h (fun _ => 0) tau 1); try apply h_cont; [ lra | | | cont ]; intros s Hs; unfold g33; destruct (Rlt_dec s tau); trivial; try lra.
+    + apply (cont_glue _ h (fun _ => 0) tau 1); try apply h_cont; [ lra | | | cont ]; intros s Hs; unfold g33; destruct (Rlt_dec s tau); trivial;
+      try lra.
       replace s with tau by lra. auto.
-    + apply (cont_glue _ (fun _ => 0) (fun _ => 0) t (t - tau)); [ lra | | | cont | cont ]; intros s Hs; unfold g33; destruct (Rlt_dec s tau); trivial; lra.
+    + apply (cont_glue _ (fun _ => 0) (fun _ => 0) t (t - tau)); [ lra | | | cont | cont ]; intros s Hs; unfold g33; destruct (Rlt_dec s tau);
+      trivial; lra.
   - intros t Ht. unfold g33 at 1. destruct (Rlt_dec t tau).
     + exists (- l). split. apply coulomb_forward. destruct (Req_dec t 0) as [-> | ]; [ rewrite h_0; lra | left; apply P; lra ].
       apply (rder_loc _ h t _ (tau - t)); [ lra | intros s Hs; unfold g33; destruct (Rlt_dec s tau); trivial; lra | ].
@@ -147,12 +154,14 @@ Hypothesis hc : l <= eq37_lambda_c.
 Definition g38 p t := - l * t + cos p - cos (p + t).
 Notation p := (eq39_phi_t1 l).
 Lemma small : 0 < PI * l / 2 < 1.
-Proof. destruct lambda_c_is as [b e]. pose proof PI_RGT_0. split; [ nra | ]. apply sq_lt_inv; [ lra | ]. assert (l ^ 2 <= eq37_lambda_c ^ 2) by (apply pow_incr; lra). nra. Qed.
+Proof. destruct lambda_c_is as [b e]. pose proof PI_RGT_0. split; [ nra | ]. apply sq_lt_inv; [ lra | ].
+assert (l ^ 2 <= eq37_lambda_c ^ 2) by (apply pow_incr; lra). nra. Qed.
 Lemma p_facts : p1 <= p < PI / 2 /\ cos p = PI * l / 2 /\ (l < eq37_lambda_c -> p1 < p).
 Proof.
   pose proof small as s. destruct p1_range as [[a b] e1]. destruct (turn_sign l ltac:(lra) ltac:(lra)) as (c & c0 & S). pose proof PI_RGT_0.
   assert (e : cos p = PI * l / 2) by (apply cos_acos; lra). assert (B : 0 < p < PI) by (unfold eq39_phi_t1; apply acos_bound_lt; lra).
-  assert (B2 : p < PI / 2). { apply Rnot_le_lt. intros k. pose proof (cos_decr_1 (PI / 2) p ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) k). rewrite cos_PI2 in *. lra. }
+  assert (B2 : p < PI / 2). { apply Rnot_le_lt. intros k. pose proof (cos_decr_1 (PI / 2) p ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) k).
+  rewrite cos_PI2 in *. lra. }
   assert (S1 : l <= sin p) by nra. repeat split; trivial.
   - apply Rnot_lt_le. intros k. pose proof (sin_increasing_1 p p1 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) k). lra.
   - intros k. apply Rnot_le_lt. intros q. pose proof (sin_incr_1 p p1 ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) q). nra.
@@ -165,7 +174,8 @@ Lemma g_pos t : 0 < t < PI -> 0 < g38 p t.
 Proof.
   intros H. destruct p_facts as [[a b] [c _]]. destruct p1_range as [[a1 b1] e1]. destruct (Rle_lt_dec t (PI - p1 - p)).
   - rewrite <- g_0. apply (up (g38 p) (fun t => sin (p + t) - l)); [ lra | intros; apply g_der | ]. intros x Hx. pose proof (sin_above (p + x)). lra.
-  - rewrite <- g_PI. apply Ropp_lt_cancel. apply (up (fun t => - g38 p t) (fun t => - (sin (p + t) - l))); [ lra | intros; apply (is_derive_opp (g38 p)), g_der | ].
+  - rewrite <- g_PI. apply Ropp_lt_cancel. apply (up (fun t => - g38 p t) (fun t => - (sin (p + t) - l))); [ lra | intros;
+    apply (is_derive_opp (g38 p)), g_der | ].
     intros x Hx. pose proof (sin_low (p + x)). lra.
 Qed.
 Lemma steady38 : motion l (fun t => - sin (p + t)) (fun _ => 0) (ext PI (g38 p)) (fun _ => 0).

@@ -17,7 +17,8 @@ Lemma z_p : 0 < l <= eq37_lambda_c. Proof. lra. Qed.
 Lemma room : asin l < p /\ p < PI / 2 /\ 0 < asin l.
 Proof. destruct (p_facts l z_1 z_c) as [a [_ c]]. destruct (p1_range l z_1) as [b _]. specialize (c (proj2 hl)). lra. Qed.
 (* with the sign of the drive, the velocity grows beside a zero of (38) *)
-Lemma grows d Z j y1 y2 : 0 < d <= (p - asin l) / 2 -> phi0 + Z = p + IZR j * PI -> 0 <= Z - d -> Z - d <= y1 < y2 -> y2 <= Z + d -> sg j * w y1 < sg j * w y2.
+Lemma grows d Z j y1 y2 : 0 < d <= (p - asin l) / 2 -> phi0 + Z = p + IZR j * PI -> 0 <= Z - d -> Z - d <= y1 < y2 -> y2 <= Z + d ->
+  sg j * w y1 < sg j * w y2.
 Proof.
   intros hd hZ h0 hy hy2. destruct room as (a & b & c). pose proof (gain l phi0 w wy z_0 M y1 y2 ltac:(lra)) as G.
   assert (C : forall y, cos (phi0 + y) = sg j * cos (p + (y - Z))).
@@ -31,13 +32,15 @@ Lemma crossing d Z j : 0 < d <= (p - asin l) / 2 -> phi0 + Z = p + IZR j * PI ->
 Proof.
   intros hd hZ h0 n q. destruct (IVT_interv (fun y => sg j * w y) (Z - d) (Z + d)) as [z [z1 z2]]; trivial; [ | lra | ].
   - intros y Hy. cont. apply (cont_w l phi0 w wy M). lra.
-  - assert (z <> Z - d) by (intros ->; lra). assert (z <> Z + d) by (intros ->; lra). assert (wz : w z = 0) by (destruct (sg_cases j) as [e | e]; rewrite e in z2; lra).
+  - assert (z <> Z - d) by (intros ->; lra). assert (z <> Z + d) by (intros ->; lra).
+    assert (wz : w z = 0) by (destruct (sg_cases j) as [e | e]; rewrite e in z2; lra).
     exists z. split; [ lra | split; [ trivial | ] ]. intros y Hy wy0. destruct (Rtotal_order y z) as [k | [k | k]]; trivial; exfalso.
     + pose proof (grows d Z j y z hd hZ ltac:(lra) ltac:(lra) ltac:(lra)) as g. rewrite wz, wy0 in g. lra.
     + pose proof (grows d Z j z y hd hZ ltac:(lra) ltac:(lra) ltac:(lra)) as g. rewrite wz, wy0 in g. lra.
 Qed.
 (* away from the zeros of (38) the velocity has late the sign of (38), and a size *)
-Lemma late_sign d : 0 < d < PI / 2 -> exists m s1, 0 < m /\ 1 <= s1 /\ forall s j, s1 <= s -> d <= phi0 + s - p - IZR j * PI <= PI - d -> m <= sg j * w s.
+Lemma late_sign d : 0 < d < PI / 2 -> exists m s1, 0 < m /\ 1 <= s1 /\ forall s j, s1 <= s -> d <= phi0 + s - p - IZR j * PI <= PI - d ->
+  m <= sg j * w s.
 Proof.
   intros hd. destruct (continuity_ab_min (g38 l p) d (PI - d) ltac:(lra)) as (x & X1 & X2).
   { intros c _. apply derivable_continuous_pt. exists (sin (p + c) - l). apply is_derive_Reals, g_der. }
@@ -55,19 +58,25 @@ Proof.
   set (d := Rmin ((p - asin l) / 2) (Rmin u (PI - u) / 2)).
   assert (hd : 0 < d /\ d <= (p - asin l) / 2 /\ d < u /\ d < PI - u).
   { assert (0 < Rmin u (PI - u)) by (apply Rmin_pos; lra). pose proof (Rmin_l u (PI - u)). pose proof (Rmin_r u (PI - u)).
-    pose proof (Rmin_r ((p - asin l) / 2) (Rmin u (PI - u) / 2)) as R. pose proof (Rmin_l ((p - asin l) / 2) (Rmin u (PI - u) / 2)) as L. fold d in R, L.
+    pose proof (Rmin_r ((p - asin l) / 2) (Rmin u (PI - u) / 2)) as R. pose proof (Rmin_l ((p - asin l) / 2) (Rmin u (PI - u) / 2)) as L.
+    fold d in R, L.
     assert (0 < d) by (unfold d; apply Rmin_pos; lra). lra. }
   clearbody d. destruct (late_sign d ltac:(lra)) as (m & s1 & m0 & s0 & S). exists (s1 + d). intros s hs [k Hk].
-  set (Z1 := s + (PI - u)). set (Z2 := s + (2 * PI - u)). set (j := (n + 2 * k)%Z). assert (Ij : IZR j = IZR n + 2 * IZR k) by (unfold j; rewrite plus_IZR, mult_IZR; trivial).
+  set (Z1 := s + (PI - u)). set (Z2 := s + (2 * PI - u)). set (j := (n + 2 * k)%Z).
+  assert (Ij : IZR j = IZR n + 2 * IZR k) by (unfold j; rewrite plus_IZR, mult_IZR; trivial).
   assert (I1 : IZR (j + 1) = IZR j + 1) by apply plus_IZR. assert (I2 : IZR (j + 1 + 1) = IZR j + 1 + 1) by now rewrite plus_IZR, I1.
-  assert (E1 : phi0 + Z1 = p + IZR (j + 1) * PI) by (rewrite I1, Ij; unfold Z1, u; lra). assert (E2 : phi0 + Z2 = p + IZR (j + 1 + 1) * PI) by (rewrite I2, Ij; unfold Z2, u; lra).
+  assert (E1 : phi0 + Z1 = p + IZR (j + 1) * PI) by (rewrite I1, Ij; unfold Z1, u; lra).
+  assert (E2 : phi0 + Z2 = p + IZR (j + 1 + 1) * PI) by (rewrite I2, Ij; unfold Z2, u; lra).
   assert (g1 : sg (j + 1) = - sg j) by apply sg_succ. assert (g2 : sg (j + 1 + 1) = sg j) by (rewrite !sg_succ; ring).
   assert (off : forall y, phi0 + y - p - IZR j * PI = u + (y - s)) by (intros y; rewrite Ij; unfold u; lra).
-  assert (A : forall y, s <= y <= Z1 - d -> 0 < sg j * w y) by (intros y Hy; apply Rlt_le_trans with (1 := m0); apply S; rewrite ?off; unfold Z1 in *; lra).
+  assert (A : forall y, s <= y <= Z1 - d -> 0 < sg j * w y) by (intros y Hy; apply Rlt_le_trans with (1 := m0); apply S; rewrite ?off;
+  unfold Z1 in *; lra).
   assert (B : forall y, Z1 + d <= y <= Z2 - d -> sg j * w y < 0).
-  { intros y Hy. enough (m <= sg (j + 1) * w y) by (rewrite g1 in *; lra). apply S; [ unfold Z1 in *; lra | ]. rewrite I1. pose proof (off y). unfold Z1, Z2 in *. lra. }
+  { intros y Hy. enough (m <= sg (j + 1) * w y) by (rewrite g1 in *; lra). apply S; [ unfold Z1 in *; lra | ]. rewrite I1. pose proof (off y).
+    unfold Z1, Z2 in *. lra. }
   assert (C : forall y, Z2 + d <= y <= s + 2 * PI -> 0 < sg j * w y).
-  { intros y Hy. enough (m <= sg (j + 1 + 1) * w y) by (rewrite g2 in *; lra). apply S; [ unfold Z2 in *; lra | ]. rewrite I2. pose proof (off y). unfold Z2 in *. lra. }
+  { intros y Hy. enough (m <= sg (j + 1 + 1) * w y) by (rewrite g2 in *; lra). apply S; [ unfold Z2 in *; lra | ]. rewrite I2. pose proof (off y).
+    unfold Z2 in *. lra. }
   destruct (crossing d Z1 (j + 1) ltac:(lra) E1) as (z1 & h1 & w1 & u1); [ unfold Z1; lra | | | ].
   { rewrite g1. specialize (A (Z1 - d)). unfold Z1 in *. lra. } { rewrite g1. specialize (B (Z1 + d)). unfold Z1, Z2 in *. lra. }
   destruct (crossing d Z2 (j + 1 + 1) ltac:(lra) E2) as (z2 & h2 & w2 & u2); [ unfold Z2; lra | | | ].
