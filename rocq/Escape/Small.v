@@ -7,11 +7,14 @@ Open Scope R_scope.
 
 Lemma turn_falls L m sg : 0 < m -> 0 < sg -> m <= sg / 4 -> sg ^ 2 <= L ^ 2 -> - (2 * L + (/ m + m) * L ^ 2) <= - (sg ^ 2 / (2 * m)).
 Proof.
-  intros m0 s0 ms sL. assert (im : 0 < / m) by now apply Rinv_0_lt_compat. assert (k1 : 4 <= sg * / m). { apply Rle_div_r; lra. }
+  intros m0 s0 ms sL. assert (im : 0 < / m) by now apply Rinv_0_lt_compat. assert (k1 : 4 <= sg * / m). { apply (Rmult_le_reg_r m); trivial. rewrite Rmult_assoc, Rinv_l; lra. }
   assert (aL : sg <= Rabs L). { pose proof (Rabs_pos L). rewrite <- (pow2_abs L) in sL. nra. } pose proof (Rle_abs (- L)) as l1. rewrite Rabs_Ropp in l1. rewrite <- (pow2_abs L). rewrite <- (pow2_abs L) in sL. set (l := Rabs L) in *.
   assert (k2 : 4 * l <= l * (sg * / m)) by nra. assert (k3 : l * (sg * / m) <= l ^ 2 * / m). { replace (l * (sg * / m)) with (l * sg * / m) by ring. apply Rmult_le_compat_r; nra. }
   replace (sg ^ 2 / (2 * m)) with (sg ^ 2 * / m / 2) by (field; lra). assert (sg ^ 2 * / m <= l ^ 2 * / m) by (apply Rmult_le_compat_r; lra). assert (0 <= m * l ^ 2) by nra. nra.
 Qed.
+
+Lemma leg a b c : 0 <= c -> a ^ 2 + b ^ 2 = c ^ 2 -> - c <= a <= c.
+Proof. intros c0 H. pose proof (pow2_ge_0 b). split; nra. Qed.
 
 Section Small.
 Variables x y u w : R -> R.
@@ -37,7 +40,7 @@ Proof.
 Qed.
 Lemma g_between t : 0 < p t -> 0 < rho t -> 0 <= g t <= 2 /\ (ell t / rho t) ^ 2 = g t * (2 - g t).
 Proof.
-  intros p0 r0. destruct (xi_p x y u w t p0) as (_ & _ & e3). unfold g. assert (i0 : 0 < / rho t) by now apply Rinv_0_lt_compat. assert (b : - rho t <= xi t <= rho t) by (split; nra).
+  intros p0 r0. destruct (xi_p x y u w t p0) as (_ & _ & e3). unfold g. assert (i0 : 0 < / rho t) by now apply Rinv_0_lt_compat. pose proof (leg _ _ _ (nrm_pos _ _) e3) as b.
   assert (q : rho t * / rho t = 1) by (field; lra). split. split; nra. unfold Rdiv. rewrite Rpow_mult_distr. replace (ell t ^ 2) with (rho t ^ 2 - xi t ^ 2) by lra. field. lra.
 Qed.
 
@@ -70,16 +73,20 @@ Proof. intros Ht. pose proof (A_never_falls x y u w S s t ltac:(lra)). pose proo
 Lemma g_rate t : s <= t -> 0 < p t -> p t <= window * rho t -> e <= g t <= top + dl -> exists l, rder g t l /\ l <= - (sg ^ 2 * A0 / 2 / p t).
 Proof.
   intros Ht p0 pw gt. destruct sizes as (_ & tp & d0 & g0 & g2 & _ & _ & w4 & _). pose proof (rho_from t Ht) as r0. destruct (g_between t p0 ltac:(lra)) as [_ L2].
-  eexists. split. apply d_g; lra. eapply Rle_trans. apply (turn_falls _ _ sg); trivial. apply Rdiv_lt_0_compat; lra. apply Rle_div_l; [ lra | nra ].
-  - rewrite L2, g2. unfold dl in *. nra.
-  - replace (sg ^ 2 / (2 * (p t / rho t))) with (sg ^ 2 * rho t / 2 / p t) by (field; lra). apply Ropp_le_contravar. unfold Rdiv. apply Rmult_le_compat_r. left; now apply Rinv_0_lt_compat. nra.
+  eexists. split. apply d_g; lra. eapply Rle_trans. apply (turn_falls _ _ sg); trivial. apply Rdiv_lt_0_compat; lra. { apply Rle_div_l. lra. eapply Rle_trans; [ exact pw | apply Rmult_le_compat_r; lra ]. }
+  - rewrite L2, g2. unfold dl in *. apply Rmult_le_compat; lra.
+  - replace (sg ^ 2 / (2 * (p t / rho t))) with (sg ^ 2 * rho t / 2 / p t) by (field; lra). apply Ropp_le_contravar. unfold Rdiv. apply Rmult_le_compat_r. left; now apply Rinv_0_lt_compat. apply Rmult_le_compat_r. lra. apply Rmult_le_compat_l. apply pow2_ge_0. trivial.
 Qed.
 Lemma g_s : g s <= top.
 Proof. destruct sizes as (h1 & _). pose proof (rho_from s (Rle_refl s)). unfold g. rewrite cs. replace (1 - rho s * c0 * / rho s) with (1 - c0) by (field; lra). trivial. Qed.
+Lemma neg q : 0 < p q -> - (sg ^ 2 * A0 / 2 / p q) <= 0.
+Proof.
+  intros p0. destruct sizes as (_ & _ & _ & g0 & _). assert (0 < sg ^ 2 * A0 / 2 / p q); [ | lra ]. apply Rdiv_lt_0_compat; trivial.
+  assert (0 < sg ^ 2) by now apply pow_lt. assert (0 < sg ^ 2 * A0) by now apply Rmult_lt_0_compat. lra.
+Qed.
 Lemma g_top t : s <= t -> slips t -> g t <= top.
 Proof.
-  intros Ht W. destruct sizes as (_ & tp & d0 & g0 & g2 & _). assert (neg : forall q, 0 < p q -> - (sg ^ 2 * A0 / 2 / p q) <= 0).
-  { intros q p0. assert (0 < sg ^ 2 * A0 / 2 / p q); [ | lra ]. apply Rdiv_lt_0_compat; trivial. assert (0 < sg ^ 2) by (rewrite g2; nra). nra. }
+  intros Ht W. destruct sizes as (_ & tp & d0 & g0 & g2 & _).
   apply (real_ind (fun r => g r <= top) s t); try lra.
   - apply g_s.
   - intros r Hr K. apply Rnot_lt_le. intros bad. pose proof (rho_from r ltac:(lra)). destruct (W r ltac:(lra)) as [p0 _].
@@ -92,7 +99,7 @@ Proof.
     + intros v Hv. destruct (W v ltac:(lra)) as [pv _]. pose proof (rho_from v ltac:(lra)). apply (continuity_pt_minus g (fun _ => top)); [ apply c_g; lra | contq ].
     + intros v Hv. destruct (W v ltac:(lra)) as [pv wv]. pose proof (rho_from v ltac:(lra)). assert (gv : g v <= top + dl). { destruct (Req_dec v r) as [-> | n]. lra. specialize (Hd v ltac:(lra)). lra. }
       destruct (Rle_lt_dec e (g v)) as [k | k].
-      * destruct (g_rate v ltac:(lra) pv wv ltac:(lra)) as (l & L & l0). exists (l - 0). split. apply (rder_minus g); [ exact L | apply rder_fixed ]. intros _. specialize (neg v pv). lra.
+      * destruct (g_rate v ltac:(lra) pv wv ltac:(lra)) as (l & L & l0). exists (l - 0). split. apply (rder_minus g); [ exact L | apply rder_fixed ]. intros _. pose proof (neg v pv). lra.
       * eexists. split. apply (rder_minus g); [ apply d_g; lra | apply rder_fixed ]. intros b. lra.
 Qed.
 Lemma g_stays T t : s <= T <= t -> slips t -> g T <= e -> g t <= e.
@@ -100,8 +107,7 @@ Proof.
   intros Ht W gT. assert (W' : forall r, T <= r <= t -> slips r) by (intros r Hr q Hq; apply W; lra). enough (g t - e <= 0) by lra. apply (barrier (fun q => g q - e) T t); try lra; intros v Hv; destruct (W v ltac:(lra)) as [pv wv]; pose proof (rho_from v ltac:(lra)).
   - apply (continuity_pt_minus g (fun _ => e)); [ apply c_g; lra | contq ].
   - pose proof (g_top v ltac:(lra) (W' v ltac:(lra))). destruct sizes as (_ & tp & d0 & g0 & g2 & _). destruct (Rle_lt_dec e (g v)) as [k | k].
-    + destruct (g_rate v ltac:(lra) pv wv ltac:(lra)) as (l & L & l0). exists (l - 0). split. apply (rder_minus g); [ exact L | apply rder_fixed ]. intros _.
-      assert (0 < sg ^ 2 * A0 / 2 / p v); [ | lra ]. apply Rdiv_lt_0_compat; trivial. assert (0 < sg ^ 2) by (rewrite g2; nra). nra.
+    + destruct (g_rate v ltac:(lra) pv wv ltac:(lra)) as (l & L & l0). exists (l - 0). split. apply (rder_minus g); [ exact L | apply rder_fixed ]. intros _. pose proof (neg v pv). lra.
     + eexists. split. apply (rder_minus g); [ apply d_g; lra | apply rder_fixed ]. intros b. lra.
 Qed.
 Lemma rho_to t : s <= t <= s + 1 -> rho t <= R.
@@ -118,7 +124,7 @@ Proof.
   intros Ht N. destruct sizes as (_ & _ & _ & _ & _ & w0 & _ & _ & R0 & _ & _ & t11 & Rt & _ & _ & sw & _). assert (K : forall q, s <= q <= t -> p q <= p s + R * (q - s)).
   { intros q Hq. enough (p q - R * q <= p s - R * s) by lra. apply (rder_decr (fun q => p q - R * q)); try lra; intros v Hv. conts.
     pose proof (N v ltac:(lra)) as pv. eexists. split. apply (rder_minus (fun q => p q)); [ apply (dp x y u w S v); lra | rdq ].
-    pose proof (rho_to v ltac:(lra)). destruct (xi_p x y u w v pv) as (_ & _ & e3). pose proof (nrm_pos (x v) (y v)). assert (xi v <= rho v) by nra. lra. }
+    pose proof (rho_to v ltac:(lra)). destruct (xi_p x y u w v pv) as (_ & _ & e3). pose proof (leg _ _ _ (nrm_pos _ _) e3). lra. }
   split. apply K; lra. intros q Hq. split. apply N; lra. specialize (K q ltac:(lra)). pose proof (rho_from q ltac:(lra)). assert (R * (q - s) <= R * t1) by (apply Rmult_le_compat_l; lra). nra.
 Qed.
 Lemma soon : exists T, s <= T <= s + t1 /\ (forall r, s <= r <= T -> 0 < p r) /\ g T <= e.
@@ -137,7 +143,7 @@ Proof.
       { apply (rder_decr (fun t => g t - k1 * ln (p t))); [ lra | | ]; intros v Hv; pose proof (N v ltac:(lra)) as pv; pose proof (rho_from v ltac:(lra)).
         - apply (continuity_pt_minus g (fun t => k1 * ln (p t))); [ apply c_g; lra | ]. apply (continuity_pt_mult (fun _ => k1)); [ contq | ]. apply (cont_ln (fun t => p t)); [ conts | lra ].
         - destruct (high v ltac:(lra) ltac:(intros; apply N; lra)) as (l & L & l0). eexists. split. apply (rder_minus g); [ exact L | ]. apply (rder_mult (fun _ => k1)); [ apply rder_fixed | ]. apply (rder_ln (fun t => p t)); [ apply (dp x y u w S v); lra | lra ].
-          pose proof (rho_to v ltac:(lra)). destruct (xi_p x y u w v pv) as (_ & _ & e3). pose proof (nrm_pos (x v) (y v)). assert (- rho v <= xi v) by nra.
+          pose proof (rho_to v ltac:(lra)). destruct (xi_p x y u w v pv) as (_ & _ & e3). pose proof (leg _ _ _ (nrm_pos _ _) e3).
           assert (i0 : 0 < / p v) by now apply Rinv_0_lt_compat. replace (m * R / p v) with (k1 * (R + 1) * / p v) in l0 by (unfold k1; field; lra). unfold Rdiv. rewrite Rmult_0_l, Rplus_0_l.
           assert (0 <= (xi v - 1 + (R + 1)) * / p v) by (apply Rmult_le_pos; lra). nra. }
       assert (ln (p q) <= ln (p s) - 3 / k1). { replace (ln (p s) - 3 / k1) with (ln eta). apply ln_mono; lra. unfold eta. rewrite ln_mult by (try lra; apply exp_pos). rewrite ln_exp. ring. }
@@ -162,6 +168,6 @@ Proof.
   destruct soon as (T & HT & N & gT). destruct sizes as (_ & _ & _ & _ & _ & w0 & _ & _ & R0 & t10 & tt & t11 & Rt & _ & _ & sw & _). exists T. split. lra. split.
   - intros r Hr. split. apply N; lra. destruct (p_to r ltac:(lra) ltac:(intros; apply N; lra)) as [B _]. assert (R * (r - s) <= R * t1) by (apply Rmult_le_compat_l; lra). lra.
   - intros t Ht W. pose proof (g_stays T t ltac:(lra) W gT) as K. pose proof (rho_from t ltac:(lra)). unfold g in K. assert (1 - e <= xi t * / rho t) by lra. apply (Rmult_le_compat_r (rho t)) in H0; [ | lra ].
-    replace (xi t * / rho t * rho t) with (xi t) in H0 by (field; lra). trivial.
+    rewrite Rmult_assoc, Rinv_l, Rmult_1_r in H0; lra.
 Qed.
 End Small.
