@@ -51,6 +51,31 @@ Proof.
   replace (Rabs ((a - b) / 2)) with (Rabs (a - b) / 2) in K by (unfold Rdiv; rewrite Rabs_mult, (Rabs_pos_eq (/ 2)); lra). nra.
 Qed.
 
+Lemma root_rate x y u w (S : spin x y u w) t (ht : 0 <= t) : 0 < x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2) ->
+  rder (fun s => sqrt (x s ^ 2 + y s ^ 2 - (u s ^ 2 + w s ^ 2))) t (nrm (u t) (w t) / sqrt (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2))).
+Proof.
+  intros E0. eapply rder_eq. apply (rder_root (fun s => x s ^ 2 + y s ^ 2 - (u s ^ 2 + w s ^ 2))); [ apply (E_rate x y u w S t ht) | exact E0 ].
+  field. apply Rgt_not_eq, sqrt_lt_R0, E0.
+Qed.
+(* (113) and (114) at one moment, by the angle and the A and alpha that there are from it on *)
+Lemma rates_inside x y u w (S : spin x y u w) t (ht : 0 <= t) (p0 : 0 < nrm (u t) (w t)) psi al d : 0 < d -> 0 < x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2) ->
+  x t * u t + y t * w t = nrm (x t) (y t) * nrm (u t) (w t) * cos psi ->
+  (forall s, t <= s < t + d -> hyperbolic (x s) (y s) (u s) (w s) (sqrt (x s ^ 2 + y s ^ 2 - (u s ^ 2 + w s ^ 2))) (al s)) ->
+  rder (fun s => sqrt (x s ^ 2 + y s ^ 2 - (u s ^ 2 + w s ^ 2))) t (eq113_a_rate (al t)) /\
+  rder al t (eq114_alpha_rate (sqrt (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2))) (al t) psi).
+Proof.
+  intros Hd E0 e H. set (E s := x s ^ 2 + y s ^ 2 - (u s ^ 2 + w s ^ 2)) in *. assert (a0 : 0 < sqrt (E t)) by now apply sqrt_lt_R0.
+  assert (DA : rder (fun s => sqrt (E s)) t (eq113_a_rate (al t))).
+  { eapply rder_eq. apply (root_rate x y u w S t ht E0). destruct (H t ltac:(lra)) as [-> _]. unfold eq111_p, eq113_a_rate. fold (E t). field. lra. }
+  assert (DP : rder (fun s => nrm (u s) (w s)) t (nrm (x t) (y t) * cos psi - 1)).
+  { assert (N : nrm (u t) (w t) <> 0) by lra. destruct (slip _ _ _ _ S t ht N) as (_ & _ & U & W). eapply rder_eq. apply (rder_nrm u w); [ exact U | exact W | exact N ].
+    pose proof (nrm_sq (u t) (w t)) as q. set (n := nrm (u t) (w t)) in *. apply (Rmult_eq_reg_l n); [ | lra ]. replace (n * (nrm (x t) (y t) * cos psi - 1)) with (x t * u t + y t * w t - n) by (rewrite e; ring).
+    field_simplify_eq; [ ring [q] | lra ]. }
+  split; trivial. eapply rder_eq. eapply (rder_alpha (fun s => nrm (u s) (w s)) (fun s => sqrt (E s)) al t d _ _ Hd); [ | exact DP | exact DA ].
+  { intros s Hs. destruct (H s Hs) as [k _]. split; trivial. pose proof (A_never_falls x y u w S t s ltac:(lra)). apply sqrt_lt_R0. unfold E in *. lra. }
+  destruct (H t ltac:(lra)) as [_ ->]. pose proof (cosh_pos (al t)). pose proof (cosh2 (al t)) as c. unfold eq113_a_rate, eq114_alpha_rate, eq112_rho. fold (E t). field_simplify_eq; [ ring [c] | lra ].
+Qed.
+
 (* (126): where alpha is small and psi near psi_1 of (124) the rate of alpha is 1 - 1/A: up to their distance and a multiple of sinh^2 alpha *)
 Theorem eq_126 x y u w A alpha psi t d (table : spin x y u w) (from : 0 <= t) (lasts : 0 < d) (slips : 0 < nrm (u t) (w t))
   (inner : forall r, t <= r < t + d -> 0 < A r /\ hyperbolic (x r) (y r) (u r) (w r) (A r) (alpha r)) (turned : angle (x t) (y t) (u t) (w t) psi) :
@@ -61,7 +86,7 @@ Proof.
     rewrite <- !nrm_sq, k1, k2, !Rpow_mult_distr, cosh2. ring. }
   destruct (H t ltac:(lra)) as (A0 & k1 & k2). pose proof (AE t ltac:(lra)) as At.
   assert (E0 : 0 < x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)). { apply Rnot_le_lt. intros k. rewrite sqrt_neg_0 in At by trivial. lra. }
-  destruct (eq_114 x y u w S t Ht p0 psi alpha d Hd E0 e1) as [_ D]. { intros r Hr. rewrite AE by trivial. now apply H. }
+  destruct (rates_inside x y u w S t Ht p0 psi alpha d Hd E0 e1) as [_ D]. { intros r Hr. rewrite AE by trivial. now apply H. }
   exists (eq114_alpha_rate (A t) (alpha t) psi). split. { now rewrite At in D. } clear D.
   set (a := alpha t) in *. unfold eq111_p in k1. assert (s0 : 0 < sinh a) by (rewrite k1 in p0; nra). pose proof (sinh_sign a s0) as a0. pose proof (cosh2 a) as c2. pose proof (cosh_pos a) as c0.
   assert (c1 : 1 <= cosh a) by nra. pose proof (cosh_double a) as cd. assert (cc : 0 < cosh (2 * a)) by apply cosh_pos.
@@ -106,7 +131,7 @@ Theorem eq_127 : (eq127_least_a < A s -> is_lim A p_infty p_infty) /\
   (A s < eq127_least_a -> alpha s < ln (1 / A s) -> exists T, forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0).
 Proof.
   destruct (inside s (Rle_refl s)) as (A0 & A2 & _ & _ & _ & sum & _). unfold eq127_least_a. split; intros H.
-  - apply A_to_infinity, (s4_escape_if_A_above_1 x y u w table s from). nra.
+  - apply A_to_infinity, (unbounded_above_1 x y u w table s from). nra.
   - intros a. assert (m1 : rho s + p s < 1).
     { rewrite sum. apply (Rmult_lt_reg_l (/ A s)). now apply Rinv_0_lt_compat. rewrite <- Rmult_assoc, Rinv_l, Rmult_1_l, Rmult_1_r by lra.
       replace (/ A s) with (1 / A s) by (field; lra). rewrite <- (exp_ln (1 / A s)). now apply exp_increasing. apply Rdiv_lt_0_compat; lra. }
@@ -143,7 +168,7 @@ Theorem s4_escape_if_A_above_1 : is_lim A p_infty p_infty /\ ((forall t, s <= t 
   exists T, s <= T /\ p T = 0 /\ (forall t, T < t -> 0 < p t) /\
     forall t, s <= t < T -> 0 < p t /\ (x t * u t + y t * w t) / (rho t * p t) <= - / cosh (alpha t)).
 Proof.
-  pose proof E_above as HE. pose proof (A_never_falls x y u w table) as up. split. { now apply A_to_infinity, (s4_escape_if_A_above_1 x y u w table s from). }
+  pose proof E_above as HE. pose proof (A_never_falls x y u w table) as up. split. { now apply A_to_infinity, (unbounded_above_1 x y u w table s from). }
   destruct (Classical_Prop.classic (exists T, s <= T /\ p T = 0)) as [(T & T0 & z) | never].
   - right. exists T. split; trivial. split; trivial. split. { apply (stops_once x y u w table T); trivial. lra. specialize (up s T ltac:(lra)). lra. }
     intros t Ht. assert (p0 : 0 < p t). { destruct (nrm_pos (u t) (w t)) as [k | k]; trivial. exfalso. pose proof (stops_once x y u w table t ltac:(lra) ltac:(specialize (up s t ltac:(lra)); lra) ltac:(lra) T ltac:(lra)). lra. }
@@ -192,7 +217,7 @@ Proof.
       assert (zk : 0 < 2 * zf t * / (1 + zf t ^ 2) <= 1). { assert (0 < 1 + zf t ^ 2) by nra. split. apply Rmult_lt_0_compat. lra. now apply Rinv_0_lt_compat. apply Rle_div_l; trivial. pose proof (pow2_ge_0 (zf t - 1)). lra. }
       set (psi := acos (2 * zf t * / (1 + zf t ^ 2))). assert (cp : cos psi = 2 * zf t * / (1 + zf t ^ 2)) by (unfold psi; apply cos_acos; lra).
       assert (e : x t * u t + y t * w t = rho t * p t * cos psi). { destruct (xi_p x y u w t p0) as (<- & _). rewrite xe, cp. ring. }
-      destruct (eq_114 x y u w table t ltac:(lra) p0 psi alpha 1 Rlt_0_1 ltac:(lra) e) as [_ R].
+      destruct (rates_inside x y u w table t ltac:(lra) p0 psi alpha 1 Rlt_0_1 ltac:(lra) e) as [_ R].
       { intros r Hr. destruct (inside r ltac:(lra)) as (_ & _ & <- & _). apply inner. lra. }
       rewrite (rder_unique _ _ _ _ (D t ltac:(lra) p0) R). destruct (inside t ltac:(lra)) as (_ & _ & <- & _). unfold eq114_alpha_rate. rewrite cp, eA. field. nra.
     - limit. lra. field. }
@@ -246,7 +271,7 @@ Proof.
   intros D. destruct eq_130 as [K _]. known T. apply (tends_ext T (fun t => (1 - (1 - hf t) / (1 + hf t)) * exp (alpha t - right_escape_alpha_by_a (A t)))).
   - intros t Ht. in_the_end T t Ht. destruct (HT t Ht) as (p0 & _ & E1). destruct (inside t ltac:(lra)) as (A0 & A2 & Ae & k1 & _).
     assert (R : rder A t (p t / A t)).
-    { pose proof (eq113 x y u w table t ltac:(lra) ltac:(lra) ltac:(lra)) as R. rewrite <- Ae in R. destruct R as (F & F1 & F2). exists F. split; trivial. intros r Hr. rewrite F2 by trivial. destruct (inside r ltac:(lra)) as (_ & _ & -> & _). reflexivity. }
+    { pose proof (root_rate x y u w table t ltac:(lra) ltac:(lra)) as R. rewrite <- Ae in R. destruct R as (F & F1 & F2). exists F. split; trivial. intros r Hr. rewrite F2 by trivial. destruct (inside r ltac:(lra)) as (_ & _ & -> & _). reflexivity. }
     rewrite (rder_unique _ _ _ _ (D t ltac:(lra)) R), k1. unfold right_escape_a_rate, Rpower, right_escape_alpha_by_a. set (L := ln (3 * sqrt 2 * A t)).
     replace (alpha t - L / 3) with (alpha t + - (1 / 3 * L)) by field. rewrite exp_plus, exp_Ropp. pose proof (exp_pos (1 / 3 * L)). pose proof (exp_pos (alpha t)).
     replace ((1 - hf t) / (1 + hf t)) with (/ exp (2 * alpha t)) by (rewrite ea; field; lra). replace (2 * alpha t) with (alpha t + alpha t) by ring. rewrite exp_plus. unfold sinh. rewrite exp_Ropp. field. lra.
@@ -432,6 +457,13 @@ Proof.
   - rewrite Rabs_left1 by nra. pose proof PI_RGT_0. split; [ lra | ]. unfold c. split; field; lra.
   - assert (l0 : 0 < l) by nra. rewrite Rabs_pos_eq by lra. assert (acos c <> PI). { intros e. rewrite e, cos_PI in ca. nra. } split; [ lra | ]. unfold c. split; field; lra.
 Qed.
+(* one that never stops: from rho = 2 outward, p = 1 *)
+Lemma slip_witness : exists x y u w, spin x y u w /\ 1 < x 0 ^ 2 + y 0 ^ 2 - (u 0 ^ 2 + w 0 ^ 2) /\ forall t, 0 <= t -> 0 < nrm (u t) (w t).
+Proof.
+  destruct (table_exists 2 0 1 0) as (x & y & u & w & S & e1 & e2 & e3 & e4). exists x, y, u, w. split; trivial. split. rewrite e1, e2, e3, e4. lra.
+  intros t Ht. apply (never_stops x y u w S 0); try lra; rewrite e1, e2, e3, e4. lra.
+  pose proof (nrm_pos 1 0). pose proof (sqrt_pos (2 ^ 2 + 0 ^ 2 - (1 ^ 2 + 0 ^ 2))). nra.
+Qed.
 (* a motion that escapes, with all that goes with it *)
 Lemma an_escape : exists x y u w A alpha, spin x y u w /\ (forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha t)) /\ eq127_least_a < A 0 /\
   (forall t, 0 <= t -> 0 < nrm (u t) (w t)) /\ (exists psi, forall t, 0 <= t -> - PI < psi t <= PI /\ angle (x t) (y t) (u t) (w t) (psi t)) /\
@@ -443,14 +475,14 @@ Proof.
   assert (ps : forall t, 0 <= t -> - PI < angle_of (x t) (y t) (u t) (w t) <= PI /\ angle (x t) (y t) (u t) (w t) (angle_of (x t) (y t) (u t) (w t))).
   { intros t Ht. apply angle_exists; auto. destruct (In t Ht) as (A0 & _ & e). rewrite e. unfold eq112_rho. pose proof (cosh_pos (alpha t)). nra. }
   assert (R : forall t, 0 <= t -> rder A t (eq113_a_rate (alpha t)) /\ rder alpha t (eq114_alpha_rate (A t) (alpha t) (angle_of (x t) (y t) (u t) (w t)))).
-  { intros t Ht. destruct (ps t Ht) as [_ [a1 _]]. pose proof (A_never_falls x y u w S 0 t ltac:(lra)). destruct (eq_114 x y u w S t Ht (p0 t Ht) _ alpha 1 Rlt_0_1 ltac:(lra) a1) as [R1 R2].
+  { intros t Ht. destruct (ps t Ht) as [_ [a1 _]]. pose proof (A_never_falls x y u w S 0 t ltac:(lra)). destruct (rates_inside x y u w S t Ht (p0 t Ht) _ alpha 1 Rlt_0_1 ltac:(lra) a1) as [R1 R2].
     { intros r Hr. rewrite <- Ae. apply In. lra. } rewrite <- Ae in R2. split; trivial. destruct R1 as (F & F1 & F2). exists F. split; trivial. intros r Hr. rewrite Ae. now apply F2. }
   split; trivial. split; trivial. split. { rewrite Ae. unfold eq127_least_a. rewrite <- sqrt_1 at 1. apply sqrt_lt_1_alt. lra. } split; trivial.
   split. { exists (fun t => angle_of (x t) (y t) (u t) (w t)). exact ps. } split. { exists (fun t => eq113_a_rate (alpha t)). intros t Ht. now apply R. }
   split. { exists (fun t => eq114_alpha_rate (A t) (alpha t) (angle_of (x t) (y t) (u t) (w t))). intros t Ht _. now apply R. }
-  exists (fun t => - ((u t ^ 2 + w t ^ 2 - (x t ^ 2 + y t ^ 2)) * / 2)). split; intros t Ht.
+  exists (fun t => (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) * / 2). split; intros t Ht.
   - cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
-  - eapply rder_eq. apply (rder_opp (fun t => (u t ^ 2 + w t ^ 2 - (x t ^ 2 + y t ^ 2)) * / 2)), (eq103 x y u w S t Ht). unfold eq105_arc_rate. ring.
+  - eapply rder_eq. apply (rder_mult (fun t => x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) (fun _ => / 2)); [ apply (E_rate x y u w S t Ht) | rd ]. unfold eq105_arc_rate. field.
 Qed.
 Ltac an_escape := intros H; pose proof (Rle_refl 0); destruct an_escape as (x & y & u & w & A & alpha & S & In & A1 & p0 & (psi & Hpsi) & (dA & HdA) & (dalpha & Hda) & len & Hlen & Hlen');
   first [ eapply (H x y u w A alpha 0); eassumption | idtac ].

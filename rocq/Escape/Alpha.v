@@ -122,7 +122,7 @@ Proof.
     eexists. split. rd. lra. simpl INR. simpl pred. pose proof (nrm_sq (u r) (w r)). set (z := xi r) in *. set (n' := p r) in *.
     match goal with |- ?g <= 0 => replace g with (2 * n' * (z - K)) end. nra.
     transitivity (2 * (x r * u r + y r * w r - n') - (K - 1) * (2 * n')). rewrite <- e1. ring. replace n' with (- (fx * u r + fy * w r)) at 1 2 by lra. field_simplify_eq; [ | lra ]. ring. }
-  destruct (s4_escape_if_A_above_1 x y u w S s Hs HE (2 * K ^ 2 + p s ^ 2)) as (T & T0 & HT).
+  destruct (unbounded_above_1 x y u w S s Hs HE (2 * K ^ 2 + p s ^ 2)) as (T & T0 & HT).
   set (c := / (8 * K * (2 * K + 1))). assert (c0 : 0 < c) by (apply Rinv_0_lt_compat; nra).
   assert (up2 : forall t, T <= t -> - xi t + c * t <= - xi T + c * T).
   { intros t Ht. apply (rder_decr (fun t => - xi t + c * t)); trivial; intros r Hr.
