@@ -52,15 +52,18 @@ Proof.
   intros Hs HE H0. pose proof (A_never_falls x y u w S) as up. set (a := sqrt (E s)) in *.
   assert (aa : a ^ 2 = E s) by (unfold a; rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra).
   assert (a1 : 1 < a) by (unfold a; rewrite <- sqrt_1; apply sqrt_lt_1_alt; lra).
-  assert (ps : 0 < p s). { destruct (nrm_pos (u s) (w s)) as [k | k]; trivial. exfalso. destruct (stop0 u w s (eq_sym k)) as [z1 z2]. rewrite <- k, z1, z2 in H0. lra. }
+  assert (ps : 0 < p s). { destruct (nrm_pos (u s) (w s)) as [k | k]; trivial. exfalso. destruct (stop0 u w s (eq_sym k)) as [z1 z2].
+    rewrite <- k, z1, z2 in H0. lra. }
   assert (x0 : - a < xi s). { apply (Rmult_lt_reg_r (p s)); trivial. rewrite (proj1 (xi_p s ps)). lra. }
   set (c0 := Rmax 1 (- xi s)). assert (c1 : 1 <= c0) by apply Rmax_l. assert (c2 : - xi s <= c0) by apply Rmax_r.
   assert (c3 : c0 < a) by (apply Rmax_lub_lt; lra). set (c := (c0 + a) / 2). assert (cc : c0 < c < a) by (unfold c; lra).
   intros t Ht. apply (real_ind (fun t => 0 < p t) s t); trivial; try lra.
   - intros T HT N. destruct (nrm_pos (u T) (w T)) as [k | k]; trivial. exfalso. symmetry in k. destruct (stop0 u w T k) as [z1 z2].
-    assert (r2 : c < rho T). { pose proof (up s T ltac:(lra)) as g. rewrite z1, z2 in g. pose proof (nrm_sq (x T) (y T)). pose proof (nrm_pos (x T) (y T)). nra. }
+    assert (r2 : c < rho T). { pose proof (up s T ltac:(lra)) as g. rewrite z1, z2 in g. pose proof (nrm_sq (x T) (y T)).
+      pose proof (nrm_pos (x T) (y T)). nra. }
     destruct (left_pos (fun t => rho t - p t - c) T) as (d & d0 & Hd). conts. cbv beta. lra.
-    set (r := T - Rmin d (T - s) / 2). assert (0 < Rmin d (T - s)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (T - s)). pose proof (Rmin_r d (T - s)).
+    set (r := T - Rmin d (T - s) / 2). assert (0 < Rmin d (T - s)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (T - s)).
+      pose proof (Rmin_r d (T - s)).
     assert (K : - (x T * u T + y T * w T + c * p T) <= - (x r * u r + y r * w r + c * p r)).
     { apply (rder_decr (fun t => - (x t * u t + y t * w t + c * p t))); [ unfold r; lra | unfold r; intros; conts | ].
       intros q Hq. assert (q1 : s <= q < T) by (unfold r in Hq; lra). specialize (Hd q ltac:(unfold r in Hq; lra)). cbv beta in Hd.
@@ -92,7 +95,8 @@ Proof.
   destruct (rder_step _ _ _ D ((rho s ^ 2 - rho s) / 2)) as (d & d0 & Hd); [ nra | ]. cbv beta in Hd.
   set (h := Rmin d (t - s) / 2). assert (0 < Rmin d (t - s)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (t - s)). pose proof (Rmin_r d (t - s)).
   specialize (Hd h ltac:(unfold h; lra)). rewrite z1, z2 in Hd. assert (h0 : 0 < h) by (unfold h; lra).
-  set (g := rho s ^ 2 + (x s * fx + y s * fy)) in *. set (k := (rho s ^ 2 - rho s) / 2) in *. assert (gk : 0 < k /\ 2 * k <= g) by (unfold g, k; split; nra).
+  set (g := rho s ^ 2 + (x s * fx + y s * fy)) in *. set (k := (rho s ^ 2 - rho s) / 2) in *. assert (gk : 0 < k /\ 2 * k <= g) by (unfold g, k;
+    split; nra).
   assert ((- g + k) * h < 0) by nra. assert (up0 : 0 < x (s + h) * u (s + h) + y (s + h) * w (s + h)) by lra.
   apply (never_stops (s + h)); try (unfold h; lra).
   - specialize (up s (s + h) ltac:(unfold h; lra)). lra.
@@ -111,38 +115,49 @@ Proof.
   assert (mono : forall r t, s <= r <= t -> xi r <= xi t) by (intros r t Hr; apply xi_never_falls; [ lra | intros; apply N; lra ]).
   destruct (Classical_Prop.classic (exists T, s <= T /\ K0 < xi T)) as [(T & T0 & HT) | n].
   { exists T. split; trivial. intros t Ht. specialize (mono T t ltac:(lra)). lra. } exfalso.
-  set (K := Rmax K0 (Rmax 1 (- xi s))). assert (k0 : K0 <= K) by apply Rmax_l. assert (k1 : 1 <= K) by (eapply Rle_trans; [ apply Rmax_l | apply Rmax_r ]).
+  set (K := Rmax K0 (Rmax 1 (- xi s))). assert (k0 : K0 <= K) by apply Rmax_l. assert (k1 : 1 <= K) by (eapply Rle_trans; [ apply Rmax_l |
+    apply Rmax_r ]).
   assert (k2 : - xi s <= K) by (eapply Rle_trans; [ apply Rmax_r | apply Rmax_r ]).
   assert (below : forall t, s <= t -> - K <= xi t <= K).
   { intros t Ht. split. specialize (mono s t ltac:(lra)). lra. apply Rle_trans with K0; trivial. apply Rnot_lt_le. intros k. apply n. eauto. }
   assert (energy : forall t, s <= t -> p t ^ 2 <= (K - 1) * E t + p s ^ 2).
   { intros t Ht. enough (p t ^ 2 - (K - 1) * E t <= p s ^ 2 - (K - 1) * E s) by nra.
     apply (rder_decr (fun t => p t ^ 2 - (K - 1) * E t)); trivial; intros r Hr. conts.
-    destruct (s_law _ _ _ _ S r) as (X & Y & fx & fy & [B P] & U & W); [ lra | ]. pose proof (N r ltac:(lra)) as pr. destruct (xi_p r pr) as (e1 & _). destruct (below r ltac:(lra)) as [_ b2].
+    destruct (s_law _ _ _ _ S r) as (X & Y & fx & fy & [B P] & U & W); [ lra | ]. pose proof (N r ltac:(lra)) as pr.
+      destruct (xi_p r pr) as (e1 & _). destruct (below r ltac:(lra)) as [_ b2].
     eexists. split. rd. lra. simpl INR. simpl pred. pose proof (nrm_sq (u r) (w r)). set (z := xi r) in *. set (n' := p r) in *.
     match goal with |- ?g <= 0 => replace g with (2 * n' * (z - K)) end. nra.
-    transitivity (2 * (x r * u r + y r * w r - n') - (K - 1) * (2 * n')). rewrite <- e1. ring. replace n' with (- (fx * u r + fy * w r)) at 1 2 by lra. field_simplify_eq; [ | lra ]. ring. }
+    transitivity (2 * (x r * u r + y r * w r - n') - (K - 1) * (2 * n')). rewrite <- e1. ring.
+      replace n' with (- (fx * u r + fy * w r)) at 1 2 by lra. field_simplify_eq; [ | lra ]. ring. }
   destruct (unbounded_above_1 x y u w S s Hs HE (2 * K ^ 2 + p s ^ 2)) as (T & T0 & HT).
   set (c := / (8 * K * (2 * K + 1))). assert (c0 : 0 < c) by (apply Rinv_0_lt_compat; nra).
   assert (up2 : forall t, T <= t -> - xi t + c * t <= - xi T + c * T).
   { intros t Ht. apply (rder_decr (fun t => - xi t + c * t)); trivial; intros r Hr.
-    - apply (continuity_pt_plus (fun t => - xi t) (fun t => c * t)); [ apply (continuity_pt_opp (fun t => xi t)), cont_xi; [ lra | ] | cont ]. specialize (N r ltac:(lra)). lra.
-    - pose proof (N r ltac:(lra)) as pr. eexists. split. apply (rder_plus (fun t => - xi t) (fun t => c * t)); [ apply (rder_opp (fun t => xi t)), (eq101 x y u w S r ltac:(lra) ltac:(lra)) | rd ].
+    - apply (continuity_pt_plus (fun t => - xi t) (fun t => c * t)); [ apply (continuity_pt_opp (fun t => xi t)), cont_xi; [ lra | ] | cont ].
+      specialize (N r ltac:(lra)). lra.
+    - pose proof (N r ltac:(lra)) as pr. eexists. split. apply (rder_plus (fun t => - xi t) (fun t => c * t));
+      [ apply (rder_opp (fun t => xi t)), (eq101 x y u w S r ltac:(lra) ltac:(lra)) | rd ].
       destruct (xi_p r pr) as (_ & _ & e3). destruct (below r ltac:(lra)) as [b1 b2]. specialize (HT r ltac:(lra)). specialize (energy r ltac:(lra)).
-      pose proof (nrm_sq (u r) (w r)) as n2. pose proof (nrm_sq (x r) (y r)) as m2. rewrite m2 in e3. set (z := xi r) in *. set (l := ell r) in *. set (n' := p r) in *. set (e := E r) in *.
+      pose proof (nrm_sq (u r) (w r)) as n2. pose proof (nrm_sq (x r) (y r)) as m2. rewrite m2 in e3. set (z := xi r) in *. set (l := ell r) in *.
+        set (n' := p r) in *. set (e := E r) in *.
       assert (ee : x r ^ 2 + y r ^ 2 = e + n' ^ 2) by (rewrite n2; unfold e; ring). rewrite ee in e3. clear ee.
       pose proof (pow2_ge_0 (p s)). assert (z2 : z ^ 2 <= K ^ 2) by nra. assert (e1 : 1 <= e) by nra.
-      pose proof (pow2_ge_0 K). assert (pe : n' ^ 2 <= K * e) by lra. assert (ke : 1 <= K * e) by nra. assert (pk : n' <= K * e) by (clear - pe ke pr; set (v := K * e) in *; nra).
+      pose proof (pow2_ge_0 K). assert (pe : n' ^ 2 <= K * e) by lra. assert (ke : 1 <= K * e) by nra.
+        assert (pk : n' <= K * e) by (clear - pe ke pr; set (v := K * e) in *; nra).
       set (Q := (n' + l) ^ 2). set (R' := (l - n') ^ 2).
-      assert (qr : Q * R' = (e - z ^ 2) ^ 2). { unfold Q, R'. replace ((n' + l) ^ 2 * (l - n') ^ 2) with ((l ^ 2 - n' ^ 2) ^ 2) by ring. f_equal. lra. }
+      assert (qr : Q * R' = (e - z ^ 2) ^ 2). { unfold Q, R'. replace ((n' + l) ^ 2 * (l - n') ^ 2) with ((l ^ 2 - n' ^ 2) ^ 2) by ring. f_equal.
+        lra. }
       assert (q1 : (e / 2) ^ 2 <= Q * R') by (rewrite qr; apply pow_incr; lra).
       assert (r1 : R' <= 2 * e * (2 * K + 1)). { unfold R'. assert (0 <= (l + n') ^ 2) by apply pow2_ge_0. nra. }
       assert (Q0 : 0 <= Q) by apply pow2_ge_0.
-      assert (q2 : e <= Q * (8 * (2 * K + 1))). { apply (Rmult_le_reg_l e); [ lra | ]. assert (Q * R' <= Q * (2 * e * (2 * K + 1))) by (apply Rmult_le_compat_l; trivial). lra. }
-      assert (q3 : c * n' <= Q). { apply (Rmult_le_reg_l (8 * K * (2 * K + 1))); [ nra | ]. replace (8 * K * (2 * K + 1) * (c * n')) with n' by (unfold c; field; nra). nra. }
+      assert (q2 : e <= Q * (8 * (2 * K + 1))). { apply (Rmult_le_reg_l e); [ lra | ].
+        assert (Q * R' <= Q * (2 * e * (2 * K + 1))) by (apply Rmult_le_compat_l; trivial). lra. }
+      assert (q3 : c * n' <= Q). { apply (Rmult_le_reg_l (8 * K * (2 * K + 1))); [ nra | ].
+        replace (8 * K * (2 * K + 1) * (c * n')) with n' by (unfold c; field; lra). nra. }
       enough (c <= Q / n') by lra. apply Rle_div_r; trivial. }
   set (t1 := T + (2 * K + 1) / c). assert (Tt : T <= t1). { unfold t1. assert (0 < (2 * K + 1) / c) by (apply Rdiv_lt_0_compat; lra). lra. }
-  specialize (up2 t1 Tt). pose proof (below T T0). pose proof (below t1 ltac:(lra)). assert (c * t1 = c * T + 2 * K + 1) by (unfold t1; field; lra). lra.
+  specialize (up2 t1 Tt). pose proof (below T T0). pose proof (below t1 ltac:(lra)). assert (c * t1 = c * T + 2 * K + 1) by (unfold t1; field; lra).
+    lra.
 Qed.
 (* p / (rho - p) grows without bound *)
 Lemma ratio_grows s N0 : 0 <= s -> 1 < E s -> 0 <= N0 -> exists T, s <= T /\ forall t, T <= t -> 0 < p t /\ N0 * (rho t - p t) <= p t.
@@ -151,17 +166,22 @@ Proof.
   assert (E1 : forall t, s <= t -> 1 < E t) by (intros t Ht; specialize (up s t ltac:(lra)); lra).
   destruct (xi_grows T1 (N0 + 2) ltac:(lra) (E1 T1 T10) N) as (T & T0 & HT).
   assert (rp : forall t, s <= t -> 1 < rho t /\ p t < rho t).
-  { intros t Ht. specialize (E1 t Ht). pose proof (nrm_sq (x t) (y t)). pose proof (nrm_sq (u t) (w t)). pose proof (nrm_pos (x t) (y t)). pose proof (nrm_pos (u t) (w t)). pose proof (pow2_ge_0 (p t)). split; nra. }
+  { intros t Ht. specialize (E1 t Ht). pose proof (nrm_sq (x t) (y t)). pose proof (nrm_sq (u t) (w t)). pose proof (nrm_pos (x t) (y t)).
+    pose proof (nrm_pos (u t) (w t)). pose proof (pow2_ge_0 (p t)). split; nra. }
   assert (fast : forall t, T <= t -> - p t + (N0 + 1) * t <= - p T + (N0 + 1) * T).
   { intros t Ht. apply (rder_decr (fun t => - p t + (N0 + 1) * t)); trivial; intros r Hr. conts.
-    pose proof (N r ltac:(lra)). eexists. split. apply (rder_plus (fun t => - p t)); [ apply (rder_opp (fun t => p t)), (dp x y u w S r ltac:(lra) ltac:(lra)) | rd ].
+    pose proof (N r ltac:(lra)). eexists. split. apply (rder_plus (fun t => - p t));
+      [ apply (rder_opp (fun t => p t)), (dp x y u w S r ltac:(lra) ltac:(lra)) | rd ].
     specialize (HT r ltac:(lra)). lra. }
   assert (slow : forall t, T <= t -> rho t - p t - t <= rho T - p T - T).
   { intros t Ht. apply (rder_decr (fun t => rho t - p t - t)); trivial; intros r Hr. conts.
-    pose proof (N r ltac:(lra)) as pr. destruct (slip x y u w S r ltac:(lra) ltac:(lra)) as (X & Y & U & W). destruct (rp r ltac:(lra)) as [r1 r2]. destruct (xi_p r pr) as (e1 & _).
-    eexists. split. apply (rder_minus (fun t => rho t - p t)); [ apply (rder_minus (fun t => rho t) (fun t => p t)); [ rd; lra | apply (dp x y u w S r ltac:(lra) ltac:(lra)) ] | rd ].
+    pose proof (N r ltac:(lra)) as pr. destruct (slip x y u w S r ltac:(lra) ltac:(lra)) as (X & Y & U & W). destruct (rp r ltac:(lra)) as [r1 r2].
+      destruct (xi_p r pr) as (e1 & _).
+    eexists. split. apply (rder_minus (fun t => rho t - p t)); [ apply (rder_minus (fun t => rho t) (fun t => p t)); [ rd; lra |
+      apply (dp x y u w S r ltac:(lra) ltac:(lra)) ] | rd ].
     specialize (HT r ltac:(lra)). set (z := xi r) in *. rewrite <- e1. assert (z * p r / rho r <= z); [ | lra ]. apply Rle_div_l; nra. }
   set (T2 := T + N0 * (rho T - p T)). destruct (rp T ltac:(lra)). assert (T <= T2) by (unfold T2; nra).
-  exists T2. split; [ lra | ]. intros t Ht. split; [ apply N; lra | ]. specialize (fast t ltac:(lra)). specialize (slow t ltac:(lra)). pose proof (nrm_pos (u T) (w T)). unfold T2 in Ht. nra.
+  exists T2. split; [ lra | ]. intros t Ht. split; [ apply N; lra | ]. specialize (fast t ltac:(lra)). specialize (slow t ltac:(lra)).
+    pose proof (nrm_pos (u T) (w T)). unfold T2 in Ht. nra.
 Qed.
 End Alpha.

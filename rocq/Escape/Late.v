@@ -60,7 +60,8 @@ Proof.
   { apply (rder_decr (fun t => f t * Rabs (f t) + f t ^ 2)); trivial; intros t Ht.
     - apply (continuity_pt_comp f (fun z => z * Rabs z + z ^ 2)); [ now apply C | ].
       apply derivable_continuous_pt. exists (2 * Rabs (f t) + 2 * f t). apply is_derive_Reals, square_above.
-    - destruct (D t Ht) as (l & L & k). eexists. split. apply (rder_comp f (fun z => z * Rabs z + z ^ 2) t l (2 * Rabs (f t) + 2 * f t) L), square_above.
+    - destruct (D t Ht) as (l & L & k). eexists. split. apply (rder_comp f (fun z => z * Rabs z + z ^ 2) t l (2 * Rabs (f t) + 2 * f t) L),
+      square_above.
       destruct (Rle_lt_dec 0 (f t)) as [q | q]; [ specialize (k q); rewrite Rabs_pos_eq by lra; nra | rewrite Rabs_left by lra; lra ]. }
   rewrite (Rabs_left1 (f a)) in K by lra. apply Rnot_lt_le. intros n. rewrite Rabs_pos_eq in K by lra. nra.
 Qed.
@@ -205,7 +206,8 @@ Proof.
   apply (tends_ext T (fun t => (f t - 1) * (t / ln t) * / (sqrt (f t) + 1))).
   - intros t Ht. specialize (HT t Ht). apply Rabs_def2 in HT. assert (q : f t = sqrt (f t) ^ 2) by (rewrite <- Rsqr_pow2, Rsqr_sqrt; lra).
     pose proof (sqrt_pos (f t)). rewrite q at 1. unfold Rdiv. set (k := t * / ln t). field. lra.
-  - eapply tends_eq. apply tends_mult; [ exact F | apply tends_inv; [ apply tends_plus; [ apply tends_root; [ exact F1 | lra ] | apply is_lim_const ] | ] ].
+  - eapply tends_eq. apply tends_mult; [ exact F | apply tends_inv; [ apply tends_plus; [ apply tends_root; [ exact F1 | lra ] |
+    apply is_lim_const ] | ] ].
     + rewrite sqrt_1. lra.
     + rewrite sqrt_1. field.
 Qed.
@@ -218,7 +220,8 @@ Proof. exact (is_lim_inv ln p_infty p_infty is_lim_ln_p ltac:(discriminate)). Qe
 Lemma near_small f g (l : R) : tends g l -> (exists T, forall t, T <= t -> f t = 1 + g t / t) -> near f 0.
 Proof.
   intros G [T H]. apply (tends_ext (Rmax T (exp 1)) (fun t => g t * / ln t)).
-  - intros t Ht. pose proof (Rmax_l T (exp 1)). pose proof (Rmax_r T (exp 1)). rewrite H by lra. pose proof (lnt t ltac:(lra)). pose proof exp1. field. lra.
+  - intros t Ht. pose proof (Rmax_l T (exp 1)). pose proof (Rmax_r T (exp 1)). rewrite H by lra. pose proof (lnt t ltac:(lra)). pose proof exp1.
+    field. lra.
   - replace 0 with (l * 0) by ring. apply tends_mult; trivial. exact inv_ln.
 Qed.
 Lemma near_pow f c n : near f c -> near (fun t => f t ^ n) (INR n * c).

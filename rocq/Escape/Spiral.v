@@ -9,13 +9,15 @@ Open Scope R_scope.
 Lemma hunt_rates (r p e z : R -> R) t : 0 < z t -> 0 < p t < r t -> e t = (r t - p t) * (r t + p t) ->
   rder r t (2 * z t * / (1 + z t ^ 2) * p t) -> rder p t (2 * z t * / (1 + z t ^ 2) * r t - 1) -> rder e t (2 * p t) ->
   rder z t (z_rate (z t) ((r t - p t) ^ 2 * / (4 * r t * p t * z t ^ 2))) ->
-  rder (fun t => r t * / (2 * e t * z t)) t (prey_rate (z t) (p t * / r t) (r t * / (2 * e t * z t)) ((r t - p t) ^ 2 * / (4 * r t * p t * z t ^ 2))) /\
+  rder (fun t => r t * / (2 * e t * z t)) t (prey_rate (z t) (p t * / r t) (r t * / (2 * e t * z t)) ((r t - p t) ^ 2 * / (4 * r t * p t * z t ^ 2)))
+    /\
   rder (fun t => (r t - p t) ^ 2 * / (4 * r t * p t * z t ^ 2)) t
     (predator_rate (z t) (r t * / (2 * e t * z t)) ((r t - p t) ^ 2 * / (4 * r t * p t * z t ^ 2))).
 Proof.
   intros z0 pr ee Dr Dp De Dz. assert (e0 : 0 < e t) by (rewrite ee; nra). assert (zz : 0 < z t ^ 2) by nra. split.
   - eapply rder_eq. rdq. nra. unfold z_rate, prey_rate. set (P := (r t - p t) ^ 2 * / (4 * r t * p t * z t ^ 2)). field. repeat split; nra.
-  - eapply rder_eq. rdq. apply Rgt_not_eq. repeat apply Rmult_lt_0_compat; lra. unfold z_rate, predator_rate. rewrite ee. simpl INR. simpl pred. field. repeat split; nra.
+  - eapply rder_eq. rdq. apply Rgt_not_eq. repeat apply Rmult_lt_0_compat; lra. unfold z_rate, predator_rate. rewrite ee. simpl INR. simpl pred.
+    field. repeat split; nra.
 Qed.
 
 Section Spiral.
@@ -34,8 +36,10 @@ Ltac conts := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | ap
 
 Lemma late s : 0 <= s -> 1 < E s -> exists T, s <= T /\ 1 <= T /\ forall t, T <= t -> 0 < p t /\ 0 < xi t /\ 1 < E t.
 Proof.
-  intros Hs HE. destruct (slips_for_ever x y u w S s Hs HE) as (T1 & T10 & N). pose proof (A_never_falls x y u w S) as up. pose proof (up s T1 ltac:(lra)).
-  destruct (xi_grows x y u w S T1 0 ltac:(lra) ltac:(lra) N) as (T2 & T20 & HT). exists (Rmax 1 T2). pose proof (Rmax_l 1 T2). pose proof (Rmax_r 1 T2).
+  intros Hs HE. destruct (slips_for_ever x y u w S s Hs HE) as (T1 & T10 & N). pose proof (A_never_falls x y u w S) as up.
+    pose proof (up s T1 ltac:(lra)).
+  destruct (xi_grows x y u w S T1 0 ltac:(lra) ltac:(lra) N) as (T2 & T20 & HT). exists (Rmax 1 T2). pose proof (Rmax_l 1 T2).
+    pose proof (Rmax_r 1 T2).
   split. lra. split. lra. intros t Ht. split. apply N; lra. split. apply HT; lra. pose proof (up s t ltac:(lra)). lra.
 Qed.
 Section Slips.
@@ -45,14 +49,18 @@ Lemma shape : p t < rho t /\ 0 < rho t - ell t /\ E t = (rho t - p t) * (rho t +
   xi t = rho t * (2 * z_of t * / (1 + z_of t ^ 2)) /\ ell t = - (rho t * ((1 - z_of t ^ 2) * / (1 + z_of t ^ 2))) /\
   z_of t ^ 2 = (rho t + ell t) / (rho t - ell t).
 Proof.
-  destruct (xi_p x y u w t p0) as (_ & _ & e). assert (ee : E t = (rho t - p t) * (rho t + p t)). { transitivity (rho t ^ 2 - p t ^ 2). rewrite !nrm_sq. ring. ring. }
-  pose proof (nrm_pos (x t) (y t)). assert (pr : p t < rho t) by (rewrite ee in E1; nra). unfold z_of. set (r := rho t) in *. set (z := xi t) in *. set (l := ell t) in *.
-  assert (D : 0 < r - l) by nra. assert (z2 : (z * / (r - l)) ^ 2 = (r + l) / (r - l)). { rewrite Rpow_mult_distr. replace (z ^ 2) with ((r - l) * (r + l)) by (transitivity (r ^ 2 - l ^ 2); [ ring | lra ]). field. lra. }
+  destruct (xi_p x y u w t p0) as (_ & _ & e). assert (ee : E t = (rho t - p t) * (rho t + p t)). { transitivity (rho t ^ 2 - p t ^ 2).
+    rewrite !nrm_sq. ring. ring. }
+  pose proof (nrm_pos (x t) (y t)). assert (pr : p t < rho t) by (rewrite ee in E1; nra). unfold z_of. set (r := rho t) in *. set (z := xi t) in *.
+    set (l := ell t) in *.
+  assert (D : 0 < r - l) by nra. assert (z2 : (z * / (r - l)) ^ 2 = (r + l) / (r - l)). { rewrite Rpow_mult_distr.
+    replace (z ^ 2) with ((r - l) * (r + l)) by (transitivity (r ^ 2 - l ^ 2); [ ring | lra ]). field. lra. }
   repeat split; trivial. { apply Rmult_lt_0_compat; trivial. now apply Rinv_0_lt_compat. } all: rewrite z2; field; lra.
 Qed.
 Lemma d_rho : rder (fun t => rho t) t (2 * z_of t * / (1 + z_of t ^ 2) * p t).
 Proof.
-  destruct shape as (pr & D & ee & z0 & xe & _). destruct (slip x y u w S t ltac:(lra) ltac:(lra)) as (X & Y & U & W). destruct (xi_p x y u w t p0) as (e1 & _).
+  destruct shape as (pr & D & ee & z0 & xe & _). destruct (slip x y u w S t ltac:(lra) ltac:(lra)) as (X & Y & U & W).
+    destruct (xi_p x y u w t p0) as (e1 & _).
   eapply rder_eq. rd. lra. rewrite <- e1, xe. field. split; nra.
 Qed.
 Lemma d_p : rder (fun t => p t) t (2 * z_of t * / (1 + z_of t ^ 2) * rho t - 1).
@@ -63,12 +71,15 @@ Proof.
 Qed.
 Lemma d_z : rder z_of t (z_rate (z_of t) (P_of t)).
 Proof.
-  destruct shape as (pr & D & ee & z0 & _ & _ & z2). destruct (xi_p x y u w t p0) as (e1 & _ & e3). destruct (slip x y u w S t ltac:(lra) ltac:(lra)) as (X & Y & U & W).
+  destruct shape as (pr & D & ee & z0 & _ & _ & z2). destruct (xi_p x y u w t p0) as (e1 & _ & e3).
+    destruct (slip x y u w S t ltac:(lra) ltac:(lra)) as (X & Y & U & W).
   assert (Dr : rder (fun t => rho t) t (xi t * p t / rho t)). { eapply rder_eq. rd. lra. rewrite e1. reflexivity. }
   eapply rder_eq. unfold z_of. apply (rder_mult (fun t => xi t) (fun t => / (rho t - ell t))). apply (eq101 x y u w S t); lra.
-  apply (rder_inv (fun t => rho t - ell t)); [ | lra ]. apply (rder_minus (fun t => rho t) (fun t => ell t)); [ exact Dr | apply (eq100 x y u w S t); lra ].
+  apply (rder_inv (fun t => rho t - ell t)); [ | lra ]. apply (rder_minus (fun t => rho t) (fun t => ell t)); [ exact Dr |
+    apply (eq100 x y u w S t); lra ].
   cbv beta. assert (zP : z_of t ^ 2 * P_of t = (rho t - p t) ^ 2 / (4 * rho t * p t)) by (unfold P_of; field; lra). unfold z_rate.
-  replace (2 * z_of t ^ 2 * (1 - (1 - z_of t ^ 2) * P_of t)) with (2 * z_of t ^ 2 - 2 * (z_of t ^ 2 * P_of t) * (1 - z_of t ^ 2)) by ring. rewrite zP, z2.
+  replace (2 * z_of t ^ 2 * (1 - (1 - z_of t ^ 2) * P_of t)) with (2 * z_of t ^ 2 - 2 * (z_of t ^ 2 * P_of t) * (1 - z_of t ^ 2)) by ring.
+    rewrite zP, z2.
   set (r := rho t) in *. set (z := xi t) in *. set (l := ell t) in *. set (n := p t) in *. clearbody r z l n. field_simplify_eq; [ | lra ].
   assert (e : z ^ 2 = r ^ 2 - l ^ 2) by lra. ring [e].
 Qed.
@@ -83,25 +94,35 @@ Proof.
     + apply Rmult_lt_0_compat; [ lra | apply Rinv_0_lt_compat; nra ].
     + apply Rmult_lt_0_compat; [ nra | apply Rinv_0_lt_compat ]. assert (0 < rho t * p t) by nra. nra.
     + field. lra.
-  - intros t Ht. destruct (HT t ltac:(lra)) as (p0 & x0 & E1). destruct (shape t p0 x0 E1) as (pr & D & ee & z0 & _). assert (zz : 0 < z_of t ^ 2) by nra.
-    assert (Cr : continuity_pt (fun t => rho t) t) by conts. assert (Cp : continuity_pt (fun t => p t) t) by conts. assert (CE : continuity_pt (fun t => E t) t) by conts.
+  - intros t Ht. destruct (HT t ltac:(lra)) as (p0 & x0 & E1). destruct (shape t p0 x0 E1) as (pr & D & ee & z0 & _).
+    assert (zz : 0 < z_of t ^ 2) by nra.
+    assert (Cr : continuity_pt (fun t => rho t) t) by conts. assert (Cp : continuity_pt (fun t => p t) t) by conts.
+      assert (CE : continuity_pt (fun t => E t) t) by conts.
     assert (Cz : continuity_pt z_of t).
-    { apply (continuity_pt_mult (fun t => xi t) (fun t => / (rho t - ell t))). apply (cont_xi x y u w S); lra. apply (cont_inv (fun t => rho t - ell t)); [ | lra ].
-      apply (continuity_pt_minus (fun t => rho t)); trivial. apply (continuity_pt_mult (fun t => x t * w t - y t * u t) (fun t => / p t)). conts. apply (cont_inv (fun t => p t)); trivial. lra. }
+    { apply (continuity_pt_mult (fun t => xi t) (fun t => / (rho t - ell t))). apply (cont_xi x y u w S); lra.
+      apply (cont_inv (fun t => rho t - ell t)); [ | lra ].
+      apply (continuity_pt_minus (fun t => rho t)); trivial. apply (continuity_pt_mult (fun t => x t * w t - y t * u t) (fun t => / p t)). conts.
+        apply (cont_inv (fun t => p t)); trivial. lra. }
     split; trivial. split.
     + apply (continuity_pt_mult (fun t => rho t) (fun t => / (2 * E t * z_of t))); trivial. apply (cont_inv (fun t => 2 * E t * z_of t)); [ | nra ].
       apply (continuity_pt_mult (fun t => 2 * E t)); trivial. apply (continuity_pt_mult (fun _ => 2)); trivial. contq.
     + apply (continuity_pt_mult (fun t => (rho t - p t) ^ 2) (fun t => / (4 * rho t * p t * z_of t ^ 2))).
       * apply (continuity_pt_comp (fun t => rho t - p t) (fun y => y ^ 2)); [ now apply (continuity_pt_minus (fun t => rho t)) | contq ].
       * apply (cont_inv (fun t => 4 * rho t * p t * z_of t ^ 2)). 2: { assert (0 < rho t * p t) by nra. nra. }
-        apply (continuity_pt_mult (fun t => 4 * rho t * p t)). apply (continuity_pt_mult (fun t => 4 * rho t)); trivial. apply (continuity_pt_mult (fun _ => 4)); trivial. contq.
+        apply (continuity_pt_mult (fun t => 4 * rho t * p t)). apply (continuity_pt_mult (fun t => 4 * rho t)); trivial.
+          apply (continuity_pt_mult (fun _ => 4)); trivial. contq.
         apply (continuity_pt_comp z_of (fun y => y ^ 2)); trivial. contq.
   - intros t Ht. destruct (HT t Ht) as (p0 & x0 & E1). destruct (shape t p0 x0 E1) as (pr & D & ee & z0 & _). split. apply d_z; trivial; lra.
-    apply (hunt_rates (fun t => rho t) (fun t => p t) (fun t => E t) z_of t); trivial; try lra. apply d_rho; trivial; lra. apply d_p; trivial; lra. apply d_E; trivial; lra. apply d_z; trivial; lra.
-  - apply is_lim_spec. intros e. pose proof (cond_pos e). set (n := 1 + / e). assert (n0 : 0 < / e) by (apply Rinv_0_lt_compat; lra). destruct (ratio_grows x y u w S s n Hs HE ltac:(unfold n; lra)) as (T2 & _ & H2).
-    exists (Rmax T T2). intros t Ht. pose proof (Rmax_l T T2). pose proof (Rmax_r T T2). destruct (HT t ltac:(lra)) as (p0 & x0 & E1). destruct (shape t p0 x0 E1) as (pr & D & ee & z0 & _). destruct (H2 t ltac:(lra)) as [_ k].
-    unfold h_of. replace (p t * / rho t - 1) with (- ((rho t - p t) / rho t)) by (field; lra). rewrite Rabs_Ropp, Rabs_pos_eq. 2: { apply Rmult_le_pos; [ lra | left; apply Rinv_0_lt_compat; lra ]. }
-    apply Rlt_div_l. lra. assert (e * n = e + 1) by (unfold n; field; lra). assert (e * (n * (rho t - p t)) <= e * p t) by (apply Rmult_le_compat_l; lra). nra.
+    apply (hunt_rates (fun t => rho t) (fun t => p t) (fun t => E t) z_of t); trivial; try lra. apply d_rho; trivial; lra. apply d_p; trivial; lra.
+      apply d_E; trivial; lra. apply d_z; trivial; lra.
+  - apply is_lim_spec. intros e. pose proof (cond_pos e). set (n := 1 + / e). assert (n0 : 0 < / e) by (apply Rinv_0_lt_compat; lra).
+    destruct (ratio_grows x y u w S s n Hs HE ltac:(unfold n; lra)) as (T2 & _ & H2).
+    exists (Rmax T T2). intros t Ht. pose proof (Rmax_l T T2). pose proof (Rmax_r T T2). destruct (HT t ltac:(lra)) as (p0 & x0 & E1).
+      destruct (shape t p0 x0 E1) as (pr & D & ee & z0 & _). destruct (H2 t ltac:(lra)) as [_ k].
+    unfold h_of. replace (p t * / rho t - 1) with (- ((rho t - p t) / rho t)) by (field; lra). rewrite Rabs_Ropp, Rabs_pos_eq.
+      2: { apply Rmult_le_pos; [ lra | left; apply Rinv_0_lt_compat; lra ]. }
+    apply Rlt_div_l. lra. assert (e * n = e + 1) by (unfold n; field; lra). assert (e * (n * (rho t - p t)) <= e * p t) by (apply Rmult_le_compat_l;
+      lra). nra.
 Qed.
 
 (* ---- the laws ---- *)
@@ -122,9 +143,11 @@ Lemma root2 : 0 < sqrt 2 /\ sqrt 2 ^ 2 = 2.
 Proof. split. apply sqrt_lt_R0; lra. rewrite <- Rsqr_pow2. apply Rsqr_sqrt. lra. Qed.
 (* everything at the moment t in z, N, h and (1 - h)/z *)
 Lemma state t : T <= t -> 0 < t /\ 0 < z_of t /\ 0 < h_of t < 1 /\ 0 < N_of t /\ 0 < 1 - h_of t /\ p t = h_of t * rho t /\
-  rho t = / (2 * N_of t * (1 + h_of t) * ((1 - h_of t) * / z_of t) * z_of t ^ 2) /\ E t = / (4 * N_of t ^ 2 * (1 + h_of t) * ((1 - h_of t) * / z_of t) * z_of t ^ 3).
+  rho t = / (2 * N_of t * (1 + h_of t) * ((1 - h_of t) * / z_of t) * z_of t ^ 2) /\ E t = / (4 * N_of t ^ 2 * (1 + h_of t) * ((1 - h_of t) * / z_of
+    t) * z_of t ^ 3).
 Proof.
-  intros Ht. destruct (HT t Ht) as (p0 & x0 & E1). destruct (shape t p0 x0 E1) as (pr & D & ee & z0 & _). destruct (h_pos _ _ _ _ _ H t Ht) as (_ & hh & N0 & _). pose proof (h_from _ _ _ _ _ H).
+  intros Ht. destruct (HT t Ht) as (p0 & x0 & E1). destruct (shape t p0 x0 E1) as (pr & D & ee & z0 & _).
+    destruct (h_pos _ _ _ _ _ H t Ht) as (_ & hh & N0 & _). pose proof (h_from _ _ _ _ _ H).
   split. lra. split; trivial. split; trivial. split; trivial. split. lra. split. { unfold h_of. field. lra. }
   unfold N_of, h_of. rewrite ee. split; field; repeat split; nra.
 Qed.
