@@ -71,7 +71,7 @@ Corollary s4_dichotomy_exception u0 w0 : nrm u0 w0 < 1 -> exists x y u w, spin x
      forall t, 0 <= t -> 0 < nrm (u t) (w t))).
 Proof.
   intros H. destruct (s4_boundary_exists u0 w0 H) as (x & y & u & w & S & x0 & y0 & e1 & e2 & K). exists x, y, u, w. repeat (split; [ now trivial | ]).
-  destruct (s4_dichotomy _ _ _ _ S) as [(T & T0 & r1 & R) | [far | creep]]; [ left | exfalso | right; exact creep ].
+  destruct (s4_dichotomy__fates _ _ _ _ S) as [(T & T0 & r1 & R) | [far | creep]]; [ left | exfalso | right; exact creep ].
   - exists T. split; trivial. split; trivial. destruct (K T T0) as [k _]. destruct (R T (Rle_refl T)) as (_ & _ & z1 & z2). rewrite (at_rest u w T z1 z2) in k. lra.
   - destruct (bounded_ends x y u w S 1) as (a & b & Ha & Hb & _). { intros t Ht. apply K, Ht. }
     destruct (lim_near x a 1 Ha Rlt_0_1) as (T1 & T10 & H1). destruct (lim_near y b 1 Hb Rlt_0_1) as (T2 & T20 & H2).

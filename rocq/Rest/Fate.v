@@ -284,7 +284,7 @@ Proof.
 Qed.
 
 (* theorem 19 (c), s4-escape-if-A-above-1: A and rho grow without bound *)
-Theorem s4_escape_if_A_above_1 s : 0 <= s -> 1 < E s -> forall M, exists T, s <= T /\ forall t, T <= t -> M < E t.
+Theorem unbounded_above_1 s : 0 <= s -> 1 < E s -> forall M, exists T, s <= T /\ forall t, T <= t -> M < E t.
 Proof.
   intros Hs H M. pose proof (A_never_falls x y u w S) as up.
   destruct (Classical_Prop.classic (exists T, s <= T /\ M < E T)) as [(T & T0 & HT) | n].
@@ -295,7 +295,7 @@ Proof.
     specialize (EL s Hs). lra.
 Qed.
 (* theorem 19, s4-dichotomy: rest, escape, or a creep towards rho = 1 that never rests *)
-Theorem s4_dichotomy :
+Theorem s4_dichotomy__fates :
   (exists T, 0 <= T /\ rho T <= 1 /\ forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0) \/
   (forall M, exists T, 0 <= T /\ forall t, T <= t -> M < rho t) \/
   (exists a b : R, a ^ 2 + b ^ 2 = 1 /\ is_lim x p_infty a /\ is_lim y p_infty b /\ is_lim u p_infty 0 /\ is_lim w p_infty 0 /\
