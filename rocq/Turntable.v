@@ -1,7 +1,7 @@
 (* Section 4 up to (125): a particle that slips or rests on a turning table, in the paper's order *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas Picard TableMotions Lab TableAngle QuasiFixed.
+From Slipbook Require Import Motion Formulas TableMotions Lab TableAngle QuasiFixed.
 From Slipbook Require Export TableLaws.
 Open Scope R_scope.
 
@@ -40,24 +40,21 @@ Qed.
 
 (* (89): in the units of (87) and (88) every motion by (86) is one by (89), rests included, for all Omega and mu g > 0 *)
 Theorem eq_89 Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> turntable Om (mu * g) x y u w ->
-  (forall t, rx (eq88_time Om t) = eq87_position_1 Om mu g (x t) (y t) /\ ry (eq88_time Om t) = eq87_position_2 Om mu g (x t) (y t) /\
-             pu (eq88_time Om t) = Om / (mu * g) * u t /\ pw (eq88_time Om t) = Om / (mu * g) * w t) ->
+  in_units Om mu g x y u w rx ry pu pw ->
   spin rx ry pu pw /\ forall tau, 0 <= tau -> nrm (pu tau) (pw tau) <> 0 ->
   rder pu tau (eq89_acceleration_1 (rx tau) (ry tau) (pu tau) (pw tau)) /\ rder pw tau (eq89_acceleration_2 (rx tau) (ry tau) (pu tau) (pw tau)).
 Proof.
-  intros HO Hk S T. apply (units Om (mu * g) x y u w rx ry pu pw HO Hk) in S; try (intros t; apply (T t)). split; trivial. intros tau Ht N.
+  intros HO Hk S T. apply (units _ _ _ _ _ _ _ _ _ _ _ HO Hk T) in S. split; trivial. intros tau Ht N.
   destruct (slip _ _ _ _ S tau Ht N) as (_ & _ & DU & DW). unfold eq89_acceleration_1, eq89_acceleration_2. fold (nrm (pu tau) (pw tau)).
   split; (eapply rder_eq; [ eassumption | field; exact N ]).
 Qed.
 (* and back *)
 Theorem eq_89__back Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> spin rx ry pu pw ->
-  (forall t, rx (eq88_time Om t) = eq87_position_1 Om mu g (x t) (y t) /\ ry (eq88_time Om t) = eq87_position_2 Om mu g (x t) (y t) /\
-             pu (eq88_time Om t) = Om / (mu * g) * u t /\ pw (eq88_time Om t) = Om / (mu * g) * w t) -> turntable Om (mu * g) x y u w.
-Proof. intros HO Hk S T. apply (units Om (mu * g) x y u w rx ry pu pw HO Hk) in S; trivial; intros t; apply (T t). Qed.
+  in_units Om mu g x y u w rx ry pu pw -> turntable Om (mu * g) x y u w.
+Proof. intros HO Hk S T. now apply (units _ _ _ _ _ _ _ _ _ _ _ HO Hk T) in S. Qed.
 (* such a motion exists for every Omega and mu g > 0, from every place and velocity *)
-Lemma eq_89__occurs : forall Om mu g x0 y0 u0 w0, 0 < Om -> 0 < mu * g -> exists x y u w rx ry pu pw, turntable Om (mu * g) x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0 /\
-  forall t, rx (eq88_time Om t) = eq87_position_1 Om mu g (x t) (y t) /\ ry (eq88_time Om t) = eq87_position_2 Om mu g (x t) (y t) /\
-            pu (eq88_time Om t) = Om / (mu * g) * u t /\ pw (eq88_time Om t) = Om / (mu * g) * w t.
+Lemma eq_89__occurs : forall Om mu g x0 y0 u0 w0, 0 < Om -> 0 < mu * g -> exists x y u w rx ry pu pw,
+  turntable Om (mu * g) x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0 /\ in_units Om mu g x y u w rx ry pu pw.
 Proof.
   intros Om mu g x0 y0 u0 w0 HO Hk. destruct (turntable_exists Om (mu * g) x0 y0 u0 w0) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra. exists x, y, u, w.
   exists (fun t => Om ^ 2 / (mu * g) * x (t / Om)), (fun t => Om ^ 2 / (mu * g) * y (t / Om)), (fun t => Om / (mu * g) * u (t / Om)), (fun t => Om / (mu * g) * w (t / Om)).
@@ -218,7 +215,7 @@ Qed.
 Lemma eq_108__occurs : ltac:(occurs eq_108).
 Proof. intros H. from 0 2 1 0. apply (H x y u w psi S P 0 now). start. lra. Qed.
 Lemma eq_109__occurs : ltac:(occurs eq_109).
-Proof. intros H. from 0 2 1 0. apply (H x y u w psi S P 0 now); [ start; lra .. | apply Q; lra ]. Qed.
+Proof. intros H. from 0 2 1 0. apply (H x y u w psi S P 0 now); [ start; lra .. | apply Q; start; lra ]. Qed.
 
 (* ---- energy ---- *)
 (* (103) at every moment, at rest too *)
@@ -364,10 +361,10 @@ Proof.
 Qed.
 End Inner.
 (* p = 1, rho = 2, psi = pi/2: a quarter turn from both sides *)
-Ltac inner_start := from 0 2 1 0; match goal with S : spin ?x ?y ?u ?w, Q : _ -> right_continuous ?psi _ /\ _ |- _ =>
+Ltac inner_start := from 0 2 1 0; match goal with S : spin ?x ?y ?u ?w, Q : _ -> _ -> let _ := _ in let _ := _ in _ -> right_continuous ?psi _ /\ _ |- _ =>
   destruct (with_A x y u w S) as (A & al & K); [ start; lra | ]; assert (I : eq110_case (nrm (u 0) (w 0)) (nrm (x 0) (y 0)) < 0) by (unfold eq110_case; start; lra);
-  assert (N : nrm (u 0) (w 0) <> 0) by (start; lra); destruct Q as [C q]; [ lra | ];
-  assert (B : psi 0 = PI / 2) by (rewrite q; unfold arccot; replace ((0 * 1 + 2 * 0) / (2 * 1 - 0 * 0)) with 0 by field; rewrite atan_0; ring) end.
+  assert (N : nrm (u 0) (w 0) <> 0) by (start; lra); destruct Q as [C q]; [ start; lra .. | ];
+  assert (B : psi 0 = PI / 2) by (rewrite q; unfold half_angle; start; replace ((2 * 1 - 0 * 0) / (2 * 1 + (0 * 1 + 2 * 0))) with 1 by field; rewrite atan_1; field) end.
 Lemma eq_113__occurs : ltac:(occurs eq_113). Proof. intros H. inner_start. exact (H x y u w A al S 0 now K I). Qed.
 Lemma eq_114__occurs : ltac:(occurs eq_114). Proof. intros H. inner_start. exact (H x y u w psi A al S P 0 now K I N). Qed.
 Lemma eq_115__occurs : ltac:(occurs eq_115). Proof. intros H. inner_start. exact (H x y u w psi A al S P 0 now K N C). Qed.
@@ -435,8 +432,8 @@ Proof.
     apply injective_projections; unfold eq121_psi_rate, coth, RtoC, Cminus, Cplus, Copp, Cdiv, Cmult, Cinv; cbn [fst snd]; field; nra.
 Qed.
 End Outer.
-Ltac outer_start := from 0 1 2 0; match goal with S : spin ?x ?y ?u ?w, Q : _ -> right_continuous _ _ /\ _ |- _ => destruct (with_B x y u w) as (B & be & K);
-  assert (I : 0 < eq116_case (nrm (u 0) (w 0)) (nrm (x 0) (y 0))) by (unfold eq116_case; start; lra); assert (N : nrm (x 0) (y 0) <> 0) by (start; lra); destruct Q as [C q]; [ lra | ] end.
+Ltac outer_start := from 0 1 2 0; match goal with S : spin ?x ?y ?u ?w, Q : _ -> _ -> let _ := _ in let _ := _ in _ -> right_continuous _ _ /\ _ |- _ => destruct (with_B x y u w) as (B & be & K);
+  assert (I : 0 < eq116_case (nrm (u 0) (w 0)) (nrm (x 0) (y 0))) by (unfold eq116_case; start; lra); assert (N : nrm (x 0) (y 0) <> 0) by (start; lra); destruct Q as [C q]; [ start; lra .. | ] end.
 Lemma eq_119__occurs : ltac:(occurs eq_119). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I). Qed.
 Lemma eq_120__occurs : ltac:(occurs eq_120). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I N). Qed.
 Lemma eq_121__occurs : ltac:(occurs eq_121). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I N C). Qed.

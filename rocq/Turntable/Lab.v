@@ -1,4 +1,4 @@
-(* The laboratory, where friction alone accelerates the particle: (86) is its law seen from the table (turned); how fast a particle can get away *)
+(* The laboratory, where friction alone accelerates the particle: (86) is its law seen from the table (turned) *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion TableLaws.
@@ -66,31 +66,3 @@ Proof.
   split; intros T; [ now apply H | ]. apply H in T. now rewrite Ropp_involutive in T.
 Qed.
 
-Section Lab.
-Variables x y u w : R -> R.
-Hypothesis S : spin x y u w.
-Notation rho t := (nrm (x t) (y t)).
-(* the speed that the laboratory sees *)
-Notation lab t := (nrm (u t - y t) (w t + x t)).
-Lemma lab_speed s t : 0 <= s <= t -> lab t <= lab s + (t - s).
-Proof.
-  intros Hst. enough (lab t - lab s <= t - s) by lra.
-  apply (length_below (fun t => u t - y t) (fun t => w t + x t) (fun t => t) s t); [ lra | | ]; intros r Hr.
-  - split; [ table S | split; [ table S | cont ] ].
-  - destruct (s_law _ _ _ _ S r) as (X & Y & fx & fy & [B P] & U & W); [ lra | ]. exists (w r + x r + fx), (- (u r - y r) + fy), 1.
-    split. { eapply rder_eq; [ rd | ring ]. } split. { eapply rder_eq; [ rd | ring ]. } split. { apply rder_of. auto_derive; trivial. } split. lra.
-    pose proof (power_bound 1 fx fy (- (u r - y r)) (- (w r + x r)) Rle_0_1 ltac:(lra)) as Q.
-    replace (nrm (- (u r - y r)) (- (w r + x r))) with (lab r) in Q by (unfold nrm; f_equal; ring). lra.
-Qed.
-Lemma place_below s t : 0 <= s <= t -> rho t <= rho s + lab s * (t - s) + (t - s) ^ 2 / 2.
-Proof.
-  intros Hst. enough (rho t - rho s <= (lab s * (t - s) + (t - s) ^ 2 * / 2) - (lab s * (s - s) + (s - s) ^ 2 * / 2)) by lra.
-  apply (length_below x y (fun t => lab s * (t - s) + (t - s) ^ 2 * / 2) s t); [ lra | | ]; intros r Hr.
-  - split; [ apply (s_cx _ _ _ _ S); lra | split; [ apply (s_cy _ _ _ _ S); lra | cont ] ].
-  - destruct (s_law _ _ _ _ S r) as (X & Y & _); [ lra | ]. exists (u r), (w r), (lab s + (r - s)). split; trivial. split; trivial. split. { apply rder_of. auto_derive; trivial. field. }
-    pose proof (nrm_pos (u s - y s) (w s + x s)). split. lra. apply Rle_trans with (lab r * rho r).
-    + pose proof (power_bound (lab r) (u r - y r) (w r + x r) (- x r) (- y r) (nrm_pos _ _) ltac:(rewrite nrm_sq; lra)) as Q.
-      replace (nrm (- x r) (- y r)) with (rho r) in Q by (unfold nrm; f_equal; ring). lra.
-    + apply Rmult_le_compat_r. apply nrm_pos. pose proof (lab_speed s r ltac:(lra)). lra.
-Qed.
-End Lab.

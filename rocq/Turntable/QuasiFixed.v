@@ -2,6 +2,7 @@
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion RightDerivatives Picard TableAngle Formulas.
+From Slipbook.General Require Import Rates.
 Open Scope R_scope.
 
 Lemma tanh_range al : 0 < al -> 0 < tanh (2 * al) < 1.
@@ -33,21 +34,23 @@ Variable psi : R -> R.
 Hypothesis ha : 0 < al.
 Hypothesis hc : forall t, 0 < t -> continuity_pt psi t.
 Hypothesis hd : forall t, 0 <= t -> rder psi t (eq115_psi_rate al (psi t)).
-Notation from1 t := (sin ((psi t - eq124_psi1 al) * / 2)).
-Notation from2 t := (sin ((psi t - eq125_psi2 al) * / 2)).
+Notation psi1 := (eq124_psi1 al).
+Notation psi2 := (eq125_psi2 al).
+Notation from1 t := (sin ((psi t - psi1) * / 2)).
+Notation from2 t := (sin ((psi t - psi2) * / 2)).
 Notation T := (tanh (2 * al)).
 Notation k := (2 / sinh (2 * al)).
 
 Lemma rate_is t : eq115_psi_rate al (psi t) = 4 * from1 t * from2 t / T.
 Proof.
   destruct (psi1_spec al ha) as (_ & e & _). pose proof (tanh_range al ha) as T0. unfold eq115_psi_rate, eq125_psi2. rewrite coth_is by trivial.
-  change (asin (tanh (2 * al))) with (eq124_psi1 al). set (a := (psi t - eq124_psi1 al) * / 2). set (b := (psi t + eq124_psi1 al) * / 2).
-  replace ((psi t - (PI - eq124_psi1 al)) * / 2) with (- (PI / 2 - b)) by (unfold b; field). rewrite sin_neg, sin_shift.
-  replace (sin (psi t)) with (sin (b + a)) by (f_equal; unfold a, b; field). rewrite <- e. replace (eq124_psi1 al) with (b - a) in e |- * by (unfold a, b; field).
+  change (asin (tanh (2 * al))) with (eq124_psi1 al). set (a := (psi t - psi1) * / 2). set (b := (psi t + psi1) * / 2).
+  replace ((psi t - (PI - psi1)) * / 2) with (- (PI / 2 - b)) by (unfold b; field). rewrite sin_neg, sin_shift.
+  replace (sin (psi t)) with (sin (b + a)) by (f_equal; unfold a, b; field). rewrite <- e. replace psi1 with (b - a) in e |- * by (unfold a, b; field).
   rewrite sin_plus, sin_minus in *. field. rewrite e. lra.
 Qed.
-Lemma halves_rates t : 0 <= t -> rder (fun t => from1 t) t (2 / T * cos ((psi t - eq124_psi1 al) * / 2) * from1 t * from2 t) /\
-  rder (fun t => from2 t) t (2 / T * cos ((psi t - eq125_psi2 al) * / 2) * from1 t * from2 t).
+Lemma halves_rates t : 0 <= t -> rder (fun t => from1 t) t (2 / T * cos ((psi t - psi1) * / 2) * from1 t * from2 t) /\
+  rder (fun t => from2 t) t (2 / T * cos ((psi t - psi2) * / 2) * from1 t * from2 t).
 Proof.
   intros Ht. pose proof (hd t Ht) as D. rewrite rate_is in D. pose proof (tanh_range al ha).
   split; (eapply rder_eq; [ apply (rder_sin (fun t => (psi t - _) * / 2)); rd | cbv beta; field; lra ]).
@@ -63,7 +66,7 @@ Proof.
     - apply (continuity_pt_opp (fun t => from2 t ^ 2 * exp (M * t))), (continuity_pt_mult (fun t => from2 t ^ 2)); [ | cont ].
       apply (continuity_pt_comp (fun t => from2 t) (fun x => x ^ 2)); [ apply cont_half; lra | apply derivable_continuous_pt, derivable_pt_pow ].
     - destruct (halves_rates s ltac:(lra)) as [_ D]. eexists. split. apply (rder_opp (fun t => from2 t ^ 2 * exp (M * t))), (rder_mult (fun t => from2 t ^ 2)); [ apply (rder_pow (fun t => from2 t)), D | rd ].
-      simpl INR. simpl pred. cbv beta. set (e := exp (M * s)). assert (e0 : 0 < e) by apply exp_pos. pose proof (SIN_bound ((psi s - eq124_psi1 al) * / 2)) as b1. pose proof (COS_bound ((psi s - eq125_psi2 al) * / 2)) as b2.
+      simpl INR. simpl pred. cbv beta. set (e := exp (M * s)). assert (e0 : 0 < e) by apply exp_pos. pose proof (SIN_bound ((psi s - psi1) * / 2)) as b1. pose proof (COS_bound ((psi s - psi2) * / 2)) as b2.
       set (a := from1 s) in *. set (b := from2 s) in *. set (c := cos _) in *.
       match goal with |- ?g <= 0 => replace g with (- (M * e * b ^ 2 * (1 + c * a))) by (unfold M; field; lra) end.
       assert (0 <= M * e * b ^ 2) by (apply Rmult_le_pos; [ nra | apply pow2_ge_0 ]). assert (0 <= 1 + c * a) by nra. nra. }
@@ -78,9 +81,9 @@ Proof.
       apply (continuity_pt_inv (fun t => from2 t)); [ apply cont_half; lra | apply stays_away; lra ].
     - destruct (halves_rates s ltac:(lra)) as [D1 D2]. pose proof (stays_away s ltac:(lra)) as b0.
       eapply rder_eq. apply (rder_mult (fun t => from1 t * / from2 t)); [ apply (rder_mult (fun t => from1 t)); [ exact D1 | apply (rder_inv (fun t => from2 t)); [ exact D2 | exact b0 ] ] | rd ].
-      cbv beta. set (a1 := (psi s - eq124_psi1 al) * / 2) in *. set (a2 := (psi s - eq125_psi2 al) * / 2) in *.
+      cbv beta. set (a1 := (psi s - psi1) * / 2) in *. set (a2 := (psi s - psi2) * / 2) in *.
       assert (q : sin a2 * cos a1 - sin a1 * cos a2 = - / cosh (2 * al)).
-      { rewrite <- e'. replace (sin a2 * cos a1 - sin a1 * cos a2) with (sin (a2 - a1)) by (rewrite sin_minus; ring). replace (a2 - a1) with (- (PI / 2 - eq124_psi1 al)).
+      { rewrite <- e'. replace (sin a2 * cos a1 - sin a1 * cos a2) with (sin (a2 - a1)) by (rewrite sin_minus; ring). replace (a2 - a1) with (- (PI / 2 - psi1)).
         rewrite sin_neg, sin_shift. ring. unfold a1, a2, eq125_psi2. change (asin (tanh (2 * al))) with (eq124_psi1 al). field. }
       set (E := exp (k * s)). match goal with |- ?g = 0 => replace g with ((2 / T * (sin a2 * cos a1 - sin a1 * cos a2) + k) * sin a1 * / sin a2 * E) by (field; lra) end.
       rewrite q. unfold tanh. field. split; [ exact b0 | lra ]. }
@@ -91,16 +94,13 @@ Proof.
 Qed.
 Lemma attracted : is_lim (fun t => from1 t) p_infty 0.
 Proof.
-  assert (z0 : 0 < sinh (2 * al)) by (rewrite <- sinh_0; apply sinh_lt; lra). assert (k0 : 0 < k) by (apply Rdiv_lt_0_compat; lra). set (q := k) in *.
-  apply is_lim_spec. intros eps. pose proof (cond_pos eps) as e0. set (e := pos eps) in *. pose proof (Rabs_pos_lt _ away) as b0. set (b := Rabs (from2 0)) in *.
-  exists (/ (q * b * e)). intros t Ht. assert (i0 : 0 < / (q * b * e)) by (apply Rinv_0_lt_compat; apply Rmult_lt_0_compat; nra). pose proof (ratio_falls t ltac:(lra)) as R. fold q in R.
-  rewrite Rminus_0_r. apply (Rmult_lt_reg_r b); trivial. unfold b at 1. rewrite <- Rabs_mult, R, !Rabs_mult, (Rabs_pos_eq (exp _)) by (left; apply exp_pos).
-  assert (s1 : Rabs (from1 0) <= 1) by (apply Rabs_le, SIN_bound). assert (s2 : Rabs (from2 t) <= 1) by (apply Rabs_le, SIN_bound). pose proof (Rabs_pos (from1 0)). pose proof (Rabs_pos (from2 t)).
-  assert (qb : 0 < q * b * e) by (apply Rmult_lt_0_compat; nra). assert (qt : 1 < q * t * (b * e)).
-  { apply (Rmult_lt_compat_l _ _ _ qb) in Ht. rewrite Rinv_r in Ht by lra. replace (q * t * (b * e)) with (q * b * e * t) by ring. exact Ht. }
-  pose proof (exp_ineq1_le (q * t)) as x1. assert (e1 : exp (q * t) * exp (- (q * t)) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). pose proof (exp_pos (- (q * t))) as x0.
-  apply Rle_lt_trans with (exp (- (q * t)) * 1 * 1). { apply Rmult_le_compat; nra. }
-  assert (be : 0 < b * e) by nra. apply (Rmult_lt_reg_l (exp (q * t))). apply exp_pos. rewrite !Rmult_1_r, e1. nra.
+  assert (z0 : 0 < sinh (2 * al)) by (rewrite <- sinh_0; apply sinh_lt; lra). assert (k0 : 0 < 2 * k) by (assert (0 < k) by (apply Rdiv_lt_0_compat; lra); lra). pose proof (pow2_gt_0 _ away) as b0.
+  apply (lim_of_bound _ (/ from2 0 ^ 2) (fun t => exp (2 * k * t))); [ left; now apply Rinv_0_lt_compat | | intros K; now apply grows_exp ]. intros t Ht.
+  apply (Rmult_le_reg_r (from2 0 ^ 2)); trivial. rewrite Rinv_l by lra. replace (from1 t ^ 2 * exp (2 * k * t) * from2 0 ^ 2) with ((from1 t * from2 0) ^ 2 * exp (2 * k * t)) by ring.
+  rewrite (ratio_falls t Ht). assert (e : exp (- (k * t)) ^ 2 * exp (2 * k * t) = 1).
+  { replace (exp (- (k * t)) ^ 2) with (exp (- (k * t)) * exp (- (k * t))) by ring. rewrite <- !exp_plus. replace (- (k * t) + - (k * t) + 2 * k * t) with 0 by ring. apply exp_0. }
+  rewrite !Rpow_mult_distr. replace (exp (- (k * t)) ^ 2 * from1 0 ^ 2 * from2 t ^ 2 * exp (2 * k * t)) with (from1 0 ^ 2 * from2 t ^ 2 * (exp (- (k * t)) ^ 2 * exp (2 * k * t))) by ring. rewrite e.
+  assert (q : forall a, 0 <= sin a ^ 2 <= 1) by (intros a; pose proof (SIN_bound a); split; nra). pose proof (q ((psi 0 - psi1) * / 2)). pose proof (q ((psi t - psi2) * / 2)). nra.
 Qed.
 End Frozen.
 (* such a psi from every start *)

@@ -143,18 +143,22 @@ Proof. intros H. pose proof (cosh_pos a). unfold coth. rewrite cosh_2, sinh_2. f
 
 (* ---- motions that have all this: every start, its angle, A and alpha, B and beta ---- *)
 Lemma motion_with_angle x0 y0 u0 w0 : exists x y u w psi, spin x y u w /\ (forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t)) /\
-  (x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0) /\ (0 < y0 * u0 - x0 * w0 -> right_continuous psi 0 /\ psi 0 = arccot ((x0 * u0 + y0 * w0) / (y0 * u0 - x0 * w0))).
+  (x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0) /\ (0 < nrm x0 y0 -> 0 < nrm u0 w0 -> let c := x0 * u0 + y0 * w0 in let m := nrm x0 y0 * nrm u0 w0 in
+  m + c <> 0 -> right_continuous psi 0 /\ psi 0 = half_angle c (y0 * u0 - x0 * w0) m).
 Proof.
   destruct (table_exists x0 y0 u0 w0) as (x & y & u & w & S & e1 & e2 & e3 & e4). exists x, y, u, w, (fun t => proj1_sig (angle_exists (x t) (y t) (u t) (w t))). split; trivial.
+  set (c t := x t * u t + y t * w t). set (d t := y t * u t - x t * w t). set (m t := nrm (x t) (y t) * nrm (u t) (w t)).
   assert (H : forall t, let psi := proj1_sig (angle_exists (x t) (y t) (u t) (w t)) in position_angle (x t) (y t) (u t) (w t) psi /\
-    (0 < y t * u t - x t * w t -> psi = arccot ((x t * u t + y t * w t) * / (y t * u t - x t * w t)))) by (intros t psi; apply (proj2_sig (angle_exists (x t) (y t) (u t) (w t)))).
-  split. { intros t _. apply H. } split; auto. rewrite <- e1, <- e2, <- e3, <- e4. intros D0. split. 2: now apply (H 0).
-  destruct (s_law _ _ _ _ S 0 (Rle_refl 0)) as (X & Y & fx & fy & _ & U & W).
-  assert (D : exists l, rder (fun t => y t * u t - x t * w t) 0 l) by (eexists; rd). destruct D as [l D]. destruct (right_pos _ _ _ D D0) as (d & d0 & Hd).
-  eapply rder_right_continuous, (rder_near _ (fun t => PI / 2 - atan ((x t * u t + y t * w t) * / (y t * u t - x t * w t))) 0 _ d d0).
-  - intros s Hs. symmetry. apply (H s). destruct (Req_dec s 0) as [-> | ne]; trivial. apply Hd. lra.
-  - apply (rder_minus (fun _ => PI / 2)); [ rd | ]. apply (rder_comp (fun t => (x t * u t + y t * w t) * / (y t * u t - x t * w t)) atan); [ | apply is_derive_Reals, derivable_pt_lim_atan ].
-    apply (rder_mult (fun t => x t * u t + y t * w t) (fun t => / (y t * u t - x t * w t))); [ rd | apply (rder_inv (fun t => y t * u t - x t * w t)); [ exact D | lra ] ].
+    (m t + c t <> 0 -> psi = 2 * atan (d t * / (m t + c t)))) by (intros t psi; apply (proj2_sig (angle_exists (x t) (y t) (u t) (w t)))).
+  split. { intros t _. apply H. } split; auto. rewrite <- e1, <- e2, <- e3, <- e4. intros r0 p0. cbv zeta. change (m 0 + c 0 <> 0 -> right_continuous (fun t => proj1_sig (angle_exists (x t) (y t) (u t) (w t))) 0 /\ proj1_sig (angle_exists (x 0) (y 0) (u 0) (w 0)) = half_angle (c 0) (d 0) (m 0)).
+  intros D0. split. 2: now apply (H 0). destruct (s_law _ _ _ _ S 0 (Rle_refl 0)) as (X & Y & fx & fy & _ & U & W).
+  assert (D : exists l, rder (fun t => m t + c t) 0 l) by (eexists; unfold m, c; rd; lra). destruct D as [l D].
+  assert (D2 : exists l, rder d 0 l) by (eexists; unfold d; rd). destruct D2 as [l2 D2].
+  destruct (right_pos (fun t => (m t + c t) ^ 2) 0 _ (rder_pow _ 2 _ _ D) ltac:(now apply pow2_gt_0)) as (d1 & d0 & Hd).
+  eapply rder_right_continuous, (rder_near _ (fun t => 2 * atan (d t * / (m t + c t))) 0 _ d1 d0).
+  - intros s Hs. symmetry. apply (H s). destruct (Req_dec s 0) as [-> | ne]; trivial. specialize (Hd s ltac:(lra)). intros z. rewrite z in Hd. lra.
+  - apply (rder_mult (fun _ => 2)); [ rd | ]. apply (rder_comp (fun t => d t * / (m t + c t)) atan); [ | apply is_derive_Reals, derivable_pt_lim_atan ].
+    apply (rder_mult d (fun t => / (m t + c t))); [ exact D2 | apply (rder_inv (fun t => m t + c t)); [ exact D | exact D0 ] ].
 Qed.
 Lemma with_A x y u w : spin x y u w -> nrm (u 0) (w 0) < nrm (x 0) (y 0) -> exists A al, forall t, 0 <= t -> hyperbolic (x t) (y t) (u t) (w t) (A t) (al t).
 Proof.

@@ -2,7 +2,8 @@
    (near_apart); they exist (Picard, with the direction of the slip made Lipschitz); for d = 4^-n they converge, and the limit has the right rates (follow) *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion TableLaws Picard.
+From Slipbook Require Import Motion TableLaws Picard Formulas.
+From Slipbook.General Require Import Rates.
 Open Scope R_scope.
 
 Definition almost d ux uy fx fy := fx ^ 2 + fy ^ 2 <= 1 /\ fx * ux + fy * uy <= d - nrm ux uy.
@@ -84,19 +85,7 @@ Qed.
 End Follow.
 
 (* ---- (89) with the direction of the slip made Lipschitz ---- *)
-Lemma nrm_lip a b a' b' : Rabs (nrm a b - nrm a' b') <= Rabs (a - a') + Rabs (b - b').
-Proof.
-  assert (H : forall a b a' b', nrm a b <= nrm a' b' + (Rabs (a - a') + Rabs (b - b'))).
-  { clear. intros a b a' b'. pose proof (nrm_sq a b) as e1. pose proof (nrm_sq a' b') as e2. pose proof (nrm_pos a b). pose proof (nrm_pos a' b').
-    pose proof (power_bound (nrm a' b') (- a') (- b') (a - a') (b - b') H0 ltac:(lra)) as Q.
-    pose proof (nrm_sq (a - a') (b - b')) as e3. pose proof (nrm_pos (a - a') (b - b')).
-    pose proof (pow2_abs (a - a')) as k1. pose proof (pow2_abs (b - b')) as k2. pose proof (Rabs_pos (a - a')). pose proof (Rabs_pos (b - b')).
-    set (n := nrm a b) in *. set (m := nrm a' b') in *. set (k := nrm (a - a') (b - b')) in *.
-    assert (n <= m + k) by nra. assert (k <= Rabs (a - a') + Rabs (b - b')) by nra. lra. }
-  pose proof (H a b a' b'). pose proof (H a' b' a b) as K. rewrite (Rabs_minus_sym a'), (Rabs_minus_sym b') in K. apply Rabs_le. lra.
-Qed.
-Lemma nrm_ge a b : Rabs a <= nrm a b /\ Rabs b <= nrm a b.
-Proof. pose proof (nrm_pos a b). pose proof (pow2_ge_0 a). pose proof (pow2_ge_0 b). split; apply abs_of_sq; trivial; rewrite nrm_sq; lra. Qed.
+Notation nrm_lip := nrm_near (only parsing).
 Lemma ratio_lip d a n a' n' D : 0 < d -> 0 <= n -> Rabs a' <= n' -> Rabs (a - a') <= D -> Rabs (n - n') <= 2 * D ->
   Rabs (a / (d + n) - a' / (d + n')) <= 3 / d * D.
 Proof.
@@ -116,8 +105,8 @@ Lemma field89_lip d : 0 < d -> forall v v' D, (forall j, Rabs (v j - v' j) <= D)
 Proof.
   intros Hd v v' D H. pose proof (H px) as Hx. pose proof (H py) as Hy. pose proof (H pu) as Hu. pose proof (H pw) as Hw.
   assert (D0 : 0 <= D) by (pose proof (Rabs_pos (v px - v' px)); lra). assert (d0 : 0 < 3 / d) by (apply Rdiv_lt_0_compat; lra).
-  assert (M : Rabs (nrm (v pu) (v pw) - nrm (v' pu) (v' pw)) <= 2 * D) by (eapply Rle_trans; [ apply nrm_lip | lra ]).
-  destruct (nrm_ge (v' pu) (v' pw)) as [g1 g2]. pose proof (nrm_pos (v pu) (v pw)) as n0.
+  assert (M : Rabs (nrm (v pu) (v pw) - nrm (v' pu) (v' pw)) <= 2 * D) by (eapply Rle_trans; [ apply nrm_near | lra ]).
+  destruct (abs_nrm (v' pu) (v' pw)) as [g1 g2]. pose proof (nrm_pos (v pu) (v pw)) as n0.
   pose proof (ratio_lip d _ _ _ _ D Hd n0 g1 Hu M) as Ru. pose proof (ratio_lip d _ _ _ _ D Hd n0 g2 Hw M) as Rw.
   assert (0 <= 3 / d * D) by (apply Rmult_le_pos; lra).
   apply Rabs_le_between in Hx, Hy, Hu, Hw, Ru, Rw. intros i. apply Rabs_le. destruct i; simpl; lra.
@@ -211,7 +200,7 @@ Proof.
     enough (g ^ 2 - (p ^ 2 + 2 * h * (p * q) + h ^ 2 * M ^ 2) = h ^ 2 * ((q + h * M ^ 2 / p) ^ 2 + M ^ 2)) by (pose proof (Rmult_le_pos _ _ (pow2_ge_0 h) (Rplus_le_le_0_compat _ _ (pow2_ge_0 (q + h * M ^ 2 / p)) (pow2_ge_0 M))); lra).
     unfold g. field. lra.
   - (* it stands: with friction against its place, as much as there is of it up to 1 *)
-    symmetry in z. destruct (stops u0 w0 z) as [z1 z2]. pose proof (nrm_pos x0 y0). set (r := nrm x0 y0) in *. pose proof (Rmax_l 1 r). pose proof (Rmax_r 1 r). set (m := Rmax 1 r) in *.
+    symmetry in z. destruct (nrm_zero u0 w0 z) as [z1 z2]. pose proof (nrm_pos x0 y0). set (r := nrm x0 y0) in *. pose proof (Rmax_l 1 r). pose proof (Rmax_r 1 r). set (m := Rmax 1 r) in *.
     exists (- (x0 / m)), (- (y0 / m)), 0. split. { split; [ | rewrite z, z1, z2; ring ]. replace ((- (x0 / m)) ^ 2 + (- (y0 / m)) ^ 2) with (r ^ 2 / m ^ 2) by (rewrite rr; field; lra). apply Rle_div_l; nra. }
     intros h Hh b. set (k := h * (1 - / m)). assert (k0 : 0 <= k). { apply Rmult_le_pos; [ lra | ]. assert (/ m <= / 1) by (apply Rinv_le_contravar; lra). lra. }
     assert (b1 : b pu = k * x0) by (unfold b, rate, k; fold u0 w0 x0; rewrite z1, z2; field; lra). assert (b2 : b pw = k * y0) by (unfold b, rate, k; fold u0 w0 y0; rewrite z1, z2; field; lra).
@@ -243,7 +232,7 @@ Proof.
   assert (pos : forall Om y0 w0, 0 < Om -> 0 < k -> exists x y u w, turntable Om k x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0).
   { clear. intros Om y0 w0 HO Hk. destruct (table_exists (Om ^ 2 / k * x0) (Om ^ 2 / k * y0) (Om / k * u0) (Om / k * w0)) as (x & y & u & w & S & e1 & e2 & e3 & e4).
     exists (fun t => k / Om ^ 2 * x (Om * t)), (fun t => k / Om ^ 2 * y (Om * t)), (fun t => k / Om * u (Om * t)), (fun t => k / Om * w (Om * t)). split.
-    - apply (units Om k _ _ _ _ x y u w HO Hk); trivial; intros t; field; lra.
+    - rewrite <- (Rmult_1_r k). apply (units Om k 1 _ _ _ _ x y u w); [ lra .. | | exact S ]. intros t. unfold eq87_position_1, eq87_position_2, eq88_time. repeat split; field; lra.
     - rewrite Rmult_0_r, e1, e2, e3, e4. repeat split; field; lra. }
   intros HO Hk. destruct (Rlt_dec 0 Om) as [h | h]. { now apply pos. }
   destruct (pos (- Om) (- y0) (- w0)) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra. apply mirrored in S. rewrite Ropp_involutive in S.
