@@ -31,8 +31,10 @@ Qed.
 Lemma seen_table Om k x y u w : seen Om Om k x y u w <-> turntable Om k x y u w.
 Proof.
   split; intros S; split; try apply S; intros t Ht.
-  - destruct (f_law _ _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). rewrite Rminus_eq_0, !Rmult_0_l, Rplus_0_r, Rminus_0_r in C. split; [ | split ]; trivial. now exists fx, fy.
-  - destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy. rewrite Rminus_eq_0, !Rmult_0_l, Rplus_0_r, Rminus_0_r. auto.
+  - destruct (f_law _ _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). rewrite Rminus_eq_0, !Rmult_0_l, Rplus_0_r, Rminus_0_r in C.
+    split; [ | split ]; trivial. now exists fx, fy.
+  - destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
+    rewrite Rminus_eq_0, !Rmult_0_l, Rplus_0_r, Rminus_0_r. auto.
 Qed.
 Lemma turned q o Om k X Y U W x y u w : same_particle q X Y U W x y u w -> seen o Om k X Y U W -> seen (o + q) Om k x y u w.
 Proof.
@@ -54,14 +56,16 @@ Proof.
     + set (a := U t + (Om - o) * Y t) in *. set (b := W t - (Om - o) * X t) in *.
       replace (c * (U t + q * Y t) + s * (W t - q * X t) + (Om - (o + q)) * (c * Y t - s * X t)) with (c * a + s * b) by (unfold a, b; ring).
       replace (c * (W t - q * X t) - s * (U t + q * Y t) - (Om - (o + q)) * (c * X t + s * Y t)) with (c * b - s * a) by (unfold a, b; ring).
-      replace (nrm (c * a + s * b) (c * b - s * a)) with (nrm a b). 2: { unfold nrm. f_equal. transitivity ((s * s + c * c) * (a ^ 2 + b ^ 2)). rewrite e. ring. ring. }
+      replace (nrm (c * a + s * b) (c * b - s * a)) with (nrm a b). 2: { unfold nrm. f_equal. transitivity ((s * s + c * c) * (a ^ 2 + b ^ 2)).
+        rewrite e. ring. ring. }
       transitivity ((s * s + c * c) * (fx * a + fy * b)). ring. rewrite e, P. ring.
 Qed.
 Lemma same_back Om X Y U W x y u w : same_particle Om X Y U W x y u w <-> same_particle (- Om) x y u w X Y U W.
 Proof.
   assert (H : forall Om X Y U W x y u w, same_particle Om X Y U W x y u w -> same_particle (- Om) x y u w X Y U W).
   { clear. intros Om X Y U W x y u w T t. destruct (T t) as (-> & -> & -> & ->). rewrite Ropp_mult_distr_l_reverse, cos_neg, sin_neg.
-    pose proof (sin2_cos2 (Om * t)) as e. unfold Rsqr in e. set (s := sin (Om * t)) in *. set (c := cos (Om * t)) in *. assert (e2 : c * c = 1 - s * s) by lra.
+    pose proof (sin2_cos2 (Om * t)) as e. unfold Rsqr in e. set (s := sin (Om * t)) in *. set (c := cos (Om * t)) in *.
+      assert (e2 : c * c = 1 - s * s) by lra.
     repeat split; ring [e2]. }
   split; intros T; [ now apply H | ]. apply H in T. now rewrite Ropp_involutive in T.
 Qed.

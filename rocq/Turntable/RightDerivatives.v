@@ -17,15 +17,18 @@ Proof. intros. apply Rabs_le. split; nra. Qed.
 Lemma rder_cube f t l K : 0 <= K -> (forall h, 0 <= h <= 1 -> (f (t + h) - (f t + h * l)) ^ 2 <= K * h ^ 3) -> rder f t l.
 Proof.
   intros HK H. apply rder_intro. intros e He. exists (Rmin 1 (e ^ 2 / (K + 1))). split. { apply Rmin_pos; [ lra | apply Rdiv_lt_0_compat; nra ]. }
-  intros h Hh. pose proof (Rmin_l 1 (e ^ 2 / (K + 1))). pose proof (Rmin_r 1 (e ^ 2 / (K + 1))). assert (k : h * (K + 1) <= e ^ 2) by (apply Rle_div_r; lra).
+  intros h Hh. pose proof (Rmin_l 1 (e ^ 2 / (K + 1))). pose proof (Rmin_r 1 (e ^ 2 / (K + 1))).
+    assert (k : h * (K + 1) <= e ^ 2) by (apply Rle_div_r; lra).
   apply abs_of_sq. nra. specialize (H h ltac:(lra)). replace (f (t + h) - f t - l * h) with (f (t + h) - (f t + h * l)) by ring.
-  apply Rle_trans with (K * h ^ 3); trivial. replace (K * h ^ 3) with (h ^ 2 * (h * K)) by ring. replace ((e * h) ^ 2) with (h ^ 2 * e ^ 2) by ring. apply Rmult_le_compat_l; nra.
+  apply Rle_trans with (K * h ^ 3); trivial. replace (K * h ^ 3) with (h ^ 2 * (h * K)) by ring. replace ((e * h) ^ 2) with (h ^ 2 * e ^ 2) by ring.
+    apply Rmult_le_compat_l; nra.
 Qed.
 Lemma rder_right_continuous f t l : rder f t l -> right_continuous f t.
 Proof.
   intros [F [H K]] e He. assert (C : continuity_pt F t) by (apply derivable_continuous_pt; exists l; now apply is_derive_Reals).
   destruct (C e He) as (d & d0 & Hd). exists d. split; trivial. intros s Hs. rewrite <- !K by lra.
-  destruct (Req_dec s t) as [-> | ne]. rewrite Rminus_eq_0, Rabs_R0; lra. apply Hd. split. { split. exact I. auto. } simpl. unfold R_dist. apply Rabs_def1; lra.
+  destruct (Req_dec s t) as [-> | ne]. rewrite Rminus_eq_0, Rabs_R0; lra. apply Hd. split. { split. exact I. auto. } simpl. unfold R_dist.
+    apply Rabs_def1; lra.
 Qed.
 Lemma right_pos f t l : rder f t l -> 0 < f t -> exists d, 0 < d /\ forall s, t < s < t + d -> 0 < f s.
 Proof.
