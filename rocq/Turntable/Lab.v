@@ -1,4 +1,4 @@
-(* The laboratory, where friction alone accelerates the particle: (86) is its law seen from the table (turned); how fast a particle can get away *)
+(* The laboratory, where friction alone accelerates the particle: (86) is its law seen from the table (turned) *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion TableLaws.
@@ -31,8 +31,10 @@ Qed.
 Lemma seen_table Om k x y u w : seen Om Om k x y u w <-> turntable Om k x y u w.
 Proof.
   split; intros S; split; try apply S; intros t Ht.
-  - destruct (f_law _ _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). rewrite Rminus_eq_0, !Rmult_0_l, Rplus_0_r, Rminus_0_r in C. split; [ | split ]; trivial. now exists fx, fy.
-  - destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy. rewrite Rminus_eq_0, !Rmult_0_l, Rplus_0_r, Rminus_0_r. auto.
+  - destruct (f_law _ _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). rewrite Rminus_eq_0, !Rmult_0_l, Rplus_0_r, Rminus_0_r in C.
+    split; [ | split ]; trivial. now exists fx, fy.
+  - destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
+    rewrite Rminus_eq_0, !Rmult_0_l, Rplus_0_r, Rminus_0_r. auto.
 Qed.
 Lemma turned q o Om k X Y U W x y u w : same_particle q X Y U W x y u w -> seen o Om k X Y U W -> seen (o + q) Om k x y u w.
 Proof.
@@ -54,43 +56,17 @@ Proof.
     + set (a := U t + (Om - o) * Y t) in *. set (b := W t - (Om - o) * X t) in *.
       replace (c * (U t + q * Y t) + s * (W t - q * X t) + (Om - (o + q)) * (c * Y t - s * X t)) with (c * a + s * b) by (unfold a, b; ring).
       replace (c * (W t - q * X t) - s * (U t + q * Y t) - (Om - (o + q)) * (c * X t + s * Y t)) with (c * b - s * a) by (unfold a, b; ring).
-      replace (nrm (c * a + s * b) (c * b - s * a)) with (nrm a b). 2: { unfold nrm. f_equal. transitivity ((s * s + c * c) * (a ^ 2 + b ^ 2)). rewrite e. ring. ring. }
+      replace (nrm (c * a + s * b) (c * b - s * a)) with (nrm a b). 2: { unfold nrm. f_equal. transitivity ((s * s + c * c) * (a ^ 2 + b ^ 2)).
+        rewrite e. ring. ring. }
       transitivity ((s * s + c * c) * (fx * a + fy * b)). ring. rewrite e, P. ring.
 Qed.
 Lemma same_back Om X Y U W x y u w : same_particle Om X Y U W x y u w <-> same_particle (- Om) x y u w X Y U W.
 Proof.
   assert (H : forall Om X Y U W x y u w, same_particle Om X Y U W x y u w -> same_particle (- Om) x y u w X Y U W).
   { clear. intros Om X Y U W x y u w T t. destruct (T t) as (-> & -> & -> & ->). rewrite Ropp_mult_distr_l_reverse, cos_neg, sin_neg.
-    pose proof (sin2_cos2 (Om * t)) as e. unfold Rsqr in e. set (s := sin (Om * t)) in *. set (c := cos (Om * t)) in *. assert (e2 : c * c = 1 - s * s) by lra.
+    pose proof (sin2_cos2 (Om * t)) as e. unfold Rsqr in e. set (s := sin (Om * t)) in *. set (c := cos (Om * t)) in *.
+      assert (e2 : c * c = 1 - s * s) by lra.
     repeat split; ring [e2]. }
   split; intros T; [ now apply H | ]. apply H in T. now rewrite Ropp_involutive in T.
 Qed.
 
-Section Lab.
-Variables x y u w : R -> R.
-Hypothesis S : spin x y u w.
-Notation rho t := (nrm (x t) (y t)).
-(* the speed that the laboratory sees *)
-Notation lab t := (nrm (u t - y t) (w t + x t)).
-Lemma lab_speed s t : 0 <= s <= t -> lab t <= lab s + (t - s).
-Proof.
-  intros Hst. enough (lab t - lab s <= t - s) by lra.
-  apply (length_below (fun t => u t - y t) (fun t => w t + x t) (fun t => t) s t); [ lra | | ]; intros r Hr.
-  - split; [ table S | split; [ table S | cont ] ].
-  - destruct (s_law _ _ _ _ S r) as (X & Y & fx & fy & [B P] & U & W); [ lra | ]. exists (w r + x r + fx), (- (u r - y r) + fy), 1.
-    split. { eapply rder_eq; [ rd | ring ]. } split. { eapply rder_eq; [ rd | ring ]. } split. { apply rder_of. auto_derive; trivial. } split. lra.
-    pose proof (power_bound 1 fx fy (- (u r - y r)) (- (w r + x r)) Rle_0_1 ltac:(lra)) as Q.
-    replace (nrm (- (u r - y r)) (- (w r + x r))) with (lab r) in Q by (unfold nrm; f_equal; ring). lra.
-Qed.
-Lemma place_below s t : 0 <= s <= t -> rho t <= rho s + lab s * (t - s) + (t - s) ^ 2 / 2.
-Proof.
-  intros Hst. enough (rho t - rho s <= (lab s * (t - s) + (t - s) ^ 2 * / 2) - (lab s * (s - s) + (s - s) ^ 2 * / 2)) by lra.
-  apply (length_below x y (fun t => lab s * (t - s) + (t - s) ^ 2 * / 2) s t); [ lra | | ]; intros r Hr.
-  - split; [ apply (s_cx _ _ _ _ S); lra | split; [ apply (s_cy _ _ _ _ S); lra | cont ] ].
-  - destruct (s_law _ _ _ _ S r) as (X & Y & _); [ lra | ]. exists (u r), (w r), (lab s + (r - s)). split; trivial. split; trivial. split. { apply rder_of. auto_derive; trivial. field. }
-    pose proof (nrm_pos (u s - y s) (w s + x s)). split. lra. apply Rle_trans with (lab r * rho r).
-    + pose proof (power_bound (lab r) (u r - y r) (w r + x r) (- x r) (- y r) (nrm_pos _ _) ltac:(rewrite nrm_sq; lra)) as Q.
-      replace (nrm (- x r) (- y r)) with (rho r) in Q by (unfold nrm; f_equal; ring). lra.
-    + apply Rmult_le_compat_r. apply nrm_pos. pose proof (lab_speed s r ltac:(lra)). lra.
-Qed.
-End Lab.

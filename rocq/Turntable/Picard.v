@@ -33,7 +33,8 @@ Qed.
 Lemma lim_geo (a : nat -> R) B : (forall n, Rabs (a (S n) - a n) <= B / 2 * (/ 2) ^ n) -> {l | forall n, Rabs (a n - l) <= B * (/ 2) ^ n}.
 Proof.
   intros H. assert (B0 : 0 <= B). { specialize (H 0%nat). pose proof (Rabs_pos (a 1%nat - a 0%nat)). simpl in H. lra. }
-  destruct (squeeze (fun n => a n - B * (/ 2) ^ n) (fun n => a n + B * (/ 2) ^ n)) as [l Hl]; [ | | | exists l; intros n; specialize (Hl n); apply Rabs_le; lra ];
+  destruct (squeeze (fun n => a n - B * (/ 2) ^ n) (fun n => a n + B * (/ 2) ^ n)) as [l Hl]; [ | | | exists l; intros n; specialize (Hl n);
+    apply Rabs_le; lra ];
     intros n; specialize (H n); apply Rabs_le_between in H; destruct (half_pos n); simpl pow; nra.
 Qed.
 Lemma der_cont f t l : is_derive f t l -> continuity_pt f t.
@@ -76,7 +77,8 @@ Variable c : place -> R.
 Lemma cont_F i (f : place -> R -> R) t : (forall j, continuity_pt (f j) t) -> continuity_pt (fun s => F i (fun j => f j s)) t.
 Proof.
   intros H e He. assert (e1 : e / (2 * L) > 0) by (apply Rdiv_lt_0_compat; lra).
-  destruct (H px _ e1) as (d1 & p1 & h1). destruct (H py _ e1) as (d2 & p2 & h2). destruct (H pu _ e1) as (d3 & p3 & h3). destruct (H pw _ e1) as (d4 & p4 & h4).
+  destruct (H px _ e1) as (d1 & p1 & h1). destruct (H py _ e1) as (d2 & p2 & h2). destruct (H pu _ e1) as (d3 & p3 & h3).
+    destruct (H pw _ e1) as (d4 & p4 & h4).
   exists (Rmin (Rmin d1 d2) (Rmin d3 d4)). split. repeat apply Rmin_pos; trivial.
   intros s [Hs1 Hs2]. simpl in *. unfold R_dist in *.
   apply Rle_lt_trans with (L * (e / (2 * L))). 2: { replace (L * (e / (2 * L))) with (e / 2) by (field; lra). lra. }
@@ -95,7 +97,8 @@ Proof.
   { clear f g f' g'. intros f g f' g' Ht HB e0 Df Dg H. assert (K : f t - g t - B / 2 * exp (2 * L * t) <= f 0 - g 0 - B / 2 * exp (2 * L * 0)).
     { apply (rder_decr (fun t => f t - g t - B / 2 * exp (2 * L * t))); trivial; intros s Hs.
       - pose proof (der_cont _ _ _ (Df s ltac:(lra))). pose proof (der_cont _ _ _ (Dg s ltac:(lra))). cont.
-      - specialize (H s ltac:(lra)). apply Rabs_le_between in H. pose proof (rder_of _ _ _ (Df s ltac:(lra))). pose proof (rder_of _ _ _ (Dg s ltac:(lra))). eexists. split. rd. lra. }
+      - specialize (H s ltac:(lra)). apply Rabs_le_between in H. pose proof (rder_of _ _ _ (Df s ltac:(lra))).
+        pose proof (rder_of _ _ _ (Dg s ltac:(lra))). eexists. split. rd. lra. }
     rewrite Rmult_0_r, exp_0, e0 in K. lra. }
   intros Ht HB e0 Df Dg H. pose proof (half f g f' g' Ht HB e0 Df Dg H).
   pose proof (half g f g' f' Ht HB (eq_sym e0) Dg Df ltac:(intros; rewrite Rabs_minus_sym; auto)). apply Rabs_le. lra.
@@ -128,7 +131,8 @@ Proof.
     intros s Hs. rewrite Rminus_0_r. simpl. change (fun j => c j) with c. pose proof (B_above i). apply Rle_trans with (L * B); [ lra | ].
     apply Rmult_le_compat_l; [ lra | ]. rewrite <- (Rmult_1_r B) at 1. apply Rmult_le_compat_l; trivial. rewrite <- exp_0. apply exp_up. nra.
   - destruct (half_pos n). replace (B * exp (2 * L * t) / 2 * (/ 2) ^ S n) with (B / 2 * (/ 2) ^ n / 2 * exp (2 * L * t)) by (simpl; field).
-    apply (compare (phi (S (S n)) i) (phi (S n) i) (fun s => F i (fun j => phi (S n) j s)) (fun s => F i (fun j => phi n j s))); trivial; [ nra | | | | ].
+    apply (compare (phi (S (S n)) i) (phi (S n) i) (fun s => F i (fun j => phi (S n) j s)) (fun s => F i (fun j => phi n j s))); trivial;
+      [ nra | | | | ].
     now rewrite !phi_0. intros; apply phi_der. intros; apply phi_der.
     intros s Hs. apply HF. intros j. eapply Rle_trans; [ apply IH; lra | right; field ].
 Qed.
@@ -152,7 +156,8 @@ Proof.
   apply (le_by_halves _ _ (B * exp (2 * L * t))). intros n. rewrite Rplus_0_l. destruct (half_pos n).
   assert (N2 : Rabs (phi (S n) i t - sol i t) <= B * (/ 2) ^ n / 2 * exp (2 * L * t)).
   { apply (compare (phi (S n) i) (sol i) (fun s => F i (fun j => phi n j s)) (fun s => F i (fun j => lim j s))); trivial; [ nra | | | | ].
-    now rewrite phi_0, sol_0. intros; apply phi_der. intros; apply sol_der. intros s Hs. apply HF. intros j. eapply Rle_trans; [ apply N; lra | right; ring ]. }
+    now rewrite phi_0, sol_0. intros; apply phi_der. intros; apply sol_der. intros s Hs. apply HF. intros j.
+      eapply Rle_trans; [ apply N; lra | right; ring ]. }
   pose proof (N (S n) t i Ht) as N3. simpl pow in N3. apply Rabs_le_between in N2, N3. apply Rabs_le; lra.
 Qed.
 Theorem picard : { f : place -> R -> R | (forall i, f i 0 = c i) /\ (forall i t, continuity_pt (f i) t) /\

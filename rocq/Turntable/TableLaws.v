@@ -2,6 +2,7 @@
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Formulas.
+From Slipbook.General Require Import Rates.
 From Slipbook Require Export RightDerivatives.
 Open Scope R_scope.
 
@@ -22,48 +23,50 @@ Definition arc_length (u w s : R -> R) :=
 (* psi is the angle of the position with respect to the velocity, counterclockwise: the direction of (u, w), turned by psi, is that of (x, y) *)
 Definition position_angle x y u w psi :=
   nrm u w * x = nrm x y * (u * cos psi - w * sin psi) /\ nrm u w * y = nrm x y * (u * sin psi + w * cos psi).
-(* the same by products *)
+(* the same motion in the units of (87) and (88); velocities go with them *)
+Definition in_units (Om mu g : R) (x y u w rx ry pu pw : R -> R) := forall t,
+  rx (eq88_time Om t) = eq87_position_1 Om mu g (x t) (y t) /\ ry (eq88_time Om t) = eq87_position_2 Om mu g (x t) (y t) /\
+  pu (eq88_time Om t) = Om / (mu * g) * u t /\ pw (eq88_time Om t) = Om / (mu * g) * w t.
+(* position_angle by products *)
 Definition angle x y u w psi := x * u + y * w = nrm x y * nrm u w * cos psi /\ x * w - y * u = - (nrm x y * nrm u w * sin psi).
 
 Ltac table S := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
 
-Lemma stops u w : nrm u w = 0 -> u = 0 /\ w = 0.
-Proof. intros z. apply sq_sum. rewrite <- nrm_sq, z. lra. Qed.
 Lemma nrm_x0 a : 0 <= a -> nrm a 0 = a.
 Proof. intros H. unfold nrm. replace (a ^ 2 + 0 ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
 Lemma nrm_0y a : 0 <= a -> nrm 0 a = a.
 Proof. intros H. unfold nrm. replace (0 ^ 2 + a ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
-Lemma nrm_scale c a b : 0 <= c -> nrm (c * a) (c * b) = c * nrm a b.
-Proof. intros Hc. unfold nrm. replace ((c * a) ^ 2 + (c * b) ^ 2) with (c ^ 2 * (a ^ 2 + b ^ 2)) by ring. rewrite sqrt_mult_alt by nra. now rewrite sqrt_pow2. Qed.
 Lemma angle_iff x y u w psi : position_angle x y u w psi <-> angle x y u w psi.
 Proof.
   unfold position_angle, angle. pose proof (nrm_sq u w) as e. destruct (Req_dec (nrm u w) 0) as [z | z].
-  - destruct (stops u w z) as [-> ->]. rewrite z. split; intros _; split; ring.
+  - destruct (nrm_zero u w z) as [-> ->]. rewrite z. split; intros _; split; ring.
   - set (n := nrm u w) in *. set (m := nrm x y). split; intros [h1 h2]; split; apply (Rmult_eq_reg_l n); trivial.
     + replace (n * (x * u + y * w)) with (n * x * u + n * y * w) by ring. rewrite h1, h2. ring [e].
     + replace (n * (x * w - y * u)) with (n * x * w - n * y * u) by ring. rewrite h1, h2. ring [e].
     + replace (n * (n * x)) with (u * (x * u + y * w) + w * (x * w - y * u)) by ring [e]. rewrite h1, h2. ring.
     + replace (n * (n * y)) with (w * (x * u + y * w) - u * (x * w - y * u)) by ring [e]. rewrite h1, h2. ring.
 Qed.
-(* an angle for each state; where the position is to the left of the velocity it is this *)
-Definition arccot q := PI / 2 - atan q.
-Lemma angle_exists x y u w : { psi | position_angle x y u w psi /\ (0 < y * u - x * w -> psi = arccot ((x * u + y * w) / (y * u - x * w))) }.
+(* an angle for each state: pi where the position is just against the velocity, else by the tangent of its half *)
+Definition half_angle c d m := 2 * atan (d / (m + c)).
+Lemma angle_exists x y u w : let c := x * u + y * w in let d := y * u - x * w in let m := nrm x y * nrm u w in
+  { psi | position_angle x y u w psi /\ (m + c <> 0 -> psi = half_angle c d m) }.
 Proof.
-  set (c := x * u + y * w). set (d := y * u - x * w). set (m := nrm x y * nrm u w). assert (m0 : 0 <= m) by (apply Rmult_le_pos; apply nrm_pos).
-  assert (e : c ^ 2 + d ^ 2 = m ^ 2) by (unfold m; rewrite Rpow_mult_distr, !nrm_sq; unfold c, d; ring).
+  intros c d m. assert (m0 : 0 <= m) by (apply Rmult_le_pos; apply nrm_pos). assert (e : c ^ 2 + d ^ 2 = m ^ 2) by (unfold m;
+    rewrite Rpow_mult_distr, !nrm_sq; unfold c, d; ring).
   assert (F : forall psi, c = m * cos psi -> d = m * sin psi -> position_angle x y u w psi).
   { intros psi h1 h2. apply angle_iff. split; [ exact h1 | ]. fold m. unfold d in h2. lra. }
-  assert (R : d <> 0 -> sqrt (1 + (c / d)²) = m / Rabs d).
-  { intros d0. pose proof (Rabs_pos_lt d d0) as d1. rewrite <- (sqrt_pow2 (m / Rabs d)) by (apply Rmult_le_pos; [ exact m0 | left; now apply Rinv_0_lt_compat ]). f_equal.
-    unfold Rsqr, Rdiv. rewrite Rpow_mult_distr, pow_inv, pow2_abs, <- e by lra. field. exact d0. }
-  assert (M : d <> 0 -> m <> 0) by (intros d0 z; rewrite z in e; nra).
-  destruct (Req_EM_T d 0) as [d0 | d0].
-  - destruct (Rle_lt_dec 0 c) as [c0 | c0]; [ exists 0 | exists PI ]; (split; [ apply F | lra ]); rewrite ?cos_0, ?sin_0, ?cos_PI, ?sin_PI; try lra; nra.
-  - specialize (R d0). specialize (M d0). destruct (Rle_lt_dec 0 d) as [d1 | d1]; [ exists (arccot (c / d)) | exists (arccot (c / d) - PI) ]; (split; [ | lra ]).
-    + apply F; unfold arccot; rewrite ?cos_shift, ?sin_shift, ?sin_atan, ?cos_atan, R, Rabs_pos_eq by lra; field; lra.
-    + apply F; unfold arccot; [ rewrite <- (cos_neg (_ - PI)) | rewrite <- (Ropp_involutive (_ - PI)), sin_neg ];
-      replace (- (PI / 2 - atan (c / d) - PI)) with (PI / 2 - - atan (c / d)) by field;
-      rewrite ?cos_shift, ?sin_shift, ?sin_neg, ?cos_neg, ?sin_atan, ?cos_atan, R, Rabs_left by lra; field; lra.
+  destruct (Req_EM_T (m + c) 0) as [z | z]. { exists PI. split; [ | lra ]. apply F; rewrite ?cos_PI, ?sin_PI; nra. }
+  exists (half_angle c d m). split; trivial. unfold half_angle. set (q := d / (m + c)). pose proof (Rle_0_sqr q) as q0.
+    assert (r : sqrt (1 + q²) * sqrt (1 + q²) = 1 + q²) by (apply sqrt_sqrt; lra).
+  assert (s0 : sqrt (1 + q²) <> 0) by (intros h; rewrite h in r; lra). assert (Q : (1 + q²) * (m + c) = 2 * m).
+  { unfold q, Rsqr. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity ((m + c) ^ 2 + d ^ 2). field; trivial.
+    replace (d ^ 2) with (m ^ 2 - c ^ 2) by lra. ring. }
+  apply F; [ rewrite cos_2a | rewrite sin_2a ]; rewrite sin_atan, cos_atan; apply (Rmult_eq_reg_l (1 + q²)); try lra; set (k := sqrt (1 + q²)) in *;
+    rewrite <- r at 2.
+  - transitivity (m * (1 - q * q)). 2: field; trivial. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity (2 * m * c). rewrite <- Q; ring.
+    replace (m * (1 - q * q) * (m + c)) with (m * (2 * (m + c) - (1 + q²) * (m + c))) by (unfold Rsqr; ring). rewrite Q. ring.
+  - transitivity (m * (2 * q)). 2: field; trivial. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity (2 * m * d). rewrite <- Q; ring. unfold q.
+    field. trivial.
 Qed.
 
 Section Slip.
@@ -109,7 +112,8 @@ Proof. intros K. rates. eapply rder_eq. rd. exact K. reflexivity. Qed.
 (* it goes on slipping for a while *)
 Lemma slips_on : exists d, 0 < d /\ forall s, t <= s < t + d -> 0 < p s.
 Proof.
-  pose proof (nrm_pos (u t) (w t)). destruct (right_pos _ _ _ dp) as (d & d0 & H1). lra. exists d. split; trivial. intros s Hs. destruct (Req_dec s t) as [-> | ne]. lra. apply H1. lra.
+  pose proof (nrm_pos (u t) (w t)). destruct (right_pos _ _ _ dp) as (d & d0 & H1). lra. exists d. split; trivial. intros s Hs.
+    destruct (Req_dec s t) as [-> | ne]. lra. apply H1. lra.
 Qed.
 End Slip.
 
@@ -123,7 +127,8 @@ Qed.
 Lemma spin_is_turntable x y u w : spin x y u w <-> turntable 1 1 x y u w.
 Proof.
   split; intros S.
-  - split. { intros t Ht. repeat split; [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; trivial. }
+  - split. { intros t Ht. repeat split; [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ];
+    trivial. }
     intros t Ht. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
     split; [ exact C | split; (eapply rder_eq; [ eassumption | ring ]) ].
   - split; try (intros t Ht; destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?); trivial).
@@ -141,30 +146,36 @@ Proof.
     split. { eapply rder_eq. apply (rder_mult (fun _ => L) (fun t => x (c * t))); [ rd | exact X ]. ring. }
     split. { eapply rder_eq. apply (rder_mult (fun _ => L) (fun t => y (c * t))); [ rd | exact Y ]. ring. }
     exists (L * c ^ 2 * fx), (L * c ^ 2 * fy). split. { split.
-      - replace ((L * c ^ 2 * fx) ^ 2 + (L * c ^ 2 * fy) ^ 2) with ((L * c ^ 2) ^ 2 * (fx ^ 2 + fy ^ 2)) by ring. rewrite (Rpow_mult_distr _ k). apply Rmult_le_compat_l; trivial. apply pow2_ge_0.
+      - replace ((L * c ^ 2 * fx) ^ 2 + (L * c ^ 2 * fy) ^ 2) with ((L * c ^ 2) ^ 2 * (fx ^ 2 + fy ^ 2)) by ring. rewrite (Rpow_mult_distr _ k).
+        apply Rmult_le_compat_l; trivial. apply pow2_ge_0.
       - rewrite nrm_scale by nra. transitivity (L * c ^ 2 * (L * c) * (fx * u (c * t) + fy * w (c * t))). ring. rewrite P. ring. }
     split. { eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => u (c * t))); [ rd | exact U ]. cbv beta. ring. }
     eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => w (c * t))); [ rd | exact W ]. cbv beta. ring.
 Qed.
-(* (87), (88): (86) in its units is (89), both ways *)
-Lemma units Om k x y u w rx ry pu pw : 0 < Om -> 0 < k ->
-  (forall t, rx (Om * t) = Om ^ 2 / k * x t) -> (forall t, ry (Om * t) = Om ^ 2 / k * y t) ->
-  (forall t, pu (Om * t) = Om / k * u t) -> (forall t, pw (Om * t) = Om / k * w t) -> turntable Om k x y u w <-> spin rx ry pu pw.
+(* (86) in the units of (87), (88) is (89), both ways *)
+Lemma units Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> in_units Om mu g x y u w rx ry pu pw -> turntable Om (mu * g) x y u w <->
+  spin rx ry pu pw.
 Proof.
-  intros HO Hk ex ey eu ew. rewrite spin_is_turntable. assert (0 < Om ^ 2 / k) by (apply Rdiv_lt_0_compat; nra). assert (0 < k / Om ^ 2) by (apply Rdiv_lt_0_compat; nra).
-  split; intros S.
-  - apply (rescale _ _ (/ Om) (Om ^ 2 / k)) in S; trivial; [ | now apply Rinv_0_lt_compat ].
-    replace (/ Om * Om) with 1 in S by (field; lra). replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S by (field; lra).
-    replace rx with (fun t => Om ^ 2 / k * x (/ Om * t)). 2: { extensionality t. rewrite <- ex. f_equal. field. lra. }
-    replace ry with (fun t => Om ^ 2 / k * y (/ Om * t)). 2: { extensionality t. rewrite <- ey. f_equal. field. lra. }
-    replace pu with (fun t => Om ^ 2 / k * / Om * u (/ Om * t)). 2: { extensionality t. replace (Om ^ 2 / k * / Om) with (Om / k) by (field; lra). rewrite <- eu. f_equal. field. lra. }
-    replace pw with (fun t => Om ^ 2 / k * / Om * w (/ Om * t)). 2: { extensionality t. replace (Om ^ 2 / k * / Om) with (Om / k) by (field; lra). rewrite <- ew. f_equal. field. lra. }
+  intros HO Hk T. unfold in_units, eq87_position_1, eq87_position_2, eq88_time in T. set (k := mu * g) in *. rewrite spin_is_turntable.
+  assert (a0 : 0 < Om ^ 2 / k) by (apply Rdiv_lt_0_compat; nra). assert (b0 : 0 < k / Om ^ 2) by (apply Rdiv_lt_0_compat; nra). split; intros S.
+  - apply (rescale _ _ (/ Om) (Om ^ 2 / k)) in S; trivial; [ | now apply Rinv_0_lt_compat ]. replace (/ Om * Om) with 1 in S by (field; lra).
+    replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S by (field; lra).
+    assert (b : forall t, t = Om * (/ Om * t)) by (intros; field; lra). replace (Om ^ 2 / k * / Om) with (Om / k) in S by (field; lra).
+    replace rx with (fun t => Om ^ 2 / k * x (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
+    replace ry with (fun t => Om ^ 2 / k * y (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
+    replace pu with (fun t => Om / k * u (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
+    replace pw with (fun t => Om / k * w (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
     exact S.
-  - apply (rescale _ _ Om (k / Om ^ 2)) in S; trivial. replace (Om * 1) with Om in S by ring. replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra).
-    replace x with (fun t => k / Om ^ 2 * rx (Om * t)). 2: { extensionality t. rewrite ex. field. lra. }
-    replace y with (fun t => k / Om ^ 2 * ry (Om * t)). 2: { extensionality t. rewrite ey. field. lra. }
-    replace u with (fun t => k / Om ^ 2 * Om * pu (Om * t)). 2: { extensionality t. rewrite eu. field. lra. }
-    replace w with (fun t => k / Om ^ 2 * Om * pw (Om * t)). 2: { extensionality t. rewrite ew. field. lra. }
+  - apply (rescale _ _ Om (k / Om ^ 2)) in S; trivial. replace (Om * 1) with Om in S by ring.
+    replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra).
+    replace x with (fun t => k / Om ^ 2 * rx (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field;
+      lra).
+    replace y with (fun t => k / Om ^ 2 * ry (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field;
+      lra).
+    replace u with (fun t => k / Om ^ 2 * Om * pu (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4;
+      field; lra).
+    replace w with (fun t => k / Om ^ 2 * Om * pw (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4;
+      field; lra).
     exact S.
 Qed.
 Lemma mirrored Om k x y u w : turntable Om k x y u w -> turntable (- Om) k x (fun t => - y t) u (fun t => - w t).
@@ -176,10 +187,12 @@ Proof.
     split. { eapply rder_eq; [ exact U | ring ]. } eapply rder_eq; [ apply rder_opp, W | ring ].
 Qed.
 (* the length of its path, by the energy *)
-Lemma arc_exists Om k x y u w : 0 < k -> turntable Om k x y u w -> arc_length u w (fun t => (Om ^ 2 * (x t ^ 2 + y t ^ 2) - (u t ^ 2 + w t ^ 2)) * / (2 * k)).
+Lemma arc_exists Om k x y u w : 0 < k -> turntable Om k x y u w -> arc_length u w (fun t => (Om ^ 2 * (x t ^ 2 + y t ^ 2) - (u t ^ 2 + w t ^ 2)) * /
+  (2 * k)).
 Proof.
   intros Hk S. split; intros t Ht.
   - destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?). cont.
-  - destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & [_ P] & U & W). unfold eq105_arc_rate. eapply rder_eq. rd. simpl. set (n := nrm _ _) in *.
+  - destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & [_ P] & U & W). unfold eq105_arc_rate. eapply rder_eq. rd. simpl.
+    set (n := nrm _ _) in *.
     transitivity (- (fx * u t + fy * w t) / k). field; lra. rewrite P. field. lra.
 Qed.
