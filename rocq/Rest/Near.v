@@ -68,7 +68,7 @@ Proof.
   { unfold wb. rewrite <- HA. fold h. assert (k : (C ^ 2 - S ^ 2) ^ 2 + (2 * S * C) ^ 2 = 1). { transitivity ((C ^ 2 + S ^ 2) ^ 2). ring. rewrite HC. ring. }
     replace ((A * h * (C ^ 2 - S ^ 2)) ^ 2 + (- A * h * (2 * S * C)) ^ 2) with ((A * h) ^ 2 * ((C ^ 2 - S ^ 2) ^ 2 + (2 * S * C) ^ 2)) by ring. rewrite k. ring. }
   transitivity (A ^ 2 - 1 + A * al * (1 + A * (C ^ 2 - S ^ 2)) + al ^ 2 * (A ^ 2 * fa C S + A ^ 3 * fb C S + A ^ 4 * fc C S) + al ^ 3 * left_1 A al C S e1 e2).
-  { unfold left_1. cbv zeta. fold h. set (Q3 := q3 _ _). unfold q2, fa, fb, fc, h. ring. }
+  { unfold left_1. cbv zeta. fold h. set (Q3 := q3 _ _). unfold q2, fa, fb, fc, h. field. }
   transitivity ((A - b) * (A + b + slope_m A b al C S) + (b ^ 2 - 1 + b * al * (1 + b * (C ^ 2 - S ^ 2)) + al ^ 2 * (b ^ 2 * fa C S + b ^ 3 * fb C S + b ^ 4 * fc C S)) + al ^ 3 * left_1 A al C S e1 e2).
   { unfold slope_m. ring. }
   enough (k : b ^ 2 - 1 + b * al * (1 + b * (C ^ 2 - S ^ 2)) + al ^ 2 * (b ^ 2 * fa C S + b ^ 3 * fb C S + b ^ 4 * fc C S) = al ^ 3 * left_2 al C S) by (rewrite k; ring).
@@ -85,7 +85,8 @@ Lemma boundary_f2 al psi : right_rest_boundary_a al psi = 1 - al * zb al (cos (p
 Proof. unfold right_rest_boundary_a, zb, f2. field. Qed.
 Lemma half_angle psi : cos (psi / 2) ^ 2 + sin (psi / 2) ^ 2 = 1 /\ cos psi = cos (psi / 2) ^ 2 - sin (psi / 2) ^ 2 /\ sin psi = 2 * sin (psi / 2) * cos (psi / 2).
 Proof.
-  pose proof (sin2_cos2 (psi / 2)) as e. unfold Rsqr in e. replace psi with (2 * (psi / 2)) at 3 5 by field. rewrite cos_2a, sin_2a. repeat split; lra.
+  pose proof (sin2_cos2 (psi / 2)) as e. unfold Rsqr in e. pose proof (cos_2a (psi / 2)) as c2. pose proof (sin_2a (psi / 2)) as s2.
+  replace (2 * (psi / 2)) with psi in c2, s2 by field. repeat split; lra.
 Qed.
 Lemma near_b : exists K a0, 0 < K /\ 0 < a0 <= 1 /\ forall A al psi, 0 < A <= 1 -> 0 < al < a0 ->
   exists m, / 4 <= m /\ Rabs (wb (A * sinh al) (A * cosh al * cos psi) (- (A * cosh al * sin psi)) - (A - right_rest_boundary_a al psi) * m) <= K * al ^ 3.
@@ -108,11 +109,56 @@ Proof.
   exists (A + b + slope_m A b al C S). apply Rabs_le_between in H2, H3. split.
   - assert (- (al * K2) <= slope_m A b al C S).
     { unfold slope_m. match type of H2 with _ <= ?g <= _ => apply Rle_trans with (al * g) end. nra. right. unfold b. ring. }
-    assert (- (al * K3) <= - (al * zb al C S)) by nra. unfold b. lra.
+    assert (al * zb al C S <= al * K3) by nra. assert (1 - al * K3 <= b) by (unfold b; lra). lra.
   - rewrite boundary_f2. fold C S b. rewrite es, ec, h2, h3. pose proof (wb_near A al C S e1 e2 h1) as k. cbv zeta in k. fold b in k.
     replace (A * (1 + al ^ 2 * e2) * (C ^ 2 - S ^ 2)) with (A * (1 + al ^ 2 * e2) * (C ^ 2 - S ^ 2)) by ring.
     replace (- (A * (1 + al ^ 2 * e2) * (2 * S * C))) with (- A * (1 + al ^ 2 * e2) * (2 * S * C)) by ring. rewrite k.
     2: { rewrite <- es, <- ec. rewrite !Rpow_mult_distr, ch2. ring. }
     match goal with |- Rabs ?g <= _ => replace g with (al ^ 3 * (left_1 A al C S e1 e2 + left_2 al C S)) by ring end.
     rewrite Rabs_mult, Rabs_pos_eq, Rmult_comm by (apply pow_le; lra). apply Rmult_le_compat_r; [ apply pow_le; lra | exact H1 ].
+Qed.
+
+(* ---- the starts with rest at s ---- *)
+Definition slope_s s d A al c := A + (s - s * al ^ 2 * (/ 4 + (1 + s * c) ^ 2 * d * / 2)) +
+  al ^ 2 * ((A + s) * (/ 2 + d) + (A ^ 2 + A * s + s ^ 2) * (2 * d * c) + (A ^ 3 + A ^ 2 * s + A * s ^ 2 + s ^ 3) * (d * c ^ 2)).
+Definition left_s s d A al c e1 e2 := let be := / 4 + (1 + s * c) ^ 2 * d * / 2 in let h := 1 + al ^ 2 * e2 in
+  s ^ 2 * be ^ 2 + A ^ 3 * d * c * e2 * (2 + A * h * c + A * c) + A ^ 2 * (2 * e1 + al ^ 2 * e1 ^ 2) * (/ 2 + (1 + A * h * c) ^ 2 * d)
+  - s * be * ((A + s) * (/ 2 + d) + (A ^ 2 + A * s + s ^ 2) * (2 * d * c) + (A ^ 3 + A ^ 2 * s + A * s ^ 2 + s ^ 3) * (d * c ^ 2)).
+Lemma ws_near s d A al c e1 e2 : let be := / 4 + (1 + s * c) ^ 2 * d * / 2 in let h := 1 + al ^ 2 * e2 in
+  A ^ 2 - s ^ 2 + (A * (al + al ^ 3 * e1)) ^ 2 * (/ 2 + (1 + A * h * c) ^ 2 * d) = (A - (s - s * al ^ 2 * be)) * slope_s s d A al c + al ^ 4 * left_s s d A al c e1 e2.
+Proof. unfold slope_s, left_s. cbv zeta. field. Qed.
+Lemma bend_q s psi : 0 < s < 1 -> right_rest_surface_a s 1 psi = s - s * (/ 4 + (1 + s * cos psi) ^ 2 * / (2 * (1 - s ^ 2)) * / 2).
+Proof.
+  intros Hs. unfold right_rest_surface_a. destruct (half_angle psi) as (h1 & -> & _). set (C := cos (psi / 2)) in *. set (S := sin (psi / 2)) in *.
+  replace (S ^ 2) with (1 - C ^ 2) by lra. field. nra.
+Qed.
+Lemma near_s s : 0 < s < 1 -> exists K a0, 0 < K /\ 0 < a0 <= 1 /\ forall A al psi, 0 < A <= 1 -> 0 < al < a0 ->
+  exists m, s / 2 <= m /\ Rabs (ws s (A * sinh al) (A * cosh al * cos psi) (- (A * cosh al * sin psi)) - (A - right_rest_surface_a s al psi) * m) <= K * al ^ 3.
+Proof.
+  intros Hs. set (d := / (2 * (1 - s ^ 2))). assert (d0 : 0 < d) by (apply Rinv_0_lt_compat; nra).
+  assert (B1 : bnd (fun v => left_s (v 0%nat) (v 1%nat) (v 2%nat) (v 3%nat) (v 4%nat) (v 5%nat) (v 6%nat))) by (unfold left_s; bounded).
+  assert (B2 : bnd (fun v => - (v 0%nat * (/ 4 + (1 + v 0%nat * v 4%nat) ^ 2 * v 1%nat * / 2)) + ((v 2%nat + v 0%nat) * (/ 2 + v 1%nat) + (v 2%nat ^ 2 + v 2%nat * v 0%nat + v 0%nat ^ 2) * (2 * v 1%nat * v 4%nat)
+    + (v 2%nat ^ 3 + v 2%nat ^ 2 * v 0%nat + v 2%nat * v 0%nat ^ 2 + v 0%nat ^ 3) * (v 1%nat * v 4%nat ^ 2)))) by bounded.
+  destruct (B1 (2 + d) ltac:(lra)) as (K & K0 & H1). destruct (B2 (2 + d) ltac:(lra)) as (K2 & K20 & H2).
+  assert (a00 : 0 < s / (2 * (K2 + 1)) <= 1). { split. apply Rdiv_lt_0_compat; lra. apply Rle_div_l; lra. }
+  exists K, (s / (2 * (K2 + 1))). split; trivial. split; trivial. intros A al psi HA Hal.
+  assert (ka : al * (K2 + 1) <= s / 2). { replace (s / 2) with (s / (2 * (K2 + 1)) * (K2 + 1)) by (field; lra). apply Rmult_le_compat_r; lra. }
+  destruct (hyp_small al ltac:(lra)) as (e1 & e2 & H4 & H5 & es & ec).
+  assert (V : forall i, Rabs (vals [s; d; A; al; cos psi; e1; e2] i) <= 2 + d).
+  { apply vals_le. lra. pose proof (COS_bound psi) as cb. intros r Hr. simpl in Hr. repeat (destruct Hr as [<- | Hr]; [ apply Rabs_le; lra | ]). destruct Hr. }
+  specialize (H1 _ V). specialize (H2 _ V). cbn [vals] in H1, H2. set (c := cos psi) in *.
+  exists (slope_s s d A al c). apply Rabs_le_between in H2. split.
+  - match type of H2 with _ <= ?g <= _ => assert (e : slope_s s d A al c = A + s + al ^ 2 * g) by (unfold slope_s; ring); rewrite e; set (z := g) in * end.
+    assert (al ^ 2 <= al) by nra. assert (0 <= al ^ 2 * (z + K2)) by (apply Rmult_le_pos; [ apply pow2_ge_0 | lra ]). assert (al ^ 2 * K2 <= al * K2) by (apply Rmult_le_compat_r; lra). lra.
+  - assert (eb : right_rest_surface_a s al psi = s - s * al ^ 2 * (/ 4 + (1 + s * c) ^ 2 * d * / 2)).
+    { pose proof (bend_q s psi Hs) as k. fold d c in k. unfold right_rest_surface_a in *. set (q := (_ / _ + _) + _) in *. rewrite pow1 in k. assert (q' : s * q = s * (/ 4 + (1 + s * c) ^ 2 * d * / 2)) by lra.
+      transitivity (s - al ^ 2 * (s * q)). ring. rewrite q'. ring. }
+    assert (ew : ws s (A * sinh al) (A * cosh al * c) (- (A * cosh al * sin psi)) = A ^ 2 - s ^ 2 + (A * (al + al ^ 3 * e1)) ^ 2 * (/ 2 + (1 + A * (1 + al ^ 2 * e2) * c) ^ 2 * d)).
+    { unfold ws, qs. fold d. assert (k : A ^ 2 = (A * cosh al) ^ 2 * (c ^ 2 + sin psi ^ 2) - (A * sinh al) ^ 2).
+      { pose proof (sin2_cos2 psi) as q. unfold Rsqr in q. fold c in q. replace (c ^ 2 + sin psi ^ 2) with 1 by lra. rewrite !Rpow_mult_distr, ch2. ring. }
+      rewrite k at 1. rewrite es, ec. ring. }
+    rewrite eb, ew. pose proof (ws_near s d A al c e1 e2) as k. cbv zeta in k. rewrite k.
+    match goal with |- Rabs ?g <= _ => replace g with (al ^ 3 * (al * left_s s d A al c e1 e2)) by ring end.
+    rewrite Rabs_mult, Rabs_pos_eq, Rmult_comm by (apply pow_le; lra). apply Rmult_le_compat_r; [ apply pow_le; lra | ].
+    rewrite Rabs_mult, Rabs_pos_eq by lra. pose proof (Rabs_pos (left_s s d A al c e1 e2)). nra.
 Qed.
