@@ -1,87 +1,158 @@
-(* What holds of every motion with friction *)
-Require Import Reals Lra Psatz.
+(* Section 2, a particle on a rough plane that has any acceleration: (1), (2) and the four general properties, of every motion. *)
+Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion.
+From Slipbook Require Import Motion Formulas.
+From Slipbook.General Require Export Rates Contraction Straight.
+From Slipbook.General Require Import Exists.
 Open Scope R_scope.
 
-(* (a) two motions under one drive never move apart *)
-Theorem contraction k Ax Ay x1 y1 x2 y2 : 0 <= k ->
-  motion k Ax Ay x1 y1 -> motion k Ax Ay x2 y2 -> forall s t, 0 <= s <= t ->
-  (x1 t - x2 t) ^ 2 + (y1 t - y2 t) ^ 2 <= (x1 s - x2 s) ^ 2 + (y1 s - y2 s) ^ 2.
+Ltac emptied T := lazymatch T with
+  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
+  | _ => constr:(False) end.
+(* the statement of the theorem t with False for its conclusion is false: its hypotheses can be met *)
+Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
+
+(* (1): while the particle slips its velocity relative to the plane has the printed rate; (Ax, Ay) is the plane's acceleration. *)
+Theorem eq_1 mu g Ax Ay vx vy : 0 <= mu * g -> motion (mu * g) Ax Ay vx vy -> forall t, 0 <= t -> nrm (vx t) (vy t) <> 0 ->
+  rder vx t (eq1_velocity_rate_1 (Ax t) (Ay t) mu g (vx t) (vy t)) /\ rder vy t (eq1_velocity_rate_2 (Ax t) (Ay t) mu g (vx t) (vy t)).
+Proof. exact (slip_rates (mu * g) Ax Ay vx vy). Qed.
+(* (1) is said in the plane's frame: where in the laboratory friction alone acts, the velocity relative to the plane is a motion. *)
+Theorem eq_1__laboratory k Ax Ay Ux Uy Vx Vy :
+  (forall t, 0 < t -> continuity_pt Ux t /\ continuity_pt Uy t /\ continuity_pt Vx t /\ continuity_pt Vy t) ->
+  (forall t, 0 <= t -> rder Ux t (Ax t) /\ rder Uy t (Ay t)) ->
+  (forall t, 0 <= t -> exists fx fy, coulomb k (Vx t - Ux t) (Vy t - Uy t) fx fy /\ rder Vx t fx /\ rder Vy t fy) ->
+  motion k Ax Ay (fun t => Vx t - Ux t) (fun t => Vy t - Uy t).
 Proof.
-  intros Hk [c1 d1 M1] [c2 d2 M2] s t Hst.
-  apply (rder_decr (fun t => (x1 t - x2 t) ^ 2 + (y1 t - y2 t) ^ 2)); [ lra | | ]; intros u Hu.
-  - cont; match goal with H : _ |- _ => apply H; lra end.
-  - destruct (M1 u) as (fx1 & fy1 & [B1 P1] & X1 & Y1); [ lra | ].
-    destruct (M2 u) as (fx2 & fy2 & [B2 P2] & X2 & Y2); [ lra | ].
-    eexists. split. rd. simpl.
-    pose proof (power_bound _ _ _ (x1 u) (y1 u) Hk B2). pose proof (power_bound _ _ _ (x2 u) (y2 u) Hk B1). lra.
+  intros C U V. split. 1, 2: intros t Ht; destruct (C t Ht) as (? & ? & ? & ?); cont.
+  intros t Ht. destruct (U t Ht). destruct (V t Ht) as (fx & fy & B & X & Y). exists fx, fy. repeat split; try apply B; rd.
+Qed.
+(* (2): while it slips its speed has the printed rate. *)
+Theorem eq_2 mu g Ax Ay vx vy : 0 <= mu * g -> motion (mu * g) Ax Ay vx vy -> forall t, 0 <= t -> nrm (vx t) (vy t) <> 0 ->
+  rder (fun s => nrm (vx s) (vy s)) t (eq2_speed_rate (Ax t) (Ay t) mu g (vx t) (vy t)).
+Proof. exact (speed_rate (mu * g) Ax Ay vx vy). Qed.
+
+(* A drive of size a, at most, below mu g: the speed falls until the particle is at rest, at the time v0 / (mu g - a) at the latest, and it stays there. *)
+Theorem s2_stops_if_weak mu g a Ax Ay vx vy : motion (mu * g) Ax Ay vx vy -> a < s2_stops_below mu g -> (forall t, 0 <= t -> nrm (Ax t) (Ay t) <= a) ->
+  (forall s t, 0 <= s < t -> nrm (vx s) (vy s) <> 0 -> nrm (vx t) (vy t) < nrm (vx s) (vy s)) /\
+  forall t, nrm (vx 0) (vy 0) / (s2_stops_below mu g - a) <= t -> vx t = 0 /\ vy t = 0.
+Proof.
+  unfold s2_stops_below. intros M ha HA. assert (a0 : 0 <= a) by (pose proof (nrm_pos (Ax 0) (Ay 0)); specialize (HA 0 (Rle_refl 0)); lra). split.
+  - intros s t Hst N. pose proof (nrm_pos (vx s) (vy s)). destruct (Req_dec (nrm (vx t) (vy t)) 0) as [-> | z]; [ lra | ].
+    pose proof (weak_falls (mu * g) a Ax Ay vx vy ltac:(lra) M HA s t ltac:(lra) z). nra.
+  - apply (weak_stops (mu * g) a Ax Ay vx vy); trivial. lra.
+Qed.
+(* If at times as late as one likes the drive is above mu g, the particle is not at rest for ever: after each time it moves again. *)
+Theorem s2_no_permanent_rest mu g Ax Ay vx vy : 0 <= mu * g -> motion (mu * g) Ax Ay vx vy ->
+  (forall T, exists t, T <= t /\ s2_rest_ends_above mu g < nrm (Ax t) (Ay t)) -> forall T, exists t, T <= t /\ nrm (vx t) (vy t) <> 0.
+Proof.
+  intros hk M H T. destruct (H (Rmax 0 T)) as (t & Ht & K). unfold s2_rest_ends_above in K. pose proof (Rmax_l 0 T). pose proof (Rmax_r 0 T).
+  destruct (Req_dec (nrm (vx t) (vy t)) 0) as [z | z]; [ | exists t; split; [ lra | trivial ] ].
+  destruct (rest_rates _ _ _ _ _ hk M t ltac:(lra) z) as (lx & ly & _ & _ & N & b).
+  destruct (rder_falls _ _ _ (rder_opp _ _ _ N)) as (d & d0 & Hd). lra. exists (t + d / 2). split. lra. specialize (Hd (d / 2) ltac:(lra)). cbv beta in Hd. lra.
+Qed.
+(* A motion obeys its law at each moment. Where the law is asked for only between single moments the printed statement fails: a drive that is above mu g at
+   single moments, however late, leaves the particle at rest. *)
+Theorem s2_no_permanent_rest__needs_a_stretch : exists A : R -> R, (forall T, exists t, T <= t /\ s2_rest_ends_above 1 1 < A t) /\
+  forall t, (forall n : Z, t <> IZR n) -> exists fx fy, coulomb (1 * 1) 0 0 fx fy /\ rder (fun _ => 0) t (fx - A t) /\ rder (fun _ => 0) t (fy - 0).
+Proof.
+  exists (fun t => if Req_EM_T t (IZR (Int_part t)) then 2 else 0). split.
+  - intros T. exists (IZR (up T)). destruct (archimed T) as [a _]. split. lra. destruct Req_EM_T as [e | N]. unfold s2_rest_ends_above. lra.
+    exfalso. apply N. f_equal. unfold Int_part. rewrite <- (tech_up (IZR (up T)) (up T + 1)); rewrite ?plus_IZR; try lra. lia.
+  - intros t Ht. exists 0, 0. split. { split; rewrite ?nrm_0; lra. } destruct Req_EM_T as [e | N]. { exfalso. exact (Ht _ e). }
+    split; (eapply rder_eq; [ rd | ring ]).
+Qed.
+(* A drive of fixed direction (ex, ey) that stays above mu g by a margin delta: from some time T on the speed grows at delta / 2, at least. *)
+Theorem s2_speeds_up_if_strong mu g ex ey a delta vx vy : 0 <= mu * g -> ex ^ 2 + ey ^ 2 = 1 -> motion (mu * g) (fun t => a t * ex) (fun t => a t * ey) vx vy ->
+  0 < delta -> (forall t, 0 <= t -> s2_speeds_up_above mu g + delta <= a t) ->
+  exists T, 0 <= T /\ forall s t, T <= s <= t -> nrm (vx s) (vy s) + delta / 2 * (t - s) <= nrm (vx t) (vy t).
+Proof.
+  intros hk He M hd hA. unfold s2_speeds_up_above in hA. assert (He' : (- ex) ^ 2 + (- ey) ^ 2 = 1) by lra.
+  assert (N : motion (mu * g) (fun t => - a t) (fun _ => 0) (fun t => - ex * vx t + - ey * vy t) (fun t => - ex * vy t - - ey * vx t)).
+  { apply (motion_turned (- ex) (- ey) _ (fun t => a t * ex) (fun t => a t * ey)); trivial; intros t; cbv beta; [ transitivity (- a t * (ex ^ 2 + ey ^ 2)); [ rewrite He | ] | ]; ring. }
+  destruct (speeds_up (mu * g) (fun t => - a t) _ _ hk N delta hd) as (T & T0 & HT).
+  { intros t Ht. specialize (hA t Ht). lra. } exists T. split; trivial. intros s t Hst. specialize (HT s t Hst). now rewrite !nrm_turned in HT.
+Qed.
+(* Without a margin it fails: a drive along a fixed line, above mu g = 1 at all times, and a motion that loses speed for ever. *)
+Theorem s2_speeds_up_if_strong__needs_a_margin : exists a vx vy, (forall t, s2_speeds_up_above 1 1 < a t /\ continuity_pt a t) /\
+  motion (1 * 1) (fun t => a t * - 1) (fun t => a t * 0) vx vy /\ forall s t, 0 <= s < t -> nrm (vx t) (vy t) < nrm (vx s) (vy s).
+Proof.
+  destruct no_margin as (vx & vy & [c d L] & _ & _ & F). exists (fun t => 1 + exp (- (4) * t) / 4), vx, vy. split; [ | split; [ split | exact F ] ]; trivial.
+  - intros t. unfold s2_speeds_up_above. split. pose proof (exp_pos (- (4) * t)). lra. unfold Rdiv. cont.
+  - intros t Ht. destruct (L t Ht) as (fx & fy & C & X & Y). exists fx, fy. replace (1 * 1) with 1 by ring. split; trivial. split; (eapply rder_eq; [ eassumption | ring ]).
+Qed.
+(* A drive of fixed direction (ex, ey): the velocity across it, w, never grows in size, and falls as long as it is not 0; if the drive is bounded, w -> 0. *)
+Theorem s2_perpendicular_decays mu g ex ey a vx vy : 0 < mu * g -> ex ^ 2 + ey ^ 2 = 1 -> motion (mu * g) (fun t => a t * ex) (fun t => a t * ey) vx vy ->
+  let w t := ex * vy t - ey * vx t in
+  (forall s t, 0 <= s < t -> Rabs (w t) <= Rabs (w s) /\ (w s <> 0 -> 0 < s2_across_trend * (Rabs (w t) - Rabs (w s)))) /\
+  ((exists b, forall t, 0 <= t -> Rabs (a t) <= b) -> is_lim w p_infty s2_across_limit).
+Proof.
+  intros hk He M w. assert (hk' := Rlt_le _ _ hk).
+  assert (N : motion (mu * g) a (fun _ => 0) (fun t => ex * vx t + ey * vy t) w).
+  { apply (motion_turned ex ey _ (fun t => a t * ex) (fun t => a t * ey)); trivial; intros t; cbv beta; [ transitivity (a t * (ex ^ 2 + ey ^ 2)); [ rewrite He | ] | ]; ring. }
+  split. intros s t Hst. split.
+  - apply Rsqr_le_abs_0. unfold Rsqr. pose proof (across_falls _ _ _ _ hk' N s t ltac:(lra)). lra.
+  - intros Nz. unfold s2_across_trend. enough (Rabs (w t) < Rabs (w s)) by lra. apply Rsqr_lt_abs_0. unfold Rsqr. pose proof (across_falls_strictly _ _ _ _ hk' N s t hk Hst Nz). lra.
+  - intros [b Hb]. unfold s2_across_limit. apply (across_vanishes _ _ _ _ hk' N (Rabs b + 1)); trivial. pose proof (Rabs_pos b); lra.
+    intros t Ht. specialize (Hb t Ht). pose proof (Rle_abs b). lra.
+Qed.
+(* Without friction the velocity across the drive stays as it is. *)
+Theorem s2_perpendicular_decays__needs_friction a vx vy : motion 0 a (fun _ => 0) vx vy -> forall t, 0 <= t -> vy t = vy 0.
+Proof.
+  intros M t Ht. apply rder_const; trivial. intros; apply (m_cy _ _ _ _ _ M); lra. intros s Hs.
+  destruct (m_law _ _ _ _ _ M s ltac:(lra)) as (fx & fy & [B _] & _ & Y). eapply rder_eq. exact Y. assert (fy = 0) by (pose proof (pow2_ge_0 fx); nra). lra.
 Qed.
 
-Corollary uniqueness k Ax Ay x1 y1 x2 y2 : 0 <= k ->
-  motion k Ax Ay x1 y1 -> motion k Ax Ay x2 y2 -> x1 0 = x2 0 -> y1 0 = y2 0 ->
-  forall t, 0 <= t -> x1 t = x2 t /\ y1 t = y2 t.
+(* The motions of which these theorems speak exist. *)
+Lemma plane_steady k ax ay vx0 vy0 : 0 <= k -> exists vx vy, motion k (fun _ => ax) (fun _ => ay) vx vy /\ vx 0 = vx0 /\ vy 0 = vy0.
+Proof. intros hk. apply plane_has_a_motion; trivial. intros. split; cont. Qed.
+(* every start has one motion, and no other *)
+Theorem plane_one_motion k Ax Ay vx0 vy0 : 0 <= k -> (forall t, 0 <= t -> continuity_pt Ax t /\ continuity_pt Ay t) ->
+  exists vx vy, (motion k Ax Ay vx vy /\ vx 0 = vx0 /\ vy 0 = vy0) /\
+  forall ux uy, motion k Ax Ay ux uy -> ux 0 = vx0 -> uy 0 = vy0 -> forall t, 0 <= t -> ux t = vx t /\ uy t = vy t.
 Proof.
-  intros Hk M1 M2 e1 e2 t Ht. pose proof (contraction _ _ _ _ _ _ _ Hk M1 M2 0 t ltac:(lra)) as H.
-  rewrite e1, e2 in H. destruct (sq_sum (x1 t - x2 t) (y1 t - y2 t)); lra.
+  intros hk C. destruct (plane_has_a_motion k Ax Ay vx0 vy0 hk C) as (vx & vy & M & e1 & e2). exists vx, vy. split; auto.
+  intros ux uy N f1 f2. apply (uniqueness k Ax Ay ux uy vx vy hk N M); congruence.
 Qed.
-
-(* s2-perpendicular-decays, first half *)
-Theorem across_falls k Ax vx vy : 0 <= k -> motion k Ax (fun _ => 0) vx vy ->
-  forall s t, 0 <= s <= t -> vy t ^ 2 <= vy s ^ 2.
+Lemma nrm_1 x : nrm x 1 <> 0. Proof. intros e. destruct (nrm_zero _ _ e). lra. Qed.
+Lemma eq_1__occurs : ltac:(occurs eq_1).
 Proof.
-  intros Hk [c d M] s t Hst.
-  apply (rder_decr (fun t => vy t ^ 2)); [ lra | | ]; intros u Hu.
-  - cont; apply d; lra.
-  - destruct (M u) as (fx & fy & C & X & Y); [ lra | ]. eexists. split. rd. simpl.
-    destruct (coulomb_slip _ _ _ _ _ Hk C) as [_ e]. pose proof (nrm_sq (vx u) (vy u)).
-    destruct (nrm_pos (vx u) (vy u)) as [p | p].
-    + assert (vy u * fy <= 0). { apply (Rmult_le_reg_l (nrm (vx u) (vy u))); [ trivial | ]. replace (nrm (vx u) (vy u) * (vy u * fy)) with (- k * vy u ^ 2) by (rewrite <- Rmult_assoc, (Rmult_comm _ (vy u)), Rmult_assoc, e; ring). pose proof (pow2_ge_0 (vy u)). nra. } lra.
-    + assert (vy u = 0) as -> by nra. lra.
+  intros H. destruct (plane_steady (1 * 1) 2 0 0 1) as (vx & vy & M & e1 & e2). lra. refine (H 1 1 _ _ vx vy _ M 0 _ _); try lra. rewrite e2. apply nrm_1.
 Qed.
-
-(* weak drive: rest lasts *)
-Theorem rest_lasts k Ax Ay vx vy s : 0 <= k -> motion k Ax Ay vx vy -> 0 <= s ->
-  (forall t, s <= t -> nrm (Ax t) (Ay t) <= k) -> vx s = 0 -> vy s = 0 ->
-  forall t, s <= t -> vx t = 0 /\ vy t = 0.
+Lemma eq_1__laboratory__occurs : ltac:(occurs eq_1__laboratory).
 Proof.
-  intros Hk [c d M] Hs HA e1 e2 t Hst. apply sq_sum.
-  replace 0 with (vx s ^ 2 + vy s ^ 2) by (rewrite e1, e2; ring).
-  apply (rder_decr (fun t => vx t ^ 2 + vy t ^ 2)); [ lra | | ]; intros u Hu.
-  - cont; [ apply c | apply d ]; lra.
-  - destruct (M u) as (fx & fy & [B P] & X & Y); [ lra | ]. eexists. split. rd. simpl.
-    assert (Q : Ax u ^ 2 + Ay u ^ 2 <= k ^ 2).
-    { rewrite <- nrm_sq. pose proof (nrm_pos (Ax u) (Ay u)). specialize (HA u). apply pow_incr. split; [ | apply HA ]; lra. }
-    pose proof (power_bound _ _ _ (vx u) (vy u) Hk Q). lra.
+  intros H. destruct (plane_steady 1 2 0 0 1) as (vx & vy & [c d M] & _). lra.
+  assert (cl : forall t, continuity_pt (fun t => 2 * t) t) by (intros; cont). assert (c0 : forall t, continuity_pt (fun _ : R => 0) t) by (intros; cont).
+  refine (H 1 (fun _ => 2) (fun _ => 0) (fun t => 2 * t) (fun _ => 0) (fun t => vx t + 2 * t) vy _ _ _).
+  - intros t Ht. specialize (c t Ht). repeat split; auto. cont.
+  - intros t Ht. split; (eapply rder_eq; [ rd | ring ]).
+  - intros t Ht. destruct (M t Ht) as (fx & fy & C & X & Y). exists fx, fy. split.
+    + replace (vx t + 2 * t - 2 * t) with (vx t) by ring. rewrite Rminus_0_r. exact C.
+    + split; (eapply rder_eq; [ rd | ring ]).
 Qed.
-
-(* s2-stops-if-weak, with the time *)
-Theorem weak_stops k a Ax Ay vx vy : 0 <= a < k -> motion k Ax Ay vx vy ->
-  (forall t, 0 <= t -> nrm (Ax t) (Ay t) <= a) ->
-  forall t, nrm (vx 0) (vy 0) / (k - a) <= t -> vx t = 0 /\ vy t = 0.
+Lemma eq_2__occurs : ltac:(occurs eq_2).
 Proof.
-  intros Ha M HA t Ht. pose proof M as [c d L].
-  assert (t0 : 0 <= t). { eapply Rle_trans; [ | apply Ht ]. apply Rmult_le_pos. apply nrm_pos. left. apply Rinv_0_lt_compat. lra. }
-  apply (Rmult_le_compat_r (k - a)) in Ht; [ | lra ]. unfold Rdiv in Ht. rewrite Rmult_assoc, Rinv_l in Ht by lra.
-  assert (K : nrm (vx t) (vy t) = 0 -> vx t = 0 /\ vy t = 0).
-  { intros e. apply sq_sum. rewrite <- nrm_sq, e. lra. }
-  destruct (Req_dec (nrm (vx t) (vy t)) 0) as [z | z]; [ auto | exfalso ].
-  assert (N : forall s, 0 <= s < t -> nrm (vx s) (vy s) <> 0).
-  { intros s Hs e. destruct (rest_lasts k Ax Ay vx vy s) with (t := t) as [e1 e2]; try lra; trivial.
-    - intros u Hu. specialize (HA u). lra.
-    - pose proof (nrm_sq (vx s) (vy s)). rewrite e in *. nra.
-    - pose proof (nrm_sq (vx s) (vy s)). rewrite e in *. nra.
-    - apply z. rewrite e1, e2. unfold nrm. replace (0 ^ 2 + 0 ^ 2) with 0 by ring. apply sqrt_0. }
-  assert (F : nrm (vx t) (vy t) + (k - a) * t <= nrm (vx 0) (vy 0) + (k - a) * 0).
-  { apply (rder_decr (fun t => nrm (vx t) (vy t) + (k - a) * t)); [ lra | | ]; intros u Hu.
-    - cont; [ apply c | apply d ]; lra.
-    - destruct (L u) as (fx & fy & [B P] & X & Y); [ lra | ]. eexists. split. rd. apply N; lra.
-      set (n := nrm (vx u) (vy u)) in *. assert (0 < n) by (pose proof (nrm_pos (vx u) (vy u)); specialize (N u Hu); unfold n in *; lra).
-      assert (Q : Ax u ^ 2 + Ay u ^ 2 <= a ^ 2).
-      { rewrite <- nrm_sq. pose proof (nrm_pos (Ax u) (Ay u)). specialize (HA u). apply pow_incr. split; [ | apply HA ]; lra. }
-      pose proof (power_bound _ _ _ (vx u) (vy u) (proj1 Ha) Q). fold n in H0.
-      replace (vx u * (fx - Ax u) + vy u * (fy - Ay u)) with ((fx * vx u + fy * vy u) - (Ax u * vx u + Ay u * vy u)) by ring.
-      assert ((fx * vx u + fy * vy u - (Ax u * vx u + Ay u * vy u)) / n <= - (k - a)).
-      { apply Rle_div_l; [ lra | ]. lra. } lra. }
-  pose proof (nrm_pos (vx t) (vy t)). lra.
+  intros H. destruct (plane_steady (1 * 1) 2 0 0 1) as (vx & vy & M & e1 & e2). lra. refine (H 1 1 _ _ vx vy _ M 0 _ _); try lra. rewrite e2. apply nrm_1.
 Qed.
+Lemma s2_stops_if_weak__occurs : ltac:(occurs s2_stops_if_weak).
+Proof.
+  intros H. destruct (plane_steady (1 * 1) (1 / 2) 0 0 1) as (vx & vy & M & _). lra. refine (H 1 1 (1 / 2) _ _ vx vy M _ _). unfold s2_stops_below. lra.
+  intros t _. apply nrm_le; lra.
+Qed.
+(* witness: the drive 2 sin t *)
+Lemma s2_no_permanent_rest__occurs : ltac:(occurs s2_no_permanent_rest).
+Proof.
+  intros H. destruct (plane_has_a_motion (1 * 1) (fun t => 2 * sin t) (fun _ => 0) 0 1) as (vx & vy & M & _). lra. { intros t _. split; [ reg | cont ]. }
+  refine (H 1 1 _ _ vx vy _ M _ 0). lra. intros T. destruct (archimed (Rabs T)) as [u _]. pose proof (Rle_abs T). pose proof (Rabs_pos T).
+  assert (z0 : (0 <= up (Rabs T))%Z) by (apply le_IZR; lra). exists (PI / 2 + 2 * INR (Z.to_nat (up (Rabs T))) * PI).
+  rewrite INR_IZR_INZ, Znat.Z2Nat.id by trivial. pose proof PI2_1. pose proof PI_RGT_0. split. nra.
+  rewrite <- (Znat.Z2Nat.id (up (Rabs T))), <- INR_IZR_INZ, sin_period, sin_PI2 by trivial. unfold s2_rest_ends_above. destruct (abs_nrm (2 * 1) 0) as [b _]. rewrite Rabs_pos_eq in b; lra.
+Qed.
+Lemma s2_speeds_up_if_strong__occurs : ltac:(occurs s2_speeds_up_if_strong).
+Proof.
+  intros H. destruct (plane_steady (1 * 1) (2 * 1) (2 * 0) 0 1) as (vx & vy & M & _). lra. refine (H 1 1 1 0 (fun _ => 2) 1 vx vy _ _ M _ _); try lra.
+  intros. unfold s2_speeds_up_above. lra.
+Qed.
+Lemma s2_perpendicular_decays__occurs : ltac:(occurs s2_perpendicular_decays).
+Proof. intros H. destruct (plane_steady (1 * 1) (2 * 1) (2 * 0) 0 1) as (vx & vy & M & _). lra. refine (H 1 1 1 0 (fun _ => 2) vx vy _ _ M); lra. Qed.
+Lemma s2_perpendicular_decays__needs_friction__occurs : ltac:(occurs s2_perpendicular_decays__needs_friction).
+Proof. intros H. destruct (plane_steady 0 1 0 0 1) as (vx & vy & M & _). lra. exact (H (fun _ => 1) vx vy M 0 (Rle_refl 0)). Qed.

@@ -1,88 +1,141 @@
-(* A half period that ends with the opposite of what it began with makes a motion for all times *)
-Require Import Reals Lra Psatz ZArith.
+(* Section 2.3: any periodic drive h along a line in place of the sine; trains of pulses. moves, late, caught, rests, restless are
+   defined in Periodic/Drawn.v, pulse in Periodic/Pulses.v. l is lambda0, the friction over the largest drive. *)
+Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal.
+From Slipbook Require Import Motion General Drawn Line Pulses Formulas.
+From Slipbook Require Export HalfPeriod.
 Open Scope R_scope.
 
-Lemma rder_near f g t l d : 0 < d -> (forall s, t <= s < t + d -> g s = f s) -> rder g t l -> rder f t l.
-Proof.
-  intros Hd E [G [H K]]. apply (rder_loc f G t l d); trivial. intros s Hs. rewrite K by lra. apply E, Hs.
-Qed.
-Lemma rder_shift g c t l : rder g (t - c) l -> rder (fun s => g (s - c)) t l.
-Proof.
-  intros [G [H K]]. exists (fun s => G (s - c)). split. 2: intros; apply K; lra.
-  replace l with (1 * l) by ring. apply (is_derive_comp G (fun s => s - c)). exact H. auto_derive; trivial; try ring.
-Qed.
-Lemma cont_shift g c t : continuity_pt g (t - c) -> continuity_pt (fun s => g (s - c)) t.
-Proof. intros H. apply (continuity_pt_comp (fun s => s - c) g); trivial. cont. Qed.
+Ltac emptied T := lazymatch T with
+  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
+  | _ => constr:(False) end.
+Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
 
-Definition sg (n : Z) : R := if Z.even n then 1 else -1.
-Lemma sg_succ n : sg (n + 1) = - sg n.
-Proof. unfold sg. rewrite Z.add_1_r, Z.even_succ, <- Z.negb_even. destruct (Z.even n); simpl; lra. Qed.
-Lemma sg_cases n : sg n = 1 \/ sg n = -1. Proof. unfold sg. destruct (Z.even n); auto. Qed.
-
-Section Half.
-Variables (k T : R) (a g : R -> R).
-Hypothesis hT : 0 < T.
-Hypothesis ha : forall t, a (t + T) = - a t.
-Hypothesis hg : g T = - g 0.
-Hypothesis cg : forall t, 0 <= t <= T -> continuity_pt g t.
-Hypothesis lg : forall t, 0 <= t < T -> exists f, coulomb k (g t) 0 f 0 /\ rder g t (f - a t).
-
-Definition floor t := Int_part (t / T).
-Definition ext t := sg (floor t) * g (t - IZR (floor t) * T).
-
-Lemma floor_spec t n : IZR n * T <= t < (IZR n + 1) * T <-> floor t = n.
+(* Under pulses of any width between 0 and 1 and any friction there is a motion of the drive's period to which all are drawn. *)
+Theorem pulses_at_large_times eta l : 0 < eta < 1 -> 0 < l -> exists W, late l (pulse eta) W.
 Proof.
-  unfold floor. destruct (base_Int_part (t / T)) as [h1 h2]. set (m := Int_part (t / T)) in *.
-  assert (e : t = t / T * T) by (field; lra). split.
-  - intros H. assert (IZR n <= t / T < IZR n + 1) by (rewrite e in H; split; [ apply (Rmult_le_reg_r T) | apply (Rmult_lt_reg_r T) ]; lra).
-    apply Z.le_antisymm; apply Z.lt_succ_r; apply lt_IZR; rewrite succ_IZR; lra.
-  - intros <-. assert (IZR m * T <= t / T * T) by (apply Rmult_le_compat_r; lra). assert (t / T * T < (IZR m + 1) * T) by (apply Rmult_lt_compat_r; lra). lra.
+  intros he h0. destruct (Rle_lt_dec l eta) as [k | k]; [ exists (w_below l eta); apply w_below_late; lra | ].
+  destruct (Rlt_le_dec l 1); [ exists (w44 l eta); apply w44_late; lra | exists (fun _ => 0); now apply pulses_still ].
 Qed.
-Lemma a_shift t n : a t = sg n * a (t - IZR n * T).
-Proof.
-  assert (P : forall m : nat, forall t, a (t + INR m * T) = sg (Z.of_nat m) * a t).
-  { induction m as [ | m IH ]; intros u. simpl. rewrite Rmult_0_l, Rplus_0_r. unfold sg; simpl; ring.
-    rewrite S_INR, Nat2Z.inj_succ, <- Z.add_1_r, sg_succ. replace (u + (INR m + 1) * T) with (u + INR m * T + T) by ring. rewrite ha, IH. ring. }
-  destruct (Z_le_dec 0 n) as [p | p].
-  - rewrite <- (Z2Nat.id n p), <- INR_IZR_INZ, <- P. f_equal. ring.
-  - assert (q : (0 <= - n)%Z) by lia. rewrite <- (Z.opp_involutive n), <- (Z2Nat.id (- n) q). set (m := Z.to_nat (- n)). rewrite opp_IZR, <- INR_IZR_INZ.
-    replace (t - - INR m * T) with (t + INR m * T) by ring. rewrite P. unfold sg. rewrite Z.even_opp. destruct (Z.even (Z.of_nat m)); ring.
-Qed.
-Lemma ext_on n t : IZR n * T <= t < (IZR n + 1) * T -> ext t = sg n * g (t - IZR n * T).
-Proof. intros H. apply floor_spec in H. unfold ext. now rewrite H. Qed.
 
-Theorem half_period : motion k a (fun _ => 0) ext (fun _ => 0).
+(* (44): with the friction between eta and 1 the motion at large times is this, and every motion of the plane, from any phase of the drive
+   on, is equal to it from some time on. *)
+Theorem eq_44 eta l W : 0 < eta < 1 -> eq46_lambda_c eta < l < 1 -> late l (pulse eta) W ->
+  (forall ph, 0 <= ph <= eq44_ends_1 l eta -> W ph = eq44_cases_1 l eta ph) /\ (forall ph, eq44_ends_1 l eta <= ph <= eq44_ends_2 l eta -> W ph = eq44_cases_2 l eta ph) /\
+  (forall ph, eq44_ends_2 l eta <= ph <= PI -> W ph = eq44_cases_3 l eta ph) /\ caught l (pulse eta) W.
 Proof.
-  split.
-  - intros t _. pose proof (proj2 (floor_spec t (floor t)) eq_refl) as H. set (n := floor t) in *.
-    assert (C : forall m, 0 <= t - IZR m * T <= T -> continuity_pt (fun s => sg m * g (s - IZR m * T)) t).
-    { intros m Hm. apply (continuity_pt_mult (fun _ => sg m)). cont. apply cont_shift, cg, Hm. }
-    destruct (Req_dec t (IZR n * T)) as [e | ne].
-    + apply (cont_glue ext (fun s => sg (n - 1) * g (s - IZR (n - 1) * T)) (fun s => sg n * g (s - IZR n * T)) t T); trivial.
-      * intros s Hs. destruct (Req_dec s t) as [-> | k1]. 
-        -- rewrite (ext_on n) by lra. rewrite minus_IZR. replace (t - IZR n * T) with 0 by lra. replace (t - (IZR n - 1) * T) with T by lra. rewrite hg.
-           replace n with (n - 1 + 1)%Z at 1 by ring. rewrite sg_succ. ring.
-        -- apply ext_on. rewrite minus_IZR. lra.
-      * intros s Hs. apply ext_on. lra.
-      * apply C. rewrite minus_IZR. lra.
-      * apply C. lra.
-    + apply (cont_glue ext (fun s => sg n * g (s - IZR n * T)) (fun s => sg n * g (s - IZR n * T)) t (Rmin (t - IZR n * T) ((IZR n + 1) * T - t))).
-      * apply Rmin_pos; lra.
-      * intros s Hs. apply ext_on. pose proof (Rmin_l (t - IZR n * T) ((IZR n + 1) * T - t)). lra.
-      * intros s Hs. apply ext_on. pose proof (Rmin_r (t - IZR n * T) ((IZR n + 1) * T - t)). lra.
-      * apply C. lra.
-      * apply C. lra.
-  - intros; cont.
-  - intros t _. pose proof (proj2 (floor_spec t (floor t)) eq_refl) as H. set (n := floor t) in *.
-    destruct (lg (t - IZR n * T)) as (f & [B P] & D); [ lra | ]. exists (sg n * f), 0. repeat split.
-    + destruct (sg_cases n) as [-> | ->]; nra.
-    + rewrite (ext_on n) by lra. destruct (sg_cases n) as [-> | ->].
-      * rewrite !Rmult_1_l. exact P.
-      * replace (nrm (-1 * g (t - IZR n * T)) 0) with (nrm (g (t - IZR n * T)) 0) by (unfold nrm; f_equal; ring). lra.
-    + apply (rder_near ext (fun s => sg n * g (s - IZR n * T)) t _ ((IZR n + 1) * T - t)); [ lra | intros s Hs; symmetry; apply ext_on; lra | ].
-      rewrite (a_shift t n). eapply rder_eq. apply (rder_mult (fun _ => sg n)). rd. apply rder_shift, D. ring.
-    + eapply rder_eq. rd. ring.
+  unfold eq46_lambda_c. intros he hl HW. destruct (w44_late l eta) as (_ & L & C); try lra. destruct (w44_cases l eta) as (_ & _ & C1 & C2 & C3); try lra.
+  pose proof (late_unique l _ _ _ HW L) as E. split; [ | split; [ | split ] ]; try (intros ph H; rewrite E; auto). intros p vx vy V. destruct (C p vx vy V) as (t1 & h1 & H). exists t1. split; trivial. intros t Ht. rewrite E. now apply H.
 Qed.
-End Half.
+Lemma eq_44__occurs : ltac:(occurs eq_44).
+Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. refine (H (1/3) (1/2) W _ _ HW); unfold eq46_lambda_c; lra. Qed.
+(* Up to eta it passes through 0 without rest, at the phase PI (eta - lambda0) / 2, and goes forward for half a period from there. *)
+Theorem eq_44__below eta l W : 0 < eta < 1 -> 0 < l <= eq46_lambda_c eta -> late l (pulse eta) W -> let b := right_periodic_small_friction_start l eta in
+  (forall ph, b <= ph <= right_periodic_small_friction_ends_1 eta -> W ph = right_periodic_small_friction_cases_1 l eta ph) /\
+  (forall ph, right_periodic_small_friction_ends_1 eta <= ph < right_periodic_small_friction_ends_2 eta -> W ph = right_periodic_small_friction_cases_2 l eta ph) /\
+  (forall ph, right_periodic_small_friction_ends_2 eta <= ph < PI + b -> W ph = right_periodic_small_friction_cases_3 l eta ph) /\
+  W b = 0 /\ forall ph, b < ph < PI + b -> 0 < W ph.
+Proof.
+  unfold eq46_lambda_c. intros he hl HW. set (b := right_periodic_small_friction_start l eta). destruct (w_below_late l eta) as (_ & L & Z & P); try lra. pose proof (late_unique l _ _ _ HW L) as E. pose proof PI_RGT_0.
+  assert (hb : 0 <= b < eta * PI) by (unfold b, right_periodic_small_friction_start; nra). assert (ep : eta * PI < PI) by nra.
+  split; [ | split; [ | split; [ | split ] ] ]; try (intros ph Hph); rewrite E; auto; unfold right_periodic_small_friction_ends_1, right_periodic_small_friction_ends_2 in *;
+    rewrite w_below_on by (fold b; lra); unfold below44, right_periodic_small_friction_ends_1, right_periodic_small_friction_ends_2.
+  - destruct (Req_dec ph (eta * PI)) as [-> | n]; [ rewrite glue_r, glue_l by lra; unfold right_periodic_small_friction_cases_1, right_periodic_small_friction_cases_2; ring | apply glue_l; lra ].
+  - now rewrite glue_r, glue_l by lra.
+  - now rewrite !glue_r by lra.
+Qed.
+Lemma eq_44__below__occurs : ltac:(occurs eq_44__below).
+Proof. intros H. destruct (pulses_at_large_times (1/2) (1/3)) as [W HW]; try lra. refine (H (1/2) (1/3) W _ _ HW); unfold eq46_lambda_c; lra. Qed.
+
+(* (45): half a period later the motion at large times is its own opposite, for every friction. *)
+Theorem eq_45 eta l W : 0 < eta < 1 -> 0 < l -> late l (pulse eta) W -> forall ph, W (PI + ph) = eq45_w (W ph).
+Proof.
+  unfold eq45_w. intros he h0 HW ph. rewrite Rplus_comm. destruct (Rle_lt_dec l eta) as [k | k]; [ | destruct (Rlt_le_dec l 1) as [k1 | k1] ].
+  - destruct (w_below_late l eta) as (A & L & _); try lra. rewrite !(late_unique l _ _ _ HW L). apply A.
+  - destruct (w44_late l eta) as (A & L & _); try lra. rewrite !(late_unique l _ _ _ HW L). apply A.
+  - rewrite !(late_unique l _ _ _ HW (proj1 (pulses_still l eta he k1))). ring.
+Qed.
+Lemma eq_45__occurs : ltac:(occurs eq_45).
+Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. refine (H (1/3) (1/2) W _ _ HW 0); lra. Qed.
+
+(* (46): the motion at large times has an interval of rest exactly where the friction exceeds lambda_c = eta. *)
+Theorem eq_46 eta l W : 0 < eta < 1 -> 0 < l -> late l (pulse eta) W -> ((exists s d, 0 < d /\ forall t, s <= t <= s + d -> W t = 0) <-> eq46_lambda_c eta < l).
+Proof.
+  unfold eq46_lambda_c. intros he h0 HW. pose proof PI_RGT_0. split.
+  - intros (s & d & hd & Z). apply Rnot_le_lt. intros k. destruct (w_below_late l eta) as (A & L & _ & P); try lra. pose proof (late_unique l _ _ _ HW L) as E. set (b := right_periodic_small_friction_start l eta) in *.
+    destruct (per_spec b PI H s) as [n Hn]. set (u := Rmin d (b + (IZR n + 1) * PI - s) / 2). assert (m : 0 < Rmin d (b + (IZR n + 1) * PI - s)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (b + (IZR n + 1) * PI - s)). pose proof (Rmin_r d (b + (IZR n + 1) * PI - s)).
+    assert (S : w_below l eta (s + u) = sg n * w_below l eta (s + u - IZR n * PI)).
+    { unfold w_below. fold b. rewrite (ext_on PI _ H n) by (unfold u; lra). rewrite ext_first by (unfold u; lra). do 2 f_equal. ring. }
+    specialize (Z (s + u) ltac:(unfold u; lra)). rewrite E, S in Z. specialize (P (s + u - IZR n * PI) ltac:(unfold u; lra)). destruct (sg_cases n) as [e | e]; rewrite e in Z; lra.
+  - intros k. destruct (Rlt_le_dec l 1) as [k1 | k1].
+    + destruct (w44_late l eta) as (_ & L & _); try lra. destruct (w44_cases l eta) as (e0 & e1 & _ & _ & C); try lra. exists (eta * PI / l), (PI - eta * PI / l). split; [ lra | ].
+      intros t Ht. rewrite (late_unique l _ _ _ HW L), C by lra. reflexivity.
+    + exists 0, 1. split; [ lra | ]. intros t _. now rewrite (late_unique l _ _ _ HW (proj1 (pulses_still l eta he k1))).
+Qed.
+Lemma eq_46__occurs : ltac:(occurs eq_46).
+Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. refine (H (1/3) (1/2) W _ _ HW); lra. Qed.
+
+(* Very large friction: under every drive of the size 1 at most, with the friction above that, every motion of the plane comes to rest within
+   the time v0 / (lambda0 - 1), and stays. *)
+Theorem s23_rest_above_one h l p vx vy : (forall t, Rabs (h t) <= s23_rest_sides_1 l) -> s23_rest_sides_1 l < s23_rest_sides_2 l -> moves l h p vx vy ->
+  forall t, nrm (vx 0) (vy 0) / (l - 1) <= t -> vx t = 0 /\ vy t = 0.
+Proof.
+  unfold s23_rest_sides_1, s23_rest_sides_2. intros hh hl M. apply (weak_stops l 1 _ _ vx vy ltac:(lra) M). intros t _. rewrite nrm_x, Rabs_Ropp. apply hh.
+Qed.
+Lemma s23_rest_above_one__occurs : ltac:(occurs s23_rest_above_one).
+Proof.
+  intros H. destruct (pulses_at_large_times (1/3) 2) as [W HW]; try lra. refine (H (pulse (1/3)) 2 0 _ _ _ _ (late_moves _ _ _ HW 0) _ (Rle_refl _)); unfold s23_rest_sides_1, s23_rest_sides_2; [ | lra ].
+  intros t. destruct (pulse_size (1/3) t); lra.
+Qed.
+
+(* The condition of (44), as corrected: the motion at large times vanishes before the drive, which is 0 from eta PI on, becomes nonzero again, at
+   PI, exactly where lambda0 > eta. *)
+Theorem s23_nonzero_again eta l W : 0 < eta < 1 -> 0 < l < 1 -> late l (pulse eta) W -> (forall ph, eta * PI <= ph < PI -> right_periodic_nonzero_again (pulse eta ph) = 0) /\
+  (forall ph, PI <= ph < PI + eta * PI -> right_periodic_nonzero_again (pulse eta ph) <> 0) /\ ((exists ph, eta * PI <= ph < PI /\ W ph = 0) <-> eq46_lambda_c eta < l).
+Proof.
+  unfold right_periodic_nonzero_again, eq46_lambda_c. intros he hl HW. pose proof PI_RGT_0. assert (0 < eta * PI < PI) by (split; nra). split; [ intros ph Hph; apply pulse_on; lra | split ].
+  - intros ph Hph. replace ph with (ph - PI + PI) by ring. rewrite pulse_anti, (proj1 (pulse_on eta (ph - PI) ltac:(lra))) by lra. lra.
+  - split.
+    + intros (ph & Hph & Z). apply Rnot_le_lt. intros k. destruct (w_below_late l eta) as (_ & L & _ & P); try lra. rewrite (late_unique l _ _ _ HW L) in Z.
+      specialize (P ph). unfold right_periodic_small_friction_start in P. specialize (P ltac:(nra)). lra.
+    + intros k. destruct (w44_late l eta) as (_ & L & _); try lra. destruct (w44_cases l eta) as (e0 & e1 & _ & _ & C); try lra. exists (eta * PI / l). split; [ lra | ]. rewrite (late_unique l _ _ _ HW L), C by lra. reflexivity.
+Qed.
+Lemma s23_nonzero_again__occurs : ltac:(occurs s23_nonzero_again).
+Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. refine (H (1/3) (1/2) W _ _ HW); lra. Qed.
+(* It is not the friction: while the particle still slides in the gap, friction gives it the rate - lambda0, not 0. *)
+Theorem s23_nonzero_again__printed eta l W ph : 0 < eta < 1 -> eq46_lambda_c eta < l < 1 -> late l (pulse eta) W -> eta * PI <= ph < eq44_ends_2 l eta ->
+  pulse eta ph = 0 /\ rder W ph (pulse eta ph + Formulas.s23_nonzero_again (- l)) /\ Formulas.s23_nonzero_again (- l) <> 0.
+Proof.
+  unfold eq46_lambda_c, Formulas.s23_nonzero_again. intros he hl HW Hph. destruct (w44_cases l eta) as (e0 & e1 & _ & C & _); try lra. destruct (w44_late l eta) as (_ & L & _); try lra. unfold eq44_ends_2 in Hph.
+  assert (Z : pulse eta ph = 0) by (apply pulse_on; lra). split; [ trivial | split; [ | lra ] ]. rewrite Z.
+  apply (rder_loc W (eq44_cases_2 l eta) ph _ (eta * PI / l - ph)); [ lra | | slope ]. intros s Hs. rewrite (late_unique l _ _ _ HW L). symmetry. apply C. lra.
+Qed.
+Lemma s23_nonzero_again__printed__occurs : ltac:(occurs s23_nonzero_again__printed).
+Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. pose proof PI_RGT_0. refine (H (1/3) (1/2) W (1/3 * PI) _ _ HW _); unfold eq46_lambda_c, eq44_ends_2; lra. Qed.
+
+(* The largest size of the pulses is 1 at every width above 0. *)
+Theorem s23_pulses_normalised eta : 0 < eta <= 1 -> (forall t, Rabs (pulse eta t) <= s23_largest) /\ exists t, Rabs (pulse eta t) = s23_largest.
+Proof.
+  unfold s23_largest. intros he. pose proof PI_RGT_0. split; [ intros t; destruct (pulse_size eta t); lra | ]. exists 0. rewrite (proj1 (pulse_on eta 0 ltac:(lra))) by nra. apply Rabs_R1.
+Qed.
+(* At the width 0, the paper's example, there is no pulse. *)
+Theorem s23_pulses_normalised__needs_width t : pulse 0 t = 0.
+Proof. destruct (pulse_cases 0 t) as (n & s & hs & ->). rewrite (proj2 (pulse_on 0 s hs)) by lra. ring. Qed.
+
+(* The two extremes. Width 1: lambda_c is 1, and for no friction below 1 does any motion ever rest. Width 0: lambda_c is 0, and with any friction every
+   motion is at rest from v0 / lambda0 on. *)
+Theorem s23_pulse_phases : (eq46_lambda_c 1 = 1 /\ forall l p vx vy, 0 <= l < 1 -> moves l (pulse 1) p vx vy -> forall s d, 0 <= s -> 0 < d -> exists t, s <= t <= s + d /\ nrm (vx t) (vy t) <> 0) /\
+  (eq46_lambda_c 0 = 0 /\ forall l p vx vy, 0 < l -> moves l (pulse 0) p vx vy -> forall t, nrm (vx 0) (vy 0) / l <= t -> vx t = 0 /\ vy t = 0).
+Proof.
+  split; (split; [ reflexivity | ]); intros l p vx vy hl M.
+  - intros s d hs hd. apply Classical_Prop.NNPP. intros no. assert (Z : forall t, s <= t <= s + d -> vx t = 0 /\ vy t = 0) by (intros t Ht; apply nrm_zero, Classical_Prop.NNPP; intros n; apply no; eauto).
+    destruct (m_law _ _ _ _ _ M s hs) as (fx & fy & [B _] & X & _). pose proof (rder_rest vx s d _ hd (fun u hu => proj1 (Z u hu)) X) as e.
+    assert (q : Rabs (pulse 1 (p + s)) = 1). { destruct (pulse_cases 1 (p + s)) as (n & r & hr & ->). rewrite (proj1 (pulse_on 1 r hr)) by lra. destruct (sg_cases n) as [-> | ->]; rewrite Rmult_1_r; [ apply Rabs_R1 | rewrite Rabs_left; lra ]. }
+    pose proof (pow2_abs (pulse 1 (p + s))) as q2. rewrite q in q2. assert (fx = - pulse 1 (p + s)) by lra. nra.
+  - intros t Ht. apply (weak_stops l 0 _ _ vx vy ltac:(lra) M); [ | now rewrite Rminus_0_r ]. clear t Ht. intros t _. rewrite nrm_x, s23_pulses_normalised__needs_width, Ropp_0, Rabs_R0. lra.
+Qed.
+(* Without friction what moves goes on at the width 0. *)
+Theorem s23_pulse_phases__needs_friction : moves 0 (pulse 0) 0 (fun _ => 1) (fun _ => 0).
+Proof.
+  split; [ intros; cont | intros; cont | intros t _ ]. exists 0, 0. split; [ split; ring_simplify; lra | ]. rewrite s23_pulses_normalised__needs_width. split; (eapply rder_eq; [ rd | ring ]).
+Qed.

@@ -1,88 +1,423 @@
-(* Section 3: the sphere; and what rest needs *)
-Require Import Reals Lra Psatz.
+(* Section 3: the sphere on an accelerated plane, from Newton's law and Coulomb's at the point of contact *)
+Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Turntable.
+From Slipbook Require Import Motion General Formulas Body Reduction Aniso Driven.
+From Slipbook Require Export AtRest.
 Open Scope R_scope.
 
-Lemma rder_unique f t l m : rder f t l -> rder f t m -> l = m.
+Ltac emptied T := lazymatch T with
+  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
+  | _ => constr:(False) end.
+Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
+
+(* ---- the laws ---- *)
+(* the sphere in the laboratory: the plane has the velocity (Px, Py) there, the centre (Vx, Vy); friction alone acts along the plane *)
+Record laboratory (m J rad k : R) (Px Py Vx Vy ox oy oz : R -> R) : Prop := {
+  l_c : forall t, 0 < t -> continuity_pt Px t /\ continuity_pt Py t /\ continuity_pt Vx t /\ continuity_pt Vy t /\
+    continuity_pt ox t /\ continuity_pt oy t /\ continuity_pt oz t;
+  l_law : forall t, 0 <= t -> exists Fx Fy, coulomb (m * k) (slip_x rad Vx oy t - Px t) (slip_y rad Vy ox t - Py t) Fx Fy /\
+    rder Vx t (Fx / m) /\ rder Vy t (Fy / m) /\ rder ox t (rad * Fy / J) /\ rder oy t (- rad * Fx / J) /\ rder oz t 0 }.
+(* Seen from the plane, whose velocity has the rate A, that sphere obeys (59): its momentum has the rate -m A + F, with the same friction F. *)
+Theorem eq_59 m J rad k Ax Ay Px Py Vx Vy ox oy oz t : 0 < m -> laboratory m J rad k Px Py Vx Vy ox oy oz ->
+  (forall t, 0 <= t -> rder Px t (Ax t) /\ rder Py t (Ay t)) -> 0 <= t ->
+  exists Fx Fy, coulomb (m * k) (slip_x rad (fun t => Vx t - Px t) oy t) (slip_y rad (fun t => Vy t - Py t) ox t) Fx Fy /\
+    rder Vx t (Fx / m) /\ rder Vy t (Fy / m) /\
+    rder (fun t => m * (Vx t - Px t)) t (eq59_momentum_rate_1 m (Ax t) (Ay t) 0 Fx Fy 0) /\
+    rder (fun t => m * (Vy t - Py t)) t (eq59_momentum_rate_2 m (Ax t) (Ay t) 0 Fx Fy 0) /\ eq59_momentum_rate_3 m (Ax t) (Ay t) 0 Fx Fy 0 = 0.
 Proof.
-  assert (P : forall l m, rder f t l -> rder f t m -> m <= l).
-  { intros l' m' H K. apply le_epsilon. intros e He.
-    destruct (rder_step f t l' H (e / 2) ltac:(lra)) as (d1 & p1 & h1).
-    destruct (rder_step (fun s => - f s) t (- m') (rder_opp f t m' K) (e / 2) ltac:(lra)) as (d2 & p2 & h2).
-    set (h := Rmin d1 d2 / 2). assert (0 < Rmin d1 d2) by (apply Rmin_pos; trivial). pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
-    specialize (h1 h ltac:(unfold h; lra)). specialize (h2 h ltac:(unfold h; lra)). assert (0 < h) by (unfold h; lra). nra. }
-  intros. apply Rle_antisym; auto.
+  intros hm [_ L] HP Ht. destruct (L t Ht) as (Fx & Fy & C & X & Y & _). destruct (HP t Ht) as [PX PY]. exists Fx, Fy.
+  unfold slip_x, slip_y, eq59_momentum_rate_1, eq59_momentum_rate_2, eq59_momentum_rate_3 in *.
+    split; [ | split; [ trivial | split; [ trivial | split; [ | split ] ] ] ].
+  - replace (Vx t - Px t - rad * oy t) with (Vx t - rad * oy t - Px t) by ring. replace (Vy t - Py t + rad * ox t) with (Vy t + rad * ox t - Py t)
+    by ring. exact C.
+  - eapply rder_eq; [ rd | field; lra ].
+  - eapply rder_eq; [ rd | field; lra ].
+  - ring.
 Qed.
-Lemma rder_zero f t d : 0 < d -> (forall s, t <= s < t + d -> f s = 0) -> rder f t 0.
+Lemma eq_59__occurs : ltac:(occurs eq_59).
 Proof.
-  intros Hd H. exists (fun s => if Rlt_dec s (t + d) then 0 else f s). split.
-  - apply (is_derive_ext_loc (fun _ => 0)); [ | auto_derive; trivial ]. exists (mkposreal d Hd). intros s Hs. change (Rabs (s - t) < d) in Hs. apply Rabs_def2 in Hs.
-    destruct (Rlt_dec s (t + d)); trivial. lra.
-  - intros s Hs. destruct (Rlt_dec s (t + d)); trivial. symmetry. apply H. lra.
+  intros H. destruct example_slides as [[_ L] _]. refine (H 1 1 1 (/ 4 * 1) (fun _ => -1) (fun _ => 0) (fun t => - t) (fun _ => 0) (fun t =>
+    example_v t - t) (fun _ => 1)
+    (fun _ => -1) example_o (fun _ => 2) 1 _ _ _ _); try lra; [ split; intros t Ht | intros t Ht; split; (eapply rder_eq; [ rd | ring ]) ].
+  - unfold example_v, example_o. repeat split; cont.
+  - destruct (L t Ht) as (Fx & Fy & C & X & Y & OX & OY & OZ). exists Fx, Fy. unfold slip_x, slip_y, eq59_momentum_rate_1, eq59_momentum_rate_2,
+    eq60_spin_rate_1,
+      eq60_spin_rate_2, eq60_spin_rate_3 in *. replace (example_v t - t - 1 * example_o t - - t) with (example_v t - 1 * example_o t) by ring.
+        rewrite Rminus_0_r.
+    split; [ exact C | repeat split ]; (eapply rder_eq; [ rd | field ]).
 Qed.
-(* s2-no-permanent-rest: while at rest, |A| <= mu g *)
-Theorem rest_needs k Ax Ay vx vy s d : 0 <= k -> motion k Ax Ay vx vy -> 0 <= s -> 0 < d ->
-  (forall t, s <= t < s + d -> vx t = 0 /\ vy t = 0) -> nrm (Ax s) (Ay s) <= k.
+(* The body turns as J omega' = R x F, whatever its masses, if their moment is the same about every axis. Its angular momentum about the centre, of
+   the velocities (vx, vy, vz) of its parts, changes by the moments of the forces: F and the plane's push N at the contact (0, 0, -rad); weight and
+   inertia, (gx, gy, gz) per mass, everywhere. *)
+Theorem eq_60 J mass rad X Y Z vx vy vz ox oy oz t Fx Fy N gx gy gz : one_moment J mass -> rigid X Y Z ox oy oz ->
+  (forall t a b c, 0 <= t -> rder (fun t => X t a b c) t (vx t a b c) /\ rder (fun t => Y t a b c) t (vy t a b c) /\
+    rder (fun t => Z t a b c) t (vz t a b c)) -> 0 <= t ->
+  rder (fun t => moment mass (Y t) (Z t) (vy t) (vz t)) t (0 * N - (- rad) * Fy + moment mass (Y t) (Z t) (fun _ _ _ => gy) (fun _ _ _ => gz)) ->
+  rder (fun t => moment mass (Z t) (X t) (vz t) (vx t)) t (- rad * Fx - 0 * N + moment mass (Z t) (X t) (fun _ _ _ => gz) (fun _ _ _ => gx)) ->
+  rder (fun t => moment mass (X t) (Y t) (vx t) (vy t)) t (0 * Fy - 0 * Fx + moment mass (X t) (Y t) (fun _ _ _ => gx) (fun _ _ _ => gy)) ->
+  rder (fun t => J * ox t) t (eq60_spin_rate_1 0 0 (- rad) Fx Fy 0) /\ rder (fun t => J * oy t) t (eq60_spin_rate_2 0 0 (- rad) Fx Fy 0) /\
+  rder (fun t => J * oz t) t (eq60_spin_rate_3 0 0 (- rad) Fx Fy 0).
 Proof.
-  intros Hk M Hs Hd H. destruct (m_law _ _ _ _ _ M s Hs) as (fx & fy & [B _] & X & Y).
-  assert (X0 : rder vx s 0) by (apply (rder_zero vx s d); trivial; intros; now apply H).
-  assert (Y0 : rder vy s 0) by (apply (rder_zero vy s d); trivial; intros; now apply H).
-  pose proof (rder_unique _ _ _ _ X X0). pose proof (rder_unique _ _ _ _ Y Y0).
-  unfold nrm. rewrite <- (sqrt_pow2 k) by trivial. apply sqrt_le_1_alt. replace (Ax s) with fx by lra. replace (Ay s) with fy by lra. exact B.
+  intros B D V Ht L1 L2 L3. destruct (body_spin J mass B X Y Z vx vy vz ox oy oz D V) as [K W]. destruct (W t Ht gx gy gz) as (w1 & w2 & w3).
+  rewrite w1 in L1. rewrite w2 in L2. rewrite w3 in L3. unfold eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
+  split; [ refine (rder_eq _ _ _ _ (rder_ext _ _ _ _ _ L1) _) | split; [ refine (rder_eq _ _ _ _ (rder_ext _ _ _ _ _ L2) _)
+    | refine (rder_eq _ _ _ _ (rder_ext _ _ _ _ _ L3) _) ] ];
+    try ring; intros s Hs; apply (K s); lra.
 Qed.
-(* s4-rest-radius, both ways *)
-Theorem rest_radius a b : spin (fun _ => a) (fun _ => b) (fun _ => 0) (fun _ => 0) <-> a ^ 2 + b ^ 2 <= 1.
+(* a body that turns faster and faster about the first axis under a steady friction across it *)
+Lemma eq_60__occurs : ltac:(occurs eq_60).
 Proof.
-  assert (n0 : nrm 0 0 = 0) by (unfold nrm; replace (0 ^ 2 + 0 ^ 2) with 0 by ring; apply sqrt_0).
-  assert (Z : forall c t, rder (fun _ => c) t 0) by (intros; apply rder_of; auto_derive; trivial). split.
-  - intros S. destruct (s_law _ _ _ _ S 0 (Rle_refl 0)) as (_ & _ & fx & fy & [B _] & U & W).
-    pose proof (rder_unique _ _ _ _ U (Z 0 0)). pose proof (rder_unique _ _ _ _ W (Z 0 0)). replace a with (- fx) by lra. replace b with (- fy) by lra. nra.
-  - intros H. split; [ intros; cont | intros; cont | intros; cont | intros; cont | ]. intros t _. split; [ apply Z | split; [ apply Z | ] ]. exists (- a), (- b). split; [ split; [ nra | rewrite n0; ring ] | ].
-    split; (eapply rder_eq; [ apply Z | ring ]).
+  intros H. pose (th := fun t => t + t ^ 2 / 2). pose (x := fun _ a _ _ : R => a). pose (y := fun t _ b c : R => b * cos (th t) - c * sin (th t)).
+    pose (z := fun t _ b c : R => b * sin (th t) + c * cos (th t)).
+  assert (cs : forall t, cos (th t) ^ 2 + sin (th t) ^ 2 = 1) by (intros t; pose proof (sin2_cos2 (th t)) as I; rewrite !Rsqr_pow2 in I; lra).
+  assert (D : rigid x y z (fun t => 1 + t) (fun _ => 0) (fun _ => 0)).
+  { split.
+    - intros t _. specialize (cs t). exists 1, 0, 0, 0, (cos (th t)), (sin (th t)), 0, (- sin (th t)), (cos (th t)). unfold x, y, z.
+      repeat split; try ring; nra.
+    - intros t a b c _. assert (Dt : rder th t (1 + t)) by (unfold th; apply rder_of; auto_derive; trivial; field).
+      assert (Dc : rder (fun t => cos (th t)) t (- sin (th t) * (1 + t))) by (apply rder_comp; trivial; auto_derive; trivial; ring).
+      assert (Ds : rder (fun t => sin (th t)) t (cos (th t) * (1 + t))) by (apply rder_comp; trivial; auto_derive; trivial; ring).
+      unfold x, y, z. repeat split; (eapply rder_eq; [ rd | ring ]). }
+  refine (H 1 (six 1) 1 x y z _ _ _ _ _ _ 1 0 1 1 0 0 (-1) (six_alike 1) D (turning _ _ _ _ _ _ D) ltac:(lra) _ _ _);
+    destruct (body_spin 1 (six 1) (six_alike 1) x y z _ _ _ _ _ _ D (turning _ _ _ _ _ _ D)) as [K W];
+      destruct (W 1 ltac:(lra) 0 0 (-1)) as (w1 & w2 & w3); cbv beta in *;
+    rewrite ?w1, ?w2, ?w3; (eapply rder_ext; [ intros s Hs; symmetry; apply (K s); lra | eapply rder_eq; [ rd | ring ] ]).
 Qed.
 
-(* (59), (60) with Coulomb's law at the point of contact: mass m, moment I, radius R; k = mu g *)
-Record sphere (m J rad k : R) (Ax Ay vx vy ox oy oz : R -> R) : Prop := {
-  b_c : forall t, 0 < t -> continuity_pt vx t /\ continuity_pt vy t /\ continuity_pt ox t /\ continuity_pt oy t /\ continuity_pt oz t;
-  b_law : forall t, 0 <= t -> exists Fx Fy, coulomb (m * k) (vx t - rad * oy t) (vy t + rad * ox t) Fx Fy /\
-    rder vx t (Fx / m - Ax t) /\ rder vy t (Fy / m - Ay t) /\
-    rder ox t (rad * Fy / J) /\ rder oy t (- rad * Fx / J) /\ rder oz t 0 }.
-Section Sphere.
-Variables (m J rad k : R) (Ax Ay vx vy ox oy oz : R -> R).
-Hypothesis hm : 0 < m. Hypothesis hJ : 0 < J. Hypothesis hr : 0 < rad. Hypothesis hk : 0 <= k.
-Hypothesis B : sphere m J rad k Ax Ay vx vy ox oy oz.
-Let b := 1 + / (J / (m * rad ^ 2)).   (* (62), (67) *)
-
-(* s3-reduction, rolling included: the slip velocity is a particle's velocity with b mu for mu *)
-Theorem reduction : motion (b * k) Ax Ay (fun t => vx t - rad * oy t) (fun t => vy t + rad * ox t).
+(* ---- while it slides, with dimensions ---- *)
+Section Sliding.
+Variables (m J rad mu g : R) (Ax Ay vx vy ox oy oz : R -> R) (t : R).
+Hypothesis hm : 0 < m. Hypothesis hJ : 0 < J. Hypothesis hr : 0 < rad. Hypothesis hmu : 0 <= mu. Hypothesis hg : 0 <= g.
+Hypothesis S : sphere m J rad (mu * g) Ax Ay vx vy ox oy oz.
+Hypothesis ht : 0 <= t.
+Hypothesis slides : ~ rolls rad vx vy ox oy t.
+Ltac opened := destruct (sliding m J rad (mu * g) hm hJ Ax Ay vx vy ox oy oz t ltac:(now apply Rmult_le_pos) S ht slides) as (n0 & X & Y & OX & OY &
+  OZ);
+  unfold eq61_contact_1, eq61_contact_2, eq61_contact_3 in *; set (n := nrm _ _) in *.
+Ltac length n := match goal with |- context [sqrt ?e] => replace (sqrt e) with n by (unfold n, nrm, slip_x, slip_y; f_equal; ring) end.
+Ltac rate n := unfold slip_x, slip_y in *; eapply rder_eq; [ rd | length n; field; lra ].
+(* The acceleration of the centre of a sliding sphere. *)
+Theorem eq_63 : let rate f := f (Ax t) (Ay t) 0 mu g (vx t) (vy t) 0 (ox t) (oy t) (oz t) (eq61_contact_1 rad) (eq61_contact_2 rad) (eq61_contact_3
+  rad) in
+  rder vx t (rate eq63_velocity_rate_1) /\ rder vy t (rate eq63_velocity_rate_2) /\ rate eq63_velocity_rate_3 = 0.
+Proof. opened. unfold eq63_velocity_rate_1, eq63_velocity_rate_2, eq63_velocity_rate_3. split; [ rate n | split; [ rate n | length n; field;
+  lra ] ]. Qed.
+(* The rate of its spin. *)
+Theorem eq_64 : let rate f := f mu g (vx t) (vy t) 0 (ox t) (oy t) (oz t) (eq61_contact_1 rad) (eq61_contact_2 rad) (eq61_contact_3 rad) in
+  let c := eq62_kappa J m rad * rad ^ 2 in
+  rder (fun t => c * ox t) t (rate eq64_spin_rate_1) /\ rder (fun t => c * oy t) t (rate eq64_spin_rate_2) /\
+    rder (fun t => c * oz t) t (rate eq64_spin_rate_3).
+Proof. opened. unfold eq64_spin_rate_1, eq64_spin_rate_2, eq64_spin_rate_3, eq62_kappa. cbv zeta. repeat split; rate n. Qed.
+(* The rate of omega x R, the spin's share of the slip. *)
+Theorem eq_65 : let rate f := f (eq62_kappa J m rad) mu g (vx t) (vy t) 0 (ox t) (oy t) (oz t) (eq61_contact_1 rad) (eq61_contact_2 rad)
+  (eq61_contact_3 rad) in
+  rder (fun t => oy t * eq61_contact_3 rad - oz t * eq61_contact_2 rad) t (rate eq65_spin_slip_rate_1) /\
+  rder (fun t => oz t * eq61_contact_1 rad - ox t * eq61_contact_3 rad) t (rate eq65_spin_slip_rate_2) /\
+  rder (fun t => ox t * eq61_contact_2 rad - oy t * eq61_contact_1 rad) t (rate eq65_spin_slip_rate_3).
+Proof. opened. unfold eq65_spin_slip_rate_1, eq65_spin_slip_rate_2, eq65_spin_slip_rate_3, eq62_kappa. cbv zeta. repeat split; rate n. Qed.
+(* The rate of the slip velocity. *)
+Theorem eq_66 : let rate f := f (Ax t) (Ay t) 0 (eq67_factor (eq62_kappa J m rad)) mu g (slip_x rad vx oy t) (slip_y rad vy ox t) 0 in
+  rder (slip_x rad vx oy) t (rate eq66_slip_rate_1) /\ rder (slip_y rad vy ox) t (rate eq66_slip_rate_2) /\ rate eq66_slip_rate_3 = 0.
 Proof.
-  assert (hb : b = 1 + m * rad ^ 2 / J) by (unfold b; field; lra). assert (b0 : 0 < b). { rewrite hb. assert (0 < m * rad ^ 2 / J) by (apply Rdiv_lt_0_compat; [ apply Rmult_lt_0_compat; [ | apply pow_lt ] | ]; lra). lra. }
+  opened. unfold eq66_slip_rate_1, eq66_slip_rate_2, eq66_slip_rate_3, eq67_factor, eq62_kappa. cbv zeta.
+    split; [ rate n | split; [ rate n | length n; field; lra ] ].
+Qed.
+End Sliding.
+Ltac sliding_example := intros H; destruct example_slides as [? N]; eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _ 1);
+  first [ eassumption | lra | match goal with K : forall t, _ -> ~ _ |- ~ _ => apply K; lra end ].
+Lemma eq_63__occurs : ltac:(occurs eq_63).
+Proof. sliding_example. Qed.
+Lemma eq_64__occurs : ltac:(occurs eq_64).
+Proof. sliding_example. Qed.
+Lemma eq_65__occurs : ltac:(occurs eq_65).
+Proof. sliding_example. Qed.
+Lemma eq_66__occurs : ltac:(occurs eq_66).
+Proof. sliding_example. Qed.
+
+(* ---- in the units of (68) to (72); dot is the rate over tau ---- *)
+(* the time at which (69) is tau, and the quantities then *)
+Definition clock (rad mu g tau : R) : R := sqrt (rad / (mu * g)) * tau.
+Definition rho_1 rad mu g (x y : R -> R) tau := eq68_position_1 rad (x (clock rad mu g tau)) (y (clock rad mu g tau)) 0.
+Definition rho_2 rad mu g (x y : R -> R) tau := eq68_position_2 rad (x (clock rad mu g tau)) (y (clock rad mu g tau)) 0.
+Definition zeta_1 rad mu g (ox oy oz : R -> R) tau := let t := clock rad mu g tau in eq70_spin_1 rad mu g (ox t) (oy t) (oz t).
+Definition zeta_2 rad mu g (ox oy oz : R -> R) tau := let t := clock rad mu g tau in eq70_spin_2 rad mu g (ox t) (oy t) (oz t).
+Definition zeta_3 rad mu g (ox oy oz : R -> R) tau := let t := clock rad mu g tau in eq70_spin_3 rad mu g (ox t) (oy t) (oz t).
+Definition u_1 rad mu g (vx vy ox oy : R -> R) tau := let t := clock rad mu g tau in eq71_slip_1 rad mu g (slip_x rad vx oy t) (slip_y rad vy ox t) 0.
+Definition u_2 rad mu g (vx vy ox oy : R -> R) tau := let t := clock rad mu g tau in eq71_slip_2 rad mu g (slip_x rad vx oy t) (slip_y rad vy ox t) 0.
+Definition gamma_1 rad mu g (Ax Ay : R -> R) tau := let t := clock rad mu g tau in eq72_acceleration_1 mu g (Ax t) (Ay t) 0.
+Definition gamma_2 rad mu g (Ax Ay : R -> R) tau := let t := clock rad mu g tau in eq72_acceleration_2 mu g (Ax t) (Ay t) 0.
+(* the velocity of the centre, dr/dt over the unit: by eq_73 the rate of rho *)
+Definition rhodot rad mu g (v : R -> R) tau := v (clock rad mu g tau) / sqrt (mu * g * rad).
+Section Units.
+Variables (m J rad mu g : R) (Ax Ay X Y vx vy ox oy oz : R -> R).
+Hypothesis hm : 0 < m. Hypothesis hJ : 0 < J. Hypothesis hr : 0 < rad. Hypothesis hmu : 0 < mu. Hypothesis hg : 0 < g.
+Hypothesis S : sphere m J rad (mu * g) Ax Ay vx vy ox oy oz.
+(* the place of the centre *)
+Hypothesis centre : forall t, 0 <= t -> rder X t (vx t) /\ rder Y t (vy t).
+Notation b := (eq67_factor (eq62_kappa J m rad)).
+Notation T := (clock rad mu g).
+Notation u1 := (u_1 rad mu g vx vy ox oy). Notation u2 := (u_2 rad mu g vx vy ox oy).
+Notation v1 := (rhodot rad mu g vx). Notation v2 := (rhodot rad mu g vy).
+Notation g1 := (gamma_1 rad mu g Ax Ay). Notation g2 := (gamma_2 rad mu g Ax Ay).
+Let q := sqrt (mu * g * rad).
+Lemma unit_facts : 0 < mu * g /\ 0 < q /\ q ^ 2 = mu * g * rad /\ sqrt (rad / (mu * g)) = q / (mu * g) /\ sqrt (mu * g / rad) = q / rad.
+Proof.
+  assert (k0 : 0 < mu * g) by (apply Rmult_lt_0_compat; lra). assert (0 < mu * g * rad) by (apply Rmult_lt_0_compat; lra). unfold q.
+  repeat split; trivial. now apply sqrt_lt_R0. apply pow2_sqrt; lra.
+  - replace (rad / (mu * g)) with (mu * g * rad / (mu * g) ^ 2) by (field; lra). rewrite sqrt_div_alt by (apply pow_lt; lra). rewrite sqrt_pow2; lra.
+  - replace (mu * g / rad) with (mu * g * rad / rad ^ 2) by (field; lra). rewrite sqrt_div_alt by (apply pow_lt; lra). rewrite sqrt_pow2; lra.
+Qed.
+Lemma clock_is tau : eq69_time rad mu g (T tau) = tau.
+Proof. destruct unit_facts as (k0 & q0 & e & e1 & e2). unfold eq69_time, clock. rewrite e1, e2.
+  replace (q / rad * (q / (mu * g) * tau)) with (q ^ 2 / (mu * g * rad) * tau) by (field; lra). rewrite e. field. lra. Qed.
+Lemma clock_pos tau : 0 <= tau -> 0 <= T tau.
+Proof. intros H. unfold clock. apply Rmult_le_pos; [ apply sqrt_pos | trivial ]. Qed.
+Lemma rder_clock f c tau l l' : rder f (T tau) l -> c * q / (mu * g) * l = l' -> rder (fun tau => c * f (T tau)) tau l'.
+Proof.
+  destruct unit_facts as (k0 & q0 & e & e1 & e2). intros H <-. unfold clock in *. rewrite e1 in *.
+    assert (p : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra).
+  apply rder_speed in H; trivial. eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | exact H ] | field; lra ].
+Qed.
+Lemma unit_length a c : sqrt ((1 / q * a) ^ 2 + (1 / q * c) ^ 2 + 0 ^ 2) = nrm a c / q.
+Proof.
+  destruct unit_facts as (k0 & q0 & e & e1 & e2). assert (0 < / q) by now apply Rinv_0_lt_compat.
+    transitivity (nrm (/ q * a) (/ q * c)); [ unfold nrm; f_equal; field; lra | ].
+  rewrite nrm_scale by lra. field. lra.
+Qed.
+(* the velocity of the centre is the rate of rho *)
+Lemma rho_rate tau : 0 <= tau -> rder (rho_1 rad mu g X Y) tau (v1 tau) /\ rder (rho_2 rad mu g X Y) tau (v2 tau).
+Proof.
+  intros Ht. destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (centre (T tau) (clock_pos tau Ht)) as [CX CY].
+    unfold rho_1, rho_2, eq68_position_1, eq68_position_2, rhodot. fold q.
+  assert (E : forall l, / rad * q / (mu * g) * l = l / q) by (intros l; replace (/ rad * q / (mu * g) * l) with (q ^ 2 / (mu * g * rad) * l / q) by
+    (field; lra); rewrite e; field; lra).
+  split; [ apply (rder_ext (fun tau => / rad * X (T tau))) | apply (rder_ext (fun tau => / rad * Y (T tau))) ]; try (intros; unfold Rdiv; ring);
+    (eapply rder_clock; [ eassumption | apply E ]).
+Qed.
+Section While.
+Variable tau : R.
+Hypothesis ht : 0 <= tau.
+Hypothesis slides : ~ rolls rad vx vy ox oy (T tau).
+Ltac opened := pose proof unit_facts as (k0 & q0 & e & e1 & e2);
+  destruct (sliding m J rad (mu * g) hm hJ Ax Ay vx vy ox oy oz (T tau) ltac:(lra) S (clock_pos tau ht) slides) as (n0 & VX & VY & OX & OY & OZ).
+Ltac length := unfold u_1, u_2, eq71_slip_1, eq71_slip_2; cbv zeta; fold q; rewrite ?unit_length; set (n := nrm _ _) in *.
+(* The centre of a sliding sphere: rho has the rate rhodot, and that the rate (73). *)
+Theorem eq_73 : let rate f := f (g1 tau) (g2 tau) 0 (u1 tau) (u2 tau) 0 in
+  rder (rho_1 rad mu g X Y) tau (v1 tau) /\ rder (rho_2 rad mu g X Y) tau (v2 tau) /\
+  rder v1 tau (rate eq73_velocity_rate_1) /\ rder v2 tau (rate eq73_velocity_rate_2) /\ rate eq73_velocity_rate_3 = 0.
+Proof.
+  opened. destruct (rho_rate tau ht). split; [ trivial | split; [ trivial | ] ].
+  unfold eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2, rhodot. length.
+  split; [ | split; [ | field; lra ] ].
+  - apply (rder_ext (fun tau => / q * vx (T tau))); [ intros; unfold Rdiv; ring | eapply rder_clock; [ exact VX | field; lra ] ].
+  - apply (rder_ext (fun tau => / q * vy (T tau))); [ intros; unfold Rdiv; ring | eapply rder_clock; [ exact VY | field; lra ] ].
+Qed.
+(* The slip velocity. *)
+Theorem eq_74 : let rate f := f b (g1 tau) (g2 tau) 0 (u1 tau) (u2 tau) 0 in
+  rder u1 tau (rate eq74_slip_rate_1) /\ rder u2 tau (rate eq74_slip_rate_2) /\ rate eq74_slip_rate_3 = 0.
+Proof.
+  opened. destruct (eq_66 m J rad mu g Ax Ay vx vy ox oy oz (T tau)) as (P & Q & _); trivial; try lra; [ now apply clock_pos | ].
+  unfold eq66_slip_rate_1, eq66_slip_rate_2 in P, Q. replace (sqrt _) with (nrm (slip_x rad vx oy (T tau)) (slip_y rad vy ox (T tau))) in P,
+    Q by (unfold nrm; f_equal; ring).
+  unfold eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2. length. set (bb := b) in *.
+  split; [ | split; [ | field; lra ] ]; (eapply rder_clock; [ eassumption | field; lra ]).
+Qed.
+(* Friction alone changes rhodot + nu, for every nu with the rate gamma. *)
+Theorem eq_77 nu1 nu2 : rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) -> rder nu2 tau (eq76_nu_rate_2 (g1 tau) (g2 tau) 0) ->
+  let rate f := f (u1 tau) (u2 tau) 0 in
+  rder (fun tau => v1 tau + nu1 tau) tau (rate eq77_rate_1) /\ rder (fun tau => v2 tau + nu2 tau) tau (rate eq77_rate_2) /\ rate eq77_rate_3 = 0.
+Proof.
+  intros N1 N2 rate. unfold eq76_nu_rate_1, eq76_nu_rate_2 in *. destruct eq_73 as (_ & _ & V1 & V2 & V3).
+  split; [ | split ]; [ eapply rder_eq; [ rd | ] | eapply rder_eq; [ rd | ] | cbv beta zeta in V3 ];
+    unfold rate, eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3, eq77_rate_1, eq77_rate_2, eq77_rate_3 in *; lra.
+Qed.
+(* And u + nu. *)
+Theorem eq_78 nu1 nu2 : rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) -> rder nu2 tau (eq76_nu_rate_2 (g1 tau) (g2 tau) 0) ->
+  let rate f := f b (u1 tau) (u2 tau) 0 in
+  rder (fun tau => u1 tau + nu1 tau) tau (rate eq78_rate_1) /\ rder (fun tau => u2 tau + nu2 tau) tau (rate eq78_rate_2) /\ rate eq78_rate_3 = 0.
+Proof.
+  intros N1 N2 rate. unfold eq76_nu_rate_1, eq76_nu_rate_2 in *. destruct eq_74 as (V1 & V2 & V3).
+  split; [ | split ]; [ eapply rder_eq; [ rd | ] | eapply rder_eq; [ rd | ] | cbv beta zeta in V3 ];
+    unfold rate, eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3, eq78_rate_1, eq78_rate_2, eq78_rate_3 in *; lra.
+Qed.
+End While.
+(* The spin is zeta_3 about the vertical and minus z x (u - rhodot), sliding or rolling. *)
+Theorem eq_75 tau : let spin f := f (zeta_3 rad mu g ox oy oz tau) (u1 tau) (u2 tau) 0 (v1 tau) (v2 tau) 0 in
+  zeta_1 rad mu g ox oy oz tau = spin right_sphere_spin_1 /\ zeta_2 rad mu g ox oy oz tau = spin right_sphere_spin_2 /\
+    zeta_3 rad mu g ox oy oz tau = spin right_sphere_spin_3.
+Proof.
+  destruct unit_facts as (k0 & q0 & e & e1 & e2). unfold zeta_1, zeta_2, zeta_3, eq70_spin_1, eq70_spin_2, eq70_spin_3, u_1, u_2, eq71_slip_1,
+    eq71_slip_2, rhodot,
+    right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3, slip_x, slip_y. cbv zeta. fold q. rewrite e1. set (t := T tau).
+  assert (E : q / (mu * g) = rad / q) by (apply (Rmult_eq_reg_r (q * (mu * g))); [ | apply Rmult_integral_contrapositive; lra ];
+    replace (q / (mu * g) * (q * (mu * g))) with (q ^ 2) by (field; lra); rewrite e; field; lra).
+  rewrite E. repeat split; field; lra.
+Qed.
+(* The print, plus z x (u - rhodot), gives the spin only while the sphere does not turn about any horizontal axis. *)
+Theorem eq_75__printed tau : let spin f := f (zeta_3 rad mu g ox oy oz tau) (u1 tau) (u2 tau) 0 (v1 tau) (v2 tau) 0 in
+  (zeta_1 rad mu g ox oy oz tau = spin eq75_spin_1 /\ zeta_2 rad mu g ox oy oz tau = spin eq75_spin_2 /\
+    zeta_3 rad mu g ox oy oz tau = spin eq75_spin_3) <->
+  ox (T tau) = 0 /\ oy (T tau) = 0.
+Proof.
+  destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (eq_75 tau) as (z1 & z2 & z3). cbv zeta beta in *.
+    unfold right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3, eq75_spin_1, eq75_spin_2, eq75_spin_3 in *.
+  assert (s0 : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra). unfold zeta_1, zeta_2, eq70_spin_1, eq70_spin_2 in *. cbv zeta in *.
+    rewrite e1 in *.
+  set (s := q / (mu * g)) in *. set (t := T tau) in *. split.
+  - intros (p1 & p2 & _). split; (apply (Rmult_eq_reg_l s); lra).
+  - intros [o1 o2]. rewrite o1, o2 in *. lra.
+Qed.
+(* For every nu with the rate gamma there is a constant c so that the velocity of the centre is (79) at all times, sliding, rolling and in between. *)
+Theorem eq_79 nu1 nu2 : (forall tau, 0 <= tau -> rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) /\
+  rder nu2 tau (eq76_nu_rate_2 (g1 tau) (g2 tau) 0)) ->
+  (forall tau, 0 < tau -> continuity_pt nu1 tau /\ continuity_pt nu2 tau) ->
+  exists c1 c2, forall tau, 0 <= tau -> let velocity f := f b (nu1 tau) (nu2 tau) 0 (u1 tau) (u2 tau) 0 c1 c2 0 in
+  v1 tau = velocity eq79_velocity_1 /\ v2 tau = velocity eq79_velocity_2 /\ 0 = velocity eq79_velocity_3.
+Proof.
+  intros N cn. destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (factor_is m J rad hm hJ hr) as [_ b1]. unfold factor in b1.
+  assert (s0 : 0 < mu * g / q) by (apply Rdiv_lt_0_compat; lra).
+  assert (back : forall t, T (mu * g / q * t) = t) by (intros t; unfold clock; rewrite e1; field; lra).
+    assert (P : forall A nu, (forall tau, 0 < tau -> continuity_pt nu tau) ->
+    (forall tau, 0 <= tau -> rder nu tau (A (T tau) / (mu * g))) -> primitive (fun t => q * nu (mu * g / q * t)) A).
+  { intros A nu c D. split; intros t Ht.
+    - apply (continuity_pt_mult (fun _ => q)); [ cont | apply cont_speed, c, Rmult_lt_0_compat; lra ].
+    - specialize (D (mu * g / q * t) ltac:(apply Rmult_le_pos; lra)). rewrite back in D. apply rder_speed in D; trivial.
+      eapply rder_eq; [ apply (rder_mult (fun _ => q)); [ rd | exact D ] | field; lra ]. }
+  assert (P1 : primitive (fun t => q * nu1 (mu * g / q * t)) Ax) by (apply P; intros tau Ht; [ now apply cn | now apply (N tau) ]).
+  assert (P2 : primitive (fun t => q * nu2 (mu * g / q * t)) Ay) by (apply P; intros tau Ht; [ now apply cn | now apply (N tau) ]).
+  pose proof (fun tau Ht => kept_x m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz _ (T tau) S P1 (clock_pos tau Ht)) as K1.
+  pose proof (fun tau Ht => kept_y m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz _ (T tau) S P2 (clock_pos tau Ht)) as K2.
+  unfold factor in K1, K2. set (bb := b) in *. assert (F : forall tau, mu * g / q * T tau = tau) by (intros tau; unfold clock; rewrite e1; field;
+    lra).
+  exists ((vx 0 + (1 - / bb) * (q * nu1 0) - slip_x rad vx oy 0 * / bb) / q), ((vy 0 + (1 - / bb) * (q * nu2 0) - slip_y rad vy ox 0 * / bb) / q).
+    intros tau Ht.
+  specialize (K1 tau Ht). specialize (K2 tau Ht). rewrite F, Rmult_0_r in K1, K2. rewrite <- K1, <- K2.
+  unfold eq79_velocity_1, eq79_velocity_2, eq79_velocity_3, rhodot, u_1, u_2, eq71_slip_1, eq71_slip_2. cbv zeta. fold q. repeat split; field; lra.
+Qed.
+(* zeta_3 keeps its value, and enters nothing else: with any other constant spin about the vertical the rest is a motion as before. *)
+Theorem s3_spin_constant : (forall tau, 0 <= tau -> rder (zeta_3 rad mu g ox oy oz) tau s3_zeta3_rate /\
+  zeta_3 rad mu g ox oy oz tau = zeta_3 rad mu g ox oy oz 0) /\
+  forall w, sphere m J rad (mu * g) Ax Ay vx vy ox oy (fun _ => w).
+Proof.
   split.
-  - intros t Ht. destruct (b_c _ _ _ _ _ _ _ _ _ _ _ B t Ht) as (c1 & c2 & c3 & c4 & _). cont.
-  - intros t Ht. destruct (b_c _ _ _ _ _ _ _ _ _ _ _ B t Ht) as (c1 & c2 & c3 & c4 & _). cont.
-  - intros t Ht. destruct (b_law _ _ _ _ _ _ _ _ _ _ _ B t Ht) as (Fx & Fy & [C P] & X & Y & OX & OY & OZ).
-    exists (b * (Fx / m)), (b * (Fy / m)). split; [ split | split ].
-    + replace ((b * (Fx / m)) ^ 2 + (b * (Fy / m)) ^ 2) with ((b / m) ^ 2 * (Fx ^ 2 + Fy ^ 2)) by (field; lra).
-      replace ((b * k) ^ 2) with ((b / m) ^ 2 * (m * k) ^ 2) by (field; lra). apply Rmult_le_compat_l; [ apply pow2_ge_0 | exact C ].
-    + set (n := nrm _ _) in *. transitivity (b / m * (Fx * (vx t - rad * oy t) + Fy * (vy t + rad * ox t))). field; lra. rewrite P. field; lra.
-    + eapply rder_eq. rd. rewrite hb. field. lra.
-    + eapply rder_eq. rd. rewrite hb. field. lra.
+  - intros tau Ht. unfold zeta_3, eq70_spin_3, s3_zeta3_rate. cbv zeta. split.
+    + destruct (b_law _ _ _ _ _ _ _ _ _ _ _ S (T tau) (clock_pos tau Ht)) as (Fx & Fy & _ & _ & _ & _ & _ & OZ). unfold eq60_spin_rate_3 in OZ.
+      eapply rder_clock; [ exact OZ | field; destruct unit_facts; lra ].
+    + rewrite (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ (T tau) S (clock_pos tau Ht)), (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ (T 0) S (clock_pos
+      0 (Rle_refl 0))). trivial.
+  - intros w. destruct S as [c L]. split.
+    + intros t Ht. destruct (c t Ht) as (c1 & c2 & c3 & c4 & _). repeat split; trivial. cont.
+    + intros t Ht. destruct (L t Ht) as (Fx & Fy & C & VX & VY & OX & OY & _). exists Fx, Fy. repeat (split; trivial). unfold eq60_spin_rate_3.
+      eapply rder_eq; [ rd | field; lra ].
 Qed.
-Theorem spin_constant t : 0 <= t -> oz t = oz 0.
+End Units.
+Ltac unit_example := intros H; destruct example_slides as [S N]; assert (Z : 0 <= clock 1 (/ 4) 1 1) by (apply clock_pos; lra);
+  assert (N1 : forall tau, rder (fun tau => -1 / (/ 4 * 1) * tau) tau (-1 / (/ 4 * 1))) by (intros tau; eapply rder_eq; [ rd | field ]);
+  assert (N2 : forall tau, rder (fun _ => 0) tau (0 / (/ 4 * 1))) by (intros tau; eapply rder_eq; [ rd | field ]);
+  assert (P : forall t, 0 <= t -> rder (fun t => t + 3 / 8 * t ^ 2) t (example_v t) /\ rder (fun t => t) t 1)
+    by (intros t _; unfold example_v; split; (eapply rder_eq; [ rd | simpl; field ])).
+Ltac rate_of_nu := match goal with K : forall tau, rder _ tau _ |- rder _ _ _ => exact (K _) end.
+Ltac filled := first [ match goal with |- 0 <= ?t => is_evar t; unify t 1; lra end | eassumption | lra | match goal with K : forall t, _ ->
+  ~ _ |- ~ _ => apply K; first [ assumption | lra ] end
+  | rate_of_nu | intros; split; rate_of_nu | intros; split; cont ].
+Lemma eq_73__occurs : ltac:(occurs eq_73).
+Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _ _ _); filled. Qed.
+Lemma eq_74__occurs : ltac:(occurs eq_74).
+Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
+Lemma eq_77__occurs : ltac:(occurs eq_77).
+Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _ _ _); filled. Qed.
+Lemma eq_78__occurs : ltac:(occurs eq_78).
+Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
+Lemma eq_79__occurs : ltac:(occurs eq_79).
+Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
+Lemma s3_spin_constant__occurs : ltac:(occurs s3_spin_constant).
+Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
+
+(* ---- the reduction ---- *)
+(* A sphere moves so, and only so: the slip velocity is a particle's velocity under the same A with b mu for mu, rolling being rest; the velocity of
+  the
+   centre is then (79), nu being any integral of A; the spin (75), with a constant about the vertical. *)
+Theorem s3_reduction m J rad mu g Ax Ay nux nuy vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> primitive nux Ax -> primitive nuy Ay ->
+  let b := eq67_factor (eq62_kappa J m rad) in let ux := slip_x rad vx oy in let uy := slip_y rad vy ox in
+  sphere m J rad (mu * g) Ax Ay vx vy ox oy oz <->
+  motion (b * mu * g) Ax Ay ux uy /\
+  (exists cx cy, forall t, 0 <= t -> let velocity f := f b (nux t) (nuy t) 0 (ux t) (uy t) 0 cx cy 0 in vx t = velocity eq79_velocity_1 /\
+    vy t = velocity eq79_velocity_2) /\
+  (forall t, 0 <= t -> let spin f := f (rad * oz 0) (ux t) (uy t) 0 (vx t) (vy t) 0 in
+    rad * ox t = spin right_sphere_spin_1 /\ rad * oy t = spin right_sphere_spin_2 /\ rad * oz t = spin right_sphere_spin_3).
 Proof.
-  intros Ht. apply rder_const; trivial; intros s Hs. now apply (b_c _ _ _ _ _ _ _ _ _ _ _ B s).
-  now destruct (b_law _ _ _ _ _ _ _ _ _ _ _ B s ltac:(lra)) as (Fx & Fy & _ & _ & _ & _ & _ & OZ).
+  intros hm hJ hr P1 P2 b ux uy. destruct (factor_is m J rad hm hJ hr) as [_ b1]. change (factor m J rad) with b in b1.
+    unfold right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3, eq79_velocity_1, eq79_velocity_2. cbv zeta beta.
+  replace (b * mu * g) with (b * (mu * g)) by ring. split.
+  - intros S. split; [ exact (slip_moves m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ S) | split ].
+    + exists (vx 0 + (1 - / b) * nux 0 - ux 0 * / b), (vy 0 + (1 - / b) * nuy 0 - uy 0 * / b). intros t Ht.
+      pose proof (kept_x m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ _ t S P1 Ht) as K1. pose proof (kept_y m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ _ t
+        S P2 Ht) as K2.
+      change (factor m J rad) with b in K1, K2. fold ux in K1. fold uy in K2. rewrite <- K1, <- K2. split; field; lra.
+    + intros t Ht. rewrite (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ t S Ht). unfold ux, uy, slip_x, slip_y. repeat split; ring.
+  - intros (M & (cx & cy & V) & Z). apply (sphere_of_slip m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz nux nuy cx cy); trivial.
+    + intros t Ht. destruct (V t Ht) as [-> _]. change (factor m J rad) with b. fold ux. field. lra.
+    + intros t Ht. destruct (V t Ht) as [_ ->]. change (factor m J rad) with b. fold uy. field. lra.
+    + intros t Ht. destruct (Z t Ht) as (_ & _ & e). apply (Rmult_eq_reg_l rad); lra.
 Qed.
-(* (79), with dimensions: nu is a primitive of A *)
-Theorem eq79 nu t : 0 <= t -> (forall s, 0 < s -> continuity_pt nu s) -> (forall s, 0 <= s -> rder nu s (Ax s)) ->
-  vx t = - (1 - / b) * nu t + (vx t - rad * oy t) * / b + (vx 0 + (1 - / b) * nu 0 - (vx 0 - rad * oy 0) * / b).
+
+(* ---- 3.3, 3.4 ---- *)
+(* A sphere under A0 h(varpi t) along a line, h having an integral H. Whatever holds of the velocities of all particles under h with lambda_0 of
+  (84) in the
+   place of (22) holds of the slip velocities of all such spheres, in the same units, and the other way round;
+     the sphere rolls when the particle rests. *)
+Theorem s33_any_drive m J rad mu g A0 varpi h H (P : (R -> R) -> (R -> R) -> Prop) : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  primitive H h ->
+  let b := eq67_factor (eq62_kappa J m rad) in
+  ((forall vx vy ox oy oz, sphere m J rad (mu * g) (fun t => - A0 * h (varpi * t)) (fun _ => 0) vx vy ox oy oz ->
+    P (w_x A0 varpi rad vx oy) (w_y A0 varpi rad vy ox)) <->
+   (forall wx wy, motion (eq84_lambda b mu g A0) (fun phi => - h phi) (fun _ => 0) wx wy -> P wx wy)) /\
+  (forall vx vy ox oy t, rolls rad vx vy ox oy t <-> w_x A0 varpi rad vx oy (varpi * t) = 0 /\ w_y A0 varpi rad vy ox (varpi * t) = 0).
 Proof.
-  intros Ht C D. assert (hb : b = 1 + m * rad ^ 2 / J) by (unfold b; field; lra). assert (b0 : 0 < b). { rewrite hb. assert (0 < m * rad ^ 2 / J) by (apply Rdiv_lt_0_compat; [ apply Rmult_lt_0_compat; [ | apply pow_lt ] | ]; lra). lra. }
-  enough (vx t + (1 - / b) * nu t - (vx t - rad * oy t) * / b = vx 0 + (1 - / b) * nu 0 - (vx 0 - rad * oy 0) * / b) by lra.
-  apply (rder_const (fun t => vx t + (1 - / b) * nu t - (vx t - rad * oy t) * / b)); trivial; intros s Hs.
-  - destruct (b_c _ _ _ _ _ _ _ _ _ _ _ B s ltac:(lra)) as (c1 & c2 & c3 & c4 & _). pose proof (C s ltac:(lra)). cont.
-  - destruct (b_law _ _ _ _ _ _ _ _ _ _ _ B s ltac:(lra)) as (Fx & Fy & _ & X & Y & OX & OY & OZ). pose proof (D s ltac:(lra)).
-    eapply rder_eq. rd. rewrite hb. field. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ]; lra). lra.
+  intros hm hJ hr hA hv hH b. split; [ split; intros K | intros; now apply rolls_at ].
+  - intros wx wy M. destruct (sphere_driven m J rad mu g A0 varpi hm hJ hr hA hv h H wx wy hH M) as (vx & vy & ox & oy & oz & S & <- & <-).
+    now apply (K vx vy ox oy oz).
+  - intros vx vy ox oy oz S. apply K. now apply (driven m J rad mu g A0 varpi hm hJ hr hA hv h vx vy ox oy oz).
 Qed.
-End Sphere.
+(* Above lambda_0 = 1, |h| being at most 1, it rolls for good, from the time on that its slip at the start takes to go. *)
+Theorem s33_any_drive__above_one m J rad mu g A0 varpi h lam vx vy ox oy oz t : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 ->
+  (forall phi, Rabs (h phi) <= 1) ->
+  lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 1 < lam ->
+  sphere m J rad (mu * g) (fun t => - A0 * h (varpi * t)) (fun _ => 0) vx vy ox oy oz ->
+  nrm (slip_x rad vx oy 0) (slip_y rad vy ox 0) / ((lam - 1) * A0) <= t -> rolls rad vx vy ox oy t.
+Proof.
+  intros hm hJ hr hA hh el hl S Ht. apply (slip_moves m J rad (mu * g) hm hJ hr) in S.
+  assert (e : factor m J rad * (mu * g) = lam * A0) by (rewrite el; unfold eq84_lambda, factor; field; lra). rewrite e in S.
+  apply (weak_stops (lam * A0) A0 _ _ _ _ ltac:(nra) S); [ | now replace (lam * A0 - A0) with ((lam - 1) * A0) by ring ].
+  intros s _. replace (nrm _ _) with (A0 * Rabs (h (varpi * s))); [ specialize (hh (varpi * s)); nra | ].
+  rewrite <- (Rabs_pos_eq A0) at 1 by lra. rewrite <- Rabs_mult. unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring.
+Qed.
+(* Friction mu_plus forward and mu_minus backward, drive (21): whatever holds of all velocities of the particle of 2.4 with lambda_0 of (85) and
+   q = mu_minus / mu_plus, its regions with them, holds of all slip velocities of spheres along the line, and the other way round. *)
+Theorem s34_anisotropic m J rad mu_plus mu_minus g A0 varpi t0 (P : (R -> R) -> Prop) : 0 < m -> 0 < J -> 0 < rad -> 0 < mu_plus -> 0 < g ->
+  0 < A0 -> 0 < varpi ->
+  let lam := eq85_lambda (eq67_factor (eq62_kappa J m rad)) mu_plus g A0 in
+  (forall v o, sphere_on_line m J rad (mu_plus * g) (mu_minus * g) (eq21_acceleration_1 A0 varpi) t0 v o -> P (w_x A0 varpi rad v o)) <->
+  (forall w, line (eq49_lambda_plus lam) (eq50_lambda_minus (mu_minus / mu_plus) lam) sin (varpi * t0) w -> P w).
+Proof.
+  intros hm hJ hr hmu hg hA hv lam. assert (p : 0 < A0 / varpi) by now apply Rdiv_lt_0_compat.
+    assert (p' : 0 < varpi / A0) by now apply Rdiv_lt_0_compat. assert (0 < / varpi) by now apply Rinv_0_lt_compat.
+  unfold eq49_lambda_plus, eq50_lambda_minus. split; intros K.
+  - intros w L. apply (line_in_units (A0 / varpi) varpi _ _ _ _ _ (factor m J rad * (mu_plus * g)) (factor m J rad * (mu_minus * g))
+      (fun t => - eq21_acceleration_1 A0 varpi t) t0 (fun t => A0 / varpi * w (varpi * t))) in L; trivial.
+    + destruct (on_line_with_slip m J rad hm hJ hr (mu_plus * g) (mu_minus * g) (eq21_acceleration_1 A0 varpi) (fun t => A0 / varpi * cos (varpi *
+      t)) t0 (fun t => A0 / varpi * w (varpi * t))) with (2 := L) as (v & o & S & e).
+      * intros t. unfold eq21_acceleration_1. auto_derive; trivial. field. lra.
+      * replace w with (w_x A0 varpi rad v o); [ now apply K | ]. extensionality phi. unfold w_x. rewrite e. unfold eq24_w.
+        replace (varpi * (phi / varpi)) with phi by (field; lra). field; lra.
+    + unfold lam, eq85_lambda, factor. field. lra.
+    + unfold lam, eq85_lambda, factor. field. lra.
+    + intros t. unfold eq21_acceleration_1. field. lra.
+  - intros v o S. apply K. apply slip_on_line in S; trivial.
+    apply (line_in_units (varpi / A0) (/ varpi) _ _ _ _ _ lam (mu_minus / mu_plus * lam) sin (varpi * t0) (w_x A0 varpi rad v o)) in S; trivial.
+    + unfold lam, eq85_lambda, factor. field. lra.
+    + unfold lam, eq85_lambda, factor. field. lra.
+    + intros t. unfold eq21_acceleration_1. replace (varpi * (/ varpi * t)) with t by (field; lra). field. lra.
+    + field. lra.
+    + intros t. unfold w_x, eq24_w. rewrite (Rmult_comm (/ varpi)). unfold Rdiv. ring.
+Qed.

@@ -81,8 +81,6 @@ pub use particle::{run, run_to_stop};
 pub use signal::Signal;
 pub use trajectory::{Motion, Phase, PhaseKind, State};
 
-#[cfg(feature = "trials")]
-use trialbook::exact;
 #[cfg(any(test, feature = "trials"))]
 use trialbook::scalar;
 #[cfg(feature = "trials")]

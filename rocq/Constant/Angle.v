@@ -1,86 +1,105 @@
-(* (10) to (13) and (17) to (19), as printed, from (1) *)
+(* Speed and angle of the velocity: (4), its converse, tangents of half the angle, and the rate at which the angle turns. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Constant.
+From Slipbook Require Import Motion Formulas.
+From Slipbook.General Require Import Rates Contraction.
+From Slipbook.Constant Require Import Slip.
 Open Scope R_scope.
 
-Definition eq11_speed (lam v0 th0 th : R) : R :=
-  v0 * (sin th0 / sin th) * Rpower (tan (th / 2) / tan (th0 / 2)) lam.
-Definition eq13_time (lam A v0 th0 th : R) : R :=
-  v0 * (lam + cos th0) / (A * (1 - lam ^ 2)) *
-  ((lam + cos th) * sin th0 / ((lam + cos th0) * sin th) * Rpower (tan (th / 2) / tan (th0 / 2)) lam - 1).
-Definition eq14_speed (lam A v0 th0 th t : R) : R := ((1 - lam ^ 2) * A * t + v0 * (lam + cos th0)) / (lam + cos th).
-Definition eq20_T (lam A v0 th0 : R) : R := v0 * (lam + cos th0) / (A * (lam ^ 2 - 1)).
+(* (4): v and theta are the speed and the angle of the velocity with the x-axis, in radians above -PI up to PI; at rest the angle may be any *)
+Definition polar vx vy v theta := forall t, 0 <= t -> 0 <= v t /\ - PI < theta t <= PI /\ vx t = eq4_velocity_1 (v t) (theta t) /\ vy t = eq4_velocity_2 (v t) (theta t).
 
-Lemma tan_half th : 0 < th < PI -> tan (th / 2) = sin th / (1 + cos th) /\ 0 < tan (th / 2).
+Lemma sc th : sin th ^ 2 + cos th ^ 2 = 1.
+Proof. pose proof (sin2_cos2 th) as e. unfold Rsqr in e. lra. Qed.
+Lemma polar_speed vx vy v theta t : polar vx vy v theta -> 0 <= t -> nrm (vx t) (vy t) = v t.
 Proof.
-  intros H. assert (0 < cos (th / 2)) by (apply cos_gt_0; lra). split; [ | apply tan_gt_0; lra ].
-  unfold tan. replace (sin th) with (sin (2 * (th / 2))) by (f_equal; field). replace (cos th) with (cos (2 * (th / 2))) by (f_equal; field).
-  rewrite sin_2a, cos_2a_cos. field. split; nra.
+  intros P Ht. destruct (P t Ht) as (p & _ & -> & ->). unfold nrm, eq4_velocity_1, eq4_velocity_2. pose proof (sc (theta t)).
+  replace ((v t * cos (theta t)) ^ 2 + (v t * sin (theta t)) ^ 2) with (v t ^ 2 * (sin (theta t) ^ 2 + cos (theta t) ^ 2)) by ring. rewrite H, Rmult_1_r. now apply sqrt_pow2.
+Qed.
+Lemma half_angle th : - PI < th < PI -> 0 < 1 + cos th /\ tan (th / 2) = sin th / (1 + cos th).
+Proof.
+  intros H. assert (c0 : 0 < cos (th / 2)) by (apply cos_gt_0; lra).
+  assert (es : sin th = 2 * sin (th / 2) * cos (th / 2)) by (rewrite <- sin_2a; f_equal; field).
+  assert (ec : cos th = 2 * cos (th / 2) * cos (th / 2) - 1) by (rewrite <- cos_2a_cos; f_equal; field).
+  split. nra. unfold tan. rewrite es, ec. field. split; nra.
+Qed.
+Lemma upper_half th : - PI < th <= PI -> 0 < sin th -> 0 < th < PI.
+Proof.
+  intros H s. destruct (Rle_lt_dec th 0) as [k | k].
+  - exfalso. pose proof (sin_ge_0 (- th) ltac:(lra) ltac:(lra)) as q. rewrite sin_neg in q. lra.
+  - split; trivial. destruct (Req_dec th PI) as [-> | n]; [ rewrite sin_PI in s | ]; lra.
+Qed.
+Lemma plus_cos th : - PI < th <= PI -> th <> PI -> 0 < 1 + cos th. Proof. intros H n. apply half_angle. lra. Qed.
+(* an angle is below its tangent *)
+Lemma angle_small v th x y : 0 <= v -> - PI < th <= PI -> x = eq4_velocity_1 v th -> y = eq4_velocity_2 v th -> 0 < x -> Rabs th * x <= Rabs y.
+Proof.
+  unfold eq4_velocity_1, eq4_velocity_2. intros Hv H -> -> c. pose proof (Rabs_pos th) as p. set (a := Rabs th).
+  assert (ec : cos th = cos a) by (unfold a, Rabs; destruct Rcase_abs; [ now rewrite cos_neg | trivial ]).
+  assert (es : Rabs (sin th) = Rabs (sin a)) by (unfold a, Rabs at 3; destruct Rcase_abs; [ now rewrite sin_neg, Rabs_Ropp | trivial ]).
+  assert (c0 : 0 < cos a) by (rewrite <- ec; nra). assert (a1 : a <= PI) by (apply Rabs_le; lra).
+  assert (a2 : a < PI / 2). { apply Rnot_le_lt. intros q. pose proof (cos_le_0 a q ltac:(lra)). lra. }
+  assert (K : a * cos a - sin a <= 0 * cos 0 - sin 0).
+  { apply (rder_decr (fun t => t * cos t - sin t)); trivial; intros s Hs. apply derivable_continuous_pt. reg.
+    exists (- (s * sin s)). split. apply rder_of. auto_derive; trivial. ring. pose proof (sin_ge_0 s ltac:(lra) ltac:(lra)). nra. }
+  rewrite sin_0 in K. rewrite Rabs_mult, (Rabs_pos_eq v), es, ec by trivial. pose proof (Rle_abs (sin a)). replace (a * (v * cos a)) with (v * (a * cos a)) by ring.
+  apply Rmult_le_compat_l; lra.
 Qed.
 
-Section Angle.
-Variables (A lam : R) (vx vy v theta : R -> R) (t : R).
+(* the angle of a velocity *)
+Definition angle x y := if Req_EM_T (nrm x y + x) 0 then PI else 2 * atan (y / (nrm x y + x)).
+Lemma angle_polar x y : - PI < angle x y <= PI /\ x = eq4_velocity_1 (nrm x y) (angle x y) /\ y = eq4_velocity_2 (nrm x y) (angle x y).
+Proof.
+  unfold angle, eq4_velocity_1, eq4_velocity_2. pose proof (nrm_sq x y) as e. pose proof PI_RGT_0. destruct (abs_nrm x y) as [b _]. apply Rabs_le_between in b. set (n := nrm x y) in *.
+  destruct Req_EM_T as [z | z].
+  - rewrite cos_PI, sin_PI. assert (y = 0) by (assert (n = - x) by lra; subst n; nra). repeat split; lra.
+  - set (u := y / (n + x)). pose proof (atan_bound u). set (a := atan u) in *. split. lra. pose proof (sc a) as q.
+    assert (c0 : 0 < cos a) by (apply cos_gt_0; lra). assert (s : sin a = u * cos a). { rewrite <- (tan_atan u). fold a. unfold tan. field. lra. }
+    assert (uy : u * (n + x) = y) by (unfold u; field; trivial).
+    assert (c2 : cos a ^ 2 * (2 * n) = n + x).
+    { apply (Rmult_eq_reg_r (n + x)); trivial. rewrite s in q. transitivity (cos a ^ 2 * ((n + x) ^ 2 + y ^ 2)); [ rewrite (Rplus_comm _ (y ^ 2)); replace (y ^ 2) with (n ^ 2 - x ^ 2) by lra; ring | ].
+      rewrite <- uy. transitivity (((u * cos a) ^ 2 + cos a ^ 2) * (n + x) ^ 2); [ ring | rewrite q; ring ]. }
+    rewrite cos_2a, sin_2a. split.
+    + transitivity (n * (cos a ^ 2 - (1 - cos a ^ 2))); [ lra | f_equal; rewrite <- q; ring ].
+    + rewrite s. transitivity (u * (cos a ^ 2 * (2 * n))); [ rewrite c2, uy; reflexivity | ring ].
+Qed.
+Lemma angle_up : angle 0 1 = PI / 2.
+Proof.
+  unfold angle. assert (e : nrm 0 1 = 1) by (unfold nrm; replace (0 ^ 2 + 1 ^ 2) with 1 by ring; apply sqrt_1). rewrite e.
+  destruct Req_EM_T; [ lra | ]. replace (1 / (1 + 0)) with 1 by field. rewrite atan_1. field.
+Qed.
+
+Section Turn.
+Variables (A lam : R) (vx vy v theta : R -> R).
 Hypothesis hA : 0 < A.
 Hypothesis hl : 0 <= lam.
-Hypothesis M : motion (A * lam) (fun _ => - A) (fun _ => 0) vx vy.
-Hypothesis ht : 0 <= t.
-(* (4) holds up to the time t, and the particle slips at an angle *)
-Hypothesis polar : forall s, 0 <= s <= t -> 0 < v s /\ 0 < theta s < PI /\ vx s = v s * cos (theta s) /\ vy s = v s * sin (theta s).
-
-Lemma speed s : 0 <= s <= t -> nrm (vx s) (vy s) = v s.
+Hypothesis M : pulled A lam vx vy.
+Hypothesis P : polar vx vy v theta.
+Notation n t := (nrm (vx t) (vy t)).
+(* the tangent of half the angle *)
+Lemma tan_half t : 0 <= t -> 0 < v t -> theta t <> PI -> 0 < n t + vx t /\ vy t / (n t + vx t) = tan (theta t / 2).
 Proof.
-  intros Hs. destruct (polar s Hs) as (p & _ & -> & ->). unfold nrm.
-  replace ((v s * cos (theta s)) ^ 2 + (v s * sin (theta s)) ^ 2) with (Rsqr (v s) * (Rsqr (sin (theta s)) + Rsqr (cos (theta s)))) by (unfold Rsqr; ring).
-  rewrite sin2_cos2, Rmult_1_r. apply sqrt_Rsqr. lra.
+  intros Ht p N. destruct (P t Ht) as (_ & b & ex & ey). destruct (half_angle (theta t) ltac:(lra)) as [c ->].
+  rewrite (polar_speed vx vy v theta) by trivial. rewrite ex, ey. unfold eq4_velocity_1, eq4_velocity_2. split. nra. field. split; nra.
 Qed.
-Lemma sin_pos s : 0 <= s <= t -> 0 < sin (theta s).
-Proof. intros Hs. destruct (polar s Hs) as (_ & H & _). apply sin_gt_0; lra. Qed.
-
-Theorem eq10 : v t * sin (theta t) * Rpower (tan (theta t / 2)) (- lam) = v 0 * sin (theta 0) * Rpower (tan (theta 0 / 2)) (- lam).
+Lemma angle_rate t : 0 <= t -> 0 < v t -> theta t <> PI -> rder theta t (- (A * sin (theta t) / v t)).
 Proof.
-  assert (L := law10 A lam vx vy hA hl M t ht). cbv zeta beta in L. rewrite !speed in L by lra.
-  assert (F : forall s, 0 <= s <= t -> v s * sin (theta s) * Rpower (tan (theta s / 2)) (- lam) = exp (ln (vy s) - lam * (ln (vy s) - ln (v s + vx s)))).
-  { intros s Hs. destruct (polar s Hs) as (p & a & ex & ey). pose proof (sin_pos s Hs).
-    destruct (tan_half (theta s) a) as [e _]. assert (0 < 1 + cos (theta s)) by (pose proof (sin2_cos2 (theta s)) as Q; pose proof (COS_bound (theta s)); unfold Rsqr in Q; nra).
-    rewrite <- ey at 1. assert (0 < vy s) by (rewrite ey; nra). assert (0 < v s + vx s) by (rewrite ex; nra).
-    rewrite <- (exp_ln (vy s)) at 1 by trivial. unfold Rpower. rewrite <- exp_plus. f_equal.
-    replace (tan (theta s / 2)) with (vy s / (v s + vx s)). rewrite ln_div by trivial. ring. rewrite ex, ey, e. field. nra. }
-  rewrite !F by lra. f_equal. apply L. intros s Hs. destruct (polar s Hs) as (p & _ & _ & ->). pose proof (sin_pos s Hs). nra.
+  intros Ht p N. destruct (tan_half t Ht p N) as [C0 _]. pose proof (polar_speed vx vy v theta t P Ht) as en.
+  assert (n0 : n t <> 0) by lra. destruct (pull_rates A lam vx vy hA hl M t Ht n0) as (_ & Y & _). destruct (side_rates A lam vx vy hA hl M t Ht n0) as [C _].
+  destruct (rder_near_pos _ _ _ C C0) as (d & d0 & Hd). cbv beta in Hd.
+  apply (rder_ext _ (fun s => 2 * atan (vy s * / (n s + vx s))) t _ d d0).
+  - intros s Hs. specialize (Hd (s - t) ltac:(lra)). replace (t + (s - t)) with s in Hd by ring. destruct (P s ltac:(lra)) as (q & b & ex & _).
+    rewrite (polar_speed vx vy v theta s P) in Hd by lra. rewrite ex in Hd. unfold eq4_velocity_1 in Hd.
+    assert (v0 : 0 < v s). { destruct q as [q | q]; trivial. rewrite <- q in Hd. lra. }
+    assert (N' : theta s <> PI). { intros k. rewrite k, cos_PI in Hd. lra. }
+    destruct (tan_half s ltac:(lra) v0 N') as [_ e]. unfold Rdiv at 1 in e. rewrite e, atan_tan by lra. field.
+  - assert (I : rder (fun s => / (n s + vx s)) t (- / (n t + vx t) ^ 2 * ((1 - lam) * A * ((n t + vx t) / n t)))).
+    { apply (rder_comp (fun s => n s + vx s) Rinv); trivial. auto_derive. lra. field. lra. }
+    pose proof (rder_mult _ _ _ _ _ Y I) as Q. cbv beta in Q.
+    pose proof (rder_comp (fun s => vy s * / (n s + vx s)) atan t _ _ Q (proj2 (is_derive_Reals _ _ _) (derivable_pt_lim_atan _))) as R2. cbv beta in R2.
+    eapply rder_eq. apply (rder_mult (fun _ => 2)); [ rd | exact R2 ]. cbv beta. destruct (P t Ht) as (_ & _ & _ & ey). unfold eq4_velocity_2 in ey. rewrite en in *.
+    replace (A * sin (theta t) / v t) with (A * vy t / v t ^ 2) by (rewrite ey; field; lra).
+    destruct (sides vx vy t) as (_ & _ & y2). rewrite en in y2. set (m := v t) in *. set (x := vx t) in *. set (y := vy t) in *.
+    assert (e1 : 1 + (y * / (m + x)) ^ 2 = 2 * m / (m + x)). { replace (1 + (y * / (m + x)) ^ 2) with (((m + x) ^ 2 + y ^ 2) / (m + x) ^ 2) by (field; lra). rewrite <- y2. field. lra. }
+    rewrite e1. field. split; lra.
 Qed.
-
-Theorem eq11 : v t = eq11_speed lam (v 0) (theta 0) (theta t).
-Proof.
-  pose proof eq10 as E. pose proof (sin_pos t ltac:(lra)). pose proof (sin_pos 0 ltac:(lra)).
-  destruct (polar t ltac:(lra)) as (_ & a & _). destruct (polar 0 ltac:(lra)) as (_ & a0 & _).
-  destruct (tan_half _ a) as [_ p]. destruct (tan_half _ a0) as [_ p0].
-  unfold eq11_speed, Rdiv at 2. unfold Rpower in *. rewrite ln_mult, ln_Rinv by (try apply Rinv_0_lt_compat; trivial).
-  set (w := ln (tan (theta t / 2))) in *. set (w0 := ln (tan (theta 0 / 2))) in *.
-  replace (lam * (w + - w0)) with (- lam * w0 + - (- lam * w)) by ring. rewrite exp_plus, exp_Ropp.
-  pose proof (exp_pos (- lam * w)). apply (Rmult_eq_reg_l (sin (theta t) * exp (- lam * w))); [ | nra ].
-  transitivity (v t * sin (theta t) * exp (- lam * w)). ring. rewrite E. field. lra.
-Qed.
-
-Theorem eq14' : lam + cos (theta t) <> 0 -> v t = eq14_speed lam A (v 0) (theta 0) (theta t) t.
-Proof.
-  intros N. pose proof (eq14 A lam vx vy hA hl M t ht) as E. cbv zeta beta in E. rewrite !speed in E by lra.
-  destruct (polar t ltac:(lra)) as (_ & _ & ex & _). destruct (polar 0 ltac:(lra)) as (_ & _ & ex0 & _).
-  unfold eq14_speed. rewrite ex, ex0 in E. apply (Rmult_eq_reg_r (lam + cos (theta t))); trivial.
-  replace (v t * (lam + cos (theta t))) with (lam * v t + v t * cos (theta t)) by ring. rewrite E. field. trivial.
-  intros s Hs. rewrite speed by lra. destruct (polar s ltac:(lra)). lra.
-Qed.
-
-(* (13), with the conditions under which it has a value *)
-Theorem eq13 : lam <> 1 -> lam + cos (theta 0) <> 0 -> t = eq13_time lam A (v 0) (theta 0) (theta t).
-Proof.
-  intros h1 h0. pose proof (eq14 A lam vx vy hA hl M t ht) as E. cbv zeta beta in E. rewrite !speed in E by lra.
-  destruct (polar t ltac:(lra)) as (_ & _ & ex & _). destruct (polar 0 ltac:(lra)) as (_ & _ & ex0 & _). rewrite ex, ex0 in E.
-  pose proof eq11 as E11. unfold eq11_speed in E11. pose proof (sin_pos t ltac:(lra)). pose proof (sin_pos 0 ltac:(lra)).
-  assert (1 - lam ^ 2 <> 0) by nra. unfold eq13_time. set (P := Rpower _ lam) in *.
-  apply (Rmult_eq_reg_l ((1 - lam ^ 2) * A)); [ | apply Rmult_integral_contrapositive; lra ].
-  transitivity (v t * (lam + cos (theta t)) - v 0 * (lam + cos (theta 0))).
-  - assert (E2 : lam * v t + v t * cos (theta t) = lam * v 0 + v 0 * cos (theta 0) + (1 - lam ^ 2) * A * t).
-    { apply E. intros s Hs. rewrite speed by lra. destruct (polar s ltac:(lra)). lra. } lra.
-  - rewrite E11. field. repeat split; lra.
-Qed.
-End Angle.
+End Turn.

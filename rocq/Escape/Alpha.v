@@ -1,4 +1,4 @@
-(* Section 4, A > 1: the speed vanishes at most once, xi and alpha grow without bound *)
+(* Motions with A > 1: the speed vanishes at most once; xi = rho cos psi grows without bound, and p beside rho - p. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Turntable Turntable2 Sphere Fate.
@@ -45,8 +45,8 @@ Proof.
   field_simplify_eq; [ | lra ]. rewrite e. ring.
 Qed.
 
-(* s4-escape-if-A-above-1: the speed never vanishes, unless it comes straight in; cos psi > - 1 / cosh alpha is enough *)
-Theorem s4_speed_never_vanishes s : 0 <= s -> 1 < E s -> 0 < x s * u s + y s * w s + sqrt (E s) * p s ->
+(* the speed never vanishes, unless it comes straight in; cos psi > - 1 / cosh alpha is enough *)
+Theorem never_stops s : 0 <= s -> 1 < E s -> 0 < x s * u s + y s * w s + sqrt (E s) * p s ->
   forall t, s <= t -> 0 < p t.
 Proof.
   intros Hs HE H0. pose proof (A_never_falls x y u w S) as up. set (a := sqrt (E s)) in *.
@@ -80,7 +80,7 @@ Proof.
   - intros r Hr N. apply (right_pos (fun t => p t) r (xi r - 1)). apply (dp x y u w S r ltac:(lra)). specialize (N r ltac:(lra)). lra. apply N; lra.
 Qed.
 (* it stops at most once *)
-Theorem s4_speed_vanishes_once s : 0 <= s -> 1 < E s -> p s = 0 -> forall t, s < t -> 0 < p t.
+Theorem stops_once s : 0 <= s -> 1 < E s -> p s = 0 -> forall t, s < t -> 0 < p t.
 Proof.
   intros Hs HE z t Ht. pose proof (A_never_falls x y u w S) as up. destruct (stop0 u w s z) as [z1 z2].
   destruct (s_law _ _ _ _ S s Hs) as (X & Y & fx & fy & [B P] & U & W).
@@ -94,7 +94,7 @@ Proof.
   specialize (Hd h ltac:(unfold h; lra)). rewrite z1, z2 in Hd. assert (h0 : 0 < h) by (unfold h; lra).
   set (g := rho s ^ 2 + (x s * fx + y s * fy)) in *. set (k := (rho s ^ 2 - rho s) / 2) in *. assert (gk : 0 < k /\ 2 * k <= g) by (unfold g, k; split; nra).
   assert ((- g + k) * h < 0) by nra. assert (up0 : 0 < x (s + h) * u (s + h) + y (s + h) * w (s + h)) by lra.
-  apply (s4_speed_never_vanishes (s + h)); try (unfold h; lra).
+  apply (never_stops (s + h)); try (unfold h; lra).
   - specialize (up s (s + h) ltac:(unfold h; lra)). lra.
   - pose proof (nrm_pos (u (s + h)) (w (s + h))). pose proof (sqrt_pos (E (s + h))). nra.
 Qed.
@@ -102,7 +102,7 @@ Qed.
 Lemma slips_for_ever s : 0 <= s -> 1 < E s -> exists T, s <= T /\ forall t, T <= t -> 0 < p t.
 Proof.
   intros Hs HE. destruct (Classical_Prop.classic (exists T, s <= T /\ p T = 0)) as [(T & T0 & z) | n].
-  - exists (T + 1). split; [ lra | ]. intros t Ht. apply (s4_speed_vanishes_once T); trivial; try lra. pose proof (A_never_falls x y u w S s T ltac:(lra)). lra.
+  - exists (T + 1). split; [ lra | ]. intros t Ht. apply (stops_once T); trivial; try lra. pose proof (A_never_falls x y u w S s T ltac:(lra)). lra.
   - exists s. split; [ lra | ]. intros t Ht. destruct (nrm_pos (u t) (w t)) as [k | k]; trivial. exfalso. eauto.
 Qed.
 Lemma xi_grows s K0 : 0 <= s -> 1 < E s -> (forall t, s <= t -> 0 < p t) -> exists T, s <= T /\ forall t, T <= t -> K0 < xi t.
@@ -122,7 +122,7 @@ Proof.
     eexists. split. rd. lra. simpl INR. simpl pred. pose proof (nrm_sq (u r) (w r)). set (z := xi r) in *. set (n' := p r) in *.
     match goal with |- ?g <= 0 => replace g with (2 * n' * (z - K)) end. nra.
     transitivity (2 * (x r * u r + y r * w r - n') - (K - 1) * (2 * n')). rewrite <- e1. ring. replace n' with (- (fx * u r + fy * w r)) at 1 2 by lra. field_simplify_eq; [ | lra ]. ring. }
-  destruct (s4_escape_if_A_above_1 x y u w S s Hs HE (2 * K ^ 2 + p s ^ 2)) as (T & T0 & HT).
+  destruct (unbounded_above_1 x y u w S s Hs HE (2 * K ^ 2 + p s ^ 2)) as (T & T0 & HT).
   set (c := / (8 * K * (2 * K + 1))). assert (c0 : 0 < c) by (apply Rinv_0_lt_compat; nra).
   assert (up2 : forall t, T <= t -> - xi t + c * t <= - xi T + c * T).
   { intros t Ht. apply (rder_decr (fun t => - xi t + c * t)); trivial; intros r Hr.
@@ -163,38 +163,5 @@ Proof.
     specialize (HT r ltac:(lra)). set (z := xi r) in *. rewrite <- e1. assert (z * p r / rho r <= z); [ | lra ]. apply Rle_div_l; nra. }
   set (T2 := T + N0 * (rho T - p T)). destruct (rp T ltac:(lra)). assert (T <= T2) by (unfold T2; nra).
   exists T2. split; [ lra | ]. intros t Ht. split; [ apply N; lra | ]. specialize (fast t ltac:(lra)). specialize (slow t ltac:(lra)). pose proof (nrm_pos (u T) (w T)). unfold T2 in Ht. nra.
-Qed.
-(* s4-alpha-unbounded: A > 1 at some moment makes alpha of (111), (112) grow without bound *)
-Theorem s4_alpha_unbounded s al : 0 <= s -> 1 < E s -> (forall t, s <= t -> p t = sqrt (E t) * sinh (al t)) -> is_lim al p_infty p_infty.
-Proof.
-  intros Hs HE Hal. apply is_lim_spec. intros M. set (m := Rmax 0 M). assert (m0 : 0 <= m) by apply Rmax_l. assert (m1 : M <= m) by apply Rmax_r.
-  pose proof (pow2_ge_0 (sinh m)) as q. destruct (ratio_grows s (3 * sinh m ^ 2 + 1) Hs HE ltac:(lra)) as (T & T0 & HT). exists T. intros t Ht.
-  destruct (HT t ltac:(lra)) as [pt H]. specialize (Hal t ltac:(lra)). pose proof (A_never_falls x y u w S s t ltac:(lra)) as Et.
-  assert (a0 : 0 < sqrt (E t)) by (apply sqrt_lt_R0; lra). assert (aa : sqrt (E t) ^ 2 = E t) by (rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra).
-  pose proof (nrm_sq (x t) (y t)) as m2. pose proof (nrm_sq (u t) (w t)) as n2. pose proof (nrm_pos (x t) (y t)) as mp.
-  set (a := sqrt (E t)) in *. set (n := p t) in *. set (r := rho t) in *. set (k := sinh m) in *. set (z := sinh (al t)) in *.
-  assert (e : a ^ 2 = r ^ 2 - n ^ 2) by lra. assert (z0 : 0 < z) by nra. assert (rn : n < r) by nra.
-  assert (k1 : r <= 2 * n) by nra. assert (k2 : k ^ 2 < z ^ 2).
-  { apply (Rmult_lt_reg_l (a ^ 2)). nra. replace (a ^ 2 * z ^ 2) with (n ^ 2) by (rewrite Hal; ring). rewrite e. nra. }
-  assert (k3 : k < z) by nra. apply Rle_lt_trans with m; trivial. rewrite <- (arcsinh_sinh m), <- (arcsinh_sinh (al t)). now apply arcsinh_lt.
-Qed.
-(* s4-A-never-decreases: and it grows without bound unless alpha goes to 0 *)
-Theorem s4_A_never_decreases al : 0 < E 0 -> (forall t, 0 <= t -> p t = sqrt (E t) * sinh (al t)) ->
-  (forall s t, 0 <= s <= t -> sqrt (E s) <= sqrt (E t)) /\
-  ((forall M, exists T, 0 <= T /\ forall t, T <= t -> M < E t) \/ is_lim al p_infty 0).
-Proof.
-  intros HE Hal. pose proof (A_never_falls x y u w S) as up. split. { intros s t Hst. apply sqrt_le_1_alt, up, Hst. }
-  destruct (Classical_Prop.classic (exists M, forall t, 0 <= t -> E t <= M)) as [[M HM] | no]; [ right | left ].
-  - destruct (bounded_ends x y u w S M HM) as (_ & _ & _ & _ & Hu & Hw & _). apply is_lim_spec. intros e. pose proof (cond_pos e) as e0.
-    set (a := sqrt (E 0)). assert (a0 : 0 < a) by (apply sqrt_lt_R0, HE). assert (se : 0 < sinh e) by (rewrite <- sinh_0; now apply sinh_lt).
-    set (d := a * sinh e / 2). assert (d0 : 0 < d) by (unfold d; nra).
-    destruct (lim_near u 0 d Hu d0) as (T1 & T10 & H1). destruct (lim_near w 0 d Hw d0) as (T2 & T20 & H2). exists (T1 + T2). intros t Ht.
-    specialize (H1 t ltac:(lra)). specialize (H2 t ltac:(lra)). specialize (Hal t ltac:(lra)). pose proof (up 0 t ltac:(lra)) as Et.
-    assert (at1 : a <= sqrt (E t)) by (apply sqrt_le_1_alt, Et). pose proof (nrm_sq (u t) (w t)). pose proof (nrm_pos (u t) (w t)).
-    assert (pt : p t < a * sinh e) by (unfold d in *; nra). set (z := sinh (al t)) in *. assert (z0 : 0 <= z) by nra. assert (z1 : z < sinh e) by nra.
-    rewrite Rminus_0_r, <- (arcsinh_sinh (al t)). fold z. rewrite Rabs_pos_eq. rewrite <- (arcsinh_sinh e). now apply arcsinh_lt. rewrite <- arcsinh_0. now apply arcsinh_le.
-  - intros M. destruct (Classical_Prop.classic (exists T, 0 <= T /\ M < E T)) as [(T & T0 & HT) | n].
-    + exists T. split; trivial. intros t Ht. specialize (up T t ltac:(lra)). lra.
-    + exfalso. apply no. exists M. intros t Ht. apply Rnot_lt_le. intros k. apply n. eauto.
 Qed.
 End Alpha.

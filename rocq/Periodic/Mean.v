@@ -1,7 +1,7 @@
 (* 2.3: where the pull is below friction in the mean over a time T, rests are certain *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Aniso Reached Dini AcrossStop.
+From Slipbook Require Import Motion HalfPeriod Drawn General Dini.
 Open Scope R_scope.
 
 (* continuous from the right *)

@@ -185,7 +185,7 @@ Proof.
   pose proof (q1 t). pose proof (P1 t). lra.
 Qed.
 
-(* theorem 18: caught *)
+(* caught *)
 Theorem caught s t : 0 <= s -> rho s + p s < 1 -> s + p s / (1 - (rho s + p s)) <= t ->
   u t = 0 /\ w t = 0 /\ rho t <= rho s + p s.
 Proof.
@@ -292,8 +292,8 @@ Proof.
   pose proof (bd T ltac:(lra)). pose proof (bd (T + 1) ltac:(lra)). lra.
 Qed.
 
-(* theorem 19 (c), s4-escape-if-A-above-1: A and rho grow without bound *)
-Theorem s4_escape_if_A_above_1 s : 0 <= s -> 1 < E s -> forall M, exists T, s <= T /\ forall t, T <= t -> M < E t.
+(* with A > 1, A and rho grow without bound *)
+Theorem unbounded_above_1 s : 0 <= s -> 1 < E s -> forall M, exists T, s <= T /\ forall t, T <= t -> M < E t.
 Proof.
   intros Hs H M. pose proof (A_never_falls x y u w S) as up.
   destruct (Classical_Prop.classic (exists T, s <= T /\ M < E T)) as [(T & T0 & HT) | n].
@@ -310,7 +310,7 @@ Proof.
 Qed.
 Lemma escapes_from s : 0 <= s -> 1 < E s -> escapes x y.
 Proof.
-  intros Hs H M. destruct (s4_escape_if_A_above_1 s Hs H (M ^ 2)) as (T & T0 & HT). exists T. split. lra. intros t Ht. specialize (HT t Ht).
+  intros Hs H M. destruct (unbounded_above_1 s Hs H (M ^ 2)) as (T & T0 & HT). exists T. split. lra. intros t Ht. specialize (HT t Ht).
   pose proof (nrm_sq (x t) (y t)). pose proof (nrm_pos (x t) (y t)). pose proof (pow2_ge_0 (u t)). pose proof (pow2_ge_0 (w t)). nra.
 Qed.
 Theorem fates : (exists s, s <= 1 /\ rests_at s x y u w) \/ escapes x y \/ creeps x y u w.

@@ -1,7 +1,7 @@
-(* 2.2: (33) is reached in a finite time by every motion of the plane *)
+(* A periodic motion on the line that rests in each period, with friction to spare at one moment of the rest, is reached by every motion of the plane. *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Sinusoidal Periodic Steady Pulse Aniso AttractPlane.
+From Slipbook Require Import Motion General Aniso AttractPlane.
 Open Scope R_scope.
 
 Lemma nrm_zero x y : nrm x y = 0 -> x = 0 /\ y = 0.
@@ -41,8 +41,8 @@ Proof.
   { intros t Ht. destruct (Req_dec r t) as [<- | ne]. lra. specialize (Hd t). simpl in Hd. unfold R_dist in Hd.
     assert (Rabs (a t - a r) < c) as K. { apply Hd. split. split; [ exact I | trivial ]. apply Rabs_def1; lra. }
     pose proof (Rabs_triang_inv (a t) (a r)). lra. }
-  assert (hk' : 0 <= k) by lra. set (D t := nrm (vx t - W t) (vy t)).
-  assert (C : forall s t, 0 <= s <= t -> D t <= D s). { intros s0 t Ht. unfold D, nrm. apply sqrt_le_1_alt. apply (gap_falls k a W vx vy hk' HW HV s0 t Ht). }
+  set (D t := nrm (vx t - W t) (vy t)).
+  assert (C : forall s t, 0 <= s <= t -> D t <= D s). { intros s0 t Ht. unfold D, nrm. apply sqrt_le_1_alt. apply (gap_falls k a W vx vy hk HW HV s0 t Ht). }
   destruct (drain D 0 (2 * T) (c * b) 0) as (t1 & t1a & Ht1); try lra; trivial.
   - apply Rmult_lt_0_compat; lra.
   - intros; apply nrm_pos.
@@ -56,25 +56,7 @@ Proof.
       rewrite !De by lra. enough (nrm (vx (x + b)) (vy (x + b)) + c * (x + b - x) <= nrm (vx x) (vy x)) by lra. apply (speed_falls_2 k a (fun _ => 0)); trivial; [ lra | ].
       intros y Hy. split.
       * intros e. apply z. rewrite <- De in e by trivial. pose proof (C y (x + b) ltac:(lra)) as Q. pose proof (nrm_pos (vx (x + b) - W (x + b)) (vy (x + b))) as P. fold (D (x + b)) in P. lra.
-      * destruct (on y Hy) as [_ q]. unfold nrm. replace (a y ^ 2 + 0 ^ 2) with (Rsqr (a y)) by (unfold Rsqr; ring). rewrite sqrt_Rsqr_abs. exact q.
+      * destruct (on y Hy) as [_ q]. rewrite nrm_line. exact q.
   - exists t1. split; trivial. intros t Ht. destruct (nrm_zero (vx t - W t) (vy t)); [ | lra ]. specialize (Ht1 t Ht). pose proof (nrm_pos (vx t - W t) (vy t)). unfold D in Ht1. lra.
 Qed.
 End Reached.
-
-(* s22-trichotomy, s22-rest-interval between lambda_c and 1: every motion of the plane becomes (33) *)
-Theorem eq33_reached l : 0 < l < 1 -> eq37_lambda_c < l -> exists tau, 0 < tau < PI /\ h l tau = 0 /\
-  (forall t, 0 < t < tau -> 0 < ext PI (g33 l tau) t) /\ (forall t, tau <= t < PI -> ext PI (g33 l tau) t = 0) /\
-  forall vx vy, motion l (fun t => - sin (asin l + t)) (fun _ => 0) vx vy -> exists t1, 0 <= t1 /\ forall t, t1 <= t -> vx t = ext PI (g33 l tau) t /\ vy t = 0.
-Proof.
-  intros hl hc. destruct (eq33 l hl hc) as (tau & t0 & t1 & M & Z & P). destruct (p1_range l hl) as [[a b] e]. pose proof PI_RGT_0. 
-  assert (t2 : PI - 2 * asin l < tau). { apply Rnot_le_lt. intros k. pose proof (h_up l hl tau ltac:(lra)). lra. }
-  exists tau. split; [ trivial | split; [ trivial | split; [ trivial | split; [ trivial | ] ] ] ]. intros vx vy HV.
-  apply (plane_reached l (2 * PI) ((tau + PI) / 2) (PI - (PI - tau) / 4) (fun t => - sin (asin l + t)) (ext PI (g33 l tau))); trivial; try lra.
-  - intros t. f_equal. rewrite <- (sin_period (asin l + t) 1). f_equal. simpl. ring.
-  - apply ext_period. trivial.
-  - intros t Ht. apply Z. lra.
-  - rewrite Rabs_Ropp. rewrite <- e at 2. apply Rabs_def1.
-    + rewrite <- (sin_PI_x (asin l)). apply sin_decreasing_1; lra.
-    + rewrite <- neg_sin. apply sin_decreasing_1; lra.
-  - apply (continuity_pt_opp (fun t => sin (asin l + t))). apply (continuity_pt_comp (fun t => asin l + t) sin). cont. apply continuity_sin.
-Qed.

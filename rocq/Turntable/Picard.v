@@ -6,7 +6,18 @@ Open Scope R_scope.
 
 Inductive place := px | py | pu | pw.
 
-(* nested intervals, with the limit as data: no choice is needed *)
+(* ---- sequences that converge as 2^-n, with the limit as data: no choice is needed ---- *)
+Lemma half_pos n : 0 < (/ 2) ^ n <= 1.
+Proof. split. apply pow_lt. lra. rewrite <- (pow1 n). apply pow_incr. lra. Qed.
+Lemma halves D e : 0 < e -> exists n, D * (/ 2) ^ n < e.
+Proof.
+  intros He. destruct (Rle_lt_dec D 0) as [k | k]. exists 0%nat. simpl. lra.
+  destruct (pow_lt_1_zero (/ 2) ltac:(rewrite Rabs_pos_eq; lra) (e / D)) as [n Hn]. apply Rdiv_lt_0_compat; trivial.
+  exists n. specialize (Hn n (le_n n)). apply Rabs_def2 in Hn. destruct Hn as [Hn _]. apply (Rmult_lt_compat_l D) in Hn; trivial.
+  replace (D * (e / D)) with e in Hn by (field; lra). exact Hn.
+Qed.
+Lemma le_by_halves a b C : (forall n, a <= b + C * (/ 2) ^ n) -> a <= b.
+Proof. intros H. apply Rnot_lt_le. intros k. destruct (halves C (a - b)) as [n Hn]. lra. specialize (H n). lra. Qed.
 Lemma squeeze (a b : nat -> R) : (forall n, a n <= a (S n)) -> (forall n, b (S n) <= b n) -> (forall n, a n <= b n) ->
   {l | forall n, a n <= l <= b n}.
 Proof.
@@ -19,6 +30,34 @@ Proof.
   { exists (b 0%nat). intros r (n & ->). auto. } { exists (a 0%nat), 0%nat. auto. }
   exists l. intros n. split. apply l1; eauto. apply l2. intros r (m & ->). auto.
 Qed.
+Lemma lim_geo (a : nat -> R) B : (forall n, Rabs (a (S n) - a n) <= B / 2 * (/ 2) ^ n) -> {l | forall n, Rabs (a n - l) <= B * (/ 2) ^ n}.
+Proof.
+  intros H. assert (B0 : 0 <= B). { specialize (H 0%nat). pose proof (Rabs_pos (a 1%nat - a 0%nat)). simpl in H. lra. }
+  destruct (squeeze (fun n => a n - B * (/ 2) ^ n) (fun n => a n + B * (/ 2) ^ n)) as [l Hl]; [ | | | exists l; intros n; specialize (Hl n); apply Rabs_le; lra ];
+    intros n; specialize (H n); apply Rabs_le_between in H; destruct (half_pos n); simpl pow; nra.
+Qed.
+Lemma der_cont f t l : is_derive f t l -> continuity_pt f t.
+Proof. intros H. apply derivable_continuous_pt. exists l. now apply is_derive_Reals. Qed.
+Lemma exp_up a b : a <= b -> exp a <= exp b.
+Proof. intros [H | ->]; [ left; now apply exp_increasing | lra ]. Qed.
+(* a limit that is uniform up to each moment is continuous *)
+Lemma cont_limit (f : nat -> R -> R) F C L t : 0 <= L -> (forall n s, continuity_pt (f n) s) ->
+  (forall n s, Rabs (f n (Rmax 0 s) - F s) <= C * exp (L * Rmax 0 s) * (/ 2) ^ n) -> continuity_pt F t.
+Proof.
+  intros HL Cf H e He. set (T := Rmax 0 t + 1). assert (C0 : 0 <= C).
+  { specialize (H 0%nat t). pose proof (Rabs_pos (f 0%nat (Rmax 0 t) - F t)). pose proof (exp_pos (L * Rmax 0 t)). simpl in H. nra. }
+  destruct (halves (C * exp (L * T)) (e / 3) ltac:(lra)) as [n Hn].
+  destruct (Cf n (Rmax 0 t) (e / 3) ltac:(lra)) as (d & d0 & Hd). exists (Rmin d 1). split. apply Rmin_pos; lra.
+  intros s [_ Hs]. simpl in *. unfold R_dist in *. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1).
+  assert (M : Rabs (Rmax 0 s - Rmax 0 t) <= Rabs (s - t)) by (unfold Rmax, Rabs; repeat (destruct Rle_dec || destruct Rcase_abs); lra).
+  assert (near : forall r, Rmax 0 r <= T -> Rabs (f n (Rmax 0 r) - F r) < e / 3).
+  { intros r Hr. eapply Rle_lt_trans; [ apply H | ]. eapply Rle_lt_trans; [ | exact Hn ]. destruct (half_pos n).
+    apply Rmult_le_compat_r; [ lra | ]. apply Rmult_le_compat_l; trivial. apply exp_up. nra. }
+  assert (mid : Rabs (f n (Rmax 0 s) - f n (Rmax 0 t)) < e / 3).
+  { destruct (Req_dec (Rmax 0 s) (Rmax 0 t)) as [-> | ne]. rewrite Rminus_eq_0, Rabs_R0. lra. apply Hd. split; [ split; [ exact I | auto ] | lra ]. }
+  assert (Ms : Rmax 0 s <= T). { assert (Rabs (Rmax 0 s - Rmax 0 t) < 1) as Q by lra. apply Rabs_def2 in Q. unfold T. lra. }
+  pose proof (near s Ms) as N1. pose proof (near t ltac:(unfold T; lra)) as N2. apply Rabs_def2 in N1, N2, mid. apply Rabs_def1; lra.
+Qed.
 Lemma primitive (g : R -> R) a : (forall t, continuity_pt g t) -> forall t, is_derive (fun s => a + RInt g 0 s) t (g t).
 Proof.
   intros H t. assert (Hc : forall s, continuous g s) by (intros s; apply continuity_pt_filterlim, H).
@@ -26,17 +65,6 @@ Proof.
   apply (is_derive_RInt g (fun s => RInt g 0 s) 0 t); [ | apply Hc ].
   exists (mkposreal 1 Rlt_0_1). intros s _. apply (RInt_correct g 0 s), (ex_RInt_continuous g 0 s). intros; apply Hc.
 Qed.
-Lemma der_cont f t l : is_derive f t l -> continuity_pt f t.
-Proof. intros H. apply derivable_continuous_pt. exists l. now apply is_derive_Reals. Qed.
-Lemma halves D e : 0 < e -> exists n, D * (/ 2) ^ n < e.
-Proof.
-  intros He. destruct (Rle_lt_dec D 0) as [k | k]. exists 0%nat. simpl. lra.
-  destruct (pow_lt_1_zero (/ 2) ltac:(rewrite Rabs_pos_eq; lra) (e / D)) as [n Hn]. apply Rdiv_lt_0_compat; trivial.
-  exists n. specialize (Hn n (le_n n)). apply Rabs_def2 in Hn. destruct Hn as [Hn _]. apply (Rmult_lt_compat_l D) in Hn; trivial.
-  replace (D * (e / D)) with e in Hn by (field; lra). exact Hn.
-Qed.
-Lemma Rmax_near s t : Rabs (Rmax 0 s - Rmax 0 t) <= Rabs (s - t).
-Proof. unfold Rmax, Rabs. repeat (destruct Rle_dec || destruct Rcase_abs); lra. Qed.
 
 Section Picard.
 Variable F : place -> (place -> R) -> R.
@@ -57,23 +85,20 @@ Proof.
   apply (HF (fun j => f j s) (fun j => f j t)). intros j. left. destruct j; [ apply h1 | apply h2 | apply h3 | apply h4 ]; split; trivial; lra.
 Qed.
 (* a bound for a difference from one for the difference of the rates *)
-Lemma compare1 f g f' g' B t : 0 <= t -> 0 <= B -> f 0 = g 0 -> (forall s, 0 <= s <= t -> is_derive f s (f' s)) ->
-  (forall s, 0 <= s <= t -> is_derive g s (g' s)) -> (forall s, 0 <= s <= t -> f' s - g' s <= L * (B * exp (2 * L * s))) ->
-  f t - g t <= B / 2 * exp (2 * L * t).
-Proof.
-  intros Ht HB e0 Df Dg H. assert (K : f t - g t - B / 2 * exp (2 * L * t) <= f 0 - g 0 - B / 2 * exp (2 * L * 0)).
-  { apply (rder_decr (fun t => f t - g t - B / 2 * exp (2 * L * t))); trivial; intros s Hs.
-    - pose proof (der_cont _ _ _ (Df s ltac:(lra))). pose proof (der_cont _ _ _ (Dg s ltac:(lra))). cont.
-    - specialize (H s ltac:(lra)). pose proof (rder_of _ _ _ (Df s ltac:(lra))). pose proof (rder_of _ _ _ (Dg s ltac:(lra))). eexists. split. rd. lra. }
-  rewrite Rmult_0_r, exp_0, e0 in K. lra.
-Qed.
 Lemma compare f g f' g' B t : 0 <= t -> 0 <= B -> f 0 = g 0 -> (forall s, 0 <= s <= t -> is_derive f s (f' s)) ->
   (forall s, 0 <= s <= t -> is_derive g s (g' s)) -> (forall s, 0 <= s <= t -> Rabs (f' s - g' s) <= L * (B * exp (2 * L * s))) ->
   Rabs (f t - g t) <= B / 2 * exp (2 * L * t).
 Proof.
-  intros Ht HB e0 Df Dg H. apply Rabs_le. split.
-  - enough (g t - f t <= B / 2 * exp (2 * L * t)) by lra. apply (compare1 g f g' f'); auto. intros s Hs. specialize (H s Hs). apply Rabs_le_between in H. lra.
-  - apply (compare1 f g f' g'); auto. intros s Hs. specialize (H s Hs). apply Rabs_le_between in H. lra.
+  assert (half : forall f g f' g', 0 <= t -> 0 <= B -> f 0 = g 0 -> (forall s, 0 <= s <= t -> is_derive f s (f' s)) ->
+    (forall s, 0 <= s <= t -> is_derive g s (g' s)) -> (forall s, 0 <= s <= t -> Rabs (f' s - g' s) <= L * (B * exp (2 * L * s))) ->
+    f t - g t <= B / 2 * exp (2 * L * t)).
+  { clear f g f' g'. intros f g f' g' Ht HB e0 Df Dg H. assert (K : f t - g t - B / 2 * exp (2 * L * t) <= f 0 - g 0 - B / 2 * exp (2 * L * 0)).
+    { apply (rder_decr (fun t => f t - g t - B / 2 * exp (2 * L * t))); trivial; intros s Hs.
+      - pose proof (der_cont _ _ _ (Df s ltac:(lra))). pose proof (der_cont _ _ _ (Dg s ltac:(lra))). cont.
+      - specialize (H s ltac:(lra)). apply Rabs_le_between in H. pose proof (rder_of _ _ _ (Df s ltac:(lra))). pose proof (rder_of _ _ _ (Dg s ltac:(lra))). eexists. split. rd. lra. }
+    rewrite Rmult_0_r, exp_0, e0 in K. lra. }
+  intros Ht HB e0 Df Dg H. pose proof (half f g f' g' Ht HB e0 Df Dg H).
+  pose proof (half g f g' f' Ht HB (eq_sym e0) Dg Df ltac:(intros; rewrite Rabs_minus_sym; auto)). apply Rabs_le. lra.
 Qed.
 
 Fixpoint phi n i t := match n with O => c i | S m => c i + RInt (fun s => F i (fun j => phi m j s)) 0 t end.
@@ -88,53 +113,32 @@ Lemma phi_0 n i : phi n i 0 = c i.
 Proof. destruct n; simpl; trivial. rewrite RInt_point. apply Rplus_0_r. Qed.
 
 Let B := (Rabs (F px c) + Rabs (F py c) + Rabs (F pu c) + Rabs (F pw c)) / L.
-Let b n := B / 2 * (/ 2) ^ n.
-Lemma B_pos : 0 <= B.
-Proof. unfold B. apply Rmult_le_pos; [ | left; now apply Rinv_0_lt_compat ]. pose proof (Rabs_pos (F px c)). pose proof (Rabs_pos (F py c)). pose proof (Rabs_pos (F pu c)). pose proof (Rabs_pos (F pw c)). lra. Qed.
-Lemma b_pos n : 0 <= b n.
-Proof. unfold b. pose proof B_pos. assert (0 < (/ 2) ^ n) by (apply pow_lt; lra). nra. Qed.
-Lemma b_half n : b (S n) = b n / 2.
-Proof. unfold b. simpl. field. Qed.
-Lemma picard_step n : forall i t, 0 <= t -> Rabs (phi (S n) i t - phi n i t) <= b n * exp (2 * L * t).
+Lemma B_above i : 0 <= Rabs (F i c) <= L * B.
 Proof.
-  induction n as [ | n IH ]; intros i t Ht.
-  - unfold b. rewrite pow_O, Rmult_1_r. apply (compare (phi 1 i) (phi 0 i) (fun s => F i (fun j => phi 0 j s)) (fun _ => 0)); auto using B_pos.
+  unfold B. replace (L * _) with (Rabs (F px c) + Rabs (F py c) + Rabs (F pu c) + Rabs (F pw c)) by (field; lra).
+  pose proof (Rabs_pos (F px c)). pose proof (Rabs_pos (F py c)). pose proof (Rabs_pos (F pu c)). pose proof (Rabs_pos (F pw c)). destruct i; lra.
+Qed.
+Lemma B_pos : 0 <= B. Proof. pose proof (B_above px). nra. Qed.
+Lemma picard_step n : forall i t, 0 <= t -> Rabs (phi (S n) i t - phi n i t) <= B * exp (2 * L * t) / 2 * (/ 2) ^ n.
+Proof.
+  pose proof B_pos as b0. induction n as [ | n IH ]; intros i t Ht.
+  - replace (B * exp (2 * L * t) / 2 * (/ 2) ^ 0) with (B / 2 * exp (2 * L * t)) by (simpl; field).
+    apply (compare (phi 1 i) (phi 0 i) (fun s => F i (fun j => phi 0 j s)) (fun _ => 0)); trivial.
     now rewrite !phi_0. intros; apply phi_der. intros; simpl; auto_derive; trivial.
-    intros s Hs. rewrite Rminus_0_r. simpl. change (fun j => c j) with c. apply Rle_trans with (L * (B * 1)).
-    + unfold B. replace (L * ((Rabs (F px c) + Rabs (F py c) + Rabs (F pu c) + Rabs (F pw c)) / L * 1)) with (Rabs (F px c) + Rabs (F py c) + Rabs (F pu c) + Rabs (F pw c)) by (field; lra).
-      pose proof (Rabs_pos (F px c)). pose proof (Rabs_pos (F py c)). pose proof (Rabs_pos (F pu c)). pose proof (Rabs_pos (F pw c)). destruct i; lra.
-    + pose proof B_pos. apply Rmult_le_compat_l; [ lra | ]. apply Rmult_le_compat_l; trivial. rewrite <- exp_0. destruct (proj1 Hs) as [k | <-]. left. apply exp_increasing. nra. right; f_equal; ring.
-  - rewrite b_half. apply (compare (phi (S (S n)) i) (phi (S n) i) (fun s => F i (fun j => phi (S n) j s)) (fun s => F i (fun j => phi n j s))); auto using b_pos.
+    intros s Hs. rewrite Rminus_0_r. simpl. change (fun j => c j) with c. pose proof (B_above i). apply Rle_trans with (L * B); [ lra | ].
+    apply Rmult_le_compat_l; [ lra | ]. rewrite <- (Rmult_1_r B) at 1. apply Rmult_le_compat_l; trivial. rewrite <- exp_0. apply exp_up. nra.
+  - destruct (half_pos n). replace (B * exp (2 * L * t) / 2 * (/ 2) ^ S n) with (B / 2 * (/ 2) ^ n / 2 * exp (2 * L * t)) by (simpl; field).
+    apply (compare (phi (S (S n)) i) (phi (S n) i) (fun s => F i (fun j => phi (S n) j s)) (fun s => F i (fun j => phi n j s))); trivial; [ nra | | | | ].
     now rewrite !phi_0. intros; apply phi_der. intros; apply phi_der.
-    intros s Hs. apply HF. intros j. apply IH. lra.
+    intros s Hs. apply HF. intros j. eapply Rle_trans; [ apply IH; lra | right; field ].
 Qed.
-Lemma lim_at i t : {l | forall n, Rabs (phi n i (Rmax 0 t) - l) <= 2 * b n * exp (2 * L * Rmax 0 t)}.
-Proof.
-  set (r := Rmax 0 t). assert (r0 : 0 <= r) by apply Rmax_l. set (e := exp (2 * L * r)). assert (e0 : 0 < e) by apply exp_pos.
-  destruct (squeeze (fun n => phi n i r - 2 * b n * e) (fun n => phi n i r + 2 * b n * e)) as [l Hl].
-  - intros n. pose proof (picard_step n i r r0) as H. fold e in H. apply Rabs_le_between in H. rewrite b_half. lra.
-  - intros n. pose proof (picard_step n i r r0) as H. fold e in H. apply Rabs_le_between in H. rewrite b_half. lra.
-  - intros n. pose proof (b_pos n). nra.
-  - exists l. intros n. specialize (Hl n). apply Rabs_le. lra.
-Qed.
+Lemma lim_at i t : {l | forall n, Rabs (phi n i (Rmax 0 t) - l) <= B * exp (2 * L * Rmax 0 t) * (/ 2) ^ n}.
+Proof. apply (lim_geo (fun n => phi n i (Rmax 0 t))). intros n. apply picard_step, Rmax_l. Qed.
 Definition lim i t := proj1_sig (lim_at i t).
-Lemma picard_near n i t : Rabs (phi n i (Rmax 0 t) - lim i t) <= 2 * b n * exp (2 * L * Rmax 0 t).
+Lemma picard_near n i t : Rabs (phi n i (Rmax 0 t) - lim i t) <= B * exp (2 * L * Rmax 0 t) * (/ 2) ^ n.
 Proof. unfold lim. destruct (lim_at i t) as [l Hl]. apply Hl. Qed.
-Lemma picard_small D e : 0 < e -> exists n, 2 * b n * D < e.
-Proof. intros He. destruct (halves (B * D) e He) as [n Hn]. exists n. unfold b. lra. Qed.
 Lemma lim_cont i t : continuity_pt (lim i) t.
-Proof.
-  intros e He. set (T := Rmax 0 t + 1). destruct (picard_small (exp (2 * L * T)) (e / 3) ltac:(lra)) as [n Hn].
-  destruct (phi_cont n i (Rmax 0 t) (e / 3) ltac:(lra)) as (d & d0 & Hd). exists (Rmin d 1). split. apply Rmin_pos; lra.
-  intros s [_ Hs]. simpl in *. unfold R_dist in *. pose proof (Rmin_l d 1). pose proof (Rmin_r d 1). pose proof (Rmax_near s t) as M.
-  assert (near : forall r, Rmax 0 r <= T -> Rabs (phi n i (Rmax 0 r) - lim i r) < e / 3).
-  { intros r Hr. eapply Rle_lt_trans; [ apply picard_near | ]. eapply Rle_lt_trans; [ | exact Hn ]. pose proof (b_pos n). apply Rmult_le_compat_l; [ lra | ].
-    destruct Hr as [Hr | ->]; [ left; apply exp_increasing; nra | lra ]. }
-  assert (mid : Rabs (phi n i (Rmax 0 s) - phi n i (Rmax 0 t)) < e / 3).
-  { destruct (Req_dec (Rmax 0 s) (Rmax 0 t)) as [-> | ne]. rewrite Rminus_eq_0, Rabs_R0. lra. apply Hd. split; [ split; [ exact I | auto ] | lra ]. }
-  assert (Ms : Rmax 0 s <= T). { assert (Rabs (Rmax 0 s - Rmax 0 t) < 1) as Q by lra. apply Rabs_def2 in Q. unfold T. lra. }
-  pose proof (near s Ms) as N1. pose proof (near t ltac:(unfold T; lra)) as N2. apply Rabs_def2 in N1, N2, mid. apply Rabs_def1; lra.
-Qed.
+Proof. apply (cont_limit (fun n => phi n i) (lim i) B (2 * L) t); [ lra | intros; apply phi_cont | intros; apply picard_near ]. Qed.
 Definition sol i t := c i + RInt (fun s => F i (fun j => lim j s)) 0 t.
 Lemma sol_der i t : is_derive (sol i) t (F i (fun j => lim j t)).
 Proof. apply (primitive (fun s => F i (fun j => lim j s)) (c i)). intros; apply cont_F; intros; apply lim_cont. Qed.
@@ -142,13 +146,14 @@ Lemma sol_0 i : sol i 0 = c i.
 Proof. unfold sol. rewrite RInt_point. apply Rplus_0_r. Qed.
 Lemma sol_lim i t : 0 <= t -> lim i t = sol i t.
 Proof.
-  intros Ht. apply cond_eq. intros e He. destruct (picard_small (exp (2 * L * t)) e He) as [n Hn].
-  assert (N1 : forall m s j, 0 <= s -> Rabs (phi m j s - lim j s) <= 2 * b m * exp (2 * L * s)).
-  { intros m s j Hs. pose proof (picard_near m j s) as H. rewrite (Rmax_right 0 s) in H by lra. exact H. }
-  assert (N2 : Rabs (phi (S n) i t - sol i t) <= 2 * b n / 2 * exp (2 * L * t)).
-  { apply (compare (phi (S n) i) (sol i) (fun s => F i (fun j => phi n j s)) (fun s => F i (fun j => lim j s))); trivial. pose proof (b_pos n); lra.
-    now rewrite phi_0, sol_0. intros; apply phi_der. intros; apply sol_der. intros s Hs. apply HF. intros j. apply N1. lra. }
-  pose proof (N1 (S n) t i Ht) as N3. rewrite b_half in N3. apply Rabs_le_between in N2, N3. apply Rabs_def1; lra.
+  intros Ht. pose proof B_pos as b0. assert (N : forall n s j, 0 <= s -> Rabs (phi n j s - lim j s) <= B * exp (2 * L * s) * (/ 2) ^ n).
+  { intros n s j Hs. pose proof (picard_near n j s) as H. rewrite (Rmax_right 0 s) in H by lra. exact H. }
+  assert (Q : Rabs (lim i t - sol i t) <= 0). 2: { apply Rabs_le_between in Q. lra. }
+  apply (le_by_halves _ _ (B * exp (2 * L * t))). intros n. rewrite Rplus_0_l. destruct (half_pos n).
+  assert (N2 : Rabs (phi (S n) i t - sol i t) <= B * (/ 2) ^ n / 2 * exp (2 * L * t)).
+  { apply (compare (phi (S n) i) (sol i) (fun s => F i (fun j => phi n j s)) (fun s => F i (fun j => lim j s))); trivial; [ nra | | | | ].
+    now rewrite phi_0, sol_0. intros; apply phi_der. intros; apply sol_der. intros s Hs. apply HF. intros j. eapply Rle_trans; [ apply N; lra | right; ring ]. }
+  pose proof (N (S n) t i Ht) as N3. simpl pow in N3. apply Rabs_le_between in N2, N3. apply Rabs_le; lra.
 Qed.
 Theorem picard : { f : place -> R -> R | (forall i, f i 0 = c i) /\ (forall i t, continuity_pt (f i) t) /\
   forall i t, 0 <= t -> is_derive (f i) t (F i (fun j => f j t)) }.

@@ -1,175 +1,169 @@
-(* (104), (106), (109), (113) to (115), (124), (125) of every motion on the turntable *)
+(* The angle psi and the hyperbolic parameters as functions of the time: their rates, for (100) to (121), and motions that have them *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Sphere Sinusoidal Periodic Steady Work Fate Alpha Formulas.
+From Slipbook Require Import Motion TableLaws TableMotions Formulas.
 Open Scope R_scope.
 
-(* (90) to (93): psi is the angle from the velocity to the position *)
-Definition angle x y u w psi := x * u + y * w = nrm x y * nrm u w * cos psi /\ x * w - y * u = - (nrm x y * nrm u w * sin psi).
 (* (111), (112) *)
 Definition hyperbolic x y u w A alpha := nrm u w = eq111_p A alpha /\ nrm x y = eq112_rho A alpha.
+(* (117), (118) *)
+Definition hyperbolic_B x y u w B beta := nrm u w = eq117_p B beta /\ nrm x y = eq118_rho B beta.
 
 Lemma cosh_pos a : 0 < cosh a.
 Proof. unfold cosh. pose proof (exp_pos a). pose proof (exp_pos (- a)). lra. Qed.
+Lemma cosh_sq a : cosh a ^ 2 = sinh a ^ 2 + 1.
+Proof. unfold sinh, cosh. assert (k : exp (a) * exp (- a) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). field_simplify. lra. Qed.
+Lemma cosh_2 a : cosh (2 * a) = cosh a ^ 2 + sinh a ^ 2.
+Proof. unfold sinh, cosh. replace (2 * a) with (a + a) by ring. rewrite Ropp_plus_distr, !exp_plus. field. Qed.
+Lemma sinh_2 a : sinh (2 * a) = 2 * sinh a * cosh a.
+Proof. unfold sinh, cosh. replace (2 * a) with (a + a) by ring. rewrite Ropp_plus_distr, !exp_plus. field. Qed.
+Lemma amplitude A a r q : r = A * cosh a -> q = A * sinh a -> 0 <= r -> A = sqrt (r ^ 2 - q ^ 2).
+Proof.
+  intros -> -> H. pose proof (cosh_pos a). replace ((A * cosh a) ^ 2 - (A * sinh a) ^ 2) with (A ^ 2) by (rewrite !Rpow_mult_distr, cosh_sq; ring). symmetry. apply sqrt_pow2. nra.
+Qed.
+Lemma hyperbolic_exists r q : 0 <= q < r -> let A := sqrt (r ^ 2 - q ^ 2) in q = A * sinh (arcsinh (q / A)) /\ r = A * cosh (arcsinh (q / A)).
+Proof.
+  intros H A. assert (A0 : 0 < A) by (apply sqrt_lt_R0; nra). assert (AA : A ^ 2 = r ^ 2 - q ^ 2) by (unfold A; rewrite <- Rsqr_pow2; apply Rsqr_sqrt; nra).
+  rewrite sinh_arcsinh. split. field; lra. pose proof (cosh_sq (arcsinh (q / A))) as e. rewrite sinh_arcsinh in e. pose proof (cosh_pos (arcsinh (q / A))) as c0. set (c := cosh _) in *.
+  assert (k : (A * c) ^ 2 = r ^ 2). { rewrite Rpow_mult_distr, e. transitivity (q ^ 2 + A ^ 2). field; lra. lra. }
+  apply Rsqr_inj; [ lra | nra | rewrite !Rsqr_pow2; lra ].
+Qed.
+(* alpha, where f = A sinh alpha *)
+Lemma rder_alpha f A al t d f' A' : 0 < d -> (forall s, t <= s < t + d -> 0 < A s /\ f s = A s * sinh (al s)) -> rder f t f' -> rder A t A' ->
+  rder al t ((f' - A' * sinh (al t)) / (A t * cosh (al t))).
+Proof.
+  intros Hd H F DA. destruct (H t ltac:(lra)) as [A0 e]. pose proof (cosh_pos (al t)) as c0.
+  apply (rder_near al (fun s => arcsinh (f s * / A s)) t _ d Hd). { intros s Hs. destruct (H s Hs) as [As ->]. replace (A s * sinh (al s) * / A s) with (sinh (al s)) by (field; lra). apply arcsinh_sinh. }
+  eapply rder_eq. apply (rder_comp (fun s => f s * / A s) arcsinh); [ apply (rder_mult f (fun s => / A s)); [ exact F | apply rder_inv; [ exact DA | lra ] ] | apply is_derive_Reals, derivable_pt_lim_arcsinh ].
+  rewrite e. replace (A t * sinh (al t) * / A t) with (sinh (al t)) by (field; lra). rewrite <- cosh_sq, sqrt_pow2 by lra. field. lra.
+Qed.
 
 Section Angles.
-Variables x y u w : R -> R.
+Variables x y u w psi : R -> R.
 Hypothesis S : spin x y u w.
+Hypothesis P : forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t).
 Notation p t := (nrm (u t) (w t)).
 Notation rho t := (nrm (x t) (y t)).
-Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
 Notation xi t := ((x t * u t + y t * w t) * / nrm (u t) (w t)).
 Notation ell t := ((x t * w t - y t * u t) * / nrm (u t) (w t)).
-Ltac conts := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
 
-(* (104), (105), rest included *)
-Theorem eq_104 s : (forall t, 0 < t -> continuity_pt s t) -> (forall t, 0 <= t -> rder s t (eq105_arc_rate (p t))) ->
-  forall t, 0 <= t -> eq104_constant (p t) (rho t) (s t) = eq104_constant (p 0) (rho 0) (s 0).
-Proof.
-  intros cs ds t Ht. unfold eq104_constant. rewrite !nrm_sq.
-  apply (rder_const (fun t => (u t ^ 2 + w t ^ 2 - (x t ^ 2 + y t ^ 2)) * / 2 + s t)); trivial; intros r Hr.
-  - apply (continuity_pt_plus (fun t => (u t ^ 2 + w t ^ 2 - (x t ^ 2 + y t ^ 2)) * / 2) s); [ conts | apply cs; lra ].
-  - eapply rder_eq. apply (rder_plus (fun t => (u t ^ 2 + w t ^ 2 - (x t ^ 2 + y t ^ 2)) * / 2) s); [ apply (eq103 x y u w S); lra | apply ds; lra ].
-    unfold eq105_arc_rate. ring.
-Qed.
+Lemma xi_psi t : 0 <= t -> p t <> 0 -> xi t = rho t * cos (psi t) /\ ell t = - rho t * sin (psi t).
+Proof. intros Ht N. destruct (proj1 (angle_iff _ _ _ _ _) (P t Ht)) as [e1 e2]. rewrite e1, e2. split; field; trivial. Qed.
 
 Variable t : R.
 Hypothesis ht : 0 <= t.
-Hypothesis N : 0 < p t.
-
-Lemma rho_pos psi : angle (x t) (y t) (u t) (w t) psi -> 0 < rho t -> xi t = rho t * cos psi /\ ell t = - (rho t * sin psi).
-Proof. intros [e1 e2] r0. rewrite e1, e2. split; field; lra. Qed.
-
-(* (109): psi as a continuous function of the time *)
-Theorem eq_109 psi d : 0 < d -> 0 < rho t -> continuity_pt psi t -> (forall s, t <= s < t + d -> angle (x s) (y s) (u s) (w s) (psi s)) ->
-  rder psi t (eq109_psi_rate (p t) (rho t) (psi t)).
+Hypothesis N : p t <> 0.
+Lemma psi_rates : rder (fun t => p t) t (rho t * cos (psi t) - 1) /\
+  rder (fun s => - rho s * sin (psi s)) t (- (rho t * cos (psi t) * (2 * p t + - rho t * sin (psi t)) / p t)) /\
+  rder (fun s => rho s * cos (psi s)) t ((p t + - rho t * sin (psi t)) ^ 2 / p t).
 Proof.
-  intros Hd r0 C H. destruct (rho_pos _ (H t ltac:(lra)) r0) as [exi eell].
-  assert (R0 : rder (fun t => rho t) t (p t * cos (psi t))) by (apply (eq108 x y u w S t ht ltac:(lra) (psi t) ltac:(lra)), (H t ltac:(lra))).
-  set (sn s := - ell s * / rho s). set (cs s := xi s * / rho s).
-  assert (D : rder (fun s => sn s * cos (psi t) - cs s * sin (psi t)) t (eq109_psi_rate (p t) (rho t) (psi t))).
-  { unfold sn, cs. eapply rder_eq. apply (rder_minus (fun s => - ell s * / rho s * cos (psi t)) (fun s => xi s * / rho s * sin (psi t))).
-    - apply (rder_mult (fun s => - ell s * / rho s) (fun _ => cos (psi t))); [ | rd ]. apply (rder_mult (fun s => - ell s) (fun s => / rho s)).
-      apply (rder_opp (fun s => ell s)), (eq100 x y u w S t ht ltac:(lra)). apply (rder_inv (fun s => rho s)); [ exact R0 | lra ].
-    - apply (rder_mult (fun s => xi s * / rho s) (fun _ => sin (psi t))); [ | rd ]. apply (rder_mult (fun s => xi s) (fun s => / rho s)).
-      apply (eq101 x y u w S t ht ltac:(lra)). apply (rder_inv (fun s => rho s)); [ exact R0 | lra ].
-    - cbv beta. rewrite exi, eell. unfold eq109_psi_rate. set (n := p t) in *. set (m := rho t) in *. set (c := cos (psi t)). set (z := sin (psi t)).
-      assert (e : z ^ 2 = 1 - c ^ 2) by (unfold z, c; pose proof (sin2_cos2 (psi t)); unfold Rsqr in *; lra).
-      field_simplify_eq; [ | lra ]. ring [e]. }
-  assert (V : exists d1, 0 < d1 /\ forall s, t <= s < t + d1 -> - (PI / 2) < psi s - psi t < PI / 2).
-  { destruct (C (PI / 2)) as (d1 & d10 & H1). pose proof PI_RGT_0; lra. exists d1. split; trivial. intros s Hs. pose proof PI_RGT_0.
-    destruct (Req_dec s t) as [-> | ne]. lra. simpl in H1. unfold R_dist in H1. specialize (H1 s). assert (Q : Rabs (psi s - psi t) < PI / 2).
-    { apply H1. split; [ split; [ exact I | auto ] | apply Rabs_def1; lra ]. } apply Rabs_def2 in Q. lra. }
-  assert (P : exists d2, 0 < d2 /\ forall s, t < s < t + d2 -> 0 < p s * rho s).
-  { apply (right_pos (fun s => p s * rho s) t _ (rder_mult (fun s => p s) (fun s => rho s) t _ _ (dp x y u w S t ht ltac:(lra)) R0)). nra. }
-  destruct V as (d1 & d10 & H1). destruct P as (d2 & d20 & H2).
-  apply (rder_near psi (fun s => psi t + asin (sn s * cos (psi t) - cs s * sin (psi t))) t _ (Rmin d (Rmin d1 d2))). repeat apply Rmin_pos; trivial.
-  - intros s Hs. pose proof (Rmin_l d (Rmin d1 d2)). pose proof (Rmin_r d (Rmin d1 d2)). pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
-    specialize (H1 s ltac:(lra)). destruct (H s ltac:(lra)) as [a1 a2].
-    assert (Q : 0 < p s * rho s). { destruct (Req_dec s t) as [-> | ne]. nra. apply H2; lra. } pose proof (nrm_pos (u s) (w s)). pose proof (nrm_pos (x s) (y s)).
-    assert (p s <> 0) by nra. assert (rho s <> 0) by nra. unfold sn, cs. rewrite a1, a2.
-    replace (- (- (rho s * p s * sin (psi s)) * / p s) * / rho s) with (sin (psi s)) by (field; split; trivial).
-    replace (rho s * p s * cos (psi s) * / p s * / rho s) with (cos (psi s)) by (field; split; trivial).
-    rewrite <- sin_minus, asin_sin by lra. ring.
-  - eapply rder_eq. apply (rder_plus (fun _ => psi t)); [ rd | ]. apply (rder_comp _ asin t _ 1 D).
-    2: ring. assert (z : sn t * cos (psi t) - cs t * sin (psi t) = 0). { unfold sn, cs. rewrite exi, eell. field. lra. }
-    rewrite z. apply is_derive_Reals. assert (b : -1 < 0 < 1) by lra. apply (derive_pt_eq_1 _ _ _ (derivable_pt_asin 0 b)). rewrite derive_pt_asin.
+  destruct (xi_psi t ht N) as [ex el]. destruct (slips_on x y u w S t ht N) as (d & d0 & Hd). split. { rewrite <- ex. now apply (dp x y u w S). } split.
+  - apply (rder_near _ (fun s => ell s) t _ d d0). { intros s Hs. apply xi_psi; [ lra | ]. specialize (Hd s Hs). lra. }
+    eapply rder_eq. apply (eq100 x y u w S t ht N). rewrite <- ex, <- el. field. exact N.
+  - apply (rder_near _ (fun s => xi s) t _ d d0). { intros s Hs. apply xi_psi; [ lra | ]. specialize (Hd s Hs). lra. }
+    eapply rder_eq. apply (eq101 x y u w S t ht N). now rewrite <- el.
+Qed.
+Hypothesis r0 : rho t <> 0.
+Lemma rho_rate : rder (fun t => rho t) t (p t * cos (psi t)).
+Proof. eapply rder_eq. apply (rder_rho x y u w S t ht N r0). destruct (proj1 (angle_iff _ _ _ _ _) (P t ht)) as [e1 _]. rewrite e1. field. exact r0. Qed.
+(* near t, psi is psi t + arcsin (sin psi cos (psi t) - cos psi sin (psi t)) *)
+Lemma psi_rate : right_continuous psi t -> rder psi t (eq109_psi_rate (p t) (rho t) (psi t)).
+Proof.
+  intros C. pose proof psi_rates as (_ & DL & DX). pose proof rho_rate as DR. set (c := cos (psi t)) in *. set (z := sin (psi t)) in *.
+  assert (e : z ^ 2 = 1 - c ^ 2) by (unfold z, c; pose proof (sin2_cos2 (psi t)); unfold Rsqr in *; lra). pose proof (nrm_pos (x t) (y t)).
+  set (f s := (- (- rho s * sin (psi s)) * c - rho s * cos (psi s) * z) * / rho s).
+  assert (D : rder f t (eq109_psi_rate (p t) (rho t) (psi t))).
+  { eapply rder_eq. apply (rder_mult (fun s => - (- rho s * sin (psi s)) * c - rho s * cos (psi s) * z) (fun s => / rho s)); [ | apply (rder_inv (fun s => rho s)); [ exact DR | exact r0 ] ].
+    apply (rder_minus (fun s => - (- rho s * sin (psi s)) * c) (fun s => rho s * cos (psi s) * z));
+    [ apply (rder_mult (fun s => - (- rho s * sin (psi s))) (fun _ => c)); [ apply (rder_opp (fun s => - rho s * sin (psi s))), DL | rd ]
+    | apply (rder_mult (fun s => rho s * cos (psi s)) (fun _ => z)); [ exact DX | rd ] ].
+    cbv beta. fold c z. unfold eq109_psi_rate. fold z. set (n := p t) in *. set (m := rho t) in *. field_simplify_eq; [ | lra ]. ring [e]. }
+  assert (ft : f t = 0) by (unfold f; fold c z; field; exact r0).
+  pose proof PI_RGT_0. destruct (C (PI / 2)) as (d1 & d10 & H1). lra. destruct (right_pos _ _ _ DR) as (d2 & d20 & H2). lra.
+  apply (rder_near psi (fun s => psi t + asin (f s)) t _ (Rmin d1 d2)). now apply Rmin_pos.
+  - intros s Hs. pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2). specialize (H1 s ltac:(lra)). apply Rabs_def2 in H1.
+    assert (rs : rho s <> 0). { destruct (Req_dec s t) as [-> | ne]; trivial. specialize (H2 s ltac:(lra)). lra. }
+    replace (f s) with (sin (psi s - psi t)) by (rewrite sin_minus; fold c z; unfold f; field; exact rs). rewrite asin_sin by lra. ring.
+  - eapply rder_eq. apply (rder_plus (fun _ => psi t)); [ rd | ]. apply (rder_comp f asin t _ 1 D). 2: ring.
+    rewrite ft. apply is_derive_Reals. assert (b : -1 < 0 < 1) by lra. apply (derive_pt_eq_1 _ _ _ (derivable_pt_asin 0 b)). rewrite derive_pt_asin.
     replace (1 - 0²) with 1 by (unfold Rsqr; ring). rewrite sqrt_1. field.
-Qed.
-
-(* (113) and (114): A = sqrt (rho^2 - p^2), alpha by (111) *)
-Theorem eq_114 psi al d : 0 < d -> 0 < E t -> x t * u t + y t * w t = rho t * p t * cos psi ->
-  (forall s, t <= s < t + d -> hyperbolic (x s) (y s) (u s) (w s) (sqrt (E s)) (al s)) ->
-  rder (fun s => sqrt (E s)) t (eq113_a_rate (al t)) /\ rder al t (eq114_alpha_rate (sqrt (E t)) (al t) psi).
-Proof.
-  intros Hd E0 e H. pose proof (eq113 x y u w S t ht ltac:(lra) E0) as DA. destruct (H t ltac:(lra)) as [e1 e2]. unfold eq111_p, eq112_rho in *.
-  assert (A0 : 0 < sqrt (E t)) by (apply sqrt_lt_R0; trivial).
-  assert (ez : sinh (al t) = p t / sqrt (E t)) by (rewrite e1; field; lra). assert (ec : cosh (al t) = rho t / sqrt (E t)) by (rewrite e2; field; lra).
-  split. { unfold eq113_a_rate. rewrite ez. exact DA. }
-  apply (rder_near al (fun s => arcsinh (p s * / sqrt (E s))) t _ d Hd).
-  - intros s Hs. destruct (H s Hs) as [k _]. unfold eq111_p in k. rewrite k. pose proof (A_never_falls x y u w S t s ltac:(lra)).
-    replace (sqrt (E s) * sinh (al s) * / sqrt (E s)) with (sinh (al s)). apply arcsinh_sinh.
-    field. assert (0 < sqrt (E s)) by (apply sqrt_lt_R0; lra). lra.
-  - eapply rder_eq. apply (rder_comp (fun s => p s * / sqrt (E s)) arcsinh).
-    + apply (rder_mult (fun s => p s) (fun s => / sqrt (E s))). apply (eq107 x y u w S t ht ltac:(lra) psi e). apply (rder_inv (fun s => sqrt (E s))); [ exact DA | lra ].
-    + apply is_derive_Reals, derivable_pt_lim_arcsinh.
-    + cbv beta. unfold eq114_alpha_rate. rewrite ec. replace (sqrt ((p t * / sqrt (E t)) ^ 2 + 1)) with (rho t / sqrt (E t)).
-      * assert (r0 : 0 < rho t). { rewrite e2. apply Rmult_lt_0_compat; trivial. apply cosh_pos. }
-        assert (aa : sqrt (E t) ^ 2 = rho t ^ 2 - p t ^ 2) by (rewrite !nrm_sq, <- Rsqr_pow2; apply Rsqr_sqrt; lra).
-        set (a := sqrt (E t)) in *. set (n := p t) in *. set (m := rho t) in *. field_simplify_eq; [ | lra ]. ring [aa].
-      * symmetry. rewrite <- ec. rewrite <- (sqrt_pow2 (cosh (al t))) by (left; apply cosh_pos). f_equal. change (p t * / sqrt (E t)) with (p t / sqrt (E t)). rewrite <- ez.
-        unfold sinh, cosh. assert (k : exp (al t) * exp (- al t) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). field_simplify. nra.
-Qed.
-(* (115) *)
-Theorem eq_115 psi A al d : 0 < d -> 0 < A -> hyperbolic (x t) (y t) (u t) (w t) A al -> continuity_pt psi t ->
-  (forall s, t <= s < t + d -> angle (x s) (y s) (u s) (w s) (psi s)) -> rder psi t (eq115_psi_rate al (psi t)).
-Proof.
-  intros Hd A0 [e1 e2] C H. unfold eq111_p, eq112_rho in *. pose proof (cosh_pos al) as c0. assert (r0 : 0 < rho t) by (rewrite e2; nra).
-  assert (z0 : 0 < sinh al). { rewrite e1 in N. nra. }
-  eapply rder_eq. apply (eq_109 psi d); trivial. unfold eq109_psi_rate, eq115_psi_rate, coth. rewrite e1, e2.
-  replace (cosh (2 * al)) with (cosh al ^ 2 + sinh al ^ 2). replace (sinh (2 * al)) with (2 * sinh al * cosh al). field. lra.
-  - unfold sinh, cosh. replace (2 * al) with (al + al) by ring. rewrite Ropp_plus_distr, !exp_plus. field.
-  - unfold sinh, cosh. replace (2 * al) with (al + al) by ring. rewrite Ropp_plus_distr, !exp_plus. field.
 Qed.
 End Angles.
 
-(* (124), (125): within a turn (115) is zero at these two angles and nowhere else *)
-Theorem eq_124_125_zeros al psi : 0 < al -> - PI < psi <= PI -> eq115_psi_rate al psi = 0 <-> psi = eq124_psi1 al \/ psi = eq125_psi2 al.
+Section Hyperbolic.
+Variables x y u w psi A al : R -> R.
+Hypothesis S : spin x y u w.
+Hypothesis P : forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t).
+Notation p t := (nrm (u t) (w t)).
+Notation rho t := (nrm (x t) (y t)).
+Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
+Variable t : R.
+Hypothesis ht : 0 <= t.
+Lemma E_is s : E s = rho s ^ 2 - p s ^ 2.
+Proof. rewrite !nrm_sq. ring. Qed.
+Lemma A_rate : p t < rho t -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) -> (forall s, t <= s -> 0 < A s) /\ rder A t (sinh (al t)).
 Proof.
-  intros Ha Hp. unfold eq115_psi_rate, eq124_psi1, eq125_psi2, coth, tanh. pose proof (cosh_pos (2 * al)) as c0.
-  assert (z0 : 0 < sinh (2 * al)) by (rewrite <- sinh_0; apply sinh_lt; lra).
-  assert (T1 : 0 < sinh (2 * al) / cosh (2 * al) < 1).
-  { split. now apply Rdiv_lt_0_compat. apply Rlt_div_l; trivial. unfold sinh, cosh. pose proof (exp_pos (- (2 * al))). lra. }
-  set (T := sinh (2 * al) / cosh (2 * al)) in *.
-  assert (eqv : 2 * (1 - sin psi * (cosh (2 * al) / sinh (2 * al))) = 0 <-> sin psi = T).
-  { replace (cosh (2 * al) / sinh (2 * al)) with (/ T) by (unfold T; field; lra). split; intros h.
-    - replace (sin psi) with (sin psi * / T * T) by (field; lra). replace (sin psi * / T) with 1 by lra. ring.
-    - rewrite h. field. lra. }
-  rewrite eqv. split.
-  - intros h. assert (0 < psi). { apply Rnot_le_lt. intros k. destruct k as [k | k]. pose proof (sin_lt_0_var psi ltac:(lra) k). lra. rewrite k, sin_0 in h. lra. }
-    destruct (Rle_lt_dec psi (PI / 2)); [ left | right ]; rewrite <- h.
-    + symmetry. apply asin_sin. lra.
-    + rewrite <- sin_PI_x, asin_sin by lra. ring.
-  - intros [-> | ->]; [ | rewrite sin_PI_x ]; apply sin_asin; lra.
+  intros H K. assert (AE : forall s, t <= s -> sqrt (E s) = A s).
+  { intros s Hs. destruct (K s Hs) as [k1 k2]. rewrite E_is. symmetry. apply (amplitude _ (al s)); trivial. apply nrm_pos. }
+  assert (E0 : forall s, t <= s -> 0 < E s). { intros s Hs. pose proof (A_never_falls x y u w S t s ltac:(lra)). rewrite !E_is in *. pose proof (nrm_pos (u t) (w t)). nra. }
+  assert (A0 : forall s, t <= s -> 0 < A s) by (intros s Hs; rewrite <- AE by trivial; now apply sqrt_lt_R0, E0). split; trivial.
+  apply (rder_near A (fun s => sqrt (E s)) t _ 1 Rlt_0_1). { intros; apply AE; lra. }
+  eapply rder_eq. apply (rder_root (fun s => E s)); [ apply (E_rate x y u w S t ht) | apply E0; lra ]. specialize (A0 t ltac:(lra)). cbv beta. rewrite AE by lra.
+  destruct (K t ltac:(lra)) as [-> _]. unfold eq111_p. field. lra.
 Qed.
-(* ... so that psi of a motion stands still just there *)
-Theorem eq_124_125 x y u w t psi A al d : spin x y u w -> 0 <= t -> 0 < nrm (u t) (w t) -> 0 < d -> 0 < A -> hyperbolic (x t) (y t) (u t) (w t) A al ->
-  continuity_pt psi t -> - PI < psi t <= PI -> (forall s, t <= s < t + d -> angle (x s) (y s) (u s) (w s) (psi s)) ->
-  rder psi t 0 <-> psi t = eq124_psi1 al \/ psi t = eq125_psi2 al.
+Lemma alpha_rate : p t < rho t -> p t <> 0 -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) -> rder al t (eq114_alpha_rate (A t) (al t) (psi t)).
 Proof.
-  intros S ht N Hd A0 Hy C Hp H. pose proof (eq_115 x y u w S t ht N psi A al d Hd A0 Hy C H) as D.
-  assert (al0 : 0 < al). { destruct Hy as [e _]. unfold eq111_p in e. rewrite e in N. apply Rnot_le_lt. intros k.
-    assert (sinh al <= 0). { rewrite <- sinh_0. destruct k as [k | ->]; [ left; now apply sinh_lt | lra ]. } nra. }
-  rewrite <- (eq_124_125_zeros al (psi t) al0 Hp). split.
-  - intros Z. apply (rder_unique _ _ _ _ D Z).
-  - intros <-. exact D.
+  intros H N K. destruct (A_rate H K) as [A0 DA]. destruct (psi_rates x y u w psi S P t ht N) as (DP & _). specialize (A0 t (Rle_refl t)) as a0.
+  eapply rder_eq. eapply (rder_alpha (fun s => p s) A al t 1 _ _ Rlt_0_1); [ | exact DP | exact DA ]. { intros s Hs. split. apply A0; lra. apply K; lra. }
+  destruct (K t (Rle_refl t)) as [_ ->]. pose proof (cosh_pos (al t)). pose proof (cosh_sq (al t)) as e. unfold eq114_alpha_rate, eq112_rho. field_simplify_eq; [ | lra ]. ring [e].
 Qed.
-(* (106), as printed and as corrected, of every motion: Work.v says it of these formulas *)
-Theorem eq_106 m g mu Om x y u w s : turntable Om (mu * g) x y u w -> (forall t, 0 < t -> continuity_pt s t) ->
-  (forall t, 0 <= t -> rder s t (nrm (u t) (w t))) -> forall t, 0 <= t ->
-  right_turntable_constant m mu g Om (x t) (y t) (u t) (w t) (s t) = right_turntable_constant m mu g Om (x 0) (y 0) (u 0) (w 0) (s 0) /\
-  (m <> 0 -> g <> 0 -> (eq106_constant m g Om (x t) (y t) (u t) (w t) (s t) = eq106_constant m g Om (x 0) (y 0) (u 0) (w 0) (s 0) <-> mu = 1 \/ s t = s 0)).
+Lemma B_rates : rho t < p t -> (forall s, t <= s -> rho s < p s -> hyperbolic_B (x s) (y s) (u s) (w s) (A s) (al s)) ->
+  0 < A t /\ rder A t (eq119_b_rate (al t)) /\ (rho t <> 0 -> rder al t (eq120_beta_rate (A t) (al t) (psi t))).
 Proof.
-  intros S cs ds t Ht.
-  assert (k1 : forall r, right_turntable_constant m mu g Om (x r) (y r) (u r) (w r) (s r) = eq106 m Om x y u w s (m * (mu * g)) r) by (intros; unfold right_turntable_constant, eq106; field).
-  assert (k2 : forall r, eq106_constant m g Om (x r) (y r) (u r) (w r) (s r) = eq106 m Om x y u w s (m * g) r) by (intros; unfold eq106_constant, eq106; field).
-  rewrite !k1, !k2. split. now apply (eq106_right m g mu Om x y u w s S cs ds). intros. now apply (eq106_iff m g mu Om x y u w s S cs ds).
+  intros H K. pose proof (nrm_pos (x t) (y t)) as m0. assert (D : rder (fun s => - E s) t (- (2 * p t))) by (apply (rder_opp (fun s => E s)), (E_rate x y u w S t ht)).
+  assert (near : exists d, 0 < d /\ forall s, t <= s < t + d -> 0 < - E s).
+  { assert (0 < - E t) by (rewrite E_is; nra). destruct (right_pos _ _ _ D H0) as (d & d0 & Hd). exists d. split; trivial. intros s Hs. destruct (Req_dec s t) as [-> | ne]; trivial. apply Hd; lra. }
+  destruct near as (d & d0 & Hd).
+  assert (fast : forall s, t <= s < t + d -> rho s < p s). { intros s Hs. specialize (Hd s Hs). rewrite E_is in Hd. pose proof (nrm_pos (x s) (y s)). pose proof (nrm_pos (u s) (w s)). nra. }
+  assert (AE : forall s, t <= s < t + d -> sqrt (- E s) = A s).
+  { intros s Hs. destruct (K s ltac:(lra) (fast s Hs)) as [k1 k2]. replace (- E s) with (p s ^ 2 - rho s ^ 2) by (rewrite E_is; ring). symmetry. apply (amplitude _ (al s)); trivial. apply nrm_pos. }
+  assert (A0 : forall s, t <= s < t + d -> 0 < A s) by (intros s Hs; rewrite <- AE by trivial; now apply sqrt_lt_R0, Hd).
+  assert (a0 : 0 < A t) by (apply A0; lra). destruct (K t ltac:(lra) H) as [k1 k2]. unfold eq117_p, eq118_rho in *. pose proof (cosh_pos (al t)) as c0.
+  assert (DA : rder A t (- cosh (al t))).
+  { apply (rder_near A (fun s => sqrt (- E s)) t _ d d0). { intros; apply AE; lra. } eapply rder_eq. apply (rder_root (fun s => - E s)); [ exact D | apply Hd; lra ].
+    cbv beta. rewrite AE by lra. rewrite k1. field. lra. }
+  split; trivial. split; trivial. intros r0. eapply rder_eq. eapply (rder_alpha (fun s => rho s) A al t d _ _ d0); [ | | exact DA ].
+  { intros s Hs. split. now apply A0. apply K; [ lra | now apply fast ]. } { apply (rho_rate x y u w psi S P t ht); lra. }
+  rewrite k1. unfold eq120_beta_rate. field. lra.
 Qed.
-(* s4-quasi-fixed-stability: (115) drives psi towards (124) and away from (125), from everywhere within a turn *)
-Theorem s4_quasi_fixed_stability al psi : 0 < al ->
-  (eq124_psi1 al < psi < eq125_psi2 al -> eq115_psi_rate al psi < 0) /\
-  (eq125_psi2 al - 2 * PI < psi < eq124_psi1 al -> 0 < eq115_psi_rate al psi).
+End Hyperbolic.
+(* (115) and (121) are (109) *)
+Lemma psi_rate_hyperbolic a : sinh a <> 0 -> sinh a / cosh a + cosh a / sinh a = 2 * coth (2 * a).
+Proof. intros H. pose proof (cosh_pos a). unfold coth. rewrite cosh_2, sinh_2. field. lra. Qed.
+
+(* ---- motions that have all this: every start, its angle, A and alpha, B and beta ---- *)
+Lemma motion_with_angle x0 y0 u0 w0 : exists x y u w psi, spin x y u w /\ (forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t)) /\
+  (x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0) /\ (0 < y0 * u0 - x0 * w0 -> right_continuous psi 0 /\ psi 0 = arccot ((x0 * u0 + y0 * w0) / (y0 * u0 - x0 * w0))).
 Proof.
-  intros Ha. unfold eq115_psi_rate, eq124_psi1, eq125_psi2, coth, tanh. pose proof (cosh_pos (2 * al)) as c0.
-  assert (z0 : 0 < sinh (2 * al)) by (rewrite <- sinh_0; apply sinh_lt; lra).
-  assert (T1 : 0 < sinh (2 * al) / cosh (2 * al) < 1).
-  { split. now apply Rdiv_lt_0_compat. apply Rlt_div_l; trivial. unfold sinh, cosh. pose proof (exp_pos (- (2 * al))). lra. }
-  set (T := sinh (2 * al) / cosh (2 * al)) in *. replace (cosh (2 * al) / sinh (2 * al)) with (/ T) by (unfold T; field; lra).
-  assert (q : T * / T = 1) by (field; lra). assert (q0 : 0 < / T) by (apply Rinv_0_lt_compat; lra).
-  pose proof (p1_range T T1) as [[a1 a2] a3]. split; intros H.
-  - pose proof (sin_above T T1 psi H). nra.
-  - assert (sin psi < T); [ | nra ]. rewrite <- a3. destruct (Rle_lt_dec (- (PI / 2)) psi).
-    + apply sin_increasing_1; lra.
-    + replace (sin psi) with (sin (- PI - psi)). apply sin_increasing_1; lra.
-      replace (- PI - psi) with (- (PI + psi)) by ring. rewrite sin_neg, Rplus_comm, neg_sin. ring.
+  destruct (table_exists x0 y0 u0 w0) as (x & y & u & w & S & e1 & e2 & e3 & e4). exists x, y, u, w, (fun t => proj1_sig (angle_exists (x t) (y t) (u t) (w t))). split; trivial.
+  assert (H : forall t, let psi := proj1_sig (angle_exists (x t) (y t) (u t) (w t)) in position_angle (x t) (y t) (u t) (w t) psi /\
+    (0 < y t * u t - x t * w t -> psi = arccot ((x t * u t + y t * w t) * / (y t * u t - x t * w t)))) by (intros t psi; apply (proj2_sig (angle_exists (x t) (y t) (u t) (w t)))).
+  split. { intros t _. apply H. } split; auto. rewrite <- e1, <- e2, <- e3, <- e4. intros D0. split. 2: now apply (H 0).
+  destruct (s_law _ _ _ _ S 0 (Rle_refl 0)) as (X & Y & fx & fy & _ & U & W).
+  assert (D : exists l, rder (fun t => y t * u t - x t * w t) 0 l) by (eexists; rd). destruct D as [l D]. destruct (right_pos _ _ _ D D0) as (d & d0 & Hd).
+  eapply rder_right_continuous, (rder_near _ (fun t => PI / 2 - atan ((x t * u t + y t * w t) * / (y t * u t - x t * w t))) 0 _ d d0).
+  - intros s Hs. symmetry. apply (H s). destruct (Req_dec s 0) as [-> | ne]; trivial. apply Hd. lra.
+  - apply (rder_minus (fun _ => PI / 2)); [ rd | ]. apply (rder_comp (fun t => (x t * u t + y t * w t) * / (y t * u t - x t * w t)) atan); [ | apply is_derive_Reals, derivable_pt_lim_atan ].
+    apply (rder_mult (fun t => x t * u t + y t * w t) (fun t => / (y t * u t - x t * w t))); [ rd | apply (rder_inv (fun t => y t * u t - x t * w t)); [ exact D | lra ] ].
+Qed.
+Lemma with_A x y u w : spin x y u w -> nrm (u 0) (w 0) < nrm (x 0) (y 0) -> exists A al, forall t, 0 <= t -> hyperbolic (x t) (y t) (u t) (w t) (A t) (al t).
+Proof.
+  intros S H. set (r t := nrm (x t) (y t)). set (q t := nrm (u t) (w t)). exists (fun t => sqrt (r t ^ 2 - q t ^ 2)), (fun t => arcsinh (q t / sqrt (r t ^ 2 - q t ^ 2))). intros t Ht.
+  apply (hyperbolic_exists (r t) (q t)). pose proof (A_never_falls x y u w S 0 t ltac:(lra)) as M. rewrite <- !nrm_sq in M.
+  pose proof (nrm_pos (x t) (y t)). pose proof (nrm_pos (u t) (w t)). pose proof (nrm_pos (u 0) (w 0)). unfold r, q. split; [ trivial | nra ].
+Qed.
+Lemma with_B (x y u w : R -> R) : exists B be, forall t, nrm (x t) (y t) < nrm (u t) (w t) -> hyperbolic_B (x t) (y t) (u t) (w t) (B t) (be t).
+Proof.
+  set (r t := nrm (u t) (w t)). set (q t := nrm (x t) (y t)). exists (fun t => sqrt (r t ^ 2 - q t ^ 2)), (fun t => arcsinh (q t / sqrt (r t ^ 2 - q t ^ 2))). intros t H.
+  destruct (hyperbolic_exists (r t) (q t)) as [h1 h2]. { pose proof (nrm_pos (x t) (y t)). unfold r, q in *. lra. } split; trivial.
 Qed.

@@ -21,7 +21,8 @@ pub mod sinusoidal;
 pub mod sphere;
 pub mod turntable;
 
-use trialbook::data::text;
+use trialbook::data::{folder, text};
+use trialbook::theorems::Theorems;
 pub use trialbook::trials::values;
 use trialbook::trials::{Paper, Topic};
 
@@ -38,6 +39,9 @@ static TOPICS: [&Topic; 9] = [
     &rest::TOPIC,
 ];
 
+/// What a kernel has accepted.
+static THEOREMS: Theorems = Theorems::new(folder!("rocq"), text!("rocq/record.txt"));
+
 /// The paper on trial.
 pub static PAPER: Paper = Paper {
     title: "Slipping and rolling on a rough accelerating surface",
@@ -48,6 +52,6 @@ pub static PAPER: Paper = Paper {
     record: text!("snapshots/verdicts.snap"),
     tries_variants: true,
     deep: text!("snapshots/deep.tsv"),
-    certified: text!("snapshots/certificates.csv"),
+    theorems: &THEOREMS,
     formulas: formulas::FORMULAS,
 };

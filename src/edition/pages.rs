@@ -48,13 +48,13 @@ written!(
         lookup "Look up";
     Trust:
         methods "How we know",
+        kernel "Before the kernel",
         lemmas "Lemmas",
         exam "An exam in dry friction";
     Use:
         own "Your own paper",
         adding "Claims and snapshots",
-        json "JSON, CSV, Python",
-        certificates "Certificates";
+        json "JSON, CSV, Python";
 );
 
 /// Addresses of earlier books.
@@ -64,6 +64,21 @@ pub(super) const MOVED: &[(&str, &str)] = &[
         "accuracy.html#how-accurately-it-was-measured",
         "methods.html#accuracy",
     ),
+    ("certificates.html", "kernel.html"),
+    (
+        "certificates.html#certificate-corrupted",
+        "kernel.html#kernel",
+    ),
+    ("certificates.html#certificate-file", "kernel.html#kernel"),
+    (
+        "certificates.html#certificate-identity",
+        "kernel.html#kernel",
+    ),
+    ("certificates.html#certificate-lean", "kernel.html#kernel"),
+    ("certificates.html#certificate-motion", "kernel.html#kernel"),
+    ("certificates.html#certificate-range", "kernel.html#kernel"),
+    ("certificates.html#certificate-root", "kernel.html#kernel"),
+    ("certificates.html#certificates", "kernel.html#kernel"),
     ("equations.html", "ledger.html"),
     (
         "equations.html#index-of-equations",

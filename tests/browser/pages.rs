@@ -204,7 +204,7 @@ pub fn lengths(page: &mut Page, book: &Book) -> Seen {
             let address = book.address(&format!("{name}.html"));
             page.open(&address)?;
             let places = page.texts("[...document.querySelectorAll('main [id]:is(h2, h3, .erratum, .lemma > p)')].map(place => place.id)")?;
-            page.open(&book.address("certificates.html"))?;
+            page.open(&book.address("lookup.html"))?;
             page.open(&format!("{address}#{}", places[2 * places.len() / 3]))?;
             page.begun()?;
             let found = page.texts(

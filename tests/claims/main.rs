@@ -485,17 +485,20 @@ fn wrong_variants(ledger: &Ledger) -> Result<(), Failed> {
     all_asked(variants.len(), there, "wrong variants")
 }
 
-/// The claims without a proof are those for which a reason is given.
+/// Where no proof is, it is said what is missing; and nothing is missing where a theorem says the whole, or nothing is to be proved.
 fn reasons(ledger: &Ledger) -> Result<(), Failed> {
-    let entries = || as_recorded(ledger).into_iter();
-    let measured = |entry: &&Entry| matches!(entry.standing(), None | Some(Standing::Measured));
-    let id = |entry: &Entry| entry.claim.id.to_owned();
-    excused(
-        entries().filter(measured).map(id),
-        entries()
-            .filter(|entry| entry.claim.unproved.is_some())
-            .map(id),
-        "give the entry a proof with `whole` or `argument`, or say why it has none (`unproved`)",
+    let wrong = as_recorded(ledger).into_iter().filter_map(|entry| {
+        let why = match (entry.standing(), entry.claim.unproved) {
+            (None | Some(Standing::Measured), None) => "has no proof",
+            (Some(Standing::Proved | Standing::Defined), Some(_)) => "misses nothing",
+            _ => return None,
+        };
+        Some(format!("{} {why}", entry.claim.id))
+    });
+    let wrong: Vec<_> = wrong.collect();
+    none(
+        &wrong,
+        "say in the claim's entry what is missing (`unproved`), where something is",
     )
 }
 

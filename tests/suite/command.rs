@@ -572,13 +572,9 @@ fn mistakes_are_put_to_the_trials_of_a_claim() {
 /// A table for programs and the JSON of the same question have the same under the same names; of a list the table has the length.
 #[test]
 fn a_table_and_its_json_say_the_same() {
-    let folder = tempfile::tempdir().unwrap();
-    let out = folder.path().join("certificates");
-    let out = out.to_str().unwrap();
     for (arguments, rows) in [
         ("ensemble --rho 0.5:0.95:6 --p 0.1 --psi 0.3", "ends"),
         ("distrust s2-no-permanent-rest eq-20", "trials"),
-        (&format!("certify eq-20 --out {out}"), "proofs"),
         ("find 0.53700", "matches"),
         ("list --section 2.1 --verdict misprint", "claims"),
     ] {

@@ -5,7 +5,6 @@ mod attractors;
 mod breaks;
 mod calculators;
 mod careless;
-mod certificates;
 mod certified;
 mod claims_list;
 mod command;
@@ -25,6 +24,7 @@ mod readme;
 mod rows;
 mod same;
 mod structure;
+mod theorems;
 mod trust;
 mod units;
 

@@ -14,16 +14,16 @@ const ENGINE: &str = "
     evidence:
     notation:
     numerics: scalar
-    witness: data
-    exact: notation scalar seeded witness
-    certified: exact numerics scalar witness
-    trials: data scalar evidence numerics exact certified seeded witness notation
+    exact: notation scalar seeded
+    certified: numerics scalar
+    trials: data scalar evidence numerics exact certified seeded notation theorems
+    theorems: data exact seeded trials
     ledger: data evidence trials seeded notation
     plotting: data
     publishing: data trials plotting seeded
     prelude: data trials publishing evidence exact plotting ledger numerics scalar seeded
-    book: data evidence exact trials ledger plotting publishing notation
-    cli: data trials evidence ledger plotting notation numerics book publishing witness
+    book: data evidence exact trials ledger plotting publishing notation theorems
+    cli: data trials evidence ledger plotting notation numerics book publishing theorems
 ";
 
 /// What knows this paper.
@@ -33,7 +33,7 @@ const OF_THE_PAPER: &str = "
     corrections: scalar seeded symbols
     solve: corrections motion numerics paper scalar
     exam: motion numerics
-    claims: data trials validated scalar evidence numerics motion paper corrections exact certified seeded symbols witness
+    claims: data trials validated scalar evidence numerics motion paper corrections exact certified seeded symbols theorems
     figures: data claims exam motion plotting solve trials
     breaks: claims corrections evidence ledger notation paper scalar seeded trials
     commands: numerics exam figures cli plotting publishing solve
@@ -45,7 +45,7 @@ const OF_MOTION: &str = "
     motion: numerics scalar
     numerics: scalar
     explorers: motion numerics
-    validated: certified exact numerics scalar witness
+    validated: certified numerics scalar
     exam: certified numerics validated
 ";
 

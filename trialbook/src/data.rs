@@ -86,6 +86,81 @@ macro_rules! text {
 
 pub use text;
 
+/// The texts of a folder that a crate has beside its sources.
+#[cfg(feature = "trials")]
+#[derive(Debug, Clone, Copy)]
+pub enum Folder {
+    /// No folder.
+    None,
+    /// What was in it.
+    Built(&'static include_dir::Dir<'static>),
+    /// The path of the folder.
+    Here(&'static str),
+}
+
+#[cfg(feature = "trials")]
+impl Folder {
+    /// The files whose names end so, also of folders in it: path from the folder and text, in the order of the paths. One that
+    /// cannot be read is left out.
+    pub fn texts(self, ending: &str) -> Vec<(String, String)> {
+        let mut all = Vec::new();
+        match self {
+            Self::None => {}
+            Self::Built(folder) => {
+                let mut open = vec![folder];
+                while let Some(folder) = open.pop() {
+                    open.extend(folder.dirs());
+                    let text = |file: &include_dir::File<'_>| {
+                        Some((
+                            file.path().to_str()?.to_owned(),
+                            file.contents_utf8()?.to_owned(),
+                        ))
+                    };
+                    all.extend(folder.files().filter_map(text));
+                }
+            }
+            Self::Here(path) => gather(path.as_ref(), "", &mut all),
+        }
+        all.retain(|(path, _)| path.ends_with(ending));
+        all.sort_unstable();
+        all
+    }
+}
+
+#[cfg(feature = "trials")]
+fn gather(folder: &std::path::Path, before: &str, all: &mut Vec<(String, String)>) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let (path, name) = (entry.path(), entry.file_name());
+        let name = format!("{before}{}", name.to_string_lossy());
+        if path.is_dir() {
+            gather(&path, &format!("{name}/"), all);
+        } else if let Ok(text) = fs::read_to_string(&path) {
+            all.push((name, text));
+        }
+    }
+}
+
+/// A [`Folder`] by its path from the folder of the crate in which this stands: `folder!("rocq")`.
+#[cfg(feature = "trials")]
+#[macro_export]
+macro_rules! folder {
+    ($path:literal) => {{
+        #[cfg(debug_assertions)]
+        const FOLDER: $crate::data::Folder =
+            $crate::data::Folder::Here(concat!(env!("CARGO_MANIFEST_DIR"), "/", $path));
+        #[cfg(not(debug_assertions))]
+        const FOLDER: $crate::data::Folder = {
+            use $crate::data::include_dir;
+            static FILES: include_dir::Dir<'_> = include_dir::include_dir!($path);
+            $crate::data::Folder::Built(&FILES)
+        };
+        FOLDER
+    }};
+}
+
+#[cfg(feature = "trials")]
+pub use {folder, include_dir};
+
 #[cfg(test)]
 mod tests {
     use super::*;

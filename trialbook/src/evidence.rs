@@ -224,7 +224,7 @@ pub struct Evidence {
     pub at: String,
     /// What counts as agreement.
     pub tolerance: Tolerance,
-    /// A few of the compared pairs: the first ones, of those that disagree if any do.
+    /// A few of the compared pairs: the first ones, of those that disagree if any do; of a proof, all of these.
     pub samples: Vec<Sample>,
     /// The pair with the largest disagreement.
     pub farthest: Option<Sample>,

@@ -53,6 +53,6 @@ pub mod prelude;
 pub mod publishing;
 pub mod scalar;
 pub mod seeded;
-pub mod trials;
 #[cfg(feature = "trials")]
-pub mod witness;
+pub mod theorems;
+pub mod trials;

@@ -124,7 +124,12 @@ impl Edition {
         if !faults.is_empty() {
             return Err(listed(&faults).into());
         }
-        let texts = [paper.letter, paper.record, paper.deep, paper.certified];
+        let texts = [
+            paper.letter,
+            paper.record,
+            paper.deep,
+            paper.theorems.record,
+        ];
         let pages = self.written().map(|page| page.text);
         for text in pages.chain(texts).chain((self.data)()) {
             text.read()?;

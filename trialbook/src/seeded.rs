@@ -121,6 +121,7 @@ macro_rules! formulas {
                 name: stringify!($name),
                 tried_in: [$(Some($claim),)? None][0],
                 arguments: &[$(stringify!($argument)),*],
+                lengths: vec![$(<$type as Parts<S>>::COUNT),*],
                 symbols: [Vec::new(), $(letters(
                     $symbols,
                     MODULE,

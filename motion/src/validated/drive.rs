@@ -4,14 +4,8 @@
 //! a rest, which ends at φ₁ with sin φ₁ = λ₀, that is w(φ) = cos φ₁ − cos φ − λ₀ (φ − φ₁). Everything here is a zero
 //! of such an arc. Friction backwards is q times as large. Frictions and phases are dimensionless.
 
-use crate::exact::Expr;
 use crate::scalar::Scalar;
-use trialbook::certified::{
-    ball::Ball,
-    error::CertifiedError,
-    interval::Interval,
-    root::{refine, refine_written},
-};
+use trialbook::certified::{ball::Ball, error::CertifiedError, interval::Interval, root::refine};
 
 /// Bits beyond those asked for that what follows a root may cost.
 const SPARE: usize = 16;
@@ -37,8 +31,7 @@ pub fn critical_phase(bits: usize) -> Result<Ball, CertifiedError> {
         let pi = pi.with_bits(phi.bits());
         Some([&c + &c - &pi * &s, -(&s + &s + &pi * &c)])
     };
-    let written = |x: Expr| Expr::int(2) * x.cos() - Expr::pi() * x.sin();
-    refine_written(written, arc, Interval::new(0.5, 0.6), bits)
+    refine(arc, Interval::new(0.5, 0.6), bits)
 }
 
 /// The critical friction λ_c = sin φ₁, above which the large-time motion rests.
@@ -80,8 +73,7 @@ pub fn touching_length(bits: usize) -> Result<Ball, CertifiedError> {
         let [s, c] = x.sin_cos();
         Some([x * c - &s, -(x * s)])
     };
-    let written = |x: Expr| x * x.cos() - x.sin();
-    refine_written(written, arc, Interval::new(4.4, 4.6), bits)
+    refine(arc, Interval::new(4.4, 4.6), bits)
 }
 
 /// The point Y as (q, λ₀), with q = √(1 + x²) = 1/λ₀.

@@ -23,19 +23,12 @@ mod strip;
 
 pub use strip::{Margins, Strip};
 
-use crate::exact::{Expr, tree};
 use crate::numerics::{
     series::{product, square},
     taylor::System,
 };
 use crate::scalar::Scalar;
-use trialbook::certified::{
-    error::CertifiedError,
-    flow::{Taken, step_within},
-    interval::Interval,
-    written::{close_box, ends, number},
-};
-use trialbook::witness::{self, Motion, Tree, Witness};
+use trialbook::certified::{error::CertifiedError, flow::step, interval::Interval};
 
 /// What becomes of a particle, proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,7 +103,12 @@ impl<const N: usize> System<Interval, 12, N> for Law {
 /// # Errors
 /// [`CertifiedError::NotProved`] if the steps do not settle it: a start too close to the boundary, or too wide.
 pub fn fate(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
-    follow::<3, Moving>(start, width)
+    let [a, alpha, psi] = start;
+    let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
+    follow(
+        [p, Interval::int(1) - rho * psi.cos(), p - rho * psi.sin()],
+        width,
+    )
 }
 
 /// The fate of a particle put down at rest in the laboratory at the distance `r` from the axis, with the
@@ -119,7 +117,8 @@ pub fn fate(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
 /// # Errors
 /// As [`fate`].
 pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
-    follow::<1, PutDown>([r], width)
+    // Against the table it moves across the radius with the speed r.
+    follow([r, Interval::int(1), Interval::int(0)], width)
 }
 
 /// The fate of a particle launched from the axis with the speed `u`, with the radius at rest as for [`fate`].
@@ -127,132 +126,12 @@ pub fn fate_put_down(r: Interval, width: f64) -> Result<Fate, CertifiedError> {
 /// # Errors
 /// As [`fate`].
 pub fn fate_launched(u: Interval, width: f64) -> Result<Fate, CertifiedError> {
-    follow::<1, Launched>([u], width)
+    // On the axis the table does not move.
+    follow([u, Interval::int(1), u], width)
 }
 
-/// A way to begin, by numbers that have names.
-trait Begin<const N: usize> {
-    const NAMES: [&'static str; N];
-
-    /// p, w and ζ by them.
-    fn state<S: Scalar>(numbers: [S; N]) -> [S; 3];
-}
-
-struct Moving;
-
-impl Begin<3> for Moving {
-    const NAMES: [&'static str; 3] = ["A", "α", "ψ"];
-
-    fn state<S: Scalar>([a, alpha, psi]: [S; 3]) -> [S; 3] {
-        let (p, rho) = (a * alpha.sinh(), a * alpha.cosh());
-        [p, S::int(1) - rho * psi.cos(), p - rho * psi.sin()]
-    }
-}
-
-struct PutDown;
-
-impl Begin<1> for PutDown {
-    const NAMES: [&'static str; 1] = ["r"];
-
-    fn state<S: Scalar>([r]: [S; 1]) -> [S; 3] {
-        // Against the table it moves across the radius with the speed r.
-        [r, S::int(1), S::int(0)]
-    }
-}
-
-struct Launched;
-
-impl Begin<1> for Launched {
-    const NAMES: [&'static str; 1] = ["u"];
-
-    fn state<S: Scalar>([u]: [S; 1]) -> [S; 3] {
-        // On the axis the table does not move.
-        [u, S::int(1), u]
-    }
-}
-
-/// Follows all motions from a box until their fate is certain.
-fn follow<const N: usize, B: Begin<N>>(
-    numbers: [Interval; N],
-    width: f64,
-) -> Result<Fate, CertifiedError> {
-    let start = match witness::recording() {
-        0 => B::state(numbers),
-        _ => B::state(numbers).map(close_box),
-    };
-    let mut taken = Vec::new();
-    let fate = settled(start, width, |step| {
-        if witness::recording() != 0 {
-            taken.push(step);
-        }
-    })?;
-    witness::leave(|| {
-        let named = B::NAMES.into_iter().zip(numbers);
-        Witness::Motion(Motion {
-            numbers: named
-                .map(|(name, x)| (name.to_owned(), number(x)))
-                .collect(),
-            from: B::state(B::NAMES.map(Expr::symbol)).map(tree).to_vec(),
-            ..written(start, &taken, fate)
-        })
-    });
-    Ok(fate)
-}
-
-/// A motion from a box and its fate, as a witness has them; not how the box is begun from.
-fn written(start: [Interval; 3], taken: &[Taken], fate: Fate) -> Motion {
-    let names = ["p", "w", "ζ"];
-    let [p, w, zeta] = names.map(Expr::symbol);
-    let (rests, steps) = match fate {
-        Fate::Rest { steps, .. } => (true, steps),
-        Fate::Escape { steps } => (false, steps),
-    };
-    let taken = &taken[..steps.min(taken.len())];
-    let last = taken.last().map_or(start, |step| step.state);
-    Motion {
-        variables: names.map(str::to_owned).to_vec(),
-        law: [-(p * w), -(zeta * zeta), w * zeta - p - zeta]
-            .map(tree)
-            .to_vec(),
-        numbers: Vec::new(),
-        from: Vec::new(),
-        start: start.map(ends).to_vec(),
-        steps: taken.iter().map(Taken::written).collect(),
-        end: if rests { "rest" } else { "escape" }.to_owned(),
-        decides: deciding(rests, &last),
-    }
-}
-
-/// Which signs at a last state decide; see the head of this file.
-fn deciding(rests: bool, state: &[Interval; 3]) -> Vec<(Tree, i32)> {
-    let one = Expr::int(1);
-    let [p, w, zeta] = ["p", "w", "ζ"].map(Expr::symbol);
-    let xi = one - w;
-    let positive = (tree(p), 1);
-    if rests {
-        // p + ρ < 1, for p < 1 by the squares: 1 − 2p + p² > ρ².
-        let rho = xi * xi + (p - zeta) * (p - zeta);
-        let room = (one - p) * (one - p) - rho;
-        return vec![positive, (tree(one - p), 1), (tree(room), 1)];
-    }
-    let energy = (tree(xi * xi + zeta * (zeta - p - p) - one), 1);
-    let ahead = [(tree(zeta + p), -1), (tree(p - w), 1)];
-    let [p, w, zeta] = *state;
-    let decided = if w.sign() == Some(-1.0) {
-        vec![(tree(Expr::symbol("w")), -1)]
-    } else if zeta.below(-p) && w.below(p) {
-        ahead.to_vec()
-    } else {
-        vec![energy]
-    };
-    std::iter::once(positive).chain(decided).collect()
-}
-
-fn settled(
-    start: [Interval; 3],
-    width: f64,
-    mut done: impl FnMut(Taken),
-) -> Result<Fate, CertifiedError> {
+/// Follows all motions from a box of p, w and ζ until their fate is certain.
+fn follow(start: [Interval; 3], width: f64) -> Result<Fate, CertifiedError> {
     let mut state = start;
     let (mut rest, mut h) = (None, 1.0);
     let resting = |sigma, steps| Fate::Rest { sigma, steps };
@@ -270,11 +149,8 @@ fn settled(
             }
             None => {}
         }
-        state = match (step_within(&Law, &state, &mut h), rest) {
-            (Ok(step), _) => {
-                done(step);
-                step.state
-            }
+        state = match (step(&Law, &state, &mut h), rest) {
+            (Ok(state), _) => state,
             (Err(_), Some(sigma)) => return Ok(resting(sigma, steps)),
             (Err(error), None) => return Err(error),
         };

@@ -16,10 +16,9 @@ pub mod points;
 use super::prelude::*;
 use super::{exact, motions};
 use crate::validated::drive::{self, Edge, arc};
-use trialbook::certified::cover::{Said, everywhere, everywhere_written};
+use trialbook::certified::cover::{Said, everywhere};
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
-use trialbook::certified::written::{Of, sign, slope};
 use trialbook::trials::enclosed::{certified, citing};
 
 type Two = Jet<2>;
@@ -43,8 +42,6 @@ fn arc_to<S: Scalar>(edge: Edge, [q, beta]: [S; 2]) -> S {
 
 /// The certificate, if all of the algebra holds that it rests on.
 fn given(algebra: &[Proof], certificate: impl FnOnce() -> Outcome) -> Outcome {
-    #[cfg(test)]
-    tests::DEMANDED.with_borrow_mut(|all| all.extend(algebra.iter().map(|p| p.title().to_owned())));
     match algebra.iter().find(|proof| !proof.holds()) {
         None => certificate(),
         Some(fails) => Err(CertifiedError::False(fails.title().to_owned())),
@@ -63,12 +60,10 @@ fn corner<S: Scalar>(q: S) -> S {
 
 /// That c, which has one zero at most, has it at q_Y, where it changes from negative to positive.
 fn prove_corner(critical: Interval) -> Outcome {
-    let c = || corner(symbol("q"));
     let mut parts = 0;
     for way in [-1.0, 1.0] {
         let q = critical + Interval::point(way * NEAR_Y);
-        let written = || (["q"], vec![(Of::Rest, sign(c(), way).into())]);
-        parts += everywhere_written(written, [q], |cell| {
+        parts += everywhere([q], |cell| {
             Said::of_sign(over(|[q]| corner(q), cell).value, way)
         })?;
     }
@@ -129,23 +124,7 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
         }
     };
     // At q = 1, where A and B meet, the arc is 0, as far as can be seen (and exactly so, by the proof of (57)).
-    let written_arc = |edge| {
-        let q = symbol("q");
-        let lambda0 = self::on_a(q);
-        arc_to(edge, [q, (q * lambda0).asin()])
-    };
-    let written = || {
-        let arc = written_arc(Edge::Beginning);
-        let first = Of::From(0, 1.0);
-        (
-            ["q"],
-            vec![
-                (first, slope(arc, 0, 1.0).into()),
-                (Of::Rest, sign(arc, 1.0).into()),
-            ],
-        )
-    };
-    let before = everywhere_written(written, [Interval::new(1.0, y.hi())], |cell| {
+    let before = everywhere([Interval::new(1.0, y.hi())], |cell| {
         let jet = over(on(Edge::Beginning), cell);
         if cell[0].lo() == 1.0 {
             let corner = over(on(Edge::Beginning), &[Interval::int(1)]).value;
@@ -155,13 +134,9 @@ fn prove_a_lowest(on_a: fn(Jet<1>) -> Jet<1>) -> Outcome {
         }
     })?;
     // Beyond Y A lies below π/q², and there E's arc is negative, as it is below.
-    let written = || {
-        let arc = arcs::e_beyond([symbol("p"), pi()]);
-        (["p"], vec![(Of::Rest, sign(arc, -1.0).into())])
-    };
     let far = Interval::new(0.0, (Interval::int(1) / y).hi());
     let beyond = given(&[arcs::a_below(), arcs::e_grows()], || {
-        everywhere_written(written, [far], |cell| {
+        everywhere([far], |cell| {
             Said::of_sign(arcs::e_beyond([cell[0], Interval::pi()]), -1.0)
         })
     })?;
@@ -232,33 +207,6 @@ attempts![
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::cell::RefCell;
-    use std::collections::BTreeSet;
-    use trialbook::witness::{self, Witness};
-
-    thread_local! {
-        /// The titles of what [`given`] has demanded on this thread.
-        pub static DEMANDED: RefCell<BTreeSet<String>> = RefCell::default();
-    }
-
-    /// By the certificate, or by another proof that is.
-    #[test]
-    fn whatever_is_proved_on_the_way_is_demanded() {
-        for (certificate, made_of) in TRIALS.iter().zip([1, 3, 3, 3, 9]) {
-            DEMANDED.take();
-            let (_, left) = witness::of(|| certificate.evidence());
-            let mut demanded = DEMANDED.take();
-            let proofs = left.iter().filter_map(|witness| match witness {
-                Witness::Identity(proof) => Some(proof),
-                _ => None,
-            });
-            demanded.extend(proofs.clone().flat_map(|proof| proof.given.iter().cloned()));
-            let titles: BTreeSet<_> = proofs.map(|proof| proof.title.clone()).collect();
-            assert!(titles.len() >= made_of, "{titles:?}");
-            let idle: Vec<_> = titles.difference(&demanded).collect();
-            assert!(idle.is_empty(), "{idle:?} may fail");
-        }
-    }
 
     #[test]
     fn without_the_algebra_there_is_no_certificate() {

@@ -7,10 +7,9 @@
 
 use super::exact::spiral::{self, State};
 use super::prelude::*;
-use trialbook::certified::cover::{Said, everywhere_written};
+use trialbook::certified::cover::{self, Said};
 use trialbook::certified::interval::Interval;
 use trialbook::certified::jet::{Jet, over};
-use trialbook::certified::written::{Condition, Of, sign};
 use trialbook::trials::enclosed::resting_on;
 
 /// What is shown from the time on at which the region is entered.
@@ -273,11 +272,7 @@ fn everywhere<const N: usize>(
     range: [Interval; N],
     signs: &[(Expr, f64)],
 ) -> Result<usize, CertifiedError> {
-    let written = || {
-        let asked = signs.iter().map(|&(formula, way)| sign(formula, way));
-        (names, vec![(Of::Rest, Condition::All(asked.collect()))])
-    };
-    everywhere_written(written, range, |cell| {
+    cover::everywhere(range, |cell| {
         Said::all(signs.iter().map(|&(formula, way)| {
             let f = |x: [Jet<N>; N]| {
                 let place = |name: &str| names.iter().position(|known| *known == name);

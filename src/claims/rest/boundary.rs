@@ -61,11 +61,6 @@ fn unit(alpha: f64) -> f64 {
     1e3 * alpha * alpha * alpha
 }
 
-/// Whether a start is farther from the second-order boundary than the terms left out can be.
-pub fn is_clear(a: f64, alpha: f64, psi: f64) -> bool {
-    (a - corrected_a(alpha, psi)).abs() > THIRD_ORDER.value * unit(alpha)
-}
-
 /// A law of A on the boundary: what it speaks about, how close it is, and its A and the unit of a difference, by α and ψ.
 type Law = (Subject, Tolerance, fn(f64, f64) -> [f64; 2]);
 

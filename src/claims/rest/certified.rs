@@ -3,7 +3,7 @@
 use super::boundary::{border, corrected_a, printed_a};
 use super::prelude::*;
 use crate::validated::turntable::{Fate, fate};
-use trialbook::certified::written::decimal;
+use trialbook::certified::interval::Interval;
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
 pub const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];
@@ -13,7 +13,7 @@ const ANY: f64 = 1.0;
 
 /// Whether a start comes to rest (1) or escapes (0), proved.
 fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
-    let found = match fate([a, alpha, psi].map(decimal), ANY)? {
+    let found = match fate([a, alpha, psi].map(Interval::decimal), ANY)? {
         Fate::Rest { .. } => 1.0,
         Fate::Escape { .. } => 0.0,
     };
@@ -73,7 +73,6 @@ mod tests {
     use crate::motion::turntable::{critical_radius, critical_speed};
     use crate::validated::turntable::{fate_launched, fate_put_down};
     use trialbook::certified::error::CertifiedError;
-    use trialbook::certified::interval::Interval;
 
     #[test]
     fn the_simulated_radius_lies_in_the_proved_interval() {

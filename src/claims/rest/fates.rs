@@ -5,7 +5,7 @@ use super::prelude::*;
 use crate::validated::turntable::{Margins, Strip};
 use rayon::prelude::*;
 use std::fmt;
-use trialbook::certified::written::decimal;
+use trialbook::certified::interval::Interval;
 use trialbook::data::{Text, text};
 
 /// Largest α of a map. Simulation decides whether the boundary lies below it.
@@ -49,7 +49,7 @@ impl Row {
     /// The strip.
     pub fn strip(&self) -> Strip {
         Strip {
-            a: decimal(self.a),
+            a: Interval::decimal(self.a),
             psi: self.psi,
             line: self.line,
             reach: REACH,

@@ -75,10 +75,6 @@ counts! {
         let is_command = |line: &&str| line.starts_with("cargo ") || line.starts_with("cd ");
         some(blocks.flat_map(str::lines).filter(is_command).count())
     });
-    "certificates", "became of {} spoiled files" => Among(|_| {
-        let text = file("certificates/corrupted.txt");
-        behind(&text, ": of ").split(' ').take(1).filter_map(|n| n.replace(',', "").parse().ok()).collect()
-    });
     "methods", "mpmath to a {} decimals" => Among(|_| {
         let text = file("tests/data/digits/certified.csv");
         let long = text.lines().skip(1).filter_map(|row| row.split(',').nth(2)?.split_once('.'));

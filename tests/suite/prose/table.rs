@@ -197,6 +197,7 @@ pub fn joined() -> Vec<Formula<Expr>> {
         name: path,
         tried_in: None,
         arguments,
+        lengths: vec![1; arguments.len()],
         symbols: symbols.to_vec(),
         value,
     };

@@ -1,7 +1,6 @@
 //! The box that shows one claim: what the paper says, the verdict, and all that it rests on.
 
 use super::{
-    certificates,
     code::Place,
     context::{Context, verdict},
     deep,
@@ -9,6 +8,7 @@ use super::{
     formula_diff, lemmas,
     maths::Maths,
     text::{counted, escape, sentence, value},
+    theorems,
 };
 use crate::evidence::{Change, Evidence, Kind, Outcome, Subject};
 use crate::ledger::{Entry, Tally};
@@ -47,6 +47,7 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Html {
         section = escape(claim.section),
         kind = claim.kind.name(),
         behind = [
+            theorems::of_claim(context, entry)?,
             unconditional(context, entry)?,
             conditions(context, claim)?,
             argument(context, claim)?,
@@ -266,16 +267,10 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Html {
             .filter(move |(k, _)| *k < i)
             .map(|(_, e)| e.steps.as_slice())
     };
-    let items = proofs.iter().chain(&others).map(|(i, e)| {
-        let checked = certificates::line(context, entry, e);
-        trial(
-            context,
-            e,
-            above(*i),
-            (conditional, &checked),
-            code(*i).as_ref(),
-        )
-    });
+    let items = proofs
+        .iter()
+        .chain(&others)
+        .map(|(i, e)| trial(context, e, above(*i), conditional, code(*i).as_ref()));
     let items = items.collect::<Html>()?;
     let Tally { rejected, tried } = entry.tally();
     let variants = match tried {
@@ -297,7 +292,7 @@ fn trial<'a>(
     context: &Context<'_>,
     evidence: &Evidence,
     above: impl Iterator<Item = &'a [String]>,
-    (conditional, checked): (bool, &str),
+    conditional: bool,
     code: Option<&Place>,
 ) -> Html {
     let maths = context.maths;
@@ -319,7 +314,7 @@ fn trial<'a>(
     }
     Ok(format!(
         "<li class=\"{class}\"><p><strong>{route}</strong>, {about}: <span class=\"outcome\">{outcome}</span>. \
-         {compared}{code}</p><p class=\"measure\">{measured}{reason}</p>{checked}{proof}{samples}</li>",
+         {compared}{code}</p><p class=\"measure\">{measured}{reason}</p>{proof}{samples}</li>",
         route = evidence.route.name(),
         about = evidence.about(conditional),
         outcome = proved.unwrap_or(outcome),

@@ -1,13 +1,13 @@
 //! What each placeholder stands for.
 
 use super::{
-    certificates, claim_box,
+    claim_box,
     context::{Context, verdict},
     deep, errata,
     error::{Fault, Html},
     lemmas, map, overview, symbols, tables,
     text::{count, escape, in_words, size},
-    values,
+    theorems, values,
 };
 use crate::evidence::Kind;
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
@@ -75,10 +75,10 @@ impl<'a> Filler<'a> {
             ["ledger"] => block(tables::whole_ledger(context)?),
             ["ledger", topic] => block(tables::folded_topic(context, topic)?),
             ["lemmas"] => block(lemmas::all(context)?),
+            ["definitions"] => block(theorems::definitions(context)?),
             ["proofs"] => block(tables::proofs(ledger)),
-            ["measured"] => block(tables::measured(context)?),
+            ["unreached"] => block(tables::unreached(context)?),
             ["accuracy"] => block(tables::accuracy(context)?),
-            ["certified"] => block(certificates::summary(context)?),
             ["deep"] => block(deep::table_of(context)?),
             ["survivors"] => block(tables::excused(context, "survivors")?),
             ["spared"] => block(tables::excused_trials(context, "spared")?),
@@ -116,13 +116,8 @@ impl<'a> Filler<'a> {
             ["count", "rejected"] => inline(count(tallies(ledger, |tally| tally.rejected))),
             ["count", "corners"] => inline(count(ledger.paper.corners().len())),
             ["count", "proved"] => known(Standing::Proved),
-            ["count", "proved", "definitions"] => {
-                let proved = ledger.entries.iter().filter(|e| {
-                    e.standing() == Some(Standing::Proved)
-                        && e.judgement.verdict == Verdict::Definition
-                });
-                inline(count(proved.count()))
-            }
+            ["count", "defined"] => known(Standing::Defined),
+            ["count", "theorems"] => inline(count(ledger.paper.known_theorems().record.len())),
             ["count", "argued"] => known(Standing::Argued),
             ["count", "measured"] => known(Standing::Measured),
             ["count", "wrong"] => inline(count(ledger.wrong())),

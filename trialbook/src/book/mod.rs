@@ -15,9 +15,9 @@
 //! | `{{contents}}` | on the page of a topic: its equations, how many statements in words and figures it has |
 //! | `{{ledger constant}}` | a table of the claims of a topic |
 //! | `{{ledger}}` | the tables of all topics under headings |
-//! | `{{certified}}` | how many proofs a second engine has checked |
+//! | `{{unreached}}` | a table of the claims of which no theorem says the whole, with what is missing |
+//! | `{{definitions}}` | what the statements of the theorems speak of, with links to it in the boxes |
 //! | `{{proofs}}` | a table of what is proved and what is measured, by the kind of claim |
-//! | `{{measured}}` | a table of the claims without a proof, by the reason |
 //! | `{{symbols}}`, `{{values}}` | the indexes |
 //! | `{{errata misprint refuted}}` | the errata with these verdicts |
 //! | `{{map key}}`, `{{map list}}`, `{{falls}}` | the signs of the map of claims, and what it shows as tables |
@@ -49,7 +49,6 @@
 mod assembly;
 mod assets;
 mod atomic_replace;
-mod certificates;
 mod claim_box;
 mod code;
 mod context;
@@ -76,6 +75,7 @@ mod tables;
 #[cfg(test)]
 mod tests;
 mod text;
+mod theorems;
 mod values;
 
 pub use assembly::Frame;
@@ -119,28 +119,6 @@ pub fn write(
 /// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
 pub fn check(edition: &Edition, out: &Path) -> Result<(), BookError> {
     Staging::beside(out, edition.name).map(drop)
-}
-
-/// Puts a folder of these files in the place of an earlier one that the program wrote there; returns where that is.
-///
-/// # Errors
-/// [`BookError`] where something else is there, or it cannot be written.
-pub(crate) fn replace(
-    out: &Path,
-    name: &'static str,
-    kind: &str,
-    files: &[(String, Vec<u8>)],
-) -> Result<PathBuf, BookError> {
-    let staging = atomic_replace::Staging::beside(out, name)?;
-    let (places, folder) = (staging.places(), staging.path(kind));
-    let written = || {
-        for (file, bytes) in files {
-            put(&folder.join(file), bytes)?;
-        }
-        staging.mark(&folder)?;
-        staging.swap(&folder)
-    };
-    written().map_err(|error| places.named(error))
 }
 
 /// Writes one file, with its folders.

@@ -1,11 +1,6 @@
 //! Statements about whole ranges, by subdivision: a box is halved until the statement is plain on every part.
 
-use super::{
-    error::CertifiedError,
-    interval::Interval,
-    written::{Asked, Condition, Of, ends},
-};
-use crate::witness::{self, Case, Cover, Piece, Witness};
+use super::{error::CertifiedError, interval::Interval};
 use std::collections::VecDeque;
 
 /// What a part of the range says about the statement.
@@ -79,94 +74,12 @@ pub fn everywhere<const N: usize>(
     range: [Interval; N],
     said: impl Fn(&[Interval; N]) -> Said,
 ) -> Result<usize, CertifiedError> {
-    plain(range, said, |_| {})
-}
-
-/// The same, where what is said is written too, for a witness: the names of the variables, and conditions for some parts
-/// and for the rest.
-///
-/// # Errors
-/// As [`everywhere`].
-pub fn everywhere_written<const N: usize>(
-    written: impl FnOnce() -> ([&'static str; N], Vec<(Of, Condition)>),
-    range: [Interval; N],
-    said: impl Fn(&[Interval; N]) -> Said,
-) -> Result<usize, CertifiedError> {
-    let mut kept = Vec::new();
-    let recorded = witness::recording() != 0;
-    let parts = plain(range, said, |cell| {
-        if recorded {
-            kept.push(*cell);
-        }
-    })?;
-    witness::leave(|| {
-        let (names, cases) = written();
-        let (cases, parts) = asked(&names, cases, &kept);
-        Witness::Range(Cover {
-            variables: names.map(str::to_owned).to_vec(),
-            within: range.map(ends).to_vec(),
-            cases,
-            parts,
-        })
-    });
-    Ok(parts)
-}
-
-/// The conditions that decide, and by which of them each part does.
-fn asked<const N: usize>(
-    names: &[&str; N],
-    cases: Vec<(Of, Condition)>,
-    parts: &[[Interval; N]],
-) -> (Vec<Case>, Vec<Piece>) {
-    let mut met: Vec<Vec<(Asked, witness::Condition)>> = vec![Vec::new(); cases.len()];
-    let mut cells = Vec::new();
-    for part in parts {
-        let case = cases.iter().position(|(of, _)| of.holds(part));
-        let mut by = None;
-        if let Some(i) = case {
-            let known = &mut met[i];
-            let mut number = |asked: &Asked| {
-                let same = |(other, _): &(Asked, _)| other == asked;
-                known.iter().position(same).unwrap_or_else(|| {
-                    known.push((*asked, asked.written(names, part)));
-                    known.len() - 1
-                })
-            };
-            match &cases[i].1 {
-                Condition::All(all) => all.iter().for_each(|one| _ = number(one)),
-                Condition::Any(any) => {
-                    by = any.iter().find(|one| one.holds(names, part)).map(number);
-                }
-            }
-        }
-        let at = part.map(ends).to_vec();
-        cells.push(Piece { at, by });
-    }
-    let cases = cases.iter().zip(met);
-    let cases = cases.filter(|(_, conditions)| !conditions.is_empty());
-    let case =
-        |((of, condition), conditions): (&(Of, Condition), Vec<(_, witness::Condition)>)| Case {
-            of: of.written(),
-            choice: matches!(condition, Condition::Any(_)),
-            conditions: conditions.into_iter().map(|(_, one)| one).collect(),
-        };
-    (cases.map(case).collect(), cells)
-}
-
-fn plain<const N: usize>(
-    range: [Interval; N],
-    said: impl Fn(&[Interval; N]) -> Said,
-    mut holds: impl FnMut(&[Interval; N]),
-) -> Result<usize, CertifiedError> {
     // In order of size, so that a part on which it fails is met before one that no bisection settles.
     let mut open = VecDeque::from([range]);
     let mut parts = 0;
     while let Some(cell) = open.pop_front() {
         match said(&cell) {
-            Said::Holds => {
-                holds(&cell);
-                parts += 1;
-            }
+            Said::Holds => parts += 1,
             Said::Fails => return Err(CertifiedError::failing(&cell)),
             Said::Nothing => {
                 // A side without width, of which there is no part, is the last to be halved.

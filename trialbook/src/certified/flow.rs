@@ -10,17 +10,12 @@ mod tilted;
 
 pub use tilted::Tilted;
 
-use super::{
-    error::CertifiedError,
-    interval::Interval,
-    written::{close_box, dyadic, ends, short, short_box},
-};
+use super::{error::CertifiedError, interval::Interval};
 use crate::numerics::{
     number::Number,
     series::Series,
     taylor::{Control, Integrator, Step, System},
 };
-use crate::witness;
 
 /// Coefficients of a series; the last one is that of the remainder.
 pub const TERMS: usize = 18;
@@ -58,63 +53,17 @@ pub fn step<S: System<Interval, 12, TERMS> + System<Interval, 3, TERMS>>(
     state: &[Interval; 3],
     h: &mut f64,
 ) -> Result<[Interval; 3], CertifiedError> {
-    Ok(step_within(system, state, h)?.state)
-}
-
-/// A step, with what makes it certain.
-#[derive(Debug, Clone, Copy)]
-pub struct Taken {
-    /// Its length.
-    pub length: f64,
-    /// What no motion leaves meanwhile.
-    pub walls: Extended,
-    /// The state after it.
-    pub state: [Interval; 3],
-}
-
-impl Taken {
-    /// As a witness has it.
-    pub fn written(&self) -> witness::Step {
-        witness::Step {
-            length: dyadic(self.length),
-            walls: self.walls[..3].iter().map(|x| ends(*x)).collect(),
-            state: self.state.map(ends).to_vec(),
-        }
-    }
-}
-
-/// As [`step`], with what makes it certain.
-///
-/// # Errors
-/// As [`step`].
-pub fn step_within<S: System<Interval, 12, TERMS> + System<Interval, 3, TERMS>>(
-    system: &S,
-    start: &[Interval; 3],
-    h: &mut f64,
-) -> Result<Taken, CertifiedError> {
-    let recorded = witness::recording() != 0;
     *h = h.min(LONGEST);
     while *h > SHORTEST {
-        // In a witness all numbers are short, so that each digit counts.
-        let length = if recorded { short(*h) } else { *h };
-        if let Some((state, walls)) = attempt(system, start, length) {
-            *h = length * GROW;
-            let mut taken = Taken {
-                length,
-                walls,
-                state,
-            };
-            if recorded {
-                taken.walls = short_walls(system, &extended(*start), length, walls);
-                taken.state = state.map(close_box);
-            }
-            return Ok(taken);
+        if let Some(next) = attempt(system, state, *h) {
+            *h *= GROW;
+            return Ok(next);
         }
         *h *= SHRINK;
     }
     Err(CertifiedError::unproved(
         "no step encloses the motion",
-        start,
+        state,
     ))
 }
 
@@ -122,9 +71,9 @@ fn attempt<S: System<Interval, 12, TERMS> + System<Interval, 3, TERMS>>(
     system: &S,
     state: &[Interval; 3],
     h: f64,
-) -> Option<([Interval; 3], Extended)> {
+) -> Option<[Interval; 3]> {
     let middle = state.map(Interval::mid);
-    let Image { all, centre, walls } = image::<S, TERMS>(system, state, middle, h, ACCURACY)?;
+    let Image { all, centre } = image::<S, TERMS>(system, state, middle, h, ACCURACY)?;
     let mut next = *state;
     for i in 0..3 {
         let mut value = centre[i];
@@ -133,7 +82,7 @@ fn attempt<S: System<Interval, 12, TERMS> + System<Interval, 3, TERMS>>(
         }
         next[i] = value.meet(all[i])?;
     }
-    Some((next, walls))
+    Some(next)
 }
 
 /// Where the flow takes a box.
@@ -142,8 +91,6 @@ struct Image {
     all: Extended,
     /// One state of it.
     centre: [Interval; 3],
-    /// What no motion leaves meanwhile.
-    walls: Extended,
 }
 
 /// By series of `N` terms, the last for the remainder, which is at most `accuracy` wide unless the step is short.
@@ -175,7 +122,6 @@ where
     Some(Image {
         all: std::array::from_fn(|i| sum(&all[i], rest[i])),
         centre: std::array::from_fn(|i| sum(&centre[i], rest[i])),
-        walls,
     })
 }
 
@@ -189,23 +135,6 @@ fn series<S: System<Interval, D, N>, const D: usize, const N: usize>(
     let mut step = Step::empty();
     integrator.expand(&mut step).ok()?;
     Some(step.series)
-}
-
-/// Walls with so few digits that each counts, as close as that allows.
-fn short_walls<S: System<Interval, 12, TERMS>>(
-    system: &S,
-    start: &Extended,
-    h: f64,
-    mut walls: Extended,
-) -> Extended {
-    for _ in 0..64 {
-        let next = reached(system, start, h, &walls).map(short_box);
-        if next == walls {
-            break;
-        }
-        walls = next;
-    }
-    walls
 }
 
 /// Where motions from `start` are after times up to `h`, while they do not leave the walls.
@@ -378,7 +307,7 @@ mod tests {
         let start = Interval::point(libm::ldexp(1.0, -20));
         let factor = Interval::point(libm::ldexp(0.2, 20));
         let zero = Interval::point(0.0);
-        let ([_, _, z], _) = attempt(&Growing { factor }, &[zero, zero, start], 1.0).unwrap();
+        let [_, _, z] = attempt(&Growing { factor }, &[zero, zero, start], 1.0).unwrap();
         let expected = start / (Interval::int(1) - factor * start);
         assert!(z.meet(expected).is_some(), "{z} {expected}");
         assert!(z.width() < 1e-8 * z.hi(), "{z}");

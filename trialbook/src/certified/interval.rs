@@ -59,6 +59,11 @@ impl Interval {
         Self::point(n as f64) / Self::point(m as f64)
     }
 
+    /// The decimal of six places that is nearest to `x`.
+    pub fn decimal(x: f64) -> Self {
+        Self::ratio((x * 1e6).round() as i64, 1_000_000)
+    }
+
     /// The lower bound.
     pub fn lo(self) -> f64 {
         self.lo

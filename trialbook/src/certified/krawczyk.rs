@@ -1,13 +1,6 @@
 //! A common root of several equations: existence and uniqueness in a box, by Krawczyk's operator.
 
-use super::{
-    error::CertifiedError,
-    interval::Interval,
-    jet::Jet,
-    written::{dyadic, ends, rounded, short, short_box, units},
-};
-use crate::exact::{Expr, folded, tree};
-use crate::witness::{self, Root, Witness};
+use super::{error::CertifiedError, interval::Interval, jet::Jet};
 
 /// Steps after which a box has shrunk as far as f64 allow.
 const STEPS: usize = 20;
@@ -58,42 +51,6 @@ pub fn unique(
         x = [a, b];
     }
     Ok(x)
-}
-
-/// The same, of functions that are written in two variables of these names too, for a witness.
-///
-/// # Errors
-/// As [`unique`].
-pub fn unique_written(
-    names: [&'static str; 2],
-    written: impl FnOnce([Expr; 2]) -> [Expr; 2],
-    f: impl Fn([Jet<2>; 2]) -> [Jet<2>; 2],
-    start: [Interval; 2],
-) -> Result<[Interval; 2], CertifiedError> {
-    let root = unique(&f, start)?;
-    witness::leave(|| {
-        let within = start.map(short_box);
-        let middle = within.map(|x| Interval::point(x.mid()));
-        let slopes = f(Jet::variables(&middle)).map(|jet| jet.slope.map(Interval::mid));
-        let rows = inverse(slopes).map_or(Vec::new(), |rows| rows.to_vec());
-        let functions = written(names.map(Expr::symbol)).map(|f| folded(f, &|_| None));
-        let corner = |end: fn(Interval) -> f64| {
-            let at = f(within.map(|x| Jet::constant(Interval::point(end(x)))));
-            at.map(|jet| units(jet.value.mid())).to_vec()
-        };
-        Witness::Root(Root {
-            variables: names.map(str::to_owned).to_vec(),
-            functions: functions.map(tree).to_vec(),
-            within: within.map(ends).to_vec(),
-            corners: [corner(Interval::lo), corner(Interval::hi)],
-            preconditioner: rows
-                .iter()
-                .map(|row| row.map(|x| dyadic(short(x.mid()))).to_vec())
-                .collect(),
-            root: root.map(rounded).to_vec(),
-        })
-    });
-    Ok(root)
 }
 
 /// The inverse of a matrix, as point intervals; rounding does not matter.

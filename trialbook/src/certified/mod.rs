@@ -23,4 +23,3 @@ pub mod jet;
 pub mod krawczyk;
 pub mod root;
 pub mod taylor;
-pub mod written;

@@ -1,13 +1,6 @@
 //! A root of one equation: that it exists and is the only one in a box, and as many bits of it as wanted.
 
-use super::{
-    ball::Ball,
-    error::CertifiedError,
-    interval::Interval,
-    written::{dyadic, ends, rounded_ball, short, short_box, units},
-};
-use crate::exact::{Expr, tree};
-use crate::witness::{self, Witness};
+use super::{ball::Ball, error::CertifiedError, interval::Interval};
 
 /// Bits of the first steps, in which the box shrinks to what an f64 can say.
 const FIRST: usize = 64;
@@ -72,36 +65,6 @@ pub fn refine(
         return Err(failed("the root may lie outside the box"));
     }
     Ok(x.with_bits(bits))
-}
-
-/// The same, of a function that is written in the variable `x` too, for a witness.
-///
-/// # Errors
-/// As [`refine`].
-pub fn refine_written(
-    written: impl FnOnce(Expr) -> Expr,
-    f: impl Fn(&Ball) -> Option<[Ball; 2]>,
-    start: Interval,
-    bits: usize,
-) -> Result<Ball, CertifiedError> {
-    let root = refine(&f, start, bits)?;
-    witness::leave(|| {
-        let within = short_box(start);
-        let middle = Ball::enclosing(Interval::point(within.mid()), FIRST);
-        let slope = middle.and_then(|middle| f(&middle));
-        let slope = slope.map_or(1.0, |[_, slope]| slope.interval().mid());
-        let function = written(Expr::symbol("x"));
-        let value = |x| function.evaluate(&|_| Some(x)).unwrap_or(f64::NAN);
-        Witness::Root(witness::Root {
-            variables: vec!["x".into()],
-            functions: vec![tree(function)],
-            within: vec![ends(within)],
-            corners: [within.lo(), within.hi()].map(|x| vec![units(value(x))]),
-            preconditioner: vec![vec![dyadic(short(1.0 / slope))]],
-            root: vec![rounded_ball(&root)],
-        })
-    });
-    Ok(root)
 }
 
 #[cfg(test)]

@@ -4,7 +4,6 @@
 //! bad input or a failure. After a failure there is nothing on standard output, unless a command of the paper's own writes
 //! as it goes.
 
-mod certify;
 mod deep;
 mod distrust;
 mod find;
@@ -15,6 +14,7 @@ mod schema;
 mod screen;
 mod shard;
 mod table;
+mod theorems;
 
 pub use crate::book::bare;
 pub use crate::notation::ascii;
@@ -107,18 +107,13 @@ enum Command {
         #[arg(value_name = "ID")]
         ids: Vec<String>,
     },
-    /// Write for each proof a certificate that another program can check
-    Certify {
+    /// List the theorems that a proof assistant's kernel has accepted; of claims that are named, with their statements
+    Theorems {
         /// Ids of claims, as `list` prints them
         #[arg(value_name = "ID")]
         ids: Vec<String>,
-        /// Folder to write them into; what an earlier run wrote there is replaced as a whole
-        #[arg(
-            long = "out",
-            value_name = "FOLDER",
-            default_value = "target/certificates"
-        )]
-        into: PathBuf,
+        #[command(flatten)]
+        wanted: theorems::Wanted,
     },
     /// Try claims and show all that is known of them
     Show {
@@ -177,7 +172,7 @@ pub fn command(edition: &Edition) -> clap::Command {
     command = command.mut_subcommand("list", |list| {
         list.mut_arg("section", |section| section.value_parser(sections))
     });
-    for of in ["verify", "show", "distrust", "certify"] {
+    for of in ["verify", "show", "distrust", "theorems"] {
         let ids = |ids: clap::Arg| ids.value_parser(ids::Ids(paper)).hide_possible_values(true);
         command = command.mut_subcommand(of, |of| of.mut_arg("ids", ids));
     }
@@ -206,7 +201,7 @@ pub fn command(edition: &Edition) -> clap::Command {
         ),
         (4, "find", "0.5"),
         (5, "distrust", first),
-        (6, "certify", first),
+        (6, "theorems", first),
         (900, "completions", &bash),
         (901, "man", &page),
         (902, "schema", "> schema.json"),
@@ -247,7 +242,7 @@ fn whole(edition: &Edition) -> clap::Command {
     command(edition).mut_subcommand("verify", Inner::augment_args)
 }
 
-/// Where the commands of the paper's own stand in the help: behind `certify`.
+/// Where the commands of the paper's own stand in the help: behind `theorems`.
 const OWN: usize = 7;
 
 /// Runs the command line of this process.
@@ -332,9 +327,9 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
             let ids = ids::known_all(edition, &ids)?;
             distrust::distrust(edition, &ids, format)
         }
-        Command::Certify { ids, into } => {
+        Command::Theorems { ids, wanted } => {
             let ids = ids::known_all(edition, &ids)?;
-            certify::certify(edition, &ids, &into, format)
+            theorems::theorems(edition, &ids, &wanted, format)
         }
         Command::Show { ids } => ledger::show(edition, &ids, &depth, format),
         Command::List { verdict, section } => {

@@ -41,12 +41,6 @@ impl Ranges {
         self.mixed |= known > 0;
     }
 
-    /// Whether a coordinate of this name is anywhere below 0.
-    pub fn falls_below_zero(&self, coordinate: &str) -> bool {
-        let mut all = self.coordinates.iter();
-        all.any(|(name, [low, _])| name == coordinate && *low < 0.0)
-    }
-
     /// `λ from 1.00 to 966, θ₀ from 0 to 3.14`; nothing where the points cannot be told so.
     pub fn words(&self) -> Option<String> {
         let told = !self.mixed && (1..=MOST).contains(&self.coordinates.len());

@@ -1,9 +1,9 @@
 //! What is done with elements of a ring: zero-testing, division, differentiation, putting values in.
 
 use super::error::ExactError;
+use super::origin::{below, made_of};
 use super::polynomial::Polynomial;
 use super::rational::Rational;
-use super::recording::{self, below, made_of};
 use super::ring::{PI, Ring, Rule};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -16,17 +16,10 @@ pub struct Derivation {
     rates: BTreeMap<usize, Rational>,
 }
 
-impl Derivation {
-    /// The generators whose rates are given, with these.
-    pub(super) fn rates(&self) -> impl Iterator<Item = (usize, &Rational)> {
-        self.rates.iter().map(|(g, rate)| (*g, rate))
-    }
-}
-
 impl Ring {
     /// The normal form: powers of roots below their degree above the line, and as bare factors below it.
     pub fn normal(&self, x: &Rational) -> Rational {
-        recording::kept(x, || self.reduced(x))
+        self.reduced(x).made_so(x.made())
     }
 
     fn reduced(&self, x: &Rational) -> Rational {
@@ -84,12 +77,9 @@ impl Ring {
     /// # Errors
     /// [`ExactError::DivisionByZero`] if the divisor is zero in the ring.
     pub fn divide(&self, x: &Rational, y: &Rational) -> Result<Rational, ExactError> {
-        let divide = || {
-            let inverse = self.normal(y).reciprocal();
-            let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero(self.text(y)))?;
-            Ok(self.normal(&(x * &inverse)))
-        };
-        recording::formed(|| recording::quotient(x, y), divide)
+        let inverse = self.normal(y).reciprocal();
+        let inverse = inverse.ok_or_else(|| ExactError::DivisionByZero(self.text(y)))?;
+        Ok(self.normal(&(x * &inverse)))
     }
 
     /// The derivation with respect to a free symbol, all others fixed.
@@ -116,7 +106,7 @@ impl Ring {
     /// # Errors
     /// [`ExactError::VaryingExponent`] for b^e with varying e, unless ln b is declared.
     pub fn derivative(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
-        recording::formed(|| recording::derivative(x, by), || self.slope(x, by))
+        Ok(self.slope(x, by)?.formed())
     }
 
     fn slope(&self, x: &Rational, by: &Derivation) -> Result<Rational, ExactError> {
@@ -185,7 +175,7 @@ impl Ring {
         x: &Rational,
         values: &[(&Rational, &Rational)],
     ) -> Result<Rational, ExactError> {
-        recording::formed(|| recording::put(x, values), || self.replaced(x, values))
+        Ok(self.replaced(x, values)?.formed())
     }
 
     fn replaced(

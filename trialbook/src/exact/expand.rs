@@ -3,7 +3,6 @@
 use super::error::ExactError;
 use super::expr::{Binary, Expr, Function, Node};
 use super::rational::Rational;
-use super::recording;
 use super::ring::Ring;
 use super::series::Series;
 
@@ -19,9 +18,8 @@ impl Ring {
         series: &[(&str, &Series)],
         order: i64,
     ) -> Result<Series, ExactError> {
-        recording::expanded((formula, series, order), || {
-            self.expanded(formula, series, order)
-        })
+        let expanded = self.expanded(formula, series, order)?;
+        Ok(expanded.mapped(|_, c| c.formed()))
     }
 
     fn expanded(

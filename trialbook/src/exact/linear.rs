@@ -1,8 +1,8 @@
 //! Linear equations for free symbols: how the coefficients of a power series are found.
 
 use super::error::ExactError;
+use super::origin::Made;
 use super::rational::Rational;
-use super::recording;
 use super::ring::Ring;
 
 impl Ring {
@@ -17,7 +17,9 @@ impl Ring {
         powers_of: Option<&Rational>,
         unknowns: &[&str],
     ) -> Result<Vec<(Rational, Rational)>, ExactError> {
-        recording::solved(equations, || self.solved(equations, powers_of, unknowns))
+        let solved = self.solved(equations, powers_of, unknowns)?.into_iter();
+        let given = |x: Rational| x.made_so(Made::Given);
+        Ok(solved.map(|(x, value)| (given(x), given(value))).collect())
     }
 
     fn solved(

@@ -4,9 +4,8 @@
 //! by exact division wherever it divides the numerator: that keeps degrees low without a greatest common
 //! divisor of polynomials, and zero is zero, because it has the numerator 0.
 
+use super::origin::Made;
 use super::polynomial::Polynomial;
-use super::recording::{self, Origin};
-use crate::witness::Part;
 use dashu_int::IBig;
 use dashu_int::ops::Gcd;
 use std::ops::{Add, Mul, Neg, Sub};
@@ -23,7 +22,7 @@ pub struct Rational {
     /// Not constant, primitive, leading coefficient positive, powers at least 1.
     factors: Vec<(Polynomial, u32)>,
     /// How it was formed, where a proof is recorded.
-    origin: Origin,
+    made: Made,
 }
 
 impl Rational {
@@ -47,18 +46,19 @@ impl Rational {
         &self.factors
     }
 
-    pub(super) fn number(&self) -> &IBig {
-        &self.number
-    }
-
     /// How it was formed.
-    pub(super) fn origin(&self) -> Origin {
-        self.origin
+    pub(super) fn made(&self) -> Made {
+        self.made
     }
 
-    /// The same, formed so.
-    pub(super) fn formed(self, origin: Origin) -> Self {
-        Rational { origin, ..self }
+    /// The same, made so.
+    pub(super) fn made_so(self, made: Made) -> Self {
+        Rational { made, ..self }
+    }
+
+    /// The same, formed of others.
+    pub(super) fn formed(self) -> Self {
+        self.made_so(Made::Formed)
     }
 
     /// Whether both are written alike, however they were formed.
@@ -149,7 +149,7 @@ impl Rational {
     pub(super) fn denominator_inverse(&self) -> Self {
         Rational {
             numerator: Polynomial::one(),
-            origin: Origin::default(),
+            made: Made::Given,
             ..self.clone()
         }
     }
@@ -209,7 +209,7 @@ impl Rational {
             numerator,
             number,
             factors,
-            origin: Origin::default(),
+            made: Made::Given,
         }
     }
 
@@ -262,7 +262,7 @@ impl From<Polynomial> for Rational {
             numerator,
             number: IBig::ONE,
             factors: Vec::new(),
-            origin: Origin::default(),
+            made: Made::Given,
         }
     }
 }
@@ -315,22 +315,21 @@ impl Rational {
 impl Add for &Rational {
     type Output = Rational;
     fn add(self, other: Self) -> Rational {
-        recording::joined(Part::Sum, self, other, self.plus(other))
+        self.plus(other).formed()
     }
 }
 
 impl Neg for &Rational {
     type Output = Rational;
     fn neg(self) -> Rational {
-        recording::negative(self, self.negated())
+        self.negated().formed()
     }
 }
 
 impl Sub for &Rational {
     type Output = Rational;
     fn sub(self, other: Self) -> Rational {
-        let difference = self.plus(&other.negated());
-        recording::joined(Part::Difference, self, other, difference)
+        self.plus(&other.negated()).formed()
     }
 }
 
@@ -345,8 +344,7 @@ impl Mul for &Rational {
             }
         }
         let numerator = &self.numerator * &other.numerator;
-        let product = Rational::cancelled(numerator, &self.number * &other.number, factors);
-        recording::joined(Part::Product, self, other, product)
+        Rational::cancelled(numerator, &self.number * &other.number, factors).formed()
     }
 }
 

@@ -2,8 +2,8 @@
 
 use super::error::ExactError;
 use super::expr::{Binary, Expr, Function, Node};
+use super::origin::Made;
 use super::rational::Rational;
-use super::recording::{self, Made};
 use super::ring::{PI, Ring};
 use dashu_int::IBig;
 
@@ -21,12 +21,8 @@ impl Ring {
     /// [`ExactError`] for a symbol, an angle, a power, a logarithm that is not declared, and for a division
     /// by zero.
     pub fn read(&self, formula: Expr) -> Result<Rational, ExactError> {
-        let read = recording::formed(
-            || recording::read(formula, self),
-            || self.understood(formula),
-        )?;
-        let origin = read.origin().made(Made::Read(formula.index()));
-        Ok(read.formed(origin))
+        let made = Made::Read(formula.index());
+        Ok(self.understood(formula)?.made_so(made))
     }
 
     fn understood(&self, formula: Expr) -> Result<Rational, ExactError> {
@@ -75,10 +71,9 @@ impl Ring {
             Function::Ln => self.ln(x),
             Function::Sqrt => self.raise(x, &self.half()?),
             Function::Asin | Function::Acos => {
-                let known = self.inverses.iter().enumerate();
-                for (i, known) in known.filter(|(_, k)| k.function == function) {
+                let known = self.inverses.iter();
+                for known in known.filter(|k| k.function == function) {
                     if self.is_zero(&(&known.of - x))? {
-                        recording::met(recording::Known::Inverse(i));
                         return Ok(known.angle.clone());
                     }
                 }
@@ -162,10 +157,7 @@ impl Ring {
         base: &Rational,
         exponent: &Rational,
     ) -> Result<Rational, ExactError> {
-        recording::formed(
-            || recording::raised(base, exponent),
-            || self.raised(base, exponent),
-        )
+        Ok(self.raised(base, exponent)?.formed())
     }
 
     fn raised(&self, base: &Rational, exponent: &Rational) -> Result<Rational, ExactError> {
@@ -206,17 +198,16 @@ impl Ring {
         let mut rest = base.clone();
         let mut product = Rational::int(1);
         let mut numbers = Vec::new();
-        for (i, known) in self.powers.iter().enumerate() {
+        for known in &self.powers {
             if !(&known.exponent - e).is_literally_zero() {
                 continue;
             }
             let Some(prime) = &known.prime else {
-                numbers.push((i, known));
+                numbers.push(known);
                 continue;
             };
             let k = rest.valuation(prime);
             if k != 0 {
-                recording::met(recording::Known::Power(i));
                 rest = self.divide(&rest, &self.whole_power(&known.base, k)?)?;
                 product = product * self.whole_power(&known.value, k)?;
             }
@@ -228,9 +219,8 @@ impl Ring {
         if let Some(root) = whole_root(&rest) {
             return Ok(Some(product * root));
         }
-        for (i, known) in numbers {
+        for known in numbers {
             if let Some(root) = whole_root(&self.divide(&rest, &known.base)?) {
-                recording::met(recording::Known::Power(i));
                 return Ok(Some(product * &known.value * root));
             }
         }

@@ -18,7 +18,6 @@ use super::error::ExactError;
 use super::expr::Function;
 use super::polynomial::Polynomial;
 use super::rational::Rational;
-use super::recording;
 use dashu_int::IBig;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -233,7 +232,7 @@ impl Ring {
         }
         let own = Rational::generator(self.generator(name, rule));
         self.push_power(radicand, exponent.clone(), own.clone());
-        recording::formed(|| recording::raised(radicand, &exponent), || Ok(own))
+        Ok(own.formed())
     }
 
     /// Says which element of the ring is the positive root of a radicand.
@@ -411,11 +410,6 @@ impl Ring {
         }
         let content = Polynomial::constant(numerator.content());
         numerator.divide_exact(&content).ok_or_else(bad)
-    }
-
-    /// All names, with what they stand for.
-    pub(super) fn declared(&self) -> impl Iterator<Item = (&'static str, &Rational)> {
-        self.symbols.iter().map(|(name, x)| (*name, x))
     }
 
     /// What a name stands for.

@@ -52,11 +52,6 @@ impl Series {
         Series::new(self.start * n as i64, coefficients)
     }
 
-    /// The coefficients that are known, from that of the lowest power on.
-    pub(super) fn coefficients(&self) -> &[Rational] {
-        &self.coefficients
-    }
-
     /// Each coefficient by a function of its power and of itself.
     pub(super) fn mapped(self, f: impl Fn(i64, Rational) -> Rational) -> Self {
         let powers = self.start..;

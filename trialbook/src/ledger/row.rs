@@ -1,6 +1,7 @@
 //! The ledger's rows as other programs read them; the book's page on JSON says what the fields mean.
 
 use super::{Entry, Standing};
+use crate::evidence::Sample;
 use crate::notation::plain_words;
 use crate::trials::Condition;
 use serde::Serialize;
@@ -70,6 +71,8 @@ pub struct EvidenceRow<'a> {
     pub failed: usize,
     /// What came of it: a sentence.
     pub result: String,
+    /// A few of the compared pairs; of a proof, all of them.
+    pub samples: &'a [Sample],
     /// The largest disagreement; written as `null` where it is infinite or not a number.
     pub worst: f64,
     /// The largest disagreement that counts as agreement.
@@ -129,6 +132,7 @@ fn evidence(e: &crate::evidence::Evidence) -> EvidenceRow<'_> {
         points: e.points,
         failed: e.failed,
         result: plain_words(&e.measured()),
+        samples: &e.samples,
         worst: e.worst,
         tolerance: e.tolerance.value,
         tolerance_name: e.tolerance.name,
@@ -147,7 +151,7 @@ mod tests {
         super::{Entry, Judgement, Verdict},
         EvidenceRow, Row, evidence,
     };
-    use crate::evidence::{Compared, Evidence, Route, Subject, Tolerance};
+    use crate::evidence::{Compared, Evidence, Route, Sample, Subject, Tolerance};
     use crate::notation::plain_words;
     use crate::trials::{Paper, Topic, read::File};
     use std::panic::Location;
@@ -185,6 +189,11 @@ mod tests {
             failed: 3,
             worst: 0.5,
             at: "x = 3".into(),
+            samples: vec![Sample {
+                at: "x = 3".into(),
+                stated: 1.5,
+                found: 1.0,
+            }],
             runs: [here, there].into_iter().collect(),
             ..Evidence::new(
                 Route::Root,
@@ -231,6 +240,7 @@ mod tests {
             points: 40,
             failed: 3,
             result: plain_words(&measured.measured()),
+            samples: &measured.samples,
             worst: 0.5,
             tolerance: 0.25,
             tolerance_name: "RATIO",
@@ -271,6 +281,7 @@ mod tests {
                     points: 1,
                     failed: 0,
                     result: plain_words(&proved.measured()),
+                    samples: &[],
                     worst: 0.0,
                     title: Some("Of ratios"),
                     proof: Some("argued"),

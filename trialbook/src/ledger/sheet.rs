@@ -3,7 +3,7 @@
 use super::{Entry, Tally};
 use crate::evidence::{Evidence, Outcome, Sample, ranges};
 use crate::notation::plain_words;
-use crate::trials::Sort;
+use crate::trials::{Sort, compare::SAMPLES};
 use std::fmt::Write;
 
 impl Entry {
@@ -99,7 +99,7 @@ fn trial(text: &mut String, e: &Evidence, conditional: bool) {
             let _ = writeln!(text, "    {title} rests on: {known}");
         }
     }
-    for s in &e.samples {
+    for s in e.samples.iter().take(SAMPLES) {
         let [stated, found] = match e.outcome() {
             Outcome::Disagrees => apart(s, e.tolerance.value),
             _ => counts(s, e.tolerance.value).unwrap_or_else(|| {

@@ -14,6 +14,8 @@ pub struct Formula<S> {
     pub tried_in: Option<&'static str>,
     /// The names of its arguments.
     pub arguments: &'static [&'static str],
+    /// How many components each of them has.
+    pub lengths: Vec<usize>,
     /// The letters of its arguments, by the symbols of its file; one for each component of a vector.
     pub symbols: Vec<&'static str>,
     /// Its value at as many arguments, component by component.

@@ -269,7 +269,7 @@ impl Kept {
             *self = sort;
             evidence.samples.clear();
         }
-        if sort == *self && evidence.samples.len() < SAMPLES {
+        if sort == *self && (evidence.samples.len() < SAMPLES || evidence.route.is_proof()) {
             evidence.samples.push(sample);
         }
     }
@@ -282,8 +282,8 @@ fn with_word(sum: u64, word: u64) -> u64 {
     (sum.rotate_left(5) ^ word).wrapping_mul(0x517c_c1b7_2722_0a95)
 }
 
-/// How many compared pairs are kept for readers: the first ones, so that they do not depend on last bits.
-const SAMPLES: usize = 3;
+/// How many compared pairs of a measurement are kept for readers: the first ones, so that they do not depend on last bits.
+pub const SAMPLES: usize = 3;
 
 impl Pair {
     /// A formula's value against a found one, in units of the found one. The formula is evaluated in numbers of twice the

@@ -39,7 +39,9 @@ use crate::data::Text;
 use crate::evidence::{Change, Kind};
 #[cfg(feature = "trials")]
 use {
+    crate::data::Folder,
     crate::seeded::Corner,
+    crate::theorems::{Known, Theorems},
     attempt::Attempt,
     by_hand::{ByHand, Numbers},
     formulas::Formulas,
@@ -149,16 +151,12 @@ pub struct Claim {
     pub depends_on: &'static [&'static str],
     /// What replaces it, where it fails.
     pub correction: Option<Correction>,
-    /// What no program checks of its proof, in words: why what is checked is enough. Empty where that is the whole statement,
-    /// and where the proof itself says it between its steps.
+    /// Why what its trials prove is enough, in words; empty where the proof itself says it between its steps.
     pub argument: &'static str,
-    /// Whether what its proof checks is the whole statement: a proof of which this is not said, and no `argument`, counts for
-    /// nothing more than a comparison.
-    pub whole: bool,
     /// How it is tried.
     #[cfg(feature = "trials")]
     pub trials: &'static [Attempt],
-    /// Why it has no proof, where it has none.
+    /// What is missing, where no theorem says the whole of it.
     pub unproved: Option<&'static str>,
     /// Why it fails, with a case to check by hand.
     #[cfg(feature = "trials")]
@@ -313,9 +311,9 @@ pub struct Paper {
     /// The record of a deep run; empty if none was made.
     #[cfg(feature = "trials")]
     pub deep: Text,
-    /// The record of a check of its certificates by another engine; empty if there was none.
+    /// Its theorems before a proof assistant's kernel.
     #[cfg(feature = "trials")]
-    pub certified: Text,
+    pub theorems: &'static Theorems,
     /// Its formulas.
     #[cfg(feature = "trials")]
     pub formulas: Formulas,
@@ -323,9 +321,16 @@ pub struct Paper {
 
 #[cfg(feature = "trials")]
 const NONE: Text = Text::Built("");
+#[cfg(feature = "trials")]
+static NO_THEOREMS: Theorems = Theorems::new(Folder::None, NONE);
 
 #[cfg(feature = "trials")]
 impl Paper {
+    /// What is known of its theorems.
+    pub fn known_theorems(&self) -> &Known {
+        self.theorems.known(self)
+    }
+
     /// What a paper need not have: all but its title, its topics and its record.
     pub const BLANK: Paper = Paper {
         title: "",
@@ -336,7 +341,7 @@ impl Paper {
         record: NONE,
         tries_variants: false,
         deep: NONE,
-        certified: NONE,
+        theorems: &NO_THEOREMS,
         formulas: Formulas::NONE,
     };
 

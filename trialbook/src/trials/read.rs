@@ -18,7 +18,7 @@
 //! ```
 //!
 //! An entry may also have `kind`, `section`, `plain` and `corrected-plain`, where the plain text that is computed reads badly,
-//! `argument`, `whole`, `unproved`, `by-hand`, `values`, `survivors`, `cornered` and `unread`: as [`Claim`] has them. A reason of
+//! `argument`, `unproved`, `by-hand`, `values`, `survivors`, `cornered` and `unread`: as [`Claim`] has them. A reason of
 //! a single word is a name. Text in `'''…'''` may be broken into lines.
 
 use super::attempt::Attempt;
@@ -242,7 +242,6 @@ struct Entry {
     corrected: Option<Spanned<String>>,
     corrected_plain: Option<Spanned<String>>,
     argument: Option<Spanned<String>>,
-    whole: Option<Spanned<bool>>,
     #[serde(default)]
     trials: Vec<Spanned<Tried>>,
     unproved: Option<Spanned<String>>,
@@ -464,10 +463,6 @@ impl Reader<'_> {
             _ if id.starts_with("fig-") => Kind::Figure,
             _ => Kind::Property,
         };
-        if let Some(whole) = entry.whole.as_ref().filter(|whole| !*whole.get_ref()) {
-            let told = "`whole = false` says nothing: a proof is whole only where it is said";
-            self.fault(whole.span().start, Fault::Form(told.to_owned()));
-        }
         Claim {
             id,
             section: entry.section.map_or(self.common.section, text),
@@ -492,7 +487,6 @@ impl Reader<'_> {
             }),
             correction,
             argument: entry.argument.map_or("", |why| self.reason(why)),
-            whole: entry.whole.is_some(),
             trials: each(entry.trials.into_iter().zip(0..), |(tried, nth)| {
                 let seat = mixed(id.bytes().map(u64::from).chain([nth]));
                 let attempt = self.attempt(tried)?;

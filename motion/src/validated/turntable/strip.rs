@@ -210,12 +210,11 @@ fn number(x: f64) -> Jet<2> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use trialbook::certified::written::decimal;
 
     /// Near ψ = 0, where the boundary at A = 0.5 is at α = 0.7547.
     fn strip(line: f64) -> Strip {
         Strip {
-            a: decimal(0.5),
+            a: Interval::decimal(0.5),
             psi: [-0.02, 0.02],
             line: [line; 2],
             reach: 1.0,
@@ -288,7 +287,7 @@ mod tests {
     #[test]
     fn the_set_that_is_followed_holds_all_starts_of_its_cell() {
         let strip = Strip {
-            a: decimal(0.5),
+            a: Interval::decimal(0.5),
             psi: [0.25, 0.75],
             line: [0.5, 0.875],
             reach: 1.0,

@@ -7,7 +7,6 @@ use crate::validated::drive::arc;
 use crate::validated::numbers::{LAMBDA_Y, Q_Y};
 use trialbook::certified::interval::{Interval, PI};
 use trialbook::certified::krawczyk;
-use trialbook::certified::written::agree;
 use trialbook::trials::enclosed::{DIGITS, certified, numbers, on_balls};
 
 /// The two sides of an equation of λ₀ and qλ₀, or of K and λ₀.
@@ -33,22 +32,10 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
         let [up, down] = b(lambda0, q * lambda0);
         [left - right, up - down]
     };
-    let written = |[q, lambda0]: [Expr; 2]| {
-        let [left, right] = printed::eq53_sides(printed::eq53_k(q), lambda0);
-        let [up, down] = printed::eq54_sides(lambda0, q * lambda0);
-        [left - right, up - down]
-    };
-    krawczyk::unique_written(
-        ["q", "λ₀"],
-        written,
+    krawczyk::unique(
         curves,
         [Interval::new(0.97, 1.03), Interval::new(0.525, 0.55)],
     )
-}
-
-/// q of Y by the length x of its forward motion.
-fn length_to_q() -> Expr {
-    (1 + symbol("x").squared()).sqrt()
 }
 
 /// (54) and (55) at Y.
@@ -57,17 +44,13 @@ pub fn y_digits() -> Evidence {
         "the sum of $q$ and the difference of the sides of (54) on (55), to 50 digits,",
         r"$q=\sqrt{1+x^2}$, for the one $x$ in $(4.4,4.6)$ with $\tan x=x$",
     );
-    let evidence = numbers([("q of Y", Q_Y)], Printed, compared, |bits| {
+    numbers([("q of Y", Q_Y)], Printed, compared, |bits| {
         let spare = bits + 32;
         let y = where_defined(Q_Y.ball(DIGITS + 8));
         let q = symbol("q");
         let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), int(1));
         [on_balls(q + left - right, spare, &|_| y.clone()).map(|ball| ball.with_bits(bits))]
-    });
-    let q = length_to_q();
-    let [left, right] = printed::eq54_sides(printed::eq55_lambda0(q), int(1));
-    agree(left, right);
-    evidence
+    })
 }
 
 /// That a point lies in the printed region II: above A, below C, beyond q_Y.
@@ -118,9 +101,6 @@ attempts![
         );
         let meeting = prove_x(printed::eq53_sides, printed::eq54_sides);
         let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
-        for (stated, name) in printed::eq57_x::<Expr>().into_iter().zip(["q", "λ₀"]) {
-            agree(stated, symbol(name));
-        }
         certified(proof, Printed, compared)
     },
     // The decimals of (58), to the last one.
@@ -134,18 +114,13 @@ attempts![
         let points = [("q of Y", Q_Y), ("λ₀ of Y", LAMBDA_Y)]
             .into_iter()
             .zip(printed::eq58_y());
-        let rounded = trial.over(points, |((name, value), stated)| {
+        trial.over(points, |((name, value), stated)| {
             Ok(Pair::plain(
                 format!("{name}, rounded"),
                 stated,
                 value.decimal(3)?.parse()?,
             ))
-        });
-        let q = length_to_q();
-        let [stated_q, stated_lambda0] = printed::eq58_y();
-        agree(stated_q, q);
-        agree(stated_lambda0, 1 / q);
-        rounded
+        })
     },
     no_way_back,
     y_digits

@@ -62,7 +62,7 @@ impl Tilted {
         let failed = |why| CertifiedError::unproved(why, &hull);
         *h = h.min(LONGEST);
         while *h > SHORTEST {
-            let Some(Image { all, centre, .. }) = image(system, &hull, self.centre, *h, accuracy)
+            let Some(Image { all, centre }) = image(system, &hull, self.centre, *h, accuracy)
             else {
                 *h *= SHRINK;
                 continue;

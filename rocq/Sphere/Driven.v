@@ -1,0 +1,110 @@
+(* A sphere under a drive along a line, in the units of (23), (24): its slip velocity is a particle's with lambda_0 of (84), and each such motion of a
+   particle is the slip of a sphere. The same along the line for friction that differs forward and backward, (85). *)
+Require Import Reals Lra Psatz FunctionalExtensionality.
+From Coquelicot Require Import Coquelicot.
+From Slipbook Require Import Motion General Aniso Formulas Reduction.
+Open Scope R_scope.
+
+(* the slip velocity (24) at the phase phi (23): in the unit A0 / varpi, at the time phi / varpi *)
+Definition w_x (A0 varpi rad : R) (vx oy : R -> R) : R -> R := fun phi => eq24_w varpi (slip_x rad vx oy (phi / varpi)) A0.
+Definition w_y (A0 varpi rad : R) (vy ox : R -> R) : R -> R := fun phi => eq24_w varpi (slip_y rad vy ox (phi / varpi)) A0.
+
+Section Driven.
+Variables (m J rad mu g A0 varpi : R).
+Hypothesis hm : 0 < m. Hypothesis hJ : 0 < J. Hypothesis hr : 0 < rad. Hypothesis hA : 0 < A0. Hypothesis hv : 0 < varpi.
+Notation b := (eq67_factor (eq62_kappa J m rad)).
+(* rolling is rest *)
+Lemma rolls_at vx vy ox oy t : rolls rad vx vy ox oy t <-> w_x A0 varpi rad vx oy (varpi * t) = 0 /\ w_y A0 varpi rad vy ox (varpi * t) = 0.
+Proof.
+  unfold rolls, w_x, w_y, eq24_w. replace (varpi * t / varpi) with t by (field; lra). assert (0 < varpi / A0) by now apply Rdiv_lt_0_compat.
+  assert (E : forall z, varpi * z / A0 = 0 <-> z = 0) by (intros z; replace (varpi * z / A0) with (varpi / A0 * z) by (field; lra); split;
+    [ intros e; apply (Rmult_eq_reg_l (varpi / A0)); lra | intros ->; ring ]).
+  now rewrite !E.
+Qed.
+Lemma driven h vx vy ox oy oz : sphere m J rad (mu * g) (fun t => - A0 * h (varpi * t)) (fun _ => 0) vx vy ox oy oz ->
+  motion (eq84_lambda b mu g A0) (fun phi => - h phi) (fun _ => 0) (w_x A0 varpi rad vx oy) (w_y A0 varpi rad vy ox).
+Proof.
+  intros S. apply (slip_moves m J rad (mu * g) hm hJ hr) in S. assert (0 < varpi / A0) by now apply Rdiv_lt_0_compat.
+    assert (0 < / varpi) by now apply Rinv_0_lt_compat.
+  apply (motion_in_units (varpi / A0) (/ varpi) _ _ _ _ _ (eq84_lambda b mu g A0) (fun phi => - h phi) (fun _ => 0) (w_x A0 varpi rad vx oy) (w_y A0
+    varpi rad vy ox)) in S; trivial.
+  - unfold eq84_lambda, factor. field. lra.
+  - intros t. replace (varpi * (/ varpi * t)) with t by (field; lra). field. lra.
+  - intros t. ring.
+  - intros t. unfold w_x, eq24_w. rewrite (Rmult_comm (/ varpi)). unfold Rdiv. ring.
+  - intros t. unfold w_y, eq24_w. rewrite (Rmult_comm (/ varpi)). unfold Rdiv. ring.
+Qed.
+(* H is an integral of h *)
+Lemma sphere_driven h H wx wy : primitive H h -> motion (eq84_lambda b mu g A0) (fun phi => - h phi) (fun _ => 0) wx wy ->
+  exists vx vy ox oy oz, sphere m J rad (mu * g) (fun t => - A0 * h (varpi * t)) (fun _ => 0) vx vy ox oy oz /\ w_x A0 varpi rad vx oy = wx /\
+    w_y A0 varpi rad vy ox = wy.
+Proof.
+  intros [cH DH] M. assert (p : 0 < A0 / varpi) by now apply Rdiv_lt_0_compat.
+  apply (motion_in_units (A0 / varpi) varpi _ _ _ _ _ (factor m J rad * (mu * g)) (fun t => - A0 * h (varpi * t)) (fun _ => 0)
+    (fun t => A0 / varpi * wx (varpi * t)) (fun t => A0 / varpi * wy (varpi * t))) in M; trivial.
+  - destruct (sphere_with_slip m J rad (mu * g) hm hJ hr _ _ _ _ (fun t => - (A0 / varpi) * H (varpi * t)) (fun _ => 0) 0 0 0 M) as (vx & vy & ox &
+    oy & S & e1 & e2 & _).
+    + split; intros t Ht.
+      * apply (continuity_pt_mult (fun _ => - (A0 / varpi))); [ cont | apply cont_speed, cH, Rmult_lt_0_compat; lra ].
+      * eapply rder_eq; [ apply (rder_mult (fun _ => - (A0 / varpi))); [ rd | apply rder_speed; [ lra | apply DH, Rmult_le_pos; lra ] ] | field;
+        lra ].
+    + split; intros t Ht; [ cont | rd ].
+    + exists vx, vy, ox, oy, (fun _ => 0). split; [ trivial | ]. unfold w_x, w_y. rewrite e1, e2.
+      split; extensionality phi; unfold eq24_w; replace (varpi * (phi / varpi)) with phi by (field; lra); field; lra.
+  - unfold eq84_lambda, factor. field. lra.
+  - intros t. field. lra.
+  - intros t. ring.
+Qed.
+End Driven.
+
+(* ---- along a line, with the friction kf per mass against a forward slip and kb against a backward one ---- *)
+Record sphere_on_line (m J rad kf kb : R) (A : R -> R) (t0 : R) (v o : R -> R) : Prop := {
+  sl_c : forall t, t0 < t -> continuity_pt v t /\ continuity_pt o t;
+  sl_law : forall t, t0 <= t -> exists F, dry (m * kf) (m * kb) (slip_x rad v o t) F /\
+    rder v t (eq59_momentum_rate_1 m (A t) 0 0 F 0 0 / m) /\ rder o t (eq60_spin_rate_2 0 0 (- rad) F 0 0 / J) }.
+Lemma dry_force c l n w f : 0 < c -> dry l n w f -> dry (c * l) (c * n) w (c * f).
+Proof. intros hc ((F1 & F2) & F3 & F4). repeat split; nra. Qed.
+Lemma dry_velocity c l n w f : 0 < c -> dry l n w f -> dry l n (c * w) f.
+Proof. intros hc ((F1 & F2) & F3 & F4). repeat split; trivial; intros k; [ apply F3 | apply F4 ]; nra. Qed.
+Lemma line_in_units c s l n a t0 w l' n' a' t0' w' : 0 < c -> 0 < s -> line l n a t0 w -> l' = c * s * l -> n' = c * s * n ->
+  (forall t, a' t = c * s * a (s * t)) -> s * t0' = t0 -> (forall t, w' t = c * w (s * t)) -> line l' n' a' t0' w'.
+Proof.
+  intros hc hs [C L] -> -> ea et ew. apply functional_extensionality in ew. subst w'. assert (cs : 0 < c * s) by now apply Rmult_lt_0_compat.
+    split; intros t Ht.
+  - apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_speed, C; rewrite <- et; now apply Rmult_lt_compat_l ].
+  - destruct (L (s * t)) as (f & F & X); [ rewrite <- et; apply Rmult_le_compat_l; lra | ]. exists (c * s * f).
+    split; [ apply dry_velocity; trivial; now apply dry_force | ].
+    rewrite ea. apply rder_speed in X; trivial. eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | exact X ] | ring ].
+Qed.
+Section Line.
+Variables (m J rad : R).
+Hypothesis hm : 0 < m. Hypothesis hJ : 0 < J. Hypothesis hr : 0 < rad.
+Lemma slip_on_line kf kb A t0 v o : sphere_on_line m J rad kf kb A t0 v o -> line (factor m J rad * kf) (factor m J rad * kb) (fun t => - A t) t0
+  (slip_x rad v o).
+Proof.
+  destruct (factor_is m J rad hm hJ hr) as [eb b1]. assert (bm : 0 < factor m J rad / m) by (apply Rdiv_lt_0_compat; lra). intros [c L].
+    unfold slip_x in *. split.
+  - intros t Ht. destruct (c t Ht). cont.
+  - intros t Ht. destruct (L t Ht) as (F & D & X & Y). unfold eq59_momentum_rate_1, eq60_spin_rate_2 in X, Y. exists (factor m J rad / m * F). split.
+    + replace (factor m J rad * kf) with (factor m J rad / m * (m * kf)) by (field; lra). replace (factor m J rad * kb) with (factor m J rad / m *
+      (m * kb)) by (field; lra). now apply dry_force.
+    + eapply rder_eq; [ rd | rewrite eb; field; lra ].
+Qed.
+Lemma on_line_with_slip kf kb A nu t0 u : (forall t : R, is_derive nu t (A t)) -> line (factor m J rad * kf) (factor m J rad * kb) (fun t => - A t)
+  t0 u ->
+  exists v o, sphere_on_line m J rad kf kb A t0 v o /\ slip_x rad v o = u.
+Proof.
+  destruct (factor_is m J rad hm hJ hr) as [eb b1]. set (bb := factor m J rad) in *. intros N [c L].
+    pose (v := fun t : R => - (1 - / bb) * nu t + u t * / bb). exists v, (fun t : R => (v t - u t) * / rad).
+  assert (e : slip_x rad v (fun t => (v t - u t) * / rad) = u) by (extensionality t; unfold slip_x; field; lra). split; trivial.
+  assert (pos : 0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ]; lra).
+  assert (cn : forall t, continuity_pt nu t) by (intros t; apply derivable_continuous_pt; exists (A t); apply is_derive_Reals, N). split.
+  - intros t Ht. pose proof (c t Ht). pose proof (cn t). unfold v. split; cont.
+  - intros t Ht. destruct (L t Ht) as (f & F & X). pose proof (rder_of _ _ _ (N t)). exists (m / bb * f). rewrite e.
+    unfold eq59_momentum_rate_1, eq60_spin_rate_2, v. split; [ | split ].
+    + replace (m * kf) with (m / bb * (bb * kf)) by (field; lra). replace (m * kb) with (m / bb * (bb * kb)) by (field; lra).
+      apply dry_force; trivial. apply Rdiv_lt_0_compat; lra.
+    + eapply rder_eq; [ rd | field; lra ].
+    + eapply rder_eq; [ rd | rewrite eb; field; lra ].
+Qed.
+End Line.

@@ -1,0 +1,185 @@
+(* The laws of motion on the table, (86) and (89), with rest; the angle psi; the rates while the particle slips *)
+Require Import Reals Lra Psatz FunctionalExtensionality.
+From Coquelicot Require Import Coquelicot.
+From Slipbook Require Import Motion Formulas.
+From Slipbook Require Export RightDerivatives.
+Open Scope R_scope.
+
+(* (89) in the units of (87), (88): position (x, y) and velocity (u, w) on the table; friction has the size 1 *)
+Record spin (x y u w : R -> R) : Prop := {
+  s_cx : forall t, 0 < t -> continuity_pt x t;  s_cy : forall t, 0 < t -> continuity_pt y t;
+  s_cu : forall t, 0 < t -> continuity_pt u t;  s_cw : forall t, 0 < t -> continuity_pt w t;
+  s_law : forall t, 0 <= t -> rder x t (u t) /\ rder y t (w t) /\ exists fx fy, coulomb 1 (u t) (w t) fx fy /\
+            rder u t (x t + 2 * w t + fx) /\ rder w t (y t - 2 * u t + fy) }.
+(* (86) with its dimensions: the table turns at the rate Om, k = mu g *)
+Record turntable (Om k : R) (x y u w : R -> R) : Prop := {
+  t_c : forall t, 0 < t -> continuity_pt x t /\ continuity_pt y t /\ continuity_pt u t /\ continuity_pt w t;
+  t_law : forall t, 0 <= t -> rder x t (u t) /\ rder y t (w t) /\ exists fx fy, coulomb k (u t) (w t) fx fy /\
+            rder u t (Om ^ 2 * x t + 2 * Om * w t + fx) /\ rder w t (Om ^ 2 * y t - 2 * Om * u t + fy) }.
+(* (105): s is the length of the path *)
+Definition arc_length (u w s : R -> R) :=
+  (forall t, 0 < t -> continuity_pt s t) /\ forall t, 0 <= t -> rder s t (eq105_arc_rate (nrm (u t) (w t))).
+(* psi is the angle of the position with respect to the velocity, counterclockwise: the direction of (u, w), turned by psi, is that of (x, y) *)
+Definition position_angle x y u w psi :=
+  nrm u w * x = nrm x y * (u * cos psi - w * sin psi) /\ nrm u w * y = nrm x y * (u * sin psi + w * cos psi).
+(* the same by products *)
+Definition angle x y u w psi := x * u + y * w = nrm x y * nrm u w * cos psi /\ x * w - y * u = - (nrm x y * nrm u w * sin psi).
+
+Ltac table S := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
+
+Lemma stops u w : nrm u w = 0 -> u = 0 /\ w = 0.
+Proof. intros z. apply sq_sum. rewrite <- nrm_sq, z. lra. Qed.
+Lemma nrm_x0 a : 0 <= a -> nrm a 0 = a.
+Proof. intros H. unfold nrm. replace (a ^ 2 + 0 ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
+Lemma nrm_0y a : 0 <= a -> nrm 0 a = a.
+Proof. intros H. unfold nrm. replace (0 ^ 2 + a ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
+Lemma nrm_scale c a b : 0 <= c -> nrm (c * a) (c * b) = c * nrm a b.
+Proof. intros Hc. unfold nrm. replace ((c * a) ^ 2 + (c * b) ^ 2) with (c ^ 2 * (a ^ 2 + b ^ 2)) by ring. rewrite sqrt_mult_alt by nra. now rewrite sqrt_pow2. Qed.
+Lemma angle_iff x y u w psi : position_angle x y u w psi <-> angle x y u w psi.
+Proof.
+  unfold position_angle, angle. pose proof (nrm_sq u w) as e. destruct (Req_dec (nrm u w) 0) as [z | z].
+  - destruct (stops u w z) as [-> ->]. rewrite z. split; intros _; split; ring.
+  - set (n := nrm u w) in *. set (m := nrm x y). split; intros [h1 h2]; split; apply (Rmult_eq_reg_l n); trivial.
+    + replace (n * (x * u + y * w)) with (n * x * u + n * y * w) by ring. rewrite h1, h2. ring [e].
+    + replace (n * (x * w - y * u)) with (n * x * w - n * y * u) by ring. rewrite h1, h2. ring [e].
+    + replace (n * (n * x)) with (u * (x * u + y * w) + w * (x * w - y * u)) by ring [e]. rewrite h1, h2. ring.
+    + replace (n * (n * y)) with (w * (x * u + y * w) - u * (x * w - y * u)) by ring [e]. rewrite h1, h2. ring.
+Qed.
+(* an angle for each state; where the position is to the left of the velocity it is this *)
+Definition arccot q := PI / 2 - atan q.
+Lemma angle_exists x y u w : { psi | position_angle x y u w psi /\ (0 < y * u - x * w -> psi = arccot ((x * u + y * w) / (y * u - x * w))) }.
+Proof.
+  set (c := x * u + y * w). set (d := y * u - x * w). set (m := nrm x y * nrm u w). assert (m0 : 0 <= m) by (apply Rmult_le_pos; apply nrm_pos).
+  assert (e : c ^ 2 + d ^ 2 = m ^ 2) by (unfold m; rewrite Rpow_mult_distr, !nrm_sq; unfold c, d; ring).
+  assert (F : forall psi, c = m * cos psi -> d = m * sin psi -> position_angle x y u w psi).
+  { intros psi h1 h2. apply angle_iff. split; [ exact h1 | ]. fold m. unfold d in h2. lra. }
+  assert (R : d <> 0 -> sqrt (1 + (c / d)²) = m / Rabs d).
+  { intros d0. pose proof (Rabs_pos_lt d d0) as d1. rewrite <- (sqrt_pow2 (m / Rabs d)) by (apply Rmult_le_pos; [ exact m0 | left; now apply Rinv_0_lt_compat ]). f_equal.
+    unfold Rsqr, Rdiv. rewrite Rpow_mult_distr, pow_inv, pow2_abs, <- e by lra. field. exact d0. }
+  assert (M : d <> 0 -> m <> 0) by (intros d0 z; rewrite z in e; nra).
+  destruct (Req_EM_T d 0) as [d0 | d0].
+  - destruct (Rle_lt_dec 0 c) as [c0 | c0]; [ exists 0 | exists PI ]; (split; [ apply F | lra ]); rewrite ?cos_0, ?sin_0, ?cos_PI, ?sin_PI; try lra; nra.
+  - specialize (R d0). specialize (M d0). destruct (Rle_lt_dec 0 d) as [d1 | d1]; [ exists (arccot (c / d)) | exists (arccot (c / d) - PI) ]; (split; [ | lra ]).
+    + apply F; unfold arccot; rewrite ?cos_shift, ?sin_shift, ?sin_atan, ?cos_atan, R, Rabs_pos_eq by lra; field; lra.
+    + apply F; unfold arccot; [ rewrite <- (cos_neg (_ - PI)) | rewrite <- (Ropp_involutive (_ - PI)), sin_neg ];
+      replace (- (PI / 2 - atan (c / d) - PI)) with (PI / 2 - - atan (c / d)) by field;
+      rewrite ?cos_shift, ?sin_shift, ?sin_neg, ?cos_neg, ?sin_atan, ?cos_atan, R, Rabs_left by lra; field; lra.
+Qed.
+
+Section Slip.
+Variables x y u w : R -> R.
+Hypothesis S : spin x y u w.
+Notation p t := (nrm (u t) (w t)).
+Notation rho t := (nrm (x t) (y t)).
+Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
+Notation xi t := ((x t * u t + y t * w t) * / nrm (u t) (w t)).
+Notation ell t := ((x t * w t - y t * u t) * / nrm (u t) (w t)).
+
+(* rho^2 - p^2 grows at the rate 2 p, at rest too: A of (113) never decreases *)
+Lemma E_rate t : 0 <= t -> rder (fun t => E t) t (2 * p t).
+Proof. intros Ht. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & [_ P] & U & W). eapply rder_eq. rd. simpl. lra. Qed.
+Lemma A_never_falls s t : 0 <= s <= t -> E s <= E t.
+Proof.
+  intros Hst. apply Ropp_le_cancel. apply (rder_decr (fun t => - E t)); [ lra | | ]; intros r Hr. table S.
+  exists (- (2 * p r)). split. apply (rder_opp (fun t => E t)), E_rate; lra. pose proof (nrm_pos (u r) (w r)). lra.
+Qed.
+Lemma slip t : 0 <= t -> p t <> 0 -> rder x t (u t) /\ rder y t (w t) /\
+  rder u t (x t + 2 * w t - u t / p t) /\ rder w t (y t - 2 * u t - w t / p t).
+Proof.
+  intros Ht N. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). apply coulomb_iff in C; [ | lra ].
+  destruct C as [[z _] | (_ & -> & ->)]; [ lra | ]. repeat split; trivial; (eapply rder_eq; [ eassumption | field; trivial ]).
+Qed.
+
+Variable t : R.
+Hypothesis ht : 0 <= t.
+Hypothesis N : nrm (u t) (w t) <> 0.
+Ltac rates := destruct (slip t ht N) as (X & Y & U & W); pose proof (nrm_sq (u t) (w t)) as e.
+Lemma dp : rder (fun t => p t) t (xi t - 1).
+Proof. rates. eapply rder_eq; [ rd; exact N | ]. set (n := p t) in *. inR. field_simplify_eq; [ | trivial ]. ring [e]. Qed.
+Lemma eq99 : rder (fun t => p t) t ((x t * u t + y t * w t) / p t - 1).
+Proof. exact dp. Qed.
+Ltac rate_over f := rates; pose proof (rder_inv _ _ _ dp N) as I; eapply rder_eq; [ apply (rder_mult f (fun t => / p t)); [ rd | exact I ] | ];
+  set (n := p t) in *; inR; field_simplify_eq; [ | trivial ].
+Lemma eq101 : rder (fun t => xi t) t ((p t + ell t) ^ 2 / p t).
+Proof. rate_over (fun t => x t * u t + y t * w t). ring [e]. Qed.
+Lemma eq100 : rder (fun t => ell t) t (- xi t * (2 * p t + ell t) / p t).
+Proof. rate_over (fun t => x t * w t - y t * u t). ring [e]. Qed.
+Lemma rder_rho : rho t <> 0 -> rder (fun t => rho t) t ((x t * u t + y t * w t) * / rho t).
+Proof. intros K. rates. eapply rder_eq. rd. exact K. reflexivity. Qed.
+(* it goes on slipping for a while *)
+Lemma slips_on : exists d, 0 < d /\ forall s, t <= s < t + d -> 0 < p s.
+Proof.
+  pose proof (nrm_pos (u t) (w t)). destruct (right_pos _ _ _ dp) as (d & d0 & H1). lra. exists d. split; trivial. intros s Hs. destruct (Req_dec s t) as [-> | ne]. lra. apply H1. lra.
+Qed.
+End Slip.
+
+(* while it slides, friction is k against the velocity *)
+Lemma slides Om k x y u w t : 0 <= k -> turntable Om k x y u w -> 0 <= t -> nrm (u t) (w t) <> 0 ->
+  rder u t (Om ^ 2 * x t + 2 * Om * w t - k * u t / nrm (u t) (w t)) /\ rder w t (Om ^ 2 * y t - 2 * Om * u t - k * w t / nrm (u t) (w t)).
+Proof.
+  intros Hk S Ht N. destruct (t_law _ _ _ _ _ _ S t Ht) as (_ & _ & fx & fy & C & U & W). apply coulomb_iff in C; trivial.
+  destruct C as [[z _] | (_ & -> & ->)]; [ lra | ]. split; (eapply rder_eq; [ eassumption | field; trivial ]).
+Qed.
+Lemma spin_is_turntable x y u w : spin x y u w <-> turntable 1 1 x y u w.
+Proof.
+  split; intros S.
+  - split. { intros t Ht. repeat split; [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; trivial. }
+    intros t Ht. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
+    split; [ exact C | split; (eapply rder_eq; [ eassumption | ring ]) ].
+  - split; try (intros t Ht; destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?); trivial).
+    intros t Ht. destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
+    split; [ exact C | split; (eapply rder_eq; [ eassumption | ring ]) ].
+Qed.
+(* other units: lengths L times as large, times shorter by c *)
+Lemma rescale Om k c L x y u w : 0 < c -> 0 < L -> turntable Om k x y u w ->
+  turntable (c * Om) (L * c ^ 2 * k) (fun t => L * x (c * t)) (fun t => L * y (c * t)) (fun t => L * c * u (c * t)) (fun t => L * c * w (c * t)).
+Proof.
+  intros Hc HL S. split.
+  - intros t Ht. destruct (t_c _ _ _ _ _ _ S (c * t)) as (? & ? & ? & ?). { nra. }
+    repeat split; (apply (continuity_pt_mult (fun _ => _)); [ cont | now apply cont_time ]).
+  - intros t Ht. destruct (t_law _ _ _ _ _ _ S (c * t)) as (X & Y & fx & fy & [B P] & U & W). { nra. } apply (rder_time c) in X, Y, U, W; trivial.
+    split. { eapply rder_eq. apply (rder_mult (fun _ => L) (fun t => x (c * t))); [ rd | exact X ]. ring. }
+    split. { eapply rder_eq. apply (rder_mult (fun _ => L) (fun t => y (c * t))); [ rd | exact Y ]. ring. }
+    exists (L * c ^ 2 * fx), (L * c ^ 2 * fy). split. { split.
+      - replace ((L * c ^ 2 * fx) ^ 2 + (L * c ^ 2 * fy) ^ 2) with ((L * c ^ 2) ^ 2 * (fx ^ 2 + fy ^ 2)) by ring. rewrite (Rpow_mult_distr _ k). apply Rmult_le_compat_l; trivial. apply pow2_ge_0.
+      - rewrite nrm_scale by nra. transitivity (L * c ^ 2 * (L * c) * (fx * u (c * t) + fy * w (c * t))). ring. rewrite P. ring. }
+    split. { eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => u (c * t))); [ rd | exact U ]. cbv beta. ring. }
+    eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => w (c * t))); [ rd | exact W ]. cbv beta. ring.
+Qed.
+(* (87), (88): (86) in its units is (89), both ways *)
+Lemma units Om k x y u w rx ry pu pw : 0 < Om -> 0 < k ->
+  (forall t, rx (Om * t) = Om ^ 2 / k * x t) -> (forall t, ry (Om * t) = Om ^ 2 / k * y t) ->
+  (forall t, pu (Om * t) = Om / k * u t) -> (forall t, pw (Om * t) = Om / k * w t) -> turntable Om k x y u w <-> spin rx ry pu pw.
+Proof.
+  intros HO Hk ex ey eu ew. rewrite spin_is_turntable. assert (0 < Om ^ 2 / k) by (apply Rdiv_lt_0_compat; nra). assert (0 < k / Om ^ 2) by (apply Rdiv_lt_0_compat; nra).
+  split; intros S.
+  - apply (rescale _ _ (/ Om) (Om ^ 2 / k)) in S; trivial; [ | now apply Rinv_0_lt_compat ].
+    replace (/ Om * Om) with 1 in S by (field; lra). replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S by (field; lra).
+    replace rx with (fun t => Om ^ 2 / k * x (/ Om * t)). 2: { extensionality t. rewrite <- ex. f_equal. field. lra. }
+    replace ry with (fun t => Om ^ 2 / k * y (/ Om * t)). 2: { extensionality t. rewrite <- ey. f_equal. field. lra. }
+    replace pu with (fun t => Om ^ 2 / k * / Om * u (/ Om * t)). 2: { extensionality t. replace (Om ^ 2 / k * / Om) with (Om / k) by (field; lra). rewrite <- eu. f_equal. field. lra. }
+    replace pw with (fun t => Om ^ 2 / k * / Om * w (/ Om * t)). 2: { extensionality t. replace (Om ^ 2 / k * / Om) with (Om / k) by (field; lra). rewrite <- ew. f_equal. field. lra. }
+    exact S.
+  - apply (rescale _ _ Om (k / Om ^ 2)) in S; trivial. replace (Om * 1) with Om in S by ring. replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra).
+    replace x with (fun t => k / Om ^ 2 * rx (Om * t)). 2: { extensionality t. rewrite ex. field. lra. }
+    replace y with (fun t => k / Om ^ 2 * ry (Om * t)). 2: { extensionality t. rewrite ey. field. lra. }
+    replace u with (fun t => k / Om ^ 2 * Om * pu (Om * t)). 2: { extensionality t. rewrite eu. field. lra. }
+    replace w with (fun t => k / Om ^ 2 * Om * pw (Om * t)). 2: { extensionality t. rewrite ew. field. lra. }
+    exact S.
+Qed.
+Lemma mirrored Om k x y u w : turntable Om k x y u w -> turntable (- Om) k x (fun t => - y t) u (fun t => - w t).
+Proof.
+  intros S. split.
+  - intros t Ht. destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?). repeat split; trivial; cont.
+  - intros t Ht. destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & [B P] & U & W). split; [ exact X | ]. split; [ now apply rder_opp | ].
+    exists fx, (- fy). split. { split. lra. replace (nrm (u t) (- w t)) with (nrm (u t) (w t)) by (unfold nrm; f_equal; ring). lra. }
+    split. { eapply rder_eq; [ exact U | ring ]. } eapply rder_eq; [ apply rder_opp, W | ring ].
+Qed.
+(* the length of its path, by the energy *)
+Lemma arc_exists Om k x y u w : 0 < k -> turntable Om k x y u w -> arc_length u w (fun t => (Om ^ 2 * (x t ^ 2 + y t ^ 2) - (u t ^ 2 + w t ^ 2)) * / (2 * k)).
+Proof.
+  intros Hk S. split; intros t Ht.
+  - destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?). cont.
+  - destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & [_ P] & U & W). unfold eq105_arc_rate. eapply rder_eq. rd. simpl. set (n := nrm _ _) in *.
+    transitivity (- (fx * u t + fy * w t) / k). field; lra. rewrite P. field. lra.
+Qed.

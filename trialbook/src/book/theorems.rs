@@ -1,0 +1,132 @@
+//! Theorems before the kernel: in the box of their claim, and all of them on a page.
+
+use super::{context::Context, error::Html, text::escape};
+use crate::ledger::Entry;
+use crate::theorems::prose::{Said, Writer};
+use crate::theorems::record::Accepted;
+use crate::theorems::source::{Item, names};
+
+/// The theorems of a claim: as mathematics, what is supposed first, and as they were accepted.
+pub(super) fn of_claim(context: &Context<'_>, entry: &Entry) -> Html {
+    let all = context
+        .ledger
+        .paper
+        .known_theorems()
+        .of_claim(entry.claim.id);
+    all.into_iter()
+        .map(|(accepted, item)| theorem(context, accepted, item))
+        .collect()
+}
+
+fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
+    let paper = context.ledger.paper;
+    let known = paper.known_theorems();
+    let formula = |name: &str| known.formula(paper, name);
+    let writer = Writer {
+        sources: &known.sources,
+        formula: &formula,
+    };
+    let told = match writer.said(&accepted.statement) {
+        // What cannot be set so is shown as it was accepted alone.
+        Some(said) => told(context, &said).unwrap_or_default(),
+        None => String::new(),
+    };
+    let occurs = if accepted.occurs {
+        "; that this occurs is shown, too"
+    } else {
+        ""
+    };
+    Ok(format!(
+        "<div class=\"theorem\" id=\"{name}\"><p class=\"claim-label\">{}</p><p>{about}</p>{told}\
+         <details class=\"rocq\"><summary>As the kernel has accepted it</summary><pre><code class=\"language-text nohighlight\">Theorem {name} :\n{statement}.</code></pre>\
+         <p class=\"measure\">{file}, {seconds:.1} s; rests on {axioms}{occurs}.</p></details></div>",
+        context.explained("Theorem", "kernel"),
+        name = escape(&accepted.name),
+        about = context.maths.folded(&item.about)?,
+        statement = linked(context, &accepted.statement),
+        file = escape(&accepted.file),
+        seconds = accepted.seconds,
+        axioms = match accepted.axioms.join(" and ") {
+            none if none.is_empty() => "no axiom".to_owned(),
+            some => escape(&some),
+        },
+    ))
+}
+
+fn told(context: &Context<'_>, said: &Said) -> Html {
+    let list = |before: &str, of: &[String]| -> Html {
+        if of.is_empty() {
+            return Ok(String::new());
+        }
+        let items = of
+            .iter()
+            .map(|one| Ok(format!("<li>{}</li>", context.maths.words(one)?)));
+        Ok(format!(
+            "<p>{before}</p><ul>{}</ul>",
+            items.collect::<Html>()?
+        ))
+    };
+    let given = match said.given.is_empty() {
+        true => String::new(),
+        false => format!(
+            "<p>Given {}.</p>",
+            context.maths.words(&said.given.join("; "))?
+        ),
+    };
+    Ok(given + &list("Suppose", &said.supposed)? + &list("Then", &said.holds)?)
+}
+
+/// A statement in which what is defined leads to its definition.
+fn linked(context: &Context<'_>, statement: &str) -> String {
+    let sources = &context.ledger.paper.known_theorems().sources;
+    let word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '\'' | '.');
+    let mut out = String::new();
+    let mut rest = statement;
+    while !rest.is_empty() {
+        let length = match rest.starts_with(word) {
+            true => rest.find(|c: char| !word(c)).unwrap_or(rest.len()),
+            false => rest.find(word).unwrap_or(rest.len()),
+        };
+        let text = &rest[..length];
+        let own = names(text)
+            .next()
+            .filter(|own| sources.meaning(own).is_some());
+        match own.filter(|_| text.starts_with(word)) {
+            Some(own) => {
+                out += &format!("<a href=\"{}#{own}\">{}</a>", page(context), escape(text))
+            }
+            None => out += &escape(text),
+        }
+        rest = &rest[length..];
+    }
+    out
+}
+
+/// The page on which all definitions stand.
+fn page(context: &Context<'_>) -> String {
+    let mut pages = context.edition.written();
+    let page = pages.find(|page| page.text.contains("{{definitions}}"));
+    page.map_or(String::new(), |page| format!("{}.html", page.stem))
+}
+
+/// What statements speak of: every definition that one of them uses, file by file.
+pub(super) fn definitions(context: &Context<'_>) -> Html {
+    let known = context.ledger.paper.known_theorems();
+    let used: std::collections::BTreeSet<_> = known
+        .record
+        .iter()
+        .filter_map(|a| known.sources.proved(&a.name))
+        .flat_map(|item| known.sources.behind(item))
+        .collect();
+    let all = used.into_iter().map(|i| {
+        let Item { name, about, text, file, .. } = &known.sources.items[i];
+        Ok(format!(
+            "<div class=\"definition\" id=\"{name}\"><p>{}</p><pre><code class=\"language-text nohighlight\">{}</code></pre><p class=\"measure\">{}</p></div>",
+            context.maths.words(&about.replace(['«', '»'], ""))?,
+            linked(context, &format!("{text}.")),
+            escape(file),
+            name = escape(name),
+        ))
+    });
+    all.collect()
+}

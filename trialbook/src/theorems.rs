@@ -1,0 +1,141 @@
+//! Theorems that a proof assistant's kernel has accepted: what its files say, and the record of what was accepted.
+//!
+//! A theorem `eq_13` speaks of the whole of the claim `eq-13`; one with more behind two underscores, `eq_13__printed`, of a part
+//! of it, or of what is wrong with it. That the hypotheses of `eq_13` can be met, `eq_13__occurs` shows.
+
+pub mod formulas;
+pub mod prose;
+pub mod record;
+pub mod source;
+pub mod term;
+
+use crate::data::{Folder, Text};
+use crate::trials::Paper;
+use record::Accepted;
+use source::{Item, Sources};
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
+
+/// The file that is written from the formulas.
+pub const FORMULAS: &str = "Formulas.v";
+
+/// A paper's theorems.
+#[derive(Debug)]
+pub struct Theorems {
+    /// The files.
+    pub files: Folder,
+    /// The record of what was accepted.
+    pub record: Text,
+    known: OnceLock<Known>,
+}
+
+/// What is known of the theorems.
+#[derive(Debug)]
+pub struct Known {
+    /// What the files say, with the formulas as they are now.
+    pub sources: Sources,
+    /// The record.
+    pub record: Vec<Accepted>,
+    /// The claims that try the formulas, by the names of their definitions, and whether these are printed.
+    pub formulas: BTreeMap<String, (String, bool)>,
+    /// What is wrong with it.
+    pub fault: Option<String>,
+}
+
+impl Theorems {
+    /// Those of files, with the record of them.
+    pub const fn new(files: Folder, record: Text) -> Self {
+        Self {
+            files,
+            record,
+            known: OnceLock::new(),
+        }
+    }
+
+    /// What is known of them; read when it is first asked for.
+    pub fn known(&self, paper: &Paper) -> &Known {
+        self.known.get_or_init(|| {
+            let trees = (paper.formulas.trees)();
+            let own = formulas::definitions(&trees, paper.formulas.corrections);
+            let formulas = formulas::tried(&trees, &paper.formulas);
+            let files = self.files.texts(".v");
+            let texts = files.iter().map(|(path, text)| match path.as_str() {
+                FORMULAS => (FORMULAS, own.as_str()),
+                path => (path, text.as_str()),
+            });
+            let sources = Sources::read(texts);
+            let (record, fault) = match record::read(&self.record) {
+                Ok(record) => (record, None),
+                Err(fault) => (Vec::new(), Some(fault)),
+            };
+            Known {
+                sources,
+                record,
+                formulas,
+                fault,
+            }
+        })
+    }
+}
+
+/// The name of the theorem that says the whole of a claim: `eq_13` of `eq-13`.
+pub fn named(claim: &str) -> String {
+    claim.replace('-', "_")
+}
+
+impl Known {
+    /// What was accepted of a claim and is still what the files and the formulas say: the theorem of the whole first.
+    pub fn of_claim(&self, claim: &str) -> Vec<(&Accepted, &Item)> {
+        let name = named(claim);
+        let own = |accepted: &&Accepted| accepted.name.split("__").next() == Some(&name);
+        let mut all: Vec<_> = self
+            .record
+            .iter()
+            .filter(own)
+            .filter_map(|accepted| self.current(accepted))
+            .collect();
+        all.sort_by_key(|(accepted, _)| accepted.name != name);
+        all
+    }
+
+    fn current<'a>(&'a self, accepted: &'a Accepted) -> Option<(&'a Accepted, &'a Item)> {
+        let item = self.sources.proved(&accepted.name)?;
+        (self.sources.mark(item) == accepted.mark).then_some((accepted, item))
+    }
+
+    /// How the formula of a definition is written: `\\text{(13)}`, with a hat where it is what replaces a printed one or adds to it.
+    pub fn formula(&self, paper: &Paper, name: &str) -> Option<String> {
+        let (claim, printed) = self.formulas.get(name)?;
+        let (_, claim) = paper.find(claim)?;
+        let number = match claim.equation {
+            Some(number) => format!("({number})"),
+            None => claim.title.replace('$', ""),
+        };
+        Some(match printed {
+            true => format!("\\text{{{number}}}"),
+            false => format!("\\widehat{{\\text{{{number}}}}}"),
+        })
+    }
+
+    /// Whether the whole of a claim is a theorem.
+    pub fn is_proved(&self, claim: &str) -> bool {
+        let all = self.of_claim(claim);
+        all.first()
+            .is_some_and(|(accepted, _)| accepted.name == named(claim))
+    }
+
+    /// The theorems that belong into the record: those of claims, and those that chapters bring beside them.
+    pub fn wanted(&self, paper: &Paper) -> Vec<&Item> {
+        let claims: BTreeMap<String, ()> = paper
+            .claims()
+            .map(|(_, claim)| (named(claim.id), ()))
+            .collect();
+        let wanted = |item: &&Item| {
+            let mut parts = item.name.split("__");
+            let of_claim = parts.next().is_some_and(|name| claims.contains_key(name));
+            let beside = item.word == "Theorem" && !item.file.contains('/');
+            item.is_proved() && (of_claim || beside) && parts.next() != Some("occurs")
+        };
+        self.sources.items.iter().filter(wanted).collect()
+    }
+}
