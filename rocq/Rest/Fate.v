@@ -1,4 +1,4 @@
-(* Section 4: one motion per start, rest lasts, caught, and the three fates *)
+(* One motion per start; rest lasts where rho <= 1; what has rho + p < 1 is caught; each motion comes to rest, escapes, or creeps towards rho = 1 for ever. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Turntable Sphere.
@@ -115,6 +115,15 @@ Proof.
   exists (Rmax 0 (T + 1)). split. apply Rmax_l. intros t Ht. pose proof (Rmax_r 0 (T + 1)). specialize (HT t ltac:(lra)). apply Rabs_def2 in HT. lra.
 Qed.
 
+(* the fates of a particle on the table: at rest from some moment on, at the distance s from the axis; *)
+Definition rests_at (s : R) (x y u w : R -> R) : Prop :=
+  exists T, 0 <= T /\ nrm (x T) (y T) = s /\ forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0.
+(* ... in the end farther away than any distance, for good; *)
+Definition escapes (x y : R -> R) : Prop := forall M, exists T, 0 <= T /\ forall t, T <= t -> M < nrm (x t) (y t).
+(* ... nearer and nearer to a place of the circle rho = 1 and slower and slower, without ever coming to a stop *)
+Definition creeps (x y u w : R -> R) : Prop := exists a b : R, a ^ 2 + b ^ 2 = 1 /\ is_lim x p_infty a /\ is_lim y p_infty b /\
+  is_lim u p_infty 0 /\ is_lim w p_infty 0 /\ forall t, 0 <= t -> 0 < nrm (u t) (w t).
+
 Section Fate.
 Variables x y u w : R -> R.
 Hypothesis S : spin x y u w.
@@ -176,7 +185,7 @@ Proof.
   pose proof (q1 t). pose proof (P1 t). lra.
 Qed.
 
-(* theorem 18: caught *)
+(* caught *)
 Theorem caught s t : 0 <= s -> rho s + p s < 1 -> s + p s / (1 - (rho s + p s)) <= t ->
   u t = 0 /\ w t = 0 /\ rho t <= rho s + p s.
 Proof.
@@ -283,7 +292,7 @@ Proof.
   pose proof (bd T ltac:(lra)). pose proof (bd (T + 1) ltac:(lra)). lra.
 Qed.
 
-(* theorem 19 (c), s4-escape-if-A-above-1: A and rho grow without bound *)
+(* with A > 1, A and rho grow without bound *)
 Theorem unbounded_above_1 s : 0 <= s -> 1 < E s -> forall M, exists T, s <= T /\ forall t, T <= t -> M < E t.
 Proof.
   intros Hs H M. pose proof (A_never_falls x y u w S) as up.
@@ -294,20 +303,23 @@ Proof.
     { intros t Ht. destruct (Rle_lt_dec s t); auto. specialize (up t s ltac:(lra)). specialize (below s ltac:(lra)). lra. }
     specialize (EL s Hs). lra.
 Qed.
-(* theorem 19, s4-dichotomy: rest, escape, or a creep towards rho = 1 that never rests *)
-Theorem s4_dichotomy__fates :
-  (exists T, 0 <= T /\ rho T <= 1 /\ forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0) \/
-  (forall M, exists T, 0 <= T /\ forall t, T <= t -> M < rho t) \/
-  (exists a b : R, a ^ 2 + b ^ 2 = 1 /\ is_lim x p_infty a /\ is_lim y p_infty b /\ is_lim u p_infty 0 /\ is_lim w p_infty 0 /\
-     forall t, 0 <= t -> 0 < p t).
+Lemma rests_from T : 0 <= T -> p T = 0 -> rho T <= 1 -> rests_at (rho T) x y u w.
+Proof.
+  intros T0 z r1. exists T. split; trivial. split; trivial. intros t Ht. apply table_rest_lasts; trivial; try lra.
+  rewrite <- nrm_sq. pose proof (nrm_pos (x T) (y T)). nra.
+Qed.
+Lemma escapes_from s : 0 <= s -> 1 < E s -> escapes x y.
+Proof.
+  intros Hs H M. destruct (unbounded_above_1 s Hs H (M ^ 2)) as (T & T0 & HT). exists T. split. lra. intros t Ht. specialize (HT t Ht).
+  pose proof (nrm_sq (x t) (y t)). pose proof (nrm_pos (x t) (y t)). pose proof (pow2_ge_0 (u t)). pose proof (pow2_ge_0 (w t)). nra.
+Qed.
+Theorem fates : (exists s, s <= 1 /\ rests_at s x y u w) \/ escapes x y \/ creeps x y u w.
 Proof.
   pose proof (A_never_falls x y u w S) as up.
-  assert (rest : forall T, 0 <= T -> p T = 0 -> rho T <= 1 -> (forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0)).
-  { intros T T0 z r1 t Ht. apply table_rest_lasts; trivial; try lra. rewrite <- nrm_sq. pose proof (nrm_pos (x T) (y T)). nra. }
   destruct (Classical_Prop.classic (exists M, forall t, 0 <= t -> E t <= M)) as [[M HM] | no].
   - destruct (bounded_ends M HM) as (a & b & Ha & Hb & Hu & Hw & L1 & EL).
     destruct (Classical_Prop.classic (exists T, 0 <= T /\ p T = 0)) as [(T & T0 & z) | never].
-    + left. exists T. assert (rho T <= 1); [ | now auto ]. specialize (EL T T0). destruct (stop0 T z) as [z1 z2]. rewrite z1, z2 in EL.
+    + left. exists (rho T). assert (rho T <= 1); [ | split; trivial; now apply rests_from ]. specialize (EL T T0). destruct (stop0 T z) as [z1 z2]. rewrite z1, z2 in EL.
       pose proof (nrm_sq (x T) (y T)). pose proof (nrm_pos (x T) (y T)). nra.
     + right. right. exists a, b. assert (pos : forall t, 0 <= t -> 0 < p t).
       { intros t Ht. destruct (nrm_pos (u t) (w t)) as [k | k]; trivial. exfalso. apply never. exists t. auto. }
