@@ -2,7 +2,7 @@
    not near pi; p, and so the time, is either long small, or falls to 0, and in both cases g has time enough. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Sphere Fate Alpha Lab Late.
+From Slipbook Require Import Motion Turntable Turntable2 Sphere Fate Alpha Lab Late Reach.
 Open Scope R_scope.
 
 Lemma turn_falls L m sg : 0 < m -> 0 < sg -> m <= sg / 4 -> sg ^ 2 <= L ^ 2 -> - (2 * L + (/ m + m) * L ^ 2) <= - (sg ^ 2 / (2 * m)).

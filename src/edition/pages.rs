@@ -65,6 +65,8 @@ pub(super) const MOVED: &[(&str, &str)] = &[
         "methods.html#accuracy",
     ),
     ("certificates.html", "kernel.html"),
+    ("proved.html#measured", "kernel.html#kernel-unreached"),
+    ("methods.html#measured", "kernel.html#kernel-unreached"),
     (
         "certificates.html#certificate-corrupted",
         "kernel.html#kernel",

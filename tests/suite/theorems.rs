@@ -3,6 +3,7 @@
 use slipbook::claims::PAPER;
 use std::collections::BTreeSet;
 use trialbook::theorems::record::AXIOMS;
+use trialbook::theorems::term::Term;
 use trialbook::theorems::{FORMULAS, Known, formulas};
 
 /// What has to be done where the record is not of the files.
@@ -94,5 +95,43 @@ fn a_theorem_speaks_of_its_own_formula() {
                 .any(|i| own.contains(&known.sources.items[*i].name))
         });
         assert!(speaks, "no theorem of {} speaks of {own:?}", claim.id);
+    }
+}
+
+/// What is said of every motion is said of one that there is.
+#[test]
+fn what_is_supposed_occurs() {
+    let known = known();
+    let moves = |term: &Term| {
+        let text = format!("{term:?}");
+        let used = known.sources.used([text.as_str()].into_iter(), "");
+        used.iter()
+            .any(|i| known.sources.items[*i].word == "Record")
+    };
+    let open: Vec<_> = known
+        .record
+        .iter()
+        .filter(|accepted| {
+            let statement = Term::read(&accepted.statement);
+            let supposed = statement.as_ref().map_or(Vec::new(), Term::supposed);
+            supposed.into_iter().any(moves) && !accepted.occurs
+        })
+        .map(|accepted| &accepted.name)
+        .collect();
+    assert!(
+        open.is_empty(),
+        "nothing shows that the hypotheses can be met of {open:?}"
+    );
+}
+
+#[test]
+fn every_statement_is_told_as_mathematics() {
+    for accepted in &known().record {
+        assert!(
+            Term::read(&accepted.statement).is_some(),
+            "{}: {}",
+            accepted.name,
+            accepted.statement
+        );
     }
 }

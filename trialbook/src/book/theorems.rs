@@ -4,7 +4,7 @@ use super::{context::Context, error::Html, text::escape};
 use crate::ledger::Entry;
 use crate::theorems::prose::{Said, Writer};
 use crate::theorems::record::Accepted;
-use crate::theorems::source::{Item, names};
+use crate::theorems::source::Item;
 
 /// The theorems of a claim: as mathematics, what is supposed first, and as they were accepted.
 pub(super) fn of_claim(context: &Context<'_>, entry: &Entry) -> Html {
@@ -27,8 +27,7 @@ fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
         formula: &formula,
     };
     let told = match writer.said(&accepted.statement) {
-        // What cannot be set so is shown as it was accepted alone.
-        Some(said) => told(context, &said).unwrap_or_default(),
+        Some(said) => told(context, &said)?,
         None => String::new(),
     };
     let occurs = if accepted.occurs {
@@ -88,18 +87,26 @@ fn linked(context: &Context<'_>, statement: &str) -> String {
             false => rest.find(word).unwrap_or(rest.len()),
         };
         let text = &rest[..length];
-        let own = names(text)
-            .next()
-            .filter(|own| sources.meaning(own).is_some());
-        match own.filter(|_| text.starts_with(word)) {
-            Some(own) => {
-                out += &format!("<a href=\"{}#{own}\">{}</a>", page(context), escape(text))
+        let meaning = sources.meaning(text).filter(|_| text.starts_with(word));
+        match meaning {
+            Some(item) => {
+                out += &format!(
+                    "<a href=\"{}#{}\">{}</a>",
+                    page(context),
+                    place(item),
+                    escape(text)
+                )
             }
             None => out += &escape(text),
         }
         rest = &rest[length..];
     }
     out
+}
+
+/// Where a definition stands on that page.
+fn place(item: &Item) -> String {
+    escape(&format!("{}.{}", item.stem(), item.name))
 }
 
 /// The page on which all definitions stand.
@@ -119,13 +126,14 @@ pub(super) fn definitions(context: &Context<'_>) -> Html {
         .flat_map(|item| known.sources.behind(item))
         .collect();
     let all = used.into_iter().map(|i| {
-        let Item { name, about, text, file, .. } = &known.sources.items[i];
+        let item = &known.sources.items[i];
+        let Item { about, text, file, .. } = item;
         Ok(format!(
             "<div class=\"definition\" id=\"{name}\"><p>{}</p><pre><code class=\"language-text nohighlight\">{}</code></pre><p class=\"measure\">{}</p></div>",
             context.maths.words(&about.replace(['«', '»'], ""))?,
             linked(context, &format!("{text}.")),
             escape(file),
-            name = escape(name),
+            name = place(item),
         ))
     });
     all.collect()

@@ -46,6 +46,12 @@ const WITHIN: [&str; 7] = [
 ];
 
 impl Item {
+    /// The file's name without folders and ending.
+    pub fn stem(&self) -> &str {
+        let name = self.file.rsplit('/').next().unwrap_or_default();
+        name.trim_end_matches(".v")
+    }
+
     /// True if it is a theorem or a lemma.
     pub fn is_proved(&self) -> bool {
         PROVED.contains(&self.word)
@@ -94,10 +100,12 @@ impl Sources {
             .find(|item| item.is_proved() && item.name == name)
     }
 
-    /// The first definition of this name.
+    /// The definition of a name, with the file before it or without: `line`, `Line.line`.
     pub fn meaning(&self, name: &str) -> Option<&Item> {
-        let first = self.meanings.get(name)?.first()?;
-        self.items.get(*first)
+        let (file, own) = name.rsplit_once('.').unwrap_or(("", name));
+        let all = self.meanings.get(own)?;
+        let there = all.iter().find(|i| self.items[**i].stem() == file);
+        self.items.get(*there.or(all.first())?)
     }
 
     /// Whether a file requires one of this name, by itself or through others.
@@ -323,11 +331,11 @@ mod tests {
             ("now trivial", "auto"),
             ("a remark", "two"),
             ("True", "1 = 1"),
-            ("x := x", "x :=\n x"),
+            (":= x", ":=\n x"),
         ] {
             assert_eq!(mark(&FILE.replace(from, to)), own, "{from}");
         }
-        for (from, to) in [("x := x", "x := 2"), ("0 < k", "0 <= k"), ("= k", "= 1")] {
+        for (from, to) in [(":= x", ":= 2"), ("0 < k", "0 <= k"), ("= k", "= 1")] {
             assert_ne!(mark(&FILE.replace(from, to)), own, "{from}");
         }
     }
