@@ -674,15 +674,24 @@ Lemma eq_127__occurs : ltac:(occurs eq_127). Proof. an_escape. Qed.
 Lemma s4_A_never_decreases__occurs : ltac:(occurs s4_A_never_decreases). Proof. an_escape. Qed.
 Lemma s4_escape_if_A_above_1__occurs : ltac:(occurs s4_escape_if_A_above_1). Proof. an_escape. Qed.
 Lemma eq_128__occurs : ltac:(occurs eq_128). Proof. an_escape. Qed.
+Lemma eq_128__printed__occurs : ltac:(occurs eq_128__printed). Proof. an_escape. Qed.
 Lemma eq_129__occurs : ltac:(occurs eq_129). Proof. an_escape. Qed.
 Lemma eq_130__occurs : ltac:(occurs eq_130). Proof. an_escape. Qed.
+Lemma eq_130__printed__occurs : ltac:(occurs eq_130__printed). Proof. an_escape. Qed.
 Lemma eq_131__occurs : ltac:(occurs eq_131). Proof. an_escape. Qed.
+Lemma eq_131__printed__occurs : ltac:(occurs eq_131__printed). Proof. an_escape. Qed.
 Lemma eq_132__occurs : ltac:(occurs eq_132). Proof. an_escape. Qed.
+Lemma eq_132__printed__occurs : ltac:(occurs eq_132__printed). Proof. an_escape. Qed.
 Lemma eq_133__occurs : ltac:(occurs eq_133). Proof. an_escape. Qed.
+Lemma eq_133__printed__occurs : ltac:(occurs eq_133__printed). Proof. an_escape. Qed.
 Lemma eq_134__occurs : ltac:(occurs eq_134). Proof. an_escape. Qed.
+Lemma eq_134__printed__occurs : ltac:(occurs eq_134__printed). Proof. an_escape. Qed.
 Lemma eq_135__occurs : ltac:(occurs eq_135). Proof. an_escape. Qed.
+Lemma eq_135__printed__occurs : ltac:(occurs eq_135__printed). Proof. an_escape. Qed.
 Lemma eq_136__occurs : ltac:(occurs eq_136). Proof. an_escape. Qed.
+Lemma eq_136__printed__occurs : ltac:(occurs eq_136__printed). Proof. an_escape. Qed.
 Lemma eq_137__occurs : ltac:(occurs eq_137). Proof. an_escape. Qed.
+Lemma eq_137__printed__occurs : ltac:(occurs eq_137__printed). Proof. an_escape. Qed.
 Lemma eq_138__occurs : ltac:(occurs eq_138). Proof. an_escape. Qed.
 Lemma s4_alpha_unbounded__occurs : ltac:(occurs s4_alpha_unbounded). Proof. an_escape. Qed.
 (* every A, psi and alpha there are at a start: what s4_small_alpha speaks of exists *)
@@ -713,7 +722,7 @@ Proof.
     rewrite <- (arcsinh_sinh (alpha 0)), <- (arcsinh_sinh a). f_equal. nra.
 Qed.
 (* ... and one that is caught as (127) says: from rho = 1/2, p = 1/4 *)
-Lemma eq_127__caught_occurs : exists x y u w A alpha, spin x y u w /\ (forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha
+Lemma eq_127__caught__occurs : exists x y u w A alpha, spin x y u w /\ (forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha
   t)) /\
   A 0 < eq127_least_a /\ 0 < alpha 0 < ln (1 / A 0).
 Proof.

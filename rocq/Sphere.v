@@ -392,6 +392,18 @@ Proof.
   intros s _. replace (nrm _ _) with (A0 * Rabs (h (varpi * s))); [ specialize (hh (varpi * s)); nra | ].
   rewrite <- (Rabs_pos_eq A0) at 1 by lra. rewrite <- Rabs_mult. unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring.
 Qed.
+Lemma s33_any_drive__above_one__occurs : ltac:(occurs s33_any_drive__above_one).
+Proof.
+  intros H. assert (z : nrm 0 0 = 0) by (unfold nrm; replace (0 ^ 2 + 0 ^ 2) with 0 by ring; apply sqrt_0).
+  apply (H 1 1 1 1 1 1 1 (fun _ => 1) 2 (fun t => t / 2) (fun _ => 0) (fun _ => 0) (fun t => t / 2) (fun _ => 0) 0); try lra.
+  - intros _. rewrite Rabs_R1. lra.
+  - unfold eq84_lambda, eq67_factor, eq62_kappa. field.
+  - split; intros t Ht. { repeat split; apply derivable_continuous_pt; reg. }
+    exists (- / 2), 0. unfold slip_x, slip_y. split. { split; [ lra | ]. replace (t / 2 - 1 * (t / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. ring. }
+    unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
+    repeat split; apply rder_of; auto_derive; trivial; field.
+  - unfold slip_x, slip_y. replace (0 / 2 - 1 * (0 / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. lra.
+Qed.
 (* Friction mu_plus forward and mu_minus backward, drive (21): whatever holds of all velocities of the particle of 2.4 with lambda_0 of (85) and
    q = mu_minus / mu_plus, its regions with them, holds of all slip velocities of spheres along the line, and the other way round. *)
 Theorem s34_anisotropic m J rad mu_plus mu_minus g A0 varpi t0 (P : (R -> R) -> Prop) : 0 < m -> 0 < J -> 0 < rad -> 0 < mu_plus -> 0 < g ->

@@ -41,6 +41,8 @@ Proof.
   { apply same_back. intros t. auto. }
   apply (H 2 3 10 _ _ _ _ x y u w ltac:(lra) (eq_86__back _ _ _ _ _ _ _ _ _ _ _ S T) T).
 Qed.
+Lemma eq_86__back__occurs : ltac:(occurs eq_86__back).
+Proof. intros H. apply eq_86__occurs. intros Om mu g X Y U W x y u w Hk S T. now apply (H Om mu g X Y U W x y u w); [ apply (eq_86 Om mu g X Y U W) | ]. Qed.
 
 (* (89): in the units of (87) and (88) every motion by (86) is one by (89), rests included, for all Omega and mu g > 0 *)
 Theorem eq_89 Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> turntable Om (mu * g) x y u w ->
@@ -57,7 +59,7 @@ Theorem eq_89__back Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> spin r
   in_units Om mu g x y u w rx ry pu pw -> turntable Om (mu * g) x y u w.
 Proof. intros HO Hk S T. now apply (units _ _ _ _ _ _ _ _ _ _ _ HO Hk T) in S. Qed.
 (* such a motion exists for every Omega and mu g > 0, from every place and velocity *)
-Lemma eq_89__occurs : forall Om mu g x0 y0 u0 w0, 0 < Om -> 0 < mu * g -> exists x y u w rx ry pu pw,
+Lemma units_exist : forall Om mu g x0 y0 u0 w0, 0 < Om -> 0 < mu * g -> exists x y u w rx ry pu pw,
   turntable Om (mu * g) x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0 /\ in_units Om mu g x y u w rx ry pu pw.
 Proof.
   intros Om mu g x0 y0 u0 w0 HO Hk. destruct (turntable_exists Om (mu * g) x0 y0 u0 w0) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra.
@@ -66,6 +68,11 @@ Proof.
     (mu * g) * w (t / Om)).
   do 5 (split; [ trivial | ]). intros t. unfold eq88_time. replace (Om * t / Om) with t by (field; lra). repeat split.
 Qed.
+Ltac in_units := intros H; destruct (units_exist 2 3 10 1 0 1 5) as (x & y & u & w & rx & ry & pu & pw & S & _ & _ & _ & _ & T); try lra.
+Lemma eq_89__occurs : ltac:(occurs eq_89).
+Proof. in_units. apply (H 2 3 10 x y u w rx ry pu pw); trivial; lra. Qed.
+Lemma eq_89__back__occurs : ltac:(occurs eq_89__back).
+Proof. in_units. apply (H 2 3 10 x y u w rx ry pu pw); trivial; try lra. apply (eq_89 2 3 10 x y u w rx ry pu pw); trivial; lra. Qed.
 
 (* A solution for Omega, mirrored, is one for - Omega, and back; so Omega > 0 is no loss. (86) says so, too *)
 Theorem s4_mirror Om mu g x y u w : (turntable Om (mu * g) x y u w <-> turntable (- Om) (mu * g) x (fun t => - y t) u (fun t => - w t)) /\

@@ -102,22 +102,23 @@ fn a_theorem_speaks_of_its_own_formula() {
 #[test]
 fn what_is_supposed_occurs() {
     let known = known();
-    let moves = |term: &Term| {
-        let text = format!("{term:?}");
-        let used = known.sources.used([text.as_str()].into_iter(), "");
+    let moves = |name: &&str| {
+        let used = known.sources.used([*name].into_iter(), "");
         used.iter()
             .any(|i| known.sources.items[*i].word == "Record")
     };
-    let open: Vec<_> = known
-        .record
-        .iter()
-        .filter(|accepted| {
-            let statement = Term::read(&accepted.statement);
-            let supposed = statement.as_ref().map_or(Vec::new(), Term::supposed);
-            supposed.into_iter().any(moves) && !accepted.occurs
-        })
-        .map(|accepted| &accepted.name)
-        .collect();
+    let supposes = |statement: &Term| {
+        let free = statement.free();
+        let supposed = statement.supposed().into_iter().flat_map(Term::free);
+        supposed
+            .filter(|name| free.contains(name))
+            .any(|name| moves(&name))
+    };
+    let open = known.record.iter().filter(|accepted| {
+        Term::read(&accepted.statement).is_some_and(|statement| supposes(&statement))
+            && !accepted.occurs
+    });
+    let open: Vec<_> = open.map(|accepted| &accepted.name).collect();
     assert!(
         open.is_empty(),
         "nothing shows that the hypotheses can be met of {open:?}"

@@ -134,7 +134,7 @@ impl Known {
             let mut parts = item.name.split("__");
             let of_claim = parts.next().is_some_and(|name| claims.contains_key(name));
             let beside = item.word == "Theorem" && !item.file.contains('/');
-            item.is_proved() && (of_claim || beside) && parts.next() != Some("occurs")
+            item.is_proved() && (of_claim || beside) && !item.name.ends_with("__occurs")
         };
         self.sources.items.iter().filter(wanted).collect()
     }

@@ -239,10 +239,10 @@ pub fn made(
             name: name.to_owned(),
             file: item.file.clone(),
             speaks: speaks(sources, item, &axioms),
-            occurs: sources
-                .items
-                .iter()
-                .any(|other| other.name == format!("{name}__occurs")),
+            occurs: sources.items.iter().any(|other| {
+                other.name == format!("{name}__occurs")
+                    && other.text.ends_with(&format!("ltac:(occurs {name})"))
+            }),
             // A time that is measured anew is no news.
             seconds: known.map_or_else(took, |old| old.seconds),
             axioms,

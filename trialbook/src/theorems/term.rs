@@ -1,5 +1,7 @@
 //! Statements of Rocq, read as far as `coqc` prints them here.
 
+use std::collections::BTreeSet;
+
 /// A term, or a statement.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Term {
@@ -47,6 +49,46 @@ impl Term {
         };
         let term = reader.term()?;
         (reader.at == reader.words.len()).then_some(term)
+    }
+
+    /// The names in it, but for those of what is bound in it.
+    pub fn free(&self) -> BTreeSet<&str> {
+        let mut names = BTreeSet::new();
+        self.gather(&mut Vec::new(), &mut names);
+        names
+    }
+
+    fn gather<'a>(&'a self, bound: &mut Vec<&'a str>, names: &mut BTreeSet<&'a str>) {
+        let known = bound.len();
+        match self {
+            Term::Name(name) | Term::Of(name, _) if !bound.contains(&name.as_str()) => {
+                names.insert(name);
+            }
+            Term::Bound(_, own, _) => bound.extend(own.iter().map(|(name, _)| name.as_str())),
+            Term::Let(name, value, _) => {
+                value.gather(bound, names);
+                bound.push(name);
+            }
+            _ => {}
+        }
+        match self {
+            Term::Name(_) => {}
+            Term::Of(_, of) | Term::Tuple(of) => of.iter().for_each(|one| one.gather(bound, names)),
+            Term::Value(head, of) => std::iter::once(&**head)
+                .chain(of)
+                .for_each(|one| one.gather(bound, names)),
+            Term::Joined(first, rest) => {
+                let all = std::iter::once(&**first).chain(rest.iter().map(|(_, one)| one));
+                all.for_each(|one| one.gather(bound, names));
+            }
+            Term::Before(_, one) | Term::Bound(_, _, one) | Term::Let(_, _, one) => {
+                one.gather(bound, names)
+            }
+            Term::If(a, b, c) => [a, b, c]
+                .into_iter()
+                .for_each(|one| one.gather(bound, names)),
+        }
+        bound.truncate(known);
     }
 
     /// What a statement supposes.
