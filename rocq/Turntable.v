@@ -68,11 +68,11 @@ Proof.
     (mu * g) * w (t / Om)).
   do 5 (split; [ trivial | ]). intros t. unfold eq88_time. replace (Om * t / Om) with t by (field; lra). repeat split.
 Qed.
-Ltac in_units := intros H; destruct (units_exist 2 3 10 1 0 1 5) as (x & y & u & w & rx & ry & pu & pw & S & _ & _ & _ & _ & T); try lra.
+Ltac at_units := intros H; destruct (units_exist 2 3 10 1 0 1 5) as (x & y & u & w & rx & ry & pu & pw & S & _ & _ & _ & _ & T); try lra.
 Lemma eq_89__occurs : ltac:(occurs eq_89).
-Proof. in_units. apply (H 2 3 10 x y u w rx ry pu pw); trivial; lra. Qed.
+Proof. at_units. apply (H 2 3 10 x y u w rx ry pu pw); trivial; lra. Qed.
 Lemma eq_89__back__occurs : ltac:(occurs eq_89__back).
-Proof. in_units. apply (H 2 3 10 x y u w rx ry pu pw); trivial; try lra. apply (eq_89 2 3 10 x y u w rx ry pu pw); trivial; lra. Qed.
+Proof. at_units. apply (H 2 3 10 x y u w rx ry pu pw); trivial; try lra. apply (eq_89 2 3 10 x y u w rx ry pu pw); trivial; lra. Qed.
 
 (* A solution for Omega, mirrored, is one for - Omega, and back; so Omega > 0 is no loss. (86) says so, too *)
 Theorem s4_mirror Om mu g x y u w : (turntable Om (mu * g) x y u w <-> turntable (- Om) (mu * g) x (fun t => - y t) u (fun t => - w t)) /\

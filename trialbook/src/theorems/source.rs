@@ -24,14 +24,7 @@ pub struct Item {
 }
 
 /// What declares something that statements may use.
-const MEANINGS: [&str; 6] = [
-    "Definition",
-    "Record",
-    "Fixpoint",
-    "Inductive",
-    "Notation",
-    "Ltac",
-];
+const MEANINGS: [&str; 5] = ["Definition", "Record", "Fixpoint", "Inductive", "Notation"];
 /// What has a proof.
 const PROVED: [&str; 3] = ["Theorem", "Lemma", "Corollary"];
 /// What holds as long as a section is open.
