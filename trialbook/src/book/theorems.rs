@@ -2,6 +2,7 @@
 
 use super::{context::Context, error::Html, text::escape};
 use crate::ledger::Entry;
+use crate::notation::plain_formula;
 use crate::theorems::prose::{Said, Writer};
 use crate::theorems::record::Accepted;
 use crate::theorems::source::Item;
@@ -26,7 +27,8 @@ fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
         sources: &known.sources,
         formula: &formula,
     };
-    let told = match writer.said(&accepted.statement) {
+    let said = writer.said(&accepted.statement);
+    let told = match said.filter(fits) {
         Some(said) => told(context, &said)?,
         None => String::new(),
     };
@@ -50,6 +52,18 @@ fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
             some => escape(&some),
         },
     ))
+}
+
+/// The most letters of a formula that a printed line takes.
+const LINE: usize = 72;
+
+/// Whether each formula fits a printed line; a statement in which one does not is shown as it was accepted alone.
+fn fits(said: &Said) -> bool {
+    let all = said.given.iter().chain(&said.supposed).chain(&said.holds);
+    let formulas = all.flat_map(|text| text.split('$').skip(1).step_by(2));
+    formulas
+        .map(plain_formula)
+        .all(|formula| formula.chars().count() <= LINE)
 }
 
 fn told(context: &Context<'_>, said: &Said) -> Html {
@@ -129,7 +143,7 @@ pub(super) fn definitions(context: &Context<'_>) -> Html {
         let item = &known.sources.items[i];
         let Item { about, text, file, .. } = item;
         Ok(format!(
-            "<div class=\"definition\" id=\"{name}\"><p>{}</p><pre><code class=\"language-text nohighlight\">{}</code></pre><p class=\"measure\">{}</p></div>",
+            "<div class=\"meaning\" id=\"{name}\"><p>{}</p><pre><code class=\"language-text nohighlight\">{}</code></pre><p class=\"measure\">{}</p></div>",
             context.maths.words(&about.replace(['«', '»'], ""))?,
             linked(context, &format!("{text}.")),
             escape(file),

@@ -301,7 +301,7 @@ fn seconds(times: &str, [from, to]: [usize; 2]) -> f64 {
 mod tests {
     use super::*;
 
-    const FILE: &str = "Record motion (v : R) := {}.\nTheorem eq_1 v : motion v -> 0 <= v. Proof. auto. Qed.\nLemma eq_1__occurs : True. Proof. auto. Qed.\n\
+    const FILE: &str = "Record motion (v : R) := {}.\nTheorem eq_1 v : motion v -> 0 <= v. Proof. auto. Qed.\nLemma eq_1__occurs : ltac:(occurs eq_1). Proof. auto. Qed.\n\
         Theorem eq_2 : 0 < 1. Proof. lra. Qed.\n";
 
     #[test]
