@@ -41,6 +41,14 @@ impl Evidence {
 }
 
 impl Entry {
+    /// Whether the whole claim is a theorem. What is built without trials reads no record of any.
+    fn is_theorem(&self) -> bool {
+        #[cfg(feature = "trials")]
+        return self.paper.known_theorems().is_proved(self.claim.id);
+        #[cfg(not(feature = "trials"))]
+        false
+    }
+
     /// How what the verdict rests on is known; nothing for an undecided claim.
     pub fn standing(&self) -> Option<Standing> {
         let (claim, whole) = (self.claim, self.whole());
@@ -48,7 +56,7 @@ impl Entry {
             None
         } else if claim.kind == Kind::Definition {
             Some(Standing::Defined)
-        } else if self.paper.known_theorems().is_proved(claim.id) {
+        } else if self.is_theorem() {
             Some(Standing::Proved)
         } else if whole
             .iter()
