@@ -57,13 +57,14 @@ fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
 /// The most letters of a formula that a printed line takes.
 const LINE: usize = 72;
 
-/// Whether each formula fits a printed line; a statement in which one does not is shown as it was accepted alone.
+/// Whether each formula fits a printed line and no words stand in one; else a statement is shown as it was accepted alone.
 fn fits(said: &Said) -> bool {
     let all = said.given.iter().chain(&said.supposed).chain(&said.holds);
-    let formulas = all.flat_map(|text| text.split('$').skip(1).step_by(2));
-    formulas
-        .map(plain_formula)
-        .all(|formula| formula.chars().count() <= LINE)
+    let mut formulas = all.flat_map(|text| text.split('$').skip(1).step_by(2));
+    formulas.all(|formula| {
+        let whole = formula.matches('{').count() == formula.matches('}').count();
+        whole && plain_formula(formula).chars().count() <= LINE
+    })
 }
 
 fn told(context: &Context<'_>, said: &Said) -> Html {
