@@ -3,41 +3,33 @@
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Exists Rates Formulas HalfPeriod Drawn Steady Shaken LargeTime AcrossStop Zeros Across.
+From Slipbook Require Import Motion General Exists Rates Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime AcrossStop Zeros Across.
 Open Scope R_scope.
 
-Ltac emptied T := lazymatch T with
-  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
-  | _ => constr:(False) end.
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
-
 (* ---- drive and friction: (25) to (30) ---- *)
+Lemma units_pos mu g A0 : 0 < A0 -> 0 <= mu * g -> 0 <= eq22_lambda0 mu g A0.
+Proof. intros hA h0. apply Rmult_le_pos; [ trivial | left; now apply Rinv_0_lt_compat ]. Qed.
+Lemma drive_size A0 varpi t : nrm (eq21_acceleration_1 A0 varpi t) (eq21_acceleration_2 A0 varpi t) = Rabs A0 * Rabs (sin (varpi * t)).
+Proof. unfold eq21_acceleration_1, eq21_acceleration_2. now rewrite nrm_x, Rabs_mult, Rabs_Ropp. Qed.
 (* (25) says that A0 exceeds mu g; exactly then the acceleration exceeds what friction can hold, at some time, and a block cannot rest for ever. *)
 Theorem eq_25 mu g A0 varpi t0 : 0 < A0 -> 0 < varpi -> let lam := eq22_lambda0 mu g A0 in
   (eq25_sides_1 lam < eq25_sides_2 lam <-> mu * g < A0) /\
   (eq25_sides_1 lam < eq25_sides_2 lam <-> exists t, mu * g < nrm (eq21_acceleration_1 A0 varpi t) (eq21_acceleration_2 A0 varpi t)) /\
   (0 <= mu * g -> (eq25_sides_1 lam < eq25_sides_2 lam <-> ~ block mu g A0 varpi t0 (fun _ => 0) (fun _ => 0))).
 Proof.
-  intros hA hv lam. unfold eq25_sides_1, eq25_sides_2. assert (e1 : lam < 1 <-> mu * g < A0) by (unfold lam, eq22_lambda0;
-  rewrite <- Rdiv_lt_1 by trivial; tauto).
-  assert (sz : forall t, nrm (eq21_acceleration_1 A0 varpi t) (eq21_acceleration_2 A0 varpi t) = A0 * Rabs (sin (varpi * t))).
-  { intros t. unfold eq21_acceleration_1, eq21_acceleration_2. rewrite nrm_x, Rabs_mult, Rabs_Ropp, (Rabs_pos_eq A0) by lra. trivial. }
+  intros hA hv lam. unfold eq25_sides_1, eq25_sides_2. assert (e1 : lam < 1 <-> mu * g < A0) by (symmetry; apply Rdiv_lt_1; trivial).
   rewrite e1. split; [ tauto | split ].
   - split.
-    + intros H. exists (PI / 2 / varpi). rewrite sz. replace (varpi * (PI / 2 / varpi)) with (PI / 2) by (field; lra). rewrite sin_PI2, Rabs_R1. lra.
-    + intros [t H]. rewrite sz in H. pose proof (SIN_bound (varpi * t)). assert (Rabs (sin (varpi * t)) <= 1) by (apply Rabs_le; lra). nra.
+    + intros H. exists (PI / 2 / varpi). rewrite drive_size. replace (varpi * (PI / 2 / varpi)) with (PI / 2) by (field; lra).
+      rewrite sin_PI2, Rabs_R1, Rabs_pos_eq; lra.
+    + intros [t H]. rewrite drive_size, Rabs_pos_eq in H by lra. pose proof (sin_1 (varpi * t)). nra.
   - intros h0. split.
     + intros H B. destruct (phase_after (varpi * t0) (PI / 2) 0) as (s & hs & ph). apply (block_units mu g A0 varpi t0 _ _ hA hv) in B.
-      destruct ph as [n E]. pose proof (rest_needs_friction lam (varpi * t0) _ _ ltac:(unfold lam, eq22_lambda0; apply Rmult_le_pos;
-      [ trivial | left; now apply Rinv_0_lt_compat ]) B 0 (s + 1) s ltac:(lra) ltac:(lra)) as Q.
-      rewrite E, sin_Z, sin_PI2, Rabs_R1 in Q. enough (1 <= lam) by (apply e1 in H; lra). apply Q. intros t _. unfold eq24_w. field. lra.
-    + intros H. apply Rnot_le_lt. intros k. apply H. split; [ intros; cont | intros; cont | ]. intros t _.
-      exists (eq21_acceleration_1 A0 varpi (t0 + t)), (eq21_acceleration_2 A0 varpi (t0 + t)).
-      pose proof (nrm_sq (eq21_acceleration_1 A0 varpi (t0 + t)) (eq21_acceleration_2 A0 varpi (t0 + t))) as N. rewrite sz in N.
-      pose proof (SIN_bound (varpi * (t0 + t))).
-      assert (S : 0 <= Rabs (sin (varpi * (t0 + t))) <= 1) by (split; [ apply Rabs_pos | apply Rabs_le; lra ]).
-      split; [ split; [ rewrite <- N; apply pow_incr; split; nra | rewrite nrm_forward by lra; ring ] | ].
-      split; (eapply rder_eq; [ rd | ring ]).
+      pose proof (rest_needs_friction lam _ _ _ (units_pos _ _ _ hA h0) B 0 (s + 1) s ltac:(lra) ltac:(lra)) as Q.
+      destruct (at_sin _ _ _ 0 ph) as [E _]. rewrite !Rplus_0_r, sin_PI2 in E. unfold eq23_phase in Q. rewrite E, Rabs_R1 in Q.
+      enough (1 <= lam) by (apply e1 in H; lra). apply Q. intros t _. unfold eq24_w. field. lra.
+    + intros H. apply Rnot_le_lt. intros k. apply H, (block_units mu g A0 varpi t0 _ _ hA hv).
+      eapply motion_eq; [ apply (at_rest lam (eq23_phase varpi t0)) | .. ]; trivial; [ apply Rle_div_r; lra | .. ]; intros; unfold eq24_w; field; lra.
 Qed.
 
 (* In the units (22) to (24) every block obeys one law, whose constants are lambda0 and the phase at the start. *)
@@ -50,33 +42,23 @@ Theorem eq_26 mu g A0 varpi t0 vx vy t : 0 < A0 -> 0 < varpi -> 0 <= mu * g -> b
   rder (fun s => eq24_w varpi (vx (s / varpi)) A0) (eq23_phase varpi t)
     (eq26_rate (eq22_lambda0 mu g A0) (eq23_phase varpi (t0 + t)) (eq24_w varpi (vx t) A0)).
 Proof.
-  intros hA hv h0 B ht hx hy. apply (block_units mu g A0 varpi t0 _ _ hA hv) in B. set (l := eq22_lambda0 mu g A0) in *.
-  assert (l0 : 0 <= l) by (unfold l, eq22_lambda0; apply Rmult_le_pos; [ trivial | left; now apply Rinv_0_lt_compat ]).
-  destruct (law l _ _ _ l0 B (eq23_phase varpi t)) as (fx & fy & C & _ & _ & X & _); [ unfold eq23_phase; nra | ]. eapply rder_eq; [ exact X | ].
-  assert (e : eq23_phase varpi t / varpi = t) by (unfold eq23_phase; field; lra). destruct (coulomb_slip _ _ _ _ _ l0 C) as [E _]. rewrite !e in E.
-  rewrite hy in E.
-  set (w := eq24_w varpi (vx t) A0) in *. replace (eq24_w varpi 0 A0) with 0 in E by (unfold eq24_w; field; lra). rewrite nrm_x in E.
-  assert (w0 : w <> 0). { unfold w, eq24_w. intros z. apply hx. apply (Rmult_eq_reg_l (varpi / A0)); [ rewrite Rmult_0_r, <- z; field; lra | ].
-  apply Rmult_integral_contrapositive_currified; [ lra | apply Rinv_neq_0_compat; lra ]. }
+  intros hA hv h0 B ht hx hy. apply (block_units mu g A0 varpi t0 _ _ hA hv) in B. pose proof (units_pos _ _ _ hA h0) as l0. set (l := eq22_lambda0 mu g A0) in *.
+  destruct (law l _ _ _ l0 B (eq23_phase varpi t)) as (fx & fy & _ & [E _] & _ & X & _); [ unfold eq23_phase; nra | ].
+  assert (e : eq23_phase varpi t / varpi = t) by (unfold eq23_phase; field; lra). rewrite !e, hy in E. set (w := eq24_w varpi (vx t) A0) in *.
+  replace (eq24_w varpi 0 A0) with 0 in E by (unfold eq24_w; field; lra). rewrite nrm_x in E.
+  assert (w0 : w <> 0) by (unfold w, eq24_w, Rdiv; repeat apply Rmult_integral_contrapositive_currified; trivial; try apply Rinv_neq_0_compat; lra).
   pose proof (Rabs_pos_lt _ w0). unfold eq26_rate. rewrite <- (pow2_abs w), sqrt_pow2 by apply Rabs_pos.
-  replace (eq23_phase varpi (t0 + t)) with (eq23_phase varpi t0 + eq23_phase varpi t) by (unfold eq23_phase; ring). unfold Rminus. f_equal.
+  eapply rder_eq; [ exact X | ]. unfold eq23_phase in *. rewrite Rmult_plus_distr_l. unfold Rminus. f_equal.
   apply (Rmult_eq_reg_l (Rabs w)); [ rewrite E; field; lra | lra ].
 Qed.
 
 Section FourPoints.
 Variable lam : R.
 Hypothesis hl : 0 <= lam <= 1.
-Let b : 0 <= asin lam <= PI / 2 /\ sin (asin lam) = lam.
-Proof.
-  pose proof (asin_bound lam). assert (e : sin (asin lam) = lam) by (apply sin_asin; lra). split; [ split; [ | lra ] | trivial ].
-  apply Rnot_lt_le. intros k. pose proof (sin_lt_0_var (asin lam)). pose proof PI_RGT_0. lra.
-Qed.
 (* The drive equals friction once in each quarter of a period, at (27), (28), (29), (30). *)
 Theorem eq_27 phi : 0 <= phi <= PI / 2 -> (Rabs (sin phi) = lam <-> phi = eq27_phi1 lam).
 Proof.
-  intros H. unfold eq27_phi1. destruct b as [b1 b2]. pose proof PI_RGT_0. rewrite Rabs_pos_eq by (apply sin_ge_0; lra). split; intros E.
-  - rewrite <- E. rewrite asin_sin; lra.
-  - now rewrite E.
+  intros H. rewrite Rabs_pos_eq by (apply sin_ge_0; lra). split; [ intros <- | intros -> ]; unfold eq27_phi1; [ rewrite asin_sin | rewrite sin_asin ]; lra.
 Qed.
 Theorem eq_28 phi : PI / 2 <= phi <= PI -> (Rabs (sin phi) = lam <-> phi = eq28_phi2 lam).
 Proof. intros H. rewrite <- sin_PI_x, eq_27 by lra. unfold eq28_phi2, eq27_phi1. split; intros; lra. Qed.
@@ -90,11 +72,10 @@ End FourPoints.
 Theorem s22_four_points lam : 0 < lam < 1 -> let points := eq27_phi1 lam :: eq28_phi2 lam :: eq29_phi3 lam :: eq30_phi4 lam :: nil in
   NoDup points /\ INR (length points) = s22_points /\ forall phi, 0 <= phi < 2 * PI -> (Rabs (sin phi) = lam <-> In phi points).
 Proof.
-  intros hl points. destruct (p1_range lam hl) as [[a c] _]. unfold points. split; [ | split ].
+  intros hl points. destruct (asin_range lam hl) as [[a c] _]. unfold points. split; [ | split ].
   - unfold eq27_phi1, eq28_phi2, eq29_phi3, eq30_phi4. repeat constructor; simpl; intuition lra.
   - unfold s22_points. simpl. ring.
-  - intros phi H. assert (h : 0 <= lam <= 1) by lra. simpl.
-    split.
+  - intros phi H. assert (h : 0 <= lam <= 1) by lra. simpl. split.
     + intros E. destruct (Rle_lt_dec phi (PI / 2)); [ left; symmetry; apply eq_27; trivial; lra | right ].
       destruct (Rle_lt_dec phi PI); [ left; symmetry; apply eq_28; trivial; lra | right ].
       destruct (Rle_lt_dec phi (3 * (PI / 2))); [ left; symmetry; apply eq_29 | right; left; symmetry; apply eq_30 ]; trivial; lra.
@@ -105,44 +86,43 @@ Theorem s22_four_points__needs_friction : let p := 0 in eq27_phi1 p = 0 /\ eq28_
 Proof. cbv zeta. unfold eq27_phi1, eq28_phi2, eq29_phi3, eq30_phi4. rewrite asin_0. repeat split; ring. Qed.
 
 (* ---- rests, and the slip after one: (31), (32) ---- *)
+Lemma sine_vanishes x y : 0 < y - x < PI -> sin x = 0 -> sin y = 0 -> False.
+Proof. intros H X Y. pose proof (sin_gt_0 (y - x) ltac:(lra) ltac:(lra)) as S. rewrite sin_minus, X, Y in S. lra. Qed.
 (* A rest that ends does so at phi1 or phi3: at s the velocity, zero on [r, s], ceases to be zero. *)
 Theorem s22_rest_ends lam phi0 w wy r s : 0 <= lam -> shaken lam phi0 w wy -> 0 <= r < s -> (forall t, r <= t <= s -> w t = 0 /\ wy t = 0) ->
   (forall d, 0 < d -> exists t, s < t < s + d /\ (w t <> 0 \/ wy t <> 0)) -> at_phase phi0 s (eq27_phi1 lam) \/ at_phase phi0 s (eq29_phi3 lam).
 Proof.
   intros hl M H rest ends.
-  assert (held : ~ exists d, 0 < d /\ forall t, s <= t < s + d -> Rabs (sin (phi0 + t)) <= lam).
-  { intros (d & d0 & D). destruct (ends d d0) as (t & Ht & K). destruct (rest s ltac:(lra)).
+  assert (held : forall d, 0 < d -> ~ forall t, s <= t < s + d -> Rabs (sin (phi0 + t)) <= lam).
+  { intros d d0 D. destruct (ends d d0) as (t & Ht & K). destruct (rest s ltac:(lra)).
     destruct (stays lam phi0 w wy hl M s t); trivial; [ lra | intros; apply D; lra | tauto ]. }
-  destruct (Rle_lt_dec 1 lam) as [k | k]. { exfalso. apply held. exists 1. split; [ lra | ]. intros t _. pose proof (SIN_bound (phi0 + t)).
-  apply Rabs_le; lra. }
+  destruct (Rle_lt_dec 1 lam) as [k | k]. { exfalso. apply (held 1 Rlt_0_1). intros t _. pose proof (sin_1 (phi0 + t)). lra. }
   assert (before : forall t, r <= t < s -> Rabs (sin (phi0 + t)) <= lam) by (intros t Ht; apply (rest_needs_friction lam phi0 w wy hl M r s);
   try lra; intros; apply rest; lra).
-  destruct hl as [h0 | <-].
-  2: { exfalso. set (u := Rmax r (s - 1)). assert (r <= u < s /\ s - 1 <= u) by (unfold u; repeat split; [ apply Rmax_l | apply Rmax_lub_lt;
-  lra | apply Rmax_r ]).
-       set (y := (u + s) / 2). assert (Z : forall t, r <= t < s -> sin (phi0 + t) = 0) by (intros t Ht; specialize (before t Ht);
-       apply Rabs_le_between in before; lra).
-       assert (S : 0 < sin (y - u)) by (pose proof PI2_3_2; apply sin_gt_0; unfold y; lra).
-       replace (y - u) with (phi0 + y - (phi0 + u)) in S by ring. rewrite sin_minus, !Z in S by (unfold y; lra). lra. }
-  assert (hl : 0 < lam < 1) by lra. destruct (p1_range lam hl) as [[a b] e]. unfold eq27_phi1, eq29_phi3.
-  destruct (phase_in (asin lam) phi0 s) as (x & hx & ph).
+  assert (step : forall t, Rabs (sin (phi0 + t)) <= Rabs (sin (phi0 + s)) + Rabs (t - s) /\ Rabs (sin (phi0 + s)) <= Rabs (sin (phi0 + t)) + Rabs (t - s)).
+  { intros t. pose proof (sin_near (phi0 + t) (phi0 + s)) as S. replace (phi0 + t - (phi0 + s)) with (t - s) in S by ring.
+    pose proof (Rabs_triang_inv (sin (phi0 + t)) (sin (phi0 + s))). pose proof (Rabs_triang_inv (sin (phi0 + s)) (sin (phi0 + t))) as T.
+    rewrite (Rabs_minus_sym (sin (phi0 + s))) in T. lra. }
+  set (y c := Rmax r (s - c)). assert (hy : forall c, 0 < c -> r <= y c < s /\ s - c <= y c) by (intros; unfold y; minmax).
+  assert (E : Rabs (sin (phi0 + s)) = lam).
+  { apply Rle_antisym; [ apply le_epsilon; intros c c0 | apply Rnot_lt_le; intros q; apply (held (lam - Rabs (sin (phi0 + s))) ltac:(lra)); intros t Ht ].
+    - destruct (hy c c0). pose proof (before (y c) ltac:(lra)). destruct (step (y c)) as [_ S]. rewrite (Rabs_left (y c - s)) in S; lra.
+    - destruct (step t) as [S _]. rewrite (Rabs_pos_eq (t - s)) in S; lra. }
+  pose proof PI2_3_2. destruct hl as [h0 | <-].
+  2: { exfalso. destruct (hy 1 Rlt_0_1). apply (sine_vanishes (phi0 + y 1) (phi0 + s)); [ lra | | now apply Rabs_eq_0 ].
+       specialize (before (y 1) ltac:(lra)). apply Rabs_le_between in before. lra. }
+  assert (hl : 0 < lam < 1) by lra. destruct (asin_range lam hl) as [[a b] e]. destruct (phase_in 0 phi0 s) as (x & hx & ph).
   assert (sh : forall u, sin (phi0 + (s + u)) = sin (x + u)) by (intros u; apply (at_sin phi0 s x u ph)).
-  destruct (Req_dec x (asin lam)) as [-> | x1]; [ auto | ]. destruct (Req_dec x (PI + asin lam)) as [-> | x2]; [ auto | exfalso ].
-  (* where the drive is the stronger there was no rest; where it is not, none ends *)
-  assert (strong : ~ exists d, 0 < d /\ forall u, - d < u < 0 -> lam < Rabs (sin (x + u))).
-  { intros (d & d0 & D). set (u := - Rmin (d / 2) (s - r)). assert (0 < Rmin (d / 2) (s - r)) by (apply Rmin_pos; lra).
-    pose proof (Rmin_l (d / 2) (s - r)). pose proof (Rmin_r (d / 2) (s - r)).
-    specialize (D u ltac:(unfold u; lra)). specialize (before (s + u) ltac:(unfold u; lra)). rewrite sh in before. lra. }
-  assert (weak : forall c, 0 < c -> (forall u, 0 <= u < c -> Rabs (sin (x + u)) <= lam) -> False).
-  { intros c c0 W. apply held. exists c. split; trivial. intros t Ht. replace t with (s + (t - s)) by ring. rewrite sh. apply W. lra. }
-  assert (mirror : forall y, Rabs (sin (y + PI)) = Rabs (sin y)) by (intros y; now rewrite neg_sin, Rabs_Ropp).
-  destruct (Rlt_le_dec x (PI - asin lam)) as [q | q].
-  { apply strong. exists (x - asin lam). split; [ lra | ]. intros u hu. apply Rlt_le_trans with (2 := Rle_abs _). apply sin_above; lra. }
-  destruct (Rlt_le_dec x (PI + asin lam)) as [q1 | q1]. { apply (weak (PI + asin lam - x)); [ lra | ]. intros u hu. apply sin_below; lra. }
-  destruct (Rlt_le_dec x (2 * PI - asin lam)) as [q2 | q2].
-  { apply strong. exists (x - PI - asin lam). split; [ lra | ]. intros u hu. replace (x + u) with (x + u - PI + PI) by ring. rewrite mirror.
-    apply Rlt_le_trans with (2 := Rle_abs _). apply sin_above; lra. }
-  apply (weak (2 * PI + asin lam - x)); [ lra | ]. intros u hu. replace (x + u) with (x + u - PI + PI) by ring. rewrite mirror. apply sin_below; lra.
+  pose proof (sh 0) as s0. rewrite !Rplus_0_r in s0. rewrite s0 in E.
+  (* the drive is the stronger before the second and the fourth point *)
+  destruct (hy (PI / 2 - asin lam) ltac:(lra)) as [y1 y2]. specialize (before _ y1). set (u := y (PI / 2 - asin lam) - s) in *.
+  replace (y (PI / 2 - asin lam)) with (s + u) in before by (unfold u; ring). rewrite sh in before.
+  assert (hu : asin lam - PI / 2 <= u < 0) by (unfold u; lra). clearbody u. pose proof (Rle_abs (sin (x + u))).
+  apply (proj2 (proj2 (s22_four_points lam hl)) x ltac:(lra)) in E. unfold eq27_phi1, eq28_phi2, eq29_phi3, eq30_phi4 in *.
+  destruct E as [<- | [<- | [<- | [<- | []]]]]; auto; exfalso.
+  - pose proof (sin_above lam (PI - asin lam + u) hl ltac:(lra)). lra.
+  - pose proof (sin_above lam (PI - asin lam + u) hl ltac:(lra)) as Q. replace (2 * PI - asin lam + u) with (PI - asin lam + u + PI) in before by ring.
+    rewrite neg_sin, Rabs_Ropp in before. pose proof (Rle_abs (sin (PI - asin lam + u))). lra.
 Qed.
 
 (* (31): a block that is at rest when the drive is at phi1 moves by (31), forward, until phitilde2, where it stops, if for a moment only. *)
@@ -156,11 +136,8 @@ Proof.
     specialize (E3 (asin 0 + t) ltac:(unfold eq27_phi1 in *; lra)).
     rewrite left_h in E3. replace (asin 0 + t - asin 0) with t in E3 by ring. unfold h in *. rewrite asin_0, Rplus_0_l, cos_0 in *.
     pose proof (COS_bound t). lra. }
-  destruct (slip_is lam phi0 w wy (proj1 hl) M c (phi - asin lam) (e - asin lam) hc ph w0 wy0) as [a b].
-  - intros t Ht. destruct (Req_dec t 0) as [-> | ]; [ rewrite h_0; lra | left; apply P; lra ].
-  - unfold eq27_phi1 in hphi. lra.
-  - unfold s, eq27_phi1 in *. rewrite a, b. split; [ | split; [ trivial | intros; apply P; lra ] ]. unfold eq31_w, h.
-    replace (asin lam + (phi - asin lam)) with phi by ring. ring.
+  unfold s, eq27_phi1 in *. destruct (slip_is lam phi0 w wy (proj1 hl) M c (phi - asin lam) (e - asin lam) hc ph w0 wy0 P) as [-> ->]; [ lra | ].
+  split; [ unfold eq31_w, h; rewrite Rplus_minus; ring | split; [ trivial | intros; apply P; lra ] ].
 Qed.
 
 (* (32) has one smallest solution above phi1, and there each slip that begins at a rest at phi1 ends: forward before, zero at it. *)
@@ -170,35 +147,23 @@ Theorem eq_32 lam : 0 < lam < 1 -> exists e, slip_end lam e /\ (forall e', slip_
 Proof.
   intros hl. destruct (slip_end_exists lam hl) as [e E]. exists e. split; [ trivial | split ].
   - intros e' E'. destruct (slip_end_is lam e hl E) as (_ & z & P & _). destruct (slip_end_is lam e' hl E') as (a & z' & P' & _).
-    destruct (slip_end_is lam e hl E) as (a0 & _). destruct (p1_range lam hl) as [b _].
+    destruct (slip_end_is lam e hl E) as (a0 & _). destruct (asin_range lam hl) as [b _].
     destruct (Rtotal_order e' e) as [k | [k | k]]; trivial; exfalso; [ specialize (P (e' - asin lam)) | specialize (P' (e - asin lam)) ]; lra.
   - intros phi0 w wy c M hc ph w0 wy0. pose proof E as (E1 & E2 & _). split.
     + intros s Hs. destruct (eq_31 lam e phi0 w wy c (eq27_phi1 lam + (s - c)) ltac:(lra) E M hc ph w0 wy0 ltac:(lra)) as (_ & _ & P).
       replace (c + (eq27_phi1 lam + (s - c) - eq27_phi1 lam)) with s in P by ring. apply P. lra.
     + destruct (eq_31 lam e phi0 w wy c e ltac:(lra) E M hc ph w0 wy0 ltac:(lra)) as (-> & _). rewrite <- E2. unfold eq31_w, eq32_left. ring.
 Qed.
-Lemma slip_end_near lam e x y : 0 < lam < 1 -> slip_end lam e -> asin lam < x <= 2 * PI -> asin lam < y <= 2 * PI ->
-  0 < h lam (x - asin lam) -> h lam (y - asin lam) < 0 -> x < e < y.
-Proof.
-  intros hl E hx hy X Y. destruct (slip_end_is lam e hl E) as (A & z & P & N). destruct (p1_range lam hl) as [b _]. split; apply Rnot_le_lt; intros k.
-  - destruct (Req_dec e x) as [-> | ne]; [ lra | ]. specialize (N (x - asin lam)). lra.
-  - destruct (Req_dec e y) as [-> | ne]; [ lra | ]. specialize (P (y - asin lam)). lra.
-Qed.
 (* where the slip ends, to ten decimals *)
 Theorem eq_32__digits e : (slip_end (1 / sqrt 2) e -> Rabs (e - 3.1974093073) <= 5e-11) /\ (slip_end (3 / 5) e -> Rabs (e - 3.5234549058) <= 5e-11) /\
   (slip_end (9 / 10) e -> Rabs (e - 2.4824327945) <= 5e-11).
 Proof.
-  assert (N : forall lam x y, 0 < lam < 1 -> slip_end lam e -> atan (lam / sqrt (1 - lam ^ 2)) < x <= 2 * PI ->
-  atan (lam / sqrt (1 - lam ^ 2)) < y <= 2 * PI ->
-    0 < h lam (x - atan (lam / sqrt (1 - lam ^ 2))) -> h lam (y - atan (lam / sqrt (1 - lam ^ 2))) < 0 -> x < e < y).
-  { intros lam x y hl E. replace (lam ^ 2) with (Rsqr lam) by (unfold Rsqr; ring). rewrite <- asin_atan by lra. now apply slip_end_near. }
-  repeat split; intros E; apply Rabs_le.
-  - destruct (N (1 / sqrt 2) (3.1974093073 - 5e-11) (3.1974093073 + 5e-11)); trivial; try (split; interval with (i_prec 60)); [ | | lra ]; unfold h;
-    rewrite asin_atan by (split; interval with (i_prec 60)); unfold Rsqr; interval with (i_prec 60).
-  - destruct (N (3 / 5) (3.5234549058 - 5e-11) (3.5234549058 + 5e-11)); trivial; try (split; interval with (i_prec 60)); [ | | lra ]; unfold h;
-    rewrite asin_atan by lra; unfold Rsqr; interval with (i_prec 60).
-  - destruct (N (9 / 10) (2.4824327945 - 5e-11) (2.4824327945 + 5e-11)); trivial; try (split; interval with (i_prec 60)); [ | | lra ]; unfold h;
-    rewrite asin_atan by lra; unfold Rsqr; interval with (i_prec 60).
+  assert (N : forall lam x, let a := atan (lam / sqrt (1 - lam ^ 2)) in slip_end lam e -> 0 < lam < 1 -> a < x - 5e-11 -> x + 5e-11 <= 2 * PI ->
+    0 < - lam * (x - 5e-11 - a) + cos a - cos (x - 5e-11) -> - lam * (x + 5e-11 - a) + cos a - cos (x + 5e-11) < 0 -> Rabs (e - x) <= 5e-11).
+  { intros lam x a E hl. unfold a. rewrite <- Rsqr_pow2, <- asin_atan by lra. intros h1 h2 X Y. destruct (slip_end_is lam e hl E) as (A & z & P & N).
+    apply Rabs_le. specialize (P (x + 5e-11 - asin lam)). specialize (N (x - 5e-11 - asin lam)). unfold h in *. rewrite Rplus_minus in *.
+    destruct (asin_range lam hl) as [b _]. split; apply Rnot_lt_le; intros k; lra. }
+  repeat split; intros E; apply (N _ _ E); try split; interval with (i_prec 60).
 Qed.
 (* The slip ends between phi2 and phi4. *)
 Theorem s22_phi2_bracket lam e : 0 < lam < 1 -> slip_end lam e -> eq28_phi2 lam < e < eq30_phi4 lam.
@@ -214,33 +179,22 @@ Qed.
 
 (* ---- above lambda_c: (33) to (37) ---- *)
 (* (34), (35), (36): each says that the slip ends before the next one, backward, begins; (35) is (34). *)
+Lemma left_34 lam : 0 < lam < 1 -> eq34_left lam (eq27_phi1 lam) (eq29_phi3 lam) = eq35_left lam.
+Proof. intros hl. rewrite <- h_PI by trivial. unfold eq34_left, eq29_phi3, eq27_phi1, h. rewrite (Rplus_comm PI). ring. Qed.
 Theorem eq_34 lam e : 0 < lam < 1 -> slip_end lam e -> (eq34_left lam (eq27_phi1 lam) (eq29_phi3 lam) < 0 <-> e < eq29_phi3 lam).
-Proof.
-  intros hl E. destruct (slip_end_is lam e hl E) as (A & z & P & N). pose proof PI_RGT_0.
-  replace (eq34_left lam (eq27_phi1 lam) (eq29_phi3 lam)) with (h lam PI).
-  2: { unfold eq34_left, eq29_phi3, eq27_phi1, h. rewrite (Rplus_comm PI). ring. } unfold eq29_phi3.
-  split; intros H0; [ apply Rnot_le_lt; intros k | apply N; lra ].
-  destruct (Req_dec (e - asin lam) PI) as [q | q]; [ rewrite q in z; lra | ]. specialize (P PI). lra.
-Qed.
+Proof. intros hl E. rewrite left_34 by trivial. now apply early_end. Qed.
 Theorem eq_35 lam e : 0 < lam < 1 -> slip_end lam e -> eq35_left lam = eq34_left lam (eq27_phi1 lam) (eq29_phi3 lam)
   /\ (eq35_left lam < 0 <-> e < eq29_phi3 lam).
-Proof.
-  intros hl E. assert (e0 : eq35_left lam = eq34_left lam (eq27_phi1 lam) (eq29_phi3 lam)).
-  { rewrite <- h_PI by trivial. unfold eq34_left, eq29_phi3, eq27_phi1, h. rewrite (Rplus_comm PI). ring. } split; trivial. rewrite e0.
-    now apply eq_34.
-Qed.
+Proof. intros hl E. rewrite left_34 by trivial. split; trivial. now apply early_end. Qed.
 Theorem eq_36 lam e : 0 < lam < 1 -> slip_end lam e -> (eq36_sides_2 lam < eq36_sides_1 lam <-> e < eq29_phi3 lam).
-Proof.
-  intros hl E. rewrite <- (proj2 (eq_35 lam e hl E)). change (eq36_sides_2 lam) with eq37_lambda_c. unfold eq36_sides_1.
-  destruct (left_sign lam ltac:(lra)) as (c & c0 & S). split; intros; nra.
-Qed.
+Proof. apply early_end. Qed.
 (* (37) is the one zero of (35). *)
 Theorem eq_37 lam : 0 <= lam <= 1 -> (eq35_left lam = 0 <-> lam = eq37_lambda_c) /\ (eq35_left lam < 0 <-> eq37_lambda_c < lam).
 Proof. intros hl. destruct (left_sign lam hl) as (c & c0 & S). repeat split; intros; nra. Qed.
 Theorem eq_37__digits : Rabs (eq37_lambda_c - 0.5370292721463151) <= 1e-16 /\ Rabs (asin eq37_lambda_c - 0.5669115049410095) <= 1e-15.
 Proof.
-  split; [ unfold eq37_lambda_c; interval with (i_prec 80) | ]. rewrite asin_atan by (pose proof lambda_c_between; lra). unfold Rsqr, eq37_lambda_c.
-  interval with (i_prec 80).
+  split; [ unfold eq37_lambda_c; interval with (i_prec 80) | ]. rewrite asin_atan by (pose proof lambda_c_between; lra).
+  unfold Rsqr, eq37_lambda_c. interval with (i_prec 80).
 Qed.
 (* (33): where the slip ends before phi3 it is a motion, from every phase on, and every motion becomes it after a finite time. *)
 Theorem eq_33 lam e phi0 w wy : 0 < lam < 1 -> slip_end lam e -> e < eq29_phi3 lam -> shaken lam phi0 w wy ->
@@ -274,16 +228,16 @@ Theorem eq_39 lam phi : 0 < lam <= eq37_lambda_c -> 0 <= phi < 2 * PI ->
 Proof.
   intros hl hphi. pose proof PI_RGT_0. split.
   - intros ->. exists (w38 lam). split; [ | split; [ | split ] ]; intros;
-    [ now apply w38_motion | apply w38_anti | apply w38_turn | now apply w38_pos ].
-  - intros (W & M & A & z & P). assert (same : forall s, 0 <= s -> W (phi + s) = w38 lam (phi + s)).
-    { intros s hs. apply (periodic_is_38 lam hl phi (fun s => W (phi + s)) (fun _ => 0) (2 * PI) (M phi)); trivial; [ lra | ]. intros u _.
-      split; trivial. replace (phi + (u + 2 * PI)) with (phi + u + PI + PI) by ring. rewrite !A. ring. }
-    pose proof (same 0 ltac:(lra)) as s0. rewrite Rplus_0_r, z in s0. symmetry in s0. apply (w38_zeros lam hl) in s0. destruct s0 as [n Hn].
-    pose proof lambda_c_between. destruct (p_facts lam ltac:(lra) (proj2 hl)) as [[a b] _]. destruct (p1_range lam ltac:(lra)) as [[a1 _] _].
-    assert (n = 0 \/ n = 1)%Z as [-> | ->]. { assert (-1 < IZR n < 2) as [n1 n2] by (split; nra). apply lt_IZR in n1. apply lt_IZR in n2.
-    lia. } simpl in Hn. lra. exfalso.
-    pose proof (P (phi + PI / 2) ltac:(lra)) as Q. rewrite same in Q by lra.
-    replace (phi + PI / 2) with (eq39_phi_t1 lam + PI / 2 + PI) in Q by lra. rewrite w38_anti in Q.
+    [ now apply w38_motion | apply w38_anti | rewrite <- (w38_turn lam 0); f_equal; ring | now apply w38_pos ].
+  - intros (W & M & A & z & P). assert (same : forall s, W (phi + s) - w38 lam (phi + s) = 0).
+    { apply (per_zero (fun s => W (phi + s) - w38 lam (phi + s)) (2 * PI)); [ lra | | apply (w38_attracts lam hl phi _ _ (M phi)) ].
+      intros s. rewrite <- Rplus_assoc, (twice W A), w38_period. ring. }
+    pose proof (same 0) as s0. rewrite Rplus_0_r, z in s0. assert (s1 : w38 lam phi = 0) by lra. apply (w38_zeros lam hl) in s1. destruct s1 as [n Hn].
+    destruct (below_1 lam hl) as [l0 l1]. destruct (p_facts lam ltac:(lra) (proj2 hl)) as [[a b] _]. destruct (asin_range lam ltac:(lra)) as [[a1 _] _].
+    assert (n = 0 \/ n = 1)%Z as [-> | ->]; [ | lra | exfalso ].
+    { assert (-1 < IZR n < 2) as [n1 n2] by (split; nra). apply lt_IZR in n1. apply lt_IZR in n2. lia. }
+    pose proof (P (phi + PI / 2) ltac:(lra)) as Q. specialize (same (PI / 2)).
+    replace (phi + PI / 2) with (eq39_phi_t1 lam + PI / 2 + PI) in * by lra. rewrite w38_anti in same.
     pose proof (w38_pos lam hl (eq39_phi_t1 lam + PI / 2) ltac:(lra)). lra.
 Qed.
 (* (40): (38) is a motion where lambda0 is lambda_c at most; below, the drive exceeds friction where (38) is zero. *)
@@ -294,42 +248,33 @@ Proof.
   intros h0 h1. destruct (turn_sign lam ltac:(lra) h1) as (c & c0 & S). change (eq40_sides_2 lam) with eq37_lambda_c. unfold eq40_sides_1.
   split; [ | split; intros; nra ].
   split; [ | intros; apply w38_motion; lra ]. intros M. apply Rnot_lt_le. intros k. set (p := eq39_phi_t1 lam) in *. pose proof PI_RGT_0.
-  assert (D : is_derive (g38 lam p) 0 (sin p - lam)).
-  { replace (sin p - lam) with (sin (p + 0) - lam) by (rewrite Rplus_0_r; trivial). apply g_der. } assert (neg : sin p - lam < 0) by nra.
-  destruct (rder_step _ _ _ (rder_of _ _ _ D) (- (sin p - lam) / 2) ltac:(lra)) as (d & d0 & St). set (u := Rmin d PI / 2).
-  assert (0 < Rmin d PI) by (apply Rmin_pos; lra). pose proof (Rmin_l d PI). pose proof (Rmin_r d PI).
-  assert (hu : 0 < u < d /\ u < PI) by (unfold u; lra). specialize (St u ltac:(lra)). rewrite Rplus_0_l in St.
-  replace (g38 lam p 0) with 0 in St by (unfold g38; rewrite Rplus_0_r; ring). assert (wn : g38 lam p u < 0) by nra.
-  assert (on : forall t, 0 <= t < PI -> w38 lam (p + t) = g38 lam p t). { intros t Ht. rewrite w38_ext. fold p. replace (p + t - p) with t by ring.
-  now apply ext_first. }
-  destruct (law lam p _ _ ltac:(lra) (M p) u ltac:(lra)) as (fx & fy & C & _ & _ & X & _). cbv beta in C, X. rewrite (on u) in C by lra.
-  destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) C) as [Q _].
-  rewrite nrm_x, Rabs_left in Q by trivial. enough (sin (p + u) + fx = sin (p + u) - lam) by nra.
-  apply (rder_unique (fun s => w38 lam (p + s)) (g38 lam p) u _ _ (PI - u)); trivial; [ lra | intros s Hs; apply on; lra | apply rder_of, g_der ].
+  assert (neg : sin p < lam) by nra. assert (0 <= sin p) by (apply sin_ge_0; apply acos_bound). set (u := Rmin (lam - sin p) (PI / 2)).
+  assert (hu : 0 < u <= lam - sin p /\ u < PI) by (unfold u; minmax). pose proof (w38_turn lam 0) as z. rewrite Rmult_0_l, Rplus_0_r in z. fold p in z.
+  assert (rest : forall t, 0 <= t < 0 + u -> g38 lam p t = 0).
+  { intros t ht. destruct (stays lam p _ _ ltac:(lra) (M p) 0 t) as [e _]; [ lra | | now rewrite Rplus_0_r | trivial | ].
+    - intros y hy. pose proof (sin_near (p + y) p) as D. replace (p + y - p) with y in D by ring. rewrite (Rabs_pos_eq y) in D by lra.
+      pose proof (Rabs_triang_inv (sin (p + y)) (sin p)). rewrite (Rabs_pos_eq (sin p)) in * by trivial. lra.
+    - cbv beta in e. rewrite (w38_on lam 0) in e by (fold p; lra). fold p in e. unfold sg in e. simpl in e. rewrite Rmult_1_l in e. rewrite <- e. f_equal. ring. }
+  pose proof (rder_unique _ _ _ _ (rder_of _ _ _ (g_der lam p 0)) (rder_zero _ 0 u ltac:(lra) rest)) as e. rewrite Rplus_0_r in e. lra.
 Qed.
 (* (41): (38) turns forward after the drive has come to beat friction, exactly below lambda_c. *)
 Theorem eq_41 lam : 0 < lam < 1 -> PI * lam / 2 <= 1 -> let p := eq39_phi_t1 lam in let p1 := eq27_phi1 lam in (eq41_sides_2 p p1 < eq41_sides_1 p
   p1 <-> lam < eq37_lambda_c).
 Proof.
-  intros hl h1 p p1. unfold eq41_sides_1, eq41_sides_2, p, p1, eq27_phi1. split; intros H; [ | apply p_facts; lra ]. apply Rnot_le_lt. intros k.
-  destruct (turn_sign lam ltac:(lra) h1) as (c & c0 & S). destruct (p1_range lam hl) as [[a b] e]. assert (sin (eq39_phi_t1 lam) <= lam) by nra.
-  pose proof PI_RGT_0.
-  assert (eq39_phi_t1 lam <= PI / 2). { apply Rnot_lt_le. intros q. assert (cos (eq39_phi_t1 lam) < 0). { rewrite <- cos_PI2.
-  apply cos_decreasing_1; try lra. unfold eq39_phi_t1. apply acos_bound. }
-    unfold eq39_phi_t1 in H2. rewrite cos_acos in H2 by nra. nra. }
-  pose proof (sin_increasing_1 (asin lam) (eq39_phi_t1 lam) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) H). lra.
+  intros hl h1 p p1. unfold eq41_sides_1, eq41_sides_2, p, p1, eq27_phi1. split; intros H; [ | apply p_facts; lra ].
+  destruct (turn_sign lam ltac:(lra) h1) as (c & c0 & S). destruct (asin_range lam hl) as [[a b] e]. pose proof PI_RGT_0.
+  assert (eq39_phi_t1 lam <= PI / 2). { apply Rnot_lt_le. intros q. pose proof (acos_bound (PI * lam / 2)). unfold eq39_phi_t1 in *.
+    pose proof (cos_lt_0 _ q ltac:(lra)) as n. rewrite cos_acos in n by nra. nra. }
+  pose proof (sin_increasing_1 (asin lam) (eq39_phi_t1 lam) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) H). nra.
 Qed.
 
 (* ---- at large times ---- *)
-Lemma units_pos mu g A0 : 0 < A0 -> 0 <= mu * g -> 0 <= eq22_lambda0 mu g A0.
-Proof. intros hA h0. unfold eq22_lambda0. apply Rmult_le_pos; [ trivial | left; now apply Rinv_0_lt_compat ]. Qed.
 (* With any friction the velocity across the drive tends to zero. *)
 Theorem s22_vy_vanishes mu g A0 varpi t0 vx vy : 0 < mu * g -> block mu g A0 varpi t0 vx vy -> is_lim vy p_infty s22_late_vy.
 Proof.
   intros h0 B. apply (across_vanishes (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) vx vy (Rlt_le _ _ h0) B (Rabs A0 + 1)); trivial;
   [ pose proof (Rabs_pos A0); lra | ].
-  intros t _. unfold eq21_acceleration_1. pose proof (SIN_bound (varpi * (t0 + t))). rewrite Rabs_mult, Rabs_Ropp.
-  assert (Rabs (sin (varpi * (t0 + t))) <= 1) by (apply Rabs_le; lra). pose proof (Rabs_pos A0). nra.
+  intros t _. unfold eq21_acceleration_1. rewrite Rabs_mult, Rabs_Ropp. pose proof (sin_1 (varpi * (t0 + t))). pose proof (Rabs_pos A0). nra.
 Qed.
 (* Without friction there is a motion that keeps its velocity across, and whose velocity along is never zero. *)
 Theorem s22_vy_vanishes__needs_friction : shaken 0 0 (fun s => 2 - cos s) (fun _ => 1) /\ forall s, 0 < 2 - cos s.
@@ -343,10 +288,8 @@ Qed.
 Theorem s22_weak_drive_stops mu g A0 varpi t0 vx vy t : 0 < A0 < mu * g -> block mu g A0 varpi t0 vx vy -> nrm (vx 0) (vy 0) / (mu * g - A0) <= t ->
   vx t = 0 /\ vy t = 0.
 Proof.
-  intros h B. apply (weak_stops (mu * g) A0 _ _ vx vy ltac:(lra) B). intros u _. unfold eq21_acceleration_1, eq21_acceleration_2.
-  rewrite nrm_x, Rabs_mult, Rabs_Ropp.
-  pose proof (SIN_bound (varpi * (t0 + u))). assert (Rabs (sin (varpi * (t0 + u))) <= 1) by (apply Rabs_le; lra). rewrite (Rabs_pos_eq A0) by lra.
-  nra.
+  intros h B. apply (weak_stops (mu * g) A0 _ _ vx vy ltac:(lra) B). intros u _. rewrite drive_size. pose proof (sin_1 (varpi * (t0 + u))).
+  rewrite (Rabs_pos_eq A0) by lra. nra.
 Qed.
 (* A drive that can be stronger: however late, vx reaches a size that does not depend on the motion. *)
 Theorem s22_vx_stays mu g A0 varpi t0 vx vy : 0 <= mu * g < A0 -> 0 < varpi -> block mu g A0 varpi t0 vx vy ->
@@ -357,29 +300,25 @@ Proof.
   pose proof (units_pos mu g A0 ltac:(lra) (proj1 h)) as l0. fold l in l0.
   assert (l1 : l < 1) by (unfold l, eq22_lambda0; apply Rlt_div_l; lra). assert (hb : 0 < b <= PI / 2 /\ cos b = l).
   { unfold b, eq27_phi1. rewrite cos_shift, sin_asin by lra. pose proof (asin_bound_lt l ltac:(lra)). split; [ | trivial ].
-    destruct l0 as [l0 | <-]; [ destruct (p1_range l ltac:(lra)); lra | rewrite asin_0; pose proof PI_RGT_0; lra ]. }
-  destruct hb as [hb cb]. assert (k0 : 0 < sin b - b * cos b).
-  { replace 0 with (sin 0 - 0 * cos 0) by (rewrite sin_0; ring). apply (up (fun b => sin b - b * cos b) (fun b => b * sin b)); [ lra | intros;
-    auto_derive; trivial; ring | ].
+    destruct l0 as [l0 | <-]; [ destruct (asin_range l ltac:(lra)); lra | rewrite asin_0; pose proof PI_RGT_0; lra ]. }
+  destruct hb as [hb cb]. set (k := sin b - b * cos b) in *. assert (k0 : 0 < k).
+  { pose proof (up (fun b => sin b - b * cos b) (fun b => b * sin b) 0 b ltac:(lra)) as U. cbv beta in U. fold k in U.
+    rewrite sin_0, Rmult_0_l, Rminus_0_r in U. apply U; [ intros; auto_derive; trivial; ring | ].
     intros y Hy. apply Rmult_lt_0_compat; [ lra | apply sin_gt_0; lra ]. }
   assert (V : 0 < A0 / varpi) by (apply Rdiv_lt_0_compat; lra). assert (c0 : 0 < c) by (unfold c; now apply Rmult_lt_0_compat).
   assert (F : forall T, exists t, T <= t /\ c <= Rabs (vx t)).
-  { intros T. destruct (phase_after (eq23_phase varpi t0) (asin l) (Rmax 0 (varpi * T))) as (s & hs & ph). pose proof (Rmax_l 0 (varpi * T)).
-    pose proof (Rmax_r 0 (varpi * T)).
-    pose proof (gain l _ _ _ l0 B s (s + 2 * b) ltac:(lra)) as G. cbv beta in G. destruct (at_sin _ s _ 0 ph) as [_ c1]. rewrite !Rplus_0_r in c1.
+  { intros T. destruct (phase_after (eq23_phase varpi t0) (asin l) (Rmax 0 (varpi * T))) as (s & hs & ph). assert (hT : 0 <= s /\ varpi * T <= s) by minmax.
+    pose proof (gain l _ _ _ l0 B s (s + 2 * b) ltac:(lra)) as [G _]. cbv beta in G. destruct (at_sin _ s _ 0 ph) as [_ c1]. rewrite !Rplus_0_r in c1.
     destruct (at_sin _ s _ (2 * b) ph) as [_ c2]. rewrite c1, c2 in G.
-    replace (asin l + 2 * b) with (PI - asin l) in G by (unfold b, eq27_phi1; field). rewrite (cos_minus PI), cos_PI, sin_PI in G.
-    replace (cos (asin l)) with (sin b) in G by (unfold b, eq27_phi1; apply sin_shift).
-    assert (hT : forall u, 0 <= u -> T <= (s + u) / varpi) by (intros u hu; apply Rle_div_r; lra).
-    assert (sz : forall x, eq24_w varpi x A0 = x / (A0 / varpi)) by (intros; unfold eq24_w; field; lra). rewrite !sz in G.
-    rewrite <- cb in G. set (k := sin b - b * cos b) in *. set (x := vx (s / varpi)) in *. set (y := vx ((s + 2 * b) / varpi)) in *.
-    destruct (Rle_lt_dec c (Rabs y)) as [q | q]. exists ((s + 2 * b) / varpi). split; [ apply hT; lra | trivial ].
-    exists (s / varpi). split; [ replace s with (s + 0) by ring; apply hT; lra | ]. fold x. apply Rabs_def2 in q.
-    replace y with (y / (A0 / varpi) * (A0 / varpi)) in q by (field; lra). apply Rle_trans with (2 := Rabs_maj2 x).
-    replace x with (x / (A0 / varpi) * (A0 / varpi)) by (field; lra). unfold c in *. fold k in q |- *. set (r := A0 / varpi) in *.
-    assert (2 * k <= y / r - x / r) by (unfold k; lra). nra. }
-  split; [ trivial | split; [ trivial | ] ]. intros L. apply is_lim_spec in L. destruct (L (mkposreal c c0)) as [T HT].
-  destruct (F (T + 1)) as (t & ht & K). specialize (HT t ltac:(lra)). rewrite Rminus_0_r in HT. simpl in HT. lra.
+    replace (asin l) with (PI / 2 - b) in G by (unfold b, eq27_phi1; ring). replace (PI / 2 - b + 2 * b) with (PI / 2 + b) in G by ring.
+    replace (cos (PI / 2 + b)) with (- sin b) in G by (rewrite sin_cos; ring). rewrite cos_shift, <- cb in G. assert (sz : forall x, eq24_w varpi x A0 * (A0 / varpi) = x) by (intros; unfold eq24_w; field; lra).
+    apply (Rmult_le_compat_r (A0 / varpi)) in G; [ | lra ]. rewrite (Rmult_minus_distr_r (eq24_w _ _ _)), !sz in G.
+    assert (H : 2 * c <= vx ((s + 2 * b) / varpi) - vx (s / varpi)) by (unfold c, k in *; lra). assert (P : forall u, s <= u -> T <= u / varpi) by
+    (intros; apply Rle_div_r; lra).
+    destruct (Rle_lt_dec c (Rabs (vx (s / varpi)))) as [q | q]; [ exists (s / varpi) | exists ((s + 2 * b) / varpi) ]; (split; [ apply P; lra | ]); trivial.
+    apply Rabs_def2 in q. pose proof (Rle_abs (vx ((s + 2 * b) / varpi))). lra. }
+  split; [ trivial | split; [ trivial | ] ]. intros L. destruct (lim_near _ _ c L c0) as (T & _ & HT). destruct (F T) as (t & ht & K).
+  specialize (HT t ht). assert (Rabs (vx t) < c) by (apply Rabs_def1; lra). lra.
 Qed.
 (* Friction along and across the drive while w is not zero: across it is -lambda0 wy/|w|, along it is lambda0 against w, but for (wy/w)^2/2 of it. *)
 Theorem s22_friction_across lam phi0 w wy s : 0 <= lam -> shaken lam phi0 w wy -> 0 <= s -> w s <> 0 -> exists fx fy,
@@ -387,23 +326,19 @@ Theorem s22_friction_across lam phi0 w wy s : 0 <= lam -> shaken lam phi0 w wy -
   Rabs (fy - s22_across_friction lam (w s) (wy s)) <= (wy s / w s) ^ 2 / 2 * Rabs (s22_across_friction lam (w s) (wy s)) /\
   Rabs (fx - - lam * (w s / Rabs (w s))) <= (wy s / w s) ^ 2 / 2 * lam.
 Proof.
-  intros hl M hs hw. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & C & _ & _ & X & Y). exists fx, fy.
-  destruct (coulomb_slip _ _ _ _ _ hl C) as [E F].
-  pose proof (Rabs_pos_lt _ hw) as x0. destruct (nearly (Rabs (w s)) (wy s) x0) as [n1 n2].
-  assert (en : nrm (Rabs (w s)) (wy s) = nrm (w s) (wy s)) by (unfold nrm; now rewrite pow2_abs). rewrite en in *.
-  replace ((wy s / Rabs (w s)) ^ 2) with ((wy s / w s) ^ 2) in n2 by (unfold Rdiv; rewrite !Rpow_mult_distr, !pow_inv, pow2_abs; trivial).
-  set (q := (wy s / w s) ^ 2) in *. set (n := nrm (w s) (wy s)) in *. set (x := Rabs (w s)) in *. assert (n0 : 0 < n) by lra.
-  assert (small : Rabs (x / n - 1) <= q / 2). { assert (x / n <= 1) by (apply Rle_div_l; lra).
-  assert (1 - q / 2 <= x / n) by (apply Rle_div_r; trivial). apply Rabs_le; lra. }
-  unfold s22_across_friction, eq21_acceleration_1, eq21_acceleration_2.
+  intros hl M hs hw. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & _ & [E F] & _ & X & Y). exists fx, fy.
+  pose proof (Rabs_pos_lt _ hw) as x0. pose proof (nearly (Rabs (w s)) (wy s) x0) as n1.
+  replace (nrm (Rabs (w s)) (wy s)) with (nrm (w s) (wy s)) in n1 by (unfold nrm; now rewrite pow2_abs).
+  replace ((wy s / Rabs (w s)) ^ 2) with ((wy s / w s) ^ 2) in n1 by (unfold Rdiv; rewrite !Rpow_mult_distr, !pow_inv, pow2_abs; trivial).
+  pose proof (abs_nrm (w s) (wy s)) as [n0 _]. set (q := (wy s / w s) ^ 2) in *. set (n := nrm (w s) (wy s)) in *. set (x := Rabs (w s)) in *.
+  assert (near : Rabs (x / n - 1) <= q / 2) by (apply Rabs_le; lra). unfold s22_across_friction, eq21_acceleration_1, eq21_acceleration_2.
   replace (sqrt (w s ^ 2)) with x by (unfold x; rewrite <- (pow2_abs (w s)), sqrt_pow2; trivial; apply Rabs_pos).
-  split; [ eapply rder_eq; [ exact X | rewrite Rmult_1_l; ring ] | split; [ eapply rder_eq; [ exact Y | ring ] | split ] ].
-  - replace (fy - - lam * wy s / x) with ((x / n - 1) * (- lam * wy s / x)). rewrite Rabs_mult. apply Rmult_le_compat_r; [ apply Rabs_pos | trivial ].
-    replace fy with (- lam * wy s / n) by (rewrite <- F; field; lra). field; lra.
-  - replace (fx - - lam * (w s / x)) with ((x / n - 1) * (- lam * (w s / x))). rewrite Rabs_mult. apply Rmult_le_compat; try apply Rabs_pos; trivial.
-    rewrite Rabs_mult, Rabs_Ropp, (Rabs_pos_eq lam) by trivial. unfold Rdiv. rewrite Rabs_mult, Rabs_inv. fold x. rewrite Rabs_Rabsolu || idtac.
-    replace (Rabs x) with x by (symmetry; apply Rabs_pos_eq; lra). right. field. lra.
-    replace fx with (- lam * w s / n) by (rewrite <- E; field; lra). field; lra.
+  assert (part : forall f y, n * f = - lam * y -> Rabs (f - - lam * y / x) <= q / 2 * Rabs (- lam * y / x)).
+  { intros f y e. replace (f - - lam * y / x) with ((x / n - 1) * (- lam * y / x)). rewrite Rabs_mult. apply Rmult_le_compat_r; [ apply Rabs_pos | trivial ].
+    replace f with (- lam * y / n) by (rewrite <- e; field; lra). field; lra. }
+  split; [ eapply rder_eq; [ exact X | rewrite Rmult_1_l; ring ] | split; [ eapply rder_eq; [ exact Y | ring ] | split; [ now apply part | ] ] ].
+  replace (- lam * (w s / x)) with (- lam * w s / x) by (field; lra). apply Rle_trans with (1 := part fx (w s) E). right. f_equal.
+  unfold Rdiv. rewrite !Rabs_mult, Rabs_Ropp, Rabs_inv, (Rabs_pos_eq lam) by trivial. fold x. rewrite (Rabs_pos_eq x) by lra. field. lra.
 Qed.
 (* Whatever the two starts, and at every friction but none: the difference of the two vx tends to zero. *)
 Theorem s22_attractor_ignores_vy lam phi0 w wy u uy : 0 < lam -> shaken lam phi0 w wy -> shaken lam phi0 u uy ->
@@ -411,31 +346,14 @@ Theorem s22_attractor_ignores_vy lam phi0 w wy u uy : 0 < lam -> shaken lam phi0
   (w 0 = u 0 -> w 0 <> 0 -> forall d, 0 < d -> (forall s, 0 <= s < d -> w s = u s) -> Rabs (wy 0) = Rabs (uy 0)).
 Proof.
   intros h0 M N. split.
-  - assert (same : (exists s1, forall s, s1 <= s -> w s = u s) -> is_lim (fun s => w s - u s) p_infty 0).
-    { intros [s1 S]. apply is_lim_spec. intros eps. exists s1. intros s hs. rewrite S by lra. replace (u s - u s - 0) with 0 by ring.
-      rewrite Rabs_R0. apply cond_pos. }
-    destruct (Rle_lt_dec lam eq37_lambda_c) as [k | k].
-    { destruct (w38_attracts lam ltac:(lra) phi0 w wy M) as [X _]. destruct (w38_attracts lam ltac:(lra) phi0 u uy N) as [Y _].
-      apply (is_lim_ext (fun s => (w s - w38 lam (phi0 + s)) - (u s - w38 lam (phi0 + s)))). intros; ring. replace 0 with (0 - 0) by ring.
-      now apply is_lim_minus'. }
-    apply same. destruct (Rlt_le_dec lam 1) as [k1 | k1].
-    + destruct (slip_end_exists lam ltac:(lra)) as [e E]. assert (q : e < eq29_phi3 lam) by (apply (eq_36 lam e ltac:(lra) E); exact k).
-      destruct (w33_reached lam e ltac:(lra) E q phi0 w wy M) as (s1 & _ & R).
-      destruct (w33_reached lam e ltac:(lra) E q phi0 u uy N) as (s2 & _ & R').
-      exists (Rmax s1 s2). intros s hs. pose proof (Rmax_l s1 s2). pose proof (Rmax_r s1 s2).
-      rewrite (proj1 (R s ltac:(lra))), (proj1 (R' s ltac:(lra))). trivial.
-    + destruct (all_stop lam phi0 w wy k1 M) as (s1 & _ & R). destruct (all_stop lam phi0 u uy k1 N) as (s2 & _ & R').
-      exists (Rmax s1 s2). intros s hs. pose proof (Rmax_l s1 s2). pose proof (Rmax_r s1 s2).
-      rewrite (proj1 (R s ltac:(lra))), (proj1 (R' s ltac:(lra))). trivial.
-  - intros e0 hw d hd S. destruct (law lam phi0 w wy ltac:(lra) M 0 ltac:(lra)) as (fx & fy & C & _ & _ & X & _).
-    destruct (law lam phi0 u uy ltac:(lra) N 0 ltac:(lra)) as (gx & gy & D & _ & _ & Y & _).
-    assert (e : sin (phi0 + 0) + fx = sin (phi0 + 0) + gx) by (apply (rder_unique w u 0 _ _ d); trivial; intros s Hs; apply S; lra).
-    assert (e1 : fx = gx) by lra.
-    destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) C) as [E _]. destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) D) as [F _].
-    rewrite <- e0, <- e1 in F.
-    pose proof (nrm_sq (w 0) (wy 0)) as n1. pose proof (nrm_sq (w 0) (uy 0)) as n2. assert (fx <> 0) by (intros z; rewrite z in E; apply hw; nra).
-    assert (en : nrm (w 0) (wy 0) = nrm (w 0) (uy 0)) by (apply (Rmult_eq_reg_r fx); [ lra | trivial ]). rewrite en in n1. apply Rsqr_eq_abs_0.
-    rewrite !Rsqr_pow2. lra.
+  - destruct (one_drawn lam h0) as [W D]. apply (is_lim_ext (fun s => (w s - W (phi0 + s)) - (u s - W (phi0 + s)))). intros; ring.
+    replace 0 with (0 - 0) by ring. apply is_lim_minus'; eauto.
+  - intros e0 hw d hd S. destruct (law lam phi0 w wy ltac:(lra) M 0 ltac:(lra)) as (fx & fy & _ & [E _] & _ & X & _).
+    destruct (law lam phi0 u uy ltac:(lra) N 0 ltac:(lra)) as (gx & gy & _ & [F _] & _ & Y & _).
+    pose proof (rder_unique _ _ _ _ X (rder_near w u 0 _ d hd ltac:(intros; symmetry; apply S; lra) Y)) as e. assert (e1 : fx = gx) by lra.
+    rewrite <- e0, <- e1 in F. assert (fx <> 0) by (intros z; rewrite z in E; apply hw; nra).
+    pose proof (nrm_sq (w 0) (wy 0)) as n1. pose proof (nrm_sq (w 0) (uy 0)) as n2.
+    rewrite (Rmult_eq_reg_r fx (nrm (w 0) (wy 0)) (nrm (w 0) (uy 0))) in n1 by lra. apply Rsqr_eq_abs_0. rewrite !Rsqr_pow2. lra.
 Qed.
 
 (* ---- below lambda_c no rest, and how many there are above ---- *)
@@ -444,35 +362,30 @@ Theorem s22_slip_longer_than_half lam e phi0 w wy c : 0 < lam < eq37_lambda_c ->
   at_phase phi0 c (eq27_phi1 lam) -> w c = 0 -> wy c = 0 -> PI < e - eq27_phi1 lam /\ w (c + 2 * PI) < 0.
 Proof.
   intros [h0 hc] E M c0 ph w0 wy0. pose proof lambda_c_between. assert (hl : 0 < lam < 1) by lra. pose proof PI_RGT_0.
-  destruct (slip_end_is lam e hl E) as (A & z & P & N). destruct (p1_range lam hl) as [b _]. destruct (left_sign lam ltac:(lra)) as (k & k0 & S).
-  rewrite <- (h_PI lam hl) in S.
-  assert (long : PI < e - asin lam). { apply Rnot_le_lt. intros q. destruct q as [q | q]; [ specialize (N PI ltac:(lra)) | rewrite q in z ];
-  nra. } split; [ exact long | ].
-  set (tau := e - asin lam) in *. destruct (slip_is lam phi0 w wy (Rlt_le _ _ h0) M c tau tau c0 ph w0 wy0) as [q _]; [ | lra | ].
-  { intros t Ht. destruct (Req_dec t 0) as [-> | ]; [ rewrite h_0; lra | left; apply P; lra ]. }
+  destruct (slip_end_is lam e hl E) as (A & z & P & N). destruct (asin_range lam hl) as [b _]. destruct (early_end lam e hl E) as [_ L].
+  unfold eq29_phi3 in L. unfold eq27_phi1 in *. assert (long : PI < e - asin lam).
+  { apply Rnot_le_lt. intros [q | q]; [ lra | ]. rewrite q, h_PI in z by trivial. destruct (left_sign lam ltac:(lra)) as (k & k0 & S). nra. } split; trivial.
+  set (tau := e - asin lam) in *. destruct (slip_is lam phi0 w wy (Rlt_le _ _ h0) M c tau tau c0 ph w0 wy0 P) as [q _]; [ lra | ].
   pose proof (gain lam phi0 w wy (Rlt_le _ _ h0) M (c + tau) (c + 2 * PI) ltac:(lra)) as [_ G]. destruct (at_sin phi0 c _ tau ph) as [_ c1].
-  destruct (at_sin phi0 c _ (2 * PI) ph) as [_ c2].
-  rewrite c1, c2, q, z in G. unfold eq27_phi1 in G. rewrite cos_2PI_plus in G. unfold h in z. nra.
+  destruct (at_sin phi0 c _ (2 * PI) ph) as [_ c2]. rewrite c1, c2, q, z, cos_per in G. unfold h in z. nra.
 Qed.
 Lemma drive_low lam : 0 < lam < 1 -> forall x, PI - asin lam <= x <= asin lam + 2 * PI -> sin x <= lam.
 Proof.
-  intros hl x H. destruct (p1_range lam hl) as [[a b] e]. destruct (Req_dec x (PI - asin lam)) as [-> | ]; [ rewrite sin_PI_x; lra | ].
-  destruct (Req_dec x (asin lam + 2 * PI)) as [-> | ]; [ rewrite sin_2PI_plus; lra | ]. left. apply sin_low; lra.
+  intros hl x H. destruct (asin_range lam hl) as [[a b] e]. destruct (Req_dec x (PI - asin lam)) as [-> | ]; [ rewrite sin_PI_x; lra | ].
+  destruct (Req_dec x (asin lam + 2 * PI)) as [-> | ]; [ rewrite sin_per; lra | ]. left. apply sin_less; lra.
 Qed.
 (* The period of the slip: after phitilde2 the drive cannot start a slip forward until phi1 + 2 pi, and from there on it does;
 its sum over it is 0. *)
 Theorem s22_rest_of_period lam e : 0 < lam < 1 -> slip_end lam e -> let last := right_sinusoidal_rest_of_period_end (eq27_phi1 lam) in
   e < last /\ (forall y, e <= y -> ((forall x, e <= x <= y -> sin x <= lam) <-> y <= last)) /\ is_RInt sin (eq27_phi1 lam) last 0.
 Proof.
-  intros hl E last. destruct (slip_end_is lam e hl E) as (A & _). destruct (p1_range lam hl) as [[a b] s].
+  intros hl E last. destruct (slip_end_is lam e hl E) as (A & _). destruct (asin_range lam hl) as [[a b] s].
   unfold last, right_sinusoidal_rest_of_period_end, eq27_phi1. split; [ lra | split ].
   - intros y hy. split; [ | intros H x hx; apply drive_low; lra ]. intros H. apply Rnot_lt_le. intros k.
-    set (x := Rmin y (asin lam + 2 * PI + (PI / 2 - asin lam))).
-    assert (hx : asin lam + 2 * PI < x <= y /\ x <= 2 * PI + PI / 2) by (unfold x; split; [ split; [ apply Rmin_glb_lt;
-    lra | apply Rmin_l ] | pose proof (Rmin_r y (asin lam + 2 * PI + (PI / 2 - asin lam))); lra ]).
-    pose proof (H x ltac:(lra)) as L. pose proof (sin_above lam hl (x - 2 * PI) ltac:(lra)) as Q. rewrite <- (sin_2PI_plus (x - 2 * PI)) in Q.
+    set (x := Rmin y (asin lam + 2 * PI + (PI / 2 - asin lam))). assert (hx : asin lam + 2 * PI < x <= y /\ x <= 2 * PI + PI / 2) by (unfold x; minmax).
+    pose proof (H x ltac:(lra)) as L. pose proof (sin_above lam (x - 2 * PI) hl ltac:(lra)) as Q. rewrite <- sin_per in Q.
     replace (x - 2 * PI + 2 * PI) with x in Q by ring. lra.
-  - replace 0 with (minus (- cos (asin lam + 2 * PI)) (- cos (asin lam))) by (rewrite cos_2PI_plus; unfold minus, plus, opp; simpl; ring).
+  - replace 0 with (minus (- cos (asin lam + 2 * PI)) (- cos (asin lam))) by (rewrite cos_per; unfold minus, plus, opp; simpl; ring).
     apply (is_RInt_derive (fun x => - cos x) sin); intros x _; [ auto_derive; trivial; ring | apply continuity_pt_filterlim, continuity_sin ].
 Qed.
 (* As printed, with phi for phi1, that is so at phi = phi1 only. *)
@@ -485,26 +398,27 @@ Proof.
     lra.
   - intros ->. exact R.
 Qed.
-Lemma sine_vanishes x y : 0 < y - x < PI -> sin x = 0 -> sin y = 0 -> False.
-Proof. intros H X Y. pose proof (sin_gt_0 (y - x) ltac:(lra) ltac:(lra)) as S. rewrite sin_minus, X, Y in S. lra. Qed.
 (* Below lambda_c no motion that repeats itself, with any period, has a velocity along the drive that vanishes on an interval. *)
 Theorem s22_no_rest_below lam phi0 w wy P r s : 0 <= lam < eq37_lambda_c -> shaken lam phi0 w wy -> 0 < P ->
   (forall t, 0 <= t -> w (t + P) = w t /\ wy (t + P) = wy t) -> 0 <= r < s -> exists t, r <= t <= s /\ w t <> 0.
 Proof.
-  intros hl M hP per H. apply Classical_Prop.NNPP. intros no. assert (Z : forall t, r <= t <= s -> w t = 0).
-  { intros t Ht. destruct (Req_dec (w t) 0) as [ | n]; trivial. exfalso. apply no. now exists t. }
-  set (y := Rmin ((r + s) / 2) (r + 1)). pose proof PI2_3_2. assert (hy : r < y <= (r + s) / 2 /\ y <= r + 1) by (unfold y; repeat split;
-  [ apply Rmin_glb_lt; lra | apply Rmin_l | apply Rmin_r ]).
-  destruct hl as [[h0 | <-] hc].
-  - assert (hp : 0 < lam <= eq37_lambda_c) by lra. pose proof (periodic_is_38 lam hp phi0 w wy P M hP per) as E.
-    pose proof (proj1 (E r ltac:(lra))) as e1. pose proof (proj1 (E y ltac:(lra))) as e2. rewrite Z in e1, e2 by lra. symmetry in e1, e2.
-    apply (w38_zeros lam hp) in e1, e2.
-    destruct e1 as [n Hn]. destruct e2 as [m Hm]. assert (IZR n < IZR m < IZR n + 1) as [m1 m2] by (split; nra). rewrite <- plus_IZR in m2.
-    apply lt_IZR in m1. apply lt_IZR in m2. lia.
-  - assert (S : forall t, r <= t < s -> sin (phi0 + t) = 0).
-    { intros t Ht. pose proof (rest_needs_friction 0 phi0 w wy (Rle_refl 0) M r s t ltac:(lra) ltac:(lra) ltac:(intros; apply Z; lra)) as B.
-      apply Rabs_le_between in B. lra. }
-    apply (sine_vanishes (phi0 + r) (phi0 + y)); [ lra | apply S; lra | apply S; lra ].
+  intros hl M hP per H. apply Classical_Prop.NNPP. intros no. assert (Z : forall n t, r <= t <= s -> w (t + INR n * P) = 0).
+  { intros n t Ht. destruct (Req_dec (w t) 0) as [e | e]; [ | exfalso; apply no; now exists t ]. rewrite <- e. clear e.
+    induction n as [ | n IH ]; [ f_equal; simpl; ring | ]. rewrite S_INR, <- IH. replace (t + (INR n + 1) * P) with (t + INR n * P + P) by ring.
+    apply per. pose proof (pos_INR n). nra. }
+  pose proof PI2_3_2. destruct hl as [[h0 | <-] hc].
+  - set (d := Rmin ((s - r) / 4) (PI / 4)). assert (hd : 0 < d <= PI / 4 /\ 4 * d <= s - r) by (unfold d; minmax). clearbody d.
+    destruct (late_sign lam phi0 w wy ltac:(lra) M d ltac:(lra)) as (m & s1 & m0 & s10 & S). destruct (nat_above ((s1 - r) / P)) as [n Hn].
+    apply Rlt_div_l in Hn; trivial. destruct (per_spec (eq39_phi_t1 lam) PI PI_RGT_0 (phi0 + (r + INR n * P))) as [j Hj].
+    assert (hit : forall c i, 0 <= c <= s - r -> d <= phi0 + (r + c + INR n * P) - eq39_phi_t1 lam - IZR i * PI <= PI - d -> False).
+    { intros c i hc' K. pose proof (S (r + c + INR n * P) i ltac:(lra) K) as Q. rewrite Z in Q by lra. lra. }
+    destruct (Rle_lt_dec (phi0 + (r + INR n * P) - eq39_phi_t1 lam - IZR j * PI) (PI - 2 * d)).
+    + apply (hit d j); lra.
+    + apply (hit (3 * d) (j + 1)%Z); rewrite ?plus_IZR; lra.
+  - set (y := Rmin ((r + s) / 2) (r + 1)). assert (hy : r < y < s /\ y <= r + 1) by (unfold y; minmax). assert (Q : forall t, r <= t < s -> sin (phi0 + t) = 0).
+    { intros t Ht. pose proof (rest_needs_friction 0 phi0 w wy (Rle_refl 0) M r s t ltac:(lra) ltac:(lra)) as B. apply Rabs_eq_0, Rle_antisym; [ | apply Rabs_pos ].
+      apply B. intros x hx. rewrite <- (Z 0%nat x ltac:(lra)). f_equal. simpl. ring. }
+    apply (sine_vanishes (phi0 + r) (phi0 + y)); [ lra | apply Q; lra | apply Q; lra ].
 Qed.
 (* Small, large and very large friction: of every motion, from some time on, in each period, the zeros of vx.
 A period may begin at any phase but those
@@ -519,16 +433,13 @@ Theorem s22_trichotomy lam phi0 w wy : 0 < lam -> shaken lam phi0 w wy ->
 Proof.
   intros h0 M. split; [ | split ].
   - intros hc phi ne. apply (two_zeros lam phi0 w wy ltac:(lra) M phi ne).
-  - intros hc. pose proof lambda_c_between. assert (hl : 0 < lam < 1) by lra. destruct (slip_end_exists lam hl) as [e E].
-    assert (q : e < eq29_phi3 lam) by (apply (eq_36 lam e hl E); exact (proj1 hc)). destruct (s22_rest_interval lam e phi0 w wy hl E q M) as [s1 R].
-    destruct (ends lam e hl E q) as (o & _).
-    destruct (p1_range lam hl) as [[a b] _]. exists (e - asin lam), s1.
-    split; [ lra | split; [ unfold eq27_phi1; replace (asin lam + (e - asin lam)) with e by ring; trivial | ] ].
+  - intros hc. pose proof lambda_c_between. assert (hl : 0 < lam < 1) by lra. destruct (early_exists lam hc) as (e & E & q).
+    destruct (s22_rest_interval lam e phi0 w wy hl E q M) as [s1 R]. destruct (ends lam e hl E q) as (b & o & _). exists (e - asin lam), s1.
+    split; [ lra | split; [ unfold eq27_phi1; now rewrite Rplus_minus | ] ].
     intros s hs [n ph] z hz. destruct (R z (asin lam + (z - s)) ltac:(lra)) as (_ & r1 & r2 & r3 & r4). { exists n. unfold eq27_phi1 in ph. lra. }
     unfold eq27_phi1, eq29_phi3 in *. split.
-    + intros wz. destruct (Rlt_le_dec z (s + (e - asin lam))) as [k | k]. rewrite wz in r1. lra. destruct (Rle_lt_dec z (s + PI)) as [k1 | k1].
-      left; lra.
-      right. split; [ | lra ]. apply Rnot_lt_le. intros k2. rewrite wz in r3. lra.
+    + intros wz. rewrite wz in *. destruct (Rlt_le_dec z (s + (e - asin lam))); [ lra | ]. destruct (Rle_lt_dec z (s + PI)); [ left; lra | ].
+      right. split; [ | lra ]. apply Rnot_lt_le. intros k. lra.
     + intros [K | K]; [ apply r2 | apply r4 ]; lra.
   - intros h1. destruct (all_stop lam phi0 w wy h1 M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).
 Qed.
@@ -541,36 +452,28 @@ Proof. destruct s22_vy_vanishes__needs_friction as [M P]. split; trivial. intros
 Theorem s22_vy_two_stages__first lam phi0 w wy s : 0 <= lam -> shaken lam phi0 w wy -> 0 <= s -> 0 < wy s ->
   exists r, rder wy s r /\ s22_first_stage_slope lam <= r <= s22_first_stage_slope lam + lam * (w s / wy s) ^ 2 / 2.
 Proof.
-  intros hl M hs y0. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & C & _ & _ & _ & Y). exists fy. split; trivial.
-  destruct (coulomb_slip _ _ _ _ _ hl C) as [_ F].
-  destruct (nearly (wy s) (w s) y0) as [n1 n2]. assert (en : nrm (wy s) (w s) = nrm (w s) (wy s)) by (unfold nrm; f_equal; ring). rewrite en in *.
-  unfold s22_first_stage_slope. set (n := nrm (w s) (wy s)) in *.
-  assert (e : fy = - lam * (wy s / n)) by (apply (Rmult_eq_reg_l n); [ rewrite F; field; lra | lra ]).
-  assert (wy s / n <= 1) by (apply Rle_div_l; lra). assert (1 - (w s / wy s) ^ 2 / 2 <= wy s / n) by (apply Rle_div_r; lra).
-  rewrite e. split; nra.
+  intros hl M hs y0. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & _ & [_ F] & _ & _ & Y). exists fy. split; trivial.
+  pose proof (nearly (wy s) (w s) y0) as n1. pose proof (abs_nrm (w s) (wy s)) as [_ n0]. pose proof (Rle_abs (wy s)).
+  replace (nrm (wy s) (w s)) with (nrm (w s) (wy s)) in n1 by (unfold nrm; f_equal; ring). unfold s22_first_stage_slope. set (n := nrm (w s) (wy s)) in *.
+  assert (e : fy = - lam * (wy s / n)) by (apply (Rmult_eq_reg_l n); [ rewrite F; field; lra | lra ]). rewrite e. split; nra.
 Qed.
 (* Above lambda_c it is exactly zero after a finite time. *)
 Theorem s22_vy_two_stages__above lam phi0 w wy : eq37_lambda_c < lam -> shaken lam phi0 w wy -> exists s1, forall s, s1 <= s -> wy s = 0.
-Proof.
-  intros h0 M. pose proof lambda_c_between. destruct (Rlt_le_dec lam 1) as [k | k].
-  - destruct (slip_end_exists lam ltac:(lra)) as [e E]. assert (q : e < eq29_phi3 lam) by (apply (eq_36 lam e ltac:(lra) E); exact h0).
-    destruct (w33_reached lam e ltac:(lra) E q phi0 w wy M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).
-  - destruct (all_stop lam phi0 w wy k M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).
-Qed.
+Proof. intros h0 M. destruct (one_reached lam h0) as [W R]. destruct (R phi0 w wy M) as (s1 & _ & S). exists s1. intros s hs. now destruct (S s hs). Qed.
 (* Where w is zero while friction exceeds a drive of size d at most, what is left is lost within the stated phase. *)
 Theorem s22_vy_two_stages__last lam d phi0 w wy s u : 0 <= d < lam -> shaken lam phi0 w wy -> 0 <= s -> w s = 0 ->
   s + right_sinusoidal_last_stage lam d (Rabs (wy s)) <= u -> (forall t, s <= t <= u -> Rabs (sin (phi0 + t)) <= d) -> w u = 0 /\ wy u = 0.
 Proof.
-  intros hd M hs w0 hu A. apply (stops_within lam d phi0 w wy hd M s u hs); trivial. rewrite w0, Rabs_R0.
-  replace (nrm 0 (wy s)) with (Rabs (wy s)); [ unfold right_sinusoidal_last_stage in hu; now rewrite Rmult_0_r, Rplus_0_r | ].
-  unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring.
+  intros hd M hs w0 hu A. assert (0 < lam ^ 2 - d ^ 2) by nra. unfold right_sinusoidal_last_stage in hu. pose proof (Rabs_pos (wy s)).
+  assert (0 <= lam * Rabs (wy s) / (lam ^ 2 - d ^ 2)) by (apply Rle_div_r; nra).
+  apply (stops_within lam d phi0 w wy s u hd M); trivial; [ lra | ]. rewrite (Rmult_comm (lam ^ 2 - d ^ 2)). apply Rle_div_l; lra.
 Qed.
 (* It becomes zero only where the block stops, and then for good. *)
 Theorem s22_vy_two_stages__stop lam phi0 w wy s u : 0 < lam -> shaken lam phi0 w wy -> 0 <= s < u -> wy s <> 0 -> wy u = 0 ->
   (exists t, s < t <= u /\ w t = 0 /\ wy t = 0) /\ forall t, u <= t -> wy t = 0.
 Proof.
   intros h0 M hs y0 yu. split. 2: { intros t ht. pose proof (wy_falls lam phi0 w wy h0 M u t ltac:(lra)). rewrite yu in *. nra. }
-  apply (stops_when lam phi0); trivial.
+  destruct (first_zero lam phi0 w wy h0 M s u hs y0 yu) as (t & ht & z1 & z2 & _). now exists t.
 Qed.
 (* Below lambda_c each passage of w through zero multiplies ln |wy| by the stated factor in the limit: moments half a period apart, at any phase but
    those of the zeros of (38). *)
@@ -580,17 +483,15 @@ Theorem s22_vy_two_stages__factor lam phi0 w wy s0 : 0 < lam < eq37_lambda_c -> 
     (right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam)).
 Proof.
   intros hl M N hs ne. replace (right_sinusoidal_drive_at_zero lam) with (sin (eq39_phi_t1 lam)).
-  exact (passage_factor lam phi0 w wy hl M N s0 hs ne).
-  pose proof lambda_c_between. destruct (small lam ltac:(lra) ltac:(lra)) as [a b]. unfold right_sinusoidal_drive_at_zero, eq39_phi_t1.
+  exact (passage_factor lam phi0 w wy (proj1 hl) M (proj2 hl) N s0 hs ne).
+  pose proof (small lam ltac:(lra)). unfold right_sinusoidal_drive_at_zero, eq39_phi_t1.
   rewrite sin_acos by lra. f_equal. unfold Rsqr. ring.
 Qed.
 (* So the printed ratio of the falls of ln wy in two periods, the square of the factor, is right without friction only; *)
 Theorem s22_vy_two_stages__printed lam : 0 <= lam < eq37_lambda_c ->
   (right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam) ^ 2 = s22_second_stage_ratio <-> lam = 0).
 Proof.
-  intros hl. pose proof lambda_c_between. pose proof PI_RGT_0. assert (hs : PI * lam / 2 <= 1).
-  { destruct hl as [[h0 | <-] hc]; [ pose proof (small lam ltac:(lra) ltac:(lra)); lra | lra ]. }
-  destruct (turn_sign lam (proj1 hl) hs) as (c & c0 & T). assert (l0 : -1 <= PI * lam / 2) by nra.
+  intros hl. pose proof (small lam ltac:(lra)). destruct (turn_sign lam (proj1 hl) ltac:(lra)) as (c & c0 & T).
   unfold right_sinusoidal_drive_at_zero, right_sinusoidal_passage_factor, s22_second_stage_ratio.
   replace (sqrt (1 - (PI * lam / 2) ^ 2)) with (sin (eq39_phi_t1 lam)) by (unfold eq39_phi_t1; rewrite sin_acos by lra; f_equal; unfold Rsqr; ring).
   set (d := sin (eq39_phi_t1 lam)) in *. assert (k : lam < d) by nra.
@@ -629,7 +530,7 @@ Proof. intros H. destruct (a_block 1 1 2 1 0 1 0) as (x & y & M & x0 & y0). lra.
 Lemma s22_rest_ends__occurs : ltac:(occurs s22_rest_ends).
 Proof.
   intros H. destruct some_rests as (e & E & q). assert (hl : 0 < 3 / 4 < 1) by lra. destruct (ends _ e hl E q) as (o & z & P).
-  destruct (p1_range _ hl) as [[a b] _]. set (b1 := asin (3 / 4)) in *. unfold eq29_phi3 in q. fold b1 in q.
+  destruct (asin_range _ hl) as [[a b] _]. set (b1 := asin (3 / 4)) in *. unfold eq29_phi3 in q. fold b1 in q.
   refine (H (3 / 4) e _ _ 0 (PI + b1 - e) _ (w33_motion (3 / 4) e hl E q e) _ _ _); try lra.
   - intros t Ht. split; trivial. apply w33_rest; trivial. fold b1. lra.
   - intros d d0. set (u := Rmin d (e - b1) / 2). assert (0 < Rmin d (e - b1)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (e - b1)).

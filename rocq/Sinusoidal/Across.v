@@ -1,393 +1,273 @@
 (* The velocity across the drive: linear while it is large; faster than every exponential in the end; and, below lambda_c, by how much a passage of
-   w through zero multiplies its logarithm in the limit. The last by the logarithm of T = wy/(v + w), whose rate is -sin/v, that of wy being -l/v. *)
+   w through zero multiplies its logarithm in the limit. The last by the logarithm of v + w, whose rate is (sin - l)/v, that of wy being -l/v. *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Exists Rates Formulas HalfPeriod Drawn Steady Shaken LargeTime Zeros.
+From Slipbook Require Import Motion General Exists Rates Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime Zeros.
 Open Scope R_scope.
 
 (* friction near one axis: n is the speed, x the fast component, y the slow one *)
-Lemma nearly x y : 0 < x -> let q := (y / x) ^ 2 in x <= nrm x y /\ (1 - q / 2) * nrm x y <= x.
+Lemma nearly x y : 0 < x -> let q := (y / x) ^ 2 in 1 - q / 2 <= x / nrm x y <= 1.
 Proof.
   intros hx q. pose proof (nrm_sq x y) as N. pose proof (nrm_pos x y). assert (Q : q * x ^ 2 = y ^ 2) by (unfold q; field; lra).
-  assert (q0 : 0 <= q) by apply pow2_ge_0. set (n := nrm x y) in *. assert (a : x <= n) by nra. split; trivial.
+  assert (q0 : 0 <= q) by apply pow2_ge_0. set (n := nrm x y) in *. assert (a : x <= n) by nra.
   assert (b : n <= x * (1 + q / 2)). { apply Rsqr_incr_0_var; [ rewrite !Rsqr_pow2; nra | nra ]. }
-  destruct (Rle_lt_dec (1 - q / 2) 0). nra. apply Rle_trans with ((1 - q / 2) * (x * (1 + q / 2))); [ apply Rmult_le_compat_l; lra | ].
-  assert (0 <= q ^ 2 * x) by (apply Rmult_le_pos; [ apply pow2_ge_0 | lra ]). nra.
+  split; [ apply Rle_div_r | apply Rle_div_l ]; try lra. assert (0 <= q ^ 2 * x) by (apply Rmult_le_pos; [ apply pow2_ge_0 | lra ]).
+  destruct (Rle_lt_dec (1 - q / 2) 0); nra.
+Qed.
+Lemma iterate (G : R -> R) s0 T C : 0 < T -> (forall s, s0 <= s <= s0 + T -> G s <= C) -> (forall s, s0 <= s -> G (s + T) <= G s) ->
+  forall s, s0 <= s -> G s <= C.
+Proof.
+  intros hT A B s hs. destruct (nat_above ((s - s0) / T)) as [n Hn]. apply Rlt_div_l in Hn; trivial. revert s hs Hn.
+  induction n as [ | n IH ]; intros s hs hn; [ simpl in hn; lra | rewrite S_INR in hn ]. destruct (Rle_lt_dec s (s0 + T)); [ apply A; lra | ].
+  replace s with (s - T + T) by ring. eapply Rle_trans; [ apply B | apply IH ]; lra.
 Qed.
 
 Section Across.
 Variables (l phi0 : R) (w wy : R -> R).
 Hypothesis hl : 0 < l.
 Hypothesis M : shaken l phi0 w wy.
-Lemma l0 : 0 <= l. Proof. lra. Qed.
+Notation v t := (nrm (w t) (wy t)).
+Notation Q t := (ln (wy t ^ 2)).
 Lemma wy_falls s t : 0 <= s <= t -> wy t ^ 2 <= wy s ^ 2.
-Proof. pose proof M as H. rewrite shaken_sin in H. apply (across_falls _ _ _ _ l0 H). Qed.
-
-(* from s on, for a unit of phase, the speed is 2 (phase since s + e) at most: then wy^2 is multiplied by e^l at most *)
-Lemma shrinks s e : 0 <= s -> 0 < e -> (forall t, s <= t <= s + 1 -> nrm (w t) (wy t) <= 2 * (t - s + e)) ->
-  wy (s + 1) ^ 2 <= wy s ^ 2 * exp (l * ln e).
+Proof. pose proof M as H. rewrite shaken_sin in H. apply (across_falls _ _ _ _ (Rlt_le _ _ hl) H). Qed.
+Lemma wy_before s t : 0 <= s <= t -> wy t <> 0 -> wy s <> 0.
+Proof. intros hs n z. pose proof (wy_falls s t hs) as F. rewrite z in F. apply n. nra. Qed.
+(* while it moves across: the rates of ln wy^2, and of ln (v + e w) *)
+Lemma moving t : 0 <= t -> wy t <> 0 -> 0 < wy t ^ 2 /\ Rabs (w t) < v t /\ rder (fun s => Q s) t (- (2 * l / v t)) /\
+  forall e, e = 1 \/ e = -1 -> 0 < v t + e * w t /\ rder (fun s => ln (v s + e * w s)) t ((e * sin (phi0 + t) - l) / v t).
 Proof.
-  intros hs he H. assert (F : wy (s + 1) ^ 2 * exp (l * ln (s + 1 - s + e)) <= wy s ^ 2 * exp (l * ln (s - s + e))).
-  { apply (rder_decr (fun t => wy t ^ 2 * exp (l * ln (t - s + e)))); [ lra | | ]; intros t Ht.
-    - cont; [ apply (cont_wy l phi0 w wy M) | ]; lra.
-    - destruct (law l phi0 w wy l0 M t) as (fx & fy & C & _ & _ & X & Y); [ lra | ]. specialize (H t ltac:(lra)).
-      eexists. split. rd. lra. cbv beta. set (E := exp _). assert (0 < E) by apply exp_pos. set (x := t - s + e) in *.
-      assert (0 < x) by (unfold x; lra).
-      destruct (coulomb_slip _ _ _ _ _ l0 C) as [_ F]. pose proof (abs_nrm (w t) (wy t)) as [_ N]. set (n := nrm (w t) (wy t)) in *.
-      assert (K : 2 * (wy t * fy) + l * wy t ^ 2 / x <= 0).
-      { destruct (Req_dec (wy t) 0) as [-> | z]; [ unfold Rdiv; lra | ]. assert (0 < n) by (pose proof (Rabs_pos_lt _ z); lra).
-        assert (0 < wy t ^ 2) by nra.
-        replace fy with (- l * wy t / n) by (rewrite <- F; field; lra).
-        replace (2 * (wy t * (- l * wy t / n)) + l * wy t ^ 2 / x) with (l * wy t ^ 2 * (n - 2 * x) / (n * x)) by (field; lra).
-        assert (0 < n * x) by nra. apply Rle_div_l; trivial. assert (0 <= l * wy t ^ 2) by nra. nra. }
-      match goal with |- ?g <= 0 => replace g with (E * (2 * (wy t * fy) + l * wy t ^ 2 / x)) by (simpl; field; lra) end. nra. }
-  replace (s - s + e) with e in F by ring. replace (s + 1 - s + e) with (1 + e) in F by ring.
-  assert (1 <= exp (l * ln (1 + e))). { rewrite <- exp_0 at 1. left. apply exp_increasing. apply Rmult_lt_0_compat; trivial. rewrite <- ln_1.
-  apply ln_increasing; lra. }
-  pose proof (pow2_ge_0 (wy (s + 1))). nra.
+  intros ht n. assert (y2 : 0 < wy t ^ 2) by (pose proof (pow2_ge_0 (wy t)); nra). pose proof (nrm_sq (w t) (wy t)) as n2.
+  pose proof (nrm_pos (w t) (wy t)) as n0. pose proof (Rabs_pos (w t)).
+  assert (n1 : Rabs (w t) < v t) by (rewrite <- (pow2_abs (w t)) in n2; nra).
+  destruct (law l phi0 w wy (Rlt_le _ _ hl) M t ht) as (fx & fy & [_ P] & [E F] & _ & X & Y). set (m := v t) in *.
+  split; [ trivial | split; [ trivial | split ] ].
+  - eapply rder_eq. rd. trivial. assert (e : fy = - l * wy t / m) by (rewrite <- F; field; lra). rewrite e. simpl. field. split; lra.
+  - intros e he. assert (q : 0 < m + e * w t) by (pose proof (Rabs_def2 _ _ n1); destruct he as [-> | ->]; lra). split; trivial.
+    assert (D : rder (fun s => v s + e * w s) t ((e * sin (phi0 + t) - l) * (m + e * w t) / m)).
+    { eapply rder_eq; [ apply (rder_plus (fun s => v s) (fun s => e * w s)); [ apply (rder_nrm w wy t _ _ X Y); fold m; lra | rd ] | fold m ].
+      replace (w t * (sin (phi0 + t) + fx) + wy t * fy) with (w t * sin (phi0 + t) - l * m) by lra.
+      assert (ef : fx = - l * w t / m) by (rewrite <- E; field; lra). rewrite ef. destruct he as [-> | ->]; field; lra. }
+    eapply rder_eq; [ apply (rder_ln _ _ _ D); exact q | ]. fold m. field. lra.
+Qed.
+(* from s on, for a unit of phase, the speed is 2 (phase since s + e) at most: then wy^2 is multiplied by e^l at most *)
+Lemma shrinks s e : 0 <= s -> 0 < e -> (forall t, s <= t <= s + 1 -> v t <= 2 * (t - s + e)) -> wy (s + 1) ^ 2 <= wy s ^ 2 * exp (l * ln e).
+Proof.
+  intros hs he H. pose proof (exp_pos (l * ln e)). destruct (Req_dec (wy (s + 1)) 0) as [-> | n]; [ pose proof (pow2_ge_0 (wy s)); nra | ].
+  assert (A : forall t, s <= t <= s + 1 -> wy t <> 0) by (intros t Ht; apply (wy_before t (s + 1)); trivial; lra).
+  assert (F : Q (s + 1) + l * ln (s + 1 - s + e) <= Q s + l * ln (s - s + e)).
+  { apply (rder_decr (fun t => Q t + l * ln (t - s + e))); [ lra | | ]; intros t Ht; destruct (moving t ltac:(lra) ltac:(apply A; lra)) as (y2 & n1 & D & _).
+    - cont; try lra. apply (m_cy _ _ _ _ _ M). lra.
+    - specialize (H t ltac:(lra)). pose proof (Rabs_pos (w t)). eexists. split. apply (rder_plus (fun t => Q t)); [ exact D | rd; lra ]. cbv beta.
+      assert (/ (2 * (t - s + e)) <= / v t) by (apply Rinv_le_contravar; lra). rewrite Rinv_mult in *. unfold Rdiv. nra. }
+  replace (s + 1 - s + e) with (1 + e) in F by ring. replace (s - s + e) with e in F by ring.
+  destruct (moving s hs ltac:(apply A; lra)) as (y1 & _). destruct (moving (s + 1) ltac:(lra) n) as (y2 & _).
+  assert (0 < ln (1 + e)) by (rewrite <- ln_1; apply ln_increasing; lra). rewrite <- (exp_ln (wy (s + 1) ^ 2)), <- (exp_ln (wy s ^ 2)), <- exp_plus by trivial.
+  left. apply exp_increasing. nra.
 Qed.
 
 (* faster than every exponential *)
-Hypothesis hc : l <= eq37_lambda_c.
-Notation p := (eq39_phi_t1 l).
-Lemma late_shrinks k : 0 <= k -> exists s0, 0 <= s0 /\ forall s, s0 <= s -> wy (s + 4 * PI) ^ 2 <= wy s ^ 2 * exp (- k).
+Lemma late_shrinks k : l <= eq37_lambda_c -> exists s0, 0 <= s0 /\ forall s, s0 <= s -> wy (s + 4 * PI) ^ 2 <= wy s ^ 2 * exp (- k).
 Proof.
-  intros hk. set (e := exp (- k / l)). assert (he : 0 < e) by apply exp_pos. assert (le : l * ln e = - k) by (unfold e; rewrite ln_exp; field; lra).
-  destruct (w38_attracts l (conj hl hc) phi0 w wy M) as [X Y]. apply is_lim_spec in X. apply is_lim_spec in Y.
-  destruct (X (mkposreal e he)) as [T HT]. destruct (Y (mkposreal e he)) as [U HU]. simpl in HT, HU. pose proof PI2_3_2. pose proof lambda_c_between.
-  pose proof (Rmax_l (Rmax (T + 1) (U + 1)) 0) as m1. pose proof (Rmax_r (Rmax (T + 1) (U + 1)) 0) as m2. pose proof (Rmax_l (T + 1) (U + 1)).
-  pose proof (Rmax_r (T + 1) (U + 1)).
-  exists (Rmax (Rmax (T + 1) (U + 1)) 0). split; trivial. intros s hs. destruct (phase_after phi0 p s) as (z & hz & ph).
+  intros hc. set (e := exp (- k / l)). assert (he : 0 < e) by apply exp_pos. assert (le : l * ln e = - k) by (unfold e; rewrite ln_exp; field; lra).
+  destruct (near_38 l (conj hl hc) phi0 w wy (e / 2) M ltac:(lra)) as (s1 & s0 & H). pose proof PI2_3_2. pose proof lambda_c_between.
+  exists s1. split; trivial. intros s hs. destruct (phase_after phi0 (eq39_phi_t1 l) s) as (z & hz & n & ph).
   apply Rle_trans with (wy (z + 1) ^ 2); [ apply wy_falls; lra | ]. rewrite <- le. apply Rle_trans with (wy z ^ 2 * exp (l * ln e)).
   2: { apply Rmult_le_compat_r; [ left; apply exp_pos | apply wy_falls; lra ]. }
-  apply shrinks; [ lra | trivial | ]. intros t Ht. specialize (HT t ltac:(lra)). specialize (HU t ltac:(lra)). rewrite Rminus_0_r in HT, HU.
-  assert (W0 : w38 l (phi0 + z) = 0). { destruct ph as [n ->]. rewrite (whole_periods (w38 l)) by (intros; now apply w38_period). apply w38_turn. }
-  pose proof (gain l phi0 _ _ l0 (w38_motion l (conj hl hc) phi0) z t ltac:(lra)) as G. cbv beta in G. rewrite W0 in G.
-  assert (C : Rabs (cos (phi0 + z) - cos (phi0 + t)) <= t - z).
-  { rewrite Rabs_minus_sym. destruct (MVT_abs cos (fun x => - sin x) (phi0 + z) (phi0 + t)) as (c & -> & _). intros; apply derivable_pt_lim_cos.
-    pose proof (SIN_bound c).
-    rewrite Rabs_Ropp. replace (phi0 + t - (phi0 + z)) with (t - z) by ring. rewrite (Rabs_pos_eq (t - z)) by lra.
-    rewrite <- (Rmult_1_l (t - z)) at 2. apply Rmult_le_compat_r; [ lra | apply Rabs_le; lra ]. }
-  apply Rabs_le_between in C. apply Rabs_def2 in HT. apply Rabs_def2 in HU.
-  assert (A : Rabs (w t) <= 2 * (t - z) + e). { assert (l * (t - z) <= 1 * (t - z)) by (apply Rmult_le_compat_r; lra). apply Rabs_le; lra. }
-  apply Rle_trans with (Rabs (w t) + Rabs (wy t)). 2: { assert (Rabs (wy t) <= e) by (apply Rabs_le; lra). lra. }
-  unfold nrm. rewrite <- (sqrt_pow2 (Rabs (w t) + Rabs (wy t))) by (pose proof (Rabs_pos (w t)); pose proof (Rabs_pos (wy t)); lra).
-  apply sqrt_le_1_alt.
-  rewrite <- (pow2_abs (w t)), <- (pow2_abs (wy t)). pose proof (Rabs_pos (w t)). pose proof (Rabs_pos (wy t)). nra.
+  apply shrinks; [ lra | trivial | ]. intros t Ht. destruct (H t ltac:(lra)) as [X Y]. apply Rabs_def2 in X.
+  pose proof (gain l phi0 _ _ (Rlt_le _ _ hl) (w38_motion l (conj hl hc) phi0) z t ltac:(lra)) as G. cbv beta in G.
+  replace (w38 l (phi0 + z)) with 0 in G by (rewrite ph, (whole_periods (w38 l)) by (intros; now apply w38_period); rewrite <- (w38_turn l 0); f_equal; ring).
+  pose proof (cos_near (phi0 + z) (phi0 + t)) as C. replace (phi0 + z - (phi0 + t)) with (- (t - z)) in C by ring.
+  rewrite Rabs_Ropp, (Rabs_pos_eq (t - z)) in C by lra. apply Rabs_le_between in C.
+  assert (l * (t - z) <= 1 * (t - z)) by (apply Rmult_le_compat_r; lra). eapply Rle_trans; [ apply nrm_abs | ].
+  assert (Rabs (w t) <= 2 * (t - z) + e / 2) by (apply Rabs_le; lra). lra.
 Qed.
-Lemma superexponential k : is_lim (fun s => wy s * exp (k * s)) p_infty 0.
+Lemma superexponential k : l <= eq37_lambda_c -> is_lim (fun s => wy s * exp (k * s)) p_infty 0.
 Proof.
-  set (K := Rabs k + 1). assert (hK : 0 < K /\ k + 1 <= K) by (unfold K; pose proof (Rabs_pos k); pose proof (Rle_abs k); lra). pose proof PI_RGT_0.
-  set (T := 4 * PI). destruct (late_shrinks (2 * K * T) ltac:(unfold T; nra)) as (s0 & h0 & S). fold T in S. set (G s := wy s ^ 2 * exp (2 * K * s)).
-  assert (G0 : forall s, 0 <= G s) by (intros s; apply Rmult_le_pos; [ apply pow2_ge_0 | left; apply exp_pos ]).
-  set (C := wy 0 ^ 2 * exp (2 * K * (s0 + T))).
-  assert (up1 : forall s, 0 <= s <= s0 + T -> G s <= C).
-  { intros s hs. unfold G, C. apply Rmult_le_compat; [ apply pow2_ge_0 | left; apply exp_pos | apply wy_falls; lra | ].
-    destruct (Req_dec s (s0 + T)) as [-> | ]; [ lra | left; apply exp_increasing; nra ]. }
-  assert (upn : forall n s, 0 <= s <= s0 + T + INR n * T -> G s <= C).
-  { induction n as [ | n IH ]; intros s hs. apply up1. simpl in hs. lra. rewrite S_INR in hs.
-    destruct (Rle_lt_dec s (s0 + T)) as [a | a]; [ apply up1; lra | ].
-    apply Rle_trans with (G (s - T)). 2: { apply IH. unfold T in *. lra. } specialize (S (s - T) ltac:(lra)).
-    replace (s - T + T) with s in S by ring. unfold G.
-    replace (2 * K * (s - T)) with (2 * K * s + - (2 * K * T)) by ring. rewrite exp_plus. pose proof (exp_pos (2 * K * s)). nra. }
+  intros hc. pose proof PI_RGT_0. set (K := Rabs k + 1). assert (hK : 0 < K /\ k + 1 <= K) by (unfold K; pose proof (Rabs_pos k); pose proof (Rle_abs k); lra).
+  destruct (late_shrinks (2 * K * (4 * PI)) hc) as (s0 & h0 & S). assert (m : forall a b, a <= b -> exp a <= exp b).
+  { intros a b [ab | ->]; [ left; now apply exp_increasing | lra ]. } set (C := wy 0 ^ 2 * exp (2 * K * (s0 + 4 * PI))).
+  assert (first : forall s, 0 <= s <= s0 + 4 * PI -> wy s ^ 2 * exp (2 * K * s) <= C).
+  { intros s hs. apply Rmult_le_compat; [ apply pow2_ge_0 | left; apply exp_pos | apply wy_falls; lra | apply m; nra ]. }
+  assert (G : forall s, 0 <= s -> wy s ^ 2 * exp (2 * K * s) <= C).
+  { intros s hs. destruct (Rle_lt_dec s s0); [ apply first; lra | ].
+    apply (iterate (fun s => wy s ^ 2 * exp (2 * K * s)) s0 (4 * PI)); [ lra | intros u hu; apply first; lra | | lra ]. intros u hu. specialize (S u hu).
+    replace (2 * K * (u + 4 * PI)) with (2 * K * (4 * PI) + 2 * K * u) by ring. rewrite exp_plus, <- Rmult_assoc. rewrite exp_Ropp in S.
+    apply Rmult_le_compat_r; [ left; apply exp_pos | ]. set (E := exp (2 * K * (4 * PI))) in *. assert (0 < E) by apply exp_pos.
+    apply (Rmult_le_compat_r E) in S; [ | lra ]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r in S by lra. exact S. }
   apply (lim_of_bound _ C (fun s => exp (2 * s))).
   - unfold C. apply Rmult_le_pos; [ apply pow2_ge_0 | left; apply exp_pos ].
-  - intros s hs. destruct (nat_above (s / T)) as [n Hn]. apply Rlt_div_l in Hn; [ | unfold T; lra ].
-    apply Rle_trans with (G s); [ | apply (upn n); unfold T in *; lra ].
-    unfold G. rewrite Rpow_mult_distr, Rmult_assoc. apply Rmult_le_compat_l; [ apply pow2_ge_0 | ].
-    replace (exp (k * s) ^ 2) with (exp (k * s) * exp (k * s)) by ring. rewrite <- !exp_plus.
-    destruct (Req_dec (k * s + k * s + 2 * s) (2 * K * s)) as [-> | ]; [ lra | left; apply exp_increasing ]. assert (k * s + s <= K * s) by nra. lra.
-  - intros B. exists (Rabs B). split. apply Rabs_pos. intros s hs. pose proof (exp_ineq1_le (2 * s)). pose proof (Rle_abs B).
-    pose proof (Rabs_pos B). lra.
+  - intros s hs. eapply Rle_trans; [ | apply (G s hs) ]. replace ((wy s * exp (k * s)) ^ 2) with (wy s ^ 2 * (exp (k * s) * exp (k * s))) by ring.
+    rewrite Rmult_assoc, <- !exp_plus. apply Rmult_le_compat_l; [ apply pow2_ge_0 | apply m; nra ].
+  - intros B. apply grows_exp. lra.
 Qed.
-End Across.
 
-(* ---- where wy becomes zero the block stops ---- *)
-Lemma right_of_nonzero f t l u : rder f t l -> f t <> 0 -> t < u -> exists s, t < s < u /\ f s <> 0.
+(* where wy becomes zero first the block stops *)
+Lemma first_zero s u : 0 <= s < u -> wy s <> 0 -> wy u = 0 -> exists z, s < z <= u /\ wy z = 0 /\ w z = 0 /\ forall t, s <= t < z -> wy t <> 0.
 Proof.
-  intros [F [D E]] n h. assert (C : continuity_pt F t) by (apply derivable_continuous_pt; exists l; now apply is_derive_Reals).
-  rewrite <- E in n by lra.
-  destruct (C (Rabs (F t)) (Rabs_pos_lt _ n)) as (d & d0 & H). set (s := t + Rmin d (u - t) / 2).
-  assert (0 < Rmin d (u - t)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (u - t)). pose proof (Rmin_r d (u - t)).
-  exists s. split; [ unfold s; lra | ]. rewrite <- E by (unfold s; lra). intros z. assert (K : Rabs (F s - F t) < Rabs (F t)).
-  { apply H. split. split; [ exact I | unfold s; lra ]. simpl. unfold R_dist.
-    apply Rabs_def1; unfold s; lra. } rewrite z, Rminus_0_l, Rabs_Ropp in K. lra.
-Qed.
-Lemma stops_when l phi0 w wy s u : 0 < l -> shaken l phi0 w wy -> 0 <= s < u -> wy s <> 0 -> wy u = 0 -> exists t, s < t <= u /\ w t = 0 /\ wy t = 0.
-Proof.
-  intros h0 M hs y0 yu. apply Classical_Prop.NNPP. intros no. destruct (law l phi0 w wy ltac:(lra) M s) as (_ & gy & _ & _ & _ & _ & R); [ lra | ].
-  destruct (right_of_nonzero _ _ _ u R y0 (proj2 hs)) as (c & hc & yc).
-  destruct (continuity_ab_min (fun t => nrm (w t) (wy t)) c u) as (x & X & hx); [ lra | | ].
-  { intros t Ht. apply cont_nrm; [ apply (cont_w l phi0 w wy M) | apply (cont_wy l phi0 w wy M) ]; lra. }
-  assert (m0 : 0 < nrm (w x) (wy x)). { destruct (nrm_pos (w x) (wy x)) as [p | p]; trivial. exfalso. symmetry in p.
-  destruct (nrm_zero _ _ p) as [p1 p2]. apply no. exists x. split; [ lra | auto ]. } set (m := nrm (w x) (wy x)) in *.
-  assert (F : - (wy u ^ 2 * exp (2 * l / m * u)) <= - (wy c ^ 2 * exp (2 * l / m * c))).
-  { apply (rder_decr (fun t => - (wy t ^ 2 * exp (2 * l / m * t)))); [ lra | | ]; intros t Ht.
-    - cont. apply (cont_wy l phi0 w wy M). lra.
-    - destruct (law l phi0 w wy ltac:(lra) M t) as (fx & fy & C & _ & _ & _ & Y); [ lra | ].
-      destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ h0) C) as [_ E]. specialize (X t ltac:(lra)). cbv beta in X. fold m in X.
-      set (n := nrm (w t) (wy t)) in *.
-      eexists. split. rd. cbv beta. set (G := exp _). assert (0 < G) by apply exp_pos. assert (e : fy = - l * wy t / n) by (rewrite <- E; field; lra).
-      match goal with |- ?g <= 0 => replace g with (- (2 * l * wy t ^ 2 * (n - m) * / (n * m) * G)) by (rewrite e; simpl; field; lra) end.
-      assert (0 < / (n * m)) by (apply Rinv_0_lt_compat; nra). pose proof (pow2_ge_0 (wy t)).
-      enough (0 <= 2 * l * wy t ^ 2 * (n - m) * / (n * m) * G) by lra. set (q := wy t ^ 2) in *. clearbody q. repeat apply Rmult_le_pos; lra. }
-  rewrite yu in F. pose proof (exp_pos (2 * l / m * c)). assert (0 < wy c ^ 2) by (pose proof (pow2_ge_0 (wy c)); nra). nra.
+  intros hs ns zu. assert (on : forall t, 0 <= t -> wy t <> 0 -> exists d, 0 < d /\ forall h, 0 <= h < d -> wy (t + h) <> 0).
+  { intros t ht n. destruct (law l phi0 w wy (Rlt_le _ _ hl) M t ht) as (_ & fy & _ & _ & _ & _ & Y).
+    destruct (rder_near_pos (fun t => wy t ^ 2) t _ (rder_pow wy 2 t fy Y)) as (d & d0 & D); [ pose proof (pow2_ge_0 (wy t)); nra | ].
+    exists d. split; trivial. intros h hh z. specialize (D h hh). cbv beta in D. rewrite z in D. lra. }
+  destruct (completeness (fun t => s <= t <= u /\ wy t <> 0)) as [z [Z1 Z2]]. { exists u. intros t [Ht _]. lra. } { exists s. split; [ lra | trivial ]. }
+  assert (sz : s <= z) by (apply Z1; split; [ lra | trivial ]). assert (zu' : z <= u) by (apply Z2; intros t [Ht _]; lra).
+  assert (past : forall t, s <= t -> wy t <> 0 -> t < z).
+  { intros t ht n. destruct (on t ltac:(lra) n) as (d & d0 & D). set (h := Rmin (d / 2) (u - t)). destruct (Rle_lt_dec u t) as [k | k].
+    - exfalso. apply n. pose proof (wy_falls u t ltac:(lra)) as F. rewrite zu in F. nra.
+    - assert (0 < h < d /\ h <= u - t) by (unfold h; minmax). specialize (Z1 (t + h) ltac:(split; [ lra | apply D; lra ])). lra. }
+  assert (before : forall t, s <= t < z -> wy t <> 0).
+  { intros t Ht yt. assert (z <= t); [ | lra ]. apply Z2. intros y [Hy ny]. apply Rnot_lt_le. intros q. apply (wy_before t y) in ny; trivial; lra. }
+  assert (yz : wy z = 0) by (destruct (Req_dec (wy z) 0) as [ | n]; trivial; specialize (past z sz n); lra).
+  specialize (past s ltac:(lra) ns). exists z. split; [ lra | split; [ trivial | split; [ | trivial ] ] ].
+  destruct (Req_dec (w z) 0) as [ | nw]; trivial. exfalso. apply Rabs_pos_lt in nw. set (m := Rabs (w z) / 2).
+  destruct (cont_eps w z m (m_cx _ _ _ _ _ M z ltac:(lra)) ltac:(unfold m; lra)) as (r & r0 & R). set (c := Rmax s (z - r / 2)).
+  assert (hc : s <= c < z /\ z - r < c) by (unfold c; minmax). set (B := Q c - 2 * l / m * (z - c)).
+  destruct (cont_eps (fun t => wy t ^ 2) z (exp B) ltac:(conts M) (exp_pos _)) as (q & q0 & K). set (t := Rmax c (z - q / 2)).
+  assert (ht : c <= t < z /\ z - q < t) by (unfold t; minmax). specialize (K t ltac:(apply Rabs_def1; lra)). rewrite yz in K.
+  destruct (moving t ltac:(lra) ltac:(apply before; lra)) as (y2 & _). rewrite Rabs_pos_eq in K by lra.
+  assert (L : Q t < B) by (rewrite <- (ln_exp B); apply ln_increasing; lra).
+  assert (F : - Q t - 2 * l / m * t <= - Q c - 2 * l / m * c).
+  { apply (rder_decr (fun t => - Q t - 2 * l / m * t)); [ lra | | ]; intros x Hx; destruct (moving x ltac:(lra) ltac:(apply before; lra)) as (x2 & n1 & D & _).
+    - cont; try lra. apply (m_cy _ _ _ _ _ M). lra.
+    - eexists. split. apply (rder_minus (fun t => - Q t)); [ apply (rder_opp (fun t => Q t)), D | rd ]. cbv beta.
+      specialize (R x ltac:(apply Rabs_def1; lra)). pose proof (Rabs_triang_inv (w z) (w x)). rewrite Rabs_minus_sym in R.
+      assert (m <= v x) by (unfold m in *; lra). assert (/ v x <= / m) by (apply Rinv_le_contravar; unfold m in *; lra). unfold Rdiv. nra. }
+  assert (0 < 2 * l / m) by (apply Rdiv_lt_0_compat; unfold m; lra). unfold B in L. nra.
 Qed.
 
 (* ---- passages through zero ---- *)
-Section Passages.
-Variables (l phi0 : R) (w wy : R -> R).
-Hypothesis hl : 0 < l < eq37_lambda_c.
-Hypothesis M : shaken l phi0 w wy.
+Hypothesis hc : l < eq37_lambda_c.
 Hypothesis N : forall s, 0 <= s -> wy s <> 0.
 Notation p := (eq39_phi_t1 l).
 Notation d := (sin (eq39_phi_t1 l)).
-Notation v t := (nrm (w t) (wy t)).
-Notation Q t := (ln (wy t ^ 2)).
-Lemma moving t : 0 <= t -> 0 < wy t ^ 2 /\ Rabs (w t) < v t /\ exists fx fy, rder w t (sin (phi0 + t) + fx)
-  /\ rder wy t fy /\ fx = - l * w t / v t /\ fy = - l * wy t / v t.
-Proof.
-  intros ht. specialize (N t ht). assert (y2 : 0 < wy t ^ 2) by (pose proof (pow2_ge_0 (wy t)); nra). pose proof (nrm_sq (w t) (wy t)) as n2.
-  pose proof (nrm_pos (w t) (wy t)) as n0.
-  assert (n1 : Rabs (w t) < v t). { rewrite <- (pow2_abs (w t)) in n2. pose proof (Rabs_pos (w t)). nra. }
-  pose proof (Rabs_pos (w t)). destruct (law l phi0 w wy (Rlt_le _ _ (proj1 hl)) M t ht) as (fx & fy & C & _ & _ & X & Y).
-  destruct (coulomb_slip _ _ _ _ _ (Rlt_le _ _ (proj1 hl)) C) as [E F]. split; [ trivial | split; [ trivial | ] ]. exists fx, fy.
-  repeat split; trivial; [ rewrite <- E | rewrite <- F ]; field; lra.
-Qed.
-(* while |w| is not small, ln wy^2 changes little *)
-Lemma slow m a b : 0 < m -> 0 <= a <= b -> (forall t, a <= t <= b -> m <= Rabs (w t)) -> Q a - 2 * l / m * (b - a) <= Q b <= Q a.
-Proof.
-  intros hm H S. split.
-  - enough (- Q b - 2 * l / m * b <= - Q a - 2 * l / m * a) by lra. apply (rder_decr (fun t => - Q t - 2 * l / m * t)); [ lra | | ]; intros t Ht;
-    destruct (moving t ltac:(lra)) as (y2 & n1 & fx & fy & X & Y & Ex & Ey).
-    + cont. apply (cont_wy l phi0 w wy M). lra. lra.
-    + eexists. split. rd. lra. specialize (S t ltac:(lra)). assert (n0 : 0 < v t) by (pose proof (Rabs_pos (w t)); lra).
-      assert (y0 : wy t <> 0) by (apply N; lra). rewrite Ey. set (n := nrm (w t) (wy t)) in *.
-      match goal with |- ?g <= 0 => replace g with (2 * l * (m - n) / (n * m)) by (simpl; field; lra) end. assert (0 < n * m) by nra.
-      apply Rle_div_l; trivial. nra.
-  - destruct (moving b ltac:(lra)) as (y2 & _). apply Rcomplements.ln_le; [ trivial | apply (wy_falls l phi0 w wy (proj1 hl) M); lra ].
-Qed.
-(* R + k ln wy^2, R = ln (v + e w), moves in the direction s as long as e sin - l is beyond 2 l k *)
-Lemma tilt e s k a b : e = 1 \/ e = -1 -> s = 1 \/ s = -1 -> 0 <= a <= b -> (forall t, a <= t < b ->
-  s * (2 * l * k) <= s * (e * sin (phi0 + t) - l)) ->
-  s * (ln (v a + e * w a) + k * Q a) <= s * (ln (v b + e * w b) + k * Q b).
-Proof.
-  intros he hs H S. apply Ropp_le_cancel. rewrite <- !Ropp_mult_distr_l_reverse.
-  assert (P : forall t, 0 <= t -> 0 < v t + e * w t). { intros t ht. destruct (moving t ht) as (_ & n1 & _). apply Rabs_def2 in n1.
-  destruct he as [-> | ->]; lra. }
-  apply (rder_decr (fun t => - s * (ln (v t + e * w t) + k * Q t))); [ lra | | ]; intros t Ht;
-  destruct (moving t ltac:(lra)) as (y2 & n1 & fx & fy & X & Y & Ex & Ey).
-  - cont; try (apply (cont_wy l phi0 w wy M) || apply (cont_w l phi0 w wy M)); try lra. apply P. lra.
-  - assert (n0 : 0 < v t) by (pose proof (Rabs_pos (w t)); lra). pose proof (P t ltac:(lra)) as Pt. assert (y0 : wy t <> 0) by (apply N; lra).
-    pose proof (nrm_sq (w t) (wy t)) as n2.
-    eexists. split. rd; [ lra | exact Pt | lra ]. specialize (S t ltac:(lra)). cbv beta. set (n := nrm (w t) (wy t)) in *.
-    match goal with |- ?g <= 0 => replace g with (- (s * (e * sin (phi0 + t) - l) - s * (2 * l * k)) / n) end.
-    + apply Rle_div_l; lra.
-    + rewrite Ex, Ey. replace ((w t * (sin (phi0 + t) + - l * w t / n) + wy t * (- l * wy t / n)) / n) with ((w t * sin (phi0 + t) - l * n) / n).
-      * destruct he as [-> | ->]; simpl; field; lra.
-      * replace (w t * (sin (phi0 + t) + - l * w t / n) + wy t * (- l * wy t / n)) with (w t * sin (phi0 + t) - l * (w t ^ 2 + wy t ^ 2) / n)
-        by (field; lra). rewrite <- n2. field. lra.
-Qed.
+Notation k := ((sin (eq39_phi_t1 l) - l) / (2 * l)).
+Lemma d_l : l < d. Proof. destruct (turn_sign l) as (c & c0 & T); [ lra | pose proof (small l); lra | nra ]. Qed.
 Lemma late_speed : exists s1, 0 <= s1 /\ forall s, s1 <= s -> v s <= 8.
 Proof.
-  pose proof lambda_c_between. assert (hp : 0 < l <= eq37_lambda_c) by lra. destruct (w38_attracts l hp phi0 w wy M) as [X Y].
-  apply is_lim_spec in X. apply is_lim_spec in Y.
-  destruct (X (mkposreal 1 Rlt_0_1)) as [T HT]. destruct (Y (mkposreal 1 Rlt_0_1)) as [U HU]. simpl in HT, HU. pose proof PI_RGT_0. pose proof PI_4.
-  pose proof (Rmax_l (Rmax (T + 1) (U + 1)) 0). pose proof (Rmax_r (Rmax (T + 1) (U + 1)) 0). pose proof (Rmax_l (T + 1) (U + 1)).
-  pose proof (Rmax_r (T + 1) (U + 1)).
-  exists (Rmax (Rmax (T + 1) (U + 1)) 0). split; trivial. intros s hs. specialize (HT s ltac:(lra)). specialize (HU s ltac:(lra)).
-  rewrite Rminus_0_r in HT, HU.
-  assert (B : Rabs (w38 l (phi0 + s)) <= 6).
-  { destruct (per_spec p PI ltac:(lra) (phi0 + s)) as [n Hn]. rewrite w38_ext, (ext_on PI _ PI_RGT_0 n) by lra. unfold g38.
-    set (x := phi0 + s - p - IZR n * PI) in *.
-    pose proof (COS_bound p). pose proof (COS_bound (p + x)). assert (0 <= l * x <= 4) by (unfold x; split; nra). apply Rabs_le.
-    destruct (sg_cases n) as [-> | ->]; lra. }
-  apply Rabs_le_between in B. apply Rabs_def2 in HT. assert (A : Rabs (w s) <= 7) by (apply Rabs_le; lra). pose proof (Rabs_pos (w s)).
-  pose proof (Rabs_pos (wy s)).
-  unfold nrm. rewrite <- (sqrt_pow2 8) by lra. apply sqrt_le_1_alt. rewrite <- (pow2_abs (w s)), <- (pow2_abs (wy s)). nra.
+  destruct (z_1 l (conj hl hc)) as [z1 z2]. destruct (near_38 l z2 phi0 w wy 1 M Rlt_0_1) as (s1 & s0 & H). exists s1. split; trivial. intros s hs.
+  destruct (H s hs) as [X Y]. pose proof PI_4. destruct (per_spec p PI PI_RGT_0 (phi0 + s)) as [n Hn]. rewrite (w38_on l n) in X by trivial.
+  unfold g38 in X. set (x := phi0 + s - p - IZR n * PI) in *. pose proof (COS_bound p). pose proof (COS_bound (p + x)).
+  assert (0 <= l * x <= 4) by (unfold x; split; nra). apply Rabs_def2 in X. eapply Rle_trans; [ apply nrm_abs | ].
+  assert (Rabs (w s) <= 7) by (apply Rabs_le; destruct (sg_cases n) as [e | e]; rewrite e in X; lra). lra.
 Qed.
 (* from u before the passage to u after it, up to C *)
-Lemma passage_bounds u del : 0 < del -> del <= (d - l) / 2 -> del < u < PI - del ->
-  let k1 := (d - del - l) / (2 * l) in let k2 := (d + del - l) / (2 * l) in
-  exists C s1, 0 <= C /\ forall s n, s1 <= s -> phi0 + s = p + IZR n * PI + u ->
-  (1 + k1) * Q s - C <= k1 * Q (s + PI) /\ k2 * Q (s + PI) <= (1 + k2) * Q s + C.
+Lemma passage u eta : 0 < eta -> 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s n, s1 <= s -> phi0 + s = p + IZR n * PI + u ->
+  Rabs (k * Q (s + PI) - (1 + k) * Q s) <= eta * (Q s - Q (s + PI)) + C.
 Proof.
-  intros h0 h1 hu k1 k2. destruct (late_sign l phi0 w wy hl M del) as (m & s1 & m0 & s10 & S). lra. destruct late_speed as (s2 & s20 & V).
-  pose proof PI_RGT_0.
-  assert (hk : 0 <= k1 /\ 0 <= k2) by (unfold k1, k2; split; apply Rmult_le_pos; try lra; left; apply Rinv_0_lt_compat; lra).
-  set (A := 2 * l / m * PI). assert (A0 : 0 <= A) by (unfold A; apply Rmult_le_pos; [ apply Rmult_le_pos; [ lra | left;
-  now apply Rinv_0_lt_compat ] | lra ]).
-  assert (l16 : 0 < ln 16) by (rewrite <- ln_1; apply ln_increasing; lra). set (C := (1 + k1) * A + k1 * A + 2 * ln 16 + 2 * Rabs (ln m)).
-  assert (C0 : 0 <= C). { pose proof (Rabs_pos (ln m)). assert (0 <= (1 + k1) * A) by nra. assert (0 <= k1 * A) by nra. unfold C. lra. }
-  exists C, (Rmax s1 s2). split; trivial. intros s n hs ph. pose proof (Rmax_l s1 s2). pose proof (Rmax_r s1 s2). set (Z := s + (PI - u)).
-  set (e := sg (n + 1)).
-  assert (I1 : IZR (n + 1) = IZR n + 1) by apply plus_IZR. assert (ee : e = 1 \/ e = -1) by apply sg_cases.
-  assert (es : sg n = - e) by (unfold e; rewrite sg_succ; ring).
-  assert (B : forall t, s <= t <= Z - del -> m <= - e * w t) by (intros t Ht; rewrite <- es; apply S; unfold Z in *; lra).
-  assert (D : forall t, Z + del <= t <= s + PI -> m <= e * w t) by (intros t Ht; apply S; rewrite ?I1; unfold Z in *; lra).
-  assert (big : forall t, m <= - e * w t \/ m <= e * w t -> m <= Rabs (w t)) by (intros t [K | K]; destruct ee as [E | E]; rewrite E in K;
-  unfold Rabs; destruct (Rcase_abs (w t)); lra).
-  assert (q1 : Q s - A <= Q (Z - del) <= Q s).
-  { destruct (slow m s (Z - del) m0) as [x1 x2]; [ unfold Z; lra | auto | ]. split; trivial. apply Rle_trans with (2 := x1). unfold A.
-    assert (2 * l / m * (Z - del - s) <= 2 * l / m * PI); [ | lra ].
-    apply Rmult_le_compat_l; [ | unfold Z; lra ]. apply Rmult_le_pos; [ lra | left; now apply Rinv_0_lt_compat ]. }
-  assert (q2 : Q (Z + del) - A <= Q (s + PI) <= Q (Z + del)).
-  { destruct (slow m (Z + del) (s + PI) m0) as [x1 x2]; [ unfold Z; lra | auto | ]. split; trivial. apply Rle_trans with (2 := x1). unfold A.
-    assert (2 * l / m * (s + PI - (Z + del)) <= 2 * l / m * PI); [ | lra ].
-    apply Rmult_le_compat_l; [ | unfold Z; lra ]. apply Rmult_le_pos; [ lra | left; now apply Rinv_0_lt_compat ]. }
-  assert (sn : forall t, Z - del <= t <= Z + del -> d - del <= e * sin (phi0 + t) <= d + del).
-  { intros t Ht. rewrite (a_shift PI sin neg_sin (phi0 + t) (n + 1)). fold e. rewrite I1.
-    replace (phi0 + t - (IZR n + 1) * PI) with (p + (t - Z)) by (unfold Z; lra).
-    rewrite <- Rmult_assoc. replace (e * e) with 1 by (destruct ee as [-> | ->]; ring). rewrite Rmult_1_l.
-    destruct (MVT_abs sin cos p (p + (t - Z))) as (c & E & _). intros; apply derivable_pt_lim_sin.
-    pose proof (COS_bound c). assert (Rabs (cos c) <= 1) by (apply Rabs_le; lra). replace (p + (t - Z) - p) with (t - Z) in E by ring.
-    assert (Rabs (t - Z) <= del) by (apply Rabs_le; lra).
-    assert (K : Rabs (sin (p + (t - Z)) - sin p) <= del) by (rewrite E; pose proof (Rabs_pos (t - Z)); pose proof (Rabs_pos (cos c)); nra).
-    apply Rabs_le_between in K. lra. }
-  assert (k1e : 2 * l * k1 = d - del - l) by (unfold k1; field; lra). assert (k2e : 2 * l * k2 = d + del - l) by (unfold k2; field; lra).
-  pose proof (tilt e 1 k1 (Z - del) (Z + del) ee ltac:(auto) ltac:(unfold Z; lra)) as T1.
-  pose proof (tilt e (-1) k2 (Z - del) (Z + del) ee ltac:(auto) ltac:(unfold Z; lra)) as T2.
-  specialize (T1 ltac:(intros t Ht; rewrite k1e; specialize (sn t ltac:(lra)); lra)).
-  specialize (T2 ltac:(intros t Ht; rewrite k2e; specialize (sn t ltac:(lra)); lra)).
+  intros h0 hu. pose proof PI_RGT_0. set (del := Rmin (Rmin u (PI - u) / 2) (2 * l * eta)). assert (0 < 2 * l * eta) by nra.
+  assert (hd : 0 < del /\ del < u /\ del < PI - u /\ del < PI / 2 /\ del <= 2 * l * eta) by (unfold del; minmax). clearbody del.
+  destruct (late_sign l phi0 w wy (conj hl hc) M del) as (m & s1 & m0 & s10 & S); [ lra | ]. destruct late_speed as (s2 & s20 & V).
+  exists (2 * (Rabs (ln m) + ln 16) + 2 / m * PI), (Rmax s1 s2). split; [ minmax | ]. intros s n hs ph. assert (hs' : s1 <= s /\ s2 <= s) by minmax.
+  set (Z := s + (PI - u)). set (e := sg (n + 1)). assert (I1 : IZR (n + 1) = IZR n + 1) by apply plus_IZR.
+  assert (ee : e = 1 \/ e = -1) by apply sg_cases. assert (es : sg n = - e) by (unfold e; rewrite sg_succ; ring).
+  assert (A : forall t, s <= t <= Z - del -> m <= - e * w t) by (intros t Ht; rewrite <- es; apply S; unfold Z in *; lra).
+  assert (B : forall t, Z + del <= t <= s + PI -> m <= e * w t) by (intros t Ht; apply S; rewrite ?I1; unfold Z in *; lra).
+  assert (T : forall g, g = 1 \/ g = -1 -> g * (ln (v (s + PI) + e * w (s + PI)) + k * Q (s + PI)) + eta * Q (s + PI) - 2 / m * (s + PI) <=
+    g * (ln (v s + e * w s) + k * Q s) + eta * Q s - 2 / m * s).
+  { intros g hg. apply (rder_decr (fun t => g * (ln (v t + e * w t) + k * Q t) + eta * Q t - 2 / m * t)); [ lra | | ]; intros t Ht;
+    destruct (moving t ltac:(lra) ltac:(apply N; lra)) as (y2 & n1 & D & E); destruct (E e ee) as [q L].
+    - cont; try lra; (apply (m_cx _ _ _ _ _ M) || apply (m_cy _ _ _ _ _ M)); lra.
+    - eexists. split. apply (rder_minus (fun t => g * (ln (v t + e * w t) + k * Q t) + eta * Q t)); [ | rd ].
+      apply (rder_plus (fun t => g * (ln (v t + e * w t) + k * Q t)) (fun t => eta * Q t)); [ apply (rder_mult (fun _ => g)); [ rd | ] |
+      apply (rder_mult (fun _ => eta)); [ rd | exact D ] ]. apply (rder_plus (fun t => ln (v t + e * w t))); [ exact L | apply (rder_mult (fun _ => k));
+      [ rd | exact D ] ].
+      cbv beta. pose proof (Rabs_pos (w t)). set (b := e * sin (phi0 + t)). set (r := v t) in *. match goal with |- ?x <= 0 =>
+        replace x with ((g * (b - d) - 2 * l * eta) / r - 2 / m) by (unfold b; field; lra) end.
+      assert (near : Rabs (b - d) <= Rabs (t - Z)).
+      { unfold b. rewrite (a_shift PI sin neg_sin (phi0 + t) (n + 1)). fold e. rewrite I1, <- Rmult_assoc.
+        replace (e * e) with 1 by (destruct ee as [-> | ->]; ring). rewrite Rmult_1_l.
+        replace (phi0 + t - (IZR n + 1) * PI) with (p + (t - Z)) by (unfold Z; lra). replace (t - Z) with (p + (t - Z) - p) at 2 by ring. apply sin_near. }
+      assert (gb : g * (b - d) <= Rabs (b - d)) by (pose proof (Rle_abs (b - d)); pose proof (Rabs_maj2 (b - d)); destruct hg as [-> | ->]; lra).
+      assert (0 < / m) by now apply Rinv_0_lt_compat. enough ((g * (b - d) - 2 * l * eta) / r <= 2 / m) by lra.
+      destruct (Rle_lt_dec (Rabs (t - Z)) del) as [x | x].
+      { apply Rle_trans with 0; [ apply Rle_div_l; lra | unfold Rdiv; lra ]. }
+      assert (rm : m <= r). { apply Rle_trans with (Rabs (w t)); [ | lra ]. destruct (Rle_lt_dec t Z); [ rewrite Rabs_left1 in x by lra; specialize (A t ltac:(lra))
+        | rewrite Rabs_pos_eq in x by lra; specialize (B t ltac:(lra)) ]; pose proof (Rle_abs (w t)); pose proof (Rabs_maj2 (w t)); destruct ee as [f | f];
+        rewrite f in *; lra. }
+      assert (g * (b - d) <= 2). { pose proof (SIN_bound (phi0 + t)). pose proof (SIN_bound p). unfold b. destruct hg as [-> | ->]; destruct ee as [-> | ->]; lra. }
+      apply Rle_div_l; [ lra | ]. assert (2 <= 2 / m * r) by (replace 2 with (2 / m * m) at 1 by (field; lra); apply Rmult_le_compat_l; unfold Rdiv; lra). lra. }
   (* the ends: v + |w| lies between m and 16 *)
-  assert (size : forall t g, s <= t -> g = 1 \/ g = -1 -> m <= g * w t -> - Rabs (ln m) <= ln (v t + g * w t) <= ln 16).
-  { intros t g ht hg K. specialize (V t ltac:(lra)). destruct (moving t ltac:(lra)) as (_ & n1 & _). apply Rabs_def2 in n1.
-    assert (m <= v t + g * w t <= 16) by (destruct hg as [-> | ->]; lra). split.
-    - apply Rle_trans with (ln m). pose proof (Rle_abs (- ln m)) as G. rewrite Rabs_Ropp in G. lra. apply Rcomplements.ln_le; lra.
-    - apply Rcomplements.ln_le; lra. }
-  pose proof (size (Z + del) e ltac:(unfold Z; lra) ee (D (Z + del) ltac:(unfold Z; lra))) as rb.
-  pose proof (size (Z - del) (- e) ltac:(unfold Z; lra) ltac:(destruct ee as [-> | ->]; [ right | left ]; ring) (B (Z - del) ltac:(unfold Z;
-  lra))) as ra.
-  assert (ra2 : ln (v (Z - del) + e * w (Z - del)) = Q (Z - del) - ln (v (Z - del) + - e * w (Z - del))).
-  { destruct (moving (Z - del) ltac:(unfold Z; lra)) as (_ & n1 & _). apply Rabs_def2 in n1. pose proof (nrm_sq (w (Z - del)) (wy (Z - del))) as n2.
-    assert (0 < v (Z - del) + e * w (Z - del) /\ 0 < v (Z - del) + - e * w (Z - del)) as [x1 x2] by (destruct ee as [-> | ->]; lra).
-    enough (E : ln (v (Z - del) + e * w (Z - del)) + ln (v (Z - del) + - e * w (Z - del)) = Q (Z - del)) by lra. rewrite <- ln_mult by trivial.
-    f_equal. transitivity (v (Z - del) ^ 2 - e ^ 2 * w (Z - del) ^ 2); [ ring | ]. rewrite n2. destruct ee as [-> | ->]; ring. }
-  rewrite ra2 in T1, T2. assert ((1 + k1) * (Q s - A) <= (1 + k1) * Q (Z - del)) by (apply Rmult_le_compat_l; lra).
-  assert (k1 * (Q (Z + del) - A) <= k1 * Q (s + PI)) by (apply Rmult_le_compat_l; lra).
-  assert (k2 * Q (s + PI) <= k2 * Q (Z + del)) by (apply Rmult_le_compat_l; lra).
-  assert ((1 + k2) * Q (Z - del) <= (1 + k2) * Q s) by (apply Rmult_le_compat_l; lra).
-  assert (0 <= (1 + k1) * A) by nra. assert (0 <= k1 * A) by nra. pose proof (Rabs_pos (ln m)). unfold C. split; lra.
+  assert (size : forall t g, s <= t -> g = 1 \/ g = -1 -> m <= g * w t -> Rabs (ln (v t + g * w t)) <= Rabs (ln m) + ln 16).
+  { intros t g ht hg K. specialize (V t ltac:(lra)). destruct (moving t ltac:(lra) ltac:(apply N; lra)) as (_ & n1 & _). apply Rabs_def2 in n1.
+    assert (m <= v t + g * w t <= 16) by (destruct hg as [-> | ->]; lra). pose proof (Rle_abs (ln m)). pose proof (Rabs_maj2 (ln m)).
+    assert (0 <= ln 16) by (rewrite <- ln_1; apply Rcomplements.ln_le; lra).
+    assert (ln m <= ln (v t + g * w t) <= ln 16) by (split; apply Rcomplements.ln_le; lra). apply Rabs_le. lra. }
+  assert (eo : - e = 1 \/ - e = -1) by (destruct ee as [-> | ->]; [ right | left ]; ring).
+  pose proof (size (s + PI) e ltac:(lra) ee (B (s + PI) ltac:(unfold Z; lra))) as r1. pose proof (size s (- e) ltac:(lra) eo (A s ltac:(unfold Z; lra))) as r2.
+  assert (r3 : ln (v s + e * w s) = Q s - ln (v s + - e * w s)).
+  { destruct (moving s ltac:(lra) ltac:(apply N; lra)) as (_ & _ & _ & E). destruct (E e ee) as [x1 _]. destruct (E (- e) eo) as [x2 _].
+    enough (K : Q s = ln (v s + e * w s) + ln (v s + - e * w s)) by lra. rewrite <- ln_mult by trivial.
+    f_equal. transitivity (v s ^ 2 - e ^ 2 * w s ^ 2); [ | ring ]. rewrite nrm_sq. destruct ee as [-> | ->]; ring. }
+  rewrite r3 in T. pose proof (T 1 ltac:(auto)). pose proof (T (-1) ltac:(auto)). apply Rabs_le_between in r1, r2. apply Rabs_le. lra.
 Qed.
-Notation F := (right_sinusoidal_passage_factor l d).
 Lemma passage_factor s0 : 0 <= s0 -> (forall n, phi0 + s0 <> p + IZR n * PI) ->
-  is_lim_seq (fun j => ln (Rabs (wy (s0 + INR (S j) * PI))) / ln (Rabs (wy (s0 + INR j * PI)))) F.
+  is_lim_seq (fun j => ln (Rabs (wy (s0 + INR (S j) * PI))) / ln (Rabs (wy (s0 + INR j * PI)))) (right_sinusoidal_passage_factor l d).
 Proof.
-  intros hs ne. pose proof PI_RGT_0. pose proof lambda_c_between. destruct (turn_sign l ltac:(lra)) as (c & c0 & dl).
-  { pose proof (small l ltac:(lra) ltac:(lra)). lra. } assert (dl1 : l < d) by nra. clear c c0 dl.
+  intros hs ne. pose proof PI_RGT_0. pose proof d_l. destruct (z_1 l (conj hl hc)) as [_ z2].
   apply is_lim_seq_spec. intros eps. destruct (per_spec p PI ltac:(lra) (phi0 + s0)) as [n Hn]. set (u := phi0 + s0 - p - IZR n * PI).
-  assert (hu : 0 < u < PI). { specialize (ne n). unfold u. split; [ | lra ]. destruct (Rle_lt_or_eq_dec _ _ (proj1 Hn)); lra. }
-  assert (ep := cond_pos eps). set (g := d - l). assert (g0 : 0 < g) by (unfold g; lra).
-  set (del := Rmin (Rmin u (PI - u) / 2) (Rmin (g / 2) (eps * g ^ 2 / (16 * l)))).
-  assert (x1 : 0 < eps * g ^ 2 / (16 * l)) by (apply Rdiv_lt_0_compat; [ apply Rmult_lt_0_compat; [ trivial | nra ] | lra ]).
-  assert (x2 : 0 < Rmin u (PI - u)) by (apply Rmin_pos; lra).
-  assert (hd : 0 < del) by (unfold del; repeat apply Rmin_pos; lra).
-  assert (hd1 : del < u < PI - del). { pose proof (Rmin_l (Rmin u (PI - u) / 2) (Rmin (g / 2) (eps * g ^ 2 / (16 * l)))) as a. fold del in a.
-  pose proof (Rmin_l u (PI - u)). pose proof (Rmin_r u (PI - u)). lra. }
-  assert (hd2 : del <= g / 2 /\ 16 * l * del <= eps * g ^ 2).
-  { pose proof (Rmin_r (Rmin u (PI - u) / 2) (Rmin (g / 2) (eps * g ^ 2 / (16 * l)))) as a. fold del in a.
-    pose proof (Rmin_l (g / 2) (eps * g ^ 2 / (16 * l))). pose proof (Rmin_r (g / 2) (eps * g ^ 2 / (16 * l))) as b.
-    split; [ lra | ]. assert (del <= eps * g ^ 2 / (16 * l)) as q by lra. apply Rle_div_r in q; lra. }
-  clearbody del. destruct (passage_bounds u del hd ltac:(fold g; lra) hd1) as (C & s1 & C0 & B). set (k1 := (d - del - l) / (2 * l)) in *.
-  set (k2 := (d + del - l) / (2 * l)) in *.
-  assert (hk1 : 0 < k1) by (unfold k1, g in *; apply Rdiv_lt_0_compat; lra).
-  assert (hk2 : 0 < k2) by (unfold k2, g in *; apply Rdiv_lt_0_compat; lra).
+  assert (hu : 0 < u < PI) by (destruct (Rdichotomy _ _ (ne n)); unfold u; lra). assert (ep := cond_pos eps). set (f := k).
+  assert (f0 : 0 < f) by (unfold f; apply Rdiv_lt_0_compat; lra). set (eta := Rmin (f / 2) (eps * f ^ 2 / (8 * (2 + f)))).
+  assert (he : 0 < eta /\ eta <= f / 2 /\ eta * (8 * (2 + f)) <= eps * f ^ 2).
+  { assert (0 < eps * f ^ 2 / (8 * (2 + f))) by (apply Rdiv_lt_0_compat; [ apply Rmult_lt_0_compat; [ trivial | nra ] | lra ]).
+    assert (eta <= eps * f ^ 2 / (8 * (2 + f))) by apply Rmin_r. split; [ unfold eta; minmax | split; [ apply Rmin_l | apply Rle_div_r; lra ] ]. }
+  clearbody eta. destruct (passage u eta ltac:(lra) hu) as (C & s1 & s10 & B). fold f in B.
   (* wy is late so small that C does not matter *)
-  set (X := Rmax 1 (4 * C / (eps * k1))). destruct (w38_attracts l ltac:(lra) phi0 w wy M) as [_ Y]. apply is_lim_spec in Y.
-  destruct (Y (mkposreal (exp (- X)) (exp_pos _))) as [U HU]. simpl in HU.
-  destruct (nat_above ((Rmax (Rmax s1 (U + 1)) 0) / PI)) as [J HJ]. apply Rlt_div_l in HJ; trivial. exists J. intros j hj. apply le_INR in hj.
-  pose proof (Rmax_l (Rmax s1 (U + 1)) 0). pose proof (Rmax_r (Rmax s1 (U + 1)) 0). pose proof (Rmax_l s1 (U + 1)). pose proof (Rmax_r s1 (U + 1)).
-  set (s := s0 + INR j * PI). assert (hs1 : s1 <= s /\ U < s /\ 0 <= s) by (unfold s; nra).
+  set (X := Rmax 1 (Rmax C (4 * C / (eps * f)))). destruct (near_38 l z2 phi0 w wy (exp (- X)) M (exp_pos _)) as (s2 & s20 & Y).
+  destruct (nat_above (Rmax s1 s2 / PI)) as [J HJ]. apply Rlt_div_l in HJ; trivial. exists J. intros j hj. apply le_INR in hj.
+  set (s := s0 + INR j * PI). assert (hs1 : s1 <= s /\ s2 <= s) by (assert (INR J * PI <= INR j * PI) by nra; unfold s; minmax).
   replace (s0 + INR (S j) * PI) with (s + PI) by (rewrite S_INR; unfold s; ring).
-  destruct (B s (n + Z.of_nat j)%Z ltac:(lra)) as [b1 b2]. { rewrite plus_IZR, <- INR_IZR_INZ. unfold s, u. ring. }
-  assert (L2 : forall t, 0 <= t -> Q t = 2 * ln (Rabs (wy t))). { intros t ht. rewrite <- (pow2_abs (wy t)).
-  replace (Rabs (wy t) ^ 2) with (Rabs (wy t) * Rabs (wy t)) by ring. rewrite ln_mult by (apply Rabs_pos_lt; now apply N). ring. }
-  rewrite !L2 in b1, b2 by lra. set (x := - ln (Rabs (wy s))). set (x' := - ln (Rabs (wy (s + PI)))). assert (Xx : X <= x).
-  { unfold x. rewrite <- (Ropp_involutive X). apply Ropp_le_contravar. rewrite <- (ln_exp (- X)). specialize (HU s ltac:(lra)).
-    rewrite Rminus_0_r in HU. apply Rcomplements.ln_le; [ apply Rabs_pos_lt, N; lra | lra ]. }
-  pose proof (Rmax_l 1 (4 * C / (eps * k1))) as X1. pose proof (Rmax_r 1 (4 * C / (eps * k1))) as X2. fold X in X1, X2. assert (x0 : 0 < x) by lra.
-  assert (CX : 4 * C <= eps * k1 * x). { apply Rle_div_l in X2. apply Rle_trans with (1 := X2). rewrite Rmult_comm. apply Rmult_le_compat_l; nra.
-  nra. }
-  replace (ln (Rabs (wy (s + PI))) / ln (Rabs (wy s))) with (x' / x) by (unfold x, x' in *; field; lra).
-  assert (u1 : k1 * x' <= (1 + k1) * x + C / 2) by (unfold x, x'; lra). assert (u2 : (1 + k2) * x - C / 2 <= k2 * x') by (unfold x, x'; lra).
-  assert (e1 : (1 + k1) / k1 <= F + eps / 2).
-  { unfold right_sinusoidal_passage_factor, k1. replace ((1 + (d - del - l) / (2 * l)) / ((d - del - l) / (2 * l))) with ((d + l) / (d - l)
-    + 2 * l * del / ((g - del) * g)) by (unfold g; field; unfold g in *; lra).
-    apply Rplus_le_compat_l. assert (0 < (g - del) * g) by nra. apply Rle_div_l; trivial. assert (g / 2 * g <= (g - del) * g) by nra. nra. }
-  assert (e2 : F - eps / 2 <= (1 + k2) / k2).
-  { unfold right_sinusoidal_passage_factor, k2. replace ((1 + (d + del - l) / (2 * l)) / ((d + del - l) / (2 * l))) with ((d + l) / (d - l)
-    - 2 * l * del / ((g + del) * g)) by (unfold g; field; unfold g in *; lra).
-    enough (2 * l * del / ((g + del) * g) <= eps / 2) by lra. assert (0 < (g + del) * g) by nra. apply Rle_div_l; trivial.
-    assert (g * g <= (g + del) * g) by nra. nra. }
-  assert (f1 : x' / x <= (1 + k1) / k1 + eps / 8). { apply Rle_div_l; trivial. apply (Rmult_le_reg_l k1); trivial.
-  replace (k1 * (((1 + k1) / k1 + eps / 8) * x)) with ((1 + k1) * x + eps * k1 * x / 8) by (field; lra). lra. }
-  assert (k12 : k1 <= k2) by (unfold k1, k2; apply Rmult_le_compat_r; [ left; apply Rinv_0_lt_compat; lra | lra ]).
-  assert (f2 : (1 + k2) / k2 - eps / 8 <= x' / x). { apply Rle_div_r; trivial. apply (Rmult_le_reg_l k2); trivial.
-  replace (k2 * (((1 + k2) / k2 - eps / 8) * x)) with ((1 + k2) * x - eps * k2 * x / 8) by (field; lra).
-    assert (eps * k1 * x <= eps * k2 * x) by (apply Rmult_le_compat_r; [ lra | apply Rmult_le_compat_l; lra ]). lra. }
-  apply Rabs_def1; lra.
+  specialize (B s (n + Z.of_nat j)%Z ltac:(lra)). rewrite plus_IZR, <- INR_IZR_INZ in B. specialize (B ltac:(unfold s, u; ring)).
+  assert (L2 : forall t, 0 <= t -> Q t = 2 * ln (Rabs (wy t))).
+  { intros t ht. rewrite <- (pow2_abs (wy t)), ln_pow by (apply Rabs_pos_lt; now apply N). simpl. ring. } rewrite !L2 in B by lra.
+  destruct (Y s ltac:(lra)) as [_ small]. apply ln_increasing in small; [ | apply Rabs_pos_lt, N; lra ]. rewrite ln_exp in small.
+  set (x := - ln (Rabs (wy s))) in *. set (x' := - ln (Rabs (wy (s + PI)))). assert (hx : 1 < x /\ C < x /\ 4 * C / (eps * f) < x) by (unfold X, x in *; minmax).
+  replace (ln (Rabs (wy s))) with (- x) in * by (unfold x; ring). replace (ln (Rabs (wy (s + PI)))) with (- x') in * by (unfold x'; ring).
+  destruct hx as (x1 & x2 & x3). apply Rlt_div_l in x3; [ | nra ]. apply Rabs_le_between in B.
+  assert (a1 : eta * x' <= f / 2 * x' \/ x' <= 0) by (destruct (Rle_lt_dec x' 0); [ auto | left; nra ]).
+  assert (a2 : f / 2 * x' <= (2 + f) * x) by nra. unfold right_sinusoidal_passage_factor.
+  replace (- x' / - x) with (x' / x) by (field; lra). replace ((d + l) / (d - l)) with ((1 + f) / f) by (unfold f; field; lra).
+  replace (x' / x - (1 + f) / f) with ((f * x' - (1 + f) * x) / (f * x)) by (field; lra). assert (fx : 0 < f * x) by nra.
+  assert (a3 : eta * x' * f <= 2 * eta * (2 + f) * x) by nra. assert (a4 : 8 * eta * x' <= 2 * eps * f * x) by nra.
+  apply Rabs_def1; [ apply Rlt_div_l | apply Rlt_div_r ]; trivial; nra.
 Qed.
-End Passages.
+End Across.
 
 (* There are such motions: from a small velocity across at a zero of (38) on, the block could stop only where (38) is nearly zero, and there the drive
    beats friction, so that v + w, or v - w, grows. *)
 Lemma never_zero l : 0 < l < eq37_lambda_c -> exists w wy, shaken l (eq39_phi_t1 l) w wy /\ forall s, 0 <= s -> wy s <> 0.
 Proof.
-  intros hl. pose proof lambda_c_between. assert (h1 : 0 < l < 1) by lra. assert (hp : 0 < l <= eq37_lambda_c) by lra. pose proof PI_RGT_0.
-  destruct (room l hl) as (ra & rb & rc). set (p := eq39_phi_t1 l) in *.
+  intros hl. destruct (z_1 l hl) as [h1 hp]. pose proof PI_RGT_0. destruct (room l hl) as (ra & rb). set (p := eq39_phi_t1 l) in *.
   set (d := (p - asin l) / 2). destruct (continuity_ab_min (g38 l p) d (PI - d)) as (x & X & hx); [ unfold d; lra | | ].
-  { intros c _. apply derivable_continuous_pt. exists (sin (p + c) - l). apply is_derive_Reals, g_der. }
+  { intros c _. exact (cont_of _ _ _ (g_der l p c)). }
   assert (m0 : 0 < g38 l p x) by (apply (g_pos l h1 (proj2 hp)); unfold d in *; lra). set (e := g38 l p x / 2).
-  assert (e0 : 0 < e) by (unfold e; lra).
-  destruct (plane_has_a_motion l (fun s => - sin (p + s)) (fun _ => 0) 0 e ltac:(lra)) as (w & wy & M & w0 & y0). { intros t _.
-  split; [ apply derivable_continuous_pt; reg | cont ]. }
-  rewrite <- shaken_sin in M. exists w, wy. split; trivial. intros u hu yu.
-  (* the first moment of rest *)
-  destruct (completeness (fun t => 0 <= t <= u /\ wy t <> 0)) as [z [Z1 Z2]]. { exists u. intros t [Ht _]. lra. } { exists 0.
-  split; [ lra | rewrite y0; lra ]. }
-  assert (z0 : 0 <= z) by (apply Z1; split; [ lra | rewrite y0; lra ]). assert (zu : z <= u) by (apply Z2; intros t [Ht _]; lra).
-  assert (before : forall t, 0 <= t < z -> wy t <> 0).
-  { intros t Ht yt. assert (z <= t); [ | lra ]. apply Z2. intros y [Hy ny]. apply Rnot_lt_le. intros q.
-    pose proof (wy_falls l p w wy (proj1 hl) M t y ltac:(lra)) as F. rewrite yt in F. apply ny. nra. }
-  assert (yz : wy z = 0).
-  { destruct (Req_dec (wy z) 0) as [ | n]; trivial. exfalso. destruct (Req_dec z u) as [-> | ]; [ contradiction | ].
-    destruct (law l p w wy ltac:(lra) M z z0) as (_ & gy & _ & _ & _ & _ & R).
-    destruct (right_of_nonzero _ _ _ u R n ltac:(lra)) as (s & hs & ns). specialize (Z1 s ltac:(split; [ lra | trivial ])). lra. }
-  assert (zp : 0 < z). { destruct z0 as [ | <-]; trivial. rewrite y0 in yz. lra. }
-  destruct (stops_when l p w wy 0 z (proj1 hl) M ltac:(lra) ltac:(rewrite y0; lra) yz) as (t & Ht & wt & yt).
-  assert (t = z) as -> by (destruct (Req_dec t z); trivial; destruct (before t ltac:(lra) yt)).
+  destruct (plane_has_a_motion l (fun s => - sin (p + s)) (fun _ => 0) 0 e ltac:(lra)) as (w & wy & M & w0 & y0).
+  { intros t _. split; [ apply drive_cont | cont ]. }
+  rewrite <- shaken_sin in M. exists w, wy. split; trivial. intros u hu yu. assert (e0 : 0 < e) by (unfold e; lra).
+  assert (u <> 0) by (intros ->; lra). destruct (first_zero l p w wy (proj1 hl) M 0 u ltac:(lra) ltac:(lra) yu) as (z & hz & yz & wz & before).
   (* so (38) is nearly zero there *)
   pose proof (w38_motion l hp p) as W. pose proof M as M'. rewrite shaken_sin in W, M'.
-  pose proof (contraction l _ _ w wy _ _ ltac:(lra) M' W 0 z ltac:(lra)) as G. cbv beta in G. rewrite wt, yt, w0, y0, Rplus_0_r in G.
-  unfold p in G at 2. rewrite w38_turn in G. fold p in G.
+  pose proof (contraction l _ _ w wy _ _ ltac:(lra) M' W 0 z ltac:(lra)) as G. cbv beta in G. rewrite wz, yz, w0, y0, Rplus_0_r in G.
+  replace (w38 l p) with 0 in G by (rewrite <- (w38_turn l 0); f_equal; unfold p; ring).
   destruct (per_spec (p - d) PI ltac:(lra) (p + z)) as [j Hj]. set (a := p + z - p - IZR j * PI).
-  assert (near : a <= d).
-  { apply Rnot_lt_le. intros q. assert (K : g38 l p x <= g38 l p a) by (apply X; unfold a in *; lra).
-    rewrite w38_ext, (ext_on PI _ PI_RGT_0 j) in G by (unfold a, d, p in *; lra). fold p in G. fold a in G.
+  assert (near : - d <= a <= d).
+  { split; [ unfold a; lra | ]. apply Rnot_lt_le. intros q. assert (K : g38 l p x <= g38 l p a) by (apply X; unfold a in *; lra).
+    rewrite (w38_on l j) in G by (unfold a, d, p in *; lra). fold p in G. fold a in G.
     assert (e < g38 l p a) by (unfold e in *; lra). destruct (sg_cases j) as [Ej | Ej]; rewrite Ej in G; nra. }
   set (g := sg j). assert (gg : g = 1 \/ g = -1) by apply sg_cases. set (b := Rmax 0 (z - d)).
-  assert (hb : 0 <= b < z /\ z - d <= b) by (unfold b, d; repeat split; [ apply Rmax_l | apply Rmax_lub_lt; lra | apply Rmax_r ]).
-  assert (sz : forall s, 0 <= s < z -> Rabs (w s) < nrm (w s) (wy s)).
-  { intros s hs. specialize (before s hs). pose proof (nrm_sq (w s) (wy s)) as N. rewrite <- (pow2_abs (w s)) in N. pose proof (Rabs_pos (w s)).
-    pose proof (nrm_pos (w s) (wy s)). assert (0 < wy s ^ 2) by (pose proof (pow2_ge_0 (wy s)); nra). nra. }
-  assert (F : - (nrm (w z) (wy z) + g * w z) <= - (nrm (w b) (wy b) + g * w b)).
-  { apply (rder_decr (fun s => - (nrm (w s) (wy s) + g * w s))); [ lra | | ]; intros s hs.
-    - cont; [ apply (cont_w l p w wy M) | apply (cont_wy l p w wy M) | apply (cont_w l p w wy M) ]; lra.
-    - destruct (law l p w wy ltac:(lra) M s) as (fx & fy & C & _ & _ & A & B); [ lra | ]. destruct (coulomb_slip _ _ _ _ _ (z_0 l hl) C) as [E _].
-      destruct C as [_ P]. specialize (sz s ltac:(lra)). pose proof (Rabs_pos (w s)). apply Rabs_def2 in sz. set (n := nrm (w s) (wy s)) in *.
-      assert (n0 : 0 < n) by lra.
-      assert (S : l <= g * sin (p + s)).
-      { rewrite (a_shift PI sin neg_sin (p + s) j). fold g. replace (p + s - IZR j * PI) with (p + a + (s - z)) by (unfold a; ring).
-        rewrite <- Rmult_assoc. replace (g * g) with 1 by (destruct gg as [-> | ->]; ring). rewrite Rmult_1_l.
-        destruct (p1_range l h1) as [_ es]. destruct (Req_dec (p + a + (s - z)) (asin l)) as [-> | ]; [ rewrite es; lra | left; apply sin_above;
-        trivial; unfold a, d in *; lra ]. }
-      eexists. split. rd. fold n. lra. cbv beta. fold n.
-      match goal with |- ?q <= 0 => replace q with (- ((g * sin (p + s) - l) * (n + g * w s) / n)) end.
-      + assert (0 <= (g * sin (p + s) - l) * (n + g * w s) / n); [ | lra ].
-        repeat apply Rmult_le_pos; [ lra | destruct gg as [-> | ->]; lra | left; now apply Rinv_0_lt_compat ].
-      + replace fx with (- l * w s / n) by (rewrite <- E; field; lra). replace (wy s * fy) with (- l * n + l * w s ^ 2 / n).
-        destruct gg as [-> | ->]; field; lra.
-        replace (wy s * fy) with (fx * w s + fy * wy s - fx * w s) by ring. rewrite P. fold n.
-        replace fx with (- l * w s / n) by (rewrite <- E; field; lra). field; lra. }
-  rewrite wt, yt, nrm_forward in F by lra. specialize (sz b ltac:(lra)). apply Rabs_def2 in sz. destruct gg as [Eg | Eg]; rewrite Eg in F; lra.
+  assert (hb : 0 <= b < z /\ z - d <= b) by (unfold b, d; minmax). destruct (moving l p w wy (proj1 hl) M b ltac:(lra) ltac:(apply before; lra)) as (_ & _ & _ & Mb).
+  destruct (Mb g gg) as [pb _]. destruct (cont_eps (fun s => nrm (w s) (wy s) + g * w s) z _ ltac:(conts M) pb) as (r & r0 & K).
+  set (t := Rmax b (z - r / 2)). assert (ht : b <= t < z /\ z - r < t) by (unfold t; minmax). specialize (K t ltac:(apply Rabs_def1; lra)).
+  destruct (moving l p w wy (proj1 hl) M t ltac:(lra) ltac:(apply before; lra)) as (_ & _ & _ & Mt). destruct (Mt g gg) as [pt _].
+  rewrite wz, yz, nrm_0, Rmult_0_r, Rplus_0_r, Rminus_0_r, Rabs_pos_eq in K by lra. apply ln_increasing in K; trivial.
+  assert (F : - ln (nrm (w t) (wy t) + g * w t) <= - ln (nrm (w b) (wy b) + g * w b)); [ | lra ].
+  apply (rder_decr (fun s => - ln (nrm (w s) (wy s) + g * w s))); [ lra | | ]; intros s hs;
+  destruct (moving l p w wy (proj1 hl) M s ltac:(lra) ltac:(apply before; lra)) as (_ & n1 & _ & E); destruct (E g gg) as [q D].
+  - cont; try lra; (apply (m_cx _ _ _ _ _ M) || apply (m_cy _ _ _ _ _ M)); lra.
+  - eexists. split; [ apply (rder_opp (fun s => ln (nrm (w s) (wy s) + g * w s))), D | ].
+    assert (S : l <= g * sin (p + s)).
+    { rewrite (a_shift PI sin neg_sin (p + s) j). fold g. replace (p + s - IZR j * PI) with (p + a + (s - z)) by (unfold a; ring).
+      rewrite <- Rmult_assoc. replace (g * g) with 1 by (destruct gg as [-> | ->]; ring). rewrite Rmult_1_l.
+      destruct (asin_range l h1) as [_ es]. destruct (Req_dec (p + a + (s - z)) (asin l)) as [-> | ]; [ rewrite es; lra | left; apply sin_above;
+      trivial; unfold d in *; lra ]. }
+    pose proof (Rabs_pos (w s)). assert (0 <= (g * sin (p + s) - l) / nrm (w s) (wy s)); [ | lra ].
+    apply Rmult_le_pos; [ lra | left; apply Rinv_0_lt_compat; lra ].
 Qed.

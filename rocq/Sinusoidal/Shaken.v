@@ -2,7 +2,7 @@
    at phi1, and where rests are possible. *)
 Require Import Reals Lra Psatz ZArith FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Steady.
+From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Analysis Steady.
 Open Scope R_scope.
 
 (* The block on a plane with the acceleration (21), of size A0 and frequency varpi: (vx, vy) is its velocity at the time t after the start, which is
@@ -28,18 +28,6 @@ Lemma shaken_sin lam phi0 w wy : shaken lam phi0 w wy = motion lam (fun s => - s
 Proof.
   unfold shaken, block, eq21_acceleration_1, eq21_acceleration_2. rewrite Rmult_1_r. f_equal.
   apply functional_extensionality. intros s. rewrite Rmult_1_l. ring.
-Qed.
-
-(* there is one right derivative *)
-Lemma rder_unique f g t l m d : 0 < d -> (forall s, t <= s < t + d -> f s = g s) -> rder f t l -> rder g t m -> l = m.
-Proof.
-  intros hd. assert (A : forall f g l m, (forall s, t <= s < t + d -> f s = g s) -> rder f t l -> rder g t m -> m <= l).
-  { clear f g l m. intros f g l m E F G. apply le_epsilon. intros e he. destruct (rder_step _ _ _ F (e / 2) ltac:(lra)) as (a & a0 & A).
-    destruct (rder_step _ _ _ (rder_opp _ _ _ G) (e / 2) ltac:(lra)) as (b & b0 & B). cbv beta in B. set (x := Rmin d (Rmin a b) / 2).
-    pose proof (Rmin_l d (Rmin a b)). pose proof (Rmin_r d (Rmin a b)). pose proof (Rmin_l a b). pose proof (Rmin_r a b).
-    assert (0 < Rmin d (Rmin a b)) by (repeat apply Rmin_pos; trivial). assert (xx : 0 < x /\ x < a /\ x < b /\ x < d) by (unfold x; lra).
-    specialize (A x ltac:(lra)). specialize (B x ltac:(lra)). rewrite !E in A by lra. nra. }
-  intros E F G. apply Rle_antisym; [ apply (A g f) | apply (A f g) ]; trivial. intros s Hs. symmetry. now apply E.
 Qed.
 
 (* ---- units ---- *)
@@ -77,94 +65,74 @@ Proof.
     all: try intros s; cbv beta; try (replace (varpi * s / varpi) with s by (field; lra)); try (field; lra).
     replace (1 * (varpi * t0 + varpi * s)) with (varpi * (t0 + s)) by ring. field; lra.
 Qed.
-Lemma motion_later k Ax Ay vx vy c : 0 <= c -> motion k Ax Ay vx vy ->
-  motion k (fun t => Ax (t + c)) (fun t => Ay (t + c)) (fun t => vx (t + c)) (fun t => vy (t + c)).
-Proof.
-  intros hc [cx cy L]. assert (S : forall f t, (forall u, 0 < u -> continuity_pt f u) -> 0 < t -> continuity_pt (fun s => f (s + c)) t).
-  { intros f t H Ht. apply (continuity_pt_comp (fun t => t + c) f). cont. apply H. lra. }
-  assert (D : forall f t l, rder f (t + c) l -> rder (fun s => f (s + c)) t l).
-  { intros f t l [F [X E]]. exists (fun t => F (t + c)). split; [ | intros; apply E; lra ]. replace l with (1 * l) by ring.
-    apply (is_derive_comp F (fun t => t + c)). exact X. auto_derive; trivial; ring. }
-  split; [ intros; now apply S | intros; now apply S | ]. intros t Ht. destruct (L (t + c)) as (fx & fy & C & X & Y); [ lra | ]. exists fx, fy. auto.
-Qed.
-
 (* ---- periods ---- *)
 Lemma whole_periods (f : R -> R) x n : (forall x, f (x + 2 * PI) = f x) -> f (x + IZR n * (2 * PI)) = f x.
 Proof. intros H. rewrite <- (shift_Z (2 * PI) f H n (x + IZR n * (2 * PI))). f_equal. ring. Qed.
-Lemma sin_Z x n : sin (x + IZR n * (2 * PI)) = sin x. Proof. apply (whole_periods sin), sin_2PI_plus. Qed.
-Lemma cos_Z x n : cos (x + IZR n * (2 * PI)) = cos x. Proof. apply (whole_periods cos), cos_2PI_plus. Qed.
-(* a moment as late as one likes at which the drive is at a given phase *)
-Lemma phase_after phi0 phi T : exists s, T <= s < T + 2 * PI /\ at_phase phi0 s phi.
-Proof.
-  pose proof PI_RGT_0. destruct (per_spec phi (2 * PI) ltac:(lra) (phi0 + T)) as [n Hn].
-  destruct (Req_dec (phi + IZR n * (2 * PI)) (phi0 + T)) as [e | e].
-  - exists T. split; [ lra | ]. exists n. lra.
-  - exists (phi + IZR (n + 1) * (2 * PI) - phi0). rewrite plus_IZR. split; [ lra | ]. exists (n + 1)%Z. rewrite plus_IZR. ring.
-Qed.
+Lemma sin_Z x n : sin (x + IZR n * (2 * PI)) = sin x. Proof. apply (whole_periods sin), sin_per. Qed.
+Lemma cos_Z x n : cos (x + IZR n * (2 * PI)) = cos x. Proof. apply (whole_periods cos), cos_per. Qed.
 Lemma phase_in start phi0 s : exists x, start <= x < start + 2 * PI /\ at_phase phi0 s x.
 Proof.
   pose proof PI_RGT_0. destruct (per_spec start (2 * PI) ltac:(lra) (phi0 + s)) as [n Hn]. exists (phi0 + s - IZR n * (2 * PI)).
   split; [ lra | ]. exists n. ring.
 Qed.
+(* a moment as late as one likes at which the drive is at a given phase *)
+Lemma phase_after phi0 phi T : exists s, T <= s < T + 2 * PI /\ at_phase phi0 s phi.
+Proof. destruct (phase_in T (- phi0) phi) as (s & hs & n & E). exists s. split; [ lra | ]. exists (- n)%Z. rewrite opp_IZR. lra. Qed.
 Lemma at_sin phi0 s phi u : at_phase phi0 s phi -> sin (phi0 + (s + u)) = sin (phi + u) /\ cos (phi0 + (s + u)) = cos (phi + u).
 Proof.
-  intros [n E]. replace (phi0 + (s + u)) with (phi + u + IZR n * (2 * PI)) by lra. now rewrite sin_Z, cos_Z.
+  intros [n E]. replace (phi0 + (s + u)) with (phi + u + IZR n * (2 * PI)) by lra.
+  rewrite (whole_periods sin _ n sin_per), (whole_periods cos _ n cos_per). auto.
 Qed.
+(* continuity of what is made of the velocities of the motion M *)
+Ltac conts M := cont; (apply (m_cx _ _ _ _ _ M) || apply (m_cy _ _ _ _ _ M)); lra.
 
 Section Motion.
 Variables (l phi0 : R) (w wy : R -> R).
 Hypothesis hl : 0 <= l.
 Hypothesis M : shaken l phi0 w wy.
-Lemma law s : 0 <= s -> exists fx fy, coulomb l (w s) (wy s) fx fy /\ - l <= fx <= l /\ - l <= fy <= l /\ rder w s (sin (phi0 + s) + fx)
-  /\ rder wy s fy.
+Lemma law s : 0 <= s -> exists fx fy, coulomb l (w s) (wy s) fx fy /\ (nrm (w s) (wy s) * fx = - l * w s /\ nrm (w s) (wy s) * fy = - l * wy s) /\
+  - l <= fx <= l /\ rder w s (sin (phi0 + s) + fx) /\ rder wy s fy.
 Proof.
   intros hs. rewrite shaken_sin in M. destruct (m_law _ _ _ _ _ M s hs) as (fx & fy & C & X & Y). exists fx, fy. pose proof (proj1 C).
-  split; [ trivial | split; [ nra | split; [ nra | split ] ] ]. eapply rder_eq; [ exact X | ring ]. eapply rder_eq; [ exact Y | ring ].
+  split; [ trivial | split; [ now apply coulomb_slip | split; [ nra | split ] ] ]. eapply rder_eq; [ exact X | ring ]. eapply rder_eq; [ exact Y | ring ].
 Qed.
-Lemma cont_w s : 0 < s -> continuity_pt w s. Proof. apply (m_cx _ _ _ _ _ M). Qed.
-Lemma cont_wy s : 0 < s -> continuity_pt wy s. Proof. apply (m_cy _ _ _ _ _ M). Qed.
 (* the drive, and friction at most l one way or the other *)
 Lemma gain s t : 0 <= s <= t ->
   cos (phi0 + s) - cos (phi0 + t) - l * (t - s) <= w t - w s <= cos (phi0 + s) - cos (phi0 + t) + l * (t - s).
 Proof.
-  intros H. assert (A : forall e, e = 1 \/ e = -1 -> e * (w t + cos (phi0 + t)) - l * t <= e * (w s + cos (phi0 + s)) - l * s).
-  { intros e he. apply (rder_decr (fun t => e * (w t + cos (phi0 + t)) - l * t)); [ lra | | ]; intros u Hu.
-    - assert (continuity_pt (fun t => cos (phi0 + t)) u) by (apply derivable_continuous_pt; reg). cont. apply cont_w. lra.
-    - destruct (law u) as (fx & fy & _ & F & _ & X & _); [ lra | ].
-      assert (D : rder (fun t => cos (phi0 + t)) u (- sin (phi0 + u))) by (apply rder_of; auto_derive; trivial; ring).
-      eexists. split. rd. cbv beta. destruct he as [-> | ->]; lra. }
-  pose proof (A 1 ltac:(auto)). pose proof (A (-1) ltac:(auto)). lra.
+  intros H. assert (D : forall u, is_derive (fun t => cos (phi0 + t)) u (- sin (phi0 + u))) by (intros; auto_derive; trivial; ring).
+  enough (A : Rabs (w t + cos (phi0 + t) - (w s + cos (phi0 + s))) <= l * (t - s)) by (apply Rabs_le_between in A; lra).
+  apply (rder_lip (fun t => w t + cos (phi0 + t))); [ lra | | ]; intros u Hu.
+  - pose proof (cont_of _ _ _ (D u)). conts M.
+  - destruct (law u) as (fx & fy & _ & _ & F & X & _); [ lra | ]. exists fx. split; [ | apply Rabs_le; lra ].
+    eapply rder_eq; [ apply (rder_plus w (fun t => cos (phi0 + t))); [ exact X | exact (rder_of _ _ _ (D u)) ] | ring ].
 Qed.
 (* a rest ends only where the drive exceeds friction; a while of rest needs it not to *)
 Lemma stays s u : 0 <= s <= u -> (forall t, s <= t < u -> Rabs (sin (phi0 + t)) <= l) -> w s = 0 -> wy s = 0 -> w u = 0 /\ wy u = 0.
 Proof.
   intros H HA e1 e2. apply sq_sum. replace 0 with (w s ^ 2 + wy s ^ 2) by (rewrite e1, e2; ring).
-  apply (rder_decr (fun t => w t ^ 2 + wy t ^ 2)); [ lra | | ]; intros t Ht.
-  - cont; [ apply cont_w | apply cont_wy ]; lra.
-  - destruct (law t) as (fx & fy & [_ P] & _ & _ & X & Y); [ lra | ]. eexists. split. rd. simpl.
-    pose proof (abs_nrm (w t) (wy t)) as [N _]. specialize (HA t Ht).
-    assert (sin (phi0 + t) * w t <= l * nrm (w t) (wy t)).
-    { apply Rle_trans with (1 := Rle_abs _). rewrite Rabs_mult. apply Rmult_le_compat; auto using Rabs_pos. } lra.
+  apply (rder_decr (fun t => w t ^ 2 + wy t ^ 2)); [ lra | | ]; intros t Ht; [ conts M | ].
+  destruct (law t) as (fx & fy & [_ P] & _ & _ & X & Y); [ lra | ]. eexists. split. rd. simpl.
+  pose proof (dot_le (sin (phi0 + t)) 0 (w t) (wy t)) as Q. rewrite nrm_x in Q. specialize (HA t Ht). pose proof (nrm_pos (w t) (wy t)). nra.
 Qed.
 Lemma rest_needs_friction r s t : 0 <= r <= t -> t < s -> (forall t, r <= t < s -> w t = 0) -> Rabs (sin (phi0 + t)) <= l.
 Proof.
-  intros Ht Hs W. destruct (law t) as (fx & fy & C & F & _ & X & _); [ lra | ].
-  assert (E : sin (phi0 + t) + fx = 0).
-  { apply (rder_unique w (fun _ => 0) t _ _ (s - t)); trivial; [ lra | intros u Hu; apply W; lra | eapply rder_eq; [ rd | trivial ] ]. }
-  apply Rabs_le. lra.
+  intros Ht Hs W. destruct (law t) as (fx & fy & _ & _ & F & X & _); [ lra | ].
+  pose proof (rder_unique w t _ _ X (rder_zero w t (s - t) ltac:(lra) ltac:(intros; apply W; lra))). apply Rabs_le. lra.
 Qed.
 (* (31): from a rest at phi1 on *)
-Lemma slip_is c u tau : 0 <= c -> at_phase phi0 c (asin l) -> w c = 0 -> wy c = 0 -> (forall t, 0 <= t < tau -> 0 <= h l t) -> 0 <= u <= tau ->
+Lemma slip_is c u tau : 0 <= c -> at_phase phi0 c (asin l) -> w c = 0 -> wy c = 0 -> (forall t, 0 < t < tau -> 0 < h l t) -> 0 <= u <= tau ->
   w (c + u) = h l u /\ wy (c + u) = 0.
 Proof.
   intros hc P e1 e2 Q Hu. destruct (sq_sum (w (c + u) - h l (c + u - c)) (wy (c + u))) as [a b].
   - replace 0 with ((w c - h l (c - c)) ^ 2 + wy c ^ 2) by (replace (c - c) with 0 by ring; rewrite e1, e2, h_0; ring).
     apply (rder_decr (fun t => (w t - h l (t - c)) ^ 2 + wy t ^ 2)); [ lra | | ]; intros t Ht.
-    + assert (continuity_pt (fun t => h l (t - c)) t) by apply cont_shift, h_cont. cont; [ apply cont_w | apply cont_wy ]; lra.
-    + destruct (law t) as (fx & fy & [_ C] & F & _ & X & Y); [ lra | ].
+    + assert (continuity_pt (fun t => h l (t - c)) t) by apply cont_shift, h_cont. conts M.
+    + destruct (law t) as (fx & fy & [_ C] & _ & F & X & Y); [ lra | ].
       assert (D : rder (fun t => h l (t - c)) t (sin (asin l + (t - c)) - l)) by (apply rder_shift, rder_of, h_der).
       destruct (at_sin phi0 c (asin l) (t - c) P) as [S _]. replace (c + (t - c)) with t in S by ring. rewrite S in X.
-      eexists. split. rd. specialize (Q (t - c) ltac:(lra)). pose proof (abs_nrm (w t) (wy t)) as [N _]. pose proof (Rle_abs (w t)).
+      assert (0 <= h l (t - c)) by (destruct (Req_dec (t - c) 0) as [-> | ]; [ rewrite h_0; lra | left; apply Q; lra ]).
+      eexists. split. rd. pose proof (abs_nrm (w t) (wy t)) as [N _]. pose proof (Rle_abs (w t)).
       match goal with |- ?g <= 0 => replace g with (2 * ((fx * w t + fy * wy t) + l * w t - h l (t - c) * (fx + l))) by (simpl; ring) end.
       rewrite C. nra.
   - replace (c + u - c) with u in a by ring. lra.
