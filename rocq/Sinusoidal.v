@@ -506,7 +506,7 @@ Proof.
   rewrite Rmult_0_l, Rminus_0_r, Rabs_R0. apply cond_pos.
 Qed.
 
-(* ---- The motions of which these theorems speak exist ---- *)
+(* ---- the figures ---- *)
 Lemma a_block mu g A0 varpi t0 vx0 vy0 : 0 <= mu * g -> exists vx vy, block mu g A0 varpi t0 vx vy /\ vx 0 = vx0 /\ vy 0 = vy0.
 Proof.
   intros h. apply plane_has_a_motion; trivial. intros t _. unfold eq21_acceleration_1, eq21_acceleration_2. split; [ | cont ].
@@ -514,6 +514,50 @@ Proof.
 Qed.
 Lemma a_motion lam phi0 w0 wy0 : 0 <= lam -> exists w wy, shaken lam phi0 w wy /\ w 0 = w0 /\ wy 0 = wy0.
 Proof. intros h. apply a_block. lra. Qed.
+(* Figure 2: for one initial w and every initial wy there is one curve; those of different size of wy part at once; all tend to one motion. *)
+Theorem fig_2 lam phi0 w0 : 0 < lam -> w0 <> 0 -> exists W, forall y0, exists w wy, shaken lam phi0 w wy /\ w 0 = w0 /\ wy 0 = y0 /\
+  is_lim (fun s => w s - W (phi0 + s)) p_infty 0 /\ forall u uy, shaken lam phi0 u uy -> u 0 = w0 ->
+    (uy 0 = y0 -> forall s, 0 <= s -> u s = w s) /\ (Rabs (uy 0) <> Rabs y0 -> forall d, 0 < d -> exists s, 0 < s < d /\ u s <> w s).
+Proof.
+  intros h0 n0. destruct (one_drawn lam h0) as [W D]. exists W. intros y0. destruct (a_motion lam phi0 w0 y0 ltac:(lra)) as (w & wy & M & e1 & e2).
+  exists w, wy. do 3 (split; trivial). split; [ now apply (D phi0 w wy M) | intros u uy H H0; split ].
+  - intros e3 s hs. pose proof (contraction (lam * 1) _ _ u uy w wy ltac:(lra) H M 0 s ltac:(lra)) as C. rewrite H0, e1, e2, e3 in C.
+    destruct (sq_sum (u s - w s) (uy s - wy s)); lra.
+  - intros ne d hd. apply Classical_Prop.NNPP. intros no. apply ne. rewrite <- e2.
+    apply (proj2 (s22_attractor_ignores_vy lam phi0 u uy w wy h0 H M) ltac:(congruence) ltac:(congruence) d hd). intros s hs.
+    destruct (Req_dec s 0) as [-> | ]; [ congruence | ]. destruct (Req_dec (u s) (w s)); trivial. exfalso. apply no. exists s. split; [ lra | trivial ].
+Qed.
+(* Figure 3: at the friction 1/pi every motion tends to (38), whose phase (39) is pi/3; it is largest at phi2, and the mark 0.8 is below that. *)
+Theorem fig_3 : let lam := 1 / PI in eq39_phi_t1 lam = PI / 3 /\ (forall phi0 w wy, shaken lam phi0 w wy -> is_lim (fun s => w s - w38 lam (phi0 + s)) p_infty 0) /\
+  (forall phi, Rabs (w38 lam phi) <= w38 lam (eq28_phi2 lam)) /\ 0.8 < w38 lam (eq28_phi2 lam) /\ Rabs (w38 lam (eq28_phi2 lam) - 0.884) <= 5e-4.
+Proof.
+  intros lam. pose proof PI_RGT_0. assert (hl : 0 < lam <= eq37_lambda_c) by (unfold lam, eq37_lambda_c; split; interval). destruct (below_1 lam hl).
+  assert (e : eq39_phi_t1 lam = PI / 3).
+  { unfold eq39_phi_t1, lam. replace (PI * (1 / PI) / 2) with (cos (PI / 3)) by (rewrite cos_PI3; field; lra). apply acos_cos. lra. }
+  assert (V : Rabs (w38 lam (eq28_phi2 lam) - 0.884) <= 5e-4).
+  { unfold eq28_phi2. destruct (asin_range lam ltac:(lra)) as [b _]. rewrite w38_ext, e, ext_first by lra. unfold g38. rewrite Rplus_minus, asin_atan by lra.
+    unfold Rsqr, lam. rewrite cos_PI3. interval with (i_prec 60). }
+  repeat split; trivial; [ intros phi0 w wy M; now apply (w38_attracts lam hl phi0 w wy) | intros; now apply w38_most | apply Rabs_le_between in V; lra ].
+Qed.
+(* Figure 4: at the friction 1/sqrt 2 the slip ends before phi3 and every motion becomes (33); it is largest at phi2, and the mark 0.3 is below that. *)
+Theorem fig_4 e : slip_end (1 / sqrt 2) e -> let lam := 1 / sqrt 2 in e < eq29_phi3 lam /\
+  (forall phi0 w wy, shaken lam phi0 w wy -> exists s1, forall s, s1 <= s -> w s = w33 lam e (phi0 + s)) /\
+  (forall phi, Rabs (w33 lam e phi) <= w33 lam e (eq28_phi2 lam)) /\ 0.3 < w33 lam e (eq28_phi2 lam) /\
+  w33 lam e (eq28_phi2 lam) = sqrt 2 * (1 - PI / 4).
+Proof.
+  intros E lam. fold lam in E. pose proof PI_RGT_0. assert (hl : 0 < lam < 1) by (unfold lam; split; interval).
+  assert (q : e < eq29_phi3 lam) by (apply (early_end lam e hl E); unfold lam, eq37_lambda_c; interval).
+  assert (a : asin lam = PI / 4) by (unfold lam; rewrite <- sin_PI4; apply asin_sin; lra).
+  assert (V : w33 lam e (eq28_phi2 lam) = sqrt 2 * (1 - PI / 4)).
+  { unfold eq28_phi2. destruct (ends lam e hl E q) as (b & o & _). rewrite w33_ext, ext_first by (trivial; lra). unfold g33. destruct Rlt_dec; [ | lra ].
+    unfold h. rewrite a in *. replace (PI / 4 + (PI - PI / 4 - PI / 4)) with (PI - PI / 4) by ring. rewrite Rtrigo_facts.cos_pi_minus, cos_PI4.
+    pose proof (sqrt_lt_R0 2 ltac:(lra)). pose proof (pow2_sqrt 2 ltac:(lra)) as s2. unfold lam. replace (sqrt 2) with (2 / sqrt 2) at 4 by (field_simplify_eq; lra).
+    field. lra. }
+  split; [ trivial | split; [ | split; [ intros; now apply w33_most | split; [ rewrite V; interval | trivial ] ] ] ].
+  intros phi0 w wy M. destruct (w33_reached lam e hl E q phi0 w wy M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).
+Qed.
+
+(* ---- The motions of which these theorems speak exist ---- *)
 Lemma quarter : 1 / 4 < eq37_lambda_c < 3 / 4.
 Proof.
   destruct lambda_c_is as [b e]. pose proof PI2_3_2. pose proof PI_4.
@@ -601,3 +645,5 @@ Proof.
 Qed.
 Lemma s22_vy_two_stages__not_exponential__occurs : ltac:(occurs s22_vy_two_stages__not_exponential).
 Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & _). lra. refine (H 1 0 w wy 1 _ M). lra. Qed.
+Lemma fig_4__occurs : ltac:(occurs fig_4).
+Proof. intros H. destruct (slip_end_exists (1 / sqrt 2)) as [e E]; [ split; interval | exact (H e E) ]. Qed.

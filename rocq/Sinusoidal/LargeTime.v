@@ -28,6 +28,11 @@ Proof.
   - apply ext_first. lra.
   - replace (y - p) with (y - p - PI + PI) at 1 by ring. now rewrite ext_anti, ext_first by lra.
 Qed.
+Lemma ext_bound g B : (forall t, 0 <= t < PI -> Rabs (g t) <= B) -> forall x, Rabs (ext PI g x) <= B.
+Proof.
+  intros H x. destruct (per_spec 0 PI PI_RGT_0 x) as [n Hn]. rewrite (ext_on PI g PI_RGT_0 n), Rabs_mult by lra.
+  replace (Rabs (sg n)) with 1 by (destruct (sg_cases n) as [-> | ->]; unfold Rabs; destruct Rcase_abs; lra). rewrite Rmult_1_l. apply H. lra.
+Qed.
 Lemma twice (f : R -> R) : (forall x, f (x + PI) = - f x) -> forall x, f (x + 2 * PI) = f x.
 Proof. intros A x. replace (x + 2 * PI) with (x + PI + PI) by ring. rewrite !A. ring. Qed.
 Lemma cos_back x : cos (x - PI) = - cos x. Proof. rewrite <- (Ropp_involutive (cos (x - PI))), <- neg_cos. do 2 f_equal. ring. Qed.
@@ -59,6 +64,13 @@ Hypothesis hl : 0 < l <= eq37_lambda_c.
 Lemma below_1 : 0 < l < 1. Proof. pose proof lambda_c_between. lra. Qed.
 Lemma w38_pos x : p < x < p + PI -> 0 < w38 l x.
 Proof. intros H. rewrite w38_ext, ext_first by lra. apply (g_pos l below_1 (proj2 hl)). lra. Qed.
+Lemma w38_most phi : Rabs (w38 l phi) <= w38 l (PI - asin l).
+Proof.
+  pose proof PI_RGT_0. destruct (p_facts l below_1 (proj2 hl)) as [a _]. destruct (asin_range l below_1) as [b _].
+  rewrite !w38_ext, (ext_first PI _ (PI - asin l - p)) by lra. apply ext_bound. intros t ht. rewrite Rabs_pos_eq.
+  - apply (slip_top l below_1 _ p t (g_der l p)); lra.
+  - destruct (Req_dec t 0) as [-> | ]; [ rewrite g_0; lra | left; apply (g_pos l below_1 (proj2 hl)); lra ].
+Qed.
 Lemma w38_motion phi0 : shaken l phi0 (fun s => w38 l (phi0 + s)) (fun _ => 0).
 Proof. exact (shaken_from l p _ _ phi0 w38_ext (steady38 l below_1 (proj2 hl) phi0)). Qed.
 (* zero at two phases of each period, only *)
@@ -147,6 +159,12 @@ Lemma w33_rest x : e <= x <= p1 + PI -> w33 l e x = 0.
 Proof.
   intros H. destruct ends as (b & o & _). pose proof PI_RGT_0. destruct (Req_dec x (p1 + PI)) as [-> | ne]; [ rewrite w33_anti | ];
   rewrite w33_ext, ext_first by lra; unfold g33; destruct Rlt_dec; try lra. replace (p1 - p1) with 0 by ring. rewrite h_0. ring.
+Qed.
+Lemma w33_most phi : Rabs (w33 l e phi) <= w33 l e (PI - p1).
+Proof.
+  destruct ends as (b & o & _ & P). rewrite !w33_ext, (ext_first PI _ (PI - p1 - p1)) by lra. unfold g33 at 2. destruct Rlt_dec; [ | lra ].
+  assert (0 < h l (PI - p1 - p1)) by (apply P; lra). apply ext_bound. intros t ht. unfold g33. destruct Rlt_dec; [ | rewrite Rabs_R0; lra ].
+  rewrite Rabs_pos_eq; [ apply (slip_top l hl _ p1 t (h_der l)); lra | destruct (Req_dec t 0) as [-> | ]; [ rewrite h_0; lra | left; apply P; lra ] ].
 Qed.
 Lemma w33_motion phi0 : shaken l phi0 (fun s => w33 l e (phi0 + s)) (fun _ => 0).
 Proof. destruct ends as (b & o & z & P). apply (shaken_from l p1 _ _ phi0 w33_ext), steady33; trivial. lra. Qed.

@@ -76,6 +76,10 @@ Proof.
   - intros x Hx. apply (is_derive_opp f), D.
   - intros x Hx. pose proof (sin_less l (p + x) hl). lra.
 Qed.
+Lemma slip_top (f : R -> R) p t : (forall t, is_derive f t (sin (p + t) - l)) -> p1 <= p -> 0 <= t -> p + t <= 2 * PI + p1 -> f t <= f (PI - p1 - p).
+Proof.
+  intros D a b c. destruct (Rtotal_order t (PI - p1 - p)) as [k | [-> | k]]; [ left; apply (slip_up f p) | lra | left; apply (slip_down f p) ]; trivial; lra.
+Qed.
 (* (32): one end, between phi2 and phi4 *)
 Lemma slip_once : exists tau, PI - 2 * p1 < tau < 2 * PI - 2 * p1 /\ h tau = 0 /\ (forall t, 0 < t < tau -> 0 < h t) /\
   (forall t, tau < t <= 2 * PI -> h t < 0).
