@@ -5,14 +5,14 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General Formulas HalfPeriod Drawn Analysis Steady Shaken.
 Open Scope R_scope.
 
-(* the phase phi, less whole periods, in the period that begins at start *)
+(* the phase phi in radians, less whole periods, in the period that begins at start *)
 Definition in_period (start phi : R) : R := phi - IZR (floor (2 * PI) (phi - start)) * (2 * PI).
-(* (33), continued with the period 2 pi; e is its phitilde2 *)
+(* (33), dimensionless, continued with the period 2 pi; e is its phitilde2. «$\mathfrak{w}^{(33)}_{lam,e}(phi)$» *)
 Definition w33 (lam e phi : R) : R :=
   let p1 := eq27_phi1 lam in let p3 := eq29_phi3 lam in let x := in_period (eq33_ends_1 p1 e p3) phi in
   if Rlt_dec x (eq33_ends_2 p1 e p3) then eq33_w_1 lam p1 p3 x else if Rlt_dec x (eq33_ends_3 p1 e p3) then eq33_w_2 lam p1 p3 x
   else if Rlt_dec x (eq33_ends_4 p1 e p3) then eq33_w_3 lam p1 p3 x else eq33_w_4 lam p1 p3 x.
-(* (38) with (39), continued with the period 2 pi *)
+(* (38) with (39), dimensionless, continued with the period 2 pi. «$\mathfrak{w}^{(38)}_{lam}(phi)$» *)
 Definition w38 (lam phi : R) : R :=
   let p := eq39_phi_t1 lam in let x := in_period (eq38_ends_1 p) phi in
   if Rlt_dec x (eq38_ends_2 p) then eq38_w_1 lam p x else eq38_w_2 lam p x.

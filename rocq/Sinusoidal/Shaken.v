@@ -5,16 +5,19 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Analysis Steady.
 Open Scope R_scope.
 
-(* The block on a plane with the acceleration (21), of size A0 and frequency varpi: (vx, vy) is its velocity at the time t after the start, which is
-   at t0; mu g is the largest friction. *)
+(* The block on a plane with the acceleration (21), of size A0 (a length over a time squared) and frequency varpi: (vx, vy) is its velocity at the time t
+   after the start, which is at t0; mu g is the largest friction. «$(vx,vy)$ is a motion from the time $t0$ on under the acceleration
+   $-A0\sin(varpi\,t)$ along $x$, with the friction $mu\,g$» *)
 Definition block (mu g A0 varpi t0 : R) (vx vy : R -> R) : Prop :=
   motion (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) (fun t => eq21_acceleration_2 A0 varpi (t0 + t)) vx vy.
-(* The same in units in which g, A0 and varpi are 1: lam is (22), phi0 the phase at the start, s how far the phase has gone on since,
-   (w, wy) the velocity in units of A0/varpi. *)
+(* The same in units in which g, A0 and varpi are 1, so that all is dimensionless: lam is (22), phi0 the phase at the start, s how far the phase has
+   gone on since, (w, wy) the velocity in units of A0/varpi. «$(w,wy)$ is a motion in the units of (22) to (24), from the phase $phi0$ on, with the
+   friction $\lambda_0=lam$» *)
 Definition shaken (lam phi0 : R) (w wy : R -> R) : Prop := block lam 1 1 1 phi0 w wy.
-(* At s, after a start at phi0, the phase is phi, up to whole periods. *)
+(* At s, after a start at phi0, the phase is phi, up to whole periods; in radians. «$phi0+s$ is $phi$ up to whole periods» *)
 Definition at_phase (phi0 s phi : R) : Prop := exists n, phi0 + s = phi + IZR n * (2 * PI).
-(* phitilde2: the smallest solution of (32) above phi1 *)
+(* phitilde2, in radians: the smallest solution of (32) above phi1. «$e$ is the smallest solution of (32) above $\phi_1$, with the friction
+   $\lambda_0=lam$» *)
 Definition slip_end (lam e : R) : Prop :=
   eq27_phi1 lam < e /\ eq32_left lam (eq27_phi1 lam) e = 0 /\ forall x, eq27_phi1 lam < x < e -> eq32_left lam (eq27_phi1 lam) x <> 0.
 
