@@ -32,23 +32,23 @@ Lemma wy_falls s t : 0 <= s <= t -> wy t ^ 2 <= wy s ^ 2.
 Proof. pose proof M as H. rewrite shaken_sin in H. apply (across_falls _ _ _ _ (Rlt_le _ _ hl) H). Qed.
 Lemma wy_before s t : 0 <= s <= t -> wy t <> 0 -> wy s <> 0.
 Proof. intros hs n z. pose proof (wy_falls s t hs) as F. rewrite z in F. apply n. nra. Qed.
-(* while it moves across: the rates of ln wy^2, and of ln (v + e w) *)
-Lemma moving t : 0 <= t -> wy t <> 0 -> 0 < wy t ^ 2 /\ Rabs (w t) < v t /\ rder (fun s => Q s) t (- (2 * l / v t)) /\
-  forall e, e = 1 \/ e = -1 -> 0 < v t + e * w t /\ rder (fun s => ln (v s + e * w s)) t ((e * sin (phi0 + t) - l) / v t).
+(* while it moves across: the rates of wy^2 and of v + e w *)
+Lemma moving t : 0 <= t -> wy t <> 0 -> 0 < wy t ^ 2 /\ Rabs (w t) < v t /\ rder (fun s => wy s ^ 2) t (- (2 * l / v t) * wy t ^ 2) /\
+  forall e, e = 1 \/ e = -1 -> 0 < v t + e * w t /\ rder (fun s => v s + e * w s) t ((e * sin (phi0 + t) - l) / v t * (v t + e * w t)).
 Proof.
   intros ht n. assert (y2 : 0 < wy t ^ 2) by (pose proof (pow2_ge_0 (wy t)); nra). pose proof (nrm_sq (w t) (wy t)) as n2.
   pose proof (nrm_pos (w t) (wy t)) as n0. pose proof (Rabs_pos (w t)).
   assert (n1 : Rabs (w t) < v t) by (rewrite <- (pow2_abs (w t)) in n2; nra).
   destruct (law l phi0 w wy (Rlt_le _ _ hl) M t ht) as (fx & fy & [_ P] & [E F] & _ & X & Y). set (m := v t) in *.
   split; [ trivial | split; [ trivial | split ] ].
-  - eapply rder_eq. rd. trivial. assert (e : fy = - l * wy t / m) by (rewrite <- F; field; lra). rewrite e. simpl. field. split; lra.
-  - intros e he. assert (q : 0 < m + e * w t) by (pose proof (Rabs_def2 _ _ n1); destruct he as [-> | ->]; lra). split; trivial.
-    assert (D : rder (fun s => v s + e * w s) t ((e * sin (phi0 + t) - l) * (m + e * w t) / m)).
-    { eapply rder_eq; [ apply (rder_plus (fun s => v s) (fun s => e * w s)); [ apply (rder_nrm w wy t _ _ X Y); fold m; lra | rd ] | fold m ].
-      replace (w t * (sin (phi0 + t) + fx) + wy t * fy) with (w t * sin (phi0 + t) - l * m) by lra.
-      assert (ef : fx = - l * w t / m) by (rewrite <- E; field; lra). rewrite ef. destruct he as [-> | ->]; field; lra. }
-    eapply rder_eq; [ apply (rder_ln _ _ _ D); exact q | ]. fold m. field. lra.
+  - eapply rder_eq. rd. assert (e : fy = - l * wy t / m) by (rewrite <- F; field; lra). rewrite e. simpl. field. lra.
+  - intros e he. split; [ pose proof (Rabs_def2 _ _ n1); destruct he as [-> | ->]; lra | ].
+    eapply rder_eq; [ apply (rder_plus (fun s => v s) (fun s => e * w s)); [ apply (rder_nrm w wy t _ _ X Y); fold m; lra | rd ] | fold m ].
+    replace (w t * (sin (phi0 + t) + fx) + wy t * fy) with (w t * sin (phi0 + t) - l * m) by lra.
+    assert (ef : fx = - l * w t / m) by (rewrite <- E; field; lra). rewrite ef. destruct he as [-> | ->]; field; lra.
 Qed.
+Lemma rder_log f t r : rder f t (r * f t) -> 0 < f t -> rder (fun s => ln (f s)) t r.
+Proof. intros D P. eapply rder_eq; [ exact (rder_ln f t _ D P) | field; lra ]. Qed.
 (* from s on, for a unit of phase, the speed is 2 (phase since s + e) at most: then wy^2 is multiplied by e^l at most *)
 Lemma shrinks s e : 0 <= s -> 0 < e -> (forall t, s <= t <= s + 1 -> v t <= 2 * (t - s + e)) -> wy (s + 1) ^ 2 <= wy s ^ 2 * exp (l * ln e).
 Proof.
@@ -57,7 +57,7 @@ Proof.
   assert (F : Q (s + 1) + l * ln (s + 1 - s + e) <= Q s + l * ln (s - s + e)).
   { apply (rder_decr (fun t => Q t + l * ln (t - s + e))); [ lra | | ]; intros t Ht; destruct (moving t ltac:(lra) ltac:(apply A; lra)) as (y2 & n1 & D & _).
     - cont; try lra. apply (m_cy _ _ _ _ _ M). lra.
-    - specialize (H t ltac:(lra)). pose proof (Rabs_pos (w t)). eexists. split. apply (rder_plus (fun t => Q t)); [ exact D | rd; lra ]. cbv beta.
+    - specialize (H t ltac:(lra)). pose proof (Rabs_pos (w t)). pose proof (rder_log _ t _ D y2). eexists. split. rds. lra. cbv beta.
       assert (/ (2 * (t - s + e)) <= / v t) by (apply Rinv_le_contravar; lra). rewrite Rinv_mult in *. unfold Rdiv. nra. }
   replace (s + 1 - s + e) with (1 + e) in F by ring. replace (s - s + e) with e in F by ring.
   destruct (moving s hs ltac:(apply A; lra)) as (y1 & _). destruct (moving (s + 1) ltac:(lra) n) as (y2 & _).
@@ -104,34 +104,21 @@ Qed.
 (* where wy becomes zero first the block stops *)
 Lemma first_zero s u : 0 <= s < u -> wy s <> 0 -> wy u = 0 -> exists z, s < z <= u /\ wy z = 0 /\ w z = 0 /\ forall t, s <= t < z -> wy t <> 0.
 Proof.
-  intros hs ns zu. assert (on : forall t, 0 <= t -> wy t <> 0 -> exists d, 0 < d /\ forall h, 0 <= h < d -> wy (t + h) <> 0).
-  { intros t ht n. destruct (law l phi0 w wy (Rlt_le _ _ hl) M t ht) as (_ & fy & _ & _ & _ & _ & Y).
-    destruct (rder_near_pos (fun t => wy t ^ 2) t _ (rder_pow wy 2 t fy Y)) as (d & d0 & D); [ pose proof (pow2_ge_0 (wy t)); nra | ].
-    exists d. split; trivial. intros h hh z. specialize (D h hh). cbv beta in D. rewrite z in D. lra. }
-  destruct (completeness (fun t => s <= t <= u /\ wy t <> 0)) as [z [Z1 Z2]]. { exists u. intros t [Ht _]. lra. } { exists s. split; [ lra | trivial ]. }
-  assert (sz : s <= z) by (apply Z1; split; [ lra | trivial ]). assert (zu' : z <= u) by (apply Z2; intros t [Ht _]; lra).
-  assert (past : forall t, s <= t -> wy t <> 0 -> t < z).
-  { intros t ht n. destruct (on t ltac:(lra) n) as (d & d0 & D). set (h := Rmin (d / 2) (u - t)). destruct (Rle_lt_dec u t) as [k | k].
-    - exfalso. apply n. pose proof (wy_falls u t ltac:(lra)) as F. rewrite zu in F. nra.
-    - assert (0 < h < d /\ h <= u - t) by (unfold h; minmax). specialize (Z1 (t + h) ltac:(split; [ lra | apply D; lra ])). lra. }
-  assert (before : forall t, s <= t < z -> wy t <> 0).
-  { intros t Ht yt. assert (z <= t); [ | lra ]. apply Z2. intros y [Hy ny]. apply Rnot_lt_le. intros q. apply (wy_before t y) in ny; trivial; lra. }
-  assert (yz : wy z = 0) by (destruct (Req_dec (wy z) 0) as [ | n]; trivial; specialize (past z sz n); lra).
-  specialize (past s ltac:(lra) ns). exists z. split; [ lra | split; [ trivial | split; [ | trivial ] ] ].
-  destruct (Req_dec (w z) 0) as [ | nw]; trivial. exfalso. apply Rabs_pos_lt in nw. set (m := Rabs (w z) / 2).
-  destruct (cont_eps w z m (m_cx _ _ _ _ _ M z ltac:(lra)) ltac:(unfold m; lra)) as (r & r0 & R). set (c := Rmax s (z - r / 2)).
-  assert (hc : s <= c < z /\ z - r < c) by (unfold c; minmax). set (B := Q c - 2 * l / m * (z - c)).
-  destruct (cont_eps (fun t => wy t ^ 2) z (exp B) ltac:(conts M) (exp_pos _)) as (q & q0 & K). set (t := Rmax c (z - q / 2)).
-  assert (ht : c <= t < z /\ z - q < t) by (unfold t; minmax). specialize (K t ltac:(apply Rabs_def1; lra)). rewrite yz in K.
-  destruct (moving t ltac:(lra) ltac:(apply before; lra)) as (y2 & _). rewrite Rabs_pos_eq in K by lra.
-  assert (L : Q t < B) by (rewrite <- (ln_exp B); apply ln_increasing; lra).
-  assert (F : - Q t - 2 * l / m * t <= - Q c - 2 * l / m * c).
-  { apply (rder_decr (fun t => - Q t - 2 * l / m * t)); [ lra | | ]; intros x Hx; destruct (moving x ltac:(lra) ltac:(apply before; lra)) as (x2 & n1 & D & _).
-    - cont; try lra. apply (m_cy _ _ _ _ _ M). lra.
-    - eexists. split. apply (rder_minus (fun t => - Q t)); [ apply (rder_opp (fun t => Q t)), D | rd ]. cbv beta.
+  intros hs ns zu. apply Classical_Prop.NNPP. intros no. apply (real_ind (fun t => wy t <> 0) s u ns) with (t := u); trivial; [ | | lra ].
+  - intros z hz before yz. apply no. exists z. split; [ lra | split; [ trivial | split; [ | trivial ] ] ].
+    destruct (Req_dec (w z) 0) as [ | nw]; trivial. exfalso. apply Rabs_pos_lt in nw. set (m := Rabs (w z) / 2).
+    destruct (cont_eps w z m (m_cx _ _ _ _ _ M z ltac:(lra)) ltac:(unfold m; lra)) as (r & r0 & R). set (c := Rmax s (z - r / 2)).
+    assert (hc : s <= c < z /\ z - r < c) by (unfold c; minmax).
+    assert (F : - (wy z ^ 2 * exp (2 * l / m * z)) <= - (wy c ^ 2 * exp (2 * l / m * c))).
+    { apply (rder_decr (fun t => - (wy t ^ 2 * exp (2 * l / m * t)))); [ lra | | ]; intros x Hx; [ conts M | ].
+      destruct (moving x ltac:(lra) ltac:(apply before; lra)) as (x2 & n1 & D & _). eexists. split. apply rder_opp, (rder_mult (fun t => wy t ^ 2)); [ exact D | rd ]. cbv beta.
       specialize (R x ltac:(apply Rabs_def1; lra)). pose proof (Rabs_triang_inv (w z) (w x)). rewrite Rabs_minus_sym in R.
-      assert (m <= v x) by (unfold m in *; lra). assert (/ v x <= / m) by (apply Rinv_le_contravar; unfold m in *; lra). unfold Rdiv. nra. }
-  assert (0 < 2 * l / m) by (apply Rdiv_lt_0_compat; unfold m; lra). unfold B in L. nra.
+      assert (m <= v x) by (unfold m in *; lra). assert (/ v x <= / m) by (apply Rinv_le_contravar; unfold m in *; lra). pose proof (exp_pos (2 * l / m * x)).
+      set (q := wy x ^ 2) in *. clearbody q. set (E := exp (2 * l / m * x)) in *. assert (0 <= l * q * E * (/ m - / v x)) by (repeat apply Rmult_le_pos; lra).
+      match goal with |- ?g <= 0 => replace g with (- (2 * (l * q * E * (/ m - / v x)))) by (unfold Rdiv; ring) end. lra. }
+    rewrite yz in F. destruct (moving c ltac:(lra) ltac:(apply before; lra)) as (y2 & _). pose proof (exp_pos (2 * l / m * c)). nra.
+  - intros t ht before. destruct (moving t ltac:(lra) ltac:(apply before; lra)) as (y2 & _ & D & _). destruct (right_pos _ _ _ D y2) as (d & d0 & K).
+    exists d. split; trivial. intros x hx z. specialize (K x hx). cbv beta in K. rewrite z in K. lra.
 Qed.
 
 (* ---- passages through zero ---- *)
@@ -166,10 +153,7 @@ Proof.
   { intros g hg. apply (rder_decr (fun t => g * (ln (v t + e * w t) + k * Q t) + eta * Q t - 2 / m * t)); [ lra | | ]; intros t Ht;
     destruct (moving t ltac:(lra) ltac:(apply N; lra)) as (y2 & n1 & D & E); destruct (E e ee) as [q L].
     - cont; try lra; (apply (m_cx _ _ _ _ _ M) || apply (m_cy _ _ _ _ _ M)); lra.
-    - eexists. split. apply (rder_minus (fun t => g * (ln (v t + e * w t) + k * Q t) + eta * Q t)); [ | rd ].
-      apply (rder_plus (fun t => g * (ln (v t + e * w t) + k * Q t)) (fun t => eta * Q t)); [ apply (rder_mult (fun _ => g)); [ rd | ] |
-      apply (rder_mult (fun _ => eta)); [ rd | exact D ] ]. apply (rder_plus (fun t => ln (v t + e * w t))); [ exact L | apply (rder_mult (fun _ => k));
-      [ rd | exact D ] ].
+    - apply (rder_log (fun t => wy t ^ 2)) in D; trivial. apply (rder_log (fun t => v t + e * w t)) in L; trivial. eexists. split. rds.
       cbv beta. pose proof (Rabs_pos (w t)). set (b := e * sin (phi0 + t)). set (r := v t) in *. match goal with |- ?x <= 0 =>
         replace x with ((g * (b - d) - 2 * l * eta) / r - 2 / m) by (unfold b; field; lra) end.
       assert (near : Rabs (b - d) <= Rabs (t - Z)).
@@ -254,20 +238,16 @@ Proof.
     assert (e < g38 l p a) by (unfold e in *; lra). destruct (sg_cases j) as [Ej | Ej]; rewrite Ej in G; nra. }
   set (g := sg j). assert (gg : g = 1 \/ g = -1) by apply sg_cases. set (b := Rmax 0 (z - d)).
   assert (hb : 0 <= b < z /\ z - d <= b) by (unfold b, d; minmax). destruct (moving l p w wy (proj1 hl) M b ltac:(lra) ltac:(apply before; lra)) as (_ & _ & _ & Mb).
-  destruct (Mb g gg) as [pb _]. destruct (cont_eps (fun s => nrm (w s) (wy s) + g * w s) z _ ltac:(conts M) pb) as (r & r0 & K).
-  set (t := Rmax b (z - r / 2)). assert (ht : b <= t < z /\ z - r < t) by (unfold t; minmax). specialize (K t ltac:(apply Rabs_def1; lra)).
-  destruct (moving l p w wy (proj1 hl) M t ltac:(lra) ltac:(apply before; lra)) as (_ & _ & _ & Mt). destruct (Mt g gg) as [pt _].
-  rewrite wz, yz, nrm_0, Rmult_0_r, Rplus_0_r, Rminus_0_r, Rabs_pos_eq in K by lra. apply ln_increasing in K; trivial.
-  assert (F : - ln (nrm (w t) (wy t) + g * w t) <= - ln (nrm (w b) (wy b) + g * w b)); [ | lra ].
-  apply (rder_decr (fun s => - ln (nrm (w s) (wy s) + g * w s))); [ lra | | ]; intros s hs;
+  destruct (Mb g gg) as [pb _].
+  assert (F : - (nrm (w z) (wy z) + g * w z) <= - (nrm (w b) (wy b) + g * w b)); [ | rewrite wz, yz, nrm_0 in F; lra ].
+  apply (rder_decr (fun s => - (nrm (w s) (wy s) + g * w s))); [ lra | | ]; intros s hs; [ conts M | ].
   destruct (moving l p w wy (proj1 hl) M s ltac:(lra) ltac:(apply before; lra)) as (_ & n1 & _ & E); destruct (E g gg) as [q D].
-  - cont; try lra; (apply (m_cx _ _ _ _ _ M) || apply (m_cy _ _ _ _ _ M)); lra.
-  - eexists. split; [ apply (rder_opp (fun s => ln (nrm (w s) (wy s) + g * w s))), D | ].
+  - eexists. split; [ apply rder_opp, D | ].
     assert (S : l <= g * sin (p + s)).
     { rewrite (a_shift PI sin neg_sin (p + s) j). fold g. replace (p + s - IZR j * PI) with (p + a + (s - z)) by (unfold a; ring).
       rewrite <- Rmult_assoc. replace (g * g) with 1 by (destruct gg as [-> | ->]; ring). rewrite Rmult_1_l.
       destruct (asin_range l h1) as [_ es]. destruct (Req_dec (p + a + (s - z)) (asin l)) as [-> | ]; [ rewrite es; lra | left; apply sin_above;
       trivial; unfold d in *; lra ]. }
-    pose proof (Rabs_pos (w s)). assert (0 <= (g * sin (p + s) - l) / nrm (w s) (wy s)); [ | lra ].
-    apply Rmult_le_pos; [ lra | left; apply Rinv_0_lt_compat; lra ].
+    pose proof (Rabs_pos (w s)). assert (0 <= (g * sin (p + s) - l) / nrm (w s) (wy s) * (nrm (w s) (wy s) + g * w s)); [ | lra ].
+    repeat apply Rmult_le_pos; try lra. left; apply Rinv_0_lt_compat; lra.
 Qed.
