@@ -99,15 +99,13 @@ Proof.
   destruct (Rle_lt_dec 1 lam) as [k | k]. { exfalso. apply (held 1 Rlt_0_1). intros t _. pose proof (sin_1 (phi0 + t)). lra. }
   assert (before : forall t, r <= t < s -> Rabs (sin (phi0 + t)) <= lam) by (intros t Ht; apply (rest_needs_friction lam phi0 w wy hl M r s);
   try lra; intros; apply rest; lra).
-  assert (step : forall t, Rabs (sin (phi0 + t)) <= Rabs (sin (phi0 + s)) + Rabs (t - s) /\ Rabs (sin (phi0 + s)) <= Rabs (sin (phi0 + t)) + Rabs (t - s)).
-  { intros t. pose proof (sin_near (phi0 + t) (phi0 + s)) as S. replace (phi0 + t - (phi0 + s)) with (t - s) in S by ring.
-    pose proof (Rabs_triang_inv (sin (phi0 + t)) (sin (phi0 + s))). pose proof (Rabs_triang_inv (sin (phi0 + s)) (sin (phi0 + t))) as T.
-    rewrite (Rabs_minus_sym (sin (phi0 + s))) in T. lra. }
+  assert (near : forall t, phi0 + s - (phi0 + t) = s - t /\ phi0 + t - (phi0 + s) = t - s) by (intros; split; ring).
   set (y c := Rmax r (s - c)). assert (hy : forall c, 0 < c -> r <= y c < s /\ s - c <= y c) by (intros; unfold y; minmax).
   assert (E : Rabs (sin (phi0 + s)) = lam).
   { apply Rle_antisym; [ apply le_epsilon; intros c c0 | apply Rnot_lt_le; intros q; apply (held (lam - Rabs (sin (phi0 + s))) ltac:(lra)); intros t Ht ].
-    - destruct (hy c c0). pose proof (before (y c) ltac:(lra)). destruct (step (y c)) as [_ S]. rewrite (Rabs_left (y c - s)) in S; lra.
-    - destruct (step t) as [S _]. rewrite (Rabs_pos_eq (t - s)) in S; lra. }
+    - destruct (hy c c0). pose proof (before (y c) ltac:(lra)). pose proof (sin_size (phi0 + s) (phi0 + y c)) as S.
+      rewrite (proj1 (near _)), (Rabs_pos_eq (s - y c)) in S; lra.
+    - pose proof (sin_size (phi0 + t) (phi0 + s)) as S. rewrite (proj2 (near _)), (Rabs_pos_eq (t - s)) in S; lra. }
   pose proof PI2_3_2. destruct hl as [h0 | <-].
   2: { exfalso. destruct (hy 1 Rlt_0_1). apply (sine_vanishes (phi0 + y 1) (phi0 + s)); [ lra | | now apply Rabs_eq_0 ].
        specialize (before (y 1) ltac:(lra)). apply Rabs_le_between in before. lra. }
@@ -252,8 +250,8 @@ Proof.
   assert (hu : 0 < u <= lam - sin p /\ u < PI) by (unfold u; minmax). pose proof (w38_turn lam 0) as z. rewrite Rmult_0_l, Rplus_0_r in z. fold p in z.
   assert (rest : forall t, 0 <= t < 0 + u -> g38 lam p t = 0).
   { intros t ht. destruct (stays lam p _ _ ltac:(lra) (M p) 0 t) as [e _]; [ lra | | now rewrite Rplus_0_r | trivial | ].
-    - intros y hy. pose proof (sin_near (p + y) p) as D. replace (p + y - p) with y in D by ring. rewrite (Rabs_pos_eq y) in D by lra.
-      pose proof (Rabs_triang_inv (sin (p + y)) (sin p)). rewrite (Rabs_pos_eq (sin p)) in * by trivial. lra.
+    - intros y hy. pose proof (sin_size (p + y) p) as D. replace (p + y - p) with y in D by ring.
+      rewrite (Rabs_pos_eq (sin p)), (Rabs_pos_eq y) in D by lra. lra.
     - cbv beta in e. rewrite (w38_on lam 0) in e by (fold p; lra). fold p in e. unfold sg in e. simpl in e. rewrite Rmult_1_l in e. rewrite <- e. f_equal. ring. }
   pose proof (rder_unique _ _ _ _ (rder_of _ _ _ (g_der lam p 0)) (rder_zero _ 0 u ltac:(lra) rest)) as e. rewrite Rplus_0_r in e. lra.
 Qed.
@@ -495,8 +493,7 @@ Proof.
   unfold right_sinusoidal_drive_at_zero, right_sinusoidal_passage_factor, s22_second_stage_ratio.
   replace (sqrt (1 - (PI * lam / 2) ^ 2)) with (sin (eq39_phi_t1 lam)) by (unfold eq39_phi_t1; rewrite sin_acos by lra; f_equal; unfold Rsqr; ring).
   set (d := sin (eq39_phi_t1 lam)) in *. assert (k : lam < d) by nra.
-  split; [ | intros ->; field; lra ]. intros E. assert (F : (d + lam) ^ 2 = (d - lam) ^ 2) by (replace ((d + lam) ^ 2) with (((d + lam) / (d - lam))
-  ^ 2 * (d - lam) ^ 2) by (field; lra); rewrite E; ring). nra.
+  split; [ | intros ->; field; lra ]. intros E. assert (F : (d + lam) ^ 2 = 1 * (d - lam) ^ 2) by (rewrite <- E; field; lra). nra.
 Qed.
 (* and with any friction wy falls in the end faster than every exponential, from every start. *)
 Theorem s22_vy_two_stages__not_exponential lam phi0 w wy k : 0 < lam -> shaken lam phi0 w wy -> is_lim (fun s => wy s * exp (k * s)) p_infty 0.
@@ -558,6 +555,9 @@ Proof.
 Qed.
 
 (* ---- The motions of which these theorems speak exist ---- *)
+(* a motion at the friction l from the velocity (a, b) at the phase p *)
+Ltac start l p a b := destruct (a_motion l p a b) as (w & wy & M & w0 & y0); [ lra | ].
+Ltac shake mu A b := destruct (a_block mu 1 A 3 0 1 b) as (x & y & M & x0 & y0); [ lra | ].
 Lemma quarter : 1 / 4 < eq37_lambda_c < 3 / 4.
 Proof.
   destruct lambda_c_is as [b e]. pose proof PI2_3_2. pose proof PI_4.
@@ -566,52 +566,47 @@ Proof.
 Qed.
 Lemma at_start phi : at_phase phi 0 phi. Proof. exists 0%Z. simpl. ring. Qed.
 (* friction 3/4, with rests *)
-Lemma some_rests : exists e, slip_end (3 / 4) e /\ e < eq29_phi3 (3 / 4).
-Proof. pose proof quarter. destruct (slip_end_exists (3 / 4) ltac:(lra)) as [e E]. exists e. split; trivial. apply (eq_36 (3 / 4) e ltac:(lra) E).
-change (eq36_sides_2 (3 / 4)) with eq37_lambda_c. unfold eq36_sides_1. lra. Qed.
+Lemma some_rests : exists e, slip_end (3 / 4) e /\ e < eq29_phi3 (3 / 4). Proof. pose proof quarter. apply early_exists. lra. Qed.
 Lemma eq_26__occurs : ltac:(occurs eq_26).
-Proof. intros H. destruct (a_block 1 1 2 1 0 1 0) as (x & y & M & x0 & y0). lra. refine (H 1 1 2 1 0 x y 0 _ _ _ M _ _ y0); lra. Qed.
+Proof. intros H. shake 1 2 0. refine (H 1 1 2 3 0 x y 0 _ _ _ M _ _ y0); lra. Qed.
 Lemma s22_rest_ends__occurs : ltac:(occurs s22_rest_ends).
 Proof.
-  intros H. destruct some_rests as (e & E & q). assert (hl : 0 < 3 / 4 < 1) by lra. destruct (ends _ e hl E q) as (o & z & P).
-  destruct (asin_range _ hl) as [[a b] _]. set (b1 := asin (3 / 4)) in *. unfold eq29_phi3 in q. fold b1 in q.
-  refine (H (3 / 4) e _ _ 0 (PI + b1 - e) _ (w33_motion (3 / 4) e hl E q e) _ _ _); try lra.
-  - intros t Ht. split; trivial. apply w33_rest; trivial. fold b1. lra.
-  - intros d d0. set (u := Rmin d (e - b1) / 2). assert (0 < Rmin d (e - b1)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (e - b1)).
-    pose proof (Rmin_r d (e - b1)).
-    exists (PI + b1 - e + u). split; [ unfold u; lra | left ]. replace (e + (PI + b1 - e + u)) with (b1 + u + PI) by ring.
-    rewrite w33_anti by trivial.
-    pose proof (w33_slip (3 / 4) e hl E q (b1 + u) ltac:(fold b1; unfold u; lra)). lra.
+  intros H. destruct some_rests as (e & E & q). assert (hl : 0 < 3 / 4 < 1) by lra. destruct (ends _ e hl E q) as (b & o & _).
+  refine (H (3 / 4) e _ _ 0 (PI + asin (3 / 4) - e) _ (w33_motion (3 / 4) e hl E q e) _ _ _); try lra.
+  - intros t Ht. split; trivial. apply w33_rest; trivial. lra.
+  - intros d d0. set (u := Rmin d (e - asin (3 / 4)) / 2). assert (hu : 0 < u < d /\ u < e - asin (3 / 4)) by (unfold u; minmax).
+    exists (PI + asin (3 / 4) - e + u). split; [ lra | left ]. replace (e + (PI + asin (3 / 4) - e + u)) with (asin (3 / 4) + u + PI) by ring.
+    rewrite w33_anti by trivial. pose proof (w33_slip (3 / 4) e hl E q (asin (3 / 4) + u) ltac:(lra)). lra.
 Qed.
 Lemma eq_31__occurs : ltac:(occurs eq_31).
 Proof.
-  intros H. destruct some_rests as (e & E & _). destruct (a_motion (3 / 4) (eq27_phi1 (3 / 4)) 0 0) as (w & wy & M & w0 & y0). lra.
+  intros H. destruct some_rests as (e & E & _). start (3 / 4) (eq27_phi1 (3 / 4)) 0 0.
   pose proof E as [h _].
   refine (H (3 / 4) e _ w wy 0 e _ E M _ (at_start _) w0 y0 _); lra.
 Qed.
 Lemma eq_33__occurs : ltac:(occurs eq_33).
-Proof. intros H. destruct some_rests as (e & E & q). destruct (a_motion (3 / 4) 0 1 1) as (w & wy & M & _). lra.
+Proof. intros H. destruct some_rests as (e & E & q). start (3 / 4) 0 1 1.
 refine (H (3 / 4) e 0 w wy _ E q M). lra. Qed.
 Lemma s22_rest_interval__occurs : ltac:(occurs s22_rest_interval).
-Proof. intros H. destruct some_rests as (e & E & q). destruct (a_motion (3 / 4) 0 1 1) as (w & wy & M & _). lra.
+Proof. intros H. destruct some_rests as (e & E & q). start (3 / 4) 0 1 1.
 refine (H (3 / 4) e 0 w wy _ E q M). lra. Qed.
 Lemma eq_38__occurs : ltac:(occurs eq_38).
-Proof. intros H. pose proof quarter. destruct (a_motion (1 / 4) 0 1 1) as (w & wy & M & _). lra. refine (H (1 / 4) 0 w wy _ M). lra. Qed.
+Proof. intros H. pose proof quarter. start (1 / 4) 0 1 1. refine (H (1 / 4) 0 w wy _ M). lra. Qed.
 Lemma s22_vy_vanishes__occurs : ltac:(occurs s22_vy_vanishes).
-Proof. intros H. destruct (a_block 1 1 2 3 0 1 1) as (x & y & M & _). lra. refine (H 1 1 2 3 0 x y _ M). lra. Qed.
+Proof. intros H. shake 1 2 1. refine (H 1 1 2 3 0 x y _ M). lra. Qed.
 Lemma s22_weak_drive_stops__occurs : ltac:(occurs s22_weak_drive_stops).
-Proof. intros H. destruct (a_block 2 1 1 3 0 1 1) as (x & y & M & _). lra. refine (H 2 1 1 3 0 x y _ _ M (Rle_refl _)). lra. Qed.
+Proof. intros H. shake 2 1 1. refine (H 2 1 1 3 0 x y _ _ M (Rle_refl _)). lra. Qed.
 Lemma s22_vx_stays__occurs : ltac:(occurs s22_vx_stays).
-Proof. intros H. destruct (a_block 1 1 2 3 0 1 1) as (x & y & M & _). lra. refine (H 1 1 2 3 0 x y _ _ M); lra. Qed.
+Proof. intros H. shake 1 2 1. refine (H 1 1 2 3 0 x y _ _ M); lra. Qed.
 Lemma s22_friction_across__occurs : ltac:(occurs s22_friction_across).
-Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & w0 & _). lra. refine (H 1 0 w wy 0 _ M _ _); lra. Qed.
+Proof. intros H. start 1 0 1 1. refine (H 1 0 w wy 0 _ M _ _); lra. Qed.
 Lemma s22_attractor_ignores_vy__occurs : ltac:(occurs s22_attractor_ignores_vy).
-Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & _). lra. destruct (a_motion 1 0 1 2) as (u & uy & N & _). lra.
+Proof. intros H. start 1 0 1 1. destruct (a_motion 1 0 1 2) as (u & uy & N & _). lra.
 refine (H 1 0 w wy u uy _ M N). lra. Qed.
 Lemma s22_slip_longer_than_half__occurs : ltac:(occurs s22_slip_longer_than_half).
 Proof.
   intros H. pose proof quarter. destruct (slip_end_exists (1 / 4) ltac:(lra)) as [e E].
-  destruct (a_motion (1 / 4) (eq27_phi1 (1 / 4)) 0 0) as (w & wy & M & w0 & y0). lra.
+  start (1 / 4) (eq27_phi1 (1 / 4)) 0 0.
   refine (H (1 / 4) e _ w wy 0 _ E M _ (at_start _) w0 y0); lra.
 Qed.
 Lemma s22_no_rest_below__occurs : ltac:(occurs s22_no_rest_below).
@@ -620,20 +615,20 @@ Proof.
   intros t _. split; trivial. rewrite <- (w38_period (1 / 4) (0 + t)). f_equal. ring.
 Qed.
 Lemma s22_trichotomy__occurs : ltac:(occurs s22_trichotomy).
-Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & _). lra. refine (H 1 0 w wy _ M). lra. Qed.
+Proof. intros H. start 1 0 1 1. refine (H 1 0 w wy _ M). lra. Qed.
 Lemma s22_vy_two_stages__first__occurs : ltac:(occurs s22_vy_two_stages__first).
-Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & w0 & y0). lra. refine (H 1 0 w wy 0 _ M _ _); lra. Qed.
+Proof. intros H. start 1 0 1 1. refine (H 1 0 w wy 0 _ M _ _); lra. Qed.
 Lemma s22_vy_two_stages__above__occurs : ltac:(occurs s22_vy_two_stages__above).
-Proof. intros H. pose proof quarter. destruct (a_motion (3 / 4) 0 1 1) as (w & wy & M & _). lra. refine (H (3 / 4) 0 w wy _ M). lra. Qed.
+Proof. intros H. pose proof quarter. start (3 / 4) 0 1 1. refine (H (3 / 4) 0 w wy _ M). lra. Qed.
 Lemma s22_vy_two_stages__last__occurs : ltac:(occurs s22_vy_two_stages__last).
 Proof.
-  intros H. destruct (a_motion 2 0 0 1) as (w & wy & M & w0 & y0). lra.
+  intros H. start 2 0 0 1.
   refine (H 2 1 0 w wy 0 (0 + right_sinusoidal_last_stage 2 1 (Rabs (wy 0))) _ M _ w0 (Rle_refl _) _); try lra.
   intros t _. pose proof (SIN_bound (0 + t)). apply Rabs_le; lra.
 Qed.
 Lemma s22_vy_two_stages__stop__occurs : ltac:(occurs s22_vy_two_stages__stop).
 Proof.
-  intros H. destruct (a_motion 2 0 0 1) as (w & wy & M & w0 & y0). lra. destruct (all_stop 2 0 w wy ltac:(lra) M) as (s1 & h1 & Z).
+  intros H. start 2 0 0 1. destruct (all_stop 2 0 w wy ltac:(lra) M) as (s1 & h1 & Z).
   refine (H 2 0 w wy 0 (s1 + 1) _ M _ _ _); try lra. apply (Z (s1 + 1)). lra.
 Qed.
 Lemma s22_vy_two_stages__factor__occurs : ltac:(occurs s22_vy_two_stages__factor).
@@ -644,6 +639,6 @@ Proof.
   apply lt_IZR in n0. apply lt_IZR in n1. lia.
 Qed.
 Lemma s22_vy_two_stages__not_exponential__occurs : ltac:(occurs s22_vy_two_stages__not_exponential).
-Proof. intros H. destruct (a_motion 1 0 1 1) as (w & wy & M & _). lra. refine (H 1 0 w wy 1 _ M). lra. Qed.
+Proof. intros H. start 1 0 1 1. refine (H 1 0 w wy 1 _ M). lra. Qed.
 Lemma fig_4__occurs : ltac:(occurs fig_4).
 Proof. intros H. destruct (slip_end_exists (1 / sqrt 2)) as [e E]; [ split; interval | exact (H e E) ]. Qed.

@@ -34,25 +34,17 @@ Proof.
 Qed.
 
 (* ---- units ---- *)
-Lemma rder_scale f c b t l : 0 < b -> rder f (b * t) l -> rder (fun s => c * f (b * s)) t (c * b * l).
-Proof.
-  intros hb [F [D E]]. exists (fun s => c * F (b * s)). split; [ | intros s Hs; rewrite E; trivial; now apply Rmult_le_compat_l; [ lra | ] ].
-  replace (c * b * l) with (c * (b * l)) by ring. apply (is_derive_scal (fun s => F (b * s))).
-  apply (is_derive_comp F (fun s => b * s)). exact D. auto_derive; trivial; ring.
-Qed.
 Lemma motion_scale k A B v w c b : 0 < c -> 0 < b -> motion k A B v w ->
   motion (c * b * k) (fun s => c * b * A (b * s)) (fun s => c * b * B (b * s)) (fun s => c * v (b * s)) (fun s => c * w (b * s)).
 Proof.
-  intros hc hb [cv cw L].
-  assert (S : forall f t, (forall u, 0 < u -> continuity_pt f u) -> 0 < t -> continuity_pt (fun s => c * f (b * s)) t).
-  { intros f t H Ht. apply (continuity_pt_mult (fun _ => c)). cont. apply (continuity_pt_comp (fun s => b * s) f). cont. apply H. nra. }
+  intros hc hb [cv cw L]. assert (S : forall f t, (forall u, 0 < u -> continuity_pt f u) -> 0 < t -> continuity_pt (fun s => c * f (b * s)) t).
+  { intros f t H Ht. pose proof (cont_time b f t (H (b * t) ltac:(nra))). cont. }
   split; [ intros; now apply S | intros; now apply S | ]. intros t Ht. destruct (L (b * t)) as (fx & fy & [F P] & X & Y); [ nra | ].
   exists (c * b * fx), (c * b * fy). split; [ split | split ].
-  - replace ((c * b * fx) ^ 2 + (c * b * fy) ^ 2) with ((c * b) ^ 2 * (fx ^ 2 + fy ^ 2)) by ring.
-    replace ((c * b * k) ^ 2) with ((c * b) ^ 2 * k ^ 2) by ring. apply Rmult_le_compat_l; [ apply pow2_ge_0 | trivial ].
+  - rewrite !(Rpow_mult_distr (c * b)), <- Rmult_plus_distr_l. apply Rmult_le_compat_l; [ apply pow2_ge_0 | trivial ].
   - rewrite nrm_scale by lra. transitivity (c * b * c * (fx * v (b * t) + fy * w (b * t))); [ ring | rewrite P; ring ].
-  - replace (c * b * fx - c * b * A (b * t)) with (c * b * (fx - A (b * t))) by ring. now apply rder_scale.
-  - replace (c * b * fy - c * b * B (b * t)) with (c * b * (fy - B (b * t))) by ring. now apply rder_scale.
+  - eapply rder_eq; [ apply (rder_mult (fun _ => c) (fun s => v (b * s))); [ rd | apply rder_time; eassumption ] | ring ].
+  - eapply rder_eq; [ apply (rder_mult (fun _ => c) (fun s => w (b * s))); [ rd | apply rder_time; eassumption ] | ring ].
 Qed.
 Lemma block_units mu g A0 varpi t0 vx vy : 0 < A0 -> 0 < varpi ->
   (block mu g A0 varpi t0 vx vy <->

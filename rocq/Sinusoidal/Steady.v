@@ -14,6 +14,8 @@ Lemma ext_period T g : 0 < T -> forall t, ext T g (t + 2 * T) = ext T g t.
 Proof. intros hT t. replace (t + 2 * T) with (t + T + T) by ring. rewrite !ext_anti by trivial. ring. Qed.
 Lemma sin_2PI_minus x : sin (2 * PI - x) = - sin x. Proof. rewrite sin_minus, cos_2PI, sin_2PI. ring. Qed.
 Lemma sin_1 x : Rabs (sin x) <= 1. Proof. apply Rabs_le, SIN_bound. Qed.
+Lemma sin_size x y : Rabs (sin x) <= Rabs (sin y) + Rabs (x - y).
+Proof. pose proof (sin_near x y). pose proof (Rabs_triang_inv (sin x) (sin y)). lra. Qed.
 
 (* ---- lambda_c ---- *)
 Lemma lambda_c_is : 0 < eq37_lambda_c < 1 /\ (4 + PI ^ 2) * eq37_lambda_c ^ 2 = 4.
@@ -120,11 +122,10 @@ Proof.
   assert (R : forall t, tau <= t -> g33 tau t = 0) by (intros; unfold g33; destruct Rlt_dec; lra).
   apply repeated.
   - rewrite R, S, h_0 by lra. ring.
-  - intros t Ht. destruct (total_order_T t tau) as [[k | ->] | k].
-    + apply (cont_glue _ h h t (tau - t)); try apply h_cont; [ lra | | ]; intros s Hs; apply S; lra.
-    + apply (cont_glue _ h (fun _ => 0) tau 1); try apply h_cont; [ lra | | | cont ]; intros s Hs; [ | apply R; lra ].
-      destruct (Req_dec s tau) as [-> | ]; [ now rewrite R by lra | apply S; lra ].
-    + apply (cont_glue _ (fun _ => 0) (fun _ => 0) t (t - tau)); [ lra | | | cont | cont ]; intros s Hs; apply R; lra.
+  - intros t _. apply (continuity_pt_ext (fun t => h (Rmin t tau))).
+    { intros s. unfold g33. destruct Rlt_dec; minmax; trivial. replace s with tau by lra. trivial. }
+    apply (continuity_pt_comp (fun t => Rmin t tau) h); [ | apply h_cont ]. apply (cont_lip _ t 1 1 Rlt_0_1). intros s _.
+    rewrite Rmult_1_l. unfold Rabs. minmax; repeat destruct Rcase_abs; lra.
   - intros t Ht. destruct (Rlt_dec t tau) as [k | k].
     + exists (- l). rewrite S by lra. split. apply coulomb_forward. destruct (Req_dec t 0) as [-> | ]; [ rewrite h_0; lra | left; apply P; lra ].
       apply (rder_loc _ h t _ (tau - t)); [ lra | intros; symmetry; apply S; lra | ].
