@@ -144,13 +144,11 @@ Theorem eq_32 lam : 0 < lam < 1 -> exists e, slip_end lam e /\ (forall e', slip_
     (forall s, c < s < c + (e - eq27_phi1 lam) -> 0 < w s) /\ w (c + (e - eq27_phi1 lam)) = 0.
 Proof.
   intros hl. destruct (slip_end_exists lam hl) as [e E]. exists e. split; [ trivial | split ].
-  - intros e' E'. destruct (slip_end_is lam e hl E) as (_ & z & P & _). destruct (slip_end_is lam e' hl E') as (a & z' & P' & _).
-    destruct (slip_end_is lam e hl E) as (a0 & _). destruct (asin_range lam hl) as [b _].
-    destruct (Rtotal_order e' e) as [k | [k | k]]; trivial; exfalso; [ specialize (P (e' - asin lam)) | specialize (P' (e - asin lam)) ]; lra.
-  - intros phi0 w wy c M hc ph w0 wy0. pose proof E as (E1 & E2 & _). split.
-    + intros s Hs. destruct (eq_31 lam e phi0 w wy c (eq27_phi1 lam + (s - c)) ltac:(lra) E M hc ph w0 wy0 ltac:(lra)) as (_ & _ & P).
-      replace (c + (eq27_phi1 lam + (s - c) - eq27_phi1 lam)) with s in P by ring. apply P. lra.
-    + destruct (eq_31 lam e phi0 w wy c e ltac:(lra) E M hc ph w0 wy0 ltac:(lra)) as (-> & _). rewrite <- E2. unfold eq31_w, eq32_left. ring.
+  - intros e' (a & b & c). destruct E as (a' & b' & c'). destruct (Rtotal_order e' e) as [k | [k | k]]; trivial; exfalso; [ apply (c' e') | apply (c e) ]; trivial; lra.
+  - intros phi0 w wy c M hc ph w0 wy0. pose proof E as (E1 & E2 & _).
+    assert (S : forall phi, eq27_phi1 lam <= phi <= e -> _) by (intros phi; exact (eq_31 lam e phi0 w wy c phi ltac:(lra) E M hc ph w0 wy0)). split.
+    + intros s Hs. destruct (S (eq27_phi1 lam + (s - c)) ltac:(lra)) as (_ & _ & P). replace (c + (eq27_phi1 lam + (s - c) - eq27_phi1 lam)) with s in P by ring. apply P. lra.
+    + destruct (S e ltac:(lra)) as (-> & _). rewrite <- E2. unfold eq31_w, eq32_left. ring.
 Qed.
 (* where the slip ends, to ten decimals *)
 Theorem eq_32__digits e : (slip_end (1 / sqrt 2) e -> Rabs (e - 3.1974093073) <= 5e-11) /\ (slip_end (3 / 5) e -> Rabs (e - 3.5234549058) <= 5e-11) /\
@@ -405,14 +403,15 @@ Proof.
     induction n as [ | n IH ]; [ f_equal; simpl; ring | ]. rewrite S_INR, <- IH. replace (t + (INR n + 1) * P) with (t + INR n * P + P) by ring.
     apply per. pose proof (pos_INR n). nra. }
   pose proof PI2_3_2. destruct hl as [[h0 | <-] hc].
-  - set (d := Rmin ((s - r) / 4) (PI / 4)). assert (hd : 0 < d <= PI / 4 /\ 4 * d <= s - r) by (unfold d; minmax). clearbody d.
-    destruct (late_sign lam phi0 w wy ltac:(lra) M d ltac:(lra)) as (m & s1 & m0 & s10 & S). destruct (nat_above ((s1 - r) / P)) as [n Hn].
-    apply Rlt_div_l in Hn; trivial. destruct (per_spec (eq39_phi_t1 lam) PI PI_RGT_0 (phi0 + (r + INR n * P))) as [j Hj].
-    assert (hit : forall c i, 0 <= c <= s - r -> d <= phi0 + (r + c + INR n * P) - eq39_phi_t1 lam - IZR i * PI <= PI - d -> False).
-    { intros c i hc' K. pose proof (S (r + c + INR n * P) i ltac:(lra) K) as Q. rewrite Z in Q by lra. lra. }
-    destruct (Rle_lt_dec (phi0 + (r + INR n * P) - eq39_phi_t1 lam - IZR j * PI) (PI - 2 * d)).
-    + apply (hit d j); lra.
-    + apply (hit (3 * d) (j + 1)%Z); rewrite ?plus_IZR; lra.
+  - destruct (two_zeros lam phi0 w wy (conj h0 hc) M (PI / 2)) as (s1 & O).
+    { intros n E. destruct (room lam (conj h0 hc)). assert (0 < IZR n < 1) as [n0 n1] by (split; nra). apply lt_IZR in n0. apply lt_IZR in n1. lia. }
+    destruct (nat_above ((s1 + 2 * PI - r) / P)) as [n Hn]. apply Rlt_div_l in Hn; trivial. set (m := (r + s) / 2).
+    destruct (phase_after phi0 (PI / 2) (m + INR n * P - 2 * PI)) as (S & hS & ph).
+    destruct (O S ltac:(unfold m in *; lra) ph) as (z1 & z2 & _ & _ & I). set (d := Rmin ((s - r) / 4) ((m + INR n * P - S) / 2)).
+    assert (hd : 0 < d /\ 4 * d <= s - r /\ 2 * d <= m + INR n * P - S) by (unfold d; minmax).
+    assert (hit : forall c, 0 <= c <= 2 -> m - c * d + INR n * P = z1 \/ m - c * d + INR n * P = z2).
+    { intros c hc'. assert (0 <= c * d <= 2 * d) by nra. apply I; [ lra | apply Z; unfold m; lra ]. }
+    destruct (hit 0 ltac:(lra)); destruct (hit 1 ltac:(lra)); destruct (hit 2 ltac:(lra)); lra.
   - set (y := Rmin ((r + s) / 2) (r + 1)). assert (hy : r < y < s /\ y <= r + 1) by (unfold y; minmax). assert (Q : forall t, r <= t < s -> sin (phi0 + t) = 0).
     { intros t Ht. pose proof (rest_needs_friction 0 phi0 w wy (Rle_refl 0) M r s t ltac:(lra) ltac:(lra)) as B. apply Rabs_eq_0, Rle_antisym; [ | apply Rabs_pos ].
       apply B. intros x hx. rewrite <- (Z 0%nat x ltac:(lra)). f_equal. simpl. ring. }

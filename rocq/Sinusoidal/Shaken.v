@@ -63,8 +63,6 @@ Qed.
 (* ---- periods ---- *)
 Lemma whole_periods (f : R -> R) x n : (forall x, f (x + 2 * PI) = f x) -> f (x + IZR n * (2 * PI)) = f x.
 Proof. intros H. rewrite <- (shift_Z (2 * PI) f H n (x + IZR n * (2 * PI))). f_equal. ring. Qed.
-Lemma sin_Z x n : sin (x + IZR n * (2 * PI)) = sin x. Proof. apply (whole_periods sin), sin_per. Qed.
-Lemma cos_Z x n : cos (x + IZR n * (2 * PI)) = cos x. Proof. apply (whole_periods cos), cos_per. Qed.
 Lemma phase_in start phi0 s : exists x, start <= x < start + 2 * PI /\ at_phase phi0 s x.
 Proof.
   pose proof PI_RGT_0. destruct (per_spec start (2 * PI) ltac:(lra) (phi0 + s)) as [n Hn]. exists (phi0 + s - IZR n * (2 * PI)).
