@@ -56,7 +56,7 @@ Proof.
   assert (A : forall t, s <= t <= s + 1 -> wy t <> 0) by (intros t Ht; apply (wy_before t (s + 1)); trivial; lra).
   assert (F : Q (s + 1) + l * ln (s + 1 - s + e) <= Q s + l * ln (s - s + e)).
   { apply (rder_decr (fun t => Q t + l * ln (t - s + e))); [ lra | | ]; intros t Ht; destruct (moving t ltac:(lra) ltac:(apply A; lra)) as (y2 & n1 & D & _).
-    - cont; try lra. apply (m_cy _ _ _ _ _ M). lra.
+    - conts M.
     - specialize (H t ltac:(lra)). pose proof (Rabs_pos (w t)). pose proof (rder_log _ t _ D y2). eexists. split. rds. lra. cbv beta.
       assert (/ (2 * (t - s + e)) <= / v t) by (apply Rinv_le_contravar; lra). rewrite Rinv_mult in *. unfold Rdiv. nra. }
   replace (s + 1 - s + e) with (1 + e) in F by ring. replace (s - s + e) with e in F by ring.
@@ -152,14 +152,13 @@ Proof.
     g * (ln (v s + e * w s) + k * Q s) + eta * Q s - 2 / m * s).
   { intros g hg. apply (rder_decr (fun t => g * (ln (v t + e * w t) + k * Q t) + eta * Q t - 2 / m * t)); [ lra | | ]; intros t Ht;
     destruct (moving t ltac:(lra) ltac:(apply N; lra)) as (y2 & n1 & D & E); destruct (E e ee) as [q L].
-    - cont; try lra; (apply (m_cx _ _ _ _ _ M) || apply (m_cy _ _ _ _ _ M)); lra.
+    - conts M.
     - apply (rder_log (fun t => wy t ^ 2)) in D; trivial. apply (rder_log (fun t => v t + e * w t)) in L; trivial. eexists. split. rds.
       cbv beta. pose proof (Rabs_pos (w t)). set (b := e * sin (phi0 + t)). set (r := v t) in *. match goal with |- ?x <= 0 =>
         replace x with ((g * (b - d) - 2 * l * eta) / r - 2 / m) by (unfold b; field; lra) end.
       assert (near : Rabs (b - d) <= Rabs (t - Z)).
-      { unfold b. rewrite (a_shift PI sin neg_sin (phi0 + t) (n + 1)). fold e. rewrite I1, <- Rmult_assoc.
-        replace (e * e) with 1 by (destruct ee as [-> | ->]; ring). rewrite Rmult_1_l.
-        replace (phi0 + t - (IZR n + 1) * PI) with (p + (t - Z)) by (unfold Z; lra). replace (t - Z) with (p + (t - Z) - p) at 2 by ring. apply sin_near. }
+      { unfold b, e. rewrite (drive_at (n + 1) (phi0 + t) (p + (t - Z))) by (rewrite I1; unfold Z; lra).
+        replace (t - Z) with (p + (t - Z) - p) at 2 by ring. apply sin_near. }
       assert (gb : g * (b - d) <= Rabs (b - d)) by (pose proof (Rle_abs (b - d)); pose proof (Rabs_maj2 (b - d)); destruct hg as [-> | ->]; lra).
       assert (0 < / m) by now apply Rinv_0_lt_compat. enough ((g * (b - d) - 2 * l * eta) / r <= 2 / m) by lra.
       destruct (Rle_lt_dec (Rabs (t - Z)) del) as [x | x].
@@ -244,10 +243,8 @@ Proof.
   destruct (moving l p w wy (proj1 hl) M s ltac:(lra) ltac:(apply before; lra)) as (_ & n1 & _ & E); destruct (E g gg) as [q D].
   - eexists. split; [ apply rder_opp, D | ].
     assert (S : l <= g * sin (p + s)).
-    { rewrite (a_shift PI sin neg_sin (p + s) j). fold g. replace (p + s - IZR j * PI) with (p + a + (s - z)) by (unfold a; ring).
-      rewrite <- Rmult_assoc. replace (g * g) with 1 by (destruct gg as [-> | ->]; ring). rewrite Rmult_1_l.
-      destruct (asin_range l h1) as [_ es]. destruct (Req_dec (p + a + (s - z)) (asin l)) as [-> | ]; [ rewrite es; lra | left; apply sin_above;
-      trivial; unfold d in *; lra ]. }
+    { unfold g. rewrite (drive_at j (p + s) (p + a + (s - z))) by (unfold a; ring). destruct (asin_range l h1) as [_ es].
+      destruct (Req_dec (p + a + (s - z)) (asin l)) as [-> | ]; [ rewrite es; lra | left; apply sin_above; trivial; unfold d in *; lra ]. }
     pose proof (Rabs_pos (w s)). assert (0 <= (g * sin (p + s) - l) / nrm (w s) (wy s) * (nrm (w s) (wy s) + g * w s)); [ | lra ].
     repeat apply Rmult_le_pos; try lra. left; apply Rinv_0_lt_compat; lra.
 Qed.

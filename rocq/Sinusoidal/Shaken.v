@@ -77,7 +77,7 @@ Proof.
   rewrite (whole_periods sin _ n sin_per), (whole_periods cos _ n cos_per). auto.
 Qed.
 (* continuity of what is made of the velocities of the motion M *)
-Ltac conts M := cont; (apply (m_cx _ _ _ _ _ M) || apply (m_cy _ _ _ _ _ M)); lra.
+Ltac conts M := cont; first [ lra | (apply (m_cx _ _ _ _ _ M) || apply (m_cy _ _ _ _ _ M)); lra ].
 
 Section Motion.
 Variables (l phi0 : R) (w wy : R -> R).

@@ -5,6 +5,9 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime.
 Open Scope R_scope.
 
+Lemma sg_sg n : sg n * sg n = 1. Proof. destruct (sg_cases n) as [-> | ->]; ring. Qed.
+Lemma drive_at n x y : x = y + IZR n * PI -> sg n * sin x = sin y.
+Proof. intros ->. rewrite (a_shift PI sin neg_sin _ n), <- Rmult_assoc, sg_sg, Rmult_1_l. f_equal. ring. Qed.
 Section Zeros.
 Variables (l phi0 : R) (w wy : R -> R).
 Hypothesis hl : 0 < l < eq37_lambda_c.
