@@ -294,9 +294,8 @@ Theorem s22_vx_stays mu g A0 varpi t0 vx vy : 0 <= mu * g < A0 -> 0 < varpi -> b
 Proof.
   intros h hv B b c. apply (block_units mu g A0 varpi t0 _ _ ltac:(lra) hv) in B. set (l := eq22_lambda0 mu g A0) in *.
   pose proof (units_pos mu g A0 ltac:(lra) (proj1 h)) as l0. fold l in l0.
-  assert (l1 : l < 1) by (unfold l, eq22_lambda0; apply Rlt_div_l; lra). assert (hb : 0 < b <= PI / 2 /\ cos b = l).
-  { unfold b, eq27_phi1. rewrite cos_shift, sin_asin by lra. pose proof (asin_bound_lt l ltac:(lra)). split; [ | trivial ].
-    destruct l0 as [l0 | <-]; [ destruct (asin_range l ltac:(lra)); lra | rewrite asin_0; pose proof PI_RGT_0; lra ]. }
+  assert (l1 : l < 1) by (unfold l, eq22_lambda0; apply Rlt_div_l; lra). assert (hb : 0 < b < PI /\ cos b = l).
+  { unfold b, eq27_phi1. rewrite cos_shift, sin_asin by lra. pose proof (asin_bound_lt l ltac:(lra)). split; [ lra | trivial ]. }
   destruct hb as [hb cb]. set (k := sin b - b * cos b) in *. assert (k0 : 0 < k).
   { pose proof (up (fun b => sin b - b * cos b) (fun b => b * sin b) 0 b ltac:(lra)) as U. cbv beta in U. fold k in U.
     rewrite sin_0, Rmult_0_l, Rminus_0_r in U. apply U; [ intros; auto_derive; trivial; ring | ].

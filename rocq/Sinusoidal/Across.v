@@ -128,13 +128,11 @@ Notation p := (eq39_phi_t1 l).
 Notation d := (sin (eq39_phi_t1 l)).
 Notation k := ((sin (eq39_phi_t1 l) - l) / (2 * l)).
 Lemma d_l : l < d. Proof. destruct (turn_sign l) as (c & c0 & T); [ lra | pose proof (small l); lra | nra ]. Qed.
-Lemma late_speed : exists s1, 0 <= s1 /\ forall s, s1 <= s -> v s <= 8.
+Lemma late_speed : exists V s1, 0 <= s1 /\ forall s, s1 <= s -> v s <= V.
 Proof.
-  destruct (z_1 l (conj hl hc)) as [z1 z2]. destruct (near_38 l z2 phi0 w wy 1 M Rlt_0_1) as (s1 & s0 & H). exists s1. split; trivial. intros s hs.
-  destruct (H s hs) as [X Y]. pose proof PI_4. destruct (per_spec p PI PI_RGT_0 (phi0 + s)) as [n Hn]. rewrite (w38_on l n) in X by trivial.
-  unfold g38 in X. set (x := phi0 + s - p - IZR n * PI) in *. pose proof (COS_bound p). pose proof (COS_bound (p + x)).
-  assert (0 <= l * x <= 4) by (unfold x; split; nra). apply Rabs_def2 in X. eapply Rle_trans; [ apply nrm_abs | ].
-  assert (Rabs (w s) <= 7) by (apply Rabs_le; destruct (sg_cases n) as [e | e]; rewrite e in X; lra). lra.
+  destruct (z_1 l (conj hl hc)) as [_ z2]. destruct (near_38 l z2 phi0 w wy 1 M Rlt_0_1) as (s1 & s0 & H). exists (w38 l (PI - asin l) + 2), s1.
+  split; trivial. intros s hs. destruct (H s hs) as [X Y]. pose proof (w38_most l z2 (phi0 + s)). pose proof (Rabs_triang_inv (w s) (w38 l (phi0 + s))).
+  eapply Rle_trans; [ apply nrm_abs | lra ].
 Qed.
 (* from u before the passage to u after it, up to C *)
 Lemma passage u eta : 0 < eta -> 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s n, s1 <= s -> phi0 + s = p + IZR n * PI + u ->
@@ -142,8 +140,8 @@ Lemma passage u eta : 0 < eta -> 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s 
 Proof.
   intros h0 hu. pose proof PI_RGT_0. set (del := Rmin (Rmin u (PI - u) / 2) (2 * l * eta)). assert (0 < 2 * l * eta) by nra.
   assert (hd : 0 < del /\ del < u /\ del < PI - u /\ del < PI / 2 /\ del <= 2 * l * eta) by (unfold del; minmax). clearbody del.
-  destruct (late_sign l phi0 w wy (conj hl hc) M del) as (m & s1 & m0 & s10 & S); [ lra | ]. destruct late_speed as (s2 & s20 & V).
-  exists (2 * (Rabs (ln m) + ln 16) + 2 / m * PI), (Rmax s1 s2). split; [ minmax | ]. intros s n hs ph. assert (hs' : s1 <= s /\ s2 <= s) by minmax.
+  destruct (late_sign l phi0 w wy (conj hl hc) M del) as (m & s1 & m0 & s10 & S); [ lra | ]. destruct late_speed as (V0 & s2 & s20 & V).
+  exists (2 * (Rabs (ln m) + Rabs (ln (2 * V0))) + 2 / m * PI), (Rmax s1 s2). split; [ minmax | ]. intros s n hs ph. assert (hs' : s1 <= s /\ s2 <= s) by minmax.
   set (Z := s + (PI - u)). set (e := sg (n + 1)). assert (I1 : IZR (n + 1) = IZR n + 1) by apply plus_IZR.
   assert (ee : e = 1 \/ e = -1) by apply sg_cases. assert (es : sg n = - e) by (unfold e; rewrite sg_succ; ring).
   assert (A : forall t, s <= t <= Z - del -> m <= - e * w t) by (intros t Ht; rewrite <- es; apply S; unfold Z in *; lra).
@@ -168,12 +166,12 @@ Proof.
         rewrite f in *; lra. }
       assert (g * (b - d) <= 2). { pose proof (SIN_bound (phi0 + t)). pose proof (SIN_bound p). unfold b. destruct hg as [-> | ->]; destruct ee as [-> | ->]; lra. }
       apply Rle_div_l; [ lra | ]. assert (2 <= 2 / m * r) by (replace 2 with (2 / m * m) at 1 by (field; lra); apply Rmult_le_compat_l; unfold Rdiv; lra). lra. }
-  (* the ends: v + |w| lies between m and 16 *)
-  assert (size : forall t g, s <= t -> g = 1 \/ g = -1 -> m <= g * w t -> Rabs (ln (v t + g * w t)) <= Rabs (ln m) + ln 16).
+  (* the ends: v + |w| lies between m and twice a bound of the speed *)
+  assert (size : forall t g, s <= t -> g = 1 \/ g = -1 -> m <= g * w t -> Rabs (ln (v t + g * w t)) <= Rabs (ln m) + Rabs (ln (2 * V0))).
   { intros t g ht hg K. specialize (V t ltac:(lra)). destruct (moving t ltac:(lra) ltac:(apply N; lra)) as (_ & n1 & _). apply Rabs_def2 in n1.
-    assert (m <= v t + g * w t <= 16) by (destruct hg as [-> | ->]; lra). pose proof (Rle_abs (ln m)). pose proof (Rabs_maj2 (ln m)).
-    assert (0 <= ln 16) by (rewrite <- ln_1; apply Rcomplements.ln_le; lra).
-    assert (ln m <= ln (v t + g * w t) <= ln 16) by (split; apply Rcomplements.ln_le; lra). apply Rabs_le. lra. }
+    assert (m <= v t + g * w t <= 2 * V0) by (destruct hg as [-> | ->]; lra). pose proof (Rabs_maj2 (ln m)). pose proof (Rle_abs (ln (2 * V0))).
+    pose proof (Rabs_pos (ln m)). pose proof (Rabs_pos (ln (2 * V0))).
+    assert (ln m <= ln (v t + g * w t) <= ln (2 * V0)) by (split; apply Rcomplements.ln_le; lra). apply Rabs_le. lra. }
   assert (eo : - e = 1 \/ - e = -1) by (destruct ee as [-> | ->]; [ right | left ]; ring).
   pose proof (size (s + PI) e ltac:(lra) ee (B (s + PI) ltac:(unfold Z; lra))) as r1. pose proof (size s (- e) ltac:(lra) eo (A s ltac:(unfold Z; lra))) as r2.
   assert (r3 : ln (v s + e * w s) = Q s - ln (v s + - e * w s)).
