@@ -144,7 +144,7 @@ Theorem eq_32 lam : 0 < lam < 1 -> exists e, slip_end lam e /\ (forall e', slip_
     (forall s, c < s < c + (e - eq27_phi1 lam) -> 0 < w s) /\ w (c + (e - eq27_phi1 lam)) = 0.
 Proof.
   intros hl. destruct (slip_end_exists lam hl) as [e E]. exists e. split; [ trivial | split ].
-  - intros e' (a & b & c). destruct E as (a' & b' & c'). destruct (Rtotal_order e' e) as [k | [k | k]]; trivial; exfalso; [ apply (c' e') | apply (c e) ]; trivial; lra.
+  - intros e' E'. exact (slip_end_one lam e e' E E').
   - intros phi0 w wy c M hc ph w0 wy0. pose proof E as (E1 & E2 & _).
     assert (S : forall phi, eq27_phi1 lam <= phi <= e -> _) by (intros phi; exact (eq_31 lam e phi0 w wy c phi ltac:(lra) E M hc ph w0 wy0)). split.
     + intros s Hs. destruct (S (eq27_phi1 lam + (s - c)) ltac:(lra)) as (_ & _ & P). replace (c + (eq27_phi1 lam + (s - c) - eq27_phi1 lam)) with s in P by ring. apply P. lra.
@@ -556,12 +556,7 @@ Qed.
 (* a motion at the friction l from the velocity (a, b) at the phase p *)
 Ltac start l p a b := destruct (a_motion l p a b) as (w & wy & M & w0 & y0); [ lra | ].
 Ltac shake mu A b := destruct (a_block mu 1 A 3 0 1 b) as (x & y & M & x0 & y0); [ lra | ].
-Lemma quarter : 1 / 4 < eq37_lambda_c < 3 / 4.
-Proof.
-  destruct lambda_c_is as [b e]. pose proof PI2_3_2. pose proof PI_4.
-  set (L := eq37_lambda_c) in *. assert (9 <= PI ^ 2 <= 16) by nra. assert (0 <= L ^ 2) by apply pow2_ge_0.
-  assert (13 * L ^ 2 <= 4 <= 20 * L ^ 2) by nra. nra.
-Qed.
+Lemma quarter : 1 / 4 < eq37_lambda_c < 3 / 4. Proof. unfold eq37_lambda_c. split; interval. Qed.
 Lemma at_start phi : at_phase phi 0 phi. Proof. exists 0%Z. simpl. ring. Qed.
 (* friction 3/4, with rests *)
 Lemma some_rests : exists e, slip_end (3 / 4) e /\ e < eq29_phi3 (3 / 4). Proof. pose proof quarter. apply early_exists. lra. Qed.

@@ -107,21 +107,21 @@ End Turns.
 (* ---- (33), above lambda_c ---- *)
 Lemma left_h l x : eq32_left l (eq27_phi1 l) x = h l (x - asin l).
 Proof. unfold eq32_left, eq27_phi1, h. rewrite Rplus_minus. ring. Qed.
-Lemma slip_end_is l e : 0 < l < 1 -> slip_end l e -> let tau := e - asin l in
-  PI - 2 * asin l < tau < 2 * PI - 2 * asin l /\ h l tau = 0 /\ (forall t, 0 < t < tau -> 0 < h l t) /\ (forall t, tau < t <= 2 * PI -> h l t < 0).
+Lemma slip_end_one l e e' : slip_end l e -> slip_end l e' -> e' = e.
 Proof.
-  intros hl (E1 & E2 & E3) tau. destruct (slip_once l hl) as (u & U & z & P & N). destruct (asin_range l hl) as [[a b] _]. rewrite left_h in E2.
-  fold tau in E2. assert (e0 : eq27_phi1 l = asin l) by reflexivity.
-  assert (0 < tau) by (unfold tau; lra). enough (tau = u) as -> by auto. destruct (Rtotal_order tau u) as [k | [k | k]]; trivial; exfalso.
-  - specialize (P tau ltac:(lra)). lra.
-  - apply (E3 (asin l + u)); [ unfold tau in *; lra | ]. rewrite left_h, <- z. f_equal. ring.
+  intros (a & b & c) (a' & b' & c'). destruct (Rtotal_order e' e) as [k | [k | k]]; trivial; exfalso; [ apply (c e') | apply (c' e) ]; trivial; lra.
 Qed.
-Lemma slip_end_exists l : 0 < l < 1 -> exists e, slip_end l e.
+Definition slips l tau := PI - 2 * asin l < tau < 2 * PI - 2 * asin l /\ h l tau = 0 /\ (forall t, 0 < t < tau -> 0 < h l t) /\
+  forall t, tau < t <= 2 * PI -> h l t < 0.
+Lemma slip_end_ex l : 0 < l < 1 -> exists e, slip_end l e /\ slips l (e - asin l).
 Proof.
-  intros hl. destruct (slip_once l hl) as (u & U & z & P & N). destruct (asin_range l hl) as [[a b] _]. exists (asin l + u). unfold slip_end.
-  assert (e : eq27_phi1 l = asin l) by reflexivity. split; [ lra | ]. split; [ rewrite left_h, <- z; f_equal; ring | ].
-  intros x Hx. rewrite left_h. specialize (P (x - asin l)). lra.
+  intros hl. destruct (slip_once l hl) as (u & F). destruct (asin_range l hl) as [[a b] _]. exists (asin l + u). assert (e0 : eq27_phi1 l = asin l) by reflexivity.
+  replace (asin l + u - asin l) with u by ring. split; [ | exact F ]. destruct F as (U & z & P & _). split; [ lra | ].
+  split; [ rewrite left_h, <- z; f_equal; ring | ]. intros x Hx. rewrite left_h. specialize (P (x - asin l)). lra.
 Qed.
+Lemma slip_end_is l e : 0 < l < 1 -> slip_end l e -> slips l (e - asin l).
+Proof. intros hl E. destruct (slip_end_ex l hl) as (e' & E' & F). now rewrite (slip_end_one l e' e E' E). Qed.
+Lemma slip_end_exists l : 0 < l < 1 -> exists e, slip_end l e. Proof. intros hl. destruct (slip_end_ex l hl) as (e & E & _). now exists e. Qed.
 Lemma early_end l e : 0 < l < 1 -> slip_end l e -> (eq35_left l < 0 <-> e < eq29_phi3 l) /\ (eq37_lambda_c < l <-> e < eq29_phi3 l).
 Proof.
   intros hl E. destruct (slip_end_is l e hl E) as (A & z & P & N). pose proof PI_RGT_0. destruct (left_sign l ltac:(lra)) as (c & c0 & S).
@@ -171,11 +171,10 @@ Proof. destruct ends as (b & o & z & P). apply (shaken_from l p1 _ _ phi0 w33_ex
 Lemma w33_reached phi0 w wy : shaken l phi0 w wy -> exists s1, 0 <= s1 /\ forall s, s1 <= s -> w s = w33 l e (phi0 + s) /\ wy s = 0.
 Proof.
   intros M. pose proof (w33_motion phi0) as W. rewrite shaken_sin in M, W. pose proof PI_RGT_0. destruct ends as (b & o & z & P).
-  destruct (asin_range l hl) as [_ e1].
   apply (plane_reached l (2 * PI) ((e + PI + p1) / 2 - phi0) (PI + p1 - phi0) (fun s => - sin (phi0 + s)) (fun s => w33 l e (phi0 + s))); trivial;
   try lra; [ apply drive_period | intros s; rewrite <- Rplus_assoc; apply w33_period | intros s Hs; apply w33_rest; lra | | apply drive_cont ].
   rewrite Rabs_Ropp, Rplus_minus. set (x := (e + PI + p1) / 2). assert (PI - p1 < x < PI + p1) by (unfold x; lra).
-  rewrite <- e1, <- (sin_PI_x x). apply Rabs_def1; [ | rewrite <- sin_neg ]; apply sin_increasing_1; lra.
+  pose proof (sin_less l (2 * PI - x) hl ltac:(lra)) as B. rewrite sin_2PI_minus in B. apply Rabs_def1; [ apply sin_less | ]; lra.
 Qed.
 End Rests.
 
