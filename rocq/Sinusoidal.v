@@ -99,28 +99,21 @@ Proof.
   destruct (Rle_lt_dec 1 lam) as [k | k]. { exfalso. apply (held 1 Rlt_0_1). intros t _. pose proof (sin_1 (phi0 + t)). lra. }
   assert (before : forall t, r <= t < s -> Rabs (sin (phi0 + t)) <= lam) by (intros t Ht; apply (rest_needs_friction lam phi0 w wy hl M r s);
   try lra; intros; apply rest; lra).
-  assert (near : forall t, phi0 + s - (phi0 + t) = s - t /\ phi0 + t - (phi0 + s) = t - s) by (intros; split; ring).
-  set (y c := Rmax r (s - c)). assert (hy : forall c, 0 < c -> r <= y c < s /\ s - c <= y c) by (intros; unfold y; minmax).
-  assert (E : Rabs (sin (phi0 + s)) = lam).
-  { apply Rle_antisym; [ apply le_epsilon; intros c c0 | apply Rnot_lt_le; intros q; apply (held (lam - Rabs (sin (phi0 + s))) ltac:(lra)); intros t Ht ].
-    - destruct (hy c c0). pose proof (before (y c) ltac:(lra)). pose proof (sin_size (phi0 + s) (phi0 + y c)) as S.
-      rewrite (proj1 (near _)), (Rabs_pos_eq (s - y c)) in S; lra.
-    - pose proof (sin_size (phi0 + t) (phi0 + s)) as S. rewrite (proj2 (near _)), (Rabs_pos_eq (t - s)) in S; lra. }
   pose proof PI2_3_2. destruct hl as [h0 | <-].
-  2: { exfalso. destruct (hy 1 Rlt_0_1). apply (sine_vanishes (phi0 + y 1) (phi0 + s)); [ lra | | now apply Rabs_eq_0 ].
-       specialize (before (y 1) ltac:(lra)). apply Rabs_le_between in before. lra. }
-  assert (hl : 0 < lam < 1) by lra. destruct (asin_range lam hl) as [[a b] e]. destruct (phase_in 0 phi0 s) as (x & hx & ph).
-  assert (sh : forall u, sin (phi0 + (s + u)) = sin (x + u)) by (intros u; apply (at_sin phi0 s x u ph)).
-  pose proof (sh 0) as s0. rewrite !Rplus_0_r in s0. rewrite s0 in E.
-  (* the drive is the stronger before the second and the fourth point *)
-  destruct (hy (PI / 2 - asin lam) ltac:(lra)) as [y1 y2]. specialize (before _ y1). set (u := y (PI / 2 - asin lam) - s) in *.
-  replace (y (PI / 2 - asin lam)) with (s + u) in before by (unfold u; ring). rewrite sh in before.
-  assert (hu : asin lam - PI / 2 <= u < 0) by (unfold u; lra). clearbody u. pose proof (Rle_abs (sin (x + u))).
-  apply (proj2 (proj2 (s22_four_points lam hl)) x ltac:(lra)) in E. unfold eq27_phi1, eq28_phi2, eq29_phi3, eq30_phi4 in *.
-  destruct E as [<- | [<- | [<- | [<- | []]]]]; auto; exfalso.
-  - pose proof (sin_above lam (PI - asin lam + u) hl ltac:(lra)). lra.
-  - pose proof (sin_above lam (PI - asin lam + u) hl ltac:(lra)) as Q. replace (2 * PI - asin lam + u) with (PI - asin lam + u + PI) in before by ring.
-    rewrite neg_sin, Rabs_Ropp in before. pose proof (Rle_abs (sin (PI - asin lam + u))). lra.
+  2: { exfalso. set (y := Rmax r (s - 1)). assert (hy : r <= y < s /\ s - 1 <= y) by (unfold y; minmax).
+       assert (Z : forall t, r <= t < s -> sin (phi0 + t) = 0) by (intros t Ht; specialize (before t Ht); apply Rabs_le_between in before; lra).
+       apply (sine_vanishes (phi0 + y) (phi0 + (y + s) / 2)); [ | apply Z | apply Z ]; lra. }
+  assert (hl : 0 < lam < 1) by lra. destruct (asin_range lam hl) as [[a b] _]. destruct (phase_in (asin lam) phi0 s) as (x & hx & ph).
+  assert (X : forall u, sin (phi0 + (s + u)) = sin (x + u)) by (intros u; apply (at_sin phi0 s x u ph)).
+  (* where the drive is the stronger there was no rest; where it is not, none ends *)
+  assert (no : forall y, asin lam < y < PI + asin lam -> ~ forall u, Rabs (sin (phi0 + (s + u))) = Rabs (sin (y + u))).
+  { intros y hy Y. destruct (Rle_lt_dec y (PI - asin lam)) as [q | q].
+    - set (u := Rmax (r - s) ((asin lam - y) / 2)). assert (hu : r <= s + u < s /\ asin lam < y + u < y) by (unfold u; minmax).
+      specialize (before _ (proj1 hu)). rewrite Y in before. pose proof (sin_above lam (y + u) hl ltac:(lra)). pose proof (Rle_abs (sin (y + u))). lra.
+    - apply (held (PI + asin lam - y)); [ lra | ]. intros t Ht. replace t with (s + (t - s)) by ring. rewrite Y. apply sin_below; lra. }
+  unfold eq27_phi1, eq29_phi3. destruct (Req_dec x (asin lam)) as [-> | x1]; [ auto | ]. destruct (Req_dec x (PI + asin lam)) as [-> | x2]; [ auto | exfalso ].
+  destruct (Rlt_le_dec x (PI + asin lam)); [ apply (no x) | apply (no (x - PI)) ]; try lra; intros u; rewrite X; trivial.
+  rewrite <- (Rabs_Ropp (sin (x - PI + u))), <- neg_sin. do 2 f_equal. ring.
 Qed.
 
 (* (31): a block that is at rest when the drive is at phi1 moves by (31), forward, until phitilde2, where it stops, if for a moment only. *)
