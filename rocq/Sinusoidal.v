@@ -111,7 +111,7 @@ Proof.
     - set (u := Rmax (r - s) ((asin lam - y) / 2)). assert (hu : r <= s + u < s /\ asin lam < y + u < y) by (unfold u; minmax).
       specialize (before _ (proj1 hu)). rewrite Y in before. pose proof (sin_above lam (y + u) hl ltac:(lra)). pose proof (Rle_abs (sin (y + u))). lra.
     - apply (held (PI + asin lam - y)); [ lra | ]. intros t Ht. replace t with (s + (t - s)) by ring. rewrite Y. apply sin_below; lra. }
-  unfold eq27_phi1, eq29_phi3. destruct (Req_dec x (asin lam)) as [-> | x1]; [ auto | ]. destruct (Req_dec x (PI + asin lam)) as [-> | x2]; [ auto | exfalso ].
+  unfold eq27_phi1, eq29_phi3. destruct (Req_dec x (asin lam)) as [-> | x1]; [ now auto | ]. destruct (Req_dec x (PI + asin lam)) as [-> | x2]; [ now auto | exfalso ].
   destruct (Rlt_le_dec x (PI + asin lam)); [ apply (no x) | apply (no (x - PI)) ]; try lra; intros u; rewrite X; trivial.
   rewrite <- (Rabs_Ropp (sin (x - PI + u))), <- neg_sin. do 2 f_equal. ring.
 Qed.
