@@ -42,7 +42,8 @@ Theorem eq_26 mu g A0 varpi t0 vx vy t : 0 < A0 -> 0 < varpi -> 0 <= mu * g -> b
   rder (fun s => eq24_w varpi (vx (s / varpi)) A0) (eq23_phase varpi t)
     (eq26_rate (eq22_lambda0 mu g A0) (eq23_phase varpi (t0 + t)) (eq24_w varpi (vx t) A0)).
 Proof.
-  intros hA hv h0 B ht hx hy. apply (block_units mu g A0 varpi t0 _ _ hA hv) in B. pose proof (units_pos _ _ _ hA h0) as l0. set (l := eq22_lambda0 mu g A0) in *.
+  intros hA hv h0 B ht hx hy. apply (block_units mu g A0 varpi t0 _ _ hA hv) in B. pose proof (units_pos _ _ _ hA h0) as l0.
+  set (l := eq22_lambda0 mu g A0) in *.
   destruct (law l _ _ _ l0 B (eq23_phase varpi t)) as (fx & fy & _ & [E _] & _ & X & _); [ unfold eq23_phase; nra | ].
   assert (e : eq23_phase varpi t / varpi = t) by (unfold eq23_phase; field; lra). rewrite !e, hy in E. set (w := eq24_w varpi (vx t) A0) in *.
   replace (eq24_w varpi 0 A0) with 0 in E by (unfold eq24_w; field; lra). rewrite nrm_x in E.
@@ -58,7 +59,8 @@ Hypothesis hl : 0 <= lam <= 1.
 (* The drive equals friction once in each quarter of a period, at (27), (28), (29), (30). *)
 Theorem eq_27 phi : 0 <= phi <= PI / 2 -> (Rabs (sin phi) = lam <-> phi = eq27_phi1 lam).
 Proof.
-  intros H. rewrite Rabs_pos_eq by (apply sin_ge_0; lra). split; [ intros <- | intros -> ]; unfold eq27_phi1; [ rewrite asin_sin | rewrite sin_asin ]; lra.
+  intros H. rewrite Rabs_pos_eq by (apply sin_ge_0; lra). split; [ intros <- | intros -> ]; unfold eq27_phi1;
+  [ rewrite asin_sin | rewrite sin_asin ]; lra.
 Qed.
 Theorem eq_28 phi : PI / 2 <= phi <= PI -> (Rabs (sin phi) = lam <-> phi = eq28_phi2 lam).
 Proof. intros H. rewrite <- sin_PI_x, eq_27 by lra. unfold eq28_phi2, eq27_phi1. split; intros; lra. Qed.
@@ -109,9 +111,11 @@ Proof.
   assert (no : forall y, asin lam < y < PI + asin lam -> ~ forall u, Rabs (sin (phi0 + (s + u))) = Rabs (sin (y + u))).
   { intros y hy Y. destruct (Rle_lt_dec y (PI - asin lam)) as [q | q].
     - set (u := Rmax (r - s) ((asin lam - y) / 2)). assert (hu : r <= s + u < s /\ asin lam < y + u < y) by (unfold u; minmax).
-      specialize (before _ (proj1 hu)). rewrite Y in before. pose proof (sin_above lam (y + u) hl ltac:(lra)). pose proof (Rle_abs (sin (y + u))). lra.
+      specialize (before _ (proj1 hu)). rewrite Y in before. pose proof (sin_above lam (y + u) hl ltac:(lra)). pose proof (Rle_abs (sin (y + u))).
+      lra.
     - apply (held (PI + asin lam - y)); [ lra | ]. intros t Ht. replace t with (s + (t - s)) by ring. rewrite Y. apply sin_below; lra. }
-  unfold eq27_phi1, eq29_phi3. destruct (Req_dec x (asin lam)) as [-> | x1]; [ now auto | ]. destruct (Req_dec x (PI + asin lam)) as [-> | x2]; [ now auto | exfalso ].
+  unfold eq27_phi1, eq29_phi3. destruct (Req_dec x (asin lam)) as [-> | x1]; [ now auto | ].
+  destruct (Req_dec x (PI + asin lam)) as [-> | x2]; [ now auto | exfalso ].
   destruct (Rlt_le_dec x (PI + asin lam)); [ apply (no x) | apply (no (x - PI)) ]; try lra; intros u; rewrite X; trivial.
   rewrite <- (Rabs_Ropp (sin (x - PI + u))), <- neg_sin. do 2 f_equal. ring.
 Qed.
@@ -140,7 +144,8 @@ Proof.
   - intros e' E'. exact (slip_end_one lam e e' E E').
   - intros phi0 w wy c M hc ph w0 wy0. pose proof E as (E1 & E2 & _).
     assert (S : forall phi, eq27_phi1 lam <= phi <= e -> _) by (intros phi; exact (eq_31 lam e phi0 w wy c phi ltac:(lra) E M hc ph w0 wy0)). split.
-    + intros s Hs. destruct (S (eq27_phi1 lam + (s - c)) ltac:(lra)) as (_ & _ & P). replace (c + (eq27_phi1 lam + (s - c) - eq27_phi1 lam)) with s in P by ring. apply P. lra.
+    + intros s Hs. destruct (S (eq27_phi1 lam + (s - c)) ltac:(lra)) as (_ & _ & P).
+      replace (c + (eq27_phi1 lam + (s - c) - eq27_phi1 lam)) with s in P by ring. apply P. lra.
     + destruct (S e ltac:(lra)) as (-> & _). rewrite <- E2. unfold eq31_w, eq32_left. ring.
 Qed.
 (* where the slip ends, to ten decimals *)
@@ -221,8 +226,10 @@ Proof.
   - intros (W & M & A & z & P). assert (same : forall s, W (phi + s) - w38 lam (phi + s) = 0).
     { apply (per_zero (fun s => W (phi + s) - w38 lam (phi + s)) (2 * PI)); [ lra | | apply (w38_attracts lam hl phi _ _ (M phi)) ].
       intros s. rewrite <- Rplus_assoc, (twice W A), w38_period. ring. }
-    pose proof (same 0) as s0. rewrite Rplus_0_r, z in s0. assert (s1 : w38 lam phi = 0) by lra. apply (w38_zeros lam hl) in s1. destruct s1 as [n Hn].
-    destruct (below_1 lam hl) as [l0 l1]. destruct (p_facts lam ltac:(lra) (proj2 hl)) as [[a b] _]. destruct (asin_range lam ltac:(lra)) as [[a1 _] _].
+    pose proof (same 0) as s0. rewrite Rplus_0_r, z in s0. assert (s1 : w38 lam phi = 0) by lra. apply (w38_zeros lam hl) in s1.
+    destruct s1 as [n Hn].
+    destruct (below_1 lam hl) as [l0 l1]. destruct (p_facts lam ltac:(lra) (proj2 hl)) as [[a b] _].
+    destruct (asin_range lam ltac:(lra)) as [[a1 _] _].
     assert (n = 0 \/ n = 1)%Z as [-> | ->]; [ | lra | exfalso ].
     { assert (-1 < IZR n < 2) as [n1 n2] by (split; nra). apply lt_IZR in n1. apply lt_IZR in n2. lia. }
     pose proof (P (phi + PI / 2) ltac:(lra)) as Q. specialize (same (PI / 2)).
@@ -238,12 +245,14 @@ Proof.
   split; [ | split; intros; nra ].
   split; [ | intros; apply w38_motion; lra ]. intros M. apply Rnot_lt_le. intros k. set (p := eq39_phi_t1 lam) in *. pose proof PI_RGT_0.
   assert (neg : sin p < lam) by nra. assert (0 <= sin p) by (apply sin_ge_0; apply acos_bound). set (u := Rmin (lam - sin p) (PI / 2)).
-  assert (hu : 0 < u <= lam - sin p /\ u < PI) by (unfold u; minmax). pose proof (w38_turn lam 0) as z. rewrite Rmult_0_l, Rplus_0_r in z. fold p in z.
+  assert (hu : 0 < u <= lam - sin p /\ u < PI) by (unfold u; minmax). pose proof (w38_turn lam 0) as z. rewrite Rmult_0_l, Rplus_0_r in z.
+  fold p in z.
   assert (rest : forall t, 0 <= t < 0 + u -> g38 lam p t = 0).
   { intros t ht. destruct (stays lam p _ _ ltac:(lra) (M p) 0 t) as [e _]; [ lra | | now rewrite Rplus_0_r | trivial | ].
     - intros y hy. pose proof (sin_size (p + y) p) as D. replace (p + y - p) with y in D by ring.
       rewrite (Rabs_pos_eq (sin p)), (Rabs_pos_eq y) in D by lra. lra.
-    - cbv beta in e. rewrite (w38_on lam 0) in e by (fold p; lra). fold p in e. unfold sg in e. simpl in e. rewrite Rmult_1_l in e. rewrite <- e. f_equal. ring. }
+    - cbv beta in e. rewrite (w38_on lam 0) in e by (fold p; lra). fold p in e. unfold sg in e. simpl in e. rewrite Rmult_1_l in e. rewrite <- e.
+      f_equal. ring. }
   pose proof (rder_unique _ _ _ _ (rder_of _ _ _ (g_der lam p 0)) (rder_zero _ 0 u ltac:(lra) rest)) as e. rewrite Rplus_0_r in e. lra.
 Qed.
 (* (41): (38) turns forward after the drive has come to beat friction, exactly below lambda_c. *)
@@ -295,15 +304,18 @@ Proof.
     intros y Hy. apply Rmult_lt_0_compat; [ lra | apply sin_gt_0; lra ]. }
   assert (V : 0 < A0 / varpi) by (apply Rdiv_lt_0_compat; lra). assert (c0 : 0 < c) by (unfold c; now apply Rmult_lt_0_compat).
   assert (F : forall T, exists t, T <= t /\ c <= Rabs (vx t)).
-  { intros T. destruct (phase_after (eq23_phase varpi t0) (asin l) (Rmax 0 (varpi * T))) as (s & hs & ph). assert (hT : 0 <= s /\ varpi * T <= s) by minmax.
+  { intros T. destruct (phase_after (eq23_phase varpi t0) (asin l) (Rmax 0 (varpi * T))) as (s & hs & ph).
+    assert (hT : 0 <= s /\ varpi * T <= s) by minmax.
     pose proof (gain l _ _ _ l0 B s (s + 2 * b) ltac:(lra)) as [G _]. cbv beta in G. destruct (at_sin _ s _ 0 ph) as [_ c1]. rewrite !Rplus_0_r in c1.
     destruct (at_sin _ s _ (2 * b) ph) as [_ c2]. rewrite c1, c2 in G.
     replace (asin l) with (PI / 2 - b) in G by (unfold b, eq27_phi1; ring). replace (PI / 2 - b + 2 * b) with (PI / 2 + b) in G by ring.
-    replace (cos (PI / 2 + b)) with (- sin b) in G by (rewrite sin_cos; ring). rewrite cos_shift, <- cb in G. assert (sz : forall x, eq24_w varpi x A0 * (A0 / varpi) = x) by (intros; unfold eq24_w; field; lra).
+    replace (cos (PI / 2 + b)) with (- sin b) in G by (rewrite sin_cos; ring). rewrite cos_shift, <- cb in G.
+    assert (sz : forall x, eq24_w varpi x A0 * (A0 / varpi) = x) by (intros; unfold eq24_w; field; lra).
     apply (Rmult_le_compat_r (A0 / varpi)) in G; [ | lra ]. rewrite (Rmult_minus_distr_r (eq24_w _ _ _)), !sz in G.
     assert (H : 2 * c <= vx ((s + 2 * b) / varpi) - vx (s / varpi)) by (unfold c, k in *; lra). assert (P : forall u, s <= u -> T <= u / varpi) by
     (intros; apply Rle_div_r; lra).
-    destruct (Rle_lt_dec c (Rabs (vx (s / varpi)))) as [q | q]; [ exists (s / varpi) | exists ((s + 2 * b) / varpi) ]; (split; [ apply P; lra | ]); trivial.
+    destruct (Rle_lt_dec c (Rabs (vx (s / varpi)))) as [q | q]; [ exists (s / varpi) | exists ((s + 2 * b) / varpi) ]; (split; [ apply P; lra | ]);
+    trivial.
     apply Rabs_def2 in q. pose proof (Rle_abs (vx ((s + 2 * b) / varpi))). lra. }
   split; [ trivial | split; [ trivial | ] ]. intros L. destruct (lim_near _ _ c L c0) as (T & _ & HT). destruct (F T) as (t & ht & K).
   specialize (HT t ht). assert (Rabs (vx t) < c) by (apply Rabs_def1; lra). lra.
@@ -322,7 +334,8 @@ Proof.
   assert (near : Rabs (x / n - 1) <= q / 2) by (apply Rabs_le; lra). unfold s22_across_friction, eq21_acceleration_1, eq21_acceleration_2.
   replace (sqrt (w s ^ 2)) with x by (unfold x; rewrite <- (pow2_abs (w s)), sqrt_pow2; trivial; apply Rabs_pos).
   assert (part : forall f y, n * f = - lam * y -> Rabs (f - - lam * y / x) <= q / 2 * Rabs (- lam * y / x)).
-  { intros f y e. replace (f - - lam * y / x) with ((x / n - 1) * (- lam * y / x)). rewrite Rabs_mult. apply Rmult_le_compat_r; [ apply Rabs_pos | trivial ].
+  { intros f y e. replace (f - - lam * y / x) with ((x / n - 1) * (- lam * y / x)). rewrite Rabs_mult.
+    apply Rmult_le_compat_r; [ apply Rabs_pos | trivial ].
     replace f with (- lam * y / n) by (rewrite <- e; field; lra). field; lra. }
   split; [ eapply rder_eq; [ exact X | rewrite Rmult_1_l; ring ] | split; [ eapply rder_eq; [ exact Y | ring ] | split; [ now apply part | ] ] ].
   replace (- lam * (w s / x)) with (- lam * w s / x) by (field; lra). apply Rle_trans with (1 := part fx (w s) E). right. f_equal.
@@ -352,7 +365,8 @@ Proof.
   intros [h0 hc] E M c0 ph w0 wy0. pose proof lambda_c_between. assert (hl : 0 < lam < 1) by lra. pose proof PI_RGT_0.
   destruct (slip_end_is lam e hl E) as (A & z & P & N). destruct (asin_range lam hl) as [b _]. destruct (early_end lam e hl E) as [_ L].
   unfold eq29_phi3 in L. unfold eq27_phi1 in *. assert (long : PI < e - asin lam).
-  { apply Rnot_le_lt. intros [q | q]; [ lra | ]. rewrite q, h_PI in z by trivial. destruct (left_sign lam ltac:(lra)) as (k & k0 & S). nra. } split; trivial.
+  { apply Rnot_le_lt. intros [q | q]; [ lra | ]. rewrite q, h_PI in z by trivial. destruct (left_sign lam ltac:(lra)) as (k & k0 & S). nra.
+    } split; trivial.
   set (tau := e - asin lam) in *. destruct (slip_is lam phi0 w wy (Rlt_le _ _ h0) M c tau tau c0 ph w0 wy0 P) as [q _]; [ lra | ].
   pose proof (gain lam phi0 w wy (Rlt_le _ _ h0) M (c + tau) (c + 2 * PI) ltac:(lra)) as [_ G]. destruct (at_sin phi0 c _ tau ph) as [_ c1].
   destruct (at_sin phi0 c _ (2 * PI) ph) as [_ c2]. rewrite c1, c2, q, z, cos_per in G. unfold h in z. nra.
@@ -370,7 +384,8 @@ Proof.
   intros hl E last. destruct (slip_end_is lam e hl E) as (A & _). destruct (asin_range lam hl) as [[a b] s].
   unfold last, right_sinusoidal_rest_of_period_end, eq27_phi1. split; [ lra | split ].
   - intros y hy. split; [ | intros H x hx; apply drive_low; lra ]. intros H. apply Rnot_lt_le. intros k.
-    set (x := Rmin y (asin lam + 2 * PI + (PI / 2 - asin lam))). assert (hx : asin lam + 2 * PI < x <= y /\ x <= 2 * PI + PI / 2) by (unfold x; minmax).
+    set (x := Rmin y (asin lam + 2 * PI + (PI / 2 - asin lam))). assert (hx : asin lam + 2 * PI < x <= y /\ x <= 2 * PI + PI / 2) by (unfold x;
+    minmax).
     pose proof (H x ltac:(lra)) as L. pose proof (sin_above lam (x - 2 * PI) hl ltac:(lra)) as Q. rewrite <- sin_per in Q.
     replace (x - 2 * PI + 2 * PI) with x in Q by ring. lra.
   - replace 0 with (minus (- cos (asin lam + 2 * PI)) (- cos (asin lam))) by (rewrite cos_per; unfold minus, plus, opp; simpl; ring).
@@ -404,8 +419,10 @@ Proof.
     assert (hit : forall c, 0 <= c <= 2 -> m - c * d + INR n * P = z1 \/ m - c * d + INR n * P = z2).
     { intros c hc'. assert (0 <= c * d <= 2 * d) by nra. apply I; [ lra | apply Z; unfold m; lra ]. }
     destruct (hit 0 ltac:(lra)); destruct (hit 1 ltac:(lra)); destruct (hit 2 ltac:(lra)); lra.
-  - set (y := Rmin ((r + s) / 2) (r + 1)). assert (hy : r < y < s /\ y <= r + 1) by (unfold y; minmax). assert (Q : forall t, r <= t < s -> sin (phi0 + t) = 0).
-    { intros t Ht. pose proof (rest_needs_friction 0 phi0 w wy (Rle_refl 0) M r s t ltac:(lra) ltac:(lra)) as B. apply Rabs_eq_0, Rle_antisym; [ | apply Rabs_pos ].
+  - set (y := Rmin ((r + s) / 2) (r + 1)). assert (hy : r < y < s /\ y <= r + 1) by (unfold y; minmax).
+    assert (Q : forall t, r <= t < s -> sin (phi0 + t) = 0).
+    { intros t Ht. pose proof (rest_needs_friction 0 phi0 w wy (Rle_refl 0) M r s t ltac:(lra) ltac:(lra)) as B.
+      apply Rabs_eq_0, Rle_antisym; [ | apply Rabs_pos ].
       apply B. intros x hx. rewrite <- (Z 0%nat x ltac:(lra)). f_equal. simpl. ring. }
     apply (sine_vanishes (phi0 + r) (phi0 + y)); [ lra | apply Q; lra | apply Q; lra ].
 Qed.
@@ -443,12 +460,14 @@ Theorem s22_vy_two_stages__first lam phi0 w wy s : 0 <= lam -> shaken lam phi0 w
 Proof.
   intros hl M hs y0. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & _ & [_ F] & _ & _ & Y). exists fy. split; trivial.
   pose proof (nearly (wy s) (w s) y0) as n1. pose proof (abs_nrm (w s) (wy s)) as [_ n0]. pose proof (Rle_abs (wy s)).
-  replace (nrm (wy s) (w s)) with (nrm (w s) (wy s)) in n1 by (unfold nrm; f_equal; ring). unfold s22_first_stage_slope. set (n := nrm (w s) (wy s)) in *.
+  replace (nrm (wy s) (w s)) with (nrm (w s) (wy s)) in n1 by (unfold nrm; f_equal; ring). unfold s22_first_stage_slope.
+  set (n := nrm (w s) (wy s)) in *.
   assert (e : fy = - lam * (wy s / n)) by (apply (Rmult_eq_reg_l n); [ rewrite F; field; lra | lra ]). rewrite e. split; nra.
 Qed.
 (* Above lambda_c it is exactly zero after a finite time. *)
 Theorem s22_vy_two_stages__above lam phi0 w wy : eq37_lambda_c < lam -> shaken lam phi0 w wy -> exists s1, forall s, s1 <= s -> wy s = 0.
-Proof. intros h0 M. destruct (one_reached lam h0) as [W R]. destruct (R phi0 w wy M) as (s1 & _ & S). exists s1. intros s hs. now destruct (S s hs). Qed.
+Proof. intros h0 M. destruct (one_reached lam h0) as [W R]. destruct (R phi0 w wy M) as (s1 & _ & S). exists s1. intros s hs. now destruct (S s hs).
+  Qed.
 (* Where w is zero while friction exceeds a drive of size d at most, what is left is lost within the stated phase. *)
 Theorem s22_vy_two_stages__last lam d phi0 w wy s u : 0 <= d < lam -> shaken lam phi0 w wy -> 0 <= s -> w s = 0 ->
   s + right_sinusoidal_last_stage lam d (Rabs (wy s)) <= u -> (forall t, s <= t <= u -> Rabs (sin (phi0 + t)) <= d) -> w u = 0 /\ wy u = 0.
@@ -513,21 +532,26 @@ Proof.
     destruct (sq_sum (u s - w s) (uy s - wy s)); lra.
   - intros ne d hd. apply Classical_Prop.NNPP. intros no. apply ne. rewrite <- e2.
     apply (proj2 (s22_attractor_ignores_vy lam phi0 u uy w wy h0 H M) ltac:(congruence) ltac:(congruence) d hd). intros s hs.
-    destruct (Req_dec s 0) as [-> | ]; [ congruence | ]. destruct (Req_dec (u s) (w s)); trivial. exfalso. apply no. exists s. split; [ lra | trivial ].
+    destruct (Req_dec s 0) as [-> | ]; [ congruence | ]. destruct (Req_dec (u s) (w s)); trivial. exfalso. apply no. exists s.
+    split; [ lra | trivial ].
 Qed.
 (* Figure 3: at the friction 1/pi every motion tends to (38), whose phase (39) is pi/3; it is largest at phi2, and the mark 0.8 is below that. *)
-Theorem fig_3 : let lam := 1 / PI in eq39_phi_t1 lam = PI / 3 /\ (forall phi0 w wy, shaken lam phi0 w wy -> is_lim (fun s => w s - w38 lam (phi0 + s)) p_infty 0) /\
+Theorem fig_3 : let lam := 1 / PI in eq39_phi_t1 lam = PI / 3 /\ (forall phi0 w wy, shaken lam phi0 w wy -> is_lim (fun s => w s - w38 lam (phi0 +
+  s)) p_infty 0) /\
   (forall phi, Rabs (w38 lam phi) <= w38 lam (eq28_phi2 lam)) /\ 0.8 < w38 lam (eq28_phi2 lam) /\ Rabs (w38 lam (eq28_phi2 lam) - 0.884) <= 5e-4.
 Proof.
   intros lam. pose proof PI_RGT_0. assert (hl : 0 < lam <= eq37_lambda_c) by (unfold lam, eq37_lambda_c; split; interval). destruct (below_1 lam hl).
   assert (e : eq39_phi_t1 lam = PI / 3).
   { unfold eq39_phi_t1, lam. replace (PI * (1 / PI) / 2) with (cos (PI / 3)) by (rewrite cos_PI3; field; lra). apply acos_cos. lra. }
   assert (V : Rabs (w38 lam (eq28_phi2 lam) - 0.884) <= 5e-4).
-  { unfold eq28_phi2. destruct (asin_range lam ltac:(lra)) as [b _]. rewrite w38_ext, e, ext_first by lra. unfold g38. rewrite Rplus_minus, asin_atan by lra.
+  { unfold eq28_phi2. destruct (asin_range lam ltac:(lra)) as [b _]. rewrite w38_ext, e, ext_first by lra. unfold g38.
+    rewrite Rplus_minus, asin_atan by lra.
     unfold Rsqr, lam. rewrite cos_PI3. interval with (i_prec 60). }
-  repeat split; trivial; [ intros phi0 w wy M; now apply (w38_attracts lam hl phi0 w wy) | intros; now apply w38_most | apply Rabs_le_between in V; lra ].
+  repeat split; trivial; [ intros phi0 w wy M; now apply (w38_attracts lam hl phi0 w wy) | intros; now apply w38_most | apply Rabs_le_between in V;
+  lra ].
 Qed.
-(* Figure 4: at the friction 1/sqrt 2 the slip ends before phi3 and every motion becomes (33); it is largest at phi2, and the mark 0.3 is below that. *)
+(* Figure 4: at the friction 1/sqrt 2 the slip ends before phi3 and every motion becomes (33);
+it is largest at phi2, and the mark 0.3 is below that. *)
 Theorem fig_4 e : slip_end (1 / sqrt 2) e -> let lam := 1 / sqrt 2 in e < eq29_phi3 lam /\
   (forall phi0 w wy, shaken lam phi0 w wy -> exists s1, forall s, s1 <= s -> w s = w33 lam e (phi0 + s)) /\
   (forall phi, Rabs (w33 lam e phi) <= w33 lam e (eq28_phi2 lam)) /\ 0.3 < w33 lam e (eq28_phi2 lam) /\
@@ -537,9 +561,11 @@ Proof.
   assert (q : e < eq29_phi3 lam) by (apply (early_end lam e hl E); unfold lam, eq37_lambda_c; interval).
   assert (a : asin lam = PI / 4) by (unfold lam; rewrite <- sin_PI4; apply asin_sin; lra).
   assert (V : w33 lam e (eq28_phi2 lam) = sqrt 2 * (1 - PI / 4)).
-  { unfold eq28_phi2. destruct (ends lam e hl E q) as (b & o & _). rewrite w33_ext, ext_first by (trivial; lra). unfold g33. destruct Rlt_dec; [ | lra ].
+  { unfold eq28_phi2. destruct (ends lam e hl E q) as (b & o & _). rewrite w33_ext, ext_first by (trivial; lra). unfold g33.
+    destruct Rlt_dec; [ | lra ].
     unfold h. rewrite a in *. replace (PI / 4 + (PI - PI / 4 - PI / 4)) with (PI - PI / 4) by ring. rewrite Rtrigo_facts.cos_pi_minus, cos_PI4.
-    pose proof (sqrt_lt_R0 2 ltac:(lra)). pose proof (pow2_sqrt 2 ltac:(lra)) as s2. unfold lam. replace (sqrt 2) with (2 / sqrt 2) at 4 by (field_simplify_eq; lra).
+    pose proof (sqrt_lt_R0 2 ltac:(lra)). pose proof (pow2_sqrt 2 ltac:(lra)) as s2. unfold lam.
+    replace (sqrt 2) with (2 / sqrt 2) at 4 by (field_simplify_eq; lra).
     field. lra. }
   split; [ trivial | split; [ | split; [ intros; now apply w33_most | split; [ rewrite V; interval | trivial ] ] ] ].
   intros phi0 w wy M. destruct (w33_reached lam e hl E q phi0 w wy M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).

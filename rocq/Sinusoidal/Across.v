@@ -55,13 +55,15 @@ Proof.
   intros hs he H. pose proof (exp_pos (l * ln e)). destruct (Req_dec (wy (s + 1)) 0) as [-> | n]; [ pose proof (pow2_ge_0 (wy s)); nra | ].
   assert (A : forall t, s <= t <= s + 1 -> wy t <> 0) by (intros t Ht; apply (wy_before t (s + 1)); trivial; lra).
   assert (F : Q (s + 1) + l * ln (s + 1 - s + e) <= Q s + l * ln (s - s + e)).
-  { apply (rder_decr (fun t => Q t + l * ln (t - s + e))); [ lra | | ]; intros t Ht; destruct (moving t ltac:(lra) ltac:(apply A; lra)) as (y2 & n1 & D & _).
+  { apply (rder_decr (fun t => Q t + l * ln (t - s + e))); [ lra | | ]; intros t Ht; destruct (moving t ltac:(lra) ltac:(apply A;
+    lra)) as (y2 & n1 & D & _).
     - conts M.
     - specialize (H t ltac:(lra)). pose proof (Rabs_pos (w t)). pose proof (rder_log _ t _ D y2). eexists. split. rds. lra. cbv beta.
       assert (/ (2 * (t - s + e)) <= / v t) by (apply Rinv_le_contravar; lra). rewrite Rinv_mult in *. unfold Rdiv. nra. }
   replace (s + 1 - s + e) with (1 + e) in F by ring. replace (s - s + e) with e in F by ring.
   destruct (moving s hs ltac:(apply A; lra)) as (y1 & _). destruct (moving (s + 1) ltac:(lra) n) as (y2 & _).
-  assert (0 < ln (1 + e)) by (rewrite <- ln_1; apply ln_increasing; lra). rewrite <- (exp_ln (wy (s + 1) ^ 2)), <- (exp_ln (wy s ^ 2)), <- exp_plus by trivial.
+  assert (0 < ln (1 + e)) by (rewrite <- ln_1; apply ln_increasing; lra).
+  rewrite <- (exp_ln (wy (s + 1) ^ 2)), <- (exp_ln (wy s ^ 2)), <- exp_plus by trivial.
   left. apply exp_increasing. nra.
 Qed.
 
@@ -75,7 +77,8 @@ Proof.
   2: { apply Rmult_le_compat_r; [ left; apply exp_pos | apply wy_falls; lra ]. }
   apply shrinks; [ lra | trivial | ]. intros t Ht. destruct (H t ltac:(lra)) as [X Y]. apply Rabs_def2 in X.
   pose proof (gain l phi0 _ _ (Rlt_le _ _ hl) (w38_motion l (conj hl hc) phi0) z t ltac:(lra)) as G. cbv beta in G.
-  replace (w38 l (phi0 + z)) with 0 in G by (rewrite ph, (whole_periods (w38 l)) by (intros; now apply w38_period); rewrite <- (w38_turn l 0); f_equal; ring).
+  replace (w38 l (phi0 + z)) with 0 in G by (rewrite ph, (whole_periods (w38 l)) by (intros; now apply w38_period); rewrite <- (w38_turn l 0);
+  f_equal; ring).
   pose proof (cos_near (phi0 + z) (phi0 + t)) as C. replace (phi0 + z - (phi0 + t)) with (- (t - z)) in C by ring.
   rewrite Rabs_Ropp, (Rabs_pos_eq (t - z)) in C by lra. apply Rabs_le_between in C.
   assert (l * (t - z) <= 1 * (t - z)) by (apply Rmult_le_compat_r; lra). eapply Rle_trans; [ apply nrm_abs | ].
@@ -83,14 +86,16 @@ Proof.
 Qed.
 Lemma superexponential k : l <= eq37_lambda_c -> is_lim (fun s => wy s * exp (k * s)) p_infty 0.
 Proof.
-  intros hc. pose proof PI_RGT_0. set (K := Rabs k + 1). assert (hK : 0 < K /\ k + 1 <= K) by (unfold K; pose proof (Rabs_pos k); pose proof (Rle_abs k); lra).
+  intros hc. pose proof PI_RGT_0. set (K := Rabs k + 1). assert (hK : 0 < K /\ k + 1 <= K) by (unfold K; pose proof (Rabs_pos k);
+  pose proof (Rle_abs k); lra).
   destruct (late_shrinks (2 * K * (4 * PI)) hc) as (s0 & h0 & S). assert (m : forall a b, a <= b -> exp a <= exp b).
   { intros a b [ab | ->]; [ left; now apply exp_increasing | lra ]. } set (C := wy 0 ^ 2 * exp (2 * K * (s0 + 4 * PI))).
   assert (first : forall s, 0 <= s <= s0 + 4 * PI -> wy s ^ 2 * exp (2 * K * s) <= C).
   { intros s hs. apply Rmult_le_compat; [ apply pow2_ge_0 | left; apply exp_pos | apply wy_falls; lra | apply m; nra ]. }
   assert (G : forall s, 0 <= s -> wy s ^ 2 * exp (2 * K * s) <= C).
   { intros s hs. destruct (Rle_lt_dec s s0); [ apply first; lra | ].
-    apply (iterate (fun s => wy s ^ 2 * exp (2 * K * s)) s0 (4 * PI)); [ lra | intros u hu; apply first; lra | | lra ]. intros u hu. specialize (S u hu).
+    apply (iterate (fun s => wy s ^ 2 * exp (2 * K * s)) s0 (4 * PI)); [ lra | intros u hu; apply first; lra | | lra ]. intros u hu.
+    specialize (S u hu).
     replace (2 * K * (u + 4 * PI)) with (2 * K * (4 * PI) + 2 * K * u) by ring. rewrite exp_plus, <- Rmult_assoc. rewrite exp_Ropp in S.
     apply Rmult_le_compat_r; [ left; apply exp_pos | ]. set (E := exp (2 * K * (4 * PI))) in *. assert (0 < E) by apply exp_pos.
     apply (Rmult_le_compat_r E) in S; [ | lra ]. rewrite Rmult_assoc, Rinv_l, Rmult_1_r in S by lra. exact S. }
@@ -111,10 +116,13 @@ Proof.
     assert (hc : s <= c < z /\ z - r < c) by (unfold c; minmax).
     assert (F : - (wy z ^ 2 * exp (2 * l / m * z)) <= - (wy c ^ 2 * exp (2 * l / m * c))).
     { apply (rder_decr (fun t => - (wy t ^ 2 * exp (2 * l / m * t)))); [ lra | | ]; intros x Hx; [ conts M | ].
-      destruct (moving x ltac:(lra) ltac:(apply before; lra)) as (x2 & n1 & D & _). eexists. split. apply rder_opp, (rder_mult (fun t => wy t ^ 2)); [ exact D | rd ]. cbv beta.
+      destruct (moving x ltac:(lra) ltac:(apply before; lra)) as (x2 & n1 & D & _). eexists. split.
+      apply rder_opp, (rder_mult (fun t => wy t ^ 2)); [ exact D | rd ]. cbv beta.
       specialize (R x ltac:(apply Rabs_def1; lra)). pose proof (Rabs_triang_inv (w z) (w x)). rewrite Rabs_minus_sym in R.
-      assert (m <= v x) by (unfold m in *; lra). assert (/ v x <= / m) by (apply Rinv_le_contravar; unfold m in *; lra). pose proof (exp_pos (2 * l / m * x)).
-      set (q := wy x ^ 2) in *. clearbody q. set (E := exp (2 * l / m * x)) in *. assert (0 <= l * q * E * (/ m - / v x)) by (repeat apply Rmult_le_pos; lra).
+      assert (m <= v x) by (unfold m in *; lra). assert (/ v x <= / m) by (apply Rinv_le_contravar; unfold m in *; lra).
+      pose proof (exp_pos (2 * l / m * x)).
+      set (q := wy x ^ 2) in *. clearbody q. set (E := exp (2 * l / m * x)) in *.
+      assert (0 <= l * q * E * (/ m - / v x)) by (repeat apply Rmult_le_pos; lra).
       match goal with |- ?g <= 0 => replace g with (- (2 * (l * q * E * (/ m - / v x)))) by (unfold Rdiv; ring) end. lra. }
     rewrite yz in F. destruct (moving c ltac:(lra) ltac:(apply before; lra)) as (y2 & _). pose proof (exp_pos (2 * l / m * c)). nra.
   - intros t ht before. destruct (moving t ltac:(lra) ltac:(apply before; lra)) as (y2 & _ & D & _). destruct (right_pos _ _ _ D y2) as (d & d0 & K).
@@ -131,7 +139,8 @@ Lemma d_l : l < d. Proof. destruct (turn_sign l) as (c & c0 & T); [ lra | pose p
 Lemma late_speed : exists V s1, 0 <= s1 /\ forall s, s1 <= s -> v s <= V.
 Proof.
   destruct (z_1 l (conj hl hc)) as [_ z2]. destruct (near_38 l z2 phi0 w wy 1 M Rlt_0_1) as (s1 & s0 & H). exists (w38 l (PI - asin l) + 2), s1.
-  split; trivial. intros s hs. destruct (H s hs) as [X Y]. pose proof (w38_most l z2 (phi0 + s)). pose proof (Rabs_triang_inv (w s) (w38 l (phi0 + s))).
+  split; trivial. intros s hs. destruct (H s hs) as [X Y]. pose proof (w38_most l z2 (phi0 + s)).
+  pose proof (Rabs_triang_inv (w s) (w38 l (phi0 + s))).
   eapply Rle_trans; [ apply nrm_abs | lra ].
 Qed.
 (* from u before the passage to u after it, up to C *)
@@ -141,7 +150,8 @@ Proof.
   intros h0 hu. pose proof PI_RGT_0. set (del := Rmin (Rmin u (PI - u) / 2) (2 * l * eta)). assert (0 < 2 * l * eta) by nra.
   assert (hd : 0 < del /\ del < u /\ del < PI - u /\ del < PI / 2 /\ del <= 2 * l * eta) by (unfold del; minmax). clearbody del.
   destruct (late_sign l phi0 w wy (conj hl hc) M del) as (m & s1 & m0 & s10 & S); [ lra | ]. destruct late_speed as (V0 & s2 & s20 & V).
-  exists (2 * (Rabs (ln m) + Rabs (ln (2 * V0))) + 2 / m * PI), (Rmax s1 s2). split; [ minmax | ]. intros s n hs ph. assert (hs' : s1 <= s /\ s2 <= s) by minmax.
+  exists (2 * (Rabs (ln m) + Rabs (ln (2 * V0))) + 2 / m * PI), (Rmax s1 s2). split; [ minmax | ]. intros s n hs ph.
+  assert (hs' : s1 <= s /\ s2 <= s) by minmax.
   set (Z := s + (PI - u)). set (e := sg (n + 1)). assert (I1 : IZR (n + 1) = IZR n + 1) by apply plus_IZR.
   assert (ee : e = 1 \/ e = -1) by apply sg_cases. assert (es : sg n = - e) by (unfold e; rewrite sg_succ; ring).
   assert (A : forall t, s <= t <= Z - del -> m <= - e * w t) by (intros t Ht; rewrite <- es; apply S; unfold Z in *; lra).
@@ -161,11 +171,15 @@ Proof.
       assert (0 < / m) by now apply Rinv_0_lt_compat. enough ((g * (b - d) - 2 * l * eta) / r <= 2 / m) by lra.
       destruct (Rle_lt_dec (Rabs (t - Z)) del) as [x | x].
       { apply Rle_trans with 0; [ apply Rle_div_l; lra | unfold Rdiv; lra ]. }
-      assert (rm : m <= r). { apply Rle_trans with (Rabs (w t)); [ | lra ]. destruct (Rle_lt_dec t Z); [ rewrite Rabs_left1 in x by lra; specialize (A t ltac:(lra))
-        | rewrite Rabs_pos_eq in x by lra; specialize (B t ltac:(lra)) ]; pose proof (Rle_abs (w t)); pose proof (Rabs_maj2 (w t)); destruct ee as [f | f];
+      assert (rm : m <= r). { apply Rle_trans with (Rabs (w t)); [ | lra ].
+      destruct (Rle_lt_dec t Z); [ rewrite Rabs_left1 in x by lra; specialize (A t ltac:(lra))
+        | rewrite Rabs_pos_eq in x by lra; specialize (B t ltac:(lra)) ]; pose proof (Rle_abs (w t)); pose proof (Rabs_maj2 (w t));
+        destruct ee as [f | f];
         rewrite f in *; lra. }
-      assert (g * (b - d) <= 2). { pose proof (SIN_bound (phi0 + t)). pose proof (SIN_bound p). unfold b. destruct hg as [-> | ->]; destruct ee as [-> | ->]; lra. }
-      apply Rle_div_l; [ lra | ]. assert (2 <= 2 / m * r) by (replace 2 with (2 / m * m) at 1 by (field; lra); apply Rmult_le_compat_l; unfold Rdiv; lra). lra. }
+      assert (g * (b - d) <= 2). { pose proof (SIN_bound (phi0 + t)). pose proof (SIN_bound p). unfold b.
+      destruct hg as [-> | ->]; destruct ee as [-> | ->]; lra. }
+      apply Rle_div_l; [ lra | ]. assert (2 <= 2 / m * r) by (replace 2 with (2 / m * m) at 1 by (field; lra); apply Rmult_le_compat_l; unfold Rdiv;
+      lra). lra. }
   (* the ends: v + |w| lies between m and twice a bound of the speed *)
   assert (size : forall t g, s <= t -> g = 1 \/ g = -1 -> m <= g * w t -> Rabs (ln (v t + g * w t)) <= Rabs (ln m) + Rabs (ln (2 * V0))).
   { intros t g ht hg K. specialize (V t ltac:(lra)). destruct (moving t ltac:(lra) ltac:(apply N; lra)) as (_ & n1 & _). apply Rabs_def2 in n1.
@@ -173,7 +187,8 @@ Proof.
     pose proof (Rabs_pos (ln m)). pose proof (Rabs_pos (ln (2 * V0))).
     assert (ln m <= ln (v t + g * w t) <= ln (2 * V0)) by (split; apply Rcomplements.ln_le; lra). apply Rabs_le. lra. }
   assert (eo : - e = 1 \/ - e = -1) by (destruct ee as [-> | ->]; [ right | left ]; ring).
-  pose proof (size (s + PI) e ltac:(lra) ee (B (s + PI) ltac:(unfold Z; lra))) as r1. pose proof (size s (- e) ltac:(lra) eo (A s ltac:(unfold Z; lra))) as r2.
+  pose proof (size (s + PI) e ltac:(lra) ee (B (s + PI) ltac:(unfold Z; lra))) as r1.
+  pose proof (size s (- e) ltac:(lra) eo (A s ltac:(unfold Z; lra))) as r2.
   assert (r3 : ln (v s + e * w s) = Q s - ln (v s + - e * w s)).
   { destruct (moving s ltac:(lra) ltac:(apply N; lra)) as (_ & _ & _ & E). destruct (E e ee) as [x1 _]. destruct (E (- e) eo) as [x2 _].
     enough (K : Q s = ln (v s + e * w s) + ln (v s + - e * w s)) by lra. rewrite <- ln_mult by trivial.
@@ -200,7 +215,8 @@ Proof.
   assert (L2 : forall t, 0 <= t -> Q t = 2 * ln (Rabs (wy t))).
   { intros t ht. rewrite <- (pow2_abs (wy t)), ln_pow by (apply Rabs_pos_lt; now apply N). simpl. ring. } rewrite !L2 in B by lra.
   destruct (Y s ltac:(lra)) as [_ small]. apply ln_increasing in small; [ | apply Rabs_pos_lt, N; lra ]. rewrite ln_exp in small.
-  set (x := - ln (Rabs (wy s))) in *. set (x' := - ln (Rabs (wy (s + PI)))). assert (hx : 1 < x /\ C < x /\ 4 * C / (eps * f) < x) by (unfold X, x in *; minmax).
+  set (x := - ln (Rabs (wy s))) in *. set (x' := - ln (Rabs (wy (s + PI)))).
+  assert (hx : 1 < x /\ C < x /\ 4 * C / (eps * f) < x) by (unfold X, x in *; minmax).
   replace (ln (Rabs (wy s))) with (- x) in * by (unfold x; ring). replace (ln (Rabs (wy (s + PI)))) with (- x') in * by (unfold x'; ring).
   destruct hx as (x1 & x2 & x3). apply Rlt_div_l in x3; [ | nra ]. apply Rabs_le_between in B.
   assert (a1 : eta * x' <= f / 2 * x' \/ x' <= 0) by (destruct (Rle_lt_dec x' 0); [ auto | left; nra ]).
@@ -234,7 +250,8 @@ Proof.
     rewrite (w38_on l j) in G by (unfold a, d, p in *; lra). fold p in G. fold a in G.
     assert (e < g38 l p a) by (unfold e in *; lra). destruct (sg_cases j) as [Ej | Ej]; rewrite Ej in G; nra. }
   set (g := sg j). assert (gg : g = 1 \/ g = -1) by apply sg_cases. set (b := Rmax 0 (z - d)).
-  assert (hb : 0 <= b < z /\ z - d <= b) by (unfold b, d; minmax). destruct (moving l p w wy (proj1 hl) M b ltac:(lra) ltac:(apply before; lra)) as (_ & _ & _ & Mb).
+  assert (hb : 0 <= b < z /\ z - d <= b) by (unfold b, d; minmax). destruct (moving l p w wy (proj1 hl) M b ltac:(lra) ltac:(apply before;
+  lra)) as (_ & _ & _ & Mb).
   destruct (Mb g gg) as [pb _].
   assert (F : - (nrm (w z) (wy z) + g * w z) <= - (nrm (w b) (wy b) + g * w b)); [ | rewrite wz, yz, nrm_0 in F; lra ].
   apply (rder_decr (fun s => - (nrm (w s) (wy s) + g * w s))); [ lra | | ]; intros s hs; [ conts M | ].

@@ -10,7 +10,8 @@ Lemma max_decr f g a b : a <= b -> (forall t, a < t <= b -> continuity_pt f t /\
 Proof.
   intros hab C D. apply (dini_decr (fun t => Rmax (f t) (g t)) a b hab); [ | ]; intros t ht.
   - destruct (C t ht). apply (continuity_pt_ext (fun t => (f t + g t + Rabs (f t - g t)) / 2)).
-    { intros s. unfold Rabs. destruct Rcase_abs; minmax. } unfold Rdiv. cont. apply (continuity_pt_comp (fun t => f t - g t) Rabs); [ cont | apply Rcontinuity_abs ].
+    { intros s. unfold Rabs. destruct Rcase_abs; minmax. } unfold Rdiv. cont.
+      apply (continuity_pt_comp (fun t => f t - g t) Rabs); [ cont | apply Rcontinuity_abs ].
   - destruct (D t ht) as (k & m & F & G & hk & hm). intros e he.
     destruct (below_step f t k (Rmax (f t) (g t)) F ltac:(minmax) ltac:(intros; apply hk; minmax) e he) as (x & x0 & X).
     destruct (below_step g t m (Rmax (f t) (g t)) G ltac:(minmax) ltac:(intros; apply hm; minmax) e he) as (y & y0 & Y).
@@ -36,8 +37,10 @@ Proof.
     eexists. eexists. split; [ apply D; ring | split; [ apply D; ring | ] ]. unfold J. fold n.
     assert (sgn : forall q, q = 0 \/ 0 <= d -> 0 <= d * q -> d = 0 \/ 0 <= q) by (intros q _ hq; destruct (Req_dec d 0); [ auto | right; nra ]).
     split; intros K; apply Rle_div_l; trivial; assert (0 <= d * n) by nra.
-    - destruct (sgn (w t) ltac:(lra) ltac:(lra)) as [d0 | q]; [ replace (a - 1 * d) with 0 by lra; lra | assert (0 <= (d - a) * (l * w t + d * n)) by (apply Rmult_le_pos; nra); lra ].
-    - destruct (sgn (- w t) ltac:(lra) ltac:(lra)) as [d0 | q]; [ replace (a - -1 * d) with 0 by lra; lra | assert (0 <= (a + d) * (l * - w t + d * n)) by (apply Rmult_le_pos; nra); lra ]. }
+    - destruct (sgn (w t) ltac:(lra) ltac:(lra)) as [d0 | q]; [ replace (a - 1 * d) with 0 by lra;
+      lra | assert (0 <= (d - a) * (l * w t + d * n)) by (apply Rmult_le_pos; nra); lra ].
+    - destruct (sgn (- w t) ltac:(lra) ltac:(lra)) as [d0 | q]; [ replace (a - -1 * d) with 0 by lra;
+      lra | assert (0 <= (a + d) * (l * - w t + d * n)) by (apply Rmult_le_pos; nra); lra ]. }
   unfold J in F. rewrite w0 in F. replace (nrm 0 (wy s)) with (Rabs (wy s)) in F. 2: { rewrite <- nrm_x. unfold nrm. f_equal. ring. }
   assert (0 < l * nrm (w u) (wy u)) by (apply Rmult_lt_0_compat; [ lra | apply N; lra ]). clear - F H hu. minmax.
 Qed.

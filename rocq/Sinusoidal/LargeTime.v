@@ -42,7 +42,8 @@ Lemma shaken_from l p g W phi0 : (forall phi, W phi = ext PI g (phi - p)) ->
   motion l (fun s => - sin (p + (phi0 - p + s))) (fun _ => 0) (fun s => ext PI g (phi0 - p + s)) (fun _ => 0) ->
   shaken l phi0 (fun s => W (phi0 + s)) (fun _ => 0).
 Proof.
-  intros E M. rewrite shaken_sin. eapply motion_eq; [ exact M | trivial | intros s; cbv beta; do 2 f_equal; ring | trivial | intros s; cbv beta; rewrite E; f_equal; ring | trivial ].
+  intros E M. rewrite shaken_sin. eapply motion_eq; [ exact M | trivial | intros s; cbv beta; do 2 f_equal; ring | trivial | intros s; cbv beta;
+  rewrite E; f_equal; ring | trivial ].
 Qed.
 Lemma drive_period phi0 s : - sin (phi0 + (s + 2 * PI)) = - sin (phi0 + s). Proof. now rewrite <- Rplus_assoc, sin_per. Qed.
 Lemma drive_cont phi0 s : continuity_pt (fun s => - sin (phi0 + s)) s.
@@ -95,7 +96,8 @@ Proof.
   - intros s Hs. apply w38_pos. lra.
 Qed.
 (* from some time on every motion is as near to (38) as one likes *)
-Lemma near_38 phi0 w wy e : shaken l phi0 w wy -> 0 < e -> exists s1, 0 <= s1 /\ forall s, s1 <= s -> Rabs (w s - w38 l (phi0 + s)) < e /\ Rabs (wy s) < e.
+Lemma near_38 phi0 w wy e : shaken l phi0 w wy -> 0 < e -> exists s1, 0 <= s1 /\ forall s, s1 <= s -> Rabs (w s - w38 l (phi0 + s)) < e /\ Rabs (wy
+  s) < e.
 Proof.
   intros M he. destruct (w38_attracts phi0 w wy M) as [X Y]. destruct (lim_near _ _ e X he) as (a & a0 & A).
   destruct (lim_near _ _ e Y he) as (b & b0 & B).
@@ -115,7 +117,8 @@ Definition slips l tau := PI - 2 * asin l < tau < 2 * PI - 2 * asin l /\ h l tau
   forall t, tau < t <= 2 * PI -> h l t < 0.
 Lemma slip_end_ex l : 0 < l < 1 -> exists e, slip_end l e /\ slips l (e - asin l).
 Proof.
-  intros hl. destruct (slip_once l hl) as (u & F). destruct (asin_range l hl) as [[a b] _]. exists (asin l + u). assert (e0 : eq27_phi1 l = asin l) by reflexivity.
+  intros hl. destruct (slip_once l hl) as (u & F). destruct (asin_range l hl) as [[a b] _]. exists (asin l + u).
+  assert (e0 : eq27_phi1 l = asin l) by reflexivity.
   replace (asin l + u - asin l) with u by ring. split; [ | exact F ]. destruct F as (U & z & P & _). split; [ lra | ].
   split; [ rewrite left_h, <- z; f_equal; ring | ]. intros x Hx. rewrite left_h. specialize (P (x - asin l)). lra.
 Qed.
@@ -143,7 +146,8 @@ Hypothesis he : slip_end l e.
 Hypothesis early : e < eq29_phi3 l.
 Notation p1 := (asin l).
 Lemma ends : 0 < p1 < PI / 2 /\ PI - p1 < e < PI + p1 /\ h l (e - p1) = 0 /\ forall t, 0 < t < e - p1 -> 0 < h l t.
-Proof. destruct (slip_end_is l e hl he) as (A & B & C & _). destruct (asin_range l hl). unfold eq29_phi3 in early. split; [ lra | split; [ lra | auto ] ]. Qed.
+Proof. destruct (slip_end_is l e hl he) as (A & B & C & _). destruct (asin_range l hl). unfold eq29_phi3 in early.
+  split; [ lra | split; [ lra | auto ] ]. Qed.
 Lemma w33_ext phi : w33 l e phi = ext PI (g33 l (e - p1)) (phi - p1).
 Proof.
   destruct (ext_turn (g33 l (e - p1)) p1 phi) as [H ->]. destruct ends as (b & o & _).
@@ -181,7 +185,8 @@ End Rests.
 (* ---- from lambda0 = 1 on everything stops ---- *)
 Lemma at_rest l phi0 : 1 <= l -> shaken l phi0 (fun _ => 0) (fun _ => 0).
 Proof.
-  intros hl. rewrite shaken_sin. split; [ intros; cont | intros; cont | ]. intros t _. exists (- sin (phi0 + t)), 0. pose proof (SIN_bound (phi0 + t)).
+  intros hl. rewrite shaken_sin. split; [ intros; cont | intros; cont | ]. intros t _. exists (- sin (phi0 + t)), 0.
+  pose proof (SIN_bound (phi0 + t)).
   split; [ split; [ nra | rewrite nrm_x0 by lra; ring ] | ]. split; (eapply rder_eq; [ rd | ring ]).
 Qed.
 Lemma all_stop l phi0 w wy : 1 <= l -> shaken l phi0 w wy -> exists s1, 0 <= s1 /\ forall s, s1 <= s -> w s = 0 /\ wy s = 0.
@@ -201,7 +206,8 @@ Proof.
 Qed.
 Lemma one_drawn l : 0 < l -> exists W, forall phi0 w wy, shaken l phi0 w wy -> is_lim (fun s => w s - W (phi0 + s)) p_infty 0.
 Proof.
-  intros h0. destruct (Rle_lt_dec l eq37_lambda_c) as [k | k]; [ exists (w38 l); intros phi0 w wy M; now apply (w38_attracts l (conj h0 k) phi0 w wy) | ].
+  intros h0. destruct (Rle_lt_dec l eq37_lambda_c) as [k | k]; [ exists (w38 l); intros phi0 w wy M;
+  now apply (w38_attracts l (conj h0 k) phi0 w wy) | ].
   destruct (one_reached l k) as [W R]. exists W. intros phi0 w wy M. destruct (R phi0 w wy M) as (s1 & _ & S).
   apply (lim_eventually _ s1). intros s hs. rewrite (proj1 (S s hs)). ring.
 Qed.

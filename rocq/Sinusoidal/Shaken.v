@@ -5,7 +5,8 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Analysis Steady.
 Open Scope R_scope.
 
-(* The block on a plane with the acceleration (21), of size A0 (a length over a time squared) and frequency varpi: (vx, vy) is its velocity at the time t
+(* The block on a plane with the acceleration (21), of size A0 (a length over a time squared) and frequency varpi: (vx, vy) is its velocity at the
+time t
    after the start, which is at t0; mu g is the largest friction. «$(vx,vy)$ is a motion from the time $t0$ on under the acceleration
    $-A0\sin(varpi\,t)$ along $x$, with the friction $mu\,g$» *)
 Definition block (mu g A0 varpi t0 : R) (vx vy : R -> R) : Prop :=
@@ -87,7 +88,8 @@ Lemma law s : 0 <= s -> exists fx fy, coulomb l (w s) (wy s) fx fy /\ (nrm (w s)
   - l <= fx <= l /\ rder w s (sin (phi0 + s) + fx) /\ rder wy s fy.
 Proof.
   intros hs. rewrite shaken_sin in M. destruct (m_law _ _ _ _ _ M s hs) as (fx & fy & C & X & Y). exists fx, fy. pose proof (proj1 C).
-  split; [ trivial | split; [ now apply coulomb_slip | split; [ nra | split ] ] ]. eapply rder_eq; [ exact X | ring ]. eapply rder_eq; [ exact Y | ring ].
+  split; [ trivial | split; [ now apply coulomb_slip | split; [ nra | split ] ] ]. eapply rder_eq; [ exact X | ring ].
+  eapply rder_eq; [ exact Y | ring ].
 Qed.
 (* the drive, and friction at most l one way or the other *)
 Lemma gain s t : 0 <= s <= t ->

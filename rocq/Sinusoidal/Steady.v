@@ -1,4 +1,5 @@
-(* The slip from rest at the phase phi1 = asin l, where it ends and what lambda_c has to do with it; and half a period of the steady motions (33), with
+(* The slip from rest at the phase phi1 = asin l, where it ends and what lambda_c has to do with it;
+and half a period of the steady motions (33), with
    rests, and (38), without. Phases are counted from the start of the forward slip. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
@@ -30,7 +31,8 @@ Lemma lambda_c_between : 0 < eq37_lambda_c < 1. Proof. apply lambda_c_is. Qed.
 Lemma sign_of x y l : 0 < x + y -> 0 <= l -> 4 * ((x - y) * (x + y)) = (4 + PI ^ 2) * (eq37_lambda_c ^ 2 - l ^ 2) ->
   exists c, 0 < c /\ (x - y) * c = eq37_lambda_c - l.
 Proof.
-  intros s hl E. destruct lambda_c_is as [b _]. set (L := eq37_lambda_c) in *. pose proof (pow2_ge_0 PI). assert (D : 0 < (4 + PI ^ 2) * (L + l)) by nra.
+  intros s hl E. destruct lambda_c_is as [b _]. set (L := eq37_lambda_c) in *. pose proof (pow2_ge_0 PI).
+  assert (D : 0 < (4 + PI ^ 2) * (L + l)) by nra.
   exists (4 * (x + y) / ((4 + PI ^ 2) * (L + l))). split; [ apply Rdiv_lt_0_compat; lra | ].
   transitivity (4 * ((x - y) * (x + y)) / ((4 + PI ^ 2) * (L + l))); [ | rewrite E ]; field; nra.
 Qed.
@@ -39,7 +41,8 @@ Lemma left_sign l : 0 <= l <= 1 -> exists c, 0 < c /\ eq35_left l * c = eq37_lam
 Proof.
   intros H. destruct lambda_c_is as [_ e]. pose proof PI_RGT_0. pose proof (sqrt_pos (1 - l ^ 2)).
   assert (Q2 : sqrt (1 - l ^ 2) ^ 2 = 1 - l ^ 2) by (apply pow2_sqrt; nra).
-  destruct (sign_of (sqrt (1 - l ^ 2)) (PI * l / 2) l) as (c & c0 & E); [ | lra | rewrite Rmult_minus_distr_l, e; lra | exists (c / 2); unfold eq35_left; lra ].
+  destruct (sign_of (sqrt (1 - l ^ 2)) (PI * l / 2) l) as (c & c0 & E); [ | lra | rewrite Rmult_minus_distr_l, e; lra | exists (c / 2);
+  unfold eq35_left; lra ].
   destruct H as [[h | <-] _]; [ assert (0 < PI * l) by nra; lra | replace (1 - 0 ^ 2) with 1 by ring; rewrite sqrt_1; lra ].
 Qed.
 (* the drive at the phase (39) exceeds friction where l is below lambda_c *)
@@ -80,7 +83,8 @@ Proof.
 Qed.
 Lemma slip_top (f : R -> R) p t : (forall t, is_derive f t (sin (p + t) - l)) -> p1 <= p -> 0 <= t -> p + t <= 2 * PI + p1 -> f t <= f (PI - p1 - p).
 Proof.
-  intros D a b c. destruct (Rtotal_order t (PI - p1 - p)) as [k | [-> | k]]; [ left; apply (slip_up f p) | lra | left; apply (slip_down f p) ]; trivial; lra.
+  intros D a b c. destruct (Rtotal_order t (PI - p1 - p)) as [k | [-> | k]]; [ left; apply (slip_up f p) | lra | left; apply (slip_down f p) ];
+  trivial; lra.
 Qed.
 (* (32): one end, between phi2 and phi4 *)
 Lemma slip_once : exists tau, PI - 2 * p1 < tau < 2 * PI - 2 * p1 /\ h tau = 0 /\ (forall t, 0 < t < tau -> 0 < h t) /\
@@ -88,11 +92,13 @@ Lemma slip_once : exists tau, PI - 2 * p1 < tau < 2 * PI - 2 * p1 /\ h tau = 0 /
 Proof.
   destruct p1_range as [[a b] e]. pose proof PI_RGT_0. pose proof (slip_up h p1 0) as u. rewrite h_0 in u.
   assert (d : h (2 * PI - 2 * p1) < 0).
-  { unfold h. replace (p1 + (2 * PI - 2 * p1)) with (- p1 + 2 * PI) by ring. rewrite cos_per, cos_neg. assert (0 < l * (2 * PI - 2 * p1)) by (apply Rmult_lt_0_compat; lra). lra. }
+  { unfold h. replace (p1 + (2 * PI - 2 * p1)) with (- p1 + 2 * PI) by ring. rewrite cos_per, cos_neg.
+    assert (0 < l * (2 * PI - 2 * p1)) by (apply Rmult_lt_0_compat; lra). lra. }
   pose proof (u (PI - 2 * p1) h_der ltac:(lra) ltac:(lra) ltac:(lra)).
   destruct (IVT_cor h (PI - 2 * p1) (2 * PI - 2 * p1) h_cont) as [z [z1 z2]]; [ lra | nra | ].
   assert (z <> PI - 2 * p1) by (intros ->; lra). assert (z <> 2 * PI - 2 * p1) by (intros ->; lra). exists z.
-  split; [ lra | split; [ trivial | split ] ]; intros t Ht; [ destruct (Rle_lt_dec t (PI - 2 * p1)) | ]; [ apply (u t h_der); lra | | ]; rewrite <- z2;
+  split; [ lra | split; [ trivial | split ] ]; intros t Ht; [ destruct (Rle_lt_dec t (PI - 2 * p1)) | ]; [ apply (u t h_der); lra | | ];
+  rewrite <- z2;
   apply (slip_down h p1); try apply h_der; lra.
 Qed.
 (* (34) is (35) *)
@@ -142,7 +148,8 @@ Definition g38 p t := - l * t + cos p - cos (p + t).
 Notation p := (eq39_phi_t1 l).
 Lemma p_facts : p1 <= p < PI / 2 /\ cos p = PI * l / 2 /\ (l < eq37_lambda_c -> p1 < p).
 Proof.
-  pose proof (small l ltac:(lra)) as s. destruct p1_range as [[a b] e1]. destruct (turn_sign l ltac:(lra) ltac:(lra)) as (c & c0 & S). pose proof PI_RGT_0.
+  pose proof (small l ltac:(lra)) as s. destruct p1_range as [[a b] e1]. destruct (turn_sign l ltac:(lra) ltac:(lra)) as (c & c0 & S).
+  pose proof PI_RGT_0.
   assert (e : cos p = PI * l / 2) by (apply cos_acos; lra). assert (B : 0 < p < PI) by (unfold eq39_phi_t1; apply acos_bound_lt; nra).
   assert (B2 : p < PI / 2). { apply Rnot_le_lt. intros k. pose proof (cos_le_0 p ltac:(lra) ltac:(lra)). nra. }
   repeat split; trivial.

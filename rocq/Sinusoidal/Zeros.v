@@ -45,7 +45,8 @@ Proof.
   assert (B : forall y, Z + d <= y <= Z + PI - d -> 0 < sg j * w y) by (intros y Hy; pose proof (S y j ltac:(lra) ltac:(lra)); lra).
   destruct (IVT_interv (fun y => sg j * w y) (Z - d) (Z + d)) as [z [z1 z2]]; [ | lra | apply A; lra | apply B; lra | ].
   { intros y Hy. conts M. }
-  pose proof (A (Z - d) ltac:(lra)). pose proof (B (Z + d) ltac:(lra)). assert (z <> Z - d) by (intros ->; lra). assert (z <> Z + d) by (intros ->; lra).
+  pose proof (A (Z - d) ltac:(lra)). pose proof (B (Z + d) ltac:(lra)). assert (z <> Z - d) by (intros ->; lra).
+  assert (z <> Z + d) by (intros ->; lra).
   exists z. split; [ lra | ]. assert (O : forall y, w y = 0 <-> sg j * w y = 0) by (intros y; destruct (sg_cases j) as [-> | ->]; lra).
   intros y Hy. rewrite O. split; [ intros y0 | intros ->; trivial ]. destruct (Rle_lt_dec y (Z - d)) as [k | k]; [ specialize (A y); lra | ].
   destruct (Rle_lt_dec (Z + d) y) as [k1 | k1]; [ specialize (B y); lra | ].
