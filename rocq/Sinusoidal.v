@@ -376,8 +376,8 @@ Proof.
   intros hl x H. destruct (asin_range lam hl) as [[a b] e]. destruct (Req_dec x (PI - asin lam)) as [-> | ]; [ rewrite sin_PI_x; lra | ].
   destruct (Req_dec x (asin lam + 2 * PI)) as [-> | ]; [ rewrite sin_per; lra | ]. left. apply sin_less; lra.
 Qed.
-(* The period of the slip: after phitilde2 the drive cannot start a slip forward until phi1 + 2 pi, and from there on it does;
-its sum over it is 0. *)
+(* The period of the slip: after phitilde2 the drive cannot start a slip forward until phi1 + 2 pi, and from there on it
+   does; its sum over it is 0. *)
 Theorem s22_rest_of_period lam e : 0 < lam < 1 -> slip_end lam e -> let last := right_sinusoidal_rest_of_period_end (eq27_phi1 lam) in
   e < last /\ (forall y, e <= y -> ((forall x, e <= x <= y -> sin x <= lam) <-> y <= last)) /\ is_RInt sin (eq27_phi1 lam) last 0.
 Proof.
@@ -426,9 +426,8 @@ Proof.
       apply B. intros x hx. rewrite <- (Z 0%nat x ltac:(lra)). f_equal. simpl. ring. }
     apply (sine_vanishes (phi0 + r) (phi0 + y)); [ lra | apply Q; lra | apply Q; lra ].
 Qed.
-(* Small, large and very large friction: of every motion, from some time on, in each period, the zeros of vx.
-A period may begin at any phase but those
-   of the zeros of (38) in the first case; in the second it is counted from the end of a rest. *)
+(* Small, large and very large friction: of every motion, from some time on, in each period, the zeros of vx. A period may begin at any
+   phase but those of the zeros of (38) in the first case; in the second it is counted from the end of a rest. *)
 Theorem s22_trichotomy lam phi0 w wy : 0 < lam -> shaken lam phi0 w wy ->
   (lam < eq37_lambda_c -> forall phi, (forall n, phi <> eq39_phi_t1 lam + IZR n * PI) -> exists s1, forall s, s1 <= s -> at_phase phi0 s phi ->
     exists z1 z2, s < z1 < z2 /\ z2 < s + 2 * PI /\ forall z, s <= z <= s + 2 * PI -> (w z = 0 <-> z = z1 \/ z = z2)) /\
@@ -521,12 +520,13 @@ Proof.
 Qed.
 Lemma a_motion lam phi0 w0 wy0 : 0 <= lam -> exists w wy, shaken lam phi0 w wy /\ w 0 = w0 /\ wy 0 = wy0.
 Proof. intros h. apply a_block. lra. Qed.
-(* Figure 2: for one initial w and every initial wy there is one curve; those of different size of wy part at once; all tend to one motion. *)
-Theorem fig_2 lam phi0 w0 : 0 < lam -> w0 <> 0 -> exists W, forall y0, exists w wy, shaken lam phi0 w wy /\ w 0 = w0 /\ wy 0 = y0 /\
+(* Figure 2: for one initial w and every initial wy there is one curve; those of different size of wy part at once; all tend to the same W. *)
+Theorem fig_2 lam : 0 < lam -> exists W, forall phi0 w0 y0, w0 <> 0 -> exists w wy, shaken lam phi0 w wy /\ w 0 = w0 /\ wy 0 = y0 /\
   is_lim (fun s => w s - W (phi0 + s)) p_infty 0 /\ forall u uy, shaken lam phi0 u uy -> u 0 = w0 ->
     (uy 0 = y0 -> forall s, 0 <= s -> u s = w s) /\ (Rabs (uy 0) <> Rabs y0 -> forall d, 0 < d -> exists s, 0 < s < d /\ u s <> w s).
 Proof.
-  intros h0 n0. destruct (one_drawn lam h0) as [W D]. exists W. intros y0. destruct (a_motion lam phi0 w0 y0 ltac:(lra)) as (w & wy & M & e1 & e2).
+  intros h0. destruct (one_drawn lam h0) as [W D]. exists W. intros phi0 w0 y0 n0.
+  destruct (a_motion lam phi0 w0 y0 ltac:(lra)) as (w & wy & M & e1 & e2).
   exists w, wy. do 3 (split; trivial). split; [ now apply (D phi0 w wy M) | intros u uy H H0; split ].
   - intros e3 s hs. pose proof (contraction (lam * 1) _ _ u uy w wy ltac:(lra) H M 0 s ltac:(lra)) as C. rewrite H0, e1, e2, e3 in C.
     destruct (sq_sum (u s - w s) (uy s - wy s)); lra.
