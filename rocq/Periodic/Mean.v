@@ -1,11 +1,9 @@
 (* 2.3: where the pull is below friction in the mean over a time T, rests are certain *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion HalfPeriod Drawn General Dini.
+From Slipbook Require Import Motion HalfPeriod Drawn Median General Dini.
 Open Scope R_scope.
 
-(* continuous from the right *)
-Definition rcont (f : R -> R) t := forall e, 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> Rabs (f s - f t) < e.
 
 (* the last zero before b *)
 Lemma last_zero (f : R -> R) a b : a <= b -> (forall t, a < t <= b -> continuity_pt f t) -> f a = 0 ->
