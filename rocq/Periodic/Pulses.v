@@ -5,6 +5,43 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General HalfPeriod Drawn Line Formulas.
 Open Scope R_scope.
 
+(* ---- drives and velocities that are their own opposite half a period later ---- *)
+Lemma half_per (f : R -> R) : (forall t, f (t + PI) = - f t) -> forall t, f (t + 2 * PI) = f t.
+Proof. intros A t. replace (t + 2 * PI) with (t + PI + PI) by ring. rewrite !A. ring. Qed.
+Section Opposite.
+Variables (l : R) (h W : R -> R).
+Hypothesis hl : 0 < l.
+Hypothesis ha : forall t, h (t + PI) = - h t.
+Hypothesis Wa : forall t, W (t + PI) = - W t.
+Hypothesis M : forall p, moves l h p (fun t => W (p + t)) (fun _ => 0).
+(* every motion becomes one that rests where the drive is steady and below friction *)
+Lemma rest_caught r s c : r < s -> (forall t, r <= t <= s -> W t = 0) -> (forall t, r <= t < s -> h t = c) -> Rabs c < l -> caught l h W.
+Proof.
+  intros Hr Z C hc p vx vy V. set (x := (r + s) / 2).
+  destruct (plane_reached l (2 * PI) (x - p) (s - p) (fun t => - h (p + t)) (fun t => W (p + t))) with (vx := vx) (vy := vy) as (t1 & h1 & H1); trivial; try (unfold x; lra).
+  - pose proof PI_RGT_0. lra.
+  - intros t. now rewrite <- Rplus_assoc, half_per.
+  - apply M.
+  - intros t. now rewrite <- Rplus_assoc, half_per.
+  - intros t Ht. apply Z. unfold x in Ht. lra.
+  - rewrite C, Rabs_Ropp by (unfold x; lra). trivial.
+  - apply (cont_glue _ (fun _ => - c) (fun _ => - c) _ ((s - r) / 2)); try cont; unfold x; [ lra | | ]; intros t Ht; rewrite C by lra; trivial.
+  - exists t1. auto.
+Qed.
+(* every motion tends to one that passes from backward to forward at once *)
+Lemma passing_late z d : (forall t, Rabs (h t) <= 1) -> 0 < d -> W z = 0 -> (forall t, z - d < t < z -> W t < 0) -> (forall t, z < t < z + d -> 0 < W t) -> late l h W.
+Proof.
+  intros hB hd Z A B. pose proof PI_RGT_0. split; trivial. now apply half_per. intros p vx vy V.
+  apply (plane_attracts l 1 (2 * PI) (z - p) d (fun t => - h (p + t)) (fun t => W (p + t))); trivial; try lra.
+  - intros t. rewrite Rabs_Ropp. apply hB.
+  - apply M.
+  - intros t. now rewrite <- Rplus_assoc, half_per.
+  - now replace (p + (z - p)) with z by ring.
+  - intros t Ht. apply A. lra.
+  - intros t Ht. apply B. lra.
+Qed.
+End Opposite.
+
 (* (42), and (43) for all other phases *)
 Definition pulse (eta : R) : R -> R := ext PI (fun ph => if Rlt_dec ph (eq42_end eta) then eq42_cases_1 else eq42_cases_2).
 Lemma pulse_on eta t : 0 <= t < PI -> (t < eta * PI -> pulse eta t = 1) /\ (eta * PI <= t -> pulse eta t = 0).
@@ -24,14 +61,6 @@ Proof.
   destruct (Rlt_le_dec s (eta * PI)); [ rewrite P1 by trivial; right | rewrite P0 by trivial; left ]; destruct (sg_cases n) as [-> | ->]; rewrite ?Rmult_0_r, ?Rmult_1_r, ?Rabs_R0, ?Rabs_R1, ?Rabs_Ropp, ?Rabs_R1; trivial.
   replace (-1) with (- (1)) by ring. now rewrite Rabs_Ropp, Rabs_R1.
 Qed.
-(* in the gap the drive is 0 for a while *)
-Lemma pulse_gap eta t p : 0 < eta < 1 -> eta * PI < p + t < PI -> pulse eta (p + t) = 0 /\ continuity_pt (fun t => - pulse eta (p + t)) t.
-Proof.
-  intros he H. pose proof PI_RGT_0. assert (0 < eta * PI) by nra. assert (Z : forall s, eta * PI <= s < PI -> pulse eta s = 0) by (intros s hs; apply pulse_on; lra). split; [ apply Z; lra | ].
-  set (d := Rmin (p + t - eta * PI) (PI - (p + t))). assert (0 < d) by (apply Rmin_pos; lra). assert (d <= p + t - eta * PI /\ d <= PI - (p + t)) by (split; [ apply Rmin_l | apply Rmin_r ]).
-  apply (cont_glue _ (fun _ => 0) (fun _ => 0) t d); trivial; try (intros s hs; cbv beta; rewrite Z by lra; ring); cont.
-Qed.
-
 (* straight pieces: under the constant drive c a slip forward, and a rest *)
 Lemma arc_slip l h c p q f : 0 <= l -> (forall t, is_derive f t (c - l)) -> (forall t, p <= t < q -> h t = c /\ 0 <= f t) -> arc l l h p q f.
 Proof.
@@ -45,19 +74,12 @@ Qed.
 Ltac slope := intros; unfold eq44_cases_1, eq44_cases_2, right_periodic_small_friction_cases_1, right_periodic_small_friction_cases_2, right_periodic_small_friction_cases_3;
   auto_derive; trivial; ring.
 
-(* every motion becomes one that rests somewhere in the gap *)
+(* every motion becomes one that rests to the end of the gap *)
 Lemma gap_caught eta l W r : 0 < eta < 1 -> 0 < l -> (forall t, W (t + PI) = - W t) -> (forall p, moves l (pulse eta) p (fun t => W (p + t)) (fun _ => 0)) ->
   eta * PI <= r < PI -> (forall t, r <= t <= PI -> W t = 0) -> caught l (pulse eta) W.
 Proof.
-  intros he hl A M hr Z p vx vy V. pose proof PI_RGT_0. assert (P : forall t, W (t + 2 * PI) = W t) by (intros t; replace (t + 2 * PI) with (t + PI + PI) by ring; rewrite !A; ring).
-  assert (g : eta * PI < p + ((r + PI) / 2 - p) < PI) by lra. destruct (pulse_gap eta ((r + PI) / 2 - p) p he g) as [g0 gc].
-  destruct (plane_reached l (2 * PI) ((r + PI) / 2 - p) (PI - p) (fun t => - pulse eta (p + t)) (fun t => W (p + t))) with (vx := vx) (vy := vy) as (t1 & h1 & H1); trivial; try lra.
-  - intros t. replace (p + (t + 2 * PI)) with (p + t + PI + PI) by ring. rewrite !pulse_anti. ring.
-  - apply M.
-  - intros t. rewrite <- (P (p + t)). f_equal. ring.
-  - intros t Ht. apply Z. lra.
-  - rewrite g0, Ropp_0, Rabs_R0. trivial.
-  - exists t1. auto.
+  intros he hl A M hr Z. pose proof PI_RGT_0. apply (rest_caught l (pulse eta) W hl (pulse_anti eta) A M r PI 0); [ lra | trivial | | rewrite Rabs_R0; trivial ].
+  intros t Ht. apply pulse_on; nra.
 Qed.
 
 (* (44): from the width eta of the pulses on, to 1 *)
@@ -86,7 +108,7 @@ Proof.
       + apply (arc_slip l _ 0); [ lra | slope | ]. intros t Ht. split; [ apply pulse_on; lra | unfold eq44_cases_2; nra ].
       + apply arc_still. intros t Ht. rewrite (proj2 (pulse_on eta t ltac:(lra))) by lra. rewrite Rabs_R0. lra. }
   assert (C : caught l (pulse eta) (w44 l eta)) by (apply (gap_caught eta l _ (eta * PI / l)); trivial; lra || (intros; apply C3; lra)).
-  split; [ trivial | split; trivial ]. apply caught_late; trivial. intros t. replace (t + 2 * PI) with (t + PI + PI) by ring. rewrite !A. ring.
+  split; [ trivial | split; trivial ]. apply caught_late; trivial. now apply half_per.
 Qed.
 
 (* up to the width: it passes from backward to forward at once, at the phase right_periodic_small_friction_start *)
@@ -129,13 +151,9 @@ Proof.
   { intros ph Hph. rewrite w_below_on by (fold b; lra). unfold below44, right_periodic_small_friction_ends_1, right_periodic_small_friction_ends_2. fold c1 c2 c3.
     destruct (Rlt_le_dec ph (eta * PI)); [ rewrite glue_l by trivial; apply P1; lra | rewrite glue_r by trivial ].
     destruct (Rlt_le_dec ph PI); [ rewrite glue_l, P2 by trivial | rewrite glue_r, P3 by trivial ]; nra. }
-  split; [ trivial | split; [ | split; trivial ] ]. assert (T : forall t, w_below l eta (t + 2 * PI) = w_below l eta t) by (intros t; replace (t + 2 * PI) with (t + PI + PI) by ring; rewrite !A; ring).
-  split; trivial. intros p vx vy V. apply (plane_attracts l 1 (2 * PI) (b - p) PI (fun t => - pulse eta (p + t)) (fun t => w_below l eta (p + t))); trivial; try lra.
-  - intros t. rewrite Rabs_Ropp. destruct (pulse_size eta (p + t)) as [-> | ->]; lra.
-  - apply M.
-  - intros t. rewrite <- (T (p + t)). f_equal. ring.
-  - rewrite <- Z. f_equal. ring.
-  - intros t Ht. specialize (Pos (p + t + PI) ltac:(lra)). rewrite A in Pos. lra.
+  split; [ trivial | split; [ | split; trivial ] ]. apply (passing_late l (pulse eta) (w_below l eta) ltac:(lra) A M b PI); trivial.
+  - intros t. destruct (pulse_size eta t) as [-> | ->]; lra.
+  - intros t Ht. specialize (Pos (t + PI) ltac:(lra)). rewrite A in Pos. lra.
   - intros t Ht. apply Pos. lra.
 Qed.
 (* friction as strong as the pulses, or stronger: rest *)

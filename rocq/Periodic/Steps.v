@@ -1,0 +1,151 @@
+(* 2.3: a drive in steps under which rests come and go with the friction. *)
+Require Import Reals Lra Psatz ZArith.
+From Coquelicot Require Import Coquelicot.
+From Slipbook Require Import Motion Analysis HalfPeriod Drawn Line Median Mean Generic Pulses.
+Open Scope R_scope.
+
+(* a drive h whose second half period is the opposite of the first *)
+Section Halves.
+Variable h : R -> R.
+Hypothesis ha : forall t, h (t + PI) = - h t.
+Hypothesis hi : forall a b, ex_RInt h a b.
+Notation G := (RInt h 0).
+Lemma half_prim t : G (t + PI) = G PI - G t.
+Proof.
+  pose proof (prim_between h hi PI (t + PI)) as P. pose proof (RInt_comp_lin h 1 PI 0 t) as L. rewrite Rmult_0_r, !Rplus_0_l, Rmult_1_l in L.
+  enough (E : RInt h PI (t + PI) = - G t) by lra. rewrite <- L by apply hi. change (- G t) with (opp (G t)).
+  rewrite <- (RInt_opp h 0 t) by apply hi. apply RInt_ext. intros s _. rewrite Rmult_1_l, ha, Rmult_1_l. reflexivity.
+Qed.
+Lemma half_median H c : (forall t, continuity_pt H t) -> (forall t, H (t + PI) = 2 * c - H t) -> median H c.
+Proof.
+  intros cH aH x. pose proof PI_RGT_0. assert (E : forall x, RInt (fun t => Rabs (H t - x)) 0 (2 * PI) = RInt (fun t => Rabs (H t - x) + Rabs (H t - (2 * c - x))) 0 PI).
+  { intros y. pose proof (abs_cont H cH y) as A. pose proof (abs_cont H cH (2 * c - y)) as B. pose proof (cont_int _ A) as Ai. rewrite <- (RInt_Chasles _ 0 PI (2 * PI)) by apply Ai.
+    rewrite (RInt_plus (fun t => Rabs (H t - y)) (fun t => Rabs (H t - (2 * c - y)))) by (apply cont_int; trivial). f_equal.
+    pose proof (RInt_comp_lin (fun t => Rabs (H t - y)) 1 PI 0 PI) as L. rewrite Rmult_0_r, !Rplus_0_l, Rmult_1_l in L. replace (2 * PI) with (PI + PI) by ring. rewrite <- L by apply Ai.
+    apply RInt_ext. intros s _. rewrite !Rmult_1_l, aH, <- Rabs_Ropp. f_equal. ring. }
+  rewrite !E. apply RInt_le; [ lra | | | ]; try (apply cont_int; intros t; pose proof (abs_cont H cH c t); pose proof (abs_cont H cH (2 * c - c) t); pose proof (abs_cont H cH x t);
+    pose proof (abs_cont H cH (2 * c - x) t); cont).
+  intros t _. abs.
+Qed.
+End Halves.
+(* integrable on each half period, integrable *)
+Lemma int_halves (h : R -> R) : (forall n, ex_RInt h (IZR n * PI) ((IZR n + 1) * PI)) -> forall a b, ex_RInt h a b.
+Proof.
+  intros I a b. pose proof PI_RGT_0. assert (J : forall (k : nat), ex_RInt h (0 - INR k * PI) (0 + INR k * PI)).
+  { induction k as [ | k IH ]; [ simpl; replace (0 - 0 * PI) with (0 + 0 * PI) by ring; apply ex_RInt_point | ].
+    apply (ex_RInt_Chasles h _ (0 + INR k * PI)); [ apply (ex_RInt_Chasles h _ (0 - INR k * PI)); trivial | ].
+    - pose proof (I (- Z.of_nat k - 1)%Z) as K. rewrite minus_IZR, opp_IZR, <- INR_IZR_INZ in K. rewrite S_INR. replace (0 - (INR k + 1) * PI) with ((- INR k - 1) * PI) by ring.
+      replace (0 - INR k * PI) with ((- INR k - 1 + 1) * PI) by ring. trivial.
+    - pose proof (I (Z.of_nat k)) as K. rewrite <- INR_IZR_INZ in K. now rewrite S_INR, !Rplus_0_l. }
+  destruct (nat_above ((Rabs a + Rabs b) / PI)) as [n Hn]. apply Rlt_div_l in Hn; trivial. pose proof (Rabs_pos a). pose proof (Rabs_pos b).
+  apply (ex_RInt_inside h a b 0 (INR n * PI) (J n)); rewrite Rminus_0_r; lra.
+Qed.
+
+(* 1 for half of each half period, then -1, and 1/6 at its end; with (43): «the drive that is $1$ for $0<\phi<\frac\pi2$, $-1$ up to
+   $\frac78\pi$, $\frac16$ up to $\pi$, and in each half period the opposite of what it is in the one before» *)
+Definition steps : R -> R := ext PI (fun s => if Rlt_dec s (PI / 2) then 1 else if Rlt_dec s (7 * PI / 8) then -1 else 1 / 6).
+Lemma steps_on n t : let s := t - IZR n * PI in (0 <= s < PI / 2 -> steps t = sg n) /\ (PI / 2 <= s < 7 * PI / 8 -> steps t = - sg n) /\ (7 * PI / 8 <= s < PI -> steps t = sg n / 6).
+Proof.
+  pose proof PI_RGT_0 as p. cbv zeta. unfold steps. repeat split; intros H; rewrite (ext_on PI _ p n) by lra; repeat destruct Rlt_dec; lra.
+Qed.
+Lemma steps_anti t : steps (t + PI) = - steps t. Proof. apply ext_anti, PI_RGT_0. Qed.
+(* each phase is within a step *)
+Lemma steps_step t : exists a b c, a <= t < b /\ (forall s, a <= s < b -> steps s = c) /\ (Rabs c = 1 \/ Rabs c = 1 / 6).
+Proof.
+  pose proof PI_RGT_0 as p. destruct (per_spec 0 PI p t) as [n Hn]. assert (A : Rabs (sg n) = 1) by (destruct (sg_cases n) as [-> | ->]; abs).
+  destruct (Rlt_le_dec (t - IZR n * PI) (PI / 2)); [ | destruct (Rlt_le_dec (t - IZR n * PI) (7 * PI / 8)) ].
+  - exists (IZR n * PI), (IZR n * PI + PI / 2), (sg n). split; [ lra | split; auto ]. intros s Hs. apply steps_on. lra.
+  - exists (IZR n * PI + PI / 2), (IZR n * PI + 7 * PI / 8), (- sg n). split; [ lra | split; [ | rewrite Rabs_Ropp; auto ] ]. intros s Hs. apply (steps_on n). lra.
+  - exists (IZR n * PI + 7 * PI / 8), ((IZR n + 1) * PI), (sg n / 6). split; [ lra | split ]. intros s Hs. apply (steps_on n). lra. right. destruct (sg_cases n) as [-> | ->]; abs.
+Qed.
+Lemma steps_normalised : normalised steps.
+Proof.
+  pose proof PI_RGT_0 as p. split.
+  - intros t. replace (t + 2 * PI) with (t + PI + PI) by ring. rewrite !steps_anti. ring.
+  - intros t e he. destruct (steps_step t) as (a & b & c & Ht & S & _). exists (b - t). split; [ lra | ]. intros s Hs. rewrite !S by lra. rewrite Rminus_eq_0, Rabs_R0. trivial.
+  - apply int_halves. intros n.
+    assert (C : forall a b c, a <= b -> (forall s, a <= s < b -> steps s = c) -> ex_RInt steps a b).
+    { intros a b c Hab S. apply (ex_RInt_ext (fun _ => c)); [ | apply ex_RInt_const ]. intros s Hs. rewrite Rmin_left, Rmax_right in Hs by trivial. symmetry. apply S. lra. }
+    apply (ex_RInt_Chasles _ _ (IZR n * PI + PI / 2)); [ | apply (ex_RInt_Chasles _ _ (IZR n * PI + 7 * PI / 8)) ].
+    + apply (C _ _ (sg n)); [ lra | ]. intros s Hs. apply (steps_on n). lra.
+    + apply (C _ _ (- sg n)); [ lra | ]. intros s Hs. apply (steps_on n). lra.
+    + apply (C _ _ (sg n / 6)); [ lra | ]. intros s Hs. apply (steps_on n). lra.
+  - intros t. destruct (steps_step t) as (a & b & c & Ht & S & [e | e]); rewrite S, e by trivial; lra.
+  - intros l Hl. exists 0. rewrite (proj1 (steps_on 0 0)); [ unfold sg; simpl; abs | simpl; lra ].
+Qed.
+Lemma steps_generic : generic steps.
+Proof.
+  pose proof PI_RGT_0 as p. pose proof steps_normalised as N. split; trivial.
+  - exists (7 * PI / 8). rewrite (proj2 (proj2 (steps_on 0 _))); [ unfold sg; simpl; abs | simpl; lra ].
+  - intros _. exists (RInt steps 0 PI / 2). split.
+    + apply half_median; [ apply (prim_cont steps 1); apply N | ]. intros t. rewrite (half_prim steps steps_anti (d_int _ N)). field.
+    + intros t _. exists (1 / 6). split; [ lra | ]. intros s _. destruct (steps_step s) as (a & b & c & Hs & S & [e | e]); rewrite S, e by trivial; lra.
+Qed.
+(* friction below every step: no rest *)
+Lemma steps_none : has_rests (1 / 8) steps 0.
+Proof.
+  intros p0 vx vy M. right. split; trivial. exists 0. intros s d Hs hd. apply Classical_Prop.NNPP. intros no.
+  pose proof (rest_held (1 / 8) steps p0 vx vy s d ltac:(lra) M Hs hd) as R. destruct (steps_step (p0 + s)) as (a & b & c & Ht & S & e). rewrite S in R by trivial.
+  enough (Rabs c <= 1 / 8) by (destruct e; lra). apply R. intros u Hu. apply Classical_Prop.NNPP. intros n. apply no. exists u. auto.
+Qed.
+
+(* straight pieces of a velocity that keeps the sense s *)
+Lemma straight l h p q c s y : 0 <= l -> p <= q -> s = 1 \/ s = -1 -> (forall t, p <= t < q -> h t = c) -> 0 <= s * y -> 0 <= s * (y + (c - s * l) * (q - p)) ->
+  arc l l h p q (fun t => y + (c - s * l) * (t - p)).
+Proof.
+  intros hl Hpq hs H a b. split; intros t Ht; [ cont | ]. rewrite H by trivial. exists (- s * l). split; [ | eapply rder_eq; [ rd | ring ] ].
+  assert (K : 0 <= s * (y + (c - s * l) * (t - p)) * (q - p)).
+  { replace (s * (y + (c - s * l) * (t - p)) * (q - p)) with (s * y * (q - t) + s * (y + (c - s * l) * (q - p)) * (t - p)) by ring. apply Rplus_le_le_0_compat; apply Rmult_le_pos; lra. }
+  assert (0 <= s * (y + (c - s * l) * (t - p))) by (apply (Rmult_le_reg_r (q - p)); lra). destruct hs as [-> | ->]; repeat split; lra.
+Qed.
+Lemma steps_first t : (0 <= t < PI / 2 -> steps t = 1) /\ (PI / 2 <= t < 7 * PI / 8 -> steps t = -1) /\ (7 * PI / 8 <= t < PI -> steps t = 1 / 6).
+Proof.
+  destruct (steps_on 0 t) as (A & B & C). simpl in *. rewrite Rmult_0_l, Rminus_0_r in *. repeat split; intros Ht; [ now apply A | now rewrite B | now rewrite C ].
+Qed.
+Ltac glued := repeat ((rewrite glue_l by lra) || (rewrite glue_r by lra)); cbv beta; try lra.
+Ltac pieces := repeat (apply arc_glue; [ lra | | | glued ]);
+  first [ apply arc_still; intros t Ht; rewrite (proj2 (proj2 (steps_first t))) by lra; abs | apply straight; try lra; auto; intros t Ht; apply steps_first; lra ].
+(* half a period of the motion at large times with the friction 1/5: forward, backward, and rest to the end *)
+Definition w5 : R -> R := ext PI (glue (PI / 2) (fun t => 0 + (1 - 1 * (1 / 5)) * (t - 0)) (glue (5 * PI / 6) (fun t => 2 * PI / 5 + (-1 - 1 * (1 / 5)) * (t - PI / 2))
+  (glue (7 * PI / 8) (fun t => 0 + (-1 - -1 * (1 / 5)) * (t - 5 * PI / 6)) (glue (85 * PI / 88) (fun t => - PI / 30 + (1 / 6 - -1 * (1 / 5)) * (t - 7 * PI / 8)) (fun _ => 0))))).
+Lemma w5_caught : caught (1 / 5) steps w5 /\ forall t, 85 * PI / 88 <= t <= PI -> w5 t = 0.
+Proof.
+  pose proof PI_RGT_0 as p. assert (A : forall t, w5 (t + PI) = - w5 t) by (intros; now apply ext_anti).
+  assert (Z : forall t, 85 * PI / 88 <= t <= PI -> w5 t = 0).
+  { intros t Ht. destruct (Req_dec t PI) as [-> | n]; [ rewrite <- (Rplus_0_l PI), A | ]; unfold w5; rewrite ext_first by lra; glued. }
+  split; trivial. apply (rest_caught (1 / 5) steps w5) with (r := 85 * PI / 88) (s := PI) (c := 1 / 6); trivial; try lra; [ apply steps_anti | | intros t Ht; apply steps_first; lra | abs ].
+  apply half_arc; try lra; [ apply steps_anti | glued | pieces ].
+Qed.
+Lemma steps_some : has_rests (1 / 5) steps 1.
+Proof.
+  intros p vx vy M. pose proof PI_RGT_0. left. split; trivial. split; [ | intros; apply (moves_again steps steps_normalised (1 / 5) p); trivial; lra ].
+  destruct w5_caught as [C Z]. destruct (C p vx vy M) as (t1 & h1 & E). exists t1. intros t Ht. destruct (per_spec (p + t) (2 * PI) ltac:(lra) (85 * PI / 88)) as [n Hn].
+  exists (85 * PI / 88 - IZR n * (2 * PI) - p), (3 * PI / 88). split; [ lra | split; [ lra | ] ]. intros u Hu. destruct (E u ltac:(lra)) as [-> ->].
+  rewrite <- (shift_Z (2 * PI) w5 (half_per w5 (fun t => ext_anti PI _ PI_RGT_0 t)) (- n)), Z, nrm_x by (rewrite opp_IZR; lra). apply Rabs_R0.
+Qed.
+(* with the friction 1/2: forward, and backward at once *)
+Definition w2 : R -> R := ext PI (glue (PI / 2) (fun t => PI / 64 + (1 - 1 * (1 / 2)) * (t - 0)) (glue (65 * PI / 96) (fun t => 17 * PI / 64 + (-1 - 1 * (1 / 2)) * (t - PI / 2))
+  (glue (7 * PI / 8) (fun t => 0 + (-1 - -1 * (1 / 2)) * (t - 65 * PI / 96)) (fun t => - 19 * PI / 192 + (1 / 6 - -1 * (1 / 2)) * (t - 7 * PI / 8))))).
+Lemma w2_late : late (1 / 2) steps w2.
+Proof.
+  pose proof PI_RGT_0 as p. assert (A : forall t, w2 (t + PI) = - w2 t) by (intros; now apply ext_anti).
+  assert (B : forall t, w2 t = - w2 (t + PI)) by (intros; rewrite A; ring).
+  apply (passing_late (1 / 2) steps w2) with (z := - 31 * PI / 96) (d := PI / 16); trivial; try lra.
+  - apply half_arc; try lra; [ apply steps_anti | glued | pieces ].
+  - apply steps_normalised.
+  - rewrite B. unfold w2. rewrite ext_first by lra. glued.
+  - intros t Ht. rewrite B. unfold w2. rewrite ext_first by lra. glued.
+  - intros t Ht. rewrite B. unfold w2. rewrite ext_first by lra. glued.
+Qed.
+Lemma steps_none_again : has_rests (1 / 2) steps 0.
+Proof.
+  intros p vx vy M. pose proof PI_RGT_0 as pp. right. split; trivial. destruct (late_drawn _ _ _ w2_late p vx vy M) as [L _].
+  destruct (Analysis.lim_near _ _ (PI / 64) L ltac:(lra)) as (t1 & t10 & D). exists t1. intros s d Hs hd. apply Classical_Prop.NNPP. intros no.
+  assert (Z : forall u, s <= u <= s + d -> nrm (vx u) (vy u) = 0) by (intros u Hu; apply Classical_Prop.NNPP; intros n; apply no; exists u; auto).
+  pose proof (rest_held (1 / 2) steps p vx vy s d ltac:(lra) M ltac:(lra) hd Z) as R. destruct (nrm_zero _ _ (Z s ltac:(lra))) as [z _]. specialize (D s Hs). cbv beta in D. rewrite z in D.
+  destruct (per_spec 0 PI pp (p + s)) as [n Hn]. destruct (steps_on n (p + s)) as (S1 & S2 & S3). assert (q : sg n = 1 \/ sg n = -1) by apply sg_cases. unfold w2 in D. rewrite (ext_on PI _ pp n) in D by lra.
+  assert (Hx : 0 <= p + s - IZR n * PI < PI) by lra. set (x := p + s - IZR n * PI) in *. destruct (Rlt_le_dec x (PI / 2)); [ | destruct (Rlt_le_dec x (7 * PI / 8)) ].
+  - rewrite S1 in R by lra. apply Rabs_le_between in R. destruct q as [e | e]; rewrite e in R; lra.
+  - rewrite S2 in R by lra. apply Rabs_le_between in R. destruct q as [e | e]; rewrite e in R; lra.
+  - revert D. glued. destruct q as [-> | ->]; intros D; lra.
+Qed.
