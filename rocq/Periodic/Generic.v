@@ -67,14 +67,13 @@ Proof.
   intros hl p vx vy M. pose proof PI_RGT_0. left. assert (m0 : 0 <= mean (fun t => Rabs (h t))).
   { unfold mean. apply Rle_div_r; [ lra | ]. rewrite Rmult_0_l. apply RInt_ge_0; [ lra | apply abs_int | intros; apply Rabs_pos ]. }
   split; trivial. split; [ | intros t Ht; apply (moves_again l p); trivial; lra ]. assert (pull : forall t, nrm (- h (p + t)) 0 = Rabs (h (p + t))) by (intros; now rewrite nrm_x, Rabs_Ropp).
-  exists (nrm (vx 0) (vy 0) / (l - J (2 * PI) / (2 * PI)) + 2 * PI). intros t Ht. 
-  destruct (rest_is_certain l (fun t => - h (p + t)) (fun _ => 0) vx vy) with (T := 2 * PI) (m := J (2 * PI)) (J := fun t => J (p + t)) (t := t) as (s & d & Hs & hd & Z); trivial; try lra.
+  exists (nrm (vx 0) (vy 0) / (l - J (2 * PI) / (2 * PI)) + 2 * PI). intros t Ht.
+  apply (rest_is_certain l (fun t => - h (p + t)) (fun _ => 0) vx vy) with (m := J (2 * PI)) (J := fun t => J (p + t)); trivial; try lra.
+  - intros u _ e he. destruct (abs_right (p + u) e he) as (b & b0 & B). exists b. split; trivial. intros r Hr. rewrite !pull. apply B. lra.
   - intros u _. apply cont_phase, (prim_cont _ 1); [ apply abs_int | apply abs_size ].
   - intros u _. rewrite pull. apply (rder_phase J), (prim_rder _ abs_int), abs_right.
   - intros u _. rewrite <- Rplus_assoc. apply (prim_per _ abs_int). intros s; apply f_equal, N.
   - apply Rlt_div_l; [ lra | apply hl ].
-  - intros u _ e he. destruct (abs_right (p + u) e he) as (b & b0 & B). exists b. split; trivial. intros r Hr. rewrite !pull. apply B. lra.
-  - exists s, d. split; trivial. split; trivial. intros u Hu. destruct (Z u Hu) as [-> ->]. rewrite nrm_x. apply Rabs_R0.
 Qed.
 (* below the size of the mean of h it is driven away *)
 Lemma below_the_mean s l : s = 1 \/ s = -1 -> 0 <= l < s * mean h -> has_rests l h 0.
