@@ -2,14 +2,9 @@
    defined in Periodic/Drawn.v, pulse in Periodic/Pulses.v. l is lambda0, the friction over the largest drive. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Drawn Line Pulses Formulas.
+From Slipbook Require Import Motion Analysis General Drawn Line Median Mean Generic Steps Share Pulses Formulas.
 From Slipbook Require Export HalfPeriod.
 Open Scope R_scope.
-
-Ltac emptied T := lazymatch T with
-  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
-  | _ => constr:(False) end.
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
 
 (* Under pulses of any width between 0 and 1 and any friction there is a motion of the drive's period to which all are drawn. *)
 Theorem pulses_at_large_times eta l : 0 < eta < 1 -> 0 < l -> exists W, late l (pulse eta) W.
@@ -87,6 +82,26 @@ Proof.
   intros H. destruct (pulses_at_large_times (1/3) 2) as [W HW]; try lra. refine (H (pulse (1/3)) 2 0 _ _ _ _ (late_moves _ _ _ HW 0) _ (Rle_refl _)); unfold s23_rest_sides_1, s23_rest_sides_2; [ | lra ].
   intros t. destruct (pulse_size (1/3) t); lra.
 Qed.
+
+(* Every generic drive has a least friction lambda_c, between 0 and 1, above which each motion of the plane has rest and motion in every late
+   period, up to friction as strong as the drive, and another friction below which no motion has rests at large times. Between the two the
+   behaviour may change: under the drive `steps` there is no rest at 1/8, rest at 1/5, none at 1/2, and rest again above its lambda_c. *)
+Theorem s23_threshold_exists : (forall h, generic h -> exists lc, 0 < lc < 1 /\ (forall l, lc < l < 1 -> has_rests l h s23_rests_2) /\
+    (forall x, 0 <= x -> (forall l, x < l < 1 -> has_rests l h s23_rests_2) -> lc <= x) /\
+    exists l0, 0 < l0 <= lc /\ forall l, 0 < l < l0 -> has_rests l h s23_rests_1) /\
+  (generic steps /\ has_rests (1 / 8) steps s23_rests_1 /\ has_rests (1 / 5) steps s23_rests_2 /\ has_rests (1 / 2) steps s23_rests_1).
+Proof. exact (conj threshold (conj steps_generic (conj steps_none (conj steps_some steps_none_again)))). Qed.
+(* It needs a drive that is smaller than its largest size for some time: otherwise there is no rest at any friction below 1. *)
+Theorem s23_threshold_exists__needs_smaller h l : (forall t, Rabs (h t) = s23_largest) -> 0 <= l < s23_largest -> has_rests l h s23_rests_1.
+Proof. exact (fun hh hl => unsteady_none h l ltac:(intros t; rewrite hh; apply hl) (proj1 hl)). Qed.
+
+(* For a drive of the size 1 at single instants only the part of each late period for which the particle rests, from whatever start, tends to
+   the whole period as the friction tends to 1. *)
+Theorem s23_mostly_at_rest h eps : normalised h -> full_at_instants h -> 0 < eps -> exists l0, l0 < 1 /\ forall l, l0 < l < 1 ->
+  forall p vx vy, moves l h p vx vy -> exists t1, forall t, t1 <= t -> rests_for (fun t => nrm (vx t) (vy t)) t (t + 2 * PI) (2 * PI * (s23_late_share - eps)).
+Proof. exact (fun N F he => mostly_at_rest h N F eps he). Qed.
+Lemma s23_mostly_at_rest__occurs : ltac:(occurs s23_mostly_at_rest).
+Proof. intros H. exact (H sin 1 sine_normalised sine_full Rlt_0_1). Qed.
 
 (* The condition of (44), as corrected: the motion at large times vanishes before the drive, which is 0 from eta PI on, becomes nonzero again, at
    PI, exactly where lambda0 > eta. *)

@@ -27,6 +27,13 @@ Proof.
   pose proof (rder_rest vx s d _ hd (fun u hu => proj1 (nrm_zero _ _ (Z u hu))) X). apply Rabs_le. assert (fx ^ 2 <= l ^ 2) by nra. split; nra.
 Qed.
 
+(* where the drive is above friction all the time there is none *)
+Lemma unsteady_none h l : (forall t, l < Rabs (h t)) -> 0 <= l -> has_rests l h 0.
+Proof.
+  intros hh hl p vx vy M. right. split; trivial. exists 0. intros s d Hs hd. apply Classical_Prop.NNPP. intros no. specialize (hh (p + s)).
+  enough (Rabs (h (p + s)) <= l) by lra. apply (rest_held l h p vx vy s d); trivial. intros u Hu. apply Classical_Prop.NNPP. intros n. apply no. exists u. auto.
+Qed.
+
 Section Drive.
 Variable h : R -> R.
 Hypothesis N : normalised h.

@@ -2,7 +2,7 @@
    |h| <= 1 - s its speed falls at the rate s - (1 - l) until it rests, elsewhere it grows at 1 - l at most, and that is a short time. *)
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Analysis HalfPeriod Drawn Median Mean Generic.
+From Slipbook Require Import Motion Analysis HalfPeriod Drawn Median Mean Generic Steps.
 Open Scope R_scope.
 
 (* v is 0 on finitely many intervals in [a, b], which one after the other are found from a on, of the length x together *)
@@ -119,4 +119,12 @@ Proof.
     apply Rnot_lt_le. intros far. assert (x0 : 2 * PI * eps < 2 * PI - y) by lra. assert (0 < 2 * PI * eps) by nra.
     assert (s / 2 * (2 * PI - y) <= (s - (1 - l)) * (2 * PI - y)) by (apply Rmult_le_compat_r; lra). assert (s / 2 * (2 * PI * eps) < s / 2 * (2 * PI - y)) by (apply Rmult_lt_compat_l; lra).
     replace (t + 2 * PI - t - y) with (2 * PI - y) in Q by ring. lra.
+Qed.
+
+Lemma sine_full : full_at_instants sin.
+Proof.
+  exists (PI / 2 :: 3 * (PI / 2) :: nil). intros t Ht I. simpl in I. assert (S : Rabs (sin t) < 1).
+  { pose proof (SIN_bound t). apply Rnot_le_lt. intros k. destruct (cos_eq_0_2PI_0 t) as [e | e]; try lra.
+    pose proof (unit_circle t). assert (1 <= sin t ^ 2) by (rewrite <- pow2_abs; nra). nra. }
+  exists ((1 - Rabs (sin t)) / 2). split; [ lra | ]. intros s Hs. pose proof (sin_near s t). pose proof (Rabs_triang_inv (sin s) (sin t)). lra.
 Qed.

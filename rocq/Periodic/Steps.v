@@ -41,53 +41,71 @@ Proof.
   apply (ex_RInt_inside h a b 0 (INR n * PI) (J n)); rewrite Rminus_0_r; lra.
 Qed.
 
-(* 1 for half of each half period, then -1, and 1/6 at its end; with (43): «the drive that is $1$ for $0<\phi<\frac\pi2$, $-1$ up to
-   $\frac78\pi$, $\frac16$ up to $\pi$, and in each half period the opposite of what it is in the one before» *)
-Definition steps : R -> R := ext PI (fun s => if Rlt_dec s (PI / 2) then 1 else if Rlt_dec s (7 * PI / 8) then -1 else 1 / 6).
-Lemma steps_on n t : let s := t - IZR n * PI in (0 <= s < PI / 2 -> steps t = sg n) /\ (PI / 2 <= s < 7 * PI / 8 -> steps t = - sg n) /\ (7 * PI / 8 <= s < PI -> steps t = sg n / 6).
-Proof.
-  pose proof PI_RGT_0 as p. cbv zeta. unfold steps. repeat split; intros H; rewrite (ext_on PI _ p n) by lra; repeat destruct Rlt_dec; lra.
-Qed.
-Lemma steps_anti t : steps (t + PI) = - steps t. Proof. apply ext_anti, PI_RGT_0. Qed.
+(* 1 up to a, then -1 up to b, and u to the end of the half period; the other one by (43) *)
+Section Three.
+Variables a b u : R.
+Hypothesis H : 0 < a < b /\ b < PI.
+Definition three : R -> R := ext PI (fun s => if Rlt_dec s a then 1 else if Rlt_dec s b then -1 else u).
+Lemma three_on n t : let s := t - IZR n * PI in (0 <= s < a -> three t = sg n) /\ (a <= s < b -> three t = - sg n) /\ (b <= s < PI -> three t = sg n * u).
+Proof. pose proof PI_RGT_0 as p. cbv zeta. unfold three. repeat split; intros K; rewrite (ext_on PI _ p n) by lra; repeat destruct Rlt_dec; lra. Qed.
+Lemma three_first t : (0 <= t < a -> three t = 1) /\ (a <= t < b -> three t = -1) /\ (b <= t < PI -> three t = u).
+Proof. unfold three. repeat split; intros K; rewrite ext_first by lra; repeat destruct Rlt_dec; lra. Qed.
+Lemma three_anti t : three (t + PI) = - three t. Proof. apply ext_anti, PI_RGT_0. Qed.
 (* each phase is within a step *)
-Lemma steps_step t : exists a b c, a <= t < b /\ (forall s, a <= s < b -> steps s = c) /\ (Rabs c = 1 \/ Rabs c = 1 / 6).
+Lemma three_step t : exists x y c, x <= t < y /\ (forall s, x <= s < y -> three s = c) /\ (Rabs c = 1 \/ Rabs c = Rabs u).
 Proof.
   pose proof PI_RGT_0 as p. destruct (per_spec 0 PI p t) as [n Hn]. assert (A : Rabs (sg n) = 1) by (destruct (sg_cases n) as [-> | ->]; abs).
-  destruct (Rlt_le_dec (t - IZR n * PI) (PI / 2)); [ | destruct (Rlt_le_dec (t - IZR n * PI) (7 * PI / 8)) ].
-  - exists (IZR n * PI), (IZR n * PI + PI / 2), (sg n). split; [ lra | split; auto ]. intros s Hs. apply steps_on. lra.
-  - exists (IZR n * PI + PI / 2), (IZR n * PI + 7 * PI / 8), (- sg n). split; [ lra | split; [ | rewrite Rabs_Ropp; auto ] ]. intros s Hs. apply (steps_on n). lra.
-  - exists (IZR n * PI + 7 * PI / 8), ((IZR n + 1) * PI), (sg n / 6). split; [ lra | split ]. intros s Hs. apply (steps_on n). lra. right. destruct (sg_cases n) as [-> | ->]; abs.
+  destruct (Rlt_le_dec (t - IZR n * PI) a); [ | destruct (Rlt_le_dec (t - IZR n * PI) b) ].
+  - exists (IZR n * PI), (IZR n * PI + a), (sg n). split; [ lra | split; auto ]. intros s Hs. apply three_on. lra.
+  - exists (IZR n * PI + a), (IZR n * PI + b), (- sg n). split; [ lra | split; [ | rewrite Rabs_Ropp; auto ] ]. intros s Hs. apply (three_on n). lra.
+  - exists (IZR n * PI + b), ((IZR n + 1) * PI), (sg n * u). split; [ lra | split ]. intros s Hs. apply (three_on n). lra. right. rewrite Rabs_mult, A. ring.
 Qed.
-Lemma steps_normalised : normalised steps.
+Hypothesis hu : Rabs u <= 1.
+Lemma three_normalised : normalised three.
 Proof.
   pose proof PI_RGT_0 as p. split.
-  - intros t. replace (t + 2 * PI) with (t + PI + PI) by ring. rewrite !steps_anti. ring.
-  - intros t e he. destruct (steps_step t) as (a & b & c & Ht & S & _). exists (b - t). split; [ lra | ]. intros s Hs. rewrite !S by lra. rewrite Rminus_eq_0, Rabs_R0. trivial.
+  - apply half_per, three_anti.
+  - intros t e he. destruct (three_step t) as (x & y & c & Ht & S & _). exists (y - t). split; [ lra | ]. intros s Hs. rewrite !S by lra. rewrite Rminus_eq_0, Rabs_R0. trivial.
   - apply int_halves. intros n.
-    assert (C : forall a b c, a <= b -> (forall s, a <= s < b -> steps s = c) -> ex_RInt steps a b).
-    { intros a b c Hab S. apply (ex_RInt_ext (fun _ => c)); [ | apply ex_RInt_const ]. intros s Hs. rewrite Rmin_left, Rmax_right in Hs by trivial. symmetry. apply S. lra. }
-    apply (ex_RInt_Chasles _ _ (IZR n * PI + PI / 2)); [ | apply (ex_RInt_Chasles _ _ (IZR n * PI + 7 * PI / 8)) ].
-    + apply (C _ _ (sg n)); [ lra | ]. intros s Hs. apply (steps_on n). lra.
-    + apply (C _ _ (- sg n)); [ lra | ]. intros s Hs. apply (steps_on n). lra.
-    + apply (C _ _ (sg n / 6)); [ lra | ]. intros s Hs. apply (steps_on n). lra.
-  - intros t. destruct (steps_step t) as (a & b & c & Ht & S & [e | e]); rewrite S, e by trivial; lra.
-  - intros l Hl. exists 0. rewrite (proj1 (steps_on 0 0)); [ unfold sg; simpl; abs | simpl; lra ].
+    assert (C : forall x y c, x <= y -> (forall s, x <= s < y -> three s = c) -> ex_RInt three x y).
+    { intros x y c Hxy S. apply (ex_RInt_ext (fun _ => c)); [ | apply ex_RInt_const ]. intros s Hs. rewrite Rmin_left, Rmax_right in Hs by trivial. symmetry. apply S. lra. }
+    apply (ex_RInt_Chasles _ _ (IZR n * PI + a)); [ | apply (ex_RInt_Chasles _ _ (IZR n * PI + b)) ].
+    + apply (C _ _ (sg n)); [ lra | ]. intros s Hs. apply (three_on n). lra.
+    + apply (C _ _ (- sg n)); [ lra | ]. intros s Hs. apply (three_on n). lra.
+    + apply (C _ _ (sg n * u)); [ lra | ]. intros s Hs. apply (three_on n). lra.
+  - intros t. destruct (three_step t) as (x & y & c & Ht & S & [e | e]); rewrite S, e by trivial; lra.
+  - intros l Hl. exists 0. rewrite (proj1 (three_first 0)) by lra. abs.
 Qed.
+Lemma three_mean : mean three = 0.
+Proof.
+  pose proof (half_prim three three_anti (d_int _ three_normalised) PI) as K. replace (PI + PI) with (2 * PI) in K by ring. unfold mean. rewrite K. unfold Rdiv. rewrite Rminus_eq_0. apply Rmult_0_l.
+Qed.
+End Three.
+
+(* «the drive that is $1$ for $0\le\phi<\frac\pi2$, $-1$ up to $\frac78\pi$, $\frac16$ up to $\pi$, and in each half period the opposite of what it
+   was in the one before» *)
+Definition steps : R -> R := three (PI / 2) (7 * PI / 8) (1 / 6).
+Lemma steps_places : 0 < PI / 2 < 7 * PI / 8 /\ 7 * PI / 8 < PI. Proof. pose proof PI_RGT_0. lra. Qed.
+Lemma sixth : Rabs (1 / 6) = 1 / 6. Proof. apply Rabs_pos_eq. lra. Qed.
+Lemma steps_anti t : steps (t + PI) = - steps t. Proof. apply three_anti. Qed.
+Lemma steps_on n t : let s := t - IZR n * PI in (0 <= s < PI / 2 -> steps t = sg n) /\ (PI / 2 <= s < 7 * PI / 8 -> steps t = - sg n) /\ (7 * PI / 8 <= s < PI -> steps t = sg n * (1 / 6)).
+Proof. exact (three_on _ _ _ steps_places n t). Qed.
+Lemma steps_first t : (0 <= t < PI / 2 -> steps t = 1) /\ (PI / 2 <= t < 7 * PI / 8 -> steps t = -1) /\ (7 * PI / 8 <= t < PI -> steps t = 1 / 6).
+Proof. exact (three_first _ _ _ steps_places t). Qed.
+Lemma steps_normalised : normalised steps. Proof. apply three_normalised; [ exact steps_places | rewrite sixth; lra ]. Qed.
+Lemma steps_size t : 1 / 6 <= Rabs (steps t).
+Proof. destruct (three_step _ _ (1 / 6) steps_places t) as (x & y & c & Ht & S & e). rewrite sixth in e. unfold steps. rewrite S by trivial. lra. Qed.
 Lemma steps_generic : generic steps.
 Proof.
   pose proof PI_RGT_0 as p. pose proof steps_normalised as N. split; trivial.
-  - exists (7 * PI / 8). rewrite (proj2 (proj2 (steps_on 0 _))); [ unfold sg; simpl; abs | simpl; lra ].
+  - exists (7 * PI / 8). unfold steps. rewrite (proj2 (proj2 (steps_first _))), sixth; lra.
   - intros _. exists (RInt steps 0 PI / 2). split.
     + apply half_median; [ apply (prim_cont steps 1); apply N | ]. intros t. rewrite (half_prim steps steps_anti (d_int _ N)). field.
-    + intros t _. exists (1 / 6). split; [ lra | ]. intros s _. destruct (steps_step s) as (a & b & c & Hs & S & [e | e]); rewrite S, e by trivial; lra.
+    + intros t _. exists (1 / 6). split; [ lra | ]. intros s _. apply steps_size.
 Qed.
 (* friction below every step: no rest *)
 Lemma steps_none : has_rests (1 / 8) steps 0.
-Proof.
-  intros p0 vx vy M. right. split; trivial. exists 0. intros s d Hs hd. apply Classical_Prop.NNPP. intros no.
-  pose proof (rest_held (1 / 8) steps p0 vx vy s d ltac:(lra) M Hs hd) as R. destruct (steps_step (p0 + s)) as (a & b & c & Ht & S & e). rewrite S in R by trivial.
-  enough (Rabs c <= 1 / 8) by (destruct e; lra). apply R. intros u Hu. apply Classical_Prop.NNPP. intros n. apply no. exists u. auto.
-Qed.
+Proof. apply unsteady_none; [ intros t; pose proof (steps_size t) | ]; lra. Qed.
 
 (* straight pieces of a velocity that keeps the sense s *)
 Lemma straight l h p q c s y : 0 <= l -> p <= q -> s = 1 \/ s = -1 -> (forall t, p <= t < q -> h t = c) -> 0 <= s * y -> 0 <= s * (y + (c - s * l) * (q - p)) ->
@@ -97,10 +115,6 @@ Proof.
   assert (K : 0 <= s * (y + (c - s * l) * (t - p)) * (q - p)).
   { replace (s * (y + (c - s * l) * (t - p)) * (q - p)) with (s * y * (q - t) + s * (y + (c - s * l) * (q - p)) * (t - p)) by ring. apply Rplus_le_le_0_compat; apply Rmult_le_pos; lra. }
   assert (0 <= s * (y + (c - s * l) * (t - p))) by (apply (Rmult_le_reg_r (q - p)); lra). destruct hs as [-> | ->]; repeat split; lra.
-Qed.
-Lemma steps_first t : (0 <= t < PI / 2 -> steps t = 1) /\ (PI / 2 <= t < 7 * PI / 8 -> steps t = -1) /\ (7 * PI / 8 <= t < PI -> steps t = 1 / 6).
-Proof.
-  destruct (steps_on 0 t) as (A & B & C). simpl in *. rewrite Rmult_0_l, Rminus_0_r in *. repeat split; intros Ht; [ now apply A | now rewrite B | now rewrite C ].
 Qed.
 Ltac glued := repeat ((rewrite glue_l by lra) || (rewrite glue_r by lra)); cbv beta; try lra.
 Ltac pieces := repeat (apply arc_glue; [ lra | | | glued ]);
@@ -148,4 +162,15 @@ Proof.
   - rewrite S1 in R by lra. apply Rabs_le_between in R. destruct q as [e | e]; rewrite e in R; lra.
   - rewrite S2 in R by lra. apply Rabs_le_between in R. destruct q as [e | e]; rewrite e in R; lra.
   - revert D. glued. destruct q as [-> | ->]; intros D; lra.
+Qed.
+
+(* the sine *)
+Lemma sine_normalised : normalised sin.
+Proof.
+  assert (C : forall t, continuity_pt sin t) by apply continuity_sin. split.
+  - apply sin_per.
+  - intros t. apply cont_rcont, C.
+  - now apply cont_int.
+  - intros t. apply Rabs_le, SIN_bound.
+  - intros l Hl. exists (PI / 2). rewrite sin_PI2, Rabs_R1. trivial.
 Qed.
