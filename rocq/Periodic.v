@@ -94,6 +94,13 @@ Proof. exact (conj threshold (conj steps_generic (conj steps_none (conj steps_so
 (* It needs a drive that is smaller than its largest size for some time: otherwise there is no rest at any friction below 1. *)
 Theorem s23_threshold_exists__needs_smaller h l : (forall t, Rabs (h t) = s23_largest) -> 0 <= l < s23_largest -> has_rests l h s23_rests_1.
 Proof. exact (fun hh hl => unsteady_none h l ltac:(intros t; rewrite hh; apply hl) (proj1 hl)). Qed.
+(* And it needs a drive that does not vanish at the median of its antiderivative: under this one there is rest at every friction. *)
+Theorem s23_threshold_exists__needs_median : normalised halting /\ (exists t, Rabs (halting t) < 1) /\ mean halting = 0 /\
+  forall l, 0 < l < 1 -> has_rests l halting s23_rests_2.
+Proof.
+  pose proof PI_RGT_0. split; [ | split; [ | split; [ | exact halting_rests ] ] ]; [ apply three_normalised | exists (PI / 4) | apply three_mean ]; try lra; try (rewrite Rabs_R0; lra).
+  unfold halting. rewrite (proj2 (proj2 (three_first (PI / 8) (PI / 4) 0 ltac:(lra) (PI / 4)))), Rabs_R0; lra.
+Qed.
 
 (* For a drive of the size 1 at single instants only the part of each late period for which the particle rests, from whatever start, tends to
    the whole period as the friction tends to 1. *)

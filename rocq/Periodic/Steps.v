@@ -117,25 +117,44 @@ Proof.
   assert (0 <= s * (y + (c - s * l) * (t - p))) by (apply (Rmult_le_reg_r (q - p)); lra). destruct hs as [-> | ->]; repeat split; lra.
 Qed.
 Ltac glued := repeat ((rewrite glue_l by lra) || (rewrite glue_r by lra)); cbv beta; try lra.
-Ltac pieces := repeat (apply arc_glue; [ lra | | | glued ]);
-  first [ apply arc_still; intros t Ht; rewrite (proj2 (proj2 (steps_first t))) by lra; abs | apply straight; try lra; auto; intros t Ht; apply steps_first; lra ].
+(* an arc of straight pieces under the steps F *)
+Ltac pieces F := repeat (apply arc_glue; [ lra | | | glued ]);
+  first [ apply arc_still; intros t Ht; rewrite (proj2 (proj2 (F t))) by lra; abs | apply straight; try lra; auto; intros t Ht; apply F; lra ].
+(* all become one that rests: rests *)
+Lemma caught_rests l h W r s c : normalised h -> 0 < l < 1 -> (forall t, h (t + PI) = - h t) -> (forall t, W (t + PI) = - W t) -> (forall p, moves l h p (fun t => W (p + t)) (fun _ => 0)) ->
+  0 <= r < s -> (forall t, r <= t <= s -> W t = 0) -> (forall t, r <= t < s -> h t = c) -> Rabs c < l -> has_rests l h 1.
+Proof.
+  intros N hl ha A M hr Z C hc p vx vy V. pose proof PI_RGT_0. left. split; trivial. split; [ | intros; apply (moves_again h N l p); trivial; lra ].
+  destruct (rest_caught l h W ltac:(lra) ha A M r s c ltac:(lra) Z C hc p vx vy V) as (t1 & h1 & E). exists t1. intros t Ht. destruct (per_spec (p + t) (2 * PI) ltac:(lra) r) as [n Hn].
+  exists (r - IZR n * (2 * PI) - p), (s - r). split; [ lra | split; [ lra | ] ]. intros u Hu. destruct (E u ltac:(lra)) as [-> ->].
+  rewrite <- (shift_Z (2 * PI) W (half_per W A) (- n)), Z, nrm_x by (rewrite opp_IZR; lra). apply Rabs_R0.
+Qed.
 (* half a period of the motion at large times with the friction 1/5: forward, backward, and rest to the end *)
 Definition w5 : R -> R := ext PI (glue (PI / 2) (fun t => 0 + (1 - 1 * (1 / 5)) * (t - 0)) (glue (5 * PI / 6) (fun t => 2 * PI / 5 + (-1 - 1 * (1 / 5)) * (t - PI / 2))
   (glue (7 * PI / 8) (fun t => 0 + (-1 - -1 * (1 / 5)) * (t - 5 * PI / 6)) (glue (85 * PI / 88) (fun t => - PI / 30 + (1 / 6 - -1 * (1 / 5)) * (t - 7 * PI / 8)) (fun _ => 0))))).
-Lemma w5_caught : caught (1 / 5) steps w5 /\ forall t, 85 * PI / 88 <= t <= PI -> w5 t = 0.
-Proof.
-  pose proof PI_RGT_0 as p. assert (A : forall t, w5 (t + PI) = - w5 t) by (intros; now apply ext_anti).
-  assert (Z : forall t, 85 * PI / 88 <= t <= PI -> w5 t = 0).
-  { intros t Ht. destruct (Req_dec t PI) as [-> | n]; [ rewrite <- (Rplus_0_l PI), A | ]; unfold w5; rewrite ext_first by lra; glued. }
-  split; trivial. apply (rest_caught (1 / 5) steps w5) with (r := 85 * PI / 88) (s := PI) (c := 1 / 6); trivial; try lra; [ apply steps_anti | | intros t Ht; apply steps_first; lra | abs ].
-  apply half_arc; try lra; [ apply steps_anti | glued | pieces ].
-Qed.
 Lemma steps_some : has_rests (1 / 5) steps 1.
 Proof.
-  intros p vx vy M. pose proof PI_RGT_0. left. split; trivial. split; [ | intros; apply (moves_again steps steps_normalised (1 / 5) p); trivial; lra ].
-  destruct w5_caught as [C Z]. destruct (C p vx vy M) as (t1 & h1 & E). exists t1. intros t Ht. destruct (per_spec (p + t) (2 * PI) ltac:(lra) (85 * PI / 88)) as [n Hn].
-  exists (85 * PI / 88 - IZR n * (2 * PI) - p), (3 * PI / 88). split; [ lra | split; [ lra | ] ]. intros u Hu. destruct (E u ltac:(lra)) as [-> ->].
-  rewrite <- (shift_Z (2 * PI) w5 (half_per w5 (fun t => ext_anti PI _ PI_RGT_0 t)) (- n)), Z, nrm_x by (rewrite opp_IZR; lra). apply Rabs_R0.
+  pose proof PI_RGT_0 as p. assert (A : forall t, w5 (t + PI) = - w5 t) by (intros; now apply ext_anti).
+  apply (caught_rests (1 / 5) steps w5) with (r := 85 * PI / 88) (s := PI) (c := 1 / 6); trivial; try lra; [ apply steps_normalised | apply steps_anti | | | | rewrite sixth; lra ].
+  - apply half_arc; try lra; [ apply steps_anti | glued | pieces steps_first ].
+  - intros t Ht. destruct (Req_dec t PI) as [-> | n]; [ rewrite <- (Rplus_0_l PI), A | ]; unfold w5; rewrite ext_first by lra; glued.
+  - intros t Ht. apply steps_first. lra.
+Qed.
+(* the drive that is 1 up to PI/8, -1 up to PI/4, and 0 for the rest of the half period: its primitive is at its median where it is 0. There is
+   rest with every friction. x is for how long it goes forward against the drive *)
+Definition halting : R -> R := three (PI / 8) (PI / 4) 0.
+Lemma halting_rests l : 0 < l < 1 -> has_rests l halting 1.
+Proof.
+  intros hl. unfold halting. pose proof PI_RGT_0 as p. assert (P : 0 < PI / 8 < PI / 4 /\ PI / 4 < PI) by lra. assert (F := three_first (PI / 8) (PI / 4) 0 P : forall t, _ ).
+  set (x := (1 - l) / (1 + l) * (PI / 8)). assert (ex : x * (1 + l) = (1 - l) * (PI / 8)) by (unfold x; field; lra). assert (x0 : 0 < x) by (unfold x; apply Rmult_lt_0_compat; [ apply Rdiv_lt_0_compat | ]; lra).
+  assert (xl : 0 < x * l) by nra. assert (pl : 0 < l * PI) by nra. assert (x1 : x < PI / 8) by nra. clearbody x.
+  set (g := glue (PI / 8) (fun t => 0 + (1 - 1 * l) * (t - 0)) (glue (PI / 8 + x) (fun t => (1 - l) * (PI / 8) + (-1 - 1 * l) * (t - PI / 8))
+    (glue (PI / 4) (fun t => 0 + (-1 - -1 * l) * (t - (PI / 8 + x))) (glue (PI / 4 + 2 * x) (fun t => - (2 * l * x) + (0 - -1 * l) * (t - PI / 4)) (fun _ => 0))))).
+  assert (A : forall t, ext PI g (t + PI) = - ext PI g t) by (intros; now apply ext_anti).
+  apply (caught_rests l (three (PI / 8) (PI / 4) 0) (ext PI g)) with (r := PI / 4 + 2 * x) (s := PI) (c := 0); trivial; try lra; [ apply three_normalised; [ lra | abs ] | apply three_anti | | | | abs ].
+  - apply half_arc; try lra; [ apply three_anti | unfold g; glued | unfold g; pieces F ].
+  - intros t Ht. destruct (Req_dec t PI) as [-> | n]; [ pose proof (A 0) as K; rewrite Rplus_0_l in K; rewrite K | ]; unfold g; rewrite ext_first by lra; glued.
+  - intros t Ht. apply F. lra.
 Qed.
 (* with the friction 1/2: forward, and backward at once *)
 Definition w2 : R -> R := ext PI (glue (PI / 2) (fun t => PI / 64 + (1 - 1 * (1 / 2)) * (t - 0)) (glue (65 * PI / 96) (fun t => 17 * PI / 64 + (-1 - 1 * (1 / 2)) * (t - PI / 2))
@@ -145,7 +164,7 @@ Proof.
   pose proof PI_RGT_0 as p. assert (A : forall t, w2 (t + PI) = - w2 t) by (intros; now apply ext_anti).
   assert (B : forall t, w2 t = - w2 (t + PI)) by (intros; rewrite A; ring).
   apply (passing_late (1 / 2) steps w2) with (z := - 31 * PI / 96) (d := PI / 16); trivial; try lra.
-  - apply half_arc; try lra; [ apply steps_anti | glued | pieces ].
+  - apply half_arc; try lra; [ apply steps_anti | glued | pieces steps_first ].
   - apply steps_normalised.
   - rewrite B. unfold w2. rewrite ext_first by lra. glued.
   - intros t Ht. rewrite B. unfold w2. rewrite ext_first by lra. glued.
