@@ -85,11 +85,11 @@ Qed.
 
 (* Every generic drive has a least friction lambda_c, between 0 and 1, above which each motion of the plane has rest and motion in every late
    period, up to friction as strong as the drive, and another friction below which no motion has rests at large times. Between the two the
-   behaviour may change: under the drive `steps` there is no rest at 1/8, rest at 1/5, none at 1/2, and rest again above its lambda_c. *)
+   behaviour may change: under the drive step_drive, in steps, there is no rest at 1/8, rest at 1/5, none at 1/2, and rest again above its lambda_c. *)
 Theorem s23_threshold_exists : (forall h, generic h -> exists lc, 0 < lc < 1 /\ (forall l, lc < l < 1 -> has_rests l h s23_rests_2) /\
     (forall x, 0 <= x -> (forall l, x < l < 1 -> has_rests l h s23_rests_2) -> lc <= x) /\
     exists l0, 0 < l0 <= lc /\ forall l, 0 < l < l0 -> has_rests l h s23_rests_1) /\
-  (generic steps /\ has_rests (1 / 8) steps s23_rests_1 /\ has_rests (1 / 5) steps s23_rests_2 /\ has_rests (1 / 2) steps s23_rests_1).
+  (generic step_drive /\ has_rests (1 / 8) step_drive s23_rests_1 /\ has_rests (1 / 5) step_drive s23_rests_2 /\ has_rests (1 / 2) step_drive s23_rests_1).
 Proof. exact (conj threshold (conj steps_generic (conj steps_none (conj steps_some steps_none_again)))). Qed.
 (* It needs a drive that is smaller than its largest size for some time: otherwise there is no rest at any friction below 1. *)
 Theorem s23_threshold_exists__needs_smaller h l : (forall t, Rabs (h t) = s23_largest) -> 0 <= l < s23_largest -> has_rests l h s23_rests_1.

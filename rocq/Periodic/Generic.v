@@ -2,7 +2,7 @@
    the mean of h, and where h is 0 in the mean and does not vanish at the median of its primitive, little friction leaves no rest. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion HalfPeriod Drawn Line Rates Straight Exists Median Mean.
+From Slipbook Require Import Motion Analysis HalfPeriod Drawn Line Rates Straight Exists Median Mean.
 Open Scope R_scope.
 
 (* the drive, dimensionless; piecewise continuous functions are meant, at a jump with the limit from the right:
@@ -82,28 +82,35 @@ Proof.
   - intros u _. rewrite <- Rplus_assoc. apply (prim_per _ abs_int). intros s; apply f_equal, N.
   - apply Rlt_div_l; [ lra | apply hl ].
 Qed.
-(* below the size of the mean of h it is driven away *)
-Lemma below_the_mean s l : s = 1 \/ s = -1 -> 0 <= l < s * mean h -> has_rests l h 0.
+(* below the size of the mean of h it is driven away: its velocity grows beyond each number x *)
+Lemma below_the_mean s l p vx vy x : s = 1 \/ s = -1 -> 0 <= l < s * mean h -> moves l h p vx vy -> exists t1, 0 <= t1 /\ forall t, t1 <= t -> x < s * vx t.
 Proof.
-  intros hs hl p vx vy M. pose proof PI_RGT_0. right. split; trivial. set (m := mean h) in *. assert (em : 2 * PI * m = G (2 * PI)) by (unfold m, mean; field; lra).
-  destruct (nat_above ((2 * PI * (1 + l) - s * vx 0) / (2 * PI * (s * m - l)))) as [n Hn]. apply Rlt_div_l in Hn; [ | apply Rmult_lt_0_compat; lra ].
-  exists (INR n * (2 * PI)). intros t d Ht hd. exists t. split; [ lra | ]. intros Z. destruct (nrm_zero _ _ Z) as [Z1 _]. pose proof (pos_INR n).
-  assert (t0 : 0 <= t) by nra. destruct (nfloor_ex (t / (2 * PI))) as [k Hk]; [ apply Rle_div_r; lra | ].
-  assert (Hk' : INR k * (2 * PI) <= t < (INR k + 1) * (2 * PI)) by (destruct Hk; split; [ apply Rle_div_r | apply Rlt_div_l ]; lra).
-  assert (nk : (n <= k)%nat). { apply Nat.lt_succ_r, INR_lt. rewrite S_INR. apply (Rmult_lt_reg_r (2 * PI)); lra. } apply le_INR in nk.
-  assert (D : - s * vx t + s * G (p + t) - l * t <= - s * vx 0 + s * G (p + 0) - l * 0).
-  { apply (rder_decr (fun t => - s * vx t + s * G (p + t) - l * t)); trivial; intros r Hr.
+  intros hs hl M. pose proof PI_RGT_0. set (m := mean h) in *. assert (em : 2 * PI * m = G (2 * PI)) by (unfold m, mean; field; lra).
+  assert (D : forall t, 0 <= t -> s * vx 0 - s * G (p + 0) - l * t <= s * vx t - s * G (p + t)).
+  { intros t Ht. enough (- s * vx t + s * G (p + t) - l * t <= - s * vx 0 + s * G (p + 0) - l * 0) by lra.
+    apply (rder_decr (fun t => - s * vx t + s * G (p + t) - l * t)); trivial; intros r Hr.
     - pose proof (m_cx _ _ _ _ _ M r ltac:(lra)). pose proof (cont_phase G p r (prim_cont h 1 (d_int h N) (d_size h N) (p + r))).
       apply (continuity_pt_minus (fun t => - s * vx t + s * G (p + t)) (fun t => l * t)); [ apply (continuity_pt_plus (fun t => - s * vx t) (fun t => s * G (p + t))) | ]; cont.
     - destruct (m_law _ _ _ _ _ M r ltac:(lra)) as (fx & fy & [B _] & X & _). pose proof (rder_phase G p r _ (prim_rder h (d_int h N) (p + r) (d_right h N _))) as Y.
       eexists. split; [ apply (rder_minus (fun t => - s * vx t + s * G (p + t)) (fun t => l * t)); [ apply (rder_plus (fun t => - s * vx t) (fun t => s * G (p + t))); [ apply (rder_mult (fun _ => - s)) | apply (rder_mult (fun _ => s)) ] | ]; rd | ].
       assert (- l <= fx <= l) by nra. destruct hs as [-> | ->]; lra. }
-  assert (P : forall k, G (p + 0) + INR k * (2 * PI * m) = G (p + INR k * (2 * PI))).
-  { induction k0 as [ | j IH ]; [ simpl; rewrite !Rmult_0_l; ring | ]. rewrite S_INR. replace (p + (INR j + 1) * (2 * PI)) with (p + INR j * (2 * PI) + 2 * PI) by ring.
-    rewrite (prim_per h (d_int h N) _ _ (d_per h N)), <- IH, <- em. ring. }
-  pose proof (prim_lip h 1 (d_int h N) (d_size h N) (p + INR k * (2 * PI)) (p + t) ltac:(lra)) as K. rewrite <- P in K. apply Rabs_le_between in K. rewrite Z1 in D.
-  assert (INR n * (2 * PI * (s * m - l)) <= INR k * (2 * PI * (s * m - l))) by (apply Rmult_le_compat_r; trivial; apply Rmult_le_pos; lra).
-  assert (l * t <= l * ((INR k + 1) * (2 * PI))) by (apply Rmult_le_compat_l; lra). destruct hs as [-> | ->]; lra.
+  (* G grows at the rate m, but for what it does within a period *)
+  assert (P : forall t, 0 <= t -> s * m * t - 2 * (2 * PI) <= s * (G (p + t) - G (p + 0))).
+  { intros t Ht. destruct (nfloor_ex (t / (2 * PI))) as [k Hk]; [ apply Rle_div_r; lra | ].
+    assert (Hk' : INR k * (2 * PI) <= t < (INR k + 1) * (2 * PI)) by (destruct Hk; split; [ apply Rle_div_r | apply Rlt_div_l ]; lra).
+    assert (P : G (p + 0) + INR k * (2 * PI * m) = G (p + INR k * (2 * PI))).
+    { clear Hk Hk'. induction k as [ | j IH ]; [ simpl; rewrite !Rmult_0_l; ring | ]. rewrite S_INR. replace (p + (INR j + 1) * (2 * PI)) with (p + INR j * (2 * PI) + 2 * PI) by ring.
+      rewrite (prim_per h (d_int h N) _ _ (d_per h N)), <- IH, <- em. ring. }
+    pose proof (prim_lip h 1 (d_int h N) (d_size h N) (p + INR k * (2 * PI)) (p + t) ltac:(lra)) as K. rewrite <- P in K. apply Rabs_le_between in K.
+    pose proof (prim_lip h 1 (d_int h N) (d_size h N) 0 (2 * PI) ltac:(lra)) as B. rewrite RInt_point in B. unfold zero in B. simpl in B. rewrite Rminus_0_r, <- em in B. apply Rabs_le_between in B.
+    assert (- 1 <= m <= 1) by nra. destruct hs as [-> | ->]; nra. }
+  destruct (grows_line (s * m - l) (s * vx 0 - 4 * PI) (x + 1) ltac:(lra)) as (t1 & t10 & L). exists t1. split; trivial. intros t Ht.
+  specialize (D t ltac:(lra)). specialize (P t ltac:(lra)). specialize (L t Ht). lra.
+Qed.
+Lemma driven_away s l : s = 1 \/ s = -1 -> 0 <= l < s * mean h -> has_rests l h 0.
+Proof.
+  intros hs hl p vx vy M. right. split; trivial. destruct (below_the_mean s l p vx vy 0 hs hl M) as (t1 & _ & B). exists t1. intros t d Ht hd. exists t. split; [ lra | ].
+  intros Z. destruct (nrm_zero _ _ Z) as [z _]. specialize (B t Ht). rewrite z in B. lra.
 Qed.
 (* h keeps away from 0 where its primitive is near the median *)
 Lemma away_from_zero c : mean h = 0 -> (forall t, G t = c -> exists e, 0 < e /\ forall s, Rabs (s - t) < e -> e <= Rabs (h s)) ->
@@ -162,9 +169,9 @@ Proof.
   intros [N b m]. pose proof (mean_below_one h N b) as m1. assert (S : exists l0, 0 < l0 <= 1 /\ forall l, 0 < l < l0 -> has_rests l h 0).
   { enough (S : exists l0, 0 < l0 /\ forall l, 0 < l < l0 -> has_rests l h 0) by (destruct S as (l0 & p & S); exists (Rmin l0 1); split; [ unfold Rmin; destruct Rle_dec; lra | intros l Hl; apply S; pose proof (Rmin_l l0 1); lra ]).
     destruct (total_order_T (mean h) 0) as [[k | k] | k].
-    - exists (- mean h). split; [ lra | ]. intros l Hl. apply (below_the_mean h N (-1)); [ auto | lra ].
+    - exists (- mean h). split; [ lra | ]. intros l Hl. apply (driven_away h N (-1)); [ auto | lra ].
     - destruct (m k) as (c & hc & A). now apply (little_friction h N c).
-    - exists (mean h). split; [ lra | ]. intros l Hl. apply (below_the_mean h N 1); [ auto | lra ]. }
+    - exists (mean h). split; [ lra | ]. intros l Hl. apply (driven_away h N 1); [ auto | lra ]. }
   destruct S as (l0 & Hl0 & S). assert (no : forall l, 0 < l < l0 -> ~ has_rests l h 1).
   { intros l Hl R. destruct (has_a_motion h N l 0 ltac:(lra)) as (vx & vy & M). destruct (R _ _ _ M) as [(_ & r & _) | [e _]]; [ | lra ]. destruct (S l Hl _ _ _ M) as [[e _] | [_ r']]; [ lra | ].
     exact (rests_not_restless _ r r'). }

@@ -10,7 +10,7 @@ Inductive rest_time (v : R -> R) (a : R) : R -> R -> Prop :=
   | rest_none : rest_time v a a 0
   | rest_wait b c x : rest_time v a b x -> b <= c -> rest_time v a c x
   | rest_more b c x : rest_time v a b x -> b <= c -> (forall t, b <= t <= c -> v t = 0) -> rest_time v a c (x + (c - b)).
-(* «between $a$ and $b$ there are finitely many intervals of the length $x$ or more together on which $v=0$» *)
+(* «between $a$ and $b$, $v$ is $0$ for the time $x$ or more, in finitely many intervals» *)
 Definition rests_for (v : R -> R) (a b x : R) : Prop := exists y, x <= y /\ rest_time v a b y.
 (* «$\lvert h\rvert=1$, also as a limit from one side, only at single instants, finitely many in a period» *)
 Definition full_at_instants (h : R -> R) : Prop := exists L : list R, forall t, 0 <= t <= 2 * PI -> ~ In t L ->
@@ -26,16 +26,16 @@ Proof.
   destruct (IH a x ltac:(lra)) as (y & Hy & m). exists y. split; [ lra | ]. simpl. intros [e | e]; [ lra | tauto ].
 Qed.
 (* the time up to x for which x is within e of one of the instants, each counted *)
-Fixpoint near (e : R) (L : list R) (x : R) : R := match L with nil => 0 | l :: L' => Rmax (- e) (Rmin e (x - l)) + near e L' x end.
+Fixpoint near_instants (e : R) (L : list R) (x : R) : R := match L with nil => 0 | l :: L' => Rmax (- e) (Rmin e (x - l)) + near_instants e L' x end.
 Ltac minmax := unfold Rmax, Rmin; repeat destruct Rle_dec; lra.
-Lemma near_up e L x y : x <= y -> near e L x <= near e L y.
+Lemma near_up e L x y : x <= y -> near_instants e L x <= near_instants e L y.
 Proof. intros H. induction L as [ | l L IH ]; simpl; [ lra | ]. assert (Rmax (- e) (Rmin e (x - l)) <= Rmax (- e) (Rmin e (y - l))) by minmax. lra. Qed.
-Lemma near_all e L x y : 0 < e -> near e L y - near e L x <= 2 * e * INR (length L).
+Lemma near_all e L x y : 0 < e -> near_instants e L y - near_instants e L x <= 2 * e * INR (length L).
 Proof.
-  intros he. induction L as [ | l L IH ]; [ simpl; lra | ]. simpl length. rewrite S_INR. simpl near.
+  intros he. induction L as [ | l L IH ]; [ simpl; lra | ]. simpl length. rewrite S_INR. simpl near_instants.
   assert (Rmax (- e) (Rmin e (y - l)) - Rmax (- e) (Rmin e (x - l)) <= 2 * e) by minmax. lra.
 Qed.
-Lemma near_in e L l x y : In l L -> l - e <= x <= y -> y <= l + e -> near e L x + (y - x) <= near e L y.
+Lemma near_in e L l x y : In l L -> l - e <= x <= y -> y <= l + e -> near_instants e L x + (y - x) <= near_instants e L y.
 Proof.
   intros I Hx Hy. induction L as [ | i L IH ]; simpl in *; [ contradiction | ]. destruct I as [-> | I].
   - pose proof (near_up e L x y ltac:(lra)). assert (Rmax (- e) (Rmin e (y - l)) - Rmax (- e) (Rmin e (x - l)) = y - x) by minmax. lra.
@@ -73,7 +73,7 @@ Qed.
 Lemma moving_time L e s a b : 0 < e -> 0 <= 1 - l < s -> 0 < a <= b -> (forall x, a <= x <= b -> (exists i, In i L /\ Rabs (p + x - i) < e) \/ Rabs (h (p + x)) <= 1 - s) ->
   exists y, rest_time (fun t => v t) a b y /\ v b + (s - (1 - l)) * (b - a - y) <= v a + s * (4 * e * INR (length L)).
 Proof.
-  intros he hs Hab F. set (E x := near (2 * e) L (p + x)).
+  intros he hs Hab F. set (E x := near_instants (2 * e) L (p + x)).
   destruct (creep (fun x => exists y, rest_time (fun t => v t) a x y /\ v x + (s - (1 - l)) * (x - a - y) <= v a + s * (E x - E a)) a b) as (y & R & Q); [ lra | exists 0; split; [ constructor | lra ] | | ].
   2: { exists y. split; trivial. pose proof (near_all (2 * e) L (p + a) (p + b) ltac:(lra)) as K. fold (E a) in K. fold (E b) in K.
        assert (s * (E b - E a) <= s * (4 * e * INR (length L))) by (apply Rmult_le_compat_l; lra). lra. }

@@ -82,29 +82,28 @@ Proof.
 Qed.
 End Three.
 
-(* «the drive that is $1$ for $0\le\phi<\frac\pi2$, $-1$ up to $\frac78\pi$, $\frac16$ up to $\pi$, and in each half period the opposite of what it
-   was in the one before» *)
-Definition steps : R -> R := three (PI / 2) (7 * PI / 8) (1 / 6).
+(* Dimensionless: 1 for half of each half period, then -1 up to 7 PI / 8 of it, then 1/6; in the next one the opposite. «$h_{\mathrm s}$» *)
+Definition step_drive : R -> R := three (PI / 2) (7 * PI / 8) (1 / 6).
 Lemma steps_places : 0 < PI / 2 < 7 * PI / 8 /\ 7 * PI / 8 < PI. Proof. pose proof PI_RGT_0. lra. Qed.
 Lemma sixth : Rabs (1 / 6) = 1 / 6. Proof. apply Rabs_pos_eq. lra. Qed.
-Lemma steps_anti t : steps (t + PI) = - steps t. Proof. apply three_anti. Qed.
-Lemma steps_on n t : let s := t - IZR n * PI in (0 <= s < PI / 2 -> steps t = sg n) /\ (PI / 2 <= s < 7 * PI / 8 -> steps t = - sg n) /\ (7 * PI / 8 <= s < PI -> steps t = sg n * (1 / 6)).
+Lemma steps_anti t : step_drive (t + PI) = - step_drive t. Proof. apply three_anti. Qed.
+Lemma steps_on n t : let s := t - IZR n * PI in (0 <= s < PI / 2 -> step_drive t = sg n) /\ (PI / 2 <= s < 7 * PI / 8 -> step_drive t = - sg n) /\ (7 * PI / 8 <= s < PI -> step_drive t = sg n * (1 / 6)).
 Proof. exact (three_on _ _ _ steps_places n t). Qed.
-Lemma steps_first t : (0 <= t < PI / 2 -> steps t = 1) /\ (PI / 2 <= t < 7 * PI / 8 -> steps t = -1) /\ (7 * PI / 8 <= t < PI -> steps t = 1 / 6).
+Lemma steps_first t : (0 <= t < PI / 2 -> step_drive t = 1) /\ (PI / 2 <= t < 7 * PI / 8 -> step_drive t = -1) /\ (7 * PI / 8 <= t < PI -> step_drive t = 1 / 6).
 Proof. exact (three_first _ _ _ steps_places t). Qed.
-Lemma steps_normalised : normalised steps. Proof. apply three_normalised; [ exact steps_places | rewrite sixth; lra ]. Qed.
-Lemma steps_size t : 1 / 6 <= Rabs (steps t).
-Proof. destruct (three_step _ _ (1 / 6) steps_places t) as (x & y & c & Ht & S & e). rewrite sixth in e. unfold steps. rewrite S by trivial. lra. Qed.
-Lemma steps_generic : generic steps.
+Lemma steps_normalised : normalised step_drive. Proof. apply three_normalised; [ exact steps_places | rewrite sixth; lra ]. Qed.
+Lemma steps_size t : 1 / 6 <= Rabs (step_drive t).
+Proof. destruct (three_step _ _ (1 / 6) steps_places t) as (x & y & c & Ht & S & e). rewrite sixth in e. unfold step_drive. rewrite S by trivial. lra. Qed.
+Lemma steps_generic : generic step_drive.
 Proof.
   pose proof PI_RGT_0 as p. pose proof steps_normalised as N. split; trivial.
-  - exists (7 * PI / 8). unfold steps. rewrite (proj2 (proj2 (steps_first _))), sixth; lra.
-  - intros _. exists (RInt steps 0 PI / 2). split.
-    + apply half_median; [ apply (prim_cont steps 1); apply N | ]. intros t. rewrite (half_prim steps steps_anti (d_int _ N)). field.
+  - exists (7 * PI / 8). unfold step_drive. rewrite (proj2 (proj2 (steps_first _))), sixth; lra.
+  - intros _. exists (RInt step_drive 0 PI / 2). split.
+    + apply half_median; [ apply (prim_cont step_drive 1); apply N | ]. intros t. rewrite (half_prim step_drive steps_anti (d_int _ N)). field.
     + intros t _. exists (1 / 6). split; [ lra | ]. intros s _. apply steps_size.
 Qed.
 (* friction below every step: no rest *)
-Lemma steps_none : has_rests (1 / 8) steps 0.
+Lemma steps_none : has_rests (1 / 8) step_drive 0.
 Proof. apply unsteady_none; [ intros t; pose proof (steps_size t) | ]; lra. Qed.
 
 (* straight pieces of a velocity that keeps the sense s *)
@@ -132,17 +131,18 @@ Qed.
 (* half a period of the motion at large times with the friction 1/5: forward, backward, and rest to the end *)
 Definition w5 : R -> R := ext PI (glue (PI / 2) (fun t => 0 + (1 - 1 * (1 / 5)) * (t - 0)) (glue (5 * PI / 6) (fun t => 2 * PI / 5 + (-1 - 1 * (1 / 5)) * (t - PI / 2))
   (glue (7 * PI / 8) (fun t => 0 + (-1 - -1 * (1 / 5)) * (t - 5 * PI / 6)) (glue (85 * PI / 88) (fun t => - PI / 30 + (1 / 6 - -1 * (1 / 5)) * (t - 7 * PI / 8)) (fun _ => 0))))).
-Lemma steps_some : has_rests (1 / 5) steps 1.
+Lemma steps_some : has_rests (1 / 5) step_drive 1.
 Proof.
   pose proof PI_RGT_0 as p. assert (A : forall t, w5 (t + PI) = - w5 t) by (intros; now apply ext_anti).
-  apply (caught_rests (1 / 5) steps w5) with (r := 85 * PI / 88) (s := PI) (c := 1 / 6); trivial; try lra; [ apply steps_normalised | apply steps_anti | | | | rewrite sixth; lra ].
+  apply (caught_rests (1 / 5) step_drive w5) with (r := 85 * PI / 88) (s := PI) (c := 1 / 6); trivial; try lra; [ apply steps_normalised | apply steps_anti | | | | rewrite sixth; lra ].
   - apply half_arc; try lra; [ apply steps_anti | glued | pieces steps_first ].
   - intros t Ht. destruct (Req_dec t PI) as [-> | n]; [ rewrite <- (Rplus_0_l PI), A | ]; unfold w5; rewrite ext_first by lra; glued.
   - intros t Ht. apply steps_first. lra.
 Qed.
-(* the drive that is 1 up to PI/8, -1 up to PI/4, and 0 for the rest of the half period: its primitive is at its median where it is 0. There is
-   rest with every friction. x is for how long it goes forward against the drive *)
+(* Dimensionless: 1 up to PI / 8, -1 up to PI / 4, and 0 for the rest of each half period; in the next one the opposite. Its primitive is at its
+   median where it is 0. «$h_0$» *)
 Definition halting : R -> R := three (PI / 8) (PI / 4) 0.
+(* there is rest at every friction; x is for how long the particle goes forward against the drive *)
 Lemma halting_rests l : 0 < l < 1 -> has_rests l halting 1.
 Proof.
   intros hl. unfold halting. pose proof PI_RGT_0 as p. assert (P : 0 < PI / 8 < PI / 4 /\ PI / 4 < PI) by lra. assert (F := three_first (PI / 8) (PI / 4) 0 P : forall t, _ ).
@@ -159,23 +159,23 @@ Qed.
 (* with the friction 1/2: forward, and backward at once *)
 Definition w2 : R -> R := ext PI (glue (PI / 2) (fun t => PI / 64 + (1 - 1 * (1 / 2)) * (t - 0)) (glue (65 * PI / 96) (fun t => 17 * PI / 64 + (-1 - 1 * (1 / 2)) * (t - PI / 2))
   (glue (7 * PI / 8) (fun t => 0 + (-1 - -1 * (1 / 2)) * (t - 65 * PI / 96)) (fun t => - 19 * PI / 192 + (1 / 6 - -1 * (1 / 2)) * (t - 7 * PI / 8))))).
-Lemma w2_late : late (1 / 2) steps w2.
+Lemma w2_late : late (1 / 2) step_drive w2.
 Proof.
   pose proof PI_RGT_0 as p. assert (A : forall t, w2 (t + PI) = - w2 t) by (intros; now apply ext_anti).
   assert (B : forall t, w2 t = - w2 (t + PI)) by (intros; rewrite A; ring).
-  apply (passing_late (1 / 2) steps w2) with (z := - 31 * PI / 96) (d := PI / 16); trivial; try lra.
+  apply (passing_late (1 / 2) step_drive w2) with (z := - 31 * PI / 96) (d := PI / 16); trivial; try lra.
   - apply half_arc; try lra; [ apply steps_anti | glued | pieces steps_first ].
   - apply steps_normalised.
   - rewrite B. unfold w2. rewrite ext_first by lra. glued.
   - intros t Ht. rewrite B. unfold w2. rewrite ext_first by lra. glued.
   - intros t Ht. rewrite B. unfold w2. rewrite ext_first by lra. glued.
 Qed.
-Lemma steps_none_again : has_rests (1 / 2) steps 0.
+Lemma steps_none_again : has_rests (1 / 2) step_drive 0.
 Proof.
   intros p vx vy M. pose proof PI_RGT_0 as pp. right. split; trivial. destruct (late_drawn _ _ _ w2_late p vx vy M) as [L _].
   destruct (Analysis.lim_near _ _ (PI / 64) L ltac:(lra)) as (t1 & t10 & D). exists t1. intros s d Hs hd. apply Classical_Prop.NNPP. intros no.
   assert (Z : forall u, s <= u <= s + d -> nrm (vx u) (vy u) = 0) by (intros u Hu; apply Classical_Prop.NNPP; intros n; apply no; exists u; auto).
-  pose proof (rest_held (1 / 2) steps p vx vy s d ltac:(lra) M ltac:(lra) hd Z) as R. destruct (nrm_zero _ _ (Z s ltac:(lra))) as [z _]. specialize (D s Hs). cbv beta in D. rewrite z in D.
+  pose proof (rest_held (1 / 2) step_drive p vx vy s d ltac:(lra) M ltac:(lra) hd Z) as R. destruct (nrm_zero _ _ (Z s ltac:(lra))) as [z _]. specialize (D s Hs). cbv beta in D. rewrite z in D.
   destruct (per_spec 0 PI pp (p + s)) as [n Hn]. destruct (steps_on n (p + s)) as (S1 & S2 & S3). assert (q : sg n = 1 \/ sg n = -1) by apply sg_cases. unfold w2 in D. rewrite (ext_on PI _ pp n) in D by lra.
   assert (Hx : 0 <= p + s - IZR n * PI < PI) by lra. set (x := p + s - IZR n * PI) in *. destruct (Rlt_le_dec x (PI / 2)); [ | destruct (Rlt_le_dec x (7 * PI / 8)) ].
   - rewrite S1 in R by lra. apply Rabs_le_between in R. destruct q as [e | e]; rewrite e in R; lra.
