@@ -94,12 +94,28 @@ Proof. exact (conj threshold (conj steps_generic (conj steps_none (conj steps_so
 (* It needs a drive that is smaller than its largest size for some time: otherwise there is no rest at any friction below 1. *)
 Theorem s23_threshold_exists__needs_smaller h l : (forall t, Rabs (h t) = s23_largest) -> 0 <= l < s23_largest -> has_rests l h s23_rests_1.
 Proof. exact (fun hh hl => unsteady_none h l ltac:(intros t; rewrite hh; apply hl) (proj1 hl)). Qed.
+Lemma s23_threshold_exists__needs_smaller__occurs : ltac:(occurs s23_threshold_exists__needs_smaller).
+Proof. intros H. apply (H (fun _ => 1) 0); unfold s23_largest; intros; rewrite ?Rabs_R1; lra. Qed.
 (* And it needs a drive that does not vanish at the median of its antiderivative: under this one there is rest at every friction. *)
 Theorem s23_threshold_exists__needs_median : normalised halting /\ (exists t, Rabs (halting t) < 1) /\ mean halting = 0 /\
   forall l, 0 < l < 1 -> has_rests l halting s23_rests_2.
 Proof.
   pose proof PI_RGT_0. split; [ | split; [ | split; [ | exact halting_rests ] ] ]; [ apply three_normalised | exists (PI / 4) | apply three_mean ]; try lra; try (rewrite Rabs_R0; lra).
   unfold halting. rewrite (proj2 (proj2 (three_first (PI / 8) (PI / 4) 0 ltac:(lra) (PI / 4)))), Rabs_R0; lra.
+Qed.
+(* Where friction is below the size of the mean of the drive the particle is driven away for ever. *)
+Theorem s23_threshold_exists__with_mean h l p vx vy : normalised h -> 0 <= l < Rabs (mean h) -> moves l h p vx vy -> is_lim (fun t => Rabs (vx t)) p_infty p_infty.
+Proof.
+  intros N hl M. apply is_lim_spec. intros x. assert (S : exists s, (s = 1 \/ s = -1) /\ s * mean h = Rabs (mean h)).
+  { unfold Rabs. destruct Rcase_abs; [ exists (-1) | exists 1 ]; split; auto; ring. }
+  destruct S as (s & hs & e). destruct (below_the_mean h N s l p vx vy x hs ltac:(lra) M) as (t1 & _ & B). exists t1. intros t Ht. specialize (B t ltac:(lra)).
+  destruct hs as [-> | ->]; revert B; unfold Rabs; destruct Rcase_abs; lra.
+Qed.
+Lemma s23_threshold_exists__with_mean__occurs : ltac:(occurs s23_threshold_exists__with_mean).
+Proof.
+  intros H. assert (m : mean (fun _ => 1) = 1) by (unfold mean; rewrite RInt_const; unfold scal; simpl; unfold mult; simpl; pose proof PI_RGT_0; field; lra).
+  assert (N : normalised (fun _ => 1)) by (split; [ trivial | intros t; apply cont_rcont; cont | intros; apply ex_RInt_const | | intros l Hl; exists 0 ]; rewrite Rabs_R1; lra || auto with real).
+  destruct (has_a_motion _ N (1 / 2) 0) as (vx & vy & M); [ lra | ]. refine (H (fun _ => 1) (1 / 2) 0 vx vy N _ M). rewrite m, Rabs_R1. lra.
 Qed.
 
 (* For a drive of the size 1 at single instants only the part of each late period for which the particle rests, from whatever start, tends to
