@@ -2,8 +2,7 @@
    defined in Periodic/Drawn.v, pulse in Periodic/Pulses.v. l is lambda0, the friction over the largest drive. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Analysis General Drawn Line Median Mean Generic Steps Share Pulses Formulas.
-From Slipbook Require Export HalfPeriod.
+From Slipbook Require Import Motion Analysis General Drawn Line Median Mean Generic Steps Share Pulses HalfPeriod Formulas.
 Open Scope R_scope.
 
 (* Under pulses of any width between 0 and 1 and any friction there is a motion of the drive's period to which all are drawn. *)

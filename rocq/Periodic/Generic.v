@@ -2,7 +2,7 @@
    the mean of h, and where h is 0 in the mean and does not vanish at the median of its primitive, little friction leaves no rest. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Analysis HalfPeriod Drawn Line Rates Straight Exists Median Mean.
+From Slipbook Require Import Motion Analysis HalfPeriod Drawn Line Straight Exists Median Mean.
 Open Scope R_scope.
 
 (* the drive, dimensionless; piecewise continuous functions are meant, at a jump with the limit from the right:
@@ -27,12 +27,16 @@ Proof.
   pose proof (rder_rest vx s d _ hd (fun u hu => proj1 (nrm_zero _ _ (Z u hu))) X). apply Rabs_le. assert (fx ^ 2 <= l ^ 2) by nra. split; nra.
 Qed.
 
-(* where the drive is above friction all the time there is none *)
-Lemma unsteady_none h l : (forall t, l < Rabs (h t)) -> 0 <= l -> has_rests l h 0.
+(* where it is 0 at large times only where the drive is above friction, there are none *)
+Lemma held_nowhere l h p vx vy t1 : 0 <= l -> moves l h p vx vy -> 0 <= t1 -> (forall s, t1 <= s -> vx s = 0 -> vy s = 0 -> l < Rabs (h (p + s))) ->
+  restless (fun t => nrm (vx t) (vy t)).
 Proof.
-  intros hh hl p vx vy M. right. split; trivial. exists 0. intros s d Hs hd. apply Classical_Prop.NNPP. intros no. specialize (hh (p + s)).
-  enough (Rabs (h (p + s)) <= l) by lra. apply (rest_held l h p vx vy s d); trivial. intros u Hu. apply Classical_Prop.NNPP. intros n. apply no. exists u. auto.
+  intros hl M h1 S. exists t1. intros s d Hs hd. apply Classical_Prop.NNPP. intros no.
+  assert (Z : forall u, s <= u <= s + d -> nrm (vx u) (vy u) = 0) by (intros u Hu; apply Classical_Prop.NNPP; intros n; apply no; eauto).
+  destruct (nrm_zero _ _ (Z s ltac:(lra))) as [z1 z2]. pose proof (rest_held l h p vx vy s d hl M ltac:(lra) hd Z). specialize (S s Hs z1 z2). lra.
 Qed.
+Lemma unsteady_none h l : (forall t, l < Rabs (h t)) -> 0 <= l -> has_rests l h 0.
+Proof. intros hh hl p vx vy M. right. split; trivial. apply (held_nowhere l h p vx vy 0); auto; lra. Qed.
 
 Section Drive.
 Variable h : R -> R.
@@ -118,22 +122,14 @@ Lemma away_from_zero c : mean h = 0 -> (forall t, G t = c -> exists e, 0 < e /\ 
 Proof.
   intros m0 A. pose proof PI_RGT_0. assert (per : forall t, G (t + 2 * PI) = G t).
   { intros t. rewrite (prim_per h (d_int h N) _ _ (d_per h N)). unfold mean in m0. apply (Rmult_eq_compat_r (2 * PI)) in m0. field_simplify in m0; lra. }
-  enough (U : exists e, 0 < e /\ forall t, 0 <= t <= 2 * PI -> Rabs (G t - c) <= e -> e <= Rabs (h t)).
-  { destruct U as (e & e0 & E). exists e. split; trivial. intros t. destruct (per_spec 0 (2 * PI) ltac:(lra) t) as [n Hn].
-    rewrite <- (shift_Z (2 * PI) h (d_per h N) n t), <- (shift_Z (2 * PI) G per n t). apply E. lra. }
-  apply (creep (fun x => exists e, 0 < e /\ forall t, 0 <= t <= x -> Rabs (G t - c) <= e -> e <= Rabs (h t)) 0); [ lra | | ].
-  - destruct (Req_dec (G 0) c) as [q | q].
-    + destruct (A 0 q) as (e & e0 & E). exists e. split; trivial. intros t Ht _. apply E. rewrite Rabs_pos_eq; lra.
-    + assert (0 < Rabs (G 0 - c)) by (apply Rabs_pos_lt; lra). exists (Rabs (G 0 - c) / 2). split; [ lra | ]. intros t Ht. replace t with 0 by lra. lra.
-  - intros t Ht. assert (L : exists e, 0 < e /\ forall s, t - e < s < t + e -> Rabs (G s - c) <= e -> e <= Rabs (h s)).
-    { destruct (Req_dec (G t) c) as [q | q].
-      + destruct (A t q) as (e & e0 & E). exists e. split; trivial. intros s Hs _. apply E. apply Rabs_def1; lra.
-      + assert (0 < Rabs (G t - c)) by (apply Rabs_pos_lt; lra). exists (Rabs (G t - c) / 2). split; [ lra | ]. intros s Hs B. exfalso.
-        assert (K : Rabs (G t - G s) < Rabs (G t - c) / 2).
-        { destruct (Rle_dec s t); [ | rewrite Rabs_minus_sym ]; (eapply Rle_lt_trans; [ apply (prim_lip h 1 (d_int h N) (d_size h N)); lra | lra ]). }
-        pose proof (Rabs_triang (G t - G s) (G s - c)) as T. replace (G t - G s + (G s - c)) with (G t - c) in T by ring. lra. }
-    destruct L as (e & e0 & E). exists e. split; trivial. intros x y Hx Hy _ _ (b & b0 & B). exists (Rmin b e). split; [ now apply Rmin_pos | ]. pose proof (Rmin_l b e). pose proof (Rmin_r b e).
-    intros s Hs K. destruct (Rle_dec s x); [ specialize (B s ltac:(lra) ltac:(lra)) | specialize (E s ltac:(lra) ltac:(lra)) ]; lra.
+  destruct (uniform (fun e t => Rabs (G t - c) <= e -> e <= Rabs (h t)) 0 (2 * PI)) as (e & e0 & E); [ lra | intros e d t Hd Q K; specialize (Q ltac:(lra)); lra | | ].
+  2: { exists e. split; trivial. intros t. destruct (per_spec 0 (2 * PI) ltac:(lra) t) as [n Hn].
+       rewrite <- (shift_Z (2 * PI) h (d_per h N) n t), <- (shift_Z (2 * PI) G per n t). apply E. lra. }
+  intros t _. destruct (Req_dec (G t) c) as [q | q]; [ destruct (A t q) as (e & e0 & E); exists e; auto | ].
+  assert (0 < Rabs (G t - c)) by (apply Rabs_pos_lt; lra). exists (Rabs (G t - c) / 2). split; [ lra | ]. intros s Hs B. exfalso.
+  assert (K : Rabs (G t - G s) < Rabs (G t - c) / 2).
+  { apply Rabs_def2 in Hs. destruct (Rle_dec s t); [ | rewrite Rabs_minus_sym ]; (eapply Rle_lt_trans; [ apply (prim_lip h 1 (d_int h N) (d_size h N)); lra | lra ]). }
+  pose proof (Rabs_triang (G t - G s) (G s - c)) as T. replace (G t - G s + (G s - c)) with (G t - c) in T by ring. lra.
 Qed.
 (* no mean: little friction leaves no rest *)
 Lemma little_friction c : mean h = 0 -> median G c -> (forall t, G t = c -> exists e, 0 < e /\ forall s, Rabs (s - t) < e -> e <= Rabs (h s)) ->
@@ -150,10 +146,9 @@ Proof.
         rewrite Y in C by lra. destruct (coulomb_slip l _ _ _ _ ltac:(lra) C) as [Q _]. destruct C as [B _]. rewrite nrm_x in Q. replace (p + (t - p)) with t in X by ring. split.
         + split; [ nra | split; intros k; [ rewrite Rabs_pos_eq in Q by lra | rewrite Rabs_left in Q by lra ]; nra ].
         + apply rder_shift. eapply rder_eq; [ exact X | ring ]. }
-    destruct (near_median l h G (p + s) _ c (e - PI * l) K hc) as (t1 & Ht1 & B); [ nra | ]. exists (t1 - p). intros t d Ht hd. apply Classical_Prop.NNPP. intros n.
-    assert (R : forall u, t <= u <= t + d -> nrm (vx u) (vy u) = 0) by (intros u Hu; apply Classical_Prop.NNPP; intros n0; apply n; exists u; auto).
-    pose proof (rest_held l h p vx vy t d ltac:(lra) M ltac:(lra) hd R) as F. specialize (B (p + t) ltac:(lra)). cbv beta in B. replace (p + t - p) with t in B by ring.
-    destruct (nrm_zero _ _ (R t ltac:(lra))) as [z _]. rewrite z, <- Rabs_Ropp in B. replace (- (0 - (G (p + t) - c))) with (G (p + t) - c) in B by ring. specialize (E (p + t) ltac:(lra)). lra.
+    destruct (near_median l h G (p + s) _ c (e - PI * l) K hc) as (t1 & Ht1 & B); [ nra | ]. apply (held_nowhere l h p vx vy (t1 - p)); trivial; try lra. intros t Ht z _.
+    specialize (B (p + t) ltac:(lra)). cbv beta in B. replace (p + t - p) with t in B by ring. rewrite z, <- Rabs_Ropp in B.
+    replace (- (0 - (G (p + t) - c))) with (G (p + t) - c) in B by ring. specialize (E (p + t) ltac:(lra)). lra.
   - exists 0. intros s d Hs hd. exists s. split; [ lra | ]. intros Z. apply no. exists s. auto.
 Qed.
 End Drive.

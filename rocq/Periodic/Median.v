@@ -3,7 +3,7 @@
    for more than half of each period. So it is 0 only where H is near its median. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion HalfPeriod Drawn Line Rates.
+From Slipbook Require Import Motion Analysis HalfPeriod Drawn Line.
 Open Scope R_scope.
 
 (* the right limit of f at t is f(t): «$f$ is continuous from the right at $t$» *)
@@ -22,6 +22,16 @@ Proof.
     pose proof (S1 x (conj Hx Px)). split; [ lra | split; [ apply Hx | trivial ] ]. }
   destruct X as (x & Hx & ax & Px). set (y := Rmin b (s + e / 2)). assert (Hy : y <= b /\ s <= y < s + e) by (unfold y, Rmin; destruct Rle_dec; lra).
   assert (Py : P y) by (apply (C x y); lra || trivial). pose proof (S1 y ltac:(split; trivial; lra)). replace b with y; trivial. unfold y, Rmin in *. destruct Rle_dec; lra.
+Qed.
+(* what holds near each place, and also with less for e, holds on the whole with one e *)
+Lemma uniform (Q : R -> R -> Prop) a b : a <= b -> (forall e d t, 0 < d <= e -> Q e t -> Q d t) ->
+  (forall t, a <= t <= b -> exists e, 0 < e /\ forall s, Rabs (s - t) < e -> Q e s) -> exists e, 0 < e /\ forall t, a <= t <= b -> Q e t.
+Proof.
+  intros H Q1 L. apply (creep (fun x => exists e, 0 < e /\ forall t, a <= t <= x -> Q e t) a); trivial.
+  - destruct (L a ltac:(lra)) as (e & e0 & E). exists e. split; trivial. intros t Ht. apply E, Rabs_def1; lra.
+  - intros t Ht. destruct (L t Ht) as (e & e0 & E). exists e. split; trivial. intros x y Hx Hy _ _ (d & d0 & B).
+    pose proof (Rmin_pos d e d0 e0). pose proof (Rmin_l d e). pose proof (Rmin_r d e). exists (Rmin d e). split; trivial.
+    intros s Hs. destruct (Rle_dec s x); [ apply (Q1 d), B | apply (Q1 e), E, Rabs_def1 ]; lra.
 Qed.
 
 (* ---- primitives ---- *)
@@ -60,8 +70,7 @@ Lemma cont_int f : (forall t, continuity_pt f t) -> forall a b, ex_RInt f a b.
 Proof. intros C a b. apply (ex_RInt_continuous f). intros z _. apply continuity_pt_filterlim, C. Qed.
 Lemma cont_rcont f t : continuity_pt f t -> rcont f t.
 Proof.
-  intros C e he. destruct (C e he) as (d & d0 & D). exists d. split; trivial. intros s Hs. destruct (Req_dec s t) as [-> | n]; [ rewrite Rminus_diag_eq, Rabs_R0; trivial | ].
-  apply D. split; [ split; [ exact I | auto ] | simpl; unfold R_dist; rewrite Rabs_pos_eq; lra ].
+  intros C e he. destruct (cont_eps f t e C he) as (d & d0 & D). exists d. split; trivial. intros s Hs. apply D, Rabs_def1; lra.
 Qed.
 (* a continuous function that is not negative, and whose integral is not positive, is 0 *)
 Lemma int_zero f B b : (forall t, continuity_pt f t) -> (forall t, 0 <= f t <= B) -> RInt f 0 b <= 0 -> forall t, 0 <= t < b -> f t = 0.
@@ -145,15 +154,13 @@ Lemma bare_cont r : t0 < r -> continuity_pt (fun t => w t - H t) r.
 Proof. intros Hr. pose proof (w_cont r Hr). pose proof (k_c _ _ _ _ _ S r). cont. Qed.
 Lemma step_cont t : t0 < t -> continuity_pt (fun t => step t) t.
 Proof.
-  intros Ht. pose proof PI_RGT_0. pose proof (w_cont t Ht). enough (continuity_pt (fun t => w (t + 2 * PI)) t) by cont.
-  apply (continuity_pt_ext (fun t => w (t - - (2 * PI)))); [ intros; f_equal; ring | apply cont_shift, w_cont; lra ].
+  intros Ht. pose proof PI_RGT_0. apply (continuity_pt_minus (fun t => w (t + 2 * PI)) w); [ apply cont_after | ]; apply w_cont; lra.
 Qed.
 Lemma step_falls s t : t0 <= s <= t -> Rabs (step t) <= Rabs (step s).
 Proof.
   intros Hs. pose proof PI_RGT_0. apply (line_contraction l l h t0 (fun t => w (t + 2 * PI)) w); trivial; [ | apply (k_line _ _ _ _ _ S) ]. split; intros r Hr.
-  - apply (continuity_pt_ext (fun t => w (t - - (2 * PI)))); [ intros; f_equal; ring | apply cont_shift, w_cont; lra ].
-  - destruct (bare (r + 2 * PI)) as (f & D & X & _); [ lra | ]. exists f. split; trivial. rewrite (k_per _ _ _ _ _ S) in X.
-    apply (rder_near _ (fun t => w (t - - (2 * PI))) r _ 1); [ lra | intros; f_equal; ring | ]. apply rder_shift. now replace (r - - (2 * PI)) with (r + 2 * PI) by ring.
+  - apply cont_after, w_cont. lra.
+  - destruct (bare (r + 2 * PI)) as (f & D & X & _); [ lra | ]. exists f. split; trivial. rewrite (k_per _ _ _ _ _ S) in X. now apply rder_after.
 Qed.
 (* it cannot gain in each period: it would go forward throughout one *)
 Lemma no_gain e t1 : 0 < e -> t0 <= t1 -> ~ forall t, t1 <= t -> e < step t.

@@ -49,14 +49,8 @@ Hypothesis N : normalised h.
 Lemma below_one L e : 0 < e -> (forall t, 0 <= t <= 2 * PI -> ~ In t L -> exists e, 0 < e /\ forall s, Rabs (s - t) < e -> Rabs (h s) <= 1 - e) ->
   exists s, 0 < s /\ forall t, 0 <= t <= 2 * PI -> (exists l, In l L /\ Rabs (t - l) < e) \/ Rabs (h t) <= 1 - s.
 Proof.
-  intros he F. pose proof PI_RGT_0. assert (K : forall t, 0 <= t <= 2 * PI -> exists s, 0 < s /\ forall u, Rabs (u - t) < s -> (exists l, In l L /\ Rabs (u - l) < e) \/ Rabs (h u) <= 1 - s).
-  { intros t Ht. destruct (Classical_Prop.classic (In t L)) as [I | I].
-    - exists e. split; trivial. intros u Hu. left. now exists t.
-    - destruct (F t Ht I) as (d & d0 & D). exists d. auto. }
-  apply (creep (fun x => exists s, 0 < s /\ forall t, 0 <= t <= x -> (exists l, In l L /\ Rabs (t - l) < e) \/ Rabs (h t) <= 1 - s) 0); [ lra | | ].
-  - destruct (K 0 ltac:(lra)) as (s & s0 & S). exists s. split; trivial. intros t Ht. apply S. apply Rabs_def1; lra.
-  - intros t Ht. destruct (K t Ht) as (s & s0 & S). exists s. split; trivial. intros x y Hx Hy _ _ (b & b0 & B). exists (Rmin b s). split; [ now apply Rmin_pos | ].
-    pose proof (Rmin_l b s). pose proof (Rmin_r b s). intros u Hu. destruct (Rle_dec u x); [ destruct (B u ltac:(lra)) | destruct (S u ltac:(apply Rabs_def1; lra)) ]; auto; right; lra.
+  intros he F. pose proof PI_RGT_0. apply uniform; [ lra | intros s d t Hd [I | I]; [ now left | right; lra ] | ].
+  intros t Ht. destruct (Classical_Prop.classic (In t L)) as [I | I]; [ exists e; split; eauto | destruct (F t Ht I) as (d & d0 & D); exists d; auto ].
 Qed.
 Variables (l p : R) (vx vy : R -> R).
 Hypothesis hl : 0 <= l <= 1.

@@ -173,9 +173,8 @@ Qed.
 Lemma steps_none_again : has_rests (1 / 2) step_drive 0.
 Proof.
   intros p vx vy M. pose proof PI_RGT_0 as pp. right. split; trivial. destruct (late_drawn _ _ _ w2_late p vx vy M) as [L _].
-  destruct (Analysis.lim_near _ _ (PI / 64) L ltac:(lra)) as (t1 & t10 & D). exists t1. intros s d Hs hd. apply Classical_Prop.NNPP. intros no.
-  assert (Z : forall u, s <= u <= s + d -> nrm (vx u) (vy u) = 0) by (intros u Hu; apply Classical_Prop.NNPP; intros n; apply no; exists u; auto).
-  pose proof (rest_held (1 / 2) step_drive p vx vy s d ltac:(lra) M ltac:(lra) hd Z) as R. destruct (nrm_zero _ _ (Z s ltac:(lra))) as [z _]. specialize (D s Hs). cbv beta in D. rewrite z in D.
+  destruct (Analysis.lim_near _ _ (PI / 64) L ltac:(lra)) as (t1 & t10 & D). apply (held_nowhere (1 / 2) step_drive p vx vy t1); trivial; [ lra | ].
+  intros s Hs z _. apply Rnot_le_lt. intros R. specialize (D s Hs). cbv beta in D. rewrite z in D.
   destruct (per_spec 0 PI pp (p + s)) as [n Hn]. destruct (steps_on n (p + s)) as (S1 & S2 & S3). assert (q : sg n = 1 \/ sg n = -1) by apply sg_cases. unfold w2 in D. rewrite (ext_on PI _ pp n) in D by lra.
   assert (Hx : 0 <= p + s - IZR n * PI < PI) by lra. set (x := p + s - IZR n * PI) in *. destruct (Rlt_le_dec x (PI / 2)); [ | destruct (Rlt_le_dec x (7 * PI / 8)) ].
   - rewrite S1 in R by lra. apply Rabs_le_between in R. destruct q as [e | e]; rewrite e in R; lra.
