@@ -78,7 +78,7 @@ Proof.
 Qed.
 Lemma s23_rest_above_one__occurs : ltac:(occurs s23_rest_above_one).
 Proof.
-  intros H. destruct (pulses_at_large_times (1/3) 2) as [W HW]; try lra. refine (H (pulse (1/3)) 2 0 _ _ _ _ (late_moves _ _ _ HW 0) _ (Rle_refl _)); unfold s23_rest_sides_1, s23_rest_sides_2; [ | lra ].
+  intros H. destruct (pulses_at_large_times (1/3) 2) as [W HW]; try lra. refine (H (pulse (1/3)) 2 0 _ _ _ _ (late_moves HW 0) _ (Rle_refl _)); unfold s23_rest_sides_1, s23_rest_sides_2; [ | lra ].
   intros t. destruct (pulse_size (1/3) t); lra.
 Qed.
 
@@ -166,7 +166,7 @@ Theorem s23_pulse_phases : (eq46_lambda_c 1 = 1 /\ forall l p vx vy, 0 <= l < 1 
 Proof.
   split; (split; [ reflexivity | ]); intros l p vx vy hl M.
   - intros s d hs hd. apply Classical_Prop.NNPP. intros no. assert (Z : forall t, s <= t <= s + d -> vx t = 0 /\ vy t = 0) by (intros t Ht; apply nrm_zero, Classical_Prop.NNPP; intros n; apply no; eauto).
-    destruct (m_law _ _ _ _ _ M s hs) as (fx & fy & [B _] & X & _). pose proof (rder_rest vx s d _ hd (fun u hu => proj1 (Z u hu)) X) as e.
+    destruct (m_law M s hs) as (fx & fy & [B _] & X & _). pose proof (rder_rest vx s d _ hd (fun u hu => proj1 (Z u hu)) X) as e.
     assert (q : Rabs (pulse 1 (p + s)) = 1). { destruct (pulse_cases 1 (p + s)) as (n & r & hr & ->). rewrite (proj1 (pulse_on 1 r hr)) by lra. destruct (sg_cases n) as [-> | ->]; rewrite Rmult_1_r; [ apply Rabs_R1 | rewrite Rabs_left; lra ]. }
     pose proof (pow2_abs (pulse 1 (p + s))) as q2. rewrite q in q2. assert (fx = - pulse 1 (p + s)) by lra. nra.
   - intros t Ht. apply (weak_stops l 0 _ _ vx vy ltac:(lra) M); [ | now rewrite Rminus_0_r ]. clear t Ht. intros t _. rewrite nrm_x, s23_pulses_normalised__needs_width, Ropp_0, Rabs_R0. lra.

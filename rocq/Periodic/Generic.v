@@ -9,6 +9,11 @@ Open Scope R_scope.
    «$h$ has the period $2\pi$, is continuous from the right and integrable, and the least upper bound of $\lvert h\rvert$ is $1$» *)
 Record normalised (h : R -> R) : Prop := { d_per : forall t, h (t + 2 * PI) = h t; d_right : forall t, rcont h t; d_int : forall a b, ex_RInt h a b;
   d_size : forall t, Rabs (h t) <= 1; d_full : forall l, l < 1 -> exists t, l < Rabs (h t) }.
+Arguments d_per {h}.
+Arguments d_right {h}.
+Arguments d_int {h}.
+Arguments d_size {h}.
+Arguments d_full {h}.
 (* «the mean of $f$ over a period» *)
 Definition mean (f : R -> R) : R := RInt f 0 (2 * PI) / (2 * PI).
 (* «$h$ is generic: $\lvert h\rvert<1$ for some time in each period, and if the mean of $h$ is $0$, then $h$ does not vanish, also as a limit
@@ -23,7 +28,7 @@ Definition has_rests (l : R) (h : R -> R) (n : R) : Prop := forall p vx vy, move
 (* a rest begins only where friction can hold *)
 Lemma rest_held l h p vx vy s d : 0 <= l -> moves l h p vx vy -> 0 <= s -> 0 < d -> (forall u, s <= u <= s + d -> nrm (vx u) (vy u) = 0) -> Rabs (h (p + s)) <= l.
 Proof.
-  intros hl M hs hd Z. destruct (m_law _ _ _ _ _ M s hs) as (fx & fy & [B _] & X & _).
+  intros hl M hs hd Z. destruct (m_law M s hs) as (fx & fy & [B _] & X & _).
   pose proof (rder_rest vx s d _ hd (fun u hu => proj1 (nrm_zero _ _ (Z u hu))) X). apply Rabs_le. assert (fx ^ 2 <= l ^ 2) by nra. split; nra.
 Qed.
 
@@ -45,13 +50,13 @@ Notation G := (RInt h 0).
 Notation J := (RInt (fun t => Rabs (h t)) 0).
 Lemma abs_int a b : ex_RInt (fun t => Rabs (h t)) a b. Proof. apply (ex_RInt_norm h), N. Qed.
 Lemma abs_right t : rcont (fun t => Rabs (h t)) t.
-Proof. intros e he. destruct (d_right h N t e he) as (d & d0 & D). exists d. split; trivial. intros s Hs. eapply Rle_lt_trans; [ apply Rabs_triang_inv2 | now apply D ]. Qed.
+Proof. intros e he. destruct (d_right N t e he) as (d & d0 & D). exists d. split; trivial. intros s Hs. eapply Rle_lt_trans; [ apply Rabs_triang_inv2 | now apply D ]. Qed.
 Lemma abs_size t : Rabs (Rabs (h t)) <= 1. Proof. rewrite Rabs_Rabsolu. apply N. Qed.
 Lemma mean_below_one : (exists t, Rabs (h t) < 1) -> mean (fun t => Rabs (h t)) < 1.
 Proof.
   intros [t Ht]. pose proof PI_RGT_0. unfold mean. apply Rlt_div_l; [ lra | ]. destruct (abs_right t ((1 - Rabs (h t)) / 2)) as (d & d0 & D); [ lra | ].
   set (b := Rmin d PI / 2). assert (Hb : 0 < b < d /\ b < PI) by (unfold b, Rmin; destruct Rle_dec; lra).
-  pose proof (prim_per _ abs_int (2 * PI) t (fun s => f_equal Rabs (d_per h N s))) as P. pose proof (prim_between _ abs_int t (t + b)). pose proof (prim_between _ abs_int (t + b) (t + 2 * PI)).
+  pose proof (prim_per _ abs_int (2 * PI) t (fun s => f_equal Rabs (d_per N s))) as P. pose proof (prim_between _ abs_int t (t + b)). pose proof (prim_between _ abs_int (t + b) (t + 2 * PI)).
   assert (A : forall s u x, s <= u -> (forall r, s <= r <= u -> Rabs (h r) <= x) -> RInt (fun t => Rabs (h t)) s u <= (u - s) * x).
   { intros s u x Hs B. eapply Rle_trans; [ apply Rle_abs | ]. apply abs_RInt_le_const; trivial; [ apply abs_int | ]. intros; rewrite Rabs_Rabsolu. now apply B. }
   pose proof (A t (t + b) ((1 + Rabs (h t)) / 2) ltac:(lra)) as K. pose proof (A (t + b) (t + 2 * PI) 1 ltac:(lra) ltac:(intros; apply N)).
@@ -63,14 +68,14 @@ Proof.
   - intros t Ht. split; [ | cont ]. apply (continuity_pt_opp (fun t => G (p + t))), cont_phase, (prim_cont h 1); apply N.
   - intros t Ht. split; [ | rd ]. apply (rder_opp (fun t => G (p + t))), rder_phase, prim_rder; apply N.
   - intros T. exists 1. intros t _. rewrite nrm_x, Rabs_Ropp. apply N.
-  - intros t e Ht he. destruct (d_right h N (p + t) e he) as (d & d0 & D). exists d. split; trivial. intros s Hs. rewrite Rminus_0_r, nrm_x.
+  - intros t e Ht he. destruct (d_right N (p + t) e he) as (d & d0 & D). exists d. split; trivial. intros s Hs. rewrite Rminus_0_r, nrm_x.
     replace (- h (p + s) - - h (p + t)) with (- (h (p + s) - h (p + t))) by ring. rewrite Rabs_Ropp. left. apply D. lra.
 Qed.
 (* below 1 no rest lasts for a period *)
 Lemma moves_again l p vx vy t : 0 <= l < 1 -> moves l h p vx vy -> 0 <= t -> exists u, t <= u <= t + 2 * PI /\ nrm (vx u) (vy u) <> 0.
 Proof.
-  intros hl M Ht. pose proof PI_RGT_0. apply Classical_Prop.NNPP. intros no. destruct (d_full h N l ltac:(lra)) as [x Hx]. destruct (per_spec (p + t) (2 * PI) ltac:(lra) x) as [n Hn].
-  rewrite <- (shift_Z (2 * PI) h (d_per h N) n x) in Hx. set (y := x - IZR n * (2 * PI)) in *. enough (Rabs (h (p + (y - p))) <= l) by (replace (p + (y - p)) with y in * by ring; lra).
+  intros hl M Ht. pose proof PI_RGT_0. apply Classical_Prop.NNPP. intros no. destruct (d_full N l ltac:(lra)) as [x Hx]. destruct (per_spec (p + t) (2 * PI) ltac:(lra) x) as [n Hn].
+  rewrite <- (shift_Z (2 * PI) h (d_per N) n x) in Hx. set (y := x - IZR n * (2 * PI)) in *. enough (Rabs (h (p + (y - p))) <= l) by (replace (p + (y - p)) with y in * by ring; lra).
   apply (rest_held l h p vx vy (y - p) (t + 2 * PI - (y - p))); trivial; try (unfold y; lra). intros u Hu. apply Classical_Prop.NNPP. intros n0. apply no. exists u. unfold y in *. split; [ lra | trivial ].
 Qed.
 Lemma above_the_mean l : mean (fun t => Rabs (h t)) < l < 1 -> has_rests l h 1.
@@ -93,9 +98,9 @@ Proof.
   assert (D : forall t, 0 <= t -> s * vx 0 - s * G (p + 0) - l * t <= s * vx t - s * G (p + t)).
   { intros t Ht. enough (- s * vx t + s * G (p + t) - l * t <= - s * vx 0 + s * G (p + 0) - l * 0) by lra.
     apply (rder_decr (fun t => - s * vx t + s * G (p + t) - l * t)); trivial; intros r Hr.
-    - pose proof (m_cx _ _ _ _ _ M r ltac:(lra)). pose proof (cont_phase G p r (prim_cont h 1 (d_int h N) (d_size h N) (p + r))).
+    - pose proof (m_cx M r ltac:(lra)). pose proof (cont_phase G p r (prim_cont h 1 (d_int N) (d_size N) (p + r))).
       apply (continuity_pt_minus (fun t => - s * vx t + s * G (p + t)) (fun t => l * t)); [ apply (continuity_pt_plus (fun t => - s * vx t) (fun t => s * G (p + t))) | ]; cont.
-    - destruct (m_law _ _ _ _ _ M r ltac:(lra)) as (fx & fy & [B _] & X & _). pose proof (rder_phase G p r _ (prim_rder h (d_int h N) (p + r) (d_right h N _))) as Y.
+    - destruct (m_law M r ltac:(lra)) as (fx & fy & [B _] & X & _). pose proof (rder_phase G p r _ (prim_rder h (d_int N) (p + r) (d_right N _))) as Y.
       eexists. split; [ apply (rder_minus (fun t => - s * vx t + s * G (p + t)) (fun t => l * t)); [ apply (rder_plus (fun t => - s * vx t) (fun t => s * G (p + t))); [ apply (rder_mult (fun _ => - s)) | apply (rder_mult (fun _ => s)) ] | ]; rd | ].
       assert (- l <= fx <= l) by nra. destruct hs as [-> | ->]; lra. }
   (* G grows at the rate m, but for what it does within a period *)
@@ -104,9 +109,9 @@ Proof.
     assert (Hk' : INR k * (2 * PI) <= t < (INR k + 1) * (2 * PI)) by (destruct Hk; split; [ apply Rle_div_r | apply Rlt_div_l ]; lra).
     assert (P : G (p + 0) + INR k * (2 * PI * m) = G (p + INR k * (2 * PI))).
     { clear Hk Hk'. induction k as [ | j IH ]; [ simpl; rewrite !Rmult_0_l; ring | ]. rewrite S_INR. replace (p + (INR j + 1) * (2 * PI)) with (p + INR j * (2 * PI) + 2 * PI) by ring.
-      rewrite (prim_per h (d_int h N) _ _ (d_per h N)), <- IH, <- em. ring. }
-    pose proof (prim_lip h 1 (d_int h N) (d_size h N) (p + INR k * (2 * PI)) (p + t) ltac:(lra)) as K. rewrite <- P in K. apply Rabs_le_between in K.
-    pose proof (prim_lip h 1 (d_int h N) (d_size h N) 0 (2 * PI) ltac:(lra)) as B. rewrite RInt_point in B. unfold zero in B. simpl in B. rewrite Rminus_0_r, <- em in B. apply Rabs_le_between in B.
+      rewrite (prim_per h (d_int N) _ _ (d_per N)), <- IH, <- em. ring. }
+    pose proof (prim_lip h 1 (d_int N) (d_size N) (p + INR k * (2 * PI)) (p + t) ltac:(lra)) as K. rewrite <- P in K. apply Rabs_le_between in K.
+    pose proof (prim_lip h 1 (d_int N) (d_size N) 0 (2 * PI) ltac:(lra)) as B. rewrite RInt_point in B. unfold zero in B. simpl in B. rewrite Rminus_0_r, <- em in B. apply Rabs_le_between in B.
     assert (- 1 <= m <= 1) by nra. destruct hs as [-> | ->]; nra. }
   destruct (grows_line (s * m - l) (s * vx 0 - 4 * PI) (x + 1) ltac:(lra)) as (t1 & t10 & L). exists t1. split; trivial. intros t Ht.
   specialize (D t ltac:(lra)). specialize (P t ltac:(lra)). specialize (L t Ht). lra.
@@ -121,14 +126,14 @@ Lemma away_from_zero c : mean h = 0 -> (forall t, G t = c -> exists e, 0 < e /\ 
   exists e, 0 < e /\ forall t, Rabs (G t - c) <= e -> e <= Rabs (h t).
 Proof.
   intros m0 A. pose proof PI_RGT_0. assert (per : forall t, G (t + 2 * PI) = G t).
-  { intros t. rewrite (prim_per h (d_int h N) _ _ (d_per h N)). unfold mean in m0. apply (Rmult_eq_compat_r (2 * PI)) in m0. field_simplify in m0; lra. }
+  { intros t. rewrite (prim_per h (d_int N) _ _ (d_per N)). unfold mean in m0. apply (Rmult_eq_compat_r (2 * PI)) in m0. field_simplify in m0; lra. }
   destruct (uniform (fun e t => Rabs (G t - c) <= e -> e <= Rabs (h t)) 0 (2 * PI)) as (e & e0 & E); [ lra | intros e d t Hd Q K; specialize (Q ltac:(lra)); lra | | ].
   2: { exists e. split; trivial. intros t. destruct (per_spec 0 (2 * PI) ltac:(lra) t) as [n Hn].
-       rewrite <- (shift_Z (2 * PI) h (d_per h N) n t), <- (shift_Z (2 * PI) G per n t). apply E. lra. }
+       rewrite <- (shift_Z (2 * PI) h (d_per N) n t), <- (shift_Z (2 * PI) G per n t). apply E. lra. }
   intros t _. destruct (Req_dec (G t) c) as [q | q]; [ destruct (A t q) as (e & e0 & E); exists e; auto | ].
   assert (0 < Rabs (G t - c)) by (apply Rabs_pos_lt; lra). exists (Rabs (G t - c) / 2). split; [ lra | ]. intros s Hs B. exfalso.
   assert (K : Rabs (G t - G s) < Rabs (G t - c) / 2).
-  { apply Rabs_def2 in Hs. destruct (Rle_dec s t); [ | rewrite Rabs_minus_sym ]; (eapply Rle_lt_trans; [ apply (prim_lip h 1 (d_int h N) (d_size h N)); lra | lra ]). }
+  { apply Rabs_def2 in Hs. destruct (Rle_dec s t); [ | rewrite Rabs_minus_sym ]; (eapply Rle_lt_trans; [ apply (prim_lip h 1 (d_int N) (d_size N)); lra | lra ]). }
   pose proof (Rabs_triang (G t - G s) (G s - c)) as T. replace (G t - G s + (G s - c)) with (G t - c) in T by ring. lra.
 Qed.
 (* no mean: little friction leaves no rest *)
@@ -141,8 +146,8 @@ Proof.
     { intros t Ht. pose proof (across_falls l _ vx vy ltac:(lra) M s t ltac:(lra)). destruct (nrm_zero _ _ Z) as [_ z]. rewrite z in *. nra. }
     assert (K : little l h G (p + s) (fun x => vx (x - p))).
     { split; try apply N; [ lra | apply (prim_cont h 1); apply N | intros; apply prim_rder; apply N | | ].
-      - intros t. rewrite (prim_per h (d_int h N) _ _ (d_per h N)). unfold mean in m0. apply (Rmult_eq_compat_r (2 * PI)) in m0. field_simplify in m0; lra.
-      - split; intros t Ht; [ apply cont_shift, (m_cx _ _ _ _ _ M); lra | ]. destruct (m_law _ _ _ _ _ M (t - p)) as (fx & fy & C & X & _); [ lra | ]. exists fx.
+      - intros t. rewrite (prim_per h (d_int N) _ _ (d_per N)). unfold mean in m0. apply (Rmult_eq_compat_r (2 * PI)) in m0. field_simplify in m0; lra.
+      - split; intros t Ht; [ apply cont_shift, (m_cx M); lra | ]. destruct (m_law M (t - p)) as (fx & fy & C & X & _); [ lra | ]. exists fx.
         rewrite Y in C by lra. destruct (coulomb_slip l _ _ _ _ ltac:(lra) C) as [Q _]. destruct C as [B _]. rewrite nrm_x in Q. replace (p + (t - p)) with t in X by ring. split.
         + split; [ nra | split; intros k; [ rewrite Rabs_pos_eq in Q by lra | rewrite Rabs_left in Q by lra ]; nra ].
         + apply rder_shift. eapply rder_eq; [ exact X | ring ]. }

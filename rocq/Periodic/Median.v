@@ -5,6 +5,13 @@ Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis HalfPeriod Drawn Line.
 Open Scope R_scope.
+Arguments m_cx {k Ax Ay vx vy}.
+Arguments m_cy {k Ax Ay vx vy}.
+Arguments m_law {k Ax Ay vx vy}.
+Arguments l_c {l m a t0 w}.
+Arguments l_law {l m a t0 w}.
+Arguments late_moves {l h W}.
+Arguments late_drawn {l h W}.
 
 (* the right limit of f at t is f(t): «$f$ is continuous from the right at $t$» *)
 Definition rcont (f : R -> R) (t : R) : Prop := forall e, 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> Rabs (f s - f t) < e.
@@ -135,6 +142,13 @@ Qed.
 Record little (l : R) (h H : R -> R) (t0 : R) (w : R -> R) : Prop := {
   k_l : 0 < l; k_size : forall t, Rabs (h t) <= 1; k_per : forall t, h (t + 2 * PI) = h t; k_c : forall t, continuity_pt H t;
   k_r : forall t, rder H t (h t); k_p : forall t, H (t + 2 * PI) = H t; k_line : line l l h t0 w }.
+Arguments k_l {l h H t0 w}.
+Arguments k_size {l h H t0 w}.
+Arguments k_per {l h H t0 w}.
+Arguments k_c {l h H t0 w}.
+Arguments k_r {l h H t0 w}.
+Arguments k_p {l h H t0 w}.
+Arguments k_line {l h H t0 w}.
 Lemma little_opp l h H t0 w : little l h H t0 w -> little l (fun t => - h t) (fun t => - H t) t0 (fun t => - w t).
 Proof.
   intros []. split; trivial; try (intros; rewrite ?Rabs_Ropp, ?k_per0, ?k_p0; trivial); [ specialize (k_c0 t); cont | now apply rder_opp | now apply line_opp ].
@@ -143,36 +157,36 @@ Section Little.
 Variables (l : R) (h H w : R -> R) (t0 : R).
 Hypothesis S : little l h H t0 w.
 Notation step t := (w (t + 2 * PI) - w t).
-Lemma w_cont t : t0 < t -> continuity_pt w t. Proof. apply (l_c _ _ _ _ _ (k_line _ _ _ _ _ S)). Qed.
+Lemma w_cont t : t0 < t -> continuity_pt w t. Proof. apply (l_c (k_line S)). Qed.
 (* what is left of the velocity without the drive changes at the rate of friction *)
 Lemma bare r : t0 <= r -> exists f, dry l l (w r) f /\ rder w r (h r + f) /\ rder (fun t => w t - H t) r f.
 Proof.
-  intros Hr. destruct (l_law _ _ _ _ _ (k_line _ _ _ _ _ S) r Hr) as (f & F & X). exists f. split; trivial. split; trivial.
-  eapply rder_eq; [ apply rder_minus; [ exact X | apply (k_r _ _ _ _ _ S) ] | ring ].
+  intros Hr. destruct (l_law (k_line S) r Hr) as (f & F & X). exists f. split; trivial. split; trivial.
+  eapply rder_eq; [ apply rder_minus; [ exact X | apply (k_r S) ] | ring ].
 Qed.
 Lemma bare_cont r : t0 < r -> continuity_pt (fun t => w t - H t) r.
-Proof. intros Hr. pose proof (w_cont r Hr). pose proof (k_c _ _ _ _ _ S r). cont. Qed.
+Proof. intros Hr. pose proof (w_cont r Hr). pose proof (k_c S r). cont. Qed.
 Lemma step_cont t : t0 < t -> continuity_pt (fun t => step t) t.
 Proof.
   intros Ht. pose proof PI_RGT_0. apply (continuity_pt_minus (fun t => w (t + 2 * PI)) w); [ apply cont_after | ]; apply w_cont; lra.
 Qed.
 Lemma step_falls s t : t0 <= s <= t -> Rabs (step t) <= Rabs (step s).
 Proof.
-  intros Hs. pose proof PI_RGT_0. apply (line_contraction l l h t0 (fun t => w (t + 2 * PI)) w); trivial; [ | apply (k_line _ _ _ _ _ S) ]. split; intros r Hr.
+  intros Hs. pose proof PI_RGT_0. apply (line_contraction l l h t0 (fun t => w (t + 2 * PI)) w); trivial; [ | apply (k_line S) ]. split; intros r Hr.
   - apply cont_after, w_cont. lra.
-  - destruct (bare (r + 2 * PI)) as (f & D & X & _); [ lra | ]. exists f. split; trivial. rewrite (k_per _ _ _ _ _ S) in X. now apply rder_after.
+  - destruct (bare (r + 2 * PI)) as (f & D & X & _); [ lra | ]. exists f. split; trivial. rewrite (k_per S) in X. now apply rder_after.
 Qed.
 (* it cannot gain in each period: it would go forward throughout one *)
 Lemma no_gain e t1 : 0 < e -> t0 <= t1 -> ~ forall t, t1 <= t -> e < step t.
 Proof.
-  intros he Ht1 G. pose proof PI_RGT_0. pose proof (k_l _ _ _ _ _ S) as hl. assert (N : forall n, w t1 + INR n * e <= w (t1 + INR n * (2 * PI))).
+  intros he Ht1 G. pose proof PI_RGT_0. pose proof (k_l S) as hl. assert (N : forall n, w t1 + INR n * e <= w (t1 + INR n * (2 * PI))).
   { induction n as [ | n IH ]; [ simpl; rewrite !Rmult_0_l, !Rplus_0_r; lra | ]. pose proof (pos_INR n). specialize (G (t1 + INR n * (2 * PI)) ltac:(nra)).
     rewrite S_INR. replace (t1 + (INR n + 1) * (2 * PI)) with (t1 + INR n * (2 * PI) + 2 * PI) by ring. lra. }
   destruct (nat_above ((2 * PI * (1 + l) - w t1) / e)) as [n Hn]. apply Rlt_div_l in Hn; trivial. specialize (N n). pose proof (pos_INR n).
   set (t := t1 + INR n * (2 * PI)) in *. assert (tt : t1 <= t) by (unfold t; nra). specialize (G t tt). enough (step t <= - l * (2 * PI)) by nra.
   assert (P : forall s, t <= s <= t + 2 * PI -> 0 < w s).
-  { intros s Hs. pose proof (line_rises l l _ 1 t0 _ t s (k_size _ _ _ _ _ (little_opp _ _ _ _ _ S)) (k_line _ _ _ _ _ (little_opp _ _ _ _ _ S)) ltac:(lra)) as K. cbv beta in K. nra. }
-  enough (w (t + 2 * PI) - H (t + 2 * PI) + l * (t + 2 * PI) <= w t - H t + l * t) by (rewrite (k_p _ _ _ _ _ S) in *; lra).
+  { intros s Hs. pose proof (line_rises l l _ 1 t0 _ t s (k_size (little_opp _ _ _ _ _ S)) (k_line (little_opp _ _ _ _ _ S)) ltac:(lra)) as K. cbv beta in K. nra. }
+  enough (w (t + 2 * PI) - H (t + 2 * PI) + l * (t + 2 * PI) <= w t - H t + l * t) by (rewrite (k_p S) in *; lra).
   apply (rder_decr (fun t => w t - H t + l * t)); [ lra | | ]; intros r Hr.
   - pose proof (bare_cont r ltac:(lra)). apply (continuity_pt_plus (fun t => w t - H t) (fun t => l * t)); [ trivial | cont ].
   - destruct (bare r) as (f & (_ & F & _) & _ & X); [ lra | ]. rewrite F in X by (apply P; lra). eexists. split; [ apply (rder_plus (fun t => w t - H t) (fun t => l * t)); [ exact X | rd ] | lra ].
@@ -181,7 +195,7 @@ Qed.
 Lemma loses c e y : median H c -> 0 < e -> t0 <= y -> (forall t, y <= t <= y + 2 * PI -> c - e <= H t -> 0 < w t) ->
   e * step y <= - l * (RInt (fun t => Rabs (H t - (c - e))) 0 (2 * PI) - RInt (fun t => Rabs (H t - c)) 0 (2 * PI)).
 Proof.
-  intros hc he hy P. pose proof PI_RGT_0. pose proof (k_c _ _ _ _ _ S) as cH. pose proof (k_l _ _ _ _ _ S) as hl. pose proof (k_p _ _ _ _ _ S) as pH.
+  intros hc he hy P. pose proof PI_RGT_0. pose proof (k_c S) as cH. pose proof (k_l S) as hl. pose proof (k_p S) as pH.
   rewrite <- (dist_minus H cH). set (f t := Rabs (H t - (c - e)) - Rabs (H t - c)). assert (cf : forall t, continuity_pt f t).
   { intros t. pose proof (abs_cont H cH c t). pose proof (abs_cont H cH (c - e) t). unfold f. cont. }
   assert (fB : forall t, Rabs (f t) <= e) by (intros t; unfold f; abs). pose proof (cont_int f cf) as fi.
@@ -200,7 +214,7 @@ End Little.
 (* late motions are above H - c by PI l at most, but for as little as one likes *)
 Lemma above_median l h H t0 w c e : little l h H t0 w -> median H c -> 0 < e -> exists t1, t0 <= t1 /\ forall t, t1 <= t -> w t - (H t - c) <= PI * l + e.
 Proof.
-  intros S hc he. pose proof PI_RGT_0. pose proof (k_l _ _ _ _ _ S) as hl. pose proof (median_strict H c e (k_c _ _ _ _ _ S) hc he) as k. pose proof (fun y => loses l h H w t0 S c e y hc he) as Q.
+  intros S hc he. pose proof PI_RGT_0. pose proof (k_l S) as hl. pose proof (median_strict H c e (k_c S) hc he) as k. pose proof (fun y => loses l h H w t0 S c e y hc he) as Q.
   
   set (d := RInt (fun t => Rabs (H t - (c - e))) 0 (2 * PI) - RInt (fun t => Rabs (H t - c)) 0 (2 * PI)) in Q. assert (d0 : 0 < l * d / e) by (apply Rdiv_lt_0_compat; trivial; apply Rmult_lt_0_compat; unfold d; lra). clear k. apply Classical_Prop.NNPP. intros no.
   assert (A : forall t1, t0 <= t1 -> exists y, t1 <= y /\ w (y + 2 * PI) - w y <= - (l * d / e)).

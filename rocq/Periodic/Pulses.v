@@ -2,7 +2,7 @@
    above 1, rest. Each is put together from straight pieces, and all motions of the plane are drawn to it. *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General HalfPeriod Drawn Line Formulas.
+From Slipbook Require Import Motion Analysis General HalfPeriod Drawn Line Formulas.
 Open Scope R_scope.
 
 (* ---- drives and velocities that are their own opposite half a period later ---- *)

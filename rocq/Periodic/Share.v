@@ -102,7 +102,7 @@ Proof.
   assert (lK : INR (length K) = 2 * n) by (unfold K, n; rewrite app_length, !map_length, plus_INR; ring).
   destruct (moving_time h N l p vx vy ltac:(lra) M K e s t (t + 2 * PI)) as (y & Y & Q); try lra.
   - intros x Hx. assert (A : forall j, 0 <= p + x - IZR j * (2 * PI) <= 2 * PI -> (forall i, In i L -> In (i + IZR j * (2 * PI)) K) -> (exists i, In i K /\ Rabs (p + x - i) < e) \/ Rabs (h (p + x)) <= 1 - s).
-    { intros j Hj I. rewrite <- (shift_Z (2 * PI) h (d_per h N) j). destruct (S _ Hj) as [(i & Ii & Hi) | ]; [ left | now right ]. exists (i + IZR j * (2 * PI)). split; [ now apply I | ].
+    { intros j Hj I. rewrite <- (shift_Z (2 * PI) h (d_per N) j). destruct (S _ Hj) as [(i & Ii & Hi) | ]; [ left | now right ]. exists (i + IZR j * (2 * PI)). split; [ now apply I | ].
       now replace (p + x - (i + IZR j * (2 * PI))) with (p + x - IZR j * (2 * PI) - i) by ring. }
     destruct (Rle_dec (p + x - IZR k * (2 * PI)) (2 * PI)); [ apply (A k) | apply (A (k + 1)%Z) ]; rewrite ?plus_IZR; try lra; intros i I; unfold K; apply in_or_app.
     + left. now apply (in_map (fun i => i + IZR k * (2 * PI))).

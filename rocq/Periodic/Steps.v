@@ -78,7 +78,7 @@ Proof.
 Qed.
 Lemma three_mean : mean three = 0.
 Proof.
-  pose proof (half_prim three three_anti (d_int _ three_normalised) PI) as K. replace (PI + PI) with (2 * PI) in K by ring. unfold mean. rewrite K. unfold Rdiv. rewrite Rminus_eq_0. apply Rmult_0_l.
+  pose proof (half_prim three three_anti (d_int three_normalised) PI) as K. replace (PI + PI) with (2 * PI) in K by ring. unfold mean. rewrite K. unfold Rdiv. rewrite Rminus_eq_0. apply Rmult_0_l.
 Qed.
 End Three.
 
@@ -99,7 +99,7 @@ Proof.
   pose proof PI_RGT_0 as p. pose proof steps_normalised as N. split; trivial.
   - exists (7 * PI / 8). unfold step_drive. rewrite (proj2 (proj2 (steps_first _))), sixth; lra.
   - intros _. exists (RInt step_drive 0 PI / 2). split.
-    + apply half_median; [ apply (prim_cont step_drive 1); apply N | ]. intros t. rewrite (half_prim step_drive steps_anti (d_int _ N)). field.
+    + apply half_median; [ apply (prim_cont step_drive 1); apply N | ]. intros t. rewrite (half_prim step_drive steps_anti (d_int N)). field.
     + intros t _. exists (1 / 6). split; [ lra | ]. intros s _. apply steps_size.
 Qed.
 (* friction below every step: no rest *)
@@ -172,7 +172,7 @@ Proof.
 Qed.
 Lemma steps_none_again : has_rests (1 / 2) step_drive 0.
 Proof.
-  intros p vx vy M. pose proof PI_RGT_0 as pp. right. split; trivial. destruct (late_drawn _ _ _ w2_late p vx vy M) as [L _].
+  intros p vx vy M. pose proof PI_RGT_0 as pp. right. split; trivial. destruct (late_drawn w2_late p vx vy M) as [L _].
   destruct (Analysis.lim_near _ _ (PI / 64) L ltac:(lra)) as (t1 & t10 & D). apply (held_nowhere (1 / 2) step_drive p vx vy t1); trivial; [ lra | ].
   intros s Hs z _. apply Rnot_le_lt. intros R. specialize (D s Hs). cbv beta in D. rewrite z in D.
   destruct (per_spec 0 PI pp (p + s)) as [n Hn]. destruct (steps_on n (p + s)) as (S1 & S2 & S3). assert (q : sg n = 1 \/ sg n = -1) by apply sg_cases. unfold w2 in D. rewrite (ext_on PI _ pp n) in D by lra.
