@@ -52,6 +52,9 @@ Lemma abs_int a b : ex_RInt (fun t => Rabs (h t)) a b. Proof. apply (ex_RInt_nor
 Lemma abs_right t : rcont (fun t => Rabs (h t)) t.
 Proof. intros e he. destruct (d_right N t e he) as (d & d0 & D). exists d. split; trivial. intros s Hs. eapply Rle_lt_trans; [ apply Rabs_triang_inv2 | now apply D ]. Qed.
 Lemma abs_size t : Rabs (Rabs (h t)) <= 1. Proof. rewrite Rabs_Rabsolu. apply N. Qed.
+Lemma pulled p t : nrm (- h (p + t)) 0 = Rabs (h (p + t)). Proof. now rewrite nrm_x, Rabs_Ropp. Qed.
+Lemma pulled_right p t : 0 <= t -> rcont (fun t => nrm (- h (p + t)) 0) t.
+Proof. intros _ e he. destruct (abs_right (p + t) e he) as (b & b0 & B). exists b. split; trivial. intros r Hr. rewrite !pulled. apply B. lra. Qed.
 Lemma mean_below_one : (exists t, Rabs (h t) < 1) -> mean (fun t => Rabs (h t)) < 1.
 Proof.
   intros [t Ht]. pose proof PI_RGT_0. unfold mean. apply Rlt_div_l; [ lra | ]. destruct (abs_right t ((1 - Rabs (h t)) / 2)) as (d & d0 & D); [ lra | ].
@@ -82,12 +85,12 @@ Lemma above_the_mean l : mean (fun t => Rabs (h t)) < l < 1 -> has_rests l h 1.
 Proof.
   intros hl p vx vy M. pose proof PI_RGT_0. left. assert (m0 : 0 <= mean (fun t => Rabs (h t))).
   { unfold mean. apply Rle_div_r; [ lra | ]. rewrite Rmult_0_l. apply RInt_ge_0; [ lra | apply abs_int | intros; apply Rabs_pos ]. }
-  split; trivial. split; [ | intros t Ht; apply (moves_again l p); trivial; lra ]. assert (pull : forall t, nrm (- h (p + t)) 0 = Rabs (h (p + t))) by (intros; now rewrite nrm_x, Rabs_Ropp).
+  split; trivial. split; [ | intros t Ht; apply (moves_again l p); trivial; lra ].
   exists (nrm (vx 0) (vy 0) / (l - J (2 * PI) / (2 * PI)) + 2 * PI). intros t Ht.
   apply (rest_is_certain l (fun t => - h (p + t)) (fun _ => 0) vx vy) with (m := J (2 * PI)) (J := fun t => J (p + t)); trivial; try lra.
-  - intros u _ e he. destruct (abs_right (p + u) e he) as (b & b0 & B). exists b. split; trivial. intros r Hr. rewrite !pull. apply B. lra.
+  - apply pulled_right.
   - intros u _. apply cont_phase, (prim_cont _ 1); [ apply abs_int | apply abs_size ].
-  - intros u _. rewrite pull. apply (rder_phase J), (prim_rder _ abs_int), abs_right.
+  - intros u _. rewrite pulled. apply (rder_phase J), (prim_rder _ abs_int), abs_right.
   - intros u _. rewrite <- Rplus_assoc. apply (prim_per _ abs_int). intros s; apply f_equal, N.
   - apply Rlt_div_l; [ lra | apply hl ].
 Qed.
@@ -98,8 +101,7 @@ Proof.
   assert (D : forall t, 0 <= t -> s * vx 0 - s * G (p + 0) - l * t <= s * vx t - s * G (p + t)).
   { intros t Ht. enough (- s * vx t + s * G (p + t) - l * t <= - s * vx 0 + s * G (p + 0) - l * 0) by lra.
     apply (rder_decr (fun t => - s * vx t + s * G (p + t) - l * t)); trivial; intros r Hr.
-    - pose proof (m_cx M r ltac:(lra)). pose proof (cont_phase G p r (prim_cont h 1 (d_int N) (d_size N) (p + r))).
-      apply (continuity_pt_minus (fun t => - s * vx t + s * G (p + t)) (fun t => l * t)); [ apply (continuity_pt_plus (fun t => - s * vx t) (fun t => s * G (p + t))) | ]; cont.
+    - pose proof (cont_phase G p r (prim_cont h 1 (d_int N) (d_size N) (p + r))). cont.
     - destruct (m_law M r ltac:(lra)) as (fx & fy & [B _] & X & _). pose proof (rder_phase G p r _ (prim_rder h (d_int N) (p + r) (d_right N _))) as Y.
       eexists. split; [ apply (rder_minus (fun t => - s * vx t + s * G (p + t)) (fun t => l * t)); [ apply (rder_plus (fun t => - s * vx t) (fun t => s * G (p + t))); [ apply (rder_mult (fun _ => - s)) | apply (rder_mult (fun _ => s)) ] | ]; rd | ].
       assert (- l <= fx <= l) by nra. destruct hs as [-> | ->]; lra. }

@@ -47,7 +47,7 @@ Proof.
   destruct (P q ltac:(unfold x in *; lra)) as [_ Pq]. destruct (P x ltac:(unfold x in *; lra)) as [Px _].
   assert (F : v (t + x) - (j + e - k) * (t + x) <= v (t + q) - (j + e - k) * (t + q)).
   { apply (rder_decr (fun t => v t - (j + e - k) * t)); [ lra | | ]; intros s Hs.
-    - pose proof (speed_cont k Ax Ay vx vy M s ltac:(lra)). apply (continuity_pt_minus (fun t => v t) (fun t => (j + e - k) * t)); [ trivial | cont ].
+    - cont.
     - destruct (P (s - t) ltac:(unfold x in *; lra)) as [Ps _]. replace (t + (s - t)) with s in Ps by ring. destruct (slip_rate s) as (r' & R' & b'); [ lra | intros n; rewrite n in Ps; nra | ].
       eexists. split; [ apply (rder_minus (fun t => v t)); [ exact R' | rd ] | ]. specialize (B s ltac:(unfold x in *; lra)). apply Rabs_def2 in B. lra. }
   unfold e in *. nra.
@@ -56,7 +56,7 @@ Lemma change (J j : R -> R) p q : 0 <= p <= q -> (forall t, p < t <= q -> contin
   (forall t, p <= t < q -> rder J t (j t) /\ pull t <= j t /\ (v t <> 0 \/ k <= j t)) -> v q - J q + k * q <= v p - J p + k * p.
 Proof.
   intros H C S. apply (rder_decr (fun t => v t - J t + k * t)); [ lra | | ]; intros t Ht.
-  - pose proof (speed_cont k Ax Ay vx vy M t ltac:(lra)). specialize (C t ltac:(lra)). apply (continuity_pt_plus (fun t => v t - J t) (fun t => k * t)); [ now apply (continuity_pt_minus (fun t => v t) J) | cont ].
+  - specialize (C t ltac:(lra)). cont.
   - destruct (S t Ht) as (RJ & a & b). destruct (right_rate t) as (r & R & Q); [ lra | ]. specialize (Q _ a b).
     eexists. split; [ apply (rder_plus (fun t => v t - J t) (fun t => k * t)); [ apply (rder_minus (fun t => v t) J); [ exact R | exact RJ ] | rd ] | lra ].
 Qed.
@@ -97,7 +97,7 @@ Proof.
     rewrite <- ex. apply Rmult_lt_compat_r; lra. }
   destruct Z0 as (s0 & Hs0 & z0).
   (* the last zero before t, and one with friction to spare after it *)
-  destruct (last_zero (fun t => v t) s0 t) as (s & Hs & z & L); trivial; [ lra | intros y Hy; apply (speed_cont k Ax Ay vx vy M); lra | ].
+  destruct (last_zero (fun t => v t) s0 t) as (s & Hs & z & L); trivial; [ lra | intros; cont | ].
   assert (E : exists y, s <= y < s + T /\ v y = 0 /\ pull y < k).
   { apply Classical_Prop.NNPP. intros no. pose proof (C s (s + T) ltac:(lra)) as Q. rewrite pJ in Q by lra. cbv beta in z. rewrite z in Q.
     pose proof (nrm_pos (vx (s + T)) (vy (s + T))). enough (v (s + T) - (J s + m) + k * (s + T) <= 0 - J s + k * s) by lra. apply Q.
@@ -111,7 +111,7 @@ Lemma comes_to_rest c x y : 0 < x <= y -> (forall t, x <= t < y -> pull t <= k -
 Proof.
   intros Hx S hc. destruct (Classical_Prop.classic (exists z, x <= z < y /\ v z = 0)) as [(z0 & Hz0 & e0) | no].
   - right. destruct (last_zero (fun t => v (- t)) (- z0) (- x)) as (z & Hz & e & L); [ lra | | now rewrite Ropp_involutive | ].
-    { intros t Ht. apply (continuity_pt_comp (fun t => - t) (fun t => v t)); [ cont | apply (speed_cont k Ax Ay vx vy M); lra ]. }
+    { intros t Ht. apply (continuity_pt_comp (fun t => - t) (fun t => v t)); cont. }
     exists (- z). split; [ lra | split ].
     + enough (v (- z) + c * (- z - x) <= v x) by (rewrite e in *; lra). apply falls; [ lra | ]. intros t Ht. split; [ apply S; lra | ]. rewrite <- (Ropp_involutive t). apply L. lra.
     + intros t Ht. apply (rest_held_on (- z)); trivial; [ lra | ]. intros u Hu. specialize (S u ltac:(lra)). lra.

@@ -5,6 +5,9 @@ Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis HalfPeriod Drawn Line.
 Open Scope R_scope.
+(* what cont and auto may use *)
+#[export] Hint Extern 3 (_ < _) => lra : core.
+#[export] Hint Resolve m_cx m_cy Rcontinuity_abs : core.
 Arguments m_cx {k Ax Ay vx vy}.
 Arguments m_cy {k Ax Ay vx vy}.
 Arguments m_law {k Ax Ay vx vy}.
@@ -98,7 +101,8 @@ Hypothesis cH : forall t, continuity_pt H t.
 Hypothesis hc : median H c.
 Hypothesis he : 0 < e.
 Lemma abs_cont x t : continuity_pt (fun t => Rabs (H t - x)) t.
-Proof. apply (continuity_pt_comp (fun t => H t - x) Rabs); [ specialize (cH t); cont | apply Rcontinuity_abs ]. Qed.
+Proof. apply (continuity_pt_comp (fun t => H t - x) Rabs); cont. Qed.
+Hint Resolve abs_cont : core.
 Notation dist x := (RInt (fun t => Rabs (H t - x)) 0 (2 * PI)).
 Lemma dist_minus x y : RInt (fun t => Rabs (H t - x) - Rabs (H t - y)) 0 (2 * PI) = dist x - dist y.
 Proof. apply (RInt_minus (fun t => Rabs (H t - x)) (fun t => Rabs (H t - y))); apply cont_int, abs_cont. Qed.
@@ -108,27 +112,28 @@ Proof.
   set (f t := Rabs (H t - (c - e)) - Rabs (H t - (c - e / 2)) - (Rabs (H t - (c - e / 2)) - Rabs (H t - c))).
   assert (Z : forall t, 0 <= t < 2 * PI -> f t = 0).
   { apply (int_zero f e).
-    - intros t. pose proof (abs_cont c t). pose proof (abs_cont (c - e) t). pose proof (abs_cont (c - e / 2) t). unfold f. cont.
+    - intros t. unfold f. cont.
     - intros t. unfold f. abs.
     - unfold f. rewrite (RInt_minus (fun t => Rabs (H t - (c - e)) - Rabs (H t - (c - e / 2))) (fun t => Rabs (H t - (c - e / 2)) - Rabs (H t - c))), !dist_minus
-        by (apply cont_int; intros t; pose proof (abs_cont c t); pose proof (abs_cont (c - e) t); pose proof (abs_cont (c - e / 2) t); cont).
+        by (apply cont_int; intros; cont).
       unfold minus, plus, opp; simpl. lra. }
   assert (O : forall t, 0 <= t < 2 * PI -> H t <= c - e \/ c <= H t). { intros t Ht. specialize (Z t Ht). unfold f in Z. abs. }
   (* so H is on one side of the gap *)
   assert (S : forall s, s = 1 \/ s = -1 -> e / 2 <= s * (H 0 - (c - e / 2)) -> dist (c - e) - dist c = 2 * PI * (s * e)).
   { intros s hs s0. rewrite <- dist_minus, (RInt_ext _ (fun _ => s * e)); [ rewrite RInt_const; unfold scal; simpl; unfold mult; simpl; ring | ].
     intros t Ht. rewrite Rmin_left, Rmax_right in Ht by lra. destruct (Rlt_le_dec (s * (H t - (c - e / 2))) (e / 2)) as [k | k].
-    - exfalso. destruct (Ranalysis5.IVT_interv (fun t => - (s * (H t - (c - e / 2)))) 0 t) as (z & Hz & ez); try lra; [ intros r _; specialize (cH r); cont | | ].
+    - exfalso. destruct (Ranalysis5.IVT_interv (fun t => - (s * (H t - (c - e / 2)))) 0 t) as (z & Hz & ez); try lra; [ intros; cont | | ].
       + destruct hs as [-> | ->]; destruct (O t ltac:(lra)); lra.
       + destruct hs as [-> | ->]; destruct (O z ltac:(lra)); lra.
     - destruct hs as [-> | ->]; abs. }
   destruct (O 0 ltac:(lra)) as [k | k]; [ pose proof (S (-1) ltac:(auto) ltac:(lra)); pose proof (hc (c - e)) | pose proof (S 1 ltac:(auto) ltac:(lra)) ]; nra.
 Qed.
 End Strict.
+#[export] Hint Resolve abs_cont : core.
 
 Lemma line_opp l h t0 w : line l l h t0 w -> line l l (fun t => - h t) t0 (fun t => - w t).
 Proof.
-  intros [c L]. split; intros t Ht; [ specialize (c t Ht); cont | ]. destruct (L t Ht) as (f & (F & P & N) & X). exists (- f). split.
+  intros [c L]. split; intros t Ht; [ cont | ]. destruct (L t Ht) as (f & (F & P & N) & X). exists (- f). split.
   - split; [ lra | split; intros k; rewrite ?P, ?N by lra; lra ].
   - eapply rder_eq; [ apply rder_opp, X | ring ].
 Qed.
@@ -151,13 +156,14 @@ Arguments k_p {l h H t0 w}.
 Arguments k_line {l h H t0 w}.
 Lemma little_opp l h H t0 w : little l h H t0 w -> little l (fun t => - h t) (fun t => - H t) t0 (fun t => - w t).
 Proof.
-  intros []. split; trivial; try (intros; rewrite ?Rabs_Ropp, ?k_per0, ?k_p0; trivial); [ specialize (k_c0 t); cont | now apply rder_opp | now apply line_opp ].
+  intros []. split; trivial; try (intros; rewrite ?Rabs_Ropp, ?k_per0, ?k_p0; trivial); [ cont | now apply rder_opp | now apply line_opp ].
 Qed.
 Section Little.
 Variables (l : R) (h H w : R -> R) (t0 : R).
 Hypothesis S : little l h H t0 w.
 Notation step t := (w (t + 2 * PI) - w t).
 Lemma w_cont t : t0 < t -> continuity_pt w t. Proof. apply (l_c (k_line S)). Qed.
+Hint Resolve w_cont : core.
 (* what is left of the velocity without the drive changes at the rate of friction *)
 Lemma bare r : t0 <= r -> exists f, dry l l (w r) f /\ rder w r (h r + f) /\ rder (fun t => w t - H t) r f.
 Proof.
@@ -165,7 +171,8 @@ Proof.
   eapply rder_eq; [ apply rder_minus; [ exact X | apply (k_r S) ] | ring ].
 Qed.
 Lemma bare_cont r : t0 < r -> continuity_pt (fun t => w t - H t) r.
-Proof. intros Hr. pose proof (w_cont r Hr). pose proof (k_c S r). cont. Qed.
+Proof. intros Hr. pose proof (k_c S r). cont. Qed.
+Hint Resolve bare_cont : core.
 Lemma step_cont t : t0 < t -> continuity_pt (fun t => step t) t.
 Proof.
   intros Ht. pose proof PI_RGT_0. apply (continuity_pt_minus (fun t => w (t + 2 * PI)) w); [ apply cont_after | ]; apply w_cont; lra.
@@ -188,7 +195,7 @@ Proof.
   { intros s Hs. pose proof (line_rises l l _ 1 t0 _ t s (k_size (little_opp _ _ _ _ _ S)) (k_line (little_opp _ _ _ _ _ S)) ltac:(lra)) as K. cbv beta in K. nra. }
   enough (w (t + 2 * PI) - H (t + 2 * PI) + l * (t + 2 * PI) <= w t - H t + l * t) by (rewrite (k_p S) in *; lra).
   apply (rder_decr (fun t => w t - H t + l * t)); [ lra | | ]; intros r Hr.
-  - pose proof (bare_cont r ltac:(lra)). apply (continuity_pt_plus (fun t => w t - H t) (fun t => l * t)); [ trivial | cont ].
+  - pose proof (k_c S r). cont.
   - destruct (bare r) as (f & (_ & F & _) & _ & X); [ lra | ]. rewrite F in X by (apply P; lra). eexists. split; [ apply (rder_plus (fun t => w t - H t) (fun t => l * t)); [ exact X | rd ] | lra ].
 Qed.
 (* where it is far above H - c throughout a period, it loses a fixed amount in that period *)
@@ -197,12 +204,12 @@ Lemma loses c e y : median H c -> 0 < e -> t0 <= y -> (forall t, y <= t <= y + 2
 Proof.
   intros hc he hy P. pose proof PI_RGT_0. pose proof (k_c S) as cH. pose proof (k_l S) as hl. pose proof (k_p S) as pH.
   rewrite <- (dist_minus H cH). set (f t := Rabs (H t - (c - e)) - Rabs (H t - c)). assert (cf : forall t, continuity_pt f t).
-  { intros t. pose proof (abs_cont H cH c t). pose proof (abs_cont H cH (c - e) t). unfold f. cont. }
+  { intros t. unfold f. cont. }
   assert (fB : forall t, Rabs (f t) <= e) by (intros t; unfold f; abs). pose proof (cont_int f cf) as fi.
   pose proof (prim_per f fi (2 * PI) y ltac:(intros t; unfold f; now rewrite pH)) as Q. set (F := RInt f 0) in *.
   enough (e * (w (y + 2 * PI) - H (y + 2 * PI)) + l * F (y + 2 * PI) <= e * (w y - H y) + l * F y) by (rewrite pH, Q in *; lra).
   apply (rder_decr (fun t => e * (w t - H t) + l * F t)); [ lra | | ]; intros r Hr.
-  - pose proof (bare_cont r ltac:(lra)). pose proof (prim_cont f e fi fB r). apply (continuity_pt_plus (fun t => e * (w t - H t)) (fun t => l * F t)); [ apply (continuity_pt_mult (fun _ => e)); [ cont | trivial ] | cont ].
+  - pose proof (prim_cont f e fi fB r). cont.
   - destruct (bare r) as (g & (g0 & g1 & _) & _ & X); [ lra | ]. pose proof (prim_rder f fi r (cont_rcont _ _ (cf r))) as Y. fold F in Y.
     eexists. split; [ apply (rder_plus (fun t => e * (w t - H t)) (fun t => l * F t)); [ apply (rder_mult (fun _ => e)); [ rd | exact X ] | apply (rder_mult (fun _ => l)); [ rd | exact Y ] ] | ].
     specialize (fB r). apply Rabs_le_between in fB. destruct (Rle_dec (c - e) (H r)) as [k | k].

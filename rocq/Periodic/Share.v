@@ -56,12 +56,9 @@ Variables (l p : R) (vx vy : R -> R).
 Hypothesis hl : 0 <= l <= 1.
 Hypothesis M : moves l h p vx vy.
 Notation v t := (nrm (vx t) (vy t)).
-Lemma pulled t : nrm (- h (p + t)) 0 = Rabs (h (p + t)). Proof. now rewrite nrm_x, Rabs_Ropp. Qed.
-Lemma pulled_right t : 0 <= t -> rcont (fun t => nrm (- h (p + t)) 0) t.
-Proof. intros _ e he. destruct (abs_right h N (p + t) e he) as (b & b0 & B). exists b. split; trivial. intros r Hr. rewrite !pulled. apply B. lra. Qed.
 Lemma grows_little x y : 0 <= x <= y -> v y <= v x + (1 - l) * (y - x).
 Proof.
-  intros Hx. apply (grows l (fun t => - h (p + t)) (fun _ => 0)); trivial; try lra. exact pulled_right. intros t _. rewrite pulled. apply N.
+  intros Hx. apply (grows l (fun t => - h (p + t)) (fun _ => 0)); trivial; try lra. exact (pulled_right h N p). intros t _. rewrite pulled. apply N.
 Qed.
 (* the time without rest in a period *)
 Lemma moving_time L e s a b : 0 < e -> 0 <= 1 - l < s -> 0 < a <= b -> (forall x, a <= x <= b -> (exists i, In i L /\ Rabs (p + x - i) < e) \/ Rabs (h (p + x)) <= 1 - s) ->
@@ -77,7 +74,7 @@ Proof.
     { assert (- Rabs (p + u - i) <= p + u - i <= Rabs (p + u - i)) by (apply Rabs_le_between; lra). replace (y - x) with (p + y - (p + x)) by ring. apply (near_in _ _ i); trivial; lra. }
     assert (s * (E x + (y - x)) <= s * E y) by (apply Rmult_le_compat_l; lra). lra.
   - exists e. split; trivial. intros x y Hx Hy ax yb (r & R & Q). assert (K : E x <= E y) by (apply near_up; lra). assert (s * E x <= s * E y) by (apply Rmult_le_compat_l; lra).
-    destruct (comes_to_rest l (fun t => - h (p + t)) (fun _ => 0) vx vy ltac:(lra) M pulled_right (s - (1 - l)) x y) as [G | (z & Hz & G & Z)]; try lra.
+    destruct (comes_to_rest l (fun t => - h (p + t)) (fun _ => 0) vx vy ltac:(lra) M (pulled_right h N p) (s - (1 - l)) x y) as [G | (z & Hz & G & Z)]; try lra.
     + intros t Ht. rewrite pulled. destruct (F t ltac:(lra)) as [(i & I & Hi) | ]; [ exfalso | lra ]. apply no. exists i. split; trivial.
       apply Rabs_def2 in Hi. apply Rabs_def1; lra.
     + exists r. split; [ apply (rest_wait _ _ x); trivial; lra | lra ].

@@ -19,12 +19,11 @@ Qed.
 Lemma half_median H c : (forall t, continuity_pt H t) -> (forall t, H (t + PI) = 2 * c - H t) -> median H c.
 Proof.
   intros cH aH x. pose proof PI_RGT_0. assert (E : forall x, RInt (fun t => Rabs (H t - x)) 0 (2 * PI) = RInt (fun t => Rabs (H t - x) + Rabs (H t - (2 * c - x))) 0 PI).
-  { intros y. pose proof (abs_cont H cH y) as A. pose proof (abs_cont H cH (2 * c - y)) as B. pose proof (cont_int _ A) as Ai. rewrite <- (RInt_Chasles _ 0 PI (2 * PI)) by apply Ai.
-    rewrite (RInt_plus (fun t => Rabs (H t - y)) (fun t => Rabs (H t - (2 * c - y)))) by (apply cont_int; trivial). f_equal.
+  { intros y. pose proof (cont_int _ (abs_cont H cH y)) as Ai. rewrite <- (RInt_Chasles _ 0 PI (2 * PI)) by apply Ai.
+    rewrite (RInt_plus (fun t => Rabs (H t - y)) (fun t => Rabs (H t - (2 * c - y)))) by (apply cont_int; auto). f_equal.
     pose proof (RInt_comp_lin (fun t => Rabs (H t - y)) 1 PI 0 PI) as L. rewrite Rmult_0_r, !Rplus_0_l, Rmult_1_l in L. replace (2 * PI) with (PI + PI) by ring. rewrite <- L by apply Ai.
     apply RInt_ext. intros s _. rewrite !Rmult_1_l, aH, <- Rabs_Ropp. f_equal. ring. }
-  rewrite !E. apply RInt_le; [ lra | | | ]; try (apply cont_int; intros t; pose proof (abs_cont H cH c t); pose proof (abs_cont H cH (2 * c - c) t); pose proof (abs_cont H cH x t);
-    pose proof (abs_cont H cH (2 * c - x) t); cont).
+  rewrite !E. apply RInt_le; [ lra | | | ]; try (apply cont_int; intros; cont).
   intros t _. abs.
 Qed.
 End Halves.
