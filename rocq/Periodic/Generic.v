@@ -123,12 +123,15 @@ Proof.
   intros hs hl p vx vy M. right. split; trivial. destruct (below_the_mean s l p vx vy 0 hs hl M) as (t1 & _ & B). exists t1. intros t d Ht hd. exists t. split; [ lra | ].
   intros Z. destruct (nrm_zero _ _ Z) as [z _]. specialize (B t Ht). rewrite z in B. lra.
 Qed.
+Lemma prim_closed t : mean h = 0 -> G (t + 2 * PI) = G t.
+Proof.
+  intros m0. pose proof PI_RGT_0. rewrite (prim_per h (d_int N) _ _ (d_per N)). unfold mean in m0. apply (Rmult_eq_compat_r (2 * PI)) in m0. field_simplify in m0; lra.
+Qed.
 (* h keeps away from 0 where its primitive is near the median *)
 Lemma away_from_zero c : mean h = 0 -> (forall t, G t = c -> exists e, 0 < e /\ forall s, Rabs (s - t) < e -> e <= Rabs (h s)) ->
   exists e, 0 < e /\ forall t, Rabs (G t - c) <= e -> e <= Rabs (h t).
 Proof.
-  intros m0 A. pose proof PI_RGT_0. assert (per : forall t, G (t + 2 * PI) = G t).
-  { intros t. rewrite (prim_per h (d_int N) _ _ (d_per N)). unfold mean in m0. apply (Rmult_eq_compat_r (2 * PI)) in m0. field_simplify in m0; lra. }
+  intros m0 A. pose proof PI_RGT_0. pose proof (fun t => prim_closed t m0) as per.
   destruct (uniform (fun e t => Rabs (G t - c) <= e -> e <= Rabs (h t)) 0 (2 * PI)) as (e & e0 & E); [ lra | intros e d t Hd Q K; specialize (Q ltac:(lra)); lra | | ].
   2: { exists e. split; trivial. intros t. destruct (per_spec 0 (2 * PI) ltac:(lra) t) as [n Hn].
        rewrite <- (shift_Z (2 * PI) h (d_per N) n t), <- (shift_Z (2 * PI) G per n t). apply E. lra. }
@@ -148,7 +151,7 @@ Proof.
     { intros t Ht. pose proof (across_falls l _ vx vy ltac:(lra) M s t ltac:(lra)). destruct (nrm_zero _ _ Z) as [_ z]. rewrite z in *. nra. }
     assert (K : little l h G (p + s) (fun x => vx (x - p))).
     { split; try apply N; [ lra | apply (prim_cont h 1); apply N | intros; apply prim_rder; apply N | | ].
-      - intros t. rewrite (prim_per h (d_int N) _ _ (d_per N)). unfold mean in m0. apply (Rmult_eq_compat_r (2 * PI)) in m0. field_simplify in m0; lra.
+      - intros t. now apply prim_closed.
       - split; intros t Ht; [ apply cont_shift, (m_cx M); lra | ]. destruct (m_law M (t - p)) as (fx & fy & C & X & _); [ lra | ]. exists fx.
         rewrite Y in C by lra. destruct (coulomb_slip l _ _ _ _ ltac:(lra) C) as [Q _]. destruct C as [B _]. rewrite nrm_x in Q. replace (p + (t - p)) with t in X by ring. split.
         + split; [ nra | split; intros k; [ rewrite Rabs_pos_eq in Q by lra | rewrite Rabs_left in Q by lra ]; nra ].
