@@ -30,13 +30,8 @@ Theorem eq_44__below eta l W : 0 < eta < 1 -> 0 < l <= eq46_lambda_c eta -> late
   (forall ph, right_periodic_small_friction_ends_2 eta <= ph < PI + b -> W ph = right_periodic_small_friction_cases_3 l eta ph) /\
   W b = 0 /\ forall ph, b < ph < PI + b -> 0 < W ph.
 Proof.
-  unfold eq46_lambda_c. intros he hl HW. set (b := right_periodic_small_friction_start l eta). destruct (w_below_late l eta) as (_ & L & Z & P); try lra. pose proof (late_unique l _ _ _ HW L) as E. pose proof PI_RGT_0.
-  assert (hb : 0 <= b < eta * PI) by (unfold b, right_periodic_small_friction_start; nra). assert (ep : eta * PI < PI) by nra.
-  split; [ | split; [ | split; [ | split ] ] ]; try (intros ph Hph); rewrite E; auto; unfold right_periodic_small_friction_ends_1, right_periodic_small_friction_ends_2 in *;
-    rewrite w_below_on by (fold b; lra); unfold below44, right_periodic_small_friction_ends_1, right_periodic_small_friction_ends_2.
-  - destruct (Req_dec ph (eta * PI)) as [-> | n]; [ rewrite glue_r, glue_l by lra; unfold right_periodic_small_friction_cases_1, right_periodic_small_friction_cases_2; ring | apply glue_l; lra ].
-  - now rewrite glue_r, glue_l by lra.
-  - now rewrite !glue_r by lra.
+  unfold eq46_lambda_c. intros he hl HW. destruct (w_below_late l eta) as (_ & L & Z & P); try lra. destruct (below_cases l eta) as (C1 & C2 & C3); try lra.
+  pose proof (late_unique l _ _ _ HW L) as E. split; [ | split; [ | split; [ | split ] ] ]; intros; rewrite E; auto.
 Qed.
 Lemma eq_44__below__occurs : ltac:(occurs eq_44__below).
 Proof. intros H. destruct (pulses_at_large_times (1/2) (1/3)) as [W HW]; try lra. refine (H (1/2) (1/3) W _ _ HW); unfold eq46_lambda_c; lra. Qed.
@@ -58,8 +53,7 @@ Proof.
   unfold eq46_lambda_c. intros he h0 HW. pose proof PI_RGT_0. split.
   - intros (s & d & hd & Z). apply Rnot_le_lt. intros k. destruct (w_below_late l eta) as (A & L & _ & P); try lra. pose proof (late_unique l _ _ _ HW L) as E. set (b := right_periodic_small_friction_start l eta) in *.
     destruct (per_spec b PI H s) as [n Hn]. set (u := Rmin d (b + (IZR n + 1) * PI - s) / 2). assert (m : 0 < Rmin d (b + (IZR n + 1) * PI - s)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (b + (IZR n + 1) * PI - s)). pose proof (Rmin_r d (b + (IZR n + 1) * PI - s)).
-    assert (S : w_below l eta (s + u) = sg n * w_below l eta (s + u - IZR n * PI)).
-    { unfold w_below. fold b. rewrite (ext_on PI _ H n) by (unfold u; lra). rewrite ext_first by (unfold u; lra). do 2 f_equal. ring. }
+    assert (S : w_below l eta (s + u) = sg n * w_below l eta (s + u - IZR n * PI)) by (apply (a_shift PI (fun t => w_below l eta t)); exact A).
     specialize (Z (s + u) ltac:(unfold u; lra)). rewrite E, S in Z. specialize (P (s + u - IZR n * PI) ltac:(unfold u; lra)). destruct (sg_cases n) as [e | e]; rewrite e in Z; lra.
   - intros k. destruct (Rlt_le_dec l 1) as [k1 | k1].
     + destruct (w44_late l eta) as (_ & L & _); try lra. destruct (w44_cases l eta) as (e0 & e1 & _ & _ & C); try lra. exists (eta * PI / l), (PI - eta * PI / l). split; [ lra | ].

@@ -109,10 +109,10 @@ Proof. apply unsteady_none; [ intros t; pose proof (steps_size t) | ]; lra. Qed.
 Lemma straight l h p q c s y : 0 <= l -> p <= q -> s = 1 \/ s = -1 -> (forall t, p <= t < q -> h t = c) -> 0 <= s * y -> 0 <= s * (y + (c - s * l) * (q - p)) ->
   arc l l h p q (fun t => y + (c - s * l) * (t - p)).
 Proof.
-  intros hl Hpq hs H a b. split; intros t Ht; [ cont | ]. rewrite H by trivial. exists (- s * l). split; [ | eapply rder_eq; [ rd | ring ] ].
+  intros hl Hpq hs H a b. apply (arc_slip s l h c); trivial; [ intros; auto_derive; trivial; ring | ]. intros t Ht. split; [ now apply H | ].
   assert (K : 0 <= s * (y + (c - s * l) * (t - p)) * (q - p)).
   { replace (s * (y + (c - s * l) * (t - p)) * (q - p)) with (s * y * (q - t) + s * (y + (c - s * l) * (q - p)) * (t - p)) by ring. apply Rplus_le_le_0_compat; apply Rmult_le_pos; lra. }
-  assert (0 <= s * (y + (c - s * l) * (t - p))) by (apply (Rmult_le_reg_r (q - p)); lra). destruct hs as [-> | ->]; repeat split; lra.
+  apply (Rmult_le_reg_r (q - p)); lra.
 Qed.
 Ltac glued := repeat ((rewrite glue_l by lra) || (rewrite glue_r by lra)); cbv beta; try lra.
 (* an arc of straight pieces under the steps F *)
