@@ -1,6 +1,6 @@
 (* Section 2.3: any periodic drive h along a line in place of the sine; trains of pulses. moves, late, caught, rests, restless are
    defined in Periodic/Drawn.v, pulse in Periodic/Pulses.v. l is lambda0, the friction over the largest drive. *)
-Require Import Reals Lra Psatz.
+Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis General Drawn Line Median Mean Generic Steps Share Pulses HalfPeriod Formulas.
 Open Scope R_scope.
@@ -12,6 +12,10 @@ Proof.
   destruct (Rlt_le_dec l 1); [ exists (w44 l eta); apply w44_late; lra | exists (fun _ => 0); now apply pulses_still ].
 Qed.
 
+Lemma late_eq l h W U : late l h W -> late l h U -> W = U.
+Proof. intros A B. apply functional_extensionality. now apply (late_unique l h). Qed.
+Ltac pulsed T eta l := let W := fresh "W" in let HW := fresh "HW" in intros T; destruct (pulses_at_large_times eta l) as [W HW]; [ lra | lra | refine (T eta l W _ _ HW); unfold eq46_lambda_c; lra ].
+
 (* (44): with the friction between eta and 1 the motion at large times is this, and every motion of the plane, from any phase of the drive
    on, is equal to it from some time on. *)
 Theorem eq_44 eta l W : 0 < eta < 1 -> eq46_lambda_c eta < l < 1 -> late l (pulse eta) W ->
@@ -19,10 +23,10 @@ Theorem eq_44 eta l W : 0 < eta < 1 -> eq46_lambda_c eta < l < 1 -> late l (puls
   (forall ph, eq44_ends_2 l eta <= ph <= PI -> W ph = eq44_cases_3 l eta ph) /\ caught l (pulse eta) W.
 Proof.
   unfold eq46_lambda_c. intros he hl HW. destruct (w44_late l eta) as (_ & L & C); try lra. destruct (w44_cases l eta) as (_ & _ & C1 & C2 & C3); try lra.
-  pose proof (late_unique l _ _ _ HW L) as E. split; [ | split; [ | split ] ]; try (intros ph H; rewrite E; auto). intros p vx vy V. destruct (C p vx vy V) as (t1 & h1 & H). exists t1. split; trivial. intros t Ht. rewrite E. now apply H.
+  rewrite (late_eq _ _ _ _ HW L). auto.
 Qed.
 Lemma eq_44__occurs : ltac:(occurs eq_44).
-Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. refine (H (1/3) (1/2) W _ _ HW); unfold eq46_lambda_c; lra. Qed.
+Proof. pulsed T (1/3) (1/2). Qed.
 (* Up to eta it passes through 0 without rest, at the phase PI (eta - lambda0) / 2, and goes forward for half a period from there. *)
 Theorem eq_44__below eta l W : 0 < eta < 1 -> 0 < l <= eq46_lambda_c eta -> late l (pulse eta) W -> let b := right_periodic_small_friction_start l eta in
   (forall ph, b <= ph <= right_periodic_small_friction_ends_1 eta -> W ph = right_periodic_small_friction_cases_1 l eta ph) /\
@@ -31,18 +35,18 @@ Theorem eq_44__below eta l W : 0 < eta < 1 -> 0 < l <= eq46_lambda_c eta -> late
   W b = 0 /\ forall ph, b < ph < PI + b -> 0 < W ph.
 Proof.
   unfold eq46_lambda_c. intros he hl HW. destruct (w_below_late l eta) as (_ & L & Z & P); try lra. destruct (below_cases l eta) as (C1 & C2 & C3); try lra.
-  pose proof (late_unique l _ _ _ HW L) as E. split; [ | split; [ | split; [ | split ] ] ]; intros; rewrite E; auto.
+  rewrite (late_eq _ _ _ _ HW L). auto.
 Qed.
 Lemma eq_44__below__occurs : ltac:(occurs eq_44__below).
-Proof. intros H. destruct (pulses_at_large_times (1/2) (1/3)) as [W HW]; try lra. refine (H (1/2) (1/3) W _ _ HW); unfold eq46_lambda_c; lra. Qed.
+Proof. pulsed T (1/2) (1/3). Qed.
 
 (* (45): half a period later the motion at large times is its own opposite, for every friction. *)
 Theorem eq_45 eta l W : 0 < eta < 1 -> 0 < l -> late l (pulse eta) W -> forall ph, W (PI + ph) = eq45_w (W ph).
 Proof.
   unfold eq45_w. intros he h0 HW ph. rewrite Rplus_comm. destruct (Rle_lt_dec l eta) as [k | k]; [ | destruct (Rlt_le_dec l 1) as [k1 | k1] ].
-  - destruct (w_below_late l eta) as (A & L & _); try lra. rewrite !(late_unique l _ _ _ HW L). apply A.
-  - destruct (w44_late l eta) as (A & L & _); try lra. rewrite !(late_unique l _ _ _ HW L). apply A.
-  - rewrite !(late_unique l _ _ _ HW (proj1 (pulses_still l eta he k1))). ring.
+  - destruct (w_below_late l eta) as (A & L & _); try lra. rewrite (late_eq _ _ _ _ HW L). apply A.
+  - destruct (w44_late l eta) as (A & L & _); try lra. rewrite (late_eq _ _ _ _ HW L). apply A.
+  - rewrite (late_eq _ _ _ _ HW (proj1 (pulses_still l eta he k1))). ring.
 Qed.
 Lemma eq_45__occurs : ltac:(occurs eq_45).
 Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. refine (H (1/3) (1/2) W _ _ HW 0); lra. Qed.
@@ -51,17 +55,18 @@ Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra
 Theorem eq_46 eta l W : 0 < eta < 1 -> 0 < l -> late l (pulse eta) W -> ((exists s d, 0 < d /\ forall t, s <= t <= s + d -> W t = 0) <-> eq46_lambda_c eta < l).
 Proof.
   unfold eq46_lambda_c. intros he h0 HW. pose proof PI_RGT_0. split.
-  - intros (s & d & hd & Z). apply Rnot_le_lt. intros k. destruct (w_below_late l eta) as (A & L & _ & P); try lra. pose proof (late_unique l _ _ _ HW L) as E. set (b := right_periodic_small_friction_start l eta) in *.
-    destruct (per_spec b PI H s) as [n Hn]. set (u := Rmin d (b + (IZR n + 1) * PI - s) / 2). assert (m : 0 < Rmin d (b + (IZR n + 1) * PI - s)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (b + (IZR n + 1) * PI - s)). pose proof (Rmin_r d (b + (IZR n + 1) * PI - s)).
-    assert (S : w_below l eta (s + u) = sg n * w_below l eta (s + u - IZR n * PI)) by (apply (a_shift PI (fun t => w_below l eta t)); exact A).
-    specialize (Z (s + u) ltac:(unfold u; lra)). rewrite E, S in Z. specialize (P (s + u - IZR n * PI) ltac:(unfold u; lra)). destruct (sg_cases n) as [e | e]; rewrite e in Z; lra.
+  - intros (s & d & hd & Z). apply Rnot_le_lt. intros k. destruct (w_below_late l eta) as (A & L & _ & P); try lra. rewrite (late_eq _ _ _ _ HW L) in Z.
+    set (b := right_periodic_small_friction_start l eta) in *. destruct (per_spec b PI H s) as [n Hn].
+    assert (U : exists u, s <= u <= s + d /\ b + IZR n * PI < u < b + (IZR n + 1) * PI).
+    { exists (s + Rmin d (b + (IZR n + 1) * PI - s) / 2). unfold Rmin. destruct Rle_dec; lra. }
+    destruct U as (u & U1 & U2). specialize (Z u U1). rewrite (a_shift PI _ A u n) in Z. specialize (P (u - IZR n * PI) ltac:(lra)). destruct (sg_cases n) as [e | e]; rewrite e in Z; lra.
   - intros k. destruct (Rlt_le_dec l 1) as [k1 | k1].
-    + destruct (w44_late l eta) as (_ & L & _); try lra. destruct (w44_cases l eta) as (e0 & e1 & _ & _ & C); try lra. exists (eta * PI / l), (PI - eta * PI / l). split; [ lra | ].
-      intros t Ht. rewrite (late_unique l _ _ _ HW L), C by lra. reflexivity.
-    + exists 0, 1. split; [ lra | ]. intros t _. now rewrite (late_unique l _ _ _ HW (proj1 (pulses_still l eta he k1))).
+    + destruct (w44_late l eta) as (_ & L & _); try lra. destruct (w44_cases l eta) as (e0 & e1 & _ & _ & C); try lra. rewrite (late_eq _ _ _ _ HW L).
+      exists (eta * PI / l), (PI - eta * PI / l). split; [ lra | ]. intros t Ht. apply C. lra.
+    + exists 0, 1. rewrite (late_eq _ _ _ _ HW (proj1 (pulses_still l eta he k1))). split; auto with real.
 Qed.
 Lemma eq_46__occurs : ltac:(occurs eq_46).
-Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. refine (H (1/3) (1/2) W _ _ HW); lra. Qed.
+Proof. pulsed T (1/3) (1/2). Qed.
 
 (* Very large friction: under every drive of the size 1 at most, with the friction above that, every motion of the plane comes to rest within
    the time v0 / (lambda0 - 1), and stays. *)
@@ -127,19 +132,19 @@ Proof.
   unfold right_periodic_nonzero_again, eq46_lambda_c. intros he hl HW. pose proof PI_RGT_0. assert (0 < eta * PI < PI) by (split; nra). split; [ intros ph Hph; apply pulse_on; lra | split ].
   - intros ph Hph. replace ph with (ph - PI + PI) by ring. rewrite pulse_anti, (proj1 (pulse_on eta (ph - PI) ltac:(lra))) by lra. lra.
   - split.
-    + intros (ph & Hph & Z). apply Rnot_le_lt. intros k. destruct (w_below_late l eta) as (_ & L & _ & P); try lra. rewrite (late_unique l _ _ _ HW L) in Z.
+    + intros (ph & Hph & Z). apply Rnot_le_lt. intros k. destruct (w_below_late l eta) as (_ & L & _ & P); try lra. rewrite (late_eq _ _ _ _ HW L) in Z.
       specialize (P ph). unfold right_periodic_small_friction_start in P. specialize (P ltac:(nra)). lra.
-    + intros k. destruct (w44_late l eta) as (_ & L & _); try lra. destruct (w44_cases l eta) as (e0 & e1 & _ & _ & C); try lra. exists (eta * PI / l). split; [ lra | ]. rewrite (late_unique l _ _ _ HW L), C by lra. reflexivity.
+    + intros k. destruct (w44_late l eta) as (_ & L & _); try lra. destruct (w44_cases l eta) as (e0 & e1 & _ & _ & C); try lra. exists (eta * PI / l). rewrite (late_eq _ _ _ _ HW L). split; [ lra | apply C; lra ].
 Qed.
 Lemma s23_nonzero_again__occurs : ltac:(occurs s23_nonzero_again).
-Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. refine (H (1/3) (1/2) W _ _ HW); lra. Qed.
+Proof. pulsed T (1/3) (1/2). Qed.
 (* It is not the friction: while the particle still slides in the gap, friction gives it the rate - lambda0, not 0. *)
 Theorem s23_nonzero_again__printed eta l W ph : 0 < eta < 1 -> eq46_lambda_c eta < l < 1 -> late l (pulse eta) W -> eta * PI <= ph < eq44_ends_2 l eta ->
   pulse eta ph = 0 /\ rder W ph (pulse eta ph + Formulas.s23_nonzero_again (- l)) /\ Formulas.s23_nonzero_again (- l) <> 0.
 Proof.
   unfold eq46_lambda_c, Formulas.s23_nonzero_again. intros he hl HW Hph. destruct (w44_cases l eta) as (e0 & e1 & _ & C & _); try lra. destruct (w44_late l eta) as (_ & L & _); try lra. unfold eq44_ends_2 in Hph.
   assert (Z : pulse eta ph = 0) by (apply pulse_on; lra). split; [ trivial | split; [ | lra ] ]. rewrite Z.
-  apply (rder_loc W (eq44_cases_2 l eta) ph _ (eta * PI / l - ph)); [ lra | | slope ]. intros s Hs. rewrite (late_unique l _ _ _ HW L). symmetry. apply C. lra.
+  apply (rder_loc W (eq44_cases_2 l eta) ph _ (eta * PI / l - ph)); [ lra | | slope ]. intros s Hs. rewrite (late_eq _ _ _ _ HW L). symmetry. apply C. lra.
 Qed.
 Lemma s23_nonzero_again__printed__occurs : ltac:(occurs s23_nonzero_again__printed).
 Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. pose proof PI_RGT_0. refine (H (1/3) (1/2) W (1/3 * PI) _ _ HW _); unfold eq46_lambda_c, eq44_ends_2; lra. Qed.
