@@ -25,13 +25,17 @@ Definition median (H : R -> R) (c : R) : Prop := forall x, RInt (fun t => Rabs (
 Lemma creep (P : R -> Prop) a b : a <= b -> P a ->
   (forall t, a <= t <= b -> exists e, 0 < e /\ forall x y, t - e < x <= y -> y < t + e -> a <= x -> y <= b -> P x -> P y) -> P b.
 Proof.
-  intros H Pa S. destruct (completeness (fun x => a <= x <= b /\ P x)) as [s [S1 S2]]. { exists b. intros x [Hx _]. lra. } { exists a. split; trivial. lra. }
+  intros H Pa S. destruct (completeness (fun x => a <= x <= b /\ P x)) as [s [S1 S2]]. { exists b. intros x [Hx _]. lra. } { exists a.
+  split; trivial. lra. }
   assert (a <= s) by (apply S1; split; trivial; lra). assert (s <= b) by (apply S2; intros x [Hx _]; lra).
   destruct (S s ltac:(lra)) as (e & e0 & C). assert (X : exists x, s - e < x <= s /\ a <= x /\ P x).
-  { apply Classical_Prop.NNPP. intros no. assert (s <= s - e); [ | lra ]. apply S2. intros x [Hx Px]. apply Rnot_lt_le. intros k. apply no. exists x.
+  { apply Classical_Prop.NNPP. intros no. assert (s <= s - e); [ | lra ]. apply S2. intros x [Hx Px]. apply Rnot_lt_le. intros k. apply no.
+    exists x.
     pose proof (S1 x (conj Hx Px)). split; [ lra | split; [ apply Hx | trivial ] ]. }
-  destruct X as (x & Hx & ax & Px). set (y := Rmin b (s + e / 2)). assert (Hy : y <= b /\ s <= y < s + e) by (unfold y, Rmin; destruct Rle_dec; lra).
-  assert (Py : P y) by (apply (C x y); lra || trivial). pose proof (S1 y ltac:(split; trivial; lra)). replace b with y; trivial. unfold y, Rmin in *. destruct Rle_dec; lra.
+  destruct X as (x & Hx & ax & Px). set (y := Rmin b (s + e / 2)). assert (Hy : y <= b /\ s <= y < s + e) by (unfold y, Rmin; destruct Rle_dec;
+    lra).
+  assert (Py : P y) by (apply (C x y); lra || trivial). pose proof (S1 y ltac:(split; trivial; lra)). replace b with y; trivial.
+  unfold y, Rmin in *. destruct Rle_dec; lra.
 Qed.
 (* what holds near each place, and also with less for e, holds on the whole with one e *)
 Lemma uniform (Q : R -> R -> Prop) a b : a <= b -> (forall e d t, 0 < d <= e -> Q e t -> Q d t) ->
@@ -64,7 +68,8 @@ Lemma prim_rder t : rcont f t -> rder F t (f t).
 Proof.
   intros C. apply rder_intro. intros e he. destruct (C e he) as (d & d0 & D). exists d. split; trivial. intros h Hh. rewrite prim_between.
   assert (K : RInt f t (t + h) - f t * h = RInt (fun s => f s - f t) t (t + h)).
-  { rewrite (RInt_minus f (fun _ => f t)) by (apply fi || apply ex_RInt_const). rewrite RInt_const. unfold minus, plus, opp, scal; simpl. unfold mult; simpl. ring. }
+  { rewrite (RInt_minus f (fun _ => f t)) by (apply fi || apply ex_RInt_const). rewrite RInt_const. unfold minus, plus, opp, scal; simpl.
+    unfold mult; simpl. ring. }
   rewrite K, (Rmult_comm e). replace h with (t + h - t) at 2 by ring. apply abs_RInt_le_const; [ lra | | ].
   - apply (ex_RInt_minus f (fun _ => f t)); [ apply fi | apply ex_RInt_const ].
   - intros s Hs. left. apply D. lra.
@@ -85,7 +90,8 @@ Qed.
 (* a continuous function that is not negative, and whose integral is not positive, is 0 *)
 Lemma int_zero f B b : (forall t, continuity_pt f t) -> (forall t, 0 <= f t <= B) -> RInt f 0 b <= 0 -> forall t, 0 <= t < b -> f t = 0.
 Proof.
-  intros C hf hb t Ht. pose proof (cont_int f C) as fi. assert (fB : forall t, Rabs (f t) <= B) by (intros s; specialize (hf s); rewrite Rabs_pos_eq; lra).
+  intros C hf hb t Ht. pose proof (cont_int f C) as fi. assert (fB : forall t, Rabs (f t) <= B) by (intros s; specialize (hf s);
+    rewrite Rabs_pos_eq; lra).
   assert (N : forall s u, s <= u -> RInt f 0 s <= RInt f 0 u).
   { intros s u Hs. enough (0 <= RInt f s u) by (pose proof (prim_between f fi s u); lra). apply RInt_ge_0; trivial. intros; apply hf. }
   assert (Z : forall s, 0 <= s <= b -> RInt f 0 s = 0).
@@ -114,7 +120,8 @@ Proof.
   { apply (int_zero f e).
     - intros t. unfold f. cont.
     - intros t. unfold f. abs.
-    - unfold f. rewrite (RInt_minus (fun t => Rabs (H t - (c - e)) - Rabs (H t - (c - e / 2))) (fun t => Rabs (H t - (c - e / 2)) - Rabs (H t - c))), !dist_minus
+    - unfold f. rewrite (RInt_minus (fun t => Rabs (H t - (c - e)) - Rabs (H t - (c - e / 2))) (fun t => Rabs (H t - (c - e / 2)) - Rabs (H t -
+      c))), !dist_minus
         by (apply cont_int; intros; cont).
       unfold minus, plus, opp; simpl. lra. }
   assert (O : forall t, 0 <= t < 2 * PI -> H t <= c - e \/ c <= H t). { intros t Ht. specialize (Z t Ht). unfold f in Z. abs. }
@@ -126,7 +133,8 @@ Proof.
       + destruct hs as [-> | ->]; destruct (O t ltac:(lra)); lra.
       + destruct hs as [-> | ->]; destruct (O z ltac:(lra)); lra.
     - destruct hs as [-> | ->]; abs. }
-  destruct (O 0 ltac:(lra)) as [k | k]; [ pose proof (S (-1) ltac:(auto) ltac:(lra)); pose proof (hc (c - e)) | pose proof (S 1 ltac:(auto) ltac:(lra)) ]; nra.
+  destruct (O 0 ltac:(lra)) as [k | k]; [ pose proof (S (-1) ltac:(auto) ltac:(lra)); pose proof (hc (c - e))
+    | pose proof (S 1 ltac:(auto) ltac:(lra)) ]; nra.
 Qed.
 End Strict.
 #[export] Hint Resolve abs_cont : core.
@@ -139,7 +147,8 @@ Proof.
 Qed.
 Lemma median_opp H c : median H c -> median (fun t => - H t) (- c).
 Proof.
-  intros m x. specialize (m (- x)). rewrite (RInt_ext _ (fun t => Rabs (H t - c))), (RInt_ext (fun t => Rabs (- H t - x)) (fun t => Rabs (H t - - x))); trivial; intros t _;
+  intros m x. specialize (m (- x)). rewrite (RInt_ext _ (fun t => Rabs (H t - c))), (RInt_ext (fun t => Rabs (- H t - x)) (fun t => Rabs (H t - -
+    x))); trivial; intros t _;
     rewrite <- Rabs_Ropp; f_equal; ring.
 Qed.
 
@@ -179,7 +188,8 @@ Proof.
 Qed.
 Lemma step_falls s t : t0 <= s <= t -> Rabs (step t) <= Rabs (step s).
 Proof.
-  intros Hs. pose proof PI_RGT_0. apply (line_contraction l l h t0 (fun t => w (t + 2 * PI)) w); trivial; [ | apply (k_line S) ]. split; intros r Hr.
+  intros Hs. pose proof PI_RGT_0. apply (line_contraction l l h t0 (fun t => w (t + 2 * PI)) w); trivial; [ | apply (k_line S) ].
+  split; intros r Hr.
   - apply cont_after, w_cont. lra.
   - destruct (bare (r + 2 * PI)) as (f & D & X & _); [ lra | ]. exists f. split; trivial. rewrite (k_per S) in X. now apply rder_after.
 Qed.
@@ -187,16 +197,19 @@ Qed.
 Lemma no_gain e t1 : 0 < e -> t0 <= t1 -> ~ forall t, t1 <= t -> e < step t.
 Proof.
   intros he Ht1 G. pose proof PI_RGT_0. pose proof (k_l S) as hl. assert (N : forall n, w t1 + INR n * e <= w (t1 + INR n * (2 * PI))).
-  { induction n as [ | n IH ]; [ simpl; rewrite !Rmult_0_l, !Rplus_0_r; lra | ]. pose proof (pos_INR n). specialize (G (t1 + INR n * (2 * PI)) ltac:(nra)).
+  { induction n as [ | n IH ]; [ simpl; rewrite !Rmult_0_l, !Rplus_0_r; lra | ]. pose proof (pos_INR n).
+    specialize (G (t1 + INR n * (2 * PI)) ltac:(nra)).
     rewrite S_INR. replace (t1 + (INR n + 1) * (2 * PI)) with (t1 + INR n * (2 * PI) + 2 * PI) by ring. lra. }
   destruct (nat_above ((2 * PI * (1 + l) - w t1) / e)) as [n Hn]. apply Rlt_div_l in Hn; trivial. specialize (N n). pose proof (pos_INR n).
   set (t := t1 + INR n * (2 * PI)) in *. assert (tt : t1 <= t) by (unfold t; nra). specialize (G t tt). enough (step t <= - l * (2 * PI)) by nra.
   assert (P : forall s, t <= s <= t + 2 * PI -> 0 < w s).
-  { intros s Hs. pose proof (line_rises l l _ 1 t0 _ t s (k_size (little_opp _ _ _ _ _ S)) (k_line (little_opp _ _ _ _ _ S)) ltac:(lra)) as K. cbv beta in K. nra. }
+  { intros s Hs. pose proof (line_rises l l _ 1 t0 _ t s (k_size (little_opp _ _ _ _ _ S)) (k_line (little_opp _ _ _ _ _ S)) ltac:(lra)) as K.
+    cbv beta in K. nra. }
   enough (w (t + 2 * PI) - H (t + 2 * PI) + l * (t + 2 * PI) <= w t - H t + l * t) by (rewrite (k_p S) in *; lra).
   apply (rder_decr (fun t => w t - H t + l * t)); [ lra | | ]; intros r Hr.
   - pose proof (k_c S r). cont.
-  - destruct (bare r) as (f & (_ & F & _) & _ & X); [ lra | ]. rewrite F in X by (apply P; lra). eexists. split; [ apply (rder_plus (fun t => w t - H t) (fun t => l * t)); [ exact X | rd ] | lra ].
+  - destruct (bare r) as (f & (_ & F & _) & _ & X); [ lra | ]. rewrite F in X by (apply P; lra). eexists.
+    split; [ apply (rder_plus (fun t => w t - H t) (fun t => l * t)); [ exact X | rd ] | lra ].
 Qed.
 (* where it is far above H - c throughout a period, it loses a fixed amount in that period *)
 Lemma loses c e y : median H c -> 0 < e -> t0 <= y -> (forall t, y <= t <= y + 2 * PI -> c - e <= H t -> 0 < w t) ->
@@ -211,7 +224,8 @@ Proof.
   apply (rder_decr (fun t => e * (w t - H t) + l * F t)); [ lra | | ]; intros r Hr.
   - pose proof (prim_cont f e fi fB r). cont.
   - destruct (bare r) as (g & (g0 & g1 & _) & _ & X); [ lra | ]. pose proof (prim_rder f fi r (cont_rcont _ _ (cf r))) as Y. fold F in Y.
-    eexists. split; [ apply (rder_plus (fun t => e * (w t - H t)) (fun t => l * F t)); [ apply (rder_mult (fun _ => e)); [ rd | exact X ] | apply (rder_mult (fun _ => l)); [ rd | exact Y ] ] | ].
+    eexists. split; [ apply (rder_plus (fun t => e * (w t - H t)) (fun t => l * F t)); [ apply (rder_mult (fun _ => e)); [ rd | exact X ]
+      | apply (rder_mult (fun _ => l)); [ rd | exact Y ] ] | ].
     specialize (fB r). apply Rabs_le_between in fB. destruct (Rle_dec (c - e) (H r)) as [k | k].
     + rewrite g1 by (apply P; lra). nra.
     + assert (f r = - e) as -> by (unfold f; abs). nra.
@@ -219,30 +233,43 @@ Qed.
 End Little.
 
 (* late motions are above H - c by PI l at most, but for as little as one likes *)
-Lemma above_median l h H t0 w c e : little l h H t0 w -> median H c -> 0 < e -> exists t1, t0 <= t1 /\ forall t, t1 <= t -> w t - (H t - c) <= PI * l + e.
+Lemma above_median l h H t0 w c e : little l h H t0 w -> median H c -> 0 < e -> exists t1, t0 <= t1 /\ forall t, t1 <= t ->
+  w t - (H t - c) <= PI * l + e.
 Proof.
-  intros S hc he. pose proof PI_RGT_0. pose proof (k_l S) as hl. pose proof (median_strict H c e (k_c S) hc he) as k. pose proof (fun y => loses l h H w t0 S c e y hc he) as Q.
+  intros S hc he. pose proof PI_RGT_0. pose proof (k_l S) as hl. pose proof (median_strict H c e (k_c S) hc he) as k.
+  pose proof (fun y => loses l h H w t0 S c e y hc he) as Q.
   
-  set (d := RInt (fun t => Rabs (H t - (c - e))) 0 (2 * PI) - RInt (fun t => Rabs (H t - c)) 0 (2 * PI)) in Q. assert (d0 : 0 < l * d / e) by (apply Rdiv_lt_0_compat; trivial; apply Rmult_lt_0_compat; unfold d; lra). clear k. apply Classical_Prop.NNPP. intros no.
+  set (d := RInt (fun t => Rabs (H t - (c - e))) 0 (2 * PI) - RInt (fun t => Rabs (H t - c)) 0 (2 * PI)) in Q.
+  assert (d0 : 0 < l * d / e) by (apply Rdiv_lt_0_compat; trivial; apply Rmult_lt_0_compat; unfold d; lra). clear k. apply Classical_Prop.NNPP.
+  intros no.
   assert (A : forall t1, t0 <= t1 -> exists y, t1 <= y /\ w (y + 2 * PI) - w y <= - (l * d / e)).
-  { intros t1 Ht1. apply Classical_Prop.NNPP. intros n1. apply no. exists (t1 + PI). split; [ lra | ]. intros t Ht. apply Rnot_lt_le. intros far. apply n1. exists (t - PI). split; [ lra | ].
-    enough (e * (w (t - PI + 2 * PI) - w (t - PI)) <= - l * d) by (apply Ropp_le_cancel; rewrite Ropp_involutive; apply Rle_div_l; lra). apply Q; [ lra | ]. intros s Hs k.
+  { intros t1 Ht1. apply Classical_Prop.NNPP. intros n1. apply no. exists (t1 + PI). split; [ lra | ]. intros t Ht. apply Rnot_lt_le.
+    intros far. apply n1. exists (t - PI). split; [ lra | ].
+    enough (e * (w (t - PI + 2 * PI) - w (t - PI)) <= - l * d) by (apply Ropp_le_cancel; rewrite Ropp_involutive; apply Rle_div_l; lra).
+    apply Q; [ lra | ]. intros s Hs k.
     assert (K : Rabs ((w t - H t) - (w s - H s)) <= l * PI).
     { assert (K : forall a b, t0 <= a <= b -> b - a <= PI -> Rabs ((w b - H b) - (w a - H a)) <= l * PI).
-      { intros a b Hab hab. apply Rle_trans with (l * (b - a)); [ | nra ]. apply (rder_lip (fun t => w t - H t)); [ lra | | ]; intros r Hr; [ apply (bare_cont _ _ _ _ _ S); lra | ].
+      { intros a b Hab hab. apply Rle_trans with (l * (b - a)); [ | nra ]. apply (rder_lip (fun t => w t - H t)); [ lra | | ]; intros r Hr;
+        [ apply (bare_cont _ _ _ _ _ S); lra | ].
         destruct (bare _ _ _ _ _ S r) as (f & (F & _) & _ & X); [ lra | ]. exists f. split; [ exact X | apply Rabs_le; lra ]. }
       destruct (Rle_dec s t); [ | rewrite Rabs_minus_sym ]; apply K; lra. }
     apply Rabs_le_between in K. lra. }
-  apply (no_gain _ _ _ _ _ (little_opp _ _ _ _ _ S) (l * d / e / 2) (t0 + 1) ltac:(lra) ltac:(lra)). intros t Ht. cbv beta. apply Rnot_le_lt. intros k.
-  destruct (A t ltac:(lra)) as (y & Hy & Ey). pose proof (step_falls _ _ _ _ _ S t y ltac:(lra)) as K. rewrite (Rabs_left (w (y + 2 * PI) - w y)) in K by lra.
+  apply (no_gain _ _ _ _ _ (little_opp _ _ _ _ _ S) (l * d / e / 2) (t0 + 1) ltac:(lra) ltac:(lra)). intros t Ht. cbv beta. apply Rnot_le_lt.
+  intros k.
+  destruct (A t ltac:(lra)) as (y & Hy & Ey). pose proof (step_falls _ _ _ _ _ S t y ltac:(lra)) as K.
+  rewrite (Rabs_left (w (y + 2 * PI) - w y)) in K by lra.
   assert (0 < w (t + 2 * PI) - w t) by (unfold Rabs in K; destruct Rcase_abs; lra). assert (ty : t < y) by (destruct Hy as [ | <-]; lra).
   destruct (Ranalysis5.IVT_interv (fun t => - (w (t + 2 * PI) - w t)) t y) as (z & Hz & ez); try lra.
   - intros a Ha. apply (continuity_pt_opp (fun t => w (t + 2 * PI) - w t)), (step_cont _ _ _ _ _ S). lra.
-  - destruct (A z ltac:(lra)) as (x & Hx & Ex). pose proof (step_falls _ _ _ _ _ S z x ltac:(lra)) as J. assert (zz : w (z + 2 * PI) - w z = 0) by lra.
+  - destruct (A z ltac:(lra)) as (x & Hx & Ex). pose proof (step_falls _ _ _ _ _ S z x ltac:(lra)) as J.
+    assert (zz : w (z + 2 * PI) - w z = 0) by lra.
     rewrite zz, Rabs_R0 in J. pose proof (Rabs_pos (w (x + 2 * PI) - w x)). rewrite Rabs_left in J by lra. lra.
 Qed.
-Lemma near_median l h H t0 w c e : little l h H t0 w -> median H c -> 0 < e -> exists t1, t0 <= t1 /\ forall t, t1 <= t -> Rabs (w t - (H t - c)) <= PI * l + e.
+Lemma near_median l h H t0 w c e : little l h H t0 w -> median H c -> 0 < e -> exists t1, t0 <= t1 /\ forall t, t1 <= t ->
+  Rabs (w t - (H t - c)) <= PI * l + e.
 Proof.
-  intros S hc he. destruct (above_median l h H t0 w c e S hc he) as (a & Ha & A). destruct (above_median _ _ _ _ _ _ e (little_opp _ _ _ _ _ S) (median_opp _ _ hc) he) as (b & Hb & B).
-  exists (Rmax a b). pose proof (Rmax_l a b). pose proof (Rmax_r a b). split; [ lra | ]. intros t Ht. specialize (A t ltac:(lra)). specialize (B t ltac:(lra)). cbv beta in B. apply Rabs_le. lra.
+  intros S hc he. destruct (above_median l h H t0 w c e S hc he) as (a & Ha & A). destruct (above_median _ _ _ _ _ _ e (little_opp _ _ _ _ _ S)
+    (median_opp _ _ hc) he) as (b & Hb & B).
+  exists (Rmax a b). pose proof (Rmax_l a b). pose proof (Rmax_r a b). split; [ lra | ]. intros t Ht. specialize (A t ltac:(lra)).
+  specialize (B t ltac:(lra)). cbv beta in B. apply Rabs_le. lra.
 Qed.
