@@ -174,8 +174,10 @@ Proof.
   apply C. lra.
 Qed.
 Lemma s23_nonzero_again__printed__occurs : ltac:(occurs s23_nonzero_again__printed).
-Proof. intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. pose proof PI_RGT_0.
-refine (H (1/3) (1/2) W (1/3 * PI) _ _ HW _); unfold eq46_lambda_c, eq44_ends_2; lra. Qed.
+Proof.
+  intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. pose proof PI_RGT_0.
+  refine (H (1/3) (1/2) W (1/3 * PI) _ _ HW _); unfold eq46_lambda_c, eq44_ends_2; lra.
+Qed.
 
 (* The largest size of the pulses is 1 at every width above 0. *)
 Theorem s23_pulses_normalised eta : 0 < eta <= 1 -> (forall t, Rabs (pulse eta t) <= s23_largest) /\ exists t, Rabs (pulse eta t) = s23_largest.
@@ -187,20 +189,17 @@ Qed.
 Theorem s23_pulses_normalised__needs_width t : pulse 0 t = 0.
 Proof. destruct (pulse_cases 0 t) as (n & s & hs & ->). rewrite (proj2 (pulse_on 0 s hs)) by lra. ring. Qed.
 
-(* The two extremes. Width 1: lambda_c is 1, and for no friction below 1 does any motion ever rest.
-   Width 0: lambda_c is 0, and with any friction every
-   motion is at rest from v0 / lambda0 on. *)
-Theorem s23_pulse_phases : (eq46_lambda_c 1 = 1 /\ forall l p vx vy, 0 <= l < 1 -> moves l (pulse 1) p vx vy -> forall s d, 0 <= s -> 0 < d ->
-  exists t, s <= t <= s + d /\ nrm (vx t) (vy t) <> 0) /\
+(* The two extremes. Width 1: lambda_c is 1, and for no friction below 1 does any motion ever rest. Width 0: lambda_c is 0, and with any
+   friction every motion is at rest from v0 / lambda0 on. *)
+Theorem s23_pulse_phases : (eq46_lambda_c 1 = 1 /\ forall l p vx vy, 0 <= l < 1 -> moves l (pulse 1) p vx vy ->
+    forall s d, 0 <= s -> 0 < d -> exists t, s <= t <= s + d /\ nrm (vx t) (vy t) <> 0) /\
   (eq46_lambda_c 0 = 0 /\ forall l p vx vy, 0 < l -> moves l (pulse 0) p vx vy -> forall t, nrm (vx 0) (vy 0) / l <= t -> vx t = 0 /\ vy t = 0).
 Proof.
   split; (split; [ reflexivity | ]); intros l p vx vy hl M.
-  - intros s d hs hd. apply Classical_Prop.NNPP. intros no. assert (Z : forall t, s <= t <= s + d -> vx t = 0 /\ vy t = 0) by (intros t Ht;
-    apply nrm_zero, Classical_Prop.NNPP; intros n; apply no; eauto).
-    destruct (m_law M s hs) as (fx & fy & [B _] & X & _). pose proof (rder_rest vx s d _ hd (fun u hu => proj1 (Z u hu)) X) as e.
-    assert (q : Rabs (pulse 1 (p + s)) = 1). { destruct (pulse_cases 1 (p + s)) as (n & r & hr & ->). rewrite (proj1 (pulse_on 1 r hr)) by lra.
-    destruct (sg_cases n) as [-> | ->]; rewrite Rmult_1_r; [ apply Rabs_R1 | rewrite Rabs_left; lra ]. }
-    pose proof (pow2_abs (pulse 1 (p + s))) as q2. rewrite q in q2. assert (fx = - pulse 1 (p + s)) by lra. nra.
+  - intros s d hs hd. apply Classical_Prop.NNPP. intros no. assert (R : Rabs (pulse 1 (p + s)) <= l).
+    { apply (rest_held l _ p vx vy s d); trivial; [ lra | ]. intros u Hu. apply Classical_Prop.NNPP. intros n. apply no. eauto. }
+    destruct (pulse_cases 1 (p + s)) as (n & r & hr & e). rewrite e, (proj1 (pulse_on 1 r hr)) in R by lra.
+    apply Rabs_le_between in R. destruct (sg_cases n) as [q | q]; rewrite q in R; lra.
   - intros t Ht. apply (weak_stops l 0 _ _ vx vy ltac:(lra) M); [ | now rewrite Rminus_0_r ]. clear t Ht. intros t _.
     rewrite nrm_x, s23_pulses_normalised__needs_width, Ropp_0, Rabs_R0. lra.
 Qed.
