@@ -19,8 +19,8 @@ Definition mean (f : R -> R) : R := RInt f 0 (2 * PI) / (2 * PI).
 (* «$h$ is generic: $\lvert h\rvert<1$ for some time in each period, and if the mean of $h$ is $0$, then $h$ does not vanish, also as a limit
    from one side, where its antiderivative is at its median» *)
 Record generic (h : R -> R) : Prop := { g_drive : normalised h; g_below : exists t, Rabs (h t) < 1;
-  g_median : mean h = 0 -> exists c, median (RInt h 0) c /\ forall t, RInt h 0 t = c -> exists e, 0 < e /\ forall s, Rabs (s - t) < e ->
-    e <= Rabs (h s) }.
+  g_median : mean h = 0 -> exists c, median (RInt h 0) c /\
+    forall t, RInt h 0 t = c -> exists e, 0 < e /\ forall s, Rabs (s - t) < e -> e <= Rabs (h s) }.
 (* «under the drive $h$ and the friction $l$ each motion of the plane has, if $n=1$, rest and motion in every late period, and if $n=0$, from some
    time on no rest» *)
 Definition has_rests (l : R) (h : R -> R) (n : R) : Prop := forall p vx vy, moves l h p vx vy -> let v t := nrm (vx t) (vy t) in

@@ -25,13 +25,12 @@ Definition median (H : R -> R) (c : R) : Prop := forall x, RInt (fun t => Rabs (
 Lemma creep (P : R -> Prop) a b : a <= b -> P a ->
   (forall t, a <= t <= b -> exists e, 0 < e /\ forall x y, t - e < x <= y -> y < t + e -> a <= x -> y <= b -> P x -> P y) -> P b.
 Proof.
-  intros H Pa S. destruct (completeness (fun x => a <= x <= b /\ P x)) as [s [S1 S2]]. { exists b. intros x [Hx _]. lra. } { exists a.
-  split; trivial. lra. }
+  intros H Pa S. destruct (completeness (fun x => a <= x <= b /\ P x)) as [s [S1 S2]]. { exists b. intros x [Hx _]. lra. }
+  { exists a. split; trivial. lra. }
   assert (a <= s) by (apply S1; split; trivial; lra). assert (s <= b) by (apply S2; intros x [Hx _]; lra).
   destruct (S s ltac:(lra)) as (e & e0 & C). assert (X : exists x, s - e < x <= s /\ a <= x /\ P x).
   { apply Classical_Prop.NNPP. intros no. assert (s <= s - e); [ | lra ]. apply S2. intros x [Hx Px]. apply Rnot_lt_le. intros k. apply no.
-    exists x.
-    pose proof (S1 x (conj Hx Px)). split; [ lra | split; [ apply Hx | trivial ] ]. }
+    exists x. pose proof (S1 x (conj Hx Px)). split; [ lra | split; [ apply Hx | trivial ] ]. }
   destruct X as (x & Hx & ax & Px). set (y := Rmin b (s + e / 2)). assert (Hy : y <= b /\ s <= y < s + e) by (unfold y, Rmin; destruct Rle_dec;
     lra).
   assert (Py : P y) by (apply (C x y); lra || trivial). pose proof (S1 y ltac:(split; trivial; lra)). replace b with y; trivial.
