@@ -202,8 +202,9 @@ Proof.
   destruct (nat_above ((2 * PI * (1 + l) - w t1) / e)) as [n Hn]. apply Rlt_div_l in Hn; trivial. specialize (N n). pose proof (pos_INR n).
   set (t := t1 + INR n * (2 * PI)) in *. assert (tt : t1 <= t) by (unfold t; nra). specialize (G t tt). enough (step t <= - l * (2 * PI)) by nra.
   assert (P : forall s, t <= s <= t + 2 * PI -> 0 < w s).
-  { intros s Hs. pose proof (line_rises l l _ 1 t0 _ t s (k_size (little_opp _ _ _ _ _ S)) (k_line (little_opp _ _ _ _ _ S)) ltac:(lra)) as K.
-    cbv beta in K. nra. }
+  { intros s Hs. assert (K : Rabs (w s - w t) <= (1 + l) * (s - t)); [ | apply Rabs_le_between in K; nra ].
+    apply rder_lip; [ lra | intros; apply w_cont; lra | ]. intros r Hr. destruct (bare r) as (f & (F & _) & X & _); [ lra | ].
+    exists (h r + f). split; trivial. pose proof (k_size S r) as B. apply Rabs_le_between in B. apply Rabs_le. lra. }
   enough (w (t + 2 * PI) - H (t + 2 * PI) + l * (t + 2 * PI) <= w t - H t + l * t) by (rewrite (k_p S) in *; lra).
   apply (rder_decr (fun t => w t - H t + l * t)); [ lra | | ]; intros r Hr.
   - pose proof (k_c S r). cont.
