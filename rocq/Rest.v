@@ -1,13 +1,8 @@
 (* Section 4: rest on the turntable, and what becomes of a motion. Units: mu g = Omega = 1, so that every number here has no dimension. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas TableLaws Sphere Fate Picard TableMotions Thin.
+From Slipbook Require Import Motion Analysis Formulas TableLaws Sphere Fate Picard TableMotions TableAngle Stops Thin Late Arrives LastMoments.
 Open Scope R_scope.
-
-Ltac emptied T := lazymatch T with
-  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
-  | _ => constr:(False) end.
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
 
 Lemma within a b : nrm a b <= eq139_largest_sigma <-> a ^ 2 + b ^ 2 <= 1.
 Proof. unfold eq139_largest_sigma. pose proof (nrm_sq a b). pose proof (nrm_pos a b). split; nra. Qed.
@@ -39,3 +34,107 @@ Proof.
   intros z (x & y & u & w & S & a & b & c & d & no_rest & no_escape) Hz. apply K; trivial. exists x, y, u, w. do 5 (split; trivial).
   destruct (fates x y u w S) as [(s & _ & r) | [e | c']]; [ elim no_rest; eauto | now elim no_escape | now right ].
 Qed.
+
+(* ---- how a particle comes to rest ---- *)
+Section NearRest.
+Variables (x y u w A alpha psi : R -> R) (sigma T : R).
+Hypothesis table : spin x y u w.
+Hypothesis rest : comes_to_rest sigma T x y u w A alpha psi.
+
+(* alpha and psi tend to zero, and the particle stops inside the distance 1 - unless it comes straight in, with |psi| -> pi *)
+Theorem s4_near_rest : left_lim alpha T s4_near_rest_limits_1 /\ ((left_lim psi T s4_near_rest_limits_2 /\ 0 < sigma < eq139_largest_sigma) \/ left_lim (fun t => Rabs (psi t)) T PI).
+Proof.
+  pose proof (sigma_pos x y u w A alpha psi sigma T table rest). split. apply (A_to x y u w A alpha psi sigma T table rest).
+  destruct (psi_ends x y u w A alpha psi sigma T table rest) as [[L s1] | L]; [ left | now right ]. repeat split; trivial.
+Qed.
+
+Hypothesis not_straight : left_lim psi T 0.
+Lemma inside : 0 < sigma < 1.
+Proof.
+  split. exact (sigma_pos x y u w A alpha psi sigma T table rest). destruct (psi_ends x y u w A alpha psi sigma T table rest) as [[_ s1] | L]; trivial. exfalso.
+  enough (PI = 0) by (pose proof PI_RGT_0; lra). apply (ll_uniq _ _ _ _ L). rewrite <- Rabs_R0. apply (ll_comp Rabs psi T 0 not_straight), Rcontinuity_abs.
+Qed.
+Lemma rate_is f f' g s : s < T -> (forall t, s <= t < T -> rder f t (g t)) -> soon T (fun t => rder f t (f' t)) -> soon T (fun t => f' t = g t).
+Proof.
+  intros Hs G F. generalize (soon_and _ _ _ (soon_after s T _ Hs G) F). apply soon_imp. intros t (d1 & d2). exact (rder_unique _ _ _ _ d2 d1).
+Qed.
+Lemma known : exists s, arrives sigma s T A alpha psi /\
+  (forall f', soon T (fun t => rder alpha t (f' t)) -> soon T (fun t => f' t = eq114_alpha_rate (A t) (alpha t) (psi t))) /\
+  (forall f', soon T (fun t => rder psi t (f' t)) -> soon T (fun t => f' t = eq115_psi_rate (alpha t) (psi t))) /\
+  (forall f', soon T (fun t => rder A t (f' t)) -> soon T (fun t => f' t = eq113_a_rate (alpha t))).
+Proof.
+  destruct (arriving x y u w A alpha psi sigma T table rest not_straight) as (s & Hs & V). exists s. split; trivial.
+  repeat split; intros f'; apply (rate_is _ _ _ s (proj2 Hs)); intros t Ht; apply (v_rate _ _ _ _ _ _ V t Ht).
+Qed.
+Ltac arrive := destruct known as (s & V & Ka & Kp & KA); pose proof inside as In.
+(* (140): the rate of alpha tends to 1 - 1/sigma *)
+Theorem eq_140 dalpha (rate_alpha : soon T (fun t => rder alpha t (dalpha t))) : left_lim dalpha T (eq140_alpha_rate sigma).
+Proof. arrive. pose proof (Ka _ rate_alpha) as D. exact (ll_soon _ _ _ _ D (dal_limit _ _ _ _ _ _ In V)). Qed.
+(* (141): the ratio of alpha to its law, with the time counted from the rest, tends to 1 *)
+Theorem eq_141 : left_lim (fun t => alpha t / eq141_alpha sigma (t - T)) T 1.
+Proof. arrive. exact (alpha_limit _ _ _ _ _ _ In V). Qed.
+(* (142): its sides differ by less and less, measured by 1 + |psi|/alpha *)
+Theorem eq_142 dalpha dpsi (rate_alpha : soon T (fun t => rder alpha t (dalpha t))) (rate_psi : soon T (fun t => rder psi t (dpsi t))) :
+  left_lim (fun t => (eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) / (1 + Rabs (psi t) / alpha t)) T 0.
+Proof.
+  arrive. pose proof (Ka _ rate_alpha) as D. apply Kp in rate_psi. refine (ll_soon _ _ _ _ _ (psi_law _ _ _ _ _ _ In V)).
+  generalize (soon_and _ _ _ D rate_psi). apply soon_imp. intros t (-> & ->). reflexivity.
+Qed.
+(* (143): for a constant c, psi differs from its law by what is small beside either of its terms, of the orders alpha and alpha^(sigma/(1 - sigma)) *)
+Theorem eq_143 : / 4 < sigma < 3 / 4 -> sigma <> / 2 -> exists c, left_lim (fun t => (psi t - eq143_psi sigma c (alpha t)) / alpha t) T 0 /\
+  left_lim (fun t => (psi t - eq143_psi sigma c (alpha t)) / (alpha t * Rpower (alpha t) (eq143_exponent sigma))) T 0.
+Proof.
+  intros q h. arrive. destruct (psi_solution _ _ _ _ _ _ In V q h) as (c & D & D0 & B). exists c. set (k := sigma / (1 - sigma)) in *.
+  pose proof (al_soon _ _ _ _ _ _ V) as a0. pose proof (v_al _ _ _ _ _ _ V) as al0. assert (kb : / 3 < k < 3) by (unfold k; split; [ apply Rlt_div_r | apply Rlt_div_l ]; lra).
+  assert (m : 1 < 3 * Rmin 1 k /\ k < 3 * Rmin 1 k) by (unfold Rmin; destruct (Rle_dec 1 k); lra). set (b := 3 * Rmin 1 k) in *.
+  assert (to : forall a, a < b -> left_lim (fun t => (psi t - eq143_psi sigma c (alpha t)) / Rpower (alpha t) a) T 0).
+  { intros a ab. apply (ll_squeeze _ (fun t => D * Rpower (alpha t) (b - a))).
+    - generalize (soon_and _ _ _ a0 B). apply soon_imp. intros t (p & q'). unfold Rdiv. rewrite Rabs_mult, <- Rpower_Ropp, (Rabs_pos_eq (Rpower _ _)) by (left; apply power_pos).
+      unfold Rminus at 2. rewrite Rpower_plus, <- Rmult_assoc. apply Rmult_le_compat_r; [ left; apply power_pos | exact q' ].
+    - eapply ll_eq. apply (ll_mult (fun _ => D)); [ apply ll_const | apply (ll_power alpha T (b - a) a0 al0); lra ]. ring. }
+  split; [ apply (ll_soon (fun t => (psi t - eq143_psi sigma c (alpha t)) / Rpower (alpha t) 1)) | apply (ll_soon (fun t => (psi t - eq143_psi sigma c (alpha t)) / Rpower (alpha t) k)) ];
+    try (apply to; tauto); revert a0; apply soon_imp; intros t p. now rewrite Rpower_1.
+  f_equal. rewrite <- (Rpower_1 (alpha t)) at 1 by trivial. rewrite <- Rpower_plus. f_equal. unfold eq143_exponent, k. field. lra.
+Qed.
+(* at sigma = 1/2, where both terms of (143) are infinite: psi = 2 alpha (c - ln alpha), up to what is small beside alpha *)
+Theorem eq_143__one_half : sigma = / 2 -> exists c, left_lim (fun t => (psi t - right_rest_psi_at_one_half c (alpha t)) / alpha t) T 0.
+Proof.
+  intros h. arrive. destruct (psi_one_half _ _ _ _ _ _ In V h) as (c & D & D0 & B). exists c. pose proof (al_soon _ _ _ _ _ _ V) as a0. pose proof (v_al _ _ _ _ _ _ V) as al0.
+  apply (ll_squeeze _ (fun t => D * Rpower (alpha t) (3 / 2 - 1))). 2: { eapply ll_eq. apply (ll_mult (fun _ => D)); [ apply ll_const | apply (ll_power alpha T _ a0 al0); lra ]. ring. }
+  generalize (soon_and _ _ _ a0 B). apply soon_imp. intros t (p & q). unfold Rdiv at 1. rewrite Rabs_mult, (Rabs_pos_eq (/ alpha t)) by (left; now apply Rinv_0_lt_compat).
+  unfold Rminus at 2. rewrite Rpower_plus, Rpower_Ropp, Rpower_1, <- Rmult_assoc by trivial. apply Rmult_le_compat_r; [ left; now apply Rinv_0_lt_compat | exact q ].
+Qed.
+(* (144): the ratio of its sides tends to 1 *)
+Theorem eq_144 dalpha dA (rate_alpha : soon T (fun t => rder alpha t (dalpha t))) (rate_A : soon T (fun t => rder A t (dA t))) :
+  left_lim (fun t => eq144_left sigma (dA t / dalpha t) / eq144_right (alpha t)) T 1.
+Proof.
+  arrive. pose proof (Ka _ rate_alpha) as D. apply KA in rate_A. refine (ll_soon _ _ _ _ _ (A_law _ _ _ _ _ _ In V)).
+  generalize (soon_and _ _ _ D rate_A). apply soon_imp. intros t (-> & ->). reflexivity.
+Qed.
+(* (145): A tends to sigma, and differs from its law by what is small beside alpha^2 *)
+Theorem eq_145 : left_lim A T sigma /\ left_lim (fun t => (A t - eq145_a sigma (alpha t)) / alpha t ^ 2) T 0.
+Proof.
+  arrive. split. apply V. pose proof (A_limit _ _ _ _ _ _ In V) as L. apply (ll_soon (fun t => (A t - sigma) / alpha t ^ 2 - sigma / (sigma - 1) / 2)).
+  - generalize (al_soon _ _ _ _ _ _ V). apply soon_imp. intros t a0. unfold eq145_a. field. lra.
+  - eapply ll_eq. apply ll_minus; [ exact L | apply ll_const ]. ring.
+Qed.
+End NearRest.
+(* a particle that is put down at the distance 3/5 with a speed of 1/20 across comes to rest between 1/2 and 3/4 *)
+Lemma a_rest : exists x y u w A al psi sigma T, spin x y u w /\ comes_to_rest sigma T x y u w A al psi /\ left_lim psi T 0 /\ / 2 < sigma < 3 / 4 /\
+  soon T (fun t => rder al t (eq114_alpha_rate (A t) (al t) (psi t))) /\ soon T (fun t => rder psi t (eq115_psi_rate (al t) (psi t))) /\ soon T (fun t => rder A t (eq113_a_rate (al t))).
+Proof.
+  assert (e1 : nrm (3 / 5) 0 = 3 / 5) by (apply nrm_x0; lra). assert (e2 : nrm 0 (1 / 20) = 1 / 20) by (apply nrm_0y; lra).
+  destruct (rest_of_start (3 / 5) 0 0 (1 / 20)) as (x & y & u & w & A & al & psi & sigma & T & S & R & L & s1 & s2); rewrite ?e1, ?e2 in *; try lra.
+  destruct (arriving x y u w A al psi sigma T S R L) as (s & Hs & V). pose proof (sigma_pos x y u w A al psi sigma T S R). exists x, y, u, w, A, al, psi, sigma, T.
+  split; trivial. split; trivial. split; trivial. split. split; nra. repeat split; apply (soon_after s T _ (proj2 Hs)); intros t Ht; apply (v_rate _ _ _ _ _ _ V t Ht).
+Qed.
+Ltac rest_at_3_5 := intros H; destruct a_rest as (x & y & u & w & A & al & psi & sigma & T & S & R & L & Hs & d1 & d2 & d3);
+  first [ exact (H x y u w A al psi sigma T S R L _ d1) | exact (H x y u w A al psi sigma T S R L _ _ d1 d2) | exact (H x y u w A al psi sigma T S R L _ _ d1 d3)
+    | apply (H x y u w A al psi sigma T S R L); lra | exact (H x y u w A al psi sigma T S R) | exact (H x y u w A al psi sigma T S R L) ].
+Lemma s4_near_rest__occurs : ltac:(occurs s4_near_rest). Proof. rest_at_3_5. Qed.
+Lemma eq_140__occurs : ltac:(occurs eq_140). Proof. rest_at_3_5. Qed.
+Lemma eq_141__occurs : ltac:(occurs eq_141). Proof. rest_at_3_5. Qed.
+Lemma eq_142__occurs : ltac:(occurs eq_142). Proof. rest_at_3_5. Qed.
+Lemma eq_143__occurs : ltac:(occurs eq_143). Proof. rest_at_3_5. Qed.
+Lemma eq_144__occurs : ltac:(occurs eq_144). Proof. rest_at_3_5. Qed.
+Lemma eq_145__occurs : ltac:(occurs eq_145). Proof. rest_at_3_5. Qed.
