@@ -1,7 +1,7 @@
 (* Section 4: rest on the turntable, and what becomes of a motion. Units: mu g = Omega = 1, so that every number here has no dimension. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Analysis Formulas TableLaws Sphere Fate Picard TableMotions TableAngle Stops Thin Late Arrives LastMoments.
+From Slipbook Require Import Motion Analysis Formulas TableLaws Sphere Fate Picard TableMotions TableAngle Stops Threshold Thin Late Near Arrives LastMoments Starts.
 Open Scope R_scope.
 
 Lemma within a b : nrm a b <= eq139_largest_sigma <-> a ^ 2 + b ^ 2 <= 1.
@@ -119,6 +119,90 @@ Proof.
   - eapply ll_eq. apply ll_minus; [ exact L | apply ll_const ]. ring.
 Qed.
 End NearRest.
+
+(* ---- starts with small alpha ---- *)
+(* The starts from which the particle comes to rest at sigma lie on the corrected surface, up to alpha^3, whatever psi is, and there is one for each alpha and psi; for
+   small psi it is (145) *)
+Theorem s4_psi_free sigma : 0 < sigma < 1 -> exists K alpha0, 0 < K /\ 0 < alpha0 /\ forall alpha psi, 0 < alpha < alpha0 ->
+  (forall A x y u w, 0 < A -> from A alpha psi x y u w -> rests_at sigma x y u w -> Rabs (A - right_rest_surface_a sigma alpha psi) <= K * alpha ^ 3) /\
+  (exists A x y u w, 0 < A /\ from A alpha psi x y u w /\ rests_at sigma x y u w) /\
+  Rabs (right_rest_surface_a sigma alpha psi - eq145_a sigma alpha) <= K * (alpha * psi) ^ 2.
+Proof.
+  intros Hs. destruct (on_surface sigma Hs) as (K & a0 & K0 & Ha & H). assert (i0 : 0 < / (1 - sigma ^ 2)) by (apply Rinv_0_lt_compat; nra). exists (K + / (1 - sigma ^ 2)), a0. split. lra. split. lra.
+  intros alpha psi Hal. assert (0 < alpha ^ 3) by (apply pow_lt; lra). split; [ | split ].
+  - intros A x y u w A0 F R. specialize (H A alpha psi x y u w A0 Hal F R). nra.
+  - destruct (between sigma alpha psi ltac:(lra) ltac:(lra)) as (A & x & y & u & w & A0 & F & B). exists A, x, y, u, w. split; trivial. split; trivial.
+    destruct (neither x y u w sigma (proj1 F) ltac:(lra) B) as [R | [e _]]; [ exact R | lra ].
+  - pose proof (bend_q sigma psi Hs) as e. assert (q : right_rest_surface_a sigma alpha psi - eq145_a sigma alpha = sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * ((1 - cos psi) * (2 + sigma + sigma * cos psi))).
+    { unfold right_rest_surface_a, eq145_a in *. rewrite pow1 in e. set (b := (_ / _ + _) + _) in *. replace (sigma * alpha ^ 2 * b) with (alpha ^ 2 * (sigma - (sigma - sigma * 1 * b))) by ring. rewrite e. field. repeat split; nra. }
+    rewrite q, !Rabs_mult. pose proof (cos_quadratic psi) as c. rewrite Rabs_minus_sym in c. pose proof (COS_bound psi). rewrite (Rabs_pos_eq (2 + _ + _)) by nra.
+    rewrite (Rabs_pos_eq (sigma ^ 2)), (Rabs_pos_eq (alpha ^ 2)) by apply pow2_ge_0. rewrite (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; nra). rewrite Rpow_mult_distr, Rinv_mult_distr by nra.
+    assert (c4 : Rabs (1 - cos psi) * (2 + sigma + sigma * cos psi) <= psi ^ 2 * 4) by (apply Rmult_le_compat; try apply Rabs_pos; nra).
+    set (i := / (1 - sigma ^ 2)) in *. assert (P : 0 <= alpha ^ 2 * i) by (apply Rmult_le_pos; [ apply pow2_ge_0 | lra ]). assert (p2 : 0 <= alpha ^ 2 * psi ^ 2) by (rewrite <- Rpow_mult_distr; apply pow2_ge_0).
+    apply Rle_trans with (1 * (alpha ^ 2 * i) * / 4 * (psi ^ 2 * 4)).
+    + replace (sigma ^ 2 * alpha ^ 2 * (/ 4 * i)) with (sigma ^ 2 * (alpha ^ 2 * i) * / 4) by ring. apply Rmult_le_compat; trivial. nra. apply Rmult_le_pos; [ apply Rabs_pos | nra ]. apply Rmult_le_compat_r. lra. apply Rmult_le_compat_r; nra.
+    + nra.
+Qed.
+(* (145) with any other psi misses that surface by a fixed multiple of alpha^2 *)
+Theorem s4_psi_free__printed sigma alpha psi : 0 < sigma < 1 -> 0 < alpha -> (right_rest_surface_a sigma alpha psi = eq145_a sigma alpha <-> cos psi = 1).
+Proof.
+  intros Hs a0. pose proof (bend_q sigma psi Hs) as e. assert (q : right_rest_surface_a sigma alpha psi - eq145_a sigma alpha = sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * ((1 - cos psi) * (2 + sigma + sigma * cos psi))).
+  { unfold right_rest_surface_a, eq145_a in *. rewrite pow1 in e. set (b := (_ / _ + _) + _) in *. replace (sigma * alpha ^ 2 * b) with (alpha ^ 2 * (sigma - (sigma - sigma * 1 * b))) by ring. rewrite e. field. repeat split; nra. }
+  pose proof (COS_bound psi). assert (P : 0 < sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * (2 + sigma + sigma * cos psi)) by (repeat apply Rmult_lt_0_compat; try apply Rinv_0_lt_compat; nra).
+  set (k := sigma ^ 2 * alpha ^ 2 * / _) in *. split; intros z; [ | rewrite z in q; lra ]. assert (z2 : k * (2 + sigma + sigma * cos psi) * (1 - cos psi) = 0) by lra. apply Rmult_integral in z2. lra.
+Qed.
+(* The corrected boundary between rest and escape, for small alpha and every psi: below it by more than K alpha^3 the particle comes to rest inside the distance 1, above
+   by more it escapes; for each alpha and psi there is an A between from which it creeps towards rho = 1 for ever, or comes straight in and stops there *)
+Theorem s4_envelope_is_boundary : exists K alpha0, 0 < K /\ 0 < alpha0 /\ forall alpha psi, 0 < alpha < alpha0 ->
+  (forall A x y u w, 0 < A -> from A alpha psi x y u w ->
+    (A < right_rest_boundary_a alpha psi - K * alpha ^ 3 -> exists s, s < 1 /\ rests_at s x y u w) /\
+    (right_rest_boundary_a alpha psi + K * alpha ^ 3 < A -> escapes x y)) /\
+  (exists A x y u w, 0 < A /\ Rabs (A - right_rest_boundary_a alpha psi) <= K * alpha ^ 3 /\ from A alpha psi x y u w /\
+    (creeps x y u w \/ exists T, 0 < T /\ nrm (x T) (y T) = 1 /\ (forall t, T <= t -> x t = x T /\ y t = y T) /\ straight_in T x y u w)).
+Proof.
+  destruct walls as (K & a0 & K0 & Ha & H). exists K, a0. split; trivial. split. lra. intros alpha psi Hal. split.
+  - intros A x y u w A0 F. destruct (H A alpha psi x y u w A0 Hal F) as [d1 d2]. split; intros k.
+    + destruct (d1 k) as (T & T0 & z & r). exists (nrm (x T) (y T)). split; trivial. apply rests_below; trivial. apply F. lra.
+    + destruct (d2 k) as (T & T0 & e). exact (passes x y u w T (proj1 F) T0 e).
+  - destruct (between 1 alpha psi ltac:(lra) ltac:(lra)) as (A & x & y & u & w & A0 & F & B). exists A, x, y, u, w. destruct (H A alpha psi x y u w A0 Hal F) as [d1 d2].
+    split; trivial. split; [ | split; trivial ].
+    + apply Rabs_le. split; apply Rnot_lt_le; intros k.
+      * destruct (d1 ltac:(lra)) as (T & T0 & z & r). destruct (B T T0) as [b _]. lra.
+      * destruct (d2 ltac:(lra)) as (T & T0 & e). destruct (B T T0) as [_ b]. rewrite !nrm_sq in b. lra.
+    + destruct (neither x y u w 1 (proj1 F) ltac:(lra) B) as [R | [_ c]]; [ right | now left ]. destruct (values A alpha psi x y u w A0 ltac:(lra) F) as (ep & s0 & _).
+      destruct (stops_for_good 1 x y u w (proj1 F) ltac:(lra) ltac:(rewrite ep; nra) R) as (T & T0 & z & e & N). exists T. split; trivial. split; trivial. split.
+      * intros t Ht. destruct (table_rest_lasts x y u w (proj1 F) T t ltac:(lra) z) as (e1 & e2 & _); [ rewrite <- nrm_sq, e; lra | now split ].
+      * exact (straight_at_one x y u w T (proj1 F) T0 z e N).
+Qed.
+(* there are motions from every such start *)
+Lemma s4_envelope_is_boundary__occurs A alpha psi : 0 < A -> 0 < alpha -> exists x y u w, from A alpha psi x y u w.
+Proof. intros A0 a0. do 4 eexists. exact (start_from A alpha psi ltac:(lra) a0). Qed.
+(* Where that boundary is lowest over psi, in place of (147): below 1 - alpha + 7/6 alpha^2 by more than K alpha^3 the particle comes to rest, whatever psi is; with
+   psi = 2 alpha it escapes from above by more *)
+Theorem eq_147 : exists K alpha0, 0 < K /\ 0 < alpha0 /\ forall A alpha psi x y u w, 0 < A -> 0 < alpha < alpha0 -> from A alpha psi x y u w ->
+  (A < right_rest_boundary_least alpha - K * alpha ^ 3 -> exists s, s < 1 /\ rests_at s x y u w) /\
+  (psi = 2 * alpha -> right_rest_boundary_least alpha + K * alpha ^ 3 < A -> escapes x y).
+Proof.
+  destruct s4_envelope_is_boundary as (K & a0 & K0 & Ha & H). exists (K + 18), a0. split. lra. split; trivial. intros A alpha psi x y u w A0 Hal F.
+  destruct (H alpha psi Hal) as [H1 _]. destruct (H1 A x y u w A0 F) as [d1 d2]. destruct (boundary_low alpha psi ltac:(lra)) as [l1 l2]. assert (0 < alpha ^ 3) by (apply pow_lt; lra). split.
+  - intros k. apply d1. lra.
+  - intros e k. apply d2. specialize (l2 e). lra.
+Qed.
+(* (147) as printed is not the boundary: whatever psi is, from some A above it the particle comes to rest *)
+Theorem eq_147__printed : exists alpha0, 0 < alpha0 /\ forall alpha psi, 0 < alpha < alpha0 -> eq147_a alpha < 1 - 11 / 10 * alpha /\
+  forall A x y u w, eq147_a alpha < A < 1 - 11 / 10 * alpha -> from A alpha psi x y u w -> exists s, s < 1 /\ rests_at s x y u w.
+Proof.
+  destruct eq_147 as (K & a0 & K0 & Ha & H). assert (i0 : 0 < / (10 * (K + 1))) by (apply Rinv_0_lt_compat; lra). exists (Rmin (Rmin a0 (/ 2)) (/ (10 * (K + 1)))). split. repeat apply Rmin_pos; lra.
+  intros alpha psi Hal. pose proof (Rmin_l (Rmin a0 (/ 2)) (/ (10 * (K + 1)))). pose proof (Rmin_r (Rmin a0 (/ 2)) (/ (10 * (K + 1)))). pose proof (Rmin_l a0 (/ 2)). pose proof (Rmin_r a0 (/ 2)).
+  assert (q : alpha * (10 * (K + 1)) < 1). { apply (Rmult_lt_reg_r (/ (10 * (K + 1)))); trivial. rewrite Rmult_assoc, Rinv_r by lra. lra. }
+  split. { unfold eq147_a. assert (s2 : 7 / 5 < sqrt 2) by (rewrite <- (sqrt_pow2 (7 / 5)) by lra; apply sqrt_lt_1_alt; lra). assert (e : sqrt 2 ^ 2 = 2) by (rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra).
+    assert (i : / sqrt 2 = sqrt 2 / 2) by (apply (Rmult_eq_reg_l (sqrt 2)); [ rewrite Rinv_r; nra | lra ]). unfold Rdiv. rewrite i.
+    replace ((1 - alpha * (sqrt 2 / 2)) ^ 2) with (1 - alpha * sqrt 2 + alpha ^ 2 * sqrt 2 ^ 2 / 4) by field. rewrite e. nra. }
+  intros A x y u w HA F. assert (0 <= eq147_a alpha) by (unfold eq147_a; apply pow2_ge_0). apply (H A alpha psi x y u w); trivial; try lra. unfold right_rest_boundary_least.
+  assert (alpha ^ 3 * K <= alpha / 10). { replace (alpha ^ 3 * K) with (alpha * (alpha * (alpha * K))) by ring. assert (alpha * K <= / 10) by lra. assert (0 <= alpha * K) by nra. nra. }
+  pose proof (pow2_ge_0 alpha). lra.
+Qed.
+
 (* a particle that is put down at the distance 3/5 with a speed of 1/20 across comes to rest between 1/2 and 3/4 *)
 Lemma a_rest : exists x y u w A al psi sigma T, spin x y u w /\ comes_to_rest sigma T x y u w A al psi /\ left_lim psi T 0 /\ / 2 < sigma < 3 / 4 /\
   soon T (fun t => rder al t (eq114_alpha_rate (A t) (al t) (psi t))) /\ soon T (fun t => rder psi t (eq115_psi_rate (al t) (psi t))) /\ soon T (fun t => rder A t (eq113_a_rate (al t))).
