@@ -177,6 +177,27 @@ Qed.
 (* there are motions from every such start *)
 Lemma s4_envelope_is_boundary__occurs A alpha psi : 0 < A -> 0 < alpha -> exists x y u w, from A alpha psi x y u w.
 Proof. intros A0 a0. do 4 eexists. exact (start_from A alpha psi ltac:(lra) a0). Qed.
+(* (146), of the motion to lowest order in 1 - A and alpha, dA/dt = alpha and dalpha/dt = A - 1: the surface of the starts with rest at sigma, and its slope *)
+Theorem eq_146__saddle A alpha T sigma : sigma < 1 -> 0 <= T -> (forall t, 0 < t <= T -> continuity_pt A t /\ continuity_pt alpha t) ->
+  (forall t, 0 <= t < T -> rder A t (alpha t) /\ rder alpha t (A t - 1)) -> A T = sigma -> alpha T = 0 -> A 0 < 1 ->
+  let surface s := 1 - sqrt ((1 - s) ^ 2 + alpha 0 ^ 2) in A 0 = surface sigma /\ is_derive surface sigma (right_rest_surface_slope sigma (alpha 0)).
+Proof.
+  intros Hs HT C D eA ea A1 surface. assert (P : 0 < (1 - sigma) ^ 2 + alpha 0 ^ 2) by (pose proof (pow2_ge_0 (alpha 0)); nra). split.
+  - assert (k : (A T - 1) ^ 2 - alpha T ^ 2 = (A 0 - 1) ^ 2 - alpha 0 ^ 2).
+    { apply (rder_const (fun t => (A t - 1) ^ 2 - alpha t ^ 2)); trivial; intros t Ht. destruct (C t Ht). contq. destruct (D t Ht). eapply rder_eq. rdq. simpl. ring. }
+    unfold surface. rewrite eA, ea in k. replace ((1 - sigma) ^ 2 + alpha 0 ^ 2) with ((1 - A 0) ^ 2) by lra. rewrite sqrt_pow2; lra.
+  - unfold surface, right_rest_surface_slope. auto_derive. lra.
+    replace ((1 + - sigma) * ((1 + - sigma) * 1) + alpha 0 * (alpha 0 * 1)) with ((1 - sigma) ^ 2 + alpha 0 ^ 2) by ring. field. apply Rgt_not_eq, sqrt_lt_R0. lra.
+Qed.
+(* (146) as printed is the derivative of (145); where it vanishes, at alpha = sqrt 2 (1 - sigma), the slope of that surface is 1/sqrt 3 *)
+Theorem eq_146__printed sigma alpha : sigma < 1 -> is_derive (fun s => eq145_a s alpha) sigma (eq146_right sigma alpha) /\
+  eq146_right sigma (sqrt 2 * (1 - sigma)) = 0 /\ right_rest_surface_slope sigma (sqrt 2 * (1 - sigma)) = / sqrt 3.
+Proof.
+  intros Hs. assert (e : sqrt 2 ^ 2 = 2) by (rewrite <- Rsqr_pow2; apply Rsqr_sqrt; lra). unfold eq145_a, eq146_right, right_rest_surface_slope. rewrite Rpow_mult_distr, e. split; [ | split ].
+  - auto_derive. lra. field. lra.
+  - field. lra.
+  - replace ((1 - sigma) ^ 2 + 2 * (1 - sigma) ^ 2) with (3 * (1 - sigma) ^ 2) by ring. rewrite sqrt_mult, sqrt_pow2 by nra. field. split; [ | lra ]. apply Rgt_not_eq, sqrt_lt_R0. lra.
+Qed.
 (* Where that boundary is lowest over psi, in place of (147): below 1 - alpha + 7/6 alpha^2 by more than K alpha^3 the particle comes to rest, whatever psi is; with
    psi = 2 alpha it escapes from above by more *)
 Theorem eq_147 : exists K alpha0, 0 < K /\ 0 < alpha0 /\ forall A alpha psi x y u w, 0 < A -> 0 < alpha < alpha0 -> from A alpha psi x y u w ->
