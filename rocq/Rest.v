@@ -23,12 +23,13 @@ Qed.
 Lemma s4_rest_radius__occurs : ltac:(occurs s4_rest_radius).
 Proof. intros H. destruct (table_exists 2 0 1 0) as (x & y & u & w & S & _). exact (H x y u w S). Qed.
 
+(* a start, four numbers, from which a motion neither comes to rest nor escapes: «$\{$starts from which a motion neither comes to rest nor escapes$\}$» *)
+Definition undecided (z : place -> R) : Prop := exists x y u w, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
+  ~ (exists s, rests_at s x y u w) /\ ~ escapes x y.
 (* Every motion comes to rest, goes farther than any distance for good, or creeps towards a place of rho = 1 for ever. Those that neither rest nor
    escape start from a set of no volume. *)
 Theorem s4_dichotomy :
-  (forall x y u w, spin x y u w -> (exists s, s <= eq139_largest_sigma /\ rests_at s x y u w) \/ escapes x y \/ creeps x y u w) /\
-  no_volume (fun z => exists x y u w, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
-    ~ (exists s, rests_at s x y u w) /\ ~ escapes x y).
+  (forall x y u w, spin x y u w -> (exists s, s <= eq139_largest_sigma /\ rests_at s x y u w) \/ escapes x y \/ creeps x y u w) /\ no_volume undecided.
 Proof.
   split. exact fates. intros N eps HN He. destruct (edge_thin N eps HN He) as (l & h & h0 & small & K). exists l, h. split; trivial. split; trivial.
   intros z (x & y & u & w & S & a & b & c & d & no_rest & no_escape) Hz. apply K; trivial. exists x, y, u, w. do 5 (split; trivial).
@@ -54,37 +55,38 @@ Proof.
   split. exact (sigma_pos x y u w A alpha psi sigma T table rest). destruct (psi_ends x y u w A alpha psi sigma T table rest) as [[_ s1] | L]; trivial. exfalso.
   enough (PI = 0) by (pose proof PI_RGT_0; lra). apply (ll_uniq _ _ _ _ L). rewrite <- Rabs_R0. apply (ll_comp Rabs psi T 0 not_straight), Rcontinuity_abs.
 Qed.
-Lemma rate_is f f' g s : s < T -> (forall t, s <= t < T -> rder f t (g t)) -> soon T (fun t => rder f t (f' t)) -> soon T (fun t => f' t = g t).
+Lemma rate_is f f' g s s' : s < T -> s' < T -> (forall t, s <= t < T -> rder f t (g t)) -> (forall t, s' <= t < T -> rder f t (f' t)) -> soon T (fun t => f' t = g t).
 Proof.
-  intros Hs G F. generalize (soon_and _ _ _ (soon_after s T _ Hs G) F). apply soon_imp. intros t (d1 & d2). exact (rder_unique _ _ _ _ d2 d1).
+  intros Hs Hs' G F. generalize (soon_and _ _ _ (soon_after s T _ Hs G) (soon_after s' T _ Hs' F)). apply soon_imp. intros t (d1 & d2). exact (rder_unique _ _ _ _ d2 d1).
 Qed.
-Lemma known : exists s, arrives sigma s T A alpha psi /\
-  (forall f', soon T (fun t => rder alpha t (f' t)) -> soon T (fun t => f' t = eq114_alpha_rate (A t) (alpha t) (psi t))) /\
-  (forall f', soon T (fun t => rder psi t (f' t)) -> soon T (fun t => f' t = eq115_psi_rate (alpha t) (psi t))) /\
-  (forall f', soon T (fun t => rder A t (f' t)) -> soon T (fun t => f' t = eq113_a_rate (alpha t))).
+Lemma known s0 : s0 < T -> exists s, arrives sigma s T A alpha psi /\
+  (forall f', (forall t, s0 <= t < T -> rder alpha t (f' t)) -> soon T (fun t => f' t = eq114_alpha_rate (A t) (alpha t) (psi t))) /\
+  (forall f', (forall t, s0 <= t < T -> rder psi t (f' t)) -> soon T (fun t => f' t = eq115_psi_rate (alpha t) (psi t))) /\
+  (forall f', (forall t, s0 <= t < T -> rder A t (f' t)) -> soon T (fun t => f' t = eq113_a_rate (alpha t))).
 Proof.
-  destruct (arriving x y u w A alpha psi sigma T table rest not_straight) as (s & Hs & V). exists s. split; trivial.
-  repeat split; intros f'; apply (rate_is _ _ _ s (proj2 Hs)); intros t Ht; apply (v_rate _ _ _ _ _ _ V t Ht).
+  intros Hs0. destruct (arriving x y u w A alpha psi sigma T table rest not_straight) as (s & Hs & V). exists s. split; trivial.
+  repeat split; intros f'; apply (rate_is _ _ _ s s0 (proj2 Hs) Hs0); intros t Ht; apply (v_rate _ _ _ _ _ _ V t Ht).
 Qed.
-Ltac arrive := destruct known as (s & V & Ka & Kp & KA); pose proof inside as In.
+Lemma T_after : 0 < T. Proof. exact (T_pos x y u w A alpha psi sigma T rest). Qed.
+Ltac arrive s0 := destruct (known s0 ltac:(first [ assumption | exact T_after ])) as (r & V & Ka & Kp & KA); pose proof inside as In.
 (* (140): the rate of alpha tends to 1 - 1/sigma *)
-Theorem eq_140 dalpha (rate_alpha : soon T (fun t => rder alpha t (dalpha t))) : left_lim dalpha T (eq140_alpha_rate sigma).
-Proof. arrive. pose proof (Ka _ rate_alpha) as D. exact (ll_soon _ _ _ _ D (dal_limit _ _ _ _ _ _ In V)). Qed.
+Theorem eq_140 dalpha s (before : s < T) (rate_alpha : forall t, s <= t < T -> rder alpha t (dalpha t)) : left_lim dalpha T (eq140_alpha_rate sigma).
+Proof. arrive s. pose proof (Ka _ rate_alpha) as D. exact (ll_soon _ _ _ _ D (dal_limit _ _ _ _ _ _ In V)). Qed.
 (* (141): the ratio of alpha to its law, with the time counted from the rest, tends to 1 *)
 Theorem eq_141 : left_lim (fun t => alpha t / eq141_alpha sigma (t - T)) T 1.
-Proof. arrive. exact (alpha_limit _ _ _ _ _ _ In V). Qed.
+Proof. arrive 0. exact (alpha_limit _ _ _ _ _ _ In V). Qed.
 (* (142): its sides differ by less and less, measured by 1 + |psi|/alpha *)
-Theorem eq_142 dalpha dpsi (rate_alpha : soon T (fun t => rder alpha t (dalpha t))) (rate_psi : soon T (fun t => rder psi t (dpsi t))) :
+Theorem eq_142 dalpha dpsi s (before : s < T) (rate_alpha : forall t, s <= t < T -> rder alpha t (dalpha t)) (rate_psi : forall t, s <= t < T -> rder psi t (dpsi t)) :
   left_lim (fun t => (eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) / (1 + Rabs (psi t) / alpha t)) T 0.
 Proof.
-  arrive. pose proof (Ka _ rate_alpha) as D. apply Kp in rate_psi. refine (ll_soon _ _ _ _ _ (psi_law _ _ _ _ _ _ In V)).
+  arrive s. pose proof (Ka _ rate_alpha) as D. apply Kp in rate_psi. refine (ll_soon _ _ _ _ _ (psi_law _ _ _ _ _ _ In V)).
   generalize (soon_and _ _ _ D rate_psi). apply soon_imp. intros t (-> & ->). reflexivity.
 Qed.
 (* (143): for a constant c, psi differs from its law by what is small beside either of its terms, of the orders alpha and alpha^(sigma/(1 - sigma)) *)
 Theorem eq_143 : / 4 < sigma < 3 / 4 -> sigma <> / 2 -> exists c, left_lim (fun t => (psi t - eq143_psi sigma c (alpha t)) / alpha t) T 0 /\
   left_lim (fun t => (psi t - eq143_psi sigma c (alpha t)) / (alpha t * Rpower (alpha t) (eq143_exponent sigma))) T 0.
 Proof.
-  intros q h. arrive. destruct (psi_solution _ _ _ _ _ _ In V q h) as (c & D & D0 & B). exists c. set (k := sigma / (1 - sigma)) in *.
+  intros q h. arrive 0. destruct (psi_solution _ _ _ _ _ _ In V q h) as (c & D & D0 & B). exists c. set (k := sigma / (1 - sigma)) in *.
   pose proof (al_soon _ _ _ _ _ _ V) as a0. pose proof (v_al _ _ _ _ _ _ V) as al0. assert (kb : / 3 < k < 3) by (unfold k; split; [ apply Rlt_div_r | apply Rlt_div_l ]; lra).
   assert (m : 1 < 3 * Rmin 1 k /\ k < 3 * Rmin 1 k) by (unfold Rmin; destruct (Rle_dec 1 k); lra). set (b := 3 * Rmin 1 k) in *.
   assert (to : forall a, a < b -> left_lim (fun t => (psi t - eq143_psi sigma c (alpha t)) / Rpower (alpha t) a) T 0).
@@ -99,22 +101,22 @@ Qed.
 (* at sigma = 1/2, where both terms of (143) are infinite: psi = 2 alpha (c - ln alpha), up to what is small beside alpha *)
 Theorem eq_143__one_half : sigma = / 2 -> exists c, left_lim (fun t => (psi t - right_rest_psi_at_one_half c (alpha t)) / alpha t) T 0.
 Proof.
-  intros h. arrive. destruct (psi_one_half _ _ _ _ _ _ In V h) as (c & D & D0 & B). exists c. pose proof (al_soon _ _ _ _ _ _ V) as a0. pose proof (v_al _ _ _ _ _ _ V) as al0.
+  intros h. arrive 0. destruct (psi_one_half _ _ _ _ _ _ In V h) as (c & D & D0 & B). exists c. pose proof (al_soon _ _ _ _ _ _ V) as a0. pose proof (v_al _ _ _ _ _ _ V) as al0.
   apply (ll_squeeze _ (fun t => D * Rpower (alpha t) (3 / 2 - 1))). 2: { eapply ll_eq. apply (ll_mult (fun _ => D)); [ apply ll_const | apply (ll_power alpha T _ a0 al0); lra ]. ring. }
   generalize (soon_and _ _ _ a0 B). apply soon_imp. intros t (p & q). unfold Rdiv at 1. rewrite Rabs_mult, (Rabs_pos_eq (/ alpha t)) by (left; now apply Rinv_0_lt_compat).
   unfold Rminus at 2. rewrite Rpower_plus, Rpower_Ropp, Rpower_1, <- Rmult_assoc by trivial. apply Rmult_le_compat_r; [ left; now apply Rinv_0_lt_compat | exact q ].
 Qed.
 (* (144): the ratio of its sides tends to 1 *)
-Theorem eq_144 dalpha dA (rate_alpha : soon T (fun t => rder alpha t (dalpha t))) (rate_A : soon T (fun t => rder A t (dA t))) :
+Theorem eq_144 dalpha dA s (before : s < T) (rate_alpha : forall t, s <= t < T -> rder alpha t (dalpha t)) (rate_A : forall t, s <= t < T -> rder A t (dA t)) :
   left_lim (fun t => eq144_left sigma (dA t / dalpha t) / eq144_right (alpha t)) T 1.
 Proof.
-  arrive. pose proof (Ka _ rate_alpha) as D. apply KA in rate_A. refine (ll_soon _ _ _ _ _ (A_law _ _ _ _ _ _ In V)).
+  arrive s. pose proof (Ka _ rate_alpha) as D. apply KA in rate_A. refine (ll_soon _ _ _ _ _ (A_law _ _ _ _ _ _ In V)).
   generalize (soon_and _ _ _ D rate_A). apply soon_imp. intros t (-> & ->). reflexivity.
 Qed.
 (* (145): A tends to sigma, and differs from its law by what is small beside alpha^2 *)
 Theorem eq_145 : left_lim A T sigma /\ left_lim (fun t => (A t - eq145_a sigma (alpha t)) / alpha t ^ 2) T 0.
 Proof.
-  arrive. split. apply V. pose proof (A_limit _ _ _ _ _ _ In V) as L. apply (ll_soon (fun t => (A t - sigma) / alpha t ^ 2 - sigma / (sigma - 1) / 2)).
+  arrive 0. split. apply V. pose proof (A_limit _ _ _ _ _ _ In V) as L. apply (ll_soon (fun t => (A t - sigma) / alpha t ^ 2 - sigma / (sigma - 1) / 2)).
   - generalize (al_soon _ _ _ _ _ _ V). apply soon_imp. intros t a0. unfold eq145_a. field. lra.
   - eapply ll_eq. apply ll_minus; [ exact L | apply ll_const ]. ring.
 Qed.
@@ -225,17 +227,17 @@ Proof.
 Qed.
 
 (* a particle that is put down at the distance 3/5 with a speed of 1/20 across comes to rest between 1/2 and 3/4 *)
-Lemma a_rest : exists x y u w A al psi sigma T, spin x y u w /\ comes_to_rest sigma T x y u w A al psi /\ left_lim psi T 0 /\ / 2 < sigma < 3 / 4 /\
-  soon T (fun t => rder al t (eq114_alpha_rate (A t) (al t) (psi t))) /\ soon T (fun t => rder psi t (eq115_psi_rate (al t) (psi t))) /\ soon T (fun t => rder A t (eq113_a_rate (al t))).
+Lemma a_rest : exists x y u w A al psi sigma T s, spin x y u w /\ comes_to_rest sigma T x y u w A al psi /\ left_lim psi T 0 /\ / 2 < sigma < 3 / 4 /\ arrives sigma s T A al psi.
 Proof.
   assert (e1 : nrm (3 / 5) 0 = 3 / 5) by (apply nrm_x0; lra). assert (e2 : nrm 0 (1 / 20) = 1 / 20) by (apply nrm_0y; lra).
   destruct (rest_of_start (3 / 5) 0 0 (1 / 20)) as (x & y & u & w & A & al & psi & sigma & T & S & R & L & s1 & s2); rewrite ?e1, ?e2 in *; try lra.
-  destruct (arriving x y u w A al psi sigma T S R L) as (s & Hs & V). pose proof (sigma_pos x y u w A al psi sigma T S R). exists x, y, u, w, A, al, psi, sigma, T.
-  split; trivial. split; trivial. split; trivial. split. split; nra. repeat split; apply (soon_after s T _ (proj2 Hs)); intros t Ht; apply (v_rate _ _ _ _ _ _ V t Ht).
+  destruct (arriving x y u w A al psi sigma T S R L) as (s & _ & V). pose proof (sigma_pos x y u w A al psi sigma T S R). exists x, y, u, w, A, al, psi, sigma, T, s.
+  repeat (split; [ now trivial | ]). split; trivial. split; nra.
 Qed.
-Ltac rest_at_3_5 := intros H; destruct a_rest as (x & y & u & w & A & al & psi & sigma & T & S & R & L & Hs & d1 & d2 & d3);
-  first [ exact (H x y u w A al psi sigma T S R L _ d1) | exact (H x y u w A al psi sigma T S R L _ _ d1 d2) | exact (H x y u w A al psi sigma T S R L _ _ d1 d3)
-    | apply (H x y u w A al psi sigma T S R L); lra | exact (H x y u w A al psi sigma T S R) | exact (H x y u w A al psi sigma T S R L) ].
+Ltac rest_at_3_5 := intros H; destruct a_rest as (x & y & u & w & A & al & psi & sigma & T & s & S & R & L & Hs & V); pose proof (v_rate _ _ _ _ _ _ V) as D;
+  pose proof (v_time _ _ _ _ _ _ V) as sT; specialize (H x y u w A al psi sigma T S R); first [ exact H | specialize (H L);
+  first [ exact H | apply H; lra | exact (H _ s sT (fun t Ht => proj1 (proj2 (D t Ht)))) | exact (H _ _ s sT (fun t Ht => proj1 (proj2 (D t Ht))) (fun t Ht => proj2 (proj2 (D t Ht))))
+    | exact (H _ _ s sT (fun t Ht => proj1 (proj2 (D t Ht))) (fun t Ht => proj1 (D t Ht))) ] ].
 Lemma s4_near_rest__occurs : ltac:(occurs s4_near_rest). Proof. rest_at_3_5. Qed.
 Lemma eq_140__occurs : ltac:(occurs eq_140). Proof. rest_at_3_5. Qed.
 Lemma eq_141__occurs : ltac:(occurs eq_141). Proof. rest_at_3_5. Qed.
