@@ -115,12 +115,14 @@ Proof.
   exists (Rmax 0 (T + 1)). split. apply Rmax_l. intros t Ht. pose proof (Rmax_r 0 (T + 1)). specialize (HT t ltac:(lra)). apply Rabs_def2 in HT. lra.
 Qed.
 
-(* the fates of a particle on the table: at rest from some moment on, at the distance s from the axis; *)
+(* the fates of a particle on the table at (x, y) with the velocity (u, w), dimensionless: it is at rest from some moment on, at the distance s from the axis;
+   «the particle at $(x,y)$ is at rest from some moment on, at the distance $s$ from the axis» *)
 Definition rests_at (s : R) (x y u w : R -> R) : Prop :=
   exists T, 0 <= T /\ nrm (x T) (y T) = s /\ forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0.
-(* ... in the end farther away than any distance, for good; *)
+(* ... in the end farther away than any distance, for good; «the particle at $(x,y)$ escapes: in the end it is farther away than any distance, for good» *)
 Definition escapes (x y : R -> R) : Prop := forall M, exists T, 0 <= T /\ forall t, T <= t -> M < nrm (x t) (y t).
-(* ... nearer and nearer to a place of the circle rho = 1 and slower and slower, without ever coming to a stop *)
+(* ... nearer and nearer to a place of the circle rho = 1 and slower and slower, without ever coming to a stop
+   «the particle at $(x,y)$ creeps towards a place at the distance $1$ from the axis, slower and slower, and never stops» *)
 Definition creeps (x y u w : R -> R) : Prop := exists a b : R, a ^ 2 + b ^ 2 = 1 /\ is_lim x p_infty a /\ is_lim y p_infty b /\
   is_lim u p_infty 0 /\ is_lim w p_infty 0 /\ forall t, 0 <= t -> 0 < nrm (u t) (w t).
 

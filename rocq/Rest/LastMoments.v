@@ -6,7 +6,9 @@ From Slipbook Require Import Motion Formulas Turntable TableMotions TableAngle F
 Open Scope R_scope.
 
 (* The particle slips from the moment 0 (any moment of its last slip with p < rho) until T, and is at rest then, at the distance sigma from the axis; A and alpha are
-   the hyperbolic parameters (111), (112) of its motion, and psi, between - pi and pi, is the angle of its position with respect to its velocity. *)
+   the hyperbolic parameters (111), (112) of its motion, and psi, between - pi and pi, is the angle of its position with respect to its velocity. Dimensionless.
+   «the particle at $(x,y)$ with the velocity $(u,w)$, with the hyperbolic parameters $A$ and $al$ and the angle $psi\in(-\pi,\pi]$ between velocity and position, slips
+   until the moment $T$ and is at rest then, at the distance $sigma$ from the axis» *)
 Record comes_to_rest (sigma T : R) (x y u w A al psi : R -> R) : Prop := {
   c_slips : 0 < T /\ forall t, 0 <= t < T -> 0 < nrm (u t) (w t);
   c_rest : nrm (u T) (w T) = 0 /\ nrm (x T) (y T) = sigma;

@@ -5,10 +5,10 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Formulas TableLaws TableMotions TableAngle Fate Picard Alpha Stops Threshold Barriers Sides Near Arrives.
 Open Scope R_scope.
 
-(* a motion from a start with the hyperbolic parameters A and alpha and the angle psi *)
+(* «$(x,y)$ with the velocity $(u,w)$ is a motion on the table that starts with the hyperbolic parameters $A$ and $alpha$ and the angle $psi$» *)
 Definition from (A alpha psi : R) (x y u w : R -> R) : Prop :=
   spin x y u w /\ hyperbolic (x 0) (y 0) (u 0) (w 0) A alpha /\ position_angle (x 0) (y 0) (u 0) (w 0) psi.
-(* at the time T the velocity is, in the limit, opposite to the position *)
+(* at the time T the velocity is, in the limit, opposite to the position: «the particle at $(x,y)$ comes straight in as the time tends to $T$» *)
 Definition straight_in (T : R) (x y u w : R -> R) : Prop := left_lim (fun t => (x t * u t + y t * w t) / (nrm (x t) (y t) * nrm (u t) (w t))) T (- (1)).
 
 Lemma values A al psi x y u w : 0 < A -> 0 < al -> from A al psi x y u w -> nrm (u 0) (w 0) = A * sinh al /\ 0 < sinh al /\ x 0 ^ 2 + y 0 ^ 2 - (u 0 ^ 2 + w 0 ^ 2) = A ^ 2 /\

@@ -6,7 +6,7 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Turntable Turntable2 Sphere Fate Picard Exist Exist2 Alpha.
 Open Scope R_scope.
 
-(* f tends to l as t comes up to T from below *)
+(* f tends to l as t comes up to T from below: «$f\to l$ as its argument tends to $T$ from below» *)
 Definition left_lim (f : R -> R) (T l : R) := forall e, 0 < e -> exists d, 0 < d /\ forall t, T - d < t < T -> Rabs (f t - l) < e.
 
 Lemma ll_iff f T l : left_lim f T l <-> filterlim f (at_left T) (locally l).

@@ -38,7 +38,8 @@ Qed.
 (* the motion from the start z comes to rest just on rho = 1, or creeps there for ever *)
 Definition on_edge (z : place -> R) : Prop := exists x y u w, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
   (rests_at 1 x y u w \/ creeps x y u w).
-(* Starts, four numbers each, fill no volume: what of them lies in a box is covered by finitely many equal cubes (half an edge h) of a total volume as small as one likes. *)
+(* Starts, four numbers each, fill no volume: what of them lies in a box is covered by finitely many equal cubes (half an edge h) of a total volume as small as one likes.
+   «the volume of $P$ is $0$» *)
 Definition no_volume (P : (place -> R) -> Prop) : Prop := forall N eps, 0 < N -> 0 < eps -> exists (l : list (place -> R)) h, 0 < h /\
   INR (length l) * (2 * h) ^ 4 <= eps /\ forall z, P z -> (forall i, Rabs (z i) <= N) -> exists c, In c l /\ forall i, Rabs (z i - c i) <= h.
 
