@@ -2,6 +2,7 @@
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Turntable Sphere.
+From Slipbook Require Export Analysis.
 Open Scope R_scope.
 
 (* two motions on one table: their distance grows at most as exp t; hence one motion per start *)
@@ -30,37 +31,9 @@ Proof.
   repeat split; nra.
 Qed.
 
-(* ---- tools ---- *)
-Lemma rder_root f t l : rder f t l -> 0 < f t -> rder (fun s => sqrt (f s)) t (/ (2 * sqrt (f t)) * l).
-Proof. intros H P. apply (rder_comp f sqrt); [ exact H | apply is_derive_Reals, derivable_pt_lim_sqrt, P ]. Qed.
-Lemma cont_root f t : continuity_pt f t -> 0 <= f t -> continuity_pt (fun s => sqrt (f s)) t.
-Proof. intros H P. apply (continuity_pt_comp f sqrt); trivial. apply continuity_pt_sqrt, P. Qed.
 Lemma root_le a d : 0 <= d -> sqrt (a ^ 2 + d ^ 2) <= Rabs a + d.
 Proof.
   intros Hd. pose proof (Rabs_pos a). rewrite <- (sqrt_pow2 (Rabs a + d)) by lra. apply sqrt_le_1_alt. rewrite <- (pow2_abs a). nra.
-Qed.
-(* a property that holds at a, passes to limits from the left and a little to the right holds on [a, b] *)
-Lemma real_ind (P : R -> Prop) a b : P a -> (forall t, a < t <= b -> (forall s, a <= s < t -> P s) -> P t) ->
-  (forall t, a <= t < b -> (forall s, a <= s <= t -> P s) -> exists d, 0 < d /\ forall s, t < s < t + d -> P s) ->
-  forall t, a <= t <= b -> P t.
-Proof.
-  intros H0 H1 H2. assert (K : forall t, a <= t <= b -> forall s, a <= s <= t -> P s).
-  2: { intros t Ht. apply (K t); lra. }
-  intros t Ht. apply Classical_Prop.NNPP. intros bad.
-  set (S := fun r => a <= r <= t /\ forall s, a <= s <= r -> P s).
-  assert (Sa : S a) by (split; [ lra | intros s Hs; replace s with a by lra; exact H0 ]).
-  destruct (completeness S) as [c [c1 c2]]. { exists t. intros r [Hr _]. lra. } { now exists a. }
-  assert (ac : a <= c) by (apply c1, Sa). assert (ct : c <= t) by (apply c2; intros r [Hr _]; lra).
-  assert (L : forall s, a <= s < c -> P s).
-  { intros s Hs. apply Classical_Prop.NNPP. intros n. assert (c <= s); [ | lra ]. apply c2. intros r [Hr Q].
-    apply Rnot_lt_le. intros k. apply n, Q. lra. }
-  assert (Q : forall s, a <= s <= c -> P s).
-  { intros s [s0 [s1 | ->]]. apply L; lra. destruct s0 as [s0 | <-]; trivial. apply H1; trivial; lra. }
-  destruct (Req_dec c t) as [-> | ne]. now apply bad.
-  destruct (H2 c ltac:(lra) Q) as (d & d0 & Hd). set (r := c + Rmin d (t - c) / 2).
-  assert (0 < Rmin d (t - c)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (t - c)). pose proof (Rmin_r d (t - c)).
-  assert (Sr : S r). { split. unfold r; lra. intros s Hs. destruct (Rle_lt_dec s c). apply Q; lra. apply Hd. unfold r in Hs; lra. }
-  specialize (c1 r Sr). unfold r in c1. lra.
 Qed.
 (* what does not grow while it is negative does not grow *)
 Lemma rder_stays f a b : a <= b -> (forall t, a < t <= b -> continuity_pt f t) ->
@@ -82,21 +55,6 @@ Proof.
     exists m. split; trivial. intros s Hs. apply Rle_trans with (f t); trivial.
     apply (rder_decr f); [ lra | intros; apply C; lra | ]. intros r Hr. destruct (D r ltac:(lra)) as (l' & L' & k). exists l'. split; trivial. apply k, N; lra.
 Qed.
-Lemma rder_after g c t l : rder g (t + c) l -> rder (fun s => g (s + c)) t l.
-Proof.
-  intros [F [H E]]. exists (fun s => F (s + c)). split; [ | intros; apply E; lra ].
-  rewrite <- (Rmult_1_l l). apply (is_derive_comp F (fun s => s + c)); [ exact H | auto_derive; trivial ].
-Qed.
-Lemma cont_after g c t : continuity_pt g (t + c) -> continuity_pt (fun s => g (s + c)) t.
-Proof. intros H. apply (continuity_pt_comp (fun s => s + c) g); trivial. cont. Qed.
-(* a motion seen from a later moment on *)
-Lemma spin_after x y u w s : 0 <= s -> spin x y u w -> spin (fun t => x (t + s)) (fun t => y (t + s)) (fun t => u (t + s)) (fun t => w (t + s)).
-Proof.
-  intros Hs S. split; intros t Ht.
-  1: apply cont_after, (s_cx _ _ _ _ S); lra. 1: apply cont_after, (s_cy _ _ _ _ S); lra. 1: apply cont_after, (s_cu _ _ _ _ S); lra. 1: apply cont_after, (s_cw _ _ _ _ S); lra.
-  destruct (s_law _ _ _ _ S (t + s) ltac:(lra)) as (X & Y & fx & fy & C & U & W).
-  repeat split; try now apply rder_after. exists fx, fy. repeat split; try apply C; now apply rder_after.
-Qed.
 
 Lemma mono_lim f M : (forall s t, 0 <= s <= t -> f s <= f t) -> (forall t, 0 <= t -> f t <= M) ->
   exists l : R, is_lim f p_infty l /\ forall t, 0 <= t -> f t <= l.
@@ -108,11 +66,6 @@ Proof.
   destruct (Classical_Prop.classic (exists t, 0 <= t /\ l - eps < f t)) as [(T & T0 & HT) | no].
   - exists T. intros t Ht. specialize (H T t ltac:(lra)). specialize (up t ltac:(lra)). apply Rabs_def1; lra.
   - exfalso. assert (l <= l - eps); [ | lra ]. apply l2. intros r (t & Ht & ->). apply Rnot_lt_le. intros k. apply no. eauto.
-Qed.
-Lemma lim_near f (l e : R) : is_lim f p_infty l -> 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> l - e < f t < l + e.
-Proof.
-  intros H He. apply is_lim_spec in H. destruct (H (mkposreal e He)) as [T HT]. simpl in HT.
-  exists (Rmax 0 (T + 1)). split. apply Rmax_l. intros t Ht. pose proof (Rmax_r 0 (T + 1)). specialize (HT t ltac:(lra)). apply Rabs_def2 in HT. lra.
 Qed.
 
 (* the fates of a particle on the table at (x, y) with the velocity (u, w), dimensionless: it is at rest from some moment on, at the distance s from the axis;
@@ -132,7 +85,7 @@ Hypothesis S : spin x y u w.
 Notation p t := (nrm (u t) (w t)).
 Notation rho t := (nrm (x t) (y t)).
 Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
-Ltac conts := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
+Ltac conts := table S.
 
 Lemma stop0 t : p t = 0 -> u t = 0 /\ w t = 0.
 Proof. intros e. apply sq_sum. rewrite <- nrm_sq, e. lra. Qed.

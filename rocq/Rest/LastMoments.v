@@ -35,7 +35,7 @@ Notation rho t := (nrm (x t) (y t)).
 Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
 Notation xi t := ((x t * u t + y t * w t) * / nrm (u t) (w t)).
 Notation ell t := ((x t * w t - y t * u t) * / nrm (u t) (w t)).
-Ltac conts := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
+Ltac conts := table S.
 
 Lemma T_pos : 0 < T. Proof. apply R. Qed.
 Lemma slipping t : 0 <= t < T -> 0 < p t. Proof. apply R. Qed.

@@ -6,16 +6,6 @@ From Slipbook Require Import Motion Formulas Turntable Fate Alpha TableAngle Sto
 Import ListNotations.
 Open Scope R_scope.
 
-Lemma ch2 a : cosh a ^ 2 = 1 + sinh a ^ 2.
-Proof.
-  unfold sinh, cosh. assert (k : exp a * exp (- a) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
-  enough (((exp a + exp (- a)) / 2) ^ 2 - ((exp a - exp (- a)) / 2) ^ 2 = 1) by lra. rewrite <- k. field.
-Qed.
-Lemma ch_double b : cosh (2 * b) = 1 + 2 * sinh b ^ 2.
-Proof.
-  unfold sinh, cosh. assert (k : exp b * exp (- b) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0).
-  replace (2 * b) with (b + b) by ring. rewrite Ropp_plus_distr, !exp_plus. rewrite <- k. field.
-Qed.
 Lemma sh_mean a : 0 < a -> exists c, 0 < c < a /\ sinh a = cosh c * a.
 Proof.
   intros Ha. destruct (MVT_cor2 sinh cosh 0 a Ha) as (c & e & Hc). intros; apply derivable_pt_lim_sinh.
@@ -25,18 +15,14 @@ Lemma ch_le a b : 0 <= a <= b -> 1 <= cosh a <= cosh b.
 Proof.
   intros H. assert (s0 : 0 <= sinh a). { rewrite <- sinh_0. destruct (Rle_lt_or_eq_dec 0 a ltac:(lra)) as [l | <-]; [ left; now apply sinh_lt | lra ]. }
   assert (s1 : sinh a <= sinh b). { destruct (Rle_lt_or_eq_dec a b ltac:(lra)) as [l | <-]; [ left; now apply sinh_lt | lra ]. }
-  pose proof (ch2 a). pose proof (ch2 b). pose proof (cosh_pos a). pose proof (cosh_pos b). split; nra.
-Qed.
-Lemma sh_bounds a : 0 < a -> a <= sinh a <= a * cosh a.
-Proof.
-  intros Ha. destruct (sh_mean a Ha) as (c & Hc & ->). pose proof (ch_le c a ltac:(lra)). pose proof (ch_le 0 c ltac:(lra)). split; nra.
+  pose proof (cosh2 a). pose proof (cosh2 b). pose proof (cosh_pos a). pose proof (cosh_pos b). split; nra.
 Qed.
 Lemma hyp_small a : 0 < a <= 1 -> exists e1 e2, 0 <= e1 <= 2 /\ 0 <= e2 <= 2 /\ sinh a = a + a ^ 3 * e1 /\ cosh a = 1 + a ^ 2 * e2.
 Proof.
   intros Ha. assert (c1 : forall c, 0 <= c <= 1 -> cosh c <= 2).
   { intros c Hc. pose proof (ch_le c 1 Hc) as k. enough (cosh 1 <= 2) by lra. unfold cosh. pose proof exp_le_3. pose proof (exp_increasing (- (1)) 0 ltac:(lra)) as e. rewrite exp_0 in e. lra. }
   assert (k : 0 <= cosh a - 1 <= a ^ 2 * 2).
-  { replace a with (2 * (a / 2)) at 1 2 by field. rewrite ch_double. destruct (sh_mean (a / 2) ltac:(lra)) as (c & Hc & ->). pose proof (c1 c ltac:(lra)).
+  { replace a with (2 * (a / 2)) at 1 2 by field. rewrite cosh_double. destruct (sh_mean (a / 2) ltac:(lra)) as (c & Hc & ->). pose proof (c1 c ltac:(lra)).
     pose proof (ch_le 0 c ltac:(lra)). assert (0 <= cosh c * (a / 2) <= a) by (split; nra). split; nra. }
   destruct (sh_mean a ltac:(lra)) as (c & Hc & e). pose proof (ch_le c a ltac:(lra)) as cc.
   assert (a2 : 0 < a ^ 2) by (apply pow_lt; lra). assert (a3 : 0 < a ^ 3) by (apply pow_lt; lra).
@@ -113,7 +99,7 @@ Proof.
   - rewrite boundary_f2. fold C S b. rewrite es, ec, h2, h3. pose proof (wb_near A al C S e1 e2 h1) as k. cbv zeta in k. fold b in k.
     replace (A * (1 + al ^ 2 * e2) * (C ^ 2 - S ^ 2)) with (A * (1 + al ^ 2 * e2) * (C ^ 2 - S ^ 2)) by ring.
     replace (- (A * (1 + al ^ 2 * e2) * (2 * S * C))) with (- A * (1 + al ^ 2 * e2) * (2 * S * C)) by ring. rewrite k.
-    2: { rewrite <- es, <- ec. rewrite !Rpow_mult_distr, ch2. ring. }
+    2: { rewrite <- es, <- ec. rewrite !Rpow_mult_distr, cosh2. ring. }
     match goal with |- Rabs ?g <= _ => replace g with (al ^ 3 * (left_1 A al C S e1 e2 + left_2 al C S)) by ring end.
     rewrite Rabs_mult, Rabs_pos_eq, Rmult_comm by (apply pow_le; lra). apply Rmult_le_compat_r; [ apply pow_le; lra | exact H1 ].
 Qed.
@@ -155,7 +141,7 @@ Proof.
       transitivity (s - al ^ 2 * (s * q)). ring. rewrite q'. ring. }
     assert (ew : ws s (A * sinh al) (A * cosh al * c) (- (A * cosh al * sin psi)) = A ^ 2 - s ^ 2 + (A * (al + al ^ 3 * e1)) ^ 2 * (/ 2 + (1 + A * (1 + al ^ 2 * e2) * c) ^ 2 * d)).
     { unfold ws, qs. fold d. assert (k : A ^ 2 = (A * cosh al) ^ 2 * (c ^ 2 + sin psi ^ 2) - (A * sinh al) ^ 2).
-      { pose proof (sin2_cos2 psi) as q. unfold Rsqr in q. fold c in q. replace (c ^ 2 + sin psi ^ 2) with 1 by lra. rewrite !Rpow_mult_distr, ch2. ring. }
+      { pose proof (sin2_cos2 psi) as q. unfold Rsqr in q. fold c in q. replace (c ^ 2 + sin psi ^ 2) with 1 by lra. rewrite !Rpow_mult_distr, cosh2. ring. }
       rewrite k at 1. rewrite es, ec. ring. }
     rewrite eb, ew. pose proof (ws_near s d A al c e1 e2) as k. cbv zeta in k. rewrite k.
     match goal with |- Rabs ?g <= _ => replace g with (al ^ 3 * (al * left_s s d A al c e1 e2)) by ring end.

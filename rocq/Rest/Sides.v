@@ -29,7 +29,7 @@ Notation rho t := (nrm (x t) (y t)).
 Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
 Notation xi t := ((x t * u t + y t * w t) * / nrm (u t) (w t)).
 Notation ell t := ((x t * w t - y t * u t) * / nrm (u t) (w t)).
-Ltac conts := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
+Ltac conts := table S.
 
 Lemma E_of t : 0 < p t -> xi t ^ 2 + ell t ^ 2 - p t ^ 2 = E t.
 Proof. intros N. rewrite (xi_ell x y u w t N), nrm_sq. ring. Qed.
@@ -67,7 +67,7 @@ Proof.
   assert (Eup : forall s t, 0 <= s <= t -> E s <= E t) by (intros; now apply (A_never_falls x y u w S)).
   assert (Eof : forall t, 0 < p t -> X t ^ 2 + L t ^ 2 - p t ^ 2 = E t) by (intros t; apply (E_of x y u w)).
   assert (cE : forall t, 0 < t -> continuity_pt E t).
-  { intros t Ht. unfold E. cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra. }
+  { intros t Ht. unfold E. table S. }
   assert (cp : forall t, 0 < t -> continuity_pt p t).
   { intros t Ht. unfold p. cont; first [ apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra. }
   set (V s t := wall K s (p t) (X t) (L t)).
@@ -152,7 +152,7 @@ Proof.
         destruct (rate g p X L r Hg (sm r ltac:(lra)) ltac:(rewrite Eof by lra; apply HE; lra) d1 d2 d3) as (m & Hm & km). exists (- m). split. now apply rder_opp. unfold V. intros. specialize (km ltac:(lra)). lra. }
     set (C := 1 + 9 * / (2 * (1 - s ^ 2))). assert (d0 : 0 < / (2 * (1 - s ^ 2))) by (apply Rinv_0_lt_compat; nra).
     assert (lim : left_lim (fun t => - (g * (E t - s ^ 2) + C * p t)) T (- (g * (E T - s ^ 2) + C * p T))).
-    { apply (ll_cont (fun t => - (g * (E t - s ^ 2) + C * p t))). unfold E, p. cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra. }
+    { apply (ll_cont (fun t => - (g * (E t - s ^ 2) + C * p t))). unfold E, p. table S. }
     assert (V0 : 0 < V 0) by exact k.
     enough (- (g * (E T - s ^ 2) + C * p T) <= - V 0) by (unfold p in H; rewrite pT, ET in H; lra).
     apply (ll_le _ _ _ 0 _ lim); trivial. intros t Ht. specialize (up t Ht). specialize (sm t Ht). pose proof (Eof t Ht) as e. specialize (HE t Ht).

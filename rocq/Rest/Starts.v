@@ -39,7 +39,7 @@ Qed.
 Lemma boundary_low al psi : 0 < al -> right_rest_boundary_least al - 10 * al ^ 3 <= right_rest_boundary_a al psi /\
   (psi = 2 * al -> right_rest_boundary_a al psi <= right_rest_boundary_least al + 18 * al ^ 3).
 Proof.
-  intros a0. rewrite boundary_f2. unfold right_rest_boundary_least. destruct (half_angle psi) as (h1 & _). pose proof (Thin.sin_abs (psi / 2)) as sa. set (C := cos (psi / 2)) in *. set (S := sin (psi / 2)) in *. destruct (unit_sizes C S h1) as [c1 s1].
+  intros a0. rewrite boundary_f2. unfold right_rest_boundary_least. destruct (half_angle psi) as (h1 & _). pose proof (sin_abs (psi / 2)) as sa. set (C := cos (psi / 2)) in *. set (S := sin (psi / 2)) in *. destruct (unit_sizes C S h1) as [c1 s1].
   set (G := 2 * C ^ 3 - 7 / 6 * S * (1 + C ^ 2) - S * C ^ 2 + 2 / 3 * S ^ 2 * C - 1 / 4 * S ^ 3).
   assert (e : 1 - al * zb al C S = 1 - al + 7 / 6 * al ^ 2 + al * (S + al * G / 2) ^ 2 - al ^ 3 * G ^ 2 / 4 + al * (1 - C ^ 2 - S ^ 2) + al ^ 2 * (7 / 6) * (C ^ 2 + 1) * (C ^ 2 + S ^ 2 - 1)).
   { unfold zb, f2, G. field. } rewrite e, h1. replace (1 - C ^ 2 - S ^ 2) with 0 by lra. assert (b : - (25 / 4) <= G <= 25 / 4).

@@ -103,8 +103,6 @@ Record reduced (P X L : R -> R) (a b : R) : Prop := {
   r_cont : forall t, a < t < b -> continuity_pt P t /\ continuity_pt X t /\ continuity_pt L t;
   r_rate : forall t, a <= t < b -> rder P t (X t - 1) /\ rder X t ((P t + L t) ^ 2 / P t) /\ rder L t (- X t * (2 * P t + L t) / P t) }.
 
-Lemma reduced_sub P X L a b a' b' : reduced P X L a b -> a <= a' -> b' <= b -> reduced P X L a' b'.
-Proof. intros [H1 H2 H3] Ha Hb. split; intros t Ht; [ apply H1 | apply H2 | apply H3 ]; lra. Qed.
 
 Section Reduced.
 Variables (P X L : R -> R) (a T : R).
@@ -121,11 +119,6 @@ Proof.
 Qed.
 Lemma E_rate t : a <= t < T -> rder (fun t => X t ^ 2 + L t ^ 2 - P t ^ 2) t (2 * P t).
 Proof. intros Ht. at_ t. eapply rder_eq. rd. simpl. field. lra. Qed.
-Lemma E_up s t : a <= s <= t -> t < T -> X s ^ 2 + L s ^ 2 - P s ^ 2 <= X t ^ 2 + L t ^ 2 - P t ^ 2.
-Proof.
-  intros Hs Ht. apply Ropp_le_cancel. apply (rder_decr (fun t => - (X t ^ 2 + L t ^ 2 - P t ^ 2))); [ lra | | ]; intros r Hr'. conts.
-  at_ r. eexists. split. apply rder_opp, E_rate. lra. lra.
-Qed.
 Lemma no_stop s c k M : a <= s < T -> 0 <= c -> 0 <= k -> (forall t, s <= t < T -> X t <= M) ->
   (forall t, s <= t < T -> 1 - X t <= c * (P t + L t) ^ 2 + k * P t) -> exists m, 0 < m /\ forall t, s <= t < T -> m <= P t.
 Proof.
@@ -211,7 +204,7 @@ Notation p t := (nrm (u t) (w t)).
 Notation rho t := (nrm (x t) (y t)).
 Notation xi t := ((x t * u t + y t * w t) * / nrm (u t) (w t)).
 Notation ell t := ((x t * w t - y t * u t) * / nrm (u t) (w t)).
-Ltac conts := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
+Ltac conts := table S.
 
 Lemma reduced_spin a b : 0 <= a -> (forall t, a <= t < b -> 0 < p t) -> reduced (fun t => p t) (fun t => xi t) (fun t => ell t) a b.
 Proof.

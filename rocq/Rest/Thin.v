@@ -24,7 +24,7 @@ Qed.
 Lemma spin_turn c s x y u w : c ^ 2 + s ^ 2 = 1 -> spin x y u w ->
   spin (fun t => c * x t - s * y t) (fun t => s * x t + c * y t) (fun t => c * u t - s * w t) (fun t => s * u t + c * w t).
 Proof.
-  intros Hc S. split; intros t Ht; try (cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra).
+  intros Hc S. split; intros t Ht; try (table S).
   destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & [B P] & U & W).
   split; [ | split ]; [ eapply rder_eq; [ rd | ring ] | eapply rder_eq; [ rd | ring ] | ].
   exists (c * fx - s * fy), (s * fx + c * fy). split; [ split | split ].
@@ -61,15 +61,6 @@ Proof.
     { intros f c Hf. apply is_lim_spec. intros d. exists T. intros t Ht. rewrite Hf, Rminus_eq_0, Rabs_R0 by lra. apply cond_pos. }
     rewrite <- ex, <- ey. repeat (split; [ now trivial | ]). repeat split; apply L; intros t Ht; now apply still.
   - destruct (angle_of _ _ e) as (th & H & -> & ->). exists th. split; trivial. exists x, y, u, w. tauto.
-Qed.
-Lemma sin_abs d : Rabs (sin d) <= Rabs d.
-Proof.
-  destruct (Rtotal_order d 0) as [n | [-> | n]].
-  - rewrite (Rabs_left d) by trivial. rewrite <- Rabs_Ropp, <- sin_neg. apply Rabs_le. pose proof (sin_lt_x (- d) ltac:(lra)). pose proof (SIN_bound (- d)) as B.
-    split; [ | lra ]. destruct (Rle_lt_dec (- d) 1) as [k | k]; [ | lra ]. pose proof PI2_1. pose proof (sin_ge_0 (- d) ltac:(lra) ltac:(lra)). lra.
-  - rewrite sin_0. lra.
-  - rewrite (Rabs_pos_eq d) by lra. apply Rabs_le. pose proof (sin_lt_x d ltac:(lra)). pose proof (SIN_bound d) as B.
-    split; [ | lra ]. destruct (Rle_lt_dec d 1) as [k | k]; [ | lra ]. pose proof PI2_1. pose proof (sin_ge_0 d ltac:(lra) ltac:(lra)). lra.
 Qed.
 Lemma cos_abs d : Rabs (1 - cos d) <= Rabs d.
 Proof.

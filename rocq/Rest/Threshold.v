@@ -19,14 +19,12 @@ Proof.
     apply Rmult_le_compat_r; [ apply pow2_ge_0 | ]. pose proof (sq px). pose proof (sq py). pose proof (sq pu). pose proof (sq pw). lra. }
   unfold D in K. pose proof (pow2_ge_0 (V c1 px t - V c2 px t)). pose proof (pow2_ge_0 (V c1 py t - V c2 py t)). pose proof (pow2_ge_0 (V c1 pu t - V c2 pu t)). pose proof (pow2_ge_0 (V c1 pw t - V c2 pw t)).
   assert (de0 : 0 <= 2 * d * exp t) by (apply Rmult_le_pos; lra).
-  split; (eapply Rle_trans; [ apply nrm_lip | ]).
+  split; (eapply Rle_trans; [ apply nrm_near | ]).
   - pose proof (abs_of_sq (V c1 px t - V c2 px t) _ de0 ltac:(lra)). pose proof (abs_of_sq (V c1 py t - V c2 py t) _ de0 ltac:(lra)). lra.
   - pose proof (abs_of_sq (V c1 pu t - V c2 pu t) _ de0 ltac:(lra)). pose proof (abs_of_sq (V c1 pw t - V c2 pw t) _ de0 ltac:(lra)). lra.
 Qed.
 Lemma above_s s a b : 0 <= a -> s ^ 2 < a ^ 2 - b ^ 2 <-> nrm s b < a.
 Proof. intros Ha. pose proof (nrm_sq s b). pose proof (nrm_pos s b). split; intros; nra. Qed.
-Lemma nrm0 : nrm 0 0 = 0.
-Proof. unfold nrm. replace (0 ^ 2 + 0 ^ 2) with 0 by ring. apply sqrt_0. Qed.
 
 Section Threshold.
 Variables (c : R -> place -> R) (l s R0 : R).
@@ -66,7 +64,7 @@ Proof.
     assert (q : 16 * (l * d * exp t) = rho z t - nrm s (p z t)) by (unfold d; field; split; lra).
     assert (z <= z - d); [ | lra ]. apply z2. intros r Hr. apply Rnot_lt_le. intros rz. assert (rz2 : r <= z) by (apply z1, Hr).
     destruct (dep r z d t) as [k1 k2]; [ apply Rabs_le; lra | trivial | ].
-    pose proof (nrm_lip s (p r t) s (p z t)) as k3. rewrite Rminus_eq_0, Rabs_R0 in k3. 
+    pose proof (nrm_near s (p r t) s (p z t)) as k3. rewrite Rminus_eq_0, Rabs_R0 in k3. 
     pose proof (low r t Hr Ht) as M. apply Rle_not_lt in M. apply M, above_s. apply nrm_pos. apply Rabs_le_between in k1, k3. lra.
 Qed.
 End Threshold.
@@ -87,12 +85,12 @@ Proof.
   intros S Hs K. assert (HE : forall t, 0 <= t -> x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2) <= s ^ 2) by (intros t Ht; destruct (K t Ht) as [_ k]; rewrite !nrm_sq in k; lra).
   destruct (fates _ _ _ _ S) as [(r & r1 & T & T0 & e & R) | [far | creep]].
   - left. replace s with r. now exists T. destruct (K T T0) as [k1 k2]. destruct (R T (Rle_refl T)) as (_ & _ & z1 & z2).
-    rewrite z1, z2, nrm0, e in k1, k2. pose proof (nrm_pos (x T) (y T)). nra.
+    rewrite z1, z2, nrm_0, e in k1, k2. pose proof (nrm_pos (x T) (y T)). nra.
   - exfalso. destruct (bounded_ends x y u w S _ HE) as (a & b & Ha & Hb & _).
     destruct (lim_near x a 1 Ha Rlt_0_1) as (T1 & T10 & H1). destruct (lim_near y b 1 Hb Rlt_0_1) as (T2 & T20 & H2).
     destruct (far (Rabs a + Rabs b + 2)) as (T3 & T30 & H3). set (t := T1 + T2 + T3).
     specialize (H1 t ltac:(unfold t; lra)). specialize (H2 t ltac:(unfold t; lra)). specialize (H3 t ltac:(unfold t; lra)).
-    pose proof (nrm_lip (x t) (y t) a b) as Q. pose proof (nrm_lip a b 0 0) as Q2. rewrite !Rminus_0_r, nrm0 in Q2.
+    pose proof (nrm_near (x t) (y t) a b) as Q. pose proof (nrm_near a b 0 0) as Q2. rewrite !Rminus_0_r, nrm_0 in Q2.
     assert (Rabs (x t - a) <= 1) by (apply Rabs_le; lra). assert (Rabs (y t - b) <= 1) by (apply Rabs_le; lra). apply Rabs_le_between in Q, Q2. lra.
   - right. split; trivial. destruct creep as (a & b & e & Ha & Hb & Hu & Hw & _). pose proof (lim_E x y u w a b Ha Hb Hu Hw) as L. rewrite e in L.
     apply Rle_antisym. lra. apply Rnot_lt_le. intros k. destruct (lim_near _ 1 (1 - s ^ 2) L ltac:(nra)) as (T & T0 & HT). specialize (HT T (Rle_refl T)). specialize (HE T T0). lra.
