@@ -5,31 +5,6 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Formulas TableLaws TableAngle Fate Alpha Stops Late Thin Near.
 Open Scope R_scope.
 
-(* what happens from some moment before T on *)
-Definition soon (T : R) (P : R -> Prop) := exists d, 0 < d /\ forall t, T - d < t < T -> P t.
-Lemma soon_and T P Q : soon T P -> soon T Q -> soon T (fun t => P t /\ Q t).
-Proof.
-  intros (d & d0 & H) (d' & d1 & H'). exists (Rmin d d'). split. now apply Rmin_pos. intros t Ht. pose proof (Rmin_l d d'). pose proof (Rmin_r d d').
-  split; [ apply H | apply H' ]; lra.
-Qed.
-Lemma soon_imp T (P Q : R -> Prop) : (forall t, P t -> Q t) -> soon T P -> soon T Q.
-Proof. intros H (d & d0 & K). exists d. split; auto. Qed.
-Lemma soon_after s T (P : R -> Prop) : s < T -> (forall t, s <= t < T -> P t) -> soon T P.
-Proof. intros Hs H. exists (T - s). split. lra. intros t Ht. apply H. lra. Qed.
-Lemma soon_from s T P : s < T -> soon T P -> exists s', s < s' < T /\ forall t, s' <= t < T -> P t.
-Proof.
-  intros Hs (d & d0 & H). exists (Rmax (T - d / 2) ((s + T) / 2)). pose proof (Rmax_l (T - d / 2) ((s + T) / 2)). pose proof (Rmax_r (T - d / 2) ((s + T) / 2)).
-  assert (Rmax (T - d / 2) ((s + T) / 2) < T) by (apply Rmax_lub_lt; lra). split. lra. intros t Ht. apply H. lra.
-Qed.
-Lemma soon_near f T l e : left_lim f T l -> 0 < e -> soon T (fun t => Rabs (f t - l) < e).
-Proof. intros H He. exact (H e He). Qed.
-Lemma ll_soon f g T l : soon T (fun t => g t = f t) -> left_lim f T l -> left_lim g T l.
-Proof. intros (d & d0 & K) H. apply (ll_ext f g T l d d0 K H). Qed.
-Lemma ll_squeeze f g T : soon T (fun t => Rabs (f t) <= g t) -> left_lim g T 0 -> left_lim f T 0.
-Proof.
-  intros B G e He. destruct (soon_and _ _ _ B (G e He)) as (d & d0 & H). exists d. split; trivial. intros t Ht. destruct (H t Ht) as [h1 h2].
-  rewrite Rminus_0_r in *. apply Rabs_def2 in h2. lra.
-Qed.
 Ltac ll_limit := eapply ll_eq; [ ll | ].
 
 (* l'Hôpital *)
@@ -83,25 +58,18 @@ Proof.
 Qed.
 
 (* ---- sizes for small alpha and psi ---- *)
+Lemma cos_quadratic v : Rabs (cos v - 1) <= v ^ 2.
+Proof.
+  pose proof (cos_2a_sin (v / 2)) as q. replace (2 * (v / 2)) with v in q by field. rewrite q.
+  assert (sin (v / 2) ^ 2 <= (v / 2) ^ 2) by (rewrite <- (pow2_abs (v / 2)); apply pow_maj_Rabs, sin_abs). pose proof (pow2_ge_0 (sin (v / 2))). apply Rabs_le. nra.
+Qed.
 Lemma sin_cubic v : Rabs (v - sin v) <= Rabs v ^ 3.
 Proof.
   destruct (MVT_gen (fun v => v - sin v) 0 v (fun v => 1 - cos v)) as (c & Hc & e).
   { intros r _. auto_derive; trivial. ring. } { intros r _. apply continuity_pt_minus; [ cont | apply continuity_sin ]. }
-  rewrite sin_0, !Rminus_0_r in e. rewrite e, Rabs_mult.
-  assert (b : Rabs (1 - cos c) <= c ^ 2).
-  { pose proof (cos_2a_sin (c / 2)) as q. replace (2 * (c / 2)) with c in q by field. rewrite q. pose proof (sin_abs (c / 2)) as k.
-    replace (1 - (1 - 2 * sin (c / 2) * sin (c / 2))) with (2 * sin (c / 2) ^ 2) by ring. pose proof (pow2_ge_0 (sin (c / 2))). rewrite Rabs_pos_eq by lra.
-    rewrite <- (pow2_abs (sin (c / 2))). assert (Rabs (sin (c / 2)) ^ 2 <= Rabs (c / 2) ^ 2) by (apply pow_incr; split; [ apply Rabs_pos | trivial ]).
-    rewrite (pow2_abs (c / 2)) in H0. nra. }
+  rewrite sin_0, !Rminus_0_r in e. rewrite e, Rabs_mult, Rabs_minus_sym. pose proof (cos_quadratic c).
   assert (c2 : c ^ 2 <= Rabs v ^ 2). { rewrite pow2_abs. unfold Rmin, Rmax in Hc. destruct (Rle_dec 0 v); nra. }
   replace (Rabs v ^ 3) with (Rabs v ^ 2 * Rabs v) by ring. apply Rmult_le_compat_r. apply Rabs_pos. lra.
-Qed.
-Lemma cos_quadratic v : Rabs (cos v - 1) <= v ^ 2.
-Proof.
-  pose proof (cos_2a_sin (v / 2)) as q. replace (2 * (v / 2)) with v in q by field. rewrite q. pose proof (sin_abs (v / 2)) as k.
-  replace (1 - 2 * sin (v / 2) * sin (v / 2) - 1) with (- (2 * sin (v / 2) ^ 2)) by ring. rewrite Rabs_Ropp. pose proof (pow2_ge_0 (sin (v / 2))). rewrite Rabs_pos_eq by lra.
-  rewrite <- (pow2_abs (sin (v / 2))). assert (Rabs (sin (v / 2)) ^ 2 <= Rabs (v / 2) ^ 2) by (apply pow_incr; split; [ apply Rabs_pos | trivial ]).
-  rewrite (pow2_abs (v / 2)) in H0. nra.
 Qed.
 (* 2 alpha coth 2 alpha *)
 Definition hcoth a := 2 * a * coth (2 * a).
@@ -308,53 +276,45 @@ Qed.
 (* psi is small of the order alpha^q, for every q < k not above 1 *)
 Lemma psi_order q : 0 < q < k -> q <= 1 -> exists M, 0 < M /\ soon T (fun t => Rabs (psi t) <= M * Rpower (al t) q).
 Proof.
-  intros Hq q1. pose proof k_pos as k0. assert (qk : 0 < q / k < 1). { split. apply Rdiv_lt_0_compat; lra. apply Rlt_div_l; lra. }
-  set (kap := (1 - q / k) / 2). set (e := kap / 2).
-  pose proof (soon_and _ _ _ (al_soon A al psi sigma s T V) (soon_near _ _ _ (Rmin (/ 2) (e / 16)) lal ltac:(apply Rmin_pos; unfold e, kap; lra))) as S1.
-  pose proof (soon_and _ _ _ S1 (soon_near _ _ _ (Rmin 1 (e / 2)) lpsi ltac:(apply Rmin_pos; unfold e, kap; lra))) as S2.
-  pose proof (soon_and _ _ _ S2 (soon_near _ _ _ (e / k) (dal_limit A al psi sigma s T inside V) ltac:(apply Rdiv_lt_0_compat; unfold e, kap; lra))) as S3.
+  intros Hq q1. pose proof k_pos as k0. destruct left_out_small as (C & C0 & HC). set (g := (k - q) / (4 * k)). assert (g0 : 0 < g) by (apply Rdiv_lt_0_compat; lra).
+  assert (gk : g * (4 * k) = k - q) by (unfold g; field; repeat split; lra). assert (g1 : g <= / 4) by nra.
+  pose proof (soon_and _ _ _ HC (soon_near _ _ _ 1 lal Rlt_0_1)) as S1.
+  pose proof (soon_and _ _ _ S1 (soon_near _ _ _ (Rmin 1 (g / (8 * C))) lpsi ltac:(apply Rmin_pos; [ lra | apply Rdiv_lt_0_compat; lra ]))) as S2.
+  pose proof (soon_and _ _ _ S2 (soon_near _ _ _ (/ (2 * k)) (dal_limit A al psi sigma s T inside V) ltac:(apply Rinv_0_lt_compat; lra))) as S3.
   destruct (soon_from s T _ sT S3) as (s' & Hs & H).
-  set (W t := psi t ^ 2 * Rpower (al t) (- (2 * q))). set (M := Rmax (W s') ((2 / kap) ^ 2)).
-  assert (M0 : 0 < M). { apply Rlt_le_trans with ((2 / kap) ^ 2); [ | apply Rmax_r ]. apply pow_lt, Rdiv_lt_0_compat; unfold kap; lra. }
+  set (W t := psi t ^ 2 * Rpower (al t) (- (2 * q))). set (M := Rmax (W s') ((/ g) ^ 2)). assert (Mg : (/ g) ^ 2 <= M) by apply Rmax_r. assert (MW : W s' <= M) by apply Rmax_l.
+  assert (M0 : 0 < M) by (eapply Rlt_le_trans; [ apply pow_lt, Rinv_0_lt_compat, g0 | exact Mg ]).
   assert (low : forall t, s' <= t < T -> W t - M <= 0).
-  { intros t Ht. apply (barrier (fun t => W t - M) s' t); [ lra | | | unfold M; pose proof (Rmax_l (W s') ((2 / kap) ^ 2)); lra ]; intros r Hr.
-    - destruct (v_cont _ _ _ _ _ _ V r ltac:(lra)) as (_ & c2 & c3). destruct (v_pos _ _ _ _ _ _ V r ltac:(lra)) as [_ a0]. unfold W. pose proof (cont_power al (- (2 * q)) r c2 a0). contq.
-    - destruct (v_rate _ _ _ _ _ _ V r ltac:(lra)) as (_ & d2 & d3). destruct (H r ltac:(lra)) as (((a0 & a1) & z1) & l1).
+  { intros t Ht. apply (barrier (fun t => W t - M) s' t); try lra; intros r Hr; destruct (v_pos _ _ _ _ _ _ V r ltac:(lra)) as [_ a0].
+    - destruct (v_cont _ _ _ _ _ _ V r ltac:(lra)) as (_ & c2 & c3). unfold W. pose proof (cont_power al (- (2 * q)) r c2 a0). contq.
+    - destruct (v_rate _ _ _ _ _ _ V r ltac:(lra)) as (_ & d2 & d3). destruct (H r ltac:(lra)) as (((lo & a1) & z1) & l1).
       eexists. split. { apply (rder_minus W (fun _ => M)); [ | apply rder_fixed ]. apply (rder_mult (fun t => psi t ^ 2)). apply (rder_pow psi 2 _ _ d3). apply (rder_power al _ _ _ d2 a0). }
-      rewrite turning by trivial. rewrite Rminus_0_r in a1, z1. rewrite k_is in l1. apply Rabs_def2 in l1. simpl INR. simpl pred. rewrite pow_1. unfold W. 
-      set (d := dal r) in *. set (a := al r) in *. set (z := psi r) in *. set (P := Rpower a (- (2 * q))). assert (P0 : 0 < P) by apply power_pos.
+      rewrite Rminus_0_r in a1, z1. rewrite k_is in l1. apply Rabs_def2 in l1. simpl INR. simpl pred. rewrite pow_1. unfold W. unfold left_out in lo.
+      set (d := dal r) in *. set (z' := dpsi r) in *. set (a := al r) in *. set (z := psi r) in *. set (P := Rpower a (- (2 * q))). assert (P0 : 0 < P) by apply power_pos. rewrite (Rabs_pos_eq a) in a1 by lra.
       replace (Rpower a (- (2 * q) - 1)) with (P / a).
       2: { unfold Rminus. rewrite Rpower_plus. fold P. unfold Rdiv. f_equal. rewrite Rpower_Ropp, Rpower_1; trivial. }
-      intros big. pose proof (hcoth_near a) as hh. pose proof (sin_cubic z) as s3. pose proof (sin_abs z) as s1.
-      pose proof (Rmin_l (/ 2) (e / 16)). pose proof (Rmin_r (/ 2) (e / 16)). pose proof (Rmin_l 1 (e / 2)). pose proof (Rmin_r 1 (e / 2)). rewrite (Rabs_pos_eq a) in a1 by lra.
-      specialize (hh ltac:(lra)). set (h := hcoth a) in *. set (v := sin z) in *. set (m := Rabs z) in *. assert (m0 : 0 <= m) by apply Rabs_pos. assert (zz : z ^ 2 = m ^ 2) by (unfold m; now rewrite pow2_abs).
-      assert (e1 : 0 < e < / 4) by (unfold e, kap; lra).
-      match goal with |- ?g <= 0 => replace g with (2 * (P / a) * (2 * a * z - z * (h * v) - q * d * z ^ 2)) by (field; lra) end.
-      enough (2 * a * z - z * (h * v) - q * d * z ^ 2 <= 0). { assert (0 < P / a) by (apply Rdiv_lt_0_compat; trivial). nra. }
-      assert (b1 : z * z - z * (h * v) <= e * m ^ 2).
-      { replace (z * z - z * (h * v)) with (z * ((z - v) - (h - 1) * v)) by ring. eapply Rle_trans; [ apply Rle_abs | ]. rewrite Rabs_mult. fold m. replace (e * m ^ 2) with (m * (e * m)) by ring.
-        apply Rmult_le_compat_l; trivial. pose proof (Rabs_triang (z - v) (- ((h - 1) * v))) as t1. rewrite Rabs_Ropp, Rabs_mult in t1. unfold Rminus at 1. eapply Rle_trans; [ exact t1 | ].
-        assert (Rabs (h - 1) * Rabs v <= 8 * a ^ 2 * m) by (apply Rmult_le_compat; auto using Rabs_pos). 
-        assert (m ^ 3 <= e / 2 * m). { replace (m ^ 3) with (m ^ 2 * m) by ring. apply Rmult_le_compat_r; nra. }
-        assert (8 * a ^ 2 * m <= e / 2 * m). { apply Rmult_le_compat_r; nra. } unfold Rminus in *. lra. }
-      assert (b2 : - (q * d * z ^ 2) <= q / k * (1 + e) * m ^ 2).
-      { rewrite zz. replace (- (q * d * m ^ 2)) with (q * (- d) * m ^ 2) by ring. apply Rmult_le_compat_r. apply pow2_ge_0. replace (q / k * (1 + e)) with (q * ((1 + e) / k)) by (field; lra).
-        apply Rmult_le_compat_l. lra. replace ((1 + e) / k) with (/ k + e / k) by (field; lra). lra. }
-      assert (b3 : 2 * a <= kap * m).
-      { assert (W1 : (2 / kap) ^ 2 <= W r) by (unfold M in big; fold (W r) in big; pose proof (Rmax_r (W s') ((2 / kap) ^ 2)); unfold W; fold z a P; lra).
-        unfold W in W1. fold z a P in W1. assert (Pa : P * a ^ 2 <= 1).
-        { replace (a ^ 2) with (Rpower a 2) by (rewrite <- Rpower_pow by trivial; reflexivity). unfold P. rewrite <- Rpower_plus. apply power_one; lra. }
-        assert (kp : 0 < kap) by (unfold kap; lra). assert (4 <= kap ^ 2 * (m ^ 2 * P)). { rewrite <- zz. replace 4 with (kap ^ 2 * (2 / kap) ^ 2) by (field; lra). apply Rmult_le_compat_l; [ apply pow2_ge_0 | trivial ]. }
-        assert (4 * a ^ 2 <= (kap * m) ^ 2). { apply Rle_trans with (kap ^ 2 * (m ^ 2 * P) * a ^ 2). apply Rmult_le_compat_r; [ apply pow2_ge_0 | trivial ].
-          replace (kap ^ 2 * (m ^ 2 * P) * a ^ 2) with ((kap * m) ^ 2 * (P * a ^ 2)) by ring. pose proof (pow2_ge_0 (kap * m)). nra. }
-        assert (0 <= kap * m) by nra. nra. }
-      assert (b4 : 2 * a * z <= kap * m ^ 2). { pose proof (Rle_abs z). fold m in H4. nra. }
-      assert (b5 : e + q / k * (1 + e) + kap <= 1). { unfold e, kap in *. set (y := q / k) in *. nra. }
-      pose proof (pow2_ge_0 m). assert ((e + q / k * (1 + e) + kap) * m ^ 2 <= 1 * m ^ 2) by (apply Rmult_le_compat_r; trivial). lra. }
+      intros big. assert (W1 : (/ g) ^ 2 <= z ^ 2 * P) by lra. set (m := Rabs z) in *. assert (m0 : 0 <= m) by apply Rabs_pos. assert (zz : z ^ 2 = m ^ 2) by (unfold m; now rewrite pow2_abs).
+      set (L := a * z' - d * (k * z - 2 * k * a)) in *. pose proof (Rmin_l 1 (g / (8 * C))). pose proof (Rmin_r 1 (g / (8 * C))).
+      match goal with |- ?v <= 0 => replace v with (2 * (P / a) * (z * L - (- d) * (4 * k * (g * z ^ 2) - 2 * k * (a * z)))) by (unfold L, g; field; repeat split; lra) end.
+      enough (z * L - (- d) * (4 * k * (g * z ^ 2) - 2 * k * (a * z)) <= 0). { assert (0 < P / a) by (apply Rdiv_lt_0_compat; trivial). nra. }
+      assert (b1 : a <= g * m).
+      { assert (Pa : P * a ^ 2 <= 1). { replace (a ^ 2) with (Rpower a 2) by (rewrite <- Rpower_pow by trivial; reflexivity). unfold P. rewrite <- Rpower_plus. apply power_one; lra. }
+        assert (1 <= g ^ 2 * (m ^ 2 * P)). { rewrite <- zz. replace 1 with (g ^ 2 * (/ g) ^ 2) by (field; lra). apply Rmult_le_compat_l; [ apply pow2_ge_0 | trivial ]. }
+        assert (a ^ 2 <= (g * m) ^ 2). { apply Rle_trans with (g ^ 2 * (m ^ 2 * P) * a ^ 2). pose proof (pow2_ge_0 a). nra. replace (g ^ 2 * (m ^ 2 * P) * a ^ 2) with ((g * m) ^ 2 * (P * a ^ 2)) by ring. pose proof (pow2_ge_0 (g * m)). nra. }
+        assert (0 <= g * m) by nra. nra. }
+      assert (am : a <= m) by nra. assert (b2 : z * L <= g * m ^ 2).
+      { eapply Rle_trans; [ apply Rle_abs | ]. rewrite Rabs_mult. fold m. assert (c3 : C * (a + m) ^ 3 <= C * (2 * m) ^ 3) by (apply Rmult_le_compat_l; [ lra | apply pow_incr; lra ]).
+        assert (8 * C * m <= g). { apply Rle_trans with (8 * C * (g / (8 * C))). apply Rmult_le_compat_l; lra. right. field. lra. }
+        assert (mm : 0 <= m ^ 2) by apply pow2_ge_0. apply Rle_trans with (m * (C * (2 * m) ^ 3)). apply Rmult_le_compat_l; lra. replace (m * (C * (2 * m) ^ 3)) with (8 * C * m * m * m ^ 2) by ring. apply Rmult_le_compat_r; nra. }
+      assert (b3 : 2 * k * (g * m ^ 2) <= 4 * k * (g * z ^ 2) - 2 * k * (a * z)). { rewrite zz. pose proof (Rle_abs z) as zm. fold m in zm. assert (a * z <= g * m ^ 2) by nra. nra. }
+      assert (dd : / (2 * k) <= - d). { replace (/ k) with (/ (2 * k) + / (2 * k)) in l1 by (field; lra). lra. }
+      assert (b4 : / (2 * k) * (2 * k * (g * m ^ 2)) <= (- d) * (4 * k * (g * z ^ 2) - 2 * k * (a * z))).
+      { apply Rmult_le_compat; trivial. left; apply Rinv_0_lt_compat; lra. apply Rmult_le_pos; [ lra | apply Rmult_le_pos; [ lra | apply pow2_ge_0 ] ]. }
+      replace (/ (2 * k) * (2 * k * (g * m ^ 2))) with (g * m ^ 2) in b4 by (field; lra). lra. }
   exists (M + 1). split. lra. apply (soon_after s'); [ lra | ]. intros t Ht. specialize (low t Ht). destruct (v_pos _ _ _ _ _ _ V t ltac:(lra)) as [_ a0]. unfold W in low.
   set (P := Rpower (al t) q). assert (P0 : 0 < P) by apply power_pos. assert (e1 : Rpower (al t) (- (2 * q)) * P ^ 2 = 1).
   { unfold P. rewrite power_sq, <- Rpower_plus by trivial. replace (- (2 * q) + 2 * q) with 0 by ring. now apply Rpower_O. }
-  apply Rsqr_incr_0; [ | apply Rabs_pos | nra ]. rewrite !Rsqr_pow2, pow2_abs. apply Rle_trans with (M * P ^ 2); [ | pose proof (pow2_ge_0 P); nra ].
+  apply abs_of_sq. nra. apply Rle_trans with (M * P ^ 2); [ | pose proof (pow2_ge_0 P); nra ].
   apply Rle_trans with (psi t ^ 2 * Rpower (al t) (- (2 * q)) * P ^ 2). right. rewrite Rmult_assoc, e1. ring. apply Rmult_le_compat_r. apply pow2_ge_0. lra.
 Qed.
 (* psi over alpha^k, less that of a solution, converges *)

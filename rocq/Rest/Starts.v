@@ -118,8 +118,7 @@ Proof.
   intros S T0 z e N. pose proof (stops_at_one x y u w S T T0 z N e) as L.
   assert (R : left_lim (fun t => nrm (x t) (y t)) T 1). { rewrite <- e. apply (ll_cont (fun t => nrm (x t) (y t))). cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) ]; lra. }
   unfold straight_in. eapply ll_eq. eapply ll_soon. 2: apply (ll_mult _ _ _ _ _ L (ll_inv _ _ _ R ltac:(lra))). 2: field.
-  destruct (ll_near _ _ _ (1 / 2) R ltac:(lra)) as (d & d0 & H). exists (Rmin d T). split. now apply Rmin_pos. intros t Ht. pose proof (Rmin_l d T). pose proof (Rmin_r d T).
-  specialize (H t ltac:(lra)). specialize (N t ltac:(lra)). cbv beta. field. lra.
+  destruct (ll_from _ 0 T _ (1 / 2) T0 R ltac:(lra)) as (r & Hr & H). apply (soon_after r); [ lra | ]. intros t Ht. specialize (H t Ht). specialize (N t ltac:(lra)). cbv beta. field. lra.
 Qed.
 
 Lemma on_surface s : 0 < s < 1 -> exists K a0, 0 < K /\ 0 < a0 <= 1 /\ forall A al psi x y u w, 0 < A -> 0 < al < a0 -> from A al psi x y u w -> rests_at s x y u w ->
