@@ -245,3 +245,23 @@ Lemma eq_142__occurs : ltac:(occurs eq_142). Proof. rest_at_3_5. Qed.
 Lemma eq_143__occurs : ltac:(occurs eq_143). Proof. rest_at_3_5. Qed.
 Lemma eq_144__occurs : ltac:(occurs eq_144). Proof. rest_at_3_5. Qed.
 Lemma eq_145__occurs : ltac:(occurs eq_145). Proof. rest_at_3_5. Qed.
+(* from some A with alpha = 1 and psi = 0 it comes to rest at the distance 1/2 *)
+Lemma eq_143__one_half__occurs : ltac:(occurs eq_143__one_half).
+Proof.
+  intros H. destruct (between (/ 2) 1 0 ltac:(lra) ltac:(lra)) as (A0 & x & y & u & w & A1 & F & B). pose proof (proj1 F) as S. destruct (values A0 1 0 x y u w A1 Rlt_0_1 F) as (ep & s0 & eE & ex & _).
+  destruct (neither x y u w (/ 2) S ltac:(lra) B) as [R | [e _]]; [ | lra ]. assert (p0 : 0 < nrm (u 0) (w 0)) by (rewrite ep; nra).
+  destruct (stops_for_good (/ 2) x y u w S ltac:(lra) p0 R) as (T & T0 & z & e & N). pose proof (cosh_pos 1). pose proof (nrm_pos (x 0) (y 0)). rewrite <- !nrm_sq in eE. rewrite cos_0 in ex.
+  destruct (rest_of_motion x y u w T S T0 z N) as (A & al & psi & C & L); [ nra | | rewrite e in C; exact (H x y u w A al psi (/ 2) T S C L eq_refl) ].
+  replace (x 0 * u 0 + y 0 * w 0) with ((x 0 * u 0 + y 0 * w 0) * / nrm (u 0) (w 0) * nrm (u 0) (w 0)) by (field; lra). rewrite ex. rewrite Rmult_1_r. apply Rmult_le_pos; [ apply Rmult_le_pos | ]; lra.
+Qed.
+Lemma eq_146__saddle__occurs : ltac:(occurs eq_146__saddle).
+Proof.
+  intros H. apply (H (fun t => 1 - cosh (1 + - t) / 2) (fun t => sinh (1 + - t) / 2) 1 (/ 2)); try lra; try (intros t _; split); cbv beta.
+  - apply (cont_of _ _ (sinh (1 + - t) / 2)). unfold cosh, sinh. auto_derive; trivial. field.
+  - apply (cont_of _ _ (- cosh (1 + - t) / 2)). unfold cosh, sinh. auto_derive; trivial. field.
+  - apply rder_of. unfold cosh, sinh. auto_derive; trivial. field.
+  - apply rder_of. unfold cosh, sinh. auto_derive; trivial. field.
+  - rewrite Rplus_opp_r, cosh_0. field.
+  - rewrite Rplus_opp_r, sinh_0. field.
+  - pose proof (cosh_pos (1 + - 0)). lra.
+Qed.

@@ -140,23 +140,28 @@ Proof.
     split. lra. nra.
   - destruct (angle_exists x y u w) as (psi & P & Q). exists psi. split; trivial. rewrite (Q z). unfold TableLaws.half_angle. pose proof (atan_bound ((y * u - x * w) / (nrm x y * nrm u w + (x * u + y * w)))). lra.
 Qed.
-(* who starts with p < rho, rho + p < 1, not coming in, comes to rest with psi -> 0 *)
+(* who slips with p < rho until T, and does not come in at first, has psi -> 0 *)
+Lemma rest_of_motion x y u w T : spin x y u w -> 0 < T -> nrm (u T) (w T) = 0 -> (forall t, 0 <= t < T -> 0 < nrm (u t) (w t)) ->
+  nrm (u 0) (w 0) < nrm (x 0) (y 0) -> 0 <= x 0 * u 0 + y 0 * w 0 -> exists A al psi, comes_to_rest (nrm (x T) (y T)) T x y u w A al psi /\ left_lim psi T 0.
+Proof.
+  intros S T0 z N Hp Hx. destruct (with_A x y u w S Hp) as (A & al & K). set (psi t := proj1_sig (angle_chosen (x t) (y t) (u t) (w t))).
+  assert (R : comes_to_rest (nrm (x T) (y T)) T x y u w A al psi). { split; auto. intros t _. apply (proj2_sig (angle_chosen (x t) (y t) (u t) (w t))). }
+  exists A, al, psi. split; trivial. destruct (psi_ends x y u w A al psi _ T S R) as [[L _] | L]; trivial. exfalso. pose proof PI2_1 as P2.
+  destruct (ll_from _ 0 T _ 1 T0 L Rlt_0_1) as (s & Hs & H). specialize (H s ltac:(lra)). cbv beta in H.
+  pose proof (xi_never_falls x y u w S 0 s ltac:(lra) ltac:(intros; apply N; lra)) as up. pose proof (N s ltac:(lra)) as ps. pose proof (N 0 ltac:(lra)).
+  assert (x0 : 0 <= (x 0 * u 0 + y 0 * w 0) * / nrm (u 0) (w 0)) by (apply Rmult_le_pos; [ trivial | left; apply Rinv_0_lt_compat; lra ]).
+  destruct (xi_psi x y u w psi (angles x y u w A al psi _ T R) s ltac:(lra) ltac:(lra)) as [e _]. rewrite e in up. destruct (parameters x y u w A al psi _ T R s ltac:(lra)) as (_ & _ & k).
+  destruct (c_psi _ _ _ _ _ _ _ _ _ R s ltac:(lra)) as [B _]. assert (cos (psi s) < 0).
+  { unfold Rabs in H. destruct (Rcase_abs (psi s)). rewrite <- cos_neg. apply cos_lt_0; lra. apply cos_lt_0; lra. } nra.
+Qed.
+(* who starts with rho + p < 1, too *)
 Lemma rest_of_start x0 y0 u0 w0 : 0 < nrm u0 w0 < nrm x0 y0 -> nrm x0 y0 + nrm u0 w0 < 1 -> 0 <= x0 * u0 + y0 * w0 -> exists x y u w A al psi sigma T,
   spin x y u w /\ comes_to_rest sigma T x y u w A al psi /\ left_lim psi T 0 /\ nrm x0 y0 ^ 2 - nrm u0 w0 ^ 2 <= sigma ^ 2 /\ sigma <= nrm x0 y0 + nrm u0 w0.
 Proof.
-  intros Hp Hm Hx. destruct (table_exists x0 y0 u0 w0) as (x & y & u & w & S & <- & <- & <- & <-). destruct (with_A x y u w S ltac:(lra)) as (A & al & K).
-  set (psi t := proj1_sig (angle_chosen (x t) (y t) (u t) (w t))). destruct (first_stop x y u w S ltac:(lra)) as [N | (T & T0 & z & N)].
+  intros Hp Hm Hx. destruct (table_exists x0 y0 u0 w0) as (x & y & u & w & S & <- & <- & <- & <-). destruct (first_stop x y u w S ltac:(lra)) as [N | (T & T0 & z & N)].
   - exfalso. destruct (caught x y u w S 0 _ (Rle_refl 0) Hm (Rle_refl _)) as (z1 & z2 & _). set (t := 0 + _) in *. assert (t0 : 0 <= t).
     { unfold t. rewrite Rplus_0_l. apply Rmult_le_pos; [ lra | left; apply Rinv_0_lt_compat; lra ]. } specialize (N t t0). rewrite (at_rest u w t z1 z2) in N. lra.
-  - assert (R : comes_to_rest (nrm (x T) (y T)) T x y u w A al psi). { split; auto. intros t _. apply (proj2_sig (angle_chosen (x t) (y t) (u t) (w t))). }
-    exists x, y, u, w, A, al, psi, (nrm (x T) (y T)), T. split; trivial. split; trivial. split; [ | split ].
-    + destruct (psi_ends x y u w A al psi _ T S R) as [[L _] | L]; trivial. exfalso. pose proof PI2_1 as P2.
-      destruct (soon_from 0 T _ T0 (soon_near _ _ _ 1 L Rlt_0_1)) as (s & Hs & H). specialize (H s ltac:(lra)). cbv beta in H. apply Rabs_def2 in H.
-      pose proof (xi_never_falls x y u w S 0 s ltac:(lra) ltac:(intros; apply N; lra)) as up. pose proof (N s ltac:(lra)) as ps.
-      assert (x0 : 0 <= (x 0 * u 0 + y 0 * w 0) * / nrm (u 0) (w 0)) by (apply Rmult_le_pos; [ trivial | left; apply Rinv_0_lt_compat; lra ]).
-      destruct (xi_psi x y u w psi (angles x y u w A al psi _ T R) s ltac:(lra) ltac:(lra)) as [e _]. rewrite e in up. destruct (parameters x y u w A al psi _ T R s ltac:(lra)) as (_ & _ & k).
-      destruct (c_psi _ _ _ _ _ _ _ _ _ R s ltac:(lra)) as [B _]. assert (cos (psi s) < 0).
-      { unfold Rabs in H. destruct (Rcase_abs (psi s)). rewrite <- cos_neg. apply cos_lt_0; lra. apply cos_lt_0; lra. } nra.
+  - destruct (rest_of_motion x y u w T S T0 z N ltac:(lra) Hx) as (A & al & psi & R & L). exists x, y, u, w, A, al, psi, (nrm (x T) (y T)), T. do 3 (split; trivial). split.
     + pose proof (A_never_falls x y u w S 0 T ltac:(lra)) as up. rewrite <- !nrm_sq, z in up. lra.
     + pose proof (m_falls x y u w S 0 T ltac:(lra) Hm) as k. rewrite z in k. lra.
 Qed.
