@@ -123,6 +123,12 @@ Qed.
 End NearRest.
 
 (* ---- starts with small alpha ---- *)
+Lemma off_145 sigma alpha psi : 0 < sigma < 1 -> right_rest_surface_a sigma alpha psi - eq145_a sigma alpha =
+  sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * ((1 - cos psi) * (2 + sigma + sigma * cos psi)).
+Proof.
+  intros Hs. pose proof (bend_q sigma psi Hs) as e. unfold right_rest_surface_a, eq145_a in *. rewrite pow1 in e. set (b := (_ / _ + _) + _) in *.
+  replace (sigma * alpha ^ 2 * b) with (alpha ^ 2 * (sigma - (sigma - sigma * 1 * b))) by ring. rewrite e. field. repeat split; nra.
+Qed.
 (* The starts from which the particle comes to rest at sigma lie on the corrected surface, up to alpha^3, whatever psi is, and there is one for each alpha and psi; for
    small psi it is (145) *)
 Theorem s4_psi_free sigma : 0 < sigma < 1 -> exists K alpha0, 0 < K /\ 0 < alpha0 /\ forall alpha psi, 0 < alpha < alpha0 ->
@@ -135,8 +141,7 @@ Proof.
   - intros A x y u w A0 F R. specialize (H A alpha psi x y u w A0 Hal F R). nra.
   - destruct (between sigma alpha psi ltac:(lra) ltac:(lra)) as (A & x & y & u & w & A0 & F & B). exists A, x, y, u, w. split; trivial. split; trivial.
     destruct (neither x y u w sigma (proj1 F) ltac:(lra) B) as [R | [e _]]; [ exact R | lra ].
-  - pose proof (bend_q sigma psi Hs) as e. assert (q : right_rest_surface_a sigma alpha psi - eq145_a sigma alpha = sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * ((1 - cos psi) * (2 + sigma + sigma * cos psi))).
-    { unfold right_rest_surface_a, eq145_a in *. rewrite pow1 in e. set (b := (_ / _ + _) + _) in *. replace (sigma * alpha ^ 2 * b) with (alpha ^ 2 * (sigma - (sigma - sigma * 1 * b))) by ring. rewrite e. field. repeat split; nra. }
+  - pose proof (off_145 sigma alpha psi Hs) as q.
     rewrite q, !Rabs_mult. pose proof (cos_quadratic psi) as c. rewrite Rabs_minus_sym in c. pose proof (COS_bound psi). rewrite (Rabs_pos_eq (2 + _ + _)) by nra.
     rewrite (Rabs_pos_eq (sigma ^ 2)), (Rabs_pos_eq (alpha ^ 2)) by apply pow2_ge_0. rewrite (Rabs_pos_eq (/ _)) by (left; apply Rinv_0_lt_compat; nra). rewrite Rpow_mult_distr, Rinv_mult_distr by nra.
     assert (c4 : Rabs (1 - cos psi) * (2 + sigma + sigma * cos psi) <= psi ^ 2 * 4) by (apply Rmult_le_compat; try apply Rabs_pos; nra).
@@ -148,8 +153,7 @@ Qed.
 (* (145) with any other psi misses that surface by a fixed multiple of alpha^2 *)
 Theorem s4_psi_free__printed sigma alpha psi : 0 < sigma < 1 -> 0 < alpha -> (right_rest_surface_a sigma alpha psi = eq145_a sigma alpha <-> cos psi = 1).
 Proof.
-  intros Hs a0. pose proof (bend_q sigma psi Hs) as e. assert (q : right_rest_surface_a sigma alpha psi - eq145_a sigma alpha = sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * ((1 - cos psi) * (2 + sigma + sigma * cos psi))).
-  { unfold right_rest_surface_a, eq145_a in *. rewrite pow1 in e. set (b := (_ / _ + _) + _) in *. replace (sigma * alpha ^ 2 * b) with (alpha ^ 2 * (sigma - (sigma - sigma * 1 * b))) by ring. rewrite e. field. repeat split; nra. }
+  intros Hs a0. pose proof (off_145 sigma alpha psi Hs) as q.
   pose proof (COS_bound psi). assert (P : 0 < sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * (2 + sigma + sigma * cos psi)) by (repeat apply Rmult_lt_0_compat; try apply Rinv_0_lt_compat; nra).
   set (k := sigma ^ 2 * alpha ^ 2 * / _) in *. split; intros z; [ | rewrite z in q; lra ]. assert (z2 : k * (2 + sigma + sigma * cos psi) * (1 - cos psi) = 0) by lra. apply Rmult_integral in z2. lra.
 Qed.
@@ -164,8 +168,8 @@ Theorem s4_envelope_is_boundary : exists K alpha0, 0 < K /\ 0 < alpha0 /\ forall
 Proof.
   destruct walls as (K & a0 & K0 & Ha & H). exists K, a0. split; trivial. split. lra. intros alpha psi Hal. split.
   - intros A x y u w A0 F. destruct (H A alpha psi x y u w A0 Hal F) as [d1 d2]. split; intros k.
-    + destruct (d1 k) as (T & T0 & z & r). exists (nrm (x T) (y T)). split; trivial. apply rests_below; trivial. apply F. lra.
-    + destruct (d2 k) as (T & T0 & e). exact (passes x y u w T (proj1 F) T0 e).
+    + destruct (d1 k) as (T & T0 & z & r). exists (nrm (x T) (y T)). split; trivial. apply (rests_from x y u w (proj1 F) T T0 z). lra.
+    + destruct (d2 k) as (T & T0 & e). exact (escapes_from x y u w (proj1 F) T T0 e).
   - destruct (between 1 alpha psi ltac:(lra) ltac:(lra)) as (A & x & y & u & w & A0 & F & B). exists A, x, y, u, w. destruct (H A alpha psi x y u w A0 Hal F) as [d1 d2].
     split; trivial. split; [ | split; trivial ].
     + apply Rabs_le. split; apply Rnot_lt_le; intros k.

@@ -38,9 +38,7 @@ Proof.
 Qed.
 Lemma power_pos z a : 0 < Rpower z a. Proof. apply exp_pos. Qed.
 Lemma power_one z a : 0 < z <= 1 -> 0 <= a -> Rpower z a <= 1.
-Proof.
-  intros Hz Ha. unfold Rpower. rewrite <- exp_0. apply Picard.exp_up. pose proof (ln_mono z 1 Hz) as k. rewrite ln_1 in k. nra.
-Qed.
+Proof. intros Hz Ha. pose proof (Rle_Rpower_l z 1 a Ha Hz) as k. unfold Rpower in k at 2. now rewrite ln_1, Rmult_0_r, exp_0 in k. Qed.
 Lemma power_le z a b : 0 < z <= 1 -> a <= b -> Rpower z b <= Rpower z a.
 Proof.
   intros Hz Hab. replace b with ((b - a) + a) by ring. rewrite Rpower_plus. pose proof (power_one z (b - a) Hz ltac:(lra)). pose proof (power_pos z a). nra.
@@ -331,7 +329,7 @@ Proof.
   assert (cZ : forall t, s' <= t < T -> continuity_pt Z t /\ continuity_pt (fun t => Rpower (al t) b) t).
   { intros t Ht. destruct (v_cont _ _ _ _ _ _ V t ltac:(lra)) as (_ & c2 & c3). destruct (v_pos _ _ _ _ _ _ V t ltac:(lra)) as [_ a0]. split; [ | now apply cont_power ].
     unfold Z. apply (continuity_pt_minus (fun t => psi t * Rpower (al t) (- k)) (fun t => G (al t))). pose proof (cont_power al (- k) t c2 a0). contq.
-    apply (continuity_pt_comp al G); trivial. apply (Picard.der_cont _ _ _ (HG _ a0)). }
+    apply (continuity_pt_comp al G); trivial. apply (cont_of _ _ _ (HG _ a0)). }
   assert (rZ : forall t, s' <= t < T -> exists l m, rder Z t l /\ rder (fun t => Rpower (al t) b) t m /\ l + D * m <= 0 /\ 0 <= l - D * m).
   { intros t Ht. destruct (v_rate _ _ _ _ _ _ V t ltac:(lra)) as (_ & d2 & d3). destruct (H t Ht) as (((a0 & a1) & (hM & hC)) & l1). rewrite k_is in l1. apply Rabs_def2 in l1.
     eexists _, _. split; [ | split ].

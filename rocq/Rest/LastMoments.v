@@ -2,7 +2,7 @@
    straight in, with |psi| -> pi. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas Turntable TableMotions TableAngle Fate Alpha Stops Late Near Arrives.
+From Slipbook Require Import Motion Formulas Turntable Picard TableMotions TableAngle Fate Alpha Stops Late Near Arrives.
 Open Scope R_scope.
 
 (* The particle slips from the moment 0 (any moment of its last slip with p < rho) until T, and is at rest then, at the distance sigma from the axis; A and alpha are
@@ -46,7 +46,7 @@ Proof.
   intros Ht. pose proof (slipping t Ht) as p0. destruct (c_A _ _ _ _ _ _ _ _ _ R t ltac:(lra)) as [k1 k2]. unfold eq111_p, eq112_rho in *. pose proof (nrm_pos (x t) (y t)).
   pose proof (cosh_pos (al t)). rewrite k1 in p0. assert (A0 : 0 < A t) by (destruct (Rtotal_order (A t) 0) as [k | [k | k]]; trivial; [ nra | rewrite k in p0; lra ]). split; trivial.
   assert (s0 : 0 < sinh (al t)) by nra. split. { apply Rnot_le_lt. intros k. assert (sinh (al t) <= sinh 0) by (destruct k as [k | ->]; [ left; now apply sinh_lt | lra ]). rewrite sinh_0 in *. lra. }
-  rewrite k1, k2. pose proof (cosh_sq (al t)). apply Rmult_lt_compat_l; trivial. nra.
+  rewrite k1, k2. pose proof (cosh2 (al t)). apply Rmult_lt_compat_l; trivial. nra.
 Qed.
 Lemma E_pos t : 0 <= t -> 0 < E t.
 Proof.

@@ -2,7 +2,7 @@
    what comes to rest at s started between the two walls of s. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Fate Alpha Stops Bounded Barriers.
+From Slipbook Require Import Motion Turntable Fate Alpha Stops Bounded Barriers.
 Open Scope R_scope.
 
 Lemma wall_cont K s P X L t : continuity_pt P t -> continuity_pt X t -> continuity_pt L t -> continuity_pt (fun t => wall K s (P t) (X t) (L t)) t.

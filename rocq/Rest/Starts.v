@@ -2,7 +2,7 @@
    rest at s lie on the corrected surface; between there is a start that does neither. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas TableLaws TableMotions TableAngle Fate Picard Alpha Stops Threshold Barriers Sides Near Arrives.
+From Slipbook Require Import Motion Formulas TableLaws Picard TableMotions TableAngle Fate Alpha Stops Threshold Barriers Sides Near Arrives.
 Open Scope R_scope.
 
 (* «$(x,y)$ with the velocity $(u,w)$ is a motion on the table that starts with the hyperbolic parameters $A$ and $alpha$ and the angle $psi$» *)
@@ -15,7 +15,7 @@ Lemma values A al psi x y u w : 0 < A -> 0 < al -> from A al psi x y u w -> nrm 
   (x 0 * u 0 + y 0 * w 0) * / nrm (u 0) (w 0) = A * cosh al * cos psi /\ (x 0 * w 0 - y 0 * u 0) * / nrm (u 0) (w 0) = - (A * cosh al * sin psi).
 Proof.
   intros A0 a0 (S & [e1 e2] & P). unfold eq111_p, eq112_rho in *. assert (s0 : 0 < sinh al) by (rewrite <- sinh_0; now apply sinh_lt). split; trivial. split; trivial.
-  apply angle_iff in P as [p1 p2]. rewrite <- !nrm_sq, p1, p2, e1, e2. rewrite !Rpow_mult_distr, cosh_sq. repeat split; try ring; field; nra.
+  apply angle_iff in P as [p1 p2]. rewrite <- !nrm_sq, p1, p2, e1, e2. rewrite !Rpow_mult_distr, cosh2. repeat split; try ring; field; nra.
 Qed.
 Lemma sinh_small al : 0 < al <= 1 -> sinh al <= 3 * al.
 Proof. intros Ha. destruct (hyp_small al Ha) as (e1 & _ & h1 & _ & -> & _). assert (al ^ 3 <= al) by (simpl; nra). assert (0 < al ^ 3) by (apply pow_lt; lra). nra. Qed.
@@ -82,7 +82,7 @@ Qed.
 Lemma between s al psi : 0 < s <= 1 -> 0 < al -> exists A x y u w, 0 < A /\ from A al psi x y u w /\
   forall t, 0 <= t -> s <= nrm (x t) (y t) + nrm (u t) (w t) /\ nrm (x t) (y t) ^ 2 - nrm (u t) (w t) ^ 2 <= s ^ 2.
 Proof.
-  intros Hs a0. assert (s0 : 0 < sinh al) by (rewrite <- sinh_0; now apply sinh_lt). pose proof (cosh_pos al) as c0. pose proof (cosh_sq al) as cs. assert (sc : sinh al <= cosh al) by nra.
+  intros Hs a0. assert (s0 : 0 < sinh al) by (rewrite <- sinh_0; now apply sinh_lt). pose proof (cosh_pos al) as c0. pose proof (cosh2 al) as cs. assert (sc : sinh al <= cosh al) by nra.
   destruct (threshold (fun r => start r al psi) (cosh al) s 2 c0 Hs) as (A & A0 & K).
   - intros r q i. assert (k : forall a, Rabs a <= cosh al -> Rabs (r * a - q * a) <= cosh al * Rabs (r - q)).
     { intros a Ha. replace (r * a - q * a) with (a * (r - q)) by ring. rewrite Rabs_mult. apply Rmult_le_compat_r; trivial. apply Rabs_pos. }
@@ -102,16 +102,6 @@ Proof.
   exists T. assert (TT : T <= T') by (apply Rnot_lt_le; intros k; specialize (N T' ltac:(lra)); lra). repeat split; trivial.
   pose proof (A_never_falls x y u w S T T' ltac:(lra)) as up. rewrite <- !nrm_sq, pT, pT', e in up. destruct (table_rest_lasts x y u w S T T' ltac:(lra) pT) as (e1 & e2 & _). rewrite <- nrm_sq; nra.
   rewrite e1, e2 in e. exact e.
-Qed.
-Lemma rests_below x y u w T : spin x y u w -> 0 <= T -> nrm (u T) (w T) = 0 -> nrm (x T) (y T) <= 1 -> rests_at (nrm (x T) (y T)) x y u w.
-Proof.
-  intros S T0 pT r1. exists T. do 2 (split; trivial). intros t Ht. apply (table_rest_lasts x y u w S T t ltac:(lra) pT). rewrite <- nrm_sq. pose proof (nrm_pos (x T) (y T)). nra.
-Qed.
-(* who has passed rho^2 - p^2 = 1 escapes *)
-Lemma passes x y u w T : spin x y u w -> 0 <= T -> 1 < x T ^ 2 + y T ^ 2 - (u T ^ 2 + w T ^ 2) -> escapes x y.
-Proof.
-  intros S T0 HT M. destruct (unbounded_above_1 x y u w S T T0 HT (Rabs M ^ 2)) as (T' & T1 & H). exists T'. split. lra. intros t Ht. specialize (H t Ht).
-  pose proof (nrm_sq (x t) (y t)). pose proof (nrm_pos (x t) (y t)). pose proof (pow2_ge_0 (u t)). pose proof (pow2_ge_0 (w t)). pose proof (Rle_abs M). pose proof (Rabs_pos M). nra.
 Qed.
 Lemma straight_at_one x y u w T : spin x y u w -> 0 < T -> nrm (u T) (w T) = 0 -> nrm (x T) (y T) = 1 -> (forall t, 0 <= t < T -> 0 < nrm (u t) (w t)) -> straight_in T x y u w.
 Proof.

@@ -3,7 +3,7 @@
    xi -> 1, and p could not come to 0. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Sphere Fate Picard Exist Exist2 Alpha.
+From Slipbook Require Import Motion Turntable Sphere Fate Alpha.
 Open Scope R_scope.
 
 (* f tends to l as t comes up to T from below: «$f\to l$ as its argument tends to $T$ from below» *)
