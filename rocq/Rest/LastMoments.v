@@ -55,7 +55,10 @@ Qed.
 Lemma sigma_pos : 0 < sigma.
 Proof. pose proof (E_pos T ltac:(pose proof T_pos; lra)) as k. destruct (c_rest _ _ _ _ _ _ _ _ _ R) as [z e]. rewrite E_is, z, e in k. pose proof (nrm_pos (x T) (y T)). nra. Qed.
 Lemma A_is t : 0 <= t -> A t = sqrt (E t).
-Proof. intros Ht. destruct (c_A _ _ _ _ _ _ _ _ _ R t Ht) as [k1 k2]. rewrite E_is. apply (amplitude _ (al t)); trivial. apply nrm_pos. Qed.
+Proof.
+  intros Ht. destruct (c_A _ _ _ _ _ _ _ _ _ R t Ht) as [k1 k2]. pose proof (nrm_pos (x t) (y t)). pose proof (cosh_pos (al t)). rewrite k2 in *. unfold eq111_p, eq112_rho in *.
+  assert (e : E t = A t ^ 2) by (rewrite E_is, k1, k2, !Rpow_mult_distr, cosh2; ring). rewrite e. symmetry. apply sqrt_pow2. nra.
+Qed.
 Lemma al_is t : 0 <= t -> al t = arcsinh (p t * / sqrt (E t)).
 Proof.
   intros Ht. rewrite <- A_is by trivial. destruct (c_A _ _ _ _ _ _ _ _ _ R t Ht) as [-> _]. unfold eq111_p. assert (0 < A t) by (rewrite A_is by trivial; now apply sqrt_lt_R0, E_pos).
@@ -124,10 +127,11 @@ Proof.
   split; try lra; try apply A_to; trivial.
   - intros t Ht. destruct (parameters t ltac:(lra)) as (h1 & h2 & _). now split.
   - intros t Ht. destruct (cont_A t ltac:(lra)). auto with real. repeat split; trivial. apply cpsi. lra.
-  - intros t Ht. pose proof (slipping t ltac:(lra)) as p0. destruct (parameters t ltac:(lra)) as (_ & _ & k). repeat split.
-    + apply (A_rate x y u w A al S t ltac:(lra) k (K t ltac:(lra))).
-    + apply (alpha_rate x y u w psi A al S angles t); trivial; try lra. apply K. lra.
-    + apply (eq_115 x y u w psi A al S angles t); try lra. apply K. lra. apply right_of_cont, cpsi. lra.
+  - intros t Ht. pose proof (slipping t ltac:(lra)) as p0. destruct (parameters t ltac:(lra)) as (_ & _ & k). pose proof (nrm_pos (u t) (w t)). pose proof (K t ltac:(lra)) as Kt. pose proof angles as P.
+    assert (c : eq110_case (p t) (rho t) < 0) by (unfold eq110_case; nra). repeat split.
+    + eapply eq_113; try eassumption; try lra; auto.
+    + eapply eq_114; try eassumption; try lra; auto.
+    + eapply eq_115; try eassumption; try lra; auto. apply right_of_cont, cpsi. lra.
 Qed.
 End Motion.
 
