@@ -22,7 +22,8 @@ Lemma soon_after s T (P : R -> Prop) : s < T -> (forall t, s <= t < T -> P t) ->
 Proof. intros Hs H. exists (T - s). split. lra. intros t Ht. apply H. lra. Qed.
 Lemma soon_from s T P : s < T -> soon T P -> exists s', s < s' < T /\ forall t, s' <= t < T -> P t.
 Proof.
-  intros Hs (d & d0 & H). exists (Rmax (T - d / 2) ((s + T) / 2)). pose proof (Rmax_l (T - d / 2) ((s + T) / 2)). pose proof (Rmax_r (T - d / 2) ((s + T) / 2)).
+  intros Hs (d & d0 & H). exists (Rmax (T - d / 2) ((s + T) / 2)). pose proof (Rmax_l (T - d / 2) ((s + T) / 2)).
+  pose proof (Rmax_r (T - d / 2) ((s + T) / 2)).
   assert (Rmax (T - d / 2) ((s + T) / 2) < T) by (apply Rmax_lub_lt; lra). split. lra. intros t Ht. apply H. lra.
 Qed.
 Lemma ll_iff f T l : left_lim f T l <-> filterlim f (at_left T) (locally l).
@@ -72,13 +73,16 @@ Qed.
 Lemma soon_near f T l e : left_lim f T l -> 0 < e -> soon T (fun t => Rabs (f t - l) < e). Proof. intros H He. exact (H e He). Qed.
 (* between any s < T and T there is a moment from which on f is near its limit *)
 Lemma ll_from f s T l e : s < T -> left_lim f T l -> 0 < e -> exists s', s < s' < T /\ forall t, s' <= t < T -> l - e < f t < l + e.
-Proof. intros Hs H He. destruct (soon_from s T _ Hs (H e He)) as (s' & S' & K). exists s'. split; trivial. intros t Ht. specialize (K t Ht). apply Rabs_def2 in K. lra. Qed.
+Proof. intros Hs H He. destruct (soon_from s T _ Hs (H e He)) as (s' & S' & K). exists s'. split; trivial. intros t Ht. specialize (K t Ht).
+  apply Rabs_def2 in K. lra. Qed.
 Lemma ll_le f T l s c : left_lim f T l -> s < T -> (forall t, s <= t < T -> f t <= c) -> l <= c.
-Proof. intros H sT B. apply Rnot_lt_le. intros k. destruct (ll_from f s T l (l - c) sT H ltac:(lra)) as (t & Ht & K). specialize (K t ltac:(lra)). specialize (B t ltac:(lra)). lra. Qed.
+Proof. intros H sT B. apply Rnot_lt_le. intros k. destruct (ll_from f s T l (l - c) sT H ltac:(lra)) as (t & Ht & K). specialize (K t ltac:(lra)).
+  specialize (B t ltac:(lra)). lra. Qed.
 Lemma ll_uniq f T l m : left_lim f T l -> left_lim f T m -> l = m.
 Proof.
   intros H K. apply Req_lt_aux. intros e. pose proof (cond_pos e). destruct (ll_from f (T - 1) T l (e / 2) ltac:(lra) H ltac:(lra)) as (s & Hs & B).
-  destruct (ll_from f s T m (e / 2) ltac:(lra) K ltac:(lra)) as (r & Hr & C). specialize (B r ltac:(lra)). specialize (C r ltac:(lra)). apply Rabs_def1; lra.
+  destruct (ll_from f s T m (e / 2) ltac:(lra) K ltac:(lra)) as (r & Hr & C). specialize (B r ltac:(lra)). specialize (C r ltac:(lra)).
+  apply Rabs_def1; lra.
 Qed.
 Lemma ll_mono f s T M : s < T -> (forall a b, s <= a <= b -> b < T -> f a <= f b) -> (forall t, s <= t < T -> f t <= M) ->
   exists l, left_lim f T l /\ forall t, s <= t < T -> f t <= l.
@@ -124,7 +128,8 @@ Variables (P X L : R -> R) (a T : R).
 Hypothesis Hr : reduced P X L a T.
 Hypothesis aT : a < T.
 
-Ltac at_ t := let Ht := fresh in assert (Ht : a <= t < T) by lra; pose proof (r_pos _ _ _ _ _ Hr t Ht); destruct (r_rate _ _ _ _ _ Hr t Ht) as (? & ? & ?).
+Ltac at_ t := let Ht := fresh in assert (Ht : a <= t < T) by lra; pose proof (r_pos _ _ _ _ _ Hr t Ht);
+  destruct (r_rate _ _ _ _ _ Hr t Ht) as (? & ? & ?).
 Ltac conts := cont; apply (r_cont _ _ _ _ _ Hr); lra.
 
 Lemma X_up s t : a <= s <= t -> t < T -> X s <= X t.
@@ -146,7 +151,8 @@ Proof.
       enough (0 <= (X r - 1 + c * (P r + L r) ^ 2 + k * P r) / P r) by lra. apply Rmult_le_pos. lra. left. now apply Rinv_0_lt_compat. }
   rewrite <- (exp_ln (P t)) by (at_ t; trivial). specialize (HM t Ht).
   assert (c * X t <= c * M) by (apply Rmult_le_compat_l; lra). assert (k * t <= k * T) by (apply Rmult_le_compat_l; lra).
-  destruct (Rle_lt_or_eq_dec (ln (P s) + c * X s + k * s - c * M - k * T) (ln (P t)) ltac:(lra)) as [l | <-]; [ left; now apply exp_increasing | lra ].
+  destruct (Rle_lt_or_eq_dec (ln (P s) + c * X s + k * s - c * M - k * T) (ln (P t)) ltac:(lra)) as [l | <-]; [ left;
+  now apply exp_increasing | lra ].
 Qed.
 
 Hypothesis P0 : left_lim P T 0.
@@ -157,10 +163,12 @@ Hypothesis rho : left_lim (fun t => X t ^ 2 + L t ^ 2) T (r ^ 2).
 Lemma X_limit : exists s l, a <= s < T /\ left_lim X T l /\ l ^ 2 <= r ^ 2 /\ forall t, s <= t < T -> - (r + 1) <= X t <= l.
 Proof.
   destruct (ll_from _ a T _ 1 aT rho Rlt_0_1) as (s & Hs & Hd). assert (sT : s < T) by lra.
-  assert (B : forall t, s <= t < T -> - (r + 1) <= X t <= r + 1) by (intros t Ht; specialize (Hd t Ht); cbv beta in Hd; pose proof (pow2_ge_0 (L t)); split; nra).
+  assert (B : forall t, s <= t < T -> - (r + 1) <= X t <= r + 1) by (intros t Ht; specialize (Hd t Ht); cbv beta in Hd; pose proof (pow2_ge_0 (L t));
+  split; nra).
   destruct (ll_mono X s T (r + 1) sT) as (l & Hl & l1). { intros; apply X_up; lra. } { intros; now apply B. }
   exists s, l. repeat split; trivial; try lra.
-  - apply Rnot_lt_le. intros k. destruct (ll_from (fun t => X t ^ 2 - (X t ^ 2 + L t ^ 2)) s T (l ^ 2 - r ^ 2) (l ^ 2 - r ^ 2) sT) as (t & Ht & K); [ ll | lra | ].
+  - apply Rnot_lt_le. intros k. destruct (ll_from (fun t => X t ^ 2 - (X t ^ 2 + L t ^ 2)) s T (l ^ 2 - r ^ 2) (l ^ 2 - r ^ 2) sT) as (t & Ht & K);
+    [ ll | lra | ].
     specialize (K t ltac:(lra)). cbv beta in K. pose proof (pow2_ge_0 (L t)). lra.
   - now apply B.
   - now apply l1.
@@ -177,7 +185,8 @@ Proof.
   destruct (no_stop s' k k l) as (m & m0 & Hm); try lra.
   - intros t Ht. apply B. lra.
   - intros t Ht. specialize (Hd t ltac:(lra)). specialize (Hd' t ltac:(lra)). cbv beta in Hd. destruct (B t ltac:(lra)) as [b1 b2].
-    pose proof (r_pos _ _ _ _ _ Hr t ltac:(lra)) as pt. assert (q : L t ^ 2 / 2 - P t <= (P t + L t) ^ 2) by (pose proof (pow2_ge_0 (2 * P t + L t)); nra).
+    pose proof (r_pos _ _ _ _ _ Hr t ltac:(lra)) as pt. assert (q : L t ^ 2 / 2 - P t <= (P t + L t) ^ 2) by (pose proof (pow2_ge_0 (2 * P t + L t));
+    nra).
     assert (k * (c / 4 - P t) <= k * (P t + L t) ^ 2) by (apply Rmult_le_compat_l; lra). lra.
   - destruct (ll_from _ s' T _ m ltac:(lra) P0 m0) as (t & Ht & K). specialize (K t ltac:(lra)). specialize (Hm t ltac:(lra)). lra.
 Qed.
