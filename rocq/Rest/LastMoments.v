@@ -20,9 +20,7 @@ Record comes_to_rest (sigma T : R) (x y u w A al psi : R -> R) : Prop := {
 
 Lemma right_of_cont f t : continuity_pt f t -> right_continuous f t.
 Proof.
-  intros C e He. apply continuity_pt_filterlim in C. destruct (C (fun v => Rabs (v - f t) < e)) as [d Hd]. { exists (mkposreal e He). intros v B.
-  exact B. }
-  exists d. split. apply cond_pos. intros r Hr. apply Hd. change (Rabs (r - t) < d). rewrite Rabs_pos_eq; lra.
+  intros C e He. destruct (cont_eps f t e C He) as (d & d0 & H). exists d. split; trivial. intros r Hr. apply H. rewrite Rabs_pos_eq; lra.
 Qed.
 Lemma cont_local f g t d : 0 < d -> (forall r, t - d < r < t + d -> f r = g r) -> continuity_pt g t -> continuity_pt f t.
 Proof.

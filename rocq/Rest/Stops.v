@@ -9,7 +9,7 @@ Open Scope R_scope.
 (* f tends to l as t comes up to T from below: «$f\to l$ as its argument tends to $T$ from below» *)
 Definition left_lim (f : R -> R) (T l : R) := forall e, 0 < e -> exists d, 0 < d /\ forall t, T - d < t < T -> Rabs (f t - l) < e.
 
-(* P holds from some moment before T on: «in the end, before $T$, $P$» *)
+(* P holds from some moment before T on *)
 Definition soon (T : R) (P : R -> Prop) := exists d, 0 < d /\ forall t, T - d < t < T -> P t.
 Lemma soon_and T P Q : soon T P -> soon T Q -> soon T (fun t => P t /\ Q t).
 Proof.

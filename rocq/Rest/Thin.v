@@ -69,14 +69,7 @@ Proof.
   - destruct (angle_of _ _ e) as (th & H & -> & ->). exists th. split; trivial. exists x, y, u, w. tauto.
 Qed.
 Lemma cos_abs d : Rabs (1 - cos d) <= Rabs d.
-Proof.
-  pose proof (cos_2a_sin (d / 2)) as e. replace (2 * (d / 2)) with d in e by field. rewrite e.
-  replace (1 - (1 - 2 * sin (d / 2) * sin (d / 2))) with (2 * sin (d / 2) * sin (d / 2)) by ring.
-  pose proof (sin_abs (d / 2)) as k. pose proof (SIN_bound (d / 2)). assert (b : Rabs (sin (d / 2)) <= 1) by (apply Rabs_le; lra).
-  rewrite !Rabs_mult, (Rabs_pos_eq 2) by lra. replace (Rabs d) with (2 * Rabs (d / 2) * 1). apply Rmult_le_compat; try lra; try apply Rabs_pos.
-  apply Rmult_le_pos; [ lra | apply Rabs_pos ].
-  unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ 2)) by lra. field.
-Qed.
+Proof. pose proof (cos_near 0 d) as k. rewrite cos_0 in k. now rewrite Rminus_0_l, Rabs_Ropp in k. Qed.
 (* the place depends on velocity and angle only, and little on either *)
 Lemma ends_close z z' th th' e N : ends z th -> ends z' th' -> 0 <= N -> (forall i, Rabs (z' i) <= N) -> Rabs (th - th') <= e ->
   Rabs (z pu - z' pu) <= e -> Rabs (z pw - z' pw) <= e ->
