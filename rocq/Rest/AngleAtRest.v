@@ -1,5 +1,5 @@
-(* psi in the last moments before a rest: with k = sigma/(1 - sigma), alpha dpsi/dalpha = k psi - 2 k alpha up to (alpha + |psi|)^3, so that psi less its
-   particular solution, over alpha^k, converges: (143). *)
+(* psi in the last moments before a rest: with k = sigma/(1 - sigma), alpha dpsi/dalpha = k psi - 2 k alpha up to (alpha + |psi|)^3, so that psi
+   less its particular solution, over alpha^k, converges: (143). *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Formulas TableLaws TableAngle Fate Alpha Stops Late Thin Near Arrives.

@@ -1,5 +1,5 @@
-(* The last moments before a rest with psi -> 0, for A, alpha and psi as functions of time: alpha falls at the rate 1/sigma - 1 in the end, and with that
-   A and psi have the laws (142), (144), (145). *)
+(* The last moments before a rest with psi -> 0, for A, alpha and psi as functions of time: alpha falls at the rate 1/sigma - 1 in the end,
+   and with that A and psi have the laws (142), (144), (145). *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Formulas TableLaws TableAngle Fate Alpha Stops Late Thin Near.
