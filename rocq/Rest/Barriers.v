@@ -43,7 +43,8 @@ Qed.
 
 (* moved by K p^3, upwards (s = 1) or downwards (s = -1) *)
 Definition wall K s P X L := s * wb P X L - K * P ^ 3.
-(* it is the sum of rho^2 - p^2 - 1 and what vanishes with p; on rho^2 - p^2 = 1 the lower wall has been passed; whoever is beyond a wall gets away from it *)
+(* it is the sum of rho^2 - p^2 - 1 and what vanishes with p; on rho^2 - p^2 = 1 the lower wall has been passed;
+   whoever is beyond a wall gets away from it *)
 Lemma wall_rate : exists K p0, 0 < K /\ 0 < p0 <= 1 /\
   (forall P X L, 0 <= P <= p0 -> X ^ 2 + L ^ 2 - P ^ 2 <= 1 -> Rabs (wb P X L - (X ^ 2 + L ^ 2 - P ^ 2 - 1)) <= K * P) /\
   (forall P X L, 0 < P <= p0 -> X ^ 2 + L ^ 2 - P ^ 2 = 1 -> wall K (- (1)) P X L <= 0) /\
@@ -59,10 +60,12 @@ Proof.
   { intros P X L HP HE. pose proof (pow2_ge_0 X). pose proof (pow2_ge_0 L). repeat split; apply Rabs_le; split; nra. }
   set (K := 4 * B + 20). exists K, p0. split. unfold K; lra. split. lra. split; [ | split ].
   - intros P X L HP HE. destruct (box P X L HP HE) as (b1 & b2 & b3). destruct (HB P X L b1 b2 b3) as (H1 & H2 & _).
-    apply Rabs_le_between in b2, H1, H2. unfold wb. replace (X ^ 2 + L ^ 2 - P ^ 2 - 1 + P * (1 + X) + P ^ 2 * q2 X L + P ^ 3 * q3 X L - (X ^ 2 + L ^ 2 - P ^ 2 - 1))
+    apply Rabs_le_between in b2, H1, H2. unfold wb. replace (X ^ 2 + L ^ 2 - P ^ 2 - 1 + P * (1 + X) + P ^ 2 * q2 X L + P ^ 3 * q3 X L - (X ^ 2 + L ^
+    2 - P ^ 2 - 1))
       with (P * (1 + X + P * q2 X L + P ^ 2 * q3 X L)) by ring.
     rewrite Rabs_mult, Rabs_pos_eq, Rmult_comm by lra. apply Rmult_le_compat_r; [ lra | ]. set (a := q2 X L) in *. set (b := q3 X L) in *.
-    assert (- B <= P * a <= B) by (split; nra). assert (- B <= P ^ 2 * b <= B) by (assert (0 <= P ^ 2 <= 1) by nra; split; nra). apply Rabs_le. unfold K. lra.
+    assert (- B <= P * a <= B) by (split; nra). assert (- B <= P ^ 2 * b <= B) by (assert (0 <= P ^ 2 <= 1) by nra; split; nra). apply Rabs_le.
+    unfold K. lra.
   - intros P X L HP HE. destruct (box P X L ltac:(lra) ltac:(lra)) as (b1 & b2 & b3). destruct (HB P X L b1 b2 b3) as (_ & H2 & _).
     apply Rabs_le_between in H2. unfold wall, wb. set (b := q3 X L) in *. rewrite HE. unfold q2.
     set (z := 1 + X). assert (l2 : L ^ 2 = P ^ 2 + 2 * z - z ^ 2) by (unfold z; lra). assert (z0 : - (P ^ 2 / 2) <= z <= 2 + P ^ 2 / 2).
@@ -88,7 +91,8 @@ Proof.
     set (n := n2 (X t) (L t)) in *. set (n' := n3 (X t) (L t)) in *. set (q := P t) in *.
     assert (x1 : X t - 1 <= q ^ 2 / 2) by nra.
     assert (m1 : / 2 <= 1 + q * n + q ^ 2 * n').
-    { assert (qB : q * B <= / 4) by nra. assert (- (q * B) <= q * n) by nra. assert (q ^ 2 <= q) by nra. assert (0 <= q ^ 2 * (n' + B)) by (apply Rmult_le_pos; [ apply pow2_ge_0 | lra ]).
+    { assert (qB : q * B <= / 4) by nra. assert (- (q * B) <= q * n) by nra. assert (q ^ 2 <= q) by nra.
+    assert (0 <= q ^ 2 * (n' + B)) by (apply Rmult_le_pos; [ apply pow2_ge_0 | lra ]).
       assert (q ^ 2 * B <= q * B) by (apply Rmult_le_compat_r; lra). lra. }
     set (m := 1 + q * n + q ^ 2 * n') in *. clearbody m w z. clear H3 H4 HB n n' b1 b2 b3 box.
     assert (q3 : 0 < q ^ 3) by (apply pow_lt; lra).
@@ -105,13 +109,16 @@ Qed.
 (* ---- the starts with rest at s ---- *)
 Definition qs s X := / 2 + (1 + X) ^ 2 * (/ (2 * (1 - s ^ 2))).
 Definition ws s P X L := X ^ 2 + L ^ 2 - P ^ 2 - s ^ 2 + P ^ 2 * qs s X.
-Lemma ws_rate s P X L t : s ^ 2 <> 1 -> P t <> 0 -> rder P t (X t - 1) -> rder X t ((P t + L t) ^ 2 / P t) -> rder L t (- X t * (2 * P t + L t) / P t) ->
+Lemma ws_rate s P X L t : s ^ 2 <> 1 -> P t <> 0 -> rder P t (X t - 1) -> rder X t ((P t + L t) ^ 2 / P t) ->
+  rder L t (- X t * (2 * P t + L t) / P t) ->
   rder (fun t => ws s (P t) (X t) (L t)) t
     ((1 + X t) / (1 - s ^ 2) * (P t * ws s (P t) (X t) (L t) + P t ^ 2 * (2 * L t + P t * (2 - qs s (X t))))).
 Proof.
-  intros Hs N HP HX HL. unfold ws at 1, qs at 1. eapply rder_eq. rd. simpl INR. simpl pred. unfold ws, qs. field. split; trivial. intros k. apply Hs. lra.
+  intros Hs N HP HX HL. unfold ws at 1, qs at 1. eapply rder_eq. rd. simpl INR. simpl pred. unfold ws, qs. field. split; trivial. intros k. apply Hs.
+  lra.
 Qed.
-Lemma walls_rate s : 0 < s < 1 -> exists K p0, 0 < K /\ 0 < p0 <= 1 /\ forall g P X L t, g = 1 \/ g = - (1) -> 0 < P t <= p0 -> X t ^ 2 + L t ^ 2 - P t ^ 2 <= s ^ 2 ->
+Lemma walls_rate s : 0 < s < 1 -> exists K p0, 0 < K /\ 0 < p0 <= 1 /\ forall g P X L t, g = 1 \/ g = - (1) -> 0 < P t <= p0 ->
+  X t ^ 2 + L t ^ 2 - P t ^ 2 <= s ^ 2 ->
   rder P t (X t - 1) -> rder X t ((P t + L t) ^ 2 / P t) -> rder L t (- X t * (2 * P t + L t) / P t) -> 
   exists m, rder (fun t => g * ws s (P t) (X t) (L t) - K * P t ^ 3) t m /\ (0 < g * ws s (P t) (X t) (L t) - K * P t ^ 3 -> 0 <= m).
 Proof.
@@ -129,9 +136,11 @@ Proof.
   cbv beta. simpl INR. simpl pred. intros V0. set (w' := ws s (P t) (X t) (L t)) in *. set (q := P t) in *.
   assert (eq : qs s (X t) = / 2 + (1 + X t) ^ 2 * (d * / 2)) by (unfold qs, d; field; nra). rewrite eq.
   set (z := (1 + X t) * d * (2 * L t + q * (2 - (/ 2 + (1 + X t) ^ 2 * (d * / 2))))) in *.
-  match goal with |- _ <= ?h => replace h with ((1 + X t) * d * q * (g * w' - K * q ^ 3) + q ^ 2 * ((1 + X t) * d * q ^ 2 * K + g * z + 3 * K * (1 - X t))) end.
+  match goal with |- _ <= ?h => replace h with ((1 + X t) * d * q * (g * w' - K * q ^ 3) + q ^ 2 * ((1 + X t) * d * q ^ 2 * K + g * z + 3 * K * (1 -
+  X t))) end.
   2: { unfold z. unfold d. simpl. field. nra. }
   assert (m0 : 0 <= (1 + X t) * d) by (apply Rmult_le_pos; lra). assert (gz : - B <= g * z) by (destruct Hg; subst g; lra).
-  assert (k1 : B <= 3 * K * (1 - X t)) by nra. assert (0 <= (1 + X t) * d * q ^ 2 * K) by (apply Rmult_le_pos; [ apply Rmult_le_pos; [ exact m0 | apply pow2_ge_0 ] | lra ]).
+  assert (k1 : B <= 3 * K * (1 - X t)) by nra. assert (0 <= (1 + X t) * d * q ^ 2 * K) by (apply Rmult_le_pos; [ apply Rmult_le_pos;
+  [ exact m0 | apply pow2_ge_0 ] | lra ]).
   apply Rplus_le_le_0_compat; apply Rmult_le_pos; try (apply pow2_ge_0); try lra. apply Rmult_le_pos; lra.
 Qed.

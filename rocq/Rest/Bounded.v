@@ -40,5 +40,6 @@ Fixpoint vals (l : list R) (i : nat) : R := match l, i with
   end.
 Lemma vals_le M l : 0 <= M -> (forall r, List.In r l -> Rabs r <= M) -> forall i, Rabs (vals l i) <= M.
 Proof.
-  intros HM. induction l as [ | r l IH]; intros H [ | i]; simpl; try (rewrite Rabs_R0; exact HM). apply H. now left. apply IH. intros q Hq. apply H. now right.
+  intros HM. induction l as [ | r l IH]; intros H [ | i]; simpl; try (rewrite Rabs_R0; exact HM). apply H. now left. apply IH. intros q Hq. apply H.
+  now right.
 Qed.

@@ -1,7 +1,9 @@
-(* One motion per start; rest lasts where rho <= 1; what has rho + p < 1 is caught; each motion comes to rest, escapes, or creeps towards rho = 1 for ever. *)
+(* One motion per start; rest lasts where rho <= 1; what has rho + p < 1 is caught; each motion comes to rest, escapes,
+   or creeps towards rho = 1 for ever. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Turntable Sphere.
+From Slipbook Require Export Analysis.
 Open Scope R_scope.
 
 (* two motions on one table: their distance grows at most as exp t; hence one motion per start *)
@@ -9,7 +11,8 @@ Theorem table_apart x1 y1 u1 w1 x2 y2 u2 w2 : spin x1 y1 u1 w1 -> spin x2 y2 u2 
   ((x1 t - x2 t) ^ 2 + (y1 t - y2 t) ^ 2 + (u1 t - u2 t) ^ 2 + (w1 t - w2 t) ^ 2) * exp (- (2) * t) <=
   ((x1 s - x2 s) ^ 2 + (y1 s - y2 s) ^ 2 + (u1 s - u2 s) ^ 2 + (w1 s - w2 s) ^ 2) * exp (- (2) * s).
 Proof.
-  intros S1 S2 s t Hst. apply (rder_decr (fun t => ((x1 t - x2 t) ^ 2 + (y1 t - y2 t) ^ 2 + (u1 t - u2 t) ^ 2 + (w1 t - w2 t) ^ 2) * exp (- (2) * t))); [ lra | | ]; intros r Hr.
+  intros S1 S2 s t Hst. apply (rder_decr (fun t => ((x1 t - x2 t) ^ 2 + (y1 t - y2 t) ^ 2 + (u1 t - u2 t) ^ 2 + (w1 t - w2 t) ^ 2) * exp (- (2) *
+  t))); [ lra | | ]; intros r Hr.
   - cont; first [ apply (s_cx _ _ _ _ S1) | apply (s_cy _ _ _ _ S1) | apply (s_cu _ _ _ _ S1) | apply (s_cw _ _ _ _ S1) 
       | apply (s_cx _ _ _ _ S2) | apply (s_cy _ _ _ _ S2) | apply (s_cu _ _ _ _ S2) | apply (s_cw _ _ _ _ S2) ]; lra.
   - destruct (s_law _ _ _ _ S1 r) as (X1 & Y1 & f1 & g1 & [B1 P1] & U1 & W1); [ lra | ].
@@ -26,48 +29,22 @@ Proof.
   intros S1 S2 Hs ex ey eu ew t Ht. pose proof (table_apart _ _ _ _ _ _ _ _ S1 S2 s t ltac:(lra)) as H.
   rewrite ex, ey, eu, ew in H. set (D := (x1 t - x2 t) ^ 2 + _ + _ + _) in H. assert (D0 : D <= 0).
   { apply (Rmult_le_reg_r (exp (- (2) * t))). apply exp_pos. eapply Rle_trans; [ exact H | right; ring ]. }
-  unfold D in D0. pose proof (pow2_ge_0 (x1 t - x2 t)). pose proof (pow2_ge_0 (y1 t - y2 t)). pose proof (pow2_ge_0 (u1 t - u2 t)). pose proof (pow2_ge_0 (w1 t - w2 t)).
+  unfold D in D0. pose proof (pow2_ge_0 (x1 t - x2 t)). pose proof (pow2_ge_0 (y1 t - y2 t)). pose proof (pow2_ge_0 (u1 t - u2 t)).
+  pose proof (pow2_ge_0 (w1 t - w2 t)).
   repeat split; nra.
 Qed.
 
-(* ---- tools ---- *)
-Lemma rder_root f t l : rder f t l -> 0 < f t -> rder (fun s => sqrt (f s)) t (/ (2 * sqrt (f t)) * l).
-Proof. intros H P. apply (rder_comp f sqrt); [ exact H | apply is_derive_Reals, derivable_pt_lim_sqrt, P ]. Qed.
-Lemma cont_root f t : continuity_pt f t -> 0 <= f t -> continuity_pt (fun s => sqrt (f s)) t.
-Proof. intros H P. apply (continuity_pt_comp f sqrt); trivial. apply continuity_pt_sqrt, P. Qed.
 Lemma root_le a d : 0 <= d -> sqrt (a ^ 2 + d ^ 2) <= Rabs a + d.
 Proof.
   intros Hd. pose proof (Rabs_pos a). rewrite <- (sqrt_pow2 (Rabs a + d)) by lra. apply sqrt_le_1_alt. rewrite <- (pow2_abs a). nra.
-Qed.
-(* a property that holds at a, passes to limits from the left and a little to the right holds on [a, b] *)
-Lemma real_ind (P : R -> Prop) a b : P a -> (forall t, a < t <= b -> (forall s, a <= s < t -> P s) -> P t) ->
-  (forall t, a <= t < b -> (forall s, a <= s <= t -> P s) -> exists d, 0 < d /\ forall s, t < s < t + d -> P s) ->
-  forall t, a <= t <= b -> P t.
-Proof.
-  intros H0 H1 H2. assert (K : forall t, a <= t <= b -> forall s, a <= s <= t -> P s).
-  2: { intros t Ht. apply (K t); lra. }
-  intros t Ht. apply Classical_Prop.NNPP. intros bad.
-  set (S := fun r => a <= r <= t /\ forall s, a <= s <= r -> P s).
-  assert (Sa : S a) by (split; [ lra | intros s Hs; replace s with a by lra; exact H0 ]).
-  destruct (completeness S) as [c [c1 c2]]. { exists t. intros r [Hr _]. lra. } { now exists a. }
-  assert (ac : a <= c) by (apply c1, Sa). assert (ct : c <= t) by (apply c2; intros r [Hr _]; lra).
-  assert (L : forall s, a <= s < c -> P s).
-  { intros s Hs. apply Classical_Prop.NNPP. intros n. assert (c <= s); [ | lra ]. apply c2. intros r [Hr Q].
-    apply Rnot_lt_le. intros k. apply n, Q. lra. }
-  assert (Q : forall s, a <= s <= c -> P s).
-  { intros s [s0 [s1 | ->]]. apply L; lra. destruct s0 as [s0 | <-]; trivial. apply H1; trivial; lra. }
-  destruct (Req_dec c t) as [-> | ne]. now apply bad.
-  destruct (H2 c ltac:(lra) Q) as (d & d0 & Hd). set (r := c + Rmin d (t - c) / 2).
-  assert (0 < Rmin d (t - c)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (t - c)). pose proof (Rmin_r d (t - c)).
-  assert (Sr : S r). { split. unfold r; lra. intros s Hs. destruct (Rle_lt_dec s c). apply Q; lra. apply Hd. unfold r in Hs; lra. }
-  specialize (c1 r Sr). unfold r in c1. lra.
 Qed.
 (* what does not grow while it is negative does not grow *)
 Lemma rder_stays f a b : a <= b -> (forall t, a < t <= b -> continuity_pt f t) ->
   (forall t, a <= t < b -> exists l, rder f t l /\ (f t < 0 -> l <= 0)) -> f a < 0 -> f b <= f a.
 Proof.
   intros Hab C D H. apply (real_ind (fun t => f t <= f a) a b); try lra.
-  - intros t Ht K. apply Rnot_lt_le. intros bad. assert (Q : continuity_pt (fun s => f s - f a) t) by (apply (continuity_pt_minus f); [ apply C, Ht | cont ]).
+  - intros t Ht K. apply Rnot_lt_le. intros bad. assert (Q : continuity_pt (fun s => f s - f a) t) by (apply (continuity_pt_minus f); [ apply C,
+    Ht | cont ]).
     apply continuity_pt_filterlim in Q. assert (P : locally t (fun s => 0 < f s - f a)). { apply (Q (fun y => 0 < y)). apply (open_gt 0). lra. }
     destruct P as [d P]. set (s := t - Rmin d (t - a) / 2). pose proof (cond_pos d). assert (0 < Rmin d (t - a)) by (apply Rmin_pos; lra).
     pose proof (Rmin_l d (t - a)). pose proof (Rmin_r d (t - a)). specialize (K s ltac:(unfold s; lra)).
@@ -80,22 +57,8 @@ Proof.
     assert (N : forall r, t <= r < t + m -> f r < 0).
     { intros r [[r0 | <-] r1]; [ | lra ]. specialize (Hd (r - t) ltac:(lra)). replace (t + (r - t)) with r in Hd by ring. nra. }
     exists m. split; trivial. intros s Hs. apply Rle_trans with (f t); trivial.
-    apply (rder_decr f); [ lra | intros; apply C; lra | ]. intros r Hr. destruct (D r ltac:(lra)) as (l' & L' & k). exists l'. split; trivial. apply k, N; lra.
-Qed.
-Lemma rder_after g c t l : rder g (t + c) l -> rder (fun s => g (s + c)) t l.
-Proof.
-  intros [F [H E]]. exists (fun s => F (s + c)). split; [ | intros; apply E; lra ].
-  rewrite <- (Rmult_1_l l). apply (is_derive_comp F (fun s => s + c)); [ exact H | auto_derive; trivial ].
-Qed.
-Lemma cont_after g c t : continuity_pt g (t + c) -> continuity_pt (fun s => g (s + c)) t.
-Proof. intros H. apply (continuity_pt_comp (fun s => s + c) g); trivial. cont. Qed.
-(* a motion seen from a later moment on *)
-Lemma spin_after x y u w s : 0 <= s -> spin x y u w -> spin (fun t => x (t + s)) (fun t => y (t + s)) (fun t => u (t + s)) (fun t => w (t + s)).
-Proof.
-  intros Hs S. split; intros t Ht.
-  1: apply cont_after, (s_cx _ _ _ _ S); lra. 1: apply cont_after, (s_cy _ _ _ _ S); lra. 1: apply cont_after, (s_cu _ _ _ _ S); lra. 1: apply cont_after, (s_cw _ _ _ _ S); lra.
-  destruct (s_law _ _ _ _ S (t + s) ltac:(lra)) as (X & Y & fx & fy & C & U & W).
-  repeat split; try now apply rder_after. exists fx, fy. repeat split; try apply C; now apply rder_after.
+    apply (rder_decr f); [ lra | intros; apply C; lra | ]. intros r Hr. destruct (D r ltac:(lra)) as (l' & L' & k). exists l'. split; trivial.
+    apply k, N; lra.
 Qed.
 
 Lemma mono_lim f M : (forall s t, 0 <= s <= t -> f s <= f t) -> (forall t, 0 <= t -> f t <= M) ->
@@ -109,18 +72,17 @@ Proof.
   - exists T. intros t Ht. specialize (H T t ltac:(lra)). specialize (up t ltac:(lra)). apply Rabs_def1; lra.
   - exfalso. assert (l <= l - eps); [ | lra ]. apply l2. intros r (t & Ht & ->). apply Rnot_lt_le. intros k. apply no. eauto.
 Qed.
-Lemma lim_near f (l e : R) : is_lim f p_infty l -> 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> l - e < f t < l + e.
-Proof.
-  intros H He. apply is_lim_spec in H. destruct (H (mkposreal e He)) as [T HT]. simpl in HT.
-  exists (Rmax 0 (T + 1)). split. apply Rmax_l. intros t Ht. pose proof (Rmax_r 0 (T + 1)). specialize (HT t ltac:(lra)). apply Rabs_def2 in HT. lra.
-Qed.
 
-(* the fates of a particle on the table: at rest from some moment on, at the distance s from the axis; *)
+(* the fates of a particle on the table at (x, y) with the velocity (u, w), dimensionless: it is at rest from some moment on,
+   at the distance s from the axis;
+   «the particle at $(x,y)$ is at rest from some moment on, at the distance $s$ from the axis» *)
 Definition rests_at (s : R) (x y u w : R -> R) : Prop :=
   exists T, 0 <= T /\ nrm (x T) (y T) = s /\ forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0.
-(* ... in the end farther away than any distance, for good; *)
+(* ... in the end farther away than any distance, for good; «the particle at $(x,y)$ escapes: in the end it is farther away than any distance,
+   for good» *)
 Definition escapes (x y : R -> R) : Prop := forall M, exists T, 0 <= T /\ forall t, T <= t -> M < nrm (x t) (y t).
-(* ... nearer and nearer to a place of the circle rho = 1 and slower and slower, without ever coming to a stop *)
+(* ... nearer and nearer to a place of the circle rho = 1 and slower and slower, without ever coming to a stop
+   «the particle at $(x,y)$ creeps towards a place at the distance $1$ from the axis, slower and slower, and never stops» *)
 Definition creeps (x y u w : R -> R) : Prop := exists a b : R, a ^ 2 + b ^ 2 = 1 /\ is_lim x p_infty a /\ is_lim y p_infty b /\
   is_lim u p_infty 0 /\ is_lim w p_infty 0 /\ forall t, 0 <= t -> 0 < nrm (u t) (w t).
 
@@ -130,7 +92,7 @@ Hypothesis S : spin x y u w.
 Notation p t := (nrm (u t) (w t)).
 Notation rho t := (nrm (x t) (y t)).
 Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
-Ltac conts := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
+Ltac conts := table S.
 
 Lemma stop0 t : p t = 0 -> u t = 0 /\ w t = 0.
 Proof. intros e. apply sq_sum. rewrite <- nrm_sq, e. lra. Qed.
@@ -162,16 +124,20 @@ Proof.
   assert (dd : 0 < d ^ 2) by nra.
   assert (pos : forall a b, 0 < a ^ 2 + b ^ 2 + d ^ 2) by (intros a b; pose proof (pow2_ge_0 a); pose proof (pow2_ge_0 b); lra).
   assert (q1 : forall t, rho t <= q t <= rho t + d).
-  { intros r. split. apply sqrt_le_1_alt; lra. unfold q. rewrite <- nrm_sq. rewrite <- (Rabs_pos_eq (rho r)) at 2 by apply nrm_pos. apply root_le; lra. }
+  { intros r. split. apply sqrt_le_1_alt; lra. unfold q. rewrite <- nrm_sq. rewrite <- (Rabs_pos_eq (rho r)) at 2 by apply nrm_pos.
+  apply root_le; lra. }
   assert (P1 : forall t, p t <= P t <= p t + d).
-  { intros r. split. apply sqrt_le_1_alt; lra. unfold P. rewrite <- nrm_sq. rewrite <- (Rabs_pos_eq (p r)) at 2 by apply nrm_pos. apply root_le; lra. }
+  { intros r. split. apply sqrt_le_1_alt; lra. unfold P. rewrite <- nrm_sq. rewrite <- (Rabs_pos_eq (p r)) at 2 by apply nrm_pos. apply root_le; lra.
+  }
   pose proof (q1 s) as qs. pose proof (P1 s) as Ps.
   assert (K : q t + P t - 1 <= q s + P s - 1).
   { apply (rder_stays (fun t => q t + P t - 1)); try lra.
-    - intros r Hr. apply (continuity_pt_minus (fun t => q t + P t)); [ apply (continuity_pt_plus q P) | cont ]; apply cont_root; try (left; apply pos); conts.
+    - intros r Hr. apply (continuity_pt_minus (fun t => q t + P t)); [ apply (continuity_pt_plus q P) | cont ]; apply cont_root; try (left;
+      apply pos); conts.
     - intros r Hr. destruct (s_law _ _ _ _ S r) as (X & Y & fx & fy & [B PW] & U & W); [ lra | ].
       eexists. split. apply (rder_minus (fun t => q t + P t)); [ apply (rder_plus q P); apply rder_root; try apply pos; rd | rd ].
-      cbv beta. intros N. pose proof (q1 r) as qr. pose proof (P1 r) as Pr. pose proof (nrm_pos (u r) (w r)) as p0. pose proof (nrm_pos (x r) (y r)) as r0.
+      cbv beta. intros N. pose proof (q1 r) as qr. pose proof (P1 r) as Pr. pose proof (nrm_pos (u r) (w r)) as p0.
+      pose proof (nrm_pos (x r) (y r)) as r0.
       change (sqrt (x r ^ 2 + y r ^ 2 + d ^ 2)) with (q r). change (sqrt (u r ^ 2 + w r ^ 2 + d ^ 2)) with (P r).
       assert (qq : 0 < q r) by (apply sqrt_lt_R0, pos). assert (PP : 0 < P r) by (apply sqrt_lt_R0, pos).
       pose proof (power_bound (p r) (u r) (w r) (- x r) (- y r) p0 ltac:(rewrite nrm_sq; lra)) as Q.
@@ -195,7 +161,8 @@ Proof.
   enough (z : p t = 0). { destruct (stop0 t z). repeat split; trivial. specialize (M t st). lra. }
   apply Classical_Prop.NNPP. intros z.
   assert (N : forall r, s <= r <= t -> p r <> 0).
-  { intros r Hr e. apply z, at_rest; apply (table_rest_lasts r t); trivial; try lra; rewrite <- nrm_sq; specialize (M r ltac:(lra)); pose proof (nrm_pos (x r) (y r)); nra. }
+  { intros r Hr e. apply z, at_rest; apply (table_rest_lasts r t); trivial; try lra; rewrite <- nrm_sq; specialize (M r ltac:(lra));
+  pose proof (nrm_pos (x r) (y r)); nra. }
   assert (K : p t + (1 - m) * t <= p s + (1 - m) * s).
   { apply (rder_decr (fun t => p t + (1 - m) * t)); trivial; intros r Hr.
     - conts.
@@ -246,40 +213,50 @@ Proof.
       apply (is_lim_minus' _ _ p_infty l (L * / 2)); trivial. apply (is_lim_scal_r (fun t => E t) (/ 2) p_infty L HL). }
   destruct (lim x) as [a Ha]. { intros; now apply far. } destruct (lim y) as [b Hb]. { intros; now apply far. }
   assert (sq : forall f (c : R), is_lim f p_infty c -> is_lim (fun t => f t ^ 2) p_infty (c ^ 2)).
-  { intros f c Hc. apply (is_lim_ext (fun t => f t * f t)). intros; ring. replace (c ^ 2) with (c * c) by ring. apply (is_lim_mult f f p_infty c c); trivial. exact I. }
+  { intros f c Hc. apply (is_lim_ext (fun t => f t * f t)). intros; ring. replace (c ^ 2) with (c * c) by ring.
+  apply (is_lim_mult f f p_infty c c); trivial. exact I. }
   assert (Hp : is_lim (fun t => u t ^ 2 + w t ^ 2) p_infty (a ^ 2 + b ^ 2 - L)).
   { apply (is_lim_ext (fun t => x t ^ 2 + y t ^ 2 - E t)). intros; ring. apply (is_lim_minus' _ _ p_infty (a ^ 2 + b ^ 2) L); trivial.
     apply (is_lim_plus' _ _ p_infty (a ^ 2) (b ^ 2)); apply sq; trivial. }
   set (P := a ^ 2 + b ^ 2 - L) in *.
   assert (P0 : P = 0).
   { destruct (Rtotal_order P 0) as [n | [z | n]]; trivial; exfalso.
-    - destruct (lim_near _ P (- P) Hp ltac:(lra)) as (T & T0 & HT). specialize (HT T ltac:(lra)). pose proof (pow2_ge_0 (u T)). pose proof (pow2_ge_0 (w T)). lra.
+    - destruct (lim_near _ P (- P) Hp ltac:(lra)) as (T & T0 & HT). specialize (HT T ltac:(lra)). pose proof (pow2_ge_0 (u T)).
+      pose proof (pow2_ge_0 (w T)). lra.
     - destruct (lim_near _ P (P / 2) Hp ltac:(lra)) as (T & T0 & HT). set (c := sqrt (P / 2)). assert (c0 : 0 < c) by (apply sqrt_lt_R0; lra).
       assert (ps : forall t, T <= t -> c <= p t) by (intros t Ht; apply sqrt_le_1_alt; specialize (HT t Ht); lra).
-      set (t1 := T + (M - E T) / c + 1). assert (Tt : T <= t1). { unfold t1. assert (0 <= (M - E T) / c); [ | lra ]. apply Rmult_le_pos. specialize (HM T T0); lra. left; now apply Rinv_0_lt_compat. }
+      set (t1 := T + (M - E T) / c + 1). assert (Tt : T <= t1). { unfold t1. assert (0 <= (M - E T) / c); [ | lra ]. apply Rmult_le_pos.
+      specialize (HM T T0); lra. left; now apply Rinv_0_lt_compat. }
       assert (K : 2 * c * t1 - E t1 <= 2 * c * T - E T).
       { apply (rder_decr (fun t => 2 * c * t - E t)); trivial; intros r Hr'. conts.
-        destruct (s_law _ _ _ _ S r) as (X & Y & fx & fy & [B PW] & U & W); [ lra | ]. eexists. split. rd. simpl INR. simpl pred. specialize (ps r ltac:(lra)). lra. }
+        destruct (s_law _ _ _ _ S r) as (X & Y & fx & fy & [B PW] & U & W); [ lra | ]. eexists. split. rd. simpl INR. simpl pred.
+        specialize (ps r ltac:(lra)). lra. }
       specialize (HM t1 ltac:(lra)). assert (q : c * t1 = c * T + (M - E T) + c) by (unfold t1; field; lra).
       pose proof (up T t1 ltac:(lra)). lra. }
   assert (small : forall e, 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> p t < e).
   { intros e He. destruct (lim_near _ P (e ^ 2) Hp ltac:(nra)) as (T & T0 & HT). exists T. split; trivial. intros t Ht. specialize (HT t Ht).
     pose proof (nrm_sq (u t) (w t)). pose proof (nrm_pos (u t) (w t)). nra. }
   assert (zero : forall f, (forall t, f t ^ 2 <= u t ^ 2 + w t ^ 2) -> is_lim f p_infty 0).
-  { intros f Hf. apply is_lim_spec. intros e. destruct (small e (cond_pos e)) as (T & T0 & HT). exists T. intros t Ht. specialize (HT t ltac:(lra)). specialize (Hf t).
-    rewrite <- nrm_sq in Hf. pose proof (nrm_pos (u t) (w t)). rewrite Rminus_0_r. rewrite <- (pow2_abs (f t)) in Hf. pose proof (Rabs_pos (f t)). simpl. nra. }
+  { intros f Hf. apply is_lim_spec. intros e. destruct (small e (cond_pos e)) as (T & T0 & HT). exists T. intros t Ht. specialize (HT t ltac:(lra)).
+  specialize (Hf t).
+    rewrite <- nrm_sq in Hf. pose proof (nrm_pos (u t) (w t)). rewrite Rminus_0_r. rewrite <- (pow2_abs (f t)) in Hf. pose proof (Rabs_pos (f t)).
+    simpl. nra. }
   assert (Lab : L = a ^ 2 + b ^ 2) by (unfold P in P0; lra). clear P0.
-  exists a, b. split; trivial. split; trivial. split. { apply zero. intros; pose proof (pow2_ge_0 (w t)); lra. } split. { apply zero. intros; pose proof (pow2_ge_0 (u t)); lra. }
+  exists a, b. split; trivial. split; trivial. split. { apply zero. intros; pose proof (pow2_ge_0 (w t)); lra. } split. { apply zero.
+  intros; pose proof (pow2_ge_0 (u t)); lra. }
   split. 2: { intros t Ht. specialize (EL t Ht). lra. }
-  enough (L <= 1) by lra. apply Rnot_lt_le. intros k. pose proof (nrm_sq a b) as rr. pose proof (nrm_pos a b) as r0. set (r := nrm a b) in *. assert (rL : r ^ 2 = L) by lra.
+  enough (L <= 1) by lra. apply Rnot_lt_le. intros k. pose proof (nrm_sq a b) as rr. pose proof (nrm_pos a b) as r0. set (r := nrm a b) in *.
+  assert (rL : r ^ 2 = L) by lra.
   assert (r1 : 1 < r) by nra. assert (d0 : 0 < L - r) by nra.
   assert (Hab : is_lim (fun t => a * x t + b * y t) p_infty L).
-  { replace L with (a * a + b * b) by (rewrite Lab; ring). apply (is_lim_plus' _ _ p_infty (a * a) (b * b)); [ apply (is_lim_scal_l x a p_infty a Ha) | apply (is_lim_scal_l y b p_infty b Hb) ]. }
+  { replace L with (a * a + b * b) by (rewrite Lab; ring). apply (is_lim_plus' _ _ p_infty (a * a) (b * b));
+  [ apply (is_lim_scal_l x a p_infty a Ha) | apply (is_lim_scal_l y b p_infty b Hb) ]. }
   destruct (lim_near _ _ ((L - r) / 4) Hab ltac:(lra)) as (T1 & T10 & HT1).
   destruct (small ((L - r) / (8 * r))) as (T2 & T20 & HT2). { apply Rdiv_lt_0_compat; lra. }
   set (T := Rmax T1 T2). pose proof (Rmax_l T1 T2). pose proof (Rmax_r T1 T2). fold T in H, H0.
   assert (pr : forall t, T <= t -> r * p t < (L - r) / 8).
-  { intros t Ht. specialize (HT2 t ltac:(lra)). apply (Rmult_lt_compat_l r) in HT2; [ | lra ]. replace (r * ((L - r) / (8 * r))) with ((L - r) / 8) in HT2 by (field; lra). exact HT2. }
+  { intros t Ht. specialize (HT2 t ltac:(lra)). apply (Rmult_lt_compat_l r) in HT2; [ | lra ].
+  replace (r * ((L - r) / (8 * r))) with ((L - r) / 8) in HT2 by (field; lra). exact HT2. }
   assert (G : - (a * u (T + 1) + b * w (T + 1)) + (L - r) / 2 * (T + 1) <= - (a * u T + b * w T) + (L - r) / 2 * T).
   { apply (rder_decr (fun t => - (a * u t + b * w t) + (L - r) / 2 * t)); [ lra | | ]; intros s Hs. conts.
     destruct (s_law _ _ _ _ S s) as (X & Y & fx & fy & [B PW] & U & W); [ lra | ]. eexists. split. rd.
@@ -319,17 +296,21 @@ Proof.
   destruct (Classical_Prop.classic (exists M, forall t, 0 <= t -> E t <= M)) as [[M HM] | no].
   - destruct (bounded_ends M HM) as (a & b & Ha & Hb & Hu & Hw & L1 & EL).
     destruct (Classical_Prop.classic (exists T, 0 <= T /\ p T = 0)) as [(T & T0 & z) | never].
-    + left. exists (rho T). assert (rho T <= 1); [ | split; trivial; now apply rests_from ]. specialize (EL T T0). destruct (stop0 T z) as [z1 z2]. rewrite z1, z2 in EL.
+    + left. exists (rho T). assert (rho T <= 1); [ | split; trivial; now apply rests_from ]. specialize (EL T T0). destruct (stop0 T z) as [z1 z2].
+      rewrite z1, z2 in EL.
       pose proof (nrm_sq (x T) (y T)). pose proof (nrm_pos (x T) (y T)). nra.
     + right. right. exists a, b. assert (pos : forall t, 0 <= t -> 0 < p t).
       { intros t Ht. destruct (nrm_pos (u t) (w t)) as [k | k]; trivial. exfalso. apply never. exists t. auto. }
       repeat split; trivial. apply Rle_antisym; trivial. apply Rnot_lt_le. intros k.
       set (r := nrm a b). pose proof (nrm_sq a b) as rr. pose proof (nrm_pos a b) as r0. fold r in rr, r0. assert (r1 : r < 1) by nra.
       assert (near : forall f (c e : R), is_lim f p_infty c -> 0 < e -> exists T, 0 <= T /\ forall t, T <= t -> Rabs (f t - c) < e).
-      { intros f c e Hf He. destruct (lim_near f c e Hf He) as (T & T0 & HT). exists T. split; trivial. intros t Ht. specialize (HT t Ht). apply Rabs_def1; lra. }
-      set (e := (1 - r) / 8). destruct (near x a e Ha) as (T1 & T10 & H1); [ unfold e; lra | ]. destruct (near y b e Hb) as (T2 & T20 & H2); [ unfold e; lra | ].
+      { intros f c e Hf He. destruct (lim_near f c e Hf He) as (T & T0 & HT). exists T. split; trivial. intros t Ht. specialize (HT t Ht).
+      apply Rabs_def1; lra. }
+      set (e := (1 - r) / 8). destruct (near x a e Ha) as (T1 & T10 & H1); [ unfold e; lra | ].
+      destruct (near y b e Hb) as (T2 & T20 & H2); [ unfold e; lra | ].
       destruct (near u 0 e Hu) as (T3 & T30 & H3); [ unfold e; lra | ]. destruct (near w 0 e Hw) as (T4 & T40 & H4); [ unfold e; lra | ].
-      set (T := T1 + T2 + T3 + T4). specialize (H1 T ltac:(unfold T; lra)). specialize (H2 T ltac:(unfold T; lra)). specialize (H3 T ltac:(unfold T; lra)). specialize (H4 T ltac:(unfold T; lra)).
+      set (T := T1 + T2 + T3 + T4). specialize (H1 T ltac:(unfold T; lra)). specialize (H2 T ltac:(unfold T; lra)).
+      specialize (H3 T ltac:(unfold T; lra)). specialize (H4 T ltac:(unfold T; lra)).
       apply Rabs_def2 in H1, H2, H3, H4.
       assert (sum : rho T + p T < 1).
       { pose proof (nrm_sq (x T) (y T)). pose proof (nrm_sq (u T) (w T)). pose proof (nrm_pos (x T) (y T)). pose proof (nrm_pos (u T) (w T)).

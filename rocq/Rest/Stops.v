@@ -3,12 +3,29 @@
    xi -> 1, and p could not come to 0. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Turntable2 Sphere Fate Picard Exist Exist2 Alpha.
+From Slipbook Require Import Motion Turntable Sphere Fate Alpha.
 Open Scope R_scope.
 
-(* f tends to l as t comes up to T from below *)
+(* f tends to l as t comes up to T from below: «$f\to l$ as its argument tends to $T$ from below» *)
 Definition left_lim (f : R -> R) (T l : R) := forall e, 0 < e -> exists d, 0 < d /\ forall t, T - d < t < T -> Rabs (f t - l) < e.
 
+(* P holds from some moment before T on *)
+Definition soon (T : R) (P : R -> Prop) := exists d, 0 < d /\ forall t, T - d < t < T -> P t.
+Lemma soon_and T P Q : soon T P -> soon T Q -> soon T (fun t => P t /\ Q t).
+Proof.
+  intros (d & d0 & H) (d' & d1 & H'). exists (Rmin d d'). split. now apply Rmin_pos. intros t Ht. pose proof (Rmin_l d d'). pose proof (Rmin_r d d').
+  split; [ apply H | apply H' ]; lra.
+Qed.
+Lemma soon_imp T (P Q : R -> Prop) : (forall t, P t -> Q t) -> soon T P -> soon T Q.
+Proof. intros H (d & d0 & K). exists d. split; auto. Qed.
+Lemma soon_after s T (P : R -> Prop) : s < T -> (forall t, s <= t < T -> P t) -> soon T P.
+Proof. intros Hs H. exists (T - s). split. lra. intros t Ht. apply H. lra. Qed.
+Lemma soon_from s T P : s < T -> soon T P -> exists s', s < s' < T /\ forall t, s' <= t < T -> P t.
+Proof.
+  intros Hs (d & d0 & H). exists (Rmax (T - d / 2) ((s + T) / 2)). pose proof (Rmax_l (T - d / 2) ((s + T) / 2)).
+  pose proof (Rmax_r (T - d / 2) ((s + T) / 2)).
+  assert (Rmax (T - d / 2) ((s + T) / 2) < T) by (apply Rmax_lub_lt; lra). split. lra. intros t Ht. apply H. lra.
+Qed.
 Lemma ll_iff f T l : left_lim f T l <-> filterlim f (at_left T) (locally l).
 Proof.
   split.
@@ -42,28 +59,30 @@ Qed.
 (* a bound on the left of T holds at T *)
 Lemma left_le f c s T : s < T -> continuity_pt f T -> (forall t, s <= t < T -> f t <= c) -> f T <= c.
 Proof.
-  intros sT C H. apply Rnot_lt_le. intros k. destruct (ll_cont f T C (f T - c) ltac:(lra)) as (d & d0 & Hd).
-  set (t := Rmax s (T - d / 2)). assert (t1 : s <= t) by apply Rmax_l. assert (t2 : T - d / 2 <= t) by apply Rmax_r.
-  assert (t3 : t < T) by (apply Rmax_lub_lt; lra). specialize (Hd t ltac:(lra)). specialize (H t ltac:(lra)). apply Rabs_def2 in Hd. lra.
+  intros sT C H. apply Rnot_lt_le. intros k. destruct (soon_from s T _ sT (ll_cont f T C (f T - c) ltac:(lra))) as (t & Ht & K).
+  specialize (K t ltac:(lra)). specialize (H t ltac:(lra)). apply Rabs_def2 in K. lra.
 Qed.
+Lemma ll_soon f g T l : soon T (fun t => g t = f t) -> left_lim f T l -> left_lim g T l.
+Proof. intros K H e He. generalize (soon_and _ _ _ K (H e He)). apply soon_imp. intros t [-> h]. exact h. Qed.
 Lemma ll_ext f g T l d : 0 < d -> (forall t, T - d < t < T -> g t = f t) -> left_lim f T l -> left_lim g T l.
+Proof. intros Hd K. apply ll_soon. now exists d. Qed.
+Lemma ll_squeeze f g T : soon T (fun t => Rabs (f t) <= g t) -> left_lim g T 0 -> left_lim f T 0.
 Proof.
-  intros Hd K H e He. destruct (H e He) as (c & c0 & Hc). exists (Rmin c d). split. now apply Rmin_pos.
-  intros t Ht. pose proof (Rmin_l c d). pose proof (Rmin_r c d). rewrite K by lra. apply Hc. lra.
+  intros B G e He. generalize (soon_and _ _ _ B (G e He)). apply soon_imp. intros t [h1 h2]. rewrite Rminus_0_r in *. apply Rabs_def2 in h2. lra.
 Qed.
-Lemma ll_near f T l e : left_lim f T l -> 0 < e -> exists d, 0 < d /\ forall t, T - d < t < T -> l - e < f t < l + e.
-Proof. intros H He. destruct (H e He) as (d & d0 & Hd). exists d. split; trivial. intros t Ht. specialize (Hd t Ht). apply Rabs_def2 in Hd. lra. Qed.
+Lemma soon_near f T l e : left_lim f T l -> 0 < e -> soon T (fun t => Rabs (f t - l) < e). Proof. intros H He. exact (H e He). Qed.
+(* between any s < T and T there is a moment from which on f is near its limit *)
+Lemma ll_from f s T l e : s < T -> left_lim f T l -> 0 < e -> exists s', s < s' < T /\ forall t, s' <= t < T -> l - e < f t < l + e.
+Proof. intros Hs H He. destruct (soon_from s T _ Hs (H e He)) as (s' & S' & K). exists s'. split; trivial. intros t Ht. specialize (K t Ht).
+  apply Rabs_def2 in K. lra. Qed.
 Lemma ll_le f T l s c : left_lim f T l -> s < T -> (forall t, s <= t < T -> f t <= c) -> l <= c.
-Proof.
-  intros H sT B. apply Rnot_lt_le. intros k. destruct (ll_near f T l (l - c) H ltac:(lra)) as (d & d0 & Hd).
-  set (t := Rmax s (T - d / 2)). assert (t1 : s <= t) by apply Rmax_l. assert (t2 : T - d / 2 <= t) by apply Rmax_r.
-  assert (t3 : t < T) by (apply Rmax_lub_lt; lra). specialize (Hd t ltac:(lra)). specialize (B t ltac:(lra)). lra.
-Qed.
+Proof. intros H sT B. apply Rnot_lt_le. intros k. destruct (ll_from f s T l (l - c) sT H ltac:(lra)) as (t & Ht & K). specialize (K t ltac:(lra)).
+  specialize (B t ltac:(lra)). lra. Qed.
 Lemma ll_uniq f T l m : left_lim f T l -> left_lim f T m -> l = m.
 Proof.
-  intros H K. apply Req_lt_aux. intros e. pose proof (cond_pos e). destruct (H (e / 2) ltac:(lra)) as (d & d0 & Hd). destruct (K (e / 2) ltac:(lra)) as (d' & d1 & Hd').
-  set (t := T - Rmin d d' / 2). assert (0 < Rmin d d') by now apply Rmin_pos. pose proof (Rmin_l d d'). pose proof (Rmin_r d d').
-  specialize (Hd t ltac:(unfold t; lra)). specialize (Hd' t ltac:(unfold t; lra)). apply Rabs_def2 in Hd, Hd'. apply Rabs_def1; lra.
+  intros H K. apply Req_lt_aux. intros e. pose proof (cond_pos e). destruct (ll_from f (T - 1) T l (e / 2) ltac:(lra) H ltac:(lra)) as (s & Hs & B).
+  destruct (ll_from f s T m (e / 2) ltac:(lra) K ltac:(lra)) as (r & Hr & C). specialize (B r ltac:(lra)). specialize (C r ltac:(lra)).
+  apply Rabs_def1; lra.
 Qed.
 Lemma ll_mono f s T M : s < T -> (forall a b, s <= a <= b -> b < T -> f a <= f b) -> (forall t, s <= t < T -> f t <= M) ->
   exists l, left_lim f T l /\ forall t, s <= t < T -> f t <= l.
@@ -103,15 +122,14 @@ Record reduced (P X L : R -> R) (a b : R) : Prop := {
   r_cont : forall t, a < t < b -> continuity_pt P t /\ continuity_pt X t /\ continuity_pt L t;
   r_rate : forall t, a <= t < b -> rder P t (X t - 1) /\ rder X t ((P t + L t) ^ 2 / P t) /\ rder L t (- X t * (2 * P t + L t) / P t) }.
 
-Lemma reduced_sub P X L a b a' b' : reduced P X L a b -> a <= a' -> b' <= b -> reduced P X L a' b'.
-Proof. intros [H1 H2 H3] Ha Hb. split; intros t Ht; [ apply H1 | apply H2 | apply H3 ]; lra. Qed.
 
 Section Reduced.
 Variables (P X L : R -> R) (a T : R).
 Hypothesis Hr : reduced P X L a T.
 Hypothesis aT : a < T.
 
-Ltac at_ t := let Ht := fresh in assert (Ht : a <= t < T) by lra; pose proof (r_pos _ _ _ _ _ Hr t Ht); destruct (r_rate _ _ _ _ _ Hr t Ht) as (? & ? & ?).
+Ltac at_ t := let Ht := fresh in assert (Ht : a <= t < T) by lra; pose proof (r_pos _ _ _ _ _ Hr t Ht);
+  destruct (r_rate _ _ _ _ _ Hr t Ht) as (? & ? & ?).
 Ltac conts := cont; apply (r_cont _ _ _ _ _ Hr); lra.
 
 Lemma X_up s t : a <= s <= t -> t < T -> X s <= X t.
@@ -121,11 +139,6 @@ Proof.
 Qed.
 Lemma E_rate t : a <= t < T -> rder (fun t => X t ^ 2 + L t ^ 2 - P t ^ 2) t (2 * P t).
 Proof. intros Ht. at_ t. eapply rder_eq. rd. simpl. field. lra. Qed.
-Lemma E_up s t : a <= s <= t -> t < T -> X s ^ 2 + L s ^ 2 - P s ^ 2 <= X t ^ 2 + L t ^ 2 - P t ^ 2.
-Proof.
-  intros Hs Ht. apply Ropp_le_cancel. apply (rder_decr (fun t => - (X t ^ 2 + L t ^ 2 - P t ^ 2))); [ lra | | ]; intros r Hr'. conts.
-  at_ r. eexists. split. apply rder_opp, E_rate. lra. lra.
-Qed.
 Lemma no_stop s c k M : a <= s < T -> 0 <= c -> 0 <= k -> (forall t, s <= t < T -> X t <= M) ->
   (forall t, s <= t < T -> 1 - X t <= c * (P t + L t) ^ 2 + k * P t) -> exists m, 0 < m /\ forall t, s <= t < T -> m <= P t.
 Proof.
@@ -138,7 +151,8 @@ Proof.
       enough (0 <= (X r - 1 + c * (P r + L r) ^ 2 + k * P r) / P r) by lra. apply Rmult_le_pos. lra. left. now apply Rinv_0_lt_compat. }
   rewrite <- (exp_ln (P t)) by (at_ t; trivial). specialize (HM t Ht).
   assert (c * X t <= c * M) by (apply Rmult_le_compat_l; lra). assert (k * t <= k * T) by (apply Rmult_le_compat_l; lra).
-  destruct (Rle_lt_or_eq_dec (ln (P s) + c * X s + k * s - c * M - k * T) (ln (P t)) ltac:(lra)) as [l | <-]; [ left; now apply exp_increasing | lra ].
+  destruct (Rle_lt_or_eq_dec (ln (P s) + c * X s + k * s - c * M - k * T) (ln (P t)) ltac:(lra)) as [l | <-]; [ left;
+  now apply exp_increasing | lra ].
 Qed.
 
 Hypothesis P0 : left_lim P T 0.
@@ -148,13 +162,14 @@ Hypothesis rho : left_lim (fun t => X t ^ 2 + L t ^ 2) T (r ^ 2).
 
 Lemma X_limit : exists s l, a <= s < T /\ left_lim X T l /\ l ^ 2 <= r ^ 2 /\ forall t, s <= t < T -> - (r + 1) <= X t <= l.
 Proof.
-  destruct (ll_near _ _ _ 1 rho Rlt_0_1) as (d & d0 & Hd). set (s := Rmax a (T - d / 2)). pose proof (Rmax_l a (T - d / 2)). pose proof (Rmax_r a (T - d / 2)).
-  assert (sT : s < T) by (apply Rmax_lub_lt; lra). assert (B : forall t, s <= t < T -> - (r + 1) <= X t <= r + 1).
-  { intros t Ht. unfold s in *. specialize (Hd t ltac:(lra)). cbv beta in Hd. pose proof (pow2_ge_0 (L t)). split; nra. }
-  destruct (ll_mono X s T (r + 1) sT) as (l & Hl & l1). { intros; apply X_up; unfold s in *; lra. } { intros; now apply B. }
-  exists s, l. repeat split; trivial; try (unfold s in *; lra).
-  - apply Rnot_lt_le. intros k. destruct (ll_near (fun t => X t ^ 2 - (X t ^ 2 + L t ^ 2)) T (l ^ 2 - r ^ 2) (l ^ 2 - r ^ 2)) as (d' & d1 & Hd'); [ ll | lra | ].
-    specialize (Hd' (T - d' / 2) ltac:(lra)). cbv beta in Hd'. pose proof (pow2_ge_0 (L (T - d' / 2))). lra.
+  destruct (ll_from _ a T _ 1 aT rho Rlt_0_1) as (s & Hs & Hd). assert (sT : s < T) by lra.
+  assert (B : forall t, s <= t < T -> - (r + 1) <= X t <= r + 1) by (intros t Ht; specialize (Hd t Ht); cbv beta in Hd; pose proof (pow2_ge_0 (L t));
+  split; nra).
+  destruct (ll_mono X s T (r + 1) sT) as (l & Hl & l1). { intros; apply X_up; lra. } { intros; now apply B. }
+  exists s, l. repeat split; trivial; try lra.
+  - apply Rnot_lt_le. intros k. destruct (ll_from (fun t => X t ^ 2 - (X t ^ 2 + L t ^ 2)) s T (l ^ 2 - r ^ 2) (l ^ 2 - r ^ 2) sT) as (t & Ht & K);
+    [ ll | lra | ].
+    specialize (K t ltac:(lra)). cbv beta in K. pose proof (pow2_ge_0 (L t)). lra.
   - now apply B.
   - now apply l1.
 Qed.
@@ -164,27 +179,23 @@ Proof.
   destruct X_limit as (s & l & Hs & Hl & l2 & B). destruct (Req_dec (l ^ 2) (r ^ 2)) as [e | ne].
   { assert (z : (l - r) * (l + r) = 0) by lra. apply Rmult_integral in z. destruct z; [ left | right ]; eapply ll_eq; try exact Hl; lra. }
   exfalso. set (c := r ^ 2 - l ^ 2). assert (c0 : 0 < c) by (unfold c; lra).
-  destruct (ll_near (fun t => X t ^ 2 + L t ^ 2 - X t ^ 2) T (r ^ 2 - l ^ 2) (c / 2)) as (d & d0 & Hd); [ ll | lra | ]. fold c in Hd.
-  destruct (ll_near _ _ _ 1 P0 Rlt_0_1) as (d' & d1 & Hd').
-  set (s' := Rmax s (T - Rmin d d' / 2)). assert (0 < Rmin d d') by now apply Rmin_pos. pose proof (Rmin_l d d'). pose proof (Rmin_r d d').
-  pose proof (Rmax_l s (T - Rmin d d' / 2)). pose proof (Rmax_r s (T - Rmin d d' / 2)). fold s' in H2, H3. assert (sT : s' < T) by (apply Rmax_lub_lt; lra).
+  destruct (ll_from (fun t => X t ^ 2 + L t ^ 2 - X t ^ 2) s T (r ^ 2 - l ^ 2) (c / 2)) as (s1 & S1 & Hd); [ lra | ll | lra | ]. fold c in Hd.
+  destruct (ll_from _ s1 T _ 1 ltac:(lra) P0 Rlt_0_1) as (s' & S2 & Hd').
   set (k := 4 * (r + 2) / c). assert (k0 : 0 < k) by (apply Rdiv_lt_0_compat; lra). assert (kc : k * c = 4 * (r + 2)) by (unfold k; field; lra).
   destruct (no_stop s' k k l) as (m & m0 & Hm); try lra.
   - intros t Ht. apply B. lra.
   - intros t Ht. specialize (Hd t ltac:(lra)). specialize (Hd' t ltac:(lra)). cbv beta in Hd. destruct (B t ltac:(lra)) as [b1 b2].
-    pose proof (r_pos _ _ _ _ _ Hr t ltac:(lra)) as pt. assert (q : L t ^ 2 / 2 - P t <= (P t + L t) ^ 2) by (pose proof (pow2_ge_0 (2 * P t + L t)); nra).
+    pose proof (r_pos _ _ _ _ _ Hr t ltac:(lra)) as pt. assert (q : L t ^ 2 / 2 - P t <= (P t + L t) ^ 2) by (pose proof (pow2_ge_0 (2 * P t + L t));
+    nra).
     assert (k * (c / 4 - P t) <= k * (P t + L t) ^ 2) by (apply Rmult_le_compat_l; lra). lra.
-  - destruct (ll_near _ _ _ m P0 m0) as (d2 & d20 & Hd2). set (t := Rmax s' (T - d2 / 2)). pose proof (Rmax_l s' (T - d2 / 2)). pose proof (Rmax_r s' (T - d2 / 2)).
-    assert (t < T) by (apply Rmax_lub_lt; lra). fold t in H4, H5. specialize (Hd2 t ltac:(lra)). specialize (Hm t ltac:(lra)). lra.
+  - destruct (ll_from _ s' T _ m ltac:(lra) P0 m0) as (t & Ht & K). specialize (K t ltac:(lra)). specialize (Hm t ltac:(lra)). lra.
 Qed.
 (* at rho = 1 it stops coming straight in only *)
 Lemma at_one : r = 1 -> left_lim X T (- (1)).
 Proof.
   intros e1. destruct along as [H | H]; [ exfalso | now rewrite <- e1 ].
   destruct X_limit as (s & l & Hs & Hl & _ & B). rewrite e1 in H. assert (l = 1) by now apply (ll_uniq X T). subst l.
-  destruct (ll_near _ _ _ 1 P0 Rlt_0_1) as (d & d0 & Hd). destruct (ll_near _ _ _ 1 H Rlt_0_1) as (d' & d1 & Hd').
-  set (s' := Rmax s (T - Rmin d d' / 2)). assert (0 < Rmin d d') by now apply Rmin_pos. pose proof (Rmin_l d d'). pose proof (Rmin_r d d').
-  pose proof (Rmax_l s (T - Rmin d d' / 2)). pose proof (Rmax_r s (T - Rmin d d' / 2)). fold s' in H3, H4. assert (sT : s' < T) by (apply Rmax_lub_lt; lra).
+  destruct (ll_from _ s T _ 1 ltac:(lra) P0 Rlt_0_1) as (s1 & S1 & Hd). destruct (ll_from _ s1 T _ 1 ltac:(lra) H Rlt_0_1) as (s' & S2 & Hd').
   assert (E1 : forall t, s' <= t < T -> 1 <= X t ^ 2 + L t ^ 2 - P t ^ 2 + 2 * P t * (T - t)).
   { intros t Ht. apply (ll_le (fun t => X t ^ 2 + L t ^ 2 - P t ^ 2) T 1 t); [ | lra | ].
     { eapply ll_eq. apply (ll_minus (fun t => X t ^ 2 + L t ^ 2) (fun t => P t ^ 2)); [ exact rho | apply ll_pow, P0 ]. rewrite e1. ring. }
@@ -199,8 +210,7 @@ Proof.
   - intros t Ht. specialize (Hd t ltac:(lra)). specialize (Hd' t ltac:(lra)). specialize (E1 t Ht). destruct (B t ltac:(lra)) as [_ b2]. at_ t.
     assert (1 - X t <= 1 - X t ^ 2) by nra. assert (L t ^ 2 <= 2 * (P t + L t) ^ 2 + 2 * P t ^ 2) by (pose proof (pow2_ge_0 (L t + 2 * P t)); nra).
     assert (P t * (T - t) <= P t * (T - s')) by (apply Rmult_le_compat_l; lra). nra.
-  - destruct (ll_near _ _ _ m P0 m0) as (d2 & d20 & Hd2). set (t := Rmax s' (T - d2 / 2)). pose proof (Rmax_l s' (T - d2 / 2)). pose proof (Rmax_r s' (T - d2 / 2)).
-    assert (t < T) by (apply Rmax_lub_lt; lra). fold t in H5, H6. specialize (Hd2 t ltac:(lra)). specialize (Hm t ltac:(lra)). lra.
+  - destruct (ll_from _ s' T _ m ltac:(lra) P0 m0) as (t & Ht & K). specialize (K t ltac:(lra)). specialize (Hm t ltac:(lra)). lra.
 Qed.
 End Reduced.
 
@@ -211,7 +221,7 @@ Notation p t := (nrm (u t) (w t)).
 Notation rho t := (nrm (x t) (y t)).
 Notation xi t := ((x t * u t + y t * w t) * / nrm (u t) (w t)).
 Notation ell t := ((x t * w t - y t * u t) * / nrm (u t) (w t)).
-Ltac conts := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
+Ltac conts := table S.
 
 Lemma reduced_spin a b : 0 <= a -> (forall t, a <= t < b -> 0 < p t) -> reduced (fun t => p t) (fun t => xi t) (fun t => ell t) a b.
 Proof.
@@ -252,8 +262,7 @@ Lemma stops_inside : left_lim (fun t => xi t) T (rho T) -> 0 < rho T -> rho T < 
 Proof.
   intros H r0. destruct (Rtotal_order (rho T) 1) as [l | [e | g]]; trivial; exfalso.
   - assert (e2 : - (1) = rho T) by (apply (ll_uniq (fun t => xi t) T); [ now apply stops_at_one | exact H ]). lra.
-  - destruct (ll_near _ _ _ (rho T - 1) H ltac:(lra)) as (d & d0 & Hd). set (s := Rmax 0 (T - d / 2)). pose proof (Rmax_l 0 (T - d / 2)). pose proof (Rmax_r 0 (T - d / 2)).
-    assert (sT : s < T) by (apply Rmax_lub_lt; lra). fold s in H0, H1. pose proof (N s ltac:(lra)).
+  - destruct (ll_from _ 0 T _ (rho T - 1) T0 H ltac:(lra)) as (s & Hs & Hd). pose proof (N s ltac:(lra)).
     enough (- p T <= - p s) by lra. apply (rder_decr (fun t => - p t)); [ lra | intros; conts | ]. intros r Hr. eexists. split.
     apply (rder_opp (fun t => p t)), (dp x y u w S r); [ lra | ]. specialize (N r ltac:(lra)). lra. specialize (Hd r ltac:(lra)). cbv beta in Hd. lra.
 Qed.
