@@ -60,7 +60,6 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
             "The line |𝔴₀| − d φ at φ = |𝔴₀|/d, d being the right less the left side, with 𝔴₀ for its size",
             start - (right - left) * time,
         )?;
-        p.remark("So 𝔴 is 0 by then, and at rest the drive is below the greatest static friction; with a velocity across it falls as fast, by (2)");
         Ok(())
     })
 }
@@ -88,10 +87,6 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
         let slow = p.read("Where |h| ≤ 1 − s, it is at most", 1 - s - friction)?;
         let stated = p.read("−s (1 − s)", -(s * (1 - s)))?;
         p.equal("The last two are equal", &slow, &stated)?;
-        p.note(
-            "m: for how long in a period, in the mean over many, the particle moves while |h| ≤ 1 − s",
-            "per period |𝔴| grows in the mean by 2π times the first and m times the second at most; it does not sink below 0, so that in the limit of many periods this is not negative",
-        );
         let gain = p.read(
             "2π s² − m s (1 − s)",
             2 * pi() * s.squared() - m * s * (1 - s),
@@ -104,10 +99,6 @@ fn mostly_at_rest(rate: Expr, share: Expr, sign: i64) -> Proof {
             "s (1 − s) times what m is below 2πs/(1 − s)",
             s * (1 - s) * (bound - m),
         )?;
-        p.note(
-            "E: the share of the phases with |h| > 1 − s",
-            "it tends to 0 with s, if |h| is 1 at single instants",
-        );
         let rest = p.read("The share of rest is at least", 1 - bound / (2 * pi()) - e)?;
         let [small, share_of_strong] = [s, e].map(|x| p.ring().read(x));
         let zero = Rational::int(0);
@@ -187,10 +178,6 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
             let h = p.read(says, h)?;
             p.equal(&format!("It is {way}"), &h, &Rational::int(way))?;
         }
-        p.note(
-            "So |h| = 1 at all times",
-            "for λ₀ < 1 friction holds nothing, and there is no rest",
-        );
         let critical = p.read("λ_c at η = 1", at(pulses.critical, one))?;
         p.equal(
             "It is 1, above which all rests",
@@ -216,10 +203,6 @@ fn extremes(rate: Expr, pulses: Pulses, sign: i64) -> Proof {
             "The size left after |𝔴₀|/λ₀, with 𝔴₀ for its size",
             start - lambda0 * (start / lambda0),
         )?;
-        p.note(
-            "So, for λ₀ > 0",
-            "the particle comes to rest and stays: |h| = 0 < λ₀",
-        );
         let critical = p.read("λ_c at η = 0", at(pulses.critical, zero))?;
         p.zero("It is 0, below which no λ₀ is", &critical)
     })

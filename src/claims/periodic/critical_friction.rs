@@ -34,7 +34,6 @@ pub(super) fn never_part(rate: Expr) -> Proof {
             |p| {
                 p.shows("By (26) with any h, |h| ≤ 1, for the sine: the distance of two velocities along x stays while they have the same sense, falls at the rate 2λ₀ while they have opposite ones, and does not grow while one particle rests.");
                 with_sign(p, sign);
-                p.remark("Under the same h let 𝔴₁ have the sign of 𝔴, and 𝔴₂ the other one");
                 let [lambda0, same, other] = symbols(["λ₀", "𝔴₁", "𝔴₂"]);
                 p.vanishes("d(𝔴 − 𝔴₁)/dφ by (26)", rate - rate.with("𝔴", same))?;
                 let signed = int(sign);
@@ -67,7 +66,6 @@ pub(super) fn slows(law: Expr) -> Proof {
     Proof::in_ring("The speed under h and friction", ring(), |p| {
         p.shows("Under a drive h along x, whatever v_y is: dv/dφ = h v_x/v − λ₀, which is |h| − λ₀ at most.");
         p.rests_on(&eq2_proof(law))?;
-        p.remark("h is sin ψ, any number from −1 to 1; velocities are in units of A₀/ϖ");
         let [lambda0, vx, vy] = symbols(["λ₀", "v_x", "v_y"]);
         let speed = (vx.squared() + vy.squared()).sqrt();
         let in_units = law.with("μ", lambda0).with("g", int(1));
@@ -110,10 +108,6 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
         above_the_mean(p, rate, sign)?;
         let stated = p.read("What is stated for much friction, 1 for rests", much)?;
         p.reads_as(&stated, "", int(1))?;
-        p.note(
-            "Little friction, for motions along the line",
-            "a motion with a velocity across has no rest, or is one along the line from a rest on",
-        );
         near_the_median(p, rate, sign)?;
         against_a_mean(p, rate, sign)?;
         p.vanishes("What is stated for little friction, 0 for none", little)?;
@@ -129,32 +123,16 @@ fn threshold(law: Expr, rate: Expr, [little, much]: [Expr; 2], sign: i64) -> Pro
 fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obstacle> {
     let [lambda0, mean, start, n] = symbols(["λ₀", "M", "𝔴₀", "n"]);
     let period = 2 * pi();
-    p.note(
-        "First, let λ₀ exceed M, the mean of |h|",
-        "M < 1, as |h| ≤ 1, and |h| < 1 for some time",
-    );
     let signed = int(sign);
     p.identity(
         ("d|𝔴|/dφ by (26)", signed * rate),
         ("at most |h| − λ₀", signed * h() - lambda0),
     )?;
-    p.note(
-        "In a time without rest",
-        "𝔴 is 0 only where |h| ≥ λ₀, but for single instants, as it stays 0 where |h| < λ₀: there, too, the rate of |𝔴|, 0, is |h| − λ₀ at most",
-    );
     let gain = period * (mean - lambda0);
-    p.note(
-        "So in each period without rest",
-        "|𝔴| changes by 2π (M − λ₀) < 0 at most, and so does the speed if there is a velocity across",
-    );
     p.vanishes(
         "With the speed 𝔴₀ at first, after n = 𝔴₀/(2π (λ₀ − M)) periods without rest there is left at most",
         start + gain * (start / (period * (lambda0 - mean))),
     )?;
-    p.note(
-        "So there is a rest",
-        "in the period after them at the latest",
-    );
     p.identity(
         (
             "From 0, where a rest ends, a period without rest would leave at most",
@@ -162,7 +140,6 @@ fn above_the_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
         ),
         ("negative, as no size is", -(period * (lambda0 - mean))),
     )?;
-    p.remark("So there is rest in every late period, and for λ₀ < 1 motion too: |h| > λ₀ for some time, as one of the one-sided limits of h is ±1, and no rest lasts then");
     Ok(())
 }
 
@@ -172,10 +149,6 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
     let [length, forward, near] = symbols(["ℓ", "P", "η"]);
     let [zero, two, pi] = [int(0), int(2), pi()];
     let signed = int(sign);
-    p.note(
-        "Second, let m, the mean of h, be 0, and λ₀ be small",
-        "H, the antiderivative of h, has the period 2π; c is its median: H ≥ c for π at least in each period, and H ≤ c for π at least",
-    );
     let falls = two * pi * signed * (rate - h() + m);
     p.identity(
         (
@@ -184,18 +157,6 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         ),
         ("", -(two * pi * lambda0)),
     )?;
-    p.note(
-        "So 𝔴 stays bounded",
-        "it changes by 2π (1 + λ₀) at most in a period; where |𝔴| is above that, it keeps its sign for a period, and |𝔴| is smaller after it",
-    );
-    p.note(
-        "The velocity after a period is a function of that before",
-        "it never falls, as two velocities do not cross, and is continuous, as they never move apart. So from period to period the velocity of a motion rises, or falls, to a limit, which the function leaves as it is",
-    );
-    p.note(
-        "So every motion tends to one of the period 2π",
-        "of which the following holds:",
-    );
 
     let motion = [("𝔴", p.ring().read(rate)?), ("H", p.ring().read(h())?)];
     let motion = p.ring().along(&motion)?;
@@ -214,7 +175,6 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         ),
         ("a square, which is not negative", (pi - length).squared()),
     )?;
-    p.remark("So ℓ or 2π − ℓ is π at most, and two values of G, which has the period 2π, differ by πλ₀ at most");
     p.identity(
         (
             "Let 𝔴 > 0 for the phase P in each period, in which G then rises by at most",
@@ -225,18 +185,6 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
             -(two * lambda0 * (forward - pi)),
         ),
     )?;
-    p.note(
-        "Suppose that G > πλ₀ somewhere",
-        "then G > 0 everywhere, and 𝔴 > H − c: 𝔴 > 0 wherever H ≥ c, for π at least, and, as both are continuous, for somewhat longer. So P > π, a contradiction",
-    );
-    p.note(
-        "Likewise for G < −πλ₀, with 𝔴 < 0 and H ≤ c",
-        "so |G| ≤ πλ₀ everywhere",
-    );
-    p.note(
-        "There are δ > 0 and η > 0 with |h| ≥ δ wherever |H − c| ≤ η",
-        "otherwise phases with h as near to 0 and H as near to c as one likes would have a limit, where H = c, and h or its limit from one side is 0",
-    );
     let margin = near - pi * lambda0;
     p.identity(
         (
@@ -245,10 +193,6 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
         ),
         ("", near),
     )?;
-    p.note(
-        "A late motion is within E of the periodic one",
-        "where it is 0, the periodic one is E at most in size, and |H − c| ≤ E + πλ₀ = η. So |h| ≥ δ there, and for λ₀ < δ no rest lasts",
-    );
     Ok(())
 }
 
@@ -256,10 +200,6 @@ fn near_the_median(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obst
 fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obstacle> {
     let lambda0 = symbol("λ₀");
     let signed = int(sign);
-    p.note(
-        "Third, let m differ from 0, and λ₀ be below |m|",
-        "in each period the drive exceeds friction on the whole",
-    );
     for (says, way) in [("m > 0", 1), ("m < 0", -1)] {
         let way = int(way);
         p.note("The case", says);
@@ -273,11 +213,6 @@ fn against_a_mean(p: &mut Prover<'_>, rate: Expr, sign: i64) -> Result<(), Obsta
             ("0 or 2λ₀, not negative", stated),
         )?;
     }
-    p.note(
-        "During a rest |h| ≤ λ₀, and the rate, 0, is not below ±h − λ₀ either",
-        "so in each period ±𝔴 grows by 2π (|m| − λ₀) at least, beyond all bounds",
-    );
-    p.note("So from some time on", "there is no rest");
     Ok(())
 }
 

@@ -38,7 +38,6 @@ impl Chain {
     fn steps(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
         let by = p.ring().by("φ")?;
         let friction = p.ring().named("λ₀")?;
-        p.remark("Under the pulses of (42) and (43), with 𝔴 > 0");
         for (w, h) in self.cases.iter().zip(self.drive) {
             let w = p.read(&format!("While h = {h}, 𝔴 is"), *w)?;
             let slope = p.derivative("Its rate", &w, &by)?;
@@ -77,10 +76,6 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
     let ring = ring();
     Proof::of("(44): motion and rest", &ring, |p| {
         moving.steps(p)?;
-        p.note(
-            "In the gap h = 0",
-            "|h| ≤ λ₀: what is at rest stays at rest",
-        );
         p.vanishes("The printed rest", cases[2])
     })
 }

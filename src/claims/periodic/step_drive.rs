@@ -161,11 +161,6 @@ fn changes(law: Expr, rate: Expr, [little, much]: [Expr; 2], halves: [Half; 3]) 
         p.rests_on(&never_farther_apart())?;
         p.rests_on(&slows(law))?;
         given(p, &[&MOVES, &EQ45])?;
-        p.note(
-            "The drive",
-            "h = 1 up to 3π/8, −1/6 from there to π/2, and 1 up to π; then the same with the other sign",
-        );
-        p.note("For λ₀ = 1/8", "friction holds nothing in any step:");
         for step in DRIVE {
             let room = ratio(step.h).squared() - ratio([1, 8]).squared();
             p.identity(
@@ -247,7 +242,6 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         ratio([at - from, parts]),
     )?;
     p.equal("That is half a period, 1", &length, &Rational::int(1))?;
-    p.remark("By (45) it goes on, with the other sign, and so for ever");
     if half.kind() == 1 {
         p.note(
             "While it rests",
@@ -262,9 +256,6 @@ fn follow(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
 fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
     let [lambda0, psi, other, d] = symbols(["λ₀", "ψ", "𝔴₁", "D"]);
     let (one, two, h) = (int(1), int(2), psi.sin());
-    p.remark(
-        "A motion with a velocity across has no rest, or is one along the line from a rest on",
-    );
     for (says, sign, rate) in [
         ("The sign 1", one, rate),
         ("The sign −1", -one, rate.with("𝔴", other)),
@@ -302,7 +293,6 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         from,
         ..
     } = *half;
-    p.remark("So in each period the distance falls by an amount that depends on D alone, and so it goes to 0");
     p.identity(
         (
             "Where this motion is 0, h² − λ₀²",
@@ -310,9 +300,6 @@ fn drawn(p: &mut Prover<'_>, rate: Expr, half: &Half) -> Result<(), Obstacle> {
         ),
         ("positive: friction is too weak", ratio([3, 4])),
     )?;
-    p.remark(
-        "So a late motion is 0 only near these places, inside the steps, and no rest lasts there",
-    );
     Ok(())
 }
 

@@ -34,9 +34,6 @@ pub fn eq139(bound: Expr) -> Proof {
             ("dp/dτ by (107) at ρ = σ", motion::eq107_p_rate(sigma, psi)),
             ("σ less the bound, less what is not negative", excess - less),
         )?;
-        p.remark(
-            "So dp/dτ ≤ 0 for every ψ where σ is not above the bound; at ψ = 0 it is > 0 above",
-        );
         Ok(())
     })
 }

@@ -95,10 +95,6 @@ fn arriving(
             p,
             &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
         )?;
-        p.note(
-            "Near rest at σ",
-            "A → σ, α → 0, ψ → 0: α = εx, ψ = εy, A = σ + εa, with α + |ψ| + |A − σ| for ε, so that x, y and a are bounded",
-        );
         steps(p)
     })
 }
@@ -128,10 +124,6 @@ fn alpha_rate() -> Expr {
 /// The limit of dα/dτ.
 fn inwards(p: &mut Prover<'_>) -> Result<Rational, Obstacle> {
     let rate = near(p, "dα/dτ by (114), with A = σ + aε", alpha_rate(), 1)?;
-    p.note(
-        "Its limit",
-        "the term without ε, negative as σ < 1: α falls near rest, and may stand for the time",
-    );
     order(&rate, 0)
 }
 
@@ -172,10 +164,6 @@ fn eq142([left, right]: [Expr; 2]) -> Proof {
         let share = (2 - turning) * alpha / psi;
         let share = near(p, "2 less dψ/dτ by (115), over ψ/α", share, 1)?;
         p.equal("Its limit is 1", &order(&share, 0)?, &Rational::int(1))?;
-        p.note(
-            "So, whatever ψ/α is",
-            "dψ/dτ = 2 − (1 + o(1)) ψ/α, and the left side is (1 + o(1)) dψ/dτ",
-        );
         p.identity(("Right side", right), ("", 2 - psi / alpha))
     })
 }
@@ -187,9 +175,6 @@ fn eq144([left, right]: [Expr; 2]) -> Proof {
         let right = p.read("Right side", right)?;
         let alpha = p.ring().named("α")?;
         p.equal("It is α", &right, &alpha)?;
-        p.remark(
-            "So the left side is (1 + o(1)) dA/dτ, and that is (1 + o(1)) times the right side",
-        );
         Ok(())
     })
 }
@@ -231,10 +216,6 @@ fn eq143(formula: Expr) -> Proof {
         let [sigma, alpha, psi] = symbols(["σ", "α", "ψ"]);
         let k = sigma / (1 - sigma);
         let slope = alpha * motion::eq115_psi_rate::tree() / alpha_rate();
-        p.note(
-            "By (145)",
-            "A = σ + aε², with α + |ψ| for ε and a bounded a",
-        );
         let slope = near(p, "α dψ/dα by (114) and (115)", slope, 2)?;
         p.zero("It has no term without ε", &order(&slope, 0)?)?;
         let linear = k * psi - 2 * k * alpha;
@@ -245,15 +226,6 @@ fn eq143(formula: Expr) -> Proof {
             &order(&linear, 1)?,
         )?;
         p.zero("Its second term is 0", &order(&slope, 2)?)?;
-        p.note(
-            "Both being analytic in α and ψ",
-            "α dψ/dα = kψ − 2kα + R with |R| ≤ C (α + |ψ|)³, as A − σ is of the order of α²",
-        );
-        p.note(
-            "As ψ → 0, |R| ≤ η (α + |ψ|) near rest; let 0 < η < 2k/3, η ≠ k − 1",
-            "so |ψ|/α^(k−η) grows, as α falls, at the rate (2k + η)/α^(k−η) by α at most: |ψ| is of the order of α^(k−η) + α",
-        );
-        p.remark("So R is of the order of α^(3k−3η) + α³, and R/α^(k+1) has a finite integral from 0, as 3η < 2k and k < 3");
         let stated = p.read("(143)", formula)?;
         let ring = p.ring();
         let slope = p.slope("Its slope", &stated, "α")?;
@@ -262,11 +234,6 @@ fn eq143(formula: Expr) -> Proof {
         p.equal("α times that, less k times (143), is −2kα", &left, &right)?;
         let free = p.slope("Its slope by c", &stated, "c")?;
         p.reads_as(&free, "", 2 * alpha * alpha.pow(k - 1))?;
-        p.remark("So (ψ less (143) with c = 0) over α^k has the slope R/α^(k+1) by α, and converges: to 2c. What is left is α^k times the integral of R/α^(k+1) from 0");
-        p.note(
-            "Now |ψ| is of the order of α^k + α, and R of α^(3k) + α³",
-            "so is what is left; 3k > 1, 3k > k and 3 > k: it is of smaller order than α and than α^k",
-        );
         Ok(())
     })
 }

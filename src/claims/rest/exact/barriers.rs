@@ -88,10 +88,6 @@ fn surface(formula: Expr) -> Proof {
         let left = imbalance(p.ring(), &a)?;
         p.zero("R has no term of the order α^0", &order(&left, 0)?)?;
         p.note(
-            "Nor has R a term of the order α, as shown before",
-            "its coefficients as a series in α are polynomials in cos(ψ/2) and sin(ψ/2), so that |R| ≤ Cα² for all ψ, with a constant C",
-        );
-        p.note(
             "While A ≤ σ",
             "f ≥ 1/σ − 1 > 0, so that α falls, to 0 within the time α/(1/σ − 1). If A ≤ σ still, the particle is at rest there, at ρ = A. By (113) A never falls",
         );
@@ -107,18 +103,6 @@ fn surface(formula: Expr) -> Proof {
             "Let s = −1, and u < 0 at the start",
             "where A ≤ σ/2, u is negative if α₀ is small; where A ≥ σ/2, du/dτ ≤ −C′αu by the same bounds. So u stays negative, and A < P < σ until α is 0, as P is σ less a positive multiple of α². The particle comes to rest inside σ, as u = A − σ < 0 there",
         );
-        p.note(
-            "So, if it comes to rest at σ, neither holds",
-            "|A − P| ≤ Kα³",
-        );
-        p.note(
-            "For given α and ψ the A with rest inside σ form an open set, and so do those with A > σ at some time",
-            "shortly before rest little time is left for A to grow, also in neighbouring motions. Both have members, by the last case and with A > σ at the start, and none in common",
-        );
-        p.note(
-            "So some A is in neither set",
-            "from there A ≤ σ for ever: the particle comes to rest, not inside σ, and so at σ",
-        );
         Ok(())
     })
 }
@@ -132,46 +116,18 @@ fn rest_or_escape(formula: Expr) -> Proof {
             "Let P be the series up to the order α^4",
             "it differs from the formula by a bounded number times α³",
         );
-        p.note(
-            "R has no term below the order α^4, as shown before",
-            "the coefficients of P and R as series in α are polynomials in cos(ψ/2) and sin(ψ/2), so that |R| ≤ Cα^4 for all ψ, with a constant C",
-        );
         let slope = p.ring().normal(&-&order(a, 1)?);
         let psi = symbol("ψ");
         let stated = p.read("(1 + cos ψ)/2", (1 + psi.cos()) / 2)?;
         p.equal("It is −b at α = 0", &slope, &stated)?;
-        p.note(
-            "Inside: where |ψ| ≤ π/2",
-            "m ≥ 1/4 where A ≤ 1, if α₀ is small; and no motion leaves, as dψ/dτ = 2 − 2 coth 2α < 0 at ψ = π/2, and dψ/dτ = 2 + 2 coth 2α > 0 at ψ = −π/2",
-        );
-        p.note(
-            "Outside: where cos ψ < 0",
-            "f ≥ 1 where A ≤ 1, and m ≥ −C′α where A ≥ 1/2, with a constant C′: while A ≤ 1, α falls to 0 or the motion comes inside within the time α₀",
-        );
         p.note(
             "Let K = 1 in u, and α₀ be so small that what is of the order of α^4 is below α³/4",
             "the K of the theorem is larger, by what P and the formula differ by, over α³",
         );
         above(p)?;
         below(p, formula)?;
-        p.note(
-            "For given α and ψ the A with rest inside ρ = 1 form an open set, and so do those with A > 1 at some time",
-            "shortly before rest p + ρ < 1, also in neighbouring motions. Both have members, by the cases s = −1 and s = 1, and none in common: some A between is in neither",
-        );
         given(p, &[&super::chains::DICHOTOMY])?;
         p.rests_on(&super::chains::settles())?;
-        p.note(
-            "From there A ≤ 1 for ever",
-            "α falls, and ρ = A cosh α stays bounded: the particle stops at ρ = A ≤ 1, and so at ρ = 1, with ψ → 0 or ψ → π, or else creeps towards ρ = 1",
-        );
-        p.note(
-            "Suppose that it stops, at a time T, with ψ → 0",
-            "α ≤ c (T − τ) with a constant c, so that the time θ with dθ = dτ/α grows without end. As f → 0, d(ψ/α)/dθ = 2 − (1 + o(1)) ψ/α, and ψ/α stays bounded. And 1 − A ≤ (T − τ) sinh α, as dA/dτ = sinh α falls",
-        );
-        p.note(
-            "So f is at most α (α + T − τ) times a constant",
-            "ln α falls at a bounded rate, and α is not 0 at T: a contradiction, and ψ → π is left",
-        );
         Ok(())
     })
 }
@@ -182,10 +138,6 @@ fn above(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     p.note(
         "Let s = 1, and u > 0 at the start",
         "if A > 1, the motion escapes. While A ≤ 1, α falls, as f > 0; and while u > 0 too, A > P ≥ 1/2: outside du/dτ ≥ −C′αu + 3α² − (C + C′) α^4 ≥ −C′αu, inside du/dτ ≥ m (u + α³) − Cα^4 ≥ u/4",
-    );
-    p.note(
-        "So u stays positive while A ≤ 1",
-        "α does not come to 0, where u = A − 1; so the motion comes inside, where u grows without end. As u < A, A passes 1, and the particle escapes",
     );
     Ok(())
 }
@@ -219,16 +171,8 @@ fn below(p: &mut Prover<'_>, formula: Expr) -> Result<(), Obstacle> {
     p.rests_on(&fates::comes_to_rest(printed::eq139_largest_sigma()))?;
     p.rests_on(&lower_than_one(formula))?;
     p.note(
-        "So P < 1 if α₀ is small",
-        "with s = −1, A < 1 while u < 0, and α falls",
-    );
-    p.note(
         "Let s = −1, and u < 0 at the start",
         "where A ≤ 1/2, u is negative if α₀ is small; where A ≥ 1/2, outside, du/dτ ≤ −C′αu + (C + C′) α^4 − 3α² ≤ −C′αu; inside, for every A < 1, du/dτ ≤ m (u − α³) + Cα^4 ≤ u/4. So u stays negative",
-    );
-    p.note(
-        "Inside u would fall without end, but it is above −2",
-        "so α comes to 0 after a finite time, with ρ = A < 1, where static friction holds the particle",
     );
     Ok(())
 }
@@ -238,19 +182,7 @@ fn lowest(formula: Expr) -> Proof {
     Proof::in_ring(title, least::ring(), |p| {
         p.rests_on(&least::prove(formula))?;
         given(p, &[&BOUNDARY])?;
-        p.note(
-            "The corrected boundary is nowhere below the formula, up to the order α³",
-            "so from every start below the formula by more than Kα³, with a larger K, the particle comes to rest",
-        );
-        p.note(
-            "At ψ = 2α",
-            "the boundary is the formula, up to the order α³:",
-        );
         least::where_it_is(p, formula, Rational::int(2))?;
-        p.note(
-            "So from every start there with A above the formula by more than Kα³",
-            "the particle escapes",
-        );
         Ok(())
     })
 }

@@ -75,10 +75,6 @@ fn settle(p: &mut Prover<'_>, [alpha, psi]: [Expr; 2], ahead: Expr) -> Result<()
     );
     p.vanishes("The stated limit of α", alpha)?;
     p.rests_on(&stops_along(ahead))?;
-    p.note(
-        "The particle does not come straight in, with ψ → π",
-        "ψ → 0 is left",
-    );
     p.vanishes("The stated limit of ψ", psi)
 }
 

@@ -58,10 +58,6 @@ pub fn prove(formula: Expr) -> Proof {
         let square = alpha * (s + alpha * g / 2).squared();
         let parts = square - alpha.pow(int(3)) * g.squared() / 4;
         p.reads_as(&above, "which is α (S + αG/2)² − α³G²/4", parts)?;
-        p.note(
-            "So A is nowhere less than the formula",
-            "up to terms of the order α³, the order of those left out of the boundary",
-        );
         Ok(())
     })
 }

@@ -19,10 +19,6 @@ pub fn prove(formula: Expr) -> Proof {
     Proof::in_ring(title, ring(), |p| {
         given(p, &[&turntable::EQ113, &turntable::EQ114])?;
         let ring = p.ring();
-        p.note(
-            "Close to ρ = 1, where ψ has relaxed",
-            "A = 1 + εa, α = εx, ψ = εy, with a small ε",
-        );
         let scaled = |name| Ok::<_, ExactError>(Series::new(1, vec![ring.named(name)?]));
         let one = Series::constant(Rational::int(1), ORDER);
         let values = [

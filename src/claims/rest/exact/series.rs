@@ -89,7 +89,6 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
         p,
         &[&turntable::EQ113, &turntable::EQ114, &turntable::EQ115],
     )?;
-    p.note("Small", "α, and ζ with α dζ/dα = ζ (2σ − 1)/(1 − σ)");
     let ring = p.ring();
     let (mut psi, mut a) = (Vec::new(), vec![ring.named("σ")?]);
     p.note(
@@ -116,7 +115,6 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
                     &slope,
                     &ring.named("ζ")?,
                 )?;
-                p.remark("x₁ = 2 makes 2ζ the second term of (143) over α");
                 found = ring.put(&found, &[(&free, &Rational::int(2))])?;
             }
             psi.extend([found, Rational::int(0)]);

@@ -48,10 +48,6 @@ pub fn prove(formula: Expr) -> Proof {
             &ahead,
             &order(&known, 2)?,
         )?;
-        p.note(
-            "This equation has other solutions for the coefficient of α²",
-            "they differ by a multiple of sin²ψ tan(ψ/2)^(−2/σ), which is infinite at ψ = 0, as σ < 1",
-        );
         Ok(())
     })
 }
