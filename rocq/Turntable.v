@@ -5,10 +5,6 @@ From Slipbook Require Import Motion Formulas TableMotions Lab TableAngle QuasiFi
 From Slipbook Require Export TableLaws.
 Open Scope R_scope.
 
-Ltac emptied T := lazymatch T with
-  | forall x : ?A, @?B x => let z := fresh "z" in constr:(forall z : A, ltac:(let b := eval cbv beta in (B z) in let r := emptied b in exact r))
-  | _ => constr:(False) end.
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
 (* a motion from the start given, with its angle, at the moment 0 *)
 Ltac from x0 y0 u0 w0 := destruct (motion_with_angle x0 y0 u0 w0) as (x & y & u & w & psi & S & P & (e1 & e2 & e3 & e4) & Q);
   pose proof (Rle_refl 0) as now.
@@ -419,7 +415,7 @@ Qed.
 (* (124): of the angles within a quarter turn of 0, psi of a motion stands still at psi_1, and at no other ... *)
 Theorem eq_124 : p t <> 0 -> right_continuous psi t -> - (PI / 2) <= psi t <= PI / 2 -> (rder psi t 0 <-> psi t = eq124_psi1 (al t)).
 Proof.
-  intros N C B. destruct (parameters N) as (_ & al0 & _). pose proof (eq_115 N C) as D. pose proof (stands (al t) (psi t) al0) as Q.
+  intros N C B. destruct (parameters N) as (_ & al0 & _). pose proof (eq_115 N C) as D. pose proof (stands (al t) al0 (psi t)) as Q.
     pose proof (tanh_range (al t) al0). unfold eq124_psi1. split.
   - intros Z. assert (e : sin (psi t) = tanh (2 * al t)) by (apply Q, (rder_unique _ _ _ _ D Z)). rewrite <- e. symmetry. now apply asin_sin.
   - intros e. eapply rder_eq. exact D. apply Q. rewrite e. apply sin_asin. lra.
@@ -427,7 +423,7 @@ Qed.
 (* (125): ... and of those on the other side at psi_2, and at no other *)
 Theorem eq_125 : p t <> 0 -> right_continuous psi t -> PI / 2 <= psi t <= 3 * (PI / 2) -> (rder psi t 0 <-> psi t = eq125_psi2 (al t)).
 Proof.
-  intros N C B. destruct (parameters N) as (_ & al0 & _). pose proof (eq_115 N C) as D. pose proof (stands (al t) (psi t) al0) as Q.
+  intros N C B. destruct (parameters N) as (_ & al0 & _). pose proof (eq_115 N C) as D. pose proof (stands (al t) al0 (psi t)) as Q.
     pose proof (tanh_range (al t) al0). unfold eq125_psi2. split.
   - intros Z. assert (e : sin (psi t) = tanh (2 * al t)) by (apply Q, (rder_unique _ _ _ _ D Z)). rewrite <- e, <- sin_PI_x, asin_sin by lra. ring.
   - intros e. eapply rder_eq. exact D. apply Q. rewrite e, sin_PI_x. apply sin_asin. lra.
@@ -510,7 +506,7 @@ Proof.
     (eapply rder_eq; [ rd | unfold eq120_beta_rate, RtoC, Cminus, Cplus, Copp, Cdiv, Cmult, Cinv; cbn [fst snd]; field; nra ]).
   - exists (eq121_psi_rate (be t) (psi t)). split; trivial. replace (2 * alpha_i t)%C with (2 * be t, PI) by (parts; unfold RtoC, Cmult;
     cbn [fst snd]; f_equal; field).
-    unfold csinh, ccosh. cbn [fst snd]. rewrite cos_PI, sin_PI. assert (sinh (2 * be t) <> 0) by (rewrite sinh_2; nra).
+    unfold csinh, ccosh. cbn [fst snd]. rewrite cos_PI, sin_PI. assert (sinh (2 * be t) <> 0) by (rewrite sinh_double; nra).
     apply injective_projections; unfold eq121_psi_rate, coth, RtoC, Cminus, Cplus, Copp, Cdiv, Cmult, Cinv; cbn [fst snd]; field; nra.
 Qed.
 End Outer.
@@ -524,27 +520,19 @@ Lemma eq_121__occurs : ltac:(occurs eq_121). Proof. intros H. outer_start. exact
 Lemma eq_122__occurs : ltac:(occurs eq_122). Proof. exact eq_119__occurs. Qed.
 Lemma eq_123__occurs : ltac:(occurs eq_123). Proof. exact eq_121__occurs. Qed.
 
-(* psi_1 attracts and psi_2 repels, alpha held fixed: of every solution of (115) that does not start at psi_2 (up to whole turns) the ratio of sin
-  ((psi - psi_1)/2)
-   to sin ((psi - psi_2)/2) falls exactly at the rate 2 / sinh 2 alpha, so that psi goes to psi_1 (up to whole turns), however near psi_2 it
-     started *)
-Theorem s4_quasi_fixed_stability al psi : 0 < al -> (forall t, 0 < t -> continuity_pt psi t) -> (forall t, 0 <= t ->
-  rder psi t (eq115_psi_rate al (psi t))) ->
-  let from1 t := sin ((psi t - eq124_psi1 al) / 2) in let from2 t := sin ((psi t - eq125_psi2 al) / 2) in from2 0 <> 0 ->
+(* psi_1 attracts and psi_2 repels, alpha held fixed: of every solution of (115) that does not start at psi_2 (up to whole turns) the ratio of
+   sin ((psi - psi_1)/2) to sin ((psi - psi_2)/2) falls exactly at the rate 2 / sinh 2 alpha, so that psi goes to psi_1 (up to whole turns),
+   however near psi_2 it started *)
+Theorem s4_quasi_fixed_stability al psi : 0 < al -> (forall t, 0 < t -> continuity_pt psi t) ->
+  (forall t, 0 <= t -> rder psi t (eq115_psi_rate al (psi t))) -> sin ((psi 0 - eq125_psi2 al) / 2) <> 0 ->
+  let from1 t := sin ((psi t - eq124_psi1 al) / 2) in let from2 t := sin ((psi t - eq125_psi2 al) / 2) in
   (forall t, 0 <= t -> from2 t <> 0 /\ from1 t / from2 t = exp (- (2 / sinh (2 * al) * t)) * (from1 0 / from2 0)) /\ is_lim from1 p_infty 0.
 Proof.
-  intros Ha C D f1 f2 N. split; [ | exact (attracted al psi Ha C D N) ]. intros t Ht. pose proof (stays_away al psi Ha C D N t Ht) as M.
-    split; [ exact M | ].
-  pose proof (ratio_falls al psi Ha C D N t Ht) as R. apply (Rmult_eq_reg_r (f2 t * f2 0)); [ | apply Rmult_integral_contrapositive; split;
-    [ exact M | exact N ] ].
-  transitivity (f1 t * f2 0). field. exact M. transitivity (exp (- (2 / sinh (2 * al) * t)) * f1 0 * f2 t). exact R. field. exact N.
+  intros Ha C D N f1 f2. split; [ | exact (attracted al Ha psi C D N) ]. intros t Ht. pose proof (stays_away al Ha psi C D N t Ht) as M. split; trivial.
+  pose proof (ratio_falls al Ha psi C D t Ht) as R. fold (f1 t) (f1 0) (f2 t) (f2 0) in R. fold (f2 t) in M. fold (f2 0) in N.
+  pose proof (exp_pos (2 / sinh (2 * al) * t)). rewrite exp_Ropp. set (e := exp _) in *. field_simplify_eq; lra.
 Qed.
-(* as near to psi_2 as one likes, on either side *)
-Lemma s4_quasi_fixed_stability__occurs al e : 0 < al -> 0 < Rabs e < PI -> exists psi, psi 0 = eq125_psi2 al + e /\
-  sin ((psi 0 - eq125_psi2 al) / 2) <> 0 /\
-  (forall t, 0 < t -> continuity_pt psi t) /\ forall t, 0 <= t -> rder psi t (eq115_psi_rate al (psi t)).
+Lemma s4_quasi_fixed_stability__occurs : ltac:(occurs s4_quasi_fixed_stability).
 Proof.
-  intros Ha He. destruct (frozen_exists al (eq125_psi2 al + e) Ha) as (psi & e0 & C & D). exists psi. split; trivial. rewrite e0.
-    replace (eq125_psi2 al + e - eq125_psi2 al) with e by ring. split; auto.
-  unfold Rabs in He. destruct (Rcase_abs e). pose proof (sin_lt_0_var (e / 2)). lra. pose proof (sin_gt_0 (e / 2)). lra.
+  intros H. destruct (frozen_exists 1 Rlt_0_1) as (psi & D & N). apply (H 1 psi Rlt_0_1); trivial; intros; [ eapply cont_of | apply rder_of ]; apply D.
 Qed.

@@ -9,24 +9,16 @@ Definition hyperbolic x y u w A alpha := nrm u w = eq111_p A alpha /\ nrm x y = 
 (* (117), (118) *)
 Definition hyperbolic_B x y u w B beta := nrm u w = eq117_p B beta /\ nrm x y = eq118_rho B beta.
 
-Lemma cosh_pos a : 0 < cosh a.
-Proof. unfold cosh. pose proof (exp_pos a). pose proof (exp_pos (- a)). lra. Qed.
-Lemma cosh_sq a : cosh a ^ 2 = sinh a ^ 2 + 1.
-Proof. unfold sinh, cosh. assert (k : exp (a) * exp (- a) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). field_simplify. lra. Qed.
-Lemma cosh_2 a : cosh (2 * a) = cosh a ^ 2 + sinh a ^ 2.
-Proof. unfold sinh, cosh. replace (2 * a) with (a + a) by ring. rewrite Ropp_plus_distr, !exp_plus. field. Qed.
-Lemma sinh_2 a : sinh (2 * a) = 2 * sinh a * cosh a.
-Proof. unfold sinh, cosh. replace (2 * a) with (a + a) by ring. rewrite Ropp_plus_distr, !exp_plus. field. Qed.
 Lemma amplitude A a r q : r = A * cosh a -> q = A * sinh a -> 0 <= r -> A = sqrt (r ^ 2 - q ^ 2).
 Proof.
-  intros -> -> H. pose proof (cosh_pos a). replace ((A * cosh a) ^ 2 - (A * sinh a) ^ 2) with (A ^ 2) by (rewrite !Rpow_mult_distr, cosh_sq; ring).
+  intros -> -> H. pose proof (cosh_pos a). replace ((A * cosh a) ^ 2 - (A * sinh a) ^ 2) with (A ^ 2) by (rewrite !Rpow_mult_distr, cosh2; ring).
     symmetry. apply sqrt_pow2. nra.
 Qed.
 Lemma hyperbolic_exists r q : 0 <= q < r -> let A := sqrt (r ^ 2 - q ^ 2) in q = A * sinh (arcsinh (q / A)) /\ r = A * cosh (arcsinh (q / A)).
 Proof.
   intros H A. assert (A0 : 0 < A) by (apply sqrt_lt_R0; nra). assert (AA : A ^ 2 = r ^ 2 - q ^ 2) by (unfold A; rewrite <- Rsqr_pow2; apply Rsqr_sqrt;
     nra).
-  rewrite sinh_arcsinh. split. field; lra. pose proof (cosh_sq (arcsinh (q / A))) as e. rewrite sinh_arcsinh in e.
+  rewrite sinh_arcsinh. split. field; lra. pose proof (cosh2 (arcsinh (q / A))) as e. rewrite sinh_arcsinh in e.
     pose proof (cosh_pos (arcsinh (q / A))) as c0. set (c := cosh _) in *.
   assert (k : (A * c) ^ 2 = r ^ 2). { rewrite Rpow_mult_distr, e. transitivity (q ^ 2 + A ^ 2). field; lra. lra. }
   apply Rsqr_inj; [ lra | nra | rewrite !Rsqr_pow2; lra ].
@@ -40,7 +32,7 @@ Proof.
     replace (A s * sinh (al s) * / A s) with (sinh (al s)) by (field; lra). apply arcsinh_sinh. }
   eapply rder_eq. apply (rder_comp (fun s => f s * / A s) arcsinh); [ apply (rder_mult f (fun s => / A s)); [ exact F | apply rder_inv;
     [ exact DA | lra ] ] | apply is_derive_Reals, derivable_pt_lim_arcsinh ].
-  rewrite e. replace (A t * sinh (al t) * / A t) with (sinh (al t)) by (field; lra). rewrite <- cosh_sq, sqrt_pow2 by lra. field. lra.
+  rewrite e. replace (A t * sinh (al t) * / A t) with (sinh (al t)) by (field; lra). rewrite (Rplus_comm _ 1), <- cosh2, sqrt_pow2 by lra. field. lra.
 Qed.
 
 Section Angles.
@@ -128,7 +120,7 @@ Proof.
   intros H N K. destruct (A_rate H K) as [A0 DA]. destruct (psi_rates x y u w psi S P t ht N) as (DP & _). specialize (A0 t (Rle_refl t)) as a0.
   eapply rder_eq. eapply (rder_alpha (fun s => p s) A al t 1 _ _ Rlt_0_1); [ | exact DP | exact DA ]. { intros s Hs. split. apply A0; lra.
     apply K; lra. }
-  destruct (K t (Rle_refl t)) as [_ ->]. pose proof (cosh_pos (al t)). pose proof (cosh_sq (al t)) as e. unfold eq114_alpha_rate, eq112_rho.
+  destruct (K t (Rle_refl t)) as [_ ->]. pose proof (cosh_pos (al t)). pose proof (cosh2 (al t)) as e. unfold eq114_alpha_rate, eq112_rho.
     field_simplify_eq; [ | lra ]. ring [e].
 Qed.
 Lemma B_rates : rho t < p t -> (forall s, t <= s -> rho s < p s -> hyperbolic_B (x s) (y s) (u s) (w s) (A s) (al s)) ->
@@ -159,7 +151,7 @@ Qed.
 End Hyperbolic.
 (* (115) and (121) are (109) *)
 Lemma psi_rate_hyperbolic a : sinh a <> 0 -> sinh a / cosh a + cosh a / sinh a = 2 * coth (2 * a).
-Proof. intros H. pose proof (cosh_pos a). unfold coth. rewrite cosh_2, sinh_2. field. lra. Qed.
+Proof. intros H. pose proof (cosh_pos a). unfold coth. rewrite cosh_double, sinh_double. field_simplify_eq; [ | lra ]. ring [(cosh2 a)]. Qed.
 
 (* ---- motions that have all this: every start, its angle, A and alpha, B and beta ---- *)
 Lemma motion_with_angle x0 y0 u0 w0 : exists x y u w psi, spin x y u w /\ (forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t)) /\

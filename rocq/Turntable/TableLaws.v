@@ -2,8 +2,7 @@
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Formulas.
-From Slipbook.General Require Import Rates.
-From Slipbook Require Export RightDerivatives.
+From Slipbook Require Export Analysis.
 Open Scope R_scope.
 
 (* (89) in the units of (87), (88): position (x, y) and velocity (u, w) on the table; friction has the size 1 *)
@@ -27,15 +26,18 @@ Definition position_angle x y u w psi :=
 Definition in_units (Om mu g : R) (x y u w rx ry pu pw : R -> R) := forall t,
   rx (eq88_time Om t) = eq87_position_1 Om mu g (x t) (y t) /\ ry (eq88_time Om t) = eq87_position_2 Om mu g (x t) (y t) /\
   pu (eq88_time Om t) = Om / (mu * g) * u t /\ pw (eq88_time Om t) = Om / (mu * g) * w t.
+(* f approaches f t from the right *)
+Definition right_continuous (f : R -> R) t := forall e, 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> Rabs (f s - f t) < e.
 (* position_angle by products *)
 Definition angle x y u w psi := x * u + y * w = nrm x y * nrm u w * cos psi /\ x * w - y * u = - (nrm x y * nrm u w * sin psi).
 
 Ltac table S := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
 
-Lemma nrm_x0 a : 0 <= a -> nrm a 0 = a.
-Proof. intros H. unfold nrm. replace (a ^ 2 + 0 ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
-Lemma nrm_0y a : 0 <= a -> nrm 0 a = a.
-Proof. intros H. unfold nrm. replace (0 ^ 2 + a ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
+Lemma rder_right_continuous f t l : rder f t l -> right_continuous f t.
+Proof.
+  intros [F [H K]] e He. destruct (cont_eps F t e (cont_of F t l H) He) as (d & d0 & Hd). exists d. split; trivial. intros s Hs.
+  rewrite <- !K by lra. apply Hd, Rabs_def1; lra.
+Qed.
 Lemma angle_iff x y u w psi : position_angle x y u w psi <-> angle x y u w psi.
 Proof.
   unfold position_angle, angle. pose proof (nrm_sq u w) as e. destruct (Req_dec (nrm u w) 0) as [z | z].
