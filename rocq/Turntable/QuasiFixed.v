@@ -101,8 +101,7 @@ Proof.
   - intros t. unfold psi. set (z := exp (- (2 / sinh (2 * al)) * t) - sinh (2 * al)). assert (q : 0 < 1 + z ^ 2) by nra.
     assert (e : sin (eq125_psi2 al + PI - 2 * atan z) = - (tanh (2 * al) * (1 - z ^ 2) / (1 + z ^ 2) + / cosh (2 * al) * (2 * z) / (1 + z ^ 2))).
     { change (eq125_psi2 al) with (PI - eq124_psi1 al). replace (PI - eq124_psi1 al + PI - 2 * atan z) with (- (eq124_psi1 al + 2 * atan z) + 2 * PI) by ring.
-      rewrite sin_per, sin_neg, sin_plus, es, ec, sin_2a, cos_2a, sin_atan, cos_atan, Rsqr_pow2. pose proof (pow2_sqrt (1 + z ^ 2) ltac:(lra)) as s.
-      set (r := sqrt _) in *. assert (r <> 0) by (intros k; rewrite k in s; lra). rewrite <- s. field. lra. }
+      destruct (twice_atan z) as [h1 h2]. rewrite sin_per, sin_neg, sin_plus, es, ec, h1, h2. field. lra. }
     rewrite rate_T, e by trivial. unfold z at 1. auto_derive; trivial. fold z. set (E := exp _). set (S := sinh _) in *. unfold tanh. fold S.
     transitivity (2 * (2 / S) * (z + S) / (1 + z ^ 2)); [ unfold z in *; fold E in q |- *; field; split; lra | field; lra ].
   - unfold psi. replace ((_ - _) / 2) with (PI / 2 - atan (exp (- (2 / sinh (2 * al)) * 0) - sinh (2 * al))) by field. rewrite sin_shift.

@@ -53,22 +53,13 @@ Definition half_angle c d m := 2 * atan (d / (m + c)).
 Lemma angle_exists x y u w : let c := x * u + y * w in let d := y * u - x * w in let m := nrm x y * nrm u w in
   { psi | position_angle x y u w psi /\ (m + c <> 0 -> psi = half_angle c d m) }.
 Proof.
-  intros c d m. assert (m0 : 0 <= m) by (apply Rmult_le_pos; apply nrm_pos). assert (e : c ^ 2 + d ^ 2 = m ^ 2) by (unfold m;
-    rewrite Rpow_mult_distr, !nrm_sq; unfold c, d; ring).
+  intros c d m. assert (e : d ^ 2 = m ^ 2 - c ^ 2) by (unfold m; rewrite Rpow_mult_distr, !nrm_sq; unfold c, d; ring).
   assert (F : forall psi, c = m * cos psi -> d = m * sin psi -> position_angle x y u w psi).
   { intros psi h1 h2. apply angle_iff. split; [ exact h1 | ]. fold m. unfold d in h2. lra. }
   destruct (Req_EM_T (m + c) 0) as [z | z]. { exists PI. split; [ | lra ]. apply F; rewrite ?cos_PI, ?sin_PI; nra. }
-  exists (half_angle c d m). split; trivial. unfold half_angle. set (q := d / (m + c)). pose proof (Rle_0_sqr q) as q0.
-    assert (r : sqrt (1 + q²) * sqrt (1 + q²) = 1 + q²) by (apply sqrt_sqrt; lra).
-  assert (s0 : sqrt (1 + q²) <> 0) by (intros h; rewrite h in r; lra). assert (Q : (1 + q²) * (m + c) = 2 * m).
-  { unfold q, Rsqr. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity ((m + c) ^ 2 + d ^ 2). field; trivial.
-    replace (d ^ 2) with (m ^ 2 - c ^ 2) by lra. ring. }
-  apply F; [ rewrite cos_2a | rewrite sin_2a ]; rewrite sin_atan, cos_atan; apply (Rmult_eq_reg_l (1 + q²)); try lra; set (k := sqrt (1 + q²)) in *;
-    rewrite <- r at 2.
-  - transitivity (m * (1 - q * q)). 2: field; trivial. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity (2 * m * c). rewrite <- Q; ring.
-    replace (m * (1 - q * q) * (m + c)) with (m * (2 * (m + c) - (1 + q²) * (m + c))) by (unfold Rsqr; ring). rewrite Q. ring.
-  - transitivity (m * (2 * q)). 2: field; trivial. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity (2 * m * d). rewrite <- Q; ring. unfold q.
-    field. trivial.
+  exists (half_angle c d m). split; trivial. unfold half_angle. destruct (twice_atan (d / (m + c))) as [h1 h2].
+  assert (n : (m + c) ^ 2 + d ^ 2 <> 0) by nra.
+  apply F; rewrite ?h1, ?h2; field_simplify_eq; try (split; trivial; nra); ring [e].
 Qed.
 
 Section Slip.
@@ -128,14 +119,9 @@ Proof.
 Qed.
 Lemma spin_is_turntable x y u w : spin x y u w <-> turntable 1 1 x y u w.
 Proof.
-  split; intros S.
-  - split. { intros t Ht. repeat split; [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ];
-    trivial. }
-    intros t Ht. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
-    split; [ exact C | split; (eapply rder_eq; [ eassumption | ring ]) ].
-  - split; try (intros t Ht; destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?); trivial).
-    intros t Ht. destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
-    split; [ exact C | split; (eapply rder_eq; [ eassumption | ring ]) ].
+  split; intros S; split; try (intros t Ht; first [ now destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?) | repeat split; now apply S ]);
+    intros t Ht; [ destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W) | destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W) ];
+    repeat (split; trivial); exists fx, fy; repeat (split; trivial); (eapply rder_eq; [ eassumption | ring ]).
 Qed.
 (* other units: lengths L times as large, times shorter by c *)
 Lemma rescale Om k c L x y u w : 0 < c -> 0 < L -> turntable Om k x y u w ->
@@ -154,31 +140,21 @@ Proof.
     split. { eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => u (c * t))); [ rd | exact U ]. cbv beta. ring. }
     eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => w (c * t))); [ rd | exact W ]. cbv beta. ring.
 Qed.
+Lemma back (f : R -> R) a b c d : a * b = 1 -> c * d = 1 -> (fun t => a * (b * f (c * (d * t)))) = f.
+Proof. intros e1 e2. extensionality t. now rewrite <- !Rmult_assoc, e1, e2, !Rmult_1_l. Qed.
 (* (86) in the units of (87), (88) is (89), both ways *)
-Lemma units Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> in_units Om mu g x y u w rx ry pu pw -> turntable Om (mu * g) x y u w <->
-  spin rx ry pu pw.
+Lemma units Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> in_units Om mu g x y u w rx ry pu pw ->
+  turntable Om (mu * g) x y u w <-> spin rx ry pu pw.
 Proof.
-  intros HO Hk T. unfold in_units, eq87_position_1, eq87_position_2, eq88_time in T. set (k := mu * g) in *. rewrite spin_is_turntable.
-  assert (a0 : 0 < Om ^ 2 / k) by (apply Rdiv_lt_0_compat; nra). assert (b0 : 0 < k / Om ^ 2) by (apply Rdiv_lt_0_compat; nra). split; intros S.
-  - apply (rescale _ _ (/ Om) (Om ^ 2 / k)) in S; trivial; [ | now apply Rinv_0_lt_compat ]. replace (/ Om * Om) with 1 in S by (field; lra).
-    replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S by (field; lra).
-    assert (b : forall t, t = Om * (/ Om * t)) by (intros; field; lra). replace (Om ^ 2 / k * / Om) with (Om / k) in S by (field; lra).
-    replace rx with (fun t => Om ^ 2 / k * x (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
-    replace ry with (fun t => Om ^ 2 / k * y (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
-    replace pu with (fun t => Om / k * u (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
-    replace pw with (fun t => Om / k * w (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
-    exact S.
-  - apply (rescale _ _ Om (k / Om ^ 2)) in S; trivial. replace (Om * 1) with Om in S by ring.
-    replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra).
-    replace x with (fun t => k / Om ^ 2 * rx (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field;
-      lra).
-    replace y with (fun t => k / Om ^ 2 * ry (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field;
-      lra).
-    replace u with (fun t => k / Om ^ 2 * Om * pu (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4;
-      field; lra).
-    replace w with (fun t => k / Om ^ 2 * Om * pw (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4;
-      field; lra).
-    exact S.
+  unfold in_units, eq87_position_1, eq87_position_2, eq88_time. set (k := mu * g). intros HO Hk T. rewrite spin_is_turntable.
+  assert (E : x = (fun t => k / Om ^ 2 * rx (Om * t)) /\ y = (fun t => k / Om ^ 2 * ry (Om * t)) /\ u = (fun t => k / Om ^ 2 * Om * pu (Om * t)) /\
+    w = (fun t => k / Om ^ 2 * Om * pw (Om * t))).
+  { repeat split; extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field; lra. }
+  destruct E as (-> & -> & -> & ->). split; intros S.
+  - apply (rescale _ _ (/ Om) (Om ^ 2 / k)) in S; [ | now apply Rinv_0_lt_compat | apply Rdiv_lt_0_compat; nra ].
+    rewrite !back in S by (field; lra). now replace (/ Om * Om) with 1 in S; [ replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S | ]; try (field; lra).
+  - apply (rescale _ _ Om (k / Om ^ 2)) in S; trivial; [ | apply Rdiv_lt_0_compat; nra ].
+    rewrite Rmult_1_r in S. now replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra).
 Qed.
 Lemma mirrored Om k x y u w : turntable Om k x y u w -> turntable (- Om) k x (fun t => - y t) u (fun t => - w t).
 Proof.
