@@ -391,10 +391,14 @@ Lemma inner : eq110_case (p t) (rho t) < 0 -> p t < rho t.
 Proof. unfold eq110_case. pose proof (nrm_pos (u t) (w t)). pose proof (nrm_pos (x t) (y t)). intros. nra. Qed.
 (* (113) at every moment with p < rho, at rest too *)
 Theorem eq_113 : eq110_case (p t) (rho t) < 0 -> rder A t (eq113_a_rate (al t)).
-Proof. intros H. apply (A_rate x y u w A al S t ht (inner H) K). Qed.
+Proof. intros H. apply (inner_rates x y u w A al S t ht (inner H) K). Qed.
 (* (114) while it slips *)
 Theorem eq_114 : eq110_case (p t) (rho t) < 0 -> p t <> 0 -> rder al t (eq114_alpha_rate (A t) (al t) (psi t)).
-Proof. intros H N. exact (alpha_rate x y u w psi A al S P t ht (inner H) N K). Qed.
+Proof.
+  intros H N. destruct (inner_rates x y u w A al S t ht (inner H) K) as (A0 & _ & D). destruct (psi_rates x y u w psi S P t ht N) as (DP & _).
+  destruct (K t (Rle_refl t)) as [_ k]. pose proof (cosh_pos (al t)). eapply rder_eq. apply (D _ DP). rewrite k. unfold eq114_alpha_rate, eq112_rho.
+  field_simplify_eq; [ | lra ]. ring [(cosh2 (al t))].
+Qed.
 Lemma parameters : p t <> 0 -> 0 < A t /\ 0 < al t /\ rho t <> 0.
 Proof.
   intros N. destruct (K t (Rle_refl t)) as [k1 k2]. unfold eq111_p, eq112_rho in *. pose proof (nrm_pos (u t) (w t)).
@@ -464,14 +468,18 @@ Lemma outer : rho t < p t.
 Proof. unfold eq116_case in fast. pose proof (nrm_pos (u t) (w t)). pose proof (nrm_pos (x t) (y t)). nra. Qed.
 (* (119) at every moment with p > rho *)
 Theorem eq_119 : rder B t (eq119_b_rate (be t)).
-Proof. apply (B_rates x y u w psi B be S P t ht outer K). Qed.
+Proof. apply (outer_rates x y u w B be S t ht outer K). Qed.
 (* (120) off the axis *)
 Theorem eq_120 : rho t <> 0 -> rder be t (eq120_beta_rate (B t) (be t) (psi t)).
-Proof. apply (B_rates x y u w psi B be S P t ht outer K). Qed.
+Proof.
+  intros r0. pose proof outer as o. pose proof (nrm_pos (x t) (y t)). destruct (outer_rates x y u w B be S t ht o K) as (B0 & _ & D). pose proof (cosh_pos (be t)).
+  eapply rder_eq. { apply D, (rho_rate x y u w psi S P t ht); lra. } destruct (K t (Rle_refl t) o) as [-> _].
+  unfold eq117_p, eq119_b_rate, eq120_beta_rate. field. lra.
+Qed.
 (* (121) off the axis: beta > 0 *)
 Theorem eq_121 : rho t <> 0 -> right_continuous psi t -> rder psi t (eq121_psi_rate (be t) (psi t)).
 Proof.
-  intros r0 C. pose proof outer as o. pose proof (nrm_pos (x t) (y t)). destruct (B_rates x y u w psi B be S P t ht o K) as (B0 & _).
+  intros r0 C. pose proof outer as o. pose proof (nrm_pos (x t) (y t)). destruct (outer_rates x y u w B be S t ht o K) as (B0 & _).
     destruct (K t (Rle_refl t) o) as [k1 k2]. unfold eq117_p, eq118_rho in *.
   assert (z0 : sinh (be t) <> 0) by (intros z; rewrite z in k2; lra). pose proof (cosh_pos (be t)). eapply rder_eq.
     apply (psi_rate x y u w psi S P t ht ltac:(lra) r0 C).
@@ -499,7 +507,7 @@ Qed.
 Theorem eq_123 : rho t <> 0 -> right_continuous psi t -> crder (fun s => alpha_i s) t (RtoC (cos (psi t)) - ccosh (alpha_i t) / A_i t)%C /\
   exists l, rder psi t l /\ RtoC l = (2 * (1 - RtoC (sin (psi t)) * (ccosh (2 * alpha_i t) / csinh (2 * alpha_i t))))%C.
 Proof.
-  intros r0 C. pose proof (eq_120 r0) as D. pose proof (eq_121 r0 C) as D'. destruct (B_rates x y u w psi B be S P t ht outer K) as (B0 & _).
+  intros r0 C. pose proof (eq_120 r0) as D. pose proof (eq_121 r0 C) as D'. destruct (outer_rates x y u w B be S t ht outer K) as (B0 & _).
   destruct (K t (Rle_refl t) outer) as [_ k]. unfold eq118_rho in k. assert (s0 : sinh (be t) <> 0) by (intros z; rewrite z in k; lra).
     pose proof (cosh_pos (be t)) as c0. split.
   - parts. split; cbn [fst snd]; unfold at_i, eq123_alpha; cbn [fst snd];
@@ -514,7 +522,7 @@ Ltac outer_start := from 0 1 2 0; match goal with S : spin ?x ?y ?u ?w, Q : _ ->
   _ |- _ => destruct (with_B x y u w) as (B & be & K);
   assert (I : 0 < eq116_case (nrm (u 0) (w 0)) (nrm (x 0) (y 0))) by (unfold eq116_case; start; lra); assert (N : nrm (x 0) (y 0) <> 0) by (start;
     lra); destruct Q as [C q]; [ start; lra .. | ] end.
-Lemma eq_119__occurs : ltac:(occurs eq_119). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I). Qed.
+Lemma eq_119__occurs : ltac:(occurs eq_119). Proof. intros H. outer_start. exact (H x y u w B be S 0 now (fun s _ => K s) I). Qed.
 Lemma eq_120__occurs : ltac:(occurs eq_120). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I N). Qed.
 Lemma eq_121__occurs : ltac:(occurs eq_121). Proof. intros H. outer_start. exact (H x y u w psi B be S P 0 now (fun s _ => K s) I N C). Qed.
 Lemma eq_122__occurs : ltac:(occurs eq_122). Proof. exact eq_119__occurs. Qed.
