@@ -145,6 +145,11 @@ Notation xi t := (eq94_xi (nrm (x t) (y t)) (psi t)).
 Notation ell t := (eq95_ell (nrm (x t) (y t)) (psi t)).
 Variable t : R.
 Hypothesis ht : 0 <= t.
+Lemma products : p t * xi t = x t * u t + y t * w t /\ p t * ell t = x t * w t - y t * u t.
+Proof. destruct (proj1 (angle_iff _ _ _ _ _) (P t ht)) as [-> ->]. unfold eq94_xi, eq95_ell. split; ring. Qed.
+Ltac fold_sizes := cbv beta; set (n := p t) in *; set (l := ell t) in *; set (z := xi t) in *.
+Ltac only_rate z n := split; [ intros h; apply (Rmult_eq_reg_r (z / n)); [ lra | now apply Rmult_integral_contrapositive_currified, Rinv_neq_0_compat ]
+  | intros ->; field; trivial ].
 (* (99) while it slips *)
 Theorem eq_99 : p t <> 0 -> rder (fun t => p t) t (eq99_p_rate (xi t)).
 Proof. intros N. apply (psi_rates x y u w psi S P t ht N). Qed.
@@ -160,9 +165,8 @@ Theorem s4_projection_tangential : p t <> 0 -> let X := x t in let Y := y t in l
   s4_tangential_rate X Y V Z = eq99_p_rate (xi t) /\ rder (fun t => p t) t (s4_tangential_rate X Y V Z).
 Proof.
   intros N X Y V Z. split. reflexivity. assert (e : s4_tangential_rate X Y V Z = eq99_p_rate (xi t)).
-  { unfold s4_tangential_rate, X, Y, V, Z. fold (nrm (u t) (w t)). pose proof (nrm_sq (u t) (w t)) as q. pose proof (eq_97 _ _ _ _ _ (P t ht)) as k.
-    cbv zeta in k. unfold eq97_radial_1, eq97_radial_2, eq93_speed, eq99_p_rate in *. fold (nrm (u t) (w t)) in k. set (n := p t) in *.
-      set (z := xi t) in *. field_simplify_eq; [ | exact N ]. replace (n ^ 2 * z) with (n * (n * z)) by ring. rewrite k, q. ring. }
+  { unfold s4_tangential_rate, X, Y, V, Z. fold (nrm (u t) (w t)). transitivity ((x t * u t + y t * w t) / p t - (u t ^ 2 + w t ^ 2) / p t ^ 2).
+    field. exact N. rewrite <- (proj1 products), <- nrm_sq. unfold eq99_p_rate. set (z := xi t). field. exact N. }
   split; trivial. rewrite e. exact (eq_99 N).
 Qed.
 (* (100) is (91), the law of the angular momentum p ell, combined with the rate of p; with q for that rate, as the formula printed has it, only q =
@@ -173,18 +177,10 @@ Theorem s4_projection_azimuthal : p t <> 0 -> rder (fun t => p t * ell t) t (eq9
     eq100_ell_rate (p t) (ell t) (xi t) /\
   forall q, ell t <> 0 -> (s4_azimuthal_rate (p t) (ell t) (xi t) q = eq100_ell_rate (p t) (ell t) (xi t) <-> q = eq99_p_rate (xi t)).
 Proof.
-  intros N. pose proof (eq_99 N) as D1. pose proof (eq_100 N) as D2. pose proof (eq_97 _ _ _ _ _ (P t ht)) as k.
-    pose proof (eq_96 _ _ _ _ _ (P t ht)) as k2. cbv zeta in k, k2.
-  unfold eq96_angular_momentum_1, eq96_angular_momentum_2, eq97_radial_1, eq97_radial_2, eq93_speed in *. fold (nrm (u t) (w t)) in k, k2.
-  assert (e : right_turntable_azimuthal_rate (p t) (ell t) (xi t) = eq100_ell_rate (p t) (ell t) (xi t)) by (unfold right_turntable_azimuthal_rate,
-    eq100_ell_rate; field; exact N).
-  split. { eapply rder_eq. apply (rder_mult (fun t => p t) (fun t => ell t)); eassumption. unfold eq91_moment, eq99_p_rate, eq100_ell_rate.
-    fold (nrm (u t) (w t)). rewrite <- k, <- k2. field. exact N. }
-  split; trivial. split. { now rewrite e. } split; trivial. intros q l0. rewrite <- e.
-    unfold s4_azimuthal_rate, right_turntable_azimuthal_rate, eq99_p_rate.
-  set (l := ell t) in *. set (z := xi t) in *. set (n := p t) in *. split; [ intros h | intros ->; reflexivity ].
-  apply (Rmult_eq_compat_r n) in h. unfold Rdiv in h. rewrite !Rmult_assoc, !Rinv_l, !Rmult_1_r in h by trivial. apply (Rmult_eq_reg_r l); trivial.
-    lra.
+  intros N. pose proof (eq_99 N) as D1. pose proof (eq_100 N) as D2. destruct products as [k1 k2]. unfold eq91_moment. fold (nrm (u t) (w t)).
+  rewrite <- k1, <- k2. unfold s4_azimuthal_rate, right_turntable_azimuthal_rate, eq99_p_rate, eq100_ell_rate in *. fold_sizes.
+  split. { eapply rder_eq. apply (rder_mult (fun t => p t) (fun t => ell t)); eassumption. cbv beta. fold n l z. field. exact N. }
+  split; trivial. split. { eapply rder_eq. exact D2. field. exact N. } split. { field. exact N. } intros q l0. only_rate l n.
 Qed.
 (* (101) is (92), the law along the radius (of p xi), combined with the rate of p; no other rate will do *)
 Theorem s4_projection_radial : p t <> 0 -> rder (fun t => p t * xi t) t (eq92_virial (x t) (y t) (u t) (w t)) /\
@@ -193,19 +189,11 @@ Theorem s4_projection_radial : p t <> 0 -> rder (fun t => p t * xi t) t (eq92_vi
     (ell t) /\
   forall q, xi t <> 0 -> (s4_radial_rate (p t) (ell t) (xi t) q = eq101_xi_rate (p t) (ell t) <-> q = eq99_p_rate (xi t)).
 Proof.
-  intros N. pose proof (eq_99 N) as D1. pose proof (eq_101 N) as D2. pose proof (eq_97 _ _ _ _ _ (P t ht)) as k.
-    pose proof (eq_96 _ _ _ _ _ (P t ht)) as k2. pose proof (eq_98 (x t) (y t) (psi t)) as k3. cbv zeta in k, k2, k3.
-  unfold eq96_angular_momentum_1, eq96_angular_momentum_2, eq97_radial_1, eq97_radial_2, eq98_distance_1, eq98_distance_2, eq93_speed in *.
-    fold (nrm (u t) (w t)) in k, k2.
-  assert (e : right_turntable_radial_rate (p t) (ell t) (xi t) = eq101_xi_rate (p t) (ell t)) by (unfold right_turntable_radial_rate, eq101_xi_rate;
-    field; exact N).
-  split. { eapply rder_eq. apply (rder_mult (fun t => p t) (fun t => xi t)); eassumption. unfold eq92_virial, eq99_p_rate, eq101_xi_rate.
-    fold (nrm (u t) (w t)). rewrite <- k, <- k2, k3, <- (nrm_sq (u t) (w t)). field. exact N. }
-  split; trivial. split. { now rewrite e. } split; trivial. intros q l0. rewrite <- e.
-    unfold s4_radial_rate, right_turntable_radial_rate, eq99_p_rate.
-  set (l := ell t) in *. set (z := xi t) in *. set (n := p t) in *. split; [ intros h | intros ->; reflexivity ].
-  apply (Rmult_eq_compat_r n) in h. unfold Rdiv in h. rewrite !Rmult_assoc, !Rinv_l, !Rmult_1_r in h by trivial. apply (Rmult_eq_reg_r z); trivial.
-    lra.
+  intros N. pose proof (eq_99 N) as D1. pose proof (eq_101 N) as D2. destruct products as [k1 k2]. pose proof (eq_98 (x t) (y t) (psi t)) as k3.
+  cbv zeta in k3. unfold eq98_distance_1, eq98_distance_2 in k3. unfold eq92_virial. fold (nrm (u t) (w t)). rewrite <- k1, <- k2, k3, <- (nrm_sq (u t) (w t)).
+  unfold s4_radial_rate, right_turntable_radial_rate, eq99_p_rate, eq101_xi_rate in *. fold_sizes.
+  split. { eapply rder_eq. apply (rder_mult (fun t => p t) (fun t => xi t)); eassumption. cbv beta. fold n l z. field. exact N. }
+  split; trivial. split. { eapply rder_eq. exact D2. field. exact N. } split. { field. exact N. } intros q l0. only_rate z n.
 Qed.
 (* (102): rho d rho / d tau is all of this *)
 Theorem eq_102 rho' l' xi' p' : p t <> 0 -> rder (fun t => rho t) t rho' -> rder (fun t => ell t) t l' -> rder (fun t => xi t) t xi' ->
@@ -215,12 +203,10 @@ Theorem eq_102 rho' l' xi' p' : p t <> 0 -> rder (fun t => rho t) t rho' -> rder
 Proof.
   intros N DR DL DX DP. rewrite (rder_unique _ _ _ _ DL (eq_100 N)), (rder_unique _ _ _ _ DX (eq_101 N)), (rder_unique _ _ _ _ DP (eq_99 N)).
   destruct (s_law _ _ _ _ S t ht) as (X & Y & _). assert (D2 : rder (fun t => rho t ^ 2) t (2 * (x t * u t + y t * w t))).
-  { apply (rder_near _ (fun t => x t ^ 2 + y t ^ 2) t _ 1 Rlt_0_1). { intros; symmetry; apply nrm_sq. } eapply rder_eq. rd. simpl. ring. }
-  pose proof (rder_unique _ _ _ _ D2 (rder_pow (fun t => rho t) 2 t _ DR)) as e. simpl INR in e. simpl pow in e.
-    pose proof (eq_97 _ _ _ _ _ (P t ht)) as k. cbv zeta in k.
-  unfold eq97_radial_1, eq97_radial_2, eq93_speed, eq102_rate_1, eq102_rate_2, eq102_rate_3, eq99_p_rate, eq100_ell_rate, eq101_xi_rate in *.
-    fold (nrm (u t) (w t)) in k.
-  assert (e2 : rho t * rho' = p t * xi t) by lra. rewrite e2. repeat split; try ring. set (l := ell t). set (z := xi t). field. exact N.
+  { apply (rder_ext (fun t => x t ^ 2 + y t ^ 2)). { intros; symmetry; apply nrm_sq. } eapply rder_eq. rd. simpl. ring. }
+  pose proof (rder_unique _ _ _ _ D2 (rder_pow (fun t => rho t) 2 t _ DR)) as e. simpl INR in e. simpl pow in e. rewrite <- (proj1 products) in e.
+  unfold eq102_rate_1, eq102_rate_2, eq102_rate_3, eq99_p_rate, eq100_ell_rate, eq101_xi_rate.
+  replace (rho t * rho') with (p t * xi t) by lra. repeat split; try ring. set (l := ell t). set (z := xi t). field. exact N.
 Qed.
 (* (107) while it slips *)
 Theorem eq_107 : p t <> 0 -> rder (fun t => p t) t (eq107_p_rate (rho t) (psi t)).
