@@ -223,19 +223,11 @@ Proof.
   set (c i := match i with px => x0 | py => y0 | pu => u0 | pw => w0 end).
   exists (V c px), (V c py), (V c pu), (V c pw). split. apply V_spin. rewrite !V_0. auto.
 Qed.
-(* with dimensions, for every rate of turning and every friction *)
-Theorem turntable_exists Om k x0 y0 u0 w0 : Om <> 0 -> 0 < k -> exists x y u w, turntable Om k x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\
-  w 0 = w0.
+(* with dimensions *)
+Theorem turntable_exists Om k x0 y0 u0 w0 : 0 < Om -> 0 < k -> exists x y u w, turntable Om k x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0.
 Proof.
-  assert (pos : forall Om y0 w0, 0 < Om -> 0 < k -> exists x y u w, turntable Om k x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0).
-  { clear. intros Om y0 w0 HO Hk. destruct (table_exists (Om ^ 2 / k * x0) (Om ^ 2 / k * y0) (Om / k * u0) (Om / k * w0)) as (x & y & u & w & S & e1 &
-    e2 & e3 & e4).
-    exists (fun t => k / Om ^ 2 * x (Om * t)), (fun t => k / Om ^ 2 * y (Om * t)), (fun t => k / Om * u (Om * t)), (fun t => k / Om * w (Om * t)).
-      split.
-    - rewrite <- (Rmult_1_r k). apply (units Om k 1 _ _ _ _ x y u w); [ lra .. | | exact S ]. intros t.
-      unfold eq87_position_1, eq87_position_2, eq88_time. repeat split; field; lra.
-    - rewrite Rmult_0_r, e1, e2, e3, e4. repeat split; field; lra. }
-  intros HO Hk. destruct (Rlt_dec 0 Om) as [h | h]. { now apply pos. }
-  destruct (pos (- Om) (- y0) (- w0)) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra. apply mirrored in S. rewrite Ropp_involutive in S.
-  exists x, (fun t => - y t), u, (fun t => - w t). rewrite e2, e4. repeat split; trivial; try apply S; lra.
+  intros HO Hk. destruct (table_exists (Om ^ 2 / k * x0) (Om ^ 2 / k * y0) (Om / k * u0) (Om / k * w0)) as (x & y & u & w & S & e1 & e2 & e3 & e4).
+  apply spin_is_turntable, (rescale _ _ Om (k / Om ^ 2)) in S; trivial; [ | apply Rdiv_lt_0_compat; nra ].
+  rewrite Rmult_1_r in S. replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra). do 4 eexists. split. exact S.
+  cbv beta. rewrite Rmult_0_r, e1, e2, e3, e4. repeat split; field; lra.
 Qed.
