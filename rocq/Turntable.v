@@ -38,7 +38,8 @@ Proof.
   apply (H 2 3 10 _ _ _ _ x y u w ltac:(lra) (eq_86__back _ _ _ _ _ _ _ _ _ _ _ S T) T).
 Qed.
 Lemma eq_86__back__occurs : ltac:(occurs eq_86__back).
-Proof. intros H. apply eq_86__occurs. intros Om mu g X Y U W x y u w Hk S T. now apply (H Om mu g X Y U W x y u w); [ apply (eq_86 Om mu g X Y U W) | ]. Qed.
+Proof. intros H. apply eq_86__occurs. intros Om mu g X Y U W x y u w Hk S T. now apply (H Om mu g X Y U W x y u w);
+  [ apply (eq_86 Om mu g X Y U W) | ]. Qed.
 
 (* (89): in the units of (87) and (88) every motion by (86) is one by (89), rests included, for all Omega and mu g > 0 *)
 Theorem eq_89 Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> turntable Om (mu * g) x y u w ->
@@ -148,7 +149,8 @@ Hypothesis ht : 0 <= t.
 Lemma products : p t * xi t = x t * u t + y t * w t /\ p t * ell t = x t * w t - y t * u t.
 Proof. destruct (proj1 (angle_iff _ _ _ _ _) (P t ht)) as [-> ->]. unfold eq94_xi, eq95_ell. split; ring. Qed.
 Ltac fold_sizes := cbv beta; set (n := p t) in *; set (l := ell t) in *; set (z := xi t) in *.
-Ltac only_rate z n := split; [ intros h; apply (Rmult_eq_reg_r (z / n)); [ lra | now apply Rmult_integral_contrapositive_currified, Rinv_neq_0_compat ]
+Ltac only_rate z n := split; [ intros h; apply (Rmult_eq_reg_r (z / n));
+  [ lra | now apply Rmult_integral_contrapositive_currified, Rinv_neq_0_compat ]
   | intros ->; field; trivial ].
 (* (99) while it slips *)
 Theorem eq_99 : p t <> 0 -> rder (fun t => p t) t (eq99_p_rate (xi t)).
@@ -190,7 +192,8 @@ Theorem s4_projection_radial : p t <> 0 -> rder (fun t => p t * xi t) t (eq92_vi
   forall q, xi t <> 0 -> (s4_radial_rate (p t) (ell t) (xi t) q = eq101_xi_rate (p t) (ell t) <-> q = eq99_p_rate (xi t)).
 Proof.
   intros N. pose proof (eq_99 N) as D1. pose proof (eq_101 N) as D2. destruct products as [k1 k2]. pose proof (eq_98 (x t) (y t) (psi t)) as k3.
-  cbv zeta in k3. unfold eq98_distance_1, eq98_distance_2 in k3. unfold eq92_virial. fold (nrm (u t) (w t)). rewrite <- k1, <- k2, k3, <- (nrm_sq (u t) (w t)).
+  cbv zeta in k3. unfold eq98_distance_1, eq98_distance_2 in k3. unfold eq92_virial. fold (nrm (u t) (w t)).
+  rewrite <- k1, <- k2, k3, <- (nrm_sq (u t) (w t)).
   unfold s4_radial_rate, right_turntable_radial_rate, eq99_p_rate, eq101_xi_rate in *. fold_sizes.
   split. { eapply rder_eq. apply (rder_mult (fun t => p t) (fun t => xi t)); eassumption. cbv beta. fold n l z. field. exact N. }
   split; trivial. split. { eapply rder_eq. exact D2. field. exact N. } split. { field. exact N. } intros q l0. only_rate z n.
@@ -434,11 +437,13 @@ Lemma eq_124__occurs : ltac:(occurs eq_124). Proof. intros H. inner_start. pose 
 Lemma eq_125__occurs : ltac:(occurs eq_125). Proof. intros H. inner_start. pose proof PI_RGT_0. apply (H x y u w psi A al S P 0 now K N C). lra. Qed.
 
 (* ---- p > rho: B and beta by (117) and (118) ---- *)
-(* the value at the imaginary unit i of a formula of first degree in i *)
+(* the value at the imaginary unit of a formula f of first degree. «$f(\mathrm i)$» *)
 Definition at_i (f : R -> R) : C := (f 0, f 1 - f 0).
-(* sinh and cosh of a complex number, and a right derivative by real and imaginary part *)
+(* of a complex number z. «$\sinh(z)$» *)
 Definition csinh (z : C) : C := (sinh (fst z) * cos (snd z), cosh (fst z) * sin (snd z)).
+(* of a complex number z. «$\cosh(z)$» *)
 Definition ccosh (z : C) : C := (cosh (fst z) * cos (snd z), sinh (fst z) * sin (snd z)).
+(* by real and imaginary part. «$f$ has the right derivative $l$ at $t$» *)
 Definition crder (f : R -> C) t (l : C) := rder (fun s => fst (f s)) t (fst l) /\ rder (fun s => snd (f s)) t (snd l).
 Section Outer.
 Variables x y u w psi B be : R -> R.
@@ -458,7 +463,8 @@ Proof. apply (outer_rates x y u w B be S t ht outer K). Qed.
 (* (120) off the axis *)
 Theorem eq_120 : rho t <> 0 -> rder be t (eq120_beta_rate (B t) (be t) (psi t)).
 Proof.
-  intros r0. pose proof outer as o. pose proof (nrm_pos (x t) (y t)). destruct (outer_rates x y u w B be S t ht o K) as (B0 & _ & D). pose proof (cosh_pos (be t)).
+  intros r0. pose proof outer as o. pose proof (nrm_pos (x t) (y t)). destruct (outer_rates x y u w B be S t ht o K) as (B0 & _ & D).
+  pose proof (cosh_pos (be t)).
   eapply rder_eq. { apply D, (rho_rate x y u w psi S P t ht); lra. } destruct (K t (Rle_refl t) o) as [-> _].
   unfold eq117_p, eq119_b_rate, eq120_beta_rate. field. lra.
 Qed.
@@ -522,11 +528,13 @@ Theorem s4_quasi_fixed_stability al psi : 0 < al -> (forall t, 0 < t -> continui
   let from1 t := sin ((psi t - eq124_psi1 al) / 2) in let from2 t := sin ((psi t - eq125_psi2 al) / 2) in
   (forall t, 0 <= t -> from2 t <> 0 /\ from1 t / from2 t = exp (- (2 / sinh (2 * al) * t)) * (from1 0 / from2 0)) /\ is_lim from1 p_infty 0.
 Proof.
-  intros Ha C D N f1 f2. split; [ | exact (attracted al Ha psi C D N) ]. intros t Ht. pose proof (stays_away al Ha psi C D N t Ht) as M. split; trivial.
+  intros Ha C D N f1 f2. split; [ | exact (attracted al Ha psi C D N) ]. intros t Ht. pose proof (stays_away al Ha psi C D N t Ht) as M. split;
+  trivial.
   pose proof (ratio_falls al Ha psi C D t Ht) as R. fold (f1 t) (f1 0) (f2 t) (f2 0) in R. fold (f2 t) in M. fold (f2 0) in N.
   pose proof (exp_pos (2 / sinh (2 * al) * t)). rewrite exp_Ropp. set (e := exp _) in *. field_simplify_eq; lra.
 Qed.
 Lemma s4_quasi_fixed_stability__occurs : ltac:(occurs s4_quasi_fixed_stability).
 Proof.
-  intros H. destruct (frozen_exists 1 Rlt_0_1) as (psi & D & N). apply (H 1 psi Rlt_0_1); trivial; intros; [ eapply cont_of | apply rder_of ]; apply D.
+  intros H. destruct (frozen_exists 1 Rlt_0_1) as (psi & D & N). apply (H 1 psi Rlt_0_1); trivial; intros; [ eapply cont_of | apply rder_of ];
+  apply D.
 Qed.

@@ -4,12 +4,14 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion TableLaws.
 Open Scope R_scope.
 
-(* position (X, Y) and velocity (U, W) in the laboratory; below it the table turns at the rate Om and has the velocity (- Om Y, Om X); k = mu g *)
+(* position (X, Y) and velocity (U, W) in the laboratory; below it the table turns at the rate Om and has the velocity (- Om Y, Om X); k = mu g.
+   «$(X,Y)$ with the velocity $(U,W)$ is a motion in the laboratory under friction of the size $k$ alone, on a table that turns at the rate $Om$» *)
 Record laboratory (Om k : R) (X Y U W : R -> R) : Prop := {
   l_c : forall t, 0 < t -> continuity_pt X t /\ continuity_pt Y t /\ continuity_pt U t /\ continuity_pt W t;
   l_law : forall t, 0 <= t -> rder X t (U t) /\ rder Y t (W t) /\
             exists fx fy, coulomb k (U t + Om * Y t) (W t - Om * X t) fx fy /\ rder U t fx /\ rder W t fy }.
-(* (x, y) and (u, w): place and velocity of the same particle relative to the table, along axes that turn with it *)
+(* (x, y) and (u, w): place and velocity of the same particle relative to the table, along axes that turn with it.
+   «$(x,y)$, $(u,w)$ are place and velocity on the table, which turns at the rate $Om$, of what has $(X,Y)$, $(U,W)$ in the laboratory» *)
 Definition same_particle (Om : R) (X Y U W x y u w : R -> R) := forall t,
   x t = cos (Om * t) * X t + sin (Om * t) * Y t /\ y t = cos (Om * t) * Y t - sin (Om * t) * X t /\
   u t = cos (Om * t) * (U t + Om * Y t) + sin (Om * t) * (W t - Om * X t) /\
@@ -35,7 +37,8 @@ Proof.
   replace w with (fun t => cos (q * t) * (W t - q * X t) - sin (q * t) * (U t + q * Y t)) by (extensionality t; symmetry; apply (T t)).
   assert (dc : forall t, is_derive (fun t => cos (q * t)) t (- q * sin (q * t))) by (intros; auto_derive; trivial; ring).
   assert (ds : forall t, is_derive (fun t => sin (q * t)) t (q * cos (q * t))) by (intros; auto_derive; trivial; ring). split; intros t Ht.
-  - destruct (f_c _ _ _ _ _ _ _ S t Ht) as (cX & cY & cU & cW). pose proof (cont_of _ _ _ (dc t)). pose proof (cont_of _ _ _ (ds t)). repeat split; cont.
+  - destruct (f_c _ _ _ _ _ _ _ S t Ht) as (cX & cY & cU & cW). pose proof (cont_of _ _ _ (dc t)). pose proof (cont_of _ _ _ (ds t)).
+  repeat split; cont.
   - destruct (f_law _ _ _ _ _ _ _ S t Ht) as (DX & DY & fx & fy & [B P] & DU & DW). specialize (dc t). specialize (ds t). apply rder_of in dc, ds.
     pose proof (unit_circle (q * t)) as e. set (s := sin (q * t)) in *. set (c := cos (q * t)) in *.
     split. { eapply rder_eq; [ rd | fold s; fold c; ring ]. } split. { eapply rder_eq; [ rd | fold s; fold c; ring ]. }

@@ -63,9 +63,11 @@ Proof.
   assert (D : forall s, 0 <= s -> rder h s (2 / T * from1 s * cos ((psi s - psi2) / 2) * h s)).
   { intros s Hs. pose proof (half_rate psi1 s Hs). pose proof (half_rate psi2 s Hs). eapply rder_eq. unfold h.
     apply (rder_minus (fun s => from1 s * from2 0 * exp (k * s))); [ apply (rder_mult (fun s => from1 s * from2 0));
-      [ apply (rder_mult (fun s => from1 s)); [ eassumption | apply rder_fixed ] | rd ] | apply (rder_mult (fun _ => from1 0)); [ apply rder_fixed | eassumption ] ].
+      [ apply (rder_mult (fun s => from1 s)); [ eassumption | apply rder_fixed ] | rd ] | apply (rder_mult (fun _ => from1 0));
+      [ apply rder_fixed | eassumption ] ].
     unfold h. cbv beta. set (E := exp (k * s)). pose proof (apart s) as q. assert (w : k = 2 / T * / cosh (2 * al)) by (unfold tanh; field; lra).
-    rewrite w. set (g := / cosh (2 * al)) in *. replace g with (from1 s * cos ((psi s - psi2) / 2) - from2 s * cos ((psi s - psi1) / 2)) by lra. ring. }
+    rewrite w. set (g := / cosh (2 * al)) in *. replace g with (from1 s * cos ((psi s - psi2) / 2) - from2 s * cos ((psi s - psi1) / 2)) by lra.
+    ring. }
   assert (K : h t ^ 2 * exp (- M * t) <= h 0 ^ 2 * exp (- M * 0)).
   { apply (rder_decr (fun t => h t ^ 2 * exp (- M * t))); trivial; intros s Hs.
     - pose proof (half_cont psi1 s ltac:(lra)). pose proof (half_cont psi2 s ltac:(lra)). unfold h. cont.
@@ -97,10 +99,12 @@ End Frozen.
 (* such a psi *)
 Lemma frozen_exists al : 0 < al -> exists psi, (forall t, is_derive psi t (eq115_psi_rate al (psi t))) /\ sin ((psi 0 - eq125_psi2 al) / 2) <> 0.
 Proof.
-  intros Ha. set (psi t := eq125_psi2 al + PI - 2 * atan (exp (- (2 / sinh (2 * al)) * t) - sinh (2 * al))). exists psi. pose proof (double_pos al Ha). pose proof (cosh_pos (2 * al)). destruct (psi1_spec al Ha) as [es ec]. split.
+  intros Ha. set (psi t := eq125_psi2 al + PI - 2 * atan (exp (- (2 / sinh (2 * al)) * t) - sinh (2 * al))). exists psi.
+  pose proof (double_pos al Ha). pose proof (cosh_pos (2 * al)). destruct (psi1_spec al Ha) as [es ec]. split.
   - intros t. unfold psi. set (z := exp (- (2 / sinh (2 * al)) * t) - sinh (2 * al)). assert (q : 0 < 1 + z ^ 2) by nra.
     assert (e : sin (eq125_psi2 al + PI - 2 * atan z) = - (tanh (2 * al) * (1 - z ^ 2) / (1 + z ^ 2) + / cosh (2 * al) * (2 * z) / (1 + z ^ 2))).
-    { change (eq125_psi2 al) with (PI - eq124_psi1 al). replace (PI - eq124_psi1 al + PI - 2 * atan z) with (- (eq124_psi1 al + 2 * atan z) + 2 * PI) by ring.
+    { change (eq125_psi2 al) with (PI - eq124_psi1 al). replace (PI - eq124_psi1 al + PI - 2 * atan z) with (- (eq124_psi1 al + 2 * atan z) + 2 *
+    PI) by ring.
       destruct (twice_atan z) as [h1 h2]. rewrite sin_per, sin_neg, sin_plus, es, ec, h1, h2. field. lra. }
     rewrite rate_T, e by trivial. unfold z at 1. auto_derive; trivial. fold z. set (E := exp _). set (S := sinh _) in *. unfold tanh. fold S.
     transitivity (2 * (2 / S) * (z + S) / (1 + z ^ 2)); [ unfold z in *; fold E in q |- *; field; split; lra | field; lra ].

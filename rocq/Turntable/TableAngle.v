@@ -4,9 +4,9 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion TableLaws TableMotions Formulas.
 Open Scope R_scope.
 
-(* (111), (112) *)
+(* (111), (112); dimensionless. «$\lvert(u,w)\rvert=A\sinh alpha$ and $\lvert(x,y)\rvert=A\cosh alpha$» *)
 Definition hyperbolic x y u w A alpha := nrm u w = eq111_p A alpha /\ nrm x y = eq112_rho A alpha.
-(* (117), (118) *)
+(* (117), (118); dimensionless. «$\lvert(u,w)\rvert=B\cosh beta$ and $\lvert(x,y)\rvert=B\sinh beta$» *)
 Definition hyperbolic_B x y u w B beta := nrm u w = eq117_p B beta /\ nrm x y = eq118_rho B beta.
 
 Lemma hyperbolic_exists r q : 0 <= q < r -> let A := sqrt (r ^ 2 - q ^ 2) in q = A * sinh (arcsinh (q / A)) /\ r = A * cosh (arcsinh (q / A)).
@@ -35,10 +35,12 @@ Proof.
   intros B D H K. assert (G0 : 0 < G t) by (destruct (B t) as (? & ? & ->); nra). destruct (right_pos _ _ _ D G0) as (d & d0 & Hd).
   assert (N : forall s, t <= s < t + d -> 0 < A s /\ sqrt (G s) = A s /\ q s = A s * sinh (a s)).
   { intros s Hs. assert (0 < G s) by (destruct (Req_dec s t) as [-> | ne]; trivial; apply Hd; lra). destruct (B s) as (b1 & b2 & b3).
-    destruct (K s ltac:(lra) ltac:(nra)) as [k1 k2]. pose proof (cosh_pos (a s)). assert (e : G s = A s ^ 2) by (rewrite b3, k1, k2, !Rpow_mult_distr, cosh2; ring).
+    destruct (K s ltac:(lra) ltac:(nra)) as [k1 k2]. pose proof (cosh_pos (a s)).
+    assert (e : G s = A s ^ 2) by (rewrite b3, k1, k2, !Rpow_mult_distr, cosh2; ring).
     assert (0 < A s) by nra. repeat split; trivial. rewrite e. apply sqrt_pow2. lra. }
   destruct (N t ltac:(lra)) as (A0 & e & _). assert (DA : rder A t (g / (2 * A t))).
-  { apply (rder_near A (fun s => sqrt (G s)) t _ d d0). { intros s Hs. destruct (N s Hs) as (? & ? & ?). trivial. } eapply rder_eq. apply (rder_root G t g D G0). rewrite e. field. lra. }
+  { apply (rder_near A (fun s => sqrt (G s)) t _ d d0). { intros s Hs. destruct (N s Hs) as (? & ? & ?). trivial. } eapply rder_eq.
+  apply (rder_root G t g D G0). rewrite e. field. lra. }
   split; trivial. split; trivial. intros q' Q. apply (rder_alpha q A a t d q' _ d0); trivial. intros s Hs.
   destruct (N s Hs) as (? & ? & ?). now split.
 Qed.

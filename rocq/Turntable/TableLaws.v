@@ -5,30 +5,34 @@ From Slipbook Require Import Motion Formulas.
 From Slipbook Require Export Analysis.
 Open Scope R_scope.
 
-(* (89) in the units of (87), (88): position (x, y) and velocity (u, w) on the table; friction has the size 1 *)
+(* (89) in the units of (87), (88): position (x, y) and velocity (u, w) on the table; friction has the size 1.
+   «$(x,y)$ with the velocity $(u,w)$ is a motion on the table by (89)» *)
 Record spin (x y u w : R -> R) : Prop := {
   s_cx : forall t, 0 < t -> continuity_pt x t;  s_cy : forall t, 0 < t -> continuity_pt y t;
   s_cu : forall t, 0 < t -> continuity_pt u t;  s_cw : forall t, 0 < t -> continuity_pt w t;
   s_law : forall t, 0 <= t -> rder x t (u t) /\ rder y t (w t) /\ exists fx fy, coulomb 1 (u t) (w t) fx fy /\
             rder u t (x t + 2 * w t + fx) /\ rder w t (y t - 2 * u t + fy) }.
-(* (86) with its dimensions: the table turns at the rate Om, k = mu g *)
+(* (86) with its dimensions: the table turns at the rate Om (per time), k = mu g (an acceleration).
+   «$(x,y)$ with the velocity $(u,w)$ is a motion by (86) on a table that turns at the rate $Om$, with friction of the size $k$» *)
 Record turntable (Om k : R) (x y u w : R -> R) : Prop := {
   t_c : forall t, 0 < t -> continuity_pt x t /\ continuity_pt y t /\ continuity_pt u t /\ continuity_pt w t;
   t_law : forall t, 0 <= t -> rder x t (u t) /\ rder y t (w t) /\ exists fx fy, coulomb k (u t) (w t) fx fy /\
             rder u t (Om ^ 2 * x t + 2 * Om * w t + fx) /\ rder w t (Om ^ 2 * y t - 2 * Om * u t + fy) }.
-(* (105): s is the length of the path *)
+(* (105), in the unit of length of u and w. «$s$ is the length of the path of what has the velocity $(u,w)$» *)
 Definition arc_length (u w s : R -> R) :=
   (forall t, 0 < t -> continuity_pt s t) /\ forall t, 0 <= t -> rder s t (eq105_arc_rate (nrm (u t) (w t))).
-(* psi is the angle of the position with respect to the velocity, counterclockwise: the direction of (u, w), turned by psi, is that of (x, y) *)
+(* psi is the angle of the position with respect to the velocity, counterclockwise: the direction of (u, w), turned by psi
+   (radians), is that of (x, y); at rest and on the axis it may be any. «$psi$ is the angle from the velocity $(u,w)$ to the position $(x,y)$» *)
 Definition position_angle x y u w psi :=
   nrm u w * x = nrm x y * (u * cos psi - w * sin psi) /\ nrm u w * y = nrm x y * (u * sin psi + w * cos psi).
-(* the same motion in the units of (87) and (88); velocities go with them *)
+(* the same motion in the units of (87) and (88); velocities go with them; all dimensionless.
+   «$(rx,ry)$ and $(pu,pw)$ are the place $(x,y)$ and the velocity $(u,w)$ in the units of (87) and (88)» *)
 Definition in_units (Om mu g : R) (x y u w rx ry pu pw : R -> R) := forall t,
   rx (eq88_time Om t) = eq87_position_1 Om mu g (x t) (y t) /\ ry (eq88_time Om t) = eq87_position_2 Om mu g (x t) (y t) /\
   pu (eq88_time Om t) = Om / (mu * g) * u t /\ pw (eq88_time Om t) = Om / (mu * g) * w t.
-(* f approaches f t from the right *)
+(* f approaches f t from the right. «$f$ is continuous from the right at $t$» *)
 Definition right_continuous (f : R -> R) t := forall e, 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> Rabs (f s - f t) < e.
-(* position_angle by products *)
+(* position_angle by products. «$psi$ is the angle from the velocity $(u,w)$ to the position $(x,y)$» *)
 Definition angle x y u w psi := x * u + y * w = nrm x y * nrm u w * cos psi /\ x * w - y * u = - (nrm x y * nrm u w * sin psi).
 
 Ltac table S := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
@@ -120,7 +124,8 @@ Qed.
 Lemma spin_is_turntable x y u w : spin x y u w <-> turntable 1 1 x y u w.
 Proof.
   split; intros S; split; try (intros t Ht; first [ now destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?) | repeat split; now apply S ]);
-    intros t Ht; [ destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W) | destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W) ];
+    intros t Ht; [ destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W) | destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C &
+    U & W) ];
     repeat (split; trivial); exists fx, fy; repeat (split; trivial); (eapply rder_eq; [ eassumption | ring ]).
 Qed.
 (* other units: lengths L times as large, times shorter by c *)
@@ -152,7 +157,8 @@ Proof.
   { repeat split; extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field; lra. }
   destruct E as (-> & -> & -> & ->). split; intros S.
   - apply (rescale _ _ (/ Om) (Om ^ 2 / k)) in S; [ | now apply Rinv_0_lt_compat | apply Rdiv_lt_0_compat; nra ].
-    rewrite !back in S by (field; lra). now replace (/ Om * Om) with 1 in S; [ replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S | ]; try (field; lra).
+    rewrite !back in S by (field; lra). now replace (/ Om * Om) with 1 in S; [ replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S | ]; try (field;
+    lra).
   - apply (rescale _ _ Om (k / Om ^ 2)) in S; trivial; [ | apply Rdiv_lt_0_compat; nra ].
     rewrite Rmult_1_r in S. now replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra).
 Qed.

@@ -49,7 +49,8 @@ Qed.
 (* ---- functions that begin at 0 ---- *)
 Lemma cont_from f l : (forall t, 0 < t -> continuity_pt f t) -> rder f 0 l -> forall t, continuity_pt (fun s => f (Rmax 0 s)) t.
 Proof.
-  intros C [F [D E]] t. assert (K : forall c t, continuity_pt (fun _ : R => c : R) t) by (intros; cont). destruct (Rtotal_order t 0) as [k | [-> | k]].
+  intros C [F [D E]] t. assert (K : forall c t, continuity_pt (fun _ : R => c : R) t) by (intros; cont).
+  destruct (Rtotal_order t 0) as [k | [-> | k]].
   - apply (cont_glue _ (fun _ => f 0) (fun _ => f 0) t (- t)); trivial; try lra; intros; now rewrite Rmax_left by lra.
   - apply (cont_glue _ (fun _ => f 0) F 0 1); trivial; try lra; [ | | now apply (cont_of F 0 l) ]; intros.
     now rewrite Rmax_left by lra. rewrite Rmax_right, E; trivial; lra.
@@ -118,7 +119,8 @@ Proof.
     1: apply (cont_from (fun t => c py + RInt (f pw) 0 t) (f pw 0)); [ intros; eapply cont_of, I | apply rder_of, I ].
     + apply (cont_from vx _ (m_cx _ _ _ _ _ M) Dx).
     + apply (cont_from vy _ (m_cy _ _ _ _ _ M) Dy).
-  - intros i. assert (z : Rmax 0 0 = 0) by apply Rmax_left, Rle_refl. destruct i; rewrite ?gu, ?gw; unfold g; rewrite z, ?RInt_point; trivial; apply Rplus_0_r.
+  - intros i. assert (z : Rmax 0 0 = 0) by apply Rmax_left, Rle_refl. destruct i; rewrite ?gu, ?gw; unfold g; rewrite z, ?RInt_point; trivial;
+  apply Rplus_0_r.
   - intros t Ht. split. { apply (on (fun t => c px + RInt (f pu) 0 t)), rder_of, I. exact Ht. }
     split. { apply (on (fun t => c py + RInt (f pw) 0 t)), rder_of, I. exact Ht. }
     destruct (L t Ht) as (fx & fy & F & X & Y). exists fx, fy. rewrite gu, gw. cbv beta. rewrite Rmax_right by trivial. split; [ exact F | ].
@@ -128,12 +130,14 @@ Qed.
 Lemma nearer f f' g g' m t : good f -> good f' -> good g -> good g' -> driven c f g -> driven c f' g' ->
   (forall i t, 0 <= t -> (f i t - f' i t) ^ 2 <= m * exp (20 * t)) -> 0 <= t -> forall i, (g i t - g' i t) ^ 2 <= m / 4 * exp (20 * t).
 Proof.
-  intros G1 G2 G3 G4 [z D] [z' D'] H Ht. assert (C : forall i t, continuity_pt (g i) t) by apply G3. assert (C' : forall i t, continuity_pt (g' i) t) by apply G4.
+  intros G1 G2 G3 G4 [z D] [z' D'] H Ht. assert (C : forall i t, continuity_pt (g i) t) by apply G3.
+  assert (C' : forall i t, continuity_pt (g' i) t) by apply G4.
   assert (m0 : 0 <= m). { specialize (H px 0 (Rle_refl 0)). rewrite Rmult_0_r, exp_0 in H. pose proof (pow2_ge_0 (f px 0 - f' px 0)). lra. }
   assert (K : (g px t - g' px t) ^ 2 <= m / 10 / 10 * exp (20 * t) /\ (g py t - g' py t) ^ 2 <= m / 10 / 10 * exp (20 * t) /\
     (g pu t - g' pu t) ^ 2 + (g pw t - g' pw t) ^ 2 <= 2 * m / 10 * exp (20 * t)).
   { split; [ apply (drift (fun t => (g px t - g' px t) ^ 2)) | split; [ apply (drift (fun t => (g py t - g' py t) ^ 2)) |
-      apply (drift (fun t => (g pu t - g' pu t) ^ 2 + (g pw t - g' pw t) ^ 2)) ] ]; trivial; try lra; try (rewrite !z, !z'; ring); try solve [ intros; cont ];
+      apply (drift (fun t => (g pu t - g' pu t) ^ 2 + (g pw t - g' pw t) ^ 2)) ] ]; trivial; try lra; try (rewrite !z, !z'; ring);
+      try solve [ intros; cont ];
     intros s Hs; destruct (D s Hs) as (X & Y & fx & fy & [B P] & U & W); destruct (D' s Hs) as (X' & Y' & hx & hy & [B' P'] & U' & W');
     eexists; (split; [ rd | cbv beta; simpl pred; simpl INR ]).
     - pose proof (H pu s Hs). pose proof (pow2_ge_0 (10 * (g px s - g' px s) - (f pu s - f' pu s))). lra.
@@ -176,7 +180,8 @@ Proof.
 Qed.
 Lemma phi_near : exists K, 0 <= K /\ forall n i t, 0 <= t -> (phi (S n) i t - phi n i t) ^ 2 <= K * ((/ 2) ^ n) ^ 2 * exp (20 * t).
 Proof.
-  destruct first as (K & K0 & H). exists K. split; trivial. induction n as [ | n IH ]; intros i t Ht. { replace (K * ((/ 2) ^ 0) ^ 2) with K by (simpl; ring). auto. }
+  destruct first as (K & K0 & H). exists K. split; trivial. induction n as [ | n IH ]; intros i t Ht.
+  { replace (K * ((/ 2) ^ 0) ^ 2) with K by (simpl; ring). auto. }
   replace (K * ((/ 2) ^ S n) ^ 2) with (K * ((/ 2) ^ n) ^ 2 / 4) by (simpl pow; field).
   apply (nearer (phi (S n)) (phi n)); trivial; auto using phi_good, phi_driven.
 Qed.
@@ -208,7 +213,8 @@ Proof.
   { apply (nearer W (phi n)); auto using phi_good, phi_driven. intros j r Hr. specialize (H n j r). rewrite Rmax_right in H by trivial.
     rewrite exp_10, <- pow2_abs, Rabs_minus_sym. pose proof (Rabs_pos (phi n j r - W j r)). pose proof (exp_pos (10 * r)). nra. }
   specialize (H (S n) i t). rewrite Rmax_right in H by trivial. simpl pow in H. rewrite exp_10 in Q.
-  assert (M : Rabs (V i t - phi (S n) i t) <= B * exp (10 * t) * (/ 2) ^ n). { assert (0 <= B * exp (10 * t) * (/ 2) ^ n) by (apply Rmult_le_pos; nra). apply abs_of_sq; nra. }
+  assert (M : Rabs (V i t - phi (S n) i t) <= B * exp (10 * t) * (/ 2) ^ n). { assert (0 <= B * exp (10 * t) * (/ 2) ^ n) by (apply Rmult_le_pos;
+  nra). apply abs_of_sq; nra. }
   apply Rabs_le_between in H, M. apply Rabs_le. lra.
 Qed.
 Definition V := proj1_sig limit.
