@@ -1,5 +1,5 @@
 (* Section 4 up to (125): a particle that slips or rests on a turning table, in the paper's order *)
-Require Import Reals Lra Psatz.
+Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Formulas TableMotions Lab TableAngle QuasiFixed.
 From Slipbook Require Export TableLaws.
@@ -77,8 +77,8 @@ Theorem s4_mirror Om mu g x y u w : (turntable Om (mu * g) x y u w <-> turntable
     eq86_acceleration_2 (- Om) mu g a (- b) c (- d) = - eq86_acceleration_2 Om mu g a b c d.
 Proof.
   split. split; [ apply mirrored | ].
-  - intros S. apply mirrored in S. rewrite Ropp_involutive in S. assert (e : forall f : R -> R, (fun t => - - f t) = f).
-    { intros f. apply FunctionalExtensionality.functional_extensionality. intros t. apply Ropp_involutive. } now rewrite !e in S.
+  - intros S. apply mirrored in S. rewrite Ropp_involutive in S.
+    assert (e : forall f : R -> R, (fun t => - - f t) = f) by (intros f; extensionality t; apply Ropp_involutive). now rewrite !e in S.
   - intros a b c d. unfold eq86_acceleration_1, eq86_acceleration_2. replace ((- d) ^ 2) with (d ^ 2) by ring. split; ring.
 Qed.
 
@@ -93,6 +93,8 @@ Section Projections.
 Variables ax ay : R.
 Hypothesis U : rder u t ax.
 Hypothesis W : rder w t ay.
+Ltac sliding N := destruct (slip _ _ _ _ S t ht N) as (_ & _ & U' & W'); rewrite (rder_unique _ _ _ _ U U'), (rder_unique _ _ _ _ W W');
+  unfold eq91_moment, eq92_virial; fold (nrm (u t) (w t)); field; exact N.
 (* (90) at every moment, at rest too: (ax, ay) is the acceleration *)
 Theorem eq_90 : u t * ax + w t * ay = eq90_power (x t) (y t) (u t) (w t).
 Proof.
@@ -102,16 +104,10 @@ Qed.
 Hypothesis N : p t <> 0.
 (* (91) while it slips *)
 Theorem eq_91 : x t * ay - y t * ax = eq91_moment (x t) (y t) (u t) (w t).
-Proof.
-  destruct (slip _ _ _ _ S t ht N) as (_ & _ & U' & W'). rewrite (rder_unique _ _ _ _ U U'), (rder_unique _ _ _ _ W W'). unfold eq91_moment.
-    fold (nrm (u t) (w t)). field. exact N.
-Qed.
+Proof. sliding N. Qed.
 (* (92) while it slips *)
 Theorem eq_92 : x t * ax + y t * ay + (u t ^ 2 + w t ^ 2) = eq92_virial (x t) (y t) (u t) (w t).
-Proof.
-  destruct (slip _ _ _ _ S t ht N) as (_ & _ & U' & W'). rewrite (rder_unique _ _ _ _ U U'), (rder_unique _ _ _ _ W W'). unfold eq92_virial.
-    fold (nrm (u t) (w t)). field. exact N.
-Qed.
+Proof. sliding N. Qed.
 End Projections.
 End Motions.
 Lemma eq_90__occurs : ltac:(occurs eq_90).
@@ -319,17 +315,15 @@ Proof.
   - destruct (t_law _ _ _ _ _ _ S r ltac:(lra)) as (X & Y & fx & fy & [B P] & U & W). pose proof (ds r ltac:(lra)) as D. unfold eq105_arc_rate in D.
     eapply rder_eq. rd. simpl. set (n := nrm _ _) in *. transitivity (m * (fx * u r + fy * w r + mu * g * n)). field. rewrite P. ring.
 Qed.
+Lemma two_ways a b : m <> 0 -> g <> 0 -> m * g * ((1 - mu) * (a - b)) = 0 <-> mu = 1 \/ a = b.
+Proof.
+  intros hm hg. split; [ | intros [-> | ->]; ring ]. intros Z. apply Rmult_integral in Z as [Z | Z]; apply Rmult_integral in Z as [Z | Z]; try easy; lra.
+Qed.
 (* the printed m g s keeps the sum just where mu = 1 or nothing has moved *)
 Theorem eq_106__printed : m <> 0 -> g <> 0 -> (eq106_constant m g Om (x t) (y t) (u t) (w t) (s t) = eq106_constant m g Om (x 0) (y 0) (u 0) (w 0)
   (s 0) <-> mu = 1 \/ s t = s 0).
 Proof.
-  intros hm hg. pose proof eq_106 as E. assert (K : eq106_constant m g Om (x t) (y t) (u t) (w t) (s t) - eq106_constant m g Om (x 0) (y 0) (u 0)
-    (w 0) (s 0) = m * g * ((1 - mu) * (s t - s 0)))
-    by (unfold eq106_constant, right_turntable_constant in *; lra). split.
-  - intros Q. assert (Z : m * g * ((1 - mu) * (s t - s 0)) = 0) by lra. apply Rmult_integral in Z as [Z | Z].
-    + apply Rmult_integral in Z. tauto.
-    + apply Rmult_integral in Z as [Z | Z]; [ left | right ]; lra.
-  - intros Q. assert (Z : (1 - mu) * (s t - s 0) = 0) by (destruct Q as [-> | ->]; ring). rewrite Z in K. lra.
+  intros hm hg. rewrite <- (two_ways (s t) (s 0) hm hg). pose proof eq_106 as E. unfold eq106_constant, right_turntable_constant in *. split; lra.
 Qed.
 (* Work and energy on the table: the Coriolis force has no power; - m mu g s changes as the friction (fx, fy) per mass works;
   kinetic energy gains by the centrifugal force and by friction.
@@ -346,12 +340,8 @@ Proof.
     split.
   { unfold right_turntable_friction_work. eapply rder_eq. rd. ring. } split.
   { eapply rder_eq. unfold Rdiv. rd. simpl. transitivity (m * Om ^ 2 * (x t * u t + y t * w t) + m * (gx * u t + gy * w t)). field. rewrite Q. ring. }
-  intros hm hg. assert (D : rder (fun t => friction_work m g (s t)) t (- (m * g * n))) by (unfold friction_work; eapply rder_eq; [ rd | ring ]).
-    split.
-  - intros D'. pose proof (rder_unique _ _ _ _ D D') as e. assert (Z : m * g * ((1 - mu) * n) = 0) by lra. apply Rmult_integral in Z as [Z | Z].
-    + apply Rmult_integral in Z. tauto.
-    + apply Rmult_integral in Z as [Z | Z]; [ left; lra | now right ].
-  - intros h. eapply rder_eq. exact D. destruct h as [-> | ->]; ring.
+  intros hm hg. rewrite <- (two_ways n 0 hm hg). assert (D : rder (fun t => friction_work m g (s t)) t (- (m * g * n))).
+  { unfold friction_work. eapply rder_eq; [ rd | ring ]. } split; intros Z. pose proof (rder_unique _ _ _ _ D Z). lra. eapply rder_eq. exact D. lra.
 Qed.
 End Energy.
 Ltac with_dimensions H := destruct (turntable_exists 2 (3 * 10) 0 2 1 0) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra;
@@ -390,11 +380,9 @@ Proof.
 Qed.
 Lemma parameters : p t <> 0 -> 0 < A t /\ 0 < al t /\ rho t <> 0.
 Proof.
-  intros N. destruct (K t (Rle_refl t)) as [k1 k2]. unfold eq111_p, eq112_rho in *. pose proof (nrm_pos (u t) (w t)).
-    pose proof (nrm_pos (x t) (y t)). pose proof (cosh_pos (al t)).
-  assert (A0 : 0 < A t) by (destruct (Rtotal_order (A t) 0) as [k | [k | k]]; trivial; [ nra | rewrite k in k1; lra ]). split; trivial.
-    split; [ | nra ].
-  apply Rnot_le_lt. intros k. assert (sinh (al t) <= 0) by (rewrite <- sinh_0; destruct k as [k | ->]; [ left; now apply sinh_lt | lra ]). nra.
+  intros N. destruct (K t (Rle_refl t)) as [k1 k2]. unfold eq111_p, eq112_rho in *. pose proof (nrm_pos (u t) (w t)). pose proof (nrm_pos (x t) (y t)).
+  pose proof (cosh_pos (al t)). assert (A0 : 0 < A t) by (destruct (Req_dec (A t) 0) as [k | k]; [ rewrite k in k1; lra | nra ]).
+  split; trivial. split; [ apply sinh_sign | ]; nra.
 Qed.
 (* (115) while it slips: alpha > 0 *)
 Theorem eq_115 : p t <> 0 -> right_continuous psi t -> rder psi t (eq115_psi_rate (al t) (psi t)).
