@@ -342,12 +342,13 @@ Proof.
   intros ha. destruct (grows_line a 1 K ha) as (T & T0 & HT). exists T. split; trivial. intros t Ht. specialize (HT t Ht).
   pose proof (exp_ineq1_le (a * t)). lra.
 Qed.
-(* rd, but with the rates that are known as hypotheses *)
+(* rd, but with the rates that are known as hypotheses, and quotients *)
 Ltac rds := match goal with
   | |- rder _ _ _ => eassumption
   | |- rder (fun t => @?a t + @?b t) _ _ => apply (rder_plus a b); rds
   | |- rder (fun t => @?a t - @?b t) _ _ => apply (rder_minus a b); rds
   | |- rder (fun t => @?a t * @?b t) _ _ => apply (rder_mult a b); rds
   | |- rder (fun t => - @?a t) _ _ => apply (rder_opp a); rds
+  | |- rder (fun t => / @?a t) _ _ => apply (rder_inv a); [ rds | ]
   | |- _ => rd
   end.

@@ -61,10 +61,7 @@ Proof.
   intros Ht. pose proof tanh_range as T0. pose proof double_pos as z0. pose proof (cosh_pos (2 * al)) as c0. apply Rminus_diag_uniq.
   set (h t := from1 t * from2 0 * exp (k * t) - from1 0 * from2 t). set (M := 4 / T). change (h t = 0).
   assert (D : forall s, 0 <= s -> rder h s (2 / T * from1 s * cos ((psi s - psi2) / 2) * h s)).
-  { intros s Hs. pose proof (half_rate psi1 s Hs). pose proof (half_rate psi2 s Hs). eapply rder_eq. unfold h.
-    apply (rder_minus (fun s => from1 s * from2 0 * exp (k * s))); [ apply (rder_mult (fun s => from1 s * from2 0));
-      [ apply (rder_mult (fun s => from1 s)); [ eassumption | apply rder_fixed ] | rd ] | apply (rder_mult (fun _ => from1 0));
-      [ apply rder_fixed | eassumption ] ].
+  { intros s Hs. pose proof (half_rate psi1 s Hs). pose proof (half_rate psi2 s Hs). unfold h at 1. eapply rder_eq. rds.
     unfold h. cbv beta. set (E := exp (k * s)). pose proof (apart s) as q. assert (w : k = 2 / T * / cosh (2 * al)) by (unfold tanh; field; lra).
     rewrite w. set (g := / cosh (2 * al)) in *. replace g with (from1 s * cos ((psi s - psi2) / 2) - from2 s * cos ((psi s - psi1) / 2)) by lra.
     ring. }

@@ -79,15 +79,10 @@ Proof. eapply rder_eq. apply (rder_rho x y u w S t ht N r0). destruct (proj1 (an
 Lemma psi_rate : right_continuous psi t -> rder psi t (eq109_psi_rate (p t) (rho t) (psi t)).
 Proof.
   intros C. pose proof psi_rates as (_ & DL & DX). pose proof rho_rate as DR. set (c := cos (psi t)) in *. set (z := sin (psi t)) in *.
-  assert (e : z ^ 2 = 1 - c ^ 2) by (unfold z, c; pose proof (sin2_cos2 (psi t)); unfold Rsqr in *; lra). pose proof (nrm_pos (x t) (y t)).
+  assert (e : z ^ 2 = 1 - c ^ 2) by (unfold z, c; pose proof (unit_circle (psi t)); lra). pose proof (nrm_pos (x t) (y t)).
   set (f s := (- (- rho s * sin (psi s)) * c - rho s * cos (psi s) * z) * / rho s).
   assert (D : rder f t (eq109_psi_rate (p t) (rho t) (psi t))).
-  { eapply rder_eq. apply (rder_mult (fun s => - (- rho s * sin (psi s)) * c - rho s * cos (psi s) * z) (fun s => / rho s));
-    [ | apply (rder_inv (fun s => rho s)); [ exact DR | exact r0 ] ].
-    apply (rder_minus (fun s => - (- rho s * sin (psi s)) * c) (fun s => rho s * cos (psi s) * z));
-    [ apply (rder_mult (fun s => - (- rho s * sin (psi s))) (fun _ => c)); [ apply (rder_opp (fun s => - rho s * sin (psi s))), DL | rd ]
-    | apply (rder_mult (fun s => rho s * cos (psi s)) (fun _ => z)); [ exact DX | rd ] ].
-    cbv beta. fold c z. unfold eq109_psi_rate. fold z. set (n := p t) in *. set (m := rho t) in *. field_simplify_eq; [ | lra ]. ring [e]. }
+  { unfold f. eapply rder_eq. rds. exact r0. cbv beta. fold c z. unfold eq109_psi_rate. fold z. set (n := p t) in *. set (m := rho t) in *. field_simplify_eq; [ | lra ]. ring [e]. }
   assert (ft : f t = 0) by (unfold f; fold c z; field; exact r0).
   pose proof PI_RGT_0. destruct (C (PI / 2)) as (d1 & d10 & H1). lra. destruct (right_pos _ _ _ DR) as (d2 & d20 & H2). lra.
   apply (rder_near psi (fun s => psi t + asin (f s)) t _ (Rmin d1 d2)). now apply Rmin_pos.
@@ -152,7 +147,7 @@ Proof.
   - intros s Hs. symmetry. apply (H s). destruct (Req_dec s 0) as [-> | ne]; trivial. specialize (Hd s ltac:(lra)). intros z. rewrite z in Hd. lra.
   - apply (rder_mult (fun _ => 2)); [ rd | ]. apply (rder_comp (fun t => d t * / (m t + c t)) atan);
     [ | apply is_derive_Reals, derivable_pt_lim_atan ].
-    apply (rder_mult d (fun t => / (m t + c t))); [ exact D2 | apply (rder_inv (fun t => m t + c t)); [ exact D | exact D0 ] ].
+    apply (rder_mult d); [ exact D2 | apply (rder_inv _ _ _ D D0) ].
 Qed.
 (* A and alpha, or B and beta, of two sizes *)
 Lemma hyperbolic_pair (q r : R -> R) : exists A a, forall t, 0 <= q t < r t -> q t = A t * sinh (a t) /\ r t = A t * cosh (a t).

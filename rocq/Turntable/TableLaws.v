@@ -47,10 +47,10 @@ Proof.
   unfold position_angle, angle. pose proof (nrm_sq u w) as e. destruct (Req_dec (nrm u w) 0) as [z | z].
   - destruct (nrm_zero u w z) as [-> ->]. rewrite z. split; intros _; split; ring.
   - set (n := nrm u w) in *. set (m := nrm x y). split; intros [h1 h2]; split; apply (Rmult_eq_reg_l n); trivial.
-    + replace (n * (x * u + y * w)) with (n * x * u + n * y * w) by ring. rewrite h1, h2. ring [e].
-    + replace (n * (x * w - y * u)) with (n * x * w - n * y * u) by ring. rewrite h1, h2. ring [e].
-    + replace (n * (n * x)) with (u * (x * u + y * w) + w * (x * w - y * u)) by ring [e]. rewrite h1, h2. ring.
-    + replace (n * (n * y)) with (w * (x * u + y * w) - u * (x * w - y * u)) by ring [e]. rewrite h1, h2. ring.
+    + transitivity (n * x * u + n * y * w). ring. rewrite h1, h2. ring [e].
+    + transitivity (n * x * w - n * y * u). ring. rewrite h1, h2. ring [e].
+    + transitivity (u * (x * u + y * w) + w * (x * w - y * u)). ring [e]. rewrite h1, h2. ring.
+    + transitivity (w * (x * u + y * w) - u * (x * w - y * u)). ring [e]. rewrite h1, h2. ring.
 Qed.
 (* an angle for each state: pi where the position is just against the velocity, else by the tangent of its half *)
 Definition half_angle c d m := 2 * atan (d / (m + c)).
@@ -98,12 +98,11 @@ Lemma dp : rder (fun t => p t) t (xi t - 1).
 Proof. rates. eapply rder_eq; [ rd; exact N | ]. set (n := p t) in *. inR. field_simplify_eq; [ | trivial ]. ring [e]. Qed.
 Lemma eq99 : rder (fun t => p t) t ((x t * u t + y t * w t) / p t - 1).
 Proof. exact dp. Qed.
-Ltac rate_over f := rates; pose proof (rder_inv _ _ _ dp N) as I; eapply rder_eq; [ apply (rder_mult f (fun t => / p t)); [ rd | exact I ] | ];
-  set (n := p t) in *; inR; field_simplify_eq; [ | trivial ].
+Ltac rate_over := rates; pose proof dp; eapply rder_eq; [ rds; exact N | ]; set (n := p t) in *; inR; field_simplify_eq; [ | trivial ].
 Lemma eq101 : rder (fun t => xi t) t ((p t + ell t) ^ 2 / p t).
-Proof. rate_over (fun t => x t * u t + y t * w t). ring [e]. Qed.
+Proof. rate_over. ring [e]. Qed.
 Lemma eq100 : rder (fun t => ell t) t (- xi t * (2 * p t + ell t) / p t).
-Proof. rate_over (fun t => x t * w t - y t * u t). ring [e]. Qed.
+Proof. rate_over. ring [e]. Qed.
 Lemma rder_rho : rho t <> 0 -> rder (fun t => rho t) t ((x t * u t + y t * w t) * / rho t).
 Proof. intros K. rates. eapply rder_eq. rd. exact K. reflexivity. Qed.
 (* it goes on slipping for a while *)
@@ -136,14 +135,12 @@ Proof.
   - intros t Ht. destruct (t_c _ _ _ _ _ _ S (c * t)) as (? & ? & ? & ?). { nra. }
     repeat split; (apply (continuity_pt_mult (fun _ => _)); [ cont | now apply cont_time ]).
   - intros t Ht. destruct (t_law _ _ _ _ _ _ S (c * t)) as (X & Y & fx & fy & [B P] & U & W). { nra. } apply (rder_time c) in X, Y, U, W; trivial.
-    split. { eapply rder_eq. apply (rder_mult (fun _ => L) (fun t => x (c * t))); [ rd | exact X ]. ring. }
-    split. { eapply rder_eq. apply (rder_mult (fun _ => L) (fun t => y (c * t))); [ rd | exact Y ]. ring. }
+    split. { eapply rder_eq. rds. ring. } split. { eapply rder_eq. rds. ring. }
     exists (L * c ^ 2 * fx), (L * c ^ 2 * fy). split. { split.
       - replace ((L * c ^ 2 * fx) ^ 2 + (L * c ^ 2 * fy) ^ 2) with ((L * c ^ 2) ^ 2 * (fx ^ 2 + fy ^ 2)) by ring. rewrite (Rpow_mult_distr _ k).
         apply Rmult_le_compat_l; trivial. apply pow2_ge_0.
       - rewrite nrm_scale by nra. transitivity (L * c ^ 2 * (L * c) * (fx * u (c * t) + fy * w (c * t))). ring. rewrite P. ring. }
-    split. { eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => u (c * t))); [ rd | exact U ]. cbv beta. ring. }
-    eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => w (c * t))); [ rd | exact W ]. cbv beta. ring.
+    split; (eapply rder_eq; [ rds | ring ]).
 Qed.
 Lemma back (f : R -> R) a b c d : a * b = 1 -> c * d = 1 -> (fun t => a * (b * f (c * (d * t)))) = f.
 Proof. intros e1 e2. extensionality t. now rewrite <- !Rmult_assoc, e1, e2, !Rmult_1_l. Qed.
