@@ -30,12 +30,9 @@ Proof.
 Qed.
 Lemma eq_86__occurs : ltac:(occurs eq_86).
 Proof.
-  intros H. destruct (turntable_exists 2 (3 * 10) 1 0 1 5) as (x & y & u & w & S & _ & _ & e3 & e4); try lra.
-  set (X t := cos (- 2 * t) * x t + sin (- 2 * t) * y t). set (Y t := cos (- 2 * t) * y t - sin (- 2 * t) * x t).
-  assert (T : same_particle 2 X Y (fun t => cos (- 2 * t) * (u t + - 2 * y t) + sin (- 2 * t) * (w t - - 2 * x t)) (fun t => cos (- 2 * t) * (w
-    t - - 2 * x t) - sin (- 2 * t) * (u t + - 2 * y t)) x y u w).
-  { apply same_back. intros t. auto. }
-  apply (H 2 3 10 _ _ _ _ x y u w ltac:(lra) (eq_86__back _ _ _ _ _ _ _ _ _ _ _ S T) T).
+  intros H. destruct (turntable_exists 2 (3 * 10) 1 0 1 5) as (x & y & u & w & S & _); try lra.
+  assert (T : exists X Y U W, same_particle 2 X Y U W x y u w) by (do 4 eexists; apply same_back; intros t; repeat split).
+  destruct T as (X & Y & U & W & T). exact (H 2 3 10 _ _ _ _ x y u w ltac:(lra) (eq_86__back _ _ _ _ _ _ _ _ _ _ _ S T) T).
 Qed.
 Lemma eq_86__back__occurs : ltac:(occurs eq_86__back).
 Proof. intros H. apply eq_86__occurs. intros Om mu g X Y U W x y u w Hk S T. now apply (H Om mu g X Y U W x y u w);
@@ -55,21 +52,16 @@ Qed.
 Theorem eq_89__back Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> spin rx ry pu pw ->
   in_units Om mu g x y u w rx ry pu pw -> turntable Om (mu * g) x y u w.
 Proof. intros HO Hk S T. now apply (units _ _ _ _ _ _ _ _ _ _ _ HO Hk T) in S. Qed.
-(* such a motion exists for every Omega and mu g > 0, from every place and velocity *)
-Lemma units_exist : forall Om mu g x0 y0 u0 w0, 0 < Om -> 0 < mu * g -> exists x y u w rx ry pu pw,
-  turntable Om (mu * g) x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0 /\ in_units Om mu g x y u w rx ry pu pw.
-Proof.
-  intros Om mu g x0 y0 u0 w0 HO Hk. destruct (turntable_exists Om (mu * g) x0 y0 u0 w0) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra.
-    exists x, y, u, w.
-  exists (fun t => Om ^ 2 / (mu * g) * x (t / Om)), (fun t => Om ^ 2 / (mu * g) * y (t / Om)), (fun t => Om / (mu * g) * u (t / Om)), (fun t => Om /
-    (mu * g) * w (t / Om)).
-  do 5 (split; [ trivial | ]). intros t. unfold eq88_time. replace (Om * t / Om) with t by (field; lra). repeat split.
-Qed.
-Ltac at_units := intros H; destruct (units_exist 2 3 10 1 0 1 5) as (x & y & u & w & rx & ry & pu & pw & S & _ & _ & _ & _ & T); try lra.
+(* every motion by (89) is one by (86) in such units, for every Omega and mu g > 0 *)
+Lemma units_exist Om mu g rx ry pu pw : 0 < Om -> 0 < mu * g -> let k := mu * g in in_units Om mu g (fun t => k / Om ^ 2 * rx (Om * t))
+  (fun t => k / Om ^ 2 * ry (Om * t)) (fun t => k / Om * pu (Om * t)) (fun t => k / Om * pw (Om * t)) rx ry pu pw.
+Proof. intros HO Hk k t. unfold eq88_time, eq87_position_1, eq87_position_2. fold k in Hk |- *. repeat split; field; lra. Qed.
+Ltac at_units := intros H; destruct (table_exists 1 0 1 5) as (rx & ry & pu & pw & S & _);
+  pose proof (units_exist 2 3 10 rx ry pu pw ltac:(lra) ltac:(lra)) as T.
 Lemma eq_89__occurs : ltac:(occurs eq_89).
-Proof. at_units. apply (H 2 3 10 x y u w rx ry pu pw); trivial; lra. Qed.
+Proof. at_units. refine (H 2 3 10 _ _ _ _ rx ry pu pw _ _ (eq_89__back _ _ _ _ _ _ _ _ _ _ _ _ _ S T) T); lra. Qed.
 Lemma eq_89__back__occurs : ltac:(occurs eq_89__back).
-Proof. at_units. apply (H 2 3 10 x y u w rx ry pu pw); trivial; try lra. apply (eq_89 2 3 10 x y u w rx ry pu pw); trivial; lra. Qed.
+Proof. at_units. refine (H 2 3 10 _ _ _ _ rx ry pu pw _ _ S T); lra. Qed.
 
 (* A solution for Omega, mirrored, is one for - Omega, and back; so Omega > 0 is no loss. (86) says so, too *)
 Theorem s4_mirror Om mu g x y u w : (turntable Om (mu * g) x y u w <-> turntable (- Om) (mu * g) x (fun t => - y t) u (fun t => - w t)) /\
