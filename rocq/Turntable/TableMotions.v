@@ -126,28 +126,28 @@ Proof.
     destruct (L t Ht) as (fx & fy & F & X & Y). exists fx, fy. rewrite gu, gw. cbv beta. rewrite Rmax_right by trivial. split; [ exact F | ].
     split; (eapply rder_eq; [ apply on; eassumption | unfold Ax, Ay; ring ]).
 Qed.
+(* the squared distance *)
+Definition far (f g : place -> R -> R) t := (f px t - g px t) ^ 2 + (f py t - g py t) ^ 2 + (f pu t - g pu t) ^ 2 + (f pw t - g pw t) ^ 2.
+Ltac squares := repeat match goal with |- context [(?a - ?b) ^ 2] => lazymatch goal with H : 0 <= (a - b) ^ 2 |- _ => fail | _ =>
+  pose proof (pow2_ge_0 (a - b)) end end.
+Lemma far_ge f g i t : 0 <= (f i t - g i t) ^ 2 <= far f g t.
+Proof. split. apply pow2_ge_0. unfold far. squares. destruct i; lra. Qed.
 (* what is driven by two that are near is nearer *)
-Lemma nearer f f' g g' m t : good f -> good f' -> good g -> good g' -> driven c f g -> driven c f' g' ->
-  (forall i t, 0 <= t -> (f i t - f' i t) ^ 2 <= m * exp (20 * t)) -> 0 <= t -> forall i, (g i t - g' i t) ^ 2 <= m / 4 * exp (20 * t).
+Lemma nearer f f' g g' m t : good g -> good g' -> driven c f g -> driven c f' g' ->
+  (forall t, 0 <= t -> far f f' t <= m * exp (20 * t)) -> 0 <= t -> far g g' t <= m / 4 * exp (20 * t).
 Proof.
-  intros G1 G2 G3 G4 [z D] [z' D'] H Ht. assert (C : forall i t, continuity_pt (g i) t) by apply G3.
-  assert (C' : forall i t, continuity_pt (g' i) t) by apply G4.
-  assert (m0 : 0 <= m). { specialize (H px 0 (Rle_refl 0)). rewrite Rmult_0_r, exp_0 in H. pose proof (pow2_ge_0 (f px 0 - f' px 0)). lra. }
-  assert (K : (g px t - g' px t) ^ 2 <= m / 10 / 10 * exp (20 * t) /\ (g py t - g' py t) ^ 2 <= m / 10 / 10 * exp (20 * t) /\
-    (g pu t - g' pu t) ^ 2 + (g pw t - g' pw t) ^ 2 <= 2 * m / 10 * exp (20 * t)).
-  { split; [ apply (drift (fun t => (g px t - g' px t) ^ 2)) | split; [ apply (drift (fun t => (g py t - g' py t) ^ 2)) |
-      apply (drift (fun t => (g pu t - g' pu t) ^ 2 + (g pw t - g' pw t) ^ 2)) ] ]; trivial; try lra; try (rewrite !z, !z'; ring);
-      try solve [ intros; cont ];
-    intros s Hs; destruct (D s Hs) as (X & Y & fx & fy & [B P] & U & W); destruct (D' s Hs) as (X' & Y' & hx & hy & [B' P'] & U' & W');
-    eexists; (split; [ rd | cbv beta; simpl pred; simpl INR ]).
-    - pose proof (H pu s Hs). pose proof (pow2_ge_0 (10 * (g px s - g' px s) - (f pu s - f' pu s))). lra.
-    - pose proof (H pw s Hs). pose proof (pow2_ge_0 (10 * (g py s - g' py s) - (f pw s - f' pw s))). lra.
-    - pose proof (H px s Hs). pose proof (H py s Hs). pose proof (H pu s Hs). pose proof (H pw s Hs).
-      pose proof (power_bound 1 fx fy (g' pu s) (g' pw s) Rle_0_1 B). pose proof (power_bound 1 hx hy (g pu s) (g pw s) Rle_0_1 B').
-      set (a := f px s - f' px s) in *. set (b := f py s - f' py s) in *. set (d := f pu s - f' pu s) in *. set (e := f pw s - f' pw s) in *.
-      pose proof (pow2_ge_0 (10 * (g pu s - g' pu s) - (a + 2 * e))). pose proof (pow2_ge_0 (10 * (g pw s - g' pw s) - (b - 2 * d))).
-      pose proof (pow2_ge_0 (2 * a - e)). pose proof (pow2_ge_0 (2 * b + d)). unfold a, b, d, e in *. lra. }
-  pose proof (exp_pos (20 * t)). pose proof (pow2_ge_0 (g pu t - g' pu t)). pose proof (pow2_ge_0 (g pw t - g' pw t)). intros i. destruct i; nra.
+  intros G G' [z D] [z' D'] H Ht. assert (C : forall i t, continuity_pt (g i) t) by apply G. assert (C' : forall i t, continuity_pt (g' i) t) by apply G'.
+  assert (m0 : 0 <= m). { specialize (H 0 (Rle_refl 0)). rewrite Rmult_0_r, exp_0 in H. pose proof (far_ge f f' px 0). lra. }
+  apply Rle_trans with (m / 10 * exp (20 * t)); [ | pose proof (exp_pos (20 * t)); nra ].
+  apply drift; trivial. { intros. unfold far. cont. } { unfold far. rewrite !z, !z'. ring. }
+  intros s Hs. destruct (D s Hs) as (X & Y & fx & fy & [B P] & U & W). destruct (D' s Hs) as (X' & Y' & hx & hy & [B' P'] & U' & W').
+  eexists. split. unfold far. rd. cbv beta. simpl pred. simpl INR. specialize (H s Hs). unfold far in *.
+  pose proof (power_bound 1 fx fy (g' pu s) (g' pw s) Rle_0_1 B). pose proof (power_bound 1 hx hy (g pu s) (g pw s) Rle_0_1 B').
+  set (a := f px s - f' px s) in *. set (b := f py s - f' py s) in *. set (d := f pu s - f' pu s) in *. set (e := f pw s - f' pw s) in *.
+  pose proof (pow2_ge_0 (10 * (g px s - g' px s) - d)). pose proof (pow2_ge_0 (10 * (g py s - g' py s) - e)).
+  pose proof (pow2_ge_0 (10 * (g pu s - g' pu s) - (a + 2 * e))). pose proof (pow2_ge_0 (10 * (g pw s - g' pw s) - (b - 2 * d))).
+  pose proof (pow2_ge_0 (2 * a - e)). pose proof (pow2_ge_0 (2 * b + d)). pose proof (pow2_ge_0 a). pose proof (pow2_ge_0 b). pose proof (pow2_ge_0 d).
+  pose proof (pow2_ge_0 e). unfold a, b, d, e in *. lra.
 Qed.
 (* from rest at the start, driven again and again *)
 Lemma still_good : good (fun i _ => c i). Proof. intros i t. split; trivial. cont. Qed.
@@ -158,32 +158,26 @@ Notation phi n := (proj1_sig (turn n)).
 Lemma phi_good n : good (phi n). Proof. exact (proj2_sig (turn n)). Qed.
 Lemma phi_driven n : driven c (phi n) (phi (S n)).
 Proof. simpl. destruct (drive _ _) as [g [H K]]. exact K. Qed.
-Lemma first : exists K, 0 <= K /\ forall i t, 0 <= t -> (phi 1 i t - phi 0 i t) ^ 2 <= K * exp (20 * t).
+Lemma first : exists K, 0 <= K /\ forall t, 0 <= t -> far (phi 1) (phi 0) t <= K * exp (20 * t).
 Proof.
   destruct (phi_driven 0) as [z D]. pose proof (phi_good 1) as G. set (g := phi 1) in *. simpl in D. change (phi 0) with (fun i (_ : R) => c i).
   assert (C : forall i t, continuity_pt (g i) t) by apply G. clearbody g. clear G.
-  set (K := (c pu) ^ 2 + (c pw) ^ 2 + 2 * ((c px + 2 * c pw) ^ 2 + (c py - 2 * c pu) ^ 2 + 1)). exists K.
-  pose proof (pow2_ge_0 (c pu)). pose proof (pow2_ge_0 (c pw)). pose proof (pow2_ge_0 (c px + 2 * c pw)). pose proof (pow2_ge_0 (c py - 2 * c pu)).
-  assert (K0 : 0 <= K) by (unfold K; lra). split; trivial. intros i t Ht.
-  assert (Q : (g px t - c px) ^ 2 <= K / 10 * exp (20 * t) /\ (g py t - c py) ^ 2 <= K / 10 * exp (20 * t) /\
-    (g pu t - c pu) ^ 2 + (g pw t - c pw) ^ 2 <= K / 10 * exp (20 * t)).
-  { split; [ apply (drift (fun t => (g px t - c px) ^ 2)) | split; [ apply (drift (fun t => (g py t - c py) ^ 2)) |
-      apply (drift (fun t => (g pu t - c pu) ^ 2 + (g pw t - c pw) ^ 2)) ] ]; trivial; try (rewrite !z; ring); try solve [ intros; cont ];
-    intros s Hs; destruct (D s Hs) as (X & Y & fx & fy & [B P] & U & W); pose proof (exp_up 0 (20 * s) ltac:(lra)) as e; rewrite exp_0 in e;
-    assert (Ke : K <= K * exp (20 * s)) by nra; eexists; (split; [ rd | cbv beta; simpl pred; simpl INR ]).
-    - pose proof (pow2_ge_0 (g px s - c px - c pu)). pose proof (pow2_ge_0 (g px s - c px)). unfold K in Ke at 1. lra.
-    - pose proof (pow2_ge_0 (g py s - c py - c pw)). pose proof (pow2_ge_0 (g py s - c py)). unfold K in Ke at 1. lra.
-    - pose proof (pow2_ge_0 (g pu s - c pu - (c px + 2 * c pw + fx))). pose proof (pow2_ge_0 (g pw s - c pw - (c py - 2 * c pu + fy))).
-      pose proof (pow2_ge_0 (c px + 2 * c pw - fx)). pose proof (pow2_ge_0 (c py - 2 * c pu - fy)).
-      pose proof (pow2_ge_0 (g pu s - c pu)). pose proof (pow2_ge_0 (g pw s - c pw)). unfold K in Ke at 1. lra. }
-  pose proof (exp_pos (20 * t)). pose proof (pow2_ge_0 (g pu t - c pu)). pose proof (pow2_ge_0 (g pw t - c pw)). destruct i; nra.
+  set (K := c pu ^ 2 + c pw ^ 2 + 2 * ((c px + 2 * c pw) ^ 2 + (c py - 2 * c pu) ^ 2 + 1)). exists K.
+  assert (K0 : 0 <= K). { unfold K. pose proof (pow2_ge_0 (c pu)). pose proof (pow2_ge_0 (c pw)). pose proof (pow2_ge_0 (c px + 2 * c pw)). squares. lra. }
+  split; trivial. intros t Ht. apply Rle_trans with (K / 10 * exp (20 * t)); [ | pose proof (exp_pos (20 * t)); nra ].
+  apply drift; trivial. { intros. unfold far. cont. } { unfold far. rewrite !z. ring. }
+  intros s Hs. destruct (D s Hs) as (X & Y & fx & fy & [B P] & U & W). pose proof (exp_up 0 (20 * s) ltac:(lra)) as e. rewrite exp_0 in e.
+  assert (Ke : K <= K * exp (20 * s)) by nra. eexists. split. unfold far. rd. cbv beta. simpl pred. simpl INR. unfold far. squares.
+  pose proof (pow2_ge_0 (g px s - c px - c pu)). pose proof (pow2_ge_0 (g py s - c py - c pw)).
+  pose proof (pow2_ge_0 (g pu s - c pu - (c px + 2 * c pw + fx))). pose proof (pow2_ge_0 (g pw s - c pw - (c py - 2 * c pu + fy))).
+  pose proof (pow2_ge_0 (c px + 2 * c pw - fx)). pose proof (pow2_ge_0 (c py - 2 * c pu - fy)). unfold K in Ke at 1. lra.
 Qed.
-Lemma phi_near : exists K, 0 <= K /\ forall n i t, 0 <= t -> (phi (S n) i t - phi n i t) ^ 2 <= K * ((/ 2) ^ n) ^ 2 * exp (20 * t).
+Lemma phi_near : exists K, 0 <= K /\ forall n t, 0 <= t -> far (phi (S n)) (phi n) t <= K * ((/ 2) ^ n) ^ 2 * exp (20 * t).
 Proof.
-  destruct first as (K & K0 & H). exists K. split; trivial. induction n as [ | n IH ]; intros i t Ht.
+  destruct first as (K & K0 & H). exists K. split; trivial. induction n as [ | n IH ]; intros t Ht.
   { replace (K * ((/ 2) ^ 0) ^ 2) with K by (simpl; ring). auto. }
   replace (K * ((/ 2) ^ S n) ^ 2) with (K * ((/ 2) ^ n) ^ 2 / 4) by (simpl pow; field).
-  apply (nearer (phi (S n)) (phi n)); trivial; auto using phi_good, phi_driven.
+  apply (nearer (phi (S n)) (phi n)); auto using phi_good, phi_driven.
 Qed.
 (* the limit is driven by itself: it is the motion *)
 Lemma exp_10 t : exp (20 * t) = exp (10 * t) ^ 2.
@@ -194,7 +188,7 @@ Proof.
   { destruct phi_near as (K & K0 & H). exists (2 * sqrt K). pose proof (sqrt_pos K). split. lra. intros i t n. pose proof (exp_pos (10 * Rmax 0 t)).
     destruct (half_pos n). rewrite (proj2 (phi_good (S n) i t)), (proj2 (phi_good n i t)). apply abs_of_sq.
     { repeat apply Rmult_le_pos; lra. }
-    specialize (H n i _ (Rmax_l 0 t)). rewrite exp_10 in H. eapply Rle_trans; [ exact H | right ].
+    specialize (H n _ (Rmax_l 0 t)). rewrite exp_10 in H. eapply Rle_trans; [ apply far_ge | eapply Rle_trans; [ exact H | right ] ].
     rewrite <- (pow2_sqrt K K0) at 1. field. }
   assert (lims : forall i t, {l | forall B, geo (fun n => phi n i t) B -> forall n, Rabs (phi n i t - l) <= B * (/ 2) ^ n}).
   { intros i t. apply (lim_geo (fun n => phi n i t)). destruct E as (B & _ & H). now exists (B * exp (10 * Rmax 0 t)). }
@@ -209,12 +203,12 @@ Proof.
   apply functional_extensionality. intros i. apply functional_extensionality. intros s. rewrite (proj2 (GV i s)), (proj2 (G i s)).
   pose proof (Rmax_l 0 s) as Ht. set (t := Rmax 0 s) in *. apply Rminus_diag_uniq, abs_zero. destruct N as (B & B0 & H).
   apply (le_by_halves _ _ (2 * B * exp (10 * t))). intros n. pose proof (exp_pos (10 * t)). destruct (half_pos n).
-  assert (Q : (V i t - phi (S n) i t) ^ 2 <= (B * (/ 2) ^ n) ^ 2 / 4 * exp (20 * t)).
-  { apply (nearer W (phi n)); auto using phi_good, phi_driven. intros j r Hr. specialize (H n j r). rewrite Rmax_right in H by trivial.
-    rewrite exp_10, <- pow2_abs, Rabs_minus_sym. pose proof (Rabs_pos (phi n j r - W j r)). pose proof (exp_pos (10 * r)). nra. }
-  specialize (H (S n) i t). rewrite Rmax_right in H by trivial. simpl pow in H. rewrite exp_10 in Q.
-  assert (M : Rabs (V i t - phi (S n) i t) <= B * exp (10 * t) * (/ 2) ^ n). { assert (0 <= B * exp (10 * t) * (/ 2) ^ n) by (apply Rmult_le_pos;
-  nra). apply abs_of_sq; nra. }
+  assert (Q : far V (phi (S n)) t <= 4 * (B * (/ 2) ^ n) ^ 2 / 4 * exp (20 * t)).
+  { apply (nearer W (phi n)); auto using phi_good, phi_driven. intros r Hr. assert (M : forall j, (W j r - phi n j r) ^ 2 <= (B * exp (10 * r) * (/ 2) ^ n) ^ 2).
+    { intros j. specialize (H n j r). rewrite Rmax_right in H by trivial. rewrite <- pow2_abs, Rabs_minus_sym. apply pow_incr. split; trivial. apply Rabs_pos. }
+    rewrite exp_10. unfold far. pose proof (M px). pose proof (M py). pose proof (M pu). pose proof (M pw). lra. }
+  specialize (H (S n) i t). rewrite Rmax_right in H by trivial. simpl pow in H. rewrite exp_10 in Q. pose proof (far_ge V (phi (S n)) i t).
+  assert (M : Rabs (V i t - phi (S n) i t) <= B * exp (10 * t) * (/ 2) ^ n). { apply abs_of_sq; [ apply Rmult_le_pos; nra | lra ]. }
   apply Rabs_le_between in H, M. apply Rabs_le. lra.
 Qed.
 Definition V := proj1_sig limit.
