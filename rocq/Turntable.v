@@ -379,11 +379,9 @@ Qed.
 (* (115) while it slips: alpha > 0 *)
 Theorem eq_115 : p t <> 0 -> right_continuous psi t -> rder psi t (eq115_psi_rate (al t) (psi t)).
 Proof.
-  intros N C. destruct (parameters N) as (A0 & al0 & r0). eapply rder_eq. apply (psi_rate x y u w psi S P t ht N r0 C).
-    destruct (K t (Rle_refl t)) as [k1 k2]. rewrite k1, k2.
-  assert (z0 : 0 < sinh (al t)) by (rewrite <- sinh_0; now apply sinh_lt). pose proof (cosh_pos (al t)).
-    unfold eq109_psi_rate, eq115_psi_rate, eq111_p, eq112_rho.
-  transitivity (2 - sin (psi t) * (sinh (al t) / cosh (al t) + cosh (al t) / sinh (al t))). field. lra. rewrite psi_rate_hyperbolic by lra. ring.
+  intros N C. destruct (parameters N) as (A0 & al0 & r0). pose proof (psi_rate x y u w psi S P t ht N r0 C) as D.
+  destruct (K t (Rle_refl t)) as [k1 k2]. rewrite k1, k2 in D. apply sinh_lt in al0. rewrite sinh_0 in al0.
+  now rewrite <- (proj1 (psi_rate_hyperbolic (A t) (al t) (psi t) ltac:(lra) ltac:(lra))).
 Qed.
 (* (124): of the angles within a quarter turn of 0, psi of a motion stands still at psi_1, and at no other ... *)
 Theorem eq_124 : p t <> 0 -> right_continuous psi t -> - (PI / 2) <= psi t <= PI / 2 -> (rder psi t 0 <-> psi t = eq124_psi1 (al t)).
@@ -451,12 +449,9 @@ Qed.
 (* (121) off the axis: beta > 0 *)
 Theorem eq_121 : rho t <> 0 -> right_continuous psi t -> rder psi t (eq121_psi_rate (be t) (psi t)).
 Proof.
-  intros r0 C. pose proof outer as o. pose proof (nrm_pos (x t) (y t)). destruct (outer_rates x y u w B be S t ht o K) as (B0 & _).
-    destruct (K t (Rle_refl t) o) as [k1 k2]. unfold eq117_p, eq118_rho in *.
-  assert (z0 : sinh (be t) <> 0) by (intros z; rewrite z in k2; lra). pose proof (cosh_pos (be t)). eapply rder_eq.
-    apply (psi_rate x y u w psi S P t ht ltac:(lra) r0 C).
-  unfold eq109_psi_rate, eq121_psi_rate. rewrite k1, k2. transitivity (2 - sin (psi t) * (sinh (be t) / cosh (be t) + cosh (be t) / sinh (be t))).
-    field. lra. rewrite psi_rate_hyperbolic by trivial. ring.
+  intros r0 C. pose proof outer as o. pose proof (nrm_pos (x t) (y t)). pose proof (psi_rate x y u w psi S P t ht ltac:(lra) r0 C) as D.
+  destruct (K t (Rle_refl t) o) as [k1 k2]. rewrite k1, k2 in *. unfold eq118_rho in r0.
+  now rewrite <- (proj2 (psi_rate_hyperbolic (B t) (be t) (psi t) ltac:(nra) ltac:(nra))).
 Qed.
 (* the complex A of (122) and alpha of (123) *)
 Notation A_i s := (at_i (fun i => eq122_a i (B s))).

@@ -123,8 +123,12 @@ Proof.
 Qed.
 End Hyperbolic.
 (* (115) and (121) are (109) *)
-Lemma psi_rate_hyperbolic a : sinh a <> 0 -> sinh a / cosh a + cosh a / sinh a = 2 * coth (2 * a).
-Proof. intros H. pose proof (cosh_pos a). unfold coth. rewrite cosh_double, sinh_double. field_simplify_eq; [ | lra ]. ring [(cosh2 a)]. Qed.
+Lemma psi_rate_hyperbolic A a psi : A <> 0 -> sinh a <> 0 -> eq109_psi_rate (A * sinh a) (A * cosh a) psi = eq115_psi_rate a psi /\
+  eq109_psi_rate (A * cosh a) (A * sinh a) psi = eq121_psi_rate a psi.
+Proof.
+  intros n z. pose proof (cosh_pos a). unfold eq109_psi_rate, eq115_psi_rate, eq121_psi_rate, coth. rewrite cosh_double, sinh_double.
+  split; (field_simplify_eq; [ | lra ]); ring [(cosh2 a)].
+Qed.
 
 (* ---- motions that have all this: every start, its angle, A and alpha, B and beta ---- *)
 Lemma motion_with_angle x0 y0 u0 w0 : exists x y u w psi, spin x y u w /\ (forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t)) /\
