@@ -283,10 +283,8 @@ Proof.
   destruct (arc_exists 1 1 x y u w Rlt_0_1 (proj1 (spin_is_turntable _ _ _ _) S)) as [cs ds].
   eapply (H (fun t => nrm (u t) (w t)) (fun t => (x t * w t - y t * u t) * / nrm (u t) (w t)) (fun t => (x t * u t + y t * w t) * / nrm (u t) (w t)) _
     d); [ | | exact (conj now d0) ]; intros t Ht.
-  - specialize (Hd t ltac:(lra)). assert (cp : continuity_pt (fun t => nrm (u t) (w t)) t) by table S.
-    assert (ci : continuity_pt (fun t => / nrm (u t) (w t)) t) by (apply (continuity_pt_inv (fun t => nrm (u t) (w t))); [ exact cp | lra ]).
-    repeat split; [ exact cp | apply (continuity_pt_mult (fun t => x t * w t - y t * u t));
-      [ table S | exact ci ] | apply (continuity_pt_mult (fun t => x t * u t + y t * w t)); [ table S | exact ci ] | apply cs; lra ].
+  - specialize (Hd t ltac:(lra)). pose proof (cont_inv (fun t => nrm (u t) (w t)) t ltac:(table S) ltac:(lra)) as ci.
+    repeat split; [ table S | | | apply cs; lra ]; (apply (continuity_pt_mult (fun t => _)); [ table S | exact ci ]).
   - specialize (Hd t ltac:(lra)). assert (n : nrm (u t) (w t) <> 0) by lra. repeat split; trivial;
     [ now apply (dp x y u w S) | | now apply (eq101 x y u w S) | now apply ds ].
     eapply rder_eq. now apply (eq100 x y u w S). unfold eq100_ell_rate. field. exact n.
