@@ -14,7 +14,6 @@ from fractions import Fraction
 from math import factorial
 
 CLAIM = "s4-envelope-is-boundary"
-BORDERS = {"critical-radius": "put down at r =", "critical-speed": "launched with u ="}
 BITS, TERMS, STEPS = 256, 32, 4000
 ONE = 1 << BITS
 # A step leaves out so much.
@@ -174,16 +173,6 @@ def moving(a, alpha, psi):
     grows, falls = exp(alpha), exp(Ball(-alpha.m, alpha.r))
     p, rho, zero = a * (grows - falls) / 2, a * (grows + falls) / 2, Ball(0)
     return [rho * cos(psi), rho * sin(psi), p, zero, p]
-
-
-def put_down(r):
-    r, zero = number(r), Ball(0)
-    return [r, zero, zero, Ball(-r.m, r.r), r]
-
-
-def launched(u):
-    u, zero = number(u), Ball(0)
-    return [zero, zero, u, zero, u]
 
 
 def starts(slipbook):

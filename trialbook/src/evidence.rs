@@ -317,7 +317,7 @@ impl Evidence {
     /// What became of a proof, in one word or two; `None` for a measurement.
     pub fn proof_words(&self) -> Option<&'static str> {
         self.route.is_proof().then(|| match self.outcome() {
-            Outcome::Agrees if self.is_in_words() => "argued",
+            Outcome::Agrees if self.is_in_words() => "checked",
             Outcome::Agrees => "shown",
             Outcome::Disagrees => "disproved",
             Outcome::NotANumber | Outcome::TooFewPoints => "not proved",

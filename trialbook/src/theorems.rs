@@ -13,7 +13,7 @@ use crate::data::{Folder, Text};
 use crate::trials::Paper;
 use record::Accepted;
 use source::{Item, Sources};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::OnceLock;
 
 /// The file that is written from the formulas.
@@ -96,6 +96,25 @@ impl Known {
             .collect();
         all.sort_by_key(|(accepted, _)| accepted.name != name);
         all
+    }
+
+    /// Whether a theorem says when the claim as printed holds, or that it does not.
+    pub fn refutes(&self, claim: &str) -> bool {
+        let name = format!("{}__printed", named(claim));
+        self.of_claim(claim)
+            .iter()
+            .any(|(accepted, _)| accepted.name == name)
+    }
+
+    /// The same of those that belong to no claim.
+    pub fn beside(&self, paper: &Paper) -> Vec<(&Accepted, &Item)> {
+        let claims: BTreeSet<String> = paper.claims().map(|(_, c)| named(c.id)).collect();
+        let none = |accepted: &&Accepted| {
+            let mut parts = accepted.name.split("__");
+            parts.next().is_some_and(|name| !claims.contains(name))
+        };
+        let all = self.record.iter().filter(none);
+        all.filter_map(|accepted| self.current(accepted)).collect()
     }
 
     fn current<'a>(&'a self, accepted: &'a Accepted) -> Option<(&'a Accepted, &'a Item)> {

@@ -105,10 +105,6 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     let balanced = Proof::in_ring("(53): K", balance(), |p| {
         p.shows("For K = πq/(q + 1): λ₀ 2K = qλ₀ (2π − 2K), so that friction takes forwards in the phase 2K what it gives backwards in the rest of a period.");
         let [q, lambda0] = symbols(["q", "λ₀"]);
-        p.note(
-            "Over a period",
-            "the drive gives nothing, and so friction takes forwards in 2K what it gives backwards in 2π − 2K: λ₀ 2K = qλ₀ (2π − 2K)",
-        );
         let lost = lambda0 * 2 * k_formula;
         let gained = q * lambda0 * (2 * pi() - 2 * k_formula);
         let lost = p.read("Taken forwards, with the printed K", lost)?;

@@ -126,7 +126,6 @@ fn drawn([forward, backward]: Rates) -> Proof {
                 "At rest",
                 "friction balances the drive, and the rate, 0, is not below (51) and not above (52)",
             );
-            p.remark("So the velocities of two motions never move apart, and approach each other while one particle goes forward and the other backward");
             let whole = 2 * pi();
             for (rate, is, friction) in [
                 (&ahead, "It is that of (51)", lambda0),
@@ -147,7 +146,6 @@ fn drawn([forward, backward]: Rates) -> Proof {
                 "Let two different motions repeat themselves, with the velocities 𝔴 and 𝔴 + d, d > 0",
                 "their distance d stays, so that they never have different directions: 𝔴 is never between −d and 0. So 𝔴 ≥ 0 for ever, and the other goes forward for ever; or 𝔴 ≤ −d for ever, and itself goes backward for ever: a contradiction. Only one motion repeats itself",
             );
-            p.remark("Any other motion never crosses it, and comes no farther from it: from period to period its velocity falls, or rises, to a limit, which repeats itself and so is that one");
             Ok(())
         },
     )
@@ -275,10 +273,6 @@ fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2]))
         p.rests_on(&prove_eq53(k_formula, [left, right]))?;
         p.rests_on(&a_falls([left, right]))?;
         p.rests_on(&middle([left, right]))?;
-        p.note(
-            "Below A the left side L of (53) exceeds the right side R, which is positive",
-            "as λ₀K < sin K, there is an m between π/2 and π with sin m = λ₀K/sin K. Let K = π/2 + y: 0 ≤ y < π/2, as q ≥ 1",
-        );
         let [y, m, k, q, lambda0] = symbols(["y", "m", "K", "q", "λ₀"]);
         p.identity(("K by (53), for q = K/(π − K)", k_formula), ("", k))?;
         let (begin, turn) = (m - k, m + k);
@@ -305,10 +299,6 @@ fn first((rates, (k_formula, [left, right]), signs): (Rates, CurveA, [Expr; 2]))
         let terms =
             (quarter - y.squared()) * (y.sin() - chord) + y * (near - y.cos()) + near * chord * y;
         p.reads_as(&rest, "of which no term is negative: the sine lies above its chord, and cos y = sin(π/2 − y) below π/2 − y", terms)?;
-        p.note(
-            "So the drive exceeds friction where each slip begins, and each slip ends where the other begins",
-            "this motion repeats itself, without rest; every other one is drawn to it",
-        );
         listed(p, signs, [1, -1])
     })
 }
@@ -333,18 +323,6 @@ fn second((rates, (k_formula, a), [b, e], signs): (Rates, CurveA, [Sides; 2], Li
             p.rests_on(&premise)?;
         }
         with_angles(p);
-        p.note(
-            "Backward motion can begin between π + β and 2π − β only. A forward slip begins at α; let it end at z",
-            "that is before π + β exactly if left less right side of (54), 𝔴 at π + β, is negative; and before 2π − β exactly if left less right side of E, 𝔴 at 2π − β, is negative",
-        );
-        p.note(
-            "At β = π/2 both are sin α (cot α + α − 3π/2), which is 0 at q_Y, negative before and positive beyond, as the bracket falls with α, and sin α = 1/q",
-            "B's arc falls from 2 as β grows, E's over λ₀ grows from −2π. So up to q_Y E's is negative for all β, and B's positive below B; beyond, B's is positive for all β, and E's negative below E and positive above",
-        );
-        p.note(
-            "So, in region II",
-            "the slip ends between π + β and 2π − β, where backward motion follows at once",
-        );
         let [alpha, end, q, lambda0] = symbols(["α", "z", "q", "λ₀"]);
         let whole = 2 * pi();
         let both = arc(alpha, end, lambda0) + arc(end, alpha + whole, -q * lambda0);
@@ -356,15 +334,7 @@ fn second((rates, (k_formula, a), [b, e], signs): (Rates, CurveA, [Sides; 2], Li
             ),
             ("", left),
         )?;
-        p.note(
-            "Above A the left side of (53) is below the right one",
-            "so the slip ends before α + 2K, and the backward motion before 2π + α; it ends after 2π − β, where −qλ₀ < sin φ < λ₀, and static friction holds the particle until the slip from 2π + α",
-        );
         listed(p, signs.0, [1, -1, 0])?;
-        p.note(
-            "Between E and C",
-            "the slip ends between 2π − β and 2π + α, and static friction holds the particle until the slip from 2π + α",
-        );
         listed(p, signs.1, [1, 0])
     })
 }
@@ -383,10 +353,6 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
                 ((beta / 2).cos() - (beta / 2).sin()).squared(),
             ),
         )?;
-        p.note(
-            "Above B the left side of (54), less the right one, is negative: B's arc, which falls as β grows",
-            "so the slip from α ends before π + β; it ends after π − α, where −qλ₀ < sin φ < λ₀, and static friction holds the particle until π + β, where a backward slip begins",
-        );
         let d = beta - alpha;
         let size = alpha.cos() + beta.cos();
         let end = arc(pi() + beta, 2 * pi() + alpha, -q * lambda0);
@@ -413,10 +379,6 @@ fn third(rates: Rates, b: Sides, c: Expr, signs: [Expr; 4]) -> Proof {
             ("Here (π² − d²) tan(d/2) − 2d", product * tangent - 2 * d),
             ("of which no term is negative, as 0 ≤ d < π/2", terms),
         )?;
-        p.note(
-            "So 𝔴 would be positive at 2π + α",
-            "the backward slip ends before; it ends after 2π − β, where −qλ₀ < sin φ < λ₀, and static friction holds the particle until the slip from 2π + α",
-        );
         listed(p, signs, [1, 0, -1, 0])
     })
 }
@@ -451,10 +413,6 @@ fn fourth(rates: Rates, [c, d]: [Expr; 2], signs: [Expr; 2]) -> Proof {
             ),
         )?;
         p.note(
-            "So above C",
-            "backward motion ends after a finite time and never begins again, as −qλ₀ < −1 ≤ sin φ",
-        );
-        p.note(
             "With sin α = λ₀, the forward slip from α ends between π − α and 2π + α",
             "there −qλ₀ < sin φ < λ₀, and static friction holds the particle until the slip from 2π + α",
         );
@@ -475,7 +433,6 @@ fn fifth(([forward, backward], d, signs): (Rates, Expr, [Expr; 1])) -> Proof {
         let least = excess + (q - 1) * lambda0 + (half.sin() + half.cos()).squared();
         let least = p.read("λ₀ less (56), (q − 1) λ₀, and a square", least)?;
         p.equal("So does backward motion, as q ≥ 1", &back, &least)?;
-        p.remark("So a particle with |𝔴| at the start is at rest after |𝔴|/(λ₀ − 1) at the latest, and stays: −qλ₀ < sin φ < λ₀");
         listed(p, signs, [0])
     })
 }
@@ -492,10 +449,6 @@ fn border(c: Expr) -> Proof {
         let q = symbol("q");
         let product = p.read("q times (55): there qλ₀ is the drive's amplitude", q * c)?;
         p.reads_as(&product, "", int(1))?;
-        p.note(
-            "For q < q_Y, B lies below C; for q = q_Y it meets C",
-            "just below C there is region III, or for q = q_Y region II (or I, were A above it), all with backward motion; above C there is region IV, without",
-        );
         Ok(())
     })
 }

@@ -185,11 +185,6 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
         ("", at.slower()),
     )?;
     p.note(
-        "It is between 0 and 8/5 where |q − q₀| < 0.154, |v − v₀| ≤ 1/4, 0 < t ≤ 1/20, as in the region, where |q − q₀| ≤ √6/16",
-        "by intervals: 1/t grows, at 23/25 of the rate of τ at least; so t falls, also where it is 1/20, and as Q falls where it is 1/16, again by intervals, no motion leaves the region",
-    );
-    p.note("Every escape comes into it", "as q → q₀, v → v₀ and t → 0");
-    p.note(
         "With τ = 1/t at some time there, let b be τ − 1/t",
         "later 0 ≤ b ≤ (8/5)(25/23) ln(τ/20) ≤ 2 ln(τ/20), as 1/t ≥ 20; and b/τ ≤ 1/(10 exp 1) < 1/27",
     );

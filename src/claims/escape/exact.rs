@@ -106,7 +106,6 @@ fn by_state(
 
 fn eq128(law: Expr) -> Proof {
     by_state("dα/dτ at large times", law, |p, late| {
-        p.note("dα/dτ", "half the rate of ln e^(2α)");
         let ring = p.ring();
         let twice = late.twice_alpha_exp.map(|c| Ok::<_, ExactError>(c + c))?;
         Ok(rate(&late.twice_alpha_exp, 2, ring)?.over(&twice, ring)?)
@@ -203,7 +202,6 @@ fn never_decreases(formula: Expr) -> Proof {
         let grown = p.read("cosh s − 1, which is 0 at s = 0", s.cosh() - 1)?;
         let slope = p.slope("Its rate", &grown, "s")?;
         p.reads_as(&slope, "", s.sinh())?;
-        p.remark("So A grows by cosh b − 1 or more within the time b before each such moment, and without end, unless for every b > 0, α stays below b from some time on");
         Ok(())
     })
 }

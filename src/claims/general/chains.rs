@@ -61,10 +61,6 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
             a + (ax * vx + ay * vy) / speed,
         )?;
         at_most_its_size(p)?;
-        p.note(
-            "So, with an acceleration of a at most",
-            "dv/dt ≤ a − μg, which is negative",
-        );
         let bound = v0 - (mu * g - a) * t;
         let line = p.read("The line v₀ − (μg − a) t", bound)?;
         let slope = p.slope("Its rate", &line, "t")?;
@@ -73,7 +69,6 @@ pub(in crate::claims) fn stops(formula: Expr) -> Proof {
             "At t = v₀/(μg − a) it is",
             bound.with("t", v0 / (mu * g - a)),
         )?;
-        p.remark("So v, which lies below the line, is 0 by then; at rest the inertial force is below the greatest static friction");
         Ok(())
     })
 }
@@ -109,10 +104,6 @@ pub(in crate::claims) fn decays(
     let stated = trend * (2 * mu * g * vy.squared() / speed);
     p.reads_as(&fall, "which is not positive", stated)?;
     at_most_its_size(p)?;
-    p.note(
-        "So, with an acceleration of a at most and by (2)",
-        "dv/dt ≤ a, and v ≤ v₀ + a t",
-    );
     let base = v0 + a * t;
     let weight = base.pow(2 * least * g / a);
     let weighted = p.read("v_y² times a growing weight", vy.squared() * weight)?;
@@ -132,10 +123,6 @@ pub(in crate::claims) fn decays(
         &growth,
         &lost,
     )?;
-    p.note(
-        "So v_y² is at most C ε",
-        "C is the weighted square at the beginning, ε one over the weight, which goes to 0",
-    );
     let [c, small] = symbols(["C", "ε"]);
     let bound = p.read("The bound", c * small)?;
     let small = p.ring().read(small)?;

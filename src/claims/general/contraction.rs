@@ -48,10 +48,6 @@ fn by_law(law: [Expr; 2]) -> Proof {
                 ("1 − cos² γ", 1 - cosine.squared()),
                 ("a square, so that cos γ is at most 1", across),
             )?;
-            p.note(
-                "So, while both particles slide",
-                "the distance does not grow",
-            );
 
             let own: Vec<_> = rates.into_iter().step_by(2).collect();
             let alone = p.ring().along(&own)?;
@@ -67,10 +63,6 @@ fn by_law(law: [Expr; 2]) -> Proof {
                 -(2 * v * (along + mu * g)),
             )?;
             at_most_its_size(p)?;
-            p.note(
-                "A rest lasts only while the drive is μg at most",
-                "so this rate is not positive either; and while both are at rest, the distance is 0",
-            );
             Ok(())
         },
     )

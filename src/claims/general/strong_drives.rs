@@ -21,10 +21,6 @@ fn moves(bound: Expr) -> Proof {
     };
     Proof::in_ring("A strong drive ends every rest", ring(), |p| {
         let [ax, ay, mu, g, ..] = NAMES.map(symbol);
-        p.note(
-            "A particle at rest moves as the plane does",
-            "by Newton's law in the laboratory friction gives it the plane's acceleration",
-        );
         let size = (ax.squared() + ay.squared()).sqrt();
         let needed = p.read("Its size squared", size.squared())?;
         let components = p.ring().read(ax.squared() + ay.squared())?;
@@ -40,7 +36,6 @@ fn moves(bound: Expr) -> Proof {
                 size - bound,
             ),
         )?;
-        p.remark("So while the drive is above the bound no friction of μg at most keeps the particle at rest");
         Ok(())
     })
 }
@@ -63,17 +58,12 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
             let [margin, more] = symbols(["δ", "e"]);
             let speed = (vx.squared() + vy.squared()).sqrt();
             let (cosine, most) = (vx / speed, mu * g);
-            p.note(
-                "The pull of the drive",
-                "along x, of the size a: the stated bound, δ > 0 and some e ≥ 0, added",
-            );
             let pull = bound + margin + more;
             let driven = |rate: Expr| rate.with("A_x", -pull).with("A_y", int(0));
 
             let along = p.read("dv_x/dt by (1)", driven(law[0]))?;
             let terms = margin + more + most * (1 - cosine);
             p.reads_as(&along, "of which no term is negative", terms)?;
-            p.remark("So v_x grows by δ in each unit of time at least, beyond all bounds");
 
             let across = p.read("dv_y/dt by (1)", driven(law[1]))?;
             let motion = p.ring().along(&[("v_x", along), ("v_y", across)])?;
@@ -102,7 +92,6 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
                     terms,
                 ),
             )?;
-            p.remark("A particle that is at rest at some time is set in motion along the drive at once: v_x = v from then on, and the same holds");
             Ok(())
         },
     )

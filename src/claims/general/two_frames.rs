@@ -137,10 +137,6 @@ pub(in crate::claims) fn eq1_proof(formula: [Expr; 2]) -> Proof {
     };
     Proof::in_ring(title, setting(), |p| {
         let [ax, ay, mu, g, vx, vy] = NAMES.map(symbol);
-        p.note(
-            "In the laboratory",
-            "velocity U + v; the plane's velocity U has the rate A",
-        );
         let [x, y] = formula.map(|c| p.read("A component of (1)", c));
         let read = |c: Expr| p.ring().read(c);
         let rates = [

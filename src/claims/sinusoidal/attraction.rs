@@ -28,23 +28,11 @@ fn passes((cases, ends): NoRest) -> Proof {
         let slope = p.derivative("Its slope", &w, &by)?;
         let bend = p.derivative("Its second derivative", &slope, &by)?;
         p.reads_as(&bend, "", phi.cos())?;
-        p.note(
-            "From φ̃₁, where the slope sin φ̃₁ − λ₀ is not negative by (40), to π/2",
-            "the slope grows, and the forward case rises from 0",
-        );
-        p.note(
-            "From π/2 to φ̃₁ + π, where it is 0 again",
-            "it is concave, and so positive in between",
-        );
         let later = p.read(
             "The backward case, half a period later",
             backward.with("φ", phi + pi),
         )?;
         p.equal("It is the negative", &later, &-&w)?;
-        p.note(
-            "At φ̃₁ the drive is not below friction, and rises",
-            "so (38) does not rest there, nor half a period later",
-        );
         Ok(())
     })
 }
@@ -116,7 +104,6 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             let room = p.read("Terms of which none is negative", room)?;
             p.equal(says, &left, &room)?;
         }
-        p.remark("So v ± v_x has a rate of the size 2 (1 + λ₀) at most, and at rest stays 0");
 
         let length = d / (4 * most);
         p.identity(
@@ -126,10 +113,6 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             ),
             ("", d / 2),
         )?;
-        p.note(
-            "At φ̃₁, where W = 0 and v = D",
-            "if v_x ≥ 0, v + v_x ≥ D, and v + v_x ≥ D/2 for the phase D/(4 (1 + λ₀)) before; if v_x < 0, the same holds of v − v_x after",
-        );
         p.identity(
             (
                 "Meanwhile the squared distance falls, at the rate 2λ₀ (D/2) at least, by",
@@ -137,10 +120,6 @@ fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
             ),
             ("", lambda0 * d.squared() / (4 * most)),
         )?;
-        p.note(
-            "Or, if that phase exceeds the half period in which (38) keeps its sense",
-            "by πλ₀ D: so in each period by the smaller of the two at least, where D is the distance at φ̃₁; and D → 0",
-        );
         Ok(())
     })
 }
@@ -162,10 +141,6 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
         given(p, &[&EQ34, &EQ35, &EQ36])?;
         let [beta, lambda0, vx, vy, phi] = symbols(["β", "λ₀", "v_x", "v_y", "φ"]);
         let pi = pi();
-        p.note(
-            "For λ₀ > λ_c, (31) is negative at φ₃, and so φ̃₂ < φ₃",
-            "with β = φ₁, (33) rests from φ̃₂ > π − β to φ₃ = π + β, where |sin φ| < λ₀:",
-        );
         let x = symbol("x");
         let excess = (pi + beta - x).sin().squared() - lambda0.squared();
         let product = -(x.sin() * (2 * beta - x).sin());
@@ -190,10 +165,6 @@ fn drawn_to_rests(law: Expr, cases: [Expr; 4]) -> Proof {
             ),
             ("a square", (phi.sin() * vy / speed).squared()),
         )?;
-        p.note(
-            "So v falls, at the rate λ₀ − |sin φ| > 0 at least",
-            "in each rest by at least the same amount, or to 0. Between the rests the distance does not grow: after a finite number of them it is 0, and from then on the motion is (33)",
-        );
         Ok(())
     })
 }
@@ -221,7 +192,6 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
             ("Without friction, dv_x/dφ by (1)", rate.with("λ₀", zero)),
             ("", phi.sin()),
         )?;
-        p.remark("It is 0 on no interval, and so v_x is not");
         Ok(())
     })
 }
@@ -257,11 +227,6 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
         ] {
             p.reads_as(&rate, says, size + more)?;
         }
-        p.remark("So v_x, late and close to (38), is monotone beside each zero of (38), and has one zero there; elsewhere (38), and with it v_x, is bounded away from 0");
-        p.note(
-            "For λ_c < λ₀ < 1, v_x becomes (33) exactly",
-            "which is not 0 during its slips, and rests in between, twice in a period; for λ₀ > 1 it stops for good",
-        );
         Ok(())
     })
 }
@@ -295,14 +260,12 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
             ),
             ("at most 2 − π", 2 - pi() * lambda0),
         )?;
-        p.remark("So v is 0 after a finite time, and stays 0, as |sin φ| ≤ λ₀");
 
         let [rate, _] = in_units(law, drive);
         let rate = p.read("On the way: dv_x/dφ by (1)", rate)?;
         let slope = p.slope("Its slope by v_y", &rate, "v_y")?;
         let stated = lambda0 * vx * vy / speed.pow(int(3));
         p.reads_as(&slope, "not 0 but where v_x or v_y is", stated)?;
-        p.remark("Two motions with the same v_x ≠ 0, and another |v_y| do not keep the same v_x");
         Ok(())
     })
 }

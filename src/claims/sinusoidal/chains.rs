@@ -46,7 +46,6 @@ fn vy_vanishes((drive, law, limit): ([Expr; 2], [Expr; 2], Expr)) -> Proof {
     let mu = symbol("μ");
     Proof::in_ring("v_y vanishes under the sine", ring_across(mu), |p| {
         p.rests_on(&bounded(drive))?;
-        p.remark("So the drive is along x, and a below may be A₀");
         decays(p, law, mu, [-int(1), limit])
     })
 }
@@ -70,7 +69,6 @@ fn weak_drive_stops((drive, speed): ([Expr; 2], Expr)) -> Proof {
             "The line below which v lies, with a = A₀, at t = v₀/(μg − A₀)",
             v0 - (mu * g - a0) * time,
         )?;
-        p.remark("So v is 0 by then, and with it v_x");
         Ok(())
     })
 }
@@ -105,10 +103,6 @@ fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Pr
     };
     Proof::in_ring("A strong drive moves the particle for ever", ring(), |p| {
         let [lambda0, phi, vx, vy, beta] = symbols(["λ₀", "φ", "v_x", "v_y", "β"]);
-        p.note(
-            "In units of A₀ and ϖ",
-            "μg is λ₀ = sin β, 0 < β < π/2 or β = 0",
-        );
         let [rate, _] = in_units(law, drive);
         let speed = (vx.squared() + vy.squared()).sqrt();
         let terms = phi.sin() - lambda0 + lambda0 * (1 - vx / speed);
@@ -133,10 +127,6 @@ fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Pr
         p.equal("The slope is less than 0 by that", &-&slope, &falls)?;
         let end = p.read("At β = π/2, b = 0, it is", 2 * (int(0).sin() - 0))?;
         p.zero("That is 0", &end)?;
-        p.note(
-            "So for β < π/2 it is positive",
-            "𝔴 grows by it once in each period",
-        );
         Ok(())
     })
 }

@@ -259,10 +259,6 @@ const EQ25: Statement<[Expr; 2]> = Statement::new(
                     right - left - square,
                 ),
             )?;
-            p.note(
-                "The square vanishes at φ = π/2",
-                "so the drive exceeds friction somewhere exactly where left < right",
-            );
             Ok(())
         })
     },

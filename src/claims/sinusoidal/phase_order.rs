@@ -28,10 +28,6 @@ fn four_points(phases: [Expr; 4], number: Expr) -> Proof {
                 ("sin²φ − λ₀²", phi.sin().squared() - lambda0.squared()),
                 ("", product),
             )?;
-            p.note(
-                "Of the phases from 0 to 2π",
-                "the first sine vanishes at β and π + β only, the second at π − β and 2π − β only",
-            );
             let zeros = [beta, pi - beta, pi + beta, 2 * pi - beta];
             for (i, (printed, zero)) in phases.into_iter().zip(zeros).enumerate() {
                 p.identity(
@@ -68,10 +64,6 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
     Proof::in_ring("Where a rest can end", ring_of_phi1(), |p| {
         p.rests_on(&four_points(phases, int(4)))?;
         let [beta, phi] = symbols(["β", "φ"]);
-        p.note(
-            "Static friction holds a particle as long as |sin φ| ≤ λ₀, and no longer",
-            "a rest ends at a phase at which |sin φ| is λ₀, and above λ₀ just after it",
-        );
         let drive = p.read("sin²φ", phi.sin().squared())?;
         let slope = p.slope("Its slope", &drive, "φ")?;
         let stated = 2 * phi.sin() * phi.cos();
@@ -88,10 +80,6 @@ fn rest_ends(phases: [Expr; 4]) -> Proof {
             let signed = &steep * &Rational::int(way);
             p.equal(&format!("It is {way} times that"), &there, &signed)?;
         }
-        p.note(
-            "Beyond that range",
-            "|sin φ| ≤ 1 ≤ λ₀ ends no rest, and without friction |sin φ| ≤ λ₀ on no interval",
-        );
         Ok(())
     })
 }
@@ -102,7 +90,6 @@ fn period_ends(end: Expr) -> Proof {
         let [first, second, third, fourth] = phases();
         p.rests_on(&four_points([first, second, third, fourth], int(4)))?;
         p.rests_on(&slip())?;
-        p.remark("The slip ends before φ₁ + 2π, and an interval is left until then");
         let [beta, lambda0] = symbols(["β", "λ₀"]);
         for (says, phase) in [("φ₁", first), ("the stated end", end)] {
             p.identity(
@@ -155,10 +142,6 @@ fn ends_once(w: Expr) -> Proof {
             ("(31) at 2π − β", w.with("φ", 2 * pi() - beta)),
             ("negative", -(2 * lambda0 * (pi() - beta))),
         )?;
-        p.note(
-            "So, as (31) is 0 at β",
-            "it is positive up to a phase between π − β and 2π − β, and negative from there to 2π + β",
-        );
         Ok(())
     })
 }
@@ -189,12 +172,7 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
             &(&there * &sum),
             &apart,
         )?;
-        p.remark("So (31) is positive from β to β + π, and zero later: φ̃₂ − β > π");
 
-        p.note(
-            "From φ̃₂ on the velocity gains at most sin φ + λ₀",
-            "whatever friction does: its size is at most λ₀",
-        );
         let most = lambda0 * (phi - end) + end.cos() - phi.cos();
         let rate = p.read("From 0 at φ̃₂ that gives at most", most)?;
         let rate = p.slope("Its slope", &rate, "φ")?;

@@ -74,6 +74,7 @@ impl<'a> Filler<'a> {
             ["ask"] => block(overview::field()),
             ["ledger"] => block(tables::whole_ledger(context)?),
             ["ledger", topic] => block(tables::folded_topic(context, topic)?),
+            ["beside"] => block(theorems::beside(context)?),
             ["lemmas"] => block(lemmas::all(context)?),
             ["definitions"] => block(theorems::definitions(context)?),
             ["proofs"] => block(tables::proofs(ledger)),

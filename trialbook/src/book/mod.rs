@@ -33,6 +33,7 @@
 //! | `{{count confirmed}}` | the number of claims of a verdict, by its slug |
 //! | `{{count wrong}}`, `{{count roots}}`, `{{count heirs}}` | of the claims that are false: all, those with an error of their own, the others |
 //! | `{{count results}}`, `{{count factors}}` | of the errors of their own: the topics in which a result does not hold, the formulas that have lost a factor or the like |
+//! | `{{beside}}` | the theorems before a kernel that belong to no claim |
 //! | `{{lemmas}}` | the proofs that others rest on and that no box shows |
 //! | `{{count proved}}`, `argued`, `measured` | how many claims are known in this way |
 //! | `{{lines src/motion}}` | how much code stands in these modules, without comments and tests, and their paths |

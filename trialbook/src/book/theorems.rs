@@ -19,6 +19,15 @@ pub(super) fn of_claim(context: &Context<'_>, entry: &Entry) -> Html {
         .collect()
 }
 
+/// The theorems that belong to no claim.
+pub(super) fn beside(context: &Context<'_>) -> Html {
+    let paper = context.ledger.paper;
+    let all = paper.known_theorems().beside(paper);
+    all.into_iter()
+        .map(|(accepted, item)| theorem(context, accepted, item))
+        .collect()
+}
+
 fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
     let paper = context.ledger.paper;
     let known = paper.known_theorems();

@@ -1,7 +1,7 @@
 //! The errata as a letter that can be sent: plain text or LaTeX.
 
-use super::Ledger;
 use super::errata::{ErrataError, Erratum, statement};
+use super::{Ledger, Standing};
 use crate::notation::{Piece, command, decimal, pieces, plain_formula, plain_words};
 use crate::trials::Paper;
 
@@ -43,7 +43,8 @@ impl Ledger {
     /// claim that has to be changed. `{{right eq-13}}` is what should stand there, with its number on a line of its own;
     /// `{{stated eq-13}}` and `{{found eq-13}}` are the numbers of its case by hand; `{{value lambda-c 3}}` is a number of the
     /// paper with three decimals; `{{count numbered}}`, `{{count others}}` and `{{count standing}}` count equations, other
-    /// statements, and what need not be changed; `{{reference}}` is where the paper can be found.
+    /// statements, and what need not be changed, `{{count proved}}` and its kin how many are known in that way; `{{refuted}}` is what
+    /// theorems refute; `{{reference}}` is where the paper can be found.
     ///
     /// # Errors
     /// As [`Ledger::errata`], and [`ErrataError::Letter`] if a placeholder asks for what there is not.
@@ -105,7 +106,12 @@ impl Ledger {
             ["reference"] => Ok(self.paper.reference.to_owned()),
             ["count", "numbered"] => Ok(numbered.to_string()),
             ["count", "others"] => Ok((all - numbered).to_string()),
-            ["count", "measured"] => Ok(self.known(super::Standing::Measured).to_string()),
+            ["count", by @ ("proved" | "argued" | "measured")] => {
+                let mut all = Standing::ALL.into_iter();
+                let by = all.find(|of| of.word() == by).ok_or_else(none)?;
+                Ok(self.known(by).to_string())
+            }
+            ["refuted"] => Ok(self.refuted(errata)),
             ["count", "standing"] => {
                 let open = self.counts()[&super::Verdict::Undecided];
                 Ok((all - errata.len() - open).to_string())
@@ -133,6 +139,35 @@ impl Ledger {
                 Ok(format!("{number:.decimals$}"))
             }
             _ => Err(none()),
+        }
+    }
+
+    /// What a theorem `…__printed` refutes: equations by their numbers, other statements by how many they are.
+    fn refuted(&self, errata: &[Erratum]) -> String {
+        let known = self.paper.known_theorems();
+        let refuted = errata
+            .iter()
+            .filter(|e| e.verdict.is_wrong() && known.refutes(e.id));
+        let all: Vec<_> = refuted.collect();
+        let numbers: Vec<u16> = all
+            .iter()
+            .filter_map(|e| self.entry(e.id)?.claim.equation)
+            .collect();
+        let runs = numbers.chunk_by(|a, b| a + 1 == *b).map(|run| match run {
+            [first, _, .., last] => format!("({first}) to ({last})"),
+            some => some
+                .iter()
+                .map(|n| format!("({n})"))
+                .collect::<Vec<_>>()
+                .join(", "),
+        });
+        let others = (all.len() > numbers.len())
+            .then(|| format!("{} other statements", all.len() - numbers.len()));
+        let mut said: Vec<_> = runs.chain(others).collect();
+        let last = said.pop().unwrap_or_default();
+        match said.is_empty() {
+            true => last,
+            false => format!("{} and {last}", said.join(", ")),
         }
     }
 

@@ -83,7 +83,7 @@ pub struct EvidenceRow<'a> {
     pub reason: &'a str,
     /// The title of a proof; nothing for a measurement.
     pub title: Option<&'a str>,
-    /// What became of a proof: shown, argued, disproved, not proved; nothing for a measurement.
+    /// What became of a proof: shown, checked, disproved, not proved; nothing for a measurement.
     pub proof: Option<&'a str>,
     /// True if it covers a part of the claim only.
     pub partial: bool,
@@ -284,7 +284,7 @@ mod tests {
                     samples: &[],
                     worst: 0.0,
                     title: Some("Of ratios"),
-                    proof: Some("argued"),
+                    proof: Some("checked"),
                     partial: true,
                     runs: Vec::new(),
                     ..common

@@ -128,7 +128,7 @@ impl Evidence {
         };
         match self.outcome() {
             Outcome::Agrees if self.is_in_words() => {
-                format!("Argued{steps}; what joins them is said in words.")
+                format!("Checked{steps}; why that is enough is not checked here.")
             }
             Outcome::Agrees => format!("Shown{steps}{}.", self.quantified()),
             Outcome::Disagrees if self.failed > 0 => {
@@ -253,7 +253,7 @@ mod tests {
             assert_eq!(said(route, compared), "Shown.");
         }
         let in_words = said(Route::Exact, Compared::shown("it never stops"));
-        assert_eq!(in_words, "Argued; what joins them is said in words.");
+        assert_eq!(in_words, "Checked; why that is enough is not checked here.");
     }
 
     #[test]

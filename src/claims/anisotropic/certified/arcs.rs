@@ -153,7 +153,6 @@ pub fn a_below() -> Proof {
             "On A",
             "tan α = 2 sin²K/(2K − sin 2K), K = πq/(q+1) from π/2 to π, where sin 2K ≤ 0 and sin K = sin(π/(q+1))",
         );
-        p.remark("So λ₀ < tan α ≤ sin²K/K < (π/(q+1))² (q+1)/(πq) < π/q²");
         Ok(())
     })
 }

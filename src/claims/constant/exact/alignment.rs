@@ -52,7 +52,6 @@ fn aligns(([left, right], angle): ([Expr; 2], Expr)) -> Proof {
                 terms,
             ),
         )?;
-        p.note("So, for λ < 1", "v_x grows beyond all bounds");
         let square = p.read("The square of v_y", vy.squared())?;
         let fall = p.derivative("Its rate", &square, &newton.motion)?;
         p.reads_as(&fall, "by (7)", 2 * vy * paper::eq7_vy_rate::tree())?;
@@ -69,11 +68,9 @@ fn at_the_border() -> Proof {
     prove("The velocity aligns at λ = 1", Regime::One, |p, newton| {
         p.shows("For λ = 1 and 0 < θ₀ < π the angle θ of the velocity with the x axis falls all the time, to 0 as t → ∞.");
         late_speed(p, newton)?;
-        p.note("For every θ between θ₀ and 0", "that time has a value");
         let [a, v, theta] = symbols(["A", "v", "θ"]);
         let falls = p.read("A sin θ/v, which is positive", a * theta.sin() / v)?;
         p.equal("dθ/dt is less than 0 by that", &-&newton.angle_rate, &falls)?;
-        p.remark("So θ falls all the time, and below every positive angle");
         Ok(())
     })
 }

@@ -64,10 +64,6 @@ pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Ob
     let time = p.read("The time at angle θ is", time)?;
     let rate = p.slope("Its derivative", &time, "θ")?;
     p.equal("That is dt/dθ by (1)", &rate, &newton.time_rate(&read)?)?;
-    p.note(
-        "For θ → 0 it grows beyond bounds",
-        "−ln tan(θ/2) → ∞, all else stays finite",
-    );
     Ok(speed)
 }
 

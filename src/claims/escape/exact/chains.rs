@@ -103,10 +103,6 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
                 "Where the particle stops for an instant",
                 "p = 0, and friction, whatever its direction, is 1 at most: this holds there too",
             );
-            p.note(
-                "So, beyond the bound",
-                "the velocity in the direction θ would grow without end, against p → 0",
-            );
             Ok(())
         },
     )
@@ -132,10 +128,6 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
             let fall = bound - sum + 2 * sum * (psi / 2).sin().squared();
             p.reads_as(&rate, "at most p + ρ less the bound", -fall)?;
             p.rests_on(&eq139(bound))?;
-            p.note(
-                "So, once p + ρ is below the bound",
-                "it falls at a rate that stays above a positive number, until p = 0 after a finite time, where ρ is below the bound and static friction holds the particle",
-            );
             Ok(())
         },
     )
@@ -167,7 +159,6 @@ pub fn stops_along(ahead: Expr) -> Proof {
             "Let p → 0 as τ → T, a finite time, at ρ > 0",
             "ξ converges, as it never falls and is ρ at most; so do ρ and ℓ². By (99) p ≤ (1 + R)(T − τ) with the largest ρ as R: were the limit of ℓ² not 0, the integral of ℓ²/(2p) would be infinite, and ξ unbounded",
         );
-        p.note("So ℓ → 0 and ξ → ±ρ", "ψ → 0 or ψ → π");
         Ok(())
     })
 }
@@ -186,14 +177,6 @@ fn escapes(beyond: Beyond) -> Proof {
     polar("Beyond the bound of (127) the particle escapes", |p| {
         given(p, &[&turntable::EQ110])?;
         p.rests_on(&pushed(bound, acceleration))?;
-        p.note(
-            "A² = ρ² − p² never falls, so that ρ ≥ A stays above the number that A has at the start",
-            "no rest lasts there, and no path is bounded: its limit would be beyond the bound",
-        );
-        p.note(
-            "A² grows at the rate 2p",
-            "if A were bounded, so would be the length of the path, and ρ: so A grows without end",
-        );
         p.rests_on(&stops_along(ahead))?;
         let [xi] = symbols(["ξ"]);
         p.identity(
@@ -204,16 +187,8 @@ fn escapes(beyond: Beyond) -> Proof {
             "Where ψ → 0",
             "ξ → ρ, which is above the bound, and p grows: so p → 0 with ψ → π only, where the particle comes straight in",
         );
-        p.note(
-            "From such a stop",
-            "the particle is pushed outwards: followed back to the stop, ℓ → 0 likewise, and ξ → ρ, above the bound. As ξ never falls, p grows from the stop on",
-        );
         p.rests_on(&comes_to_rest(bound))?;
         p.rests_on(&sum(motion::eq111_p::tree(), motion::eq112_rho::tree()))?;
-        p.note(
-            "For an A below the bound",
-            "p + ρ = A exp(α) is below it too if α is small enough: so no smaller bound would do",
-        );
         Ok(())
     })
 }
@@ -250,20 +225,11 @@ fn alpha_grows(beyond: Beyond) -> Proof {
             &[&turntable::EQ103, &turntable::EQ107, &turntable::EQ108],
         )?;
         p.rests_on(&stops_along(beyond.ahead))?;
-        p.note(
-            "Suppose that ξ ≤ 1 for ever",
-            "p does not grow, by (99), but A does without end, and with it ρ ≥ A and ℓ² = ρ² − ξ²; so dξ/dτ ≥ ℓ²/(2p) − p, and ξ, would grow without end, a contradiction",
-        );
-        p.note(
-            "So ξ passes 1, and never falls",
-            "from some time on dp/dτ = ξ − 1 ≥ δ with a constant δ > 0, and cos ψ > 0",
-        );
         let [speed, rho, psi, ell, xi] = symbols(["p", "ρ", "ψ", "ℓ", "ξ"]);
         let lag = motion::eq108_rho_rate::tree() - motion::eq107_p_rate::tree();
         let lag = p.read("The rate of ρ − p by (107) and (108)", lag)?;
         let below = p.read("1 less that", 1 - (rho - speed) * psi.cos())?;
         p.equal("It is 1 less (ρ − p) cos ψ ≥ 0", &lag, &below)?;
-        p.remark("So ρ − p ≤ c + τ with a constant c");
         let rate = p.read("dξ/dτ by (101)", beyond.ahead)?;
         let weight = p.read("p (p − ℓ)²", speed * (speed - ell).squared())?;
         let size = rho.squared() - speed.squared();
@@ -273,16 +239,7 @@ fn alpha_grows(beyond: Beyond) -> Proof {
             &(&rate * &weight),
             &square,
         )?;
-        p.note(
-            "If ξ stayed bounded",
-            "p would stay between two multiples of τ, and ρ below one; A², which grows at the rate 2p, would exceed a multiple of τ². As |p − ℓ| ≤ p + ρ, dξ/dτ would exceed a multiple of τ, and ξ would grow without end, a contradiction",
-        );
-        p.note(
-            "So, as ξ never falls, ξ → ∞",
-            "by (99) p/τ → ∞, and (ρ − p)/p → 0",
-        );
         p.rests_on(&sum(motion::eq111_p::tree(), motion::eq112_rho::tree()))?;
-        p.remark("So exp(−2α) = (ρ − p)/(ρ + p) → 0");
         Ok(())
     })
 }
@@ -330,19 +287,6 @@ fn relaxes(formula: Expr) -> Proof {
         let spare = 2 + 2 * rho * (psi / 2).sin().squared();
         let spare = p.read("2 + 2ρ sin²(ψ/2), which is not negative", spare)?;
         p.equal("It lies below 1 + ρ by that", &(&most - &faster), &spare)?;
-        p.note(
-            "Up to a given s",
-            "p ≤ p₀ exp((1 + ρ) s), as small as one likes with p₀ = A sinh α; in s ρ changes at the rate p² at most, and τ at the rate p",
-        );
-        p.note(
-            "So, while ρ > A/2 and p → 0",
-            "|t| ≤ |t₀| exp(−As/2) + what goes to 0 with p₀: first s is chosen, then p₀",
-        );
-        p.note(
-            "At |t| = ε later on",
-            "|t| falls while p (1 + ε²) < ρ ε: it stays below ε while p, and so α, is small",
-        );
-        p.note("By (124) sin ψ₁ = tanh 2α", "so ψ₁ goes to 0 with α");
         p.rests_on(&rate)
     })
 }

@@ -217,10 +217,6 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let parts = 2 * push * delta().cos() - 4 * (delta() / 2).sin().squared();
     p.reads_as(&turn, "with m = 2/(exp(4α) − 1)", parts)?;
     p.note(
-        "ξ = ρ cos ψ grows without end",
-        "so from some time on p > 0 and, up to whole turns, 0 < δ < π",
-    );
-    p.note(
         "Where cos δ ≤ 0",
         "δ falls at the rate 2 at least, to π/2; it falls there, too, and so stays below",
     );
@@ -235,14 +231,6 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let rate = p.derivative("dt/dτ", &tangent, &along)?;
     let parts = push * (1 - t.squared()) - 2 * t.squared();
     p.reads_as(&rate, "", parts)?;
-    p.note(
-        "As α → ∞, m → 0: let m < η², with any η > 0",
-        "where t ≥ η, t falls at the rate η² at least, to η, and it stays below: so t → 0",
-    );
-    p.note(
-        "dt/dτ ≥ −2t², so that 1/t ≤ 2τ + c",
-        "the time θ with dθ = 2t dτ grows without end, as ln τ at least",
-    );
     let clock = p.ring().read(2 * t)?;
     let slower = p.quotient("dt/dθ", &rate, &clock)?;
     let stated = p.read("−t (1 − (1 − t²) P)", fall(predator, t))?;
@@ -287,10 +275,6 @@ fn by_theta(p: &Prover<'_>, found: &Species) -> Result<Derivation, Obstacle> {
 fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [n, predator, h, t] = symbols(NAMES);
     let [n0, p0] = found.rest;
-    p.note(
-        "From here on N, P, h and t are these four as symbols",
-        "N > 0, P > 0, 0 < h < 1, 0 < t < 1, t → 0, h → 1, with k = 1/(1 + t²)",
-    );
     for rate in found.rates_at([n, predator, int(1), int(0)]) {
         p.read("A rate for h = 1 and t = 0", rate)?;
     }
@@ -308,7 +292,6 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
             stated,
         )?;
     }
-    p.remark("So V is least at N = 3/4, P = 1/2, and grows without end where N or P goes to 0 or ∞: it is near its least value only near that point");
     let falls = p.derivative("dV/dθ", &height, &by_theta(p, found)?)?;
     let (k, little) = (cosine(t), t.squared() * predator);
     let last = 1 - (1 + little) * k;
@@ -323,10 +306,6 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         stated,
     )?;
     p.identity(("1 − (1 + t² P) k", last), ("", k * (t.squared() - little)))?;
-    p.note(
-        "In the brackets 1, N and P have the factors 1 − k h, 1 − h, t², 1 − (1 + t² P) k and t² P = 1/(exp(4α) − 1)",
-        "all of them go to 0: let η be the largest of their sizes",
-    );
     p.note(
         "With x = |N − 3/4| and y = |P − 1/2|",
         "the first bracket is at most η (1 + 2N + P), and so η (3 + 2x + y), in size, the second η (2 + 2N + P), and so η (4 + 2x + y)",
@@ -343,19 +322,11 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         ("squares", squares),
     )?;
     p.note(
-        "So dV/dθ ≤ −8x² − 2y² + η (10 + 18x² + 10y²)",
-        "once 10η ≤ 1, V falls at the rate x² + y² − 10η at least",
-    );
-    p.note(
         "Where V exceeds its least value by a given amount or more",
         "x² + y² is above a positive number, and 10η below half of that from some time on: so V comes below that amount, and stays there",
     );
     let unity = p.read("2 − 2P at P = 1/2", 2 - 2 * p0)?;
     p.reads_as(&unity, "", int(1))?;
-    p.note(
-        "So N → 3/4 and P → 1/2",
-        "1/t has the rate 1 in the end: tτ → 1",
-    );
     Ok(())
 }
 
@@ -388,7 +359,6 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     }
     let [q, v, w, x, y] = symbols(["q", "v", "w", "x", "y"]);
     let root = int(2).sqrt();
-    p.note("w is positive, and its square, 4Ph, tends to 2", "w → √2");
     let exact = follow([q, v, w], own);
     let limit = follow([q, v, root], found.limit());
     let (k, slower) = (cosine(t), p0 - (1 - t.squared()) * predator);
@@ -421,10 +391,6 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let shrinks = p.derivative("Its rate with the limits", &size, &along)?;
     let stated = -(int(16) / 3 * x.squared()) - y.squared();
     p.reads_as(&shrinks, "squares", stated)?;
-    p.note(
-        "The true rates differ from these by η (1 + |x| + |y|) at most, with another η that goes to 0",
-        "so dQ/dθ differs by 6η (|x| + |y|) (1 + |x| + |y|) at most, as 16/3 and 2 are below 6",
-    );
     let most = 6 * (x + y) * (1 + x + y);
     let spare = 3 + 18 * (x.squared() + y.squared()) - most;
     let squares = 3 * (1 - x - y).squared() + 9 * (x - y).squared();
@@ -435,21 +401,12 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
         ),
         ("squares", squares),
     )?;
-    p.note(
-        "Once 36η ≤ 1",
-        "Q falls at the rate (x² + y²)/2 − 3η at least: Q → 0, as V went to its least value",
-    );
-    p.remark("So q → 3√2/32, v → 3√2/8; and N, P and h differ from their limits by an amount of the order of t");
     let inverse = 2 - 2 * (1 - t.squared()) * predator;
     let stated = 2 * predator * t - 2 * deviations[1];
     p.identity(
         ("The rate of 1/t less 1, over t", (inverse - 1) / t),
         ("", stated),
     )?;
-    p.note(
-        "In the limit that is −κ with κ = 3√2/4",
-        "as tτ → 1, 1/t − τ has the rate −κ/τ + o(1/τ): 1/t = τ − κ ln τ + o(ln τ)",
-    );
     Ok(())
 }
 
@@ -467,7 +424,6 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [_, _, h, t] = state();
     let (rho, psi) = (motion::eq112_rho::tree(), pi() / 2 - delta());
     let across = motion::eq95_ell(rho, psi);
-    p.remark("In the laboratory the particle turns about the axis with the table, at the rate 1, and relative to it at the rate pℓ/ρ², by (96)");
     let turn = 1 + speed() * across / rho.squared();
     let stated = (1 - h) / t + 2 * h * cosine(t) * t;
     p.identity(("The rate 1 + pℓ/ρ², over t", turn / t), ("", stated))?;
@@ -479,10 +435,6 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
             corrected::winding::<Expr>().squared(),
         ),
     )?;
-    p.note(
-        "As the square of w is 4Ph, and v and w are bounded, w is √2 up to the order of t; and t is 1/τ, up to (ln τ)/τ of it",
-        "so the rate is √2/τ, up to the order of (ln τ)/τ of it: the angle in the laboratory less √2 ln τ converges",
-    );
     Ok(())
 }
 
@@ -516,10 +468,6 @@ pub fn comes(p: &mut Prover<'_>) -> Result<(), Obstacle> {
 fn after(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
     Proof::in_ring(title, ring(), |p| {
         comes(p)?;
-        p.note(
-            "From there",
-            "t = tan(π/4 − ψ/2), N = cosh α/(2 A t), P = 1/(t² (exp(4α) − 1)), h = tanh α; N → 3/4, P → 1/2, h → 1, up to the order of t; 1/t = τ − κ ln τ + o(ln τ) with κ = 3√2/4",
-        );
         steps(p)
     })
 }
@@ -559,7 +507,6 @@ fn in_its_time(p: &mut Prover<'_>, law: Expr) -> Result<(), Obstacle> {
     let shift = p.read("κ ln τ", corrected::delay::<Expr>() * symbol("L"))?;
     let later = start - slope * shift;
     p.equal("The law is its first term at τ − κ ln τ", &stated, &later)?;
-    p.remark("What is of the order of t beside 1 is of the order of 1/τ, and so less than (ln τ)/τ by any factor in the end; so are the square of (ln τ)/τ, and over τ what 1/t has beside τ − κ ln τ");
     Ok(())
 }
 
@@ -600,7 +547,6 @@ fn eq128(law: Expr) -> Proof {
             &own,
         )?;
         p.identity(("2 − 2N in the limit", 2 - 2 * limit[0]), ("not 0", half()))?;
-        p.note("So, as tτ → 1", "both sides times τ tend to 1/2");
         Ok(())
     })
 }
@@ -624,10 +570,6 @@ fn eq130(law: Expr) -> Proof {
         let powers = [(12 * alpha).exp(), exponential(law, 12)];
         let [own, stated] = powers.map(|power| power / a.pow(int(4)));
         has_limit(p, (own, 1, 0), value, stated)?;
-        p.note(
-            "So exp(12α)/A⁴ tends to that of the law",
-            "the difference of α and the law goes to 0, while A grows without end",
-        );
         Ok(())
     })
 }
@@ -676,17 +618,12 @@ fn eq133(law: Expr) -> Proof {
         let [alpha] = symbols(["α"]);
         let own = (4 * alpha).exp();
         has_limit(p, (own, 1, 2), fourth_exponential, exponential(law, 4))?;
-        p.note(
-            "So exp(4α)/τ² tends to that of the law",
-            "the difference of α and the law goes to 0",
-        );
         Ok(())
     })
 }
 
 fn eq134(law: Expr) -> Proof {
     after("(134) in every escape", |p| {
-        p.note("t = tan(δ/2) → 0", "δ is 2t, up to the order of t³");
         let lag = p.read("The law's first term", first(law))?;
         p.reads_as(&lag, "as 2t in the limit, where tτ is 1", 2 / tau())?;
         in_its_time(p, law)

@@ -117,7 +117,6 @@ fn prove_slope(printed: Vec<Expr>) -> Proof {
             let rate = p.read("The rate expected", int(sign) * expected)?;
             p.equal("The slope is that", &value, &rate)?;
         }
-        p.note("Sign", "sinh 2α > 0 for α > 0: ψ₁ attracts, ψ₂ repels");
         Ok(())
     })
 }

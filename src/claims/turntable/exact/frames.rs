@@ -44,7 +44,6 @@ fn prove_eq86(printed: Vec<Expr>) -> Proof {
             ("v", ay?),
             ("φ", ring.named("Ω")?),
         ])?;
-        p.note("Instead of that law", "the one given by the formulas read");
         let [[x, y], [u, v]] = vectors();
         let [phi, mu, g] = symbols(["φ", "μ", "g"]);
         let speed = (u.squared() + v.squared()).sqrt();
