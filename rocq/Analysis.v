@@ -345,6 +345,7 @@ Qed.
 (* rd, but with the rates that are known as hypotheses, and quotients *)
 Ltac rds := match goal with
   | |- rder _ _ _ => eassumption
+  | |- rder (fun _ => ?c) _ _ => apply rder_fixed
   | |- rder (fun t => @?a t + @?b t) _ _ => apply (rder_plus a b); rds
   | |- rder (fun t => @?a t - @?b t) _ _ => apply (rder_minus a b); rds
   | |- rder (fun t => @?a t * @?b t) _ _ => apply (rder_mult a b); rds

@@ -112,17 +112,19 @@ Lemma eq_92__occurs : ltac:(occurs eq_92). Proof. exact eq_91__occurs. Qed.
 (* (96): with psi of any position and velocity, and ell by (95) *)
 Theorem eq_96 x y u w psi : position_angle x y u w psi ->
   let p := eq93_speed u w in let l := eq95_ell (nrm x y) psi in eq96_angular_momentum_1 p l x y u w = eq96_angular_momentum_2 p l x y u w.
-Proof. intros H. apply angle_iff in H. destruct H as [_ e]. intros p l. unfold eq96_angular_momentum_1, eq96_angular_momentum_2. rewrite e.
-  unfold p, l, eq95_ell, eq93_speed. fold (nrm u w). ring. Qed.
+Proof. intros [_ e]%angle_iff p l. unfold eq96_angular_momentum_2. rewrite e.
+  unfold eq96_angular_momentum_1, p, l, eq95_ell. change (eq93_speed u w) with (nrm u w). ring. Qed.
+Lemma eq_96__occurs : ltac:(occurs eq_96). Proof. intros H. destruct (angle_exists 1 2 3 4) as [psi [P _]]. exact (H _ _ _ _ psi P). Qed.
 (* (97): with xi by (94) *)
 Theorem eq_97 x y u w psi : position_angle x y u w psi ->
   let p := eq93_speed u w in let xi := eq94_xi (nrm x y) psi in eq97_radial_1 p xi x y u w = eq97_radial_2 p xi x y u w.
-Proof. intros H. apply angle_iff in H. destruct H as [e _]. intros p xi. unfold eq97_radial_1, eq97_radial_2. rewrite e.
-  unfold p, xi, eq94_xi, eq93_speed. fold (nrm u w). ring. Qed.
+Proof. intros [e _]%angle_iff p xi. unfold eq97_radial_2. rewrite e.
+  unfold eq97_radial_1, p, xi, eq94_xi. change (eq93_speed u w) with (nrm u w). ring. Qed.
+Lemma eq_97__occurs : ltac:(occurs eq_97). Proof. exact eq_96__occurs. Qed.
 (* (98): for every angle *)
 Theorem eq_98 x y psi : let l := eq95_ell (nrm x y) psi in let xi := eq94_xi (nrm x y) psi in eq98_distance_1 x y l xi = eq98_distance_2 x y l xi.
-Proof. intros l xi. unfold eq98_distance_1, eq98_distance_2, l, xi, eq94_xi, eq95_ell. pose proof (sin2_cos2 psi) as e. unfold Rsqr in e.
-  rewrite <- nrm_sq, <- (Rmult_1_r (nrm x y ^ 2)), <- e. ring. Qed.
+Proof. intros l xi. unfold eq98_distance_1, eq98_distance_2, l, xi, eq94_xi, eq95_ell.
+  rewrite <- nrm_sq, <- (Rmult_1_r (nrm x y ^ 2)), <- (unit_circle psi). ring. Qed.
 
 Section Angle.
 Variables x y u w psi : R -> R.
@@ -237,10 +239,8 @@ Proof. intros H. from 0 2 1 0. apply (H x y u w psi S P 0 now); [ start; lra .. 
 Theorem eq_103 x y u w t : spin x y u w -> 0 <= t -> rder (fun t => eq103_energy (nrm (u t) (w t)) (nrm (x t) (y t))) t (eq103_energy_rate (nrm (u t)
   (w t))).
 Proof.
-  intros S Ht. apply (rder_near _ (fun t => (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) * - / 2) t _ 1 Rlt_0_1). { intros s _. unfold eq103_energy.
-    rewrite !nrm_sq. field. }
-  eapply rder_eq. apply (rder_mult (fun t => x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) (fun _ => - / 2)); [ apply (E_rate x y u w S t Ht) | rd ].
-    unfold eq103_energy_rate. cbv beta. field.
+  intros S Ht. pose proof (E_rate x y u w S t Ht). apply (rder_ext (fun t => (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)) * - / 2)).
+  { intros s _. unfold eq103_energy. rewrite !nrm_sq. field. } eapply rder_eq. rds. unfold eq103_energy_rate. inR. field.
 Qed.
 Lemma eq_103__occurs : ltac:(occurs eq_103).
 Proof. intros H. from 0 2 1 0. exact (H x y u w 0 S now). Qed.
