@@ -363,11 +363,7 @@ Theorem eq_113 : eq110_case (p t) (rho t) < 0 -> rder A t (eq113_a_rate (al t)).
 Proof. intros H. apply (inner_rates x y u w A al S t ht (inner H) K). Qed.
 (* (114) while it slips *)
 Theorem eq_114 : eq110_case (p t) (rho t) < 0 -> p t <> 0 -> rder al t (eq114_alpha_rate (A t) (al t) (psi t)).
-Proof.
-  intros H N. destruct (inner_rates x y u w A al S t ht (inner H) K) as (A0 & _ & D). destruct (psi_rates x y u w psi S P t ht N) as (DP & _).
-  destruct (K t (Rle_refl t)) as [_ k]. pose proof (cosh_pos (al t)). eapply rder_eq. apply (D _ DP). rewrite k. unfold eq114_alpha_rate, eq112_rho.
-  field_simplify_eq; [ | lra ]. ring [(cosh2 (al t))].
-Qed.
+Proof. intros H N. exact (alpha_rate x y u w psi A al S P t ht (inner H) N K). Qed.
 Lemma parameters : p t <> 0 -> 0 < A t /\ 0 < al t /\ rho t <> 0.
 Proof.
   intros N. destruct (K t (Rle_refl t)) as [k1 k2]. unfold eq111_p, eq112_rho in *. pose proof (nrm_pos (u t) (w t)). pose proof (nrm_pos (x t) (y t)).

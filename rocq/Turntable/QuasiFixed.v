@@ -16,9 +16,10 @@ Proof.
   pose proof double_pos. pose proof (cosh_pos (2 * al)). unfold tanh. split. now apply Rdiv_lt_0_compat. apply Rlt_div_l; trivial.
   unfold sinh, cosh. pose proof (exp_pos (- (2 * al))). lra.
 Qed.
-Lemma psi1_spec : sin psi1 = T /\ cos psi1 = / cosh (2 * al).
+Lemma psi1_spec : 0 < psi1 < PI / 2 /\ sin psi1 = T /\ cos psi1 = / cosh (2 * al).
 Proof.
-  pose proof tanh_range. pose proof (cosh_pos (2 * al)) as c0. unfold eq124_psi1. split. apply sin_asin. lra. rewrite cos_asin_pow by lra.
+  pose proof tanh_range. pose proof (cosh_pos (2 * al)) as c0. unfold eq124_psi1. destruct (asin_range T); trivial.
+  split; trivial. split; trivial. rewrite cos_asin_pow by lra.
   rewrite <- (sqrt_pow2 (/ cosh (2 * al))) by (left; now apply Rinv_0_lt_compat). f_equal. unfold tanh. field_simplify_eq; [ | lra ].
   pose proof (cosh2 (2 * al)). lra.
 Qed.
@@ -39,7 +40,7 @@ Notation from2 t := (sin ((psi t - psi2) / 2)).
 Notation k := (2 / sinh (2 * al)).
 Lemma rate_is t : eq115_psi_rate al (psi t) = 4 / T * from1 t * from2 t.
 Proof.
-  pose proof tanh_range. rewrite rate_T. rewrite <- (proj1 psi1_spec) at 2. rewrite form4. change psi2 with (PI - psi1).
+  pose proof tanh_range. rewrite rate_T. destruct psi1_spec as (_ & e & _). rewrite <- e at 2. rewrite form4. change psi2 with (PI - psi1).
   replace ((psi t - (PI - psi1)) / 2) with (- (PI / 2 - (psi1 + psi t) / 2)) by field. rewrite sin_neg, sin_shift.
   replace ((psi1 - psi t) / 2) with (- ((psi t - psi1) / 2)) by field. rewrite sin_neg. field. lra.
 Qed.
@@ -53,7 +54,7 @@ Proof. intros Ht. unfold Rdiv. apply (continuity_pt_comp (fun t => (psi t - c) *
 (* psi1 and psi2 lie apart *)
 Lemma apart t : from2 t * cos ((psi t - psi1) / 2) - from1 t * cos ((psi t - psi2) / 2) = - / cosh (2 * al).
 Proof.
-  rewrite <- (proj2 psi1_spec). transitivity (sin ((psi t - psi2) / 2 - (psi t - psi1) / 2)). rewrite sin_minus; ring.
+  destruct psi1_spec as (_ & _ & <-). transitivity (sin ((psi t - psi2) / 2 - (psi t - psi1) / 2)). rewrite sin_minus; ring.
   change psi2 with (PI - psi1). replace (_ - _) with (- (PI / 2 - psi1)) by field. now rewrite sin_neg, sin_shift.
 Qed.
 Lemma ratio_falls t : 0 <= t -> from1 t * from2 0 * exp (k * t) = from1 0 * from2 t.
@@ -97,7 +98,7 @@ End Frozen.
 Lemma frozen_exists al : 0 < al -> exists psi, (forall t, is_derive psi t (eq115_psi_rate al (psi t))) /\ sin ((psi 0 - eq125_psi2 al) / 2) <> 0.
 Proof.
   intros Ha. set (psi t := eq125_psi2 al + PI - 2 * atan (exp (- (2 / sinh (2 * al)) * t) - sinh (2 * al))). exists psi.
-  pose proof (double_pos al Ha). pose proof (cosh_pos (2 * al)). destruct (psi1_spec al Ha) as [es ec]. split.
+  pose proof (double_pos al Ha). pose proof (cosh_pos (2 * al)). destruct (psi1_spec al Ha) as (_ & es & ec). split.
   - intros t. unfold psi. set (z := exp (- (2 / sinh (2 * al)) * t) - sinh (2 * al)). assert (q : 0 < 1 + z ^ 2) by nra.
     assert (e : sin (eq125_psi2 al + PI - 2 * atan z) = - (tanh (2 * al) * (1 - z ^ 2) / (1 + z ^ 2) + / cosh (2 * al) * (2 * z) / (1 + z ^ 2))).
     { change (eq125_psi2 al) with (PI - eq124_psi1 al). replace (PI - eq124_psi1 al + PI - 2 * atan z) with (- (eq124_psi1 al + 2 * atan z) + 2 *

@@ -96,23 +96,35 @@ Qed.
 End Angles.
 
 Section Hyperbolic.
-Variables x y u w A al : R -> R.
+Variables x y u w psi A al : R -> R.
 Hypothesis S : spin x y u w.
+Hypothesis P : forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t).
 Notation p t := (nrm (u t) (w t)).
 Notation rho t := (nrm (x t) (y t)).
 Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
-Variable t : R.
-Hypothesis ht : 0 <= t.
 Lemma sizes s : 0 <= p s /\ 0 <= rho s /\ E s = rho s ^ 2 - p s ^ 2.
 Proof. rewrite !nrm_sq. repeat split; try apply nrm_pos. Qed.
-Lemma inner_rates : p t < rho t -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) -> 0 < A t /\ rder A t (sinh (al t)) /\
+Lemma inner_rates t (ht : 0 <= t) : p t < rho t -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) -> 0 < A t /\ rder A t (sinh (al t)) /\
   forall p', rder (fun s => p s) t p' -> rder al t ((p' - sinh (al t) * sinh (al t)) / (A t * cosh (al t))).
 Proof.
   intros H K. destruct (hyperbolic_rates (fun s => rho s) (fun s => p s) (fun s => E s) A al t _ sizes (E_rate x y u w S t ht) H) as (A0 & DA & Da).
   { intros s Hs _. now apply K. } replace (2 * p t / (2 * A t)) with (sinh (al t)) in *; auto.
   destruct (K t (Rle_refl t)) as [-> _]. unfold eq111_p. field. lra.
 Qed.
-Lemma outer_rates : rho t < p t -> (forall s, t <= s -> rho s < p s -> hyperbolic_B (x s) (y s) (u s) (w s) (A s) (al s)) ->
+Lemma A_rate t (ht : 0 <= t) : p t < rho t -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) ->
+  (forall s, t <= s -> 0 < A s) /\ rder A t (sinh (al t)).
+Proof.
+  intros H K. split. 2: now apply inner_rates. intros s Hs. apply (inner_rates s ltac:(lra)). 2: intros; apply K; lra.
+  pose proof (A_never_falls x y u w S t s ltac:(lra)). destruct (sizes t) as (? & ? & e). destruct (sizes s) as (? & ? & e'). rewrite e, e' in *. nra.
+Qed.
+Lemma alpha_rate t (ht : 0 <= t) : p t < rho t -> p t <> 0 -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) ->
+  rder al t (eq114_alpha_rate (A t) (al t) (psi t)).
+Proof.
+  intros H N K. destruct (inner_rates t ht H K) as (A0 & _ & D). destruct (psi_rates x y u w psi S P t ht N) as (DP & _).
+  destruct (K t (Rle_refl t)) as [_ k]. pose proof (cosh_pos (al t)). eapply rder_eq. apply (D _ DP). rewrite k. unfold eq114_alpha_rate, eq112_rho.
+  field_simplify_eq; [ | lra ]. ring [(cosh2 (al t))].
+Qed.
+Lemma outer_rates t (ht : 0 <= t) : rho t < p t -> (forall s, t <= s -> rho s < p s -> hyperbolic_B (x s) (y s) (u s) (w s) (A s) (al s)) ->
   0 < A t /\ rder A t (eq119_b_rate (al t)) /\
   forall r', rder (fun s => rho s) t r' -> rder al t ((r' - eq119_b_rate (al t) * sinh (al t)) / (A t * cosh (al t))).
 Proof.
