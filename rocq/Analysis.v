@@ -260,6 +260,11 @@ Proof.
 Qed.
 Lemma sin_abs d : Rabs (sin d) <= Rabs d.
 Proof. pose proof (sin_near d 0) as H. now rewrite sin_0, !Rminus_0_r in H. Qed.
+Lemma twice_atan z : cos (2 * atan z) = (1 - z ^ 2) / (1 + z ^ 2) /\ sin (2 * atan z) = 2 * z / (1 + z ^ 2).
+Proof.
+  rewrite cos_2a, sin_2a, sin_atan, cos_atan, Rsqr_pow2. pose proof (pow2_ge_0 z). pose proof (pow2_sqrt (1 + z ^ 2) ltac:(lra)) as s.
+  set (r := sqrt _) in *. assert (r <> 0) by (intros k; rewrite k in s; lra). rewrite <- s. split; field; trivial.
+Qed.
 Lemma cos_asin_pow x : -1 <= x <= 1 -> cos (asin x) = sqrt (1 - x ^ 2).
 Proof. intros H. rewrite cos_asin by trivial. f_equal. unfold Rsqr. ring. Qed.
 Lemma asin_range l : 0 < l < 1 -> 0 < asin l < PI / 2 /\ sin (asin l) = l.
@@ -337,12 +342,14 @@ Proof.
   intros ha. destruct (grows_line a 1 K ha) as (T & T0 & HT). exists T. split; trivial. intros t Ht. specialize (HT t Ht).
   pose proof (exp_ineq1_le (a * t)). lra.
 Qed.
-(* rd, but with the rates that are known as hypotheses *)
+(* rd, but with the rates that are known as hypotheses, and quotients *)
 Ltac rds := match goal with
   | |- rder _ _ _ => eassumption
+  | |- rder (fun _ => ?c) _ _ => apply rder_fixed
   | |- rder (fun t => @?a t + @?b t) _ _ => apply (rder_plus a b); rds
   | |- rder (fun t => @?a t - @?b t) _ _ => apply (rder_minus a b); rds
   | |- rder (fun t => @?a t * @?b t) _ _ => apply (rder_mult a b); rds
   | |- rder (fun t => - @?a t) _ _ => apply (rder_opp a); rds
+  | |- rder (fun t => / @?a t) _ _ => apply (rder_inv a); [ rds | ]
   | |- _ => rd
   end.

@@ -4,32 +4,16 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion TableLaws TableMotions Formulas.
 Open Scope R_scope.
 
-(* (111), (112) *)
+(* (111), (112); dimensionless. «$\lvert(u,w)\rvert=A\sinh alpha$ and $\lvert(x,y)\rvert=A\cosh alpha$» *)
 Definition hyperbolic x y u w A alpha := nrm u w = eq111_p A alpha /\ nrm x y = eq112_rho A alpha.
-(* (117), (118) *)
+(* (117), (118); dimensionless. «$\lvert(u,w)\rvert=B\cosh beta$ and $\lvert(x,y)\rvert=B\sinh beta$» *)
 Definition hyperbolic_B x y u w B beta := nrm u w = eq117_p B beta /\ nrm x y = eq118_rho B beta.
 
-Lemma cosh_pos a : 0 < cosh a.
-Proof. unfold cosh. pose proof (exp_pos a). pose proof (exp_pos (- a)). lra. Qed.
-Lemma cosh_sq a : cosh a ^ 2 = sinh a ^ 2 + 1.
-Proof. unfold sinh, cosh. assert (k : exp (a) * exp (- a) = 1) by (rewrite <- exp_plus, Rplus_opp_r; apply exp_0). field_simplify. lra. Qed.
-Lemma cosh_2 a : cosh (2 * a) = cosh a ^ 2 + sinh a ^ 2.
-Proof. unfold sinh, cosh. replace (2 * a) with (a + a) by ring. rewrite Ropp_plus_distr, !exp_plus. field. Qed.
-Lemma sinh_2 a : sinh (2 * a) = 2 * sinh a * cosh a.
-Proof. unfold sinh, cosh. replace (2 * a) with (a + a) by ring. rewrite Ropp_plus_distr, !exp_plus. field. Qed.
-Lemma amplitude A a r q : r = A * cosh a -> q = A * sinh a -> 0 <= r -> A = sqrt (r ^ 2 - q ^ 2).
-Proof.
-  intros -> -> H. pose proof (cosh_pos a). replace ((A * cosh a) ^ 2 - (A * sinh a) ^ 2) with (A ^ 2) by (rewrite !Rpow_mult_distr, cosh_sq; ring).
-    symmetry. apply sqrt_pow2. nra.
-Qed.
 Lemma hyperbolic_exists r q : 0 <= q < r -> let A := sqrt (r ^ 2 - q ^ 2) in q = A * sinh (arcsinh (q / A)) /\ r = A * cosh (arcsinh (q / A)).
 Proof.
-  intros H A. assert (A0 : 0 < A) by (apply sqrt_lt_R0; nra). assert (AA : A ^ 2 = r ^ 2 - q ^ 2) by (unfold A; rewrite <- Rsqr_pow2; apply Rsqr_sqrt;
-    nra).
-  rewrite sinh_arcsinh. split. field; lra. pose proof (cosh_sq (arcsinh (q / A))) as e. rewrite sinh_arcsinh in e.
-    pose proof (cosh_pos (arcsinh (q / A))) as c0. set (c := cosh _) in *.
-  assert (k : (A * c) ^ 2 = r ^ 2). { rewrite Rpow_mult_distr, e. transitivity (q ^ 2 + A ^ 2). field; lra. lra. }
-  apply Rsqr_inj; [ lra | nra | rewrite !Rsqr_pow2; lra ].
+  intros H A. assert (A0 : 0 < A) by (apply sqrt_lt_R0; nra). assert (AA : A ^ 2 = r ^ 2 - q ^ 2) by (apply pow2_sqrt; nra).
+  set (a := arcsinh _). assert (e : q = A * sinh a) by (unfold a; rewrite sinh_arcsinh; field; lra). split; trivial. pose proof (cosh_pos a).
+  apply Rsqr_inj; [ lra | nra | ]. rewrite !Rsqr_pow2, Rpow_mult_distr, cosh2. rewrite e in AA at 1. lra.
 Qed.
 (* alpha, where f = A sinh alpha *)
 Lemma rder_alpha f A al t d f' A' : 0 < d -> (forall s, t <= s < t + d -> 0 < A s /\ f s = A s * sinh (al s)) -> rder f t f' -> rder A t A' ->
@@ -40,7 +24,25 @@ Proof.
     replace (A s * sinh (al s) * / A s) with (sinh (al s)) by (field; lra). apply arcsinh_sinh. }
   eapply rder_eq. apply (rder_comp (fun s => f s * / A s) arcsinh); [ apply (rder_mult f (fun s => / A s)); [ exact F | apply rder_inv;
     [ exact DA | lra ] ] | apply is_derive_Reals, derivable_pt_lim_arcsinh ].
-  rewrite e. replace (A t * sinh (al t) * / A t) with (sinh (al t)) by (field; lra). rewrite <- cosh_sq, sqrt_pow2 by lra. field. lra.
+  rewrite e. replace (A t * sinh (al t) * / A t) with (sinh (al t)) by (field; lra). rewrite (Rplus_comm _ 1), <- cosh2, sqrt_pow2 by lra. field. lra.
+Qed.
+
+(* q = A sinh a and r = A cosh a, from t on while q < r: A and a have rates where r^2 - q^2 and q have *)
+Lemma hyperbolic_rates r q G A a t g : (forall s, 0 <= q s /\ 0 <= r s /\ G s = r s ^ 2 - q s ^ 2) -> rder G t g -> q t < r t ->
+  (forall s, t <= s -> q s < r s -> q s = A s * sinh (a s) /\ r s = A s * cosh (a s)) ->
+  0 < A t /\ rder A t (g / (2 * A t)) /\ forall q', rder q t q' -> rder a t ((q' - g / (2 * A t) * sinh (a t)) / (A t * cosh (a t))).
+Proof.
+  intros B D H K. assert (G0 : 0 < G t) by (destruct (B t) as (? & ? & ->); nra). destruct (right_pos _ _ _ D G0) as (d & d0 & Hd).
+  assert (N : forall s, t <= s < t + d -> 0 < A s /\ sqrt (G s) = A s /\ q s = A s * sinh (a s)).
+  { intros s Hs. assert (0 < G s) by (destruct (Req_dec s t) as [-> | ne]; trivial; apply Hd; lra). destruct (B s) as (b1 & b2 & b3).
+    destruct (K s ltac:(lra) ltac:(nra)) as [k1 k2]. pose proof (cosh_pos (a s)).
+    assert (e : G s = A s ^ 2) by (rewrite b3, k1, k2, !Rpow_mult_distr, cosh2; ring).
+    assert (0 < A s) by nra. repeat split; trivial. rewrite e. apply sqrt_pow2. lra. }
+  destruct (N t ltac:(lra)) as (A0 & e & _). assert (DA : rder A t (g / (2 * A t))).
+  { apply (rder_near A (fun s => sqrt (G s)) t _ d d0). { intros s Hs. destruct (N s Hs) as (? & ? & ?). trivial. } eapply rder_eq.
+  apply (rder_root G t g D G0). rewrite e. field. lra. }
+  split; trivial. split; trivial. intros q' Q. apply (rder_alpha q A a t d q' _ d0); trivial. intros s Hs.
+  destruct (N s Hs) as (? & ? & ?). now split.
 Qed.
 
 Section Angles.
@@ -77,15 +79,10 @@ Proof. eapply rder_eq. apply (rder_rho x y u w S t ht N r0). destruct (proj1 (an
 Lemma psi_rate : right_continuous psi t -> rder psi t (eq109_psi_rate (p t) (rho t) (psi t)).
 Proof.
   intros C. pose proof psi_rates as (_ & DL & DX). pose proof rho_rate as DR. set (c := cos (psi t)) in *. set (z := sin (psi t)) in *.
-  assert (e : z ^ 2 = 1 - c ^ 2) by (unfold z, c; pose proof (sin2_cos2 (psi t)); unfold Rsqr in *; lra). pose proof (nrm_pos (x t) (y t)).
+  assert (e : z ^ 2 = 1 - c ^ 2) by (unfold z, c; pose proof (unit_circle (psi t)); lra). pose proof (nrm_pos (x t) (y t)).
   set (f s := (- (- rho s * sin (psi s)) * c - rho s * cos (psi s) * z) * / rho s).
   assert (D : rder f t (eq109_psi_rate (p t) (rho t) (psi t))).
-  { eapply rder_eq. apply (rder_mult (fun s => - (- rho s * sin (psi s)) * c - rho s * cos (psi s) * z) (fun s => / rho s));
-    [ | apply (rder_inv (fun s => rho s)); [ exact DR | exact r0 ] ].
-    apply (rder_minus (fun s => - (- rho s * sin (psi s)) * c) (fun s => rho s * cos (psi s) * z));
-    [ apply (rder_mult (fun s => - (- rho s * sin (psi s))) (fun _ => c)); [ apply (rder_opp (fun s => - rho s * sin (psi s))), DL | rd ]
-    | apply (rder_mult (fun s => rho s * cos (psi s)) (fun _ => z)); [ exact DX | rd ] ].
-    cbv beta. fold c z. unfold eq109_psi_rate. fold z. set (n := p t) in *. set (m := rho t) in *. field_simplify_eq; [ | lra ]. ring [e]. }
+  { unfold f. eapply rder_eq. rds. exact r0. cbv beta. fold c z. unfold eq109_psi_rate. fold z. set (n := p t) in *. set (m := rho t) in *. field_simplify_eq; [ | lra ]. ring [e]. }
   assert (ft : f t = 0) by (unfold f; fold c z; field; exact r0).
   pose proof PI_RGT_0. destruct (C (PI / 2)) as (d1 & d10 & H1). lra. destruct (right_pos _ _ _ DR) as (d2 & d20 & H2). lra.
   apply (rder_near psi (fun s => psi t + asin (f s)) t _ (Rmin d1 d2)). now apply Rmin_pos.
@@ -105,61 +102,45 @@ Hypothesis P : forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t
 Notation p t := (nrm (u t) (w t)).
 Notation rho t := (nrm (x t) (y t)).
 Notation E t := (x t ^ 2 + y t ^ 2 - (u t ^ 2 + w t ^ 2)).
-Variable t : R.
-Hypothesis ht : 0 <= t.
-Lemma E_is s : E s = rho s ^ 2 - p s ^ 2.
-Proof. rewrite !nrm_sq. ring. Qed.
-Lemma A_rate : p t < rho t -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) -> (forall s, t <= s -> 0 < A s) /\
-  rder A t (sinh (al t)).
+Lemma sizes s : 0 <= p s /\ 0 <= rho s /\ E s = rho s ^ 2 - p s ^ 2.
+Proof. rewrite !nrm_sq. repeat split; try apply nrm_pos. Qed.
+Lemma inner_rates t (ht : 0 <= t) : p t < rho t -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) -> 0 < A t /\ rder A t (sinh (al t)) /\
+  forall p', rder (fun s => p s) t p' -> rder al t ((p' - sinh (al t) * sinh (al t)) / (A t * cosh (al t))).
 Proof.
-  intros H K. assert (AE : forall s, t <= s -> sqrt (E s) = A s).
-  { intros s Hs. destruct (K s Hs) as [k1 k2]. rewrite E_is. symmetry. apply (amplitude _ (al s)); trivial. apply nrm_pos. }
-  assert (E0 : forall s, t <= s -> 0 < E s). { intros s Hs. pose proof (A_never_falls x y u w S t s ltac:(lra)). rewrite !E_is in *.
-    pose proof (nrm_pos (u t) (w t)). nra. }
-  assert (A0 : forall s, t <= s -> 0 < A s) by (intros s Hs; rewrite <- AE by trivial; now apply sqrt_lt_R0, E0). split; trivial.
-  apply (rder_near A (fun s => sqrt (E s)) t _ 1 Rlt_0_1). { intros; apply AE; lra. }
-  eapply rder_eq. apply (rder_root (fun s => E s)); [ apply (E_rate x y u w S t ht) | apply E0; lra ]. specialize (A0 t ltac:(lra)). cbv beta.
-    rewrite AE by lra.
-  destruct (K t ltac:(lra)) as [-> _]. unfold eq111_p. field. lra.
+  intros H K. destruct (hyperbolic_rates (fun s => rho s) (fun s => p s) (fun s => E s) A al t _ sizes (E_rate x y u w S t ht) H) as (A0 & DA & Da).
+  { intros s Hs _. now apply K. } replace (2 * p t / (2 * A t)) with (sinh (al t)) in *; auto.
+  destruct (K t (Rle_refl t)) as [-> _]. unfold eq111_p. field. lra.
 Qed.
-Lemma alpha_rate : p t < rho t -> p t <> 0 -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) ->
+Lemma A_rate t (ht : 0 <= t) : p t < rho t -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) ->
+  (forall s, t <= s -> 0 < A s) /\ rder A t (sinh (al t)).
+Proof.
+  intros H K. split. 2: now apply inner_rates. intros s Hs. apply (inner_rates s ltac:(lra)). 2: intros; apply K; lra.
+  pose proof (A_never_falls x y u w S t s ltac:(lra)). destruct (sizes t) as (? & ? & e). destruct (sizes s) as (? & ? & e'). rewrite e, e' in *. nra.
+Qed.
+Lemma alpha_rate t (ht : 0 <= t) : p t < rho t -> p t <> 0 -> (forall s, t <= s -> hyperbolic (x s) (y s) (u s) (w s) (A s) (al s)) ->
   rder al t (eq114_alpha_rate (A t) (al t) (psi t)).
 Proof.
-  intros H N K. destruct (A_rate H K) as [A0 DA]. destruct (psi_rates x y u w psi S P t ht N) as (DP & _). specialize (A0 t (Rle_refl t)) as a0.
-  eapply rder_eq. eapply (rder_alpha (fun s => p s) A al t 1 _ _ Rlt_0_1); [ | exact DP | exact DA ]. { intros s Hs. split. apply A0; lra.
-    apply K; lra. }
-  destruct (K t (Rle_refl t)) as [_ ->]. pose proof (cosh_pos (al t)). pose proof (cosh_sq (al t)) as e. unfold eq114_alpha_rate, eq112_rho.
-    field_simplify_eq; [ | lra ]. ring [e].
+  intros H N K. destruct (inner_rates t ht H K) as (A0 & _ & D). destruct (psi_rates x y u w psi S P t ht N) as (DP & _).
+  destruct (K t (Rle_refl t)) as [_ k]. pose proof (cosh_pos (al t)). eapply rder_eq. apply (D _ DP). rewrite k. unfold eq114_alpha_rate, eq112_rho.
+  field_simplify_eq; [ | lra ]. ring [(cosh2 (al t))].
 Qed.
-Lemma B_rates : rho t < p t -> (forall s, t <= s -> rho s < p s -> hyperbolic_B (x s) (y s) (u s) (w s) (A s) (al s)) ->
-  0 < A t /\ rder A t (eq119_b_rate (al t)) /\ (rho t <> 0 -> rder al t (eq120_beta_rate (A t) (al t) (psi t))).
+Lemma outer_rates t (ht : 0 <= t) : rho t < p t -> (forall s, t <= s -> rho s < p s -> hyperbolic_B (x s) (y s) (u s) (w s) (A s) (al s)) ->
+  0 < A t /\ rder A t (eq119_b_rate (al t)) /\
+  forall r', rder (fun s => rho s) t r' -> rder al t ((r' - eq119_b_rate (al t) * sinh (al t)) / (A t * cosh (al t))).
 Proof.
-  intros H K. pose proof (nrm_pos (x t) (y t)) as m0. assert (D : rder (fun s => - E s) t (- (2 * p t))) by (apply (rder_opp (fun s => E s)), (E_rate
-    x y u w S t ht)).
-  assert (near : exists d, 0 < d /\ forall s, t <= s < t + d -> 0 < - E s).
-  { assert (0 < - E t) by (rewrite E_is; nra). destruct (right_pos _ _ _ D H0) as (d & d0 & Hd). exists d. split; trivial. intros s Hs.
-    destruct (Req_dec s t) as [-> | ne]; trivial. apply Hd; lra. }
-  destruct near as (d & d0 & Hd).
-  assert (fast : forall s, t <= s < t + d -> rho s < p s). { intros s Hs. specialize (Hd s Hs). rewrite E_is in Hd. pose proof (nrm_pos (x s) (y s)).
-    pose proof (nrm_pos (u s) (w s)). nra. }
-  assert (AE : forall s, t <= s < t + d -> sqrt (- E s) = A s).
-  { intros s Hs. destruct (K s ltac:(lra) (fast s Hs)) as [k1 k2]. replace (- E s) with (p s ^ 2 - rho s ^ 2) by (rewrite E_is; ring). symmetry.
-    apply (amplitude _ (al s)); trivial. apply nrm_pos. }
-  assert (A0 : forall s, t <= s < t + d -> 0 < A s) by (intros s Hs; rewrite <- AE by trivial; now apply sqrt_lt_R0, Hd).
-  assert (a0 : 0 < A t) by (apply A0; lra). destruct (K t ltac:(lra) H) as [k1 k2]. unfold eq117_p, eq118_rho in *.
-    pose proof (cosh_pos (al t)) as c0.
-  assert (DA : rder A t (- cosh (al t))).
-  { apply (rder_near A (fun s => sqrt (- E s)) t _ d d0). { intros; apply AE; lra. } eapply rder_eq.
-    apply (rder_root (fun s => - E s)); [ exact D | apply Hd; lra ].
-    cbv beta. rewrite AE by lra. rewrite k1. field. lra. }
-  split; trivial. split; trivial. intros r0. eapply rder_eq. eapply (rder_alpha (fun s => rho s) A al t d _ _ d0); [ | | exact DA ].
-  { intros s Hs. split. now apply A0. apply K; [ lra | now apply fast ]. } { apply (rho_rate x y u w psi S P t ht); lra. }
-  rewrite k1. unfold eq120_beta_rate. field. lra.
+  intros H K. destruct (hyperbolic_rates (fun s => p s) (fun s => rho s) (fun s => - E s) A al t (- (2 * p t))) as (A0 & DA & Da); trivial.
+  { intros s. destruct (sizes s) as (? & ? & ->). repeat split; trivial. ring. } { apply (rder_opp (fun s => E s)), (E_rate x y u w S t ht). }
+  { intros s Hs h. destruct (K s Hs h). auto. } replace (- (2 * p t) / (2 * A t)) with (eq119_b_rate (al t)) in *; auto.
+  destruct (K t (Rle_refl t) H) as [-> _]. unfold eq119_b_rate, eq117_p. field. lra.
 Qed.
 End Hyperbolic.
 (* (115) and (121) are (109) *)
-Lemma psi_rate_hyperbolic a : sinh a <> 0 -> sinh a / cosh a + cosh a / sinh a = 2 * coth (2 * a).
-Proof. intros H. pose proof (cosh_pos a). unfold coth. rewrite cosh_2, sinh_2. field. lra. Qed.
+Lemma psi_rate_hyperbolic A a psi : A <> 0 -> sinh a <> 0 -> eq109_psi_rate (A * sinh a) (A * cosh a) psi = eq115_psi_rate a psi /\
+  eq109_psi_rate (A * cosh a) (A * sinh a) psi = eq121_psi_rate a psi.
+Proof.
+  intros n z. pose proof (cosh_pos a). unfold eq109_psi_rate, eq115_psi_rate, eq121_psi_rate, coth. rewrite cosh_double, sinh_double.
+  split; (field_simplify_eq; [ | lra ]); ring [(cosh2 a)].
+Qed.
 
 (* ---- motions that have all this: every start, its angle, A and alpha, B and beta ---- *)
 Lemma motion_with_angle x0 y0 u0 w0 : exists x y u w psi, spin x y u w /\ (forall t, 0 <= t -> position_angle (x t) (y t) (u t) (w t) (psi t)) /\
@@ -182,19 +163,20 @@ Proof.
   - intros s Hs. symmetry. apply (H s). destruct (Req_dec s 0) as [-> | ne]; trivial. specialize (Hd s ltac:(lra)). intros z. rewrite z in Hd. lra.
   - apply (rder_mult (fun _ => 2)); [ rd | ]. apply (rder_comp (fun t => d t * / (m t + c t)) atan);
     [ | apply is_derive_Reals, derivable_pt_lim_atan ].
-    apply (rder_mult d (fun t => / (m t + c t))); [ exact D2 | apply (rder_inv (fun t => m t + c t)); [ exact D | exact D0 ] ].
+    apply (rder_mult d); [ exact D2 | apply (rder_inv _ _ _ D D0) ].
 Qed.
+(* A and alpha, or B and beta, of two sizes *)
+Lemma hyperbolic_pair (q r : R -> R) : exists A a, forall t, 0 <= q t < r t -> q t = A t * sinh (a t) /\ r t = A t * cosh (a t).
+Proof. exists (fun t => sqrt (r t ^ 2 - q t ^ 2)), (fun t => arcsinh (q t / sqrt (r t ^ 2 - q t ^ 2))). intros t. apply hyperbolic_exists. Qed.
 Lemma with_A x y u w : spin x y u w -> nrm (u 0) (w 0) < nrm (x 0) (y 0) -> exists A al, forall t, 0 <= t ->
   hyperbolic (x t) (y t) (u t) (w t) (A t) (al t).
 Proof.
-  intros S H. set (r t := nrm (x t) (y t)). set (q t := nrm (u t) (w t)). exists (fun t => sqrt (r t ^ 2 - q t ^ 2)), (fun t => arcsinh (q t / sqrt (r
-    t ^ 2 - q t ^ 2))). intros t Ht.
-  apply (hyperbolic_exists (r t) (q t)). pose proof (A_never_falls x y u w S 0 t ltac:(lra)) as M. rewrite <- !nrm_sq in M.
-  pose proof (nrm_pos (x t) (y t)). pose proof (nrm_pos (u t) (w t)). pose proof (nrm_pos (u 0) (w 0)). unfold r, q. split; [ trivial | nra ].
+  intros S H. destruct (hyperbolic_pair (fun t => nrm (u t) (w t)) (fun t => nrm (x t) (y t))) as (A & a & K). exists A, a. intros t Ht. apply (K t).
+  pose proof (A_never_falls x y u w S 0 t ltac:(lra)) as M. rewrite <- !nrm_sq in M.
+  pose proof (nrm_pos (x t) (y t)). pose proof (nrm_pos (u t) (w t)). pose proof (nrm_pos (u 0) (w 0)). split; [ trivial | nra ].
 Qed.
 Lemma with_B (x y u w : R -> R) : exists B be, forall t, nrm (x t) (y t) < nrm (u t) (w t) -> hyperbolic_B (x t) (y t) (u t) (w t) (B t) (be t).
 Proof.
-  set (r t := nrm (u t) (w t)). set (q t := nrm (x t) (y t)). exists (fun t => sqrt (r t ^ 2 - q t ^ 2)), (fun t => arcsinh (q t / sqrt (r t ^ 2 - q
-    t ^ 2))). intros t H.
-  destruct (hyperbolic_exists (r t) (q t)) as [h1 h2]. { pose proof (nrm_pos (x t) (y t)). unfold r, q in *. lra. } split; trivial.
+  destruct (hyperbolic_pair (fun t => nrm (x t) (y t)) (fun t => nrm (u t) (w t))) as (A & a & K). exists A, a. intros t H.
+  destruct (K t) as [k1 k2]; [ split; [ apply nrm_pos | exact H ] | now split ].
 Qed.

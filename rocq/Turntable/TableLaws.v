@@ -2,71 +2,68 @@
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Formulas.
-From Slipbook.General Require Import Rates.
-From Slipbook Require Export RightDerivatives.
+From Slipbook Require Export Analysis.
 Open Scope R_scope.
 
-(* (89) in the units of (87), (88): position (x, y) and velocity (u, w) on the table; friction has the size 1 *)
+(* (89) in the units of (87), (88): position (x, y) and velocity (u, w) on the table; friction has the size 1.
+   «$(x,y)$ with the velocity $(u,w)$ is a motion on the table by (89)» *)
 Record spin (x y u w : R -> R) : Prop := {
   s_cx : forall t, 0 < t -> continuity_pt x t;  s_cy : forall t, 0 < t -> continuity_pt y t;
   s_cu : forall t, 0 < t -> continuity_pt u t;  s_cw : forall t, 0 < t -> continuity_pt w t;
   s_law : forall t, 0 <= t -> rder x t (u t) /\ rder y t (w t) /\ exists fx fy, coulomb 1 (u t) (w t) fx fy /\
             rder u t (x t + 2 * w t + fx) /\ rder w t (y t - 2 * u t + fy) }.
-(* (86) with its dimensions: the table turns at the rate Om, k = mu g *)
+(* (86) with its dimensions: the table turns at the rate Om (per time), k = mu g (an acceleration).
+   «$(x,y)$ with the velocity $(u,w)$ is a motion by (86) on a table that turns at the rate $Om$, with friction of the size $k$» *)
 Record turntable (Om k : R) (x y u w : R -> R) : Prop := {
   t_c : forall t, 0 < t -> continuity_pt x t /\ continuity_pt y t /\ continuity_pt u t /\ continuity_pt w t;
   t_law : forall t, 0 <= t -> rder x t (u t) /\ rder y t (w t) /\ exists fx fy, coulomb k (u t) (w t) fx fy /\
             rder u t (Om ^ 2 * x t + 2 * Om * w t + fx) /\ rder w t (Om ^ 2 * y t - 2 * Om * u t + fy) }.
-(* (105): s is the length of the path *)
+(* (105), in the unit of length of u and w. «$s$ is the length of the path of what has the velocity $(u,w)$» *)
 Definition arc_length (u w s : R -> R) :=
   (forall t, 0 < t -> continuity_pt s t) /\ forall t, 0 <= t -> rder s t (eq105_arc_rate (nrm (u t) (w t))).
-(* psi is the angle of the position with respect to the velocity, counterclockwise: the direction of (u, w), turned by psi, is that of (x, y) *)
+(* psi is the angle of the position with respect to the velocity, counterclockwise: the direction of (u, w), turned by psi
+   (radians), is that of (x, y); at rest and on the axis it may be any. «$psi$ is the angle from the velocity $(u,w)$ to the position $(x,y)$» *)
 Definition position_angle x y u w psi :=
   nrm u w * x = nrm x y * (u * cos psi - w * sin psi) /\ nrm u w * y = nrm x y * (u * sin psi + w * cos psi).
-(* the same motion in the units of (87) and (88); velocities go with them *)
+(* the same motion in the units of (87) and (88); velocities go with them; all dimensionless.
+   «$(rx,ry)$ and $(pu,pw)$ are the place $(x,y)$ and the velocity $(u,w)$ in the units of (87) and (88)» *)
 Definition in_units (Om mu g : R) (x y u w rx ry pu pw : R -> R) := forall t,
   rx (eq88_time Om t) = eq87_position_1 Om mu g (x t) (y t) /\ ry (eq88_time Om t) = eq87_position_2 Om mu g (x t) (y t) /\
   pu (eq88_time Om t) = Om / (mu * g) * u t /\ pw (eq88_time Om t) = Om / (mu * g) * w t.
-(* position_angle by products *)
+(* f approaches f t from the right. «$f$ is continuous from the right at $t$» *)
+Definition right_continuous (f : R -> R) t := forall e, 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> Rabs (f s - f t) < e.
+(* position_angle by products. «$psi$ is the angle from the velocity $(u,w)$ to the position $(x,y)$» *)
 Definition angle x y u w psi := x * u + y * w = nrm x y * nrm u w * cos psi /\ x * w - y * u = - (nrm x y * nrm u w * sin psi).
 
 Ltac table S := cont; first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; lra.
 
-Lemma nrm_x0 a : 0 <= a -> nrm a 0 = a.
-Proof. intros H. unfold nrm. replace (a ^ 2 + 0 ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
-Lemma nrm_0y a : 0 <= a -> nrm 0 a = a.
-Proof. intros H. unfold nrm. replace (0 ^ 2 + a ^ 2) with (a ^ 2) by ring. now apply sqrt_pow2. Qed.
+Lemma rder_right_continuous f t l : rder f t l -> right_continuous f t.
+Proof.
+  intros [F [H K]] e He. destruct (cont_eps F t e (cont_of F t l H) He) as (d & d0 & Hd). exists d. split; trivial. intros s Hs.
+  rewrite <- !K by lra. apply Hd, Rabs_def1; lra.
+Qed.
 Lemma angle_iff x y u w psi : position_angle x y u w psi <-> angle x y u w psi.
 Proof.
   unfold position_angle, angle. pose proof (nrm_sq u w) as e. destruct (Req_dec (nrm u w) 0) as [z | z].
   - destruct (nrm_zero u w z) as [-> ->]. rewrite z. split; intros _; split; ring.
   - set (n := nrm u w) in *. set (m := nrm x y). split; intros [h1 h2]; split; apply (Rmult_eq_reg_l n); trivial.
-    + replace (n * (x * u + y * w)) with (n * x * u + n * y * w) by ring. rewrite h1, h2. ring [e].
-    + replace (n * (x * w - y * u)) with (n * x * w - n * y * u) by ring. rewrite h1, h2. ring [e].
-    + replace (n * (n * x)) with (u * (x * u + y * w) + w * (x * w - y * u)) by ring [e]. rewrite h1, h2. ring.
-    + replace (n * (n * y)) with (w * (x * u + y * w) - u * (x * w - y * u)) by ring [e]. rewrite h1, h2. ring.
+    + transitivity (n * x * u + n * y * w). ring. rewrite h1, h2. ring [e].
+    + transitivity (n * x * w - n * y * u). ring. rewrite h1, h2. ring [e].
+    + transitivity (u * (x * u + y * w) + w * (x * w - y * u)). ring [e]. rewrite h1, h2. ring.
+    + transitivity (w * (x * u + y * w) - u * (x * w - y * u)). ring [e]. rewrite h1, h2. ring.
 Qed.
 (* an angle for each state: pi where the position is just against the velocity, else by the tangent of its half *)
 Definition half_angle c d m := 2 * atan (d / (m + c)).
 Lemma angle_exists x y u w : let c := x * u + y * w in let d := y * u - x * w in let m := nrm x y * nrm u w in
   { psi | position_angle x y u w psi /\ (m + c <> 0 -> psi = half_angle c d m) }.
 Proof.
-  intros c d m. assert (m0 : 0 <= m) by (apply Rmult_le_pos; apply nrm_pos). assert (e : c ^ 2 + d ^ 2 = m ^ 2) by (unfold m;
-    rewrite Rpow_mult_distr, !nrm_sq; unfold c, d; ring).
+  intros c d m. assert (e : d ^ 2 = m ^ 2 - c ^ 2) by (unfold m; rewrite Rpow_mult_distr, !nrm_sq; unfold c, d; ring).
   assert (F : forall psi, c = m * cos psi -> d = m * sin psi -> position_angle x y u w psi).
   { intros psi h1 h2. apply angle_iff. split; [ exact h1 | ]. fold m. unfold d in h2. lra. }
   destruct (Req_EM_T (m + c) 0) as [z | z]. { exists PI. split; [ | lra ]. apply F; rewrite ?cos_PI, ?sin_PI; nra. }
-  exists (half_angle c d m). split; trivial. unfold half_angle. set (q := d / (m + c)). pose proof (Rle_0_sqr q) as q0.
-    assert (r : sqrt (1 + q²) * sqrt (1 + q²) = 1 + q²) by (apply sqrt_sqrt; lra).
-  assert (s0 : sqrt (1 + q²) <> 0) by (intros h; rewrite h in r; lra). assert (Q : (1 + q²) * (m + c) = 2 * m).
-  { unfold q, Rsqr. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity ((m + c) ^ 2 + d ^ 2). field; trivial.
-    replace (d ^ 2) with (m ^ 2 - c ^ 2) by lra. ring. }
-  apply F; [ rewrite cos_2a | rewrite sin_2a ]; rewrite sin_atan, cos_atan; apply (Rmult_eq_reg_l (1 + q²)); try lra; set (k := sqrt (1 + q²)) in *;
-    rewrite <- r at 2.
-  - transitivity (m * (1 - q * q)). 2: field; trivial. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity (2 * m * c). rewrite <- Q; ring.
-    replace (m * (1 - q * q) * (m + c)) with (m * (2 * (m + c) - (1 + q²) * (m + c))) by (unfold Rsqr; ring). rewrite Q. ring.
-  - transitivity (m * (2 * q)). 2: field; trivial. apply (Rmult_eq_reg_r (m + c)); trivial. transitivity (2 * m * d). rewrite <- Q; ring. unfold q.
-    field. trivial.
+  exists (half_angle c d m). split; trivial. unfold half_angle. destruct (twice_atan (d / (m + c))) as [h1 h2].
+  assert (n : (m + c) ^ 2 + d ^ 2 <> 0) by nra.
+  apply F; rewrite ?h1, ?h2; field_simplify_eq; try (split; trivial; nra); ring [e].
 Qed.
 
 Section Slip.
@@ -101,12 +98,11 @@ Lemma dp : rder (fun t => p t) t (xi t - 1).
 Proof. rates. eapply rder_eq; [ rd; exact N | ]. set (n := p t) in *. inR. field_simplify_eq; [ | trivial ]. ring [e]. Qed.
 Lemma eq99 : rder (fun t => p t) t ((x t * u t + y t * w t) / p t - 1).
 Proof. exact dp. Qed.
-Ltac rate_over f := rates; pose proof (rder_inv _ _ _ dp N) as I; eapply rder_eq; [ apply (rder_mult f (fun t => / p t)); [ rd | exact I ] | ];
-  set (n := p t) in *; inR; field_simplify_eq; [ | trivial ].
+Ltac rate_over := rates; pose proof dp; eapply rder_eq; [ rds; exact N | ]; set (n := p t) in *; inR; field_simplify_eq; [ | trivial ].
 Lemma eq101 : rder (fun t => xi t) t ((p t + ell t) ^ 2 / p t).
-Proof. rate_over (fun t => x t * u t + y t * w t). ring [e]. Qed.
+Proof. rate_over. ring [e]. Qed.
 Lemma eq100 : rder (fun t => ell t) t (- xi t * (2 * p t + ell t) / p t).
-Proof. rate_over (fun t => x t * w t - y t * u t). ring [e]. Qed.
+Proof. rate_over. ring [e]. Qed.
 Lemma rder_rho : rho t <> 0 -> rder (fun t => rho t) t ((x t * u t + y t * w t) * / rho t).
 Proof. intros K. rates. eapply rder_eq. rd. exact K. reflexivity. Qed.
 (* it goes on slipping for a while *)
@@ -126,14 +122,10 @@ Proof.
 Qed.
 Lemma spin_is_turntable x y u w : spin x y u w <-> turntable 1 1 x y u w.
 Proof.
-  split; intros S.
-  - split. { intros t Ht. repeat split; [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ];
-    trivial. }
-    intros t Ht. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
-    split; [ exact C | split; (eapply rder_eq; [ eassumption | ring ]) ].
-  - split; try (intros t Ht; destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?); trivial).
-    intros t Ht. destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W). split; [ | split ]; trivial. exists fx, fy.
-    split; [ exact C | split; (eapply rder_eq; [ eassumption | ring ]) ].
+  split; intros S; split; try (intros t Ht; first [ now destruct (t_c _ _ _ _ _ _ S t Ht) as (? & ? & ? & ?) | repeat split; now apply S ]);
+    intros t Ht; [ destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & C & U & W) | destruct (t_law _ _ _ _ _ _ S t Ht) as (X & Y & fx & fy & C &
+    U & W) ];
+    repeat (split; trivial); exists fx, fy; repeat (split; trivial); (eapply rder_eq; [ eassumption | ring ]).
 Qed.
 (* other units: lengths L times as large, times shorter by c *)
 Lemma rescale Om k c L x y u w : 0 < c -> 0 < L -> turntable Om k x y u w ->
@@ -143,40 +135,29 @@ Proof.
   - intros t Ht. destruct (t_c _ _ _ _ _ _ S (c * t)) as (? & ? & ? & ?). { nra. }
     repeat split; (apply (continuity_pt_mult (fun _ => _)); [ cont | now apply cont_time ]).
   - intros t Ht. destruct (t_law _ _ _ _ _ _ S (c * t)) as (X & Y & fx & fy & [B P] & U & W). { nra. } apply (rder_time c) in X, Y, U, W; trivial.
-    split. { eapply rder_eq. apply (rder_mult (fun _ => L) (fun t => x (c * t))); [ rd | exact X ]. ring. }
-    split. { eapply rder_eq. apply (rder_mult (fun _ => L) (fun t => y (c * t))); [ rd | exact Y ]. ring. }
+    split. { eapply rder_eq. rds. ring. } split. { eapply rder_eq. rds. ring. }
     exists (L * c ^ 2 * fx), (L * c ^ 2 * fy). split. { split.
       - replace ((L * c ^ 2 * fx) ^ 2 + (L * c ^ 2 * fy) ^ 2) with ((L * c ^ 2) ^ 2 * (fx ^ 2 + fy ^ 2)) by ring. rewrite (Rpow_mult_distr _ k).
         apply Rmult_le_compat_l; trivial. apply pow2_ge_0.
       - rewrite nrm_scale by nra. transitivity (L * c ^ 2 * (L * c) * (fx * u (c * t) + fy * w (c * t))). ring. rewrite P. ring. }
-    split. { eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => u (c * t))); [ rd | exact U ]. cbv beta. ring. }
-    eapply rder_eq. apply (rder_mult (fun _ => L * c) (fun t => w (c * t))); [ rd | exact W ]. cbv beta. ring.
+    split; (eapply rder_eq; [ rds | ring ]).
 Qed.
+Lemma back (f : R -> R) a b c d : a * b = 1 -> c * d = 1 -> (fun t => a * (b * f (c * (d * t)))) = f.
+Proof. intros e1 e2. extensionality t. now rewrite <- !Rmult_assoc, e1, e2, !Rmult_1_l. Qed.
 (* (86) in the units of (87), (88) is (89), both ways *)
-Lemma units Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> in_units Om mu g x y u w rx ry pu pw -> turntable Om (mu * g) x y u w <->
-  spin rx ry pu pw.
+Lemma units Om mu g x y u w rx ry pu pw : 0 < Om -> 0 < mu * g -> in_units Om mu g x y u w rx ry pu pw ->
+  turntable Om (mu * g) x y u w <-> spin rx ry pu pw.
 Proof.
-  intros HO Hk T. unfold in_units, eq87_position_1, eq87_position_2, eq88_time in T. set (k := mu * g) in *. rewrite spin_is_turntable.
-  assert (a0 : 0 < Om ^ 2 / k) by (apply Rdiv_lt_0_compat; nra). assert (b0 : 0 < k / Om ^ 2) by (apply Rdiv_lt_0_compat; nra). split; intros S.
-  - apply (rescale _ _ (/ Om) (Om ^ 2 / k)) in S; trivial; [ | now apply Rinv_0_lt_compat ]. replace (/ Om * Om) with 1 in S by (field; lra).
-    replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S by (field; lra).
-    assert (b : forall t, t = Om * (/ Om * t)) by (intros; field; lra). replace (Om ^ 2 / k * / Om) with (Om / k) in S by (field; lra).
-    replace rx with (fun t => Om ^ 2 / k * x (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
-    replace ry with (fun t => Om ^ 2 / k * y (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
-    replace pu with (fun t => Om / k * u (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
-    replace pw with (fun t => Om / k * w (/ Om * t)) by (extensionality t; rewrite (b t) at 2; symmetry; apply T).
-    exact S.
-  - apply (rescale _ _ Om (k / Om ^ 2)) in S; trivial. replace (Om * 1) with Om in S by ring.
-    replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra).
-    replace x with (fun t => k / Om ^ 2 * rx (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field;
-      lra).
-    replace y with (fun t => k / Om ^ 2 * ry (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field;
-      lra).
-    replace u with (fun t => k / Om ^ 2 * Om * pu (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4;
-      field; lra).
-    replace w with (fun t => k / Om ^ 2 * Om * pw (Om * t)) by (extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4;
-      field; lra).
-    exact S.
+  unfold in_units, eq87_position_1, eq87_position_2, eq88_time. set (k := mu * g). intros HO Hk T. rewrite spin_is_turntable.
+  assert (E : x = (fun t => k / Om ^ 2 * rx (Om * t)) /\ y = (fun t => k / Om ^ 2 * ry (Om * t)) /\ u = (fun t => k / Om ^ 2 * Om * pu (Om * t)) /\
+    w = (fun t => k / Om ^ 2 * Om * pw (Om * t))).
+  { repeat split; extensionality t; destruct (T t) as (e1 & e2 & e3 & e4); rewrite ?e1, ?e2, ?e3, ?e4; field; lra. }
+  destruct E as (-> & -> & -> & ->). split; intros S.
+  - apply (rescale _ _ (/ Om) (Om ^ 2 / k)) in S; [ | now apply Rinv_0_lt_compat | apply Rdiv_lt_0_compat; nra ].
+    rewrite !back in S by (field; lra). now replace (/ Om * Om) with 1 in S; [ replace (Om ^ 2 / k * (/ Om) ^ 2 * k) with 1 in S | ]; try (field;
+    lra).
+  - apply (rescale _ _ Om (k / Om ^ 2)) in S; trivial; [ | apply Rdiv_lt_0_compat; nra ].
+    rewrite Rmult_1_r in S. now replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra).
 Qed.
 Lemma mirrored Om k x y u w : turntable Om k x y u w -> turntable (- Om) k x (fun t => - y t) u (fun t => - w t).
 Proof.

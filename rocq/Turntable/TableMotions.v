@@ -1,289 +1,233 @@
-(* From every place and velocity there is one motion on the table, slipping or at rest. Motions whose friction loses at most d of its power stay close
-   (near_apart); they exist (Picard, with the direction of the slip made Lipschitz); for d = 4^-n they converge, and the limit has the right rates
-     (follow) *)
-Require Import Reals Lra Psatz.
+(* From every place and velocity there is a motion on the table, slipping or at rest. A particle in a plane whose acceleration is given has one
+   (General/Exists.v); it is given by the place and velocity of another particle, that of one more, and so on (turn): their distances shrink
+   as 2^-n, and what they tend to drives itself (limit). *)
+Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion TableLaws Picard Formulas.
-From Slipbook.General Require Import Rates.
+From Slipbook Require Import Motion Analysis TableLaws Formulas.
+From Slipbook.General Require Import Contraction Exists.
 Open Scope R_scope.
 
-Definition almost d ux uy fx fy := fx ^ 2 + fy ^ 2 <= 1 /\ fx * ux + fy * uy <= d - nrm ux uy.
-Record near d (f : place -> R -> R) : Prop := {
-  n_c : forall i t, 0 < t -> continuity_pt (f i) t;
-  n_law : forall t, 0 <= t -> rder (f px) t (f pu t) /\ rder (f py) t (f pw t) /\ exists fx fy, almost d (f pu t) (f pw t) fx fy /\
-            rder (f pu) t (f px t + 2 * f pw t + fx) /\ rder (f pw) t (f py t - 2 * f pu t + fy) }.
-Definition state (x y u w : R -> R) i := match i with px => x | py => y | pu => u | pw => w end.
-Lemma spin_near x y u w : spin x y u w -> near 0 (state x y u w).
-Proof.
-  intros S. split. { intros i t Ht. destruct i; [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ];
-    trivial. }
-  intros t Ht. destruct (s_law _ _ _ _ S t Ht) as (X & Y & fx & fy & [B P] & U & W). split; trivial. split; trivial. exists fx, fy.
-    split; [ split; simpl; lra | auto ].
-Qed.
-(* the squared distance of two motions *)
-Definition far (f g : place -> R -> R) t := (f px t - g px t) ^ 2 + (f py t - g py t) ^ 2 + (f pu t - g pu t) ^ 2 + (f pw t - g pw t) ^ 2.
-Lemma far_ge f g i t : 0 <= (f i t - g i t) ^ 2 <= far f g t.
-Proof.
-  unfold far. pose proof (pow2_ge_0 (f px t - g px t)). pose proof (pow2_ge_0 (f py t - g py t)). pose proof (pow2_ge_0 (f pu t - g pu t)).
-    pose proof (pow2_ge_0 (f pw t - g pw t)).
-  destruct i; lra.
-Qed.
-Lemma near_apart d1 d2 f g s t : near d1 f -> near d2 g -> 0 <= s <= t -> (far f g t + (d1 + d2)) * exp (- (2) * t) <= (far f g s + (d1 + d2)) * exp
-  (- (2) * s).
-Proof.
-  intros S1 S2 Hst. apply (rder_decr (fun t => (far f g t + (d1 + d2)) * exp (- (2) * t))); [ lra | | ]; intros r Hr; unfold far.
-  - pose proof (fun i => n_c _ _ S1 i r ltac:(lra)). pose proof (fun i => n_c _ _ S2 i r ltac:(lra)). cont.
-  - destruct (n_law _ _ S1 r) as (X1 & Y1 & f1 & g1 & [B1 P1] & U1 & W1); [ lra | ].
-    destruct (n_law _ _ S2 r) as (X2 & Y2 & f2 & g2 & [B2 P2] & U2 & W2); [ lra | ].
-    eexists. split. rd. cbv beta. simpl pred. simpl INR. set (e := exp _). assert (e0 : 0 < e) by apply exp_pos.
-    pose proof (power_bound 1 f2 g2 (f pu r) (f pw r) Rle_0_1 ltac:(lra)). pose proof (power_bound 1 f1 g1 (g pu r) (g pw r) Rle_0_1 ltac:(lra)).
-    pose proof (pow2_ge_0 (f px r - g px r - (f pu r - g pu r))). pose proof (pow2_ge_0 (f py r - g py r - (f pw r - g pw r))).
-    match goal with |- ?a * e + ?d * (?c * e) <= 0 => assert (a + d * c <= 0); [ | nra ] end. lra.
-Qed.
-
-(* A motion, almost, against the straight line from a state v with the friction (fx, fy) there: they part as h^3, if that friction loses h^2 at most
-  along the line *)
-Definition rate (v : place -> R) fx fy i := match i with px => v pu | py => v pw | pu => v px + 2 * v pw + fx | pw => v py - 2 * v pu + fy end.
-Section Follow.
-Variables (d t fx fy C : R) (v : place -> R) (f : place -> R -> R).
-Notation a i := (rate v fx fy i).
-Definition line i s := v i + (s - t) * a i.
-Definition bend := a pu ^ 2 + a pw ^ 2 + (v pu + 2 * a pw) ^ 2 + (v pw - 2 * a pu) ^ 2 + 2 * C.
-Hypothesis S : near d f.
-Hypothesis hd : 0 <= d.
-Hypothesis ht : 0 <= t.
-Hypothesis hf : fx ^ 2 + fy ^ 2 <= 1.
-Hypothesis hC : forall h, 0 <= h <= 1 -> nrm (v pu + h * a pu) (v pw + h * a pw) + (fx * (v pu + h * a pu) + fy * (v pw + h * a pw)) <= C * h ^ 2.
-
-Lemma bend_pos : 0 <= bend.
-Proof.
-  pose proof (hC 1 ltac:(lra)) as H. pose proof (power_bound 1 fx fy (v pu + 1 * a pu) (v pw + 1 * a pw) Rle_0_1 ltac:(lra)). unfold bend.
-  pose proof (pow2_ge_0 (a pu)). pose proof (pow2_ge_0 (a pw)). pose proof (pow2_ge_0 (v pu + 2 * a pw)). pose proof (pow2_ge_0 (v pw - 2 * a pu)).
-    lra.
-Qed.
-Lemma follow h : 0 <= h <= 1 -> far f line (t + h) <= exp 3 * (far f line t + 2 * d + bend * h ^ 3).
-Proof.
-  intros Hh. pose proof bend_pos as b0. set (K := bend) in *.
-  set (G s := far f line s * exp (- (3) * (s - t)) - 2 * d * (s - t) - K * / 3 * (s - t) ^ 3).
-  assert (M : G (t + h) <= G t).
-  { apply (rder_decr G); [ lra | | ]; intros s Hs; unfold G, far, line.
-    - pose proof (fun i => n_c _ _ S i s ltac:(lra)). cont.
-    - destruct (n_law _ _ S s ltac:(lra)) as (X & Y & gx & gy & [B P] & U & W). eexists. split. rd. cbv beta. simpl pred. simpl INR.
-      set (e := exp (- (3) * (s - t))). assert (e0 : 0 < e <= 1). { split. apply exp_pos. rewrite <- exp_0. apply exp_up. lra. }
-      set (m := s - t) in *. assert (m0 : 0 <= m <= 1) by (unfold m; lra). specialize (hC m m0).
-      set (dx := f px s - (v px + m * a px)) in *. set (dy := f py s - (v py + m * a py)) in *. set (du := f pu s - (v pu + m * a pu)) in *.
-        set (dw := f pw s - (v pw + m * a pw)) in *.
-      pose proof (power_bound 1 gx gy (v pu + m * a pu) (v pw + m * a pw) Rle_0_1 ltac:(lra)) as Q1.
-        pose proof (power_bound 1 fx fy (f pu s) (f pw s) Rle_0_1 ltac:(lra)) as Q2.
-      assert (Q3 : (gx - fx) * du + (gy - fy) * dw <= d + C * m ^ 2) by (unfold du, dw; lra).
-      set (D := dx ^ 2 + dy ^ 2 + du ^ 2 + dw ^ 2) in *.
-      set (T := 2 * dx * (du + m * a pu) + 2 * dy * (dw + m * a pw) + 2 * du * (dx + 2 * dw + m * (v pu + 2 * a pw) + (gx - fx)) + 2 * dw * (dy - 2 *
-        du + m * (v pw - 2 * a pu) + (gy - fy))).
-      assert (main : T <= 3 * D + (2 * d + K * m ^ 2)).
-      { pose proof (pow2_ge_0 (dx - m * a pu)). pose proof (pow2_ge_0 (dy - m * a pw)). pose proof (pow2_ge_0 (du - m * (v pu + 2 * a pw))).
-        pose proof (pow2_ge_0 (dw - m * (v pw - 2 * a pu))).
-        pose proof (pow2_ge_0 (dx - du)). pose proof (pow2_ge_0 (dy - dw)). unfold T, D, K, bend. lra. }
-      assert (c0 : 0 <= 2 * d + K * m ^ 2). { pose proof (Rmult_le_pos _ _ b0 (pow2_ge_0 m)). lra. }
-      match goal with |- ?g <= 0 => replace g with ((T - 3 * D) * e - (2 * d + K * m ^ 2)) end. nra.
-      unfold T, D, dx, dy, du, dw. simpl. field. }
-  unfold G in M. replace (t + h - t) with h in M by ring. rewrite Rminus_eq_0, Rmult_0_r, exp_0 in M.
-  assert (e1 : exp (- (3) * h) * exp (3 * h) = 1) by (rewrite <- exp_plus; replace (- (3) * h + 3 * h) with 0 by ring; apply exp_0).
-  assert (e2 : exp (3 * h) <= exp 3) by (apply exp_up; lra). pose proof (exp_pos (3 * h)). pose proof (far_ge f line px t).
-  assert (h3 : 0 <= K * h ^ 3) by (apply Rmult_le_pos; [ trivial | apply pow_le; lra ]).
-  assert (M2 : far f line (t + h) * exp (- (3) * h) <= far f line t + 2 * d + K * h ^ 3) by nra.
-  apply (Rmult_le_compat_r (exp (3 * h))) in M2; [ | lra ]. rewrite Rmult_assoc, e1, Rmult_1_r in M2. eapply Rle_trans; [ exact M2 | ].
-    rewrite (Rmult_comm (exp 3)). apply Rmult_le_compat_l; lra.
-Qed.
-End Follow.
-
-(* ---- (89) with the direction of the slip made Lipschitz ---- *)
 Notation nrm_lip := nrm_near (only parsing).
-Lemma ratio_lip d a n a' n' D : 0 < d -> 0 <= n -> Rabs a' <= n' -> Rabs (a - a') <= D -> Rabs (n - n') <= 2 * D ->
-  Rabs (a / (d + n) - a' / (d + n')) <= 3 / d * D.
+(* the four coordinates of a state: those of the place and of the velocity *)
+Inductive place := px | py | pu | pw.
+
+(* ---- limits as data: nothing is chosen ---- *)
+Lemma half_pos n : 0 < (/ 2) ^ n <= 1.
+Proof. split. apply pow_lt. lra. rewrite <- (pow1 n). apply pow_incr. lra. Qed.
+Lemma halves D e : 0 < e -> exists n, D * (/ 2) ^ n < e.
 Proof.
-  intros Hd n0 ha hD hN. pose proof (Rabs_pos a'). replace (a / (d + n) - a' / (d + n')) with (((a - a') + a' / (d + n') * (n' - n)) * / (d + n)) by
-    (field; lra).
-  assert (r : 0 < / (d + n) <= / d) by (split; [ apply Rinv_0_lt_compat | apply Rinv_le_contravar ]; lra).
-  rewrite Rabs_mult, (Rabs_pos_eq (/ (d + n))) by lra.
-  assert (q : Rabs (a' / (d + n')) <= 1). { unfold Rdiv. rewrite Rabs_mult, (Rabs_pos_eq (/ (d + n'))) by (left; apply Rinv_0_lt_compat; lra).
-    apply Rle_div_l; lra. }
-  assert (s : Rabs (a - a' + a' / (d + n') * (n' - n)) <= 3 * D).
-  { eapply Rle_trans; [ apply Rabs_triang | ]. rewrite Rabs_mult, (Rabs_minus_sym n' n). pose proof (Rabs_pos (n - n')). nra. }
-  pose proof (Rabs_pos (a - a' + a' / (d + n') * (n' - n))). unfold Rdiv. apply Rle_trans with (3 * D * / d); [ | lra ]. apply Rmult_le_compat; lra.
+  intros He. pose proof (Rabs_pos D). destruct (pow_lt_1_zero (/ 2) ltac:(rewrite Rabs_pos_eq; lra) (e / (Rabs D + 1))) as [n Hn].
+  { apply Rdiv_lt_0_compat; lra. }
+  exists n. specialize (Hn n (le_n n)). destruct (half_pos n). rewrite Rabs_pos_eq in Hn by lra. apply Rlt_div_r in Hn; [ | lra ].
+  pose proof (Rle_abs D). nra.
 Qed.
-Definition field89 d i (v : place -> R) := match i with
-  | px => v pu | py => v pw
-  | pu => v px + 2 * v pw - v pu / (d + nrm (v pu) (v pw))
-  | pw => v py - 2 * v pu - v pw / (d + nrm (v pu) (v pw)) end.
-Lemma field89_lip d : 0 < d -> forall v v' D, (forall j, Rabs (v j - v' j) <= D) -> forall i, Rabs (field89 d i v - field89 d i v') <= (3 + 3 / d) *
-  D.
+Lemma le_by_halves a b C : (forall n, a <= b + C * (/ 2) ^ n) -> a <= b.
+Proof. intros H. apply Rnot_lt_le. intros k. destruct (halves C (a - b)) as [n Hn]. lra. specialize (H n). lra. Qed.
+Definition geo (a : nat -> R) B := forall n, Rabs (a (S n) - a n) <= B / 2 * (/ 2) ^ n.
+Lemma lim_geo a : (exists B, geo a B) -> {l | forall B, geo a B -> forall n, Rabs (a n - l) <= B * (/ 2) ^ n}.
 Proof.
-  intros Hd v v' D H. pose proof (H px) as Hx. pose proof (H py) as Hy. pose proof (H pu) as Hu. pose proof (H pw) as Hw.
-  assert (D0 : 0 <= D) by (pose proof (Rabs_pos (v px - v' px)); lra). assert (d0 : 0 < 3 / d) by (apply Rdiv_lt_0_compat; lra).
-  assert (M : Rabs (nrm (v pu) (v pw) - nrm (v' pu) (v' pw)) <= 2 * D) by (eapply Rle_trans; [ apply nrm_near | lra ]).
-  destruct (abs_nrm (v' pu) (v' pw)) as [g1 g2]. pose proof (nrm_pos (v pu) (v pw)) as n0.
-  pose proof (ratio_lip d _ _ _ _ D Hd n0 g1 Hu M) as Ru. pose proof (ratio_lip d _ _ _ _ D Hd n0 g2 Hw M) as Rw.
-  assert (0 <= 3 / d * D) by (apply Rmult_le_pos; lra).
-  apply Rabs_le_between in Hx, Hy, Hu, Hw, Ru, Rw. intros i. apply Rabs_le. destruct i; simpl; lra.
+  intros E. assert (K : forall B, geo a B -> 0 <= B /\ forall n k, Rabs (a (n + k)%nat - a n) <= B * (/ 2) ^ n - B * (/ 2) ^ (n + k)).
+  { intros B H. split. { specialize (H 0%nat). pose proof (Rabs_pos (a 1%nat - a 0%nat)). simpl in H. lra. }
+    induction k as [ | k IH ]. rewrite Nat.add_0_r, !Rminus_eq_0, Rabs_R0; lra.
+    rewrite Nat.add_succ_r. specialize (H (n + k)%nat). simpl pow. apply Rabs_le_between in H, IH. apply Rabs_le. lra. }
+  destruct (Rcomplete.R_complete a) as [l Hl].
+  - intros e He. destruct E as [B H]. destruct (K B H) as [B0 M]. destruct (halves (2 * B) e He) as [N HN]. exists N. intros n m Hn Hm.
+    assert (Q : forall n, (n >= N)%nat -> Rabs (a n - a N) <= B * (/ 2) ^ N).
+    { intros k Hk. replace k with (N + (k - N))%nat by lia. destruct (half_pos (N + (k - N))). specialize (M N (k - N)%nat). nra. }
+    pose proof (Q n Hn) as k1. pose proof (Q m Hm) as k2. apply Rabs_le_between in k1, k2. apply Rabs_def1; lra.
+  - exists l. intros B H n. destruct (K B H) as [B0 M]. apply le_epsilon. intros e He. destruct (Hl e He) as [N HN].
+    specialize (HN (n + N)%nat ltac:(lia)). unfold R_dist in HN. specialize (M n N). destruct (half_pos (n + N)).
+    apply Rabs_def2 in HN. apply Rabs_le_between in M. apply Rabs_le. nra.
 Qed.
-Lemma almost_field d u w : 0 < d -> almost d u w (- (u / (d + nrm u w))) (- (w / (d + nrm u w))).
+(* what is just one number *)
+Lemma pick (P : R -> Prop) : (exists r, P r) -> (forall r s, P r -> P s -> r = s) -> {r | P r}.
 Proof.
-  intros Hd. pose proof (nrm_sq u w) as e. pose proof (nrm_pos u w). set (n := nrm u w) in *. split; fold n.
-  - replace ((- (u / (d + n))) ^ 2 + (- (w / (d + n))) ^ 2) with (n ^ 2 / (d + n) ^ 2) by (rewrite e; field; lra). apply Rle_div_l; nra.
-  - replace (- (u / (d + n)) * u + - (w / (d + n)) * w) with (- (n ^ 2 / (d + n))) by (rewrite e; field; lra).
-    enough (n - d <= n ^ 2 / (d + n)) by lra. apply Rle_div_r; nra.
+  intros E U. destruct (completeness P) as [m [m1 m2]]; trivial. { destruct E as [r p]. exists r. intros s q. now right; apply U. }
+  exists m. destruct E as [r p]. replace m with r; trivial. apply Rle_antisym; [ now apply m1 | apply m2; intros s q; now right; apply U ].
 Qed.
 
+(* ---- functions that begin at 0 ---- *)
+Lemma cont_from f l : (forall t, 0 < t -> continuity_pt f t) -> rder f 0 l -> forall t, continuity_pt (fun s => f (Rmax 0 s)) t.
+Proof.
+  intros C [F [D E]] t. assert (K : forall c t, continuity_pt (fun _ : R => c : R) t) by (intros; cont).
+  destruct (Rtotal_order t 0) as [k | [-> | k]].
+  - apply (cont_glue _ (fun _ => f 0) (fun _ => f 0) t (- t)); trivial; try lra; intros; now rewrite Rmax_left by lra.
+  - apply (cont_glue _ (fun _ => f 0) F 0 1); trivial; try lra; [ | | now apply (cont_of F 0 l) ]; intros.
+    now rewrite Rmax_left by lra. rewrite Rmax_right, E; trivial; lra.
+  - apply (cont_ext f); auto. intros. now rewrite Rmax_right.
+Qed.
+Lemma exp_up a b : a <= b -> exp a <= exp b.
+Proof. intros [H | ->]; [ left; now apply exp_increasing | lra ]. Qed.
+(* a limit that is uniform up to each moment is continuous *)
+Lemma cont_limit (f : nat -> R -> R) F C L t : 0 <= L -> (forall n s, continuity_pt (f n) s) ->
+  (forall n s, Rabs (f n s - F s) <= C * exp (L * Rmax 0 s) * (/ 2) ^ n) -> continuity_pt F t.
+Proof.
+  intros HL Cf H e He. set (q := exp (L * (Rmax 0 t + 1))). destruct (halves (C * q) (e / 3) ltac:(lra)) as [n Hn].
+  destruct (cont_eps (f n) t (e / 3) (Cf n t) ltac:(lra)) as (d & d0 & Hd). exists (Rmin d 1). split. apply Rmin_pos; lra.
+  intros s [_ Hs]. simpl in *. unfold R_dist in *. apply Rmin_Rgt_l in Hs as [s1 s2]. destruct (half_pos n) as [h0 _].
+  assert (C0 : 0 <= C). { specialize (H 0%nat 0). pose proof (Rabs_pos (f 0%nat 0 - F 0)). pose proof (exp_pos (L * Rmax 0 0)). simpl in H. nra. }
+  assert (N : forall r, Rabs (r - t) < 1 -> Rabs (f n r - F r) < e / 3).
+  { intros r Hr. eapply Rle_lt_trans; [ apply H | ]. eapply Rle_lt_trans; [ | exact Hn ]. apply Rmult_le_compat_r; [ lra | ]. apply Rmult_le_compat_l;
+    trivial. apply exp_up, Rmult_le_compat_l; trivial. apply Rabs_def2 in Hr. unfold Rmax. repeat destruct Rle_dec; lra. }
+  pose proof (N s s2) as n1. pose proof (N t ltac:(rewrite Rminus_eq_0, Rabs_R0; lra)) as n2. specialize (Hd s s1).
+  apply Rabs_def2 in n1, n2, Hd. apply Rabs_def1; lra.
+Qed.
+(* what moves no faster than this goes no farther than that *)
+Lemma drift D K t : (forall s, 0 < s -> continuity_pt D s) -> D 0 = 0 ->
+  (forall s, 0 <= s -> exists l, rder D s l /\ l <= 10 * D s + K * exp (20 * s)) -> 0 <= K -> 0 <= t -> D t <= K / 10 * exp (20 * t).
+Proof.
+  intros C D0 H hK Ht. assert (e : forall s, exp (20 * s) * exp (- (10) * s) = exp (10 * s)) by (intros; rewrite <- exp_plus; f_equal; ring).
+  assert (M : D t * exp (- (10) * t) - K / 10 * exp (10 * t) <= D 0 * exp (- (10) * 0) - K / 10 * exp (10 * 0)).
+  { apply (rder_decr (fun t => D t * exp (- (10) * t) - K / 10 * exp (10 * t))); trivial; intros s Hs.
+    - specialize (C s ltac:(lra)). cont.
+    - destruct (H s ltac:(lra)) as (l & L & b). eexists. split. rd. cbv beta. rewrite <- (e s). pose proof (exp_pos (- (10) * s)). nra. }
+  rewrite D0, Rmult_0_l, Rmult_0_r, exp_0, <- (e t) in M. pose proof (exp_pos (- (10) * t)).
+  apply (Rmult_le_reg_r (exp (- (10) * t))); trivial. lra.
+Qed.
+
+(* ---- a motion that is driven by another ---- *)
+Definition good (f : place -> R -> R) := forall i t, continuity_pt (f i) t /\ f i t = f i (Rmax 0 t).
+Definition driven (c : place -> R) (f g : place -> R -> R) := (forall i, g i 0 = c i) /\ forall t, 0 <= t ->
+  rder (g px) t (f pu t) /\ rder (g py) t (f pw t) /\ exists fx fy, coulomb 1 (g pu t) (g pw t) fx fy /\
+  rder (g pu) t (f px t + 2 * f pw t + fx) /\ rder (g pw) t (f py t - 2 * f pu t + fy).
 Section Exist.
 Variable c : place -> R.
-Definition de (n : nat) := (/ 4) ^ n.
-Lemma de_pos n : 0 < de n. Proof. apply pow_lt. lra. Qed.
-Lemma de_sq n : de n = ((/ 2) ^ n) ^ 2.
-Proof. unfold de. rewrite <- pow_mult, Nat.mul_comm, pow_mult. f_equal. field. Qed.
-Lemma de_half n : de n <= (/ 2) ^ n.
-Proof. rewrite de_sq. destruct (half_pos n). nra. Qed.
-Lemma regular n : { f : place -> R -> R | (forall i, f i 0 = c i) /\ (forall i t, continuity_pt (f i) t) /\
-  forall i t, 0 <= t -> is_derive (f i) t (field89 (de n) i (fun j => f j t)) }.
+Lemma drive f : good f -> {g | good g /\ driven c f g}.
 Proof.
-  pose proof (de_pos n) as d0. apply (picard (field89 (de n)) (3 + 3 / de n)); [ | now apply field89_lip ].
-    assert (0 < 3 / de n) by (apply Rdiv_lt_0_compat; lra). lra.
+  intros G. assert (C : forall i t, continuity_pt (f i) t) by apply G. set (Ax t := - (f px t + 2 * f pw t)). set (Ay t := - (f py t - 2 * f pu t)).
+  assert (E : exists vx vy, motion 1 Ax Ay vx vy /\ vx 0 = c pu /\ vy 0 = c pw).
+  { apply plane_has_a_motion. lra. intros t _. pose proof (fun i => C i t). split; unfold Ax, Ay; cont. }
+  set (Q (b : bool) t r := forall vx vy, motion 1 Ax Ay vx vy -> vx 0 = c pu -> vy 0 = c pw -> r = (if b then vx else vy) (Rmax 0 t)).
+  assert (q : forall b t, {r | Q b t r}).
+  { intros b t. apply pick.
+    - destruct E as (vx & vy & M & e1 & e2). exists ((if b then vx else vy) (Rmax 0 t)). intros wx wy N f1 f2.
+      destruct (uniqueness 1 Ax Ay vx vy wx wy Rle_0_1 M N ltac:(lra) ltac:(lra) (Rmax 0 t) (Rmax_l 0 t)). now destruct b.
+    - destruct E as (vx & vy & M & e1 & e2). intros r s Hr Hs. rewrite (Hr vx vy), (Hs vx vy); trivial. }
+  set (g i t := match i with px => c px + RInt (f pu) 0 (Rmax 0 t) | py => c py + RInt (f pw) 0 (Rmax 0 t) | pu => proj1_sig (q true t) |
+    pw => proj1_sig (q false t) end).
+  exists g. destruct E as (vx & vy & M & e1 & e2). pose proof (m_law _ _ _ _ _ M) as L. destruct (L 0 (Rle_refl 0)) as (? & ? & _ & Dx & Dy).
+  assert (gu : g pu = fun t => vx (Rmax 0 t)) by (apply functional_extensionality; intros t; now apply (proj2_sig (q true t) vx vy)).
+  assert (gw : g pw = fun t => vy (Rmax 0 t)) by (apply functional_extensionality; intros t; now apply (proj2_sig (q false t) vx vy)).
+  assert (I : forall i a t, is_derive (fun t => a + RInt (f i) 0 t) t (f i t)).
+  { intros i a t. rewrite <- (Rplus_0_l (f i t)). apply (is_derive_plus (fun _ => a)); [ auto_derive; trivial | now apply primitive_rate ]. }
+  assert (on : forall h t l, 0 <= t -> rder h t l -> rder (fun t => h (Rmax 0 t)) t l).
+  { intros h t l Ht. apply rder_ext. intros s Hs. now rewrite Rmax_right by lra. }
+  split; [ | split ].
+  - intros i t. split. 2: destruct i; rewrite ?gu, ?gw; unfold g; now rewrite (Rmax_right 0 (Rmax 0 t)) by apply Rmax_l.
+    destruct i; rewrite ?gu, ?gw.
+    1: apply (cont_from (fun t => c px + RInt (f pu) 0 t) (f pu 0)); [ intros; eapply cont_of, I | apply rder_of, I ].
+    1: apply (cont_from (fun t => c py + RInt (f pw) 0 t) (f pw 0)); [ intros; eapply cont_of, I | apply rder_of, I ].
+    + apply (cont_from vx _ (m_cx _ _ _ _ _ M) Dx).
+    + apply (cont_from vy _ (m_cy _ _ _ _ _ M) Dy).
+  - intros i. assert (z : Rmax 0 0 = 0) by apply Rmax_left, Rle_refl. destruct i; rewrite ?gu, ?gw; unfold g; rewrite z, ?RInt_point; trivial;
+  apply Rplus_0_r.
+  - intros t Ht. split. { apply (on (fun t => c px + RInt (f pu) 0 t)), rder_of, I. exact Ht. }
+    split. { apply (on (fun t => c py + RInt (f pw) 0 t)), rder_of, I. exact Ht. }
+    destruct (L t Ht) as (fx & fy & F & X & Y). exists fx, fy. rewrite gu, gw. cbv beta. rewrite Rmax_right by trivial. split; [ exact F | ].
+    split; (eapply rder_eq; [ apply on; eassumption | unfold Ax, Ay; ring ]).
 Qed.
-Definition Z n := proj1_sig (regular n).
-Lemma Z_spec n : (forall i, Z n i 0 = c i) /\ (forall i t, continuity_pt (Z n i) t) /\
-  forall i t, 0 <= t -> is_derive (Z n i) t (field89 (de n) i (fun j => Z n j t)).
-Proof. exact (proj2_sig (regular n)). Qed.
-Lemma Z_near n : near (de n) (Z n).
+(* the squared distance *)
+Definition far (f g : place -> R -> R) t := (f px t - g px t) ^ 2 + (f py t - g py t) ^ 2 + (f pu t - g pu t) ^ 2 + (f pw t - g pw t) ^ 2.
+Ltac squares := repeat match goal with |- context [(?a - ?b) ^ 2] => lazymatch goal with H : 0 <= (a - b) ^ 2 |- _ => fail | _ =>
+  pose proof (pow2_ge_0 (a - b)) end end.
+Lemma far_ge f g i t : 0 <= (f i t - g i t) ^ 2 <= far f g t.
+Proof. split. apply pow2_ge_0. unfold far. squares. destruct i; lra. Qed.
+(* what is driven by two that are near is nearer *)
+Lemma nearer f f' g g' m t : good g -> good g' -> driven c f g -> driven c f' g' ->
+  (forall t, 0 <= t -> far f f' t <= m * exp (20 * t)) -> 0 <= t -> far g g' t <= m / 4 * exp (20 * t).
 Proof.
-  destruct (Z_spec n) as (_ & C & D). split. { intros; apply C. } intros t Ht. split. { apply rder_of, (D px t Ht). } split.
-    { apply rder_of, (D py t Ht). }
-  eexists. eexists. split. apply (almost_field (de n)), de_pos. split; (eapply rder_eq; [ apply rder_of | ]). apply (D pu t Ht). simpl. ring.
-    apply (D pw t Ht). simpl. ring.
+  intros G G' [z D] [z' D'] H Ht. assert (C : forall i t, continuity_pt (g i) t) by apply G. assert (C' : forall i t, continuity_pt (g' i) t) by apply G'.
+  assert (m0 : 0 <= m). { specialize (H 0 (Rle_refl 0)). rewrite Rmult_0_r, exp_0 in H. pose proof (far_ge f f' px 0). lra. }
+  apply Rle_trans with (m / 10 * exp (20 * t)); [ | pose proof (exp_pos (20 * t)); nra ].
+  apply drift; trivial. { intros. unfold far. cont. } { unfold far. rewrite !z, !z'. ring. }
+  intros s Hs. destruct (D s Hs) as (X & Y & fx & fy & [B P] & U & W). destruct (D' s Hs) as (X' & Y' & hx & hy & [B' P'] & U' & W').
+  eexists. split. unfold far. rd. cbv beta. simpl pred. simpl INR. specialize (H s Hs). unfold far in *.
+  pose proof (power_bound 1 fx fy (g' pu s) (g' pw s) Rle_0_1 B). pose proof (power_bound 1 hx hy (g pu s) (g pw s) Rle_0_1 B').
+  set (a := f px s - f' px s) in *. set (b := f py s - f' py s) in *. set (d := f pu s - f' pu s) in *. set (e := f pw s - f' pw s) in *.
+  pose proof (pow2_ge_0 (10 * (g px s - g' px s) - d)). pose proof (pow2_ge_0 (10 * (g py s - g' py s) - e)).
+  pose proof (pow2_ge_0 (10 * (g pu s - g' pu s) - (a + 2 * e))). pose proof (pow2_ge_0 (10 * (g pw s - g' pw s) - (b - 2 * d))).
+  pose proof (pow2_ge_0 (2 * a - e)). pose proof (pow2_ge_0 (2 * b + d)). pose proof (pow2_ge_0 a). pose proof (pow2_ge_0 b). pose proof (pow2_ge_0 d).
+  pose proof (pow2_ge_0 e). unfold a, b, d, e in *. lra.
 Qed.
-Lemma Z_step n i t : 0 <= t -> Rabs (Z (S n) i t - Z n i t) <= 4 * exp t / 2 * (/ 2) ^ n.
+(* from rest at the start, driven again and again *)
+Lemma still_good : good (fun i _ => c i). Proof. intros i t. split; trivial. cont. Qed.
+Fixpoint turn n : {f | good f} := match n with
+  | O => exist _ _ still_good
+  | S n => let (g, H) := drive _ (proj2_sig (turn n)) in exist _ g (proj1 H) end.
+Notation phi n := (proj1_sig (turn n)).
+Lemma phi_good n : good (phi n). Proof. exact (proj2_sig (turn n)). Qed.
+Lemma phi_driven n : driven c (phi n) (phi (S n)).
+Proof. simpl. destruct (drive _ _) as [g [H K]]. exact K. Qed.
+Lemma first : exists K, 0 <= K /\ forall t, 0 <= t -> far (phi 1) (phi 0) t <= K * exp (20 * t).
 Proof.
-  intros Ht. pose proof (near_apart _ _ _ _ 0 t (Z_near (S n)) (Z_near n) ltac:(lra)) as H.
-  assert (z : far (Z (S n)) (Z n) 0 = 0) by (unfold far; rewrite !(proj1 (Z_spec _)); ring). rewrite z, Rmult_0_r, exp_0 in H.
-  assert (q0 : 0 < exp t) by apply exp_pos. assert (e : exp (- (2) * t) * exp t ^ 2 = 1). { replace (exp t ^ 2) with (exp t * exp t) by ring.
-    rewrite <- !exp_plus. replace (- (2) * t + (t + t)) with 0 by ring. apply exp_0. }
-  assert (d1 : de (S n) = de n / 4) by (unfold de; simpl; field). pose proof (de_pos n) as d0. destruct (half_pos n) as [h0 h1].
-    pose proof (far_ge (Z (S n)) (Z n) i t) as D.
-  apply (Rmult_le_compat_r (exp t ^ 2)) in H; [ | nra ]. rewrite Rmult_assoc, e in H. apply abs_of_sq. { apply Rmult_le_pos; lra. }
-  replace ((4 * exp t / 2 * (/ 2) ^ n) ^ 2) with (4 * exp t ^ 2 * de n) by (rewrite de_sq; field). rewrite d1 in H.
-    pose proof (Rmult_lt_0_compat _ _ d0 (pow_lt _ 2 q0)). nra.
+  destruct (phi_driven 0) as [z D]. pose proof (phi_good 1) as G. set (g := phi 1) in *. simpl in D. change (phi 0) with (fun i (_ : R) => c i).
+  assert (C : forall i t, continuity_pt (g i) t) by apply G. clearbody g. clear G.
+  set (K := c pu ^ 2 + c pw ^ 2 + 2 * ((c px + 2 * c pw) ^ 2 + (c py - 2 * c pu) ^ 2 + 1)). exists K.
+  assert (K0 : 0 <= K). { unfold K. pose proof (pow2_ge_0 (c pu)). pose proof (pow2_ge_0 (c pw)). pose proof (pow2_ge_0 (c px + 2 * c pw)). squares. lra. }
+  split; trivial. intros t Ht. apply Rle_trans with (K / 10 * exp (20 * t)); [ | pose proof (exp_pos (20 * t)); nra ].
+  apply drift; trivial. { intros. unfold far. cont. } { unfold far. rewrite !z. ring. }
+  intros s Hs. destruct (D s Hs) as (X & Y & fx & fy & [B P] & U & W). pose proof (exp_up 0 (20 * s) ltac:(lra)) as e. rewrite exp_0 in e.
+  assert (Ke : K <= K * exp (20 * s)) by nra. eexists. split. unfold far. rd. cbv beta. simpl pred. simpl INR. unfold far. squares.
+  pose proof (pow2_ge_0 (g px s - c px - c pu)). pose proof (pow2_ge_0 (g py s - c py - c pw)).
+  pose proof (pow2_ge_0 (g pu s - c pu - (c px + 2 * c pw + fx))). pose proof (pow2_ge_0 (g pw s - c pw - (c py - 2 * c pu + fy))).
+  pose proof (pow2_ge_0 (c px + 2 * c pw - fx)). pose proof (pow2_ge_0 (c py - 2 * c pu - fy)). unfold K in Ke at 1. lra.
 Qed.
-(* the limit: it is the motion *)
-Definition V i t := proj1_sig (lim_geo (fun n => Z n i (Rmax 0 t)) (4 * exp (Rmax 0 t)) (fun n => Z_step n i (Rmax 0 t) (Rmax_l 0 t))).
-Lemma V_close n i t : Rabs (Z n i (Rmax 0 t) - V i t) <= 4 * exp (Rmax 0 t) * (/ 2) ^ n.
-Proof. unfold V. destruct (lim_geo _ _ _) as [l Hl]. apply Hl. Qed.
-Lemma V_uniform n i s : 0 <= s -> (Z n i s - V i s) ^ 2 <= 16 * exp s ^ 2 * (/ 2) ^ n.
+Lemma phi_near : exists K, 0 <= K /\ forall n t, 0 <= t -> far (phi (S n)) (phi n) t <= K * ((/ 2) ^ n) ^ 2 * exp (20 * t).
 Proof.
-  intros Hs. pose proof (V_close n i s) as H. rewrite (Rmax_right 0 s) in H by lra. rewrite <- pow2_abs. pose proof (Rabs_pos (Z n i s - V i s)).
-    pose proof (exp_pos s). destruct (half_pos n).
-  apply Rle_trans with ((4 * exp s * (/ 2) ^ n) ^ 2). apply pow_incr; lra. replace ((4 * exp s * (/ 2) ^ n) ^ 2) with (16 * exp s ^ 2 * ((/ 2) ^
-    n) ^ 2) by ring.
-  apply Rmult_le_compat_l; nra.
+  destruct first as (K & K0 & H). exists K. split; trivial. induction n as [ | n IH ]; intros t Ht.
+  { replace (K * ((/ 2) ^ 0) ^ 2) with K by (simpl; ring). auto. }
+  replace (K * ((/ 2) ^ S n) ^ 2) with (K * ((/ 2) ^ n) ^ 2 / 4) by (simpl pow; field).
+  apply (nearer (phi (S n)) (phi n)); auto using phi_good, phi_driven.
 Qed.
-Lemma V_0 i : V i 0 = c i.
+(* the limit is driven by itself: it is the motion *)
+Lemma exp_10 t : exp (20 * t) = exp (10 * t) ^ 2.
+Proof. simpl. rewrite Rmult_1_r, <- exp_plus. f_equal. ring. Qed.
+Lemma limit : {V | good V /\ driven c V V}.
 Proof.
-  assert (Q : (c i - V i 0) ^ 2 <= 0). { apply (le_by_halves _ _ (16 * exp 0 ^ 2)). intros n. rewrite Rplus_0_l, <- (proj1 (Z_spec n)).
-    apply V_uniform. lra. } nra.
+  assert (E : exists B, 0 <= B /\ forall i t, geo (fun n => phi n i t) (B * exp (10 * Rmax 0 t))).
+  { destruct phi_near as (K & K0 & H). exists (2 * sqrt K). pose proof (sqrt_pos K). split. lra. intros i t n. pose proof (exp_pos (10 * Rmax 0 t)).
+    destruct (half_pos n). rewrite (proj2 (phi_good (S n) i t)), (proj2 (phi_good n i t)). apply abs_of_sq.
+    { repeat apply Rmult_le_pos; lra. }
+    specialize (H n _ (Rmax_l 0 t)). rewrite exp_10 in H. eapply Rle_trans; [ apply far_ge | eapply Rle_trans; [ exact H | right ] ].
+    rewrite <- (pow2_sqrt K K0) at 1. field. }
+  assert (lims : forall i t, {l | forall B, geo (fun n => phi n i t) B -> forall n, Rabs (phi n i t - l) <= B * (/ 2) ^ n}).
+  { intros i t. apply (lim_geo (fun n => phi n i t)). destruct E as (B & _ & H). now exists (B * exp (10 * Rmax 0 t)). }
+  set (W i t := proj1_sig (lims i (Rmax 0 t))).
+  assert (N : exists B, 0 <= B /\ forall n i t, Rabs (phi n i t - W i t) <= B * exp (10 * Rmax 0 t) * (/ 2) ^ n).
+  { destruct E as (B & B0 & H). exists B. split; trivial. intros n i t. unfold W. rewrite (proj2 (phi_good n i t)).
+    rewrite <- (Rmax_right 0 (Rmax 0 t)) at 3 by apply Rmax_l. apply (proj2_sig (lims i (Rmax 0 t))), H. }
+  assert (G : good W).
+  { intros i t. split. 2: unfold W; now rewrite (Rmax_right 0 (Rmax 0 t)) by apply Rmax_l. destruct N as (B & _ & H).
+    apply (cont_limit (fun n => phi n i) (W i) B 10); [ lra | intros n s; apply (phi_good n i s) | auto ]. }
+  destruct (drive W G) as (V & GV & D). exists V. split; trivial. replace W with V in D at 1; trivial.
+  apply functional_extensionality. intros i. apply functional_extensionality. intros s. rewrite (proj2 (GV i s)), (proj2 (G i s)).
+  pose proof (Rmax_l 0 s) as Ht. set (t := Rmax 0 s) in *. apply Rminus_diag_uniq, abs_zero. destruct N as (B & B0 & H).
+  apply (le_by_halves _ _ (2 * B * exp (10 * t))). intros n. pose proof (exp_pos (10 * t)). destruct (half_pos n).
+  assert (Q : far V (phi (S n)) t <= 4 * (B * (/ 2) ^ n) ^ 2 / 4 * exp (20 * t)).
+  { apply (nearer W (phi n)); auto using phi_good, phi_driven. intros r Hr. assert (M : forall j, (W j r - phi n j r) ^ 2 <= (B * exp (10 * r) * (/ 2) ^ n) ^ 2).
+    { intros j. specialize (H n j r). rewrite Rmax_right in H by trivial. rewrite <- pow2_abs, Rabs_minus_sym. apply pow_incr. split; trivial. apply Rabs_pos. }
+    rewrite exp_10. unfold far. pose proof (M px). pose proof (M py). pose proof (M pu). pose proof (M pw). lra. }
+  specialize (H (S n) i t). rewrite Rmax_right in H by trivial. simpl pow in H. rewrite exp_10 in Q. pose proof (far_ge V (phi (S n)) i t).
+  assert (M : Rabs (V i t - phi (S n) i t) <= B * exp (10 * t) * (/ 2) ^ n). { apply abs_of_sq; [ apply Rmult_le_pos; nra | lra ]. }
+  apply Rabs_le_between in H, M. apply Rabs_le. lra.
 Qed.
-Lemma V_cont i t : continuity_pt (V i) t.
-Proof. apply (cont_limit (fun n => Z n i) (V i) 4 1 t); [ lra | intros n; apply (Z_spec n) | intros n s; rewrite Rmult_1_l; apply V_close ]. Qed.
-(* friction that is right at t, and loses only h^2 along the straight line from there, gives the rates at t *)
-Lemma V_rates t fx fy C : let v i := V i t in let a := rate v fx fy in 0 <= t -> fx ^ 2 + fy ^ 2 <= 1 ->
-  (forall h, 0 <= h <= 1 -> nrm (v pu + h * a pu) (v pw + h * a pw) + (fx * (v pu + h * a pu) + fy * (v pw + h * a pw)) <= C * h ^ 2) ->
-    forall i, rder (V i) t (a i).
-Proof.
-  intros v a Ht hf hC i. set (K := bend fx fy C v). pose proof (bend_pos fx fy C v hf hC) as K0. fold K in K0. pose proof (exp_pos 3) as e3.
-  apply (rder_cube _ _ _ (2 * (exp 3 * K))). nra. intros h Hh. apply (le_by_halves _ _ (32 * exp (t + h) ^ 2 + 2 * exp 3 * (64 * exp t ^ 2 + 2))).
-    intros n.
-  pose proof (follow (de n) t fx fy C v _ (Z_near n) (Rlt_le _ _ (de_pos n)) Ht hf hC h Hh) as F. fold K in F. set (l := line t fx fy v) in *.
-  pose proof (far_ge (Z n) l i (t + h)) as H. pose proof (V_uniform n i (t + h) ltac:(lra)) as Q. pose proof (de_half n) as d1.
-    destruct (half_pos n) as [h0 _].
-  assert (G : far (Z n) l t <= 64 * exp t ^ 2 * (/ 2) ^ n).
-  { unfold far, l, line. rewrite Rminus_eq_0, !Rmult_0_l, !Rplus_0_r. pose proof (V_uniform n px t Ht). pose proof (V_uniform n py t Ht).
-    pose proof (V_uniform n pu t Ht). pose proof (V_uniform n pw t Ht). unfold v. lra. }
-  replace (V i t + h * a i) with (l i (t + h)) by (unfold l, line; fold a; replace (t + h - t) with h by ring; reflexivity).
-  set (z := Z n i (t + h)) in *. set (r := V i (t + h)) in *. assert (M : (r - l i (t + h)) ^ 2 <= 2 * (z - r) ^ 2 + 2 * (z - l i (t + h)) ^ 2) by
-    (pose proof (pow2_ge_0 (2 * z - r - l i (t + h))); lra).
-  assert (F2 : far (Z n) l (t + h) <= exp 3 * (64 * exp t ^ 2 * (/ 2) ^ n + 2 * (/ 2) ^ n + K * h ^ 3)). { eapply Rle_trans; [ exact F | ].
-    apply Rmult_le_compat_l; lra. }
-  lra.
-Qed.
+Definition V := proj1_sig limit.
+Lemma V_0 i : V i 0 = c i. Proof. apply (proj2_sig limit). Qed.
 Lemma V_spin : spin (V px) (V py) (V pu) (V pw).
-Proof.
-  split; try (intros; apply V_cont). intros t Ht. set (v i := V i t).
-  enough (exists fx fy C, coulomb 1 (v pu) (v pw) fx fy /\ forall h, 0 <= h <= 1 -> let b i := v i + h * rate v fx fy i in nrm (b pu) (b pw) + (fx * b
-    pu + fy * b pw) <= C * h ^ 2) as (fx & fy & C & F & H).
-  { pose proof F as [F1 _]. pose proof (V_rates t fx fy C Ht ltac:(lra) H) as R. split; [ exact (R px) | split; [ exact (R py) | ] ]. exists fx, fy.
-    split; [ exact F | split; [ exact (R pu) | exact (R pw) ] ]. }
-  set (x0 := v px). set (y0 := v py). set (u0 := v pu). set (w0 := v pw). pose proof (nrm_sq u0 w0) as pp. pose proof (nrm_sq x0 y0) as rr.
-    destruct (nrm_pos u0 w0) as [P | z].
-  - (* it slips *)
-    set (p := nrm u0 w0) in *. set (fx := - (1) * u0 / p). set (fy := - (1) * w0 / p). set (ax := rate v fx fy pu). set (ay := rate v fx fy pw).
-    exists fx, fy, ((ax ^ 2 + ay ^ 2) / p). split. { apply coulomb_iff. lra. right. fold p. split; [ lra | auto ]. }
-    intros h Hh b. change (b pu) with (u0 + h * ax). change (b pw) with (w0 + h * ay). pose proof (nrm_sq ax ay) as aa.
-      pose proof (nrm_pos ax ay) as a0. set (M := nrm ax ay) in *. set (q := (u0 * ax + w0 * ay) / p).
-    assert (fL : fx * (u0 + h * ax) + fy * (w0 + h * ay) = - (p + h * q)). { unfold fx, fy, q. apply (Rmult_eq_reg_l p); [ | lra ].
-      field_simplify; [ | lra | lra ]. rewrite pp. ring. }
-    pose proof (power_bound p u0 w0 ax ay (Rlt_le _ _ P) ltac:(lra)) as Q. fold M in Q. rewrite fL, <- aa.
-    set (g := p + h * q + h ^ 2 * M ^ 2 / p). enough (nrm (u0 + h * ax) (w0 + h * ay) <= g) by (unfold g in *; lra).
-    assert (pq : p * q = u0 * ax + w0 * ay) by (unfold q; field; lra).
-    assert (g0 : 0 <= g). { apply (Rmult_le_reg_l p); trivial. unfold g. replace (p * (p + h * q + h ^ 2 * M ^ 2 / p)) with (p ^ 2 + h * (p * q) +
-      h ^ 2 * M ^ 2) by (field; lra). rewrite pq. assert (h * - (p * M) <= h * (u0 * ax + w0 * ay)) by (apply Rmult_le_compat_l; lra). nra. }
-    unfold nrm. rewrite <- (sqrt_pow2 g) by trivial. apply sqrt_le_1_alt.
-    replace ((u0 + h * ax) ^ 2 + (w0 + h * ay) ^ 2) with (p ^ 2 + 2 * h * (p * q) + h ^ 2 * M ^ 2) by (rewrite pp, pq, aa; ring).
-    enough (g ^ 2 - (p ^ 2 + 2 * h * (p * q) + h ^ 2 * M ^ 2) = h ^ 2 * ((q + h * M ^ 2 / p) ^ 2 + M ^ 2)) by (pose proof (Rmult_le_pos _ _ (pow2_ge_0
-      h) (Rplus_le_le_0_compat _ _ (pow2_ge_0 (q + h * M ^ 2 / p)) (pow2_ge_0 M))); lra).
-    unfold g. field. lra.
-  - (* it stands: with friction against its place, as much as there is of it up to 1 *)
-    symmetry in z. destruct (nrm_zero u0 w0 z) as [z1 z2]. pose proof (nrm_pos x0 y0). set (r := nrm x0 y0) in *. pose proof (Rmax_l 1 r).
-      pose proof (Rmax_r 1 r). set (m := Rmax 1 r) in *.
-    exists (- (x0 / m)), (- (y0 / m)), 0. split. { split; [ | rewrite z, z1, z2; ring ].
-      replace ((- (x0 / m)) ^ 2 + (- (y0 / m)) ^ 2) with (r ^ 2 / m ^ 2) by (rewrite rr; field; lra). apply Rle_div_l; nra. }
-    intros h Hh b. set (k := h * (1 - / m)). assert (k0 : 0 <= k). { apply Rmult_le_pos; [ lra | ].
-      assert (/ m <= / 1) by (apply Rinv_le_contravar; lra). lra. }
-    assert (b1 : b pu = k * x0) by (unfold b, rate, k; fold u0 w0 x0; rewrite z1, z2; field; lra).
-      assert (b2 : b pw = k * y0) by (unfold b, rate, k; fold u0 w0 y0; rewrite z1, z2; field; lra).
-    rewrite b1, b2, nrm_scale by trivial. fold r. replace (- (x0 / m) * (k * x0) + - (y0 / m) * (k * y0)) with (- (k * (r ^ 2 / m))) by (rewrite rr;
-      field; lra).
-    unfold k, m, Rmax. destruct Rle_dec; right; field; lra.
-Qed.
+Proof. unfold V. destruct limit as (V & G & z & D). simpl. split; try apply D; intros; apply G. Qed.
 End Exist.
 
-(* every start has a motion ... *)
+(* every start has a motion; that it has one only is shown in Rest/Fate.v *)
 Theorem table_exists x0 y0 u0 w0 : exists x y u w, spin x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0.
 Proof.
   set (c i := match i with px => x0 | py => y0 | pu => u0 | pw => w0 end).
   exists (V c px), (V c py), (V c pu), (V c pw). split. apply V_spin. rewrite !V_0. auto.
 Qed.
-(* ... and one only *)
-Theorem table_one_motion x0 y0 u0 w0 : exists x y u w, (spin x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0) /\
-  forall x' y' u' w', spin x' y' u' w' -> x' 0 = x0 -> y' 0 = y0 -> u' 0 = u0 -> w' 0 = w0 ->
-  forall t, 0 <= t -> x' t = x t /\ y' t = y t /\ u' t = u t /\ w' t = w t.
+(* with dimensions *)
+Theorem turntable_exists Om k x0 y0 u0 w0 : 0 < Om -> 0 < k -> exists x y u w, turntable Om k x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0.
 Proof.
-  destruct (table_exists x0 y0 u0 w0) as (x & y & u & w & S & e1 & e2 & e3 & e4). exists x, y, u, w. split; auto.
-  intros x' y' u' w' S' f1 f2 f3 f4 t Ht. pose proof (near_apart _ _ _ _ 0 t (spin_near _ _ _ _ S') (spin_near _ _ _ _ S) ltac:(lra)) as H.
-    set (f := state x' y' u' w') in *. set (g := state x y u w) in *.
-  assert (z : far f g 0 = 0) by (unfold far, f, g; simpl; rewrite e1, e2, e3, e4, f1, f2, f3, f4; ring). rewrite z in H. assert (D : far f g t <= 0).
-  { apply (Rmult_le_reg_r (exp (- (2) * t))). apply exp_pos. lra. }
-  pose proof (far_ge f g px t). pose proof (far_ge f g py t). pose proof (far_ge f g pu t). pose proof (far_ge f g pw t). unfold f, g, state in *.
-    repeat split; nra.
-Qed.
-(* with dimensions, for every rate of turning and every friction *)
-Theorem turntable_exists Om k x0 y0 u0 w0 : Om <> 0 -> 0 < k -> exists x y u w, turntable Om k x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\
-  w 0 = w0.
-Proof.
-  assert (pos : forall Om y0 w0, 0 < Om -> 0 < k -> exists x y u w, turntable Om k x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0).
-  { clear. intros Om y0 w0 HO Hk. destruct (table_exists (Om ^ 2 / k * x0) (Om ^ 2 / k * y0) (Om / k * u0) (Om / k * w0)) as (x & y & u & w & S & e1 &
-    e2 & e3 & e4).
-    exists (fun t => k / Om ^ 2 * x (Om * t)), (fun t => k / Om ^ 2 * y (Om * t)), (fun t => k / Om * u (Om * t)), (fun t => k / Om * w (Om * t)).
-      split.
-    - rewrite <- (Rmult_1_r k). apply (units Om k 1 _ _ _ _ x y u w); [ lra .. | | exact S ]. intros t.
-      unfold eq87_position_1, eq87_position_2, eq88_time. repeat split; field; lra.
-    - rewrite Rmult_0_r, e1, e2, e3, e4. repeat split; field; lra. }
-  intros HO Hk. destruct (Rlt_dec 0 Om) as [h | h]. { now apply pos. }
-  destruct (pos (- Om) (- y0) (- w0)) as (x & y & u & w & S & e1 & e2 & e3 & e4); try lra. apply mirrored in S. rewrite Ropp_involutive in S.
-  exists x, (fun t => - y t), u, (fun t => - w t). rewrite e2, e4. repeat split; trivial; try apply S; lra.
+  intros HO Hk. destruct (table_exists (Om ^ 2 / k * x0) (Om ^ 2 / k * y0) (Om / k * u0) (Om / k * w0)) as (x & y & u & w & S & e1 & e2 & e3 & e4).
+  apply spin_is_turntable, (rescale _ _ Om (k / Om ^ 2)) in S; trivial; [ | apply Rdiv_lt_0_compat; nra ].
+  rewrite Rmult_1_r in S. replace (k / Om ^ 2 * Om ^ 2 * 1) with k in S by (field; lra). do 4 eexists. split. exact S.
+  cbv beta. rewrite Rmult_0_r, e1, e2, e3, e4. repeat split; field; lra.
 Qed.
