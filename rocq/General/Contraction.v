@@ -5,6 +5,9 @@ From Slipbook Require Import Motion.
 From Slipbook.General Require Import Rates.
 Open Scope R_scope.
 
+(* cont knows that the velocity of a motion is continuous *)
+#[export] Hint Extern 2 (continuity_pt _ _) => (eapply m_cx + eapply m_cy); [ eassumption | lra ] : core.
+
 (* two motions under one drive never move apart *)
 Theorem contraction k Ax Ay x1 y1 x2 y2 : 0 <= k ->
   motion k Ax Ay x1 y1 -> motion k Ax Ay x2 y2 -> forall s t, 0 <= s <= t ->
@@ -77,13 +80,10 @@ Proof.
   set (n := v t) in *. field_simplify_eq; [ | exact N ]. replace (vy t ^ 2) with (n ^ 2 - vx t ^ 2) by lra. ring.
 Qed.
 (* at rest the rates are what friction leaves of the drive *)
-Lemma rest_rates t : 0 <= t -> v t = 0 -> exists lx ly, rder vx t lx /\ rder vy t ly /\ rder (fun s => v s) t (nrm lx ly) /\
-  nrm (Ax t) (Ay t) - k <= nrm lx ly.
+Lemma rest_rates t : 0 <= t -> v t = 0 -> exists lx ly, rder vx t lx /\ rder vy t ly /\ rder (fun s => v s) t (nrm lx ly) /\ nrm (lx + Ax t) (ly + Ay t) <= k.
 Proof.
   intros Ht e. destruct (nrm_zero _ _ e) as [e1 e2]. destruct (m_law _ _ _ _ _ M t Ht) as (fx & fy & [B _] & X & Y).
-  exists (fx - Ax t), (fy - Ay t). split; trivial. split; trivial. split. now apply rder_nrm0. 
-  pose proof (nrm_add fx fy (Ax t - fx) (Ay t - fy)) as K. replace (fx + (Ax t - fx)) with (Ax t) in K by ring. replace (fy + (Ay t - fy)) with (Ay t) in K by ring.
-  pose proof (nrm_le fx fy k hk B). replace (nrm (fx - Ax t) (fy - Ay t)) with (nrm (Ax t - fx) (Ay t - fy)) by (unfold nrm; f_equal; ring). lra.
+  exists (fx - Ax t), (fy - Ay t). repeat split; trivial. now apply rder_nrm0. apply nrm_le; trivial. eapply Rle_trans; [ right | exact B ]. ring.
 Qed.
 End Rates.
 
@@ -102,7 +102,7 @@ Qed.
 Lemma weak_falls s t : 0 <= s <= t -> v t <> 0 -> v t + (k - a) * t <= v s + (k - a) * s.
 Proof.
   intros Hs N. apply (rder_decr (fun t => v t + (k - a) * t)); [ lra | | ]; intros u Hu.
-  - cont; [ apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) ]; lra.
+  - cont.
   - assert (Nu : v u <> 0) by (intros e; apply N, (weak_rest u t); [ lra | exact e ]).
     pose proof (speed_rate k Ax Ay vx vy ltac:(lra) M u ltac:(lra) Nu) as S. eexists. split. rds.
     pose proof (nrm_pos (vx u) (vy u)). pose proof (dot_abs (Ax u) (Ay u) (vx u) (vy u)) as D. apply Rabs_le_between in D. specialize (HA u ltac:(lra)).

@@ -25,7 +25,7 @@ Qed.
 Theorem across_falls s t : 0 <= s <= t -> vy t ^ 2 <= vy s ^ 2.
 Proof.
   intros Hst. apply (rder_decr (fun t => vy t ^ 2)); [ lra | | ]; intros u Hu.
-  - cont; apply (m_cy _ _ _ _ _ M); lra.
+  - cont.
   - destruct (across_force u) as (lx & ly & _ & Y & _ & _ & P); [ lra | ]. eexists. split. rd. simpl. lra.
 Qed.
 Theorem across_falls_strictly s t : 0 < k -> 0 <= s < t -> vy s <> 0 -> vy t ^ 2 < vy s ^ 2.
@@ -55,7 +55,7 @@ Proof.
   enough (sqrt (D t) - a * t <= sqrt (D 0) - a * 0) by lra.
   apply (rder_decr (fun t => sqrt (D t) - a * t)); trivial; intros s Hs.
   - apply (continuity_pt_minus (fun t => sqrt (D t)) (fun t => a * t)); [ | cont ]. apply (continuity_pt_comp D sqrt).
-    unfold D. cont; [ apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) ]; lra. apply continuity_pt_sqrt. specialize (Dp s). lra.
+    unfold D. cont. apply continuity_pt_sqrt. specialize (Dp s). lra.
   - destruct (m_law _ _ _ _ _ M s) as (fx & fy & [B P] & X & Y); [ lra | ].
     assert (DD : rder D s (2 * (vx s * (fx - Ax s) + vy s * fy))) by (eapply rder_eq; [ unfold D; rd | simpl; ring ]).
     assert (q : 0 < sqrt (D s)) by (apply sqrt_lt_R0; specialize (Dp s); lra).
@@ -72,7 +72,7 @@ Theorem across_rate t : 0 <= t -> vy t ^ 2 * Rpower (S0 + a * t) (2 * k / a) <= 
 Proof.
   intros Ht. assert (S1 : 1 <= S0) by (unfold S0; pose proof (nrm_pos (vx 0) (vy 0)); lra). unfold Rpower.
   apply (rder_decr (fun t => vy t ^ 2 * exp (2 * k / a * ln (S0 + a * t)))); trivial; intros s Hs.
-  - assert (0 < S0 + a * s) by nra. cont; trivial. apply (m_cy _ _ _ _ _ M); lra.
+  - assert (0 < S0 + a * s) by nra. cont; trivial.
   - destruct (across_force s) as (lx & ly & _ & Y & _ & e & _); [ lra | ].
     assert (p : 0 < S0 + a * s) by nra. pose proof (speed_bound s ltac:(lra)) as b.
     eexists. split. rd. trivial. cbv beta. set (E := exp _). assert (0 < E) by apply exp_pos.
@@ -101,13 +101,13 @@ Theorem speeds_up delta : 0 < delta -> (forall t, 0 <= t -> k + delta <= - Ax t)
 Proof.
   intros hd hA. assert (G : forall t, 0 <= t -> vx 0 + delta * t <= vx t).
   { intros t Ht. enough (- vx t + delta * t <= - vx 0 + delta * 0) by lra. apply (rder_decr (fun t => - vx t + delta * t)); trivial; intros s Hs.
-    - cont. apply (m_cx _ _ _ _ _ M); lra.
+    - cont.
     - destruct (across_force s) as (lx & ly & X & _ & b & _); [ lra | ]. apply Rabs_le_between in b. specialize (hA s ltac:(lra)). eexists. split. rd. lra. }
   set (Y := Rabs (vy 0)). assert (Y0 : 0 <= Y) by apply Rabs_pos. set (B := (2 * k / delta + 1) * Y + 1).
   assert (kd : 0 <= 2 * k / delta) by (apply Rmult_le_pos; [ lra | left; now apply Rinv_0_lt_compat ]).
   destruct (grows_line delta (vx 0) B hd) as (T & T0 & HT). exists T. split; trivial. intros s t Hst.
   enough (- v t + delta / 2 * t <= - v s + delta / 2 * s) by lra. apply (rder_decr (fun t => - v t + delta / 2 * t)); [ lra | | ]; intros u Hu.
-  - cont; [ apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) ]; lra.
+  - cont.
   - specialize (HT u ltac:(lra)). specialize (G u ltac:(lra)). specialize (hA u ltac:(lra)). pose proof (across_falls 0 u ltac:(lra)) as F.
     assert (y1 : Rabs (vy u) <= Y). { unfold Y. apply Rsqr_le_abs_0. unfold Rsqr. lra. } assert (0 <= 2 * k / delta * Y) by now apply Rmult_le_pos.
     assert (x1 : 1 <= vx u) by (unfold B in HT; lra). pose proof (nrm_abs (vx u) (vy u)) as nb. rewrite (Rabs_pos_eq (vx u)) in nb by lra.
