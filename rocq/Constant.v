@@ -2,8 +2,8 @@
    pulled A lambda vx vy: a motion under this pull (Constant/Slip.v); polar vx vy v theta: v and theta are its speed and angle, (4) (Constant/Angle.v). *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas.
-From Slipbook.General Require Import Rates Contraction Exists Straight.
+From Slipbook Require Import Motion Analysis Formulas.
+From Slipbook.General Require Import Contraction Exists Straight.
 From Slipbook.Constant Require Export Slip Angle.
 Open Scope R_scope.
 

@@ -1,16 +1,10 @@
 (* Section 2, a particle on a rough plane that has any acceleration: (1), (2) and the four general properties, of every motion. *)
 Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas.
+From Slipbook Require Import Motion Analysis Formulas.
 From Slipbook.General Require Export Rates Contraction Straight.
 From Slipbook.General Require Import Exists.
 Open Scope R_scope.
-
-Ltac emptied T := lazymatch T with
-  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
-  | _ => constr:(False) end.
-(* the statement of the theorem t with False for its conclusion is false: its hypotheses can be met *)
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
 
 (* (1): while the particle slips its velocity relative to the plane has the printed rate; (Ax, Ay) is the plane's acceleration. *)
 Theorem eq_1 mu g Ax Ay vx vy : 0 <= mu * g -> motion (mu * g) Ax Ay vx vy -> forall t, 0 <= t -> nrm (vx t) (vy t) <> 0 ->
@@ -47,7 +41,8 @@ Theorem s2_no_permanent_rest mu g Ax Ay vx vy : 0 <= mu * g -> motion (mu * g) A
 Proof.
   intros hk M H T. destruct (H (Rmax 0 T)) as (t & Ht & K). unfold s2_rest_ends_above in K. pose proof (Rmax_l 0 T). pose proof (Rmax_r 0 T).
   destruct (Req_dec (nrm (vx t) (vy t)) 0) as [z | z]; [ | exists t; split; [ lra | trivial ] ].
-  destruct (rest_rates _ _ _ _ _ hk M t ltac:(lra) z) as (lx & ly & _ & _ & N & b).
+  destruct (rest_rates _ _ _ _ _ hk M t ltac:(lra) z) as (lx & ly & _ & _ & N & b). pose proof (nrm_add (lx + Ax t) (ly + Ay t) (- lx) (- ly)) as c.
+  replace (lx + Ax t + - lx) with (Ax t) in c by ring. replace (ly + Ay t + - ly) with (Ay t) in c by ring. replace (nrm (- lx) (- ly)) with (nrm lx ly) in c by (unfold nrm; f_equal; ring).
   destruct (rder_falls _ _ _ (rder_opp _ _ _ N)) as (d & d0 & Hd). lra. exists (t + d / 2). split. lra. specialize (Hd (d / 2) ltac:(lra)). cbv beta in Hd. lra.
 Qed.
 (* A motion obeys its law at each moment. Where the law is asked for only between single moments the printed statement fails: a drive that is above mu g at
@@ -56,8 +51,8 @@ Theorem s2_no_permanent_rest__needs_a_stretch : exists A : R -> R, (forall T, ex
   forall t, (forall n : Z, t <> IZR n) -> exists fx fy, coulomb (1 * 1) 0 0 fx fy /\ rder (fun _ => 0) t (fx - A t) /\ rder (fun _ => 0) t (fy - 0).
 Proof.
   exists (fun t => if Req_EM_T t (IZR (Int_part t)) then 2 else 0). split.
-  - intros T. exists (IZR (up T)). destruct (archimed T) as [a _]. split. lra. destruct Req_EM_T as [e | N]. unfold s2_rest_ends_above. lra.
-    exfalso. apply N. f_equal. unfold Int_part. rewrite <- (tech_up (IZR (up T)) (up T + 1)); rewrite ?plus_IZR; try lra. lia.
+  - intros T. destruct (nat_above T) as [n Hn]. rewrite INR_IZR_INZ in Hn. exists (IZR (Z.of_nat n)). split. lra. destruct Req_EM_T as [e | N]. unfold s2_rest_ends_above. lra.
+    exfalso. apply N. f_equal. unfold Int_part. rewrite <- (tech_up (IZR (Z.of_nat n)) (Z.of_nat n + 1)); rewrite ?plus_IZR; try lra. lia.
   - intros t Ht. exists 0, 0. split. { split; rewrite ?nrm_0; lra. } destruct Req_EM_T as [e | N]. { exfalso. exact (Ht _ e). }
     split; (eapply rder_eq; [ rd | ring ]).
 Qed.
@@ -73,12 +68,11 @@ Proof.
   { intros t Ht. specialize (hA t Ht). lra. } exists T. split; trivial. intros s t Hst. specialize (HT s t Hst). now rewrite !nrm_turned in HT.
 Qed.
 (* Without a margin it fails: a drive along a fixed line, above mu g = 1 at all times, and a motion that loses speed for ever. *)
-Theorem s2_speeds_up_if_strong__needs_a_margin : exists a vx vy, (forall t, s2_speeds_up_above 1 1 < a t /\ continuity_pt a t) /\
+Theorem s2_speeds_up_if_strong__needs_a_margin : exists a vx vy, (forall t, 0 <= t -> s2_speeds_up_above 1 1 < a t /\ continuity_pt a t) /\
   motion (1 * 1) (fun t => a t * - 1) (fun t => a t * 0) vx vy /\ forall s t, 0 <= s < t -> nrm (vx t) (vy t) < nrm (vx s) (vy s).
 Proof.
-  destruct no_margin as (vx & vy & [c d L] & _ & _ & F). exists (fun t => 1 + exp (- (4) * t) / 4), vx, vy. split; [ | split; [ split | exact F ] ]; trivial.
-  - intros t. unfold s2_speeds_up_above. split. pose proof (exp_pos (- (4) * t)). lra. unfold Rdiv. cont.
-  - intros t Ht. destruct (L t Ht) as (fx & fy & C & X & Y). exists fx, fy. replace (1 * 1) with 1 by ring. split; trivial. split; (eapply rder_eq; [ eassumption | ring ]).
+  destruct no_margin as (a & u & w & a1 & ca & [c d L] & F). exists a, u, w. split. { intros t Ht. unfold s2_speeds_up_above. rewrite Rmult_1_l. auto. } split; [ | exact F ]. rewrite Rmult_1_l. split; trivial.
+  intros t Ht. destruct (L t Ht) as (fx & fy & C & X & Y). exists fx, fy. split; trivial. split; (eapply rder_eq; [ eassumption | ring ]).
 Qed.
 (* A drive of fixed direction (ex, ey): the velocity across it, w, never grows in size, and falls as long as it is not 0; if the drive is bounded, w -> 0. *)
 Theorem s2_perpendicular_decays mu g ex ey a vx vy : 0 < mu * g -> ex ^ 2 + ey ^ 2 = 1 -> motion (mu * g) (fun t => a t * ex) (fun t => a t * ey) vx vy ->
@@ -142,10 +136,8 @@ Qed.
 Lemma s2_no_permanent_rest__occurs : ltac:(occurs s2_no_permanent_rest).
 Proof.
   intros H. destruct (plane_has_a_motion (1 * 1) (fun t => 2 * sin t) (fun _ => 0) 0 1) as (vx & vy & M & _). lra. { intros t _. split; [ reg | cont ]. }
-  refine (H 1 1 _ _ vx vy _ M _ 0). lra. intros T. destruct (archimed (Rabs T)) as [u _]. pose proof (Rle_abs T). pose proof (Rabs_pos T).
-  assert (z0 : (0 <= up (Rabs T))%Z) by (apply le_IZR; lra). exists (PI / 2 + 2 * INR (Z.to_nat (up (Rabs T))) * PI).
-  rewrite INR_IZR_INZ, Znat.Z2Nat.id by trivial. pose proof PI2_1. pose proof PI_RGT_0. split. nra.
-  rewrite <- (Znat.Z2Nat.id (up (Rabs T))), <- INR_IZR_INZ, sin_period, sin_PI2 by trivial. unfold s2_rest_ends_above. destruct (abs_nrm (2 * 1) 0) as [b _]. rewrite Rabs_pos_eq in b; lra.
+  refine (H 1 1 _ _ vx vy _ M _ 0). lra. intros T. destruct (nat_above T) as [n Hn]. exists (PI / 2 + 2 * INR n * PI).
+  pose proof PI2_1. pose proof (pos_INR n). split. nra. rewrite sin_period, sin_PI2, nrm_x0; unfold s2_rest_ends_above; lra.
 Qed.
 Lemma s2_speeds_up_if_strong__occurs : ltac:(occurs s2_speeds_up_if_strong).
 Proof.

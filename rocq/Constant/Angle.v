@@ -1,8 +1,8 @@
 (* Speed and angle of the velocity: (4), its converse, tangents of half the angle, and the rate at which the angle turns. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas.
-From Slipbook.General Require Import Rates Contraction.
+From Slipbook Require Import Motion Analysis Formulas.
+From Slipbook.General Require Import Contraction.
 From Slipbook.Constant Require Import Slip.
 Open Scope R_scope.
 

@@ -2,8 +2,8 @@
    slips (the logarithm of (10)); what happens at large times, and before a stop. No angle is used. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas.
-From Slipbook.General Require Import Rates Contraction Straight.
+From Slipbook Require Import Motion Analysis Formulas.
+From Slipbook.General Require Import Contraction Straight.
 Open Scope R_scope.
 
 (* Friction $lam$ in the unit of the pull, dimensionless: (5). «$(vx,vy)$ is a motion under the acceleration $(A,0)$, with the friction $\mu g=A\,lam$» *)
@@ -19,13 +19,13 @@ Lemma hk : 0 <= A * lam. Proof. apply Rmult_le_pos; lra. Qed.
 Lemma hd : 1 < lam -> 0 < A * (lam ^ 2 - 1). Proof. intros h. apply Rmult_lt_0_compat; nra. Qed.
 Lemma cv t : 0 < t -> continuity_pt v t.
 Proof.
-  intros Ht. apply (continuity_pt_ext_loc (fun s => nrm (vx s) (vy s))); [ | cont ]. exists (mkposreal t Ht). intros s Hs. apply V. change (Rabs (s - t) < t) in Hs. apply Rabs_def2 in Hs. lra.
+  intros Ht. apply (cont_ext (fun s => nrm (vx s) (vy s))); trivial. cont.
 Qed.
 Local Hint Extern 2 (continuity_pt _ _) => apply cv; lra : core.
 Lemma sides t : 0 <= t -> 0 <= v t + vx t /\ 0 <= v t - vx t /\ (v t + vx t) * (v t - vx t) = vy t ^ 2.
 Proof. intros Ht. rewrite <- V by trivial. destruct (abs_nrm (vx t) (vy t)) as [b _]. apply Rabs_le_between in b. pose proof (nrm_sq (vx t) (vy t)). lra. Qed.
 Lemma speed_ext t l : 0 <= t -> rder (fun s => nrm (vx s) (vy s)) t l -> rder v t l.
-Proof. intros Ht. apply (rder_ext _ _ t l 1 Rlt_0_1). intros s Hs. apply V. lra. Qed.
+Proof. intros Ht. apply rder_ext. intros s Hs. apply V. lra. Qed.
 Lemma pull_rates t : 0 <= t -> v t <> 0 ->
   rder vx t (A - A * lam * (vx t / v t)) /\ rder vy t (- A * lam * (vy t / v t)) /\ rder v t (A * (vx t / v t) - A * lam).
 Proof.
@@ -181,7 +181,7 @@ Proof.
     + exists 0. intros t Ht. pose proof (plus_stays t ltac:(lra)) as e. fold C in e. destruct (sides vx vy v V t ltac:(lra)) as (_ & _ & s). rewrite e in s. rewrite <- s. replace (v t) with (C - vx t) by lra. field. lra.
     + replace (Finite (C / 2)) with (Finite ((fun y => C / 2 - y ^ 2 / (2 * C)) 0)) by (f_equal; field; lra).
       apply (is_lim_comp_continuous vy (fun y => C / 2 - y ^ 2 / (2 * C))); trivial. apply continuity_pt_filterlim. unfold Rdiv. cont.
-  - rewrite <- z. replace (0 / 2) with 0 by field. apply (is_lim_ext_loc (fun _ => 0)); [ | apply is_lim_const ]. exists (Rmax 0 (v 0 / (2 * A))). intros t Ht.
+  - rewrite <- z. replace (0 / 2) with 0 by field. apply (lim_eventually _ (Rmax 0 (v 0 / (2 * A)))). intros t Ht.
     pose proof (Rmax_l 0 (v 0 / (2 * A))). pose proof (Rmax_r 0 (v 0 / (2 * A))). pose proof (sides vx vy v V t ltac:(lra)). rewrite (straight_stops t) in * by lra. lra.
 Qed.
 End Critical.
@@ -195,7 +195,6 @@ Proof.
     pose proof (forward_grows A lam vx vy v hA hl M V 0 t ltac:(lra)). assert (Rabs (vy 0) / e <= vx t) by lra. apply Rle_div_l in H0; trivial.
     assert (Rabs (vy t) <= Rabs (vy 0)). { apply Rsqr_le_abs_0. unfold Rsqr. pose proof (across_smaller A lam vx vy hA hl M 0 t ltac:(lra)). lra. } pose proof (Rdiv_le_0_compat _ _ (Rabs_pos (vy 0)) He). split; lra.
   - assert (lam = 1) as -> by lra. assert (C0 : 0 < v 0 + vx 0) by lra. destruct (critical_late A vx vy v hA M V) as [Ly Lx]. set (m := (v 0 + vx 0) / 2) in *. assert (m0 : 0 < m / 2) by (unfold m; lra).
-    apply is_lim_spec in Ly, Lx. assert (q0 : 0 < e * (m / 2)) by now apply Rmult_lt_0_compat. destruct (Ly (mkposreal _ q0)) as [T1 H1]. destruct (Lx (mkposreal _ m0)) as [T2 H2].
-    exists (Rabs T1 + Rabs T2 + 1). pose proof (Rabs_pos T1). pose proof (Rabs_pos T2). pose proof (Rle_abs T1). pose proof (Rle_abs T2). split. lra. intros t Ht.
-    specialize (H1 t ltac:(lra)). specialize (H2 t ltac:(lra)). simpl in H1, H2. rewrite Rminus_0_r in H1. apply Rabs_def2 in H2. split. lra. assert (e * (m / 2) <= e * vx t) by (apply Rmult_le_compat_l; lra). lra.
+    destruct (lim_near _ _ (e * (m / 2)) Ly) as (T1 & P1 & H1). nra. destruct (lim_near _ _ _ Lx m0) as (T2 & P2 & H2). exists (T1 + T2). split. lra. intros t Ht.
+    specialize (H1 t ltac:(lra)). specialize (H2 t ltac:(lra)). assert (e * (m / 2) <= e * vx t) by (apply Rmult_le_compat_l; lra). split. lra. apply Rabs_le. lra.
 Qed.

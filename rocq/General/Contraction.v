@@ -1,8 +1,7 @@
 (* Lemmas on every motion in the plane: two of them never move apart, rest under a weak drive lasts, the rates while it slips, turned axes. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion.
-From Slipbook.General Require Import Rates.
+From Slipbook Require Import Motion Analysis.
 Open Scope R_scope.
 
 (* cont knows that the velocity of a motion is continuous *)

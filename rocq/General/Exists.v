@@ -3,8 +3,7 @@
    line in the plane of velocities that obeys the law (start_line), slipping or at rest. *)
 Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion.
-From Slipbook.General Require Import Rates.
+From Slipbook Require Import Motion Analysis.
 Open Scope R_scope.
 
 (* a motion on [S, T] whose friction lacks at most d of its power, and whose law is missed by at most e *)
