@@ -252,3 +252,184 @@ Proof.
   - intros l1. split. 1, 2: intros; cont. intros t Ht. exists (- A), 0. unfold coulomb, eq3_acceleration_1, eq3_acceleration_2. cbv beta. rewrite nrm_0. split.
     split; [ | ring ]. assert (A * 1 <= A * lam) by (apply Rmult_le_compat_l; lra). nra. split; (eapply rder_eq; [ rd | ring ]).
 Qed.
+(* (15), (16): without friction *)
+Lemma free A vx vy : pulled A 0 vx vy -> forall t, 0 <= t -> vx t = vx 0 + A * t /\ vy t = vy 0.
+Proof.
+  intros M t Ht. assert (D : forall s, 0 <= s -> rder vx s A /\ rder vy s 0).
+  { intros s Hs. destruct (m_law _ _ _ _ _ M s Hs) as (fx & fy & [B _] & X & Y). unfold eq3_acceleration_1, eq3_acceleration_2 in *. destruct (sq_sum fx fy) as [-> ->]. lra. split; (eapply rder_eq; [ eassumption | ring ]). }
+  split; [ enough (vx t - A * t = vx 0 - A * 0) by lra; apply (rder_const (fun t => vx t - A * t)) | apply rder_const ]; trivial; intros s Hs; try cont; destruct (D s ltac:(lra)); trivial. eapply rder_eq. rd. ring.
+Qed.
+Theorem eq_15 A vx vy : pulled A 0 vx vy -> forall t, 0 <= t -> vx t = eq15_vx A (vx 0) t.
+Proof. intros M t Ht. now apply (free A vx vy). Qed.
+Theorem eq_16 A vx vy : pulled A 0 vx vy -> forall t, 0 <= t -> vy t = eq16_vy (vy 0).
+Proof. intros M t Ht. now apply (free A vx vy). Qed.
+(* Without friction vy stays, vx grows at the rate A; where vy is not 0 the path (rx, ry) is the printed parabola through the start, else it is straight. *)
+Theorem s21_frictionless_parabola A vx vy rx ry : pulled A 0 vx vy -> (forall t, 0 < t -> continuity_pt rx t /\ continuity_pt ry t) ->
+  (forall t, 0 <= t -> rder rx t (vx t) /\ rder ry t (vy t)) -> forall t, 0 <= t ->
+  vy t = vy 0 /\ vx t = vx 0 + A * t /\ (vy 0 <> 0 -> rx t - rx 0 = s21_parabola A (vx 0) (vy 0) (ry t - ry 0)) /\ (vy 0 = 0 -> ry t = ry 0).
+Proof.
+  intros M C D t Ht. destruct (free A vx vy M t Ht) as [e1 e2]. split; trivial. split; trivial. assert (K : forall f v w a, (forall s, 0 < s -> continuity_pt f s) -> (forall s, 0 <= s -> rder f s (v s)) ->
+    (forall s, 0 <= s -> v s = w + a * s) -> f t - f 0 = w * t + a * t ^ 2 * / 2).
+  { intros f v w a Cf Df e. enough (f t - (w * t + a * t ^ 2 * / 2) = f 0 - (w * 0 + a * 0 ^ 2 * / 2)) by lra. apply (rder_const (fun t => f t - (w * t + a * t ^ 2 * / 2))); trivial; intros s Hs.
+    - specialize (Cf s ltac:(lra)). cont.
+    - specialize (Df s ltac:(lra)). eapply rder_eq. rd. rewrite e by lra. simpl. field. }
+  rewrite (K rx vx (vx 0) A), (K ry vy (vy 0) 0); try apply C; try apply D; try (intros; destruct (free A vx vy M s); lra). unfold s21_parabola. split; [ intros n; field; exact n | intros z ]. rewrite z in *.
+  pose proof (K ry vy 0 0 ltac:(apply C) ltac:(apply D) ltac:(intros; destruct (free A vx vy M s); lra)). lra.
+Qed.
+
+
+(* Friction k up to the constant acceleration (ax, ay) of the plane, but for k = |A| from rest or straight along A: the cosine of the angle between the velocity and A
+   tends to -1. The particle slides against the plane's acceleration; the print, along it, is wrong. *)
+Theorem s21_along_acceleration k ax ay vx vy : 0 <= k <= nrm ax ay -> 0 < nrm ax ay -> motion k (fun _ => ax) (fun _ => ay) vx vy ->
+  (k < nrm ax ay \/ ax * vx 0 + ay * vy 0 < nrm ax ay * nrm (vx 0) (vy 0)) ->
+  let cosine t := (ax * vx t + ay * vy t) / (nrm ax ay * nrm (vx t) (vy t)) in
+  is_lim cosine p_infty right_constant_late_sense /\ ~ is_lim cosine p_infty s21_late_sense.
+Proof.
+  intros hk hA M h cosine. pose proof (nrm_sq ax ay) as ea. set (a := nrm ax ay) in *. set (ex := - ax / a). set (ey := - ay / a).
+  assert (He : ex ^ 2 + ey ^ 2 = 1) by (transitivity ((ax ^ 2 + ay ^ 2) / a ^ 2); [ unfold ex, ey | rewrite <- ea ]; field; lra).
+  set (ux t := ex * vx t + ey * vy t). set (uy t := ex * vy t - ey * vx t). set (v t := nrm (vx t) (vy t)). set (theta t := angle (ux t) (uy t)).
+  assert (N : pulled a (k / a) ux uy).
+  { unfold pulled. replace (a * (k / a)) with k by (field; lra). apply (motion_turned ex ey k (fun _ => ax) (fun _ => ay)); trivial; intros _; unfold eq3_acceleration_1, eq3_acceleration_2, ex, ey; [ | field; lra ].
+    transitivity (- (ax ^ 2 + ay ^ 2) / a); [ rewrite <- ea | ]; field; lra. }
+  assert (P : polar ux uy v theta).
+  { intros t _. unfold v. rewrite <- (nrm_turned ex ey (vx t) (vy t) He). split; [ apply nrm_pos | apply angle_polar ]. }
+  assert (eu : forall t, ax * vx t + ay * vy t = - (a * ux t)) by (intros t; unfold ux, ex, ey; field; lra).
+  assert (l : 0 <= k / a <= 1) by (split; [ apply Rdiv_le_0_compat | apply Rle_div_l ]; lra).
+  destruct (s21_small_friction_aligns a (k / a) ux uy v _ hA (proj1 l) N P) as [[T HT] L].
+  { unfold s21_keeps_moving_sides_1, s21_keeps_moving_sides_2. apply l. }
+  { intros [e c]. assert (k = a) by (rewrite <- (Rmult_1_l a), <- e; field; lra). destruct h as [h | h]; [ lra | ]. rewrite eu in h. fold (v 0) in h. destruct (P 0 (Rle_refl 0)) as (_ & _ & e0 & _).
+    unfold eq4_velocity_1 in e0. destruct c as [c | c]; rewrite c in *; rewrite ?cos_PI in e0; rewrite e0 in h; lra. }
+  assert (K : is_lim cosine p_infty (-1)).
+  { apply (is_lim_ext_loc (fun t => - cos (theta t))).
+    - exists (Rmax 0 T). intros t Ht. pose proof (Rmax_l 0 T). pose proof (Rmax_r 0 T). specialize (HT t ltac:(lra)). destruct (P t ltac:(lra)) as (_ & _ & e & _). unfold eq4_velocity_1 in e.
+      unfold cosine. rewrite eu, e. fold (v t). field. lra.
+    - replace (Finite (-1)) with (Finite ((fun x => - cos x) 0)) by (f_equal; cbv beta; rewrite cos_0; ring). apply (is_lim_comp_continuous _ (fun x => - cos x)); [ exact L | ].
+      apply continuity_pt_filterlim. reg. }
+  split. exact K. intros K'. apply is_lim_unique in K, K'. rewrite K in K'. unfold s21_late_sense in K'. injection K'. lra.
+Qed.
+
+(* A particle on an incline of slope beta at rest: weight g, normal force N along (sin beta, 0, cos beta), friction F in the slope, of size mu N at most and of
+   power - mu N |w|, all by unit of mass; its velocity w = (wx, wy, wz) stays in the slope. *)
+Record on_incline mu g beta (wx wy wz : R -> R) : Prop := {
+  incline_c : forall t, 0 < t -> continuity_pt wx t /\ continuity_pt wy t /\ continuity_pt wz t;
+  incline_law : forall t, 0 <= t -> wx t * sin beta + wz t * cos beta = 0 /\ exists N Fx Fy Fz, 0 <= N /\ Fx * sin beta + Fz * cos beta = 0 /\
+    Fx ^ 2 + Fy ^ 2 + Fz ^ 2 <= (mu * N) ^ 2 /\ Fx * wx t + Fy * wy t + Fz * wz t = - (mu * N) * sqrt (wx t ^ 2 + wy t ^ 2 + wz t ^ 2) /\
+    rder wx t (N * sin beta + Fx) /\ rder wy t Fy /\ rder wz t (- g + N * cos beta + Fz) }.
+(* The motions on an incline are those under the constant pull A = g sin beta with g cos beta in the place of g: seen down the slope and across it each is one,
+   and each of these is one on the incline. *)
+Theorem s21_incline mu g beta : 0 < g -> 0 < beta < PI / 2 ->
+  let A := g * sin beta in let lam := eq5_lambda mu (g * cos beta) A in
+  (forall wx wy wz, on_incline mu g beta wx wy wz -> pulled A lam (fun t => cos beta * wx t - sin beta * wz t) wy) /\
+  (forall vx vy, pulled A lam vx vy -> on_incline mu g beta (fun t => cos beta * vx t) vy (fun t => - sin beta * vx t)).
+Proof.
+  intros hg hb A lam. assert (s0 : 0 < sin beta) by (apply sin_gt_0; lra). assert (c0 : 0 < cos beta) by (apply cos_gt_0; lra). pose proof (unit_circle beta) as q. rewrite Rplus_comm in q. set (s := sin beta) in *. set (c := cos beta) in *.
+  assert (k0 : A * lam = mu * (g * c)) by (unfold lam, eq5_lambda, A; field; lra). unfold pulled. rewrite k0. split.
+  - intros wx wy wz [C L]. fold s c in L. split. 1, 2: intros t Ht; destruct (C t Ht) as (? & ? & ?); cont. intros t Ht. destruct (L t Ht) as (_ & N & Fx & Fy & Fz & N0 & F0 & B & P & X & Y & Z).
+    assert (eN : N = g * c).
+    { assert (D : rder (fun t => wx t * s + wz t * c) t ((N * s + Fx) * s + (- g + N * c + Fz) * c)) by (eapply rder_eq; [ rd | ring ]).
+      assert (D0 : rder (fun t => wx t * s + wz t * c) t 0) by (apply (rder_zero _ t 1 Rlt_0_1); intros r Hr; apply L; lra).
+      pose proof (rder_unique _ _ _ _ D D0) as e. assert (N * (s ^ 2 + c ^ 2) + (Fx * s + Fz * c) - g * c = 0) by lra. rewrite q, F0 in H. lra. }
+    subst N. destruct (L t Ht) as (w0 & _).
+    assert (two : forall a b a' b', a * s + b * c = 0 -> a' * s + b' * c = 0 -> (c * a - s * b) * (c * a' - s * b') = a * a' + b * b').
+    { intros a b a' b' h h'. transitivity ((s ^ 2 + c ^ 2) * (a * a' + b * b') - (a * s + b * c) * (a' * s + b' * c)); [ ring | rewrite q, h; ring ]. }
+    exists (c * Fx - s * Fz), Fy. split; [ split | split ].
+    + pose proof (two _ _ _ _ F0 F0). replace ((c * Fx - s * Fz) ^ 2) with (Fx * Fx + Fz * Fz) by (rewrite <- H; ring). lra.
+    + rewrite (two _ _ _ _ F0 w0). unfold nrm. replace ((c * wx t - s * wz t) ^ 2) with (wx t * wx t + wz t * wz t) by (rewrite <- (two _ _ _ _ w0 w0); ring).
+      replace (wx t * wx t + wz t * wz t + wy t ^ 2) with (wx t ^ 2 + wy t ^ 2 + wz t ^ 2) by ring. rewrite <- P. ring.
+    + eapply rder_eq. rd. unfold eq3_acceleration_1, A. fold s. ring.
+    + eapply rder_eq. rd. unfold eq3_acceleration_2. ring.
+  - intros vx vy [cx cy L]. split. { intros t Ht. specialize (cx t Ht). specialize (cy t Ht). repeat split; trivial; cont. }
+    intros t Ht. destruct (L t Ht) as (fx & fy & [B P] & X & Y). unfold eq3_acceleration_1, eq3_acceleration_2, A in *. fold s c in X |- *. split. ring. exists (g * c), (c * fx), fy, (- s * fx). repeat split.
+    + nra.
+    + ring.
+    + replace ((c * fx) ^ 2 + fy ^ 2 + (- s * fx) ^ 2) with ((s ^ 2 + c ^ 2) * fx ^ 2 + fy ^ 2) by ring. rewrite q. lra.
+    + replace ((c * vx t) ^ 2 + vy t ^ 2 + (- s * vx t) ^ 2) with ((s ^ 2 + c ^ 2) * vx t ^ 2 + vy t ^ 2) by ring. rewrite q, Rmult_1_l.
+      fold (nrm (vx t) (vy t)). rewrite <- P. transitivity ((s ^ 2 + c ^ 2) * (fx * vx t) + fy * vy t); [ ring | rewrite q; ring ].
+    + eapply rder_eq. rd. ring.
+    + eapply rder_eq. rd. ring.
+    + eapply rder_eq. rd. assert (- g = - g * (s ^ 2 + c ^ 2)) as -> by (rewrite q; ring). ring.
+Qed.
+(* A drive that depends on time is no incline: if each motion under a continuous drive is one under a constant pull (ax, ay), with any friction k', then k' = k
+   and the drive is that constant at all times. *)
+Theorem s21_incline_only_constant k k' Ax Ay ax ay : 0 <= k -> 0 <= k' -> (forall t, 0 <= t -> continuity_pt Ax t /\ continuity_pt Ay t) ->
+  (forall vx vy, motion k Ax Ay vx vy -> motion k' (fun _ => ax) (fun _ => ay) vx vy) -> k' = k /\ forall t, 0 <= t -> Ax t = ax /\ Ay t = ay.
+Proof.
+  intros hk hk' C H. assert (R : forall vx vy t, motion k Ax Ay vx vy -> 0 <= t -> nrm (vx t) (vy t) <> 0 ->
+    - Ax t - k * (vx t / nrm (vx t) (vy t)) = - ax - k' * (vx t / nrm (vx t) (vy t)) /\ - Ay t - k * (vy t / nrm (vx t) (vy t)) = - ay - k' * (vy t / nrm (vx t) (vy t))).
+  { intros vx vy t M Ht N. destruct (slip_rates _ _ _ _ _ hk M t Ht N) as [X Y]. destruct (slip_rates _ _ _ _ _ hk' (H _ _ M) t Ht N) as [X' Y'].
+    split; eapply rder_unique; eassumption. }
+  assert (n1 : nrm 1 0 = 1 /\ nrm (-1) 0 = 1) by (rewrite !nrm_x, Rabs_R1, Rabs_left by lra; lra). destruct n1 as [n1 n2].
+  assert (ek : k' = k).
+  { destruct (plane_has_a_motion k Ax Ay 1 0 hk C) as (vx & vy & M & e1 & e2). destruct (plane_has_a_motion k Ax Ay (-1) 0 hk C) as (ux & uy & M' & f1 & f2).
+    destruct (R vx vy 0 M (Rle_refl 0)) as [a _]. rewrite e1, e2; lra. destruct (R ux uy 0 M' (Rle_refl 0)) as [b _]. rewrite f1, f2; lra.
+    rewrite e1, e2, n1 in a. rewrite f1, f2, n2 in b. lra. }
+  split; trivial. intros t Ht. subst k'.
+  destruct (continuity_ab_maj (fun s => Rabs (Ax s)) 0 t Ht) as (m & Hm & _). { intros s Hs. apply (continuity_pt_comp Ax Rabs). apply C; lra. apply Rcontinuity_abs. }
+  set (B := (k + Rabs (Ax m)) * t + 1). destruct (plane_has_a_motion k Ax Ay B 0 hk C) as (vx & vy & M & e1 & _).
+  assert (L : Rabs (vx t - vx 0) <= (k + Rabs (Ax m)) * (t - 0)).
+  { apply rder_lip; trivial; intros s Hs. apply (m_cx _ _ _ _ _ M); lra. destruct (m_law _ _ _ _ _ M s ltac:(lra)) as (fx & fy & [b _] & X & _). eexists. split. exact X.
+    specialize (Hm s ltac:(lra)). apply Rabs_le_between in Hm. assert (- k <= fx <= k) by (pose proof (pow2_ge_0 fy); nra). apply Rabs_le. lra. }
+  apply Rabs_le_between in L. assert (x1 : 1 <= vx t) by (unfold B in e1; lra). destruct (abs_nrm (vx t) (vy t)) as [b _]. rewrite Rabs_pos_eq in b by lra.
+  destruct (R vx vy t M Ht) as [X Y]; lra.
+Qed.
+
+(* ---- the hypotheses of these theorems can be met: with A = 1, from the speed 1 and the angle th ---- *)
+Ltac start lam th := pose proof PI_RGT_0; destruct (pull_has_a_motion 1 lam 1 th) as (vx & vy & v & theta & M & P & v0 & th0); [ lra .. | ];
+  assert (l0 : 0 <= lam) by lra; match goal with M : pulled _ _ _ _, P : polar _ _ _ _, l : 0 <= lam |- _ => pose proof (goes _ _ _ _ _ _ Rlt_0_1 l M P) as G end.
+Ltac at_0 := repeat match goal with e : ?f 0 = _ |- _ => rewrite e end.
+Ltac ok := intros; unfold s21_keeps_moving_sides_1, s21_keeps_moving_sides_2, s21_cannot_hold_sides_1, s21_cannot_hold_sides_2 in *; at_0; rewrite ?cos_PI2; trivial;
+  try first [ lra | match goal with G : forall t, _ -> _ |- 0 < _ => apply G; at_0; lra end ].
+Ltac met H t := start (1 / 2) (PI / 2); match goal with M : pulled _ _ _ _, P : polar _ _ _ _, l : 0 <= _ |- _ => apply (H _ _ _ _ _ _ Rlt_0_1 l M P t) end; ok.
+Lemma eq_6__occurs : ltac:(occurs eq_6). Proof. intros H. met H 1%R. Qed.
+Lemma eq_7__occurs : ltac:(occurs eq_7). Proof. intros H. met H 1%R. Qed.
+Lemma eq_8__occurs : ltac:(occurs eq_8). Proof. intros H. met H 1%R. Qed.
+Lemma eq_9__occurs : ltac:(occurs eq_9). Proof. intros H. met H 0%R. Qed.
+Lemma eq_10__occurs : ltac:(occurs eq_10). Proof. intros H. met H 1%R. Qed.
+Lemma eq_11__occurs : ltac:(occurs eq_11). Proof. intros H. met H 1%R. Qed.
+Lemma eq_12__occurs : ltac:(occurs eq_12). Proof. intros H. met H 1%R. Qed.
+Lemma eq_13__occurs : ltac:(occurs eq_13). Proof. intros H. met H 1%R. Qed.
+Lemma eq_14__occurs : ltac:(occurs eq_14).
+Proof.
+  intros H. start 1 (PI / 2). apply (H 1 1 vx vy v theta Rlt_0_1 l0 M P 1); [ lra | ok | ]. intros z. pose proof (moved_polar 1 1 vx vy v theta Rlt_0_1 l0 M P 1 ltac:(lra) ltac:(ok)) as e.
+  rewrite z, v0, th0, cos_PI2 in e. lra.
+Qed.
+Lemma eq_15__occurs : ltac:(occurs eq_15). Proof. intros H. start 0 (PI / 2). exact (H 1 vx vy M 0 (Rle_refl 0)). Qed.
+Lemma eq_16__occurs : ltac:(occurs eq_16). Proof. intros H. start 0 (PI / 2). exact (H 1 vx vy M 0 (Rle_refl 0)). Qed.
+(* the parabola from (0, 0), crosswise *)
+Lemma s21_frictionless_parabola__occurs : ltac:(occurs s21_frictionless_parabola).
+Proof.
+  intros H. refine (H 1 (fun t => t) (fun _ => 1) (fun t => t ^ 2 * / 2) (fun t => t) _ _ _ 0 (Rle_refl 0)).
+  - split. 1, 2: intros; cont. intros t Ht. exists 0, 0. unfold coulomb, eq3_acceleration_1, eq3_acceleration_2. split. split; ring_simplify; lra. split; (eapply rder_eq; [ rd | ring ]).
+  - intros; split; cont.
+  - intros; split; (eapply rder_eq; [ rd | simpl; field ]).
+Qed.
+Lemma eq_17__occurs : ltac:(occurs eq_17). Proof. intros H. start 1 (PI / 2). apply (H 1 1 vx vy v theta Rlt_0_1 M P) with 0; ok. Qed.
+Lemma eq_18__occurs : ltac:(occurs eq_18). Proof. intros H. start 1 (PI / 2). apply (H 1 1 vx vy v theta Rlt_0_1 M P); ok. Qed.
+Lemma eq_19__occurs : ltac:(occurs eq_19). Proof. intros H. start 1 (PI / 2). apply (H 1 1 vx vy v theta Rlt_0_1 M P); ok. Qed.
+Lemma s21_critical_terminal_velocity__occurs : ltac:(occurs s21_critical_terminal_velocity). Proof. intros H. start 1 (PI / 2). apply (H 1 1 vx vy v theta Rlt_0_1 M P); ok. Qed.
+Lemma eq_20__occurs : ltac:(occurs eq_20). Proof. intros H. start 2 (PI / 2). apply (H 1 2 vx vy v theta Rlt_0_1 l0 M P); ok. Qed.
+Lemma s21_large_friction_stops__occurs : ltac:(occurs s21_large_friction_stops). Proof. intros H. start 2 (PI / 2). apply (H 1 2 vx vy v theta Rlt_0_1 l0 M P); ok. Qed.
+Lemma s21_large_friction_stops__at_PI__occurs : ltac:(occurs s21_large_friction_stops__at_PI).
+Proof. intros H. start 2 PI. apply (H 1 2 vx vy v theta Rlt_0_1 l0 M P) with 0; ok. unfold eq20_stop_time. rewrite cos_PI. lra. Qed.
+Lemma s21_small_friction_aligns__occurs : ltac:(occurs s21_small_friction_aligns). Proof. intros H. start 1 (PI / 2). apply (H 1 1 vx vy v theta Rlt_0_1 l0 M P); ok. Qed.
+Lemma s21_small_friction_aligns__excepted__occurs : ltac:(occurs s21_small_friction_aligns__excepted). Proof. intros H. start 1 PI. apply (H 1 1 vx vy v theta Rlt_0_1 M P) with 1; ok. Qed.
+(* from rest *)
+Lemma s21_friction_cannot_hold__occurs : ltac:(occurs s21_friction_cannot_hold).
+Proof.
+  intros H. destruct (pull_has_a_motion 1 (1 / 2) 0 0) as (vx & vy & v & theta & M & P & v0 & th0); try (pose proof PI_RGT_0; lra). apply (H 1 (1 / 2) vx vy v theta) with 0 1; ok.
+Qed.
+Lemma fig_1__occurs : ltac:(occurs fig_1). Proof. intros H. start 2 (PI / 2). apply (H 1 2 vx vy v theta Rlt_0_1 l0 M P); ok. Qed.
+Lemma s21_along_acceleration__occurs : ltac:(occurs s21_along_acceleration).
+Proof.
+  intros H. destruct (plane_has_a_motion 1 (fun _ => -1) (fun _ => 0) 0 1) as (vx & vy & M & e1 & e2). lra. intros; split; cont.
+  assert (n1 : nrm (-1) 0 = 1) by (rewrite nrm_x, Rabs_left; lra). refine (H 1 (-1) 0 vx vy _ _ M _); rewrite n1; try lra. right. rewrite e1, e2, nrm_0y; lra.
+Qed.
+Lemma s21_incline__occurs : exists wx wy wz, on_incline (1 / 2) 1 (PI / 4) wx wy wz /\ wy 0 = 1.
+Proof.
+  pose proof PI_RGT_0. assert (b : 0 < PI / 4 < PI / 2) by lra. destruct (s21_incline (1 / 2) 1 (PI / 4) Rlt_0_1 b) as [_ I].
+  assert (s0 : 0 < 1 * sin (PI / 4)) by (rewrite Rmult_1_l; apply sin_gt_0; lra). assert (c0 : 0 < cos (PI / 4)) by (apply cos_gt_0; lra).
+  destruct (pull_has_a_motion (1 * sin (PI / 4)) (eq5_lambda (1 / 2) (1 * cos (PI / 4)) (1 * sin (PI / 4))) 1 (PI / 2)) as (vx & vy & v & theta & M & P & v0 & th0); try lra.
+  { unfold eq5_lambda. apply Rdiv_le_0_compat; lra. } do 3 eexists. split. exact (I vx vy M). destruct (P 0 (Rle_refl 0)) as (_ & _ & _ & ->). unfold eq4_velocity_2. rewrite v0, th0, sin_PI2. ring.
+Qed.
+Lemma s21_incline_only_constant__occurs : ltac:(occurs s21_incline_only_constant).
+Proof. intros H. refine (H 1 1 (fun _ => 1) (fun _ => 0) 1 0 _ _ _ (fun _ _ M => M)); try lra. intros; split; cont. Qed.
