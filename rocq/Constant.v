@@ -5,6 +5,7 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis Formulas.
 From Slipbook.General Require Import Contraction Exists Straight.
 From Slipbook.Constant Require Export Slip Angle.
+Import Continuous.
 Open Scope R_scope.
 
 (* Every start has a motion: at rest, at any angle, for every lambda. *)

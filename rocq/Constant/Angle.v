@@ -4,6 +4,7 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis Formulas.
 From Slipbook.General Require Import Contraction.
 From Slipbook.Constant Require Import Slip.
+Import Continuous.
 Open Scope R_scope.
 
 (* (4): the angle with the x-axis in radians above -PI up to PI; at rest it may be any. «$v$ is the speed, and $theta\in(-\pi,\pi]$ the angle, of the velocity $(vx,vy)$» *)

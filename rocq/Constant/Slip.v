@@ -4,6 +4,7 @@ Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis Formulas.
 From Slipbook.General Require Import Contraction Straight.
+Import Continuous.
 Open Scope R_scope.
 
 (* Friction $lam$ in the unit of the pull, dimensionless: (5). «$(vx,vy)$ is a motion under the acceleration $(A,0)$, with the friction $\mu g=A\,lam$» *)

@@ -4,8 +4,11 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis.
 Open Scope R_scope.
 
-(* cont knows that the velocity of a motion is continuous *)
+(* where this is imported, cont knows that the velocity of a motion is continuous *)
+Module Continuous.
 #[export] Hint Extern 2 (continuity_pt _ _) => (eapply m_cx + eapply m_cy); [ eassumption | lra ] : core.
+End Continuous.
+Import Continuous.
 
 (* two motions under one drive never move apart *)
 Theorem contraction k Ax Ay x1 y1 x2 y2 : 0 <= k ->

@@ -4,6 +4,7 @@ Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis.
 From Slipbook.General Require Import Contraction.
+Import Continuous.
 Open Scope R_scope.
 
 Section Straight.
