@@ -303,51 +303,26 @@ Proof.
   assert (F : Rabs (walk n b (t + h) - u b (t + h)) <= 3 * z + 4 * e * h) by (unfold q in *; destruct b; lra).
   unfold u in F. replace (t + h - t) with h in F by ring. apply Rabs_def2 in H3. apply Rabs_le_between in F. apply Rabs_le. unfold z, e in *. nra.
 Qed.
-Lemma end_motion : motion k (A true) (A false) (end_of true) (end_of false).
-Proof. split; intros; [ apply end_cont | apply end_cont | apply end_law ]; trivial. Qed.
+Lemma end_motion : motion k (A true) (A false) (end_of true) (end_of false) /\ forall b, end_of b 0 = c b.
+Proof. split; [ split; intros; [ apply end_cont | apply end_cont | apply end_law ]; trivial | apply end_0 ]. Qed.
 End Exist.
 
-(* Every start has a motion under every drive that is continuous, or jumps and is continuous from the right: Hx, Hy are its primitives. *)
-Theorem drive_has_a_motion k Ax Ay Hx Hy vx0 vy0 : 0 <= k ->
-  (forall t, 0 < t -> continuity_pt Hx t /\ continuity_pt Hy t) -> (forall t, 0 <= t -> rder Hx t (Ax t) /\ rder Hy t (Ay t)) ->
-  (forall T, exists a, forall t, 0 <= t <= T -> nrm (Ax t) (Ay t) <= a) ->
-  (forall t e, 0 <= t -> 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> nrm (Ax s - Ax t) (Ay s - Ay t) <= e) ->
-  exists vx vy, motion k Ax Ay vx vy /\ vx 0 = vx0 /\ vy 0 = vy0.
-Proof.
-  intros Hk C D B J. set (two := fun (f g : R -> R) (b : bool) => if b then f else g). set (c := fun b : bool => if b then vx0 else vy0).
-  assert (cH : forall b t, 0 < t -> continuity_pt (two Hx Hy b) t) by (intros b t Ht; destruct (C t Ht); destruct b; trivial).
-  assert (dH : forall b t, 0 <= t -> rder (two Hx Hy b) t (two Ax Ay b t)) by (intros b t Ht; destruct (D t Ht); destruct b; trivial).
-  assert (hA : forall T, exists a, 0 <= a /\ forall b t, 0 <= t <= T -> Rabs (two Ax Ay b t) <= a).
-  { intros T. destruct (B T) as [a Ha]. exists (Rabs a). split. apply Rabs_pos. intros b t Ht. specialize (Ha t Ht). destruct (abs_nrm (Ax t) (Ay t)). pose proof (Rle_abs a).
-    destruct b; simpl; lra. }
-  assert (rA : forall b t e, 0 <= t -> 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> Rabs (two Ax Ay b s - two Ax Ay b t) <= e).
-  { intros b t e Ht He. destruct (J t e Ht He) as (d & d0 & Hd). exists d. split; trivial. intros s Hs. specialize (Hd s Hs). destruct (abs_nrm (Ax s - Ax t) (Ay s - Ay t)).
-    destruct b; simpl; lra. }
-  exists (end_of k (two Hx Hy) c true), (end_of k (two Hx Hy) c false). split. exact (end_motion k _ _ c Hk cH dH hA rA).
-  split; [ exact (end_0 k _ _ c Hk cH dH hA true) | exact (end_0 k _ _ c Hk cH dH hA false) ].
-Qed.
 (* Every start has a motion under every continuous drive. *)
 Theorem plane_has_a_motion k Ax Ay vx0 vy0 : 0 <= k -> (forall t, 0 <= t -> continuity_pt Ax t /\ continuity_pt Ay t) ->
   exists vx vy, motion k Ax Ay vx vy /\ vx 0 = vx0 /\ vy 0 = vy0.
 Proof.
-  intros Hk C. set (g := fun (f : R -> R) r => f (Rmax 0 r)). set (H := fun f t => RInt (g f) 0 t).
-  assert (cg : forall f, (forall t, 0 <= t -> continuity_pt f t) -> forall t, continuity_pt (g f) t).
-  { intros f cf t. apply (continuity_pt_comp (Rmax 0) f); [ | apply cf, Rmax_l ]. apply (cont_lip _ t 1 1 Rlt_0_1). intros s _.
-    unfold Rmax, Rabs. repeat (destruct Rle_dec || destruct Rcase_abs); lra. }
-  assert (D : forall f, (forall t, 0 <= t -> continuity_pt f t) -> forall t, is_derive (H f) t (g f t)).
-  { intros f cf t. assert (Hc : forall s, continuous (g f) s) by (intros s; apply continuity_pt_filterlim, cg, cf).
-    apply (is_derive_RInt (g f) (H f) 0 t); [ | apply Hc ]. exists (mkposreal 1 Rlt_0_1). intros s _.
-    apply (RInt_correct (g f) 0 s), (ex_RInt_continuous (g f) 0 s). intros; apply Hc. }
-  assert (cx : forall t, 0 <= t -> continuity_pt Ax t) by (intros; now apply C). assert (cy : forall t, 0 <= t -> continuity_pt Ay t) by (intros; now apply C).
-  assert (gt : forall f t, 0 <= t -> g f t = f t) by (intros f t Ht; unfold g; now rewrite Rmax_right).
-  apply (drive_has_a_motion k Ax Ay (H Ax) (H Ay)); trivial.
-  - intros t Ht. split; apply derivable_continuous_pt; eexists; apply is_derive_Reals, D; trivial.
-  - intros t Ht. rewrite <- (gt Ax t Ht), <- (gt Ay t Ht). split; apply rder_of, D; trivial.
-  - intros T. destruct (Rle_lt_dec 0 T) as [HT | HT]; [ | exists 0; intros; lra ].
-    destruct (continuity_ab_maj (fun r => nrm (g Ax r) (g Ay r)) 0 T HT) as (m & Hm & _). { intros t _. apply cont_nrm; apply cg; trivial. }
-    exists (nrm (g Ax m) (g Ay m)). intros t Ht. specialize (Hm t Ht). now rewrite !gt in Hm by lra.
-  - intros t e Ht He. destruct (cont_eps Ax t (e / 2) (cx t Ht) ltac:(lra)) as (d1 & p1 & H1). destruct (cont_eps Ay t (e / 2) (cy t Ht) ltac:(lra)) as (d2 & p2 & H2).
-    exists (Rmin d1 d2). split. now apply Rmin_pos. intros s Hs. pose proof (Rmin_l d1 d2). pose proof (Rmin_r d1 d2).
-    assert (Rabs (s - t) < Rmin d1 d2) by (apply Rabs_def1; lra). specialize (H1 s ltac:(lra)). specialize (H2 s ltac:(lra)).
-    eapply Rle_trans; [ apply nrm_abs | lra ].
+  intros Hk C. set (A (b : bool) t := (if b then Ax else Ay) (Rmax 0 t)). set (H b := RInt (A b) 0). set (c (b : bool) := if b then vx0 else vy0).
+  assert (cA : forall b t, continuity_pt (A b) t).
+  { intros b t. apply (continuity_pt_comp (Rmax 0) (if b then Ax else Ay)); [ | destruct b; apply C, Rmax_l ]. apply (cont_lip _ t 1 1 Rlt_0_1). intros s _. unfold Rmax, Rabs. repeat (destruct Rle_dec || destruct Rcase_abs); lra. }
+  assert (D : forall b t, is_derive (H b) t (A b t)) by (intros b; apply primitive_rate, cA).
+  assert (M : motion k (A true) (A false) (end_of k H c true) (end_of k H c false) /\ forall b, end_of k H c b 0 = c b).
+  { apply (end_motion k A H c Hk).
+    - intros b t _. apply (cont_of _ _ _ (D b t)).
+    - intros b t _. apply rder_of, D.
+    - intros T. assert (B : forall b, exists a, 0 <= a /\ forall t, 0 <= t <= T -> Rabs (A b t) <= a).
+      { intros b. destruct (Rle_lt_dec 0 T) as [HT | HT]; [ | exists 0; split; intros; lra ]. destruct (continuity_ab_maj (fun t => Rabs (A b t)) 0 T HT) as (m & Hm & _).
+        intros t _. apply (continuity_pt_comp (A b) Rabs); [ apply cA | apply Rcontinuity_abs ]. exists (Rabs (A b m)). split; [ apply Rabs_pos | exact Hm ]. }
+      destruct (B true) as (a1 & p1 & B1). destruct (B false) as (a2 & p2 & B2). exists (a1 + a2). split. lra. intros b t Ht. specialize (B1 t Ht). specialize (B2 t Ht). destruct b; lra.
+    - intros b t e _ He. destruct (cont_eps (A b) t e (cA b t) He) as (d & d0 & Hd). exists d. split; trivial. intros s Hs. left. apply Hd, Rabs_def1; lra. }
+  exists (end_of k H c true), (end_of k H c false). destruct M as [[cx cy L] e]. split; [ | split; apply e ]. split; trivial. intros t Ht. destruct (L t Ht) as (fx & fy & F). unfold A in F. rewrite Rmax_right in F by trivial. eauto.
 Qed.
