@@ -22,7 +22,6 @@ Proof.
   intros H. assert (c0 : 0 < cos (th / 2)) by (apply cos_gt_0; lra). replace th with (2 * (th / 2)) at 1 3 4 by field. rewrite sin_2a, cos_2a_cos.
   unfold tan. split. nra. field. split; nra.
 Qed.
-Lemma plus_cos th : - PI < th <= PI -> th <> PI -> 0 < 1 + cos th. Proof. intros H n. apply half_angle. lra. Qed.
 (* the sine is positive above the axis, and only there *)
 Lemma sin_up th : - PI < th <= PI -> 0 < sin th -> 0 < th < PI.
 Proof.

@@ -68,8 +68,6 @@ Variables (k : R) (Ax Ay vx vy : R -> R).
 Hypothesis hk : 0 <= k.
 Hypothesis M : motion k Ax Ay vx vy.
 Notation v t := (nrm (vx t) (vy t)).
-Lemma speed_cont t : 0 < t -> continuity_pt (fun s => v s) t.
-Proof. intros Ht. apply cont_nrm; [ apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) ]; trivial. Qed.
 (* while it slips *)
 Lemma slip_rates t : 0 <= t -> v t <> 0 -> rder vx t (- Ax t - k * (vx t / v t)) /\ rder vy t (- Ay t - k * (vy t / v t)).
 Proof.
