@@ -1,16 +1,10 @@
 (* Section 2, a particle on a rough plane that has any acceleration: (1), (2) and the four general properties, of every motion. *)
 Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas.
+From Slipbook Require Import Motion Analysis Formulas.
 From Slipbook.General Require Export Rates Contraction Straight.
 From Slipbook.General Require Import Exists.
 Open Scope R_scope.
-
-Ltac emptied T := lazymatch T with
-  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
-  | _ => constr:(False) end.
-(* the statement of the theorem t with False for its conclusion is false: its hypotheses can be met *)
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
 
 (* (1): while the particle slips its velocity relative to the plane has the printed rate; (Ax, Ay) is the plane's acceleration. *)
 Theorem eq_1 mu g Ax Ay vx vy : 0 <= mu * g -> motion (mu * g) Ax Ay vx vy -> forall t, 0 <= t -> nrm (vx t) (vy t) <> 0 ->
@@ -31,8 +25,10 @@ Theorem eq_2 mu g Ax Ay vx vy : 0 <= mu * g -> motion (mu * g) Ax Ay vx vy -> fo
   rder (fun s => nrm (vx s) (vy s)) t (eq2_speed_rate (Ax t) (Ay t) mu g (vx t) (vy t)).
 Proof. exact (speed_rate (mu * g) Ax Ay vx vy). Qed.
 
-(* A drive of size a, at most, below mu g: the speed falls until the particle is at rest, at the time v0 / (mu g - a) at the latest, and it stays there. *)
-Theorem s2_stops_if_weak mu g a Ax Ay vx vy : motion (mu * g) Ax Ay vx vy -> a < s2_stops_below mu g -> (forall t, 0 <= t -> nrm (Ax t) (Ay t) <= a) ->
+(* A drive of size a, at most, below mu g: the speed falls until the particle is at rest, at the time v0 / (mu g - a) at the latest,
+   and it stays there. *)
+Theorem s2_stops_if_weak mu g a Ax Ay vx vy : motion (mu * g) Ax Ay vx vy -> a < s2_stops_below mu g -> (forall t,
+  0 <= t -> nrm (Ax t) (Ay t) <= a) ->
   (forall s t, 0 <= s < t -> nrm (vx s) (vy s) <> 0 -> nrm (vx t) (vy t) < nrm (vx s) (vy s)) /\
   forall t, nrm (vx 0) (vy 0) / (s2_stops_below mu g - a) <= t -> vx t = 0 /\ vy t = 0.
 Proof.
@@ -47,51 +43,62 @@ Theorem s2_no_permanent_rest mu g Ax Ay vx vy : 0 <= mu * g -> motion (mu * g) A
 Proof.
   intros hk M H T. destruct (H (Rmax 0 T)) as (t & Ht & K). unfold s2_rest_ends_above in K. pose proof (Rmax_l 0 T). pose proof (Rmax_r 0 T).
   destruct (Req_dec (nrm (vx t) (vy t)) 0) as [z | z]; [ | exists t; split; [ lra | trivial ] ].
-  destruct (rest_rates _ _ _ _ _ hk M t ltac:(lra) z) as (lx & ly & _ & _ & N & b).
-  destruct (rder_falls _ _ _ (rder_opp _ _ _ N)) as (d & d0 & Hd). lra. exists (t + d / 2). split. lra. specialize (Hd (d / 2) ltac:(lra)). cbv beta in Hd. lra.
+  destruct (rest_rates _ _ _ _ _ hk M t ltac:(lra) z) as (lx & ly & _ & _ & N & b). pose proof (nrm_add (lx + Ax t) (ly + Ay t) (- lx) (- ly)) as c.
+  replace (lx + Ax t + - lx) with (Ax t) in c by ring. replace (ly + Ay t + - ly) with (Ay t) in c by ring.
+  replace (nrm (- lx) (- ly)) with (nrm lx ly) in c by (unfold nrm; f_equal; ring).
+  destruct (rder_falls _ _ _ (rder_opp _ _ _ N)) as (d & d0 & Hd). lra. exists (t + d / 2). split. lra. specialize (Hd (d / 2) ltac:(lra)).
+  cbv beta in Hd. lra.
 Qed.
-(* A motion obeys its law at each moment. Where the law is asked for only between single moments the printed statement fails: a drive that is above mu g at
+(* A motion obeys its law at each moment. Where the law is asked for only between single moments the printed statement fails: a drive that is above
+   mu g at
    single moments, however late, leaves the particle at rest. *)
 Theorem s2_no_permanent_rest__needs_a_stretch : exists A : R -> R, (forall T, exists t, T <= t /\ s2_rest_ends_above 1 1 < A t) /\
   forall t, (forall n : Z, t <> IZR n) -> exists fx fy, coulomb (1 * 1) 0 0 fx fy /\ rder (fun _ => 0) t (fx - A t) /\ rder (fun _ => 0) t (fy - 0).
 Proof.
   exists (fun t => if Req_EM_T t (IZR (Int_part t)) then 2 else 0). split.
-  - intros T. exists (IZR (up T)). destruct (archimed T) as [a _]. split. lra. destruct Req_EM_T as [e | N]. unfold s2_rest_ends_above. lra.
-    exfalso. apply N. f_equal. unfold Int_part. rewrite <- (tech_up (IZR (up T)) (up T + 1)); rewrite ?plus_IZR; try lra. lia.
+  - intros T. destruct (nat_above T) as [n Hn]. rewrite INR_IZR_INZ in Hn. exists (IZR (Z.of_nat n)). split. lra. destruct Req_EM_T as [e | N].
+    unfold s2_rest_ends_above. lra.
+    exfalso. apply N. f_equal. unfold Int_part. rewrite <- (tech_up (IZR (Z.of_nat n)) (Z.of_nat n + 1)); rewrite ?plus_IZR; try lra. lia.
   - intros t Ht. exists 0, 0. split. { split; rewrite ?nrm_0; lra. } destruct Req_EM_T as [e | N]. { exfalso. exact (Ht _ e). }
     split; (eapply rder_eq; [ rd | ring ]).
 Qed.
 (* A drive of fixed direction (ex, ey) that stays above mu g by a margin delta: from some time T on the speed grows at delta / 2, at least. *)
-Theorem s2_speeds_up_if_strong mu g ex ey a delta vx vy : 0 <= mu * g -> ex ^ 2 + ey ^ 2 = 1 -> motion (mu * g) (fun t => a t * ex) (fun t => a t * ey) vx vy ->
+Theorem s2_speeds_up_if_strong mu g ex ey a delta vx vy : 0 <= mu * g -> ex ^ 2 + ey ^ 2 = 1 -> motion (mu * g) (fun t => a t * ex) (fun t => a t *
+  ey) vx vy ->
   0 < delta -> (forall t, 0 <= t -> s2_speeds_up_above mu g + delta <= a t) ->
   exists T, 0 <= T /\ forall s t, T <= s <= t -> nrm (vx s) (vy s) + delta / 2 * (t - s) <= nrm (vx t) (vy t).
 Proof.
   intros hk He M hd hA. unfold s2_speeds_up_above in hA. assert (He' : (- ex) ^ 2 + (- ey) ^ 2 = 1) by lra.
   assert (N : motion (mu * g) (fun t => - a t) (fun _ => 0) (fun t => - ex * vx t + - ey * vy t) (fun t => - ex * vy t - - ey * vx t)).
-  { apply (motion_turned (- ex) (- ey) _ (fun t => a t * ex) (fun t => a t * ey)); trivial; intros t; cbv beta; [ transitivity (- a t * (ex ^ 2 + ey ^ 2)); [ rewrite He | ] | ]; ring. }
+  { apply (motion_turned (- ex) (- ey) _ (fun t => a t * ex) (fun t => a t * ey)); trivial; intros t; cbv beta;
+    [ transitivity (- a t * (ex ^ 2 + ey ^ 2)); [ rewrite He | ] | ]; ring. }
   destruct (speeds_up (mu * g) (fun t => - a t) _ _ hk N delta hd) as (T & T0 & HT).
   { intros t Ht. specialize (hA t Ht). lra. } exists T. split; trivial. intros s t Hst. specialize (HT s t Hst). now rewrite !nrm_turned in HT.
 Qed.
 (* Without a margin it fails: a drive along a fixed line, above mu g = 1 at all times, and a motion that loses speed for ever. *)
-Theorem s2_speeds_up_if_strong__needs_a_margin : exists a vx vy, (forall t, s2_speeds_up_above 1 1 < a t /\ continuity_pt a t) /\
+Theorem s2_speeds_up_if_strong__needs_a_margin : exists a vx vy, (forall t, 0 <= t -> s2_speeds_up_above 1 1 < a t /\ continuity_pt a t) /\
   motion (1 * 1) (fun t => a t * - 1) (fun t => a t * 0) vx vy /\ forall s t, 0 <= s < t -> nrm (vx t) (vy t) < nrm (vx s) (vy s).
 Proof.
-  destruct no_margin as (vx & vy & [c d L] & _ & _ & F). exists (fun t => 1 + exp (- (4) * t) / 4), vx, vy. split; [ | split; [ split | exact F ] ]; trivial.
-  - intros t. unfold s2_speeds_up_above. split. pose proof (exp_pos (- (4) * t)). lra. unfold Rdiv. cont.
-  - intros t Ht. destruct (L t Ht) as (fx & fy & C & X & Y). exists fx, fy. replace (1 * 1) with 1 by ring. split; trivial. split; (eapply rder_eq; [ eassumption | ring ]).
+  destruct no_margin as (a & u & w & a1 & ca & [c d L] & F). exists a, u, w. split. { intros t Ht. unfold s2_speeds_up_above. rewrite Rmult_1_l.
+  auto. } split; [ | exact F ]. rewrite Rmult_1_l. split; trivial.
+  intros t Ht. destruct (L t Ht) as (fx & fy & C & X & Y). exists fx, fy. split; trivial. split; (eapply rder_eq; [ eassumption | ring ]).
 Qed.
-(* A drive of fixed direction (ex, ey): the velocity across it, w, never grows in size, and falls as long as it is not 0; if the drive is bounded, w -> 0. *)
-Theorem s2_perpendicular_decays mu g ex ey a vx vy : 0 < mu * g -> ex ^ 2 + ey ^ 2 = 1 -> motion (mu * g) (fun t => a t * ex) (fun t => a t * ey) vx vy ->
+(* A drive of fixed direction (ex, ey): the velocity across it, w, never grows in size, and falls as long as it is not 0;
+   if the drive is bounded, w -> 0. *)
+Theorem s2_perpendicular_decays mu g ex ey a vx vy : 0 < mu * g -> ex ^ 2 + ey ^ 2 = 1 -> motion (mu * g) (fun t => a t * ex) (fun t => a t * ey) vx
+  vy ->
   let w t := ex * vy t - ey * vx t in
   (forall s t, 0 <= s < t -> Rabs (w t) <= Rabs (w s) /\ (w s <> 0 -> 0 < s2_across_trend * (Rabs (w t) - Rabs (w s)))) /\
   ((exists b, forall t, 0 <= t -> Rabs (a t) <= b) -> is_lim w p_infty s2_across_limit).
 Proof.
   intros hk He M w. assert (hk' := Rlt_le _ _ hk).
   assert (N : motion (mu * g) a (fun _ => 0) (fun t => ex * vx t + ey * vy t) w).
-  { apply (motion_turned ex ey _ (fun t => a t * ex) (fun t => a t * ey)); trivial; intros t; cbv beta; [ transitivity (a t * (ex ^ 2 + ey ^ 2)); [ rewrite He | ] | ]; ring. }
+  { apply (motion_turned ex ey _ (fun t => a t * ex) (fun t => a t * ey)); trivial; intros t; cbv beta; [ transitivity (a t * (ex ^ 2 + ey ^ 2));
+    [ rewrite He | ] | ]; ring. }
   split. intros s t Hst. split.
   - apply Rsqr_le_abs_0. unfold Rsqr. pose proof (across_falls _ _ _ _ hk' N s t ltac:(lra)). lra.
-  - intros Nz. unfold s2_across_trend. enough (Rabs (w t) < Rabs (w s)) by lra. apply Rsqr_lt_abs_0. unfold Rsqr. pose proof (across_falls_strictly _ _ _ _ hk' N s t hk Hst Nz). lra.
+  - intros Nz. unfold s2_across_trend. enough (Rabs (w t) < Rabs (w s)) by lra. apply Rsqr_lt_abs_0. unfold Rsqr.
+    pose proof (across_falls_strictly _ _ _ _ hk' N s t hk Hst Nz). lra.
   - intros [b Hb]. unfold s2_across_limit. apply (across_vanishes _ _ _ _ hk' N (Rabs b + 1)); trivial. pose proof (Rabs_pos b); lra.
     intros t Ht. specialize (Hb t Ht). pose proof (Rle_abs b). lra.
 Qed.
@@ -99,7 +106,8 @@ Qed.
 Theorem s2_perpendicular_decays__needs_friction a vx vy : motion 0 a (fun _ => 0) vx vy -> forall t, 0 <= t -> vy t = vy 0.
 Proof.
   intros M t Ht. apply rder_const; trivial. intros; apply (m_cy _ _ _ _ _ M); lra. intros s Hs.
-  destruct (m_law _ _ _ _ _ M s ltac:(lra)) as (fx & fy & [B _] & _ & Y). eapply rder_eq. exact Y. assert (fy = 0) by (pose proof (pow2_ge_0 fx); nra). lra.
+  destruct (m_law _ _ _ _ _ M s ltac:(lra)) as (fx & fy & [B _] & _ & Y). eapply rder_eq. exact Y.
+  assert (fy = 0) by (pose proof (pow2_ge_0 fx); nra). lra.
 Qed.
 
 (* The motions of which these theorems speak exist. *)
@@ -116,12 +124,14 @@ Qed.
 Lemma nrm_1 x : nrm x 1 <> 0. Proof. intros e. destruct (nrm_zero _ _ e). lra. Qed.
 Lemma eq_1__occurs : ltac:(occurs eq_1).
 Proof.
-  intros H. destruct (plane_steady (1 * 1) 2 0 0 1) as (vx & vy & M & e1 & e2). lra. refine (H 1 1 _ _ vx vy _ M 0 _ _); try lra. rewrite e2. apply nrm_1.
+  intros H. destruct (plane_steady (1 * 1) 2 0 0 1) as (vx & vy & M & e1 & e2). lra. refine (H 1 1 _ _ vx vy _ M 0 _ _); try lra. rewrite e2.
+  apply nrm_1.
 Qed.
 Lemma eq_1__laboratory__occurs : ltac:(occurs eq_1__laboratory).
 Proof.
   intros H. destruct (plane_steady 1 2 0 0 1) as (vx & vy & [c d M] & _). lra.
-  assert (cl : forall t, continuity_pt (fun t => 2 * t) t) by (intros; cont). assert (c0 : forall t, continuity_pt (fun _ : R => 0) t) by (intros; cont).
+  assert (cl : forall t, continuity_pt (fun t => 2 * t) t) by (intros; cont).
+  assert (c0 : forall t, continuity_pt (fun _ : R => 0) t) by (intros; cont).
   refine (H 1 (fun _ => 2) (fun _ => 0) (fun t => 2 * t) (fun _ => 0) (fun t => vx t + 2 * t) vy _ _ _).
   - intros t Ht. specialize (c t Ht). repeat split; auto. cont.
   - intros t Ht. split; (eapply rder_eq; [ rd | ring ]).
@@ -131,21 +141,22 @@ Proof.
 Qed.
 Lemma eq_2__occurs : ltac:(occurs eq_2).
 Proof.
-  intros H. destruct (plane_steady (1 * 1) 2 0 0 1) as (vx & vy & M & e1 & e2). lra. refine (H 1 1 _ _ vx vy _ M 0 _ _); try lra. rewrite e2. apply nrm_1.
+  intros H. destruct (plane_steady (1 * 1) 2 0 0 1) as (vx & vy & M & e1 & e2). lra. refine (H 1 1 _ _ vx vy _ M 0 _ _); try lra. rewrite e2.
+  apply nrm_1.
 Qed.
 Lemma s2_stops_if_weak__occurs : ltac:(occurs s2_stops_if_weak).
 Proof.
-  intros H. destruct (plane_steady (1 * 1) (1 / 2) 0 0 1) as (vx & vy & M & _). lra. refine (H 1 1 (1 / 2) _ _ vx vy M _ _). unfold s2_stops_below. lra.
+  intros H. destruct (plane_steady (1 * 1) (1 / 2) 0 0 1) as (vx & vy & M & _). lra. refine (H 1 1 (1 / 2) _ _ vx vy M _ _). unfold s2_stops_below.
+  lra.
   intros t _. apply nrm_le; lra.
 Qed.
 (* witness: the drive 2 sin t *)
 Lemma s2_no_permanent_rest__occurs : ltac:(occurs s2_no_permanent_rest).
 Proof.
-  intros H. destruct (plane_has_a_motion (1 * 1) (fun t => 2 * sin t) (fun _ => 0) 0 1) as (vx & vy & M & _). lra. { intros t _. split; [ reg | cont ]. }
-  refine (H 1 1 _ _ vx vy _ M _ 0). lra. intros T. destruct (archimed (Rabs T)) as [u _]. pose proof (Rle_abs T). pose proof (Rabs_pos T).
-  assert (z0 : (0 <= up (Rabs T))%Z) by (apply le_IZR; lra). exists (PI / 2 + 2 * INR (Z.to_nat (up (Rabs T))) * PI).
-  rewrite INR_IZR_INZ, Znat.Z2Nat.id by trivial. pose proof PI2_1. pose proof PI_RGT_0. split. nra.
-  rewrite <- (Znat.Z2Nat.id (up (Rabs T))), <- INR_IZR_INZ, sin_period, sin_PI2 by trivial. unfold s2_rest_ends_above. destruct (abs_nrm (2 * 1) 0) as [b _]. rewrite Rabs_pos_eq in b; lra.
+  intros H. destruct (plane_has_a_motion (1 * 1) (fun t => 2 * sin t) (fun _ => 0) 0 1) as (vx & vy & M & _). lra. { intros t _.
+  split; [ reg | cont ]. }
+  refine (H 1 1 _ _ vx vy _ M _ 0). lra. intros T. destruct (nat_above T) as [n Hn]. exists (PI / 2 + 2 * INR n * PI).
+  pose proof PI2_1. pose proof (pos_INR n). split. nra. rewrite sin_period, sin_PI2, nrm_x0; unfold s2_rest_ends_above; lra.
 Qed.
 Lemma s2_speeds_up_if_strong__occurs : ltac:(occurs s2_speeds_up_if_strong).
 Proof.

@@ -1,9 +1,14 @@
 (* Lemmas on every motion in the plane: two of them never move apart, rest under a weak drive lasts, the rates while it slips, turned axes. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion.
-From Slipbook.General Require Import Rates.
+From Slipbook Require Import Motion Analysis.
 Open Scope R_scope.
+
+(* where this is imported, cont knows that the velocity of a motion is continuous *)
+Module Continuous.
+#[export] Hint Extern 2 (continuity_pt _ _) => (eapply m_cx + eapply m_cy); [ eassumption | lra ] : core.
+End Continuous.
+Import Continuous.
 
 (* two motions under one drive never move apart *)
 Theorem contraction k Ax Ay x1 y1 x2 y2 : 0 <= k ->
@@ -42,9 +47,11 @@ Qed.
 
 (* the same motion with the axes turned: x' along (ex, ey) *)
 Lemma motion_turned ex ey k Ax Ay Bx By vx vy : ex ^ 2 + ey ^ 2 = 1 -> (forall t, Bx t = ex * Ax t + ey * Ay t) ->
-  (forall t, By t = ex * Ay t - ey * Ax t) -> motion k Ax Ay vx vy -> motion k Bx By (fun t => ex * vx t + ey * vy t) (fun t => ex * vy t - ey * vx t).
+  (forall t, By t = ex * Ay t - ey * Ax t) -> motion k Ax Ay vx vy -> motion k Bx By (fun t => ex * vx t + ey * vy t) (fun t => ex * vy t - ey * vx
+  t).
 Proof.
-  intros He HB HC [c d M]. split. { intros t Ht. specialize (c t Ht). specialize (d t Ht). cont. } { intros t Ht. specialize (c t Ht). specialize (d t Ht). cont. }
+  intros He HB HC [c d M]. split. { intros t Ht. specialize (c t Ht). specialize (d t Ht). cont. } { intros t Ht. specialize (c t Ht).
+  specialize (d t Ht). cont. }
   intros t Ht. destruct (M t Ht) as (fx & fy & [B P] & X & Y). exists (ex * fx + ey * fy), (ex * fy - ey * fx). split; [ split | split ].
   - replace ((ex * fx + ey * fy) ^ 2 + (ex * fy - ey * fx) ^ 2) with ((ex ^ 2 + ey ^ 2) * (fx ^ 2 + fy ^ 2)) by ring. rewrite He. lra.
   - replace (nrm (ex * vx t + ey * vy t) (ex * vy t - ey * vx t)) with (nrm (vx t) (vy t)).
@@ -61,8 +68,6 @@ Variables (k : R) (Ax Ay vx vy : R -> R).
 Hypothesis hk : 0 <= k.
 Hypothesis M : motion k Ax Ay vx vy.
 Notation v t := (nrm (vx t) (vy t)).
-Lemma speed_cont t : 0 < t -> continuity_pt (fun s => v s) t.
-Proof. intros Ht. apply cont_nrm; [ apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) ]; trivial. Qed.
 (* while it slips *)
 Lemma slip_rates t : 0 <= t -> v t <> 0 -> rder vx t (- Ax t - k * (vx t / v t)) /\ rder vy t (- Ay t - k * (vy t / v t)).
 Proof.
@@ -77,13 +82,11 @@ Proof.
   set (n := v t) in *. field_simplify_eq; [ | exact N ]. replace (vy t ^ 2) with (n ^ 2 - vx t ^ 2) by lra. ring.
 Qed.
 (* at rest the rates are what friction leaves of the drive *)
-Lemma rest_rates t : 0 <= t -> v t = 0 -> exists lx ly, rder vx t lx /\ rder vy t ly /\ rder (fun s => v s) t (nrm lx ly) /\
-  nrm (Ax t) (Ay t) - k <= nrm lx ly.
+Lemma rest_rates t : 0 <= t -> v t = 0 -> exists lx ly, rder vx t lx /\ rder vy t ly /\ rder (fun s => v s) t (nrm lx ly) /\ nrm (lx + Ax t) (ly + Ay
+  t) <= k.
 Proof.
   intros Ht e. destruct (nrm_zero _ _ e) as [e1 e2]. destruct (m_law _ _ _ _ _ M t Ht) as (fx & fy & [B _] & X & Y).
-  exists (fx - Ax t), (fy - Ay t). split; trivial. split; trivial. split. now apply rder_nrm0. 
-  pose proof (nrm_add fx fy (Ax t - fx) (Ay t - fy)) as K. replace (fx + (Ax t - fx)) with (Ax t) in K by ring. replace (fy + (Ay t - fy)) with (Ay t) in K by ring.
-  pose proof (nrm_le fx fy k hk B). replace (nrm (fx - Ax t) (fy - Ay t)) with (nrm (Ax t - fx) (Ay t - fy)) by (unfold nrm; f_equal; ring). lra.
+  exists (fx - Ax t), (fy - Ay t). repeat split; trivial. now apply rder_nrm0. apply nrm_le; trivial. eapply Rle_trans; [ right | exact B ]. ring.
 Qed.
 End Rates.
 
@@ -102,10 +105,11 @@ Qed.
 Lemma weak_falls s t : 0 <= s <= t -> v t <> 0 -> v t + (k - a) * t <= v s + (k - a) * s.
 Proof.
   intros Hs N. apply (rder_decr (fun t => v t + (k - a) * t)); [ lra | | ]; intros u Hu.
-  - cont; [ apply (m_cx _ _ _ _ _ M) | apply (m_cy _ _ _ _ _ M) ]; lra.
+  - cont.
   - assert (Nu : v u <> 0) by (intros e; apply N, (weak_rest u t); [ lra | exact e ]).
     pose proof (speed_rate k Ax Ay vx vy ltac:(lra) M u ltac:(lra) Nu) as S. eexists. split. rds.
-    pose proof (nrm_pos (vx u) (vy u)). pose proof (dot_abs (Ax u) (Ay u) (vx u) (vy u)) as D. apply Rabs_le_between in D. specialize (HA u ltac:(lra)).
+    pose proof (nrm_pos (vx u) (vy u)). pose proof (dot_abs (Ax u) (Ay u) (vx u) (vy u)) as D. apply Rabs_le_between in D.
+    specialize (HA u ltac:(lra)).
     set (n := v u) in *. replace (Ax u * (vx u / n) + Ay u * (vy u / n)) with ((Ax u * vx u + Ay u * vy u) / n) by (field; trivial).
     assert (- a <= (Ax u * vx u + Ay u * vy u) / n) by (apply Rle_div_r; [ lra | nra ]). lra.
 Qed.

@@ -1,52 +1,27 @@
 (* Functions without a right derivative: they do not grow if no step upwards is steeper than any eps *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General.
+From Slipbook Require Import Motion Analysis.
 Open Scope R_scope.
 
 Lemma dini_decr f a b : a <= b -> (forall t, a < t <= b -> continuity_pt f t) ->
   (forall t, a <= t < b -> forall eps, 0 < eps -> exists d, 0 < d /\ forall h, 0 < h < d -> f (t + h) <= f t + eps * h) -> f b <= f a.
 Proof.
-  intros Hab Hc Hd. apply le_epsilon. intros eps0 Heps0.
-  destruct Hab as [Hab | <-]; [ | lra ].
-  set (e := eps0 / (b - a)). assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
-  replace eps0 with (e * (b - a)) by (unfold e; field; lra).
-  destruct (Rle_lt_dec (f b) (f a + e * (b - a))) as [ok | bad]; [ exact ok | exfalso ].
-  set (S := fun t => a <= t <= b /\ f t <= f a + e * (t - a)).
-  destruct (completeness S) as [s [Hs1 Hs2]].
-  { exists b. intros x [Hx _]. lra. }
-  { exists a. split; lra. }
-  assert (Ha : a <= s) by (apply Hs1; split; lra).
-  assert (Hb : s <= b) by (apply Hs2; intros x [Hx _]; lra).
-  assert (Hin : f s <= f a + e * (s - a)).
-  { destruct (Rle_lt_dec (f s) (f a + e * (s - a))) as [ok | b2]; [ exact ok | exfalso ].
-    assert (s <> a) by (intros ->; lra).
-    set (g := fun t : R => f t - (f a + e * (t - a))).
-    assert (C : continuity_pt g s).
-    { apply continuity_pt_minus. apply Hc; lra.
-      apply derivable_continuous_pt. reg. }
-    assert (P : locally s (fun t : R => 0 < g t)).
-    { apply continuity_pt_filterlim in C. apply (C (fun y => 0 < y)). apply (open_gt 0). unfold g; lra. }
-    destruct P as [d P]. 
-    assert (U : is_upper_bound S (s - d / 2)).
-    { intros x [Hx1 Hx2]. destruct (Rle_lt_dec x (s - d/2)) as [k|k]; [ exact k | exfalso ].
-      assert (x <= s) by (apply Hs1; split; assumption).
-      assert (Q : ball s d x). { change (Rabs (x - s) < d). apply Rabs_def1; destruct d; simpl in *; lra. }
-      specialize (P x Q). unfold g in P; simpl in P; lra. }
-    specialize (Hs2 _ U). destruct d; simpl in *; lra. }
-  assert (s <> b) by (intros ->; lra).
-  destruct (Hd s ltac:(lra) e He) as [d [d0 Hh]].
-  set (h := Rmin d (b - s) / 2).
-  assert (0 < Rmin d (b - s)) by (apply Rmin_pos; lra).
-  assert (h1 : 0 < h < d) by (unfold h; pose proof (Rmin_l d (b - s)); lra).
-  assert (h2 : h < b - s) by (unfold h; pose proof (Rmin_r d (b - s)); lra).
-  specialize (Hh h h1).
-  assert (S (s + h)) by (split; [ lra | nra ]).
-  specialize (Hs1 _ H1). lra.
+  intros Hab Hc Hd. apply Rnot_lt_le. intros k. assert (ab : a < b) by (destruct Hab as [ | <-]; lra). set (e := (f b - f a) / (2 * (b - a))).
+  assert (He : 0 < e) by (apply Rdiv_lt_0_compat; lra).
+  assert (f b <= f a + e * (b - a)). 2: { replace (e * (b - a)) with ((f b - f a) / 2) in H by (unfold e; field; lra). lra. }
+  apply (real_ind (fun t => f t <= f a + e * (t - a)) a b); try lra.
+  - intros t Ht H. apply Rnot_lt_le. intros n. destruct (left_pos (fun s => f s - (f a + e * (s - a))) t) as (d & d0 & P); [ specialize (Hc t Ht);
+    cont | lra | ].
+    assert (0 < Rmin d (t - a)) by (apply Rmin_pos; lra). pose proof (Rmin_l d (t - a)). pose proof (Rmin_r d (t - a)).
+    specialize (P (t - Rmin d (t - a) / 2) ltac:(lra)). specialize (H (t - Rmin d (t - a) / 2) ltac:(lra)). lra.
+  - intros t Ht H. destruct (Hd t Ht e He) as (d & d0 & D). exists d. split; trivial. intros s Hs. specialize (D (s - t) ltac:(lra)).
+    specialize (H t ltac:(lra)). replace (t + (s - t)) with s in D by ring. lra.
 Qed.
 
 (* a function below M, or at M and not growing, stays below M to first order *)
-Lemma below_step f t l M : rder f t l -> f t <= M -> (M <= f t -> l <= 0) -> forall eps, 0 < eps -> exists d, 0 < d /\ forall h, 0 < h < d -> f (t + h) <= M + eps * h.
+Lemma below_step f t l M : rder f t l -> f t <= M -> (M <= f t -> l <= 0) -> forall eps, 0 < eps -> exists d, 0 < d /\ forall h,
+  0 < h < d -> f (t + h) <= M + eps * h.
 Proof.
   intros H h1 h2 eps he. destruct (Rle_lt_dec M (f t)) as [k | k].
   - destruct (rder_step _ _ _ H eps he) as (d & d0 & S). exists d. split; trivial. intros h hh. specialize (S h hh). specialize (h2 k). nra.
