@@ -2,8 +2,7 @@
    derivatives (`hospital`), limits taken apart (tactic `lim`), and laws with a first correction c (ln t)/t (`near`). *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Fate.
-From Slipbook.General Require Import Rates.
+From Slipbook Require Import Motion Turntable Analysis.
 Open Scope R_scope.
 
 Lemma ln_mono a b : 0 < a <= b -> ln a <= ln b.
@@ -12,10 +11,6 @@ Lemma root_sq a : 0 <= a -> sqrt a ^ 2 = a.
 Proof. intros H. rewrite <- Rsqr_pow2. now apply Rsqr_sqrt. Qed.
 
 (* ---- right derivatives and continuity of quotients, too ---- *)
-Lemma cont_inv f t : continuity_pt f t -> f t <> 0 -> continuity_pt (fun s => / f s) t.
-Proof. intros C N. now apply (continuity_pt_inv f). Qed.
-Lemma rder_fixed (c t : R) : rder (fun _ => c) t 0.
-Proof. apply rder_of. auto_derive; trivial. Qed.
 Ltac rdq := match goal with
   | _ => eassumption
   | |- rder (fun _ => ?c) _ _ => apply rder_fixed
@@ -47,15 +42,10 @@ Ltac contq := match goal with
 Ltac conts S := contq; try first [ apply (s_cx _ _ _ _ S) | apply (s_cy _ _ _ _ S) | apply (s_cu _ _ _ _ S) | apply (s_cw _ _ _ _ S) ]; try lra.
 
 (* ---- what stays positive, what sinks ---- *)
-Lemma near_pos f t : continuity_pt f t -> 0 < f t -> exists d, 0 < d /\ forall s, t - d < s <= t -> 0 < f s.
-Proof.
-  intros C P. destruct (cont_eps f t (f t) C P) as (d & d0 & H). exists d. split; trivial. intros s Hs.
-  specialize (H s ltac:(apply Rabs_def1; lra)). apply Rabs_def2 in H. lra.
-Qed.
 (* just before b *)
 Lemma just_before a b f : a < b -> continuity_pt f b -> 0 < f b -> exists r, a <= r < b /\ forall t, r <= t <= b -> 0 < f t.
 Proof.
-  intros ab C P. destruct (near_pos f b C P) as (d & d0 & H). pose proof (Rmin_l d (b - a)). pose proof (Rmin_r d (b - a)).
+  intros ab C P. destruct (left_pos f b C P) as (d & d0 & H). pose proof (Rmin_l d (b - a)). pose proof (Rmin_r d (b - a)).
   assert (0 < Rmin d (b - a)) by (apply Rmin_pos; lra). exists (b - Rmin d (b - a) / 2). split. lra. intros t Ht. apply H. lra.
 Qed.
 Lemma stays_pos f a b : (forall t, a < t <= b -> continuity_pt f t) -> (forall t, a <= t < b -> 0 < f t -> exists l, rder f t l) -> 0 < f a ->
