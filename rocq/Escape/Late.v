@@ -106,6 +106,7 @@ Ltac lim := match goal with
   | |- is_lim (fun t => sqrt (@?a t)) _ _ => apply (tends_comp sqrt a); [ lim | apply continuity_pt_sqrt ]
   | |- is_lim (fun t => ln (@?a t)) _ _ => apply (tends_comp ln a); [ lim | apply (cont_ln (fun y => y)); [ contq | ] ]
   | |- is_lim (fun t => / @?a t) _ _ => apply (tends_comp Rinv a); [ lim | apply (cont_inv (fun y => y)); [ contq | ] ]
+  | |- is_lim (fun t => Rabs (@?a t)) _ _ => apply (tends_comp Rabs a); [ lim | apply Rcontinuity_abs ]
   | |- is_lim (fun t => - @?a t) _ _ => apply (tends_comp Ropp a); [ lim | contq ]
   | |- is_lim (fun t => @?a t ^ ?n) _ _ => apply (tends_comp (fun y => y ^ n) a); [ lim | contq ]
   | |- is_lim (fun t => @?a t + @?b t) _ _ => apply (is_lim_plus' a b); lim
