@@ -202,9 +202,6 @@ Ltac nears := match goal with
   | |- near (fun t => @?a t / @?b t) _ => apply (near_mult a (fun t => / b t)); nears
   | |- near (fun t => @?a t ^ ?n) _ => apply (near_pow a n); nears
   end.
-(* 1/t and 1/ln t vanish *)
-Lemma inv_time : tends (fun t => / t) 0.
-Proof. exact (is_lim_inv (fun t => t) p_infty p_infty (is_lim_id p_infty) ltac:(discriminate)). Qed.
 Lemma inv_ln : tends (fun t => / ln t) 0.
 Proof. exact (is_lim_inv ln p_infty p_infty is_lim_ln_p ltac:(discriminate)). Qed.
 (* what differs from 1 by a bounded multiple of 1/t has no term in (ln t)/t *)
