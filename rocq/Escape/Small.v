@@ -82,8 +82,8 @@ Proof.
 Qed.
 Let k := kk / (3 * A0 + 1).
 Let La := exp (3 / k).
-Hypothesis small : p s * La <= W * A0. Hypothesis brief : p s * La * 3 / kk <= 1.
-Lemma soon : exists T, s <= T <= s + p s * La * 3 / kk /\ (forall r, s <= r <= T -> 0 < p r <= W * A0) /\ g T <= e.
+Hypothesis small : p s * La < W * A0. Hypothesis brief : p s * La * 3 / kk <= 1.
+Lemma soon : exists T, s <= T <= s + p s * La * 3 / kk /\ (forall r, s <= r <= T -> 0 < p r < W * A0) /\ g T <= e.
 Proof.
   assert (q0 : 0 < kk) by (pose proof (kk0 1 Rlt_0_1); lra). assert (k0 : 0 < k) by (apply Rdiv_lt_0_compat; lra).
   assert (L1 : 1 < La) by (unfold La; rewrite <- exp_0; apply exp_increasing, Rdiv_lt_0_compat; lra).
@@ -144,7 +144,7 @@ End Small.
 Theorem relaxes A0 c0 e kap tau : 0 < A0 -> -1 < c0 <= 1 -> 0 < e < 1 -> 0 < kap -> 0 < tau -> exists W start, 0 < W <= kap /\ 0 < start <= W * A0 /\
   forall x y u w s, spin x y u w -> 0 <= s -> x s ^ 2 + y s ^ 2 - (u s ^ 2 + w s ^ 2) = A0 ^ 2 -> 0 < nrm (u s) (w s) < start ->
   x s * u s + y s * w s = nrm (x s) (y s) * nrm (u s) (w s) * c0 ->
-  exists T, s <= T <= s + tau /\ (forall r, s <= r <= T -> 0 < nrm (u r) (w r) <= W * A0) /\
+  exists T, s <= T <= s + tau /\ (forall r, s <= r <= T -> 0 < nrm (u r) (w r) < W * A0) /\
   forall t, T <= t -> (forall r, s <= r <= t -> 0 < nrm (u r) (w r) <= W * nrm (x r) (y r)) ->
   (1 - e) * (nrm (x t) (y t) * nrm (u t) (w t)) <= x t * u t + y t * w t.
 Proof.
@@ -166,7 +166,7 @@ Proof.
   assert (rs : 0 < nrm (x s) (y s)) by (pose proof (rho_from x y u w S s A0 s0 a0 Es s (Rle_refl s)); lra).
   assert (gs : g x y u w s <= top). { unfold g. rewrite cs. fold n. replace (_ * / n * / _) with c0 by (field; lra). lra. }
   assert (lv : 0 < e <= top /\ top < hi < 2) by (unfold hi in *; lra).
-  assert (f1 : n * La <= W * A0) by lra. assert (f2 : n * La * 3 / kk <= 1) by lra.
+  assert (f1 : n * La < W * A0) by lra. assert (f2 : n * La * 3 / kk <= 1) by lra.
   destruct (soon x y u w S s A0 e top hi sg W s0 a0 Es lv gs ps g0 g2 ltac:(lra) f1 f2) as (T & HT & HP & gT).
   exists T. split. { change (s <= T <= s + n * La * 3 / kk) in HT. lra. } split; trivial. intros t Ht' sl.
   pose proof (g_stays x y u w S s A0 e top hi sg W s0 a0 Es lv gs g0 g2 ltac:(lra) T t ltac:(lra) sl gT) as K.
