@@ -107,7 +107,7 @@ Ltac lim := match goal with
   | |- is_lim (fun t => ln (@?a t)) _ _ => apply (tends_comp ln a); [ lim | apply (cont_ln (fun y => y)); [ contq | ] ]
   | |- is_lim (fun t => / @?a t) _ _ => apply (tends_comp Rinv a); [ lim | apply (cont_inv (fun y => y)); [ contq | ] ]
   | |- is_lim (fun t => Rabs (@?a t)) _ _ => apply (tends_comp Rabs a); [ lim | apply Rcontinuity_abs ]
-  | |- is_lim (fun t => - @?a t) _ _ => apply (tends_comp Ropp a); [ lim | contq ]
+  | |- is_lim (fun t => - @?a t) _ _ => apply (tends_comp Ropp a); [ lim | apply (continuity_pt_opp (fun y => y)); contq ]
   | |- is_lim (fun t => @?a t ^ ?n) _ _ => apply (tends_comp (fun y => y ^ n) a); [ lim | contq ]
   | |- is_lim (fun t => @?a t + @?b t) _ _ => apply (is_lim_plus' a b); lim
   | |- is_lim (fun t => @?a t - @?b t) _ _ => apply (is_lim_minus' a b); lim
