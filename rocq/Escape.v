@@ -2,7 +2,7 @@
    Every motion with A > 1 at some moment escapes by the laws shown here; of the printed ones (128) to (137) none holds. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Sphere Fate TableAngle QuasiFixed Formulas Analysis Late Alpha Spiral Small.
+From Slipbook Require Import Motion Turntable Sphere Fate TableMotions TableAngle QuasiFixed Formulas Analysis Late Alpha Spiral Small.
 Open Scope R_scope.
 
 (* f is law (1 + c (ln t)/t + o((ln t)/t)) as t goes to infinity; both are functions of the time, dimensionless *)
@@ -447,3 +447,97 @@ Proof.
   rewrite <- (ln_exp (2 * (M + 1))) at 1. apply ln_mono. split. apply exp_pos. nra.
 Qed.
 End Escapes.
+
+(* ---- what these theorems speak of exists ---- *)
+(* the angle between - pi and pi *)
+Definition angle_of x y u w := if Req_EM_T (nrm x y * nrm u w + (x * u + y * w)) 0 then PI else proj1_sig (angle_exists x y u w).
+Lemma angle_of_spec x y u w : - PI < angle_of x y u w <= PI /\ angle x y u w (angle_of x y u w).
+Proof.
+  unfold angle_of. pose proof PI_RGT_0. destruct (angle_exists x y u w) as (psi & a & k). simpl. apply angle_iff in a. destruct (Req_EM_T _ 0) as [z | n].
+  - split. lra. split; rewrite ?cos_PI, ?sin_PI; [ lra | ]. destruct a as [a1 a2]. set (m := nrm x y * nrm u w) in *.
+    destruct (sq_sum (m * sin psi) 0); [ | lra ]. replace (_ + _) with (m ^ 2 * (cos psi ^ 2 + sin psi ^ 2) - (m * cos psi) ^ 2) by ring.
+    rewrite unit_circle. replace (m * cos psi) with (- m) by lra. lra.
+  - split; trivial. rewrite (k n). unfold half_angle. pose proof (atan_bound ((y * u - x * w) / (nrm x y * nrm u w + (x * u + y * w)))). lra.
+Qed.
+(* every start inside p < rho has a motion, with A, alpha and psi *)
+Lemma inner_exists a b c d : nrm c d < nrm a b -> exists x y u w A alpha, spin x y u w /\ (x 0 = a /\ y 0 = b /\ u 0 = c /\ w 0 = d) /\
+  forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha t).
+Proof.
+  intros H. destruct (table_exists a b c d) as (x & y & u & w & S & e). exists x, y, u, w. assert (e' := e). destruct e' as (<- & <- & <- & <-).
+  destruct (with_A x y u w S H) as (A & alpha & K). exists A, alpha. split; trivial. split; trivial. intros t Ht. split; [ | now apply K ].
+  now apply (A_rate x y u w A alpha S 0 (Rle_refl 0)).
+Qed.
+(* one that escapes and never stops, from rho = 2 outward, p = 1, with all that goes with it *)
+Lemma an_escape : exists x y u w A alpha, spin x y u w /\ (forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha t)) /\
+  eq127_least_a < A 0 /\ (forall t, 0 <= t -> 0 < nrm (u t) (w t)) /\
+  (exists psi, forall t, 0 <= t -> - PI < psi t <= PI /\ angle (x t) (y t) (u t) (w t) (psi t)) /\
+  (exists dA, forall t, 0 <= t -> rder A t (dA t)) /\ (exists dalpha, forall t, 0 <= t -> 0 < nrm (u t) (w t) -> rder alpha t (dalpha t)) /\
+  exists len, arc_length u w len.
+Proof.
+  destruct (inner_exists 2 0 1 0) as (x & y & u & w & A & alpha & S & (e1 & e2 & e3 & e4) & In). rewrite !nrm_x0; lra. exists x, y, u, w, A, alpha.
+  destruct (inside x y u w A alpha 0 In 0 (Rle_refl 0)) as (A0 & A2 & _). rewrite e1, e2, e3, e4 in A2. split; trivial. split; trivial.
+  split. { unfold eq127_least_a. nra. } split.
+  { apply (never_stops x y u w S 0 (Rle_refl 0)); rewrite e1, e2, e3, e4. lra. pose proof (nrm_pos 1 0). pose proof (sqrt_pos (2 ^ 2 + 0 ^ 2 - (1 ^ 2 + 0 ^ 2))). nra. }
+  pose (psi t := angle_of (x t) (y t) (u t) (w t)). assert (a : forall t, - PI < psi t <= PI /\ angle (x t) (y t) (u t) (w t) (psi t)) by (intros; apply angle_of_spec).
+  pose proof (fun t Ht => rates x y u w A alpha 0 S (Rle_refl 0) In t (psi t) Ht (proj2 (a t))) as R. split. { exists psi. auto. }
+  split. { eexists. intros t Ht. exact (proj1 (R t Ht)). } split. { eexists. intros t Ht. exact (proj2 (R t Ht)). }
+  eexists. apply (arc_exists 1 1 x y u w Rlt_0_1). now apply spin_is_turntable.
+Qed.
+Ltac an_escape := intros H; pose proof (Rle_refl 0); destruct an_escape as (x & y & u & w & A & alpha & S & In & A1 & p0 & (psi & Hpsi) & (dA & HdA)
+  & (dalpha & Hda) & len & Hlen); first [ eapply (H x y u w A alpha 0); eassumption | idtac ].
+Lemma eq_126__occurs : ltac:(occurs eq_126).
+Proof. an_escape. apply (H x y u w A alpha 0 S ltac:(lra) In (psi 0) 0); auto. now apply Hpsi. Qed.
+Lemma eq_127__occurs : ltac:(occurs eq_127). Proof. an_escape. Qed.
+Lemma s4_A_never_decreases__occurs : ltac:(occurs s4_A_never_decreases). Proof. an_escape. Qed.
+Lemma s4_escape_if_A_above_1__occurs : ltac:(occurs s4_escape_if_A_above_1). Proof. an_escape. Qed.
+Lemma eq_128__occurs : ltac:(occurs eq_128). Proof. an_escape. Qed.
+Lemma eq_128__printed__occurs : ltac:(occurs eq_128__printed). Proof. an_escape. Qed.
+Lemma eq_129__occurs : ltac:(occurs eq_129). Proof. an_escape. Qed.
+Lemma eq_129__printed__occurs : ltac:(occurs eq_129__printed). Proof. an_escape. Qed.
+Lemma eq_130__occurs : ltac:(occurs eq_130). Proof. an_escape. Qed.
+Lemma eq_130__printed__occurs : ltac:(occurs eq_130__printed). Proof. an_escape. Qed.
+Lemma eq_131__occurs : ltac:(occurs eq_131). Proof. an_escape. Qed.
+Lemma eq_131__printed__occurs : ltac:(occurs eq_131__printed). Proof. an_escape. Qed.
+Lemma eq_132__occurs : ltac:(occurs eq_132). Proof. an_escape. Qed.
+Lemma eq_132__printed__occurs : ltac:(occurs eq_132__printed). Proof. an_escape. Qed.
+Lemma eq_133__occurs : ltac:(occurs eq_133). Proof. an_escape. Qed.
+Lemma eq_133__printed__occurs : ltac:(occurs eq_133__printed). Proof. an_escape. Qed.
+Lemma eq_134__occurs : ltac:(occurs eq_134). Proof. an_escape. Qed.
+Lemma eq_134__printed__occurs : ltac:(occurs eq_134__printed). Proof. an_escape. Qed.
+Lemma eq_135__occurs : ltac:(occurs eq_135). Proof. an_escape. Qed.
+Lemma eq_135__printed__occurs : ltac:(occurs eq_135__printed). Proof. an_escape. Qed.
+Lemma eq_136__occurs : ltac:(occurs eq_136). Proof. an_escape. Qed.
+Lemma eq_136__printed__occurs : ltac:(occurs eq_136__printed). Proof. an_escape. Qed.
+Lemma eq_137__occurs : ltac:(occurs eq_137). Proof. an_escape. Qed.
+Lemma eq_137__printed__occurs : ltac:(occurs eq_137__printed). Proof. an_escape. Qed.
+Lemma eq_138__occurs : ltac:(occurs eq_138). Proof. an_escape. Qed.
+Lemma s4_alpha_unbounded__occurs : ltac:(occurs s4_alpha_unbounded). Proof. an_escape. Qed.
+(* every A, psi and alpha there are at a start: what s4_small_alpha speaks of exists *)
+Lemma s4_small_alpha__occurs A0 psi0 a : 0 < A0 -> - PI < psi0 < PI -> 0 < a -> exists x y u w A alpha psi, spin x y u w /\
+  (forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha t)) /\ (forall t, 0 <= t -> - PI < psi t <= PI /\ angle (x t) (y t)
+    (u t) (w t) (psi t)) /\
+  A 0 = A0 /\ psi 0 = psi0 /\ alpha 0 = a.
+Proof.
+  intros a0 Hpsi Ha. pose proof (cosh_pos a) as c0. assert (s0 : 0 < sinh a) by (rewrite <- sinh_0; now apply sinh_lt). pose proof (cosh2 a) as ch.
+  assert (ac : 0 < A0 * cosh a) by now apply Rmult_lt_0_compat. assert (as0 : 0 < A0 * sinh a) by now apply Rmult_lt_0_compat.
+  assert (rn : nrm (A0 * cosh a) 0 = A0 * cosh a) by (apply nrm_x0; lra).
+  assert (pn : nrm (A0 * sinh a * cos psi0) (- (A0 * sinh a * sin psi0)) = A0 * sinh a).
+  { rewrite <- (sqrt_pow2 (A0 * sinh a)) at 3 by lra. unfold nrm. f_equal. rewrite <- (Rmult_1_r ((A0 * sinh a) ^ 2)), <- (unit_circle psi0). ring. }
+  destruct (inner_exists (A0 * cosh a) 0 (A0 * sinh a * cos psi0) (- (A0 * sinh a * sin psi0))) as (x & y & u & w & A & alpha & S & (e1 & e2 & e3 & e4) & In).
+  { rewrite rn, pn. nra. }
+  exists x, y, u, w, A, alpha, (fun t => if Req_EM_T t 0 then psi0 else angle_of (x t) (y t) (u t) (w t)). split; trivial. split; trivial. split.
+  { intros t _. destruct (Req_EM_T t 0) as [-> | _]; [ | apply angle_of_spec ]. split. lra. unfold angle. rewrite e1, e2, e3, e4, rn, pn. split; ring. }
+  destruct (inside x y u w A alpha 0 In 0 (Rle_refl 0)) as (Ap & A2 & k1 & _). rewrite e3, e4, pn in k1. assert (A00 : A 0 = A0).
+  { rewrite E_is, e1, e2, e3, e4, rn, pn, !Rpow_mult_distr, ch in A2. apply Rsqr_inj; try lra. rewrite !Rsqr_pow2. lra. }
+  split; trivial. split. now destruct (Req_EM_T 0 0). rewrite <- (arcsinh_sinh (alpha 0)), <- (arcsinh_sinh a). f_equal. rewrite A00 in k1. nra.
+Qed.
+(* ... and one that is caught as (127) says: from rho = 1/2, p = 1/4 *)
+Lemma eq_127__caught__occurs : exists x y u w A alpha, spin x y u w /\ (forall t, 0 <= t -> 0 < A t /\ hyperbolic (x t) (y t) (u t) (w t) (A t) (alpha
+  t)) /\
+  A 0 < eq127_least_a /\ 0 < alpha 0 < ln (1 / A 0).
+Proof.
+  destruct (inner_exists (/ 2) 0 (/ 4) 0) as (x & y & u & w & A & alpha & S & (e1 & e2 & e3 & e4) & In). rewrite !nrm_x0; lra.
+  exists x, y, u, w, A, alpha. split; trivial. split; trivial. destruct (inside x y u w A alpha 0 In 0 (Rle_refl 0)) as (A0 & A2 & k1 & _ & _ & sum).
+  rewrite e1, e2, e3, e4, !nrm_x0 in * by lra. unfold eq127_least_a. split. nra. split. { apply sinh_sign. nra. }
+  rewrite <- (ln_exp (alpha 0)). apply ln_increasing. apply exp_pos. apply Rlt_div_r; trivial. lra.
+Qed.
