@@ -5,10 +5,10 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Turntable Sphere Fate TableMotions TableAngle QuasiFixed Formulas Analysis Late Alpha Spiral Small.
 Open Scope R_scope.
 
-(* f is law (1 + c (ln t)/t + o((ln t)/t)) as t goes to infinity; both are functions of the time, dimensionless *)
+(* Functions of the time, dimensionless: «$\frac{f(t)}{law(t)}=1+c\,\frac{\ln t}{t}+o(\frac{\ln t}{t})$ for $t\to\infty$, with $f$: $f$; $law$: $law$» *)
 Definition follows (f law : R -> R) (c : R) : Prop :=
   is_lim (fun t => f t / law t) p_infty 1 /\ is_lim (fun t => (f t / law t - 1) * (t / ln t)) p_infty c.
-(* f over law goes to a number, which is not 1 *)
+(* A law that does not hold, dimensionless: «$\frac{f(t)}{law(t)}\to c\ne1$ for $t\to\infty$, with $f$: $f$; $law$: $law$» *)
 Definition misses (f law : R -> R) (c : R) : Prop := is_lim (fun t => f t / law t) p_infty c /\ c <> 1.
 
 Lemma follows_of f law c : near (fun t => f t / law t) c -> follows f law c.
@@ -97,26 +97,29 @@ Proof.
   assert (below : forall a k, a < arcsinh k -> sinh a < k) by (intros a k h; rewrite <- (sinh_arcsinh k); now apply sinh_lt).
   assert (sp : forall a, 0 < a -> 0 < sinh a) by (intros a h; rewrite <- sinh_0; now apply sinh_lt).
   assert (Ag : forall t, s <= t -> A0 <= A t).
-  { intros t Ht. pose proof (A_never_falls x y u w S s t ltac:(lra)) as up. destruct (ins t Ht) as (At & e1 & _). destruct (ins s (Rle_refl s)) as (_ & e3 & _). nra. }
+  { intros t Ht. pose proof (A_never_falls x y u w S s t ltac:(lra)) as up. destruct (ins t Ht) as (At & e1 & _). destruct (ins s (Rle_refl s)) as (_ & e3 & _).
+    rewrite <- As in *. apply Rsqr_incr_0; rewrite ?Rsqr_pow2; lra. }
   destruct (ins s (Rle_refl s)) as (_ & Es & ps & _). rewrite As in *. destruct al0 as [al0 al1]. apply below in al1. apply sp in al0.
   destruct (rel x y u w s S Hs) as (T & HT & HW & Hend). { now symmetry. }
-  { rewrite ps. split. nra. rewrite Rmult_comm. now apply Rlt_div_r. } { rewrite <- Ps. now apply Ang, Rle_refl. }
+  { rewrite ps. split. now apply Rmult_lt_0_compat. rewrite Rmult_comm. now apply Rlt_div_r. } { rewrite <- Ps. now apply Ang, Rle_refl. }
   exists T. split; trivial. split.
   - intros r Hr. specialize (HW r Hr). destruct (ins r ltac:(lra)) as (Ar & _ & k1 & _). destruct (positive x y u w A alpha s In r) as [s1 a1]; try lra. split; trivial.
     pose proof (Ag r ltac:(lra)). rewrite <- (arcsinh_sinh (alpha r)). apply arcsinh_lt.
-    rewrite k1 in HW. nra.
+    rewrite k1 in HW. assert (A0 * sinh (alpha r) <= A r * sinh (alpha r)) by (apply Rmult_le_compat_r; lra). apply (Rmult_lt_reg_l A0); lra.
   - intros t Ht small. pose proof (small t ltac:(lra)) as [a0 a1]. apply below in a1. pose proof (sp _ a0) as s1.
-    destruct (ins t ltac:(lra)) as (At & _ & k1 & k2 & pr & _). pose proof (cosh_from_1 (alpha t)) as ch. assert (p0 : 0 < nrm (u t) (w t)) by (rewrite k1; nra).
+    destruct (ins t ltac:(lra)) as (At & _ & k1 & k2 & pr & _). pose proof (cosh_from_1 (alpha t)) as ch. assert (p0 : 0 < nrm (u t) (w t)) by (rewrite k1; now apply Rmult_lt_0_compat).
     assert (close : (1 - e) * (nrm (x t) (y t) * nrm (u t) (w t)) <= x t * u t + y t * w t).
     { apply Hend; trivial. intros r Hr. destruct (small r ltac:(lra)) as [r0 r1]. apply below in r1. apply sp in r0.
-      destruct (ins r ltac:(lra)) as (Ar & _ & q1 & q2 & _). pose proof (cosh_from_1 (alpha r)). rewrite q1, q2. split. nra.
-      replace (W * (A r * cosh (alpha r))) with (A r * (W * cosh (alpha r))) by ring. apply Rmult_le_compat_l; nra. }
-    destruct (Ang t ltac:(lra)) as [rg an]. assert (rp : 0 < nrm (x t) (y t) * nrm (u t) (w t)) by nra.
-    assert (P1 : Rabs (psi t) <= e2). { apply small_angle; trivial. lra. rewrite (proj1 an) in close. unfold e in close. nra. }
+      destruct (ins r ltac:(lra)) as (Ar & _ & q1 & q2 & _). pose proof (cosh_from_1 (alpha r)). rewrite q1, q2. split. now apply Rmult_lt_0_compat.
+      replace (W * (A r * cosh (alpha r))) with (A r * (W * cosh (alpha r))) by ring. apply Rmult_le_compat_l. lra.
+      apply Rle_trans with (W * 1); [ lra | apply Rmult_le_compat_l; lra ]. }
+    destruct (Ang t ltac:(lra)) as [rg an]. assert (rp : 0 < nrm (x t) (y t) * nrm (u t) (w t)) by (apply Rmult_lt_0_compat; lra).
+    assert (P1 : Rabs (psi t) <= e2). { apply small_angle; trivial. lra. rewrite (proj1 an) in close. unfold e in close. apply (Rmult_le_reg_l _ _ _ rp). lra. }
     destruct (psi1_spec (alpha t) a0) as (b1 & _ & C1). pose proof (cosh_double (alpha t)) as cd. pose proof (cosh_pos (2 * alpha t)).
     assert (s2 : sinh (alpha t) ^ 2 <= kap * 1) by (simpl; rewrite Rmult_1_r; apply Rmult_le_compat; lra).
     assert (P2 : Rabs (eq124_psi1 (alpha t)) <= e2).
-    { apply small_angle; trivial; try lra. rewrite C1. apply (Rmult_le_reg_r (cosh (2 * alpha t))). lra. rewrite Rinv_l, cd by lra. unfold e in *. nra. }
+    { apply small_angle; trivial; try lra. rewrite C1. apply (Rmult_le_reg_r (cosh (2 * alpha t))). lra. rewrite Rinv_l, cd by lra.
+      assert (cos e2 * (2 * sinh (alpha t) ^ 2) <= cos e2 * (1 - cos e2)) by (apply Rmult_le_compat_l; unfold e in *; lra). pose proof (pow2_ge_0 (1 - cos e2)). lra. }
     apply Rabs_le_between in P1. apply Rabs_le_between in P2. split. apply Rabs_def1; lra. split. apply Rabs_def1; lra. split. apply Rabs_def1; lra.
     destruct (eq_126 x y u w A alpha s S Hs In (psi t) t ltac:(lra) p0 an) as (l & L & B). exists l. split; trivial. eapply Rle_lt_trans. exact B.
     assert (Rabs (psi t - eq124_psi1 (alpha t)) <= 2 * e2) by (apply Rabs_le; lra). pose proof (Ag t ltac:(lra)) as ag.
@@ -361,7 +364,9 @@ Proof.
   { intros t Ht. specialize (H2 t Ht). destruct (HT t ltac:(lra)) as (p0 & x0 & _). destruct (range t ltac:(lra)) as [rg [a1 a2]].
     destruct (inside t ltac:(lra)) as (_ & _ & _ & _ & pr & _). assert (c0 : xi t / rho t = cos (psi t)) by (rewrite a1; field; lra).
     replace ((x t * w t - y t * u t) * / p t / rho t) with (- sin (psi t)) in * by (rewrite a2; field; lra). rewrite c0.
-    assert (cp : 0 < cos (psi t)) by (rewrite <- c0; apply Rdiv_lt_0_compat; lra). assert (d0 : / 2 < sin (psi t)) by nra. pose proof PI_RGT_0.
+    assert (cp : 0 < cos (psi t)) by (rewrite <- c0; apply Rdiv_lt_0_compat; lra). pose proof PI_RGT_0.
+    assert (d0 : / 2 < sin (psi t)).
+    { apply Rnot_le_lt. intros k. assert (1 * / 2 <= t * (1 + - sin (psi t))) by (apply Rmult_le_compat; lra). lra. }
     assert (0 < psi t < PI / 2).
     { split; apply Rnot_le_lt; intros k; [ pose proof (sin_ge_0 (- psi t) ltac:(lra) ltac:(lra)) as q; rewrite sin_neg in q; lra |
       pose proof (cos_le_0 (psi t) ltac:(lra) ltac:(lra)); lra ]. }
