@@ -60,7 +60,8 @@ Proof.
     specialize (Hd q ltac:(lra)). cbv beta in Hd. pose proof (N q ltac:(lra)) as pq. pose proof (mono q ltac:(lra)) as xq.
     destruct (slip x y u w S q ltac:(lra) ltac:(lra)) as (X & Y & U & W). pose proof (d_p q ltac:(lra) pq) as P. eexists. split. rds.
     destruct (xi_p q pq) as (e1 & e2 & e3). pose proof (nrm_sq (u q) (w q)). pose proof (nrm_sq (x q) (y q)). pose proof (nrm_pos (x q) (y q)).
-    set (z := xi q) in *. set (l := ell q) in *. assert (ez : (x q * u q + y q * w q) * / p q = z) by reflexivity. set (n := p q) in *. set (m := rho q) in *.
+    set (z := xi q) in *. set (l := ell q) in *. assert (ez : (x q * u q + y q * w q) * / p q = z) by reflexivity. set (n := p q) in *.
+      set (m := rho q) in *.
     assert (- m <= l) by nra. assert ((c - 1) * - c <= (c - 1) * z) by (apply Rmult_le_compat_l; lra).
     assert (0 <= n * (l + m)) by (apply Rmult_le_pos; lra). assert (c ^ 2 < (m - n) ^ 2) by nra. unfold Rdiv. nra. }
   specialize (N r Hr). specialize (mono r Hr). rewrite k, z1, z2, <- (proj1 (xi_p r N)) in K. nra.
@@ -109,7 +110,8 @@ Proof.
   { intros t Ht. enough (p t ^ 2 - (K - 1) * E t <= p s ^ 2 - (K - 1) * E s) by nra.
     apply (rder_decr (fun t => p t ^ 2 - (K - 1) * E t)); trivial; intros r Hr. conts S.
     pose proof (N r ltac:(lra)) as pr. pose proof (d_p r ltac:(lra) pr) as P. pose proof (E_rate x y u w S r ltac:(lra)) as D.
-    eexists. split. apply (rder_minus (fun t => p t ^ 2) (fun t => (K - 1) * E t)); [ apply (rder_pow (fun t => p t) 2 _ _ P) | apply (rder_mult (fun _ => K - 1)); [ rd | exact D ] ].
+    eexists. split. apply (rder_minus (fun t => p t ^ 2) (fun t => (K - 1) * E t));
+      [ apply (rder_pow (fun t => p t) 2 _ _ P) | apply (rder_mult (fun _ => K - 1)); [ rd | exact D ] ].
     destruct (below r ltac:(lra)). set (z := xi r) in *. simpl. nra. }
   destruct (unbounded_above_1 x y u w S s Hs HE (2 * K ^ 2 + p s ^ 2)) as (T & T0 & HT).
   set (c := / (8 * K * (2 * K + 1))). assert (c0 : 0 < c) by (apply Rinv_0_lt_compat; nra).
@@ -117,7 +119,8 @@ Proof.
   pose proof (below T T0). pose proof (below t1 ltac:(lra)). enough (c * t1 - xi t1 <= c * T - xi T) by lra.
   apply (rder_decr (fun t => c * t - xi t)); trivial; intros r Hr; pose proof (N r ltac:(lra)) as pr. conts S.
   pose proof (d_xi r ltac:(lra) pr) as D. eexists. split. apply (rder_minus (fun t => c * t) (fun t => xi t)); [ rd | exact D ].
-  destruct (xi_p r pr) as (_ & _ & e3). specialize (HT r ltac:(lra)). specialize (energy r ltac:(lra)). pose proof (pow2_ge_0 (p s)). pose proof (pow2_ge_0 K).
+  destruct (xi_p r pr) as (_ & _ & e3). specialize (HT r ltac:(lra)). specialize (energy r ltac:(lra)). pose proof (pow2_ge_0 (p s)).
+    pose proof (pow2_ge_0 K).
   enough (c <= (p r + ell r) ^ 2 / p r) by lra. apply (xi_rate K _ _ (E r) (xi r)); trivial; try lra. apply below; lra. rewrite E_is. lra.
 Qed.
 (* p / (rho - p) grows without bound *)
@@ -133,7 +136,8 @@ Proof.
   { apply (rder_decr (fun t => (N0 + 1) * t - p t)); trivial; intros r Hr. conts S. specialize (HT r ltac:(lra)).
     eexists. split. apply (rder_minus (fun t => (N0 + 1) * t)); [ rd | apply (d_p r ltac:(lra) (N r ltac:(lra))) ]. lra. }
   enough (rho t - p t - t <= rho T - p T - T) by nra.
-  apply (rder_decr (fun t => rho t - p t - t)); trivial; intros r Hr. conts S. pose proof (N r ltac:(lra)) as pr. destruct (rp r ltac:(lra)) as [_ r2].
+  apply (rder_decr (fun t => rho t - p t - t)); trivial; intros r Hr. conts S. pose proof (N r ltac:(lra)) as pr.
+    destruct (rp r ltac:(lra)) as [_ r2].
   pose proof (d_p r ltac:(lra) pr). pose proof (rder_rho x y u w S r ltac:(lra) ltac:(lra) ltac:(lra)). specialize (HT r ltac:(lra)).
   destruct (xi_p r pr) as [e1 _].
   eexists. split. rds. set (z := xi r) in *. rewrite <- e1. enough (z * p r / rho r <= z) by lra. apply Rle_div_l; nra.

@@ -130,7 +130,8 @@ Qed.
 
 (* l'Hôpital *)
 Lemma hospital_half T f df g dg m m' : (forall t, T <= t -> rder f t (df t) /\ rder g t (dg t) /\ df t <= m * dg t) -> m < m' ->
-  (forall t, T < t -> continuity_pt f t /\ continuity_pt g t) -> is_lim g p_infty p_infty -> exists T', T <= T' /\ forall t, T' <= t -> f t < m' * g t.
+  (forall t, T < t -> continuity_pt f t /\ continuity_pt g t) -> is_lim g p_infty p_infty -> exists T', T <= T' /\ forall t, T' <= t -> f t < m' * g
+    t.
 Proof.
   intros D Hm C G. set (c := f T - m * g T). apply is_lim_spec in G. destruct (G (c / (m' - m))) as [T2 HG]. exists (Rmax T (T2 + 1)).
   split. apply Rmax_l. intros t Ht. pose proof (Rmax_l T (T2 + 1)). pose proof (Rmax_r T (T2 + 1)). specialize (HG t ltac:(lra)).
@@ -142,7 +143,8 @@ Lemma hospital T f df g dg (L : R) : (forall t, T <= t -> rder f t (df t) /\ rde
   (forall t, T < t -> continuity_pt f t /\ continuity_pt g t) -> tends (fun t => df t / dg t) L -> is_lim g p_infty p_infty ->
   tends (fun t => f t / g t) L.
 Proof.
-  intros D C H G. apply is_lim_spec. intros eps. pose proof (cond_pos eps) as ep. destruct (in_the_end T _ L (eps / 2) H ltac:(lra)) as (T1 & T10 & HT).
+  intros D C H G. apply is_lim_spec. intros eps. pose proof (cond_pos eps) as ep.
+    destruct (in_the_end T _ L (eps / 2) H ltac:(lra)) as (T1 & T10 & HT).
   assert (near : forall t, T1 <= t -> (L - eps / 2) * dg t <= df t <= (L + eps / 2) * dg t).
   { intros t Ht. specialize (HT t Ht). destruct (D t ltac:(lra)) as (_ & _ & k).
     replace (df t) with (df t / dg t * dg t) by (field; lra). split; apply Rmult_le_compat_r; lra. }

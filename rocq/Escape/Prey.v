@@ -22,7 +22,8 @@ Record hunt (T : R) (z h N P : R -> R) : Prop := {
 Definition off y := y - 1 - ln y.
 Lemma off_least y : 0 < y -> (sqrt y - 1) ^ 2 <= off y.
 Proof.
-  intros H. pose proof (sqrt_lt_R0 y H) as s0. pose proof (root_sq y ltac:(lra)) as s2. pose proof (exp_ineq1_le (ln (sqrt y))) as k. rewrite exp_ln in k by trivial.
+  intros H. pose proof (sqrt_lt_R0 y H) as s0. pose proof (root_sq y ltac:(lra)) as s2. pose proof (exp_ineq1_le (ln (sqrt y))) as k.
+    rewrite exp_ln in k by trivial.
   unfold off. replace (ln y) with (2 * ln (sqrt y)). nra. rewrite <- s2 at 2. rewrite <- Rsqr_pow2. unfold Rsqr. rewrite ln_mult by trivial. ring.
 Qed.
 Lemma off_most y : / 2 <= y -> off y <= 2 * (y - 1) ^ 2.
@@ -34,7 +35,8 @@ Qed.
 Lemma errors x y f1 f2 f3 : x * (f1 * x + f2 * y + f3) <= (Rabs f1 + Rabs f2 + Rabs f3) * (Rabs x * (Rabs x + Rabs y + 1)).
 Proof.
   eapply Rle_trans. apply Rle_abs. rewrite Rabs_mult. pose proof (Rabs_triang (f1 * x + f2 * y) f3). pose proof (Rabs_triang (f1 * x) (f2 * y)).
-  rewrite !Rabs_mult in *. pose proof (Rabs_pos x). pose proof (Rabs_pos y). pose proof (Rabs_pos f1). pose proof (Rabs_pos f2). pose proof (Rabs_pos f3).
+  rewrite !Rabs_mult in *. pose proof (Rabs_pos x). pose proof (Rabs_pos y). pose proof (Rabs_pos f1). pose proof (Rabs_pos f2).
+    pose proof (Rabs_pos f3).
   rewrite (Rmult_comm (Rabs x)), <- Rmult_assoc, (Rmult_comm _ (Rabs x)), (Rmult_comm _ (Rabs x)), Rmult_assoc. apply Rmult_le_compat_l; nra.
 Qed.
 
@@ -141,7 +143,8 @@ Proof.
     pose proof (pow2_ge_0 (N t - 3 / 4)). pose proof (pow2_ge_0 (P t - / 2)). unfold c1, c2, c3, c4 in *. set (kt := k t) in *. lra.
   - intros e' He. exists (Rmin (/ 64) (e' / 11)). split. apply Rmin_pos; lra. intros t Ht q. pose proof (Rmin_l (/ 64) (e' / 11)).
     pose proof (Rmin_r (/ 64) (e' / 11)). pose proof (pow2_ge_0 (N t - 3 / 4)). pose proof (pow2_ge_0 (P t - / 2)).
-    assert (/ 2 < N t) by nra. assert (/ 4 < P t) by nra. pose proof (off_most (4 / 3 * N t) ltac:(lra)). pose proof (off_most (2 * P t) ltac:(lra)). unfold V. lra.
+    assert (/ 2 < N t) by nra. assert (/ 4 < P t) by nra. pose proof (off_most (4 / 3 * N t) ltac:(lra)).
+      pose proof (off_most (2 * P t) ltac:(lra)). unfold V. lra.
 Qed.
 Theorem settles : tends N (3 / 4) /\ tends P (1 / 2).
 Proof.
@@ -149,7 +152,8 @@ Proof.
   { split; apply by_square; intros e He; (destruct (V_small (e / 2)) as (T' & T0 & HT); [ lra | exists T'; intros t Ht; specialize (HT t Ht) ]);
       at_ t; pose proof (off_least (4 / 3 * N t) ltac:(lra)); pose proof (off_least (2 * P t) ltac:(lra));
       pose proof (pow2_ge_0 (sqrt (4 / 3 * N t) - 1)); pose proof (pow2_ge_0 (sqrt (2 * P t) - 1)); unfold V in HT; lra. }
-  destruct K as [K1 K2]. split; [ apply (tends_ext T (fun t => 3 / 4 * sqrt (4 / 3 * N t) ^ 2)) | apply (tends_ext T (fun t => 1 / 2 * sqrt (2 * P t) ^ 2)) ];
+  destruct K as [K1 K2].
+    split; [ apply (tends_ext T (fun t => 3 / 4 * sqrt (4 / 3 * N t) ^ 2)) | apply (tends_ext T (fun t => 1 / 2 * sqrt (2 * P t) ^ 2)) ];
     try (limit; field); intros t Ht; at_ t; rewrite root_sq; lra.
 Qed.
 Let N1 := proj1 settles.
@@ -221,7 +225,8 @@ Qed.
 (* 1/z lags behind the time *)
 Theorem lags : near (fun t => / z t / t) (- (2 * v0)).
 Proof.
-  destruct deviations as [_ Lv]. cbv beta in Lv. pose proof zt_limit as L2. cbv beta in L2. apply (tends_ext (Rmax T (exp 1)) (fun t => (/ z t - t) / ln t)).
+  destruct deviations as [_ Lv]. cbv beta in Lv. pose proof zt_limit as L2. cbv beta in L2.
+    apply (tends_ext (Rmax T (exp 1)) (fun t => (/ z t - t) / ln t)).
   { intros t Ht. pose proof (Rmax_l T (exp 1)). pose proof (Rmax_r T (exp 1)). at_ t. destruct (lnt t ltac:(lra)). field. lra. }
   apply (hospital T _ (fun t => 2 * (1 - (1 - z t ^ 2) * P t) - 1) ln (fun t => 1 / t)).
   - intros t Ht. split; [ | split ].
@@ -235,12 +240,15 @@ Qed.
 (* N, P and h differ from their limits by multiples of 1/t *)
 Lemma near_multiple f g (l : R) : tends g l -> (forall t, T <= t -> f t = 1 + g t * z t) -> near f 0.
 Proof.
-  intros G E. apply (near_small T f (fun t => g t * (z t * t)) (l * 1)). apply tends_mult; [ exact G | exact zt_limit ]. intros t Ht. rewrite E by trivial. field. lra.
+  intros G E. apply (near_small T f (fun t => g t * (z t * t)) (l * 1)). apply tends_mult; [ exact G | exact zt_limit ]. intros t Ht.
+    rewrite E by trivial. field. lra.
 Qed.
 Theorem near_N : near (fun t => 4 / 3 * N t) 0.
-Proof. destruct deviations as [L _]. eapply near_multiple. apply (tends_mult (fun _ => 4 / 3)); [ apply is_lim_const | exact L ]. intros t Ht. at_ t. field. lra. Qed.
+Proof. destruct deviations as [L _]. eapply near_multiple. apply (tends_mult (fun _ => 4 / 3)); [ apply is_lim_const | exact L ]. intros t Ht.
+    at_ t. field. lra. Qed.
 Theorem near_P : near (fun t => 2 * P t) 0.
-Proof. destruct deviations as [_ L]. eapply near_multiple. apply (tends_mult (fun _ => 2)); [ apply is_lim_const | exact L ]. intros t Ht. at_ t. field. lra. Qed.
+Proof. destruct deviations as [_ L]. eapply near_multiple. apply (tends_mult (fun _ => 2)); [ apply is_lim_const | exact L ]. intros t Ht. at_ t.
+    field. lra. Qed.
 Theorem near_h : near h 0.
 Proof. eapply near_multiple. apply (tends_mult (fun _ => - (1))); [ apply is_lim_const | exact w_limit ]. intros t Ht. at_ t. field. lra. Qed.
 End Hunt.

@@ -29,7 +29,8 @@ Definition g t := 1 - xi t * / rho t.
 Lemma d_g t : 0 <= t -> 0 < p t -> 0 < rho t -> rder g t (- (2 * (ell t / rho t) + (/ (p t / rho t) + p t / rho t) * (ell t / rho t) ^ 2)).
 Proof.
   intros Ht p0 r0. destruct (xi_p x y u w t p0) as (e1 & _ & e3). pose proof (d_xi x y u w S t Ht p0).
-  pose proof (rder_rho x y u w S t Ht ltac:(lra) ltac:(lra)). eapply rder_eq. unfold g. rdq. lra. cbv beta. rewrite <- e1. set (r := rho t) in *. set (z := xi t) in *. set (l := ell t) in *.
+  pose proof (rder_rho x y u w S t Ht ltac:(lra) ltac:(lra)). eapply rder_eq. unfold g. rdq. lra. cbv beta. rewrite <- e1. set (r := rho t) in *.
+    set (z := xi t) in *. set (l := ell t) in *.
   set (n := p t) in *. clearbody r z l n. field_simplify_eq; [ | lra ]. assert (e : z ^ 2 = r ^ 2 - l ^ 2) by lra. ring [e].
 Qed.
 Lemma g_between t : 0 < p t -> 0 < rho t -> 0 <= g t <= 2 /\ (ell t / rho t) ^ 2 = g t * (2 - g t).
@@ -122,18 +123,21 @@ Proof.
       { intros c Hc. apply (rder_decr (fun t => g t + c * ln (p t))); [ lra | | ]; intros r Hr; specialize (b r ltac:(lra)) as br.
         - pose proof (c_g r ltac:(lra) ltac:(lra)). conts S.
         - destruct (gf r ltac:(lra)) as (l & L & lb). { intros; apply b; lra. } pose proof (d_p x y u w S r ltac:(lra) ltac:(lra)).
-          eexists. split. apply (rder_plus g); [ exact L | apply (rder_mult (fun _ => c)); [ rdq | apply (rder_ln (fun t => p t)); [ eassumption | lra ] ] ].
+          eexists. split. apply (rder_plus g); [ exact L | apply (rder_mult (fun _ => c)); [ rdq | apply (rder_ln (fun t => p t));
+            [ eassumption | lra ] ] ].
           specialize (rt r ltac:(lra)). destruct (xi_p x y u w r ltac:(lra)) as (_ & _ & e3). pose proof (leg _ _ _ (nrm_pos _ _) e3).
           set (z' := xi r) in *. enough (l + c * (z' - 1) / p r <= 0) by lra.
           assert (c * (z' - 1) / p r <= kk / p r); [ | lra ]. unfold Rdiv. apply Rmult_le_compat_r. left; apply Rinv_0_lt_compat; lra.
           replace kk with (k * (3 * A0 + 1)) by (unfold k; field; lra). apply Rle_trans with (Rabs c * Rabs (z' - 1)).
           rewrite <- Rabs_mult. apply Rle_abs. apply Rmult_le_compat; try apply Rabs_pos; apply Rabs_le; lra. }
-      pose proof (range t ltac:(lra) ltac:(lra)). pose proof (range s ltac:(lra) ps). pose proof (mono k ltac:(lra)). pose proof (mono (- k) ltac:(lra)).
+      pose proof (range t ltac:(lra) ltac:(lra)). pose proof (range s ltac:(lra) ps). pose proof (mono k ltac:(lra)).
+        pose proof (mono (- k) ltac:(lra)).
       destruct pt as [e1 | e1]; rewrite e1 in *; unfold lo, up in *; [ rewrite ln_div in * by lra | rewrite ln_mult in * by lra ]; lra. }
   assert (K : g (s + t1) + kk / up * (s + t1) <= g s + kk / up * s).
   { apply (rder_decr (fun t => g t + kk / up * t)); [ lra | | ]; intros r Hr; pose proof (all r ltac:(lra)).
     - pose proof (c_g r ltac:(lra) ltac:(lra)). contq.
-    - destruct (gf r ltac:(lra)) as (l & L & lb). { intros q Hq. specialize (all q ltac:(lra)). lra. } eexists. split. apply (rder_plus g); [ exact L | rd ].
+    - destruct (gf r ltac:(lra)) as (l & L & lb). { intros q Hq. specialize (all q ltac:(lra)). lra. } eexists. split.
+      apply (rder_plus g); [ exact L | rd ].
       assert (kk / up <= kk / p r); [ | lra ]. apply Rmult_le_compat_l. lra. apply Rinv_le_contravar; lra. }
   pose proof (all (s + t1) ltac:(lra)). pose proof (range (s + t1) ltac:(lra) ltac:(lra)). pose proof (range s ltac:(lra) ps).
   assert (kk / up * t1 = 3) by (unfold t1; field; lra). lra.
@@ -150,11 +154,13 @@ Theorem relaxes A0 c0 e kap tau : 0 < A0 -> -1 < c0 <= 1 -> 0 < e < 1 -> 0 < kap
 Proof.
   intros a0 Hc He Hk Ht. set (top := Rmax e (1 - c0)). set (hi := (3 - c0) / 2). pose proof (Rmax_l e (1 - c0)). pose proof (Rmax_r e (1 - c0)).
   assert (th : top < hi) by (apply Rmax_lub_lt; unfold hi; lra). fold top in H, H0. set (sg := sqrt (e * (2 - hi))).
-  assert (eh : 0 < e * (2 - hi)) by (unfold hi; nra). assert (g0 : 0 < sg) by now apply sqrt_lt_R0. assert (g2 : sg ^ 2 = e * (2 - hi)) by (apply root_sq; lra).
+  assert (eh : 0 < e * (2 - hi)) by (unfold hi; nra). assert (g0 : 0 < sg) by now apply sqrt_lt_R0.
+    assert (g2 : sg ^ 2 = e * (2 - hi)) by (apply root_sq; lra).
   set (W := Rmin kap (Rmin 1 (sg / 4))). assert (W0 : 0 < W) by (repeat apply Rmin_pos; lra).
   assert (HW : W <= kap /\ W <= 1 /\ W <= sg / 4) by (unfold W, Rmin; repeat destruct Rle_dec; lra).
   set (kk := sg ^ 2 * A0 / 2). assert (q0 : 0 < kk) by (unfold kk; rewrite g2; nra). set (La := exp (3 / (kk / (3 * A0 + 1)))).
-  assert (L0 : 0 < La) by apply exp_pos. assert (L1 : 1 <= La) by (rewrite <- exp_0; left; apply exp_increasing; apply Rdiv_lt_0_compat; [ | apply Rdiv_lt_0_compat ]; lra).
+  assert (L0 : 0 < La) by apply exp_pos.
+    assert (L1 : 1 <= La) by (rewrite <- exp_0; left; apply exp_increasing; apply Rdiv_lt_0_compat; [ | apply Rdiv_lt_0_compat ]; lra).
   set (m := Rmin (W * A0) (Rmin tau 1 * kk / 3)). assert (m0 : 0 < m).
   { apply Rmin_pos. nra. apply Rdiv_lt_0_compat; [ apply Rmult_lt_0_compat; trivial; apply Rmin_pos | ]; lra. }
   assert (Hm : m <= W * A0 /\ m * 3 / kk <= tau /\ m * 3 / kk <= 1).
