@@ -159,7 +159,7 @@ Proof.
   intros H. apply is_lim_spec. intros M. destruct (H (M ^ 2)) as (T & T0 & HT). exists T. intros t Ht. specialize (HT t ltac:(lra)).
   destruct (inside t ltac:(lra)) as (A0 & A2 & _). rewrite <- A2 in HT. nra.
 Qed.
-(* (127): A > 1 is enough for an escape; below 1 no A is: if alpha < ln(1/A) the particle comes to rest for good *)
+(* (127): A > 1 is enough for an escape, A and rho grow without end; below 1 no A is: if alpha < ln(1/A) the particle comes to rest for good *)
 Theorem eq_127 : (eq127_least_a < A s -> is_lim A p_infty p_infty /\ escapes x y) /\
   (A s < eq127_least_a -> alpha s < ln (1 / A s) -> exists T, forall t, T <= t -> x t = x T /\ y t = y T /\ u t = 0 /\ w t = 0).
 Proof.
