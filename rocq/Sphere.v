@@ -1,14 +1,9 @@
 (* Section 3: the sphere on an accelerated plane, from Newton's law and Coulomb's at the point of contact *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas Body Reduction Aniso Driven.
+From Slipbook Require Import Motion General Formulas Analysis Body Reduction Aniso Driven.
 From Slipbook Require Export AtRest.
 Open Scope R_scope.
-
-Ltac emptied T := lazymatch T with
-  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
-  | _ => constr:(False) end.
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
 
 (* ---- the laws ---- *)
 (* the sphere in the laboratory: the plane has the velocity (Px, Py) there, the centre (Vx, Vy); friction alone acts along the plane *)
@@ -172,11 +167,11 @@ Proof. destruct unit_facts as (k0 & q0 & e & e1 & e2). unfold eq69_time, clock. 
   replace (q / rad * (q / (mu * g) * tau)) with (q ^ 2 / (mu * g * rad) * tau) by (field; lra). rewrite e. field. lra. Qed.
 Lemma clock_pos tau : 0 <= tau -> 0 <= T tau.
 Proof. intros H. unfold clock. apply Rmult_le_pos; [ apply sqrt_pos | trivial ]. Qed.
-Lemma rder_clock f c tau l l' : rder f (T tau) l -> c * q / (mu * g) * l = l' -> rder (fun tau => c * f (T tau)) tau l'.
+Lemma rate_by_clock f c tau l l' : rder f (T tau) l -> c * q / (mu * g) * l = l' -> rder (fun tau => c * f (T tau)) tau l'.
 Proof.
   destruct unit_facts as (k0 & q0 & e & e1 & e2). intros H <-. unfold clock in *. rewrite e1 in *.
     assert (p : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra).
-  apply rder_speed in H; trivial. eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | exact H ] | field; lra ].
+  apply rder_time in H; trivial. eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | exact H ] | field; lra ].
 Qed.
 Lemma unit_length a c : sqrt ((1 / q * a) ^ 2 + (1 / q * c) ^ 2 + 0 ^ 2) = nrm a c / q.
 Proof.
@@ -192,7 +187,7 @@ Proof.
   assert (E : forall l, / rad * q / (mu * g) * l = l / q) by (intros l; replace (/ rad * q / (mu * g) * l) with (q ^ 2 / (mu * g * rad) * l / q) by
     (field; lra); rewrite e; field; lra).
   split; [ apply (rder_ext (fun tau => / rad * X (T tau))) | apply (rder_ext (fun tau => / rad * Y (T tau))) ]; try (intros; unfold Rdiv; ring);
-    (eapply rder_clock; [ eassumption | apply E ]).
+    (eapply rate_by_clock; [ eassumption | apply E ]).
 Qed.
 Section While.
 Variable tau : R.
@@ -209,8 +204,8 @@ Proof.
   opened. destruct (rho_rate tau ht). split; [ trivial | split; [ trivial | ] ].
   unfold eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2, rhodot. length.
   split; [ | split; [ | field; lra ] ].
-  - apply (rder_ext (fun tau => / q * vx (T tau))); [ intros; unfold Rdiv; ring | eapply rder_clock; [ exact VX | field; lra ] ].
-  - apply (rder_ext (fun tau => / q * vy (T tau))); [ intros; unfold Rdiv; ring | eapply rder_clock; [ exact VY | field; lra ] ].
+  - apply (rder_ext (fun tau => / q * vx (T tau))); [ intros; unfold Rdiv; ring | eapply rate_by_clock; [ exact VX | field; lra ] ].
+  - apply (rder_ext (fun tau => / q * vy (T tau))); [ intros; unfold Rdiv; ring | eapply rate_by_clock; [ exact VY | field; lra ] ].
 Qed.
 (* The slip velocity. *)
 Theorem eq_74 : let rate f := f b (g1 tau) (g2 tau) 0 (u1 tau) (u2 tau) 0 in
@@ -220,7 +215,7 @@ Proof.
   unfold eq66_slip_rate_1, eq66_slip_rate_2 in P, Q. replace (sqrt _) with (nrm (slip_x rad vx oy (T tau)) (slip_y rad vy ox (T tau))) in P,
     Q by (unfold nrm; f_equal; ring).
   unfold eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2. length. set (bb := b) in *.
-  split; [ | split; [ | field; lra ] ]; (eapply rder_clock; [ eassumption | field; lra ]).
+  split; [ | split; [ | field; lra ] ]; (eapply rate_by_clock; [ eassumption | field; lra ]).
 Qed.
 (* Friction alone changes rhodot + nu, for every nu with the rate gamma. *)
 Theorem eq_77 nu1 nu2 : rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) -> rder nu2 tau (eq76_nu_rate_2 (g1 tau) (g2 tau) 0) ->
@@ -280,8 +275,8 @@ Proof.
     assert (P : forall A nu, (forall tau, 0 < tau -> continuity_pt nu tau) ->
     (forall tau, 0 <= tau -> rder nu tau (A (T tau) / (mu * g))) -> primitive (fun t => q * nu (mu * g / q * t)) A).
   { intros A nu c D. split; intros t Ht.
-    - apply (continuity_pt_mult (fun _ => q)); [ cont | apply cont_speed, c, Rmult_lt_0_compat; lra ].
-    - specialize (D (mu * g / q * t) ltac:(apply Rmult_le_pos; lra)). rewrite back in D. apply rder_speed in D; trivial.
+    - apply (continuity_pt_mult (fun _ => q)); [ cont | apply cont_time, c, Rmult_lt_0_compat; lra ].
+    - specialize (D (mu * g / q * t) ltac:(apply Rmult_le_pos; lra)). rewrite back in D. apply rder_time in D; trivial.
       eapply rder_eq; [ apply (rder_mult (fun _ => q)); [ rd | exact D ] | field; lra ]. }
   assert (P1 : primitive (fun t => q * nu1 (mu * g / q * t)) Ax) by (apply P; intros tau Ht; [ now apply cn | now apply (N tau) ]).
   assert (P2 : primitive (fun t => q * nu2 (mu * g / q * t)) Ay) by (apply P; intros tau Ht; [ now apply cn | now apply (N tau) ]).
@@ -302,7 +297,7 @@ Proof.
   split.
   - intros tau Ht. unfold zeta_3, eq70_spin_3, s3_zeta3_rate. cbv zeta. split.
     + destruct (b_law _ _ _ _ _ _ _ _ _ _ _ S (T tau) (clock_pos tau Ht)) as (Fx & Fy & _ & _ & _ & _ & _ & OZ). unfold eq60_spin_rate_3 in OZ.
-      eapply rder_clock; [ exact OZ | field; destruct unit_facts; lra ].
+      eapply rate_by_clock; [ exact OZ | field; destruct unit_facts; lra ].
     + rewrite (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ (T tau) S (clock_pos tau Ht)), (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ (T 0) S (clock_pos
       0 (Rle_refl 0))). trivial.
   - intros w. destruct S as [c L]. split.

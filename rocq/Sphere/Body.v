@@ -2,7 +2,7 @@
    spread in any way: all that is used of it is that what a function of the place in the body adds up to is linear. *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion AtRest.
+From Slipbook Require Import Motion Analysis.
 Open Scope R_scope.
 
 (* mass f: what f adds up to over the body, f (a, b, c) dm; a, b, c are the places on three axes through the centre that turn with the body.

@@ -2,7 +2,7 @@
    particle is the slip of a sphere. The same along the line for friction that differs forward and backward, (85). *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Aniso Formulas Reduction.
+From Slipbook Require Import Motion General Aniso Formulas Analysis Reduction.
 Open Scope R_scope.
 
 (* the slip velocity (24) at the phase phi (23): in the unit A0 / varpi, at the time phi / varpi *)
@@ -45,8 +45,8 @@ Proof.
   - destruct (sphere_with_slip m J rad (mu * g) hm hJ hr _ _ _ _ (fun t => - (A0 / varpi) * H (varpi * t)) (fun _ => 0) 0 0 0 M) as (vx & vy & ox &
     oy & S & e1 & e2 & _).
     + split; intros t Ht.
-      * apply (continuity_pt_mult (fun _ => - (A0 / varpi))); [ cont | apply cont_speed, cH, Rmult_lt_0_compat; lra ].
-      * eapply rder_eq; [ apply (rder_mult (fun _ => - (A0 / varpi))); [ rd | apply rder_speed; [ lra | apply DH, Rmult_le_pos; lra ] ] | field;
+      * apply (continuity_pt_mult (fun _ => - (A0 / varpi))); [ cont | apply cont_time, cH, Rmult_lt_0_compat; lra ].
+      * eapply rder_eq; [ apply (rder_mult (fun _ => - (A0 / varpi))); [ rd | apply rder_time; [ lra | apply DH, Rmult_le_pos; lra ] ] | field;
         lra ].
     + split; intros t Ht; [ cont | rd ].
     + exists vx, vy, ox, oy, (fun _ => 0). split; [ trivial | ]. unfold w_x, w_y. rewrite e1, e2.
@@ -71,10 +71,10 @@ Lemma line_in_units c s l n a t0 w l' n' a' t0' w' : 0 < c -> 0 < s -> line l n 
 Proof.
   intros hc hs [C L] -> -> ea et ew. apply functional_extensionality in ew. subst w'. assert (cs : 0 < c * s) by now apply Rmult_lt_0_compat.
     split; intros t Ht.
-  - apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_speed, C; rewrite <- et; now apply Rmult_lt_compat_l ].
+  - apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_time, C; rewrite <- et; now apply Rmult_lt_compat_l ].
   - destruct (L (s * t)) as (f & F & X); [ rewrite <- et; apply Rmult_le_compat_l; lra | ]. exists (c * s * f).
     split; [ apply dry_velocity; trivial; now apply dry_force | ].
-    rewrite ea. apply rder_speed in X; trivial. eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | exact X ] | ring ].
+    rewrite ea. apply rder_time in X; trivial. eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | exact X ] | ring ].
 Qed.
 Section Line.
 Variables (m J rad : R).

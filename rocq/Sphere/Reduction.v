@@ -2,7 +2,7 @@
    for mu; the velocity of the centre follows from it up to a constant, (79), and back: so where particles have motions, spheres have them. *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas.
+From Slipbook Require Import Motion General Formulas Exists Analysis.
 Open Scope R_scope.
 
 (* the velocity of the point of contact, at (0, 0, - rad) from the centre, against the plane: dr/dt + omega x R of (61), (71) *)
@@ -24,37 +24,10 @@ Definition factor (m J rad : R) : R := eq67_factor (eq62_kappa J m rad).
 (* (76): nu' = A, A may jump *)
 Definition primitive (nu A : R -> R) : Prop := (forall t, 0 < t -> continuity_pt nu t) /\ (forall t, 0 <= t -> rder nu t (A t)).
 
-(* ---- functions ---- *)
-Lemma rder_ext f g t l : (forall s, t <= s -> f s = g s) -> rder f t l -> rder g t l.
-Proof. intros E [F [H K]]. exists F. split; trivial. intros s Hs. rewrite <- E, K; trivial. Qed.
-Lemma cont_ext f g t : 0 < t -> (forall s, 0 <= s -> f s = g s) -> continuity_pt f t -> continuity_pt g t.
-Proof.
-  intros t0 E C e he. destruct (C e he) as (a & a0 & H). exists (Rmin a t). split; [ now apply Rmin_pos | ]. intros s [D Hs]. simpl in *.
-    unfold R_dist in *.
-  pose proof (Rmin_l a t). pose proof (Rmin_r a t). pose proof (Rabs_def2 _ _ Hs). rewrite <- !E by lra. apply H. split; trivial. lra.
-Qed.
-Lemma rder_speed f t l s : 0 < s -> rder f (s * t) l -> rder (fun r => f (s * r)) t (s * l).
-Proof.
-  intros hs [F [H E]]. exists (fun r => F (s * r)). split; [ | intros r Hr; apply E, Rmult_le_compat_l; lra ].
-  apply (is_derive_comp F (fun r => s * r)); [ exact H | auto_derive; trivial; ring ].
-Qed.
-Lemma cont_speed f s t : continuity_pt f (s * t) -> continuity_pt (fun r => f (s * r)) t.
-Proof. intros H. apply (continuity_pt_comp (fun r => s * r) f); trivial. cont. Qed.
 Lemma primitive_of A : (forall t, continuity_pt A t) -> primitive (RInt A 0) A.
-Proof.
-  intros C. assert (c : forall z, continuous A z) by (intros z; apply continuity_pt_filterlim, C).
-  assert (D : forall t, is_derive (RInt A 0) t (A t)).
-  { intros t. apply (is_derive_RInt A (RInt A 0) 0 t); [ | apply c ]. exists (mkposreal 1 Rlt_0_1). intros y _.
-    exact (RInt_correct A 0 y (ex_RInt_continuous A 0 y (fun z _ => c z))). }
-  split; intros t _; [ apply derivable_continuous_pt; exists (A t); apply is_derive_Reals, D | apply rder_of, D ].
-Qed.
+Proof. intros C. split; intros t _; [ eapply cont_of | apply rder_of ]; now apply primitive_rate. Qed.
 
 (* ---- Coulomb's law in other units ---- *)
-Lemma nrm_scale c x y : 0 <= c -> nrm (c * x) (c * y) = c * nrm x y.
-Proof.
-  intros hc. unfold nrm. replace ((c * x) ^ 2 + (c * y) ^ 2) with (c ^ 2 * (x ^ 2 + y ^ 2)) by ring.
-  rewrite sqrt_mult_alt by apply pow2_ge_0. now rewrite sqrt_pow2.
-Qed.
 Lemma coulomb_force c k ux uy fx fy : coulomb k ux uy fx fy -> coulomb (c * k) ux uy (c * fx) (c * fy).
 Proof.
   intros [B P]. split. 2: transitivity (c * (fx * ux + fy * uy)); [ ring | rewrite P; ring ].
@@ -70,11 +43,11 @@ Lemma motion_in_units c s k Ax Ay vx vy k' Bx By wx wy : 0 < c -> 0 < s -> motio
   motion k' Bx By wx wy.
 Proof.
   intros hc hs [cx cy L] -> eA eB ex ey. apply functional_extensionality in ex. apply functional_extensionality in ey. subst wx wy. split.
-  - intros t Ht. apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_speed, cx; nra ].
-  - intros t Ht. apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_speed, cy; nra ].
+  - intros t Ht. apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_time, cx; nra ].
+  - intros t Ht. apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_time, cy; nra ].
   - intros t Ht. destruct (L (s * t)) as (fx & fy & C & X & Y); [ nra | ]. exists (c * s * fx), (c * s * fy). rewrite eA, eB.
     split; [ apply coulomb_velocity; [ lra | now apply coulomb_force ] | ].
-    apply rder_speed in X; trivial. apply rder_speed in Y; trivial.
+    apply rder_time in X; trivial. apply rder_time in Y; trivial.
     split; (eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | eassumption ] | ring ]).
 Qed.
 
@@ -189,39 +162,6 @@ Proof.
   assert (ey : slip_y rad vy (fun t => (uy t - vy t) / rad) = uy) by (apply functional_extensionality; intros t; unfold slip_y; field; lra).
   split; [ | repeat split; trivial; unfold vx, vy, cx, cy; ring ].
   apply (sphere_of_slip _ _ _ _ _ _ _ nux nuy cx cy); trivial; rewrite ?ex, ?ey; trivial; intros; reflexivity.
-Qed.
-(* two spheres that start alike move alike *)
-Lemma sphere_unique Ax Ay vx vy ox oy oz wx wy px py pz : 0 <= k -> sphere m J rad k Ax Ay vx vy ox oy oz -> sphere m J rad k Ax Ay wx wy px py pz ->
-  vx 0 = wx 0 -> vy 0 = wy 0 -> ox 0 = px 0 -> oy 0 = py 0 -> oz 0 = pz 0 ->
-  forall t, 0 <= t -> vx t = wx t /\ vy t = wy t /\ ox t = px t /\ oy t = py t /\ oz t = pz t.
-Proof.
-  destruct factor_is as [eb b1]. assert (pos : 0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ]; lra).
-  intros hk S1 S2 e1 e2 e3 e4 e5 t Ht. assert (bk : 0 <= b * k) by (apply Rmult_le_pos; lra).
-  destruct (uniqueness _ _ _ _ _ _ _ bk (slip_moves _ _ _ _ _ _ _ S1) (slip_moves _ _ _ _ _ _ _ S2)) with (t := t) as [ux uy]; trivial;
-    try (unfold slip_x, slip_y; congruence).
-  rewrite (spin_z _ _ _ _ _ _ _ t S1 Ht), (spin_z _ _ _ _ _ _ _ t S2 Ht).
-  assert (K : (vx t - wx t) * (b - 1) + rad * (oy t - py t) = 0 /\ (vy t - wy t) * (b - 1) - rad * (ox t - px t) = 0).
-  { destruct S1 as [c1 L1]. destruct S2 as [c2 L2].
-    assert (Z : forall s, 0 <= s -> exists X Y, rder vx s (X - Ax s) /\ rder vy s (Y - Ay s) /\ rder oy s (- (b - 1) * X / rad) /\
-      rder ox s ((b - 1) * Y / rad)).
-    { intros s hs. lawful (L1 s hs). exists (Fx / m), (Fy / m). repeat split; (eapply rder_eq; [ eassumption | rewrite ?eb; field; lra ]). }
-    assert (Z' : forall s, 0 <= s -> exists X Y, rder wx s (X - Ax s) /\ rder wy s (Y - Ay s) /\ rder py s (- (b - 1) * X / rad) /\
-      rder px s ((b - 1) * Y / rad)).
-    { intros s hs. lawful (L2 s hs). exists (Fx / m), (Fy / m). repeat split; (eapply rder_eq; [ eassumption | rewrite ?eb; field; lra ]). }
-    clear L1 L2. split.
-    - transitivity ((vx 0 - wx 0) * (b - 1) + rad * (oy 0 - py 0)); [ | rewrite e1, e4; ring ].
-      apply (rder_const (fun t => (vx t - wx t) * (b - 1) + rad * (oy t - py t))); trivial; intros s Hs.
-      + destruct (c1 s ltac:(lra)) as (? & ? & ? & ? & _). destruct (c2 s ltac:(lra)) as (? & ? & ? & ? & _). cont.
-      + destruct (Z s ltac:(lra)) as (X & Y & A1 & A2 & A3 & A4). destruct (Z' s ltac:(lra)) as (X' & Y' & B1 & B2 & B3 & B4).
-        eapply rder_eq; [ rd | field; lra ].
-    - transitivity ((vy 0 - wy 0) * (b - 1) - rad * (ox 0 - px 0)); [ | rewrite e2, e3; ring ].
-      apply (rder_const (fun t => (vy t - wy t) * (b - 1) - rad * (ox t - px t))); trivial; intros s Hs.
-      + destruct (c1 s ltac:(lra)) as (? & ? & ? & ? & _). destruct (c2 s ltac:(lra)) as (? & ? & ? & ? & _). cont.
-      + destruct (Z s ltac:(lra)) as (X & Y & A1 & A2 & A3 & A4). destruct (Z' s ltac:(lra)) as (X' & Y' & B1 & B2 & B3 & B4).
-        eapply rder_eq; [ rd | field; lra ]. }
-  unfold slip_x, slip_y in ux, uy. destruct K as [K1 K2].
-  assert (vx t = wx t) by (apply (Rmult_eq_reg_r b); lra). assert (vy t = wy t) by (apply (Rmult_eq_reg_r b); lra).
-  repeat split; trivial; (apply (Rmult_eq_reg_l rad); lra).
 Qed.
 End Sphere.
 
