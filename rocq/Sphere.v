@@ -1,7 +1,7 @@
 (* Section 3: the sphere on an accelerated plane, from Newton's law and Coulomb's at the point of contact *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas Analysis Body Reduction Aniso Driven.
+From Slipbook Require Import Motion General Formulas Constant Steady Shaken LargeTime Sinusoidal Drawn Pulses Periodic Aniso Body Reduction Driven Rolls Analysis.
 From Slipbook Require Export AtRest.
 Open Scope R_scope.
 
@@ -189,6 +189,18 @@ Proof.
   split; [ apply (rder_ext (fun tau => / rad * X (T tau))) | apply (rder_ext (fun tau => / rad * Y (T tau))) ]; try (intros; unfold Rdiv; ring);
     (eapply rate_by_clock; [ eassumption | apply E ]).
 Qed.
+Lemma slip_in_units : motion b g1 g2 u1 u2.
+Proof.
+  destruct unit_facts as (k0 & q0 & e & e1 & _). pose proof (slip_moves m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ S) as M.
+  apply (motion_in_units (/ q) (sqrt (rad / (mu * g))) (factor m J rad * (mu * g)) Ax Ay (slip_x rad vx oy) (slip_y rad vy ox)); trivial; fold q.
+  - now apply Rinv_0_lt_compat.
+  - rewrite e1. now apply Rdiv_lt_0_compat.
+  - unfold factor. rewrite e1. field. lra.
+  - intros t. unfold gamma_1, eq72_acceleration_1, clock. rewrite e1. field. lra.
+  - intros t. unfold gamma_2, eq72_acceleration_2, clock. rewrite e1. field. lra.
+  - intros t. unfold u_1, eq71_slip_1, clock. cbv zeta. fold q. unfold Rdiv. ring.
+  - intros t. unfold u_2, eq71_slip_2, clock. cbv zeta. fold q. unfold Rdiv. ring.
+Qed.
 Section While.
 Variable tau : R.
 Hypothesis ht : 0 <= tau.
@@ -328,6 +340,91 @@ Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 Lemma s3_spin_constant__occurs : ltac:(occurs s3_spin_constant).
 Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 
+(* ---- 3.1: the plane is pulled steadily ---- *)
+Section Pulled.
+Variables (m J rad mu g A : R) (vx vy ox oy oz u theta : R -> R).
+Hypothesis hm : 0 < m. Hypothesis hJ : 0 < J. Hypothesis hr : 0 < rad. Hypothesis hmu : 0 < mu. Hypothesis hg : 0 < g. Hypothesis hA : 0 < A.
+Hypothesis S : sphere m J rad (mu * g) (fun _ => eq3_acceleration_1 A) (fun _ => eq3_acceleration_2 A) vx vy ox oy oz.
+Hypothesis P : polar (u_1 rad mu g vx vy ox oy) (u_2 rad mu g vx vy ox oy) u theta.
+Notation lam := (eq80_lambda (eq67_factor (eq62_kappa J m rad)) mu g A).
+Notation gamma := (eq72_acceleration_1 mu g A 0 0).
+Lemma pulled_facts : 0 < gamma /\ 0 < lam /\ pulled gamma lam (u_1 rad mu g vx vy ox oy) (u_2 rad mu g vx vy ox oy).
+Proof.
+  assert (k0 : 0 < mu * g) by (apply Rmult_lt_0_compat; lra). destruct (factor_is m J rad hm hJ hr) as [_ b1]. unfold factor in b1. unfold eq72_acceleration_1, eq80_lambda.
+  split; [ now apply Rdiv_lt_0_compat | split ]. { apply Rdiv_lt_0_compat; trivial. rewrite Rmult_assoc. apply Rmult_lt_0_compat; lra. }
+  pose proof (slip_in_units m J rad mu g _ _ vx vy ox oy oz hm hJ hr hmu hg S) as M. unfold pulled, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2, eq3_acceleration_1, eq3_acceleration_2 in *.
+  replace (- A / (mu * g)) with (- (A / (mu * g))) in M by (field; lra). replace (0 / (mu * g)) with 0 in M by (field; lra).
+  replace (A / (mu * g) * _) with (eq67_factor (eq62_kappa J m rad)); [ exact M | field; lra ].
+Qed.
+Let hG : 0 < gamma := proj1 pulled_facts. Let hl : 0 <= lam := Rlt_le _ _ (proj1 (proj2 pulled_facts)). Let M := proj2 (proj2 pulled_facts).
+(* The slip speed against the angle, as long as it slides, from every slip at an angle to the line of the pull. *)
+Theorem eq_81 tau : 0 <= tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI -> u tau = eq81_slip lam (u 0) (theta 0) (theta tau).
+Proof. exact (eq_11 gamma lam _ _ u theta hG hl M P tau). Qed.
+(* The time against the angle, with gamma = A/(mu g). *)
+Theorem eq_82 tau : 0 <= tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI -> lam <> 1 -> lam + cos (theta 0) <> 0 ->
+  tau = right_sphere_time lam gamma (u 0) (theta 0) (theta tau).
+Proof. exact (eq_13 gamma lam _ _ u theta hG hl M P tau). Qed.
+(* The print, which lacks gamma, holds exactly where gamma is 1. *)
+Theorem eq_82__printed tau : 0 < tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI -> lam <> 1 -> lam + cos (theta 0) <> 0 ->
+  (tau = eq82_time lam (u 0) (theta 0) (theta tau) <-> gamma = 1).
+Proof.
+  intros Ht H n0 n1 l1 n2. pose proof pulled_facts as (g0 & l0 & _). pose proof (eq_82 tau ltac:(lra) H n0 n1 l1 n2) as E.
+  unfold right_sphere_time in E. unfold eq82_time. set (c := _ / _ * _ - 1) in *. assert (n3 : 1 - lam ^ 2 <> 0) by nra.
+  replace (_ / (1 - lam ^ 2) * c) with (gamma * tau) by (rewrite E; field; lra). split; intros K; nra.
+Qed.
+(* The slip speed against time and angle, up to the moment at which the slip ends. *)
+Theorem eq_83 tau : 0 <= tau -> (forall s, 0 <= s < tau -> 0 < u s) -> lam + cos (theta tau) <> 0 ->
+  u tau = right_sphere_slip_at_time lam gamma (u 0) (theta 0) (theta tau) tau.
+Proof. exact (eq_14 gamma lam _ _ u theta hG hl M P tau). Qed.
+(* The print lacks the same gamma: it holds where gamma or lambda is 1, and there only. *)
+Theorem eq_83__printed tau : 0 < tau -> (forall s, 0 <= s < tau -> 0 < u s) -> lam + cos (theta tau) <> 0 ->
+  (u tau = eq83_slip_at_time lam (u 0) (theta 0) (theta tau) tau <-> gamma = 1 \/ lam = 1).
+Proof.
+  intros Ht H n. rewrite (eq_83 tau ltac:(lra) H n). pose proof pulled_facts as (_ & l0 & _). unfold right_sphere_slip_at_time, eq83_slip_at_time. split.
+  - intros K. apply Rmult_eq_reg_r in K; [ | now apply Rinv_neq_0_compat ]. destruct (Req_dec lam 1); [ now right | left ].
+    apply (Rmult_eq_reg_l ((1 - lam ^ 2) * tau)); [ lra | ]. apply Rmult_integral_contrapositive. split; nra.
+  - intros [-> | ->]; f_equal; ring.
+Qed.
+
+End Pulled.
+
+(* a sphere that slides across at first, with b = 2, lambda = 1/2, gamma = 4 *)
+Lemma thrown_across : exists vx vy ox oy u theta,
+  sphere 1 1 1 (/ 4 * 1) (fun _ => eq3_acceleration_1 1) (fun _ => eq3_acceleration_2 1) vx vy ox oy (fun _ => 1) /\
+  polar (u_1 1 (/ 4) 1 vx vy ox oy) (u_2 1 (/ 4) 1 vx vy ox oy) u theta /\ theta 0 = PI / 2 /\ eq80_lambda (eq67_factor (eq62_kappa 1 1 1)) (/ 4) 1 1 = / 2 /\
+  forall tau, 0 <= tau -> 0 < u tau /\ / 2 + cos (theta tau) <> 0.
+Proof.
+  destruct (sphere_exists 1 1 1 (/ 4 * 1) (fun _ => eq3_acceleration_1 1) (fun _ => eq3_acceleration_2 1) 0 (/ 2) 0 0 1) as (vx & vy & ox & oy & S & x0 & y0 & _ & _);
+    try lra; [ intros; split; unfold eq3_acceleration_1, eq3_acceleration_2; cont | ].
+  destruct (pulled_facts 1 1 1 (/ 4) 1 1 vx vy ox oy (fun _ => 1)) as (_ & _ & M); try lra; trivial.
+  assert (el : eq80_lambda (eq67_factor (eq62_kappa 1 1 1)) (/ 4) 1 1 = / 2) by (unfold eq80_lambda, eq67_factor, eq62_kappa; field).
+  assert (eg : eq72_acceleration_1 (/ 4) 1 1 0 0 = 4) by (unfold eq72_acceleration_1; field). rewrite el, eg in M.
+  set (u1 := u_1 _ _ _ _ _ _ _) in *. set (u2 := u_2 _ _ _ _ _ _ _) in *.
+  assert (q : sqrt (/ 4 * 1 * 1) = / 2) by (replace (/ 4 * 1 * 1) with ((/ 2) ^ 2) by field; apply sqrt_pow2; lra).
+  assert (e : u1 0 = 0 /\ u2 0 = 1) by (unfold u1, u2, u_1, u_2, eq71_slip_1, eq71_slip_2, clock; cbv zeta; rewrite Rmult_0_r, x0, y0, q; split; field). destruct e as [e1 e2].
+  exists vx, vy, ox, oy, (fun t => nrm (u1 t) (u2 t)), (fun t => angle (u1 t) (u2 t)).
+  assert (n1 : nrm 0 1 = 1) by (unfold nrm; replace (0 ^ 2 + 1 ^ 2) with 1 by ring; apply sqrt_1).
+  assert (P : polar u1 u2 (fun t => nrm (u1 t) (u2 t)) (fun t => angle (u1 t) (u2 t))) by (intros t Ht; split; [ apply nrm_pos | apply angle_polar ]).
+  assert (pos : forall t, 0 <= t -> 0 < nrm (u1 t) (u2 t)).
+  { intros t Ht. pose proof (plus_rises 4 (/ 2) u1 u2 ltac:(lra) ltac:(lra) M 0 t ltac:(lra) ltac:(lra)) as r. rewrite e1, e2, n1 in r. destruct (sides u1 u2 t) as (_ & b & _). lra. }
+  rewrite e1, e2. split; [ trivial | split; [ trivial | split; [ apply angle_up | split; [ trivial | ] ] ] ]. intros t Ht. split; [ now apply pos | ]. intros z.
+  assert (r := moved 4 (/ 2) u1 u2 ltac:(lra) ltac:(lra) M t Ht ltac:(intros s Hs; apply Rgt_not_eq, pos; lra)). destruct (angle_polar (u1 t) (u2 t)) as (_ & x & _).
+  unfold eq4_velocity_1 in x. rewrite e1, e2, n1 in r. replace (cos (angle (u1 t) (u2 t))) with (- / 2) in x by lra. lra.
+Qed.
+Ltac thrown := intros H; destruct thrown_across as (vx & vy & ox & oy & u & theta & S & P & th & el & R); pose proof PI_RGT_0;
+  apply (H 1 1 1 (/ 4) 1 1 _ _ _ _ _ u theta ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) S P 1);
+  rewrite ?el, ?th, ?cos_PI2; try lra; [ intros; apply R; lra | .. ]; apply R; lra.
+Lemma eq_81__occurs : ltac:(occurs eq_81).
+Proof. thrown. Qed.
+Lemma eq_82__occurs : ltac:(occurs eq_82).
+Proof. thrown. Qed.
+Lemma eq_82__printed__occurs : ltac:(occurs eq_82__printed).
+Proof. thrown. Qed.
+Lemma eq_83__occurs : ltac:(occurs eq_83).
+Proof. thrown. Qed.
+Lemma eq_83__printed__occurs : ltac:(occurs eq_83__printed).
+Proof. thrown. Qed.
+
 (* ---- the reduction ---- *)
 (* A sphere moves so, and only so: the slip velocity is a particle's velocity under the same A with b mu for mu, rolling being rest; the velocity of
   the
@@ -356,41 +453,115 @@ Proof.
     + intros t Ht. destruct (Z t Ht) as (_ & _ & e). apply (Rmult_eq_reg_l rad); lra.
 Qed.
 
+(* ---- 3.2: the plane is shaken, (21), from any moment t0 of the drive on ---- *)
+(* Of every sphere with some friction, from some time on: in each period of the drive its slip along the drive is zero at two instants, or on two
+   intervals, on which it rolls, or it rolls for good. A period may begin at any phase but those of the zeros of (38) in the first case, in which the slip
+   across the drive fades away; in the second it is counted from the end of a rolling. Where the slip is zero the centre moves as the spin has it. *)
+Theorem s32_rolling_trichotomy m J rad mu g A0 varpi t0 vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  sphere m J rad (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) (fun t => eq21_acceleration_2 A0 varpi (t0 + t)) vx vy ox oy oz ->
+  let lam := eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 in let ux := slip_x rad vx oy in let uy := slip_y rad vy ox in
+  let T := 2 * PI / varpi in let at_ phi t := at_phase (eq23_phase varpi t0) (eq23_phase varpi t) phi in 0 < lam ->
+  (lam < eq37_lambda_c -> is_lim uy p_infty 0 /\ forall phi, (forall n, phi <> eq39_phi_t1 lam + IZR n * PI) -> exists t1, forall t, t1 <= t -> at_ phi t ->
+    exists z1 z2, t < z1 < z2 /\ z2 < t + T /\ forall z, t <= z <= t + T -> (ux z = 0 <-> z = z1 \/ z = z2)) /\
+  (eq37_lambda_c < lam < 1 -> exists d t1, 0 < d < T / 2 /\ slip_end lam (eq27_phi1 lam + eq23_phase varpi d) /\
+    forall t, t1 <= t -> at_ (eq27_phi1 lam) t -> forall z, t < z <= t + T ->
+    (ux z = 0 <-> t + d <= z <= t + T / 2 \/ t + T / 2 + d <= z <= t + T) /\ (ux z = 0 -> uy z = 0)) /\
+  (1 <= lam -> exists t1, forall t, t1 <= t -> ux t = 0 /\ uy t = 0) /\ forall t, ux t = 0 /\ uy t = 0 -> vx t = rad * oy t /\ vy t = - rad * ox t.
+Proof.
+  intros hm hJ hr hA hv S lam ux uy T at_ h0. pose proof PI_RGT_0.
+  pose proof (slip_driven m J rad mu g A0 varpi t0 sin hm hJ hr hA hv vx vy ox oy oz S) as M. fold lam in M. unfold moves in M. rewrite <- shaken_sin in M.
+  set (w := w_x A0 varpi rad vx oy) in *. set (wy := w_y A0 varpi rad vy ox) in *. assert (c : 0 < A0 / varpi) by now apply Rdiv_lt_0_compat.
+  assert (ex : forall t, ux t = A0 / varpi * w (varpi * t)) by exact (of_w A0 varpi hA hv ux).
+  assert (ey : forall t, uy t = A0 / varpi * wy (varpi * t)) by exact (of_w A0 varpi hA hv uy).
+  assert (zx : forall t, ux t = 0 <-> w (varpi * t) = 0) by (intros t; rewrite ex; split; [ intros; apply (Rmult_eq_reg_l (A0 / varpi)); lra | intros ->; ring ]).
+  assert (zy : forall t, wy (varpi * t) = 0 -> uy t = 0) by (intros t e; rewrite ey, e; ring).
+  assert (per : varpi * T = 2 * PI) by (unfold T; field; lra).
+  assert (late : forall s1 t, s1 / varpi <= t -> s1 <= varpi * t) by (intros s1 t k; rewrite Rmult_comm; now apply Rle_div_l).
+  destruct (s22_trichotomy lam _ w wy h0 M) as (K1 & K2 & K3). unfold at_, eq23_phase. split; [ | split; [ | split ] ].
+  - intros hc. split.
+    + apply (is_lim_ext (fun t => A0 / varpi * wy (varpi * t))); [ intros; now rewrite ey | ]. destruct (eq_38 lam _ w wy ltac:(lra) M) as (_ & _ & Y).
+      apply lim_zero. intros e he. destruct (Analysis.lim_near _ _ _ Y (Rdiv_lt_0_compat _ _ he c)) as (s1 & _ & B). exists (s1 / varpi). intros t Ht.
+      specialize (B _ (late _ _ Ht)). rewrite Rabs_mult, (Rabs_pos_eq (A0 / varpi)), Rmult_comm by lra. apply Rle_div_r; trivial. apply Rabs_le. lra.
+    + intros phi ne. destruct (K1 hc phi ne) as (s1 & Z). exists (s1 / varpi). intros t Ht ph. destruct (Z _ (late _ _ Ht) ph) as (z1 & z2 & a & b & E).
+      exists (z1 / varpi), (z2 / varpi). rewrite <- per in *.
+      assert (d1 : varpi * (z1 / varpi) = z1) by (field; lra). assert (d2 : varpi * (z2 / varpi) = z2) by (field; lra).
+      split; [ | split ]; try (split; apply (Rmult_lt_reg_l varpi); lra); [ apply (Rmult_lt_reg_l varpi); lra | ]. intros z Hz. rewrite zx, E by nra.
+      split; (intros [k | k]; [ left | right ]); [ apply (Rmult_eq_reg_l varpi) .. | | ]; try lra; rewrite k; lra.
+  - intros hc. pose proof lambda_c_between. destruct (K2 hc) as (d & s1 & hd & E & Z). destruct (slip_end_exists lam ltac:(lra)) as [e E'].
+    destruct (eq_33 lam e _ w wy ltac:(lra) E' (proj1 (eq_36 lam e ltac:(lra) E') (proj1 hc)) M) as (_ & s2 & R). exists (d / varpi), (Rmax s1 s2 / varpi).
+    assert (d1 : varpi * (d / varpi) = d) by (field; lra). assert (d2 : varpi * (T / 2) = PI) by lra. rewrite d1.
+    split; [ split; apply (Rmult_lt_reg_l varpi); lra | split; [ trivial | ] ]. intros t Ht ph z Hz. apply late in Ht. pose proof (Rmax_l s1 s2). pose proof (Rmax_r s1 s2).
+    assert (up : forall a b, a <= b -> varpi * a <= varpi * b) by (intros; apply Rmult_le_compat_l; lra).
+    pose proof (Rmult_lt_compat_l varpi _ _ hv (proj1 Hz)). pose proof (up _ _ (proj2 Hz)).
+    split; [ | intros _; apply zy, R; lra ]. rewrite zx, (Z (varpi * t) ltac:(lra) ph) by lra.
+    split; (intros [[k k'] | [k k']]; [ left | right ]); try (split; apply (Rmult_le_reg_l varpi); lra); apply up in k, k'; lra.
+  - intros h1. destruct (all_stop lam _ w wy h1 M) as (s1 & _ & R). exists (s1 / varpi). intros t Ht. destruct (R _ (late _ _ Ht)). now split; [ apply zx | apply zy ].
+  - unfold ux, uy, slip_x, slip_y. intros t [e1 e2]. lra.
+Qed.
+(* The motion that is approached up to lambda_c: a sphere that slips along the drive only, by (38), and rolls at two instants per period. *)
+Theorem s32_rolling_trichotomy__approached m J rad mu g A0 varpi t0 : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  let lam := eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 in
+  let S := sphere m J rad (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) (fun t => eq21_acceleration_2 A0 varpi (t0 + t)) in
+  0 < lam <= eq37_lambda_c -> exists px py qx qy qz, S px py qx qy qz /\ (forall t, eq24_w varpi (slip_x rad px qy t) A0 = w38 lam (eq23_phase varpi (t0 + t)) /\
+    slip_y rad py qx t = 0 /\ (rolls rad px py qx qy t <-> exists n, eq23_phase varpi (t0 + t) = eq39_phi_t1 lam + IZR n * PI)) /\
+  forall vx vy ox oy oz, S vx vy ox oy oz -> is_lim (fun t => slip_x rad vx oy t - slip_x rad px qy t) p_infty 0 /\ is_lim (slip_y rad vy ox) p_infty 0.
+Proof.
+  intros hm hJ hr hA hv lam S hl. pose proof (w38_motion lam hl (eq23_phase varpi t0)) as W. rewrite shaken_sin in W.
+  assert (I : forall phi, continuity_pt (fun s => - cos s) phi /\ rder (fun s => - cos s) phi (sin phi)).
+  { intros phi. assert (D : is_derive (fun s => - cos s) phi (sin phi)) by (auto_derive; trivial; ring). split; [ now apply (cont_of _ _ _ D) | now apply rder_of ]. }
+  destruct (sphere_driven m J rad mu g A0 varpi t0 sin hm hJ hr hA hv _ _ _ I W) as (px & py & qx & qy & qz & Sp & e1 & e2). exists px, py, qx, qy, qz.
+  assert (c : 0 < A0 / varpi) by now apply Rdiv_lt_0_compat. assert (E : forall t, varpi * t / varpi = t) by (intros; field; lra).
+  assert (x : forall t, eq24_w varpi (slip_x rad px qy t) A0 = w38 lam (eq23_phase varpi (t0 + t))).
+  { intros t. transitivity (w_x A0 varpi rad px qy (varpi * t)); [ unfold w_x; now rewrite E | rewrite e1; unfold eq23_phase; f_equal; ring ]. }
+  assert (y : forall t, slip_y rad py qx t = 0) by (intros t; rewrite (of_w A0 varpi hA hv); change (A0 / varpi * w_y A0 varpi rad py qx (varpi * t) = 0); rewrite e2; ring).
+  split; [ exact Sp | split; [ intros t; split; [ apply x | split; [ apply y | ] ] | ] ].
+  - rewrite <- (w38_zeros lam hl), <- x. unfold rolls. rewrite y. unfold eq24_w. split; [ intros [-> _]; field; lra | intros z; split; trivial ].
+    apply (Rmult_eq_reg_l (varpi / A0)); [ transitivity (varpi * slip_x rad px qy t / A0); [ field; lra | rewrite z; ring ] | apply Rgt_not_eq; now apply Rdiv_lt_0_compat ].
+  - intros vx vy ox oy oz Sv. apply slip_driven in Sv; trivial. fold lam in Sv. unfold moves in Sv. rewrite <- shaken_sin in Sv.
+    destruct (w38_attracts lam hl _ _ _ Sv) as [X Y].
+    assert (K : forall f g : R -> R, (forall t, g t = A0 / varpi * f (varpi * t)) -> is_lim f p_infty 0 -> is_lim g p_infty 0).
+    { intros f k Ek L. apply lim_zero. intros e he. destruct (Analysis.lim_near _ _ _ L (Rdiv_lt_0_compat _ _ he c)) as (s1 & _ & B). exists (s1 / varpi). intros t Ht.
+      apply Rle_div_l in Ht; trivial. rewrite Rmult_comm in Ht. specialize (B _ Ht). rewrite Ek, Rabs_mult, (Rabs_pos_eq (A0 / varpi)), Rmult_comm by lra.
+      apply Rle_div_r; trivial. apply Rabs_le. lra. }
+    split; [ refine (K _ _ _ X) | refine (K _ _ _ Y) ]; intros t; cbv beta.
+    + rewrite (of_w A0 varpi hA hv (slip_x rad vx oy)), (of_w A0 varpi hA hv (slip_x rad px qy)).
+      fold (w_x A0 varpi rad vx oy (varpi * t)) (w_x A0 varpi rad px qy (varpi * t)). rewrite e1. ring.
+    + exact (of_w A0 varpi hA hv (slip_y rad vy ox) t).
+Qed.
+
 (* ---- 3.3, 3.4 ---- *)
-(* A sphere under A0 h(varpi t) along a line, h having an integral H. Whatever holds of the velocities of all particles under h with lambda_0 of
-  (84) in the
-   place of (22) holds of the slip velocities of all such spheres, in the same units, and the other way round;
-     the sphere rolls when the particle rests. *)
-Theorem s33_any_drive m J rad mu g A0 varpi h H (P : (R -> R) -> (R -> R) -> Prop) : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
-  primitive H h ->
-  let b := eq67_factor (eq62_kappa J m rad) in
-  ((forall vx vy ox oy oz, sphere m J rad (mu * g) (fun t => - A0 * h (varpi * t)) (fun _ => 0) vx vy ox oy oz ->
+(* A sphere under A0 h(varpi t) along a line, h having an integral H, from any moment t0 of the drive on. Whatever holds of the velocities of all
+   particles under h with lambda_0 of (84) in the place of (22) holds of the slip velocities of all such spheres, in the same units, and the other way
+   round; the sphere rolls when the particle rests. *)
+Theorem s33_any_drive m J rad mu g A0 varpi t0 h H (P : (R -> R) -> (R -> R) -> Prop) : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  (forall phi, continuity_pt H phi /\ rder H phi (h phi)) ->
+  ((forall vx vy ox oy oz, sphere m J rad (mu * g) (fun t => - A0 * h (eq23_phase varpi (t0 + t))) (fun _ => 0) vx vy ox oy oz ->
     P (w_x A0 varpi rad vx oy) (w_y A0 varpi rad vy ox)) <->
-   (forall wx wy, motion (eq84_lambda b mu g A0) (fun phi => - h phi) (fun _ => 0) wx wy -> P wx wy)) /\
+   (forall wx wy, moves (eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0) h (eq23_phase varpi t0) wx wy -> P wx wy)) /\
   (forall vx vy ox oy t, rolls rad vx vy ox oy t <-> w_x A0 varpi rad vx oy (varpi * t) = 0 /\ w_y A0 varpi rad vy ox (varpi * t) = 0).
 Proof.
-  intros hm hJ hr hA hv hH b. split; [ split; intros K | intros; now apply rolls_at ].
-  - intros wx wy M. destruct (sphere_driven m J rad mu g A0 varpi hm hJ hr hA hv h H wx wy hH M) as (vx & vy & ox & oy & oz & S & <- & <-).
+  intros hm hJ hr hA hv I. split; [ split; intros K | intros; now apply rolls_at ].
+  - intros wx wy M. destruct (sphere_driven m J rad mu g A0 varpi t0 h hm hJ hr hA hv H wx wy I M) as (vx & vy & ox & oy & oz & S & <- & <-).
     now apply (K vx vy ox oy oz).
-  - intros vx vy ox oy oz S. apply K. now apply (driven m J rad mu g A0 varpi hm hJ hr hA hv h vx vy ox oy oz).
+  - intros vx vy ox oy oz S. apply K. now apply (slip_driven m J rad mu g A0 varpi t0 h hm hJ hr hA hv vx vy ox oy oz).
 Qed.
 (* Above lambda_0 = 1, |h| being at most 1, it rolls for good, from the time on that its slip at the start takes to go. *)
-Theorem s33_any_drive__above_one m J rad mu g A0 varpi h lam vx vy ox oy oz t : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 ->
+Theorem s33_any_drive__above_one m J rad mu g A0 varpi t0 h lam vx vy ox oy oz t : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 ->
   (forall phi, Rabs (h phi) <= 1) ->
   lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 1 < lam ->
-  sphere m J rad (mu * g) (fun t => - A0 * h (varpi * t)) (fun _ => 0) vx vy ox oy oz ->
+  sphere m J rad (mu * g) (fun t => - A0 * h (eq23_phase varpi (t0 + t))) (fun _ => 0) vx vy ox oy oz ->
   nrm (slip_x rad vx oy 0) (slip_y rad vy ox 0) / ((lam - 1) * A0) <= t -> rolls rad vx vy ox oy t.
 Proof.
   intros hm hJ hr hA hh el hl S Ht. apply (slip_moves m J rad (mu * g) hm hJ hr) in S.
   assert (e : factor m J rad * (mu * g) = lam * A0) by (rewrite el; unfold eq84_lambda, factor; field; lra). rewrite e in S.
   apply (weak_stops (lam * A0) A0 _ _ _ _ ltac:(nra) S); [ | now replace (lam * A0 - A0) with ((lam - 1) * A0) by ring ].
-  intros s _. replace (nrm _ _) with (A0 * Rabs (h (varpi * s))); [ specialize (hh (varpi * s)); nra | ].
+  intros s _. set (x := h _). replace (nrm _ _) with (A0 * Rabs x); [ specialize (hh (eq23_phase varpi (t0 + s))); fold x in hh; nra | ].
   rewrite <- (Rabs_pos_eq A0) at 1 by lra. rewrite <- Rabs_mult. unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring.
 Qed.
 Lemma s33_any_drive__above_one__occurs : ltac:(occurs s33_any_drive__above_one).
 Proof.
   intros H. assert (z : nrm 0 0 = 0) by (unfold nrm; replace (0 ^ 2 + 0 ^ 2) with 0 by ring; apply sqrt_0).
-  apply (H 1 1 1 1 1 1 1 (fun _ => 1) 2 (fun t => t / 2) (fun _ => 0) (fun _ => 0) (fun t => t / 2) (fun _ => 0) 0); try lra.
+  apply (H 1 1 1 1 1 1 1 0 (fun _ => 1) 2 (fun t => t / 2) (fun _ => 0) (fun _ => 0) (fun t => t / 2) (fun _ => 0) 0); try lra.
   - intros _. rewrite Rabs_R1. lra.
   - unfold eq84_lambda, eq67_factor, eq62_kappa. field.
   - split; intros t Ht. { repeat split; apply derivable_continuous_pt; reg. }
@@ -398,6 +569,23 @@ Proof.
     unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
     repeat split; apply rder_of; auto_derive; trivial; field.
   - unfold slip_x, slip_y. replace (0 / 2 - 1 * (0 / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. lra.
+Qed.
+(* Under the pulses (42), (43), from any moment of the drive on: every sphere has intervals of rolling, as late as one likes, exactly where lambda_0
+   of (84) exceeds the same lambda_c = eta as the particle's. *)
+Theorem s33_pulse m J rad mu g A0 varpi eta t0 vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi -> 0 < eta < 1 ->
+  let lam := eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 in 0 < lam ->
+  sphere m J rad (mu * g) (fun t => - A0 * pulse eta (eq23_phase varpi (t0 + t))) (fun _ => 0) vx vy ox oy oz ->
+  ((forall t1, exists s d, t1 <= s /\ 0 < d /\ forall t, s <= t <= s + d -> rolls rad vx vy ox oy t) <-> eq46_lambda_c eta < lam).
+Proof.
+  intros hm hJ hr hA hv he lam h0 S. apply slip_driven in S; trivial. fold lam in S. rewrite <- (rests_above eta lam _ _ _ he h0 S).
+  assert (E : forall s, varpi * (s / varpi) = s) by (intros; field; lra). assert (up : forall s t, s <= t -> varpi * s <= varpi * t) by (intros; apply Rmult_le_compat_l; lra).
+  split; intros K t1.
+  - destruct (K (t1 / varpi)) as (s & d & Hs & Hd & Z). exists (varpi * s), (varpi * d). apply up in Hs. rewrite E in Hs.
+    split; [ trivial | split; [ now apply Rmult_lt_0_compat | ] ]. intros t Ht. specialize (E t). rewrite <- E.
+    apply rolls_at, Z; trivial. split; apply (Rmult_le_reg_l varpi); lra.
+  - destruct (K (varpi * t1)) as (s & d & Hs & Hd & Z). exists (s / varpi), (d / varpi). pose proof (E s). pose proof (E d).
+    split; [ apply (Rmult_le_reg_l varpi); lra | split; [ now apply Rdiv_lt_0_compat | ] ].
+    intros t [H1 H2]. apply up in H1, H2. apply (proj2 (rolls_at rad A0 varpi hA hv vx vy ox oy t)), Z. lra.
 Qed.
 (* Friction mu_plus forward and mu_minus backward, drive (21): whatever holds of all velocities of the particle of 2.4 with lambda_0 of (85) and
    q = mu_minus / mu_plus, its regions with them, holds of all slip velocities of spheres along the line, and the other way round. *)

@@ -165,6 +165,16 @@ Proof.
 Qed.
 End Sphere.
 
+(* from every slip and every velocity of the centre a sphere has a motion under every continuous drive *)
+Lemma sphere_exists m J rad k Ax Ay ux uy vx0 vy0 w : 0 < m -> 0 < J -> 0 < rad -> 0 <= k -> (forall t, continuity_pt Ax t /\ continuity_pt Ay t) ->
+  exists vx vy ox oy, sphere m J rad k Ax Ay vx vy ox oy (fun _ => w) /\ slip_x rad vx oy 0 = ux /\ slip_y rad vy ox 0 = uy /\ vx 0 = vx0 /\ vy 0 = vy0.
+Proof.
+  intros hm hJ hr hk C. destruct (factor_is m J rad hm hJ hr) as [_ b1].
+  destruct (plane_has_a_motion (factor m J rad * k) Ax Ay ux uy) as (x & y & M & <- & <-); [ apply Rmult_le_pos; lra | auto | ].
+  destruct (sphere_with_slip m J rad k hm hJ hr Ax Ay x y _ _ vx0 vy0 w M (primitive_of Ax (fun t => proj1 (C t))) (primitive_of Ay (fun t => proj2 (C t))))
+    as (vx & vy & ox & oy & S & <- & <- & R). exists vx, vy, ox, oy. repeat (split; trivial).
+Qed.
+
 (* an example: the plane is pulled back under the sphere, which slides forward faster and faster, moves across at a steady speed, and spins *)
 Definition example_v (t : R) : R := 1 + 3 / 4 * t.
 Definition example_o (t : R) : R := / 4 * t.
