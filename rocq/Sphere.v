@@ -457,10 +457,11 @@ Qed.
 (* Of every sphere with some friction, from some time on: in each period of the drive its slip along the drive is zero at two instants, or on two
    intervals, on which it rolls, or it rolls for good. A period may begin at any phase but those of the zeros of (38) in the first case, in which the slip
    across the drive fades away; in the second it is counted from the end of a rolling. Where the slip is zero the centre moves as the spin has it. *)
-Theorem s32_rolling_trichotomy m J rad mu g A0 varpi t0 vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+Theorem s32_rolling_trichotomy m J rad mu g A0 varpi t0 lam vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 0 < lam ->
   sphere m J rad (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) (fun t => eq21_acceleration_2 A0 varpi (t0 + t)) vx vy ox oy oz ->
-  let lam := eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 in let ux := slip_x rad vx oy in let uy := slip_y rad vy ox in
-  let T := 2 * PI / varpi in let at_ phi t := at_phase (eq23_phase varpi t0) (eq23_phase varpi t) phi in 0 < lam ->
+  let ux := slip_x rad vx oy in let uy := slip_y rad vy ox in let T := 2 * PI / varpi in
+  let at_ phi t := at_phase (eq23_phase varpi t0) (eq23_phase varpi t) phi in
   (lam < eq37_lambda_c -> is_lim uy p_infty 0 /\ forall phi, (forall n, phi <> eq39_phi_t1 lam + IZR n * PI) -> exists t1, forall t, t1 <= t -> at_ phi t ->
     exists z1 z2, t < z1 < z2 /\ z2 < t + T /\ forall z, t <= z <= t + T -> (ux z = 0 <-> z = z1 \/ z = z2)) /\
   (eq37_lambda_c < lam < 1 -> exists d t1, 0 < d < T / 2 /\ slip_end lam (eq27_phi1 lam + eq23_phase varpi d) /\
@@ -468,8 +469,8 @@ Theorem s32_rolling_trichotomy m J rad mu g A0 varpi t0 vx vy ox oy oz : 0 < m -
     (ux z = 0 <-> t + d <= z <= t + T / 2 \/ t + T / 2 + d <= z <= t + T) /\ (ux z = 0 -> uy z = 0)) /\
   (1 <= lam -> exists t1, forall t, t1 <= t -> ux t = 0 /\ uy t = 0) /\ forall t, ux t = 0 /\ uy t = 0 -> vx t = rad * oy t /\ vy t = - rad * ox t.
 Proof.
-  intros hm hJ hr hA hv S lam ux uy T at_ h0. pose proof PI_RGT_0.
-  pose proof (slip_driven m J rad mu g A0 varpi t0 sin hm hJ hr hA hv vx vy ox oy oz S) as M. fold lam in M. unfold moves in M. rewrite <- shaken_sin in M.
+  intros hm hJ hr hA hv el h0 S ux uy T at_. pose proof PI_RGT_0.
+  pose proof (slip_driven m J rad mu g A0 varpi t0 sin hm hJ hr hA hv vx vy ox oy oz S) as M. rewrite <- el in M. unfold moves in M. rewrite <- shaken_sin in M.
   set (w := w_x A0 varpi rad vx oy) in *. set (wy := w_y A0 varpi rad vy ox) in *. assert (c : 0 < A0 / varpi) by now apply Rdiv_lt_0_compat.
   assert (ex : forall t, ux t = A0 / varpi * w (varpi * t)) by exact (of_w A0 varpi hA hv ux).
   assert (ey : forall t, uy t = A0 / varpi * wy (varpi * t)) by exact (of_w A0 varpi hA hv uy).
@@ -497,6 +498,12 @@ Proof.
     split; (intros [[k k'] | [k k']]; [ left | right ]); try (split; apply (Rmult_le_reg_l varpi); lra); apply up in k, k'; lra.
   - intros h1. destruct (all_stop lam _ w wy h1 M) as (s1 & _ & R). exists (s1 / varpi). intros t Ht. destruct (R _ (late _ _ Ht)). now split; [ apply zx | apply zy ].
   - unfold ux, uy, slip_x, slip_y. intros t [e1 e2]. lra.
+Qed.
+Lemma s32_rolling_trichotomy__occurs : ltac:(occurs s32_rolling_trichotomy).
+Proof.
+  intros H. destruct (sphere_exists 1 1 1 (/ 4 * 1) (fun t => eq21_acceleration_1 1 1 (0 + t)) (fun t => eq21_acceleration_2 1 1 (0 + t)) 1 1 0 0 0) as
+    (vx & vy & ox & oy & S & _); try lra; [ intros t; unfold eq21_acceleration_1, eq21_acceleration_2; split; [ apply derivable_continuous_pt; reg | cont ] | ].
+  apply (H 1 1 1 (/ 4) 1 1 1 0 (/ 2) vx vy ox oy (fun _ => 0)); trivial; unfold eq84_lambda, eq67_factor, eq62_kappa; lra.
 Qed.
 (* The motion that is approached up to lambda_c: a sphere that slips along the drive only, by (38), and rolls at two instants per period. *)
 Theorem s32_rolling_trichotomy__approached m J rad mu g A0 varpi t0 : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
@@ -572,12 +579,12 @@ Proof.
 Qed.
 (* Under the pulses (42), (43), from any moment of the drive on: every sphere has intervals of rolling, as late as one likes, exactly where lambda_0
    of (84) exceeds the same lambda_c = eta as the particle's. *)
-Theorem s33_pulse m J rad mu g A0 varpi eta t0 vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi -> 0 < eta < 1 ->
-  let lam := eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 in 0 < lam ->
+Theorem s33_pulse m J rad mu g A0 varpi eta t0 lam vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi -> 0 < eta < 1 ->
+  lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 0 < lam ->
   sphere m J rad (mu * g) (fun t => - A0 * pulse eta (eq23_phase varpi (t0 + t))) (fun _ => 0) vx vy ox oy oz ->
   ((forall t1, exists s d, t1 <= s /\ 0 < d /\ forall t, s <= t <= s + d -> rolls rad vx vy ox oy t) <-> eq46_lambda_c eta < lam).
 Proof.
-  intros hm hJ hr hA hv he lam h0 S. apply slip_driven in S; trivial. fold lam in S. rewrite <- (rests_above eta lam _ _ _ he h0 S).
+  intros hm hJ hr hA hv he el h0 S. apply slip_driven in S; trivial. rewrite <- el in S. rewrite <- (rests_above eta lam _ _ _ he h0 S).
   assert (E : forall s, varpi * (s / varpi) = s) by (intros; field; lra). assert (up : forall s t, s <= t -> varpi * s <= varpi * t) by (intros; apply Rmult_le_compat_l; lra).
   split; intros K t1.
   - destruct (K (t1 / varpi)) as (s & d & Hs & Hd & Z). exists (varpi * s), (varpi * d). apply up in Hs. rewrite E in Hs.
@@ -586,6 +593,14 @@ Proof.
   - destruct (K (varpi * t1)) as (s & d & Hs & Hd & Z). exists (s / varpi), (d / varpi). pose proof (E s). pose proof (E d).
     split; [ apply (Rmult_le_reg_l varpi); lra | split; [ now apply Rdiv_lt_0_compat | ] ].
     intros t [H1 H2]. apply up in H1, H2. apply (proj2 (rolls_at rad A0 varpi hA hv vx vy ox oy t)), Z. lra.
+Qed.
+Lemma s33_pulse__occurs : ltac:(occurs s33_pulse).
+Proof.
+  intros H. destruct (pulses_at_large_times (/ 2) (3 / 4)) as [W L]; try lra. destruct (pulse_integral (/ 2)) as [F I]; [ lra | ].
+  assert (e : 3 / 4 = eq84_lambda (eq67_factor (eq62_kappa 1 1 1)) (3 / 8) 1 1) by (unfold eq84_lambda, eq67_factor, eq62_kappa; field).
+  pose proof (late_moves _ _ _ L (eq23_phase 1 0)) as M. rewrite e in M.
+  destruct (sphere_driven 1 1 1 (3 / 8) 1 1 1 0 (pulse (/ 2)) Rlt_0_1 Rlt_0_1 Rlt_0_1 Rlt_0_1 Rlt_0_1 F _ _ I M) as (vx & vy & ox & oy & oz & S & _).
+  apply (H 1 1 1 (3 / 8) 1 1 1 (/ 2) 0 (3 / 4) vx vy ox oy oz); trivial; lra.
 Qed.
 (* Friction mu_plus forward and mu_minus backward, drive (21): whatever holds of all velocities of the particle of 2.4 with lambda_0 of (85) and
    q = mu_minus / mu_plus, its regions with them, holds of all slip velocities of spheres along the line, and the other way round. *)

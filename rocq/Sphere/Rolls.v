@@ -62,3 +62,20 @@ Proof.
     destruct (E t ltac:(lra)) as [-> ->]. split; trivial. rewrite <- (shift_Z (2 * PI) W T (n + 1)), plus_IZR. apply Z. lra.
 Qed.
 End Pulsed.
+(* without friction a motion is an integral of the drive: the pulses have one *)
+Lemma pulse_integral eta : 0 < eta < 1 -> exists H, forall phi, continuity_pt H phi /\ rder H phi (pulse eta phi).
+Proof.
+  intros he. pose proof PI_RGT_0 as pi. set (c := eta * PI). assert (c0 : 0 < c < PI) by (unfold c; nra).
+  pose (g := glue c (fun t => t - c / 2) (fun _ => c / 2)). exists (ext PI g). intros phi.
+  assert (M : moves 0 (pulse eta) (phi - 1) (fun t => ext PI g (phi - 1 + t)) (fun _ => 0)).
+  { apply half_arc; [ lra | trivial | apply pulse_anti | unfold g; rewrite glue_r, glue_l by lra; field | apply arc_glue; [ lra | .. | field ] ];
+      (split; intros t Ht; [ | exists 0; destruct (pulse_on eta t ltac:(lra)) as [P1 P0] ]).
+    - unfold Rdiv. cont.
+    - rewrite P1 by (unfold c in *; lra). unfold dry. repeat split; try lra. eapply rder_eq; [ unfold Rdiv; rd | ring ].
+    - cont.
+    - rewrite P0 by (unfold c in *; lra). unfold dry. repeat split; try lra. eapply rder_eq; [ rd | ring ]. }
+  assert (E : forall s, ext PI g (phi - 1 + (s - (phi - 1))) = ext PI g s) by (intros; f_equal; ring). split.
+  - apply (continuity_pt_ext _ _ _ E), (cont_shift (fun t => ext PI g (phi - 1 + t)) (phi - 1)), (m_cx _ _ _ _ _ M). lra.
+  - destruct (m_law _ _ _ _ _ M (phi - (phi - 1)) ltac:(lra)) as (fx & fy & [B _] & X & _). pose proof (pow2_ge_0 fy). pose proof (pow2_ge_0 fx).
+    apply rder_shift in X. eapply rder_eq; [ exact (rder_ext _ _ _ _ (fun s _ => E s) X) | ]. cbv beta. replace (phi - 1 + (phi - (phi - 1))) with phi by ring. nra.
+Qed.
