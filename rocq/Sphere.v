@@ -6,7 +6,9 @@ From Slipbook Require Export AtRest.
 Open Scope R_scope.
 
 (* ---- the laws ---- *)
-(* the sphere in the laboratory: the plane has the velocity (Px, Py) there, the centre (Vx, Vy); friction alone acts along the plane *)
+(* the sphere in the laboratory: the plane has the velocity (Px, Py) there, the centre (Vx, Vy); friction alone acts along the plane.
+   «in the laboratory a sphere of the mass $m$, the moment of inertia $J$ and the radius $rad$, with $\mu g=k$, has the velocity $(Vx,Vy)$ and the angular
+   velocity $(ox,oy,oz)$ on a plane that has the velocity $(Px,Py)$» *)
 Record laboratory (m J rad k : R) (Px Py Vx Vy ox oy oz : R -> R) : Prop := {
   l_c : forall t, 0 < t -> continuity_pt Px t /\ continuity_pt Py t /\ continuity_pt Vx t /\ continuity_pt Vy t /\
     continuity_pt ox t /\ continuity_pt oy t /\ continuity_pt oz t;
@@ -130,8 +132,10 @@ Lemma eq_66__occurs : ltac:(occurs eq_66).
 Proof. sliding_example. Qed.
 
 (* ---- in the units of (68) to (72); dot is the rate over tau ---- *)
-(* the time at which (69) is tau, and the quantities then *)
+(* the time at which (69) is tau. «$\sqrt{rad/(mu\,g)}\,tau$» *)
 Definition clock (rad mu g tau : R) : R := sqrt (rad / (mu * g)) * tau.
+(* dimensionless, at the time at which (69) is tau: the place of the centre (68), the angular velocity (70), the slip velocity (71) and the plane's
+   acceleration (72), along the axes 1, 2, 3 *)
 Definition rho_1 rad mu g (x y : R -> R) tau := eq68_position_1 rad (x (clock rad mu g tau)) (y (clock rad mu g tau)) 0.
 Definition rho_2 rad mu g (x y : R -> R) tau := eq68_position_2 rad (x (clock rad mu g tau)) (y (clock rad mu g tau)) 0.
 Definition zeta_1 rad mu g (ox oy oz : R -> R) tau := let t := clock rad mu g tau in eq70_spin_1 rad mu g (ox t) (oy t) (oz t).
@@ -141,7 +145,7 @@ Definition u_1 rad mu g (vx vy ox oy : R -> R) tau := let t := clock rad mu g ta
 Definition u_2 rad mu g (vx vy ox oy : R -> R) tau := let t := clock rad mu g tau in eq71_slip_2 rad mu g (slip_x rad vx oy t) (slip_y rad vy ox t) 0.
 Definition gamma_1 rad mu g (Ax Ay : R -> R) tau := let t := clock rad mu g tau in eq72_acceleration_1 mu g (Ax t) (Ay t) 0.
 Definition gamma_2 rad mu g (Ax Ay : R -> R) tau := let t := clock rad mu g tau in eq72_acceleration_2 mu g (Ax t) (Ay t) 0.
-(* the velocity of the centre, dr/dt over the unit: by eq_73 the rate of rho *)
+(* the velocity v of the centre in the unit of (71), dimensionless: by eq_73 the rate of rho *)
 Definition rhodot rad mu g (v : R -> R) tau := v (clock rad mu g tau) / sqrt (mu * g * rad).
 Section Units.
 Variables (m J rad mu g : R) (Ax Ay X Y vx vy ox oy oz : R -> R).

@@ -6,7 +6,8 @@ From Slipbook Require Import Motion Analysis.
 Open Scope R_scope.
 
 (* mass f: what f adds up to over the body, f (a, b, c) dm; a, b, c are the places on three axes through the centre that turn with the body.
-   The centre is that of the mass; the moment is J about each of the three axes, and so about every one. *)
+   The centre is that of the mass; the moment is J about each of the three axes, and so about every one.
+   «the body has the moment of inertia $J$ about every axis through its centre» *)
 Record one_moment (J : R) (mass : (R -> R -> R -> R) -> R) : Prop := {
   additive : forall f g, mass (fun a b c => f a b c + g a b c) = mass f + mass g;
   proportional : forall r f, mass (fun a b c => r * f a b c) = r * mass f;
@@ -16,7 +17,7 @@ Record one_moment (J : R) (mass : (R -> R -> R -> R) -> R) : Prop := {
 (* a moment about the centre along one axis: p, q are the coordinates along the two others, fp, fq the components there of a vector per mass *)
 Definition moment (mass : (R -> R -> R -> R) -> R) (p q fp fq : R -> R -> R -> R) : R := mass (fun a b c => p a b c * fq a b c - q a b c * fp a b c).
 (* (x, y, z) t a b c is where the part (a, b, c) of the body is, from the centre: the body is carried along and turned, as a whole, with the angular
-   velocity (ox, oy, oz) *)
+   velocity (ox, oy, oz). «the body turns, as a whole, with the angular velocity $(ox,oy,oz)$» *)
 Record rigid (x y z : R -> R -> R -> R -> R) (ox oy oz : R -> R) : Prop := {
   upright : forall t, 0 <= t -> exists a1 a2 a3 b1 b2 b3 c1 c2 c3,
     (a1 ^ 2 + b1 ^ 2 + c1 ^ 2 = 1 /\ a2 ^ 2 + b2 ^ 2 + c2 ^ 2 = 1 /\ a3 ^ 2 + b3 ^ 2 + c3 ^ 2 = 1) /\

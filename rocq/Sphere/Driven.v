@@ -5,9 +5,10 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General Aniso Drawn Formulas Analysis Reduction.
 Open Scope R_scope.
 
-(* the slip velocity (24) at the phase phi (23): in the unit A0 / varpi, at the time phi / varpi *)
-Definition w_x (A0 varpi rad : R) (vx oy : R -> R) : R -> R := fun phi => eq24_w varpi (slip_x rad vx oy (phi / varpi)) A0.
-Definition w_y (A0 varpi rad : R) (vy ox : R -> R) : R -> R := fun phi => eq24_w varpi (slip_y rad vy ox (phi / varpi)) A0.
+(* the slip velocity along x as (24) has it, in the unit A0 / varpi, at the phase phi of (23), at the time phi / varpi *)
+Definition w_x (A0 varpi rad : R) (vx oy : R -> R) (phi : R) : R := eq24_w varpi (slip_x rad vx oy (phi / varpi)) A0.
+(* and along y *)
+Definition w_y (A0 varpi rad : R) (vy ox : R -> R) (phi : R) : R := eq24_w varpi (slip_y rad vy ox (phi / varpi)) A0.
 
 Section Driven.
 Variables (m J rad mu g A0 varpi t0 : R) (h : R -> R).
@@ -53,7 +54,10 @@ Proof.
 Qed.
 End Driven.
 
-(* ---- along a line, with the friction kf per mass against a forward slip and kb against a backward one ---- *)
+(* ---- along a line ---- *)
+(* (59), (60) for a sphere whose velocity v, slip and drive A are along x, from the time t0 on; o is its angular velocity about y; the friction per mass
+   is kf against a forward slip, kb against a backward one. «a sphere of the mass $m$, the moment of inertia $J$ and the radius $rad$, with
+   $\mu_+g=kf$ and $\mu_-g=kb$, has from $t0$ on the velocity $v$ and the angular velocity $o$ on a plane that has the acceleration $A$» *)
 Record sphere_on_line (m J rad kf kb : R) (A : R -> R) (t0 : R) (v o : R -> R) : Prop := {
   sl_c : forall t, t0 < t -> continuity_pt v t /\ continuity_pt o t;
   sl_law : forall t, t0 <= t -> exists F, dry (m * kf) (m * kb) (slip_x rad v o t) F /\

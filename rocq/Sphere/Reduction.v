@@ -5,23 +5,26 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General Formulas Exists Analysis.
 Open Scope R_scope.
 
-(* the velocity of the point of contact, at (0, 0, - rad) from the centre, against the plane: dr/dt + omega x R of (61), (71) *)
-Definition slip_x (rad : R) (vx oy : R -> R) : R -> R := fun t => vx t - rad * oy t.
-Definition slip_y (rad : R) (vy ox : R -> R) : R -> R := fun t => vy t + rad * ox t.
+(* dr/dt + omega x R of (61), (71): the velocity, along x, of the point of contact, (0, 0, - rad) from the centre, against the plane *)
+Definition slip_x (rad : R) (vx oy : R -> R) (t : R) : R := vx t - rad * oy t.
+(* and along y *)
+Definition slip_y (rad : R) (vy ox : R -> R) (t : R) : R := vy t + rad * ox t.
 
 (* (59), (60) with Coulomb's law at the contact, rolling included: mass m, moment of inertia J, radius rad, mu g = k. The plane has the acceleration
-   (Ax, Ay), the centre the velocity (vx, vy) against the plane, the sphere the angular velocity (ox, oy, oz); the friction is (Fx, Fy). *)
+   (Ax, Ay), the centre the velocity (vx, vy) against the plane, the sphere the angular velocity (ox, oy, oz); the friction is (Fx, Fy).
+   «a sphere of the mass $m$, the moment of inertia $J$ and the radius $rad$, with $\mu g=k$, has the velocity $(vx,vy)$ and the angular velocity
+   $(ox,oy,oz)$ on a plane that has the acceleration $(Ax,Ay)$» *)
 Record sphere (m J rad k : R) (Ax Ay vx vy ox oy oz : R -> R) : Prop := {
   b_c : forall t, 0 < t -> continuity_pt vx t /\ continuity_pt vy t /\ continuity_pt ox t /\ continuity_pt oy t /\ continuity_pt oz t;
   b_law : forall t, 0 <= t -> exists Fx Fy, coulomb (m * k) (slip_x rad vx oy t) (slip_y rad vy ox t) Fx Fy /\
     rder vx t (eq59_momentum_rate_1 m (Ax t) (Ay t) 0 Fx Fy 0 / m) /\ rder vy t (eq59_momentum_rate_2 m (Ax t) (Ay t) 0 Fx Fy 0 / m) /\
     rder ox t (eq60_spin_rate_1 0 0 (- rad) Fx Fy 0 / J) /\ rder oy t (eq60_spin_rate_2 0 0 (- rad) Fx Fy 0 / J) /\
     rder oz t (eq60_spin_rate_3 0 0 (- rad) Fx Fy 0 / J) }.
-(* rolling: the point of contact is at rest on the plane; else the sphere slides *)
+(* the point of contact is at rest on the plane; else the sphere slides. «the sphere rolls at $t$» *)
 Definition rolls (rad : R) (vx vy ox oy : R -> R) (t : R) : Prop := slip_x rad vx oy t = 0 /\ slip_y rad vy ox t = 0.
 (* b of (67), by (62): dimensionless, 7/2 for a solid sphere *)
 Definition factor (m J rad : R) : R := eq67_factor (eq62_kappa J m rad).
-(* (76): nu' = A, A may jump *)
+(* (76): nu' = A, A may jump. «$nu$ is an integral of $A$» *)
 Definition primitive (nu A : R -> R) : Prop := (forall t, 0 < t -> continuity_pt nu t) /\ (forall t, 0 <= t -> rder nu t (A t)).
 
 Lemma primitive_of A : (forall t, continuity_pt A t) -> primitive (RInt A 0) A.
