@@ -37,9 +37,7 @@ Proof.
     example_v t - t) (fun _ => 1)
     (fun _ => -1) example_o (fun _ => 2) 1 _ _ _ _); try lra; [ split; intros t Ht | intros t Ht; split; (eapply rder_eq; [ rd | ring ]) ].
   - unfold example_v, example_o. repeat split; cont.
-  - destruct (L t Ht) as (Fx & Fy & C & X & Y & OX & OY & OZ). exists Fx, Fy. unfold slip_x, slip_y, eq59_momentum_rate_1, eq59_momentum_rate_2,
-    eq60_spin_rate_1,
-      eq60_spin_rate_2, eq60_spin_rate_3 in *. replace (example_v t - t - 1 * example_o t - - t) with (example_v t - 1 * example_o t) by ring.
+  - destruct (L t Ht) as (Fx & Fy & C & X & Y & OX & OY & OZ). exists Fx, Fy. unfold slip_x, slip_y in *. laws. replace (example_v t - t - 1 * example_o t - - t) with (example_v t - 1 * example_o t) by ring.
         rewrite Rminus_0_r.
     split; [ exact C | repeat split ]; (eapply rder_eq; [ rd | field ]).
 Qed.
@@ -171,85 +169,79 @@ Proof. destruct unit_facts as (k0 & q0 & e & e1 & e2). unfold eq69_time, clock. 
   replace (q / rad * (q / (mu * g) * tau)) with (q ^ 2 / (mu * g * rad) * tau) by (field; lra). rewrite e. field. lra. Qed.
 Lemma clock_pos tau : 0 <= tau -> 0 <= T tau.
 Proof. intros H. unfold clock. apply Rmult_le_pos; [ apply sqrt_pos | trivial ]. Qed.
-Lemma rate_by_clock f c tau l l' : rder f (T tau) l -> c * q / (mu * g) * l = l' -> rder (fun tau => c * f (T tau)) tau l'.
+Notation z1 := (zeta_1 rad mu g ox oy oz). Notation z2 := (zeta_2 rad mu g ox oy oz). Notation z3 := (zeta_3 rad mu g ox oy oz).
+(* in these units it is a sphere of the radius 1, with mu g = 1 *)
+Lemma sphere_in_units : sphere m (J / rad ^ 2) 1 1 g1 g2 v1 v2 z1 z2 z3.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & e2). intros H <-. unfold clock in *. rewrite e1 in *.
-    assert (p : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra).
-  apply rder_time in H; trivial. eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | exact H ] | field; lra ].
+  destruct unit_facts as (k0 & q0 & e & e1 & _). assert (ek : mu * g = q ^ 2 / rad) by (rewrite e; field; lra).
+  assert (ec : q / (mu * g) = rad / q) by (rewrite ek; field; lra). assert (c0 : 0 < rad / q) by now apply Rdiv_lt_0_compat. destruct S as [C L].
+  unfold zeta_1, zeta_2, zeta_3, gamma_1, gamma_2, rhodot, eq70_spin_1, eq70_spin_2, eq70_spin_3, eq72_acceleration_1, eq72_acceleration_2, clock. fold q.
+  rewrite e1, ec. set (c := rad / q) in *. split; intros t Ht.
+  - destruct (C (c * t) ltac:(now apply Rmult_lt_0_compat)) as (c1 & c2 & c3 & c4 & c5). apply cont_time in c1, c2, c3, c4, c5. unfold Rdiv. repeat split; cont.
+  - destruct (L (c * t) ltac:(apply Rmult_le_pos; lra)) as (Fx & Fy & F & VX & VY & OX & OY & OZ). exists (/ (mu * g) * Fx), (/ (mu * g) * Fy).
+    apply (coulomb_force (/ (mu * g))), (coulomb_velocity (/ q)) in F; [ | left; now apply Rinv_0_lt_compat ].
+    apply rder_time in VX, VY, OX, OY, OZ; trivial. laws. split; [ | repeat split; (eapply rder_eq; [ unfold Rdiv; rd | rewrite ?ek; unfold c; field; lra ]) ].
+    replace (m * 1) with (/ (mu * g) * (m * (mu * g))) by (field; lra). unfold slip_x, slip_y, c in *.
+    replace (vx (rad / q * t) / q - _) with (/ q * (vx (rad / q * t) - rad * oy (rad / q * t))) by (field; lra).
+    replace (vy (rad / q * t) / q + _) with (/ q * (vy (rad / q * t) + rad * ox (rad / q * t))) by (field; lra). exact F.
 Qed.
-Lemma unit_length a c : sqrt ((1 / q * a) ^ 2 + (1 / q * c) ^ 2 + 0 ^ 2) = nrm a c / q.
+Lemma in_units : 0 < J / rad ^ 2 /\ factor m (J / rad ^ 2) 1 = b /\ slip_x 1 v1 z2 = u1 /\ slip_y 1 v2 z1 = u2.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & e2). assert (0 < / q) by now apply Rinv_0_lt_compat.
-    transitivity (nrm (/ q * a) (/ q * c)); [ unfold nrm; f_equal; field; lra | ].
-  rewrite nrm_scale by lra. field. lra.
-Qed.
-(* the velocity of the centre is the rate of rho *)
-Lemma rho_rate tau : 0 <= tau -> rder (rho_1 rad mu g X Y) tau (v1 tau) /\ rder (rho_2 rad mu g X Y) tau (v2 tau).
-Proof.
-  intros Ht. destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (centre (T tau) (clock_pos tau Ht)) as [CX CY].
-    unfold rho_1, rho_2, eq68_position_1, eq68_position_2, rhodot. fold q.
-  assert (E : forall l, / rad * q / (mu * g) * l = l / q) by (intros l; replace (/ rad * q / (mu * g) * l) with (q ^ 2 / (mu * g * rad) * l / q) by
-    (field; lra); rewrite e; field; lra).
-  split; [ apply (rder_ext (fun tau => / rad * X (T tau))) | apply (rder_ext (fun tau => / rad * Y (T tau))) ]; try (intros; unfold Rdiv; ring);
-    (eapply rate_by_clock; [ eassumption | apply E ]).
+  destruct unit_facts as (k0 & q0 & e & e1 & _). assert (r2 : 0 < rad ^ 2) by now apply pow_lt. assert (ek : mu * g = q ^ 2 / rad) by (rewrite e; field; lra).
+  split; [ now apply Rdiv_lt_0_compat | split; [ unfold factor, eq67_factor, eq62_kappa; field; lra | ] ].
+  split; extensionality tau; unfold slip_x, slip_y, u_1, u_2, rhodot, zeta_1, zeta_2, eq70_spin_1, eq70_spin_2, eq71_slip_1, eq71_slip_2, slip_x, slip_y;
+    cbv zeta; fold q; rewrite e1; replace (q / (mu * g)) with (rad / q) by (rewrite ek; field; lra); field; lra.
 Qed.
 Lemma slip_in_units : motion b g1 g2 u1 u2.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & _). pose proof (slip_moves m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ S) as M.
-  apply (motion_in_units (/ q) (sqrt (rad / (mu * g))) (factor m J rad * (mu * g)) Ax Ay (slip_x rad vx oy) (slip_y rad vy ox)); trivial; fold q.
-  - now apply Rinv_0_lt_compat.
-  - rewrite e1. now apply Rdiv_lt_0_compat.
-  - unfold factor. rewrite e1. field. lra.
-  - intros t. unfold gamma_1, eq72_acceleration_1, clock. rewrite e1. field. lra.
-  - intros t. unfold gamma_2, eq72_acceleration_2, clock. rewrite e1. field. lra.
-  - intros t. unfold u_1, eq71_slip_1, clock. cbv zeta. fold q. unfold Rdiv. ring.
-  - intros t. unfold u_2, eq71_slip_2, clock. cbv zeta. fold q. unfold Rdiv. ring.
+  destruct in_units as (J0 & eb & <- & <-). replace b with (factor m (J / rad ^ 2) 1 * 1) by (rewrite eb; ring). now apply (slip_moves m (J / rad ^ 2) 1 1 hm J0 Rlt_0_1 _ _ _ _ _ _ _ sphere_in_units).
 Qed.
 Section While.
 Variable tau : R.
 Hypothesis ht : 0 <= tau.
 Hypothesis slides : ~ rolls rad vx vy ox oy (T tau).
-Ltac opened := pose proof unit_facts as (k0 & q0 & e & e1 & e2);
-  destruct (sliding m J rad (mu * g) hm hJ Ax Ay vx vy ox oy oz (T tau) ltac:(lra) S (clock_pos tau ht) slides) as (n0 & VX & VY & OX & OY & OZ).
-Ltac length := unfold u_1, u_2, eq71_slip_1, eq71_slip_2; cbv zeta; fold q; rewrite ?unit_length; set (n := nrm _ _) in *.
+Lemma rates : let n := nrm (u1 tau) (u2 tau) in 0 < n /\ sqrt (u1 tau ^ 2 + u2 tau ^ 2 + 0 ^ 2) = n /\
+  rder v1 tau (- g1 tau - u1 tau / n) /\ rder v2 tau (- g2 tau - u2 tau / n) /\ rder u1 tau (- g1 tau - b * (u1 tau / n)) /\ rder u2 tau (- g2 tau - b * (u2 tau / n)).
+Proof.
+  destruct in_units as (J0 & eb & ex & ey). destruct (factor_is m J rad hm hJ hr) as [_ b1]. change (factor m J rad) with b in b1.
+  assert (N : ~ rolls 1 v1 v2 z1 z2 tau).
+  { unfold rolls. rewrite ex, ey. intros [n1 n2]. apply slides. destruct unit_facts as (_ & q0 & _). unfold u_1, u_2, eq71_slip_1, eq71_slip_2 in *. fold q in n1, n2.
+    assert (0 < 1 / q) by (apply Rdiv_lt_0_compat; lra). split; apply (Rmult_eq_reg_l (1 / q)); lra. }
+  destruct (sliding m (J / rad ^ 2) 1 1 hm J0 _ _ _ _ _ _ _ tau Rle_0_1 sphere_in_units ht N) as (n0 & VX & VY & _). rewrite ex, ey in *.
+  destruct (slip_rates b _ _ _ _ ltac:(lra) slip_in_units tau ht ltac:(lra)) as [UX UY].
+  split; [ trivial | split; [ unfold nrm; f_equal; ring | split; [ | split; [ | split; trivial ] ] ] ]; (eapply rder_eq; [ eassumption | ring ]).
+Qed.
+Ltac rated := destruct rates as (n0 & en & VX & VY & UX & UY).
 (* The centre of a sliding sphere: rho has the rate rhodot, and that the rate (73). *)
 Theorem eq_73 : let rate f := f (g1 tau) (g2 tau) 0 (u1 tau) (u2 tau) 0 in
   rder (rho_1 rad mu g X Y) tau (v1 tau) /\ rder (rho_2 rad mu g X Y) tau (v2 tau) /\
   rder v1 tau (rate eq73_velocity_rate_1) /\ rder v2 tau (rate eq73_velocity_rate_2) /\ rate eq73_velocity_rate_3 = 0.
 Proof.
-  opened. destruct (rho_rate tau ht). split; [ trivial | split; [ trivial | ] ].
-  unfold eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2, rhodot. length.
-  split; [ | split; [ | field; lra ] ].
-  - apply (rder_ext (fun tau => / q * vx (T tau))); [ intros; unfold Rdiv; ring | eapply rate_by_clock; [ exact VX | field; lra ] ].
-  - apply (rder_ext (fun tau => / q * vy (T tau))); [ intros; unfold Rdiv; ring | eapply rate_by_clock; [ exact VY | field; lra ] ].
+  destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (centre (T tau) (clock_pos tau ht)) as [CX CY]. assert (c0 : 0 < q / (mu * g)) by now apply Rdiv_lt_0_compat.
+  assert (ek : mu * g = q ^ 2 / rad) by (rewrite e; field; lra).
+  rated. unfold eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3. rewrite en. split; [ | split; [ | split; [ exact VX | split; [ exact VY | field; lra ] ] ] ];
+    unfold rho_1, rho_2, eq68_position_1, eq68_position_2, rhodot, clock in *; fold q; rewrite e1 in *; apply rder_time in CX, CY; trivial; unfold Rdiv in *;
+    (eapply rder_eq; [ rd | rewrite ek; field; lra ]).
 Qed.
 (* The slip velocity. *)
 Theorem eq_74 : let rate f := f b (g1 tau) (g2 tau) 0 (u1 tau) (u2 tau) 0 in
   rder u1 tau (rate eq74_slip_rate_1) /\ rder u2 tau (rate eq74_slip_rate_2) /\ rate eq74_slip_rate_3 = 0.
-Proof.
-  opened. destruct (eq_66 m J rad mu g Ax Ay vx vy ox oy oz (T tau)) as (P & Q & _); trivial; try lra; [ now apply clock_pos | ].
-  unfold eq66_slip_rate_1, eq66_slip_rate_2 in P, Q. replace (sqrt _) with (nrm (slip_x rad vx oy (T tau)) (slip_y rad vy ox (T tau))) in P,
-    Q by (unfold nrm; f_equal; ring).
-  unfold eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2. length. set (bb := b) in *.
-  split; [ | split; [ | field; lra ] ]; (eapply rate_by_clock; [ eassumption | field; lra ]).
-Qed.
+Proof. rated. unfold eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3. rewrite en. split; [ exact UX | split; [ exact UY | field; lra ] ]. Qed.
 (* Friction alone changes rhodot + nu, for every nu with the rate gamma. *)
 Theorem eq_77 nu1 nu2 : rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) -> rder nu2 tau (eq76_nu_rate_2 (g1 tau) (g2 tau) 0) ->
   let rate f := f (u1 tau) (u2 tau) 0 in
   rder (fun tau => v1 tau + nu1 tau) tau (rate eq77_rate_1) /\ rder (fun tau => v2 tau + nu2 tau) tau (rate eq77_rate_2) /\ rate eq77_rate_3 = 0.
 Proof.
-  intros N1 N2 rate. unfold eq76_nu_rate_1, eq76_nu_rate_2 in *. destruct eq_73 as (_ & _ & V1 & V2 & V3).
-  split; [ | split ]; [ eapply rder_eq; [ rd | ] | eapply rder_eq; [ rd | ] | cbv beta zeta in V3 ];
-    unfold rate, eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3, eq77_rate_1, eq77_rate_2, eq77_rate_3 in *; lra.
+  intros N1 N2 rate. unfold rate, eq76_nu_rate_1, eq76_nu_rate_2, eq77_rate_1, eq77_rate_2, eq77_rate_3 in *. rated. rewrite en.
+  split; [ | split; [ | field; lra ] ]; (eapply rder_eq; [ rd | ring ]).
 Qed.
 (* And u + nu. *)
 Theorem eq_78 nu1 nu2 : rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) -> rder nu2 tau (eq76_nu_rate_2 (g1 tau) (g2 tau) 0) ->
   let rate f := f b (u1 tau) (u2 tau) 0 in
   rder (fun tau => u1 tau + nu1 tau) tau (rate eq78_rate_1) /\ rder (fun tau => u2 tau + nu2 tau) tau (rate eq78_rate_2) /\ rate eq78_rate_3 = 0.
 Proof.
-  intros N1 N2 rate. unfold eq76_nu_rate_1, eq76_nu_rate_2 in *. destruct eq_74 as (V1 & V2 & V3).
-  split; [ | split ]; [ eapply rder_eq; [ rd | ] | eapply rder_eq; [ rd | ] | cbv beta zeta in V3 ];
-    unfold rate, eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3, eq78_rate_1, eq78_rate_2, eq78_rate_3 in *; lra.
+  intros N1 N2 rate. unfold rate, eq76_nu_rate_1, eq76_nu_rate_2, eq78_rate_1, eq78_rate_2, eq78_rate_3 in *. rated. rewrite en.
+  split; [ | split; [ | field; lra ] ]; (eapply rder_eq; [ rd | ring ]).
 Qed.
 End While.
 (* The spin is zeta_3 about the vertical and minus z x (u - rhodot), sliding or rolling. *)
@@ -285,25 +277,11 @@ Theorem eq_79 nu1 nu2 : (forall tau, 0 <= tau -> rder nu1 tau (eq76_nu_rate_1 (g
   exists c1 c2, forall tau, 0 <= tau -> let velocity f := f b (nu1 tau) (nu2 tau) 0 (u1 tau) (u2 tau) 0 c1 c2 0 in
   v1 tau = velocity eq79_velocity_1 /\ v2 tau = velocity eq79_velocity_2 /\ 0 = velocity eq79_velocity_3.
 Proof.
-  intros N cn. destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (factor_is m J rad hm hJ hr) as [_ b1]. unfold factor in b1.
-  assert (s0 : 0 < mu * g / q) by (apply Rdiv_lt_0_compat; lra).
-  assert (back : forall t, T (mu * g / q * t) = t) by (intros t; unfold clock; rewrite e1; field; lra).
-    assert (P : forall A nu, (forall tau, 0 < tau -> continuity_pt nu tau) ->
-    (forall tau, 0 <= tau -> rder nu tau (A (T tau) / (mu * g))) -> primitive (fun t => q * nu (mu * g / q * t)) A).
-  { intros A nu c D. split; intros t Ht.
-    - apply (continuity_pt_mult (fun _ => q)); [ cont | apply cont_time, c, Rmult_lt_0_compat; lra ].
-    - specialize (D (mu * g / q * t) ltac:(apply Rmult_le_pos; lra)). rewrite back in D. apply rder_time in D; trivial.
-      eapply rder_eq; [ apply (rder_mult (fun _ => q)); [ rd | exact D ] | field; lra ]. }
-  assert (P1 : primitive (fun t => q * nu1 (mu * g / q * t)) Ax) by (apply P; intros tau Ht; [ now apply cn | now apply (N tau) ]).
-  assert (P2 : primitive (fun t => q * nu2 (mu * g / q * t)) Ay) by (apply P; intros tau Ht; [ now apply cn | now apply (N tau) ]).
-  pose proof (fun tau Ht => kept_x m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz _ (T tau) S P1 (clock_pos tau Ht)) as K1.
-  pose proof (fun tau Ht => kept_y m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz _ (T tau) S P2 (clock_pos tau Ht)) as K2.
-  unfold factor in K1, K2. set (bb := b) in *. assert (F : forall tau, mu * g / q * T tau = tau) by (intros tau; unfold clock; rewrite e1; field;
-    lra).
-  exists ((vx 0 + (1 - / bb) * (q * nu1 0) - slip_x rad vx oy 0 * / bb) / q), ((vy 0 + (1 - / bb) * (q * nu2 0) - slip_y rad vy ox 0 * / bb) / q).
-    intros tau Ht.
-  specialize (K1 tau Ht). specialize (K2 tau Ht). rewrite F, Rmult_0_r in K1, K2. rewrite <- K1, <- K2.
-  unfold eq79_velocity_1, eq79_velocity_2, eq79_velocity_3, rhodot, u_1, u_2, eq71_slip_1, eq71_slip_2. cbv zeta. fold q. repeat split; field; lra.
+  intros N cn. destruct in_units as (J0 & eb & ex & ey). destruct (factor_is m J rad hm hJ hr) as [_ b1]. change (factor m J rad) with b in b1.
+  pose proof (fun tau => kept_x m (J / rad ^ 2) 1 1 hm J0 Rlt_0_1 _ _ _ _ _ _ _ nu1 tau sphere_in_units ltac:(split; intros; [ now apply cn | now apply N ])) as K1.
+  pose proof (fun tau => kept_y m (J / rad ^ 2) 1 1 hm J0 Rlt_0_1 _ _ _ _ _ _ _ nu2 tau sphere_in_units ltac:(split; intros; [ now apply cn | now apply N ])) as K2.
+  rewrite eb, ?ex, ?ey in *. exists (v1 0 + (1 - / b) * nu1 0 - u1 0 * / b), (v2 0 + (1 - / b) * nu2 0 - u2 0 * / b). intros tau Ht.
+  specialize (K1 tau Ht). specialize (K2 tau Ht). rewrite <- K1, <- K2. unfold eq79_velocity_1, eq79_velocity_2, eq79_velocity_3. repeat split; field; lra.
 Qed.
 (* zeta_3 keeps its value, and enters nothing else: with any other constant spin about the vertical the rest is a motion as before. *)
 Theorem s3_spin_constant : (forall tau, 0 <= tau -> rder (zeta_3 rad mu g ox oy oz) tau s3_zeta3_rate /\
@@ -311,11 +289,8 @@ Theorem s3_spin_constant : (forall tau, 0 <= tau -> rder (zeta_3 rad mu g ox oy 
   forall w, sphere m J rad (mu * g) Ax Ay vx vy ox oy (fun _ => w).
 Proof.
   split.
-  - intros tau Ht. unfold zeta_3, eq70_spin_3, s3_zeta3_rate. cbv zeta. split.
-    + destruct (b_law _ _ _ _ _ _ _ _ _ _ _ S (T tau) (clock_pos tau Ht)) as (Fx & Fy & _ & _ & _ & _ & _ & OZ). unfold eq60_spin_rate_3 in OZ.
-      eapply rate_by_clock; [ exact OZ | field; destruct unit_facts; lra ].
-    + rewrite (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ (T tau) S (clock_pos tau Ht)), (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ (T 0) S (clock_pos
-      0 (Rle_refl 0))). trivial.
+  - intros tau Ht. destruct in_units as (J0 & _). split; [ | apply (spin_z m (J / rad ^ 2) 1 1 J0 _ _ _ _ _ _ _ tau sphere_in_units Ht) ].
+    destruct (b_law _ _ _ _ _ _ _ _ _ _ _ sphere_in_units tau Ht) as (Fx & Fy & _ & _ & _ & _ & _ & OZ). laws. eapply rder_eq; [ exact OZ | unfold s3_zeta3_rate; field; lra ].
   - intros w. destruct S as [c L]. split.
     + intros t Ht. destruct (c t Ht) as (c1 & c2 & c3 & c4 & _). repeat split; trivial. cont.
     + intros t Ht. destruct (L t Ht) as (Fx & Fy & C & VX & VY & OX & OY & _). exists Fx, Fy. repeat (split; trivial). unfold eq60_spin_rate_3.
@@ -336,7 +311,7 @@ Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _ _ _); filled. Qed.
 Lemma eq_74__occurs : ltac:(occurs eq_74).
 Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 Lemma eq_77__occurs : ltac:(occurs eq_77).
-Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _ _ _); filled. Qed.
+Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 Lemma eq_78__occurs : ltac:(occurs eq_78).
 Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 Lemma eq_79__occurs : ltac:(occurs eq_79).
@@ -577,7 +552,7 @@ Proof.
   - unfold eq84_lambda, eq67_factor, eq62_kappa. field.
   - split; intros t Ht. { repeat split; apply derivable_continuous_pt; reg. }
     exists (- / 2), 0. unfold slip_x, slip_y. split. { split; [ lra | ]. replace (t / 2 - 1 * (t / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. ring. }
-    unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
+    laws.
     repeat split; apply rder_of; auto_derive; trivial; field.
   - unfold slip_x, slip_y. replace (0 / 2 - 1 * (0 / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. lra.
 Qed.

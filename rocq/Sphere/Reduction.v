@@ -30,6 +30,8 @@ Definition primitive (nu A : R -> R) : Prop := (forall t, 0 < t -> continuity_pt
 Lemma primitive_of A : (forall t, continuity_pt A t) -> primitive (RInt A 0) A.
 Proof. intros C. split; intros t _; [ eapply cont_of | apply rder_of ]; now apply primitive_rate. Qed.
 
+Ltac laws := unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3 in *.
+
 (* ---- Coulomb's law in other units ---- *)
 Lemma coulomb_force c k ux uy fx fy : coulomb k ux uy fx fy -> coulomb (c * k) ux uy (c * fx) (c * fy).
 Proof.
@@ -65,8 +67,7 @@ Proof.
     eq67_factor, eq62_kappa; field; lra).
   split; trivial. rewrite e. assert (0 < m * rad ^ 2 / J) by now apply Rdiv_lt_0_compat. lra.
 Qed.
-Ltac lawful H := destruct H as (Fx & Fy & C & X & Y & OX & OY & OZ);
-  unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3 in X, Y, OX, OY, OZ.
+Ltac lawful H := destruct H as (Fx & Fy & C & X & Y & OX & OY & OZ); laws.
 
 Section Given.
 Variables (Ax Ay vx vy ox oy oz : R -> R).
@@ -138,7 +139,7 @@ Proof.
     + apply (continuity_pt_ext (fun s => (vx s - u s) * / rad)); trivial. cont.
     + apply (cont_ext (fun _ => oz 0)); [ lra | intros; symmetry; auto | cont ].
   - intros t Ht. destruct (L t Ht) as (fx & fy & C & U & W). exists (m / b * fx), (m / b * fy). pose proof (N1 t Ht). pose proof (N2 t Ht).
-    unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
+    laws.
     assert (X : rder vx t (fx / b - Ax t)).
     { apply (rder_ext (fun t => - (1 - / b) * nux t + u t * / b + cx)); [ intros; symmetry; apply ex; lra | ]. eapply rder_eq; [ rd | field; lra ]. }
     assert (Y : rder vy t (fy / b - Ay t)).
@@ -186,7 +187,7 @@ Lemma example_slides : sphere 1 1 1 (/ 4 * 1) (fun _ => -1) (fun _ => 0) example
 Proof.
   unfold example_v, example_o. split; [ split; intros t Ht | intros t Ht [H _]; unfold slip_x in H; lra ].
   - repeat split; cont.
-  - exists (- / 4), 0. unfold slip_x, slip_y, eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
+  - exists (- / 4), 0. unfold slip_x, slip_y. laws.
     assert (n : nrm (1 + 3 / 4 * t - 1 * (/ 4 * t)) (1 + 1 * -1) = 1 + / 2 * t).
     { unfold nrm. replace ((1 + 3 / 4 * t - 1 * (/ 4 * t)) ^ 2 + (1 + 1 * -1) ^ 2) with ((1 + / 2 * t) ^ 2) by field. apply sqrt_pow2. lra. }
     split; [ split; [ lra | rewrite n; field ] | repeat split; (eapply rder_eq; [ rd | field ]) ].
