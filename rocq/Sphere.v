@@ -278,10 +278,10 @@ Theorem eq_79 nu1 nu2 : (forall tau, 0 <= tau -> rder nu1 tau (eq76_nu_rate_1 (g
   v1 tau = velocity eq79_velocity_1 /\ v2 tau = velocity eq79_velocity_2 /\ 0 = velocity eq79_velocity_3.
 Proof.
   intros N cn. destruct in_units as (J0 & eb & ex & ey). destruct (factor_is m J rad hm hJ hr) as [_ b1]. change (factor m J rad) with b in b1.
-  pose proof (fun tau => kept_x m (J / rad ^ 2) 1 1 hm J0 Rlt_0_1 _ _ _ _ _ _ _ nu1 tau sphere_in_units ltac:(split; intros; [ now apply cn | now apply N ])) as K1.
-  pose proof (fun tau => kept_y m (J / rad ^ 2) 1 1 hm J0 Rlt_0_1 _ _ _ _ _ _ _ nu2 tau sphere_in_units ltac:(split; intros; [ now apply cn | now apply N ])) as K2.
+  pose proof (fun tau => kept m (J / rad ^ 2) 1 1 hm J0 Rlt_0_1 _ _ _ _ _ _ _ nu1 nu2 tau sphere_in_units
+    ltac:(split; intros; [ now apply cn | now apply N ]) ltac:(split; intros; [ now apply cn | now apply N ])) as K.
   rewrite eb, ?ex, ?ey in *. exists (v1 0 + (1 - / b) * nu1 0 - u1 0 * / b), (v2 0 + (1 - / b) * nu2 0 - u2 0 * / b). intros tau Ht.
-  specialize (K1 tau Ht). specialize (K2 tau Ht). rewrite <- K1, <- K2. unfold eq79_velocity_1, eq79_velocity_2, eq79_velocity_3. repeat split; field; lra.
+  destruct (K tau Ht) as [<- <-]. unfold eq79_velocity_1, eq79_velocity_2, eq79_velocity_3. repeat split; field; lra.
 Qed.
 (* zeta_3 keeps its value, and enters nothing else: with any other constant spin about the vertical the rest is a motion as before. *)
 Theorem s3_spin_constant : (forall tau, 0 <= tau -> rder (zeta_3 rad mu g ox oy oz) tau s3_zeta3_rate /\
@@ -422,9 +422,8 @@ Proof.
   replace (b * mu * g) with (b * (mu * g)) by ring. split.
   - intros S. split; [ exact (slip_moves m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ S) | split ].
     + exists (vx 0 + (1 - / b) * nux 0 - ux 0 * / b), (vy 0 + (1 - / b) * nuy 0 - uy 0 * / b). intros t Ht.
-      pose proof (kept_x m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ _ t S P1 Ht) as K1. pose proof (kept_y m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ _ t
-        S P2 Ht) as K2.
-      change (factor m J rad) with b in K1, K2. fold ux in K1. fold uy in K2. rewrite <- K1, <- K2. split; field; lra.
+      destruct (kept m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ _ _ t S P1 P2 Ht) as [K1 K2]. change (factor m J rad) with b in K1, K2. fold ux in K1. fold uy in K2.
+      rewrite <- K1, <- K2. split; field; lra.
     + intros t Ht. rewrite (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ t S Ht). unfold ux, uy, slip_x, slip_y. repeat split; ring.
   - intros (M & (cx & cy & V) & Z). apply (sphere_of_slip m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz nux nuy cx cy); trivial.
     + intros t Ht. destruct (V t Ht) as [-> _]. change (factor m J rad) with b. fold ux. field. lra.
@@ -459,9 +458,7 @@ Proof.
   assert (late : forall s1 t, s1 / varpi <= t -> s1 <= varpi * t) by (intros s1 t k; rewrite Rmult_comm; now apply Rle_div_l).
   destruct (s22_trichotomy lam _ w wy h0 M) as (K1 & K2 & K3). unfold at_, eq23_phase. split; [ | split; [ | split ] ].
   - intros hc. split.
-    + apply (is_lim_ext (fun t => A0 / varpi * wy (varpi * t))); [ intros; now rewrite ey | ]. destruct (eq_38 lam _ w wy ltac:(lra) M) as (_ & _ & Y).
-      apply lim_zero. intros e he. destruct (Analysis.lim_near _ _ _ Y (Rdiv_lt_0_compat _ _ he c)) as (s1 & _ & B). exists (s1 / varpi). intros t Ht.
-      specialize (B _ (late _ _ Ht)). rewrite Rabs_mult, (Rabs_pos_eq (A0 / varpi)), Rmult_comm by lra. apply Rle_div_r; trivial. apply Rabs_le. lra.
+    + apply (is_lim_ext (fun t => A0 / varpi * wy (varpi * t))); [ intros; now rewrite ey | ]. apply lim_units; trivial. now apply (eq_38 lam _ w wy ltac:(lra) M).
     + intros phi ne. destruct (K1 hc phi ne) as (s1 & Z). exists (s1 / varpi). intros t Ht ph. destruct (Z _ (late _ _ Ht) ph) as (z1 & z2 & a & b & E).
       exists (z1 / varpi), (z2 / varpi). rewrite <- per in *.
       assert (d1 : varpi * (z1 / varpi) = z1) by (field; lra). assert (d2 : varpi * (z2 / varpi) = z2) by (field; lra).
@@ -505,14 +502,10 @@ Proof.
     apply (Rmult_eq_reg_l (varpi / A0)); [ transitivity (varpi * slip_x rad px qy t / A0); [ field; lra | rewrite z; ring ] | apply Rgt_not_eq; now apply Rdiv_lt_0_compat ].
   - intros vx vy ox oy oz Sv. apply slip_driven in Sv; trivial. fold lam in Sv. unfold moves in Sv. rewrite <- shaken_sin in Sv.
     destruct (w38_attracts lam hl _ _ _ Sv) as [X Y].
-    assert (K : forall f g : R -> R, (forall t, g t = A0 / varpi * f (varpi * t)) -> is_lim f p_infty 0 -> is_lim g p_infty 0).
-    { intros f k Ek L. apply lim_zero. intros e he. destruct (Analysis.lim_near _ _ _ L (Rdiv_lt_0_compat _ _ he c)) as (s1 & _ & B). exists (s1 / varpi). intros t Ht.
-      apply Rle_div_l in Ht; trivial. rewrite Rmult_comm in Ht. specialize (B _ Ht). rewrite Ek, Rabs_mult, (Rabs_pos_eq (A0 / varpi)), Rmult_comm by lra.
-      apply Rle_div_r; trivial. apply Rabs_le. lra. }
-    split; [ refine (K _ _ _ X) | refine (K _ _ _ Y) ]; intros t; cbv beta.
+    apply (lim_units _ (A0 / varpi) varpi hv) in X, Y. split; [ refine (is_lim_ext _ _ _ _ _ X) | refine (is_lim_ext _ _ _ _ _ Y) ]; intros t; cbv beta.
     + rewrite (of_w A0 varpi hA hv (slip_x rad vx oy)), (of_w A0 varpi hA hv (slip_x rad px qy)).
       fold (w_x A0 varpi rad vx oy (varpi * t)) (w_x A0 varpi rad px qy (varpi * t)). rewrite e1. ring.
-    + exact (of_w A0 varpi hA hv (slip_y rad vy ox) t).
+    + symmetry. exact (of_w A0 varpi hA hv (slip_y rad vy ox) t).
 Qed.
 
 (* ---- 3.3, 3.4 ---- *)
@@ -541,20 +534,15 @@ Proof.
   intros hm hJ hr hA hh el hl S Ht. apply (slip_moves m J rad (mu * g) hm hJ hr) in S.
   assert (e : factor m J rad * (mu * g) = lam * A0) by (rewrite el; unfold eq84_lambda, factor; field; lra). rewrite e in S.
   apply (weak_stops (lam * A0) A0 _ _ _ _ ltac:(nra) S); [ | now replace (lam * A0 - A0) with ((lam - 1) * A0) by ring ].
-  intros s _. set (x := h _). replace (nrm _ _) with (A0 * Rabs x); [ specialize (hh (eq23_phase varpi (t0 + s))); fold x in hh; nra | ].
-  rewrite <- (Rabs_pos_eq A0) at 1 by lra. rewrite <- Rabs_mult. unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring.
+  intros s _. rewrite nrm_x, Rabs_mult, Rabs_Ropp, Rabs_pos_eq by lra. specialize (hh (eq23_phase varpi (t0 + s))). nra.
 Qed.
 Lemma s33_any_drive__above_one__occurs : ltac:(occurs s33_any_drive__above_one).
 Proof.
-  intros H. assert (z : nrm 0 0 = 0) by (unfold nrm; replace (0 ^ 2 + 0 ^ 2) with 0 by ring; apply sqrt_0).
-  apply (H 1 1 1 1 1 1 1 0 (fun _ => 1) 2 (fun t => t / 2) (fun _ => 0) (fun _ => 0) (fun t => t / 2) (fun _ => 0) 0); try lra.
+  intros H. destruct (sphere_exists 1 1 1 (1 * 1) (fun _ => - (1) * 1) (fun _ => 0) 1 0 0 0 0) as (vx & vy & ox & oy & S & e1 & e2 & _); try lra; [ split; cont | ].
+  apply (H 1 1 1 1 1 1 1 0 (fun _ => 1) 2 vx vy ox oy (fun _ => 0) 1); trivial; try lra.
   - intros _. rewrite Rabs_R1. lra.
   - unfold eq84_lambda, eq67_factor, eq62_kappa. field.
-  - split; intros t Ht. { repeat split; apply derivable_continuous_pt; reg. }
-    exists (- / 2), 0. unfold slip_x, slip_y. split. { split; [ lra | ]. replace (t / 2 - 1 * (t / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. ring. }
-    laws.
-    repeat split; apply rder_of; auto_derive; trivial; field.
-  - unfold slip_x, slip_y. replace (0 / 2 - 1 * (0 / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. lra.
+  - rewrite e1, e2, nrm_x0; lra.
 Qed.
 (* Under the pulses (42), (43), from any moment of the drive on: every sphere has intervals of rolling, as late as one likes, exactly where lambda_0
    of (84) exceeds the same lambda_c = eta as the particle's. *)

@@ -10,6 +10,11 @@ Definition w_x (A0 varpi rad : R) (vx oy : R -> R) (phi : R) : R := eq24_w varpi
 (* and along y *)
 Definition w_y (A0 varpi rad : R) (vy ox : R -> R) (phi : R) : R := eq24_w varpi (slip_y rad vy ox (phi / varpi)) A0.
 
+Lemma lim_units f c s : 0 < s -> is_lim f p_infty 0 -> is_lim (fun t => c * f (s * t)) p_infty 0.
+Proof.
+  intros hs L. replace 0 with (c * 0) by ring. apply (is_lim_scal_l (fun t => f (s * t)) c p_infty 0), lim_zero. intros e he.
+  destruct (Analysis.lim_near _ _ _ L he) as (s1 & _ & B). exists (s1 / s). intros t Ht. apply Rle_div_l in Ht; trivial. specialize (B (s * t) ltac:(lra)). apply Rabs_le. lra.
+Qed.
 Section Driven.
 Variables (m J rad mu g A0 varpi t0 : R) (h : R -> R).
 Hypothesis hm : 0 < m. Hypothesis hJ : 0 < J. Hypothesis hr : 0 < rad. Hypothesis hA : 0 < A0. Hypothesis hv : 0 < varpi.

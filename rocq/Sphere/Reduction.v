@@ -93,24 +93,16 @@ Proof.
   assert (fx : Fx = - (m * k) * u / n) by (rewrite <- C1; field; lra). assert (fy : Fy = - (m * k) * w / n) by (rewrite <- C2; field; lra).
   rewrite fx, fy in *. repeat split; (eapply rder_eq; [ eassumption | field; lra ]).
 Qed.
-(* (79), along either axis: v, the slip u, nu' = A *)
-Lemma kept_x nu t : sphere m J rad k Ax Ay vx vy ox oy oz -> primitive nu Ax -> 0 <= t ->
-  vx t + (1 - / b) * nu t - slip_x rad vx oy t * / b = vx 0 + (1 - / b) * nu 0 - slip_x rad vx oy 0 * / b.
+(* (79): nu' = A *)
+Lemma kept nux nuy t : sphere m J rad k Ax Ay vx vy ox oy oz -> primitive nux Ax -> primitive nuy Ay -> 0 <= t ->
+  vx t + (1 - / b) * nux t - slip_x rad vx oy t * / b = vx 0 + (1 - / b) * nux 0 - slip_x rad vx oy 0 * / b /\
+  vy t + (1 - / b) * nuy t - slip_y rad vy ox t * / b = vy 0 + (1 - / b) * nuy 0 - slip_y rad vy ox 0 * / b.
 Proof.
-  destruct factor_is as [eb b1]. intros [c L] [cn N] Ht. unfold slip_x. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ];
-    lra).
-  apply (rder_const (fun t => vx t + (1 - / b) * nu t - (vx t - rad * oy t) * / b)); trivial; intros s Hs.
-  - destruct (c s ltac:(lra)) as (c1 & c2 & c3 & c4 & _). pose proof (cn s ltac:(lra)). cont.
-  - lawful (L s ltac:(lra)). pose proof (N s ltac:(lra)). eapply rder_eq; [ rd | rewrite eb; field; lra ].
-Qed.
-Lemma kept_y nu t : sphere m J rad k Ax Ay vx vy ox oy oz -> primitive nu Ay -> 0 <= t ->
-  vy t + (1 - / b) * nu t - slip_y rad vy ox t * / b = vy 0 + (1 - / b) * nu 0 - slip_y rad vy ox 0 * / b.
-Proof.
-  destruct factor_is as [eb b1]. intros [c L] [cn N] Ht. unfold slip_y. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ];
-    lra).
-  apply (rder_const (fun t => vy t + (1 - / b) * nu t - (vy t + rad * ox t) * / b)); trivial; intros s Hs.
-  - destruct (c s ltac:(lra)) as (c1 & c2 & c3 & c4 & _). pose proof (cn s ltac:(lra)). cont.
-  - lawful (L s ltac:(lra)). pose proof (N s ltac:(lra)). eapply rder_eq; [ rd | rewrite eb; field; lra ].
+  destruct factor_is as [eb b1]. intros [c L] [cx Nx] [cy Ny] Ht. unfold slip_x, slip_y. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ]; lra).
+  split; [ apply (rder_const (fun t => vx t + (1 - / b) * nux t - (vx t - rad * oy t) * / b))
+    | apply (rder_const (fun t => vy t + (1 - / b) * nuy t - (vy t + rad * ox t) * / b)) ]; trivial; intros s Hs;
+    try (destruct (c s ltac:(lra)) as (c1 & c2 & c3 & c4 & _); pose proof (cx s ltac:(lra)); pose proof (cy s ltac:(lra)); cont);
+    lawful (L s ltac:(lra)); pose proof (Nx s ltac:(lra)); pose proof (Ny s ltac:(lra)); (eapply rder_eq; [ rd | rewrite eb; field; lra ]).
 Qed.
 Lemma spin_z t : sphere m J rad k Ax Ay vx vy ox oy oz -> 0 <= t -> oz t = oz 0.
 Proof.
