@@ -185,12 +185,15 @@ Proof.
     replace (vx (rad / q * t) / q - _) with (/ q * (vx (rad / q * t) - rad * oy (rad / q * t))) by (field; lra).
     replace (vy (rad / q * t) / q + _) with (/ q * (vy (rad / q * t) + rad * ox (rad / q * t))) by (field; lra). exact F.
 Qed.
-Lemma in_units : 0 < J / rad ^ 2 /\ factor m (J / rad ^ 2) 1 = b /\ slip_x 1 v1 z2 = u1 /\ slip_y 1 v2 z1 = u2.
+Lemma slip_by_spin : slip_x 1 v1 z2 = u1 /\ slip_y 1 v2 z1 = u2.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & _). assert (r2 : 0 < rad ^ 2) by now apply pow_lt. assert (ek : mu * g = q ^ 2 / rad) by (rewrite e; field; lra).
-  split; [ now apply Rdiv_lt_0_compat | split; [ unfold factor, eq67_factor, eq62_kappa; field; lra | ] ].
+  destruct unit_facts as (k0 & q0 & e & e1 & _). assert (ek : mu * g = q ^ 2 / rad) by (rewrite e; field; lra).
   split; extensionality tau; unfold slip_x, slip_y, u_1, u_2, rhodot, zeta_1, zeta_2, eq70_spin_1, eq70_spin_2, eq71_slip_1, eq71_slip_2, slip_x, slip_y;
     cbv zeta; fold q; rewrite e1; replace (q / (mu * g)) with (rad / q) by (rewrite ek; field; lra); field; lra.
+Qed.
+Lemma in_units : 0 < J / rad ^ 2 /\ factor m (J / rad ^ 2) 1 = b /\ slip_x 1 v1 z2 = u1 /\ slip_y 1 v2 z1 = u2.
+Proof.
+  assert (r2 : 0 < rad ^ 2) by now apply pow_lt. split; [ now apply Rdiv_lt_0_compat | split; [ unfold factor, eq67_factor, eq62_kappa; field; lra | exact slip_by_spin ] ].
 Qed.
 Lemma slip_in_units : motion b g1 g2 u1 u2.
 Proof.
@@ -249,12 +252,7 @@ Theorem eq_75 tau : let spin f := f (zeta_3 rad mu g ox oy oz tau) (u1 tau) (u2 
   zeta_1 rad mu g ox oy oz tau = spin right_sphere_spin_1 /\ zeta_2 rad mu g ox oy oz tau = spin right_sphere_spin_2 /\
     zeta_3 rad mu g ox oy oz tau = spin right_sphere_spin_3.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & e2). unfold zeta_1, zeta_2, zeta_3, eq70_spin_1, eq70_spin_2, eq70_spin_3, u_1, u_2, eq71_slip_1,
-    eq71_slip_2, rhodot,
-    right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3, slip_x, slip_y. cbv zeta. fold q. rewrite e1. set (t := T tau).
-  assert (E : q / (mu * g) = rad / q) by (apply (Rmult_eq_reg_r (q * (mu * g))); [ | apply Rmult_integral_contrapositive; lra ];
-    replace (q / (mu * g) * (q * (mu * g))) with (q ^ 2) by (field; lra); rewrite e; field; lra).
-  rewrite E. repeat split; field; lra.
+  unfold right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3. destruct slip_by_spin as [<- <-]. unfold slip_x, slip_y. repeat split; ring.
 Qed.
 (* The print, plus z x (u - rhodot), gives the spin only while the sphere does not turn about any horizontal axis. *)
 Theorem eq_75__printed tau : let spin f := f (zeta_3 rad mu g ox oy oz tau) (u1 tau) (u2 tau) 0 (v1 tau) (v2 tau) 0 in
@@ -262,13 +260,10 @@ Theorem eq_75__printed tau : let spin f := f (zeta_3 rad mu g ox oy oz tau) (u1 
     zeta_3 rad mu g ox oy oz tau = spin eq75_spin_3) <->
   ox (T tau) = 0 /\ oy (T tau) = 0.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (eq_75 tau) as (z1 & z2 & z3). cbv zeta beta in *.
-    unfold right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3, eq75_spin_1, eq75_spin_2, eq75_spin_3 in *.
-  assert (s0 : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra). unfold zeta_1, zeta_2, eq70_spin_1, eq70_spin_2 in *. cbv zeta in *.
-    rewrite e1 in *.
-  set (s := q / (mu * g)) in *. set (t := T tau) in *. split.
-  - intros (p1 & p2 & _). split; (apply (Rmult_eq_reg_l s); lra).
-  - intros [o1 o2]. rewrite o1, o2 in *. lra.
+  destruct unit_facts as (k0 & q0 & _ & e1 & _). unfold eq75_spin_1, eq75_spin_2, eq75_spin_3. destruct slip_by_spin as [<- <-]. unfold slip_x, slip_y.
+  unfold zeta_1, zeta_2, eq70_spin_1, eq70_spin_2. cbv zeta. rewrite e1. assert (s0 : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra). split.
+  - intros (p1 & p2 & _). split; (apply (Rmult_eq_reg_l (q / (mu * g))); lra).
+  - intros [-> ->]. lra.
 Qed.
 (* For every nu with the rate gamma there is a constant c so that the velocity of the centre is (79) at all times, sliding, rolling and in between. *)
 Theorem eq_79 nu1 nu2 : (forall tau, 0 <= tau -> rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) /\
