@@ -364,29 +364,25 @@ End Pulled.
 
 (* a sphere that slides across at first, with b = 2, lambda = 1/2, gamma = 4 *)
 Lemma thrown_across : exists vx vy ox oy u theta,
-  sphere 1 1 1 (/ 4 * 1) (fun _ => eq3_acceleration_1 1) (fun _ => eq3_acceleration_2 1) vx vy ox oy (fun _ => 1) /\
-  polar (u_1 1 (/ 4) 1 vx vy ox oy) (u_2 1 (/ 4) 1 vx vy ox oy) u theta /\ theta 0 = PI / 2 /\ eq80_lambda (eq67_factor (eq62_kappa 1 1 1)) (/ 4) 1 1 = / 2 /\
+  sphere 1 1 1 (1 * 1) (fun _ => eq3_acceleration_1 4) (fun _ => eq3_acceleration_2 4) vx vy ox oy (fun _ => 1) /\
+  polar (u_1 1 1 1 vx vy ox oy) (u_2 1 1 1 vx vy ox oy) u theta /\ theta 0 = PI / 2 /\ eq80_lambda (eq67_factor (eq62_kappa 1 1 1)) 1 1 4 = / 2 /\
   forall tau, 0 <= tau -> 0 < u tau /\ / 2 + cos (theta tau) <> 0.
 Proof.
-  destruct (sphere_exists 1 1 1 (/ 4 * 1) (fun _ => eq3_acceleration_1 1) (fun _ => eq3_acceleration_2 1) 0 (/ 2) 0 0 1) as (vx & vy & ox & oy & S & x0 & y0 & _ & _);
-    try lra; [ intros; split; unfold eq3_acceleration_1, eq3_acceleration_2; cont | ].
-  destruct (pulled_facts 1 1 1 (/ 4) 1 1 vx vy ox oy (fun _ => 1)) as (_ & _ & M); try lra; trivial.
-  assert (el : eq80_lambda (eq67_factor (eq62_kappa 1 1 1)) (/ 4) 1 1 = / 2) by (unfold eq80_lambda, eq67_factor, eq62_kappa; field).
-  assert (eg : eq72_acceleration_1 (/ 4) 1 1 0 0 = 4) by (unfold eq72_acceleration_1; field). rewrite el, eg in M.
-  set (u1 := u_1 _ _ _ _ _ _ _) in *. set (u2 := u_2 _ _ _ _ _ _ _) in *.
-  assert (q : sqrt (/ 4 * 1 * 1) = / 2) by (replace (/ 4 * 1 * 1) with ((/ 2) ^ 2) by field; apply sqrt_pow2; lra).
-  assert (e : u1 0 = 0 /\ u2 0 = 1) by (unfold u1, u2, u_1, u_2, eq71_slip_1, eq71_slip_2, clock; cbv zeta; rewrite Rmult_0_r, x0, y0, q; split; field). destruct e as [e1 e2].
-  exists vx, vy, ox, oy, (fun t => nrm (u1 t) (u2 t)), (fun t => angle (u1 t) (u2 t)).
-  assert (n1 : nrm 0 1 = 1) by (unfold nrm; replace (0 ^ 2 + 1 ^ 2) with 1 by ring; apply sqrt_1).
-  assert (P : polar u1 u2 (fun t => nrm (u1 t) (u2 t)) (fun t => angle (u1 t) (u2 t))) by (intros t Ht; split; [ apply nrm_pos | apply angle_polar ]).
-  assert (pos : forall t, 0 <= t -> 0 < nrm (u1 t) (u2 t)).
-  { intros t Ht. pose proof (plus_rises 4 (/ 2) u1 u2 ltac:(lra) ltac:(lra) M 0 t ltac:(lra) ltac:(lra)) as r. rewrite e1, e2, n1 in r. destruct (sides u1 u2 t) as (_ & b & _). lra. }
-  rewrite e1, e2. split; [ trivial | split; [ trivial | split; [ apply angle_up | split; [ trivial | ] ] ] ]. intros t Ht. split; [ now apply pos | ]. intros z.
-  assert (r := moved 4 (/ 2) u1 u2 ltac:(lra) ltac:(lra) M t Ht ltac:(intros s Hs; apply Rgt_not_eq, pos; lra)). destruct (angle_polar (u1 t) (u2 t)) as (_ & x & _).
-  unfold eq4_velocity_1 in x. rewrite e1, e2, n1 in r. replace (cos (angle (u1 t) (u2 t))) with (- / 2) in x by lra. lra.
+  destruct (across_start 4 (/ 2)) as (x & y & u & theta & M & P & u0 & th & x0 & y0 & pos); try lra.
+  assert (I : forall c, primitive (RInt (fun _ => c) 0) (fun _ => c)) by (intros; apply primitive_of; intros; cont).
+  assert (M' : motion (factor 1 1 1 * (1 * 1)) (fun _ => eq3_acceleration_1 4) (fun _ => eq3_acceleration_2 4) x y)
+    by (replace (factor 1 1 1 * (1 * 1)) with (4 * / 2) by (unfold factor, eq67_factor, eq62_kappa; field); exact M).
+  destruct (sphere_with_slip 1 1 1 (1 * 1) Rlt_0_1 Rlt_0_1 Rlt_0_1 _ _ x y _ _ 0 0 1 M' (I _) (I _)) as (vx & vy & ox & oy & S & ex & ey & _).
+  assert (E : u_1 1 1 1 vx vy ox oy = x /\ u_2 1 1 1 vx vy ox oy = y) by (split; extensionality t; unfold u_1, u_2, eq71_slip_1, eq71_slip_2, clock; cbv zeta;
+    rewrite ?ex, ?ey, !Rmult_1_l, Rdiv_1, sqrt_1, Rdiv_1, !Rmult_1_l; trivial).
+  exists vx, vy, ox, oy, u, theta. destruct E as [-> ->]. repeat (split; trivial); [ unfold eq80_lambda, eq67_factor, eq62_kappa; field | now apply pos; lra | ].
+  pose proof (moved 4 (/ 2) x y ltac:(lra) ltac:(lra) M tau ltac:(trivial)) as r. rewrite !(polar_speed x y u theta) in r by (trivial; lra).
+  destruct (P tau ltac:(trivial)) as (_ & _ & e & _). unfold eq4_velocity_1 in e. intros z. replace (cos (theta tau)) with (- / 2) in e by lra.
+  rewrite x0, u0, e in r. enough (/ 2 * 1 + 0 + (1 - (/ 2) ^ 2) * 4 * tau = 0) by lra. rewrite <- r; [ field | ].
+  intros t Ht. rewrite (polar_speed x y u theta) by (trivial; lra). apply Rgt_not_eq, pos; lra.
 Qed.
 Ltac thrown := intros H; destruct thrown_across as (vx & vy & ox & oy & u & theta & S & P & th & el & R); pose proof PI_RGT_0;
-  apply (H 1 1 1 (/ 4) 1 1 _ _ _ _ _ u theta ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) S P 1);
+  apply (H 1 1 1 1 1 4 _ _ _ _ _ u theta ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) S P 1);
   rewrite ?el, ?th, ?cos_PI2; try lra; [ intros; apply R; lra | .. ]; apply R; lra.
 Lemma eq_81__occurs : ltac:(occurs eq_81).
 Proof. thrown. Qed.
