@@ -421,6 +421,8 @@ Proof.
     + intros t Ht. destruct (V t Ht) as [_ ->]. change (factor m J rad) with b. fold uy. field. lra.
     + intros t Ht. destruct (Z t Ht) as (_ & _ & e). apply (Rmult_eq_reg_l rad); lra.
 Qed.
+Lemma s3_reduction__occurs : ltac:(occurs s3_reduction).
+Proof. intros H. pose (f := fun _ : R => 0). apply (H 1 1 1 1 1 f f f f f f f f f); try lra; (split; intros; unfold f; [ cont | rd ]). Qed.
 
 (* ---- 3.2: the plane is shaken, (21), from any moment t0 of the drive on ---- *)
 (* Of every sphere with some friction, from some time on: in each period of the drive its slip along the drive is zero at two instants, or on two
@@ -473,17 +475,17 @@ Proof.
   apply (H 1 1 1 (/ 4) 1 1 1 0 (/ 2) vx vy ox oy (fun _ => 0)); trivial; unfold eq84_lambda, eq67_factor, eq62_kappa; lra.
 Qed.
 (* The motion that is approached up to lambda_c: a sphere that slips along the drive only, by (38), and rolls at two instants per period. *)
-Theorem s32_rolling_trichotomy__approached m J rad mu g A0 varpi t0 : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
-  let lam := eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 in
+Theorem s32_rolling_trichotomy__approached m J rad mu g A0 varpi t0 lam : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 0 < lam <= eq37_lambda_c ->
   let S := sphere m J rad (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) (fun t => eq21_acceleration_2 A0 varpi (t0 + t)) in
-  0 < lam <= eq37_lambda_c -> exists px py qx qy qz, S px py qx qy qz /\ (forall t, eq24_w varpi (slip_x rad px qy t) A0 = w38 lam (eq23_phase varpi (t0 + t)) /\
+  exists px py qx qy qz, S px py qx qy qz /\ (forall t, eq24_w varpi (slip_x rad px qy t) A0 = w38 lam (eq23_phase varpi (t0 + t)) /\
     slip_y rad py qx t = 0 /\ (rolls rad px py qx qy t <-> exists n, eq23_phase varpi (t0 + t) = eq39_phi_t1 lam + IZR n * PI)) /\
   forall vx vy ox oy oz, S vx vy ox oy oz -> is_lim (fun t => slip_x rad vx oy t - slip_x rad px qy t) p_infty 0 /\ is_lim (slip_y rad vy ox) p_infty 0.
 Proof.
-  intros hm hJ hr hA hv lam S hl. pose proof (w38_motion lam hl (eq23_phase varpi t0)) as W. rewrite shaken_sin in W.
+  intros hm hJ hr hA hv el hl S. pose proof (w38_motion lam hl (eq23_phase varpi t0)) as W. rewrite shaken_sin, el in W.
   assert (I : forall phi, continuity_pt (fun s => - cos s) phi /\ rder (fun s => - cos s) phi (sin phi)).
   { intros phi. assert (D : is_derive (fun s => - cos s) phi (sin phi)) by (auto_derive; trivial; ring). split; [ now apply (cont_of _ _ _ D) | now apply rder_of ]. }
-  destruct (sphere_driven m J rad mu g A0 varpi t0 sin hm hJ hr hA hv _ _ _ I W) as (px & py & qx & qy & qz & Sp & e1 & e2). exists px, py, qx, qy, qz.
+  destruct (sphere_driven m J rad mu g A0 varpi t0 sin hm hJ hr hA hv _ _ _ I W) as (px & py & qx & qy & qz & Sp & e1 & e2). rewrite <- el in e1. exists px, py, qx, qy, qz.
   assert (c : 0 < A0 / varpi) by now apply Rdiv_lt_0_compat. assert (E : forall t, varpi * t / varpi = t) by (intros; field; lra).
   assert (x : forall t, eq24_w varpi (slip_x rad px qy t) A0 = w38 lam (eq23_phase varpi (t0 + t))).
   { intros t. transitivity (w_x A0 varpi rad px qy (varpi * t)); [ unfold w_x; now rewrite E | rewrite e1; unfold eq23_phase; f_equal; ring ]. }
@@ -491,13 +493,15 @@ Proof.
   split; [ exact Sp | split; [ intros t; split; [ apply x | split; [ apply y | ] ] | ] ].
   - rewrite <- (w38_zeros lam hl), <- x. unfold rolls. rewrite y. unfold eq24_w. split; [ intros [-> _]; field; lra | intros z; split; trivial ].
     apply (Rmult_eq_reg_l (varpi / A0)); [ transitivity (varpi * slip_x rad px qy t / A0); [ field; lra | rewrite z; ring ] | apply Rgt_not_eq; now apply Rdiv_lt_0_compat ].
-  - intros vx vy ox oy oz Sv. apply slip_driven in Sv; trivial. fold lam in Sv. unfold moves in Sv. rewrite <- shaken_sin in Sv.
+  - intros vx vy ox oy oz Sv. apply slip_driven in Sv; trivial. unfold moves in Sv. rewrite <- el, <- shaken_sin in Sv.
     destruct (w38_attracts lam hl _ _ _ Sv) as [X Y].
     apply (lim_units _ (A0 / varpi) varpi hv) in X, Y. split; [ refine (is_lim_ext _ _ _ _ _ X) | refine (is_lim_ext _ _ _ _ _ Y) ]; intros t; cbv beta.
     + rewrite (of_w A0 varpi hA hv (slip_x rad vx oy)), (of_w A0 varpi hA hv (slip_x rad px qy)).
       fold (w_x A0 varpi rad vx oy (varpi * t)) (w_x A0 varpi rad px qy (varpi * t)). rewrite e1. ring.
     + symmetry. exact (of_w A0 varpi hA hv (slip_y rad vy ox) t).
 Qed.
+Lemma s32_rolling_trichotomy__approached__occurs : ltac:(occurs s32_rolling_trichotomy__approached).
+Proof. intros H. pose proof quarter. apply (H 1 1 1 (/ 8) 1 1 1 0 (/ 4)); unfold eq84_lambda, eq67_factor, eq62_kappa; lra. Qed.
 
 (* ---- 3.3, 3.4 ---- *)
 (* A sphere under A0 h(varpi t) along a line, h having an integral H, from any moment t0 of the drive on. Whatever holds of the velocities of all
@@ -514,6 +518,10 @@ Proof.
   - intros wx wy M. destruct (sphere_driven m J rad mu g A0 varpi t0 h hm hJ hr hA hv H wx wy I M) as (vx & vy & ox & oy & oz & S & <- & <-).
     now apply (K vx vy ox oy oz).
   - intros vx vy ox oy oz S. apply K. now apply (slip_driven m J rad mu g A0 varpi t0 h hm hJ hr hA hv vx vy ox oy oz).
+Qed.
+Lemma s33_any_drive__occurs : ltac:(occurs s33_any_drive).
+Proof.
+  intros H. destruct (pulse_integral (/ 2)) as [F I]; [ lra | ]. apply (H 1 1 1 1 1 1 1 0 (pulse (/ 2)) F (fun _ _ => True)); trivial; lra.
 Qed.
 (* Above lambda_0 = 1, |h| being at most 1, it rolls for good, from the time on that its slip at the start takes to go. *)
 Theorem s33_any_drive__above_one m J rad mu g A0 varpi t0 h lam vx vy ox oy oz t : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 ->
@@ -589,3 +597,5 @@ Proof.
     + field. lra.
     + intros t. unfold w_x, eq24_w. rewrite (Rmult_comm (/ varpi)). unfold Rdiv. ring.
 Qed.
+Lemma s34_anisotropic__occurs : ltac:(occurs s34_anisotropic).
+Proof. intros H. apply (H 1 1 1 1 2 1 1 1 0 (fun _ => True)); lra. Qed.
