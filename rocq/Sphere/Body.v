@@ -12,7 +12,8 @@ Record one_moment (J : R) (mass : (R -> R -> R -> R) -> R) : Prop := {
   linear : forall k1 k2 k3 k4 k5 k6 k7 k8 k9,
     mass (fun a b c => k1 * a ^ 2 + k2 * b ^ 2 + k3 * c ^ 2 + k4 * (a * b) + k5 * (b * c) + k6 * (c * a) + k7 * a + k8 * b + k9 * c) =
     k1 * mass (fun a b c => a ^ 2) + k2 * mass (fun a b c => b ^ 2) + k3 * mass (fun a b c => c ^ 2) + k4 * mass (fun a b c => a * b) +
-    k5 * mass (fun a b c => b * c) + k6 * mass (fun a b c => c * a) + k7 * mass (fun a b c => a) + k8 * mass (fun a b c => b) + k9 * mass (fun a b c => c);
+    k5 * mass (fun a b c => b * c) + k6 * mass (fun a b c => c * a) + k7 * mass (fun a b c => a) + k8 * mass (fun a b c => b) + k9 * mass (fun a b c
+        => c);
   centred : mass (fun a b c => a) = 0 /\ mass (fun a b c => b) = 0 /\ mass (fun a b c => c) = 0;
   no_products : mass (fun a b c => a * b) = 0 /\ mass (fun a b c => b * c) = 0 /\ mass (fun a b c => c * a) = 0;
   moments : mass (fun a b c => b ^ 2 + c ^ 2) = J /\ mass (fun a b c => c ^ 2 + a ^ 2) = J /\ mass (fun a b c => a ^ 2 + b ^ 2) = J }.
@@ -51,7 +52,8 @@ Lemma spin_part a1 b1 c1 a2 b2 c2 a3 b3 c3 o1 o2 o3 : a2 ^ 2 + b2 ^ 2 + c2 ^ 2 =
 Proof.
   intros e2 e3 e12 e31 x y z. pose (q p2 p3 p1 r2 r3 r1 := o1 * (p2 * r2 + p3 * r3) - o2 * ((p1 * r2 + r1 * p2) / 2) - o3 * ((p1 * r3 + r1 * p3) /
     2)).
-  rewrite (polynomial (q a2 a3 a1 a2 a3 a1) (q b2 b3 b1 b2 b3 b1) (q c2 c3 c1 c2 c3 c1) (2 * q a2 a3 a1 b2 b3 b1) (2 * q b2 b3 b1 c2 c3 c1) (2 * q c2 c3 c1 a2 a3 a1) 0 0 0)
+  rewrite (polynomial (q a2 a3 a1 a2 a3 a1) (q b2 b3 b1 b2 b3 b1) (q c2 c3 c1 c2 c3 c1) (2 * q a2 a3 a1 b2 b3 b1) (2 * q b2 b3 b1 c2 c3 c1) (2 * q c2
+      c3 c1 a2 a3 a1) 0 0 0)
     by (places; unfold q, x, y, z; field).
   unfold q. transitivity (J / 2 * (o1 * ((a2 ^ 2 + b2 ^ 2 + c2 ^ 2) + (a3 ^ 2 + b3 ^ 2 + c3 ^ 2)) - o2 * (a1 * a2 + b1 * b2 + c1
     * c2) - o3 * (a3 * a1 + b3 * b1 + c3 * c1))).
@@ -80,9 +82,11 @@ Proof.
     + rewrite <- (spin_part a3 b3 c3 a1 b1 c1 a2 b2 c2 (oz t) (ox t) (oy t)); try lra. f_equal. extensionality a. extensionality b.
       extensionality c. matched (Q a b c) (P a b c).
   - intros gx gy gz. unfold moment.
-    assert (Z : forall k7 k8 k9 f, (fun a b c => 0 * a ^ 2 + 0 * b ^ 2 + 0 * c ^ 2 + 0 * (a * b) + 0 * (b * c) + 0 * (c * a) + k7 * a + k8 * b + k9 * c) = f -> mass f = 0)
+    assert (Z : forall k7 k8 k9 f, (fun a b c => 0 * a ^ 2 + 0 * b ^ 2 + 0 * c ^ 2 + 0 * (a * b) + 0 * (b * c) + 0 * (c * a) + k7 * a + k8 * b + k9 *
+        c) = f -> mass f = 0)
       by (intros k7 k8 k9 f E; rewrite (polynomial _ _ _ _ _ _ _ _ _ _ E); field).
-    split; [ apply (Z (a2 * gz - a3 * gy) (b2 * gz - b3 * gy) (c2 * gz - c3 * gy)) | split; [ apply (Z (a3 * gx - a1 * gz) (b3 * gx - b1 * gz) (c3 * gx - c1 * gz))
+    split; [ apply (Z (a2 * gz - a3 * gy) (b2 * gz - b3 * gy) (c2 * gz - c3 * gy)) | split; [ apply (Z (a3 * gx - a1 * gz) (b3 * gx - b1 * gz) (c3 *
+        gx - c1 * gz))
       | apply (Z (a1 * gy - a2 * gx) (b1 * gy - b2 * gx) (c1 * gy - c2 * gx)) ] ];
       extensionality a; extensionality b; extensionality c; destruct (P a b c) as (p1 & p2 & p3); rewrite ?p1, ?p2, ?p3; ring.
 Qed.

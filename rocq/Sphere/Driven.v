@@ -13,7 +13,8 @@ Definition w_y (A0 varpi rad : R) (vy ox : R -> R) (phi : R) : R := eq24_w varpi
 Lemma lim_units f c s : 0 < s -> is_lim f p_infty 0 -> is_lim (fun t => c * f (s * t)) p_infty 0.
 Proof.
   intros hs L. replace 0 with (c * 0) by ring. apply (is_lim_scal_l (fun t => f (s * t)) c p_infty 0), lim_zero. intros e he.
-  destruct (Analysis.lim_near _ _ _ L he) as (s1 & _ & B). exists (s1 / s). intros t Ht. apply Rle_div_l in Ht; trivial. specialize (B (s * t) ltac:(lra)). apply Rabs_le. lra.
+  destruct (Analysis.lim_near _ _ _ L he) as (s1 & _ & B). exists (s1 / s). intros t Ht. apply Rle_div_l in Ht; trivial. specialize (B (s * t)
+      ltac:(lra)). apply Rabs_le. lra.
 Qed.
 Section Driven.
 Variables (m J rad mu g A0 varpi t0 : R) (h : R -> R).
@@ -25,14 +26,18 @@ Proof. replace (varpi * t / varpi) with t by (field; lra). unfold eq24_w. field.
 (* rolling is rest *)
 Lemma rolls_at vx vy ox oy t : rolls rad vx vy ox oy t <-> w_x A0 varpi rad vx oy (varpi * t) = 0 /\ w_y A0 varpi rad vy ox (varpi * t) = 0.
 Proof.
-  unfold rolls. rewrite (of_w (slip_x rad vx oy)), (of_w (slip_y rad vy ox)). fold (w_x A0 varpi rad vx oy (varpi * t)) (w_y A0 varpi rad vy ox (varpi * t)).
-  assert (0 < A0 / varpi) by now apply Rdiv_lt_0_compat. split; intros [e1 e2]; split; rewrite ?e1, ?e2; try ring; apply (Rmult_eq_reg_l (A0 / varpi)); lra.
+  unfold rolls. rewrite (of_w (slip_x rad vx oy)), (of_w (slip_y rad vy ox)). fold (w_x A0 varpi rad vx oy (varpi * t)) (w_y A0 varpi rad vy ox
+      (varpi * t)).
+  assert (0 < A0 / varpi) by now apply Rdiv_lt_0_compat. split; intros [e1 e2]; split; rewrite ?e1, ?e2; try ring; apply (Rmult_eq_reg_l (A0 /
+      varpi)); lra.
 Qed.
 Lemma slip_driven vx vy ox oy oz : driven vx vy ox oy oz -> moves lam h (eq23_phase varpi t0) (w_x A0 varpi rad vx oy) (w_y A0 varpi rad vy ox).
 Proof.
   intros S. apply (slip_moves m J rad (mu * g) hm hJ hr) in S.
-  apply (motion_in_units (varpi / A0) (/ varpi) _ _ _ _ _ lam (fun s => - h (eq23_phase varpi t0 + s)) (fun _ => 0) (w_x A0 varpi rad vx oy) (w_y A0 varpi rad vy ox)) in S;
-    trivial; [ now apply Rdiv_lt_0_compat | now apply Rinv_0_lt_compat | .. ]; try intros t; unfold eq84_lambda, factor, w_x, w_y, eq24_w, eq23_phase; try ring.
+  apply (motion_in_units (varpi / A0) (/ varpi) _ _ _ _ _ lam (fun s => - h (eq23_phase varpi t0 + s)) (fun _ => 0) (w_x A0 varpi rad vx oy) (w_y A0
+      varpi rad vy ox)) in S;
+    trivial; [ now apply Rdiv_lt_0_compat | now apply Rinv_0_lt_compat | .. ]; try intros t; unfold eq84_lambda, factor, w_x, w_y, eq24_w,
+        eq23_phase; try ring.
   - field. lra.
   - replace (varpi * (t0 + / varpi * t)) with (varpi * t0 + t) by (field; lra). field. lra.
   - rewrite (Rmult_comm (/ varpi)). unfold Rdiv. ring.
@@ -48,7 +53,8 @@ Proof.
   - destruct (sphere_with_slip m J rad (mu * g) hm hJ hr _ _ _ _ (fun t => - (A0 / varpi) * H (eq23_phase varpi (t0 + t))) (fun _ => 0) 0 0 0 M)
       as (vx & vy & ox & oy & S & e1 & e2 & _); unfold eq23_phase; [ split; intros t Ht .. | ].
     + apply (continuity_pt_mult (fun _ => - (A0 / varpi))); [ cont | apply (continuity_pt_comp (fun t => varpi * (t0 + t)) H); [ cont | apply I ] ].
-    + eapply rder_eq; [ apply (rder_mult (fun _ => - (A0 / varpi))); [ rd | apply (rder_phase (fun s => H (varpi * s))), rder_time; [ trivial | apply I ] ] | field; lra ].
+    + eapply rder_eq; [ apply (rder_mult (fun _ => - (A0 / varpi))); [ rd | apply (rder_phase (fun s => H (varpi * s))), rder_time; [ trivial | apply
+        I ] ] | field; lra ].
     + cont.
     + rd.
     + exists vx, vy, ox, oy, (fun _ => 0). split; [ trivial | ]. unfold w_x, w_y. rewrite e1, e2.
@@ -60,7 +66,8 @@ Qed.
 End Driven.
 
 (* ---- along a line ---- *)
-(* (59), (60) for a sphere whose velocity v, slip and drive A are along x, from the time t0 on; o is its angular velocity about y; the friction per mass
+(* (59), (60) for a sphere whose velocity v, slip and drive A are along x, from the time t0 on; o is its angular velocity about y; the friction per
+    mass
    is kf against a forward slip, kb against a backward one. «a sphere of the mass $m$, the moment of inertia $J$ and the radius $rad$, with
    $\mu_+g=kf$ and $\mu_-g=kb$, has from $t0$ on the velocity $v$ and the angular velocity $o$ on a plane that has the acceleration $A$» *)
 Record sphere_on_line (m J rad kf kb : R) (A : R -> R) (t0 : R) (v o : R -> R) : Prop := {

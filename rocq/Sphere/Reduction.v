@@ -98,7 +98,8 @@ Lemma kept nux nuy t : sphere m J rad k Ax Ay vx vy ox oy oz -> primitive nux Ax
   vx t + (1 - / b) * nux t - slip_x rad vx oy t * / b = vx 0 + (1 - / b) * nux 0 - slip_x rad vx oy 0 * / b /\
   vy t + (1 - / b) * nuy t - slip_y rad vy ox t * / b = vy 0 + (1 - / b) * nuy 0 - slip_y rad vy ox 0 * / b.
 Proof.
-  destruct factor_is as [eb b1]. intros [c L] [cx Nx] [cy Ny] Ht. unfold slip_x, slip_y. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ]; lra).
+  destruct factor_is as [eb b1]. intros [c L] [cx Nx] [cy Ny] Ht. unfold slip_x, slip_y. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ |
+      apply pow_lt ]; lra).
   split; [ apply (rder_const (fun t => vx t + (1 - / b) * nux t - (vx t - rad * oy t) * / b))
     | apply (rder_const (fun t => vy t + (1 - / b) * nuy t - (vy t + rad * ox t) * / b)) ]; trivial; intros s Hs;
     try (destruct (c s ltac:(lra)) as (c1 & c2 & c3 & c4 & _); pose proof (cx s ltac:(lra)); pose proof (cy s ltac:(lra)); cont);
@@ -163,11 +164,13 @@ End Sphere.
 
 (* from every slip and every velocity of the centre a sphere has a motion under every continuous drive *)
 Lemma sphere_exists m J rad k Ax Ay ux uy vx0 vy0 w : 0 < m -> 0 < J -> 0 < rad -> 0 <= k -> (forall t, continuity_pt Ax t /\ continuity_pt Ay t) ->
-  exists vx vy ox oy, sphere m J rad k Ax Ay vx vy ox oy (fun _ => w) /\ slip_x rad vx oy 0 = ux /\ slip_y rad vy ox 0 = uy /\ vx 0 = vx0 /\ vy 0 = vy0.
+  exists vx vy ox oy, sphere m J rad k Ax Ay vx vy ox oy (fun _ => w) /\ slip_x rad vx oy 0 = ux /\ slip_y rad vy ox 0 = uy /\ vx 0 = vx0 /\ vy 0 =
+      vy0.
 Proof.
   intros hm hJ hr hk C. destruct (factor_is m J rad hm hJ hr) as [_ b1].
   destruct (plane_has_a_motion (factor m J rad * k) Ax Ay ux uy) as (x & y & M & <- & <-); [ apply Rmult_le_pos; lra | auto | ].
-  destruct (sphere_with_slip m J rad k hm hJ hr Ax Ay x y _ _ vx0 vy0 w M (primitive_of Ax (fun t => proj1 (C t))) (primitive_of Ay (fun t => proj2 (C t))))
+  destruct (sphere_with_slip m J rad k hm hJ hr Ax Ay x y _ _ vx0 vy0 w M (primitive_of Ax (fun t => proj1 (C t))) (primitive_of Ay (fun t => proj2
+      (C t))))
     as (vx & vy & ox & oy & S & <- & <- & R). exists vx, vy, ox, oy. repeat (split; trivial).
 Qed.
 
