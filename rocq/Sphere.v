@@ -1,17 +1,16 @@
 (* Section 3: the sphere on an accelerated plane, from Newton's law and Coulomb's at the point of contact *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas Body Reduction Aniso Driven.
+From Slipbook Require Import Motion General Formulas Constant Steady Shaken LargeTime Sinusoidal Drawn Pulses Periodic Aniso Body Reduction Driven
+    Rolls Analysis.
 From Slipbook Require Export AtRest.
 Open Scope R_scope.
 
-Ltac emptied T := lazymatch T with
-  | forall x : ?A, @?B x => constr:(forall x : A, ltac:(let b := eval cbv beta in (B x) in let r := emptied b in exact r))
-  | _ => constr:(False) end.
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
-
 (* ---- the laws ---- *)
-(* the sphere in the laboratory: the plane has the velocity (Px, Py) there, the centre (Vx, Vy); friction alone acts along the plane *)
+(* the sphere in the laboratory: the plane has the velocity (Px, Py) there, the centre (Vx, Vy); friction alone acts along the plane.
+   «in the laboratory a sphere of the mass $m$, the moment of inertia $J$ and the radius $rad$, with $\mu g=k$, has the velocity $(Vx,Vy)$ and the
+       angular
+   velocity $(ox,oy,oz)$ on a plane that has the velocity $(Px,Py)$» *)
 Record laboratory (m J rad k : R) (Px Py Vx Vy ox oy oz : R -> R) : Prop := {
   l_c : forall t, 0 < t -> continuity_pt Px t /\ continuity_pt Py t /\ continuity_pt Vx t /\ continuity_pt Vy t /\
     continuity_pt ox t /\ continuity_pt oy t /\ continuity_pt oz t;
@@ -40,9 +39,8 @@ Proof.
     example_v t - t) (fun _ => 1)
     (fun _ => -1) example_o (fun _ => 2) 1 _ _ _ _); try lra; [ split; intros t Ht | intros t Ht; split; (eapply rder_eq; [ rd | ring ]) ].
   - unfold example_v, example_o. repeat split; cont.
-  - destruct (L t Ht) as (Fx & Fy & C & X & Y & OX & OY & OZ). exists Fx, Fy. unfold slip_x, slip_y, eq59_momentum_rate_1, eq59_momentum_rate_2,
-    eq60_spin_rate_1,
-      eq60_spin_rate_2, eq60_spin_rate_3 in *. replace (example_v t - t - 1 * example_o t - - t) with (example_v t - 1 * example_o t) by ring.
+  - destruct (L t Ht) as (Fx & Fy & C & X & Y & OX & OY & OZ). exists Fx, Fy. unfold slip_x, slip_y in *. laws. replace (example_v t - t - 1 *
+      example_o t - - t) with (example_v t - 1 * example_o t) by ring.
         rewrite Rminus_0_r.
     split; [ exact C | repeat split ]; (eapply rder_eq; [ rd | field ]).
 Qed.
@@ -135,8 +133,10 @@ Lemma eq_66__occurs : ltac:(occurs eq_66).
 Proof. sliding_example. Qed.
 
 (* ---- in the units of (68) to (72); dot is the rate over tau ---- *)
-(* the time at which (69) is tau, and the quantities then *)
+(* the time at which (69) is tau. «$\sqrt{rad/(mu\,g)}\,tau$» *)
 Definition clock (rad mu g tau : R) : R := sqrt (rad / (mu * g)) * tau.
+(* dimensionless, at the time at which (69) is tau: the place of the centre (68), the angular velocity (70), the slip velocity (71) and the plane's
+   acceleration (72), along the axes 1, 2, 3 *)
 Definition rho_1 rad mu g (x y : R -> R) tau := eq68_position_1 rad (x (clock rad mu g tau)) (y (clock rad mu g tau)) 0.
 Definition rho_2 rad mu g (x y : R -> R) tau := eq68_position_2 rad (x (clock rad mu g tau)) (y (clock rad mu g tau)) 0.
 Definition zeta_1 rad mu g (ox oy oz : R -> R) tau := let t := clock rad mu g tau in eq70_spin_1 rad mu g (ox t) (oy t) (oz t).
@@ -146,7 +146,7 @@ Definition u_1 rad mu g (vx vy ox oy : R -> R) tau := let t := clock rad mu g ta
 Definition u_2 rad mu g (vx vy ox oy : R -> R) tau := let t := clock rad mu g tau in eq71_slip_2 rad mu g (slip_x rad vx oy t) (slip_y rad vy ox t) 0.
 Definition gamma_1 rad mu g (Ax Ay : R -> R) tau := let t := clock rad mu g tau in eq72_acceleration_1 mu g (Ax t) (Ay t) 0.
 Definition gamma_2 rad mu g (Ax Ay : R -> R) tau := let t := clock rad mu g tau in eq72_acceleration_2 mu g (Ax t) (Ay t) 0.
-(* the velocity of the centre, dr/dt over the unit: by eq_73 the rate of rho *)
+(* the velocity v of the centre in the unit of (71), dimensionless: by eq_73 the rate of rho *)
 Definition rhodot rad mu g (v : R -> R) tau := v (clock rad mu g tau) / sqrt (mu * g * rad).
 Section Units.
 Variables (m J rad mu g : R) (Ax Ay X Y vx vy ox oy oz : R -> R).
@@ -172,73 +172,93 @@ Proof. destruct unit_facts as (k0 & q0 & e & e1 & e2). unfold eq69_time, clock. 
   replace (q / rad * (q / (mu * g) * tau)) with (q ^ 2 / (mu * g * rad) * tau) by (field; lra). rewrite e. field. lra. Qed.
 Lemma clock_pos tau : 0 <= tau -> 0 <= T tau.
 Proof. intros H. unfold clock. apply Rmult_le_pos; [ apply sqrt_pos | trivial ]. Qed.
-Lemma rder_clock f c tau l l' : rder f (T tau) l -> c * q / (mu * g) * l = l' -> rder (fun tau => c * f (T tau)) tau l'.
+Notation z1 := (zeta_1 rad mu g ox oy oz). Notation z2 := (zeta_2 rad mu g ox oy oz). Notation z3 := (zeta_3 rad mu g ox oy oz).
+(* in these units it is a sphere of the radius 1, with mu g = 1 *)
+Lemma sphere_in_units : sphere m (J / rad ^ 2) 1 1 g1 g2 v1 v2 z1 z2 z3.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & e2). intros H <-. unfold clock in *. rewrite e1 in *.
-    assert (p : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra).
-  apply rder_speed in H; trivial. eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | exact H ] | field; lra ].
+  destruct unit_facts as (k0 & q0 & e & e1 & _). assert (ek : mu * g = q ^ 2 / rad) by (rewrite e; field; lra).
+  assert (ec : q / (mu * g) = rad / q) by (rewrite ek; field; lra). assert (c0 : 0 < rad / q) by now apply Rdiv_lt_0_compat. destruct S as [C L].
+  unfold zeta_1, zeta_2, zeta_3, gamma_1, gamma_2, rhodot, eq70_spin_1, eq70_spin_2, eq70_spin_3, eq72_acceleration_1, eq72_acceleration_2, clock.
+      fold q.
+  rewrite e1, ec. set (c := rad / q) in *. split; intros t Ht.
+  - destruct (C (c * t) ltac:(now apply Rmult_lt_0_compat)) as (c1 & c2 & c3 & c4 & c5). apply cont_time in c1, c2, c3, c4, c5. unfold Rdiv. repeat
+      split; cont.
+  - destruct (L (c * t) ltac:(apply Rmult_le_pos; lra)) as (Fx & Fy & F & VX & VY & OX & OY & OZ). exists (/ (mu * g) * Fx), (/ (mu * g) * Fy).
+    apply (coulomb_force (/ (mu * g))), (coulomb_velocity (/ q)) in F; [ | left; now apply Rinv_0_lt_compat ].
+    apply rder_time in VX, VY, OX, OY, OZ; trivial. laws. split; [ | repeat split; (eapply rder_eq; [ unfold Rdiv; rd | rewrite ?ek; unfold c; field;
+        lra ]) ].
+    replace (m * 1) with (/ (mu * g) * (m * (mu * g))) by (field; lra). unfold slip_x, slip_y, c in *.
+    replace (vx (rad / q * t) / q - _) with (/ q * (vx (rad / q * t) - rad * oy (rad / q * t))) by (field; lra).
+    replace (vy (rad / q * t) / q + _) with (/ q * (vy (rad / q * t) + rad * ox (rad / q * t))) by (field; lra). exact F.
 Qed.
-Lemma unit_length a c : sqrt ((1 / q * a) ^ 2 + (1 / q * c) ^ 2 + 0 ^ 2) = nrm a c / q.
+Lemma slip_by_spin : slip_x 1 v1 z2 = u1 /\ slip_y 1 v2 z1 = u2.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & e2). assert (0 < / q) by now apply Rinv_0_lt_compat.
-    transitivity (nrm (/ q * a) (/ q * c)); [ unfold nrm; f_equal; field; lra | ].
-  rewrite nrm_scale by lra. field. lra.
+  destruct unit_facts as (k0 & q0 & e & e1 & _). assert (ek : mu * g = q ^ 2 / rad) by (rewrite e; field; lra).
+  split; extensionality tau; unfold slip_x, slip_y, u_1, u_2, rhodot, zeta_1, zeta_2, eq70_spin_1, eq70_spin_2, eq71_slip_1, eq71_slip_2, slip_x,
+      slip_y;
+    cbv zeta; fold q; rewrite e1; replace (q / (mu * g)) with (rad / q) by (rewrite ek; field; lra); field; lra.
 Qed.
-(* the velocity of the centre is the rate of rho *)
-Lemma rho_rate tau : 0 <= tau -> rder (rho_1 rad mu g X Y) tau (v1 tau) /\ rder (rho_2 rad mu g X Y) tau (v2 tau).
+Lemma in_units : 0 < J / rad ^ 2 /\ factor m (J / rad ^ 2) 1 = b /\ slip_x 1 v1 z2 = u1 /\ slip_y 1 v2 z1 = u2.
 Proof.
-  intros Ht. destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (centre (T tau) (clock_pos tau Ht)) as [CX CY].
-    unfold rho_1, rho_2, eq68_position_1, eq68_position_2, rhodot. fold q.
-  assert (E : forall l, / rad * q / (mu * g) * l = l / q) by (intros l; replace (/ rad * q / (mu * g) * l) with (q ^ 2 / (mu * g * rad) * l / q) by
-    (field; lra); rewrite e; field; lra).
-  split; [ apply (rder_ext (fun tau => / rad * X (T tau))) | apply (rder_ext (fun tau => / rad * Y (T tau))) ]; try (intros; unfold Rdiv; ring);
-    (eapply rder_clock; [ eassumption | apply E ]).
+  assert (r2 : 0 < rad ^ 2) by now apply pow_lt. split; [ now apply Rdiv_lt_0_compat | split; [ unfold factor, eq67_factor, eq62_kappa; field; lra |
+      exact slip_by_spin ] ].
+Qed.
+Lemma slip_in_units : motion b g1 g2 u1 u2.
+Proof.
+  destruct in_units as (J0 & eb & <- & <-). replace b with (factor m (J / rad ^ 2) 1 * 1) by (rewrite eb; ring). now apply (slip_moves m (J / rad ^
+      2) 1 1 hm J0 Rlt_0_1 _ _ _ _ _ _ _ sphere_in_units).
 Qed.
 Section While.
 Variable tau : R.
 Hypothesis ht : 0 <= tau.
 Hypothesis slides : ~ rolls rad vx vy ox oy (T tau).
-Ltac opened := pose proof unit_facts as (k0 & q0 & e & e1 & e2);
-  destruct (sliding m J rad (mu * g) hm hJ Ax Ay vx vy ox oy oz (T tau) ltac:(lra) S (clock_pos tau ht) slides) as (n0 & VX & VY & OX & OY & OZ).
-Ltac length := unfold u_1, u_2, eq71_slip_1, eq71_slip_2; cbv zeta; fold q; rewrite ?unit_length; set (n := nrm _ _) in *.
+Lemma rates : let n := nrm (u1 tau) (u2 tau) in 0 < n /\ sqrt (u1 tau ^ 2 + u2 tau ^ 2 + 0 ^ 2) = n /\
+  rder v1 tau (- g1 tau - u1 tau / n) /\ rder v2 tau (- g2 tau - u2 tau / n) /\ rder u1 tau (- g1 tau - b * (u1 tau / n)) /\ rder u2 tau (- g2 tau -
+      b * (u2 tau / n)).
+Proof.
+  destruct in_units as (J0 & eb & ex & ey). destruct (factor_is m J rad hm hJ hr) as [_ b1]. change (factor m J rad) with b in b1.
+  assert (N : ~ rolls 1 v1 v2 z1 z2 tau).
+  { unfold rolls. rewrite ex, ey. intros [n1 n2]. apply slides. destruct unit_facts as (_ & q0 & _). unfold u_1, u_2, eq71_slip_1, eq71_slip_2 in *.
+      fold q in n1, n2.
+    assert (0 < 1 / q) by (apply Rdiv_lt_0_compat; lra). split; apply (Rmult_eq_reg_l (1 / q)); lra. }
+  destruct (sliding m (J / rad ^ 2) 1 1 hm J0 _ _ _ _ _ _ _ tau Rle_0_1 sphere_in_units ht N) as (n0 & VX & VY & _). rewrite ex, ey in *.
+  destruct (slip_rates b _ _ _ _ ltac:(lra) slip_in_units tau ht ltac:(lra)) as [UX UY].
+  split; [ trivial | split; [ unfold nrm; f_equal; ring | split; [ | split; [ | split; trivial ] ] ] ]; (eapply rder_eq; [ eassumption | ring ]).
+Qed.
+Ltac rated := destruct rates as (n0 & en & VX & VY & UX & UY).
 (* The centre of a sliding sphere: rho has the rate rhodot, and that the rate (73). *)
 Theorem eq_73 : let rate f := f (g1 tau) (g2 tau) 0 (u1 tau) (u2 tau) 0 in
   rder (rho_1 rad mu g X Y) tau (v1 tau) /\ rder (rho_2 rad mu g X Y) tau (v2 tau) /\
   rder v1 tau (rate eq73_velocity_rate_1) /\ rder v2 tau (rate eq73_velocity_rate_2) /\ rate eq73_velocity_rate_3 = 0.
 Proof.
-  opened. destruct (rho_rate tau ht). split; [ trivial | split; [ trivial | ] ].
-  unfold eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2, rhodot. length.
-  split; [ | split; [ | field; lra ] ].
-  - apply (rder_ext (fun tau => / q * vx (T tau))); [ intros; unfold Rdiv; ring | eapply rder_clock; [ exact VX | field; lra ] ].
-  - apply (rder_ext (fun tau => / q * vy (T tau))); [ intros; unfold Rdiv; ring | eapply rder_clock; [ exact VY | field; lra ] ].
+  destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (centre (T tau) (clock_pos tau ht)) as [CX CY]. assert (c0 : 0 < q / (mu * g)) by now
+      apply Rdiv_lt_0_compat.
+  assert (ek : mu * g = q ^ 2 / rad) by (rewrite e; field; lra).
+  rated. unfold eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3. rewrite en. split; [ | split; [ | split; [ exact VX | split; [
+      exact VY | field; lra ] ] ] ];
+    unfold rho_1, rho_2, eq68_position_1, eq68_position_2, rhodot, clock in *; fold q; rewrite e1 in *; apply rder_time in CX, CY; trivial; unfold
+        Rdiv in *;
+    (eapply rder_eq; [ rd | rewrite ek; field; lra ]).
 Qed.
 (* The slip velocity. *)
 Theorem eq_74 : let rate f := f b (g1 tau) (g2 tau) 0 (u1 tau) (u2 tau) 0 in
   rder u1 tau (rate eq74_slip_rate_1) /\ rder u2 tau (rate eq74_slip_rate_2) /\ rate eq74_slip_rate_3 = 0.
-Proof.
-  opened. destruct (eq_66 m J rad mu g Ax Ay vx vy ox oy oz (T tau)) as (P & Q & _); trivial; try lra; [ now apply clock_pos | ].
-  unfold eq66_slip_rate_1, eq66_slip_rate_2 in P, Q. replace (sqrt _) with (nrm (slip_x rad vx oy (T tau)) (slip_y rad vy ox (T tau))) in P,
-    Q by (unfold nrm; f_equal; ring).
-  unfold eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3, gamma_1, gamma_2, eq72_acceleration_1, eq72_acceleration_2. length. set (bb := b) in *.
-  split; [ | split; [ | field; lra ] ]; (eapply rder_clock; [ eassumption | field; lra ]).
-Qed.
+Proof. rated. unfold eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3. rewrite en. split; [ exact UX | split; [ exact UY | field; lra ] ]. Qed.
 (* Friction alone changes rhodot + nu, for every nu with the rate gamma. *)
 Theorem eq_77 nu1 nu2 : rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) -> rder nu2 tau (eq76_nu_rate_2 (g1 tau) (g2 tau) 0) ->
   let rate f := f (u1 tau) (u2 tau) 0 in
   rder (fun tau => v1 tau + nu1 tau) tau (rate eq77_rate_1) /\ rder (fun tau => v2 tau + nu2 tau) tau (rate eq77_rate_2) /\ rate eq77_rate_3 = 0.
 Proof.
-  intros N1 N2 rate. unfold eq76_nu_rate_1, eq76_nu_rate_2 in *. destruct eq_73 as (_ & _ & V1 & V2 & V3).
-  split; [ | split ]; [ eapply rder_eq; [ rd | ] | eapply rder_eq; [ rd | ] | cbv beta zeta in V3 ];
-    unfold rate, eq73_velocity_rate_1, eq73_velocity_rate_2, eq73_velocity_rate_3, eq77_rate_1, eq77_rate_2, eq77_rate_3 in *; lra.
+  intros N1 N2 rate. unfold rate, eq76_nu_rate_1, eq76_nu_rate_2, eq77_rate_1, eq77_rate_2, eq77_rate_3 in *. rated. rewrite en.
+  split; [ | split; [ | field; lra ] ]; (eapply rder_eq; [ rd | ring ]).
 Qed.
 (* And u + nu. *)
 Theorem eq_78 nu1 nu2 : rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) -> rder nu2 tau (eq76_nu_rate_2 (g1 tau) (g2 tau) 0) ->
   let rate f := f b (u1 tau) (u2 tau) 0 in
   rder (fun tau => u1 tau + nu1 tau) tau (rate eq78_rate_1) /\ rder (fun tau => u2 tau + nu2 tau) tau (rate eq78_rate_2) /\ rate eq78_rate_3 = 0.
 Proof.
-  intros N1 N2 rate. unfold eq76_nu_rate_1, eq76_nu_rate_2 in *. destruct eq_74 as (V1 & V2 & V3).
-  split; [ | split ]; [ eapply rder_eq; [ rd | ] | eapply rder_eq; [ rd | ] | cbv beta zeta in V3 ];
-    unfold rate, eq74_slip_rate_1, eq74_slip_rate_2, eq74_slip_rate_3, eq78_rate_1, eq78_rate_2, eq78_rate_3 in *; lra.
+  intros N1 N2 rate. unfold rate, eq76_nu_rate_1, eq76_nu_rate_2, eq78_rate_1, eq78_rate_2, eq78_rate_3 in *. rated. rewrite en.
+  split; [ | split; [ | field; lra ] ]; (eapply rder_eq; [ rd | ring ]).
 Qed.
 End While.
 (* The spin is zeta_3 about the vertical and minus z x (u - rhodot), sliding or rolling. *)
@@ -246,12 +266,7 @@ Theorem eq_75 tau : let spin f := f (zeta_3 rad mu g ox oy oz tau) (u1 tau) (u2 
   zeta_1 rad mu g ox oy oz tau = spin right_sphere_spin_1 /\ zeta_2 rad mu g ox oy oz tau = spin right_sphere_spin_2 /\
     zeta_3 rad mu g ox oy oz tau = spin right_sphere_spin_3.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & e2). unfold zeta_1, zeta_2, zeta_3, eq70_spin_1, eq70_spin_2, eq70_spin_3, u_1, u_2, eq71_slip_1,
-    eq71_slip_2, rhodot,
-    right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3, slip_x, slip_y. cbv zeta. fold q. rewrite e1. set (t := T tau).
-  assert (E : q / (mu * g) = rad / q) by (apply (Rmult_eq_reg_r (q * (mu * g))); [ | apply Rmult_integral_contrapositive; lra ];
-    replace (q / (mu * g) * (q * (mu * g))) with (q ^ 2) by (field; lra); rewrite e; field; lra).
-  rewrite E. repeat split; field; lra.
+  unfold right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3. destruct slip_by_spin as [<- <-]. unfold slip_x, slip_y. repeat split; ring.
 Qed.
 (* The print, plus z x (u - rhodot), gives the spin only while the sphere does not turn about any horizontal axis. *)
 Theorem eq_75__printed tau : let spin f := f (zeta_3 rad mu g ox oy oz tau) (u1 tau) (u2 tau) 0 (v1 tau) (v2 tau) 0 in
@@ -259,13 +274,11 @@ Theorem eq_75__printed tau : let spin f := f (zeta_3 rad mu g ox oy oz tau) (u1 
     zeta_3 rad mu g ox oy oz tau = spin eq75_spin_3) <->
   ox (T tau) = 0 /\ oy (T tau) = 0.
 Proof.
-  destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (eq_75 tau) as (z1 & z2 & z3). cbv zeta beta in *.
-    unfold right_sphere_spin_1, right_sphere_spin_2, right_sphere_spin_3, eq75_spin_1, eq75_spin_2, eq75_spin_3 in *.
-  assert (s0 : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra). unfold zeta_1, zeta_2, eq70_spin_1, eq70_spin_2 in *. cbv zeta in *.
-    rewrite e1 in *.
-  set (s := q / (mu * g)) in *. set (t := T tau) in *. split.
-  - intros (p1 & p2 & _). split; (apply (Rmult_eq_reg_l s); lra).
-  - intros [o1 o2]. rewrite o1, o2 in *. lra.
+  destruct unit_facts as (k0 & q0 & _ & e1 & _). unfold eq75_spin_1, eq75_spin_2, eq75_spin_3. destruct slip_by_spin as [<- <-]. unfold slip_x,
+      slip_y.
+  unfold zeta_1, zeta_2, eq70_spin_1, eq70_spin_2. cbv zeta. rewrite e1. assert (s0 : 0 < q / (mu * g)) by (apply Rdiv_lt_0_compat; lra). split.
+  - intros (p1 & p2 & _). split; (apply (Rmult_eq_reg_l (q / (mu * g))); lra).
+  - intros [-> ->]. lra.
 Qed.
 (* For every nu with the rate gamma there is a constant c so that the velocity of the centre is (79) at all times, sliding, rolling and in between. *)
 Theorem eq_79 nu1 nu2 : (forall tau, 0 <= tau -> rder nu1 tau (eq76_nu_rate_1 (g1 tau) (g2 tau) 0) /\
@@ -274,25 +287,11 @@ Theorem eq_79 nu1 nu2 : (forall tau, 0 <= tau -> rder nu1 tau (eq76_nu_rate_1 (g
   exists c1 c2, forall tau, 0 <= tau -> let velocity f := f b (nu1 tau) (nu2 tau) 0 (u1 tau) (u2 tau) 0 c1 c2 0 in
   v1 tau = velocity eq79_velocity_1 /\ v2 tau = velocity eq79_velocity_2 /\ 0 = velocity eq79_velocity_3.
 Proof.
-  intros N cn. destruct unit_facts as (k0 & q0 & e & e1 & e2). destruct (factor_is m J rad hm hJ hr) as [_ b1]. unfold factor in b1.
-  assert (s0 : 0 < mu * g / q) by (apply Rdiv_lt_0_compat; lra).
-  assert (back : forall t, T (mu * g / q * t) = t) by (intros t; unfold clock; rewrite e1; field; lra).
-    assert (P : forall A nu, (forall tau, 0 < tau -> continuity_pt nu tau) ->
-    (forall tau, 0 <= tau -> rder nu tau (A (T tau) / (mu * g))) -> primitive (fun t => q * nu (mu * g / q * t)) A).
-  { intros A nu c D. split; intros t Ht.
-    - apply (continuity_pt_mult (fun _ => q)); [ cont | apply cont_speed, c, Rmult_lt_0_compat; lra ].
-    - specialize (D (mu * g / q * t) ltac:(apply Rmult_le_pos; lra)). rewrite back in D. apply rder_speed in D; trivial.
-      eapply rder_eq; [ apply (rder_mult (fun _ => q)); [ rd | exact D ] | field; lra ]. }
-  assert (P1 : primitive (fun t => q * nu1 (mu * g / q * t)) Ax) by (apply P; intros tau Ht; [ now apply cn | now apply (N tau) ]).
-  assert (P2 : primitive (fun t => q * nu2 (mu * g / q * t)) Ay) by (apply P; intros tau Ht; [ now apply cn | now apply (N tau) ]).
-  pose proof (fun tau Ht => kept_x m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz _ (T tau) S P1 (clock_pos tau Ht)) as K1.
-  pose proof (fun tau Ht => kept_y m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz _ (T tau) S P2 (clock_pos tau Ht)) as K2.
-  unfold factor in K1, K2. set (bb := b) in *. assert (F : forall tau, mu * g / q * T tau = tau) by (intros tau; unfold clock; rewrite e1; field;
-    lra).
-  exists ((vx 0 + (1 - / bb) * (q * nu1 0) - slip_x rad vx oy 0 * / bb) / q), ((vy 0 + (1 - / bb) * (q * nu2 0) - slip_y rad vy ox 0 * / bb) / q).
-    intros tau Ht.
-  specialize (K1 tau Ht). specialize (K2 tau Ht). rewrite F, Rmult_0_r in K1, K2. rewrite <- K1, <- K2.
-  unfold eq79_velocity_1, eq79_velocity_2, eq79_velocity_3, rhodot, u_1, u_2, eq71_slip_1, eq71_slip_2. cbv zeta. fold q. repeat split; field; lra.
+  intros N cn. destruct in_units as (J0 & eb & ex & ey). destruct (factor_is m J rad hm hJ hr) as [_ b1]. change (factor m J rad) with b in b1.
+  pose proof (fun tau => kept m (J / rad ^ 2) 1 1 hm J0 Rlt_0_1 _ _ _ _ _ _ _ nu1 nu2 tau sphere_in_units
+    ltac:(split; intros; [ now apply cn | now apply N ]) ltac:(split; intros; [ now apply cn | now apply N ])) as K.
+  rewrite eb, ?ex, ?ey in *. exists (v1 0 + (1 - / b) * nu1 0 - u1 0 * / b), (v2 0 + (1 - / b) * nu2 0 - u2 0 * / b). intros tau Ht.
+  destruct (K tau Ht) as [<- <-]. unfold eq79_velocity_1, eq79_velocity_2, eq79_velocity_3. repeat split; field; lra.
 Qed.
 (* zeta_3 keeps its value, and enters nothing else: with any other constant spin about the vertical the rest is a motion as before. *)
 Theorem s3_spin_constant : (forall tau, 0 <= tau -> rder (zeta_3 rad mu g ox oy oz) tau s3_zeta3_rate /\
@@ -300,11 +299,9 @@ Theorem s3_spin_constant : (forall tau, 0 <= tau -> rder (zeta_3 rad mu g ox oy 
   forall w, sphere m J rad (mu * g) Ax Ay vx vy ox oy (fun _ => w).
 Proof.
   split.
-  - intros tau Ht. unfold zeta_3, eq70_spin_3, s3_zeta3_rate. cbv zeta. split.
-    + destruct (b_law _ _ _ _ _ _ _ _ _ _ _ S (T tau) (clock_pos tau Ht)) as (Fx & Fy & _ & _ & _ & _ & _ & OZ). unfold eq60_spin_rate_3 in OZ.
-      eapply rder_clock; [ exact OZ | field; destruct unit_facts; lra ].
-    + rewrite (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ (T tau) S (clock_pos tau Ht)), (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ (T 0) S (clock_pos
-      0 (Rle_refl 0))). trivial.
+  - intros tau Ht. destruct in_units as (J0 & _). split; [ | apply (spin_z m (J / rad ^ 2) 1 1 J0 _ _ _ _ _ _ _ tau sphere_in_units Ht) ].
+    destruct (b_law _ _ _ _ _ _ _ _ _ _ _ sphere_in_units tau Ht) as (Fx & Fy & _ & _ & _ & _ & _ & OZ). laws. eapply rder_eq; [ exact OZ | unfold
+        s3_zeta3_rate; field; lra ].
   - intros w. destruct S as [c L]. split.
     + intros t Ht. destruct (c t Ht) as (c1 & c2 & c3 & c4 & _). repeat split; trivial. cont.
     + intros t Ht. destruct (L t Ht) as (Fx & Fy & C & VX & VY & OX & OY & _). exists Fx, Fy. repeat (split; trivial). unfold eq60_spin_rate_3.
@@ -325,13 +322,101 @@ Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _ _ _); filled. Qed.
 Lemma eq_74__occurs : ltac:(occurs eq_74).
 Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 Lemma eq_77__occurs : ltac:(occurs eq_77).
-Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _ _ _); filled. Qed.
+Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 Lemma eq_78__occurs : ltac:(occurs eq_78).
 Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 Lemma eq_79__occurs : ltac:(occurs eq_79).
 Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
 Lemma s3_spin_constant__occurs : ltac:(occurs s3_spin_constant).
 Proof. unit_example. eapply (H 1 1 1 (/ 4) 1 _ _ _ _ _ _ _); filled. Qed.
+
+(* ---- 3.1: the plane is pulled steadily ---- *)
+Section Pulled.
+Variables (m J rad mu g A : R) (vx vy ox oy oz u theta : R -> R).
+Hypothesis hm : 0 < m. Hypothesis hJ : 0 < J. Hypothesis hr : 0 < rad. Hypothesis hmu : 0 < mu. Hypothesis hg : 0 < g. Hypothesis hA : 0 < A.
+Hypothesis S : sphere m J rad (mu * g) (fun _ => eq3_acceleration_1 A) (fun _ => eq3_acceleration_2 A) vx vy ox oy oz.
+Hypothesis P : polar (u_1 rad mu g vx vy ox oy) (u_2 rad mu g vx vy ox oy) u theta.
+Notation lam := (eq80_lambda (eq67_factor (eq62_kappa J m rad)) mu g A).
+Notation gamma := (eq72_acceleration_1 mu g A 0 0).
+Lemma pulled_facts : 0 < gamma /\ 0 < lam /\ pulled gamma lam (u_1 rad mu g vx vy ox oy) (u_2 rad mu g vx vy ox oy).
+Proof.
+  assert (k0 : 0 < mu * g) by (apply Rmult_lt_0_compat; lra). destruct (factor_is m J rad hm hJ hr) as [_ b1]. unfold factor in b1. unfold
+      eq72_acceleration_1, eq80_lambda.
+  split; [ now apply Rdiv_lt_0_compat | split ]. { apply Rdiv_lt_0_compat; trivial. rewrite Rmult_assoc. apply Rmult_lt_0_compat; lra. }
+  pose proof (slip_in_units m J rad mu g _ _ vx vy ox oy oz hm hJ hr hmu hg S) as M. unfold pulled, gamma_1, gamma_2, eq72_acceleration_1,
+      eq72_acceleration_2, eq3_acceleration_1, eq3_acceleration_2 in *.
+  replace (- A / (mu * g)) with (- (A / (mu * g))) in M by (field; lra). replace (0 / (mu * g)) with 0 in M by (field; lra).
+  replace (A / (mu * g) * _) with (eq67_factor (eq62_kappa J m rad)); [ exact M | field; lra ].
+Qed.
+Let hG : 0 < gamma := proj1 pulled_facts. Let hl : 0 <= lam := Rlt_le _ _ (proj1 (proj2 pulled_facts)). Let M := proj2 (proj2 pulled_facts).
+(* The slip speed against the angle, as long as it slides, from every slip at an angle to the line of the pull. *)
+Theorem eq_81 tau : 0 <= tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI -> u tau = eq81_slip lam (u 0) (theta 0) (theta
+    tau).
+Proof. exact (eq_11 gamma lam _ _ u theta hG hl M P tau). Qed.
+(* The time against the angle, with gamma = A/(mu g). *)
+Theorem eq_82 tau : 0 <= tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI -> lam <> 1 -> lam + cos (theta 0) <> 0 ->
+  tau = right_sphere_time lam gamma (u 0) (theta 0) (theta tau).
+Proof. exact (eq_13 gamma lam _ _ u theta hG hl M P tau). Qed.
+(* The print, which lacks gamma, holds exactly where gamma is 1. *)
+Theorem eq_82__printed tau : 0 < tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI -> lam <> 1 -> lam + cos (theta 0) <> 0
+    ->
+  (tau = eq82_time lam (u 0) (theta 0) (theta tau) <-> gamma = 1).
+Proof.
+  intros Ht H n0 n1 l1 n2. pose proof pulled_facts as (g0 & l0 & _). pose proof (eq_82 tau ltac:(lra) H n0 n1 l1 n2) as E.
+  unfold right_sphere_time in E. unfold eq82_time. set (c := _ / _ * _ - 1) in *. assert (n3 : 1 - lam ^ 2 <> 0) by nra.
+  replace (_ / (1 - lam ^ 2) * c) with (gamma * tau) by (rewrite E; field; lra). split; intros K; nra.
+Qed.
+(* The slip speed against time and angle, up to the moment at which the slip ends. *)
+Theorem eq_83 tau : 0 <= tau -> (forall s, 0 <= s < tau -> 0 < u s) -> lam + cos (theta tau) <> 0 ->
+  u tau = right_sphere_slip_at_time lam gamma (u 0) (theta 0) (theta tau) tau.
+Proof. exact (eq_14 gamma lam _ _ u theta hG hl M P tau). Qed.
+(* The print lacks the same gamma: it holds where gamma or lambda is 1, and there only. *)
+Theorem eq_83__printed tau : 0 < tau -> (forall s, 0 <= s < tau -> 0 < u s) -> lam + cos (theta tau) <> 0 ->
+  (u tau = eq83_slip_at_time lam (u 0) (theta 0) (theta tau) tau <-> gamma = 1 \/ lam = 1).
+Proof.
+  intros Ht H n. rewrite (eq_83 tau ltac:(lra) H n). pose proof pulled_facts as (_ & l0 & _). unfold right_sphere_slip_at_time, eq83_slip_at_time.
+      split.
+  - intros K. apply Rmult_eq_reg_r in K; [ | now apply Rinv_neq_0_compat ]. destruct (Req_dec lam 1); [ now right | left ].
+    apply (Rmult_eq_reg_l ((1 - lam ^ 2) * tau)); [ lra | ]. apply Rmult_integral_contrapositive. split; nra.
+  - intros [-> | ->]; f_equal; ring.
+Qed.
+
+End Pulled.
+
+(* a sphere that slides across at first, with b = 2, lambda = 1/2, gamma = 4 *)
+Lemma thrown_across : exists vx vy ox oy u theta,
+  sphere 1 1 1 (1 * 1) (fun _ => eq3_acceleration_1 4) (fun _ => eq3_acceleration_2 4) vx vy ox oy (fun _ => 1) /\
+  polar (u_1 1 1 1 vx vy ox oy) (u_2 1 1 1 vx vy ox oy) u theta /\ theta 0 = PI / 2 /\ eq80_lambda (eq67_factor (eq62_kappa 1 1 1)) 1 1 4 = / 2 /\
+  forall tau, 0 <= tau -> 0 < u tau /\ / 2 + cos (theta tau) <> 0.
+Proof.
+  destruct (across_start 4 (/ 2)) as (x & y & u & theta & M & P & u0 & th & x0 & y0 & pos); try lra.
+  assert (I : forall c, primitive (RInt (fun _ => c) 0) (fun _ => c)) by (intros; apply primitive_of; intros; cont).
+  assert (M' : motion (factor 1 1 1 * (1 * 1)) (fun _ => eq3_acceleration_1 4) (fun _ => eq3_acceleration_2 4) x y)
+    by (replace (factor 1 1 1 * (1 * 1)) with (4 * / 2) by (unfold factor, eq67_factor, eq62_kappa; field); exact M).
+  destruct (sphere_with_slip 1 1 1 (1 * 1) Rlt_0_1 Rlt_0_1 Rlt_0_1 _ _ x y _ _ 0 0 1 M' (I _) (I _)) as (vx & vy & ox & oy & S & ex & ey & _).
+  assert (E : u_1 1 1 1 vx vy ox oy = x /\ u_2 1 1 1 vx vy ox oy = y) by (split; extensionality t; unfold u_1, u_2, eq71_slip_1, eq71_slip_2, clock;
+      cbv zeta;
+    rewrite ?ex, ?ey, !Rmult_1_l, Rdiv_1, sqrt_1, Rdiv_1, !Rmult_1_l; trivial).
+  exists vx, vy, ox, oy, u, theta. destruct E as [-> ->]. repeat (split; trivial); [ unfold eq80_lambda, eq67_factor, eq62_kappa; field | now apply
+      pos; lra | ].
+  pose proof (moved 4 (/ 2) x y ltac:(lra) ltac:(lra) M tau ltac:(trivial)) as r. rewrite !(polar_speed x y u theta) in r by (trivial; lra).
+  destruct (P tau ltac:(trivial)) as (_ & _ & e & _). unfold eq4_velocity_1 in e. intros z. replace (cos (theta tau)) with (- / 2) in e by lra.
+  rewrite x0, u0, e in r. enough (/ 2 * 1 + 0 + (1 - (/ 2) ^ 2) * 4 * tau = 0) by lra. rewrite <- r; [ field | ].
+  intros t Ht. rewrite (polar_speed x y u theta) by (trivial; lra). apply Rgt_not_eq, pos; lra.
+Qed.
+Ltac thrown := intros H; destruct thrown_across as (vx & vy & ox & oy & u & theta & S & P & th & el & R); pose proof PI_RGT_0;
+  apply (H 1 1 1 1 1 4 _ _ _ _ _ u theta ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) S P 1);
+  rewrite ?el, ?th, ?cos_PI2; try lra; [ intros; apply R; lra | .. ]; apply R; lra.
+Lemma eq_81__occurs : ltac:(occurs eq_81).
+Proof. thrown. Qed.
+Lemma eq_82__occurs : ltac:(occurs eq_82).
+Proof. thrown. Qed.
+Lemma eq_82__printed__occurs : ltac:(occurs eq_82__printed).
+Proof. thrown. Qed.
+Lemma eq_83__occurs : ltac:(occurs eq_83).
+Proof. thrown. Qed.
+Lemma eq_83__printed__occurs : ltac:(occurs eq_83__printed).
+Proof. thrown. Qed.
 
 (* ---- the reduction ---- *)
 (* A sphere moves so, and only so: the slip velocity is a particle's velocity under the same A with b mu for mu, rolling being rest; the velocity of
@@ -351,58 +436,180 @@ Proof.
   replace (b * mu * g) with (b * (mu * g)) by ring. split.
   - intros S. split; [ exact (slip_moves m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ S) | split ].
     + exists (vx 0 + (1 - / b) * nux 0 - ux 0 * / b), (vy 0 + (1 - / b) * nuy 0 - uy 0 * / b). intros t Ht.
-      pose proof (kept_x m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ _ t S P1 Ht) as K1. pose proof (kept_y m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ _ t
-        S P2 Ht) as K2.
-      change (factor m J rad) with b in K1, K2. fold ux in K1. fold uy in K2. rewrite <- K1, <- K2. split; field; lra.
+      destruct (kept m J rad (mu * g) hm hJ hr _ _ _ _ _ _ _ _ _ t S P1 P2 Ht) as [K1 K2]. change (factor m J rad) with b in K1, K2. fold ux in K1.
+          fold uy in K2.
+      rewrite <- K1, <- K2. split; field; lra.
     + intros t Ht. rewrite (spin_z m J rad (mu * g) hJ _ _ _ _ _ _ _ t S Ht). unfold ux, uy, slip_x, slip_y. repeat split; ring.
   - intros (M & (cx & cy & V) & Z). apply (sphere_of_slip m J rad (mu * g) hm hJ hr Ax Ay vx vy ox oy oz nux nuy cx cy); trivial.
     + intros t Ht. destruct (V t Ht) as [-> _]. change (factor m J rad) with b. fold ux. field. lra.
     + intros t Ht. destruct (V t Ht) as [_ ->]. change (factor m J rad) with b. fold uy. field. lra.
     + intros t Ht. destruct (Z t Ht) as (_ & _ & e). apply (Rmult_eq_reg_l rad); lra.
 Qed.
+Lemma s3_reduction__occurs : ltac:(occurs s3_reduction).
+Proof. intros H. pose (f := fun _ : R => 0). apply (H 1 1 1 1 1 f f f f f f f f f); try lra; (split; intros; unfold f; [ cont | rd ]). Qed.
+
+(* ---- 3.2: the plane is shaken, (21), from any moment t0 of the drive on ---- *)
+(* Of every sphere with some friction, from some time on: in each period of the drive its slip along the drive is zero at two instants, or on two
+   intervals, on which it rolls, or it rolls for good. A period may begin at any phase but those of the zeros of (38) in the first case, in which the
+       slip
+   across the drive fades away; in the second it is counted from the end of a rolling. Where the slip is zero the centre moves as the spin has it. *)
+Theorem s32_rolling_trichotomy m J rad mu g A0 varpi t0 lam vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 0 < lam ->
+  sphere m J rad (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) (fun t => eq21_acceleration_2 A0 varpi (t0 + t)) vx vy ox oy oz ->
+  let ux := slip_x rad vx oy in let uy := slip_y rad vy ox in let T := 2 * PI / varpi in
+  let at_ phi t := at_phase (eq23_phase varpi t0) (eq23_phase varpi t) phi in
+  (lam < eq37_lambda_c -> is_lim uy p_infty 0 /\ forall phi, (forall n, phi <> eq39_phi_t1 lam + IZR n * PI) -> exists t1, forall t, t1 <= t -> at_
+      phi t ->
+    exists z1 z2, t < z1 < z2 /\ z2 < t + T /\ forall z, t <= z <= t + T -> (ux z = 0 <-> z = z1 \/ z = z2)) /\
+  (eq37_lambda_c < lam < 1 -> exists d t1, 0 < d < T / 2 /\ slip_end lam (eq27_phi1 lam + eq23_phase varpi d) /\
+    forall t, t1 <= t -> at_ (eq27_phi1 lam) t -> forall z, t < z <= t + T ->
+    (ux z = 0 <-> t + d <= z <= t + T / 2 \/ t + T / 2 + d <= z <= t + T) /\ (ux z = 0 -> uy z = 0)) /\
+  (1 <= lam -> exists t1, forall t, t1 <= t -> ux t = 0 /\ uy t = 0) /\ forall t, ux t = 0 /\ uy t = 0 -> vx t = rad * oy t /\ vy t = - rad * ox t.
+Proof.
+  intros hm hJ hr hA hv el h0 S ux uy T at_. pose proof PI_RGT_0.
+  pose proof (slip_driven m J rad mu g A0 varpi t0 sin hm hJ hr hA hv vx vy ox oy oz S) as M. rewrite <- el in M. unfold moves in M. rewrite <-
+      shaken_sin in M.
+  set (w := w_x A0 varpi rad vx oy) in *. set (wy := w_y A0 varpi rad vy ox) in *. assert (c : 0 < A0 / varpi) by now apply Rdiv_lt_0_compat.
+  assert (ex : forall t, ux t = A0 / varpi * w (varpi * t)) by exact (of_w A0 varpi hA hv ux).
+  assert (ey : forall t, uy t = A0 / varpi * wy (varpi * t)) by exact (of_w A0 varpi hA hv uy).
+  assert (zx : forall t, ux t = 0 <-> w (varpi * t) = 0) by (intros t; rewrite ex; split; [ intros; apply (Rmult_eq_reg_l (A0 / varpi)); lra | intros
+      ->; ring ]).
+  assert (zy : forall t, wy (varpi * t) = 0 -> uy t = 0) by (intros t e; rewrite ey, e; ring).
+  assert (per : varpi * T = 2 * PI) by (unfold T; field; lra).
+  assert (late : forall s1 t, s1 / varpi <= t -> s1 <= varpi * t) by (intros s1 t k; rewrite Rmult_comm; now apply Rle_div_l).
+  destruct (s22_trichotomy lam _ w wy h0 M) as (K1 & K2 & K3). unfold at_, eq23_phase. split; [ | split; [ | split ] ].
+  - intros hc. split.
+    + apply (is_lim_ext (fun t => A0 / varpi * wy (varpi * t))); [ intros; now rewrite ey | ]. apply lim_units; trivial. now apply (eq_38 lam _ w wy
+        ltac:(lra) M).
+    + intros phi ne. destruct (K1 hc phi ne) as (s1 & Z). exists (s1 / varpi). intros t Ht ph. destruct (Z _ (late _ _ Ht) ph) as (z1 & z2 & a & b &
+        E).
+      exists (z1 / varpi), (z2 / varpi). rewrite <- per in *.
+      assert (d1 : varpi * (z1 / varpi) = z1) by (field; lra). assert (d2 : varpi * (z2 / varpi) = z2) by (field; lra).
+      split; [ | split ]; try (split; apply (Rmult_lt_reg_l varpi); lra); [ apply (Rmult_lt_reg_l varpi); lra | ]. intros z Hz. rewrite zx, E by nra.
+      split; (intros [k | k]; [ left | right ]); [ apply (Rmult_eq_reg_l varpi) .. | | ]; try lra; rewrite k; lra.
+  - intros hc. pose proof lambda_c_between. destruct (K2 hc) as (d & s1 & hd & E & Z). destruct (slip_end_exists lam ltac:(lra)) as [e E'].
+    destruct (eq_33 lam e _ w wy ltac:(lra) E' (proj1 (eq_36 lam e ltac:(lra) E') (proj1 hc)) M) as (_ & s2 & R). exists (d / varpi), (Rmax s1 s2 /
+        varpi).
+    assert (d1 : varpi * (d / varpi) = d) by (field; lra). assert (d2 : varpi * (T / 2) = PI) by lra. rewrite d1.
+    split; [ split; apply (Rmult_lt_reg_l varpi); lra | split; [ trivial | ] ]. intros t Ht ph z Hz. apply late in Ht. pose proof (Rmax_l s1 s2).
+        pose proof (Rmax_r s1 s2).
+    assert (up : forall a b, a <= b -> varpi * a <= varpi * b) by (intros; apply Rmult_le_compat_l; lra).
+    pose proof (Rmult_lt_compat_l varpi _ _ hv (proj1 Hz)). pose proof (up _ _ (proj2 Hz)).
+    split; [ | intros _; apply zy, R; lra ]. rewrite zx, (Z (varpi * t) ltac:(lra) ph) by lra.
+    split; (intros [[k k'] | [k k']]; [ left | right ]); try (split; apply (Rmult_le_reg_l varpi); lra); apply up in k, k'; lra.
+  - intros h1. destruct (all_stop lam _ w wy h1 M) as (s1 & _ & R). exists (s1 / varpi). intros t Ht. destruct (R _ (late _ _ Ht)). now split; [
+      apply zx | apply zy ].
+  - unfold ux, uy, slip_x, slip_y. intros t [e1 e2]. lra.
+Qed.
+Lemma s32_rolling_trichotomy__occurs : ltac:(occurs s32_rolling_trichotomy).
+Proof.
+  intros H. destruct (sphere_exists 1 1 1 (/ 4 * 1) (fun t => eq21_acceleration_1 1 1 (0 + t)) (fun t => eq21_acceleration_2 1 1 (0 + t)) 1 1 0 0 0)
+      as
+    (vx & vy & ox & oy & S & _); try lra; [ intros t; unfold eq21_acceleration_1, eq21_acceleration_2; split; [ apply derivable_continuous_pt; reg |
+        cont ] | ].
+  apply (H 1 1 1 (/ 4) 1 1 1 0 (/ 2) vx vy ox oy (fun _ => 0)); trivial; unfold eq84_lambda, eq67_factor, eq62_kappa; lra.
+Qed.
+(* The motion that is approached up to lambda_c: a sphere that slips along the drive only, by (38), and rolls at two instants per period. *)
+Theorem s32_rolling_trichotomy__approached m J rad mu g A0 varpi t0 lam : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 0 < lam <= eq37_lambda_c ->
+  let S := sphere m J rad (mu * g) (fun t => eq21_acceleration_1 A0 varpi (t0 + t)) (fun t => eq21_acceleration_2 A0 varpi (t0 + t)) in
+  exists px py qx qy qz, S px py qx qy qz /\ (forall t, eq24_w varpi (slip_x rad px qy t) A0 = w38 lam (eq23_phase varpi (t0 + t)) /\
+    slip_y rad py qx t = 0 /\ (rolls rad px py qx qy t <-> exists n, eq23_phase varpi (t0 + t) = eq39_phi_t1 lam + IZR n * PI)) /\
+  forall vx vy ox oy oz, S vx vy ox oy oz -> is_lim (fun t => slip_x rad vx oy t - slip_x rad px qy t) p_infty 0 /\ is_lim (slip_y rad vy ox) p_infty
+      0.
+Proof.
+  intros hm hJ hr hA hv el hl S. pose proof (w38_motion lam hl (eq23_phase varpi t0)) as W. rewrite shaken_sin, el in W.
+  assert (I : forall phi, continuity_pt (fun s => - cos s) phi /\ rder (fun s => - cos s) phi (sin phi)).
+  { intros phi. assert (D : is_derive (fun s => - cos s) phi (sin phi)) by (auto_derive; trivial; ring). split; [ now apply (cont_of _ _ _ D) | now
+      apply rder_of ]. }
+  destruct (sphere_driven m J rad mu g A0 varpi t0 sin hm hJ hr hA hv _ _ _ I W) as (px & py & qx & qy & qz & Sp & e1 & e2). rewrite <- el in e1.
+      exists px, py, qx, qy, qz.
+  assert (c : 0 < A0 / varpi) by now apply Rdiv_lt_0_compat. assert (E : forall t, varpi * t / varpi = t) by (intros; field; lra).
+  assert (x : forall t, eq24_w varpi (slip_x rad px qy t) A0 = w38 lam (eq23_phase varpi (t0 + t))).
+  { intros t. transitivity (w_x A0 varpi rad px qy (varpi * t)); [ unfold w_x; now rewrite E | rewrite e1; unfold eq23_phase; f_equal; ring ]. }
+  assert (y : forall t, slip_y rad py qx t = 0) by (intros t; rewrite (of_w A0 varpi hA hv); change (A0 / varpi * w_y A0 varpi rad py qx (varpi * t)
+      = 0); rewrite e2; ring).
+  split; [ exact Sp | split; [ intros t; split; [ apply x | split; [ apply y | ] ] | ] ].
+  - rewrite <- (w38_zeros lam hl), <- x. unfold rolls. rewrite y. unfold eq24_w. split; [ intros [-> _]; field; lra | intros z; split; trivial ].
+    apply (Rmult_eq_reg_l (varpi / A0)); [ transitivity (varpi * slip_x rad px qy t / A0); [ field; lra | rewrite z; ring ] | apply Rgt_not_eq; now
+        apply Rdiv_lt_0_compat ].
+  - intros vx vy ox oy oz Sv. apply slip_driven in Sv; trivial. unfold moves in Sv. rewrite <- el, <- shaken_sin in Sv.
+    destruct (w38_attracts lam hl _ _ _ Sv) as [X Y].
+    apply (lim_units _ (A0 / varpi) varpi hv) in X, Y. split; [ refine (is_lim_ext _ _ _ _ _ X) | refine (is_lim_ext _ _ _ _ _ Y) ]; intros t; cbv
+        beta.
+    + rewrite (of_w A0 varpi hA hv (slip_x rad vx oy)), (of_w A0 varpi hA hv (slip_x rad px qy)).
+      fold (w_x A0 varpi rad vx oy (varpi * t)) (w_x A0 varpi rad px qy (varpi * t)). rewrite e1. ring.
+    + symmetry. exact (of_w A0 varpi hA hv (slip_y rad vy ox) t).
+Qed.
+Lemma s32_rolling_trichotomy__approached__occurs : ltac:(occurs s32_rolling_trichotomy__approached).
+Proof. intros H. pose proof quarter. apply (H 1 1 1 (/ 8) 1 1 1 0 (/ 4)); unfold eq84_lambda, eq67_factor, eq62_kappa; lra. Qed.
 
 (* ---- 3.3, 3.4 ---- *)
-(* A sphere under A0 h(varpi t) along a line, h having an integral H. Whatever holds of the velocities of all particles under h with lambda_0 of
-  (84) in the
-   place of (22) holds of the slip velocities of all such spheres, in the same units, and the other way round;
-     the sphere rolls when the particle rests. *)
-Theorem s33_any_drive m J rad mu g A0 varpi h H (P : (R -> R) -> (R -> R) -> Prop) : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
-  primitive H h ->
-  let b := eq67_factor (eq62_kappa J m rad) in
-  ((forall vx vy ox oy oz, sphere m J rad (mu * g) (fun t => - A0 * h (varpi * t)) (fun _ => 0) vx vy ox oy oz ->
+(* A sphere under A0 h(varpi t) along a line, h having an integral H, from any moment t0 of the drive on. Whatever holds of the velocities of all
+   particles under h with lambda_0 of (84) in the place of (22) holds of the slip velocities of all such spheres, in the same units, and the other way
+   round; the sphere rolls when the particle rests. *)
+Theorem s33_any_drive m J rad mu g A0 varpi t0 h H (P : (R -> R) -> (R -> R) -> Prop) : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi ->
+  (forall phi, continuity_pt H phi /\ rder H phi (h phi)) ->
+  ((forall vx vy ox oy oz, sphere m J rad (mu * g) (fun t => - A0 * h (eq23_phase varpi (t0 + t))) (fun _ => 0) vx vy ox oy oz ->
     P (w_x A0 varpi rad vx oy) (w_y A0 varpi rad vy ox)) <->
-   (forall wx wy, motion (eq84_lambda b mu g A0) (fun phi => - h phi) (fun _ => 0) wx wy -> P wx wy)) /\
+   (forall wx wy, moves (eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0) h (eq23_phase varpi t0) wx wy -> P wx wy)) /\
   (forall vx vy ox oy t, rolls rad vx vy ox oy t <-> w_x A0 varpi rad vx oy (varpi * t) = 0 /\ w_y A0 varpi rad vy ox (varpi * t) = 0).
 Proof.
-  intros hm hJ hr hA hv hH b. split; [ split; intros K | intros; now apply rolls_at ].
-  - intros wx wy M. destruct (sphere_driven m J rad mu g A0 varpi hm hJ hr hA hv h H wx wy hH M) as (vx & vy & ox & oy & oz & S & <- & <-).
+  intros hm hJ hr hA hv I. split; [ split; intros K | intros; now apply rolls_at ].
+  - intros wx wy M. destruct (sphere_driven m J rad mu g A0 varpi t0 h hm hJ hr hA hv H wx wy I M) as (vx & vy & ox & oy & oz & S & <- & <-).
     now apply (K vx vy ox oy oz).
-  - intros vx vy ox oy oz S. apply K. now apply (driven m J rad mu g A0 varpi hm hJ hr hA hv h vx vy ox oy oz).
+  - intros vx vy ox oy oz S. apply K. now apply (slip_driven m J rad mu g A0 varpi t0 h hm hJ hr hA hv vx vy ox oy oz).
+Qed.
+Lemma s33_any_drive__occurs : ltac:(occurs s33_any_drive).
+Proof.
+  intros H. destruct (pulse_integral (/ 2)) as [F I]; [ lra | ]. apply (H 1 1 1 1 1 1 1 0 (pulse (/ 2)) F (fun _ _ => True)); trivial; lra.
 Qed.
 (* Above lambda_0 = 1, |h| being at most 1, it rolls for good, from the time on that its slip at the start takes to go. *)
-Theorem s33_any_drive__above_one m J rad mu g A0 varpi h lam vx vy ox oy oz t : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 ->
+Theorem s33_any_drive__above_one m J rad mu g A0 varpi t0 h lam vx vy ox oy oz t : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 ->
   (forall phi, Rabs (h phi) <= 1) ->
   lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 1 < lam ->
-  sphere m J rad (mu * g) (fun t => - A0 * h (varpi * t)) (fun _ => 0) vx vy ox oy oz ->
+  sphere m J rad (mu * g) (fun t => - A0 * h (eq23_phase varpi (t0 + t))) (fun _ => 0) vx vy ox oy oz ->
   nrm (slip_x rad vx oy 0) (slip_y rad vy ox 0) / ((lam - 1) * A0) <= t -> rolls rad vx vy ox oy t.
 Proof.
   intros hm hJ hr hA hh el hl S Ht. apply (slip_moves m J rad (mu * g) hm hJ hr) in S.
   assert (e : factor m J rad * (mu * g) = lam * A0) by (rewrite el; unfold eq84_lambda, factor; field; lra). rewrite e in S.
   apply (weak_stops (lam * A0) A0 _ _ _ _ ltac:(nra) S); [ | now replace (lam * A0 - A0) with ((lam - 1) * A0) by ring ].
-  intros s _. replace (nrm _ _) with (A0 * Rabs (h (varpi * s))); [ specialize (hh (varpi * s)); nra | ].
-  rewrite <- (Rabs_pos_eq A0) at 1 by lra. rewrite <- Rabs_mult. unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring.
+  intros s _. rewrite nrm_x, Rabs_mult, Rabs_Ropp, Rabs_pos_eq by lra. specialize (hh (eq23_phase varpi (t0 + s))). nra.
 Qed.
 Lemma s33_any_drive__above_one__occurs : ltac:(occurs s33_any_drive__above_one).
 Proof.
-  intros H. assert (z : nrm 0 0 = 0) by (unfold nrm; replace (0 ^ 2 + 0 ^ 2) with 0 by ring; apply sqrt_0).
-  apply (H 1 1 1 1 1 1 1 (fun _ => 1) 2 (fun t => t / 2) (fun _ => 0) (fun _ => 0) (fun t => t / 2) (fun _ => 0) 0); try lra.
+  intros H. destruct (sphere_exists 1 1 1 (1 * 1) (fun _ => - (1) * 1) (fun _ => 0) 1 0 0 0 0) as (vx & vy & ox & oy & S & e1 & e2 & _); try lra; [
+      split; cont | ].
+  apply (H 1 1 1 1 1 1 1 0 (fun _ => 1) 2 vx vy ox oy (fun _ => 0) 1); trivial; try lra.
   - intros _. rewrite Rabs_R1. lra.
   - unfold eq84_lambda, eq67_factor, eq62_kappa. field.
-  - split; intros t Ht. { repeat split; apply derivable_continuous_pt; reg. }
-    exists (- / 2), 0. unfold slip_x, slip_y. split. { split; [ lra | ]. replace (t / 2 - 1 * (t / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. ring. }
-    unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
-    repeat split; apply rder_of; auto_derive; trivial; field.
-  - unfold slip_x, slip_y. replace (0 / 2 - 1 * (0 / 2)) with 0 by field. replace (0 + 1 * 0) with 0 by ring. rewrite z. lra.
+  - rewrite e1, e2, nrm_x0; lra.
+Qed.
+(* Under the pulses (42), (43), from any moment of the drive on: every sphere has intervals of rolling, as late as one likes, exactly where lambda_0
+   of (84) exceeds the same lambda_c = eta as the particle's. *)
+Theorem s33_pulse m J rad mu g A0 varpi eta t0 lam vx vy ox oy oz : 0 < m -> 0 < J -> 0 < rad -> 0 < A0 -> 0 < varpi -> 0 < eta < 1 ->
+  lam = eq84_lambda (eq67_factor (eq62_kappa J m rad)) mu g A0 -> 0 < lam ->
+  sphere m J rad (mu * g) (fun t => - A0 * pulse eta (eq23_phase varpi (t0 + t))) (fun _ => 0) vx vy ox oy oz ->
+  ((forall t1, exists s d, t1 <= s /\ 0 < d /\ forall t, s <= t <= s + d -> rolls rad vx vy ox oy t) <-> eq46_lambda_c eta < lam).
+Proof.
+  intros hm hJ hr hA hv he el h0 S. apply slip_driven in S; trivial. rewrite <- el in S. rewrite <- (rests_above eta lam _ _ _ he h0 S).
+  assert (E : forall s, varpi * (s / varpi) = s) by (intros; field; lra). assert (up : forall s t, s <= t -> varpi * s <= varpi * t) by (intros;
+      apply Rmult_le_compat_l; lra).
+  split; intros K t1.
+  - destruct (K (t1 / varpi)) as (s & d & Hs & Hd & Z). exists (varpi * s), (varpi * d). apply up in Hs. rewrite E in Hs.
+    split; [ trivial | split; [ now apply Rmult_lt_0_compat | ] ]. intros t Ht. specialize (E t). rewrite <- E.
+    apply rolls_at, Z; trivial. split; apply (Rmult_le_reg_l varpi); lra.
+  - destruct (K (varpi * t1)) as (s & d & Hs & Hd & Z). exists (s / varpi), (d / varpi). pose proof (E s). pose proof (E d).
+    split; [ apply (Rmult_le_reg_l varpi); lra | split; [ now apply Rdiv_lt_0_compat | ] ].
+    intros t [H1 H2]. apply up in H1, H2. apply (proj2 (rolls_at rad A0 varpi hA hv vx vy ox oy t)), Z. lra.
+Qed.
+Lemma s33_pulse__occurs : ltac:(occurs s33_pulse).
+Proof.
+  intros H. destruct (pulses_at_large_times (/ 2) (3 / 4)) as [W L]; try lra. destruct (pulse_integral (/ 2)) as [F I]; [ lra | ].
+  assert (e : 3 / 4 = eq84_lambda (eq67_factor (eq62_kappa 1 1 1)) (3 / 8) 1 1) by (unfold eq84_lambda, eq67_factor, eq62_kappa; field).
+  pose proof (late_moves _ _ _ L (eq23_phase 1 0)) as M. rewrite e in M.
+  destruct (sphere_driven 1 1 1 (3 / 8) 1 1 1 0 (pulse (/ 2)) Rlt_0_1 Rlt_0_1 Rlt_0_1 Rlt_0_1 Rlt_0_1 F _ _ I M) as (vx & vy & ox & oy & oz & S & _).
+  apply (H 1 1 1 (3 / 8) 1 1 1 (/ 2) 0 (3 / 4) vx vy ox oy oz); trivial; lra.
 Qed.
 (* Friction mu_plus forward and mu_minus backward, drive (21): whatever holds of all velocities of the particle of 2.4 with lambda_0 of (85) and
    q = mu_minus / mu_plus, its regions with them, holds of all slip velocities of spheres along the line, and the other way round. *)
@@ -433,3 +640,5 @@ Proof.
     + field. lra.
     + intros t. unfold w_x, eq24_w. rewrite (Rmult_comm (/ varpi)). unfold Rdiv. ring.
 Qed.
+Lemma s34_anisotropic__occurs : ltac:(occurs s34_anisotropic).
+Proof. intros H. apply (H 1 1 1 1 2 1 1 1 0 (fun _ => True)); lra. Qed.

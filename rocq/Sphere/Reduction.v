@@ -2,59 +2,37 @@
    for mu; the velocity of the centre follows from it up to a constant, (79), and back: so where particles have motions, spheres have them. *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas.
+From Slipbook Require Import Motion General Formulas Exists Analysis.
 Open Scope R_scope.
 
-(* the velocity of the point of contact, at (0, 0, - rad) from the centre, against the plane: dr/dt + omega x R of (61), (71) *)
-Definition slip_x (rad : R) (vx oy : R -> R) : R -> R := fun t => vx t - rad * oy t.
-Definition slip_y (rad : R) (vy ox : R -> R) : R -> R := fun t => vy t + rad * ox t.
+(* dr/dt + omega x R of (61), (71): the velocity, along x, of the point of contact, (0, 0, - rad) from the centre, against the plane *)
+Definition slip_x (rad : R) (vx oy : R -> R) (t : R) : R := vx t - rad * oy t.
+(* and along y *)
+Definition slip_y (rad : R) (vy ox : R -> R) (t : R) : R := vy t + rad * ox t.
 
 (* (59), (60) with Coulomb's law at the contact, rolling included: mass m, moment of inertia J, radius rad, mu g = k. The plane has the acceleration
-   (Ax, Ay), the centre the velocity (vx, vy) against the plane, the sphere the angular velocity (ox, oy, oz); the friction is (Fx, Fy). *)
+   (Ax, Ay), the centre the velocity (vx, vy) against the plane, the sphere the angular velocity (ox, oy, oz); the friction is (Fx, Fy).
+   «a sphere of the mass $m$, the moment of inertia $J$ and the radius $rad$, with $\mu g=k$, has the velocity $(vx,vy)$ and the angular velocity
+   $(ox,oy,oz)$ on a plane that has the acceleration $(Ax,Ay)$» *)
 Record sphere (m J rad k : R) (Ax Ay vx vy ox oy oz : R -> R) : Prop := {
   b_c : forall t, 0 < t -> continuity_pt vx t /\ continuity_pt vy t /\ continuity_pt ox t /\ continuity_pt oy t /\ continuity_pt oz t;
   b_law : forall t, 0 <= t -> exists Fx Fy, coulomb (m * k) (slip_x rad vx oy t) (slip_y rad vy ox t) Fx Fy /\
     rder vx t (eq59_momentum_rate_1 m (Ax t) (Ay t) 0 Fx Fy 0 / m) /\ rder vy t (eq59_momentum_rate_2 m (Ax t) (Ay t) 0 Fx Fy 0 / m) /\
     rder ox t (eq60_spin_rate_1 0 0 (- rad) Fx Fy 0 / J) /\ rder oy t (eq60_spin_rate_2 0 0 (- rad) Fx Fy 0 / J) /\
     rder oz t (eq60_spin_rate_3 0 0 (- rad) Fx Fy 0 / J) }.
-(* rolling: the point of contact is at rest on the plane; else the sphere slides *)
+(* the point of contact is at rest on the plane; else the sphere slides. «the sphere rolls at $t$» *)
 Definition rolls (rad : R) (vx vy ox oy : R -> R) (t : R) : Prop := slip_x rad vx oy t = 0 /\ slip_y rad vy ox t = 0.
 (* b of (67), by (62): dimensionless, 7/2 for a solid sphere *)
 Definition factor (m J rad : R) : R := eq67_factor (eq62_kappa J m rad).
-(* (76): nu' = A, A may jump *)
+(* (76): nu' = A, A may jump. «$nu$ is an integral of $A$» *)
 Definition primitive (nu A : R -> R) : Prop := (forall t, 0 < t -> continuity_pt nu t) /\ (forall t, 0 <= t -> rder nu t (A t)).
 
-(* ---- functions ---- *)
-Lemma rder_ext f g t l : (forall s, t <= s -> f s = g s) -> rder f t l -> rder g t l.
-Proof. intros E [F [H K]]. exists F. split; trivial. intros s Hs. rewrite <- E, K; trivial. Qed.
-Lemma cont_ext f g t : 0 < t -> (forall s, 0 <= s -> f s = g s) -> continuity_pt f t -> continuity_pt g t.
-Proof.
-  intros t0 E C e he. destruct (C e he) as (a & a0 & H). exists (Rmin a t). split; [ now apply Rmin_pos | ]. intros s [D Hs]. simpl in *.
-    unfold R_dist in *.
-  pose proof (Rmin_l a t). pose proof (Rmin_r a t). pose proof (Rabs_def2 _ _ Hs). rewrite <- !E by lra. apply H. split; trivial. lra.
-Qed.
-Lemma rder_speed f t l s : 0 < s -> rder f (s * t) l -> rder (fun r => f (s * r)) t (s * l).
-Proof.
-  intros hs [F [H E]]. exists (fun r => F (s * r)). split; [ | intros r Hr; apply E, Rmult_le_compat_l; lra ].
-  apply (is_derive_comp F (fun r => s * r)); [ exact H | auto_derive; trivial; ring ].
-Qed.
-Lemma cont_speed f s t : continuity_pt f (s * t) -> continuity_pt (fun r => f (s * r)) t.
-Proof. intros H. apply (continuity_pt_comp (fun r => s * r) f); trivial. cont. Qed.
 Lemma primitive_of A : (forall t, continuity_pt A t) -> primitive (RInt A 0) A.
-Proof.
-  intros C. assert (c : forall z, continuous A z) by (intros z; apply continuity_pt_filterlim, C).
-  assert (D : forall t, is_derive (RInt A 0) t (A t)).
-  { intros t. apply (is_derive_RInt A (RInt A 0) 0 t); [ | apply c ]. exists (mkposreal 1 Rlt_0_1). intros y _.
-    exact (RInt_correct A 0 y (ex_RInt_continuous A 0 y (fun z _ => c z))). }
-  split; intros t _; [ apply derivable_continuous_pt; exists (A t); apply is_derive_Reals, D | apply rder_of, D ].
-Qed.
+Proof. intros C. split; intros t _; [ eapply cont_of | apply rder_of ]; now apply primitive_rate. Qed.
+
+Ltac laws := unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3 in *.
 
 (* ---- Coulomb's law in other units ---- *)
-Lemma nrm_scale c x y : 0 <= c -> nrm (c * x) (c * y) = c * nrm x y.
-Proof.
-  intros hc. unfold nrm. replace ((c * x) ^ 2 + (c * y) ^ 2) with (c ^ 2 * (x ^ 2 + y ^ 2)) by ring.
-  rewrite sqrt_mult_alt by apply pow2_ge_0. now rewrite sqrt_pow2.
-Qed.
 Lemma coulomb_force c k ux uy fx fy : coulomb k ux uy fx fy -> coulomb (c * k) ux uy (c * fx) (c * fy).
 Proof.
   intros [B P]. split. 2: transitivity (c * (fx * ux + fy * uy)); [ ring | rewrite P; ring ].
@@ -70,11 +48,11 @@ Lemma motion_in_units c s k Ax Ay vx vy k' Bx By wx wy : 0 < c -> 0 < s -> motio
   motion k' Bx By wx wy.
 Proof.
   intros hc hs [cx cy L] -> eA eB ex ey. apply functional_extensionality in ex. apply functional_extensionality in ey. subst wx wy. split.
-  - intros t Ht. apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_speed, cx; nra ].
-  - intros t Ht. apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_speed, cy; nra ].
+  - intros t Ht. apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_time, cx; nra ].
+  - intros t Ht. apply (continuity_pt_mult (fun _ => c)); [ cont | apply cont_time, cy; nra ].
   - intros t Ht. destruct (L (s * t)) as (fx & fy & C & X & Y); [ nra | ]. exists (c * s * fx), (c * s * fy). rewrite eA, eB.
     split; [ apply coulomb_velocity; [ lra | now apply coulomb_force ] | ].
-    apply rder_speed in X; trivial. apply rder_speed in Y; trivial.
+    apply rder_time in X; trivial. apply rder_time in Y; trivial.
     split; (eapply rder_eq; [ apply (rder_mult (fun _ => c)); [ rd | eassumption ] | ring ]).
 Qed.
 
@@ -89,8 +67,7 @@ Proof.
     eq67_factor, eq62_kappa; field; lra).
   split; trivial. rewrite e. assert (0 < m * rad ^ 2 / J) by now apply Rdiv_lt_0_compat. lra.
 Qed.
-Ltac lawful H := destruct H as (Fx & Fy & C & X & Y & OX & OY & OZ);
-  unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3 in X, Y, OX, OY, OZ.
+Ltac lawful H := destruct H as (Fx & Fy & C & X & Y & OX & OY & OZ); laws.
 
 Section Given.
 Variables (Ax Ay vx vy ox oy oz : R -> R).
@@ -116,24 +93,17 @@ Proof.
   assert (fx : Fx = - (m * k) * u / n) by (rewrite <- C1; field; lra). assert (fy : Fy = - (m * k) * w / n) by (rewrite <- C2; field; lra).
   rewrite fx, fy in *. repeat split; (eapply rder_eq; [ eassumption | field; lra ]).
 Qed.
-(* (79), along either axis: v, the slip u, nu' = A *)
-Lemma kept_x nu t : sphere m J rad k Ax Ay vx vy ox oy oz -> primitive nu Ax -> 0 <= t ->
-  vx t + (1 - / b) * nu t - slip_x rad vx oy t * / b = vx 0 + (1 - / b) * nu 0 - slip_x rad vx oy 0 * / b.
+(* (79): nu' = A *)
+Lemma kept nux nuy t : sphere m J rad k Ax Ay vx vy ox oy oz -> primitive nux Ax -> primitive nuy Ay -> 0 <= t ->
+  vx t + (1 - / b) * nux t - slip_x rad vx oy t * / b = vx 0 + (1 - / b) * nux 0 - slip_x rad vx oy 0 * / b /\
+  vy t + (1 - / b) * nuy t - slip_y rad vy ox t * / b = vy 0 + (1 - / b) * nuy 0 - slip_y rad vy ox 0 * / b.
 Proof.
-  destruct factor_is as [eb b1]. intros [c L] [cn N] Ht. unfold slip_x. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ];
-    lra).
-  apply (rder_const (fun t => vx t + (1 - / b) * nu t - (vx t - rad * oy t) * / b)); trivial; intros s Hs.
-  - destruct (c s ltac:(lra)) as (c1 & c2 & c3 & c4 & _). pose proof (cn s ltac:(lra)). cont.
-  - lawful (L s ltac:(lra)). pose proof (N s ltac:(lra)). eapply rder_eq; [ rd | rewrite eb; field; lra ].
-Qed.
-Lemma kept_y nu t : sphere m J rad k Ax Ay vx vy ox oy oz -> primitive nu Ay -> 0 <= t ->
-  vy t + (1 - / b) * nu t - slip_y rad vy ox t * / b = vy 0 + (1 - / b) * nu 0 - slip_y rad vy ox 0 * / b.
-Proof.
-  destruct factor_is as [eb b1]. intros [c L] [cn N] Ht. unfold slip_y. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ];
-    lra).
-  apply (rder_const (fun t => vy t + (1 - / b) * nu t - (vy t + rad * ox t) * / b)); trivial; intros s Hs.
-  - destruct (c s ltac:(lra)) as (c1 & c2 & c3 & c4 & _). pose proof (cn s ltac:(lra)). cont.
-  - lawful (L s ltac:(lra)). pose proof (N s ltac:(lra)). eapply rder_eq; [ rd | rewrite eb; field; lra ].
+  destruct factor_is as [eb b1]. intros [c L] [cx Nx] [cy Ny] Ht. unfold slip_x, slip_y. assert (0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ |
+      apply pow_lt ]; lra).
+  split; [ apply (rder_const (fun t => vx t + (1 - / b) * nux t - (vx t - rad * oy t) * / b))
+    | apply (rder_const (fun t => vy t + (1 - / b) * nuy t - (vy t + rad * ox t) * / b)) ]; trivial; intros s Hs;
+    try (destruct (c s ltac:(lra)) as (c1 & c2 & c3 & c4 & _); pose proof (cx s ltac:(lra)); pose proof (cy s ltac:(lra)); cont);
+    lawful (L s ltac:(lra)); pose proof (Nx s ltac:(lra)); pose proof (Ny s ltac:(lra)); (eapply rder_eq; [ rd | rewrite eb; field; lra ]).
 Qed.
 Lemma spin_z t : sphere m J rad k Ax Ay vx vy ox oy oz -> 0 <= t -> oz t = oz 0.
 Proof.
@@ -162,7 +132,7 @@ Proof.
     + apply (continuity_pt_ext (fun s => (vx s - u s) * / rad)); trivial. cont.
     + apply (cont_ext (fun _ => oz 0)); [ lra | intros; symmetry; auto | cont ].
   - intros t Ht. destruct (L t Ht) as (fx & fy & C & U & W). exists (m / b * fx), (m / b * fy). pose proof (N1 t Ht). pose proof (N2 t Ht).
-    unfold eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
+    laws.
     assert (X : rder vx t (fx / b - Ax t)).
     { apply (rder_ext (fun t => - (1 - / b) * nux t + u t * / b + cx)); [ intros; symmetry; apply ex; lra | ]. eapply rder_eq; [ rd | field; lra ]. }
     assert (Y : rder vy t (fy / b - Ay t)).
@@ -190,40 +160,19 @@ Proof.
   split; [ | repeat split; trivial; unfold vx, vy, cx, cy; ring ].
   apply (sphere_of_slip _ _ _ _ _ _ _ nux nuy cx cy); trivial; rewrite ?ex, ?ey; trivial; intros; reflexivity.
 Qed.
-(* two spheres that start alike move alike *)
-Lemma sphere_unique Ax Ay vx vy ox oy oz wx wy px py pz : 0 <= k -> sphere m J rad k Ax Ay vx vy ox oy oz -> sphere m J rad k Ax Ay wx wy px py pz ->
-  vx 0 = wx 0 -> vy 0 = wy 0 -> ox 0 = px 0 -> oy 0 = py 0 -> oz 0 = pz 0 ->
-  forall t, 0 <= t -> vx t = wx t /\ vy t = wy t /\ ox t = px t /\ oy t = py t /\ oz t = pz t.
-Proof.
-  destruct factor_is as [eb b1]. assert (pos : 0 < m * rad ^ 2) by (apply Rmult_lt_0_compat; [ | apply pow_lt ]; lra).
-  intros hk S1 S2 e1 e2 e3 e4 e5 t Ht. assert (bk : 0 <= b * k) by (apply Rmult_le_pos; lra).
-  destruct (uniqueness _ _ _ _ _ _ _ bk (slip_moves _ _ _ _ _ _ _ S1) (slip_moves _ _ _ _ _ _ _ S2)) with (t := t) as [ux uy]; trivial;
-    try (unfold slip_x, slip_y; congruence).
-  rewrite (spin_z _ _ _ _ _ _ _ t S1 Ht), (spin_z _ _ _ _ _ _ _ t S2 Ht).
-  assert (K : (vx t - wx t) * (b - 1) + rad * (oy t - py t) = 0 /\ (vy t - wy t) * (b - 1) - rad * (ox t - px t) = 0).
-  { destruct S1 as [c1 L1]. destruct S2 as [c2 L2].
-    assert (Z : forall s, 0 <= s -> exists X Y, rder vx s (X - Ax s) /\ rder vy s (Y - Ay s) /\ rder oy s (- (b - 1) * X / rad) /\
-      rder ox s ((b - 1) * Y / rad)).
-    { intros s hs. lawful (L1 s hs). exists (Fx / m), (Fy / m). repeat split; (eapply rder_eq; [ eassumption | rewrite ?eb; field; lra ]). }
-    assert (Z' : forall s, 0 <= s -> exists X Y, rder wx s (X - Ax s) /\ rder wy s (Y - Ay s) /\ rder py s (- (b - 1) * X / rad) /\
-      rder px s ((b - 1) * Y / rad)).
-    { intros s hs. lawful (L2 s hs). exists (Fx / m), (Fy / m). repeat split; (eapply rder_eq; [ eassumption | rewrite ?eb; field; lra ]). }
-    clear L1 L2. split.
-    - transitivity ((vx 0 - wx 0) * (b - 1) + rad * (oy 0 - py 0)); [ | rewrite e1, e4; ring ].
-      apply (rder_const (fun t => (vx t - wx t) * (b - 1) + rad * (oy t - py t))); trivial; intros s Hs.
-      + destruct (c1 s ltac:(lra)) as (? & ? & ? & ? & _). destruct (c2 s ltac:(lra)) as (? & ? & ? & ? & _). cont.
-      + destruct (Z s ltac:(lra)) as (X & Y & A1 & A2 & A3 & A4). destruct (Z' s ltac:(lra)) as (X' & Y' & B1 & B2 & B3 & B4).
-        eapply rder_eq; [ rd | field; lra ].
-    - transitivity ((vy 0 - wy 0) * (b - 1) - rad * (ox 0 - px 0)); [ | rewrite e2, e3; ring ].
-      apply (rder_const (fun t => (vy t - wy t) * (b - 1) - rad * (ox t - px t))); trivial; intros s Hs.
-      + destruct (c1 s ltac:(lra)) as (? & ? & ? & ? & _). destruct (c2 s ltac:(lra)) as (? & ? & ? & ? & _). cont.
-      + destruct (Z s ltac:(lra)) as (X & Y & A1 & A2 & A3 & A4). destruct (Z' s ltac:(lra)) as (X' & Y' & B1 & B2 & B3 & B4).
-        eapply rder_eq; [ rd | field; lra ]. }
-  unfold slip_x, slip_y in ux, uy. destruct K as [K1 K2].
-  assert (vx t = wx t) by (apply (Rmult_eq_reg_r b); lra). assert (vy t = wy t) by (apply (Rmult_eq_reg_r b); lra).
-  repeat split; trivial; (apply (Rmult_eq_reg_l rad); lra).
-Qed.
 End Sphere.
+
+(* from every slip and every velocity of the centre a sphere has a motion under every continuous drive *)
+Lemma sphere_exists m J rad k Ax Ay ux uy vx0 vy0 w : 0 < m -> 0 < J -> 0 < rad -> 0 <= k -> (forall t, continuity_pt Ax t /\ continuity_pt Ay t) ->
+  exists vx vy ox oy, sphere m J rad k Ax Ay vx vy ox oy (fun _ => w) /\ slip_x rad vx oy 0 = ux /\ slip_y rad vy ox 0 = uy /\ vx 0 = vx0 /\ vy 0 =
+      vy0.
+Proof.
+  intros hm hJ hr hk C. destruct (factor_is m J rad hm hJ hr) as [_ b1].
+  destruct (plane_has_a_motion (factor m J rad * k) Ax Ay ux uy) as (x & y & M & <- & <-); [ apply Rmult_le_pos; lra | auto | ].
+  destruct (sphere_with_slip m J rad k hm hJ hr Ax Ay x y _ _ vx0 vy0 w M (primitive_of Ax (fun t => proj1 (C t))) (primitive_of Ay (fun t => proj2
+      (C t))))
+    as (vx & vy & ox & oy & S & <- & <- & R). exists vx, vy, ox, oy. repeat (split; trivial).
+Qed.
 
 (* an example: the plane is pulled back under the sphere, which slides forward faster and faster, moves across at a steady speed, and spins *)
 Definition example_v (t : R) : R := 1 + 3 / 4 * t.
@@ -233,7 +182,7 @@ Lemma example_slides : sphere 1 1 1 (/ 4 * 1) (fun _ => -1) (fun _ => 0) example
 Proof.
   unfold example_v, example_o. split; [ split; intros t Ht | intros t Ht [H _]; unfold slip_x in H; lra ].
   - repeat split; cont.
-  - exists (- / 4), 0. unfold slip_x, slip_y, eq59_momentum_rate_1, eq59_momentum_rate_2, eq60_spin_rate_1, eq60_spin_rate_2, eq60_spin_rate_3.
+  - exists (- / 4), 0. unfold slip_x, slip_y. laws.
     assert (n : nrm (1 + 3 / 4 * t - 1 * (/ 4 * t)) (1 + 1 * -1) = 1 + / 2 * t).
     { unfold nrm. replace ((1 + 3 / 4 * t - 1 * (/ 4 * t)) ^ 2 + (1 + 1 * -1) ^ 2) with ((1 + / 2 * t) ^ 2) by field. apply sqrt_pow2. lra. }
     split; [ split; [ lra | rewrite n; field ] | repeat split; (eapply rder_eq; [ rd | field ]) ].
