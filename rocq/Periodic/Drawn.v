@@ -6,24 +6,12 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General HalfPeriod.
 Open Scope R_scope.
 
-Lemma nat_above x : exists n, x < INR n.
-Proof.
-  destruct (Rle_lt_dec 0 x) as [k | k]; [ | exists 0%nat; exact k ]. destruct (nfloor_ex x k) as [n Hn].
-  exists (S n). rewrite S_INR. lra.
-Qed.
-Lemma lim_zero (f : R -> R) : (forall e, 0 < e -> exists t1, forall t, t1 <= t -> Rabs (f t) <= e) -> is_lim f p_infty 0.
-Proof.
-  intros H. apply is_lim_spec. intros eps. destruct (H (eps / 2)) as [t1 h]. apply is_pos_div_2. exists t1. intros t Ht.
-  rewrite Rminus_0_r. specialize (h t ltac:(lra)). pose proof (cond_pos eps). lra.
-Qed.
-Lemma lim_near (f : R -> R) (l e : R) : is_lim f p_infty l -> 0 < e -> exists t1, forall t, t1 <= t -> Rabs (f t - l) < e.
-Proof. intros H he. apply is_lim_spec in H. simpl in H. destruct (H (mkposreal e he)) as [M HM]. exists (M + 1). intros t Ht. apply (HM t). lra. Qed.
 (* what has a period and the limit 0 is 0 *)
 Lemma per_zero (f : R -> R) T : 0 < T -> (forall t, f (t + T) = f t) -> is_lim f p_infty 0 -> forall t, f t = 0.
 Proof.
-  intros hT P L t. destruct (Req_dec (f t) 0) as [ | n]; trivial. exfalso. destruct (lim_near f 0 (Rabs (f t)) L (Rabs_pos_lt _ n)) as [t1 H].
-  destruct (per_spec t T hT t1) as [z Hz]. specialize (H (t - IZR (- z - 1) * T)). rewrite shift_Z, Rminus_0_r in H by trivial.
-  rewrite minus_IZR, opp_IZR in H. specialize (H ltac:(lra)). lra.
+  intros hT P L t. destruct (Req_dec (f t) 0) as [ | n]; trivial. exfalso. destruct (lim_near f 0 (Rabs (f t)) L (Rabs_pos_lt _ n)) as (t1 & _ & H).
+  destruct (per_spec t T hT t1) as [z Hz]. specialize (H (t - IZR (- z - 1) * T)). rewrite shift_Z in H by trivial.
+  rewrite minus_IZR, opp_IZR in H. specialize (H ltac:(lra)). unfold Rabs in H. destruct (Rcase_abs (f t)); lra.
 Qed.
 (* ---- what falls by c in each time T, or is below e ---- *)
 Lemma drain (D : R -> R) t0 T c e : 0 < T -> 0 < c -> (forall t, t0 <= t -> 0 <= D t) -> (forall s t, t0 <= s <= t -> D t <= D s) ->
@@ -57,10 +45,6 @@ Proof.
   assert (K : Rabs (a t - a r) < c). { apply Hd. split. split; [ exact I | trivial ]. simpl. unfold R_dist. apply Rabs_def1; lra. }
   apply Rabs_def2 in K. unfold c in *. lra.
 Qed.
-Lemma nrm_zero x y : nrm x y = 0 -> x = 0 /\ y = 0.
-Proof. intros e. apply sq_sum. rewrite <- nrm_sq, e. lra. Qed.
-Lemma nrm_x x : nrm x 0 = Rabs x.
-Proof. unfold nrm. rewrite <- sqrt_Rsqr_abs. f_equal. unfold Rsqr. ring. Qed.
 (* while it moves under a pull of k - c at most, the speed falls at the rate c at least *)
 Lemma speed_falls_2 k Ax Ay vx vy c p q : motion k Ax Ay vx vy -> 0 <= p <= q ->
   (forall t, p <= t <= q -> nrm (vx t) (vy t) <> 0 /\ nrm (Ax t) (Ay t) <= k - c) -> nrm (vx q) (vy q) + c * (q - p) <= nrm (vx p) (vy p).
@@ -205,8 +189,6 @@ Record late (l : R) (h W : R -> R) : Prop := {
 (* every motion is equal to W from some time on *)
 Definition caught (l : R) (h W : R -> R) : Prop := forall p vx vy, moves l h p vx vy -> exists t1, 0 <= t1 /\ forall t, t1 <= t -> vx t = W (p + t) /\ vy t = 0.
 
-Lemma lim_eventually (f : R -> R) t1 : (forall t, t1 <= t -> f t = 0) -> is_lim f p_infty 0.
-Proof. intros H. apply lim_zero. intros e he. exists t1. intros t Ht. rewrite H, Rabs_R0 by trivial. lra. Qed.
 Lemma caught_late l h W : (forall t, W (t + 2 * PI) = W t) -> (forall p, moves l h p (fun t => W (p + t)) (fun _ => 0)) -> caught l h W -> late l h W.
 Proof.
   intros P M C. split; trivial. intros p vx vy V. destruct (C p vx vy V) as (t1 & _ & H). 

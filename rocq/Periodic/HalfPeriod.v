@@ -3,44 +3,9 @@
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion.
+From Slipbook Require Export Analysis.
 Open Scope R_scope.
 
-(* pieces: a function has the right derivative of the piece that begins *)
-Lemma rder_loc f g t l d : 0 < d -> (forall s, t <= s < t + d -> g s = f s) -> is_derive g t l -> rder f t l.
-Proof.
-  intros Hd E H. exists (fun s => if Rlt_dec s t then g s else f s). split.
-  - apply (is_derive_ext_loc g); trivial. exists (mkposreal d Hd). intros s Hs. change (Rabs (s - t) < d) in Hs.
-    apply Rabs_def2 in Hs. destruct (Rlt_dec s t); trivial. apply E; lra.
-  - intros s Hs. destruct (Rlt_dec s t); trivial; lra.
-Qed.
-Lemma cont_glue f g h t d : 0 < d -> (forall s, t - d < s <= t -> f s = g s) -> (forall s, t <= s < t + d -> f s = h s) ->
-  continuity_pt g t -> continuity_pt h t -> continuity_pt f t.
-Proof.
-  intros Hd Eg Eh Cg Ch e He. destruct (Cg e He) as (a & a0 & Ha). destruct (Ch e He) as (b & b0 & Hb).
-  exists (Rmin d (Rmin a b)). split; [ repeat apply Rmin_pos; trivial | ].
-  intros s [Hs1 Hs]. simpl in *. unfold R_dist in *. pose proof (Rmin_l d (Rmin a b)). pose proof (Rmin_r d (Rmin a b)). pose proof (Rmin_l a b). pose proof (Rmin_r a b).
-  pose proof (Rabs_def2 _ _ Hs). destruct (Rle_lt_dec s t).
-  - rewrite (Eg s), (Eg t) by lra. apply Ha. split; trivial. lra.
-  - rewrite (Eh s), (Eh t) by lra. apply Hb. split; trivial. lra.
-Qed.
-Lemma rder_near f g t l d : 0 < d -> (forall s, t <= s < t + d -> g s = f s) -> rder g t l -> rder f t l.
-Proof.
-  intros Hd E [G [H K]]. apply (rder_loc f G t l d); trivial. intros s Hs. rewrite K by lra. apply E, Hs.
-Qed.
-Lemma rder_shift g c t l : rder g (t - c) l -> rder (fun s => g (s - c)) t l.
-Proof.
-  intros [G [H K]]. exists (fun s => G (s - c)). split. 2: intros; apply K; lra.
-  replace l with (1 * l) by ring. apply (is_derive_comp G (fun s => s - c)). exact H. auto_derive; trivial; ring.
-Qed.
-Lemma rder_phase g p t l : rder g (p + t) l -> rder (fun s => g (p + s)) t l.
-Proof.
-  intros [G [H K]]. exists (fun s => G (p + s)). split. 2: intros; apply K; lra.
-  replace l with (1 * l) by ring. apply (is_derive_comp G (fun s => p + s)). exact H. auto_derive; trivial; ring.
-Qed.
-Lemma cont_shift g c t : continuity_pt g (t - c) -> continuity_pt (fun s => g (s - c)) t.
-Proof. intros H. apply (continuity_pt_comp (fun s => s - c) g); trivial. cont. Qed.
-Lemma cont_phase g p t : continuity_pt g (p + t) -> continuity_pt (fun s => g (p + s)) t.
-Proof. intros H. apply (continuity_pt_comp (fun s => p + s) g); trivial. cont. Qed.
 
 Definition sg (n : Z) : R := if Z.even n then 1 else -1.
 Lemma sg_succ n : sg (n + 1) = - sg n.

@@ -110,8 +110,6 @@ Proof.
     + rewrite (Rabs_left _ k), F3 by trivial. match goal with |- ?g <= 0 => replace g with (- (a z + m) + c) by (field; lra) end. lra.
     + rewrite (Rabs_right (w z)), F2 by lra. match goal with |- ?g <= 0 => replace g with (a z - l + c) by (field; lra) end. lra.
 Qed.
-Lemma abs_zero x : Rabs x <= 0 -> x = 0.
-Proof. intros H. pose proof (Rle_abs x). pose proof (Rle_abs (- x)). rewrite Rabs_Ropp in *. lra. Qed.
 
 Section Drawn.
 Variables (l m T : R) (a W : R -> R).
