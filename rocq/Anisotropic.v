@@ -218,9 +218,9 @@ Theorem s24_region_5 q l t0 w : 1 <= q -> eq56_lambda0 < l -> slides q l t0 w ->
 Proof.
   unfold eq56_lambda0. intros hq hl Hw t Ht. assert (q * l >= l) by nra. set (x := Rabs (w t0) / (l - 1)) in *. assert (e : (l - 1) * x = Rabs (w t0)) by (unfold x; field; lra).
   pose proof (Rabs_pos (w t0)). assert (0 <= x) by nra. destruct (still q l hq ltac:(lra)) as [Z _ _].
-  destruct (Req_dec (w t) 0) as [ | z]; trivial. apply abs_zero. enough (Rabs (w t) + (l - 1) * (t - t0) <= Rabs (w t0)) by nra. apply (speed_falls l (q * l) sin t0); trivial; [ lra | ].
-  intros y Hy. pose proof (SIN_bound y). split; [ | lra ]. intros e0. apply z.
-  pose proof (line_contraction _ _ _ _ _ _ Hw (Z t0) y t ltac:(lra)) as C. cbv beta in C. rewrite e0, !Rminus_0_r, Rabs_R0 in C. now apply abs_zero.
+  destruct (Req_dec (w t) 0) as [ | z]; trivial. apply abs_zero. enough (Rabs (w t) + (l - 1) * (t - t0) <= Rabs (w t0)) by nra. rewrite <- !nrm_x.
+  apply (speed_falls _ _ _ _ _ _ _ (line_two _ _ _ _ _ _ Hw (Z t0))); [ lra | ]. intros y Hy. pose proof (SIN_bound y). unfold eq50_lambda_minus. rewrite nrm_x. split; [ trivial | split; [ | lra ] ]. intros e0. apply z.
+  pose proof (line_contraction _ _ _ _ _ _ Hw (Z t0) y t ltac:(lra)) as C. cbv beta in C. rewrite !Rminus_0_r, e0 in C. now apply abs_zero.
 Qed.
 Lemma s24_region_5__occurs : ltac:(occurs s24_region_5).
 Proof. intros H. destruct (late_slide_exists 2 2) as [W HW]; try lra. refine (H 2 2 0 W _ _ (ls_slides _ _ _ HW 0) _ (Rle_refl _)); unfold eq56_lambda0; lra. Qed.
