@@ -81,11 +81,11 @@ Proof. exact (moves_where q l W). Qed.
 Lemma eq_56__occurs : ltac:(occurs eq_56).
 Proof. intros H. witness 2 (1/2). refine (H 2 (1/2) W _ _ HW); lra. Qed.
 
-(* (57): A and B have this point in common, and no other with q >= 1 and q lambda0 <= 1, where B is defined. *)
-Theorem s24_X q l : 1 <= q -> 0 < l -> q * l <= 1 ->
+(* (57): A and B have this point in common, and no other with q >= 1 (of A none is beyond q lambda0 = 1, where B is not defined). *)
+Theorem s24_X q l : 1 <= q -> 0 < l ->
   (eq53_sides_1 (eq53_k q) l = eq53_sides_2 (eq53_k q) l /\ eq54_sides_1 l (q * l) = eq54_sides_2 l (q * l) <-> q = eq57_x_1 /\ l = eq57_x_2).
 Proof.
-  intros hq h0 h1. unfold eq57_x_1. destruct (A_splits q hq) as (a & ha & a1 & S). split.
+  intros hq h0. unfold eq57_x_1. destruct (A_splits q hq) as (a & ha & a1 & S). split.
   - intros [A B]. apply (on_curve _ _ _ _ (S l h0)) in A. subst a. destruct (A_order q l hq ha) as (_ & _ & N); [ rewrite (proj2 (S l h0)); lra | ].
     destruct (Req_dec q 1) as [e | n]; [ auto | specialize (N ltac:(lra)); unfold below_B in N; lra ].
   - intros [-> ->]. rewrite <- a1 in * by trivial. destruct (at_1 a h0) as [B1 B2]. assert (A : eq53_sides_1 (K 1) a = eq53_sides_2 (K 1) a) by now apply (on_curve _ _ _ _ (S a h0)). split; [ exact A | ].
@@ -95,7 +95,7 @@ Qed.
 Theorem eq_57 : eq57_x_2 = eq37_lambda_c /\ 0 < eq57_x_2 < 1 /\ eq53_sides_1 (eq53_k eq57_x_1) eq57_x_2 = eq53_sides_2 (eq53_k eq57_x_1) eq57_x_2 /\
   eq54_sides_1 eq57_x_2 (eq57_x_1 * eq57_x_2) = eq54_sides_2 eq57_x_2 (eq57_x_1 * eq57_x_2).
 Proof.
-  split; [ reflexivity | ]. destruct (A_splits 1 ltac:(lra)) as (a & ha & a1 & _). rewrite <- a1 by trivial. split; trivial. rewrite a1 by trivial. apply s24_X; [ | | | split; trivial ]; unfold eq57_x_1; rewrite <- ?a1 by trivial; lra.
+  split; [ reflexivity | ]. destruct (A_splits 1 ltac:(lra)) as (a & ha & a1 & _). rewrite <- a1 by trivial. split; trivial. rewrite a1 by trivial. apply s24_X; [ | | split; trivial ]; unfold eq57_x_1; rewrite <- ?a1 by trivial; lra.
 Qed.
 
 (* B meets C at Y only, q = sqrt (1 + x^2) and lambda0 = 1/q with the least x > 0 that has tan x = x; and B touches C there: before Y

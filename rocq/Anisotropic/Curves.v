@@ -93,8 +93,8 @@ Proof.
   assert (0 < q ^ 2 - 1) by nra. nra.
 Qed.
 
-(* ---- Y: where both end on C. x is the length of the slip there, the least positive root of tan x = x ---- *)
-(* x is the least positive number that is its own tangent; dimensionless *)
+(* ---- Y: where both end on C. x is the length of the slip there ---- *)
+(* dimensionless: «$x$ is the least positive root of $\tan x=x$» *)
 Definition is_Y (x : R) : Prop := PI < x < 3 * PI / 2 /\ tan x = x.
 Notation q_Y := right_anisotropic_y_from_root_1.
 Lemma Y_sine x : PI < x < 3 * PI / 2 -> (tan x = x <-> x * cos x - sin x = 0).

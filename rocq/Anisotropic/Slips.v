@@ -5,17 +5,19 @@ From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion HalfPeriod Drawn Line Formulas.
 Open Scope R_scope.
 
-(* (51), (52) with rest: a motion along the drive from the phase t0 on. l is lambda0, the friction forward, q l the friction
-   backward; the velocity w is in units of A0/varpi. *)
+(* (51), (52) with rest. l is lambda0; the velocity w is in units of A0/varpi, the time is the phase of the drive sin, in radians.
+   «$w$ is a motion along the drive from the phase $t0$ on, with the friction $l$ forward and $q\,l$ backward» *)
 Definition slides (q l t0 : R) (w : R -> R) : Prop := line l (eq50_lambda_minus q l) sin t0 w.
-(* W is the motion at large times: it has the drive's period, is a motion, and every motion tends to it. *)
+(* W has the drive's period, is a motion, and every motion tends to it. «$W$ is the motion at large times with the friction $l$ forward and
+   $q\,l$ backward» *)
 Record late_slide (q l : R) (W : R -> R) : Prop := {
   ls_slides : forall t0, slides q l t0 W;
   ls_per : forall t, W (t + 2 * PI) = W t;
   ls_drawn : forall t0 w, slides q l t0 w -> is_lim (fun t => w t - W t) p_infty 0 }.
-(* every motion is equal to it from some time on *)
+(* «every motion with the friction $l$ forward and $q\,l$ backward is equal to $W$ from some time on» *)
 Definition reached (q l : R) (W : R -> R) : Prop := forall t0 w, slides q l t0 w -> exists t1, t0 <= t1 /\ forall t, t1 <= t -> w t = W t.
-(* in a period, from a on, W goes forward to e, rests to b, goes backward to e' and rests; each of the last three may have no length *)
+(* each but the slip forward may have no length. «$a<e\leq b\leq e'\leq a+2\pi$, and from $a$ on $W$ goes forward to $e$, rests to $b$, goes
+   backward to $e'$, and rests to $a+2\pi$» *)
 Definition course (a e b e' : R) (W : R -> R) : Prop := (a < e <= b /\ b <= e' <= a + 2 * PI) /\ (forall t, a < t < e -> 0 < W t) /\
   (forall t, e <= t <= b -> W t = 0) /\ (forall t, b < t < e' -> W t < 0) /\ (forall t, e' <= t <= a + 2 * PI -> W t = 0).
 

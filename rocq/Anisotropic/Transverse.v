@@ -6,7 +6,8 @@ From Slipbook Require Import Motion HalfPeriod Drawn.
 Open Scope R_scope.
 
 (* (1) under a drive along x, with a friction against the velocity whose size k depends on the velocity (so on its direction);
-   what holds the particle while it rests is left open. *)
+   what holds the particle while it rests is left open. «$(vx,vy)$ is a motion under the acceleration $(Ax,0)$, with a friction against the
+   velocity $u$ of the size $k(u_x,u_y)$» *)
 Record directed (k : R -> R -> R) (Ax vx vy : R -> R) : Prop := {
   d_cx : forall t, 0 < t -> continuity_pt vx t;
   d_cy : forall t, 0 < t -> continuity_pt vy t;

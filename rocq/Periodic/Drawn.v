@@ -160,15 +160,16 @@ Proof.
   intros hk hT ha HW hW hrs Z S ca vx vy HV. apply Rabs_def2 in S. apply (two_meet k k 0 _ vx vy W (plane_two k a vx vy W ltac:(lra) HW HV) T hT hW r s); trivial; try lra; [ intros; now rewrite ha | now apply continuity_pt_opp ].
 Qed.
 
-(* (26) with h in place of the sine: a particle in the plane, along x under the drive h, from the phase p of the drive on;
-   velocities in units of A0/varpi, l = lambda0. *)
+(* (26) with h in place of the sine; velocities in units of A0/varpi, l = lambda0. «$(vx,vy)$ is a motion of the plane under the drive $h$ along
+   the first axis, from its phase $p$ on, with the friction $l$» *)
 Definition moves (l : R) (h : R -> R) (p : R) (vx vy : R -> R) : Prop := motion l (fun t => - h (p + t)) (fun _ => 0) vx vy.
-(* W is the motion at large times under h: it has the drive's period, is a motion, and every motion tends to it. *)
+(* W has the drive's period, is a motion, and every motion tends to it. «$W$ is the motion at large times under the drive $h$ and the friction
+   $l$» *)
 Record late (l : R) (h W : R -> R) : Prop := {
   late_per : forall ph, W (ph + 2 * PI) = W ph;
   late_moves : forall p, moves l h p (fun t => W (p + t)) (fun _ => 0);
   late_drawn : forall p vx vy, moves l h p vx vy -> is_lim (fun t => vx t - W (p + t)) p_infty 0 /\ is_lim vy p_infty 0 }.
-(* every motion is equal to W from some time on *)
+(* «every motion of the plane under the drive $h$ and the friction $l$ is equal to $W$ from some time on» *)
 Definition caught (l : R) (h W : R -> R) : Prop := forall p vx vy, moves l h p vx vy -> exists t1, 0 <= t1 /\ forall t, t1 <= t -> vx t = W (p + t) /\ vy t = 0.
 
 Lemma caught_late l h W : (forall t, W (t + 2 * PI) = W t) -> (forall p, moves l h p (fun t => W (p + t)) (fun _ => 0)) -> caught l h W -> late l h W.
@@ -182,8 +183,9 @@ Proof.
   pose proof (per_zero (fun t => W (0 + t) - U (0 + t)) (2 * PI) ltac:(pose proof PI_RGT_0; lra)) as Z. cbv beta in Z. specialize (Z ltac:(intros s; rewrite <- !Rplus_assoc, PW, PU; ring) L t).
   rewrite Rplus_0_l in Z. lra.
 Qed.
-(* at large times each period holds an interval of rest; or there is none. v is a velocity, or a speed *)
+(* v is a velocity, or a speed: «from some time on each period holds an interval in which $v=0$» *)
 Definition rests (v : R -> R) : Prop := exists t1, forall t, t1 <= t -> exists s d, t <= s <= t + 2 * PI /\ 0 < d /\ forall u, s <= u <= s + d -> v u = 0.
+(* «from some time on $v$ is $0$ in no interval» *)
 Definition restless (v : R -> R) : Prop := exists t1, forall s d, t1 <= s -> 0 < d -> exists u, s <= u <= s + d /\ v u <> 0.
 (* at rest the right derivative is 0 *)
 Lemma rder_rest v s d l : 0 < d -> (forall u, s <= u <= s + d -> v u = 0) -> rder v s l -> l = 0.
