@@ -44,12 +44,12 @@ Qed.
 Lemma eq_53__occurs : ltac:(occurs eq_53).
 Proof. intros H. witness 2 (1/2). refine (H 2 (1/2) W _ _ HW); lra. Qed.
 
-(* (54), curve B: where the drive begins to pull backward, at PI + arcsin (q lambda0), the motion at large times still goes forward
+(* (54), curve B, up to C: where the drive begins to pull backward, at PI + arcsin (q lambda0), the motion at large times still goes forward
    exactly below B; on B and above it rests there. *)
-Theorem eq_54 q l W : 1 <= q -> 0 < l -> q * l < 1 -> late_slide q l W ->
+Theorem eq_54 q l W : 1 <= q -> 0 < l -> q * l <= 1 -> late_slide q l W ->
   (0 < W (PI + asin (q * l)) <-> eq54_sides_2 l (q * l) < eq54_sides_1 l (q * l)) /\
   (W (PI + asin (q * l)) = 0 <-> eq54_sides_1 l (q * l) <= eq54_sides_2 l (q * l)).
-Proof. intros hq h0 h1 HW. destruct (forward_where q l W hq h0 HW h1) as [-> ->]. unfold below_B. split; split; intros; lra. Qed.
+Proof. intros hq h0 h1 HW. destruct (forward_where q l W hq h0 HW h1) as [-> ->]. unfold below_B. lra. Qed.
 Lemma eq_54__occurs : ltac:(occurs eq_54).
 Proof. intros H. witness 2 (1/3). refine (H 2 (1/3) W _ _ _ HW); lra. Qed.
 (* Up to the q of Y, Y included, one lambda0 up to 1/q is on B; beyond it none is: B ends at Y. *)
@@ -200,12 +200,6 @@ Theorem s24_region_3 q l : 1 <= q -> 0 < l -> l < eq55_lambda0 q -> eq54_sides_1
 Proof.
   intros hq h0 h1 B. apply C_q in h1; [ | lra ]. destruct (late_slide_exists q l hq h0) as [W HW]. destruct (kinds q l W hq ltac:(nra) HW) as (_ & _ & K3 & _).
   destruct (K3 h1 B) as (a & e & b & e' & (he & he') & R & Co). exists a, e, b, e', W. auto.
-Qed.
-(* So there is no region III beyond Y. *)
-Theorem s24_region_3__ends x q l : is_Y x -> 1 <= q -> 0 < l -> l < eq55_lambda0 q -> eq54_sides_1 l (q * l) < eq54_sides_2 l (q * l) -> q < q_Y x.
-Proof.
-  intros Y hq h0 h1 B. apply Rnot_le_lt. intros [k | k]; [ pose proof (up_to_C_B x q l Y k ltac:(unfold eq55_lambda0 in h1; lra)) as b; unfold below_B in b; lra | ].
-  destruct (B_root x q Y) as (b & hb & bu & S); [ lra | ]. unfold eq55_lambda0 in h1. apply (S l) in B; lra.
 Qed.
 (* IV, between C and D: forward, and rest. Every motion becomes this one. *)
 Theorem s24_region_4 q l : 1 <= q -> eq55_lambda0 q <= l < eq56_lambda0 -> exists a e W, e < a + 2 * PI /\ late_slide q l W /\ reached q l W /\ course a e e e W.

@@ -233,14 +233,14 @@ Proof.
   - split; [ intros [t Ht]; rewrite rest_above_1 in Ht by trivial; lra | nra ].
 Qed.
 (* where the drive begins to pull backward the particle still goes forward below B, and rests on B and above *)
-Lemma forward_where : q * l < 1 -> (0 < W (PI + asin (q * l)) <-> below_B q l) /\ (W (PI + asin (q * l)) = 0 <-> ~ below_B q l).
+Lemma forward_where : q * l <= 1 -> (0 < W (PI + asin (q * l)) <-> below_B q l) /\ (W (PI + asin (q * l)) = 0 <-> ~ below_B q l).
 Proof.
-  intros h. assert (hl : 0 < l < 1) by nra. destruct (late_course q l W hq hl HW) as (a & e & b & e' & (_ & F & Z & _) & P & _). destruct (p_turn _ _ _ _ _ _ P h) as [T B].
-  specialize (F (PI + asin (q * l))). specialize (Z (PI + asin (q * l))). rewrite B. split; split; intros k.
-  - apply Rnot_le_lt. intros n. specialize (Z ltac:(lra)). lra.
-  - apply F. lra.
-  - intros n. specialize (F ltac:(lra)). lra.
-  - apply Z. lra.
+  intros h. destruct (Rlt_le_dec l 1) as [h1 | h1].
+  2: { rewrite rest_above_1 by trivial. enough (~ below_B q l) by (repeat split; intros; trivial; try contradiction; lra). assert (q = 1) as -> by nra. destruct (A_splits 1) as (a & ha & _ & S); [ lra | ].
+    rewrite (proj1 (at_1 l h0)), (proj1 (S l h0)). lra. }
+  destruct (late_course q l W hq ltac:(lra) HW) as (a & e & b & e' & (_ & F & Z & _ & Z') & P & _). destruct (p_turn _ _ _ _ _ _ P h) as (T & T' & B). set (s := PI + asin (q * l)) in *.
+  assert (R : e <= s -> W s = 0) by (intros k; destruct T'; [ apply Z | destruct (Rle_lt_dec s b); [ apply Z | apply Z' ] ]; lra).
+  specialize (F s). rewrite B. destruct (Rle_lt_dec e s) as [k | k]; [ specialize (R k) | specialize (F ltac:(lra)) ]; split; split; intros; lra.
 Qed.
 Lemma moves_where : (exists t, W t <> 0) <-> l < 1.
 Proof.

@@ -114,17 +114,22 @@ Proof.
   apply (Rmult_lt_reg_r (PI + 2 * d)); [ lra | ]. apply (Rmult_lt_compat_r (PI - 2 * d)) in G; [ | lra ]. assert (0 <= d * X * ((PI + 2 * d) * (PI - 2 * d) - 4)) by (apply Rmult_le_pos; nra). lra.
 Qed.
 
+Lemma end_and_B q l e : 1 <= q -> 0 < l < 1 -> ends l (asin l) e -> q * l <= 1 -> asin l < PI + asin (q * l) < asin l + 2 * PI /\ (below_B q l <-> PI + asin (q * l) < e).
+Proof.
+  intros hq hl E h. assert (0 < q * l) by nra. destruct (asin_range l hl) as [a _]. destruct (asin_closed (q * l)) as [b _]; [ lra | ]. split; [ lra | ].
+  destruct (end_is l _ e (PI + asin (q * l)) E) as [B _]; [ lra | ]. rewrite at_B in B by lra. rewrite <- B. unfold below_B. lra.
+Qed.
 (* what the curves say of the course a, e, b, e' *)
 Record pattern q l a e b e' : Prop := {
   p_rests : above_A q l <-> e' < a + 2 * PI;
   p_back : b < e' <-> q * l < 1 /\ below_E q l;
   p_stops : (e < b <-> q * l < 1 /\ above_B q l) /\ (e < b -> b < e');
-  p_turn : q * l < 1 -> a < PI + asin (q * l) <= b /\ (below_B q l <-> PI + asin (q * l) < e);
+  p_turn : q * l <= 1 -> a < PI + asin (q * l) < a + 2 * PI /\ (PI + asin (q * l) <= b \/ b = e') /\ (below_B q l <-> PI + asin (q * l) < e);
   p_start : ~ above_A q l -> (e = b /\ b < e') /\ asin l <= a < PI / 2 /\ (below_A q l -> asin l < a) /\ e < 2 * PI - asin (q * l) /\ (1 < q \/ below_A q l -> PI + asin (q * l) < e) }.
 Lemma late_exists q l : 1 <= q -> 0 < l < 1 -> exists a e b e' W, late_slide q l W /\ course a e b e' W /\ pattern q l a e b e' /\ (e' < a + 2 * PI -> reached q l W).
 Proof.
   intros hq hl. assert (hm : 0 < q * l) by nra. destruct (asin_range l hl) as [a0 ea]. destruct (slip_ends l hl (asin l)) as [e E]; [ lra | ]. pose proof PI_RGT_0. destruct (K_facts q hq) as (k & kq & _).
-  destruct (end_and_curves q l e hq hl E) as (A & A' & BE). pose proof E as ((he & z) & _).
+  destruct (end_and_curves q l e hq hl E) as (A & A' & BE). pose proof E as ((he & z) & _). pose proof (end_and_B q l e hq hl E) as EB.
   assert (IV : 1 <= q * l \/ 2 * PI - asin (q * l) <= e -> exists W, late_slide q l W /\ course (asin l) e e e W /\ (e < asin l + 2 * PI -> reached q l W)).
   { intros h. apply course_late; trivial; try lra; auto. }
   destruct (Rle_lt_dec (asin l + 2 * K q) e) as [hA | hA]; [ | assert (nA : above_A q l) by now apply A ].
@@ -137,7 +142,7 @@ Proof.
     + rewrite A. lra.
     + split; [ auto | lra ].
     + rewrite B. lra.
-    + rewrite B'. lra.
+    + intros _. rewrite B'. lra.
     + rewrite A'. intros _. split; [ lra | split; [ lra | split; [ lra | split; [ lra | intros [h | h]; [ auto | lra ] ] ] ] ].
   - destruct (Rle_lt_dec 1 (q * l)) as [h | h]; [ | destruct (BE h) as (B & B' & En); destruct (al_be q l hq ltac:(lra) h) as [ab b0]; destruct (Rle_lt_dec (2 * PI - asin (q * l)) e) as [h' | h'] ].
     + destruct (IV (or_introl h)) as (W & HW & Co & R). exists (asin l), e, e, e, W. and_so. split; [ | trivial ]. split; intuition lra.
@@ -179,7 +184,7 @@ Qed.
 Lemma A_order q l : 1 <= q -> 0 < l < 1 -> ~ above_A q l -> q * l < 1 /\ below_E q l /\ (1 < q -> below_B q l).
 Proof.
   intros hq hl N. destruct (late_exists q l hq hl) as (a & e & b & e' & W & _ & _ & P & _). destruct (p_start _ _ _ _ _ _ P N) as (h & _ & _ & _ & h1).
-  destruct (proj1 (p_back _ _ _ _ _ _ P) (proj2 h)) as [m E]. split; [ trivial | split; [ trivial | ] ]. intros q1. apply (p_turn _ _ _ _ _ _ P m). auto.
+  destruct (proj1 (p_back _ _ _ _ _ _ P) (proj2 h)) as [m E]. split; [ trivial | split; [ trivial | ] ]. intros q1. apply (p_turn _ _ _ _ _ _ P (Rlt_le _ _ m)). auto.
 Qed.
 (* on D and above it nothing moves *)
 Lemma still q l : 1 <= q -> 1 <= l -> late_slide q l (fun _ => 0).
