@@ -46,7 +46,8 @@ Qed.
 Lemma not_back m t : 0 < m < 1 -> - asin m <= t <= PI + asin m -> - m <= sin t.
 Proof.
   intros hm H. destruct (asin_range m hm) as [_ e]. destruct (Req_dec t (- asin m)) as [-> | n]; [ rewrite sin_neg; lra | ].
-  destruct (Req_dec t (PI + asin m)) as [-> | n2]; [ rewrite Rplus_comm, neg_sin; lra | ]. pose proof (sin_less m (t + PI) hm ltac:(lra)). rewrite neg_sin in *. lra.
+  destruct (Req_dec t (PI + asin m)) as [-> | n2]; [ rewrite Rplus_comm, neg_sin; lra | ]. pose proof (sin_less m (t + PI) hm ltac:(lra)).
+  rewrite neg_sin in *. lra.
 Qed.
 
 (* (51), (52) integrated: forward from a, backward from b *)
@@ -68,24 +69,29 @@ Section Forward.
 Variable l : R.
 Hypothesis hl : 0 < l < 1.
 Lemma fwd_rises a s t : asin l <= s < t -> t <= PI - asin l -> fwd l a s < fwd l a t.
-Proof. intros H1 H2. apply (up (fwd l a) (fun t => sin t + - l)); [ lra | intros; apply fwd_der | ]. intros c Hc. pose proof (sin_above l c hl). lra. Qed.
+Proof. intros H1 H2. apply (up (fwd l a) (fun t => sin t + - l)); [ lra | intros; apply fwd_der | ]. intros c Hc. pose proof (sin_above l c hl).
+  lra. Qed.
 Lemma fwd_falls a s t : PI - asin l <= s < t -> t <= 2 * PI + asin l -> fwd l a t < fwd l a s.
 Proof.
-  intros H1 H2. apply Ropp_lt_cancel. apply (up (fun t => - fwd l a t) (fun t => - (sin t + - l))); [ lra | intros; apply (is_derive_opp (fwd l a)), fwd_der | ].
+  intros H1 H2. apply Ropp_lt_cancel. apply (up (fun t => - fwd l a t) (fun t => - (sin t + - l))); [ lra | intros; apply (is_derive_opp (fwd l a)),
+  fwd_der | ].
   intros c Hc. pose proof (sin_less l c hl). lra.
 Qed.
 Lemma slip_ends a : asin l <= a < PI - asin l -> exists e, ends l a e.
 Proof.
-  intros ha. destruct (asin_range l hl) as [[a0 b] _]. pose proof PI_RGT_0. assert (H1 : 0 < fwd l a (PI - asin l)) by (rewrite <- (fwd_0 l a); apply fwd_rises; lra).
+  intros ha. destruct (asin_range l hl) as [[a0 b] _]. pose proof PI_RGT_0.
+  assert (H1 : 0 < fwd l a (PI - asin l)) by (rewrite <- (fwd_0 l a); apply fwd_rises; lra).
   assert (H2 : fwd l a (2 * PI + asin l) < 0).
-  { assert (k : fwd l a (asin l) <= fwd l a a) by (destruct ha as [[k | ->] ?]; [ left; apply fwd_rises | ]; lra). unfold fwd in *. rewrite Rplus_comm, cos_per. nra. }
+  { assert (k : fwd l a (asin l) <= fwd l a a) by (destruct ha as [[k | ->] ?]; [ left; apply fwd_rises | ]; lra). unfold fwd in *.
+    rewrite Rplus_comm, cos_per. nra. }
   destruct (IVT_cor (fwd l a) (PI - asin l) (2 * PI + asin l)) as [z [z1 z2]]; [ intros x; eapply cont_of, fwd_der | lra | nra | ].
   assert (z <> PI - asin l /\ z <> 2 * PI + asin l) by (split; intros ->; lra). exists z. split; [ lra | ]. split; intros t Ht.
   - destruct (Rle_lt_dec t (PI - asin l)); [ rewrite <- (fwd_0 l a); apply fwd_rises; lra | rewrite <- z2; apply fwd_falls; lra ].
   - rewrite <- z2. apply fwd_falls; lra.
 Qed.
 Lemma ends_at a t : asin l <= a < PI - asin l -> a < t <= 2 * PI + asin l -> fwd l a t = 0 -> ends l a t.
-Proof. intros ha ht z. destruct (slip_ends a ha) as [e He]. destruct (end_is l a e t He ht). destruct (total_order_T t e) as [[k | ->] | k]; trivial; lra. Qed.
+Proof. intros ha ht z. destruct (slip_ends a ha) as [e He]. destruct (end_is l a e t He ht).
+  destruct (total_order_T t e) as [[k | ->] | k]; trivial; lra. Qed.
 End Forward.
 
 (* forward from a to e, rest to b, backward to e', rest: a motion *)
@@ -96,14 +102,17 @@ Lemma two_slips l m a e b e' : 0 < l -> 0 < m -> a < e <= b -> b <= e' <= a + 2 
   (forall t, e <= t < b -> - m <= sin t <= l) -> (forall t, e' <= t < a + 2 * PI -> - m <= sin t <= l) ->
   exists W, (forall t0, line l m sin t0 W) /\ (forall t, W (t + 2 * PI) = W t) /\ course a e b e' W.
 Proof.
-  intros hl hm h1 h2 z z' P N R1 R2. pose proof PI_RGT_0. assert (b0 : bwd m b b = 0) by (unfold bwd; ring). set (g := glue e (fwd l a) (glue b (fun _ => 0) (glue e' (bwd m b) (fun _ => 0)))).
+  intros hl hm h1 h2 z z' P N R1 R2. pose proof PI_RGT_0. assert (b0 : bwd m b b = 0) by (unfold bwd; ring).
+  set (g := glue e (fwd l a) (glue b (fun _ => 0) (glue e' (bwd m b) (fun _ => 0)))).
   assert (g0 : glue e' (bwd m b) (fun _ => 0) b = 0) by (unfold glue; now destruct (Rlt_dec b e')).
-  assert (g1 : glue b (fun _ => 0) (glue e' (bwd m b) (fun _ => 0)) e = 0) by (destruct (Req_dec e b) as [-> | n]; [ now rewrite glue_r by lra | apply glue_l; lra ]).
+  assert (g1 : glue b (fun _ => 0) (glue e' (bwd m b) (fun _ => 0)) e = 0) by (destruct (Req_dec e b) as [-> | n]; [ now rewrite glue_r by lra |
+  apply glue_l; lra ]).
   assert (ge : g (a + 2 * PI) = 0) by (unfold g; now rewrite !glue_r by lra). assert (ga : g a = 0) by (unfold g; rewrite glue_l by lra; apply fwd_0).
   assert (Z : forall t, is_derive (fun _ : R => 0) t (sin t + - sin t)) by (intros; auto_derive; trivial; ring).
   assert (A : arc l m sin a (a + 2 * PI) g).
   { apply arc_glue; [ lra | | apply arc_glue; [ lra | | apply arc_glue; [ lra | | | trivial ] | auto ] | lra ];
-      [ apply (arc_of _ _ _ _ _ _ (fwd_der l a)) | apply (arc_of _ _ _ _ _ _ Z) | apply (arc_of _ _ _ _ _ _ (bwd_der m b)) | apply (arc_of _ _ _ _ _ _ Z) ]; intros t Ht; unfold dry.
+      [ apply (arc_of _ _ _ _ _ _ (fwd_der l a)) | apply (arc_of _ _ _ _ _ _ Z) | apply (arc_of _ _ _ _ _ _ (bwd_der m b)) |
+      apply (arc_of _ _ _ _ _ _ Z) ]; intros t Ht; unfold dry.
     - assert (0 <= fwd l a t) by (destruct (proj1 Ht) as [k | <-]; [ left; apply P; lra | rewrite fwd_0; lra ]). lra.
     - specialize (R1 t Ht). lra.
     - assert (bwd m b t <= 0) by (destruct (proj1 Ht) as [k | <-]; [ left; apply N | ]; lra). lra.
@@ -122,14 +131,19 @@ Lemma course_late q l a e b e' (m := q * l) : 1 <= q -> 0 < l < 1 -> asin l <= a
 Proof.
   intros hq hl ha ((E & z) & P & N) F B R H. destruct (asin_range l hl) as [[a0 a1] _]. pose proof PI_RGT_0. assert (m0 : l <= m) by (unfold m; nra).
   assert (B' : b <= e' /\ bwd m b e' = 0 /\ forall t, b < t < e' -> bwd m b t < 0).
-  { destruct B as [-> | (_ & hb & (? & zb) & Pb & _)]; [ unfold bwd; repeat split; intros; lra | ]. rewrite bwd_fwd. repeat split; try lra. intros t Ht. rewrite bwd_fwd. specialize (Pb (t - PI)). lra. }
-  assert (Q : forall t, e <= t <= 2 * PI + asin l -> sin t <= l) by (intros t [k [j | ->]]; [ left; apply sin_less | rewrite Rplus_comm, sin_per; destruct (asin_range l hl) ]; lra).
+  { destruct B as [-> | (_ & hb & (? & zb) & Pb & _)]; [ unfold bwd; repeat split; intros; lra | ]. rewrite bwd_fwd. repeat split; try lra.
+    intros t Ht. rewrite bwd_fwd. specialize (Pb (t - PI)). lra. }
+  assert (Q : forall t, e <= t <= 2 * PI + asin l -> sin t <= l) by (intros t [k [j | ->]]; [ left; apply sin_less | rewrite Rplus_comm, sin_per;
+  destruct (asin_range l hl) ]; lra).
   destruct (two_slips l m a e b e') as (W & L & Per & C); try tauto; try lra.
   { intros t Ht. destruct F as [-> | (m1 & hb)]; [ lra | ]. destruct (asin_range m ltac:(lra)). split; [ apply not_back | apply Q ]; lra. }
-  { intros t Ht. split; [ | apply Q; lra ]. destruct (Rle_lt_dec 1 m); [ pose proof (SIN_bound t); lra | ]. rewrite <- sin_2PI. apply not_back; [ | destruct (asin_range m) ]; lra. }
+  { intros t Ht. split; [ | apply Q; lra ]. destruct (Rle_lt_dec 1 m); [ pose proof (SIN_bound t); lra | ]. rewrite <- sin_2PI.
+    apply not_back; [ | destruct (asin_range m) ]; lra. }
   exists W. assert (RE : e' < a + 2 * PI -> reached q l W).
-  { intros k t0 w Hw. destruct H as [[-> _] | H]; [ | lra ]. pose proof (Rmax_l e' (2 * PI)). pose proof (Rmax_r e' (2 * PI)). pose proof (Rmax_lub_lt e' (2 * PI) (2 * PI + asin l)).
-    apply (captured l m (2 * PI) sin W ltac:(lra) L Per ((Rmax e' (2 * PI) + (2 * PI + asin l)) / 2) (2 * PI + asin l)); trivial; [ apply sin_per | lra | intros t Ht; apply C; lra | | apply continuity_sin ].
+  { intros k t0 w Hw. destruct H as [[-> _] | H]; [ | lra ]. pose proof (Rmax_l e' (2 * PI)). pose proof (Rmax_r e' (2 * PI)).
+    pose proof (Rmax_lub_lt e' (2 * PI) (2 * PI + asin l)).
+    apply (captured l m (2 * PI) sin W ltac:(lra) L Per ((Rmax e' (2 * PI) + (2 * PI + asin l)) / 2) (2 * PI + asin l)); trivial; [ apply sin_per |
+    lra | intros t Ht; apply C; lra | | apply continuity_sin ].
     split; [ rewrite <- sin_2PI; apply Rlt_trans with 0; [ lra | apply sin_gt_0; lra ] | apply sin_less; lra ]. }
   split; [ | split; trivial ]. split; trivial. intros t0 w Hw. destruct (Rlt_le_dec e' (a + 2 * PI)) as [k | k].
   - destruct (RE k t0 w Hw) as (t1 & _ & h). apply (lim_eventually _ t1). intros t Ht. rewrite h by trivial. ring.
@@ -158,8 +172,10 @@ Lemma course_rests : (exists s d, 0 < d /\ forall t, s <= t <= s + d -> W t = 0)
 Proof.
   destruct C as ([C1 C2] & F & Z & B & Z'). split.
   - intros (t & d & hd & R). apply Classical_Prop.NNPP. intros no. destruct (fold_phase a t) as (n & hn & S). set (s := t - IZR n * (2 * PI)) in *.
-    assert (R' : forall u, s <= u <= s + d -> W u = 0) by (intros u hu; replace u with (u + IZR n * (2 * PI) - IZR n * (2 * PI)) by ring; rewrite S; apply R; unfold s in hu; lra).
-    set (q := if Rlt_le_dec s e then e else a + 2 * PI). assert (s < q) by (unfold q; destruct Rlt_le_dec; lra). assert (0 < Rmin d (q - s)) by (apply Rmin_pos; lra).
+    assert (R' : forall u, s <= u <= s + d -> W u = 0) by (intros u hu; replace u with (u + IZR n * (2 * PI) - IZR n * (2 * PI)) by ring; rewrite S;
+    apply R; unfold s in hu; lra).
+    set (q := if Rlt_le_dec s e then e else a + 2 * PI). assert (s < q) by (unfold q; destruct Rlt_le_dec; lra).
+    assert (0 < Rmin d (q - s)) by (apply Rmin_pos; lra).
     pose proof (Rmin_l d (q - s)). pose proof (Rmin_r d (q - s)). specialize (R' (s + Rmin d (q - s) / 2) ltac:(lra)). unfold q in *.
     destruct Rlt_le_dec; [ specialize (F (s + Rmin d (e - s) / 2)) | specialize (B (s + Rmin d (a + 2 * PI - s) / 2)) ]; lra.
   - intros [k | k]; [ exists e, (b - e) | exists e', (a + 2 * PI - e') ]; (split; [ lra | intros t Ht; first [ apply Z; lra | apply Z'; lra ] ]).

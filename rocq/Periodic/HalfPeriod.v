@@ -23,7 +23,8 @@ Proof.
   assert (e : t = t / T * T) by (field; lra). split.
   - intros H. assert (IZR n <= t / T < IZR n + 1) by (rewrite e in H; split; [ apply (Rmult_le_reg_r T) | apply (Rmult_lt_reg_r T) ]; lra).
     apply Z.le_antisymm; apply Z.lt_succ_r; apply lt_IZR; rewrite succ_IZR; lra.
-  - intros <-. assert (IZR m * T <= t / T * T) by (apply Rmult_le_compat_r; lra). assert (t / T * T < (IZR m + 1) * T) by (apply Rmult_lt_compat_r; lra). lra.
+  - intros <-. assert (IZR m * T <= t / T * T) by (apply Rmult_le_compat_r; lra).
+    assert (t / T * T < (IZR m + 1) * T) by (apply Rmult_lt_compat_r; lra). lra.
 Qed.
 Lemma tiles_cont F (G : Z -> R -> R) t : (forall n s, IZR n * T <= s < (IZR n + 1) * T -> F s = G n (s - IZR n * T)) ->
   (forall n s, 0 <= s <= T -> continuity_pt (G n) s) -> (forall n, G n T = G (n + 1)%Z 0) -> continuity_pt F t.
@@ -44,13 +45,15 @@ Qed.
 Lemma tiles_rder F (g : R -> R) n t l : (forall s, IZR n * T <= s < (IZR n + 1) * T -> F s = g (s - IZR n * T)) -> IZR n * T <= t < (IZR n + 1) * T ->
   rder g (t - IZR n * T) l -> rder F t l.
 Proof.
-  intros on H R. apply (rder_near F (fun s => g (s - IZR n * T)) t _ ((IZR n + 1) * T - t)); [ lra | intros s Hs; symmetry; apply on; lra | now apply rder_shift ].
+  intros on H R. apply (rder_near F (fun s => g (s - IZR n * T)) t _ ((IZR n + 1) * T - t)); [ lra | intros s Hs; symmetry; apply on; lra |
+  now apply rder_shift ].
 Qed.
 Lemma shift_Z (b : R -> R) : (forall t, b (t + T) = b t) -> forall n t, b (t - IZR n * T) = b t.
 Proof.
   intros hb n t.
   assert (P : forall k : nat, forall t, b (t + INR k * T) = b t).
-  { induction k as [ | k IH ]; intros u. f_equal. simpl. ring. rewrite S_INR. replace (u + (INR k + 1) * T) with (u + INR k * T + T) by ring. rewrite hb. apply IH. }
+  { induction k as [ | k IH ]; intros u. f_equal. simpl. ring. rewrite S_INR. replace (u + (INR k + 1) * T) with (u + INR k * T + T) by ring.
+    rewrite hb. apply IH. }
   destruct (Z_le_dec 0 n) as [q | q].
   - rewrite <- (P (Z.to_nat n) (t - IZR n * T)). f_equal. rewrite INR_IZR_INZ, Z2Nat.id by lia. ring.
   - rewrite <- (P (Z.to_nat (- n)) t). f_equal. rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia. ring.

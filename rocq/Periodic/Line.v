@@ -27,19 +27,24 @@ Proof.
     + assert (f >= g) by (destruct (Rlt_le_dec u 0); [ rewrite F2 | rewrite G1 ]; lra). nra.
     + assert (f <= g) by (destruct (Rlt_le_dec 0 u); [ rewrite F1 | rewrite G2 ]; lra). nra.
   - intros s n [-> | ->] hw hn.
-    + rewrite G1 by lra. destruct (Rlt_le_dec u 0) as [k | k]; [ rewrite Rabs_left in hn by trivial; rewrite F2 by trivial | rewrite Rabs_pos_eq in hn by trivial ]; nra.
-    + rewrite G2 by lra. destruct (Rlt_le_dec 0 u) as [k | k]; [ rewrite Rabs_pos_eq in hn by lra; rewrite F1 by trivial | rewrite Rabs_left1 in hn by trivial ]; nra.
-  - intros c -> b. destruct (total_order_T u 0) as [[k | ->] | k]; [ rewrite Rabs_left, F2 by trivial | rewrite Rabs_R0 | rewrite Rabs_pos_eq, F1 by lra ]; nra.
+    + rewrite G1 by lra. destruct (Rlt_le_dec u 0) as [k | k]; [ rewrite Rabs_left in hn by trivial; rewrite F2 by trivial |
+      rewrite Rabs_pos_eq in hn by trivial ]; nra.
+    + rewrite G2 by lra. destruct (Rlt_le_dec 0 u) as [k | k]; [ rewrite Rabs_pos_eq in hn by lra; rewrite F1 by trivial |
+      rewrite Rabs_left1 in hn by trivial ]; nra.
+  - intros c -> b. destruct (total_order_T u 0) as [[k | ->] | k]; [ rewrite Rabs_left, F2 by trivial | rewrite Rabs_R0 | rewrite Rabs_pos_eq,
+    F1 by lra ]; nra.
 Qed.
 Lemma line_two l m a t0 w u : line l m a t0 w -> line l m a t0 u -> two_motions l m a t0 w (fun _ => 0) u.
 Proof.
-  intros [cw W] [cu U]. split; [ intros; split; [ auto | split; [ cont | auto ] ] | ]. intros t Ht. destruct (W t Ht) as (f & F & X). destruct (U t Ht) as (g & G & Y). exists f, 0, g.
+  intros [cw W] [cu U]. split; [ intros; split; [ auto | split; [ cont | auto ] ] | ]. intros t Ht. destruct (W t Ht) as (f & F & X).
+  destruct (U t Ht) as (g & G & Y). exists f, 0, g.
   split; [ now apply dry_brakes | split; [ trivial | split; [ apply rder_fixed | trivial ] ] ].
 Qed.
 (* friction never drives two velocities apart *)
 Theorem line_contraction l m a t0 w u : line l m a t0 w -> line l m a t0 u -> forall s t, t0 <= s <= t -> Rabs (w t - u t) <= Rabs (w s - u s).
 Proof.
-  intros H K s t Hst. pose proof (gap_falls _ _ _ _ _ _ _ (line_two _ _ _ _ _ _ H K) s t Hst) as G. unfold gap in G. apply abs_of_sq; [ apply Rabs_pos | rewrite pow2_abs; lra ].
+  intros H K s t Hst. pose proof (gap_falls _ _ _ _ _ _ _ (line_two _ _ _ _ _ _ H K) s t Hst) as G. unfold gap in G.
+  apply abs_of_sq; [ apply Rabs_pos | rewrite pow2_abs; lra ].
 Qed.
 
 (* ---- motions in pieces ---- *)
@@ -66,7 +71,8 @@ Qed.
 Lemma periodic_line l m a p T g : 0 < T -> (forall t, a (t + T) = a t) -> g (p + T) = g p -> arc l m a p (p + T) g ->
   exists W, (forall t0, line l m a t0 W) /\ (forall t, W (t + T) = W t) /\ forall t, p <= t <= p + T -> W t = g t.
 Proof.
-  intros hT ha hg [c L]. assert (on : forall n t, p + IZR n * T <= t < p + (IZR n + 1) * T -> per p T g t = g (t - IZR n * T)) by (intros; now apply per_on).
+  intros hT ha hg [c L]. assert (on : forall n t, p + IZR n * T <= t < p + (IZR n + 1) * T -> per p T g t = g (t - IZR n * T)) by (intros;
+  now apply per_on).
   exists (per p T g). split; [ | split; [ intros; now apply per_per | ] ].
   - intros t0. split; intros t _.
     + apply (continuity_pt_ext (fun t => per p T g (p + (t - p)))); [ intros; f_equal; ring | ].
@@ -75,7 +81,8 @@ Proof.
       * intros _ s Hs. apply cont_phase, c. lra.
       * intros _. rewrite Rplus_0_r. trivial.
     + destruct (per_spec p T hT t) as [n Hn]. destruct (L (t - IZR n * T)) as (f & F & X); [ lra | ]. exists f. rewrite (on n) by lra. split; trivial.
-      rewrite (shift_Z T a ha) in X. apply (rder_near _ (fun s => g (s - IZR n * T)) t _ (p + (IZR n + 1) * T - t)); [ lra | intros s Hs; symmetry; apply on; lra | ].
+      rewrite (shift_Z T a ha) in X. apply (rder_near _ (fun s => g (s - IZR n * T)) t _ (p + (IZR n + 1) * T - t)); [ lra | intros s Hs; symmetry;
+      apply on; lra | ].
       now apply rder_shift.
   - intros t Ht. destruct (Req_dec t (p + T)) as [-> | ne].
     + rewrite (on 1%Z) by lra. rewrite hg. f_equal. ring.
@@ -98,12 +105,14 @@ Hypothesis hW : forall t, W (t + T) = W t.
 Theorem captured r s : (forall t, a (t + T) = a t) -> r < s -> (forall t, r <= t <= s -> W t = 0) -> - m < a r < l -> continuity_pt a r ->
   forall t0 w, line l m a t0 w -> exists t1, t0 <= t1 /\ forall t, t1 <= t -> w t = W t.
 Proof.
-  intros ha hrs rest spare ca t0 w Hw. destruct (two_meet _ _ _ _ _ _ _ (line_two _ _ _ _ _ _ Hw (HW t0)) T hT hW r s ha hrs rest spare ca) as (t1 & h & E). exists t1. split; trivial. intros t Ht. now apply E.
+  intros ha hrs rest spare ca t0 w Hw. destruct (two_meet _ _ _ _ _ _ _ (line_two _ _ _ _ _ _ Hw (HW t0)) T hT hW r s ha hrs rest spare ca) as (t1 &
+  h & E). exists t1. split; trivial. intros t Ht. now apply E.
 Qed.
 (* one that passes from backward to forward at once attracts every motion *)
 Theorem line_attracts B z d : 0 < l -> 0 < m -> (forall t, Rabs (a t) <= B) -> 0 < d -> W z = 0 -> (forall t, z - d < t < z -> W t < 0) -> (forall t, z < t < z + d -> 0 < W t) ->
   forall t0 w, line l m a t0 w -> is_lim (fun t => w t - W t) p_infty 0.
 Proof.
-  intros hl hm hB hd Z b f t0 w Hw. assert (0 <= B) by (pose proof (hB 0); pose proof (Rabs_pos (a 0)); lra). apply (two_attract _ _ _ _ _ _ _ (line_two _ _ _ _ _ _ Hw (HW t0)) T hT hW B z d); trivial; lra.
+  intros hl hm hB hd Z b f t0 w Hw. assert (0 <= B) by (pose proof (hB 0); pose proof (Rabs_pos (a 0)); lra).
+  apply (two_attract _ _ _ _ _ _ _ (line_two _ _ _ _ _ _ Hw (HW t0)) T hT hW B z d); trivial; lra.
 Qed.
 End Drawn.
