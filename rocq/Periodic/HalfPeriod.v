@@ -3,44 +3,9 @@
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion.
+From Slipbook Require Export Analysis.
 Open Scope R_scope.
 
-(* pieces: a function has the right derivative of the piece that begins *)
-Lemma rder_loc f g t l d : 0 < d -> (forall s, t <= s < t + d -> g s = f s) -> is_derive g t l -> rder f t l.
-Proof.
-  intros Hd E H. exists (fun s => if Rlt_dec s t then g s else f s). split.
-  - apply (is_derive_ext_loc g); trivial. exists (mkposreal d Hd). intros s Hs. change (Rabs (s - t) < d) in Hs.
-    apply Rabs_def2 in Hs. destruct (Rlt_dec s t); trivial. apply E; lra.
-  - intros s Hs. destruct (Rlt_dec s t); trivial; lra.
-Qed.
-Lemma cont_glue f g h t d : 0 < d -> (forall s, t - d < s <= t -> f s = g s) -> (forall s, t <= s < t + d -> f s = h s) ->
-  continuity_pt g t -> continuity_pt h t -> continuity_pt f t.
-Proof.
-  intros Hd Eg Eh Cg Ch e He. destruct (Cg e He) as (a & a0 & Ha). destruct (Ch e He) as (b & b0 & Hb).
-  exists (Rmin d (Rmin a b)). split; [ repeat apply Rmin_pos; trivial | ].
-  intros s [Hs1 Hs]. simpl in *. unfold R_dist in *. pose proof (Rmin_l d (Rmin a b)). pose proof (Rmin_r d (Rmin a b)). pose proof (Rmin_l a b). pose proof (Rmin_r a b).
-  pose proof (Rabs_def2 _ _ Hs). destruct (Rle_lt_dec s t).
-  - rewrite (Eg s), (Eg t) by lra. apply Ha. split; trivial. lra.
-  - rewrite (Eh s), (Eh t) by lra. apply Hb. split; trivial. lra.
-Qed.
-Lemma rder_near f g t l d : 0 < d -> (forall s, t <= s < t + d -> g s = f s) -> rder g t l -> rder f t l.
-Proof.
-  intros Hd E [G [H K]]. apply (rder_loc f G t l d); trivial. intros s Hs. rewrite K by lra. apply E, Hs.
-Qed.
-Lemma rder_shift g c t l : rder g (t - c) l -> rder (fun s => g (s - c)) t l.
-Proof.
-  intros [G [H K]]. exists (fun s => G (s - c)). split. 2: intros; apply K; lra.
-  replace l with (1 * l) by ring. apply (is_derive_comp G (fun s => s - c)). exact H. auto_derive; trivial; ring.
-Qed.
-Lemma rder_phase g p t l : rder g (p + t) l -> rder (fun s => g (p + s)) t l.
-Proof.
-  intros [G [H K]]. exists (fun s => G (p + s)). split. 2: intros; apply K; lra.
-  replace l with (1 * l) by ring. apply (is_derive_comp G (fun s => p + s)). exact H. auto_derive; trivial; ring.
-Qed.
-Lemma cont_shift g c t : continuity_pt g (t - c) -> continuity_pt (fun s => g (s - c)) t.
-Proof. intros H. apply (continuity_pt_comp (fun s => s - c) g); trivial. cont. Qed.
-Lemma cont_phase g p t : continuity_pt g (p + t) -> continuity_pt (fun s => g (p + s)) t.
-Proof. intros H. apply (continuity_pt_comp (fun s => p + s) g); trivial. cont. Qed.
 
 Definition sg (n : Z) : R := if Z.even n then 1 else -1.
 Lemma sg_succ n : sg (n + 1) = - sg n.
@@ -58,7 +23,8 @@ Proof.
   assert (e : t = t / T * T) by (field; lra). split.
   - intros H. assert (IZR n <= t / T < IZR n + 1) by (rewrite e in H; split; [ apply (Rmult_le_reg_r T) | apply (Rmult_lt_reg_r T) ]; lra).
     apply Z.le_antisymm; apply Z.lt_succ_r; apply lt_IZR; rewrite succ_IZR; lra.
-  - intros <-. assert (IZR m * T <= t / T * T) by (apply Rmult_le_compat_r; lra). assert (t / T * T < (IZR m + 1) * T) by (apply Rmult_lt_compat_r; lra). lra.
+  - intros <-. assert (IZR m * T <= t / T * T) by (apply Rmult_le_compat_r; lra).
+    assert (t / T * T < (IZR m + 1) * T) by (apply Rmult_lt_compat_r; lra). lra.
 Qed.
 Lemma tiles_cont F (G : Z -> R -> R) t : (forall n s, IZR n * T <= s < (IZR n + 1) * T -> F s = G n (s - IZR n * T)) ->
   (forall n s, 0 <= s <= T -> continuity_pt (G n) s) -> (forall n, G n T = G (n + 1)%Z 0) -> continuity_pt F t.
@@ -79,13 +45,15 @@ Qed.
 Lemma tiles_rder F (g : R -> R) n t l : (forall s, IZR n * T <= s < (IZR n + 1) * T -> F s = g (s - IZR n * T)) -> IZR n * T <= t < (IZR n + 1) * T ->
   rder g (t - IZR n * T) l -> rder F t l.
 Proof.
-  intros on H R. apply (rder_near F (fun s => g (s - IZR n * T)) t _ ((IZR n + 1) * T - t)); [ lra | intros s Hs; symmetry; apply on; lra | now apply rder_shift ].
+  intros on H R. apply (rder_near F (fun s => g (s - IZR n * T)) t _ ((IZR n + 1) * T - t)); [ lra | intros s Hs; symmetry; apply on; lra |
+  now apply rder_shift ].
 Qed.
 Lemma shift_Z (b : R -> R) : (forall t, b (t + T) = b t) -> forall n t, b (t - IZR n * T) = b t.
 Proof.
   intros hb n t.
   assert (P : forall k : nat, forall t, b (t + INR k * T) = b t).
-  { induction k as [ | k IH ]; intros u. f_equal. simpl. ring. rewrite S_INR. replace (u + (INR k + 1) * T) with (u + INR k * T + T) by ring. rewrite hb. apply IH. }
+  { induction k as [ | k IH ]; intros u. f_equal. simpl. ring. rewrite S_INR. replace (u + (INR k + 1) * T) with (u + INR k * T + T) by ring.
+    rewrite hb. apply IH. }
   destruct (Z_le_dec 0 n) as [q | q].
   - rewrite <- (P (Z.to_nat n) (t - IZR n * T)). f_equal. rewrite INR_IZR_INZ, Z2Nat.id by lia. ring.
   - rewrite <- (P (Z.to_nat (- n)) t). f_equal. rewrite INR_IZR_INZ, Z2Nat.id, opp_IZR by lia. ring.
