@@ -10,7 +10,7 @@ Ltac emptied T := lazymatch T with
   | forall x : ?A, @?B x => let z := fresh "z" in constr:(forall z : A, ltac:(let b := eval cbv beta in (B z) in let r := emptied b in exact r))
   | _ => constr:(False) end.
 (* ... is false: there are motions, numbers ... that meet every hypothesis of the theorem t *)
-Ltac occurs t := let T := type of t in let r := emptied T in exact (~ r).
+Ltac occurs t := let T := type of t in let T := eval cbv zeta in T in let r := emptied T in exact (~ r).
 
 (* ---- lengths ---- *)
 Lemma abs_of_sq z k : 0 <= k -> z ^ 2 <= k ^ 2 -> Rabs z <= k.

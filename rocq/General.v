@@ -2,7 +2,7 @@
 Require Import Reals Lra Psatz Lia.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis Formulas.
-From Slipbook.General Require Export Rates Contraction Straight.
+From Slipbook Require Export Analysis Contraction Straight.
 From Slipbook.General Require Import Exists.
 Open Scope R_scope.
 

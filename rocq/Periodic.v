@@ -88,7 +88,7 @@ Proof.
 Qed.
 Lemma s23_rest_above_one__occurs : ltac:(occurs s23_rest_above_one).
 Proof.
-  intros H. destruct (pulses_at_large_times (1/3) 2) as [W HW]; try lra. refine (H (pulse (1/3)) 2 0 _ _ _ _ (late_moves HW 0) _ (Rle_refl _));
+  intros H. destruct (pulses_at_large_times (1/3) 2) as [W HW]; try lra. refine (H (pulse (1/3)) 2 0 _ _ _ _ (late_moves _ _ _ HW 0) _ (Rle_refl _));
     unfold s23_rest_sides_1, s23_rest_sides_2; [ | lra ].
   intros t. destruct (pulse_size (1/3) t); lra.
 Qed.

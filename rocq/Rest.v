@@ -1,7 +1,7 @@
 (* Section 4: rest on the turntable, and what becomes of a motion. Units: mu g = Omega = 1, so that every number here has no dimension. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Analysis Formulas TableLaws Sphere Fate Picard TableMotions TableAngle Stops Threshold Thin Late Near
+From Slipbook Require Import Motion Analysis Formulas TableLaws Sphere Fate TableMotions TableAngle Stops Threshold Thin Late Near
   Arrives AngleAtRest LastMoments Starts.
 Open Scope R_scope.
 

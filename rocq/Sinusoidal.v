@@ -3,7 +3,7 @@
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Exists Rates Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime AcrossStop Zeros Across.
+From Slipbook Require Import Motion General Exists Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime AcrossStop Zeros Across.
 Open Scope R_scope.
 
 (* ---- drive and friction: (25) to (30) ---- *)

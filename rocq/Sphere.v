@@ -1,7 +1,7 @@
 (* Section 3: the sphere on an accelerated plane, from Newton's law and Coulomb's at the point of contact *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Formulas Constant Steady Shaken LargeTime Sinusoidal Drawn Pulses Periodic Aniso Body Reduction Driven
+From Slipbook Require Import Motion General Formulas Constant Steady Shaken LargeTime Sinusoidal Drawn Pulses Periodic HalfPeriod Drawn Line Body Reduction Driven
     Rolls Analysis.
 From Slipbook Require Export AtRest.
 Open Scope R_scope.
@@ -350,8 +350,8 @@ Proof.
 Qed.
 Let hG : 0 < gamma := proj1 pulled_facts. Let hl : 0 <= lam := Rlt_le _ _ (proj1 (proj2 pulled_facts)). Let M := proj2 (proj2 pulled_facts).
 (* The slip speed against the angle, as long as it slides, from every slip at an angle to the line of the pull. *)
-Theorem eq_81 tau : 0 <= tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI -> u tau = eq81_slip lam (u 0) (theta 0) (theta
-    tau).
+Theorem eq_81 tau : 0 <= tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI ->
+  0 < tan (theta tau / 2) / tan (theta 0 / 2) /\ u tau = eq81_slip lam (u 0) (theta 0) (theta tau).
 Proof. exact (eq_11 gamma lam _ _ u theta hG hl M P tau). Qed.
 (* The time against the angle, with gamma = A/(mu g). *)
 Theorem eq_82 tau : 0 <= tau -> (forall s, 0 <= s <= tau -> 0 < u s) -> theta 0 <> 0 -> theta 0 <> PI -> lam <> 1 -> lam + cos (theta 0) <> 0 ->
@@ -389,7 +389,10 @@ Lemma thrown_across : exists vx vy ox oy u theta,
   polar (u_1 1 1 1 vx vy ox oy) (u_2 1 1 1 vx vy ox oy) u theta /\ theta 0 = PI / 2 /\ eq80_lambda (eq67_factor (eq62_kappa 1 1 1)) 1 1 4 = / 2 /\
   forall tau, 0 <= tau -> 0 < u tau /\ / 2 + cos (theta tau) <> 0.
 Proof.
-  destruct (across_start 4 (/ 2)) as (x & y & u & theta & M & P & u0 & th & x0 & y0 & pos); try lra.
+  destruct (pull_has_a_motion 4 (/ 2) 1 (PI / 2)) as (x & y & u & theta & M & P & u0 & th); try (pose proof PI_RGT_0; lra).
+  assert (pos : forall t, 0 <= t -> 0 < u t)
+    by (intros; eapply (goes 4 (/ 2) x y u theta); try eassumption; try lra; rewrite th; pose proof PI_RGT_0; lra).
+  assert (x0 : x 0 = 0) by (destruct (P 0 (Rle_refl 0)) as (_ & _ & e & _); rewrite e, th; unfold eq4_velocity_1; rewrite cos_PI2; ring).
   assert (I : forall c, primitive (RInt (fun _ => c) 0) (fun _ => c)) by (intros; apply primitive_of; intros; cont).
   assert (M' : motion (factor 1 1 1 * (1 * 1)) (fun _ => eq3_acceleration_1 4) (fun _ => eq3_acceleration_2 4) x y)
     by (replace (factor 1 1 1 * (1 * 1)) with (4 * / 2) by (unfold factor, eq67_factor, eq62_kappa; field); exact M).
@@ -397,12 +400,11 @@ Proof.
   assert (E : u_1 1 1 1 vx vy ox oy = x /\ u_2 1 1 1 vx vy ox oy = y) by (split; extensionality t; unfold u_1, u_2, eq71_slip_1, eq71_slip_2, clock;
       cbv zeta;
     rewrite ?ex, ?ey, !Rmult_1_l, Rdiv_1, sqrt_1, Rdiv_1, !Rmult_1_l; trivial).
-  exists vx, vy, ox, oy, u, theta. destruct E as [-> ->]. repeat (split; trivial); [ unfold eq80_lambda, eq67_factor, eq62_kappa; field | now apply
-      pos; lra | ].
-  pose proof (moved 4 (/ 2) x y ltac:(lra) ltac:(lra) M tau ltac:(trivial)) as r. rewrite !(polar_speed x y u theta) in r by (trivial; lra).
+  exists vx, vy, ox, oy, u, theta. destruct E as [-> ->]. repeat (split; trivial); [ unfold eq80_lambda, eq67_factor, eq62_kappa; field | now apply pos | ].
+  pose proof (moved 4 (/ 2) x y u ltac:(lra) ltac:(lra) M (polar_speed x y u theta P) tau ltac:(trivial)) as r.
   destruct (P tau ltac:(trivial)) as (_ & _ & e & _). unfold eq4_velocity_1 in e. intros z. replace (cos (theta tau)) with (- / 2) in e by lra.
   rewrite x0, u0, e in r. enough (/ 2 * 1 + 0 + (1 - (/ 2) ^ 2) * 4 * tau = 0) by lra. rewrite <- r; [ field | ].
-  intros t Ht. rewrite (polar_speed x y u theta) by (trivial; lra). apply Rgt_not_eq, pos; lra.
+  intros t Ht. apply Rgt_not_eq, pos; lra.
 Qed.
 Ltac thrown := intros H; destruct thrown_across as (vx & vy & ox & oy & u & theta & S & P & th & el & R); pose proof PI_RGT_0;
   apply (H 1 1 1 1 1 4 _ _ _ _ _ u theta ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) ltac:(lra) S P 1);

@@ -338,6 +338,25 @@ Lemma end_motion : motion k (A true) (A false) (end_of true) (end_of false) /\ f
 Proof. split; [ split; intros; [ apply end_cont | apply end_cont | apply end_law ]; trivial | apply end_0 ]. Qed.
 End Exist.
 
+(* Every start has a motion under every drive that is continuous, or jumps and is continuous from the right: Hx, Hy are its primitives. *)
+Theorem drive_has_a_motion k Ax Ay Hx Hy vx0 vy0 : 0 <= k ->
+  (forall t, 0 < t -> continuity_pt Hx t /\ continuity_pt Hy t) -> (forall t, 0 <= t -> rder Hx t (Ax t) /\ rder Hy t (Ay t)) ->
+  (forall T, exists a, forall t, 0 <= t <= T -> nrm (Ax t) (Ay t) <= a) ->
+  (forall t e, 0 <= t -> 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> nrm (Ax s - Ax t) (Ay s - Ay t) <= e) ->
+  exists vx vy, motion k Ax Ay vx vy /\ vx 0 = vx0 /\ vy 0 = vy0.
+Proof.
+  intros Hk C D B J. set (two := fun (f g : R -> R) (b : bool) => if b then f else g). set (c := fun b : bool => if b then vx0 else vy0).
+  assert (cH : forall b t, 0 < t -> continuity_pt (two Hx Hy b) t) by (intros b t Ht; destruct (C t Ht); destruct b; trivial).
+  assert (dH : forall b t, 0 <= t -> rder (two Hx Hy b) t (two Ax Ay b t)) by (intros b t Ht; destruct (D t Ht); destruct b; trivial).
+  assert (hA : forall T, exists a, 0 <= a /\ forall b t, 0 <= t <= T -> Rabs (two Ax Ay b t) <= a).
+  { intros T. destruct (B T) as [a Ha]. exists (Rabs a). split. apply Rabs_pos. intros b t Ht. specialize (Ha t Ht). destruct (abs_nrm (Ax t) (Ay t)). pose proof (Rle_abs a).
+    destruct b; simpl; lra. }
+  assert (rA : forall b t e, 0 <= t -> 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> Rabs (two Ax Ay b s - two Ax Ay b t) <= e).
+  { intros b t e Ht He. destruct (J t e Ht He) as (d & d0 & Hd). exists d. split; trivial. intros s Hs. specialize (Hd s Hs). destruct (abs_nrm (Ax s - Ax t) (Ay s - Ay t)).
+    destruct b; simpl; lra. }
+  destruct (end_motion k (two Ax Ay) (two Hx Hy) c Hk cH dH hA rA) as [M e].
+  exists (end_of k (two Hx Hy) c true), (end_of k (two Hx Hy) c false). exact (conj M (conj (e true) (e false))).
+Qed.
 (* Every start has a motion under every continuous drive. *)
 Theorem plane_has_a_motion k Ax Ay vx0 vy0 : 0 <= k -> (forall t, 0 <= t -> continuity_pt Ax t /\ continuity_pt Ay t) ->
   exists vx vy, motion k Ax Ay vx vy /\ vx 0 = vx0 /\ vy 0 = vy0.

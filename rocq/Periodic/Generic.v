@@ -4,6 +4,8 @@ Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis HalfPeriod Drawn Line Straight Exists Median Mean.
 Open Scope R_scope.
+#[local] Arguments m_cx {k Ax Ay vx vy}.
+#[local] Arguments m_law {k Ax Ay vx vy}.
 
 (* the drive, dimensionless; piecewise continuous functions are meant, at a jump with the limit from the right:
    «$h$ has the period $2\pi$, is continuous from the right and integrable, and the least upper bound of $\lvert h\rvert$ is $1$» *)

@@ -8,13 +8,13 @@ Open Scope R_scope.
 (* what cont and auto may use *)
 #[export] Hint Extern 3 (_ < _) => lra : core.
 #[export] Hint Resolve m_cx m_cy Rcontinuity_abs : core.
-Arguments m_cx {k Ax Ay vx vy}.
-Arguments m_cy {k Ax Ay vx vy}.
-Arguments m_law {k Ax Ay vx vy}.
-Arguments l_c {l m a t0 w}.
-Arguments l_law {l m a t0 w}.
-Arguments late_moves {l h W}.
-Arguments late_drawn {l h W}.
+#[local] Arguments m_cx {k Ax Ay vx vy}.
+#[local] Arguments m_cy {k Ax Ay vx vy}.
+#[local] Arguments m_law {k Ax Ay vx vy}.
+#[local] Arguments l_c {l m a t0 w}.
+#[local] Arguments l_law {l m a t0 w}.
+#[local] Arguments late_moves {l h W}.
+#[local] Arguments late_drawn {l h W}.
 
 (* the right limit of f at t is f(t): «$f$ is continuous from the right at $t$» *)
 Definition rcont (f : R -> R) (t : R) : Prop := forall e, 0 < e -> exists d, 0 < d /\ forall s, t <= s < t + d -> Rabs (f s - f t) < e.
@@ -155,13 +155,13 @@ Qed.
 Record little (l : R) (h H : R -> R) (t0 : R) (w : R -> R) : Prop := {
   k_l : 0 < l; k_size : forall t, Rabs (h t) <= 1; k_per : forall t, h (t + 2 * PI) = h t; k_c : forall t, continuity_pt H t;
   k_r : forall t, rder H t (h t); k_p : forall t, H (t + 2 * PI) = H t; k_line : line l l h t0 w }.
-Arguments k_l {l h H t0 w}.
-Arguments k_size {l h H t0 w}.
-Arguments k_per {l h H t0 w}.
-Arguments k_c {l h H t0 w}.
-Arguments k_r {l h H t0 w}.
-Arguments k_p {l h H t0 w}.
-Arguments k_line {l h H t0 w}.
+#[local] Arguments k_l {l h H t0 w}.
+#[local] Arguments k_size {l h H t0 w}.
+#[local] Arguments k_per {l h H t0 w}.
+#[local] Arguments k_c {l h H t0 w}.
+#[local] Arguments k_r {l h H t0 w}.
+#[local] Arguments k_p {l h H t0 w}.
+#[local] Arguments k_line {l h H t0 w}.
 Lemma little_opp l h H t0 w : little l h H t0 w -> little l (fun t => - h t) (fun t => - H t) t0 (fun t => - w t).
 Proof.
   intros []. split; trivial; try (intros; rewrite ?Rabs_Ropp, ?k_per0, ?k_p0; trivial); [ cont | now apply rder_opp | now apply line_opp ].

@@ -198,7 +198,7 @@ Proof.
 Qed.
 Lemma steps_none_again : has_rests (1 / 2) step_drive 0.
 Proof.
-  intros p vx vy M. pose proof PI_RGT_0 as pp. right. split; trivial. destruct (late_drawn w2_late p vx vy M) as [L _].
+  intros p vx vy M. pose proof PI_RGT_0 as pp. right. split; trivial. destruct (late_drawn _ _ _ w2_late p vx vy M) as [L _].
   destruct (Analysis.lim_near _ _ (PI / 64) L ltac:(lra)) as (t1 & t10 & D). apply (held_nowhere (1 / 2) step_drive p vx vy t1); trivial; [ lra | ].
   intros s Hs z _. apply Rnot_le_lt. intros R. specialize (D s Hs). cbv beta in D. rewrite z in D.
   destruct (per_spec 0 PI pp (p + s)) as [n Hn]. destruct (steps_on n (p + s)) as (S1 & S2 & S3).

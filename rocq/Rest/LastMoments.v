@@ -2,7 +2,7 @@
    straight in, with |psi| -> pi. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas Turntable Picard TableMotions TableAngle Fate Alpha Stops Late Near Arrives.
+From Slipbook Require Import Motion Formulas Turntable TableMotions TableAngle Fate Alpha Stops Late Near Arrives.
 Open Scope R_scope.
 
 (* The particle slips from the moment 0 (any moment of its last slip with p < rho) until T, and is at rest then, at the distance sigma from the axis;

@@ -3,7 +3,7 @@
    rest at s lie on the corrected surface; between there is a start that does neither. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Formulas TableLaws Picard TableMotions TableAngle Fate Alpha Stops Threshold Barriers Sides Near Arrives.
+From Slipbook Require Import Motion Formulas TableLaws TableMotions TableAngle Fate Alpha Stops Threshold Barriers Sides Near Arrives.
 Open Scope R_scope.
 
 (* «$(x,y)$ with the velocity $(u,w)$ is a motion on the table that starts with the hyperbolic parameters $A$ and $alpha$ and the angle $psi$» *)

@@ -3,7 +3,7 @@
    so that they end at the same place, such starts depend on velocity and angle only, by a Lipschitz function. *)
 Require Import Reals Lra Psatz List.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Sphere Fate Picard TableMotions Threshold.
+From Slipbook Require Import Motion Turntable Sphere Fate TableMotions Threshold.
 Import ListNotations.
 Open Scope R_scope.
 

@@ -2,7 +2,7 @@
    supremum along a line of starts. It comes to rest at s, or, if s = 1, it may creep for ever. *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion Turntable Sphere Fate Picard TableMotions.
+From Slipbook Require Import Motion Turntable Sphere Fate TableMotions.
 Open Scope R_scope.
 
 (* what comes of two starts that differ by at most d *)

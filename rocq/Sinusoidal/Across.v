@@ -2,7 +2,7 @@
    w through zero multiplies its logarithm in the limit. The last by the logarithm of v + w, whose rate is (sin - l)/v, that of wy being -l/v. *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Exists Rates Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime Zeros.
+From Slipbook Require Import Motion General Exists Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime Zeros.
 Open Scope R_scope.
 
 (* friction near one axis: n is the speed, x the fast component, y the slow one *)

@@ -2,7 +2,7 @@
    The greater of l |v| + d w and l |v| - d w falls at the rate l^2 - d^2 (by steps: it need not have a derivative). *)
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Dini Rates Drawn Analysis Steady Shaken.
+From Slipbook Require Import Motion General Dini Drawn Analysis Steady Shaken.
 Open Scope R_scope.
 
 Lemma max_decr f g a b : a <= b -> (forall t, a < t <= b -> continuity_pt f t /\ continuity_pt g t) -> (forall t, a <= t < b -> exists k m,

@@ -2,7 +2,7 @@
    at phi1, and where rests are possible. *)
 Require Import Reals Lra Psatz ZArith FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Rates Formulas HalfPeriod Drawn Analysis Steady.
+From Slipbook Require Import Motion General Formulas HalfPeriod Drawn Analysis Steady.
 Open Scope R_scope.
 
 (* The block on a plane with the acceleration (21), of size A0 (a length over a time squared) and frequency varpi: (vx, vy) is its velocity at the

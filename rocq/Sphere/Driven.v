@@ -2,7 +2,7 @@
    particle is the slip of a sphere. The same along the line for friction that differs forward and backward, (85). *)
 Require Import Reals Lra Psatz FunctionalExtensionality.
 From Coquelicot Require Import Coquelicot.
-From Slipbook Require Import Motion General Aniso Drawn Formulas Analysis Reduction.
+From Slipbook Require Import Motion General HalfPeriod Drawn Line Formulas Analysis Reduction.
 Open Scope R_scope.
 
 (* the slip velocity along x as (24) has it, in the unit A0 / varpi, at the phase phi of (23), at the time phi / varpi *)

@@ -7,7 +7,6 @@ From Slipbook Require Import Motion Analysis TableLaws Formulas.
 From Slipbook.General Require Import Contraction Exists.
 Open Scope R_scope.
 
-Notation nrm_lip := nrm_near (only parsing).
 (* the four coordinates of a state: those of the place and of the velocity *)
 Inductive place := px | py | pu | pw.
 

@@ -1,1 +1,0 @@
-From Slipbook Require Export TableMotions.
