@@ -540,7 +540,7 @@ Theorem fig_3 : let lam := 1 / PI in eq39_phi_t1 lam = PI / 3 /\ (forall phi0 w 
   s)) p_infty 0) /\
   (forall phi, Rabs (w38 lam phi) <= w38 lam (eq28_phi2 lam)) /\ 0.8 < w38 lam (eq28_phi2 lam) /\ Rabs (w38 lam (eq28_phi2 lam) - 0.884) <= 5e-4.
 Proof.
-  intros lam. pose proof PI_RGT_0. assert (hl : 0 < lam <= eq37_lambda_c) by (unfold lam, eq37_lambda_c; split; interval). destruct (below_1 lam hl).
+  intros lam. pose proof PI_RGT_0. assert (hl : 0 < lam <= eq37_lambda_c) by (unfold lam, eq37_lambda_c; split; interval with (i_prec 60)). destruct (below_1 lam hl).
   assert (e : eq39_phi_t1 lam = PI / 3).
   { unfold eq39_phi_t1, lam. replace (PI * (1 / PI) / 2) with (cos (PI / 3)) by (rewrite cos_PI3; field; lra). apply acos_cos. lra. }
   assert (V : Rabs (w38 lam (eq28_phi2 lam) - 0.884) <= 5e-4).
@@ -557,8 +557,8 @@ Theorem fig_4 e : slip_end (1 / sqrt 2) e -> let lam := 1 / sqrt 2 in e < eq29_p
   (forall phi, Rabs (w33 lam e phi) <= w33 lam e (eq28_phi2 lam)) /\ 0.3 < w33 lam e (eq28_phi2 lam) /\
   w33 lam e (eq28_phi2 lam) = sqrt 2 * (1 - PI / 4).
 Proof.
-  intros E lam. fold lam in E. pose proof PI_RGT_0. assert (hl : 0 < lam < 1) by (unfold lam; split; interval).
-  assert (q : e < eq29_phi3 lam) by (apply (early_end lam e hl E); unfold lam, eq37_lambda_c; interval).
+  intros E lam. fold lam in E. pose proof PI_RGT_0. assert (hl : 0 < lam < 1) by (unfold lam; split; interval with (i_prec 60)).
+  assert (q : e < eq29_phi3 lam) by (apply (early_end lam e hl E); unfold lam, eq37_lambda_c; interval with (i_prec 60)).
   assert (a : asin lam = PI / 4) by (unfold lam; rewrite <- sin_PI4; apply asin_sin; lra).
   assert (V : w33 lam e (eq28_phi2 lam) = sqrt 2 * (1 - PI / 4)).
   { unfold eq28_phi2. destruct (ends lam e hl E q) as (b & o & _). rewrite w33_ext, ext_first by (trivial; lra). unfold g33.
@@ -567,7 +567,7 @@ Proof.
     pose proof (sqrt_lt_R0 2 ltac:(lra)). pose proof (pow2_sqrt 2 ltac:(lra)) as s2. unfold lam.
     replace (sqrt 2) with (2 / sqrt 2) at 4 by (field_simplify_eq; lra).
     field. lra. }
-  split; [ trivial | split; [ | split; [ intros; now apply w33_most | split; [ rewrite V; interval | trivial ] ] ] ].
+  split; [ trivial | split; [ | split; [ intros; now apply w33_most | split; [ rewrite V; interval with (i_prec 60) | trivial ] ] ] ].
   intros phi0 w wy M. destruct (w33_reached lam e hl E q phi0 w wy M) as (s1 & _ & R). exists s1. intros s hs. now destruct (R s hs).
 Qed.
 
@@ -575,7 +575,7 @@ Qed.
 (* a motion at the friction l from the velocity (a, b) at the phase p *)
 Ltac start l p a b := destruct (a_motion l p a b) as (w & wy & M & w0 & y0); [ lra | ].
 Ltac shake mu A b := destruct (a_block mu 1 A 3 0 1 b) as (x & y & M & x0 & y0); [ lra | ].
-Lemma quarter : 1 / 4 < eq37_lambda_c < 3 / 4. Proof. unfold eq37_lambda_c. split; interval. Qed.
+Lemma quarter : 1 / 4 < eq37_lambda_c < 3 / 4. Proof. unfold eq37_lambda_c. split; interval with (i_prec 60). Qed.
 Lemma at_start phi : at_phase phi 0 phi. Proof. exists 0%Z. simpl. ring. Qed.
 (* friction 3/4, with rests *)
 Lemma some_rests : exists e, slip_end (3 / 4) e /\ e < eq29_phi3 (3 / 4). Proof. pose proof quarter. apply early_exists. lra. Qed.
@@ -653,4 +653,4 @@ Qed.
 Lemma s22_vy_two_stages__not_exponential__occurs : ltac:(occurs s22_vy_two_stages__not_exponential).
 Proof. intros H. start 1 0 1 1. refine (H 1 0 w wy 1 _ M). lra. Qed.
 Lemma fig_4__occurs : ltac:(occurs fig_4).
-Proof. intros H. destruct (slip_end_exists (1 / sqrt 2)) as [e E]; [ split; interval | exact (H e E) ]. Qed.
+Proof. intros H. destruct (slip_end_exists (1 / sqrt 2)) as [e E]; [ split; interval with (i_prec 60) | exact (H e E) ]. Qed.

@@ -53,7 +53,11 @@ pub(super) fn theorems(
         let trees = (paper.formulas.trees)();
         say(&formulas::definitions(&trees, paper.formulas.corrections))?;
     } else if wanted.questions {
-        say(&record::questions(&known.sources, &known.wanted(paper)))?;
+        say(&record::questions(
+            &known.sources,
+            &known.wanted(paper),
+            &known.record,
+        ))?;
     } else if let Some(folder) = &wanted.answers {
         say(&made(known, folder)?)?;
     } else {

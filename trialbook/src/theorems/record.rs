@@ -132,9 +132,10 @@ const NEXT: &str = "== ";
 /// What stands before the names of theorems where it says on what they rest.
 const ALL: &str = "=== ";
 
-/// A file that asks `coqc` for the statements of these theorems and for what they rest on: one by one where a file computes with
-/// intervals, and of all others together, as each such question takes a second.
-pub fn questions(sources: &Sources, theorems: &[&Item]) -> String {
+/// A file that asks `coqc` for the statements of these theorems and for what they rest on. Each such question takes a second, so
+/// that all are asked together of which none is recorded to compute; where a file has come to, those that are not recorded
+/// otherwise are asked one by one. What a group rests on is said of each in it: too much, never too little.
+pub fn questions(sources: &Sources, theorems: &[&Item], before: &[Accepted]) -> String {
     let path = |item: &Item| {
         format!(
             "Slipbook.{}.{}",
@@ -142,9 +143,11 @@ pub fn questions(sources: &Sources, theorems: &[&Item]) -> String {
             item.name
         )
     };
-    let (computing, others): (Vec<&Item>, Vec<&Item>) = theorems
-        .iter()
-        .partition(|item| sources.requires(&item.file, "Interval"));
+    let (computing, others): (Vec<&Item>, Vec<&Item>) = theorems.iter().partition(|item| {
+        let mut recorded = before.iter().filter(|accepted| accepted.name == item.name);
+        let plain = recorded.any(|accepted| accepted.axioms.iter().all(|a| a == AXIOMS[0]));
+        !plain && sources.requires(&item.file, "Interval")
+    });
     let files: BTreeSet<_> = theorems
         .iter()
         .map(|item| item.file.trim_end_matches(".v").replace('/', "."))
@@ -312,7 +315,7 @@ mod tests {
             .iter()
             .filter(|item| item.word == "Theorem")
             .collect();
-        let asked = questions(&sources, &theorems);
+        let asked = questions(&sources, &theorems, &[]);
         assert!(asked.contains("Check @Slipbook.A.eq_2.") && asked.contains("Require Slipbook.A."));
         let answers = "== eq_1\neq_1\n     : forall v : R,\n       motion v ->\n         0 <= v\n== eq_2\neq_2\n     : 0 < 1\n\
             === eq_2\nall_0 = x\nAxioms:\nUint63.add_spec : x\nMine.odd : False\n=== eq_1\nAxioms:\nClassicalDedekindReals.sig_not_dec : forall P\n  more\n";
