@@ -290,12 +290,14 @@ attempts![
         let kappa = printed::eq62_kappa(sphere.inertia, sphere.mass, sphere.radius);
         let b = printed::eq67_factor(kappa);
         let lambda = printed::eq80_lambda(b, sphere.mu, sphere.g, turn.a);
+        // The speed may grow far beyond its start.
+        let unit = (turn.slip.v / turn.slip.v0).max(1.0);
         let particle = run(&Plane::constant([-1.0, 0.0]), lambda, start, t);
         // No particle has a friction below zero.
         Ok([
             particle.map_or(f64::NAN, |particle| particle.end().speed()),
             turn.slip.v / turn.slip.v0,
-            1.0,
+            unit,
         ])
     }),
     eq81,

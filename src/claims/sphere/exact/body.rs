@@ -85,7 +85,6 @@ fn prove(
         Ok(body) => Proof::of(title, &body.ring, |p| {
             match friction {
                 Force::Sliding => {
-                    p.note("Friction", "F = −μ m g w/|w| at the contact");
                     p.remark("k stands for μ g");
                 }
                 Force::Rolling => p.note("Friction", "F = mA/b, which keeps the slip velocity 0"),
@@ -493,10 +492,6 @@ pub(super) fn prove_rolling() -> Proof {
                 let force = symbol("b") * symbol(force) / symbol("m");
                 p.reads_as(&rate, "", force - a)?;
             }
-            p.note(
-                "So w = 0 is kept by F = m A/b",
-                "that is at most μmg exactly if |A| ≤ bμg",
-            );
             Ok(())
         },
     )

@@ -85,10 +85,6 @@ fn regions(lambda0: Expr) -> Proof {
     carried("The regions of the sphere", |p| {
         let [b, mu, g, a0] = symbols();
         let q = symbol("q");
-        p.note(
-            "μ is that of slip towards +x, qμ that of slip towards −x",
-            "static friction F = m A/b holds as long as A is at most b times the friction of its direction",
-        );
         let forward = anisotropic::eq47_lambda_plus(b * mu, g, a0);
         let backward = anisotropic::eq48_lambda_minus(b * q * mu, g, a0);
         for (says, particle, stated) in [

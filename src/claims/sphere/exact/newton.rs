@@ -68,7 +68,6 @@ pub const EQ59: Vectorial = Vectorial::new(
             Err(error) => return Proof::impossible(title, error),
         };
         Proof::of(title, &ring, |p| {
-            p.note("In the laboratory", "F = m d²(X + r)/dt², with d²X/dt² = A");
             for ((axis, own), printed) in AXES.iter().zip(own).zip(printed) {
                 p.note("m d²r/dt²", p.ring().text(&own));
                 p.reads_as(&own, &format!("Printed {axis}"), printed)?;
@@ -125,10 +124,6 @@ pub const EQ60: Vectorial = Vectorial::new(
         let contact = [zero(), zero(), -radius];
         let torque = sum(&cross(&contact, &[fx, fy, normal]), &inertial);
         Proof::of(title, &ring, |p| {
-            p.note(
-                "Six masses m/6 at ±a on each axis",
-                "angular velocity ω, its rate α",
-            );
             // Their moment of inertia about any axis: four of them at the distance a.
             let inertia = Rational::int(4) * &each * arm.pow(2);
             p.note("Moment of inertia", p.ring().text(&inertia));
