@@ -251,7 +251,7 @@ Proof. intros H. destruct (late_slide_exists 2 2) as [W HW]; try lra.
 
 (* Figure 5, corrected, for q > 1: A below B below C up to Y, and A below E, below C, from Y on, all below D. Between them the motion at large
    times is of the kinds I to V; m is B up to Y and E from Y on, c is C up to Y and E from Y on. *)
-Theorem fig_5 r q : is_Y r -> 1 < q -> exists a m c, 0 < a < m /\ m <= c < 1 /\ eq53_sides_1 (eq53_k q) a = eq53_sides_2 (eq53_k q) a /\
+Theorem fig_5 r q : is_Y r -> 1 < q -> exists a m c, 0 < a < m /\ m <= c <= eq55_lambda0 q /\ eq53_sides_1 (eq53_k q) a = eq53_sides_2 (eq53_k q) a /\
   (q <= q_Y r -> eq54_sides_1 m (q * m) = eq54_sides_2 m (q * m) /\ c = eq55_lambda0 q /\ (m = c <-> q = q_Y r)) /\
   (q_Y r <= q -> right_anisotropic_e_sides_1 m (q * m) = right_anisotropic_e_sides_2 m (q * m) /\ c = m /\ (m = eq55_lambda0 q <-> q = q_Y r)) /\
   forall l W, 0 < l -> late_slide q l W ->
@@ -271,7 +271,7 @@ Proof.
       split; [ tauto | ]. intros k'. assert (e : q = q_Y r) by lra. apply bu in e as ->.
       destruct (E_root r q Y k') as (b' & hb' & bu' & S'). assert (b' = 1 / q) as -> by (apply bu'; lra). tauto. }
   destruct X as (m & c & hm & hc & XB & XE). exists a, m, c.
-  split; [ lra | split; [ assert (1 / q < 1) by (apply Rlt_div_l; lra); lra | split; [ now apply (on_curve _ _ _ _ (SA a (proj1 ha))) | split; [ |
+  assert (1 / q < 1) by (apply Rlt_div_l; lra). split; [ lra | split; [ unfold eq55_lambda0; lra | split; [ now apply (on_curve _ _ _ _ (SA a (proj1 ha))) | split; [ |
   split ] ] ] ].
   { intros k. destruct (XB k) as (S & h). split; [ apply (on_curve _ _ _ _ (S m ltac:(lra))) | ]; trivial. }
   { intros k. destruct (XE k) as (S & h). split; [ symmetry | trivial ]. apply (on_curve _ _ _ _ (S m ltac:(lra))). trivial. }

@@ -275,9 +275,10 @@ Proof.
   - limit. lra. field.
 Qed.
 (* ... while t times the right side as printed goes to a negative number *)
-Theorem eq_128__printed : is_lim (fun t => t * eq128_alpha_rate (alpha t) (A t)) p_infty (sqrt 2 - 3 / 2) /\ sqrt 2 - 3 / 2 < 0.
+Theorem eq_128__printed dalpha : (forall t, s <= t -> 0 < p t -> rder alpha t (dalpha t)) ->
+  is_lim (fun t => t * dalpha t) p_infty (1 / 2) /\ is_lim (fun t => t * eq128_alpha_rate (alpha t) (A t)) p_infty (sqrt 2 - 3 / 2) /\ sqrt 2 - 3 / 2 < 0.
 Proof.
-  known T. split; [ | nra ]. apply (tends_ext T (fun t => 2 * sqrt 2 * e_of t / (r_of t ^ 2 + p_of t ^ 2) - 3 / 2 * (r_of t / e_of t))).
+  intros D. split; [ exact (proj1 (proj2 (eq_128 dalpha D))) | ]. known T. split; [ | nra ]. apply (tends_ext T (fun t => 2 * sqrt 2 * e_of t / (r_of t ^ 2 + p_of t ^ 2) - 3 / 2 * (r_of t / e_of t))).
   - intros t Ht. seen t. unfold eq128_alpha_rate. rewrite ca, c2. field. repeat split; nra.
   - limit. lra. lra. field.
 Qed.

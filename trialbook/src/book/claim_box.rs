@@ -173,16 +173,14 @@ fn leading(latex: &str) -> Option<&str> {
     bracket.ends_with(r"\cdots\right]").then_some(leading)
 }
 
-/// The form of a claim that needs its condition no more: nothing is corrected by it.
+/// A form of a claim that is regular where the printed one is not: nothing is corrected by it.
 fn unconditional(context: &Context<'_>, entry: &Entry) -> Html {
     let conditional = entry.judgement.verdict.has_condition();
     let Some(form) = entry.claim.correction.filter(|_| conditional) else {
         return Ok(String::new());
     };
     let form = statement(context, entry.claim, form.latex)?;
-    Ok(format!(
-        "<p class=\"claim-label\">A form that needs no condition</p>{form}"
-    ))
+    Ok(format!("<p class=\"claim-label\">A regular form</p>{form}"))
 }
 
 /// Why the claim fails, and a case to check on paper.

@@ -203,7 +203,7 @@ fn new_text(entry: &Entry, inherits: &[String]) -> String {
     if entry.judgement.verdict == Verdict::Conditional {
         let general = claim.correction.map_or(String::new(), |c| {
             let form = statement(c.latex, claim.equation);
-            format!(". A form that needs no condition: {form}")
+            format!(". A regular form: {form}")
         });
         return format!("add: {missing}{general}");
     }
