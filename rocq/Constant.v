@@ -18,7 +18,7 @@ Proof.
   theta0) (eq4_velocity_2 v0 theta0))
     as (vx & vy & M & e1 & e2). now apply hk. intros; split; cont. assert (n0 : nrm (vx 0) (vy 0) = v0).
   { rewrite e1, e2. unfold eq4_velocity_1, eq4_velocity_2. rewrite nrm_scale by trivial. unfold nrm. rewrite unit_circle, sqrt_1. ring. }
-  exists vx, vy, (fun t => nrm (vx t) (vy t)), (fun t => if Req_EM_T t 0 then theta0 else angle (vx t) (vy t)). split; trivial.
+  exists vx, vy, (fun t => nrm (vx t) (vy t)), (fun t => if Req_EM_T t 0 then theta0 else direction_of (vx t) (vy t)). split; trivial.
   split; [ | split; [ exact n0 | now destruct Req_EM_T ] ].
   intros t Ht. split. apply nrm_pos. destruct Req_EM_T as [-> | _]; [ now rewrite n0 | apply angle_polar ].
 Qed.
@@ -358,7 +358,7 @@ Theorem s21_along_acceleration k ax ay vx vy : 0 <= k <= nrm ax ay -> 0 < nrm ax
 Proof.
   intros hk hA M h cosine. pose proof (nrm_sq ax ay) as ea. set (a := nrm ax ay) in *. set (ex := - ax / a). set (ey := - ay / a).
   assert (He : ex ^ 2 + ey ^ 2 = 1) by (transitivity ((ax ^ 2 + ay ^ 2) / a ^ 2); [ unfold ex, ey | rewrite <- ea ]; field; lra).
-  set (ux t := ex * vx t + ey * vy t). set (uy t := ex * vy t - ey * vx t). set (v t := nrm (vx t) (vy t)). set (theta t := angle (ux t) (uy t)).
+  set (ux t := ex * vx t + ey * vy t). set (uy t := ex * vy t - ey * vx t). set (v t := nrm (vx t) (vy t)). set (theta t := direction_of (ux t) (uy t)).
   assert (N : pulled a (k / a) ux uy).
   { unfold pulled. replace (a * (k / a)) with k by (field; lra).
     apply (motion_turned ex ey k (fun _ => ax) (fun _ => ay)); trivial; intros _; unfold eq3_acceleration_1, eq3_acceleration_2, ex, ey; [ | field;

@@ -11,13 +11,13 @@ Open Scope R_scope.
    «in the laboratory a sphere of the mass $m$, the moment of inertia $J$ and the radius $rad$, with $\mu g=k$, has the velocity $(Vx,Vy)$ and the
        angular
    velocity $(ox,oy,oz)$ on a plane that has the velocity $(Px,Py)$» *)
-Record laboratory (m J rad k : R) (Px Py Vx Vy ox oy oz : R -> R) : Prop := {
+Record sphere_laboratory (m J rad k : R) (Px Py Vx Vy ox oy oz : R -> R) : Prop := {
   l_c : forall t, 0 < t -> continuity_pt Px t /\ continuity_pt Py t /\ continuity_pt Vx t /\ continuity_pt Vy t /\
     continuity_pt ox t /\ continuity_pt oy t /\ continuity_pt oz t;
   l_law : forall t, 0 <= t -> exists Fx Fy, coulomb (m * k) (slip_x rad Vx oy t - Px t) (slip_y rad Vy ox t - Py t) Fx Fy /\
     rder Vx t (Fx / m) /\ rder Vy t (Fy / m) /\ rder ox t (rad * Fy / J) /\ rder oy t (- rad * Fx / J) /\ rder oz t 0 }.
 (* Seen from the plane, whose velocity has the rate A, that sphere obeys (59): its momentum has the rate -m A + F, with the same friction F. *)
-Theorem eq_59 m J rad k Ax Ay Px Py Vx Vy ox oy oz t : 0 < m -> laboratory m J rad k Px Py Vx Vy ox oy oz ->
+Theorem eq_59 m J rad k Ax Ay Px Py Vx Vy ox oy oz t : 0 < m -> sphere_laboratory m J rad k Px Py Vx Vy ox oy oz ->
   (forall t, 0 <= t -> rder Px t (Ax t) /\ rder Py t (Ay t)) -> 0 <= t ->
   exists Fx Fy, coulomb (m * k) (slip_x rad (fun t => Vx t - Px t) oy t) (slip_y rad (fun t => Vy t - Py t) ox t) Fx Fy /\
     rder Vx t (Fx / m) /\ rder Vy t (Fy / m) /\

@@ -32,10 +32,10 @@ Lemma sin_no th : - PI < th <= PI -> th <> 0 -> th <> PI -> sin th <> 0.
 Proof. intros H n0 n1. destruct (Rdichotomy _ _ n0) as [k | k]; [ pose proof (sin_lt_0_var th) | pose proof (sin_gt_0 th) ]; lra. Qed.
 
 (* an angle of the velocity (x, y) *)
-Definition angle x y := if Rlt_dec y 0 then - acos (x / nrm x y) else acos (x / nrm x y).
-Lemma angle_polar x y : - PI < angle x y <= PI /\ x = eq4_velocity_1 (nrm x y) (angle x y) /\ y = eq4_velocity_2 (nrm x y) (angle x y).
+Definition direction_of x y := if Rlt_dec y 0 then - acos (x / nrm x y) else acos (x / nrm x y).
+Lemma angle_polar x y : - PI < direction_of x y <= PI /\ x = eq4_velocity_1 (nrm x y) (direction_of x y) /\ y = eq4_velocity_2 (nrm x y) (direction_of x y).
 Proof.
-  unfold angle, eq4_velocity_1, eq4_velocity_2. pose proof (nrm_sq x y) as e. destruct (abs_nrm x y) as [b _]. apply Rabs_le_between in b.
+  unfold direction_of, eq4_velocity_1, eq4_velocity_2. pose proof (nrm_sq x y) as e. destruct (abs_nrm x y) as [b _]. apply Rabs_le_between in b.
   pose proof PI_RGT_0.
   destruct (Req_dec (nrm x y) 0) as [z | z]. { destruct (nrm_zero _ _ z) as [-> ->]. rewrite z. unfold Rdiv. rewrite Rmult_0_l, acos_0.
   destruct Rlt_dec; lra. }

@@ -144,7 +144,7 @@ fn gather(folder: &std::path::Path, before: &str, all: &mut Vec<(String, String)
 #[cfg(feature = "trials")]
 #[macro_export]
 macro_rules! folder {
-    ($path:literal) => {{
+    ($path:tt) => {{
         #[cfg(debug_assertions)]
         const FOLDER: $crate::data::Folder =
             $crate::data::Folder::Here(concat!(env!("CARGO_MANIFEST_DIR"), "/", $path));
