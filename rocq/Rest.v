@@ -44,8 +44,9 @@ Variables (x y u w A alpha psi : R -> R) (sigma T : R).
 Hypothesis table : spin x y u w.
 Hypothesis rest : comes_to_rest sigma T x y u w A alpha psi.
 
-(* alpha and psi tend to zero, and the particle stops inside the distance 1 - unless it comes straight in, with |psi| -> pi *)
-Theorem s4_near_rest : left_lim alpha T s4_near_rest_limits_1 /\
+(* alpha and psi tend to zero, and the particle stops inside the distance 1 - unless it comes straight in, with |psi| -> pi. That the starts of
+   those that come straight in fill no volume is not shown here. *)
+Theorem s4_near_rest__motions : left_lim alpha T s4_near_rest_limits_1 /\
   ((left_lim psi T s4_near_rest_limits_2 /\ 0 < sigma < eq139_largest_sigma) \/ left_lim (fun t => Rabs (psi t)) T PI).
 Proof.
   pose proof (sigma_pos x y u w A alpha psi sigma T table rest). split. apply (A_to x y u w A alpha psi sigma T table rest).
@@ -291,7 +292,7 @@ Ltac rest_at_3_5 := intros H; destruct a_rest as (x & y & u & w & A & al & psi &
   first [ exact H | apply H; lra | exact (H _ s sT (fun t Ht => proj1 (proj2 (D t Ht)))) | exact (H _ _ s sT (fun t Ht => proj1 (proj2 (D t Ht)))
   (fun t Ht => proj2 (proj2 (D t Ht))))
     | exact (H _ _ s sT (fun t Ht => proj1 (proj2 (D t Ht))) (fun t Ht => proj1 (D t Ht))) ] ].
-Lemma s4_near_rest__occurs : ltac:(occurs s4_near_rest). Proof. rest_at_3_5. Qed.
+Lemma s4_near_rest__motions__occurs : ltac:(occurs s4_near_rest__motions). Proof. rest_at_3_5. Qed.
 Lemma eq_140__occurs : ltac:(occurs eq_140). Proof. rest_at_3_5. Qed.
 Lemma eq_141__occurs : ltac:(occurs eq_141). Proof. rest_at_3_5. Qed.
 Lemma eq_142__occurs : ltac:(occurs eq_142). Proof. rest_at_3_5. Qed.
