@@ -83,13 +83,15 @@ Proof. arrive s. pose proof (Ka _ rate_alpha) as D. exact (ll_soon _ _ _ _ D (da
 (* (141): the ratio of alpha to its law, with the time counted from the rest, tends to 1 *)
 Theorem eq_141 : left_lim (fun t => alpha t / eq141_alpha sigma (t - T)) T 1.
 Proof. arrive 0. exact (alpha_limit _ _ _ _ _ _ In V). Qed.
-(* (142): its sides differ by less and less, measured by 1 + |psi|/alpha *)
+(* (142): its sides differ by less and less, measured by 1 + |psi|/alpha; from sigma = 1/4 on also as they stand *)
 Theorem eq_142 dalpha dpsi s (before : s < T) (rate_alpha : forall t, s <= t < T -> rder alpha t (dalpha t))
   (rate_psi : forall t, s <= t < T -> rder psi t (dpsi t)) :
-  left_lim (fun t => (eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) / (1 + Rabs (psi t) / alpha t)) T 0.
+  left_lim (fun t => (eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) / (1 + Rabs (psi t) / alpha t)) T 0 /\
+  (/ 4 < sigma -> left_lim (fun t => eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) T 0).
 Proof.
-  arrive s. pose proof (Ka _ rate_alpha) as D. apply Kp in rate_psi. refine (ll_soon _ _ _ _ _ (psi_law _ _ _ _ _ _ In V)).
-  generalize (soon_and _ _ _ D rate_psi). apply soon_imp. intros t (-> & ->). reflexivity.
+  arrive s. pose proof (Ka _ rate_alpha) as D. apply Kp in rate_psi. pose proof (soon_and _ _ _ D rate_psi) as E. split.
+  - refine (ll_soon _ _ _ _ _ (psi_law _ _ _ _ _ _ In V)). revert E. apply soon_imp. intros t (-> & ->). reflexivity.
+  - intros q. refine (ll_soon _ _ _ _ _ (psi_law_plain _ _ _ _ _ _ In V q)). revert E. apply soon_imp. intros t (-> & ->). reflexivity.
 Qed.
 (* (143): for a constant c, psi differs from its law by what is small beside either of its terms, of the orders alpha and alpha^(sigma/(1 - sigma)) *)
 Theorem eq_143 : / 4 < sigma < 3 / 4 -> sigma <> / 2 -> exists c, left_lim (fun t => (psi t - eq143_psi sigma c (alpha t)) / alpha t) T 0 /\
