@@ -77,7 +77,7 @@ Proof. arrive s. pose proof (Ka _ rate_alpha) as D. exact (ll_soon _ _ _ _ D (da
 (* (141): the ratio of alpha to its law, with the time counted from the rest, tends to 1 *)
 Theorem eq_141 : left_lim (fun t => alpha t / eq141_alpha sigma (t - T)) T 1.
 Proof. arrive 0. exact (alpha_limit _ _ _ _ _ _ In V). Qed.
-(* (142): its sides differ by less and less, measured by 1 + |psi|/alpha; from sigma = 1/4 on also as they stand *)
+(* (142): its sides differ by less and less, measured by 1 + |psi|/alpha; for a rest beyond sigma = 1/4 also as they stand *)
 Theorem eq_142 dalpha dpsi s (before : s < T) (rate_alpha : forall t, s <= t < T -> rder alpha t (dalpha t))
   (rate_psi : forall t, s <= t < T -> rder psi t (dpsi t)) :
   left_lim (fun t => (eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) / (1 + Rabs (psi t) / alpha t)) T 0 /\
