@@ -2,7 +2,7 @@
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis Formulas TableLaws Sphere Fate TableMotions TableAngle Stops Threshold Thin Late Near
-  Arrives AngleAtRest LastMoments Starts.
+  Arrives AngleAtRest LastMoments Starts StraightIn.
 Open Scope R_scope.
 
 Lemma within a b : nrm a b <= eq139_largest_sigma <-> a ^ 2 + b ^ 2 <= 1.
@@ -38,13 +38,17 @@ Variables (x y u w A alpha psi : R -> R) (sigma T : R).
 Hypothesis table : spin x y u w.
 Hypothesis rest : comes_to_rest sigma T x y u w A alpha psi.
 
-(* alpha and psi tend to zero, and the particle stops inside the distance 1 - unless it comes straight in, with |psi| -> pi. That the starts of
-   those that come straight in fill no volume is not shown here. *)
-Theorem s4_near_rest__motions : left_lim alpha T s4_near_rest_limits_1 /\
-  ((left_lim psi T s4_near_rest_limits_2 /\ 0 < sigma < eq139_largest_sigma) \/ left_lim (fun t => Rabs (psi t)) T PI).
+(* alpha and psi tend to zero, and the particle stops inside the distance 1 - unless it comes straight in, with |psi| -> pi; the starts of those that
+   do so fill no volume *)
+Theorem s4_near_rest : left_lim alpha T s4_near_rest_limits_1 /\
+  ((left_lim psi T s4_near_rest_limits_2 /\ 0 < sigma < eq139_largest_sigma) \/
+    left_lim (fun t => Rabs (psi t)) T PI /\ straight_starts (start_of x y u w)) /\
+  no_volume straight_starts.
 Proof.
-  pose proof (sigma_pos x y u w A alpha psi sigma T table rest). split. apply (A_to x y u w A alpha psi sigma T table rest).
-  destruct (psi_ends x y u w A alpha psi sigma T table rest) as [[L s1] | L]; [ left | now right ]. repeat split; trivial.
+  pose proof (sigma_pos x y u w A alpha psi sigma T table rest). split; [ apply (A_to x y u w A alpha psi sigma T table rest) | split; [ | exact straight_thin ] ].
+  destruct (psi_ends x y u w A alpha psi sigma T table rest) as [[L s1] | L]; [ left | right ]; repeat split; trivial.
+  exists x, y, u, w, psi, T. destruct (c_slips _ _ _ _ _ _ _ _ _ rest) as [T0 N]. destruct (c_rest _ _ _ _ _ _ _ _ _ rest) as [z _].
+  do 7 (split; [ now trivial | ]). split; trivial. intros t Ht. split. now apply N. apply (c_psi _ _ _ _ _ _ _ _ _ rest). lra.
 Qed.
 
 Hypothesis not_straight : left_lim psi T 0.
@@ -310,7 +314,7 @@ Ltac rest_at_3_5 := intros H; destruct a_rest as (x & y & u & w & A & al & psi &
   first [ exact H | apply H; lra | exact (H _ s sT (fun t Ht => proj1 (proj2 (D t Ht)))) | exact (H _ _ s sT (fun t Ht => proj1 (proj2 (D t Ht)))
   (fun t Ht => proj2 (proj2 (D t Ht))))
     | exact (H _ _ s sT (fun t Ht => proj1 (proj2 (D t Ht))) (fun t Ht => proj1 (D t Ht))) ] ].
-Lemma s4_near_rest__motions__occurs : ltac:(occurs s4_near_rest__motions). Proof. rest_at_3_5. Qed.
+Lemma s4_near_rest__occurs : ltac:(occurs s4_near_rest). Proof. rest_at_3_5. Qed.
 Lemma eq_140__occurs : ltac:(occurs eq_140). Proof. rest_at_3_5. Qed.
 Lemma eq_141__occurs : ltac:(occurs eq_141). Proof. rest_at_3_5. Qed.
 Lemma eq_142__occurs : ltac:(occurs eq_142). Proof. rest_at_3_5. Qed.
