@@ -45,7 +45,8 @@ Theorem s4_near_rest : left_lim alpha T s4_near_rest_limits_1 /\
     left_lim (fun t => Rabs (psi t)) T PI /\ straight_starts (start_of x y u w)) /\
   no_volume straight_starts.
 Proof.
-  pose proof (sigma_pos x y u w A alpha psi sigma T table rest). split; [ apply (A_to x y u w A alpha psi sigma T table rest) | split; [ | exact straight_thin ] ].
+  pose proof (sigma_pos x y u w A alpha psi sigma T table rest). split; [ apply (A_to x y u w A alpha psi sigma T table rest) | split;
+    [ | exact straight_thin ] ].
   destruct (psi_ends x y u w A alpha psi sigma T table rest) as [[L s1] | L]; [ left | right ]; repeat split; trivial.
   exists x, y, u, w, psi, T. destruct (c_slips _ _ _ _ _ _ _ _ _ rest) as [T0 N]. destruct (c_rest _ _ _ _ _ _ _ _ _ rest) as [z _].
   do 7 (split; [ now trivial | ]). split; trivial. intros t Ht. split. now apply N. apply (c_psi _ _ _ _ _ _ _ _ _ rest). lra.

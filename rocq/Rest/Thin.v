@@ -41,11 +41,10 @@ Qed.
    «$\{$starts from which a motion comes to rest just at the distance $1$ from the axis, or creeps there for ever$\}$» *)
 Definition on_edge (z : place -> R) : Prop := exists x y u w, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
   (rests_at 1 x y u w \/ creeps x y u w).
-(* Starts, four numbers each, fill no volume: what of them lies in a box is covered by finitely many cubes (place and half an edge) of a total volume
-   as small as one likes.
-   «the volume of the cubes $l$» *)
+(* the volume of cubes of starts, four numbers each; a cube is its centre and half its edge. «the volume of the cubes $l$» *)
 Definition volume (l : list ((place -> R) * R)) := fold_right (fun c v => (2 * snd c) ^ 4 + v) 0 l.
-(* «the volume of $P$ is $0$» *)
+(* Starts fill no volume: what of them lies in a box is covered by finitely many cubes of a total volume as small as one likes.
+   «the volume of $P$ is $0$» *)
 Definition no_volume (P : (place -> R) -> Prop) : Prop := forall N eps, 0 < N -> 0 < eps -> exists l, volume l <= eps /\
   forall z, P z -> (forall i, Rabs (z i) <= N) -> exists c h, In (c, h) l /\ forall i, Rabs (z i - c i) <= h.
 Lemma volume_app l m : volume (l ++ m) = volume l + volume m.
