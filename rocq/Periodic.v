@@ -162,21 +162,35 @@ Proof.
 Qed.
 Lemma s23_nonzero_again__occurs : ltac:(occurs s23_nonzero_again).
 Proof. pulsed T (1/3) (1/2). Qed.
-(* It is not the friction: while the particle still slides in the gap, friction gives it the rate - lambda0, not 0. *)
-Theorem s23_nonzero_again__printed eta l W ph : 0 < eta < 1 -> eq46_lambda_c eta < l < 1 -> late l (pulse eta) W ->
-  eta * PI <= ph < eq44_ends_2 l eta ->
+(* It is not the friction: the particle still slides in the gap, up to eta PI / lambda0, or, with the friction at most eta, all through it, and
+   friction gives it the rate - lambda0 there, not 0. *)
+Theorem s23_nonzero_again__printed eta l W ph : 0 < eta < 1 -> 0 < l < 1 -> late l (pulse eta) W ->
+  eta * PI <= ph < PI -> ph < eq44_ends_2 l eta -> 0 < W ph /\
   pulse eta ph = 0 /\ rder W ph (pulse eta ph + Formulas.s23_nonzero_again (- l)) /\ Formulas.s23_nonzero_again (- l) <> 0.
 Proof.
-  unfold eq46_lambda_c, Formulas.s23_nonzero_again. intros he hl HW Hph. destruct (w44_cases l eta) as (e0 & e1 & _ & C & _); try lra.
-  destruct (w44_late l eta) as (_ & L & _); try lra. unfold eq44_ends_2 in Hph.
-  assert (Z : pulse eta ph = 0) by (apply pulse_on; lra). split; [ trivial | split; [ | lra ] ]. rewrite Z.
-  apply (rder_loc W (eq44_cases_2 l eta) ph _ (eta * PI / l - ph)); [ lra | | slope ]. intros s Hs. rewrite (late_eq _ _ _ _ HW L). symmetry.
-  apply C. lra.
+  unfold Formulas.s23_nonzero_again, eq44_ends_2. intros he hl HW gap slides.
+  pose proof PI_RGT_0. assert (0 < eta * PI) by nra. assert (Z : pulse eta ph = 0) by (apply pulse_on; lra). rewrite Z.
+  enough (K : 0 < W ph /\ exists f d, 0 < d /\ (forall s, ph <= s < ph + d -> f s = W s) /\ is_derive f ph (- l)).
+  { destruct K as (P & f & d & d0 & same & D). split; trivial. split; [ trivial | split; [ | lra ] ]. rewrite Rplus_0_l.
+    apply (rder_loc W f ph _ d d0); [ intros; auto | trivial ]. }
+  destruct (Rle_lt_dec l eta) as [k | k].
+  - destruct (w_below_late l eta) as (_ & L & _ & P); try lra. destruct (below_cases l eta) as (_ & C & _); try lra.
+    rewrite (late_eq _ _ _ _ HW L). unfold right_periodic_small_friction_start in P. split. apply P. nra.
+    exists (right_periodic_small_friction_cases_2 l eta), (PI - ph). split; [ lra | split ].
+    + intros s Hs. symmetry. apply C. lra.
+    + unfold right_periodic_small_friction_cases_2. auto_derive; trivial. ring.
+  - destruct (w44_cases l eta) as (e0 & e1 & _ & C & _); try lra. destruct (w44_late l eta) as (_ & L & _); try lra.
+    rewrite (late_eq _ _ _ _ HW L). split.
+    + rewrite C by lra. unfold eq44_cases_2. apply (Rmult_lt_compat_l l) in slides; [ | lra ].
+      replace (l * (eta * PI / l)) with (eta * PI) in slides by (field; lra). lra.
+    + exists (eq44_cases_2 l eta), (eta * PI / l - ph). split; [ lra | split ].
+      * intros s Hs. symmetry. apply C. lra.
+      * unfold eq44_cases_2. auto_derive; trivial. ring.
 Qed.
 Lemma s23_nonzero_again__printed__occurs : ltac:(occurs s23_nonzero_again__printed).
 Proof.
   intros H. destruct (pulses_at_large_times (1/3) (1/2)) as [W HW]; try lra. pose proof PI_RGT_0.
-  refine (H (1/3) (1/2) W (1/3 * PI) _ _ HW _); unfold eq46_lambda_c, eq44_ends_2; lra.
+  refine (H (1/3) (1/2) W (1/3 * PI) _ _ HW _ _); unfold eq44_ends_2; lra.
 Qed.
 
 (* The largest size of the pulses is 1 at every width above 0. *)

@@ -2,7 +2,7 @@
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis Formulas TableLaws Sphere Fate TableMotions TableAngle Stops Threshold Thin Late Near
-  Arrives AngleAtRest LastMoments Starts.
+  Arrives AngleAtRest LastMoments Starts StraightIn.
 Open Scope R_scope.
 
 Lemma within a b : nrm a b <= eq139_largest_sigma <-> a ^ 2 + b ^ 2 <= 1.
@@ -24,19 +24,13 @@ Qed.
 Lemma s4_rest_radius__occurs : ltac:(occurs s4_rest_radius).
 Proof. intros H. destruct (table_exists 2 0 1 0) as (x & y & u & w & S & _). exact (H x y u w S). Qed.
 
-(* «$\{$starts from which a motion neither comes to rest nor escapes$\}$» *)
-Definition undecided (z : place -> R) : Prop := exists x y u w, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
-  ~ (exists s, rests_at s x y u w) /\ ~ escapes x y.
-(* Every motion comes to rest, goes farther than any distance for good, or creeps towards a place of rho = 1 for ever. Those that neither rest nor
-   escape start from a set of no volume. *)
+(* From every start there is a motion. Every motion comes to rest, goes farther than any distance for good, or creeps towards a place of rho = 1
+   for ever. The starts of those that creep, and of those that come to rest just on rho = 1, fill no volume. *)
 Theorem s4_dichotomy :
+  (forall x0 y0 u0 w0, exists x y u w, spin x y u w /\ x 0 = x0 /\ y 0 = y0 /\ u 0 = u0 /\ w 0 = w0) /\
   (forall x y u w, spin x y u w -> (exists s, s <= eq139_largest_sigma /\ rests_at s x y u w) \/ escapes x y \/ creeps x y u w) /\
-  no_volume undecided.
-Proof.
-  split. exact fates. intros N eps HN He. destruct (edge_thin N eps HN He) as (l & h & h0 & small & K). exists l, h. split; trivial. split; trivial.
-  intros z (x & y & u & w & S & a & b & c & d & no_rest & no_escape) Hz. apply K; trivial. exists x, y, u, w. do 5 (split; trivial).
-  destruct (fates x y u w S) as [(s & _ & r) | [e | c']]; [ elim no_rest; eauto | now elim no_escape | now right ].
-Qed.
+  no_volume on_edge.
+Proof. exact (conj table_exists (conj fates edge_thin)). Qed.
 
 (* ---- how a particle comes to rest ---- *)
 Section NearRest.
@@ -44,12 +38,18 @@ Variables (x y u w A alpha psi : R -> R) (sigma T : R).
 Hypothesis table : spin x y u w.
 Hypothesis rest : comes_to_rest sigma T x y u w A alpha psi.
 
-(* alpha and psi tend to zero, and the particle stops inside the distance 1 - unless it comes straight in, with |psi| -> pi *)
+(* alpha and psi tend to zero, and the particle stops inside the distance 1 - unless it comes straight in, with |psi| -> pi; the starts of those that
+   do so fill no volume *)
 Theorem s4_near_rest : left_lim alpha T s4_near_rest_limits_1 /\
-  ((left_lim psi T s4_near_rest_limits_2 /\ 0 < sigma < eq139_largest_sigma) \/ left_lim (fun t => Rabs (psi t)) T PI).
+  ((left_lim psi T s4_near_rest_limits_2 /\ 0 < sigma < eq139_largest_sigma) \/
+    left_lim (fun t => Rabs (psi t)) T PI /\ straight_starts (start_of x y u w)) /\
+  no_volume straight_starts.
 Proof.
-  pose proof (sigma_pos x y u w A alpha psi sigma T table rest). split. apply (A_to x y u w A alpha psi sigma T table rest).
-  destruct (psi_ends x y u w A alpha psi sigma T table rest) as [[L s1] | L]; [ left | now right ]. repeat split; trivial.
+  pose proof (sigma_pos x y u w A alpha psi sigma T table rest). split; [ apply (A_to x y u w A alpha psi sigma T table rest) | split;
+    [ | exact straight_thin ] ].
+  destruct (psi_ends x y u w A alpha psi sigma T table rest) as [[L s1] | L]; [ left | right ]; repeat split; trivial.
+  exists x, y, u, w, psi, T. destruct (c_slips _ _ _ _ _ _ _ _ _ rest) as [T0 N]. destruct (c_rest _ _ _ _ _ _ _ _ _ rest) as [z _].
+  do 7 (split; [ now trivial | ]). split; trivial. intros t Ht. split. now apply N. apply (c_psi _ _ _ _ _ _ _ _ _ rest). lra.
 Qed.
 
 Hypothesis not_straight : left_lim psi T 0.
@@ -82,13 +82,15 @@ Proof. arrive s. pose proof (Ka _ rate_alpha) as D. exact (ll_soon _ _ _ _ D (da
 (* (141): the ratio of alpha to its law, with the time counted from the rest, tends to 1 *)
 Theorem eq_141 : left_lim (fun t => alpha t / eq141_alpha sigma (t - T)) T 1.
 Proof. arrive 0. exact (alpha_limit _ _ _ _ _ _ In V). Qed.
-(* (142): its sides differ by less and less, measured by 1 + |psi|/alpha *)
+(* (142): its sides differ by less and less, measured by 1 + |psi|/alpha; for a rest beyond sigma = 1/4 also as they stand *)
 Theorem eq_142 dalpha dpsi s (before : s < T) (rate_alpha : forall t, s <= t < T -> rder alpha t (dalpha t))
   (rate_psi : forall t, s <= t < T -> rder psi t (dpsi t)) :
-  left_lim (fun t => (eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) / (1 + Rabs (psi t) / alpha t)) T 0.
+  left_lim (fun t => (eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) / (1 + Rabs (psi t) / alpha t)) T 0 /\
+  (/ 4 < sigma -> left_lim (fun t => eq142_left sigma (dpsi t / dalpha t) - eq142_right (alpha t) (psi t)) T 0).
 Proof.
-  arrive s. pose proof (Ka _ rate_alpha) as D. apply Kp in rate_psi. refine (ll_soon _ _ _ _ _ (psi_law _ _ _ _ _ _ In V)).
-  generalize (soon_and _ _ _ D rate_psi). apply soon_imp. intros t (-> & ->). reflexivity.
+  arrive s. pose proof (Ka _ rate_alpha) as D. apply Kp in rate_psi. pose proof (soon_and _ _ _ D rate_psi) as E. split.
+  - refine (ll_soon _ _ _ _ _ (psi_law _ _ _ _ _ _ In V)). revert E. apply soon_imp. intros t (-> & ->). reflexivity.
+  - intros q. refine (ll_soon _ _ _ _ _ (psi_law_plain _ _ _ _ _ _ In V q)). revert E. apply soon_imp. intros t (-> & ->). reflexivity.
 Qed.
 (* (143): for a constant c, psi differs from its law by what is small beside either of its terms, of the orders alpha and alpha^(sigma/(1 - sigma)) *)
 Theorem eq_143 : / 4 < sigma < 3 / 4 -> sigma <> / 2 -> exists c, left_lim (fun t => (psi t - eq143_psi sigma c (alpha t)) / alpha t) T 0 /\
@@ -139,6 +141,15 @@ Proof.
 Qed.
 End NearRest.
 
+(* Taken as a function of alpha the right side of (143) solves (142), for every constant c *)
+Theorem eq_143__solves sigma c alpha : 0 < sigma < 1 -> sigma <> / 2 -> 0 < alpha -> exists slope, is_derive (eq143_psi sigma c) alpha slope /\
+  eq142_left sigma slope = eq142_right alpha (eq143_psi sigma c alpha).
+Proof.
+  intros Hs h a0. exists (2 * (sigma / (2 * sigma - 1)) + 2 * c * (sigma / (1 - sigma)) * Rpower alpha ((2 * sigma - 1) / (1 - sigma))). split.
+  - unfold eq143_psi, Rpower. auto_derive; trivial. field. repeat split; lra.
+  - unfold eq142_left, eq142_right, eq143_psi. field. repeat split; lra.
+Qed.
+
 (* ---- starts with small alpha ---- *)
 Lemma off_145 sigma alpha psi : 0 < sigma < 1 -> right_rest_surface_a sigma alpha psi - eq145_a sigma alpha =
   sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * ((1 - cos psi) * (2 + sigma + sigma * cos psi)).
@@ -175,15 +186,28 @@ Proof.
       apply Rmult_le_pos; [ apply Rabs_pos | nra ]. apply Rmult_le_compat_r. lra. apply Rmult_le_compat_r; nra.
     + nra.
 Qed.
-(* (145) with any other psi misses that surface by a fixed multiple of alpha^2 *)
-Theorem s4_psi_free__printed sigma alpha psi : 0 < sigma < 1 -> 0 < alpha ->
-  (right_rest_surface_a sigma alpha psi = eq145_a sigma alpha <-> cos psi = 1).
+(* (145) with any other psi misses that surface, and with it every start with rest at sigma, by a fixed multiple of alpha^2 at least *)
+Theorem s4_psi_free__printed sigma psi : 0 < sigma < 1 ->
+  (forall alpha, 0 < alpha -> (right_rest_surface_a sigma alpha psi = eq145_a sigma alpha <-> cos psi = 1)) /\
+  (cos psi <> 1 -> exists c alpha0, 0 < c /\ 0 < alpha0 /\ forall alpha A x y u w, 0 < alpha < alpha0 -> 0 < A -> from A alpha psi x y u w ->
+    rests_at sigma x y u w -> c * alpha ^ 2 <= Rabs (A - eq145_a sigma alpha)).
 Proof.
-  intros Hs a0. pose proof (off_145 sigma alpha psi Hs) as q.
-  pose proof (COS_bound psi). assert (P : 0 < sigma ^ 2 * alpha ^ 2 * / (4 * (1 - sigma ^ 2)) * (2 + sigma + sigma * cos psi)) by (repeat apply
-  Rmult_lt_0_compat; try apply Rinv_0_lt_compat; nra).
-  set (k := sigma ^ 2 * alpha ^ 2 * / _) in *. split; intros z; [ | rewrite z in q; lra ].
-  assert (z2 : k * (2 + sigma + sigma * cos psi) * (1 - cos psi) = 0) by lra. apply Rmult_integral in z2. lra.
+  intros Hs. pose proof (COS_bound psi). assert (i0 : 0 < / (4 * (1 - sigma ^ 2))) by (apply Rinv_0_lt_compat; nra).
+  set (k := sigma ^ 2 * / (4 * (1 - sigma ^ 2)) * (2 + sigma + sigma * cos psi)).
+  assert (k0 : 0 < k) by (unfold k; repeat apply Rmult_lt_0_compat; nra).
+  assert (q : forall alpha, right_rest_surface_a sigma alpha psi - eq145_a sigma alpha = k * (1 - cos psi) * alpha ^ 2).
+  { intros alpha. rewrite off_145 by trivial. unfold k. ring. }
+  split.
+  - intros alpha a0. specialize (q alpha). assert (P : 0 < k * alpha ^ 2) by (apply Rmult_lt_0_compat; nra).
+    split; intros z; [ | rewrite z in q; lra ].
+    assert (z2 : k * alpha ^ 2 * (1 - cos psi) = 0) by lra. apply Rmult_integral in z2. lra.
+  - intros n. destruct (on_surface sigma Hs) as (K & a0 & K0 & Ha & H0). set (c := k * (1 - cos psi)) in *.
+    assert (c0 : 0 < c) by (apply Rmult_lt_0_compat; lra). exists (c / 2), (Rmin a0 (c / (2 * K))).
+    split. lra. split. apply Rmin_pos; [ lra | apply Rdiv_lt_0_compat; lra ]. intros alpha A x y u w Hal A0 F R.
+    pose proof (Rmin_l a0 (c / (2 * K))). pose proof (Rmin_r a0 (c / (2 * K))). specialize (H0 A alpha psi x y u w A0 ltac:(lra) F R).
+    assert (e : alpha * K <= c / 2). { replace (c / 2) with (c / (2 * K) * K) by (field; lra). apply Rmult_le_compat_r; lra. }
+    assert (a2 : 0 < alpha ^ 2) by (apply pow_lt; lra). assert (small : K * alpha ^ 3 <= c / 2 * alpha ^ 2) by nra.
+    specialize (q alpha). apply Rabs_le_between in H0. eapply Rle_trans; [ | apply Rle_abs ]. lra.
 Qed.
 (* The corrected boundary between rest and escape, for small alpha and every psi: below it by more than K alpha^3 the particle comes to rest inside
    the distance 1, above

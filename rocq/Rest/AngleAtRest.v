@@ -137,6 +137,39 @@ Proof.
   apply Rle_trans with (psi t ^ 2 * Rpower (al t) (- (2 * q)) * P ^ 2). right. rewrite Rmult_assoc, e1. ring. apply Rmult_le_compat_r.
   apply pow2_ge_0. lra.
 Qed.
+(* for k > 1/3 what (142) leaves out tends to zero as it stands *)
+Lemma psi_law_plain : / 4 < sigma -> left_lim (fun t => eq142_left sigma (dpsi t / dal t) - eq142_right (al t) (psi t)) T 0.
+Proof.
+  intros s4. pose proof k_pos as k0. assert (k3 : / 3 < k) by (apply Rlt_div_r; lra). set (q := Rmin 1 ((k + / 3) / 2)).
+  assert (Hq : / 3 < q < k /\ q <= 1) by (unfold q, Rmin; destruct (Rle_dec 1 ((k + / 3) / 2)); lra).
+  destruct (psi_order q ltac:(lra) ltac:(lra)) as (M & M0 & HM). destruct left_out_small as (C & C0 & HC).
+  pose proof (soon_and _ _ _ (al_soon A al psi sigma s T V) (soon_near _ _ _ 1 lal Rlt_0_1)) as S1.
+  pose proof (soon_near _ _ _ (/ (2 * k)) (dal_limit A al psi sigma s T inside V) ltac:(apply Rinv_0_lt_compat; lra)) as S2.
+  apply (ll_squeeze _ (fun t => 2 * C * (1 + M) ^ 3 * Rpower (al t) (3 * q - 1))).
+  - generalize (soon_and _ _ _ (soon_and _ _ _ S1 S2) (soon_and _ _ _ HM HC)). apply soon_imp. intros t (((a0 & a1) & l1) & hM & hC).
+    rewrite Rminus_0_r, Rabs_pos_eq in a1 by lra. rewrite k_is in l1. apply Rabs_def2 in l1. unfold left_out in hC. set (d := dal t) in *.
+    set (a := al t) in *. set (lo := a * eq115_psi_rate a (psi t) - _) in *. set (P := Rpower a q) in *.
+    assert (kk : / k = / (2 * k) + / (2 * k)) by (field; lra). assert (i0 : 0 < / (2 * k)) by (apply Rinv_0_lt_compat; lra).
+    assert (d0 : 0 < / (2 * k) < - d) by lra.
+    replace (eq142_left sigma (eq115_psi_rate a (psi t) / d) - eq142_right a (psi t)) with (lo * (/ a * (/ k * / - d))).
+    2: { unfold lo, eq142_left, eq142_right. field. repeat split; lra. }
+    assert (id : 0 < / - d < 2 * k).
+    { split. apply Rinv_0_lt_compat; lra. rewrite <- (Rinv_involutive (2 * k)) by lra. apply Rinv_lt_contravar; [ apply Rmult_lt_0_compat | ]; lra. }
+    assert (ik : 0 < / k * / - d <= 2).
+    { assert (0 < / k) by (apply Rinv_0_lt_compat; lra). split. apply Rmult_lt_0_compat; lra. replace 2 with (/ k * (2 * k)) by (field; lra).
+      apply Rmult_le_compat_l; lra. }
+    assert (ia : 0 < / a) by now apply Rinv_0_lt_compat.
+    assert (size : Rabs lo <= C * ((1 + M) ^ 3 * Rpower a (3 * q))).
+    { eapply Rle_trans; [ exact hC | ]. apply Rmult_le_compat_l; [ lra | ]. rewrite <- power_cube, <- Rpow_mult_distr by trivial.
+      pose proof (power_le a q 1 ltac:(lra) ltac:(lra)) as e. rewrite Rpower_1 in e by trivial. fold P in e. pose proof (Rabs_pos (psi t)).
+      apply pow_incr. fold P. lra. }
+    rewrite Rabs_mult, (Rabs_pos_eq (/ a * _)) by (apply Rmult_le_pos; lra).
+    apply Rle_trans with (C * ((1 + M) ^ 3 * Rpower a (3 * q)) * (/ a * 2)).
+    apply Rmult_le_compat; [ apply Rabs_pos | apply Rmult_le_pos; lra | trivial | apply Rmult_le_compat_l; lra ].
+    right. unfold Rminus. rewrite Rpower_plus, Rpower_Ropp, Rpower_1 by trivial. ring.
+  - eapply ll_eq. apply (ll_mult (fun _ => 2 * C * (1 + M) ^ 3)); [ apply ll_const | ].
+    apply (ll_power al T (3 * q - 1) (al_soon A al psi sigma s T V) lal). lra. ring.
+Qed.
 (* psi over alpha^k, less that of a solution, converges *)
 Lemma converges q G : (forall a, 0 < a -> is_derive G a (- (2 * k * Rpower a (- k)))) -> q <= 1 -> k < 3 * q ->
   (exists M, 0 < M /\ soon T (fun t => Rabs (psi t) <= M * Rpower (al t) q)) ->

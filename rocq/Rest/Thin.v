@@ -37,14 +37,23 @@ Proof.
   - eapply rder_eq. rd. ring.
 Qed.
 
-(* the motion from the start z comes to rest just on rho = 1, or creeps there for ever *)
+(* the motion from the start z comes to rest just on rho = 1, or creeps there for ever
+   «$\{$starts from which a motion comes to rest just at the distance $1$ from the axis, or creeps there for ever$\}$» *)
 Definition on_edge (z : place -> R) : Prop := exists x y u w, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
   (rests_at 1 x y u w \/ creeps x y u w).
-(* Starts, four numbers each, fill no volume: what of them lies in a box is covered by finitely many equal cubes (half an edge h) of a total volume
-   as small as one likes.
+(* the volume of cubes of starts, four numbers each; a cube is its centre and half its edge. «the volume of the cubes $l$» *)
+Definition volume (l : list ((place -> R) * R)) := fold_right (fun c v => (2 * snd c) ^ 4 + v) 0 l.
+(* Starts fill no volume: what of them lies in a box is covered by finitely many cubes of a total volume as small as one likes.
    «the volume of $P$ is $0$» *)
-Definition no_volume (P : (place -> R) -> Prop) : Prop := forall N eps, 0 < N -> 0 < eps -> exists (l : list (place -> R)) h, 0 < h /\
-  INR (length l) * (2 * h) ^ 4 <= eps /\ forall z, P z -> (forall i, Rabs (z i) <= N) -> exists c, In c l /\ forall i, Rabs (z i - c i) <= h.
+Definition no_volume (P : (place -> R) -> Prop) : Prop := forall N eps, 0 < N -> 0 < eps -> exists l, volume l <= eps /\
+  forall z, P z -> (forall i, Rabs (z i) <= N) -> exists c h, In (c, h) l /\ forall i, Rabs (z i - c i) <= h.
+Lemma volume_app l m : volume (l ++ m) = volume l + volume m.
+Proof. induction l as [ | c l IH ]; simpl; [ ring | ]. fold (volume (l ++ m)) (volume l). rewrite IH. ring. Qed.
+Lemma volume_equal l h : volume (map (fun c => (c, h)) l) = INR (length l) * (2 * h) ^ 4.
+Proof.
+  induction l as [ | c l IH ]; cbn [map length]. simpl. ring. rewrite S_INR. change (volume ((c, h) :: ?m)) with ((2 * h) ^ 4 + volume m).
+  unfold volume in *. cbn [fold_right snd]. rewrite IH. ring.
+Qed.
 
 (* it ends at the angle th *)
 Definition ends z th := exists x y u w, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
@@ -145,27 +154,44 @@ Proof.
       destruct (IH c' z Hc Hz) as (q & Hq & K). exists q. split; trivial. now right.
     + exists l. split. simpl. now apply le_S. intros c' z [<- | Hc] Hz. exfalso. eauto. eauto.
 Qed.
+(* what depends on three numbers, of a size below M, and little on each, is covered by n^3 cubes *)
+Lemma grid M n g (P : (place -> R) -> R -> R -> R -> Prop) : 0 < M -> (0 < n)%nat ->
+  (forall z a b c z' a' b' c', P z a b c -> P z' a' b' c' -> Rabs (a - a') <= 2 * (M / INR n) -> Rabs (b - b') <= 2 * (M / INR n) ->
+    Rabs (c - c') <= 2 * (M / INR n) -> forall i, Rabs (z i - z' i) <= g) ->
+  exists l, (length l <= n * n * n)%nat /\ forall z a b c, P z a b c -> Rabs a < M -> Rabs b < M -> Rabs c < M ->
+    exists q, In q l /\ forall i, Rabs (z i - q i) <= g.
+Proof.
+  intros HM Hn H. set (Q := fun (m : nat * nat * nat) z => exists a b c, P z a b c /\ Rabs (a - mid M n (fst (fst m))) <= M / INR n /\
+    Rabs (b - mid M n (snd (fst m))) <= M / INR n /\ Rabs (c - mid M n (snd m)) <= M / INR n).
+  destruct (cover _ Q g (list_prod (list_prod (seq 0 n) (seq 0 n)) (seq 0 n))) as (l & Hl & K).
+  { intros m z z' (a & b & c & E1 & a1 & a2 & a3) (a' & b' & c' & E2 & b1 & b2 & b3). apply Rabs_le_between in a1, a2, a3, b1, b2, b3.
+    apply (H z a b c z' a' b' c'); trivial; apply Rabs_le; lra. }
+  exists l. split. now rewrite !prod_length, !seq_length in Hl. intros z a b c Hz Ha Hb Hc.
+  destruct (locate M n a HM Hn Ha) as (i1 & j1 & k1). destruct (locate M n b HM Hn Hb) as (i2 & j2 & k2).
+  destruct (locate M n c HM Hn Hc) as (i3 & j3 & k3).
+  apply (K (i1, i2, i3)); [ | now exists a, b, c ]. repeat apply in_prod; apply in_seq; simpl; split; auto using Nat.le_0_l.
+Qed.
+Lemma fine_enough M k eps : 0 < M -> 0 < k -> 0 < eps -> exists n, (0 < n)%nat /\ forall l : list (place -> R), (length l <= n * n * n)%nat ->
+  volume (map (fun c => (c, k * (2 * (M / INR n)))) l) <= eps.
+Proof.
+  intros HM Hk He. set (K := (4 * k * M) ^ 4). assert (K0 : 0 < K) by (apply pow_lt; repeat apply Rmult_lt_0_compat; lra).
+  destruct (nfloor_ex (K / eps)) as [m [_ m2]]. { left. now apply Rdiv_lt_0_compat. } set (n := S m). exists n. split. apply Nat.lt_0_succ.
+  assert (nn : INR n = INR m + 1) by apply S_INR. assert (n0 : 0 < INR n) by (rewrite nn; pose proof (pos_INR m); lra).
+  assert (Kn : K <= eps * INR n). { rewrite nn. replace K with (K / eps * eps) by (field; lra). rewrite Rmult_comm. apply Rmult_le_compat_l; lra. }
+  intros l Hl. rewrite volume_equal. apply le_INR in Hl. rewrite !mult_INR in Hl.
+  assert (h4 : 0 <= (2 * (k * (2 * (M / INR n)))) ^ 4) by (apply pow_le; repeat apply Rmult_le_pos; try lra; left; now apply Rinv_0_lt_compat).
+  eapply Rle_trans. apply Rmult_le_compat_r; [ exact h4 | exact Hl ]. apply (Rmult_le_reg_r (INR n)); trivial.
+  eapply Rle_trans; [ right | exact Kn ]. unfold K. field. lra.
+Qed.
+Lemma covered l h z : (exists q, In q l /\ forall i, Rabs (z i - q i) <= h) -> exists c h', In (c, h') (map (fun c => (c, h)) l) /\
+  forall i : place, Rabs (z i - c i) <= h'.
+Proof. intros (q & Hq & K). exists q, h. split; trivial. apply in_map_iff. now exists q. Qed.
 Theorem edge_thin : no_volume on_edge.
 Proof.
-  intros N eps HN Heps. set (M := N + 5). set (k := 2 + 6 * N). set (K := 16 * k ^ 4 * 16 * M ^ 4).
-  assert (K0 : 0 < K) by (unfold K, k, M; repeat apply Rmult_lt_0_compat; try apply pow_lt; lra).
-  destruct (nfloor_ex (K / eps)) as [m [_ m2]]. { left. now apply Rdiv_lt_0_compat. } set (n := S m). assert (nn : INR n = INR m + 1) by apply S_INR.
-  assert (n0 : 0 < INR n) by (rewrite nn; pose proof (pos_INR m); lra). assert (Kn : K <= eps * INR n). { rewrite nn. apply Rlt_le.
-  replace K with (K / eps * eps) by (field; lra). rewrite Rmult_comm. apply Rmult_lt_compat_l; lra. }
-  set (e := 2 * (M / INR n)). assert (e0 : 0 < e) by (unfold e; assert (0 < M / INR n) by (apply Rdiv_lt_0_compat; unfold M; lra); lra).
-  set (Q := fun (c : nat * nat * nat) z => exists th, ends z th /\ (forall i, Rabs (z i) <= N) /\ Rabs (th - mid M n (fst (fst c))) <= M / INR n /\
-    Rabs (z pu - mid M n (snd (fst c))) <= M / INR n /\ Rabs (z pw - mid M n (snd c)) <= M / INR n).
-  destruct (cover _ Q (k * e) (list_prod (list_prod (seq 0 n) (seq 0 n)) (seq 0 n))) as (l & Hl & H).
-  { intros c z z' (th & E1 & B1 & a1 & a2 & a3) (th' & E2 & B2 & b1 & b2 & b3). apply Rabs_le_between in a1, a2, a3, b1, b2, b3.
-    apply (ends_close z z' th th'); trivial; try lra; apply Rabs_le; unfold e; lra. }
-  exists l, (k * e). split. { apply Rmult_lt_0_compat; trivial. unfold k. lra. } split.
-  - rewrite !prod_length, !seq_length in Hl. apply le_INR in Hl. rewrite !mult_INR in Hl.
-    assert (h4 : 0 <= (2 * (k * e)) ^ 4) by (apply pow_le; apply Rmult_le_pos; [ lra | apply Rmult_le_pos; unfold k; lra ]).
-    eapply Rle_trans. apply Rmult_le_compat_r; [ exact h4 | exact Hl ]. apply (Rmult_le_reg_r (INR n)); trivial.
-    eapply Rle_trans; [ right | exact Kn ]. unfold K, e. field. lra.
-  - intros z Hz B. destruct (edge_ends z Hz) as (th & t4 & Hth).
-    destruct (locate M n th ltac:(unfold M; lra) ltac:(unfold n; apply Nat.lt_0_succ) ltac:(unfold M; lra)) as (i1 & j1 & k1).
-    destruct (locate M n (z pu) ltac:(unfold M; lra) ltac:(unfold n; apply Nat.lt_0_succ) ltac:(unfold M; specialize (B pu); lra)) as (i2 & j2 & k2).
-    destruct (locate M n (z pw) ltac:(unfold M; lra) ltac:(unfold n; apply Nat.lt_0_succ) ltac:(unfold M; specialize (B pw); lra)) as (i3 & j3 & k3).
-    apply (H (i1, i2, i3)); [ | now exists th ]. repeat apply in_prod; apply in_seq; simpl; split; auto using Nat.le_0_l.
+  intros N eps HN Heps. destruct (fine_enough (N + 5) (2 + 6 * N) eps) as (n & Hn & V); try lra.
+  destruct (grid (N + 5) n ((2 + 6 * N) * (2 * ((N + 5) / INR n))) (fun z a b c => ends z a /\ (forall i, Rabs (z i) <= N) /\ z pu = b /\ z pw = c))
+    as (l & Hl & H); [ lra | trivial | | ].
+  { intros z a b c z' a' b' c' (E1 & B1 & <- & <-) (E2 & B2 & <- & <-) h1 h2 h3. apply (ends_close z z' a a'); trivial; lra. }
+  eexists. split; [ exact (V l Hl) | ]. intros z Hz B. destruct (edge_ends z Hz) as (th & t4 & Hth). apply covered.
+  pose proof (B pu). pose proof (B pw). apply (H z th (z pu) (z pw)); try lra. auto.
 Qed.
