@@ -323,7 +323,7 @@ Qed.
 
 (* the particle slips from the start z on until it is at rest, and comes straight in: psi, the angle of its position with respect to its velocity,
    tends to pi in size
-   «$\{$starts from which the particle slips until it is at rest, and comes straight in then, $|\psi|\to\pi\}$» *)
+   «the starts from which the particle slips until it is at rest, and comes straight in then, $|\psi|\to\pi$» *)
 Definition straight_starts (z : place -> R) : Prop := exists x y u w psi T, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
   0 < T /\ nrm (u T) (w T) = 0 /\ (forall t, 0 <= t < T -> 0 < nrm (u t) (w t) /\ position_angle (x t) (y t) (u t) (w t) (psi t)) /\
   left_lim (fun t => Rabs (psi t)) T PI.

@@ -38,7 +38,7 @@ Proof.
 Qed.
 
 (* the motion from the start z comes to rest just on rho = 1, or creeps there for ever
-   «$\{$starts from which a motion comes to rest just at the distance $1$ from the axis, or creeps there for ever$\}$» *)
+   «the starts from which a motion comes to rest just at the distance $1$ from the axis, or creeps there for ever» *)
 Definition on_edge (z : place -> R) : Prop := exists x y u w, spin x y u w /\ x 0 = z px /\ y 0 = z py /\ u 0 = z pu /\ w 0 = z pw /\
   (rests_at 1 x y u w \/ creeps x y u w).
 (* the volume of cubes of starts, four numbers each; a cube is its centre and half its edge. «the volume of the cubes $l$» *)
