@@ -115,6 +115,7 @@ pub mod exam;
 #[cfg(feature = "book")]
 pub mod figures;
 pub mod paper;
+pub mod scene;
 pub mod solve;
 #[cfg(feature = "trials")]
 pub mod symbols;

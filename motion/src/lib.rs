@@ -65,6 +65,7 @@ pub mod launch;
 pub mod numerics;
 pub mod onset;
 pub mod particle;
+pub mod scene;
 pub mod signal;
 pub mod sphere;
 pub mod spring;

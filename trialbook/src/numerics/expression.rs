@@ -37,7 +37,7 @@ const DEEPEST: u32 = 64;
 
 /// The value of an expression over any [`Scalar`]; `number` reads a decimal number without a sign.
 ///
-/// There are `+ - * / ^ ( )`, `pi` or `π`, the functions by their usual names, and `deg` or `°` behind a number of
+/// There are `t`, if `number` knows it, `+ - * / ^ ( )`, `pi` or `π`, the functions by their usual names, and `deg` or `°` behind a number of
 /// degrees. A division by zero gives what the scalar makes of it.
 ///
 /// # Errors
@@ -180,6 +180,7 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
         self.rest = rest.trim_start();
         let function = match word {
             "pi" | "π" => return Ok(S::pi()),
+            "t" => return (self.number)(word).ok_or_else(|| ExpressionError::Word(word.to_owned())),
             "sqrt" | "√" => S::sqrt,
             "sin" => S::sin,
             "cos" => S::cos,

@@ -1,0 +1,137 @@
+//! The end of a scene as numbers with names, units and errors.
+
+use super::{
+    Event, JoulePerKilogram, Metre, MetrePerSecond, Moment, Moved, Scene, SceneError, Second, Until,
+};
+
+/// One number of an answer.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Number {
+    /// Its name: t, x, y, v_x, v_y, of a ball ω_x, ω_y, ω_z too, then path and heat.
+    pub name: &'static str,
+    /// Its unit.
+    pub unit: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// How far it may be off: infinite if nothing is known of it.
+    pub error: f64,
+}
+
+/// What a scene is asked for.
+#[derive(Debug, Clone)]
+pub struct Answer {
+    /// The motion.
+    pub moved: Moved,
+    /// The numbers of its end.
+    pub numbers: Vec<Number>,
+    /// What it does from the start on.
+    pub events: Vec<Event>,
+}
+
+/// By this part friction and velocity are changed to see what hangs on their last digits,
+const NUDGE: f64 = 5e-14;
+/// and by this part of its size a number is wrong in any case, as [`run`](crate::run) says.
+const KNOWN: f64 = 4e-13;
+
+impl Moment {
+    /// Its numbers, without their errors.
+    pub fn numbers(&self) -> Vec<Number> {
+        let spin = self.spin.unwrap_or_default().map(|w| w.0);
+        let row = |name, unit, value| Number { name, unit, value, error: 0.0 };
+        let mut rows = vec![
+            row("t", "s", self.t.0),
+            row("x", "m", self.place[0].0),
+            row("y", "m", self.place[1].0),
+            row("v_x", "m/s", self.velocity[0].0),
+            row("v_y", "m/s", self.velocity[1].0),
+            row("ω_x", "rad/s", spin[0]),
+            row("ω_y", "rad/s", spin[1]),
+            row("ω_z", "rad/s", spin[2]),
+            row("path", "m", self.way.0),
+            row("heat", "J/kg", self.heat.0),
+        ];
+        rows.retain(|row| self.spin.is_some() || row.unit != "rad/s");
+        rows
+    }
+}
+
+impl Scene {
+    /// As [`run`](Self::run), with how far each number of the end may be off: by what changes with the last digits of friction
+    /// and velocity, by the integrator's own error, and by twice what the error of a recording may do. Cost: twice that.
+    ///
+    /// # Errors
+    /// As for [`run`](Self::run).
+    pub fn answer(&self, until: Until) -> Result<Answer, SceneError> {
+        let moved = self.run(until)?;
+        let end = moved.end()?;
+        let nudged = self.nudged().run(until).and_then(|moved| moved.end());
+        let mut numbers = end.numbers();
+        let other = nudged.map(|end| end.numbers()).unwrap_or_default();
+        let size = |unit| {
+            let alike = numbers.iter().filter(|number| number.unit == unit);
+            alike.map(|number| number.value.abs()).fold(0.0, f64::max)
+        };
+        let sizes: Vec<_> = numbers.iter().map(|number| size(number.unit)).collect();
+        let [velocity, place] = moved.by_drive(&end);
+        for (k, number) in numbers.iter_mut().enumerate() {
+            let moved = other.get(k).map_or(f64::INFINITY, |other| (other.value - number.value).abs());
+            let driven = match number.unit {
+                "m/s" => velocity,
+                "m" => place,
+                _ if place > 0.0 => f64::NAN,
+                _ => 0.0,
+            };
+            number.error = 2.0 * moved + KNOWN * sizes[k] + driven;
+        }
+        Ok(Answer { events: moved.events(), moved, numbers })
+    }
+
+    fn nudged(&self) -> Self {
+        let mut other = self.clone();
+        let up = 1.0 + NUDGE;
+        other.mu *= up;
+        other.holding *= up;
+        other.back = other.back.map(|mu| mu * up);
+        other.start.velocity = other.start.velocity.map(|v| MetrePerSecond(v.0 * up));
+        other
+    }
+}
+
+impl Number {
+    /// The number with the digits that its error leaves, at most twelve; nothing if that is none.
+    pub fn rounded(&self) -> Option<f64> {
+        if self.value == 0.0 {
+            return Some(0.0);
+        }
+        let known = libm::floor(libm::log10(self.value.abs() / self.error.max(f64::MIN_POSITIVE)));
+        if known.is_nan() || known < 1.0 {
+            return (self.value.abs() <= self.error && self.error < 1e-9).then_some(0.0);
+        }
+        let digits = known.min(12.0) as usize;
+        format!("{:.*e}", digits - 1, self.value).parse().ok()
+    }
+
+    /// How many digits it has.
+    pub fn digits(&self) -> u32 {
+        let known = libm::log10(self.value.abs() / self.error.max(f64::MIN_POSITIVE));
+        known.clamp(0.0, 12.0) as u32
+    }
+}
+
+/// A number that is wanted, as in `path=1.81m`: its name and value.
+///
+/// # Errors
+/// [`SceneError`] for a name that no number has, or a text of another unit.
+pub fn target(text: &str) -> Result<(&'static str, f64), SceneError> {
+    let (name, value) = text.split_once('=').unwrap_or((text, ""));
+    Ok(match name {
+        "t" => ("t", value.parse::<Second>()?.0),
+        "x" => ("x", value.parse::<Metre>()?.0),
+        "y" => ("y", value.parse::<Metre>()?.0),
+        "path" => ("path", value.parse::<Metre>()?.0),
+        "v_x" => ("v_x", value.parse::<MetrePerSecond>()?.0),
+        "v_y" => ("v_y", value.parse::<MetrePerSecond>()?.0),
+        "heat" => ("heat", value.parse::<JoulePerKilogram>()?.0),
+        _ => return Err(SceneError::Word(name.to_owned())),
+    })
+}

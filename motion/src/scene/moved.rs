@@ -1,0 +1,332 @@
+//! What became of the body of a scene.
+
+use super::{
+    Body, JoulePerKilogram, Metre, MetrePerSecond, RadianPerSecond, Scene, SceneError, Second,
+    Until, check, frame::Floor,
+};
+use crate::{
+    Acceleration, Friction, Motion, Phase, PhaseKind, State, run,
+    sphere::{Ball, BallMotion, Contact, Sphere},
+    turntable::{Path, Table, rotating},
+};
+
+/// What the body does on the floor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Doing {
+    /// It slides; of a ball, its point of contact does.
+    Slides,
+    /// It is at rest.
+    Rests,
+    /// It rolls.
+    Rolls,
+}
+
+/// When something begins.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Event {
+    /// When.
+    pub t: Second,
+    /// What.
+    pub doing: Doing,
+}
+
+/// Where the body is at a time, relative to the floor, and what it has come through.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Moment {
+    /// The time.
+    pub t: Second,
+    /// The place, in the axes of the floor.
+    pub place: [Metre; 2],
+    /// The velocity.
+    pub velocity: [MetrePerSecond; 2],
+    /// The angular velocity, of a ball.
+    pub spin: Option<[RadianPerSecond; 3]>,
+    /// The length of the path since the start.
+    pub way: Metre,
+    /// The heat of friction since the start.
+    pub heat: JoulePerKilogram,
+}
+
+/// A motion up to the end that was asked for.
+#[derive(Debug, Clone)]
+pub struct Moved {
+    followed: Followed,
+    from: f64,
+    to: f64,
+    /// The heat on each kilogram for each metre of sliding.
+    friction: f64,
+    drive_error: f64,
+}
+
+#[derive(Debug, Clone)]
+enum Followed {
+    Block(Motion),
+    Ball(BallMotion),
+    Table(Path),
+}
+
+/// The least friction of a ball, which is none.
+const LEAST: f64 = 1e-50;
+/// Each time as much longer is looked for an end that does not come.
+const LONGER: f64 = 4.0;
+
+pub(super) fn moved(scene: &Scene, until: Until) -> Result<Moved, SceneError> {
+    let made = Made::new(scene)?;
+    let (within, from) = (scene.within.0, made.from);
+    check("within", within, within > 0.0, "positive")?;
+    if let Until::Time(Second(t)) = until {
+        return made.follow(t);
+    }
+    let speed = libm::hypot(made.velocity[0], made.velocity[1]);
+    let stopping = 2.0 * speed / scene.friction();
+    let last = (from + within).min(made.known);
+    let mut to = from + if stopping > 0.0 && stopping < 1e9 { stopping } else { 1.0 };
+    loop {
+        to = to.min(last);
+        let moved = made.follow(to)?;
+        if let Some(t) = moved.reached(until, &made)? {
+            return Ok(moved.ended(t));
+        }
+        if to >= last {
+            let what = match until {
+                Until::Stop => "a stop",
+                Until::Rest => "a rest for good",
+                Until::Way(_) => "a path so long",
+                Until::Beyond(_) | Until::Time(_) => "a place so far off",
+            };
+            return Err(SceneError::Never { what, within: Second(last - from) });
+        }
+        to = from + LONGER * (to - from);
+    }
+}
+
+/// A scene with its numbers checked, in SI.
+struct Made<'a> {
+    scene: &'a Scene,
+    /// Begin, and the end of what is recorded.
+    from: f64,
+    known: f64,
+    place: [f64; 2],
+    velocity: [f64; 2],
+    table: Option<Table>,
+}
+
+impl<'a> Made<'a> {
+    fn new(scene: &'a Scene) -> Result<Self, SceneError> {
+        let Scene { body, mu, holding, back, g, tilt: [tilt, _], turning, start, .. } = *scene;
+        let positive = |name, x: f64| check(name, x, x > 0.0 && x <= 1e50, "positive, at most 1e50");
+        let not_negative = |name, x: f64| check(name, x, (0.0..=1e50).contains(&x), "between 0 and 1e50");
+        not_negative("mu", mu)?;
+        not_negative("mu-back", back.unwrap_or(0.0))?;
+        not_negative("mu-s", holding)?;
+        positive("g", g.0)?;
+        check("tilt", tilt.0, (0.0..std::f64::consts::FRAC_PI_2).contains(&tilt.0), "from 0 to less than 90deg")?;
+        let ball = matches!(body, Body::Ball { .. });
+        let place = start.place.map(|x| x.0);
+        let mut velocity = start.velocity.map(|v| v.0);
+        let mut table = None;
+        if let Some(turning) = turning {
+            if ball || !scene.frame.is_empty() || tilt.0 > 0.0 || back.is_some() {
+                return Err(SceneError::Together("on a table that turns there is a block, and no other pull"));
+            }
+            let turned = Table { omega: turning.0, mu, g: g.0, mass: 1.0 };
+            if start.in_room {
+                let seen = State { t: 0.0, v: velocity, x: place };
+                velocity = turned.to_table(&seen).v;
+            }
+            table = Some(turned);
+        }
+        if ball && back.is_some() {
+            return Err(SceneError::Together("mu-back is of a block"));
+        }
+        if !ball && start.spin != [RadianPerSecond(0.0); 3] {
+            return Err(SceneError::Together("a spin is of a ball"));
+        }
+        let [from, known] = Floor::known(&scene.frame);
+        Ok(Self {
+            scene,
+            from: if from.is_finite() { from } else { 0.0 },
+            known,
+            place,
+            velocity,
+            table,
+        })
+    }
+
+    fn floor(&self, to: f64) -> Result<Floor, SceneError> {
+        let width = self.scene.width.map_or((to - self.from) / 5000.0, |width| width.0);
+        Floor::new(&self.scene.frame, self.scene.slope(), [self.from, to], width)
+    }
+
+    /// The motion up to the time `to`.
+    fn follow(&self, to: f64) -> Result<Moved, SceneError> {
+        check("until", to, to >= self.from, "not before the start")?;
+        let state = State { t: self.from, v: self.velocity, x: self.place };
+        let Scene { body, mu, holding, start, .. } = *self.scene;
+        let holding = holding.max(mu);
+        if let Some(table) = &self.table {
+            let path = rotating::run_held(table, holding, &state, to)?;
+            return Ok(self.moved(Followed::Table(path), to, 0.0));
+        }
+        let floor = self.floor(to)?;
+        let followed = match body {
+            Body::Block => {
+                let friction = Friction { kinetic: self.scene.friction(), holding: holding * self.scene.normal() };
+                Followed::Block(run(&floor, friction, state, to)?)
+            }
+            Body::Ball { radius: Metre(radius), kappa } => {
+                let sphere = Sphere { mass: 1.0, radius, inertia: kappa * radius * radius, mu: mu.max(LEAST), g: self.scene.normal() };
+                let omega = start.spin.map(|w| w.0);
+                let ball = Ball { t: self.from, x: self.place, v: self.velocity, omega };
+                Followed::Ball(sphere.run_held(holding.max(LEAST), &floor, &ball, to)?)
+            }
+        };
+        Ok(self.moved(followed, to, floor.error()))
+    }
+
+    fn moved(&self, followed: Followed, to: f64, drive_error: f64) -> Moved {
+        let friction = self.scene.friction();
+        Moved { followed, from: self.from, to, friction, drive_error }
+    }
+
+    /// Since when it is at rest for good, if it is at the end of this motion.
+    fn at_rest(&self, moved: &Moved) -> Result<Option<f64>, SceneError> {
+        let since = match moved.events().last() {
+            Some(Event { t, doing: Doing::Rests }) => t.0,
+            _ => return Ok(None),
+        };
+        if self.table.is_some() {
+            return Ok(Some(since));
+        }
+        let held = self.scene.holding.max(self.scene.mu) * self.scene.normal();
+        let pull = self.floor(moved.to)?.steady(moved.to);
+        Ok(pull.filter(|[x, y]| libm::hypot(*x, *y) <= held).map(|_| since))
+    }
+}
+
+impl Moved {
+    /// The moment at the end.
+    ///
+    /// # Errors
+    /// As for [`at`](Self::at).
+    pub fn end(&self) -> Result<Moment, SceneError> {
+        self.at(Second(self.to))
+    }
+
+    /// The moment at a time.
+    ///
+    /// # Errors
+    /// [`SceneError::Motion`] for a time before the start or after the end.
+    pub fn at(&self, t: Second) -> Result<Moment, SceneError> {
+        let Second(time) = t;
+        let fit = time >= self.from && time <= self.to;
+        check("t", time, fit, "between the start and the end of the motion")?;
+        let moment = |x: [f64; 2], v: [f64; 2], spin: Option<[f64; 3]>, way, slipped| Moment {
+            t,
+            place: x.map(Metre),
+            velocity: v.map(MetrePerSecond),
+            spin: spin.map(|w| w.map(RadianPerSecond)),
+            way: Metre(way),
+            heat: JoulePerKilogram(self.friction * slipped),
+        };
+        Ok(match &self.followed {
+            Followed::Block(motion) => {
+                let State { x, v, .. } = motion.at(time)?;
+                let way = motion.way(time)?;
+                moment(x, v, None, way, way)
+            }
+            Followed::Ball(motion) => {
+                let Ball { x, v, omega, .. } = motion.at(time)?;
+                moment(x, v, Some(omega), motion.way(time)?, motion.slipped(time)?)
+            }
+            Followed::Table(path) => {
+                let State { x, v, .. } = path.on_table(time)?;
+                let way = path.way(time)?;
+                moment(x, v, None, way, way)
+            }
+        })
+    }
+
+    /// The moment at the start.
+    ///
+    /// # Errors
+    /// As for [`at`](Self::at).
+    pub fn start(&self) -> Result<Moment, SceneError> {
+        self.at(Second(self.from))
+    }
+
+    /// How far velocity and place may be off for the error of the floor's motion: friction lets no two motions part faster than
+    /// their pulls.
+    pub(super) fn by_drive(&self, end: &Moment) -> [f64; 2] {
+        let time = end.t.0 - self.from;
+        let velocity = std::f64::consts::SQRT_2 * self.drive_error * time;
+        [velocity, 0.5 * velocity * time]
+    }
+
+    /// The same motion up to this time.
+    fn ended(self, to: f64) -> Self {
+        Self { to, ..self }
+    }
+
+    /// When the end that is asked for has come, if it has.
+    fn reached(&self, until: Until, made: &Made) -> Result<Option<f64>, SceneError> {
+        Ok(match (until, &self.followed) {
+            (Until::Stop, Followed::Block(motion)) => motion.first_stop(),
+            (Until::Stop, Followed::Table(path)) => path.stops().first().copied(),
+            (Until::Stop, Followed::Ball(_)) => {
+                let mut events = self.events().into_iter();
+                events.find(|event| event.doing == Doing::Rolls).map(|event| event.t.0)
+            }
+            (Until::Rest, _) => made.at_rest(self)?,
+            (Until::Way(Metre(way)), _) => {
+                let far = |t| Ok::<_, SceneError>(self.at(Second(t))?.way.0 - way);
+                self.first(far)?
+            }
+            (Until::Beyond(Metre(far)), _) => {
+                let from = if made.table.is_some() { [0.0; 2] } else { made.place };
+                self.first(|t| {
+                    let place = self.at(Second(t))?.place;
+                    Ok(libm::hypot(place[0].0 - from[0], place[1].0 - from[1]) - far)
+                })?
+            }
+            (Until::Time(Second(t)), _) => Some(t),
+        })
+    }
+
+    /// The moments from the start on, `step` apart, and the end.
+    ///
+    /// # Errors
+    /// [`SceneError::Motion`] for a step that is not positive, or makes more than a million.
+    pub fn every(&self, step: Second) -> Result<Vec<Moment>, SceneError> {
+        let count = (self.to - self.from) / step.0;
+        check("every", step.0, (0.0..=1e6).contains(&count), "positive, a millionth of the time or more")?;
+        // The last one is the end, if it is not within rounding of it.
+        let whole = libm::ceil(count * (1.0 - 1e-12)) as u32;
+        let times = (0..whole).map(|k| self.from + f64::from(k) * step.0);
+        times.chain([self.to]).map(|t| self.at(Second(t))).collect()
+    }
+
+    /// What it does from the start on, and every change of that.
+    pub fn events(&self) -> Vec<Event> {
+        let event = |t, doing| Event { t: Second(t), doing };
+        let slid = |phase: &Phase| match phase.kind {
+            PhaseKind::Slide => event(phase.from, Doing::Slides),
+            PhaseKind::Stick => event(phase.from, Doing::Rests),
+        };
+        let mut events: Vec<Event> = match &self.followed {
+            Followed::Block(motion) => motion.phases().iter().map(slid).collect(),
+            Followed::Ball(motion) => {
+                let kind = |contact| match contact {
+                    Contact::Sliding => Doing::Slides,
+                    Contact::Rolling => Doing::Rolls,
+                };
+                let first = motion.contact(self.from).map(|contact| event(self.from, kind(contact)));
+                let changes = motion.transitions().iter().map(|change| event(change.t, kind(change.to)));
+                first.into_iter().chain(changes).collect()
+            }
+            Followed::Table(path) => path.phases().iter().map(slid).collect(),
+        };
+        events.retain(|event| event.t.0 <= self.to);
+        events
+    }
+}
