@@ -9,6 +9,8 @@
 //! sticking:  v = 0 while |A(t)| ≤ μg
 //! ```
 //!
+//! Where it holds more than it brakes, as static friction does, a [`Friction`] says so.
+//!
 //! One sign for all of it: A is how the plane accelerates, in the laboratory, and what the body on it feels is the opposite.
 //!
 //! ```text
@@ -78,7 +80,7 @@ pub use acceleration::{Acceleration, Coefficients, Plane, Series};
 pub use error::MotionError;
 pub use fitted::{Columns, FitError, Fitted};
 pub use launch::Launch;
-pub use particle::{run, run_to_stop};
+pub use particle::{Friction, run, run_to_stop};
 pub use signal::Signal;
 pub use trajectory::{Motion, Phase, PhaseKind, State};
 

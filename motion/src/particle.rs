@@ -14,8 +14,46 @@ use super::{
 };
 use crate::numerics::{series::value, taylor::reach};
 
+/// Coulomb friction per unit of mass, in length/time². A number is a friction that holds as much as it brakes: `0.3 * g`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Friction {
+    /// μg, against a body that slides.
+    pub kinetic: f64,
+    /// μ_s g, up to which one at rest is held: not below `kinetic`.
+    pub holding: f64,
+}
+
+impl From<f64> for Friction {
+    fn from(kinetic: f64) -> Self {
+        Self {
+            kinetic,
+            holding: kinetic,
+        }
+    }
+}
+
+impl Friction {
+    fn check(&self) -> Result<(), MotionError> {
+        size("friction", self.kinetic)?;
+        let fit = self.holding >= self.kinetic && self.holding <= LARGEST;
+        check(
+            "holding",
+            self.holding,
+            fit,
+            "not below the kinetic friction, at most 1e50",
+        )
+    }
+}
+
+/// Requires a size whose squares are numbers.
+fn size(name: &'static str, value: f64) -> Result<(), MotionError> {
+    let fit = value == 0.0 || (SMALLEST..=LARGEST).contains(&value);
+    check(name, value, fit, "0 or between 1e-50 and 1e50")
+}
+
 /// The motion of a particle from `start` until the time `until`, on a plane that accelerates by A(t), which [pulls](super) it
-/// along −A, with the given `friction` μg (length/time²). A start with v = 0 is allowed: it sticks or begins to slide.
+/// along −A, with the given `friction` (μg, or a [`Friction`] that holds more than it brakes). A start with v = 0 is allowed: it
+/// sticks or begins to slide.
 ///
 /// Stop and start times, v and t are right to about 10⁻¹² relative where the problem is well conditioned, for the
 /// acceleration as it is given: what its own error makes of them says [`Motion::drive_error`]. The
@@ -23,17 +61,17 @@ use crate::numerics::{series::value, taylor::reach};
 ///
 /// # Errors
 /// [`MotionError::Argument`] for a parameter that is not finite or out of range: friction, speed and |A| are 0 or
-/// between 10⁻⁵⁰ and 10⁵⁰, times and positions at most 10⁵⁰ in absolute value, `until` not before the start.
+/// between 10⁻⁵⁰ and 10⁵⁰, what holds is not below what brakes, times and positions at most 10⁵⁰ in absolute value, `until` not before the start.
 /// [`MotionError::Numerics`] when the motion leaves the finite numbers.
 /// [`MotionError::Outside`] for times at which the acceleration is not known.
 /// [`MotionError::Steps`] for a motion of more than 50,000 steps, and a hundred for each piece of the acceleration.
 pub fn run(
     plane: &dyn Acceleration,
-    friction: f64,
+    friction: impl Into<Friction>,
     start: State,
     until: f64,
 ) -> Result<Motion, MotionError> {
-    let run = Run::new(plane, friction, start, until)?;
+    let run = Run::new(plane, friction.into(), start, until)?;
     known(plane, until)?;
     run.finish(false)
 }
@@ -45,11 +83,11 @@ pub fn run(
 /// As for [`run`].
 pub fn run_to_stop(
     plane: &dyn Acceleration,
-    friction: f64,
+    friction: impl Into<Friction>,
     start: State,
     until: f64,
 ) -> Result<Motion, MotionError> {
-    Run::new(plane, friction, start, until)?.finish(true)
+    Run::new(plane, friction.into(), start, until)?.finish(true)
 }
 
 /// Largest and smallest sizes whose squares and high powers are still numbers.
@@ -60,6 +98,7 @@ const SMALLEST: f64 = 1e-50;
 struct Run<'a> {
     plane: &'a dyn Acceleration,
     friction: f64,
+    holding: f64,
     until: f64,
     steps: usize,
     /// State reached.
@@ -79,15 +118,11 @@ struct Local {
 impl<'a> Run<'a> {
     fn new(
         plane: &'a dyn Acceleration,
-        friction: f64,
+        friction: Friction,
         start: State,
         until: f64,
     ) -> Result<Self, MotionError> {
-        let size = |name, value: f64| {
-            let fit = value == 0.0 || (SMALLEST..=LARGEST).contains(&value);
-            check(name, value, fit, "0 or between 1e-50 and 1e50")
-        };
-        size("friction", friction)?;
+        friction.check()?;
         for (name, value) in [
             ("t of the start", start.t),
             ("x of the start", start.x[0]),
@@ -109,7 +144,8 @@ impl<'a> Run<'a> {
         let motion = Motion::begin(start, plane.error());
         Ok(Self {
             plane,
-            friction,
+            friction: friction.kinetic,
+            holding: friction.holding,
             until,
             steps: 0,
             state: start,

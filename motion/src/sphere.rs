@@ -44,7 +44,7 @@ pub struct Sphere {
     pub radius: f64,
     /// Moment of inertia I about an axis through the centre, in mass·length²; I/(mR²) in (0, 1].
     pub inertia: f64,
-    /// Coefficient of friction μ > 0, dimensionless, static and kinetic.
+    /// Coefficient of friction μ > 0, dimensionless: kinetic, and static unless a motion is [told](Self::run_held) more.
     pub mu: f64,
     /// Gravity g > 0, in length/time².
     pub g: f64,
@@ -136,7 +136,25 @@ impl Sphere {
         start: &Ball,
         until: f64,
     ) -> Result<BallMotion, MotionError> {
-        run::run(self, plane, start, until)
+        self.run_held(self.mu, plane, start, until)
+    }
+
+    /// As [`run`](Self::run), but rolling lasts as long as its force is at most `holding` mg, a coefficient of static friction
+    /// that is not below μ.
+    ///
+    /// # Errors
+    /// As for [`run`](Self::run).
+    pub fn run_held(
+        &self,
+        holding: f64,
+        plane: &dyn Acceleration,
+        start: &Ball,
+        until: f64,
+    ) -> Result<BallMotion, MotionError> {
+        self.check()?;
+        let fit = holding >= self.mu && holding <= 1e50;
+        check("holding", holding, fit, "not below mu, at most 1e50")?;
+        run::run(self, holding, plane, start, until)
     }
 
     /// R, from the centre to the point of contact.

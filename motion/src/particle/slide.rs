@@ -125,6 +125,9 @@ impl Sliding {
 const NEGLIGIBLE: f64 = 1e-90;
 /// A slide may end when the time left is this fraction of the time that stopping takes from full speed.
 const LAST: f64 = 1e-18;
+/// Where rest holds what braking does not, one below this fraction of the full speed is rest: on the way straight to a stop
+/// rounding turns the direction by then, and would let a body go that stands still.
+const STILL: f64 = 1e-12;
 
 /// The angle to the acceleration that at most is left at that speed of one that was below rounding at full speed.
 const STRAIGHT: f64 = 1e-6;
@@ -210,7 +213,8 @@ impl Run<'_> {
     fn stops(&mut self, fastest: f64) -> bool {
         let State { t, v, x } = self.state;
         let speed = self.state.speed();
-        if speed > LAST * fastest || t >= self.until {
+        let still = self.holding > self.friction && speed <= STILL * fastest;
+        if speed > LAST * fastest && !still || t >= self.until {
             return false;
         }
         let a = self.plane.coefficients(t).map(|c| c[0]);
@@ -222,7 +226,8 @@ impl Run<'_> {
         // Straight on through zero: nothing turns the velocity but rounding. Its angle grows as the speed falls.
         let across = (a[0] * v[1] - a[1] * v[0]).abs();
         let straight = across <= STRAIGHT * size * speed && against >= 0.0;
-        if !(rate > 0.0 && (held || straight || speed <= NEGLIGIBLE * fastest)) {
+        let still = still && size <= self.holding;
+        if !(rate > 0.0 && (held || still || straight || speed <= NEGLIGIBLE * fastest)) {
             return false;
         }
         let left = speed / rate;

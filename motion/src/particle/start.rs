@@ -31,7 +31,8 @@ impl Run<'_> {
         let size = libm::hypot(local.a[0][0], local.a[1][0]);
         let (e, along, across) = pull(&local.a, size);
         let net = match release {
-            Release::Smooth => 0.0,
+            // Zero where friction holds no more than it brakes.
+            Release::Smooth => self.holding - self.friction,
             Release::Sudden => size - self.friction,
         };
         let (speed, cosine, sine) = first_moments(&along, &across, net);

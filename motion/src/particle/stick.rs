@@ -1,4 +1,4 @@
-//! Sticking: v = 0 while |A| ≤ μg.
+//! Sticking: v = 0 while |A| ≤ μ_s g.
 
 use super::{
     super::acceleration::Coefficients,
@@ -14,9 +14,9 @@ use crate::numerics::{
 /// How a particle gets loose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Release {
-    /// |A| grows through μg: the net force begins with zero.
+    /// |A| grows through μ_s g.
     Smooth,
-    /// |A| > μg from the first moment.
+    /// |A| > μ_s g from the first moment.
     Sudden,
 }
 
@@ -27,7 +27,7 @@ impl Run<'_> {
         while self.state.t < self.until {
             let local = self.local()?;
             let State { t, x, .. } = self.state;
-            let (mut excess, rounding) = excess(&local.a, self.friction);
+            let (mut excess, rounding) = excess(&local.a, self.holding);
             if crossed || excess[0].abs() <= rounding[0] {
                 excess[0] = 0.0;
             }
@@ -78,9 +78,9 @@ impl Run<'_> {
     }
 }
 
-/// The series of |A|² − (μg)², and bounds for what rounding makes of its coefficients: a small component may have an
+/// The series of |A|² − (μ_s g)², and bounds for what rounding makes of its coefficients: a small component may have an
 /// error that is small only beside the other one.
-fn excess(a: &[Coefficients; 2], friction: f64) -> (Coefficients, Coefficients) {
+fn excess(a: &[Coefficients; 2], holding: f64) -> (Coefficients, Coefficients) {
     let sizes: Coefficients = std::array::from_fn(|k| a[0][k].abs() + a[1][k].abs());
     let mut f = [0.0; TERMS];
     let mut rounding = [0.0; TERMS];
@@ -88,13 +88,13 @@ fn excess(a: &[Coefficients; 2], friction: f64) -> (Coefficients, Coefficients) 
         f[k] = square(&a[0], k) + square(&a[1], k);
         rounding[k] = 8.0 * f64::EPSILON * square(&sizes, k);
     }
-    // (|A_x| − μg)(|A_x| + μg) is exact where A is along an axis.
+    // (|A_x| − μ_s g)(|A_x| + μ_s g) is exact where A is along an axis.
     f[0] = if a[1][0] == 0.0 {
-        (a[0][0].abs() - friction) * (a[0][0].abs() + friction)
+        (a[0][0].abs() - holding) * (a[0][0].abs() + holding)
     } else if a[0][0] == 0.0 {
-        (a[1][0].abs() - friction) * (a[1][0].abs() + friction)
+        (a[1][0].abs() - holding) * (a[1][0].abs() + holding)
     } else {
-        f[0] - friction * friction
+        f[0] - holding * holding
     };
     (f, rounding)
 }

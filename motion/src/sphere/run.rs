@@ -16,16 +16,20 @@ use crate::numerics::{
 
 /// A contact velocity below this part of the largest one ends sliding.
 const STOP: f64 = 1e-18;
+/// So does one below this part where rolling holds what sliding does not: on the way straight to zero rounding turns it by then.
+const STILL: f64 = 1e-12;
 /// At the start, below this part of the velocities of which it is the sum, it is zero.
 const NONE: f64 = 1e-14;
 /// A component of it below this part of the other is zero, before it underflows.
 const NEGLIGIBLE: f64 = 1e-90;
-/// The force needed for rolling and μmg count as equal to this relative precision of their squares.
+/// The force needed for rolling and μ_s mg count as equal to this relative precision of their squares.
 const EQUAL: f64 = 1e-13;
 
 /// A motion in the making.
 struct Run<'a> {
     sphere: &'a Sphere,
+    /// The same with μ_s for μ.
+    rough: Sphere,
     plane: &'a dyn Acceleration,
     until: f64,
     t: f64,
@@ -48,11 +52,11 @@ struct Local {
 
 pub(super) fn run(
     sphere: &Sphere,
+    holding: f64,
     plane: &dyn Acceleration,
     start: &Ball,
     until: f64,
 ) -> Result<BallMotion, MotionError> {
-    sphere.check()?;
     let Ball { t, x, v, omega } = *start;
     for (name, given) in [("t", t), ("until", until)] {
         check(
@@ -89,6 +93,10 @@ pub(super) fn run(
     ];
     let mut run = Run {
         sphere,
+        rough: Sphere {
+            mu: holding,
+            ..*sphere
+        },
         plane,
         until,
         t,
@@ -229,7 +237,11 @@ impl Run<'_> {
                     self.parts[i] = 0.0;
                 }
             }
-            if self.slip() <= STOP * fastest {
+            let still = self.rough.mu > self.sphere.mu
+                && self.slip() <= STILL * fastest
+                && libm::hypot(local.a[0][0], local.a[1][0])
+                    <= self.sphere.yielding(self.rough.friction());
+            if self.slip() <= STOP * fastest || still {
                 // What is left of the time is below the rounding of the time that sliding took.
                 (self.parts[7], self.parts[8]) = (0.0, 0.0);
                 return Ok(());
@@ -243,7 +255,7 @@ impl Run<'_> {
         let local = self.local()?;
         let give = self.sphere.yielding(1.0);
         let force = local.a.map(|a| a.map(|a| a / give));
-        let limit = self.sphere.friction() * self.sphere.friction();
+        let limit = self.rough.friction() * self.rough.friction();
         let mut excess: Coefficients =
             std::array::from_fn(|k| square(&force[0], k) + square(&force[1], k));
         excess[0] -= limit;
@@ -263,7 +275,8 @@ impl Run<'_> {
         if first > 0.0 && excess[0] >= 0.0 {
             self.enter(Contact::Sliding);
             let limit = if released {
-                libm::hypot(local.a[0][0], local.a[1][0])
+                // The pull is what could just be held.
+                libm::hypot(local.a[0][0], local.a[1][0]) * (self.sphere.mu / self.rough.mu)
             } else {
                 self.sphere.yielding(self.sphere.friction())
             };

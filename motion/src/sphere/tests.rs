@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::fitted::tests::noisy;
-use crate::{Plane, Signal, State, run};
+use crate::{Friction, Plane, Signal, State, run};
 use proptest::prelude::*;
 
 fn ball(v: [f64; 2], omega: [f64; 3]) -> Ball {
@@ -43,12 +43,17 @@ fn the_lowest_point_moves_as_a_block() {
             t: from,
             ..ball([0.0; 2], [0.0; 3])
         };
-        let rolled = sphere.run(&plane, &start, until).unwrap();
+        let holding = 0.56 + 0.04 * f64::from(seed as u32 - 1);
+        let rolled = sphere.run_held(holding, &plane, &start, until).unwrap();
         let rest = State {
             t: from,
             ..State::moving([0.0; 2])
         };
-        let moved = run(&plane, 1.96, rest, until).unwrap();
+        let friction = Friction {
+            kinetic: 1.96,
+            holding: 3.5 * holding,
+        };
+        let moved = run(&plane, friction, rest, until).unwrap();
         assert!(!moved.stops().is_empty(), "{seed}");
         for k in 0..1998 {
             let t = from + 0.001 * f64::from(k);
@@ -171,6 +176,14 @@ fn bad_input_is_named() {
         ),
         "mu"
     );
+    let loose = odd().run_held(0.34, &still(), &rest, 1.0);
+    assert!(matches!(
+        loose,
+        Err(MotionError::Argument {
+            name: "holding",
+            ..
+        })
+    ));
     assert_eq!(name(Sphere::with_kappa(0.0), rest, 1.0), "inertia");
     assert_eq!(name(Sphere::with_kappa(1.1), rest, 1.0), "kappa");
     assert_eq!(name(odd(), rest, -1.0), "until");
@@ -349,5 +362,27 @@ fn it_is_let_go_however_long_it_has_rolled() {
             unreachable!("{time} {:?}", motion.transitions())
         };
         assert!((release.t - time).abs() < 1e-12, "{time} {release:?}");
+    }
+}
+
+/// What rolling takes of friction is A/(bμg) of it, b = 7/2: 12/10 here. Thrown against the pull it stops to slide after |c|/(bμg + A), in any
+/// direction; then it rolls if static friction is 5/4, and slips back if it is 11/10.
+#[test]
+fn what_has_stopped_to_slide_rolls_as_long_as_static_friction_holds() {
+    let sphere = Sphere::with_kappa(0.4);
+    for k in 0..12 {
+        let (s, c) = libm::sincos(0.5 * f64::from(k));
+        let plane = Plane::constant([-4.2 * c, -4.2 * s]);
+        let start = ball([-c, -s], [0.0; 3]);
+        for (holding, to) in [(1.25, Contact::Rolling), (1.1, Contact::Sliding)] {
+            let motion = sphere.run_held(holding, &plane, &start, 2.0).unwrap();
+            assert_eq!(motion.contact(1.0).unwrap(), to, "{k}");
+            if to == Contact::Rolling {
+                let [stop] = motion.transitions() else {
+                    unreachable!("{motion:?}")
+                };
+                assert!((stop.t - 1.0 / 7.7).abs() < 1e-13, "{stop:?}");
+            }
+        }
     }
 }

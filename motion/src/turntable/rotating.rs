@@ -63,7 +63,26 @@ impl System<f64, 5, TERMS> for Table {
 /// [`STEPS`] steps (on the way into the unstable rest at Ω²r = μg), [`MotionError::Numerics`] for numbers beyond
 /// what floating point can hold.
 pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError> {
+    run_held(table, table.mu, start, until)
+}
+
+/// As [`run`], but a particle at rest stays up to Ω²r = μ_s g, with the coefficient `holding` μ_s not below μ.
+///
+/// # Errors
+/// As for [`run`].
+pub fn run_held(
+    table: &Table,
+    holding: f64,
+    start: &State,
+    until: f64,
+) -> Result<Path, MotionError> {
     table.check()?;
+    let fit = holding >= table.mu && holding <= super::LARGEST;
+    super::argument("holding", holding, fit, "not below mu, at most 1e50")?;
+    let grip = Table {
+        mu: holding,
+        ..*table
+    };
     check_start(start, until)?;
     let scale = start.speed() + table.omega.abs() * start.radius();
     let mut path = Path {
@@ -77,7 +96,7 @@ pub fn run(table: &Table, start: &State, until: f64) -> Result<Path, MotionError
     let mut state = *start;
     loop {
         if state.v == [0.0; 2] {
-            if table.holds(state.radius()) {
+            if grip.holds(state.radius()) {
                 path.legs.push(Leg::Rest {
                     from: state.t,
                     place: state.x,

@@ -265,3 +265,27 @@ fn without_friction_the_time_is_that_of_the_integration() {
     let rates = [0, 1, 2].map(|k| free.derivative(k, &state, &mut work)[0]);
     assert_eq!(rates, [1.0, 0.0, 0.0]);
 }
+
+/// μg = 1 and μ_s g = 5/4, Ω = 1: at rest at 6/5 a particle stays, where kinetic friction alone lets it go, and at 13/10 it sets out.
+#[test]
+fn static_friction_holds_farther_out() {
+    let table = Table::default();
+    for (radius, rests) in [(0.9, true), (1.2, true), (1.25, true), (1.3, false)] {
+        let start = State {
+            x: [0.6 * radius, -0.8 * radius],
+            ..State::moving([0.0; 2])
+        };
+        let held = rotating::run_held(&table, 1.25, &start, 2.0).unwrap();
+        assert_eq!(held.resting_place(), rests.then_some(start.x), "{radius}");
+        let free = rotating::run(&table, &start, 2.0).unwrap();
+        assert_eq!(held == free, radius != 1.2 && radius != 1.25, "{radius}");
+    }
+    let refused = rotating::run_held(&table, 0.9, &State::moving([0.0; 2]), 1.0);
+    assert!(matches!(
+        refused,
+        Err(MotionError::Argument {
+            name: "holding",
+            ..
+        })
+    ));
+}
