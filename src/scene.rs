@@ -40,7 +40,13 @@ pub fn second(scene: &Scene, until: Until) -> Option<Opinion> {
     };
     match scene.body {
         Body::Block => {
-            let problem = ConstantProblem { lambda: friction / a, v0, theta0, accel: a, at };
+            let problem = ConstantProblem {
+                lambda: friction / a,
+                v0,
+                theta0,
+                accel: a,
+                at,
+            };
             let found = problem.solve().ok()?.by_formula?;
             let past = found.stop_time.is_some_and(|stop| found.t > stop);
             let (held, place) = (scene.holding * friction / scene.mu < a, scene.start.place);
@@ -55,19 +61,34 @@ pub fn second(scene: &Scene, until: Until) -> Option<Opinion> {
                 ("v_x", vx),
                 ("v_y", vy),
             ];
-            Some(Opinion { section: "2.1", numbers })
+            Some(Opinion {
+                section: "2.1",
+                numbers,
+            })
         }
-        Body::Ball { radius: Metre(radius), kappa } => {
+        Body::Ball {
+            radius: Metre(radius),
+            kappa,
+        } => {
             let none = scene.start.spin.iter().all(|w| w.0 == 0.0);
             let (speed, time) = (libm::sqrt(friction * radius), libm::sqrt(radius / friction));
             let at = match at {
                 At::Time(t) => At::Time(t / time),
                 other => other,
             };
-            let problem = SphereProblem { gamma: a / friction, u0: v0 / speed, theta0, kappa, at };
+            let problem = SphereProblem {
+                gamma: a / friction,
+                u0: v0 / speed,
+                theta0,
+                kappa,
+                at,
+            };
             let found = none.then(|| problem.solve().ok()?.by_formula)??;
             let [x, y] = turned(found.zeta).map(|w| w / time);
-            Some(Opinion { section: "3", numbers: vec![("t", found.tau * time), ("ω_x", x), ("ω_y", y)] })
+            Some(Opinion {
+                section: "3",
+                numbers: vec![("t", found.tau * time), ("ω_x", x), ("ω_y", y)],
+            })
         }
     }
 }

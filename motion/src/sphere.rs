@@ -29,6 +29,7 @@ pub use turning::Turning;
 use super::{
     acceleration::{Acceleration, Coefficients},
     error::{MotionError, check},
+    track::{Part, Track},
 };
 use crate::numerics::{
     series::{arrival, value},
@@ -328,6 +329,41 @@ impl BallMotion {
             v: [u, v],
             omega: [a, b, c],
         })
+    }
+
+    /// The way of its centre on the plane.
+    ///
+    /// # Errors
+    /// [`MotionError::Numerics`] where the speed has no integral.
+    pub fn track(&self) -> Result<Track<'_>, MotionError> {
+        self.tracked(2)
+    }
+
+    /// The way that its lowest point slides, each unit of which turns μg into heat, per unit of mass; the places are the centre's.
+    ///
+    /// # Errors
+    /// As for [`track`](Self::track).
+    pub fn slipped(&self) -> Result<Track<'_>, MotionError> {
+        self.tracked(7)
+    }
+
+    /// By the components of the velocity from this one on.
+    fn tracked(&self, first: usize) -> Result<Track<'_>, MotionError> {
+        let stretches = self.pieces.iter().map(|piece| {
+            let (own, parts) = match piece {
+                Piece::Slide { step, .. } => (Some(step), &step.series[1..]),
+                Piece::Series { series, .. } => (None, &series[..]),
+            };
+            let pair = |first: usize| [&parts[first], &parts[first + 1]];
+            match own {
+                Some(step) => Part::clocked(&step.series[0], step.h, pair(first), pair(0)),
+                None => {
+                    let lasts = piece.to() - piece.from();
+                    Part::timed(piece.from(), lasts, pair(first), pair(0))
+                }
+            }
+        });
+        Track::new([self.start.t, self.end.t], self.start.x, stretches)
     }
 
     fn within(&self, t: f64) -> Result<(), MotionError> {

@@ -6,6 +6,7 @@ mod exam;
 mod pieces;
 mod plot;
 mod question;
+mod scene;
 mod solve;
 mod sweep;
 
@@ -13,7 +14,11 @@ use clap::{Args, FromArgMatches};
 use trialbook::publishing::Command;
 
 /// All of them.
-pub const ALL: [Command; 3] = [
+pub const ALL: [Command; 4] = [
+    Command {
+        command: scene::command,
+        run: scene::run,
+    },
     Command {
         command: || {
             solve::command()

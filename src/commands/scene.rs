@@ -2,7 +2,9 @@
 
 use super::{plot, sweep::aligned};
 use crate::numerics::{error::plain, roots::root};
-use crate::scene::{Opinion, Answer, Doing, Moment, Number, Scene, SceneError, Second, Until, WORDS, second};
+use crate::scene::{
+    Answer, Doing, Moment, Number, Opinion, Scene, SceneError, Second, Until, WORDS, second,
+};
 use crate::solve::{Curve, head};
 use clap::{Arg, ArgAction, ArgMatches, Command};
 use serde_json::{Map, Value, json as object};
@@ -12,6 +14,31 @@ use trialbook::publishing::{Failure, Format};
 
 /// Words that are there several times.
 const MANY: [&str; 2] = ["pull", "accelerate"];
+
+const ABOUT: &str = "Say what becomes of a block or a ball: thrown, pulled, on a slope, a belt, a table that turns, or a recording
+
+Directions are those of who stands on the floor, seen from above: x is 0, and angles grow counterclockwise. A pull is what the body
+feels; a floor that accelerates one way pulls what lies on it the other way:
+
+        the truck speeds up                   on its floor
+   ┌─────────────────────┐             ┌─────────────────────┐
+   │          ■          │ ═══> front  │   <─── ■  pull      │        ───> x, angle 0
+   └──O───────────────O──┘             └─────────────────────┘
+     --accelerate 2m/s^2        =         --pull 2m/s^2@180deg
+
+A number has a unit (15cm, 33.3rpm, 36km/h, 120deg, 1g, 2.15m/s^2) or is in SI, and may be an expression. The mass drops out.";
+
+const EXAMPLES: &str = "Examples:
+  slipbook scene block --mu 0.5 --throw 6m/s
+  slipbook scene block --mu 0.16 --mu-s 0.18 --accelerate 2.15m/s^2 --until 1.81m
+  slipbook scene block --mu 0.3 --mu-s 0.4 --pull 4.2m/s^2:4.79s,0 --until rest
+  slipbook scene block --mu 0.3 --tilt 10deg --pull '4*sin(10*pi*t)' --until 10s --every 1s
+  slipbook scene ball --mu 0.08 --radius 11cm --throw 5m/s --until rolling
+  slipbook scene block --mu 0.25 --turn 33.3rpm --at 15cm --throw 0.2m/s@120deg --until rest
+  slipbook scene block --mu 0.2 --record phone.csv --columns x=accel_x,unit=g --until 10s --every 10ms --csv
+  slipbook scene block --throw 50km/h --find mu=0.01:2 --where path=20m
+
+Exit code 1 where --find finds nothing.";
 
 pub(super) fn command() -> Command {
     let body = Arg::new("body")
@@ -23,19 +50,50 @@ pub(super) fn command() -> Command {
         match word.text {
             "" => arg.action(ArgAction::SetTrue),
             text => {
-                let many = if MANY.contains(&word.name) { ArgAction::Append } else { ArgAction::Set };
+                let many = if MANY.contains(&word.name) {
+                    ArgAction::Append
+                } else {
+                    ArgAction::Set
+                };
                 arg.value_name(text).action(many).allow_hyphen_values(true)
             }
         }
     });
     let also = [
-        Arg::new("every").long("every").value_name("DURATION").help("A table of moments, this far apart"),
-        Arg::new("vary").long("vary").value_name("WORD=LOW:HIGH:COUNT[:log] or WORD=A,B,…").help("A row for each of these values of a word"),
-        Arg::new("find").long("find").value_name("WORD=LOW:HIGH").requires("where").help("The values of a word between these for which --where holds"),
-        Arg::new("where").long("where").value_name("QUANTITY=VALUE").requires("find").help("A number of the answer: t, x, y, v_x, v_y, path or heat, and what it is to be"),
-        Arg::new("plot").long("plot").value_name("FILE").num_args(0..=1).value_parser(plot::place).help("Plot the path too: into a file of the name FILE.svg, as text if no file is named"),
+        Arg::new("every")
+            .long("every")
+            .value_name("DURATION")
+            .help("A table of moments, this far apart"),
+        Arg::new("vary")
+            .long("vary")
+            .value_name("WORD=LOW:HIGH:COUNT[:log] or WORD=A,B,…")
+            .help("A row for each of these values of a word"),
+        Arg::new("find")
+            .long("find")
+            .value_name("WORD=LOW:HIGH")
+            .requires("where")
+            .help("The values of a word between these for which --where holds"),
+        Arg::new("where")
+            .long("where")
+            .value_name("QUANTITY=VALUE")
+            .requires("find")
+            .help("A number of the answer: t, x, y, v_x, v_y, path or heat, and what it is to be"),
+        Arg::new("plot")
+            .long("plot")
+            .value_name("FILE")
+            .num_args(0..=1)
+            .value_parser(plot::place)
+            .help(
+                "Plot the path too: into a file of the name FILE.svg, as text if no file is named",
+            ),
     ];
-    Command::new("scene").arg(body).args(words).args(also)
+    Command::new("scene")
+        .about("Say what becomes of a block or a ball: thrown, pulled, on a slope, a belt, a table that turns, or a recording")
+        .long_about(ABOUT)
+        .after_help(EXAMPLES)
+        .arg(body)
+        .args(words)
+        .args(also)
 }
 
 /// A scene as words, in order.
@@ -48,9 +106,15 @@ struct Words {
 impl Words {
     /// From the command line, where a file may have the beginning.
     fn given(matches: &ArgMatches) -> Result<Self, Failure> {
-        let body = matches.get_one::<String>("body").ok_or("a body is missing")?.clone();
+        let body = matches
+            .get_one::<String>("body")
+            .ok_or("a body is missing")?
+            .clone();
         let mut all = match body.as_str() {
-            "block" | "ball" => Self { body, words: Vec::new() },
+            "block" | "ball" => Self {
+                body,
+                words: Vec::new(),
+            },
             file => Self::read(file)?,
         };
         for word in WORDS {
@@ -60,7 +124,8 @@ impl Words {
                 }
             } else if let Some(texts) = matches.get_many::<String>(word.name) {
                 all.words.retain(|(name, _)| *name != word.name);
-                all.words.extend(texts.map(|text| (word.name, text.clone())));
+                all.words
+                    .extend(texts.map(|text| (word.name, text.clone())));
             }
         }
         Ok(all)
@@ -71,7 +136,8 @@ impl Words {
         let text = std::fs::read_to_string(file).map_err(|_| {
             format!("`{file}` is neither `block` nor `ball`, nor a file with a scene")
         })?;
-        let whole: Value = serde_json::from_str(&text).map_err(|error| format!("{file}: {error}"))?;
+        let whole: Value =
+            serde_json::from_str(&text).map_err(|error| format!("{file}: {error}"))?;
         let scene = whole.get("scene").unwrap_or(&whole).as_object();
         let scene = scene.ok_or_else(|| format!("{file}: a scene is an object"))?;
         let (mut body, mut words) = (None, Vec::new());
@@ -88,12 +154,17 @@ impl Words {
             let word = WORDS.iter().find(|word| word.name == name);
             let word = word.ok_or_else(|| format!("{file}: `{name}` is no word of a scene"))?;
             match value {
-                Value::Array(many) => words.extend(many.iter().map(|value| (word.name, text(value)))),
+                Value::Array(many) => {
+                    words.extend(many.iter().map(|value| (word.name, text(value))))
+                }
                 Value::Bool(false) => {}
                 one => words.push((word.name, text(one))),
             }
         }
-        Ok(Self { body: body.ok_or_else(|| format!("{file}: the scene has no body"))?, words })
+        Ok(Self {
+            body: body.ok_or_else(|| format!("{file}: the scene has no body"))?,
+            words,
+        })
     }
 
     fn scene(&self) -> Result<(Scene, Until), SceneError> {
@@ -101,7 +172,7 @@ impl Words {
         Scene::read(&self.body, words, |file| {
             std::fs::read_to_string(file).map_err(|error| SceneError::Record {
                 file: file.to_owned(),
-                why: trialbook::cli::bare(error),
+                why: trialbook::cli::bare(error).to_string(),
             })
         })
     }
@@ -109,10 +180,16 @@ impl Words {
     fn json(&self) -> Value {
         let mut map = Map::from_iter([("body".to_owned(), object!(self.body))]);
         for (name, text) in &self.words {
-            let value = if text.is_empty() { object!(true) } else { object!(text) };
+            let value = if text.is_empty() {
+                object!(true)
+            } else {
+                object!(text)
+            };
             match map.get_mut(*name) {
                 Some(Value::Array(many)) => many.push(value),
-                None if MANY.contains(name) => drop(map.insert((*name).to_owned(), object!([value]))),
+                None if MANY.contains(name) => {
+                    drop(map.insert((*name).to_owned(), object!([value])))
+                }
                 _ => drop(map.insert((*name).to_owned(), value)),
             }
         }
@@ -135,18 +212,33 @@ impl Words {
 
 /// A choice `WORD=…` of the command line.
 fn chosen(text: &str) -> Result<(&'static str, &str), Failure> {
-    let (name, range) = text.split_once('=').ok_or_else(|| format!("`{text}`: a word, `=` and its values are wanted"))?;
-    let word = WORDS.iter().find(|word| word.name == name && !word.text.is_empty());
+    let (name, range) = text
+        .split_once('=')
+        .ok_or_else(|| format!("`{text}`: a word, `=` and its values are wanted"))?;
+    let word = WORDS
+        .iter()
+        .find(|word| word.name == name && !word.text.is_empty());
     let word = word.ok_or_else(|| format!("`{name}` is no word of a scene that has a value"))?;
     Ok((word.name, range))
 }
 
 /// A range `LOW:HIGH…` whose numbers have a unit: as one without, and the unit.
 fn bare(range: &str) -> (String, String) {
-    let parts = range.split(':').map(crate::scene::apart).collect::<Vec<_>>();
-    let unit = parts.iter().map(|(_, unit)| *unit).find(|unit| !unit.is_empty() && *unit != "log");
-    let numbers = parts.iter().map(|(number, unit)| if *unit == "log" { "log" } else { *number });
-    (numbers.collect::<Vec<_>>().join(":"), unit.unwrap_or_default().to_owned())
+    let parts = range
+        .split(':')
+        .map(crate::scene::apart)
+        .collect::<Vec<_>>();
+    let unit = parts
+        .iter()
+        .map(|(_, unit)| *unit)
+        .find(|unit| !unit.is_empty() && *unit != "log");
+    let numbers = parts
+        .iter()
+        .map(|(number, unit)| if *unit == "log" { "log" } else { *number });
+    (
+        numbers.collect::<Vec<_>>().join(":"),
+        unit.unwrap_or_default().to_owned(),
+    )
 }
 
 pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
@@ -189,30 +281,59 @@ pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
                 })),
             });
             if let Some(table) = table {
-                let row = |moment: &Moment| numbers(&moment.numbers(), |number| number.value.into());
+                let row =
+                    |moment: &Moment| numbers(&moment.numbers(), |number| number.value.into());
                 whole["table"] = table.iter().map(row).collect();
             }
             json(&whole)?;
         }
         (Format::Csv, Some(table)) => {
-            let heads = answer.numbers.iter().map(|number| ascii(&head(number.name, number.unit)));
+            let heads = answer
+                .numbers
+                .iter()
+                .map(|number| ascii(&head(number.name, number.unit)));
             let heads: Vec<_> = heads.collect();
             let heads: Vec<_> = heads.iter().map(String::as_str).collect();
-            csv(&heads, table.iter().map(|moment| moment.numbers().iter().map(|number| plain(number.value)).collect()))?;
+            csv(
+                &heads,
+                table.iter().map(|moment| {
+                    moment
+                        .numbers()
+                        .iter()
+                        .map(|number| plain(number.value))
+                        .collect()
+                }),
+            )?;
         }
         (Format::Csv, None) => {
             let row = |number: &Number| {
-                vec![ascii(number.name), number.rounded().map_or(String::new(), plain), ascii(number.unit), plain(number.error)]
+                vec![
+                    ascii(number.name),
+                    number.rounded().map_or(String::new(), plain),
+                    ascii(number.unit),
+                    plain(number.error),
+                ]
             };
-            csv(&["quantity", "value", "unit", "error"], answer.numbers.iter().map(row))?;
+            csv(
+                &["quantity", "value", "unit", "error"],
+                answer.numbers.iter().map(row),
+            )?;
         }
-        (Format::Text, table) => show(&(text(&answer, paper.as_ref()) + &table.map_or(String::new(), |table| rows(&table)) + &drawn))?,
+        (Format::Text, table) => show(
+            &(text(&answer, paper.as_ref())
+                + &table.map_or(String::new(), |table| rows(&table))
+                + &drawn),
+        )?,
     }
     Ok(0)
 }
 
 fn numbers(numbers: &[Number], value: impl Fn(&Number) -> Value) -> Value {
-    numbers.iter().map(|number| (number.name.to_owned(), value(number))).collect::<Map<_, _>>().into()
+    numbers
+        .iter()
+        .map(|number| (number.name.to_owned(), value(number)))
+        .collect::<Map<_, _>>()
+        .into()
 }
 
 fn doing(doing: Doing) -> &'static str {
@@ -226,10 +347,20 @@ fn doing(doing: Doing) -> &'static str {
 /// Its numbers, what it did in which order, and the paper's word on it.
 fn text(answer: &Answer, paper: Option<&Opinion>) -> String {
     let shown = |number: &Number| number.rounded().map_or("unknown".to_owned(), plain);
-    let row = |number: &Number| vec![number.name.to_owned(), shown(number), number.unit.to_owned(), String::new()];
+    let row = |number: &Number| {
+        vec![
+            number.name.to_owned(),
+            shown(number),
+            number.unit.to_owned(),
+            String::new(),
+        ]
+    };
     let rows: Vec<_> = answer.numbers.iter().map(row).collect();
     let mut text = aligned(&["", "value", "unit", ""], 1, &rows, screen().width);
-    let order = answer.events.iter().map(|event| format!("{} from {} s", doing(event.doing), short(event.t.0)));
+    let order = answer
+        .events
+        .iter()
+        .map(|event| format!("{} from {} s", doing(event.doing), short(event.t.0)));
     text += &format!("\norder   {}\n", order.collect::<Vec<_>>().join(", "));
     if let Some(paper) = paper {
         let agree = paper.numbers.iter().filter_map(|(name, x)| {
@@ -237,8 +368,16 @@ fn text(answer: &Answer, paper: Option<&Opinion>) -> String {
             Some((own.value - x).abs() <= own.error + 1e-11 * x.abs().max(own.value.abs()))
         });
         let names: Vec<_> = paper.numbers.iter().map(|(name, _)| *name).collect();
-        let says = if agree.fold(true, |all, one| all & one) { "the same" } else { "something else" };
-        text += &format!("paper   its section {} says {says} of {}\n", paper.section, names.join(", "));
+        let says = if agree.fold(true, |all, one| all & one) {
+            "the same"
+        } else {
+            "something else"
+        };
+        text += &format!(
+            "paper   its section {} says {says} of {}\n",
+            paper.section,
+            names.join(", ")
+        );
     }
     text
 }
@@ -249,10 +388,21 @@ fn short(x: f64) -> String {
 }
 
 fn rows(table: &[Moment]) -> String {
-    let cells = |moment: &Moment| moment.numbers().iter().map(|number| short(number.value)).chain([String::new()]).collect();
+    let cells = |moment: &Moment| {
+        moment
+            .numbers()
+            .iter()
+            .map(|number| short(number.value))
+            .chain([String::new()])
+            .collect()
+    };
     let rows: Vec<Vec<_>> = table.iter().map(cells).collect();
     let numbers = table.first().map(Moment::numbers).unwrap_or_default();
-    let heads: Vec<_> = numbers.iter().map(|number| head(number.name, number.unit)).chain([String::new()]).collect();
+    let heads: Vec<_> = numbers
+        .iter()
+        .map(|number| head(number.name, number.unit))
+        .chain([String::new()])
+        .collect();
     let heads: Vec<_> = heads.iter().map(String::as_str).collect();
     format!("\n{}", aligned(&heads, 1, &rows, screen().width))
 }
@@ -261,8 +411,16 @@ fn rows(table: &[Moment]) -> String {
 fn path(answer: &Answer) -> Result<Curve, Failure> {
     let [from, to] = [answer.moved.start()?.t.0, answer.moved.end()?.t.0];
     let moments = answer.moved.every(Second((to - from) / 400.0))?;
-    let straight = moments.iter().all(|moment| moment.place[1] == moments[0].place[1]);
-    let point = |moment: &Moment| if straight { [moment.t.0, moment.place[0].0] } else { moment.place.map(|x| x.0) };
+    let straight = moments
+        .iter()
+        .all(|moment| moment.place[1] == moments[0].place[1]);
+    let point = |moment: &Moment| {
+        if straight {
+            [moment.t.0, moment.place[0].0]
+        } else {
+            moment.place.map(|x| x.0)
+        }
+    };
     Ok(Curve {
         title: "The path on the floor",
         x: if straight { "t" } else { "x" },
@@ -281,39 +439,76 @@ fn varied(words: &Words, vary: &str, format: Format) -> Result<u8, Failure> {
         None => {
             let (range, unit) = bare(range);
             let axis: super::axis::Axis = range.parse()?;
-            (0..axis.count()).map(|i| plain(axis.at(i).into()) + &unit).collect()
+            (0..axis.count())
+                .map(|i| plain(axis.at(i).into()) + &unit)
+                .collect()
         }
     };
-    let answers: Vec<_> = values.iter().map(|value| {
-        let (scene, until) = words.with(word, value).scene()?;
-        scene.answer(until)
-    }).collect();
-    let heads: Vec<_> = answers.iter().flatten().next().map(|answer| answer.numbers.clone()).unwrap_or_default();
+    let answers: Vec<_> = values
+        .iter()
+        .map(|value| {
+            let (scene, until) = words.with(word, value).scene()?;
+            scene.answer(until)
+        })
+        .collect();
+    let heads: Vec<_> = answers
+        .iter()
+        .flatten()
+        .next()
+        .map(|answer| answer.numbers.clone())
+        .unwrap_or_default();
     if format == Format::Json {
         let row = |(value, answer): (&String, &Result<Answer, SceneError>)| match answer {
-            Ok(answer) => object!({ word: value, "answer": numbers(&answer.numbers, |number| number.rounded().into()), "error": null }),
+            Ok(answer) => {
+                object!({ word: value, "answer": numbers(&answer.numbers, |number| number.rounded().into()), "error": null })
+            }
             Err(error) => object!({ word: value, "answer": null, "error": error.to_string() }),
         };
         let rows: Vec<_> = values.iter().zip(&answers).map(row).collect();
         let units = numbers(&heads, |number| number.unit.into());
-        json(&object!({ "version": VERSION, "scene": words.json(), "vary": word, "units": units, "answers": rows }))?;
+        json(
+            &object!({ "version": VERSION, "scene": words.json(), "vary": word, "units": units, "answers": rows }),
+        )?;
         return Ok(0);
     }
     let row = |(value, answer): (&String, &Result<Answer, SceneError>)| {
         let mut cells = vec![value.clone()];
         match answer {
-            Ok(answer) => cells.extend(answer.numbers.iter().map(|number| number.rounded().map_or(String::new(), plain))),
+            Ok(answer) => cells.extend(
+                answer
+                    .numbers
+                    .iter()
+                    .map(|number| number.rounded().map_or(String::new(), plain)),
+            ),
             Err(_) => cells.resize(heads.len() + 1, String::new()),
         }
-        cells.push(answer.as_ref().err().map_or(String::new(), ToString::to_string));
+        cells.push(
+            answer
+                .as_ref()
+                .err()
+                .map_or(String::new(), ToString::to_string),
+        );
         cells
     };
     let rows: Vec<_> = values.iter().zip(&answers).map(row).collect();
     let names = heads.iter().map(|number| head(number.name, number.unit));
-    let names: Vec<_> = [word.to_owned()].into_iter().chain(names).chain(["note".to_owned()]).collect();
+    let names: Vec<_> = [word.to_owned()]
+        .into_iter()
+        .chain(names)
+        .chain(["note".to_owned()])
+        .collect();
     let names: Vec<_> = names.iter().map(String::as_str).collect();
     match format {
-        Format::Csv => csv(&names.iter().map(|name| ascii(name)).collect::<Vec<_>>().iter().map(String::as_str).collect::<Vec<_>>(), rows.into_iter())?,
+        Format::Csv => csv(
+            &names
+                .iter()
+                .map(|name| ascii(name))
+                .collect::<Vec<_>>()
+                .iter()
+                .map(String::as_str)
+                .collect::<Vec<_>>(),
+            rows.into_iter(),
+        )?,
         _ => show(&aligned(&names, 1, &rows, screen().width))?,
     }
     Ok(0)
@@ -327,7 +522,9 @@ fn found(words: &Words, find: &str, target: &str, format: Format) -> Result<u8, 
     let (word, range) = chosen(find)?;
     let (name, wanted) = crate::scene::target(target)?;
     let (numbers, unit) = bare(range);
-    let (low, high) = numbers.split_once(':').ok_or("--find: WORD=LOW:HIGH is wanted")?;
+    let (low, high) = numbers
+        .split_once(':')
+        .ok_or("--find: WORD=LOW:HIGH is wanted")?;
     let [low, high] = [low.parse::<f64>()?, high.parse::<f64>()?];
     if !(low < high && low.is_finite() && high.is_finite()) {
         return Err("--find: LOW must be less than HIGH".into());
@@ -341,38 +538,65 @@ fn found(words: &Words, find: &str, target: &str, format: Format) -> Result<u8, 
     // Equal ratios, where there are some.
     let point = |k: u32| {
         let share = f64::from(k) / f64::from(STEPS);
-        if low > 0.0 { low * libm::pow(high / low, share) } else { low + share * (high - low) }
+        if low > 0.0 {
+            low * libm::pow(high / low, share)
+        } else {
+            low + share * (high - low)
+        }
     };
     let tried: Vec<_> = (0..=STEPS).map(|k| (point(k), at(point(k)))).collect();
-    if let Some((_, Err(error))) = tried.iter().find(|(_, value)| value.is_err()) && tried.iter().all(|(_, value)| value.is_err()) {
+    if let Some((_, Err(error))) = tried.iter().find(|(_, value)| value.is_err())
+        && tried.iter().all(|(_, value)| value.is_err())
+    {
         return Err(error.clone().into());
     }
     let (mut solutions, mut jumps) = (Vec::new(), Vec::new());
     for pair in tried.windows(2) {
-        let [(a, Ok(fa)), (b, Ok(fb))] = pair else { continue };
+        let [(a, Ok(fa)), (b, Ok(fb))] = pair else {
+            continue;
+        };
         if *fa == 0.0 {
             solutions.push(*a);
         } else if *fb != 0.0 && (*fa > 0.0) != (*fb > 0.0) {
             let x = root(|x| at(x).unwrap_or(f64::NAN), *a, *b)?;
             let off = at(x)?.abs();
-            if off <= 1e-9 * wanted.abs().max(fa.abs().min(fb.abs())) { solutions.push(x) } else { jumps.push(x) }
+            if off <= 1e-9 * wanted.abs().max(fa.abs().min(fb.abs())) {
+                solutions.push(x)
+            } else {
+                jumps.push(x)
+            }
         }
     }
     if let Some((x, Ok(0.0))) = tried.last() {
         solutions.push(*x);
     }
-    let note = format!("looked at {STEPS} steps: two values closer together than one, or a value that is only touched, may be missed");
-    let list = |values: &[f64]| values.iter().map(|x| format!("{}{unit}", plain(*x))).collect::<Vec<_>>();
+    let note = format!(
+        "looked at {STEPS} steps: two values closer together than one, or a value that is only touched, may be missed"
+    );
+    let list = |values: &[f64]| {
+        values
+            .iter()
+            .map(|x| format!("{}{unit}", plain(*x)))
+            .collect::<Vec<_>>()
+    };
     match format {
-        Format::Json => json(&object!({ "version": VERSION, "scene": words.json(), "find": word, "unit": unit, "solutions": solutions, "jumps": jumps, "note": note }))?,
-        Format::Csv => csv(&[word, "unit"], solutions.iter().map(|x| vec![plain(*x), unit.clone()]))?,
+        Format::Json => json(
+            &object!({ "version": VERSION, "scene": words.json(), "find": word, "unit": unit, "solutions": solutions, "jumps": jumps, "note": note }),
+        )?,
+        Format::Csv => csv(
+            &[word, "unit"],
+            solutions.iter().map(|x| vec![plain(*x), unit.clone()]),
+        )?,
         Format::Text => {
             let mut text = match &solutions[..] {
                 [] => format!("none from {} to {}\n", list(&[low])[0], list(&[high])[0]),
                 _ => format!("{word} = {}\n", list(&solutions).join(", ")),
             };
             if !jumps.is_empty() {
-                text += &format!("{name} jumps over it at {word} = {}\n", list(&jumps).join(", "));
+                text += &format!(
+                    "{name} jumps over it at {word} = {}\n",
+                    list(&jumps).join(", ")
+                );
             }
             show(&(text + &note))?;
         }

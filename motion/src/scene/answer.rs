@@ -37,7 +37,12 @@ impl Moment {
     /// Its numbers, without their errors.
     pub fn numbers(&self) -> Vec<Number> {
         let spin = self.spin.unwrap_or_default().map(|w| w.0);
-        let row = |name, unit, value| Number { name, unit, value, error: 0.0 };
+        let row = |name, unit, value| Number {
+            name,
+            unit,
+            value,
+            error: 0.0,
+        };
         let mut rows = vec![
             row("t", "s", self.t.0),
             row("x", "m", self.place[0].0),
@@ -74,7 +79,9 @@ impl Scene {
         let sizes: Vec<_> = numbers.iter().map(|number| size(number.unit)).collect();
         let [velocity, place] = moved.by_drive(&end);
         for (k, number) in numbers.iter_mut().enumerate() {
-            let moved = other.get(k).map_or(f64::INFINITY, |other| (other.value - number.value).abs());
+            let moved = other
+                .get(k)
+                .map_or(f64::INFINITY, |other| (other.value - number.value).abs());
             let driven = match number.unit {
                 "m/s" => velocity,
                 "m" => place,
@@ -83,7 +90,11 @@ impl Scene {
             };
             number.error = 2.0 * moved + KNOWN * sizes[k] + driven;
         }
-        Ok(Answer { events: moved.events(), moved, numbers })
+        Ok(Answer {
+            events: moved.events(),
+            moved,
+            numbers,
+        })
     }
 
     fn nudged(&self) -> Self {
@@ -103,7 +114,9 @@ impl Number {
         if self.value == 0.0 {
             return Some(0.0);
         }
-        let known = libm::floor(libm::log10(self.value.abs() / self.error.max(f64::MIN_POSITIVE)));
+        let known = libm::floor(libm::log10(
+            self.value.abs() / self.error.max(f64::MIN_POSITIVE),
+        ));
         if known.is_nan() || known < 1.0 {
             return (self.value.abs() <= self.error && self.error < 1e-9).then_some(0.0);
         }

@@ -73,9 +73,17 @@ impl Part {
             let before = until;
             until += duration;
             if !(until > before) {
-                return Err(SceneError::given("a duration", duration, "positive, and none after the last"));
+                return Err(SceneError::given(
+                    "a duration",
+                    duration,
+                    "positive, and none after the last",
+                ));
             }
-            pieces.push(Piece { text: text.to_owned(), size: sign * size, until });
+            pieces.push(Piece {
+                text: text.to_owned(),
+                size: sign * size,
+                until,
+            });
         }
         let along = unit_vector(angle);
         Ok(Self(Kind::Pull { along, pieces }))
@@ -85,7 +93,13 @@ impl Part {
     pub(super) fn steady_pull(&self) -> Option<[f64; 2]> {
         match &self.0 {
             Kind::Pull { along, pieces } => match &pieces[..] {
-                [Piece { text, size, until: f64::INFINITY }] => {
+                [
+                    Piece {
+                        text,
+                        size,
+                        until: f64::INFINITY,
+                    },
+                ] => {
                     let one = value(text, None).ok()?;
                     Some(along.map(|c| c * one * size))
                 }
@@ -96,12 +110,22 @@ impl Part {
     }
 
     /// Its spans up to a time; a function has no pulse shorter than `width`.
-    fn spans(&self, [from, to]: [f64; 2], width: f64, spans: &mut Vec<Span>) -> Result<(), SceneError> {
+    fn spans(
+        &self,
+        [from, to]: [f64; 2],
+        width: f64,
+        spans: &mut Vec<Span>,
+    ) -> Result<(), SceneError> {
         let (along, pieces) = match &self.0 {
             Kind::Record { along, fitted } => {
                 let [from, until] = fitted.times();
                 let what = What::Fitted(fitted.clone());
-                spans.push(Span { from, until, along: *along, what });
+                spans.push(Span {
+                    from,
+                    until,
+                    along: *along,
+                    what,
+                });
                 return Ok(());
             }
             Kind::Pull { along, pieces } => (*along, pieces),
@@ -115,10 +139,20 @@ impl Part {
                     Err(_) => {
                         // What cannot be read any more is no number.
                         let pull = |t| [-size * value(text, Some(t)).unwrap_or(f64::NAN), 0.0];
-                        What::Fitted(Fitted::from_fn(pull, [begin, end], width.min(end - begin), &[])?)
+                        What::Fitted(Fitted::from_fn(
+                            pull,
+                            [begin, end],
+                            width.min(end - begin),
+                            &[],
+                        )?)
                     }
                 };
-                spans.push(Span { from: begin, until: *until, along, what });
+                spans.push(Span {
+                    from: begin,
+                    until: *until,
+                    along,
+                    what,
+                });
                 begin = end;
             }
         }
@@ -148,12 +182,25 @@ pub(super) struct Floor {
 
 impl Floor {
     /// That of these parts for these times, and a steady pull beside.
-    pub fn new(parts: &[Part], pull: [f64; 2], times: [f64; 2], width: f64) -> Result<Self, SceneError> {
-        let mut spans = vec![Span { from: f64::NEG_INFINITY, until: f64::INFINITY, along: pull, what: What::Steady(-1.0) }];
+    pub fn new(
+        parts: &[Part],
+        pull: [f64; 2],
+        times: [f64; 2],
+        width: f64,
+    ) -> Result<Self, SceneError> {
+        let mut spans = vec![Span {
+            from: f64::NEG_INFINITY,
+            until: f64::INFINITY,
+            along: pull,
+            what: What::Steady(-1.0),
+        }];
         for part in parts {
             part.spans(times, width, &mut spans)?;
         }
-        Ok(Self { spans, times: Self::known(parts) })
+        Ok(Self {
+            spans,
+            times: Self::known(parts),
+        })
     }
 
     /// The times at which all of these parts are known.
@@ -193,7 +240,11 @@ impl Floor {
 impl Acceleration for Floor {
     fn coefficients(&self, t: f64) -> [Coefficients; 2] {
         let mut sum = [[0.0; TERMS]; 2];
-        for span in self.spans.iter().filter(|span| span.from <= t && t < span.until) {
+        for span in self
+            .spans
+            .iter()
+            .filter(|span| span.from <= t && t < span.until)
+        {
             let [c, s] = span.along;
             match &span.what {
                 What::Steady(a) => {
@@ -215,7 +266,9 @@ impl Acceleration for Floor {
     fn next_break(&self, t: f64) -> Option<f64> {
         let ends = self.spans.iter().flat_map(|span| [span.from, span.until]);
         let own = self.fits().filter_map(|fitted| fitted.next_break(t));
-        ends.filter(|end| *end > t && end.is_finite()).chain(own).reduce(f64::min)
+        ends.filter(|end| *end > t && end.is_finite())
+            .chain(own)
+            .reduce(f64::min)
     }
 
     fn times(&self) -> [f64; 2] {

@@ -43,7 +43,8 @@ pub use answer::{Answer, Number, target};
 pub use frame::Part;
 pub use moved::{Doing, Event, Moment, Moved};
 pub use quantity::{
-    apart,    JoulePerKilogram, Metre, MetrePerSecond, MetrePerSecond2, Radian, RadianPerSecond, Second,
+    JoulePerKilogram, Metre, MetrePerSecond, MetrePerSecond2, Radian, RadianPerSecond, Second,
+    apart,
 };
 pub use words::{WORDS, Word};
 
@@ -155,7 +156,7 @@ impl Scene {
     }
 
     /// A solid ball there.
-    pub const fn ball(mu: f64, radius: Metre) -> Self {
+    pub fn ball(mu: f64, radius: Metre) -> Self {
         Self {
             body: Body::Ball { radius, kappa: 0.4 },
             ..Self::block(mu)

@@ -5,7 +5,7 @@ use super::{
     Until, check, frame::Floor,
 };
 use crate::{
-    Acceleration, Friction, Motion, Phase, PhaseKind, State, run,
+    Acceleration, Friction, Line, Motion, Phase, PhaseKind, State, Track, run,
     sphere::{Ball, BallMotion, Contact, Sphere},
     turntable::{Path, Table, rotating},
 };
@@ -61,6 +61,7 @@ pub struct Moved {
 #[derive(Debug, Clone)]
 enum Followed {
     Block(Motion),
+    Line(Line, Motion),
     Ball(BallMotion),
     Table(Path),
 }
@@ -80,7 +81,12 @@ pub(super) fn moved(scene: &Scene, until: Until) -> Result<Moved, SceneError> {
     let speed = libm::hypot(made.velocity[0], made.velocity[1]);
     let stopping = 2.0 * speed / scene.friction();
     let last = (from + within).min(made.known);
-    let mut to = from + if stopping > 0.0 && stopping < 1e9 { stopping } else { 1.0 };
+    let mut to = from
+        + if stopping > 0.0 && stopping < 1e9 {
+            stopping
+        } else {
+            1.0
+        };
     loop {
         to = to.min(last);
         let moved = made.follow(to)?;
@@ -94,7 +100,10 @@ pub(super) fn moved(scene: &Scene, until: Until) -> Result<Moved, SceneError> {
                 Until::Way(_) => "a path so long",
                 Until::Beyond(_) | Until::Time(_) => "a place so far off",
             };
-            return Err(SceneError::Never { what, within: Second(last - from) });
+            return Err(SceneError::Never {
+                what,
+                within: Second(last - from),
+            });
         }
         to = from + LONGER * (to - from);
     }
@@ -113,25 +122,53 @@ struct Made<'a> {
 
 impl<'a> Made<'a> {
     fn new(scene: &'a Scene) -> Result<Self, SceneError> {
-        let Scene { body, mu, holding, back, g, tilt: [tilt, _], turning, start, .. } = *scene;
-        let positive = |name, x: f64| check(name, x, x > 0.0 && x <= 1e50, "positive, at most 1e50");
-        let not_negative = |name, x: f64| check(name, x, (0.0..=1e50).contains(&x), "between 0 and 1e50");
+        let Scene {
+            body,
+            mu,
+            holding,
+            back,
+            g,
+            tilt: [tilt, _],
+            turning,
+            start,
+            ..
+        } = *scene;
+        let positive =
+            |name, x: f64| check(name, x, x > 0.0 && x <= 1e50, "positive, at most 1e50");
+        let not_negative =
+            |name, x: f64| check(name, x, (0.0..=1e50).contains(&x), "between 0 and 1e50");
         not_negative("mu", mu)?;
         not_negative("mu-back", back.unwrap_or(0.0))?;
         not_negative("mu-s", holding)?;
         positive("g", g.0)?;
-        check("tilt", tilt.0, (0.0..std::f64::consts::FRAC_PI_2).contains(&tilt.0), "from 0 to less than 90deg")?;
+        check(
+            "tilt",
+            tilt.0,
+            (0.0..std::f64::consts::FRAC_PI_2).contains(&tilt.0),
+            "from 0 to less than 90deg",
+        )?;
         let ball = matches!(body, Body::Ball { .. });
         let place = start.place.map(|x| x.0);
         let mut velocity = start.velocity.map(|v| v.0);
         let mut table = None;
         if let Some(turning) = turning {
             if ball || !scene.frame.is_empty() || tilt.0 > 0.0 || back.is_some() {
-                return Err(SceneError::Together("on a table that turns there is a block, and no other pull"));
+                return Err(SceneError::Together(
+                    "on a table that turns there is a block, and no other pull",
+                ));
             }
-            let turned = Table { omega: turning.0, mu, g: g.0, mass: 1.0 };
+            let turned = Table {
+                omega: turning.0,
+                mu,
+                g: g.0,
+                mass: 1.0,
+            };
             if start.in_room {
-                let seen = State { t: 0.0, v: velocity, x: place };
+                let seen = State {
+                    t: 0.0,
+                    v: velocity,
+                    x: place,
+                };
                 velocity = turned.to_table(&seen).v;
             }
             table = Some(turned);
@@ -154,15 +191,33 @@ impl<'a> Made<'a> {
     }
 
     fn floor(&self, to: f64) -> Result<Floor, SceneError> {
-        let width = self.scene.width.map_or((to - self.from) / 5000.0, |width| width.0);
-        Floor::new(&self.scene.frame, self.scene.slope(), [self.from, to], width)
+        let width = self
+            .scene
+            .width
+            .map_or((to - self.from) / 5000.0, |width| width.0);
+        Floor::new(
+            &self.scene.frame,
+            self.scene.slope(),
+            [self.from, to],
+            width,
+        )
     }
 
     /// The motion up to the time `to`.
     fn follow(&self, to: f64) -> Result<Moved, SceneError> {
         check("until", to, to >= self.from, "not before the start")?;
-        let state = State { t: self.from, v: self.velocity, x: self.place };
-        let Scene { body, mu, holding, start, .. } = *self.scene;
+        let state = State {
+            t: self.from,
+            v: self.velocity,
+            x: self.place,
+        };
+        let Scene {
+            body,
+            mu,
+            holding,
+            start,
+            ..
+        } = *self.scene;
         let holding = holding.max(mu);
         if let Some(table) = &self.table {
             let path = rotating::run_held(table, holding, &state, to)?;
@@ -171,13 +226,42 @@ impl<'a> Made<'a> {
         let floor = self.floor(to)?;
         let followed = match body {
             Body::Block => {
-                let friction = Friction { kinetic: self.scene.friction(), holding: holding * self.scene.normal() };
-                Followed::Block(run(&floor, friction, state, to)?)
+                let rough = |mu: f64| Friction {
+                    kinetic: mu * self.scene.normal(),
+                    holding: holding.max(mu) * self.scene.normal(),
+                };
+                match self.scene.back {
+                    None => Followed::Block(run(&floor, rough(mu), state, to)?),
+                    Some(back) => {
+                        let (plus, minus) = (rough(mu), rough(back));
+                        let line = Line {
+                            along: [1.0, 0.0],
+                            plus,
+                            minus,
+                            frequency: 0.0,
+                        };
+                        Followed::Line(line, line.run(&floor, state, to)?)
+                    }
+                }
             }
-            Body::Ball { radius: Metre(radius), kappa } => {
-                let sphere = Sphere { mass: 1.0, radius, inertia: kappa * radius * radius, mu: mu.max(LEAST), g: self.scene.normal() };
+            Body::Ball {
+                radius: Metre(radius),
+                kappa,
+            } => {
+                let sphere = Sphere {
+                    mass: 1.0,
+                    radius,
+                    inertia: kappa * radius * radius,
+                    mu: mu.max(LEAST),
+                    g: self.scene.normal(),
+                };
                 let omega = start.spin.map(|w| w.0);
-                let ball = Ball { t: self.from, x: self.place, v: self.velocity, omega };
+                let ball = Ball {
+                    t: self.from,
+                    x: self.place,
+                    v: self.velocity,
+                    omega,
+                };
                 Followed::Ball(sphere.run_held(holding.max(LEAST), &floor, &ball, to)?)
             }
         };
@@ -186,13 +270,22 @@ impl<'a> Made<'a> {
 
     fn moved(&self, followed: Followed, to: f64, drive_error: f64) -> Moved {
         let friction = self.scene.friction();
-        Moved { followed, from: self.from, to, friction, drive_error }
+        Moved {
+            followed,
+            from: self.from,
+            to,
+            friction,
+            drive_error,
+        }
     }
 
     /// Since when it is at rest for good, if it is at the end of this motion.
     fn at_rest(&self, moved: &Moved) -> Result<Option<f64>, SceneError> {
         let since = match moved.events().last() {
-            Some(Event { t, doing: Doing::Rests }) => t.0,
+            Some(Event {
+                t,
+                doing: Doing::Rests,
+            }) => t.0,
             _ => return Ok(None),
         };
         if self.table.is_some() {
@@ -200,7 +293,9 @@ impl<'a> Made<'a> {
         }
         let held = self.scene.holding.max(self.scene.mu) * self.scene.normal();
         let pull = self.floor(moved.to)?.steady(moved.to);
-        Ok(pull.filter(|[x, y]| libm::hypot(*x, *y) <= held).map(|_| since))
+        Ok(pull
+            .filter(|[x, y]| libm::hypot(*x, *y) <= held)
+            .map(|_| since))
     }
 }
 
@@ -213,37 +308,66 @@ impl Moved {
         self.at(Second(self.to))
     }
 
-    /// The moment at a time.
+    /// The moment at a time. Cost: once through all of the motion.
     ///
     /// # Errors
     /// [`SceneError::Motion`] for a time before the start or after the end.
     pub fn at(&self, t: Second) -> Result<Moment, SceneError> {
+        self.moment(t, &self.tracks()?)
+    }
+
+    /// The path and, of a ball, what its lowest point has slid.
+    fn tracks(&self) -> Result<(Track<'_>, Option<Track<'_>>), SceneError> {
+        Ok(match &self.followed {
+            Followed::Block(motion) | Followed::Line(_, motion) => (motion.track()?, None),
+            Followed::Ball(motion) => (motion.track()?, Some(motion.slipped()?)),
+            Followed::Table(path) => (path.track()?, None),
+        })
+    }
+
+    fn moment(
+        &self,
+        t: Second,
+        (way, slipped): &(Track<'_>, Option<Track<'_>>),
+    ) -> Result<Moment, SceneError> {
         let Second(time) = t;
         let fit = time >= self.from && time <= self.to;
-        check("t", time, fit, "between the start and the end of the motion")?;
-        let moment = |x: [f64; 2], v: [f64; 2], spin: Option<[f64; 3]>, way, slipped| Moment {
-            t,
-            place: x.map(Metre),
-            velocity: v.map(MetrePerSecond),
-            spin: spin.map(|w| w.map(RadianPerSecond)),
-            way: Metre(way),
-            heat: JoulePerKilogram(self.friction * slipped),
-        };
-        Ok(match &self.followed {
+        check(
+            "t",
+            time,
+            fit,
+            "between the start and the end of the motion",
+        )?;
+        let way = way.at(time)?;
+        let slid = slipped.as_ref().map_or(Ok(way), |track| track.at(time))?;
+        let mut heat = self.friction * slid;
+        let (x, v, spin) = match &self.followed {
             Followed::Block(motion) => {
                 let State { x, v, .. } = motion.at(time)?;
-                let way = motion.way(time)?;
-                moment(x, v, None, way, way)
+                (x, v, None)
+            }
+            Followed::Line(line, motion) => {
+                let State { x, v, .. } = motion.at(time)?;
+                let begin = motion.start().x;
+                heat = line.heat(way, [0, 1].map(|i| x[i] - begin[i]))?;
+                (x, v, None)
             }
             Followed::Ball(motion) => {
                 let Ball { x, v, omega, .. } = motion.at(time)?;
-                moment(x, v, Some(omega), motion.way(time)?, motion.slipped(time)?)
+                (x, v, Some(omega.map(RadianPerSecond)))
             }
             Followed::Table(path) => {
                 let State { x, v, .. } = path.on_table(time)?;
-                let way = path.way(time)?;
-                moment(x, v, None, way, way)
+                (x, v, None)
             }
+        };
+        Ok(Moment {
+            t,
+            place: x.map(Metre),
+            velocity: v.map(MetrePerSecond),
+            spin,
+            way: Metre(way),
+            heat: JoulePerKilogram(heat),
         })
     }
 
@@ -271,23 +395,25 @@ impl Moved {
     /// When the end that is asked for has come, if it has.
     fn reached(&self, until: Until, made: &Made) -> Result<Option<f64>, SceneError> {
         Ok(match (until, &self.followed) {
-            (Until::Stop, Followed::Block(motion)) => motion.first_stop(),
+            (Until::Stop, Followed::Block(motion) | Followed::Line(_, motion)) => {
+                motion.first_stop()
+            }
             (Until::Stop, Followed::Table(path)) => path.stops().first().copied(),
             (Until::Stop, Followed::Ball(_)) => {
                 let mut events = self.events().into_iter();
-                events.find(|event| event.doing == Doing::Rolls).map(|event| event.t.0)
+                events
+                    .find(|event| event.doing == Doing::Rolls)
+                    .map(|event| event.t.0)
             }
             (Until::Rest, _) => made.at_rest(self)?,
-            (Until::Way(Metre(way)), _) => {
-                let far = |t| Ok::<_, SceneError>(self.at(Second(t))?.way.0 - way);
-                self.first(far)?
-            }
+            (Until::Way(Metre(way)), _) => self.tracks()?.0.when(way)?,
             (Until::Beyond(Metre(far)), _) => {
-                let from = if made.table.is_some() { [0.0; 2] } else { made.place };
-                self.first(|t| {
-                    let place = self.at(Second(t))?.place;
-                    Ok(libm::hypot(place[0].0 - from[0], place[1].0 - from[1]) - far)
-                })?
+                let from = if made.table.is_some() {
+                    [0.0; 2]
+                } else {
+                    made.place
+                };
+                self.tracks()?.0.first_beyond(from, far)?
             }
             (Until::Time(Second(t)), _) => Some(t),
         })
@@ -299,29 +425,48 @@ impl Moved {
     /// [`SceneError::Motion`] for a step that is not positive, or makes more than a million.
     pub fn every(&self, step: Second) -> Result<Vec<Moment>, SceneError> {
         let count = (self.to - self.from) / step.0;
-        check("every", step.0, (0.0..=1e6).contains(&count), "positive, a millionth of the time or more")?;
+        check(
+            "every",
+            step.0,
+            (0.0..=1e6).contains(&count),
+            "positive, a millionth of the time or more",
+        )?;
         // The last one is the end, if it is not within rounding of it.
         let whole = libm::ceil(count * (1.0 - 1e-12)) as u32;
         let times = (0..whole).map(|k| self.from + f64::from(k) * step.0);
-        times.chain([self.to]).map(|t| self.at(Second(t))).collect()
+        let tracks = self.tracks()?;
+        times
+            .chain([self.to])
+            .map(|t| self.moment(Second(t), &tracks))
+            .collect()
     }
 
     /// What it does from the start on, and every change of that.
     pub fn events(&self) -> Vec<Event> {
-        let event = |t, doing| Event { t: Second(t), doing };
+        let event = |t, doing| Event {
+            t: Second(t),
+            doing,
+        };
         let slid = |phase: &Phase| match phase.kind {
             PhaseKind::Slide => event(phase.from, Doing::Slides),
             PhaseKind::Stick => event(phase.from, Doing::Rests),
         };
         let mut events: Vec<Event> = match &self.followed {
-            Followed::Block(motion) => motion.phases().iter().map(slid).collect(),
+            Followed::Block(motion) | Followed::Line(_, motion) => {
+                motion.phases().iter().map(slid).collect()
+            }
             Followed::Ball(motion) => {
                 let kind = |contact| match contact {
                     Contact::Sliding => Doing::Slides,
                     Contact::Rolling => Doing::Rolls,
                 };
-                let first = motion.contact(self.from).map(|contact| event(self.from, kind(contact)));
-                let changes = motion.transitions().iter().map(|change| event(change.t, kind(change.to)));
+                let first = motion
+                    .contact(self.from)
+                    .map(|contact| event(self.from, kind(contact)));
+                let changes = motion
+                    .transitions()
+                    .iter()
+                    .map(|change| event(change.t, kind(change.to)));
                 first.into_iter().chain(changes).collect()
             }
             Followed::Table(path) => path.phases().iter().map(slid).collect(),

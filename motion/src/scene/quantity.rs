@@ -87,9 +87,9 @@ pub(super) fn read<'a, T>(
         Err(error) => error.to_string(),
     };
     // The longest beginning that is a number, so that `1/2 m` is half a metre.
-    let ends = text.char_indices().map(|(at, _)| at).skip(1);
-    let parts = ends.map(|at| text.split_at(at)).rev();
-    let mut found = parts.filter_map(|(number, name)| {
+    let ends: Vec<_> = text.char_indices().map(|(at, _)| at).skip(1).collect();
+    let mut found = ends.into_iter().rev().filter_map(|end| {
+        let (number, name) = text.split_at(end);
         let number = number.trim();
         Some((number, value(number).ok()?, unit(name.trim())?))
     });
@@ -103,8 +103,8 @@ pub(super) fn read<'a, T>(
 /// A text as a number and the unit behind it, without a look at either where there is no number.
 pub fn apart(text: &str) -> (&str, &str) {
     let number = |text: &str| expression::<f64>(text.trim(), |digits| digits.parse().ok()).is_ok();
-    let ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
-    let ends: Vec<_> = ends.collect();
+    let ends = text.char_indices().map(|(at, _)| at);
+    let ends: Vec<_> = ends.chain([text.len()]).collect();
     let end = ends.into_iter().rev().find(|end| number(&text[..*end]));
     text.split_at(end.unwrap_or(0))
 }

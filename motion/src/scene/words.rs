@@ -2,7 +2,7 @@
 
 use super::{
     Body, Metre, MetrePerSecond, MetrePerSecond2, Part, Radian, RadianPerSecond, Scene, SceneError,
-    Second, Start, Until, check, directed, unit_vector,
+    Start, Until, check, directed, unit_vector,
 };
 use crate::{Columns, Fitted, numerics::expression::expression};
 use std::str::FromStr;
@@ -144,14 +144,18 @@ impl Scene {
                 }
                 "throw" | "throw-in-room" | "set-down" => {
                     if thrown.is_some() {
-                        return Err(SceneError::Together("only one of throw, throw-in-room and set-down says how it starts"));
+                        return Err(SceneError::Together(
+                            "only one of throw, throw-in-room and set-down says how it starts",
+                        ));
                     }
                     thrown = Some((name, if name == "set-down" { "0" } else { text }));
                 }
                 "spin" => {
-                    let parts: Vec<_> = text.split(',').map(str::parse).collect::<Result<_, _>>()?;
+                    let parts: Vec<_> =
+                        text.split(',').map(str::parse).collect::<Result<_, _>>()?;
                     let three = <[RadianPerSecond; 3]>::try_from(parts);
-                    scene.start.spin = three.map_err(|_| SceneError::Together("spin has three components: X,Y,Z"))?;
+                    scene.start.spin = three
+                        .map_err(|_| SceneError::Together("spin has three components: X,Y,Z"))?;
                 }
                 "width" => scene.width = Some(text.parse()?),
                 "within" => scene.within = text.parse()?,
@@ -161,11 +165,19 @@ impl Scene {
         }
         check("mu", scene.mu, scene.mu >= 0.0, "given, and not negative")?;
         scene.holding = mu_s.unwrap_or(scene.mu);
-        check("mu-s", scene.holding, scene.holding >= scene.mu, "at least mu")?;
+        check(
+            "mu-s",
+            scene.holding,
+            scene.holding >= scene.mu,
+            "at least mu",
+        )?;
         scene.body = match (body, radius) {
             ("block", None) if kappa.is_none() => Body::Block,
             ("block", _) => return Err(SceneError::Together("radius and kappa are of a ball")),
-            ("ball", Some(radius)) => Body::Ball { radius, kappa: kappa.unwrap_or(0.4) },
+            ("ball", Some(radius)) => Body::Ball {
+                radius,
+                kappa: kappa.unwrap_or(0.4),
+            },
             ("ball", None) => return Err(SceneError::Together("a ball needs its radius")),
             _ => return Err(SceneError::Word(body.to_owned())),
         };
@@ -177,9 +189,8 @@ impl Scene {
             let moved = velocity(text)?;
             let in_room = name != "throw";
             scene.start = Start {
-                velocity: [0, 1].map(|i| {
-                    MetrePerSecond(moved[i].0 - if in_room { belt[i].0 } else { 0.0 })
-                }),
+                velocity: [0, 1]
+                    .map(|i| MetrePerSecond(moved[i].0 - if in_room { belt[i].0 } else { 0.0 })),
                 in_room: in_room && scene.turning.is_some(),
                 ..scene.start
             };
@@ -192,14 +203,20 @@ impl Scene {
 fn chosen(text: &str) -> Result<Columns<'_>, SceneError> {
     let mut columns = Columns::default();
     for choice in text.split(',') {
-        let column = choice.split_once('=').map(|(name, column)| (name.trim(), Some(column.trim())));
+        let column = choice
+            .split_once('=')
+            .map(|(name, column)| (name.trim(), Some(column.trim())));
         match column {
             Some(("time", column)) => columns.time = column,
             Some(("x", column)) => columns.x = column,
             Some(("y", column)) => columns.y = column,
             Some(("unit", unit)) => columns.unit = unit,
             Some(("time-unit", unit)) => columns.time_unit = unit,
-            _ => return Err(SceneError::Together("columns are chosen as in time=t,x=accel_x,y=accel_y,unit=g,time-unit=ms")),
+            _ => {
+                return Err(SceneError::Together(
+                    "columns are chosen as in time=t,x=accel_x,y=accel_y,unit=g,time-unit=ms",
+                ));
+            }
         }
     }
     Ok(columns)

@@ -180,7 +180,9 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
         self.rest = rest.trim_start();
         let function = match word {
             "pi" | "π" => return Ok(S::pi()),
-            "t" => return (self.number)(word).ok_or_else(|| ExpressionError::Word(word.to_owned())),
+            "t" => {
+                return (self.number)(word).ok_or_else(|| ExpressionError::Word(word.to_owned()));
+            }
             "sqrt" | "√" => S::sqrt,
             "sin" => S::sin,
             "cos" => S::cos,

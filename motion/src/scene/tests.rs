@@ -1,0 +1,166 @@
+use super::*;
+
+/// A number of the end of a scene.
+fn asked(body: &str, words: &[(&str, &str)], name: &str) -> f64 {
+    let none = |file: &str| Err(SceneError::Word(file.to_owned()));
+    let (scene, until) = Scene::read(body, words.iter().copied(), none).unwrap();
+    let answer = scene.answer(until).unwrap();
+    let number = answer
+        .numbers
+        .iter()
+        .find(|number| number.name == name)
+        .unwrap();
+    number.rounded().unwrap()
+}
+
+fn near(found: f64, right: f64, digits: f64) {
+    assert!(
+        (found - right).abs() <= digits * right.abs(),
+        "{found} {right}"
+    );
+}
+
+/// What people have asked in public, and what is right by hand or by their own reckoning.
+#[test]
+fn questions_of_people_have_their_answers() {
+    let g: f64 = 9.80665;
+    // Cargo on a truck that pulls away: it slides 1.81 m back.
+    let cargo = [
+        ("mu", "0.16"),
+        ("mu-s", "0.18"),
+        ("accelerate", "2.15m/s^2"),
+        ("until", "1.81m"),
+    ];
+    near(
+        asked("block", &cargo, "t"),
+        (2.0 * 1.81 / (2.15 - 0.16 * g)).sqrt(),
+        1e-11,
+    );
+    // Thrown over the floor.
+    let thrown = [("mu", "0.5"), ("throw", "6m/s")];
+    near(asked("block", &thrown, "t"), 6.0 / (0.5 * g), 1e-11);
+    near(asked("block", &thrown, "path"), 18.0 / (0.5 * g), 1e-11);
+    near(asked("block", &thrown, "heat"), 18.0, 1e-11);
+    // A box set down on a belt.
+    let belt = [("mu", "0.27"), ("belt", "3.4m/s"), ("set-down", "")];
+    near(asked("block", &belt, "t"), 3.4 / (0.27 * g), 1e-11);
+    near(asked("block", &belt, "x"), -3.4 * 3.4 / (0.54 * g), 1e-11);
+    // A trailer brakes harder than its load holds.
+    let trailer = [
+        ("mu", "0.3"),
+        ("mu-s", "0.4"),
+        ("pull", "4.2:4.79s,0"),
+        ("until", "rest"),
+    ];
+    let (a, f) = (4.2 - 0.3 * g, 0.3 * g);
+    let way = 0.5 * a * 4.79 * 4.79 * (1.0 + a / f);
+    near(asked("block", &trailer, "path"), way, 1e-11);
+    // No friction, no pull; no friction, a pull.
+    near(
+        asked(
+            "block",
+            &[("mu", "0"), ("throw", "2m/s@90deg"), ("until", "3s")],
+            "y",
+        ),
+        6.0,
+        1e-11,
+    );
+    near(
+        asked("block", &[("mu", "0"), ("pull", "2"), ("until", "3s")], "x"),
+        9.0,
+        1e-11,
+    );
+    // Down a slope of 30 degrees from rest.
+    let slope = [("mu", "0.2"), ("tilt", "30deg"), ("until", "2m")];
+    let a = g * (0.5 - 0.2 * 0.75_f64.sqrt());
+    near(asked("block", &slope, "t"), (4.0 / a).sqrt(), 1e-11);
+    near(asked("block", &slope, "v_x"), (4.0 * a).sqrt(), 1e-11);
+    // A ball that is thrown without spin rolls after 2v/(7μg), with 5/7 of its speed.
+    let bowled = [
+        ("mu", "0.08"),
+        ("radius", "11cm"),
+        ("throw", "5m/s"),
+        ("until", "rolling"),
+    ];
+    near(asked("ball", &bowled, "t"), 10.0 / (7.0 * 0.08 * g), 1e-11);
+    near(asked("ball", &bowled, "v_x"), 25.0 / 7.0, 1e-11);
+    near(asked("ball", &bowled, "ω_y"), 25.0 / (7.0 * 0.11), 1e-11);
+    near(
+        asked("ball", &bowled, "heat"),
+        12.5 - 0.7 * 25.0 * 25.0 / 49.0,
+        1e-11,
+    );
+    // On a table that turns below its limit what lies there rests; above it, it goes.
+    let table = [
+        ("mu", "0.4"),
+        ("turn", "33.3rpm"),
+        ("at", "15cm"),
+        ("until", "rest"),
+    ];
+    near(asked("block", &table, "x"), 0.15, 1e-12);
+}
+
+#[test]
+fn what_holds_is_not_what_brakes() {
+    let held = |pull: &str| {
+        asked(
+            "block",
+            &[
+                ("mu", "0.3"),
+                ("mu-s", "0.4"),
+                ("pull", pull),
+                ("until", "1s"),
+            ],
+            "x",
+        )
+    };
+    assert_eq!(held("3.92"), 0.0);
+    near(held("3.93"), 0.5 * (3.93 - 0.3 * 9.80665), 1e-11);
+}
+
+#[test]
+fn numbers_have_units() {
+    for (text, right) in [
+        ("15cm", 0.15),
+        ("1/2 m", 0.5),
+        ("2e-3", 0.002),
+        ("1km", 1e3),
+        ("2*3mm", 0.006),
+    ] {
+        near(text.parse::<Metre>().unwrap().0, right, 1e-15);
+    }
+    for (text, right) in [
+        ("33.3rpm", 3.487_167_845_484_670_3),
+        ("2Hz", 12.566_370_614_359_172),
+        ("90deg/s", 1.570_796_326_794_896_6),
+        ("3", 3.0),
+        ("5 1/s", 5.0),
+    ] {
+        near(text.parse::<RadianPerSecond>().unwrap().0, right, 1e-13);
+    }
+    for (text, right) in [("36km/h", 10.0), ("2mph", 0.894_08), ("-1.5m/s", -1.5)] {
+        near(text.parse::<MetrePerSecond>().unwrap().0, right, 1e-15);
+    }
+    for (text, right) in [
+        ("1g", 9.80665),
+        ("2.15m/s^2", 2.15),
+        ("2.15m/s2", 2.15),
+        ("3 m/s²", 3.0),
+        ("1 cm/s/s", 0.01),
+    ] {
+        near(text.parse::<MetrePerSecond2>().unwrap().0, right, 1e-15);
+    }
+    near(
+        "120deg".parse::<Radian>().unwrap().0,
+        2.094_395_102_393_195_5,
+        1e-15,
+    );
+    for text in ["15s", "15", "cm", "1,5m", "3 apples", ""] {
+        assert!(text.parse::<Metre>().is_ok() == (text == "15"), "{text}");
+    }
+    let told = "3s".parse::<MetrePerSecond>().unwrap_err().to_string();
+    assert!(
+        told.contains("a speed") && told.contains("something else"),
+        "{told}"
+    );
+}
