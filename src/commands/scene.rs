@@ -344,6 +344,9 @@ fn doing(doing: Doing) -> &'static str {
     }
 }
 
+/// How many changes are shown.
+const SHOWN: usize = 8;
+
 /// Its numbers, what it did in which order, and the paper's word on it.
 fn text(answer: &Answer, paper: Option<&Opinion>) -> String {
     let shown = |number: &Number| number.rounded().map_or("unknown".to_owned(), plain);
@@ -357,11 +360,24 @@ fn text(answer: &Answer, paper: Option<&Opinion>) -> String {
     };
     let rows: Vec<_> = answer.numbers.iter().map(row).collect();
     let mut text = aligned(&["", "value", "unit", ""], 1, &rows, screen().width);
-    let order = answer
-        .events
+    let digits = answer
+        .numbers
         .iter()
-        .map(|event| format!("{} from {} s", doing(event.doing), short(event.t.0)));
-    text += &format!("\norder   {}\n", order.collect::<Vec<_>>().join(", "));
+        .filter(|number| number.value != 0.0)
+        .map(Number::digits);
+    if let Some(digits) = digits.min() {
+        text += &format!("\ndigits  {digits}\n");
+    }
+    let order = answer.events.iter().take(SHOWN);
+    let order = order.map(|event| format!("{} from {} s", doing(event.doing), short(event.t.0)));
+    let order = order.collect::<Vec<_>>().join(", ");
+    let more = answer.events.len().saturating_sub(SHOWN);
+    let more = if more > 0 {
+        format!(", and {more} changes more, which --json lists")
+    } else {
+        String::new()
+    };
+    text += &format!("order   {order}{more}\n");
     if let Some(paper) = paper {
         let agree = paper.numbers.iter().filter_map(|(name, x)| {
             let own = answer.numbers.iter().find(|number| number.name == *name)?;
