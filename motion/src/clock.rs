@@ -66,6 +66,11 @@ impl<const D: usize> Clocked<D> {
         &self.end
     }
 
+    /// The steps in order; in the last one the series serve to `h` as well.
+    pub(crate) fn steps(&self) -> &[Step<f64, D, TERMS>] {
+        &self.steps
+    }
+
     /// The states at the ends of the steps, in order.
     pub fn nodes(&self) -> impl Iterator<Item = [f64; D]> + '_ {
         let begins = self.steps.iter().map(|step| step.at(&0.0));

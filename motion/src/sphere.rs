@@ -29,6 +29,7 @@ pub use turning::Turning;
 use super::{
     acceleration::{Acceleration, Coefficients},
     error::{MotionError, check},
+    track::{Part, Track},
 };
 use crate::numerics::{
     series::{arrival, value},
@@ -328,6 +329,47 @@ impl BallMotion {
             v: [u, v],
             omega: [a, b, c],
         })
+    }
+
+    /// The way of its centre on the plane.
+    ///
+    /// # Errors
+    /// [`MotionError::Numerics`] where the speed has no integral.
+    pub fn track(&self) -> Result<Track<'_>, MotionError> {
+        self.tracked(2)
+    }
+
+    /// The way that its lowest point slides, each unit of which turns μg into heat, per unit of mass; the places are the centre's.
+    ///
+    /// # Errors
+    /// As for [`track`](Self::track).
+    pub fn slipped(&self) -> Result<Track<'_>, MotionError> {
+        self.tracked(7)
+    }
+
+    /// By the components of the velocity from this one on.
+    fn tracked(&self, first: usize) -> Result<Track<'_>, MotionError> {
+        let parts = self.pieces.iter().map(|piece| {
+            let (own, series) = match piece {
+                Piece::Slide { step, .. } => (Some(step), &step.series[1..]),
+                Piece::Series { series, .. } => (None, &series[..]),
+            };
+            let pair = |first: usize| [&series[first], &series[first + 1]];
+            let part = match own {
+                Some(step) => Part::clocked(&step.series[0], step.h, pair(first), pair(0)),
+                None => {
+                    let lasts = piece.to() - piece.from();
+                    Part::timed(piece.from(), lasts, pair(first), pair(0))
+                }
+            };
+            // The lowest point comes to rest, and never passes through it.
+            if first == 2 {
+                part.cornered()
+            } else {
+                Ok(part)
+            }
+        });
+        Track::new([self.start.t, self.end.t], self.start.x, parts)
     }
 
     fn within(&self, t: f64) -> Result<(), MotionError> {

@@ -1,6 +1,10 @@
 //! A finished motion: what happened when, and the state at any time in between.
 
-use super::{acceleration::Coefficients, error::MotionError};
+use super::{
+    acceleration::Coefficients,
+    error::MotionError,
+    track::{Part, Track},
+};
 use crate::numerics::{
     events::roots,
     series::{arrival, change, value},
@@ -294,6 +298,25 @@ impl Motion {
             Some(piece) => piece.at(t),
             None => Ok(self.start),
         }
+    }
+
+    /// Its way on the plane. Each unit of it turns μg into heat, per unit of mass. Cost: that of the motion itself.
+    ///
+    /// # Errors
+    /// [`MotionError::Numerics`] where the speed has no integral.
+    pub fn track(&self) -> Result<Track<'_>, MotionError> {
+        let parts = self.pieces.iter().filter_map(|piece| match piece {
+            Piece::Slide(step) => {
+                let [u, v, t, x, y] = &step.series;
+                Some(Part::clocked(t, step.h, [u, v], [x, y]))
+            }
+            Piece::Arc(arc) => {
+                let (v, x) = (arc.v.each_ref(), arc.x.each_ref());
+                Some(Part::timed(arc.from, arc.to - arc.from, v, x))
+            }
+            Piece::Rest { .. } => None,
+        });
+        Track::new([self.start.t, self.end.t], self.start.x, parts.map(Ok))
     }
 
     /// The states at the ends of the integrator's steps, in order: natural points of a figure.

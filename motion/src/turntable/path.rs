@@ -4,6 +4,7 @@ use super::{State, Table};
 use crate::Coefficients;
 use crate::clock::Clocked;
 use crate::error::MotionError;
+use crate::track::{Part, Track};
 
 /// How the particle moves for a while.
 #[derive(Debug, Clone, PartialEq)]
@@ -114,6 +115,50 @@ impl Path {
                 v: [0.0; 2],
             })),
         }
+    }
+
+    /// Its way on the table; in the laboratory's frame, places of it are right for distances from the axis alone.
+    ///
+    /// # Errors
+    /// [`MotionError::Numerics`] where the speed has no integral.
+    pub fn track(&self) -> Result<Track<'_>, MotionError> {
+        let omega = match self.frame {
+            Frame::Table => 0.0,
+            Frame::Laboratory => self.table.omega,
+        };
+        // The velocity relative to the table.
+        let relative = |v: &Coefficients, x: &Coefficients, omega: f64| -> Vec<f64> {
+            v.iter().zip(x).map(|(v, x)| v + omega * x).collect()
+        };
+        let mut parts = Vec::new();
+        let ends = self.legs.iter().skip(1).map(Leg::from).chain([self.end]);
+        for (leg, end) in self.legs.iter().zip(ends) {
+            match leg {
+                Leg::Slide(slide) => parts.extend(slide.steps().iter().map(|step| {
+                    let [t, x, y, u, v] = &step.series;
+                    let w = [relative(u, y, omega), relative(v, x, -omega)];
+                    Part::clocked(t, step.h, w, [x, y])
+                })),
+                Leg::Onset { from, series } => {
+                    let [x, y, u, v] = &**series;
+                    let w = [relative(u, y, omega), relative(v, x, -omega)];
+                    parts.push(Part::timed(*from, end - from, w, [x, y]));
+                }
+                Leg::Stopping { state, to } => {
+                    let slowing = |i: usize| state.v[i] / (state.t - to);
+                    let v = [0, 1].map(|i| vec![state.v[i], slowing(i)]);
+                    let x = [0, 1].map(|i| vec![state.x[i], state.v[i], 0.5 * slowing(i)]);
+                    parts.push(Part::timed(state.t, to.min(self.end) - state.t, v, x));
+                }
+                Leg::Rest { .. } => {}
+            }
+        }
+        let start = self.at(self.start)?.x;
+        // Without friction it may pass through rest.
+        let free = self.table.friction() == 0.0;
+        let parts = parts.into_iter();
+        let parts = parts.map(|part| if free { part.cornered() } else { Ok(part) });
+        Track::new([self.start, self.end], start, parts)
     }
 
     /// State at time `t` relative to the table.
