@@ -70,6 +70,7 @@ pub mod particle;
 pub mod signal;
 pub mod sphere;
 pub mod spring;
+pub mod track;
 pub mod trajectory;
 pub mod turntable;
 #[cfg(feature = "trials")]
@@ -79,8 +80,9 @@ pub use acceleration::{Acceleration, Coefficients, Plane, Series};
 pub use error::MotionError;
 pub use fitted::{Columns, FitError, Fitted};
 pub use launch::Launch;
-pub use particle::{Friction, run, run_to_stop};
+pub use particle::{Friction, Line, run, run_to_stop};
 pub use signal::Signal;
+pub use track::Track;
 pub use trajectory::{Motion, Phase, PhaseKind, State};
 
 #[cfg(any(test, feature = "trials"))]

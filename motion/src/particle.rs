@@ -1,11 +1,14 @@
 //! A particle on the plane: it slides and sticks, one phase after the other.
 
+mod line;
 mod slide;
 mod start;
 mod stick;
 
 #[cfg(all(test, feature = "trials"))]
 mod tests;
+
+pub use line::Line;
 
 use super::{
     acceleration::{Acceleration, Coefficients, known, most_steps},
@@ -178,6 +181,11 @@ impl<'a> Run<'a> {
                 }
             }
         }
+        self.done()
+    }
+
+    /// The motion up to here.
+    fn done(mut self) -> Result<Motion, MotionError> {
         let State { t, v, x } = self.state;
         finite(t, &[v, x].concat())?;
         self.motion.end = self.state;

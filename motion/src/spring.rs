@@ -9,15 +9,7 @@
 //! spring is relaxed. Between events x and v are power series in time.
 
 use super::{
-    acceleration::Coefficients,
-    error::check,
-    error::{MotionError, finite},
-    signal::Signal,
-};
-use crate::numerics::{
-    events::{Way, roots},
-    series::value,
-    taylor::{TERMS, reach},
+    acceleration::Plane, error::MotionError, particle::Line, signal::Signal, trajectory::State,
 };
 
 /// A spring and the friction under the block.
@@ -49,163 +41,40 @@ pub struct SpringMotion {
     pub end: SpringState,
 }
 
-/// Steps that a motion may take.
-const STEPS: usize = 50_000;
-/// A pull within this part of the friction counts as held.
-const HELD: f64 = 4.0 * f64::EPSILON;
-
 impl Spring {
-    /// The motion from `start` until the time `until` under the pull `pull` (length/time²).
+    /// The motion from `start` until the time `until` under the pull `pull` (length/time²): that of a block on a [`Line`].
     ///
     /// # Errors
-    /// [`MotionError::Argument`] for a frequency or friction that is negative or above 10⁵⁰, a start or an end that is
-    /// not finite, an end before the start; [`MotionError::Steps`] after 50,000 steps; [`MotionError::Numerics`] when
-    /// the motion leaves the finite numbers.
+    /// As for [`Line::run`].
     pub fn run(
         &self,
         pull: &Signal,
         start: SpringState,
         until: f64,
     ) -> Result<SpringMotion, MotionError> {
-        for (name, size) in [("frequency", self.frequency), ("friction", self.friction)] {
-            check(
-                name,
-                size,
-                (0.0..=1e50).contains(&size),
-                "between 0 and 1e50",
-            )?;
-        }
-        for (name, number) in [("t", start.t), ("x", start.x), ("v", start.v)] {
-            check(
-                name,
-                number,
-                number.abs() <= 1e50,
-                "finite, at most 1e50 in absolute value",
-            )?;
-        }
-        let fit = until >= start.t && until <= 1e50;
-        check("until", until, fit, "not before the start, at most 1e50")?;
-        let mut state = start;
-        let mut turns = Vec::new();
-        // The direction in which it has just been let go, where velocity does not tell yet.
-        let mut released = None;
-        for _ in 0..STEPS {
-            if state.t >= until {
-                finite(state.t, &[state.x, state.v])?;
-                return Ok(SpringMotion { turns, end: state });
-            }
-            let series = pull.coefficients(state.t);
-            let horizon = pull
-                .next_break(state.t)
-                .map_or(until, |next| next.min(until));
-            let left = (horizon - state.t).min(reach(&series));
-            let net = series[0] - self.frequency * self.frequency * state.x;
-            let held = state.v == 0.0 && released.is_none();
-            if held && net.abs() <= self.friction * (1.0 + HELD) {
-                let (after, way) = self.stick(&series, state, left)?;
-                state = after;
-                released = way;
-                continue;
-            }
-            let smooth = released.is_some();
-            let sign = match released.take() {
-                Some(sign) => sign,
-                None if state.v == 0.0 => net.signum(),
-                None => state.v.signum(),
-            };
-            let (after, turned) = self.slide(&series, state, (sign, smooth), left)?;
-            state = if after.t + left * f64::EPSILON >= horizon && !turned {
-                SpringState {
-                    t: horizon,
-                    ..after
-                }
-            } else {
-                after
-            };
-            if turned {
-                turns.push(state);
-            }
-        }
-        Err(MotionError::Steps {
-            limit: STEPS,
-            t: state.t,
-        })
-    }
-
-    /// Rests for at most `left`, or until the pull outgrows friction in a direction.
-    fn stick(
-        &self,
-        pull: &Coefficients,
-        state: SpringState,
-        left: f64,
-    ) -> Result<(SpringState, Option<f64>), MotionError> {
-        let mut first: Option<(f64, f64)> = None;
-        for sign in [1.0, -1.0] {
-            let mut excess = pull.map(|c| sign * c);
-            excess[0] -= sign * self.frequency * self.frequency * state.x + self.friction;
-            if excess[0].abs() <= HELD * self.friction {
-                excess[0] = 0.0;
-                // On the threshold: it goes at once if the pull grows.
-                if excess.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0) {
-                    first = Some((0.0, sign));
-                }
-            }
-            let found = roots(&excess, left)?;
-            let rising = found.iter().find(|root| root.way == Way::Rising);
-            if let Some(root) = rising.filter(|root| first.is_none_or(|(at, _)| root.at < at)) {
-                first = Some((root.at, sign));
-            }
-        }
-        Ok(match first {
-            Some((at, sign)) => (
-                SpringState {
-                    t: state.t + at,
-                    ..state
-                },
-                Some(sign),
-            ),
-            None => (
-                SpringState {
-                    t: state.t + left,
-                    ..state
-                },
-                None,
-            ),
-        })
-    }
-
-    /// Slides in the direction `sign` for at most `left`, or until the velocity is zero; `smooth` if it begins without a force.
-    fn slide(
-        &self,
-        pull: &Coefficients,
-        state: SpringState,
-        (sign, smooth): (f64, bool),
-        left: f64,
-    ) -> Result<(SpringState, bool), MotionError> {
-        let stiffness = self.frequency * self.frequency;
-        let (mut x, mut v) = ([0.0; TERMS], [0.0; TERMS]);
-        (x[0], v[0]) = (state.x, state.v);
-        for k in 0..TERMS - 1 {
-            let friction = if k == 0 { sign * self.friction } else { 0.0 };
-            v[k + 1] = (pull[k] - stiffness * x[k] - friction) / (k + 1) as f64;
-            // Let go when the pull has just outgrown friction, it begins without a force.
-            if k == 0 && smooth {
-                v[1] = 0.0;
-            }
-            x[k + 1] = v[k] / (k + 1) as f64;
-        }
-        let h = left.min(reach(&x)).min(reach(&v));
-        // One that grazes zero goes on.
-        let turn = roots(&v, h)?
-            .into_iter()
-            .find(|root| root.way != Way::Touching);
-        let at = turn.map_or(h, |root| root.at);
-        let next = SpringState {
-            t: state.t + at,
-            x: value(&x, &at),
-            v: if turn.is_some() { 0.0 } else { value(&v, &at) },
+        let line = Line {
+            along: [1.0, 0.0],
+            plus: self.friction.into(),
+            minus: self.friction.into(),
+            frequency: self.frequency,
         };
-        Ok((next, turn.is_some()))
+        let start = State {
+            t: start.t,
+            v: [start.v, 0.0],
+            x: [start.x, 0.0],
+        };
+        let plane = Plane::along([-1.0, 0.0], pull.clone());
+        let motion = line.run(&plane, start, until)?;
+        let on_line = |state: State| SpringState {
+            t: state.t,
+            x: state.x[0],
+            v: state.v[0],
+        };
+        let turns = motion.stops().iter().map(|t| motion.at(*t).map(on_line));
+        Ok(SpringMotion {
+            turns: turns.collect::<Result<_, _>>()?,
+            end: on_line(motion.end()),
+        })
     }
 }
 
@@ -332,25 +201,6 @@ mod tests {
                 assert_eq!(motion.turns.len(), turns, "{less} {motion:?}");
                 assert!((motion.end.x - side * 2.0 / 3.0).abs() < 4e-6);
             }
-        }
-    }
-
-    /// P t stays a number where P t²/2 does not.
-    #[test]
-    fn a_place_beyond_all_numbers_is_no_answer() {
-        let free = Spring {
-            frequency: 0.0,
-            friction: 1.0,
-        };
-        for side in [1.0, -1.0] {
-            let pull = Signal::Polynomial(vec![side * 1e300]);
-            let before = free.run(&pull, at(0.0, 0.0), 1e3).unwrap().end;
-            assert!(before.x.is_finite() && before.v.is_finite());
-            let beyond = free.run(&pull, at(0.0, 0.0), 1e5);
-            assert!(
-                matches!(beyond, Err(MotionError::Numerics(_))),
-                "{beyond:?}"
-            );
         }
     }
 }
