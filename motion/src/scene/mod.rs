@@ -241,14 +241,12 @@ impl Scene {
 #[non_exhaustive]
 pub enum SceneError {
     /// A text is no quantity of the kind that is asked for.
-    #[error("`{text}` is not {what}, in {si} or with a unit: {why}")]
+    #[error("`{text}` is not {what}: {why}")]
     Quantity {
         /// What it is to be.
         what: &'static str,
         /// What is written.
         text: String,
-        /// The unit of a plain number.
-        si: &'static str,
         /// What is wrong.
         why: String,
     },

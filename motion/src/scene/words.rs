@@ -57,7 +57,6 @@ fn number(name: &'static str, text: &str) -> Result<f64, SceneError> {
     number.map_err(|error| SceneError::Quantity {
         what: name,
         text: text.to_owned(),
-        si: "a number without a unit",
         why: error.to_string(),
     })
 }
@@ -109,8 +108,7 @@ impl FromStr for Until {
                     return Err(SceneError::Quantity {
                         what: "an end",
                         text: text.to_owned(),
-                        si: "stop, rolling, rest",
-                        why: "else a time or a length has to have its unit, as in 2s, 1.81m or beyond=30cm"
+                        why: "stop, rolling, rest, or a time or a length with its unit, as in 2s, 1.81m or beyond=30cm"
                             .to_owned(),
                     });
                 }
@@ -195,7 +193,6 @@ impl Scene {
                 return Err(SceneError::Quantity {
                     what: "a plain number",
                     text: (*text).to_owned(),
-                    si: "units of μg",
                     why: "what is in SI is asked for without --units".to_owned(),
                 });
             }
