@@ -31,6 +31,7 @@
 //! ```
 
 mod answer;
+mod find;
 mod frame;
 mod moved;
 mod quantity;
@@ -40,6 +41,7 @@ mod words;
 mod tests;
 
 pub use answer::{Answer, Number, target};
+pub use find::{Found, STEPS, find};
 pub use frame::Part;
 pub use moved::{Doing, Event, Moment, Moved};
 pub use quantity::{
