@@ -48,7 +48,7 @@ pub use quantity::{
     JoulePerKilogram, Metre, MetrePerSecond, MetrePerSecond2, Radian, RadianPerSecond, Second,
     apart,
 };
-pub use words::{WORDS, Word};
+pub use words::{WORDS, Word, columns};
 
 use crate::{FitError, MotionError};
 

@@ -36,7 +36,7 @@ words! {
     "pull" "SIZE[:DURATION],…[@DIRECTION]" "A pull on each kilogram of the body, piece after piece; a size may be an expression of t in s: 4*sin(10*pi*t)m/s^2";
     "accelerate" "SIZE[:DURATION],…[@DIRECTION]" "The floor accelerates so, which pulls the body the other way";
     "record" "FILE" "The floor accelerates as in this recording, a text of columns";
-    "columns" "NAME=COLUMN,…" "Columns of the recording, by their heads or numbers from 1: time, x, y; unit and time-unit are their units";
+    "columns" "NAME=COLUMN,…" "Columns of the recording, by their heads or numbers from 1: time, x, y; unit and time-unit are their units; gaps=bridge goes on over gaps";
     "towards" "DIRECTION" "Where the recording's x points [default: 0]";
     "turn" "ANGULAR VELOCITY" "The floor is a table that turns counterclockwise about the origin, clockwise if negative";
     "belt" "SPEED[@DIRECTION]" "The floor moves so through the room, as a belt does";
@@ -151,7 +151,7 @@ impl Scene {
                 "pull" => scene.frame.push(Part::pull(text)?),
                 "accelerate" => scene.frame.push(Part::accelerate(text)?),
                 "record" => record = Some(open(text)?),
-                "columns" => columns = chosen(text)?,
+                "columns" => columns = self::columns(text)?,
                 "towards" => towards = text.parse()?,
                 "turn" => scene.turning = Some(text.parse::<RadianPerSecond>()?),
                 "belt" => belt = velocity(text)?,
@@ -249,8 +249,11 @@ fn has_unit(text: &str) -> bool {
         .any(|(_, unit)| !matches!(unit.trim(), "" | "rad"))
 }
 
-/// The columns of a recording that are named.
-fn chosen(text: &str) -> Result<Columns<'_>, SceneError> {
+/// The columns of a recording that are named, as in `time=t,x=accel_x,unit=g`; `gaps=bridge` goes on over gaps.
+///
+/// # Errors
+/// [`SceneError::Together`] for a choice that is none.
+pub fn columns(text: &str) -> Result<Columns<'_>, SceneError> {
     let mut columns = Columns::default();
     for choice in text.split(',') {
         let column = choice
@@ -260,6 +263,8 @@ fn chosen(text: &str) -> Result<Columns<'_>, SceneError> {
             Some(("time", column)) => columns.time = column,
             Some(("x", column)) => columns.x = column,
             Some(("y", column)) => columns.y = column,
+            Some(("z", column)) => columns.z = column,
+            Some(("gaps", Some("bridge"))) => columns.gaps = true,
             Some(("unit", unit)) => columns.unit = unit,
             Some(("time-unit", unit)) => columns.time_unit = unit,
             _ => {
