@@ -262,9 +262,8 @@ fn solve(mut m: [[f64; 4]; 3]) -> ([f64; 3], f64) {
     for k in (1..3).rev() {
         for i in 0..k {
             let part = m[i][k] / m[k][k];
-            for j in 0..4 {
-                m[i][j] -= part * m[k][j];
-            }
+            let row = m[k];
+            m[i].iter_mut().zip(row).for_each(|(x, y)| *x -= part * y);
         }
     }
     let a = m[0][3] / m[0][0];

@@ -134,7 +134,7 @@ fn tilted(random: &mut Random) -> (Recording, f64, f64) {
     )
 }
 
-/// What is inside with 90 % only has 114 of 120 with a probability of 3 %. Of the μ_s, which are fewer, nine in ten.
+/// What is inside with 90 % only has 114 of 120 with a probability of 4 %. Of the μ_s, which are fewer, nine in ten.
 #[test]
 fn the_truth_lies_inside_in_95_of_100_recordings() {
     let mut random = Random(58);
