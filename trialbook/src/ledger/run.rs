@@ -125,7 +125,7 @@ impl Ledger {
     }
 
     /// Only the claims of these ids, with the others beside them.
-    pub(super) fn about(mut self, ids: &[&str]) -> Self {
+    pub(crate) fn about(mut self, ids: &[&str]) -> Self {
         let asked = |e: &Entry| ids.contains(&e.claim.id);
         (self.entries, self.beside) = self.entries.into_iter().partition(asked);
         self
