@@ -354,7 +354,7 @@ fn pieces_join_and_series_in_time_obey_the_law() {
             };
             for i in 0..2 {
                 let off = (begin[i] - before[i]).abs();
-// A piece that ends below rounding is followed by rest.
+                // A piece that ends below rounding is followed by rest.
                 let speed = libm::hypot(begin[0], begin[1]);
                 let allowed = if speed > 0.0 { 1e-13 * speed } else { 1e-18 };
                 assert!(off <= allowed, "{begin:?} {before:?}");

@@ -190,7 +190,12 @@ mod tests {
         // What has come since, and what is broken.
         let lost = Ledger::recorded(of(record.clone(), String::new())).unwrap();
         assert_eq!(lost.counts()[&Verdict::Undecided], lost.entries.len());
-        for broken in ["  exact", "  exact printed 1 none", "  algebra printed 1 0", "eq-1"] {
+        for broken in [
+            "  exact",
+            "  exact printed 1 none",
+            "  algebra printed 1 0",
+            "eq-1",
+        ] {
             let error = Ledger::recorded(of(record.clone(), broken.to_owned())).unwrap_err();
             let line = RecordError::Trial {
                 line: 1,
