@@ -11,6 +11,8 @@ use crate::stop;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
+use std::thread;
+use std::time::Duration;
 use std::{env, fs};
 
 /// How often the trials are made, and by whom.
@@ -118,6 +120,10 @@ fn round(number: u32, ids: &[&str], jobs: Option<u16>) -> Result<Option<String>,
     let output = asked(number, ids, jobs)?;
     if output.status.success() {
         return Ok(Some(String::from_utf8(output.stdout)?));
+    }
+    if output.status.code().is_none() {
+        // Ctrl-C reaches the round too, and may do so first.
+        thread::sleep(Duration::from_millis(200));
     }
     if stop::asked() {
         return Ok(None);

@@ -154,9 +154,10 @@ fn words(
             (near(word, best) > 850_000).then(|| format!("`{best}`"))
         };
         let hints: Vec<_> = missing.iter().filter_map(|word| nearest(word)).collect();
-        let hint = match hints.is_empty() {
-            true => "fewer words find more".to_owned(),
-            false => format!("did you mean {}?", hints.join(", ")),
+        let hint = match &hints[..] {
+            [] if wanted.len() > 1 => "fewer words find more".to_owned(),
+            [] => format!("`{} list` names all", edition.name),
+            hints => format!("did you mean {}?", hints.join(", ")),
         };
         complain(
             edition.name,

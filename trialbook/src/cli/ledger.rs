@@ -529,16 +529,18 @@ mod tests {
                 verify(&edition, &[], &depth, csv),
                 list(&edition, (&misprint, &[]), true, &depth, csv),
                 super::record(paper, "2026-01-01", &depth),
+                // Where the verdicts alone are recorded, it tries too.
+                list(&edition, (&[], &[]), false, &depth, csv),
             ]
             .map(Result::unwrap)
         };
         let all = Record::text_of(&example::ledger());
         let own = "eq-8: confirmed\n";
         assert!(all.contains(own));
-        assert_eq!(codes(&all), [0; 7]);
-        assert_eq!(codes(&all.replace(own, "eq-8: refuted\n")), [1; 7]);
-        assert_eq!(codes(&all.replace(own, "")), [1; 7]);
+        assert_eq!(codes(&all), [0; 8]);
+        assert_eq!(codes(&all.replace(own, "eq-8: refuted\n")), [1; 8]);
+        assert_eq!(codes(&all.replace(own, "")), [1; 8]);
         let more = all + "eq-99: confirmed\n";
-        assert_eq!(codes(&more), [0, 0, 0, 0, 1, 1, 1]);
+        assert_eq!(codes(&more), [0, 0, 0, 0, 1, 1, 1, 1]);
     }
 }

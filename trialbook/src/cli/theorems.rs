@@ -6,7 +6,6 @@ use super::{
 };
 use crate::publishing::{Edition, Failure, Format};
 use crate::theorems::record::{self, Accepted};
-use crate::theorems::source::Item;
 use crate::theorems::{Known, formulas};
 
 use clap::Args;
@@ -79,11 +78,11 @@ pub(super) fn theorems(
             let alone = &alone;
             let theorems =
                 all.filter(move |(accepted, _)| own || alone.contains(&accepted.name.as_str()));
-            theorems.map(|(accepted, item)| (claim.id, accepted, item))
+            theorems.map(|(accepted, _)| (claim.id, accepted))
         });
         let beside = known.beside(paper).into_iter();
         let beside = beside.filter(|(accepted, _)| alone.contains(&accepted.name.as_str()));
-        let beside = beside.map(|(accepted, item)| ("", accepted, item));
+        let beside = beside.map(|(accepted, _)| ("", accepted));
         let rows: Vec<_> = rows.chain(beside).collect();
         list(known, &rows, (!names.is_empty(), &alone), format)?;
     }
@@ -103,9 +102,12 @@ fn made(known: &Known, folder: &Path) -> Result<String, Failure> {
 }
 
 /// What the statement of a theorem speaks of, each with what the comment before it says.
-fn definitions(known: &Known, item: &Item) -> Vec<String> {
-    let used = known.sources.behind(item).into_iter();
-    let texts = used.filter_map(|i| known.sources.items.get(i)).map(|used| {
+fn definitions(known: &Known, accepted: &Accepted) -> Vec<String> {
+    let used = known
+        .sources
+        .explains(&accepted.statement, &accepted.file)
+        .into_iter();
+    let texts = used.map(|used| {
         let about = match used.about.as_str() {
             "" => String::new(),
             about => format!("(* {about} *)\n"),
@@ -118,7 +120,7 @@ fn definitions(known: &Known, item: &Item) -> Vec<String> {
 /// The theorems with their claims; with their statements if they are named, and with all that these use if they are alone.
 fn list(
     known: &Known,
-    rows: &[(&'static str, &Accepted, &Item)],
+    rows: &[(&'static str, &Accepted)],
     (whole, alone): (bool, &[&str]),
     format: Format,
 ) -> Result<(), Failure> {
@@ -127,10 +129,10 @@ fn list(
             version: VERSION,
             theorems: rows
                 .iter()
-                .map(|(claim, theorem, item)| Row {
+                .map(|(claim, theorem)| Row {
                     claim,
                     theorem,
-                    definitions: whole.then(|| definitions(known, item)),
+                    definitions: whole.then(|| definitions(known, theorem)),
                 })
                 .collect(),
         }),
@@ -145,7 +147,7 @@ fn list(
                 "seconds",
                 "statement",
             ],
-            rows.iter().map(|(claim, a, _)| {
+            rows.iter().map(|(claim, a)| {
                 vec![
                     (*claim).to_owned(),
                     a.name.clone(),
@@ -159,10 +161,10 @@ fn list(
             }),
         ),
         Format::Text => {
-            let text = rows.iter().map(|(_, a, item)| match whole {
+            let text = rows.iter().map(|(_, a)| match whole {
                 true => {
                     let mut texts = match alone.contains(&a.name.as_str()) {
-                        true => definitions(known, item),
+                        true => definitions(known, a),
                         false => Vec::new(),
                     };
                     let (axioms, file) = (a.axioms.join(" + "), &a.file);
