@@ -2,6 +2,7 @@
 """Follows the motions whose ends the command has proved by enclosing them, once more, with nothing but Python.
 
     python3 certificates/motions.py target/debug/slipbook
+    python3 certificates/motions.py target/debug/slipbook 'A = 0.58'     (those in whose name that is)
 
 The command says where they start and how they end. Here Newton's law is integrated as it stands, in Cartesian coordinates on the
 table, by Taylor's series of numbers with an error bound, in so many digits that nothing has to be done against the growth of the
@@ -190,10 +191,13 @@ def starts(slipbook):
 
 
 def main():
-    if len(sys.argv) != 2:
+    if len(sys.argv) < 2 or sys.argv[1].startswith("-"):
         sys.exit(__doc__)
+    slipbook, *wanted = sys.argv[1:]
     wrong = seen = 0
-    for name, start, said in starts(sys.argv[1]):
+    for name, start, said in starts(slipbook):
+        if wanted and not any(part in name for part in wanted):
+            continue
         found, steps = followed(start)
         print(f"{name}: {found}, after {steps} steps" + ("" if found == said else f", and not {said}"), flush=True)
         wrong, seen = wrong + (found != said), seen + 1

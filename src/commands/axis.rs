@@ -1,4 +1,4 @@
-//! Numbers of the command line: one, or equally spaced ones; and the grid that several such make.
+//! Numbers of the command line: one, several by name, or equally spaced ones; and the grid that several such make.
 
 use crate::numerics::{error::plain, expression::expression};
 use crate::solve::{Double, SolveError};
@@ -7,7 +7,7 @@ use clap::{Arg, Command, Error};
 use std::ffi::OsStr;
 use std::str::FromStr;
 
-/// One number, or several with equal differences or ratios.
+/// One number, several that are listed, or several with equal differences or ratios.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Axis {
     low: Double,
@@ -19,6 +19,8 @@ pub(super) struct Axis {
     log: bool,
     /// Whether it names degrees.
     degrees: bool,
+    /// The numbers, where they are listed: kept as long as the command line.
+    listed: Option<&'static [Double]>,
 }
 
 /// A decimal number, as it stands, or an expression.
@@ -40,6 +42,18 @@ impl FromStr for Axis {
                 .ok_or_else(|| format!("`{part}` is not finite"))
         };
         let degrees = text.contains("deg") || text.contains('°');
+        if text.contains(',') && !text.contains(':') {
+            let listed = listed(text)?;
+            return Ok(Self {
+                low: listed[0],
+                high: listed[listed.len() - 1],
+                count: listed.len() as u64,
+                range: true,
+                degrees,
+                listed: Some(listed.leak()),
+                ..Self::default()
+            });
+        }
         let (low, high, count, log) = match text.split(':').collect::<Vec<_>>()[..] {
             [one] => {
                 return Ok(Self {
@@ -65,12 +79,36 @@ impl FromStr for Axis {
             range: true,
             log,
             degrees,
+            listed: None,
         })
     }
 }
 
 /// What may stand for a number.
-const FORMS: &str = "a number, LOW:HIGH:COUNT or LOW:HIGH:COUNT:log";
+const FORMS: &str = "a number, several between commas, LOW:HIGH:COUNT or LOW:HIGH:COUNT:log";
+
+/// Numbers between commas; behind a single one there is a comma too. What may be one number with a decimal comma is refused.
+fn listed(text: &str) -> Result<Vec<Double>, String> {
+    let parts: Vec<_> = text.strip_suffix(',').unwrap_or(text).split(',').collect();
+    let whole = |part: &&str| part.bytes().all(|b| b.is_ascii_digit());
+    if let [one, two] = parts[..]
+        && whole(&one.trim_start_matches(['-', '−']))
+        && whole(&two)
+        && !text.ends_with(',')
+    {
+        return Err(format!(
+            "`{text}`: the decimal sign is a point; the two numbers are `{text},`"
+        ));
+    }
+    let number = |part: &&str| {
+        let number = number(part)?;
+        let finite = f64::from(number).is_finite();
+        finite
+            .then_some(number)
+            .ok_or_else(|| format!("`{part}` is not finite"))
+    };
+    parts.iter().map(number).collect()
+}
 
 /// Reads an [`Axis`]. Of a number with a unit it says what its option measures, and in what.
 #[derive(Clone)]
@@ -91,7 +129,6 @@ impl TypedValueParser for Plain {
                 Some(help) if error.contains("operator is missing before") => {
                     format!("{error}. Units are not typed; it is: {help}")
                 }
-                _ if error.ends_with("comma") => format!("{error}; several are LOW:HIGH:COUNT"),
                 _ => error,
             };
             text.parse::<Axis>().map_err(told)
@@ -110,6 +147,7 @@ impl From<Double> for Axis {
             range: false,
             log: false,
             degrees: false,
+            listed: None,
         }
     }
 }
@@ -129,6 +167,9 @@ impl Axis {
     /// The number of this index. One between the ends is a decimal fraction of fifteen digits, so that what is shown is what is
     /// calculated.
     pub(super) fn at(&self, i: u64) -> Double {
+        if let Some(listed) = self.listed {
+            return listed.get(i as usize).copied().unwrap_or(self.high);
+        }
         if i == 0 {
             return self.low;
         }
@@ -204,9 +245,11 @@ impl Point {
 
 /// A warning for an angle of more than a turn that does not say whether it is in degrees.
 pub(super) fn is_it_degrees(name: &str, axis: &Axis) -> Option<String> {
-    let ends = [axis.low, axis.high].map(f64::from);
+    let ends = [axis.low, axis.high];
+    let ends = axis.listed.unwrap_or(&ends).iter().copied().map(f64::from);
     let turns = |angle: &f64| angle.is_finite() && angle.abs() > std::f64::consts::TAU;
-    let turns = ends.into_iter().find(turns).filter(|_| !axis.degrees);
+    let mut ends = ends;
+    let turns = ends.find(turns).filter(|_| !axis.degrees);
     turns.map(|angle| {
         let angle = plain(angle);
         format!("{name} = {angle} is in radians, more than a turn; {angle}deg is in degrees")
@@ -244,6 +287,13 @@ mod tests {
         let [one, decades]: [Axis; 2] = ["5:7:1", "1e-3:1:4:log"].map(|axis| axis.parse().unwrap());
         assert!((one.count(), one.range, one.at(0)) == (1, true, 5.0.into()));
         assert_eq!([1, 2].map(|i| f64::from(decades.at(i))), [0.01, 0.1]);
+        let axis: Axis = "0.5,-0.1,pi".parse().unwrap();
+        let all = [0, 1, 2].map(|i| f64::from(axis.at(i)));
+        assert_eq!(all, [0.5, -0.1, std::f64::consts::PI]);
+        for (text, count) in [("1,2,", 2), ("3,", 1), ("1,2,3", 3), ("1.5,2", 2)] {
+            let axis: Axis = text.parse().unwrap();
+            assert!((axis.count(), axis.range) == (count, true), "{text}");
+        }
         assert_eq!("0.5".parse::<Axis>().unwrap().at(0), 0.5.into());
         let axis: Axis = "-pi:180deg:3".parse().unwrap();
         assert!(f64::from(axis.at(2)) == std::f64::consts::PI && f64::from(axis.at(1)) == 0.0);
@@ -256,6 +306,11 @@ mod tests {
             "1:inf:3",
             "1:2:3:4",
             "0,5",
+            "-0,5",
+            "0.1,,2",
+            ",",
+            "1,inf,2",
+            "1,2:3:4",
             "0:1:3:log",
         ] {
             assert!(wrong.parse::<Axis>().is_err(), "{wrong}");
@@ -270,6 +325,7 @@ mod tests {
         assert!(warned("0:720:3").unwrap().contains(" 720deg"));
         // A turn itself is none too many.
         assert!(warned("6.29").is_some() && warned("-2*pi:2*pi:3").is_none());
+        assert!(warned("1,720,2").unwrap().contains("720deg"));
         for fine in ["720deg", "720°", "6", "0:720deg:3"] {
             assert_eq!(warned(fine), None, "{fine}");
         }

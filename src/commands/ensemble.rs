@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::io::{self, BufWriter, Write};
-use trialbook::cli::{Shard, VERSION, ascii, complain};
+use trialbook::cli::{Shard, VERSION, ascii, bom, complain};
 use trialbook::publishing::{Failure, Format};
 
 /// The least and the most starts that are followed together; after each such piece the rows are written.
@@ -24,7 +24,7 @@ const PIECES: [u64; 2] = [1 << 12, 1 << 16];
 /// The starts, and how far they are followed.
 #[derive(Debug, Args)]
 pub(super) struct Ensemble {
-    /// Distances ρ of the starts from the axis, in units of μg/Ω²: one, or LOW:HIGH:COUNT
+    /// Distances ρ of the starts from the axis, in units of μg/Ω²: one, several between commas, LOW:HIGH:COUNT, or LOW:HIGH:COUNT:log for equal ratios
     #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = Plain)]
     rho: Axis,
     /// Speeds p relative to the table, in units of μg/Ω
@@ -210,7 +210,8 @@ impl<W: Write> Writer<W> {
                 let [rho, p, psi, sigma, tau] = heads;
                 writeln!(
                     self.out,
-                    "{rho},{p},{psi},outcome,{sigma},{tau},sigma_digits,tau_digits,note"
+                    "{}{rho},{p},{psi},outcome,{sigma},{tau},sigma_digits,tau_digits,note",
+                    bom()
                 )
             }
             Format::Json => {

@@ -2,14 +2,9 @@
 
 use std::io::{self, ErrorKind};
 use std::ops::Range;
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
-use trialbook::cli::{Shard, complain, progress, unwritten};
+use trialbook::cli::{Shard, complain, progress, stop, unwritten};
 use trialbook::publishing::Failure;
-
-/// Exit code after Ctrl-C, as shells have it.
-const STOPPED: u8 = 130;
 
 /// Pieces grow while they take less than this,
 const SHORT: Duration = Duration::from_millis(200);
@@ -56,19 +51,11 @@ pub(super) fn in_pieces(
     what: &str,
     mut work: impl FnMut(Range<u64>) -> Result<(), Stop>,
 ) -> Result<u64, Stop> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let flag = Arc::clone(&stop);
-    // A second Ctrl-C does not wait.
-    let handler = move || {
-        if flag.swap(true, Ordering::Relaxed) {
-            std::process::exit(i32::from(STOPPED));
-        }
-    };
-    ctrlc::set_handler(handler).map_err(|error| Stop::Failure(error.into()))?;
+    stop::listen().map_err(|error| Stop::Failure(error.into()))?;
     let template = format!("{{bar:40}} {{pos}}/{{len}} {what}  {{eta}} left");
     let bar = progress(range.end - range.start, &template);
     let (mut next, mut size) = (range.start, least);
-    while next < range.end && !stop.load(Ordering::Relaxed) {
+    while next < range.end && !stop::asked() {
         let begun = Instant::now();
         let end = range.end.min(next.saturating_add(size));
         work(next..end)?;
@@ -100,7 +87,7 @@ pub(super) fn told(range: &Range<u64>, (ended, refused): (u64, u64), what: &str)
     match done {
         _ if done < of => {
             complain("slipbook", &format!("stopped after {done} of {of} {what}"));
-            STOPPED
+            stop::STOPPED
         }
         // That of bad input where there is no other row.
         _ if refused > 0 && refused == done => 2,

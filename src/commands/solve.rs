@@ -15,7 +15,7 @@ use crate::solve::{
 use clap::{Arg, ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;
-use trialbook::cli::{Shard, ascii, complain, csv, json, say, screen, show};
+use trialbook::cli::{Shard, complain, json, say, screen, show};
 use trialbook::publishing::{Failure, Format};
 
 /// A calculator.
@@ -611,7 +611,7 @@ impl Solve {
         match format {
             Format::Text => show(&(text(&report) + "\n" + &drawn.unwrap_or_default()))?,
             Format::Json => json(&report)?,
-            Format::Csv => table(&report)?,
+            Format::Csv => say(&sweep::single(report)?)?,
         }
         Ok(0)
     }
@@ -655,40 +655,4 @@ fn text(report: &Report) -> String {
     }
     let _ = write!(text, "note    {}", report.note);
     text
-}
-
-fn table(report: &Report) -> Result<(), Failure> {
-    let empty = |value: Value| match value {
-        Value::Missing => String::new(),
-        value => word(value),
-    };
-    let rows = report.fields.iter().enumerate().map(|(n, field)| {
-        let way = |way: &Option<Vec<Field>>| {
-            let field = way.as_ref().and_then(|fields| fields.get(n));
-            field.map_or(String::new(), |field| empty(field.value))
-        };
-        vec![
-            field.name.to_owned(),
-            empty(field.value),
-            ascii(field.unit),
-            way(&report.by_formula),
-            way(&report.by_motion),
-            report
-                .digits
-                .map_or(String::new(), |digits| digits.to_string()),
-            ascii(&report.note),
-        ]
-    });
-    csv(
-        &[
-            "quantity",
-            "value",
-            "unit",
-            "by_formula",
-            "by_motion",
-            "digits",
-            "note",
-        ],
-        rows,
-    )
 }

@@ -12,7 +12,7 @@ use rayon::prelude::*;
 use serde_json::{Map, json};
 use std::fmt::Write as _;
 use std::io::{self, Write};
-use trialbook::cli::{Shard, ascii, screen, show};
+use trialbook::cli::{Shard, ascii, bom, screen, show};
 use trialbook::plotting::Table;
 use trialbook::publishing::{Failure, Format};
 
@@ -133,11 +133,24 @@ fn table(heads: &[&str], rows: &[Row]) -> Result<String, Failure> {
     }
     let text = ascii(&table.into_text());
     Ok(match rows.first().is_some_and(|row| row.index == 0) {
-        true => text,
+        true => bom().to_owned() + &text,
         false => text
             .split_once('\n')
             .map_or(String::new(), |(_, rows)| rows.to_owned()),
     })
+}
+
+/// The table of a single answer: as of several, with one row.
+pub(super) fn single(report: Report) -> Result<String, Failure> {
+    let heads = report.fields.iter().map(Field::head);
+    let heads: Vec<_> = heads.chain(["digits", "note"].map(str::to_owned)).collect();
+    let heads: Vec<_> = heads.iter().map(String::as_str).collect();
+    let row = Row {
+        index: 0,
+        swept: Vec::new(),
+        answer: Ok(report),
+    };
+    table(&heads, &[row])
 }
 
 /// A row as JSON, with what goes before it.

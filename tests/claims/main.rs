@@ -23,8 +23,9 @@ use trialbook::trials::{Claim, Sort, attempt::Attempt, statement::Proved};
 /// What is asked of the whole ledger.
 type Test = fn(&Ledger) -> Result<(), Failed>;
 
-const WHOLE: [(&str, Test); 9] = [
+const WHOLE: [(&str, Test); 10] = [
     ("verdicts", verdicts),
+    ("trials", trials),
     ("reading", reading),
     ("variants", wrong_variants),
     ("proofs", wrong_proofs),
@@ -102,6 +103,11 @@ fn main() -> ExitCode {
 /// The verdicts are the recorded ones.
 fn verdicts(ledger: &Ledger) -> Result<(), Failed> {
     same_as_snapshot("", "verdicts", &Record::text_of(ledger))
+}
+
+/// What is listed without trying is what the trials bring.
+fn trials(ledger: &Ledger) -> Result<(), Failed> {
+    same_as_snapshot("", "trials", &ledger.brought())
 }
 
 /// What each claim is derived from or refers to, on a line.

@@ -4,7 +4,7 @@ mod cases;
 
 use crate::{cells, slipbook};
 use serde_json::Value;
-use slipbook::ledger::Format;
+use slipbook::ledger::{Erratum, Format, Ledger};
 use slipbook::solve::axes;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -60,6 +60,25 @@ fn the_letter_as_plain_text_has_no_formulas_of_latex() {
             .collect();
         assert!(left.is_empty(), "{left:#?}");
     }
+}
+
+/// What is recorded is enough for the letter.
+#[test]
+fn the_letter_of_the_record_is_that_of_the_trials() {
+    let recorded = Ledger::recorded(crate::LEDGER.paper).unwrap();
+    for format in [Format::Text, Format::Latex] {
+        let [recorded, tried] = [&recorded, &*crate::LEDGER].map(|of| of.letter(format).unwrap());
+        assert_eq!(recorded, tried);
+    }
+    let rows = |of: &Ledger| -> Vec<_> {
+        let errata = of.errata().unwrap().into_iter();
+        let row = |mut erratum: Erratum| {
+            let evidence = std::mem::take(&mut erratum.evidence);
+            (evidence.len(), format!("{erratum:?}"))
+        };
+        errata.map(row).collect()
+    };
+    assert_eq!(rows(&recorded), rows(&crate::LEDGER));
 }
 
 #[test]
@@ -520,6 +539,40 @@ fn long_work_stops_in_good_order() {
     }
 }
 
+/// What tries claims ends with those that it has tried.
+#[cfg(unix)]
+#[test]
+fn trials_stop_in_good_order() {
+    let out = tempfile::tempdir().unwrap();
+    let book = out.path().join("book");
+    let book = format!("--out {} --json", book.to_str().unwrap());
+    for line in ["verify --json", "list --try --json", &book] {
+        let child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+            .args(line.split(' '))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        std::thread::sleep(std::time::Duration::from_millis(500));
+        let id = child.id().to_string();
+        assert!(
+            Command::new("kill")
+                .args(["-INT", &id])
+                .status()
+                .unwrap()
+                .success()
+        );
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(130), "{line}");
+        let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let claims = answer["claims"].as_array().unwrap();
+        let told = format!("stopped: {} of ", claims.len());
+        assert!(text(&output.stderr).starts_with(&told), "{line}");
+        assert_eq!(answer["differences"], serde_json::json!([]), "{line}");
+    }
+    assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
+}
+
 #[test]
 fn a_claim_is_tried_in_depth() {
     // An error that is inherited is one at every depth, whether or not what it comes from is asked for.
@@ -576,7 +629,7 @@ fn a_table_and_its_json_say_the_same() {
         ("ensemble --rho 0.5:0.95:6 --p 0.1 --psi 0.3", "ends"),
         ("distrust s2-no-permanent-rest eq-20", "trials"),
         ("find 0.53700", "matches"),
-        ("list --section 2.1 --verdict misprint", "claims"),
+        ("list --section 2.1 --verdict misprint --try", "claims"),
     ] {
         let answer = json(arguments);
         let table = text(&asked(&format!("{arguments} --csv")).stdout);

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 const ENGINE: &str = "
     data:
     scalar:
+    stop:
     seeded: exact scalar
     evidence:
     notation:
@@ -18,12 +19,12 @@ const ENGINE: &str = "
     certified: numerics scalar
     trials: data scalar evidence numerics exact certified seeded notation theorems
     theorems: data exact seeded trials
-    ledger: data evidence trials seeded notation
+    ledger: data evidence trials seeded notation stop
     plotting: data
     publishing: data trials plotting seeded
     prelude: data trials publishing evidence exact plotting ledger numerics scalar seeded
     book: data evidence exact trials ledger plotting publishing notation theorems
-    cli: data trials evidence ledger plotting notation numerics book publishing theorems
+    cli: data trials evidence ledger plotting notation numerics book publishing theorems stop
 ";
 
 /// What knows this paper.
@@ -36,7 +37,7 @@ const OF_THE_PAPER: &str = "
     claims: data trials validated scalar evidence numerics motion paper corrections exact certified seeded symbols theorems
     figures: data claims exam motion plotting solve trials
     breaks: claims corrections evidence ledger notation paper scalar seeded trials
-    commands: numerics exam figures cli plotting publishing solve
+    commands: numerics exam figures cli plotting publishing solve stop
     edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper solve symbols book commands plotting publishing trials
 ";
 

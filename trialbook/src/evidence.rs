@@ -61,7 +61,7 @@ pub enum Change {
 
 /// The way by which a trial came to its evidence. Two trials are independent when their routes differ and
 /// they have read no runs in common.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Route {
     /// Zero-testing in exact arithmetic: a proof.
@@ -109,7 +109,7 @@ impl Route {
 }
 
 /// What a trial's comparison speaks about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Subject {
     /// The claim as printed, wherever the paper's own conditions hold.
@@ -246,6 +246,9 @@ pub struct Evidence {
     /// The shared runs that were read for it, by the places where they are declared.
     #[serde(skip)]
     pub runs: BTreeSet<&'static Location<'static>>,
+    /// What the errata say of it, if it was not made now but read from the record, which has not all of it.
+    #[serde(skip)]
+    pub recorded: Option<&'static str>,
 }
 
 /// A proof that another one rests on.
@@ -296,6 +299,7 @@ impl Evidence {
             partial: false,
             read: BTreeSet::new(),
             runs: BTreeSet::new(),
+            recorded: None,
         }
     }
 

@@ -53,6 +53,7 @@ pub mod prelude;
 pub mod publishing;
 pub mod scalar;
 pub mod seeded;
+pub mod stop;
 #[cfg(feature = "trials")]
 pub mod theorems;
 pub mod trials;

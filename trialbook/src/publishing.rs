@@ -127,6 +127,7 @@ impl Edition {
         let texts = [
             paper.letter,
             paper.record,
+            paper.trials,
             paper.deep,
             paper.theorems.record,
         ];

@@ -40,6 +40,8 @@ pub struct Known {
     pub formulas: BTreeMap<String, (String, bool)>,
     /// What is wrong with it.
     pub fault: Option<String>,
+    /// The names of those that are still what was accepted; found when they are first asked for.
+    current: OnceLock<BTreeSet<String>>,
 }
 
 impl Theorems {
@@ -73,6 +75,7 @@ impl Theorems {
                 record,
                 formulas,
                 fault,
+                current: OnceLock::new(),
             }
         })
     }
@@ -100,10 +103,7 @@ impl Known {
 
     /// Whether a theorem says when the claim as printed holds, or that it does not.
     pub fn refutes(&self, claim: &str) -> bool {
-        let name = format!("{}__printed", named(claim));
-        self.of_claim(claim)
-            .iter()
-            .any(|(accepted, _)| accepted.name == name)
+        self.accepts(&format!("{}__printed", named(claim)))
     }
 
     /// The same of those that belong to no claim.
@@ -118,8 +118,16 @@ impl Known {
     }
 
     fn current<'a>(&'a self, accepted: &'a Accepted) -> Option<(&'a Accepted, &'a Item)> {
+        let current = self.current.get_or_init(|| {
+            let same = |accepted: &&Accepted| {
+                let item = self.sources.proved(&accepted.name);
+                item.is_some_and(|item| self.sources.mark(item) == accepted.mark)
+            };
+            let record = self.record.iter().filter(same);
+            record.map(|accepted| accepted.name.clone()).collect()
+        });
         let item = self.sources.proved(&accepted.name)?;
-        (self.sources.mark(item) == accepted.mark).then_some((accepted, item))
+        current.contains(&accepted.name).then_some((accepted, item))
     }
 
     /// How the formula of a definition is written: `\\text{(13)}`, with a hat where it is what replaces a printed one or adds to it.
@@ -138,9 +146,12 @@ impl Known {
 
     /// Whether the whole of a claim is a theorem.
     pub fn is_proved(&self, claim: &str) -> bool {
-        let all = self.of_claim(claim);
-        all.first()
-            .is_some_and(|(accepted, _)| accepted.name == named(claim))
+        self.accepts(&named(claim))
+    }
+
+    fn accepts(&self, name: &str) -> bool {
+        let mut named = self.record.iter().filter(|accepted| accepted.name == name);
+        named.any(|accepted| self.current(accepted).is_some())
     }
 
     /// The theorems that belong into the record: those of claims, and those that chapters bring beside them.

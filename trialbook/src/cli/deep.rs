@@ -7,12 +7,12 @@ use super::{
 };
 use crate::ledger::{Ledger, deep::Rounds};
 use crate::publishing::Failure;
-use ctrlc::Error;
+use crate::stop;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::thread;
+use std::time::Duration;
 use std::{env, fs};
 
 /// How often the trials are made, and by whom.
@@ -37,11 +37,11 @@ pub(super) fn deepened(
     if depth.rounds == 1 {
         return Ok((ledger, 1));
     }
-    let (stop, bar) = (interrupt()?, bar(depth.rounds));
+    let bar = bar(depth.rounds);
     bar.inc(1);
     let mut rounds = 1;
     while rounds < depth.rounds {
-        let Some(brought) = round(rounds, ids, depth.jobs, &stop)? else {
+        let Some(brought) = round(rounds, ids, depth.jobs)? else {
             break;
         };
         ledger = ledger.with(&brought)?;
@@ -56,7 +56,7 @@ pub(super) fn deepened(
 /// Prints what the rounds of this part bring.
 pub(super) fn part(ids: &[&str], shard: Shard, depth: &Depth) -> Result<u8, Failure> {
     let range = shard.range(depth.rounds.into());
-    let stop = interrupt()?;
+    stop::listen()?;
     let bar = bar((range.end - range.start) as u32);
     let mut text = String::new();
     let mut left = range.start as u32..range.end as u32;
@@ -64,7 +64,7 @@ pub(super) fn part(ids: &[&str], shard: Shard, depth: &Depth) -> Result<u8, Fail
         let Some(number) = left.next() else {
             break true;
         };
-        let Some(brought) = round(number, ids, depth.jobs, &stop)? else {
+        let Some(brought) = round(number, ids, depth.jobs)? else {
             break false;
         };
         text += &Rounds::headed(number, &brought);
@@ -84,7 +84,7 @@ pub(super) fn part(ids: &[&str], shard: Shard, depth: &Depth) -> Result<u8, Fail
         return Ok(0);
     }
     complain("stopped", "the rounds so far are whole");
-    Ok(130)
+    Ok(stop::STOPPED)
 }
 
 /// The ledger with what the parts have brought in place of its own measurements.
@@ -105,14 +105,6 @@ fn joined(ledger: Ledger, depth: &Depth) -> Result<Ledger, Failure> {
     Ok(rounds.in_place_of(&ledger, depth.rounds)?)
 }
 
-/// Whether somebody has asked to stop.
-fn interrupt() -> Result<Arc<AtomicBool>, Error> {
-    let stop = Arc::new(AtomicBool::new(false));
-    let asked = Arc::clone(&stop);
-    ctrlc::set_handler(move || asked.store(true, Ordering::Relaxed))?;
-    Ok(stop)
-}
-
 fn bar(rounds: u32) -> ProgressBar {
     progress(
         rounds.into(),
@@ -121,20 +113,19 @@ fn bar(rounds: u32) -> ProgressBar {
 }
 
 /// What a round brings; nothing if somebody has asked to stop before its end.
-fn round(
-    number: u32,
-    ids: &[&str],
-    jobs: Option<u16>,
-    stop: &AtomicBool,
-) -> Result<Option<String>, Failure> {
-    if stop.load(Ordering::Relaxed) {
+fn round(number: u32, ids: &[&str], jobs: Option<u16>) -> Result<Option<String>, Failure> {
+    if stop::asked() {
         return Ok(None);
     }
     let output = asked(number, ids, jobs)?;
     if output.status.success() {
         return Ok(Some(String::from_utf8(output.stdout)?));
     }
-    if stop.load(Ordering::Relaxed) {
+    if output.status.code().is_none() {
+        // Ctrl-C reaches the round too, and may do so first.
+        thread::sleep(Duration::from_millis(200));
+    }
+    if stop::asked() {
         return Ok(None);
     }
     let said = String::from_utf8_lossy(&output.stderr);

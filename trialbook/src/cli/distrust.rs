@@ -1,7 +1,7 @@
 //! Mistakes that are seeded in the formulas, and which trial notices which.
 
 use super::{
-    output::{VERSION, csv, json, say},
+    output::{VERSION, complain, csv, json, say},
     screen::progress,
 };
 use crate::ledger::{
@@ -10,6 +10,7 @@ use crate::ledger::{
     sensitivity::Slight,
 };
 use crate::publishing::{Edition, Failure, Format};
+use crate::stop;
 use crate::trials::{Paper, variants::Variant};
 use serde::Serialize;
 use std::fmt::Write;
@@ -74,6 +75,7 @@ impl TrialRow<'_> {
 /// Tries the trials of these claims, or of all, on every mistake.
 pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Result<u8, Failure> {
     let paper = edition.paper;
+    stop::listen()?;
     let ledger = match ids {
         [] => Ledger::try_all(paper, |_| {}),
         ids => Ledger::try_some(paper, ids, |_| {}),
@@ -93,6 +95,10 @@ pub(super) fn distrust(edition: &Edition, ids: &[&str], format: Format) -> Resul
     let corners: Vec<_> = pairs
         .map(|(v, noticed)| corner_row(paper, v, noticed))
         .collect();
+    if stop::asked() {
+        complain(edition.name, "stopped: nothing is known of all trials");
+        return Ok(stop::STOPPED);
+    }
     let code = code(&rows, &slight, &corners);
     match format {
         Format::Text => {

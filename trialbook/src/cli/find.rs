@@ -1,15 +1,20 @@
 //! The command `find`.
 
 use super::{
-    output::{VERSION, csv, json, show},
+    ids::numbered,
+    ledger::Tried,
+    output::{VERSION, complain, csv, json, show},
     screen::screen,
 };
+use crate::ledger::Entry;
 use crate::notation::plain_words;
-use crate::publishing::{Failure, Format};
+use crate::numerics::expression::{ExpressionError, expression};
+use crate::publishing::{Edition, Failure, Format};
 use crate::trials::{
     Paper,
     values::{Form, Match, Value, decimal_of, search},
 };
+use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// What is given, which may begin with a minus, unless it is a misspelt option.
@@ -20,9 +25,18 @@ pub(super) fn no_option(given: &str) -> Result<String, &'static str> {
         .ok_or("there is no such option")
 }
 
-/// Finds the claims that carry a number, which may be given as an expression; the exit code is 1 if there is none.
-pub(super) fn find(paper: &Paper, given: &str, format: Format) -> Result<u8, Failure> {
-    let number = decimal_of(given)?;
+/// Finds the claims that carry a number, which may be given as an expression, or that speak of words; the exit code is 1 if there
+/// is none.
+pub(super) fn find(edition: &Edition, given: &str, format: Format) -> Result<u8, Failure> {
+    let paper = edition.paper;
+    let equation =
+        numbered(given.trim()).filter(|_| !given.starts_with(|c: char| c.is_ascii_digit()));
+    let equation = equation.and_then(|id| paper.find(&id));
+    let number = match decimal_of(given) {
+        Ok(number) if equation.is_none() => number,
+        Err(why) if equation.is_none() && !is_words(given) => return Err(why.into()),
+        _ => return words(edition, given, equation.map(|(_, claim)| claim.id), format),
+    };
     let found = search(paper.values(), &number)?;
     match format {
         Format::Text => show(&text(given, &number, &found))?,
@@ -54,6 +68,111 @@ pub(super) fn find(paper: &Paper, given: &str, format: Format) -> Result<u8, Fai
                 ]
             }),
         )?,
+    }
+    Ok(u8::from(found.is_empty()))
+}
+
+/// Whether a word of it is none of those that numbers are made of.
+fn is_words(given: &str) -> bool {
+    let parts = given.split(|c: char| !(c.is_alphanumeric() || c == '.'));
+    let mut words = parts.filter(|part| part.starts_with(char::is_alphabetic));
+    words.any(|word| {
+        matches!(
+            expression(word, |_| None::<f64>),
+            Err(ExpressionError::Word(_))
+        )
+    })
+}
+
+/// All that is said of a claim, in small letters: first its name and title, then the rest, also the words by which the book's
+/// search finds it or its topic.
+fn said(edition: &Edition, Entry { claim, topic, .. }: &Entry) -> [String; 2] {
+    let (paper, stem) = (edition.paper, topic.stem);
+    let places = [claim.id, stem].map(|place| format!("{stem}.html#{place}\t"));
+    let aliases = edition.aliases.lines();
+    let aliases = aliases.filter(|line| places.iter().any(|place| line.starts_with(place)));
+    let theorems = paper.known_theorems().of_claim(claim.id);
+    let theorems = theorems.iter().map(|(accepted, _)| accepted.name.as_str());
+    let conditions = claim.conditions.iter().map(|condition| condition.text);
+    let by_hand = claim.by_hand.map(|case| [case.wrong, case.reason]);
+    let right = claim.correction.map(|correction| correction.plain);
+    let values = claim.values.iter().flat_map(|v| [v.id, v.meaning]);
+    let rest = [claim.plain, claim.argument].into_iter().chain(right);
+    let rest = rest
+        .chain([topic.title])
+        .chain(aliases)
+        .chain(conditions)
+        .chain(by_hand.into_iter().flatten());
+    let rest: Vec<_> = rest.chain(values).chain(theorems).collect();
+    [
+        format!("{} {} {}", claim.id, claim.name(), claim.title),
+        rest.join(" "),
+    ]
+    .map(|text| plain_words(&text).to_lowercase())
+}
+
+/// Finds the claims of which all these words are said, those first that have them in their titles, and before them the equation
+/// that is meant.
+fn words(
+    edition: &Edition,
+    given: &str,
+    equation: Option<&str>,
+    format: Format,
+) -> Result<u8, Failure> {
+    let lower = given.to_lowercase();
+    let wanted: Vec<_> = lower.split_whitespace().collect();
+    let tried = Tried::recorded(edition, "`show` tries")?;
+    let mut known = BTreeSet::new();
+    let mut missing: BTreeSet<_> = wanted.iter().copied().collect();
+    let mut found: Vec<(u8, &Entry)> = Vec::new();
+    for entry in tried.all() {
+        let [title, rest] = said(edition, entry);
+        let has = |word: &&str| title.contains(word) || rest.contains(word);
+        missing.retain(|word| !has(word));
+        if equation == Some(entry.claim.id) {
+            found.push((0, entry));
+        } else if wanted.iter().all(|word| title.contains(word)) {
+            found.push((1, entry));
+        } else if wanted.iter().all(has) {
+            found.push((2, entry));
+        }
+        let words = |text: &str| -> Vec<String> {
+            let words = text.split(|c: char| !c.is_alphanumeric());
+            words
+                .filter(|word| word.chars().count() > 3)
+                .map(str::to_owned)
+                .collect()
+        };
+        known.extend(words(&title).into_iter().chain(words(&rest)));
+    }
+    found.sort_by_key(|(rank, _)| *rank);
+    let found: Vec<_> = found.into_iter().map(|(_, entry)| entry).collect();
+    if found.is_empty() {
+        let near = |word: &str, known: &String| (strsim::jaro_winkler(word, known) * 1e6) as u32;
+        let nearest = |word: &str| {
+            let best = known.iter().max_by_key(|other| near(word, other))?;
+            (near(word, best) > 850_000).then(|| format!("`{best}`"))
+        };
+        let hints: Vec<_> = missing.iter().filter_map(|word| nearest(word)).collect();
+        let hint = match &hints[..] {
+            [] if wanted.len() > 1 => "fewer words find more".to_owned(),
+            [] => format!("`{} list` names all", edition.name),
+            hints => format!("did you mean {}?", hints.join(", ")),
+        };
+        complain(
+            edition.name,
+            &format!("no claim speaks of `{given}`: {hint}"),
+        );
+    }
+    let text = || match found.is_empty() {
+        true => String::new(),
+        false => tried.listed(&found),
+    };
+    match format {
+        Format::Text if found.is_empty() => {}
+        _ => {
+            tried.answered(&found, text, format)?;
+        }
     }
     Ok(u8::from(found.is_empty()))
 }

@@ -46,7 +46,7 @@ const NAMED: usize = 6;
 
 /// The id that is meant: one as it stands, an equation by its number as in `13`, `(13)`, `EQ-13` or `eq13`, a figure in the
 /// same way, the claim of a number by its name, `lambda-c`, or the one id that begins like that or has it within.
-fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
+pub(super) fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
     let ids = || edition.paper.claims().map(|(_, Claim { id, .. })| *id);
     let name = edition.name;
     let lower = word.trim().to_lowercase();
@@ -94,7 +94,7 @@ fn known(edition: &Edition, word: &str) -> Result<&'static str, Failure> {
 
 /// The id of an equation or a figure that a word in small letters names by its number and nothing else: `13`, `(13)`,
 /// `eq. (13)`, `eq-13`, `eq13`; `figure 3`.
-fn numbered(word: &str) -> Option<String> {
+pub(super) fn numbered(word: &str) -> Option<String> {
     let before = word.find(|c: char| !c.is_ascii_alphabetic())?;
     let (kind, rest) = word.split_at(before);
     let prefix = match kind {

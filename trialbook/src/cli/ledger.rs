@@ -4,13 +4,14 @@ use super::table as columns;
 use super::{
     deep::{Depth, deepened},
     ids::known_all,
-    output::{VERSION, csv, json, say, show as shown},
+    output::{VERSION, bom, complain, csv, json, say, show as shown},
     screen::{progress, screen},
 };
 use crate::book;
 use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
 use crate::numerics::error::plain;
 use crate::publishing::{Edition, Failure, Format};
+use crate::stop;
 use crate::trials::{Claim, Paper, points::set_round};
 use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
@@ -22,7 +23,10 @@ use std::time::Instant;
 
 /// Verdicts by their short names, or by the words that are printed.
 pub(super) fn verdicts() -> PossibleValuesParser {
-    let named = |verdict: Verdict| PossibleValue::new(verdict.slug()).alias(verdict.words());
+    let named = |verdict: Verdict| {
+        let words = verdict.words();
+        PossibleValue::new(verdict.slug()).alias(words).help(words)
+    };
     PossibleValuesParser::new(Verdict::ALL.map(named))
 }
 
@@ -44,6 +48,7 @@ pub(super) enum ErrataFormat {
 #[derive(Serialize)]
 struct Claims<'a> {
     version: u32,
+    recorded: Option<&'a str>,
     claims: Vec<Row<'a>>,
     differences: Vec<DifferenceRow<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -57,31 +62,103 @@ struct DifferenceRow<'a> {
     found: Option<&'a str>,
 }
 
+/// How the record is held against trials.
+const TRY: &str = "--try tries";
+
 /// What a command that tries claims has at the end.
-struct Tried {
+pub(super) struct Tried {
     ledger: Ledger,
     rounds: u32,
     differences: Vec<Difference>,
+    /// Of which version the record is that it was read from; nothing if claims were tried.
+    recorded: Option<String>,
+    /// How to try them.
+    how: &'static str,
+    /// Whether somebody has stopped it before its end.
+    stopped: bool,
 }
 
 impl Tried {
     fn new(paper: &'static Paper, ids: Option<&[&str]>, depth: &Depth) -> Result<Self, Failure> {
+        stop::listen()?;
         let record = Record::parse(&paper.record)?;
         let ledger = with_progress(paper, ids);
         let (ledger, rounds) = deepened(ledger, ids.unwrap_or_default(), depth)?;
         let mut differences = record.differences(&ledger);
-        if ids.is_some() {
+        let (all, done) = (wanted(paper, ids), ledger.entries.len());
+        let stopped = done < all || rounds < depth.rounds;
+        if ids.is_some() || stopped {
             differences.retain(|d| d.found.is_some());
+        }
+        if stopped {
+            let rounds = match depth.rounds {
+                1 => String::new(),
+                of => format!(", {rounds} of {of} rounds made"),
+            };
+            complain("stopped", &format!("{done} of {all} claims tried{rounds}"));
         }
         Ok(Tried {
             ledger,
             rounds,
             differences,
+            recorded: None,
+            how: "",
+            stopped,
         })
     }
 
+    /// What is recorded of all claims. A paper of which the verdicts alone are recorded is tried.
+    pub(super) fn recorded(edition: &Edition, how: &'static str) -> Result<Self, Failure> {
+        let paper = edition.paper;
+        if paper.trials.is_empty() {
+            let depth = Depth {
+                rounds: 1,
+                jobs: None,
+                parts: Vec::new(),
+            };
+            return Self::new(paper, None, &depth);
+        }
+        let version = format!("{} {}", edition.name, edition.version);
+        Ok(Tried {
+            ledger: Ledger::recorded(paper)?,
+            rounds: 1,
+            differences: Vec::new(),
+            recorded: Some(version.trim_end().to_owned()),
+            how,
+            stopped: false,
+        })
+    }
+
+    /// Says on standard error whether a letter or a table is from the record, or where it differs.
+    fn note(&self) {
+        if screen().quiet {
+            return;
+        }
+        for line in self.differing().lines().chain(self.as_of().as_deref()) {
+            complain("note", line);
+        }
+    }
+
+    /// That this is the record, where it is.
+    fn as_of(&self) -> Option<String> {
+        let version = self.recorded.as_ref()?;
+        Some(format!("as recorded with {version}; {} now", self.how))
+    }
+
+    fn differing(&self) -> String {
+        let words = |v: Option<Verdict>| v.map_or("no such claim", Verdict::words);
+        let line = |d: &Difference| {
+            let (recorded, found) = (words(d.recorded), words(d.found));
+            format!("{}: recorded as {recorded}, found {found}\n", d.id)
+        };
+        self.differences.iter().map(line).collect()
+    }
+
     fn code(&self) -> u8 {
-        u8::from(!self.differences.is_empty())
+        match self.stopped {
+            true => stop::STOPPED,
+            false => u8::from(!self.differences.is_empty()),
+        }
     }
 
     fn rows<'a>(&'a self, shown: &[&'a Entry], book: Option<&'a Path>) -> Claims<'a> {
@@ -93,18 +170,19 @@ impl Tried {
         };
         Claims {
             version: VERSION,
+            recorded: self.recorded.as_deref(),
             claims: shown.iter().map(|entry| entry.row()).collect(),
             differences: self.differences.iter().map(difference).collect(),
             book,
         }
     }
 
-    fn all(&self) -> Vec<&Entry> {
+    pub(super) fn all(&self) -> Vec<&Entry> {
         self.ledger.entries.iter().collect()
     }
 
     /// Answers with these claims, as text with these words; the exit code.
-    fn answered(
+    pub(super) fn answered(
         &self,
         entries: &[&Entry],
         words: impl FnOnce() -> String,
@@ -113,27 +191,33 @@ impl Tried {
         match format {
             Format::Text => shown(&words())?,
             Format::Json => json(&self.rows(entries, None))?,
-            Format::Csv => table(entries)?,
+            Format::Csv => {
+                table(entries)?;
+                self.note();
+            }
         }
         Ok(self.code())
     }
 
     /// Table, differences and summary as text; where quiet is wanted, the differences alone.
     fn text(&self) -> String {
-        let words = |v: Option<Verdict>| v.map_or("no such claim", Verdict::words);
         let quiet = screen().quiet;
         let mut text = match quiet {
             true => String::new(),
             false => columns::table(&self.ledger.entries, &screen()),
         };
-        for d in &self.differences {
-            let (recorded, found) = (words(d.recorded), words(d.found));
-            let _ = writeln!(text, "{}: recorded as {recorded}, found {found}", d.id);
-        }
+        text += &self.differing();
         if !quiet {
             let _ = writeln!(text, "\n{}", self.ledger.summary());
         }
         text
+    }
+
+    /// These claims in a list, and whether it is the record.
+    pub(super) fn listed(&self, entries: &[&Entry]) -> String {
+        let end = self.as_of().unwrap_or_else(|| self.as_recorded());
+        let list = columns::list(entries, &screen());
+        format!("{list}\n{}{end}", self.differing())
     }
 
     /// How many claims are as recorded, in words.
@@ -170,6 +254,9 @@ pub(super) fn main_job(
     };
     let (tried, drawn) = rayon::join(|| Tried::new(edition.paper, None, depth), drawn);
     let (tried, (figures, frame)) = (tried?, drawn?);
+    if tried.stopped {
+        return tried.answered(&tried.all(), || tried.text(), format);
+    }
     let first_page = frame.fill(&tried.ledger, &figures)?;
     let words = || {
         format!(
@@ -242,33 +329,41 @@ pub(super) fn show(
 }
 
 pub(super) fn list(
-    paper: &'static Paper,
-    verdicts: &[String],
-    section: Option<&str>,
+    edition: &Edition,
+    (verdicts, sections): (&[String], &[String]),
+    now: bool,
     depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
-    let of_section: Option<Vec<_>> = section.map(|section| {
-        let there = paper.claims().filter(|(_, claim)| claim.section == section);
-        there.map(|(_, claim)| claim.id).collect()
-    });
-    let tried = Tried::new(paper, of_section.as_deref(), depth)?;
+    let paper = edition.paper;
+    let of_section = |claim: &Claim| {
+        let is = |section: &String| section == claim.section;
+        sections.is_empty() || sections.iter().any(is)
+    };
+    let tried = match now || depth.rounds > 1 {
+        true => {
+            let ids = paper.claims().map(|(_, claim)| claim);
+            let ids: Vec<_> = ids.filter(|c| of_section(c)).map(|c| c.id).collect();
+            Tried::new(paper, (!sections.is_empty()).then_some(&ids), depth)?
+        }
+        false => Tried::recorded(edition, TRY)?,
+    };
     let fits = |e: &&Entry| {
         let of = e.judgement.verdict;
         let is = |named: &String| [of.slug(), of.words()].contains(&named.as_str());
-        verdicts.is_empty() || verdicts.iter().any(is)
+        of_section(e.claim) && (verdicts.is_empty() || verdicts.iter().any(is))
     };
     let listed: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
     let words = || match listed.is_empty() {
         true => "there is no such claim".to_owned(),
-        false => columns::list(&listed, &screen()),
+        false => tried.listed(&listed),
     };
     tried.answered(&listed, words, format)
 }
 
 pub(super) fn print_errata(
     edition: &Edition,
-    (kind, supplement): (ErrataFormat, bool),
+    (kind, supplement, now): (ErrataFormat, bool, bool),
     (from, code): (Option<&str>, Option<&str>),
     depth: &Depth,
     format: Format,
@@ -276,7 +371,13 @@ pub(super) fn print_errata(
     if kind == ErrataFormat::Json && (supplement || from.or(code).is_some()) {
         return Err("--supplement, --from and --code go with --format text or latex".into());
     }
-    let tried = Tried::new(edition.paper, None, depth)?;
+    let tried = match now || depth.rounds > 1 {
+        true => Tried::new(edition.paper, None, depth)?,
+        false => Tried::recorded(edition, TRY)?,
+    };
+    if tried.stopped {
+        return Ok(tried.code());
+    }
     let letter = |format: ledger::Format| {
         let sent = match supplement {
             true => tried.ledger.supplement(format),
@@ -285,17 +386,22 @@ pub(super) fn print_errata(
         sent.map(|sent| format.signed(sent, from, code))
     };
     match (kind, format) {
-        (ErrataFormat::Json, _) | (_, Format::Json) => json(&serde_json::json!({
-            "version": VERSION,
-            "errata": tried.ledger.errata()?,
-        }))?,
+        (ErrataFormat::Json, _) | (_, Format::Json) => {
+            json(&serde_json::json!({
+                "version": VERSION,
+                "recorded": tried.recorded,
+                "errata": tried.ledger.errata()?,
+            }))?;
+            return Ok(tried.code());
+        }
         (_, Format::Csv) => {
             let errata = tried.ledger.errata()?;
-            say(&book::register(edition, &errata)?)?;
+            say(&(bom().to_owned() + &book::register(edition, &errata)?))?;
         }
         (ErrataFormat::Latex, _) => say(&letter(ledger::Format::Latex)?)?,
         (ErrataFormat::Text, _) => shown(&letter(ledger::Format::Text)?)?,
     }
+    tried.note();
     Ok(tried.code())
 }
 
@@ -331,10 +437,15 @@ fn table(entries: &[&Entry]) -> Result<(), Failure> {
     csv(&headers, entries.iter().map(row))
 }
 
+/// How many claims these are, or all.
+fn wanted(paper: &Paper, ids: Option<&[&str]>) -> usize {
+    let all = || paper.claims().count();
+    ids.map_or_else(all, <[_]>::len)
+}
+
 /// Tries claims with a progress bar, which shows on a terminal only.
 fn with_progress(paper: &'static Paper, ids: Option<&[&str]>) -> Ledger {
-    let all = || paper.claims().count();
-    let length = ids.map_or_else(all, <[_]>::len) as u64;
+    let length = wanted(paper, ids) as u64;
     let bar = progress(length, "{bar:40} {pos}/{len} claims  {msg}");
     let done = |claim: &Claim| {
         bar.set_message(claim.id);
@@ -373,6 +484,9 @@ mod tests {
                 ledger: example::ledger(),
                 rounds: 1,
                 differences: vec![difference(recorded, found)],
+                recorded: None,
+                how: "",
+                stopped: false,
             };
             let rows = tried.rows(&tried.all(), None);
             let [row] = &rows.differences[..] else {
@@ -406,25 +520,27 @@ mod tests {
                 jobs: None,
                 parts: Vec::new(),
             };
-            let [ids, misprint] = ["eq-8", "misprint"].map(|word| [word.to_owned()]);
+            let [ids, misprint, second] = ["eq-8", "misprint", "2"].map(|word| [word.to_owned()]);
             [
                 verify(&edition, &ids, &depth, csv),
                 show(&edition, &ids, &depth, csv),
-                list(paper, &[], Some("2"), &depth, csv),
-                list(paper, &misprint, Some("2"), &depth, csv),
+                list(&edition, (&[], &second), true, &depth, csv),
+                list(&edition, (&misprint, &second), true, &depth, csv),
                 verify(&edition, &[], &depth, csv),
-                list(paper, &misprint, None, &depth, csv),
+                list(&edition, (&misprint, &[]), true, &depth, csv),
                 super::record(paper, "2026-01-01", &depth),
+                // Where the verdicts alone are recorded, it tries too.
+                list(&edition, (&[], &[]), false, &depth, csv),
             ]
             .map(Result::unwrap)
         };
         let all = Record::text_of(&example::ledger());
         let own = "eq-8: confirmed\n";
         assert!(all.contains(own));
-        assert_eq!(codes(&all), [0; 7]);
-        assert_eq!(codes(&all.replace(own, "eq-8: refuted\n")), [1; 7]);
-        assert_eq!(codes(&all.replace(own, "")), [1; 7]);
+        assert_eq!(codes(&all), [0; 8]);
+        assert_eq!(codes(&all.replace(own, "eq-8: refuted\n")), [1; 8]);
+        assert_eq!(codes(&all.replace(own, "")), [1; 8]);
         let more = all + "eq-99: confirmed\n";
-        assert_eq!(codes(&more), [0, 0, 0, 0, 1, 1, 1]);
+        assert_eq!(codes(&more), [0, 0, 0, 0, 1, 1, 1, 1]);
     }
 }

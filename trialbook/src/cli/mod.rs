@@ -18,7 +18,8 @@ mod theorems;
 
 pub use crate::book::bare;
 pub use crate::notation::ascii;
-pub use output::{VERSION, complain, csv, json, no_table, say, show, unwritten};
+pub use crate::stop;
+pub use output::{VERSION, bom, complain, csv, json, no_table, say, show, unwritten};
 pub use screen::{Screen, progress, screen};
 pub use shard::Shard;
 
@@ -54,6 +55,9 @@ struct Common {
     /// Write a table of comma-separated values
     #[arg(long, global = true, display_order = 901)]
     csv: bool,
+    /// Begin the table with the mark by which Excel knows UTF-8
+    #[arg(long, global = true, requires = "csv", display_order = 901)]
+    bom: bool,
     /// Number of threads to use [default: one per core]
     #[arg(long, short, global = true, value_name = "N", display_order = 902, allow_negative_numbers = true, value_parser = clap::value_parser!(u16).range(1..=1024))]
     jobs: Option<u16>,
@@ -70,7 +74,7 @@ struct Common {
         default_value_t
     )]
     color: screen::Color,
-    /// Rounds of trials to make, each at other points; for the main job, verify, show, list and errata [default: 1]
+    /// Rounds of trials to make, each at other points; for the main job, verify, show, and list and errata, which try then [default: 1]
     #[arg(long, global = true, value_name = "N", display_order = 905, allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     depth: Option<u32>,
 }
@@ -107,9 +111,10 @@ enum Command {
         #[arg(value_name = "ID")]
         ids: Vec<String>,
     },
-    /// List the theorems that a proof assistant's kernel has accepted; of claims that are named, with their statements
+    /// List the theorems that a proof assistant's kernel has accepted; of claims that are named, with their statements; a theorem
+    /// by its own name, `eq_13`, with all that its statement uses
     Theorems {
-        /// Ids of claims, as `list` prints them
+        /// Ids of claims, as `list` prints them, or names of theorems
         #[arg(value_name = "ID")]
         ids: Vec<String>,
         #[command(flatten)]
@@ -121,17 +126,21 @@ enum Command {
         #[arg(value_name = "ID", required = true)]
         ids: Vec<String>,
     },
-    /// Try claims and list them with their verdicts
+    /// List claims with their verdicts, as they are recorded; with --try they are tried
     List {
         /// Only claims of this verdict, as it is printed or by its short name, or of one of several between commas
         #[arg(long, value_parser = ledger::verdicts(), value_delimiter = ',')]
         verdict: Vec<String>,
-        /// Only claims of this section of the paper
-        #[arg(long)]
-        section: Option<String>,
+        /// Only claims of this section of the paper, or of one of several between commas
+        #[arg(long, value_delimiter = ',')]
+        section: Vec<String>,
+        #[command(flatten)]
+        now: Now,
     },
-    /// Print the errata: what is wrong in print, and what is right
+    /// Print the errata: what is wrong in print, and what is right; of what is recorded, unless --try is given
     Errata {
+        #[command(flatten)]
+        now: Now,
         /// How to print it
         #[arg(long, value_enum, default_value_t = ledger::ErrataFormat::Text, conflicts_with_all = ["json", "csv"])]
         format: ledger::ErrataFormat,
@@ -145,13 +154,17 @@ enum Command {
         #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["json", "csv"])]
         code: Option<String>,
     },
-    /// Find the claims that carry a number, to the digits given, and mark its first wrong digit
+    /// Find the claims that carry a number, or speak of words
     ///
-    /// Exit code 1 if there is none. A single digit has to be all of the number.
+    /// Of a number it marks the first wrong digit; a single digit has to be all of the number. An equation is `(38)`. Words are looked
+    /// for in titles, ids, statements, conditions, corrections and names of theorems; all have to be there. Exit code 1 if nothing is found.
     Find {
-        /// The number, as it is printed somewhere, or an expression such as `2/sqrt(4+pi^2)`; all numbers if none is given
-        #[arg(allow_hyphen_values = true, value_parser = find::no_option)]
-        number: Option<String>,
+        /// A number as it is printed somewhere, an expression such as `2/sqrt(4+pi^2)`, or words; all numbers if none is given
+        #[arg(value_name = "WHAT", allow_hyphen_values = true, value_parser = find::no_option)]
+        what: Option<String>,
+        /// More words
+        #[arg(value_name = "WORD")]
+        more: Vec<String>,
     },
     /// Print the manual page
     Man,
@@ -162,6 +175,14 @@ enum Command {
         /// The shell
         shell: Shell,
     },
+}
+
+/// Whether `list` and `errata` try.
+#[derive(Args)]
+struct Now {
+    /// Try the claims now, in place of what is recorded, and say where a verdict differs
+    #[arg(long = "try")]
+    now: bool,
 }
 
 /// What the command line may say: commands, options, their values and help.
@@ -193,7 +214,7 @@ pub fn command(edition: &Edition) -> clap::Command {
     for (order, of, usual) in [
         (0, "verify", first),
         (1, "show", first),
-        (2, "list", "--verdict refuted"),
+        (2, "list", "--verdict misprint,wrong"),
         (
             3,
             "errata",
@@ -284,6 +305,7 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
         pool.build_global()?;
     }
     screen::settle(common.color, common.quiet);
+    output::settle(common.bom);
     let format = common.format();
     let depth = deep::Depth {
         rounds: common.depth.unwrap_or(1),
@@ -327,27 +349,29 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
             let ids = ids::known_all(edition, &ids)?;
             distrust::distrust(edition, &ids, format)
         }
-        Command::Theorems { ids, wanted } => {
-            let ids = ids::known_all(edition, &ids)?;
-            theorems::theorems(edition, &ids, &wanted, format)
-        }
+        Command::Theorems { ids, wanted } => theorems::theorems(edition, &ids, &wanted, format),
         Command::Show { ids } => ledger::show(edition, &ids, &depth, format),
-        Command::List { verdict, section } => {
-            ledger::list(paper, &verdict, section.as_deref(), &depth, format)
-        }
+        Command::List {
+            verdict,
+            section,
+            now,
+        } => ledger::list(edition, (&verdict, &section), now.now, &depth, format),
         Command::Errata {
+            now,
             format: kind,
             supplement,
             from,
             code,
         } => {
             let sender = (from.as_deref(), code.as_deref());
-            ledger::print_errata(edition, (kind, supplement), sender, &depth, format)
+            let kind = (kind, supplement, now.now);
+            ledger::print_errata(edition, kind, sender, &depth, format)
         }
-        Command::Find { number: None } => find::all(paper, format),
+        Command::Find { what: None, .. } => find::all(paper, format),
         Command::Find {
-            number: Some(number),
-        } => find::find(paper, &number, format),
+            what: Some(what),
+            more,
+        } => find::find(edition, &[&[what][..], &more].concat().join(" "), format),
         Command::Man => man(edition, format),
         Command::Schema => schema::schema(edition, format),
         Command::Completions { shell } => completions(edition, shell, format),

@@ -5,10 +5,26 @@ use crate::plotting::Table;
 use crate::publishing::Failure;
 use serde::Serialize;
 use std::io::{self, ErrorKind, Write};
+use std::sync::OnceLock;
 use std::{env, process};
 
 /// The version of the JSON that is written: it changes when a field changes its meaning or goes.
 pub const VERSION: u32 = 1;
+
+static BOM: OnceLock<bool> = OnceLock::new();
+
+/// Settles whether a table begins with the mark of its encoding.
+pub(super) fn settle(bom: bool) {
+    BOM.get_or_init(|| bom);
+}
+
+/// What stands before the head of a table: nothing, or the mark of UTF-8 if it is wanted.
+pub fn bom() -> &'static str {
+    match BOM.get() {
+        Some(true) => "\u{feff}",
+        _ => "",
+    }
+}
 
 /// Prints text and ends its last line; a reader who has closed the pipe has read enough.
 ///
@@ -88,7 +104,7 @@ pub fn csv(headers: &[&str], rows: impl IntoIterator<Item = Vec<String>>) -> Res
     for row in rows {
         table.row(row)?;
     }
-    Ok(say(&table.into_text())?)
+    Ok(say(&(bom().to_owned() + &table.into_text()))?)
 }
 
 /// The refusal of a table where there is none.

@@ -1,10 +1,12 @@
 //! The theorems: what the kernel has accepted, and what goes to it and comes back.
 
-use super::output::{VERSION, csv, json, say};
+use super::{
+    ids,
+    output::{VERSION, csv, json, say},
+};
 use crate::publishing::{Edition, Failure, Format};
 use crate::theorems::record::{self, Accepted};
 use crate::theorems::{Known, formulas};
-use crate::trials::Claim;
 
 use clap::Args;
 use serde::Serialize;
@@ -38,12 +40,14 @@ struct Row<'a> {
     claim: &'static str,
     #[serde(flatten)]
     theorem: &'a Accepted,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    definitions: Option<Vec<String>>,
 }
 
-/// Answers for these claims, or for all.
+/// Answers for these claims and for theorems by their names, or for all claims.
 pub(super) fn theorems(
     edition: &Edition,
-    ids: &[&str],
+    names: &[String],
     wanted: &Wanted,
     format: Format,
 ) -> Result<u8, Failure> {
@@ -61,11 +65,26 @@ pub(super) fn theorems(
     } else if let Some(folder) = &wanted.answers {
         say(&made(known, folder)?)?;
     } else {
-        let claims = paper.claims().map(|(_, claim)| claim);
-        let claims: Vec<_> = claims
-            .filter(|claim| ids.is_empty() || ids.contains(&claim.id))
-            .collect();
-        list(known, &claims, !ids.is_empty(), format)?;
+        let (mut ids, mut alone) = (Vec::new(), Vec::new());
+        for name in names {
+            match known.record.iter().any(|accepted| accepted.name == *name) {
+                true => alone.push(name.as_str()),
+                false => ids.push(ids::known(edition, name)?),
+            }
+        }
+        let rows = paper.claims().flat_map(|(_, claim)| {
+            let all = known.of_claim(claim.id).into_iter();
+            let own = names.is_empty() || ids.contains(&claim.id);
+            let alone = &alone;
+            let theorems =
+                all.filter(move |(accepted, _)| own || alone.contains(&accepted.name.as_str()));
+            theorems.map(|(accepted, _)| (claim.id, accepted))
+        });
+        let beside = known.beside(paper).into_iter();
+        let beside = beside.filter(|(accepted, _)| alone.contains(&accepted.name.as_str()));
+        let beside = beside.map(|(accepted, _)| ("", accepted));
+        let rows: Vec<_> = rows.chain(beside).collect();
+        list(known, &rows, (!names.is_empty(), &alone), format)?;
     }
     Ok(0)
 }
@@ -82,28 +101,39 @@ fn made(known: &Known, folder: &Path) -> Result<String, Failure> {
     Ok(all.iter().map(ToString::to_string).collect())
 }
 
+/// What the statement of a theorem speaks of, each with what the comment before it says.
+fn definitions(known: &Known, accepted: &Accepted) -> Vec<String> {
+    let used = known
+        .sources
+        .explains(&accepted.statement, &accepted.file)
+        .into_iter();
+    let texts = used.map(|used| {
+        let about = match used.about.as_str() {
+            "" => String::new(),
+            about => format!("(* {about} *)\n"),
+        };
+        format!("{about}{}.", used.text)
+    });
+    texts.collect()
+}
+
+/// The theorems with their claims; with their statements if they are named, and with all that these use if they are alone.
 fn list(
     known: &Known,
-    claims: &[&'static Claim],
-    whole: bool,
+    rows: &[(&'static str, &Accepted)],
+    (whole, alone): (bool, &[&str]),
     format: Format,
 ) -> Result<(), Failure> {
-    let ids = claims.iter().map(|claim| claim.id);
-    let rows: Vec<_> = ids
-        .flat_map(|id| {
-            known
-                .of_claim(id)
-                .into_iter()
-                .map(move |(accepted, _)| (id, accepted))
-        })
-        .collect();
     match format {
         Format::Json => json(&List {
             version: VERSION,
             theorems: rows
                 .iter()
-                .copied()
-                .map(|(claim, theorem)| Row { claim, theorem })
+                .map(|(claim, theorem)| Row {
+                    claim,
+                    theorem,
+                    definitions: whole.then(|| definitions(known, theorem)),
+                })
                 .collect(),
         }),
         Format::Csv => csv(
@@ -117,9 +147,9 @@ fn list(
                 "seconds",
                 "statement",
             ],
-            rows.iter().copied().map(|(claim, a)| {
+            rows.iter().map(|(claim, a)| {
                 vec![
-                    claim.to_owned(),
+                    (*claim).to_owned(),
                     a.name.clone(),
                     a.file.clone(),
                     a.speaks.word().to_owned(),
@@ -131,14 +161,19 @@ fn list(
             }),
         ),
         Format::Text => {
-            let text = rows.iter().copied().map(|(_, a)| match whole {
-                true => format!(
-                    "{} ({}, {})\n{}\n\n",
-                    a.name,
-                    a.file,
-                    a.axioms.join(" + "),
-                    a.statement
-                ),
+            let text = rows.iter().map(|(_, a)| match whole {
+                true => {
+                    let mut texts = match alone.contains(&a.name.as_str()) {
+                        true => definitions(known, a),
+                        false => Vec::new(),
+                    };
+                    let (axioms, file) = (a.axioms.join(" + "), &a.file);
+                    texts.push(format!(
+                        "{} ({file}, {axioms})\n{}\n\n",
+                        a.name, a.statement
+                    ));
+                    texts.join("\n\n")
+                }
                 false => format!("{:<40} {:<8} {}\n", a.name, a.speaks.word(), a.file),
             });
             let text: String = text.collect();

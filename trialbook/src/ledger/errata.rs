@@ -232,6 +232,9 @@ fn reason_of_condition(entry: &Entry) -> String {
 
 /// A trial in sentences.
 fn said(e: &Evidence, conditional: bool) -> String {
+    if let Some(recorded) = e.recorded {
+        return recorded.to_owned();
+    }
     let (about, route) = (e.about(conditional), e.route.name());
     let (comparison, measured) = (e.comparison(), e.measured());
     format!("{about}, by {route}. {comparison} {measured}")

@@ -16,6 +16,8 @@ mod letter;
 mod parallel;
 mod record;
 #[cfg(feature = "trials")]
+mod recorded;
+#[cfg(feature = "trials")]
 mod row;
 #[cfg(feature = "trials")]
 mod run;
@@ -118,10 +120,14 @@ impl Entry {
         measured.max_by(|a, b| a.excess().total_cmp(&b.excess()))
     }
 
+    /// What its trials brought, as far as they were made and not read from the record.
+    pub fn made(&self) -> impl Iterator<Item = &Evidence> {
+        self.evidence.iter().filter(|e| e.recorded.is_none())
+    }
+
     /// The largest disagreement that was measured inside the conditions, by its tolerance.
     pub fn worst(&self) -> Option<&Evidence> {
-        self.evidence
-            .iter()
+        self.made()
             .filter(|e| {
                 !matches!(e.subject, Subject::Outside | Subject::Excepted) && !e.route.is_proof()
             })

@@ -1,10 +1,11 @@
 //! Work that has to stay on one thread, such as a trial while a mistake is seeded, on all threads that there are.
 
+use crate::stop;
 use rayon::ThreadPoolBuilder;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread::{available_parallelism, scope};
 
-/// What `work` gives for each number below `count`, in order.
+/// What `work` gives for each number below `count`, in order; of some, if it is [stopped](stop).
 pub(super) fn each<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     let next = AtomicUsize::new(0);
     let some = || {
@@ -14,6 +15,7 @@ pub(super) fn each<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync) -> V
         let mut done = Vec::new();
         while let i = next.fetch_add(1, Ordering::Relaxed)
             && i < count
+            && !stop::asked()
         {
             done.push((i, pool.install(|| work(i))));
         }

@@ -114,7 +114,7 @@ impl Entry {
             code: self.paper.formulas.of_claim(claim.id),
             variants: tally.tried,
             rejected: tally.rejected,
-            evidence: self.evidence.iter().map(evidence).collect(),
+            evidence: self.made().map(evidence).collect(),
         }
     }
 }

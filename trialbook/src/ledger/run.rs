@@ -2,6 +2,7 @@
 
 use super::{Entry, Judgement, Ledger, Verdict, in_view_of, judge};
 use crate::evidence::Evidence;
+use crate::stop;
 use crate::trials::{Claim, Paper, Topic, attempt::Attempt};
 use rayon::prelude::*;
 use std::iter;
@@ -49,7 +50,7 @@ fn tried(
     let workers = rayon::current_num_threads();
     let shares = Shares::new(claims.len(), workers);
     let work = |worker| {
-        let next = move |shares: &Shares| shares.next(worker);
+        let next = move |shares: &Shares| shares.next(worker).filter(|_| !stop::asked());
         let shares = &shares;
         iter::from_fn(move || next(shares)).map(|i| {
             let (topic, claim) = claims[i];
@@ -62,6 +63,28 @@ fn tried(
     let mut entries: Vec<_> = workers.flat_map_iter(work).collect();
     entries.sort_by_key(|(i, _)| *i);
     entries.into_iter().map(|(_, entry)| entry).collect()
+}
+
+/// The claims that have no entry.
+fn untried(
+    paper: &'static Paper,
+    entries: &[Entry],
+) -> impl Iterator<Item = (&'static Topic, &'static Claim)> {
+    let claims = paper.claims();
+    claims.filter(|(_, claim)| entries.iter().all(|e| e.claim.id != claim.id))
+}
+
+/// Those whose verdict may not change any more with a claim that is not tried.
+fn settled(paper: &'static Paper, mut entries: Vec<Entry>) -> Vec<Entry> {
+    while stop::asked() {
+        let left: Vec<_> = untried(paper, &entries).collect();
+        let all = entries.len();
+        entries.retain(|e| !left.iter().any(|(_, claim)| e.looks_at(claim)));
+        if entries.len() == all {
+            break;
+        }
+    }
+    entries
 }
 
 /// Which claims each worker has yet to try. Neighbours share runs, and of two workers that need the same runs one waits
@@ -100,13 +123,15 @@ fn changed(entries: &[Entry]) -> impl Fn((usize, &Entry)) -> Option<(usize, Judg
 }
 
 impl Ledger {
-    /// Tries every claim of the paper on all cores; calls `done` after each one.
+    /// Tries every claim of the paper on all cores; calls `done` after each one. If it is [stopped](stop), it has those whose
+    /// verdict is known by then.
     pub fn try_all(paper: &'static Paper, done: impl Fn(&Claim) + Sync) -> Self {
-        Self::of(paper, tried(paper, paper.claims().collect(), &done))
+        let entries = tried(paper, paper.claims().collect(), &done);
+        Self::of(paper, settled(paper, entries))
     }
 
     /// Tries the claims of these ids; calls `done` after each one. A verdict may rest on those of its
-    /// neighbours: they are tried too where that is so, and are no part of this ledger.
+    /// neighbours: they are tried too where that is so, and are no part of this ledger. As for [`Ledger::try_all`] if stopped.
     pub fn try_some(paper: &'static Paper, ids: &[&str], done: impl Fn(&Claim) + Sync) -> Self {
         let mut wanted: Vec<_> = paper
             .claims()
@@ -115,17 +140,16 @@ impl Ledger {
         let mut entries = Vec::new();
         while !wanted.is_empty() {
             entries.extend(tried(paper, wanted, &done));
-            wanted = paper
-                .claims()
-                .filter(|(_, claim)| entries.iter().all(|e| e.claim.id != claim.id))
+            wanted = untried(paper, &entries)
                 .filter(|(_, claim)| entries.iter().any(|e| e.looks_at(claim)))
+                .filter(|_| !stop::asked())
                 .collect();
         }
-        Self::of(paper, entries).about(ids)
+        Self::of(paper, settled(paper, entries)).about(ids)
     }
 
     /// Only the claims of these ids, with the others beside them.
-    pub(super) fn about(mut self, ids: &[&str]) -> Self {
+    pub(crate) fn about(mut self, ids: &[&str]) -> Self {
         let asked = |e: &Entry| ids.contains(&e.claim.id);
         (self.entries, self.beside) = self.entries.into_iter().partition(asked);
         self

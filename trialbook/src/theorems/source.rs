@@ -154,6 +154,49 @@ impl Sources {
         self.used(texts, &item.file)
     }
 
+    /// What a statement of a file speaks of, as `coqc` prints it, and what that speaks of: of a name the one of the same file, or
+    /// those of files that it requires. For readers, without the names that the statement binds: [`Sources::behind`] leaves nothing out.
+    pub fn explains(&self, statement: &str, file: &str) -> Vec<&Item> {
+        let mut binders = statement.split(':');
+        binders.next_back();
+        let ends = ["forall", "exists", "fun", "(", ","];
+        let last = |part: &'_ str| {
+            ends.iter()
+                .filter_map(|end| Some(part.rfind(end)? + end.len()))
+                .max()
+        };
+        let bound = binders.flat_map(|part| names(&part[last(part).unwrap_or(0)..]));
+        let bound: BTreeSet<_> = bound.collect();
+        let free: Vec<_> = names(statement)
+            .filter(|name| !bound.contains(name))
+            .collect();
+        let mut open: Vec<&Item> = free
+            .into_iter()
+            .flat_map(|name| self.within(name, file))
+            .collect();
+        let mut known: BTreeMap<(&str, usize), &Item> = BTreeMap::new();
+        while let Some(item) = open.pop() {
+            if known.insert((&item.file, item.line), item).is_none() {
+                let texts = item.context.iter().chain([&item.text]);
+                let names = texts.flat_map(|text| names(text));
+                open.extend(names.flat_map(|name| self.within(name, &item.file)));
+            }
+        }
+        known.into_values().collect()
+    }
+
+    /// The definition of a name in a file, or those in files that it requires.
+    fn within(&self, name: &str, file: &str) -> Vec<&Item> {
+        let all = self.meanings.get(name).map_or(&[][..], Vec::as_slice);
+        let all = || all.iter().filter_map(|i| self.items.get(*i));
+        match all().find(|item| item.file == file) {
+            Some(own) => vec![own],
+            None => all()
+                .filter(|item| self.requires(file, item.stem()))
+                .collect(),
+        }
+    }
+
     /// A number that is another when the statement, or what it uses, is: of the texts without spaces.
     pub fn mark(&self, item: &Item) -> u64 {
         let used = self.behind(item);
@@ -298,6 +341,33 @@ mod tests {
 
     fn read(text: &str) -> Sources {
         Sources::read([("A.v", text)].into_iter())
+    }
+
+    /// By what is of the same file, else of one that is required; what the statement binds is not meant.
+    #[test]
+    fn a_statement_is_explained_by_what_its_file_knows() {
+        let files = [
+            (
+                "A.v",
+                "Definition fast x := x + d.\nDefinition d := 1.\nDefinition t := 2.",
+            ),
+            (
+                "B.v",
+                "Require Import A.\nDefinition d := 3.\nDefinition slow x := fast x - d.",
+            ),
+            ("C.v", "Definition fast x := 5.\nDefinition slow x := 6."),
+        ];
+        let sources = Sources::read(files.into_iter());
+        let explained = |statement| {
+            let items = sources.explains(statement, "B.v").into_iter();
+            items
+                .map(|item| format!("{} {}", item.file, item.name))
+                .collect::<Vec<_>>()
+        };
+        let slow = ["A.v fast", "A.v d", "B.v d", "B.v slow"];
+        assert_eq!(explained("forall t : R,\n0 <= t -> B.slow t"), slow);
+        assert_eq!(explained("(forall x d : R, x = d) /\\ t = 1"), ["A.v t"]);
+        assert_eq!(explained("exists fast : R, fast = 1"), [""; 0]);
     }
 
     #[test]

@@ -306,6 +306,8 @@ pub struct Paper {
     pub topics: &'static [&'static Topic],
     /// The recorded verdicts: a line `id: verdict` for each claim.
     pub record: Text,
+    /// What the recorded trials brought, as `Ledger::brought` writes it; empty if nothing is recorded but the verdicts.
+    pub trials: Text,
     /// True if a test puts every wrong variant to the trials, and finds that no other passes than the claims name as survivors.
     pub tries_variants: bool,
     /// The record of a deep run; empty if none was made.
@@ -339,6 +341,7 @@ impl Paper {
         letter: NONE,
         topics: &[],
         record: NONE,
+        trials: NONE,
         tries_variants: false,
         deep: NONE,
         theorems: &NO_THEOREMS,
