@@ -4,6 +4,18 @@ Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 Open Scope R_scope.
 
+(* L times 1 + 1/f is f L', but for a part h, small beside f, of the growth, and C, small beside L: by what L grows *)
+Lemma growth f h C L L' : 0 < f -> 0 <= C -> 1 + 2 * C <= L -> 0 <= h <= 1 -> h <= f / 2 -> Rabs ((1 + f) * L - f * L') <= h * (L' - L) + C ->
+  (1 + / (2 * (1 + f))) * L <= L' /\ L' <= (1 + f) / f * L * (1 + 2 * (h / f)) + 2 * (C / f).
+Proof.
+  intros f0 C0 l1 h1 h2 R. apply Rabs_le_between in R. split.
+  - set (i := / (2 * (1 + f))). assert (hi : 0 < i /\ 2 * (f + 1) * i = 1) by (unfold i; split; [ apply Rinv_0_lt_compat; lra | field; lra ]).
+    apply Rmult_le_reg_l with (f + h); [ lra | ]. assert ((f + h) * i * L <= (f + 1) * i * L) by (repeat apply Rmult_le_compat_r; lra). nra.
+  - set (g := h / f). assert (hg : f * g = h) by (unfold g; field; lra). assert (g1 : 0 <= g <= / 2) by nra.
+    apply Rmult_le_reg_l with (f * (1 - g)); [ nra | ].
+    replace (f * (1 - g) * ((1 + f) / f * L * (1 + 2 * g) + 2 * (C / f))) with ((1 + f) * L * ((1 - g) * (1 + 2 * g)) + 2 * (1 - g) * C) by (field; lra).
+    assert ((1 + f) * L * 1 <= (1 + f) * L * ((1 - g) * (1 + 2 * g))) by (apply Rmult_le_compat_l; nra). nra.
+Qed.
 Lemma stays_bounded (L x : nat -> R) F q c : 1 < F -> 1 < q -> 0 <= c ->
   (forall n, 1 <= L n /\ q * L n <= L (S n) /\ 0 <= x n <= 1 /\ c * F * x n <= (F - 1) / 2) ->
   (forall n, L (S n) <= F * L n * (1 + c * x n) + c) ->

@@ -14,6 +14,13 @@ Proof.
     assert (Rabs (p - c) <= Rabs x). { unfold Rmin, Rmax in hc. unfold Rabs. destruct Rle_dec; repeat destruct Rcase_abs; lra. }
     rewrite <- (pow2_abs x). pose proof (Rabs_pos x). nra.
 Qed.
+Lemma below_log y : 0 < y -> 0 < - ln (y ^ 2) -> y <= 16 / (- ln (y ^ 2)) ^ 2.
+Proof.
+  intros y0 h. rewrite ln_pow in * by trivial. simpl INR in *. set (a := - ln y / 2). replace (- ((1 + 1) * ln y)) with (4 * a) in * by (unfold a; field).
+  assert (e : exp (- a) * exp (- a) = y) by (rewrite <- exp_plus; replace (- a + - a) with (ln y) by (unfold a; field); now apply exp_ln).
+  pose proof (exp_both a). pose proof (exp_ineq1_le a). pose proof (exp_pos (- a)). apply Rle_div_r; [ nra | ]. rewrite <- e.
+  assert (exp (- a) * a <= 1) by nra. assert (0 <= exp (- a) * a) by nra. nra.
+Qed.
 
 Section Stages.
 Variables (l phi0 : R) (w wy : R -> R).
@@ -170,5 +177,91 @@ Proof.
   assert (x2 : X ^ 2 = x ^ 2) by apply pow2_abs. rewrite x2. assert (hX : X = Rabs x) by trivial. clearbody X. subst X. clear A B C.
   apply Rabs_le_between in E1, E2, T. assert (hp : 0 <= (d - l) * Rabs x) by (apply Rmult_le_pos; [ lra | apply Rabs_pos ]).
   unfold Rabs in hp |- *; repeat destruct Rcase_abs; destruct ee as [f | f]; rewrite f in *; split; lra.
+Qed.
+(* both, by how far the motion is from (38) before *)
+Notation F := ((1 + k) / k).
+Lemma k_pos : 0 < k. Proof. pose proof (d_l l (proj1 hl) (proj2 hl)). apply Rdiv_lt_0_compat; lra. Qed.
+Lemma step u : 0 < u < PI -> exists b C s1, 0 < b /\ 0 <= C /\ 0 <= s1 /\ forall s j, s1 <= s -> phi0 + s = p + IZR (j - 1) * PI + u ->
+  off (s + PI) <= off s / F + b * off s ^ 2 + Y s /\ exists z, s <= z <= s + PI /\ (forall y, s <= y <= s + PI -> (w y = 0 <-> y = z)) /\
+  forall t a, t = s + PI /\ a = k \/ t = z /\ a = / 2 + k -> Rabs (a * Q t - (1 + k) * Q s) <= b * off s * (Q s - Q (s + PI)) + C.
+Proof.
+  intros hu. pose proof (d_l l (proj1 hl) (proj2 hl)) as dl. pose proof PI_RGT_0. destruct (passing u hu) as (C & s1 & s10 & P).
+  assert (b1 : 0 < / (l * (d + l))) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra).
+  assert (b2 : 0 < 8 * d / (d + l) ^ 3) by (apply Rdiv_lt_0_compat; [ lra | apply pow_lt; lra ]).
+  exists (/ (l * (d + l)) + 8 * d / (d + l) ^ 3), (Rabs C), s1. split; [ lra | split; [ apply Rabs_pos | split; trivial ] ]. intros s j hs ph.
+  destruct (P s j hs ph) as (z & hz & Oz & A & B & xd & R). assert (wz : w z = 0) by (apply Oz; trivial).
+  destruct (settle u s j z ltac:(lra) ph hu hz wz A B) as [S1 S2]. set (x := Rabs (z - (s + PI - u))) in *. assert (x0 : 0 <= x) by apply Rabs_pos.
+  set (o := off s) in *. assert (small : x <= 2 * o / (d + l)) by (apply Rle_div_r; nra). assert (o0 : 0 <= o) by nra. split.
+  - assert (E : (d + l) * off (s + PI) <= (d - l) * o + 2 * d * x ^ 2 + (d + l) * Y s) by nra.
+    assert (x2 : x ^ 2 <= (2 * o / (d + l)) ^ 2) by (apply pow_incr; lra).
+    assert (2 * d * x ^ 2 <= 2 * d * (2 * o / (d + l)) ^ 2) by (apply Rmult_le_compat_l; lra). assert (0 <= / (l * (d + l)) * o ^ 2) by nra.
+    apply Rmult_le_reg_l with (d + l); [ lra | ].
+    replace ((d + l) * (o / F + (/ (l * (d + l)) + 8 * d / (d + l) ^ 3) * o ^ 2 + Y s)) with
+      ((d - l) * o + 2 * d * (2 * o / (d + l)) ^ 2 + (d + l) * Y s + (d + l) * (/ (l * (d + l)) * o ^ 2)); [ nra | field; repeat split; lra ].
+  - exists z. split; [ trivial | split; [ trivial | ] ]. intros t a ta. specialize (R t a ta). pose proof (Rle_abs C).
+    assert (q : 0 <= Q s - Q (s + PI)) by (pose proof (Q_falls s (s + PI) ltac:(lra)); lra). eapply Rle_trans; [ exact R | ].
+    apply Rplus_le_compat; trivial. apply Rmult_le_compat_r; trivial. apply Rle_trans with (/ (l * (d + l)) * o); [ | nra ].
+    replace (/ (l * (d + l)) * o) with (2 * o / (d + l) / (2 * l)) by (field; lra). apply Rmult_le_compat_r; trivial. left. apply Rinv_0_lt_compat. lra.
+Qed.
+(* up to C only *)
+Lemma passages u : 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s j, s1 <= s -> phi0 + s = p + IZR (j - 1) * PI + u ->
+  exists z, s <= z <= s + PI /\ (forall y, s <= y <= s + PI -> (w y = 0 <-> y = z)) /\
+  forall t a, t = s + PI /\ a = k \/ t = z /\ a = / 2 + k -> Rabs (a * Q t - (1 + k) * Q s) <= C.
+Proof.
+  intros hu. pose proof PI_RGT_0. pose proof k_pos as k0. destruct (step u hu) as (b & C & s1 & b0 & C0 & s10 & P). set (f := k) in *. set (G := (1 + f) / f) in *.
+  assert (fG : f * G = 1 + f) by (unfold G; field; lra). assert (G1 : 1 < G) by nra.
+  set (c := 16 + b + 2 * b / f + 2 * C / f). set (m := 1 + 2 * c * G / (G - 1) + b + 2 * b / f).
+  assert (hb : 0 < b / f) by (apply Rdiv_lt_0_compat; lra). assert (hC : 0 <= C / f) by (apply Rdiv_le_0_compat; lra).
+  assert (hc : 16 <= c /\ b <= c /\ 2 * (b / f) <= c /\ 2 * (C / f) <= c) by (unfold c; lra).
+  assert (hm : 0 < c * G / (G - 1)) by (apply Rdiv_lt_0_compat; nra). assert (m0 : 0 < m /\ 0 < / m) by (split; [ | apply Rinv_0_lt_compat ]; unfold m; lra).
+  destruct (z_1 l hl) as [_ z2]. set (e := Rmin (/ m / 2) (exp (- (1 + 2 * C)))).
+  assert (he : 0 < e /\ 2 * e <= / m /\ e <= exp (- (1 + 2 * C))) by (unfold e; pose proof (exp_pos (- (1 + 2 * C))); minmax).
+  destruct (near_38 l z2 phi0 w wy e M (proj1 he)) as (s2 & s20 & near).
+  assert (late : forall s, s2 <= s -> 1 + 2 * C <= - Q s /\ 0 <= off s <= 1 /\ c * G * off s <= (G - 1) / 2 /\ b * off s <= f / 2 /\ b * off s <= 1 /\
+    Y s <= 16 / (- Q s) ^ 2).
+  { intros s hs. destruct (near s hs) as [X1 X2]. destruct (moving l phi0 w wy (proj1 hl) M s ltac:(lra) ltac:(apply N; lra)) as (y2 & _).
+    assert (E1 : exp (- (1 + 2 * C)) < 1) by (pose proof (exp_increasing (- (1 + 2 * C)) 0 ltac:(lra)); rewrite exp_0 in *; lra).
+    pose proof (Rabs_pos (w s - w38 l (phi0 + s))). pose proof (Rabs_pos_lt _ (N s ltac:(lra))) as y0. rewrite <- (pow2_abs (wy s)) in *. set (y := Rabs (wy s)) in *.
+    assert (q : ln (y ^ 2) < - (1 + 2 * C)) by (rewrite <- (ln_exp (- (1 + 2 * C))); apply ln_increasing; nra).
+    rewrite sqrt_pow2 by lra. set (o := Rabs _ + y) in *. assert (om : m * o <= 1).
+    { assert (m * o <= m * / m) by (apply Rmult_le_compat_l; unfold o; lra). rewrite Rinv_r in *; lra. }
+    assert (o0 : 0 <= o) by (unfold o; lra). assert (0 <= b * o /\ 0 <= b / f * o /\ 0 <= c * G / (G - 1) * o) by (repeat split; apply Rmult_le_pos; lra).
+    assert (om2 : o + 2 * (c * G / (G - 1) * o) + b * o + 2 * (b / f * o) <= 1) by (unfold m in om; lra).
+    assert (U1 : c * G / (G - 1) * o * (G - 1) <= / 2 * (G - 1)) by (apply Rmult_le_compat_r; lra).
+    assert (U2 : b / f * o * f <= / 2 * f) by (apply Rmult_le_compat_r; lra).
+    replace (c * G / (G - 1) * o * (G - 1)) with (c * G * o) in U1 by (field; lra). replace (b / f * o * f) with (b * o) in U2 by (field; lra).
+    repeat split; try lra. apply below_log; lra. }
+  assert (bounds : forall s j, Rmax s1 s2 <= s -> phi0 + s = p + IZR (j - 1) * PI + u -> (1 + / (2 * (1 + f))) * - Q s <= - Q (s + PI) /\
+    - Q (s + PI) <= G * - Q s * (1 + c * off s) + c /\ off (s + PI) <= off s / G + c * off s ^ 2 + c / (- Q s) ^ 2).
+  { intros s j hs ph. destruct (late s ltac:(minmax)) as (L1 & o0 & o1 & o2 & o3 & y1). destruct (P s j ltac:(minmax) ph) as (X & z & _ & _ & R).
+    specialize (R (s + PI) f (or_introl (conj eq_refl eq_refl))). set (L := - Q s) in *. set (L' := - Q (s + PI)) in *. set (o := off s) in *.
+    replace (f * Q (s + PI) - (1 + f) * Q s) with ((1 + f) * L - f * L') in R by (unfold L, L'; ring).
+    replace (Q s - Q (s + PI)) with (L' - L) in R by (unfold L, L'; ring).
+    destruct (growth f (b * o) C L L' k0 C0 L1 ltac:(split; [ apply Rmult_le_pos | ]; lra) o2 R) as [R1 R2]. fold G in R2. split; [ trivial | split ].
+    - assert (2 * (b * o / f) <= c * o) by (replace (2 * (b * o / f)) with (2 * (b / f) * o) by (field; lra); apply Rmult_le_compat_r; lra).
+      assert (G * L * (2 * (b * o / f)) <= G * L * (c * o)) by (apply Rmult_le_compat_l; [ apply Rmult_le_pos | ]; lra). lra.
+    - assert (b * o ^ 2 <= c * o ^ 2) by (apply Rmult_le_compat_r; [ apply pow2_ge_0 | lra ]). assert (16 / L ^ 2 <= c / L ^ 2); [ | lra ].
+      apply Rmult_le_compat_r; [ left; apply Rinv_0_lt_compat, pow_lt | ]; lra. }
+  (* the moments half a period apart *)
+  destruct (per_spec (p + u) PI PI_RGT_0 (phi0 + Rmax s1 s2 + PI)) as [i Hi]. set (s0 := p + u + IZR i * PI - phi0). set (T n := s0 + INR n * PI).
+  assert (h0 : Rmax s1 s2 <= s0) by (unfold s0; lra).
+  assert (TT : forall n, Rmax s1 s2 <= T n /\ T (S n) = T n + PI /\ phi0 + T n = p + IZR (i + Z.of_nat n + 1 - 1) * PI + u).
+  { intros n. pose proof (Rmult_le_pos _ _ (pos_INR n) (Rlt_le _ _ PI_RGT_0)). split; [ unfold T; lra | split; [ unfold T; rewrite S_INR; ring | ] ].
+    replace (i + Z.of_nat n + 1 - 1)%Z with (i + Z.of_nat n)%Z by ring. rewrite plus_IZR, <- INR_IZR_INZ. unfold T, s0. ring. }
+  destruct (stays_bounded (fun n => - Q (T n)) (fun n => off (T n)) G (1 + / (2 * (1 + f))) c) as [B HB]; trivial; try lra.
+  { assert (0 < / (2 * (1 + f))) by (apply Rinv_0_lt_compat; lra). lra. }
+  1-3: intros n; destruct (TT n) as (t1 & E & ph); destruct (bounds _ _ t1 ph) as (Z1 & Z2 & Z3); rewrite ?E; trivial.
+  { destruct (late (T n)) as (q1 & q2 & q3 & _); [ minmax | lra ]. }
+  exists (b * (G * B * (1 + c) + c) + C), s0. split; [ minmax | ]. intros s j hs ph.
+  destruct (P s j ltac:(minmax) ph) as (_ & z & hz & Oz & R). exists z. split; [ trivial | split; [ trivial | ] ]. intros t a ta. eapply Rle_trans; [ exact (R t a ta) | ].
+  assert (K : exists n, s = T n).
+  { exists (Z.to_nat (j - 1 - i)). unfold T. rewrite INR_IZR_INZ, Z2Nat.id; [ rewrite minus_IZR; unfold s0; lra | ].
+    apply le_IZR. rewrite !minus_IZR in *. assert (IZR i <= IZR j - 1); [ apply Rmult_le_reg_r with PI; unfold s0 in hs; lra | lra ]. }
+  destruct K as [n ->]. specialize (HB n). destruct (bounds _ _ (proj1 (TT n)) ph) as (_ & Z2 & _). destruct (late (T n)) as (q1 & q2 & _); [ destruct (TT n); minmax | ].
+  cbv beta in HB. set (o := off (T n)) in *. set (L := - Q (T n)) in *. assert (W : o * (Q (T n) - Q (T n + PI)) <= G * B * (1 + c) + c).
+  { apply Rle_trans with (o * (G * L * (1 + c * o) + c)); [ apply Rmult_le_compat_l; unfold L in *; lra | ]. assert (c * o <= c * 1) by (apply Rmult_le_compat_l; lra).
+    assert (0 <= o * L) by (apply Rmult_le_pos; lra). assert (0 <= c * o) by (apply Rmult_le_pos; lra).
+    assert (G * (o * L) * (1 + c * o) <= G * B * (1 + c)) by (apply Rmult_le_compat; try apply Rmult_le_pos; try apply Rmult_le_compat_l; lra). lra. }
+  apply (Rmult_le_compat_l b) in W; lra.
 Qed.
 End Stages.
