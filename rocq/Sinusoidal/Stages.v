@@ -21,6 +21,8 @@ Proof.
   pose proof (exp_both a). pose proof (exp_ineq1_le a). pose proof (exp_pos (- a)). apply Rle_div_r; [ nra | ]. rewrite <- e.
   assert (exp (- a) * a <= 1) by nra. assert (0 <= exp (- a) * a) by nra. nra.
 Qed.
+Lemma over c x B : 0 < c -> Rabs (c * x) <= B -> Rabs x <= B / c.
+Proof. intros c0. rewrite Rabs_mult, (Rabs_pos_eq c) by lra. intros. apply Rle_div_r; lra. Qed.
 
 Section Stages.
 Variables (l phi0 : R) (w wy : R -> R).
@@ -263,5 +265,70 @@ Proof.
     assert (0 <= o * L) by (apply Rmult_le_pos; lra). assert (0 <= c * o) by (apply Rmult_le_pos; lra).
     assert (G * (o * L) * (1 + c * o) <= G * B * (1 + c)) by (apply Rmult_le_compat; try apply Rmult_le_pos; try apply Rmult_le_compat_l; lra). lra. }
   apply (Rmult_le_compat_l b) in W; lra.
+Qed.
+(* so for the logarithm of |wy|, from the start on, from one moment to another *)
+Notation J t := (ln (Rabs (wy t))).
+Lemma Q_H t : 0 <= t -> Q t = 2 * J t.
+Proof. intros ht. rewrite <- (pow2_abs (wy t)), ln_pow by (apply Rabs_pos_lt; now apply N). simpl. ring. Qed.
+Lemma always (P : R -> R -> Prop) T C : 0 <= T -> (forall a b, P a b -> 0 <= a <= b /\ (a < T -> b <= T + 2 * PI) /\ (T <= a -> Rabs (Q b - F * Q a) <= C)) ->
+  exists C, forall a b, P a b -> Rabs (J b - F * J a) <= C.
+Proof.
+  intros hT A. pose proof PI_RGT_0. pose proof k_pos as k0. set (G := F). assert (hG : 0 < G) by (unfold G; apply Rdiv_lt_0_compat; lra).
+  set (K := Rabs (J 0) + Rabs (J (T + 2 * PI))). assert (hK : forall t, 0 <= t <= T + 2 * PI -> Rabs (J t) <= K).
+  { intros t ht. pose proof (Q_falls 0 t ltac:(lra)). pose proof (Q_falls t (T + 2 * PI) ltac:(lra)). rewrite !Q_H in * by lra.
+    unfold K, Rabs at 1. pose proof (Rle_abs (J 0)). pose proof (Rabs_pos (J 0)). pose proof (Rabs_maj2 (J (T + 2 * PI))).
+    pose proof (Rabs_pos (J (T + 2 * PI))). destruct Rcase_abs; lra. }
+  assert (0 <= K) by (pose proof (hK 0 ltac:(lra)); pose proof (Rabs_pos (J 0)); lra). assert (0 <= G * K) by (apply Rmult_le_pos; lra).
+  exists (Rabs C + K + G * K). intros a b p1. destruct (A a b p1) as (hab & early & late). pose proof (Rle_abs C). pose proof (Rabs_pos C).
+  destruct (Rle_lt_dec T a) as [q | q].
+  - specialize (late q). fold G in late. rewrite !Q_H in late by lra. apply Rabs_le_between in late. apply Rabs_le. lra.
+  - specialize (early q). pose proof (hK a ltac:(lra)) as Ka. pose proof (hK b ltac:(lra)) as Kb. apply Rabs_le_between in Ka, Kb.
+    assert (- (G * K) <= G * J a <= G * K) by (rewrite Ropp_mult_distr_r; split; apply Rmult_le_compat_l; lra). apply Rabs_le. lra.
+Qed.
+Lemma by_zeros : exists C, forall z z', 0 <= z < z' -> w z = 0 -> w z' = 0 -> (forall t, z < t < z' -> w t <> 0) -> Rabs (J z' - F * J z) <= C.
+Proof.
+  pose proof PI_RGT_0. pose proof k_pos as k0. destruct (passages (PI / 2) ltac:(lra)) as (C & s1 & s10 & P).
+  assert (G : forall t, exists s m, t < s + PI /\ s <= t /\ phi0 + s = p + IZR (m + 1 - 1) * PI + PI / 2).
+  { intros t. destruct (per_spec (p + PI / 2) PI PI_RGT_0 (phi0 + t)) as [m Hm]. exists (p + PI / 2 + IZR m * PI - phi0), m.
+    replace (m + 1 - 1)%Z with m by ring. lra. }
+  destruct (always (fun z z' => 0 <= z < z' /\ w z = 0 /\ w z' = 0 /\ forall t, z < t < z' -> w t <> 0) (s1 + PI) ((2 + 3 * k) * C / ((/ 2 + k) * k)))
+    as [B HB]; [ lra | | exists B; intros; now apply HB ].
+  intros a b (hab & wa & wb & no). split; [ lra | split ].
+  - intros hs. destruct (G (s1 + PI + PI)) as (s & m & g1 & g2 & ph). destruct (P s _ ltac:(lra) ph) as (y & hy & Oy & _). apply Rnot_lt_le. intros q.
+    apply (no y); [ lra | now apply Oy ].
+  - intros hs. destruct (G a) as (s & m & g1 & g2 & ph). destruct (P s _ ltac:(lra) ph) as (y & hy & Oy & Ry).
+    assert (a = y) by (apply Oy; trivial; lra). subst y. destruct (P (s + PI) (m + 1 + 1)%Z) as (y & hy' & Oy' & Ry'); [ lra | rewrite !minus_IZR, !plus_IZR in *; lra | ].
+    assert (s + PI < b). { apply Rnot_le_lt. intros q. assert (b = a) by (apply Oy; trivial; lra). lra. }
+    assert (b = y). { apply Oy'; trivial. split; [ lra | ]. apply Rnot_lt_le. intros q. apply (no y); [ lra | apply Oy'; lra ]. } subst y.
+    pose proof (Ry _ _ (or_introl (conj eq_refl eq_refl))) as r1. pose proof (Ry _ _ (or_intror (conj eq_refl eq_refl))) as r2.
+    pose proof (Ry' _ _ (or_intror (conj eq_refl eq_refl))) as r3. set (f := k) in *. apply Rabs_le_between in r1, r2, r3. apply over; [ nra | ].
+    replace ((/ 2 + f) * f * (Q b - (1 + f) / f * Q a)) with (f * ((/ 2 + f) * Q b - (1 + f) * Q (s + PI)) + (1 + f) * (f * Q (s + PI) - (1 + f) * Q s)
+      - (1 + f) * ((/ 2 + f) * Q a - (1 + f) * Q s)) by (field; lra).
+    assert (A : forall g x, 0 <= g -> - C <= x <= C -> - (g * C) <= g * x <= g * C) by (intros; split; nra).
+    apply (A (1 + f)) in r1, r2; try lra. apply (A f) in r3; try lra. apply Rabs_le. lra.
+Qed.
+Lemma by_halves s0 : 0 <= s0 -> (forall n, phi0 + s0 <> p + IZR n * PI) -> exists C, forall n, Rabs (J (s0 + INR (S n) * PI) - F * J (s0 + INR n * PI)) <= C.
+Proof.
+  intros hs ne. pose proof PI_RGT_0. pose proof k_pos as k0. destruct (per_spec p PI ltac:(lra) (phi0 + s0)) as [m Hm].
+  destruct (passages (phi0 + s0 - p - IZR m * PI)) as (C & s1 & s10 & P); [ destruct (Rdichotomy _ _ (ne m)); lra | ].
+  destruct (always (fun a b => exists n, a = s0 + INR n * PI /\ b = s0 + INR (S n) * PI) s1 (C / k)) as [B HB]; [ trivial | | exists B; intros n; apply HB; now exists n ].
+  intros a b (n & Ea & ->). pose proof (Rmult_le_pos _ _ (pos_INR n) (Rlt_le _ _ PI_RGT_0)). rewrite S_INR. replace (s0 + (INR n + 1) * PI) with (a + PI) by (rewrite Ea; ring).
+  split; [ lra | split; [ lra | ] ]. intros h1. destruct (P a (m + Z.of_nat n + 1)%Z h1) as (z & _ & _ & K).
+  { rewrite minus_IZR, !plus_IZR, <- INR_IZR_INZ, Ea. ring. }
+  specialize (K _ _ (or_introl (conj eq_refl eq_refl))). set (f := k) in *. apply over; trivial.
+  replace (f * (Q (a + PI) - (1 + f) / f * Q a)) with (f * Q (a + PI) - (1 + f) * Q a) by (field; lra). exact K.
+Qed.
+Lemma doubly s0 : 0 <= s0 -> (forall n, phi0 + s0 <> p + IZR n * PI) -> exists a C, 0 < a /\ forall n,
+  Rabs (J (s0 + INR (S n) * PI) - F * J (s0 + INR n * PI)) <= C /\ Rabs (J (s0 + INR n * PI) + a * F ^ n) <= C.
+Proof.
+  intros hs ne. pose proof PI_RGT_0. pose proof k_pos as k0. destruct (by_halves s0 hs ne) as [C HC]. set (G := F) in *.
+  assert (G1 : 1 < G) by (unfold G; apply Rlt_div_r; lra). assert (C0 : 0 <= C) by (eapply Rle_trans; [ apply Rabs_pos | apply (HC 0%nat) ]).
+  assert (C1 : 0 <= C / (G - 1)) by (apply Rdiv_le_0_compat; lra). destruct (as_powers (fun n => - J (s0 + INR n * PI)) G C G1) as (a & a0 & A).
+  - intros n. rewrite <- Rabs_Ropp. replace (- _) with (J (s0 + INR (S n) * PI) - G * J (s0 + INR n * PI)) by ring. apply HC.
+  - destruct (z_1 l hl) as [_ z2]. destruct (near_38 l z2 phi0 w wy _ M (exp_pos (- (C / (G - 1))))) as (s1 & s10 & near).
+    destruct (nat_above (s1 / PI)) as [n Hn]. apply Rlt_div_l in Hn; trivial. exists n. destruct (near (s0 + INR n * PI) ltac:(lra)) as [_ small].
+    apply ln_increasing in small; [ | apply Rabs_pos_lt, N; lra ]. rewrite ln_exp in small. lra.
+  - exists a, (C + C / (G - 1)). split; trivial. intros n. specialize (HC n). specialize (A n). rewrite <- Rabs_Ropp in A.
+    replace (- (- J (s0 + INR n * PI) - a * G ^ n)) with (J (s0 + INR n * PI) + a * G ^ n) in A by ring. lra.
 Qed.
 End Stages.
