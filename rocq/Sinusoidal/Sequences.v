@@ -94,3 +94,23 @@ Proof.
   intros n. specialize (P n). assert (X : (L n - K) / F ^ n <= a) by (apply A1; now exists n). apply Rle_div_l in X; trivial.
   assert (Y : a <= (L n + K) / F ^ n) by (apply A2; intros y [m ->]; apply B). apply Rle_div_r in Y; trivial. apply Rabs_le. lra.
 Qed.
+(* the ratio of its growths, one after the other *)
+Lemma ratio_of_growths (y : nat -> R) a G C : 1 < G -> 0 < a -> (forall n, Rabs (y n + a * G ^ n) <= C) ->
+  is_lim_seq (fun n => (y (S (S n)) - y (S n)) / (y (S n) - y n)) G.
+Proof.
+  intros hG a0 H. set (v n := (y (S n) - y n) / G ^ n). set (c := - a * (G - 1)). assert (c0 : c <> 0) by (unfold c; nra).
+  assert (V : is_lim_seq v c).
+  { assert (E : forall k, is_lim_seq (fun n => c + k * (/ G) ^ n) c).
+    { intros k. enough (X : is_lim_seq (fun n => c + k * (/ G) ^ n) (c + k * 0)) by (rewrite Rmult_0_r, Rplus_0_r in X; exact X). apply is_lim_seq_plus'; [ apply is_lim_seq_const | ]. apply is_lim_seq_mult'; [ apply is_lim_seq_const | ].
+      apply is_lim_seq_geom. rewrite Rabs_pos_eq; [ rewrite <- Rinv_1; apply Rinv_lt_contravar | left; apply Rinv_0_lt_compat ]; lra. }
+    refine (is_lim_seq_le_le _ _ _ _ _ (E (- (2 * C))) (E (2 * C))). intros n. pose proof (H n) as A. pose proof (H (S n)) as B.
+    apply Rabs_le_between in A, B. simpl in B. assert (P : 0 < G ^ n) by (apply pow_lt; lra). rewrite pow_inv. fold (Rdiv (- (2 * C)) (G ^ n)) (Rdiv (2 * C) (G ^ n)).
+    assert (cv : c * G ^ n = - (a * (G * G ^ n)) + a * G ^ n) by (unfold c; ring). set (g := G ^ n) in *. unfold v. fold g.
+    replace c with (c * g / g) by (field; lra). unfold Rdiv. rewrite <- !Rmult_plus_distr_r. assert (0 < / g) by now apply Rinv_0_lt_compat.
+    split; apply Rmult_le_compat_r; lra. }
+  apply (is_lim_seq_ext (fun n => G * (v (S n) / v n))).
+  - intros n. unfold v, Rdiv. simpl. rewrite !Rinv_mult, Rinv_inv. set (i := / (y (S n) - y n)). field. split; [ apply pow_nonzero | ]; lra.
+  - enough (X : is_lim_seq (fun n => G * (v (S n) / v n)) (G * (c / c))) by (replace (G * (c / c)) with G in X by (field; trivial); exact X).
+    apply is_lim_seq_mult'; [ apply is_lim_seq_const | ].
+    apply is_lim_seq_div'; trivial. now apply (proj1 (is_lim_seq_incr_1 v c)).
+Qed.

@@ -1,5 +1,5 @@
-(* Below lambda_c, that a passage of w through zero multiplies the logarithm of wy by the stated factor up to terms that stay bounded: how far the
-   zeros of w are from those of (38), and how fast these distances fall, as that logarithm grows. *)
+(* Below lambda_c a passage of w through zero multiplies the logarithm of wy by the stated factor up to terms that stay bounded: by the logarithm of
+   v + w, by how far the zeros of w are from those of (38), and by how fast these distances fall as that logarithm grows. *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General Exists Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime Zeros Across Sequences.
@@ -183,6 +183,8 @@ Qed.
 (* both, by how far the motion is from (38) before *)
 Notation F := ((1 + k) / k).
 Lemma k_pos : 0 < k. Proof. pose proof (d_l l (proj1 hl) (proj2 hl)). apply Rdiv_lt_0_compat; lra. Qed.
+Lemma factor_is : F = right_sinusoidal_passage_factor l d.
+Proof. pose proof (d_l l (proj1 hl) (proj2 hl)). unfold right_sinusoidal_passage_factor. field. repeat split; lra. Qed.
 Lemma step u : 0 < u < PI -> exists b C s1, 0 < b /\ 0 <= C /\ 0 <= s1 /\ forall s j, s1 <= s -> phi0 + s = p + IZR (j - 1) * PI + u ->
   off (s + PI) <= off s / F + b * off s ^ 2 + Y s /\ exists z, s <= z <= s + PI /\ (forall y, s <= y <= s + PI -> (w y = 0 <-> y = z)) /\
   forall t a, t = s + PI /\ a = k \/ t = z /\ a = / 2 + k -> Rabs (a * Q t - (1 + k) * Q s) <= b * off s * (Q s - Q (s + PI)) + C.
