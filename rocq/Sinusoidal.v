@@ -472,8 +472,8 @@ Theorem s22_vy_two_stages lam phi0 w wy : 0 < lam -> shaken lam phi0 w wy ->
     let d := right_sinusoidal_drive_at_zero lam in let F := right_sinusoidal_passage_factor lam d in let y s := ln (Rabs (wy s)) in
     d = sin (eq39_phi_t1 lam) /\ 1 < F /\
     (exists C, forall z z', 0 <= z < z' -> w z = 0 -> w z' = 0 -> (forall t, z < t < z' -> w t <> 0) -> Rabs (y z' - F * y z) <= C) /\
-    forall s, 0 <= s -> (forall n, phi0 + s <> eq39_phi_t1 lam + IZR n * PI) -> exists a C, 0 < a /\ forall n, let s_ n := s + INR n * PI in
-      Rabs (y (s_ (S n)) - F * y (s_ n)) <= C /\ Rabs (y (s_ n) + a * F ^ n) <= C).
+    forall s, 0 <= s -> (forall n, phi0 + s <> eq39_phi_t1 lam + IZR n * PI) -> exists a C, 0 < a /\ forall n, let t := s + INR n * PI in
+      Rabs (y (t + PI) - F * y t) <= C /\ Rabs (y t + a * F ^ n) <= C).
 Proof.
   intros h0 M. split; [ | split; [ | split; [ | split ] ] ].
   - intros s hs y0. destruct (law lam phi0 w wy ltac:(lra) M s hs) as (fx & fy & _ & [_ E] & _ & _ & Y). exists fy. split; trivial.
@@ -493,12 +493,16 @@ Qed.
 (* So the ratio of the falls of ln |wy| in a period and in the one before tends to the square of that factor, which is not the printed 1; *)
 Theorem s22_vy_two_stages__printed lam phi0 w wy s : 0 < lam < eq37_lambda_c -> shaken lam phi0 w wy -> (forall s, 0 <= s -> wy s <> 0) -> 0 <= s ->
   (forall n, phi0 + s <> eq39_phi_t1 lam + IZR n * PI) ->
-  let F := right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam) in let y n := ln (Rabs (wy (s + INR n * (2 * PI)))) in
-  is_lim_seq (fun n => (y (S (S n)) - y (S n)) / (y (S n) - y n)) (F ^ 2) /\ F ^ 2 <> s22_second_stage_ratio.
+  let F := right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam) in let change t := ln (Rabs (wy (t + 2 * PI))) - ln (Rabs (wy t)) in
+  is_lim_seq (fun n => change (s + INR n * (2 * PI) + 2 * PI) / change (s + INR n * (2 * PI))) (F ^ 2) /\ F ^ 2 <> s22_second_stage_ratio.
 Proof.
-  intros hl M N hs ne F y. destruct (s22_vy_two_stages lam phi0 w wy (proj1 hl) M) as (_ & _ & _ & _ & B). destruct (B (proj2 hl) N) as (_ & F1 & _ & D).
-  destruct (D s hs ne) as (a & C & a0 & K). fold F in F1, K. unfold s22_second_stage_ratio. split; [ | nra ]. apply (ratio_of_growths y a (F ^ 2) C); [ nra | trivial | ].
-  intros n. destruct (K (2 * n)%nat) as [_ E]. rewrite pow_mult, mult_INR in E. unfold y. replace (INR n * (2 * PI)) with (INR 2 * INR n * PI) by (simpl; ring). exact E.
+  intros hl M N hs ne F change. destruct (s22_vy_two_stages lam phi0 w wy (proj1 hl) M) as (_ & _ & _ & _ & B).
+  destruct (B (proj2 hl) N) as (_ & F1 & _ & D). destruct (D s hs ne) as (a & C & a0 & K). fold F in F1, K. unfold s22_second_stage_ratio. split; [ | nra ].
+  set (y n := ln (Rabs (wy (s + INR n * (2 * PI))))). apply (is_lim_seq_ext (fun n => (y (S (S n)) - y (S n)) / (y (S n) - y n))).
+  - intros n. unfold y, change. rewrite !S_INR. replace (s + (INR n + 1) * (2 * PI)) with (s + INR n * (2 * PI) + 2 * PI) by ring.
+    now replace (s + (INR n + 1 + 1) * (2 * PI)) with (s + INR n * (2 * PI) + 2 * PI + 2 * PI) by ring.
+  - apply (ratio_of_growths y a (F ^ 2) C); [ nra | trivial | ]. intros n. destruct (K (2 * n)%nat) as [_ E]. rewrite pow_mult, mult_INR in E.
+    unfold y. replace (INR n * (2 * PI)) with (INR 2 * INR n * PI) by (simpl; ring). exact E.
 Qed.
 (* and with any friction wy falls in the end faster than every exponential, from every start. *)
 Theorem s22_vy_two_stages__not_exponential lam phi0 w wy k : 0 < lam -> shaken lam phi0 w wy -> is_lim (fun s => wy s * exp (k * s)) p_infty 0.

@@ -309,28 +309,30 @@ Proof.
     assert (A : forall g x, 0 <= g -> - C <= x <= C -> - (g * C) <= g * x <= g * C) by (intros; split; nra).
     apply (A (1 + f)) in r1, r2; try lra. apply (A f) in r3; try lra. apply Rabs_le. lra.
 Qed.
-Lemma by_halves s0 : 0 <= s0 -> (forall n, phi0 + s0 <> p + IZR n * PI) -> exists C, forall n, Rabs (J (s0 + INR (S n) * PI) - F * J (s0 + INR n * PI)) <= C.
+Lemma by_halves s0 : 0 <= s0 -> (forall n, phi0 + s0 <> p + IZR n * PI) -> exists C, forall n,
+  let t := s0 + INR n * PI in Rabs (J (t + PI) - F * J t) <= C.
 Proof.
   intros hs ne. pose proof PI_RGT_0. pose proof k_pos as k0. destruct (per_spec p PI ltac:(lra) (phi0 + s0)) as [m Hm].
   destruct (passages (phi0 + s0 - p - IZR m * PI)) as (C & s1 & s10 & P); [ destruct (Rdichotomy _ _ (ne m)); lra | ].
-  destruct (always (fun a b => exists n, a = s0 + INR n * PI /\ b = s0 + INR (S n) * PI) s1 (C / k)) as [B HB]; [ trivial | | exists B; intros n; apply HB; now exists n ].
-  intros a b (n & Ea & ->). pose proof (Rmult_le_pos _ _ (pos_INR n) (Rlt_le _ _ PI_RGT_0)). rewrite S_INR. replace (s0 + (INR n + 1) * PI) with (a + PI) by (rewrite Ea; ring).
+  destruct (always (fun a b => exists n, a = s0 + INR n * PI /\ b = a + PI) s1 (C / k)) as [B HB]; [ trivial | | exists B; intros n t; apply HB; now exists n ].
+  intros a b (n & Ea & ->). pose proof (Rmult_le_pos _ _ (pos_INR n) (Rlt_le _ _ PI_RGT_0)).
   split; [ lra | split; [ lra | ] ]. intros h1. destruct (P a (m + Z.of_nat n + 1)%Z h1) as (z & _ & _ & K).
   { rewrite minus_IZR, !plus_IZR, <- INR_IZR_INZ, Ea. ring. }
   specialize (K _ _ (or_introl (conj eq_refl eq_refl))). set (f := k) in *. apply over; trivial.
   replace (f * (Q (a + PI) - (1 + f) / f * Q a)) with (f * Q (a + PI) - (1 + f) * Q a) by (field; lra). exact K.
 Qed.
 Lemma doubly s0 : 0 <= s0 -> (forall n, phi0 + s0 <> p + IZR n * PI) -> exists a C, 0 < a /\ forall n,
-  Rabs (J (s0 + INR (S n) * PI) - F * J (s0 + INR n * PI)) <= C /\ Rabs (J (s0 + INR n * PI) + a * F ^ n) <= C.
+  let t := s0 + INR n * PI in Rabs (J (t + PI) - F * J t) <= C /\ Rabs (J t + a * F ^ n) <= C.
 Proof.
   intros hs ne. pose proof PI_RGT_0. pose proof k_pos as k0. destruct (by_halves s0 hs ne) as [C HC]. set (G := F) in *.
   assert (G1 : 1 < G) by (unfold G; apply Rlt_div_r; lra). assert (C0 : 0 <= C) by (eapply Rle_trans; [ apply Rabs_pos | apply (HC 0%nat) ]).
   assert (C1 : 0 <= C / (G - 1)) by (apply Rdiv_le_0_compat; lra). destruct (as_powers (fun n => - J (s0 + INR n * PI)) G C G1) as (a & a0 & A).
-  - intros n. rewrite <- Rabs_Ropp. replace (- _) with (J (s0 + INR (S n) * PI) - G * J (s0 + INR n * PI)) by ring. apply HC.
+  - intros n. rewrite <- Rabs_Ropp, S_INR. replace (s0 + (INR n + 1) * PI) with (s0 + INR n * PI + PI) by ring.
+    replace (- _) with (J (s0 + INR n * PI + PI) - G * J (s0 + INR n * PI)) by ring. apply HC.
   - destruct (z_1 l hl) as [_ z2]. destruct (near_38 l z2 phi0 w wy _ M (exp_pos (- (C / (G - 1))))) as (s1 & s10 & near).
     destruct (nat_above (s1 / PI)) as [n Hn]. apply Rlt_div_l in Hn; trivial. exists n. destruct (near (s0 + INR n * PI) ltac:(lra)) as [_ small].
     apply ln_increasing in small; [ | apply Rabs_pos_lt, N; lra ]. rewrite ln_exp in small. lra.
-  - exists a, (C + C / (G - 1)). split; trivial. intros n. specialize (HC n). specialize (A n). rewrite <- Rabs_Ropp in A.
-    replace (- (- J (s0 + INR n * PI) - a * G ^ n)) with (J (s0 + INR n * PI) + a * G ^ n) in A by ring. lra.
+  - exists a, (C + C / (G - 1)). split; trivial. intros n t. specialize (HC n). specialize (A n). rewrite <- Rabs_Ropp in A.
+    replace (- (- J _ - a * G ^ n)) with (J t + a * G ^ n) in A by (unfold t; ring). fold t in HC. lra.
 Qed.
 End Stages.
