@@ -3,7 +3,8 @@
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Exists Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime AcrossStop Zeros Across Sequences Stages.
+From Slipbook Require Import Motion General Exists Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime AcrossStop Zeros Across
+  Sequences Stages.
 Open Scope R_scope.
 
 (* ---- drive and friction: (25) to (30) ---- *)
@@ -458,12 +459,13 @@ Proof.
   intros hl. pose proof (small lam hl). unfold right_sinusoidal_drive_at_zero, eq39_phi_t1. rewrite sin_acos by lra. f_equal. unfold Rsqr. ring.
 Qed.
 (* While wy is large it falls at the rate lambda0, but for (w/wy)^2/2 of it. Above lambda_c it is zero after a finite time; what is left of it where w
-   is zero, while friction exceeds a drive of size d at most, is lost within the stated phase. It becomes zero only where the block stops, and then for
-   good. Below lambda_c, if it does not, each passage of w through zero multiplies ln |wy| by the stated factor up to a bounded difference: from a zero
-   of w to the next, and between moments half a period apart, at any phase but those of the zeros of (38). So |wy| falls as the exponential of an
-   exponential. *)
+   is zero, while friction exceeds a drive of size d at most, is lost within the stated phase. It becomes zero only where the block stops, and then
+   for good. Below lambda_c, if it does not, each passage of w through zero multiplies ln |wy| by the stated factor up to a bounded difference: from
+   a zero of w to the next, and between moments half a period apart, at any phase but those of the zeros of (38). So |wy| falls as the exponential
+   of an exponential. *)
 Theorem s22_vy_two_stages lam phi0 w wy : 0 < lam -> shaken lam phi0 w wy ->
-  (forall s, 0 <= s -> 0 < wy s -> exists r, rder wy s r /\ s22_first_stage_slope lam <= r <= s22_first_stage_slope lam + lam * (w s / wy s) ^ 2 / 2) /\
+  (forall s, 0 <= s -> 0 < wy s ->
+    exists r, rder wy s r /\ s22_first_stage_slope lam <= r <= s22_first_stage_slope lam + lam * (w s / wy s) ^ 2 / 2) /\
   (eq37_lambda_c < lam -> exists s1, forall s, s1 <= s -> wy s = 0) /\
   (forall d s, 0 <= d < lam -> 0 <= s -> w s = 0 -> let u := s + right_sinusoidal_last_stage lam d (Rabs (wy s)) in
     (forall t, s <= t <= u -> Rabs (sin (phi0 + t)) <= d) -> w u = 0 /\ wy u = 0) /\
@@ -493,11 +495,13 @@ Qed.
 (* So the ratio of the falls of ln |wy| in a period and in the one before tends to the square of that factor, which is not the printed 1; *)
 Theorem s22_vy_two_stages__printed lam phi0 w wy s : 0 < lam < eq37_lambda_c -> shaken lam phi0 w wy -> (forall s, 0 <= s -> wy s <> 0) -> 0 <= s ->
   (forall n, phi0 + s <> eq39_phi_t1 lam + IZR n * PI) ->
-  let F := right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam) in let change t := ln (Rabs (wy (t + 2 * PI))) - ln (Rabs (wy t)) in
+  let F := right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam) in
+  let change t := ln (Rabs (wy (t + 2 * PI))) - ln (Rabs (wy t)) in
   is_lim_seq (fun n => change (s + INR n * (2 * PI) + 2 * PI) / change (s + INR n * (2 * PI))) (F ^ 2) /\ F ^ 2 <> s22_second_stage_ratio.
 Proof.
   intros hl M N hs ne F change. destruct (s22_vy_two_stages lam phi0 w wy (proj1 hl) M) as (_ & _ & _ & _ & B).
-  destruct (B (proj2 hl) N) as (_ & F1 & _ & D). destruct (D s hs ne) as (a & C & a0 & K). fold F in F1, K. unfold s22_second_stage_ratio. split; [ | nra ].
+  destruct (B (proj2 hl) N) as (_ & F1 & _ & D). destruct (D s hs ne) as (a & C & a0 & K). fold F in F1, K. unfold s22_second_stage_ratio.
+  split; [ | nra ].
   set (y n := ln (Rabs (wy (s + INR n * (2 * PI))))). apply (is_lim_seq_ext (fun n => (y (S (S n)) - y (S n)) / (y (S n) - y n))).
   - intros n. unfold y, change. rewrite !S_INR. replace (s + (INR n + 1) * (2 * PI)) with (s + INR n * (2 * PI) + 2 * PI) by ring.
     now replace (s + (INR n + 1 + 1) * (2 * PI)) with (s + INR n * (2 * PI) + 2 * PI + 2 * PI) by ring.
@@ -508,7 +512,8 @@ Qed.
 Theorem s22_vy_two_stages__not_exponential lam phi0 w wy k : 0 < lam -> shaken lam phi0 w wy -> is_lim (fun s => wy s * exp (k * s)) p_infty 0.
 Proof.
   intros h0 M. destruct (Rle_lt_dec lam eq37_lambda_c) as [q | q]. now apply (superexponential lam phi0 w).
-  destruct (proj1 (proj2 (s22_vy_two_stages lam phi0 w wy h0 M)) q) as [s1 Z]. apply is_lim_spec. intros eps. exists s1. intros s hs. rewrite Z by lra.
+  destruct (proj1 (proj2 (s22_vy_two_stages lam phi0 w wy h0 M)) q) as [s1 Z]. apply is_lim_spec. intros eps. exists s1. intros s hs.
+  rewrite Z by lra.
   rewrite Rmult_0_l, Rminus_0_r, Rabs_R0. apply cond_pos.
 Qed.
 

@@ -13,7 +13,8 @@ Proof.
     apply Rmult_le_reg_l with (f + h); [ lra | ]. assert ((f + h) * i * L <= (f + 1) * i * L) by (repeat apply Rmult_le_compat_r; lra). nra.
   - set (g := h / f). assert (hg : f * g = h) by (unfold g; field; lra). assert (g1 : 0 <= g <= / 2) by nra.
     apply Rmult_le_reg_l with (f * (1 - g)); [ nra | ].
-    replace (f * (1 - g) * ((1 + f) / f * L * (1 + 2 * g) + 2 * (C / f))) with ((1 + f) * L * ((1 - g) * (1 + 2 * g)) + 2 * (1 - g) * C) by (field; lra).
+    replace (f * (1 - g) * ((1 + f) / f * L * (1 + 2 * g) + 2 * (C / f))) with ((1 + f) * L * ((1 - g) * (1 + 2 * g)) + 2 * (1 - g) * C) by (field;
+      lra).
     assert ((1 + f) * L * 1 <= (1 + f) * L * ((1 - g) * (1 + 2 * g))) by (apply Rmult_le_compat_l; nra). nra.
 Qed.
 Lemma stays_bounded (L x : nat -> R) F q c : 1 < F -> 1 < q -> 0 <= c ->
@@ -32,7 +33,8 @@ Proof.
   assert (hx : forall n, x (S n) <= f * x n + c * x n ^ 2 + c * i n ^ 2).
   { intros n. destruct (H n) as (l1 & _). specialize (HX n). unfold i, f. rewrite pow_inv. unfold Rdiv in HX. lra. }
   assert (shrinks : forall n, x (S n) <= r * x n + c * i n).
-  { intros n. specialize (hx n). destruct (H n) as (_ & _ & x0 & x1), (hi n) as (i0 & _). assert (c * i n ^ 2 <= c * i n) by (apply Rmult_le_compat_l; nra).
+  { intros n. specialize (hx n). destruct (H n) as (_ & _ & x0 & x1), (hi n) as (i0 & _).
+    assert (c * i n ^ 2 <= c * i n) by (apply Rmult_le_compat_l; nra).
     assert (f * x n * (c * F * x n) <= f * x n * ((F - 1) / 2)) by (apply Rmult_le_compat_l; [ apply Rmult_le_pos | ]; lra).
     replace (f * x n * (c * F * x n)) with (f * F * (c * x n ^ 2)) in * by ring. rewrite fF in *. unfold r. lra. }
   set (c2 := (1 + F) * (1 + c) ^ 2 * c). assert (h2 : 0 <= c2) by (apply Rmult_le_pos; nra).
@@ -65,7 +67,8 @@ Proof.
       - assert (0 <= a * L n * (c2 * i n)) by (apply Rmult_le_pos; nra). unfold t. nra.
       - apply Rmult_le_compat_l; [ lra | apply exp_ineq1_le ]. }
     rewrite Rmult_assoc, <- exp_plus. apply Rmult_le_compat_l; [ lra | ].
-    assert (D * i (S n) <= D * (/ q * i n)) by (apply Rmult_le_compat_l; lra). assert (A * b <= A * (r * a + c * i n)) by (apply Rmult_le_compat_l; lra).
+    assert (D * i (S n) <= D * (/ q * i n)) by (apply Rmult_le_compat_l; lra).
+    assert (A * b <= A * (r * a + c * i n)) by (apply Rmult_le_compat_l; lra).
     assert (D * (1 - / q) * i n = (c2 + A * c) * i n) by (now rewrite (proj2 hD)). assert (A * (1 - r) * a = c2 * a) by (now rewrite (proj2 hA)).
     assert (W : t + (A * b + D * i (S n)) <= A * a + D * i n) by (unfold t; lra). destruct W as [W | ->]; [ left; now apply exp_increasing | lra ]. }
   exists (V 0%nat). intros n. apply Rle_trans with (V n). 2: { induction n as [ | n IH ]; [ lra | ]. specialize (fall n). lra. }
@@ -101,10 +104,12 @@ Proof.
   intros hG a0 H. set (v n := (y (S n) - y n) / G ^ n). set (c := - a * (G - 1)). assert (c0 : c <> 0) by (unfold c; nra).
   assert (V : is_lim_seq v c).
   { assert (E : forall k, is_lim_seq (fun n => c + k * (/ G) ^ n) c).
-    { intros k. enough (X : is_lim_seq (fun n => c + k * (/ G) ^ n) (c + k * 0)) by (rewrite Rmult_0_r, Rplus_0_r in X; exact X). apply is_lim_seq_plus'; [ apply is_lim_seq_const | ]. apply is_lim_seq_mult'; [ apply is_lim_seq_const | ].
+    { intros k. enough (X : is_lim_seq (fun n => c + k * (/ G) ^ n) (c + k * 0)) by (rewrite Rmult_0_r, Rplus_0_r in X; exact X).
+      apply is_lim_seq_plus'; [ apply is_lim_seq_const | ]. apply is_lim_seq_mult'; [ apply is_lim_seq_const | ].
       apply is_lim_seq_geom. rewrite Rabs_pos_eq; [ rewrite <- Rinv_1; apply Rinv_lt_contravar | left; apply Rinv_0_lt_compat ]; lra. }
     refine (is_lim_seq_le_le _ _ _ _ _ (E (- (2 * C))) (E (2 * C))). intros n. pose proof (H n) as A. pose proof (H (S n)) as B.
-    apply Rabs_le_between in A, B. simpl in B. assert (P : 0 < G ^ n) by (apply pow_lt; lra). rewrite pow_inv. fold (Rdiv (- (2 * C)) (G ^ n)) (Rdiv (2 * C) (G ^ n)).
+    apply Rabs_le_between in A, B. simpl in B. assert (P : 0 < G ^ n) by (apply pow_lt; lra). rewrite pow_inv.
+    fold (Rdiv (- (2 * C)) (G ^ n)) (Rdiv (2 * C) (G ^ n)).
     assert (cv : c * G ^ n = - (a * (G * G ^ n)) + a * G ^ n) by (unfold c; ring). set (g := G ^ n) in *. unfold v. fold g.
     replace c with (c * g / g) by (field; lra). unfold Rdiv. rewrite <- !Rmult_plus_distr_r. assert (0 < / g) by now apply Rinv_0_lt_compat.
     split; apply Rmult_le_compat_r; lra. }
