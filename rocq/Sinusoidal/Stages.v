@@ -76,11 +76,15 @@ Proof.
     match goal with |- ?G <= 0 => replace G with (l / r * (s * g * (r - z) - y)) by (rewrite ef; field; lra) end.
     assert (0 < l / r) by (apply Rdiv_lt_0_compat; lra). assert (s * g * (r - z) <= y) by (destruct hs as [-> | ->]; signs hg). nra.
 Qed.
+(* s is by the phase u behind a zero of (38); z is the one zero of w in half a period from s on *)
+Notation after u s j := (phi0 + s = p + IZR (j - 1) * PI + u).
+Notation turns z s := (s <= z <= s + PI /\ forall y, s <= y <= s + PI -> (w y = 0 <-> y = z)).
+Notation ends t a s z := (t = s + PI /\ a = k \/ t = z /\ a = / 2 + k).
 (* a passage, up to C and what the distance of the zeros makes: to half a period later, and to the zero *)
-Lemma passing u : 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s j, s1 <= s -> phi0 + s = p + IZR (j - 1) * PI + u ->
-  exists z, s <= z <= s + PI /\ (forall y, s <= y <= s + PI -> (w y = 0 <-> y = z)) /\
+Lemma passing u : 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s j, s1 <= s -> after u s j ->
+  exists z, turns z s /\
   (forall t, s <= t < z -> sg j * w t <= 0) /\ (forall t, z <= t < s + PI -> 0 <= sg j * w t) /\
-  let x := Rabs (z - (s + PI - u)) in x <= d / 2 /\ forall t a, t = s + PI /\ a = k \/ t = z /\ a = / 2 + k ->
+  let x := Rabs (z - (s + PI - u)) in x <= d / 2 /\ forall t a, ends t a s z ->
     Rabs (a * Q t - (1 + k) * Q s) <= x / (2 * l) * (Q s - Q (s + PI)) + C.
 Proof.
   intros hu. pose proof PI_RGT_0. destruct (room l hl) as (ra & rb). destruct (z_1 l hl) as [h1 _].
@@ -91,7 +95,9 @@ Proof.
   destruct (late_sign l phi0 w wy hl M del) as (m & s1 & m0 & s10 & S); [ lra | ].
   destruct (late_speed l phi0 w wy (proj1 hl) M (proj2 hl)) as (V0 & s2 & s20 & V).
   destruct (one_zero l phi0 w wy hl M del ltac:(lra)) as (s3 & O).
-  exists (2 * (Rabs (ln m) + Rabs (ln (2 * V0))) + (2 / m + / c) * PI), (Rmax (Rmax s1 s2) (s3 + PI)). split; [ minmax | ]. intros s j hs ph.
+  set (W := Rabs (ln m) + Rabs (ln (2 * V0))). assert (W0 : Rabs (ln m) <= W /\ Rabs (ln (2 * V0)) <= W).
+  { unfold W. pose proof (Rabs_pos (ln m)). pose proof (Rabs_pos (ln (2 * V0))). lra. }
+  exists (2 * W + (2 / m + / c) * PI), (Rmax (Rmax s1 s2) (s3 + PI)). split; [ minmax | ]. intros s j hs ph.
   assert (hs' : s1 <= s /\ s2 <= s /\ s3 + PI <= s) by minmax. rewrite minus_IZR in ph.
   set (Z := s + PI - u). assert (Z0 : 0 < Z - del) by (unfold Z; lra). set (e := sg j).
   assert (ee : e = 1 \/ e = -1) by apply sg_cases. assert (es : sg (j - 1) = - e).
@@ -107,14 +113,13 @@ Proof.
     apply sin_incr_1; lra. }
     unfold c. signs ee. }
   assert (far : forall t, Z - del <= t <= Z + del -> c * Rabs (t - z) <= Rabs (w t)).
-  { intros t Ht. pose proof (Rle_abs (w t)). pose proof (Rabs_maj2 (w t)). destruct (Rle_lt_dec t z) as [q | q].
-    - pose proof (G t z ltac:(lra) ltac:(lra)) as g. rewrite wz in g. rewrite Rabs_left1 by lra. signs ee.
-    - pose proof (G z t ltac:(lra) ltac:(lra)) as g. rewrite wz in g. rewrite Rabs_pos_eq by lra. signs ee. }
-  split; [ unfold Z in *; lra | split; [ intros y hy; apply Oz; unfold Z; lra | split; [ | split ] ] ].
+  { intros t Ht. pose proof (Rle_abs (w t)). pose proof (Rabs_maj2 (w t)). unfold Rabs at 1. destruct Rcase_abs;
+    [ pose proof (G t z ltac:(lra) ltac:(lra)) as g | pose proof (G z t ltac:(lra) ltac:(lra)) as g ]; rewrite wz in g; signs ee. }
+  split; [ split; [ unfold Z in *; lra | intros y hy; apply Oz; unfold Z; lra ] | split; [ | split ] ].
   { intros t Ht. fold e. destruct (Rle_lt_dec t (Z - del)) as [q | q]; [ specialize (A t ltac:(lra)); lra | ].
-    pose proof (G t z ltac:(lra) ltac:(lra)) as g. rewrite wz in g. assert (0 <= c * (z - t)) by nra. lra. }
+    pose proof (G t z ltac:(lra) ltac:(lra)) as g. rewrite wz in g. assert (0 <= c * (z - t)) by (apply Rmult_le_pos; lra). lra. }
   { intros t Ht. fold e. destruct (Rle_lt_dec (Z + del) t) as [q | q]; [ specialize (B t ltac:(lra)); lra | ].
-    pose proof (G z t ltac:(lra) ltac:(lra)) as g. rewrite wz in g. assert (0 <= c * (t - z)) by nra. lra. }
+    pose proof (G z t ltac:(lra) ltac:(lra)) as g. rewrite wz in g. assert (0 <= c * (t - z)) by (apply Rmult_le_pos; lra). lra. }
   cbv zeta. fold Z. set (x := Rabs (z - Z)). assert (x0 : 0 <= x) by apply Rabs_pos. set (eta := x / (2 * l)).
   assert (le : 2 * l * eta = x) by (unfold eta; field; lra).
   assert (im : 0 < / m) by now apply Rinv_0_lt_compat. assert (ic : 0 < / c) by now apply Rinv_0_lt_compat.
@@ -136,18 +141,15 @@ Proof.
         replace (t - z + (z - Z)) with (t - Z) in tr by ring. fold x in tr. apply Rle_trans with (/ c); [ | unfold Rdiv; lra ].
         apply Rle_div_l; [ lra | ].
         assert (hh : / c * (c * Rabs (t - z)) <= / c * r) by (apply Rmult_le_compat_l; lra). rewrite <- Rmult_assoc, Rinv_l in hh; lra. }
-      assert (rm : m <= r). { apply Rle_trans with (Rabs (w t)); [ | lra ].
-      destruct (Rle_lt_dec t Z); [ rewrite Rabs_left1 in k1 by lra; specialize (A t ltac:(lra))
-        | rewrite Rabs_pos_eq in k1 by lra; specialize (B t ltac:(lra)) ]; pose proof (Rle_abs (w t)); pose proof (Rabs_maj2 (w t));
-        signs ee. }
+      assert (rm : m <= r).
+      { apply Rabs_def2 in n1. unfold Rabs in k1. destruct Rcase_abs; [ specialize (A t ltac:(lra)) | specialize (B t ltac:(lra)) ]; signs ee. }
       assert (g * (b - d) <= 2). { pose proof (SIN_bound (phi0 + t)). pose proof (SIN_bound p). unfold b.
       destruct hg as [-> | ->]; signs ee. }
       apply Rle_div_l; [ lra | ]. assert (2 <= 2 / m * r) by (replace 2 with (2 / m * m) at 1 by (field; lra); apply Rmult_le_compat_l; unfold Rdiv;
-      lra). assert (0 <= / c * r) by nra. lra. }
-  assert (size : forall t g, s <= t -> g = 1 \/ g = -1 -> m <= g * w t -> Rabs (ln (v t + g * w t)) <= Rabs (ln m) + Rabs (ln (2 * V0))).
+      lra). assert (0 <= / c * r) by (apply Rmult_le_pos; lra). lra. }
+  assert (size : forall t g, s <= t -> g = 1 \/ g = -1 -> m <= g * w t -> Rabs (ln (v t + g * w t)) <= W).
   { intros t g ht hg K. specialize (V t ltac:(lra)). destruct (go t) as (_ & n1 & _). apply Rabs_def2 in n1.
     assert (m <= v t + g * w t <= 2 * V0) by (signs hg). pose proof (Rabs_maj2 (ln m)). pose proof (Rle_abs (ln (2 * V0))).
-    pose proof (Rabs_pos (ln m)). pose proof (Rabs_pos (ln (2 * V0))).
     assert (ln m <= ln (v t + g * w t) <= ln (2 * V0)) by (split; apply Rcomplements.ln_le; lra). apply Rabs_le. lra. }
   assert (eo : - e = 1 \/ - e = -1) by (destruct ee as [-> | ->]; [ right | left ]; ring).
   pose proof (size s (- e) ltac:(lra) eo (A s ltac:(unfold Z; lra))) as r2.
@@ -156,19 +158,19 @@ Proof.
     enough (K : Q s = ln (v s + e * w s) + ln (v s + - e * w s)) by lra. rewrite <- ln_mult by trivial.
     f_equal. transitivity (v s ^ 2 - e ^ 2 * w s ^ 2); [ | ring ]. rewrite nrm_sq. destruct ee as [-> | ->]; ring. }
   split; [ apply Rabs_le; unfold Z in *; lra | ]. intros t a ta. assert (ht : s <= t <= s + PI) by (unfold Z in *; lra).
-  assert (r1 : Rabs (ln (v t + e * w t) + k * Q t - a * Q t) <= Rabs (ln m) + Rabs (ln (2 * V0))).
+  assert (r1 : Rabs (ln (v t + e * w t) + k * Q t - a * Q t) <= W).
   { destruct ta as [[-> ->] | [-> ->]].
     - replace (_ + k * Q (s + PI) - _) with (ln (v (s + PI) + e * w (s + PI))) by ring. apply size; trivial; [ lra | apply B; unfold Z; lra ].
     - destruct (go z) as (_ & n1 & _). pose proof (nrm_sq (w z) (wy z)) as n2.
       rewrite wz in *. rewrite Rabs_R0 in n1. replace (wy z ^ 2) with (nrm 0 (wy z) ^ 2) by lra. rewrite ln_pow by trivial. simpl.
       match goal with |- Rabs ?y <= _ => replace y with 0 by (rewrite Rmult_0_r, Rplus_0_r; field; lra) end.
-      rewrite Rabs_R0. pose proof (Rabs_pos (ln m)). pose proof (Rabs_pos (ln (2 * V0))). lra. }
+      rewrite Rabs_R0. pose proof (Rabs_pos (ln m)). lra. }
   assert (0 <= eta * (Q t - Q (s + PI))). { apply Rmult_le_pos; [ apply Rle_div_r; lra | pose proof (Q_falls t (s + PI) ltac:(lra)); lra ]. }
   assert ((2 / m + / c) * (t - s) <= (2 / m + / c) * PI) by (apply Rmult_le_compat_l; unfold Rdiv; lra).
   rewrite r3 in T. pose proof (T t 1 ht ltac:(auto)). pose proof (T t (-1) ht ltac:(auto)). apply Rabs_le_between in r1, r2. apply Rabs_le. lra.
 Qed.
 (* how the distance from (38), half a period before and after, goes with the distance of the zeros *)
-Lemma settle u s j z : 0 <= s -> phi0 + s = p + IZR (j - 1) * PI + u -> 0 < u < PI -> s <= z <= s + PI -> w z = 0 ->
+Lemma settle u s j z : 0 <= s -> after u s j -> 0 < u < PI -> s <= z <= s + PI -> w z = 0 ->
   (forall t, s <= t < z -> sg j * w t <= 0) -> (forall t, z <= t < s + PI -> 0 <= sg j * w t) ->
   let x := Rabs (z - (s + PI - u)) in (d + l) * x - x ^ 2 <= off s /\ off (s + PI) <= (d - l) * x + x ^ 2 + Y s.
 Proof.
@@ -195,15 +197,15 @@ Notation F := ((1 + k) / k).
 Lemma k_pos : 0 < k. Proof. pose proof l_d. apply Rdiv_lt_0_compat; lra. Qed.
 Lemma factor_is : F = right_sinusoidal_passage_factor l d.
 Proof. pose proof l_d. unfold right_sinusoidal_passage_factor. field. repeat split; lra. Qed.
-Lemma step u : 0 < u < PI -> exists b C s1, 0 < b /\ 0 <= C /\ 0 <= s1 /\ forall s j, s1 <= s -> phi0 + s = p + IZR (j - 1) * PI + u ->
-  off (s + PI) <= off s / F + b * off s ^ 2 + Y s /\ exists z, s <= z <= s + PI /\ (forall y, s <= y <= s + PI -> (w y = 0 <-> y = z)) /\
-  forall t a, t = s + PI /\ a = k \/ t = z /\ a = / 2 + k -> Rabs (a * Q t - (1 + k) * Q s) <= b * off s * (Q s - Q (s + PI)) + C.
+Lemma step u : 0 < u < PI -> exists b C s1, 0 < b /\ 0 <= C /\ 0 <= s1 /\ forall s j, s1 <= s -> after u s j ->
+  off (s + PI) <= off s / F + b * off s ^ 2 + Y s /\ exists z, turns z s /\
+  forall t a, ends t a s z -> Rabs (a * Q t - (1 + k) * Q s) <= b * off s * (Q s - Q (s + PI)) + C.
 Proof.
   intros hu. pose proof l_d as dl. pose proof PI_RGT_0. destruct (passing u hu) as (C & s1 & s10 & P).
   assert (b1 : 0 < / (l * (d + l))) by (apply Rinv_0_lt_compat, Rmult_lt_0_compat; lra).
   assert (b2 : 0 < 8 * d / (d + l) ^ 3) by (apply Rdiv_lt_0_compat; [ lra | apply pow_lt; lra ]).
   exists (/ (l * (d + l)) + 8 * d / (d + l) ^ 3), (Rabs C), s1. split; [ lra | split; [ apply Rabs_pos | split; trivial ] ]. intros s j hs ph.
-  destruct (P s j hs ph) as (z & hz & Oz & A & B & xd & R). assert (wz : w z = 0) by (apply Oz; trivial).
+  destruct (P s j hs ph) as (z & [hz Oz] & A & B & xd & R). assert (wz : w z = 0) by (apply Oz; trivial).
   destruct (settle u s j z ltac:(lra) ph hu hz wz A B) as [S1 S2]. set (x := Rabs (z - (s + PI - u))) in *. assert (x0 : 0 <= x) by apply Rabs_pos.
   set (o := off s) in *. assert (small : x <= 2 * o / (d + l)) by (apply Rle_div_r; nra). assert (o0 : 0 <= o) by nra. split.
   - assert (E : (d + l) * off (s + PI) <= (d - l) * o + 2 * d * x ^ 2 + (d + l) * Y s) by nra.
@@ -212,16 +214,16 @@ Proof.
     apply Rmult_le_reg_l with (d + l); [ lra | ].
     replace ((d + l) * (o / F + (/ (l * (d + l)) + 8 * d / (d + l) ^ 3) * o ^ 2 + Y s)) with
       ((d - l) * o + 2 * d * (2 * o / (d + l)) ^ 2 + (d + l) * Y s + (d + l) * (/ (l * (d + l)) * o ^ 2)); [ nra | field; repeat split; lra ].
-  - exists z. split; [ trivial | split; [ trivial | ] ]. intros t a ta. specialize (R t a ta). pose proof (Rle_abs C).
+  - exists z. split; [ auto | ]. intros t a ta. specialize (R t a ta). pose proof (Rle_abs C).
     assert (q : 0 <= Q s - Q (s + PI)) by (pose proof (Q_falls s (s + PI) ltac:(lra)); lra). eapply Rle_trans; [ exact R | ].
     apply Rplus_le_compat; trivial. apply Rmult_le_compat_r; trivial. apply Rle_trans with (/ (l * (d + l)) * o); [ | nra ].
     replace (/ (l * (d + l)) * o) with (2 * o / (d + l) / (2 * l)) by (field; lra). apply Rmult_le_compat_r; trivial.
     left. apply Rinv_0_lt_compat. lra.
 Qed.
 (* up to C only *)
-Lemma passages u : 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s j, s1 <= s -> phi0 + s = p + IZR (j - 1) * PI + u ->
-  exists z, s <= z <= s + PI /\ (forall y, s <= y <= s + PI -> (w y = 0 <-> y = z)) /\
-  forall t a, t = s + PI /\ a = k \/ t = z /\ a = / 2 + k -> Rabs (a * Q t - (1 + k) * Q s) <= C.
+Lemma passages u : 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s j, s1 <= s -> after u s j ->
+  exists z, turns z s /\
+  forall t a, ends t a s z -> Rabs (a * Q t - (1 + k) * Q s) <= C.
 Proof.
   intros hu. pose proof PI_RGT_0. pose proof k_pos as k0. destruct (step u hu) as (b & C & s1 & b0 & C0 & s10 & P). set (f := k) in *.
   set (G := (1 + f) / f) in *.
@@ -250,9 +252,9 @@ Proof.
     assert (U2 : b / f * o * f <= / 2 * f) by (apply Rmult_le_compat_r; lra).
     replace (c * G / (G - 1) * o * (G - 1)) with (c * G * o) in U1 by (field; lra). replace (b / f * o * f) with (b * o) in U2 by (field; lra).
     repeat split; try lra. apply below_log; lra. }
-  assert (bounds : forall s j, Rmax s1 s2 <= s -> phi0 + s = p + IZR (j - 1) * PI + u -> (1 + / (2 * (1 + f))) * - Q s <= - Q (s + PI) /\
+  assert (bounds : forall s j, Rmax s1 s2 <= s -> after u s j -> (1 + / (2 * (1 + f))) * - Q s <= - Q (s + PI) /\
     - Q (s + PI) <= G * - Q s * (1 + c * off s) + c /\ off (s + PI) <= off s / G + c * off s ^ 2 + c / (- Q s) ^ 2).
-  { intros s j hs ph. destruct (late s ltac:(minmax)) as (L1 & o0 & o1 & o2 & o3 & y1). destruct (P s j ltac:(minmax) ph) as (X & z & _ & _ & R).
+  { intros s j hs ph. destruct (late s ltac:(minmax)) as (L1 & o0 & o1 & o2 & o3 & y1). destruct (P s j ltac:(minmax) ph) as (X & z & _ & R).
     specialize (R (s + PI) f (or_introl (conj eq_refl eq_refl))). set (L := - Q s) in *. set (L' := - Q (s + PI)) in *. set (o := off s) in *.
     replace (f * Q (s + PI) - (1 + f) * Q s) with ((1 + f) * L - f * L') in R by (unfold L, L'; ring).
     replace (Q s - Q (s + PI)) with (L' - L) in R by (unfold L, L'; ring).
@@ -272,7 +274,7 @@ Proof.
   1-3: intros n; destruct (TT n) as (t1 & E & ph); destruct (bounds _ _ t1 ph) as (Z1 & Z2 & Z3); rewrite ?E; trivial.
   { destruct (late (T n)) as (q1 & q2 & q3 & _); [ minmax | lra ]. }
   exists (b * (G * B * (1 + c) + c) + C), s0. split; [ minmax | ]. intros s j hs ph.
-  destruct (P s j ltac:(minmax) ph) as (_ & z & hz & Oz & R). exists z. split; [ trivial | split; [ trivial | ] ]. intros t a ta.
+  destruct (P s j ltac:(minmax) ph) as (_ & z & hz & R). exists z. split; trivial. intros t a ta.
   eapply Rle_trans; [ exact (R t a ta) | ].
   assert (K : exists n, s = T n).
   { exists (Z.to_nat (j - 1 - i)). unfold T. rewrite INR_IZR_INZ, Z2Nat.id; [ rewrite minus_IZR; unfold s0; lra | ].
@@ -315,10 +317,10 @@ Proof.
   destruct (always (fun z z' => 0 <= z < z' /\ w z = 0 /\ w z' = 0 /\ forall t, z < t < z' -> w t <> 0) (s1 + PI) ((2 + 3 * k) * C / ((/ 2 + k) * k)))
     as [B HB]; [ lra | | exists B; intros; now apply HB ].
   intros a b (hab & wa & wb & no). split; [ lra | split ].
-  - intros hs. destruct (G (s1 + PI + PI)) as (s & m & g1 & g2 & ph). destruct (P s _ ltac:(lra) ph) as (y & hy & Oy & _). apply Rnot_lt_le. intros q.
+  - intros hs. destruct (G (s1 + PI + PI)) as (s & m & g1 & g2 & ph). destruct (P s _ ltac:(lra) ph) as (y & [hy Oy] & _). apply Rnot_lt_le. intros q.
     apply (no y); [ lra | now apply Oy ].
-  - intros hs. destruct (G a) as (s & m & g1 & g2 & ph). destruct (P s _ ltac:(lra) ph) as (y & hy & Oy & Ry).
-    assert (a = y) by (apply Oy; trivial; lra). subst y. destruct (P (s + PI) (m + 1 + 1)%Z) as (y & hy' & Oy' & Ry');
+  - intros hs. destruct (G a) as (s & m & g1 & g2 & ph). destruct (P s _ ltac:(lra) ph) as (y & [hy Oy] & Ry).
+    assert (a = y) by (apply Oy; trivial; lra). subst y. destruct (P (s + PI) (m + 1 + 1)%Z) as (y & [hy' Oy'] & Ry');
       [ lra | rewrite !minus_IZR, !plus_IZR in *; lra | ].
     assert (s + PI < b). { apply Rnot_le_lt. intros q. assert (b = a) by (apply Oy; trivial; lra). lra. }
     assert (b = y). { apply Oy'; trivial. split; [ lra | ]. apply Rnot_lt_le. intros q. apply (no y); [ lra | apply Oy'; lra ]. } subst y.
@@ -337,7 +339,7 @@ Proof.
   destruct (always (fun a b => exists n, a = s0 + INR n * PI /\ b = a + PI) s1 (C / k)) as [B HB]; [ trivial | | exists B; intros n t; apply HB;
     now exists n ].
   intros a b (n & Ea & ->). pose proof (Rmult_le_pos _ _ (pos_INR n) (Rlt_le _ _ PI_RGT_0)).
-  split; [ lra | split; [ lra | ] ]. intros h1. destruct (P a (m + Z.of_nat n + 1)%Z h1) as (z & _ & _ & K).
+  split; [ lra | split; [ lra | ] ]. intros h1. destruct (P a (m + Z.of_nat n + 1)%Z h1) as (z & _ & K).
   { rewrite minus_IZR, !plus_IZR, <- INR_IZR_INZ, Ea. ring. }
   specialize (K _ _ (or_introl (conj eq_refl eq_refl))). set (f := k) in *. apply over; trivial.
   replace (f * (Q (a + PI) - (1 + f) / f * Q a)) with (f * Q (a + PI) - (1 + f) * Q a) by (field; lra). exact K.
