@@ -140,9 +140,10 @@ Proof.
   exists (nrm (x t) (y t)). split. lra. apply (rests_from x y u w S t t0); [ rewrite z1, z2; apply nrm_0 | lra ].
 Qed.
 End Steps.
+(* one step: the coefficients from the second order on, the time, what they lack, and where the next step starts, within d' *)
 Ltac step lX lY h e d' X' Y' U' W' := match goal with N : near ?x ?y ?u ?w ?X0 ?Y0 ?U0 ?W0 ?d |- _ =>
   apply (fun S => one_step x y u w S X0 Y0 U0 W0 d lX lY h e d' X' Y' U' W' (/ 10000000000)) in N;
   [ | assumption | repeat split; lra
-  | let r := fresh "r" in let k := fresh "k" in intros r k; unfold lack, nrm, D, dlist, tl, poly; simpl Z.add; interval with (i_prec 60, i_taylor r, i_degree 12)
-  | unfold D, dlist, tl, poly; simpl Z.add; interval with (i_prec 80)
-  | interval with (i_prec 60) ] end.
+  | let r := fresh "r" in let k := fresh "k" in intros r k; unfold lack, nrm, D, dlist, tl, poly; simpl Z.add; first [ interval with (i_taylor r, i_degree 14) | interval with (i_prec 60, i_taylor r, i_degree 18) ]
+  | unfold D, dlist, tl, poly; simpl Z.add; interval with (i_prec 60)
+  | interval ] end.
