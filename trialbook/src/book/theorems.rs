@@ -3,7 +3,7 @@
 use super::{context::Context, error::Html, text::escape};
 use crate::ledger::Entry;
 use crate::notation::plain_formula;
-use crate::theorems::prose::{Said, Writer};
+use crate::theorems::prose::{Said, Writer, spoken};
 use crate::theorems::record::Accepted;
 use crate::theorems::source::Item;
 
@@ -52,7 +52,7 @@ fn theorem(context: &Context<'_>, accepted: &Accepted, item: &Item) -> Html {
          <p class=\"measure\">{file}, {seconds:.1} s; rests on {axioms}{occurs}.</p></details></div>",
         context.explained("Theorem", "kernel"),
         name = escape(&accepted.name),
-        about = context.maths.folded(&item.about)?,
+        about = context.maths.folded(&spoken(&item.about))?,
         statement = linked(context, &accepted.statement),
         file = escape(&accepted.file),
         seconds = accepted.seconds,
@@ -154,7 +154,7 @@ pub(super) fn definitions(context: &Context<'_>) -> Html {
         let Item { about, text, file, .. } = item;
         Ok(format!(
             "<div class=\"meaning\" id=\"{name}\"><p>{}</p><pre><code class=\"language-text nohighlight\">{}</code></pre><p class=\"measure\">{}</p></div>",
-            context.maths.words(&about.replace(['«', '»'], ""))?,
+            context.maths.words(&spoken(&about.replace(['«', '»'], "")))?,
             linked(context, &format!("{text}.")),
             escape(file),
             name = place(item),

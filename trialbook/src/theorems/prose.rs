@@ -67,6 +67,46 @@ const SHORT: [(&str, &str); 8] = [
     ("PI", "pi"),
 ];
 
+/// A comment of a file as it is printed: letters by their names as letters, signs as they are read.
+pub fn spoken(comment: &str) -> String {
+    let letter = |word: &str| {
+        let own = word.trim_end_matches(|c: char| c.is_ascii_digit());
+        let index = &word[own.len()..];
+        let index = if index.is_empty() {
+            String::new()
+        } else {
+            format!("_{{{index}}}")
+        };
+        let own = if own == "PI" { "pi" } else { own };
+        GREEK.contains(&own).then(|| format!("$\\{own}{index}$"))
+    };
+    let mut parts = comment.split('$').enumerate();
+    let mut out = String::new();
+    for (i, part) in &mut parts {
+        if i % 2 == 1 {
+            out += &format!("${part}$");
+            continue;
+        }
+        let part = part
+            .replace("->", "→")
+            .replace("<=", "≤")
+            .replace(">=", "≥")
+            .replace("<>", "≠");
+        let mut word = String::new();
+        for c in part.chars().chain(['\n']) {
+            if c.is_alphanumeric() || c == '_' {
+                word.push(c);
+                continue;
+            }
+            out += &letter(&word).unwrap_or_else(|| word.clone());
+            word.clear();
+            out.push(c);
+        }
+        out.pop();
+    }
+    out
+}
+
 /// Puts statements into words: by the readings that definitions give of themselves, and by the names of the formulas.
 pub struct Writer<'a> {
     /// What the files declare.
@@ -511,6 +551,15 @@ fn depth(text: &str, word: &str) -> i32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_comment_is_printed_with_its_letters() {
+        let spoken = spoken("psi -> 0 for lambda0 <= $\\eta$, but alphabet");
+        assert_eq!(
+            spoken,
+            "$\\psi$ → 0 for $\\lambda_{0}$ ≤ $\\eta$, but alphabet"
+        );
+    }
 
     const FILE: &str = "(* A particle. «$(vx,vy)$ is a motion under $(Ax,Ay)$ with $\\mu g=k$» *)\n\
         Record motion (k : R) (Ax Ay vx vy : R -> R) : Prop := { m : True }.\nDefinition fwd l a t := cos a - l * t.\n";
