@@ -1,8 +1,7 @@
 (* A motion on the table enclosed by the kernel, step by step: two polynomials stand for it, and as friction brings motions together no bound
-   on its change of direction is needed; what the polynomials lack is bounded by interval arithmetic, along one variable *)
+   on its change of direction is needed *)
 Require Import Reals Lra Psatz List.
 From Coquelicot Require Import Coquelicot.
-From Interval Require Import Tactic.
 From Slipbook Require Import Motion Turntable Fate.
 Open Scope R_scope.
 
@@ -103,14 +102,12 @@ Section Steps.
 Variables x y u w : R -> R.
 Hypothesis S : spin x y u w.
 Definition near X Y U W d := exists s, 0 <= s /\ off x y u w s X Y U W < d ^ 2.
-Lemma one_step X0 Y0 U0 W0 d lX lY h e d' X' Y' U' W' g : near X0 Y0 U0 W0 d -> let X := X0 :: U0 :: lX in let Y := Y0 :: W0 :: lY in
-  0 <= h /\ 0 <= e /\ 0 < d /\ 0 <= g ->
+Lemma one_step X Y h e d X' Y' U' W' g d' : near (poly X 0) (poly Y 0) (poly (D X) 0) (poly (D Y) 0) d -> 0 <= h /\ 0 <= e /\ 0 < d /\ 0 <= g ->
   (forall r, 0 <= r <= h -> lack X Y r <= e ^ 2) ->
   (poly X h - X') ^ 2 + (poly Y h - Y') ^ 2 + (poly (D X) h - U') ^ 2 + (poly (D Y) h - W') ^ 2 <= g ^ 2 ->
   (d + e) * exp h - e + g <= d' -> near X' Y' U' W' d'.
 Proof.
-  intros (s & s0 & O) X Y (h0 & e0 & d0 & g0) R G K. replace X0 with (poly X 0) in O by (unfold X; simpl; ring). replace Y0 with (poly Y 0) in O by (unfold Y; simpl; ring).
-  replace U0 with (poly (D X) 0) in O by (unfold X; simpl; ring). replace W0 with (poly (D Y) 0) in O by (unfold Y; simpl; ring). exists (s + h). split. lra. eapply moved; [ | exact g0 | exact K | exact G | ].
+  intros (s & s0 & O) (h0 & e0 & d0 & g0) R G K. exists (s + h). split. lra. eapply moved; [ | exact g0 | exact K | exact G | ].
   2: now apply (enclosed x y u w s h X Y e d). pose proof (exp_ineq1_le h). nra.
 Qed.
 Lemma sides X Y U W d s : 0 <= d -> off x y u w s X Y U W < d ^ 2 ->
@@ -119,31 +116,4 @@ Proof.
   intros d0 O. unfold off in O. pose proof (pow2_ge_0 (x s - X)). pose proof (pow2_ge_0 (y s - Y)). pose proof (pow2_ge_0 (u s - U)).
   pose proof (pow2_ge_0 (w s - W)). repeat split; apply abs_of_sq; lra.
 Qed.
-Lemma near_escapes X Y U W d : 0 <= d -> near X Y U W d -> (forall a b c f, Rabs a <= d -> Rabs b <= d -> Rabs c <= d -> Rabs f <= d ->
-  1 < (X + a) ^ 2 + (Y + b) ^ 2 - ((U + c) ^ 2 + (W + f) ^ 2)) -> escapes x y.
-Proof.
-  intros d0 (s & s0 & O) K. destruct (sides _ _ _ _ _ _ d0 O) as (a & b & c & f). specialize (K _ _ _ _ a b c f).
-  apply (escapes_from x y u w S s s0). 
-  replace (X + (x s - X)) with (x s) in K by ring. replace (Y + (y s - Y)) with (y s) in K by ring.
-  replace (U + (u s - U)) with (u s) in K by ring. replace (W + (w s - W)) with (w s) in K by ring. lra.
-Qed.
-Lemma near_rests X Y U W d : 0 <= d -> near X Y U W d -> (forall a b c f, Rabs a <= d -> Rabs b <= d -> Rabs c <= d -> Rabs f <= d ->
-  nrm (X + a) (Y + b) + nrm (U + c) (W + f) < 1) -> exists r, r < 1 /\ rests_at r x y u w.
-Proof.
-  intros d0 (s & s0 & O) K. destruct (sides _ _ _ _ _ _ d0 O) as (a & b & c & f). specialize (K _ _ _ _ a b c f).
-  replace (X + (x s - X)) with (x s) in K by ring. replace (Y + (y s - Y)) with (y s) in K by ring.
-  replace (U + (u s - U)) with (u s) in K by ring. replace (W + (w s - W)) with (w s) in K by ring.
-  set (t := s + nrm (u s) (w s) / (1 - (nrm (x s) (y s) + nrm (u s) (w s)))).
-  destruct (caught x y u w S s t s0 K (Rle_refl _)) as (z1 & z2 & r1).
-  assert (t0 : 0 <= t). { pose proof (nrm_pos (u s) (w s)). unfold t. assert (0 <= nrm (u s) (w s) / (1 - (nrm (x s) (y s) + nrm (u s) (w s)))); [ | lra ].
-    apply Rmult_le_pos; trivial. left. apply Rinv_0_lt_compat. lra. }
-  exists (nrm (x t) (y t)). split. lra. apply (rests_from x y u w S t t0); [ rewrite z1, z2; apply nrm_0 | lra ].
-Qed.
 End Steps.
-(* one step: the coefficients from the second order on, the time, what they lack, and where the next step starts, within d' *)
-Ltac step lX lY h e d' X' Y' U' W' := match goal with N : near ?x ?y ?u ?w ?X0 ?Y0 ?U0 ?W0 ?d |- _ =>
-  apply (fun S => one_step x y u w S X0 Y0 U0 W0 d lX lY h e d' X' Y' U' W' (/ 10000000000)) in N;
-  [ | assumption | repeat split; lra
-  | let r := fresh "r" in let k := fresh "k" in intros r k; unfold lack, nrm, D, dlist, tl, poly; simpl Z.add; first [ interval with (i_taylor r, i_degree 14) | interval with (i_prec 60, i_taylor r, i_degree 18) ]
-  | unfold D, dlist, tl, poly; simpl Z.add; interval with (i_prec 60)
-  | interval ] end.
