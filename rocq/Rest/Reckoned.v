@@ -44,7 +44,7 @@ Definition caught_by d x y u w := let m := Z.sqrt (u ^ 2 + w ^ 2) + 1 + 2 * d in
 Definition free_by d x y u w := one ^ 2 <? x ^ 2 + y ^ 2 - u ^ 2 - w ^ 2 - 2 * d * (Z.abs x + Z.abs y + Z.abs u + Z.abs w + d).
 (* what becomes of all motions within d of a state, in so many steps *)
 Fixpoint run (steps : nat) d x y u w := if caught_by d x y u w then rests else if free_by d x y u w then leaves else match steps with O => open | S steps =>
-  let '(lX, lY, Q) := series 12 0 [x] [y] [u] [w] nil nil in let X := x :: u :: tl (tl lX) in let Y := y :: w :: tl (tl lY) in
+  let '(lX, lY, Q) := series 8 0 [x] [y] [u] [w] nil nil in let X := x :: u :: tl (tl lX) in let Y := y :: w :: tl (tl lY) in
   let lack := lacking X Y Q in let n := fit 40 lack 512 in let e := lack n in
   if (0 <=? n) && (n <=? 512) && (0 <=? e) && (0 <? d) && (most n (0 :: tl Q) <? hd 0 Q)
   then run steps (grown n d e) (value n X) (value n Y) (value n (slope X)) (value n (slope Y)) else open end.
@@ -243,7 +243,7 @@ Theorem run_says steps : forall d X Y U W, (0 <= d)%Z -> within d X Y U W -> mat
 Proof.
   induction steps as [ | steps IH ]; intros d X Y U W Hd N; cbn [run]; destruct (caught_by d X Y U W) eqn:c; try (now apply (is_caught d X Y U W));
     destruct (free_by d X Y U W) eqn:f; try (now apply (is_free d X Y U W)); trivial.
-  destruct (series 12 0 [X] [Y] [U] [W] [] []) as [[lX lY] Q]. set (PX := X :: U :: tl (tl lX)). set (PY := Y :: W :: tl (tl lY)). set (n := fit 40 (lacking PX PY Q) 512).
+  destruct (series 8 0 [X] [Y] [U] [W] [] []) as [[lX lY] Q]. set (PX := X :: U :: tl (tl lX)). set (PY := Y :: W :: tl (tl lY)). set (n := fit 40 (lacking PX PY Q) 512).
   set (e := lacking PX PY Q n). destruct (_ && _) eqn:b; trivial. repeat (apply andb_true_iff in b as [b ?]).
   repeat match goal with k : _ = true |- _ => first [ apply Z.leb_le in k | apply Z.ltb_lt in k ] end. pose proof one_pos as q0.
   assert (g0 : 0 <= 4 / S1) by (apply Rdiv_le_0_compat; lra). assert (h0 : 0 <= IZR n / 1024) by (apply IZR_le in b; lra).
