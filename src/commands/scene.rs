@@ -3,7 +3,8 @@
 use super::{plot, sweep::aligned};
 use crate::numerics::error::plain;
 use crate::scene::{
-    Answer, Doing, Found, Moment, Number, Opinion, STEPS, Scene, SceneError, Second, Until, WORDS, find, second,
+    Answer, Doing, Found, Moment, Number, Opinion, STEPS, Scene, SceneError, Second, Until, WORDS,
+    find, second,
 };
 use crate::solve::{Curve, head};
 use clap::{Arg, ArgAction, ArgMatches, Command};
@@ -563,7 +564,11 @@ fn found(words: &Words, sought: &str, target: &str, format: Format) -> Result<u8
         )?,
         Format::Text => {
             let mut text = match &solutions[..] {
-                [] => format!("none from {} to {}\n", list(&range[..1])[0], list(&range[1..])[0]),
+                [] => format!(
+                    "none from {} to {}\n",
+                    list(&range[..1])[0],
+                    list(&range[1..])[0]
+                ),
                 _ => format!("{word} = {}\n", list(&solutions).join(", ")),
             };
             if !jumps.is_empty() {
