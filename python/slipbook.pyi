@@ -5,35 +5,37 @@ from typing import Final, Literal, TypeAlias, TypedDict, final
 from typing_extensions import Unpack
 
 # A number in SI, or a text with its unit.
-Value: TypeAlias = str | float
-Values: TypeAlias = Value | Sequence[Value]
+_Value: TypeAlias = str | float
+_Values: TypeAlias = _Value | Sequence[_Value]
 # Any sequence of numbers: a list, an array of NumPy.
-Column: TypeAlias = Collection[float]
-Recording: TypeAlias = str | PathLike[str] | tuple[Column, Column] | tuple[Column, Column, Column]
+_Column: TypeAlias = Collection[float]
+_Recording: TypeAlias = str | PathLike[str] | tuple[_Column, _Column] | tuple[_Column, _Column, _Column]
 
-class Words(TypedDict, total=False):
-    mu: Value | None
-    mu_s: Value | None
-    mu_back: Value | None
-    g: Value | None
-    radius: Value | None
-    kappa: Value | None
-    tilt: Value | None
-    pull: Values | None
-    accelerate: Values | None
-    record: Recording | None
+class _Words(TypedDict, total=False):
+    mu: _Value | None
+    mu_s: _Value | None
+    mu_back: _Value | None
+    g: _Value | None
+    radius: _Value | None
+    kappa: _Value | None
+    tilt: _Value | None
+    pull: _Values | None
+    accelerate: _Values | None
+    record: _Recording | None
     columns: str | None
-    towards: Value | None
-    turn: Value | None
-    belt: Value | None
-    at: Values | None
-    throw: Value | None
-    throw_in_room: Value | None
+    towards: _Value | None
+    turn: _Value | None
+    belt: _Value | None
+    at: _Values | None
+    throw: _Value | None
+    throw_in_room: _Value | None
     set_down: bool
-    spin: Values | None
-    width: Value | None
-    within: Value | None
+    spin: _Values | None
+    width: _Value | None
+    within: _Value | None
     until: str | None
+
+__all__ = ["WORDS", "__version__", "Answer", "Scene", "ball", "block", "find", "scene", "turntable_ends"]
 
 WORDS: dict[str, str]
 __version__: str
@@ -56,20 +58,20 @@ class Answer:
     units: Final[dict[str, str]]
     events: Final[list[tuple[float, Literal["slides", "rests", "rolls"]]]]
     second: Final[tuple[str, dict[str, float]] | None]
-    def at(self, t: Value) -> dict[str, float]: ...
-    def table(self, dt: Value) -> dict[str, list[float]]: ...
+    def at(self, t: _Value) -> dict[str, float]: ...
+    def table(self, dt: _Value) -> dict[str, list[float]]: ...
 
 @final
 class Scene:
     words: Final[dict[str, object]]
-    def with_(self, **words: Unpack[Words]) -> Scene: ...
-    def on(self, record: Recording, /, **words: Unpack[Words]) -> Scene: ...
+    def with_(self, **words: Unpack[_Words]) -> Scene: ...
+    def on(self, record: _Recording, /, **words: Unpack[_Words]) -> Scene: ...
     def run(self, until: str | None = None) -> Answer: ...
 
-def block(**words: Unpack[Words]) -> Scene: ...
-def ball(**words: Unpack[Words]) -> Scene: ...
-def scene(body: Literal["block", "ball"], **words: Unpack[Words]) -> Scene: ...
-def find(scene: Scene, word: str, low: Value, high: Value, **number: Value) -> list[float]: ...
+def block(**words: Unpack[_Words]) -> Scene: ...
+def ball(**words: Unpack[_Words]) -> Scene: ...
+def scene(body: Literal["block", "ball"], **words: Unpack[_Words]) -> Scene: ...
+def find(scene: Scene, word: str, low: _Value, high: _Value, **number: _Value) -> list[float]: ...
 def turntable_ends(
-    rho: Column, p: Column, psi: Column, *, far: float = 100.0, late: float = 50.0
+    rho: _Column, p: _Column, psi: _Column, *, far: float = 100.0, late: float = 50.0
 ) -> dict[str, list]: ...

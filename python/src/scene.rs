@@ -1,10 +1,7 @@
 //! A scene: its words as they were given, and what the library reads in them.
 
 use crate::{answer::Answer, text, wrong};
-use pyo3::{
-    prelude::*,
-    types::{PyDict, PyList, PyTuple},
-};
+use pyo3::{prelude::*, types::PyDict};
 use slipbook::scene::{self, SceneError, Until, WORDS, apart, second, target};
 use std::{fs, io, path::PathBuf};
 
@@ -131,7 +128,10 @@ impl Scene {
     ) -> PyResult<Self> {
         for (name, value) in more.into_iter().flatten() {
             let name = name.extract::<String>()?.replace('_', "-");
-            if !value.is_none() && value.extract::<bool>().unwrap_or(true) {
+            let parts = value.extract::<Vec<Bound<'_, PyAny>>>().is_ok();
+            if parts && !["pull", "accelerate", "record"].contains(&&*name) {
+                given.set_item(name, text(&value)?)?;
+            } else if !value.is_none() && value.extract::<bool>().unwrap_or(true) {
                 given.set_item(name, value)?;
             } else if given.contains(&name)? {
                 given.del_item(name)?;
@@ -144,20 +144,18 @@ impl Scene {
         };
         for (name, value) in &given {
             let name: String = name.extract()?;
-            let several = value.is_instance_of::<PyList>() || value.is_instance_of::<PyTuple>();
-            match &*name {
-                "pull" | "accelerate" if several => {
-                    for one in value.try_iter()? {
-                        all.words.push((name.clone(), text(&one?)?));
-                    }
-                    continue;
-                }
-                "record" => all.recording = recording(&value)?,
-                _ => {}
-            }
-            let alone = name == "record" || value.extract::<bool>().is_ok();
-            let text = if alone { String::new() } else { text(&value)? };
-            all.words.push((name, text));
+            let texts = if name == "record" {
+                all.recording = recording(&value)?;
+                vec![String::new()]
+            } else if value.extract::<bool>().is_ok() {
+                vec![String::new()]
+            } else if let Ok(many) = value.extract::<Vec<_>>() {
+                many.iter().map(text).collect::<PyResult<_>>()?
+            } else {
+                vec![text(&value)?]
+            };
+            let texts = texts.into_iter().map(|text| (name.clone(), text));
+            all.words.extend(texts);
         }
         Ok(Self {
             given: given.unbind(),

@@ -50,7 +50,7 @@ class Scenes(unittest.TestCase):
 
     def test_words(self):
         scene = slipbook.block(mu=0.3, pull=["1m/s^2", "4@90deg"], at=(1, "2m"))
-        self.assertEqual(repr(scene), "slipbook.block(mu=0.3, pull=['1m/s^2', '4@90deg'], at=(1, '2m'))")
+        self.assertEqual(repr(scene), "slipbook.block(mu=0.3, pull=['1m/s^2', '4@90deg'], at='1,2m')")
         other = slipbook.scene(**json.loads(json.dumps(scene.words)))
         self.assertEqual(other.run("1s").numbers, scene.run("1s").numbers)
         self.near(scene.run("1s").v_x, (1 - 0.3 * G / math.hypot(1, 4)))
@@ -59,7 +59,7 @@ class Scenes(unittest.TestCase):
         self.near(belt.run().heat, 2)
         self.assertEqual(belt.with_(set_down=False).words, {"body": "block", "mu": 0.2, "belt": "2m/s"})
         stub = ast.parse((PYTHON / "slipbook.pyi").read_text())
-        (words,) = (part for part in stub.body if getattr(part, "name", "") == "Words")
+        (words,) = (part for part in stub.body if getattr(part, "name", "") == "_Words")
         self.assertEqual([word.target.id for word in words.body], list(slipbook.WORDS))
 
     def test_moments(self):
@@ -162,9 +162,13 @@ class Scenes(unittest.TestCase):
                 file.write_text(json.dumps(scene.words))
                 said = subprocess.run([os.environ["SLIPBOOK"], "scene", file, "--json"], capture_output=True, check=True)
                 said, answer = json.loads(said.stdout), scene.run()
-                for (name, right), (own, found) in zip(said["answer"].items(), answer.numbers.items(), strict=True):
-                    self.assertEqual(name.replace("ω", "omega"), own)
-                    self.assertLessEqual(abs(found - right), 2 * answer.errors[own] + DIGITS * abs(right), own)
+                numbers = {name.replace("ω", "omega"): x for name, x in said["answer"].items()}
+                self.assertEqual(numbers.keys(), answer.numbers.keys())
+                for name, right in numbers.items():
+                    # Rounding leaves out up to five errors; what nothing is known of comes by the same steps all the same.
+                    error = answer.errors[name] if math.isfinite(answer.errors[name]) else 0
+                    if right is not None:
+                        self.assertLessEqual(abs(getattr(answer, name) - right), 6 * error + DIGITS * abs(right), name)
                 self.assertEqual([what for _, what in answer.events], [event["doing"] for event in said["order"]])
 
 
