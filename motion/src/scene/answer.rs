@@ -1,7 +1,8 @@
 //! The end of a scene as numbers with names, units and errors.
 
 use super::{
-    Event, JoulePerKilogram, Metre, MetrePerSecond, Moment, Moved, Scene, SceneError, Second, Until,
+    Event, Floors, JoulePerKilogram, Metre, MetrePerSecond, Moment, Moved, Scene, SceneError,
+    Second, Until,
 };
 
 /// One number of an answer.
@@ -67,9 +68,11 @@ impl Scene {
     /// # Errors
     /// As for [`run`](Self::run).
     pub fn answer(&self, until: Until) -> Result<Answer, SceneError> {
-        let moved = self.run(until)?;
+        let floors = Floors::default();
+        let moved = super::moved::moved(self, until, &floors)?;
         let end = moved.end()?;
-        let nudged = self.nudged().run(until).and_then(|moved| moved.end());
+        let nudged =
+            super::moved::moved(&self.nudged(), until, &floors).and_then(|moved| moved.end());
         let mut numbers = end.numbers();
         let other = nudged.map(|end| end.numbers()).unwrap_or_default();
         let size = |unit| {
@@ -77,20 +80,14 @@ impl Scene {
             alike.map(|number| number.value.abs()).fold(0.0, f64::max)
         };
         let sizes: Vec<_> = numbers.iter().map(|number| size(number.unit)).collect();
-        let [velocity, place] = moved.by_drive(&end);
         let units = self.units;
         for (k, number) in numbers.iter_mut().enumerate() {
-            let moved = other
+            let changed = other
                 .get(k)
                 .map_or(f64::INFINITY, |other| (other.value - number.value).abs());
-            let driven = match number.unit {
-                "m/s" => velocity,
-                "m" => place,
-                _ if place > 0.0 => f64::NAN,
-                _ => 0.0,
-            };
+            let driven = moved.by_drive(&end, until, number.unit)?;
             number.unit = units.name(number.unit);
-            number.error = 2.0 * moved + KNOWN * sizes[k] + driven;
+            number.error = 2.0 * changed + KNOWN * sizes[k] + driven;
         }
         Ok(Answer {
             events: moved.events(),
