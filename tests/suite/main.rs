@@ -18,6 +18,7 @@ mod judge;
 mod motions;
 mod numbers;
 mod one_build;
+mod package;
 mod pages;
 mod prose;
 mod readme;
