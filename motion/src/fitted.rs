@@ -1,8 +1,11 @@
 //! Accelerations that are known by their values alone: from a function, or from a table such as an accelerometer's.
 
 mod csv;
+mod peer;
+mod when;
 
-pub use csv::Columns;
+pub(crate) use csv::G;
+pub use csv::{Columns, Recording};
 
 use super::acceleration::{Acceleration, Coefficients};
 use crate::numerics::{piecewise::interpolate, taylor::TERMS};
@@ -263,11 +266,14 @@ impl Fitted {
     ///   [`from_csv_with`](Self::from_csv_with).
     /// - Without a head a line is t, A_x and, if there is a third number, A_y, in units of your choice. A remark `# t ax ay` is a head.
     /// - The decimal sign is one for all numbers: a point or, where commas do not separate, a comma. There are none for thousands.
-    /// - Lines have the same number of cells, those that are read are finite numbers, and the times rise: no times of the clock.
+    /// - Lines have the same number of cells, those that are read are finite numbers, and the times rise. Those of the clock, as
+    ///   10:30:05.25, also behind a date as 2026-01-31 or 31-Jan-2026, become seconds since the first.
+    /// - A line in which no acceleration has a value, but another column has, is that of another sensor, and passed over; so are
+    ///   lines without values at the end. A step of more than eight usual ones is a gap, and refused.
     /// - Quotes around cells, a byte order mark and a first line `sep=;` are understood; empty lines and those that begin with
     ///   `#` are passed over.
     ///
-    /// So all formats of phyphox are read. A sensor that lies on the plane measures the A of [`Acceleration`], with its sign. All
+    /// So all formats of phyphox are read, and of PEER's records (`.AT2`) both, which are along x. A sensor that lies on the plane measures the A of [`Acceleration`], with its sign. All
     /// else is as for [`from_table`](Self::from_table).
     ///
     /// ```
@@ -287,7 +293,7 @@ impl Fitted {
     }
 
     /// As [`from_csv`](Self::from_csv), with columns and units of your choice where `columns` has them: what a column is called
-    /// is then no longer asked, though a unit in its head has to be one of acceleration, or of time, unless it is given too.
+    /// is then no longer asked, though a unit in its head has to be one of acceleration, or of time, unless it is given too. Gaps are bridged if asked for.
     ///
     /// ```
     /// use slipbook_motion::{Columns, Fitted};

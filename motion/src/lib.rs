@@ -79,7 +79,7 @@ pub mod validated;
 
 pub use acceleration::{Acceleration, Coefficients, Plane, Series};
 pub use error::MotionError;
-pub use fitted::{Columns, FitError, Fitted};
+pub use fitted::{Columns, FitError, Fitted, Recording};
 pub use launch::Launch;
 pub use particle::{Friction, Line, run, run_to_stop};
 pub use signal::Signal;

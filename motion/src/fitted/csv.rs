@@ -1,6 +1,25 @@
-//! The text of a CSV file as rows of numbers: every cell is read right, or its line is refused.
+//! The text of a recording as rows of numbers: every cell is read right, or its line is refused.
 
-use super::{FitError, LARGEST};
+use super::{FitError, LARGEST, LEAST_ROWS, peer, when::Clock};
+
+/// What an accelerometer has written, in s and m/s².
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Recording {
+    /// Times, which rise, with A_x and A_y: [`Fitted::from_table`](super::Fitted::from_table) takes them as they are.
+    pub rows: Vec<(f64, [f64; 2])>,
+    /// A_z, along the normal of the floor, at the same times, if there is such a column.
+    pub normal: Option<Vec<f64>>,
+}
+
+impl Recording {
+    /// Reads a file as [`Fitted::from_csv_with`](super::Fitted::from_csv_with) does, and the acceleration along z, where that is called one or chosen.
+    ///
+    /// # Errors
+    /// [`FitError::Line`], as there.
+    pub fn from_csv(text: &str, columns: &Columns) -> Result<Self, FitError> {
+        read_all(text, columns, true)
+    }
+}
 
 /// Which columns [`Fitted::from_csv_with`](super::Fitted::from_csv_with) reads, where the head does not say so by itself.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -11,18 +30,40 @@ pub struct Columns<'a> {
     pub x: Option<&'a str>,
     /// That of A_y.
     pub y: Option<&'a str>,
+    /// That of A_z, which only a [`Recording`] has.
+    pub z: Option<&'a str>,
     /// Unit of the times in place of the head's: s, ms, us, ns, min or h.
     pub time_unit: Option<&'a str>,
     /// Unit of the accelerations in place of the head's: m/s^2, mm/s^2, cm/s^2, km/s^2, ft/s^2, in/s^2, g or mg.
     pub unit: Option<&'a str>,
+    /// Whether gaps are bridged: steps of more than eight times the usual one.
+    pub gaps: bool,
 }
 
-/// The rows; their times rise.
+/// A step that is so many times the usual one is a gap: a few rows may have been lost, or passed over.
+const GAP: f64 = 8.0;
+
 pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, FitError> {
+    read_all(text, asked, false).map(|recording| recording.rows)
+}
+
+/// What is refused, with its line.
+pub(super) fn refuse(line: usize, text: &str, why: &'static str) -> FitError {
+    FitError::Line {
+        line,
+        text: text.chars().take(100).collect(),
+        why,
+    }
+}
+
+fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording, FitError> {
     let passed = |line: &str| line.trim().is_empty() || line.starts_with('#');
     let text = text.trim_start_matches('\u{feff}');
     let end = if text.contains('\n') { '\n' } else { '\r' };
     let all = || text.split(end).map(|line| line.trim_end_matches('\r'));
+    if let Some(rows) = peer::rows(all(), asked) {
+        return rows.map(|rows| Recording { rows, normal: None });
+    }
     let mut lines = (1..)
         .zip(all())
         .filter(|(_, line)| !passed(line))
@@ -41,12 +82,7 @@ pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, 
         cells.iter().all(|cell| parsed(cell).is_none()) && !cells.concat().is_empty()
     };
     let Some(&(number, first)) = lines.peek() else {
-        return Ok(Vec::new());
-    };
-    let refuse = |line, text: &str, why| FitError::Line {
-        line,
-        text: text.chars().take(100).collect(),
-        why,
+        return Ok(Recording::default());
     };
     let count = cells(first, separator).len();
     let mut heads = Vec::new();
@@ -73,36 +109,78 @@ pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, 
                 .find(named),
         );
     }
-    let Places { time, axes, large } =
-        places(&heads, count, asked).map_err(|why| refuse(number, first, why))?;
-    let mut rows: Vec<(f64, [f64; 2])> = Vec::new();
-    let mut sign = None;
+    let places = places(&heads, count, asked, with_normal);
+    let Places { time, axes, large } = places.map_err(|why| refuse(number, first, why))?;
+    let read_axes: Vec<_> = axes.iter().flatten().map(|axis| axis.0).collect();
+    let (mut rows, mut normal, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut sign, mut clock) = (None, Clock::default());
+    // A line without a value, until it is known whether more follow.
+    let mut lost = None;
     for (n, line) in lines {
         let cells = cells(line, separator);
-        let mut read =
-            |(i, size): (usize, f64)| read(cells[i], separator, &mut sign).map(|x| size * x);
         let mut row = || {
             if cells.len() != count {
                 return Err("every line needs as many cells as the first");
             }
-            let t = read(time)?;
+            if read_axes.iter().all(|i| is_empty(cells[*i])) {
+                // The other sensors of a phone have lines of their own.
+                let other = |(i, cell): (usize, &&str)| i != time.0 && !is_empty(cell);
+                if !cells.iter().enumerate().any(other) {
+                    lost.get_or_insert((n, line));
+                }
+                return Ok(None);
+            }
+            let t = match clock.read(cells[time.0], separator, &mut sign)? {
+                Some(t) => t,
+                None => time.1 * read(cells[time.0], separator, &mut sign)?,
+            };
             if t.abs() > large {
                 return Err("so late a time is hardly in seconds: its head has to say its unit");
             }
             if rows.last().is_some_and(|(before, _)| *before >= t) {
                 return Err("its time is not after the one before");
             }
-            let [x, y] = axes.map(|axis| axis.map_or(Ok(0.0), &mut read));
-            Ok((t, [x?, y?]))
+            let mut a = [0.0; 3];
+            for (a, axis) in a.iter_mut().zip(axes) {
+                if let Some((i, size)) = axis {
+                    *a = size * read(cells[i], separator, &mut sign)?;
+                }
+            }
+            Ok(Some((t, a)))
         };
         let row = row().map_err(|why| refuse(n, line, why))?;
-        rows.push(row);
+        if let Some((t, [x, y, z])) = row {
+            if let Some((n, line)) = lost {
+                return Err(refuse(n, line, EMPTY));
+            }
+            rows.push((t, [x, y]));
+            normal.push(z);
+            numbers.push((n, line));
+        }
+    }
+    if !asked.gaps && rows.len() >= LEAST_ROWS {
+        let mut steps: Vec<_> = rows.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
+        let middle = steps.len() / 2;
+        let usual = *steps
+            .clone()
+            .select_nth_unstable_by(middle, f64::total_cmp)
+            .1;
+        if let Some(k) = steps.drain(..).position(|step| step > GAP * usual) {
+            let (n, line) = numbers[k + 1];
+            let why = "before it is a gap of more than eight usual steps: cut the file there, or ask for gaps to be bridged";
+            return Err(refuse(n, line, why));
+        }
     }
     if separator == ',' && count == 3 && heads.is_empty() && stated.is_none() && sign.is_none() {
         let why = "without a decimal point in the file a comma may be the decimal sign: give the columns a head";
         return Err(refuse(number, first, why));
     }
-    Ok(rows)
+    let normal = axes[2].map(|_| normal);
+    Ok(Recording { rows, normal })
+}
+
+fn is_empty(cell: &str) -> bool {
+    cell.is_empty() || cell.eq_ignore_ascii_case("nan")
 }
 
 /// The cells of a line, without their quotes. Spaces separate however many they are.
@@ -122,29 +200,37 @@ fn parsed(cell: &str) -> Option<f64> {
 }
 
 /// A number, with the decimal sign of the file.
-fn read(cell: &str, separator: char, sign: &mut Option<char>) -> Result<f64, &'static str> {
+pub(super) fn read(
+    cell: &str,
+    separator: char,
+    sign: &mut Option<char>,
+) -> Result<f64, &'static str> {
     for c in cell.chars().filter(|c| matches!(c, '.' | ',')) {
         if c == separator || *sign.get_or_insert(c) != c {
             return Err("its decimal sign is not the only one");
         }
     }
     let number = parsed(cell).filter(|x| x.abs() <= LARGEST);
-    number.ok_or(match cell.contains(':') {
-        true => "a time of the clock: times have to be numbers",
-        false => "a cell is empty or no finite number",
-    })
+    number.ok_or(EMPTY)
 }
 
-/// Where t, A_x and A_y stand, and what they have to be multiplied by to be in s and m/s².
+const EMPTY: &str = "a cell is empty or no finite number";
+
+/// Where t, A_x, A_y and A_z stand, and what they have to be multiplied by to be in s and m/s².
 struct Places {
     time: (usize, f64),
-    axes: [Option<(usize, f64)>; 2],
+    axes: [Option<(usize, f64)>; 3],
     /// The latest time that can be meant: one in nanoseconds may have no unit either.
     large: f64,
 }
 
 /// Finds the columns: by what is asked for, by the names in the head and, if there is one, the line of units below.
-fn places(heads: &[Vec<&str>], count: usize, asked: &Columns) -> Result<Places, &'static str> {
+fn places(
+    heads: &[Vec<&str>],
+    count: usize,
+    asked: &Columns,
+    with_normal: bool,
+) -> Result<Places, &'static str> {
     let empty = Vec::new();
     let names = heads.first().unwrap_or(&empty);
     let mut columns: Vec<_> = names.iter().map(|name| Column::of(name)).collect();
@@ -227,8 +313,8 @@ fn places(heads: &[Vec<&str>], count: usize, asked: &Columns) -> Result<Places, 
     )?;
     let chosen = match (asked.x, asked.y) {
         (None, None) if names.is_empty() => match count {
-            2 => [Some(1), None],
-            3 => [Some(1), Some(2)],
+            2 => [Some(1), None, None],
+            3 => [Some(1), Some(2), None],
             _ => return Err("without a head a row is a time and one or two numbers"),
         },
         (None, None) => {
@@ -236,33 +322,35 @@ fn places(heads: &[Vec<&str>], count: usize, asked: &Columns) -> Result<Places, 
                 let fit = |i: &usize| *i != time.0 && columns[*i].is_acceleration(axis);
                 (0..columns.len()).filter(fit).collect::<Vec<_>>()
             };
-            match [Some('x'), Some('y'), Some('z'), None]
-                .map(along)
-                .each_ref()
-                .map(|list| &list[..])
-            {
+            let lists = [Some('x'), Some('y'), Some('z'), None].map(along);
+            let z = match &lists[2][..] {
+                [z] if with_normal => Some(*z),
+                [_, _, ..] if with_normal => return Err(SEVERAL),
+                _ => None,
+            };
+            match lists.each_ref().map(|list| &list[..]) {
                 // Of several letters a may be one like the others.
                 [[], [], [], [one]] if names.len() == 2 || columns[*one].words != ["a"] => {
-                    [Some(*one), None]
+                    [Some(*one), None, None]
                 }
-                [[x], [], ..] => [Some(*x), None],
-                [[], [y], ..] => [None, Some(*y)],
-                [[x], [y], ..] => [Some(*x), Some(*y)],
+                [[x], [], ..] => [Some(*x), None, z],
+                [[], [y], ..] => [None, Some(*y), z],
+                [[x], [y], ..] => [Some(*x), Some(*y), z],
                 [[], [], ..] => {
                     return Err(
                         "no column says that it is an acceleration along x or y: by its name, as ax, acc_x, accel x, or by its unit, as m/s^2; else choose the columns",
                     );
                 }
-                _ => {
-                    return Err("several columns are the acceleration along the same axis: choose");
-                }
+                _ => return Err(SEVERAL),
             }
         }
-        (x, y) => [x.map(find).transpose()?, y.map(find).transpose()?],
+        (x, y) => [x.map(find).transpose()?, y.map(find).transpose()?, None],
     };
+    let z = if with_normal { asked.z } else { None };
+    let chosen = [chosen[0], chosen[1], z.map(find).transpose()?.or(chosen[2])];
     let why = "an acceleration has no unit of one: m/s^2, cm/s^2, ft/s^2, g or mg";
     let place = |i: Option<usize>| i.map(|i| sized(i, unit, Column::metres, why)).transpose();
-    let [x, y] = chosen.map(place);
+    let [x, y, z] = chosen.map(place);
     let unstated = time_unit.is_none()
         && columns
             .get(time.0)
@@ -270,10 +358,12 @@ fn places(heads: &[Vec<&str>], count: usize, asked: &Columns) -> Result<Places, 
     let large = if unstated { 1e11 } else { f64::INFINITY };
     Ok(Places {
         time,
-        axes: [x?, y?],
+        axes: [x?, y?, z?],
         large,
     })
 }
+
+const SEVERAL: &str = "several columns are the acceleration along the same axis: choose";
 
 /// What the head says of a column.
 struct Column {
@@ -411,7 +501,7 @@ fn axis(word: &str) -> Option<(char, &str)> {
 }
 
 /// A unit without what can be written in several ways.
-fn plain(unit: &str) -> String {
+pub(super) fn plain(unit: &str) -> String {
     let mut unit = unit.to_lowercase();
     unit.retain(|c| !c.is_whitespace() && !"^*.()[]{}·⋅".contains(c));
     for (long, short) in [
@@ -448,7 +538,7 @@ fn seconds(unit: &str) -> Option<f64> {
     })
 }
 
-fn of_acceleration(unit: &str) -> Option<f64> {
+pub(super) fn of_acceleration(unit: &str) -> Option<f64> {
     let (length, rest) = ["mm", "cm", "km", "ft", "in", "m"]
         .iter()
         .find_map(|length| Some((*length, unit.strip_prefix(length)?)))
@@ -471,7 +561,7 @@ fn of_acceleration(unit: &str) -> Option<f64> {
 }
 
 /// The standard acceleration of gravity, in m/s².
-const G: f64 = 9.806_65;
+pub(crate) const G: f64 = 9.806_65;
 
 #[cfg(test)]
 mod tests {
@@ -547,7 +637,8 @@ mod tests {
             // Cells that are empty, no number, too many or too few.
             ("t,ax,ay\n0,1,2\n1,,2\n", 3),
             ("# a\n\n0.5,1,2\n1.5,1,\n", 4),
-            ("t,ax\n0,1\n1,NaN\n", 3),
+            ("t,ax\n0,1\n1,NaN\n2,3\n", 3),
+            ("t,ax\n0,1\n1,2\n,\n2,NaN\n3,1", 4),
             ("NaN,NaN\n1,2\n", 1),
             ("0.5,inf\n", 1),
             ("0.5,1e51\n", 1),
@@ -558,7 +649,7 @@ mod tests {
             ("t,ax\n,\n0,1\n", 2),
             ("1\n", 1),
             ("1.5,2,3,4\n", 1),
-            ("t,ax\n2026-01-01 10:00:00,1\n", 2),
+            ("t,ax\n01/31/2026 10:00:00,1\n", 2),
             // Times.
             ("t,ax\n0,1\n0,2\n", 3),
             ("t,ax\n1,1\n\n0,2\n", 4),
@@ -726,8 +817,9 @@ mod tests {
         }
         for (file, at, what) in [
             ("time,ax\n1767767458048101000,1\n", 2, "unit"),
-            ("time,ax\n10:00:00.5,1\n", 2, "clock"),
-            ("t,ax\n0,1\n1,2\n2,NaN\n", 4, "number"),
+            ("time,ax\n10:00:00.5,1\n11.5,1\n", 3, "clock"),
+            ("t,ax\n0,1\n1,2\n2,NaN\n3,1\n", 4, "number"),
+            ("t,ax\n0,1\n1,2\n2,3\n3,1\n4,1\n13,1\n14,1\n", 7, "gap"),
             ("t,vx\r0,1\r1,2\r", 1, "acceleration"),
         ] {
             let Err(FitError::Line { line, why, .. }) = read(file) else {
@@ -736,6 +828,62 @@ mod tests {
             assert!(line == at && why.contains(what), "{file}: {line} {why}");
         }
         assert_eq!(read("t,ax\r0,1\r1,2\r").map(|rows| rows.len()), Ok(2));
+    }
+
+    /// Files as MATLAB Mobile, a logger of two sensors and phyphox write them.
+    #[test]
+    fn what_apps_write_is_read_with_the_normal() {
+        let of = |text: &str, columns: Columns| Recording::from_csv(text, &columns).unwrap();
+        let (x, y, z) = (Some("x"), Some("y"), Some("z"));
+        let matlab =
+            "Timestamp,X,Y,Z\n31-Jan-2026 23:59:59.990,1,2,9\n01-Feb-2026 00:00:00.000,3,4,8\n";
+        let columns = Columns {
+            x,
+            y,
+            z,
+            ..Columns::default()
+        };
+        let read = of(matlab, columns);
+        assert!((read.rows[1].0 - 0.01).abs() < 1e-9 && read.rows[1].1 == [3.0, 4.0]);
+        assert_eq!(read.normal, Some(vec![9.0, 8.0]));
+        assert!(Recording::from_csv(matlab, &Columns::default()).is_err());
+        // Lines of the other sensor between, a tail without values.
+        let merged = "t,accel_x,accel_y,accel_z,gyro_x\n0,1,2,9,\n0.1,,,,5\n0.2,3,4,8,\n0.3,NaN,NaN,NaN,NaN\n";
+        let right = vec![(0.0, [1.0, 2.0]), (0.2, [3.0, 4.0])];
+        for columns in [
+            Columns::default(),
+            Columns {
+                x: Some("accel_x"),
+                y: Some("3"),
+                z: Some("accel_z"),
+                ..Columns::default()
+            },
+        ] {
+            let read = of(merged, columns);
+            assert_eq!(
+                (read.rows, read.normal),
+                (right.clone(), Some(vec![9.0, 8.0]))
+            );
+        }
+        let gforce = of("time,gFx,gFy,gFz,TgF\n0,0,0.5,1,1.1\n", Columns::default());
+        assert_eq!(
+            (gforce.rows[0].1, gforce.normal),
+            ([0.0, 0.5 * G], Some(vec![G]))
+        );
+        assert_eq!(of("t,ax\n0,1\n", Columns::default()).normal, None);
+        let gap = "t,ax\n0,1\n1,2\n2,3\n3,1\n4,1\n13,1\n14,1\n";
+        assert_eq!(
+            of(
+                gap,
+                Columns {
+                    gaps: true,
+                    ..Columns::default()
+                }
+            )
+            .rows
+            .len(),
+            7
+        );
     }
 
     #[test]
@@ -806,10 +954,10 @@ mod tests {
 
     proptest::proptest! {
         #[test]
-        fn any_text_is_read_or_refused(text in "[taxyg_ ,;#\\t\\n\\r\"0-9.e()/²s:|-]{0,60}", name in "[a-z0-9 ]{0,3}") {
+        fn any_text_is_read_or_refused(text in "[taxyzgNT:_ ,;#\\t\\n\\r\"0-9.e()/²s:|-]{0,60}", name in "[a-z0-9 ]{0,3}") {
             let (name, unit) = (Some(&name[..]), Some("g"));
             for columns in [Columns::default(), Columns { time: name, ..Columns::default() }, Columns { y: name, unit, ..Columns::default() }] {
-                if let Ok(rows) = rows(&text, &columns) {
+                if let Ok(rows) = Recording::from_csv(&text, &columns).map(|read| read.rows) {
                     assert!(rows.windows(2).all(|pair| pair[0].0 < pair[1].0));
                 }
             }

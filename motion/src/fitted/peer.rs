@@ -1,0 +1,141 @@
+//! Records of earthquakes as PEER's data bases write them (`.AT2`): some lines of head, then values in g, several a line.
+
+use super::{
+    Columns, FitError, LARGEST,
+    csv::{of_acceleration, plain, refuse},
+};
+
+/// The lines among which the number and the step of the values are said.
+const HEAD: usize = 10;
+
+/// The rows along x, if these are lines of such a record.
+pub(super) fn rows<'a>(
+    lines: impl Iterator<Item = &'a str>,
+    asked: &Columns,
+) -> Option<Result<Vec<(f64, [f64; 2])>, FitError>> {
+    let mut lines = (1..).zip(lines);
+    let mut unit = None;
+    for (n, line) in lines.by_ref().take(HEAD) {
+        let line = line.to_uppercase();
+        if let Some((what, rest)) = line.split_once("UNITS OF") {
+            let word = rest.split_whitespace().next().unwrap_or("");
+            unit = of_acceleration(&plain(word)).filter(|_| what.contains("ACCEL"));
+        }
+        if line.contains("NPTS") && line.contains("DT") {
+            let unit = match asked.unit {
+                Some(unit) => of_acceleration(&plain(unit)),
+                None => unit,
+            };
+            return Some(values(n, &line, lines, unit, asked));
+        }
+    }
+    None
+}
+
+fn values<'a>(
+    head: usize,
+    said: &str,
+    lines: impl Iterator<Item = (usize, &'a str)>,
+    unit: Option<f64>,
+    asked: &Columns,
+) -> Result<Vec<(f64, [f64; 2])>, FitError> {
+    let numbers: Vec<f64> = said
+        .split(|c: char| c.is_whitespace() || matches!(c, ',' | '='))
+        .filter_map(|word| word.parse().ok())
+        .collect();
+    let whole = |n: f64| n >= 0.0 && n.fract() == 0.0;
+    let (count, step) = match numbers[..] {
+        [count, step] if whole(count) && step > 0.0 && step <= LARGEST => (count, step),
+        _ => return Err(refuse(head, said, "it has to say NPTS and DT, two numbers")),
+    };
+    let Some(unit) = unit else {
+        let why = "the head has to say that these are accelerations, and in which unit: else give the unit";
+        return Err(refuse(head, said, why));
+    };
+    if [asked.time, asked.x, asked.y, asked.z, asked.time_unit] != [None; 5] {
+        let why = "a record of PEER's has no columns to choose: all of it is along x";
+        return Err(refuse(head, said, why));
+    }
+    let mut rows = Vec::new();
+    for (n, line) in lines {
+        for word in line.split_whitespace() {
+            let value = word
+                .parse()
+                .ok()
+                .filter(|value: &f64| value.abs() <= LARGEST);
+            let value = value.ok_or_else(|| refuse(n, line, "not all of it is numbers"))?;
+            rows.push((step * rows.len() as f64, [unit * value, 0.0]));
+        }
+    }
+    if rows.len() as f64 != count {
+        let why = "NPTS is not how many numbers follow: the file has been cut or joined";
+        return Err(refuse(head, said, why));
+    }
+    Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Columns, FitError, Fitted, Recording};
+
+    const VALUES: &str = "  -.1000000E-01   .2000000E+00   .0000000E+00\n .5 -1.0E-1\n .25 1\n";
+
+    #[test]
+    fn both_heads_of_a_record_are_read() {
+        for said in [
+            "NPTS=  7, DT= .00500 SEC",
+            "NPTS=     7, DT=   .0050 SEC,",
+            "7    0.0050    NPTS, DT",
+        ] {
+            let head = "PEER NGA STRONG MOTION DATABASE RECORD\r\nIMPERIAL VALLEY 10/15/79 2319, EL CENTRO ARRAY 6, 230\r\n";
+            for (unit, g) in [
+                ("TIME SERIES IN UNITS OF G", 9.80665),
+                ("TIME HISTORY IN UNITS OF CM/S2", 0.01),
+            ] {
+                let file = format!("{head}ACCELERATION {unit}\r\n{said}\r\n{VALUES}");
+                let rows = Recording::from_csv(&file, &Columns::default())
+                    .unwrap()
+                    .rows;
+                let right = [-0.01, 0.2, 0.0, 0.5, -0.1, 0.25, 1.0];
+                for (k, (row, right)) in rows.iter().zip(right).enumerate() {
+                    assert_eq!(*row, (0.005 * k as f64, [g * right, 0.0]), "{said}");
+                }
+                assert_eq!(Fitted::from_csv(&file).unwrap().times(), [0.0, 0.03]);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_no_such_record_is_refused() {
+        for (unit, said, line) in [
+            (
+                "VELOCITY TIME SERIES IN UNITS OF CM/S",
+                "NPTS= 7, DT= .005 SEC",
+                2,
+            ),
+            ("ACCELERATION TIME SERIES", "NPTS= 7, DT= .005 SEC", 2),
+            (
+                "ACCELERATION TIME SERIES IN UNITS OF G",
+                "NPTS= 8, DT= .005 SEC",
+                2,
+            ),
+            (
+                "ACCELERATION TIME SERIES IN UNITS OF G",
+                "NPTS= 7, DT= 0 SEC",
+                2,
+            ),
+            ("ACCELERATION TIME SERIES IN UNITS OF G", "NPTS= 7 DT=", 2),
+            (
+                "ACCELERATION TIME SERIES IN UNITS OF G",
+                "NPTS= 7, DT= .005 SEC\n1 x",
+                3,
+            ),
+        ] {
+            let refused = Fitted::from_csv(&format!("{unit}\n{said}\n{VALUES}"));
+            assert!(
+                matches!(refused, Err(FitError::Line { line: at, .. }) if at == line),
+                "{unit} {said}: {refused:?}"
+            );
+        }
+    }
+}
