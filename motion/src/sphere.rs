@@ -349,21 +349,27 @@ impl BallMotion {
 
     /// By the components of the velocity from this one on.
     fn tracked(&self, first: usize) -> Result<Track<'_>, MotionError> {
-        let stretches = self.pieces.iter().map(|piece| {
-            let (own, parts) = match piece {
+        let parts = self.pieces.iter().map(|piece| {
+            let (own, series) = match piece {
                 Piece::Slide { step, .. } => (Some(step), &step.series[1..]),
                 Piece::Series { series, .. } => (None, &series[..]),
             };
-            let pair = |first: usize| [&parts[first], &parts[first + 1]];
-            match own {
+            let pair = |first: usize| [&series[first], &series[first + 1]];
+            let part = match own {
                 Some(step) => Part::clocked(&step.series[0], step.h, pair(first), pair(0)),
                 None => {
                     let lasts = piece.to() - piece.from();
                     Part::timed(piece.from(), lasts, pair(first), pair(0))
                 }
+            };
+            // The lowest point comes to rest, and never passes through it.
+            if first == 2 {
+                part.cornered()
+            } else {
+                Ok(part)
             }
         });
-        Track::new([self.start.t, self.end.t], self.start.x, stretches)
+        Track::new([self.start.t, self.end.t], self.start.x, parts)
     }
 
     fn within(&self, t: f64) -> Result<(), MotionError> {

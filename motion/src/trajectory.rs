@@ -305,7 +305,7 @@ impl Motion {
     /// # Errors
     /// [`MotionError::Numerics`] where the speed has no integral.
     pub fn track(&self) -> Result<Track<'_>, MotionError> {
-        let stretches = self.pieces.iter().filter_map(|piece| match piece {
+        let parts = self.pieces.iter().filter_map(|piece| match piece {
             Piece::Slide(step) => {
                 let [u, v, t, x, y] = &step.series;
                 Some(Part::clocked(t, step.h, [u, v], [x, y]))
@@ -316,7 +316,7 @@ impl Motion {
             }
             Piece::Rest { .. } => None,
         });
-        Track::new([self.start.t, self.end.t], self.start.x, stretches)
+        Track::new([self.start.t, self.end.t], self.start.x, parts.map(Ok))
     }
 
     /// The states at the ends of the integrator's steps, in order: natural points of a figure.

@@ -288,11 +288,10 @@ pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
             json(&whole)?;
         }
         (Format::Csv, Some(table)) => {
-            let heads = answer
-                .numbers
+            let heads: Vec<_> = heads(&answer.numbers)
                 .iter()
-                .map(|number| ascii(&head(number.name, number.unit)));
-            let heads: Vec<_> = heads.collect();
+                .map(|head| ascii(head))
+                .collect();
             let heads: Vec<_> = heads.iter().map(String::as_str).collect();
             csv(
                 &heads,
@@ -321,7 +320,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
         }
         (Format::Text, table) => show(
             &(text(&answer, paper.as_ref())
-                + &table.map_or(String::new(), |table| rows(&table))
+                + &table.map_or(String::new(), |table| rows(&table, &answer))
                 + &drawn),
         )?,
     }
@@ -368,8 +367,10 @@ fn text(answer: &Answer, paper: Option<&Opinion>) -> String {
     if let Some(digits) = digits.min() {
         text += &format!("\ndigits  {digits}\n");
     }
+    let time = answer.numbers[0].unit;
     let order = answer.events.iter().take(SHOWN);
-    let order = order.map(|event| format!("{} from {} s", doing(event.doing), short(event.t.0)));
+    let order =
+        order.map(|event| format!("{} from {} {time}", doing(event.doing), short(event.t.0)));
     let order = order.collect::<Vec<_>>().join(", ");
     let more = answer.events.len().saturating_sub(SHOWN);
     let more = if more > 0 {
@@ -403,30 +404,32 @@ fn short(x: f64) -> String {
     plain(format!("{x:.5e}").parse().unwrap_or(x))
 }
 
-fn rows(table: &[Moment]) -> String {
+fn rows(table: &[Moment], answer: &Answer) -> String {
     let cells = |moment: &Moment| {
-        moment
-            .numbers()
-            .iter()
-            .map(|number| short(number.value))
-            .chain([String::new()])
-            .collect()
+        let numbers = moment.numbers().into_iter();
+        let cells = numbers.map(|number| short(number.value));
+        cells.chain([String::new()]).collect()
     };
     let rows: Vec<Vec<_>> = table.iter().map(cells).collect();
-    let numbers = table.first().map(Moment::numbers).unwrap_or_default();
-    let heads: Vec<_> = numbers
-        .iter()
-        .map(|number| head(number.name, number.unit))
-        .chain([String::new()])
-        .collect();
+    let mut heads = heads(&answer.numbers);
+    heads.push(String::new());
     let heads: Vec<_> = heads.iter().map(String::as_str).collect();
     format!("\n{}", aligned(&heads, 1, &rows, screen().width))
+}
+
+/// The heads of columns.
+fn heads(numbers: &[Number]) -> Vec<String> {
+    let numbers = numbers.iter();
+    numbers
+        .map(|number| head(number.name, number.unit))
+        .collect()
 }
 
 /// The path in space or, along a line, in time.
 fn path(answer: &Answer) -> Result<Curve, Failure> {
     let [from, to] = [answer.moved.start()?.t.0, answer.moved.end()?.t.0];
     let moments = answer.moved.every(Second((to - from) / 400.0))?;
+    let units: Vec<_> = answer.numbers.iter().map(|number| number.unit).collect();
     let straight = moments
         .iter()
         .all(|moment| moment.place[1] == moments[0].place[1]);
@@ -441,7 +444,7 @@ fn path(answer: &Answer) -> Result<Curve, Failure> {
         title: "The path on the floor",
         x: if straight { "t" } else { "x" },
         y: if straight { "x" } else { "y" },
-        units: [if straight { "s" } else { "m" }, "m"],
+        units: [units[if straight { 0 } else { 1 }], units[1]],
         equal: !straight,
         points: moments.iter().map(point).collect(),
     })
@@ -507,7 +510,7 @@ fn varied(words: &Words, vary: &str, format: Format) -> Result<u8, Failure> {
         cells
     };
     let rows: Vec<_> = values.iter().zip(&answers).map(row).collect();
-    let names = heads.iter().map(|number| head(number.name, number.unit));
+    let names = self::heads(&heads).into_iter();
     let names: Vec<_> = [word.to_owned()]
         .into_iter()
         .chain(names)

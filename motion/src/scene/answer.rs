@@ -78,6 +78,7 @@ impl Scene {
         };
         let sizes: Vec<_> = numbers.iter().map(|number| size(number.unit)).collect();
         let [velocity, place] = moved.by_drive(&end);
+        let units = self.units;
         for (k, number) in numbers.iter_mut().enumerate() {
             let moved = other
                 .get(k)
@@ -88,6 +89,7 @@ impl Scene {
                 _ if place > 0.0 => f64::NAN,
                 _ => 0.0,
             };
+            number.unit = units.name(number.unit);
             number.error = 2.0 * moved + KNOWN * sizes[k] + driven;
         }
         Ok(Answer {

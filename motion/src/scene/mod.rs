@@ -110,6 +110,38 @@ pub enum Until {
     Beyond(Metre),
 }
 
+/// In which units a scene is given and answered; a number with a unit is in SI.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Units {
+    /// m, s and their like.
+    Si,
+    /// μg and a time of one's own.
+    Time,
+    /// μg and the turning Ω of a table.
+    Turning,
+    /// μg and the radius R of a ball.
+    Radius,
+}
+
+impl Units {
+    /// The name of what is called so in SI.
+    fn name(self, si: &'static str) -> &'static str {
+        let [length, time, speed, turning, heat] = match self {
+            Self::Si => return si,
+            Self::Time => ["μg T²", "T", "μg T", "1/T", "(μg T)²"],
+            Self::Turning => ["μg/Ω²", "1/Ω", "μg/Ω", "Ω", "(μg/Ω)²"],
+            Self::Radius => ["R", "√(R/(μg))", "√(μgR)", "√(μg/R)", "μgR"],
+        };
+        match si {
+            "m" => length,
+            "s" => time,
+            "m/s" => speed,
+            "rad/s" => turning,
+            _ => heat,
+        }
+    }
+}
+
 /// A body, a floor, what moves it, and a start.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Scene {
@@ -131,6 +163,8 @@ pub struct Scene {
     pub turning: Option<RadianPerSecond>,
     /// How the body starts.
     pub start: Start,
+    /// The names of the units in which all is given and answered.
+    pub units: Units,
     /// How long the shortest pulse of a pull that is an expression lasts; if nothing is said, a five-thousandth of the time.
     pub width: Option<Second>,
     /// The longest time for which an end is looked for.
@@ -150,6 +184,7 @@ impl Scene {
             frame: Vec::new(),
             turning: None,
             start: Start::REST,
+            units: Units::Si,
             width: None,
             within: Second(3600.0),
         }
@@ -232,7 +267,9 @@ pub enum SceneError {
     #[error("{0}")]
     Together(&'static str),
     /// The end that is asked for does not come.
-    #[error("{what} does not come within {within}")]
+    #[error(
+        "{what} does not come within {within}: another end, or a longer time to look for it, may"
+    )]
     Never {
         /// The end.
         what: &'static str,

@@ -394,6 +394,10 @@ impl Moved {
 
     /// When the end that is asked for has come, if it has.
     fn reached(&self, until: Until, made: &Made) -> Result<Option<f64>, SceneError> {
+        // What never moves has stopped as it starts.
+        if until == Until::Stop && made.at_rest(self)? == Some(self.from) {
+            return Ok(Some(self.from));
+        }
         Ok(match (until, &self.followed) {
             (Until::Stop, Followed::Block(motion) | Followed::Line(_, motion)) => {
                 motion.first_stop()

@@ -2,7 +2,7 @@
 
 use super::{
     Body, Metre, MetrePerSecond, MetrePerSecond2, Part, Radian, RadianPerSecond, Scene, SceneError,
-    Start, Until, check, directed, unit_vector,
+    Start, Units, Until, apart, check, directed, unit_vector,
 };
 use crate::{Columns, Fitted, numerics::expression::expression};
 use std::str::FromStr;
@@ -45,6 +45,7 @@ words! {
     "throw-in-room" "SPEED[@DIRECTION]" "The same relative to the room, on a belt or a table";
     "set-down" "" "It is at rest in the room when it comes down on a belt or a table";
     "spin" "X,Y,Z" "The angular velocity of a ball; z points up";
+    "units" "mu g, mu g Omega or mu g R" "Plain numbers are in units in which μg is 1 and a time, the table's turning or the ball's radius is, and so is what is answered";
     "width" "DURATION" "The shortest pulse of a pull that is an expression [default: a 5000th of the time]";
     "within" "DURATION" "The longest time for which an end is looked for [default: 3600s]";
     "until" "stop, rolling, rest, TIME, LENGTH or beyond=LENGTH" "The end: the first stop, rolling, the rest that nothing ends any more, a time, a length of the path, a distance from the start or the table's axis [default: stop, or rolling]";
@@ -74,6 +75,21 @@ fn vector<T: FromStr<Err = SceneError>>(
 
 fn velocity(text: &str) -> Result<[MetrePerSecond; 2], SceneError> {
     vector(text, |v: MetrePerSecond| v.0, MetrePerSecond)
+}
+
+impl FromStr for Units {
+    type Err = SceneError;
+
+    fn from_str(text: &str) -> Result<Self, SceneError> {
+        Ok(match text {
+            "mu g" => Self::Time,
+            "mu g Omega" => Self::Turning,
+            "mu g R" => Self::Radius,
+            _ => {
+                return Err(SceneError::Together("units are mu g, mu g Omega or mu g R"));
+            }
+        })
+    }
 }
 
 impl FromStr for Until {
@@ -113,16 +129,21 @@ impl Scene {
         words: impl IntoIterator<Item = (&'a str, &'a str)>,
         open: impl Fn(&str) -> Result<String, SceneError>,
     ) -> Result<(Self, Until), SceneError> {
-        let mut scene = Self::block(f64::NAN);
+        let mut scene = Self::block(0.0);
+        let (mut mu, mut g) = (None, false);
         let (mut radius, mut kappa, mut until) = (None, None, Until::Stop);
         let (mut record, mut columns, mut towards) = (None, Columns::default(), Radian(0.0));
         let (mut belt, mut thrown, mut mu_s) = ([MetrePerSecond(0.0); 2], None, None);
+        let mut sized = Vec::new();
         for (name, text) in words {
+            if !["units", "columns", "record"].contains(&name) {
+                sized.push(text);
+            }
             match name {
-                "mu" => scene.mu = number("a coefficient of friction", text)?,
+                "mu" => mu = Some(number("a coefficient of friction", text)?),
                 "mu-s" => mu_s = Some(number("a coefficient of friction", text)?),
                 "mu-back" => scene.back = Some(number("a coefficient of friction", text)?),
-                "g" => scene.g = text.parse::<MetrePerSecond2>()?,
+                "g" => (scene.g, g) = (text.parse()?, true),
                 "radius" => radius = Some(text.parse::<Metre>()?),
                 "kappa" => kappa = Some(number("κ", text)?),
                 "tilt" => {
@@ -157,20 +178,41 @@ impl Scene {
                     scene.start.spin = three
                         .map_err(|_| SceneError::Together("spin has three components: X,Y,Z"))?;
                 }
+                "units" => scene.units = text.parse()?,
                 "width" => scene.width = Some(text.parse()?),
                 "within" => scene.within = text.parse()?,
                 "until" => until = text.parse()?,
                 _ => return Err(SceneError::Word(name.to_owned())),
             }
         }
-        check("mu", scene.mu, scene.mu >= 0.0, "given, and not negative")?;
-        scene.holding = mu_s.unwrap_or(scene.mu);
-        check(
-            "mu-s",
-            scene.holding,
-            scene.holding >= scene.mu,
-            "at least mu",
-        )?;
+        if scene.units != Units::Si {
+            if mu.is_some() || g {
+                return Err(SceneError::Together(
+                    "where μg is the unit, mu and g are not given",
+                ));
+            }
+            if let Some(text) = sized.iter().find(|text| has_unit(text)) {
+                return Err(SceneError::Quantity {
+                    what: "a plain number",
+                    text: (*text).to_owned(),
+                    si: "units of μg",
+                    why: "what is in SI is asked for without --units".to_owned(),
+                });
+            }
+            (mu, scene.g) = (Some(1.0), MetrePerSecond2(1.0));
+            if scene.units == Units::Turning {
+                scene.turning = scene.turning.or(Some(RadianPerSecond(1.0)));
+            }
+            if scene.units == Units::Radius {
+                radius = radius.or(Some(Metre(1.0)));
+            }
+        }
+        scene.mu = mu.ok_or(SceneError::Together(
+            "mu, the coefficient of friction, is missing",
+        ))?;
+        scene.holding = mu_s.unwrap_or(0.0);
+        let fit = mu_s.is_none_or(|mu_s| mu_s >= scene.mu);
+        check("mu-s", scene.holding, fit, "at least mu")?;
         scene.body = match (body, radius) {
             ("block", None) if kappa.is_none() => Body::Block,
             ("block", _) => return Err(SceneError::Together("radius and kappa are of a ball")),
@@ -197,6 +239,17 @@ impl Scene {
         }
         Ok((scene, until))
     }
+}
+
+/// Whether a number of the text has a unit; angles may.
+fn has_unit(text: &str) -> bool {
+    let parts = text.split([',', ':', '@', '=']);
+    let units = parts
+        .map(|part| apart(part))
+        .filter(|(number, _)| !number.trim().is_empty());
+    units
+        .into_iter()
+        .any(|(_, unit)| !matches!(unit.trim(), "" | "rad"))
 }
 
 /// The columns of a recording that are named.

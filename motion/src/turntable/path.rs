@@ -176,7 +176,11 @@ impl Path {
             }
         }
         let start = self.at(self.start)?.x;
-        Track::new([self.start, self.end], start, parts.into_iter())
+        // Without friction it may pass through rest.
+        let free = self.table.friction() == 0.0;
+        let parts = parts.into_iter();
+        let parts = parts.map(|part| if free { part.cornered() } else { Ok(part) });
+        Track::new([self.start, self.end], start, parts)
     }
 
     /// State at time `t` relative to the table.
