@@ -18,7 +18,6 @@
     not(feature = "trials"),
     doc = "",
     doc = "[`dop853`]: crate#features",
-    doc = "[`quadrature`]: crate#features",
     doc = "[`mod@eigenvalues`]: crate#features",
     doc = "[`fit`]: crate#features"
 )]
@@ -34,7 +33,6 @@ pub mod expression;
 pub mod fit;
 pub mod lanes;
 pub mod number;
-#[cfg(feature = "trials")]
 pub mod quadrature;
 pub mod roots;
 pub mod series;

@@ -5,7 +5,7 @@
 //! near 0 the numbers are dense, near 1 they are not. So put the end at 0.
 
 use super::error::{NumericsError, finite};
-#[cfg(not(target_family = "wasm"))]
+#[cfg(all(feature = "trials", not(target_family = "wasm")))]
 use quad_rs::{Integrable, IntegratorConfig, integrate_real};
 
 /// An integral and an estimate of its error.
@@ -18,10 +18,10 @@ pub struct Integral {
 }
 
 /// An integrand in the form that the library wants; the library is compiled once for all of them.
-#[cfg(not(target_family = "wasm"))]
+#[cfg(all(feature = "trials", not(target_family = "wasm")))]
 struct Integrand<'f>(&'f dyn Fn(f64) -> f64);
 
-#[cfg(not(target_family = "wasm"))]
+#[cfg(all(feature = "trials", not(target_family = "wasm")))]
 impl Integrable for Integrand<'_> {
     type Float = f64;
     type Input = f64;
@@ -88,7 +88,7 @@ pub fn sum(f: impl Fn(f64) -> f64, low: f64, high: f64, absolute: f64) -> f64 {
 }
 
 /// By the library.
-#[cfg(not(target_family = "wasm"))]
+#[cfg(all(feature = "trials", not(target_family = "wasm")))]
 fn adaptive(
     f: &dyn Fn(f64) -> f64,
     low: f64,
@@ -112,8 +112,8 @@ fn adaptive(
     })
 }
 
-/// In a page of the book, where the library asks for a clock that is not there: by halves of halves.
-#[cfg(target_family = "wasm")]
+/// Without the library, which in a page of the book asks for a clock that is not there: by halves of halves.
+#[cfg(not(all(feature = "trials", not(target_family = "wasm"))))]
 fn adaptive(
     f: &dyn Fn(f64) -> f64,
     low: f64,
