@@ -33,7 +33,8 @@
 //! first moments come from a power series in t about the start.
 //!
 //! A [`spring`] may hold the block too: one more force in the same law. What is known of A(t) by its values alone,
-//! from a function or a table, becomes pieces of polynomials with a stated error ([`fitted`]).
+//! from a function or a table, becomes pieces of polynomials with a stated error ([`fitted`]). What a sensor on the body
+//! has recorded says how large the friction is ([`measure`](mod@measure)).
 //!
 //! No solution in closed form is used here, not even as a first guess.
 //!
@@ -64,6 +65,7 @@ pub mod exam;
 pub mod explorers;
 pub mod fitted;
 pub mod launch;
+pub mod measure;
 pub mod numerics;
 pub mod onset;
 pub mod particle;
@@ -81,6 +83,7 @@ pub use acceleration::{Acceleration, Coefficients, Plane, Series};
 pub use error::MotionError;
 pub use fitted::{Columns, FitError, Fitted, Recording};
 pub use launch::Launch;
+pub use measure::measure;
 pub use particle::{Friction, Line, run, run_to_stop};
 pub use signal::Signal;
 pub use track::Track;

@@ -262,7 +262,7 @@ mod tests {
         // From 1 it is never farther than 4 on the way there, and on the way back not before the end.
         assert_eq!(beyond(1.0, 4.1), None);
         near(beyond(-4.0, 4.5).unwrap(), 2.0 + 14.0_f64.sqrt());
-        assert_eq!(beyond(5.0, 4.9), Some(0.0));
+        assert_eq!((beyond(5.0, 4.9), beyond(0.0, 0.0)), (Some(0.0), Some(0.0)));
         assert!(track.when(-1.0).is_err() && track.when(f64::NAN).is_err());
         assert!(track.at(6.1).is_err() && track.first_beyond([0.0; 2], f64::NAN).is_err());
     }

@@ -3,6 +3,7 @@
 mod axis;
 mod ensemble;
 mod exam;
+mod measure;
 mod pieces;
 mod plot;
 mod question;
@@ -14,7 +15,11 @@ use clap::{Args, FromArgMatches};
 use trialbook::publishing::Command;
 
 /// All of them.
-pub const ALL: [Command; 4] = [
+pub const ALL: [Command; 5] = [
+    Command {
+        command: measure::command,
+        run: measure::run,
+    },
     Command {
         command: scene::command,
         run: scene::run,

@@ -1,9 +1,10 @@
 //! `scene`: what becomes of a body on a floor that moves, in everybody's words and units.
 
 use super::{plot, sweep::aligned};
-use crate::numerics::{error::plain, roots::root};
+use crate::numerics::error::plain;
 use crate::scene::{
-    Answer, Doing, Moment, Number, Opinion, Scene, SceneError, Second, Until, WORDS, second,
+    Answer, Doing, Found, Moment, Number, Opinion, STEPS, Scene, SceneError, Second, Until, WORDS,
+    find, second,
 };
 use crate::solve::{Curve, head};
 use clap::{Arg, ArgAction, ArgMatches, Command};
@@ -533,62 +534,20 @@ fn varied(words: &Words, vary: &str, format: Format) -> Result<u8, Failure> {
     Ok(0)
 }
 
-/// In how many steps the values of a word are looked through.
-const STEPS: u32 = 400;
-
 /// The values of a word at which a number of the answer is what it is to be.
-fn found(words: &Words, find: &str, target: &str, format: Format) -> Result<u8, Failure> {
-    let (word, range) = chosen(find)?;
+fn found(words: &Words, sought: &str, target: &str, format: Format) -> Result<u8, Failure> {
+    let (word, range) = chosen(sought)?;
     let (name, wanted) = crate::scene::target(target)?;
     let (numbers, unit) = bare(range);
     let (low, high) = numbers
         .split_once(':')
         .ok_or("--find: WORD=LOW:HIGH is wanted")?;
-    let [low, high] = [low.parse::<f64>()?, high.parse::<f64>()?];
-    if !(low < high && low.is_finite() && high.is_finite()) {
-        return Err("--find: LOW must be less than HIGH".into());
-    }
-    let at = |x: f64| -> Result<f64, SceneError> {
+    let range = [low.parse::<f64>()?, high.parse::<f64>()?];
+    let at = |x: f64| {
         let (scene, until) = words.with(word, &(plain(x) + &unit)).scene()?;
-        let end = scene.run(until)?.end()?;
-        let number = end.numbers().into_iter().find(|number| number.name == name);
-        Ok(number.map_or(f64::NAN, |number| number.value - wanted))
+        scene.number(until, name)
     };
-    // Equal ratios, where there are some.
-    let point = |k: u32| {
-        let share = f64::from(k) / f64::from(STEPS);
-        if low > 0.0 {
-            low * libm::pow(high / low, share)
-        } else {
-            low + share * (high - low)
-        }
-    };
-    let tried: Vec<_> = (0..=STEPS).map(|k| (point(k), at(point(k)))).collect();
-    if let Some((_, Err(error))) = tried.iter().find(|(_, value)| value.is_err())
-        && tried.iter().all(|(_, value)| value.is_err())
-    {
-        return Err(error.clone().into());
-    }
-    let (mut solutions, mut jumps) = (Vec::new(), Vec::new());
-    for pair in tried.windows(2) {
-        let [(a, Ok(fa)), (b, Ok(fb))] = pair else {
-            continue;
-        };
-        if *fa == 0.0 {
-            solutions.push(*a);
-        } else if *fb != 0.0 && (*fa > 0.0) != (*fb > 0.0) {
-            let x = root(|x| at(x).unwrap_or(f64::NAN), *a, *b)?;
-            let off = at(x)?.abs();
-            if off <= 1e-9 * wanted.abs().max(fa.abs().min(fb.abs())) {
-                solutions.push(x)
-            } else {
-                jumps.push(x)
-            }
-        }
-    }
-    if let Some((x, Ok(0.0))) = tried.last() {
-        solutions.push(*x);
-    }
+    let Found { solutions, jumps } = find(at, range, wanted)?;
     let note = format!(
         "looked at {STEPS} steps: two values closer together than one, or a value that is only touched, may be missed"
     );
@@ -608,7 +567,11 @@ fn found(words: &Words, find: &str, target: &str, format: Format) -> Result<u8, 
         )?,
         Format::Text => {
             let mut text = match &solutions[..] {
-                [] => format!("none from {} to {}\n", list(&[low])[0], list(&[high])[0]),
+                [] => format!(
+                    "none from {} to {}\n",
+                    list(&range[..1])[0],
+                    list(&range[1..])[0]
+                ),
                 _ => format!("{word} = {}\n", list(&solutions).join(", ")),
             };
             if !jumps.is_empty() {

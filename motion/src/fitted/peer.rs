@@ -5,6 +5,9 @@ use super::{
     csv::{of_acceleration, plain, refuse},
 };
 
+/// Times with A_x and A_y.
+type Rows = Vec<(f64, [f64; 2])>;
+
 /// The lines among which the number and the step of the values are said.
 const HEAD: usize = 10;
 
@@ -12,7 +15,7 @@ const HEAD: usize = 10;
 pub(super) fn rows<'a>(
     lines: impl Iterator<Item = &'a str>,
     asked: &Columns,
-) -> Option<Result<Vec<(f64, [f64; 2])>, FitError>> {
+) -> Option<Result<Rows, FitError>> {
     let mut lines = (1..).zip(lines);
     let mut unit = None;
     for (n, line) in lines.by_ref().take(HEAD) {
@@ -38,7 +41,7 @@ fn values<'a>(
     lines: impl Iterator<Item = (usize, &'a str)>,
     unit: Option<f64>,
     asked: &Columns,
-) -> Result<Vec<(f64, [f64; 2])>, FitError> {
+) -> Result<Rows, FitError> {
     let numbers: Vec<f64> = said
         .split(|c: char| c.is_whitespace() || matches!(c, ',' | '='))
         .filter_map(|word| word.parse().ok())

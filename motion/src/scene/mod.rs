@@ -31,6 +31,7 @@
 //! ```
 
 mod answer;
+mod find;
 mod frame;
 mod moved;
 mod quantity;
@@ -40,13 +41,14 @@ mod words;
 mod tests;
 
 pub use answer::{Answer, Number, target};
+pub use find::{Found, STEPS, find};
 pub use frame::Part;
 pub use moved::{Doing, Event, Moment, Moved};
 pub use quantity::{
     JoulePerKilogram, Metre, MetrePerSecond, MetrePerSecond2, Radian, RadianPerSecond, Second,
     apart,
 };
-pub use words::{WORDS, Word};
+pub use words::{WORDS, Word, columns};
 
 use crate::{FitError, MotionError};
 
@@ -241,14 +243,12 @@ impl Scene {
 #[non_exhaustive]
 pub enum SceneError {
     /// A text is no quantity of the kind that is asked for.
-    #[error("`{text}` is not {what}, in {si} or with a unit: {why}")]
+    #[error("`{text}` is not {what}: {why}")]
     Quantity {
         /// What it is to be.
         what: &'static str,
         /// What is written.
         text: String,
-        /// The unit of a plain number.
-        si: &'static str,
         /// What is wrong.
         why: String,
     },

@@ -79,8 +79,7 @@ pub(super) fn read<'a, T>(
     let wrong = |why: String| SceneError::Quantity {
         what,
         text: text.to_owned(),
-        si,
-        why,
+        why: format!("{why}; a plain number is in {si}"),
     };
     let plainly = match value(text) {
         Ok(value) => return Ok((text, value, 1.0)),

@@ -36,7 +36,7 @@ words! {
     "pull" "SIZE[:DURATION],…[@DIRECTION]" "A pull on each kilogram of the body, piece after piece; a size may be an expression of t in s: 4*sin(10*pi*t)m/s^2";
     "accelerate" "SIZE[:DURATION],…[@DIRECTION]" "The floor accelerates so, which pulls the body the other way";
     "record" "FILE" "The floor accelerates as in this recording, a text of columns";
-    "columns" "NAME=COLUMN,…" "Columns of the recording, by their heads or numbers from 1: time, x, y; unit and time-unit are their units";
+    "columns" "NAME=COLUMN,…" "Columns of the recording, by their heads or numbers from 1: time, x, y; unit and time-unit are their units; gaps=bridge goes on over gaps";
     "towards" "DIRECTION" "Where the recording's x points [default: 0]";
     "turn" "ANGULAR VELOCITY" "The floor is a table that turns counterclockwise about the origin, clockwise if negative";
     "belt" "SPEED[@DIRECTION]" "The floor moves so through the room, as a belt does";
@@ -57,7 +57,6 @@ fn number(name: &'static str, text: &str) -> Result<f64, SceneError> {
     number.map_err(|error| SceneError::Quantity {
         what: name,
         text: text.to_owned(),
-        si: "a number without a unit",
         why: error.to_string(),
     })
 }
@@ -109,8 +108,7 @@ impl FromStr for Until {
                     return Err(SceneError::Quantity {
                         what: "an end",
                         text: text.to_owned(),
-                        si: "stop, rolling, rest",
-                        why: "else a time or a length has to have its unit, as in 2s, 1.81m or beyond=30cm"
+                        why: "stop, rolling, rest, or a time or a length with its unit, as in 2s, 1.81m or beyond=30cm"
                             .to_owned(),
                     });
                 }
@@ -153,7 +151,7 @@ impl Scene {
                 "pull" => scene.frame.push(Part::pull(text)?),
                 "accelerate" => scene.frame.push(Part::accelerate(text)?),
                 "record" => record = Some(open(text)?),
-                "columns" => columns = chosen(text)?,
+                "columns" => columns = self::columns(text)?,
                 "towards" => towards = text.parse()?,
                 "turn" => scene.turning = Some(text.parse::<RadianPerSecond>()?),
                 "belt" => belt = velocity(text)?,
@@ -195,7 +193,6 @@ impl Scene {
                 return Err(SceneError::Quantity {
                     what: "a plain number",
                     text: (*text).to_owned(),
-                    si: "units of μg",
                     why: "what is in SI is asked for without --units".to_owned(),
                 });
             }
@@ -252,8 +249,11 @@ fn has_unit(text: &str) -> bool {
         .any(|(_, unit)| !matches!(unit.trim(), "" | "rad"))
 }
 
-/// The columns of a recording that are named.
-fn chosen(text: &str) -> Result<Columns<'_>, SceneError> {
+/// The columns of a recording that are named, as in `time=t,x=accel_x,unit=g`; `gaps=bridge` goes on over gaps.
+///
+/// # Errors
+/// [`SceneError::Together`] for a choice that is none.
+pub fn columns(text: &str) -> Result<Columns<'_>, SceneError> {
     let mut columns = Columns::default();
     for choice in text.split(',') {
         let column = choice
@@ -263,6 +263,8 @@ fn chosen(text: &str) -> Result<Columns<'_>, SceneError> {
             Some(("time", column)) => columns.time = column,
             Some(("x", column)) => columns.x = column,
             Some(("y", column)) => columns.y = column,
+            Some(("z", column)) => columns.z = column,
+            Some(("gaps", Some("bridge"))) => columns.gaps = true,
             Some(("unit", unit)) => columns.unit = unit,
             Some(("time-unit", unit)) => columns.time_unit = unit,
             _ => {

@@ -112,7 +112,7 @@ fn adaptive(
     })
 }
 
-/// Without the library, which in a page of the book asks for a clock that is not there: by halves of halves.
+/// Without the library, or in a page of the book, where it asks for a clock that is not there: by halves of halves.
 #[cfg(not(all(feature = "trials", not(target_family = "wasm"))))]
 fn adaptive(
     f: &dyn Fn(f64) -> f64,

@@ -1,0 +1,233 @@
+//! Friction from a recording: how much an accelerometer on a sliding body says of μ_k and μ_s.
+//!
+//! An accelerometer that lies on the sliding body, or is it, as a phone does, feels the force of contact per mass, however the floor is
+//! shaken or tilted: along the floor friction f/m, across it N/m. Where Coulomb's law holds, a slip is a plateau, |f| = μ_k N, that
+//! ends with a jump or a kink, and |f| ≤ μ_s N is all that is known of the rest. [`measure`] looks for such plateaus.
+//!
+//! A sensor on the *floor* records how that moves, which says nothing of friction; as long as nothing slips, one on the body
+//! records the same. Nor can a recording tell a plateau of slip from a floor that for a while accelerates evenly: it is taken for
+//! granted that the body slid. While a hand pushes the body, or a stop catches it, more than friction acts.
+
+mod holding;
+mod kinetic;
+mod pieces;
+mod sensor;
+
+#[cfg(test)]
+mod tests;
+
+use crate::fitted::{G, Recording};
+use pieces::Piece;
+use sensor::Sensor;
+
+/// What is known of body and sensor.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Settings {
+    /// Acceleration of gravity, in m/s², from 0.001 to 1000.
+    pub g: f64,
+    /// Times, in s, between which the body lay at rest on level floor: they show the zeros of the sensor. Where none are given,
+    /// quiet stretches with less than g/20 along the floor count as such.
+    pub rest: Option<[f64; 2]>,
+    /// How far the zeros may be off if there is no rest: their standard deviation, in m/s², from 0.001 to 1000.
+    pub offset: f64,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            g: G,
+            rest: None,
+            offset: 0.05,
+        }
+    }
+}
+
+/// Between which numbers one lies, with a probability of 95 %.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Interval {
+    /// The lower end,
+    pub from: f64,
+    /// and the upper.
+    pub to: f64,
+}
+
+/// What the body does between two times.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Stretch {
+    /// Its first time, in s,
+    pub from: f64,
+    /// and its last.
+    pub to: f64,
+    /// What the body does.
+    pub kind: Kind,
+}
+
+/// What a body can do.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// It sticks, as far as one can see.
+    Stick,
+    /// It slides, by friction alone.
+    Slip,
+    /// More acts on it than friction can: a hand, or a stop.
+    Pushed,
+}
+
+/// Whether Coulomb's law fits the slips.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Verdict {
+    /// Nothing speaks against it.
+    Fits,
+    /// Slips have different coefficients: either there are two floors or loads, or friction depends on speed or time, or some of them are none.
+    Levels(Interval),
+    /// The coefficient changes during a slip, by this part from its beginning to its end.
+    Drifts(f64),
+    /// The coefficient is greater in the middle of a slip than towards its ends, by this part; less if it is negative.
+    Bulges(f64),
+    /// There is no slip that could tell.
+    Untold,
+}
+
+/// Why a coefficient is not found.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum Unfound {
+    /// Nothing in the recording is a slip.
+    #[error(
+        "no plateau of friction that begins and ends sharply: the body did not slip, or only for some rows, or not by Coulomb's law, or the sensor lies on the floor"
+    )]
+    NoSlip,
+    /// No slip begins from rest without a push.
+    #[error("it never broke loose by itself; it held up to {held:.3}")]
+    NeverLoose {
+        /// The largest coefficient at which it stuck.
+        held: f64,
+    },
+}
+
+/// What a recording says.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measured {
+    /// μ_k.
+    pub kinetic: Result<Interval, Unfound>,
+    /// μ_s.
+    pub holding: Result<Interval, Unfound>,
+    /// What the body does, one after the other.
+    pub stretches: Vec<Stretch>,
+    /// Whether Coulomb's law fits.
+    pub verdict: Verdict,
+    /// Standard deviation of the sensor's noise, along one axis, where it is least, in m/s².
+    pub noise: f64,
+    /// Whether a rest has shown the zeros of the sensor.
+    pub zeroed: bool,
+    /// Whether N/m is measured; else it is taken to be g, as on level floor.
+    pub normal: bool,
+}
+
+/// Why nothing can be measured.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum MeasureError {
+    /// Too few rows.
+    #[error("a recording needs at least {least} rows, this one has {rows}")]
+    Rows {
+        /// How many are needed.
+        least: usize,
+        /// How many there are.
+        rows: usize,
+    },
+    /// A time that does not rise, or a value that is no number.
+    #[error(
+        "times have to rise, up to 1e10 s, and values to be at most 1e6 in size: row {row} is wrong"
+    )]
+    Row {
+        /// Its number, from 1.
+        row: usize,
+    },
+    /// A setting is out of its range.
+    #[error("{name} = {value} must be {range}")]
+    Setting {
+        /// Name of the setting.
+        name: &'static str,
+        /// What was given.
+        value: f64,
+        /// What is allowed.
+        range: &'static str,
+    },
+    /// Hardly any rows between the times of rest.
+    #[error("there are hardly any rows between {from} and {to}, where it is said to be at rest")]
+    Rest {
+        /// The first time,
+        from: f64,
+        /// and the last.
+        to: f64,
+    },
+}
+
+/// The fewest rows: a rest and a slip.
+const LEAST_ROWS: usize = 64;
+const LARGEST: f64 = 1e6;
+
+/// Finds slips and rests in what a sensor on the sliding body has recorded, and the coefficients of friction.
+///
+/// - *μ_k* is the mean of |f|/N over the plateaus, which have to agree. Its interval is from the scatter of plateaus, or of parts of them
+///   where they are few, so noise may be correlated over some rows; it contains what is unknown of the zeros of the sensor.
+/// - *μ_s* is where |f|/N was, by a straight line through the last rows of rest, when the body broke loose; its interval has noise
+///   and the time between two rows. It broke loose where a plateau begins from a rise, with f in the same direction.
+/// - The [`Verdict`] compares plateaus with each other, and within.
+///
+/// N/m is the acceleration along z, if that contains gravity; else it is g, as on a level floor that is shaken along itself. A plateau
+/// needs some twelve rows. O(n log n): a second for 300,000 rows.
+///
+/// # Errors
+/// [`MeasureError`]: fewer than 64 rows, rows that are no numbers or whose times do not rise, settings out of their range.
+pub fn measure(recording: &Recording, settings: &Settings) -> Result<Measured, MeasureError> {
+    let mut sensor = Sensor::new(recording, settings)?;
+    let mut pieces = sensor.pieces();
+    let mut slips = kinetic::slips(&sensor, &pieces);
+    // Slips to and fro show the zeros too.
+    if !sensor.zeroed && !slips.is_empty() {
+        sensor.shift(kinetic::fit(&sensor, &slips).offset);
+        pieces = sensor.pieces();
+        slips = kinetic::slips(&sensor, &pieces);
+    }
+    let (kinetic, verdict) = if slips.is_empty() {
+        (Err(Unfound::NoSlip), Verdict::Untold)
+    } else {
+        let fit = kinetic::fit(&sensor, &slips);
+        (Ok(fit.interval), kinetic::verdict(&sensor, &pieces, &slips))
+    };
+    let (holding, held) = holding::holding(&sensor, &pieces, &slips, kinetic.as_ref().ok());
+    Ok(Measured {
+        stretches: stretches(&sensor, &pieces, &slips, held),
+        kinetic,
+        holding,
+        verdict,
+        noise: libm::sqrt(sensor.noise),
+        zeroed: sensor.zeroed,
+        normal: sensor.measured,
+    })
+}
+
+/// What the body does, by what friction can do at most.
+fn stretches(sensor: &Sensor, pieces: &[Piece], slips: &[Piece], held: f64) -> Vec<Stretch> {
+    let mut slipping = slips.iter().peekable();
+    let mut list: Vec<Stretch> = Vec::new();
+    for piece in pieces {
+        while slipping.next_if(|slip| slip.to <= piece.from).is_some() {}
+        let noise = libm::sqrt(piece.line.variance() / piece.line.rows);
+        let kind = match slipping.peek() {
+            Some(slip) if slip.from <= piece.from && piece.to <= slip.to => Kind::Slip,
+            _ if piece.line.y > 1.1 * held + 4.0 * noise => Kind::Pushed,
+            _ => Kind::Stick,
+        };
+        let [from, to] = [
+            sensor.t[piece.from],
+            sensor.t[piece.to.min(sensor.t.len() - 1)],
+        ];
+        match list.last_mut() {
+            Some(last) if last.kind == kind => last.to = to,
+            _ => list.push(Stretch { from, to, kind }),
+        }
+    }
+    list
+}

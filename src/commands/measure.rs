@@ -1,0 +1,170 @@
+//! `measure`: coefficients of friction from a recording.
+
+use super::sweep::aligned;
+use crate::motion::{
+    Columns, Recording,
+    measure::{Interval, Kind, Measured, Settings, Unfound, Verdict, measure},
+};
+use crate::numerics::error::plain;
+use crate::scene::{MetrePerSecond2, Second, columns};
+use clap::{Arg, ArgMatches, Command};
+use serde_json::{Value, json as object};
+use trialbook::cli::{VERSION, bare, csv, json, screen, show};
+use trialbook::publishing::{Failure, Format};
+
+const ABOUT: &str = "Find the coefficients of friction in a recording of an accelerometer
+
+The sensor lies on the body that slides, or is it, as a phone does: then it feels the force of contact on each kilogram, however the
+floor is shaken or tilted, and a slip is a plateau. One that lies on the floor records the floor: `scene block --record` says what a
+block does on it. phyphox, Sensor Logger, Physics Toolbox, Vernier, PASCO, Tracker, MATLAB Mobile and PEER files are read; where the
+heads do not say which columns are accelerations, --columns does.";
+
+pub(super) fn command() -> Command {
+    Command::new("measure")
+        .about("Find the coefficients of friction in a recording of an accelerometer on the body")
+        .long_about(ABOUT)
+        .after_help("Examples:\n  slipbook measure phone.csv\n  slipbook measure logger.csv --columns x=accel_x,z=accel_z,unit=g --rest 0s:2s --csv\n\nExit code 1 where no slip is found.")
+        .args([
+            Arg::new("file").required(true).value_name("FILE").help("The recording: a text of columns"),
+            Arg::new("columns").long("columns").value_name("NAME=COLUMN,…").help("Columns by their heads or numbers from 1: time, x, y, and z across the floor; unit and time-unit are their units; gaps=bridge goes on over gaps"),
+            Arg::new("rest").long("rest").value_name("FROM:TO").help("Times between which it lay at rest on level floor, which show the zeros of the sensor"),
+            Arg::new("g").long("g").value_name("ACCELERATION").default_value("9.80665m/s^2").help("The acceleration of gravity"),
+        ])
+}
+
+fn interval(interval: &Interval) -> String {
+    // Two digits of its width.
+    let width = (interval.to - interval.from).max(1e-9);
+    let decimals = (1.0 - libm::floor(libm::log10(width))).clamp(0.0, 12.0) as usize;
+    format!("{:.decimals$} to {:.decimals$}", interval.from, interval.to)
+}
+
+fn kind(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Stick => "sticks",
+        Kind::Slip => "slips",
+        Kind::Pushed => "is pushed",
+    }
+}
+
+fn said(verdict: &Verdict) -> String {
+    let percent = |part: &f64| format!("{:.0} %", 100.0 * part.abs());
+    match verdict {
+        Verdict::Fits => "fits: nothing speaks against it".to_owned(),
+        Verdict::Untold => "cannot be told from this".to_owned(),
+        Verdict::Levels(levels) => format!(
+            "does not fit: slips have coefficients from {}",
+            interval(levels)
+        ),
+        Verdict::Drifts(part) => {
+            let way = if *part < 0.0 { "falls" } else { "rises" };
+            format!(
+                "does not fit: the coefficient {way} by {} during a slip",
+                percent(part)
+            )
+        }
+        Verdict::Bulges(part) => {
+            let way = if *part < 0.0 { "smaller" } else { "greater" };
+            format!(
+                "does not fit: the coefficient is {way} by {} in the middle of a slip",
+                percent(part)
+            )
+        }
+    }
+}
+
+pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
+    let text = |name| matches.get_one::<String>(name).map(String::as_str);
+    let file = text("file").ok_or("a file is missing")?;
+    let content = std::fs::read_to_string(file)
+        .map_err(|error| format!("cannot read `{file}`: {}", bare(error)))?;
+    let asked = text("columns").map_or(Ok(Columns::default()), columns)?;
+    let recording = Recording::from_csv(&content, &asked)?;
+    let rest =
+        match text("rest").map(|rest| rest.split_once(':').ok_or("--rest: FROM:TO is wanted")) {
+            Some(ends) => {
+                let (from, to) = ends?;
+                Some([from.parse::<Second>()?.0, to.parse::<Second>()?.0])
+            }
+            None => None,
+        };
+    let g = text("g").unwrap_or_default().parse::<MetrePerSecond2>()?.0;
+    let found = measure(
+        &recording,
+        &Settings {
+            g,
+            rest,
+            ..Settings::default()
+        },
+    )?;
+    match format {
+        Format::Text => show(&told(&found))?,
+        Format::Csv => {
+            let rows = found.stretches.iter().map(|stretch| {
+                vec![
+                    plain(stretch.from),
+                    plain(stretch.to),
+                    kind(stretch.kind).to_owned(),
+                ]
+            });
+            csv(&["from (s)", "to (s)", "doing"], rows)?;
+        }
+        Format::Json => {
+            let ends = |found: &Result<Interval, Unfound>| match found {
+                Ok(interval) => object!([interval.from, interval.to]),
+                Err(_) => Value::Null,
+            };
+            let why =
+                |found: &Result<Interval, Unfound>| found.as_ref().err().map(ToString::to_string);
+            json(&object!({
+                "version": VERSION,
+                "mu_k": ends(&found.kinetic),
+                "mu_s": ends(&found.holding),
+                "why": [why(&found.kinetic), why(&found.holding)],
+                "coulomb": matches!(found.verdict, Verdict::Fits),
+                "verdict": said(&found.verdict),
+                "noise": found.noise,
+                "stretches": found.stretches.iter().map(|stretch| object!({ "from": stretch.from, "to": stretch.to, "doing": kind(stretch.kind) })).collect::<Vec<_>>(),
+            }))?;
+        }
+    }
+    Ok(u8::from(found.kinetic.is_err()))
+}
+
+fn told(found: &Measured) -> String {
+    let number = |found: &Result<Interval, Unfound>| match found {
+        Ok(found) => interval(found) + ", with a probability of 95 %",
+        Err(why) => format!("not found: {why}"),
+    };
+    let cells = |stretch: &crate::motion::measure::Stretch| {
+        let times = [stretch.from, stretch.to].map(|t| format!("{t:.3}"));
+        let [from, to] = times;
+        vec![from, to, kind(stretch.kind).to_owned(), String::new()]
+    };
+    let rows: Vec<_> = found.stretches.iter().take(SHOWN).map(cells).collect();
+    let mut text = format!(
+        "μ_k      {}\nμ_s      {}\nCoulomb  {}\nnoise    {:.3} m/s²\nzeros    {}\nN/m      {}\n\n",
+        number(&found.kinetic),
+        number(&found.holding),
+        said(&found.verdict),
+        found.noise,
+        if found.zeroed {
+            "from a rest"
+        } else {
+            "unknown: --rest says when it lay at rest on level floor"
+        },
+        if found.normal {
+            "as measured along z"
+        } else {
+            "taken for g"
+        },
+    );
+    text += &aligned(&["from (s)", "to (s)", "", ""], 0, &rows, screen().width);
+    if let Some(more) = found.stretches.len().checked_sub(SHOWN + 1) {
+        text += &format!("{} more, which --csv lists\n", more + 1);
+    }
+    text
+}
+
+/// How many stretches are shown.
+const SHOWN: usize = 20;
