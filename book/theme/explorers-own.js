@@ -53,7 +53,7 @@
 
     // What is told, by the names of its lines.
     const apart = told => {
-        const found = { number: [], does: [], kinetic: [], holding: [] };
+        const found = { number: [], does: [] };
         for (const [name, ...cells] of told.split('\n').map(line => line.split('\t'))) {
             if (Array.isArray(found[name])) found[name].push(cells);
             else found[name] = ['path', 'x', 'y'].includes(name) ? cells.map(Number) : cells.join(' ');
@@ -110,7 +110,7 @@
     host.hidden = false;
     const line = one('textarea');
     drop.insertAdjacentHTML('beforeend', `<p><span class="name">Drop a recording here.</span> <span class="hint">It stays on your computer.</span></p>
-        <div class="inputs"><label>or choose a file <input type="file"></label><label>μ <input type="text" name="mu" value="0.2"></label></div>${parts}<p><a class="as-scene" hidden>As a scene</a></p>`);
+        <div class="inputs"><label>or choose a file <input type="file"></label><label>μ <input type="text" name="mu" value="0.2"></label><label>columns, if its heads do not say <input type="text" name="columns"></label></div>${parts}<p><a class="as-scene" hidden>As a scene</a></p>`);
     drop.hidden = false;
 
     const ask = await slipbookDoor();
@@ -175,13 +175,14 @@
     let file;
     const dropped = () => {
         if (!file) return;
-        const found = told(RECORDING, `recording\n\n${files[file]}`), mu = drop.querySelector('[name=mu]').value;
+        const [mu, columns] = ['mu', 'columns'].map(name => drop.querySelector(`[name=${name}]`).value.trim());
+        const chosen = columns ? [['columns', columns]] : [], found = told(RECORDING, question(['recording', chosen], files[file]));
         const says = drop.querySelector('.says'), plots = drop.querySelector('.plots');
         delete drop.dataset.shown;
         says.textContent = found?.error ? `${file}: ${found.error}` : 'Computing…';
         if (!found || found.error) return;
         const [rows, from, to] = found.rows.split(' ');
-        const scene = ['block', [['mu', mu], ['record', file], ['until', `${to}s`]]];
+        const scene = ['block', [['mu', mu], ['record', file], ...chosen, ['until', `${to}s`]]];
         const moved = told(DROPPED, question(scene, files[file]));
         if (!moved) return;
         const lines = [found.x, found.y].filter(values => values.some((value, i) => i % 2 && value));
@@ -192,7 +193,8 @@
         if (moved.path) motion(plots, 'recording', moved);
         says.textContent = `${rows} rows from ${short(from)} s to ${short(to)} s. ${moved.error ?? order(moved.does)}`;
         const many = doing => moved.does.filter(([does], i) => does === doing && i).length;
-        list(drop.querySelector('dl'), [...numbers(moved), ['starts, stops', `${many('slides')}, ${many('rests')}`]]);
+        list(drop.querySelector('dl'), [...numbers(moved), ['starts, stops', `${many('slides')}, ${many('rests')}`],
+            ...[['μ, if the sensor slid', 'kinetic'], ['μ_s, if the sensor slid', 'holding'], ['Coulomb’s law', 'verdict']].map(([name, key]) => [name, found[key]]).filter(([, value]) => value)]);
         const link = drop.querySelector('.as-scene');
         link.href = address(scene);
         link.hidden = false;

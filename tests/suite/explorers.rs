@@ -155,6 +155,7 @@ fn the_module_tells_of_scenes_what_the_crate_tells() {
             &format!("recording\n\n{record}"),
             "rows\t200\t0\t1.99\nx\t0\t0\t0.01\t0.39933",
         ),
+        (&format!("recording\n\n{record}"), "\nkinetic\tno plateau"),
         ("recording\n\nt,v_x\n0,1\n", "error\tline 1"),
     ] {
         let native = scene::told(question);

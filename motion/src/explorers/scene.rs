@@ -1,8 +1,9 @@
 //! A scene that the reader writes in words, and a recording that is dropped: texts in and out.
 
+use crate::measure::{Interval, Settings, Unfound, Verdict, measure};
 use crate::numerics::error::plain;
-use crate::scene::{Doing, Moment, Scene, SceneError, Second};
-use crate::{Columns, FitError, fitted::Recording};
+use crate::scene::{Doing, Moment, Scene, SceneError, Second, columns};
+use crate::{FitError, fitted::Recording};
 
 /// Points of a path, beside the first.
 const POINTS: f64 = 400.0;
@@ -15,15 +16,16 @@ const STRETCHES: usize = 600;
 /// calls it: `number`, name, value (empty if not a digit is known) and unit; `does`, `slides`, `rests` or `rolls`, and since when; `straight`, if it stays on a
 /// line of one y; `path`, then t, x, y and speed, again and again.
 ///
-/// Asked with `recording`, an empty line and the recording: `rows` with their number, first and last time; `x` and `y`, each with the acceleration in m/s² and
-/// the times before it, again and again, where many rows are the least and the largest of a stretch of time.
+/// Asked with `recording`, its `columns=TEXT` if they are chosen, an empty line and the recording: `rows` with their number, first and last time; `x` and `y`, each with the acceleration in m/s² and
+/// the times before it, again and again, where many rows are the least and the largest of a stretch of time; and, for a sensor on a body that slid, `kinetic` and
+/// `holding` with what [`measure`] finds of them, and `verdict` with its word on Coulomb's law.
 ///
-/// Cost: that of [`Scene::answer`], or one look at each row.
+/// Cost: that of [`Scene::answer`], or of [`measure`].
 pub fn told(question: &str) -> String {
     let (head, record) = question.split_once("\n\n").unwrap_or((question, ""));
     let mut lines = head.lines();
     let answer = match lines.next().unwrap_or_default() {
-        "recording" => recorded(record),
+        "recording" => recorded(lines.find_map(|line| line.strip_prefix("columns=")), record),
         body => moved(body, lines.filter_map(|line| line.split_once('=')), record),
     };
     answer.unwrap_or_else(|error| format!("error\t{error}\n"))
@@ -80,8 +82,10 @@ fn moved<'a>(
     Ok(told + &line("path", moments.iter().flat_map(point)))
 }
 
-fn recorded(text: &str) -> Result<String, SceneError> {
-    let rows = Recording::from_csv(text, &Columns::default())?.rows;
+fn recorded(chosen: Option<&str>, text: &str) -> Result<String, SceneError> {
+    let chosen = chosen.map(columns).transpose()?.unwrap_or_default();
+    let recording = Recording::from_csv(text, &chosen)?;
+    let rows = &recording.rows;
     let (Some((first, _)), Some((last, _))) = (rows.first(), rows.last()) else {
         return Err(FitError::Rows { least: 1, rows: 0 }.into());
     };
@@ -110,7 +114,27 @@ fn recorded(text: &str) -> Result<String, SceneError> {
             });
         told += &line(name, values);
     }
-    Ok(told)
+    Ok(told + &friction(&recording))
+}
+
+fn friction(recording: &Recording) -> String {
+    let measured = match measure(recording, &Settings::default()) {
+        Ok(measured) => measured,
+        Err(error) => return format!("kinetic\t{error}\n"),
+    };
+    let found = |found: Result<Interval, Unfound>| match found {
+        Ok(Interval { from, to }) => format!("from {from:.3} to {to:.3}"),
+        Err(unfound) => unfound.to_string(),
+    };
+    let verdict = match measured.verdict {
+        Verdict::Fits => "fits",
+        Verdict::Levels(_) => "slips differ",
+        Verdict::Drifts(_) => "changes during a slip",
+        Verdict::Bulges(_) => "changes in the middle of a slip",
+        Verdict::Untold => "untold",
+    };
+    let [kinetic, holding] = [measured.kinetic, measured.holding].map(found);
+    format!("kinetic\t{kinetic}\nholding\t{holding}\nverdict\t{verdict}\n")
 }
 
 fn line(name: &str, numbers: impl Iterator<Item = f64>) -> String {
