@@ -256,7 +256,7 @@ window.slipbookExplorers = (() => {
             }],
             scene({ rho, u, v }, ask) {
                 const { values, curves: [table] } = ask(4, rho, u, v);
-                return { mu: 1, g: '1m/s^2', turn: '1rad/s', at: `${rho}m`, throw: velocity(u, v), until: values[0] === 1 ? 'rest' : `${fixed(values.at(-1) * (table.length / 2 - 1), 2)}s` };
+                return { mu: 1, g: '1m/s^2', turn: '1rad/s', at: `${rho}m`, throw: velocity(u, v), until: values[0] === 1 ? 'rest' : `${tidy(values.at(-1) * (table.length / 2 - 1))}s` };
             },
             film: ({ rho, u, v }, ask, { printed, moving, told, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
                 { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set, told }),

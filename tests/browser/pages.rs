@@ -27,10 +27,10 @@ pub fn links(page: &mut Page, book: &Book) -> Seen {
             return address.starts_with("data:") || address.starts_with("https://arxiv.org/");
         };
         let (file, fragment) = path.split_once('#').unwrap_or((path, ""));
-        // The state of an explorer, or of a scene.
-        let fragment = match fragment.split(['?', '&']).next().unwrap_or("") {
-            "block" | "ball" => "own",
-            fragment => fragment,
+        // The state of an explorer, or a scene.
+        let fragment = match fragment.split_once('&') {
+            Some(("block" | "ball", _)) => "own",
+            _ => fragment.split('?').next().unwrap_or(""),
         };
         let file = if file.is_empty() { "index.html" } else { file };
         let place = fragment.is_empty()

@@ -140,7 +140,10 @@ fn the_module_tells_of_scenes_what_the_crate_tells() {
             "error\t`sin(` is not an acceleration",
         ),
         ("block\nmu=1\nmass=1", "error\t`mass` is no word"),
-        ("block\nthrow=1m/s", "error\tmu = NaN must be given"),
+        (
+            "block\nthrow=1m/s",
+            "error\tmu, the coefficient of friction, is missing",
+        ),
         (
             "block\nmu=0.1\nrecord=a.csv",
             "error\tcannot read `a.csv`: drop it",
