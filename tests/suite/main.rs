@@ -118,6 +118,19 @@ impl Page {
         Page { store, instance }
     }
 
+    /// The memory from where the answer stands to a question in words.
+    fn tell(&mut self, question: &str) -> &[u8] {
+        let function = self.instance.get_typed_func(&self.store, "room").unwrap();
+        let at: u32 = function
+            .call(&mut self.store, question.len() as u32)
+            .unwrap();
+        let memory = self.instance.get_memory(&self.store, "memory").unwrap();
+        memory
+            .write(&mut self.store, at as usize, question.as_bytes())
+            .unwrap();
+        self.call("tell", ())
+    }
+
     /// The memory from where the answer stands.
     fn call(&mut self, name: &str, given: impl WasmParams) -> &[u8] {
         let function = self.instance.get_typed_func(&self.store, name).unwrap();
