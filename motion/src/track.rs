@@ -177,13 +177,13 @@ impl<'m> Track<'m> {
     /// [`MotionError::Argument`] for a negative length.
     pub fn when(&self, length: f64) -> Result<Option<f64>, MotionError> {
         check("length", length, length >= 0.0, "0 or positive")?;
+        if length > self.total {
+            return Ok(None);
+        }
         let index = self.parts.partition_point(|p| p.before < length);
         let Some(piece) = index.checked_sub(1).and_then(|i| self.parts.get(i)) else {
             return Ok(Some(self.times[0]));
         };
-        if length > self.total {
-            return Ok(None);
-        }
         let rest = length - piece.before;
         let after = self.parts.get(index).map_or(self.total, |p| p.before);
         let guess = piece.h * rest / (after - piece.before);

@@ -1,10 +1,10 @@
 //! Numbers of the command line: one, several by name, or equally spaced ones; and the grid that several such make.
 
-use crate::numerics::{error::plain, expression::expression};
-use crate::solve::{Double, SolveError};
-use clap::builder::{StringValueParser, TypedValueParser};
-use clap::{Arg, Command, Error};
-use std::ffi::OsStr;
+use crate::numerics::{
+    error::plain,
+    expression::{ExpressionError, expression},
+};
+use crate::solve::Double;
 use std::str::FromStr;
 
 /// One number, several that are listed, or several with equal differences or ratios.
@@ -28,7 +28,13 @@ pub(super) fn number(text: &str) -> Result<Double, String> {
     if let Ok(number) = text.parse::<Double>() {
         return Ok(number);
     }
-    expression(text, |digits| digits.parse().ok()).map_err(|error| error.to_string())
+    let told = |error: ExpressionError| match error {
+        ExpressionError::Missing { wanted, .. } if wanted == "an operator" => {
+            format!("{error}; a number with a unit is for `slipbook scene`")
+        }
+        other => other.to_string(),
+    };
+    expression(text, |digits| digits.parse().ok()).map_err(told)
 }
 
 impl FromStr for Axis {
@@ -110,34 +116,6 @@ fn listed(text: &str) -> Result<Vec<Double>, String> {
     parts.iter().map(number).collect()
 }
 
-/// Reads an [`Axis`]. Of a number with a unit it says what its option measures, and in what.
-#[derive(Clone)]
-pub(super) struct Plain;
-
-impl TypedValueParser for Plain {
-    type Value = Axis;
-
-    fn parse_ref(
-        &self,
-        command: &Command,
-        arg: Option<&Arg>,
-        value: &OsStr,
-    ) -> Result<Axis, Error> {
-        let help = arg.and_then(Arg::get_help).map(ToString::to_string);
-        let read = move |text: String| {
-            let told = |error: String| match &help {
-                Some(help) if error.contains("operator is missing before") => {
-                    format!("{error}. Units are not typed; it is: {help}")
-                }
-                _ => error,
-            };
-            text.parse::<Axis>().map_err(told)
-        };
-        let parser = StringValueParser::new().try_map(read);
-        parser.parse_ref(command, arg, value)
-    }
-}
-
 impl From<Double> for Axis {
     fn from(one: Double) -> Self {
         Self {
@@ -201,8 +179,6 @@ pub(super) struct Point {
     pub(super) total: Option<u64>,
     /// Names and numbers of the axes that are ranges.
     pub(super) swept: Vec<(&'static str, f64)>,
-    /// What is wrong with one of the numbers, if there is.
-    pub(super) refused: Option<SolveError>,
 }
 
 impl Point {
@@ -211,7 +187,6 @@ impl Point {
             index,
             total: Some(1),
             swept: Vec::new(),
-            refused: None,
         }
     }
 
@@ -222,22 +197,6 @@ impl Point {
         self.total = self.total.and_then(|total| total.checked_mul(axis.count));
         if axis.range {
             self.swept.push((name, number.into()));
-        }
-        number
-    }
-
-    /// The same of a quantity in SI units that others are measured by: positive, of a size that leaves them numbers.
-    pub(super) fn size(&mut self, name: &'static str, axis: &Axis) -> Double {
-        let number = self.on(name, axis);
-        let value = number.into();
-        if !(1e-50..=1e50).contains(&value) {
-            let allowed = "between 1e-50 and 1e50".to_owned();
-            let refused = SolveError::Parameter {
-                name,
-                value,
-                allowed,
-            };
-            self.refused.get_or_insert(refused);
         }
         number
     }

@@ -2,7 +2,7 @@
 //! their way.
 
 use super::{
-    axis::{Axis, Plain, Point, is_it_degrees},
+    axis::{Axis, Point, is_it_degrees},
     pieces::{Stop, end, in_pieces, told},
 };
 use crate::numerics::error::plain as number;
@@ -25,13 +25,13 @@ const PIECES: [u64; 2] = [1 << 12, 1 << 16];
 #[derive(Debug, Args)]
 pub(super) struct Ensemble {
     /// Distances ρ of the starts from the axis, in units of μg/Ω²: one, several between commas, LOW:HIGH:COUNT, or LOW:HIGH:COUNT:log for equal ratios
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = Plain)]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     rho: Axis,
     /// Speeds p relative to the table, in units of μg/Ω
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = Plain)]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     p: Axis,
     /// Angles ψ from the velocity to the position, in radians; `120deg` are degrees
-    #[arg(long, value_name = "RANGE", allow_hyphen_values = true, value_parser = Plain)]
+    #[arg(long, value_name = "RANGE", allow_hyphen_values = true)]
     psi: Axis,
     /// Distance at which a particle counts as gone, in units of μg/Ω²
     #[arg(

@@ -33,7 +33,7 @@ pub const ALL: [Command; 5] = [
                      A number may be an expression: pi/2, 120deg, 2/sqrt(4+pi^2). In the place of a number 0.1,0.5,0.7 asks at each of these, a row \
                      each, LOW:HIGH:COUNT at COUNT equally spaced ones, and LOW:HIGH:COUNT:log at such with equal ratios; several such make a grid, the last one \
                      running fastest. Ctrl-C ends it after the present piece of work: the rows so far are whole, the exit code is 130.\n\n\
-                     Each number of an answer has its unit. With --mu all that is given and answered is in SI units, else in the paper's.\n\n\
+                     Each number of an answer has its unit, in the paper's letters. In metres and seconds it is asked as a scene: `slipbook scene --help`.\n\n\
                      A number of up to 15 digits is taken as it stands, a longer one as the floating-point number next to it.",
                 )
         },

@@ -1,40 +1,21 @@
 //! What is asked of a calculator at one point of a grid.
 
 use crate::solve::{
-    Curve, Double, Field, Report, SolveError, Unit, Value, anisotropic, constant, periodic, rest,
-    sinusoidal, sphere, turntable,
+    Curve, Double, Field, Report, SolveError, anisotropic, constant, periodic, rest, sinusoidal,
+    sphere, turntable,
 };
 
-/// A calculator with its parameters, and what the paper's units are in SI where it is asked in SI.
-pub(super) struct Question {
-    pub(super) asked: Asked,
-    pub(super) units: Vec<Unit>,
-    /// Why it is none.
-    pub(super) refused: Option<SolveError>,
-}
-
-impl Question {
-    /// The answer in the units that it is asked in.
+impl Asked {
+    /// The answer.
     ///
     /// # Errors
-    /// [`SolveError`] where there is none, where no digit of it is known, or where it is no number in SI.
+    /// [`SolveError`] where there is none, or where no digit of it is known.
     pub(super) fn report(&self) -> Result<Report, SolveError> {
-        if let Some(refused) = &self.refused {
-            return Err(refused.clone());
-        }
-        let report = self.asked.report(&self.units)?;
+        let report = self.found()?;
         if report.digits == Some(0) {
             return Err(SolveError::Unknown);
         }
-        let large = |field: &&Field| matches!(field.value, Value::Number(x) if !x.is_finite());
-        match report.fields.iter().find(large) {
-            Some(field) => Err(SolveError::NotFinite { name: field.name }),
-            None => Ok(report),
-        }
-    }
-
-    pub(super) fn curve(&self) -> Result<Curve, SolveError> {
-        Ok(self.asked.curve()?.in_si(&self.units))
+        Ok(report)
     }
 
     /// The heads of the columns of what it asks for; they do not depend on the parameters.
@@ -42,7 +23,7 @@ impl Question {
     /// # Errors
     /// None: the parameters at which it looks are in range.
     pub(super) fn heads(&self) -> Result<Vec<String>, SolveError> {
-        let fields = self.asked.easy().report(&self.units)?.fields;
+        let fields = self.easy().found()?.fields;
         Ok(fields.iter().map(Field::head).collect())
     }
 }
@@ -68,16 +49,16 @@ macro_rules! asked {
                 }
             }
 
-            fn report(&self, units: &[Unit]) -> Result<Report, SolveError> {
+            fn found(&self) -> Result<Report, SolveError> {
                 let name = self.name();
                 Ok(match self {
-                    $(Self::$kind(given) => given.solve()?.report_in(name, units),)*
-                    Self::Fate(given) => given.fate()?.report_in(name, units),
-                    Self::Moment(given, time) => given.at(*time)?.report_in(name, units),
+                    $(Self::$kind(given) => given.solve()?.report(name),)*
+                    Self::Fate(given) => given.fate()?.report(name),
+                    Self::Moment(given, time) => given.at(*time)?.report(name),
                 })
             }
 
-            fn curve(&self) -> Result<Curve, SolveError> {
+            pub(super) fn curve(&self) -> Result<Curve, SolveError> {
                 match self {
                     $(Self::$kind(given) => given.curve(),)*
                     Self::Fate(given) => given.curve(None),

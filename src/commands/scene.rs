@@ -1,6 +1,11 @@
 //! `scene`: what becomes of a body on a floor that moves, in everybody's words and units.
 
-use super::{plot, sweep::aligned};
+use super::{
+    axis,
+    pieces::{in_pieces, told},
+    plot,
+    sweep::aligned,
+};
 use crate::numerics::error::plain;
 use crate::scene::{
     Answer, Doing, Found, Moment, Number, Opinion, STEPS, Scene, SceneError, Second, Until, WORDS,
@@ -8,9 +13,10 @@ use crate::scene::{
 };
 use crate::solve::{Curve, head};
 use clap::{Arg, ArgAction, ArgMatches, Command};
+use rayon::prelude::*;
 use serde_json::{Map, Value, json as object};
 use std::path::PathBuf;
-use trialbook::cli::{VERSION, ascii, csv, json, screen, show};
+use trialbook::cli::{VERSION, ascii, complain, csv, json, screen, show, stop};
 use trialbook::publishing::{Failure, Format};
 
 /// Words that are there several times.
@@ -39,7 +45,7 @@ const EXAMPLES: &str = "Examples:
   slipbook scene block --mu 0.2 --record phone.csv --columns x=accel_x,unit=g --until 10s --every 10ms --csv
   slipbook scene block --throw 50km/h --find mu=0.01:2 --where path=20m
 
-Exit code 1 where --find finds nothing.";
+Exit code 1 where --find finds nothing. Ctrl-C ends --vary after the present piece of work: the rows so far are whole, the exit code is 130.";
 
 pub(super) fn command() -> Command {
     let body = Arg::new("body")
@@ -68,11 +74,13 @@ pub(super) fn command() -> Command {
         Arg::new("vary")
             .long("vary")
             .value_name("WORD=LOW:HIGH:COUNT[:log] or WORD=A,B,…")
+            .conflicts_with_all(["every", "plot", "find"])
             .help("A row for each of these values of a word"),
         Arg::new("find")
             .long("find")
             .value_name("WORD=LOW:HIGH")
             .requires("where")
+            .conflicts_with_all(["every", "plot"])
             .help("The values of a word between these for which --where holds"),
         Arg::new("where")
             .long("where")
@@ -224,21 +232,30 @@ fn chosen(text: &str) -> Result<(&'static str, &str), Failure> {
 }
 
 /// A range `LOW:HIGH…` whose numbers have a unit: as one without, and the unit.
-fn bare(range: &str) -> (String, String) {
-    let parts = range
-        .split(':')
-        .map(crate::scene::apart)
-        .collect::<Vec<_>>();
-    let unit = parts
-        .iter()
-        .map(|(_, unit)| *unit)
-        .find(|unit| !unit.is_empty() && *unit != "log");
-    let numbers = parts
-        .iter()
-        .map(|(number, unit)| if *unit == "log" { "log" } else { *number });
-    (
-        numbers.collect::<Vec<_>>().join(":"),
-        unit.unwrap_or_default().to_owned(),
+fn bare(range: &str) -> Result<(String, String), Failure> {
+    let (mut numbers, mut unit) = (Vec::new(), "");
+    for part in range.split(':') {
+        match crate::scene::apart(part) {
+            (_, "log") => numbers.push("log"),
+            (number, own) => {
+                if !unit.is_empty() && !own.is_empty() && own != unit {
+                    return Err(format!("`{range}`: one unit is for all").into());
+                }
+                numbers.push(number);
+                unit = if own.is_empty() { unit } else { own };
+            }
+        }
+    }
+    Ok((numbers.join(":"), unit.to_owned()))
+}
+
+/// A table in letters that Excel knows.
+fn table(heads: &[String], rows: impl Iterator<Item = Vec<String>>) -> Result<(), Failure> {
+    let heads: Vec<_> = heads.iter().map(|head| ascii(head)).collect();
+    let heads: Vec<_> = heads.iter().map(String::as_str).collect();
+    csv(
+        &heads,
+        rows.map(|row| row.iter().map(|cell| ascii(cell)).collect()),
     )
 }
 
@@ -253,7 +270,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
     }
     let (scene, until) = words.scene()?;
     let answer = scene.answer(until)?;
-    let table = match asked("every") {
+    let every = match asked("every") {
         Some(step) => Some(answer.moved.every(step.parse()?)?),
         None => None,
     };
@@ -267,68 +284,55 @@ pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
         }
     };
     let paper = second(&scene, until);
-    match (format, table) {
-        (Format::Json, table) => {
+    match (format, every) {
+        (Format::Json, every) => {
             let mut whole = object!({
                 "version": VERSION,
                 "scene": words.json(),
-                "answer": numbers(&answer.numbers, |number| number.rounded().into()),
-                "units": numbers(&answer.numbers, |number| number.unit.into()),
-                "errors": numbers(&answer.numbers, |number| number.error.is_finite().then_some(number.error).into()),
+                "answer": numbers_of(&answer.numbers, |number| number.rounded().into()),
+                "units": numbers_of(&answer.numbers, |number| number.unit.into()),
+                "errors": numbers_of(&answer.numbers, |number| number.error.is_finite().then_some(number.error).into()),
                 "order": answer.events.iter().map(|event| object!({ "t": event.t.0, "doing": doing(event.doing) })).collect::<Vec<_>>(),
                 "second": paper.map(|second| object!({
                     "section": second.section,
                     "answer": second.numbers.iter().map(|(name, x)| ((*name).to_owned(), object!(x))).collect::<Map<_, _>>(),
                 })),
             });
-            if let Some(table) = table {
+            if let Some(moments) = every {
                 let row =
-                    |moment: &Moment| numbers(&moment.numbers(), |number| number.value.into());
-                whole["table"] = table.iter().map(row).collect();
+                    |moment: &Moment| numbers_of(&moment.numbers(), |number| number.value.into());
+                whole["table"] = moments.iter().map(row).collect();
             }
             json(&whole)?;
         }
-        (Format::Csv, Some(table)) => {
-            let heads: Vec<_> = heads(&answer.numbers)
-                .iter()
-                .map(|head| ascii(head))
-                .collect();
-            let heads: Vec<_> = heads.iter().map(String::as_str).collect();
-            csv(
-                &heads,
-                table.iter().map(|moment| {
-                    moment
-                        .numbers()
-                        .iter()
-                        .map(|number| plain(number.value))
-                        .collect()
-                }),
-            )?;
+        (Format::Csv, Some(moments)) => {
+            stop::listen()?;
+            let cells = |number: &Number| plain(number.value);
+            let row = |moment: &Moment| moment.numbers().iter().map(cells).collect();
+            table(&heads(&answer.numbers), moments.iter().map(row))?;
         }
         (Format::Csv, None) => {
             let row = |number: &Number| {
                 vec![
-                    ascii(number.name),
+                    number.name.to_owned(),
                     number.rounded().map_or(String::new(), plain),
-                    ascii(number.unit),
+                    number.unit.to_owned(),
                     plain(number.error),
                 ]
             };
-            csv(
-                &["quantity", "value", "unit", "error"],
-                answer.numbers.iter().map(row),
-            )?;
+            let heads = ["quantity", "value", "unit", "error"].map(str::to_owned);
+            table(&heads, answer.numbers.iter().map(row))?;
         }
-        (Format::Text, table) => show(
+        (Format::Text, every) => show(
             &(text(&answer, paper.as_ref())
-                + &table.map_or(String::new(), |table| rows(&table, &answer))
+                + &every.map_or(String::new(), |moments| rows(&moments, &answer))
                 + &drawn),
         )?,
     }
     Ok(0)
 }
 
-fn numbers(numbers: &[Number], value: impl Fn(&Number) -> Value) -> Value {
+fn numbers_of(numbers: &[Number], value: impl Fn(&Number) -> Value) -> Value {
     numbers
         .iter()
         .map(|number| (number.name.to_owned(), value(number)))
@@ -454,54 +458,60 @@ fn path(answer: &Answer) -> Result<Curve, Failure> {
 /// A row for each value of a word.
 fn varied(words: &Words, vary: &str, format: Format) -> Result<u8, Failure> {
     let (word, range) = chosen(vary)?;
-    let values: Vec<String> = match range.split_once(',') {
-        Some(_) => range.split(',').map(str::to_owned).collect(),
-        None => {
-            let (range, unit) = bare(range);
-            let axis: super::axis::Axis = range.parse()?;
-            (0..axis.count())
-                .map(|i| plain(axis.at(i).into()) + &unit)
-                .collect()
+    let listed: Vec<_> = range.split(',').collect();
+    let (axis, unit) = match listed.len() {
+        1 => {
+            let (numbers, unit) = bare(range)?;
+            (Some(numbers.parse::<axis::Axis>()?), unit)
         }
+        _ => (None, String::new()),
     };
-    let answers: Vec<_> = values
+    let value = |i: u64| match &axis {
+        Some(axis) => plain(axis.at(i).into()) + &unit,
+        None => listed[i as usize].to_owned(),
+    };
+    let all = 0..axis.map_or(listed.len() as u64, |axis| axis.count());
+    let mut answers = Vec::new();
+    let ended = in_pieces(all.clone(), [1, 256], "rows", |piece| {
+        let answers_here = piece.into_par_iter().map(|i| {
+            let value = value(i);
+            let scene = words.with(word, &value).scene();
+            let answer = scene.and_then(|(scene, until)| scene.answer(until));
+            (value, answer.map(|answer| answer.numbers))
+        });
+        answers.extend(answers_here.collect::<Vec<_>>());
+        Ok(())
+    });
+    let ended = match ended {
+        Ok(ended) => ended,
+        Err(stop) => return stop.code(),
+    };
+    let known: Vec<_> = answers
         .iter()
-        .map(|value| {
-            let (scene, until) = words.with(word, value).scene()?;
-            scene.answer(until)
-        })
+        .filter_map(|(_, answer)| answer.as_ref().ok())
         .collect();
-    let heads: Vec<_> = answers
-        .iter()
-        .flatten()
-        .next()
-        .map(|answer| answer.numbers.clone())
-        .unwrap_or_default();
+    let refused = (answers.len() - known.len()) as u64;
+    let first = known.first().map_or(&[][..], |numbers| numbers);
     if format == Format::Json {
-        let row = |(value, answer): (&String, &Result<Answer, SceneError>)| match answer {
-            Ok(answer) => {
-                object!({ word: value, "answer": numbers(&answer.numbers, |number| number.rounded().into()), "error": null })
-            }
-            Err(error) => object!({ word: value, "answer": null, "error": error.to_string() }),
+        let row = |(value, answer): &(String, Result<Vec<Number>, SceneError>)| {
+            let found = answer
+                .as_ref()
+                .map(|found| numbers_of(found, |number| number.rounded().into()));
+            object!({ "value": value, "answer": found.as_ref().ok(), "error": found.err().map(ToString::to_string) })
         };
-        let rows: Vec<_> = values.iter().zip(&answers).map(row).collect();
-        let units = numbers(&heads, |number| number.unit.into());
+        let rows: Vec<_> = answers.iter().map(row).collect();
+        let units = numbers_of(first, |number| number.unit.into());
         json(
             &object!({ "version": VERSION, "scene": words.json(), "vary": word, "units": units, "answers": rows }),
         )?;
-        return Ok(0);
+        return Ok(told(&all, (ended, refused), "rows"));
     }
-    let row = |(value, answer): (&String, &Result<Answer, SceneError>)| {
+    let width = first.len() + 1;
+    let row = |(value, answer): &(String, Result<Vec<Number>, SceneError>)| {
         let mut cells = vec![value.clone()];
-        match answer {
-            Ok(answer) => cells.extend(
-                answer
-                    .numbers
-                    .iter()
-                    .map(|number| number.rounded().map_or(String::new(), plain)),
-            ),
-            Err(_) => cells.resize(heads.len() + 1, String::new()),
-        }
+        let shown = |number: &Number| number.rounded().map_or(String::new(), plain);
+        cells.extend(answer.iter().flatten().map(shown));
+        cells.resize(width, String::new());
         cells.push(
             answer
                 .as_ref()
@@ -510,44 +520,49 @@ fn varied(words: &Words, vary: &str, format: Format) -> Result<u8, Failure> {
         );
         cells
     };
-    let rows: Vec<_> = values.iter().zip(&answers).map(row).collect();
-    let names = self::heads(&heads).into_iter();
+    let rows = answers.iter().map(row);
     let names: Vec<_> = [word.to_owned()]
         .into_iter()
-        .chain(names)
+        .chain(heads(first))
         .chain(["note".to_owned()])
         .collect();
-    let names: Vec<_> = names.iter().map(String::as_str).collect();
-    match format {
-        Format::Csv => csv(
-            &names
-                .iter()
-                .map(|name| ascii(name))
-                .collect::<Vec<_>>()
-                .iter()
-                .map(String::as_str)
-                .collect::<Vec<_>>(),
-            rows.into_iter(),
-        )?,
-        _ => show(&aligned(&names, 1, &rows, screen().width))?,
+    if format == Format::Csv {
+        table(&names, rows)?;
+    } else {
+        let names: Vec<_> = names.iter().map(String::as_str).collect();
+        show(&aligned(
+            &names,
+            1,
+            &rows.collect::<Vec<_>>(),
+            screen().width,
+        ))?;
     }
-    Ok(0)
+    Ok(told(&all, (ended, refused), "rows"))
 }
 
 /// The values of a word at which a number of the answer is what it is to be.
 fn found(words: &Words, sought: &str, target: &str, format: Format) -> Result<u8, Failure> {
     let (word, range) = chosen(sought)?;
     let (name, wanted) = crate::scene::target(target)?;
-    let (numbers, unit) = bare(range);
+    let (numbers, unit) = bare(range)?;
     let (low, high) = numbers
         .split_once(':')
         .ok_or("--find: WORD=LOW:HIGH is wanted")?;
-    let range = [low.parse::<f64>()?, high.parse::<f64>()?];
+    let range = [axis::number(low)?.into(), axis::number(high)?.into()];
+    stop::listen()?;
     let at = |x: f64| {
+        if stop::asked() {
+            return Err(SceneError::Together("stopped"));
+        }
         let (scene, until) = words.with(word, &(plain(x) + &unit)).scene()?;
         scene.number(until, name)
     };
-    let Found { solutions, jumps } = find(at, range, wanted)?;
+    let found = find(at, range, wanted);
+    if stop::asked() {
+        complain("slipbook", "stopped: nothing is known of all values");
+        return Ok(stop::STOPPED);
+    }
+    let Found { solutions, jumps } = found?;
     let note = format!(
         "looked at {STEPS} steps: two values closer together than one, or a value that is only touched, may be missed"
     );

@@ -1,17 +1,18 @@
 //! The command `solve`: the calculators of [`crate::solve`].
 
 use super::{
-    axis::{Axis, Plain, Point, is_it_degrees},
+    axis::{Axis, Point, is_it_degrees},
     pieces::Stop,
     plot,
-    question::{Asked, Question},
+    question::Asked,
     sweep::{self, aligned},
 };
 use crate::numerics::error::plain as number;
 use crate::solve::{
-    DIMENSIONLESS, Double, Field, RADIANS, Report, SolveError, Unit, Value, anisotropic, axes,
-    constant, constant::At, periodic, rest, sinusoidal, sphere, turntable, turntable::MotionError,
+    DIMENSIONLESS, Double, Field, RADIANS, Report, Value, anisotropic, axes, constant,
+    constant::At, periodic, rest, sinusoidal, sphere, turntable,
 };
+use clap::builder::UnknownArgumentValueParser;
 use clap::{Arg, ArgMatches, Args, FromArgMatches, Subcommand};
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -37,19 +38,40 @@ struct Also {
     shard: Option<Shard>,
 }
 
+/// What earlier versions were given in SI units.
+const IN_SI: [&str; 7] = ["mu", "g", "a0", "omega", "radius", "r", "speed"];
+
 /// The command `solve` with its problems.
 pub(super) fn command() -> clap::Command {
-    let range = |arg: Arg| {
-        let arg = arg.value_name("RANGE").value_parser(Plain);
-        arg.allow_hyphen_values(true)
-    };
+    let range = |arg: Arg| arg.value_name("RANGE").allow_hyphen_values(true);
     Solve::augment_args(clap::Command::new("solve")).mut_subcommands(|problem| {
-        let axes = match problem.get_name() {
-            "constant" | "sphere" => axes::LINE,
-            "turntable" | "turntable-boundary" => axes::TABLE,
-            _ => axes::DRIVE,
+        let (axes, scene) = match problem.get_name() {
+            "constant" => (
+                axes::LINE,
+                "block --mu 0.3 --pull 2m/s^2 --throw 1m/s@120deg",
+            ),
+            "sphere" => (axes::LINE, "ball --radius 11cm --mu 0.08 --throw 5m/s"),
+            "turntable" | "turntable-boundary" => (
+                axes::TABLE,
+                "block --mu 0.4 --turn 33.3rpm --at 10cm --throw 5cm/s@-30deg --until rest",
+            ),
+            _ => (
+                axes::DRIVE,
+                "block --mu 0.3 --pull '5*sin(2*pi*t)' --until 10s",
+            ),
         };
-        directed(Also::augment_args(problem.mut_args(range)), axes)
+        let tip = format!("with units it is asked as a scene: `slipbook scene {scene}`");
+        let tip = UnknownArgumentValueParser::suggest(tip);
+        let in_si = IN_SI.map(|name| {
+            Arg::new(name)
+                .long(name)
+                .hide(true)
+                .value_parser(tip.clone())
+        });
+        directed(
+            Also::augment_args(problem.mut_args(range)).args(in_si),
+            axes,
+        )
     })
 }
 
@@ -72,13 +94,11 @@ enum Problem {
     /// A particle launched on a plane of constant acceleration
     #[command(after_help = "Examples:
   slipbook solve constant --lambda 0.5 --v0 1 --theta0 1 --time 2
-  slipbook solve constant --mu 0.3 --accel 2 --v0 1 --theta0 120deg --time 0:2:21 --csv
+  slipbook solve constant --lambda 1.5 --v0 1 --theta0 120deg --time 0:2:21 --csv
   slipbook solve constant --lambda 1.5 --v0 1 --theta0 2 --theta 0.3 --json")]
     Constant(Box<Constant>),
     /// The large-time motion under a sinusoidal drive
-    #[command(after_help = "Examples:
-  slipbook solve sinusoidal --lambda0 0.7 --plot
-  slipbook solve sinusoidal --mu 0.3 --a0 5 --omega 2*pi --json")]
+    #[command(after_help = "Example:\n  slipbook solve sinusoidal --lambda0 0.7 --plot")]
     Sinusoidal(FrictionArgs),
     /// The large-time motion under a train of pulses
     #[command(after_help = "Example:\n  slipbook solve pulse --eta 0.5 --lambda0 0.3")]
@@ -99,16 +119,15 @@ enum Problem {
         friction: FrictionArgs,
     },
     /// A sphere that starts without spin on a plane of constant acceleration
-    #[command(after_help = "Examples:
-  slipbook solve sphere --gamma 2 --u0 1 --theta0 1 --time 0.3
-  slipbook solve sphere --mu 0.08 --accel 0.1 --u0 5 --theta0 0 --time 1.5")]
+    #[command(
+        after_help = "Example:\n  slipbook solve sphere --gamma 2 --u0 1 --theta0 1 --time 0.3"
+    )]
     Sphere(Box<Sphere>),
     /// A particle on a turntable: rest or escape, or its state at a time
     #[command(after_help = "Examples:
   slipbook solve turntable --rho 0.5 --p 0.3 --psi 1
   slipbook solve turntable --A 0.8 --alpha 0.1 --psi 0.2 --plot path.svg
-  slipbook solve turntable --x 0.5 --y 0 --vx 0.1 --vy -0.2 --time 0.4
-  slipbook solve turntable --mu 0.4 --omega 3.5 --r 0.1 --speed 0.05 --psi 30deg --time 0.01")]
+  slipbook solve turntable --x 0.5 --y 0 --vx 0.1 --vy -0.2 --time 0.4")]
     Turntable(Box<Turntable>),
     /// Where rest and escape meet on a turntable
     #[command(after_help = "Example:\n  slipbook solve turntable-boundary --alpha 0.5 --psi 1")]
@@ -122,107 +141,42 @@ enum Problem {
     },
 }
 
-/// The unit of an acceleration that is given beside λ.
-const ACCELERATION: &str = "that of A";
-
-/// The acceleration of gravity where nobody says another, in m/s².
-const GRAVITY: &str = "9.80665";
-
-/// The friction on a unit of mass in SI units, in place of a ratio.
 #[derive(Args)]
-struct Weight {
-    /// The coefficient of friction μ instead: everything is in SI units then, what is given and what is answered
-    #[arg(long)]
-    mu: Option<Axis>,
-    /// The acceleration of gravity g in m/s², beside --mu
-    #[arg(long, default_value = GRAVITY)]
-    g: Axis,
-}
-
-impl Weight {
-    /// μg, where μ is given.
-    fn on(&self, point: &mut Point) -> Option<Double> {
-        let mu = self.mu?;
-        let g = point.on("g", &self.g);
-        Some(point.on("mu", &mu) * g)
-    }
-}
-
-/// Friction over the drive's amplitude: as it is, or by both in SI units.
-#[derive(Args)]
-#[command(mut_arg("mu", |mu| mu.requires_all(["a0", "omega"])), mut_arg("g", |g| g.conflicts_with("lambda0")))]
 struct FrictionArgs {
     /// λ₀ = μg/A₀, friction over the drive's amplitude; with anisotropic friction, the forward one
-    #[arg(long, required_unless_present = "mu", conflicts_with = "mu")]
-    lambda0: Option<Axis>,
-    #[command(flatten)]
-    weight: Weight,
-    /// The drive's amplitude A₀ in m/s²
-    #[arg(long, requires = "mu", conflicts_with = "lambda0")]
-    a0: Option<Axis>,
-    /// The drive's angular frequency ω in 1/s
-    #[arg(long, requires = "mu", conflicts_with = "lambda0")]
-    omega: Option<Axis>,
-}
-
-impl FrictionArgs {
-    fn on(&self, point: &mut Point) -> (Double, Vec<Unit>) {
-        let (Some(a0), Some(omega)) = (&self.a0, &self.omega) else {
-            let lambda0 = point.on("lambda0", &self.lambda0.unwrap_or_default());
-            return (lambda0, Vec::new());
-        };
-        let (omega, a0) = (point.size("omega", omega), point.size("a0", a0));
-        let lambda0 = self.weight.on(point).unwrap_or_default() / a0;
-        let speed = a0 / omega;
-        let units = vec![
-            Unit::new(sinusoidal::VELOCITY, speed, "m/s"),
-            Unit::new(anisotropic::DISPLACEMENT, speed / omega, "m"),
-        ];
-        (lambda0, units)
-    }
+    #[arg(long)]
+    lambda0: Axis,
 }
 
 #[derive(Args)]
-#[command(mut_arg("mu", |mu| mu.requires("accel")), mut_arg("g", |g| g.conflicts_with("lambda")))]
 struct Constant {
     /// λ = μg/A, friction over acceleration
-    #[arg(long, required_unless_present = "mu", conflicts_with = "mu")]
-    lambda: Option<Axis>,
-    #[command(flatten)]
-    weight: Weight,
-    /// Initial speed, in m/s beside --mu
+    #[arg(long)]
+    lambda: Axis,
+    /// Initial speed
     #[arg(long)]
     v0: Axis,
     /// Initial angle of the velocity with the x axis, which points against the plane's acceleration; radians in (−π, π], `120deg` are degrees
     #[arg(long)]
     theta0: Axis,
-    /// The plane's acceleration A, which points along −x; in m/s² beside --mu [default: 1]
-    #[arg(long)]
-    accel: Option<Axis>,
+    /// The plane's acceleration A, which points along −x
+    #[arg(long, default_value = "1")]
+    accel: Axis,
     #[command(flatten)]
     moment: Moment,
 }
 
 #[derive(Args)]
-#[command(mut_arg("mu", |mu| mu.requires("accel")), mut_arg("g", |g| g.conflicts_with("gamma")))]
 struct Sphere {
     /// γ = A/(μg)
-    #[arg(long, required_unless_present = "mu", conflicts_with = "mu")]
-    gamma: Option<Axis>,
-    #[command(flatten)]
-    weight: Weight,
-    /// The plane's acceleration A in m/s², which points along −x, beside --mu
-    #[arg(long, requires = "mu", conflicts_with = "gamma")]
-    accel: Option<Axis>,
-    /// Initial slip, in √(μgR), or in m/s beside --mu
+    #[arg(long)]
+    gamma: Axis,
+    /// Initial slip, in √(μgR)
     #[arg(long)]
     u0: Axis,
     /// Initial angle of the slip with the x axis, which points against the plane's acceleration; radians in (−π, π], `120deg` are degrees
     #[arg(long)]
     theta0: Axis,
-    /// The sphere's radius R in m, beside --mu: the spin is answered in 1/s then, else the speed ωR that it gives the rim
-    #[arg(long, requires = "mu", conflicts_with = "gamma")]
-    radius: Option<Axis>,
     /// κ = I/(mR²): 0.4 for a solid sphere
     #[arg(long, default_value = "0.4")]
     kappa: Axis,
@@ -237,7 +191,7 @@ struct Moment {
     /// When the angle has fallen to this (radians) [default: when it stops for good; of a sphere, when it rolls]
     #[arg(long)]
     theta: Option<Axis>,
-    /// At this time instead: in s beside --mu, else as v/A counts it, or for a sphere in √(R/(μg))
+    /// At this time instead, as v/A counts it, or for a sphere in √(R/(μg))
     #[arg(long)]
     time: Option<Axis>,
 }
@@ -260,33 +214,21 @@ struct Turntable {
     #[arg(long, conflicts_with_all = ["x", "y", "vx", "vy"])]
     psi: Option<Axis>,
     /// Speed p of a start by --rho, in units of μg/Ω
-    #[arg(long, requires = "rho", conflicts_with_all = ["A", "x", "r"])]
+    #[arg(long, requires = "rho", conflicts_with_all = ["A", "x"])]
     p: Option<Axis>,
     /// α of a start by --A
-    #[arg(long, requires = "A", conflicts_with_all = ["rho", "x", "r"])]
+    #[arg(long, requires = "A", conflicts_with_all = ["rho", "x"])]
     alpha: Option<Axis>,
     /// Position y of a start by --x, in units of μg/Ω²
-    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
+    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A"])]
     y: Option<Axis>,
     /// Velocity along x, relative to the table, in units of μg/Ω
-    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
+    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A"])]
     vx: Option<Axis>,
     /// Velocity along y, relative to the table, in units of μg/Ω
-    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A", "r"])]
+    #[arg(long, requires = "x", conflicts_with_all = ["rho", "A"])]
     vy: Option<Axis>,
-    /// Speed relative to the table in m/s, of a start by --r
-    #[arg(long, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
-    speed: Option<Axis>,
-    /// The coefficient of friction μ, of a start by --r
-    #[arg(long, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
-    mu: Option<Axis>,
-    /// The table's angular velocity Ω in 1/s, counterclockwise, of a start by --r
-    #[arg(long, requires = "r", conflicts_with_all = ["rho", "A", "x"])]
-    omega: Option<Axis>,
-    /// The acceleration of gravity g in m/s², of a start by --r
-    #[arg(long, default_value = GRAVITY, conflicts_with_all = ["rho", "A", "x"])]
-    g: Axis,
-    /// Ask for the state at this time: in s for a start by --r, else in units of 1/Ω
+    /// Ask for the state at this time, in units of 1/Ω
     #[arg(long)]
     time: Option<Axis>,
 }
@@ -304,18 +246,13 @@ struct Start {
     /// Position x in the table's axes in units of μg/Ω², with --y, --vx and --vy
     #[arg(long, requires_all = ["y", "vx", "vy"])]
     x: Option<Axis>,
-    /// Distance from the axis in m, with --speed, --psi, --mu and --omega: everything is in SI units then, what is given and what is answered
-    #[arg(long, requires_all = ["speed", "psi", "mu", "omega"])]
-    r: Option<Axis>,
 }
 
 impl Turntable {
-    fn asked(&self, point: &mut Point) -> (Asked, Vec<Unit>) {
+    fn asked(&self, point: &mut Point) -> Asked {
         // The options require one another: none is missing here.
         let mut on = |name, axis: Option<Axis>| point.on(name, &axis.unwrap_or_default());
         let time = self.time.map(|time| on("time", Some(time)));
-        let mut units = Vec::new();
-        let mut tau = time;
         let start = match self.start {
             Start { rho: Some(rho), .. } => {
                 let (psi, p) = (on("psi", self.psi), on("p", self.p));
@@ -327,23 +264,6 @@ impl Turntable {
                 let a = on("A", Some(a));
                 turntable::TurntableProblem::Hyperbolic { a, alpha, psi }
             }
-            Start { r: Some(r), .. } => {
-                let (psi, speed) = (on("psi", self.psi), on("speed", self.speed));
-                let r = on("r", Some(r));
-                let mut size =
-                    |name, axis: Option<Axis>| point.size(name, &axis.unwrap_or_default());
-                let g = size("g", Some(self.g));
-                let (omega, mu) = (size("omega", self.omega), size("mu", self.mu));
-                let unit = mu * g / omega;
-                units = vec![
-                    Unit::new(turntable::LENGTH, unit / omega, "m"),
-                    Unit::new(turntable::SPEED, unit, "m/s"),
-                    Unit::new(turntable::TIME, Double::from(1.0) / omega, "s"),
-                ];
-                tau = time.map(|time| time * omega);
-                let (rho, p) = (r * omega / unit, speed / unit);
-                turntable::TurntableProblem::Polar { rho, p, psi }
-            }
             Start { x, .. } => {
                 let velocity = [on("vy", self.vy), on("vx", self.vx)];
                 let position = [on("y", self.y), on("x", x)];
@@ -353,251 +273,119 @@ impl Turntable {
                 }
             }
         };
-        let asked = match tau {
-            Some(tau) => Asked::Moment(start, tau),
+        match time {
+            Some(time) => Asked::Moment(start, time),
             None => Asked::Fate(start),
-        };
-        (asked, units)
-    }
-}
-
-impl Constant {
-    fn asked(&self, point: &mut Point) -> (Asked, Vec<Unit>) {
-        let at = self.moment.at(point);
-        let one = Double::from(1.0);
-        let accel = self.accel.unwrap_or_else(|| one.into());
-        let accel = match self.weight.mu {
-            Some(_) => point.size("accel", &accel),
-            None => point.on("accel", &accel),
-        };
-        let theta0 = point.on("theta0", &self.theta0);
-        let v0 = point.on("v0", &self.v0);
-        let (lambda, units) = match self.weight.on(point) {
-            Some(weight) => {
-                let units = vec![
-                    Unit::new(constant::SPEED, one, "m/s"),
-                    Unit::new(constant::TIME, one, "s"),
-                    Unit::new(constant::LENGTH, one, "m"),
-                    Unit::new(ACCELERATION, one, "m/s²"),
-                ];
-                (weight / accel, units)
-            }
-            None => {
-                let lambda = point.on("lambda", &self.lambda.unwrap_or_default());
-                (lambda, Vec::new())
-            }
-        };
-        let asked = constant::ConstantProblem {
-            lambda,
-            v0,
-            theta0,
-            accel,
-            at,
-        };
-        (Asked::Constant(asked), units)
-    }
-}
-
-impl Sphere {
-    fn asked(&self, point: &mut Point) -> (Asked, Vec<Unit>) {
-        let at = self.moment.at(point);
-        let kappa = point.on("kappa", &self.kappa);
-        let radius = self.radius.map(|radius| point.size("radius", &radius));
-        let theta0 = point.on("theta0", &self.theta0);
-        let mut u0 = point.on("u0", &self.u0);
-        let (gamma, units) = match (&self.accel, &self.weight.mu) {
-            (Some(accel), Some(mu)) => {
-                let accel = point.size("accel", accel);
-                let g = point.size("g", &self.weight.g);
-                let weight = point.size("mu", mu) * g;
-                // Slip and rolling do not depend on the radius: with R = μg · 1 s² the paper's unit of time is 1 s and that
-                // of the slip is μg · 1 s, which is that of ωR as well.
-                u0 = u0 / weight;
-                let (spin, of_spin) = match radius {
-                    Some(radius) => (weight / radius, "1/s"),
-                    None => (weight, "m/s"),
-                };
-                let units = vec![
-                    Unit::new(sphere::SLIP, weight, "m/s"),
-                    Unit::new(sphere::TIME, 1.0.into(), "s"),
-                    Unit::new(sphere::SPIN, spin, of_spin),
-                ];
-                (accel / weight, units)
-            }
-            _ => {
-                let gamma = point.on("gamma", &self.gamma.unwrap_or_default());
-                (gamma, Vec::new())
-            }
-        };
-        let asked = sphere::SphereProblem {
-            gamma,
-            u0,
-            theta0,
-            kappa,
-            at,
-        };
-        (Asked::Sphere(asked), units)
+        }
     }
 }
 
 impl Problem {
     /// What is asked at a point of the grid; the last option runs fastest.
-    fn question(&self, point: &mut Point) -> Question {
-        let (asked, units) = match self {
-            Problem::Constant(given) => given.asked(point),
-            Problem::Sinusoidal(friction) => {
-                let (lambda0, units) = friction.on(point);
-                let asked = sinusoidal::SinusoidalProblem { lambda0 };
-                (Asked::Sinusoidal(asked), units)
+    fn asked(&self, point: &mut Point) -> Asked {
+        match self {
+            Problem::Constant(given) => {
+                let at = given.moment.at(point);
+                let accel = point.on("accel", &given.accel);
+                let theta0 = point.on("theta0", &given.theta0);
+                let v0 = point.on("v0", &given.v0);
+                let lambda = point.on("lambda", &given.lambda);
+                Asked::Constant(constant::ConstantProblem {
+                    lambda,
+                    v0,
+                    theta0,
+                    accel,
+                    at,
+                })
+            }
+            Problem::Sinusoidal(FrictionArgs { lambda0 }) => {
+                let lambda0 = point.on("lambda0", lambda0);
+                Asked::Sinusoidal(sinusoidal::SinusoidalProblem { lambda0 })
             }
             Problem::Pulse { eta, friction } => {
-                let (lambda0, units) = friction.on(point);
+                let lambda0 = point.on("lambda0", &friction.lambda0);
                 let eta = point.on("eta", eta);
-                let asked = periodic::PeriodicProblem { eta, lambda0 };
-                (Asked::Pulse(asked), units)
+                Asked::Pulse(periodic::PeriodicProblem { eta, lambda0 })
             }
             Problem::Anisotropic { q, friction } => {
-                let (lambda0, units) = friction.on(point);
+                let lambda0 = point.on("lambda0", &friction.lambda0);
                 let q = point.on("q", q);
-                let asked = anisotropic::AnisotropicProblem { q, lambda0 };
-                (Asked::Anisotropic(asked), units)
+                Asked::Anisotropic(anisotropic::AnisotropicProblem { q, lambda0 })
             }
-            Problem::Sphere(given) => given.asked(point),
+            Problem::Sphere(given) => {
+                let at = given.moment.at(point);
+                let kappa = point.on("kappa", &given.kappa);
+                let theta0 = point.on("theta0", &given.theta0);
+                let u0 = point.on("u0", &given.u0);
+                let gamma = point.on("gamma", &given.gamma);
+                Asked::Sphere(sphere::SphereProblem {
+                    gamma,
+                    u0,
+                    theta0,
+                    kappa,
+                    at,
+                })
+            }
             Problem::Turntable(given) => given.asked(point),
             Problem::TurntableBoundary { alpha, psi } => {
                 let psi = point.on("psi", psi);
                 let alpha = point.on("alpha", alpha);
-                let asked = rest::BoundaryProblem { alpha, psi };
-                (Asked::Boundary(asked), Vec::new())
+                Asked::Boundary(rest::BoundaryProblem { alpha, psi })
             }
-        };
-        Question {
-            asked,
-            units,
-            refused: point.refused.take(),
         }
     }
 
-    /// The unit of a number that is given, in the paper's quantities where it is not in SI always.
+    /// The unit of a number that is given.
     fn unit(&self, name: &str) -> &'static str {
         match (name, self) {
             ("theta" | "theta0" | "psi", _) => RADIANS,
-            ("g" | "a0", _) => "m/s²",
-            ("omega", _) => "1/s",
-            ("r" | "radius", _) => "m",
-            ("speed", _) => "m/s",
             ("v0", _) => constant::SPEED,
             ("u0", _) => sphere::SLIP,
             ("time", Problem::Constant(_)) => constant::TIME,
             ("time", Problem::Sphere(_)) => sphere::TIME,
             ("time", _) => turntable::TIME,
-            ("accel", Problem::Sphere(_)) => "m/s²",
-            ("accel", _) => ACCELERATION,
+            ("accel", _) => "that of A",
             ("rho" | "x" | "y", _) => turntable::LENGTH,
             ("p" | "vx" | "vy", _) => turntable::SPEED,
             _ => DIMENSIONLESS,
         }
     }
 
-    /// Whether something given in SI units stands in an error by this name, as a ratio.
-    fn is_converted(&self, name: &str) -> bool {
-        let (mu, names) = match self {
-            Problem::Constant(given) => (given.weight.mu, "lambda"),
-            Problem::Sinusoidal(friction)
-            | Problem::Pulse { friction, .. }
-            | Problem::Anisotropic { friction, .. } => (friction.weight.mu, "lambda0, q lambda0"),
-            Problem::Sphere(given) => (given.weight.mu, "gamma, u0"),
-            Problem::Turntable(given) => (given.mu, "rho, p, time"),
-            Problem::TurntableBoundary { .. } => (None, ""),
-        };
-        mu.is_some() && names.split(", ").any(|of| of == name)
-    }
-
-    /// An error, with what it has to do with what was given: an angle out of range was most likely meant in degrees.
-    fn explained(&self, error: SolveError) -> Failure {
-        if let SolveError::Parameter { name, value, .. } = error
-            && let Some(hint) = self.instead(name, value)
-        {
-            return format!("{error}; {hint}").into();
-        }
-        match error {
-            SolveError::Parameter { name, value, .. }
-                if name.starts_with("theta") && value.abs() > std::f64::consts::PI =>
-            {
-                let degrees = number(value);
-                format!("{error}; it is in radians, {degrees}deg would be degrees").into()
-            }
-            SolveError::Parameter { name, .. }
-            | SolveError::Motion(MotionError::Argument { name, .. })
-                if self.is_converted(name) =>
-            {
-                format!("{error}; that is what the SI units given come to").into()
-            }
-            other => other.into(),
-        }
-    }
-
-    /// What to ask instead, where there is nothing of what is given or it is the other way round.
-    fn instead(&self, name: &str, value: f64) -> Option<&'static str> {
-        Some(match (self, name) {
-            (Problem::Turntable(_), "omega") if value < 0.0 => {
-                "a table that turns clockwise is the mirror image: turn the sign of psi"
-            }
-            (Problem::Constant(given), "lambda") if given.weight.mu.is_some() && value > 1.0 => {
-                "for no pull --accel 1e-12 serves, to 12 digits"
-            }
-            _ if value != 0.0 => return None,
-            (_, "accel" | "gamma") => "for none 1e-12 serves, to 12 digits",
-            (_, "v0" | "u0") => "for none 1e-20 serves",
-            (Problem::Turntable(_), "omega") => "a table at rest is `solve constant --accel 1e-12`",
-            (Problem::Turntable(_), "mu") => {
-                "without friction it goes straight on, seen from the room"
-            }
-            (Problem::Sphere(_), "mu") => {
-                "without friction its centre goes as in `solve constant --mu 0`"
-            }
+    /// An angle of the start.
+    fn angle(&self) -> Option<(&'static str, &Axis)> {
+        Some(match self {
+            Problem::Constant(given) => ("theta0", &given.theta0),
+            Problem::Sphere(given) => ("theta0", &given.theta0),
+            Problem::Turntable(given) => ("psi", given.psi.as_ref()?),
+            Problem::TurntableBoundary { psi, .. } => ("psi", psi),
             _ => return None,
         })
-    }
-
-    /// The angles that may be of any size.
-    fn angle(&self) -> Option<&Axis> {
-        match self {
-            Problem::Turntable(given) => given.psi.as_ref(),
-            Problem::TurntableBoundary { psi, .. } => Some(psi),
-            _ => None,
-        }
     }
 }
 
 impl Solve {
     fn run(&self, also: &Also, format: Format) -> Result<u8, Failure> {
         let mut point = Point::new(0);
-        let question = self.problem.question(&mut point);
+        let asked = self.problem.asked(&mut point);
         let total = point.total.ok_or("more than 2⁶⁴ points together")?;
-        let warning = self
-            .problem
-            .angle()
-            .and_then(|psi| is_it_degrees("psi", psi));
-        if let Some(warning) = warning {
+        let angle = self.problem.angle();
+        if let Some(warning) = angle.and_then(|(name, angle)| is_it_degrees(name, angle)) {
             complain("slipbook", &warning);
         }
         if !point.swept.is_empty() || also.shard.is_some() {
             if also.plot.is_some() {
                 return Err("--plot: it draws one answer, and here are several".into());
             }
-            let ask = |point: &mut Point| self.problem.question(point);
-            let unit = |name: &str| Unit::name(self.problem.unit(name), &question.units);
+            let ask = |point: &mut Point| self.problem.asked(point);
+            let unit = |name: &str| self.problem.unit(name);
             let swept = sweep::run(&ask, &unit, total, also.shard, format);
             return swept.or_else(Stop::code);
         }
-        let report = question
-            .report()
-            .map_err(|error| self.problem.explained(error))?;
+        let report = asked.report()?;
         let drawn = match &also.plot {
             None => None,
             Some(Some(file)) => {
-                let svg = plot::svg(&question.curve()?)?;
+                let svg = plot::svg(&asked.curve()?)?;
                 if file.as_os_str() == plot::STDOUT {
                     say(&svg)?;
                     return Ok(0);
@@ -605,7 +393,7 @@ impl Solve {
                 plot::to_file(&svg, file)?;
                 None
             }
-            Some(None) if format == Format::Text => Some(plot::as_text(&question.curve()?)),
+            Some(None) if format == Format::Text => Some(plot::as_text(&asked.curve()?)),
             Some(None) => return Err("--plot: beside JSON or CSV, name an SVG file".into()),
         };
         match format {

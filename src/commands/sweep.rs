@@ -3,7 +3,7 @@
 use super::{
     axis::Point,
     pieces::{Stop, end, in_pieces, told},
-    question::Question,
+    question::Asked,
     solve::word,
 };
 use crate::numerics::error::plain as number;
@@ -28,7 +28,7 @@ struct Row {
 
 /// Asks at the points of the grid that are this part's, and writes a row for each; `unit` is that of a number that is given.
 pub(super) fn run(
-    ask: &(dyn Fn(&mut Point) -> Question + Sync),
+    ask: &(dyn Fn(&mut Point) -> Asked + Sync),
     unit: &dyn Fn(&str) -> &'static str,
     total: u64,
     shard: Option<Shard>,
@@ -57,7 +57,7 @@ pub(super) fn run(
     let mut out = io::stdout().lock();
     let mut written = |text: String| out.write_all(text.as_bytes()).and_then(|()| out.flush());
     if format == Format::Json && shard.is_first() {
-        let (name, version) = (question.asked.name(), VERSION);
+        let (name, version) = (question.name(), VERSION);
         let units: Map<_, _> = given()
             .map(|name| (name.to_owned(), unit(name).into()))
             .collect();

@@ -45,7 +45,7 @@ pub mod turntable;
 mod units;
 
 pub use report::{Report, VERSION};
-pub use units::{DIMENSIONLESS, RADIANS, Unit, head};
+pub use units::{DIMENSIONLESS, RADIANS, head};
 
 use crate::motion::{MotionError, drive::DriveError};
 use crate::numerics::NumericsError;

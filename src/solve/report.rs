@@ -1,6 +1,6 @@
 //! An answer of any topic, as it is written.
 
-use super::{Answer, Field, Fields, Unit, Value};
+use super::{Answer, Field, Fields, Value};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -74,17 +74,8 @@ impl Serialize for Report {
 }
 
 impl<T: Fields> Answer<T> {
-    /// The answer without its type, for output, in the paper's units: no number has more digits than are known.
+    /// The answer without its type, for output: no number has more digits than are known.
     pub fn report(&self, problem: &'static str) -> Report {
-        self.report_in(problem, &[])
-    }
-
-    /// The same in SI, as far as these units go.
-    pub fn report_in(&self, problem: &'static str, units: &[Unit]) -> Report {
-        let fields = |way: &T| -> Vec<Field> {
-            let fields = way.fields().into_iter();
-            fields.map(|field| field.in_si(units)).collect()
-        };
         let rounded = |fields: Vec<Field>| -> Vec<Field> {
             let Some(digits) = self.digits else {
                 return fields;
@@ -92,7 +83,7 @@ impl<T: Fields> Answer<T> {
             let fields = fields.into_iter();
             fields.map(|field| field.rounded(digits)).collect()
         };
-        let best = fields(&self.best);
+        let best = self.best.fields();
         // Of a formula that is not the best way, what both have in common.
         let alike = |(formula, best): (Field, &Field)| {
             let most = self.digits.unwrap_or(0);
@@ -103,10 +94,10 @@ impl<T: Fields> Answer<T> {
         Report {
             problem,
             by_formula: self.by_formula.as_ref().map(|way| {
-                let pairs = fields(way).into_iter().zip(&best);
+                let pairs = way.fields().into_iter().zip(&best);
                 pairs.map(alike).collect()
             }),
-            by_motion: self.by_motion.as_ref().map(|way| rounded(fields(way))),
+            by_motion: self.by_motion.as_ref().map(|way| rounded(way.fields())),
             fields: rounded(best),
             disagreement: self.disagreement,
             digits: self.digits,

@@ -81,43 +81,6 @@ fn of_a_formula_that_is_not_the_best_way_only_what_is_right_is_written() {
     }
 }
 
-/// What is given is exact, and so is what is answered, but for a rounding.
-#[test]
-fn an_answer_is_the_same_in_other_units() {
-    let size = "0.3".parse::<Double>().unwrap();
-    let units = [Unit::new("μg/Ω²", size, "m")];
-    let answer = Answer {
-        best: super::turntable::TurntableOutcome {
-            outcome: "rest",
-            sigma: Some(0.123_456_789),
-            tau_rest: Some(2.0),
-        },
-        by_formula: None,
-        by_motion: None,
-        disagreement: None,
-        digits: Some(4),
-        note: String::new(),
-    };
-    let fields = answer.report_in("", &units).fields;
-    assert_eq!(
-        (fields[1].value, fields[1].unit),
-        (Value::Number(0.037_04), "m")
-    );
-    assert_eq!(
-        (fields[2].value, fields[2].unit),
-        (Value::Number(2.0), "1/Ω")
-    );
-    assert_eq!(fields[0].unit, "");
-    // What a component counts beside is converted too.
-    let part = Field::within(0.9, "x", 0.0012).of("μg/Ω²");
-    let shown = |field: Field| field.rounded(4).value;
-    assert_eq!(shown(part), Value::Number(0.0012));
-    assert_eq!(
-        shown(part.in_si(&[Unit::new("μg/Ω²", 2.0.into(), "m")])),
-        Value::Number(0.002)
-    );
-}
-
 #[test]
 fn digits_are_those_that_an_error_leaves() {
     for (error, expected) in [

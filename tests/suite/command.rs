@@ -11,9 +11,19 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use trialbook::data::text;
 
+/// The words of a line, as a shell has them.
+fn words(line: &str) -> Vec<&str> {
+    let parts = line.split('\'').enumerate();
+    let words = parts.flat_map(|(i, part)| match i % 2 {
+        0 => part.split_whitespace().collect(),
+        _ => vec![part],
+    });
+    words.collect()
+}
+
 /// The command with the words of a line.
 fn asked(line: &str) -> Output {
-    slipbook(&line.split(' ').collect::<Vec<_>>())
+    slipbook(&words(line))
 }
 
 fn text(bytes: &[u8]) -> String {
@@ -98,15 +108,14 @@ fn a_book_is_not_written_where_nobody_looks_for_it() {
 fn no_option_is_given_in_vain() {
     let cases = include_str!("command/vain.txt").lines();
     for (line, idle) in cases.map(|case| case.split_once(" => ").unwrap()) {
-        let alone = format!("solve {line}");
-        let output = asked(&alone);
-        assert!(output.status.success(), "{alone}: {}", text(&output.stderr));
+        let output = asked(line);
+        assert!(output.status.success(), "{line}: {}", text(&output.stderr));
         for option in idle.split(' ') {
-            let more = format!("{alone} --{option} 1");
+            let more = format!("{line} --{option} 1");
             let output = asked(&more);
             assert_eq!(output.status.code(), Some(2), "{more}");
             assert!(
-                text(&output.stderr).contains("cannot be used with"),
+                line.starts_with("scene") || text(&output.stderr).contains("cannot be used with"),
                 "{more}"
             );
         }
@@ -204,7 +213,7 @@ fn a_plot_follows_a_link_keeps_the_rights_of_a_file_and_replaces_nothing_else() 
 
 #[test]
 fn every_command_has_help_with_an_example() {
-    let commands = "verify show list errata find solve completions man schema";
+    let commands = "verify show list errata find solve scene measure completions man schema";
     let problems = "constant sinusoidal pulse anisotropic sphere turntable turntable-boundary";
     let problems = problems
         .split(' ')
@@ -369,6 +378,7 @@ fn an_answer_that_cannot_be_written_is_a_failure() {
         "find 0.537",
         "verify eq-11 --json",
         "solve sinusoidal --lambda0 0.3 --csv",
+        "scene block --mu 0.3 --throw 1m/s --every 0.1s --csv",
         "ensemble --rho 0.5 --p 0.3 --psi 1",
         "exam creep",
         "completions bash",
@@ -539,6 +549,24 @@ fn long_work_stops_in_good_order() {
     }
 }
 
+/// What a line is answered that is interrupted after half a second.
+#[cfg(unix)]
+fn interrupted(line: &str) -> Output {
+    let child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
+        .args(words(line))
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(500));
+    let id = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &id]).status();
+    assert!(sent.unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130), "{line}");
+    output
+}
+
 /// What tries claims ends with those that it has tried.
 #[cfg(unix)]
 #[test]
@@ -547,23 +575,7 @@ fn trials_stop_in_good_order() {
     let book = out.path().join("book");
     let book = format!("--out {} --json", book.to_str().unwrap());
     for line in ["verify --json", "list --try --json", &book] {
-        let child = Command::new(env!("CARGO_BIN_EXE_slipbook"))
-            .args(line.split(' '))
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn()
-            .unwrap();
-        std::thread::sleep(std::time::Duration::from_millis(500));
-        let id = child.id().to_string();
-        assert!(
-            Command::new("kill")
-                .args(["-INT", &id])
-                .status()
-                .unwrap()
-                .success()
-        );
-        let output = child.wait_with_output().unwrap();
-        assert_eq!(output.status.code(), Some(130), "{line}");
+        let output = interrupted(line);
         let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
         let claims = answer["claims"].as_array().unwrap();
         let told = format!("stopped: {} of ", claims.len());
@@ -571,6 +583,19 @@ fn trials_stop_in_good_order() {
         assert_eq!(answer["differences"], serde_json::json!([]), "{line}");
     }
     assert_eq!(fs::read_dir(out.path()).unwrap().count(), 0);
+}
+
+/// Of many scenes the rows are there that were asked; of a value that is looked for nothing.
+#[cfg(unix)]
+#[test]
+fn scenes_stop_in_good_order() {
+    let output = interrupted("scene block --throw 3m/s --vary mu=0.1:0.9:100000000 --json");
+    let answer: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let rows = answer["answers"].as_array().unwrap().len();
+    let told = format!("stopped after {rows} of 100000000 rows");
+    assert!(rows > 0 && text(&output.stderr).contains(&told), "{rows}");
+    let find = "scene block --pull 4*sin(10*pi*t) --until 20s --find mu=0.1:2 --where path=55m";
+    assert_eq!(interrupted(find).stdout, b"");
 }
 
 #[test]

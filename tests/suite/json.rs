@@ -70,7 +70,8 @@ fn note(shape: &mut Shape, path: &str, value: &Value) {
 
 fn written(command: &str) -> Value {
     let output = crate::slipbook(&command.split(' ').collect::<Vec<_>>());
-    assert_eq!(crate::succeeded(&output), Ok(()), "{command}");
+    // 1 where a recording has no slip.
+    assert!(output.status.code() < Some(2), "{command}");
     serde_json::from_slice(&output.stdout).unwrap()
 }
 

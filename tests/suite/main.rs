@@ -75,10 +75,12 @@ fn succeeded(output: &Output) -> Result<(), String> {
     }
 }
 
-/// What the command answers.
+/// What the command answers where the recordings are.
 fn slipbook(arguments: &[&str]) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_slipbook"));
-    command.args(arguments).output().expect("it runs")
+    let there = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data");
+    let command = command.args(arguments).current_dir(there);
+    command.output().expect("it runs")
 }
 
 /// The snapshots in a folder, each by its name alone.

@@ -63,7 +63,7 @@ impl Moment {
 
 impl Scene {
     /// As [`run`](Self::run), with how far each number of the end may be off: by what changes with the last digits of friction
-    /// and velocity, by the integrator's own error, and by twice what the error of a recording may do. Cost: twice that.
+    /// and velocity, by the integrator's own error, and by what the error of a recording may do, which for times and spins is taken to be that of as large a change of friction. Cost: twice that.
     ///
     /// # Errors
     /// As for [`run`](Self::run).
@@ -80,14 +80,22 @@ impl Scene {
             alike.map(|number| number.value.abs()).fold(0.0, f64::max)
         };
         let sizes: Vec<_> = numbers.iter().map(|number| size(number.unit)).collect();
+        let [velocity, place, heat, part] = moved.by_drive(&end);
+        let timed = matches!(until, Until::Time(_));
         let units = self.units;
         for (k, number) in numbers.iter_mut().enumerate() {
             let changed = other
                 .get(k)
                 .map_or(f64::INFINITY, |other| (other.value - number.value).abs());
-            let driven = moved.by_drive(&end, until, number.unit)?;
+            let own = 2.0 * changed + KNOWN * sizes[k];
+            number.error = match number.unit {
+                "m/s" => own + velocity,
+                "m" => own + place,
+                "J/kg" => own + heat,
+                "s" if timed => own,
+                _ => (own * (1.0 + part / NUDGE)).max(own),
+            };
             number.unit = units.name(number.unit);
-            number.error = 2.0 * changed + KNOWN * sizes[k] + driven;
         }
         Ok(Answer {
             events: moved.events(),

@@ -56,7 +56,7 @@ pub struct Moved {
     followed: Followed,
     from: f64,
     to: f64,
-    /// The heat on each kilogram for each metre of sliding.
+    /// The heat on each kilogram for each metre of sliding, at most.
     friction: f64,
     drive_error: f64,
 }
@@ -91,6 +91,16 @@ pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Move
         let moved = made.follow(to)?;
         if let Some(t) = moved.reached(until, &made)? {
             return Ok(moved.ended(t));
+        }
+        if made.at_rest(&moved)?.is_some() {
+            return Err(SceneError::Together(
+                "it comes to rest for good before that end",
+            ));
+        }
+        if to >= made.known {
+            return Err(SceneError::Together(
+                "the recording is over before that end",
+            ));
         }
         if to >= last {
             let what = match until {
@@ -148,6 +158,9 @@ impl<'a> Made<'a> {
             "from 0 to less than 90deg",
         )?;
         let ball = matches!(body, Body::Ball { .. });
+        if let Body::Ball { kappa, .. } = body {
+            positive("kappa", kappa)?;
+        }
         let place = start.place.map(|x| x.0);
         let mut velocity = start.velocity.map(|v| v.0);
         let mut table = None;
@@ -266,7 +279,8 @@ impl<'a> Made<'a> {
     }
 
     fn moved(&self, followed: Followed, to: f64, drive_error: f64) -> Moved {
-        let friction = self.scene.friction();
+        let back = self.scene.back.unwrap_or(0.0);
+        let friction = self.scene.mu.max(back) * self.scene.normal();
         Moved {
             followed,
             from: self.from,
@@ -376,32 +390,17 @@ impl Moved {
         self.at(Second(self.from))
     }
 
-    /// How far a number of the end with this unit may be off for the error of the floor's motion: friction lets no two motions
-    /// part faster than their pulls, and the time of an event is off by as much as its speed is, or the place before it.
-    pub(super) fn by_drive(
-        &self,
-        end: &Moment,
-        until: Until,
-        unit: &str,
-    ) -> Result<f64, SceneError> {
+    /// How far velocity, place and heat may be off for the error of the floor's motion: friction lets no two motions part faster
+    /// than their pulls. And that error, as a part of friction.
+    pub(super) fn by_drive(&self, end: &Moment) -> [f64; 4] {
         let time = end.t.0 - self.from;
-        if self.drive_error == 0.0 || time == 0.0 {
-            return Ok(0.0);
-        }
         let velocity = std::f64::consts::SQRT_2 * self.drive_error * time;
         let place = 0.5 * velocity * time;
-        Ok(match unit {
-            "m/s" => velocity,
-            "m" => place,
-            "J/kg" => self.friction * place,
-            "s" if matches!(until, Until::Time(_)) => 0.0,
-            "s" => {
-                let before = 1e-3 * time;
-                let [x, y] = self.at(Second(end.t.0 - before))?.velocity;
-                (place + velocity * before) / libm::hypot(x.0, y.0)
-            }
-            _ => f64::INFINITY,
-        })
+        let part = match self.drive_error {
+            0.0 => 0.0,
+            error => error / self.friction,
+        };
+        [velocity, place, self.friction * place, part]
     }
 
     /// The same motion up to this time.
@@ -449,7 +448,7 @@ impl Moved {
         check(
             "every",
             step.0,
-            (0.0..=1e6).contains(&count),
+            (0.0..=1e6 + 0.5).contains(&count),
             "positive, a millionth of the time or more",
         )?;
         // The last one is the end, if it is not within rounding of it.

@@ -220,13 +220,23 @@ impl Scene {
             ("ball", None) => return Err(SceneError::Together("a ball needs its radius")),
             _ => return Err(SceneError::Word(body.to_owned())),
         };
+        if record.is_none() && (columns != Columns::default() || towards.0 != 0.0) {
+            return Err(SceneError::Together(
+                "columns and towards are of a recording",
+            ));
+        }
+        let in_room = thrown.is_some_and(|(name, _)| name != "throw");
+        if belt != [MetrePerSecond(0.0); 2] && (!in_room || scene.turning.is_some()) {
+            return Err(SceneError::Together(
+                "a belt, which is no table, counts with throw-in-room or set-down: all else is relative to it",
+            ));
+        }
         if let Some(text) = record {
             let fitted = Fitted::from_csv_with(&text, &columns)?;
             scene.frame.push(Part::record(fitted, towards));
         }
-        if let Some((name, text)) = thrown {
+        if let Some((_, text)) = thrown {
             let moved = velocity(text)?;
-            let in_room = name != "throw";
             scene.start = Start {
                 velocity: [0, 1]
                     .map(|i| MetrePerSecond(moved[i].0 - if in_room { belt[i].0 } else { 0.0 })),

@@ -8,6 +8,7 @@ mod drive;
 mod formulas;
 mod numerics;
 mod particle;
+mod scene;
 mod sphere;
 mod text;
 mod turntable;

@@ -14,7 +14,7 @@ use trialbook::notation::{pieces, plain_formula, plain_words};
 use trialbook::plotting::Table;
 
 /// Any text, or one that is nearly a number, a range, a record or a formula.
-fn text() -> impl Strategy<Value = String> {
+pub(super) fn text() -> impl Strategy<Value = String> {
     prop_oneof![
         any::<String>(),
         "[-+]?[0-9]{0,12}[.]?[0-9]{0,25}([eE][-+]?[0-9]{0,12})?",
@@ -27,9 +27,9 @@ fn text() -> impl Strategy<Value = String> {
 
 /// A word of the command line: one of its own, or any.
 fn word() -> impl Strategy<Value = String> {
-    let words = "verify show list errata find solve ensemble exam completions constant sinusoidal pulse anisotropic sphere \
+    let words = "verify show list errata find solve scene measure block ball ensemble exam completions constant sinusoidal pulse anisotropic sphere \
                  turntable turntable-boundary --out --json --csv --jobs --verdict --section --format --lambda --v0 --theta0 \
-                 --time --theta --plot --rho --p --psi --far --late --help bash 4 eq-13 refuted 1 -1 0:1:3 --";
+                 --time --theta --plot --rho --p --psi --far --late --mu --throw --vary --find --every --help bash 4 eq-13 refuted 1 -1 0:1:3 --";
     let words: Vec<_> = words.split(' ').map(str::to_owned).collect();
     prop_oneof![3 => prop::sample::select(words), 1 => text()]
 }

@@ -1,7 +1,7 @@
 //! The command as cases: lines as people type them, and beside them what they are answered, in `cases.txt` to the letter, in
 //! `held.txt` as numbers from elsewhere.
 
-use super::{json, text};
+use super::{json, text, words};
 use crate::slipbook;
 use serde_json::Value;
 use slipbook::numerics::expression::expression;
@@ -25,16 +25,11 @@ fn cases(text: &str) -> Vec<(&str, String)> {
 /// paragraph of what is said besides.
 fn answer(line: &str) -> String {
     let mut parts = line.split(" | ");
-    let typed = parts.next().unwrap().split('\'').enumerate();
-    let words = typed.flat_map(|(i, part)| match i % 2 {
-        0 => part.split_whitespace().collect(),
-        _ => vec![part],
-    });
-    let words: Vec<_> = words.collect();
+    let words = words(parts.next().unwrap());
     let output = slipbook(&words[1..]);
     let (said, besides) = (text(&output.stdout), text(&output.stderr));
     // Excel takes other letters for several.
-    let is_table = line.contains(" --csv") && (words[1] == "solve" || words[1] == "ensemble");
+    let is_table = line.contains(" --csv") && ["solve", "ensemble", "scene"].contains(&words[1]);
     assert!(
         !is_table || said.is_ascii() && !said.contains('?'),
         "{said}"
@@ -84,19 +79,32 @@ fn every_line_has_its_answer() {
 /// Whether a field of an answer is what a row says: its name, a number or a word, a unit, and how far off it may be.
 fn is_held(answer: &Value, row: &str) -> bool {
     let (name, wanted) = row.split_once(' ').unwrap();
-    match answer.pointer(&format!("/{}", name.replace('.', "/"))) {
+    let place = format!("/{}", name.replace('.', "/"));
+    let of_scene = answer.pointer(&format!("/answer{place}"));
+    // A scene has twelve digits, a calculator fifteen.
+    let rounding = if of_scene.is_some() { 1e-11 } else { 1e-12 };
+    let number = || {
+        let (wanted, error) = wanted.split_once(" ±").unwrap_or((wanted, ""));
+        let (wanted, unit) = wanted.split_once(' ').unwrap_or((wanted, ""));
+        let number = expression(wanted, |decimal| decimal.parse::<f64>().ok());
+        let number = number.unwrap_or_else(|_| panic!("{row}"));
+        let error = error.parse().unwrap_or(rounding * number.abs());
+        (number, error, unit)
+    };
+    match of_scene.or_else(|| answer.pointer(&place)) {
         None => false,
         Some(Value::Null) => wanted == "none",
         Some(Value::String(word)) => match wanted.strip_suffix('…') {
             Some(begin) => word.starts_with(begin),
             None => word == wanted,
         },
+        Some(Value::Array(ends)) => {
+            let (number, error, _) = number();
+            let [from, to] = [0, 1].map(|i| ends[i].as_f64().unwrap() - number);
+            -error <= from && from <= 0.0 && 0.0 <= to && to <= error
+        }
         Some(found) => {
-            let (wanted, error) = wanted.split_once(" ±").unwrap_or((wanted, ""));
-            let (wanted, unit) = wanted.split_once(' ').unwrap_or((wanted, ""));
-            let number = expression(wanted, |decimal| decimal.parse::<f64>().ok());
-            let number = number.unwrap_or_else(|_| panic!("{row}"));
-            let error = error.parse().unwrap_or(1e-12 * number.abs());
+            let (number, error, unit) = number();
             (found.as_f64().unwrap() - number).abs() <= error
                 && (unit.is_empty() || answer["units"][name] == unit)
         }
@@ -111,7 +119,8 @@ fn every_number_is_that_of_another_source() {
             continue;
         };
         let answer = json(line);
-        if !below.contains("digits ") && answer["digits"].as_u64() < Some(11) {
+        let of_calculator = line.starts_with("solve") && !below.contains("digits ");
+        if of_calculator && answer["digits"].as_u64() < Some(11) {
             wrong.push(format!("{line}: {} digits", answer["digits"]));
         }
         let rows = below.lines().filter(|row| !row.is_empty());
