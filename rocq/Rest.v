@@ -2,7 +2,7 @@
 Require Import Reals Lra Psatz.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion Analysis Formulas TableLaws Sphere Fate TableMotions TableAngle Stops Threshold Thin Late Near
-  Arrives AngleAtRest LastMoments Starts StraightIn.
+  Arrives AngleAtRest LastMoments Starts StraightIn Critical.
 Open Scope R_scope.
 
 Lemma within a b : nrm a b <= eq139_largest_sigma <-> a ^ 2 + b ^ 2 <= 1.
@@ -23,6 +23,24 @@ Proof.
 Qed.
 Lemma s4_rest_radius__occurs : ltac:(occurs s4_rest_radius).
 Proof. intros H. destruct (table_exists 2 0 1 0) as (x & y & u & w & S & _). exact (H x y u w S). Qed.
+
+(* The critical radius is 0.8720...: a particle put down at rest in the laboratory at 0.872 comes to rest on the table inside the distance 1; put down
+   at 0.8721 it escapes; at every radius there is such a motion; and for some radius between it does neither, it comes to rest just on rho = 1 or creeps there for ever. *)
+Theorem s4_rest_radius__critical :
+  (forall r, exists X Y U W x y u w, put_down X Y U W x y u w /\ X 0 = r /\ Y 0 = 0) /\
+  (forall X Y U W x y u w, put_down X Y U W x y u w ->
+    (nrm (X 0) (Y 0) = 0.872 -> exists s, s < eq139_largest_sigma /\ rests_at s x y u w) /\ (nrm (X 0) (Y 0) = 0.8721 -> escapes x y)) /\
+  exists r, 0.872 < r < 0.8721 /\ forall X Y U W x y u w, put_down X Y U W x y u w -> nrm (X 0) (Y 0) = r ->
+    rests_at eq139_largest_sigma x y u w \/ creeps x y u w.
+Proof.
+  unfold eq139_largest_sigma. split; [ exact put_down_exists | split ].
+  - intros X Y U W x y u w P. split; intros e; destruct (on_axis X Y U W x y u w P) as (S & x' & y' & u' & w' & A & N); try lra; rewrite e in A.
+    + apply caught_rests; trivial. destruct (inner_start _ _ _ _ A) as (t & Ht & K). exists t. destruct (N t) as [<- <-]. now split.
+    + apply (free_escapes x y u w); trivial. destruct (outer_start _ _ _ _ A) as (t & Ht & K). exists t. destruct (N t) as [<- <-]. now split.
+  - destruct border as (r & Hr & K). exists r. split; trivial. intros X Y U W x y u w P e.
+    destruct (on_axis X Y U W x y u w P) as (S & x' & y' & u' & w' & A & N). lra. rewrite e in A.
+    destruct (neither x y u w 1 S ltac:(lra)) as [k | [_ k]]; auto. intros t Ht. destruct (N t) as [<- <-]. now apply (K x' y' u' w').
+Qed.
 
 (* From every start there is a motion. Every motion comes to rest, goes farther than any distance for good, or creeps towards a place of rho = 1
    for ever. The starts of those that creep, and of those that come to rest just on rho = 1, fill no volume. *)

@@ -3,7 +3,8 @@
 Require Import Reals Lra Psatz ZArith List.
 From Coquelicot Require Import Coquelicot.
 From Interval Require Import Tactic.
-From Slipbook Require Import Motion General Exists Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime AcrossStop Zeros Across.
+From Slipbook Require Import Motion General Exists Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime AcrossStop Zeros Across
+  Sequences Stages.
 Open Scope R_scope.
 
 (* ---- drive and friction: (25) to (30) ---- *)
@@ -453,62 +454,66 @@ Theorem s22_trichotomy__needs_friction : shaken 0 0 (fun s => 2 - cos s) (fun _ 
 Proof. destruct s22_vy_vanishes__needs_friction as [M P]. split; trivial. intros s. specialize (P s). lra. Qed.
 
 (* ---- the two stages of the velocity across ---- *)
-(* While wy is large it falls at the rate lambda0, but for (w/wy)^2/2 of it. *)
-Theorem s22_vy_two_stages__first lam phi0 w wy s : 0 <= lam -> shaken lam phi0 w wy -> 0 <= s -> 0 < wy s ->
-  exists r, rder wy s r /\ s22_first_stage_slope lam <= r <= s22_first_stage_slope lam + lam * (w s / wy s) ^ 2 / 2.
+Lemma drive_is lam : 0 <= lam <= eq37_lambda_c -> right_sinusoidal_drive_at_zero lam = sin (eq39_phi_t1 lam).
 Proof.
-  intros hl M hs y0. destruct (law lam phi0 w wy hl M s hs) as (fx & fy & _ & [_ F] & _ & _ & Y). exists fy. split; trivial.
-  pose proof (nearly (wy s) (w s) y0) as n1. pose proof (abs_nrm (w s) (wy s)) as [_ n0]. pose proof (Rle_abs (wy s)).
-  replace (nrm (wy s) (w s)) with (nrm (w s) (wy s)) in n1 by (unfold nrm; f_equal; ring). unfold s22_first_stage_slope.
-  set (n := nrm (w s) (wy s)) in *.
-  assert (e : fy = - lam * (wy s / n)) by (apply (Rmult_eq_reg_l n); [ rewrite F; field; lra | lra ]). rewrite e. split; nra.
+  intros hl. pose proof (small lam hl). unfold right_sinusoidal_drive_at_zero, eq39_phi_t1. rewrite sin_acos by lra. f_equal. unfold Rsqr. ring.
 Qed.
-(* Above lambda_c it is exactly zero after a finite time. *)
-Theorem s22_vy_two_stages__above lam phi0 w wy : eq37_lambda_c < lam -> shaken lam phi0 w wy -> exists s1, forall s, s1 <= s -> wy s = 0.
-Proof. intros h0 M. destruct (one_reached lam h0) as [W R]. destruct (R phi0 w wy M) as (s1 & _ & S). exists s1. intros s hs. now destruct (S s hs).
-  Qed.
-(* Where w is zero while friction exceeds a drive of size d at most, what is left is lost within the stated phase. *)
-Theorem s22_vy_two_stages__last lam d phi0 w wy s u : 0 <= d < lam -> shaken lam phi0 w wy -> 0 <= s -> w s = 0 ->
-  s + right_sinusoidal_last_stage lam d (Rabs (wy s)) <= u -> (forall t, s <= t <= u -> Rabs (sin (phi0 + t)) <= d) -> w u = 0 /\ wy u = 0.
+(* While wy is large it falls at the rate lambda0, but for (w/wy)^2/2 of it. Above lambda_c it is zero after a finite time; what is left of it where w
+   is zero, while friction exceeds a drive of size d at most, is lost within the stated phase. It becomes zero only where the block stops, and then
+   for good. Below lambda_c, if it does not, each passage of w through zero multiplies ln |wy| by the stated factor up to a bounded difference: from
+   a zero of w to the next, and between moments half a period apart, at any phase but those of the zeros of (38). So |wy| falls as the exponential
+   of an exponential. *)
+Theorem s22_vy_two_stages lam phi0 w wy : 0 < lam -> shaken lam phi0 w wy ->
+  (forall s, 0 <= s -> 0 < wy s ->
+    exists r, rder wy s r /\ s22_first_stage_slope lam <= r <= s22_first_stage_slope lam + lam * (w s / wy s) ^ 2 / 2) /\
+  (eq37_lambda_c < lam -> exists s1, forall s, s1 <= s -> wy s = 0) /\
+  (forall d s, 0 <= d < lam -> 0 <= s -> w s = 0 -> let u := s + right_sinusoidal_last_stage lam d (Rabs (wy s)) in
+    (forall t, s <= t <= u -> Rabs (sin (phi0 + t)) <= d) -> w u = 0 /\ wy u = 0) /\
+  (forall s u, 0 <= s < u -> wy s <> 0 -> wy u = 0 -> (exists t, s < t <= u /\ w t = 0 /\ wy t = 0) /\ forall t, u <= t -> wy t = 0) /\
+  (lam < eq37_lambda_c -> (forall s, 0 <= s -> wy s <> 0) ->
+    let d := right_sinusoidal_drive_at_zero lam in let F := right_sinusoidal_passage_factor lam d in let y s := ln (Rabs (wy s)) in
+    d = sin (eq39_phi_t1 lam) /\ 1 < F /\
+    (exists C, forall z z', 0 <= z < z' -> w z = 0 -> w z' = 0 -> (forall t, z < t < z' -> w t <> 0) -> Rabs (y z' - F * y z) <= C) /\
+    forall s, 0 <= s -> (forall n, phi0 + s <> eq39_phi_t1 lam + IZR n * PI) -> exists a C, 0 < a /\ forall n, let t := s + INR n * PI in
+      Rabs (y (t + PI) - F * y t) <= C /\ Rabs (y t + a * F ^ n) <= C).
 Proof.
-  intros hd M hs w0 hu A. assert (0 < lam ^ 2 - d ^ 2) by nra. unfold right_sinusoidal_last_stage in hu. pose proof (Rabs_pos (wy s)).
-  assert (0 <= lam * Rabs (wy s) / (lam ^ 2 - d ^ 2)) by (apply Rle_div_r; nra).
-  apply (stops_within lam d phi0 w wy s u hd M); trivial; [ lra | ]. rewrite (Rmult_comm (lam ^ 2 - d ^ 2)). apply Rle_div_l; lra.
+  intros h0 M. split; [ | split; [ | split; [ | split ] ] ].
+  - intros s hs y0. destruct (law lam phi0 w wy ltac:(lra) M s hs) as (fx & fy & _ & [_ E] & _ & _ & Y). exists fy. split; trivial.
+    pose proof (nearly (wy s) (w s) y0) as n1. pose proof (abs_nrm (w s) (wy s)) as [_ n0]. pose proof (Rle_abs (wy s)).
+    replace (nrm (wy s) (w s)) with (nrm (w s) (wy s)) in n1 by (unfold nrm; f_equal; ring). unfold s22_first_stage_slope.
+    set (n := nrm (w s) (wy s)) in *.
+    assert (e : fy = - lam * (wy s / n)) by (apply (Rmult_eq_reg_l n); [ rewrite E; field; lra | lra ]). rewrite e. split; nra.
+  - intros hc. destruct (one_reached lam hc) as [W R]. destruct (R phi0 w wy M) as (s1 & _ & Z). exists s1. intros s hs. now destruct (Z s hs).
+  - intros d s hd hs w0 u A. assert (0 < lam ^ 2 - d ^ 2) by nra. assert (0 <= right_sinusoidal_last_stage lam d (Rabs (wy s))).
+    { apply Rle_div_r; trivial. pose proof (Rabs_pos (wy s)). nra. }
+    apply (stops_within lam d phi0 w wy s u hd M); trivial; [ unfold u; lra | ]. right. unfold u, right_sinusoidal_last_stage. field. lra.
+  - intros s u hs y0 yu. split. 2: { intros t ht. pose proof (wy_falls lam phi0 w wy h0 M u t ltac:(lra)). rewrite yu in *. nra. }
+    destruct (first_zero lam phi0 w wy h0 M s u hs y0 yu) as (t & ht & z1 & z2 & _). now exists t.
+  - intros hc N. assert (hl : 0 < lam < eq37_lambda_c) by lra. cbv zeta. rewrite drive_is, <- factor_is by (trivial; lra). pose proof (k_pos lam hl).
+    split; [ trivial | split; [ apply Rlt_div_r; lra | split ] ]. now apply (by_zeros lam phi0). now apply (doubly lam phi0 w).
 Qed.
-(* It becomes zero only where the block stops, and then for good. *)
-Theorem s22_vy_two_stages__stop lam phi0 w wy s u : 0 < lam -> shaken lam phi0 w wy -> 0 <= s < u -> wy s <> 0 -> wy u = 0 ->
-  (exists t, s < t <= u /\ w t = 0 /\ wy t = 0) /\ forall t, u <= t -> wy t = 0.
+(* So the ratio of the falls of ln |wy| in a period and in the one before tends to the square of that factor, which is not the printed 1; *)
+Theorem s22_vy_two_stages__printed lam phi0 w wy s : 0 < lam < eq37_lambda_c -> shaken lam phi0 w wy -> (forall s, 0 <= s -> wy s <> 0) -> 0 <= s ->
+  (forall n, phi0 + s <> eq39_phi_t1 lam + IZR n * PI) ->
+  let F := right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam) in
+  let change t := ln (Rabs (wy (t + 2 * PI))) - ln (Rabs (wy t)) in
+  is_lim_seq (fun n => change (s + INR n * (2 * PI) + 2 * PI) / change (s + INR n * (2 * PI))) (F ^ 2) /\ F ^ 2 <> s22_second_stage_ratio.
 Proof.
-  intros h0 M hs y0 yu. split. 2: { intros t ht. pose proof (wy_falls lam phi0 w wy h0 M u t ltac:(lra)). rewrite yu in *. nra. }
-  destruct (first_zero lam phi0 w wy h0 M s u hs y0 yu) as (t & ht & z1 & z2 & _). now exists t.
-Qed.
-(* Below lambda_c each passage of w through zero multiplies ln |wy| by the stated factor in the limit: moments half a period apart, at any phase but
-   those of the zeros of (38). *)
-Theorem s22_vy_two_stages__factor lam phi0 w wy s0 : 0 < lam < eq37_lambda_c -> shaken lam phi0 w wy -> (forall s, 0 <= s -> wy s <> 0) -> 0 <= s0 ->
-  (forall n, phi0 + s0 <> eq39_phi_t1 lam + IZR n * PI) ->
-  is_lim_seq (fun j => ln (Rabs (wy (s0 + INR (S j) * PI))) / ln (Rabs (wy (s0 + INR j * PI))))
-    (right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam)).
-Proof.
-  intros hl M N hs ne. replace (right_sinusoidal_drive_at_zero lam) with (sin (eq39_phi_t1 lam)).
-  exact (passage_factor lam phi0 w wy (proj1 hl) M (proj2 hl) N s0 hs ne).
-  pose proof (small lam ltac:(lra)). unfold right_sinusoidal_drive_at_zero, eq39_phi_t1.
-  rewrite sin_acos by lra. f_equal. unfold Rsqr. ring.
-Qed.
-(* So the printed ratio of the falls of ln wy in two periods, the square of the factor, is right without friction only; *)
-Theorem s22_vy_two_stages__printed lam : 0 <= lam < eq37_lambda_c ->
-  (right_sinusoidal_passage_factor lam (right_sinusoidal_drive_at_zero lam) ^ 2 = s22_second_stage_ratio <-> lam = 0).
-Proof.
-  intros hl. pose proof (small lam ltac:(lra)). destruct (turn_sign lam (proj1 hl) ltac:(lra)) as (c & c0 & T).
-  unfold right_sinusoidal_drive_at_zero, right_sinusoidal_passage_factor, s22_second_stage_ratio.
-  replace (sqrt (1 - (PI * lam / 2) ^ 2)) with (sin (eq39_phi_t1 lam)) by (unfold eq39_phi_t1; rewrite sin_acos by lra; f_equal; unfold Rsqr; ring).
-  set (d := sin (eq39_phi_t1 lam)) in *. assert (k : lam < d) by nra.
-  split; [ | intros ->; field; lra ]. intros E. assert (F : (d + lam) ^ 2 = 1 * (d - lam) ^ 2) by (rewrite <- E; field; lra). nra.
+  intros hl M N hs ne F change. destruct (s22_vy_two_stages lam phi0 w wy (proj1 hl) M) as (_ & _ & _ & _ & B).
+  destruct (B (proj2 hl) N) as (_ & F1 & _ & D). destruct (D s hs ne) as (a & C & a0 & K). fold F in F1, K. unfold s22_second_stage_ratio.
+  split; [ | nra ].
+  set (y n := ln (Rabs (wy (s + INR n * (2 * PI))))). apply (is_lim_seq_ext (fun n => (y (S (S n)) - y (S n)) / (y (S n) - y n))).
+  - intros n. unfold y, change. rewrite !S_INR. replace (s + (INR n + 1) * (2 * PI)) with (s + INR n * (2 * PI) + 2 * PI) by ring.
+    now replace (s + (INR n + 1 + 1) * (2 * PI)) with (s + INR n * (2 * PI) + 2 * PI + 2 * PI) by ring.
+  - apply (ratio_of_growths y a (F ^ 2) C); [ nra | trivial | ]. intros n. destruct (K (2 * n)%nat) as [_ E]. rewrite pow_mult, mult_INR in E.
+    unfold y. replace (INR n * (2 * PI)) with (INR 2 * INR n * PI) by (simpl; ring). exact E.
 Qed.
 (* and with any friction wy falls in the end faster than every exponential, from every start. *)
 Theorem s22_vy_two_stages__not_exponential lam phi0 w wy k : 0 < lam -> shaken lam phi0 w wy -> is_lim (fun s => wy s * exp (k * s)) p_infty 0.
 Proof.
   intros h0 M. destruct (Rle_lt_dec lam eq37_lambda_c) as [q | q]. now apply (superexponential lam phi0 w).
-  destruct (s22_vy_two_stages__above lam phi0 w wy q M) as [s1 Z]. apply is_lim_spec. intros eps. exists s1. intros s hs. rewrite Z by lra.
+  destruct (proj1 (proj2 (s22_vy_two_stages lam phi0 w wy h0 M)) q) as [s1 Z]. apply is_lim_spec. intros eps. exists s1. intros s hs.
+  rewrite Z by lra.
   rewrite Rmult_0_l, Rminus_0_r, Rabs_R0. apply cond_pos.
 Qed.
 
@@ -628,22 +633,9 @@ Proof.
 Qed.
 Lemma s22_trichotomy__occurs : ltac:(occurs s22_trichotomy).
 Proof. intros H. start 1 0 1 1. refine (H 1 0 w wy _ M). lra. Qed.
-Lemma s22_vy_two_stages__first__occurs : ltac:(occurs s22_vy_two_stages__first).
-Proof. intros H. start 1 0 1 1. refine (H 1 0 w wy 0 _ M _ _); lra. Qed.
-Lemma s22_vy_two_stages__above__occurs : ltac:(occurs s22_vy_two_stages__above).
-Proof. intros H. pose proof quarter. start (3 / 4) 0 1 1. refine (H (3 / 4) 0 w wy _ M). lra. Qed.
-Lemma s22_vy_two_stages__last__occurs : ltac:(occurs s22_vy_two_stages__last).
-Proof.
-  intros H. start 2 0 0 1.
-  refine (H 2 1 0 w wy 0 (0 + right_sinusoidal_last_stage 2 1 (Rabs (wy 0))) _ M _ w0 (Rle_refl _) _); try lra.
-  intros t _. pose proof (SIN_bound (0 + t)). apply Rabs_le; lra.
-Qed.
-Lemma s22_vy_two_stages__stop__occurs : ltac:(occurs s22_vy_two_stages__stop).
-Proof.
-  intros H. start 2 0 0 1. destruct (all_stop 2 0 w wy ltac:(lra) M) as (s1 & h1 & Z).
-  refine (H 2 0 w wy 0 (s1 + 1) _ M _ _ _); try lra. apply (Z (s1 + 1)). lra.
-Qed.
-Lemma s22_vy_two_stages__factor__occurs : ltac:(occurs s22_vy_two_stages__factor).
+Lemma s22_vy_two_stages__occurs : ltac:(occurs s22_vy_two_stages).
+Proof. intros H. start 1 0 1 1. refine (H 1 0 w wy _ M). lra. Qed.
+Lemma s22_vy_two_stages__printed__occurs : ltac:(occurs s22_vy_two_stages__printed).
 Proof.
   intros H. pose proof quarter. pose proof PI_RGT_0. assert (hl : 0 < 1 / 4 < eq37_lambda_c) by lra.
   destruct (never_zero (1 / 4) hl) as (w & wy & M & N).

@@ -7,6 +7,8 @@ use std::cell::RefCell;
 thread_local! {
     /// The last answer; it stays where it is until the next question.
     static ANSWER: RefCell<Vec<f64>> = const { RefCell::new(Vec::new()) };
+    /// A question in words, and then its answer.
+    static TEXT: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Puts a question and returns where its answer begins in the memory: the list of `Answer::flat` with its length in
@@ -20,5 +22,26 @@ pub extern "C" fn ask(number: u32, a: f64, b: f64, c: f64, d: f64) -> *const f64
         answer.push(flat.len() as f64);
         answer.extend(flat);
         answer.as_ptr()
+    })
+}
+
+/// Where a question in words, of so many bytes, is to be written.
+#[unsafe(no_mangle)]
+pub extern "C" fn room(length: usize) -> *mut u8 {
+    TEXT.with_borrow_mut(|text| {
+        text.clear();
+        text.resize(length, 0);
+        text.as_mut_ptr()
+    })
+}
+
+/// What `explorers::scene::told` answers to what is written there, with its length in front.
+#[unsafe(no_mangle)]
+pub extern "C" fn tell() -> *const u8 {
+    TEXT.with_borrow_mut(|text| {
+        let told = explorers::scene::told(&String::from_utf8_lossy(text));
+        *text = (told.len() as u32).to_le_bytes().to_vec();
+        text.extend(told.bytes());
+        text.as_ptr()
     })
 }

@@ -74,6 +74,11 @@ window.slipbookExplorers = (() => {
     // From when to when the ball rolls.
     const rolling = ({ values: [, , , , count, ...list] }) => Array.from({ length: count }, (_, i) => list.slice(2 * i, 2 * i + 2));
 
+    // Words of a scene in the explorers' units: a velocity, and a floor that swings for four periods.
+    const tidy = x => Number(x.toPrecision(12));
+    const velocity = (u, v) => `${tidy(Math.hypot(u, v))}m/s@${tidy(Math.atan2(v, u))}rad`;
+    const swung = { g: '1m/s^2', pull: 'sin(t)', until: '8*pi*1s' };
+
     // Each explorer: its inputs, its plots, and what to show at a state. `show` returns one drawing for each plot, the
     // values by name, and a sentence.
     const explorers = {
@@ -108,6 +113,7 @@ window.slipbookExplorers = (() => {
                 x: { label: 'launch angle, either way', range: [0, 180], ticks: [0, 45, 90, 135, 180].map(t => [t, `${t}°`]) },
                 y: { label: 'AT/v_0' }, height: 234,
             }],
+            scene: ({ lambda, theta }, ask) => ({ mu: lambda, g: '1m/s^2', pull: '1m/s^2', throw: `1m/s@${theta}deg`, until: ask(0, lambda, theta).values[0] ? 'stop' : '10s' }),
             film: ({ lambda, theta }, ask, { narrow, set, held }) => scenes.constant(ask(7, lambda, theta), narrow, set, theta, held),
             now: ({ lambda, theta }, ask) => {
                 const { curves: [places, velocities] } = ask(7, lambda, theta);
@@ -170,6 +176,7 @@ window.slipbookExplorers = (() => {
                 title: 'one period: + forth, − back, 0 rest', label: 'One period of the periodic motion, with its intervals.',
                 x: { label: 'φ since the first start' }, y: { label: '𝔴' }, height: 210,
             }],
+            scene: ({ q, lambda, w }) => ({ mu: lambda, 'mu-back': tidy(q * lambda), throw: `${w}m/s`, ...swung }),
             film: ({ q, lambda, w }, ask, { narrow, set }) => scenes.tray(ask(8, q, lambda, w), narrow, q > 1, w, set),
             now: ({ q, lambda, w }, ask) => {
                 const { values: [step], curves: [, velocities] } = ask(8, q, lambda, w);
@@ -247,6 +254,10 @@ window.slipbookExplorers = (() => {
                 title: 'distance; friction can hold it below 1', label: 'The distance from the axis against the time, with that within which friction can hold the particle.',
                 x: { label: 'τ' }, y: { label: 'ρ' }, height: 310,
             }],
+            scene({ rho, u, v }, ask) {
+                const { values, curves: [table] } = ask(4, rho, u, v);
+                return { mu: 1, g: '1m/s^2', turn: '1rad/s', at: `${rho}m`, throw: velocity(u, v), until: values[0] === 1 ? 'rest' : `${tidy(values.at(-1) * (table.length / 2 - 1))}s` };
+            },
             film: ({ rho, u, v }, ask, { printed, moving, told, set, narrow }) => scenes.record(ask(4, rho, u, v), narrow, false,
                 { border: ask.later(5, rho, Number(moving)).curves[0], paper: border(printed, rho), velocity: [u, v], range: [0, 1.6], set, told }),
             now: ({ rho, u, v }, ask) => {
@@ -366,6 +377,7 @@ window.slipbookExplorers = (() => {
                 title: '−ln 𝔴_y across; exponential dashed', label: 'The negative logarithm of the velocity across against phase, and that of an exponential decay, as the paper has it.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: '−ln 𝔴_y', range: [-1, 60] }, height: 210,
             }],
+            scene: ({ lambda, w, across }) => ({ mu: lambda, throw: velocity(w, across), ...swung }),
             film: ({ lambda, w, across }, ask, { narrow, set }) => scenes.plane(ask(13, lambda, w, across), narrow, [w, across], set),
             now: ({ lambda, w, across }, ask) => {
                 const { values: [step], curves: [, velocities, depths] } = ask(13, lambda, w, across);
@@ -471,6 +483,8 @@ window.slipbookExplorers = (() => {
                 title: 'path of the centre on the plane', label: 'The path of the centre, as seen from the plane.', equal: true,
                 x: { label: 'x (A_0/ϖ²)' }, y: { label: 'y (A_0/ϖ²)' },
             }],
+            body: 'ball',
+            scene: ({ lambda, kappa, u, v }) => ({ mu: tidy(lambda / (1 + 1 / kappa)), radius: '1m', kappa, throw: velocity(u, v), ...swung }),
             film: ({ lambda, kappa, u, v }, ask, { narrow, set }) => scenes.ball(ask(9, lambda, kappa, u, v), narrow, u, set, rolling(ask(6, lambda, kappa, u, v))),
             now: ({ lambda, kappa, u, v }, ask) => {
                 const { values: [step], curves: [, turning] } = ask(9, lambda, kappa, u, v);

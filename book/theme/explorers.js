@@ -32,7 +32,7 @@
                 // Questions that come while it opens wait for the same module.
                 put ||= opened(data.bytes);
                 const list = (await put)(data.number % ${BESIDE}, data.given);
-                postMessage({ ...data, bytes: null, list }, [list.buffer]);
+                postMessage({ ...data, bytes: null, list }, list.buffer ? [list.buffer] : []);
             };`;
             worker = new Worker(URL.createObjectURL(new Blob([work], { type: 'text/javascript' })));
         } catch {
@@ -86,18 +86,25 @@
         return ask;
     }
 
-    // An answer from its list: values, then curves.
+    // An answer from its list: values, then curves. One in words stays what it is.
     function apart(list) {
+        if (typeof list === 'string') return list;
         let at = 0;
         const take = n => Array.from(list.subarray(at, at += n));
         const [count] = take(1), values = take(count), [many] = take(1);
         return { values, curves: Array.from({ length: many }, () => take(2 * take(1)[0])) };
     }
 
-    // Opens the module: its one function, which returns a list.
+    // Opens the module: one function, which returns a list or, asked in words, a text.
     async function opened(bytes) {
         const { exports } = (await WebAssembly.instantiate(bytes)).instance;
         return (number, given) => {
+            if (typeof given[0] === 'string') {
+                const asked = new TextEncoder().encode(given[0]), room = exports.room(asked.length);
+                new Uint8Array(exports.memory.buffer, room, asked.length).set(asked);
+                const told = exports.tell(), { buffer } = exports.memory;
+                return new TextDecoder().decode(new Uint8Array(buffer, told + 4, new DataView(buffer).getUint32(told, true)));
+            }
             const start = exports.ask(number, ...[...given, 0, 0, 0, 0].slice(0, 4));
             const length = new Float64Array(exports.memory.buffer, start, 1)[0];
             if (!length) throw new Error(`question ${number} has no answer at ${given}`);
@@ -123,7 +130,7 @@
             <div><div class="theatre"></div><div class="plots"></div>
             <div class="controls"><div class="inputs">${keys.map(key => `<label>${inputs[key].label} <output></output>
                 <input type="range" name="${key}" min="${inputs[key].range[0]}" max="${inputs[key].range[1]}" step="${inputs[key].step}"></label>`).join('')}
-                <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button></div></div></div></div>`;
+                <div><button type="button">As at first</button> <button type="button" class="copy">Copy link</button>${explorer.scene ? ' <a class="as-scene">As a scene</a>' : ''}</div></div></div></div>`;
         host.classList.toggle('bare', Boolean(explorer.bare));
         // What is asked about is not told before it has been guessed, or seen, or something has been taken in hand.
         let told = false;
@@ -225,6 +232,7 @@
             const made = [
                 () => show(state, ask, { printed, moving }),
                 () => explorer.now ? explorer.now(state, ask) : [],
+                () => explorer.scene && Object.entries(explorer.scene(state, ask)).map(([word, text]) => `&${word}=${text}`).join(''),
                 () => explorer.film(state, ask, { printed, moving, told, set, narrow: stage.narrow, held: stage.held }),
             ].map(part => {
                 try {
@@ -235,7 +243,8 @@
                 }
             });
             if (made.includes(PENDING)) return;
-            const [shown, now, film] = made;
+            const [shown, now, scene, film] = made;
+            if (scene) host.querySelector('.as-scene').href = `scenes.html#${explorer.body || 'block'}${scene}`;
             panels.forEach((panel, i) => panel.draw(shown.draw[i]));
             places = now;
             stage.load(film, !anew);
@@ -310,7 +319,11 @@
 
     const hosts = [...document.querySelectorAll('[data-explorer]')];
     let opening;
-    const open = () => opening ||= door().then(ask => hosts.forEach(host => start(host, ask)));
+    const open = () => opening ||= door().then(ask => {
+        hosts.forEach(host => start(host, ask));
+        return ask;
+    });
+    window.slipbookDoor = open;
     // The module is loaded as soon as the page is there, wherever one reads: what came later would move it.
     (window.requestIdleCallback || setTimeout)(open);
     const linked = () => hosts.some(host => location.hash.startsWith(`#${host.id}`)) && open();

@@ -109,9 +109,9 @@ Proof.
   - intros r q i. assert (k : forall a, Rabs a <= cosh al -> Rabs (r * a - q * a) <= cosh al * Rabs (r - q)).
     { intros a Ha. replace (r * a - q * a) with (a * (r - q)) by ring. rewrite Rabs_mult. apply Rmult_le_compat_r; trivial. apply Rabs_pos. }
     pose proof (COS_bound psi). pose proof (SIN_bound psi). destruct i; apply k; apply Rabs_le; split; nra.
-  - unfold start. rewrite !Rmult_0_l. rewrite nrm_x0 by lra. lra.
+  - exists 0. rewrite !V_0. unfold start. rewrite !Rmult_0_l. rewrite nrm_x0 by lra. lra.
   - intros r Hr. assert (A0 : 0 <= r) by lra. pose proof (start_from r al psi A0 a0) as F.
-    destruct (values r al psi _ _ _ _ ltac:(lra) a0 F) as (_ & _ & e & _). rewrite !V_0 in e. rewrite e. nra.
+    destruct (values r al psi _ _ _ _ ltac:(lra) a0 F) as (_ & _ & e & _). exists 0. rewrite !nrm_sq, e. split; nra.
   - exists A, (V (start A al psi) px), (V (start A al psi) py), (V (start A al psi) pu), (V (start A al psi) pw).
     assert (A1 : 0 < A). { destruct A0 as [k | k]; trivial. exfalso. destruct (K 0 (Rle_refl 0)) as [k1 _]. rewrite !V_0 in k1. rewrite <- k in k1.
     unfold start in k1. rewrite !Rmult_0_l, nrm_x0 in k1 by lra. lra. }

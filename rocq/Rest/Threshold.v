@@ -35,10 +35,10 @@ Variables (c : R -> place -> R) (l s R0 : R).
 Hypothesis l0 : 0 < l.
 Hypothesis Hs : 0 < s <= 1.
 Hypothesis lip : forall r q i, Rabs (c r i - c q i) <= l * Rabs (r - q).
-Hypothesis inside : nrm (c 0 px) (c 0 py) + nrm (c 0 pu) (c 0 pw) < s.
-Hypothesis outside : forall r, R0 <= r -> s ^ 2 < c r px ^ 2 + c r py ^ 2 - (c r pu ^ 2 + c r pw ^ 2).
 Notation rho r t := (nrm (V (c r) px t) (V (c r) py t)).
 Notation p r t := (nrm (V (c r) pu t) (V (c r) pw t)).
+Hypothesis inside : exists t, 0 <= t /\ rho 0 t + p 0 t < s.
+Hypothesis outside : forall r, R0 <= r -> exists t, 0 <= t /\ s ^ 2 < rho r t ^ 2 - p r t ^ 2.
 
 Lemma threshold : exists r, 0 <= r /\ forall t, 0 <= t -> s <= rho r t + p r t /\ rho r t ^ 2 - p r t ^ 2 <= s ^ 2.
 Proof.
@@ -46,7 +46,7 @@ Proof.
   Rabs (p r t - p q t) <= 4 * (l * d) * exp t).
   { intros r q d t Hd Ht. apply depend; trivial. intros i. eapply Rle_trans; [ apply lip | ]. apply Rmult_le_compat_l; lra. }
   set (C r := 0 <= r /\ exists t, 0 <= t /\ rho r t + p r t < s).
-  assert (C0 : C 0). { split. lra. exists 0. rewrite !V_0. split; [ lra | exact inside ]. }
+  assert (C0 : C 0) by (split; [ lra | exact inside ]).
   assert (en : forall r t, V (c r) px t ^ 2 + V (c r) py t ^ 2 - (V (c r) pu t ^ 2 + V (c r) pw t ^ 2) = rho r t ^ 2 - p r t ^ 2) by (intros;
   rewrite !nrm_sq; ring).
   (* what is caught had rho^2 - p^2 <= s^2 all the time *)
@@ -57,8 +57,7 @@ Proof.
     - pose proof (m_falls _ _ _ _ (V_spin (c r)) q t ltac:(lra) ltac:(lra)) as M. pose proof (nrm_pos (V (c r) px t) (V (c r) py t)).
       pose proof (nrm_pos (V (c r) pu t) (V (c r) pw t)). nra. }
   destruct (completeness C) as [z [z1 z2]].
-  { exists R0. intros r Hr. apply Rnot_lt_le. intros k. pose proof (low r 0 Hr (Rle_refl 0)) as M. rewrite <- en, !V_0 in M.
-  specialize (outside r ltac:(lra)). lra. }
+  { exists R0. intros r Hr. apply Rnot_lt_le. intros k. destruct (outside r ltac:(lra)) as (t & Ht & M). pose proof (low r t Hr Ht). lra. }
   { exists 0. exact C0. }
   assert (z0 : 0 <= z) by (apply z1, C0). exists z. split; trivial. intros t Ht. pose proof (exp_pos t) as et. 
   assert (le : 0 < l * exp t) by (apply Rmult_lt_0_compat; lra). split; apply Rnot_lt_le; intros k.

@@ -1,5 +1,5 @@
-(* The velocity across the drive: linear while it is large; faster than every exponential in the end; and, below lambda_c, by how much a passage of
-   w through zero multiplies its logarithm in the limit. The last by the logarithm of v + w, whose rate is (sin - l)/v, that of wy being -l/v. *)
+(* The velocity across the drive: linear while it is large; faster than every exponential in the end; zero only where the block stops. With the rates
+   of ln wy, which is -l/v, and of ln (v + w), which is (sin - l)/v. *)
 Require Import Reals Lra Psatz ZArith.
 From Coquelicot Require Import Coquelicot.
 From Slipbook Require Import Motion General Exists Formulas HalfPeriod Drawn Analysis Steady Shaken LargeTime Zeros.
@@ -129,102 +129,15 @@ Proof.
     exists d. split; trivial. intros x hx z. specialize (K x hx). cbv beta in K. rewrite z in K. lra.
 Qed.
 
-(* ---- passages through zero ---- *)
+(* ---- below lambda_c ---- *)
 Hypothesis hc : l < eq37_lambda_c.
-Hypothesis N : forall s, 0 <= s -> wy s <> 0.
-Notation p := (eq39_phi_t1 l).
-Notation d := (sin (eq39_phi_t1 l)).
-Notation k := ((sin (eq39_phi_t1 l) - l) / (2 * l)).
-Lemma d_l : l < d. Proof. destruct (turn_sign l) as (c & c0 & T); [ lra | pose proof (small l); lra | nra ]. Qed.
+Lemma d_l : l < sin (eq39_phi_t1 l). Proof. destruct (turn_sign l) as (c & c0 & T); [ lra | pose proof (small l); lra | nra ]. Qed.
 Lemma late_speed : exists V s1, 0 <= s1 /\ forall s, s1 <= s -> v s <= V.
 Proof.
   destruct (z_1 l (conj hl hc)) as [_ z2]. destruct (near_38 l z2 phi0 w wy 1 M Rlt_0_1) as (s1 & s0 & H). exists (w38 l (PI - asin l) + 2), s1.
   split; trivial. intros s hs. destruct (H s hs) as [X Y]. pose proof (w38_most l z2 (phi0 + s)).
   pose proof (Rabs_triang_inv (w s) (w38 l (phi0 + s))).
   eapply Rle_trans; [ apply nrm_abs | lra ].
-Qed.
-(* from u before the passage to u after it, up to C *)
-Lemma passage u eta : 0 < eta -> 0 < u < PI -> exists C s1, 0 <= s1 /\ forall s n, s1 <= s -> phi0 + s = p + IZR n * PI + u ->
-  Rabs (k * Q (s + PI) - (1 + k) * Q s) <= eta * (Q s - Q (s + PI)) + C.
-Proof.
-  intros h0 hu. pose proof PI_RGT_0. set (del := Rmin (Rmin u (PI - u) / 2) (2 * l * eta)). assert (0 < 2 * l * eta) by nra.
-  assert (hd : 0 < del /\ del < u /\ del < PI - u /\ del < PI / 2 /\ del <= 2 * l * eta) by (unfold del; minmax). clearbody del.
-  destruct (late_sign l phi0 w wy (conj hl hc) M del) as (m & s1 & m0 & s10 & S); [ lra | ]. destruct late_speed as (V0 & s2 & s20 & V).
-  exists (2 * (Rabs (ln m) + Rabs (ln (2 * V0))) + 2 / m * PI), (Rmax s1 s2). split; [ minmax | ]. intros s n hs ph.
-  assert (hs' : s1 <= s /\ s2 <= s) by minmax.
-  set (Z := s + (PI - u)). set (e := sg (n + 1)). assert (I1 : IZR (n + 1) = IZR n + 1) by apply plus_IZR.
-  assert (ee : e = 1 \/ e = -1) by apply sg_cases. assert (es : sg n = - e) by (unfold e; rewrite sg_succ; ring).
-  assert (A : forall t, s <= t <= Z - del -> m <= - e * w t) by (intros t Ht; rewrite <- es; apply S; unfold Z in *; lra).
-  assert (B : forall t, Z + del <= t <= s + PI -> m <= e * w t) by (intros t Ht; apply S; rewrite ?I1; unfold Z in *; lra).
-  assert (T : forall g, g = 1 \/ g = -1 -> g * (ln (v (s + PI) + e * w (s + PI)) + k * Q (s + PI)) + eta * Q (s + PI) - 2 / m * (s + PI) <=
-    g * (ln (v s + e * w s) + k * Q s) + eta * Q s - 2 / m * s).
-  { intros g hg. apply (rder_decr (fun t => g * (ln (v t + e * w t) + k * Q t) + eta * Q t - 2 / m * t)); [ lra | | ]; intros t Ht;
-    destruct (moving t ltac:(lra) ltac:(apply N; lra)) as (y2 & n1 & D & E); destruct (E e ee) as [q L].
-    - conts M.
-    - apply (rder_log (fun t => wy t ^ 2)) in D; trivial. apply (rder_log (fun t => v t + e * w t)) in L; trivial. eexists. split. rds.
-      cbv beta. pose proof (Rabs_pos (w t)). set (b := e * sin (phi0 + t)). set (r := v t) in *. match goal with |- ?x <= 0 =>
-        replace x with ((g * (b - d) - 2 * l * eta) / r - 2 / m) by (unfold b; field; lra) end.
-      assert (near : Rabs (b - d) <= Rabs (t - Z)).
-      { unfold b, e. rewrite (drive_at (n + 1) (phi0 + t) (p + (t - Z))) by (rewrite I1; unfold Z; lra).
-        replace (t - Z) with (p + (t - Z) - p) at 2 by ring. apply sin_near. }
-      assert (gb : g * (b - d) <= Rabs (b - d)) by (pose proof (Rle_abs (b - d)); pose proof (Rabs_maj2 (b - d)); destruct hg as [-> | ->]; lra).
-      assert (0 < / m) by now apply Rinv_0_lt_compat. enough ((g * (b - d) - 2 * l * eta) / r <= 2 / m) by lra.
-      destruct (Rle_lt_dec (Rabs (t - Z)) del) as [x | x].
-      { apply Rle_trans with 0; [ apply Rle_div_l; lra | unfold Rdiv; lra ]. }
-      assert (rm : m <= r). { apply Rle_trans with (Rabs (w t)); [ | lra ].
-      destruct (Rle_lt_dec t Z); [ rewrite Rabs_left1 in x by lra; specialize (A t ltac:(lra))
-        | rewrite Rabs_pos_eq in x by lra; specialize (B t ltac:(lra)) ]; pose proof (Rle_abs (w t)); pose proof (Rabs_maj2 (w t));
-        destruct ee as [f | f];
-        rewrite f in *; lra. }
-      assert (g * (b - d) <= 2). { pose proof (SIN_bound (phi0 + t)). pose proof (SIN_bound p). unfold b.
-      destruct hg as [-> | ->]; destruct ee as [-> | ->]; lra. }
-      apply Rle_div_l; [ lra | ]. assert (2 <= 2 / m * r) by (replace 2 with (2 / m * m) at 1 by (field; lra); apply Rmult_le_compat_l; unfold Rdiv;
-      lra). lra. }
-  (* the ends: v + |w| lies between m and twice a bound of the speed *)
-  assert (size : forall t g, s <= t -> g = 1 \/ g = -1 -> m <= g * w t -> Rabs (ln (v t + g * w t)) <= Rabs (ln m) + Rabs (ln (2 * V0))).
-  { intros t g ht hg K. specialize (V t ltac:(lra)). destruct (moving t ltac:(lra) ltac:(apply N; lra)) as (_ & n1 & _). apply Rabs_def2 in n1.
-    assert (m <= v t + g * w t <= 2 * V0) by (destruct hg as [-> | ->]; lra). pose proof (Rabs_maj2 (ln m)). pose proof (Rle_abs (ln (2 * V0))).
-    pose proof (Rabs_pos (ln m)). pose proof (Rabs_pos (ln (2 * V0))).
-    assert (ln m <= ln (v t + g * w t) <= ln (2 * V0)) by (split; apply Rcomplements.ln_le; lra). apply Rabs_le. lra. }
-  assert (eo : - e = 1 \/ - e = -1) by (destruct ee as [-> | ->]; [ right | left ]; ring).
-  pose proof (size (s + PI) e ltac:(lra) ee (B (s + PI) ltac:(unfold Z; lra))) as r1.
-  pose proof (size s (- e) ltac:(lra) eo (A s ltac:(unfold Z; lra))) as r2.
-  assert (r3 : ln (v s + e * w s) = Q s - ln (v s + - e * w s)).
-  { destruct (moving s ltac:(lra) ltac:(apply N; lra)) as (_ & _ & _ & E). destruct (E e ee) as [x1 _]. destruct (E (- e) eo) as [x2 _].
-    enough (K : Q s = ln (v s + e * w s) + ln (v s + - e * w s)) by lra. rewrite <- ln_mult by trivial.
-    f_equal. transitivity (v s ^ 2 - e ^ 2 * w s ^ 2); [ | ring ]. rewrite nrm_sq. destruct ee as [-> | ->]; ring. }
-  rewrite r3 in T. pose proof (T 1 ltac:(auto)). pose proof (T (-1) ltac:(auto)). apply Rabs_le_between in r1, r2. apply Rabs_le. lra.
-Qed.
-Lemma passage_factor s0 : 0 <= s0 -> (forall n, phi0 + s0 <> p + IZR n * PI) ->
-  is_lim_seq (fun j => ln (Rabs (wy (s0 + INR (S j) * PI))) / ln (Rabs (wy (s0 + INR j * PI)))) (right_sinusoidal_passage_factor l d).
-Proof.
-  intros hs ne. pose proof PI_RGT_0. pose proof d_l. destruct (z_1 l (conj hl hc)) as [_ z2].
-  apply is_lim_seq_spec. intros eps. destruct (per_spec p PI ltac:(lra) (phi0 + s0)) as [n Hn]. set (u := phi0 + s0 - p - IZR n * PI).
-  assert (hu : 0 < u < PI) by (destruct (Rdichotomy _ _ (ne n)); unfold u; lra). assert (ep := cond_pos eps). set (f := k).
-  assert (f0 : 0 < f) by (unfold f; apply Rdiv_lt_0_compat; lra). set (eta := Rmin (f / 2) (eps * f ^ 2 / (8 * (2 + f)))).
-  assert (he : 0 < eta /\ eta <= f / 2 /\ eta * (8 * (2 + f)) <= eps * f ^ 2).
-  { assert (0 < eps * f ^ 2 / (8 * (2 + f))) by (apply Rdiv_lt_0_compat; [ apply Rmult_lt_0_compat; [ trivial | nra ] | lra ]).
-    assert (eta <= eps * f ^ 2 / (8 * (2 + f))) by apply Rmin_r. split; [ unfold eta; minmax | split; [ apply Rmin_l | apply Rle_div_r; lra ] ]. }
-  clearbody eta. destruct (passage u eta ltac:(lra) hu) as (C & s1 & s10 & B). fold f in B.
-  (* wy is late so small that C does not matter *)
-  set (X := Rmax 1 (Rmax C (4 * C / (eps * f)))). destruct (near_38 l z2 phi0 w wy (exp (- X)) M (exp_pos _)) as (s2 & s20 & Y).
-  destruct (nat_above (Rmax s1 s2 / PI)) as [J HJ]. apply Rlt_div_l in HJ; trivial. exists J. intros j hj. apply le_INR in hj.
-  set (s := s0 + INR j * PI). assert (hs1 : s1 <= s /\ s2 <= s) by (assert (INR J * PI <= INR j * PI) by nra; unfold s; minmax).
-  replace (s0 + INR (S j) * PI) with (s + PI) by (rewrite S_INR; unfold s; ring).
-  specialize (B s (n + Z.of_nat j)%Z ltac:(lra)). rewrite plus_IZR, <- INR_IZR_INZ in B. specialize (B ltac:(unfold s, u; ring)).
-  assert (L2 : forall t, 0 <= t -> Q t = 2 * ln (Rabs (wy t))).
-  { intros t ht. rewrite <- (pow2_abs (wy t)), ln_pow by (apply Rabs_pos_lt; now apply N). simpl. ring. } rewrite !L2 in B by lra.
-  destruct (Y s ltac:(lra)) as [_ small]. apply ln_increasing in small; [ | apply Rabs_pos_lt, N; lra ]. rewrite ln_exp in small.
-  set (x := - ln (Rabs (wy s))) in *. set (x' := - ln (Rabs (wy (s + PI)))).
-  assert (hx : 1 < x /\ C < x /\ 4 * C / (eps * f) < x) by (unfold X, x in *; minmax).
-  replace (ln (Rabs (wy s))) with (- x) in * by (unfold x; ring). replace (ln (Rabs (wy (s + PI)))) with (- x') in * by (unfold x'; ring).
-  destruct hx as (x1 & x2 & x3). apply Rlt_div_l in x3; [ | nra ]. apply Rabs_le_between in B.
-  assert (a1 : eta * x' <= f / 2 * x' \/ x' <= 0) by (destruct (Rle_lt_dec x' 0); [ auto | left; nra ]).
-  assert (a2 : f / 2 * x' <= (2 + f) * x) by nra. unfold right_sinusoidal_passage_factor.
-  replace (- x' / - x) with (x' / x) by (field; lra). replace ((d + l) / (d - l)) with ((1 + f) / f) by (unfold f; field; lra).
-  replace (x' / x - (1 + f) / f) with ((f * x' - (1 + f) * x) / (f * x)) by (field; lra). assert (fx : 0 < f * x) by nra.
-  assert (a3 : eta * x' * f <= 2 * eta * (2 + f) * x) by nra. assert (a4 : 8 * eta * x' <= 2 * eps * f * x) by nra.
-  apply Rabs_def1; [ apply Rlt_div_l | apply Rlt_div_r ]; trivial; nra.
 Qed.
 End Across.
 

@@ -1,10 +1,12 @@
-//! `exam`: the tasks of the exam in dry friction with their answers, for the engines of others.
+//! `exam`: the tasks of the exam in dry friction with their answers, for people and for the engines of others.
 
-use crate::exam::{Answer, Basis, Sat, TASKS, Task};
+use crate::book;
+use crate::exam::{Answer, Sat, TASKS, Task, package};
 use crate::numerics::error::plain as number;
 use clap::Args;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use serde_json::{Map, Value, json as object};
+use serde_json::{Value, json as object};
+use std::path::PathBuf;
 use trialbook::cli::{VERSION, csv, json, show};
 use trialbook::publishing::{Failure, Format};
 
@@ -14,6 +16,9 @@ pub(super) struct Exam {
     /// Names of tasks; all if none is given
     #[arg(value_name = "TASK", value_parser = names().try_map(|name| task(&name)), hide_possible_values = true)]
     tasks: Vec<&'static Task>,
+    /// Write all tasks into a folder of JSON for a program that grades an engine; an earlier one there is replaced as a whole
+    #[arg(long, value_name = "FOLDER", conflicts_with_all = ["tasks", "json", "csv"])]
+    package: Option<PathBuf>,
 }
 
 /// The names of the tasks: the shells complete them, and the nearest one is proposed for a wrong one.
@@ -28,6 +33,11 @@ fn task(name: &str) -> Result<&'static Task, &'static str> {
 
 impl Exam {
     pub(super) fn run(&self, format: Format) -> Result<u8, Failure> {
+        if let Some(folder) = &self.package {
+            let written = book::folder(folder, "slipbook-exam", &package::files()?)?;
+            show(&format!("{}", written.display()))?;
+            return Ok(0);
+        }
         let wanted = match &self.tasks[..] {
             [] => TASKS.iter().collect(),
             some => some.to_vec(),
@@ -49,7 +59,7 @@ impl Exam {
             Format::Csv => {
                 let head = [
                     "task",
-                    "given",
+                    "scene",
                     "question",
                     "answer",
                     "unit",
@@ -62,23 +72,6 @@ impl Exam {
         }
         Ok(0)
     }
-}
-
-fn basis(basis: Basis) -> &'static str {
-    match basis {
-        Basis::Certified => "certified",
-        Basis::Integrated => "integrated",
-    }
-}
-
-/// The numbers of the set-up.
-fn given(task: &Task) -> String {
-    let given: Vec<_> = task
-        .given
-        .iter()
-        .map(|(name, x)| format!("{name} = {}", number(*x)))
-        .collect();
-    given.join(", ")
 }
 
 fn error(sat: &Sat) -> String {
@@ -97,22 +90,20 @@ fn text(task: &Task, sat: &Sat) -> String {
         task.setup,
         task.question,
         format!("{} {}", sat.text(), task.unit).trim_end(),
-        basis(sat.basis)
+        sat.basis.name()
     )
 }
 
 fn value(task: &Task, sat: &Sat) -> Value {
-    let given: Map<_, _> = task
-        .given
-        .iter()
-        .map(|(name, x)| ((*name).to_owned(), object!(x)))
-        .collect();
     object!({
         "task": task.id,
         "setup": task.setup,
-        "given": given,
+        "scene": package::scene(&task.posed),
+        "protocol": package::protocol(&task.posed),
+        "ask": task.posed.ask,
         "question": task.question,
         "answer": sat.answer,
+        "interval": sat.interval(),
         "unit": task.unit,
         "error": sat.error,
         "basis": sat.basis,
@@ -127,12 +118,12 @@ fn row(task: &Task, sat: &Sat) -> Vec<String> {
     };
     vec![
         task.id.to_owned(),
-        given(task),
+        task.posed.scene.to_owned(),
         task.question.to_owned(),
         answer(&sat.answer),
         task.unit.to_owned(),
         error(sat),
-        basis(sat.basis).to_owned(),
+        sat.basis.name().to_owned(),
         answer(&sat.motion),
     ]
 }
@@ -140,6 +131,7 @@ fn row(task: &Task, sat: &Sat) -> Vec<String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exam::Basis;
 
     #[test]
     fn the_answer_and_that_of_the_motion_keep_their_names() {
@@ -151,23 +143,23 @@ mod tests {
         };
         let task = &TASKS[0];
         let row = row(task, &sat);
-        assert_eq!(row[..3], [task.id, &given(task), task.question]);
+        assert_eq!(row[..3], [task.id, task.posed.scene, task.question]);
         assert_eq!(row[3..], ["0.25", "v₀/A", "2.0e-3", "certified", "0.5"]);
         let value = value(task, &sat);
-        let mut expected = object!({
+        let expected = object!({
             "task": task.id,
             "setup": task.setup,
-            "given": {},
+            "scene": { "body": "block", "mu": 1.5, "g": 1.0, "pull": 1.0, "throw": "1@1.5707963267948966", "until": "stop" },
+            "protocol": { "settle": 0.5, "window": null, "scan": null },
+            "ask": "t",
             "question": task.question,
             "answer": 0.25,
+            "interval": [0.248_f64.next_down(), 0.252_f64.next_up()],
             "unit": "v₀/A",
             "error": 2e-3,
             "basis": "certified",
             "by_motion": 0.5,
         });
-        for (name, given) in task.given {
-            expected["given"][*name] = object!(given);
-        }
         assert_eq!(value, expected);
         assert!(text(task, &sat).ends_with("0.25 v₀/A   (certified within 2.0e-3)"));
     }

@@ -56,7 +56,7 @@ pub const ALL: [Command; 5] = [
         command: || {
             exam::Exam::augment_args(clap::Command::new("exam"))
                 .about("Print the questions of an exam in dry friction, with answers that can be relied on")
-                .after_help("Example:\n  slipbook exam --json > exam.json\n  slipbook exam stop-place rest-fraction")
+                .after_help("Example:\n  slipbook exam --json > exam.json\n  slipbook exam stop-place rest-fraction\n  slipbook exam --package friction-exam")
         },
         run: |matches, format| exam::Exam::from_arg_matches(matches)?.run(format),
     },

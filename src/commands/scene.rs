@@ -596,7 +596,7 @@ fn found(words: &Words, sought: &str, target: &str, format: Format) -> Result<u8
                     list(&jumps).join(", ")
                 );
             }
-            show(&(text + &note))?;
+            show(&(text + &note + "\n"))?;
         }
     }
     Ok(if solutions.is_empty() { 1 } else { 0 })

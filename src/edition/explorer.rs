@@ -5,11 +5,13 @@
 //! `book/theme/breaks.wasm`. Pages opened from the disk may not fetch anything, so a module goes into a script as text.
 
 use crate::claims::laid_over;
+use crate::motion::scene::{WORDS, Word};
+use trialbook::book::{escape, table};
 use trialbook::data::{Text, text};
 use trialbook::publishing::{Failure, Filled};
 
 /// The scripts and the styles.
-pub(super) const TEXTS: [(&str, Text); 8] = [
+pub(super) const TEXTS: [(&str, Text); 9] = [
     ("explorers.css", text!("book/theme/explorers.css")),
     ("explorers-plot.js", text!("book/theme/explorers-plot.js")),
     ("explorers-stage.js", text!("book/theme/explorers-stage.js")),
@@ -19,6 +21,7 @@ pub(super) const TEXTS: [(&str, Text); 8] = [
     ),
     ("explorers-list.js", text!("book/theme/explorers-list.js")),
     ("explorers.js", text!("book/theme/explorers.js")),
+    ("explorers-own.js", text!("book/theme/explorers-own.js")),
     ("breaks.css", text!("book/theme/breaks.css")),
     ("breaks.js", text!("book/theme/breaks.js")),
 ];
@@ -67,15 +70,76 @@ pub(super) fn place(page: &str) -> Result<Filled, Failure> {
     let Some((_, name)) = PAGES.iter().find(|(stem, _)| *stem == page) else {
         return Err("this page has no explorer".into());
     };
-    let scripts = ["plot", "stage", "scenes", "list"].map(|name| format!("-{name}"));
-    let scripts = scripts.iter().map(String::as_str).chain([""]);
-    let scripts =
-        scripts.map(|name| format!("<script defer src=\"theme/explorers{name}.js\"></script>"));
     Ok(Filled::Block(format!(
-        "<link rel=\"stylesheet\" href=\"theme/explorers.css\">{}<div class=\"explorer\" id=\"explore-{name}\" \
+        "{}<div class=\"explorer\" id=\"explore-{name}\" \
          data-explorer=\"{name}\" data-printed=\"{}\" role=\"group\" aria-label=\"Explorer\" hidden></div>\n",
-        scripts.collect::<String>(),
+        loaded(&["-plot", "-stage", "-scenes", "-list", ""]),
         printed(name),
+    )))
+}
+
+/// The style, and these scripts.
+fn loaded(scripts: &[&str]) -> String {
+    let script = |name| format!("<script defer src=\"theme/explorers{name}.js\"></script>");
+    let scripts: String = scripts.iter().map(script).collect();
+    format!("<link rel=\"stylesheet\" href=\"theme/explorers.css\">{scripts}")
+}
+
+/// The words that most scenes are made of; the others are folded away.
+const USUAL: [&str; 10] = [
+    "mu",
+    "mu-s",
+    "throw",
+    "pull",
+    "accelerate",
+    "tilt",
+    "turn",
+    "belt",
+    "at",
+    "until",
+];
+
+/// The place of a scene that the reader writes: a field for each of its words.
+#[allow(clippy::unnecessary_wraps)]
+pub(super) fn own(_: &str) -> Result<Filled, Failure> {
+    let field = |word: &Word| {
+        let Word { name, text, help } = word;
+        let kind = if text.is_empty() { "checkbox" } else { "text" };
+        let help = escape(&format!("{help}. {text}"));
+        format!("<label title=\"{help}\">{name} <input type=\"{kind}\" name=\"{name}\"></label>")
+    };
+    let fields = |usual: bool| -> String {
+        let words = WORDS
+            .iter()
+            .filter(|word| USUAL.contains(&word.name) == usual);
+        words.map(field).collect()
+    };
+    let bodies = ["block", "ball"].map(|body| {
+        format!("<label><input type=\"radio\" name=\"body\" value=\"{body}\"> {body}</label>")
+    });
+    Ok(Filled::Block(format!(
+        "{}<div class=\"explorer\" id=\"own\" role=\"group\" aria-label=\"Your own scene\" hidden><div class=\"bodies\">{}</div>\
+         <div class=\"inputs\">{}</div><details><summary>More words</summary><div class=\"inputs\">{}</div></details></div>\
+         <noscript><p>To try it here needs scripts; the command does not.</p></noscript>\n",
+        loaded(&["-plot", "", "-own"]),
+        bodies.concat(),
+        fields(true),
+        fields(false),
+    )))
+}
+
+/// The words of a scene.
+#[allow(clippy::unnecessary_wraps)]
+pub(super) fn words(_: &str) -> Result<Filled, Failure> {
+    let row = |word: &Word| {
+        let name = format!("<code>{}</code>", word.name);
+        [name, escape(word.text), escape(word.help)]
+    };
+    let rows = WORDS.iter().map(row).collect::<Vec<_>>();
+    Ok(Filled::Block(table(
+        "words of a scene",
+        ["Word", "Text", "Meaning"],
+        rows,
     )))
 }
 

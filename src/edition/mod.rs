@@ -53,6 +53,8 @@ pub static EDITION: Edition = Edition {
             Ok(Filled::Inline(format!("Slipbook {version}, by {by}; licence {licence}")))
         };
         "explorer" => explorer::place;
+        "own-scene" => explorer::own;
+        "scene-words" => explorer::words;
         "break" => explorer::breakable;
         "physics" => |_| Ok(physics::table_of());
         "exam" => |_| exam::table_of();

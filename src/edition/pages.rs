@@ -52,6 +52,7 @@ written!(
         lemmas "Lemmas",
         exam "An exam in dry friction";
     Use:
+        scenes "Your own scene",
         own "Your own paper",
         adding "Claims and snapshots",
         json "JSON, CSV, Python";

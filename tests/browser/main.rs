@@ -11,6 +11,7 @@ mod chrome;
 mod explorers;
 mod figures;
 mod measures;
+mod own;
 mod pages;
 mod paper;
 mod scenes;
@@ -37,7 +38,7 @@ const TABS: usize = 3;
 /// A test: what it does in a fresh tab, with the book.
 type Test = fn(&mut Page, &Book) -> Seen;
 
-const TESTS: [(&str, Test); 32] = [
+const TESTS: [(&str, Test); 35] = [
     (
         "every_page_loads_without_a_complaint_or_a_request",
         pages::load,
@@ -67,6 +68,12 @@ const TESTS: [(&str, Test); 32] = [
     ("explorers_move_by_touch", explorers::touch),
     ("bodies_move_on_every_stage", explorers::stages),
     ("pictures_are_those_of_the_crate", scenes::pictures),
+    (
+        "a_scene_is_its_link_its_fields_and_its_command",
+        own::scenes,
+    ),
+    ("explorers_lead_to_their_scenes", own::as_scenes),
+    ("a_recording_that_is_dropped_is_followed", own::recordings),
     ("boxes_fold_and_unfold", pages::folds),
     ("pages_keep_their_length", pages::lengths),
     ("the_first_page_answers", pages::front),

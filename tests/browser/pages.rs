@@ -27,8 +27,11 @@ pub fn links(page: &mut Page, book: &Book) -> Seen {
             return address.starts_with("data:") || address.starts_with("https://arxiv.org/");
         };
         let (file, fragment) = path.split_once('#').unwrap_or((path, ""));
-        // The state of an explorer.
-        let fragment = fragment.split('?').next().unwrap_or("");
+        // The state of an explorer, or a scene.
+        let fragment = match fragment.split_once('&') {
+            Some(("block" | "ball", _)) => "own",
+            _ => fragment.split('?').next().unwrap_or(""),
+        };
         let file = if file.is_empty() { "index.html" } else { file };
         let place = fragment.is_empty()
             || visits

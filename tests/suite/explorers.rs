@@ -3,7 +3,9 @@
 
 use crate::Page;
 use slipbook::claims::{PAPER, anisotropic::simulated::Curves};
-use slipbook::explorers::{anisotropic, answer, constant, periodic, plane, sphere, turntable};
+use slipbook::explorers::{
+    anisotropic, answer, constant, periodic, plane, scene, sphere, turntable,
+};
 use slipbook::motion::drive::Sign;
 use slipbook::paper;
 use std::f64::consts::{LN_10, SQRT_2, TAU};
@@ -89,6 +91,104 @@ fn the_module_in_the_pages_gives_the_numbers_of_the_crate() {
             );
         }
     }
+}
+
+/// What is told of a scene, in the module.
+fn told(page: &mut Page, question: &str) -> String {
+    let bytes = page.tell(question);
+    let length = u32::from_le_bytes(bytes[..4].try_into().unwrap()) as usize;
+    String::from_utf8(bytes[4..][..length].to_vec()).unwrap()
+}
+
+/// A tray that is shaken for two seconds, as a recording.
+fn shaken() -> String {
+    let row = |k: i32| {
+        let t = f64::from(k) / 100.0;
+        format!("{t},{},0\n", 4.0 * (10.0 * t).sin())
+    };
+    "t (s),ax (m/s^2),ay (m/s^2)\n".to_owned() + &(0..200).map(row).collect::<String>()
+}
+
+#[test]
+fn the_module_tells_of_scenes_what_the_crate_tells() {
+    let mut page = page();
+    let record = shaken();
+    for (question, part) in [
+        (
+            "block\nmu=0.5\nthrow=6m/s",
+            "number\tpath\t3.67097836672\tm\n",
+        ),
+        (
+            "block\nmu=0.5\nthrow=6m/s",
+            "does\tslides\t0\ndoes\trests\t1.22365945",
+        ),
+        (
+            "block\nmu=0.5\nthrow=6m/s",
+            "\nstraight\npath\t0\t0\t0\t6\t",
+        ),
+        (
+            "ball\nmu=0.08\nradius=11cm\nthrow=5m/s@30deg",
+            "does\trolls\t1.8209",
+        ),
+        (
+            "block\nmu=0.1\ntilt=10deg@90deg\nat=1m,0\nuntil=2s",
+            "\npath\t0\t1\t0\t0",
+        ),
+        ("block\nmu=0.2\nuntil=1s", "does\trests\t0\n"),
+        (
+            "block\nmu=1\npull=sin(\nuntil=1s",
+            "error\t`sin(` is not an acceleration",
+        ),
+        ("block\nmu=1\nmass=1", "error\t`mass` is no word"),
+        (
+            "block\nthrow=1m/s",
+            "error\tmu, the coefficient of friction, is missing",
+        ),
+        (
+            "block\nmu=0.1\nrecord=a.csv",
+            "error\tcannot read `a.csv`: drop it",
+        ),
+        ("stone\nmu=0.1", "error\t`stone` is no word"),
+        ("", "error\t"),
+        (
+            &format!("block\nmu=0.2\nrecord=a.csv\nuntil=1.99s\n\n{record}"),
+            "number\tt\t1.99\ts",
+        ),
+        (
+            &format!("recording\n\n{record}"),
+            "rows\t200\t0\t1.99\nx\t0\t0\t0.01\t0.39933",
+        ),
+        (&format!("recording\n\n{record}"), "\nkinetic\tno plateau"),
+        ("recording\n\nt,v_x\n0,1\n", "error\tline 1"),
+    ] {
+        let native = scene::told(question);
+        assert!(native.contains(part), "{question}: {native}");
+        assert_eq!(told(&mut page, question), native, "{question}");
+    }
+}
+
+/// Of many rows the least and the largest of each stretch are left.
+#[test]
+fn a_long_recording_is_drawn_together_and_keeps_its_peaks() {
+    let row = |k: i32| {
+        format!(
+            "{},{}\n",
+            0.01 * f64::from(k),
+            if k == 7777 { 9.0 } else { f64::from(k % 3) }
+        )
+    };
+    let told = scene::told(&format!(
+        "recording\n\n{}",
+        (0..20_000).map(row).collect::<String>()
+    ));
+    let x: Vec<_> = told
+        .lines()
+        .find(|line| line.starts_with("x\t"))
+        .unwrap()
+        .split('\t')
+        .collect();
+    assert!(x.len() < 3000 && x.windows(2).any(|two| two == ["77.77", "9"]));
+    assert!(told.starts_with("rows\t20000\t0\t199.99"));
 }
 
 #[test]

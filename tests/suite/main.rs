@@ -18,6 +18,7 @@ mod judge;
 mod motions;
 mod numbers;
 mod one_build;
+mod package;
 mod pages;
 mod prose;
 mod readme;
@@ -117,6 +118,19 @@ impl Page {
         let linker = Linker::new(&engine);
         let instance = linker.instantiate_and_start(&mut store, &module).unwrap();
         Page { store, instance }
+    }
+
+    /// The memory from where the answer stands to a question in words.
+    fn tell(&mut self, question: &str) -> &[u8] {
+        let function = self.instance.get_typed_func(&self.store, "room").unwrap();
+        let at: u32 = function
+            .call(&mut self.store, question.len() as u32)
+            .unwrap();
+        let memory = self.instance.get_memory(&self.store, "memory").unwrap();
+        memory
+            .write(&mut self.store, at as usize, question.as_bytes())
+            .unwrap();
+        self.call("tell", ())
     }
 
     /// The memory from where the answer stands.

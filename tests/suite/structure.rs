@@ -38,7 +38,7 @@ const OF_THE_PAPER: &str = "
     claims: data trials validated scalar evidence numerics motion paper corrections exact certified seeded symbols theorems
     figures: data claims exam motion plotting solve trials
     breaks: claims corrections evidence ledger notation paper scalar seeded trials
-    commands: numerics exam figures cli motion plotting publishing scene solve stop
+    commands: numerics exam figures cli motion plotting publishing scene solve stop book
     edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper solve symbols book commands plotting publishing trials
 ";
 

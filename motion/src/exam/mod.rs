@@ -14,6 +14,7 @@
 //! ```
 
 mod plane;
+pub mod posed;
 mod ratchet;
 mod sphere;
 mod tray;
@@ -22,6 +23,7 @@ mod turntable;
 use crate::MotionError;
 use crate::drive::DriveError;
 use crate::numerics::NumericsError;
+use crate::scene::SceneError;
 use serde::Serialize;
 use trialbook::certified::{enclosure::Enclosure, error::CertifiedError, interval::Interval};
 
@@ -33,8 +35,8 @@ pub struct Task {
     pub id: &'static str,
     /// What is to be set up.
     pub setup: &'static str,
-    /// The numbers of the set-up, by their names.
-    pub given: &'static [(&'static str, f64)],
+    /// The same as data.
+    pub posed: posed::Posed,
     /// The question.
     pub question: &'static str,
     /// The unit of the number that answers it, in the quantities of the set-up (ω being the angular frequency of a pull
@@ -75,6 +77,16 @@ pub enum Basis {
     Integrated,
 }
 
+impl Basis {
+    /// Its name in lower case.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Certified => "certified",
+            Self::Integrated => "integrated",
+        }
+    }
+}
+
 /// A task with its answer.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Sat {
@@ -98,6 +110,9 @@ pub enum ExamError {
     /// A driven motion that cannot be followed.
     #[error(transparent)]
     Drive(#[from] DriveError),
+    /// A scene that cannot be run.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
     /// An enclosure that is not proved.
     #[error(transparent)]
     Certified(#[from] CertifiedError),
@@ -242,12 +257,28 @@ impl Sat {
         }
     }
 
+    /// An interval that holds the number; nothing for an order.
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        match (&self.answer, self.error) {
+            (Answer::Number(x), Some(error)) => Some(around(*x, error)),
+            _ => None,
+        }
+    }
+
     /// How far the followed motion is from the answer; nothing for an order.
     pub fn deviation(&self) -> Option<f64> {
         match (&self.motion, &self.answer) {
             (Answer::Number(x), Answer::Number(y)) => Some((x - y).abs()),
             _ => None,
         }
+    }
+}
+
+/// The numbers that are no farther from one than this, rounded outwards; no more than that one, if the error is nothing.
+fn around(x: f64, error: f64) -> [f64; 2] {
+    match error > 0.0 {
+        true => [(x - error).next_down(), (x + error).next_up()],
+        false => [x, x],
     }
 }
 

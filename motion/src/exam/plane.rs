@@ -1,5 +1,6 @@
 //! A block on a plane of constant acceleration, which in its frame is a steady pull.
 
+use super::posed::{self, Ask, Posed};
 use super::{Answer, Other, Task, fraction};
 use crate::{Launch, MotionError, Plane, Signal, State, run};
 use std::f64::consts::FRAC_PI_2;
@@ -9,11 +10,14 @@ use trialbook::certified::{ball::Ball, enclosure::Enclosure, interval::Interval,
 const ACROSS: &str = "A block slides on a horizontal plane with friction λ = μg/A = 3/2 under a steady pull A along x (an inclined \
      plane serves as well). It starts at the origin with the speed v₀ along y. Units: A = v₀ = 1.";
 
+/// The same as a scene.
+const STRONG: &str = "block mu=1.5 g=1 pull=1 throw=1@1.5707963267948966 until=stop";
+
 /// With d|v|/dt = A cos θ − λA and dv_x/dt = A − λA cos θ, λ|v| + v_x changes at the rate A (1 − λ²).
 pub(super) const STOP_TIME: Task = Task {
     id: "stop-time",
     setup: ACROSS,
-    given: &[("lambda", 1.5), ("v0", 1.0), ("theta0", FRAC_PI_2)],
+    posed: Posed::of(STRONG, Ask::T),
     question: "When does it stop?",
     unit: "v₀/A",
     motion: || Ok(Answer::Number(stopped()?.t)),
@@ -24,7 +28,10 @@ pub(super) const STOP_TIME: Task = Task {
 pub(super) const STOP_PLACE: Task = Task {
     id: "stop-place",
     setup: ACROSS,
-    given: &[("lambda", 1.5), ("v0", 1.0), ("theta0", FRAC_PI_2)],
+    posed: Posed {
+        grid: Some(posed::THROWN),
+        ..Posed::of(STRONG, Ask::Distance)
+    },
     question: "How far from the start does it stop? (It is at x = 1/5, y = 3/8.)",
     unit: "v₀²/A",
     motion: || {
@@ -45,12 +52,10 @@ pub(super) const TURNING: Task = Task {
     id: "turning",
     setup: "A block slides on a horizontal plane with friction λ = μg/A = 1/2 under a steady pull A along x. It starts with the \
             speed v₀ along y. Units: A = v₀ = 1.",
-    given: &[
-        ("lambda", 0.5),
-        ("v0", 1.0),
-        ("theta0", FRAC_PI_2),
-        ("t", 2.0),
-    ],
+    posed: Posed::of(
+        "block mu=0.5 g=1 pull=1 throw=1@1.5707963267948966 until=time=2",
+        Ask::VY,
+    ),
     question: "What is its velocity along y at t = 2?",
     unit: "v₀",
     motion: || {
@@ -72,7 +77,10 @@ pub(super) const CREEP: Task = Task {
     id: "creep",
     setup: "A block lies at rest on a horizontal plane under a steady pull of 95 parts in 100 of what friction can hold: μg = 1, \
             A = 0.95 (an inclined plane serves as well).",
-    given: &[("mu_g", 1.0), ("A", 0.95), ("t", 10.0)],
+    posed: Posed {
+        grid: Some(posed::HELD),
+        ..Posed::of("block mu=1 g=1 pull=0.95 until=time=10", Ask::Distance)
+    },
     question: "How far is it from its place at t = 10? (Static friction holds it: nowhere.)",
     unit: "μgT², T being the unit of t",
     motion: || {
@@ -86,7 +94,7 @@ pub(super) const CREEP: Task = Task {
 pub(super) const BREAKAWAY: Task = Task {
     id: "breakaway",
     setup: "A block lies at rest on a horizontal plane with μg = 1. From t = 0 on it is pulled ever harder, A = t/2.",
-    given: &[("mu_g", 1.0), ("A_rate", 0.5), ("t", 4.0)],
+    posed: Posed::of("block mu=1 g=1 pull=t/2 until=time=4", Ask::X),
     question: "How far has it come at t = 4?",
     unit: "μgT², T being the unit of t",
     motion: || {

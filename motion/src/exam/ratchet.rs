@@ -4,6 +4,7 @@
 //! (λ₋ − λ₊)/2 forward: a tray that is tilted. So an engine without anisotropic friction can sit these tasks, and a second
 //! integrator finds the answers.
 
+use super::posed::{self, Ask, Posed, Scan, repeated};
 use super::{Answer, DIMENSIONLESS, ExamError, Other, Task, tray::sine};
 use crate::drive::{Drive, DriveState, Friction, Sign};
 use crate::numerics::roots::root;
@@ -24,7 +25,7 @@ macro_rules! ratchet {
 }
 
 /// q and λ₀, on either side of the borders, in the corners between them and beyond the point Y.
-const TEN: [[f64; 2]; 10] = [
+pub(super) const TEN: [[f64; 2]; 10] = [
     [1.5, 0.3],
     [1.5, 0.55],
     [1.5, 0.65],
@@ -42,7 +43,10 @@ pub(super) const ORDERS: Task = Task {
     setup: ratchet!(
         "with (q, λ₀) = (1.5, 0.3), (1.5, 0.55), (1.5, 0.65), (2, 0.45), (2, 0.48), (3, 0.2), (3, 0.32), (3, 0.5), (6, 0.1), (6, 0.165)"
     ),
-    given: &[],
+    posed: Posed {
+        grid: Some(posed::TEN),
+        ..repeated!("g=1 mu=0.3 mu-back=0.45", Ask::Order)
+    },
     question: "In which order does the block go forward (F), go backward (B) and rest (R) in a period, beginning with F, for each of \
                the ten?",
     unit: "",
@@ -60,7 +64,7 @@ pub(super) const ORDERS: Task = Task {
 pub(super) const DRIFT: Task = Task {
     id: "drift",
     setup: ratchet!("with q = 2, λ₀ = 3/10"),
-    given: &[("q", 2.0), ("lambda0", 0.3)],
+    posed: repeated!("g=1 mu=0.3 mu-back=0.6", Ask::MeanVX),
     question: "What is the mean velocity of the block?",
     unit: "A/ω",
     motion: || {
@@ -82,7 +86,16 @@ pub(super) const DRIFT: Task = Task {
 pub(super) const NO_WAY_BACK: Task = Task {
     id: "no-way-back",
     setup: ratchet!("with q = 6"),
-    given: &[("q", 6.0)],
+    posed: Posed {
+        scan: Some(Scan {
+            from: 0.15,
+            to: 1.0 / 6.0,
+            level: 0.0,
+            within: 1e-11,
+            unit: "m/s^2",
+        }),
+        ..repeated!("mu=1 mu-back=6 g={}", Ask::Back)
+    },
     question: "Above which λ₀ does the block never go backward?",
     unit: DIMENSIONLESS,
     motion: || {
@@ -103,7 +116,16 @@ pub(super) const NO_WAY_BACK: Task = Task {
 pub(super) const TOUCHING: Task = Task {
     id: "touching",
     setup: ratchet!("with λ₀ = 1/q, so that the pull can just not move it backward from rest"),
-    given: &[],
+    posed: Posed {
+        scan: Some(Scan {
+            from: 4.0,
+            to: 5.0,
+            level: 1.5 * PI,
+            within: 1e-11,
+            unit: "m/s^2",
+        }),
+        ..Posed::of("block mu=1 g=1 mu-back=5 pull={}*sin(t) until=stop", Ask::T)
+    },
     question: "For which q above 2 does its forward motion end where the pull backward is largest, at t = 3π/2?",
     unit: DIMENSIONLESS,
     motion: || {

@@ -1,5 +1,6 @@
 //! A solid ball that slips until it rolls.
 
+use super::posed::{self, Ask, Posed};
 use super::{Answer, ExamError, Other, Task, fraction};
 use crate::sphere::{Ball, BallMotion, Contact, Sphere};
 use crate::{MotionError, Plane};
@@ -12,7 +13,10 @@ const BOWLED: &str = "A solid ball is put down on a horizontal plane with the ve
 pub(super) const SLIP_TIME: Task = Task {
     id: "slip-time",
     setup: BOWLED,
-    given: &[("mu_g", 1.0), ("v0", 1.0), ("kappa", 0.4)],
+    posed: Posed {
+        grid: Some(posed::BOWLED),
+        ..Posed::of("ball mu=1 g=1 radius=1 throw=1 until=rolling", Ask::T)
+    },
     question: "When does it begin to roll?",
     unit: "v₀/(μg)",
     motion: || Ok(Answer::Number(rolls_from(&thrown(0.0, 1.0, [1.0, 0.0])?)?)),
@@ -23,7 +27,7 @@ pub(super) const SLIP_TIME: Task = Task {
 pub(super) const PLACE: Task = Task {
     id: "ball-place",
     setup: BOWLED,
-    given: &[("mu_g", 1.0), ("v0", 1.0), ("kappa", 0.4), ("t", 1.0)],
+    posed: Posed::of("ball mu=1 g=1 radius=1 throw=1 until=time=1", Ask::X),
     question: "How far has its centre come at t = 1? (In the end it rolls with 5/7 of v₀.)",
     unit: "v₀²/(μg)",
     motion: || Ok(Answer::Number(thrown(0.0, 1.0, [1.0, 0.0])?.end().x[0])),
@@ -35,7 +39,10 @@ pub(super) const DRIVEN_SLIP: Task = Task {
     id: "driven-slip",
     setup: "A solid ball is put down on a horizontal plane that accelerates; in its frame the ball feels a steady pull A along x. \
             Friction is μg/A = 1/2; the ball starts with the velocity v₀ along y and without spin. Units: A = v₀ = 1.",
-    given: &[("lambda", 0.5), ("v0", 1.0), ("kappa", 0.4)],
+    posed: Posed::of(
+        "ball mu=0.5 g=1 radius=1 pull=1 throw=1@1.5707963267948966 until=rolling",
+        Ask::T,
+    ),
     question: "When does it begin to roll?",
     unit: "v₀/A",
     motion: || Ok(Answer::Number(rolls_from(&thrown(1.0, 0.5, [0.0, 1.0])?)?)),

@@ -1,6 +1,8 @@
 //! The answers as they stand, and what happens where the two ways part.
 
 use super::*;
+use crate::numerics::error::plain;
+use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 /// Every task, sat once for all tests.
@@ -159,4 +161,115 @@ fn no_more_digits_are_written_than_are_known() {
     assert_eq!(sat(0.425, 1e-17).text(), "0.425");
     assert_eq!(sat(0.0, 0.0).text(), "0");
     assert_eq!(sat(95.123_456, 3e-3).text(), "95.12");
+}
+
+/// The answer of a task, and how far a scene may be off it: its interval, and 10⁻⁹ of it, or of 1.
+fn holds(answer: &Answer, sat: &Sat) -> bool {
+    match (answer, sat.interval()) {
+        (Answer::Number(x), Some([lo, hi])) => {
+            let wide = 1e-9 * lo.abs().max(1.0);
+            (lo - wide..=hi + wide).contains(x)
+        }
+        (answer, _) => *answer == sat.answer,
+    }
+}
+
+#[test]
+fn every_scene_gives_the_answer_of_its_task() {
+    for (task, (_, sat)) in TASKS.iter().zip(SAT.iter()) {
+        let run = task.posed.run().unwrap();
+        let sat = sat.as_ref().unwrap();
+        assert!(holds(&run, sat), "{}: {run} {}", task.id, sat.answer);
+    }
+}
+
+/// So that its number is read: what is off by a millionth is not the answer's scene any more.
+#[test]
+fn a_wrong_word_in_a_scene_is_noticed() {
+    let mut noticed = 0;
+    for (task, (_, sat)) in TASKS.iter().zip(SAT.iter()) {
+        // What rests or comes back does so elsewhere too; what is looked for in several scenes takes long.
+        if ["creep", "mirror", "orders"].contains(&task.id) || task.posed.scan.is_some() {
+            continue;
+        }
+        let (body, words) = task.posed.words();
+        for k in 0..words.len() {
+            let (name, text) = words[k];
+            let Ok(number) = text.parse::<f64>() else {
+                continue;
+            };
+            // Of a ball on a plane, it drops out.
+            if name == "radius" {
+                continue;
+            }
+            let text = plain(number * (1.0 + 1e-6));
+            let scene = words.iter().map(|(other, was)| match *other == name {
+                true => format!(" {name}={text}"),
+                false if was.is_empty() => format!(" {other}"),
+                false => format!(" {other}={was}"),
+            });
+            let scene: String = [body.to_owned()].into_iter().chain(scene).collect();
+            let wrong = posed::Posed {
+                scene: scene.leak(),
+                ..task.posed
+            };
+            let run = wrong.run().unwrap();
+            assert!(!holds(&run, sat.as_ref().unwrap()), "{}: {name}", task.id);
+            noticed += 1;
+        }
+    }
+    assert!(noticed > 30, "{noticed}");
+}
+
+#[test]
+fn the_answers_of_grids_are_those_of_closed_forms() {
+    let posed = |id| {
+        let field = posed::FIELDS.iter().find(|field| field.id == id);
+        let task = TASKS.iter().find(|task| task.id == id);
+        field.map(|f| f.posed).or(task.map(|t| t.posed)).unwrap()
+    };
+    let g = 9.81;
+    let ramp = |mu: f64, ratio: f64| {
+        let (s, c) = (mu * ratio).atan().sin_cos();
+        (0.5 * g * (s - mu * c)).max(0.0)
+    };
+    // With u = tan(θ/2) the hodograph is C u^(λ − 1) (1 + u²).
+    let thrown = |lambda: f64, angle: f64| {
+        if angle == 0.0 || angle == PI {
+            return 0.5 / (lambda - angle.cos());
+        }
+        let u = (0.5 * angle).tan();
+        let c = 1.0 / (u.powf(lambda - 1.0) * (1.0 + u * u));
+        let term = |k: f64| u.powf(k) / k;
+        let x = c * c * (term(2.0 * lambda - 2.0) - term(2.0 * lambda + 2.0));
+        let y = 2.0 * c * c * (term(2.0 * lambda - 1.0) + term(2.0 * lambda + 1.0));
+        x.hypot(y)
+    };
+    type Closed<'a> = &'a dyn Fn(f64, f64) -> f64;
+    let all: [(&str, Closed); 5] = [
+        ("ramp", &ramp),
+        ("stopping-distance", &|mu, v| v * v / (2.0 * mu * g)),
+        ("creep", &|_, _| 0.0),
+        ("stop-place", &thrown),
+        ("slip-time", &|mu, v| 2.0 * v / (7.0 * mu)),
+    ];
+    for (id, closed) in all {
+        let cells = posed(id).cells().unwrap();
+        assert!(cells.len() >= 20, "{id}");
+        for cell in cells {
+            let ([lo, hi], right) = (cell.interval.unwrap(), closed(cell.at[0], cell.at[1]));
+            // The closed forms have rounding errors of their own: of the ramp, where two large terms nearly cancel.
+            let own = 1e-13 * right.max(0.01);
+            assert!(
+                lo <= right + own && right - own <= hi,
+                "{id} {:?}: {lo} {hi} {right}",
+                cell.at
+            );
+            assert!(
+                hi - lo <= 1e-10 * right.max(1e-2),
+                "{id} {:?}: {lo} {hi}",
+                cell.at
+            );
+        }
+    }
 }

@@ -1,5 +1,6 @@
 //! A block on a tray that is shaken to and fro.
 
+use super::posed::{Ask, Posed, Scan, repeated};
 use super::{Answer, DIMENSIONLESS, ExamError, Other, Task, fraction, valued};
 use crate::drive::{Attractor, Drive, DriveError, DriveState, Friction, PlanarState, Sign};
 use crate::validated::{drive, numbers};
@@ -22,7 +23,7 @@ macro_rules! shaken {
 pub(super) const REST_FRACTION: Task = Task {
     id: "rest-fraction",
     setup: shaken!("4/5"),
-    given: &[("lambda0", 0.8)],
+    posed: repeated!("g=1 mu=0.8", Ask::Rest),
     question: "For which part of the time is the block at rest on the tray?",
     unit: DIMENSIONLESS,
     motion: || rest_fraction(0.8),
@@ -32,7 +33,7 @@ pub(super) const REST_FRACTION: Task = Task {
 pub(super) const REST_FRACTION_LOW: Task = Task {
     id: "rest-fraction-low",
     setup: shaken!("3/5"),
-    given: &[("lambda0", 0.6)],
+    posed: repeated!("g=1 mu=0.6", Ask::Rest),
     question: "For which part of the time is the block at rest on the tray?",
     unit: DIMENSIONLESS,
     motion: || rest_fraction(0.6),
@@ -43,7 +44,7 @@ pub(super) const REST_FRACTION_LOW: Task = Task {
 pub(super) const NEVER_RESTS: Task = Task {
     id: "never-rests",
     setup: shaken!("2/5"),
-    given: &[("lambda0", 0.4)],
+    posed: repeated!("g=1 mu=0.4", Ask::Turn),
     question: "At which t, counted from the beginning of a period of the pull, does its velocity change from backward to forward?",
     unit: "1/ω",
     motion: || {
@@ -61,7 +62,16 @@ pub(super) const NEVER_RESTS: Task = Task {
 pub(super) const THRESHOLD: Task = Task {
     id: "threshold",
     setup: "A block lies on a horizontal tray that is shaken along x; in its frame the block feels the pull A sin t.",
-    given: &[],
+    posed: Posed {
+        scan: Some(Scan {
+            from: 0.4,
+            to: 0.8,
+            level: 0.0,
+            within: 1e-11,
+            unit: "1",
+        }),
+        ..repeated!("g=1 mu={}", Ask::Rest)
+    },
     question: "Above which friction λ₀ = μg/A does the block rest for a part of each period?",
     unit: DIMENSIONLESS,
     motion: || {
@@ -83,7 +93,7 @@ pub(super) const MIRROR: Task = Task {
     id: "mirror",
     setup: "A block slides on a tray that is shaken along x; in its frame it feels the pull A sin t. Friction is λ₀ = μg/A = 3/10; \
             it starts at t = 0 with the velocity 2 forward. Units: A = 1, period 2π.",
-    given: &[("lambda0", 0.3), ("v0", 2.0)],
+    posed: repeated!("g=1 mu=0.3 throw=2", Ask::X),
     question: "How far does it move from period to period in the end? (Forward and backward are alike: nowhere.)",
     unit: "A/ω²",
     motion: || {
@@ -102,7 +112,7 @@ pub(super) const MIRROR: Task = Task {
 pub(super) const HEAT: Task = Task {
     id: "heat",
     setup: shaken!("4/5"),
-    given: &[("lambda0", 0.8)],
+    posed: repeated!("g=1 mu=0.8", Ask::Heat),
     question: "How much energy does friction take from a unit of mass in a period?",
     unit: "A²/ω²",
     motion: || {
@@ -124,7 +134,10 @@ pub(super) const SIDEWAYS: Task = Task {
     id: "sideways",
     setup: "A block slides on a tray that is shaken along x; in its frame it feels the pull A sin t. Friction is λ₀ = μg/A = 3/10; \
             it starts at t = 0 with the velocity 1 along y. Units: A = 1, period 2π.",
-    given: &[("lambda0", 0.3), ("v0", 1.0), ("periods", 2.0)],
+    posed: Posed::of(
+        "block mu=0.3 g=1 pull=sin(t) throw=1@1.5707963267948966 until=time=12.566370614359172",
+        Ask::LnVY,
+    ),
     question: "What is the natural logarithm of its velocity along y after two periods?",
     unit: DIMENSIONLESS,
     motion: || {

@@ -1,5 +1,6 @@
 //! A coin on a turntable: small, so that it is a particle.
 
+use super::posed::{Ask, Posed, Scan};
 use super::{Answer, ExamError, Other, Task};
 use crate::turntable::{
     Fate, Start, State, Table, boundary::between, critical_radius, critical_speed, fate, inertial,
@@ -19,6 +20,21 @@ macro_rules! table {
     };
 }
 
+/// Whether it rests in the last second of fifty: where a border is, in this unit.
+const fn bordered(scene: &'static str, unit: &'static str) -> Posed {
+    Posed {
+        window: Some(1.0),
+        scan: Some(Scan {
+            from: 0.5,
+            to: 1.5,
+            level: 0.0,
+            within: 1e-7,
+            unit,
+        }),
+        ..Posed::of(scene, Ask::Rest)
+    }
+}
+
 /// To which a border is followed.
 const WIDTH: f64 = 1e-13;
 
@@ -29,7 +45,7 @@ const BAND: f64 = 3e-7;
 pub(super) const CRITICAL_RADIUS: Task = Task {
     id: "critical-radius",
     setup: table!("It is put down at rest in the laboratory, at a distance from the axis."),
-    given: &[],
+    posed: bordered("block mu=1 g=1 turn=1 at={} set-down until=time=50", "m"),
     question: "What is the largest distance from which it comes to rest on the table?",
     unit: "μg/Ω²",
     motion: || Ok(Answer::Number(between(Start::put_down, 0.5, 1.5, WIDTH)?)),
@@ -39,7 +55,7 @@ pub(super) const CRITICAL_RADIUS: Task = Task {
 pub(super) const CRITICAL_SPEED: Task = Task {
     id: "critical-speed",
     setup: table!("It is launched from the axis."),
-    given: &[],
+    posed: bordered("block mu=1 g=1 turn=1 throw={} until=time=50", "m/s"),
     question: "What is the largest speed with which it comes to rest on the table?",
     unit: "μg/Ω",
     motion: || Ok(Answer::Number(between(Start::launched, 0.5, 1.5, WIDTH)?)),
@@ -67,7 +83,10 @@ fn border<E>(
 pub(super) const PLACE_OF_REST: Task = Task {
     id: "place-of-rest",
     setup: table!("It is put down at rest in the laboratory at the distance 1/2 from the axis."),
-    given: &[("rho", 0.5)],
+    posed: Posed::of(
+        "block mu=1 g=1 turn=1 at=0.5 set-down until=rest",
+        Ask::Distance,
+    ),
     question: "At which distance from the axis does it come to rest?",
     unit: "μg/Ω²",
     motion: || match fate(&Start::put_down(0.5)?)? {
@@ -87,7 +106,10 @@ const LATE: f64 = 20.0;
 pub(super) const ESCAPE: Task = Task {
     id: "escape",
     setup: table!("It is put down at rest in the laboratory at the distance 3/2 from the axis."),
-    given: &[("rho", 1.5), ("t", LATE)],
+    posed: Posed::of(
+        "block mu=1 g=1 turn=1 at=1.5 set-down until=time=20",
+        Ask::Distance,
+    ),
     question: "At which distance from the axis is it at t = 20? (In the end the distance grows as t²/(3√2).)",
     unit: "μg/Ω²",
     motion: || {

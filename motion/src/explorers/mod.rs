@@ -11,6 +11,7 @@ pub mod anisotropic;
 pub mod constant;
 pub mod periodic;
 pub mod plane;
+pub mod scene;
 pub mod sphere;
 pub mod tray;
 pub mod turntable;

@@ -1,7 +1,8 @@
 //! The end of a scene as numbers with names, units and errors.
 
 use super::{
-    Event, JoulePerKilogram, Metre, MetrePerSecond, Moment, Moved, Scene, SceneError, Second, Until,
+    Event, Floors, JoulePerKilogram, Metre, MetrePerSecond, Moment, Moved, Scene, SceneError,
+    Second, Until,
 };
 
 /// One number of an answer.
@@ -67,9 +68,11 @@ impl Scene {
     /// # Errors
     /// As for [`run`](Self::run).
     pub fn answer(&self, until: Until) -> Result<Answer, SceneError> {
-        let moved = self.run(until)?;
+        let floors = Floors::default();
+        let moved = super::moved::moved(self, until, &floors)?;
         let end = moved.end()?;
-        let nudged = self.nudged().run(until).and_then(|moved| moved.end());
+        let nudged =
+            super::moved::moved(&self.nudged(), until, &floors).and_then(|moved| moved.end());
         let mut numbers = end.numbers();
         let other = nudged.map(|end| end.numbers()).unwrap_or_default();
         let size = |unit| {
@@ -81,10 +84,10 @@ impl Scene {
         let timed = matches!(until, Until::Time(_));
         let units = self.units;
         for (k, number) in numbers.iter_mut().enumerate() {
-            let moved = other
+            let changed = other
                 .get(k)
                 .map_or(f64::INFINITY, |other| (other.value - number.value).abs());
-            let own = 2.0 * moved + KNOWN * sizes[k];
+            let own = 2.0 * changed + KNOWN * sizes[k];
             number.error = match number.unit {
                 "m/s" => own + velocity,
                 "m" => own + place,

@@ -1,6 +1,8 @@
 //! What moves the floor: a sum of pulls, as what lies on it feels them.
 
 use super::{SceneError, directed, quantity, unit_vector};
+use std::{cell::RefCell, rc::Rc};
+
 use crate::{
     Fitted,
     acceleration::{Acceleration, Coefficients},
@@ -72,7 +74,7 @@ impl Part {
             let (text, _, size) = quantity::read("an acceleration", "m/s^2", size, number)?;
             let before = until;
             until += duration;
-            if !(until > before) {
+            if until.is_nan() || until <= before {
                 return Err(SceneError::given(
                     "a duration",
                     duration,
@@ -172,6 +174,29 @@ struct Span {
 enum What {
     Steady(f64),
     Fitted(Fitted),
+}
+
+/// Floors that have been made already, by the time up to which they go.
+#[derive(Default)]
+pub(super) struct Floors(RefCell<Vec<(f64, Rc<Floor>)>>);
+
+impl Floors {
+    pub fn get(
+        &self,
+        to: f64,
+        make: impl FnOnce() -> Result<Floor, SceneError>,
+    ) -> Result<Rc<Floor>, SceneError> {
+        let known = |all: &Vec<(f64, Rc<Floor>)>| {
+            let found = all.iter().find(|(until, _)| *until == to);
+            found.map(|(_, floor)| Rc::clone(floor))
+        };
+        if let Some(floor) = known(&self.0.borrow()) {
+            return Ok(floor);
+        }
+        let floor = Rc::new(make()?);
+        self.0.borrow_mut().push((to, Rc::clone(&floor)));
+        Ok(floor)
+    }
 }
 
 /// The sum of all parts, as an acceleration of the floor.

@@ -20,12 +20,12 @@
 //!     frame: vec![Part::pull("4.2m/s^2:4.79s,0")?],
 //!     ..Scene::block(0.3)
 //! };
-//! let answer = scene.run(Until::Stop)?;
-//! assert!((answer.end().way.0 - 20.577).abs() < 1e-3);
+//! let end = scene.run(Until::Stop)?.end()?;
+//! assert!((end.way.0 - 20.603).abs() < 1e-3);
 //!
 //! // Thrown over a floor at rest.
 //! let thrown = Scene { start: Start::thrown([MetrePerSecond(6.0), MetrePerSecond(0.0)]), ..Scene::block(0.5) };
-//! let stop = thrown.run(Until::Stop)?.end();
+//! let stop = thrown.run(Until::Stop)?.end()?;
 //! assert!((stop.t.0 - 6.0 / (0.5 * 9.80665)).abs() < 1e-12);
 //! # Ok::<(), slipbook_motion::scene::SceneError>(())
 //! ```
@@ -42,6 +42,7 @@ mod tests;
 
 pub use answer::{Answer, Number, target};
 pub use find::{Found, STEPS, find};
+use frame::Floors;
 pub use frame::Part;
 pub use moved::{Doing, Event, Moment, Moved};
 pub use quantity::{
@@ -167,7 +168,7 @@ pub struct Scene {
     pub start: Start,
     /// The names of the units in which all is given and answered.
     pub units: Units,
-    /// How long the shortest pulse of a pull that is an expression lasts; if nothing is said, a five-thousandth of the time.
+    /// How long the shortest pulse of a pull that is an expression lasts; if nothing is said, a thousandth of the time.
     pub width: Option<Second>,
     /// The longest time for which an end is looked for.
     pub within: Second,
@@ -212,10 +213,9 @@ impl Scene {
 
     /// The pull, in m/s², if it is one and the same at all times.
     pub fn steady_pull(&self) -> Option<[f64; 2]> {
-        let [x, y] = self.slope();
-        let parts = self.frame.iter().map(Part::steady_pull);
-        parts.fold(Some([x, y]), |sum, part| {
-            let ([x, y], [a, b]) = (sum?, part?);
+        let mut parts = self.frame.iter().map(Part::steady_pull);
+        parts.try_fold(self.slope(), |[x, y], part| {
+            let [a, b] = part?;
             Some([x + a, y + b])
         })
     }
@@ -234,7 +234,7 @@ impl Scene {
     /// [`SceneError`] for a number out of its range, for parts that do not go together, and where there is no such end
     /// [`within`](Self::within) the time.
     pub fn run(&self, until: Until) -> Result<Moved, SceneError> {
-        moved::moved(self, until)
+        moved::moved(self, until, &Floors::default())
     }
 }
 

@@ -1,8 +1,11 @@
 //! What became of the body of a scene.
 
+use std::rc::Rc;
+
 use super::{
     Body, JoulePerKilogram, Metre, MetrePerSecond, RadianPerSecond, Scene, SceneError, Second,
-    Until, check, frame::Floor,
+    Until, check,
+    frame::{Floor, Floors},
 };
 use crate::{
     Acceleration, Friction, Line, Motion, Phase, PhaseKind, State, Track, run,
@@ -71,22 +74,18 @@ const LEAST: f64 = 1e-50;
 /// Each time as much longer is looked for an end that does not come.
 const LONGER: f64 = 4.0;
 
-pub(super) fn moved(scene: &Scene, until: Until) -> Result<Moved, SceneError> {
-    let made = Made::new(scene)?;
+pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Moved, SceneError> {
+    let made = Made::new(scene, floors)?;
     let (within, from) = (scene.within.0, made.from);
     check("within", within, within > 0.0, "positive")?;
     if let Until::Time(Second(t)) = until {
         return made.follow(t);
     }
     let speed = libm::hypot(made.velocity[0], made.velocity[1]);
-    let stopping = 2.0 * speed / scene.friction();
+    let stopping = libm::exp2(libm::ceil(libm::log2(speed / scene.friction())) + 1.0);
     let last = (from + within).min(made.known);
-    let mut to = from
-        + if stopping > 0.0 && stopping < 1e9 {
-            stopping
-        } else {
-            1.0
-        };
+    let usual = stopping > 0.0 && stopping < 1e9;
+    let mut to = from + if usual { stopping } else { 1.0 };
     loop {
         to = to.min(last);
         let moved = made.follow(to)?;
@@ -122,6 +121,7 @@ pub(super) fn moved(scene: &Scene, until: Until) -> Result<Moved, SceneError> {
 /// A scene with its numbers checked, in SI.
 struct Made<'a> {
     scene: &'a Scene,
+    floors: &'a Floors,
     /// Begin, and the end of what is recorded.
     from: f64,
     known: f64,
@@ -131,7 +131,7 @@ struct Made<'a> {
 }
 
 impl<'a> Made<'a> {
-    fn new(scene: &'a Scene) -> Result<Self, SceneError> {
+    fn new(scene: &'a Scene, floors: &'a Floors) -> Result<Self, SceneError> {
         let Scene {
             body,
             mu,
@@ -195,6 +195,7 @@ impl<'a> Made<'a> {
         let [from, known] = Floor::known(&scene.frame);
         Ok(Self {
             scene,
+            floors,
             from: if from.is_finite() { from } else { 0.0 },
             known,
             place,
@@ -203,17 +204,13 @@ impl<'a> Made<'a> {
         })
     }
 
-    fn floor(&self, to: f64) -> Result<Floor, SceneError> {
-        let width = self
-            .scene
-            .width
-            .map_or((to - self.from) / 5000.0, |width| width.0);
-        Floor::new(
-            &self.scene.frame,
-            self.scene.slope(),
-            [self.from, to],
-            width,
-        )
+    fn floor(&self, to: f64) -> Result<Rc<Floor>, SceneError> {
+        let usual = (to - self.from) / 1000.0;
+        let width = self.scene.width.map_or(usual, |width| width.0);
+        self.floors.get(to, || {
+            let (frame, slope) = (&self.scene.frame, self.scene.slope());
+            Floor::new(frame, slope, [self.from, to], width)
+        })
     }
 
     /// The motion up to the time `to`.
@@ -244,7 +241,7 @@ impl<'a> Made<'a> {
                     holding: holding.max(mu) * self.scene.normal(),
                 };
                 match self.scene.back {
-                    None => Followed::Block(run(&floor, rough(mu), state, to)?),
+                    None => Followed::Block(run(&*floor, rough(mu), state, to)?),
                     Some(back) => {
                         let (plus, minus) = (rough(mu), rough(back));
                         let line = Line {
@@ -253,7 +250,7 @@ impl<'a> Made<'a> {
                             minus,
                             frequency: 0.0,
                         };
-                        Followed::Line(line, line.run(&floor, state, to)?)
+                        Followed::Line(line, line.run(&*floor, state, to)?)
                     }
                 }
             }
@@ -275,7 +272,7 @@ impl<'a> Made<'a> {
                     v: self.velocity,
                     omega,
                 };
-                Followed::Ball(sphere.run_held(holding.max(LEAST), &floor, &ball, to)?)
+                Followed::Ball(sphere.run_held(holding.max(LEAST), &*floor, &ball, to)?)
             }
         };
         Ok(self.moved(followed, to, floor.error()))

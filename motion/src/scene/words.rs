@@ -46,7 +46,7 @@ words! {
     "set-down" "" "It is at rest in the room when it comes down on a belt or a table";
     "spin" "X,Y,Z" "The angular velocity of a ball; z points up";
     "units" "mu g, mu g Omega or mu g R" "Plain numbers are in units in which μg is 1 and a time, the table's turning or the ball's radius is, and so is what is answered";
-    "width" "DURATION" "The shortest pulse of a pull that is an expression [default: a 5000th of the time]";
+    "width" "DURATION" "The shortest pulse of a pull that is an expression [default: a thousandth of the time]";
     "within" "DURATION" "The longest time for which an end is looked for [default: 3600s]";
     "until" "stop, rolling, rest, TIME, LENGTH or beyond=LENGTH" "The end: the first stop, rolling, the rest that nothing ends any more, a time, a length of the path, a distance from the start or the table's axis [default: stop, or rolling]";
 }
@@ -252,7 +252,7 @@ impl Scene {
 fn has_unit(text: &str) -> bool {
     let parts = text.split([',', ':', '@', '=']);
     let units = parts
-        .map(|part| apart(part))
+        .map(apart)
         .filter(|(number, _)| !number.trim().is_empty());
     units
         .into_iter()

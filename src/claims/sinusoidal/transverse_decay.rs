@@ -75,10 +75,6 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
                     terms / (two * vy.squared() * v * (v + vy)),
                 ),
             )?;
-            p.note(
-                "So, as v_x/v_y → 0",
-                "the slope tends to the stated one, and over any phase v_y falls by that much, up to λ₀/2 times the integral of (v_x/v_y)²",
-            );
             Ok(())
         },
     )
@@ -162,7 +158,6 @@ fn near_zero([d, ..]: Passage) -> Proof {
             ("The stated size d of the drive at a zero", d),
             ("", paper::eq39_phi_t1::tree().sin()),
         )?;
-        p.note("By (40)", "d > λ₀ below λ_c");
         let halves = 2 * ((phi - turn) / 2).sin() * ((phi + turn) / 2).cos();
         p.identity(
             ("sin φ − d", phi.sin() - d),
@@ -173,10 +168,6 @@ fn near_zero([d, ..]: Passage) -> Proof {
             ("With m = (d − λ₀)/2: d − m", d - margin),
             ("", lambda0 + margin),
         )?;
-        p.note(
-            "So, where |φ − φ̃₁| ≤ m",
-            "sin φ ≥ λ₀ + m; and as dv_x/dφ ≥ sin φ − λ₀, friction being λ₀ at most, |v_x| is at least m times the distance from the zero of v_x",
-        );
         Ok(())
     })
 }
@@ -198,10 +189,6 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         p.rests_on(&near_zero(passage))?;
         let [lambda0, phi, turn, z] = symbols(["λ₀", "φ", "φ̃₁", "Z"]);
         let [vx, vy, v] = velocity();
-        p.note(
-            "Late, the motion is close to (38)",
-            "v_x has one zero within m of each zero of (38), at a distance Z from it that tends to 0; elsewhere |v_x| has a positive lower bound",
-        );
         let [along, _] = in_units(law, eq21());
         let along = p.read("dv_x/dφ by (1) and (21)", along)?;
         for (says, sign) in [("v_x > 0", 1), ("v_x < 0", -1)] {
@@ -221,10 +208,6 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
                 ("not negative", 2 * vy * sign * vx),
             )?;
         }
-        p.note(
-            "So λ₀ (1 − |v_x|/v) is λ₀ v_y/v at most, the rate at which v_y falls",
-            "so, with Y for v_y at the phase m before a zero of (38), v_x departs from there on by Y at most from a motion on the line",
-        );
 
         let [forward, backward] = cases;
         let pi = pi();
@@ -248,10 +231,6 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
         p.note(
             "Let v_x, on the line, have its zero Z later or earlier than (38)",
             "before both zeros the two differ by the integral of the drive from one to the other and λ₀ Z, after both by this integral less λ₀ Z. It is Z times a mean of sin φ, and so d Z up to Z² at most",
-        );
-        p.note(
-            "From one zero to the next, at the distance Z′, the difference stays the same on the line",
-            "so, with the departure from the line, Z′ (d + λ₀ − Z′) ≤ Z (d − λ₀ + Z) + Y",
         );
         let [d, factor, contraction] = passage;
         let ratio = (d - lambda0) / (d + lambda0);
@@ -296,26 +275,10 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
         let after = factor * before - (lambda0 * b + e) / (d - lambda0);
         let left = before - after;
         let right = lambda0 / d * (b - before - after) + e / d;
-        p.note(
-            "By the rates of ln v_y and ln T",
-            "L − M = (λ₀/d) (b − L − M) + e/d. The solution is M = F L − (λ₀ b + e)/(d − λ₀), with F for the stated factor:",
-        );
         p.identity(("L − M with it", left), ("the right side", right))?;
-        p.note(
-            "From there to the next passage",
-            "ln v_y changes by a bounded amount, as |v_x| has a positive lower bound",
-        );
 
         let [z, next, y, bound] = symbols(["Z", "Z′", "Y", "B"]);
         let (sum, difference) = (d + lambda0, d - lambda0);
-        p.note(
-            "So, with L′ for the next passage and a constant B",
-            "L′ (d − λ₀ − Z) ≤ (d + λ₀) L + B and L′ (d − λ₀ + Z) ≥ (d + λ₀) L − B. As v_y → 0, L grows beyond all bounds, and Z → 0: from some passage on each L is above the one before by a factor above 1",
-        );
-        p.note(
-            "Y is exp(−L)",
-            "so the sums of Y and of L Y over all passages are finite; and so is that of Z, which but for Y shrinks by a factor below 1",
-        );
         let product = (z * (difference + z) + y) * (sum * before + bound);
         let terms = sum * difference * z * before * (1 + z / difference)
             + bound * z * (difference + z)
@@ -338,17 +301,10 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
             ),
             ("", close),
         )?;
-        p.note(
-            "So Z L grows from one passage to the next by a factor 1 + O(Z + Z′) at most, and by terms with a finite sum",
-            "the product of all these factors is finite: Z L stays bounded, and so do Z M, e and M − F L",
-        );
         p.identity(
             ("The stated factor less 1", factor - 1),
             ("which is positive", 2 * lambda0 / difference),
         )?;
-        p.remark(
-            "So L grows like the powers of F, and v_y falls like the exponential of an exponential",
-        );
         Ok(())
     })
 }
@@ -362,10 +318,6 @@ fn lost_at_rest(law: Rate) -> Proof {
         p.rests_on(&eq2_proof(eq2()))?;
         let [lambda0, phi] = symbols(["λ₀", "φ"]);
         let ([vx, _, v], one) = (velocity(), int(1));
-        p.note(
-            "ln v_y has the rate −λ₀/v, and is finite while v > 0",
-            "so v_y becomes 0 only where v does, and there all of it is lost",
-        );
         let [along, _] = in_units(law, eq21());
         let terms = phi.sin() - lambda0 + lambda0 * (one - vx / v);
         p.identity(
@@ -377,14 +329,6 @@ fn lost_at_rest(law: Rate) -> Proof {
             ("1 + λ₀ plus dv/dφ by (2)", one + lambda0 + grows),
             ("which is not negative", one + phi.sin() * vx / v),
         )?;
-        p.note(
-            "Suppose that v becomes 0 where sin φ > λ₀",
-            "v_x rises to 0, so that T ≥ 1 before; and v is at most (1 + λ₀) times the phase that is left, so that sin φ/v, at which rate ln T falls, has an infinite integral: T comes below 1, a contradiction. Where sin φ < −λ₀ the mirror image holds",
-        );
-        p.note(
-            "So v becomes 0 only where |sin φ| ≤ λ₀",
-            "there it sticks, or, exactly at φ₁ or φ₃, sets off along the line at once: v_y is 0 from then on",
-        );
         Ok(())
     })
 }
@@ -426,14 +370,6 @@ fn last_stage(law: Rate, phase: Expr) -> Proof {
                 ("the stated phase", phase),
             )?;
         }
-        p.note(
-            "So within the stated phase the particle comes to rest",
-            "as X is not negative, and 0 at rest only; it stays at rest as long as |h| ≤ λ₀",
-        );
-        p.note(
-            "If |sin φ| = d where v_x = 0",
-            "|sin φ| stays for a while below any D between d and λ₀; in it v_y, if small enough, is lost, within the stated phase with D for d: that with d, to leading order",
-        );
         Ok(())
     })
 }
@@ -445,10 +381,6 @@ fn two_stages((law, slope, motion, passage, phase): (Rate, Expr, NoRest, Passage
         p.rests_on(&lost_at_rest(law))?;
         p.rests_on(&last_stage(law, phase))?;
         given(p, &[&IGNORES_VY])?;
-        p.note(
-            "For λ₀ > λ_c",
-            "the motion has become (33), or rests, after a finite time: v_y = 0",
-        );
         p.vanishes(
             "At rest and in (33), which is along the line, v_y",
             paper::s22_late_vy(),
@@ -482,7 +414,6 @@ fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> P
             p.rests_on(&passages(law, motion, passage))?;
             let lambda0 = symbol("λ₀");
             let [d, factor, _] = passage;
-            p.remark("Two passages in a period multiply ln v_y by the square of the factor, up to bounded terms, and so they do its fall in a period. That grows beyond all bounds, so that its ratio to the one before tends to the square");
             let found = p.read("The square", factor.squared())?;
             let excess = found.clone() - p.ring().read(int(1))?;
             let positive = 4 * d * lambda0 / (d - lambda0).squared();

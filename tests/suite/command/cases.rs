@@ -129,3 +129,41 @@ fn every_number_is_that_of_another_source() {
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
+
+/// What the page on scenes says that its commands answer; and its sketch is that of the help.
+#[test]
+fn the_page_on_scenes_says_what_is_answered() {
+    let page = trialbook::data::text!("book/src/scenes.md").as_str();
+    let blocks = page.split("```text\n").skip(1);
+    let blocks: Vec<_> = blocks
+        .filter_map(|block| block.split("```").next())
+        .collect();
+    let (mut tried, mut wrong) = (0, Vec::new());
+    let trimmed = |text: &str| {
+        text.trim_end()
+            .lines()
+            .map(str::trim_end)
+            .collect::<Vec<_>>()
+            .join("\n")
+    };
+    for block in &blocks {
+        let Some((line, below)) = block
+            .split_once('\n')
+            .filter(|(line, _)| line.starts_with("$ "))
+        else {
+            continue;
+        };
+        let found = answer(&line[2..]);
+        tried += 1;
+        if trimmed(&found) != trimmed(below) {
+            wrong.push(format!("{line}\nis answered\n{found}"));
+        }
+    }
+    assert!(
+        tried >= 10 && wrong.is_empty(),
+        "{tried}: {}",
+        wrong.join("\n")
+    );
+    let help = text(&slipbook(&["scene", "--help"]).stdout);
+    assert!(blocks[0].lines().all(|line| help.contains(line.trim())));
+}

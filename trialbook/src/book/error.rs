@@ -31,7 +31,7 @@ pub enum BookError {
     },
     /// Something stands at the folder's place that is not an earlier book, and is left alone.
     #[error(
-        "`{}` is not empty and is not an earlier book: name another folder, or empty this one",
+        "`{}` is not empty, and nothing that this command has written: name another folder, or empty this one",
         path.display()
     )]
     NotOurs {

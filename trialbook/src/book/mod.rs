@@ -122,6 +122,29 @@ pub fn check(edition: &Edition, out: &Path) -> Result<(), BookError> {
     Staging::beside(out, edition.name).map(drop)
 }
 
+/// Writes files with these names and texts into the folder `out`, whole or not at all, as [`write()`] does a book; returns where
+/// that is. An earlier folder of the same `name` is replaced.
+///
+/// # Errors
+/// [`BookError::Unwritable`] and [`BookError::NotOurs`], as for [`write()`].
+pub fn folder(
+    out: &Path,
+    name: &'static str,
+    files: &[(String, String)],
+) -> Result<PathBuf, BookError> {
+    let staging = Staging::beside(out, name)?;
+    let places = staging.places();
+    let written = || {
+        let made = staging.path("made");
+        for (file, text) in files {
+            put(&made.join(file), text.as_bytes())?;
+        }
+        staging.mark(&made)?;
+        staging.swap(&made)
+    };
+    written().map_err(|error| places.named(error))
+}
+
 /// Writes one file, with its folders.
 fn put(path: &Path, bytes: &[u8]) -> Result<(), BookError> {
     let folder = path.parent().unwrap_or(path);

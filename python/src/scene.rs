@@ -1,0 +1,221 @@
+//! A scene: its words as they were given, and what the library reads in them.
+
+use crate::{answer::Answer, text, wrong};
+use pyo3::{prelude::*, types::PyDict};
+use slipbook::scene::{self, SceneError, Until, WORDS, apart, second, target};
+use std::{fs, io, path::PathBuf};
+
+/// A block or a ball on a rough floor, what moves that, and how it starts. It never changes.
+#[pyclass(frozen, module = "slipbook")]
+pub struct Scene {
+    given: Py<PyDict>,
+    words: Words,
+    read: (scene::Scene, Until),
+}
+
+/// Words with their texts, and the text of a recording.
+#[derive(Clone)]
+struct Words {
+    body: String,
+    words: Vec<(String, String)>,
+    recording: String,
+}
+
+impl Words {
+    fn read(&self) -> Result<(scene::Scene, Until), SceneError> {
+        let words = self.words.iter().map(|(name, text)| (&**name, &**text));
+        scene::Scene::read(&self.body, words, |_| Ok(self.recording.clone()))
+    }
+}
+
+/// A scene of a block: block(mu=0.3, mu_s=0.4, pull="4.2m/s^2:4.79s,0"). WORDS says what there is.
+#[pyfunction]
+#[pyo3(signature = (**words))]
+pub fn block(py: Python<'_>, words: Option<&Bound<'_, PyDict>>) -> PyResult<Scene> {
+    of_body(py, "block", words)
+}
+
+/// A scene of a ball: ball(mu=0.08, radius="11cm", throw="5m/s"). WORDS says what there is.
+#[pyfunction]
+#[pyo3(signature = (**words))]
+pub fn ball(py: Python<'_>, words: Option<&Bound<'_, PyDict>>) -> PyResult<Scene> {
+    of_body(py, "ball", words)
+}
+
+/// A scene of a "block" or a "ball"; scene(**answer["scene"]) is the one of `slipbook scene --json`.
+#[pyfunction]
+#[pyo3(name = "scene", signature = (body, **words))]
+pub fn of_body(py: Python<'_>, body: &str, words: Option<&Bound<'_, PyDict>>) -> PyResult<Scene> {
+    Scene::new(body, PyDict::new(py), words)
+}
+
+/// The values of a word from low to high, at which a number of the answer is what it is to be, as in
+/// find(scene, "mu", 0.01, 2, path="20m"); they have the unit of low and high.
+///
+/// Of two values that are closer together than a 400th of the range, or one that is only touched, nothing may be seen; where the
+/// number jumps over what it is to be, there is none.
+#[pyfunction]
+#[pyo3(signature = (scene, word, low, high, **number))]
+pub fn find(
+    py: Python<'_>,
+    scene: &Scene,
+    word: &str,
+    low: &Bound<'_, PyAny>,
+    high: &Bound<'_, PyAny>,
+    number: Option<&Bound<'_, PyDict>>,
+) -> PyResult<Vec<f64>> {
+    let word = word.replace('_', "-");
+    if !WORDS.iter().any(|known| known.name == word) {
+        return Err(wrong(SceneError::Word(word)));
+    }
+    let asked: Vec<_> = number.into_iter().flatten().collect();
+    let [(name, wanted)] = &asked[..] else {
+        return Err(wrong("one number is to be found, as in path=\"20m\""));
+    };
+    let (name, wanted) = target(&format!("{name}={}", text(wanted)?)).map_err(wrong)?;
+    let ends = [text(low)?, text(high)?];
+    let [(low, unit), (high, other)] = [apart(&ends[0]), apart(&ends[1])];
+    if unit.trim() != other.trim() {
+        return Err(wrong(format!("`{unit}` and `{other}` are two units")));
+    }
+    let [low, high] = [low, high].map(|end| end.trim().parse().unwrap_or(f64::NAN));
+    let value = |x: f64| {
+        let mut other = scene.words.clone();
+        let old = other.words.iter().position(|(name, _)| *name == word);
+        let old = old.map(|at| other.words.remove(at).1).unwrap_or_default();
+        // Its direction stays.
+        let direction = old.find('@').map_or("", |at| &old[at..]);
+        let text = format!("{x}{unit}{direction}");
+        other.words.push((word.clone(), text));
+        let (scene, until) = other.read()?;
+        scene.number(until, name)
+    };
+    let found = py.detach(|| scene::find(value, [low, high], wanted));
+    Ok(found.map_err(wrong)?.solutions)
+}
+
+/// The text of a recording from its file, or from its columns.
+fn recording(record: &Bound<'_, PyAny>) -> PyResult<String> {
+    if let Ok(file) = record.extract::<PathBuf>() {
+        return fs::read_to_string(&file).map_err(|error| {
+            let why = format!("cannot read `{}`: {error}", file.display());
+            io::Error::new(error.kind(), why).into()
+        });
+    }
+    let columns = record.extract::<Vec<Vec<f64>>>()?;
+    let rows = columns.iter().map(Vec::len).max().unwrap_or(0);
+    if !(2..=3).contains(&columns.len()) || columns.iter().any(|column| column.len() != rows) {
+        let wanted =
+            "a recording is a file, or (t, a_x) or (t, a_x, a_y), each as long as the others";
+        return Err(wrong(wanted));
+    }
+    let mut text = String::new();
+    for k in 0..rows {
+        let cells = columns.iter().filter_map(|column| column.get(k));
+        let cells: Vec<_> = cells.map(f64::to_string).collect();
+        text += &cells.join(",");
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+impl Scene {
+    /// With these words beside those that are there: None, or False, takes one away.
+    fn new(
+        body: &str,
+        given: Bound<'_, PyDict>,
+        more: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        for (name, value) in more.into_iter().flatten() {
+            let name = name.extract::<String>()?.replace('_', "-");
+            let parts = value.extract::<Vec<Bound<'_, PyAny>>>().is_ok();
+            if parts && !["pull", "accelerate", "record"].contains(&&*name) {
+                given.set_item(name, text(&value)?)?;
+            } else if !value.is_none() && value.extract::<bool>().unwrap_or(true) {
+                given.set_item(name, value)?;
+            } else if given.contains(&name)? {
+                given.del_item(name)?;
+            }
+        }
+        let mut all = Words {
+            body: body.to_owned(),
+            words: Vec::new(),
+            recording: String::new(),
+        };
+        for (name, value) in &given {
+            let name: String = name.extract()?;
+            let texts = if name == "record" {
+                all.recording = recording(&value)?;
+                vec![String::new()]
+            } else if value.extract::<bool>().is_ok() {
+                vec![String::new()]
+            } else if let Ok(many) = value.extract::<Vec<_>>() {
+                many.iter().map(text).collect::<PyResult<_>>()?
+            } else {
+                vec![text(&value)?]
+            };
+            let texts = texts.into_iter().map(|text| (name.clone(), text));
+            all.words.extend(texts);
+        }
+        Ok(Self {
+            given: given.unbind(),
+            read: all.read().map_err(wrong)?,
+            words: all,
+        })
+    }
+}
+
+#[pymethods]
+impl Scene {
+    /// The same with other words; None takes one away.
+    #[pyo3(signature = (**words))]
+    fn with_(&self, py: Python<'_>, words: Option<&Bound<'_, PyDict>>) -> PyResult<Self> {
+        Self::new(&self.words.body, self.given.bind(py).copy()?, words)
+    }
+
+    /// The same on a floor that accelerates as was recorded: in a file, or in the sequences (t, a_x) or (t, a_x, a_y), in s and m/s^2.
+    #[pyo3(signature = (record, /, **words))]
+    fn on(
+        &self,
+        py: Python<'_>,
+        record: Bound<'_, PyAny>,
+        words: Option<&Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let given = self.given.bind(py).copy()?;
+        given.set_item("record", record)?;
+        Self::new(&self.words.body, given, words)
+    }
+
+    /// What becomes of the body until "stop", "rolling", "rest", a time "2s", a path's length "1.8m", or "beyond=30cm".
+    #[pyo3(signature = (until = None))]
+    fn run(&self, py: Python<'_>, until: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
+        let (scene, own) = &self.read;
+        let until = match until {
+            Some(until) => text(until)?.parse().map_err(wrong)?,
+            None => *own,
+        };
+        let answer = py.detach(|| scene.answer(until)).map_err(wrong)?;
+        let second = second(scene, until);
+        Ok(Answer { answer, second })
+    }
+
+    /// Its words as they were given, with its body: `slipbook scene` reads them from a file of JSON.
+    #[getter]
+    fn words<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let words = PyDict::new(py);
+        words.set_item("body", &self.words.body)?;
+        words.update(self.given.bind(py).as_mapping())?;
+        Ok(words)
+    }
+
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        let words = self.given.bind(py).iter().map(|(name, value)| {
+            let name = name.extract::<String>()?.replace('-', "_");
+            let value = value.repr()?.to_string();
+            let long = value.chars().count() > 60;
+            Ok(format!("{name}={}", if long { "..." } else { &value }))
+        });
+        let words = words.collect::<PyResult<Vec<_>>>()?.join(", ");
+        Ok(format!("slipbook.{}({words})", self.words.body))
+    }
+}
