@@ -28,7 +28,8 @@ pub fn second(scene: &Scene, until: Until) -> Option<Opinion> {
     let along = pull.map(|x| x / a);
     let turned = |[x, y]: [f64; 2]| [along[0] * x - along[1] * y, along[1] * x + along[0] * y];
     let theta0 = libm::atan2(
-        along[0] * velocity[1] - along[1] * velocity[0],
+        // Straight against the pull it is π, not −π.
+        along[0] * velocity[1] - along[1] * velocity[0] + 0.0,
         along[0] * velocity[0] + along[1] * velocity[1],
     );
     let friction = scene.friction();

@@ -237,6 +237,7 @@ fn bare(range: &str) -> Result<(String, String), Failure> {
     for part in range.split(':') {
         match crate::scene::apart(part) {
             (_, "log") => numbers.push("log"),
+            ("", _) => return Err(format!("`{part}` is no number").into()),
             (number, own) => {
                 if !unit.is_empty() && !own.is_empty() && own != unit {
                     return Err(format!("`{range}`: one unit is for all").into());

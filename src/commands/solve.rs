@@ -63,7 +63,7 @@ pub(super) fn command() -> clap::Command {
         let tip = format!("with units it is asked as a scene: `slipbook scene {scene}`");
         let tip = UnknownArgumentValueParser::suggest(tip);
         let in_si = IN_SI.map(|name| {
-            Arg::new(name)
+            range(Arg::new(name))
                 .long(name)
                 .hide(true)
                 .value_parser(tip.clone())

@@ -122,6 +122,24 @@ fn no_option_is_given_in_vain() {
     }
 }
 
+/// And the scene that is named is one.
+#[test]
+fn what_solve_has_lost_a_scene_answers() {
+    let problems = "constant sinusoidal pulse anisotropic sphere turntable turntable-boundary";
+    for problem in problems.split(' ') {
+        for option in "mu g a0 omega radius r speed".split(' ') {
+            let refused = asked(&format!("solve {problem} --{option} 1"));
+            let told = text(&refused.stderr);
+            assert!(told.contains("unexpected argument"), "{told}");
+            let scene = told
+                .split('`')
+                .find(|part| part.starts_with("slipbook scene"));
+            let scene = scene.unwrap().split_once(' ').unwrap().1;
+            assert!(asked(scene).status.success(), "{scene}");
+        }
+    }
+}
+
 #[test]
 fn a_plot_is_a_file_that_is_replaced_whole() {
     let folder = tempfile::tempdir().unwrap();
@@ -231,18 +249,16 @@ fn every_command_has_help_with_an_example() {
 
 #[test]
 fn shells_get_their_completions() {
-    assert!(!text(&asked("verify --help").stdout).contains("--round"));
+    let verify = text(&asked("verify --help").stdout);
+    assert!(!verify.contains("--round") && !verify.contains("--record"));
     assert!(!text(&asked("show --help").stdout).contains("s21-frictionless-parabola"));
     assert!(text(&asked("completions bash").stdout).contains("s21-frictionless-parabola"));
     for shell in ["bash", "zsh", "fish", "powershell", "elvish"] {
         let script = text(&asked(&format!("completions {shell}")).stdout);
         assert!(script.contains("slipbook") && script.contains("shard"));
         // What no help names is not completed.
-        for option in ["round", "record"] {
-            for form in ["--", "'", "-l "] {
-                let end = if form == "'" { "'" } else { "" };
-                assert!(!script.contains(&format!("{form}{option}{end}")), "{shell}");
-            }
+        for form in ["--round", "'round'", "-l round"] {
+            assert!(!script.contains(form), "{shell}");
         }
     }
 }

@@ -33,11 +33,12 @@ const OF_THE_PAPER: &str = "
     paper: scalar seeded symbols
     corrections: scalar seeded symbols
     solve: corrections motion numerics paper scalar
+    scene: motion solve
     exam: motion numerics
     claims: data trials validated scalar evidence numerics motion paper corrections exact certified seeded symbols theorems
     figures: data claims exam motion plotting solve trials
     breaks: claims corrections evidence ledger notation paper scalar seeded trials
-    commands: numerics exam figures cli plotting publishing solve stop book
+    commands: numerics exam figures cli motion plotting publishing scene solve stop book
     edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper solve symbols book commands plotting publishing trials
 ";
 

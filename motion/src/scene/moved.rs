@@ -56,7 +56,7 @@ pub struct Moved {
     followed: Followed,
     from: f64,
     to: f64,
-    /// The heat on each kilogram for each metre of sliding, at most.
+    /// The heat on each kilogram for each metre of sliding.
     friction: f64,
     drive_error: f64,
 }
@@ -92,14 +92,14 @@ pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Move
         if let Some(t) = moved.reached(until, &made)? {
             return Ok(moved.ended(t));
         }
-        if made.at_rest(&moved)?.is_some() {
-            return Err(SceneError::Together(
-                "it comes to rest for good before that end",
-            ));
-        }
         if to >= made.known {
             return Err(SceneError::Together(
                 "the recording is over before that end",
+            ));
+        }
+        if made.at_rest(&moved)?.is_some() {
+            return Err(SceneError::Together(
+                "it comes to rest for good before that end",
             ));
         }
         if to >= last {
@@ -279,8 +279,7 @@ impl<'a> Made<'a> {
     }
 
     fn moved(&self, followed: Followed, to: f64, drive_error: f64) -> Moved {
-        let back = self.scene.back.unwrap_or(0.0);
-        let friction = self.scene.mu.max(back) * self.scene.normal();
+        let friction = self.scene.friction();
         Moved {
             followed,
             from: self.from,
@@ -400,7 +399,11 @@ impl Moved {
             0.0 => 0.0,
             error => error / self.friction,
         };
-        [velocity, place, self.friction * place, part]
+        let rough = match self.followed {
+            Followed::Line(..) if end.way.0 > 0.0 => end.heat.0 / end.way.0,
+            _ => self.friction,
+        };
+        [velocity, place, rough * place, part]
     }
 
     /// The same motion up to this time.
@@ -492,6 +495,7 @@ impl Moved {
             Followed::Table(path) => path.phases().iter().map(slid).collect(),
         };
         events.retain(|event| event.t.0 <= self.to);
+        events.dedup_by_key(|event| event.doing);
         events
     }
 }

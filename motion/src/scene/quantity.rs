@@ -95,7 +95,12 @@ pub(super) fn read<'a, T>(
     match found.next() {
         Some((number, value, (size, own))) if own == wanted => Ok((number, value, size)),
         Some(_) => Err(wrong("its unit measures something else".to_owned())),
-        None => Err(wrong(plainly)),
+        None => match apart(text).1.trim() {
+            name if name.starts_with(char::is_alphabetic) => {
+                Err(wrong(format!("`{name}` is no unit that is known")))
+            }
+            _ => Err(wrong(plainly)),
+        },
     }
 }
 
