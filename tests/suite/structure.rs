@@ -39,7 +39,7 @@ const OF_THE_PAPER: &str = "
     figures: data claims exam motion plotting solve trials
     breaks: claims corrections evidence ledger notation paper scalar seeded trials
     commands: numerics exam figures cli motion plotting publishing scene solve stop book
-    edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper solve symbols book commands plotting publishing trials
+    edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper scene solve symbols book commands plotting publishing trials
 ";
 
 /// What knows Newton's law, the row `motion` being all modules of its crate that have none of their own.
