@@ -29,7 +29,10 @@ pub(super) fn number(text: &str) -> Result<Double, String> {
         return Ok(number);
     }
     let told = |error: ExpressionError| match error {
-        ExpressionError::Missing { wanted, .. } if wanted == "an operator" => {
+        ExpressionError::Missing {
+            wanted: "an operator",
+            ..
+        } => {
             format!("{error}; a number with a unit is for `slipbook scene`")
         }
         other => other.to_string(),
