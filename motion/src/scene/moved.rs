@@ -464,7 +464,7 @@ impl Moved {
             .collect()
     }
 
-    /// What it does from the start on, and every change of that.
+    /// What it does from the start on, and every change of that; a slide that passes a stop and goes on begins anew.
     pub fn events(&self) -> Vec<Event> {
         let event = |t, doing| Event {
             t: Second(t),
@@ -495,7 +495,6 @@ impl Moved {
             Followed::Table(path) => path.phases().iter().map(slid).collect(),
         };
         events.retain(|event| event.t.0 <= self.to);
-        events.dedup_by_key(|event| event.doing);
         events
     }
 }

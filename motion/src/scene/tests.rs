@@ -130,7 +130,7 @@ fn numbers_have_units() {
         near(text.parse::<Metre>().unwrap().0, right, 1e-15);
     }
     for (text, right) in [
-        ("33.3rpm", 0.555 * std::f64::consts::TAU),
+        ("33.3rpm", 3.487_167_845_484_67),
         ("2Hz", 12.566_370_614_359_172),
         ("90deg/s", std::f64::consts::FRAC_PI_2),
         ("3", 3.0),
