@@ -380,7 +380,7 @@ fn text(answer: &Answer, paper: Option<&Opinion>) -> String {
     let order = order.collect::<Vec<_>>().join(", ");
     let more = answer.events.len().saturating_sub(SHOWN);
     let more = if more > 0 {
-        format!(", and {more} changes more, which --json lists")
+        format!(", and {more} more, which --json lists")
     } else {
         String::new()
     };
