@@ -495,7 +495,6 @@ impl Moved {
             Followed::Table(path) => path.phases().iter().map(slid).collect(),
         };
         events.retain(|event| event.t.0 <= self.to);
-        events.dedup_by_key(|event| event.doing);
         events
     }
 }
