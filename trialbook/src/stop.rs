@@ -7,7 +7,7 @@ static ASKED: AtomicBool = AtomicBool::new(false);
 /// Exit code of work that was stopped, as shells have it.
 pub const STOPPED: u8 = 130;
 
-/// Whether somebody has asked to stop, since [`listen`] was called.
+/// Whether somebody has asked to stop, since `listen` was called.
 pub fn asked() -> bool {
     ASKED.load(Ordering::Relaxed)
 }
