@@ -35,6 +35,8 @@ struct Row {
     work: String,
     peer: String,
     ours_us: f64,
+    /// The commit, if it was measured at another one.
+    commit: Option<String>,
     /// The same in the profile of released binaries, where it is ours that a profile changes.
     released_us: Option<f64>,
     peer_us: f64,
@@ -126,10 +128,16 @@ pub(super) fn circumstances() -> Result<Filled, Failure> {
         commit,
         machine,
         rounds,
+        rows,
         ..
     } = results;
-    let text =
-        format!("{date} at commit {commit} on {machine}, the fastest of {rounds} rounds{old}");
+    let later = rows
+        .iter()
+        .filter_map(|row| Some(format!("; {} at {}", row.work, row.commit.as_ref()?)));
+    let later: String = later.collect();
+    let text = format!(
+        "{date} at commit {commit} on {machine}, the fastest of {rounds} rounds{old}{later}"
+    );
     Ok(Filled::Inline(escape(&text)))
 }
 

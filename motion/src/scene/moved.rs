@@ -102,6 +102,9 @@ pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Move
                 "it comes to rest for good before that end",
             ));
         }
+        if let Some(why) = made.endless(until, &moved)? {
+            return Err(SceneError::Together(why));
+        }
         if to >= last {
             let what = match until {
                 Until::Stop => "a stop",
@@ -204,6 +207,52 @@ impl<'a> Made<'a> {
         })
     }
 
+    /// Why no stop comes after this motion, where that is certain.
+    fn endless(&self, until: Until, moved: &Moved) -> Result<Option<&'static str>, SceneError> {
+        if !matches!(until, Until::Stop | Until::Rest) {
+            return Ok(None);
+        }
+        let Scene {
+            ref start, back, ..
+        } = *self.scene;
+        let held = self.held();
+        if let Some(table) = &self.table {
+            // (Ωr)² − v² grows while it slides, and it can be held only where Ω²r is at most μ_s g.
+            let Moment {
+                place, velocity, ..
+            } = moved.end()?;
+            let [x, y] = place.map(|x| x.0 * table.omega);
+            let [v, w] = velocity.map(|v| v.0);
+            let energy = x * x + y * y - v * v - w * w;
+            let off = energy * table.omega * table.omega > held * held;
+            return Ok(off.then_some("it never stops: the table throws it off"));
+        }
+        let Some(pull) = self.scene.steady_pull().filter(|_| back.is_none()) else {
+            return Ok(None);
+        };
+        let [pull, speed] = [pull, self.velocity].map(|[x, y]| libm::hypot(x, y));
+        let (brake, slip, why) = match self.scene.body {
+            Body::Block => (
+                1.0,
+                0.0,
+                "it never stops: it is pulled at least as hard as friction brakes",
+            ),
+            Body::Ball { .. } if until == Until::Rest => return Ok(None),
+            Body::Ball { radius, kappa } => {
+                let spin = start.spin.iter().map(|w| w.0.abs()).sum::<f64>();
+                (
+                    1.0 + 1.0 / kappa,
+                    spin * radius.0,
+                    "it never rolls: it is pulled harder than friction turns it",
+                )
+            }
+        };
+        let friction = brake * self.scene.friction();
+        // What moves straight against the pull turns round within that time; the rest of what is pulled so hard never stops.
+        let turned = (moved.to - self.from) * (pull + friction) > speed + slip;
+        Ok((pull >= friction && (turned || pull + friction == 0.0)).then_some(why))
+    }
+
     fn floor(&self, to: f64) -> Result<Rc<Floor>, SceneError> {
         let usual = (to - self.from) / 1000.0;
         let width = self.scene.width.map_or(usual, |width| width.0);
@@ -289,6 +338,11 @@ impl<'a> Made<'a> {
         }
     }
 
+    /// The largest pull that friction holds.
+    fn held(&self) -> f64 {
+        self.scene.holding.max(self.scene.mu) * self.scene.normal()
+    }
+
     /// Since when it is at rest for good, if it is at the end of this motion.
     fn at_rest(&self, moved: &Moved) -> Result<Option<f64>, SceneError> {
         let since = match moved.events().last() {
@@ -301,7 +355,7 @@ impl<'a> Made<'a> {
         if self.table.is_some() {
             return Ok(Some(since));
         }
-        let held = self.scene.holding.max(self.scene.mu) * self.scene.normal();
+        let held = self.held();
         let pull = self.floor(moved.to)?.steady(moved.to);
         Ok(pull
             .filter(|[x, y]| libm::hypot(*x, *y) <= held)

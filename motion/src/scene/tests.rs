@@ -118,6 +118,40 @@ fn what_holds_is_not_what_brakes() {
     near(held("3.93"), 0.5 * (3.93 - 0.3 * 9.80665), 1e-11);
 }
 
+/// Not after an hour of looking, but by Newton's law; and what turns round, or is held at last, does stop.
+#[test]
+fn what_never_stops_is_known_at_once() {
+    let ends = |body: &str, text: &str| {
+        let words = text
+            .split_whitespace()
+            .map(|word| word.split_once('=').unwrap());
+        let (scene, until) =
+            Scene::read(body, words, |file| Err(SceneError::Word(file.into()))).unwrap();
+        scene.run(until).map(|moved| moved.end().unwrap().t.0)
+    };
+    for (body, text) in [
+        ("block", "mu=0.1 throw=1m/s@1rad pull=1"),
+        ("block", "mu=0.1 mu-s=0.2 throw=1m/s pull=1.5"),
+        ("block", "mu=0 throw=1m/s"),
+        ("block", "mu=0.3 turn=3 at=2m until=rest"),
+        ("ball", "mu=0.1 radius=1cm throw=1m/s pull=3.5"),
+    ] {
+        let why = ends(body, text).unwrap_err().to_string();
+        assert!(why.starts_with("it never "), "{text}: {why}");
+    }
+    let g = 9.80665;
+    near(
+        ends("block", "mu=0.1 mu-s=0.2 throw=1m/s@180deg pull=1.5").unwrap(),
+        1.0 / (1.5 + 0.1 * g),
+        1e-11,
+    );
+    near(
+        ends("ball", "mu=0.1 radius=1cm throw=1m/s pull=3.4").unwrap(),
+        1.0 / (0.35 * g - 3.4),
+        1e-11,
+    );
+}
+
 #[test]
 fn numbers_have_units() {
     for (text, right) in [
