@@ -429,6 +429,14 @@ window.slipbookExplorers = (() => {
                 title: 'the drive h', label: 'The inertial force against phase over four periods, and the friction.',
                 x: { label: 'φ', range: [0, 8 * Math.PI], ticks: PHASES }, y: { label: 'h', range: [-1.2, 1.2] }, height: 210,
             }],
+            scene({ third, lambda, w, eta }) {
+                // Of sin φ + a sin 3φ the largest value: at a quarter of the period, or where 12a sin²φ = 1 + 3a.
+                const hump = Math.sqrt((1 + 3 * third) / (12 * third));
+                const size = hump < 1 ? (1 + 3 * third) * hump * 2 / 3 : Math.abs(1 - third);
+                const half = sign => `${sign}m/s^2:${eta}*pi*1s,0:${tidy(1 - eta)}*pi*1s`;
+                const pull = eta ? Array(4).fill(`${half(1)},${half(-1)}`).join() : `(sin(t)+${third}*sin(3*t))/${tidy(size)}`;
+                return { mu: lambda, throw: `${w}m/s`, ...swung, pull };
+            },
             film: ({ third, lambda, w, eta }, ask, { narrow, set }) => scenes.tray(ask(12, third, lambda, w, eta), narrow, false, w, set),
             now: ({ third, lambda, w, eta }, ask) => {
                 const { values: [step], curves: [, velocities] } = ask(12, third, lambda, w, eta);
@@ -508,6 +516,8 @@ window.slipbookExplorers = (() => {
     };
     // The same record, with a second coin a hair farther out, as fast in the laboratory: the border runs between the two.
     const { turntable } = explorers;
+    explorers.record.scene = turntable.scene;
+    explorers.escape.scene = ({ rho }, ask) => turntable.scene({ rho, u: 0, v: -rho }, ask);
     const HAIR = 0.01;
     const second = ({ rho, u, v }, ask) => ask.beside(4, rho + HAIR, u, v - HAIR);
     explorers.rest = {

@@ -108,6 +108,7 @@ pub fn as_scenes(page: &mut Page, book: &Book) -> Seen {
     let thrown =
         |lambda, theta: f64| Ok::<_, String>(two(&ask(0, [lambda, theta, 0.0, 0.0])?.values[4..]));
     let coin = |rho, u, v| Ok::<_, String>(last(&ask(4, [rho, u, v, 0.0])?.curves[0]));
+    let swung = |given| Ok::<_, String>([last(&ask(12, given)?.curves[0])[1], 0.0]);
     let tray = ask(13, [0.3, 0.5, 1.0, 0.0])?.curves;
     for (name, state, [x, y]) in [
         ("constant", "lambda=1.2&theta=120", thrown(1.2, 120.0)?),
@@ -129,8 +130,21 @@ pub fn as_scenes(page: &mut Page, book: &Book) -> Seen {
             "q=2&lambda=0.45&w=1.5",
             [last(&ask(8, [2.0, 0.45, 1.5, 0.0])?.curves[0])[1], 0.0],
         ),
+        (
+            "periodic",
+            "third=1.5&lambda=0.16&w=0.2&eta=0",
+            swung([1.5, 0.16, 0.2, 0.0])?,
+        ),
+        (
+            "periodic",
+            "third=0&lambda=0.3&w=-0.5&eta=0.4",
+            swung([0.0, 0.3, -0.5, 0.4])?,
+        ),
+        ("record", "rho=0.5&u=0.2&v=-0.4", coin(0.5, 0.2, -0.4)?),
+        ("escape", "rho=1.1", coin(1.1, 0.0, -1.1)?),
     ] {
-        page.open(&book.address(&format!("{name}.html#explore-{name}?{state}")))?;
+        let file = if name == "record" { "index" } else { name };
+        page.open(&book.address(&format!("{file}.html#explore-{name}?{state}")))?;
         page.wait_for(&format!(
             "document.getElementById('explore-{name}').dataset.shown === '#explore-{name}?{state}'"
         ))?;
