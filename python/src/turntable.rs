@@ -8,13 +8,16 @@ use pyo3::{
     prelude::*,
     types::{IntoPyDict, PyDict},
 };
-use slipbook::motion::turntable::{
-    Start,
-    ensemble::{End, Horizon},
+use slipbook::motion::{
+    MotionError,
+    turntable::{
+        Start,
+        ensemble::{End, Horizon},
+    },
 };
 
-/// How many particles are followed before it is asked for Ctrl-C: some tenths of a second.
-const PIECE: usize = 1 << 14;
+/// How many particles are followed before Ctrl-C is looked for: some tenths of a second.
+const PIECE: usize = 1 << 18;
 
 /// What becomes of particles on a rough table that turns, from their distances rho from its axis, their speeds p on it and their
 /// angles psi (radians) from velocity to position, in units of mu g/Omega^2, mu g/Omega and 1/Omega.
@@ -36,26 +39,31 @@ pub fn turntable_ends(
     if rho.len() != p.len() || rho.len() != psi.len() {
         return Err(wrong("rho, p and psi are equally many"));
     }
-    let given = rho.iter().zip(&p).zip(&psi);
-    let starts: Vec<_> = given
-        .map(|((rho, p), psi)| Start::polar(*rho, *p, *psi))
-        .collect();
-    let good: Vec<_> = starts.iter().flatten().copied().collect();
     let horizon = Horizon {
         rho: far,
         tau: late,
     };
-    // Where there is nobody to follow, it is refused too.
-    let mut ends = horizon.follow(&[]).map_err(wrong)?;
-    for piece in good.chunks(PIECE) {
+    // Where nobody is to be followed, it is refused too.
+    horizon.follow(&[]).map_err(wrong)?;
+    let pieces = rho
+        .chunks(PIECE)
+        .zip(p.chunks(PIECE))
+        .zip(psi.chunks(PIECE));
+    let mut rows = Vec::new();
+    for ((rho, p), psi) in pieces {
         py.check_signals()?;
-        ends.extend(py.detach(|| horizon.follow(piece)).map_err(wrong)?);
+        let ends = py.detach(|| {
+            let given = rho.iter().zip(p).zip(psi);
+            let starts: Vec<_> = given
+                .map(|((rho, p), psi)| Start::polar(*rho, *p, *psi))
+                .collect();
+            let good: Vec<_> = starts.iter().flatten().copied().collect();
+            let mut ends = horizon.follow(&good)?.into_iter();
+            let end = |start: Result<_, _>| row(start.ok().and_then(|_: Start| ends.next()?.ok()));
+            Ok::<_, MotionError>(starts.into_iter().map(end).collect::<Vec<_>>())
+        });
+        rows.extend(ends.map_err(wrong)?);
     }
-    let mut ends = ends.into_iter();
-    let rows: Vec<_> = starts
-        .iter()
-        .map(|start| row(start.as_ref().ok().and_then(|_| ends.next()?.ok())))
-        .collect();
     let outcomes = rows.iter().map(|row| row.0).collect::<Vec<_>>();
     let columns = [("outcome", outcomes)].into_py_dict(py)?;
     for (k, name) in ["sigma", "sigma_error", "tau", "tau_error"]
