@@ -52,7 +52,8 @@ class Arrays(unittest.TestCase):
         self.assertEqual((len(none["sigma"]), none["outcome"]), (0, []))
         # More than one piece; without a velocity each stays.
         rho = array.array("d", (k / 300000 for k in range(300000)))
-        self.assertEqual(slipbook.turntable_ends(rho, zero := array.array("d", [0]) * 300000, zero)["sigma"], rho)
+        still = slipbook.turntable_ends(rho, zero := array.array("d", [0]) * 300000, zero)["sigma"]
+        self.assertLess(max(map(abs, map(float.__sub__, still, rho))), 1e-15)
         refused = slipbook.turntable_ends([math.nan, 0.5], [1, math.inf], [0, 0])
         self.assertEqual(refused["outcome"], ["refused"] * 2)
 
