@@ -1,3 +1,4 @@
+from array import array
 from collections.abc import Collection, Sequence
 from os import PathLike
 from typing import Final, Literal, TypeAlias, TypedDict, final
@@ -9,7 +10,8 @@ _Value: TypeAlias = str | float
 _Values: TypeAlias = _Value | Sequence[_Value]
 # Any sequence of numbers: a list, an array of NumPy.
 _Column: TypeAlias = Collection[float]
-_Recording: TypeAlias = str | PathLike[str] | tuple[_Column, _Column] | tuple[_Column, _Column, _Column]
+# A file, or the time and up to three accelerations.
+_Recording: TypeAlias = str | PathLike[str] | Sequence[_Column]
 
 class _Words(TypedDict, total=False):
     mu: _Value | None
@@ -31,11 +33,58 @@ class _Words(TypedDict, total=False):
     throw_in_room: _Value | None
     set_down: bool
     spin: _Values | None
+    units: Literal["mu g", "mu g Omega", "mu g R"] | None
     width: _Value | None
     within: _Value | None
     until: str | None
 
-__all__ = ["WORDS", "__version__", "Answer", "Scene", "ball", "block", "find", "scene", "turntable_ends"]
+class _Measured(TypedDict):
+    mu_k: tuple[float, float] | None
+    mu_s: tuple[float, float] | None
+    why: tuple[str | None, str | None]
+    coulomb: bool
+    verdict: str
+    noise: float
+    zeroed: bool
+    normal: bool
+    stretches: list[tuple[float, float, Literal["sticks", "slips", "is pushed"]]]
+    units: dict[str, str]
+
+class _Claim(TypedDict):
+    id: str
+    title: str
+    section: str
+    equation: int | None
+    plain: str
+    verdict: Literal[
+        "confirmed", "degenerate", "conditional", "misprint", "misderived", "inherited", "refuted", "definition", "undecided"
+    ]
+    wrong: str | None
+    ground: str
+    standing: Literal["proved", "argued", "measured", "defined"] | None
+    correction: str | None
+
+class _Ends(TypedDict):
+    outcome: list[Literal["rest", "far", "late", "unfinished", "refused"]]
+    sigma: array[float]
+    sigma_error: array[float]
+    tau: array[float]
+    tau_error: array[float]
+
+__all__ = [
+    "WORDS",
+    "__version__",
+    "Answer",
+    "Scene",
+    "ball",
+    "block",
+    "claims",
+    "find",
+    "measure",
+    "scene",
+    "sheet",
+    "turntable_ends",
+]
 
 WORDS: dict[str, str]
 __version__: str
@@ -59,7 +108,7 @@ class Answer:
     events: Final[list[tuple[float, Literal["slides", "rests", "rolls"]]]]
     second: Final[tuple[str, dict[str, float]] | None]
     def at(self, t: _Value) -> dict[str, float]: ...
-    def table(self, dt: _Value) -> dict[str, list[float]]: ...
+    def table(self, dt: _Value) -> dict[str, array[float]]: ...
 
 @final
 class Scene:
@@ -71,7 +120,17 @@ class Scene:
 def block(**words: Unpack[_Words]) -> Scene: ...
 def ball(**words: Unpack[_Words]) -> Scene: ...
 def scene(body: Literal["block", "ball"], **words: Unpack[_Words]) -> Scene: ...
+def claims() -> list[_Claim]: ...
+def sheet(id: str) -> str: ...
 def find(scene: Scene, word: str, low: _Value, high: _Value, **number: _Value) -> list[float]: ...
+def measure(
+    recording: _Recording,
+    /,
+    *,
+    columns: str | None = None,
+    rest: Sequence[_Value] | None = None,
+    g: _Value | None = None,
+) -> _Measured: ...
 def turntable_ends(
     rho: _Column, p: _Column, psi: _Column, *, far: float = 100.0, late: float = 50.0
-) -> dict[str, list]: ...
+) -> _Ends: ...

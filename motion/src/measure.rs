@@ -19,6 +19,7 @@ mod tests;
 use crate::fitted::{G, Recording};
 use pieces::Piece;
 use sensor::Sensor;
+use std::fmt;
 
 /// What is known of body and sensor.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,6 +87,53 @@ pub enum Verdict {
     Bulges(f64),
     /// There is no slip that could tell.
     Untold,
+}
+
+/// In a word or two: it *sticks*, *slips*, *is pushed*.
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Stick => "sticks",
+            Self::Slip => "slips",
+            Self::Pushed => "is pushed",
+        })
+    }
+}
+
+/// To two digits of its width.
+impl fmt::Display for Interval {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let width = (self.to - self.from).max(1e-9);
+        let decimals = (1.0 - libm::floor(libm::log10(width))).clamp(0.0, 12.0) as usize;
+        write!(f, "{:.decimals$} to {:.decimals$}", self.from, self.to)
+    }
+}
+
+/// In words.
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let way = |part: f64, ways: [&'static str; 2]| ways[usize::from(part < 0.0)];
+        let percent = |part: f64| 100.0 * part.abs();
+        match *self {
+            Self::Fits => f.write_str("fits: nothing speaks against it"),
+            Self::Untold => f.write_str("cannot be told from this"),
+            Self::Levels(levels) => {
+                write!(f, "does not fit: slips have coefficients from {levels}")
+            }
+            Self::Drifts(part) => write!(
+                f,
+                "does not fit: the coefficient {} by {:.0} % during a slip",
+                way(part, ["rises", "falls"]),
+                percent(part)
+            ),
+            Self::Bulges(part) => write!(
+                f,
+                "does not fit: the coefficient is {} by {:.0} % in the middle of a slip",
+                way(part, ["greater", "smaller"]),
+                percent(part)
+            ),
+        }
+    }
 }
 
 /// Why a coefficient is not found.

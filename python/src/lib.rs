@@ -1,6 +1,9 @@
-//! Scenes with dry friction from Python: the module `slipbook`.
+//! Slipbook from Python: the module `slipbook`.
 
 mod answer;
+mod claims;
+mod columns;
+mod measure;
 mod scene;
 mod turntable;
 
@@ -10,14 +13,15 @@ use pyo3::{
     types::{IntoPyDict, PyDict},
 };
 use slipbook::scene::{Number, WORDS};
-use std::fmt::Display;
+use std::{fmt::Display, str::FromStr};
 
 /// A block or a ball on a rough floor that moves, and what becomes of it.
 ///
 ///     slipbook.block(mu=0.5, throw="6m/s").run().path
 ///
 /// `block`, `ball` and `scene` make scenes of words, which `WORDS` explains. A value has its unit, as in "15cm", "33.3rpm", "36km/h", "10deg" and
-/// "1g", or is a number in SI. What is wrong with them is told as a ValueError.
+/// "1g", or is a number in SI. What is wrong with them is told as a ValueError. `measure` finds friction in a recording, `turntable_ends`
+/// follows many particles, and `claims` are those of the paper, with their verdicts.
 #[pymodule]
 #[pyo3(name = "slipbook")]
 fn slipbook_module(module: &Bound<'_, PyModule>) -> PyResult<()> {
@@ -30,6 +34,9 @@ fn slipbook_module(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<scene::Scene>()?;
     module.add_function(wrap_pyfunction!(scene::ball, module)?)?;
     module.add_function(wrap_pyfunction!(scene::block, module)?)?;
+    module.add_function(wrap_pyfunction!(claims::claims, module)?)?;
+    module.add_function(wrap_pyfunction!(claims::sheet, module)?)?;
+    module.add_function(wrap_pyfunction!(measure::measure, module)?)?;
     module.add_function(wrap_pyfunction!(scene::find, module)?)?;
     module.add_function(wrap_pyfunction!(scene::of_body, module)?)?;
     module.add_function(wrap_pyfunction!(turntable::turntable_ends, module)?)
@@ -58,6 +65,11 @@ fn text(value: &Bound<'_, PyAny>) -> PyResult<String> {
             .join(",")),
         Err(_) => Err(error),
     })
+}
+
+/// A value with its unit.
+fn parsed<T: FromStr<Err: Display>>(value: &Bound<'_, PyAny>) -> PyResult<T> {
+    text(value)?.parse().map_err(wrong)
 }
 
 /// The name of a number in letters that are on every keyboard.

@@ -1,9 +1,15 @@
 //! A scene: its words as they were given, and what the library reads in them.
 
-use crate::{answer::Answer, text, wrong};
+use crate::{
+    answer::Answer,
+    columns::{Record, record},
+    parsed, text, wrong,
+};
 use pyo3::{prelude::*, types::PyDict};
-use slipbook::scene::{self, SceneError, Until, WORDS, apart, second, target};
-use std::{fs, io, path::PathBuf};
+use slipbook::{
+    motion::Fitted,
+    scene::{self, Part, Radian, SceneError, Until, WORDS, apart, second, target},
+};
 
 /// A block or a ball on a rough floor, what moves that, and how it starts. It never changes.
 #[pyclass(frozen, module = "slipbook")]
@@ -13,18 +19,20 @@ pub struct Scene {
     read: (scene::Scene, Until),
 }
 
-/// Words with their texts, and the text of a recording.
+/// Words with their texts, and what a recording does.
 #[derive(Clone)]
 struct Words {
     body: String,
     words: Vec<(String, String)>,
-    recording: String,
+    shaken: Option<Part>,
 }
 
 impl Words {
     fn read(&self) -> Result<(scene::Scene, Until), SceneError> {
         let words = self.words.iter().map(|(name, text)| (&**name, &**text));
-        scene::Scene::read(&self.body, words, |_| Ok(self.recording.clone()))
+        let (mut scene, until) = scene::Scene::read(&self.body, words, |_| Ok(String::new()))?;
+        scene.frame.extend(self.shaken.clone());
+        Ok((scene, until))
     }
 }
 
@@ -94,29 +102,22 @@ pub fn find(
     Ok(found.map_err(wrong)?.solutions)
 }
 
-/// The text of a recording from its file, or from its columns.
-fn recording(record: &Bound<'_, PyAny>) -> PyResult<String> {
-    if let Ok(file) = record.extract::<PathBuf>() {
-        return fs::read_to_string(&file).map_err(|error| {
-            let why = format!("cannot read `{}`: {error}", file.display());
-            io::Error::new(error.kind(), why).into()
-        });
-    }
-    let columns = record.extract::<Vec<Vec<f64>>>()?;
-    let rows = columns.iter().map(Vec::len).max().unwrap_or(0);
-    if !(2..=3).contains(&columns.len()) || columns.iter().any(|column| column.len() != rows) {
-        let wanted =
-            "a recording is a file, or (t, a_x) or (t, a_x, a_y), each as long as the others";
-        return Err(wrong(wanted));
-    }
-    let mut text = String::new();
-    for k in 0..rows {
-        let cells = columns.iter().filter_map(|column| column.get(k));
-        let cells: Vec<_> = cells.map(f64::to_string).collect();
-        text += &cells.join(",");
-        text.push('\n');
-    }
-    Ok(text)
+/// What is said of a recording.
+const OF_RECORD: [&str; 3] = ["record", "columns", "towards"];
+
+/// What the recording among these words does, if there is one.
+fn shaken(given: &Bound<'_, PyDict>) -> PyResult<Option<Part>> {
+    let [recording, columns, towards] = OF_RECORD.map(|name| given.get_item(name));
+    let Some(recording) = recording? else {
+        return Ok(None);
+    };
+    let columns = columns?.map(|columns| text(&columns)).transpose()?;
+    let fitted = match record(&recording, columns.as_deref())? {
+        Record::Text(text, columns) => Fitted::from_csv_with(&text, &columns),
+        Record::Rows(recording) => Fitted::from_table(&recording.rows),
+    };
+    let towards = towards?.map_or(Ok(Radian(0.0)), |towards| parsed(&towards))?;
+    Ok(Some(Part::record(fitted.map_err(wrong)?, towards)))
 }
 
 impl Scene {
@@ -140,14 +141,14 @@ impl Scene {
         let mut all = Words {
             body: body.to_owned(),
             words: Vec::new(),
-            recording: String::new(),
+            shaken: shaken(&given)?,
         };
         for (name, value) in &given {
             let name: String = name.extract()?;
-            let texts = if name == "record" {
-                all.recording = recording(&value)?;
-                vec![String::new()]
-            } else if value.extract::<bool>().is_ok() {
+            if all.shaken.is_some() && OF_RECORD.contains(&&*name) {
+                continue;
+            }
+            let texts = if value.extract::<bool>().is_ok() {
                 vec![String::new()]
             } else if let Ok(many) = value.extract::<Vec<_>>() {
                 many.iter().map(text).collect::<PyResult<_>>()?
@@ -174,6 +175,8 @@ impl Scene {
     }
 
     /// The same on a floor that accelerates as was recorded: in a file, or in the sequences (t, a_x) or (t, a_x, a_y), in s and m/s^2.
+    ///
+    /// Their numbers are copied, from an array of float64 in one piece; `with_` reads them again.
     #[pyo3(signature = (record, /, **words))]
     fn on(
         &self,
@@ -191,7 +194,7 @@ impl Scene {
     fn run(&self, py: Python<'_>, until: Option<&Bound<'_, PyAny>>) -> PyResult<Answer> {
         let (scene, own) = &self.read;
         let until = match until {
-            Some(until) => text(until)?.parse().map_err(wrong)?,
+            Some(until) => parsed(until)?,
             None => *own,
         };
         let answer = py.detach(|| scene.answer(until)).map_err(wrong)?;

@@ -3,7 +3,7 @@
 use super::sweep::aligned;
 use crate::motion::{
     Columns, Recording,
-    measure::{Interval, Kind, Measured, Settings, Unfound, Verdict, measure},
+    measure::{Interval, Measured, Settings, Unfound, Verdict, measure},
 };
 use crate::numerics::error::plain;
 use crate::scene::{MetrePerSecond2, Second, columns};
@@ -30,47 +30,6 @@ pub(super) fn command() -> Command {
             Arg::new("rest").long("rest").value_name("FROM:TO").help("Times between which it lay at rest on level floor, which show the zeros of the sensor"),
             Arg::new("g").long("g").value_name("ACCELERATION").default_value("9.80665m/s^2").help("The acceleration of gravity"),
         ])
-}
-
-fn interval(interval: &Interval) -> String {
-    // Two digits of its width.
-    let width = (interval.to - interval.from).max(1e-9);
-    let decimals = (1.0 - libm::floor(libm::log10(width))).clamp(0.0, 12.0) as usize;
-    format!("{:.decimals$} to {:.decimals$}", interval.from, interval.to)
-}
-
-fn kind(kind: Kind) -> &'static str {
-    match kind {
-        Kind::Stick => "sticks",
-        Kind::Slip => "slips",
-        Kind::Pushed => "is pushed",
-    }
-}
-
-fn said(verdict: &Verdict) -> String {
-    let percent = |part: &f64| format!("{:.0} %", 100.0 * part.abs());
-    match verdict {
-        Verdict::Fits => "fits: nothing speaks against it".to_owned(),
-        Verdict::Untold => "cannot be told from this".to_owned(),
-        Verdict::Levels(levels) => format!(
-            "does not fit: slips have coefficients from {}",
-            interval(levels)
-        ),
-        Verdict::Drifts(part) => {
-            let way = if *part < 0.0 { "falls" } else { "rises" };
-            format!(
-                "does not fit: the coefficient {way} by {} during a slip",
-                percent(part)
-            )
-        }
-        Verdict::Bulges(part) => {
-            let way = if *part < 0.0 { "smaller" } else { "greater" };
-            format!(
-                "does not fit: the coefficient is {way} by {} in the middle of a slip",
-                percent(part)
-            )
-        }
-    }
 }
 
 pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
@@ -104,7 +63,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
                 vec![
                     plain(stretch.from),
                     plain(stretch.to),
-                    kind(stretch.kind).to_owned(),
+                    stretch.kind.to_string(),
                 ]
             });
             csv(&["from (s)", "to (s)", "doing"], rows)?;
@@ -122,9 +81,9 @@ pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
                 "mu_s": ends(&found.holding),
                 "why": [why(&found.kinetic), why(&found.holding)],
                 "coulomb": matches!(found.verdict, Verdict::Fits),
-                "verdict": said(&found.verdict),
+                "verdict": found.verdict.to_string(),
                 "noise": found.noise,
-                "stretches": found.stretches.iter().map(|stretch| object!({ "from": stretch.from, "to": stretch.to, "doing": kind(stretch.kind) })).collect::<Vec<_>>(),
+                "stretches": found.stretches.iter().map(|stretch| object!({ "from": stretch.from, "to": stretch.to, "doing": stretch.kind.to_string() })).collect::<Vec<_>>(),
             }))?;
         }
     }
@@ -133,20 +92,20 @@ pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
 
 fn told(found: &Measured) -> String {
     let number = |found: &Result<Interval, Unfound>| match found {
-        Ok(found) => interval(found) + ", with a probability of 95 %",
+        Ok(found) => format!("{found}, with a probability of 95 %"),
         Err(why) => format!("not found: {why}"),
     };
     let cells = |stretch: &crate::motion::measure::Stretch| {
         let times = [stretch.from, stretch.to].map(|t| format!("{t:.3}"));
         let [from, to] = times;
-        vec![from, to, kind(stretch.kind).to_owned(), String::new()]
+        vec![from, to, stretch.kind.to_string(), String::new()]
     };
     let rows: Vec<_> = found.stretches.iter().take(SHOWN).map(cells).collect();
     let mut text = format!(
         "μ_k      {}\nμ_s      {}\nCoulomb  {}\nnoise    {:.3} m/s²\nzeros    {}\nN/m      {}\n\n",
         number(&found.kinetic),
         number(&found.holding),
-        said(&found.verdict),
+        found.verdict,
         found.noise,
         if found.zeroed {
             "from a rest"

@@ -188,12 +188,3 @@ fn the_package_has_all_sources() {
         assert!(packed.contains(file), "{file}");
     }
 }
-
-/// The page shows the script as it is, which continuous integration runs where Python has what it needs.
-#[test]
-fn the_script_is_on_its_page() {
-    let script = text!("book/python/figures.py").as_str();
-    let page = text!("book/src/json.md").as_str();
-    assert!(page.contains(&format!("```python\n{script}```\n")));
-    assert!(script.lines().count() <= 40);
-}

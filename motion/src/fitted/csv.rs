@@ -19,6 +19,22 @@ impl Recording {
     pub fn from_csv(text: &str, columns: &Columns) -> Result<Self, FitError> {
         read_all(text, columns, true)
     }
+
+    /// The first row behind a gap, counted from 0: a step of more than eight usual ones, where rows may have been lost.
+    pub fn gap(&self) -> Option<usize> {
+        let steps: Vec<_> = self
+            .rows
+            .windows(2)
+            .map(|pair| pair[1].0 - pair[0].0)
+            .collect();
+        if steps.len() + 1 < LEAST_ROWS {
+            return None;
+        }
+        let (mut sorted, middle) = (steps.clone(), steps.len() / 2);
+        let usual = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
+        let gap = |step| usual > 0.0 && step > GAP * usual;
+        Some(1 + steps.into_iter().position(gap)?)
+    }
 }
 
 /// Which columns [`Fitted::from_csv_with`](super::Fitted::from_csv_with) reads, where the head does not say so by itself.
@@ -158,25 +174,19 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
             numbers.push((n, line));
         }
     }
-    if !asked.gaps && rows.len() >= LEAST_ROWS {
-        let mut steps: Vec<_> = rows.windows(2).map(|pair| pair[1].0 - pair[0].0).collect();
-        let middle = steps.len() / 2;
-        let usual = *steps
-            .clone()
-            .select_nth_unstable_by(middle, f64::total_cmp)
-            .1;
-        if let Some(k) = steps.drain(..).position(|step| step > GAP * usual) {
-            let (n, line) = numbers[k + 1];
-            let why = "before it is a gap of more than eight usual steps: cut the file there, or ask for gaps to be bridged";
-            return Err(refuse(n, line, why));
-        }
+    let normal = axes[2].map(|_| normal);
+    let recording = Recording { rows, normal };
+    if !asked.gaps
+        && let Some(&(n, line)) = recording.gap().and_then(|k| numbers.get(k))
+    {
+        let why = "before it is a gap of more than eight usual steps: cut the file there, or ask for gaps to be bridged";
+        return Err(refuse(n, line, why));
     }
     if separator == ',' && count == 3 && heads.is_empty() && stated.is_none() && sign.is_none() {
         let why = "without a decimal point in the file a comma may be the decimal sign: give the columns a head";
         return Err(refuse(number, first, why));
     }
-    let normal = axes[2].map(|_| normal);
-    Ok(Recording { rows, normal })
+    Ok(recording)
 }
 
 fn is_empty(cell: &str) -> bool {
