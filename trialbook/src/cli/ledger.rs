@@ -8,6 +8,7 @@ use super::{
     screen::{progress, screen},
 };
 use crate::book;
+use crate::data::Folder;
 use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
 use crate::numerics::error::plain;
 use crate::publishing::{Edition, Failure, Format};
@@ -62,18 +63,13 @@ struct DifferenceRow<'a> {
     found: Option<&'a str>,
 }
 
-/// How the record is held against trials.
-const TRY: &str = "--try tries";
-
 /// What a command that tries claims has at the end.
 pub(super) struct Tried {
     ledger: Ledger,
     rounds: u32,
     differences: Vec<Difference>,
-    /// Of which version the record is that it was read from; nothing if claims were tried.
-    recorded: Option<String>,
-    /// How to try them.
-    how: &'static str,
+    /// Of which version the record is that it was read from, and how to try them; nothing if claims were tried.
+    recorded: Option<(String, &'static str)>,
     /// Whether somebody has stopped it before its end.
     stopped: bool,
 }
@@ -102,31 +98,36 @@ impl Tried {
             rounds,
             differences,
             recorded: None,
-            how: "",
             stopped,
         })
     }
 
-    /// What is recorded of all claims. A paper of which the verdicts alone are recorded is tried.
+    /// What is recorded of all claims, and `how` these can be tried. If nothing is recorded but the verdicts, they are tried.
     pub(super) fn recorded(edition: &Edition, how: &'static str) -> Result<Self, Failure> {
-        let paper = edition.paper;
-        if paper.trials.is_empty() {
-            let depth = Depth {
-                rounds: 1,
-                jobs: None,
-                parts: Vec::new(),
-            };
-            return Self::new(paper, None, &depth);
+        if matches!(edition.paper.sheets, Folder::None) {
+            return Self::new(edition.paper, None, &Depth::ONCE);
         }
         let version = format!("{} {}", edition.name, edition.version);
         Ok(Tried {
-            ledger: Ledger::recorded(paper)?,
+            ledger: Ledger::recorded(edition.paper)?,
             rounds: 1,
             differences: Vec::new(),
-            recorded: Some(version.trim_end().to_owned()),
-            how,
+            recorded: Some((version.trim_end().to_owned(), how)),
             stopped: false,
         })
+    }
+
+    /// The record, or what some claims bring now.
+    fn asked(
+        edition: &Edition,
+        ids: Option<&[&str]>,
+        now: bool,
+        depth: &Depth,
+    ) -> Result<Self, Failure> {
+        match now || depth.rounds > 1 {
+            true => Self::new(edition.paper, ids, depth),
+            false => Self::recorded(edition, "--try tries"),
+        }
     }
 
     /// Says on standard error whether a letter or a table is from the record, or where it differs.
@@ -139,10 +140,14 @@ impl Tried {
         }
     }
 
+    fn version(&self) -> Option<&str> {
+        self.recorded.as_ref().map(|(version, _)| version.as_str())
+    }
+
     /// That this is the record, where it is.
     fn as_of(&self) -> Option<String> {
-        let version = self.recorded.as_ref()?;
-        Some(format!("as recorded with {version}; {} now", self.how))
+        let (version, how) = self.recorded.as_ref()?;
+        Some(format!("as recorded with {version}; {how} now"))
     }
 
     fn differing(&self) -> String {
@@ -170,7 +175,7 @@ impl Tried {
         };
         Claims {
             version: VERSION,
-            recorded: self.recorded.as_deref(),
+            recorded: self.version(),
             claims: shown.iter().map(|entry| entry.row()).collect(),
             differences: self.differences.iter().map(difference).collect(),
             book,
@@ -335,19 +340,14 @@ pub(super) fn list(
     depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
-    let paper = edition.paper;
     let of_section = |claim: &Claim| {
         let is = |section: &String| section == claim.section;
         sections.is_empty() || sections.iter().any(is)
     };
-    let tried = match now || depth.rounds > 1 {
-        true => {
-            let ids = paper.claims().map(|(_, claim)| claim);
-            let ids: Vec<_> = ids.filter(|c| of_section(c)).map(|c| c.id).collect();
-            Tried::new(paper, (!sections.is_empty()).then_some(&ids), depth)?
-        }
-        false => Tried::recorded(edition, TRY)?,
-    };
+    let ids = edition.paper.claims().map(|(_, claim)| claim);
+    let ids: Vec<_> = ids.filter(|c| of_section(c)).map(|c| c.id).collect();
+    let some = (!sections.is_empty()).then_some(&ids[..]);
+    let tried = Tried::asked(edition, some, now, depth)?;
     let fits = |e: &&Entry| {
         let of = e.judgement.verdict;
         let is = |named: &String| [of.slug(), of.words()].contains(&named.as_str());
@@ -371,10 +371,7 @@ pub(super) fn print_errata(
     if kind == ErrataFormat::Json && (supplement || from.or(code).is_some()) {
         return Err("--supplement, --from and --code go with --format text or latex".into());
     }
-    let tried = match now || depth.rounds > 1 {
-        true => Tried::new(edition.paper, None, depth)?,
-        false => Tried::recorded(edition, TRY)?,
-    };
+    let tried = Tried::asked(edition, None, now, depth)?;
     if tried.stopped {
         return Ok(tried.code());
     }
@@ -389,7 +386,7 @@ pub(super) fn print_errata(
         (ErrataFormat::Json, _) | (_, Format::Json) => {
             json(&serde_json::json!({
                 "version": VERSION,
-                "recorded": tried.recorded,
+                "recorded": tried.version(),
                 "errata": tried.ledger.errata()?,
             }))?;
             return Ok(tried.code());
@@ -485,7 +482,6 @@ mod tests {
                 rounds: 1,
                 differences: vec![difference(recorded, found)],
                 recorded: None,
-                how: "",
                 stopped: false,
             };
             let rows = tried.rows(&tried.all(), None);
@@ -515,11 +511,7 @@ mod tests {
                 ..Paper::BLANK
             }));
             let (edition, csv) = (Edition::of("example", paper), Format::Csv);
-            let depth = Depth {
-                rounds: 1,
-                jobs: None,
-                parts: Vec::new(),
-            };
+            let depth = Depth::ONCE;
             let [ids, misprint, second] = ["eq-8", "misprint", "2"].map(|word| [word.to_owned()]);
             [
                 verify(&edition, &ids, &depth, csv),
