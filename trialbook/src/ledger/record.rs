@@ -1,6 +1,7 @@
 //! The recorded verdicts, against which a run is held.
 
 use super::{Ledger, Verdict};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A verdict per claim id, as reviewed and committed.
@@ -30,7 +31,7 @@ pub enum RecordError {
 }
 
 /// A claim whose verdict is not the recorded one.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Difference {
     /// The claim's id.
     pub id: String,
