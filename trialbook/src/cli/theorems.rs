@@ -79,9 +79,9 @@ pub(super) fn theorems(
         let beside = known.beside(paper).into_iter();
         let beside = beside.map(|(accepted, _)| ("", accepted));
         let mut rows: Vec<_> = of_claims.chain(beside).collect();
-        rows.retain(|(claim, accepted)| match *claim {
-            claim if claim != "" && names.is_empty() => true,
-            claim => ids.contains(&claim) || alone.contains(&accepted.name.as_str()),
+        rows.retain(|(claim, accepted)| {
+            let all = names.is_empty() && !claim.is_empty();
+            all || ids.contains(claim) || alone.contains(&accepted.name.as_str())
         });
         list(known, &rows, (!names.is_empty(), &alone), format)?;
     }
