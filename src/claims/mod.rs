@@ -50,7 +50,7 @@ pub static PAPER: Paper = Paper {
     letter: text!("book/letter.md"),
     topics: TOPICS.as_slice(),
     record: text!("snapshots/verdicts.snap"),
-    trials: text!("snapshots/trials.snap"),
+    sheets: folder!("snapshots"),
     tries_variants: true,
     deep: text!("snapshots/deep.tsv"),
     theorems: &THEOREMS,

@@ -44,12 +44,6 @@ impl FromStr for Axis {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let end = |part: &str| {
-            let end = number(part)?;
-            let fit = f64::from(end).is_finite();
-            fit.then_some(end)
-                .ok_or_else(|| format!("`{part}` is not finite"))
-        };
         let degrees = text.contains("deg") || text.contains('°');
         if text.contains(',') && !text.contains(':') {
             let listed = listed(text)?;
@@ -70,8 +64,8 @@ impl FromStr for Axis {
                     ..number(one)?.into()
                 });
             }
-            [low, high, count] => (end(low)?, end(high)?, count, false),
-            [low, high, count, "log"] => (end(low)?, end(high)?, count, true),
+            [low, high, count] => (finite(low)?, finite(high)?, count, false),
+            [low, high, count, "log"] => (finite(low)?, finite(high)?, count, true),
             _ => return Err(FORMS.into()),
         };
         let count = count.parse().unwrap_or(0);
@@ -109,14 +103,14 @@ fn listed(text: &str) -> Result<Vec<Double>, String> {
             "`{text}`: the decimal sign is a point; the two numbers are `{text},`"
         ));
     }
-    let number = |part: &&str| {
-        let number = number(part)?;
-        let finite = f64::from(number).is_finite();
-        finite
-            .then_some(number)
-            .ok_or_else(|| format!("`{part}` is not finite"))
-    };
-    parts.iter().map(number).collect()
+    parts.into_iter().map(finite).collect()
+}
+
+fn finite(part: &str) -> Result<Double, String> {
+    let number = number(part)?;
+    let fit = f64::from(number).is_finite();
+    fit.then_some(number)
+        .ok_or_else(|| format!("`{part}` is not finite"))
 }
 
 impl From<Double> for Axis {

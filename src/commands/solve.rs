@@ -254,22 +254,22 @@ impl Turntable {
         let mut on = |name, axis: Option<Axis>| point.on(name, &axis.unwrap_or_default());
         let time = self.time.map(|time| on("time", Some(time)));
         let start = match self.start {
-            Start { rho: Some(rho), .. } => {
-                let (psi, p) = (on("psi", self.psi), on("p", self.p));
-                let rho = on("rho", Some(rho));
-                turntable::TurntableProblem::Polar { rho, p, psi }
-            }
-            Start { a: Some(a), .. } => {
-                let (psi, alpha) = (on("psi", self.psi), on("alpha", self.alpha));
-                let a = on("A", Some(a));
-                turntable::TurntableProblem::Hyperbolic { a, alpha, psi }
-            }
+            Start { rho: Some(rho), .. } => turntable::TurntableProblem::Polar {
+                psi: on("psi", self.psi),
+                p: on("p", self.p),
+                rho: on("rho", Some(rho)),
+            },
+            Start { a: Some(a), .. } => turntable::TurntableProblem::Hyperbolic {
+                psi: on("psi", self.psi),
+                alpha: on("alpha", self.alpha),
+                a: on("A", Some(a)),
+            },
             Start { x, .. } => {
-                let velocity = [on("vy", self.vy), on("vx", self.vx)];
-                let position = [on("y", self.y), on("x", x)];
+                let [vy, vx] = [on("vy", self.vy), on("vx", self.vx)];
+                let [y, x] = [on("y", self.y), on("x", x)];
                 turntable::TurntableProblem::Cartesian {
-                    position: [position[1], position[0]],
-                    velocity: [velocity[1], velocity[0]],
+                    position: [x, y],
+                    velocity: [vx, vy],
                 }
             }
         };
@@ -281,57 +281,42 @@ impl Turntable {
 }
 
 impl Problem {
-    /// What is asked at a point of the grid; the last option runs fastest.
+    /// What is asked at a point of the grid; the last option runs fastest, which is read first.
     fn asked(&self, point: &mut Point) -> Asked {
         match self {
-            Problem::Constant(given) => {
-                let at = given.moment.at(point);
-                let accel = point.on("accel", &given.accel);
-                let theta0 = point.on("theta0", &given.theta0);
-                let v0 = point.on("v0", &given.v0);
-                let lambda = point.on("lambda", &given.lambda);
-                Asked::Constant(constant::ConstantProblem {
-                    lambda,
-                    v0,
-                    theta0,
-                    accel,
-                    at,
-                })
-            }
+            Problem::Constant(given) => Asked::Constant(constant::ConstantProblem {
+                at: given.moment.at(point),
+                accel: point.on("accel", &given.accel),
+                theta0: point.on("theta0", &given.theta0),
+                v0: point.on("v0", &given.v0),
+                lambda: point.on("lambda", &given.lambda),
+            }),
             Problem::Sinusoidal(FrictionArgs { lambda0 }) => {
                 let lambda0 = point.on("lambda0", lambda0);
                 Asked::Sinusoidal(sinusoidal::SinusoidalProblem { lambda0 })
             }
-            Problem::Pulse { eta, friction } => {
-                let lambda0 = point.on("lambda0", &friction.lambda0);
-                let eta = point.on("eta", eta);
-                Asked::Pulse(periodic::PeriodicProblem { eta, lambda0 })
-            }
+            Problem::Pulse { eta, friction } => Asked::Pulse(periodic::PeriodicProblem {
+                lambda0: point.on("lambda0", &friction.lambda0),
+                eta: point.on("eta", eta),
+            }),
             Problem::Anisotropic { q, friction } => {
-                let lambda0 = point.on("lambda0", &friction.lambda0);
-                let q = point.on("q", q);
-                Asked::Anisotropic(anisotropic::AnisotropicProblem { q, lambda0 })
-            }
-            Problem::Sphere(given) => {
-                let at = given.moment.at(point);
-                let kappa = point.on("kappa", &given.kappa);
-                let theta0 = point.on("theta0", &given.theta0);
-                let u0 = point.on("u0", &given.u0);
-                let gamma = point.on("gamma", &given.gamma);
-                Asked::Sphere(sphere::SphereProblem {
-                    gamma,
-                    u0,
-                    theta0,
-                    kappa,
-                    at,
+                Asked::Anisotropic(anisotropic::AnisotropicProblem {
+                    lambda0: point.on("lambda0", &friction.lambda0),
+                    q: point.on("q", q),
                 })
             }
+            Problem::Sphere(given) => Asked::Sphere(sphere::SphereProblem {
+                at: given.moment.at(point),
+                kappa: point.on("kappa", &given.kappa),
+                theta0: point.on("theta0", &given.theta0),
+                u0: point.on("u0", &given.u0),
+                gamma: point.on("gamma", &given.gamma),
+            }),
             Problem::Turntable(given) => given.asked(point),
-            Problem::TurntableBoundary { alpha, psi } => {
-                let psi = point.on("psi", psi);
-                let alpha = point.on("alpha", alpha);
-                Asked::Boundary(rest::BoundaryProblem { alpha, psi })
-            }
+            Problem::TurntableBoundary { alpha, psi } => Asked::Boundary(rest::BoundaryProblem {
+                psi: point.on("psi", psi),
+                alpha: point.on("alpha", alpha),
+            }),
         }
     }
 

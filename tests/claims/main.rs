@@ -25,7 +25,7 @@ type Test = fn(&Ledger) -> Result<(), Failed>;
 
 const WHOLE: [(&str, Test); 10] = [
     ("verdicts", verdicts),
-    ("trials", trials),
+    ("recorded", recorded),
     ("reading", reading),
     ("variants", wrong_variants),
     ("proofs", wrong_proofs),
@@ -78,7 +78,7 @@ fn main() -> ExitCode {
             let ledger = Arc::clone(&ledger);
             Trial::test(name, move || {
                 let entry = ledger.entry(id).ok_or("it was not tried")?;
-                same_as_snapshot(topic, id, &entry.sheet())
+                same_as_snapshot(topic, id, &entry.snapshot())
             })
         })
         .collect();
@@ -105,9 +105,28 @@ fn verdicts(ledger: &Ledger) -> Result<(), Failed> {
     same_as_snapshot("", "verdicts", &Record::text_of(ledger))
 }
 
-/// What is listed without trying is what the trials bring.
-fn trials(ledger: &Ledger) -> Result<(), Failed> {
-    same_as_snapshot("", "trials", &ledger.brought())
+/// What the sheets answer without trying is what the trials bring.
+fn recorded(ledger: &Ledger) -> Result<(), Failed> {
+    let told = |of: &Ledger| -> Result<Vec<String>, Failed> {
+        let mut errata = of.errata()?;
+        // There the record has no measured number.
+        errata.iter_mut().for_each(|e| e.evidence.truncate(0));
+        let rows = of.entries.iter().map(|e| {
+            let mut row = e.row();
+            row.evidence.clear();
+            let points: usize = e.evidence.iter().map(|e| e.points).sum();
+            format!("{row:?} {} {points}", e.routes())
+        });
+        let errata = errata.iter().map(|e| format!("{e:?}"));
+        Ok(rows.chain(errata).collect())
+    };
+    let (recorded, tried) = (told(&Ledger::recorded(&PAPER)?)?, told(ledger)?);
+    let other = |(a, b): (&String, &String)| (a != b).then(|| format!("{a}\nis now {b}"));
+    let others: Vec<_> = recorded.iter().zip(&tried).filter_map(other).collect();
+    none(
+        &others,
+        "accept the sheets; where they are the same, mend `Ledger::recorded`",
+    )
 }
 
 /// What each claim is derived from or refers to, on a line.

@@ -4,7 +4,7 @@ mod cases;
 
 use crate::{cells, slipbook};
 use serde_json::Value;
-use slipbook::ledger::{Erratum, Format, Ledger};
+use slipbook::ledger::Format;
 use slipbook::solve::axes;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -70,25 +70,6 @@ fn the_letter_as_plain_text_has_no_formulas_of_latex() {
             .collect();
         assert!(left.is_empty(), "{left:#?}");
     }
-}
-
-/// What is recorded is enough for the letter.
-#[test]
-fn the_letter_of_the_record_is_that_of_the_trials() {
-    let recorded = Ledger::recorded(crate::LEDGER.paper).unwrap();
-    for format in [Format::Text, Format::Latex] {
-        let [recorded, tried] = [&recorded, &*crate::LEDGER].map(|of| of.letter(format).unwrap());
-        assert_eq!(recorded, tried);
-    }
-    let rows = |of: &Ledger| -> Vec<_> {
-        let errata = of.errata().unwrap().into_iter();
-        let row = |mut erratum: Erratum| {
-            let evidence = std::mem::take(&mut erratum.evidence);
-            (evidence.len(), format!("{erratum:?}"))
-        };
-        errata.map(row).collect()
-    };
-    assert_eq!(rows(&recorded), rows(&crate::LEDGER));
 }
 
 #[test]

@@ -109,7 +109,7 @@ impl Route {
 }
 
 /// What a trial's comparison speaks about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Subject {
     /// The claim as printed, wherever the paper's own conditions hold.
@@ -129,6 +129,17 @@ pub enum Subject {
 }
 
 impl Subject {
+    /// All of them.
+    pub const ALL: [Self; 7] = [
+        Self::Printed,
+        Self::Within,
+        Self::Outside,
+        Self::Corrected,
+        Self::Step,
+        Self::Excepted,
+        Self::Remark,
+    ];
+
     /// The subject's name, in lower case.
     pub fn name(self) -> &'static str {
         match self {
@@ -246,9 +257,9 @@ pub struct Evidence {
     /// The shared runs that were read for it, by the places where they are declared.
     #[serde(skip)]
     pub runs: BTreeSet<&'static Location<'static>>,
-    /// What the errata say of it, if it was not made now but read from the record, which has not all of it.
+    /// What the errata say of it, if it was not made now but read from a sheet, which has not all of it.
     #[serde(skip)]
-    pub recorded: Option<&'static str>,
+    pub recorded: Option<String>,
 }
 
 /// A proof that another one rests on.

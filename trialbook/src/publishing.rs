@@ -127,7 +127,6 @@ impl Edition {
         let texts = [
             paper.letter,
             paper.record,
-            paper.trials,
             paper.deep,
             paper.theorems.record,
         ];

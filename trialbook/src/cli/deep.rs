@@ -24,6 +24,15 @@ pub(super) struct Depth {
     pub parts: Vec<PathBuf>,
 }
 
+impl Depth {
+    /// Once, at the usual points.
+    pub const ONCE: Self = Self {
+        rounds: 1,
+        jobs: None,
+        parts: Vec::new(),
+    };
+}
+
 /// The ledger of a usual run with what the other rounds bring, judged anew; and how many rounds there were. An
 /// interrupt ends it after the rounds that are done.
 pub(super) fn deepened(

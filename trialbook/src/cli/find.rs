@@ -1,7 +1,7 @@
 //! The command `find`.
 
 use super::{
-    ids::numbered,
+    ids::{nearest, numbered},
     ledger::Tried,
     output::{VERSION, complain, csv, json, show},
     screen::screen,
@@ -14,7 +14,6 @@ use crate::trials::{
     Paper,
     values::{Form, Match, Value, decimal_of, search},
 };
-use std::collections::BTreeSet;
 use std::fmt::Write;
 
 /// What is given, which may begin with a minus, unless it is a misspelt option.
@@ -97,9 +96,9 @@ fn said(edition: &Edition, Entry { claim, topic, .. }: &Entry) -> [String; 2] {
     let by_hand = claim.by_hand.map(|case| [case.wrong, case.reason]);
     let right = claim.correction.map(|correction| correction.plain);
     let values = claim.values.iter().flat_map(|v| [v.id, v.meaning]);
-    let rest = [claim.plain, claim.argument].into_iter().chain(right);
+    let rest = [claim.plain, claim.argument, topic.title].into_iter();
     let rest = rest
-        .chain([topic.title])
+        .chain(right)
         .chain(aliases)
         .chain(conditions)
         .chain(by_hand.into_iter().flatten());
@@ -122,38 +121,30 @@ fn words(
     let lower = given.to_lowercase();
     let wanted: Vec<_> = lower.split_whitespace().collect();
     let tried = Tried::recorded(edition, "`show` tries")?;
-    let mut known = BTreeSet::new();
-    let mut missing: BTreeSet<_> = wanted.iter().copied().collect();
-    let mut found: Vec<(u8, &Entry)> = Vec::new();
-    for entry in tried.all() {
-        let [title, rest] = said(edition, entry);
+    let all = tried.all().into_iter();
+    let all: Vec<_> = all.map(|entry| (entry, said(edition, entry))).collect();
+    let mut found = Vec::new();
+    for (entry, [title, rest]) in &all {
         let has = |word: &&str| title.contains(word) || rest.contains(word);
-        missing.retain(|word| !has(word));
         if equation == Some(entry.claim.id) {
-            found.push((0, entry));
+            found.push((0, *entry));
         } else if wanted.iter().all(|word| title.contains(word)) {
-            found.push((1, entry));
+            found.push((1, *entry));
         } else if wanted.iter().all(has) {
-            found.push((2, entry));
+            found.push((2, *entry));
         }
-        let words = |text: &str| -> Vec<String> {
-            let words = text.split(|c: char| !c.is_alphanumeric());
-            words
-                .filter(|word| word.chars().count() > 3)
-                .map(str::to_owned)
-                .collect()
-        };
-        known.extend(words(&title).into_iter().chain(words(&rest)));
     }
     found.sort_by_key(|(rank, _)| *rank);
     let found: Vec<_> = found.into_iter().map(|(_, entry)| entry).collect();
     if found.is_empty() {
-        let near = |word: &str, known: &String| (strsim::jaro_winkler(word, known) * 1e6) as u32;
-        let nearest = |word: &str| {
-            let best = known.iter().max_by_key(|other| near(word, other))?;
-            (near(word, best) > 850_000).then(|| format!("`{best}`"))
-        };
-        let hints: Vec<_> = missing.iter().filter_map(|word| nearest(word)).collect();
+        let texts = || all.iter().flat_map(|(_, said)| said);
+        let known = || texts().flat_map(|text| text.split(|c: char| !c.is_alphanumeric()));
+        let known = || known().filter(|word| word.chars().count() > 3);
+        let missing = wanted
+            .iter()
+            .filter(|word| !texts().any(|text| text.contains(**word)));
+        let hints = missing.filter_map(|word| nearest(word, known()));
+        let hints: Vec<_> = hints.map(|best| format!("`{best}`")).collect();
         let hint = match &hints[..] {
             [] if wanted.len() > 1 => "fewer words find more".to_owned(),
             [] => format!("`{} list` names all", edition.name),
@@ -164,15 +155,8 @@ fn words(
             &format!("no claim speaks of `{given}`: {hint}"),
         );
     }
-    let text = || match found.is_empty() {
-        true => String::new(),
-        false => tried.listed(&found),
-    };
-    match format {
-        Format::Text if found.is_empty() => {}
-        _ => {
-            tried.answered(&found, text, format)?;
-        }
+    if format != Format::Text || !found.is_empty() {
+        tried.answered(&found, || tried.listed(&found), format)?;
     }
     Ok(u8::from(found.is_empty()))
 }

@@ -84,12 +84,17 @@ pub(super) fn known(edition: &Edition, word: &str) -> Result<&'static str, Failu
                 let list = format!("{name} list --section {section}");
                 return Err(format!("`{word}` is no claim but a section: `{list}`").into());
             }
-            let near = |id: &&str| (strsim::jaro_winkler(&id.to_lowercase(), &plain) * 1e6) as u32;
-            let best = ids().max_by_key(near).filter(|id| near(id) > 850_000);
-            let hint = best.map_or(String::new(), |id| format!("did you mean `{id}`? "));
+            let hint =
+                nearest(&plain, ids()).map_or(String::new(), |id| format!("did you mean `{id}`? "));
             Err(format!("there is no claim `{word}`: {hint}`{name} list` names all").into())
         }
     }
+}
+
+/// The word that is likely meant, if any is.
+pub(super) fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let near = |known: &&str| (strsim::jaro_winkler(&known.to_lowercase(), word) * 1e6) as u32;
+    known.max_by_key(near).filter(|best| near(best) > 850_000)
 }
 
 /// The id of an equation or a figure that a word in small letters names by its number and nothing else: `13`, `(13)`,

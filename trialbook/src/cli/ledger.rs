@@ -8,13 +8,15 @@ use super::{
     screen::{progress, screen},
 };
 use crate::book;
+use crate::data::Folder;
 use crate::ledger::{self, Difference, Entry, Ledger, Record, Row, Verdict};
 use crate::numerics::error::plain;
 use crate::publishing::{Edition, Failure, Format};
 use crate::stop;
 use crate::trials::{Claim, Paper, points::set_round};
-use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser};
+use clap::{Args, ValueEnum};
+use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -50,30 +52,18 @@ struct Claims<'a> {
     version: u32,
     recorded: Option<&'a str>,
     claims: Vec<Row<'a>>,
-    differences: Vec<DifferenceRow<'a>>,
+    differences: &'a [Difference],
     #[serde(skip_serializing_if = "Option::is_none")]
     book: Option<&'a Path>,
 }
-
-#[derive(Serialize)]
-struct DifferenceRow<'a> {
-    id: &'a str,
-    recorded: Option<&'a str>,
-    found: Option<&'a str>,
-}
-
-/// How the record is held against trials.
-const TRY: &str = "--try tries";
 
 /// What a command that tries claims has at the end.
 pub(super) struct Tried {
     ledger: Ledger,
     rounds: u32,
     differences: Vec<Difference>,
-    /// Of which version the record is that it was read from; nothing if claims were tried.
-    recorded: Option<String>,
-    /// How to try them.
-    how: &'static str,
+    /// Of which version the record is that it was read from, and what is said of that; nothing if claims were tried.
+    recorded: Option<[String; 2]>,
     /// Whether somebody has stopped it before its end.
     stopped: bool,
 }
@@ -102,31 +92,38 @@ impl Tried {
             rounds,
             differences,
             recorded: None,
-            how: "",
             stopped,
         })
     }
 
-    /// What is recorded of all claims. A paper of which the verdicts alone are recorded is tried.
+    /// What is recorded of all claims, and `how` these can be tried. If nothing is recorded but the verdicts, they are tried.
     pub(super) fn recorded(edition: &Edition, how: &'static str) -> Result<Self, Failure> {
-        let paper = edition.paper;
-        if paper.trials.is_empty() {
-            let depth = Depth {
-                rounds: 1,
-                jobs: None,
-                parts: Vec::new(),
-            };
-            return Self::new(paper, None, &depth);
+        if matches!(edition.paper.sheets, Folder::None) {
+            return Self::new(edition.paper, None, &Depth::ONCE);
         }
         let version = format!("{} {}", edition.name, edition.version);
+        let version = version.trim_end().to_owned();
+        let note = format!("as recorded with {version}; {how} now");
         Ok(Tried {
-            ledger: Ledger::recorded(paper)?,
+            ledger: Ledger::recorded(edition.paper)?,
             rounds: 1,
             differences: Vec::new(),
-            recorded: Some(version.trim_end().to_owned()),
-            how,
+            recorded: Some([version, note]),
             stopped: false,
         })
+    }
+
+    /// The record, or what some claims bring now.
+    fn asked(
+        edition: &Edition,
+        ids: Option<&[&str]>,
+        Now { now }: &Now,
+        depth: &Depth,
+    ) -> Result<Self, Failure> {
+        match *now || depth.rounds > 1 {
+            true => Self::new(edition.paper, ids, depth),
+            false => Self::recorded(edition, "--try tries"),
+        }
     }
 
     /// Says on standard error whether a letter or a table is from the record, or where it differs.
@@ -134,15 +131,14 @@ impl Tried {
         if screen().quiet {
             return;
         }
-        for line in self.differing().lines().chain(self.as_of().as_deref()) {
+        let record = self.recorded.iter().map(|[_, note]| note.as_str());
+        for line in self.differing().lines().chain(record) {
             complain("note", line);
         }
     }
 
-    /// That this is the record, where it is.
-    fn as_of(&self) -> Option<String> {
-        let version = self.recorded.as_ref()?;
-        Some(format!("as recorded with {version}; {} now", self.how))
+    fn version(&self) -> Option<&str> {
+        self.recorded.as_ref().map(|[version, _]| version.as_str())
     }
 
     fn differing(&self) -> String {
@@ -162,17 +158,11 @@ impl Tried {
     }
 
     fn rows<'a>(&'a self, shown: &[&'a Entry], book: Option<&'a Path>) -> Claims<'a> {
-        let slug = |verdict: Option<Verdict>| verdict.map(Verdict::slug);
-        let difference = |d: &'a Difference| DifferenceRow {
-            id: &d.id,
-            recorded: slug(d.recorded),
-            found: slug(d.found),
-        };
         Claims {
             version: VERSION,
-            recorded: self.recorded.as_deref(),
-            claims: shown.iter().map(|entry| entry.row()).collect(),
-            differences: self.differences.iter().map(difference).collect(),
+            recorded: self.version(),
+            claims: shown.par_iter().map(|entry| entry.row()).collect(),
+            differences: &self.differences,
             book,
         }
     }
@@ -215,8 +205,11 @@ impl Tried {
 
     /// These claims in a list, and whether it is the record.
     pub(super) fn listed(&self, entries: &[&Entry]) -> String {
-        let end = self.as_of().unwrap_or_else(|| self.as_recorded());
         let list = columns::list(entries, &screen());
+        let end = match &self.recorded {
+            Some([_, note]) => note,
+            None => &self.as_recorded(),
+        };
         format!("{list}\n{}{end}", self.differing())
     }
 
@@ -328,30 +321,46 @@ pub(super) fn show(
     tried.answered(&tried.all(), words, format)
 }
 
+/// Which claims are listed, and of what.
+#[derive(Args)]
+pub(super) struct List {
+    /// Only claims of this verdict, as it is printed or by its short name, or of one of several between commas
+    #[arg(long, value_parser = verdicts(), value_delimiter = ',')]
+    verdict: Vec<String>,
+    /// Only claims of this section of the paper, or of one of several between commas
+    #[arg(long, value_delimiter = ',')]
+    section: Vec<String>,
+    #[command(flatten)]
+    now: Now,
+}
+
+/// Whether `list` and `errata` try.
+#[derive(Args)]
+struct Now {
+    /// Try the claims now, in place of what is recorded, and say where a verdict differs
+    #[arg(long = "try")]
+    now: bool,
+}
+
 pub(super) fn list(
     edition: &Edition,
-    (verdicts, sections): (&[String], &[String]),
-    now: bool,
+    asked: &List,
     depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
-    let paper = edition.paper;
+    let sections = &asked.section;
     let of_section = |claim: &Claim| {
         let is = |section: &String| section == claim.section;
         sections.is_empty() || sections.iter().any(is)
     };
-    let tried = match now || depth.rounds > 1 {
-        true => {
-            let ids = paper.claims().map(|(_, claim)| claim);
-            let ids: Vec<_> = ids.filter(|c| of_section(c)).map(|c| c.id).collect();
-            Tried::new(paper, (!sections.is_empty()).then_some(&ids), depth)?
-        }
-        false => Tried::recorded(edition, TRY)?,
-    };
+    let ids = edition.paper.claims().map(|(_, claim)| claim);
+    let ids: Vec<_> = ids.filter(|c| of_section(c)).map(|c| c.id).collect();
+    let some = (!sections.is_empty()).then_some(&ids[..]);
+    let tried = Tried::asked(edition, some, &asked.now, depth)?;
     let fits = |e: &&Entry| {
         let of = e.judgement.verdict;
         let is = |named: &String| [of.slug(), of.words()].contains(&named.as_str());
-        of_section(e.claim) && (verdicts.is_empty() || verdicts.iter().any(is))
+        of_section(e.claim) && (asked.verdict.is_empty() || asked.verdict.iter().any(is))
     };
     let listed: Vec<_> = tried.ledger.entries.iter().filter(fits).collect();
     let words = || match listed.is_empty() {
@@ -361,42 +370,58 @@ pub(super) fn list(
     tried.answered(&listed, words, format)
 }
 
+/// How the errata are printed, and of what.
+#[derive(Args)]
+pub(super) struct Errata {
+    #[command(flatten)]
+    now: Now,
+    /// How to print it
+    #[arg(long, value_enum, default_value_t = ErrataFormat::Text, conflicts_with_all = ["json", "csv"])]
+    format: ErrataFormat,
+    /// All that has to be changed, with every trial, instead of the comment of two pages
+    #[arg(long, conflicts_with_all = ["json", "csv"])]
+    supplement: bool,
+    /// Who signs it, in place of "[name, affiliation and address]"
+    #[arg(long, value_name = "NAME/AFFILIATION", conflicts_with_all = ["json", "csv"])]
+    from: Option<String>,
+    /// Where the program can be found, in place of "[address of the code]"
+    #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["json", "csv"])]
+    code: Option<String>,
+}
+
 pub(super) fn print_errata(
     edition: &Edition,
-    (kind, supplement, now): (ErrataFormat, bool, bool),
-    (from, code): (Option<&str>, Option<&str>),
+    asked: &Errata,
     depth: &Depth,
     format: Format,
 ) -> Result<u8, Failure> {
-    if kind == ErrataFormat::Json && (supplement || from.or(code).is_some()) {
+    let (from, code) = (asked.from.as_deref(), asked.code.as_deref());
+    if asked.format == ErrataFormat::Json && (asked.supplement || from.or(code).is_some()) {
         return Err("--supplement, --from and --code go with --format text or latex".into());
     }
-    let tried = match now || depth.rounds > 1 {
-        true => Tried::new(edition.paper, None, depth)?,
-        false => Tried::recorded(edition, TRY)?,
-    };
+    let tried = Tried::asked(edition, None, &asked.now, depth)?;
     if tried.stopped {
         return Ok(tried.code());
     }
+    let ledger = &tried.ledger;
     let letter = |format: ledger::Format| {
-        let sent = match supplement {
-            true => tried.ledger.supplement(format),
-            false => tried.ledger.letter(format),
+        let sent = match asked.supplement {
+            true => ledger.supplement(format),
+            false => ledger.letter(format),
         };
         sent.map(|sent| format.signed(sent, from, code))
     };
-    match (kind, format) {
+    match (asked.format, format) {
         (ErrataFormat::Json, _) | (_, Format::Json) => {
             json(&serde_json::json!({
                 "version": VERSION,
-                "recorded": tried.recorded,
-                "errata": tried.ledger.errata()?,
+                "recorded": tried.version(),
+                "errata": ledger.errata()?,
             }))?;
             return Ok(tried.code());
         }
         (_, Format::Csv) => {
-            let errata = tried.ledger.errata()?;
-            say(&(bom().to_owned() + &book::register(edition, &errata)?))?;
+            say(&(bom().to_owned() + &book::register(edition, &ledger.errata()?)?))?;
         }
         (ErrataFormat::Latex, _) => say(&letter(ledger::Format::Latex)?)?,
         (ErrataFormat::Text, _) => shown(&letter(ledger::Format::Text)?)?,
@@ -469,38 +494,42 @@ mod tests {
 
     #[test]
     fn a_difference_names_what_is_recorded_and_what_is_found() {
-        let difference = |recorded, found| Difference {
-            id: "eq-8".into(),
-            recorded,
-            found,
-        };
         let (right, wrong) = (Some(Verdict::Confirmed), Some(Verdict::Misprint));
-        for (recorded, found, [was, is], code) in [
-            (right, wrong, [Some("confirmed"), Some("misprint")], 1),
-            (None, right, [None, Some("confirmed")], 1),
-            (wrong, None, [Some("misprint"), None], 1),
+        for (recorded, found, named, said) in [
+            (
+                right,
+                wrong,
+                r#""recorded":"confirmed","found":"misprint""#,
+                "confirmed, found misprint",
+            ),
+            (
+                None,
+                right,
+                r#""recorded":null,"found":"confirmed""#,
+                "no such claim, found confirmed",
+            ),
         ] {
+            let id = "eq-8".to_owned();
+            let differences = vec![Difference {
+                id,
+                recorded,
+                found,
+            }];
             let tried = Tried {
                 ledger: example::ledger(),
                 rounds: 1,
-                differences: vec![difference(recorded, found)],
+                differences,
                 recorded: None,
-                how: "",
                 stopped: false,
             };
-            let rows = tried.rows(&tried.all(), None);
-            let [row] = &rows.differences[..] else {
-                panic!("one difference")
-            };
-            assert_eq!((row.id, row.recorded, row.found), ("eq-8", was, is));
-            let words = |v: Option<Verdict>| v.map_or("no such claim", Verdict::words);
-            let said = format!(
-                "eq-8: recorded as {}, found {}\n",
-                words(recorded),
-                words(found)
+            let rows = serde_json::to_string(&tried.rows(&[], None)).unwrap();
+            assert!(
+                rows.contains(&format!(r#"[{{"id":"eq-8",{named}}}]"#)),
+                "{rows}"
             );
+            let said = format!("eq-8: recorded as {said}\n");
             assert!(tried.text().contains(&said), "{}", tried.text());
-            assert_eq!(tried.code(), code);
+            assert_eq!(tried.code(), 1);
         }
     }
 
@@ -515,22 +544,26 @@ mod tests {
                 ..Paper::BLANK
             }));
             let (edition, csv) = (Edition::of("example", paper), Format::Csv);
-            let depth = Depth {
-                rounds: 1,
-                jobs: None,
-                parts: Vec::new(),
-            };
+            let depth = Depth::ONCE;
             let [ids, misprint, second] = ["eq-8", "misprint", "2"].map(|word| [word.to_owned()]);
+            let listed = |verdict: &[String], section: &[String], now| {
+                let asked = List {
+                    verdict: verdict.to_vec(),
+                    section: section.to_vec(),
+                    now: Now { now },
+                };
+                list(&edition, &asked, &depth, csv)
+            };
             [
                 verify(&edition, &ids, &depth, csv),
                 show(&edition, &ids, &depth, csv),
-                list(&edition, (&[], &second), true, &depth, csv),
-                list(&edition, (&misprint, &second), true, &depth, csv),
+                listed(&[], &second, true),
+                listed(&misprint, &second, true),
                 verify(&edition, &[], &depth, csv),
-                list(&edition, (&misprint, &[]), true, &depth, csv),
+                listed(&misprint, &[], true),
                 super::record(paper, "2026-01-01", &depth),
                 // Where the verdicts alone are recorded, it tries too.
-                list(&edition, (&[], &[]), false, &depth, csv),
+                listed(&[], &[], false),
             ]
             .map(Result::unwrap)
         };

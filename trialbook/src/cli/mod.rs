@@ -127,33 +127,9 @@ enum Command {
         ids: Vec<String>,
     },
     /// List claims with their verdicts, as they are recorded; with --try they are tried
-    List {
-        /// Only claims of this verdict, as it is printed or by its short name, or of one of several between commas
-        #[arg(long, value_parser = ledger::verdicts(), value_delimiter = ',')]
-        verdict: Vec<String>,
-        /// Only claims of this section of the paper, or of one of several between commas
-        #[arg(long, value_delimiter = ',')]
-        section: Vec<String>,
-        #[command(flatten)]
-        now: Now,
-    },
+    List(ledger::List),
     /// Print the errata: what is wrong in print, and what is right; of what is recorded, unless --try is given
-    Errata {
-        #[command(flatten)]
-        now: Now,
-        /// How to print it
-        #[arg(long, value_enum, default_value_t = ledger::ErrataFormat::Text, conflicts_with_all = ["json", "csv"])]
-        format: ledger::ErrataFormat,
-        /// All that has to be changed, with every trial, instead of the comment of two pages
-        #[arg(long, conflicts_with_all = ["json", "csv"])]
-        supplement: bool,
-        /// Who signs it, in place of "[name, affiliation and address]"
-        #[arg(long, value_name = "NAME/AFFILIATION", conflicts_with_all = ["json", "csv"])]
-        from: Option<String>,
-        /// Where the program can be found, in place of "[address of the code]"
-        #[arg(long, value_name = "ADDRESS", conflicts_with_all = ["json", "csv"])]
-        code: Option<String>,
-    },
+    Errata(ledger::Errata),
     /// Find the claims that carry a number, or speak of words
     ///
     /// Of a number it marks the first wrong digit; a single digit has to be all of the number. An equation is `(38)`. Words are looked
@@ -175,14 +151,6 @@ enum Command {
         /// The shell
         shell: Shell,
     },
-}
-
-/// Whether `list` and `errata` try.
-#[derive(Args)]
-struct Now {
-    /// Try the claims now, in place of what is recorded, and say where a verdict differs
-    #[arg(long = "try")]
-    now: bool,
 }
 
 /// What the command line may say: commands, options, their values and help.
@@ -351,22 +319,8 @@ fn answer(edition: &Edition, matches: &ArgMatches) -> Result<u8, Failure> {
         }
         Command::Theorems { ids, wanted } => theorems::theorems(edition, &ids, &wanted, format),
         Command::Show { ids } => ledger::show(edition, &ids, &depth, format),
-        Command::List {
-            verdict,
-            section,
-            now,
-        } => ledger::list(edition, (&verdict, &section), now.now, &depth, format),
-        Command::Errata {
-            now,
-            format: kind,
-            supplement,
-            from,
-            code,
-        } => {
-            let sender = (from.as_deref(), code.as_deref());
-            let kind = (kind, supplement, now.now);
-            ledger::print_errata(edition, kind, sender, &depth, format)
-        }
+        Command::List(asked) => ledger::list(edition, &asked, &depth, format),
+        Command::Errata(asked) => ledger::print_errata(edition, &asked, &depth, format),
         Command::Find { what: None, .. } => find::all(paper, format),
         Command::Find {
             what: Some(what),

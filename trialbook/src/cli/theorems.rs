@@ -72,18 +72,17 @@ pub(super) fn theorems(
                 false => ids.push(ids::known(edition, name)?),
             }
         }
-        let rows = paper.claims().flat_map(|(_, claim)| {
+        let of_claims = paper.claims().flat_map(|(_, claim)| {
             let all = known.of_claim(claim.id).into_iter();
-            let own = names.is_empty() || ids.contains(&claim.id);
-            let alone = &alone;
-            let theorems =
-                all.filter(move |(accepted, _)| own || alone.contains(&accepted.name.as_str()));
-            theorems.map(|(accepted, _)| (claim.id, accepted))
+            all.map(|(accepted, _)| (claim.id, accepted))
         });
         let beside = known.beside(paper).into_iter();
-        let beside = beside.filter(|(accepted, _)| alone.contains(&accepted.name.as_str()));
         let beside = beside.map(|(accepted, _)| ("", accepted));
-        let rows: Vec<_> = rows.chain(beside).collect();
+        let mut rows: Vec<_> = of_claims.chain(beside).collect();
+        rows.retain(|(claim, accepted)| {
+            let all = names.is_empty() && !claim.is_empty();
+            all || ids.contains(claim) || alone.contains(&accepted.name.as_str())
+        });
         list(known, &rows, (!names.is_empty(), &alone), format)?;
     }
     Ok(0)
@@ -103,16 +102,11 @@ fn made(known: &Known, folder: &Path) -> Result<String, Failure> {
 
 /// What the statement of a theorem speaks of, each with what the comment before it says.
 fn definitions(known: &Known, accepted: &Accepted) -> Vec<String> {
-    let used = known
-        .sources
-        .explains(&accepted.statement, &accepted.file)
-        .into_iter();
-    let texts = used.map(|used| {
-        let about = match used.about.as_str() {
-            "" => String::new(),
-            about => format!("(* {about} *)\n"),
-        };
-        format!("{about}{}.", used.text)
+    let sources = &known.sources;
+    let used = sources.explains(&accepted.statement, &accepted.file);
+    let texts = used.iter().map(|used| match used.about.as_str() {
+        "" => format!("{}.", used.text),
+        about => format!("(* {about} *)\n{}.", used.text),
     });
     texts.collect()
 }

@@ -232,8 +232,8 @@ fn reason_of_condition(entry: &Entry) -> String {
 
 /// A trial in sentences.
 fn said(e: &Evidence, conditional: bool) -> String {
-    if let Some(recorded) = e.recorded {
-        return recorded.to_owned();
+    if let Some(recorded) = &e.recorded {
+        return recorded.clone();
     }
     let (about, route) = (e.about(conditional), e.route.name());
     let (comparison, measured) = (e.comparison(), e.measured());

@@ -15,7 +15,7 @@ mod letter;
 #[cfg(feature = "trials")]
 mod parallel;
 mod record;
-#[cfg(feature = "trials")]
+#[cfg(feature = "book")]
 mod recorded;
 #[cfg(feature = "trials")]
 mod row;

@@ -1,6 +1,7 @@
 //! The recorded verdicts, against which a run is held.
 
 use super::{Ledger, Verdict};
+use serde::Serialize;
 use std::collections::BTreeMap;
 
 /// A verdict per claim id, as reviewed and committed.
@@ -19,29 +20,18 @@ pub enum RecordError {
         /// What stands there.
         text: String,
     },
-    /// A line that is neither a claim nor a trial of one.
-    #[error("the record of trials, line {line}: `{text}` is no claim and no trial")]
-    Trial {
-        /// Number of the line, from 1.
-        line: usize,
-        /// What stands there.
-        text: String,
+    /// A sheet that does not say what was found.
+    #[error("the recorded sheet {path} {why}: the test of the claims writes it")]
+    Sheet {
+        /// Its path in the folder of the sheets.
+        path: String,
+        /// What it lacks.
+        why: &'static str,
     },
 }
 
-/// The lines of a record that is kept as a snapshot, with their numbers from 1: without its header, up to its second `---`.
-pub(super) fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
-    let marks = text.lines().enumerate().filter(|(_, l)| *l == "---");
-    let header = match text.starts_with("---") {
-        true => marks.map(|(i, _)| i + 1).nth(1).unwrap_or(0),
-        false => 0,
-    };
-    let lines = (1..).zip(text.lines()).skip(header);
-    lines.filter(|(_, line)| !line.trim().is_empty())
-}
-
 /// A claim whose verdict is not the recorded one.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct Difference {
     /// The claim's id.
     pub id: String,
@@ -57,24 +47,25 @@ impl Record {
     /// # Errors
     /// [`RecordError::Line`] for the first line that does not read so.
     pub fn parse(text: &str) -> Result<Self, RecordError> {
+        let marks = text.lines().enumerate().filter(|(_, l)| *l == "---");
+        let header = match text.starts_with("---") {
+            true => marks.map(|(i, _)| i + 1).nth(1).unwrap_or(0),
+            false => 0,
+        };
         let mut verdicts = BTreeMap::new();
-        for (number, line) in lines(text) {
-            let entry = line.split_once(": ").and_then(|(id, slug)| {
+        let lines = (1..).zip(text.lines()).skip(header);
+        for (line, text) in lines.filter(|(_, text)| !text.trim().is_empty()) {
+            let entry = text.split_once(": ").and_then(|(id, slug)| {
                 let verdict = Verdict::ALL.into_iter().find(|v| v.slug() == slug.trim())?;
                 Some((id.trim().to_owned(), verdict))
             });
             let (id, verdict) = entry.ok_or_else(|| RecordError::Line {
-                line: number,
-                text: line.to_owned(),
+                line,
+                text: text.to_owned(),
             })?;
             verdicts.insert(id, verdict);
         }
         Ok(Record(verdicts))
-    }
-
-    /// The verdict of a claim.
-    pub fn of(&self, id: &str) -> Option<Verdict> {
-        self.0.get(id).copied()
     }
 
     /// The text of the record that a ledger would make.

@@ -1,7 +1,7 @@
 //! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
 
-use super::{Entry, Tally};
-use crate::evidence::{Evidence, Outcome, Sample, ranges};
+use super::{Entry, Tally, Verdict};
+use crate::evidence::{Evidence, Outcome, Sample, Subject, ranges};
 use crate::notation::plain_words;
 use crate::trials::{Sort, compare::SAMPLES};
 use std::fmt::Write;
@@ -12,6 +12,12 @@ impl Entry {
     /// Only what is the same on every machine: a disagreement is shown by whether it is within its
     /// tolerance, and values are rounded two digits short of it.
     pub fn sheet(&self) -> String {
+        plain_words(&self.snapshot())
+    }
+
+    /// The sheet as it is recorded, for [`Ledger::recorded`](super::Ledger::recorded): where the claim has to be changed, the
+    /// formulas of what was compared stand in `$…$`, as the errata have them.
+    pub fn snapshot(&self) -> String {
         let claim = self.claim;
         let mut text = format!("{}: {}\n", claim.id, claim.title);
         let number = claim
@@ -58,33 +64,35 @@ impl Entry {
             let _ = writeln!(text, "argument: {}", plain_words(claim.argument));
         }
         for evidence in &self.evidence {
-            trial(&mut text, evidence, self.is_conditional());
+            trial(&mut text, evidence, self.judgement.verdict);
         }
         text
     }
 }
 
-fn trial(text: &mut String, e: &Evidence, conditional: bool) {
-    let (route, about) = (e.route.name(), e.about(conditional));
-    let comparison = plain_words(&e.comparison());
-    let result = e.result();
+fn trial(text: &mut String, e: &Evidence, verdict: Verdict) {
+    let (route, about) = (e.route.name(), e.about(verdict.has_condition()));
+    let (mut comparison, result) = (e.comparison(), e.result());
+    if !verdict.asks_for_change() {
+        comparison = plain_words(&comparison);
+    }
     let _ = writeln!(
         text,
         "\ntrial by {route}, {about}:\n    {comparison} {result}"
     );
-    if !e.route.is_proof() {
-        let [least, most] = e.scales.map(ranges::short);
-        let to = if least == most {
-            String::new()
-        } else {
-            format!(" to {most}")
-        };
-        let _ = writeln!(
-            text,
-            "    {} of {} points differ; in units of {least}{to}",
-            e.different(),
-            e.points
-        );
+    if !e.route.is_proof() || e.points != 1 {
+        let _ = write!(text, "    {} of {} points differ", e.different(), e.points);
+        if e.subject == Subject::Outside && verdict.asks_for_change() {
+            let _ = write!(text, ", {} disagree", e.failed);
+        }
+        if !e.route.is_proof() {
+            let [least, most] = e.scales.map(ranges::short);
+            let _ = write!(text, "; in units of {least}");
+            if least != most {
+                let _ = write!(text, " to {most}");
+            }
+        }
+        text.push('\n');
     }
     if !e.title.is_empty() {
         let _ = writeln!(text, "    {}", e.title);

@@ -127,21 +127,32 @@ impl Sources {
     }
 
     /// What a text of a file uses, and what that uses: the nearest of one name.
-    pub fn used<'a>(&self, texts: impl Iterator<Item = &'a str>, file: &str) -> BTreeSet<usize> {
+    pub fn used<'a>(
+        &'a self,
+        texts: impl Iterator<Item = &'a str>,
+        file: &'a str,
+    ) -> BTreeSet<usize> {
+        self.reached(texts.flat_map(names), file, |_, _| true)
+    }
+
+    /// What the names in a file mean, and those in what they mean: what is of the same file, or all elsewhere that a file may mean.
+    fn reached<'a>(
+        &'a self,
+        named: impl Iterator<Item = &'a str>,
+        file: &'a str,
+        may: impl Fn(&str, &Item) -> bool,
+    ) -> BTreeSet<usize> {
         let mut known = BTreeSet::new();
-        let mut open: Vec<(String, String)> = texts
-            .map(|text| (text.to_owned(), file.to_owned()))
-            .collect();
-        while let Some((text, file)) = open.pop() {
-            for name in names(&text) {
-                let own = self.meanings.get(name).map_or(&[][..], Vec::as_slice);
-                let here = own.iter().find(|i| self.items[**i].file == file);
-                for i in here.map_or(own, std::slice::from_ref) {
-                    if known.insert(*i) {
-                        let item = &self.items[*i];
-                        let texts = item.context.iter().chain([&item.text]);
-                        open.extend(texts.map(|text| (text.clone(), item.file.clone())));
-                    }
+        let mut open: Vec<_> = named.map(|name| (name, file)).collect();
+        while let Some((name, file)) = open.pop() {
+            let all = self.meanings.get(name).map_or(&[][..], Vec::as_slice);
+            let here = all.iter().find(|i| self.items[**i].file == file);
+            for i in here.map_or(all, std::slice::from_ref) {
+                let item = &self.items[*i];
+                if (here.is_some() || may(file, item)) && known.insert(*i) {
+                    let texts = item.context.iter().chain([&item.text]);
+                    let named = texts.flat_map(|text| names(text));
+                    open.extend(named.map(|name| (name, item.file.as_str())));
                 }
             }
         }
@@ -149,52 +160,26 @@ impl Sources {
     }
 
     /// What the statement of a theorem uses.
-    pub fn behind(&self, item: &Item) -> BTreeSet<usize> {
+    pub fn behind<'a>(&'a self, item: &'a Item) -> BTreeSet<usize> {
         let texts = item.context.iter().chain([&item.text]).map(String::as_str);
         self.used(texts, &item.file)
     }
 
     /// What a statement of a file speaks of, as `coqc` prints it, and what that speaks of: of a name the one of the same file, or
     /// those of files that it requires. For readers, without the names that the statement binds: [`Sources::behind`] leaves nothing out.
-    pub fn explains(&self, statement: &str, file: &str) -> Vec<&Item> {
+    pub fn explains<'a>(&'a self, statement: &'a str, file: &'a str) -> Vec<&'a Item> {
         let mut binders = statement.split(':');
         binders.next_back();
         let ends = ["forall", "exists", "fun", "(", ","];
-        let last = |part: &'_ str| {
-            ends.iter()
-                .filter_map(|end| Some(part.rfind(end)? + end.len()))
-                .max()
-        };
-        let bound = binders.flat_map(|part| names(&part[last(part).unwrap_or(0)..]));
+        let bound = binders.flat_map(|part| {
+            let ends = ends.iter();
+            let last = ends.filter_map(|end| Some(part.rfind(end)? + end.len()));
+            names(&part[last.max().unwrap_or(0)..])
+        });
         let bound: BTreeSet<_> = bound.collect();
-        let free: Vec<_> = names(statement)
-            .filter(|name| !bound.contains(name))
-            .collect();
-        let mut open: Vec<&Item> = free
-            .into_iter()
-            .flat_map(|name| self.within(name, file))
-            .collect();
-        let mut known: BTreeMap<(&str, usize), &Item> = BTreeMap::new();
-        while let Some(item) = open.pop() {
-            if known.insert((&item.file, item.line), item).is_none() {
-                let texts = item.context.iter().chain([&item.text]);
-                let names = texts.flat_map(|text| names(text));
-                open.extend(names.flat_map(|name| self.within(name, &item.file)));
-            }
-        }
-        known.into_values().collect()
-    }
-
-    /// The definition of a name in a file, or those in files that it requires.
-    fn within(&self, name: &str, file: &str) -> Vec<&Item> {
-        let all = self.meanings.get(name).map_or(&[][..], Vec::as_slice);
-        let all = || all.iter().filter_map(|i| self.items.get(*i));
-        match all().find(|item| item.file == file) {
-            Some(own) => vec![own],
-            None => all()
-                .filter(|item| self.requires(file, item.stem()))
-                .collect(),
-        }
+        let free = names(statement).filter(|name| !bound.contains(name));
+        let all = self.reached(free, file, |file, item| self.requires(file, item.stem()));
+        all.into_iter().map(|i| &self.items[i]).collect()
     }
 
     /// A number that is another when the statement, or what it uses, is: of the texts without spaces.

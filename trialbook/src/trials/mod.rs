@@ -306,8 +306,9 @@ pub struct Paper {
     pub topics: &'static [&'static Topic],
     /// The recorded verdicts: a line `id: verdict` for each claim.
     pub record: Text,
-    /// What the recorded trials brought, as `Ledger::brought` writes it; empty if nothing is recorded but the verdicts.
-    pub trials: Text,
+    /// The recorded sheets, each `<topic>/<id>.snap` as `Entry::snapshot` writes it; none if only the verdicts are recorded.
+    #[cfg(feature = "trials")]
+    pub sheets: Folder,
     /// True if a test puts every wrong variant to the trials, and finds that no other passes than the claims name as survivors.
     pub tries_variants: bool,
     /// The record of a deep run; empty if none was made.
@@ -341,7 +342,7 @@ impl Paper {
         letter: NONE,
         topics: &[],
         record: NONE,
-        trials: NONE,
+        sheets: Folder::None,
         tries_variants: false,
         deep: NONE,
         theorems: &NO_THEOREMS,
