@@ -27,7 +27,9 @@
 
     const mild = text => encodeURIComponent(text).replace(/%(2B|2C|2F|3A|3D|40|5E)/g, decodeURIComponent);
     const address = ([body, words]) => `#${[body, ...words.map(([name, text]) => text ? `${name}=${mild(text)}` : name)].join('&')}`;
+    // A command too may stand in an address.
     const linked = hash => {
+        if (hash.startsWith('#own?')) return typed(decodeURIComponent(hash.slice(5)))?.scene;
         const [body, ...words] = hash.slice(1).split('&');
         return ['block', 'ball'].includes(body) && [body, words.map(word => {
             const [name, ...text] = word.split('=');

@@ -1,6 +1,6 @@
 //! `measure`: coefficients of friction from a recording.
 
-use super::sweep::aligned;
+use super::{Json, sweep::aligned};
 use crate::motion::{
     Columns, Recording,
     measure::{Interval, Measured, Settings, Unfound, Verdict, measure},
@@ -9,7 +9,7 @@ use crate::numerics::error::plain;
 use crate::scene::{MetrePerSecond2, Second, columns};
 use clap::{Arg, ArgMatches, Command};
 use serde_json::{Value, json as object};
-use trialbook::cli::{VERSION, bare, csv, json, screen, show};
+use trialbook::cli::{VERSION, bare, csv, screen, show};
 use trialbook::publishing::{Failure, Format};
 
 const ABOUT: &str = "Find the coefficients of friction in a recording of an accelerometer
@@ -32,7 +32,7 @@ pub(super) fn command() -> Command {
         ])
 }
 
-pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
+pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8, Failure> {
     let text = |name| matches.get_one::<String>(name).map(String::as_str);
     let file = text("file").ok_or("a file is missing")?;
     let content = std::fs::read_to_string(file)

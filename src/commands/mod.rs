@@ -12,17 +12,42 @@ mod solve;
 mod sweep;
 
 use clap::{Args, FromArgMatches};
-use trialbook::publishing::Command;
+use serde_json::Value;
+use trialbook::cli::json;
+use trialbook::publishing::{Command, Failure, Format};
+
+/// What takes an answer as JSON.
+type Json<'a> = &'a mut dyn FnMut(&Value) -> Result<(), Failure>;
+
+/// What `scene` or `measure` with these words answers as JSON.
+///
+/// # Errors
+/// [`Failure`] where there is no answer.
+pub fn answered(words: &[String]) -> Result<Value, Failure> {
+    let mut answer = Value::Null;
+    let keep: Json = &mut |whole| {
+        answer = whole.clone();
+        Ok(())
+    };
+    let of = |command: clap::Command| command.try_get_matches_from(words);
+    match words {
+        [first, ..] if first == "measure" => {
+            measure::run(&of(measure::command())?, Format::Json, keep)?
+        }
+        _ => scene::run(&of(scene::command())?, Format::Json, keep)?,
+    };
+    Ok(answer)
+}
 
 /// All of them.
 pub const ALL: [Command; 5] = [
     Command {
         command: measure::command,
-        run: measure::run,
+        run: |matches, format| measure::run(matches, format, &mut json),
     },
     Command {
         command: scene::command,
-        run: scene::run,
+        run: |matches, format| scene::run(matches, format, &mut json),
     },
     Command {
         command: || {

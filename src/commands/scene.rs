@@ -1,7 +1,7 @@
 //! `scene`: what becomes of a body on a floor that moves, in everybody's words and units.
 
 use super::{
-    axis,
+    Json, axis,
     pieces::{in_pieces, told},
     plot,
     sweep::aligned,
@@ -16,7 +16,7 @@ use clap::{Arg, ArgAction, ArgMatches, Command};
 use rayon::prelude::*;
 use serde_json::{Map, Value, json as object};
 use std::path::PathBuf;
-use trialbook::cli::{VERSION, ascii, complain, csv, json, screen, show, stop};
+use trialbook::cli::{VERSION, ascii, complain, csv, screen, show, stop};
 use trialbook::publishing::{Failure, Format};
 
 /// Words that are there several times.
@@ -235,7 +235,9 @@ fn chosen(text: &str) -> Result<(&'static str, &str), Failure> {
 fn bare(range: &str) -> Result<(String, String), Failure> {
     let (mut numbers, mut unit) = (Vec::new(), "");
     for part in range.split(':') {
-        match crate::scene::apart(part) {
+        // `deg` is part of an expression elsewhere.
+        let degrees = part.strip_suffix("deg").map(|number| (number, "deg"));
+        match degrees.unwrap_or_else(|| crate::scene::apart(part)) {
             (_, "log") => numbers.push("log"),
             ("", _) => return Err(format!("`{part}` is no number").into()),
             (number, own) => {
@@ -260,14 +262,14 @@ fn table(heads: &[String], rows: impl Iterator<Item = Vec<String>>) -> Result<()
     )
 }
 
-pub(super) fn run(matches: &ArgMatches, format: Format) -> Result<u8, Failure> {
+pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8, Failure> {
     let words = Words::given(matches)?;
     let asked = |name| matches.get_one::<String>(name).map(String::as_str);
     if let (Some(find), Some(target)) = (asked("find"), asked("where")) {
-        return found(&words, find, target, format);
+        return found(&words, [find, target], format, json);
     }
     if let Some(vary) = asked("vary") {
-        return varied(&words, vary, format);
+        return varied(&words, vary, format, json);
     }
     let (scene, until) = words.scene()?;
     let answer = scene.answer(until)?;
@@ -370,8 +372,9 @@ fn text(answer: &Answer, paper: Option<&Opinion>) -> String {
         .iter()
         .filter(|number| number.value != 0.0)
         .map(Number::digits);
+    text.push('\n');
     if let Some(digits) = digits.min() {
-        text += &format!("\ndigits  {digits}\n");
+        text += &format!("digits  {digits}\n");
     }
     let time = answer.numbers[0].unit;
     let order = answer.events.iter().take(SHOWN);
@@ -457,7 +460,7 @@ fn path(answer: &Answer) -> Result<Curve, Failure> {
 }
 
 /// A row for each value of a word.
-fn varied(words: &Words, vary: &str, format: Format) -> Result<u8, Failure> {
+fn varied(words: &Words, vary: &str, format: Format, json: Json) -> Result<u8, Failure> {
     let (word, range) = chosen(vary)?;
     let listed: Vec<_> = range.split(',').collect();
     let (axis, unit) = match listed.len() {
@@ -542,7 +545,12 @@ fn varied(words: &Words, vary: &str, format: Format) -> Result<u8, Failure> {
 }
 
 /// The values of a word at which a number of the answer is what it is to be.
-fn found(words: &Words, sought: &str, target: &str, format: Format) -> Result<u8, Failure> {
+fn found(
+    words: &Words,
+    [sought, target]: [&str; 2],
+    format: Format,
+    json: Json,
+) -> Result<u8, Failure> {
     let (word, range) = chosen(sought)?;
     let (name, wanted) = crate::scene::target(target)?;
     let (numbers, unit) = bare(range)?;
@@ -599,5 +607,5 @@ fn found(words: &Words, sought: &str, target: &str, format: Format) -> Result<u8
             show(&(text + &note + "\n"))?;
         }
     }
-    Ok(if solutions.is_empty() { 1 } else { 0 })
+    Ok(u8::from(solutions.is_empty() && jumps.is_empty()))
 }

@@ -10,8 +10,8 @@ use trialbook::book::{escape, table};
 use trialbook::data::{Text, text};
 use trialbook::publishing::{Failure, Filled};
 
-/// The scripts and the styles.
-pub(super) const TEXTS: [(&str, Text); 9] = [
+/// The scripts and the styles, the questions and their recordings.
+pub(super) const TEXTS: [(&str, Text); 12] = [
     ("explorers.css", text!("book/theme/explorers.css")),
     ("explorers-plot.js", text!("book/theme/explorers-plot.js")),
     ("explorers-stage.js", text!("book/theme/explorers-stage.js")),
@@ -24,6 +24,9 @@ pub(super) const TEXTS: [(&str, Text); 9] = [
     ("explorers-own.js", text!("book/theme/explorers-own.js")),
     ("breaks.css", text!("book/theme/breaks.css")),
     ("breaks.js", text!("book/theme/breaks.js")),
+    ("questions.toml", text!("book/questions.toml")),
+    ("phone.csv", text!("tests/data/phone.csv")),
+    ("sine.AT2", text!("tests/data/sine.AT2")),
 ];
 
 /// The scripts and the style, with the module as text: path within the book, and text.

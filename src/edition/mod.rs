@@ -4,6 +4,7 @@ mod exam;
 mod explorer;
 mod pages;
 mod physics;
+mod questions;
 mod speed;
 #[cfg(test)]
 mod tests;
@@ -55,6 +56,7 @@ pub static EDITION: Edition = Edition {
         "explorer" => explorer::place;
         "own-scene" => explorer::own;
         "scene-words" => explorer::words;
+        "questions" => questions::all;
         "break" => explorer::breakable;
         "physics" => |_| Ok(physics::table_of());
         "exam" => |_| exam::table_of();

@@ -53,6 +53,7 @@ written!(
         exam "An exam in dry friction";
     Use:
         scenes "Your own scene",
+        questions "Asked and answered",
         own "Your own paper",
         adding "Claims and snapshots",
         json "JSON, CSV, Python";

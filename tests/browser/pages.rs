@@ -24,7 +24,10 @@ pub fn links(page: &mut Page, book: &Book) -> Seen {
     let leads = |address: &str| {
         let Some(path) = address.strip_prefix(&root) else {
             // Other people's pages are named, and not asked for.
-            return address.starts_with("data:") || address.starts_with("https://arxiv.org/");
+            let asked = include_str!("../../book/questions.toml").contains(address);
+            return asked
+                || address.starts_with("data:")
+                || address.starts_with("https://arxiv.org/");
         };
         let (file, fragment) = path.split_once('#').unwrap_or((path, ""));
         // The state of an explorer, or a scene.
