@@ -47,6 +47,8 @@ const EXAMPLES: &str = "Examples:
 
 Exit code 1 where --find finds nothing. Ctrl-C ends --vary after the present piece of work: the rows so far are whole, the exit code is 130.";
 
+const NO_MASS: &str = "a scene has no --mass: it drops out, and heat is that on each kilogram";
+
 pub(super) fn command() -> Command {
     let body = Arg::new("body")
         .required(true)
@@ -67,6 +69,7 @@ pub(super) fn command() -> Command {
         }
     });
     let also = [
+        Arg::new("mass").long("mass").hide(true).value_name("MASS"),
         Arg::new("every")
             .long("every")
             .value_name("DURATION")
@@ -115,6 +118,9 @@ struct Words {
 impl Words {
     /// From the command line, where a file may have the beginning.
     fn given(matches: &ArgMatches) -> Result<Self, Failure> {
+        if matches.contains_id("mass") {
+            return Err(NO_MASS.into());
+        }
         let body = matches
             .get_one::<String>("body")
             .ok_or("a body is missing")?

@@ -96,6 +96,9 @@ pub(super) fn read<'a, T>(
         Some((number, value, (size, own))) if own == wanted => Ok((number, value, size)),
         Some(_) => Err(wrong("its unit measures something else".to_owned())),
         None => match apart(text).1.trim() {
+            "N" | "kg" => Err(wrong(
+                "the mass drops out: a force is asked for by each kilogram".to_owned(),
+            )),
             name if name.starts_with(char::is_alphabetic) => {
                 Err(wrong(format!("`{name}` is no unit that is known")))
             }
