@@ -38,7 +38,7 @@ impl Default for Settings {
         Self {
             g: G,
             rest: None,
-            offset: 0.05,
+            offset: 0.1,
         }
     }
 }
@@ -83,8 +83,6 @@ pub enum Verdict {
     Levels(Interval),
     /// The coefficient changes during a slip, by this part from its beginning to its end.
     Drifts(f64),
-    /// The coefficient is greater in the middle of a slip than towards its ends, by this part; less if it is negative.
-    Bulges(f64),
     /// There is no slip that could tell.
     Untold,
 }
@@ -112,26 +110,22 @@ impl fmt::Display for Interval {
 /// In words.
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let way = |part: f64, ways: [&'static str; 2]| ways[usize::from(part < 0.0)];
-        let percent = |part: f64| 100.0 * part.abs();
-        match *self {
+        match self {
             Self::Fits => f.write_str("fits: nothing speaks against it"),
             Self::Untold => f.write_str("cannot be told from this"),
             Self::Levels(levels) => {
                 write!(f, "does not fit: slips have coefficients from {levels}")
             }
-            Self::Drifts(part) => write!(
-                f,
-                "does not fit: the coefficient {} by {:.0} % during a slip",
-                way(part, ["rises", "falls"]),
-                percent(part)
-            ),
-            Self::Bulges(part) => write!(
-                f,
-                "does not fit: the coefficient is {} by {:.0} % in the middle of a slip",
-                way(part, ["greater", "smaller"]),
-                percent(part)
-            ),
+            Self::Drifts(part) => {
+                let (way, percent) = (
+                    if *part < 0.0 { "falls" } else { "rises" },
+                    100.0 * part.abs(),
+                );
+                write!(
+                    f,
+                    "does not fit: the coefficient {way} by {percent:.0} % during a slip"
+                )
+            }
         }
     }
 }
@@ -163,12 +157,21 @@ pub struct Measured {
     pub stretches: Vec<Stretch>,
     /// Whether Coulomb's law fits.
     pub verdict: Verdict,
-    /// Standard deviation of the sensor's noise, along one axis, where it is least, in m/s².
+    /// Standard deviation of the sensor's noise, along one axis, at rest, or else from row to row, in m/s².
     pub noise: f64,
     /// Whether a rest has shown the zeros of the sensor.
     pub zeroed: bool,
     /// Whether N/m is measured; else it is taken to be g, as on level floor.
     pub normal: bool,
+}
+
+impl Measured {
+    /// What the coefficients take for granted of the floor, beyond what is recorded.
+    pub fn assumed(&self) -> Option<&'static str> {
+        let why =
+            "that the floor is level: no column along z has gravity in it, so N/m is taken for g";
+        (!self.normal).then_some(why)
+    }
 }
 
 /// Why nothing can be measured.
@@ -218,13 +221,14 @@ const LARGEST: f64 = 1e6;
 /// Finds slips and rests in what a sensor on the sliding body has recorded, and the coefficients of friction.
 ///
 /// - *μ_k* is the mean of |f|/N over the plateaus, which have to agree. Its interval is from the scatter of plateaus, or of parts of them
-///   where they are few, so noise may be correlated over some rows; it contains what is unknown of the zeros of the sensor.
+///   where they are few, but no less than from the noise at rest, of which neighbours may be alike, as behind a filter; it contains what is
+///   unknown of the zeros of the sensor.
 /// - *μ_s* is where |f|/N was, by a straight line through the last rows of rest, when the body broke loose; its interval has noise
 ///   and the time between two rows. It broke loose where a plateau begins from a rise, with f in the same direction.
 /// - The [`Verdict`] compares plateaus with each other, and within.
 ///
-/// N/m is the acceleration along z, if that contains gravity; else it is g, as on a level floor that is shaken along itself. A plateau
-/// needs some twelve rows. O(n log n): a second for 300,000 rows.
+/// N/m is the acceleration along z, if that contains gravity; else it is g, as on a level floor that is shaken along itself, and
+/// [`Measured::assumed`] says so. A plateau needs some twelve rows. O(n log n): a second for 300,000 rows.
 ///
 /// # Errors
 /// [`MeasureError`]: fewer than 64 rows, rows that are no numbers or whose times do not rise, settings out of their range.
@@ -234,15 +238,18 @@ pub fn measure(recording: &Recording, settings: &Settings) -> Result<Measured, M
     let mut slips = kinetic::slips(&sensor, &pieces);
     // Slips to and fro show the zeros too.
     if !sensor.zeroed && !slips.is_empty() {
-        sensor.shift(kinetic::fit(&sensor, &slips).offset);
-        pieces = sensor.pieces();
-        slips = kinetic::slips(&sensor, &pieces);
+        sensor.shift(kinetic::fit(&sensor, &slips).1);
+        let again = sensor.pieces();
+        let found = kinetic::slips(&sensor, &again);
+        if !found.is_empty() {
+            (pieces, slips) = (again, found);
+        }
     }
     let (kinetic, verdict) = if slips.is_empty() {
         (Err(Unfound::NoSlip), Verdict::Untold)
     } else {
-        let fit = kinetic::fit(&sensor, &slips);
-        (Ok(fit.interval), kinetic::verdict(&sensor, &pieces, &slips))
+        let (interval, _) = kinetic::fit(&sensor, &slips);
+        (Ok(interval), kinetic::verdict(&sensor, &pieces, &slips))
     };
     let (holding, held) = holding::holding(&sensor, &pieces, &slips, kinetic.as_ref().ok());
     Ok(Measured {
@@ -278,4 +285,14 @@ fn stretches(sensor: &Sensor, pieces: &[Piece], slips: &[Piece], held: f64) -> V
         }
     }
     list
+}
+
+/// The middle one of some numbers.
+pub(crate) fn median(numbers: impl Iterator<Item = f64>) -> f64 {
+    let mut all: Vec<_> = numbers.collect();
+    if all.is_empty() {
+        return f64::NAN;
+    }
+    let middle = all.len() / 2;
+    *all.select_nth_unstable_by(middle, f64::total_cmp).1
 }

@@ -32,11 +32,28 @@ pub(super) fn command() -> Command {
         ])
 }
 
+/// The text of a recording: in UTF-8, or as Windows writes it, in UTF-16 with its mark or in Latin-1.
+pub(super) fn content(file: &str) -> std::io::Result<String> {
+    let bytes = std::fs::read(file)?;
+    Ok(match &bytes[..] {
+        [0xff, 0xfe, rest @ ..] => {
+            let units = rest
+                .chunks_exact(2)
+                .map(|two| u16::from_le_bytes([two[0], two[1]]));
+            let text = char::decode_utf16(units);
+            text.map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER))
+                .collect()
+        }
+        _ => String::from_utf8(bytes)
+            .unwrap_or_else(|error| error.into_bytes().into_iter().map(char::from).collect()),
+    })
+}
+
 pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8, Failure> {
     let text = |name| matches.get_one::<String>(name).map(String::as_str);
     let file = text("file").ok_or("a file is missing")?;
-    let content = std::fs::read_to_string(file)
-        .map_err(|error| format!("cannot read `{file}`: {}", bare(error)))?;
+    let content =
+        content(file).map_err(|error| format!("cannot read `{file}`: {}", bare(error)))?;
     let asked = text("columns").map_or(Ok(Columns::default()), columns)?;
     let recording = Recording::from_csv(&content, &asked)?;
     let rest =
@@ -83,6 +100,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
                 "coulomb": matches!(found.verdict, Verdict::Fits),
                 "verdict": found.verdict.to_string(),
                 "noise": found.noise,
+                "assumed": found.assumed(),
                 "stretches": found.stretches.iter().map(|stretch| object!({ "from": stretch.from, "to": stretch.to, "doing": stretch.kind.to_string() })).collect::<Vec<_>>(),
             }))?;
         }
@@ -108,14 +126,14 @@ fn told(found: &Measured) -> String {
         found.verdict,
         found.noise,
         if found.zeroed {
-            "from a rest"
+            "from a rest, where the floor is taken for level"
         } else {
             "unknown: --rest says when it lay at rest on level floor"
         },
         if found.normal {
             "as measured along z"
         } else {
-            "taken for g"
+            "taken for g, as on level floor: on a tilted one the coefficients are wrong"
         },
     );
     text += &aligned(&["from (s)", "to (s)", "", ""], 0, &rows, screen().width);

@@ -18,7 +18,7 @@ const STRETCHES: usize = 600;
 ///
 /// Asked with `recording`, its `columns=TEXT` if they are chosen, an empty line and the recording: `rows` with their number, first and last time; `x` and `y`, each with the acceleration in m/s² and
 /// the times before it, again and again, where many rows are the least and the largest of a stretch of time; and, for a sensor on a body that slid, `kinetic` and
-/// `holding` with what [`measure`] finds of them, and `verdict` with its word on Coulomb's law.
+/// `holding` with what [`measure`] finds of them, `verdict` with its word on Coulomb's law, and `assumed` with what is taken for granted.
 ///
 /// Cost: that of [`Scene::answer`], or of [`measure`].
 pub fn told(question: &str) -> String {
@@ -130,11 +130,12 @@ fn friction(recording: &Recording) -> String {
         Verdict::Fits => "fits",
         Verdict::Levels(_) => "slips differ",
         Verdict::Drifts(_) => "changes during a slip",
-        Verdict::Bulges(_) => "changes in the middle of a slip",
         Verdict::Untold => "untold",
     };
+    let assumed = measured.assumed();
+    let assumed = assumed.map_or(String::new(), |of| format!("assumed\t{of}\n"));
     let [kinetic, holding] = [measured.kinetic, measured.holding].map(found);
-    format!("kinetic\t{kinetic}\nholding\t{holding}\nverdict\t{verdict}\n")
+    format!("kinetic\t{kinetic}\nholding\t{holding}\nverdict\t{verdict}\n{assumed}")
 }
 
 fn line(name: &str, numbers: impl Iterator<Item = f64>) -> String {

@@ -2,14 +2,14 @@
 
 use super::{
     Interval, Unfound,
-    kinetic::{WIDER, mean, student},
-    pieces::{BLOCK, Piece, curve},
+    kinetic::{mean, student},
+    pieces::{BLOCK, Piece, Squares},
     sensor::Sensor,
 };
 
 /// The most rows of rest by which a curve is laid.
 const MOST: usize = 256;
-/// From less than this part of the slip's ratio it has to rise.
+/// From less than this part of the slip's ratio it has to rise, or to as much more.
 const RISE: f64 = 0.9;
 
 /// Between which coefficients it held or did not; and what the body bears at most, as far as is known.
@@ -22,24 +22,18 @@ pub fn holding(
     let Some(kinetic) = kinetic else {
         return (Err(Unfound::NoSlip), f64::INFINITY);
     };
-    let loose: Vec<_> = slips
-        .iter()
-        .filter_map(|slip| loose(sensor, pieces, slip))
-        .collect();
-    if loose.is_empty() {
+    let broke = slips.iter().filter_map(|slip| loose(sensor, pieces, slip));
+    let broke: Vec<_> = broke.collect();
+    if broke.is_empty() {
         // What rises above the slips is a push.
-        let held = pieces
-            .iter()
-            .map(|piece| piece.line.y)
-            .filter(|y| *y <= kinetic.to)
-            .fold(0.0, f64::max);
+        let levels = pieces.iter().map(|piece| piece.line.y);
+        let held = levels.filter(|y| *y <= kinetic.to).fold(0.0, f64::max);
         return (Err(Unfound::NeverLoose { held }), kinetic.to);
     }
-    let (middle, error) = mean(&loose);
-    let half = WIDER * student((loose.len() + 3) as f64) * error;
-    // Rest bears what a slip does.
+    let [middle, error, _] = mean(&broke);
+    let half = student((broke.len() + 3) as f64) * error;
+    // Rest bears what a slip does, and a kink is not told from a small drop.
     let from = match middle - half {
-        // A kink is not told from a small drop.
         from if from < 1.03 * kinetic.to => kinetic.from,
         from => from,
     };
@@ -51,49 +45,45 @@ pub fn holding(
 fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> {
     let at = pieces.partition_point(|piece| piece.from < slip.from);
     // The rows across which it broke loose may be a piece of their own.
-    let rest = pieces[..at]
-        .iter()
-        .rev()
-        .find(|piece| piece.to - piece.from > BLOCK)?;
+    let mut before = pieces[..at].iter().rev();
+    let rest = before.find(|piece| piece.to - piece.from > BLOCK)?;
     let (level, after) = (slip.line.y, (slip.from + BLOCK).min(slip.to));
     let first = rest.from.max(rest.to.saturating_sub(MOST));
+    let [begin, end] = [rest.from, rest.to - 1].map(|k| rest.line.at(sensor.t[k]));
     if rest.to + 2 * BLOCK < slip.from
-        || rest.line.at(sensor.t[rest.from]) > RISE * level
+        || begin > RISE * level && end < level / RISE
         || rest.line.slope() <= 0.0
     {
         return None;
     }
-    let floor = sensor.noise / (sensor.n[first] * sensor.n[first]);
-    let noise = rest
-        .line
-        .variance()
-        .max(floor)
-        .min(slip.line.variance().max(floor));
-    // Each row after which it may have been is as likely as the curve before it and the slip after it fit.
-    let (mut tried, mut least) = (Vec::new(), f64::INFINITY);
-    for k in (rest.to - BLOCK).max(first + BLOCK)..after {
-        let degree = if k - first < 12 { 1 } else { 2 };
-        let of = |at| curve(&sensor.t[first..k], &sensor.ratio[first..k], degree, at);
-        let (here, next) = (of(sensor.t[k - 1]), of(sensor.t[k]));
-        let slipping = sensor.ratio[k..after].iter().map(|y| (y - level).powi(2));
-        let left = here.left + slipping.sum::<f64>();
-        let step = next.value - here.value;
-        // Neighbours may be correlated.
-        let variance = 2.0 * noise * here.variance + step * step / 12.0;
-        least = least.min(left);
-        tried.push((left, here.value + 0.5 * step, variance, k));
+    let floor = sensor.floor(first);
+    let [noise, slipping] = [rest, slip].map(|piece| piece.line.variance().max(floor));
+    let noise = noise.min(slipping);
+    let factors = |k: usize| {
+        let s = (sensor.t[k] - sensor.t[slip.from]) / (sensor.t[slip.from] - sensor.t[first]);
+        [1.0, s, s * s]
+    };
+    // Whatever bends is as large as the level at most.
+    let mut rise = Squares::new([level, 0.0, 0.0], [level * level; 3]);
+    let mut best: Option<(f64, f64, f64, usize)> = None;
+    for k in first..after {
+        if k >= (rest.to - BLOCK).max(first + BLOCK) {
+            // Each row may be the first that slips.
+            let rows = sensor.ratio[k..after].iter();
+            let left = rise.left + rows.map(|y| (y - level).powi(2) / noise).sum::<f64>();
+            let ((here, doubt), (next, _)) =
+                (rise.expected(&factors(k - 1)), rise.expected(&factors(k)));
+            if best.is_none_or(|best| left < best.0) {
+                let variance = 2.0 * sensor.alike * doubt + (next - here).powi(2) / 12.0;
+                best = Some((left, 0.5 * (here + next), variance, k));
+            }
+        }
+        rise.add(&factors(k), sensor.ratio[k], noise);
     }
-    let weight = |left: f64| libm::exp(-0.5 * (left - least) / noise);
-    let total: f64 = tried.iter().map(|of| weight(of.0)).sum();
-    let value = tried.iter().map(|of| weight(of.0) * of.1).sum::<f64>() / total;
-    let spread = |of: &(f64, f64, f64, usize)| weight(of.0) * (of.2 + (of.1 - value).powi(2));
-    let variance = tried.iter().map(spread).sum::<f64>() / total;
-    let best = tried.iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
-    let fits = least < 2.0 * noise * (after - first) as f64;
-    let a = sensor.mean(best.3 - BLOCK, best.3);
-    let b = sensor.mean(slip.from, slip.to);
-    let same = a[0] * b[0] + a[1] * b[1] > 0.8 * libm::hypot(a[0], a[1]) * libm::hypot(b[0], b[1]);
+    let (left, value, variance, k) = best?;
     let error = libm::sqrt(variance);
+    let fits = left < 2.0 * (after - first) as f64;
+    let same = sensor.angle([k - BLOCK, k], [slip.from, slip.to]) > 0.8;
     (fits && same && value + 3.0 * error > level && error < 0.2 * value)
         .then_some((value, variance))
 }

@@ -1,6 +1,9 @@
 //! A recording as a chain of straight pieces: neighbours become one until no straight line serves both.
 
-use std::{cmp::Ordering, collections::BinaryHeap};
+use std::{
+    cmp::Reverse,
+    collections::{BTreeMap, BinaryHeap},
+};
 
 /// Rows of the shortest piece.
 pub const BLOCK: usize = 4;
@@ -45,11 +48,7 @@ impl Line {
     }
 
     pub fn slope(&self) -> f64 {
-        if self.tt > 0.0 {
-            self.ty / self.tt
-        } else {
-            0.0
-        }
+        self.ty / self.tt.max(f64::MIN_POSITIVE)
     }
 
     pub fn at(&self, t: f64) -> f64 {
@@ -67,55 +66,55 @@ impl Line {
     }
 }
 
-/// What a polynomial leaves of rows, its value at a time, and the variance of that for rows of variance one.
-pub struct Curve {
+/// Least squares, one row after the other: numbers of which what is measured is a sum with known factors.
+#[derive(Clone, Copy)]
+pub struct Squares<const N: usize> {
+    pub found: [f64; N],
+    /// Their covariance.
+    pub spread: [[f64; N]; N],
+    /// What is left of the rows, in squares of their errors.
     pub left: f64,
-    pub value: f64,
-    pub variance: f64,
 }
 
-/// The polynomial of least squares, by others that are orthogonal on the rows.
-pub fn curve(t: &[f64], y: &[f64], degree: usize, at: f64) -> Curve {
-    let (first, last) = (
-        t.first().copied().unwrap_or(0.0),
-        t.last().copied().unwrap_or(1.0),
-    );
-    let half = 0.5 * (last - first).max(f64::MIN_POSITIVE);
-    // The place asked for is a row without weight.
-    let s: Vec<_> = t
-        .iter()
-        .chain([&at])
-        .map(|t| (t - first) / half - 1.0)
-        .collect();
-    let n = t.len();
-    let mut left = y.to_vec();
-    let (mut before, mut this) = (vec![0.0; n + 1], vec![1.0; n + 1]);
-    let (mut norm_before, mut value, mut variance) = (1.0, 0.0, 0.0);
-    for k in 0..=degree.min(n.saturating_sub(1)) {
-        let norm: f64 = this[..n].iter().map(|p| p * p).sum();
-        let part = this.iter().zip(&left).map(|(p, y)| p * y).sum::<f64>() / norm;
-        left.iter_mut().zip(&this).for_each(|(y, p)| *y -= part * p);
-        value += part * this[n];
-        variance += this[n] * this[n] / norm;
-        let a = this[..n]
-            .iter()
-            .zip(&s)
-            .map(|(p, s)| p * p * s)
-            .sum::<f64>()
-            / norm;
-        let b = if k == 0 { 0.0 } else { norm / norm_before };
-        let next = (0..=n)
-            .map(|i| (s[i] - a) * this[i] - b * before[i])
-            .collect();
-        norm_before = norm;
-        before = std::mem::replace(&mut this, next);
+impl<const N: usize> Squares<N> {
+    /// What is known before, as numbers with variances.
+    pub fn new(found: [f64; N], variances: [f64; N]) -> Self {
+        let mut spread = [[0.0; N]; N];
+        for i in 0..N {
+            spread[i][i] = variances[i];
+        }
+        Self {
+            found,
+            spread,
+            left: 0.0,
+        }
     }
-    let left = left.iter().map(|y| y * y).sum();
-    Curve {
-        left,
-        value,
-        variance,
+
+    /// What a row with these factors should be, and the variance of that.
+    pub fn expected(&self, x: &[f64; N]) -> (f64, f64) {
+        (
+            dot(x, &self.found),
+            dot(x, &self.spread.map(|row| dot(x, &row))),
+        )
     }
+
+    /// Takes in a row that has an error of this variance.
+    pub fn add(&mut self, x: &[f64; N], y: f64, variance: f64) {
+        let (value, doubt) = self.expected(x);
+        let (off, all) = (y - value, doubt + variance);
+        let part = self.spread.map(|row| dot(x, &row));
+        for i in 0..N {
+            self.found[i] += part[i] * off / all;
+            for j in 0..N {
+                self.spread[i][j] -= part[i] * part[j] / all;
+            }
+        }
+        self.left += off * off / all;
+    }
+}
+
+fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -127,9 +126,17 @@ pub struct Piece {
 }
 
 impl Piece {
-    fn cost(line: &Line, noise: f64) -> f64 {
-        let free = line.rows - 2.0 + BEFORE;
-        free * libm::log((line.left() / noise + BEFORE) / free)
+    fn with(&self, next: &Self) -> Self {
+        Self {
+            from: self.from,
+            to: next.to,
+            line: self.line.with(&next.line),
+        }
+    }
+
+    fn cost(&self, noise: f64) -> f64 {
+        let free = self.line.rows - 2.0 + BEFORE;
+        free * libm::log((self.line.left() / noise + BEFORE) / free)
     }
 }
 
@@ -137,83 +144,48 @@ impl Piece {
 /// by a factor exp(`penalty`/2). O(n log n).
 pub fn cut(t: &[f64], y: &[f64], noise: f64, penalty: f64) -> Vec<Piece> {
     let n = t.len();
-    let mut pieces: Vec<Option<Piece>> = (0..n / BLOCK)
-        .map(|k| {
-            let from = k * BLOCK;
-            let to = if n - from < 2 * BLOCK {
-                n
-            } else {
-                from + BLOCK
-            };
-            let rows = t[from..to].iter().copied().zip(y[from..to].iter().copied());
-            let line = Line::through(rows);
-            Some(Piece { from, to, line })
-        })
-        .collect();
-    let last = pieces.len();
-    let (mut before, mut after): (Vec<_>, Vec<_>) = (
-        (0..last).map(|k| k.wrapping_sub(1)).collect(),
-        (1..=last).collect(),
-    );
-    let loss = |a: &Piece, b: &Piece| {
-        let both = a.line.with(&b.line);
-        Piece::cost(&both, noise) - Piece::cost(&a.line, noise) - Piece::cost(&b.line, noise)
+    let block = |k: usize| {
+        let from = k * BLOCK;
+        let to = if n - from < 2 * BLOCK {
+            n
+        } else {
+            from + BLOCK
+        };
+        let line = Line::through((from..to).map(|k| (t[k], y[k])));
+        (from, Piece { from, to, line })
     };
-    let mut heap: BinaryHeap<Pair> = BinaryHeap::new();
-    let offer = |heap: &mut BinaryHeap<Pair>, pieces: &[Option<Piece>], a: usize, b: usize| {
-        if let (Some(Some(left)), Some(Some(right))) = (pieces.get(a), pieces.get(b)) {
-            let loss = loss(left, right);
+    let mut pieces: BTreeMap<_, _> = (0..n / BLOCK).map(block).collect();
+    let mut heap = BinaryHeap::new();
+    // What is lost by making one of a piece and the next.
+    let offer = |heap: &mut BinaryHeap<_>, pieces: &BTreeMap<usize, Piece>, from: usize| {
+        let mut two = pieces.range(from..).map(|(_, piece)| piece);
+        if let (Some(a), Some(b)) = (two.next(), two.next()) {
+            let loss = a.with(b).cost(noise) - a.cost(noise) - b.cost(noise);
             if loss < penalty {
-                let ends = [left.from, right.to];
-                heap.push(Pair { loss, a, b, ends });
+                // The bits of positive numbers are ordered as these; no loss is as negative.
+                let order = (loss + 1e9).max(0.0).to_bits();
+                heap.push(Reverse((order, a.from, b.from, b.to)));
             }
         }
     };
-    for k in 1..last {
-        offer(&mut heap, &pieces, k - 1, k);
+    for k in 0..n / BLOCK {
+        offer(&mut heap, &pieces, k * BLOCK);
     }
-    while let Some(Pair { a, b, ends, .. }) = heap.pop() {
-        let (Some(left), Some(right)) = (pieces[a], pieces[b]) else {
+    while let Some(Reverse((_, a, b, to))) = heap.pop() {
+        let (Some(left), Some(right)) = (pieces.get(&a), pieces.get(&b)) else {
             continue;
         };
-        if [left.from, right.to] != ends {
+        // One of them may have grown since.
+        if left.to != b || right.to != to {
             continue;
         }
-        pieces[a] = Some(Piece {
-            from: left.from,
-            to: right.to,
-            line: left.line.with(&right.line),
-        });
-        pieces[b] = None;
-        after[a] = after[b];
-        if let Some(next) = before.get_mut(after[b]) {
-            *next = a;
+        let both = left.with(right);
+        pieces.insert(a, both);
+        pieces.remove(&b);
+        if let Some((&before, _)) = pieces.range(..a).next_back() {
+            offer(&mut heap, &pieces, before);
         }
-        offer(&mut heap, &pieces, before[a], a);
-        offer(&mut heap, &pieces, a, after[a]);
+        offer(&mut heap, &pieces, a);
     }
-    pieces.into_iter().flatten().collect()
-}
-
-/// Two neighbours, and what is lost by making them one.
-#[derive(PartialEq)]
-struct Pair {
-    loss: f64,
-    a: usize,
-    b: usize,
-    ends: [usize; 2],
-}
-
-impl Eq for Pair {}
-
-impl Ord for Pair {
-    fn cmp(&self, other: &Self) -> Ordering {
-        other.loss.total_cmp(&self.loss).then(other.a.cmp(&self.a))
-    }
-}
-
-impl PartialOrd for Pair {
-    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
-        Some(self.cmp(other))
-    }
+    pieces.into_values().collect()
 }

@@ -1,7 +1,7 @@
 //! The rows of a recording, free of what is known of the sensor's zeros.
 
 use super::{
-    LARGEST, LEAST_ROWS, MeasureError, Settings,
+    LARGEST, LEAST_ROWS, MeasureError, Settings, median,
     pieces::{Line, Piece, cut},
 };
 use crate::fitted::Recording;
@@ -11,6 +11,9 @@ const LATEST: f64 = 1e10;
 /// How long a stretch has to be quiet to be a rest, in s, and how many rows it has.
 const QUIET: f64 = 0.25;
 const QUIET_ROWS: usize = 16;
+const QUIETER: f64 = 3.0;
+/// How far levels that are one may lie apart, as a part of them.
+const SAME: f64 = 0.06;
 
 /// A recording, ready to be looked at.
 pub struct Sensor {
@@ -23,6 +26,8 @@ pub struct Sensor {
     pub ratio: Vec<f64>,
     /// Variance of the noise along an axis.
     pub noise: f64,
+    /// By what it multiplies the variance of a mean that neighbours are alike.
+    pub alike: f64,
     /// Variance of what digits leave out of all rows alike, where noise does not blur them.
     pub digits: f64,
     /// How many axes there are.
@@ -38,9 +43,8 @@ pub struct Sensor {
 
 impl Sensor {
     pub fn new(recording: &Recording, settings: &Settings) -> Result<Self, MeasureError> {
-        let rows = recording.rows.len();
-        if rows < LEAST_ROWS {
-            let least = LEAST_ROWS;
+        let (rows, least) = (recording.rows.len(), LEAST_ROWS);
+        if rows < least {
             return Err(MeasureError::Rows { least, rows });
         }
         for (name, value) in [("g", settings.g), ("offset", settings.offset)] {
@@ -49,8 +53,7 @@ impl Sensor {
                 return Err(MeasureError::Setting { name, value, range });
             }
         }
-        let t: Vec<_> = recording.rows.iter().map(|row| row.0).collect();
-        let mut f: Vec<_> = recording.rows.iter().map(|row| row.1).collect();
+        let (t, f): (Vec<_>, Vec<_>) = recording.rows.iter().copied().unzip();
         let normal = recording.normal.as_deref();
         let fit = |x: f64| x.abs() <= LARGEST;
         for k in 0..rows {
@@ -63,11 +66,13 @@ impl Sensor {
         let axes = (0..2).filter(|i| f.iter().any(|f| f[*i] != 0.0)).count();
         let axes = axes.max(1) as f64;
         let windows = windows(&t, &f);
-        let (noise, digit) = (noise(&windows, axes), digit(&f));
-        let digits = if noise < 4.0 * digit { digit } else { 0.0 };
+        let digit = digit(&f);
+        let rough = jitter(&f, axes).max(digit).max(1e-12);
+        let (noise, alike) = quiet(&windows, axes, rough, 0.05 * settings.g);
         let noise = noise.max(digit).max(1e-12);
+        let digits = if noise < 4.0 * digit { digit } else { 0.0 };
         let g = settings.g;
-        let rest = match settings.rest {
+        let rest: Vec<usize> = match settings.rest {
             Some([from, to]) => {
                 let inside = |k: &usize| (from..=to).contains(&t[*k]);
                 let rest: Vec<_> = (0..rows).filter(inside).collect();
@@ -76,52 +81,48 @@ impl Sensor {
                 }
                 rest
             }
-            None => rests(&windows, noise, 0.05 * g),
+            None => rests(&windows, noise, alike, 0.05 * g),
         };
         let zeroed = !rest.is_empty();
         let mean = |of: &dyn Fn(usize) -> f64| {
             rest.iter().map(|k| of(*k)).sum::<f64>() / rest.len().max(1) as f64
         };
         // Most phones give gravity with the rest; some take it away.
-        let mut sizes: Vec<_> = normal.unwrap_or(&[]).iter().map(|z| z.abs()).collect();
-        let middle = sizes.len() / 2;
-        let measured =
-            !sizes.is_empty() && *sizes.select_nth_unstable_by(middle, f64::total_cmp).1 > 0.5 * g;
-        let n = match normal.filter(|_| measured) {
-            Some(z) => {
-                let off = if zeroed {
-                    mean(&|k| z[k].abs()) - g
-                } else {
-                    0.0
-                };
-                z.iter().map(|z| (z.abs() - off).max(0.1 * g)).collect()
-            }
-            None => vec![g; rows],
+        let across: Vec<_> = normal.unwrap_or(&[]).iter().map(|z| z.abs()).collect();
+        let measured = median(across.iter().copied()) > 0.5 * g;
+        let n = if measured {
+            let off = if zeroed {
+                mean(&|k| across[k]) - g
+            } else {
+                0.0
+            };
+            across.iter().map(|z| (z - off).max(0.1 * g)).collect()
+        } else {
+            vec![g; rows]
         };
-        let zero = [mean(&|k| f[k][0]), mean(&|k| f[k][1])];
-        f.iter_mut()
-            .for_each(|f| *f = [f[0] - zero[0], f[1] - zero[1]]);
         // Where it was quiet for some windows, noise may still be correlated over a part of one.
         let doubt = if zeroed {
-            4.0 * noise / rest.len() as f64 + digits
+            4.0 * alike * noise / rest.len() as f64 + digits
         } else {
             settings.offset * settings.offset
         };
+        let zero = [0, 1].map(|i| mean(&|k| f[k][i]));
         let mut sensor = Self {
             t,
             f,
             n,
             ratio: Vec::new(),
             noise,
+            alike,
             digits,
             axes,
             zeroed,
             measured,
-            shifted: [0.0; 2],
+            shifted: zero.map(|x| -x),
             doubt,
             doubt_across: if measured { doubt } else { 0.0 },
         };
-        sensor.shift([0.0; 2]);
+        sensor.shift(zero);
         Ok(sensor)
     }
 
@@ -137,58 +138,114 @@ impl Sensor {
 
     /// Straight pieces of the ratio.
     pub fn pieces(&self) -> Vec<Piece> {
-        let mut n = self.n.clone();
-        let middle = n.len() / 2;
-        let n = *n.select_nth_unstable_by(middle, f64::total_cmp).1;
-        let floor = self.noise / (n * n);
-        let penalty = 4.0 * libm::log(self.t.len() as f64);
-        cut(&self.t, &self.ratio, floor, penalty)
+        let n = median(self.n.iter().copied());
+        let penalty = 4.0 * self.alike * libm::log(self.t.len() as f64);
+        cut(&self.t, &self.ratio, self.noise / (n * n), penalty)
+    }
+
+    /// The variance of the ratio's noise in a row.
+    pub fn floor(&self, row: usize) -> f64 {
+        self.noise / (self.n[row] * self.n[row])
+    }
+
+    /// Whether two ratios may be one: to and fro they differ by what is unknown of the zeros.
+    pub fn near(&self, a: f64, b: f64) -> bool {
+        let zeros = 4.0 * libm::sqrt(self.doubt) / self.n[0];
+        (a - b).abs() < SAME * 0.5 * (a + b) + zeros
     }
 
     /// The line through the ratio of these rows.
-    pub fn line(&self, from: usize, to: usize) -> Line {
+    pub fn line(&self, [from, to]: [usize; 2]) -> Line {
         Line::through((from..to).map(|k| (self.t[k], self.ratio[k])))
     }
 
     /// The mean of f over these rows.
-    pub fn mean(&self, from: usize, to: usize) -> [f64; 2] {
+    pub fn mean(&self, [from, to]: [usize; 2]) -> [f64; 2] {
         let sum = self.f[from..to]
             .iter()
             .fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
         sum.map(|sum| sum / (to - from) as f64)
     }
+
+    /// The cosine of the angle between f in some rows and in others.
+    pub fn angle(&self, here: [usize; 2], there: [usize; 2]) -> f64 {
+        let [a, b] = [here, there].map(|rows| self.mean(rows));
+        (a[0] * b[0] + a[1] * b[1]) / (libm::hypot(a[0], a[1]) * libm::hypot(b[0], b[1]))
+    }
 }
 
+/// A stretch of rows, and the line of each axis.
+#[derive(Clone, Copy)]
 struct Window {
-    from: usize,
-    to: usize,
+    rows: [usize; 2],
     lines: [Line; 2],
+    /// The products of neighbours.
+    next: f64,
+}
+
+impl Window {
+    /// Whether it can be a rest: quiet, level, and small.
+    fn is_still(&self, noise: f64, alike: f64, most: f64) -> bool {
+        self.lines.iter().all(|line| {
+            let (variance, rise) = (line.variance(), line.slope() * line.ty);
+            variance < 4.0 * noise
+                && rise < 9.0 * alike * noise.max(variance)
+                && line.y.abs() < most
+        })
+    }
 }
 
 fn windows(t: &[f64], f: &[[f64; 2]]) -> Vec<Window> {
     let mean = (t[t.len() - 1] - t[0]) / (t.len() - 1) as f64;
     let rows = ((QUIET / mean) as usize).clamp(QUIET_ROWS, t.len());
-    let window = |from: usize| {
-        let to = from + rows;
+    let window = |k: usize| {
+        let [from, to] = [k * rows, (k + 1) * rows];
         let line = |i: usize| Line::through((from..to).map(|k| (t[k], f[k][i])));
-        let lines = [line(0), line(1)];
-        Window { from, to, lines }
+        let lines = [0, 1].map(line);
+        let off = |k: usize| [0, 1].map(|i| f[k][i] - lines[i].at(t[k]));
+        let product = |k: usize| {
+            let [a, b] = [off(k), off(k + 1)];
+            a[0] * b[0] + a[1] * b[1]
+        };
+        let next = (from..to - 1).map(product).sum();
+        Window {
+            rows: [from, to],
+            lines,
+            next,
+        }
     };
-    (0..t.len() / rows).map(|k| window(k * rows)).collect()
+    (0..t.len() / rows).map(window).collect()
 }
 
-/// The variance of the noise, from the quietest tenth of the windows.
-fn noise(windows: &[Window], axes: f64) -> f64 {
-    let variance =
-        |w: &Window| (w.lines[0].left() + w.lines[1].left()) / (axes * (w.lines[0].rows - 2.0));
-    let mut all: Vec<_> = windows.iter().map(variance).collect();
-    let tenth = all.len() / 10;
-    let least = *all.select_nth_unstable_by(tenth, f64::total_cmp).1;
-    // The tenth of χ², by Wilson and Hilferty.
-    let free = axes * (windows[0].lines[0].rows - 2.0);
-    let spread = 2.0 / (9.0 * free);
-    let tenth = (1.0 - spread - 1.2816 * libm::sqrt(spread)).powi(3);
-    least / tenth
+/// The variance of the noise, where no window is quiet: by third differences, in which hardly a motion is left.
+fn jitter(f: &[[f64; 2]], axes: f64) -> f64 {
+    let third = |k: &[[f64; 2]], i: usize| k[3][i] - k[0][i] + 3.0 * (k[1][i] - k[2][i]);
+    let sizes = f
+        .windows(4)
+        .map(|k| third(k, 0).powi(2) + third(k, 1).powi(2));
+    // Of normal numbers of variance one, the median of the squares is 0.455, and that of the sums of two 1.386.
+    median(sizes) / (20.0 * if axes > 1.0 { 1.386 } else { 0.455 })
+}
+
+/// The variance of the noise where it is quiet, and by what it multiplies that of a mean that neighbours are alike, as behind a filter.
+fn quiet(windows: &[Window], axes: f64, rough: f64, most: f64) -> (f64, f64) {
+    let (mut rows, mut next, mut left) = (0.0, 0.0, 0.0);
+    // Third differences of what is alike are small.
+    let still = windows
+        .iter()
+        .filter(|window| window.is_still(QUIETER * rough, 1.0, most));
+    for window in still {
+        rows += axes * (window.lines[0].rows - 2.0);
+        next += window.next;
+        left += window.lines.iter().map(Line::left).sum::<f64>();
+    }
+    if left <= 0.0 {
+        return (rough, 1.0);
+    }
+    let part = next / left;
+    // Its line makes a window's rows less alike.
+    let part = (part + (2.0 + 4.0 * part) / windows[0].lines[0].rows).clamp(0.0, 0.9);
+    (left / rows, (1.0 + part) / (1.0 - part))
 }
 
 /// The variance of a last digit.
@@ -196,57 +253,39 @@ fn digit(f: &[[f64; 2]]) -> f64 {
     let steps = f
         .windows(2)
         .flat_map(|pair| [0, 1].map(|i| (pair[1][i] - pair[0][i]).abs()));
-    let least = steps
-        .filter(|step| *step > 0.0)
-        .fold(f64::INFINITY, f64::min);
-    if least.is_finite() {
-        least * least / 12.0
-    } else {
-        0.0
-    }
+    let least = steps.filter(|step| *step > 0.0).reduce(f64::min);
+    least.map_or(0.0, |least| least * least / 12.0)
 }
 
 /// The rows of quiet stretches with the same small mean: of the longest, and of all that agree with it.
-fn rests(windows: &[Window], noise: f64, most: f64) -> Vec<usize> {
-    // A stretch ends where its straight line is no longer level.
-    let still = |lines: &[Line; 2]| {
-        lines.iter().all(|line| {
-            let quiet = line.variance() < 4.0 * noise;
-            let level = line.slope().abs() * libm::sqrt(line.tt)
-                < 3.0 * libm::sqrt(noise.max(line.variance()));
-            quiet && level && line.y.abs() < most
-        })
-    };
-    let mut found: Vec<(usize, usize, [Line; 2])> = Vec::new();
-    let mut open = false;
-    for window in windows.iter() {
-        if !still(&window.lines) {
-            open = false;
-            continue;
-        }
-        if let Some((_, to, lines)) = found.last_mut().filter(|_| open) {
-            let both = [0, 1].map(|i| lines[i].with(&window.lines[i]));
-            if still(&both) {
-                (*to, *lines) = (window.to, both);
-                continue;
+fn rests(windows: &[Window], noise: f64, alike: f64, most: f64) -> Vec<usize> {
+    let still = |window: &Window| window.is_still(noise, alike, most);
+    let mut found: Vec<Window> = Vec::new();
+    for window in windows.iter().filter(|window| still(window)) {
+        // A stretch ends where its straight line is no longer level.
+        let both = |last: &Window| Window {
+            rows: [last.rows[0], window.rows[1]],
+            lines: [0, 1].map(|i| last.lines[i].with(&window.lines[i])),
+            next: 0.0,
+        };
+        match found.last_mut() {
+            Some(last) if last.rows[1] == window.rows[0] && still(&both(last)) => {
+                *last = both(last)
             }
+            _ => found.push(*window),
         }
-        found.push((window.from, window.to, window.lines));
-        open = true;
     }
-    let Some(longest) = found
-        .iter()
-        .max_by_key(|rest| rest.1 - rest.0)
-        .map(|rest| rest.2)
-    else {
-        return Vec::new();
-    };
-    let agrees = |lines: &[Line; 2]| {
-        (0..2).all(|i| {
-            let spread = noise * (1.0 / lines[i].rows + 1.0 / longest[i].rows);
-            (lines[i].y - longest[i].y).abs() < 4.0 * libm::sqrt(spread)
+    let longest = found.iter().max_by_key(|rest| rest.rows[1] - rest.rows[0]);
+    let agrees = |rest: &&Window| {
+        longest.is_some_and(|longest| {
+            (0..2).all(|i| {
+                let [a, b] = [rest.lines[i], longest.lines[i]];
+                (a.y - b.y).powi(2) < 16.0 * alike * noise * (1.0 / a.rows + 1.0 / b.rows)
+            })
         })
     };
-    let agreeing = found.iter().filter(|rest| agrees(&rest.2));
-    agreeing.flat_map(|rest| rest.0..rest.1).collect()
+    let agreeing = found.iter().filter(agrees);
+    agreeing
+        .flat_map(|rest| rest.rows[0]..rest.rows[1])
+        .collect()
 }
