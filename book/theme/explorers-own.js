@@ -196,7 +196,7 @@
         says.textContent = `${rows} rows from ${short(from)} s to ${short(to)} s. ${moved.error ?? order(moved.does)}`;
         const many = doing => moved.does.filter(([does], i) => does === doing && i).length;
         list(drop.querySelector('dl'), [...numbers(moved), ['starts, stops', `${many('slides')}, ${many('rests')}`],
-            ...[['μ, if the sensor slid', 'kinetic'], ['μ_s, if the sensor slid', 'holding'], ['Coulomb’s law', 'verdict']].map(([name, key]) => [name, found[key]]).filter(([, value]) => value)]);
+            ...[['μ, if the sensor slid', 'kinetic'], ['μ_s, if the sensor slid', 'holding'], ['Coulomb’s law', 'verdict'], ['taken for granted', 'assumed']].map(([name, key]) => [name, found[key]]).filter(([, value]) => value)]);
         const link = drop.querySelector('.as-scene');
         link.href = address(scene);
         link.hidden = false;
@@ -205,7 +205,14 @@
     const take = async given => {
         if (!given) return;
         file = given.name;
-        files[file] = await given.text();
+        // As Windows writes it, it may be no UTF-8.
+        const bytes = await given.arrayBuffer(), [first, second] = new Uint8Array(bytes);
+        const read = coding => new TextDecoder(coding, { fatal: true }).decode(bytes);
+        try {
+            files[file] = read(first === 0xff && second === 0xfe ? 'utf-16le' : 'utf-8');
+        } catch {
+            files[file] = read('windows-1252');
+        }
         dropped();
         draw();
     };

@@ -254,20 +254,22 @@ impl Fitted {
     }
 
     /// From the text of a CSV file, such as an accelerometer's: a line for each time, with its cells behind semicolons, tabs,
-    /// commas or spaces, of which the first that is in the first line counts. Each cell is read right, or its line refused.
+    /// bars, commas or spaces, of which the first that is in the first line counts; titles may stand before it. Each cell is read right, or its line refused.
     ///
     /// - A head, with its units or with a line of units below, names the columns. The time is called t or time, or has a unit of
-    ///   time: s, ms, us, ns, min or h. Without a unit it is in s; of several times one that is said to be in s counts.
+    ///   time: s, ms, us, ns, min or h. Without a unit it is in s, if it goes on by a second at most; of several times one that is said to be in
+    ///   s counts.
     /// - A column is the acceleration if its name says so (a word that begins with acc or has accel in it, a, or g-force; with the
     ///   axis, as in ax, acc_x, “Linear Acceleration x”) or its unit does: m/s², also of mm, cm, km, ft, in; g or mg behind a mere
-    ///   axis. Along x, along y, one each, or along no axis: that is A_x. It is turned into m/s², which it is without a unit.
+    ///   axis. Along x, along y, one each, or along no axis: that is A_x. It is turned into m/s², which it is without a unit, up
+    ///   to 200: larger numbers are counts, and 1 along z is likely to be in g, so their unit has to be given.
     /// - All other columns are passed over: velocities, angular ones, fields, x and y without a unit. So are, whatever their unit,
     ///   a size, an error, the pull of gravity. Where none is left, or two are the same, the file is refused: see
     ///   [`from_csv_with`](Self::from_csv_with).
     /// - Without a head a line is t, A_x and, if there is a third number, A_y, in units of your choice. A remark `# t ax ay` is a head.
     /// - The decimal sign is one for all numbers: a point or, where commas do not separate, a comma. There are none for thousands.
     /// - Lines have the same number of cells, those that are read are finite numbers, and the times rise. Those of the clock, as
-    ///   10:30:05.25, also behind a date as 2026-01-31 or 31-Jan-2026, become seconds since the first.
+    ///   10:30:05.25 or 10:30:05:250, also behind a date as 2026-01-31 or 31-Jan-2026, become seconds since the first.
     /// - A line in which no acceleration has a value, but another column has, is that of another sensor, and passed over; so are
     ///   lines without values at the end. A step of more than eight usual ones is a gap, and refused.
     /// - Quotes around cells, a byte order mark and a first line `sep=;` are understood; empty lines and those that begin with

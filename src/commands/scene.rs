@@ -185,7 +185,7 @@ impl Words {
     fn scene(&self) -> Result<(Scene, Until), SceneError> {
         let words = self.words.iter().map(|(name, text)| (*name, text.as_str()));
         Scene::read(&self.body, words, |file| {
-            std::fs::read_to_string(file).map_err(|error| SceneError::Record {
+            super::measure::content(file).map_err(|error| SceneError::Record {
                 file: file.to_owned(),
                 why: trialbook::cli::bare(error).to_string(),
             })

@@ -1,6 +1,7 @@
 //! The text of a recording as rows of numbers: every cell is read right, or its line is refused.
 
 use super::{FitError, LARGEST, LEAST_ROWS, peer, when::Clock};
+use crate::measure::median;
 
 /// What an accelerometer has written, in s and m/s².
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -20,20 +21,17 @@ impl Recording {
         read_all(text, columns, true)
     }
 
+    /// The usual step of time.
+    fn step(&self) -> f64 {
+        median(self.rows.windows(2).map(|pair| pair[1].0 - pair[0].0))
+    }
+
     /// The first row behind a gap, counted from 0: a step of more than eight usual ones, where rows may have been lost.
     pub fn gap(&self) -> Option<usize> {
-        let steps: Vec<_> = self
-            .rows
-            .windows(2)
-            .map(|pair| pair[1].0 - pair[0].0)
-            .collect();
-        if steps.len() + 1 < LEAST_ROWS {
-            return None;
-        }
-        let (mut sorted, middle) = (steps.clone(), steps.len() / 2);
-        let usual = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
-        let gap = |step| usual > 0.0 && step > GAP * usual;
-        Some(1 + steps.into_iter().position(gap)?)
+        let most = GAP * self.step();
+        let long = |pair: &[(f64, [f64; 2])]| most > 0.0 && pair[1].0 - pair[0].0 > most;
+        let gap = self.rows.windows(2).position(long).map(|k| k + 1);
+        gap.filter(|_| self.rows.len() >= LEAST_ROWS)
     }
 }
 
@@ -58,6 +56,14 @@ pub struct Columns<'a> {
 
 /// A step that is so many times the usual one is a gap: a few rows may have been lost, or passed over.
 const GAP: f64 = 8.0;
+/// Without a unit a usual step of more seconds is hardly one of an accelerometer,
+const SLOW: f64 = 1.0;
+/// nor so large a value in m/s²: counts of a converter, or mg,
+const STRONG: f64 = 200.0;
+/// nor that gravity is this: it is in g.
+const ONE_G: std::ops::Range<f64> = 0.8..1.2;
+/// Among so many lines titles may stand before the head.
+const TITLES: usize = 10;
 
 pub(super) fn rows(text: &str, asked: &Columns) -> Result<Vec<(f64, [f64; 2])>, FitError> {
     read_all(text, asked, false).map(|recording| recording.rows)
@@ -84,25 +90,33 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
         .zip(all())
         .filter(|(_, line)| !passed(line))
         .peekable();
-    let first = lines.peek().map_or("", |(_, line)| line);
     // A spreadsheet's word for its separator.
-    let stated = first.trim_matches('"').strip_prefix("sep=");
-    let stated = lines.next_if(|_| stated.is_some()).and(stated);
-    let separator = stated.and_then(|rest| rest.chars().next()).or_else(|| {
-        let parts = |c: &char| cells(first, *c).len() > 1;
-        [';', '\t', ','].into_iter().find(parts)
-    });
+    let stated = lines.next_if(|(_, line)| line.trim_matches('"').starts_with("sep="));
+    let parts = |line: &str| {
+        let several = |c: &char| cells(line, *c).len() > 1;
+        [';', '\t', '|', ','].into_iter().find(several)
+    };
+    let mut first = lines.clone().take(TITLES).map(|(_, line)| parts(line));
+    let separator = first.next().flatten();
+    let separator = separator.or_else(|| first.flatten().find(|c| *c != ','));
     let separator = separator.unwrap_or(' ');
     let words = |line: &str| {
         let cells = cells(line, separator);
         cells.iter().all(|cell| parsed(cell).is_none()) && !cells.concat().is_empty()
     };
+    // Tracker and Vernier write titles before the head.
+    let title = |line: &str| {
+        let cells = cells(line, separator);
+        let few = cells.iter().filter(|cell| !cell.is_empty()).count() < 2;
+        few && words(line) && !line.starts_with(|c: char| c.is_ascii_digit())
+    };
+    while separator != ' ' && lines.next_if(|(_, line)| title(line)).is_some() {}
     let Some(&(number, first)) = lines.peek() else {
         return Ok(Recording::default());
     };
     let count = cells(first, separator).len();
     let mut heads = Vec::new();
-    while heads.len() < 2
+    while heads.len() < 3
         && let Some((_, line)) = lines.next_if(|(_, line)| words(line))
     {
         heads.push(cells(line, separator));
@@ -112,22 +126,15 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
         .take_while(|line| passed(line))
         .filter_map(|line| line.strip_prefix('#'))
         .last();
-    if heads.is_empty()
-        && let Some(remark) = remark
-    {
+    if let (true, Some(remark)) = (heads.is_empty(), remark) {
         let named = |cells: &Vec<&str>| {
             cells.len() == count && cells.iter().any(|cell| Column::of(cell).is_time())
         };
-        heads.extend(
-            [separator, ' ', ',']
-                .map(|c| cells(remark, c))
-                .into_iter()
-                .find(named),
-        );
+        let splits = [separator, ' ', ','].map(|c| cells(remark, c));
+        heads.extend(splits.into_iter().find(named));
     }
     let places = places(&heads, count, asked, with_normal);
-    let Places { time, axes, large } = places.map_err(|why| refuse(number, first, why))?;
-    let read_axes: Vec<_> = axes.iter().flatten().map(|axis| axis.0).collect();
+    let Places { time, axes, bare } = places.map_err(|why| refuse(number, first, why))?;
     let (mut rows, mut normal, mut numbers) = (Vec::new(), Vec::new(), Vec::new());
     let (mut sign, mut clock) = (None, Clock::default());
     // A line without a value, until it is known whether more follow.
@@ -138,7 +145,7 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
             if cells.len() != count {
                 return Err("every line needs as many cells as the first");
             }
-            if read_axes.iter().all(|i| is_empty(cells[*i])) {
+            if axes.iter().flatten().all(|axis| is_empty(cells[axis.0])) {
                 // The other sensors of a phone have lines of their own.
                 let other = |(i, cell): (usize, &&str)| i != time.0 && !is_empty(cell);
                 if !cells.iter().enumerate().any(other) {
@@ -148,19 +155,19 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
             }
             let t = match clock.read(cells[time.0], separator, &mut sign)? {
                 Some(t) => t,
-                None => time.1 * read(cells[time.0], separator, &mut sign)?,
+                None => time.1.ok_or(NO_UNIT)? * read(cells[time.0], separator, &mut sign)?,
             };
-            if t.abs() > large {
-                return Err("so late a time is hardly in seconds: its head has to say its unit");
-            }
             if rows.last().is_some_and(|(before, _)| *before >= t) {
-                return Err("its time is not after the one before");
+                return Err("its time is not after the one before: leave one of the two out");
             }
             let mut a = [0.0; 3];
             for (a, axis) in a.iter_mut().zip(axes) {
                 if let Some((i, size)) = axis {
                     *a = size * read(cells[i], separator, &mut sign)?;
                 }
+            }
+            if bare[1] && a.iter().any(|a| a.abs() > STRONG) {
+                return Err(COUNTS);
             }
             Ok(Some((t, a)))
         };
@@ -176,11 +183,22 @@ fn read_all(text: &str, asked: &Columns, with_normal: bool) -> Result<Recording,
     }
     let normal = axes[2].map(|_| normal);
     let recording = Recording { rows, normal };
-    if !asked.gaps
-        && let Some(&(n, line)) = recording.gap().and_then(|k| numbers.get(k))
-    {
-        let why = "before it is a gap of more than eight usual steps: cut the file there, or ask for gaps to be bridged";
-        return Err(refuse(n, line, why));
+    let sizes = recording.normal.iter().flatten().map(|z| z.abs());
+    let many = recording.rows.len() >= LEAST_ROWS;
+    for (wrong, why) in [
+        (
+            Some(0).filter(|_| many && bare[0] && recording.step() > SLOW),
+            NO_TIME,
+        ),
+        (
+            Some(0).filter(|_| many && bare[1] && ONE_G.contains(&median(sizes))),
+            IN_G,
+        ),
+        (recording.gap().filter(|_| !asked.gaps), LOST),
+    ] {
+        if let Some((n, line)) = wrong.and_then(|k| numbers.get(k)) {
+            return Err(refuse(*n, line, why));
+        }
     }
     if separator == ',' && count == 3 && heads.is_empty() && stated.is_none() && sign.is_none() {
         let why = "without a decimal point in the file a comma may be the decimal sign: give the columns a head";
@@ -225,13 +243,31 @@ pub(super) fn read(
 }
 
 const EMPTY: &str = "a cell is empty or no finite number";
+const COUNTS: &str =
+    "so large a value is hardly in m/s²: its head has to say the unit, or the columns: unit=g";
+const NO_UNIT: &str = "its time has no unit of time: s, ms, us, ns, min or h";
+const LOST: &str = "before it is a gap of more than eight usual steps: cut the file there, or ask for gaps to be bridged";
+const IN_G: &str = "along z there is about 1, which may be in g: the head has to say the unit, or the columns: unit=g";
+const NO_TIME: &str = "such times are hardly in seconds: their head has to say the unit, or the columns: time-unit=ms";
+const SEVERAL: &str =
+    "several columns are the acceleration along the same axis: choose of the columns: x=2";
 
 /// Where t, A_x, A_y and A_z stand, and what they have to be multiplied by to be in s and m/s².
 struct Places {
-    time: (usize, f64),
+    /// A time of the clock needs no unit.
+    time: (usize, Option<f64>),
     axes: [Option<(usize, f64)>; 3],
-    /// The latest time that can be meant: one in nanoseconds may have no unit either.
-    large: f64,
+    /// Whether a head says no unit of time, and none of acceleration.
+    bare: [bool; 2],
+}
+
+/// The one that there is, if any.
+fn only(
+    mut of: impl Iterator<Item = usize>,
+    several: &'static str,
+) -> Result<Option<usize>, &'static str> {
+    let first = of.next();
+    of.next().map_or(Ok(first), |_| Err(several))
 }
 
 /// Finds the columns: by what is asked for, by the names in the head and, if there is one, the line of units below.
@@ -241,139 +277,104 @@ fn places(
     asked: &Columns,
     with_normal: bool,
 ) -> Result<Places, &'static str> {
-    let empty = Vec::new();
-    let names = heads.first().unwrap_or(&empty);
+    let names = heads.first().map_or(&[][..], |names| names);
     let mut columns: Vec<_> = names.iter().map(|name| Column::of(name)).collect();
-    if let Some(units) = heads.get(1) {
+    if let [_, .., units] = heads {
         if units.len() != columns.len() {
-            return Err("both lines of the head need as many cells");
+            return Err("all lines of the head need as many cells");
         }
         for (column, unit) in columns.iter_mut().zip(units) {
             column.unit = plain(unit);
         }
     }
+    let all = || columns.iter().enumerate();
     let find = |name: &str| {
-        let called = |head: &&str| {
-            let bare = head.split(['(', '[']).next().unwrap_or(head);
-            [*head, bare]
+        let called = |i: &usize| {
+            let bare = names[*i].split(['(', '[']).next().unwrap_or_default();
+            [names[*i], bare]
                 .iter()
                 .any(|head| head.trim().eq_ignore_ascii_case(name.trim()))
         };
-        let mut found = (0..names.len()).filter(|i| called(&names[*i]));
+        let several = "two columns have the name asked for: give its number";
         let number = || name.parse().ok().and_then(|n: usize| n.checked_sub(1));
-        match (found.next(), found.next()) {
-            (Some(i), None) => Ok(i),
-            (None, _) => number()
-                .filter(|i| *i < count)
-                .ok_or("no column has the name asked for"),
-            _ => Err("two columns have the name asked for: give its number"),
-        }
-    };
-    let given = |unit: Option<&str>, size: fn(&str) -> Option<f64>, why| {
-        unit.map(|unit| size(&plain(unit)).ok_or(why)).transpose()
-    };
-    let time_unit = given(
-        asked.time_unit,
-        seconds,
-        "the unit asked for is none of time",
-    )?;
-    let unit = given(
-        asked.unit,
-        of_acceleration,
-        "the unit asked for is none of acceleration",
-    )?;
-    let sized = |i: usize, given: Option<f64>, size: fn(&Column) -> Option<f64>, why| {
-        let own = || columns.get(i).map_or(Some(1.0), size);
-        given.or_else(own).map(|size| (i, size)).ok_or(why)
+        only((0..names.len()).filter(called), several)?
+            .or_else(|| number().filter(|i| *i < count))
+            .ok_or("no column has the name asked for")
     };
     let time = match asked.time {
         Some(name) => find(name)?,
         None if names.is_empty() => 0,
         None => {
-            let of = |unit: fn(&Column) -> bool| {
-                let fit = |i: &usize| columns[*i].is_time() && unit(&columns[*i]);
-                (0..columns.len()).filter(fit).collect::<Vec<_>>()
-            };
             // One that says that it is in seconds goes before those in other units, and these before those that say none.
-            let kinds = [
-                of(|c| seconds(&c.unit) == Some(1.0)),
-                of(|c| seconds(&c.unit).is_some()),
-                of(|_| true),
-            ];
-            match kinds
-                .iter()
-                .find(|kind| !kind.is_empty())
-                .map(|kind| &kind[..])
-            {
-                Some([one]) => *one,
-                Some(_) => return Err("several columns are times: choose one"),
-                None => {
-                    return Err(
-                        "no column is the time: one has to be called t or time, or have the unit s",
-                    );
-                }
-            }
+            let rank = |column: &Column| match seconds(&column.unit) {
+                Some(size) => u8::from(size != 1.0),
+                None => 2,
+            };
+            let times = all().filter(|(_, column)| column.is_time());
+            let best = times.clone().map(|(_, column)| rank(column)).min();
+            let times = times.filter(|(_, column)| Some(rank(column)) == best);
+            only(
+                times.map(|(i, _)| i),
+                "several columns are times: choose of the columns: time=1",
+            )?
+            .ok_or("no column is the time: one has to be called t or time, or have the unit s")?
         }
     };
-    let time = sized(
-        time,
-        time_unit,
-        Column::seconds,
-        "its time has no unit of time: s, ms, us, ns, min or h",
-    )?;
-    let chosen = match (asked.x, asked.y) {
-        (None, None) if names.is_empty() => match count {
-            2 => [Some(1), None, None],
-            3 => [Some(1), Some(2), None],
-            _ => return Err("without a head a row is a time and one or two numbers"),
-        },
-        (None, None) => {
-            let along = |axis| {
-                let fit = |i: &usize| *i != time.0 && columns[*i].is_acceleration(axis);
-                (0..columns.len()).filter(fit).collect::<Vec<_>>()
-            };
-            let lists = [Some('x'), Some('y'), Some('z'), None].map(along);
-            let z = match &lists[2][..] {
-                [z] if with_normal => Some(*z),
-                [_, _, ..] if with_normal => return Err(SEVERAL),
-                _ => None,
-            };
-            match lists.each_ref().map(|list| &list[..]) {
-                // Of several letters a may be one like the others.
-                [[], [], [], [one]] if names.len() == 2 || columns[*one].words != ["a"] => {
-                    [Some(*one), None, None]
-                }
-                [[x], [], ..] => [Some(*x), None, z],
-                [[], [y], ..] => [None, Some(*y), z],
-                [[x], [y], ..] => [Some(*x), Some(*y), z],
-                [[], [], ..] => {
-                    return Err(
-                        "no column says that it is an acceleration along x or y: by its name, as ax, acc_x, accel x, or by its unit, as m/s^2; else choose the columns",
-                    );
-                }
-                _ => return Err(SEVERAL),
-            }
-        }
-        (x, y) => [x.map(find).transpose()?, y.map(find).transpose()?, None],
+    let chosen = asked.x.or(asked.y).is_some();
+    let along = |axis| {
+        let fit = all().filter(move |(i, column)| *i != time && column.is_acceleration(axis));
+        only(fit.map(|(i, _)| i), SEVERAL)
     };
-    let z = if with_normal { asked.z } else { None };
-    let chosen = [chosen[0], chosen[1], z.map(find).transpose()?.or(chosen[2])];
+    let mut axes = [None; 3];
+    for (k, name) in [asked.x, asked.y, asked.z].into_iter().enumerate() {
+        axes[k] = match name {
+            _ if k == 2 && !with_normal => None,
+            Some(name) => Some(find(name)?),
+            None if chosen => None,
+            None if !names.is_empty() => along(Some(['x', 'y', 'z'][k]))?,
+            None if !(2..=3).contains(&count) => {
+                return Err("without a head a row is a time and one or two numbers");
+            }
+            None => Some(k + 1).filter(|i| k < 2 && *i < count),
+        };
+    }
+    if let [None, None, _] = axes {
+        // Of several letters a may be one like the others.
+        let alone = |i: &usize| names.len() == 2 || columns[*i].words != ["a"];
+        let why = "no column says that it is an acceleration along x or y: by its name, as ax, acc_x, accel x, or by its unit, as m/s^2; else choose the columns: x=X,y=Y,z=Z";
+        axes = [Some(along(None)?.filter(alone).ok_or(why)?), None, None];
+    }
+    let unit = |i: usize, asked: Option<&str>| {
+        let own = || {
+            columns
+                .get(i)
+                .map_or_else(String::new, |column| column.unit.clone())
+        };
+        asked.map_or_else(own, plain)
+    };
+    let bare = |i: usize, asked| !names.is_empty() && unit(i, asked).is_empty();
+    let bare = [
+        bare(time, asked.time_unit),
+        axes.iter().flatten().any(|i| bare(*i, asked.unit)),
+    ];
+    let size = |i, asked, of: fn(&str) -> Option<f64>| match &unit(i, asked)[..] {
+        "" => Some(1.0),
+        unit => of(unit),
+    };
     let why = "an acceleration has no unit of one: m/s^2, cm/s^2, ft/s^2, g or mg";
-    let place = |i: Option<usize>| i.map(|i| sized(i, unit, Column::metres, why)).transpose();
-    let [x, y, z] = chosen.map(place);
-    let unstated = time_unit.is_none()
-        && columns
-            .get(time.0)
-            .is_some_and(|column| column.unit.is_empty());
-    let large = if unstated { 1e11 } else { f64::INFINITY };
+    let place = |i| {
+        size(i, asked.unit, of_acceleration)
+            .map(|size| (i, size))
+            .ok_or(why)
+    };
+    let [x, y, z] = axes.map(|i| i.map(place).transpose());
+    let time = (time, size(time, asked.time_unit, seconds));
     Ok(Places {
         time,
         axes: [x?, y?, z?],
-        large,
+        bare,
     })
 }
-
-const SEVERAL: &str = "several columns are the acceleration along the same axis: choose";
 
 /// What the head says of a column.
 struct Column {
@@ -382,7 +383,12 @@ struct Column {
     unit: String,
 }
 
-/// Parts of words for other things than the acceleration of the plane, though its name or unit may stand beside them.
+/// Words of times; parts of words for acceleration; beginnings of words for other things, though its name or unit may stand beside them.
+const TIMES: [&str; 13] = [
+    "t", "elapsed", "relative", "since", "start", "in", "run", "epoch", "unix", "zeit", "temps",
+    "tiempo", "tempo",
+];
+const ACCELERATION: [&str; 5] = ["accel", "accél", "acel", "beschl", "gforce"];
 const OTHER: [&str; 17] = [
     "ang", "gyr", "rot", "jerk", "vel", "speed", "err", "unc", "std", "sigma", "bias", "abs",
     "mag", "total", "norm", "max", "rms",
@@ -390,12 +396,16 @@ const OTHER: [&str; 17] = [
 
 impl Column {
     fn of(name: &str) -> Self {
-        let name = name
-            .to_lowercase()
-            .replace(['{', '}'], " ")
-            .replace("g-force", "gforce")
-            .replace("g force", "gforce")
-            .replace('|', " abs ");
+        let mut name = name.to_lowercase();
+        for (long, short) in [
+            ("{", " "),
+            ("}", " "),
+            ("g-f", "gf"),
+            ("g f", "gf"),
+            ("|", " abs "),
+        ] {
+            name = name.replace(long, short);
+        }
         // A letter in brackets is an axis, all else a unit.
         let (mut bare, mut unit) = (String::new(), String::new());
         for (k, part) in name.split(['(', '[', ')', ']']).enumerate() {
@@ -404,47 +414,40 @@ impl Column {
                 part => unit = plain(part),
             }
         }
-        let apart = |c: char| !c.is_alphanumeric();
-        let words = bare.split(apart).filter(|word| !word.is_empty());
+        let words = bare.split(|c: char| !c.is_alphanumeric());
+        let words = words.filter(|word| !word.is_empty()).map(str::to_owned);
         let mut column = Self {
-            words: words.map(str::to_owned).collect(),
+            words: words.collect(),
             unit,
         };
         if column.unit.is_empty() {
             let last = |word: &String| axis(word).is_some() || is_acceleration(word);
-            let behind = column
-                .words
-                .iter()
-                .rposition(last)
-                .map_or(column.words.len(), |k| k + 1);
-            let tail = plain(&column.words[behind..].concat());
-            let time = column
-                .words
-                .iter()
-                .map(|word| plain(word))
-                .find(|word| seconds(word).is_some());
-            if of_acceleration(&tail).is_some() {
-                column.unit = tail;
-            } else if let Some(unit) = time.filter(|_| column.is_time()) {
-                column.unit = unit;
+            let words = &column.words;
+            let behind = words.iter().rposition(last).map_or(words.len(), |k| k + 1);
+            let tail = plain(&words[behind..].concat());
+            let mut times = words.iter().map(|word| plain(word));
+            let time = times.find(|word| seconds(word).is_some());
+            let time = time.filter(|_| column.is_time());
+            let gforce = words.iter().any(|word| word.starts_with("gf"));
+            column.unit = if of_acceleration(&tail).is_some() {
+                tail
+            } else if let Some(time) = time {
+                time
             } else if bare.contains("/s") {
-                column.unit = "/s".to_owned();
-            } else if column.words.iter().any(|word| word.starts_with("gf")) {
-                column.unit = "g".to_owned();
-            }
+                "/s".to_owned()
+            } else if gforce {
+                "g".to_owned()
+            } else {
+                String::new()
+            };
         }
         column
     }
 
     fn is_time(&self) -> bool {
         let timely = |word: &String| {
-            let known = [
-                "elapsed", "since", "start", "run", "epoch", "unix", "zeit", "temps", "tiempo",
-                "tempo",
-            ];
-            word == "t"
+            TIMES.contains(&&word[..])
                 || word.starts_with("time")
-                || known.contains(&&word[..])
                 || seconds(&plain(word)).is_some()
                 || word.parse::<u32>().is_ok()
         };
@@ -457,8 +460,7 @@ impl Column {
     fn is_acceleration(&self, along: Option<char>) -> bool {
         let axis_of = |word: &String| axis(word).map(|(axis, _)| axis);
         let short = match &self.words[..] {
-            [a] => a == "a",
-            [a, next, ..] => a == "a" && axis_of(next).is_some(),
+            [a, rest @ ..] => a == "a" && rest.first().is_none_or(|next| axis(next).is_some()),
             [] => false,
         };
         let full = |word: &String| {
@@ -466,7 +468,7 @@ impl Column {
         };
         let named = short || self.words.iter().any(full);
         // Grams are written as g too, and gauss as G.
-        let bare = |word: &String| matches!(&word[..], "x" | "y" | "axis");
+        let bare = |word: &String| matches!(&word[..], "x" | "y" | "z" | "axis");
         let sure = !self.unit.ends_with('g') || along.is_some() && self.words.iter().all(bare);
         let united = of_acceleration(&self.unit).is_some() && sure;
         let other = |word: &String| {
@@ -476,28 +478,11 @@ impl Column {
             && (named || united)
             && !self.words.iter().any(other)
     }
-
-    fn seconds(&self) -> Option<f64> {
-        if self.unit.is_empty() {
-            Some(1.0)
-        } else {
-            seconds(&self.unit)
-        }
-    }
-
-    fn metres(&self) -> Option<f64> {
-        if self.unit.is_empty() {
-            Some(1.0)
-        } else {
-            of_acceleration(&self.unit)
-        }
-    }
 }
 
 /// Whether a word means acceleration.
 fn is_acceleration(word: &str) -> bool {
-    let part = ["accel", "accél", "acel", "beschl", "gforce"];
-    word == "gf" || word.ends_with("acc") || part.iter().any(|part| word.contains(part))
+    word == "gf" || word.ends_with("acc") || ACCELERATION.iter().any(|part| word.contains(part))
 }
 
 /// The axis of a word that is one, or a short form of acceleration with one, and what stands before it.
@@ -549,25 +534,21 @@ fn seconds(unit: &str) -> Option<f64> {
 }
 
 pub(super) fn of_acceleration(unit: &str) -> Option<f64> {
-    let (length, rest) = ["mm", "cm", "km", "ft", "in", "m"]
-        .iter()
-        .find_map(|length| Some((*length, unit.strip_prefix(length)?)))
-        .unwrap_or(("", unit));
-    let size = match length {
-        "mm" => 1e-3,
-        "cm" => 1e-2,
-        "km" => 1e3,
-        "ft" => 0.3048,
-        "in" => 0.0254,
-        _ => 1.0,
-    };
-    match (length, rest) {
-        ("", "g" | "gn" | "g0") => Some(G),
-        ("m", "g") => Some(1e-3 * G),
-        ("", _) => None,
-        (_, "/s2" | "/s/s" | "/ss" | "s-2" | "s2" | "ps2") => Some(size),
-        _ => None,
+    if matches!(unit, "g" | "gn" | "g0" | "mg") {
+        return Some(if unit == "mg" { 1e-3 * G } else { G });
     }
+    let lengths = [
+        ("m", 1.0),
+        ("mm", 1e-3),
+        ("cm", 1e-2),
+        ("km", 1e3),
+        ("ft", 0.3048),
+        ("in", 0.0254),
+    ];
+    lengths.iter().find_map(|(length, size)| {
+        let rest = unit.strip_prefix(length)?;
+        matches!(rest, "/s2" | "/s/s" | "/ss" | "s-2" | "s2" | "ps2").then_some(*size)
+    })
 }
 
 /// The standard acceleration of gravity, in m/s².
@@ -577,388 +558,65 @@ pub(crate) const G: f64 = 9.806_65;
 mod tests {
     use super::*;
 
-    const DATA: [(f64, [f64; 2]); 3] = [
-        (0.0, [0.5, -0.1]),
-        (10.0, [0.51, 0.0]),
-        (20.0, [-1.5, 2e-3]),
-    ];
-
-    fn read(text: &str) -> Result<Vec<(f64, [f64; 2])>, FitError> {
-        rows(text, &Columns::default())
-    }
-
     #[test]
-    fn a_file_is_read_right_however_it_is_written() {
-        for text in [
-            "t,ax,ay\n0,0.5,-0.1\n10,0.51,0\n20,-1.5,2e-3\n",
-            "0,0.5,-0.1\r\n10,0.51,0\r\n\r\n20,-1.5,2E-3",
-            "\u{feff}# made by hand\n0 0.5   -0.1\n10 0.51 0\n20 -1.5 0.002\n",
-            "sep=;\nt; a_x; a_y\n0;0,5;−0,1\n10;0,51;0\n20;−1,5;2E-3\n",
-            "sep=\t\r\n\"t\"\t\"ax\"\t\"ay\"\r\n\"0,0\"\t\"0,50\"\t\"-0,1\"\r\n10\t,51\t0\r\n20\t-1,5\t,002\r\n",
-            "Zeit,y,x,Temperatur\ns,m/s²,m/s^2,K\n0,-0.1,0.5,\n10,0,0.51,NaN\n20,.002,-1.5,hot\n",
-            "n,accY [m/s²],accX [m/s²],accZ [m/s²],t/s\n0,-0.1,0.5,9.8,0\n1,0,0.51,9.8,10\n2,.002,-1.5,9.8,20\n",
-            "\"Time, elapsed (s)\",\"ax\",\"ay\"\n\"0\",\"0.5\",\"-0.1\"\n\"10\",\"0.51\",\"0\"\n\"20\",\"-1.5\",\"0.002\"\n",
-        ] {
-            assert_eq!(read(text), Ok(DATA.to_vec()), "{text}");
-        }
-        let one = |text| read(text).unwrap()[1];
-        assert_eq!(one("time;a\n0;1\n2;3,5"), (2.0, [3.5, 0.0]));
-        assert_eq!(one("t,ay\n0,1\n2,3"), (2.0, [0.0, 3.0]));
-        assert_eq!(one("0,1\n2,3"), (2.0, [3.0, 0.0]));
-        assert_eq!(read("# nothing"), Ok(Vec::new()));
-    }
-
-    /// The app writes five formats: a point behind commas, tabs and semicolons, a comma behind tabs and semicolons.
-    #[test]
-    fn all_formats_of_phyphox_are_read() {
-        let head = ["x", "y", "z"].map(|x| format!("\"Linear Acceleration {x} (m/s^2)\""));
-        let lines = [
-            "0.000000000E0,5.000000000E-1,-1.000000000E-1,9.81E0,9.823E0",
-            "1.000000000E1,5.100000000E-1,0.000000000E0,9.81E0,9.823E0",
-            "2.000000000E1,-1.500000000E0,2.000000000E-3,NaN,NaN",
-        ];
-        let absolute = "\"Absolute acceleration (m/s^2)\"";
-        let [x, y, z] = &head;
-        let head = ["\"Time (s)\"", x, y, z, absolute].join(",");
-        let lines = lines.join("\n");
-        for (between, point) in [(",", "."), ("\t", "."), (";", "."), ("\t", ","), (";", ",")] {
-            let [head, lines] = [&head, &lines].map(|part| part.replace(',', between));
-            let file = format!("{head}\n{}\n", lines.replace('.', point));
-            assert_eq!(read(&file), Ok(DATA.to_vec()), "{file}");
-        }
-    }
-
-    #[test]
-    fn what_is_not_clear_is_refused_with_its_line() {
-        for (text, at) in [
-            // Decimal commas between commas.
-            ("t,ax\n0,5,0,1\n", 2),
-            ("0,00,0,50\n10,00,0,51\n", 1),
-            ("100,0,57\n110,0,58\n", 1),
-            ("0 0,5\n10 0,6\n", 1),
-            ("t,ax\n\"0,0\",\"1,5\"\n", 2),
-            // Two decimal signs, thousands.
-            ("t;ax\n0;0,5\n1.000;0,6\n", 3),
-            ("t;ax\n1.000,5;1\n", 2),
-            ("t;ax\n0;1,000.5\n", 2),
-            ("t,ax\n999.0,1\n1,000.0,2\n", 3),
-            ("t;ax\n0;1\n1;1 000\n2;3\n", 3),
-            ("t;ax\n0;1\n1;1'000\n", 3),
-            // Cells that are empty, no number, too many or too few.
-            ("t,ax,ay\n0,1,2\n1,,2\n", 3),
-            ("# a\n\n0.5,1,2\n1.5,1,\n", 4),
-            ("t,ax\n0,1\n1,NaN\n2,3\n", 3),
-            ("t,ax\n0,1\n1,2\n,\n2,NaN\n3,1", 4),
-            ("NaN,NaN\n1,2\n", 1),
-            ("0.5,inf\n", 1),
-            ("0.5,1e51\n", 1),
-            ("0.5,1,2\n1.5,1\n", 2),
-            ("t,ax\n0,1\n1,2,3\n", 3),
-            ("t,a\n1,2\n3,x\n", 3),
-            ("t,ax\nt,ax\n", 1),
-            ("t,ax\n,\n0,1\n", 2),
-            ("1\n", 1),
-            ("1.5,2,3,4\n", 1),
-            ("t,ax\n01/31/2026 10:00:00,1\n", 2),
-            // Times.
-            ("t,ax\n0,1\n0,2\n", 3),
-            ("t,ax\n1,1\n\n0,2\n", 4),
-            // Units and names.
-            ("time,ax,ay\ns,m/s^2\n0,1,2\n", 1),
-            ("time,seconds_elapsed,z,y,x\n1,1,1,1,1\n", 1),
-            ("t,a,b\n0,1,2\n", 1),
-            ("t,az\n0,1\n", 1),
-            ("ax,ay\n0,1\n", 1),
-        ] {
-            let refused = read(text).unwrap_err();
-            assert!(
-                matches!(refused, FitError::Line { line, .. } if line == at),
-                "{text}: {refused}"
-            );
-        }
-    }
-
-    /// One column, whatever stands beside it.
-    fn alone(head: &str) -> Result<f64, FitError> {
-        Ok(read(&format!("Time (s);{head};note\n0.5;1;3\n"))?[0].1[0])
-    }
-
-    #[test]
-    fn an_acceleration_is_one_by_its_name_or_its_unit() {
-        for head in [
-            "ax",
-            "a_x",
-            "aX",
-            "Acc X",
-            "acc.x",
-            "accX",
-            "AcX",
-            "accel_x",
-            "x accel",
-            "LinearAccelerationX",
-            "a_{x}",
-            "acceleration",
-            "Acceleration - x (m/s²) Run #1",
-            "Latest: X Acceleration (m/s²)",
-            "x (m/s^2)",
-            "x-axis [m s⁻²]",
-            "Beschleunigung x",
-            "userAccelX",
-            "Acceleration (x)",
-            "acc x m/s2",
-            "ax_m_s2",
-            "x (meters per second squared)",
-            "x (m/sec/sec)",
-            "user acceleration without gravity x",
-        ] {
-            assert_eq!(alone(head), Ok(1.0), "{head}");
-        }
-        for (head, size) in [
-            ("ax (g)", G),
-            ("gFx", G),
-            ("G-Force X", G),
-            ("x-axis (g)", G),
-            ("accel_x_g", G),
-            ("accelerometerAccelerationX(G)", G),
-            ("ax [mg]", 1e-3 * G),
-            ("ax (cm/s^2)", 1e-2),
-            ("accel x (ft/s²)", 0.3048),
-        ] {
-            assert_eq!(alone(head), Ok(size), "{head}");
-        }
-        for head in [
-            "x",
-            "y",
-            "vx",
-            "v_x",
-            "velocity_x",
-            "velocity x (m/s)",
-            "v",
-            "speed",
-            "position",
-            "x (m)",
-            "x_m",
-            "gyro_x",
-            "gx",
-            "gyroX (rad/s)",
-            "mag_x",
-            "magnetic field x (µT)",
-            "B_x (G)",
-            "jerk_x",
-            "jerk x (m/s³)",
-            "force x",
-            "F_x (N)",
-            "temperature",
-            "T (K)",
-            "weight (g)",
-            "angular acceleration x",
-            "alpha_x",
-            "accuracy_x",
-            "ax_err",
-            "acc_x uncertainty",
-            "gravity x (m/s²)",
-            "|a|",
-            "absolute acceleration (m/s²)",
-            "height of a ball",
-            "current (A)",
-            "lux",
-            "delay",
-            "max",
-            "pressure",
-            "az",
-            "acceleration z (m/s²)",
-            "accel x (deg/s)",
-            "ax (V)",
-            "acc x m/s",
-        ] {
-            let refused = alone(head);
-            assert!(
-                matches!(refused, Err(FitError::Line { line: 1, .. })),
-                "{head}: {refused:?}"
-            );
-        }
-    }
-
-    #[test]
-    fn of_many_columns_those_of_the_acceleration_are_taken() {
-        let row =
-            |head: &str, numbers: &str| read(&format!("{head}\n{numbers}\n")).map(|rows| rows[0]);
-        for (head, numbers, t, a) in [
-            (
-                "time,accel_x,accel_y,accel_z,gyro_x,gyro_y,gyro_z",
-                "1,2,3,9.8,7,7,7",
-                1.0,
-                [2.0, 3.0],
-            ),
-            ("t\tx\tv_{x}\ta_{x}", "1\t2\t3\t4", 1.0, [4.0, 0.0]),
-            ("Time (ms),ax", "250,2", 0.25, [2.0, 0.0]),
-            ("millis;ay;temperature", "250;2;20", 0.25, [0.0, 2.0]),
-            ("timestamp_us,ax", "250000,2", 0.25, [2.0, 0.0]),
-            (
-                "time,seconds_elapsed,ax",
-                "1767767458048101000,2.5,4",
-                2.5,
-                [4.0, 0.0],
-            ),
-            (
-                "epoch (ms),time (-13:00),elapsed (s),x-axis (g),z-axis (g)",
-                "1767767458048,12:00,2.5,1,9",
-                2.5,
-                [G, 0.0],
-            ),
-            ("time,ax,ay\nms,m/s^2,g", "500,1,1", 0.5, [1.0, G]),
-            ("# t ax ay", "0.5 1 2", 0.5, [1.0, 2.0]),
-            ("# by numpy\n# t,ax,ay", "0.5,1,2", 0.5, [1.0, 2.0]),
-        ] {
-            assert_eq!(row(head, numbers), Ok((t, a)), "{head}");
-        }
-        for (head, numbers) in [
-            ("time,z,y,x", "1,2,3,4"),
-            ("t,ax,accel_x", "1,2,3"),
-            ("time_s,elapsed (s),ax", "1,2,3"),
-            ("Time (hh:mm),ax", "1,2"),
-            ("# t vx vy", "0.5 1 2"),
-            ("# t,x,y", "0.5,1,2"),
-        ] {
-            assert!(
-                matches!(row(head, numbers), Err(FitError::Line { .. })),
-                "{head}"
-            );
-        }
-        for (file, at, what) in [
-            ("time,ax\n1767767458048101000,1\n", 2, "unit"),
-            ("time,ax\n10:00:00.5,1\n11.5,1\n", 3, "clock"),
-            ("t,ax\n0,1\n1,2\n2,NaN\n3,1\n", 4, "number"),
-            ("t,ax\n0,1\n1,2\n2,3\n3,1\n4,1\n13,1\n14,1\n", 7, "gap"),
-            ("t,vx\r0,1\r1,2\r", 1, "acceleration"),
-        ] {
-            let Err(FitError::Line { line, why, .. }) = read(file) else {
-                panic!("{file}")
-            };
-            assert!(line == at && why.contains(what), "{file}: {line} {why}");
-        }
-        assert_eq!(read("t,ax\r0,1\r1,2\r").map(|rows| rows.len()), Ok(2));
-    }
-
-    /// Files as MATLAB Mobile, a logger of two sensors and phyphox write them.
-    #[test]
-    fn what_apps_write_is_read_with_the_normal() {
-        let of = |text: &str, columns: Columns| Recording::from_csv(text, &columns).unwrap();
-        let (x, y, z) = (Some("x"), Some("y"), Some("z"));
-        let matlab =
-            "Timestamp,X,Y,Z\n31-Jan-2026 23:59:59.990,1,2,9\n01-Feb-2026 00:00:00.000,3,4,8\n";
-        let columns = Columns {
-            x,
-            y,
-            z,
-            ..Columns::default()
-        };
-        let read = of(matlab, columns);
-        assert!((read.rows[1].0 - 0.01).abs() < 1e-9 && read.rows[1].1 == [3.0, 4.0]);
-        assert_eq!(read.normal, Some(vec![9.0, 8.0]));
-        assert!(Recording::from_csv(matlab, &Columns::default()).is_err());
-        // Lines of the other sensor between, a tail without values.
-        let merged = "t,accel_x,accel_y,accel_z,gyro_x\n0,1,2,9,\n0.1,,,,5\n0.2,3,4,8,\n0.3,NaN,NaN,NaN,NaN\n";
-        let right = vec![(0.0, [1.0, 2.0]), (0.2, [3.0, 4.0])];
-        for columns in [
-            Columns::default(),
-            Columns {
-                x: Some("accel_x"),
-                y: Some("3"),
-                z: Some("accel_z"),
-                ..Columns::default()
-            },
-        ] {
-            let read = of(merged, columns);
-            assert_eq!(
-                (read.rows, read.normal),
-                (right.clone(), Some(vec![9.0, 8.0]))
-            );
-        }
-        let gforce = of("time,gFx,gFy,gFz,TgF\n0,0,0.5,1,1.1\n", Columns::default());
-        assert_eq!(
-            (gforce.rows[0].1, gforce.normal),
-            ([0.0, 0.5 * G], Some(vec![G]))
-        );
-        assert_eq!(of("t,ax\n0,1\n", Columns::default()).normal, None);
-        let gap = "t,ax\n0,1\n1,2\n2,3\n3,1\n4,1\n13,1\n14,1\n";
-        assert_eq!(
-            of(
-                gap,
-                Columns {
-                    gaps: true,
-                    ..Columns::default()
+    fn every_file_is_read_right_or_refused_with_its_line() {
+        let cases = include_str!("files.txt").split("\n== ").skip(1);
+        for case in cases {
+            let (head, case) = case.split_once('\n').unwrap();
+            let (file, right) = case.rsplit_once("\n=> ").unwrap();
+            let marks = [("\\t", "\t"), ("\\r", "\r"), ("\\b", "\u{feff}")];
+            let file = marks
+                .iter()
+                .fold(file.to_owned(), |file, (mark, c)| file.replace(mark, c));
+            let chosen = head
+                .split_once(" | ")
+                .map(|(_, chosen)| crate::scene::columns(chosen));
+            let read = Recording::from_csv(&file, &chosen.transpose().unwrap().unwrap_or_default());
+            let (first, right) = right.trim().split_once(':').unwrap_or((right.trim(), ""));
+            match (read, first.strip_prefix("line ")) {
+                (Ok(read), None) => {
+                    let (t, [x, y]) = read.rows[read.rows.len() - 1];
+                    let z = read.normal.map(|z| z[z.len() - 1]);
+                    let found: Vec<_> = [t, x, y].into_iter().chain(z).collect();
+                    let right = right.split_whitespace().map(|x| x.parse().unwrap());
+                    let right: Vec<f64> = right.collect();
+                    let off = found.iter().zip(&right).any(|(a, b)| (a - b).abs() > 1e-9);
+                    let same = found.len() == right.len() && !off;
+                    assert!(
+                        same && read.rows.len().to_string() == first,
+                        "{head}: {found:?}"
+                    );
                 }
-            )
-            .rows
-            .len(),
-            7
-        );
+                (Err(FitError::Line { line, why, .. }), Some(at)) => {
+                    assert!(
+                        line.to_string() == at && why.contains(right.trim()),
+                        "{head}: {line} {why}"
+                    );
+                }
+                (read, _) => panic!("{head}: {read:?}"),
+            }
+        }
     }
 
+    /// One column, whatever stands beside it, is an acceleration by its name or its unit: below `= 9.80665` those that are in g, below
+    /// `= none` those that are none.
     #[test]
-    fn columns_and_units_can_be_given() {
-        let file = "time,seconds_elapsed,z,y,x (m)\n2000,0.5,9.8,3,2\n";
-        let with = |columns: Columns| rows(file, &columns).map(|rows| rows[0]);
-        let (x, y) = (Some("X"), Some("y"));
-        let unit = Some("m/s²");
-        assert_eq!(
-            with(Columns {
-                x,
-                y,
-                unit,
-                ..Columns::default()
-            }),
-            Ok((0.5, [2.0, 3.0]))
-        );
-        let time = Some("time");
-        let chosen = Columns {
-            time,
-            y: Some("4"),
-            time_unit: Some("ms"),
-            unit: Some("g"),
-            ..Columns::default()
-        };
-        assert_eq!(with(chosen), Ok((2.0, [0.0, 3.0 * G])));
-        let headless = Columns {
-            time: Some("2"),
-            x: Some("1"),
-            ..Columns::default()
-        };
-        assert_eq!(rows("5 0.5 7 8", &headless), Ok(vec![(0.5, [5.0, 0.0])]));
-        for wrong in [
-            // Its head says m.
-            Columns {
-                x,
-                ..Columns::default()
-            },
-            Columns {
-                y: Some("w"),
-                ..Columns::default()
-            },
-            Columns {
-                y: Some("6"),
-                ..Columns::default()
-            },
-            Columns {
-                y: Some("0"),
-                ..Columns::default()
-            },
-            Columns {
-                y,
-                unit: Some("m/s"),
-                ..Columns::default()
-            },
-            Columns {
-                y,
-                time_unit: Some("m"),
-                ..Columns::default()
-            },
-        ] {
-            assert!(
-                matches!(with(wrong), Err(FitError::Line { line: 1, .. })),
-                "{wrong:?}"
+    fn a_head_says_what_its_column_is() {
+        let mut size = None;
+        for head in include_str!("heads.txt").lines() {
+            if let Some(next) = head.strip_prefix("= ") {
+                size = next.parse().ok();
+                continue;
+            }
+            let read = rows(
+                &format!("Time (s);{head};note\n0.5;1;3\n"),
+                &Columns::default(),
             );
+            match (read, size) {
+                (Ok(read), Some(size)) => assert_eq!(read, [(0.5, [size, 0.0])], "{head}"),
+                (Err(FitError::Line { line: 1, .. }), None) => {}
+                (read, _) => panic!("{head}: {read:?}"),
+            }
         }
     }
 
