@@ -243,8 +243,7 @@ pub(super) fn read(
 }
 
 const EMPTY: &str = "a cell is empty or no finite number";
-const COUNTS: &str =
-    "so large a value is hardly in m/s²: its head has to say the unit, or the columns: unit=g";
+const COUNTS: &str = "so large a value is hardly in m/s²: its head has to say the unit, or the columns: unit=mg; counts have to be divided by those of one g";
 const NO_UNIT: &str = "its time has no unit of time: s, ms, us, ns, min or h";
 const LOST: &str = "before it is a gap of more than eight usual steps: cut the file there, or ask for gaps to be bridged";
 const IN_G: &str = "along z there is about 1, which may be in g: the head has to say the unit, or the columns: unit=g";
