@@ -41,6 +41,8 @@ pub(super) struct Part<'m> {
     x: [Cow<'m, [f64]>; 2],
     /// Where in its own time the speed may have a corner.
     corners: Vec<f64>,
+    /// The axis along which it goes one way alone: the change of the place is the way, without an integral.
+    along: Option<usize>,
     /// The way up to it.
     before: f64,
 }
@@ -60,8 +62,16 @@ impl<'m> Part<'m> {
             v: v.map(Into::into),
             x: x.map(Into::into),
             corners: Vec::new(),
+            along: None,
             before: 0.0,
         }
+    }
+
+    /// Of what never turns round within a piece.
+    pub(super) fn one_way(mut self) -> Self {
+        let still = |v: &[f64]| v.iter().all(|c| *c == 0.0);
+        self.along = [1, 0].into_iter().find(|along| still(&self.v[1 - along]));
+        self
     }
 
     /// With corners where it passes through rest, or close by.
@@ -95,6 +105,9 @@ impl<'m> Part<'m> {
 
     /// The way up to the piece's own time `s`.
     fn way(&self, s: f64) -> Result<f64, NumericsError> {
+        if let Some(along) = self.along {
+            return Ok(change(&self.x[along], &s).abs());
+        }
         let (mut sum, mut from) = (0.0, 0.0);
         for &to in self.corners.iter().filter(|c| **c < s).chain([&s]) {
             let size = self.rate(from) + self.rate(0.5 * (from + to)) + self.rate(to);

@@ -308,11 +308,11 @@ impl Motion {
         let parts = self.pieces.iter().filter_map(|piece| match piece {
             Piece::Slide(step) => {
                 let [u, v, t, x, y] = &step.series;
-                Some(Part::clocked(t, step.h, [u, v], [x, y]))
+                Some(Part::clocked(t, step.h, [u, v], [x, y]).one_way())
             }
             Piece::Arc(arc) => {
                 let (v, x) = (arc.v.each_ref(), arc.x.each_ref());
-                Some(Part::timed(arc.from, arc.to - arc.from, v, x))
+                Some(Part::timed(arc.from, arc.to - arc.from, v, x).one_way())
             }
             Piece::Rest { .. } => None,
         });

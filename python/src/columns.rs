@@ -38,11 +38,11 @@ pub fn record<'a>(given: &Bound<'_, PyAny>, columns: Option<&'a str>) -> PyResul
     let asked = columns.map_or(Ok(Columns::default()), scene::columns);
     let asked = asked.map_err(wrong)?;
     if let Ok(file) = given.extract::<PathBuf>() {
-        let text = fs::read_to_string(&file).map_err(|error| {
+        let text = fs::read(&file).map_err(|error| {
             let why = format!("cannot read `{}`: {error}", file.display());
             io::Error::new(error.kind(), why)
         })?;
-        return Ok(Record::Text(text, asked));
+        return Ok(Record::Text(Recording::decoded(text), asked));
     }
     let all = given.extract::<Vec<_>>()?;
     let all: Vec<_> = all.iter().map(numbers).collect::<PyResult<_>>()?;

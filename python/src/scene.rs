@@ -10,6 +10,7 @@ use slipbook::{
     motion::Fitted,
     scene::{self, Part, Radian, SceneError, Until, WORDS, apart, second, target},
 };
+use std::cell::RefCell;
 
 /// A block or a ball on a rough floor, what moves that, and how it starts. It never changes.
 #[pyclass(frozen, module = "slipbook")]
@@ -87,7 +88,14 @@ pub fn find(
         return Err(wrong(format!("`{unit}` and `{other}` are two units")));
     }
     let [low, high] = [low, high].map(|end| end.trim().parse().unwrap_or(f64::NAN));
+    let stopped = RefCell::new(None);
     let value = |x: f64| {
+        if stopped.borrow().is_none() {
+            *stopped.borrow_mut() = Python::attach(|py| py.check_signals()).err();
+        }
+        if stopped.borrow().is_some() {
+            return Err(SceneError::Together("stopped"));
+        }
         let mut other = scene.words.clone();
         let old = other.words.iter().position(|(name, _)| *name == word);
         let old = old.map(|at| other.words.remove(at).1).unwrap_or_default();
@@ -95,10 +103,12 @@ pub fn find(
         let direction = old.find('@').map_or("", |at| &old[at..]);
         let text = format!("{x}{unit}{direction}");
         other.words.push((word.clone(), text));
-        let (scene, until) = other.read()?;
-        scene.number(until, name)
+        other.read()
     };
-    let found = py.detach(|| scene::find(value, [low, high], wanted));
+    let found = py.detach(|| scene::find(value, [low, high], (name, wanted)));
+    if let Some(stop) = stopped.into_inner() {
+        return Err(stop);
+    }
     Ok(found.map_err(wrong)?.solutions)
 }
 

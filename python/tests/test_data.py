@@ -7,6 +7,7 @@ import math
 import os
 import pathlib
 import subprocess
+import tempfile
 import threading
 import time
 import unittest
@@ -74,8 +75,13 @@ class Arrays(unittest.TestCase):
         self.assertEqual(ends["sigma"][0], 7)
 
     def test_a_long_run_can_be_stopped(self):
-        # On two cores they would take six seconds.
+        # On two cores each would take six seconds.
         many = array.array("d", [0.5]) * 5000000
+        shaken = slipbook.block(mu=0.3, pull="4*sin(10*pi*t)", until="100s")
+        self.stopped(lambda: slipbook.turntable_ends(many, many, many))
+        self.stopped(lambda: slipbook.find(shaken, "mu", 0.01, 0.4, path="10m"))
+
+    def stopped(self, run):
         asked = []
 
         def ask():
@@ -84,11 +90,20 @@ class Arrays(unittest.TestCase):
 
         threading.Timer(0.2, ask).start()
         with self.assertRaises(KeyboardInterrupt):
-            slipbook.turntable_ends(many, many, many)
+            run()
         self.assertLess(time.monotonic() - asked[0], 2)
 
 
 class Recordings(unittest.TestCase):
+    def test_what_windows_writes_is_read(self):
+        text = PHONE.read_text(encoding="utf-8").replace("^2", "²")
+        self.assertIn("²", text)
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "phone.csv")
+            for written in [b"\xff\xfe" + text.encode("utf-16-le"), text.encode("latin-1")]:
+                file.write_bytes(written)
+                self.assertEqual(slipbook.measure(str(file)), slipbook.measure(PHONE))
+
     def test_a_phone_that_slid(self):
         found = slipbook.measure(PHONE)
         # It was made with these.

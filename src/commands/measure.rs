@@ -32,21 +32,9 @@ pub(super) fn command() -> Command {
         ])
 }
 
-/// The text of a recording: in UTF-8, or as Windows writes it, in UTF-16 with its mark or in Latin-1.
+/// The text of a recording.
 pub(super) fn content(file: &str) -> std::io::Result<String> {
-    let bytes = std::fs::read(file)?;
-    Ok(match &bytes[..] {
-        [0xff, 0xfe, rest @ ..] => {
-            let units = rest
-                .chunks_exact(2)
-                .map(|two| u16::from_le_bytes([two[0], two[1]]));
-            let text = char::decode_utf16(units);
-            text.map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER))
-                .collect()
-        }
-        _ => String::from_utf8(bytes)
-            .unwrap_or_else(|error| error.into_bytes().into_iter().map(char::from).collect()),
-    })
+    std::fs::read(file).map(Recording::decoded)
 }
 
 pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8, Failure> {

@@ -300,7 +300,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
                 "scene": words.json(),
                 "answer": numbers_of(&answer.numbers, |number| number.rounded().into()),
                 "units": numbers_of(&answer.numbers, |number| number.unit.into()),
-                "errors": numbers_of(&answer.numbers, |number| number.error.is_finite().then_some(number.error).into()),
+                "errors": errors(&answer.numbers),
                 "order": answer.events.iter().map(|event| object!({ "t": event.t.0, "doing": doing(event.doing) })).collect::<Vec<_>>(),
                 "second": paper.map(|second| object!({
                     "section": second.section,
@@ -321,16 +321,9 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
             table(&heads(&answer.numbers), moments.iter().map(row))?;
         }
         (Format::Csv, None) => {
-            let row = |number: &Number| {
-                vec![
-                    number.name.to_owned(),
-                    number.rounded().map_or(String::new(), plain),
-                    number.unit.to_owned(),
-                    plain(number.error),
-                ]
-            };
-            let heads = ["quantity", "value", "unit", "error"].map(str::to_owned);
-            table(&heads, answer.numbers.iter().map(row))?;
+            let mut heads = heads(&answer.numbers);
+            heads.push("digits".to_owned());
+            table(&heads, [cells(&answer.numbers)].into_iter())?;
         }
         (Format::Text, every) => show(
             &(text(&answer, paper.as_ref())
@@ -347,6 +340,25 @@ fn numbers_of(numbers: &[Number], value: impl Fn(&Number) -> Value) -> Value {
         .map(|number| (number.name.to_owned(), value(number)))
         .collect::<Map<_, _>>()
         .into()
+}
+
+fn errors(numbers: &[Number]) -> Value {
+    numbers_of(numbers, |number| {
+        number.error.is_finite().then_some(number.error).into()
+    })
+}
+
+/// The numbers of one answer, as a row, and their digits.
+fn cells(numbers: &[Number]) -> Vec<String> {
+    let shown = |number: &Number| number.rounded().map_or(String::new(), plain);
+    let digits = digits(numbers).map_or(String::new(), |digits| digits.to_string());
+    numbers.iter().map(shown).chain([digits]).collect()
+}
+
+/// The fewest digits of what is not zero.
+fn digits(numbers: &[Number]) -> Option<u32> {
+    let some = numbers.iter().filter(|number| number.value != 0.0);
+    some.map(Number::digits).min()
 }
 
 fn doing(doing: Doing) -> &'static str {
@@ -373,13 +385,8 @@ fn text(answer: &Answer, paper: Option<&Opinion>) -> String {
     };
     let rows: Vec<_> = answer.numbers.iter().map(row).collect();
     let mut text = aligned(&["", "value", "unit", ""], 1, &rows, screen().width);
-    let digits = answer
-        .numbers
-        .iter()
-        .filter(|number| number.value != 0.0)
-        .map(Number::digits);
     text.push('\n');
-    if let Some(digits) = digits.min() {
+    if let Some(digits) = digits(&answer.numbers) {
         text += &format!("digits  {digits}\n");
     }
     let time = answer.numbers[0].unit;
@@ -504,10 +511,9 @@ fn varied(words: &Words, vary: &str, format: Format, json: Json) -> Result<u8, F
     let first = known.first().map_or(&[][..], |numbers| numbers);
     if format == Format::Json {
         let row = |(value, answer): &(String, Result<Vec<Number>, SceneError>)| {
-            let found = answer
-                .as_ref()
-                .map(|found| numbers_of(found, |number| number.rounded().into()));
-            object!({ "value": value, "answer": found.as_ref().ok(), "error": found.err().map(ToString::to_string) })
+            let found = answer.as_ref();
+            let whole = found.map(|found| numbers_of(found, |number| number.rounded().into()));
+            object!({ "value": value, "answer": whole.ok(), "errors": found.ok().map(|found| errors(found)), "error": found.err().map(ToString::to_string) })
         };
         let rows: Vec<_> = answers.iter().map(row).collect();
         let units = numbers_of(first, |number| number.unit.into());
@@ -516,25 +522,20 @@ fn varied(words: &Words, vary: &str, format: Format, json: Json) -> Result<u8, F
         )?;
         return Ok(told(&all, (ended, refused), "rows"));
     }
-    let width = first.len() + 1;
+    let width = first.len() + 2;
     let row = |(value, answer): &(String, Result<Vec<Number>, SceneError>)| {
-        let mut cells = vec![value.clone()];
-        let shown = |number: &Number| number.rounded().map_or(String::new(), plain);
-        cells.extend(answer.iter().flatten().map(shown));
-        cells.resize(width, String::new());
-        cells.push(
-            answer
-                .as_ref()
-                .err()
-                .map_or(String::new(), ToString::to_string),
-        );
-        cells
+        let mut row = vec![value.clone()];
+        row.extend(answer.iter().flat_map(|numbers| cells(numbers)));
+        row.resize(width, String::new());
+        let why = answer.as_ref().err();
+        row.push(why.map_or(String::new(), ToString::to_string));
+        row
     };
     let rows = answers.iter().map(row);
     let names: Vec<_> = [word.to_owned()]
         .into_iter()
         .chain(heads(first))
-        .chain(["note".to_owned()])
+        .chain(["digits", "note"].map(str::to_owned))
         .collect();
     if format == Format::Csv {
         table(&names, rows)?;
@@ -569,10 +570,9 @@ fn found(
         if stop::asked() {
             return Err(SceneError::Together("stopped"));
         }
-        let (scene, until) = words.with(word, &(plain(x) + &unit)).scene()?;
-        scene.number(until, name)
+        words.with(word, &(plain(x) + &unit)).scene()
     };
-    let found = find(at, range, wanted);
+    let found = find(at, range, (name, wanted));
     if stop::asked() {
         complain("slipbook", "stopped: nothing is known of all values");
         return Ok(stop::STOPPED);

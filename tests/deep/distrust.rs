@@ -1,19 +1,16 @@
-//! Mistakes are seeded in what the trials read: each trial notices one at least, and what it finds stays where it is. How many of
-//! its comparisons disagree with the mistakes is recorded: a trial that has been made more lenient has fewer.
+//! Mistakes are seeded in what the trials read: each trial notices one at least, and one of twice its tolerance, and what it finds
+//! stays where it is.
 
-use insta::{Settings, assert_snapshot};
 use slipbook::claims::{PAPER, variants::Variant};
 use slipbook::ledger::{
     Key, Ledger,
     distrust::{Extent, Tried},
 };
 use std::collections::BTreeSet;
-use std::fmt::Write;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use trialbook::trials::{Claim, Excuse, Topic, attempt::Attempt};
 
 #[test]
-fn every_trial_notices_mistakes_and_is_as_strict_as_recorded() {
+fn every_trial_notices_mistakes() {
     let variants = PAPER.formulas.variants();
     let topics = PAPER.topics.iter().copied();
     let wrong = topics.filter_map(|topic| Some((topic.stem, distrusted(topic, &variants).err()?)));
@@ -70,18 +67,6 @@ fn distrusted(topic: &Topic, variants: &[Variant]) -> Result<(), String> {
     let excused = of(|claim| claim.unread);
     let unread: Vec<_> = unread.symmetric_difference(&excused).collect();
 
-    let mut strictness = String::new();
-    for t in &tried {
-        let (key, met) = (key(t), t.reactions.len());
-        let (rejected, failed) = (t.rejected(), t.failed());
-        writeln!(
-            strictness,
-            "{key}: {rejected} of {met} rejected, {failed} comparisons disagree"
-        )
-        .expect("a string takes any text");
-    }
-    same_as_recorded(topic.stem, &strictness)?;
-
     let silent = [
         wrong.len(),
         leaning.len(),
@@ -105,14 +90,4 @@ fn attempts(ledger: &Ledger) -> impl Iterator<Item = (Key, &'static Attempt)> {
         let trials = entry.claim.trials.iter().enumerate();
         trials.map(|(i, attempt)| (entry.key(i), attempt))
     })
-}
-
-fn same_as_recorded(stem: &str, text: &str) -> Result<(), String> {
-    let mut settings = Settings::clone_current();
-    settings.set_snapshot_path(concat!(env!("CARGO_MANIFEST_DIR"), "/snapshots/distrust"));
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    let same = || settings.bind(|| assert_snapshot!(stem, text));
-    catch_unwind(AssertUnwindSafe(same))
-        .map_err(|_| "the trials of this chapter are more or less strict than recorded".into())
 }

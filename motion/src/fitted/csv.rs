@@ -13,6 +13,21 @@ pub struct Recording {
 }
 
 impl Recording {
+    /// The text of a file: in UTF-8, or as Windows writes it, in UTF-16 with its mark or in Latin-1.
+    pub fn decoded(file: Vec<u8>) -> String {
+        match &file[..] {
+            [0xff, 0xfe, rest @ ..] => {
+                let two = rest.chunks_exact(2);
+                let units = two.map(|two| u16::from_le_bytes([two[0], two[1]]));
+                let text = char::decode_utf16(units);
+                text.map(|c| c.unwrap_or(char::REPLACEMENT_CHARACTER))
+                    .collect()
+            }
+            _ => String::from_utf8(file)
+                .unwrap_or_else(|error| error.into_bytes().into_iter().map(char::from).collect()),
+        }
+    }
+
     /// Reads a file as [`Fitted::from_csv_with`](super::Fitted::from_csv_with) does, and the acceleration along z, where that is called one or chosen.
     ///
     /// # Errors

@@ -105,10 +105,7 @@ impl Scene {
     }
 
     /// A number of the end by its name, without its error; none is NaN.
-    ///
-    /// # Errors
-    /// As for [`run`](Self::run).
-    pub fn number(&self, until: Until, name: &str) -> Result<f64, SceneError> {
+    pub(super) fn number(&self, until: Until, name: &str) -> Result<f64, SceneError> {
         let end = self.run(until)?.end()?.numbers();
         let number = end.iter().find(|number| number.name == name);
         Ok(number.map_or(f64::NAN, |number| number.value))

@@ -6,17 +6,14 @@ use std::{cell::RefCell, rc::Rc};
 use crate::{
     Fitted,
     acceleration::{Acceleration, Coefficients},
-    numerics::{
-        expression::{ExpressionError, expression},
-        taylor::TERMS,
-    },
+    numerics::{expression::Formula, taylor::TERMS},
 };
 
 /// A part of what moves the floor.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Part(Kind);
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 enum Kind {
     /// A pull on what lies there, piece after piece along one direction.
     Pull { along: [f64; 2], pieces: Vec<Piece> },
@@ -24,16 +21,12 @@ enum Kind {
     Record { along: [f64; 2], fitted: Fitted },
 }
 
-/// A pull until a time, as a text in t whose number is `size` times too small.
-#[derive(Debug, Clone, PartialEq)]
+/// A pull until a time, as a formula in t whose number is `size` times too small.
+#[derive(Debug, Clone)]
 struct Piece {
-    text: String,
+    formula: Formula<f64>,
     size: f64,
     until: f64,
-}
-
-fn value(text: &str, t: Option<f64>) -> Result<f64, ExpressionError> {
-    expression(text, |word| if word == "t" { t } else { word.parse().ok() })
 }
 
 impl Part {
@@ -70,8 +63,8 @@ impl Part {
                 Some((size, duration)) => (size, duration.parse::<quantity::Second>()?.0),
                 None => (piece, f64::INFINITY),
             };
-            let number = |text: &str| value(text, Some(0.5));
-            let (text, _, size) = quantity::read("an acceleration", "m/s^2", size, number)?;
+            let formula = |text: &str| Formula::read(text, |digits| digits.parse().ok());
+            let (formula, size) = quantity::read("an acceleration", "m/s^2", size, formula)?;
             let before = until;
             until += duration;
             if until.is_nan() || until <= before {
@@ -82,7 +75,7 @@ impl Part {
                 ));
             }
             pieces.push(Piece {
-                text: text.to_owned(),
+                formula,
                 size: sign * size,
                 until,
             });
@@ -91,18 +84,26 @@ impl Part {
         Ok(Self(Kind::Pull { along, pieces }))
     }
 
+    /// Whether a piece of it is an expression of the time.
+    pub(super) fn varies(&self) -> bool {
+        match &self.0 {
+            Kind::Pull { pieces, .. } => pieces.iter().any(|piece| piece.formula.fixed().is_none()),
+            Kind::Record { .. } => false,
+        }
+    }
+
     /// The pull, if it is one and the same at all times.
     pub(super) fn steady_pull(&self) -> Option<[f64; 2]> {
         match &self.0 {
             Kind::Pull { along, pieces } => match &pieces[..] {
                 [
                     Piece {
-                        text,
+                        formula,
                         size,
                         until: f64::INFINITY,
                     },
                 ] => {
-                    let one = value(text, None).ok()?;
+                    let one = formula.fixed()?;
                     Some(along.map(|c| c * one * size))
                 }
                 _ => None,
@@ -133,14 +134,18 @@ impl Part {
             Kind::Pull { along, pieces } => (*along, pieces),
         };
         let mut begin = from;
-        for Piece { text, size, until } in pieces {
+        for Piece {
+            formula,
+            size,
+            until,
+        } in pieces
+        {
             let end = until.min(to);
             if end > begin {
-                let what = match value(text, None) {
-                    Ok(one) => What::Steady(-one * size),
-                    Err(_) => {
-                        // What cannot be read any more is no number.
-                        let pull = |t| [-size * value(text, Some(t)).unwrap_or(f64::NAN), 0.0];
+                let what = match formula.fixed() {
+                    Some(one) => What::Steady(-one * size),
+                    None => {
+                        let pull = |t| [-size * formula.at(t), 0.0];
                         What::Fitted(Fitted::from_fn(
                             pull,
                             [begin, end],

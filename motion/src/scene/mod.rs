@@ -146,7 +146,7 @@ impl Units {
 }
 
 /// A body, a floor, what moves it, and a start.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Scene {
     /// What slides.
     pub body: Body,

@@ -225,7 +225,7 @@ impl<'a> Made<'a> {
             let [v, w] = velocity.map(|v| v.0);
             let energy = x * x + y * y - v * v - w * w;
             let off = energy * table.omega * table.omega > held * held;
-            return Ok(off.then_some("it never stops: the table throws it off"));
+            return Ok(off.then_some("it never comes to rest: the table throws it off"));
         }
         let Some(pull) = self.scene.steady_pull().filter(|_| back.is_none()) else {
             return Ok(None);

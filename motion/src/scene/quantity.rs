@@ -66,14 +66,14 @@ fn unit(text: &str) -> Option<(f64, Dimension)> {
     Some((size, dimension))
 }
 
-/// A number with a unit of the dimension of `si`; a plain one is in SI. The text of the number, its value and the unit's size;
+/// A number with a unit of the dimension of `si`; a plain one is in SI. Its value and the unit's size;
 /// `value` reads a number, and `what` says what it is to be.
-pub(super) fn read<'a, T>(
+pub(super) fn read<T>(
     what: &'static str,
     si: &'static str,
-    text: &'a str,
+    text: &str,
     value: impl Fn(&str) -> Result<T, ExpressionError>,
-) -> Result<(&'a str, T, f64), SceneError> {
+) -> Result<(T, f64), SceneError> {
     let text = text.trim();
     let (_, wanted) = unit(si).unwrap_or_default();
     let wrong = |why: String| SceneError::Quantity {
@@ -82,18 +82,17 @@ pub(super) fn read<'a, T>(
         why: format!("{why}; a plain number is in {si}"),
     };
     let plainly = match value(text) {
-        Ok(value) => return Ok((text, value, 1.0)),
+        Ok(value) => return Ok((value, 1.0)),
         Err(error) => error.to_string(),
     };
     // The longest beginning that is a number, so that `1/2 m` is half a metre.
     let ends: Vec<_> = text.char_indices().map(|(at, _)| at).skip(1).collect();
     let mut found = ends.into_iter().rev().filter_map(|end| {
         let (number, name) = text.split_at(end);
-        let number = number.trim();
-        Some((number, value(number).ok()?, unit(name.trim())?))
+        Some((value(number.trim()).ok()?, unit(name.trim())?))
     });
     match found.next() {
-        Some((number, value, (size, own))) if own == wanted => Ok((number, value, size)),
+        Some((value, (size, own))) if own == wanted => Ok((value, size)),
         Some(_) => Err(wrong("its unit measures something else".to_owned())),
         None => match apart(text).1.trim() {
             "N" | "kg" => Err(wrong(
@@ -132,7 +131,7 @@ macro_rules! quantities {
 
             fn from_str(text: &str) -> Result<Self, SceneError> {
                 let number = |text: &str| expression(text, |digits| digits.parse().ok());
-                let (_, number, size) = read::<f64>($what, $si, text, number)?;
+                let (number, size) = read::<f64>($what, $si, text, number)?;
                 Ok(Self(number * size))
             }
         }

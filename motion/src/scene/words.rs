@@ -132,7 +132,7 @@ impl Scene {
         let (mut radius, mut kappa, mut until) = (None, None, Until::Stop);
         let (mut record, mut columns, mut towards) = (None, Columns::default(), Radian(0.0));
         let (mut belt, mut thrown, mut mu_s) = ([MetrePerSecond(0.0); 2], None, None);
-        let mut sized = Vec::new();
+        let (mut within, mut sized) = (None, Vec::new());
         for (name, text) in words {
             if !["units", "columns", "record"].contains(&name) {
                 sized.push(text);
@@ -178,7 +178,7 @@ impl Scene {
                 }
                 "units" => scene.units = text.parse()?,
                 "width" => scene.width = Some(text.parse()?),
-                "within" => scene.within = text.parse()?,
+                "within" => within = Some(text.parse()?),
                 "until" => until = text.parse()?,
                 _ => return Err(SceneError::Word(name.to_owned())),
             }
@@ -220,6 +220,17 @@ impl Scene {
             ("ball", None) => return Err(SceneError::Together("a ball needs its radius")),
             _ => return Err(SceneError::Word(body.to_owned())),
         };
+        if scene.width.is_some() && !scene.frame.iter().any(Part::varies) {
+            return Err(SceneError::Together(
+                "width is of a pull that is an expression of t",
+            ));
+        }
+        if within.is_some() && matches!(until, Until::Time(_)) {
+            return Err(SceneError::Together(
+                "within is how long an end is looked for, and a time comes by itself",
+            ));
+        }
+        scene.within = within.unwrap_or(scene.within);
         if record.is_none() && (columns != Columns::default() || towards.0 != 0.0) {
             return Err(SceneError::Together(
                 "columns and towards are of a recording",

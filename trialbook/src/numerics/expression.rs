@@ -37,7 +37,7 @@ const DEEPEST: u32 = 64;
 
 /// The value of an expression over any [`Scalar`]; `number` reads a decimal number without a sign.
 ///
-/// There are `t`, if `number` knows it, `+ - * / ^ ( )`, `pi` or `π`, the functions by their usual names, and `deg` or `°` behind a number of
+/// There are `+ - * / ^ ( )`, `pi` or `π`, the functions by their usual names, and `deg` or `°` behind a number of
 /// degrees. A division by zero gives what the scalar makes of it.
 ///
 /// # Errors
@@ -46,21 +46,85 @@ pub fn expression<S: Scalar>(
     text: &str,
     number: impl Fn(&str) -> Option<S>,
 ) -> Result<S, ExpressionError> {
-    let letters = |c: char| c.is_ascii_digit() || c.is_whitespace();
-    let halves = |(a, b): (&str, &str)| a.ends_with(letters) && b.starts_with(letters);
-    if text.split_once(',').is_some_and(halves) {
-        return Err(ExpressionError::Comma(text.to_owned()));
+    Ok(Formula::parse(text, number, false)?.at(S::int(0)))
+}
+
+/// An [`expression`] of the time `t`; what needs no time is computed as it is read.
+#[derive(Debug, Clone)]
+pub enum Formula<S> {
+    /// A number.
+    Number(S),
+    /// The time.
+    Time,
+    /// A function of one formula.
+    One(fn(S) -> S, Box<Self>),
+    /// A function of two.
+    Two(fn(S, S) -> S, Box<[Self; 2]>),
+}
+
+impl<S: Scalar> Formula<S> {
+    /// From a text, as [`expression`] takes it, in which `t` may stand.
+    ///
+    /// # Errors
+    /// As for [`expression`].
+    pub fn read(text: &str, number: impl Fn(&str) -> Option<S>) -> Result<Self, ExpressionError> {
+        Self::parse(text, number, true)
     }
-    let mut reader = Reader {
-        text,
-        rest: text.trim(),
-        number,
-        depth: 0,
-    };
-    let value = reader.sum()?;
-    match reader.rest {
-        "" => Ok(value),
-        _ => Err(reader.missing("an operator")),
+
+    fn parse(
+        text: &str,
+        number: impl Fn(&str) -> Option<S>,
+        time: bool,
+    ) -> Result<Self, ExpressionError> {
+        let letters = |c: char| c.is_ascii_digit() || c.is_whitespace();
+        let halves = |(a, b): (&str, &str)| a.ends_with(letters) && b.starts_with(letters);
+        if text.split_once(',').is_some_and(halves) {
+            return Err(ExpressionError::Comma(text.to_owned()));
+        }
+        let mut reader = Reader {
+            text,
+            rest: text.trim(),
+            number,
+            time,
+            depth: 0,
+        };
+        let formula = reader.sum()?;
+        match reader.rest {
+            "" => Ok(formula),
+            _ => Err(reader.missing("an operator")),
+        }
+    }
+
+    /// Its value at a time.
+    pub fn at(&self, t: S) -> S {
+        match self {
+            Self::Number(x) => *x,
+            Self::Time => t,
+            Self::One(f, a) => f(a.at(t)),
+            Self::Two(f, ab) => f(ab[0].at(t), ab[1].at(t)),
+        }
+    }
+
+    /// Its value, if that needs no time.
+    pub fn fixed(&self) -> Option<S> {
+        match self {
+            Self::Number(x) => Some(*x),
+            _ => None,
+        }
+    }
+
+    fn one(f: fn(S) -> S, a: Self) -> Self {
+        match a.fixed() {
+            Some(a) => Self::Number(f(a)),
+            None => Self::One(f, Box::new(a)),
+        }
+    }
+
+    fn two(f: fn(S, S) -> S, a: Self, b: Self) -> Self {
+        match (a.fixed(), b.fixed()) {
+            (Some(a), Some(b)) => Self::Number(f(a, b)),
+            _ => Self::Two(f, Box::new([a, b])),
+        }
     }
 }
 
@@ -68,6 +132,8 @@ struct Reader<'a, N> {
     text: &'a str,
     rest: &'a str,
     number: N,
+    /// Whether `t` is known.
+    time: bool,
     depth: u32,
 }
 
@@ -90,41 +156,37 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
         Some(sign)
     }
 
-    fn sum(&mut self) -> Result<S, ExpressionError> {
+    fn sum(&mut self) -> Result<Formula<S>, ExpressionError> {
         let mut sum = self.product()?;
         while let Some(sign) = self.take(&['+', '-', '−']) {
-            let next = self.product()?;
-            sum = if sign == '+' { sum + next } else { sum - next };
+            let f = if sign == '+' { S::add } else { S::sub };
+            sum = Formula::two(f, sum, self.product()?);
         }
         Ok(sum)
     }
 
-    fn product(&mut self) -> Result<S, ExpressionError> {
+    fn product(&mut self) -> Result<Formula<S>, ExpressionError> {
         let mut product = self.signed()?;
         while let Some(sign) = self.take(&['*', '·', '/']) {
-            let next = self.signed()?;
-            product = if sign == '/' {
-                product / next
-            } else {
-                product * next
-            };
+            let f = if sign == '/' { S::div } else { S::mul };
+            product = Formula::two(f, product, self.signed()?);
         }
         Ok(product)
     }
 
     /// A power with signs before it: −2² is −4.
-    fn signed(&mut self) -> Result<S, ExpressionError> {
+    fn signed(&mut self) -> Result<Formula<S>, ExpressionError> {
         self.depth += 1;
         if self.depth > DEEPEST {
             return Err(ExpressionError::Deep);
         }
         let value = match self.take(&['+', '-', '−']) {
             Some('+') => self.signed()?,
-            Some(_) => -self.signed()?,
+            Some(_) => Formula::one(S::neg, self.signed()?),
             None => {
                 let base = self.atom()?;
                 match self.take(&['^']) {
-                    Some(_) => base.pow(self.signed()?),
+                    Some(_) => Formula::two(S::pow, base, self.signed()?),
                     None => base,
                 }
             }
@@ -133,7 +195,7 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
         Ok(value)
     }
 
-    fn atom(&mut self) -> Result<S, ExpressionError> {
+    fn atom(&mut self) -> Result<Formula<S>, ExpressionError> {
         let value = if self.rest.starts_with('(') {
             self.bracket()?
         } else if self
@@ -149,7 +211,8 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
             } else {
                 ExpressionError::Word
             };
-            (self.number)(digits).ok_or_else(|| wrong(digits.to_owned()))?
+            let number = (self.number)(digits);
+            Formula::Number(number.ok_or_else(|| wrong(digits.to_owned()))?)
         } else {
             self.word()?
         };
@@ -157,20 +220,20 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
         match ["deg", "°"].iter().find_map(|d| self.rest.strip_prefix(d)) {
             Some(rest) => {
                 self.rest = rest.trim_start();
-                Ok(value * S::pi() / S::int(180))
+                Ok(Formula::one(|x| x * S::pi() / S::int(180), value))
             }
             None => Ok(value),
         }
     }
 
-    fn bracket(&mut self) -> Result<S, ExpressionError> {
+    fn bracket(&mut self) -> Result<Formula<S>, ExpressionError> {
         self.take(&['(']).ok_or_else(|| self.missing("`(`"))?;
         let value = self.sum()?;
         self.take(&[')']).ok_or_else(|| self.missing("`)`"))?;
         Ok(value)
     }
 
-    fn word(&mut self) -> Result<S, ExpressionError> {
+    fn word(&mut self) -> Result<Formula<S>, ExpressionError> {
         let end = |c: char| !(c.is_alphabetic() || c == '√');
         let length = self.rest.find(end).unwrap_or(self.rest.len());
         let (word, rest) = self.rest.split_at(length);
@@ -179,10 +242,8 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
         }
         self.rest = rest.trim_start();
         let function = match word {
-            "pi" | "π" => return Ok(S::pi()),
-            "t" => {
-                return (self.number)(word).ok_or_else(|| ExpressionError::Word(word.to_owned()));
-            }
+            "pi" | "π" => return Ok(Formula::Number(S::pi())),
+            "t" if self.time => return Ok(Formula::Time),
             "sqrt" | "√" => S::sqrt,
             "sin" => S::sin,
             "cos" => S::cos,
@@ -196,7 +257,7 @@ impl<S: Scalar, N: Fn(&str) -> Option<S>> Reader<'_, N> {
             "ln" | "log" => S::ln,
             _ => return Err(ExpressionError::Word(word.to_owned())),
         };
-        Ok(function(self.bracket()?))
+        Ok(Formula::one(function, self.bracket()?))
     }
 }
 

@@ -272,7 +272,8 @@ impl Topic {
     /// Its claims, with the lines from 1 in which their entries begin.
     #[cfg(feature = "book")]
     pub(crate) fn lines(&self) -> impl Iterator<Item = (usize, &'static Claim)> {
-        self.read().lines.iter().copied().zip(self.claims())
+        let ids = self.read().ids.iter();
+        ids.filter_map(|(line, id)| Some((*line, self.claims().iter().find(|c| c.id == *id)?)))
     }
 
     fn attempts(&self) -> impl Iterator<Item = &'static Attempt> + use<> {

@@ -90,8 +90,10 @@ impl File {
 
     /// The line, from 1, of a place in the text.
     fn line(&self, at: usize) -> usize {
-        let before = self.text.bytes().take(at);
-        self.above + 1 + before.filter(|byte| *byte == b'\n').count()
+        self.above + 1 + {
+            let before = &self.text.as_bytes()[..at];
+            before.iter().filter(|byte| **byte == b'\n').count()
+        }
     }
 }
 
@@ -148,8 +150,6 @@ impl Fault {
 pub(crate) struct Read {
     /// The claims.
     pub claims: &'static [Claim],
-    /// The lines in which they begin, from 1.
-    pub lines: Vec<usize>,
     /// The ids of all entries, each with its line, also of those that are no claims.
     pub ids: Vec<(usize, &'static str)>,
     /// The claims that they name, each with its line.
@@ -368,12 +368,11 @@ impl Read {
             used: RefCell::default(),
             faults: RefCell::new(faults),
         };
-        let (mut claims, mut lines, mut from) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut claims, mut from) = (Vec::new(), Vec::new());
         let ids = entries.iter().map(|(line, id, _)| (*line, *id)).collect();
-        for (line, id, entry) in entries {
+        for (_, id, entry) in entries {
             let Some(entry) = entry else { continue };
             claims.push(reader.claim(id, entry, &mut from));
-            lines.push(line);
         }
         let used = reader.used.take();
         if readable {
@@ -381,7 +380,6 @@ impl Read {
         }
         Self {
             claims: claims.leak(),
-            lines,
             ids,
             from,
             used,
