@@ -1,7 +1,7 @@
 //! The motions that the printed formulas of section 2.2 are held against, and the frictions at which they are tried.
 
 use super::prelude::*;
-use crate::motion::{particle, trajectory};
+use crate::motion;
 
 /// The name of a point with this friction.
 pub fn at(lambda: f64) -> String {
@@ -165,9 +165,9 @@ impl Particle {
             frequency: self.varpi,
             phase: 0.0,
         };
-        let start = trajectory::State { t, v, x: [0.0; 2] };
+        let start = motion::State { t, v, x: [0.0; 2] };
         let plane = Plane::along([-self.a0, 0.0], sine);
-        Ok(particle::run(&plane, self.friction, start, until)?)
+        Ok(motion::run(&plane, self.friction, start, until)?)
     }
 }
 
