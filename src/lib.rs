@@ -68,7 +68,7 @@
 //!
 //! # Judging
 //!
-//! With `default-features = false` there are the formulas, the motions, the calculators and the ledger's types
+//! With `default-features = false` there are the formulas, the motions, the calculators
 //! alone, and a handful of dependencies; the feature `trials` brings the trials, `book` all that rests on them.
 //!
 //! ```
@@ -89,6 +89,8 @@
     not(feature = "trials"),
     doc = "",
     doc = "[`claims`]: #judging",
+    doc = "[`evidence`]: #judging",
+    doc = "[`ledger`]: #judging",
     doc = "[`exact`]: #judging",
     doc = "[`validated`]: #judging",
     doc = "[`breaks`]: #judging"
@@ -131,4 +133,6 @@ pub use slipbook_motion::{self as motion, numerics};
 pub use trialbook::exact;
 #[cfg(feature = "book")]
 pub use trialbook::{book, cli};
-pub use trialbook::{evidence, ledger, scalar, seeded};
+#[cfg(feature = "trials")]
+pub use trialbook::{evidence, ledger};
+pub use trialbook::{scalar, seeded};

@@ -240,7 +240,7 @@ fn said(e: &Evidence, conditional: bool) -> String {
     format!("{about}, by {route}. {comparison} {measured}")
 }
 
-#[cfg(all(test, feature = "trials"))]
+#[cfg(test)]
 mod tests {
     use super::super::example::ledger;
 

@@ -4,40 +4,24 @@
 //! [`Evidence`](crate::evidence::Evidence), or a statement that is proved. Whether a claim holds is not said here: the
 //! [ledger](crate::ledger) judges.
 
-#[cfg(feature = "trials")]
 pub mod attempt;
-#[cfg(feature = "trials")]
 pub mod by_hand;
-#[cfg(feature = "trials")]
 mod change;
-#[cfg(feature = "trials")]
 pub mod compare;
-#[cfg(feature = "trials")]
 pub mod enclosed;
-#[cfg(feature = "trials")]
 pub mod excepted;
-#[cfg(feature = "trials")]
 pub mod formulas;
-#[cfg(feature = "trials")]
 pub mod points;
-#[cfg(feature = "trials")]
 pub mod read;
-#[cfg(feature = "trials")]
 pub mod reading;
-#[cfg(feature = "trials")]
 pub mod runs;
-#[cfg(feature = "trials")]
 pub mod statement;
-#[cfg(feature = "trials")]
 pub mod tolerances;
-#[cfg(feature = "trials")]
 pub mod values;
-#[cfg(feature = "trials")]
 pub mod variants;
 
 use crate::data::Text;
 use crate::evidence::{Change, Kind};
-#[cfg(feature = "trials")]
 use {
     crate::data::Folder,
     crate::seeded::Corner,
@@ -154,20 +138,16 @@ pub struct Claim {
     /// Why what its trials prove is enough, in words; empty where the proof itself says it between its steps.
     pub argument: &'static str,
     /// How it is tried.
-    #[cfg(feature = "trials")]
     pub trials: &'static [Attempt],
     /// What is missing, where no theorem says the whole of it.
     pub unproved: Option<&'static str>,
     /// Why it fails, with a case to check by hand.
-    #[cfg(feature = "trials")]
     pub by_hand: Option<ByHand>,
     /// The numbers by which it can be found.
-    #[cfg(feature = "trials")]
     pub values: &'static [Value],
     /// The wrong variants of its formulas that no trial rejects, by their text.
     pub survivors: &'static [Excuse],
     /// The values of symbols for which it is stated, where those are not all that the symbols can have.
-    #[cfg(feature = "trials")]
     pub domain: &'static [Corner],
     /// The mistakes in a corner that no measurement notices, by their text.
     pub cornered: &'static [Excuse],
@@ -204,23 +184,16 @@ pub struct Topic {
     /// Title of the chapter.
     pub title: &'static str,
     /// The file of its claims.
-    #[cfg(feature = "trials")]
     pub file: File,
     /// The conditions and reasons that several topics use.
-    #[cfg(feature = "trials")]
     shared: Option<File>,
     /// The trials and proofs of its modules.
-    #[cfg(feature = "trials")]
     trials: &'static [&'static [Attempt]],
-    #[cfg(feature = "trials")]
     cases: &'static [Numbers],
-    #[cfg(feature = "trials")]
     numbers: &'static [Number],
-    #[cfg(feature = "trials")]
     read: OnceLock<Read>,
 }
 
-#[cfg(feature = "trials")]
 impl Topic {
     /// A topic by its stem, its title, its claims and the lists of trials that they name.
     pub const fn new(
@@ -286,7 +259,6 @@ impl Topic {
 }
 
 /// What is wrong, a line each.
-#[cfg(feature = "trials")]
 pub(crate) fn listed(faults: &[ReadError]) -> String {
     let lines: Vec<_> = faults.iter().map(ReadError::to_string).collect();
     lines.join("\n")
@@ -308,27 +280,20 @@ pub struct Paper {
     /// The recorded verdicts: a line `id: verdict` for each claim.
     pub record: Text,
     /// The recorded sheets, each `<topic>/<id>.snap` as `Entry::snapshot` writes it; none if only the verdicts are recorded.
-    #[cfg(feature = "trials")]
     pub sheets: Folder,
     /// True if a test puts every wrong variant to the trials, and finds that no other passes than the claims name as survivors.
     pub tries_variants: bool,
     /// The record of a deep run; empty if none was made.
-    #[cfg(feature = "trials")]
     pub deep: Text,
     /// Its theorems before a proof assistant's kernel.
-    #[cfg(feature = "trials")]
     pub theorems: &'static Theorems,
     /// Its formulas.
-    #[cfg(feature = "trials")]
     pub formulas: Formulas,
 }
 
-#[cfg(feature = "trials")]
 const NONE: Text = Text::Built("");
-#[cfg(feature = "trials")]
 static NO_THEOREMS: Theorems = Theorems::new(Folder::None, NONE);
 
-#[cfg(feature = "trials")]
 impl Paper {
     /// What is known of its theorems.
     pub fn known_theorems(&self) -> &Known {
@@ -429,7 +394,7 @@ impl Paper {
     }
 }
 
-#[cfg(all(test, feature = "trials"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 
