@@ -235,7 +235,7 @@ fn said(e: &Evidence, conditional: bool) -> String {
     if let Some(recorded) = &e.recorded {
         return recorded.clone();
     }
-    let (about, route) = (e.about(conditional), e.route.name());
+    let (about, route) = (e.about(conditional, false), e.route.name());
     let (comparison, measured) = (e.comparison(), e.measured());
     format!("{about}, by {route}. {comparison} {measured}")
 }

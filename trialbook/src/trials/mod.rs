@@ -78,9 +78,10 @@ pub enum Sort {
 }
 
 impl Sort {
-    /// Who says so, in words.
-    pub fn words(self) -> &'static str {
+    /// Who says so, in words; `ours` of a claim that the paper does not have.
+    pub fn words(self, ours: bool) -> &'static str {
         match self {
+            Sort::Stated if ours => "stated with it",
             Sort::Stated => "stated in the paper",
             Sort::Degenerate => "not stated in the paper; it excepts degenerate points only",
             Sort::Convention => "a convention for the whole paper",
@@ -110,6 +111,9 @@ pub struct Correction {
     pub latex: &'static str,
     /// What is right, in plain text.
     pub plain: &'static str,
+    /// As [`Claim::reads`], of what is right.
+    #[serde(skip)]
+    pub reads: &'static [&'static str],
 }
 
 /// One claim of the paper.
@@ -123,12 +127,20 @@ pub struct Claim {
     pub equation: Option<u16>,
     /// What sort of statement it is.
     pub kind: Kind,
+    /// True for a consequence of our own, which is not printed. Its formulas stand where the corrections do.
+    pub ours: bool,
+    /// Ids of earlier books whose addresses lead here.
+    pub was: &'static [&'static str],
+    /// Words and phrases by which the search finds it too, with `; ` between them.
+    pub aliases: &'static str,
     /// What it is about, in a few words.
     pub title: &'static str,
     /// The statement in LaTeX: the formula as printed, or our words with the formulas in `$…$`.
     pub latex: &'static str,
     /// The statement in plain text, for terminals and snapshots.
     pub plain: &'static str,
+    /// Which part of the statement is which formula of the code, for whoever holds one against the other.
+    pub reads: &'static [&'static str],
     /// The conditions under which it is stated or has to be read.
     pub conditions: &'static [Condition],
     /// Ids of the claims that it is derived from or refers to.
@@ -143,6 +155,9 @@ pub struct Claim {
     pub unproved: Option<&'static str>,
     /// Why it fails, with a case to check by hand.
     pub by_hand: Option<ByHand>,
+    /// Where one sees it fail: the address of an explorer in that state, such as `rest.html#explore-rest?rho=0.5`, and what one
+    /// watches there.
+    pub watch: Option<[&'static str; 2]>,
     /// The numbers by which it can be found.
     pub values: &'static [Value],
     /// The wrong variants of its formulas that no trial rejects, by their text.
@@ -165,6 +180,12 @@ pub struct Excuse {
 }
 
 impl Claim {
+    /// What sort of statement it is, in a word; of one of our own, that too.
+    pub fn kind_name(&self) -> String {
+        let own = if self.ours { ", derived here" } else { "" };
+        self.kind.name().to_owned() + own
+    }
+
     /// What the claim is called for short: `(11)`, `Figure 3`, or its title; formulas in `$…$`.
     pub fn name(&self) -> String {
         match (self.equation, self.kind) {
@@ -369,15 +390,23 @@ impl Paper {
             .iter()
             .flat_map(|(_, read)| read.faults.iter().cloned());
         let mut faults: Vec<_> = all.collect();
+        let all: BTreeSet<_> = reads
+            .iter()
+            .flat_map(|(_, read)| read.ids.iter().map(|(_, id)| id))
+            .collect();
         let mut ids = BTreeSet::new();
-        for (file, read) in &reads {
-            let twice = read.ids.iter().filter(|(_, id)| !ids.insert(*id));
-            faults.extend(twice.map(|(line, id)| file.error(*line, Fault::Twice((*id).into()))));
+        let lists: [fn(&Read) -> &[_]; 2] = [|read| &read.ids, |read| &read.was];
+        for list in lists {
+            for (file, read) in &reads {
+                let twice = list(read).iter().filter(|(_, id)| !ids.insert(*id));
+                faults
+                    .extend(twice.map(|(line, id)| file.error(*line, Fault::Twice((*id).into()))));
+            }
         }
         // In a file that is broken there may be more.
         if !reads.iter().any(|(_, read)| read.broken) {
             for (file, read) in &reads {
-                let nobody = read.from.iter().filter(|(_, id)| !ids.contains(id));
+                let nobody = read.from.iter().filter(|(_, id)| !all.contains(id));
                 let unknown =
                     |(line, id): &(usize, &str)| file.error(*line, Fault::unknown("claim", id));
                 faults.extend(nobody.map(unknown));
