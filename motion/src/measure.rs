@@ -140,7 +140,7 @@ pub enum Unfound {
     NoSlip,
     /// There are plateaus, but with no other size of what is felt than at rest.
     #[error(
-        "a plateau is there, but x² + z² on it is g², as of a body at rest on a tilted floor, and no other is a slip"
+        "a plateau is there, but x^2 + z^2 on it is g^2, as of a body at rest on a tilted floor, and no other is a slip"
     )]
     Tilted,
     /// No slip is seen to begin from rest without a push.

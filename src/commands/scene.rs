@@ -364,7 +364,9 @@ fn cells(numbers: &[Number]) -> Vec<String> {
 
 /// The fewest digits of what is not zero.
 fn digits(numbers: &[Number]) -> Option<u32> {
-    let some = numbers.iter().filter(|number| number.value != 0.0);
+    let some = numbers
+        .iter()
+        .filter(|number| number.rounded() != Some(0.0));
     some.map(Number::digits).min()
 }
 

@@ -118,3 +118,72 @@ fn numbers_have_units() {
         "{told}"
     );
 }
+
+/// Mirror images are: of what breaks loose too. By hand: ½ (3 − 0.2 g) 2².
+#[test]
+fn what_slides_each_way_has_its_own_friction() {
+    for (mu, back, pull, sign) in [("0.2", "0.4", "3", 1.0), ("0.4", "0.2", "-3", -1.0)] {
+        let words = [
+            ("mu", mu),
+            ("mu-back", back),
+            ("pull", pull),
+            ("until", "2s"),
+        ];
+        near(
+            asked("block", &words, "x"),
+            sign * 2.0 * (3.0 - 0.2 * 9.80665),
+            1e-11,
+        );
+    }
+}
+
+/// By RK4 in steps that meet each stop. What rolls on a floor that shakes ends at rest.
+#[test]
+fn the_truth_lies_within_the_error_of_what_is_shown() {
+    let row = |k: u32| {
+        (
+            0.01 * f64::from(k),
+            [
+                6.0 * libm::sin(0.02 * std::f64::consts::PI * f64::from(k)),
+                0.0,
+            ],
+        )
+    };
+    let rows: Vec<_> = (0..1001).map(row).collect();
+    let frame = vec![Part::record(
+        crate::Fitted::from_table(&rows).unwrap(),
+        Radian(0.0),
+    )];
+    let end = |scene: Scene| scene.answer(Until::Time(Second(9.0))).unwrap().numbers;
+    for (mu, name, right) in [
+        (0.35, "x", -0.01433),
+        (0.3, "heat", 12.677),
+        (0.3, "path", 4.309),
+    ] {
+        let numbers = end(Scene {
+            frame: frame.clone(),
+            ..Scene::block(mu)
+        });
+        let number = numbers.iter().find(|number| number.name == name).unwrap();
+        let shown = number.rounded().unwrap();
+        assert!(
+            (shown - right).abs() <= number.off() && number.off() < 2.0 * number.error,
+            "{mu}: {number:?}"
+        );
+    }
+    let spun = |frame| {
+        let numbers = end(Scene {
+            frame,
+            ..Scene::ball(0.3, Metre(0.03))
+        });
+        let [v, spin] =
+            ["v_x", "ω_y"].map(|name| *numbers.iter().find(|number| number.name == name).unwrap());
+        assert!(spin.error >= v.error / 0.03, "{spin:?}");
+        spin.rounded()
+    };
+    assert_eq!(spun(frame.clone()), None);
+    assert_eq!(
+        spun(vec![Part::accelerate("6*sin(2*pi*t)").unwrap()]),
+        Some(0.0)
+    );
+}
