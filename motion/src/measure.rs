@@ -245,9 +245,9 @@ pub enum MeasureError {
         /// Acceleration of gravity.
         g: f64,
     },
-    /// Hardly any rows between the times of rest, or what moves.
+    /// Hardly any rows between the times of rest, or no rest on level floor.
     #[error(
-        "there are hardly any rows between {from} and {to}, where it is said to be at rest, or it moves there"
+        "there are hardly any rows between {from} and {to}, where it is said to be at rest, or it moves there, or is tilted"
     )]
     Rest {
         /// The first time,

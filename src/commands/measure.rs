@@ -122,11 +122,15 @@ fn told(found: &Measured) -> String {
     };
     let rows: Vec<_> = found.stretches.iter().take(SHOWN).map(cells).collect();
     let mut text = format!(
-        "μ_k      {}\nμ_s      {}\nCoulomb  {}\nnoise    {:.3} m/s²\nzeros    {}\nN/m      {}\nassumed  {}\n\n",
+        "μ_k      {}\nμ_s      {}\nCoulomb  {}\nnoise    {} m/s²\nzeros    {}\nN/m      {}\nassumed  {}\n\n",
         number(&found.kinetic),
         number(&found.holding),
         found.verdict,
-        found.noise,
+        plain(
+            format!("{:.1e}", found.noise)
+                .parse()
+                .unwrap_or(found.noise)
+        ),
         if found.zeroed {
             "from a rest"
         } else {

@@ -84,7 +84,8 @@ impl Sensor {
                 let rest: Vec<_> = (0..rows).filter(inside).collect();
                 let moves = |i: usize| {
                     let line = Line::through(rest.iter().map(|k| (0.0, f[*k][i])));
-                    line.yy > line.rows * (0.05 * g).powi(2)
+                    line.yy > line.rows * (16.0 * noise + (0.01 * g).powi(2))
+                        || line.y.abs() > 0.1 * g
                 };
                 if rest.len() < QUIET_ROWS || (0..2).any(moves) {
                     return Err(MeasureError::Rest { from, to });

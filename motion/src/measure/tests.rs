@@ -379,7 +379,7 @@ fn what_cannot_be_measured_is_refused() {
             MeasureError::Setting { .. }
         ));
     }
-    // Hardly a row, and one that moves.
+    // Hardly a row, and what moves.
     for rest in [[200.0, 300.0], [0.0, 50.0]].map(Some) {
         let refused = of(98, None, Settings { rest, ..plain });
         assert!(matches!(refused, MeasureError::Rest { .. }));

@@ -138,7 +138,7 @@ impl Scene {
 }
 
 impl Number {
-    /// The number with the digits that its error leaves, at most twelve, and one more where these are few; nothing if that is none.
+    /// The number with the digits that its error leaves, at most twelve, and where these are few the first that is not sure; nothing if that is none.
     pub fn rounded(&self) -> Option<f64> {
         if self.value == 0.0 {
             return Some(0.0);
