@@ -137,7 +137,7 @@ fn what_slides_each_way_has_its_own_friction() {
     }
 }
 
-/// By RK4 in steps of 10 ms at most, in one dimension and in two. What rolls on a floor that shakes ends at rest.
+/// By DOP853 from stop to stop, and by small implicit steps. What rolls on a floor that shakes ends at rest.
 #[test]
 fn the_truth_lies_within_the_error_of_what_is_shown() {
     let record = |across: f64| {
