@@ -12,8 +12,10 @@ mod plain;
 pub use ascii::ascii;
 #[cfg(feature = "book")]
 pub(crate) use latex::command;
-pub use numerals::number;
+#[cfg(feature = "book")]
+pub use numerals::literals;
 #[cfg(feature = "book")]
 pub(crate) use numerals::word;
+pub use numerals::{Says, number, said};
 pub use pieces::{Piece, decimal, pieces};
 pub use plain::{plain_formula, plain_words};
