@@ -2,6 +2,8 @@
 
 #[cfg(feature = "book")]
 mod ascii;
+#[cfg(feature = "book")]
+mod html;
 mod latex;
 pub(crate) mod letters;
 mod numerals;
@@ -10,6 +12,8 @@ mod plain;
 
 #[cfg(feature = "book")]
 pub use ascii::ascii;
+#[cfg(feature = "book")]
+pub use html::{Tag, tags, without_tags};
 #[cfg(feature = "book")]
 pub(crate) use latex::command;
 #[cfg(feature = "book")]

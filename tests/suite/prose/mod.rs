@@ -5,7 +5,6 @@
 mod by_hand;
 mod compare;
 mod corrections;
-mod data;
 mod drawn;
 mod files;
 mod formulas;

@@ -166,9 +166,12 @@ impl<'a> Filler<'a> {
     /// Fills a placeholder of the paper's own.
     fn own(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let mut own = self.context.edition.placeholders.iter();
-        let own = own.find(|own| own.name == placeholder);
-        let own = own.ok_or_else(|| "there is no such placeholder".to_owned())?;
-        (own.fill)(page).map_err(|failure| failure.to_string().into())
+        let own = own.find_map(|own| match placeholder.strip_prefix(own.name)? {
+            "" => Some((own, page)),
+            behind => own.name.ends_with(' ').then_some((own, behind)),
+        });
+        let (own, given) = own.ok_or_else(|| "there is no such placeholder".to_owned())?;
+        (own.fill)(given).map_err(|failure| failure.to_string().into())
     }
 
     /// Notes that a claim is shown, once and on its own page: its address is permanent.

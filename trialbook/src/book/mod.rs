@@ -87,7 +87,7 @@ pub use error::BookError;
 pub use links::{dead_links, files_below};
 pub use pieces::{Piece, pieces};
 pub use register::register;
-pub use tables::table;
+pub use tables::{code, table};
 pub use text::escape;
 
 use crate::ledger::Ledger;

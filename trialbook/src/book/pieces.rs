@@ -39,10 +39,12 @@ pub fn pieces(page: &str) -> Vec<(usize, Piece)> {
             }
             Event::End(tag) => {
                 depth -= 1;
-                if tag == TagEnd::CodeBlock {
-                    (rust, other) = (false, false);
+                match tag {
+                    TagEnd::CodeBlock => (rust, other) = (false, false),
+                    TagEnd::TableCell | TagEnd::Item => {}
+                    _ => continue,
                 }
-                continue;
+                Piece::Prose(" ".to_owned())
             }
             Event::Html(html) if html.starts_with("<div class=\"exercise\"") => Piece::Section,
             Event::Text(code) if rust => Piece::Code(code.into_string()),
@@ -96,7 +98,7 @@ pub(super) fn code_beside(page: &str, place: usize) -> String {
 #[test]
 fn a_page_falls_into_prose_formulas_and_code() {
     use Piece::{Code, Formula, Paragraph, Prose, Section};
-    let page = "# A {#a}\nx {{is y 0.5}} `z` [b](c.md)\n<div>\n```rust\nlet a = 1;\n```\n$c\nd$\n## B\n```text\n3\n```\n";
+    let page = "# A {#a}\nx {{is y 0.5}} `z` [b](c.md)\n\n```rust\nlet a = 1;\n```\n\n$c\nd$\n## B\n```text\n3\n```\n";
     let found: Vec<_> = pieces(page).into_iter().map(|(_, piece)| piece).collect();
     let prose = |text: &str| Prose(text.to_owned());
     assert_eq!(found[..3], [Section, prose("A"), Paragraph]);

@@ -176,3 +176,30 @@ fn length(text: &str) -> usize {
     }
     end
 }
+
+#[test]
+fn what_is_computed_says_which_word() {
+    for (words, is, said_of_it) in [
+        ("falls|rises", 1.0, Some("rises")),
+        ("falls|rises", 2.0, None),
+        ("falls|rises", 0.5, None),
+        ("falls", 0.0, Some("falls")),
+        ("falls", 1.0, None),
+        ("Three quarters", 0.75, Some("Three quarters")),
+        ("six", 5.0, None),
+    ] {
+        assert_eq!(said(words, is).ok(), said_of_it, "{words} {is}");
+    }
+    assert_eq!(true.says(), Ok(0.0));
+    assert_eq!([false, true].says(), Ok(1.0));
+    assert!([true, true].says().is_err() && [false, false].says().is_err());
+}
+
+#[cfg(feature = "book")]
+#[test]
+fn code_has_its_numbers_and_fractions() {
+    let code =
+        "use a::b2; // 0.25\nlet x = [0.25, 1_000.5, 2e-3]; f(1..=3, \"2.0\", 1.0 / 3.0, a / 4.0)";
+    let wanted = [0.25, 1000.5, 2e-3, 1.0, 3.0, 2.0, 1.0, 3.0, 1.0 / 3.0, 4.0];
+    assert_eq!(literals(code), wanted);
+}

@@ -327,3 +327,34 @@ fn layout(parameter: &'static str, allowed: &'static str, value: usize) -> Figur
         value: value as f64,
     }
 }
+
+#[test]
+fn a_caption_says_what_is_computed_or_there_is_no_figure() {
+    let drawn = |caption: &str, word: &str, is: usize| {
+        let line = Curve::new([[0.0, 0.0], [1.0, 2.0]])
+            .dotted()
+            .key("solved for");
+        let panel = Panel::new(Axis::linear("x"), Axis::linear("y")).curve(line);
+        let plot = Plot::new("a", "A")
+            .caption(caption)
+            .alt("It {{falls|rises}}.")
+            .panel(panel);
+        plot.says([word], is).figure(Table::new(&["x"]))
+    };
+    let figure = drawn("{{line solved}}: {{falls|rises}}", "falls|rises", 1).unwrap();
+    assert_eq!([figure.caption, figure.alt], ["dotted: rises", "It rises."]);
+    assert!(figure.svg.contains("It rises."));
+    for (caption, word, is) in [
+        // None of the words; nowhere; open; no such line.
+        ("", "falls|rises", 2),
+        ("", "grows", 0),
+        ("{{grows}}", "falls|rises", 0),
+        ("{{line found}}", "falls|rises", 0),
+    ] {
+        let unsaid = drawn(caption, word, is);
+        assert!(
+            matches!(unsaid, Err(FigureError::Unsaid { figure: "a", .. })),
+            "{caption}"
+        );
+    }
+}

@@ -1,8 +1,0 @@
-//! The figures.
-
-use slipbook::figures::all;
-use std::sync::LazyLock;
-use trialbook::plotting::Figure;
-
-/// All figures.
-pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| all().unwrap());
