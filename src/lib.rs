@@ -68,7 +68,7 @@
 //!
 //! # Judging
 //!
-//! With `default-features = false` there are the formulas, the motions, the calculators and the ledger's types
+//! With `default-features = false` there are the formulas, the motions, the calculators
 //! alone, and a handful of dependencies; the feature `trials` brings the trials, `book` all that rests on them.
 //!
 //! ```
@@ -82,11 +82,15 @@
 //! # }
 //! # Ok::<(), &str>(())
 //! ```
+// What is public is promised.
+#![warn(unreachable_pub)]
 // Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),
     doc = "",
     doc = "[`claims`]: #judging",
+    doc = "[`evidence`]: #judging",
+    doc = "[`ledger`]: #judging",
     doc = "[`exact`]: #judging",
     doc = "[`validated`]: #judging",
     doc = "[`breaks`]: #judging"
@@ -129,4 +133,6 @@ pub use slipbook_motion::{self as motion, numerics};
 pub use trialbook::exact;
 #[cfg(feature = "book")]
 pub use trialbook::{book, cli};
-pub use trialbook::{evidence, ledger, scalar, seeded};
+#[cfg(feature = "trials")]
+pub use trialbook::{evidence, ledger};
+pub use trialbook::{scalar, seeded};

@@ -13,7 +13,7 @@ use crate::numerics::{
 
 /// A stretch of motion of `D` components, the first of which is the time t.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Clocked<const D: usize> {
+pub(crate) struct Clocked<const D: usize> {
     steps: Vec<Step<f64, D, TERMS>>,
     end: [f64; D],
 }
@@ -25,7 +25,7 @@ impl<const D: usize> Clocked<D> {
     /// # Errors
     /// [`MotionError::Steps`] after `limit` steps, [`MotionError::Numerics`] when the state leaves the finite
     /// numbers.
-    pub fn run<S: System<f64, D, TERMS>>(
+    pub(crate) fn run<S: System<f64, D, TERMS>>(
         system: &S,
         start: [f64; D],
         until: f64,
@@ -62,7 +62,7 @@ impl<const D: usize> Clocked<D> {
     }
 
     /// State at the end.
-    pub fn end(&self) -> &[f64; D] {
+    pub(crate) fn end(&self) -> &[f64; D] {
         &self.end
     }
 
@@ -72,7 +72,7 @@ impl<const D: usize> Clocked<D> {
     }
 
     /// The states at the ends of the steps, in order.
-    pub fn nodes(&self) -> impl Iterator<Item = [f64; D]> + '_ {
+    pub(crate) fn nodes(&self) -> impl Iterator<Item = [f64; D]> + '_ {
         let begins = self.steps.iter().map(|step| step.at(&0.0));
         begins.chain(std::iter::once(self.end))
     }
@@ -81,7 +81,7 @@ impl<const D: usize> Clocked<D> {
     ///
     /// # Errors
     /// [`MotionError::Numerics`] for a time that is not a number.
-    pub fn at(&self, t: f64) -> Result<[f64; D], MotionError> {
+    pub(crate) fn at(&self, t: f64) -> Result<[f64; D], MotionError> {
         if t.is_nan() {
             return Err(NumericsError::Argument {
                 name: "t",

@@ -471,7 +471,7 @@ pub(super) mod tests {
     use crate::{MotionError, Plane, Signal, State, run, run_to_stop};
 
     /// A record of a plane that is shaken, with noise: a slip may begin and end every few rows.
-    pub fn noisy(from: f64, rows: u32, seed: u64) -> Fitted {
+    pub(crate) fn noisy(from: f64, rows: u32, seed: u64) -> Fitted {
         let mut state = seed;
         let mut random = || {
             state = state.wrapping_mul(0x5851_f42d_4c95_7f2d).wrapping_add(1);

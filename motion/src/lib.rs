@@ -1,5 +1,29 @@
 //! What bodies do on a rough moving plane, from Newton's law and Coulomb's friction alone.
 //!
+//! A load on a truck that brakes, in everybody's units, by a [`scene`]:
+//!
+//! ```
+//! use slipbook_motion::{Scene, scene::{Part, Until}};
+//!
+//! let load = Scene { frame: vec![Part::accelerate("-4.2m/s^2:4.79s,0")?], ..Scene::block(0.3) };
+//! let end = load.run(Until::Stop)?.end()?;
+//! assert!((end.way.0 - 20.603).abs() < 1e-3);
+//! # Ok::<(), slipbook_motion::scene::SceneError>(())
+//! ```
+//!
+//! A particle on a table that turns, in units in which μg and Ω are 1:
+//!
+//! ```
+//! use slipbook_motion::{Fate, fate, turntable::Start};
+//!
+//! // From the axis with speed 0.4: it stops, and stays where it is.
+//! let Fate::Rest { sigma, .. } = fate(&Start::launched(0.4)?)? else { panic!("it escapes") };
+//! assert!(sigma < 1.0);
+//! # Ok::<(), slipbook_motion::MotionError>(())
+//! ```
+//!
+//! # How
+//!
 //! The plane is pulled with the acceleration A(t); in its frame a body feels −A per unit of mass. Dry friction
 //! adds μg against the velocity while the body slides. At rest, friction holds it as long as it can, up to the
 //! same μg: the body starts to slide when |A| exceeds μg, and not before. That is all the physics in this module:
@@ -29,11 +53,11 @@
 //!
 //! Two points need care, and both are where v = 0. On the way to a stop the direction of v can turn
 //! infinitely fast; so sliding is integrated in a time s that runs ever faster, dt = |v| ds, in which nothing is
-//! singular ([`particle`]). And a body at rest whose friction is just overcome has no direction yet; its
+//! singular ([`run`]). And a body at rest whose friction is just overcome has no direction yet; its
 //! first moments come from a power series in t about the start.
 //!
-//! A [`spring`] may hold the block too: one more force in the same law. What is known of A(t) by its values alone,
-//! from a function or a table, becomes pieces of polynomials with a stated error ([`fitted`]). What a sensor on the body
+//! A [`Spring`] may hold the block too: one more force in the same law. What is known of A(t) by its values alone,
+//! from a function or a table, becomes pieces of polynomials with a stated error ([`Fitted`]). What a sensor on the body
 //! has recorded says how large the friction is ([`measure`](mod@measure)).
 //!
 //! No solution in closed form is used here, not even as a first guess.
@@ -45,6 +69,8 @@
 //!
 //! `parallel`: ensembles on all cores. `trials`: enclosures, the exam, and motions as sides of trials. `explorers`: what figures ask. `sources`: the sources
 //! as texts.
+// What is public is promised.
+#![warn(unreachable_pub)]
 // Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),
@@ -54,27 +80,27 @@
 )]
 #![cfg_attr(not(feature = "explorers"), doc = "", doc = "[`explorers`]: #features")]
 
-pub mod acceleration;
-pub mod clock;
+mod acceleration;
+mod clock;
 mod creep;
 pub mod drive;
-pub mod error;
+mod error;
 #[cfg(feature = "trials")]
 pub mod exam;
 #[cfg(feature = "explorers")]
 pub mod explorers;
-pub mod fitted;
-pub mod launch;
+mod fitted;
+mod launch;
 pub mod measure;
 pub mod numerics;
-pub mod onset;
-pub mod particle;
+mod onset;
+mod particle;
 pub mod scene;
-pub mod signal;
+mod signal;
 pub mod sphere;
-pub mod spring;
-pub mod track;
-pub mod trajectory;
+mod spring;
+mod track;
+mod trajectory;
 pub mod turntable;
 #[cfg(feature = "trials")]
 pub mod validated;
@@ -84,10 +110,15 @@ pub use error::MotionError;
 pub use fitted::{Columns, FitError, Fitted, Recording};
 pub use launch::Launch;
 pub use measure::measure;
+pub use onset::{Onset, onset};
 pub use particle::{Friction, Line, run, run_to_stop};
+pub use scene::Scene;
 pub use signal::Signal;
+pub use sphere::{Ball, Sphere};
+pub use spring::{Spring, SpringMotion, SpringState};
 pub use track::Track;
 pub use trajectory::{Motion, Phase, PhaseKind, State};
+pub use turntable::{Fate, Table, fate};
 
 #[cfg(any(test, feature = "trials"))]
 use trialbook::scalar;

@@ -10,7 +10,7 @@ use slipbook::{
     motion::Fitted,
     scene::{self, Part, Radian, SceneError, Until, WORDS, apart, second, target},
 };
-use std::cell::RefCell;
+use std::sync::OnceLock;
 
 /// A block or a ball on a rough floor, what moves that, and how it starts. It never changes.
 #[pyclass(frozen, module = "slipbook")]
@@ -88,12 +88,13 @@ pub fn find(
         return Err(wrong(format!("`{unit}` and `{other}` are two units")));
     }
     let [low, high] = [low, high].map(|end| end.trim().parse().unwrap_or(f64::NAN));
-    let stopped = RefCell::new(None);
+    let stopped = OnceLock::new();
     let value = |x: f64| {
-        if stopped.borrow().is_none() {
-            *stopped.borrow_mut() = Python::attach(|py| py.check_signals()).err();
-        }
-        if stopped.borrow().is_some() {
+        if stopped.get().is_some()
+            || Python::attach(|py| py.check_signals())
+                .map_err(|stop| stopped.set(stop))
+                .is_err()
+        {
             return Err(SceneError::Together("stopped"));
         }
         let mut other = scene.words.clone();

@@ -1,19 +1,19 @@
 //! Anisotropic friction: the claims.
 
 pub mod census;
-pub mod certified;
+pub(crate) mod certified;
 mod corners;
 mod curves;
-pub mod drawn;
+pub(crate) mod drawn;
 pub mod drift;
-pub mod exact;
+pub(crate) mod exact;
 mod frictions;
 mod mirror;
-pub mod motions;
+pub(crate) mod motions;
 mod numbers;
-pub mod panels;
+pub(crate) mod panels;
 mod regions;
-pub mod rows;
+pub(crate) mod rows;
 pub mod simulated;
 mod slips;
 mod transverse;

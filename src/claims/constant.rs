@@ -1,11 +1,11 @@
 //! Constant acceleration: the claims.
 
 mod definitions;
-pub mod drawn;
+pub(crate) mod drawn;
 pub mod exact;
-pub mod excepted;
+pub(crate) mod excepted;
 mod extremes;
-pub mod final_direction;
+pub(crate) mod final_direction;
 mod from_rest;
 mod hodograph;
 mod incline;

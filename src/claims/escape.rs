@@ -1,12 +1,12 @@
 //! The turntable: escape: the claims.
 
-pub mod bounds;
-pub mod exact;
-pub mod excepted;
+pub(crate) mod bounds;
+pub(crate) mod exact;
+pub(crate) mod excepted;
 pub mod growth;
 mod numbers;
 pub mod onset;
-pub mod steps;
+pub(crate) mod steps;
 pub mod straight;
 pub mod trajectories;
 

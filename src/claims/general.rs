@@ -1,13 +1,13 @@
 //! Sliding on an accelerating plane: the claims.
 
 mod accelerations;
-pub mod chains;
+pub(crate) mod chains;
 pub(super) mod contraction;
 mod examples;
-pub mod excepted;
+pub(crate) mod excepted;
 mod properties;
-pub mod strong_drives;
-pub mod two_frames;
+pub(crate) mod strong_drives;
+pub(crate) mod two_frames;
 
 use prelude::*;
 
@@ -20,7 +20,7 @@ mod prelude {
 }
 
 /// The topic.
-pub static TOPIC: Topic = Topic::new(
+pub(crate) static TOPIC: Topic = Topic::new(
     "general",
     "Sliding on an accelerating plane",
     claims!("claims/general.toml"),

@@ -6,7 +6,7 @@ use crate::paper::{anisotropic, escape, rest, turntable};
 /// The curve of an explorer, by its name: of `turntable`, `rest` and `record` (ρ, p) on the envelope (147); of `anisotropic`
 /// (q, λ₀) on curve C, beyond Y too. Of `escape` five, over as many values of log₁₀ τ each: ρ/τ² by (136), (π/2 − ψ) τ by (134),
 /// A²/τ³ by (132), cosh α cosh 2α/A by (129), and τ times the rate of α that (128) gives where A and α are by then. None for the others.
-pub fn printed(name: &str) -> Vec<[f64; 2]> {
+pub(crate) fn printed(name: &str) -> Vec<[f64; 2]> {
     match name {
         "record" | "turntable" | "rest" => steps(0.0, 1.3, 130)
             .map(|alpha| {

@@ -5,7 +5,7 @@
 
 pub mod corners;
 pub mod formulas;
-pub mod laid_over;
+pub(crate) mod laid_over;
 mod prelude;
 mod shared;
 pub mod tolerances;
@@ -14,12 +14,12 @@ pub mod variants;
 pub mod anisotropic;
 pub mod constant;
 pub mod escape;
-pub mod general;
+pub(crate) mod general;
 pub mod periodic;
 pub mod rest;
-pub mod sinusoidal;
-pub mod sphere;
-pub mod turntable;
+pub(crate) mod sinusoidal;
+pub(crate) mod sphere;
+pub(crate) mod turntable;
 
 use trialbook::data::{folder, text};
 use trialbook::theorems::Theorems;

@@ -1,18 +1,18 @@
 //! Any periodic acceleration: the claims.
 
-pub mod chains;
-pub mod critical_friction;
+pub(crate) mod chains;
+pub(crate) mod critical_friction;
 mod dissipation;
 pub mod drawn;
-pub mod drives;
-pub mod exact;
+pub(crate) mod drives;
+pub(crate) mod exact;
 mod numbers;
-pub mod pulse_remarks;
+pub(crate) mod pulse_remarks;
 mod pulses;
 mod rest;
 mod rest_share;
 mod step_drive;
-pub mod threshold;
+pub(crate) mod threshold;
 
 use prelude::*;
 

@@ -1,16 +1,16 @@
 //! The turntable: rest: the claims.
 
-pub mod approach;
-pub mod boundary;
-pub mod certified;
+pub(crate) mod approach;
+pub(crate) mod boundary;
+pub(crate) mod certified;
 mod dichotomy;
-pub mod exact;
-pub mod excepted;
+pub(crate) mod exact;
+pub(crate) mod excepted;
 pub mod fates;
 mod numbers;
-pub mod radius;
-pub mod surfaces;
-pub mod trajectories;
+pub(crate) mod radius;
+pub(crate) mod surfaces;
+pub(crate) mod trajectories;
 
 use prelude::*;
 

@@ -3,4 +3,4 @@
 use trialbook::trials::read;
 
 /// The conditions and reasons that claims of several topics have.
-pub const SHARED: read::File = read::claims!("claims/shared.toml");
+pub(super) const SHARED: read::File = read::claims!("claims/shared.toml");

@@ -1,15 +1,15 @@
 //! Sinusoidal acceleration: stick and slip: the claims.
 
 mod argument;
-pub mod attraction;
-pub mod certified;
-pub mod chains;
-pub mod drawn;
-pub mod exact;
-pub mod excepted;
+pub(crate) mod attraction;
+pub(crate) mod certified;
+pub(crate) mod chains;
+pub(crate) mod drawn;
+pub(crate) mod exact;
+pub(crate) mod excepted;
 mod numbers;
 mod periodic;
-pub mod phase_order;
+pub(crate) mod phase_order;
 mod phases;
 pub(super) mod reference_motions;
 pub(super) mod regimes;
@@ -18,7 +18,7 @@ mod second_stage;
 mod slip;
 mod threshold;
 mod transverse;
-pub mod transverse_decay;
+pub(crate) mod transverse_decay;
 mod units;
 
 use prelude::*;
@@ -39,7 +39,7 @@ mod prelude {
 }
 
 /// The topic.
-pub static TOPIC: Topic = Topic::new(
+pub(crate) static TOPIC: Topic = Topic::new(
     "sinusoidal",
     "Sinusoidal acceleration: stick and slip",
     claims!("claims/sinusoidal.toml"),

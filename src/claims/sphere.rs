@@ -1,12 +1,12 @@
 //! A sphere that slips and rolls: the claims.
 
-pub mod angle;
+pub(crate) mod angle;
 mod any_drive;
 mod definitions;
-pub mod driven;
+pub(crate) mod driven;
 mod every_drive;
-pub mod exact;
-pub mod excepted;
+pub(crate) mod exact;
+pub(crate) mod excepted;
 mod numbers;
 mod rates;
 mod scaling;
@@ -25,7 +25,7 @@ mod prelude {
 }
 
 /// The topic.
-pub static TOPIC: Topic = Topic::new(
+pub(crate) static TOPIC: Topic = Topic::new(
     "sphere",
     "A sphere that slips and rolls",
     claims!("claims/sphere.toml"),

@@ -3,18 +3,18 @@
 mod analytic_continuation;
 mod complex;
 mod definitions;
-pub mod drawn;
+pub(crate) mod drawn;
 mod energy;
-pub mod exact;
-pub mod excepted;
-pub mod fixed;
+pub(crate) mod exact;
+pub(crate) mod excepted;
+pub(crate) mod fixed;
 mod frames;
 mod numbers;
-pub mod projections;
+pub(crate) mod projections;
 mod rates;
 mod singular_starts;
 mod start_and_stop;
-pub mod trajectories;
+pub(crate) mod trajectories;
 
 use prelude::*;
 
@@ -33,7 +33,7 @@ mod prelude {
 }
 
 /// The topic.
-pub static TOPIC: Topic = Topic::new(
+pub(crate) static TOPIC: Topic = Topic::new(
     "turntable",
     "The turntable: equations",
     claims!("claims/turntable.toml"),

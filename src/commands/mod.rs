@@ -23,7 +23,7 @@ type Json<'a> = &'a mut dyn FnMut(&Value) -> Result<(), Failure>;
 ///
 /// # Errors
 /// [`Failure`] where there is no answer.
-pub fn answered(words: &[String], format: Format) -> Result<Value, Failure> {
+pub(crate) fn answered(words: &[String], format: Format) -> Result<Value, Failure> {
     let mut answer = Value::Null;
     let keep: Json = &mut |whole| {
         answer = whole.clone();
@@ -45,7 +45,7 @@ fn told(answer: &Value) -> Result<(), Failure> {
 }
 
 /// All of them.
-pub const ALL: [Command; 5] = [
+pub(crate) const ALL: [Command; 5] = [
     Command {
         command: measure::command,
         run: |matches, format| measure::run(matches, format, &mut told),

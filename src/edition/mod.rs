@@ -8,7 +8,6 @@ mod questions;
 mod speed;
 #[cfg(test)]
 mod tests;
-mod watch;
 mod words;
 
 use crate::claims::{PAPER, rest::fates};
@@ -37,7 +36,6 @@ pub static EDITION: Edition = Edition {
     figures: || Ok(figures::all()?),
     symbols: symbols::SYMBOLS,
     aliases: include_str!("../../book/search.tsv"),
-    watch: watch::PLACES,
     breaks: |id| {
         let claims = breaks::claims();
         let known = claims.iter().any(|claim| claim.id == id);

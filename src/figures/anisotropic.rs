@@ -71,7 +71,7 @@ fn region_waves() -> Drawn {
 
 /// Where the curves stand at one q; none where a curve has no point.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Heights {
+pub(super) struct Heights {
     /// The ratio q.
     pub q: f64,
     /// λ₀ on A.
@@ -88,7 +88,7 @@ pub struct Heights {
 
 /// One simulated point of the plane; regions as 1 to 5, 0 for none.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Cell {
+pub(super) struct Cell {
     /// q and λ₀.
     pub at: [f64; 2],
     /// The region that the motion fits.
@@ -99,7 +99,7 @@ pub struct Cell {
 
 /// A part of the plane: the curves, and a census of equal cells.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Map {
+pub(super) struct Map {
     /// The curves, in order of q.
     pub curves: Vec<Heights>,
     /// The ends along q.
@@ -166,7 +166,7 @@ impl Map {
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn fig5(map: &Map) -> Result<Figure, FigureError> {
+pub(super) fn fig5(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
     let y = map.corners[1][0];
     let wrong: Vec<_> = map.wrong().collect();
@@ -280,7 +280,7 @@ fn wedge(map: &Map) -> Result<Panel, FigureError> {
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn census(map: &Map) -> Result<Figure, FigureError> {
+pub(super) fn census(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
     let y = map.corners[1][0];
     // Where region II ends, as corrected.
@@ -444,7 +444,7 @@ fn scientific(number: &str) -> String {
 }
 
 /// The velocity over the phase, and the friction: q and λ₀.
-pub type Wave = (Vec<[f64; 2]>, (f64, f64));
+pub(super) type Wave = (Vec<[f64; 2]>, (f64, f64));
 
 /// How a periodic motion goes, by its velocity.
 fn manner(points: &[[f64; 2]]) -> &'static str {
@@ -477,7 +477,7 @@ fn manner(points: &[[f64; 2]]) -> &'static str {
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
+pub(super) fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["region", "q", "lambda_0", "phi (rad)", "w"]);
     let ticks = [
         (0.0, "0"),

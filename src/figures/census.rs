@@ -17,7 +17,7 @@ pub(super) struct Census {
 
 impl Census {
     /// What becomes of the starts in the middles of the cells.
-    pub fn new(
+    pub(super) fn new(
         side: usize,
         ends: [(f64, f64); 2],
         start: impl Fn([f64; 2]) -> Result<Start, MotionError>,
@@ -34,7 +34,7 @@ impl Census {
     }
 
     /// The middles of the cells, each with 1 for rest or 0 for escape.
-    pub fn rows(&self) -> impl Iterator<Item = ([f64; 2], f64)> {
+    pub(super) fn rows(&self) -> impl Iterator<Item = ([f64; 2], f64)> {
         let rests = self.rests.iter().enumerate();
         rests.map(|(k, rests)| {
             let rests = f64::from(u8::from(*rests));
@@ -43,7 +43,7 @@ impl Census {
     }
 
     /// A panel that shows it.
-    pub fn panel(&self, [x, y]: [Axis; 2]) -> Result<Panel, FigureError> {
+    pub(super) fn panel(&self, [x, y]: [Axis; 2]) -> Result<Panel, FigureError> {
         let [along, up] = self.ends;
         let cells = self.rests.iter().map(|rests| u8::from(!rests)).collect();
         let raster = Raster::new(self.side, self.side, along, up, cells)?

@@ -27,7 +27,7 @@ fn count(line: &str) -> Option<Count> {
 
 /// How often an answer claimed so many digits, and so many were true.
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Count {
+pub(super) struct Count {
     /// The calculator.
     pub calculator: String,
     /// Digits claimed, from 0 to 15.
@@ -56,7 +56,7 @@ fn cells(counts: &[Count]) -> [usize; SIDE * SIDE] {
 /// Digits claimed against digits true, all calculators together; `as_of` says when they were counted.
 ///
 /// Fails as [`Plot::figure`] and [`Raster::new`] do.
-pub fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
+pub(super) fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["calculator", "claimed", "true", "cases"]);
     for count in counts {
         let [claimed, right] = [count.claimed, count.true_digits].map(f64::from);

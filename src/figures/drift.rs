@@ -19,7 +19,7 @@ const LOSSES: [f64; 6] = [0.05, 0.25, 0.5, 0.75, 1.0, 1.2];
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
+pub(super) fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["q", "lambda_0", "mean velocity", "lost in a period"]);
     for (q, found) in budgets.q.iter().zip(&budgets.found) {
         table.rows(q, budgets.lambda0.iter().zip(found))?;

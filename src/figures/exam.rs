@@ -62,7 +62,7 @@ fn sat() -> Result<Vec<Sat>, ResultsError> {
 
 /// A candidate's runs of one task.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Runs {
+pub(super) struct Runs {
     /// Who.
     pub name: String,
     /// Processor seconds for each unit of time, and the error, from the coarsest run on.
@@ -71,7 +71,7 @@ pub struct Runs {
 
 /// A task, everyone who sat it, and our own point.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Sat {
+pub(super) struct Sat {
     /// The task's name.
     pub task: &'static str,
     /// The candidates, the same for all tasks; without points for one that did not sit.
@@ -87,7 +87,7 @@ const ROUNDING: f64 = 1e-16;
 ///
 /// # Errors
 /// As [`Plot::figure`].
-pub fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
+pub(super) fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["task", "candidate", "cost", "error"]);
     let mut plot = Plot::new("exam", "What an answer costs")
         .caption(

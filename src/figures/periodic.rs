@@ -30,7 +30,7 @@ const DRIFT: u8 = 5;
 /// How often a motion rests in each period, for several drives over 0 < λ₀ < 1; the first drive on top.
 ///
 /// Fails as [`Plot::figure`] does, and as [`Raster::new`] for rows of different lengths.
-pub fn census(rows: &[Row]) -> Result<Figure, FigureError> {
+pub(super) fn census(rows: &[Row]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["drive", "lambda_0", "rests per period"]);
     let mut cells = Vec::new();
     let columns = rows.first().map_or(0, |row| row.phases.len());
@@ -158,7 +158,7 @@ fn rests(wave: &Wave) -> String {
 /// each friction.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureError> {
+pub(super) fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut plot = Plot::new("periodic-pulses", "Velocity under a train of pulses").caption(format!(
         "Velocity $\\mathfrak w$ over two periods under pulses that fill the fraction $\\eta={eta}$ of each half \
          period (shaded: up, then down). With $\\lambda_0<\\eta$ the next pulse comes {{{{before|after}}}} the particle has \
@@ -203,7 +203,7 @@ pub fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureError> {
 /// The motion under one smooth drive at several frictions, between which rests come and go.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
+pub(super) fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut plot = Plot::new("periodic-come-and-go", "Rests that come and go").caption(
         "Velocity $\\mathfrak w$ (line) over two periods under a drive $h\\propto\\sin\\phi+1.5\\sin3\\phi$ (dots, \
          not to scale). More friction {{brings rests, takes them away, and brings them|takes rests away, brings them, and takes them away}} again.",
@@ -238,7 +238,7 @@ pub fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
 /// way, row by row from the lowest λ₀.
 ///
 /// Fails as [`Plot::figure`] does, and as [`Raster::new`] if there are not side × side shares.
-pub fn rest_shares(side: usize, shares: &[f64]) -> Result<Figure, FigureError> {
+pub(super) fn rest_shares(side: usize, shares: &[f64]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["eta", "lambda_0", "share of the period at rest"]);
     let middle = |k: usize| (k as f64 + 0.5) / side as f64;
     for (cell, share) in shares.iter().enumerate() {

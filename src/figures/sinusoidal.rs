@@ -68,7 +68,7 @@ fn multiples_of_pi(last: i32) -> Vec<(f64, String)> {
 /// fig-2: 𝔴 against φ, one panel for each λ₀, one curve for each initial 𝔴_y.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
-pub fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureError> {
+pub(super) fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "w_y at phi = 0", "phi (rad)", "w"]);
     let mut plot = Plot::new("fig-2", "The way to the large-time motion")
         .caption(format!(
@@ -110,7 +110,7 @@ pub fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureError> {
 
 /// What sets fig-3 and fig-4 apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TwoPeriods<'a> {
+pub(super) struct TwoPeriods<'a> {
     /// The figure's id.
     pub id: &'static str,
     /// λ₀ in words: `1/π`.
@@ -126,7 +126,7 @@ pub struct TwoPeriods<'a> {
 /// fig-3 and fig-4: the large-time motion over two periods, on the paper's axes.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
+pub(super) fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["phi (rad)", "w"]);
     table.rows((), shown.points)?;
     let TwoPeriods {
@@ -179,7 +179,7 @@ type Curved = (f64, Vec<[f64; 2]>);
 /// The growth of −ln 𝔴_y, period by period, on a logarithmic axis: (periods, −ln 𝔴_y) as long as 𝔴_y is not zero.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
+pub(super) fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "periods", "-ln w_y"]);
     let mut panel = Panel::new(
         Axis::linear("'periods'").range(0.0, 20.0),
@@ -220,7 +220,7 @@ pub fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
 /// The share of a period in which the large-time motion rests, against λ₀.
 ///
 /// `points` are (λ₀, share), `critical` is λ_c. Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureError> {
+pub(super) fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "share of rest"]);
     table.rows((), points)?;
     let rows = table.numbers();
@@ -264,7 +264,7 @@ pub fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureEr
 /// The large-time motions for several λ₀ over one period: (φ, 𝔴).
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn family(motions: &[Curved]) -> Result<Figure, FigureError> {
+pub(super) fn family(motions: &[Curved]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "phi (rad)", "w"]);
     let mut panel = Panel::new(
         Axis::linear("φ")

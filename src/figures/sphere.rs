@@ -68,7 +68,7 @@ fn coin() -> Result<Vec<[f64; 3]>, MotionError> {
 /// The paths of a solid ball and of a coin that rode with a turntable and were let go, in the laboratory: (τ, x, y).
 ///
 /// Fails as [`Plot::figure`] does.
-pub fn let_go(ball: &[[f64; 3]], coin: &[[f64; 3]]) -> Result<Figure, FigureError> {
+pub(super) fn let_go(ball: &[[f64; 3]], coin: &[[f64; 3]]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["body", "tau", "x", "y"]);
     let axis = |name| Axis::linear(name).range(-EDGE, EDGE);
     let mut panel = Panel::new(axis("x"), axis("y")).equal();
@@ -94,7 +94,7 @@ pub fn let_go(ball: &[[f64; 3]], coin: &[[f64; 3]]) -> Result<Figure, FigureErro
 /// Slip and velocity of the centre against the phase, one panel for each λ₀.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
-pub fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
+pub(super) fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "lambda_0",
         "phi (rad)",
@@ -146,7 +146,7 @@ pub fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
 /// `points` are (γ, ratio), both positive and dimensionless.
 ///
 /// Fails as [`Plot::figure`] does.
-pub fn times(points: &[[f64; 2]]) -> Result<Figure, FigureError> {
+pub(super) fn times(points: &[[f64; 2]]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["gamma", "tau of the motion over (82)"]);
     table.rows((), points)?;
     let (low, high) = points

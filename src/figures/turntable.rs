@@ -33,7 +33,7 @@ const SHOWN: f64 = 2.5;
 /// Paths of the launches, on the table above and in the laboratory below.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
-pub fn paths(launches: &[Launched]) -> Result<Figure, FigureError> {
+pub(super) fn paths(launches: &[Launched]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "launch speed (mu g/Omega)",
         "tau",
@@ -113,7 +113,7 @@ pub fn paths(launches: &[Launched]) -> Result<Figure, FigureError> {
 /// The terms of (104) along one launch.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn energy(launch: &Launched) -> Result<Figure, FigureError> {
+pub(super) fn energy(launch: &Launched) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["tau", "p^2/2", "-rho^2/2", "s", "sum"]);
     let rows: Vec<[f64; 5]> = launch
         .moments
@@ -163,7 +163,7 @@ pub fn energy(launch: &Launched) -> Result<Figure, FigureError> {
 /// ψ and ψ₁ against time in escapes, and what is left of each to π/2; `escapes` are A at the start and the moments.
 ///
 /// Fails as [`Plot::figure`] does, thus when there is no finite point.
-pub fn following(escapes: &[(f64, Vec<Following>)]) -> Result<Figure, FigureError> {
+pub(super) fn following(escapes: &[(f64, Vec<Following>)]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "A at the start",
         "tau",

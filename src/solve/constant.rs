@@ -7,7 +7,7 @@ use super::{
     UNSEEN_ANGLE, check, followed, size, steps,
 };
 use crate::corrections::constant as corrected;
-use crate::motion::{self, Launch, trajectory::Motion};
+use crate::motion::{self, Launch, Motion};
 use crate::numerics::{double::Double, number::Real};
 use crate::paper::constant as printed;
 use crate::scalar::Scalar;

@@ -383,7 +383,7 @@ fn reading(ledger: &Ledger) -> Result<(), Failed> {
         })
     };
     excused(
-        those(|entry, _, e| PAPER.formulas.is_missing(entry.claim.id, e)),
+        those(|entry, _, e| PAPER.formulas.is_missing(entry.claim, e)),
         those(|_, trial, _| trial.elsewhere.is_some()),
         "read a formula of the claim in the trial, or say why it reads none (`elsewhere`)",
     )

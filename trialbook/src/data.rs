@@ -87,7 +87,6 @@ macro_rules! text {
 pub use text;
 
 /// The texts of a folder that a crate has beside its sources.
-#[cfg(feature = "trials")]
 #[derive(Debug, Clone, Copy)]
 pub enum Folder {
     /// No folder.
@@ -98,7 +97,6 @@ pub enum Folder {
     Here(&'static str),
 }
 
-#[cfg(feature = "trials")]
 impl Folder {
     /// The files whose names end so, also of folders in it: path from the folder and text, in the order of the paths. One that
     /// cannot be read is left out.
@@ -127,7 +125,6 @@ impl Folder {
     }
 }
 
-#[cfg(feature = "trials")]
 fn gather(folder: &std::path::Path, before: &str, all: &mut Vec<(String, String)>) {
     for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
         let (path, name) = (entry.path(), entry.file_name());
@@ -141,7 +138,6 @@ fn gather(folder: &std::path::Path, before: &str, all: &mut Vec<(String, String)
 }
 
 /// A [`Folder`] by its path from the folder of the crate in which this stands: `folder!("rocq")`.
-#[cfg(feature = "trials")]
 #[macro_export]
 macro_rules! folder {
     ($path:tt) => {{
@@ -158,7 +154,6 @@ macro_rules! folder {
     }};
 }
 
-#[cfg(feature = "trials")]
 pub use {folder, include_dir};
 
 #[cfg(test)]

@@ -154,9 +154,10 @@ impl Subject {
     }
 
     /// What the trial was about, in words; `conditional` for a claim that holds under a condition, in which
-    /// nothing is corrected.
-    pub fn words(self, conditional: bool) -> &'static str {
+    /// nothing is corrected, `ours` for one that is not printed.
+    pub fn words(self, conditional: bool, ours: bool) -> &'static str {
         match self {
+            Subject::Printed if ours => "as derived here",
             Subject::Printed => "as printed",
             Subject::Within => "under the condition",
             Subject::Outside => "without the condition",
@@ -322,11 +323,11 @@ impl Evidence {
         }
     }
 
-    /// Which form of the claim it is about, and whether about the whole of it, in words; `conditional` as in
+    /// Which form of the claim it is about, and whether about the whole of it, in words; `conditional` and `ours` as in
     /// [`Subject::words`].
-    pub fn about(&self, conditional: bool) -> String {
+    pub fn about(&self, conditional: bool, ours: bool) -> String {
         let part = if self.partial { ", a part of it" } else { "" };
-        format!("{}{part}", self.subject.words(conditional))
+        format!("{}{part}", self.subject.words(conditional, ours))
     }
 
     /// What became of a proof, in one word or two; `None` for a measurement.

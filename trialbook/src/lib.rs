@@ -14,12 +14,14 @@
 //! # Features
 //!
 //! With `default-features = false` there are the formulas, the numerics that
-//! a motion needs, and the judge alone; the feature `trials` brings the trials, `book` all that rests on them.
+//! a motion needs alone; the feature `trials` brings the trials, `book` all that rests on them.
 // Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),
     doc = "",
+    doc = "[`evidence`]: #features",
     doc = "[`exact`]: #features",
+    doc = "[`ledger`]: #features",
     doc = "[`certified`]: #features"
 )]
 #![cfg_attr(
@@ -37,10 +39,13 @@ pub mod book;
 pub mod certified;
 #[cfg(feature = "book")]
 pub mod cli;
+#[cfg(feature = "trials")]
 pub mod data;
+#[cfg(feature = "trials")]
 pub mod evidence;
 #[cfg(feature = "trials")]
 pub mod exact;
+#[cfg(feature = "trials")]
 pub mod ledger;
 #[cfg(feature = "trials")]
 pub mod notation;
@@ -56,4 +61,5 @@ pub mod seeded;
 pub mod stop;
 #[cfg(feature = "trials")]
 pub mod theorems;
+#[cfg(feature = "trials")]
 pub mod trials;

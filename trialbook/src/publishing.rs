@@ -59,11 +59,8 @@ pub struct Edition {
     pub symbols: &'static [Symbol],
     /// To what a place answers first in the search, whether or not it stands there, a line each: its address, such as
     /// `errata.html#errata`, a tabulator, and with `; ` between them words, which are found in any question, and phrases, which are
-    /// found whole.
+    /// found whole. A claim has its own ([`Claim::aliases`](crate::trials::Claim)).
     pub aliases: &'static str,
-    /// Where one sees a claim fail: the claim's id, the address of an explorer in that state, such as
-    /// `rest.html#explore-rest?rho=0.5`, and what one watches there.
-    pub watch: &'static [(&'static str, &'static str, &'static str)],
     /// Where the reader may break the formula of the claim of this id, if anywhere: an address.
     pub breaks: fn(&str) -> Option<String>,
     /// The code to show.
@@ -102,7 +99,6 @@ impl Edition {
             figures: || Ok(Vec::new()),
             symbols: &[],
             aliases: "",
-            watch: &[],
             breaks: |_| None,
             sources: Sources::NONE,
             placeholders: &[],

@@ -44,7 +44,7 @@ pub(super) struct Walker<'d> {
 
 impl<'d> Walker<'d> {
     /// At the phase `phi` in [0, 2π) with the velocity `w`.
-    pub fn new(drive: &'d Drive, friction: Friction, phi: f64, w: f64) -> Self {
+    pub(super) fn new(drive: &'d Drive, friction: Friction, phi: f64, w: f64) -> Self {
         let (piece, s) = drive.shape.locate(phi);
         let mut walker = Walker {
             shape: &drive.shape,
@@ -66,7 +66,7 @@ impl<'d> Walker<'d> {
     }
 
     /// Puts the velocity to `w` and forgets what was measured before.
-    pub fn set(&mut self, w: f64) {
+    pub(super) fn set(&mut self, w: f64) {
         self.u = w.abs();
         self.sign = Sign::of(w);
         self.fresh = false;
@@ -81,33 +81,33 @@ impl<'d> Walker<'d> {
     }
 
     /// Piece and distance from its left end.
-    pub fn position(&self) -> (usize, f64) {
+    pub(super) fn position(&self) -> (usize, f64) {
         (self.piece, self.s)
     }
 
     /// The velocity.
-    pub fn w(&self) -> f64 {
+    pub(super) fn w(&self) -> f64 {
         self.sign.factor() * self.u
     }
 
     /// By what factor a small change of w has shrunk since the last period began.
-    pub fn contraction(&self) -> f64 {
+    pub(super) fn contraction(&self) -> f64 {
         self.contraction
     }
 
     /// Smallest |w| since the last period began, if w did not vanish.
-    pub fn lowest(&self) -> f64 {
+    pub(super) fn lowest(&self) -> f64 {
         self.lowest
     }
 
     /// Whether |w| had a minimum indistinguishable from zero.
-    pub fn touches(&self) -> bool {
+    pub(super) fn touches(&self) -> bool {
         self.touches
     }
 
     /// One whole period, from and to the position `section` where the walker is. Marks count φ from the
     /// turn in which the period began.
-    pub fn period(&mut self, section: (usize, f64), marks: &mut Vec<Mark>) {
+    pub(super) fn period(&mut self, section: (usize, f64), marks: &mut Vec<Mark>) {
         self.turn = 0.0;
         self.reset();
         marks.clear();
@@ -116,7 +116,7 @@ impl<'d> Walker<'d> {
     }
 
     /// To the next multiple of 2π.
-    pub fn finish_turn(&mut self, marks: &mut Vec<Mark>) {
+    pub(super) fn finish_turn(&mut self, marks: &mut Vec<Mark>) {
         self.begin(marks);
         while self.piece < self.shape.pieces().len() {
             self.finish_piece(self.here().length(), marks);
@@ -127,7 +127,7 @@ impl<'d> Walker<'d> {
     }
 
     /// To a position ahead in the present turn.
-    pub fn run_to(&mut self, (piece, s): (usize, f64), marks: &mut Vec<Mark>) {
+    pub(super) fn run_to(&mut self, (piece, s): (usize, f64), marks: &mut Vec<Mark>) {
         self.begin(marks);
         while self.piece < piece {
             self.finish_piece(self.here().length(), marks);

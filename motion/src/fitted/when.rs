@@ -17,7 +17,7 @@ pub(super) struct Clock {
 
 impl Clock {
     /// Seconds since the first time; nothing for a number.
-    pub fn read(
+    pub(super) fn read(
         &mut self,
         cell: &str,
         separator: char,

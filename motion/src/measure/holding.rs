@@ -13,7 +13,7 @@ const MOST: usize = 256;
 const RISE: f64 = 0.9;
 
 /// Between which coefficients it held or did not; and what the body bears at most, as far as is known.
-pub fn holding(
+pub(super) fn holding(
     sensor: &Sensor,
     pieces: &[Piece],
     slips: &[Piece],

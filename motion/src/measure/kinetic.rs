@@ -109,7 +109,7 @@ fn is_caught(sensor: &Sensor, piece: &Piece) -> bool {
 }
 
 /// The plateaus that have a level in common on which the body is longest.
-pub fn slips(sensor: &Sensor, pieces: &[Piece]) -> Vec<Piece> {
+pub(super) fn slips(sensor: &Sensor, pieces: &[Piece]) -> Vec<Piece> {
     let mut all = plateaus(sensor, pieces);
     // What rises or falls slowly may be a rest on a board that is raised.
     if all.iter().any(|piece| is_level(sensor, piece)) {
@@ -171,7 +171,7 @@ fn coefficient(sensor: &Sensor, [from, to]: [usize; 2]) -> (f64, f64) {
 
 /// Least squares for the coefficient and the zeros, of which something is known: between which numbers it lies, and how far these
 /// are off.
-pub fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
+pub(super) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
     let each = PARTS.div_ceil(slips.len());
     let mut parts = Vec::new();
     for piece in slips {
@@ -217,13 +217,13 @@ pub fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
 }
 
 /// What 95 % of Student's t with so many degrees of freedom are below, in size: right to 2 % from three on.
-pub fn student(free: f64) -> f64 {
+pub(super) fn student(free: f64) -> f64 {
     let free = free.max(1.0);
     1.96 + 2.372 / free + 2.823 / (free * free) + 2.5 / free.powi(3)
 }
 
 /// Whether the slips agree among each other and within.
-pub fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Verdict {
+pub(super) fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Verdict {
     let all = slips
         .iter()
         .fold(Line::default(), |all, slip| all.with(&slip.line));
@@ -263,7 +263,7 @@ pub fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Verdict {
 }
 
 /// The mean of numbers with variances, its error, by these or by how they scatter, and χ².
-pub fn mean(list: &[(f64, f64)]) -> [f64; 3] {
+pub(super) fn mean(list: &[(f64, f64)]) -> [f64; 3] {
     let sum = |of: &dyn Fn(f64) -> f64| list.iter().map(|(x, v)| of(*x) / v).sum::<f64>();
     let weight = sum(&|_| 1.0);
     let mean = sum(&|x| x) / weight;

@@ -6,13 +6,13 @@ use std::{
 };
 
 /// Rows of the shortest piece.
-pub const BLOCK: usize = 4;
+pub(super) const BLOCK: usize = 4;
 /// What counts for the noise of a piece beside its own rows: so many rows of the noise of all.
 const BEFORE: f64 = 4.0;
 
 /// The straight line through rows, by their moments about their means.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Line {
+pub(super) struct Line {
     pub rows: f64,
     pub t: f64,
     pub y: f64,
@@ -22,7 +22,7 @@ pub struct Line {
 }
 
 impl Line {
-    pub fn through(rows: impl IntoIterator<Item = (f64, f64)>) -> Self {
+    pub(super) fn through(rows: impl IntoIterator<Item = (f64, f64)>) -> Self {
         let one = |(t, y)| Self {
             rows: 1.0,
             t,
@@ -33,7 +33,7 @@ impl Line {
             .fold(Self::default(), |line, row| line.with(&one(row)))
     }
 
-    pub fn with(&self, other: &Self) -> Self {
+    pub(super) fn with(&self, other: &Self) -> Self {
         let rows = self.rows + other.rows;
         let (t, y) = (other.t - self.t, other.y - self.y);
         let (part, weight) = (other.rows / rows, self.rows * other.rows / rows);
@@ -47,28 +47,28 @@ impl Line {
         }
     }
 
-    pub fn slope(&self) -> f64 {
+    pub(super) fn slope(&self) -> f64 {
         self.ty / self.tt.max(f64::MIN_POSITIVE)
     }
 
-    pub fn at(&self, t: f64) -> f64 {
+    pub(super) fn at(&self, t: f64) -> f64 {
         self.y + self.slope() * (t - self.t)
     }
 
     /// The squares that the line leaves.
-    pub fn left(&self) -> f64 {
+    pub(super) fn left(&self) -> f64 {
         (self.yy - self.slope() * self.ty).max(0.0)
     }
 
     /// The variance about the line.
-    pub fn variance(&self) -> f64 {
+    pub(super) fn variance(&self) -> f64 {
         self.left() / (self.rows - 2.0).max(1.0)
     }
 }
 
 /// Least squares, one row after the other: numbers of which what is measured is a sum with known factors.
 #[derive(Clone, Copy)]
-pub struct Squares<const N: usize> {
+pub(super) struct Squares<const N: usize> {
     pub found: [f64; N],
     /// Their covariance.
     pub spread: [[f64; N]; N],
@@ -78,7 +78,7 @@ pub struct Squares<const N: usize> {
 
 impl<const N: usize> Squares<N> {
     /// What is known before, as numbers with variances.
-    pub fn new(found: [f64; N], variances: [f64; N]) -> Self {
+    pub(super) fn new(found: [f64; N], variances: [f64; N]) -> Self {
         let mut spread = [[0.0; N]; N];
         for i in 0..N {
             spread[i][i] = variances[i];
@@ -91,7 +91,7 @@ impl<const N: usize> Squares<N> {
     }
 
     /// What a row with these factors should be, and the variance of that.
-    pub fn expected(&self, x: &[f64; N]) -> (f64, f64) {
+    pub(super) fn expected(&self, x: &[f64; N]) -> (f64, f64) {
         (
             dot(x, &self.found),
             dot(x, &self.spread.map(|row| dot(x, &row))),
@@ -99,7 +99,7 @@ impl<const N: usize> Squares<N> {
     }
 
     /// Takes in a row that has an error of this variance.
-    pub fn add(&mut self, x: &[f64; N], y: f64, variance: f64) {
+    pub(super) fn add(&mut self, x: &[f64; N], y: f64, variance: f64) {
         let (value, doubt) = self.expected(x);
         let (off, all) = (y - value, doubt + variance);
         let part = self.spread.map(|row| dot(x, &row));
@@ -118,7 +118,7 @@ fn dot<const N: usize>(a: &[f64; N], b: &[f64; N]) -> f64 {
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Piece {
+pub(super) struct Piece {
     /// Its rows, from the first to before the last.
     pub from: usize,
     pub to: usize,
@@ -142,7 +142,7 @@ impl Piece {
 
 /// Cuts rows into pieces, with the variance of the noise where there is least of it. Neighbours stay apart that are less likely one
 /// by a factor exp(`penalty`/2). O(n log n).
-pub fn cut(t: &[f64], y: &[f64], noise: f64, penalty: f64) -> Vec<Piece> {
+pub(super) fn cut(t: &[f64], y: &[f64], noise: f64, penalty: f64) -> Vec<Piece> {
     let n = t.len();
     let block = |k: usize| {
         let from = k * BLOCK;

@@ -16,7 +16,7 @@ const QUIETER: f64 = 3.0;
 const SAME: f64 = 0.06;
 
 /// A recording, ready to be looked at.
-pub struct Sensor {
+pub(super) struct Sensor {
     pub t: Vec<f64>,
     /// Along the floor.
     pub f: Vec<[f64; 2]>,
@@ -42,7 +42,7 @@ pub struct Sensor {
 }
 
 impl Sensor {
-    pub fn new(recording: &Recording, settings: &Settings) -> Result<Self, MeasureError> {
+    pub(super) fn new(recording: &Recording, settings: &Settings) -> Result<Self, MeasureError> {
         let (rows, least) = (recording.rows.len(), LEAST_ROWS);
         if rows < least {
             return Err(MeasureError::Rows { least, rows });
@@ -127,7 +127,7 @@ impl Sensor {
     }
 
     /// Takes an offset off.
-    pub fn shift(&mut self, offset: [f64; 2]) {
+    pub(super) fn shift(&mut self, offset: [f64; 2]) {
         for f in &mut self.f {
             *f = [f[0] - offset[0], f[1] - offset[1]];
         }
@@ -137,30 +137,30 @@ impl Sensor {
     }
 
     /// Straight pieces of the ratio.
-    pub fn pieces(&self) -> Vec<Piece> {
+    pub(super) fn pieces(&self) -> Vec<Piece> {
         let n = median(self.n.iter().copied());
         let penalty = 4.0 * self.alike * libm::log(self.t.len() as f64);
         cut(&self.t, &self.ratio, self.noise / (n * n), penalty)
     }
 
     /// The variance of the ratio's noise in a row.
-    pub fn floor(&self, row: usize) -> f64 {
+    pub(super) fn floor(&self, row: usize) -> f64 {
         self.noise / (self.n[row] * self.n[row])
     }
 
     /// Whether two ratios may be one: to and fro they differ by what is unknown of the zeros.
-    pub fn near(&self, a: f64, b: f64) -> bool {
+    pub(super) fn near(&self, a: f64, b: f64) -> bool {
         let zeros = 4.0 * libm::sqrt(self.doubt) / self.n[0];
         (a - b).abs() < SAME * 0.5 * (a + b) + zeros
     }
 
     /// The line through the ratio of these rows.
-    pub fn line(&self, [from, to]: [usize; 2]) -> Line {
+    pub(super) fn line(&self, [from, to]: [usize; 2]) -> Line {
         Line::through((from..to).map(|k| (self.t[k], self.ratio[k])))
     }
 
     /// The mean of f over these rows.
-    pub fn mean(&self, [from, to]: [usize; 2]) -> [f64; 2] {
+    pub(super) fn mean(&self, [from, to]: [usize; 2]) -> [f64; 2] {
         let sum = self.f[from..to]
             .iter()
             .fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
@@ -168,7 +168,7 @@ impl Sensor {
     }
 
     /// The cosine of the angle between f in some rows and in others.
-    pub fn angle(&self, here: [usize; 2], there: [usize; 2]) -> f64 {
+    pub(super) fn angle(&self, here: [usize; 2], there: [usize; 2]) -> f64 {
         let [a, b] = [here, there].map(|rows| self.mean(rows));
         (a[0] * b[0] + a[1] * b[1]) / (libm::hypot(a[0], a[1]) * libm::hypot(b[0], b[1]))
     }

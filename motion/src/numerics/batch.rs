@@ -7,43 +7,32 @@ use trialbook::numerics::{lanes::Lanes, series::change, taylor::System};
 
 /// The series of `D` components to `N` terms, of `L` motions about where they are.
 #[derive(Debug, Clone)]
-pub struct Batch<const D: usize, const N: usize, const L: usize> {
+pub(crate) struct Batch<const D: usize, const N: usize, const L: usize> {
     series: [[Lanes<L>; N]; D],
 }
 
 impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
     /// Room for the series, with every motion at zero.
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let series = [[Lanes::all(0.0); N]; D];
         Self { series }
     }
 
     /// Puts the motion in `lane` into a state.
-    pub fn set(&mut self, lane: usize, state: &[f64; D]) {
+    pub(crate) fn set(&mut self, lane: usize, state: &[f64; D]) {
         for (x, value) in self.series.iter_mut().zip(state) {
             x[0].0[lane] = *value;
         }
     }
 
-    /// The states of all motions.
-    #[inline(always)]
-    pub fn states(&self) -> [Lanes<L>; D] {
-        std::array::from_fn(|i| self.series[i][0])
-    }
-
-    /// The state of the motion in `lane`.
-    pub fn state(&self, lane: usize) -> [f64; D] {
-        std::array::from_fn(|i| self.series[i][0].0[lane])
-    }
-
     /// The series of the motion in `lane`.
-    pub fn lane(&self, lane: usize) -> [[f64; N]; D] {
+    pub(crate) fn lane(&self, lane: usize) -> [[f64; N]; D] {
         std::array::from_fn(|i| std::array::from_fn(|k| self.series[i][k].0[lane]))
     }
 
     /// Finds the series about the states, for a system that does not depend on the time.
     #[inline(always)]
-    pub fn expand<S: System<Lanes<L>, D, N>>(&mut self, system: &S) {
+    pub(crate) fn expand<S: System<Lanes<L>, D, N>>(&mut self, system: &S) {
         let mut work = S::Work::default();
         for k in 0..N - 1 {
             let slope = system.derivative(k, &self.series, &mut work);
@@ -57,7 +46,7 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
     /// How far each series may be trusted: as far as its last two terms are below `2^tolerance` times the largest
     /// component (at least 2⁻¹⁰⁰), to within a tenth.
     #[inline(always)]
-    pub fn reach(&self, tolerance: f64) -> Lanes<L> {
+    pub(crate) fn reach(&self, tolerance: f64) -> Lanes<L> {
         let size = self.size(0) + Lanes::all(tolerance);
         let last = (size - self.size(N - 1)) * Lanes::all(1.0 / (N - 1) as f64);
         let before = (size - self.size(N - 2)) * Lanes::all(1.0 / (N - 2) as f64);
@@ -76,7 +65,7 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
 
     /// The states at the distances `h`.
     #[inline(always)]
-    pub fn after(&self, h: &Lanes<L>) -> [Lanes<L>; D] {
+    pub(crate) fn after(&self, h: &Lanes<L>) -> [Lanes<L>; D] {
         let mut states = [Lanes::all(0.0); D];
         for (state, x) in states.iter_mut().zip(&self.series) {
             *state = x[0] + change(x, h);
@@ -86,7 +75,7 @@ impl<const D: usize, const N: usize, const L: usize> Batch<D, N, L> {
 
     /// Goes on to these states.
     #[inline(always)]
-    pub fn go(&mut self, states: &[Lanes<L>; D]) {
+    pub(crate) fn go(&mut self, states: &[Lanes<L>; D]) {
         for (x, state) in self.series.iter_mut().zip(states) {
             x[0] = *state;
         }
@@ -151,7 +140,7 @@ mod tests {
             batch.go(&states);
         }
         for (lane, amplitude) in amplitudes.into_iter().enumerate() {
-            let [x, v] = batch.state(lane).map(|x| x / amplitude);
+            let [x, v] = batch.lane(lane).map(|series| series[0] / amplitude);
             assert!(time[lane] > 20.0, "{}", time[lane]);
             assert!((x - libm::cos(time[lane])).abs() < 1e-12);
             assert!((v + libm::sin(time[lane])).abs() < 1e-12);

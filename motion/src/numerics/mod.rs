@@ -1,7 +1,7 @@
 //! The tools of [`trialbook::numerics`], and what only motions need of the kind: many starts at once ([`batch`]), the times
 //! of events ([`events`]), functions by pieces ([`piecewise`]).
 
-pub mod batch;
+pub(crate) mod batch;
 pub mod events;
 pub mod piecewise;
 

@@ -186,7 +186,7 @@ enum What {
 pub(super) struct Floors(RefCell<Vec<(f64, Rc<Floor>)>>);
 
 impl Floors {
-    pub fn get(
+    pub(super) fn get(
         &self,
         to: f64,
         make: impl FnOnce() -> Result<Floor, SceneError>,
@@ -212,7 +212,7 @@ pub(super) struct Floor {
 
 impl Floor {
     /// That of these parts for these times, and a steady pull beside.
-    pub fn new(
+    pub(super) fn new(
         parts: &[Part],
         pull: [f64; 2],
         times: [f64; 2],
@@ -234,7 +234,7 @@ impl Floor {
     }
 
     /// The times at which all of these parts are known.
-    pub fn known(parts: &[Part]) -> [f64; 2] {
+    pub(super) fn known(parts: &[Part]) -> [f64; 2] {
         let mut known = [f64::NEG_INFINITY, f64::INFINITY];
         for part in parts {
             if let Kind::Record { fitted, .. } = &part.0 {
@@ -246,7 +246,7 @@ impl Floor {
     }
 
     /// The pull on what lies there, if it is one for all times from `t` on.
-    pub fn steady(&self, t: f64) -> Option<[f64; 2]> {
+    pub(super) fn steady(&self, t: f64) -> Option<[f64; 2]> {
         let [mut x, mut y] = [0.0; 2];
         for span in self.spans.iter().filter(|span| span.until > t) {
             match span.what {

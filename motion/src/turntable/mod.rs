@@ -15,7 +15,7 @@ pub mod fate;
 pub mod inertial;
 pub mod intrinsic;
 pub mod moment;
-pub mod path;
+mod path;
 pub mod rotating;
 mod slow;
 

@@ -38,7 +38,7 @@ impl Leg {
 
 /// The frame to which states belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Frame {
+pub(super) enum Frame {
     /// Axes that turn with the table.
     Table,
     /// Axes at rest in the laboratory.

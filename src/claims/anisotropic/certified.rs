@@ -11,7 +11,7 @@
 //! from ∞ to 0.
 
 pub(super) mod arcs;
-pub mod points;
+pub(crate) mod points;
 
 use super::prelude::*;
 use super::{exact, motions};

@@ -7,11 +7,11 @@ use super::rows::FAR_ROWS;
 use super::simulated::fits;
 
 /// One point of the census in a map: q and λ₀, found and printed region.
-pub type Cell = ([f64; 2], usize, Option<usize>);
+pub(crate) type Cell = ([f64; 2], usize, Option<usize>);
 
 /// A part of the plane.
 #[derive(Debug, Clone)]
-pub struct Map {
+pub(crate) struct Map {
     /// The curves, in order of q.
     pub curves: Vec<Curves>,
     /// The ends along q.
@@ -30,7 +30,7 @@ fn inside((low, high): (f64, f64), at: f64) -> bool {
 ///
 /// # Errors
 /// As [`census::columns`].
-pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure> {
+pub(crate) fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure> {
     let all = census::columns()?;
     let chosen: &[Column] = all.get(columns.clone()).ok_or("no such columns")?;
     let lists: Vec<_> = chosen.iter().map(|column| printed_list(column.q)).collect();
@@ -69,14 +69,14 @@ pub fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure>
 ///
 /// # Errors
 /// As [`touching`].
-pub fn corners() -> Result<[[f64; 2]; 2], Failure> {
+pub(crate) fn corners() -> Result<[[f64; 2]; 2], Failure> {
     let y = touching()?;
     Ok([printed::eq57_x(), [y, printed::eq55_lambda0(y)]])
 }
 
 /// How far the particle creeps and what it loses, over a part of the plane.
 #[derive(Debug, Clone)]
-pub struct Budgets {
+pub(crate) struct Budgets {
     /// The ratios q, rising.
     pub q: Vec<f64>,
     /// The frictions λ₀, rising.
@@ -91,7 +91,7 @@ pub struct Budgets {
 ///
 /// # Errors
 /// A motion that does not become periodic.
-pub fn budgets() -> Result<Budgets, Failure> {
+pub(crate) fn budgets() -> Result<Budgets, Failure> {
     let q: Vec<f64> = (0..=120).map(|i| 1.0 + f64::from(i) / 20.0).collect();
     let lambda0: Vec<f64> = (1..=48).map(|i| f64::from(i) / 40.0).collect();
     let found = |&q: &f64| -> Result<Vec<_>, Failure> {
@@ -113,7 +113,7 @@ pub fn budgets() -> Result<Budgets, Failure> {
 ///
 /// # Errors
 /// A motion that does not become periodic.
-pub fn waves() -> Result<Vec<Vec<[f64; 2]>>, Failure> {
+pub(crate) fn waves() -> Result<Vec<Vec<[f64; 2]>>, Failure> {
     let wave = |panel| -> Result<Vec<[f64; 2]>, Failure> {
         let motion = motion(panel, START)?;
         let mut phases: Vec<f64> = (0..=160).map(|k| 4.0 * PI * f64::from(k) / 160.0).collect();
@@ -129,7 +129,7 @@ pub fn waves() -> Result<Vec<Vec<[f64; 2]>>, Failure> {
 }
 
 /// λ₀ on E where the map's curves are beyond Y.
-pub fn on_e(curves: &corrected::Curves) -> Option<f64> {
+pub(crate) fn on_e(curves: &corrected::Curves) -> Option<f64> {
     curves.c.is_none().then_some(curves.b_or_e)
 }
 
@@ -138,7 +138,7 @@ pub fn on_e(curves: &corrected::Curves) -> Option<f64> {
 ///
 /// # Errors
 /// Those of the rows.
-pub fn boundaries() -> Result<Vec<Row>, Failure> {
+pub(crate) fn boundaries() -> Result<Vec<Row>, Failure> {
     let mut all = every(rows().chain(FAR_ROWS.each()).map(|row| row.copied()))?;
     for k in 0..14 {
         let q = 14.0 * libm::exp10(f64::from(k) / 12.0);

@@ -87,7 +87,7 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
 }
 
 /// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
-pub const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
+pub(crate) const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
     Printed,
     Compared::one("Newton's law in the symbols (47) to (50)", "(51) and (52)"),
     || (definitions(), printed_rates()),
@@ -175,7 +175,7 @@ pub(super) fn sides_of_e() -> [Expr; 2] {
 }
 
 /// (57): at q = 1 the two curves are one condition, which only the printed λ₀ meets.
-pub const X: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const X: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one("X", "(53) and (54) at $q=1$"),
     printed::eq57_x,
@@ -221,7 +221,7 @@ pub const X: Statement<[Expr; 2]> = Statement::new(
 );
 
 /// The touch at Y.
-pub const Y: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const Y: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one(
         "the direction of (54)",
@@ -377,7 +377,7 @@ pub(super) fn printed_rates() -> [Expr; 2] {
 }
 
 /// E, as the condition that a forward arc ends at 2π − asin(qλ₀).
-pub const E: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const E: Statement<[Expr; 2]> = Statement::new(
     Corrected,
     Compared::one(
         "E",
@@ -389,7 +389,7 @@ pub const E: Statement<[Expr; 2]> = Statement::new(
 .of_a_part();
 
 /// The mirror.
-pub const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
+pub(crate) const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     Printed,
     Compared::many(
         r"(51) and (52) under $\phi\to\phi+\pi$, $\mathfrak w\to-\mathfrak w$, $\lambda_0\to q\lambda_0$, $q\to1/q$",

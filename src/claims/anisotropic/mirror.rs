@@ -10,7 +10,7 @@ fn small_ratio(points: &mut Points) -> (f64, f64) {
 }
 
 /// A motion with q < 1 from any start, and its mirror image with 1/q, some time later.
-pub fn integration() -> Evidence {
+pub(super) fn integration() -> Evidence {
     let trial = Trial::motion(
         Printed,
         [
@@ -62,7 +62,7 @@ pub fn integration() -> Evidence {
 }
 
 /// The intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
-pub fn census() -> Evidence {
+pub(super) fn census() -> Evidence {
     let trial = Trial::census(
         Printed,
         [

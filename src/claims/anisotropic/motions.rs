@@ -17,7 +17,7 @@ type Sides = [Expr; 2];
 type CurveA = (Expr, Sides);
 
 /// Region I.
-pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::shown(
+pub(crate) const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::shown(
     Printed,
     r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion along $x$ is drawn; the drive exceeds friction at both phases",
     || (printed_rates(), curve_a(), printed::s24_first_signs()),
@@ -25,7 +25,7 @@ pub const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::shown(
 );
 
 /// Region II, as corrected.
-pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::shown(
+pub(crate) const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::shown(
     Corrected,
     r"for every $q\ge1$ and $\lambda_0$ above A, below B if $q\le q_Y$ and below E if $q>q_Y$: forward from $\sin^{-1}\lambda_0$, at once backward, then rest; between E and C forward, then rest; every motion along $x$ is drawn to this one",
     || {
@@ -44,7 +44,7 @@ pub const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::sho
 type Lists = ([Expr; 3], [Expr; 2]);
 
 /// Region III.
-pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::shown(
+pub(crate) const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::shown(
     Printed,
     r"for every $1\le q<q_Y$ and $\lambda_0$ between B and C: forward from $\sin^{-1}\lambda_0$, rest, backward from $\pi+\sin^{-1}(q\lambda_0)$, rest; every motion along $x$ is drawn to this one",
     || {
@@ -59,7 +59,7 @@ pub const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::shown(
 );
 
 /// Region IV.
-pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::shown(
+pub(crate) const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::shown(
     Printed,
     r"for every $q\ge1$ and $1/q<\lambda_0<1$: forward from $\sin^{-1}\lambda_0$, then rest; every motion along $x$ is drawn to this one",
     || {
@@ -70,7 +70,7 @@ pub const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::shown(
 );
 
 /// Region V.
-pub const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::shown(
+pub(crate) const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::shown(
     Printed,
     r"for every $q\ge1$ and $\lambda_0>1$ the rates (51) and (52) oppose the motion by $\lambda_0-1$ at least: from every velocity along $x$ the particle is at rest after a finite time, and stays",
     || {

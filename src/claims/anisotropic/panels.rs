@@ -4,7 +4,7 @@ use super::prelude::*;
 use super::simulated::own_digits;
 
 /// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
-pub const PANELS: [(f64, f64); 5] = [
+pub(crate) const PANELS: [(f64, f64); 5] = [
     (1.2, 0.35),
     (2.0, 0.38),
     (1.3, 0.6),
@@ -13,7 +13,7 @@ pub const PANELS: [(f64, f64); 5] = [
 ];
 
 /// The mark that the panels' vertical axis bears.
-pub const TOP: f64 = 1.0;
+pub(crate) const TOP: f64 = 1.0;
 
 /// An interval of the motion as the printed words and rates have it.
 struct Stretch {
@@ -93,7 +93,7 @@ impl Rates {
 }
 
 /// 𝔴(φ) over two periods, as the region's words and the printed rates have it, with the simulation.
-pub fn quadrature() -> Evidence {
+pub(crate) fn quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Printed,
         [
@@ -131,13 +131,13 @@ pub fn quadrature() -> Evidence {
 ///
 /// # Errors
 /// A motion that does not become periodic.
-pub fn motion(panel: usize, start: DriveState) -> Result<Attractor<'static>, Failure> {
+pub(crate) fn motion(panel: usize, start: DriveState) -> Result<Attractor<'static>, Failure> {
     let (q, lambda0) = PANELS[panel];
     attractor_from(start, Friction::new(lambda0, q * lambda0)?)
 }
 
 /// The intervals in each panel, and whether the motion stays within the mark, from several starts.
-pub fn census() -> Evidence {
+pub(crate) fn census() -> Evidence {
     let trial = Trial::census(
         Printed,
         Compared::many(

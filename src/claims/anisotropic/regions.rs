@@ -202,10 +202,10 @@ fn beyond_e(subject: Subject) -> Evidence {
 }
 
 /// The axes of the diagram end here.
-pub const LARGEST_Q: f64 = 7.0;
+pub(super) const LARGEST_Q: f64 = 7.0;
 
 /// The printed diagram at the points of the census.
-pub fn diagram() -> Evidence {
+pub(super) fn diagram() -> Evidence {
     let trial = Trial::census(
         Printed,
         orders("the printed diagram").over("all over the diagram's axes"),
@@ -215,7 +215,7 @@ pub fn diagram() -> Evidence {
 }
 
 /// The corrected diagram farther out.
-pub fn far() -> Evidence {
+pub(super) fn far() -> Evidence {
     let points = Points::here().within(1000, [[12.0, 30.0], [1e-6, 1.0]]);
     Trial::census(Corrected, orders("the corrected diagram")).at(
         ["q", "qλ₀/2"],

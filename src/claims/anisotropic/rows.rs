@@ -6,7 +6,7 @@ use crate::numerics::fit::fit;
 
 /// One q and what the simulation finds there.
 #[derive(Debug, Clone, Copy)]
-pub struct Row {
+pub(crate) struct Row {
     /// The ratio q.
     pub q: f64,
     /// Whether it lies before that of Y.
@@ -20,7 +20,7 @@ impl Row {
     ///
     /// # Errors
     /// As [`Changes::at`].
-    pub fn at(q: f64, low: f64) -> Result<Self, Failure> {
+    pub(crate) fn at(q: f64, low: f64) -> Result<Self, Failure> {
         Ok(Row {
             q,
             before_y: q < own_y()?,
@@ -62,13 +62,13 @@ fn ratios() -> Vec<f64> {
 }
 
 /// Rows for all values of q at which the curves are tried.
-pub fn rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
+pub(crate) fn rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
     static ROWS: Runs<Vec<Row>> = Runs::new(|| all_rows(&ratios(), 1e-9));
     ROWS.each()
 }
 
 /// Rows far out, q from 200 to 20,000.
-pub static FAR_ROWS: Runs<Vec<Row>> = Runs::new(|| {
+pub(crate) static FAR_ROWS: Runs<Vec<Row>> = Runs::new(|| {
     let q = (0..=20).map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0));
     all_rows(&Points::here().grid(q), 1e-12)
 });
@@ -80,7 +80,7 @@ fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {
 
 /// A power law λ₀ = prefactor · (q + 1)^exponent, with standard errors.
 #[derive(Debug, Clone, Copy)]
-pub struct PowerLaw {
+pub(crate) struct PowerLaw {
     /// The exponent and its error.
     pub exponent: (f64, f64),
     /// The prefactor and its error.
@@ -102,7 +102,7 @@ const TERMS: [&dyn Fn(f64) -> f64; 5] = [
 ///
 /// # Errors
 /// Those of the rows.
-pub fn far_laws() -> Result<[PowerLaw; 2], Failure> {
+pub(crate) fn far_laws() -> Result<[PowerLaw; 2], Failure> {
     let rows = every(FAR_ROWS.each())?;
     let law = |height: fn(&Changes) -> f64| -> Result<PowerLaw, Failure> {
         let data: Vec<_> = rows

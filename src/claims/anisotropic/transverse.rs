@@ -87,7 +87,7 @@ fn start(points: &mut Points) -> [f64; 2] {
 }
 
 /// What is left in the end.
-pub fn vanishes() -> Evidence {
+pub(super) fn vanishes() -> Evidence {
     Trial::by(
         Limit,
         Printed,
@@ -158,7 +158,7 @@ fn lets_grow(rough: &Rough, [a, b, phi]: Logarithms) -> bool {
 }
 
 /// Without friction it keeps its value.
-pub fn outside() -> Evidence {
+pub(super) fn outside() -> Evidence {
     Trial::by(
         Integration,
         Outside,

@@ -4,7 +4,7 @@ use super::prelude::*;
 
 /// A motion in units of v₀ and A.
 #[derive(Debug, Clone)]
-pub struct Curve {
+pub(crate) struct Curve {
     /// Friction λ.
     pub lambda: f64,
     /// Initial angle θ₀.
@@ -14,9 +14,9 @@ pub struct Curve {
 }
 
 /// Friction in panel (a) of fig-1.
-pub const WEAK: [f64; 3] = [0.0, 0.5, 1.0];
+pub(crate) const WEAK: [f64; 3] = [0.0, 0.5, 1.0];
 /// Friction in panel (b) of fig-1.
-pub const STRONG: [f64; 3] = [1.2, 2.0, 5.0];
+pub(crate) const STRONG: [f64; 3] = [1.2, 2.0, 5.0];
 
 /// How long a motion that does not stop is followed, in units of v₀/A.
 const WHILE: f64 = 8.0;
@@ -24,7 +24,7 @@ const WHILE: f64 = 8.0;
 const GAIN: f64 = 2.0;
 
 /// One motion with v₀ = A = 1.
-pub fn curve(lambda: f64, theta0: f64) -> Result<Curve, MotionError> {
+pub(crate) fn curve(lambda: f64, theta0: f64) -> Result<Curve, MotionError> {
     curve_until(lambda, theta0, WHILE)
 }
 
@@ -43,7 +43,7 @@ fn curve_until(lambda: f64, theta0: f64, until: f64) -> Result<Curve, MotionErro
 }
 
 /// The curves of one panel of fig-1: eight launch angles for each λ.
-pub fn panel(lambdas: &[f64]) -> Result<Vec<Curve>, MotionError> {
+pub(crate) fn panel(lambdas: &[f64]) -> Result<Vec<Curve>, MotionError> {
     let angles = (0..8).map(|i| (f64::from(i) - 3.5) * PI / 4.0);
     let pairs = angles.flat_map(|theta0| lambdas.iter().map(move |&lambda| (lambda, theta0)));
     let mut curves: Vec<_> = pairs
@@ -67,7 +67,7 @@ fn both_panels() -> impl Iterator<Item = Result<Curve, Failure>> {
 }
 
 /// Every drawn point with (11) at its angle.
-pub fn points() -> Evidence {
+pub(crate) fn points() -> Evidence {
     Trial::motion(
         Printed,
         ["(11) at the angle of each drawn point", "the speed there"],
@@ -94,7 +94,7 @@ pub fn points() -> Evidence {
 }
 
 /// How the curves end: in panel (a) the particle still moves, in panel (b) it rests.
-pub fn ends() -> Evidence {
+pub(crate) fn ends() -> Evidence {
     let trial = Trial::census(
         Printed,
         [

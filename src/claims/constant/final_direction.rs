@@ -47,7 +47,7 @@ fn in_the_laboratory(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2
 }
 
 /// The cosine of the angle between 𝐯 and 𝐀 = −A x̂ of a particle with λ = ½ that begins along x̂.
-pub fn sense_of_sliding() -> Result<f64, Failure> {
+pub(crate) fn sense_of_sliding() -> Result<f64, Failure> {
     let [x, y] = by_motion(0.5, [-1.0, 0.0], [1.0, 0.0])?;
     Ok(-x / libm::hypot(x, y))
 }

@@ -36,7 +36,7 @@ fn around_one() -> Vec<[f64; 2]> {
 }
 
 /// λ < 1: as fast as the law along the line has it.
-pub fn velocity() -> Evidence {
+pub(super) fn velocity() -> Evidence {
     let launches = Points::here().within(40, [[0.0, 2.0], [0.1, 5.0]]);
     Trial::motion(
         Within,

@@ -144,7 +144,7 @@ fn same_motion() -> Evidence {
 }
 
 /// (6) and (7) with the forces on the incline.
-pub fn forces() -> Evidence {
+pub(super) fn forces() -> Evidence {
     let trial = Trial::consistency(
         Printed,
         [

@@ -11,7 +11,7 @@ const EVALUATIONS: usize = 20_000;
 
 /// A launch, and the moment at which the velocity has turned to θ.
 #[derive(Debug, Clone, Copy)]
-pub struct Turn {
+pub(crate) struct Turn {
     /// Friction λ = μg/A.
     pub lambda: f64,
     /// The plane's acceleration A.
@@ -32,30 +32,30 @@ pub struct Turn {
 
 impl Turn {
     /// The velocity at the launch.
-    pub fn velocity0(&self) -> Result<[f64; 2], MotionError> {
+    pub(crate) fn velocity0(&self) -> Result<[f64; 2], MotionError> {
         Ok(self.checked()?.velocity())
     }
 
     /// True if the launch is exactly with or against the inertial force.
-    pub fn is_straight(&self) -> bool {
+    pub(crate) fn is_straight(&self) -> bool {
         self.theta0 == 0.0 || self.theta0 == PI
     }
 
     /// A printed formula for the speed, at this turn.
-    pub fn formula(&self, speed: fn(Double, Double, Double, Double) -> Double) -> Double {
+    pub(crate) fn formula(&self, speed: fn(Double, Double, Double, Double) -> Double) -> Double {
         let [lambda, v0, theta0, theta] =
             [self.lambda, self.v0, self.theta0, self.theta].map(Double::from);
         speed(lambda, v0, theta0, theta)
     }
 
     /// How much a relative error of the angles grows in the speed and the time: tan(θ/2) is steep near π.
-    pub fn condition(&self) -> f64 {
+    pub(crate) fn condition(&self) -> f64 {
         let steep = |theta: f64| (1.0 + self.lambda) * (theta / libm::sin(theta)).abs();
         steep(self.theta0).max(steep(self.theta))
     }
 
     /// The size in units of which the time is known: it grows with the errors of the angles by A dt = −v dθ/sin θ too.
-    pub fn time_scale(&self) -> f64 {
+    pub(crate) fn time_scale(&self) -> f64 {
         let moved = |v: f64, theta: f64| (v * theta / (self.a * libm::sin(theta))).abs();
         let ends = moved(self.v0, self.theta0).max(moved(self.v, self.theta));
         ends.max(self.t * self.condition())
@@ -63,7 +63,7 @@ impl Turn {
 
     /// What a unit of relative rounding of the time and the angles makes of the speed that they determine together: little
     /// where λ + cos θ is small.
-    pub fn speed_at_time_scale(&self) -> f64 {
+    pub(crate) fn speed_at_time_scale(&self) -> f64 {
         let of = |v: f64, theta: f64| v * (self.lambda + theta.abs());
         let gained = self.a * self.t * (1.0 + self.lambda);
         let largest = gained
@@ -74,24 +74,28 @@ impl Turn {
     }
 
     /// tan(θ/2) over its initial value.
-    pub fn r(&self) -> f64 {
+    pub(crate) fn r(&self) -> f64 {
         Scalar::tan(self.theta / 2.0) / Scalar::tan(self.theta0 / 2.0)
     }
 
     /// True where (13), the time, has a value.
-    pub fn has_a_time(&self) -> bool {
+    pub(crate) fn has_a_time(&self) -> bool {
         self.lambda != 1.0 && self.lambda + libm::cos(self.theta0) != 0.0
     }
 
     /// True where that growth costs at most two digits or so; the other points are left to other routes.
-    pub fn is_gentle(&self) -> bool {
+    pub(crate) fn is_gentle(&self) -> bool {
         self.condition() < 300.0
     }
 
     /// ∫ f dθ from θ₀ to θ, to within `enough`. With y = ln tan(θ/2), dθ = sin θ dy: in y, what is a power of the
     /// tangent is an exponential function, and smooth however steep. Of a wrong law that may be otherwise: what is not known
     /// after twenty thousand of its values has none.
-    pub fn integral(&self, f: impl Fn(f64) -> f64, enough: f64) -> Result<f64, NumericsError> {
+    pub(crate) fn integral(
+        &self,
+        f: impl Fn(f64) -> f64,
+        enough: f64,
+    ) -> Result<f64, NumericsError> {
         let side = 1f64.copysign(self.theta0);
         let y = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
         let left = Cell::new(EVALUATIONS);
@@ -107,7 +111,7 @@ impl Turn {
     }
 
     /// ln tan(θ/2), less what it was at the start.
-    pub fn ln_fall(&self) -> f64 {
+    pub(crate) fn ln_fall(&self) -> f64 {
         let ln = |theta: f64| libm::log(libm::tan(theta.abs() / 2.0));
         ln(self.theta) - ln(self.theta0)
     }
@@ -125,7 +129,7 @@ impl Turn {
 
     /// The speed when the velocity has turned into the line of the acceleration, by the same law; for λ = 1, with which it
     /// keeps that speed.
-    pub fn last_speed_over_the_angle(&self) -> Result<f64, NumericsError> {
+    pub(crate) fn last_speed_over_the_angle(&self) -> Result<f64, NumericsError> {
         let rate = |y: f64| self.along(y);
         // At y = −20 the tangent is 1e-9, and ln v is its square away from the last one.
         let fall = integral_within(rate, self.start_over_the_angle(), -20.0, 1e-14)?;
@@ -133,7 +137,7 @@ impl Turn {
     }
 
     /// The time in which ln tan(θ/2) changes by `ln_fall`.
-    pub fn time_over_the_angle(&self, ln_fall: f64) -> Result<f64, NumericsError> {
+    pub(crate) fn time_over_the_angle(&self, ln_fall: f64) -> Result<f64, NumericsError> {
         let start = self.start_over_the_angle();
         let rate = |s: f64, [ln_v, _]: &[f64; 2]| [-self.along(start - s), libm::exp(*ln_v)];
         let [_, time] = dop853::end(rate, 0.0, [0.0; 2], -ln_fall, 1e-14, 1e-14)?;
@@ -141,22 +145,22 @@ impl Turn {
     }
 
     /// The time at which A t/v₀ has this value.
-    pub fn time(&self, units: f64) -> f64 {
+    pub(crate) fn time(&self, units: f64) -> f64 {
         units * self.v0 / self.a
     }
 
     /// The motion from the launch until a time.
-    pub fn motion(&self, until: f64) -> Result<Motion, MotionError> {
+    pub(crate) fn motion(&self, until: f64) -> Result<Motion, MotionError> {
         self.checked()?.motion(until)
     }
 
     /// The motion from the launch until it stops; for λ > 1.
-    pub fn motion_to_rest(&self) -> Result<Motion, MotionError> {
+    pub(crate) fn motion_to_rest(&self) -> Result<Motion, MotionError> {
         self.checked()?.motion_to_rest()
     }
 
     /// A launch that has not turned yet.
-    pub fn launch(lambda: f64, a: f64, v0: f64, theta0: f64) -> Self {
+    pub(crate) fn launch(lambda: f64, a: f64, v0: f64, theta0: f64) -> Self {
         Turn {
             lambda,
             a,
@@ -174,7 +178,7 @@ impl Turn {
     }
 
     /// The point in the claim's own symbols.
-    pub fn at(&self) -> String {
+    pub(crate) fn at(&self) -> String {
         let Turn {
             lambda,
             a,
@@ -188,10 +192,10 @@ impl Turn {
 }
 
 /// Every turn.
-pub static TURNS: Runs<Vec<Turn>> = Runs::new(|| every(launches().into_iter().map(turn)));
+pub(crate) static TURNS: Runs<Vec<Turn>> = Runs::new(|| every(launches().into_iter().map(turn)));
 
 /// Those turns of which `wanted` holds.
-pub fn turns_where(
+pub(crate) fn turns_where(
     wanted: impl Fn(&Turn) -> bool,
 ) -> impl Iterator<Item = Result<&'static Turn, Failure>> {
     only(TURNS.each(), move |turn| wanted(turn))
@@ -307,7 +311,7 @@ fn at_random(lambda: f64, theta0: f64, points: &mut Points) -> Turn {
 
 /// The times of those stops with λ > 1.1, over the angle; later than forty times the time in which the speed falls to an
 /// e-th nothing is left.
-pub static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
+pub(crate) static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
     let starts = every(STOPS.each())?.into_iter().map(|stop| stop.start);
     every(starts.filter(|start| start.lambda > 1.1).map(|start| {
         let time = start.time_over_the_angle(-40.0 / (start.lambda - 1.0));
@@ -316,7 +320,7 @@ pub static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
 });
 
 /// Turns so far round that next to no angle is left: below, at and above the critical friction.
-pub static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
+pub(crate) static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
     let mut points = Points::here();
     every((0..60).map(|i| {
         let lambda = match i % 4 {
@@ -336,7 +340,7 @@ pub static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
 });
 
 /// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
-pub fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
+pub(crate) fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
     let mut points = Points::here();
     (0..40).map(move |i| {
         let theta0 = if i % 2 == 0 { 0.0 } else { PI };
@@ -358,7 +362,7 @@ pub fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
 }
 
 /// Motions with λ < 1 at the angle where cos θ = −λ.
-pub fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
+pub(crate) fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
     let mut points = Points::here();
     (0..40).map(move |_| {
         let theta = points.uniform(PI / 2.0 + 0.05, PI - 0.3);
@@ -375,7 +379,7 @@ pub fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
 }
 
 /// Turns at λ = 1.
-pub fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
+pub(crate) fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
     let mut points = Points::here();
     (0..1000).map(move |_| {
         let theta0 = points.sign() * points.uniform(0.01, PI - 0.01);
@@ -391,7 +395,7 @@ pub fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
 }
 
 /// Flights without friction, with the state at a later time.
-pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
+pub(crate) fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     let mut points = Points::here();
     (0..1000).map(move |i| {
         let theta0 = match i {
@@ -413,7 +417,7 @@ pub fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
 const LATE: f64 = 40.0;
 
 /// Motions at λ = 1 after so long a time.
-pub static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
+pub(crate) static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
 
 fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     let mut points = Points::here();
@@ -433,7 +437,7 @@ fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
 
 /// A launch with λ > 1 and its end.
 #[derive(Debug, Clone)]
-pub struct Stop {
+pub(crate) struct Stop {
     /// The launch.
     pub start: Turn,
     /// The states at the ends of the integrator's steps.
@@ -444,13 +448,13 @@ pub struct Stop {
 
 impl Stop {
     /// Its start in the paper's symbols.
-    pub fn at(&self) -> String {
+    pub(crate) fn at(&self) -> String {
         self.start.at()
     }
 }
 
 /// Launches with λ > 1, from both ends of the angles and from friction just above the critical one, to rest.
-pub static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
+pub(crate) static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
 
 fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
     let mut points = Points::here();
@@ -480,7 +484,7 @@ fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
 
 /// A launch with λ ≤ 1, followed for a hundred million times v₀/A.
 #[derive(Debug, Clone, Copy)]
-pub struct Aligned {
+pub(crate) struct Aligned {
     /// The launch.
     pub start: Turn,
     /// The angle of the velocity at the end.
@@ -491,16 +495,16 @@ pub struct Aligned {
 
 impl Aligned {
     /// Whether the angle grows on no step and the particle never rests.
-    pub fn aligns(&self) -> bool {
+    pub(crate) fn aligns(&self) -> bool {
         self.broken == 0
     }
 }
 
 /// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
-pub static ALIGNED: Runs<Vec<Aligned>> = Runs::new(all_aligned);
+pub(crate) static ALIGNED: Runs<Vec<Aligned>> = Runs::new(all_aligned);
 
 /// Others of the same kinds.
-pub static OTHERS_ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| others(all_aligned));
+pub(crate) static OTHERS_ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| others(all_aligned));
 
 fn all_aligned() -> Result<Vec<Aligned>, Failure> {
     let aligned = |start: Turn| -> Result<_, Failure> {
@@ -548,7 +552,7 @@ fn launches_below_critical() -> impl Iterator<Item = Turn> {
 }
 
 /// Launches at λ = 1 straight against the inertial force.
-pub fn held() -> impl Iterator<Item = Turn> {
+pub(crate) fn held() -> impl Iterator<Item = Turn> {
     let mut points = Points::here();
     (0..40).map(move |_| at_random(1.0, PI, &mut points))
 }

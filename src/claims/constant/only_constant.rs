@@ -41,7 +41,7 @@ fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
 }
 
 /// How often the sense changes.
-pub fn turns() -> Evidence {
+pub(super) fn turns() -> Evidence {
     Trial::census(
         Printed,
         Compared::constant(

@@ -44,7 +44,7 @@ fn eq14<S: Scalar + From<f64>>(turn: &Turn) -> S {
 }
 
 /// The regular form of the time at all points, those included where (13) has no value.
-pub fn regular_time() -> Evidence {
+pub(super) fn regular_time() -> Evidence {
     Trial::motion(
         Corrected,
         [
@@ -67,7 +67,7 @@ fn regular(turn: &Turn, ln_r: f64) -> f64 {
 }
 
 /// The regular forms along the line of the acceleration: the speed at the r that they give for a time.
-pub fn regular_straight() -> Evidence {
+pub(super) fn regular_straight() -> Evidence {
     let trial = Trial::motion(
         Corrected,
         [

@@ -1,8 +1,8 @@
 //! The laws of escape, exactly: against the motion's own series at large times, which Newton's law gives.
 
-pub mod asymptotic_series;
-pub mod chains;
-pub mod spiral;
+pub(crate) mod asymptotic_series;
+pub(crate) mod chains;
+pub(crate) mod spiral;
 
 use super::prelude::*;
 use crate::exact::{Binary, Node};
@@ -38,20 +38,21 @@ const fn as_series(formula: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement
 }
 
 /// (128) as corrected.
-pub const EQ128: Statement = as_series(corrected::alpha_rate::tree, eq128);
+pub(crate) const EQ128: Statement = as_series(corrected::alpha_rate::tree, eq128);
 /// (129) as corrected.
-pub const EQ129: Statement = as_series(|| corrected::product_over_a::<Expr>() * symbol("A"), eq129);
+pub(crate) const EQ129: Statement =
+    as_series(|| corrected::product_over_a::<Expr>() * symbol("A"), eq129);
 /// (130) as corrected.
-pub const EQ130: Statement = as_series(corrected::alpha_by_a::tree, eq130);
+pub(crate) const EQ130: Statement = as_series(corrected::alpha_by_a::tree, eq130);
 /// (131) as corrected.
-pub const EQ131: Statement = as_series(corrected::a_rate::tree, eq131);
+pub(crate) const EQ131: Statement = as_series(corrected::a_rate::tree, eq131);
 /// (132) as corrected.
-pub const EQ132: Statement = as_series(
+pub(crate) const EQ132: Statement = as_series(
     || delayed(corrected::a(tau()), 3),
     |law| in_time(law, "A", true, |late| &late.a),
 );
 /// (133) as corrected.
-pub const EQ133: Statement = as_series(
+pub(crate) const EQ133: Statement = as_series(
     || corrected::alpha(tau()),
     |law| {
         in_time(exponential(law, 2), "e^(2α)", false, |late| {
@@ -60,22 +61,22 @@ pub const EQ133: Statement = as_series(
     },
 );
 /// (134) as corrected.
-pub const EQ134: Statement = as_series(
+pub(crate) const EQ134: Statement = as_series(
     || delayed(corrected::lag(tau()), -2),
     |law| in_time(law, "π/2 − ψ", true, |late| &late.lag),
 );
 /// (135) as corrected.
-pub const EQ135: Statement = as_series(
+pub(crate) const EQ135: Statement = as_series(
     || delayed(corrected::rho(tau()), 4),
     |law| in_time(law, "p", true, |late| &late.p),
 );
 /// (136) as corrected.
-pub const EQ136: Statement = as_series(
+pub(crate) const EQ136: Statement = as_series(
     || delayed(corrected::rho(tau()), 4),
     |law| in_time(law, "ρ", true, |late| &late.rho),
 );
 /// (137) as corrected.
-pub const EQ137: Statement = as_series(
+pub(crate) const EQ137: Statement = as_series(
     || delayed(corrected::s(tau()), 6),
     |law| in_time(law, "s", true, |late| &late.s),
 );
@@ -137,7 +138,7 @@ fn eq131(law: Expr) -> Proof {
 }
 
 /// (126): dα/dτ where ψ is at ψ₁, to the first order in α.
-pub fn eq126(formula: Expr) -> Proof {
+pub(crate) fn eq126(formula: Expr) -> Proof {
     let ring = Ring::of(["A", "α", "ψ"]);
     Proof::of("(126): dα/dτ near α = 0", &ring, |p| {
         given(p, &[&turntable::EQ114, &turntable::EQ124])?;
@@ -154,7 +155,7 @@ pub fn eq126(formula: Expr) -> Proof {
 }
 
 /// (138): A²/2 and s have the same rate, whatever the motion; so the check cannot fail.
-pub fn eq138(formula: Expr) -> Proof {
+pub(crate) fn eq138(formula: Expr) -> Proof {
     let mut ring = Ring::new();
     ring.symbol("A");
     ring.hyperbolic("α");

@@ -4,7 +4,7 @@ use super::prelude::*;
 use super::trajectories::{FLIGHTS, Flight, Relaxed, a, alpha, relaxed};
 
 /// Of launches with A > 1 at random none comes straight in: each escapes.
-pub fn escaping() -> Evidence {
+pub(crate) fn escaping() -> Evidence {
     let beyond = only(FLIGHTS.each(), |flight| flight.launch.a > 1.0);
     Trial::census(
         Excepted,

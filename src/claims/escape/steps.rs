@@ -44,7 +44,7 @@ fn relatively(
 }
 
 /// (129) from (128): a step that is wrong by itself. It puts 0 for dα/dτ, which is a third of cosh α/A at late times.
-pub fn eq129() -> Evidence {
+pub(crate) fn eq129() -> Evidence {
     let trial = Trial::by(
         Limit,
         Step,

@@ -3,7 +3,7 @@
 use super::prelude::*;
 
 /// An acceleration, friction, and a start.
-pub struct Case {
+pub(super) struct Case {
     /// The acceleration, in the claim's own symbols.
     pub name: String,
     /// A(t).
@@ -15,7 +15,7 @@ pub struct Case {
 }
 
 /// The shapes that A(t) may have; all but the growing one are bounded by 1.
-pub const SHAPES: [&str; 6] = [
+pub(super) const SHAPES: [&str; 6] = [
     "constant",
     "rotating",
     "growing",
@@ -25,7 +25,7 @@ pub const SHAPES: [&str; 6] = [
 ];
 
 /// The size of A(t) as a function of time, for the shapes along a fixed line; at most 1 but for the growing one.
-pub fn along_a_line(shape: usize, rate: f64) -> Signal {
+pub(super) fn along_a_line(shape: usize, rate: f64) -> Signal {
     match SHAPES[shape] {
         "growing" => Signal::Polynomial(vec![1.0, rate]),
         "decaying" => Signal::Exponential { rate: -rate },
@@ -42,13 +42,13 @@ pub fn along_a_line(shape: usize, rate: f64) -> Signal {
 }
 
 /// A velocity of any direction.
-pub fn any_start(points: &mut Points, speed: f64) -> State {
+pub(super) fn any_start(points: &mut Points, speed: f64) -> State {
     let theta = points.uniform(-3.1, 3.1);
     State::moving([speed * libm::cos(theta), speed * libm::sin(theta)])
 }
 
 /// Accelerations of every bounded shape with largest size `amplitude`, friction 1, starts of every direction.
-pub fn bounded(amplitude: f64) -> impl Iterator<Item = Case> {
+pub(super) fn bounded(amplitude: f64) -> impl Iterator<Item = Case> {
     let mut points = Points::here();
     let shapes = (0..SHAPES.len())
         .filter(|&i| SHAPES[i] != "growing")

@@ -4,7 +4,7 @@ use super::accelerations::{SHAPES, along_a_line, any_start};
 use super::prelude::*;
 
 /// Five periods of a motion from rest.
-pub struct Returning {
+pub(super) struct Returning {
     /// Which it is.
     pub name: String,
     /// What |A| reaches in every period, over μg.
@@ -16,10 +16,10 @@ pub struct Returning {
 }
 
 /// The accelerations that exceed μg again and again, then those that never do, and what they do.
-pub static RETURNING: Runs<Vec<Returning>> = Runs::new(all_returning);
+pub(super) static RETURNING: Runs<Vec<Returning>> = Runs::new(all_returning);
 
 /// Others of the same kinds.
-pub static OTHERS_RETURNING: Runs<Vec<Returning>> = Runs::new(|| others(all_returning));
+pub(super) static OTHERS_RETURNING: Runs<Vec<Returning>> = Runs::new(|| others(all_returning));
 
 fn all_returning() -> Result<Vec<Returning>, Failure> {
     let returning = |(name, plane, size, period)| -> Result<_, Failure> {
@@ -102,7 +102,7 @@ fn periodic(
 }
 
 /// What an acceleration of fixed direction does from t = 200 to 400.
-pub struct Pulled {
+pub(super) struct Pulled {
     /// Which it is.
     pub name: String,
     /// What |A| is never below, over μg.
@@ -115,16 +115,16 @@ pub struct Pulled {
 
 impl Pulled {
     /// Whether the speed grows on every step and over them all.
-    pub fn grows(&self) -> bool {
+    pub(super) fn grows(&self) -> bool {
         self.falls == 0 && self.gained > 0.0
     }
 }
 
 /// All strong accelerations, then weak ones.
-pub static PULLED: Runs<Vec<Pulled>> = Runs::new(all_pulled);
+pub(super) static PULLED: Runs<Vec<Pulled>> = Runs::new(all_pulled);
 
 /// Others of the same kinds.
-pub static OTHERS_PULLED: Runs<Vec<Pulled>> = Runs::new(|| others(all_pulled));
+pub(super) static OTHERS_PULLED: Runs<Vec<Pulled>> = Runs::new(|| others(all_pulled));
 
 fn all_pulled() -> Result<Vec<Pulled>, Failure> {
     let pulled = |(name, plane, least, start)| -> Result<_, Failure> {
@@ -193,10 +193,14 @@ fn weak() -> impl Iterator<Item = (String, Plane, f64, State)> {
 }
 
 /// At rest at the origin.
-pub const AT_REST: State = State::moving([0.0; 2]);
+pub(super) const AT_REST: State = State::moving([0.0; 2]);
 
 /// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
-pub fn violations(motion: &Motion, from: f64, broken: impl Fn(&State, &State) -> bool) -> usize {
+pub(super) fn violations(
+    motion: &Motion,
+    from: f64,
+    broken: impl Fn(&State, &State) -> bool,
+) -> usize {
     let nodes: Vec<_> = motion.nodes().filter(|s| s.t >= from).collect();
     nodes.windows(2).filter(|w| broken(&w[0], &w[1])).count()
 }

@@ -36,7 +36,7 @@ pub(super) fn with_sign(p: &mut Prover<'_>, sign: i64) {
 }
 
 /// λ₀ > 1: rest.
-pub const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::shown(
+pub(crate) const REST_ABOVE_ONE: Statement<(Expr, [Expr; 2])> = Statement::shown(
     Printed,
     r"for every $h$ with $\lvert h\rvert\le1$, every $\lambda_0>1$ and every start (26) with $h$ for the sine gives $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le1-\lambda_0<0$, so that the particle is at rest after $\lvert\mathfrak w_0\rvert/(\lambda_0-1)$ at the latest, and stays, as $\lvert h\rvert<\lambda_0$",
     || (rate(), printed::s23_rest_sides::tree()),
@@ -65,7 +65,7 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
 }
 
 /// The part of the time that is rest tends to all of it as λ₀ → 1.
-pub const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::shown(
+pub(crate) const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::shown(
     Printed,
     r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the phases at which it moves although $\lvert h\rvert\le1-s$ are, in the mean over many periods, at most $s/(1-s)$ of all; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
     || (rate(), printed::s23_late_share()),
@@ -134,7 +134,7 @@ fn normalised(([pulse, gap], largest): ([Expr; 2], Expr)) -> Proof {
 
 /// What (42), (43) and (46) give at a share of pulses.
 #[derive(Debug, Clone, Copy)]
-pub struct Pulses {
+pub(crate) struct Pulses {
     /// h in a pulse and in a gap, then the same half a period later.
     h: [Expr; 4],
     /// Where the pulse ends.

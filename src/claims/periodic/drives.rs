@@ -42,17 +42,17 @@ fn settled(
 }
 
 /// The periodic motion under isotropic friction, from a start far from it; `None` if it drifts.
-pub fn motion(drive: &Drive, lambda: f64) -> Result<Option<Attractor<'_>>, DriveError> {
+pub(crate) fn motion(drive: &Drive, lambda: f64) -> Result<Option<Attractor<'_>>, DriveError> {
     settled(drive, lambda, OFF)
 }
 
 /// What becomes of the motion from rest under isotropic friction, from the simulation alone.
-pub fn phase(drive: &Drive, lambda: f64) -> Result<Phase, DriveError> {
+pub(crate) fn phase(drive: &Drive, lambda: f64) -> Result<Phase, DriveError> {
     Ok(settled(drive, lambda, REST)?.map_or(Phase::Drifts, |motion| phase_of(&motion)))
 }
 
 /// The kind of a periodic motion.
-pub fn phase_of(motion: &Attractor<'_>) -> Phase {
+pub(crate) fn phase_of(motion: &Attractor<'_>) -> Phase {
     let list = motion.intervals();
     match list.iter().filter(|i| i.sign == Sign::Rest).count() {
         1 if list.len() == 1 => Phase::Still,
@@ -61,13 +61,13 @@ pub fn phase_of(motion: &Attractor<'_>) -> Phase {
 }
 
 /// The share of the period in which a periodic motion is at rest.
-pub fn rest_share(motion: &Attractor<'_>) -> f64 {
+pub(crate) fn rest_share(motion: &Attractor<'_>) -> f64 {
     let rests = motion.intervals().iter().filter(|i| i.sign == Sign::Rest);
     rests.map(|i| i.length()).sum::<f64>() / TAU
 }
 
 /// The place between `low` and `high` where `holds` changes, by halving to the last bits.
-pub fn boundary<E>(
+pub(crate) fn boundary<E>(
     mut low: f64,
     mut high: f64,
     holds: impl Fn(f64) -> Result<bool, E>,
@@ -88,7 +88,7 @@ pub fn boundary<E>(
 }
 
 /// Pulses of size 1 that fill the share η of each half period, there and back.
-pub fn pulses(eta: f64) -> Result<Drive, DriveError> {
+pub(crate) fn pulses(eta: f64) -> Result<Drive, DriveError> {
     let end = eta * PI;
     let h = move |phi: f64| match phi {
         phi if phi < end => 1.0,
@@ -100,7 +100,7 @@ pub fn pulses(eta: f64) -> Result<Drive, DriveError> {
 
 /// A sum of harmonics, a constant included: m + Σ aₖ sin(kφ + pₖ), then divided by its largest size.
 #[derive(Debug, Clone)]
-pub struct Harmonics {
+pub(crate) struct Harmonics {
     mean: f64,
     terms: Vec<(f64, f64, f64)>,
     size: f64,
@@ -108,7 +108,7 @@ pub struct Harmonics {
 
 impl Harmonics {
     /// From m and the terms (k, aₖ, pₖ).
-    pub fn new(mean: f64, terms: &[(u32, f64, f64)]) -> Result<Self, DriveError> {
+    pub(crate) fn new(mean: f64, terms: &[(u32, f64, f64)]) -> Result<Self, DriveError> {
         let terms = terms.iter().map(|&(k, a, p)| (f64::from(k), a, p));
         let mut sum = Harmonics {
             mean,
@@ -120,7 +120,7 @@ impl Harmonics {
     }
 
     /// Three harmonics without a mean, at random.
-    pub fn random(points: &mut Points) -> Result<Self, DriveError> {
+    pub(crate) fn random(points: &mut Points) -> Result<Self, DriveError> {
         let terms = [1, 2, 3].map(|k| {
             let amplitude = points.uniform(-1.0, 1.0);
             (k, amplitude, points.uniform(0.0, TAU))
@@ -129,25 +129,25 @@ impl Harmonics {
     }
 
     /// h(φ).
-    pub fn h(&self, phi: f64) -> f64 {
+    pub(crate) fn h(&self, phi: f64) -> f64 {
         let wave = |&(k, a, p): &(f64, f64, f64)| a * libm::sin(k * phi + p);
         (self.mean + self.terms.iter().map(wave).sum::<f64>()) / self.size
     }
 
     /// Each as its number k, its size aₖ after the division and its phase pₖ; without the constant.
-    pub fn terms(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
+    pub(crate) fn terms(&self) -> impl Iterator<Item = [f64; 3]> + '_ {
         self.terms.iter().map(|&(k, a, p)| [k, a / self.size, p])
     }
 
     /// The drive.
-    pub fn drive(&self) -> Result<Drive, DriveError> {
+    pub(crate) fn drive(&self) -> Result<Drive, DriveError> {
         Drive::new(|phi| self.h(phi), &[])
     }
 }
 
 /// A drive with a name.
 #[derive(Debug, Clone)]
-pub struct Named {
+pub(crate) struct Named {
     /// The name, in a few words.
     pub name: &'static str,
     /// The drive.
@@ -172,7 +172,7 @@ fn polygon(knots: &[(f64, f64)]) -> Result<Drive, DriveError> {
 }
 
 /// Steps: (until, h) from φ = 0 on.
-pub fn steps(steps: &[(f64, f64)]) -> Result<Drive, DriveError> {
+pub(crate) fn steps(steps: &[(f64, f64)]) -> Result<Drive, DriveError> {
     let h = |phi: f64| {
         let after = steps.partition_point(|(end, _)| *end <= phi);
         steps[after.min(steps.len() - 1)].1
@@ -182,27 +182,27 @@ pub fn steps(steps: &[(f64, f64)]) -> Result<Drive, DriveError> {
 }
 
 /// Steps between 1 and −1: up for x, down for y, up for π − x, down for the rest, half of the time each.
-pub fn steps_between(x: f64, y: f64) -> Result<Drive, DriveError> {
+pub(crate) fn steps_between(x: f64, y: f64) -> Result<Drive, DriveError> {
     steps(&[(x, 1.0), (x + y, -1.0), (PI + y, 1.0), (TAU, -1.0)])
 }
 
 /// sin φ + a sin 3φ, the drive whose rests come, go and come again for a near 1.5.
-pub fn third_harmonic(a: f64) -> Result<Drive, DriveError> {
+pub(crate) fn third_harmonic(a: f64) -> Result<Drive, DriveError> {
     Harmonics::new(0.0, &[(1, 1.0, 0.0), (3, a, 0.0)])?.drive()
 }
 
 /// sin φ + sin(2φ + p): the antiderivative is level at its median, whatever p.
-pub fn level_at_median(p: f64) -> Result<Drive, DriveError> {
+pub(crate) fn level_at_median(p: f64) -> Result<Drive, DriveError> {
     Harmonics::new(0.0, &[(1, 1.0, 0.0), (2, 1.0, p)])?.drive()
 }
 
 /// sin φ + b, of mean b/(1 + b) after scaling.
-pub fn biased(b: f64) -> Result<Drive, DriveError> {
+pub(crate) fn biased(b: f64) -> Result<Drive, DriveError> {
     Harmonics::new(b, &[(1, 1.0, 0.0)])?.drive()
 }
 
 /// The drives of the census, in the order in which it lists them.
-pub fn named() -> Result<Vec<Named>, DriveError> {
+pub(crate) fn named() -> Result<Vec<Named>, DriveError> {
     let one = |name, drive, generic| Named {
         name,
         drive,

@@ -63,7 +63,7 @@ impl Chain {
 }
 
 /// (44): the formula for the chain, with the printed cases put in.
-pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
+pub(crate) fn eq44_chain(cases: [Expr; 3]) -> Proof {
     let [lambda, eta, _] = symbols();
     let [peak, stop] = printed::eq44_ends(lambda, eta);
     let moving = Chain {
@@ -82,7 +82,7 @@ pub fn eq44_chain(cases: [Expr; 3]) -> Proof {
 
 /// Evidence on (45).
 /// (45): with w(φ) a solution while h is h(φ), the printed w(π + φ) is one while h is that of (43).
-pub const EQ45: Statement = Statement::new(
+pub(crate) const EQ45: Statement = Statement::new(
     Printed,
     Compared::one(
         "the rate of the mirrored motion",
@@ -109,7 +109,7 @@ pub const EQ45: Statement = Statement::new(
 
 /// Evidence on (46).
 /// (46): the stop of (44) and the start of the small-friction motion both meet the beginning of a pulse there.
-pub const EQ46: Statement = Statement::new(
+pub(crate) const EQ46: Statement = Statement::new(
     Printed,
     Compared::many(
         "the stop of (44), and the start of the motion without rest,",
@@ -136,7 +136,7 @@ pub const EQ46: Statement = Statement::new(
 );
 
 /// The small-friction motion, from its start through the gap to the zero under the next pulse.
-pub fn small_friction() -> Proof {
+pub(crate) fn small_friction() -> Proof {
     let [lambda, eta, phi] = symbols();
     small_friction_chain(supplied::small_friction_cases(lambda, eta, phi))
 }
@@ -161,7 +161,7 @@ const COMPARED: Compared = Compared::one(
 );
 
 /// Evidence on (44).
-pub const EQ44: Statement<[Expr; 3]> = Statement::new(
+pub(crate) const EQ44: Statement<[Expr; 3]> = Statement::new(
     Printed,
     COMPARED,
     || {

@@ -34,7 +34,7 @@ fn around_pi(
 const STEP: f64 = 1e-2;
 
 /// The acceleration of friction in the periodic motion: what the drive does not give.
-pub fn friction([eta, lambda, phi]: [f64; 3]) -> Result<f64, Failure> {
+pub(crate) fn friction([eta, lambda, phi]: [f64; 3]) -> Result<f64, Failure> {
     let drive = pulses(eta)?;
     let motion = motion(&drive, lambda)?.ok_or("the motion drifts")?;
     Ok((motion.w(phi + STEP) - motion.w(phi)) / STEP - drive.h(phi))

@@ -121,7 +121,7 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
 
 /// The velocity along a pull in pulses, from rest at φ = 0, and across it, of a particle on a plane of any direction. It
 /// rests before each pulse, so that its first period is like every other.
-pub fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64, Failure> {
+pub(super) fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64, Failure> {
     let square = |start: f64| Signal::Square { start, half: PI };
     let late = square(eta * PI).times(-1.0);
     let pull = Signal::Sum(vec![square(0.0), late]).times(-0.5);

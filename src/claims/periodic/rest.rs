@@ -72,7 +72,7 @@ fn left(w: f64, later: &[Interval]) -> f64 {
 }
 
 /// When it comes to rest: the motion's first rest with the root of the equation's integral.
-pub fn stopping_time() -> Evidence {
+pub(super) fn stopping_time() -> Evidence {
     let trial = Trial::by(
         Root,
         Printed,

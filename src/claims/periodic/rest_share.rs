@@ -10,7 +10,7 @@ fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {
 }
 
 /// λ₀ → 1: the motion that is left lasts as √δ, and then as powers of it.
-pub fn limit() -> Evidence {
+pub(super) fn limit() -> Evidence {
     Trial::by(
         Limit,
         Printed,
@@ -34,7 +34,7 @@ pub fn limit() -> Evidence {
 }
 
 /// More than half of the period, a thousandth below 1 or closer.
-pub fn census() -> Evidence {
+pub(super) fn census() -> Evidence {
     let trial = Trial::census(Printed, Compared::one(
         r"whether the share of rest is more than half of the period, as stated for $\lambda_0\to1$ (1 if so),",
         r"whether it is at $\lambda_0$ between $1-10^{-3}$ and 1",
@@ -54,7 +54,7 @@ pub fn census() -> Evidence {
 }
 
 /// |h| = 1 throughout: no rest, however near λ₀ is to 1.
-pub fn two_valued() -> Evidence {
+pub(super) fn two_valued() -> Evidence {
     Trial::census(
         Remark,
         Compared::constant(

@@ -137,7 +137,7 @@ impl Half {
 }
 
 /// Rests that come, go and come again.
-pub const CHANGES: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
+pub(super) const CHANGES: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Printed,
     r"for the $h$ that for $0<\phi<\pi$ is $-1/6$ between $3\pi/8$ and $\pi/2$ and else 1, with (43): from every start, with any velocity across, there is no rest at $\lambda_0=1/8$, there are two rests in every late period at $1/5$, none from some time on at $1/2$, and two again at $2/3$",
     || (eq2(), rate(), printed::s23_rests()),

@@ -12,7 +12,7 @@ const MARGIN: f64 = 3e-3;
 
 /// Friction below which a drive without a mean never lets rest, and above which it must.
 #[derive(Debug, Clone, Copy)]
-pub struct Bounds {
+pub(crate) struct Bounds {
     /// No rest for 0 < λ₀ < low: |h| > λ₀ wherever |H − c| ≤ πλ₀.
     pub low: f64,
     /// Rest for high < λ₀ < 1: the mean of |h|.
@@ -21,7 +21,7 @@ pub struct Bounds {
 
 /// The bounds of [`crate::corrections::periodic`], from samples; each is moved to the safe side by more
 /// than h or H/π changes between two samples.
-pub fn bounds(drive: &Drive) -> Bounds {
+pub(crate) fn bounds(drive: &Drive) -> Bounds {
     let places = (0..SAMPLES).map(|k| TAU * (k as f64 + 0.5) / SAMPLES as f64);
     let samples: Vec<[f64; 2]> = places
         .map(|phi| [drive.h(phi).abs(), drive.shape().antiderivative(phi)])
@@ -40,7 +40,7 @@ pub fn bounds(drive: &Drive) -> Bounds {
 }
 
 /// The mean of |h| over a period, from samples.
-pub fn mean_size(drive: &Drive) -> f64 {
+pub(crate) fn mean_size(drive: &Drive) -> f64 {
     bounds(drive).high - MARGIN
 }
 
@@ -111,7 +111,7 @@ fn drifting(drive: &Drive, lambda: f64) -> Result<Pair, Failure> {
 }
 
 /// |h| = 1 throughout: no rest at any λ₀ < 1.
-pub fn two_valued() -> Evidence {
+pub(crate) fn two_valued() -> Evidence {
     let trial = Trial::census(
         Remark,
         Compared::constant(
@@ -132,7 +132,7 @@ pub fn two_valued() -> Evidence {
 /// The antiderivative of sin φ + sin(2φ + p) has the same value at π/2, at 3π/2 and, for 0 < p < π/2, at its
 /// minimum π − p between them. With little friction w rises through 0 at π/2 − πλ₀/2; at π − p it would then be
 /// λ₀ (p − (π/2) sin p) < 0, all before scaling.
-pub fn level() -> Evidence {
+pub(crate) fn level() -> Evidence {
     let trial = Trial::census(
         Remark,
         Compared::constant(

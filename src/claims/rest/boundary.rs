@@ -6,7 +6,7 @@ use crate::motion::turntable::fate::rests;
 
 /// A point of the boundary.
 #[derive(Debug, Clone, Copy)]
-pub struct Border {
+pub(crate) struct Border {
     /// α.
     pub alpha: f64,
     /// ψ in radians.
@@ -20,7 +20,7 @@ pub struct Border {
 ///
 /// # Errors
 /// Those of the motion.
-pub fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
+pub(crate) fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
     let least = (1.0 - 1e-9) * libm::exp(-alpha);
     let start = |a| Start::hyperbolic(a, alpha, psi);
     let a = between(start, least, 1.0 + 1e-9, 1e-8)?;
@@ -28,7 +28,7 @@ pub fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
 }
 
 /// Points of the boundary: four α from 0.3 to 0.01, and twelve ψ all round.
-pub fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>> {
+pub(crate) fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>> {
     static BORDERS: Runs<Vec<Border>> = Runs::new(|| {
         let angles = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
         let angles = Points::here().grid(angles);
@@ -42,17 +42,17 @@ pub fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>> {
 }
 
 /// A on the boundary by (147).
-pub fn printed_a(alpha: f64) -> f64 {
+pub(crate) fn printed_a(alpha: f64) -> f64 {
     printed::eq147_a(alpha)
 }
 
 /// α at which the envelope (147) has this A, in [0, 1].
-pub fn printed_alpha(a: f64) -> f64 {
+pub(crate) fn printed_alpha(a: f64) -> f64 {
     std::f64::consts::SQRT_2 * (1.0 - libm::sqrt(a))
 }
 
 /// A on the boundary to second order in α.
-pub fn corrected_a(alpha: f64, psi: f64) -> f64 {
+pub(crate) fn corrected_a(alpha: f64, psi: f64) -> f64 {
     corrected::boundary_a(alpha, psi)
 }
 
@@ -152,7 +152,7 @@ fn close() -> impl Iterator<Item = Result<Border, Failure>> {
 
 /// A start and its fate.
 #[derive(Debug, Clone, Copy)]
-pub struct Case {
+pub(crate) struct Case {
     /// A, α and ψ.
     pub start: [f64; 3],
     /// Whether it comes to rest.
@@ -165,7 +165,7 @@ pub struct Case {
 ///
 /// # Errors
 /// Those of the motion; [`MotionError::Steps`] when rounding decides.
-pub fn resting_place(a: f64, alpha: f64, psi: f64) -> Result<Option<f64>, MotionError> {
+pub(crate) fn resting_place(a: f64, alpha: f64, psi: f64) -> Result<Option<f64>, MotionError> {
     match fate(&Start::hyperbolic(a, alpha, psi)?)? {
         Fate::Rest { sigma, .. } => Ok(Some(sigma)),
         Fate::Escape { .. } => Ok(None),
@@ -183,7 +183,7 @@ const UNDECIDED: MotionError = MotionError::Steps {
 const STARTS: [usize; 2] = [4020, 1000];
 
 /// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
-pub static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
+pub(crate) static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
     let mut points = Points::here();
     let [near, away] = STARTS;
     let case = |i| -> Result<_, Failure> {
@@ -230,7 +230,7 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 
 /// A place on a surface of constant σ, on the slow motion near σ = 1, where (146) holds.
 #[derive(Debug)]
-pub struct Surface {
+pub(crate) struct Surface {
     /// σ.
     pub sigma: f64,
     /// α = √2 (1 − σ).
@@ -240,13 +240,13 @@ pub struct Surface {
 }
 
 /// Twenty such places.
-pub static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
+pub(crate) static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
     let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
     every(Points::here().grid(sigmas).into_iter().map(surface))
 });
 
 /// ψ = 2α + 2α², in which the boundary leads to A = 1, α = 0.
-pub fn angle_towards_one(alpha: f64) -> f64 {
+pub(crate) fn angle_towards_one(alpha: f64) -> f64 {
     2.0 * alpha + 2.0 * alpha * alpha
 }
 

@@ -6,7 +6,7 @@ use crate::validated::turntable::{Fate, fate};
 use trialbook::certified::interval::Interval;
 
 /// A, α and ψ of starts that (147) sends away and that come to rest, all with α < √2, beyond which (147) has no σ.
-pub const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];
+pub(crate) const WRONG: [[f64; 3]; 3] = [[0.88, 0.1, 0.2], [0.58, 0.4, 0.5], [0.9, 0.2, 2.0]];
 
 /// The radius at rest is of no interest here.
 const ANY: f64 = 1.0;
@@ -25,7 +25,7 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
 }
 
 /// (147) with proved fates.
-pub fn printed() -> Evidence {
+pub(crate) fn printed() -> Evidence {
     Trial::by(
         Certified,
         Printed,
@@ -39,7 +39,7 @@ pub fn printed() -> Evidence {
 }
 
 /// The second-order boundary with proved fates on both sides of it.
-pub fn corrected() -> Evidence {
+pub(crate) fn corrected() -> Evidence {
     let trial = Trial::by(
         Certified,
         Corrected,

@@ -10,7 +10,7 @@ fn starts(count: usize) -> Vec<[f64; 3]> {
 }
 
 /// By bounds on the energy, which make a fate certain: many starts together.
-pub fn fates() -> Evidence {
+pub(super) fn fates() -> Evidence {
     let trial = Trial::census(
         Within,
         Compared::constant(
@@ -35,7 +35,7 @@ pub fn fates() -> Evidence {
 }
 
 /// In the laboratory, up to τ = 100: each has one of the two fates, and not both. From ρ² − p² > 1 none comes back to rest.
-pub fn followed() -> Evidence {
+pub(super) fn followed() -> Evidence {
     let trial = Trial::by(
         Integration,
         Within,

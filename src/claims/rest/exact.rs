@@ -1,14 +1,14 @@
 //! Rest, exactly: where it is possible, (139); the envelope of the truncated surfaces, (146) and (147). The motions to rest
 //! and the boundary are power series, in [`series`] and [`boundary`].
 
-pub mod arrivals;
-pub mod barriers;
-pub mod boundary;
-pub mod chains;
-pub mod least;
-pub mod saddle;
-pub mod series;
-pub mod surfaces;
+pub(crate) mod arrivals;
+pub(crate) mod barriers;
+pub(crate) mod boundary;
+pub(crate) mod chains;
+pub(crate) mod least;
+pub(crate) mod saddle;
+pub(crate) mod series;
+pub(crate) mod surfaces;
 
 use super::prelude::*;
 
@@ -24,7 +24,7 @@ fn prove(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle
 }
 
 /// (139): no push starts a motion, dp/dτ ≤ 0 in every direction ψ, exactly where σ is not above the bound.
-pub fn eq139(bound: Expr) -> Proof {
+pub(crate) fn eq139(bound: Expr) -> Proof {
     prove("(139): where a push starts no motion", |p| {
         given(p, &[&turntable::EQ107])?;
         let [sigma, psi] = symbols(["σ", "ψ"]);
@@ -39,7 +39,7 @@ pub fn eq139(bound: Expr) -> Proof {
 }
 
 /// (146) is the derivative of (145) with respect to σ.
-pub fn eq146(formula: Expr) -> Proof {
+pub(crate) fn eq146(formula: Expr) -> Proof {
     prove("(146) is the derivative of (145) by σ", |p| {
         let a = p.read("(145)", printed::eq145_a::tree())?;
         let slope = p.slope("∂A/∂σ", &a, "σ")?;
@@ -48,7 +48,7 @@ pub fn eq146(formula: Expr) -> Proof {
 }
 
 /// (147) is (145) where (146) holds, with σ < 1.
-pub fn eq147(formula: Expr) -> Proof {
+pub(crate) fn eq147(formula: Expr) -> Proof {
     prove("(147) is (145) with (146) put in", |p| {
         let alpha = symbol("α");
         let solved = 1 - alpha / int(2).sqrt();
@@ -64,7 +64,7 @@ pub fn eq147(formula: Expr) -> Proof {
 }
 
 /// (139) against the law of motion.
-pub const EQ139: Statement = Statement::new(
+pub(crate) const EQ139: Statement = Statement::new(
     Printed,
     Compared::one(
         "(107) at rest",

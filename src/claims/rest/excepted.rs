@@ -5,7 +5,7 @@ use super::trajectories::{APPROACHES, Approach};
 use trialbook::certified::interval::Interval;
 
 /// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
-pub fn straight_in() -> Evidence {
+pub(crate) fn straight_in() -> Evidence {
     Trial::census(
         Excepted,
         Compared::constant(

@@ -14,7 +14,7 @@ fn on_the_surface(sigma: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
 }
 
 /// (σ − A)/α² on the surface as α → 0, from halvings of α; its next terms are of the orders α and α².
-pub fn bend(sigma: f64, psi: f64) -> Result<f64, Failure> {
+pub(crate) fn bend(sigma: f64, psi: f64) -> Result<f64, Failure> {
     let largest = 0.04 * (1.0 - sigma);
     let at = |halvings: i32| -> Result<f64, Failure> {
         let alpha = largest * libm::pow(0.5, f64::from(halvings));
@@ -45,7 +45,7 @@ fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64
 }
 
 /// The coefficient of α².
-pub fn bends() -> Evidence {
+pub(crate) fn bends() -> Evidence {
     Trial::by(
         Limit,
         Corrected,

@@ -6,7 +6,7 @@ use std::sync::{Mutex, PoisonError};
 
 /// A motion that ends at rest.
 #[derive(Debug)]
-pub struct Approach {
+pub(crate) struct Approach {
     /// ρ, p and ψ at the start.
     pub start: [f64; 3],
     /// ρ at rest.
@@ -19,7 +19,7 @@ pub struct Approach {
 
 /// A moment just before rest.
 #[derive(Debug, Clone, Copy)]
-pub struct Close {
+pub(crate) struct Close {
     /// Time left until the stop.
     pub left: f64,
     /// α.
@@ -44,17 +44,17 @@ pub struct Close {
 
 impl Close {
     /// The order of what (140) to (145) leave out, relative to what they keep.
-    pub fn omitted(&self, sigma: f64) -> f64 {
+    pub(crate) fn omitted(&self, sigma: f64) -> f64 {
         (self.alpha * self.alpha + self.psi * self.psi) / (sigma * (1.0 - sigma) * (1.0 - sigma))
     }
 
     /// What (143) has in brackets, times 1.
-    pub fn ratio(&self) -> f64 {
+    pub(crate) fn ratio(&self) -> f64 {
         self.psi / (2.0 * self.alpha)
     }
 
     /// The size of what (143) leaves out of [`ratio`](Self::ratio).
-    pub fn left_out(&self) -> f64 {
+    pub(crate) fn left_out(&self) -> f64 {
         (self.alpha * self.alpha + self.psi * self.psi) * self.ratio().abs()
     }
 }
@@ -64,7 +64,7 @@ impl Approach {
     ///
     /// # Errors
     /// Those of the motion.
-    pub fn new(start: [f64; 3]) -> Result<Option<Self>, Failure> {
+    pub(crate) fn new(start: [f64; 3]) -> Result<Option<Self>, Failure> {
         let [rho, p, psi] = start;
         let run = Run::new(&Start::polar(rho, p, psi)?, 50.0)?;
         let end = run.end();
@@ -77,7 +77,7 @@ impl Approach {
     }
 
     /// The start and the end in the paper's symbols.
-    pub fn at(&self) -> String {
+    pub(crate) fn at(&self) -> String {
         let ([rho, p, psi], sigma) = (self.start, self.sigma);
         format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6} at the start, σ = {sigma:.6}")
     }
@@ -86,7 +86,7 @@ impl Approach {
     ///
     /// # Errors
     /// Those of the motion.
-    pub fn close(&self, speed: f64) -> Result<Close, Failure> {
+    pub(crate) fn close(&self, speed: f64) -> Result<Close, Failure> {
         let mut moments = self.moments.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, close)) = moments.iter().find(|(of, _)| *of == speed) {
             return Ok(*close);
@@ -133,10 +133,10 @@ impl Approach {
 }
 
 /// Motions to rest at σ from 0.05 to 0.98.
-pub static APPROACHES: Runs<Vec<Approach>> = Runs::new(all_approaches);
+pub(crate) static APPROACHES: Runs<Vec<Approach>> = Runs::new(all_approaches);
 
 /// Others of the same kinds.
-pub static OTHER_APPROACHES: Runs<Vec<Approach>> = Runs::new(|| others(all_approaches));
+pub(crate) static OTHER_APPROACHES: Runs<Vec<Approach>> = Runs::new(|| others(all_approaches));
 
 fn all_approaches() -> Result<Vec<Approach>, Failure> {
     let mut points = Points::here();
@@ -157,7 +157,7 @@ fn all_approaches() -> Result<Vec<Approach>, Failure> {
 }
 
 /// Those that end at a σ in one of the ranges.
-pub fn approaches_to(
+pub(crate) fn approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
     only(APPROACHES.each(), |approach| {
@@ -167,7 +167,7 @@ pub fn approaches_to(
 }
 
 /// Of those, the ones that do not start near ψ = π, where the constant c of (143) is large.
-pub fn gentle_approaches_to(
+pub(crate) fn gentle_approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
     only(approaches_to(ranges), |approach| {
@@ -176,7 +176,7 @@ pub fn gentle_approaches_to(
 }
 
 /// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.
-pub static APPROACHES_TO_ONE_HALF: Runs<Vec<Approach>> = Runs::new(|| {
+pub(crate) static APPROACHES_TO_ONE_HALF: Runs<Vec<Approach>> = Runs::new(|| {
     let mut points = Points::here();
     every((0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5))))
 });

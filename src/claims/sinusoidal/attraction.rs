@@ -197,7 +197,7 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
 }
 
 /// The three kinds.
-pub const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::shown(
+pub(crate) const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::shown(
     Within,
     r"from every start, with any $v_y$: for every $0<\lambda_0<\lambda_\mathrm c$ the motion tends to (38), and beside its two zeros in a period, where $\mathrm dv_x/\mathrm d\phi$ has a sign by (1), $v_x$ has one zero each; for every $\lambda_\mathrm c<\lambda_0<1$ it has become (33), with two intervals of rest, after a finite time; for every $\lambda_0>1$ it rests after a finite time for ever",
     || (eq1(), eq38(), eq33()),
@@ -232,7 +232,7 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
 }
 
 /// The start across the drive is forgotten, but matters before.
-pub const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::shown(
+pub(crate) const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::shown(
     Within,
     r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$, both of which they become after a finite time; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
     || (eq1(), eq38(), eq33()),

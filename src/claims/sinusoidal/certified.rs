@@ -86,7 +86,7 @@ fn prove_bracket(phases: [Expr; 3], left: Expr, compared: Compared) -> Evidence 
 }
 
 /// φ₂ < φ̃₂ < φ₄.
-pub fn bracket() -> Evidence {
+pub(crate) fn bracket() -> Evidence {
     let compared = Compared::shown(
         r"(32) has its signs at $\phi_2$ and $\phi_4$ for all $0<\lambda_0<1$, by subdivision, and next to $\lambda_0=1$ and $\lambda_0=0$ by series whose remainders are bounded",
     );
@@ -118,7 +118,7 @@ fn prove_threshold(left: fn(One) -> One, critical: Interval) -> Outcome {
 }
 
 /// (35) changes its sign once, at λ_c of (37).
-pub fn threshold() -> Evidence {
+pub(crate) fn threshold() -> Evidence {
     let compared = Compared::shown(
         r"the left side of (35) falls for all $0\le\lambda_0\le1$ and changes its sign within $10^{-14}$ of (37)",
     );
@@ -149,7 +149,7 @@ fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence
 }
 
 /// (41) holds exactly below λ_c.
-pub fn turns() -> Evidence {
+pub(crate) fn turns() -> Evidence {
     let compared = Compared::shown(
         r"$\tilde\phi_1-\phi_1$ falls for all $0\le\lambda_0\le2/\pi$, both ends included, by its slope in $\tilde\phi_1$, and changes its sign within $10^{-14}$ of (37)",
     );
@@ -158,7 +158,7 @@ pub fn turns() -> Evidence {
 }
 
 /// (37), fifty digits.
-pub fn lambda_c() -> Evidence {
+pub(crate) fn lambda_c() -> Evidence {
     let compared = Compared::one(
         "(37), to 50 digits,",
         r"the enclosure of $\sin\phi_1$ for the one $\phi_1$ in $(0.5,0.6)$ from which an arc of Newton's law ends half a period later",

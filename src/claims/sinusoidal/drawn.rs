@@ -5,16 +5,16 @@ use super::reference_motions::{eq33, eq38, printed_late};
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
 /// λ₀ of fig-3.
-pub const SMALL: f64 = FRAC_1_PI;
+pub(crate) const SMALL: f64 = FRAC_1_PI;
 /// λ₀ of fig-4.
-pub const LARGE: f64 = FRAC_1_SQRT_2;
+pub(crate) const LARGE: f64 = FRAC_1_SQRT_2;
 
 /// 𝔴 at the start of every curve of fig-2.
-pub const W_X: f64 = 1.0;
+pub(crate) const W_X: f64 = 1.0;
 /// 𝔴_y at the starts of the curves of fig-2.
-pub const W_Y: [f64; 5] = [0.0, 0.5, 1.0, 2.0, 4.0];
+pub(crate) const W_Y: [f64; 5] = [0.0, 0.5, 1.0, 2.0, 4.0];
 /// Periods that fig-2 shows.
-pub const PERIODS: u32 = 4;
+pub(crate) const PERIODS: u32 = 4;
 /// Periods after which motions that start like those of fig-2 are compared with the large-time motion.
 const FOLLOWED: u32 = 16;
 /// Points of a curve in a period.
@@ -22,7 +22,7 @@ const POINTS: u32 = 48;
 
 /// A motion in the plane, point by point.
 #[derive(Debug, Clone)]
-pub struct Transient {
+pub(crate) struct Transient {
     /// λ₀.
     pub lambda: f64,
     /// 𝔴_y at φ = 0.
@@ -42,7 +42,7 @@ impl Transient {
 ///
 /// # Errors
 /// As [`crate::motion::drive::Drive::planar`].
-pub fn transients() -> Result<&'static [Transient], Failure> {
+pub(crate) fn transients() -> Result<&'static [Transient], Failure> {
     static CURVES: Runs<Vec<Transient>> = Runs::new(|| {
         let pairs = [SMALL, LARGE]
             .into_iter()
@@ -73,7 +73,7 @@ fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
 ///
 /// # Errors
 /// A motion that does not settle.
-pub fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
+pub(crate) fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let attractor = settled(lambda, ORIGIN)?;
     let phase = |k: u32| 2.0 * TAU * f64::from(k) / 480.0;
     Ok((0..=480)
@@ -101,7 +101,7 @@ fn drawn(law: &'static str, lambda: f64, from: f64, form: impl Fn(f64) -> Double
 ///
 /// # Errors
 /// As [`crate::motion::drive::Drive::planar`].
-pub fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
+pub(crate) fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let start = PlanarState {
         phi: FRAC_PI_2,
         w_x: 0.5,
@@ -115,7 +115,7 @@ pub fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
 }
 
 /// The printed λ_c, to mark in a figure.
-pub fn critical() -> f64 {
+pub(crate) fn critical() -> f64 {
     printed::eq37_lambda_c()
 }
 
@@ -123,7 +123,7 @@ pub fn critical() -> f64 {
 ///
 /// # Errors
 /// A motion that does not settle.
-pub fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
+pub(crate) fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
     // Closer to 1, where the curve is steep.
     let close = (8..20).map(|k| 1.0 - libm::exp2(-f64::from(k)));
     let mut lambdas: Vec<_> = (1..=240)

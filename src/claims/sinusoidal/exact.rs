@@ -79,7 +79,7 @@ fn eq26_rate() -> Expr {
 }
 
 /// (26), for velocities of both signs.
-pub const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
+pub(crate) const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
     Printed,
     Compared::one(
         "(26)",
@@ -161,7 +161,7 @@ fn prove_eq31(w: Expr) -> Proof {
 }
 
 /// (31) solves (26) from 𝔴 = 0 at φ₁.
-pub const EQ31: Statement = Statement::new(
+pub(crate) const EQ31: Statement = Statement::new(
     Printed,
     Compared::many(
         r"the slope of (31), and (31) at $\phi_1$,",
@@ -206,7 +206,7 @@ fn eq32_left() -> Expr {
 }
 
 /// (32) is that (31) vanishes at φ̃₂.
-pub const EQ32: Statement = Statement::new(
+pub(crate) const EQ32: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (32)", r"(31) at $\tilde\phi_2$"),
     eq32_left,
@@ -223,7 +223,7 @@ fn eq34_left() -> Expr {
 }
 
 /// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
-pub const EQ34: Statement = Statement::new(
+pub(crate) const EQ34: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (34)", r"(31) at $\phi_3$"),
     eq34_left,
@@ -265,7 +265,7 @@ const EQ25: Statement<[Expr; 2]> = Statement::new(
 );
 
 /// (33) solves (26) on both slips, and is continuous and periodic by (32).
-pub const EQ33: Statement<[Expr; 4]> = Statement::new(
+pub(crate) const EQ33: Statement<[Expr; 4]> = Statement::new(
     Printed,
     Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
     eq33,
@@ -313,7 +313,7 @@ pub(super) fn eq33() -> [Expr; 4] {
 }
 
 /// (34) with (27) and (29) is (35).
-pub const EQ35: Statement = Statement::new(
+pub(crate) const EQ35: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (35)", "that of (34), by (27) and (29)"),
     paper::eq35_left::tree,
@@ -355,7 +355,7 @@ fn beside_lambda_c(
 }
 
 /// (36): (35) squared. The factor that turns the left side of (35) into a difference of squares is positive.
-pub const EQ36: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const EQ36: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one(
         "the left side of (35), times the sum of its terms,",
@@ -381,7 +381,7 @@ pub const EQ36: Statement<[Expr; 2]> = Statement::new(
 
 /// (40): (38) passes through zero without rest where the drive exceeds friction there, sin φ̃₁ > λ₀ = sin φ₁; as both
 /// phases are below π/2, that is (41) too.
-pub const EQ40: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const EQ40: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one(
         r"$\sin^2\tilde\phi_1-\lambda_0^2$ by (39)",

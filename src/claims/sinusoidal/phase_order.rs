@@ -120,7 +120,7 @@ fn period_ends(end: Expr) -> Proof {
 }
 
 /// The slip (31) from rest rises to φ₂ and falls from there on to φ₁ + 2π, and has sunk below zero at φ₄: it ends between the two.
-pub fn slip() -> Proof {
+pub(crate) fn slip() -> Proof {
     let [lambda0, phi] = symbols(["λ₀", "φ"]);
     ends_once(paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi))
 }

@@ -1,10 +1,10 @@
 //! The motions that the printed formulas of section 2.2 are held against, and the frictions at which they are tried.
 
 use super::prelude::*;
-use crate::motion::{particle, trajectory};
+use crate::motion;
 
 /// The name of a point with this friction.
-pub fn at(lambda: f64) -> String {
+pub(crate) fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")
 }
 
@@ -16,7 +16,7 @@ pub fn drive() -> Result<&'static Drive, Failure> {
 
 /// The friction at which a slip from rest ends just where the next one could begin, which divides the frictions of the
 /// trials: by the motion alone, and nothing is compared with it. NaN where that fails, which no trial survives.
-pub fn lambda_c() -> f64 {
+pub(crate) fn lambda_c() -> f64 {
     struct Onset(f64);
     impl Setting for Onset {}
     static ONSET: Runs<Onset> = Runs::setting(|| Ok(Onset(root(excess_length, 0.2, 0.9)?)));
@@ -24,7 +24,7 @@ pub fn lambda_c() -> f64 {
 }
 
 /// By how much a slip from rest lasts longer than half a period; NaN where it cannot be followed.
-pub fn excess_length(lambda: f64) -> f64 {
+pub(crate) fn excess_length(lambda: f64) -> f64 {
     Slip::of(lambda).map_or(f64::NAN, |slip| slip.end - slip.start - PI)
 }
 
@@ -32,7 +32,7 @@ pub fn excess_length(lambda: f64) -> f64 {
 const PERIODS: u32 = 200;
 
 /// The periodic motion that a start leads to.
-pub fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'static>, Failure> {
+pub(crate) fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'static>, Failure> {
     let friction = Friction::new(lambda, lambda)?;
     let outcome = drive()?.attractor(friction, start, PERIODS)?;
     outcome
@@ -41,10 +41,10 @@ pub fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'static>, Fai
 }
 
 /// At rest at phase 0, where the drive is below any friction.
-pub const ORIGIN: DriveState = DriveState { phi: 0.0, w: 0.0 };
+pub(crate) const ORIGIN: DriveState = DriveState { phi: 0.0, w: 0.0 };
 
 /// Starts all over the plane, from far off too.
-pub fn starts() -> [DriveState; 7] {
+pub(crate) fn starts() -> [DriveState; 7] {
     [
         (0.0, 0.0),
         (0.9, -6.0),
@@ -58,12 +58,12 @@ pub fn starts() -> [DriveState; 7] {
 }
 
 /// The first interval of forward motion.
-pub fn forward(list: &[Interval]) -> Option<&Interval> {
+pub(crate) fn forward(list: &[Interval]) -> Option<&Interval> {
     list.iter().find(|i| i.sign == Sign::Positive)
 }
 
 /// Frictions below λ_c: down to a millionth, up to a billionth below λ_c.
-pub fn small() -> Vec<f64> {
+pub(crate) fn small() -> Vec<f64> {
     let mut points = Points::here();
     let c = lambda_c();
     let mut list: Vec<_> = (0..60).map(|_| points.uniform(0.02, c)).collect();
@@ -72,7 +72,7 @@ pub fn small() -> Vec<f64> {
 }
 
 /// Frictions between λ_c and 1, to a billionth of either.
-pub fn large() -> Vec<f64> {
+pub(crate) fn large() -> Vec<f64> {
     let mut points = Points::here();
     let c = lambda_c();
     let mut list: Vec<_> = (0..60).map(|_| points.uniform(c, 1.0)).collect();
@@ -82,7 +82,7 @@ pub fn large() -> Vec<f64> {
 }
 
 /// Frictions between 0 and 1, and both ends to a billionth.
-pub fn all() -> Vec<f64> {
+pub(crate) fn all() -> Vec<f64> {
     let mut points = Points::here();
     let mut list: Vec<_> = (0..200).map(|_| points.uniform(0.0, 1.0)).collect();
     for near in [1e-9, 1e-6, 1e-3] {
@@ -93,7 +93,7 @@ pub fn all() -> Vec<f64> {
 }
 
 /// A dense set of frictions between 0 and 1, with the two ends and λ_c approached to 1e-9.
-pub fn dense() -> Vec<f64> {
+pub(crate) fn dense() -> Vec<f64> {
     let mut points = Points::here();
     let mut list: Vec<_> = (0..1200).map(|_| points.uniform(1e-3, 1.0)).collect();
     for i in 0..30 {
@@ -105,7 +105,7 @@ pub fn dense() -> Vec<f64> {
 
 /// A forward slip from rest at phase 0.
 #[derive(Debug, Clone, Copy)]
-pub struct Slip {
+pub(crate) struct Slip {
     /// Where the rest ends.
     pub start: f64,
     /// Where w comes back to zero.
@@ -114,7 +114,7 @@ pub struct Slip {
 
 impl Slip {
     /// From rest at phase 0, found by following the motion.
-    pub fn of(lambda: f64) -> Result<Self, Failure> {
+    pub(crate) fn of(lambda: f64) -> Result<Self, Failure> {
         let friction = Friction::new(lambda, lambda)?;
         let path = drive()?.advance(friction, ORIGIN, 9.0)?;
         let slip = path.intervals.iter().find(|i| i.sign == Sign::Positive);
@@ -127,20 +127,20 @@ impl Slip {
 }
 
 /// φ̃₂ by the printed (32): its root between φ₂ and φ₄; not a number if there is none.
-pub fn phi_t2(lambda: f64) -> f64 {
+pub(crate) fn phi_t2(lambda: f64) -> f64 {
     let phi1 = printed::eq27_phi1(lambda);
     let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
     root(left, printed::eq28_phi2(lambda), printed::eq30_phi4(lambda)).unwrap_or(f64::NAN)
 }
 
 /// How far a unit of rounding in 𝔴, whose terms are at most 2 + λ₀φ, moves the end of a slip.
-pub fn end_spread(lambda: f64, end: f64) -> f64 {
+pub(crate) fn end_spread(lambda: f64, end: f64) -> f64 {
     (2.0 + lambda * end) / (libm::sin(end) - lambda).abs()
 }
 
 /// A particle on the plane of (21), in length and time units of its own.
 #[derive(Debug, Clone, Copy)]
-pub struct Particle {
+pub(crate) struct Particle {
     /// Friction per mass, μg.
     pub friction: f64,
     /// Amplitude A₀.
@@ -151,7 +151,7 @@ pub struct Particle {
 
 impl Particle {
     /// With A₀ = ϖ = 1, so that μg is λ₀, t is φ and v is w.
-    pub fn plain(lambda: f64) -> Self {
+    pub(crate) fn plain(lambda: f64) -> Self {
         Particle {
             friction: lambda,
             a0: 1.0,
@@ -160,25 +160,25 @@ impl Particle {
     }
 
     /// The motion from a velocity at a time.
-    pub fn run(&self, t: f64, v: [f64; 2], until: f64) -> Result<Motion, Failure> {
+    pub(crate) fn run(&self, t: f64, v: [f64; 2], until: f64) -> Result<Motion, Failure> {
         let sine = Signal::Sine {
             frequency: self.varpi,
             phase: 0.0,
         };
-        let start = trajectory::State { t, v, x: [0.0; 2] };
+        let start = motion::State { t, v, x: [0.0; 2] };
         let plane = Plane::along([-self.a0, 0.0], sine);
-        Ok(particle::run(&plane, self.friction, start, until)?)
+        Ok(motion::run(&plane, self.friction, start, until)?)
     }
 }
 
 /// Which of the sorted `ends` come before `phi`, as the index of the case of a formula by cases.
-pub fn case_of(ends: &[f64], phi: f64) -> usize {
+pub(crate) fn case_of(ends: &[f64], phi: f64) -> usize {
     let inner = &ends[1..ends.len() - 1];
     inner.iter().filter(|end| **end <= phi).count()
 }
 
 /// The printed (33) at a phase between φ₁ and φ₁ + 2π.
-pub fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Double {
+pub(crate) fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Double {
     let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
     let ends = printed::eq33_ends(phi1, phi_t2, phi3);
     let [l, phi_n] = [lambda, phi].map(Double::from);
@@ -187,7 +187,7 @@ pub fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Double {
 }
 
 /// The printed (38) with (39) at a phase between φ̃₁ and φ̃₁ + 2π.
-pub fn eq38(lambda: f64, phi: f64) -> Double {
+pub(crate) fn eq38(lambda: f64, phi: f64) -> Double {
     let ends = printed::eq38_ends(printed::eq39_phi_t1(lambda));
     let [l, phi_n] = [lambda, phi].map(Double::from);
     let cases = printed::eq38_w(l, printed::eq39_phi_t1(l), phi_n);
@@ -195,7 +195,7 @@ pub fn eq38(lambda: f64, phi: f64) -> Double {
 }
 
 /// The printed velocity at large times, from (38) below the printed λ_c, from (33) up to 1, at rest above.
-pub fn printed_late(lambda: f64, phi: f64) -> f64 {
+pub(crate) fn printed_late(lambda: f64, phi: f64) -> f64 {
     let within = |from: f64| from + (phi - from).rem_euclid(TAU);
     let [left, right] = printed::eq25_sides(lambda);
     if lambda < printed::eq37_lambda_c() {

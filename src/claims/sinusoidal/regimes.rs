@@ -15,7 +15,7 @@ fn all_rests(lambda: f64) -> Result<usize, Failure> {
 }
 
 /// A kind of large-time motion as a number: zeros in a period, ten times the rests, or −1 for rest throughout.
-pub fn kind(zeros: usize, rests: usize, still: bool) -> f64 {
+pub(crate) fn kind(zeros: usize, rests: usize, still: bool) -> f64 {
     if still {
         -1.0
     } else {
@@ -35,7 +35,7 @@ fn stated_kind(lambda: f64) -> f64 {
 }
 
 /// The kind, read off a list of intervals.
-pub fn listed_kind(list: &[Interval]) -> f64 {
+pub(crate) fn listed_kind(list: &[Interval]) -> f64 {
     let rests = list.iter().filter(|i| i.sign == Sign::Rest).count();
     let pairs = list.iter().zip(list.iter().cycle().skip(1));
     let turns = pairs.filter(|(a, b)| a.sign.factor() * b.sign.factor() < 0.0);
@@ -52,7 +52,7 @@ fn frictions() -> Vec<f64> {
 }
 
 /// The three kinds, over more than 1500 frictions.
-pub fn trichotomy_census() -> Evidence {
+pub(crate) fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
         Within,
         [
@@ -74,7 +74,7 @@ pub fn trichotomy_census() -> Evidence {
 }
 
 /// The three kinds by the other integrator: stops and rests of a particle over its third period.
-pub fn trichotomy_motion() -> Evidence {
+pub(crate) fn trichotomy_motion() -> Evidence {
     let trial = Trial::by(
         Integration,
         Within,
@@ -104,7 +104,7 @@ pub fn trichotomy_motion() -> Evidence {
 }
 
 /// λ₀ = 0: a fast particle never turns.
-pub fn trichotomy_outside() -> Evidence {
+pub(crate) fn trichotomy_outside() -> Evidence {
     let trial = Trial::census(
         Outside,
         Compared::constant(

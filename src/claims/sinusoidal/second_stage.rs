@@ -99,7 +99,7 @@ fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
 }
 
 /// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
-pub fn last_stage() -> Evidence {
+pub(super) fn last_stage() -> Evidence {
     let trial = Trial::by(
         Limit,
         Corrected,

@@ -5,7 +5,12 @@ use super::reference_motions::printed_late;
 use crate::paper::general;
 
 /// A motion in the plane, once a period from φ = 0 on.
-pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<PlanarState>, Failure> {
+pub(super) fn strobed(
+    lambda: f64,
+    w_x: f64,
+    w_y: f64,
+    periods: u32,
+) -> Result<Vec<PlanarState>, Failure> {
     let start = PlanarState {
         phi: 0.0,
         w_x,
@@ -17,7 +22,7 @@ pub fn strobed(lambda: f64, w_x: f64, w_y: f64, periods: u32) -> Result<Vec<Plan
 
 /// A motion in the plane that began with a velocity across the drive, over ten periods.
 #[derive(Clone)]
-pub struct Flight {
+pub(super) struct Flight {
     /// Friction λ₀.
     pub lambda: f64,
     /// 𝔴 and 𝔴_y at φ = π/2.
@@ -48,17 +53,17 @@ impl Flight {
     }
 
     /// The states at whole periods.
-    pub fn strobe(&self) -> impl Iterator<Item = &PlanarState> {
+    pub(super) fn strobe(&self) -> impl Iterator<Item = &PlanarState> {
         self.states.iter().step_by(A_PERIOD as usize)
     }
 
     /// The last state.
-    pub fn last(&self) -> Result<PlanarState, Failure> {
+    pub(super) fn last(&self) -> Result<PlanarState, Failure> {
         Ok(*self.states.last().ok_or("no state")?)
     }
 
     /// True below λ_c, unless the particle came to rest on the way to its periodic motion: then its v_y is 0.
-    pub fn never_rests(&self) -> bool {
+    pub(super) fn never_rests(&self) -> bool {
         let rested = |s: &&PlanarState| s.ln_w_y == f64::NEG_INFINITY;
         self.lambda < lambda_c() && !self.states.iter().any(|s| rested(&s))
     }
@@ -71,7 +76,7 @@ impl Flight {
     }
 
     /// The flight in the claims' symbols.
-    pub fn at(&self) -> String {
+    pub(super) fn at(&self) -> String {
         let Flight {
             lambda,
             start: [w_x, w_y],
@@ -82,7 +87,7 @@ impl Flight {
 }
 
 /// The flights of which `wanted` holds: 20 below λ_c, 10 between λ_c and 1, 10 above 1.
-pub fn flights_where(
+pub(super) fn flights_where(
     wanted: fn(&Flight) -> bool,
 ) -> impl Iterator<Item = Result<&'static Flight, Failure>> {
     static FLIGHTS: Runs<Vec<Flight>> = Runs::new(|| {
@@ -106,7 +111,7 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
 }
 
 /// First stage: the mean slope of 𝔴_y over a period, while 𝔴_y is ten thousand times 𝔴_x or more.
-pub fn first_stage() -> Evidence {
+pub(super) fn first_stage() -> Evidence {
     let trial = Trial::by(
         Limit,
         Printed,

@@ -425,7 +425,7 @@ fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> P
 }
 
 /// The second stage as printed.
-pub const EXPONENTIAL: Statement<(Expr, Rate, NoRest, Passage)> = Statement::new(
+pub(crate) const EXPONENTIAL: Statement<(Expr, Rate, NoRest, Passage)> = Statement::new(
     Printed,
     Compared::one(
         "the stated 1",

@@ -4,7 +4,7 @@ use super::prelude::*;
 use super::reference_motions::at;
 
 /// (21): what a particle on a smooth plane gains is the integral of −A.
-pub fn eq21() -> Evidence {
+pub(super) fn eq21() -> Evidence {
     Trial::consistency(
         Printed,
         [

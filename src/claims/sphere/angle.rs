@@ -7,7 +7,7 @@ use crate::corrections::constant::{speed, time};
 
 /// A sphere under A = −A x̂, and what its slip has become.
 #[derive(Debug, Clone)]
-pub struct Turn {
+pub(crate) struct Turn {
     sphere: Sphere,
     a: f64,
     /// The slip u, γ and τ in the place of a particle's v, A and t.
@@ -161,7 +161,7 @@ static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
 });
 
 /// (81).
-pub fn eq81() -> Evidence {
+pub(crate) fn eq81() -> Evidence {
     Trial::motion(
         Within,
         ["(81)", r"the slip of the motion at the angle $\theta$"],
@@ -174,7 +174,7 @@ pub fn eq81() -> Evidence {
 }
 
 /// The regular forms along the line of the acceleration: r from the regular time, u from r.
-pub fn regular_straight() -> Evidence {
+pub(crate) fn regular_straight() -> Evidence {
     let trial = Trial::motion(
         Corrected,
         [
@@ -234,7 +234,7 @@ fn corrected_time([lambda, u0, theta0, theta, _, gamma]: [Double; 6]) -> Double 
 }
 
 /// The form of (82) without singular points: at λ = 1 and cos θ₀ = −λ too.
-pub fn regular_time() -> Evidence {
+pub(crate) fn regular_time() -> Evidence {
     Trial::motion(
         Corrected,
         [
@@ -258,7 +258,7 @@ pub fn regular_time() -> Evidence {
 }
 
 /// (γ, τ of the motion over τ of (82)) at the points of the trial.
-pub fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
+pub(crate) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
     let known = only(TURNS.each(), |turn| turn.slip.has_a_time());
     known
         .map(|turn| {

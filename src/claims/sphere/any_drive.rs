@@ -37,7 +37,7 @@ fn start(points: &mut Points) -> [f64; 2] {
 }
 
 /// How long it rolls in a period, as a kind: never, for a part, always.
-pub fn census() -> Evidence {
+pub(super) fn census() -> Evidence {
     let trial = Trial::census(
         Printed,
         Compared::constant(
@@ -76,7 +76,7 @@ pub fn census() -> Evidence {
 }
 
 /// How long exactly, where it rolls at all.
-pub fn parts() -> Evidence {
+pub(super) fn parts() -> Evidence {
     let trial = Trial::motion(
         Printed,
         [

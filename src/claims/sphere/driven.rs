@@ -267,7 +267,7 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
 }
 
 /// Every kind: with a start along x.
-pub fn trichotomy_census() -> Evidence {
+pub(crate) fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
         Within,
         [
@@ -293,7 +293,7 @@ pub fn trichotomy_census() -> Evidence {
 }
 
 /// How long it rolls in a period, from a start in any direction, against the rests of the drive.
-pub fn trichotomy_motion() -> Evidence {
+pub(crate) fn trichotomy_motion() -> Evidence {
     Trial::motion(
         Within,
         [
@@ -319,7 +319,7 @@ pub fn trichotomy_motion() -> Evidence {
 }
 
 /// λ₀ = 0: the slip of a fast sphere never changes its sign.
-pub fn trichotomy_outside() -> Evidence {
+pub(crate) fn trichotomy_outside() -> Evidence {
     let trial = Trial::census(
         Outside,
         Compared::constant(
@@ -424,7 +424,7 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
 
 /// The slip velocity and the velocity of the centre of a solid sphere on a swinging plane, over two late periods.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Swinging {
+pub(crate) struct Swinging {
     /// λ₀ of (84).
     pub lambda: f64,
     /// (φ, ϖ w_x/A₀, ϖ v_x/A₀), φ from 0 to 4π; all dimensionless.
@@ -434,7 +434,7 @@ pub struct Swinging {
 }
 
 /// Two late periods of a solid sphere.
-pub fn swinging(lambda: f64) -> Result<Swinging, Failure> {
+pub(crate) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
     let sphere = Sphere::with_kappa(0.4);
     let swing = Swing {
         sphere,

@@ -5,21 +5,21 @@
 
 mod angle;
 mod body;
-pub mod carried;
+pub(crate) mod carried;
 mod newton;
 #[cfg(test)]
 mod tests;
 
 use super::prelude::*;
-pub use angle::*;
-pub use body::*;
-pub use newton::*;
+pub(crate) use angle::*;
+pub(crate) use body::*;
+pub(crate) use newton::*;
 
 /// Components of a vector, as trees; a scalar has one.
-pub type Components = Vec<Expr>;
+pub(crate) type Components = Vec<Expr>;
 
 /// A statement about the sphere, by components.
-pub type Vectorial = Statement<Components>;
+pub(crate) type Vectorial = Statement<Components>;
 
 const BY_COMPONENTS: Compared = Compared::one(
     "the formula",

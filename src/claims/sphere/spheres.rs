@@ -5,7 +5,7 @@ use crate::motion::Acceleration;
 
 /// A sphere on a plane, from a start.
 #[derive(Debug, Clone)]
-pub struct Case {
+pub(super) struct Case {
     /// The sphere and its friction.
     pub sphere: Sphere,
     /// The plane.
@@ -20,7 +20,7 @@ pub struct Case {
 
 /// A case and its motion.
 #[derive(Debug)]
-pub struct Followed {
+pub(super) struct Followed {
     /// The case.
     pub case: Case,
     /// The motion.
@@ -31,38 +31,38 @@ pub struct Followed {
 
 impl Case {
     /// A over time.
-    pub fn acceleration(&self, t: f64) -> [f64; 3] {
+    pub(super) fn acceleration(&self, t: f64) -> [f64; 3] {
         let [x, y] = self.plane.coefficients(t).map(|series| series[0]);
         [x, y, 0.0]
     }
 
     /// **R** by (61).
-    pub fn contact(&self) -> [f64; 3] {
+    pub(super) fn contact(&self) -> [f64; 3] {
         printed::eq61_contact(self.sphere.radius)
     }
 
     /// κ by (62).
-    pub fn kappa(&self) -> f64 {
+    pub(super) fn kappa(&self) -> f64 {
         printed::eq62_kappa(self.sphere.inertia, self.sphere.mass, self.sphere.radius)
     }
 
     /// b by (67).
-    pub fn b(&self) -> f64 {
+    pub(super) fn b(&self) -> f64 {
         printed::eq67_factor(self.kappa())
     }
 
     /// By how much friction slows the slip: Newton's law for the centre and Euler's for the turning, added.
-    pub fn braking(&self) -> f64 {
+    pub(super) fn braking(&self) -> f64 {
         braking(&self.sphere)
     }
 
     /// (R, μ, g), of which the units of (68) to (72) are made.
-    pub fn parameters(&self) -> (f64, f64, f64) {
+    pub(super) fn parameters(&self) -> (f64, f64, f64) {
         (self.sphere.radius, self.sphere.mu, self.sphere.g)
     }
 
     /// The motion until a time.
-    pub fn run(self, until: f64) -> Result<Followed, MotionError> {
+    pub(super) fn run(self, until: f64) -> Result<Followed, MotionError> {
         let motion = self.sphere.run(&self.plane, &self.start, until)?;
         Ok(Followed {
             case: self,
@@ -73,13 +73,13 @@ impl Case {
 }
 
 /// By how much friction slows a sphere's slip.
-pub fn braking(sphere: &Sphere) -> f64 {
+pub(super) fn braking(sphere: &Sphere) -> f64 {
     (1.0 + 1.0 / sphere.kappa()) * sphere.mu * sphere.g
 }
 
 /// The dimensionless state at a time: by the printed definitions, or in the sphere's own units.
 #[derive(Debug, Clone, Copy)]
-pub struct Dimensionless {
+pub(super) struct Dimensionless {
     /// ρ, by (68).
     pub rho: [f64; 3],
     /// dρ/dτ, by (68) and (69).
@@ -94,7 +94,7 @@ pub struct Dimensionless {
 
 /// A sphere's own units: its radius, the acceleration by friction, and what follows from the two.
 #[derive(Debug, Clone, Copy)]
-pub struct Units {
+pub(super) struct Units {
     /// R.
     pub length: f64,
     /// μg.
@@ -107,7 +107,7 @@ pub struct Units {
 
 impl Units {
     /// Those of a sphere.
-    pub fn of(sphere: &Sphere) -> Self {
+    pub(super) fn of(sphere: &Sphere) -> Self {
         let (length, push) = (sphere.radius, sphere.mu * sphere.g);
         Units {
             length,
@@ -120,7 +120,7 @@ impl Units {
 
 impl Followed {
     /// The state at a time in the sphere's own units, without the paper's formulas.
-    pub fn own(&self, t: f64) -> Result<Dimensionless, MotionError> {
+    pub(super) fn own(&self, t: f64) -> Result<Dimensionless, MotionError> {
         let Units {
             length,
             push,
@@ -141,17 +141,17 @@ impl Followed {
     }
 
     /// The point in the claims' symbols, at the end.
-    pub fn at_end(&self) -> String {
+    pub(super) fn at_end(&self) -> String {
         self.at(self.until)
     }
 
     /// The sphere's own units.
-    pub fn units(&self) -> Units {
+    pub(super) fn units(&self) -> Units {
         Units::of(&self.case.sphere)
     }
 
     /// The state at a time by the printed definitions.
-    pub fn dimensionless(&self, t: f64) -> Result<Dimensionless, MotionError> {
+    pub(super) fn dimensionless(&self, t: f64) -> Result<Dimensionless, MotionError> {
         let (radius, mu, g) = self.case.parameters();
         let ball = self.motion.at(t)?;
         let [sx, sy] = self.motion.slip(t)?;
@@ -167,19 +167,19 @@ impl Followed {
     }
 
     /// dτ/dt by (69).
-    pub fn tau_rate(&self) -> f64 {
+    pub(super) fn tau_rate(&self) -> f64 {
         let (radius, mu, g) = self.case.parameters();
         printed::eq69_time(radius, mu, g, 1.0)
     }
 
     /// The point in words.
-    pub fn at(&self, t: f64) -> String {
+    pub(super) fn at(&self, t: f64) -> String {
         format!("{}, t = {t:.6}", self.case.name)
     }
 }
 
 /// A random sphere: between a point mass and a hoop, the solid and the hollow one in their turn.
-pub fn sphere(i: usize, points: &mut Points) -> Sphere {
+pub(super) fn sphere(i: usize, points: &mut Points) -> Sphere {
     let kappa = match i % 4 {
         0 => 0.4,
         1 => 2.0 / 3.0,
@@ -197,7 +197,7 @@ pub fn sphere(i: usize, points: &mut Points) -> Sphere {
 }
 
 /// A random case: constant, swinging and turning accelerations of a size to let the sphere slide and roll.
-pub fn case(i: usize, points: &mut Points) -> Case {
+pub(super) fn case(i: usize, points: &mut Points) -> Case {
     let sphere = sphere(i, points);
     let push = sphere.mu * sphere.g;
     let size = push * points.log_uniform(0.4, 6.0);
@@ -242,7 +242,7 @@ pub fn case(i: usize, points: &mut Points) -> Case {
 }
 
 /// Motions that end before sliding does.
-pub static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
+pub(super) static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
     let mut points = Points::here();
     let run = |i| {
         let case = case(i, &mut points);
@@ -261,7 +261,7 @@ pub static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
 });
 
 /// Motions that slide and roll.
-pub static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
+pub(super) static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
     let mut points = Points::here();
     let run = |i| {
         let case = case(i, &mut points);
@@ -272,17 +272,17 @@ pub static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
 });
 
 /// The same with three times between their start and their end.
-pub fn moments() -> impl Iterator<Item = Result<(&'static Followed, f64), Failure>> {
+pub(super) fn moments() -> impl Iterator<Item = Result<(&'static Followed, f64), Failure>> {
     let moments = with_each(MIXED.each(), [0.31, 0.62, 1.0]);
     moments.map(|moment| moment.map(|(run, share)| (run, share * run.until)))
 }
 
 /// All components of a vector in one number, each with a weight of its own.
-pub fn weighed([x, y, z]: [f64; 3]) -> f64 {
+pub(super) fn weighed([x, y, z]: [f64; 3]) -> f64 {
     x + 2.0 * y + 3.0 * z
 }
 
 /// |a|.
-pub fn length([x, y, z]: [f64; 3]) -> f64 {
+pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
     libm::hypot(libm::hypot(x, y), z)
 }

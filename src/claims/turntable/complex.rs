@@ -5,7 +5,7 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A complex number; roots, powers and logarithms are principal values.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Complex {
+pub(super) struct Complex {
     /// Real part.
     pub re: f64,
     /// Imaginary part.
@@ -14,10 +14,10 @@ pub struct Complex {
 
 impl Complex {
     /// The imaginary unit.
-    pub const I: Self = Complex { re: 0.0, im: 1.0 };
+    pub(super) const I: Self = Complex { re: 0.0, im: 1.0 };
 
     /// A real number.
-    pub fn real(re: f64) -> Self {
+    pub(super) fn real(re: f64) -> Self {
         Complex { re, im: 0.0 }
     }
 

@@ -3,13 +3,13 @@
 use super::prelude::*;
 
 /// The speeds of the launches.
-pub const SPEEDS: [f64; 2] = [1.0, 1.5];
+pub(crate) const SPEEDS: [f64; 2] = [1.0, 1.5];
 /// The time up to which they are followed.
-pub const UNTIL: f64 = 7.0;
+pub(crate) const UNTIL: f64 = 7.0;
 
 /// One moment of a launch, dimensionless.
 #[derive(Debug, Clone, Copy)]
-pub struct Moment {
+pub(crate) struct Moment {
     /// Time τ since the launch.
     pub tau: f64,
     /// Place on the table.
@@ -26,7 +26,7 @@ pub struct Moment {
 
 /// A launch from the axis.
 #[derive(Debug, Clone)]
-pub struct Launched {
+pub(crate) struct Launched {
     /// Its speed.
     pub speed: f64,
     /// Its moments, in order.
@@ -37,7 +37,7 @@ pub struct Launched {
 
 /// A launch by all three integrations: the place on the table by one, in the laboratory by another, the arc
 /// length by the third.
-pub fn launched(speed: f64) -> Result<Launched, MotionError> {
+pub(crate) fn launched(speed: f64) -> Result<Launched, MotionError> {
     let table = Table::default();
     let start = State {
         t: 0.0,
@@ -67,7 +67,7 @@ pub fn launched(speed: f64) -> Result<Launched, MotionError> {
 }
 
 /// (104) at every drawn moment, rest included.
-pub fn kept() -> Evidence {
+pub(crate) fn kept() -> Evidence {
     let launches = SPEEDS.into_iter().map(launched);
     let all = launches.flat_map(|launch| {
         parts(launch.map(|l| l.moments.into_iter().map(move |moment| (l.speed, moment))))

@@ -18,7 +18,7 @@ fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) 
 }
 
 /// The way on the table up to the end of a launch, by the motion found in the laboratory.
-pub fn way(launch: &Launch) -> Result<f64, Failure> {
+pub(super) fn way(launch: &Launch) -> Result<f64, Failure> {
     let speed = |t: f64| launch.still.on_table(t).map_or(f64::NAN, |s| s.speed());
     Ok(integral(speed, 0.0, launch.to)?.value)
 }
@@ -93,7 +93,7 @@ fn work(subject: Subject, stated: &'static str, formula: impl Fn(&Table, f64) ->
 
 /// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken
 /// off is the work of the Coriolis force.
-pub fn coriolis() -> Evidence {
+pub(super) fn coriolis() -> Evidence {
     let trial = Trial::by(
         Integration,
         Printed,

@@ -15,16 +15,16 @@ mod setting;
 mod tests;
 
 use super::prelude::*;
-pub use components::*;
-pub use definitions::*;
-pub use energy::*;
-pub use fixed::*;
-pub use frames::*;
-pub use hyperbolic::*;
-pub use setting::Setting;
+pub(crate) use components::*;
+pub(crate) use definitions::*;
+pub(crate) use energy::*;
+pub(crate) use fixed::*;
+pub(crate) use frames::*;
+pub(crate) use hyperbolic::*;
+pub(crate) use setting::Setting;
 
 /// A statement about the turntable: formulas, or the two components of one.
-pub type Vectorial = Statement<Vec<Expr>>;
+pub(crate) type Vectorial = Statement<Vec<Expr>>;
 
 const RATE: Compared = Compared::one("the printed rate", "the rate by (89), exactly");
 

@@ -92,11 +92,11 @@ fn turning(alpha: f64, psi: f64) -> f64 {
 }
 
 /// Starts (A, α, ψ) of escapes.
-pub const ESCAPES: [[f64; 3]; 3] = [[1.2, 0.3, 0.5], [2.0, 0.5, 1.5], [3.0, 0.2, 2.0]];
+pub(crate) const ESCAPES: [[f64; 3]; 3] = [[1.2, 0.3, 0.5], [2.0, 0.5, 1.5], [3.0, 0.2, 2.0]];
 
 /// ψ and ψ₁ at one moment of an escape.
 #[derive(Debug, Clone, Copy)]
-pub struct Following {
+pub(crate) struct Following {
     /// Time τ.
     pub tau: f64,
     /// ψ, in radians.
@@ -109,7 +109,7 @@ pub struct Following {
 }
 
 /// How ψ follows ψ₁ along an escape, from τ = 0.1 to 1000.
-pub fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionError> {
+pub(crate) fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionError> {
     let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 1000.0)?;
     let moment = |i: u32| {
         let tau = libm::exp10(f64::from(i) / 20.0 - 1.0);

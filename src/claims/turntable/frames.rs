@@ -9,7 +9,7 @@ fn acceleration(table: &Table, state: &State) -> [f64; 2] {
 
 /// (86), integrated along the motion as the table's frame has it, with the change of velocity that the
 /// laboratory has, where friction is the only force.
-pub fn eq86() -> Evidence {
+pub(super) fn eq86() -> Evidence {
     let compared = Compared::one(
         "the integral of (86) over $t$ along the motion found in the frame of the table",
         r"the change of $\mathrm d\bm r/\mathrm dt$ found in the laboratory, component by component",
@@ -18,7 +18,7 @@ pub fn eq86() -> Evidence {
 }
 
 /// The same for the mirrored motion on a table that turns the other way.
-pub fn mirror() -> Evidence {
+pub(super) fn mirror() -> Evidence {
     let compared = Compared::one(
         r"the integral of (86) over $t$ with $-\Omega$ along the mirrored motion, found in the frame of the table,",
         r"the mirrored change of $\mathrm d\bm r/\mathrm dt$ found in the laboratory, component by component",
@@ -127,7 +127,7 @@ pub(super) fn eq89_rate(v: &View) -> f64 {
 }
 
 /// (89), likewise.
-pub fn eq89() -> Evidence {
+pub(super) fn eq89() -> Evidence {
     let trial = Trial::by(
         Quadrature,
         Within,
@@ -160,7 +160,7 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
 }
 
 /// (87): motions on any table are one and the same in these units.
-pub fn eq87() -> Evidence {
+pub(super) fn eq87() -> Evidence {
     Trial::by(
         Consistency,
         Printed,
@@ -183,7 +183,7 @@ pub fn eq87() -> Evidence {
 }
 
 /// (88), likewise.
-pub fn eq88() -> Evidence {
+pub(super) fn eq88() -> Evidence {
     let trial = Trial::by(
         Consistency,
         Printed,

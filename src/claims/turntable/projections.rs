@@ -9,7 +9,7 @@ use crate::corrections::turntable as corrected;
 const U_RATE: f64 = f64::NAN;
 
 /// The rate of a quantity at p = 1, ℓ = 1, ξ = 2, by differences along the motion.
-pub fn in_the_motion(quantity: fn(&View) -> f64) -> Result<f64, Failure> {
+pub(crate) fn in_the_motion(quantity: fn(&View) -> f64) -> Result<f64, Failure> {
     let start = State {
         t: 0.0,
         x: [2.0, -1.0],

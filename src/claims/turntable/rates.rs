@@ -7,7 +7,7 @@ use super::trajectories::{ALONG, ALPHA, BETA, Class, MOMENT, PSI, SLOWER, sample
 const ASKED: f64 = 1e-13;
 
 /// ∫ rate dτ along each stretch of these classes with the change of the quantity.
-pub fn change(
+pub(super) fn change(
     law: &'static str,
     subject: Subject,
     classes: &[Class],

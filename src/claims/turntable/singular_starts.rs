@@ -31,7 +31,7 @@ fn state(begin: Begin, points: &mut Points) -> State {
 const H: f64 = 1e-3;
 
 /// The rate of a quantity of a motion at its beginning.
-pub fn first_rate(
+pub(super) fn first_rate(
     table: &Table,
     start: &State,
     quantity: impl Fn(&State) -> f64,
@@ -42,7 +42,7 @@ pub fn first_rate(
 }
 
 /// The rate at the beginning by five values, there and at times `h` apart.
-pub fn rate_at_start(
+pub(super) fn rate_at_start(
     h: f64,
     value: impl Fn(f64) -> Result<f64, MotionError>,
 ) -> Result<f64, MotionError> {
@@ -91,7 +91,7 @@ const LAUNCHED: &[Begin] = &[Begin::Launched];
 const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
 
 /// (86) at rest, on tables of any Ω, μ, g.
-pub fn eq86() -> Evidence {
+pub(super) fn eq86() -> Evidence {
     Trial::by(
         Integration,
         Outside,

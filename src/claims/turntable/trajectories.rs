@@ -7,7 +7,7 @@ use super::prelude::*;
 
 /// The particle's speed relative to the table against that of the table under it, ρ, over a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Class {
+pub(crate) enum Class {
     /// p < ρ throughout.
     Slower,
     /// p > ρ throughout.
@@ -17,15 +17,15 @@ pub enum Class {
 }
 
 /// All of them.
-pub const ANY: &[Class] = &[Class::Slower, Class::Faster, Class::Through];
+pub(crate) const ANY: &[Class] = &[Class::Slower, Class::Faster, Class::Through];
 /// The first case, (110).
-pub const SLOWER: &[Class] = &[Class::Slower];
+pub(crate) const SLOWER: &[Class] = &[Class::Slower];
 /// The second case, (116).
-pub const FASTER: &[Class] = &[Class::Faster];
+pub(crate) const FASTER: &[Class] = &[Class::Faster];
 
 /// A state on the dimensionless table, in the quantities of section 4, from position and velocity alone.
 #[derive(Debug, Clone, Copy)]
-pub struct View {
+pub(crate) struct View {
     /// 𝛒.
     pub position: [f64; 2],
     /// d𝛒/dτ.
@@ -44,7 +44,7 @@ pub struct View {
 
 impl View {
     /// Of a state relative to the table with Ω = μ = g = 1.
-    pub fn of(state: &State) -> Self {
+    pub(crate) fn of(state: &State) -> Self {
         let (position, rate) = (state.x, state.v);
         let ([x, y], [u, v]) = (position, rate);
         let (p, rho) = (state.speed(), state.radius());
@@ -67,56 +67,56 @@ impl View {
     }
 
     /// 𝛒·d𝛒/dτ.
-    pub fn along(&self) -> f64 {
+    pub(crate) fn along(&self) -> f64 {
         self.position[0] * self.rate[0] + self.position[1] * self.rate[1]
     }
 
     /// ẑ·(𝛒 × d𝛒/dτ).
-    pub fn moment(&self) -> f64 {
+    pub(crate) fn moment(&self) -> f64 {
         self.position[0] * self.rate[1] - self.position[1] * self.rate[0]
     }
 
     /// A and α, for p < ρ.
-    pub fn inner(&self) -> (f64, f64) {
+    pub(crate) fn inner(&self) -> (f64, f64) {
         let a = libm::sqrt((self.rho - self.p) * (self.rho + self.p));
         (a, libm::asinh(self.p / a))
     }
 
     /// B and β, for p > ρ.
-    pub fn outer(&self) -> (f64, f64) {
+    pub(crate) fn outer(&self) -> (f64, f64) {
         let b = libm::sqrt((self.p - self.rho) * (self.p + self.rho));
         (b, libm::asinh(self.rho / b))
     }
 }
 
 /// A quantity of a state: its name and its value.
-pub type Quantity = (&'static str, fn(&View) -> f64);
+pub(crate) type Quantity = (&'static str, fn(&View) -> f64);
 
 /// The speed relative to the table.
-pub const P: Quantity = ("$p$", |v| v.p);
+pub(crate) const P: Quantity = ("$p$", |v| v.p);
 /// The distance from the axis.
-pub const RHO: Quantity = (r"$\rho$", |v| v.rho);
+pub(crate) const RHO: Quantity = (r"$\rho$", |v| v.rho);
 /// The angle from the velocity to the position.
-pub const PSI: Quantity = (r"$\psi$", |v| v.psi);
+pub(crate) const PSI: Quantity = (r"$\psi$", |v| v.psi);
 /// The moment of the velocity about the axis over p.
-pub const ELL: Quantity = (r"$\ell$", |v| v.ell);
+pub(crate) const ELL: Quantity = (r"$\ell$", |v| v.ell);
 /// The position along the velocity.
-pub const XI: Quantity = (r"$\xi$", |v| v.xi);
+pub(crate) const XI: Quantity = (r"$\xi$", |v| v.xi);
 /// 𝛒·d𝛒/dτ.
-pub const ALONG: Quantity = (r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$", View::along);
+pub(crate) const ALONG: Quantity = (r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$", View::along);
 /// ẑ·(𝛒 × d𝛒/dτ).
-pub const MOMENT: Quantity = (
+pub(crate) const MOMENT: Quantity = (
     r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$",
     View::moment,
 );
 /// α, for p < ρ.
-pub const ALPHA: Quantity = (r"$\alpha$", |v| v.inner().1);
+pub(crate) const ALPHA: Quantity = (r"$\alpha$", |v| v.inner().1);
 /// β, for p > ρ.
-pub const BETA: Quantity = (r"$\beta$", |v| v.outer().1);
+pub(crate) const BETA: Quantity = (r"$\beta$", |v| v.outer().1);
 
 /// Part of a motion on the dimensionless table, off rest and off the axis.
 #[derive(Debug)]
-pub struct Stretch {
+pub(crate) struct Stretch {
     /// Which sort it is.
     pub class: Class,
     /// The motion by the frame of the table.
@@ -133,23 +133,23 @@ pub struct Stretch {
 
 impl Stretch {
     /// By the frame of the table.
-    pub fn view(&self, tau: f64) -> Result<View, MotionError> {
+    pub(crate) fn view(&self, tau: f64) -> Result<View, MotionError> {
         Ok(View::of(&self.turning.at(tau)?))
     }
 
     /// By components along the velocity.
-    pub fn part(&self, tau: f64) -> Result<Intrinsic, MotionError> {
+    pub(crate) fn part(&self, tau: f64) -> Result<Intrinsic, MotionError> {
         self.parts.at(tau)
     }
 
     /// ∫ of a rate dτ by the frame of the table; not a number where a formula gives none.
-    pub fn sum(&self, rate: impl Fn(&View) -> f64, error: f64) -> f64 {
+    pub(crate) fn sum(&self, rate: impl Fn(&View) -> f64, error: f64) -> f64 {
         let at = |tau: f64| self.view(tau).map_or(f64::NAN, |view| rate(&view));
         sum(at, self.from, self.to, error)
     }
 
     /// The point in the claims' symbols.
-    pub fn at(&self) -> String {
+    pub(crate) fn at(&self) -> String {
         match self.view(self.from) {
             Ok(View { rho, p, psi, .. }) => format!(
                 "ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6}, then for τ = {:.6}",
@@ -228,7 +228,7 @@ fn count(found: &[Stretch], class: Class) -> usize {
 }
 
 /// Times all over a stretch, its ends included.
-pub fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
+pub(crate) fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (0..=40).map(move |i| (from + (to - from) * f64::from(i) / 40.0).min(to))
 }
 
@@ -254,7 +254,9 @@ fn class(path: &Path, from: f64, to: f64) -> Result<Option<Class>, MotionError> 
 }
 
 /// The stretches of these classes, the classes in turn.
-pub fn stretches(classes: &[Class]) -> impl Iterator<Item = Result<&'static Stretch, Failure>> {
+pub(crate) fn stretches(
+    classes: &[Class],
+) -> impl Iterator<Item = Result<&'static Stretch, Failure>> {
     parts(STRETCHES.get().map(|all| {
         let of = |class: &Class| -> Vec<_> { all.iter().filter(|s| s.class == *class).collect() };
         let groups: Vec<_> = classes.iter().map(of).collect();
@@ -267,7 +269,7 @@ pub fn stretches(classes: &[Class]) -> impl Iterator<Item = Result<&'static Stre
 
 /// A motion on a table whose Ω, μ, g, and whose particle's m, are any numbers.
 #[derive(Debug)]
-pub struct Launch {
+pub(crate) struct Launch {
     /// The table and the particle.
     pub table: Table,
     /// Relative to the table.
@@ -282,7 +284,7 @@ pub struct Launch {
 
 impl Launch {
     /// The point in the claims' symbols.
-    pub fn at(&self) -> String {
+    pub(crate) fn at(&self) -> String {
         let Table {
             omega,
             mu,
@@ -298,7 +300,7 @@ impl Launch {
 }
 
 /// A table of any Ω, μ and g, which turns no slower than this.
-pub fn any_table(points: &mut Points, slowest: f64) -> Table {
+pub(crate) fn any_table(points: &mut Points, slowest: f64) -> Table {
     Table {
         omega: points.log_uniform(slowest, 3.0),
         mu: points.uniform(0.1, 1.4),
@@ -339,7 +341,7 @@ static LAUNCHES: Runs<Vec<Launch>> = Runs::new(|| {
 });
 
 /// The launches.
-pub fn launches() -> impl Iterator<Item = Result<&'static Launch, Failure>> {
+pub(crate) fn launches() -> impl Iterator<Item = Result<&'static Launch, Failure>> {
     LAUNCHES.each()
 }
 

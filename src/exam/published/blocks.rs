@@ -7,10 +7,7 @@ use super::{
     follow::{Found, border, cases, moving, sources, zero_of},
 };
 use crate::exam::ExamError;
-use crate::motion::{
-    Motion, Plane, Signal, State, run, run_to_stop,
-    spring::{Spring, SpringState},
-};
+use crate::motion::{Motion, Plane, Signal, Spring, SpringState, State, run, run_to_stop};
 use std::f64::consts::{FRAC_1_SQRT_2, FRAC_PI_4, PI, SQRT_2, TAU};
 
 sources! {

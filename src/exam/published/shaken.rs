@@ -7,8 +7,7 @@ use super::{
     follow::{Found, border, cases, moving, sources},
 };
 use crate::motion::{
-    Plane, Signal, run,
-    spring::{Spring, SpringState},
+    Plane, Signal, Spring, SpringState, run,
     turntable::{self, Table, rotating},
 };
 use std::f64::consts::TAU;

@@ -3,7 +3,7 @@
 use super::{any, config, each, finite, on_the_way, or_zeros, some};
 use proptest::prelude::*;
 use slipbook::motion::{
-    Acceleration, Launch, Motion, Plane, Signal, State, onset::onset, run, run_to_stop,
+    Acceleration, Launch, Motion, Plane, Signal, State, onset, run, run_to_stop,
 };
 
 /// Any signal, and sums and products of such.

@@ -15,7 +15,8 @@ pub fn lexicon(
     formula: Option<&Formula<Expr>>,
     own: &[(&str, &str)],
     statements: &[Statement],
-) -> Result<Lexicon, LatexError> {
+) -> Result<Lexicon, String> {
+    let error = |e: LatexError| e.to_string();
     let mut lexicon = Lexicon::new();
     let arguments = formula.map(arguments).unwrap_or_default();
     for (name, meaning) in own {
@@ -25,9 +26,12 @@ pub fn lexicon(
             letters.find(|letter| *letter == meaning)
         };
         let value = if let Some(number) = meaning.strip_prefix('@') {
-            let statement: usize = number.parse().expect("a statement's number");
+            let statement = number.parse().ok().and_then(|n: usize| statements.get(n));
+            let right = statement.and_then(|statement| statement.sides.get(1));
+            let right =
+                right.ok_or_else(|| format!("`{meaning}` is no statement with a right side"))?;
             let inner = self::lexicon(library, formula, &[], &[])?;
-            statements[statement].sides[1].read(&inner)?
+            right.read(&inner).map_err(error)?
         } else if let Some(argument) = argument {
             argument.value()
         } else if let Some(letter) = component() {
@@ -35,15 +39,15 @@ pub fn lexicon(
         } else if let Ok(number) = meaning.parse() {
             Value::Number(Expr::int(number))
         } else {
-            Value::Number(tree(library.formula(meaning))[0])
+            Value::Number(tree(library.find(meaning)?)[0])
         };
-        lexicon.add(name, value)?;
+        lexicon.add(name, value).map_err(error)?;
     }
     for argument in &arguments {
-        argument.name(&mut lexicon)?;
+        argument.name(&mut lexicon).map_err(error)?;
     }
     for argument in &arguments {
-        argument.size(&mut lexicon)?;
+        argument.size(&mut lexicon).map_err(error)?;
     }
     Ok(lexicon)
 }

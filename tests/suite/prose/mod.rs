@@ -16,7 +16,9 @@ mod numbers;
 mod page_formulas;
 mod print;
 mod printed_part;
+mod reads;
 mod slips;
-mod table;
 mod text;
 mod words;
+
+pub use by_hand::pencil;

@@ -5,130 +5,86 @@
 
 use super::{
     compare::Same,
+    corrections,
     printed_part::Library,
-    table::{self, Line, Place},
+    reads::{Held, held},
     words,
 };
 use slipbook::claims::PAPER;
 use slipbook::exact::latex::statements;
 use std::collections::BTreeSet;
 
-/// The numbered equations as printed, by their numbers.
-pub fn printed() -> impl Iterator<Item = (&'static str, &'static str)> {
-    PAPER
-        .claims()
-        .filter_map(|(_, claim)| Some((claim.id.strip_prefix("eq-")?, claim.latex)))
-}
-
-/// The lines of an equation: its own in the table, else the default.
-pub fn lines(library: &Library, number: &'static str) -> Vec<Line> {
-    let own = table::PRINTED.iter().filter(|line| line.0 == number);
-    let own: Vec<Line> = own.copied().collect();
-    match &library.numbered(number)[..] {
-        [only] if own.is_empty() => vec![(number, 0, Place::Side(0, 1), only.name, &[])],
-        _ => own,
+/// What of the texts is no formula of the code, or reads otherwise in plain text; what agrees by its values alone goes on the list.
+fn failures(texts: &[Held], measured: &mut Vec<&'static str>) -> Vec<String> {
+    let library = Library::new();
+    let mut failures = Vec::new();
+    for held in texts {
+        let at = &held.at;
+        if held.lines.is_empty() && (!held.corrected || held.latex.contains('=')) {
+            failures.push(format!(
+                "{at} is held against nothing: say which part is which formula"
+            ));
+        }
+        for line in &held.lines {
+            match library.hold(held.latex, line) {
+                Ok(same) if same.contains(&Same::Measured) => measured.push(held.id),
+                Ok(_) => {}
+                Err(why) => failures.push(format!("{at}, {}: {why}", line.formulas)),
+            }
+        }
+        if !held.says(held.latex) {
+            failures.push(format!("{at} reads otherwise in plain text"));
+        }
     }
-}
-
-/// The lines of a correction.
-pub fn corrected(id: &str) -> Vec<Line> {
-    let own = table::CORRECTED.iter().filter(|line| line.0 == id);
-    own.copied().collect()
-}
-
-/// The corrections in LaTeX and plain text, by the ids of the claims.
-pub fn corrections() -> impl Iterator<Item = (&'static str, &'static str, &'static str)> {
-    PAPER.claims().filter_map(|(_, claim)| {
-        let correction = claim.correction?;
-        Some((claim.id, correction.latex, correction.plain))
-    })
-}
-
-/// Whether the letters of an equation are those of its row's plain text.
-pub fn in_the_same_words(number: &str, latex: &str) -> bool {
-    let printed = words::of_latex(latex);
-    if let Some((_, left)) = table::OTHER_WORDS.iter().find(|row| row.0 == number) {
-        return printed.starts_with(&words::of_plain(left));
-    }
-    let (_, claim) = PAPER.find(&format!("eq-{number}")).unwrap();
-    // What a constant is, the print says in the text around it.
-    let plain = claim.plain.trim_end_matches(", c constant");
-    printed == words::of_plain(plain.trim_end_matches(", 𝐜 constant"))
+    failures
 }
 
 #[test]
 fn every_printed_equation_is_the_formula_of_the_code() {
-    let library = Library::new();
+    let (texts, mut failures) = held(&Library::new(), false);
     let mut measured = Vec::new();
-    let mut failures = Vec::new();
-    for (number, latex) in printed() {
-        let lines = lines(&library, number);
-        if lines.is_empty() {
-            failures.push(format!("({number}) is held against nothing"));
-        }
-        for line in &lines {
-            match library.hold(latex, line) {
-                Ok(same) if same.contains(&Same::Measured) => measured.push(number),
-                Ok(_) => {}
-                Err(why) => failures.push(format!("({number}) {}: {why}", line.3)),
-            }
-        }
-        if !in_the_same_words(number, latex) {
-            failures.push(format!("({number}) reads otherwise in plain text"));
-        }
-    }
+    failures.extend(self::failures(&texts, &mut measured));
     assert!(failures.is_empty(), "{failures:#?}");
     // The square of a vector's size, which is a root, is known to the ring by no rule.
-    assert_eq!(measured, ["106"]);
+    assert_eq!(measured, ["eq-106"]);
 }
 
 #[test]
 fn every_formula_with_a_number_is_held_or_part_of_one_that_is() {
     let library = Library::new();
-    let lines: Vec<Line> = printed()
-        .flat_map(|(number, _)| lines(&library, number))
-        .collect();
-    let held: BTreeSet<&str> = lines
-        .iter()
-        .flat_map(|line| line.3.split([' ', '.']))
-        .collect();
+    let [printed, right] = [false, true].map(|corrected| held(&library, corrected).0);
+    let formulas = |texts: &[Held]| -> BTreeSet<&str> {
+        let lines = texts.iter().flat_map(|held| &held.lines);
+        lines
+            .flat_map(|line| line.formulas.split([' ', '.']))
+            .collect()
+    };
+    let of_print = formulas(&printed);
     let all = library.formulas.iter();
     let open: Vec<&str> = all
         .map(|formula| formula.name)
-        .filter(|name| name.starts_with("eq") && !held.contains(name))
+        .filter(|name| name.starts_with("eq") && !of_print.contains(name))
         .collect();
     // Both stand in eq143_psi.
     assert_eq!(open, ["eq143_exponent", "eq143_constant"]);
+    let of_right = formulas(&right);
+    let idle = corrections::joined().into_iter().filter(|formula| {
+        !of_right
+            .iter()
+            .any(|name| formula.path.ends_with(&format!("::{name}")))
+    });
+    let idle: Vec<_> = idle.map(|formula| formula.path).collect();
+    assert!(
+        idle.is_empty(),
+        "no claim reads what corrections.rs joins: {idle:?}"
+    );
 }
 
 #[test]
 fn every_correction_is_the_formula_of_the_code() {
-    let library = Library::new();
-    let mut failures = Vec::new();
-    for (id, latex, plain) in corrections() {
-        let lines = corrected(id);
-        if lines.is_empty() && latex.contains('=') {
-            failures.push(format!("{id} is held against nothing"));
-        }
-        for line in &lines {
-            if let Err(why) = library.hold(latex, line) {
-                failures.push(format!("{id} {}: {why}", line.3));
-            }
-        }
-        if words::of_latex(latex) != words::of_plain(plain) {
-            failures.push(format!("{id} reads otherwise in plain text"));
-        }
-    }
+    let (texts, mut failures) = held(&Library::new(), true);
+    failures.extend(self::failures(&texts, &mut Vec::new()));
     assert!(failures.is_empty(), "{failures:#?}");
-}
-
-#[test]
-fn every_line_of_the_tables_is_of_a_claim() {
-    let numbered = table::PRINTED.iter().map(|line| format!("eq-{}", line.0));
-    let ids = numbered.chain(table::CORRECTED.iter().map(|line| line.0.to_owned()));
-    let known: BTreeSet<_> = PAPER.claims().map(|(_, claim)| claim.id).collect();
-    let idle: BTreeSet<_> = ids.filter(|id| !known.contains(&**id)).collect();
-    assert!(idle.is_empty(), "lines of table.rs of no claim: {idle:?}");
 }
 
 #[test]

@@ -2,8 +2,9 @@
 
 use super::{
     compare::{self, Same},
+    corrections,
     meaning::{lexicon, tree},
-    table::{self, Line, Place},
+    reads::{Line, Place},
 };
 use slipbook::claims::formulas::formulas;
 use slipbook::exact::{
@@ -21,19 +22,26 @@ pub struct Library {
 impl Library {
     pub fn new() -> Self {
         let mut all = formulas::<Expr>();
-        all.extend(table::joined());
+        all.extend(corrections::joined());
         Library { formulas: all }
     }
 
     /// The formula whose path ends so.
     pub fn formula(&self, name: &str) -> &Formula<Expr> {
+        self.find(name).unwrap_or_else(|why| panic!("{why}"))
+    }
+
+    /// The same, or why there is none.
+    pub fn find(&self, name: &str) -> Result<&Formula<Expr>, String> {
         let mut of_name = self.formulas.iter().filter(|formula| {
             let before = formula.path.strip_suffix(name);
             before.is_some_and(|before| before.ends_with("::"))
         });
         let (first, second) = (of_name.next(), of_name.next());
-        assert!(second.is_none(), "{name} is the name of several formulas");
-        first.unwrap_or_else(|| panic!("there is no formula {name}"))
+        match second {
+            None => first.ok_or_else(|| format!("there is no formula `{name}`")),
+            Some(_) => Err(format!("`{name}` is the name of several formulas")),
+        }
     }
 
     /// The formulas with the number of an equation.
@@ -64,20 +72,20 @@ impl Library {
 
     /// The trees of the print, each with that of the code.
     fn pairs(&self, latex: &str, line: &Line) -> Result<Vec<(Expr, Expr)>, String> {
-        let (_, segment, place, names, own) = line;
-        let formula = match segment {
+        let formula = match line.segment {
             0 => Some(latex),
             n => latex.split('$').skip(1).step_by(2).nth(n - 1),
         };
         let formula = formula.ok_or("there is no such formula in the text")?;
         let error = |e: slipbook::exact::latex::LatexError| e.to_string();
         let statements = statements(formula).map_err(error)?;
-        let names: Vec<&str> = names.split(' ').collect();
+        let names: Vec<&str> = line.formulas.split(' ').collect();
         let main = names.iter().find(|name| !["0", "π"].contains(name));
-        let main = main.map(|name| self.formula(without_component(name).0));
-        let lexicon = lexicon(self, main, own, &statements).map_err(error)?;
-        let mut code: Vec<Expr> = names.iter().flat_map(|name| self.code(name)).collect();
-        let printed = printed(&statements, *place, &lexicon)?;
+        let main = main.map(|name| self.find(without_component(name).0));
+        let lexicon = lexicon(self, main.transpose()?, &line.names, &statements)?;
+        let code: Result<Vec<_>, _> = names.iter().map(|name| self.code(name)).collect();
+        let mut code = code?.concat();
+        let printed = printed(&statements, line.place, &lexicon)?;
         let vector = matches!(printed[..], [Value::Vector(_)]);
         if vector && code.len() == 2 {
             // In the plane.
@@ -94,21 +102,27 @@ impl Library {
         Ok(printed.into_iter().zip(code).collect())
     }
 
-    /// What the code has under this name of the table.
-    fn code(&self, name: &str) -> Vec<Expr> {
-        match name {
+    /// What the code has under this name of a line.
+    fn code(&self, name: &str) -> Result<Vec<Expr>, String> {
+        Ok(match name {
             "0" => vec![Expr::int(0)],
             "π" => vec![Expr::pi()],
             _ => {
-                let (name, component) = without_component(name);
-                let all = tree(self.formula(name));
-                component.map_or(all.clone(), |i| vec![all[i]])
+                let (own, component) = without_component(name);
+                let all = tree(self.find(own)?);
+                match component {
+                    None => all,
+                    Some(i) => vec![
+                        *all.get(i)
+                            .ok_or_else(|| format!("`{name}` has no such part"))?,
+                    ],
+                }
             }
-        }
+        })
     }
 }
 
-/// A name of the table, without the number of a component, and that number.
+/// A name of a line, without the number of a component, and that number.
 fn without_component(name: &str) -> (&str, Option<usize>) {
     match name.split_once('.') {
         Some((name, component)) => (name, component.parse().ok()),

@@ -3,12 +3,10 @@
 use super::{
     compare, meaning,
     mistakes::mistakes,
-    print::{corrected, corrections, in_the_same_words, lines, printed},
     printed_part::Library,
-    table::{self, Line},
-    words,
+    reads::{Held, held},
 };
-use slipbook::claims::{PAPER, formulas::formulas};
+use slipbook::claims::formulas::formulas;
 use slipbook::exact::Expr;
 use slipbook::seeded::{self, Formula};
 
@@ -22,25 +20,19 @@ struct Noticed {
 }
 
 impl Noticed {
-    /// What becomes of each slip in a text that is held by these lines and by its words; those that nobody notices.
-    fn all(
-        &mut self,
-        name: &str,
-        latex: &str,
-        lines: &[Line],
-        in_words: impl Fn(&str) -> bool,
-    ) -> Vec<String> {
-        let library = Library::new();
+    /// What becomes of each slip in a text that is held by its lines and by its words; those that nobody notices.
+    fn all(&mut self, library: &Library, held: &Held) -> Vec<String> {
+        let lines = &held.lines;
         let mut missed = Vec::new();
-        for slip in mistakes(latex) {
+        for slip in mistakes(held.latex) {
             if !lines.iter().all(|line| library.reads(&slip, line)) {
                 self.not_understood += 1;
             } else if !lines.iter().all(|line| library.agrees(&slip, line)) {
                 self.by_formula += 1;
-            } else if !in_words(&slip) {
+            } else if !held.says(&slip) {
                 self.by_words += 1;
             } else {
-                missed.push(format!("{name} {slip}"));
+                missed.push(format!("{} {slip}", held.at));
             }
         }
         missed
@@ -52,15 +44,10 @@ fn every_slip_of_the_pen_is_noticed() {
     let library = Library::new();
     let mut noticed = Noticed::default();
     let mut missed = Vec::new();
-    for (number, latex) in printed() {
-        let lines = lines(&library, number);
-        missed.extend(noticed.all(number, latex, &lines, |slip| {
-            in_the_same_words(number, slip)
-        }));
-    }
-    for (id, latex, plain) in corrections() {
-        let in_words = |slip: &str| words::of_latex(slip) == words::of_plain(plain);
-        missed.extend(noticed.all(id, latex, &corrected(id), in_words));
+    for corrected in [false, true] {
+        for held in held(&library, corrected).0 {
+            missed.extend(noticed.all(&library, &held));
+        }
     }
     println!("{noticed:?}");
     assert!(missed.is_empty(), "{missed:#?}");
@@ -99,11 +86,14 @@ impl Seeded {
 fn every_mistake_in_a_formula_of_the_paper_is_noticed() {
     let library = Library::new();
     let mut all = Seeded::default();
-    for (number, latex) in printed() {
-        let lines = lines(&library, number);
+    for held in held(&library, false).0 {
+        let Some(number) = held.id.strip_prefix("eq-") else {
+            continue;
+        };
         for formula in library.numbered(number) {
+            let lines = held.lines.iter();
             all.seed(formula, || {
-                lines.iter().all(|line| library.agrees(latex, line))
+                lines.clone().all(|line| library.agrees(held.latex, line))
             });
         }
     }
@@ -116,20 +106,22 @@ fn every_mistake_in_a_formula_of_the_paper_is_noticed() {
 #[test]
 fn every_mistake_in_a_correction_that_is_printed_is_noticed() {
     let library = Library::new();
+    let texts = held(&library, true).0;
     let mut all = Seeded::default();
     let (mut printed, mut not_printed) = (0, 0);
     for formula in formulas::<Expr>() {
         let Some(name) = formula.path.strip_prefix("slipbook::corrections::") else {
             continue;
         };
-        let lines: Vec<&Line> = table::CORRECTED
+        let lines = texts
             .iter()
-            .filter(|line| topic(line.3) == topic(name))
-            .collect();
-        let latex = |id: &str| PAPER.find(id).unwrap().1.correction.unwrap().latex;
+            .flat_map(|held| held.lines.iter().map(|line| (held.latex, line)));
+        let own_topic = lines.filter(|(_, line)| topic(line.formulas) == topic(name));
         let mut own = Seeded::default();
         own.seed(&formula, || {
-            lines.iter().all(|line| library.agrees(latex(line.0), line))
+            own_topic
+                .clone()
+                .all(|(latex, line)| library.agrees(latex, line))
         });
         // Some add to a correction, or serve another that is printed.
         if own.noticed == 0 {

@@ -34,18 +34,19 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Html {
     Ok(format!(
         "<article class=\"claim {slug}\" aria-labelledby=\"{id}\"><div class=\"claim-head\">\
          <h3 id=\"{id}\" class=\"claim-title\"><a class=\"header\" href=\"#{id}\">{heading}</a></h3>{verdict}</div>\
-         {wrong}{stated}<details class=\"evidence\" id=\"{id}-evidence\"><summary>{given}{brief}</summary>\
+         {was}{wrong}{stated}<details class=\"evidence\" id=\"{id}-evidence\"><summary>{given}{brief}</summary>\
          <p class=\"claim-place\">Section {section}, {kind} <a class=\"permalink\" href=\"#{id}\">#{id}</a></p>\
          <p class=\"claim-ground\">{ground}</p>{behind}</details></article>\n",
         slug = judgement.verdict.slug(),
+        was = was(claim),
         id = claim.id,
         heading = maths.words(&heading(claim))?,
         verdict = verdict(judgement.verdict),
-        stated = statements(context, entry)?,
+        stated = ours(claim) + &statements(context, entry)?,
         given = given(context, claim)?,
         brief = maths.words(&sentence(&entry.brief()))?,
         section = escape(claim.section),
-        kind = claim.kind.name(),
+        kind = claim.kind_name(),
         behind = [
             theorems::of_claim(context, entry)?,
             unconditional(context, entry)?,
@@ -58,6 +59,20 @@ pub(super) fn claim_box(context: &Context<'_>, entry: &Entry) -> Html {
         ]
         .concat(),
     ))
+}
+
+/// Where old addresses lead.
+fn was(claim: &Claim) -> String {
+    let anchor = |id: &&str| format!("<span id=\"{}\"></span>", escape(id));
+    claim.was.iter().map(anchor).collect()
+}
+
+/// Whose claim it is, if it is not the paper's.
+fn ours(claim: &Claim) -> String {
+    match claim.ours {
+        true => "<p class=\"claim-label\">Derived here, not printed</p>".to_owned(),
+        false => String::new(),
+    }
 }
 
 /// `(11) Speed as a function of direction`, `The paper's Figure 1: Portraits of the velocity`.
@@ -193,7 +208,7 @@ fn by_hand(context: &Context<'_>, entry: &Entry) -> Html {
         "<div class=\"by-hand\"><p><strong>Why:</strong> {}.</p><p><strong>By hand:</strong> {}.{}</p></div>",
         context.maths.words(&sentence(case.reason))?,
         context.maths.words(&sentence(&case.words()?))?,
-        context.watch(entry.claim.id)
+        context.watch(entry.claim)
     ))
 }
 
@@ -218,7 +233,7 @@ fn conditions(context: &Context<'_>, claim: &Claim) -> Html {
             Sort::Degenerate | Sort::Convention | Sort::Substance => "unstated",
             Sort::Reading | Sort::Remark => "ours",
         };
-        let stated = condition.sort.words();
+        let stated = condition.sort.words(claim.ours);
         let words = context.maths.words(condition.text)?;
         html += &format!("<li class=\"{class}\">{words} <span class=\"tag\">{stated}</span></li>");
     }
@@ -258,17 +273,22 @@ fn trials(context: &Context<'_>, entry: &Entry) -> Html {
     let code = |i: usize| context.code.trial(entry.claim.trials.get(i)?);
     let trials = entry.evidence.iter().enumerate();
     let (proofs, others): (Vec<_>, Vec<_>) = trials.partition(|(_, e)| e.route.is_proof());
-    let conditional = entry.is_conditional();
+    let (conditional, ours) = (entry.is_conditional(), entry.claim.ours);
     let above = |i: usize| {
         proofs
             .iter()
             .filter(move |(k, _)| *k < i)
             .map(|(_, e)| e.steps.as_slice())
     };
-    let items = proofs
-        .iter()
-        .chain(&others)
-        .map(|(i, e)| trial(context, e, above(*i), conditional, code(*i).as_ref()));
+    let items = proofs.iter().chain(&others).map(|(i, e)| {
+        trial(
+            context,
+            e,
+            above(*i),
+            [conditional, ours],
+            code(*i).as_ref(),
+        )
+    });
     let items = items.collect::<Html>()?;
     let Tally { rejected, tried } = entry.tally();
     let variants = match tried {
@@ -290,7 +310,7 @@ fn trial<'a>(
     context: &Context<'_>,
     evidence: &Evidence,
     above: impl Iterator<Item = &'a [String]>,
-    conditional: bool,
+    [conditional, ours]: [bool; 2],
     code: Option<&Place>,
 ) -> Html {
     let maths = context.maths;
@@ -314,7 +334,7 @@ fn trial<'a>(
         "<li class=\"{class}\"><p><strong>{route}</strong>, {about}: <span class=\"outcome\">{outcome}</span>. \
          {compared}{code}</p><p class=\"measure\">{measured}{reason}</p>{proof}{samples}</li>",
         route = evidence.route.name(),
-        about = evidence.about(conditional),
+        about = evidence.about(conditional, ours),
         outcome = proved.unwrap_or(outcome),
         compared = maths.words(&evidence.comparison())?,
         measured = maths.folded(&evidence.measured())?,

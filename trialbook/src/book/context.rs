@@ -10,6 +10,7 @@ use crate::evidence::Kind;
 use crate::ledger::{Entry, Erratum, Ledger, Verdict, deep::Deep};
 use crate::plotting::Figure;
 use crate::publishing::Edition;
+use crate::trials::Claim;
 
 /// All that placeholders are filled from.
 pub(super) struct Context<'a> {
@@ -37,10 +38,8 @@ impl<'a> Context<'a> {
     }
 
     /// The link to where one sees a claim fail, if there is such a place.
-    pub fn watch(&self, id: &str) -> String {
-        let mut places = self.edition.watch.iter();
-        let place = places.find(|(claim, ..)| *claim == id);
-        let link = |(_, address, what): &(_, &str, &str)| {
+    pub fn watch(&self, claim: &Claim) -> String {
+        let link = |[address, what]: [&str; 2]| {
             let address = escape(address);
             let verb = if address.contains("plot=") {
                 "see"
@@ -49,7 +48,7 @@ impl<'a> Context<'a> {
             };
             format!(" <a class=\"watch\" href=\"{address}\">▶ {verb} {what}</a>")
         };
-        place.map(link).unwrap_or_default()
+        claim.watch.map(link).unwrap_or_default()
     }
 
     /// The link to where the reader breaks the formula, if there is such a place.

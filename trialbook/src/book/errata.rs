@@ -62,7 +62,7 @@ fn item(context: &Context<'_>, erratum: &Erratum) -> Html {
     );
     let wrong = maths.words(&erratum.wrong)?;
     html += &format!("<p><strong>{wrong}</strong></p>");
-    let watch = context.watch(erratum.id);
+    let watch = context.watch(entry.claim);
     for (label, words, watch) in [
         ("Reason", Some(&erratum.reason), ""),
         ("By hand", erratum.case.as_ref(), watch.as_str()),

@@ -136,15 +136,19 @@ impl Search {
     pub fn new(context: &Context<'_>) -> Self {
         let mut search = Search::default();
         let lines = context.edition.aliases.lines();
-        for (address, phrases) in lines.filter_map(|line| line.split_once('\t')) {
+        let lines = lines.filter_map(|line| line.split_once('\t'));
+        let lines = lines.map(|(address, phrases)| (address.to_owned(), phrases));
+        let claims = context.ledger.entries.iter();
+        let claims = claims.map(|entry| (entry.address(), entry.claim.aliases));
+        for (address, phrases) in lines.chain(claims.filter(|(_, phrases)| !phrases.is_empty())) {
             let phrases = phrases.split("; ");
             let exact = phrases
                 .clone()
-                .map(|phrase| (phrase.to_owned(), address.to_owned()));
+                .map(|phrase| (phrase.to_owned(), address.clone()));
             search.exact.extend(exact);
             let words = phrases.filter(|phrase| !phrase.contains(' '));
             let words = words.collect::<Vec<_>>().join(" ");
-            search.aliases.insert(address.to_owned(), words);
+            search.aliases.insert(address, words);
         }
         for entry in &context.ledger.entries {
             let (claim, verdict) = (entry.claim, entry.judgement.verdict);

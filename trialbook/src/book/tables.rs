@@ -287,7 +287,10 @@ pub(super) fn accuracy(context: &Context<'_>) -> Html {
         Ok([
             context.link(entry)?,
             closest.route.name().to_owned(),
-            closest.subject.words(entry.is_conditional()).to_owned(),
+            closest
+                .subject
+                .words(entry.is_conditional(), entry.claim.ours)
+                .to_owned(),
             points,
             worst,
             tolerance,

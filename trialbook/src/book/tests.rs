@@ -2,8 +2,11 @@
 
 use super::{BookError, write};
 use crate::data::Text;
-use crate::ledger::example::{PAPER, ledger};
+use crate::evidence::{Route, Subject};
+use crate::ledger::Ledger;
+use crate::ledger::example::{PAPER, ledger, tried};
 use crate::publishing::{Edition, Page, Part, Word};
+use crate::trials::{Paper, Topic, attempt::Attempt, read::File};
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -28,6 +31,54 @@ fn with(pages: &[(&'static str, &str)], out: &Path) -> Result<PathBuf, BookError
     // One that nobody has tried.
     ledger.entries[7].evidence.clear();
     write(&edition, &ledger, &[], out)
+}
+
+/// A consequence of our own is called so, in its box and on its sheet: nothing says that it is printed.
+#[test]
+fn what_is_derived_here_is_not_said_to_be_printed() {
+    const PROVED: Attempt =
+        Attempt::measured(|| tried(Route::Exact, Subject::Printed, 0), "own::twice");
+    static TOPIC: Topic = Topic::new(
+        "own",
+        "Own",
+        File::here(
+            "[s1-twice]
+title = 'twice as far'
+section = '1'
+latex = 'It goes $2a$ far.'
+ours = true
+was = ['s1-once']
+conditions = [{ stated = '$a>0$' }]
+trials = ['own::twice']",
+        ),
+        &[&[PROVED]],
+    );
+    static OWN: Paper = Paper {
+        topics: &[&TOPIC],
+        ..Paper::BLANK
+    };
+    let ledger = Ledger::try_all(&OWN, |_| {});
+    assert_eq!(OWN.check(), []);
+    let folder = TempDir::new().unwrap();
+    let out = folder.path().join("book");
+    write(&Edition::of("own", &OWN), &ledger, &[], &out).unwrap();
+    let html = fs::read_to_string(out.join("own.html")).unwrap();
+    for said in [
+        "Derived here, not printed",
+        "as derived here",
+        "stated with it",
+        "<span id=\"s1-once\">",
+    ] {
+        assert!(html.contains(said), "{said}: {html}");
+    }
+    for text in [html, ledger.entries[0].sheet()] {
+        let text = text.to_lowercase();
+        assert!(text.contains("derived here"), "{text}");
+        assert!(
+            !text.contains("as printed") && !text.contains("in the paper"),
+            "{text}"
+        );
+    }
 }
 
 /// Every file of a book without folders, by its name.

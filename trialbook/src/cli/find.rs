@@ -87,16 +87,16 @@ fn is_words(given: &str) -> bool {
 /// search finds it or its topic.
 fn said(edition: &Edition, Entry { claim, topic, .. }: &Entry) -> [String; 2] {
     let (paper, stem) = (edition.paper, topic.stem);
-    let places = [claim.id, stem].map(|place| format!("{stem}.html#{place}\t"));
+    let place = format!("{stem}.html#{stem}\t");
     let aliases = edition.aliases.lines();
-    let aliases = aliases.filter(|line| places.iter().any(|place| line.starts_with(place)));
+    let aliases = aliases.filter(|line| line.starts_with(&place));
     let theorems = paper.known_theorems().of_claim(claim.id);
     let theorems = theorems.iter().map(|(accepted, _)| accepted.name.as_str());
     let conditions = claim.conditions.iter().map(|condition| condition.text);
     let by_hand = claim.by_hand.map(|case| [case.wrong, case.reason]);
     let right = claim.correction.map(|correction| correction.plain);
     let values = claim.values.iter().flat_map(|v| [v.id, v.meaning]);
-    let rest = [claim.plain, claim.argument, topic.title].into_iter();
+    let rest = [claim.plain, claim.argument, topic.title, claim.aliases].into_iter();
     let rest = rest
         .chain(right)
         .chain(aliases)

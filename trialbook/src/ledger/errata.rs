@@ -235,12 +235,12 @@ fn said(e: &Evidence, conditional: bool) -> String {
     if let Some(recorded) = &e.recorded {
         return recorded.clone();
     }
-    let (about, route) = (e.about(conditional), e.route.name());
+    let (about, route) = (e.about(conditional, false), e.route.name());
     let (comparison, measured) = (e.comparison(), e.measured());
     format!("{about}, by {route}. {comparison} {measured}")
 }
 
-#[cfg(all(test, feature = "trials"))]
+#[cfg(test)]
 mod tests {
     use super::super::example::ledger;
 

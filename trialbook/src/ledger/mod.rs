@@ -1,55 +1,40 @@
 //! The ledger: every claim with its evidence and the verdict that follows from it.
 
-#[cfg(feature = "trials")]
 pub mod deep;
-#[cfg(feature = "trials")]
 pub mod distrust;
 #[cfg(feature = "book")]
 mod errata;
-#[cfg(all(test, feature = "trials"))]
+#[cfg(test)]
 pub(crate) mod example;
-#[cfg(feature = "trials")]
 mod key;
 #[cfg(feature = "book")]
 mod letter;
-#[cfg(feature = "trials")]
 mod parallel;
 mod record;
 #[cfg(feature = "book")]
 mod recorded;
-#[cfg(feature = "trials")]
 mod row;
-#[cfg(feature = "trials")]
 mod run;
-#[cfg(feature = "trials")]
 pub mod sensitivity;
-#[cfg(feature = "trials")]
 mod sentences;
-#[cfg(feature = "trials")]
 mod sheet;
 mod standing;
-#[cfg(feature = "trials")]
 mod summary;
 mod table;
-#[cfg(feature = "trials")]
 mod tally;
-#[cfg(feature = "trials")]
 mod variants;
 mod verdict;
 
 #[cfg(feature = "book")]
 pub use errata::{ErrataError, Erratum};
-#[cfg(feature = "trials")]
 pub use key::Key;
 #[cfg(feature = "book")]
 pub use letter::Format;
 pub use record::{Difference, Record, RecordError};
-#[cfg(feature = "trials")]
 pub use row::{EvidenceRow, Row};
 #[cfg(feature = "book")]
 pub(crate) use sentences::{count, counted};
 pub use standing::Standing;
-#[cfg(feature = "trials")]
 pub use tally::Tally;
 pub use verdict::{Judgement, Verdict, in_view_of, judge};
 
@@ -183,7 +168,7 @@ impl Ledger {
     }
 }
 
-#[cfg(all(test, feature = "trials"))]
+#[cfg(test)]
 mod tests {
     use super::example::{ledger, tried};
     use super::*;

@@ -63,7 +63,8 @@ fn trial(text: &str) -> Option<Evidence> {
     let said = lines.next()?.trim_start();
     let whole = about.strip_suffix(", a part of it");
     let subject = Subject::ALL.into_iter().find(|subject| {
-        let words = [true, false].map(|conditional| subject.words(conditional));
+        let forms = [(true, false), (false, false), (false, true)];
+        let words = forms.map(|(conditional, ours)| subject.words(conditional, ours));
         words.contains(&whole.unwrap_or(about))
     });
     let words = lines.next().unwrap_or_default().split([' ', ',', ';']);

@@ -1,6 +1,6 @@
 //! A claim's sheet: all that is known of it, as plain text that a physicist can review line by line.
 
-use super::{Entry, Tally, Verdict};
+use super::{Entry, Tally};
 use crate::evidence::{Evidence, Outcome, Sample, Subject, ranges};
 use crate::notation::plain_words;
 use crate::trials::{Sort, compare::SAMPLES};
@@ -27,7 +27,7 @@ impl Entry {
             text,
             "section {}{number}, {}",
             claim.section,
-            claim.kind.name()
+            claim.kind_name()
         );
         let _ = writeln!(text, "\n    {}\n", claim.plain);
         if let Some(correction) = claim.correction {
@@ -64,14 +64,16 @@ impl Entry {
             let _ = writeln!(text, "argument: {}", plain_words(claim.argument));
         }
         for evidence in &self.evidence {
-            trial(&mut text, evidence, self.judgement.verdict);
+            trial(&mut text, evidence, self);
         }
         text
     }
 }
 
-fn trial(text: &mut String, e: &Evidence, verdict: Verdict) {
-    let (route, about) = (e.route.name(), e.about(verdict.has_condition()));
+fn trial(text: &mut String, e: &Evidence, entry: &Entry) {
+    let verdict = entry.judgement.verdict;
+    let about = e.about(verdict.has_condition(), entry.claim.ours);
+    let route = e.route.name();
     let (mut comparison, result) = (e.comparison(), e.result());
     if !verdict.asks_for_change() {
         comparison = plain_words(&comparison);

@@ -43,10 +43,7 @@ impl Evidence {
 impl Entry {
     /// Whether the whole claim is a theorem. What is built without trials reads no record of any.
     fn is_theorem(&self) -> bool {
-        #[cfg(feature = "trials")]
-        return self.paper.known_theorems().is_proved(self.claim.id);
-        #[cfg(not(feature = "trials"))]
-        false
+        self.paper.known_theorems().is_proved(self.claim.id)
     }
 
     /// How what the verdict rests on is known; nothing for an undecided claim.

@@ -1,12 +1,12 @@
 //! Plain text in the letters that every program reads.
 
-use super::letters::{GREEK, HIGH, LOW, large};
+use super::letters::{GREEK, HIGH, LOW, large, light};
 
 /// A text in ASCII: `μg/Ω²` as `mu g/Omega^2`. What has no form of its own there becomes a question mark.
 pub fn ascii(text: &str) -> String {
     let mut out = String::new();
     let (mut raised, mut named) = (false, false);
-    for c in text.chars() {
+    for c in text.chars().map(light) {
         let (high, low) = (large(c, HIGH), large(c, LOW));
         let greek = GREEK.iter().find(|(_, letter)| letter.starts_with(c));
         if named && c.is_alphabetic() {

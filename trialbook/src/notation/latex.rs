@@ -5,7 +5,7 @@ mod scripts;
 #[cfg(test)]
 mod tests;
 
-use super::letters::{FRACTIONS, HIGH, LOW, large};
+use super::letters::{FRACTIONS, HIGH, LOW, large, light};
 use super::plain::symbols;
 use factors::{is_differential, is_letter};
 
@@ -228,8 +228,6 @@ const OTHERS: &[(char, &str)] = &[
     ('∠', r"\angle"),
     ('|', "|"),
     ('′', "'"),
-    ('𝐫', r"\bm r"),
-    ('𝛒', r"\bm\rho"),
     ('\u{303}', r"\tilde{}"),
 ];
 
@@ -246,6 +244,12 @@ pub(crate) fn command(c: char) -> Option<String> {
     let is = |text: &str| text.trim().chars().eq([c]);
     if let Some(((above, below), _)) = FRACTIONS.iter().find(|(_, known)| is(known)) {
         return Some(format!(r"\frac{above}{below}"));
+    }
+    if light(c) != c {
+        return Some(match command(light(c)) {
+            Some(letter) => format!(r"\bm{letter}"),
+            None => format!(r"\bm {}", light(c)),
+        });
     }
     let known = symbols().find(|(_, symbol)| is(symbol));
     known.map(|(name, _)| format!("\\{name}"))

@@ -57,6 +57,30 @@ pub(super) const FRACTIONS: &[((&str, &str), &str)] = &[
     (("3", "4"), "¾"),
 ];
 
+/// Letters and their bold forms: the first of each, and how many follow.
+const BOLD: &[(char, char, u32)] = &[('A', '𝐀', 26), ('a', '𝐚', 26), ('α', '𝛂', 25)];
+
+fn shifted(c: char, from: char, to: char, all: u32) -> Option<char> {
+    let nth = u32::from(c).checked_sub(from.into()).filter(|n| *n < all)?;
+    char::from_u32(u32::from(to) + nth)
+}
+
+/// The bold form of a letter; what has none stays as it is.
+pub(super) fn bold(c: char) -> char {
+    let mut forms = BOLD.iter();
+    forms
+        .find_map(|(from, to, all)| shifted(c, *from, *to, *all))
+        .unwrap_or(c)
+}
+
+/// The letter of which this is the bold form.
+pub(super) fn light(c: char) -> char {
+    let mut forms = BOLD.iter();
+    forms
+        .find_map(|(from, to, all)| shifted(c, *to, *from, *all))
+        .unwrap_or(c)
+}
+
 /// What stands below the line, each behind what it stands for.
 pub(super) const LOW: &str = "0₀1₁2₂3₃4₄5₅6₆7₇8₈9₉+₊-₋xₓnₙkₖ";
 /// What stands above the line, each behind what it stands for.

@@ -1,6 +1,8 @@
 //! LaTeX as plain text: for claims, letters, terminals and the search.
 
-use super::letters::{ACCENTS, FRACTIONS, FUNCTIONS, GREEK, HIGH, LOW, is_small, large, small};
+use super::letters::{
+    ACCENTS, FRACTIONS, FUNCTIONS, GREEK, HIGH, LOW, bold, is_small, large, light, small,
+};
 
 /// Words with formulas in `$…$`, as plain text.
 pub fn plain_words(text: &str) -> String {
@@ -95,8 +97,6 @@ const LOOKS: &[&str] = &[
     "mathfrak",
     "mathsf",
     "mathit",
-    "boldsymbol",
-    "bm",
     "mbox",
     "text",
     "operatorname",
@@ -142,6 +142,7 @@ impl Reader<'_> {
             if !item.trim().is_empty()
                 && let Some(at) = fraction.take()
                 && multiplies(&item)
+                && !(item == "|" && bars(&out) % 2 == 1)
             {
                 bracket(&mut out, at);
             }
@@ -163,6 +164,14 @@ impl Reader<'_> {
                     out.push('·');
                 }
                 open = is_root;
+            }
+            if item.starts_with(['+', '−']) && out.ends_with(' ') && ends_a_term(out.trim_end()) {
+                out.truncate(out.trim_end().len());
+                self.rest = self.rest.trim_start();
+            }
+            // The first of two bars.
+            if item == "|" && bars(&out).is_multiple_of(2) {
+                self.rest = self.rest.trim_start();
             }
             let begins = out.len();
             out += &item;
@@ -189,6 +198,8 @@ impl Reader<'_> {
             '~' => " ".into(),
             '=' | '<' | '>' => format!(" {c} "),
             '&' | '\n' => " ".into(),
+            // Between a case and where it holds.
+            ',' if self.rest.starts_with('&') => " for".into(),
             ',' => ", ".into(),
             c => c.into(),
         })
@@ -209,13 +220,15 @@ impl Reader<'_> {
         let (name, rest) = self.rest.split_at(end);
         self.rest = rest;
         if let Some((_, symbol)) = symbols().find(|(known, _)| *known == name) {
-            if name == "lvert" {
-                self.rest = self.rest.trim_start();
-            }
             return (*symbol).to_owned();
         }
         if let Some((_, mark)) = ACCENTS.iter().find(|(known, _)| *known == name) {
             let under = self.argument();
+            // A unit vector is told by its hat.
+            let under = match name {
+                "hat" => under.chars().map(light).collect(),
+                _ => under,
+            };
             return format!("{under}{mark}");
         }
         match name {
@@ -228,7 +241,16 @@ impl Reader<'_> {
                 }
             }
             "sqrt" => format!("√{}", factor(self.argument())),
-            name if LOOKS.contains(&name) => self.argument(),
+            "bm" | "boldsymbol" => self.argument().chars().map(bold).collect(),
+            name if LOOKS.contains(&name) => {
+                let text = self.argument();
+                if text != "d" || name != "mathrm" {
+                    return text;
+                }
+                let power = self.rest.starts_with('^').then(|| self.item());
+                self.rest = self.rest.trim_start();
+                text + &power.flatten().unwrap_or_default()
+            }
             "begin" | "end" => {
                 self.argument();
                 String::new()
@@ -257,6 +279,10 @@ fn script(text: &str, sign: &str, among: &str) -> String {
     }
 }
 
+fn bars(text: &str) -> usize {
+    text.matches('|').count()
+}
+
 /// Puts what begins there into brackets.
 fn bracket(out: &mut String, at: usize) {
     let tail = out.split_off(at);
@@ -267,6 +293,12 @@ fn bracket(out: &mut String, at: usize) {
 /// True if an item that stands behind a fraction multiplies it.
 fn multiplies(item: &str) -> bool {
     item.starts_with(|c: char| c.is_alphanumeric() || "√([|/".contains(c))
+}
+
+/// True if a sign behind the text is one between two terms.
+fn ends_a_term(text: &str) -> bool {
+    text.ends_with(|c: char| c.is_alphanumeric() || is_mark(c) || ")]|".contains(c))
+        && !ends_with_function(text)
 }
 
 /// True if the text ends with a function whose argument is to come.
@@ -287,14 +319,18 @@ fn factor(term: String) -> String {
     }
 }
 
+/// A small letter, or what stands above one.
+fn is_mark(c: char) -> bool {
+    is_small(c) || "′˙".contains(c) || ('\u{300}'..'\u{370}').contains(&c)
+}
+
 fn is_factor(term: &str) -> bool {
-    let mark = |c: char| is_small(c) || "′˙".contains(c) || ('\u{300}'..'\u{370}').contains(&c);
     let symbol = |term: &str| {
         let mut rest = term.chars();
         rest.next().is_some_and(char::is_alphabetic)
             && match rest.as_str().strip_prefix('_') {
                 Some(index) => index.chars().count() == 1,
-                None => rest.all(mark),
+                None => rest.all(is_mark),
             }
     };
     let mut depth = 0;
@@ -305,15 +341,28 @@ fn is_factor(term: &str) -> bool {
     term.chars().all(|c| c.is_ascii_digit())
         || term.chars().count() == 1
         || symbol(term)
-        || term.strip_prefix('d').is_some_and(symbol)
+        || is_differential(term)
+        || term
+            .strip_prefix('|')
+            .and_then(|of| of.strip_suffix('|'))
+            .is_some_and(|of| !of.contains('|'))
         || term.strip_prefix('√').is_some_and(is_factor)
         || closed.next() == Some(term.len().wrapping_sub(1)) && term.starts_with('(')
+}
+
+/// True for `dx`, and for `d(x y)`.
+fn is_differential(term: &str) -> bool {
+    let power = |c: char| large(c, HIGH).is_some();
+    let of = term
+        .strip_prefix('d')
+        .map(|of| of.trim_start_matches(power));
+    of.is_some_and(is_factor)
 }
 
 /// A term in brackets if it has parts.
 fn whole(term: String) -> String {
     let term = term.trim();
-    if term.contains([' ', '+', '−', '/', '±', '=']) {
+    if !is_differential(term) && term.contains([' ', '+', '−', '/', '±', '=']) {
         format!("({term})")
     } else {
         term.to_owned()
@@ -337,10 +386,22 @@ mod tests {
                 r"\left(\tan\frac{\theta}{2}\right)^{-\lambda}",
                 "(tan (θ/2))^(−λ)",
             ),
-            (r"\bm{A}=-A \hat{\bm{x}}", "A = −A x̂"),
+            (r"\bm{A}=-A \hat{\bm{x}}", "𝐀 = −A x̂"),
             (
                 r"\lambda_\mathrm c\,\mathrm d\bm\rho/\mathrm dt",
-                "λ_c dρ/dt",
+                "λ_c d𝛒/dt",
+            ),
+            (
+                r"m \frac{\mathrm{d}^2 \bm{r}}{\mathrm{d} t^2}=-\frac{\bm v}{\vert \bm v\vert }",
+                "m d²𝐫/dt² = −𝐯/|𝐯|",
+            ),
+            (
+                r"\frac{\mathrm d (v x)}{\mathrm d t}=(\dot{\bm u} +x) -1",
+                "d(v x)/dt = (𝐮̇+x)−1",
+            ),
+            (
+                r"\begin{cases} 1,&0<x\\ -x,&x<0 \end{cases}",
+                "1 for 0 < x; −x for x < 0",
             ),
             (r"\tau\to\infty", "τ → ∞"),
             (r"2^{1/4}", "2^(1/4)"),

@@ -46,6 +46,10 @@ pub struct ByHand {
     pub case: &'static str,
     /// Digits shown of the numbers.
     pub digits: usize,
+    /// The stated and the found number once more, as expressions that were worked out with paper and pencil, not with the code.
+    pub pencil: [&'static str; 2],
+    /// The other decimals of the texts, by expressions of the same kind.
+    pub decimals: &'static [&'static str],
     /// The numbers.
     pub computed: Numbers,
 }

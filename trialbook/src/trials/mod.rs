@@ -4,40 +4,24 @@
 //! [`Evidence`](crate::evidence::Evidence), or a statement that is proved. Whether a claim holds is not said here: the
 //! [ledger](crate::ledger) judges.
 
-#[cfg(feature = "trials")]
 pub mod attempt;
-#[cfg(feature = "trials")]
 pub mod by_hand;
-#[cfg(feature = "trials")]
 mod change;
-#[cfg(feature = "trials")]
 pub mod compare;
-#[cfg(feature = "trials")]
 pub mod enclosed;
-#[cfg(feature = "trials")]
 pub mod excepted;
-#[cfg(feature = "trials")]
 pub mod formulas;
-#[cfg(feature = "trials")]
 pub mod points;
-#[cfg(feature = "trials")]
 pub mod read;
-#[cfg(feature = "trials")]
 pub mod reading;
-#[cfg(feature = "trials")]
 pub mod runs;
-#[cfg(feature = "trials")]
 pub mod statement;
-#[cfg(feature = "trials")]
 pub mod tolerances;
-#[cfg(feature = "trials")]
 pub mod values;
-#[cfg(feature = "trials")]
 pub mod variants;
 
 use crate::data::Text;
 use crate::evidence::{Change, Kind};
-#[cfg(feature = "trials")]
 use {
     crate::data::Folder,
     crate::seeded::Corner,
@@ -94,9 +78,10 @@ pub enum Sort {
 }
 
 impl Sort {
-    /// Who says so, in words.
-    pub fn words(self) -> &'static str {
+    /// Who says so, in words; `ours` of a claim that the paper does not have.
+    pub fn words(self, ours: bool) -> &'static str {
         match self {
+            Sort::Stated if ours => "stated with it",
             Sort::Stated => "stated in the paper",
             Sort::Degenerate => "not stated in the paper; it excepts degenerate points only",
             Sort::Convention => "a convention for the whole paper",
@@ -126,6 +111,9 @@ pub struct Correction {
     pub latex: &'static str,
     /// What is right, in plain text.
     pub plain: &'static str,
+    /// As [`Claim::reads`], of what is right.
+    #[serde(skip)]
+    pub reads: &'static [&'static str],
 }
 
 /// One claim of the paper.
@@ -139,12 +127,20 @@ pub struct Claim {
     pub equation: Option<u16>,
     /// What sort of statement it is.
     pub kind: Kind,
+    /// True for a consequence of our own, which is not printed. Its formulas stand where the corrections do.
+    pub ours: bool,
+    /// Ids of earlier books whose addresses lead here.
+    pub was: &'static [&'static str],
+    /// Words and phrases by which the search finds it too, with `; ` between them.
+    pub aliases: &'static str,
     /// What it is about, in a few words.
     pub title: &'static str,
     /// The statement in LaTeX: the formula as printed, or our words with the formulas in `$…$`.
     pub latex: &'static str,
     /// The statement in plain text, for terminals and snapshots.
     pub plain: &'static str,
+    /// Which part of the statement is which formula of the code, for whoever holds one against the other.
+    pub reads: &'static [&'static str],
     /// The conditions under which it is stated or has to be read.
     pub conditions: &'static [Condition],
     /// Ids of the claims that it is derived from or refers to.
@@ -154,20 +150,19 @@ pub struct Claim {
     /// Why what its trials prove is enough, in words; empty where the proof itself says it between its steps.
     pub argument: &'static str,
     /// How it is tried.
-    #[cfg(feature = "trials")]
     pub trials: &'static [Attempt],
     /// What is missing, where no theorem says the whole of it.
     pub unproved: Option<&'static str>,
     /// Why it fails, with a case to check by hand.
-    #[cfg(feature = "trials")]
     pub by_hand: Option<ByHand>,
+    /// Where one sees it fail: the address of an explorer in that state, such as `rest.html#explore-rest?rho=0.5`, and what one
+    /// watches there.
+    pub watch: Option<[&'static str; 2]>,
     /// The numbers by which it can be found.
-    #[cfg(feature = "trials")]
     pub values: &'static [Value],
     /// The wrong variants of its formulas that no trial rejects, by their text.
     pub survivors: &'static [Excuse],
     /// The values of symbols for which it is stated, where those are not all that the symbols can have.
-    #[cfg(feature = "trials")]
     pub domain: &'static [Corner],
     /// The mistakes in a corner that no measurement notices, by their text.
     pub cornered: &'static [Excuse],
@@ -185,6 +180,12 @@ pub struct Excuse {
 }
 
 impl Claim {
+    /// What sort of statement it is, in a word; of one of our own, that too.
+    pub fn kind_name(&self) -> String {
+        let own = if self.ours { ", derived here" } else { "" };
+        self.kind.name().to_owned() + own
+    }
+
     /// What the claim is called for short: `(11)`, `Figure 3`, or its title; formulas in `$…$`.
     pub fn name(&self) -> String {
         match (self.equation, self.kind) {
@@ -204,23 +205,16 @@ pub struct Topic {
     /// Title of the chapter.
     pub title: &'static str,
     /// The file of its claims.
-    #[cfg(feature = "trials")]
     pub file: File,
     /// The conditions and reasons that several topics use.
-    #[cfg(feature = "trials")]
     shared: Option<File>,
     /// The trials and proofs of its modules.
-    #[cfg(feature = "trials")]
     trials: &'static [&'static [Attempt]],
-    #[cfg(feature = "trials")]
     cases: &'static [Numbers],
-    #[cfg(feature = "trials")]
     numbers: &'static [Number],
-    #[cfg(feature = "trials")]
     read: OnceLock<Read>,
 }
 
-#[cfg(feature = "trials")]
 impl Topic {
     /// A topic by its stem, its title, its claims and the lists of trials that they name.
     pub const fn new(
@@ -286,7 +280,6 @@ impl Topic {
 }
 
 /// What is wrong, a line each.
-#[cfg(feature = "trials")]
 pub(crate) fn listed(faults: &[ReadError]) -> String {
     let lines: Vec<_> = faults.iter().map(ReadError::to_string).collect();
     lines.join("\n")
@@ -308,27 +301,20 @@ pub struct Paper {
     /// The recorded verdicts: a line `id: verdict` for each claim.
     pub record: Text,
     /// The recorded sheets, each `<topic>/<id>.snap` as `Entry::snapshot` writes it; none if only the verdicts are recorded.
-    #[cfg(feature = "trials")]
     pub sheets: Folder,
     /// True if a test puts every wrong variant to the trials, and finds that no other passes than the claims name as survivors.
     pub tries_variants: bool,
     /// The record of a deep run; empty if none was made.
-    #[cfg(feature = "trials")]
     pub deep: Text,
     /// Its theorems before a proof assistant's kernel.
-    #[cfg(feature = "trials")]
     pub theorems: &'static Theorems,
     /// Its formulas.
-    #[cfg(feature = "trials")]
     pub formulas: Formulas,
 }
 
-#[cfg(feature = "trials")]
 const NONE: Text = Text::Built("");
-#[cfg(feature = "trials")]
 static NO_THEOREMS: Theorems = Theorems::new(Folder::None, NONE);
 
-#[cfg(feature = "trials")]
 impl Paper {
     /// What is known of its theorems.
     pub fn known_theorems(&self) -> &Known {
@@ -404,15 +390,23 @@ impl Paper {
             .iter()
             .flat_map(|(_, read)| read.faults.iter().cloned());
         let mut faults: Vec<_> = all.collect();
+        let all: BTreeSet<_> = reads
+            .iter()
+            .flat_map(|(_, read)| read.ids.iter().map(|(_, id)| id))
+            .collect();
         let mut ids = BTreeSet::new();
-        for (file, read) in &reads {
-            let twice = read.ids.iter().filter(|(_, id)| !ids.insert(*id));
-            faults.extend(twice.map(|(line, id)| file.error(*line, Fault::Twice((*id).into()))));
+        let lists: [fn(&Read) -> &[_]; 2] = [|read| &read.ids, |read| &read.was];
+        for list in lists {
+            for (file, read) in &reads {
+                let twice = list(read).iter().filter(|(_, id)| !ids.insert(*id));
+                faults
+                    .extend(twice.map(|(line, id)| file.error(*line, Fault::Twice((*id).into()))));
+            }
         }
         // In a file that is broken there may be more.
         if !reads.iter().any(|(_, read)| read.broken) {
             for (file, read) in &reads {
-                let nobody = read.from.iter().filter(|(_, id)| !ids.contains(id));
+                let nobody = read.from.iter().filter(|(_, id)| !all.contains(id));
                 let unknown =
                     |(line, id): &(usize, &str)| file.error(*line, Fault::unknown("claim", id));
                 faults.extend(nobody.map(unknown));
@@ -429,7 +423,7 @@ impl Paper {
     }
 }
 
-#[cfg(all(test, feature = "trials"))]
+#[cfg(test)]
 mod tests {
     use super::*;
 

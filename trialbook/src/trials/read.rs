@@ -18,8 +18,9 @@
 //! ```
 //!
 //! An entry may also have `kind`, `section`, `plain` and `corrected-plain`, where the plain text that is computed reads badly,
-//! `argument`, `unproved`, `by-hand`, `values`, `survivors`, `cornered` and `unread`: as [`Claim`] has them. A reason of
-//! a single word is a name. Text in `'''…'''` may be broken into lines.
+//! `argument`, `unproved`, `by-hand`, `values`, `survivors`, `cornered`, `unread`, `ours`, `was`, `aliases`, `watch`, `reads` and
+//! `corrected-reads`: as [`Claim`] has them. A reason of a single word is a name. Text in `'''…'''` may be broken into lines.
+//! A field without effect is refused.
 
 use super::attempt::Attempt;
 use super::by_hand::ByHand;
@@ -134,6 +135,14 @@ pub enum Fault {
     /// A claim that is there already.
     #[error("a second claim `{0}`")]
     Twice(String),
+    /// A field that would be ignored.
+    #[error("`{field}` has no effect: {why}")]
+    Idle {
+        /// The field.
+        field: &'static str,
+        /// Why not, and what to do.
+        why: &'static str,
+    },
 }
 
 impl Fault {
@@ -154,6 +163,8 @@ pub(crate) struct Read {
     pub ids: Vec<(usize, &'static str)>,
     /// The claims that they name, each with its line.
     pub from: Vec<(usize, &'static str)>,
+    /// The ids that they had, each with its line.
+    pub was: Vec<(usize, &'static str)>,
     /// The names that they use.
     pub used: Used,
     /// What is wrong.
@@ -166,6 +177,8 @@ pub(crate) struct Read {
 #[derive(Default)]
 struct Common {
     section: &'static str,
+    /// The line of the section.
+    section_line: usize,
     conditions: BTreeMap<Spanned<String>, Said>,
     reasons: BTreeMap<Spanned<String>, String>,
     /// Whether some of it may be missing, as it cannot be read.
@@ -223,16 +236,25 @@ struct Worked {
     reason: String,
     case: String,
     digits: u8,
+    pencil: [String; 2],
+    #[serde(default)]
+    decimals: Vec<String>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
 struct Entry {
-    section: Option<String>,
-    kind: Option<Kind>,
+    section: Option<Spanned<String>>,
+    kind: Option<Spanned<Kind>>,
+    ours: Option<Spanned<bool>>,
+    #[serde(default)]
+    was: Vec<Spanned<String>>,
+    aliases: Option<Spanned<String>>,
     title: Spanned<String>,
     latex: Spanned<String>,
     plain: Option<Spanned<String>>,
+    #[serde(default)]
+    reads: Vec<Spanned<String>>,
     #[serde(default)]
     conditions: Vec<Spanned<Given>>,
     #[serde(default)]
@@ -241,11 +263,14 @@ struct Entry {
     from: Vec<Spanned<String>>,
     corrected: Option<Spanned<String>>,
     corrected_plain: Option<Spanned<String>>,
+    #[serde(default)]
+    corrected_reads: Vec<Spanned<String>>,
     argument: Option<Spanned<String>>,
     #[serde(default)]
     trials: Vec<Spanned<Tried>>,
     unproved: Option<Spanned<String>>,
     by_hand: Option<Spanned<Worked>>,
+    watch: Option<Spanned<[String; 2]>>,
     #[serde(default)]
     values: BTreeMap<Spanned<String>, Shown>,
     #[serde(default)]
@@ -301,7 +326,10 @@ fn entries(file: &File, faults: &mut Vec<ReadError>) -> (Common, Vec<Row>) {
     for (key, row) in rows {
         let (line, before) = (file.line(key.span().start), faults.len());
         match &**key.get_ref() {
-            "section" => common.section = text(value(file, row, faults).unwrap_or_default()),
+            "section" => {
+                common.section = text(value(file, row, faults).unwrap_or_default());
+                common.section_line = line;
+            }
             "conditions" => common.conditions = value(file, row, faults).unwrap_or_default(),
             "reasons" => common.reasons = value(file, row, faults).unwrap_or_default(),
             id => {
@@ -324,8 +352,16 @@ pub(super) type Used = BTreeSet<(&'static str, String)>;
 
 /// What a shared file offers and nobody uses.
 pub(super) fn unused(file: &File, used: &BTreeSet<&(&'static str, String)>) -> Vec<ReadError> {
-    let (common, _) = entries(file, &mut Vec::new());
-    common.unused(file, &|name| used.contains(name))
+    let (common, entries) = entries(file, &mut Vec::new());
+    let section = Some(common.section_line).filter(|line| *line > 0);
+    let foreign = entries.iter().map(|(line, ..)| *line).chain(section);
+    let mut told = common.unused(file, &|name| used.contains(name));
+    told.extend(foreign.map(|line| {
+        let why = "a shared file has conditions and reasons: move it to the file of its topic";
+        let field = "an entry or a section";
+        file.error(line, Fault::Idle { field, why })
+    }));
+    told
 }
 
 impl Common {
@@ -368,11 +404,21 @@ impl Read {
             used: RefCell::default(),
             faults: RefCell::new(faults),
         };
-        let (mut claims, mut from) = (Vec::new(), Vec::new());
+        let (mut claims, mut from, mut was) = (Vec::new(), Vec::new(), Vec::new());
         let ids = entries.iter().map(|(line, id, _)| (*line, *id)).collect();
+        let own = |(.., entry): &Row| entry.as_ref().is_some_and(|entry| entry.section.is_some());
+        if reader.common.section_line > 0 && entries.iter().all(own) {
+            let (line, why) = (
+                reader.common.section_line,
+                "each entry has its own: leave it out",
+            );
+            let field = "section";
+            let fault = topic.file.error(line, Fault::Idle { field, why });
+            reader.faults.borrow_mut().push(fault);
+        }
         for (_, id, entry) in entries {
             let Some(entry) = entry else { continue };
-            claims.push(reader.claim(id, entry, &mut from));
+            claims.push(reader.claim(id, entry, [&mut from, &mut was]));
         }
         let used = reader.used.take();
         if readable {
@@ -382,6 +428,7 @@ impl Read {
             claims: claims.leak(),
             ids,
             from,
+            was,
             used,
             broken: reader.common.broken || reader.shared.broken,
             faults: reader.faults.into_inner(),
@@ -436,16 +483,38 @@ impl Reader<'_> {
         &self,
         id: &'static str,
         entry: Entry,
-        from: &mut Vec<(usize, &'static str)>,
+        [from, was]: [&mut Vec<(usize, &'static str)>; 2],
     ) -> Claim {
         let file = &self.topic.file;
+        self.idle_fields(&entry);
+        let lined = |list: Vec<_>, known: &mut Vec<_>| {
+            each(list, |id: Spanned<String>| {
+                let (line, id) = (file.line(id.span().start), text(id.into_inner()));
+                known.push((line, id));
+                Some(id)
+            })
+        };
+        // A `$` counts formulas there.
+        let texts = |list| each(list, |said: Spanned<String>| Some(text(said.into_inner())));
         let equation = id
             .strip_prefix("eq-")
             .and_then(|number| number.parse().ok());
-        let plain = |given: Option<_>, latex: &str| match given {
-            Some(given) => self.spanned(given),
-            None if equation.is_some() && !latex.contains('$') => plain_formula(latex).leak(),
-            None => plain_words(latex).leak(),
+        let plain = |field, given: Option<Spanned<String>>, latex: &str| {
+            let computed: &str = match equation.is_some() && !latex.contains('$') {
+                true => plain_formula(latex).leak(),
+                false => plain_words(latex).leak(),
+            };
+            let Some(given) = given else {
+                return computed;
+            };
+            let (at, given) = (given.span().start, self.spanned(given));
+            self.idle(
+                given == computed,
+                at,
+                field,
+                "it is what is computed: leave it out",
+            );
+            given
         };
         let latex = self.spanned(entry.latex);
         let correction = entry.corrected.map(|right| {
@@ -453,7 +522,8 @@ impl Reader<'_> {
             Correction {
                 change: Change::between(latex, right),
                 latex: right,
-                plain: plain(entry.corrected_plain, right),
+                plain: plain("corrected-plain", entry.corrected_plain, right),
+                reads: texts(entry.corrected_reads),
             }
         });
         let usual = match id {
@@ -461,21 +531,54 @@ impl Reader<'_> {
             _ if id.starts_with("fig-") => Kind::Figure,
             _ => Kind::Property,
         };
+        let all = entry.trials.len();
+        let trials = each(entry.trials.into_iter().zip(0..), |(tried, nth)| {
+            let seat = mixed(id.bytes().map(u64::from).chain([nth]));
+            let attempt = self.attempt(tried)?;
+            Some(Attempt { seat, ..attempt })
+        });
+        let unproved = trials.iter().all(|trial| trial.statement().is_none());
+        if let (Some(why), true) = (&entry.argument, unproved && trials.len() == all) {
+            let told = "none of its trials is a proof: leave it out";
+            self.idle(true, why.span().start, "argument", told);
+        }
         Claim {
             id,
-            section: entry.section.map_or(self.common.section, text),
+            section: entry.section.map_or(self.common.section, |own| {
+                let (at, own) = (own.span().start, text(own.into_inner()));
+                let same = own == self.common.section;
+                self.idle(same, at, "section", "it is that of the file: leave it out");
+                own
+            }),
             equation,
-            kind: entry.kind.unwrap_or(usual),
+            kind: entry.kind.map_or(usual, |kind| {
+                let same = *kind.get_ref() == usual;
+                self.idle(same, kind.span().start, "kind", "its id says so: leave it out");
+                kind.into_inner()
+            }),
+            ours: entry.ours.is_some_and(|ours| {
+                if usual != Kind::Property {
+                    let told = "the equations and figures of the paper are not ours: give it an id of its own";
+                    self.fault(ours.span().start, Fault::Form(told.to_owned()));
+                }
+                ours.into_inner()
+            }),
+            was: lined(entry.was, was),
+            aliases: entry.aliases.map_or("", |said| self.spanned(said)),
+            watch: entry.watch.map(|watch| {
+                let at = watch.span().start;
+                watch.into_inner().map(|said| self.text(at, said))
+            }),
             title: self.spanned(entry.title),
             latex,
-            plain: plain(entry.plain, latex),
-            depends_on: each(entry.from, |on| {
-                let (line, on) = (file.line(on.span().start), text(on.into_inner()));
-                from.push((line, on));
-                Some(on)
-            }),
+            plain: plain("plain", entry.plain, latex),
+            reads: texts(entry.reads),
+            depends_on: lined(entry.from, from),
             conditions: each(entry.conditions, |given| self.condition(given)),
             domain: each(entry.domain, |(letter, [low, high])| {
+                let all = [low, high] == [f64::NEG_INFINITY, f64::INFINITY];
+                let why = "every number is in it: leave it out";
+                self.idle(all, letter.span().start, "domain", why);
                 if low.is_nan() || high.is_nan() || low >= high {
                     let told = "a domain is two numbers, the lower one first".to_owned();
                     self.fault(letter.span().start, Fault::Form(told));
@@ -485,17 +588,106 @@ impl Reader<'_> {
             }),
             correction,
             argument: entry.argument.map_or("", |why| self.reason(why)),
-            trials: each(entry.trials.into_iter().zip(0..), |(tried, nth)| {
-                let seat = mixed(id.bytes().map(u64::from).chain([nth]));
-                let attempt = self.attempt(tried)?;
-                Some(Attempt { seat, ..attempt })
-            }),
+            trials,
             unproved: entry.unproved.map(|why| self.reason(why)),
             by_hand: entry.by_hand.and_then(|case| self.by_hand(id, case)),
             values: each(entry.values, |(name, shown)| self.value(id, &name, shown)),
             survivors: self.excuses(entry.survivors),
             cornered: self.excuses(entry.cornered),
             unread: self.excuses(entry.unread),
+        }
+    }
+
+    /// Says that a field has no effect, and why, if it has none.
+    fn idle(&self, is: bool, at: usize, field: &'static str, why: &'static str) {
+        if is {
+            self.fault(at, Fault::Idle { field, why });
+        }
+    }
+
+    /// The fields that others make idle.
+    fn idle_fields(&self, entry: &Entry) {
+        let at = |field: &Option<Spanned<String>>| field.as_ref().map(|f| f.span().start);
+        let first = |list: &[Spanned<String>]| list.first().map(|f| f.span().start);
+        let by_hand = entry.by_hand.as_ref().map(|case| case.span().start);
+        let watch = entry.watch.as_ref().map(|watch| watch.span().start);
+        let ours = entry.ours.as_ref().map(|ours| ours.span().start);
+        let is_ours = entry.ours.as_ref().is_some_and(|ours| *ours.get_ref());
+        let is_defined = matches!(&entry.kind, Some(kind) if *kind.get_ref() == Kind::Definition);
+        let [no_correction, no_case] = [entry.corrected.is_none(), entry.by_hand.is_none()];
+        let as_printed =
+            matches!(&entry.corrected, Some(right) if right.get_ref() == entry.latex.get_ref());
+        let not_corrected = "there is no `corrected`: add it, or leave this out";
+        let not_printed =
+            "what is ours is not printed and has no correction: mend `latex`, and leave this out";
+        for (is, field, at, why) in [
+            (
+                no_correction,
+                "corrected-plain",
+                at(&entry.corrected_plain),
+                not_corrected,
+            ),
+            (
+                no_correction,
+                "corrected-reads",
+                first(&entry.corrected_reads),
+                not_corrected,
+            ),
+            (
+                as_printed,
+                "corrected",
+                at(&entry.corrected),
+                "it is what is printed: leave it out",
+            ),
+            (
+                no_case,
+                "watch",
+                watch,
+                "it is shown with the case by hand: add `by-hand`, or leave it out",
+            ),
+            (is_ours, "corrected", at(&entry.corrected), not_printed),
+            (is_ours, "by-hand", by_hand, not_printed),
+            (is_ours, "reads", first(&entry.reads), not_printed),
+            (
+                !is_ours,
+                "ours",
+                ours,
+                "what is not ours does not say so: leave it out",
+            ),
+            (
+                is_defined,
+                "unproved",
+                at(&entry.unproved),
+                "nothing of a definition is to be proved: leave it out",
+            ),
+        ] {
+            if let (true, Some(at)) = (is, at) {
+                self.fault(at, Fault::Idle { field, why });
+            }
+        }
+        let mut said = BTreeSet::new();
+        for given in &entry.conditions {
+            let text = match given.get_ref() {
+                Given::Named(name) => name.clone(),
+                Given::Said(said) => format!("{said:?}"),
+            };
+            let twice = !said.insert(text);
+            self.idle(
+                twice,
+                given.span().start,
+                "conditions",
+                "it has this one twice: leave one out",
+            );
+        }
+        let mut known = BTreeSet::new();
+        for on in &entry.from {
+            let twice = !known.insert(on.get_ref());
+            self.idle(
+                twice,
+                on.span().start,
+                "from",
+                "it names this claim twice: leave one out",
+            );
         }
     }
 
@@ -552,6 +744,16 @@ impl Reader<'_> {
         let name = &excused.trial;
         let listed = self.topic.attempts().find(|attempt| attempt.name() == name);
         let attempt = self.named(at.start, "trial", name, listed)?;
+        let [coarse, spared] = [&excused.coarse, &excused.spared].map(|all| !all.is_empty());
+        let proof = attempt.statement().is_some();
+        self.idle(
+            coarse && proof,
+            at.start,
+            "coarse",
+            "a proof has no tolerance: leave it out",
+        );
+        let why = "it is said of proofs, and this is none: leave it out";
+        self.idle(spared && !proof, at.start, "spared", why);
         // Where in the entry a reason stands is not known within a list.
         let here = |why: String| Spanned::new(at.clone(), why);
         let reason = |why: Option<_>| why.map(|why| self.reason(here(why)));
@@ -575,13 +777,23 @@ impl Reader<'_> {
             reason,
             case,
             digits,
+            pencil,
+            decimals,
         } = case.into_inner();
         let [wrong, reason, case] = [wrong, reason, case].map(|said| self.text(at, said));
+        for (place, field) in [("{stated}", "stated"), ("{found}", "found")] {
+            let told = format!("the `case` does not show its number `{{{field}}}`");
+            if !case.contains(place) {
+                self.fault(at, Fault::Form(told));
+            }
+        }
         Some(ByHand {
             wrong,
             reason,
             case,
             digits: digits.into(),
+            pencil: pencil.map(|said| self.text(at, said)),
+            decimals: each(decimals, |said| Some(self.text(at, said))),
             computed: *self.named(at, PAIR, id, computed)?,
         })
     }
@@ -630,9 +842,10 @@ impl Reader<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::evidence::Evidence;
+    use crate::evidence::{Evidence, Subject};
     use crate::trials::attempt::trials;
     use crate::trials::by_hand::Numbers;
+    use crate::trials::statement::Statement;
     use crate::trials::values::Number;
     use crate::trials::{Paper, listed};
 
@@ -646,7 +859,14 @@ mod tests {
 
     const WHOLE: &str = include_str!("read/fall.toml");
 
-    const TRIALS: &[&[Attempt]] = &[trials![fall, rise]];
+    const SHOWN: Statement<()> = Statement::shown(
+        Subject::Printed,
+        "it falls",
+        || (),
+        |()| unreachable!("nobody proves it"),
+    );
+
+    const TRIALS: &[&[Attempt]] = &[trials![fall, rise, &SHOWN]];
 
     fn topic(text: &str) -> Topic {
         let text = text.to_owned().leak();
@@ -670,9 +890,19 @@ mod tests {
     #[test]
     fn an_entry_says_what_the_claim_is() {
         let topic = topic(WHOLE);
-        let [speed, picture] = topic.claims() else {
-            panic!("two claims")
+        let [speed, picture, own] = topic.claims() else {
+            panic!("three claims")
         };
+        assert!(own.ours && !speed.ours && own.kind_name() == "property, derived here");
+        assert_eq!(
+            (speed.aliases, speed.reads, picture.was, speed.watch),
+            (
+                "how fast; rate",
+                &["side 0.1: speed"][..],
+                &["fig-0"][..],
+                Some(["fall.html#explore-fall?v=0", "it fall"])
+            )
+        );
         assert_eq!(
             (speed.id, speed.equation, speed.kind, speed.section),
             ("eq-7", Some(7), Kind::Equation, "1")
@@ -696,12 +926,12 @@ mod tests {
         );
         let correction = speed.correction.unwrap();
         assert_eq!(
-            (correction.change, correction.plain),
-            (Change::Sign, "v = −gt")
+            (correction.change, correction.plain, correction.reads),
+            (Change::Sign, "v = −gt", &["side 0.1: right"][..])
         );
         let half = "it is half of it";
-        let [rise, fall] = speed.trials else {
-            panic!("two trials")
+        let [rise, fall, _] = speed.trials else {
+            panic!("three trials")
         };
         assert_eq!(
             (rise.name(), rise.idle, fall.name(), fall.idle),
@@ -726,16 +956,14 @@ mod tests {
             ),
             ("g", "eq-7", Some("9.81"))
         );
-        assert_eq!(
-            speed.by_hand.unwrap().words().unwrap(),
-            "Printed: 1.0. Found: 1.0"
-        );
-        assert!(
-            topic
-                .lines()
-                .map(|(line, claim)| (line, claim.id))
-                .eq([(8, "eq-7"), (27, "fig-1")])
-        );
+        let case = speed.by_hand.unwrap();
+        assert_eq!(case.words().unwrap(), "Printed: 1.0. Found: 1.0");
+        assert_eq!((case.pencil, case.decimals), (["1", "2/2"], &["3/2"][..]));
+        assert!(topic.lines().map(|(line, claim)| (line, claim.id)).eq([
+            (7, "eq-7"),
+            (32, "fig-1"),
+            (39, "s1-own")
+        ]));
     }
 
     /// Whatever is wrong is told with its file and line.
@@ -745,9 +973,14 @@ mod tests {
             let [from, to, told] = fault.split(" => ").collect::<Vec<_>>()[..] else {
                 panic!("{fault}")
             };
-            let text = WHOLE.replacen(from, to, 1);
+            let text = WHOLE.replacen(from, &to.replace('§', "\n"), 1);
             assert_ne!(text, WHOLE, "{from}");
-            let error = listed(&topic(&text).read().faults);
+            let topics = vec![&*Box::leak(Box::new(topic(&text)))].leak();
+            let paper = Paper {
+                topics,
+                ..Paper::BLANK
+            };
+            let error = listed(&paper.check());
             assert!(error.contains(told), "{from}: {error}");
         }
     }
@@ -774,16 +1007,19 @@ mod tests {
             )
         };
         let second = WHOLE.replace("eq-7", "eq-8").replace("fig-1", "fig-2");
+        let second = second
+            .replace("s1-own", "s1-other")
+            .replace("fig-0", "fig-8");
         let second = second.replace("title = \"a picture\"", "titel = \"a picture\"");
         let first = WHOLE
             .replace("\"late\"", "\"soon\"")
             .replace("[\"fig-1\"]", "[\"fig-9\"]");
         let told = told([&first.replace("tests::rise", "tests::raise"), &second]);
         let all = [
-            "fall.toml, line 12: there is no claim `fig-9`",
-            "fall.toml, line 18: there is no trial `tests::raise`",
-            "fall.toml, line 21: there is no pair of numbers of the case of `eq-8`",
-            "fall.toml, line 29: unknown field `titel`",
+            "fall.toml, line 13: there is no claim `fig-9`",
+            "fall.toml, line 20: there is no trial `tests::raise`",
+            "fall.toml, line 24: there is no pair of numbers of the case of `eq-8`",
+            "fall.toml, line 34: unknown field `titel`",
             "shared.toml, line 1: a `$` has no partner",
         ];
         let begins = told
@@ -791,5 +1027,36 @@ mod tests {
             .zip(all)
             .all(|(line, begin)| line.starts_with(begin));
         assert!(begins && told.lines().count() == all.len(), "{told}");
+    }
+
+    /// A section that no entry takes, and what no shared file has.
+    #[test]
+    fn what_a_file_says_in_vain_is_told() {
+        const OWN: &str = "[s1-a]\nsection = '2'\ntitle = 'a'\nlatex = 'a'";
+        let told = |text: &str, shared: &'static str| {
+            let shared = File {
+                path: "shared.toml",
+                text: Text::Built(shared),
+                above: 0,
+            };
+            let topics = vec![&*Box::leak(Box::new(topic(text).sharing(shared)))].leak();
+            let paper = Paper {
+                topics,
+                ..Paper::BLANK
+            };
+            listed(&paper.check())
+        };
+        let section = told(&format!("section = '1'\n{OWN}"), "");
+        assert!(
+            section.contains("fall.toml, line 1: `section` has no effect: each entry"),
+            "{section}"
+        );
+        for (text, line) in [(OWN, 1), ("\nsection = '3'", 2)] {
+            let told = told(WHOLE, text);
+            assert!(
+                told.starts_with(&format!("shared.toml, line {line}: ")),
+                "{told}"
+            );
+        }
     }
 }

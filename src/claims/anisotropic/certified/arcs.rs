@@ -15,7 +15,7 @@ fn ratios() -> Result<Ring, ExactError> {
 }
 
 /// B's arc, which ends at π + β, is 2 at β = 0 and falls with β while q stays.
-pub fn b_falls() -> Proof {
+pub(crate) fn b_falls() -> Proof {
     Proof::in_ring("B's arc falls", ratios(), |p| {
         p.shows("Let sin α = λ₀, sin β = qλ₀, with q ≥ 1 fixed. B's arc, 𝔴 at π + β after a forward start at α, which is cos α + cos β − λ₀ (π + β − α), is 2 at β = 0 and falls as β grows to π/2.");
         let [alpha, beta, q] = symbols(["α", "β", "q"]);
@@ -38,7 +38,7 @@ pub fn b_falls() -> Proof {
 }
 
 /// E's arc, which ends at 2π − β, is λ₀ times what grows with λ₀ while q stays, from −2π on.
-pub fn e_grows() -> Proof {
+pub(crate) fn e_grows() -> Proof {
     Proof::in_ring("E's arc over λ₀ grows", ratios(), |p| {
         p.shows("Let sin α = λ₀, sin β = qλ₀, with q ≥ 1 fixed. E's arc, 𝔴 at 2π − β after a forward start at α, which is cos α − cos β − λ₀ (2π − β − α), over λ₀ grows as λ₀ grows to 1/q.");
         with_angles(p);
@@ -57,7 +57,7 @@ pub fn e_grows() -> Proof {
 }
 
 /// At β = π/2 both arcs are sin α times cot α + α − 3π/2, which falls with α = asin(1/q).
-pub fn corner_falls() -> Proof {
+pub(crate) fn corner_falls() -> Proof {
     let ring = || {
         let mut ring = Ring::new();
         ring.angle("α");
@@ -81,7 +81,7 @@ pub fn corner_falls() -> Proof {
 }
 
 /// (53)'s left side is the cotangent of α, which falls from ∞ to 0; its right side is positive, as 2K > sin 2K.
-pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
+pub(crate) fn a_falls([left, right]: [Expr; 2]) -> Proof {
     let ring = || {
         let mut ring = frictions()?;
         ring.angle("K");
@@ -103,7 +103,7 @@ pub fn a_falls([left, right]: [Expr; 2]) -> Proof {
 }
 
 /// C falls with q, from D on, where q = 1.
-pub fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
+pub(crate) fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
     let ring = || {
         let mut ring = Ring::new();
         ring.symbol("q");
@@ -121,7 +121,7 @@ pub fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
 }
 
 /// E's arc over λ₀, (q² − 1) λ₀/(cos α + cos β) + α + β − 2π, by p = 1/q and λ₀q²: it has a value at p = 0 too.
-pub fn e_beyond<S: Scalar>([p, scaled]: [S; 2]) -> S {
+pub(crate) fn e_beyond<S: Scalar>([p, scaled]: [S; 2]) -> S {
     let (one, square) = (S::int(1), p.squared());
     let [sine_b, sine_a] = [p * scaled, square * scaled];
     let cosine = |sine: S| (one - sine.squared()).sqrt();
@@ -130,7 +130,7 @@ pub fn e_beyond<S: Scalar>([p, scaled]: [S; 2]) -> S {
 }
 
 /// On A λ₀ is below π/q², and E's arc is that by 1/q and λ₀q².
-pub fn a_below() -> Proof {
+pub(crate) fn a_below() -> Proof {
     let ring = || {
         let mut ring = ratios()?;
         let [alpha, beta, q] = symbols(["α", "β", "q"]);

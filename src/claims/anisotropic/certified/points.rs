@@ -39,7 +39,7 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
 }
 
 /// (54) and (55) at Y.
-pub fn y_digits() -> Evidence {
+pub(crate) fn y_digits() -> Evidence {
     let compared = Compared::one(
         "the sum of $q$ and the difference of the sides of (54) on (55), to 50 digits,",
         r"$q=\sqrt{1+x^2}$, for the one $x$ in $(4.4,4.6)$ with $\tan x=x$",

@@ -19,7 +19,7 @@ const UNKNOWN: [&str; 12] = [
 
 /// The quantities of the motion as series in τ^(−1/2).
 #[derive(Debug, Clone)]
-pub struct Late {
+pub(crate) struct Late {
     /// The speed p.
     pub p: Series,
     /// The distance ρ.
@@ -37,7 +37,7 @@ pub struct Late {
 }
 
 /// τ, ln τ as L, √2 and its root, b, and what is to be found.
-pub fn ring() -> Result<Ring, ExactError> {
+pub(crate) fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     for name in ["τ", "L", "b", "ρ", "u", "q"].iter().chain(&UNKNOWN) {
         ring.symbol(name);
@@ -89,7 +89,7 @@ fn rewritten(p: &mut Prover<'_>) -> Result<(), Obstacle> {
 }
 
 /// d/dτ of a series in τ^(−1/`root`).
-pub fn rate(series: &Series, root: i64, ring: &Ring) -> Result<Series, ExactError> {
+pub(crate) fn rate(series: &Series, root: i64, ring: &Ring) -> Result<Series, ExactError> {
     let slower = ring.divide(&Rational::int(-1), &Rational::int(root))?;
     let moving = ring.along(&[("L", Rational::int(-root))])?;
     let euler = series.euler(&moving, ring)?.shifted(root);
@@ -255,7 +255,7 @@ static SOLUTION: Derived<(Option<Late>, Proof)> =
     Derived::new(|| Proof::finding("The escape in powers of 1/τ and ln τ", ring(), solve));
 
 /// A proof that starts from the series.
-pub fn from_series(
+pub(crate) fn from_series(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>, &Late) -> Result<(), Obstacle>,
 ) -> Proof {
@@ -268,7 +268,7 @@ pub fn from_series(
 }
 
 /// A law in τ, with L for ln τ, as a series in τ^(−1/2).
-pub fn law_series(p: &mut Prover<'_>, formula: Expr) -> Result<Series, Obstacle> {
+pub(crate) fn law_series(p: &mut Prover<'_>, formula: Expr) -> Result<Series, Obstacle> {
     let tau = Series::monomial(Rational::int(1), -2, ENOUGH);
     p.expand(
         "The law, with z = τ^(−1/2)",
@@ -279,7 +279,7 @@ pub fn law_series(p: &mut Prover<'_>, formula: Expr) -> Result<Series, Obstacle>
 }
 
 /// The first term of a law against that of a quantity; with `logarithm` also the term in (ln τ)/τ.
-pub fn agree(
+pub(crate) fn agree(
     p: &mut Prover<'_>,
     law: &Series,
     quantity: &Series,

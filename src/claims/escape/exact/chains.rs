@@ -7,7 +7,7 @@ use crate::claims::turntable::exact::{self as turntable, Setting};
 
 /// What the theorems on escape say of a bound, by the printed law of motion.
 #[derive(Debug, Clone, Copy)]
-pub struct Beyond {
+pub(crate) struct Beyond {
     /// The number that A has to exceed.
     pub bound: Expr,
     /// d²𝛒/dτ² in `x`, `y` and the velocity p (cos χ, sin χ).
@@ -28,7 +28,7 @@ impl Beyond {
 }
 
 /// (127), and what follows from it in words.
-pub const ESCAPES: Statement<Beyond> = Statement::shown(
+pub(crate) const ESCAPES: Statement<Beyond> = Statement::shown(
     Within,
     r"from every start with $p<\rho$ and $A$ above the bound $A$ grows without end, and the speed vanishes only if $\psi\to\pi$; for every $A$ below the bound the particle comes to rest if $\alpha$ is small enough",
     Beyond::printed,
@@ -36,7 +36,7 @@ pub const ESCAPES: Statement<Beyond> = Statement::shown(
 );
 
 /// α grows too.
-pub const ALPHA_GROWS: Statement<Beyond> = Statement::shown(
+pub(crate) const ALPHA_GROWS: Statement<Beyond> = Statement::shown(
     Printed,
     r"from every start with $p<\rho$ and $A>1$, also one that comes straight in, $\xi=\rho\cos\psi$ grows without end, so that $p/\tau\to\infty$ while $\rho-p$ grows at most as $\tau$, and $\mathrm e^{-2\alpha}=\frac{\rho-p}{\rho+p}\to0$",
     Beyond::printed,
@@ -44,13 +44,13 @@ pub const ALPHA_GROWS: Statement<Beyond> = Statement::shown(
 );
 
 /// (89) for the velocity p (cos χ, sin χ).
-pub fn acceleration() -> [Expr; 2] {
+pub(crate) fn acceleration() -> [Expr; 2] {
     let [x, y, p, chi] = symbols(["x", "y", "p", "χ"]);
     motion::eq89_acceleration([x, y], [p * chi.cos(), p * chi.sin()])
 }
 
 /// A particle on a bounded path beyond `bound` is pushed outwards for good, at rest or not: friction is 1 at most.
-pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
+pub(crate) fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
     let ring = || {
         let mut ring = Ring::of(["x", "y"]);
         let p = ring.symbol("p");
@@ -109,7 +109,7 @@ pub fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
 }
 
 /// p + ρ below the bound: rest, inside the bound.
-pub fn comes_to_rest(bound: Expr) -> Proof {
+pub(crate) fn comes_to_rest(bound: Expr) -> Proof {
     let ring = || {
         let mut ring = Ring::of(["p", "ρ"]);
         ring.angle("ψ");
@@ -134,7 +134,7 @@ pub fn comes_to_rest(bound: Expr) -> Proof {
 }
 
 /// Where p → 0, the position is along the velocity: the angle ψ tends to 0 or to π.
-pub fn stops_along(ahead: Expr) -> Proof {
+pub(crate) fn stops_along(ahead: Expr) -> Proof {
     polar("Where a particle stops, ψ → 0 or ψ → π", |p| {
         p.shows("If p → 0 after a finite time, with ρ > 0 there, then, up to whole turns, ψ → 0 or ψ → π.");
         given(p, &[&turntable::EQ98, &turntable::EQ99, &turntable::EQ101])?;
@@ -164,7 +164,10 @@ pub fn stops_along(ahead: Expr) -> Proof {
 }
 
 /// The polar ring, and the steps of a proof in it.
-pub fn polar(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
+pub(crate) fn polar(
+    title: &str,
+    steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
+) -> Proof {
     Proof::in_ring(title, Setting::polar().map(|setting| setting.ring), steps)
 }
 

@@ -13,7 +13,7 @@ use super::{exponential, tau};
 use crate::claims::escape::prelude::*;
 
 /// N, P, h = tanh α, and t.
-pub type State = [Expr; 4];
+pub(crate) type State = [Expr; 4];
 
 const NAMES: [&str; 4] = ["N", "P", "h", "t"];
 
@@ -33,7 +33,7 @@ const fn theorem(compared: Compared, of: Statement, prove: fn(Expr) -> Proof) ->
 }
 
 /// (128) as corrected.
-pub const EQ128: Statement = theorem(
+pub(crate) const EQ128: Statement = theorem(
     from_every_start!(
         r"$\tau\,\mathrm d\alpha/\mathrm d\tau\to\frac12$ as $\tau\to\infty$, and $\tau$ times the corrected right side tends to the same"
     ),
@@ -41,19 +41,19 @@ pub const EQ128: Statement = theorem(
     eq128,
 );
 /// (129) as corrected.
-pub const EQ129: Statement = theorem(
+pub(crate) const EQ129: Statement = theorem(
     from_every_start!(r"$(\cosh\alpha)\cosh(2\alpha)/A\to\frac{3\sqrt2}4$ as $\tau\to\infty$"),
     super::EQ129,
     eq129,
 );
 /// (130) as corrected.
-pub const EQ130: Statement = theorem(
+pub(crate) const EQ130: Statement = theorem(
     from_every_start!(r"$A$ grows without end and $\alpha-\frac13\ln(3\sqrt2A)\to0$"),
     super::EQ130,
     eq130,
 );
 /// (131) as corrected.
-pub const EQ131: Statement = theorem(
+pub(crate) const EQ131: Statement = theorem(
     from_every_start!(
         r"$A$ grows without end and the ratio of $\mathrm dA/\mathrm d\tau$ to $\frac12(3\sqrt2A)^{1/3}$ tends to 1"
     ),
@@ -61,7 +61,7 @@ pub const EQ131: Statement = theorem(
     eq131,
 );
 /// (132) as corrected.
-pub const EQ132: Statement = theorem(
+pub(crate) const EQ132: Statement = theorem(
     from_every_start!(
         r"$A=\frac{2^{1/4}}3\tau^{3/2}\left[1-\frac{9\sqrt2}8\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
     ),
@@ -69,13 +69,13 @@ pub const EQ132: Statement = theorem(
     eq132,
 );
 /// (133) as corrected.
-pub const EQ133: Statement = theorem(
+pub(crate) const EQ133: Statement = theorem(
     from_every_start!(r"$\alpha-\frac12\ln(\sqrt2\,\tau)\to0$ as $\tau\to\infty$"),
     super::EQ133,
     eq133,
 );
 /// (134) as corrected.
-pub const EQ134: Statement = theorem(
+pub(crate) const EQ134: Statement = theorem(
     from_every_start!(
         r"up to whole turns $\frac\pi2-\psi=\frac2\tau\left[1+\frac{3\sqrt2}4\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
     ),
@@ -83,7 +83,7 @@ pub const EQ134: Statement = theorem(
     eq134,
 );
 /// (135) as corrected.
-pub const EQ135: Statement = theorem(
+pub(crate) const EQ135: Statement = theorem(
     from_every_start!(
         r"$p=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
     ),
@@ -91,7 +91,7 @@ pub const EQ135: Statement = theorem(
     eq135,
 );
 /// (136) as corrected.
-pub const EQ136: Statement = theorem(
+pub(crate) const EQ136: Statement = theorem(
     from_every_start!(
         r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$, while the particle turns about the axis, in the laboratory, by an angle that less $\sqrt2\ln\tau$ converges"
     ),
@@ -99,7 +99,7 @@ pub const EQ136: Statement = theorem(
     eq136,
 );
 /// (137) as corrected.
-pub const EQ137: Statement = theorem(
+pub(crate) const EQ137: Statement = theorem(
     from_every_start!(
         r"$s=\frac{\tau^3}{9\sqrt2}\left[1-\frac{9\sqrt2}4\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
     ),
@@ -331,7 +331,7 @@ fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
 }
 
 /// The rates in θ of q = (N − ¾)/t and v = (P − ½)/t, with w = (1 − h)/t.
-pub fn follow([q, v, w]: [Expr; 3], [n, predator, h, t]: State) -> [Expr; 2] {
+pub(crate) fn follow([q, v, w]: [Expr; 3], [n, predator, h, t]: State) -> [Expr; 2] {
     let (k, less) = (cosine(t), 1 - t.squared());
     let feeds = predator + 2 * (1 - predator) * k + 2 * predator * n;
     let prey_rate = -(2 * q) - v + w * (2 * n - 1) + t * (predator - k * h);
@@ -460,7 +460,7 @@ static SPIRAL: Derived<Proof> = Derived::new(|| spiral(Species::found()));
 ///
 /// # Errors
 /// [`Obstacle`] if it does not hold.
-pub fn comes(p: &mut Prover<'_>) -> Result<(), Obstacle> {
+pub(crate) fn comes(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     SPIRAL.with(|proof| p.rests_on(proof))
 }
 
@@ -596,7 +596,7 @@ fn eq131(law: Expr) -> Proof {
 }
 
 /// A⁴ t⁶.
-pub fn fourth_power([n, predator, h, _]: State) -> Expr {
+pub(crate) fn fourth_power([n, predator, h, _]: State) -> Expr {
     1 / (64 * predator * h * n.pow(int(4)) * (1 + h).squared())
 }
 
@@ -609,7 +609,7 @@ fn eq132(law: Expr) -> Proof {
 }
 
 /// exp(4α) t².
-pub fn fourth_exponential([_, predator, _, t]: State) -> Expr {
+pub(crate) fn fourth_exponential([_, predator, _, t]: State) -> Expr {
     1 / predator + t.squared()
 }
 
@@ -631,12 +631,12 @@ fn eq134(law: Expr) -> Proof {
 }
 
 /// (ρt²)².
-pub fn square_of_distance([n, predator, h, _]: State) -> Expr {
+pub(crate) fn square_of_distance([n, predator, h, _]: State) -> Expr {
     1 / (16 * predator * h * n.squared() * (1 + h).squared())
 }
 
 /// (pt²)².
-pub fn square_of_speed(state: State) -> Expr {
+pub(crate) fn square_of_speed(state: State) -> Expr {
     state[2].squared() * square_of_distance(state)
 }
 

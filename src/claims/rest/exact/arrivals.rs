@@ -18,14 +18,14 @@ macro_rules! of_every_rest {
 }
 
 /// (140), of every motion to rest.
-pub const EQ140: Statement = Statement::new(
+pub(crate) const EQ140: Statement = Statement::new(
     Within,
     of_every_rest!(r"$\mathrm d\alpha/\mathrm d\tau$ tends to the right side of (140)"),
     series::EQ140.formulas,
     eq140,
 );
 /// (141), of every motion to rest.
-pub const EQ141: Statement = Statement::new(
+pub(crate) const EQ141: Statement = Statement::new(
     Within,
     of_every_rest!(
         r"with $\tau=0$ at rest, the ratio of $\alpha$ to the right side of (141) tends to 1"
@@ -34,7 +34,7 @@ pub const EQ141: Statement = Statement::new(
     eq141,
 );
 /// (142), of every motion to rest.
-pub const EQ142: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const EQ142: Statement<[Expr; 2]> = Statement::new(
     Within,
     of_every_rest!(
         r"the two sides of (142) differ by less than $\varepsilon(1+\lvert\psi\rvert/\alpha)$ from some time on, however small $\varepsilon>0$ is"
@@ -43,7 +43,7 @@ pub const EQ142: Statement<[Expr; 2]> = Statement::new(
     eq142,
 );
 /// (143), of every motion to rest under its conditions.
-pub const EQ143: Statement = Statement::new(
+pub(crate) const EQ143: Statement = Statement::new(
     Within,
     of_every_rest!(
         r"$\frac14<\sigma<\frac34$ and $\sigma\ne\frac12$, there is a constant $c$ with which $\psi$ differs from the right side of (143) by $(\alpha+\alpha^{\sigma/(1-\sigma)})^3$ times a bounded number: by what is of smaller order than $\alpha$ and than $\alpha^{\sigma/(1-\sigma)}$"
@@ -52,14 +52,14 @@ pub const EQ143: Statement = Statement::new(
     eq143,
 );
 /// (144), of every motion to rest.
-pub const EQ144: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const EQ144: Statement<[Expr; 2]> = Statement::new(
     Within,
     of_every_rest!(r"the ratio of the two sides of (144) tends to 1"),
     series::EQ144.formulas,
     eq144,
 );
 /// (145), of every motion to rest.
-pub const EQ145: Statement = Statement::new(
+pub(crate) const EQ145: Statement = Statement::new(
     Within,
     of_every_rest!(
         r"$(A-\sigma)/\alpha^2$ tends to the coefficient of $\alpha^2$ in (145), which has no other term beside $\sigma$"

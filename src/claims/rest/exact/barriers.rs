@@ -10,7 +10,7 @@ use crate::claims::escape::exact::chains as fates;
 use crate::claims::rest::prelude::*;
 
 /// The surface of starts that come to rest at σ.
-pub const SURFACE: Statement = Statement::shown(
+pub(crate) const SURFACE: Statement = Statement::shown(
     Corrected,
     r"for every $\sigma$ between 0 and 1 there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, from which the particle comes to rest at $\sigma$ has an $A$ that differs from the corrected $A(\sigma,\alpha,\psi)$ by $K\alpha^3$ at most; and for each such $\alpha$ and each $\psi$ there is a start with rest at $\sigma$",
     surfaces::CORRECTED.formulas,
@@ -18,7 +18,7 @@ pub const SURFACE: Statement = Statement::shown(
 );
 
 /// The boundary between rest and escape.
-pub const BOUNDARY: Statement = Statement::shown(
+pub(crate) const BOUNDARY: Statement = Statement::shown(
     Corrected,
     r"there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that from every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, the particle comes to rest if $A$ is below the corrected formula by more than $K\alpha^3$, and escapes if it is above by more; for each $\alpha$ and $\psi$ there is an $A$ between from which it comes to $\rho=1$: in a finite time only if $\psi\to\pi$",
     boundary::stated,
@@ -26,7 +26,7 @@ pub const BOUNDARY: Statement = Statement::shown(
 );
 
 /// Its lowest points.
-pub const LEAST: Statement = Statement::shown(
+pub(crate) const LEAST: Statement = Statement::shown(
     Corrected,
     r"there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that, with $0<\alpha<\alpha_0$, the particle comes to rest from every start with an $A$ below $1-\alpha+\frac76\alpha^2$ by more than $K\alpha^3$, whatever $\psi$ is, and escapes, if $\psi=2\alpha$, where $A$ is above by more",
     least::CORRECTED.formulas,

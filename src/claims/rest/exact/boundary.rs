@@ -152,19 +152,19 @@ pub(super) fn agrees(
 }
 
 /// A formula for A agrees with the boundary up to this power of α.
-pub fn prove(formula: Expr, order: i64) -> Proof {
+pub(crate) fn prove(formula: Expr, order: i64) -> Proof {
     with_series("the boundary between rest and escape", |p, a| {
         agrees(p, formula, order, a)
     })
 }
 
 /// A on the boundary, to second order in α.
-pub fn stated() -> Expr {
+pub(crate) fn stated() -> Expr {
     corrected::boundary_a::tree()
 }
 
 /// The boundary as corrected.
-pub const CORRECTED: Statement = Statement::new(
+pub(crate) const CORRECTED: Statement = Statement::new(
     Corrected,
     Compared::one(
         "the corrected formula",
@@ -175,7 +175,7 @@ pub const CORRECTED: Statement = Statement::new(
 );
 
 /// (147) as the boundary.
-pub const PRINTED: Statement = Statement::new(
+pub(crate) const PRINTED: Statement = Statement::new(
     Printed,
     Compared::one(
         "(147)",

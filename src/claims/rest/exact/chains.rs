@@ -7,7 +7,7 @@ use crate::claims::escape::exact::chains::{
 use crate::claims::rest::prelude::*;
 
 /// Rest or escape.
-pub const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
+pub(crate) const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Within,
     r"every motion that never comes to rest, though $\rho$ stays bounded, converges to a place, with $p\to0$: inside $\rho=1$ it would come to rest, beyond it would be pushed away, so that it creeps towards $\rho=1$",
     || {
@@ -38,7 +38,7 @@ fn dichotomy((third, bound, acceleration): (Expr, Expr, [Expr; 2])) -> Proof {
 }
 
 /// How the particle comes to rest.
-pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::shown(
+pub(crate) const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::shown(
     Within,
     r"for every motion with $p<\rho$ that comes to rest after a finite time, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved under their conditions",
     || {
@@ -51,7 +51,7 @@ pub const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::shown(
 );
 
 /// α and ψ at rest, of which all else follows.
-pub fn settles() -> Proof {
+pub(crate) fn settles() -> Proof {
     let (limits, ahead) = (NEAR_REST.formulas)();
     polar("α and ψ at rest", |p| {
         p.shows("If a motion with p < ρ comes to rest after a finite time, then α → 0, and, up to whole turns, ψ → 0, unless the particle comes straight in, with ψ → π.");

@@ -34,7 +34,7 @@ pub(super) fn where_it_is(p: &mut Prover<'_>, formula: Expr, y: Rational) -> Res
 }
 
 /// A formula for A is the boundary's where ψ is of the order of α, and A is nowhere less.
-pub fn prove(formula: Expr) -> Proof {
+pub(crate) fn prove(formula: Expr) -> Proof {
     let title = "The least A of the boundary between rest and escape";
     Proof::in_ring(title, ring(), |p| {
         p.rests_on(&boundary::prove(boundary::stated(), ORDER))?;
@@ -63,7 +63,7 @@ pub fn prove(formula: Expr) -> Proof {
 }
 
 /// What there is in place of (147).
-pub const CORRECTED: Statement = Statement::new(
+pub(crate) const CORRECTED: Statement = Statement::new(
     Corrected,
     Compared::one(
         r"$1-\alpha+\frac76\alpha^2$",
@@ -74,7 +74,7 @@ pub const CORRECTED: Statement = Statement::new(
 );
 
 /// (147) as that.
-pub const PRINTED: Statement = Statement::new(
+pub(crate) const PRINTED: Statement = Statement::new(
     Printed,
     Compared::one(
         "(147)",

@@ -14,7 +14,7 @@ fn ring() -> Result<Ring, ExactError> {
 }
 
 /// A formula for ∂A/∂σ is that of the surfaces that the motion makes.
-pub fn prove(formula: Expr) -> Proof {
+pub(crate) fn prove(formula: Expr) -> Proof {
     let title = "The surfaces of constant σ close to ρ = 1";
     Proof::in_ring(title, ring(), |p| {
         given(p, &[&turntable::EQ113, &turntable::EQ114])?;
@@ -67,7 +67,7 @@ pub fn prove(formula: Expr) -> Proof {
 }
 
 /// (146) as corrected.
-pub const CORRECTED: Statement = Statement::new(
+pub(crate) const CORRECTED: Statement = Statement::new(
     Corrected,
     Compared::one(
         r"the corrected $\mathrm dA/\mathrm d\sigma$",

@@ -173,7 +173,7 @@ fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
 }
 
 /// (140): the first term of dα/dτ.
-pub fn eq140(formula: Expr) -> Proof {
+pub(crate) fn eq140(formula: Expr) -> Proof {
     from_series("(140): dα/dτ near rest", |p, [_, _, rate]| {
         let stated = p.read("(140)", formula)?;
         p.equal("It is the first term of dα/dτ", &order(rate, 0)?, &stated)
@@ -181,7 +181,7 @@ pub fn eq140(formula: Expr) -> Proof {
 }
 
 /// (141): with τ = ∫ dα/(dα/dτ) put in, its first term is α.
-pub fn eq141(formula: Expr) -> Proof {
+pub(crate) fn eq141(formula: Expr) -> Proof {
     from_series("(141): α near rest", |p, [_, _, rate]| {
         let ring = p.ring();
         let integrand = small().over(rate, ring)?;
@@ -232,7 +232,7 @@ fn left_side(p: &mut Prover<'_>, rate: &Series, left: Expr) -> Result<(), Obstac
 }
 
 /// (142): its two sides are the first terms of dψ/dα dα/dτ and of dψ/dτ.
-pub fn eq142([left, right]: [Expr; 2]) -> Proof {
+pub(crate) fn eq142([left, right]: [Expr; 2]) -> Proof {
     from_series("(142): dψ/dα near rest", |p, _| {
         let [rate, _, turning] = first_terms(p)?;
         left_side(p, &rate, left)?;
@@ -248,7 +248,7 @@ pub fn eq142([left, right]: [Expr; 2]) -> Proof {
 }
 
 /// (144): its two sides are the first terms of dA/dα dα/dτ and of dA/dτ.
-pub fn eq144([left, right]: [Expr; 2]) -> Proof {
+pub(crate) fn eq144([left, right]: [Expr; 2]) -> Proof {
     from_series("(144): dA/dα near rest", |p, _| {
         let [rate, growth, _] = first_terms(p)?;
         left_side(p, &rate, left)?;
@@ -262,7 +262,7 @@ pub fn eq144([left, right]: [Expr; 2]) -> Proof {
 }
 
 /// (143): the first coefficient of ψ, with ζ = c α^((2σ−1)/(1−σ)).
-pub fn eq143(formula: Expr) -> Proof {
+pub(crate) fn eq143(formula: Expr) -> Proof {
     from_series("(143): ψ near rest", |p, [psi, ..]| {
         let ring = p.ring();
         let [alpha, c] = symbols(["α", "c"]);
@@ -281,7 +281,7 @@ pub fn eq143(formula: Expr) -> Proof {
 }
 
 /// (145): the first coefficients of A.
-pub fn eq145(formula: Expr) -> Proof {
+pub(crate) fn eq145(formula: Expr) -> Proof {
     from_series("(145): A near rest", |p, [_, a, _]| {
         let stated = p.expand("(145)", formula, &[("α", &small())], ("α", 3))?;
         for k in 0..=2 {
@@ -298,11 +298,13 @@ const SERIES: Compared = Compared::one(
 );
 
 /// (140) against the motions to rest.
-pub const EQ140: Statement = Statement::new(Within, SERIES, printed::eq140_alpha_rate::tree, eq140);
+pub(crate) const EQ140: Statement =
+    Statement::new(Within, SERIES, printed::eq140_alpha_rate::tree, eq140);
 /// (141) against them.
-pub const EQ141: Statement = Statement::new(Within, SERIES, printed::eq141_alpha::tree, eq141);
+pub(crate) const EQ141: Statement =
+    Statement::new(Within, SERIES, printed::eq141_alpha::tree, eq141);
 /// Both sides of (142) against them.
-pub const EQ142: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const EQ142: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
     || {
@@ -315,9 +317,9 @@ pub const EQ142: Statement<[Expr; 2]> = Statement::new(
     eq142,
 );
 /// (143) against them.
-pub const EQ143: Statement = Statement::new(Within, SERIES, printed::eq143_psi::tree, eq143);
+pub(crate) const EQ143: Statement = Statement::new(Within, SERIES, printed::eq143_psi::tree, eq143);
 /// Both sides of (144) against them.
-pub const EQ144: Statement<[Expr; 2]> = Statement::new(
+pub(crate) const EQ144: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
     || {
@@ -330,6 +332,6 @@ pub const EQ144: Statement<[Expr; 2]> = Statement::new(
     eq144,
 );
 /// (145) against them.
-pub const EQ145: Statement = Statement::new(Within, SERIES, printed::eq145_a::tree, eq145);
+pub(crate) const EQ145: Statement = Statement::new(Within, SERIES, printed::eq145_a::tree, eq145);
 
 attempts![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];

@@ -17,7 +17,7 @@ pub(super) fn ring() -> Result<Ring, ExactError> {
 }
 
 /// A formula for A consists of motions, and is (145) at ψ = 0.
-pub fn prove(formula: Expr) -> Proof {
+pub(crate) fn prove(formula: Expr) -> Proof {
     let title = "The surface of starts that come to rest at σ";
     Proof::in_ring(title, ring(), |p| {
         given(
@@ -53,7 +53,7 @@ pub fn prove(formula: Expr) -> Proof {
 }
 
 /// The surface as corrected.
-pub const CORRECTED: Statement = Statement::new(
+pub(crate) const CORRECTED: Statement = Statement::new(
     Corrected,
     Compared::one(
         r"the corrected $A(\sigma,\alpha,\psi)$",

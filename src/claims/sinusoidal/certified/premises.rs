@@ -6,7 +6,7 @@ use crate::exact::folded;
 
 /// By φ₁, here β, the phases are β, π − β and 2π − β, and λ₀ = sin β; and (32)'s left side, of λ₀, φ₁ and φ, has the
 /// slope sin φ − λ₀.
-pub fn phases(printed: [Expr; 3], left: Expr) -> Proof {
+pub(super) fn phases(printed: [Expr; 3], left: Expr) -> Proof {
     let [beta, lambda0, phi] = ["β", "λ₀", "φ"].map(symbol);
     Proof::in_ring("the phases by φ₁ = β", ring_of_phi1(), |p| {
         let names = ["φ₁", "φ₂", "φ₄"];
@@ -23,12 +23,12 @@ pub fn phases(printed: [Expr; 3], left: Expr) -> Proof {
 }
 
 /// φ₁, φ₂ and φ₄ by φ₁.
-pub fn by_phi1<S: Scalar>(phi1: S) -> [S; 3] {
+pub(super) fn by_phi1<S: Scalar>(phi1: S) -> [S; 3] {
     [phi1, S::pi() - phi1, S::int(2) * S::pi() - phi1]
 }
 
 /// With λ₀ = 2 cos φ̃₁/π, (39) gives φ̃₁.
-pub fn turn(printed: Expr) -> Proof {
+pub(super) fn turn(printed: Expr) -> Proof {
     Proof::in_ring("(39) by φ̃₁", ring_of_phi_t1(), |p| {
         let printed = p.read("(39) with λ₀ = 2 cos φ̃₁/π", printed)?;
         let ours = p.ring().named("φ̃₁")?;
@@ -37,7 +37,7 @@ pub fn turn(printed: Expr) -> Proof {
 }
 
 /// A function of b vanishes at b = 0 with its first `order` − 1 derivatives.
-pub fn vanishing(f: Expr, order: usize) -> Proof {
+pub(super) fn vanishing(f: Expr, order: usize) -> Proof {
     Proof::in_ring("next to the end", Ok(Ring::new()), |p| {
         let last = order as i64;
         let b = Series::monomial(Rational::int(1), 1, last + 1);
@@ -54,7 +54,7 @@ pub fn vanishing(f: Expr, order: usize) -> Proof {
 }
 
 /// A number is zero.
-pub fn solution(left: Expr) -> Proof {
+pub(super) fn solution(left: Expr) -> Proof {
     Proof::in_ring("without friction", Ok(Ring::new()), |p| {
         p.vanishes("The left side of (32) at φ₄", folded(left, &|_| None))
     })

@@ -56,7 +56,7 @@ fn prove(title: &str, formula: &[Expr], rests_on: &Statement, particle: Expr) ->
     })
 }
 
-pub const EQ81: Vectorial =
+pub(crate) const EQ81: Vectorial =
     Vectorial::new(Within, AS_A_PARTICLE, paper::eq81_slip::parts, |formula| {
         let particle = particle::eq11_speed::tree();
         prove(
@@ -67,10 +67,10 @@ pub const EQ81: Vectorial =
         )
     });
 
-pub const EQ82: Vectorial =
+pub(crate) const EQ82: Vectorial =
     Vectorial::new(Printed, AS_A_PARTICLE, paper::eq82_time::parts, prove_eq82);
 
-pub const CORRECTED_82: Vectorial =
+pub(crate) const CORRECTED_82: Vectorial =
     Vectorial::new(Corrected, AS_A_PARTICLE, corrected::time::parts, prove_eq82);
 
 fn prove_eq82(formula: Components) -> Proof {
@@ -83,14 +83,14 @@ fn prove_eq82(formula: Components) -> Proof {
     )
 }
 
-pub const EQ83: Vectorial = Vectorial::new(
+pub(crate) const EQ83: Vectorial = Vectorial::new(
     Printed,
     AS_A_PARTICLE,
     paper::eq83_slip_at_time::parts,
     prove_eq83,
 );
 
-pub const CORRECTED_83: Vectorial = Vectorial::new(
+pub(crate) const CORRECTED_83: Vectorial = Vectorial::new(
     Corrected,
     AS_A_PARTICLE,
     corrected::slip_at_time::parts,

@@ -170,7 +170,7 @@ pub(super) fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-pub const EQ63: Vectorial = Vectorial::new(
+pub(crate) const EQ63: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || {
@@ -184,12 +184,12 @@ pub(super) fn eq64() -> Components {
     let [mu, g, _] = mu_g_radius();
     paper::eq64_spin_rate(mu, g, velocity(), omega(), contact()).into()
 }
-pub const EQ64: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq64, |printed| {
+pub(crate) const EQ64: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq64, |printed| {
     let factor = symbol("κ") * symbol("R").squared();
     rates("(64): κ R² dω/dt", Force::Sliding, omega(), factor, printed)
 });
 
-pub const EQ65: Vectorial = Vectorial::new(
+pub(crate) const EQ65: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || {
@@ -209,7 +209,7 @@ pub const EQ65: Vectorial = Vectorial::new(
     },
 );
 
-pub const EQ66: Vectorial = Vectorial::new(
+pub(crate) const EQ66: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || {
@@ -230,7 +230,7 @@ pub const EQ66: Vectorial = Vectorial::new(
 pub(super) fn eq73() -> Components {
     paper::eq73_velocity_rate(gamma(), u()).into()
 }
-pub const EQ73: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq73, |printed| {
+pub(crate) const EQ73: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq73, |printed| {
     rates(
         "(73): d²ρ/dτ²",
         Force::Sliding,
@@ -244,7 +244,7 @@ pub(super) fn eq74() -> Components {
     paper::eq74_slip_rate(symbol("b"), gamma(), u()).into()
 }
 
-pub const EQ74: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq74, |printed| {
+pub(crate) const EQ74: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq74, |printed| {
     rates("(74): du/dτ", Force::Sliding, u(), per_tau(), printed)
 });
 
@@ -254,14 +254,14 @@ fn zeta() -> [Expr; 3] {
     paper::eq70_spin(radius, mu, g, omega())
 }
 
-pub const EQ75: Vectorial = Vectorial::new(
+pub(crate) const EQ75: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || paper::eq75_spin(zeta()[2], u(), rho_rate()).into(),
     prove_eq75,
 );
 
-pub const CORRECTED_75: Vectorial = Vectorial::new(
+pub(crate) const CORRECTED_75: Vectorial = Vectorial::new(
     Corrected,
     BY_COMPONENTS,
     || corrected::spin(zeta()[2], u(), rho_rate()).into(),
@@ -280,7 +280,7 @@ fn prove_eq75(formula: Components) -> Proof {
     })
 }
 
-pub const EQ77: Vectorial = Vectorial::new(
+pub(crate) const EQ77: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || paper::eq77_rate(u()).into(),
@@ -296,7 +296,7 @@ pub const EQ77: Vectorial = Vectorial::new(
     },
 );
 
-pub const EQ78: Vectorial = Vectorial::new(
+pub(crate) const EQ78: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || paper::eq78_rate(symbol("b"), u()).into(),
@@ -313,7 +313,7 @@ pub const EQ78: Vectorial = Vectorial::new(
 );
 
 /// Both sides change alike under any friction force, so that they differ by a constant.
-pub const EQ79: Vectorial = Vectorial::new(
+pub(crate) const EQ79: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || {
@@ -338,7 +338,7 @@ pub const EQ79: Vectorial = Vectorial::new(
 );
 
 /// κ makes (64) the law for the spin.
-pub const EQ62: Vectorial = Vectorial::new(
+pub(crate) const EQ62: Vectorial = Vectorial::new(
     Printed,
     Compared::one(
         r"(64), with $\kappa$ by the definition,",
@@ -359,7 +359,7 @@ fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
 }
 
 /// dρ/dτ, which has the form of (68) by its linearity, makes (73) the law for the centre.
-pub const EQ68: Vectorial = Vectorial::new(
+pub(crate) const EQ68: Vectorial = Vectorial::new(
     Printed,
     Compared::one(
         r"(73), with $\bm\rho$ by the definition,",
@@ -380,7 +380,7 @@ pub const EQ68: Vectorial = Vectorial::new(
 );
 
 /// τ makes (74) the law for the slip.
-pub const EQ69: Vectorial = Vectorial::new(
+pub(crate) const EQ69: Vectorial = Vectorial::new(
     Printed,
     BY_DEFINITION,
     || {
@@ -407,7 +407,7 @@ pub const EQ69: Vectorial = Vectorial::new(
 );
 
 /// ζ is the rate of turning in the time τ.
-pub const EQ70: Vectorial = Vectorial::new(
+pub(crate) const EQ70: Vectorial = Vectorial::new(
     Printed,
     Compared::one(
         r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
@@ -428,7 +428,7 @@ pub const EQ70: Vectorial = Vectorial::new(
 );
 
 /// u makes (74) the law for the slip.
-pub const EQ71: Vectorial = Vectorial::new(
+pub(crate) const EQ71: Vectorial = Vectorial::new(
     Printed,
     BY_DEFINITION,
     || u().into(),
@@ -441,7 +441,7 @@ pub const EQ71: Vectorial = Vectorial::new(
 );
 
 /// γ makes (74) the law for the slip.
-pub const EQ72: Vectorial = Vectorial::new(
+pub(crate) const EQ72: Vectorial = Vectorial::new(
     Printed,
     BY_DEFINITION,
     || gamma().into(),
@@ -454,7 +454,7 @@ pub const EQ72: Vectorial = Vectorial::new(
 );
 
 /// dv/dt of a particle with the velocity w and the friction coefficient bμ, by (1).
-pub const S3_REDUCTION: Vectorial = Vectorial::new(
+pub(crate) const S3_REDUCTION: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     || {
@@ -497,7 +497,7 @@ pub(super) fn prove_rolling() -> Proof {
     )
 }
 
-pub const S3_SPIN_CONSTANT: Vectorial = Vectorial::new(
+pub(crate) const S3_SPIN_CONSTANT: Vectorial = Vectorial::new(
     Printed,
     BY_COMPONENTS,
     paper::s3_zeta3_rate::parts,

@@ -11,7 +11,7 @@ use crate::claims::sphere::prelude::*;
 use crate::paper::{anisotropic, sinusoidal, sphere as paper};
 
 /// The sinusoidal drive.
-pub const TRICHOTOMY: Statement<[Expr; 2]> = Statement::shown(
+pub(crate) const TRICHOTOMY: Statement<[Expr; 2]> = Statement::shown(
     Within,
     r"for every sphere, every start and every $\lambda_0>0$ of (84) but $\lambda_\mathrm c$ and 1: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that the three kinds are proved, with the zeros and the rests, and that $\lambda_\mathrm c$ of (37) is where the curves A and B meet",
     || {

@@ -15,7 +15,7 @@ fn sum(a: &Vector, b: &Vector) -> Vector {
 }
 
 /// In the laboratory the centre is at X + r, and F alone acts: m d²(X + r)/dt² = F.
-pub const EQ59: Vectorial = Vectorial::new(
+pub(crate) const EQ59: Vectorial = Vectorial::new(
     Printed,
     Compared::one(
         "the formula",
@@ -79,7 +79,7 @@ pub const EQ59: Vectorial = Vectorial::new(
 
 /// Six equal point masses on three axes turn as one body. Newton's law for each, times its lever, summed: the forces
 /// between them and their weights drop out, and what is left is the torque of F and N at the contact.
-pub const EQ60: Vectorial = Vectorial::new(
+pub(crate) const EQ60: Vectorial = Vectorial::new(
     Printed,
     Compared::one(
         "the formula",

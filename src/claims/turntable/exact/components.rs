@@ -24,7 +24,7 @@ fn sides(title: &str, printed: &[Expr]) -> Proof {
     })
 }
 
-pub const EQ96: Vectorial = equation(
+pub(crate) const EQ96: Vectorial = equation(
     "the right side, with (95)",
     || {
         let [p, ell] = symbols(["p", "ℓ"]);
@@ -33,7 +33,7 @@ pub const EQ96: Vectorial = equation(
     },
     |printed| sides("(96), with (95)", &printed),
 );
-pub const EQ97: Vectorial = equation(
+pub(crate) const EQ97: Vectorial = equation(
     "the right side, with (94)",
     || {
         let [p, xi] = symbols(["p", "ξ"]);
@@ -42,7 +42,7 @@ pub const EQ97: Vectorial = equation(
     },
     |printed| sides("(97), with (94)", &printed),
 );
-pub const EQ98: Vectorial = equation(
+pub(crate) const EQ98: Vectorial = equation(
     "the right side, with (94) and (95)",
     || {
         let [ell, xi] = symbols(["ℓ", "ξ"]);
@@ -55,16 +55,16 @@ fn polar(title: &str, of: &'static str, stated: &[Expr]) -> Proof {
     rate(title, Setting::polar(), of, stated)
 }
 
-pub const EQ99: Vectorial = changes(Within, paper::eq99_p_rate::parts, |printed| {
+pub(crate) const EQ99: Vectorial = changes(Within, paper::eq99_p_rate::parts, |printed| {
     polar("(99): dp/dτ", "p", &printed)
 });
-pub const EQ100: Vectorial = changes(Within, paper::eq100_ell_rate::parts, |printed| {
+pub(crate) const EQ100: Vectorial = changes(Within, paper::eq100_ell_rate::parts, |printed| {
     polar("(100): dℓ/dτ", "ℓ", &printed)
 });
-pub const EQ101: Vectorial = changes(Within, paper::eq101_xi_rate::parts, |printed| {
+pub(crate) const EQ101: Vectorial = changes(Within, paper::eq101_xi_rate::parts, |printed| {
     polar("(101): dξ/dτ", "ξ", &printed)
 });
-pub const TANGENTIAL: Vectorial = changes(
+pub(crate) const TANGENTIAL: Vectorial = changes(
     Within,
     || {
         let [position, rate] = vectors();
@@ -72,15 +72,16 @@ pub const TANGENTIAL: Vectorial = changes(
     },
     |printed| polar("dp/dτ, by (89) on the velocity", "p", &printed),
 );
-pub const AZIMUTHAL: Vectorial =
+pub(crate) const AZIMUTHAL: Vectorial =
     changes(Corrected, corrected::azimuthal_rate::parts, |corrected| {
         polar("dℓ/dτ, by the angular momentum and dp/dτ", "ℓ", &corrected)
     });
-pub const RADIAL: Vectorial = changes(Corrected, corrected::radial_rate::parts, |corrected| {
-    polar("dξ/dτ, by the radius and dp/dτ", "ξ", &corrected)
-});
+pub(crate) const RADIAL: Vectorial =
+    changes(Corrected, corrected::radial_rate::parts, |corrected| {
+        polar("dξ/dτ, by the radius and dp/dτ", "ξ", &corrected)
+    });
 
-pub const EQ102: Vectorial = Vectorial::new(
+pub(crate) const EQ102: Vectorial = Vectorial::new(
     Printed,
     Compared::one(
         "each printed expression",
@@ -103,12 +104,12 @@ pub const EQ102: Vectorial = Vectorial::new(
     },
 );
 
-pub const EQ107: Vectorial = changes(Within, paper::eq107_p_rate::parts, |printed| {
+pub(crate) const EQ107: Vectorial = changes(Within, paper::eq107_p_rate::parts, |printed| {
     polar("(107): dp/dτ", "p", &printed)
 });
-pub const EQ108: Vectorial = changes(Printed, paper::eq108_rho_rate::parts, |printed| {
+pub(crate) const EQ108: Vectorial = changes(Printed, paper::eq108_rho_rate::parts, |printed| {
     polar("(108): dρ/dτ", "ρ", &printed)
 });
-pub const EQ109: Vectorial = changes(Within, paper::eq109_psi_rate::parts, |printed| {
+pub(crate) const EQ109: Vectorial = changes(Within, paper::eq109_psi_rate::parts, |printed| {
     polar("(109): dψ/dτ", "ψ", &printed)
 });

@@ -25,7 +25,7 @@ fn is(
     })
 }
 
-pub const EQ93: Vectorial = consistent(
+pub(crate) const EQ93: Vectorial = consistent(
     Compared::one("(93)", "the size of the velocity"),
     || vec![paper::eq93_speed(vectors()[1])],
     |printed| {
@@ -34,7 +34,7 @@ pub const EQ93: Vectorial = consistent(
         is("(93): p", Setting::polar(), &printed, expected)
     },
 );
-pub const EQ94: Vectorial = consistent(
+pub(crate) const EQ94: Vectorial = consistent(
     Compared::one("(94)", r"$\bm\rho\cdot(\mathrm d\bm\rho/\mathrm d\tau)/p$"),
     paper::eq94_xi::parts,
     |printed| {
@@ -44,7 +44,7 @@ pub const EQ94: Vectorial = consistent(
         is("(94): ξ", Setting::polar(), &printed, expected)
     },
 );
-pub const EQ95: Vectorial = consistent(
+pub(crate) const EQ95: Vectorial = consistent(
     Compared::one(
         "(95)",
         r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)/p$",
@@ -58,7 +58,7 @@ pub const EQ95: Vectorial = consistent(
     },
 );
 
-pub const EQ110: Vectorial = consistent(
+pub(crate) const EQ110: Vectorial = consistent(
     Compared::one("(110), by (111) and (112),", "$-A^2$"),
     paper::eq110_case::parts,
     |printed| {
@@ -67,7 +67,7 @@ pub const EQ110: Vectorial = consistent(
         is(title, Setting::slower(), &printed, expected)
     },
 );
-pub const EQ116: Vectorial = consistent(
+pub(crate) const EQ116: Vectorial = consistent(
     Compared::one("(116), by (117) and (118),", "$B^2$"),
     paper::eq116_case::parts,
     |printed| {
@@ -100,7 +100,7 @@ fn sums(
 const SLOWER: Compared = Compared::one(r"$\rho\pm p$ by (111) and (112)", r"$A\exp(\pm\alpha)$");
 const FASTER: Compared = Compared::one(r"$p\pm\rho$ by (117) and (118)", r"$B\exp(\pm\beta)$");
 
-pub const EQ111: Vectorial = consistent(SLOWER, paper::eq111_p::parts, |printed| {
+pub(crate) const EQ111: Vectorial = consistent(SLOWER, paper::eq111_p::parts, |printed| {
     let both = [paper::eq112_rho::tree(), printed[0]];
     sums(
         "(111): ρ ± p = A exp(±α)",
@@ -109,7 +109,7 @@ pub const EQ111: Vectorial = consistent(SLOWER, paper::eq111_p::parts, |printed|
         ["A", "α"],
     )
 });
-pub const EQ112: Vectorial = consistent(SLOWER, paper::eq112_rho::parts, |printed| {
+pub(crate) const EQ112: Vectorial = consistent(SLOWER, paper::eq112_rho::parts, |printed| {
     let both = [printed[0], paper::eq111_p::tree()];
     sums(
         "(112): ρ ± p = A exp(±α)",
@@ -118,7 +118,7 @@ pub const EQ112: Vectorial = consistent(SLOWER, paper::eq112_rho::parts, |printe
         ["A", "α"],
     )
 });
-pub const EQ117: Vectorial = consistent(FASTER, paper::eq117_p::parts, |printed| {
+pub(crate) const EQ117: Vectorial = consistent(FASTER, paper::eq117_p::parts, |printed| {
     let both = [printed[0], paper::eq118_rho::tree()];
     sums(
         "(117): p ± ρ = B exp(±β)",
@@ -127,7 +127,7 @@ pub const EQ117: Vectorial = consistent(FASTER, paper::eq117_p::parts, |printed|
         ["B", "β"],
     )
 });
-pub const EQ118: Vectorial = consistent(FASTER, paper::eq118_rho::parts, |printed| {
+pub(crate) const EQ118: Vectorial = consistent(FASTER, paper::eq118_rho::parts, |printed| {
     let both = [paper::eq117_p::tree(), printed[0]];
     sums(
         "(118): p ± ρ = B exp(±β)",

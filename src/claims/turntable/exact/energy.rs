@@ -4,7 +4,7 @@ use super::{RATE, Setting, Vectorial, prove, vectors};
 use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
 
-pub const EQ103: Vectorial = Vectorial::new(
+pub(crate) const EQ103: Vectorial = Vectorial::new(
     Printed,
     RATE,
     || {
@@ -34,7 +34,7 @@ fn keeps_its_value(title: &str, setting: Result<Setting, ExactError>, formula: &
     })
 }
 
-pub const EQ104: Vectorial = Vectorial::new(
+pub(crate) const EQ104: Vectorial = Vectorial::new(
     Printed,
     Compared::one("the rate of (104) along (89)", "0"),
     paper::eq104_constant::parts,
@@ -44,7 +44,7 @@ pub const EQ104: Vectorial = Vectorial::new(
     },
 );
 /// (106) as printed.
-pub const PRINTED_106: Vectorial = Vectorial::new(
+pub(crate) const PRINTED_106: Vectorial = Vectorial::new(
     Printed,
     Compared::one("the rate of (106) along (86)", "0"),
     || {
@@ -54,7 +54,7 @@ pub const PRINTED_106: Vectorial = Vectorial::new(
     },
     prove_106,
 );
-pub const CORRECTED_106: Vectorial = Vectorial::new(
+pub(crate) const CORRECTED_106: Vectorial = Vectorial::new(
     Corrected,
     Compared::one(r"the rate of (106) with $m\mu gs$, along (86),", "0"),
     || {
@@ -71,7 +71,7 @@ fn prove_106(formula: Vec<Expr>) -> Proof {
 }
 
 /// The work as printed.
-pub const PRINTED_WORK: Vectorial = Vectorial::new(
+pub(crate) const PRINTED_WORK: Vectorial = Vectorial::new(
     Printed,
     Compared::many(
         "the power of the Coriolis force and the rate of $-mgs$, in (86),",
@@ -80,7 +80,7 @@ pub const PRINTED_WORK: Vectorial = Vectorial::new(
     paper::friction_work::parts,
     prove_works,
 );
-pub const CORRECTED_WORK: Vectorial = Vectorial::new(
+pub(crate) const CORRECTED_WORK: Vectorial = Vectorial::new(
     Corrected,
     Compared::many(
         r"the power of the Coriolis force and the rate of $-m\mu gs$, in (86),",

@@ -54,14 +54,16 @@ const ZERO: Compared = Compared::one(
     "(115)",
     "a product of which one factor is zero at this angle, and the other one at the other",
 );
-pub const EQ124: Vectorial = Vectorial::new(Printed, ZERO, paper::eq124_psi1::parts, |printed| {
-    let [first, _] = factors();
-    prove_zero(printed[0], first)
-});
-pub const EQ125: Vectorial = Vectorial::new(Printed, ZERO, paper::eq125_psi2::parts, |printed| {
-    let [_, second] = factors();
-    prove_zero(printed[0], second)
-});
+pub(crate) const EQ124: Vectorial =
+    Vectorial::new(Printed, ZERO, paper::eq124_psi1::parts, |printed| {
+        let [first, _] = factors();
+        prove_zero(printed[0], first)
+    });
+pub(crate) const EQ125: Vectorial =
+    Vectorial::new(Printed, ZERO, paper::eq125_psi2::parts, |printed| {
+        let [_, second] = factors();
+        prove_zero(printed[0], second)
+    });
 
 /// Each is zero once in a turn.
 fn factors() -> [Expr; 2] {
@@ -86,7 +88,7 @@ fn prove_zero(printed: Expr, factor: Expr) -> Proof {
     })
 }
 
-pub const S4_QUASI_FIXED_STABILITY: Vectorial = Vectorial::new(
+pub(crate) const S4_QUASI_FIXED_STABILITY: Vectorial = Vectorial::new(
     Within,
     Compared::many(
         r"the slopes of (115) at $\psi_1$ and $\psi_2$",

@@ -5,7 +5,7 @@ use super::{Setting, Vectorial, prove, vectors};
 use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
 
-pub const EQ86: Vectorial = Vectorial::new(
+pub(crate) const EQ86: Vectorial = Vectorial::new(
     Within,
     Compared::one(
         "the acceleration in the laboratory that (86) leads to",
@@ -14,7 +14,7 @@ pub const EQ86: Vectorial = Vectorial::new(
     eq86,
     prove_eq86,
 );
-pub const S4_MIRROR: Vectorial = Vectorial::new(
+pub(crate) const S4_MIRROR: Vectorial = Vectorial::new(
     Printed,
     Compared::many(
         "the mirrored accelerations of (86)",
@@ -67,15 +67,15 @@ fn prove_eq86(printed: Vec<Expr>) -> Proof {
 }
 
 const SYMBOLS: Compared = Compared::one("(86) in the symbols (87) and (88)", "(89)");
-pub const EQ87: Vectorial = Vectorial::new(Printed, SYMBOLS, eq87, |printed| {
+pub(crate) const EQ87: Vectorial = Vectorial::new(Printed, SYMBOLS, eq87, |printed| {
     let title = "(86) becomes (89) with (87)";
     without_dimensions(title, &printed, eq88()[0], &eq89())
 });
-pub const EQ88: Vectorial = Vectorial::new(Printed, SYMBOLS, eq88, |printed| {
+pub(crate) const EQ88: Vectorial = Vectorial::new(Printed, SYMBOLS, eq88, |printed| {
     let title = "(86) becomes (89) with (88)";
     without_dimensions(title, &eq87(), printed[0], &eq89())
 });
-pub const EQ89: Vectorial = Vectorial::new(
+pub(crate) const EQ89: Vectorial = Vectorial::new(
     Within,
     Compared::one("(89)", "(86) in the units of (87) and (88)"),
     eq89,
@@ -177,7 +177,7 @@ fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational
     })
 }
 
-pub const EQ90: Vectorial = projection(
+pub(crate) const EQ90: Vectorial = projection(
     Printed,
     || {
         let [position, rate] = vectors();
@@ -185,7 +185,7 @@ pub const EQ90: Vectorial = projection(
     },
     |printed| sides("(90) from (89)", &printed, |[_, rate, a]| dot(&rate, &a)),
 );
-pub const EQ91: Vectorial = projection(
+pub(crate) const EQ91: Vectorial = projection(
     Within,
     || {
         let [position, rate] = vectors();
@@ -197,7 +197,7 @@ pub const EQ91: Vectorial = projection(
         })
     },
 );
-pub const EQ92: Vectorial = projection(
+pub(crate) const EQ92: Vectorial = projection(
     Within,
     || {
         let [position, rate] = vectors();

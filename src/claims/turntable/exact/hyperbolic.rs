@@ -5,22 +5,22 @@ use super::{Setting, Vectorial, changes, prove, rate};
 use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
 
-pub const EQ113: Vectorial = changes(Printed, paper::eq113_a_rate::parts, |printed| {
+pub(crate) const EQ113: Vectorial = changes(Printed, paper::eq113_a_rate::parts, |printed| {
     rate("(113): dA/dτ", Setting::slower(), "A", &printed)
 });
-pub const EQ114: Vectorial = changes(Within, paper::eq114_alpha_rate::parts, |printed| {
+pub(crate) const EQ114: Vectorial = changes(Within, paper::eq114_alpha_rate::parts, |printed| {
     rate("(114): dα/dτ", Setting::slower(), "α", &printed)
 });
-pub const EQ115: Vectorial = changes(Within, paper::eq115_psi_rate::parts, |printed| {
+pub(crate) const EQ115: Vectorial = changes(Within, paper::eq115_psi_rate::parts, |printed| {
     rate("(115): dψ/dτ", Setting::slower(), "ψ", &printed)
 });
-pub const EQ119: Vectorial = changes(Printed, paper::eq119_b_rate::parts, |printed| {
+pub(crate) const EQ119: Vectorial = changes(Printed, paper::eq119_b_rate::parts, |printed| {
     rate("(119): dB/dτ", Setting::faster(), "B", &printed)
 });
-pub const EQ120: Vectorial = changes(Printed, paper::eq120_beta_rate::parts, |printed| {
+pub(crate) const EQ120: Vectorial = changes(Printed, paper::eq120_beta_rate::parts, |printed| {
     rate("(120): dβ/dτ", Setting::faster(), "β", &printed)
 });
-pub const EQ121: Vectorial = changes(Within, paper::eq121_psi_rate::parts, |printed| {
+pub(crate) const EQ121: Vectorial = changes(Within, paper::eq121_psi_rate::parts, |printed| {
     rate("(121): dψ/dτ", Setting::faster(), "ψ", &printed)
 });
 
@@ -28,10 +28,11 @@ const CONTINUED: Compared = Compared::many(
     "(111) to (115), with (122) and (123) put in,",
     "(117) to (121)",
 );
-pub const EQ122: Vectorial = Vectorial::new(Printed, CONTINUED, paper::eq122_a::parts, |printed| {
-    continuation("(122), with (123)", printed[0], paper::eq123_alpha::tree())
-});
-pub const EQ123: Vectorial =
+pub(crate) const EQ122: Vectorial =
+    Vectorial::new(Printed, CONTINUED, paper::eq122_a::parts, |printed| {
+        continuation("(122), with (123)", printed[0], paper::eq123_alpha::tree())
+    });
+pub(crate) const EQ123: Vectorial =
     Vectorial::new(Printed, CONTINUED, paper::eq123_alpha::parts, |printed| {
         continuation("(123), with (122)", paper::eq122_a::tree(), printed[0])
     });

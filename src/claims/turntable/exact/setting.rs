@@ -6,7 +6,7 @@ use crate::paper::turntable as paper;
 
 /// A ring and the motion in it.
 #[derive(Debug)]
-pub struct Setting {
+pub(crate) struct Setting {
     /// The ring.
     pub ring: Ring,
     /// The rate of change along the motion.
@@ -18,7 +18,7 @@ pub struct Setting {
 impl Setting {
     /// 𝐫 = (x, y), d𝐫/dt = (u, v), in lengths and times, with the angle φ by which the table has turned and the
     /// arc length s; the motion is that of (86).
-    pub fn dimensional() -> Result<Self, ExactError> {
+    pub(crate) fn dimensional() -> Result<Self, ExactError> {
         let mut ring = plain();
         ring.symbols(["Ω", "μ", "g", "m", "s"]);
         ring.angle("φ");
@@ -45,7 +45,7 @@ impl Setting {
     }
 
     /// 𝛒 = (x, y), d𝛒/dτ = (u, v); the motion is that of (89).
-    pub fn cartesian() -> Result<Self, ExactError> {
+    pub(crate) fn cartesian() -> Result<Self, ExactError> {
         let mut ring = plain();
         root_of_speed(&mut ring)?;
         let [position, rate] = vectors();
@@ -64,7 +64,7 @@ impl Setting {
     }
 
     /// The velocity has the size p and the direction χ, the position the size ρ and the direction χ + ψ.
-    pub fn polar() -> Result<Self, ExactError> {
+    pub(crate) fn polar() -> Result<Self, ExactError> {
         let mut ring = Ring::of(["p", "ρ", "s"]);
         let Rates { p, rho, psi, chi } = rates(&mut ring)?;
         let speed = ring.named("p")?;
@@ -89,14 +89,14 @@ impl Setting {
     }
 
     /// The same with p and ρ by (111) and (112).
-    pub fn slower() -> Result<Self, ExactError> {
+    pub(crate) fn slower() -> Result<Self, ExactError> {
         let [p, rho] = [paper::eq111_p::tree(), paper::eq112_rho::tree()];
         let law = "(89), with (111) and (112)";
         Self::hyperbolic(["A", "α"], [p, rho], law, |[p, rho]| [rho, p])
     }
 
     /// The same with p and ρ by (117) and (118).
-    pub fn faster() -> Result<Self, ExactError> {
+    pub(crate) fn faster() -> Result<Self, ExactError> {
         let [p, rho] = [paper::eq117_p::tree(), paper::eq118_rho::tree()];
         let law = "(89), with (117) and (118)";
         Self::hyperbolic(["B", "β"], [p, rho], law, |[p, rho]| [p, rho])
@@ -137,7 +137,7 @@ impl Setting {
     }
 
     /// A, α, B, β and ψ, with the eighth root of unity ζ and i = ζ²; no motion.
-    pub fn continued() -> Result<Self, ExactError> {
+    pub(crate) fn continued() -> Result<Self, ExactError> {
         let mut ring = Ring::new();
         let zeta = ring.root(&Rational::int(-1), 4)?;
         ring.define("ζ", zeta.clone())?;
@@ -155,7 +155,7 @@ impl Setting {
     }
 
     /// α and the angles ψ and q, where q is to be the arcsine of something; no motion.
-    pub fn fixed() -> Result<Self, ExactError> {
+    pub(crate) fn fixed() -> Result<Self, ExactError> {
         let mut ring = Ring::new();
         ring.hyperbolic("α");
         for name in ["ψ", "q"] {
