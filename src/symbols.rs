@@ -94,7 +94,7 @@ symbols! {
     rate = "ρ̇" ["ρ̇_x", "ρ̇_y"], r"\dot{\bm\rho}", r"velocity relative to the table, over $\mu g/\Omega$", "1", "eq-89";
     p = "p" ["p", "ṗ"], "p", "its size, the speed relative to the table; with its rate", "1", "eq-93";
     rho = "ρ", r"\rho", "distance from the axis", "1", "eq-94";
-    psi = "ψ", r"\psi", "angle from the velocity to the position", "radians", "eq-94";
+    psi = "ψ", r"\psi", "angle between velocity and position, its sign as in (95)", "radians", "eq-94";
     xi = "ξ" ["ξ", "ξ̇"], r"\xi", "position along the velocity; with its rate", "1", "eq-94";
     u_rate = "(du/dτ)", r"\dot u", "rate of what is called u there", "1", "s4-projection-azimuthal";
     ell = "ℓ" ["ℓ", "ℓ̇"], r"\ell", "position to the right of the velocity, angular momentum over $p$; with its rate", "1", "eq-95";

@@ -183,6 +183,6 @@ THRESHOLD = 1e-11,
 
 /// A velocity that vanishes as a power of the time.
 VANISHES = 4e-8,
-    "under twice the friction, the slowest case, v⊥ falls as the inverse of the time, which is 1e8 at the end";
+    "what is left of v⊥ under twice the friction, the slowest case, after a time of 1e8";
 
 }

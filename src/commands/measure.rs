@@ -9,7 +9,7 @@ use crate::numerics::error::plain;
 use crate::scene::{MetrePerSecond2, Second, columns};
 use clap::{Arg, ArgMatches, Command};
 use serde_json::{Value, json as object};
-use trialbook::cli::{VERSION, bare, csv, screen, show};
+use trialbook::cli::{VERSION, bare, csv, screen};
 use trialbook::publishing::{Failure, Format};
 
 const ABOUT: &str = "Find the coefficients of friction in a recording of an accelerometer
@@ -62,7 +62,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
         },
     )?;
     match format {
-        Format::Text => show(&told(&found))?,
+        Format::Text => json(&Value::String(told(&found)))?,
         Format::Csv => {
             let row = |what: &str, ends: Option<[f64; 2]>, unit: &str, note: String| {
                 let [from, to] =

@@ -13,17 +13,17 @@ mod sweep;
 
 use clap::{Args, FromArgMatches};
 use serde_json::Value;
-use trialbook::cli::json;
+use trialbook::cli::{json, show};
 use trialbook::publishing::{Command, Failure, Format};
 
-/// What takes an answer as JSON.
+/// What takes an answer: JSON, or a text as such.
 type Json<'a> = &'a mut dyn FnMut(&Value) -> Result<(), Failure>;
 
-/// What `scene` or `measure` with these words answers as JSON.
+/// What `scene` or `measure` with these words answers: JSON, or a text as such.
 ///
 /// # Errors
 /// [`Failure`] where there is no answer.
-pub(crate) fn answered(words: &[String]) -> Result<Value, Failure> {
+pub(crate) fn answered(words: &[String], format: Format) -> Result<Value, Failure> {
     let mut answer = Value::Null;
     let keep: Json = &mut |whole| {
         answer = whole.clone();
@@ -31,23 +31,28 @@ pub(crate) fn answered(words: &[String]) -> Result<Value, Failure> {
     };
     let of = |command: clap::Command| command.try_get_matches_from(words);
     match words {
-        [first, ..] if first == "measure" => {
-            measure::run(&of(measure::command())?, Format::Json, keep)?
-        }
-        _ => scene::run(&of(scene::command())?, Format::Json, keep)?,
+        [first, ..] if first == "measure" => measure::run(&of(measure::command())?, format, keep)?,
+        _ => scene::run(&of(scene::command())?, format, keep)?,
     };
     Ok(answer)
+}
+
+fn told(answer: &Value) -> Result<(), Failure> {
+    match answer {
+        Value::String(text) => Ok(show(text)?),
+        answer => json(answer),
+    }
 }
 
 /// All of them.
 pub(crate) const ALL: [Command; 5] = [
     Command {
         command: measure::command,
-        run: |matches, format| measure::run(matches, format, &mut json),
+        run: |matches, format| measure::run(matches, format, &mut told),
     },
     Command {
         command: scene::command,
-        run: |matches, format| scene::run(matches, format, &mut json),
+        run: |matches, format| scene::run(matches, format, &mut told),
     },
     Command {
         command: || {

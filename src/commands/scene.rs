@@ -331,11 +331,11 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
             heads.push("digits".to_owned());
             table(&heads, [cells(&answer.numbers)].into_iter())?;
         }
-        (Format::Text, every) => show(
-            &(text(&answer, paper.as_ref())
+        (Format::Text, every) => json(&Value::String(
+            text(&answer, paper.as_ref())
                 + &every.map_or(String::new(), |moments| rows(&moments, &answer))
-                + &drawn),
-        )?,
+                + &drawn,
+        ))?,
     }
     Ok(0)
 }
@@ -624,7 +624,7 @@ fn found(
                     list(&jumps).join(", ")
                 );
             }
-            show(&(text + &note + "\n"))?;
+            json(&Value::String(text + &note + "\n"))?;
         }
     }
     Ok(u8::from(solutions.is_empty() && jumps.is_empty()))

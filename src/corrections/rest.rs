@@ -7,9 +7,20 @@
 //!
 //! where (1 − α^e)/e is −ln α at e = 0.
 //!
-//! *Straight in.* Near p = 0 the angle has two equilibria, ψ = 0 and ψ = π. The second one repels, but it does so at
-//! the rate σ/p, while ln p falls at the rate (1+σ)/p: on a surface of starts the particle stops before it has
-//! turned. With φ = π − ψ small, (114) and (115) are α̇ = −1 − 1/σ, φ̇ = −2(1 − φ/(2α)), and the solution that
+//! *Straight in.* Near p = 0 the angle has two equilibria, ψ = 0 and ψ = π. The second one repels, but ln p falls faster: on a
+//! surface of starts the particle stops before it has turned.
+//!
+//! ```
+//! use slipbook::paper::turntable::{eq107_p_rate, eq109_psi_rate};
+//! use std::f64::consts::PI;
+//!
+//! let (sigma, p, h) = (0.7, 1e-3, 1e-4);
+//! let away = (eq109_psi_rate(p, sigma, PI + h) - eq109_psi_rate(p, sigma, PI - h)) / (2.0 * h);
+//! assert!((away * p / sigma - 1.0).abs() < 1e-2);
+//! assert_eq!(-eq107_p_rate(sigma, PI), 1.0 + sigma);
+//! ```
+//!
+//! With φ = π − ψ small, (114) and (115) are α̇ = −1 − 1/σ, φ̇ = −2(1 − φ/(2α)), and the solution that
 //! stays is φ = 2α/(2 + 1/σ).
 //!
 //! *The surfaces.* (145) is the equation of the motions to rest, once ψ has relaxed. On the way to it, for small α, (114) and

@@ -16,7 +16,22 @@
 //! τ = u₀ (λ + cos θ₀)/\[γ (1 − λ²)\] { … },
 //!
 //! and (14) gives u = \[(1 − λ²) γ τ + u₀ (λ + cos θ₀)\]/(λ + cos θ). The paper lacks the γ = A/(μg) that stands
-//! for the A of (13) and (14): its formulas hold only for A = μg.
+//! for the A of (13) and (14). With γ = 1 the printed time is right:
+//!
+//! ```
+//! use slipbook::motion::{Plane, State, run};
+//! use slipbook::paper::sphere::eq82_time;
+//! use std::f64::consts::FRAC_PI_2;
+//!
+//! for (gamma, right) in [(1.0, true), (3.5, false)] {
+//!     let slip = State { t: 0.0, x: [0.0; 2], v: [0.0, 1.0] };
+//!     let theta = FRAC_PI_2 - 0.1;
+//!     let turned = run(&Plane::constant([-gamma, 0.0]), 3.5, slip, 1.0)?.first_along([theta.cos(), theta.sin()])?;
+//!     let printed = eq82_time(3.5 / gamma, 1.0, FRAC_PI_2, theta);
+//!     assert_eq!((printed - turned.ok_or("never")?.t).abs() < 1e-9, right);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 //!
 //! Neither has a value at λ = 1 or cos θ₀ = −λ; [`speed`](super::constant::speed) and
 //! [`time`](super::constant::time) of section 2.1, with A = γ, have.

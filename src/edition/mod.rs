@@ -55,6 +55,7 @@ pub static EDITION: Edition = Edition {
         "own-scene" => explorer::own;
         "scene-words" => explorer::words;
         "questions" => questions::all;
+        "answer " => questions::one;
         "break" => explorer::breakable;
         "physics" => |_| Ok(physics::table_of());
         "exam" => |_| exam::table_of();

@@ -7,9 +7,9 @@ use rayon::prelude::*;
 use serde::Deserialize;
 use serde_json::Value;
 use std::fs;
-use trialbook::book::table;
+use trialbook::book::{code, table};
 use trialbook::data::text;
-use trialbook::publishing::{Failure, Filled};
+use trialbook::publishing::{Failure, Filled, Format};
 
 /// Whether this names a recording.
 fn recording(name: &str) -> bool {
@@ -36,25 +36,37 @@ struct Question {
     why: String,
 }
 
-/// All of them, each with its answer.
-pub(super) fn all(_: &str) -> Result<Filled, Failure> {
+/// What a command answers.
+fn asked(command: &str, format: Format) -> Result<Value, Failure> {
     let folder = tempfile::tempdir()?;
     for (name, text) in TEXTS.iter().filter(|(name, _)| recording(name)) {
         fs::write(folder.path().join(name), text.as_str())?;
     }
+    let parts = command.split('\'').enumerate();
+    let words = parts.flat_map(|(i, part)| match i % 2 {
+        0 => part.split_whitespace().collect(),
+        _ => vec![part],
+    });
+    let words = words.skip(1).map(|word| match recording(word) {
+        true => folder.path().join(word).to_string_lossy().into_owned(),
+        false => word.to_owned(),
+    });
+    answered(&words.collect::<Vec<_>>(), format)
+}
+
+/// A command, and below it what it answers.
+pub(super) fn one(command: &str) -> Result<Filled, Failure> {
+    let answer = asked(command, Format::Text)?;
+    let lines = format!("$ {command}\n{}", answer.as_str().unwrap_or_default());
+    Ok(Filled::Block(code(&lines)))
+}
+
+/// All of them, each with its answer.
+pub(super) fn all(_: &str) -> Result<Filled, Failure> {
     let text = text!("book/questions.toml");
     let questions: Asked = toml::from_str(text.read()?)?;
     let html = questions.question.par_iter().map(|one| {
-        let parts = one.command.split('\'').enumerate();
-        let words = parts.flat_map(|(i, part)| match i % 2 {
-            0 => part.split_whitespace().collect(),
-            _ => vec![part],
-        });
-        let words = words.skip(1).map(|word| match recording(word) {
-            true => folder.path().join(word).to_string_lossy().into_owned(),
-            false => word.to_owned(),
-        });
-        let answer = answered(&words.collect::<Vec<_>>());
+        let answer = asked(&one.command, Format::Json);
         let html = answer.and_then(|answer| one.html(&answer));
         html.map_err(|error| format!("{}: {error}", one.id).into())
     });

@@ -51,6 +51,16 @@ impl Results {
     }
 }
 
+/// Of how many starts at least, and at most, the costs were measured, as powers of ten.
+pub(super) fn starts() -> Result<[f64; 2], Failure> {
+    let growth = results()?.growth;
+    let (Some(first), Some(last)) = (growth.first(), growth.last()) else {
+        return Err("nothing was measured".into());
+    };
+    let power = |row: &Growth| libm::exp10(libm::round(libm::log10(row.starts as f64)));
+    Ok([first, last].map(power))
+}
+
 /// How many times longer the peer takes, three digits.
 fn ratio(peer: f64, ours: f64) -> String {
     let ratio = peer / ours;

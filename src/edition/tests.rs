@@ -9,6 +9,7 @@ use std::sync::LazyLock;
 use tempfile::TempDir;
 use trialbook::book::{self, BookError};
 use trialbook::data::Text;
+use trialbook::notation::{tags, without_tags};
 use trialbook::plotting::Figure;
 use trialbook::publishing::{Edition, Page, Part};
 use trialbook::trials::{Claim, Paper, Topic, read::File};
@@ -151,20 +152,14 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
 /// The text of a page's content, without tags and without code.
 fn prose(html: &str) -> String {
     let main = between(html, "<main>", "</main>");
-    let mut text = String::new();
-    let mut code = 0_usize;
-    for part in main.split('<').skip(1) {
-        let (tag, after) = part.split_once('>').unwrap();
-        match tag.split(' ').next().unwrap() {
-            "code" => code += 1,
-            "/code" => code -= 1,
-            _ => {}
+    let mut code = false;
+    let text = tags(main).filter(|tag| {
+        if tag.name == "code" {
+            code = !tag.closes;
         }
-        if code == 0 {
-            text.push_str(after);
-        }
-    }
-    text
+        !code
+    });
+    text.map(|tag| tag.text).collect()
 }
 
 /// Writes the book of this ledger.
@@ -211,13 +206,10 @@ fn the_book_is_whole() {
         let html = text(page);
         for math in html.split("<math").skip(1) {
             let mut open = Vec::new();
-            for tag in math.split("</math>").next().unwrap().split('<').skip(1) {
-                match tag.strip_prefix('/') {
-                    Some(end) => {
-                        assert_eq!(open.pop(), end.split('>').next(), "{page}: {math:.200}")
-                    }
-                    None if tag.split('>').next().unwrap().ends_with('/') => {}
-                    None => open.push(tag.split([' ', '>']).next().unwrap()),
+            for tag in tags(math.split("</math>").next().unwrap()).skip(1) {
+                match tag.closes {
+                    true => assert_eq!(open.pop(), Some(tag.name), "{page}: {math:.200}"),
+                    false => open.extend(Some(tag.name).filter(|_| !tag.alone)),
                 }
             }
         }
@@ -370,9 +362,8 @@ fn every_claim_has_its_address_and_its_verdict() {
         let claim = between(html, &start, "</article>");
         let verdict = entry.judgement.verdict;
         let mark = format!("<span class=\"verdict {}\">", verdict.slug());
-        let parts = between(claim, &mark, "</div>").split('<');
-        let words = parts.map(|part| part.split_once('>').map_or(part, |(_, text)| text));
-        assert_eq!(words.collect::<String>(), verdict.words());
+        let words = without_tags(between(claim, &mark, "</div>"));
+        assert_eq!(words, verdict.words());
         assert!(claim.contains(&format!("id=\"{}\"", entry.claim.id)));
     }
 }

@@ -3,7 +3,7 @@
 //! All quantities are dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the ratio
 //! of backward to forward friction, φ the phase and 𝔴 the velocity.
 
-use super::Drawn;
+use super::{Drawn, trend::sides};
 use crate::claims::{
     anisotropic::simulated::{Changes, Curves},
     anisotropic::{census as counted, drawn, panels, rows},
@@ -169,6 +169,7 @@ impl Map {
 pub(super) fn fig5(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
     let y = map.corners[1][0];
+    let wrong: Vec<_> = map.wrong().collect();
     let before = |h: &Heights, at: f64| (h.q <= y).then_some(at);
     // B, and beyond Y the border of region II that comes after it.
     let upper = |beyond: fn(&Heights) -> Option<f64>| {
@@ -237,11 +238,14 @@ pub(super) fn fig5(map: &Map) -> Result<Figure, FigureError> {
     Plot::new("fig-5", "The regions of the anisotropic friction")
         .caption(format!(
             "Which motion the friction $\\lambda_0$ and the ratio $q$ lead to. As printed, the list is wrong at {printed_wrong} of \
-             {points} simulated points; all lie below C and beyond Y, in the dark wedge. \
+             {points} simulated points; all lie {{{{below|above}}}} C and {{{{before|beyond}}}} Y, in the dark wedge. \
              As corrected, with E for the missing boundary and C ending at Y, it is wrong at {corrected_wrong}. The last panel has the \
              wedge enlarged. {}",
             super::after("fig-5")
         ))
+        // C is λ₀ = 1/q.
+        .says(["below|above"], sides(wrong.iter().map(|[q, lambda0]| q * lambda0), 1.0))
+        .says(["before|beyond"], sides(wrong.iter().map(|at| at[0]), y))
         .alt(
             "Three diagrams. The first two have q from 1 to 7 to the right and λ₀ from 0 to 1.4 upwards. The curves \
              A, B and C fall from the left, D is the horizontal line λ₀ = 1. In the first, a thin wedge below C, right \
@@ -442,6 +446,33 @@ fn scientific(number: &str) -> String {
 /// The velocity over the phase, and the friction: q and λ₀.
 pub(super) type Wave = (Vec<[f64; 2]>, (f64, f64));
 
+/// How a periodic motion goes, by its velocity.
+fn manner(points: &[[f64; 2]]) -> &'static str {
+    let sign = |point: &[f64; 2]| match point[1] {
+        w if w > 1e-9 => '+',
+        w if w < -1e-9 => '-',
+        _ => '0',
+    };
+    let signs: Vec<char> = points.iter().map(sign).collect();
+    // A passage is no rest.
+    let mut lasting: Vec<char> = signs
+        .windows(2)
+        .filter(|two| two[0] == two[1])
+        .map(|two| two[0])
+        .collect();
+    lasting.dedup();
+    let kind: String = lasting.into_iter().collect();
+    let has = |part: &str| kind.contains(part);
+    match ["-", "0", "+-", "-+", "+0"].map(has) {
+        [true, false, ..] => "forwards and backwards in turn",
+        [true, true, true, false, false] => "forwards, at once backwards, rest",
+        [true, true, false, false, true] => "a rest after either",
+        [false, true, _, _, true] => "forwards and rest",
+        _ if kind == "0" => "rest",
+        _ => "in another way",
+    }
+}
+
 /// fig-6: the motion over two periods, one panel for each region.
 ///
 /// # Errors
@@ -455,18 +486,21 @@ pub(super) fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
         (3.0 * PI, "3π"),
         (4.0 * PI, "4π"),
     ];
+    let named = || ["I", "II", "III", "IV", "V"].into_iter().zip(waves);
+    let manners: String = named()
+        .map(|(name, (points, _))| format!("{name}: {}. ", manner(points)))
+        .collect();
     let mut plot = Plot::new("fig-6", "The motion in each region")
         .caption(format!(
             "The periodic velocity $\\mathfrak{{w}}$ against the phase $\\phi$ over two periods, at one point of each \
-             region. I: forwards and backwards in turn. II: forwards, at once backwards, rest. III: a rest after \
-             either. IV: forwards and rest. V: rest. {}",
+             region. {manners}{}",
             super::after("fig-6")
         ))
         .alt(
             "Five panels with φ from 0 to 4π to the right and 𝔴 from −1 to 1 upwards. The wave of panel I never \
              rests; in II it rests once a period, in III twice, in IV it is never negative, in V it is zero.",
         );
-    for (name, wave) in ["I", "II", "III", "IV", "V"].into_iter().zip(waves) {
+    for (name, wave) in named() {
         let (points, (q, lambda0)) = wave;
         table.rows((name, q, lambda0), points)?;
         let title = format!("'{name}'\u{2003}q = {q}, λ_0 = {lambda0}");

@@ -3,7 +3,10 @@
 //! Units throughout: speeds in v₀, the initial speed; times in v₀/A. λ = μg/A is the friction over
 //! the acceleration, θ the angle between the velocity and the inertial force, θ₀ its initial value.
 
-use super::Drawn;
+use super::{
+    Drawn,
+    trend::{column, peak, same, way, ways},
+};
 use crate::claims::constant::drawn;
 use crate::motion::MotionError;
 use std::f64::consts::PI;
@@ -155,6 +158,19 @@ fn histories() -> Drawn {
             angle = angle.points(disc(theta));
         }
     }
+    // λ, time, speed, angle.
+    let groups = table.groups();
+    let speeds = groups.iter().all(|rows| {
+        let (least, end) = (
+            column(rows, 2).fold(f64::INFINITY, f64::min),
+            rows[rows.len() - 1][2],
+        );
+        let lambda = rows[0][0];
+        least < rows[0][2] && (lambda >= 1.0 || end > least) && (lambda <= 1.0 || end == 0.0)
+    });
+    let soon = groups
+        .iter()
+        .filter_map(|rows| rows.iter().find(|row| row[1] >= 0.4).map(|row| row[3]));
     Ok(Plot::new("constant-speed-angle", "Speed and direction against time")
         .caption(
             "Speed $v$ and angle $\\theta$ between the velocity and the inertial force, against time, for \
@@ -163,9 +179,12 @@ fn histories() -> Drawn {
         )
         .alt(
             "Two panels against time in units of the initial speed over the acceleration. Above, the \
-             speed first falls, then rises for small λ and falls to zero for λ above 1. Below, the \
-             angle falls towards zero, the faster the larger λ.",
+             speed {{first falls, then rises for small λ and falls to zero for λ above 1}}. Below, the \
+             angle {{falls|rises}} towards zero, the {{faster|slower}} the larger λ.",
         )
+        .says(["first falls, then rises for small λ and falls to zero for λ above 1"], speeds)
+        .says(["falls|rises"], ways(&groups, 3))
+        .says(["faster|slower"], way(soon))
         .panel(speed)
         .panel(angle)
         .figure(table)?)
@@ -195,18 +214,32 @@ fn stopping_times() -> Drawn {
         let label = format!("λ = {lambda}");
         panel = panel.curve(Curve::new(times).series(n).label_at(label, 0.3));
     }
+    // λ, from small to large; angle, from 0; time.
+    let groups = table.groups();
+    let drop = groups
+        .iter()
+        .map(|rows| rows[0][2] - rows[rows.len() - 1][2]);
+    let longest = |at: f64| {
+        groups
+            .iter()
+            .all(|rows| same(peak(rows, 1, 2)[0], at, 1e-9))
+    };
     Ok(Plot::new(
         "constant-stopping-time",
         "Stopping time against the initial direction",
     )
     .caption(
         "Time $T$ until the particle stops, against the initial angle $\\theta_0$, for \
-             several $\\lambda>1$. It is longest when the particle starts along the inertial force.",
+             several $\\lambda>1$. It is longest when the particle starts {{along|against}} the inertial force.",
     )
     .alt(
-        "Curves that fall from the initial angle zero to the angle π, the higher and the steeper \
+        "Curves that {{fall|rise}} from the initial angle zero to the angle π, the {{higher|lower}} and the {{steeper|flatter}} \
              the closer λ is to 1.",
     )
+    .says(["along|against"], [longest(0.0), longest(PI)])
+    .says(["fall|rise"], ways(&groups, 2))
+    .says(["higher|lower"], way(groups.iter().map(|rows| rows[0][2])))
+    .says(["steeper|flatter"], way(drop))
     .panel(panel)
     .figure(table)?)
 }

@@ -24,6 +24,18 @@ pub(super) fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
     for (q, found) in budgets.q.iter().zip(&budgets.found) {
         table.rows(q, budgets.lambda0.iter().zip(found))?;
     }
+    // q, λ₀, drift, loss.
+    let rows = budgets.q.iter().zip(&budgets.found).flat_map(|(q, found)| {
+        let along = budgets.lambda0.iter().zip(found);
+        along.map(|(lambda0, [drift, loss])| [*q, *lambda0, *drift, *loss])
+    });
+    let rows: Vec<_> = rows.collect();
+    let most = |of: usize| {
+        rows.iter()
+            .max_by(|a, b| a[of].total_cmp(&b[of]))
+            .map_or([f64::NAN; 2], |row| [row[0], row[1]])
+    };
+    let ([q, lambda0], lost) = (most(2), most(3));
     Plot::new("anisotropic-drift", "How fast it creeps, and what that costs")
         .caption(
             "Lines of equal mean velocity, in units of $A_0/\\varpi$, and of equal loss by friction in a period, per mass and in units of \
@@ -32,8 +44,11 @@ pub(super) fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
         .alt(
             "Two maps with q from 1 to 7 along the horizontal axis and λ₀ from 0 to 1.2 along the vertical one. In the first the \
              lines of equal mean velocity are horizontal in region IV and bend at the curves; the fastest drift lies in the \
-             corner of large q and small λ₀. In the second the lines surround a place at q = 1, λ₀ = 0.45.",
+             corner of {{large|small}} q and {{small|large}} λ₀. In the second the lines surround a place at {{q = 1, λ₀ = 0.45}}.",
         )
+        .says(["large|small"], [budgets.q.last(), budgets.q.first()].map(|end| end == Some(&q)))
+        .says(["small|large"], [budgets.lambda0.first(), budgets.lambda0.last()].map(|end| end == Some(&lambda0)))
+        .says(["q = 1, λ₀ = 0.45"], (lost[0] - 1.0).abs() <= 0.05 && (lost[1] - 0.45).abs() <= 0.015)
         .panel(map(budgets, "mean velocity", 0, &DRIFTS))
         .panel(map(budgets, "loss per period", 1, &LOSSES))
         .figure(table)

@@ -1,6 +1,6 @@
 //! The figures of section 4, escape. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{AllFiguresError, Drawn};
+use super::{AllFiguresError, Drawn, trend::sides};
 use crate::claims::{
     escape::growth::{LAG, Power, SIZE, SPEED, corrected_limits, printed_limits},
     escape::trajectories::{Flight, Late, Launch},
@@ -9,7 +9,7 @@ use crate::motion::{
     MotionError,
     turntable::{self, State, critical_radius, inertial},
 };
-use std::f64::consts::TAU;
+use std::f64::consts::{SQRT_2, TAU};
 use trialbook::plotting::{
     Axis, Curve, Figure, FigureError, Marker, Panel, Plot, Points, Rule, Table,
 };
@@ -111,14 +111,25 @@ pub(super) fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureEr
         .caption(
             "Speed, size $A$ and angle of three escapes, each over the power of $\\tau$ by which it grows or \
              falls. A law with the right prefactor becomes a horizontal line. The motions pass the printed \
-             values of speed and $A$ (dashed) on their way and settle on the corrected ones (solid). The printed \
+             values of speed and $A$ ({{line printed}}) on their way and {{settle on}} the corrected ones ({{line corrected}}). The printed \
              $\\pi/2-\\psi$ falls as $\\tau^{-1/2}$ and has no line here.",
         )
         .alt(
             "Three panels over the time from 10 to a hundred million, on a logarithmic axis. In each the three \
-             curves join before ten thousand and run level along the line of the corrected value, above the \
+             curves join before ten thousand and run level along the line of the corrected value, {{below|above}} the \
              printed one where there is one.",
         );
+    let settle = quantities.iter().all(|of| {
+        let ends = of.escapes.iter().filter_map(|escape| escape.last());
+        ends.last()
+            .is_some_and(|end| (end[1] - of.corrected).abs() < 1e-5)
+    });
+    let beside = quantities
+        .iter()
+        .filter_map(|of| Some(of.corrected - of.printed?));
+    plot = plot
+        .says(["settle on"], settle)
+        .says(["below|above"], sides(beside, 0.0));
     for quantity in quantities {
         let mut panel = Panel::new(
             Axis::log("τ"),
@@ -168,6 +179,7 @@ fn paths() -> Drawn {
     let new = |title: &str| Panel::new(axis("x"), axis("y")).title(title).equal();
     let mut panels = [new("'on the table'"), new("'in the laboratory'")];
     let starts = [(0.86, "ρ_0 = 0.86: rest"), (0.89, "ρ_0 = 0.89: escape")];
+    let (mut first, mut circles) = (Vec::new(), false);
     for (n, (rho, label)) in starts.into_iter().enumerate() {
         let run = put_down(rho, 14.0)?;
         let mut ways = [Vec::new(), Vec::new()];
@@ -176,6 +188,12 @@ fn paths() -> Drawn {
             for (way, seen) in ways.iter_mut().zip([run.on_table(t)?, run.at(t)?]) {
                 way.push((t, seen.x));
             }
+        }
+        first.extend(ways[0].get(1).map(|(_, x)| x[1]));
+        if let (true, Some([from, .., to])) = (n == 0, ways[1].get(381..)) {
+            let distance = |[x, y]: [f64; 2]| libm::hypot(x, y);
+            let moved = distance([0, 1].map(|k| to.1[k] - from.1[k]));
+            circles = (distance(from.1) - distance(to.1)).abs() < 1e-6 && moved > 0.1;
         }
         for ((panel, frame), way) in panels.iter_mut().zip(["table", "laboratory"]).zip(&ways) {
             table.rows((label, frame), way)?;
@@ -188,7 +206,7 @@ fn paths() -> Drawn {
     Ok(Plot::new("escape-paths", "Rest and escape, seen from the table and from the laboratory")
         .caption(
             "Two particles put down at rest in the laboratory, one just inside and one just outside the critical \
-             radius. On the table both first slide backwards. One comes to rest there and rides in a circle ever \
+             radius. On the table both first slide {{backwards|forwards}}. One comes to rest there and rides in a {{circle}} ever \
              after; the other goes away.",
         )
         .alt(
@@ -196,6 +214,9 @@ fn paths() -> Drawn {
              other bends outwards and leaves the panel. In the laboratory the first winds into a circle about the \
              axis, the second spirals out of the panel.",
         )
+        // The table turns counterclockwise: what stays behind goes towards negative y.
+        .says(["backwards|forwards"], sides(first.into_iter(), 0.0))
+        .says(["circle"], circles)
         .panel(on_table)
         .panel(in_laboratory)
         .figure(table)?)
@@ -252,16 +273,30 @@ fn ray() -> Drawn {
             }
         }
     }
+    let of = |fate: &str| {
+        let rows = table.cells().iter().filter(move |row| row[1] == fate);
+        rows.filter_map(|row| row[0].parse::<f64>().ok())
+            .collect::<Vec<_>>()
+    };
+    let inside = |inner: &str, outer: &str| {
+        let (inner, outer) = (of(inner), of(outer));
+        !inner.is_empty()
+            && !outer.is_empty()
+            && inner
+                .iter()
+                .all(|rho| outer.iter().all(|other| rho < other))
+    };
     Ok(Plot::new("escape-fan", "Put down on a turning record")
         .caption(
             "Particles put down, at rest in the laboratory, on a turning table, along twelve rays, and the paths that they follow on it. \
-             Friction carries the inner ones along: where the dots are they rest. The outer ones slide off. Next to \
+             Friction carries the {{inner|outer}} ones along: where the dots are they rest. The {{outer|inner}} ones slide off. Next to \
              the critical radius a hair's breadth decides. Lengths in units of $\\mu g/\\Omega^2$.",
         )
         .alt(
             "A wheel of twelve sheaves of curves. In each the inner curves are short and end in dots within a dotted \
              circle, the outer ones sweep backwards around it in widening arcs and leave the picture.",
         )
+        .says(["inner|outer", "outer|inner"], [inside("rest", "escape"), inside("escape", "rest")])
         .panel(panel.points(Points::new(ends).series(0).marker(Marker::Disc).size(3.5)))
         .figure(table)?)
 }
@@ -277,6 +312,11 @@ fn residuals(moments: &[Vec<Late>]) -> Drawn {
         table.rows(n as f64 + 1.0, left.clone())?;
         panel = panel.curve(Curve::new(left).series(n).solid());
     }
+    let straight = table.groups().iter().all(|rows| {
+        let late = rows[rows.len().saturating_sub(40)..].windows(2);
+        let slope = |two: &[Vec<f64>]| (two[1][2] - two[0][2]) / libm::log(two[1][1] / two[0][1]);
+        late.map(slope).all(|of| (of + 1.5 * SQRT_2).abs() < 0.01)
+    });
     // Through the last point of the first escape.
     if let Some(last) = moments.first().and_then(|moments| moments.last()) {
         let [end, value] = left(last);
@@ -288,13 +328,14 @@ fn residuals(moments: &[Vec<Late>]) -> Drawn {
         .caption(
             "How much the speed of three escapes differs from $\\tau^2/(3\\sqrt2)$, relative to it and times $\\tau$. An expansion in powers \
              of $1/\\tau$ would end in horizontal lines. In fact the curves end in parallel lines with the slope $-\\frac{3\\sqrt2}2$ in \
-             $\\ln\\tau$ (dashed): the escape lags by a time that grows as the logarithm. Each escape has a shift of time of its \
+             $\\ln\\tau$ ({{line slope}}): the escape lags by a time that grows as the logarithm. Each escape has a shift of time of its \
              own; two lines are apart by twice the difference of their shifts.",
         )
         .alt(
-            "Three curves over the time from 10 to a hundred million on a logarithmic axis. After a short transient they fall \
-             along straight parallel lines; a dashed line has the same slope.",
+            "Three curves over the time from 10 to a hundred million on a logarithmic axis. After a short transient they {{fall \
+             along straight parallel lines}}; a {{line slope}} line has the same slope.",
         )
+        .says(["fall along straight parallel lines"], straight)
         .panel(panel)
         .figure(table)?)
 }

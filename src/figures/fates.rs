@@ -1,6 +1,10 @@
 //! The figures of section 4, who comes to rest and how. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{Drawn, census::Census};
+use super::{
+    Drawn,
+    census::Census,
+    trend::{column, rises, steepens},
+};
 use crate::claims::{escape::straight::straight_in, rest::fates as maps};
 use crate::motion::{
     MotionError,
@@ -40,11 +44,11 @@ fn resting_places() -> Drawn {
     let mut plot = Plot::new("rest-radius", "Where a particle comes to rest")
         .caption(
             "Distance $\\sigma$ from the axis at which a particle comes to rest on the table: put down at rest in the \
-             laboratory at the distance $\\rho_0$, and launched from the axis with the speed $u_0$. At the dashed line \
+             laboratory at the distance $\\rho_0$, and launched from the axis with the speed $u_0$. At the {{line critical}} line \
              $\\sigma$ reaches 1, with a vertical tangent; beyond it the particle goes away.",
         )
         .alt(
-            "Two panels. In each a curve rises from the origin, ever more steeply, and ends at σ = 1 on a dashed \
+            "Two panels. In each a curve {{rises from the origin, ever more steeply}}, and ends at σ = 1 on a {{line critical}} \
              vertical line.",
         );
     for (axis, name, start, critical) in starts {
@@ -69,6 +73,13 @@ fn resting_places() -> Drawn {
         .rule(Rule::vertical(critical).key(format!("critical: {critical:.6}")));
         plot = plot.panel(panel);
     }
+    let steep = |rows: &Vec<Vec<f64>>| {
+        rows[0][1..] == [0.0; 2] && rises(column(rows, 2)) && steepens(&rows[1..], 1, 2)
+    };
+    plot = plot.says(
+        ["rises from the origin, ever more steeply"],
+        table.groups().iter().all(steep),
+    );
     Ok(plot.figure(table)?)
 }
 
@@ -94,14 +105,14 @@ fn basins() -> Drawn {
         .caption(
             "What becomes of a particle that starts at the distance $\\rho$ from the axis with a velocity in the laboratory \
              straight outwards (first panel) or along the motion of the table (second panel). The dots are the critical \
-             radius and the critical speed. On the dotted line the particle moves with the table; it stays \
-             there as long as $\\rho\\le1$.",
+             radius and the critical speed. On the dotted line the particle {{moves with the table; it stays \
+             there as long as $\\rho\\le1$}}.",
         )
         .alt(
             "Two panels with the distance from 0 to 1.3 along the horizontal axis and the velocity from −1.6 to 1.6 along the \
              vertical one. In the first the border of the shaded region of rest slopes from the critical speed through the \
              critical radius, and inward velocities of any size shown lead to rest from some distance on; in the second the \
-             region ends in a tip that follows the dotted line.",
+             region {{ends in a tip that follows}} the dotted line.",
         );
     for (n, (axis, name, velocity)) in directions.into_iter().enumerate() {
         let start = |[rho, u]: [f64; 2]| Start::cartesian([rho, 0.0], velocity(rho, u));
@@ -117,6 +128,28 @@ fn basins() -> Drawn {
         }
         plot = plot.panel(panel);
     }
+    // Distance, velocity, rest, of those that start along the motion of the table.
+    let groups = table.groups();
+    let along = || {
+        groups
+            .iter()
+            .skip(1)
+            .flatten()
+            .map(|row| [row[1], row[2], row[3]])
+    };
+    let rest = |speed: f64, reach: f64| {
+        let near =
+            |[rho, u, _]: &[f64; 3]| (u - speed * rho).abs() < 0.02 && (rho - reach).abs() < 0.06;
+        along().any(|cell| near(&cell)) && along().filter(near).all(|cell| cell[2] == 1.0)
+    };
+    let tip = || along().filter(|[rho, _, rests]| *rests == 1.0 && *rho > 0.96);
+    let ends = tip().count() > 0 && tip().all(|[rho, u, _]| rho < 1.0 && (u - rho).abs() < 0.1);
+    plot = plot
+        .says(
+            ["moves with the table; it stays there as long as $\\rho\\le1$"],
+            rest(1.0, 0.93) && !rest(1.0, 1.1) && !rest(0.0, 0.93),
+        )
+        .says(["ends in a tip that follows"], ends);
     Ok(plot.figure(table)?)
 }
 
@@ -176,12 +209,12 @@ pub(super) fn fates(list: &[Fates], as_of: &str) -> Result<Figure, FigureError> 
             "Sections through the phase space. Shaded: cells whose middle comes to rest, by simulation. The two lines, \
              which cannot be told apart, are proved by validated integration: from every start below the lower one the \
              particle comes to rest, from every start shown above the upper one it escapes. The last panel magnifies a piece of the \
-             third until the two lines separate, solid for rest and dashed for escape; the dots between them, just above the \
-             solid one, are the simulated boundary. {as_of}.",
+             third until the two lines separate, solid for rest and dashed for escape; the dots between them, {{{{just above the \
+             solid one}}}}, are the simulated boundary. {as_of}.",
         ))
         .alt(
             "Three panels with ψ from −π to π to the right and α from 0 to 1.5 upwards. Shaded is what lies below a curve that \
-             is lowest near ψ = 0 and rises towards both sides; the larger A, the lower it runs. In a fourth panel two lines \
+             is lowest near ψ = 0 and rises towards both sides; {{the larger A, the lower it runs}}. In a fourth panel two lines \
              run side by side, with dots between them.",
         );
     let axes = || {
@@ -210,6 +243,41 @@ pub(super) fn fates(list: &[Fates], as_of: &str) -> Result<Figure, FigureError> 
             .curve(within(&map.escapes));
         plot = plot.panel(panel);
     }
+    // Of the dots, those of the last map.
+    let above = |edge: &[[f64; 2]], dot: &[f64; 2]| {
+        let ends = edge
+            .windows(2)
+            .find(|two| (two[0][0]..=two[1][0]).contains(&dot[0]));
+        ends.map(|two| {
+            dot[1]
+                - (two[0][1]
+                    + (dot[0] - two[0][0]) / (two[1][0] - two[0][0]) * (two[1][1] - two[0][1]))
+        })
+    };
+    let just = list.iter().all(|map| {
+        map.found.iter().all(
+            |dot| match (above(&map.rests, dot), above(&map.escapes, dot)) {
+                (Some(over), Some(under)) => 0.0 < over && over < -under,
+                _ => false,
+            },
+        )
+    });
+    let mut by_size: Vec<&Fates> = list.iter().collect();
+    by_size.sort_by(|one, other| one.a.total_cmp(&other.a));
+    let lower = [-3.0, -1.5, 0.0, 1.5, 3.0].iter().all(|psi| {
+        let near = |map: &&Fates| {
+            let off = |at: &[f64; 2]| (at[0] - psi).abs();
+            let nearest = map
+                .rests
+                .iter()
+                .min_by(|one, other| off(one).total_cmp(&off(other)));
+            nearest.map_or(f64::NAN, |at| at[1])
+        };
+        by_size.windows(2).all(|two| near(&two[0]) > near(&two[1]))
+    });
+    plot = plot
+        .says(["just above the solid one"], just)
+        .says(["the larger A, the lower it runs"], lower);
     // Without a record the section is bare.
     let bare = || {
         let [psi, alpha] = axes();
@@ -284,17 +352,36 @@ fn stops() -> Drawn {
         let curve = curve.series(n).solid().arrows(&[0.5]);
         panel = panel.curve(curve.label_at(name, 0.8));
     }
+    // Start, τ, p, ψ; the last one comes straight in.
+    let groups = table.groups();
+    let slope = |rows: &Vec<Vec<f64>>| match &rows[..] {
+        [.., a, b] => libm::log(b[3] / a[3]) / libm::log(b[2] / a[2]),
+        _ => f64::NAN,
+    };
+    let slopes: Vec<f64> = groups.iter().map(slope).collect();
+    let alike = slopes
+        .iter()
+        .skip(1)
+        .take(3)
+        .all(|slope| (slope - 1.0).abs() < 0.1);
+    let ends = groups
+        .iter()
+        .map(|rows| (rows[0][3], rows[rows.len() - 1][3]));
+    let outwards = ends.clone().take(4).all(|(first, end)| end < 0.3 * first)
+        && ends.clone().last().is_some_and(|(_, end)| end > 3.0);
     Ok(Plot::new("rest-turning", "The last moments before a stop")
         .caption(
             "The angle $\\psi$ from the velocity to the position against the speed $p$, for particles put down at rest in the laboratory, \
-             at the distance $\\rho_0$, and one that slides straight in. The others stop with $\\psi\\to0$, moving outwards: the angle of \
-             the one that stops below $\\sigma=\\frac12$ falls more slowly than the speed, those of the others in proportion to it. The one that \
+             at the distance $\\rho_0$, and one that slides straight in. The others stop with $\\psi\\to0$, moving {{outwards}}: the angle of \
+             the one that stops below $\\sigma=\\frac12$ falls more {{slowly|quickly}} than the speed, those of the others in proportion to it. The one that \
              slides straight in stops with $\\psi\\to\\pi$.",
         )
         .alt(
             "Logarithmic axes. Four curves begin at the upper right, at a quarter turn, and fall to the lower left, three of them along \
              parallel lines and one along a flatter line. A fifth stays at half a turn.",
         )
+        .says(["outwards"], outwards)
+        .says(["slowly|quickly"], [alike && slopes[0] < 0.5, alike && slopes[0] > 1.5])
         .panel(panel)
         .figure(table)?)
 }

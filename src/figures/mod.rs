@@ -17,6 +17,8 @@ pub mod solve;
 mod sphere;
 #[cfg(test)]
 mod tests;
+mod trend;
+pub(crate) use trend::{falls, rises, same};
 mod turntable;
 
 use crate::motion::{MotionError, drive::DriveError};

@@ -3,7 +3,7 @@
 //! All dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| = 1, λ₀ the
 //! friction, η the share of a half period that a pulse fills.
 
-use super::Drawn;
+use super::{Drawn, trend::rises};
 use crate::claims::{
     periodic::drawn::{self, Row, Wave},
     periodic::drives::Phase,
@@ -161,7 +161,7 @@ fn rests(wave: &Wave) -> String {
 pub(super) fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut plot = Plot::new("periodic-pulses", "Velocity under a train of pulses").caption(format!(
         "Velocity $\\mathfrak w$ over two periods under pulses that fill the fraction $\\eta={eta}$ of each half \
-         period (shaded: up, then down). With $\\lambda_0<\\eta$ the next pulse comes before the particle has \
+         period (shaded: up, then down). With $\\lambda_0<\\eta$ the next pulse comes {{{{before|after}}}} the particle has \
          stopped; with $\\lambda_0>\\eta$ it waits at rest."
     ))
     .alt(
@@ -181,6 +181,22 @@ pub(super) fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureErro
         let path = wave.points.iter().map(|p| [p[0], p[2]]);
         plot = plot.panel(panel.title(rests(wave)).curve(Curve::new(path)));
     }
+    // Whether each moves when the next pulse comes, that of less friction than η first.
+    let moves = |wave: &Wave| {
+        wave.points
+            .iter()
+            .rfind(|p| p[0] < PI - 1e-2)
+            .is_some_and(|p| p[2] > 0.0)
+    };
+    let moves: Vec<_> = waves
+        .iter()
+        .map(|wave| (wave.lambda < eta, moves(wave)))
+        .collect();
+    let before = [
+        moves == [(true, true), (false, false)],
+        moves == [(true, false), (false, true)],
+    ];
+    plot = plot.says(["before|after"], before);
     plot.figure(listed(waves)?)
 }
 
@@ -190,7 +206,7 @@ pub(super) fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureErro
 pub(super) fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut plot = Plot::new("periodic-come-and-go", "Rests that come and go").caption(
         "Velocity $\\mathfrak w$ (line) over two periods under a drive $h\\propto\\sin\\phi+1.5\\sin3\\phi$ (dots, \
-         not to scale). More friction brings rests, takes them away, and brings them again.",
+         not to scale). More friction {{brings rests, takes them away, and brings them|takes rests away, brings them, and takes them away}} again.",
     )
     .alt(
         "Four panels of growing friction. In the first the velocity passes through zero six times per period; in \
@@ -209,6 +225,12 @@ pub(super) fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
             .curve(Curve::new(path));
         plot = plot.panel(panel);
     }
+    let stays = |wave: &Wave| wave.points.iter().any(|p| p[2] == 0.0);
+    let stays: Vec<bool> = waves.iter().map(stays).collect();
+    let more = rises(waves.iter().map(|wave| wave.lambda));
+    let first = |rests: bool| more && stays == [!rests, rests, !rests, rests];
+    let said = "brings rests, takes them away, and brings them|takes rests away, brings them, and takes them away";
+    plot = plot.says([said], [true, false].map(first));
     plot.figure(listed(waves)?)
 }
 
@@ -222,6 +244,17 @@ pub(super) fn rest_shares(side: usize, shares: &[f64]) -> Result<Figure, FigureE
     for (cell, share) in shares.iter().enumerate() {
         table.row([middle(cell % side), middle(cell / side), *share])?;
     }
+    // η, λ₀, share: on the side of the diagonal where λ₀ is larger, or smaller.
+    let rows = table.numbers();
+    let all = |above: bool, is: fn(&Vec<f64>) -> bool| {
+        let sign = if above { 1.0 } else { -1.0 };
+        rows.iter()
+            .filter(|row| sign * (row[1] - row[0]) > 1e-9)
+            .all(is)
+    };
+    let law = |row: &Vec<f64>| (row[2] - (1.0 - row[0] / row[1])).abs() < 1e-6;
+    let [law, none] =
+        [law, |row: &Vec<f64>| row[2] < 1e-9].map(|is| [true, false].map(|above| all(above, is)));
     let class = |share: &f64| {
         if *share == 0.0 {
             0
@@ -241,13 +274,16 @@ pub(super) fn rest_shares(side: usize, shares: &[f64]) -> Result<Figure, FigureE
     Plot::new("periodic-rest-shares", "How long the pulses let rest")
         .caption(
             "Fraction of the period spent at rest under the train of pulses, over $\\eta$ and $\\lambda_0<1$, by \
-             simulation alone. The diagonal is $\\lambda_\\mathrm c=\\eta$; above it the share is \
+             simulation alone. The diagonal is $\\lambda_\\mathrm c=\\eta$; {{above|below}} it the share is \
              $1-\\eta/\\lambda_0$.",
         )
         .alt(
-            "A square with η to the right and λ₀ upwards. Below the diagonal there is no rest. Above it the \
+            "A square with η to the right and λ₀ upwards. {{Above|Below}} the diagonal there is no rest. {{On its other side}} the \
              share of rest grows in wedges from the diagonal to the left edge.",
         )
+        .says(["above|below"], law)
+        .says(["Above|Below"], none)
+        .says(["On its other side"], law[0] == none[1])
         .panel(panel)
         .figure(table)
 }

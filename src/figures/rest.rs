@@ -1,6 +1,6 @@
 //! The figures of section 4, the boundary of rest. All dimensionless: lengths in μg/Ω², times in 1/Ω.
 
-use super::{AllFiguresError, Drawn, census::Census};
+use super::{AllFiguresError, Drawn, census::Census, trend::sides};
 use crate::claims::rest::boundary;
 use crate::motion::{
     MotionError,
@@ -138,13 +138,14 @@ pub(super) fn census(list: &[Section]) -> Result<Figure, FigureError> {
         .caption(
             "What becomes of particles that start with the given $\\alpha$ and $A$, for three angles $\\psi$. Every \
              cell is one motion, followed until its fate is certain. Shaded: it comes to rest. The true boundary \
-             depends on $\\psi$ (solid: by bisection on the motion; dotted: to second order in $\\alpha$, which is good while $\\alpha$ \
-             is small), the printed envelope (147) (dashed) does not.",
+             depends on $\\psi$ ({{line by bisection}}: by bisection on the motion; {{line to second order}}: to second order in \
+             $\\alpha$, which is good while $\\alpha$ is small), the printed envelope (147) ({{line (147)}}) does not.",
         )
         .alt(
             "Three panels with α to the right and A upwards. The shaded region of rest lies below a line that falls \
-             from A = 1, steeply at ψ = 0, half as steeply at ψ = π/2, and hardly at all at ψ = 5π/6; the solid \
-             line is its edge, the dotted curve follows it where α is small, the dashed curve runs well below.",
+             from A = 1, steeply at ψ = 0, half as steeply at ψ = π/2, and hardly at all at ψ = 5π/6; the \
+             {{line by bisection}} line is its edge, the {{line to second order}} curve follows it where α is small, the {{line (147)}} \
+             curve runs well below.",
         );
     for section in list {
         let (psi, found) = (section.psi, &section.found);
@@ -205,20 +206,27 @@ fn borders() -> Drawn {
             .curve(Curve::new(corrected).series(n).solid())
             .points(found.series(n).key(format!("α = {alpha}")));
     }
+    let found = || {
+        list.iter()
+            .flat_map(|(alpha, found)| found.iter().map(move |[_, a]| (1.0 - a) / alpha))
+    };
+    let mut printed = f64::NAN;
     if let Some((alpha, _)) = list.first() {
-        let printed = (1.0 - boundary::printed_a(*alpha)) / alpha;
+        printed = (1.0 - boundary::printed_a(*alpha)) / alpha;
         panel = panel.rule(Rule::horizontal(printed).key(format!("(147), α = {alpha}")));
     }
     Ok(Plot::new("rest-boundary", "The boundary all round")
         .caption(
-            "How far below $A=1$ the boundary between rest and escape lies, in units of $\\alpha$, against $\\psi$: by \
+            "How far {{above|below}} $A=1$ the boundary between rest and escape lies, in units of $\\alpha$, against $\\psi$: by \
              bisection (marks) and to second order in $\\alpha$ (curves). For $\\alpha\\to0$ it is $\\cos^2(\\psi/2)$. The \
-             printed envelope, at the smallest of these $\\alpha$, is the dashed line, the same for all $\\psi$.",
+             printed envelope, at the smallest of these $\\alpha$, is the {{line (147)}} line, the same for all $\\psi$.",
         )
-        .alt(
+        .alt(format!(
             "Bell-shaped curves over ψ from −π to π, with marks on them: close to 1 at ψ = 0 and to 0 at ±π. The \
-             dashed line runs at 1.4, above all of them.",
-        )
+             {{{{line (147)}}}} line runs at {printed:.1}, {{{{over|under}}}} all of them.",
+        ))
+        .says(["above|below"], sides(found(), 0.0))
+        .says(["over|under"], sides(found(), printed))
         .panel(panel)
         .figure(table)?)
 }
@@ -237,6 +245,22 @@ fn phase_space() -> Drawn {
         panel = panel
             .curve(found.label_at(format!("A = {a}"), 0.22))
             .curve(Curve::new(circle).series(n).dotted().width(1.2));
+    }
+    // Every 25th point of the lines, from the middle and from beyond.
+    let mut inside = [true; 2];
+    for row in table.numbers().iter().step_by(25) {
+        let rests = |times: f64| {
+            Ok(matches!(
+                fate(&Start::hyperbolic(row[1], times * row[2], row[3])?)?,
+                Fate::Rest { .. }
+            ))
+        };
+        let [nearer, farther]: [Drawn<bool>; 2] = [rests(0.9), rests(1.1)];
+        let (nearer, farther) = (nearer?, farther?);
+        inside = [
+            inside[0] && nearer && !farther,
+            inside[1] && farther && !nearer,
+        ];
     }
     // Those that leave run together, and have one label.
     let mut leaving = Some("escape");
@@ -269,8 +293,8 @@ fn phase_space() -> Drawn {
     Ok(Plot::new("rest-space", "The phase space from above")
         .caption(
             "The space of $A$, $\\alpha$ and $\\psi$ seen along the $A$ axis, with $\\alpha$ as the distance from the middle \
-             and $\\psi$ as the angle; the middle is rest. A start with the given $A$ comes to rest inside its line (solid, \
-             by bisection on the motion) and escapes outside. The printed envelope (147) would make the lines circles \
+             and $\\psi$ as the angle; the middle is rest. A start with the given $A$ comes to rest {{inside|outside}} its line ({{line A = }}, \
+             by bisection on the motion) and escapes {{outside|inside}}. The printed envelope (147) would make the lines circles \
              (dotted). In ink, four motions: as a particle slows down, $\\psi$ turns towards 0 and it falls into the middle \
              along the right half of the axis, or turns around and leaves.",
         )
@@ -279,6 +303,7 @@ fn phase_space() -> Drawn {
              bulges far to the left, where the particle moves inwards. The printed circles do not follow them. Four curves with arrows \
              run in from the left; some end in the middle, some leave to the right.",
         )
+        .says(["inside|outside", "outside|inside"], inside)
         .panel(panel)
         .figure(table)?)
 }

@@ -3,7 +3,10 @@
 //! Without units throughout: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one across it,
 //! λ₀ the friction over the drive's amplitude.
 
-use super::Drawn;
+use super::{
+    Drawn,
+    trend::{column, peak, rises, steepens, way, ways},
+};
 use crate::claims::sinusoidal::drawn::{self, Transient};
 use std::f64::consts::PI;
 use trialbook::plotting::{Axis, Curve, Figure, FigureError, Panel, Plot, Rule, Table};
@@ -70,7 +73,7 @@ pub(super) fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureE
     let mut plot = Plot::new("fig-2", "The way to the large-time motion")
         .caption(format!(
             "The velocity $\\mathfrak w$ along the drive against the phase, from $\\mathfrak w=1$ and several velocities \
-             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. First without rest, then with rests. {}",
+             $\\mathfrak w_y$ across the drive at $\\phi=0$. All end in the same motion. {{{{First without rest, then with rests|First with rests, then without rest}}}}. {}",
             super::after("fig-2")
         ))
         .alt(
@@ -94,7 +97,15 @@ pub(super) fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureE
         }
         plot = plot.panel(panel);
     }
-    plot.figure(table)
+    // λ₀, 𝔴_y, φ, 𝔴.
+    let stays = |rows: &Vec<Vec<f64>>| {
+        rows.windows(2)
+            .any(|two| two[0][3] == 0.0 && two[1][3] == 0.0)
+    };
+    let stays: Vec<bool> = table.groups().iter().map(stays).collect();
+    let first = "First without rest, then with rests|First with rests, then without rest";
+    plot.says([first], [stays == [false, true], stays == [true, false]])
+        .figure(table)
 }
 
 /// What sets fig-3 and fig-4 apart.
@@ -179,6 +190,9 @@ pub(super) fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
         let label = format!("λ_0 = {lambda}");
         panel = panel.curve(Curve::new(points).series(n).label_at(label, 0.7));
     }
+    // λ₀, from small to large; periods, depth.
+    let groups = table.groups();
+    let rates = groups.iter().map(|rows| libm::log(rows[2][2] / rows[1][2]));
     let exponential = (0..=100)
         .map(|k| 0.2 * f64::from(k))
         .map(|x| [x, 1.0 + 2.0 * x]);
@@ -186,12 +200,14 @@ pub(super) fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
         .caption(
             "The depth $-\\ln\\mathfrak w_y$ period by period, from $\\mathfrak w_y=0.3$, on a logarithmic axis, for several \
              $\\lambda_0<\\lambda_\\mathrm c$. Straight lines here are exponentials of exponentials; an ordinary exponential would be \
-             the dotted curve, whose slope dwindles.",
+             the {{line 'an exponential'}} curve, whose slope dwindles.",
         )
         .alt(
-            "Four straight rising lines on a logarithmic axis, the steeper the larger λ₀, and a dotted curve that flattens \
-             out far below them.",
+            "Four straight {{falling|rising}} lines on a logarithmic axis, the {{flatter|steeper}} the larger λ₀, and a \
+             {{line 'an exponential'}} curve that flattens out far below them.",
         )
+        .says(["falling|rising"], ways(&groups, 2))
+        .says(["flatter|steeper"], way(rates))
         .panel(panel.curve(
             Curve::new(exponential)
                 .ink()
@@ -207,6 +223,24 @@ pub(super) fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
 pub(super) fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "share of rest"]);
     table.rows((), points)?;
+    let rows = table.numbers();
+    let moving: Vec<_> = rows
+        .iter()
+        .filter(|row| row[1] > 0.0 && row[0] < 1.0)
+        .cloned()
+        .collect();
+    let whole = rows
+        .iter()
+        .find(|row| row[0] >= 1.0)
+        .is_some_and(|row| (row[1] - 1.0).abs() < 1e-9);
+    let mut near = rows
+        .iter()
+        .filter(|row| (0.9..0.999).contains(&row[0]))
+        .map(|row| row.iter().map(|x| libm::log(1.0 - x)).collect::<Vec<_>>());
+    let power = match (near.next(), near.next_back()) {
+        (Some(first), Some(last)) => (last[1] - first[1]) / (last[0] - first[0]),
+        _ => f64::NAN,
+    };
     let panel = Panel::new(
         Axis::linear("λ_0").range(0.0, 1.2),
         Axis::linear("'share of rest'").range(0.0, 1.05),
@@ -216,10 +250,13 @@ pub(super) fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, F
     .height(220.0);
     Plot::new("sinusoidal-rest", "How long it rests")
         .caption(
-            "The fraction of a period that the large-time motion spends at rest, read off the simulated intervals. It grows \
-             from zero at $\\lambda_\\mathrm c$ with a finite slope and reaches one at $\\lambda_0=1$ as a square root does.",
+            "The fraction of a period that the large-time motion spends at rest, read off the simulated intervals. It {{grows \
+             from zero}} at $\\lambda_\\mathrm c$ with a finite slope and reaches one at $\\lambda_0=1$ as a {{square root|square|cube root}} does.",
         )
-        .alt("A curve that is zero up to the critical friction, then rises, ever more steeply, to one at λ₀ = 1, and stays there.")
+        .alt("A curve that is zero up to the critical friction, then {{rises, ever more steeply, to one}} at λ₀ = 1, and stays there.")
+        .says(["grows from zero"], points.first().is_some_and(|first| first[1] == 0.0) && rises(column(&moving, 1)))
+        .says(["square root|square|cube root"], [0.5, 2.0, 1.0 / 3.0].map(|of| (power - of).abs() < 0.03))
+        .says(["rises, ever more steeply, to one"], steepens(&moving, 0, 1) && whole)
         .panel(panel)
         .figure(table)
 }
@@ -240,15 +277,20 @@ pub(super) fn family(motions: &[Curved]) -> Result<Figure, FigureError> {
         let key = format!("λ_0 = {lambda}");
         panel = panel.curve(Curve::new(points).series(n).key(key));
     }
+    // λ₀, from small to large; φ, 𝔴.
+    let groups = table.groups();
+    let peaks = groups.iter().map(|rows| peak(rows, 1, 2));
     Plot::new("sinusoidal-family", "Large-time motions")
         .caption(
-            "The large-time motion over one period for several $\\lambda_0$. With growing friction the humps shrink and peak \
-             earlier; beyond $\\lambda_\\mathrm c$ rests appear between them.",
+            "The large-time motion over one period for several $\\lambda_0$. With growing friction the humps {{shrink|grow}} and peak \
+             {{earlier|later}}; beyond $\\lambda_\\mathrm c$ rests appear between them.",
         )
         .alt(
-            "Curves of velocity against phase. For small friction nearly a cosine upside down; for larger friction lower \
-             humps that peak earlier, then flat stretches at zero between them.",
+            "Curves of velocity against phase. For small friction nearly a cosine upside down; for larger friction {{lower|higher}} \
+             humps that peak {{earlier|later}}, then flat stretches at zero between them.",
         )
+        .says(["shrink|grow", "lower|higher"], way(peaks.clone().map(|peak| peak[1])))
+        .says(["earlier|later"], way(peaks.map(|peak| peak[0])))
         .panel(panel)
         .figure(table)
 }

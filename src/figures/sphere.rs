@@ -103,7 +103,7 @@ pub(super) fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
     ]);
     let mut plot = Plot::new("sphere-swinging", "A solid sphere on a swinging plane")
         .caption(
-            "Slip $w_x$ of the lowest point (solid) and velocity $v_x$ of the centre without its mean (dashed) of \
+            "Slip $w_x$ of the lowest point ({{line slip}}) and velocity $v_x$ of the centre without its mean ({{line centre}}) of \
              a solid sphere over two late periods of the plane, in units of $A_0/\\varpi$; grey where it rolls. \
              From the top: $\\lambda_0=0.3$, slip all the time but for two instants per period; $0.75$, two \
              intervals of rolling; $1.2$, rolling throughout.",
@@ -174,8 +174,9 @@ pub(super) fn times(points: &[[f64; 2]]) -> Result<Figure, FigureError> {
              over the value of (82) as printed, against $\\gamma=A/(\\mu g)$: one point for each sphere of the trial.",
         )
         .alt(
-            "Points on logarithmic axes, all on the falling line 1/γ; they meet the horizontal line 1 only at γ = 1.",
+            "Points on logarithmic axes, all on the {{falling line 1/γ}}; they meet the horizontal line 1 only at γ = 1.",
         )
+        .says(["falling line 1/γ"], points.iter().all(|[gamma, ratio]| (ratio * gamma - 1.0).abs() < 1e-6))
         .panel(panel)
         .figure(table)
 }

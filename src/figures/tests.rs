@@ -3,60 +3,47 @@
 use super::*;
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
+use trialbook::notation::{self, Tag};
 use trialbook::plotting::*;
 
 /// The figures of the book.
 static GALLERY: LazyLock<Vec<Figure>> =
     LazyLock::new(|| crate::figures::all().expect("they can be drawn"));
 
-/// Names and attributes of all tags, after checking that the text is one balanced element with
-/// quoted attributes.
-fn tags(svg: &str) -> Vec<(String, Vec<(String, String)>)> {
+/// All tags, after checking that the text is one balanced element with quoted attributes.
+fn tags(svg: &str) -> Vec<Tag<'_>> {
     let (mut open, mut all) = (Vec::new(), Vec::new());
-    let mut rest = svg.trim_end();
-    while let Some(at) = rest.find('<') {
-        assert!(all.is_empty() || !open.is_empty(), "text after the element");
-        let text = &rest[..at];
-        assert!(!text.contains('>'), "stray >: {text}");
-        for entity in text.split('&').skip(1) {
+    for tag in notation::tags(svg.trim_end()) {
+        assert!(
+            tag.tag.ends_with('>') && tag.tag.matches('<').count() == 1,
+            "an unfinished tag: {tag:?}"
+        );
+        assert!(
+            all.is_empty() || !open.is_empty(),
+            "behind the element: {tag:?}"
+        );
+        for entity in tag.text.split('&').skip(1) {
             let known = ["amp;", "lt;", "gt;", "quot;"];
             assert!(
                 known.iter().any(|name| entity.starts_with(name)),
                 "{entity}"
             );
         }
-        let end = at + rest[at..].find('>').expect("an unfinished tag");
-        let tag = &rest[at + 1..end];
-        rest = &rest[end + 1..];
-        if let Some(name) = tag.strip_prefix('/') {
-            assert_eq!(open.pop().as_deref(), Some(name));
+        assert!(!tag.text.contains('>'), "stray >: {}", tag.text);
+        if tag.closes {
+            assert_eq!(open.pop(), Some(tag.name));
             continue;
         }
-        let (body, empty) = tag
-            .strip_suffix('/')
-            .map_or((tag, false), |body| (body, true));
-        let (name, mut left) = body.split_once(' ').unwrap_or((body, ""));
-        let mut attributes: Vec<(String, String)> = Vec::new();
-        while !left.trim().is_empty() {
-            let (key, after) = left
-                .trim_start()
-                .split_once("=\"")
-                .expect("a quoted attribute");
-            let (value, after) = after.split_once('"').expect("a closed attribute");
-            assert!(!value.contains('<') && !key.contains(' '));
-            assert!(
-                attributes.iter().all(|(other, _)| other != key),
-                "{key} twice in {tag}"
-            );
-            attributes.push((key.into(), value.into()));
-            left = after;
-        }
-        all.push((name.to_string(), attributes));
-        if !empty {
-            open.push(name.to_string());
-        }
+        let keys: BTreeSet<_> = tag.attributes().map(|(key, _)| key).collect();
+        assert_eq!(
+            2 * keys.len(),
+            tag.tag.matches('"').count(),
+            "unquoted or twice: {tag:?}"
+        );
+        open.extend(Some(tag.name).filter(|_| !tag.alone));
+        all.push(tag);
     }
-    assert!(open.is_empty() && rest.is_empty());
+    assert!(open.is_empty());
     all
 }
 
@@ -65,13 +52,10 @@ fn figures_are_well_formed_with_ids_of_their_own() {
     let mut ids = BTreeSet::new();
     for figure in GALLERY.iter() {
         let tags = tags(&figure.svg);
-        assert_eq!(tags[0].0, "svg");
-        assert!(tags[0].1.contains(&("role".into(), "img".into())));
-        for (key, value) in tags.iter().flat_map(|tag| &tag.1) {
-            if key == "id" {
-                assert!(value.starts_with(&format!("{}-", figure.id)));
-                assert!(ids.insert(value.clone()), "{value} twice");
-            }
+        assert_eq!((tags[0].name, tags[0].value("role")), ("svg", Some("img")));
+        for id in tags.iter().filter_map(|tag| tag.value("id")) {
+            assert!(id.starts_with(&format!("{}-", figure.id)));
+            assert!(ids.insert(id), "{id} twice");
         }
         for bad in ["NaN", "inf", "\n\n", "\"-0\"", " -0 "] {
             assert!(!figure.svg.contains(bad), "{bad:?} in {}", figure.id);
@@ -88,12 +72,10 @@ fn figures_are_well_formed_with_ids_of_their_own() {
 #[test]
 fn type_is_legible_on_a_phone() {
     for figure in GALLERY.iter() {
-        for (name, attributes) in tags(&figure.svg) {
-            for (key, value) in attributes {
-                if key == "font-size" && name == "g" {
-                    let pixels = value.parse::<f64>().unwrap() * 390.0 / 480.0;
-                    assert!(pixels >= 12.0, "{pixels}");
-                }
+        for tag in tags(&figure.svg).iter().filter(|tag| tag.name == "g") {
+            if let Some(size) = tag.value("font-size") {
+                let pixels = size.parse::<f64>().unwrap() * 390.0 / 480.0;
+                assert!(pixels >= 12.0, "{pixels}");
             }
         }
     }
@@ -108,13 +90,10 @@ fn coordinates(data: &str) -> Vec<f64> {
 }
 
 fn paths(svg: &str) -> Vec<String> {
-    let data = |tag: (String, Vec<(String, String)>)| {
-        tag.1
-            .into_iter()
-            .find(|(key, _)| tag.0 == "path" && key == "d")
-            .map(|(_, data)| data)
-    };
-    tags(svg).into_iter().filter_map(data).collect()
+    let paths = tags(svg).into_iter().filter(|tag| tag.name == "path");
+    paths
+        .filter_map(|tag| tag.value("d").map(str::to_owned))
+        .collect()
 }
 
 #[test]
@@ -166,9 +145,11 @@ fn the_name_of_a_class_stands_off_the_curves() {
         }
         let figure = Plot::new("named", "Named").panel(panel);
         let svg = figure.figure(Table::new(&["x"])).unwrap().svg;
-        let line = svg.lines().find(|line| line.contains(">name<")).unwrap();
-        let (_, y) = line.split_once(" y=\"").unwrap();
-        y.split_once('"').unwrap().0.parse::<f64>().unwrap()
+        let name = tags(&svg)
+            .into_iter()
+            .find(|tag| tag.text == "name")
+            .unwrap();
+        name.value("y").unwrap().parse::<f64>().unwrap()
     };
     let alone = height_of_name(None);
     assert_eq!(height_of_name(Some([[0.0, 0.9], [1.0, 0.9]])), alone);
@@ -188,7 +169,7 @@ fn a_raster_beyond_the_axes_is_cut_off() {
         let axis = |label: &str| Axis::linear(label).range(0.0, 1.0);
         let plot = Plot::new("r", "R").panel(Panel::new(axis("x"), axis("y")).raster(raster));
         let svg = plot.figure(Table::new(&[])).unwrap().svg;
-        tags(&svg).iter().filter(|tag| tag.0 == "svg").count() - 1
+        tags(&svg).iter().filter(|tag| tag.name == "svg").count() - 1
     };
     assert_eq!([1.0, 2.0].map(inner_drawings), [0, 1]);
 }

@@ -2,7 +2,10 @@
 //!
 //! Dimensionless throughout: lengths in μg/Ω², times in 1/Ω.
 
-use super::Drawn;
+use super::{
+    Drawn,
+    trend::{falls, sides},
+};
 use crate::claims::{
     turntable::drawn::{self, Launched, Moment},
     turntable::fixed::{self, Following},
@@ -70,13 +73,32 @@ pub(super) fn paths(launches: &[Launched]) -> Result<Figure, FigureError> {
         }
         panel.points(Points::new([[0.0, 0.0]]).ink().size(2.5).label("axis"))
     };
+    let turn = |launch: &Launched| {
+        let way = launch
+            .moments
+            .windows(2)
+            .map(|two| [0, 1].map(|k| two[1].table[k] - two[0].table[k]));
+        match way.take(2).collect::<Vec<_>>()[..] {
+            [[x, y], [then_x, then_y]] => x * then_y - y * then_x,
+            _ => f64::NAN,
+        }
+    };
+    let mut by_speed: Vec<_> = launches
+        .iter()
+        .map(|launch| (launch.speed, launch.rest.is_some()))
+        .collect();
+    by_speed.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let rests: Vec<_> = by_speed.iter().map(|(_, rests)| *rests).collect();
+    let rests = [rests == [true, false], rests == [false, true]];
     Plot::new("turntable-paths", "Two launches from the axis of a turntable")
         .caption(
             "Two particles, launched from the axis with different speeds (in units of $\\mu g/\\Omega$). \
-             (a) On the table both curve to the right; the slower one comes to rest, the faster one spirals \
+             (a) On the table both curve to the {{right|left}}; the {{slower|faster}} one comes to rest, the {{faster|slower}} one spirals \
              outwards for ever. (b) The same in the laboratory, where friction is the only force: once at rest \
-             on the table, the slower one is carried round in a circle.",
+             on the table, the {{slower|faster}} one is carried round in a circle.",
         )
+        .says(["right|left"], sides(launches.iter().map(turn), 0.0))
+        .says(["slower|faster", "faster|slower"], rests)
         .alt(
             "Two panels with equal axes. In the first, on the table, both curves leave the axis to the right and bend \
              clockwise; the short one ends in a disc, the long one winds outwards. In the second, in the laboratory, \
@@ -113,6 +135,14 @@ pub(super) fn energy(launch: &Launched) -> Result<Figure, FigureError> {
     if let Some(rest) = launch.rest {
         panel = panel.rule(Rule::vertical(rest).dotted().label("rest"));
     }
+    let column = |i: usize| rows.iter().map(move |row| row[i]);
+    let slides = column(1).take_while(|kinetic| *kinetic > 0.0).count();
+    let still = column(1).skip(slides).all(|kinetic| kinetic == 0.0);
+    let grows = |of: &dyn Fn(&[f64; 5]) -> f64| {
+        let ends = rows.first().zip(rows.last());
+        ends.is_some_and(|(first, last)| of(first) < of(last))
+            && rows.windows(2).all(|two| of(&two[0]) <= of(&two[1]))
+    };
     Plot::new("turntable-energy", "Energy on the turntable")
         .caption(
             "The three terms of (104) for the launch that comes to rest: kinetic energy relative to the \
@@ -120,9 +150,12 @@ pub(super) fn energy(launch: &Launched) -> Result<Figure, FigureError> {
              length $s$ in these units. Their sum stays the same.",
         )
         .alt(
-            "Three curves against time: the kinetic energy falls to zero, the centrifugal energy falls from \
-             zero to a negative value, the arc length rises; their sum is a horizontal line.",
+            "Three curves against time: the kinetic energy {{falls to zero}}, the centrifugal energy {{falls from \
+             zero}} to a negative value, the arc length {{rises}}; their sum is a horizontal line.",
         )
+        .says(["falls to zero"], still && falls(column(1).take(slides + 1)))
+        .says(["falls from zero"], column(2).next() == Some(0.0) && grows(&|row| -row[2]))
+        .says(["rises"], grows(&|row| row[3]))
         .panel(panel)
         .figure(table)
 }
@@ -163,17 +196,29 @@ pub(super) fn following(escapes: &[(f64, Vec<Following>)]) -> Result<Figure, Fig
             .curve(Curve::new(against_time(|m| m.psi1)).series(n).width(0.8));
         ratios = ratios.curve(Curve::new(against_time(|m| m.ratio)).series(n));
     }
+    let ends = escapes.iter().filter_map(|(_, moments)| moments.last());
+    let quarter = |psi: f64| (psi - PI / 2.0).abs() < 3e-3;
+    let tend = ends
+        .clone()
+        .all(|end| quarter(end.psi) && quarter(end.psi1));
+    let ratio = ends.clone().map(|end| end.ratio);
+    let mut settled: Vec<_> = ratio.clone().map(|ratio| format!("{ratio:.2}")).collect();
+    settled.dedup();
     let follows = Rule::horizontal(1.0).dotted();
     Plot::new("turntable-following", "How the angle follows its quasi-fixed point")
         .caption(
             "Three escapes. First $\\psi$ (thick) and, at the $\\alpha$ of the same moment, $\\psi_1$ \
-             (thin). Both tend to $\\pi/2$. Then the ratio $(\\pi/2-\\psi)/(\\pi/2-\\psi_1)$. \
-             If $\\psi$ followed $\\psi_1$, it would tend to 1 (dotted line).",
+             (thin). Both {{tend to|stay away from}} $\\pi/2$. Then the ratio $(\\pi/2-\\psi)/(\\pi/2-\\psi_1)$. \
+             If $\\psi$ followed $\\psi_1$, it would tend to 1 ({{line followed}} line).",
         )
-        .alt(
+        .alt(format!(
             "Two panels against time on a logarithmic axis. In the first, thick and thin curves rise together to \
-             a quarter turn. In the second, all three ratios settle at about 1.41, above the dotted line at 1.",
-        )
+             a quarter turn. In the second, all {{{{three}}}} ratios settle at about {}, {{{{below|above}}}} the {{{{line followed}}}} line at 1.",
+            settled.join(" or ")
+        ))
+        .says(["tend to|stay away from"], tend)
+        .says(["three"], if settled.len() == 1 { ratio.clone().count() } else { 0 })
+        .says(["below|above"], sides(ratio, 1.0))
         .panel(angles)
         .panel(ratios.rule(follows.label("followed")))
         .figure(table)

@@ -282,11 +282,7 @@ fn errors_are_counted_alike_everywhere() {
     let count = |verdict: &str| register.matches(&format!(",{verdict},")).count();
     let heirs = count("inherited");
     let slips = count("misprint");
-    let without_tags = |html: &str| {
-        let texts = html.split('<').filter_map(|part| part.split('>').nth(1));
-        texts.collect::<String>()
-    };
-    let text = without_tags(&read("index.html"));
+    let text = trialbook::notation::without_tags(&read("index.html"));
     let numbers = text.split(|c: char| !c.is_ascii_digit());
     let numbers: Vec<usize> = numbers.filter_map(|n| n.parse().ok()).collect();
     assert!(

@@ -20,7 +20,7 @@ const ENGINE: &str = "
     trials: data scalar evidence numerics exact certified seeded notation theorems
     theorems: data exact seeded trials
     ledger: data evidence trials seeded notation stop
-    plotting: data
+    plotting: data notation
     publishing: data trials plotting seeded
     prelude: data trials publishing evidence exact plotting ledger numerics scalar seeded
     book: data evidence exact trials ledger plotting publishing notation theorems
@@ -36,10 +36,10 @@ const OF_THE_PAPER: &str = "
     scene: motion solve
     exam: motion numerics
     claims: data trials validated scalar evidence numerics motion paper corrections exact certified seeded symbols theorems
-    figures: data claims exam motion plotting solve trials
+    figures: data claims exam motion notation plotting solve trials
     breaks: claims corrections evidence ledger notation paper scalar seeded trials
     commands: numerics exam figures cli motion plotting publishing scene solve stop book
-    edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper scene solve symbols book commands plotting publishing trials
+    edition: data evidence breaks claims corrections exam ledger figures motion notation numerics paper scene seeded solve symbols book commands plotting publishing trials
 ";
 
 /// What knows Newton's law, the row `motion` being all modules of its crate that have none of their own.

@@ -279,12 +279,12 @@ pub struct Word {
     pub is: fn() -> Result<f64, Failure>,
 }
 
-/// A placeholder: `{{name}}`.
+/// A placeholder: `{{name}}`; `{{name …}}`, if its name ends with a blank.
 #[derive(Debug, Clone, Copy)]
 pub struct Placeholder {
     /// What stands between the braces.
     pub name: &'static str,
-    /// What fills it on the page of this stem.
+    /// What fills it on the page of this stem; of a name that ends with a blank, what fills it with what stands behind.
     pub fill: fn(&str) -> Result<Filled, Failure>,
 }
 

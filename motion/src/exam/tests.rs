@@ -19,6 +19,22 @@ fn both_ways_agree_on_every_task() {
 }
 
 #[test]
+fn an_escape_goes_as_its_question_says() {
+    let tau = 1e6;
+    let start = turntable::Start::put_down(1.5).unwrap();
+    let rho = turntable::intrinsic::Run::new(&start, tau)
+        .unwrap()
+        .end()
+        .rho();
+    assert!((rho / (tau * tau) * 3.0 * std::f64::consts::SQRT_2 - 1.0).abs() < 1e-3);
+    assert!(
+        TASKS
+            .iter()
+            .any(|task| task.question.contains("grows as t²/(3√2)"))
+    );
+}
+
+#[test]
 fn a_number_is_known_to_twelve_digits_or_its_error_is_a_bound() {
     for (id, sat) in SAT.iter() {
         let sat = sat.as_ref().unwrap();

@@ -33,6 +33,13 @@ words! {
             Ok([b[0] - a[0], b[1] - a[1]])
         })?,
     ];
+    "across-inverse" => {
+        // What a tenfold time leaves of the velocity across twice the friction.
+        let start = State { t: 0.0, x: [0.0; 2], v: [0.0, 1.0] };
+        let motion = run(&Plane::constant([-2.0, 0.0]), 1.0, start, 1e5)?;
+        let left = motion.at(1e5)?.v[1] / motion.at(1e4)?.v[1];
+        [same(left, 0.1, 1e-2), same(left, 0.01, 1e-2)]
+    };
     "into-inertial" => [turned(|_| 0.0)?, turned(|direction| direction + PI)?];
     "half-tangent-start" => half_tangent(0.0)?;
     "half-tangent-end" => half_tangent(1e4)?;

@@ -38,7 +38,7 @@ words! {
     "tangent-of-half" => [decides(libm::tan), decides(libm::cos), decides(libm::sin)];
 }
 
-fn text(stem: &str) -> Known<&'static str> {
+pub(super) fn text(stem: &str) -> Known<&'static str> {
     Ok(&found(WRITTEN.iter().find(|page| page.stem == stem))?.text)
 }
 

@@ -1,8 +1,13 @@
 //! The curves of a figure against its numbers: read back from the drawing by the ticks and the words at the axes.
 
-use super::data::FIGURES;
+use slipbook::figures::all;
 use std::f64::consts::PI;
+use std::sync::LazyLock;
+use trialbook::notation::{Tag, tags};
 use trialbook::plotting::Figure;
+
+/// All figures.
+pub static FIGURES: LazyLock<Vec<Figure>> = LazyLock::new(|| all().unwrap());
 
 /// What the words at an axis call the columns of the numbers.
 const AXES: &str = "
@@ -79,27 +84,26 @@ const BESIDE: &[(&str, usize)] = &[
 /// A text of the drawing: its place, how it is set, and what it says; a power of ten with `^`.
 type Text = (f64, f64, String, String);
 
-fn texts(svg: &str) -> Vec<Text> {
-    let texts = svg.split("<text x=\"").skip(1).filter_map(|text| {
-        let (x, rest) = text.split_once("\" y=\"")?;
-        let (y, rest) = rest.split_once('"')?;
-        let (set, rest) = rest.split_once('>')?;
-        let (inside, _) = rest.split_once("</text>")?;
-        let mut words = String::new();
-        for (i, piece) in inside
-            .replace("10<tspan", "10^<tspan")
-            .split('<')
-            .enumerate()
-        {
-            words += if i == 0 {
-                piece
-            } else {
-                piece.split_once('>')?.1
-            };
+fn texts(tags: &[Tag<'_>]) -> Vec<Text> {
+    let (mut texts, mut open) = (Vec::new(), None::<Text>);
+    for tag in tags {
+        match (&mut open, tag.name, tag.closes) {
+            (_, "text", false) => {
+                let place = |key| tag.value(key).and_then(|x| x.parse().ok());
+                open = place("x")
+                    .zip(place("y"))
+                    .map(|(x, y)| (x, y, tag.tag.to_owned(), tag.text.to_owned()));
+            }
+            (_, "text", true) => texts.extend(open.take()),
+            (Some((.., words)), _, closes) => {
+                let power = !closes && words.ends_with("10");
+                *words += if power { "^" } else { "" };
+                *words += tag.text;
+            }
+            _ => {}
         }
-        Some((x.parse().ok()?, y.parse().ok()?, set.to_owned(), words))
-    });
-    texts.collect()
+    }
+    texts
 }
 
 /// The number at a tick.
@@ -141,20 +145,25 @@ fn scale(mut ticks: Vec<[f64; 2]>) -> Option<impl Fn(f64) -> f64> {
 }
 
 /// The frames of a drawing, left, top, bottom and right, each with what is drawn from there on.
-fn panels(svg: &str) -> Vec<([f64; 4], &str)> {
-    let starts = svg.match_indices("<path d=\"M").filter_map(|(at, _)| {
-        let (x, rest) = svg[at + 10..].split_once(' ')?;
+fn panels<'a, 'b>(svg: &'b [Tag<'a>]) -> Vec<([f64; 4], &'b [Tag<'a>])> {
+    let frame = |tag: &Tag<'_>| {
+        let (x, rest) = tag.value("d")?.strip_prefix('M')?.split_once(' ')?;
         let (top, rest) = rest.split_once('V')?;
         let (bottom, rest) = rest.split_once('H')?;
         let (right, _) = rest.split_once('M')?;
         let of = |text: &str| text.parse::<f64>().ok();
         let frame = [of(x)?, of(top)?, of(bottom)?, of(right)?];
-        (frame[1] < frame[2]).then_some((at, frame))
-    });
+        (frame[1] < frame[2]).then_some(frame)
+    };
+    let starts = svg
+        .iter()
+        .enumerate()
+        .filter_map(|(i, tag)| Some((i, frame(tag)?)));
     let starts: Vec<_> = starts.collect();
     let ends = starts.iter().skip(1).map(|(at, _)| *at).chain([svg.len()]);
-    let pieces = starts.iter().zip(ends);
-    pieces
+    starts
+        .iter()
+        .zip(ends)
         .map(|((at, frame), end)| (*frame, &svg[*at..end]))
         .collect()
 }
@@ -167,23 +176,25 @@ fn colour<'a>(style: &'a str, what: &str) -> Option<&'a str> {
     style.split_once(what)?.1.split(['"', ',']).next()
 }
 
-fn curves(panel: &str) -> Vec<Drawn<'_>> {
-    let paths = panel.split("<path d=\"").skip(1);
-    let drawn = paths.filter_map(|path| {
-        let (data, rest) = path.split_once('"')?;
-        let line = rest.starts_with(" fill=\"none\" style") && data.contains('L');
-        let mut numbers = data.split(['M', 'L', ' ']).filter(|part| !part.is_empty());
-        let mut corners = Vec::new();
-        while let Some(x) = numbers.next().filter(|_| line) {
-            corners.push([x.parse().ok()?, numbers.next()?.parse().ok()?]);
-        }
-        line.then_some((colour(rest, "style=\"stroke:")?, corners))
-    });
+fn curves<'a>(panel: &[Tag<'a>]) -> Vec<Drawn<'a>> {
+    let drawn = panel
+        .iter()
+        .filter(|tag| tag.name == "path")
+        .filter_map(|tag| {
+            let data = tag.value("d")?;
+            let line = tag.value("fill") == Some("none") && data.contains('L');
+            let mut numbers = data.split(['M', 'L', ' ']).filter(|part| !part.is_empty());
+            let mut corners = Vec::new();
+            while let Some(x) = numbers.next().filter(|_| line) {
+                corners.push([x.parse().ok()?, numbers.next()?.parse().ok()?]);
+            }
+            line.then_some((colour(tag.value("style")?, "stroke:")?, corners))
+        });
     drawn.collect()
 }
 
 /// What the words beside curves, or in the keys below, say of all of a colour: `λ0 = 0.3`.
-fn labels(svg: &str, panel: &str) -> Vec<(String, String, f64)> {
+fn labels(svg: &[Tag<'_>], panel: &[Tag<'_>]) -> Vec<(String, String, f64)> {
     let said = |colour: &str, words: &str| {
         let (name, value) = words.split_once(" = ")?;
         let value = value.split([':', ' ', ',']).next()?.parse().ok()?;
@@ -191,15 +202,20 @@ fn labels(svg: &str, panel: &str) -> Vec<(String, String, f64)> {
     };
     let beside = texts(panel).into_iter();
     let beside = beside.filter_map(|t| said(colour(&t.2, "style=\"fill:")?, &t.3));
-    let keys = svg.split("<path d=\"M1 -5H29\"").skip(1).filter_map(|key| {
-        let (_, _, _, words) = texts(key).into_iter().next()?;
-        said(colour(key, "style=\"stroke:")?, &words)
+    let keys = svg.iter().enumerate().filter_map(|(i, tag)| {
+        tag.value("d").filter(|d| *d == "M1 -5H29")?;
+        let (_, _, _, words) = texts(&svg[i..]).into_iter().next()?;
+        said(colour(tag.tag, "style=\"stroke:")?, &words)
     });
     beside.chain(keys).collect()
 }
 
 /// How many curves of a panel are not those of the figure's numbers; what the panel does not tell.
-fn beside(figure: &Figure, frame: [f64; 4], panel: &str) -> Result<usize, String> {
+fn beside(
+    figure: &Figure,
+    svg: &[Tag<'_>],
+    (frame, panel): ([f64; 4], &[Tag<'_>]),
+) -> Result<usize, String> {
     let [left, top, bottom, _] = frame;
     let texts = texts(panel);
     let near = |a: f64, b: f64| (a - b).abs() < 1.0;
@@ -245,7 +261,7 @@ fn beside(figure: &Figure, frame: [f64; 4], panel: &str) -> Result<usize, String
             points.extend(up.iter().filter_map(number).map(there));
         }
     }
-    let labels = labels(&figure.svg, panel);
+    let labels = labels(svg, panel);
     let told = |colour: &str, c: &[f64; 2]| {
         let of_label = |row: &[String]| {
             let own = labels.iter().filter(|(of, ..)| of == colour);
@@ -269,11 +285,11 @@ fn beside(figure: &Figure, frame: [f64; 4], panel: &str) -> Result<usize, String
 fn every_curve_is_drawn_where_the_numbers_have_it() {
     let mut failures = Vec::new();
     for figure in FIGURES.iter() {
-        let panels = panels(&figure.svg);
-        let strange: Result<usize, String> = panels
-            .iter()
-            .map(|(frame, panel)| beside(figure, *frame, panel))
-            .sum();
+        let svg: Vec<_> = tags(&figure.svg).collect();
+        let strange = panels(&svg)
+            .into_iter()
+            .map(|panel| beside(figure, &svg, panel));
+        let strange: Result<usize, String> = strange.sum();
         let listed = BESIDE.iter().find(|row| row.0 == figure.id);
         let listed = listed.map_or(0, |row| row.1);
         match strange {

@@ -1,7 +1,9 @@
 //! The letters of each page: each is in the table of symbols, and none has a meaning of its own where a box uses it.
 
-use super::text::{formulas_of, sections};
+use super::text::formulas_of;
+use slipbook::book::{Piece, pieces};
 use slipbook::claims::PAPER;
+use slipbook::edition::EDITION;
 use slipbook::symbols::SYMBOLS;
 use std::collections::{BTreeMap, BTreeSet};
 use trialbook::data::{Text, text};
@@ -200,16 +202,13 @@ fn every_letter_of_a_page_is_in_the_table_of_symbols() {
     let own = own();
     let known: BTreeSet<String> = SYMBOLS.iter().flat_map(|s| letters(s.latex)).collect();
     let mut wrong = BTreeSet::new();
-    for section in sections()
-        .into_iter()
-        .filter(|section| section.page != "lookup")
-    {
-        let here = own.get(&section.page).cloned().unwrap_or_default();
-        for letter in section
-            .prose()
-            .flat_map(formulas_of)
-            .flat_map(|f| letters(&f))
-        {
+    for page in EDITION.pages.iter().filter(|page| page.stem != "lookup") {
+        let here = own.get(page.stem).cloned().unwrap_or_default();
+        let of = |(_, piece)| match piece {
+            Piece::Formula(latex) => letters(&latex),
+            _ => BTreeSet::new(),
+        };
+        for letter in pieces(&page.text).into_iter().flat_map(of) {
             let bold = format!("bm {}", base(&letter));
             let names = [letter.as_str(), base(&letter), &bold];
             let is = |name: &&str| {
@@ -218,7 +217,7 @@ fn every_letter_of_a_page_is_in_the_table_of_symbols() {
             // A vector is known by a component.
             let component = |known: &String| Some(base(known)) == letter.strip_prefix("bm ");
             if !names.iter().any(is) && !known.iter().any(component) {
-                wrong.insert(format!("{}: {letter}", section.page));
+                wrong.insert(format!("{}: {letter}", page.stem));
             }
         }
     }

@@ -5,9 +5,11 @@ use super::{
     given,
     mistakes::{mistakes, pieces},
     printed_part::Library,
-    text::{bare, formulas_of, pages},
+    text::formulas_of,
 };
+use slipbook::book::{self, Piece};
 use slipbook::claims::PAPER;
+use slipbook::edition::EDITION;
 use std::collections::BTreeSet;
 
 const TABLE: &str = "tests/data/formulas.txt";
@@ -49,36 +51,25 @@ fn key(latex: &str) -> String {
 }
 
 /// A formula of a page: the page, the line, the formula, and what is to be said of it where it stands.
-type Here = (String, usize, String, Option<Found>);
+type Here = (&'static str, usize, String, Option<Found>);
 
 fn formulas() -> Vec<Here> {
     let mut all = Vec::new();
-    for page in pages() {
-        let (mut given, mut code, mut open) = (Given::new(), false, None::<(usize, String)>);
-        for (i, line) in page.text.lines().enumerate() {
-            let fence = line.starts_with("```");
-            code ^= fence;
-            if line.is_empty() || fence {
-                given = Given::new();
-            }
-            if code || fence {
-                continue;
-            }
-            for (j, part) in bare(line).split('$').enumerate() {
-                if j > 0 {
-                    match open.take() {
-                        None => open = Some((i + 1, String::new())),
-                        Some((line, formula)) => {
-                            let formula = formulas_of(&format!("${formula}$")).remove(0);
-                            let what = found(&formula, &mut given);
-                            all.push((page.name.clone(), line, formula, what));
-                        }
-                    }
+    for page in EDITION.pages {
+        let (text, mut given) = (page.text.as_str(), Given::new());
+        for (at, piece) in book::pieces(text) {
+            match piece {
+                Piece::Formula(formula) => {
+                    let what = found(&formula, &mut given);
+                    all.push((
+                        page.stem,
+                        text[..at].matches('\n').count() + 1,
+                        formula,
+                        what,
+                    ));
                 }
-                if let Some((_, formula)) = &mut open {
-                    *formula += part;
-                    formula.push(' ');
-                }
+                Piece::Prose(_) => {}
+                _ => given = Given::new(),
             }
         }
     }
@@ -145,10 +136,10 @@ fn every_formula_on_a_page_is_asked() {
         .collect();
     let there: BTreeSet<_> = formulas
         .iter()
-        .map(|(page, _, formula, _)| (page, key(formula)))
+        .map(|(page, _, formula, _)| (*page, key(formula)))
         .collect();
     for (page, givens, formula) in &entries {
-        if !there.contains(&(page, key(formula))) {
+        if !there.contains(&(&page[..], key(formula))) {
             failures.push(format!("{page}.md no longer says `{formula}`: take it out of {TABLE}, or change it there, too"));
         }
         if !givens.is_empty()
@@ -183,9 +174,9 @@ fn a_slip_in_a_formula_is_seen() {
         .filter(|(_, _, formula, _)| !is_name(formula))
     {
         for slip in mistakes(formula) {
-            let here = (page.clone(), *line, slip, None);
+            let here = (*page, *line, slip, None);
             // What is said elsewhere on the page, or is true as well, is no slip that could be told.
-            let said = asked.0.contains(&(page.clone(), key(&here.2)));
+            let said = asked.0.contains(&((*page).to_owned(), key(&here.2)));
             let holds = || found(&here.2, &mut Given::new()) == Some(Found::Holds);
             if !said && asked.fault(&here).is_none() && !holds() {
                 unseen.push(format!("{page}.md, line {line}: {formula}: {}", here.2));

@@ -185,7 +185,7 @@ impl<'a> Frame<'a> {
 
     fn filled(&self, filler: &Filler<'_>) -> Result<Vec<Filled>, BookError> {
         let one = |blank: &Blank| {
-            let filled = filler.fill(self.pages[blank.page].stem, &blank.inside);
+            let filled = filler.fill(blank);
             let filled = filled.and_then(|filled| match filled {
                 Filled::Block(_) if !blank.alone => {
                     Err("must stand alone on its line".to_owned().into())

@@ -19,7 +19,7 @@ pub(super) struct Blank {
     /// The page, by its place in the book.
     pub page: usize,
     /// Where it begins in the page's text.
-    offset: usize,
+    pub offset: usize,
     /// What it says, without its braces.
     pub inside: String,
     /// Whether nothing else stands on its line.
@@ -86,7 +86,7 @@ pub(super) fn expand(
     Ok(out)
 }
 
-fn options() -> Options {
+pub(super) fn options() -> Options {
     Options::ENABLE_TABLES
         | Options::ENABLE_FOOTNOTES
         | Options::ENABLE_STRIKETHROUGH

@@ -5,13 +5,14 @@ use super::{
     context::{Context, verdict},
     deep, errata,
     error::{Fault, Html},
-    lemmas, map, overview, symbols, tables,
+    expand::Blank,
+    lemmas, map, overview, pieces, symbols, tables,
     text::{count, escape, in_words, size},
     theorems, values,
 };
 use crate::evidence::Kind;
 use crate::ledger::{Entry, Ledger, Standing, Tally, Verdict};
-use crate::notation::number;
+use crate::notation;
 use crate::plotting::{Figure, panels};
 use crate::publishing::{Filled, Page};
 use std::collections::BTreeSet;
@@ -48,9 +49,10 @@ impl<'a> Filler<'a> {
         self.boxed.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Fills one placeholder, given without its braces, on the page of this stem.
-    pub fn fill(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
+    /// Fills one placeholder.
+    pub fn fill(&self, blank: &Blank) -> Result<Filled, Fault> {
         let context = self.context;
+        let (page, placeholder) = (self.pages[blank.page].stem, &*blank.inside);
         let ledger = context.ledger;
         let words: Vec<_> = placeholder.split_whitespace().collect();
         let block = |html| Ok(Filled::Block(html));
@@ -109,6 +111,17 @@ impl<'a> Filler<'a> {
                 inline(size(context.entry(id)?.worst().ok_or_else(none)?.worst))
             }
             ["is", name, said @ ..] => inline(self.said(name, &said.join(" "))?),
+            ["code", said @ ..] => {
+                let code = pieces::code_beside(&self.pages[blank.page].text, blank.offset);
+                let is = notation::number(said);
+                let there = notation::literals(&code).into_iter().any(|n| Some(n) == is);
+                match there {
+                    true => inline(escape(&said.join(" "))),
+                    false => Err("no such number stands in the code of this section"
+                        .to_owned()
+                        .into()),
+                }
+            }
             ["ref", id] => inline(context.link(context.entry(id)?)?),
             ["count", "claims"] => inline(count(ledger.entries.len())),
             ["count", "points"] => inline(count(ledger.points())),
@@ -147,29 +160,18 @@ impl<'a> Filler<'a> {
             let why = "the word that the name has stands first, or second if the name has a `!` before it";
             return Err(why.to_owned().into());
         }
-        let right = match choices[..] {
-            [only] => {
-                let said = only.to_lowercase();
-                let said: Vec<_> = said.split_whitespace().collect();
-                number(&said).is_some_and(|n| (n - is).abs() <= 1e-9 * is.abs())
-            }
-            _ => is >= 0.0 && is.fract() == 0.0 && is < choices.len() as f64,
-        };
-        match right {
-            true => self
-                .context
-                .maths
-                .words(choices.get(is as usize).unwrap_or(&said)),
-            false => Err(format!("computed is {is}, of words their place from 0").into()),
-        }
+        self.context.maths.words(notation::said(said, is)?)
     }
 
     /// Fills a placeholder of the paper's own.
     fn own(&self, page: &str, placeholder: &str) -> Result<Filled, Fault> {
         let mut own = self.context.edition.placeholders.iter();
-        let own = own.find(|own| own.name == placeholder);
-        let own = own.ok_or_else(|| "there is no such placeholder".to_owned())?;
-        (own.fill)(page).map_err(|failure| failure.to_string().into())
+        let own = own.find_map(|own| match placeholder.strip_prefix(own.name)? {
+            "" => Some((own, page)),
+            behind => own.name.ends_with(' ').then_some((own, behind)),
+        });
+        let (own, given) = own.ok_or_else(|| "there is no such placeholder".to_owned())?;
+        (own.fill)(given).map_err(|failure| failure.to_string().into())
     }
 
     /// Notes that a claim is shown, once and on its own page: its address is permanent.

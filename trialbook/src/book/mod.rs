@@ -39,6 +39,7 @@
 //! | `{{lines src/motion}}` | how much code stands in these modules, without comments and tests, and their paths |
 //! | `{{is fall falls\|rises}}` | the first word if what is computed by this name says so, else the second, and so on; `!fall` for `rises\|falls` |
 //! | `{{is loops six}}` | the number as it stands there, if it is the one that is computed by this name |
+//! | `{{code three quarters}}` | the number as it stands there, if the code of the section has it |
 //! | `{{count claims}}`, `{{count points}}` | the number of all claims, of all compared points |
 //!
 //! An edition may have more of its own. Those that stand for a box, a figure or a table stand alone on their line. None is
@@ -68,6 +69,7 @@ mod moved;
 mod numbers;
 mod overview;
 mod pages;
+mod pieces;
 mod register;
 mod rows;
 mod search;
@@ -83,8 +85,9 @@ pub use assembly::Frame;
 pub use atomic_replace::bare;
 pub use error::BookError;
 pub use links::{dead_links, files_below};
+pub use pieces::{Piece, pieces};
 pub use register::register;
-pub use tables::table;
+pub use tables::{code, table};
 pub use text::escape;
 
 use crate::ledger::Ledger;

@@ -2,6 +2,7 @@
 
 use super::text::after_each;
 use crate::ledger::Ledger;
+use crate::notation::{Tag, tags};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What is no running text, or a link already.
@@ -25,29 +26,27 @@ pub(super) fn linked(page: &str, html: &str, addresses: &BTreeMap<u16, String>) 
     let mut out = String::with_capacity(html.len() + html.len() / 16);
     let mut seen = BTreeSet::new();
     let (mut apart, mut running, mut folded) = (0_usize, 0_usize, 0_usize);
-    for (i, part) in html.split('<').enumerate() {
-        let (tag, text) = match i {
-            0 => ("", part),
-            _ => part.split_once('>').unwrap_or((part, "")),
-        };
-        let name = tag.trim_start_matches('/');
-        let name = name.split([' ', '/']).next().unwrap_or_default();
+    for Tag {
+        tag,
+        name,
+        closes,
+        alone,
+        text,
+    } in tags(html)
+    {
         for (names, depth) in [
             (&APART[..], &mut apart),
             (&TEXT[..], &mut running),
             (&["details"][..], &mut folded),
         ] {
-            if names.contains(&name) && !tag.ends_with('/') {
-                *depth = match tag.starts_with('/') {
+            if names.contains(&name) && !alone {
+                *depth = match closes {
                     true => depth.saturating_sub(1),
                     false => *depth + 1,
                 };
             }
         }
-        if i > 0 {
-            out.push('<');
-            out += &part[..part.len() - text.len()];
-        }
+        out += tag;
         if apart > 0 || running == 0 {
             out += text;
             continue;

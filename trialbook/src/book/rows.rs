@@ -322,9 +322,7 @@ mod tests {
     }
 
     fn text(html: &str) -> String {
-        html.split('<')
-            .filter_map(|part| Some(part.split_once('>')?.1))
-            .collect()
+        crate::notation::without_tags(html)
     }
 
     #[test]

@@ -6,8 +6,9 @@
 use super::{context::Context, text::unescape};
 use crate::evidence::Change;
 use crate::notation::{
+    Tag,
     letters::{GREEK, HIGH, large},
-    plain_words,
+    plain_words, tags,
 };
 use elasticlunr::lang::English;
 use elasticlunr::{Index, IndexBuilder, Language, Pipeline};
@@ -212,31 +213,25 @@ impl Search {
         let mut heading = false;
         // Open elements inside one that is left out, and what it is.
         let mut skipped: Option<(&str, usize)> = None;
-        for part in main.split('<').skip(1) {
-            let (tag, text) = part.split_once('>').unwrap_or((part, ""));
-            let name = tag
-                .split([' ', '/'])
-                .find(|name| !name.is_empty())
-                .unwrap_or("");
-            let closes = tag.starts_with('/');
+        for tag in tags(main) {
+            let Tag {
+                name, closes, text, ..
+            } = tag;
             if let Some((skip, depth)) = &mut skipped {
-                if name == *skip && !tag.ends_with('/') {
+                if name == *skip && !tag.alone {
                     *depth = if closes { *depth - 1 } else { *depth + 1 };
                 }
                 if *depth > 0 {
                     continue;
                 }
                 skipped = None;
-            } else if !closes && left_out(name, tag) {
+            } else if !closes && left_out(&tag) {
                 skipped = Some((name, 1));
                 continue;
             }
             if let "h1" | "h2" | "h3" = name {
                 heading = !closes;
-                let id = tag
-                    .split_once("id=\"")
-                    .and_then(|(_, rest)| rest.split_once('"'));
-                if let (false, Some((id, _))) = (closes, id) {
+                if let (false, Some(id)) = (closes, tag.value("id")) {
                     let address = format!("{file}#{id}");
                     self.stretches.push(Stretch {
                         aliases: self.aliases.get(&address).cloned().unwrap_or_default(),
@@ -334,10 +329,10 @@ fn placed<'a>(named: &'a [(String, String)], addresses: &[&str]) -> Vec<(&'a str
 
 /// What a reader would not search for: drawings, what was compared where, the steps of proofs, sources, and
 /// lists of what stands elsewhere.
-fn left_out(name: &str, tag: &str) -> bool {
-    let has = |words: &[&str]| words.iter().any(|word| tag.contains(word));
-    match name {
-        "svg" | "script" | "style" | "button" => !tag.ends_with('/'),
+fn left_out(tag: &Tag<'_>) -> bool {
+    let has = |words: &[&str]| words.iter().any(|word| tag.tag.contains(word));
+    match tag.name {
+        "svg" | "script" | "style" | "button" => !tag.alone,
         "a" => has(&["class=\"code\""]),
         "details" => has(&["contents", "latex", "proof", "samples"]),
         "p" => has(&["class=\"measure\""]),

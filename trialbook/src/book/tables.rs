@@ -41,7 +41,8 @@ pub(super) fn tried<const N: usize>(
 }
 
 /// Text as it stands, as a block of HTML.
-pub(super) fn code(text: &str) -> String {
+/// A text as a block of code.
+pub fn code(text: &str) -> String {
     let lines: Vec<_> = text.lines().map(escape).collect();
     let lines = lines.join("\n");
     format!("<pre><code class=\"language-text\">{lines}</code></pre>\n")

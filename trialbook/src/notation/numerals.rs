@@ -54,3 +54,152 @@ pub fn number(words: &[&str]) -> Option<f64> {
         _ => words.iter().map(|word| one(word)).product(),
     }
 }
+
+/// Of words between `|` the one of this number, from 0. Of one alone, a number in words or digits, that it is this one; of others, that 0
+/// says they are so.
+///
+/// # Errors
+/// What is computed, where none of it is that.
+pub fn said(said: &str, is: f64) -> Result<&str, String> {
+    let choices: Vec<_> = said.split('|').collect();
+    let chosen = match choices[..] {
+        [only] => {
+            let words = only.to_lowercase();
+            let words: Vec<_> = words.split_whitespace().collect();
+            let wanted = number(&words).unwrap_or(0.0);
+            Some(only).filter(|_| (is - wanted).abs() <= 1e-9 * wanted.abs())
+        }
+        _ => (choices.iter().zip(0..)).find_map(|(word, i)| (f64::from(i) == is).then_some(*word)),
+    };
+    chosen.ok_or_else(|| format!("computed is {is}, of words their place from 0"))
+}
+
+/// What says which word it is, or which number.
+pub trait Says {
+    /// The number, or the place of the word from 0.
+    ///
+    /// # Errors
+    /// Why none is said.
+    fn says(self) -> Result<f64, String>;
+}
+
+/// The first of two words, if it is so.
+impl Says for bool {
+    fn says(self) -> Result<f64, String> {
+        Ok(f64::from(u8::from(!self)))
+    }
+}
+
+/// Of several the one that is so.
+impl<const N: usize> Says for [bool; N] {
+    fn says(self) -> Result<f64, String> {
+        let mut so = (0..N).filter(|i| self[*i]);
+        match (so.next(), so.next()) {
+            (Some(i), None) => Ok(i as f64),
+            _ => Err(format!("not one of them is so: {self:?}")),
+        }
+    }
+}
+
+impl Says for usize {
+    fn says(self) -> Result<f64, String> {
+        Ok(self as f64)
+    }
+}
+
+impl Says for f64 {
+    fn says(self) -> Result<f64, String> {
+        Ok(self)
+    }
+}
+
+/// The numbers in code, in order, and the fractions `1.0 / 3.0`; what its comments say does not count.
+#[cfg(feature = "book")]
+pub fn literals(code: &str) -> Vec<f64> {
+    let mut numbers = Vec::new();
+    let lines = code
+        .lines()
+        .map(|line| line.split("//").next().unwrap_or_default());
+    for line in lines.filter(|line| !line.starts_with("use ")) {
+        let (mut rest, mut before, mut above) = (line, ' ', None);
+        while let Some(first) = rest.chars().next() {
+            let starts = first.is_ascii_digit() && !(before.is_alphanumeric() || before == '_');
+            let length = if starts {
+                length(rest)
+            } else {
+                first.len_utf8()
+            };
+            if let Some(number) = rest[..length]
+                .replace('_', "")
+                .parse::<f64>()
+                .ok()
+                .filter(|_| starts)
+            {
+                numbers.extend(
+                    [Some(number), above.map(|above: f64| above / number)]
+                        .into_iter()
+                        .flatten(),
+                );
+                above = rest[length..].starts_with(" / ").then_some(number);
+                rest = rest[length..]
+                    .strip_prefix(" / ")
+                    .unwrap_or(&rest[length..]);
+                before = ' ';
+            } else {
+                above = None;
+                before = rest[..length].chars().next_back().unwrap_or(' ');
+                rest = &rest[length..];
+            }
+        }
+    }
+    numbers
+}
+
+/// How long the number is that a text begins with.
+#[cfg(feature = "book")]
+fn length(text: &str) -> usize {
+    let bytes = text.as_bytes();
+    let mut end = 0;
+    while end < bytes.len() {
+        let next = bytes.get(end + 1).copied().unwrap_or(b' ');
+        let part = match bytes[end] {
+            b'0'..=b'9' => true,
+            b'_' | b'.' => next.is_ascii_digit(),
+            b'e' => next.is_ascii_digit() || next == b'-',
+            b'-' => bytes[end - 1] == b'e',
+            _ => false,
+        };
+        if !part {
+            break;
+        }
+        end += 1;
+    }
+    end
+}
+
+#[test]
+fn what_is_computed_says_which_word() {
+    for (words, is, said_of_it) in [
+        ("falls|rises", 1.0, Some("rises")),
+        ("falls|rises", 2.0, None),
+        ("falls|rises", 0.5, None),
+        ("falls", 0.0, Some("falls")),
+        ("falls", 1.0, None),
+        ("Three quarters", 0.75, Some("Three quarters")),
+        ("six", 5.0, None),
+    ] {
+        assert_eq!(said(words, is).ok(), said_of_it, "{words} {is}");
+    }
+    assert_eq!(true.says(), Ok(0.0));
+    assert_eq!([false, true].says(), Ok(1.0));
+    assert!([true, true].says().is_err() && [false, false].says().is_err());
+}
+
+#[cfg(feature = "book")]
+#[test]
+fn code_has_its_numbers_and_fractions() {
+    let code =
+        "use a::b2; // 0.25\nlet x = [0.25, 1_000.5, 2e-3]; f(1..=3, \"2.0\", 1.0 / 3.0, a / 4.0)";
+    let wanted = [0.25, 1000.5, 2e-3, 1.0, 3.0, 2.0, 1.0, 3.0, 1.0 / 3.0, 4.0];
+    assert_eq!(literals(code), wanted);
+}

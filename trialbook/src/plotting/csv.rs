@@ -23,7 +23,7 @@ impl Cells for u64 {
 
 impl Cells for str {
     fn add_to(&self, row: &mut Vec<String>) {
-        row.push(quoted(self));
+        row.push(self.to_owned());
     }
 }
 
@@ -75,17 +75,17 @@ tuples! { () (A B) (A B C) (A B C D) }
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table {
     columns: usize,
-    text: String,
+    /// The names of the columns, and the rows.
+    cells: Vec<Vec<String>>,
 }
 
 impl Table {
     /// An empty table; each header names a quantity and its unit: `"t (s)"`, `"v_x (v_0)"`. A
     /// quantity without a unit in brackets is dimensionless.
     pub fn new(headers: &[&str]) -> Self {
-        let names: Vec<_> = headers.iter().map(|header| quoted(header)).collect();
         Table {
             columns: headers.len(),
-            text: names.join(",") + "\n",
+            cells: vec![headers.iter().map(|header| (*header).to_owned()).collect()],
         }
     }
 
@@ -99,8 +99,7 @@ impl Table {
                 found: cells.len(),
             });
         }
-        self.text += &cells.join(",");
-        self.text.push('\n');
+        self.cells.push(cells);
         Ok(())
     }
 
@@ -113,9 +112,38 @@ impl Table {
         rows.into_iter().try_for_each(|row| self.row((&head, row)))
     }
 
+    /// The cells of the rows, as they are written.
+    pub fn cells(&self) -> &[Vec<String>] {
+        &self.cells[1..]
+    }
+
+    /// The rows as numbers, NaN for words.
+    pub fn numbers(&self) -> Vec<Vec<f64>> {
+        let number = |cell: &String| cell.parse().unwrap_or(f64::NAN);
+        let rows = self.cells().iter();
+        rows.map(|row| row.iter().map(number).collect()).collect()
+    }
+
+    /// The same, by what stands in the first column, in order.
+    pub fn groups(&self) -> Vec<Vec<Vec<f64>>> {
+        let mut groups: Vec<(&str, Vec<Vec<f64>>)> = Vec::new();
+        for (cells, row) in self.cells().iter().zip(self.numbers()) {
+            let name = cells.first().map_or("", String::as_str);
+            match groups.iter_mut().find(|(known, _)| *known == name) {
+                Some((_, rows)) => rows.push(row),
+                None => groups.push((name, vec![row])),
+            }
+        }
+        groups.into_iter().map(|(_, rows)| rows).collect()
+    }
+
     /// The whole table as text.
     pub fn into_text(self) -> String {
-        self.text
+        let line = |row: &Vec<String>| {
+            let cells: Vec<_> = row.iter().map(|cell| quoted(cell)).collect();
+            cells.join(",") + "\n"
+        };
+        self.cells.iter().map(line).collect()
     }
 }
 

@@ -225,6 +225,7 @@ fn drawn(node: &Node, i: usize, [x, y]: [f64; 2], (name, span): &(String, usize)
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::notation::{Tag, tags};
 
     fn node(id: &'static str, name: &str, title: &str, lane: usize, on: &[usize]) -> Node {
         Node {
@@ -291,17 +292,10 @@ mod tests {
             node("eq-3", "(3)", long, &[2]),
         ];
         let figure = map(&["lane"], &nodes).unwrap();
-        let boxes: Vec<_> = figure
-            .svg
-            .split("<rect ")
-            .skip(1)
-            .map(|tag| {
-                let size = |key: &str| -> f64 {
-                    let after = tag.split_once(&format!("{key}=\"")).unwrap().1;
-                    after.split_once('"').unwrap().0.parse().unwrap()
-                };
-                [size("x"), size("y"), size("width")]
-            })
+        let boxes = tags(&figure.svg).filter(|tag| tag.name == "rect");
+        let size = |tag: &Tag<'_>, key| tag.value(key).unwrap().parse::<f64>().unwrap();
+        let boxes: Vec<_> = boxes
+            .map(|tag| ["x", "y", "width"].map(|key| size(&tag, key)))
             .collect();
         for (i, a) in boxes.iter().enumerate() {
             for b in &boxes[..i] {

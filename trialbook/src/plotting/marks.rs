@@ -27,6 +27,16 @@ impl Stroke {
         ][series % 4]
     }
 
+    /// What one calls it.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Stroke::Solid => "solid",
+            Stroke::Dashed => "dashed",
+            Stroke::Dotted => "dotted",
+            Stroke::DashDotted => "dash-dotted",
+        }
+    }
+
     /// The value of `stroke-dasharray` for round ends.
     pub(super) fn pattern(self) -> Option<&'static str> {
         match self {

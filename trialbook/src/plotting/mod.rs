@@ -130,6 +130,16 @@ pub enum FigureError {
         /// The class found.
         class: u8,
     },
+    /// Words of a caption that the figure does not say.
+    #[error("figure {figure}: {{{{{words}}}}}: {why}")]
+    Unsaid {
+        /// The figure's id.
+        figure: &'static str,
+        /// The words.
+        words: String,
+        /// Why not.
+        why: String,
+    },
     /// A plot without panels, or with a size that leaves no room to draw.
     #[error("{parameter} must be {allowed}, got {value}")]
     Layout {

@@ -97,6 +97,23 @@ impl Panel {
         self
     }
 
+    /// How the lines are drawn of which key or label begins so.
+    pub(super) fn strokes(&self, named: &str) -> impl Iterator<Item = &'static str> {
+        let lines = self.marks.iter().filter_map(|mark| match mark {
+            Mark::Curve(curve) => Some(curve),
+            Mark::Rule(rule) => Some(&rule.line),
+            _ => None,
+        });
+        let is = move |line: &&Curve| {
+            let label = line.label.as_ref().map(|label| &label.text);
+            [line.key.as_ref(), label]
+                .into_iter()
+                .flatten()
+                .any(|text| text.starts_with(named))
+        };
+        lines.filter(is).map(|line| line.stroke.name())
+    }
+
     /// Everything that has a place along x (`0`) or y (`1`).
     fn values(&self, axis: usize) -> Vec<f64> {
         let mut values = Vec::new();

@@ -7,6 +7,7 @@ use super::{
     svg::{escape, number},
     text::width,
 };
+use crate::notation::{Says, said};
 
 /// Width of the page, in units of which type is 15 or 16 high.
 const WIDTH: f64 = 480.0;
@@ -26,6 +27,7 @@ pub struct Plot {
     alt: String,
     columns: usize,
     panels: Vec<Panel>,
+    fault: Option<FigureError>,
 }
 
 /// A panel with its settled axes and the height of its inner part.
@@ -47,6 +49,7 @@ impl Plot {
             alt: String::new(),
             columns: 1,
             panels: Vec::new(),
+            fault: None,
         }
     }
 
@@ -60,6 +63,74 @@ impl Plot {
     pub fn alt(mut self, alt: impl Into<String>) -> Self {
         self.alt = alt.into();
         self
+    }
+
+    /// Writes in the place of each `{{falls|rises}}` in caption and alternative which of the words it is that the figure's numbers say.
+    /// Of `{{falls}}`, or `{{six}}`, they have to say it. `{{line solved}}` needs no numbers: it is how the lines are drawn of which key or
+    /// label begins with `solved`.
+    pub fn says<const N: usize>(mut self, words: [&str; N], is: impl Says) -> Self {
+        let is = is.says();
+        for words in words {
+            let chosen = is.clone().and_then(|is| said(words, is).map(str::to_owned));
+            if let Err(why) = chosen.and_then(|word| self.write(words, &word)) {
+                self.fault.get_or_insert(self.unsaid(words, why));
+            }
+        }
+        self
+    }
+
+    /// Puts a word where these stand in braces.
+    fn write(&mut self, words: &str, word: &str) -> Result<(), String> {
+        let place = format!("{{{{{words}}}}}");
+        let texts = [&mut self.caption, &mut self.alt];
+        if texts.iter().all(|text| !text.contains(&place)) {
+            return Err("neither caption nor alternative says it".to_owned());
+        }
+        texts
+            .into_iter()
+            .for_each(|text| *text = text.replace(&place, word));
+        Ok(())
+    }
+
+    fn unsaid(&self, words: &str, why: String) -> FigureError {
+        FigureError::Unsaid {
+            figure: self.id,
+            words: words.to_owned(),
+            why,
+        }
+    }
+
+    /// Writes how lines are drawn, and fails if anything else has not been said.
+    fn speak(&mut self) -> Result<(), FigureError> {
+        if let Some(fault) = self.fault.take() {
+            return Err(fault);
+        }
+        let both = format!("{} {}", self.caption, self.alt);
+        let open = both
+            .split("{{")
+            .skip(1)
+            .map(|part| part.split("}}").next().unwrap_or(part));
+        for words in open {
+            let drawn = words
+                .strip_prefix("line ")
+                .ok_or("nothing says it")
+                .and_then(|named| {
+                    let mut drawn: Vec<_> = self
+                        .panels
+                        .iter()
+                        .flat_map(|panel| panel.strokes(named))
+                        .collect();
+                    drawn.dedup();
+                    match drawn[..] {
+                        [one] => Ok(one),
+                        _ => Err("there has to be a line of that name, and all of them alike"),
+                    }
+                });
+            let word = drawn.map_err(|why| self.unsaid(words, why.to_owned()))?;
+            // The same words may have been written before.
+            let _ = self.write(words, word);
+        }
+        Ok(())
     }
 
     /// Puts panels side by side, 1 to 4 in a row of the same 480 units: for small panels with little
@@ -97,7 +168,8 @@ impl Plot {
     }
 
     /// Draws it and puts the data beside it.
-    pub fn figure(self, data: Table) -> Result<Figure, FigureError> {
+    pub fn figure(mut self, data: Table) -> Result<Figure, FigureError> {
+        self.speak()?;
         let svg = self.draw()?;
         Ok(Figure {
             id: self.id,
@@ -253,5 +325,36 @@ fn layout(parameter: &'static str, allowed: &'static str, value: usize) -> Figur
         parameter,
         allowed,
         value: value as f64,
+    }
+}
+
+#[test]
+fn a_caption_says_what_is_computed_or_there_is_no_figure() {
+    let drawn = |caption: &str, word: &str, is: usize| {
+        let line = Curve::new([[0.0, 0.0], [1.0, 2.0]])
+            .dotted()
+            .key("solved for");
+        let panel = Panel::new(Axis::linear("x"), Axis::linear("y")).curve(line);
+        let plot = Plot::new("a", "A")
+            .caption(caption)
+            .alt("It {{falls|rises}}.")
+            .panel(panel);
+        plot.says([word], is).figure(Table::new(&["x"]))
+    };
+    let figure = drawn("{{line solved}}: {{falls|rises}}", "falls|rises", 1).unwrap();
+    assert_eq!([figure.caption, figure.alt], ["dotted: rises", "It rises."]);
+    assert!(figure.svg.contains("It rises."));
+    for (caption, word, is) in [
+        // None of the words; nowhere; open; no such line.
+        ("", "falls|rises", 2),
+        ("", "grows", 0),
+        ("{{grows}}", "falls|rises", 0),
+        ("{{line found}}", "falls|rises", 0),
+    ] {
+        let unsaid = drawn(caption, word, is);
+        assert!(
+            matches!(unsaid, Err(FigureError::Unsaid { figure: "a", .. })),
+            "{caption}"
+        );
     }
 }

@@ -182,6 +182,7 @@ fn push(out: &mut Vec<Run>, chars: &[char], face: Face, level: Level) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::notation::{tags, without_tags};
     use proptest::prelude::*;
 
     #[test]
@@ -232,22 +233,18 @@ mod tests {
         fn of_a_label_its_words_are_seen_and_nothing_of_its_markup(label in "[a-cvx1φ𝔴_^'{}<>&\" ]{0,12}") {
             let svg = format!("<text>{}</text>", markup(&label));
             let mut open = Vec::new();
-            for tag in svg.split('<').skip(1).filter_map(|part| Some(part.split_once('>')?.0)) {
-                let mut words = tag.split(' ');
-                let name = words.next().unwrap_or_default();
-                if let Some(closed) = name.strip_prefix('/') {
-                    prop_assert_eq!(open.pop(), Some(closed), "{}", svg);
+            for tag in tags(&svg) {
+                if tag.closes {
+                    prop_assert_eq!(open.pop(), Some(tag.name), "{}", svg);
                     continue;
                 }
-                open.push(name);
+                open.push(tag.name);
                 let known = ["font-style", "font-family", "font-size", "dy"];
-                let mut attributes = words.filter_map(|word| word.split_once('='));
-                let right = attributes.all(|(key, value)| known.contains(&key) && value.matches('"').count() == 2);
-                prop_assert!(right && ["text", "tspan"].contains(&name), "{svg}");
+                let right = tag.attributes().all(|(key, _)| known.contains(&key)) && tag.attributes().count() == tag.tag.matches('=').count();
+                prop_assert!(right && ["text", "tspan"].contains(&tag.name), "{svg}");
             }
             prop_assert!(open.is_empty(), "{svg}");
-            let parts = svg.split('<').filter_map(|part| part.split_once('>'));
-            let seen: String = parts.map(|(_, text)| text).collect();
+            let seen = without_tags(&svg);
             let entities = [("&lt;", "<"), ("&gt;", ">"), ("&quot;", "\""), ("&amp;", "&")];
             let seen = entities.iter().fold(seen, |seen, (entity, text)| seen.replace(entity, text));
             let words = |text: &str| text.replace(['_', '^', '\'', '{', '}'], "");
