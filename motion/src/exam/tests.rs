@@ -21,8 +21,8 @@ fn both_ways_agree_on_every_task() {
 #[test]
 fn an_escape_goes_as_its_question_says() {
     let tau = 1e6;
-    let start = turntable::Start::put_down(1.5).unwrap();
-    let rho = turntable::intrinsic::Run::new(&start, tau)
+    let start = crate::turntable::Start::put_down(1.5).unwrap();
+    let rho = crate::turntable::intrinsic::Run::new(&start, tau)
         .unwrap()
         .end()
         .rho();
