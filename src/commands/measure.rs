@@ -102,7 +102,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
                 "coulomb": matches!(found.verdict, Verdict::Fits),
                 "verdict": found.verdict.to_string(),
                 "noise": found.noise,
-                "assumed": found.assumed(),
+                "assumed": found.assumed().unwrap_or_default(),
                 "stretches": found.stretches.iter().map(|stretch| object!({ "from": stretch.from, "to": stretch.to, "doing": stretch.kind.to_string() })).collect::<Vec<_>>(),
             }))?;
         }
