@@ -326,7 +326,7 @@ fn addresses_stay() {
         let (page, id) = now.split_once('#').unwrap();
         assert!(
             text(page).contains(&format!(" id=\"{id}\"")),
-            "tests/data/addresses.txt, line {line}: {address} leads nowhere; `MOVED` in src/edition/pages.rs says where what has moved is now"
+            "tests/data/addresses.txt, line {line}: {address} leads nowhere: the claim that says it now has `was = [\"{id}\"]`, and `MOVED` in src/edition/pages.rs where what else has moved is"
         );
     }
     let old = EDITION.moved.iter().filter(|(from, _)| !from.contains('#'));

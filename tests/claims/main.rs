@@ -23,7 +23,7 @@ use trialbook::trials::{Claim, Sort, attempt::Attempt, statement::Proved};
 /// What is asked of the whole ledger.
 type Test = fn(&Ledger) -> Result<(), Failed>;
 
-const WHOLE: [(&str, Test); 10] = [
+const WHOLE: [(&str, Test); 11] = [
     ("verdicts", verdicts),
     ("recorded", recorded),
     ("reading", reading),
@@ -31,6 +31,7 @@ const WHOLE: [(&str, Test); 10] = [
     ("proofs", wrong_proofs),
     ("leaning", leaning),
     ("measured", reasons),
+    ("shown", shown),
     ("sentences", sentences),
     ("values", values),
     ("conditions", conditions),
@@ -525,6 +526,22 @@ fn reasons(ledger: &Ledger) -> Result<(), Failed> {
         &wrong,
         "say in the claim's entry what is missing (`unproved`), where something is",
     )
+}
+
+/// What is to replace a claim, and a case against it, is shown where the claim fails, and a regular form where it has a condition.
+fn shown(ledger: &Ledger) -> Result<(), Failed> {
+    let idle = as_recorded(ledger).into_iter().flat_map(|entry| {
+        let (claim, verdict) = (entry.claim, entry.judgement.verdict);
+        let corrected =
+            claim.correction.is_some() && !verdict.is_wrong() && !verdict.has_condition();
+        let by_hand = claim.by_hand.is_some() && !verdict.is_wrong();
+        let fields = [(corrected, "corrected"), (by_hand, "by-hand")];
+        let idle = fields.into_iter().filter(|(idle, _)| *idle);
+        idle.map(move |(_, field)| {
+            format!("{}: `{field}`, of what is {}", claim.id, verdict.words())
+        })
+    });
+    none(&idle.collect::<Vec<_>>(), "leave out what is not shown")
 }
 
 /// Every snapshot of a topic's folder belongs to a claim of that topic, or is the README's picture.

@@ -3,7 +3,7 @@
 use crate::data::{Text, text};
 use crate::plotting::Figure;
 use crate::seeded::Symbol;
-use crate::trials::{Paper, listed};
+use crate::trials::Paper;
 use include_dir::{Dir, DirEntry};
 
 /// Why something of a paper's own could not be made: a sentence for the reader.
@@ -117,8 +117,10 @@ impl Edition {
     pub fn check(&self) -> Result<(), Failure> {
         let paper = self.paper;
         let faults = paper.check();
-        if !faults.is_empty() {
-            return Err(listed(&faults).into());
+        let told = faults.iter().map(ToString::to_string);
+        let told: Vec<_> = told.chain(self.strangers()).collect();
+        if !told.is_empty() {
+            return Err(told.join("\n").into());
         }
         let texts = [
             paper.letter,
@@ -133,11 +135,68 @@ impl Edition {
         Ok(())
     }
 
+    /// Where a claim is named that is not there: in a placeholder of a page or of the letter, by a symbol, a formula or an example.
+    fn strangers(&self) -> Vec<String> {
+        // Of a file that cannot be read nothing is known.
+        let Some(ids) = self.paper.ids() else {
+            return Vec::new();
+        };
+        let mut told = Vec::new();
+        let mut named = |place: String, words: &str| {
+            let ids = words
+                .split(' ')
+                .filter(|word| is_id(word) && !ids.contains(word));
+            told.extend(ids.map(|id| format!("{place}: there is no claim `{id}`")));
+        };
+        let pages = self
+            .written()
+            .map(|page| (format!("{}.md", page.stem), page.text));
+        for (file, text) in pages.chain([("the letter".to_owned(), self.paper.letter)]) {
+            // What cannot be read is told elsewhere.
+            let mut code = false;
+            for (number, line) in (1..).zip(text.read().unwrap_or_default().lines()) {
+                code ^= line.starts_with("```");
+                let parts = line.split('`').step_by(2).filter(|_| !code);
+                let blanks = parts.flat_map(|part| part.split("{{").skip(1));
+                let blanks = blanks.filter_map(|blank| blank.split_once("}}"));
+                // A figure of the book has a name of its own.
+                for (inside, _) in blanks.filter(|(inside, _)| !inside.starts_with("figure ")) {
+                    named(format!("{file}, line {number}"), inside);
+                }
+            }
+        }
+        for symbol in self.symbols {
+            named(format!("the symbol {}", symbol.plain), symbol.claim);
+        }
+        for formula in (self.paper.formulas.numbers)() {
+            named(
+                formula.path.to_owned(),
+                &formula.claim().unwrap_or_default(),
+            );
+        }
+        for (command, arguments) in self.examples {
+            named(format!("the example of `{command}`"), arguments);
+        }
+        told
+    }
+
     /// The pages that are written: its own, and the usual ones.
     pub fn written(&self) -> impl Iterator<Item = &'static Page> {
         let own = self.pages;
         let missing = |page: &&Page| own.iter().all(|own| own.stem != page.stem);
         own.iter().chain(self.usual.iter().filter(missing))
+    }
+}
+
+/// Whether a word has the form of a claim's id: `eq-13`, `fig-3`, `s22-no-rest-below`.
+fn is_id(word: &str) -> bool {
+    let Some((kind, name)) = word.split_once('-') else {
+        return false;
+    };
+    let digits = |text: &str| !text.is_empty() && text.bytes().all(|c| c.is_ascii_digit());
+    match kind {
+        "eq" | "fig" => digits(name),
+        _ => kind.strip_prefix('s').is_some_and(digits),
     }
 }
 

@@ -81,6 +81,32 @@ trials = ['own::twice']",
     }
 }
 
+/// Whatever names a claim that is not there is told, all at once and before anything is tried.
+#[test]
+fn a_claim_that_is_gone_is_told_wherever_it_is_named() {
+    let page = Page {
+        text: Text::Built(
+            "# A\n\n{{claim eq-1}} {{ref eq-9}} `{{ref eq-10}}`\n```\n{{ref eq-11}}\n```\n{{figure fig-9}} {{verdict s9-a}}",
+        ),
+        ..Page::new("own", "own", "")
+    };
+    let edition = Edition {
+        pages: vec![page].leak(),
+        examples: &[("show", "eq-12 --json")],
+        symbols: &[],
+        ..EDITION
+    };
+    let told = edition.check().unwrap_err().to_string();
+    assert_eq!(
+        told.lines().collect::<Vec<_>>(),
+        [
+            "own.md, line 3: there is no claim `eq-9`",
+            "own.md, line 7: there is no claim `s9-a`",
+            "the example of `show`: there is no claim `eq-12`",
+        ]
+    );
+}
+
 /// Every file of a book without folders, by its name.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let items = fs::read_dir(folder)

@@ -345,6 +345,18 @@ impl Paper {
         self.topics.iter().flat_map(of)
     }
 
+    /// The ids of all entries; nothing if a file cannot be read.
+    #[cfg(feature = "book")]
+    pub(crate) fn ids(&self) -> Option<BTreeSet<&'static str>> {
+        let reads = || self.topics.iter().map(|topic| topic.read());
+        let whole = reads().all(|read| !read.broken);
+        whole.then(|| {
+            reads()
+                .flat_map(|read| read.ids.iter().map(|(_, id)| *id))
+                .collect()
+        })
+    }
+
     /// The claim of this id, with its topic.
     pub fn find(&self, id: &str) -> Option<(&'static Topic, &'static Claim)> {
         self.claims().find(|(_, claim)| claim.id == id)
