@@ -214,7 +214,7 @@ fn stopping_times() -> Drawn {
         let label = format!("λ = {lambda}");
         panel = panel.curve(Curve::new(times).series(n).label_at(label, 0.3));
     }
-    // λ, from small to large; angle, from 0; time.
+    // λ, angle, time.
     let groups = table.groups();
     let drop = groups
         .iter()

@@ -120,9 +120,8 @@ pub(super) fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureEr
              printed one where there is one.",
         );
     let settle = quantities.iter().all(|of| {
-        let ends = of.escapes.iter().filter_map(|escape| escape.last());
-        ends.last()
-            .is_some_and(|end| (end[1] - of.corrected).abs() < 1e-5)
+        let end = of.escapes.last().and_then(|escape| escape.last());
+        end.is_some_and(|end| (end[1] - of.corrected).abs() < 1e-5)
     });
     let beside = quantities
         .iter()

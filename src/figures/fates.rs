@@ -368,7 +368,7 @@ fn stops() -> Drawn {
         .iter()
         .map(|rows| (rows[0][3], rows[rows.len() - 1][3]));
     let outwards = ends.clone().take(4).all(|(first, end)| end < 0.3 * first)
-        && ends.clone().last().is_some_and(|(_, end)| end > 3.0);
+        && ends.clone().next_back().is_some_and(|(_, end)| end > 3.0);
     Ok(Plot::new("rest-turning", "The last moments before a stop")
         .caption(
             "The angle $\\psi$ from the velocity to the position against the speed $p$, for particles put down at rest in the laboratory, \

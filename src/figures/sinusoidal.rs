@@ -190,7 +190,7 @@ pub(super) fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
         let label = format!("λ_0 = {lambda}");
         panel = panel.curve(Curve::new(points).series(n).label_at(label, 0.7));
     }
-    // λ₀, from small to large; periods, depth.
+    // λ₀, periods, depth.
     let groups = table.groups();
     let rates = groups.iter().map(|rows| libm::log(rows[2][2] / rows[1][2]));
     let exponential = (0..=100)
@@ -277,7 +277,7 @@ pub(super) fn family(motions: &[Curved]) -> Result<Figure, FigureError> {
         let key = format!("λ_0 = {lambda}");
         panel = panel.curve(Curve::new(points).series(n).key(key));
     }
-    // λ₀, from small to large; φ, 𝔴.
+    // λ₀, φ, 𝔴.
     let groups = table.groups();
     let peaks = groups.iter().map(|rows| peak(rows, 1, 2));
     Plot::new("sinusoidal-family", "Large-time motions")

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::numerics::error::plain;
+use crate::turntable::{Start, intrinsic::Run};
 use std::f64::consts::PI;
 use std::sync::LazyLock;
 
@@ -21,11 +22,8 @@ fn both_ways_agree_on_every_task() {
 #[test]
 fn an_escape_goes_as_its_question_says() {
     let tau = 1e6;
-    let start = crate::turntable::Start::put_down(1.5).unwrap();
-    let rho = crate::turntable::intrinsic::Run::new(&start, tau)
-        .unwrap()
-        .end()
-        .rho();
+    let start = Start::put_down(1.5).unwrap();
+    let rho = Run::new(&start, tau).unwrap().end().rho();
     assert!((rho / (tau * tau) * 3.0 * std::f64::consts::SQRT_2 - 1.0).abs() < 1e-3);
     assert!(
         TASKS

@@ -62,16 +62,19 @@ pub fn number(words: &[&str]) -> Option<f64> {
 /// What is computed, where none of it is that.
 pub fn said(said: &str, is: f64) -> Result<&str, String> {
     let choices: Vec<_> = said.split('|').collect();
-    let chosen = match choices[..] {
-        [only] => {
-            let words = only.to_lowercase();
-            let words: Vec<_> = words.split_whitespace().collect();
-            let wanted = number(&words).unwrap_or(0.0);
-            Some(only).filter(|_| (is - wanted).abs() <= 1e-9 * wanted.abs())
-        }
-        _ => (choices.iter().zip(0..)).find_map(|(word, i)| (f64::from(i) == is).then_some(*word)),
+    let [only] = choices[..] else {
+        let chosen = (choices.iter().zip(0..)).find(|(_, i)| f64::from(*i) == is);
+        let chosen = chosen.map(|(word, _)| *word);
+        return chosen.ok_or_else(|| format!("computed is {is}, their place from 0"));
     };
-    chosen.ok_or_else(|| format!("computed is {is}, of words their place from 0"))
+    let words = only.to_lowercase();
+    let words: Vec<_> = words.split_whitespace().collect();
+    match number(&words) {
+        Some(wanted) if (is - wanted).abs() <= 1e-9 * wanted.abs() => Ok(only),
+        Some(_) => Err(format!("computed is {is}")),
+        None if is == 0.0 => Ok(only),
+        None => Err("it is not so".to_owned()),
+    }
 }
 
 /// What says which word it is, or which number.

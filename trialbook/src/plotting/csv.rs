@@ -124,7 +124,7 @@ impl Table {
         rows.map(|row| row.iter().map(number).collect()).collect()
     }
 
-    /// The same, by what stands in the first column, in order.
+    /// The same, by what stands in the first column: numbers from small to large, words in order.
     pub fn groups(&self) -> Vec<Vec<Vec<f64>>> {
         let mut groups: Vec<(&str, Vec<Vec<f64>>)> = Vec::new();
         for (cells, row) in self.cells().iter().zip(self.numbers()) {
@@ -134,6 +134,7 @@ impl Table {
                 None => groups.push((name, vec![row])),
             }
         }
+        groups.sort_by(|one, other| one.1[0][0].total_cmp(&other.1[0][0]));
         groups.into_iter().map(|(_, rows)| rows).collect()
     }
 
