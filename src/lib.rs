@@ -83,7 +83,7 @@
 //! # Ok::<(), &str>(())
 //! ```
 // What is public is promised.
-#![warn(unreachable_pub)]
+#![cfg_attr(not(test), warn(unreachable_pub))]
 // Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),

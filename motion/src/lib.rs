@@ -70,7 +70,7 @@
 //! `parallel`: ensembles on all cores. `trials`: enclosures, the exam, and motions as sides of trials. `explorers`: what figures ask. `sources`: the sources
 //! as texts.
 // What is public is promised.
-#![warn(unreachable_pub)]
+#![cfg_attr(not(test), warn(unreachable_pub))]
 // Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),

@@ -15,6 +15,8 @@
 //!
 //! With `default-features = false` there are the formulas, the numerics that
 //! a motion needs alone; the feature `trials` brings the trials, `book` all that rests on them.
+// What is public is promised.
+#![cfg_attr(not(test), warn(unreachable_pub))]
 // Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),

@@ -25,7 +25,7 @@ pub(super) struct Staging {
 
 impl Staging {
     /// A temporary folder beside `out`, whose parent is made where it is missing. It goes when it is dropped.
-    pub fn beside(out: &Path, name: &'static str) -> Result<Self, BookError> {
+    pub(super) fn beside(out: &Path, name: &'static str) -> Result<Self, BookError> {
         let out = resolve(out).map_err(|reason| unwritable(out, reason))?;
         let no_parent = || io::Error::new(ErrorKind::InvalidInput, "this is no folder's name");
         let parent = out.parent().ok_or_else(|| unwritable(&out, no_parent()))?;
@@ -45,7 +45,7 @@ impl Staging {
     }
 
     /// Where an error is to be said to be.
-    pub fn places(&self) -> Places {
+    pub(super) fn places(&self) -> Places {
         Places {
             folder: self.folder.path().to_owned(),
             out: self.out.clone(),
@@ -53,12 +53,12 @@ impl Staging {
     }
 
     /// A path within the temporary folder.
-    pub fn path(&self, name: &str) -> PathBuf {
+    pub(super) fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
 
     /// Marks a folder as a book of the program.
-    pub fn mark(&self, book: &Path) -> Result<(), BookError> {
+    pub(super) fn mark(&self, book: &Path) -> Result<(), BookError> {
         let text = format!(
             "Written by {}. The next run replaces this folder as a whole.\n",
             self.name
@@ -67,7 +67,7 @@ impl Staging {
     }
 
     /// Puts the finished `book` in place; returns where that is. Of two runs that do so at once, the later one wins.
-    pub fn swap(self, book: &Path) -> Result<PathBuf, BookError> {
+    pub(super) fn swap(self, book: &Path) -> Result<PathBuf, BookError> {
         for attempt in 0.. {
             check(&self.out, self.name)?;
             let old = self.path(&format!("old-{attempt}"));
@@ -103,7 +103,7 @@ pub(super) struct Places {
 
 impl Places {
     /// An error about the temporary folder, as one about the place.
-    pub fn named(&self, error: BookError) -> BookError {
+    pub(super) fn named(&self, error: BookError) -> BookError {
         match error {
             BookError::Unwritable { path, reason } if path.starts_with(&self.folder) => {
                 unwritable(&self.out, reason)

@@ -24,13 +24,13 @@ impl Place {
     }
 
     /// The address within the book.
-    pub fn address(&self) -> String {
+    pub(super) fn address(&self) -> String {
         let hash = if self.name.is_empty() { "" } else { "#" };
         format!("{}{hash}{}", page(&self.file), self.name)
     }
 
     /// A link, with the function's name or else the file's.
-    pub fn link(&self) -> String {
+    pub(super) fn link(&self) -> String {
         let words = match self.name.as_str() {
             "" => &self.file,
             name => name,
@@ -62,7 +62,7 @@ fn page(file: &str) -> String {
 }
 
 impl<'a> Code<'a> {
-    pub fn new(edition: &'a Edition) -> Self {
+    pub(super) fn new(edition: &'a Edition) -> Self {
         let files = (edition.sources.files)().into_iter().map(|(path, text)| {
             let places = functions(text).collect();
             (path, Source { text, places })
@@ -95,7 +95,7 @@ impl<'a> Code<'a> {
     }
 
     /// The printed formula of a numbered claim; none for words.
-    pub fn printed(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+    pub(super) fn printed(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let start = format!("eq{}_", claim.equation?);
         let mut functions = self
             .of_topic("paper", topic)
@@ -105,26 +105,26 @@ impl<'a> Code<'a> {
     }
 
     /// The file of the corrections of a topic.
-    pub fn corrections(&self, topic: &Topic) -> Option<Place> {
+    pub(super) fn corrections(&self, topic: &Topic) -> Option<Place> {
         let (file, _) = self.of_topic("corrections", topic).next()?;
         Some(Place::new(file, ""))
     }
 
     /// The side that knows no formula, for a topic.
-    pub fn motion(&self, topic: &Topic) -> Option<Place> {
+    pub(super) fn motion(&self, topic: &Topic) -> Option<Place> {
         let file = (self.edition.sources.motion)(topic.stem)?;
         let (file, _) = self.files.get_key_value(file)?;
         Some(Place::new(file, ""))
     }
 
     /// The entry of a claim.
-    pub fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
+    pub(super) fn entry(&self, topic: &Topic, claim: &Claim) -> Option<Place> {
         let (file, _) = self.files.get_key_value(topic.file.path)?;
         Some(Place::new(file, claim.id))
     }
 
     /// Where a trial is written.
-    pub fn trial(&self, trial: &Attempt) -> Option<Place> {
+    pub(super) fn trial(&self, trial: &Attempt) -> Option<Place> {
         let path = trial.file();
         let here = |file: &&String| {
             let stem = file.trim_end_matches(".rs");
@@ -139,7 +139,7 @@ impl<'a> Code<'a> {
     }
 
     /// How much code stands in these modules, by their paths, without comments and tests.
-    pub fn lines(&self, modules: &[&str]) -> Html {
+    pub(super) fn lines(&self, modules: &[&str]) -> Html {
         let shown = self.files.iter().filter(|(file, _)| file.ends_with(".rs"));
         let shown = shown.map(|(file, source)| (path(file), source.text));
         let engine = texts(&ENGINE).into_iter();
@@ -159,7 +159,7 @@ impl<'a> Code<'a> {
     }
 
     /// The pages: address within the book, and HTML.
-    pub fn pages(&self) -> impl Iterator<Item = (String, String)> {
+    pub(super) fn pages(&self) -> impl Iterator<Item = (String, String)> {
         self.files
             .iter()
             .map(|(file, source)| (page(file), code_page(file, source, self.edition.title)))

@@ -26,19 +26,19 @@ pub(super) struct Context<'a> {
 
 impl<'a> Context<'a> {
     /// The entry of this id.
-    pub fn entry(&self, id: &str) -> Result<&'a Entry, Fault> {
+    pub(super) fn entry(&self, id: &str) -> Result<&'a Entry, Fault> {
         let unknown = || format!("the ledger has no claim `{id}`");
         Ok(self.ledger.entry(id).ok_or_else(unknown)?)
     }
 
     /// The entries of the topic of this stem.
-    pub fn of_topic(&self, stem: &str) -> impl Iterator<Item = &'a Entry> {
+    pub(super) fn of_topic(&self, stem: &str) -> impl Iterator<Item = &'a Entry> {
         let entries = self.ledger.entries.iter();
         entries.filter(move |entry| entry.topic.stem == stem)
     }
 
     /// The link to where one sees a claim fail, if there is such a place.
-    pub fn watch(&self, claim: &Claim) -> String {
+    pub(super) fn watch(&self, claim: &Claim) -> String {
         let link = |[address, what]: [&str; 2]| {
             let address = escape(address);
             let verb = if address.contains("plot=") {
@@ -52,14 +52,14 @@ impl<'a> Context<'a> {
     }
 
     /// The link to where the reader breaks the formula, if there is such a place.
-    pub fn breaks(&self, id: &str) -> String {
+    pub(super) fn breaks(&self, id: &str) -> String {
         let place = (self.edition.breaks)(id).map(|address| escape(&address));
         let link = |address| format!(" <a href=\"{address}\">Break it yourself.</a>");
         place.map(link).unwrap_or_default()
     }
 
     /// A line of links to claims' boxes; nothing where there are none.
-    pub fn neighbours(&self, words: &str, ids: &[&str]) -> Html {
+    pub(super) fn neighbours(&self, words: &str, ids: &[&str]) -> Html {
         Ok(match self.links(ids)? {
             none if none.is_empty() => none,
             links => format!("<p class=\"neighbours\">{words} {links}</p>"),
@@ -67,7 +67,7 @@ impl<'a> Context<'a> {
     }
 
     /// A link to a claim's box.
-    pub fn link(&self, entry: &Entry) -> Html {
+    pub(super) fn link(&self, entry: &Entry) -> Html {
         // The book has figures of its own.
         let whose = match entry.claim.kind {
             Kind::Figure => "the paper's ",
@@ -83,13 +83,13 @@ impl<'a> Context<'a> {
     }
 
     /// Links to claims' boxes.
-    pub fn links(&self, ids: &[&str]) -> Html {
+    pub(super) fn links(&self, ids: &[&str]) -> Html {
         let links: Result<Vec<_>, _> = ids.iter().map(|id| self.link(self.entry(id)?)).collect();
         Ok(links?.join(", "))
     }
 
     /// Ids of the claims that depend on a claim directly.
-    pub fn users(&self, id: &str) -> Vec<&'static str> {
+    pub(super) fn users(&self, id: &str) -> Vec<&'static str> {
         let claims = self.ledger.entries.iter().map(|entry| entry.claim);
         claims
             .filter(|other| other.depends_on.contains(&id))
@@ -98,7 +98,7 @@ impl<'a> Context<'a> {
     }
 
     /// The word, as a link to the place of this id where a page has it.
-    pub fn explained(&self, word: &str, id: &str) -> String {
+    pub(super) fn explained(&self, word: &str, id: &str) -> String {
         let place = format!("{{#{id}}}");
         let mut pages = self.edition.written();
         match pages.find(|page| page.text.contains(&place)) {

@@ -28,7 +28,7 @@ pub(super) struct Blank {
 
 impl Blank {
     /// What keeps this placeholder from being filled.
-    pub fn error(&self, pages: &[Page], fault: Fault) -> BookError {
+    pub(super) fn error(&self, pages: &[Page], fault: Fault) -> BookError {
         let placeholder = format!("{{{{{}}}}}", self.inside);
         at(&pages[self.page], self.offset, &placeholder, fault)
     }

@@ -30,7 +30,7 @@ pub(super) struct Filler<'a> {
 }
 
 impl<'a> Filler<'a> {
-    pub fn new(context: &'a Context<'a>, pages: &'a [Page]) -> Self {
+    pub(super) fn new(context: &'a Context<'a>, pages: &'a [Page]) -> Self {
         Filler {
             context,
             pages,
@@ -39,7 +39,7 @@ impl<'a> Filler<'a> {
     }
 
     /// The first claim that no page has shown so far.
-    pub fn without_box(&self) -> Option<&'a Entry> {
+    pub(super) fn without_box(&self) -> Option<&'a Entry> {
         let boxed = self.boxed();
         let mut entries = self.context.ledger.entries.iter();
         entries.find(|entry| !boxed.contains(entry.claim.id))
@@ -50,7 +50,7 @@ impl<'a> Filler<'a> {
     }
 
     /// Fills one placeholder.
-    pub fn fill(&self, blank: &Blank) -> Result<Filled, Fault> {
+    pub(super) fn fill(&self, blank: &Blank) -> Result<Filled, Fault> {
         let context = self.context;
         let (page, placeholder) = (self.pages[blank.page].stem, &*blank.inside);
         let ledger = context.ledger;

@@ -134,7 +134,7 @@ impl Setter {
 }
 
 impl Maths {
-    pub fn new() -> Self {
+    pub(super) fn new() -> Self {
         Maths(Mutex::new(Set {
             setter: Setter::new(),
             numbers: HashMap::new(),
@@ -143,7 +143,7 @@ impl Maths {
     }
 
     /// Sets what the claims will need, before they are tried. What cannot be set is reported where it is met.
-    pub fn prepare(&self, paper: &Paper) {
+    pub(super) fn prepare(&self, paper: &Paper) {
         let set = self.set_so_far();
         let words = |claim: &'static Claim| {
             let conditions = claim.conditions.iter().map(|condition| condition.text);
@@ -162,22 +162,22 @@ impl Maths {
     }
 
     /// A formula within a line.
-    pub fn inline(&self, latex: &str) -> Html {
+    pub(super) fn inline(&self, latex: &str) -> Html {
         self.set(latex, Place::Inline)
     }
 
     /// A formula on a line of its own.
-    pub fn display(&self, latex: &str) -> Html {
+    pub(super) fn display(&self, latex: &str) -> Html {
         self.set(latex, Place::Display)
     }
 
     /// Words with formulas in `$…$` or in our plain notation, as HTML.
-    pub fn words(&self, text: &str) -> Html {
+    pub(super) fn words(&self, text: &str) -> Html {
         self.said(text, Place::Inline)
     }
 
     /// The same, for words that stand behind a fold.
-    pub fn folded(&self, text: &str) -> Html {
+    pub(super) fn folded(&self, text: &str) -> Html {
         self.said(text, Place::Folded)
     }
 
@@ -226,7 +226,7 @@ impl Maths {
     }
 
     /// The formulas set so far.
-    pub fn forms(&self) -> Forms {
+    pub(super) fn forms(&self) -> Forms {
         self.set_so_far().forms.clone()
     }
 
@@ -237,7 +237,7 @@ impl Maths {
 
 impl Forms {
     /// Puts the formulas in place of their marks.
-    pub fn with_formulas(&self, html: &str) -> String {
+    pub(super) fn with_formulas(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), after, out| {
             // Browsers break a line between a formula and the full stop behind it or the bracket before it.
             let short = plain.chars().count() <= SHORT;
@@ -267,7 +267,7 @@ impl Forms {
     }
 
     /// Puts plain text in place of the marks.
-    pub fn with_words(&self, html: &str) -> String {
+    pub(super) fn with_words(&self, html: &str) -> String {
         self.replaced(html, |(_, plain), _, out| {
             *out += plain;
             0
@@ -275,7 +275,7 @@ impl Forms {
     }
 
     /// Puts MathML alone in place of the marks: a tenth of the text, for what is shown by a script.
-    pub fn with_mathml(&self, html: &str) -> String {
+    pub(super) fn with_mathml(&self, html: &str) -> String {
         self.replaced(html, |(html, plain), _, out| {
             let from = html.find("<math").zip(html.find("</math>"));
             let math = from.map(|(start, end)| &html[start..end + "</math>".len()]);

@@ -133,7 +133,7 @@ fn flat_digit(c: char) -> char {
 
 impl Search {
     /// An index of nothing yet, for a book with these claims.
-    pub fn new(context: &Context<'_>) -> Self {
+    pub(super) fn new(context: &Context<'_>) -> Self {
         let mut search = Search::default();
         let lines = context.edition.aliases.lines();
         let lines = lines.filter_map(|line| line.split_once('\t'));
@@ -206,7 +206,7 @@ impl Search {
     }
 
     /// Adds a page: its file, and its HTML with words for formulas.
-    pub fn add(&mut self, file: &str, html: &str) {
+    pub(super) fn add(&mut self, file: &str, html: &str) {
         let main = html.split_once("<main>").map_or("", |(_, rest)| rest);
         let main = main.split_once("</main>").map_or(main, |(main, _)| main);
         let first = self.stretches.len();
@@ -278,7 +278,7 @@ impl Search {
     }
 
     /// The file that mdBook's searcher loads.
-    pub fn file(&self) -> Result<String, serde_json::Error> {
+    pub(super) fn file(&self) -> Result<String, serde_json::Error> {
         let fields = ["title", "body", "breadcrumbs", "aliases"];
         let mut index: Index = IndexBuilder::with_language(Box::new(Physics(English::new())))
             .add_fields(fields)

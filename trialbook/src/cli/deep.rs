@@ -26,7 +26,7 @@ pub(super) struct Depth {
 
 impl Depth {
     /// Once, at the usual points.
-    pub const ONCE: Self = Self {
+    pub(super) const ONCE: Self = Self {
         rounds: 1,
         jobs: None,
         parts: Vec::new(),

@@ -179,7 +179,7 @@ const FAR: f64 = 1e7;
 
 impl Scale {
     /// Where a value lies; NaN for one that is not finite.
-    pub fn at(&self, value: f64) -> f64 {
+    pub(super) fn at(&self, value: f64) -> f64 {
         if !value.is_finite() {
             return f64::NAN;
         }
@@ -194,13 +194,13 @@ impl Scale {
     }
 
     /// Width of the widest tick label.
-    pub fn label_width(&self) -> f64 {
+    pub(super) fn label_width(&self) -> f64 {
         let widths = self.ticks.iter().map(|tick| width(&tick.label, TICK_SIZE));
         widths.fold(0.0, f64::max)
     }
 
     /// Half the width of the last tick label, which hangs over the end of a horizontal axis.
-    pub fn overhang(&self) -> f64 {
+    pub(super) fn overhang(&self) -> f64 {
         self.ticks
             .last()
             .map_or(0.0, |tick| width(&tick.label, TICK_SIZE) / 2.0)

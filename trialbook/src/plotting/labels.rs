@@ -19,7 +19,7 @@ pub(super) struct Canvas {
 
 impl Canvas {
     /// An empty map of the frame.
-    pub fn new(frame: Frame) -> Self {
+    pub(super) fn new(frame: Frame) -> Self {
         let cells = |from: f64, to: f64| ((to - from) / CELL).max(0.0) as usize + 1;
         let (columns, rows) = (
             cells(frame.left, frame.right),
@@ -34,7 +34,7 @@ impl Canvas {
     }
 
     /// Takes the cells along polylines.
-    pub fn lines(&mut self, pieces: &[Vec<Place>], owner: u16) {
+    pub(super) fn lines(&mut self, pieces: &[Vec<Place>], owner: u16) {
         for pair in pieces.iter().flat_map(|piece| piece.windows(2)) {
             let (dx, dy) = (pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]);
             let steps = (libm::hypot(dx, dy) / CELL) as usize + 1;
@@ -47,7 +47,7 @@ impl Canvas {
     }
 
     /// Takes a box.
-    pub fn take(&mut self, frame: Frame, owner: u16) {
+    pub(super) fn take(&mut self, frame: Frame, owner: u16) {
         let (i0, j0) = self.cell([frame.left, frame.top]);
         let (i1, j1) = self.cell([frame.right, frame.bottom]);
         for j in j0..=j1 {
@@ -66,7 +66,7 @@ impl Canvas {
     }
 
     /// True if nobody has taken any of a box.
-    pub fn is_free(&self, frame: Frame) -> bool {
+    pub(super) fn is_free(&self, frame: Frame) -> bool {
         self.taken(frame, 0).0 == 0
     }
 
@@ -86,7 +86,12 @@ impl Canvas {
 
     /// The best centre for a label beside one of the anchors, each with its cost; takes its box.
     /// None without anchors.
-    pub fn place(&mut self, label: &str, anchors: &[(Place, f64)], owner: u16) -> Option<Place> {
+    pub(super) fn place(
+        &mut self,
+        label: &str,
+        anchors: &[(Place, f64)],
+        owner: u16,
+    ) -> Option<Place> {
         let half = [width(label, TEXT_SIZE) / 2.0 + 1.0, TEXT_SIZE * 0.55];
         let mut best: Option<(f64, Place)> = None;
         for &(anchor, cost) in anchors {

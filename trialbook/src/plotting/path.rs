@@ -15,7 +15,7 @@ pub(super) struct Frame {
 
 impl Frame {
     /// The box with this much more on every side.
-    pub fn grown(self, by: f64) -> Self {
+    pub(super) fn grown(self, by: f64) -> Self {
         Frame {
             left: self.left - by,
             right: self.right + by,
@@ -24,7 +24,7 @@ impl Frame {
         }
     }
 
-    pub fn contains(&self, p: Place) -> bool {
+    pub(super) fn contains(&self, p: Place) -> bool {
         p[0] >= self.left && p[0] <= self.right && p[1] >= self.top && p[1] <= self.bottom
     }
 

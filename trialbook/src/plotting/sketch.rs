@@ -47,7 +47,7 @@ pub(super) struct Sketch<'a> {
 
 impl<'a> Sketch<'a> {
     /// An empty sketch between the scales' pixels.
-    pub fn new(x: &'a Scale, y: &'a Scale) -> Self {
+    pub(super) fn new(x: &'a Scale, y: &'a Scale) -> Self {
         let frame = Frame {
             left: x.pixels.0,
             right: x.pixels.1,
@@ -72,7 +72,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Draws a curve through these points, with its arrows.
-    pub fn curve(&mut self, curve: &'a Curve, points: &[[f64; 2]], owner: u16) {
+    pub(super) fn curve(&mut self, curve: &'a Curve, points: &[[f64; 2]], owner: u16) {
         let points: Vec<Place> = points.iter().map(|p| self.place(p)).collect();
         let pieces: Vec<Vec<Place>> = path::clip(&points, &self.frame.grown(0.01))
             .iter()
@@ -100,7 +100,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Draws a line from end to end of the other axis.
-    pub fn rule(&mut self, rule: &'a Rule, owner: u16) {
+    pub(super) fn rule(&mut self, rule: &'a Rule, owner: u16) {
         let points = if rule.horizontal {
             [self.x.from, self.x.to].map(|end| [end, rule.at])
         } else {
@@ -110,7 +110,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Draws points.
-    pub fn points(&mut self, points: &'a Points, owner: u16) {
+    pub(super) fn points(&mut self, points: &'a Points, owner: u16) {
         let mut places: Vec<Place> = points.points.iter().map(|p| self.place(p)).collect();
         places.retain(|&p| self.frame.grown(0.01).contains(p));
         self.above += &marker(points, &places);
@@ -128,7 +128,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Fills a polygon.
-    pub fn area(&mut self, area: &Area) {
+    pub(super) fn area(&mut self, area: &Area) {
         let corners: Vec<Place> = area.points.iter().map(|p| self.place(p)).collect();
         let corners = path::clip_polygon(&corners, &self.frame);
         let data = path::data(&[path::simplify(&corners, TOLERANCE)]);
@@ -138,7 +138,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Draws the cells of a raster and names the classes that have room.
-    pub fn raster(&mut self, raster: &'a Raster) {
+    pub(super) fn raster(&mut self, raster: &'a Raster) {
         let cells = cells(raster, self.x, self.y);
         let corners = [[raster.x.0, raster.y.0], [raster.x.1, raster.y.1]];
         if corners
@@ -191,7 +191,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Writes a note.
-    pub fn note(&mut self, note: &Note) {
+    pub(super) fn note(&mut self, note: &Note) {
         let at = self.place(&note.at);
         if self.frame.contains(at) {
             self.words += &text(at[0], at[1] + 5.0, "middle", &note.text);
@@ -200,7 +200,7 @@ impl<'a> Sketch<'a> {
     }
 
     /// Everything, with axes, and with labels where there is room for them.
-    pub fn finish(mut self) -> String {
+    pub(super) fn finish(mut self) -> String {
         let regions = std::mem::take(&mut self.regions);
         let mut labels: String = regions.iter().map(|region| self.name(region)).collect();
         for wanted in &self.wanted {

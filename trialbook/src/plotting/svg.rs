@@ -48,7 +48,7 @@ pub(super) enum Colour {
 
 impl Colour {
     /// The CSS value.
-    pub fn css(self) -> String {
+    pub(super) fn css(self) -> String {
         match self {
             Colour::Ink => "currentColor".into(),
             Colour::Series(n) => {

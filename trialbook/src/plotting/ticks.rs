@@ -23,7 +23,7 @@ pub(super) struct Step(i64, i32);
 
 impl Step {
     /// The step that divides `span` > 0 into about `about` parts, rather fewer.
-    pub fn dividing(span: f64, about: usize) -> Self {
+    pub(super) fn dividing(span: f64, about: usize) -> Self {
         let raw = span / about.max(1) as f64;
         let exponent = libm::floor(libm::log10(raw)) as i32;
         [
@@ -56,7 +56,7 @@ impl Step {
     }
 
     /// The smallest interval with multiples as ends that holds `low` < `high`.
-    pub fn around(self, low: f64, high: f64) -> (f64, f64) {
+    pub(super) fn around(self, low: f64, high: f64) -> (f64, f64) {
         let step = self.size();
         (
             self.times(libm::floor(low / step + SLACK) as i64),

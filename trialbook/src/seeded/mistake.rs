@@ -151,13 +151,13 @@ pub fn places(formula: &'static str, evaluation: impl Fn()) -> Vec<Place> {
 }
 
 /// An evaluation with the seeded mistake begins.
-pub fn begin() {
+pub(super) fn begin() {
     PASSED.set((0, SEED.get().map_or(usize::MAX, |seed| seed.place)));
 }
 
 /// Passes a place: the mistake to make there, if any.
 #[inline]
-pub fn pass(place: Place) -> Option<Mistake> {
+pub(super) fn pass(place: Place) -> Option<Mistake> {
     let (passed, wanted) = PASSED.get();
     PASSED.set((passed + 1, wanted));
     if passed != wanted {

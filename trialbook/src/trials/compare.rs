@@ -257,7 +257,7 @@ pub(super) enum Kept {
 
 impl Kept {
     /// Keeps a pair, if it is one of the first of its sort, and counts it if it disagrees.
-    pub fn keep(&mut self, evidence: &mut Evidence, sample: Sample, disagreement: f64) {
+    pub(super) fn keep(&mut self, evidence: &mut Evidence, sample: Sample, disagreement: f64) {
         let tolerance = evidence.tolerance.value;
         let sort = match disagreement {
             d if d > PLAINLY * tolerance => Kept::Plainly,

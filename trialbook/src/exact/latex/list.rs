@@ -35,7 +35,7 @@ const SPACES: &[&str] = &[",", ";", ":", " ", "!", "quad", "qquad"];
 
 /// A part of a formula.
 #[derive(Debug, Clone)]
-pub struct Item {
+pub(super) struct Item {
     /// The number of its first character.
     pub at: usize,
     /// True if a command for space stands before it.
@@ -53,7 +53,7 @@ impl PartialEq for Item {
 
 /// What an item is.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Kind {
+pub(super) enum Kind {
     /// A name of one letter: `v`, or `lambda` for `\lambda`.
     Letter(String),
     /// Digits, with a decimal point or without.
@@ -93,7 +93,7 @@ enum End {
 }
 
 /// The items of a text.
-pub fn items(latex: &str) -> Result<Vec<Item>, LatexError> {
+pub(super) fn items(latex: &str) -> Result<Vec<Item>, LatexError> {
     let mut lister = Lister {
         chars: latex.chars().collect(),
         at: 0,
