@@ -49,7 +49,12 @@ fn answer(line: &str) -> String {
         .into_iter()
         .chain(lines)
         .chain(besides.map(|line| format!("! {line}")))
-        .map(|line| line + "\n")
+        .map(|line| {
+            line.replace(
+                concat!("slipbook ", env!("CARGO_PKG_VERSION")),
+                "slipbook VERSION",
+            ) + "\n"
+        })
         .collect()
 }
 
