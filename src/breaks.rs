@@ -93,6 +93,38 @@ pub fn breaks(id: &str) -> Vec<Break> {
     .collect()
 }
 
+/// By what a module that is made of other formulas or trials is told.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Made {
+    /// Id, section and title of the claim.
+    pub claim: [&'static str; 3],
+    /// Its trials.
+    pub trials: Vec<&'static str>,
+    /// Of each way to break it the broken formula, and its values at a point; no number is nothing.
+    pub ways: Vec<(String, Vec<Option<f64>>)>,
+}
+
+/// What the module knows of a claim without trying it.
+pub fn made(claim: &Claim) -> Made {
+    let formulas = own::<f64>();
+    let ways = breaks(claim.id).into_iter().map(|way| {
+        let mut broken = formulas.iter().filter(|f| f.path == way.seed.formula);
+        let values = broken.next().map_or_else(Vec::new, |formula| {
+            let point: Vec<_> = (1..=formula.symbols.len())
+                .map(|n| 0.3 + 0.1 * n as f64)
+                .collect();
+            with(way.seed, || (formula.value)(&point))
+        });
+        let finite = |value: f64| Some(value).filter(|value| value.is_finite());
+        (way.wrong, values.into_iter().map(finite).collect())
+    });
+    Made {
+        claim: [claim.id, claim.section, claim.title],
+        trials: claim.trials.iter().map(|trial| trial.name()).collect(),
+        ways: ways.collect(),
+    }
+}
+
 /// What a trial says of the formula as it stands, and broken.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Said {

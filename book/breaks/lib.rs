@@ -32,6 +32,12 @@ pub extern "C" fn ways(claim: usize) -> *const u8 {
     put(&breaks::claims().get(claim).map(|c| breaks::breaks(c.id)))
 }
 
+/// By what it is told whether the module is made of the same; nothing for a number that none has.
+#[unsafe(no_mangle)]
+pub extern "C" fn made(claim: usize) -> *const u8 {
+    put(&breaks::claims().get(claim).map(|c| breaks::made(c)))
+}
+
 /// What the trials of this claim say when it is broken in this way; nothing for a number that none has.
 #[unsafe(no_mangle)]
 pub extern "C" fn broken(claim: usize, way: usize) -> *const u8 {

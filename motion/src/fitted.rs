@@ -319,6 +319,12 @@ impl Fitted {
         [self.components[0][0].from, self.until]
     }
 
+    /// Whether its second component is zero.
+    pub(crate) fn is_along_x(&self) -> bool {
+        let mut powers = self.components[1].iter().flat_map(|part| &part.powers);
+        powers.all(|a| *a == 0.0)
+    }
+
     /// The largest error of a component, in length/time²: measured for a function, estimated for a table.
     pub fn error(&self) -> f64 {
         self.error

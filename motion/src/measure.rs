@@ -6,7 +6,7 @@
 //!
 //! A sensor on the *floor* records how that moves, which says nothing of friction; as long as nothing slips, one on the body
 //! records the same. Nor can a recording tell a plateau of slip from a floor that for a while accelerates evenly: it is taken for
-//! granted that the body slid. While a hand pushes the body, or a stop catches it, more than friction acts.
+//! granted that the body slid. A rest on a tilted floor is told from a slip by x² + z² = g². While a hand pushes the body, or a stop catches it, more than friction acts.
 
 mod holding;
 mod kinetic;
@@ -83,7 +83,7 @@ pub enum Verdict {
     Levels(Interval),
     /// The coefficient changes during a slip, by this part from its beginning to its end.
     Drifts(f64),
-    /// There is no slip that could tell.
+    /// There is no slip that could tell, or slips to and fro differ as by a tilt that is not known.
     Untold,
 }
 
@@ -138,8 +138,15 @@ pub enum Unfound {
         "no plateau of friction that begins and ends sharply: the body did not slip, or only for some rows, or not by Coulomb's law, or the sensor lies on the floor"
     )]
     NoSlip,
-    /// No slip begins from rest without a push.
-    #[error("it never broke loose by itself; it held up to {held:.3}")]
+    /// There are plateaus, but with no other size of what is felt than at rest.
+    #[error(
+        "a plateau is there, but x^2 + z^2 on it is g^2, as of a body at rest on a tilted floor, and no other is a slip"
+    )]
+    Tilted,
+    /// No slip is seen to begin from rest without a push.
+    #[error(
+        "it is not seen to break loose by itself, without a push; it held up to {held:.3} at least"
+    )]
     NeverLoose {
         /// The largest coefficient at which it stuck.
         held: f64,
@@ -163,14 +170,38 @@ pub struct Measured {
     pub zeroed: bool,
     /// Whether N/m is measured; else it is taken to be g, as on level floor.
     pub normal: bool,
+    /// Whether what differs to and fro is taken for a tilt of the floor.
+    pub tilted: bool,
 }
 
 impl Measured {
-    /// What the coefficients take for granted of the floor, beyond what is recorded.
-    pub fn assumed(&self) -> Option<&'static str> {
-        let why =
-            "that the floor is level: no column along z has gravity in it, so N/m is taken for g";
-        (!self.normal).then_some(why)
+    /// What the coefficients take for granted, beyond what is recorded.
+    pub fn assumed(&self) -> Option<String> {
+        let found = self.kinetic.is_ok();
+        let all = [
+            (
+                found,
+                "that the body slid: on a floor that for a while accelerates evenly a sensor reads the same",
+            ),
+            (
+                found && self.zeroed,
+                "that the floor was level at the rest that shows the sensor's zeros",
+            ),
+            (
+                self.tilted,
+                "that the floor is tilted, for slips to and fro differ: or else there are two frictions",
+            ),
+            (
+                !self.normal,
+                "that the floor is level: no column along z has gravity in it, so N/m is taken for g",
+            ),
+        ];
+        let all: Vec<_> = all
+            .into_iter()
+            .filter(|one| one.0)
+            .map(|one| one.1)
+            .collect();
+        (!all.is_empty()).then(|| all.join("; "))
     }
 }
 
@@ -204,8 +235,20 @@ pub enum MeasureError {
         /// What is allowed.
         range: &'static str,
     },
-    /// Hardly any rows between the times of rest.
-    #[error("there are hardly any rows between {from} and {to}, where it is said to be at rest")]
+    /// What is along z is no gravity.
+    #[error(
+        "z reads {across:.3} m/s², and gravity is said to be {g}: the unit, the column or g is another"
+    )]
+    Gravity {
+        /// The usual size along z, in m/s².
+        across: f64,
+        /// Acceleration of gravity.
+        g: f64,
+    },
+    /// Hardly any rows between the times of rest, or no rest on level floor.
+    #[error(
+        "there are hardly any rows between {from} and {to}, where it is said to be at rest, or it moves there, or is tilted"
+    )]
     Rest {
         /// The first time,
         from: f64,
@@ -228,31 +271,52 @@ const LARGEST: f64 = 1e6;
 /// - The [`Verdict`] compares plateaus with each other, and within.
 ///
 /// N/m is the acceleration along z, if that contains gravity; else it is g, as on a level floor that is shaken along itself, and
-/// [`Measured::assumed`] says so. A plateau needs some twelve rows. O(n log n): a second for 300,000 rows.
+/// [`Measured::assumed`] says so. What is as large as at rest on a tilted floor is no slip. A plateau needs some twelve rows. O(n log n): a second for 300,000 rows.
 ///
 /// # Errors
 /// [`MeasureError`]: fewer than 64 rows, rows that are no numbers or whose times do not rise, settings out of their range.
 pub fn measure(recording: &Recording, settings: &Settings) -> Result<Measured, MeasureError> {
-    let mut sensor = Sensor::new(recording, settings)?;
+    let (found, _) = by(Sensor::new(recording, settings, true)?);
+    // What differs to and fro may be a tilt at rest, taken for zeros of the sensor.
+    if found.zeroed && settings.rest.is_none() && matches!(found.verdict, Verdict::Levels(_)) {
+        let (other, [x, y]) = by(Sensor::new(recording, settings, false)?);
+        if other.verdict == Verdict::Fits && libm::hypot(x, y) < 2.0 * settings.offset {
+            return Ok(Measured {
+                verdict: Verdict::Untold,
+                tilted: true,
+                ..other
+            });
+        }
+    }
+    Ok(found)
+}
+
+/// What a sensor says, and its zeros by slips to and fro.
+fn by(mut sensor: Sensor) -> (Measured, [f64; 2]) {
     let mut pieces = sensor.pieces();
-    let mut slips = kinetic::slips(&sensor, &pieces);
+    let (mut slips, rests) = kinetic::slips(&sensor, &pieces);
     // Slips to and fro show the zeros too.
     if !sensor.zeroed && !slips.is_empty() {
         sensor.shift(kinetic::fit(&sensor, &slips).1);
         let again = sensor.pieces();
-        let found = kinetic::slips(&sensor, &again);
+        let (found, _) = kinetic::slips(&sensor, &again);
         if !found.is_empty() {
             (pieces, slips) = (again, found);
         }
     }
     let (kinetic, verdict) = if slips.is_empty() {
-        (Err(Unfound::NoSlip), Verdict::Untold)
+        let why = if rests {
+            Unfound::Tilted
+        } else {
+            Unfound::NoSlip
+        };
+        (Err(why), Verdict::Untold)
     } else {
         let (interval, _) = kinetic::fit(&sensor, &slips);
         (Ok(interval), kinetic::verdict(&sensor, &pieces, &slips))
     };
-    let (holding, held) = holding::holding(&sensor, &pieces, &slips, kinetic.as_ref().ok());
-    Ok(Measured {
+    let (holding, held) = holding::holding(&sensor, &pieces, &slips, &kinetic);
+    let found = Measured {
         stretches: stretches(&sensor, &pieces, &slips, held),
         kinetic,
         holding,
@@ -260,7 +324,9 @@ pub fn measure(recording: &Recording, settings: &Settings) -> Result<Measured, M
         noise: libm::sqrt(sensor.noise),
         zeroed: sensor.zeroed,
         normal: sensor.measured,
-    })
+        tilted: false,
+    };
+    (found, sensor.shifted)
 }
 
 /// What the body does, by what friction can do at most.

@@ -26,6 +26,7 @@ pub struct Measured {
     noise: f64,
     zeroed: bool,
     normal: bool,
+    assumed: Option<String>,
     stretches: Vec<(f64, f64, String)>,
     units: BTreeMap<&'static str, &'static str>,
 }
@@ -34,7 +35,7 @@ pub struct Measured {
 ///
 /// mu_k and mu_s are each the ends of an interval that holds the coefficient with a probability of 95 %, or None, and why says
 /// why; coulomb is whether Coulomb's law fits, verdict says what speaks against it; noise is the sensor's, in m/s^2; zeroed whether a rest has
-/// shown its zeros; normal whether N/m is measured, or taken for g; stretches are (from, to, "sticks", "slips" or "is pushed"), in s.
+/// shown its zeros; normal whether N/m is measured, or taken for g; assumed what is taken for granted; stretches are (from, to, "sticks", "slips" or "is pushed"), in s.
 ///
 /// A recording is a file, with columns="x=accel_x,z=accel_z,unit=g" where its heads do not say that, or sequences (t, a_x) to
 /// (t, a_x, a_y, a_z) in s and m/s^2, z across the floor, whose numbers are copied, from an array of float64 in one piece. rest=(0, "2s")
@@ -73,6 +74,7 @@ pub fn measure(
         noise: found.noise,
         zeroed: found.zeroed,
         normal: found.normal,
+        assumed: found.assumed(),
         stretches: stretches
             .map(|piece| (piece.from, piece.to, piece.kind.to_string()))
             .collect(),

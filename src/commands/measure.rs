@@ -3,7 +3,7 @@
 use super::{Json, sweep::aligned};
 use crate::motion::{
     Columns, Recording,
-    measure::{Interval, Measured, Settings, Unfound, Verdict, measure},
+    measure::{Interval, Measured, Settings, Stretch, Unfound, Verdict, measure},
 };
 use crate::numerics::error::plain;
 use crate::scene::{MetrePerSecond2, Second, columns};
@@ -16,14 +16,14 @@ const ABOUT: &str = "Find the coefficients of friction in a recording of an acce
 
 The sensor lies on the body that slides, or is it, as a phone does: then it feels the force of contact on each kilogram, however the
 floor is shaken or tilted, and a slip is a plateau. One that lies on the floor records the floor: `scene block --record` says what a
-block does on it. phyphox, Sensor Logger, Physics Toolbox, Vernier, PASCO, Tracker, MATLAB Mobile and PEER files are read; where the
-heads do not say which columns are accelerations, --columns does.";
+block does on it. phyphox, Physics Toolbox, Vernier, PASCO, Tracker and PEER files are read; where the heads do not say which columns are accelerations,
+--columns does: those of Sensor Logger and MATLAB Mobile are x=x,y=y,z=z, for their gyroscopes have the same heads.";
 
 pub(super) fn command() -> Command {
     Command::new("measure")
         .about("Find the coefficients of friction in a recording of an accelerometer on the body")
         .long_about(ABOUT)
-        .after_help("Examples:\n  slipbook measure phone.csv\n  slipbook measure logger.csv --columns x=accel_x,z=accel_z,unit=g --rest 0s:2s --csv\n\nExit code 1 where no slip is found.")
+        .after_help("Examples:\n  slipbook measure phone.csv\n  slipbook measure logger.csv --columns x=accel_x,z=accel_z,unit=g --rest 0s:2s --csv\n\nExit code 1 where no slip is found, or what may be one may be a rest on a tilted floor.")
         .args([
             Arg::new("file").required(true).value_name("FILE").help("The recording: a text of columns"),
             Arg::new("columns").long("columns").value_name("NAME=COLUMN,…").help("Columns by their heads or numbers from 1: time, x, y, and z across the floor; unit and time-unit are their units; gaps=bridge goes on over gaps"),
@@ -64,14 +64,28 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
     match format {
         Format::Text => json(&Value::String(told(&found)))?,
         Format::Csv => {
-            let rows = found.stretches.iter().map(|stretch| {
-                vec![
-                    plain(stretch.from),
-                    plain(stretch.to),
-                    stretch.kind.to_string(),
-                ]
-            });
-            csv(&["from (s)", "to (s)", "doing"], rows)?;
+            let row = |what: &str, ends: Option<[f64; 2]>, unit: &str, note: String| {
+                let [from, to] =
+                    ends.map_or([String::new(), String::new()], |ends| ends.map(plain));
+                vec![what.to_owned(), from, to, unit.to_owned(), note]
+            };
+            let coefficient = |name, found: &Result<Interval, Unfound>| match found {
+                Ok(at) => row(name, Some([at.from, at.to]), "", String::new()),
+                Err(why) => row(name, None, "", why.to_string()),
+            };
+            let mut rows = vec![
+                coefficient("mu_k", &found.kinetic),
+                coefficient("mu_s", &found.holding),
+                row("coulomb", None, "", found.verdict.to_string()),
+                row("noise", Some([found.noise; 2]), "m/s^2", String::new()),
+                row("assumed", None, "", found.assumed().unwrap_or_default()),
+            ];
+            let stretch = |stretch: &Stretch| {
+                let ends = Some([stretch.from, stretch.to]);
+                row(&stretch.kind.to_string(), ends, "s", String::new())
+            };
+            rows.extend(found.stretches.iter().map(stretch));
+            csv(&["what", "from", "to", "unit", "note"], rows.into_iter())?;
         }
         Format::Json => {
             let ends = |found: &Result<Interval, Unfound>| match found {
@@ -88,7 +102,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
                 "coulomb": matches!(found.verdict, Verdict::Fits),
                 "verdict": found.verdict.to_string(),
                 "noise": found.noise,
-                "assumed": found.assumed(),
+                "assumed": found.assumed().unwrap_or_default(),
                 "stretches": found.stretches.iter().map(|stretch| object!({ "from": stretch.from, "to": stretch.to, "doing": stretch.kind.to_string() })).collect::<Vec<_>>(),
             }))?;
         }
@@ -101,28 +115,33 @@ fn told(found: &Measured) -> String {
         Ok(found) => format!("{found}, with a probability of 95 %"),
         Err(why) => format!("not found: {why}"),
     };
-    let cells = |stretch: &crate::motion::measure::Stretch| {
+    let cells = |stretch: &Stretch| {
         let times = [stretch.from, stretch.to].map(|t| format!("{t:.3}"));
         let [from, to] = times;
         vec![from, to, stretch.kind.to_string(), String::new()]
     };
     let rows: Vec<_> = found.stretches.iter().take(SHOWN).map(cells).collect();
     let mut text = format!(
-        "μ_k      {}\nμ_s      {}\nCoulomb  {}\nnoise    {:.3} m/s²\nzeros    {}\nN/m      {}\n\n",
+        "μ_k      {}\nμ_s      {}\nCoulomb  {}\nnoise    {} m/s²\nzeros    {}\nN/m      {}\nassumed  {}\n\n",
         number(&found.kinetic),
         number(&found.holding),
         found.verdict,
-        found.noise,
+        plain(
+            format!("{:.1e}", found.noise)
+                .parse()
+                .unwrap_or(found.noise)
+        ),
         if found.zeroed {
-            "from a rest, where the floor is taken for level"
+            "from a rest"
         } else {
             "unknown: --rest says when it lay at rest on level floor"
         },
         if found.normal {
             "as measured along z"
         } else {
-            "taken for g, as on level floor: on a tilted one the coefficients are wrong"
+            "taken for g"
         },
+        found.assumed().as_deref().unwrap_or("nothing"),
     );
     text += &aligned(&["from (s)", "to (s)", "", ""], 0, &rows, screen().width);
     if let Some(more) = found.stretches.len().checked_sub(SHOWN + 1) {

@@ -45,7 +45,7 @@ const EXAMPLES: &str = "Examples:
   slipbook scene block --mu 0.2 --record phone.csv --columns x=accel_x,unit=g --until 10s --every 10ms --csv
   slipbook scene block --throw 50km/h --find mu=0.01:2 --where path=20m
 
-Exit code 1 where --find finds nothing. Ctrl-C ends --vary after the present piece of work: the rows so far are whole, the exit code is 130.";
+Exit code 1 where --find finds nothing, 2 where all rows of --vary are refused; of some the note says why. Ctrl-C ends --vary after the present piece of work: the rows so far are whole, the exit code is 130.";
 
 const NO_MASS: &str = "a scene has no --mass: it drops out, and heat is that on each kilogram";
 
@@ -216,7 +216,8 @@ impl Words {
         let mut other = self.clone();
         match other.words.iter_mut().find(|(name, _)| *name == word) {
             Some((_, old)) => {
-                let direction = old.find('@').map(|at| old[at..].to_owned());
+                let direction = old.find('@').filter(|_| !text.contains('@'));
+                let direction = direction.map(|at| old[at..].to_owned());
                 *old = text.to_owned() + &direction.unwrap_or_default();
             }
             None => other.words.push((word, text.to_owned())),
@@ -239,8 +240,13 @@ fn chosen(text: &str) -> Result<(&'static str, &str), Failure> {
 
 /// A range `LOW:HIGH…` whose numbers have a unit: as one without, and the unit.
 fn bare(range: &str) -> Result<(String, String), Failure> {
-    let (mut numbers, mut unit) = (Vec::new(), "");
+    let (mut numbers, mut unit, mut direction) = (Vec::new(), "", "");
     for part in range.split(':') {
+        let (part, own) = part.split_at(part.find('@').unwrap_or(part.len()));
+        if !direction.is_empty() && !own.is_empty() && own != direction {
+            return Err(format!("`{range}`: one direction is for all").into());
+        }
+        direction = if own.is_empty() { direction } else { own };
         // `deg` is part of an expression elsewhere.
         let degrees = part.strip_suffix("deg").map(|number| (number, "deg"));
         match degrees.unwrap_or_else(|| crate::scene::apart(part)) {
@@ -255,7 +261,7 @@ fn bare(range: &str) -> Result<(String, String), Failure> {
             }
         }
     }
-    Ok((numbers.join(":"), unit.to_owned()))
+    Ok((numbers.join(":"), unit.to_owned() + direction))
 }
 
 /// A table in letters that Excel knows.
@@ -344,7 +350,8 @@ fn numbers_of(numbers: &[Number], value: impl Fn(&Number) -> Value) -> Value {
 
 fn errors(numbers: &[Number]) -> Value {
     numbers_of(numbers, |number| {
-        number.error.is_finite().then_some(number.error).into()
+        let off = number.off();
+        off.is_finite().then_some(off).into()
     })
 }
 
@@ -357,7 +364,9 @@ fn cells(numbers: &[Number]) -> Vec<String> {
 
 /// The fewest digits of what is not zero.
 fn digits(numbers: &[Number]) -> Option<u32> {
-    let some = numbers.iter().filter(|number| number.value != 0.0);
+    let some = numbers
+        .iter()
+        .filter(|number| number.rounded() != Some(0.0));
     some.map(Number::digits).min()
 }
 
@@ -591,10 +600,15 @@ fn found(
         Format::Json => json(
             &object!({ "version": VERSION, "scene": words.json(), "find": word, "unit": unit, "solutions": solutions, "jumps": jumps, "note": note }),
         )?,
-        Format::Csv => csv(
-            &[word, "unit"],
-            solutions.iter().map(|x| vec![plain(*x), unit.clone()]),
-        )?,
+        Format::Csv => {
+            let rows = |list: &[f64], is: &str| -> Vec<_> {
+                list.iter()
+                    .map(|x| vec![plain(*x), unit.clone(), is.to_owned()])
+                    .collect()
+            };
+            let rows = [rows(&solutions, "solution"), rows(&jumps, "jump")];
+            csv(&[word, "unit", "is"], rows.concat().into_iter())?;
+        }
         Format::Text => {
             let mut text = match &solutions[..] {
                 [] => format!(

@@ -358,6 +358,14 @@ fn places(
         let why = "no column says that it is an acceleration along x or y: by its name, as ax, acc_x, accel x, or by its unit, as m/s^2; else choose the columns: x=X,y=Y,z=Z";
         axes = [Some(along(None)?.filter(alone).ok_or(why)?), None, None];
     }
+    let all = axes.iter().flatten();
+    if all.clone().any(|i| *i == time)
+        || all
+            .clone()
+            .any(|i| all.clone().filter(|k| *k == i).count() > 1)
+    {
+        return Err("one column is chosen for two things");
+    }
     let unit = |i: usize, asked: Option<&str>| {
         let own = || {
             columns

@@ -11,16 +11,19 @@ use super::{
 const MOST: usize = 256;
 /// From less than this part of the slip's ratio it has to rise, or to as much more.
 const RISE: f64 = 0.9;
+/// A curve serves its rows if these are off it by less than so many times the noise, in squares.
+const FITS: f64 = 2.0;
 
 /// Between which coefficients it held or did not; and what the body bears at most, as far as is known.
 pub(super) fn holding(
     sensor: &Sensor,
     pieces: &[Piece],
     slips: &[Piece],
-    kinetic: Option<&Interval>,
+    kinetic: &Result<Interval, Unfound>,
 ) -> (Result<Interval, Unfound>, f64) {
-    let Some(kinetic) = kinetic else {
-        return (Err(Unfound::NoSlip), f64::INFINITY);
+    let kinetic = match kinetic {
+        Ok(kinetic) => kinetic,
+        Err(why) => return (Err(*why), f64::INFINITY),
     };
     let broke = slips.iter().filter_map(|slip| loose(sensor, pieces, slip));
     let broke: Vec<_> = broke.collect();
@@ -46,16 +49,45 @@ fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> 
     let at = pieces.partition_point(|piece| piece.from < slip.from);
     // The rows across which it broke loose may be a piece of their own.
     let mut before = pieces[..at].iter().rev();
-    let rest = before.find(|piece| piece.to - piece.from > BLOCK)?;
+    let long = before.find(|piece| piece.to - piece.from > BLOCK);
+    let long = long.filter(|rest| rest.to + 2 * BLOCK >= slip.from);
+    // A steep rise has hardly any rows; and what bends is cut into the shortest pieces where there is hardly any noise.
+    let short = slip.from.checked_sub(3 * BLOCK).map(|from| {
+        let to = slip.from - BLOCK;
+        let line = sensor.line([from, to]);
+        Piece { from, to, line }
+    });
+    let level = slip.line.y;
+    let rest = long.copied().into_iter().chain(short).find(|rest| {
+        let [begin, end] = [rest.from, rest.to - 1].map(|k| rest.line.at(sensor.t[k]));
+        !(begin > RISE * level && end < level / RISE) && rest.line.slope() > 0.0
+    })?;
+    // The longest curve that serves its rows, or the shortest, with what it leaves as noise.
+    let tried = [MOST, MOST / 4, MOST / 16, 2 * BLOCK].map(|most| broke(sensor, &rest, slip, most));
+    let fits = |one: &&(f64, f64, f64, usize)| one.2 < FITS;
+    let all = || tried.iter().flatten();
+    let &(value, variance, left, k) = all().find(fits).or(all().last())?;
+    let error = libm::sqrt(variance);
+    let same = sensor.angle([k - BLOCK, k], [slip.from, slip.to]) > 0.8;
+    // By a few rows a push looks like a rise.
+    let part = if rest.line.rows > 2.0 * BLOCK as f64 && left < FITS {
+        0.2
+    } else {
+        0.1
+    };
+    (same && value + 3.0 * error > level && error < part * value).then_some((value, variance))
+}
+
+/// The ratio at which it broke loose by the last rows of a rest, at most so many, its variance, by how much more than noise the rows are
+/// off, and the first one that slips.
+fn broke(
+    sensor: &Sensor,
+    rest: &Piece,
+    slip: &Piece,
+    most: usize,
+) -> Option<(f64, f64, f64, usize)> {
     let (level, after) = (slip.line.y, (slip.from + BLOCK).min(slip.to));
-    let first = rest.from.max(rest.to.saturating_sub(MOST));
-    let [begin, end] = [rest.from, rest.to - 1].map(|k| rest.line.at(sensor.t[k]));
-    if rest.to + 2 * BLOCK < slip.from
-        || begin > RISE * level && end < level / RISE
-        || rest.line.slope() <= 0.0
-    {
-        return None;
-    }
+    let first = rest.from.max(rest.to.saturating_sub(most));
     let floor = sensor.floor(first);
     let [noise, slipping] = [rest, slip].map(|piece| piece.line.variance().max(floor));
     let noise = noise.min(slipping);
@@ -74,16 +106,14 @@ fn loose(sensor: &Sensor, pieces: &[Piece], slip: &Piece) -> Option<(f64, f64)> 
             let ((here, doubt), (next, _)) =
                 (rise.expected(&factors(k - 1)), rise.expected(&factors(k)));
             if best.is_none_or(|best| left < best.0) {
-                let variance = 2.0 * sensor.alike * doubt + (next - here).powi(2) / 12.0;
+                let more = left / (after - first) as f64;
+                let more = if more < FITS { 1.0 } else { more };
+                let variance = 2.0 * sensor.alike * doubt * more + (next - here).powi(2) / 12.0;
                 best = Some((left, 0.5 * (here + next), variance, k));
             }
         }
         rise.add(&factors(k), sensor.ratio[k], noise);
     }
     let (left, value, variance, k) = best?;
-    let error = libm::sqrt(variance);
-    let fits = left < 2.0 * (after - first) as f64;
-    let same = sensor.angle([k - BLOCK, k], [slip.from, slip.to]) > 0.8;
-    (fits && same && value + 3.0 * error > level && error < 0.2 * value)
-        .then_some((value, variance))
+    Some((value, variance, left / (after - first) as f64, k))
 }

@@ -3,7 +3,7 @@
 use super::{
     Interval, Verdict, median,
     pieces::{BLOCK, Line, Piece, Squares},
-    sensor::Sensor,
+    sensor::{SAME, Sensor},
 };
 
 /// The fewest rows of a plateau.
@@ -108,15 +108,14 @@ fn is_caught(sensor: &Sensor, piece: &Piece) -> bool {
     })
 }
 
-/// The plateaus that have a level in common on which the body is longest.
-pub(super) fn slips(sensor: &Sensor, pieces: &[Piece]) -> Vec<Piece> {
+/// The plateaus that have a level in common on which the body is longest; and whether there are some that may be a rest on a tilted floor.
+pub(crate) fn slips(sensor: &Sensor, pieces: &[Piece]) -> (Vec<Piece>, bool) {
     let mut all = plateaus(sensor, pieces);
     // What rises or falls slowly may be a rest on a board that is raised.
     if all.iter().any(|piece| is_level(sensor, piece)) {
         all.retain(|piece| is_level(sensor, piece));
     }
-    let level = commonest(sensor, &all).y;
-    all.retain(|piece| sensor.near(piece.line.y, level));
+    let (mut all, rests) = sliding(sensor, pieces, all);
     let quiet = 3.0 * libm::sqrt(sensor.noise) / sensor.n[0];
     let moved = pieces
         .iter()
@@ -129,7 +128,42 @@ pub(super) fn slips(sensor: &Sensor, pieces: &[Piece]) -> Vec<Piece> {
     if all.iter().fold(0.0, rows) < SHARE * moved.fold(0.0, cut) {
         all.clear();
     }
-    all
+    (all, rests)
+}
+
+/// The plateaus that have a level in common on which the body is longest, but for those that may be a rest on a tilted floor, and whether there
+/// are such.
+fn sliding(sensor: &Sensor, pieces: &[Piece], mut all: Vec<Piece>) -> (Vec<Piece>, bool) {
+    let mut rests = false;
+    let weight = sensor.weight(&all);
+    loop {
+        let level = commonest(sensor, &all).y;
+        let near = |piece: &Piece| sensor.near(piece.line.y, level);
+        let same: Vec<_> = all.iter().filter(|piece| near(piece)).copied().collect();
+        if same.is_empty() || !sensor.may_rest(&same, top(sensor, pieces, &same), weight) {
+            return (same, rests);
+        }
+        rests = true;
+        all.retain(|piece| !near(piece));
+    }
+}
+
+/// The ratio from which the longest of these plateaus began with a drop, or else its own.
+fn top(sensor: &Sensor, pieces: &[Piece], plateaus: &[Piece]) -> f64 {
+    let longest = plateaus
+        .iter()
+        .max_by(|a, b| a.line.rows.total_cmp(&b.line.rows));
+    longest.map_or(0.0, |plateau| {
+        let before = pieces.iter().rev();
+        let mut before = before.filter(|piece| piece.to <= plateau.from);
+        let rise = before.find(|piece| piece.to - piece.from > BLOCK);
+        let end = rise.map_or(0.0, |rise| rise.line.at(sensor.t[rise.to - 1]));
+        if end > (1.0 + SAME) * plateau.line.y {
+            end
+        } else {
+            plateau.line.y
+        }
+    })
 }
 
 /// The plateaus about the level on which most rows lie, as one.
@@ -171,7 +205,7 @@ fn coefficient(sensor: &Sensor, [from, to]: [usize; 2]) -> (f64, f64) {
 
 /// Least squares for the coefficient and the zeros, of which something is known: between which numbers it lies, and how far these
 /// are off.
-pub(super) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
+pub(crate) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
     let each = PARTS.div_ceil(slips.len());
     let mut parts = Vec::new();
     for piece in slips {
@@ -217,19 +251,20 @@ pub(super) fn fit(sensor: &Sensor, slips: &[Piece]) -> (Interval, [f64; 2]) {
 }
 
 /// What 95 % of Student's t with so many degrees of freedom are below, in size: right to 2 % from three on.
-pub(super) fn student(free: f64) -> f64 {
+pub(crate) fn student(free: f64) -> f64 {
     let free = free.max(1.0);
     1.96 + 2.372 / free + 2.823 / (free * free) + 2.5 / free.powi(3)
 }
 
 /// Whether the slips agree among each other and within.
-pub(super) fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Verdict {
+pub(crate) fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Verdict {
     let all = slips
         .iter()
         .fold(Line::default(), |all, slip| all.with(&slip.line));
     let level = all.y;
     let mut others = plateaus(sensor, pieces);
     others.retain(|piece| !sensor.near(piece.line.y, level) && is_level(sensor, piece));
+    let (others, _) = sliding(sensor, pieces, others);
     let other = commonest(sensor, &others);
     if other.rows > OTHERS * all.rows {
         let (from, to) = (other.y.min(level), other.y.max(level));
@@ -263,7 +298,7 @@ pub(super) fn verdict(sensor: &Sensor, pieces: &[Piece], slips: &[Piece]) -> Ver
 }
 
 /// The mean of numbers with variances, its error, by these or by how they scatter, and χ².
-pub(super) fn mean(list: &[(f64, f64)]) -> [f64; 3] {
+pub(crate) fn mean(list: &[(f64, f64)]) -> [f64; 3] {
     let sum = |of: &dyn Fn(f64) -> f64| list.iter().map(|(x, v)| of(*x) / v).sum::<f64>();
     let weight = sum(&|_| 1.0);
     let mean = sum(&|x| x) / weight;

@@ -13,10 +13,10 @@ const QUIET: f64 = 0.25;
 const QUIET_ROWS: usize = 16;
 const QUIETER: f64 = 3.0;
 /// How far levels that are one may lie apart, as a part of them.
-const SAME: f64 = 0.06;
+pub(crate) const SAME: f64 = 0.06;
 
 /// A recording, ready to be looked at.
-pub(super) struct Sensor {
+pub(crate) struct Sensor {
     pub t: Vec<f64>,
     /// Along the floor.
     pub f: Vec<[f64; 2]>,
@@ -34,6 +34,7 @@ pub(super) struct Sensor {
     pub axes: f64,
     pub zeroed: bool,
     pub measured: bool,
+    pub g: f64,
     /// What has been taken off f since its zeros were known to this variance.
     pub shifted: [f64; 2],
     pub doubt: f64,
@@ -42,7 +43,12 @@ pub(super) struct Sensor {
 }
 
 impl Sensor {
-    pub(super) fn new(recording: &Recording, settings: &Settings) -> Result<Self, MeasureError> {
+    /// `level` says whether quiet stretches count as a rest on level floor.
+    pub(crate) fn new(
+        recording: &Recording,
+        settings: &Settings,
+        level: bool,
+    ) -> Result<Self, MeasureError> {
         let (rows, least) = (recording.rows.len(), LEAST_ROWS);
         if rows < least {
             return Err(MeasureError::Rows { least, rows });
@@ -76,12 +82,18 @@ impl Sensor {
             Some([from, to]) => {
                 let inside = |k: &usize| (from..=to).contains(&t[*k]);
                 let rest: Vec<_> = (0..rows).filter(inside).collect();
-                if rest.len() < QUIET_ROWS {
+                let moves = |i: usize| {
+                    let line = Line::through(rest.iter().map(|k| (0.0, f[*k][i])));
+                    line.yy > line.rows * (16.0 * noise + (0.01 * g).powi(2))
+                        || line.y.abs() > 0.1 * g
+                };
+                if rest.len() < QUIET_ROWS || (0..2).any(moves) {
                     return Err(MeasureError::Rest { from, to });
                 }
                 rest
             }
-            None => rests(&windows, noise, alike, 0.05 * g),
+            None if level => rests(&windows, noise, alike, 0.05 * g),
+            None => Vec::new(),
         };
         let zeroed = !rest.is_empty();
         let mean = |of: &dyn Fn(usize) -> f64| {
@@ -89,7 +101,14 @@ impl Sensor {
         };
         // Most phones give gravity with the rest; some take it away.
         let across: Vec<_> = normal.unwrap_or(&[]).iter().map(|z| z.abs()).collect();
-        let measured = median(across.iter().copied()) > 0.5 * g;
+        let across_most = median(across.iter().copied());
+        if across_most > 1.5 * g {
+            return Err(MeasureError::Gravity {
+                across: across_most,
+                g,
+            });
+        }
+        let measured = across_most > 0.5 * g;
         let n = if measured {
             let off = if zeroed {
                 mean(&|k| across[k]) - g
@@ -118,6 +137,7 @@ impl Sensor {
             axes,
             zeroed,
             measured,
+            g,
             shifted: zero.map(|x| -x),
             doubt,
             doubt_across: if measured { doubt } else { 0.0 },
@@ -127,7 +147,7 @@ impl Sensor {
     }
 
     /// Takes an offset off.
-    pub(super) fn shift(&mut self, offset: [f64; 2]) {
+    pub(crate) fn shift(&mut self, offset: [f64; 2]) {
         for f in &mut self.f {
             *f = [f[0] - offset[0], f[1] - offset[1]];
         }
@@ -137,30 +157,79 @@ impl Sensor {
     }
 
     /// Straight pieces of the ratio.
-    pub(super) fn pieces(&self) -> Vec<Piece> {
+    pub(crate) fn pieces(&self) -> Vec<Piece> {
         let n = median(self.n.iter().copied());
         let penalty = 4.0 * self.alike * libm::log(self.t.len() as f64);
         cut(&self.t, &self.ratio, self.noise / (n * n), penalty)
     }
 
     /// The variance of the ratio's noise in a row.
-    pub(super) fn floor(&self, row: usize) -> f64 {
+    pub(crate) fn floor(&self, row: usize) -> f64 {
         self.noise / (self.n[row] * self.n[row])
     }
 
     /// Whether two ratios may be one: to and fro they differ by what is unknown of the zeros.
-    pub(super) fn near(&self, a: f64, b: f64) -> bool {
+    pub(crate) fn near(&self, a: f64, b: f64) -> bool {
         let zeros = 4.0 * libm::sqrt(self.doubt) / self.n[0];
         (a - b).abs() < SAME * 0.5 * (a + b) + zeros
     }
 
+    /// The size of what is felt in a row.
+    fn size(&self, row: usize) -> f64 {
+        libm::hypot(1.0, self.ratio[row]) * self.n[row]
+    }
+
+    /// Its middle, and the variance of that, which is 1.57 of a mean's.
+    fn felt(&self, rows: impl Iterator<Item = usize> + Clone) -> (f64, f64) {
+        let variance = 1.57 * self.alike * self.noise / rows.clone().count() as f64;
+        (median(rows.map(|k| self.size(k))), variance)
+    }
+
+    /// What is felt at rest, and its variance: g, or nearly that in one of these plateaus, where z has an unknown zero.
+    pub(crate) fn weight(&self, plateaus: &[Piece]) -> (f64, f64) {
+        let off = |felt: &(f64, f64)| (felt.0 - self.g).powi(2);
+        let long = plateaus
+            .iter()
+            .filter(|piece| piece.to - piece.from >= 2 * QUIET_ROWS);
+        let felt = long.map(|piece| self.felt(piece.from..piece.to));
+        let best = felt.min_by(|a, b| off(a).total_cmp(&off(b)));
+        let best = best.filter(|felt| off(felt) < self.doubt_across && felt.1 < self.doubt_across);
+        best.unwrap_or((self.g, self.doubt_across))
+    }
+
+    /// Whether plateaus may be a rest on a tilted floor, where `weight` is felt, or what is where hardly anything is along the floor: (g sin, g cos)
+    /// is of one size. A slip has more on level floor, and less where it began with a drop from the ratio `top` on a slope.
+    pub(crate) fn may_rest(&self, plateaus: &[Piece], top: f64, weight: (f64, f64)) -> bool {
+        let all = plateaus
+            .iter()
+            .fold(Line::default(), |all, piece| all.with(&piece.line));
+        let rows = plateaus.iter().flat_map(|piece| piece.from..piece.to);
+        let (found, own) = self.felt(rows);
+        let own = own + all.y * all.y * self.doubt + 2.0 * self.digits;
+        let like = |(rest, doubt): (f64, f64)| {
+            let more = found - rest;
+            let less = rest * (libm::hypot(1.0, all.y) / libm::hypot(1.0, top) - 1.0);
+            more * more < 9.0 * (own + doubt)
+                && (less * less < 4.0 * (own + doubt) || more > 0.5 * less)
+        };
+        let low = (0..self.t.len()).filter(|k| 3.0 * self.ratio[*k] < all.y);
+        let few = low.clone().count() < QUIET_ROWS;
+        // What is low while the floor moves may be tilted all the same, but then no plateau has the other way.
+        let ways = plateaus.iter().fold([0.0; 2], |sum, piece| {
+            let mean = self.mean([piece.from, piece.to]);
+            [0, 1].map(|i| sum[i] + piece.line.rows * mean[i])
+        });
+        let one_way = libm::hypot(ways[0], ways[1]) > 0.5 * all.y * all.rows * weight.0;
+        self.measured && ((few || one_way) && like(weight) || !few && like(self.felt(low)))
+    }
+
     /// The line through the ratio of these rows.
-    pub(super) fn line(&self, [from, to]: [usize; 2]) -> Line {
+    pub(crate) fn line(&self, [from, to]: [usize; 2]) -> Line {
         Line::through((from..to).map(|k| (self.t[k], self.ratio[k])))
     }
 
     /// The mean of f over these rows.
-    pub(super) fn mean(&self, [from, to]: [usize; 2]) -> [f64; 2] {
+    pub(crate) fn mean(&self, [from, to]: [usize; 2]) -> [f64; 2] {
         let sum = self.f[from..to]
             .iter()
             .fold([0.0; 2], |sum, f| [sum[0] + f[0], sum[1] + f[1]]);
@@ -168,7 +237,7 @@ impl Sensor {
     }
 
     /// The cosine of the angle between f in some rows and in others.
-    pub(super) fn angle(&self, here: [usize; 2], there: [usize; 2]) -> f64 {
+    pub(crate) fn angle(&self, here: [usize; 2], there: [usize; 2]) -> f64 {
         let [a, b] = [here, there].map(|rows| self.mean(rows));
         (a[0] * b[0] + a[1] * b[1]) / (libm::hypot(a[0], a[1]) * libm::hypot(b[0], b[1]))
     }
@@ -248,13 +317,27 @@ fn quiet(windows: &[Window], axes: f64, rough: f64, most: f64) -> (f64, f64) {
     (left / rows, (1.0 + part) / (1.0 - part))
 }
 
-/// The variance of a last digit.
+/// The variance of a last digit: of the least step, if most steps are whole numbers of it, or of a decimal place behind which there is nothing.
 fn digit(f: &[[f64; 2]]) -> f64 {
-    let steps = f
-        .windows(2)
-        .flat_map(|pair| [0, 1].map(|i| (pair[1][i] - pair[0][i]).abs()));
-    let least = steps.filter(|step| *step > 0.0).reduce(f64::min);
-    least.map_or(0.0, |least| least * least / 12.0)
+    let of_axis = |i: usize| {
+        let steps = f.windows(2).map(|pair| (pair[1][i] - pair[0][i]).abs());
+        let steps: Vec<_> = steps.filter(|step| *step > 0.0).collect();
+        let least = steps.iter().copied().fold(f64::INFINITY, f64::min);
+        let whole = |step: &&f64| {
+            let times = **step / least;
+            (times - libm::round(times)).abs() < 0.1
+        };
+        // Of numbers by chance one in five is so near to a whole one.
+        let digital = 2 * steps.iter().filter(whole).count() > steps.len();
+        if digital { least * least / 12.0 } else { 0.0 }
+    };
+    let ends = |scale: &f64| {
+        let whole = |x: f64| (x - libm::round(x)).abs() < 1e-6;
+        f.iter().flatten().all(|x| whole(x * scale))
+    };
+    let scale = (0..8).map(|place| libm::exp10(f64::from(place))).find(ends);
+    let place = scale.map_or(0.0, |scale| 1.0 / (12.0 * scale * scale));
+    of_axis(0).max(of_axis(1)).max(place)
 }
 
 /// The rows of quiet stretches with the same small mean: of the longest, and of all that agree with it.

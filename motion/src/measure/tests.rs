@@ -229,6 +229,101 @@ fn waves_are_no_slip_and_clipped_ones_are() {
     assert!(!flat.normal && (flat.kinetic.unwrap().from - kinetic.from).abs() < 0.01);
 }
 
+/// A hundred rows a second, to five decimals, of a sensor whose zeros are right.
+fn exact(noise: f64, until: f64, mut force: impl FnMut(f64) -> [f64; 2]) -> Recording {
+    let mut random = Random(3);
+    let (mut rows, mut normal) = (Vec::new(), Vec::new());
+    for k in 0..(100.0 * until) as u32 {
+        let t = f64::from(k) / 100.0;
+        let [x, z] = force(t).map(|a| ((a + noise * random.normal()) * 1e5).round() / 1e5);
+        rows.push((t, [x, noise * random.normal()]));
+        normal.push(z);
+    }
+    let normal = Some(normal);
+    Recording { rows, normal }
+}
+
+/// A body with μ_k = 0.3 and μ_s = 0.4 on a floor that is tilted, and after a second shaken along itself: by steps of 0.1 ms.
+fn shaken(noise: f64, tilt: f64) -> Recording {
+    let (n, mut v, mut now) = (G * libm::cos(tilt), 0.0_f64, 0.0);
+    exact(noise, 6.0, |t| {
+        loop {
+            let wave = if now > 1.0 {
+                6.0 * libm::sin(TAU * now)
+            } else {
+                0.0
+            };
+            let need = G * libm::sin(tilt) + wave;
+            let still = v == 0.0 && need.abs() < 0.4 * n;
+            let against = if v == 0.0 { -need } else { v };
+            let felt = if still {
+                need
+            } else {
+                -0.3 * n * against.signum()
+            };
+            if now >= t {
+                return [felt, n];
+            }
+            let next = v + 1e-4 * (felt - need);
+            v = if v * next < 0.0 { 0.0 } else { next };
+            now += 1e-4;
+        }
+    })
+}
+
+/// Whatever the tilt is, x² + z² is g² at rest, and x = μ_k z in a slip; and less noise is no less to go by.
+#[test]
+fn a_rest_on_a_tilted_floor_is_no_slip() {
+    let noises = [0.0, 1e-4, 1e-3, 0.02];
+    let level = noises.map(|noise| (noise, 0.0));
+    for (noise, tilt) in level
+        .into_iter()
+        .chain([1, 2, 3, 5, 10].map(|deg| (0.02, f64::from(deg).to_radians())))
+    {
+        let found = measure(&shaken(noise, tilt), &Settings::default()).unwrap();
+        let lies =
+            |at: Interval, mu: f64| at.from <= mu && mu <= at.to && at.to - at.from < 0.3 * mu;
+        assert!(
+            lies(found.kinetic.unwrap(), 0.3) && lies(found.holding.unwrap(), 0.4),
+            "{noise} {tilt}: {found:?}"
+        );
+        assert!(
+            !matches!(found.verdict, Verdict::Levels(_) | Verdict::Drifts(_)),
+            "{tilt}"
+        );
+        assert!(
+            (found.noise - noise).abs() < 0.2 * noise + 1e-5,
+            "{noise} {}",
+            found.noise
+        );
+        assert_eq!(found.tilted, tilt > 0.0 && tilt < 0.05);
+        assert!(found.assumed().unwrap().contains("slid"));
+    }
+    // Raised and held, and let down to half of that.
+    for (noise, steepest, down) in [
+        (0.02, 0.2, 9.0),
+        (0.02, 0.1, 9.0),
+        (0.02, 0.2, 4.0),
+        (0.2, 0.3, 4.0),
+        (0.02, 0.05, 9.0),
+    ] {
+        let slope = |t: f64| {
+            (0.1 * (t - 1.0))
+                .clamp(0.0, steepest)
+                .min((steepest - 0.5 * (t - down)).max(0.5 * steepest))
+        };
+        let rests = exact(noise, 7.0, |t| {
+            [libm::sin(slope(t)), libm::cos(slope(t))].map(|c| G * c)
+        });
+        let found = measure(&rests, &Settings::default()).unwrap();
+        assert_eq!(
+            (found.kinetic, found.verdict),
+            (Err(Unfound::Tilted), Verdict::Untold),
+            "{noise} {steepest} {down}"
+        );
+    }
+}
+
 /// A rest, a push, a slip, a rest.
 #[test]
 fn what_the_body_does_is_told() {
@@ -284,11 +379,14 @@ fn what_cannot_be_measured_is_refused() {
             MeasureError::Setting { .. }
         ));
     }
-    let rest = Some([200.0, 300.0]);
-    assert!(matches!(
-        of(98, None, Settings { rest, ..plain }),
-        MeasureError::Rest { .. }
-    ));
+    // Hardly a row, and what moves.
+    for rest in [[200.0, 300.0], [0.0, 50.0]].map(Some) {
+        let refused = of(98, None, Settings { rest, ..plain });
+        assert!(matches!(refused, MeasureError::Rest { .. }));
+    }
+    let moon = Settings { g: 1.62, ..plain };
+    let refused = of(98, Some(98), moon);
+    assert!(matches!(refused, MeasureError::Gravity { .. }));
 }
 
 proptest::proptest! {

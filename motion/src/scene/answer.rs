@@ -1,7 +1,7 @@
 //! The end of a scene as numbers with names, units and errors.
 
 use super::{
-    Event, Floors, JoulePerKilogram, Metre, MetrePerSecond, Moment, Moved, Scene, SceneError,
+    Body, Event, Floors, JoulePerKilogram, Metre, MetrePerSecond, Moment, Moved, Scene, SceneError,
     Second, Until,
 };
 
@@ -33,6 +33,8 @@ pub struct Answer {
 const NUDGE: f64 = 5e-14;
 /// and by this part of its size a number is wrong in any case, as [`run`](crate::run) says.
 const KNOWN: f64 = 4e-13;
+/// Of so few digits that are sure rounding to them would waste what is known.
+const FEW: f64 = 6.0;
 
 impl Moment {
     /// Its numbers, without their errors.
@@ -82,6 +84,13 @@ impl Scene {
         let sizes: Vec<_> = numbers.iter().map(|number| size(number.unit)).collect();
         let [velocity, place, heat, part] = moved.by_drive(&end);
         let timed = matches!(until, Until::Time(_));
+        // Rounding is by the speeds it came through; and what rolls has the error of its velocity.
+        let usual = end.way.0 / (end.t.0 - moved.start()?.t.0);
+        let radius = match self.body {
+            Body::Ball { radius, .. } => radius.0,
+            Body::Block => f64::INFINITY,
+        };
+        let mut slowest = 0.0_f64;
         let units = self.units;
         for (k, number) in numbers.iter_mut().enumerate() {
             let changed = other
@@ -89,7 +98,13 @@ impl Scene {
                 .map_or(f64::INFINITY, |other| (other.value - number.value).abs());
             let own = 2.0 * changed + KNOWN * sizes[k];
             number.error = match number.unit {
+                "m/s" if sizes[k] > 0.0 => {
+                    let error = own.max(KNOWN * usual) + velocity;
+                    slowest = slowest.max(error);
+                    error
+                }
                 "m/s" => own + velocity,
+                "rad/s" => (own * (1.0 + part / NUDGE)).max(slowest / radius),
                 "m" => own + place,
                 "J/kg" => own + heat,
                 "s" if timed => own,
@@ -123,19 +138,30 @@ impl Scene {
 }
 
 impl Number {
-    /// The number with the digits that its error leaves, at most twelve; nothing if that is none.
+    /// The number with the digits that its error leaves, at most twelve, and where these are few the first that is not sure; nothing if that is none.
     pub fn rounded(&self) -> Option<f64> {
         if self.value == 0.0 {
             return Some(0.0);
         }
-        let known = libm::floor(libm::log10(
-            self.value.abs() / self.error.max(f64::MIN_POSITIVE),
-        ));
-        if known.is_nan() || known < 1.0 {
-            return (self.value.abs() <= self.error && self.error < 1e-9).then_some(0.0);
+        let [value, error] = [self.value.abs(), self.error.max(f64::MIN_POSITIVE)];
+        let known = libm::floor(libm::log10(value / error));
+        if known.is_nan() || known < 0.0 {
+            return (value <= error && error < 1e-9).then_some(0.0);
         }
-        let digits = known.min(12.0) as usize;
-        format!("{:.*e}", digits - 1, self.value).parse().ok()
+        let digits = if known < FEW {
+            // Down to the first digit of the error.
+            libm::floor(libm::log10(value)) - libm::floor(libm::log10(error)) + 1.0
+        } else {
+            known.min(12.0)
+        };
+        format!("{:.*e}", digits as usize - 1, self.value)
+            .parse()
+            .ok()
+    }
+
+    /// How far the [rounded](Self::rounded) number may be off; where there is none, how large the number may be.
+    pub fn off(&self) -> f64 {
+        self.error + (self.rounded().unwrap_or(0.0) - self.value).abs()
     }
 
     /// How many digits it has.

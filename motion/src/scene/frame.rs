@@ -4,7 +4,7 @@ use super::{SceneError, directed, quantity, unit_vector};
 use std::{cell::RefCell, rc::Rc};
 
 use crate::{
-    Fitted,
+    FitError, Fitted,
     acceleration::{Acceleration, Coefficients},
     numerics::{expression::Formula, taylor::TERMS},
 };
@@ -92,6 +92,14 @@ impl Part {
         }
     }
 
+    /// Whether it pulls along x alone.
+    pub(super) fn is_along_x(&self) -> bool {
+        match &self.0 {
+            Kind::Pull { along, .. } => along[1] == 0.0,
+            Kind::Record { along, fitted } => along[1] == 0.0 && fitted.is_along_x(),
+        }
+    }
+
     /// The pull, if it is one and the same at all times.
     pub(super) fn steady_pull(&self) -> Option<[f64; 2]> {
         match &self.0 {
@@ -146,12 +154,14 @@ impl Part {
                     Some(one) => What::Steady(-one * size),
                     None => {
                         let pull = |t| [-size * formula.at(t), 0.0];
-                        What::Fitted(Fitted::from_fn(
-                            pull,
-                            [begin, end],
-                            width.min(end - begin),
-                            &[],
-                        )?)
+                        let width = width.min(end - begin);
+                        let fitted = Fitted::from_fn(pull, [begin, end], width, &[]);
+                        What::Fitted(fitted.map_err(|error| match error {
+                            FitError::Unresolved { t } => SceneError::Jump {
+                                t: quantity::Second(t),
+                            },
+                            other => other.into(),
+                        })?)
                     }
                 };
                 spans.push(Span {

@@ -152,9 +152,10 @@ pub struct Scene {
     pub body: Body,
     /// The coefficient μ of sliding friction, dimensionless.
     pub mu: f64,
-    /// The coefficient μ_s ≥ μ up to which friction holds what is at rest, or rolls; it counts where it is larger than μ.
+    /// The coefficient μ_s ≥ μ up to which friction holds what is at rest, or rolls; it counts where it is larger than that of sliding
+    /// the same way.
     pub holding: f64,
-    /// The coefficient of a block that moves against x, where that is another one; it moves along x alone then.
+    /// The coefficient of a block that moves against x, where that is another one; it moves and is pulled along x alone then.
     pub back: Option<f64>,
     /// The acceleration of gravity.
     pub g: MetrePerSecond2,
@@ -275,6 +276,22 @@ pub enum SceneError {
         what: &'static str,
         /// The time that was looked at.
         within: Second,
+    },
+    /// It rests, but an expression may pull harder again.
+    #[error(
+        "it rests since {since}, but nobody can tell of an expression whether it pulls harder again: ask until a time, or end it, as in 4*sin(t):20s,0"
+    )]
+    Unsure {
+        /// Since when.
+        since: Second,
+    },
+    /// An expression that jumps.
+    #[error(
+        "an expression jumps or has a kink near t = {t}: say it in pieces, as in 4:1s,6*t:2s,0"
+    )]
+    Jump {
+        /// Where.
+        t: Second,
     },
     /// A motion that cannot be followed, or a number out of its range.
     #[error(transparent)]

@@ -5,7 +5,7 @@ use std::rc::Rc;
 use super::{
     Body, JoulePerKilogram, Metre, MetrePerSecond, RadianPerSecond, Scene, SceneError, Second,
     Until, check,
-    frame::{Floor, Floors},
+    frame::{Floor, Floors, Part},
 };
 use crate::{
     Acceleration, Friction, Line, Motion, Phase, PhaseKind, State, Track, run,
@@ -106,6 +106,16 @@ pub(super) fn moved(scene: &Scene, until: Until, floors: &Floors) -> Result<Move
             return Err(SceneError::Together(why));
         }
         if to >= last {
+            if let (
+                Until::Rest,
+                Some(Event {
+                    t,
+                    doing: Doing::Rests,
+                }),
+            ) = (until, moved.events().last())
+            {
+                return Err(SceneError::Unsure { since: *t });
+            }
             let what = match until {
                 Until::Stop => "a stop",
                 Until::Rest => "a rest for good",
@@ -158,7 +168,7 @@ impl<'a> Made<'a> {
             "tilt",
             tilt.0,
             (0.0..std::f64::consts::FRAC_PI_2).contains(&tilt.0),
-            "from 0 to less than 90deg",
+            "from 0 to less than pi/2 rad, which is 90deg",
         )?;
         let ball = matches!(body, Body::Ball { .. });
         if let Body::Ball { kappa, .. } = body {
@@ -192,6 +202,12 @@ impl<'a> Made<'a> {
         if ball && back.is_some() {
             return Err(SceneError::Together("mu-back is of a block"));
         }
+        if back.is_some() && !(scene.frame.iter().all(Part::is_along_x) && scene.slope()[1] == 0.0)
+        {
+            return Err(SceneError::Together(
+                "with mu-back all is along x, and so has to be each pull, and the way down; of a recording columns choose x alone: x=2",
+            ));
+        }
         if !ball && start.spin != [RadianPerSecond(0.0); 3] {
             return Err(SceneError::Together("a spin is of a ball"));
         }
@@ -215,7 +231,7 @@ impl<'a> Made<'a> {
         let Scene {
             ref start, back, ..
         } = *self.scene;
-        let held = self.held();
+        let held = self.held(0.0);
         if let Some(table) = &self.table {
             // (Ωr)² − v² grows while it slides, and it can be held only where Ω²r is at most μ_s g.
             let Moment {
@@ -277,9 +293,9 @@ impl<'a> Made<'a> {
             start,
             ..
         } = *self.scene;
-        let holding = holding.max(mu);
+        let held = holding.max(mu);
         if let Some(table) = &self.table {
-            let path = rotating::run_held(table, holding, &state, to)?;
+            let path = rotating::run_held(table, held, &state, to)?;
             return Ok(self.moved(Followed::Table(path), to, 0.0));
         }
         let floor = self.floor(to)?;
@@ -321,7 +337,7 @@ impl<'a> Made<'a> {
                     v: self.velocity,
                     omega,
                 };
-                Followed::Ball(sphere.run_held(holding.max(LEAST), &*floor, &ball, to)?)
+                Followed::Ball(sphere.run_held(held.max(LEAST), &*floor, &ball, to)?)
             }
         };
         Ok(self.moved(followed, to, floor.error()))
@@ -338,9 +354,11 @@ impl<'a> Made<'a> {
         }
     }
 
-    /// The largest pull that friction holds.
-    fn held(&self) -> f64 {
-        self.scene.holding.max(self.scene.mu) * self.scene.normal()
+    /// The largest pull that friction holds, of one along `x`.
+    fn held(&self, x: f64) -> f64 {
+        let Scene { mu, back, .. } = *self.scene;
+        let mu = back.filter(|_| x < 0.0).unwrap_or(mu);
+        self.scene.holding.max(mu) * self.scene.normal()
     }
 
     /// Since when it is at rest for good, if it is at the end of this motion.
@@ -355,10 +373,9 @@ impl<'a> Made<'a> {
         if self.table.is_some() {
             return Ok(Some(since));
         }
-        let held = self.held();
         let pull = self.floor(moved.to)?.steady(moved.to);
         Ok(pull
-            .filter(|[x, y]| libm::hypot(*x, *y) <= held)
+            .filter(|[x, y]| libm::hypot(*x, *y) <= self.held(*x))
             .map(|_| since))
     }
 }

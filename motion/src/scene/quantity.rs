@@ -98,6 +98,9 @@ pub(super) fn read<T>(
             "N" | "kg" => Err(wrong(
                 "the mass drops out: a force is asked for by each kilogram".to_owned(),
             )),
+            name if name.contains('(') => Err(wrong(format!(
+                "{plainly}; a unit stands behind the whole, as in 4*sin(t) m/s^2"
+            ))),
             name if name.starts_with(char::is_alphabetic) => {
                 Err(wrong(format!("`{name}` is no unit that is known")))
             }

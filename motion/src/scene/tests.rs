@@ -118,3 +118,62 @@ fn numbers_have_units() {
         "{told}"
     );
 }
+
+/// Mirror images are: of what breaks loose too. By hand: ½ (3 − 0.2 g) 2².
+#[test]
+fn what_slides_each_way_has_its_own_friction() {
+    for (mu, back, pull, sign) in [("0.2", "0.4", "3", 1.0), ("0.4", "0.2", "-3", -1.0)] {
+        let words = [
+            ("mu", mu),
+            ("mu-back", back),
+            ("pull", pull),
+            ("until", "2s"),
+        ];
+        near(
+            asked("block", &words, "x"),
+            sign * 2.0 * (3.0 - 0.2 * 9.80665),
+            1e-11,
+        );
+    }
+}
+
+/// By DOP853 from stop to stop, and by small implicit steps. What rolls on a floor that shakes ends at rest.
+#[test]
+fn the_truth_lies_within_the_error_of_what_is_shown() {
+    let record = |across: f64| {
+        let row = |k: u32| {
+            let t = 0.01 * f64::from(k);
+            let (s, c) = libm::sincos(std::f64::consts::TAU * t);
+            (t, [6.0 * s, across * c])
+        };
+        let rows: Vec<_> = (0..1001).map(row).collect();
+        let fitted = crate::Fitted::from_table(&rows).unwrap();
+        vec![Part::record(fitted, Radian(0.0))]
+    };
+    let end = |frame, scene| {
+        let scene = Scene { frame, ..scene };
+        let numbers = scene.answer(Until::Time(Second(9.0))).unwrap().numbers;
+        move |name| *numbers.iter().find(|number| number.name == name).unwrap()
+    };
+    for (mu, across, name, right) in [
+        (0.35, 0.0, "x", -0.01433),
+        (0.3, 2.0, "heat", 12.677),
+        (0.3, 2.0, "path", 4.309),
+    ] {
+        let number = end(record(across), Scene::block(mu))(name);
+        let off = (number.rounded().unwrap() - right).abs();
+        assert!(
+            off <= number.off() && number.off() < 2.0 * number.error,
+            "{number:?}"
+        );
+    }
+    let spun = |frame| {
+        let number = end(frame, Scene::ball(0.3, Metre(0.03)));
+        let spin = number("ω_y");
+        assert!(spin.error >= number("v_x").error / 0.03, "{spin:?}");
+        spin.rounded()
+    };
+    assert_eq!(spun(record(0.0)), None);
+    let sine = Part::accelerate("6*sin(2*pi*t)").unwrap();
+    assert_eq!(spun(vec![sine]), Some(0.0));
+}

@@ -48,16 +48,22 @@ words! {
     "units" "mu g, mu g Omega or mu g R" "Plain numbers are in units in which μg is 1 and a time, the table's turning or the ball's radius is, and so is what is answered";
     "width" "DURATION" "The shortest pulse of a pull that is an expression [default: a thousandth of the time]";
     "within" "DURATION" "The longest time for which an end is looked for [default: 3600s]";
-    "until" "stop, rolling, rest, TIME, LENGTH or beyond=LENGTH" "The end: the first stop, rolling, the rest that nothing ends any more, a time, a length of the path, a distance from the start or the table's axis [default: stop, or rolling]";
+    "until" "stop, rolling, rest, TIME, LENGTH or beyond=LENGTH" "The end, with its unit, or time=2, path=1.81: the first stop, rolling, the rest that nothing ends any more, a time, a length of the path, a distance from the start or the table's axis [default: stop, or rolling]";
 }
 
 /// A number without a unit.
 fn number(name: &'static str, text: &str) -> Result<f64, SceneError> {
     let number = expression(text, |digits| digits.parse().ok());
-    number.map_err(|error| SceneError::Quantity {
+    let why = match number {
+        Ok(number) if !text.trim_end().ends_with("deg") => return Ok(number),
+        Ok(_) => "it has no unit".to_owned(),
+        Err(error) => error.to_string(),
+    };
+    let text = text.to_owned();
+    Err(SceneError::Quantity {
         what: name,
-        text: text.to_owned(),
-        why: error.to_string(),
+        text,
+        why,
     })
 }
 
@@ -97,7 +103,7 @@ impl FromStr for Until {
     fn from_str(text: &str) -> Result<Self, SceneError> {
         Ok(match text.split_once('=') {
             Some(("beyond", far)) => Self::Beyond(far.parse()?),
-            Some(("way", way)) => Self::Way(way.parse()?),
+            Some(("path" | "way", way)) => Self::Way(way.parse()?),
             Some(("time", time)) => Self::Time(time.parse()?),
             _ => match (text, text.parse(), text.parse()) {
                 ("stop" | "rolling", ..) => Self::Stop,
@@ -108,7 +114,7 @@ impl FromStr for Until {
                     return Err(SceneError::Quantity {
                         what: "an end",
                         text: text.to_owned(),
-                        why: "stop, rolling, rest, or a time or a length with its unit, as in 2s, 1.81m or beyond=30cm"
+                        why: "stop, rolling, rest, or a time or a length with its unit, as in 2s, 1.81m or beyond=30cm; of a plain number time=2 or path=1.81 says what it is"
                             .to_owned(),
                     });
                 }
@@ -131,8 +137,8 @@ impl Scene {
         let (mut mu, mut g) = (None, false);
         let (mut radius, mut kappa, mut until) = (None, None, Until::Stop);
         let (mut record, mut columns, mut towards) = (None, Columns::default(), Radian(0.0));
-        let (mut belt, mut thrown, mut mu_s) = ([MetrePerSecond(0.0); 2], None, None);
-        let (mut within, mut sized) = (None, Vec::new());
+        let (mut belt, mut thrown, mut mu_s) = (None, None, None);
+        let (mut within, mut sized, mut rolling) = (None, Vec::new(), false);
         for (name, text) in words {
             if !["units", "columns", "record"].contains(&name) {
                 sized.push(text);
@@ -154,7 +160,7 @@ impl Scene {
                 "columns" => columns = self::columns(text)?,
                 "towards" => towards = text.parse()?,
                 "turn" => scene.turning = Some(text.parse::<RadianPerSecond>()?),
-                "belt" => belt = velocity(text)?,
+                "belt" => belt = Some(velocity(text)?),
                 "at" => {
                     scene.start.place = match text.split_once(',') {
                         Some((x, y)) => [x.parse()?, y.parse()?],
@@ -179,7 +185,7 @@ impl Scene {
                 "units" => scene.units = text.parse()?,
                 "width" => scene.width = Some(text.parse()?),
                 "within" => within = Some(text.parse()?),
-                "until" => until = text.parse()?,
+                "until" => (until, rolling) = (text.parse()?, text == "rolling"),
                 _ => return Err(SceneError::Word(name.to_owned())),
             }
         }
@@ -187,6 +193,15 @@ impl Scene {
             if mu.is_some() || g {
                 return Err(SceneError::Together(
                     "where μg is the unit, mu and g are not given",
+                ));
+            }
+            let turned = scene.turning.is_some_and(|turning| turning.0.abs() != 1.0);
+            let sized_otherwise = radius.is_some_and(|radius| radius != Metre(1.0));
+            if scene.units == Units::Turning && turned
+                || scene.units == Units::Radius && sized_otherwise
+            {
+                return Err(SceneError::Together(
+                    "where Ω is the unit, turn is 1 or -1, and where R is, radius is 1",
                 ));
             }
             if let Some(text) = sized.iter().find(|text| has_unit(text)) {
@@ -208,8 +223,9 @@ impl Scene {
             "mu, the coefficient of friction, is missing",
         ))?;
         scene.holding = mu_s.unwrap_or(0.0);
-        let fit = mu_s.is_none_or(|mu_s| mu_s >= scene.mu);
-        check("mu-s", scene.holding, fit, "at least mu")?;
+        let least = scene.mu.max(scene.back.unwrap_or(0.0));
+        let fit = mu_s.is_none_or(|mu_s| mu_s >= least);
+        check("mu-s", scene.holding, fit, "at least mu, and mu-back")?;
         scene.body = match (body, radius) {
             ("block", None) if kappa.is_none() => Body::Block,
             ("block", _) => return Err(SceneError::Together("radius and kappa are of a ball")),
@@ -220,6 +236,9 @@ impl Scene {
             ("ball", None) => return Err(SceneError::Together("a ball needs its radius")),
             _ => return Err(SceneError::Word(body.to_owned())),
         };
+        if rolling && scene.body == Body::Block {
+            return Err(SceneError::Together("only a ball comes to rolling"));
+        }
         if scene.width.is_some() && !scene.frame.iter().any(Part::varies) {
             return Err(SceneError::Together(
                 "width is of a pull that is an expression of t",
@@ -237,6 +256,12 @@ impl Scene {
             ));
         }
         let in_room = thrown.is_some_and(|(name, _)| name != "throw");
+        if in_room && belt.is_none() && scene.turning.is_none() {
+            return Err(SceneError::Together(
+                "throw-in-room and set-down are onto a belt or a table",
+            ));
+        }
+        let belt = belt.unwrap_or([MetrePerSecond(0.0); 2]);
         if belt != [MetrePerSecond(0.0); 2] && (!in_room || scene.turning.is_some()) {
             return Err(SceneError::Together(
                 "a belt, which is no table, counts with throw-in-room or set-down: all else is relative to it",
@@ -265,9 +290,12 @@ fn has_unit(text: &str) -> bool {
     let units = parts
         .map(apart)
         .filter(|(number, _)| !number.trim().is_empty());
-    units
-        .into_iter()
-        .any(|(_, unit)| !matches!(unit.trim(), "" | "rad"))
+    units.into_iter().any(|(_, unit)| {
+        unit.trim() != "rad"
+            && unit
+                .trim()
+                .starts_with(|c: char| c.is_alphabetic() || c == '°')
+    })
 }
 
 /// The columns of a recording that are named, as in `time=t,x=accel_x,unit=g`; `gaps=bridge` goes on over gaps.

@@ -4,17 +4,16 @@
 //! [`crate::paper::constant`], as trees. What needs a power or the logarithm of tan(θ/2) holds for 0 < θ, θ₀ < π, where it is
 //! positive; what needs powers of the quotient of two only, for both signs of the angles.
 
-mod alignment;
-mod cases;
-mod incline;
-mod sliding;
+pub(crate) mod alignment;
+pub(crate) mod cases;
+pub(crate) mod incline;
+pub(crate) mod sliding;
 #[cfg(test)]
 mod tests;
 
 use super::prelude::*;
-pub use alignment::{AGAINST, ALIGNS, CANNOT_HOLD};
+pub use alignment::{AGAINST, ALIGNS};
 pub use cases::*;
-pub use incline::{ON_AN_INCLINE, ONLY_CONSTANT};
 pub use sliding::*;
 
 use crate::paper::constant as paper;
@@ -210,27 +209,4 @@ fn at_start(formula: Expr) -> Expr {
     formula.with("θ", symbol("θ₀"))
 }
 
-attempts![
-    &DEFINED,
-    &EQ6,
-    &EQ7,
-    &EQ8,
-    &EQ9,
-    &EQ10,
-    &EQ11,
-    &EQ12,
-    &EQ13,
-    &EQ14,
-    &EQ15,
-    &EQ16,
-    &EQ17,
-    &EQ18,
-    &EQ19,
-    &EQ20,
-    &CANNOT_HOLD,
-    &ALIGNS,
-    &EQ20_WITHIN,
-    &AGAINST,
-    &ON_AN_INCLINE,
-    &ONLY_CONSTANT
-];
+attempts![&DEFINED];

@@ -4,12 +4,12 @@
 //! all that follows. The printed formulas come from [`crate::paper::turntable`], as trees. All holds for a
 //! particle that slides, p > 0, and off the axis, ρ > 0, where a formula divides by p or ρ.
 
-mod components;
-mod definitions;
-mod energy;
-mod fixed;
-mod frames;
-mod hyperbolic;
+pub(crate) mod components;
+pub(crate) mod definitions;
+pub(crate) mod energy;
+pub(crate) mod fixed;
+pub(crate) mod frames;
+pub(crate) mod hyperbolic;
 mod setting;
 #[cfg(test)]
 mod tests;
@@ -71,53 +71,3 @@ fn rate(
         p.equal("The rate by (89) is the printed one", &found, &printed)
     })
 }
-
-attempts![
-    &EQ86,
-    &EQ87,
-    &EQ88,
-    &EQ89,
-    &EQ90,
-    &EQ91,
-    &EQ92,
-    &EQ93,
-    &EQ94,
-    &EQ95,
-    &EQ96,
-    &EQ97,
-    &EQ98,
-    &EQ99,
-    &EQ100,
-    &EQ101,
-    &EQ102,
-    &EQ103,
-    &EQ104,
-    &PRINTED_106,
-    &CORRECTED_106,
-    &EQ107,
-    &EQ108,
-    &EQ109,
-    &EQ110,
-    &EQ111,
-    &EQ112,
-    &EQ113,
-    &EQ114,
-    &EQ115,
-    &EQ116,
-    &EQ117,
-    &EQ118,
-    &EQ119,
-    &EQ120,
-    &EQ121,
-    &EQ122,
-    &EQ123,
-    &EQ124,
-    &EQ125,
-    &S4_MIRROR,
-    &TANGENTIAL,
-    &AZIMUTHAL,
-    &RADIAL,
-    &PRINTED_WORK,
-    &CORRECTED_WORK,
-    &S4_QUASI_FIXED_STABILITY
-];

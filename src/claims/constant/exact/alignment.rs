@@ -5,28 +5,6 @@ use super::{DEFINED, EQ6, EQ7, Regime, prove};
 use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
 
-/// The pull less the greatest friction is A times the difference of the sides.
-pub const CANNOT_HOLD: Statement<[Expr; 2]> = Statement::shown(
-    Within,
-    r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",
-    paper::s21_cannot_hold_sides::tree,
-    |[left, right]| {
-        prove("Friction cannot hold", Regime::AnyAngle, |p, _| {
-            given(p, &[&DEFINED, &EQ6])?;
-            let [a, lambda] = symbols(["A", "λ"]);
-            p.note("μg by (5)", "λA");
-            let lack = p.read("The pull less the greatest friction", a - lambda * a)?;
-            p.reads_as(
-                &lack,
-                "A times the right side less the left one",
-                a * (right - left),
-            )?;
-            let begins = p.read("(6) at θ = 0", paper::eq6_vx_rate::tree().with("θ", int(0)))?;
-            p.equal("The rate from rest is that too", &begins, &lack)
-        })
-    },
-);
-
 /// λ ≤ 1: v_x grows for ever, or, at λ = 1, the angle falls below every other.
 pub const ALIGNS: Statement<([Expr; 2], Expr)> = Statement::shown(
     Within,
@@ -101,3 +79,30 @@ fn against((sense, [ax, ay]): (Expr, [Expr; 2])) -> Proof {
         )
     })
 }
+
+attempts![
+    // The pull less the greatest friction is A times the difference of the sides.
+    &CANNOT_HOLD = Statement::shown(
+        Within,
+        r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",
+        paper::s21_cannot_hold_sides::tree,
+        |[left, right]| {
+            prove("Friction cannot hold", Regime::AnyAngle, |p, _| {
+                given(p, &[&DEFINED, &EQ6])?;
+                let [a, lambda] = symbols(["A", "λ"]);
+                p.note("μg by (5)", "λA");
+                let lack = p.read("The pull less the greatest friction", a - lambda * a)?;
+                p.reads_as(
+                    &lack,
+                    "A times the right side less the left one",
+                    a * (right - left),
+                )?;
+                let begins =
+                    p.read("(6) at θ = 0", paper::eq6_vx_rate::tree().with("θ", int(0)))?;
+                p.equal("The rate from rest is that too", &begins, &lack)
+            })
+        },
+    ),
+    &ALIGNS,
+    &AGAINST,
+];

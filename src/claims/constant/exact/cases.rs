@@ -29,28 +29,6 @@ fn component(
     p.equal("It is the start", &first, &start)
 }
 
-pub const EQ15: Statement = by_newton(Printed, eq15, |printed| {
-    prove("(15): v_x without friction", Regime::Zero, |p, newton| {
-        let [v, theta] = symbols(["v", "θ"]);
-        component(p, newton, [v * theta.cos(), printed])
-    })
-});
-
-pub const EQ16: Statement = by_newton(Printed, paper::eq16_vy::tree, |printed| {
-    prove("(16): v_y without friction", Regime::Zero, |p, newton| {
-        let [v, theta] = symbols(["v", "θ"]);
-        component(p, newton, [v * theta.sin(), printed])
-    })
-});
-
-pub const EQ17: Statement = by_newton(Printed, paper::eq17_invariant::tree, |printed| {
-    prove(
-        "(17): an expression keeps its value, λ = 1",
-        Regime::OneAnyAngle,
-        |p, newton| constant_of_motion(p, newton, printed),
-    )
-});
-
 /// λ = 1: the speed, after a proof that θ reaches 0 at no finite time.
 pub(super) fn late_speed(p: &mut Prover<'_>, newton: &Newton) -> Result<Expr, Obstacle> {
     let [v0, theta0, theta, a] = symbols(["v₀", "θ₀", "θ", "A"]);
@@ -83,42 +61,62 @@ pub const EQ18: Statement = by_newton(Printed, paper::eq18_vx_limit::tree, |prin
     late_component(title, "v_x", symbol("θ").cos(), printed)
 });
 
-pub const EQ19: Statement = by_newton(Printed, paper::eq19_vy_limit::tree, |printed| {
-    let title = "(19): v_y at large times, λ = 1";
-    late_component(title, "v_y", symbol("θ").sin(), printed)
-});
-
-/// v is a quotient by (14): what is above falls, to 0 at T, and what is below is positive.
-pub const EQ20: Statement = by_newton(Printed, paper::eq20_stop_time::tree, |printed| {
-    prove("(20): where (14) is 0", Regime::BeyondOne, |p, _| {
-        given(p, &[&EQ14])?;
-        let [lambda, theta] = symbols(["λ", "θ"]);
-        let below = p.read("λ + cos θ", lambda + theta.cos())?;
-        p.positive("Below the line in (14)", &below)?;
-        let speed = p.read("(14)", paper::eq14_speed_at_time::tree())?;
-        let fall = p.slope("It changes with t by", &speed, "t")?;
-        p.positive("Times −(λ + cos θ) that is", &-(&fall * &below))?;
-        let stop = paper::eq14_speed_at_time::tree().with("t", printed);
-        p.vanishes("(14) at the printed time", stop)
-    })
-});
-
-/// The angle tends to 0 at the same time.
-pub const EQ20_WITHIN: Statement = by_newton(Within, paper::eq20_stop_time::tree, |printed| {
-    prove(
-        "(20): the time at which the particle stops",
-        Regime::BeyondOne,
-        |p, newton| {
-            given(p, &[&EQ11, &EQ13])?;
-            let speed = p.read("The speed by (11)", paper::eq11_speed::tree())?;
-            p.zero(
-                "For θ → 0 the speed goes to 0",
-                &newton.at_zero_angle(&speed)?,
-            )?;
-            let time = p.read("The time by (13)", paper::eq13_time::tree())?;
-            let stop = newton.at_zero_angle(&time)?;
-            p.note("For θ → 0", p.ring().text(&stop));
-            p.reads_as(&stop, "the printed time", printed)
-        },
-    )
-});
+attempts![
+    &EQ15 = by_newton(Printed, eq15, |printed| {
+        prove("(15): v_x without friction", Regime::Zero, |p, newton| {
+            let [v, theta] = symbols(["v", "θ"]);
+            component(p, newton, [v * theta.cos(), printed])
+        })
+    }),
+    &EQ16 = by_newton(Printed, paper::eq16_vy::tree, |printed| {
+        prove("(16): v_y without friction", Regime::Zero, |p, newton| {
+            let [v, theta] = symbols(["v", "θ"]);
+            component(p, newton, [v * theta.sin(), printed])
+        })
+    }),
+    &EQ17 = by_newton(Printed, paper::eq17_invariant::tree, |printed| {
+        prove(
+            "(17): an expression keeps its value, λ = 1",
+            Regime::OneAnyAngle,
+            |p, newton| constant_of_motion(p, newton, printed),
+        )
+    }),
+    &EQ18,
+    &EQ19 = by_newton(Printed, paper::eq19_vy_limit::tree, |printed| {
+        let title = "(19): v_y at large times, λ = 1";
+        late_component(title, "v_y", symbol("θ").sin(), printed)
+    }),
+    // v is a quotient by (14): what is above falls, to 0 at T, and what is below is positive.
+    &EQ20 = by_newton(Printed, paper::eq20_stop_time::tree, |printed| {
+        prove("(20): where (14) is 0", Regime::BeyondOne, |p, _| {
+            given(p, &[&EQ14])?;
+            let [lambda, theta] = symbols(["λ", "θ"]);
+            let below = p.read("λ + cos θ", lambda + theta.cos())?;
+            p.positive("Below the line in (14)", &below)?;
+            let speed = p.read("(14)", paper::eq14_speed_at_time::tree())?;
+            let fall = p.slope("It changes with t by", &speed, "t")?;
+            p.positive("Times −(λ + cos θ) that is", &-(&fall * &below))?;
+            let stop = paper::eq14_speed_at_time::tree().with("t", printed);
+            p.vanishes("(14) at the printed time", stop)
+        })
+    }),
+    // The angle tends to 0 at the same time.
+    &EQ20_WITHIN = by_newton(Within, paper::eq20_stop_time::tree, |printed| {
+        prove(
+            "(20): the time at which the particle stops",
+            Regime::BeyondOne,
+            |p, newton| {
+                given(p, &[&EQ11, &EQ13])?;
+                let speed = p.read("The speed by (11)", paper::eq11_speed::tree())?;
+                p.zero(
+                    "For θ → 0 the speed goes to 0",
+                    &newton.at_zero_angle(&speed)?,
+                )?;
+                let time = p.read("The time by (13)", paper::eq13_time::tree())?;
+                let stop = newton.at_zero_angle(&time)?;
+                p.note("For θ → 0", p.ring().text(&stop));
+                p.reads_as(&stop, "the printed time", printed)
+            },
+        )
+    }),
+];

@@ -4,14 +4,6 @@ use crate::claims::constant::prelude::*;
 use crate::claims::general::two_frames::{self, eq1};
 use crate::paper::constant as paper;
 
-/// Weight, normal force and friction in space give (1) with (3).
-pub const ON_AN_INCLINE: Statement<([Expr; 2], [Expr; 2])> = Statement::shown(
-    Printed,
-    r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
-    || (eq1(), paper::eq3_acceleration::tree()),
-    on_an_incline,
-);
-
 fn on_an_incline((law, drive): ([Expr; 2], [Expr; 2])) -> Proof {
     let title = "An incline is a constant drive";
     let ring = || -> Result<Ring, ExactError> {
@@ -69,43 +61,52 @@ fn on_an_incline((law, drive): ([Expr; 2], [Expr; 2])) -> Proof {
     })
 }
 
-/// The rates at a velocity and at the opposite one add up to twice the pull.
-pub const ONLY_CONSTANT: Statement<[Expr; 2]> = Statement::shown(
-    Printed,
-    r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: at a time at which $-\bm A$ is not that pull a motion that passes with the velocity $\bm v$, or one with $-\bm v$, is none on the inclined plane",
-    eq1,
-    |law| {
-        let title = "No incline has a drive that changes";
-        let ring = || -> Result<Ring, ExactError> {
-            let mut ring = two_frames::ring()?;
-            ring.symbols(["P_x", "P_y", "k"]);
-            Ok(ring)
-        };
-        Proof::in_ring(title, ring(), |p| {
-            let [ax, ay, vx, vy] = symbols(["A_x", "A_y", "v_x", "v_y"]);
-            let [px, py, k] = symbols(["P_x", "P_y", "k"]);
-            let (two, speed) = (int(2), (vx.squared() + vy.squared()).sqrt());
-            p.note(
+attempts![
+    // Weight, normal force and friction in space give (1) with (3).
+    &ON_AN_INCLINE = Statement::shown(
+        Printed,
+        r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
+        || (eq1(), paper::eq3_acceleration::tree()),
+        on_an_incline,
+    ),
+    // The rates at a velocity and at the opposite one add up to twice the pull.
+    &ONLY_CONSTANT = Statement::shown(
+        Printed,
+        r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: at a time at which $-\bm A$ is not that pull a motion that passes with the velocity $\bm v$, or one with $-\bm v$, is none on the inclined plane",
+        eq1,
+        |law| {
+            let title = "No incline has a drive that changes";
+            let ring = || -> Result<Ring, ExactError> {
+                let mut ring = two_frames::ring()?;
+                ring.symbols(["P_x", "P_y", "k"]);
+                Ok(ring)
+            };
+            Proof::in_ring(title, ring(), |p| {
+                let [ax, ay, vx, vy] = symbols(["A_x", "A_y", "v_x", "v_y"]);
+                let [px, py, k] = symbols(["P_x", "P_y", "k"]);
+                let (two, speed) = (int(2), (vx.squared() + vy.squared()).sqrt());
+                p.note(
             "On an inclined plane",
             "weight gives the pull P along the slope, friction k against the velocity, both constant",
         );
-            let incline = [px - k * vx / speed, py - k * vy / speed];
-            let opposite = |rate: Expr| rate.with("v_x", -vx).with("v_y", -vy);
-            for ((plane, incline), [a, pull]) in
-                law.into_iter().zip(incline).zip([[ax, px], [ay, py]])
-            {
-                for (rate, sum) in [(plane, -(two * a)), (incline, two * pull)] {
-                    p.identity(
-                        ("A component at v and at −v, added", rate + opposite(rate)),
-                        ("without friction, twice", sum),
-                    )?;
+                let incline = [px - k * vx / speed, py - k * vy / speed];
+                let opposite = |rate: Expr| rate.with("v_x", -vx).with("v_y", -vy);
+                for ((plane, incline), [a, pull]) in
+                    law.into_iter().zip(incline).zip([[ax, px], [ay, py]])
+                {
+                    for (rate, sum) in [(plane, -(two * a)), (incline, two * pull)] {
+                        p.identity(
+                            ("A component at v and at −v, added", rate + opposite(rate)),
+                            ("without friction, twice", sum),
+                        )?;
+                    }
                 }
-            }
-            p.note(
-                "With the same rates at all velocities",
-                "the drive would be the opposite of the pull at every time",
-            );
-            Ok(())
-        })
-    },
-);
+                p.note(
+                    "With the same rates at all velocities",
+                    "the drive would be the opposite of the pull at every time",
+                );
+                Ok(())
+            })
+        },
+    ),
+];

@@ -34,22 +34,6 @@ pub const EQ7: Statement = by_newton(Printed, paper::eq7_vy_rate::tree, |printed
     )
 });
 
-pub const EQ8: Statement = by_newton(Printed, paper::eq8_hodograph_slope::tree, |printed| {
-    prove(
-        "(8): d(v sin θ)/d(v cos θ)",
-        Regime::AnyAngle,
-        |p, newton| {
-            let [v, theta] = symbols(["v", "θ"]);
-            let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
-            let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
-            let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
-            let slope = p.quotient("Their quotient", &y, &x)?;
-            let printed = p.read("The printed slope", printed)?;
-            p.equal("The quotient is the printed slope", &slope, &printed)
-        },
-    )
-});
-
 /// d ln v/dθ by (1).
 fn log_speed_rate(p: &mut Prover<'_>, newton: &Newton) -> Result<Rational, Obstacle> {
     let growth = newton.ring.divide(&newton.speed_rate, &newton.v)?;
@@ -72,14 +56,6 @@ pub(super) fn constant_of_motion(
     let value = p.read("The printed expression", formula)?;
     p.constant(&value, &newton.motion)
 }
-
-pub const EQ10: Statement = by_newton(Within, paper::eq10_invariant::tree, |printed| {
-    prove(
-        "(10): an expression keeps its value",
-        Regime::Any(1),
-        |p, newton| constant_of_motion(p, newton, printed),
-    )
-});
 
 /// A proof with powers of the quotient of tan(θ/2) and tan(θ₀/2), for positive angles and for negative ones.
 pub(super) fn at_both_sides(
@@ -168,3 +144,35 @@ pub const EQ14: Statement = by_newton(Within, paper::eq14_speed_at_time::tree, |
         p.equal("The two", &first, &start)
     })
 });
+
+attempts![
+    &EQ6,
+    &EQ7,
+    &EQ8 = by_newton(Printed, paper::eq8_hodograph_slope::tree, |printed| {
+        prove(
+            "(8): d(v sin θ)/d(v cos θ)",
+            Regime::AnyAngle,
+            |p, newton| {
+                let [v, theta] = symbols(["v", "θ"]);
+                let [vx, vy] = [v * theta.cos(), v * theta.sin()].map(|c| newton.ring.read(c));
+                let x = p.derivative("d(v cos θ)/dt by (1)", &vx?, &newton.motion)?;
+                let y = p.derivative("d(v sin θ)/dt by (1)", &vy?, &newton.motion)?;
+                let slope = p.quotient("Their quotient", &y, &x)?;
+                let printed = p.read("The printed slope", printed)?;
+                p.equal("The quotient is the printed slope", &slope, &printed)
+            },
+        )
+    }),
+    &EQ9,
+    &EQ10 = by_newton(Within, paper::eq10_invariant::tree, |printed| {
+        prove(
+            "(10): an expression keeps its value",
+            Regime::Any(1),
+            |p, newton| constant_of_motion(p, newton, printed),
+        )
+    }),
+    &EQ11,
+    &EQ12,
+    &EQ13,
+    &EQ14,
+];

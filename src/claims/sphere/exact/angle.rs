@@ -56,23 +56,6 @@ fn prove(title: &str, formula: &[Expr], rests_on: &Statement, particle: Expr) ->
     })
 }
 
-pub(crate) const EQ81: Vectorial =
-    Vectorial::new(Within, AS_A_PARTICLE, paper::eq81_slip::parts, |formula| {
-        let particle = particle::eq11_speed::tree();
-        prove(
-            "(81): u at the angle θ",
-            &formula,
-            &constant::EQ11,
-            particle,
-        )
-    });
-
-pub(crate) const EQ82: Vectorial =
-    Vectorial::new(Printed, AS_A_PARTICLE, paper::eq82_time::parts, prove_eq82);
-
-pub(crate) const CORRECTED_82: Vectorial =
-    Vectorial::new(Corrected, AS_A_PARTICLE, corrected::time::parts, prove_eq82);
-
 fn prove_eq82(formula: Components) -> Proof {
     let particle = particle::eq13_time::tree();
     prove(
@@ -83,22 +66,34 @@ fn prove_eq82(formula: Components) -> Proof {
     )
 }
 
-pub(crate) const EQ83: Vectorial = Vectorial::new(
-    Printed,
-    AS_A_PARTICLE,
-    paper::eq83_slip_at_time::parts,
-    prove_eq83,
-);
-
-pub(crate) const CORRECTED_83: Vectorial = Vectorial::new(
-    Corrected,
-    AS_A_PARTICLE,
-    corrected::slip_at_time::parts,
-    prove_eq83,
-);
-
 fn prove_eq83(formula: Components) -> Proof {
     let particle = particle::eq14_speed_at_time::tree();
     let title = "(83): u at the angle θ and the time τ";
     prove(title, &formula, &constant::EQ14, particle)
 }
+
+attempts![
+    &EQ81 = Vectorial::new(Within, AS_A_PARTICLE, paper::eq81_slip::parts, |formula| {
+        let particle = particle::eq11_speed::tree();
+        prove(
+            "(81): u at the angle θ",
+            &formula,
+            &constant::EQ11,
+            particle,
+        )
+    }),
+    &EQ82 = Vectorial::new(Printed, AS_A_PARTICLE, paper::eq82_time::parts, prove_eq82),
+    &CORRECTED_82 = Vectorial::new(Corrected, AS_A_PARTICLE, corrected::time::parts, prove_eq82),
+    &EQ83 = Vectorial::new(
+        Printed,
+        AS_A_PARTICLE,
+        paper::eq83_slip_at_time::parts,
+        prove_eq83,
+    ),
+    &CORRECTED_83 = Vectorial::new(
+        Corrected,
+        AS_A_PARTICLE,
+        corrected::slip_at_time::parts,
+        prove_eq83,
+    ),
+];

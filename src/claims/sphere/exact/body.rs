@@ -170,75 +170,14 @@ pub(super) fn sum(a: [Expr; 3], b: [Expr; 3]) -> [Expr; 3] {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-pub(crate) const EQ63: Vectorial = Vectorial::new(
-    Printed,
-    BY_COMPONENTS,
-    || {
-        let [mu, g, _] = mu_g_radius();
-        paper::eq63_velocity_rate(acceleration(), mu, g, velocity(), omega(), contact()).into()
-    },
-    |printed| rates("(63): d²r/dt²", Force::Sliding, velocity(), int(1), printed),
-);
-
 pub(super) fn eq64() -> Components {
     let [mu, g, _] = mu_g_radius();
     paper::eq64_spin_rate(mu, g, velocity(), omega(), contact()).into()
 }
-pub(crate) const EQ64: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq64, |printed| {
-    let factor = symbol("κ") * symbol("R").squared();
-    rates("(64): κ R² dω/dt", Force::Sliding, omega(), factor, printed)
-});
-
-pub(crate) const EQ65: Vectorial = Vectorial::new(
-    Printed,
-    BY_COMPONENTS,
-    || {
-        let [mu, g, _] = mu_g_radius();
-        let kappa = symbol("κ");
-        paper::eq65_spin_slip_rate(kappa, mu, g, velocity(), omega(), contact()).into()
-    },
-    |printed| {
-        let spin_share = paper::slip([zero(); 3], omega(), contact());
-        rates(
-            "(65): d(ω × R)/dt",
-            Force::Sliding,
-            spin_share,
-            int(1),
-            printed,
-        )
-    },
-);
-
-pub(crate) const EQ66: Vectorial = Vectorial::new(
-    Printed,
-    BY_COMPONENTS,
-    || {
-        let [mu, g, _] = mu_g_radius();
-        paper::eq66_slip_rate(acceleration(), symbol("b"), mu, g, slip()).into()
-    },
-    |printed| {
-        rates(
-            "(66): d(dr/dt + ω × R)/dt",
-            Force::Sliding,
-            slip(),
-            int(1),
-            printed,
-        )
-    },
-);
 
 pub(super) fn eq73() -> Components {
     paper::eq73_velocity_rate(gamma(), u()).into()
 }
-pub(crate) const EQ73: Vectorial = Vectorial::new(Printed, BY_COMPONENTS, eq73, |printed| {
-    rates(
-        "(73): d²ρ/dτ²",
-        Force::Sliding,
-        rho_rate(),
-        per_tau(),
-        printed,
-    )
-});
 
 pub(super) fn eq74() -> Components {
     paper::eq74_slip_rate(symbol("b"), gamma(), u()).into()
@@ -254,20 +193,6 @@ fn zeta() -> [Expr; 3] {
     paper::eq70_spin(radius, mu, g, omega())
 }
 
-pub(crate) const EQ75: Vectorial = Vectorial::new(
-    Printed,
-    BY_COMPONENTS,
-    || paper::eq75_spin(zeta()[2], u(), rho_rate()).into(),
-    prove_eq75,
-);
-
-pub(crate) const CORRECTED_75: Vectorial = Vectorial::new(
-    Corrected,
-    BY_COMPONENTS,
-    || corrected::spin(zeta()[2], u(), rho_rate()).into(),
-    prove_eq75,
-);
-
 fn prove_eq75(formula: Components) -> Proof {
     prove("(75): ζ", Force::Any, |p, _| {
         for ((axis, zeta), formula) in AXES.iter().zip(zeta()).zip(formula) {
@@ -280,178 +205,11 @@ fn prove_eq75(formula: Components) -> Proof {
     })
 }
 
-pub(crate) const EQ77: Vectorial = Vectorial::new(
-    Printed,
-    BY_COMPONENTS,
-    || paper::eq77_rate(u()).into(),
-    |printed| {
-        let quantity = sum(rho_rate(), nu());
-        rates(
-            "(77): d(dρ/dτ + ν)/dτ",
-            Force::Sliding,
-            quantity,
-            per_tau(),
-            printed,
-        )
-    },
-);
-
-pub(crate) const EQ78: Vectorial = Vectorial::new(
-    Printed,
-    BY_COMPONENTS,
-    || paper::eq78_rate(symbol("b"), u()).into(),
-    |printed| {
-        let quantity = sum(u(), nu());
-        rates(
-            "(78): d(u + ν)/dτ",
-            Force::Sliding,
-            quantity,
-            per_tau(),
-            printed,
-        )
-    },
-);
-
-/// Both sides change alike under any friction force, so that they differ by a constant.
-pub(crate) const EQ79: Vectorial = Vectorial::new(
-    Printed,
-    BY_COMPONENTS,
-    || {
-        let [cx, cy] = symbols(["c_x", "c_y"]);
-        paper::eq79_velocity(symbol("b"), nu(), u(), [cx, cy, zero()]).into()
-    },
-    |printed| {
-        let along_z = printed[2];
-        prove("(79): dρ/dτ", Force::Any, |p, body| {
-            for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed).take(2) {
-                let own = p.read(&format!("dρ/dτ {axis}"), own)?;
-                let own = p.derivative("Its rate", &own, &body.motion)?;
-                let printed = p.read(&format!("Printed {axis}"), printed)?;
-                let rate =
-                    p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
-                p.equal("The two rates are equal", &own, &rate)?;
-            }
-            upright(p, rho_rate()[2])?;
-            upright(p, along_z)
-        })
-    },
-);
-
-/// κ makes (64) the law for the spin.
-pub(crate) const EQ62: Vectorial = Vectorial::new(
-    Printed,
-    Compared::one(
-        r"(64), with $\kappa$ by the definition,",
-        "Euler's law for the sphere",
-    ),
-    paper::eq62_kappa::parts,
-    |kappa| {
-        let factor = kappa[0] * symbol("R").squared();
-        let title = "(62): κ in κ R² dω/dt by (64)";
-        rates(title, Force::Sliding, omega(), factor, eq64())
-    },
-);
-
 /// A quantity has no component along z.
 fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
     let along_z = p.read("Along z", along_z)?;
     p.zero("Nothing moves", &along_z)
 }
-
-/// dρ/dτ, which has the form of (68) by its linearity, makes (73) the law for the centre.
-pub(crate) const EQ68: Vectorial = Vectorial::new(
-    Printed,
-    Compared::one(
-        r"(73), with $\bm\rho$ by the definition,",
-        "Newton's law for the sphere",
-    ),
-    || paper::eq68_position(symbol("R"), velocity()).into(),
-    |rate| {
-        let rho_rate = [0, 1, 2].map(|i| rate[i] / tau_rate());
-        prove("(68): d²ρ/dτ² by (73)", Force::Sliding, |p, body| {
-            for ((axis, rate), stated) in AXES.iter().zip(rho_rate).zip(eq73()) {
-                let rate = p.read(&format!("dρ/dτ {axis}"), rate)?;
-                let change = p.derivative("Its rate", &rate, &body.motion)?;
-                p.reads_as(&change, "(73) times dτ/dt", stated * tau_rate())?;
-            }
-            upright(p, rate[2])
-        })
-    },
-);
-
-/// τ makes (74) the law for the slip.
-pub(crate) const EQ69: Vectorial = Vectorial::new(
-    Printed,
-    BY_DEFINITION,
-    || {
-        let [mu, g, radius] = mu_g_radius();
-        vec![paper::eq69_time(radius, mu, g, symbol("t"))]
-    },
-    |tau| {
-        prove(
-            "(69): du/dt over dτ/dt by (74)",
-            Force::Sliding,
-            |p, body| {
-                let tau = p.read("τ", tau[0])?;
-                let clock = p.slope("dτ/dt", &tau, "t")?;
-                for ((axis, u), stated) in AXES.iter().zip(u()).zip(eq74()) {
-                    let u = p.read(&format!("u {axis}"), u)?;
-                    let rate = p.derivative("du/dt", &u, &body.motion)?;
-                    let stated = p.read("(74)", stated)?;
-                    p.equal("du/dt is (74) times dτ/dt", &rate, &(stated * &clock))?;
-                }
-                Ok(())
-            },
-        )
-    },
-);
-
-/// ζ is the rate of turning in the time τ.
-pub(crate) const EQ70: Vectorial = Vectorial::new(
-    Printed,
-    Compared::one(
-        r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
-        r"$\bm\omega\,\mathrm dt$",
-    ),
-    || zeta().into(),
-    |zeta| {
-        prove("(70): ζ dτ = ω dt", Force::Any, |p, _| {
-            for ((axis, zeta), omega) in AXES.iter().zip(zeta).zip(omega()) {
-                p.identity(
-                    (&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate()),
-                    ("", omega),
-                )?;
-            }
-            Ok(())
-        })
-    },
-);
-
-/// u makes (74) the law for the slip.
-pub(crate) const EQ71: Vectorial = Vectorial::new(
-    Printed,
-    BY_DEFINITION,
-    || u().into(),
-    |slip| {
-        let u = [0, 1, 2].map(|i| slip[i]);
-        let stated = paper::eq74_slip_rate(symbol("b"), gamma(), u).into();
-        let title = "(71): du/dτ by (74)";
-        rates(title, Force::Sliding, u, per_tau(), stated)
-    },
-);
-
-/// γ makes (74) the law for the slip.
-pub(crate) const EQ72: Vectorial = Vectorial::new(
-    Printed,
-    BY_DEFINITION,
-    || gamma().into(),
-    |pull| {
-        let gamma = [0, 1, 2].map(|i| pull[i]);
-        let stated = paper::eq74_slip_rate(symbol("b"), gamma, u()).into();
-        let title = "(72): γ in du/dτ by (74)";
-        rates(title, Force::Sliding, u(), per_tau(), stated)
-    },
-);
 
 /// dv/dt of a particle with the velocity w and the friction coefficient bμ, by (1).
 pub(crate) const S3_REDUCTION: Vectorial = Vectorial::new(
@@ -497,16 +255,6 @@ pub(super) fn prove_rolling() -> Proof {
     )
 }
 
-pub(crate) const S3_SPIN_CONSTANT: Vectorial = Vectorial::new(
-    Printed,
-    BY_COMPONENTS,
-    paper::s3_zeta3_rate::parts,
-    |stated| match spin_constant(Force::Rolling, &stated) {
-        rolling if rolling.holds() => spin_constant(Force::Sliding, &stated),
-        fails => fails,
-    },
-);
-
 fn spin_constant(friction: Force, stated: &[Expr]) -> Proof {
     let title = "ζ₃ is constant and enters nothing else";
     prove(title, friction, |p, body| {
@@ -525,3 +273,245 @@ fn spin_constant(friction: Force, stated: &[Expr]) -> Proof {
         Ok(())
     })
 }
+
+attempts![
+    &EQ63 = Vectorial::new(
+        Printed,
+        BY_COMPONENTS,
+        || {
+            let [mu, g, _] = mu_g_radius();
+            paper::eq63_velocity_rate(acceleration(), mu, g, velocity(), omega(), contact()).into()
+        },
+        |printed| rates("(63): d²r/dt²", Force::Sliding, velocity(), int(1), printed),
+    ),
+    &EQ64 = Vectorial::new(Printed, BY_COMPONENTS, eq64, |printed| {
+        let factor = symbol("κ") * symbol("R").squared();
+        rates("(64): κ R² dω/dt", Force::Sliding, omega(), factor, printed)
+    }),
+    &EQ65 = Vectorial::new(
+        Printed,
+        BY_COMPONENTS,
+        || {
+            let [mu, g, _] = mu_g_radius();
+            let kappa = symbol("κ");
+            paper::eq65_spin_slip_rate(kappa, mu, g, velocity(), omega(), contact()).into()
+        },
+        |printed| {
+            let spin_share = paper::slip([zero(); 3], omega(), contact());
+            rates(
+                "(65): d(ω × R)/dt",
+                Force::Sliding,
+                spin_share,
+                int(1),
+                printed,
+            )
+        },
+    ),
+    &EQ66 = Vectorial::new(
+        Printed,
+        BY_COMPONENTS,
+        || {
+            let [mu, g, _] = mu_g_radius();
+            paper::eq66_slip_rate(acceleration(), symbol("b"), mu, g, slip()).into()
+        },
+        |printed| {
+            rates(
+                "(66): d(dr/dt + ω × R)/dt",
+                Force::Sliding,
+                slip(),
+                int(1),
+                printed,
+            )
+        },
+    ),
+    &EQ73 = Vectorial::new(Printed, BY_COMPONENTS, eq73, |printed| {
+        rates(
+            "(73): d²ρ/dτ²",
+            Force::Sliding,
+            rho_rate(),
+            per_tau(),
+            printed,
+        )
+    }),
+    &EQ74,
+    &EQ75 = Vectorial::new(
+        Printed,
+        BY_COMPONENTS,
+        || paper::eq75_spin(zeta()[2], u(), rho_rate()).into(),
+        prove_eq75,
+    ),
+    &CORRECTED_75 = Vectorial::new(
+        Corrected,
+        BY_COMPONENTS,
+        || corrected::spin(zeta()[2], u(), rho_rate()).into(),
+        prove_eq75,
+    ),
+    &EQ77 = Vectorial::new(
+        Printed,
+        BY_COMPONENTS,
+        || paper::eq77_rate(u()).into(),
+        |printed| {
+            let quantity = sum(rho_rate(), nu());
+            rates(
+                "(77): d(dρ/dτ + ν)/dτ",
+                Force::Sliding,
+                quantity,
+                per_tau(),
+                printed,
+            )
+        },
+    ),
+    &EQ78 = Vectorial::new(
+        Printed,
+        BY_COMPONENTS,
+        || paper::eq78_rate(symbol("b"), u()).into(),
+        |printed| {
+            let quantity = sum(u(), nu());
+            rates(
+                "(78): d(u + ν)/dτ",
+                Force::Sliding,
+                quantity,
+                per_tau(),
+                printed,
+            )
+        },
+    ),
+    // Both sides change alike under any friction force, so that they differ by a constant.
+    &EQ79 = Vectorial::new(
+        Printed,
+        BY_COMPONENTS,
+        || {
+            let [cx, cy] = symbols(["c_x", "c_y"]);
+            paper::eq79_velocity(symbol("b"), nu(), u(), [cx, cy, zero()]).into()
+        },
+        |printed| {
+            let along_z = printed[2];
+            prove("(79): dρ/dτ", Force::Any, |p, body| {
+                for ((axis, own), printed) in AXES.iter().zip(rho_rate()).zip(printed).take(2) {
+                    let own = p.read(&format!("dρ/dτ {axis}"), own)?;
+                    let own = p.derivative("Its rate", &own, &body.motion)?;
+                    let printed = p.read(&format!("Printed {axis}"), printed)?;
+                    let rate =
+                        p.derivative("The rate of that, c being constant", &printed, &body.motion)?;
+                    p.equal("The two rates are equal", &own, &rate)?;
+                }
+                upright(p, rho_rate()[2])?;
+                upright(p, along_z)
+            })
+        },
+    ),
+    // κ makes (64) the law for the spin.
+    &EQ62 = Vectorial::new(
+        Printed,
+        Compared::one(
+            r"(64), with $\kappa$ by the definition,",
+            "Euler's law for the sphere",
+        ),
+        paper::eq62_kappa::parts,
+        |kappa| {
+            let factor = kappa[0] * symbol("R").squared();
+            let title = "(62): κ in κ R² dω/dt by (64)";
+            rates(title, Force::Sliding, omega(), factor, eq64())
+        },
+    ),
+    // dρ/dτ, which has the form of (68) by its linearity, makes (73) the law for the centre.
+    &EQ68 = Vectorial::new(
+        Printed,
+        Compared::one(
+            r"(73), with $\bm\rho$ by the definition,",
+            "Newton's law for the sphere",
+        ),
+        || paper::eq68_position(symbol("R"), velocity()).into(),
+        |rate| {
+            let rho_rate = [0, 1, 2].map(|i| rate[i] / tau_rate());
+            prove("(68): d²ρ/dτ² by (73)", Force::Sliding, |p, body| {
+                for ((axis, rate), stated) in AXES.iter().zip(rho_rate).zip(eq73()) {
+                    let rate = p.read(&format!("dρ/dτ {axis}"), rate)?;
+                    let change = p.derivative("Its rate", &rate, &body.motion)?;
+                    p.reads_as(&change, "(73) times dτ/dt", stated * tau_rate())?;
+                }
+                upright(p, rate[2])
+            })
+        },
+    ),
+    // τ makes (74) the law for the slip.
+    &EQ69 = Vectorial::new(
+        Printed,
+        BY_DEFINITION,
+        || {
+            let [mu, g, radius] = mu_g_radius();
+            vec![paper::eq69_time(radius, mu, g, symbol("t"))]
+        },
+        |tau| {
+            prove(
+                "(69): du/dt over dτ/dt by (74)",
+                Force::Sliding,
+                |p, body| {
+                    let tau = p.read("τ", tau[0])?;
+                    let clock = p.slope("dτ/dt", &tau, "t")?;
+                    for ((axis, u), stated) in AXES.iter().zip(u()).zip(eq74()) {
+                        let u = p.read(&format!("u {axis}"), u)?;
+                        let rate = p.derivative("du/dt", &u, &body.motion)?;
+                        let stated = p.read("(74)", stated)?;
+                        p.equal("du/dt is (74) times dτ/dt", &rate, &(stated * &clock))?;
+                    }
+                    Ok(())
+                },
+            )
+        },
+    ),
+    // ζ is the rate of turning in the time τ.
+    &EQ70 = Vectorial::new(
+        Printed,
+        Compared::one(
+            r"$\bm\zeta\,\mathrm d\tau$, with $\tau$ by (69),",
+            r"$\bm\omega\,\mathrm dt$",
+        ),
+        || zeta().into(),
+        |zeta| {
+            prove("(70): ζ dτ = ω dt", Force::Any, |p, _| {
+                for ((axis, zeta), omega) in AXES.iter().zip(zeta).zip(omega()) {
+                    p.identity(
+                        (&format!("ζ {axis}, times dτ/dt by (69)"), zeta * tau_rate()),
+                        ("", omega),
+                    )?;
+                }
+                Ok(())
+            })
+        },
+    ),
+    // u makes (74) the law for the slip.
+    &EQ71 = Vectorial::new(
+        Printed,
+        BY_DEFINITION,
+        || u().into(),
+        |slip| {
+            let u = [0, 1, 2].map(|i| slip[i]);
+            let stated = paper::eq74_slip_rate(symbol("b"), gamma(), u).into();
+            let title = "(71): du/dτ by (74)";
+            rates(title, Force::Sliding, u, per_tau(), stated)
+        },
+    ),
+    // γ makes (74) the law for the slip.
+    &EQ72 = Vectorial::new(
+        Printed,
+        BY_DEFINITION,
+        || gamma().into(),
+        |pull| {
+            let gamma = [0, 1, 2].map(|i| pull[i]);
+            let stated = paper::eq74_slip_rate(symbol("b"), gamma, u()).into();
+            let title = "(72): γ in du/dτ by (74)";
+            rates(title, Force::Sliding, u(), per_tau(), stated)
+        },
+    ),
+    &S3_REDUCTION,
+    &S3_SPIN_CONSTANT = Vectorial::new(
+        Printed,
+        BY_COMPONENTS,
+        paper::s3_zeta3_rate::parts,
+        |stated| match spin_constant(Force::Rolling, &stated) {
+            rolling if rolling.holds() => spin_constant(Force::Sliding, &stated),
+            fails => fails,
+        },
+    ),
+];

@@ -33,15 +33,7 @@ pub(crate) const EQ96: Vectorial = equation(
     },
     |printed| sides("(96), with (95)", &printed),
 );
-pub(crate) const EQ97: Vectorial = equation(
-    "the right side, with (94)",
-    || {
-        let [p, xi] = symbols(["p", "ξ"]);
-        let [position, rate] = vectors();
-        paper::eq97_radial(p, xi, position, rate).into()
-    },
-    |printed| sides("(97), with (94)", &printed),
-);
+
 pub(crate) const EQ98: Vectorial = equation(
     "the right side, with (94) and (95)",
     || {
@@ -58,28 +50,10 @@ fn polar(title: &str, of: &'static str, stated: &[Expr]) -> Proof {
 pub(crate) const EQ99: Vectorial = changes(Within, paper::eq99_p_rate::parts, |printed| {
     polar("(99): dp/dτ", "p", &printed)
 });
-pub(crate) const EQ100: Vectorial = changes(Within, paper::eq100_ell_rate::parts, |printed| {
-    polar("(100): dℓ/dτ", "ℓ", &printed)
-});
+
 pub(crate) const EQ101: Vectorial = changes(Within, paper::eq101_xi_rate::parts, |printed| {
     polar("(101): dξ/dτ", "ξ", &printed)
 });
-pub(crate) const TANGENTIAL: Vectorial = changes(
-    Within,
-    || {
-        let [position, rate] = vectors();
-        vec![paper::s4_tangential_rate(position, rate)]
-    },
-    |printed| polar("dp/dτ, by (89) on the velocity", "p", &printed),
-);
-pub(crate) const AZIMUTHAL: Vectorial =
-    changes(Corrected, corrected::azimuthal_rate::parts, |corrected| {
-        polar("dℓ/dτ, by the angular momentum and dp/dτ", "ℓ", &corrected)
-    });
-pub(crate) const RADIAL: Vectorial =
-    changes(Corrected, corrected::radial_rate::parts, |corrected| {
-        polar("dξ/dτ, by the radius and dp/dτ", "ξ", &corrected)
-    });
 
 pub(crate) const EQ102: Vectorial = Vectorial::new(
     Printed,
@@ -113,3 +87,40 @@ pub(crate) const EQ108: Vectorial = changes(Printed, paper::eq108_rho_rate::part
 pub(crate) const EQ109: Vectorial = changes(Within, paper::eq109_psi_rate::parts, |printed| {
     polar("(109): dψ/dτ", "ψ", &printed)
 });
+
+attempts![
+    &EQ96,
+    &EQ97 = equation(
+        "the right side, with (94)",
+        || {
+            let [p, xi] = symbols(["p", "ξ"]);
+            let [position, rate] = vectors();
+            paper::eq97_radial(p, xi, position, rate).into()
+        },
+        |printed| sides("(97), with (94)", &printed),
+    ),
+    &EQ98,
+    &EQ99,
+    &EQ100 = changes(Within, paper::eq100_ell_rate::parts, |printed| {
+        polar("(100): dℓ/dτ", "ℓ", &printed)
+    }),
+    &EQ101,
+    &TANGENTIAL = changes(
+        Within,
+        || {
+            let [position, rate] = vectors();
+            vec![paper::s4_tangential_rate(position, rate)]
+        },
+        |printed| polar("dp/dτ, by (89) on the velocity", "p", &printed),
+    ),
+    &AZIMUTHAL = changes(Corrected, corrected::azimuthal_rate::parts, |corrected| {
+        polar("dℓ/dτ, by the angular momentum and dp/dτ", "ℓ", &corrected)
+    }),
+    &RADIAL = changes(Corrected, corrected::radial_rate::parts, |corrected| {
+        polar("dξ/dτ, by the radius and dp/dτ", "ξ", &corrected)
+    }),
+    &EQ102,
+    &EQ107,
+    &EQ108,
+    &EQ109,
+];

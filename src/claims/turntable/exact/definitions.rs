@@ -25,25 +25,6 @@ fn is(
     })
 }
 
-pub(crate) const EQ93: Vectorial = consistent(
-    Compared::one("(93)", "the size of the velocity"),
-    || vec![paper::eq93_speed(vectors()[1])],
-    |printed| {
-        let size = symbol("p");
-        let expected = ("the size of the velocity p (cos χ, sin χ)", size);
-        is("(93): p", Setting::polar(), &printed, expected)
-    },
-);
-pub(crate) const EQ94: Vectorial = consistent(
-    Compared::one("(94)", r"$\bm\rho\cdot(\mathrm d\bm\rho/\mathrm d\tau)/p$"),
-    paper::eq94_xi::parts,
-    |printed| {
-        let [[x, y], [u, v]] = vectors();
-        let along = (x * u + y * v) / symbol("p");
-        let expected = ("the position along the velocity", along);
-        is("(94): ξ", Setting::polar(), &printed, expected)
-    },
-);
 pub(crate) const EQ95: Vectorial = consistent(
     Compared::one(
         "(95)",
@@ -65,15 +46,6 @@ pub(crate) const EQ110: Vectorial = consistent(
         let expected = ("negative", -symbol("A").squared());
         let title = "(110): with (111) and (112)";
         is(title, Setting::slower(), &printed, expected)
-    },
-);
-pub(crate) const EQ116: Vectorial = consistent(
-    Compared::one("(116), by (117) and (118),", "$B^2$"),
-    paper::eq116_case::parts,
-    |printed| {
-        let expected = ("positive", symbol("B").squared());
-        let title = "(116): with (117) and (118)";
-        is(title, Setting::faster(), &printed, expected)
     },
 );
 
@@ -118,21 +90,56 @@ pub(crate) const EQ112: Vectorial = consistent(SLOWER, paper::eq112_rho::parts, 
         ["A", "α"],
     )
 });
-pub(crate) const EQ117: Vectorial = consistent(FASTER, paper::eq117_p::parts, |printed| {
-    let both = [printed[0], paper::eq118_rho::tree()];
-    sums(
-        "(117): p ± ρ = B exp(±β)",
-        Setting::faster(),
-        both,
-        ["B", "β"],
-    )
-});
-pub(crate) const EQ118: Vectorial = consistent(FASTER, paper::eq118_rho::parts, |printed| {
-    let both = [paper::eq117_p::tree(), printed[0]];
-    sums(
-        "(118): p ± ρ = B exp(±β)",
-        Setting::faster(),
-        both,
-        ["B", "β"],
-    )
-});
+
+attempts![
+    &EQ93 = consistent(
+        Compared::one("(93)", "the size of the velocity"),
+        || vec![paper::eq93_speed(vectors()[1])],
+        |printed| {
+            let size = symbol("p");
+            let expected = ("the size of the velocity p (cos χ, sin χ)", size);
+            is("(93): p", Setting::polar(), &printed, expected)
+        },
+    ),
+    &EQ94 = consistent(
+        Compared::one("(94)", r"$\bm\rho\cdot(\mathrm d\bm\rho/\mathrm d\tau)/p$"),
+        paper::eq94_xi::parts,
+        |printed| {
+            let [[x, y], [u, v]] = vectors();
+            let along = (x * u + y * v) / symbol("p");
+            let expected = ("the position along the velocity", along);
+            is("(94): ξ", Setting::polar(), &printed, expected)
+        },
+    ),
+    &EQ95,
+    &EQ110,
+    &EQ116 = consistent(
+        Compared::one("(116), by (117) and (118),", "$B^2$"),
+        paper::eq116_case::parts,
+        |printed| {
+            let expected = ("positive", symbol("B").squared());
+            let title = "(116): with (117) and (118)";
+            is(title, Setting::faster(), &printed, expected)
+        },
+    ),
+    &EQ111,
+    &EQ112,
+    &EQ117 = consistent(FASTER, paper::eq117_p::parts, |printed| {
+        let both = [printed[0], paper::eq118_rho::tree()];
+        sums(
+            "(117): p ± ρ = B exp(±β)",
+            Setting::faster(),
+            both,
+            ["B", "β"],
+        )
+    }),
+    &EQ118 = consistent(FASTER, paper::eq118_rho::parts, |printed| {
+        let both = [paper::eq117_p::tree(), printed[0]];
+        sums(
+            "(118): p ± ρ = B exp(±β)",
+            Setting::faster(),
+            both,
+            ["B", "β"],
+        )
+    }),
+];

@@ -34,15 +34,6 @@ fn keeps_its_value(title: &str, setting: Result<Setting, ExactError>, formula: &
     })
 }
 
-pub(crate) const EQ104: Vectorial = Vectorial::new(
-    Printed,
-    Compared::one("the rate of (104) along (89)", "0"),
-    paper::eq104_constant::parts,
-    |printed| {
-        let title = "(104): an expression keeps its value";
-        keeps_its_value(title, Setting::polar(), &printed)
-    },
-);
 /// (106) as printed.
 pub(crate) const PRINTED_106: Vectorial = Vectorial::new(
     Printed,
@@ -51,16 +42,6 @@ pub(crate) const PRINTED_106: Vectorial = Vectorial::new(
         let [m, g, omega, s] = symbols(["m", "g", "Ω", "s"]);
         let [r, v] = vectors();
         vec![paper::eq106_constant(m, g, omega, r, v, s)]
-    },
-    prove_106,
-);
-pub(crate) const CORRECTED_106: Vectorial = Vectorial::new(
-    Corrected,
-    Compared::one(r"the rate of (106) with $m\mu gs$, along (86),", "0"),
-    || {
-        let [m, mu, g, omega, s] = symbols(["m", "μ", "g", "Ω", "s"]);
-        let [r, v] = vectors();
-        vec![corrections::constant(m, mu, g, omega, r, v, s)]
     },
     prove_106,
 );
@@ -78,15 +59,6 @@ pub(crate) const PRINTED_WORK: Vectorial = Vectorial::new(
         "0 and the power of friction",
     ),
     paper::friction_work::parts,
-    prove_works,
-);
-pub(crate) const CORRECTED_WORK: Vectorial = Vectorial::new(
-    Corrected,
-    Compared::many(
-        r"the power of the Coriolis force and the rate of $-m\mu gs$, in (86),",
-        "0 and the power of friction",
-    ),
-    corrections::friction_work::parts,
     prove_works,
 );
 
@@ -110,3 +82,37 @@ fn prove_works(work: Vec<Expr>) -> Proof {
         p.equal("It is the power of friction", &rate, &friction)
     })
 }
+
+attempts![
+    &EQ103,
+    &EQ104 = Vectorial::new(
+        Printed,
+        Compared::one("the rate of (104) along (89)", "0"),
+        paper::eq104_constant::parts,
+        |printed| {
+            let title = "(104): an expression keeps its value";
+            keeps_its_value(title, Setting::polar(), &printed)
+        },
+    ),
+    &PRINTED_106,
+    &CORRECTED_106 = Vectorial::new(
+        Corrected,
+        Compared::one(r"the rate of (106) with $m\mu gs$, along (86),", "0"),
+        || {
+            let [m, mu, g, omega, s] = symbols(["m", "μ", "g", "Ω", "s"]);
+            let [r, v] = vectors();
+            vec![corrections::constant(m, mu, g, omega, r, v, s)]
+        },
+        prove_106,
+    ),
+    &PRINTED_WORK,
+    &CORRECTED_WORK = Vectorial::new(
+        Corrected,
+        Compared::many(
+            r"the power of the Coriolis force and the rate of $-m\mu gs$, in (86),",
+            "0 and the power of friction",
+        ),
+        corrections::friction_work::parts,
+        prove_works,
+    ),
+];

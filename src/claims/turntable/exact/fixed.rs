@@ -59,11 +59,6 @@ pub(crate) const EQ124: Vectorial =
         let [first, _] = factors();
         prove_zero(printed[0], first)
     });
-pub(crate) const EQ125: Vectorial =
-    Vectorial::new(Printed, ZERO, paper::eq125_psi2::parts, |printed| {
-        let [_, second] = factors();
-        prove_zero(printed[0], second)
-    });
 
 /// Each is zero once in a turn.
 fn factors() -> [Expr; 2] {
@@ -87,16 +82,6 @@ fn prove_zero(printed: Expr, factor: Expr) -> Proof {
         p.reads_as(&product, "which is (115)", paper::eq115_psi_rate::tree())
     })
 }
-
-pub(crate) const S4_QUASI_FIXED_STABILITY: Vectorial = Vectorial::new(
-    Within,
-    Compared::many(
-        r"the slopes of (115) at $\psi_1$ and $\psi_2$",
-        r"$-2/\sinh2\alpha$ and $2/\sinh2\alpha$",
-    ),
-    paper::eq115_psi_rate::parts,
-    prove_slope,
-);
 
 /// A deviation from ψ₁ shrinks at the rate 2/sinh 2α, one from ψ₂ grows at that rate.
 fn prove_slope(printed: Vec<Expr>) -> Proof {
@@ -122,3 +107,20 @@ fn prove_slope(printed: Vec<Expr>) -> Proof {
         Ok(())
     })
 }
+
+attempts![
+    &EQ124,
+    &EQ125 = Vectorial::new(Printed, ZERO, paper::eq125_psi2::parts, |printed| {
+        let [_, second] = factors();
+        prove_zero(printed[0], second)
+    }),
+    &S4_QUASI_FIXED_STABILITY = Vectorial::new(
+        Within,
+        Compared::many(
+            r"the slopes of (115) at $\psi_1$ and $\psi_2$",
+            r"$-2/\sinh2\alpha$ and $2/\sinh2\alpha$",
+        ),
+        paper::eq115_psi_rate::parts,
+        prove_slope,
+    ),
+];

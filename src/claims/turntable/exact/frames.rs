@@ -5,25 +5,6 @@ use super::{Setting, Vectorial, prove, vectors};
 use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
 
-pub(crate) const EQ86: Vectorial = Vectorial::new(
-    Within,
-    Compared::one(
-        "the acceleration in the laboratory that (86) leads to",
-        "that by friction alone",
-    ),
-    eq86,
-    prove_eq86,
-);
-pub(crate) const S4_MIRROR: Vectorial = Vectorial::new(
-    Printed,
-    Compared::many(
-        "the mirrored accelerations of (86)",
-        r"those of (86) for $-\Omega$ at the mirrored state",
-    ),
-    eq86,
-    prove_mirror,
-);
-
 fn eq86() -> Vec<Expr> {
     let [omega, mu, g] = symbols(["Ω", "μ", "g"]);
     let [r, v] = vectors();
@@ -67,14 +48,7 @@ fn prove_eq86(printed: Vec<Expr>) -> Proof {
 }
 
 const SYMBOLS: Compared = Compared::one("(86) in the symbols (87) and (88)", "(89)");
-pub(crate) const EQ87: Vectorial = Vectorial::new(Printed, SYMBOLS, eq87, |printed| {
-    let title = "(86) becomes (89) with (87)";
-    without_dimensions(title, &printed, eq88()[0], &eq89())
-});
-pub(crate) const EQ88: Vectorial = Vectorial::new(Printed, SYMBOLS, eq88, |printed| {
-    let title = "(86) becomes (89) with (88)";
-    without_dimensions(title, &eq87(), printed[0], &eq89())
-});
+
 pub(crate) const EQ89: Vectorial = Vectorial::new(
     Within,
     Compared::one("(89)", "(86) in the units of (87) and (88)"),
@@ -177,39 +151,6 @@ fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational
     })
 }
 
-pub(crate) const EQ90: Vectorial = projection(
-    Printed,
-    || {
-        let [position, rate] = vectors();
-        vec![paper::eq90_power(position, rate)]
-    },
-    |printed| sides("(90) from (89)", &printed, |[_, rate, a]| dot(&rate, &a)),
-);
-pub(crate) const EQ91: Vectorial = projection(
-    Within,
-    || {
-        let [position, rate] = vectors();
-        vec![paper::eq91_moment(position, rate)]
-    },
-    |printed| {
-        sides("(91) from (89)", &printed, |[[x, y], _, [ax, ay]]| {
-            &x * &ay - &y * &ax
-        })
-    },
-);
-pub(crate) const EQ92: Vectorial = projection(
-    Within,
-    || {
-        let [position, rate] = vectors();
-        vec![paper::eq92_virial(position, rate)]
-    },
-    |printed| {
-        sides("(92) from (89)", &printed, |[position, rate, a]| {
-            dot(&position, &a) + dot(&rate, &rate)
-        })
-    },
-);
-
 /// The mirror image of a solution, y → −y, has the accelerations that the formulas give with −Ω.
 fn prove_mirror(printed: Vec<Expr>) -> Proof {
     let title = "(86) in the mirror y → −y";
@@ -226,3 +167,65 @@ fn prove_mirror(printed: Vec<Expr>) -> Proof {
         Ok(())
     })
 }
+
+attempts![
+    &EQ86 = Vectorial::new(
+        Within,
+        Compared::one(
+            "the acceleration in the laboratory that (86) leads to",
+            "that by friction alone",
+        ),
+        eq86,
+        prove_eq86,
+    ),
+    &S4_MIRROR = Vectorial::new(
+        Printed,
+        Compared::many(
+            "the mirrored accelerations of (86)",
+            r"those of (86) for $-\Omega$ at the mirrored state",
+        ),
+        eq86,
+        prove_mirror,
+    ),
+    &EQ87 = Vectorial::new(Printed, SYMBOLS, eq87, |printed| {
+        let title = "(86) becomes (89) with (87)";
+        without_dimensions(title, &printed, eq88()[0], &eq89())
+    }),
+    &EQ88 = Vectorial::new(Printed, SYMBOLS, eq88, |printed| {
+        let title = "(86) becomes (89) with (88)";
+        without_dimensions(title, &eq87(), printed[0], &eq89())
+    }),
+    &EQ89,
+    &EQ90 = projection(
+        Printed,
+        || {
+            let [position, rate] = vectors();
+            vec![paper::eq90_power(position, rate)]
+        },
+        |printed| sides("(90) from (89)", &printed, |[_, rate, a]| dot(&rate, &a)),
+    ),
+    &EQ91 = projection(
+        Within,
+        || {
+            let [position, rate] = vectors();
+            vec![paper::eq91_moment(position, rate)]
+        },
+        |printed| {
+            sides("(91) from (89)", &printed, |[[x, y], _, [ax, ay]]| {
+                &x * &ay - &y * &ax
+            })
+        },
+    ),
+    &EQ92 = projection(
+        Within,
+        || {
+            let [position, rate] = vectors();
+            vec![paper::eq92_virial(position, rate)]
+        },
+        |printed| {
+            sides("(92) from (89)", &printed, |[position, rate, a]| {
+                dot(&position, &a) + dot(&rate, &rate)
+            })
+        },
+    ),
+];

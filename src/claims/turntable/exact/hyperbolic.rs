@@ -14,28 +14,11 @@ pub(crate) const EQ114: Vectorial = changes(Within, paper::eq114_alpha_rate::par
 pub(crate) const EQ115: Vectorial = changes(Within, paper::eq115_psi_rate::parts, |printed| {
     rate("(115): dψ/dτ", Setting::slower(), "ψ", &printed)
 });
-pub(crate) const EQ119: Vectorial = changes(Printed, paper::eq119_b_rate::parts, |printed| {
-    rate("(119): dB/dτ", Setting::faster(), "B", &printed)
-});
-pub(crate) const EQ120: Vectorial = changes(Printed, paper::eq120_beta_rate::parts, |printed| {
-    rate("(120): dβ/dτ", Setting::faster(), "β", &printed)
-});
-pub(crate) const EQ121: Vectorial = changes(Within, paper::eq121_psi_rate::parts, |printed| {
-    rate("(121): dψ/dτ", Setting::faster(), "ψ", &printed)
-});
 
 const CONTINUED: Compared = Compared::many(
     "(111) to (115), with (122) and (123) put in,",
     "(117) to (121)",
 );
-pub(crate) const EQ122: Vectorial =
-    Vectorial::new(Printed, CONTINUED, paper::eq122_a::parts, |printed| {
-        continuation("(122), with (123)", printed[0], paper::eq123_alpha::tree())
-    });
-pub(crate) const EQ123: Vectorial =
-    Vectorial::new(Printed, CONTINUED, paper::eq123_alpha::parts, |printed| {
-        continuation("(123), with (122)", paper::eq122_a::tree(), printed[0])
-    });
 
 /// How far the multiples of iπ/2 and of β in (123) are looked for.
 const MOST: i64 = 4;
@@ -110,3 +93,24 @@ fn continuation(title: &str, a: Expr, alpha: Expr) -> Proof {
         )
     })
 }
+
+attempts![
+    &EQ113,
+    &EQ114,
+    &EQ115,
+    &EQ119 = changes(Printed, paper::eq119_b_rate::parts, |printed| {
+        rate("(119): dB/dτ", Setting::faster(), "B", &printed)
+    }),
+    &EQ120 = changes(Printed, paper::eq120_beta_rate::parts, |printed| {
+        rate("(120): dβ/dτ", Setting::faster(), "β", &printed)
+    }),
+    &EQ121 = changes(Within, paper::eq121_psi_rate::parts, |printed| {
+        rate("(121): dψ/dτ", Setting::faster(), "ψ", &printed)
+    }),
+    &EQ122 = Vectorial::new(Printed, CONTINUED, paper::eq122_a::parts, |printed| {
+        continuation("(122), with (123)", printed[0], paper::eq123_alpha::tree())
+    }),
+    &EQ123 = Vectorial::new(Printed, CONTINUED, paper::eq123_alpha::parts, |printed| {
+        continuation("(123), with (122)", paper::eq122_a::tree(), printed[0])
+    }),
+];
