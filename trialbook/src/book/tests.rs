@@ -145,8 +145,12 @@ fn words_and_numbers_are_as_they_are_computed() {
         write(&edition, &ledger(), &[], &out)?;
         Ok::<_, BookError>(fs::read_to_string(out.join("own.html")).unwrap())
     };
-    let html = said("# A\n\nIt {{is second $p$ falls|$q$ rises}} {{is six six}} times.\n").unwrap();
-    assert!(html.contains("</span> rises six times.") && !html.contains("falls"));
+    let html = said("# A\n\nIt {{is second $p$ falls|$q$ rises}} {{is six six}} times.\n\nIn {{code five}}.\n\n```rust\nlet a = 5;\n```\n").unwrap();
+    assert!(
+        html.contains("</span> rises six times.")
+            && html.contains("In five.")
+            && !html.contains("falls")
+    );
     for (text, told) in [
         (
             "{{is second falls|rises}} {{is six seven}}",
@@ -155,7 +159,11 @@ fn words_and_numbers_are_as_they_are_computed() {
         ("{{is second first|second}}", "stands first, or second"),
         (
             "{{is second falls|rises}} {{is six two|three}}",
-            "computed is 6, of words their place from 0",
+            "computed is 6, their place from 0",
+        ),
+        (
+            "{{is second falls|rises}} {{is six six}} {{code four}}\n\n```rust\nlet a = 5;\n```\n",
+            "own.md, line 1: `{{code four}}`: no such number",
         ),
         (
             "{{is six six}}",
