@@ -84,6 +84,8 @@
 //! ```
 // What is public is promised.
 #![cfg_attr(not(test), warn(unreachable_pub))]
+// Of what trials compute the figures alone read some.
+#![cfg_attr(not(feature = "book"), allow(dead_code))]
 // Where a module is not built, its name leads to the feature that brings it.
 #![cfg_attr(
     not(feature = "trials"),

@@ -85,7 +85,7 @@ pub(super) fn run(matches: &ArgMatches, format: Format, json: Json) -> Result<u8
                 row(&stretch.kind.to_string(), ends, "s", String::new())
             };
             rows.extend(found.stretches.iter().map(stretch));
-            csv(&["what", "from", "to", "unit", "note"], rows.into_iter())?;
+            csv(&["what", "from", "to", "unit", "note"], rows)?;
         }
         Format::Json => {
             let ends = |found: &Result<Interval, Unfound>| match found {

@@ -607,7 +607,7 @@ fn found(
                     .collect()
             };
             let rows = [rows(&solutions, "solution"), rows(&jumps, "jump")];
-            csv(&[word, "unit", "is"], rows.concat().into_iter())?;
+            csv(&[word, "unit", "is"], rows.concat())?;
         }
         Format::Text => {
             let mut text = match &solutions[..] {
