@@ -85,10 +85,6 @@ fn no_text_names_a_claim_that_is_gone() {
             include_str!("../../python/tests/test_data.py"),
         ),
         (
-            "tests/suite/command/cases.txt",
-            include_str!("command/cases.txt"),
-        ),
-        (
             "tests/suite/command/held.txt",
             include_str!("command/held.txt"),
         ),

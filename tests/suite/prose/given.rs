@@ -167,7 +167,7 @@ fn called(library: &Library, call: &str, given: &Given) -> Result<Value, String>
                 .ok_or("a vector".to_owned())
         })
         .collect();
-    let formula = library.formula(path);
+    let formula = library.find(path)?;
     let arguments = arguments?;
     if arguments.len() != formula.symbols.len() {
         return Err(format!("{path} takes {:?}", formula.symbols));
