@@ -26,12 +26,7 @@ impl Library {
         Library { formulas: all }
     }
 
-    /// The formula whose path ends so.
-    pub fn formula(&self, name: &str) -> &Formula<Expr> {
-        self.find(name).unwrap_or_else(|why| panic!("{why}"))
-    }
-
-    /// The same, or why there is none.
+    /// The formula whose path ends so, or why there is none.
     pub fn find(&self, name: &str) -> Result<&Formula<Expr>, String> {
         let mut of_name = self.formulas.iter().filter(|formula| {
             let before = formula.path.strip_suffix(name);
