@@ -9,16 +9,13 @@ use super::simulated::fits;
 /// One point of the census in a map: q and λ₀, found and printed region.
 pub(crate) type Cell = ([f64; 2], usize, Option<usize>);
 
-/// A part of the plane.
 #[derive(Debug, Clone)]
 pub(crate) struct Map {
-    /// The curves, in order of q.
+    /// In order of q.
     pub curves: Vec<Curves>,
-    /// The ends along q.
     pub q: (f64, f64),
-    /// The ends along λ₀.
     pub lambda0: (f64, f64),
-    /// The points, one in each cell, row by row from the lowest λ₀.
+    /// One in each cell, row by row from the lowest λ₀.
     pub cells: Vec<Cell>,
 }
 
@@ -77,11 +74,11 @@ pub(crate) fn corners() -> Result<[[f64; 2]; 2], Failure> {
 /// How far the particle creeps and what it loses, over a part of the plane.
 #[derive(Debug, Clone)]
 pub(crate) struct Budgets {
-    /// The ratios q, rising.
+    /// Rising.
     pub q: Vec<f64>,
-    /// The frictions λ₀, rising.
+    /// Rising.
     pub lambda0: Vec<f64>,
-    /// The curves at these q.
+    /// At these q.
     pub curves: Vec<Curves>,
     /// The mean velocity and what friction takes in a period, by the motion, for each q in turn at all λ₀.
     pub found: Vec<Vec<[f64; 2]>>,

@@ -84,7 +84,7 @@ mod tests {
     use crate::motion::drive::{Interval, Sign};
     use crate::numerics::quadrature::integral_within;
 
-    /// Points all over the plane, a few hundred of each region but V.
+    /// A few hundred of each region but V.
     fn points() -> Vec<(f64, f64)> {
         let mut random = fastrand::Rng::with_seed(24);
         let mut points = Vec::new();

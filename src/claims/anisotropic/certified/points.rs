@@ -38,7 +38,6 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
     )
 }
 
-/// (54) and (55) at Y.
 pub(crate) fn y_digits() -> Evidence {
     let compared = Compared::one(
         "the sum of $q$ and the difference of the sides of (54) on (55), to 50 digits,",
@@ -93,7 +92,6 @@ fn no_way_back() -> Evidence {
 }
 
 attempts![
-    // X: (53) and (54) have one common root near (57).
     x_unique = {
         let compared = Compared::one(
             "(57)",
@@ -103,7 +101,6 @@ attempts![
         let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
         certified(proof, Printed, compared)
     },
-    // The decimals of (58), to the last one.
     y_rounding = {
         let trial = Trial::by(
             Certified,
