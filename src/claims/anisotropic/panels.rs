@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::simulated::own_digits;
 
-/// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
+/// (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
 pub(crate) const PANELS: [(f64, f64); 5] = [
     (1.2, 0.35),
     (2.0, 0.38),
@@ -22,7 +22,6 @@ struct Stretch {
     end: f64,
 }
 
-/// A printed rate and the friction in it.
 struct Rates {
     q: f64,
     lambda0: f64,
@@ -51,7 +50,6 @@ impl Rates {
         Ok(root(w, turn.max(start), start + TAU)?)
     }
 
-    /// The intervals of a period with these signs.
     fn period(&self, signs: &[f64]) -> Result<Vec<Stretch>, Failure> {
         let plus = libm::asin(self.lambda0.min(1.0));
         let minus = libm::asin((self.q * self.lambda0).min(1.0));
@@ -136,7 +134,6 @@ pub(crate) fn motion(panel: usize, start: DriveState) -> Result<Attractor<'stati
     attractor_from(start, Friction::new(lambda0, q * lambda0)?)
 }
 
-/// The intervals in each panel, and whether the motion stays within the mark, from several starts.
 pub(crate) fn census() -> Evidence {
     let trial = Trial::census(
         Printed,

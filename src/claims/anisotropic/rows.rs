@@ -4,14 +4,11 @@ use super::prelude::*;
 use super::simulated::Changes;
 use crate::numerics::fit::fit;
 
-/// One q and what the simulation finds there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Row {
-    /// The ratio q.
     pub q: f64,
     /// Whether it lies before that of Y.
     pub before_y: bool,
-    /// The changes of the motion.
     pub changes: Changes,
 }
 
@@ -29,8 +26,8 @@ impl Row {
     }
 }
 
-/// The values of q at which the curves are tried: generic ones first, then the edges, close to the end of B
-/// on both sides, and the whole range, the part with B more densely.
+/// Generic ones first, then the edges, close to the end of B on both sides, and the whole range, the part with B
+/// more densely.
 fn ratios() -> Vec<f64> {
     let mut list = vec![
         2.0,
@@ -61,13 +58,12 @@ fn ratios() -> Vec<f64> {
     Points::here().grid(list)
 }
 
-/// Rows for all values of q at which the curves are tried.
 pub(crate) fn rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
     static ROWS: Runs<Vec<Row>> = Runs::new(|| all_rows(&ratios(), 1e-9));
     ROWS.each()
 }
 
-/// Rows far out, q from 200 to 20,000.
+/// q from 200 to 20,000.
 pub(crate) static FAR_ROWS: Runs<Vec<Row>> = Runs::new(|| {
     let q = (0..=20).map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0));
     all_rows(&Points::here().grid(q), 1e-12)
@@ -81,9 +77,7 @@ fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {
 /// A power law λ₀ = prefactor · (q + 1)^exponent, with standard errors.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PowerLaw {
-    /// The exponent and its error.
     pub exponent: (f64, f64),
-    /// The prefactor and its error.
     pub prefactor: (f64, f64),
 }
 

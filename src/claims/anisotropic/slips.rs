@@ -34,7 +34,6 @@ fn slips() -> Vec<(f64, f64, Sign)> {
     slips
 }
 
-/// How far a slip goes, by how long it takes.
 pub(super) fn distances() -> Evidence {
     let trial = Trial::motion(
         Remark,

@@ -29,7 +29,6 @@ attempts![
             })
         })
     },
-    // (4): the angle of the vector built from v and θ is θ, its length v.
     eq4 = Trial::consistency(
         Printed,
         [
