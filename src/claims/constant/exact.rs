@@ -45,7 +45,6 @@ const fn by_newton(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> P
     Statement::new(subject, compared, formula, prove)
 }
 
-/// Newton's law in a ring.
 #[derive(Debug)]
 struct Newton {
     ring: Ring,

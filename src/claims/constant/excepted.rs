@@ -122,7 +122,6 @@ attempts![
         &[[1.0, PI]],
         |start| start != [1.0, PI],
     ),
-    // Starts straight against the inertial force.
     large_friction = no_inside(
         "a start",
         r"$\theta_0=\pi$",

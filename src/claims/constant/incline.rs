@@ -14,7 +14,6 @@ fn turned(vector: Vector, axis: Vector, angle: f64) -> Vector {
     cosine * vector + sine * axis.cross(&vector) + (1.0 - cosine) * axis.dot(&vector) * axis
 }
 
-/// A plane tilted by β about a horizontal axis, and a particle on it.
 struct Incline {
     g: f64,
     mu: f64,
@@ -143,7 +142,6 @@ fn same_motion() -> Evidence {
     })
 }
 
-/// (6) and (7) with the forces on the incline.
 pub(super) fn forces() -> Evidence {
     let trial = Trial::consistency(
         Printed,
