@@ -20,19 +20,15 @@ const UNKNOWN: [&str; 12] = [
 /// The quantities of the motion as series in τ^(−1/2).
 #[derive(Debug, Clone)]
 pub(crate) struct Late {
-    /// The speed p.
     pub p: Series,
-    /// The distance ρ.
     pub rho: Series,
     /// e^(2α) = (ρ + p)/(ρ − p).
     pub twice_alpha_exp: Series,
-    /// A.
     pub a: Series,
-    /// e^α.
     pub alpha_exp: Series,
     /// π/2 − ψ.
     pub lag: Series,
-    /// The arc length s.
+    /// Arc length.
     pub s: Series,
 }
 
@@ -250,11 +246,9 @@ fn finish(p: &mut Prover<'_>, [rho, u, delta]: &[Series; 3]) -> Result<Late, Obs
     })
 }
 
-/// The series, and how they were found.
 static SOLUTION: Derived<(Option<Late>, Proof)> =
     Derived::new(|| Proof::finding("The escape in powers of 1/τ and ln τ", ring(), solve));
 
-/// A proof that starts from the series.
 pub(crate) fn from_series(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>, &Late) -> Result<(), Obstacle>,
