@@ -49,7 +49,6 @@ pub fn time_to_stop(state: &Intrinsic) -> f64 {
 }
 
 fn run(rho: f64, p: f64, psi: f64) -> Result<Run, MotionError> {
-    // At ψ = π the deceleration is 1 + ρ.
     Run::new(&Start::polar(rho, p, psi)?, 1.3 * p / (1.0 + rho))
 }
 

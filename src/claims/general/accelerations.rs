@@ -2,7 +2,6 @@
 
 use super::prelude::*;
 
-/// An acceleration, friction, and a start.
 pub(super) struct Case {
     /// The acceleration, in the claim's own symbols.
     pub name: String,
@@ -10,7 +9,6 @@ pub(super) struct Case {
     pub plane: Plane,
     /// μg.
     pub friction: f64,
-    /// The start.
     pub start: State,
 }
 

@@ -66,7 +66,6 @@ fn eq2_rate(case: &Case, state: &State) -> f64 {
     printed::eq2_speed_rate(a, case.friction / GRAVITY, GRAVITY, state.v)
 }
 
-/// Times at which each motion is looked at.
 const TIMES: u32 = 17;
 
 /// A printed rate with differences of fourth order along the motions.
@@ -120,7 +119,6 @@ pub(in crate::claims) fn eq1() -> [Expr; 2] {
     printed::eq1_velocity_rate([ax, ay], mu, g, [vx, vy])
 }
 
-/// The components of the velocity and the speed.
 pub(in crate::claims) fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     let [_, _, _, _, vx, vy] = NAMES.map(|name| ring.symbol(name));
@@ -178,7 +176,6 @@ pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
 }
 
 attempts![
-    // (1) from the laboratory, where friction alone acts, against the velocity relative to the plane.
     &EQ1 = Statement::new(
         Printed,
         Compared::one(
@@ -225,7 +222,6 @@ attempts![
         eq1_rate,
         components
     ),
-    // (2) from (1): the rate of √(v_x² + v_y²).
     &EQ2 = Statement::new(
         Printed,
         Compared::one(
