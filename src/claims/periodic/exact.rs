@@ -16,7 +16,6 @@ fn ring() -> Ring {
 /// A motion in cases: each solves the equation, they join, and it begins and ends at 0.
 struct Chain {
     title: &'static str,
-    /// What is shown.
     says: &'static str,
     /// w(φ), case by case.
     cases: Vec<Expr>,
@@ -80,7 +79,6 @@ pub(crate) fn eq44_chain(cases: [Expr; 3]) -> Proof {
     })
 }
 
-/// Evidence on (45).
 /// (45): with w(φ) a solution while h is h(φ), the printed w(π + φ) is one while h is that of (43).
 pub(crate) const EQ45: Statement = Statement::new(
     Printed,
@@ -107,7 +105,6 @@ pub(crate) const EQ45: Statement = Statement::new(
     },
 );
 
-/// Evidence on (46).
 /// (46): the stop of (44) and the start of the small-friction motion both meet the beginning of a pulse there.
 pub(crate) const EQ46: Statement = Statement::new(
     Printed,
@@ -160,7 +157,6 @@ const COMPARED: Compared = Compared::one(
     r"$\mathfrak w'=h-\lambda_0$ case by case, and the cases with each other where they meet",
 );
 
-/// Evidence on (44).
 pub(crate) const EQ44: Statement<[Expr; 3]> = Statement::new(
     Printed,
     COMPARED,

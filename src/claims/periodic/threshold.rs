@@ -5,7 +5,6 @@ use super::drives::{
 };
 use super::prelude::*;
 
-/// Samples of a drive over its period.
 const SAMPLES: usize = 4096;
 /// Half the distance of two samples, times the steepest slope of three harmonics of size 1, and some more.
 const MARGIN: f64 = 3e-3;
@@ -19,8 +18,8 @@ pub(crate) struct Bounds {
     pub high: f64,
 }
 
-/// The bounds of [`crate::corrections::periodic`], from samples; each is moved to the safe side by more
-/// than h or H/π changes between two samples.
+/// Those of [`crate::corrections::periodic`], from samples, each moved to the safe side by more than h or H/π
+/// changes between two samples.
 pub(crate) fn bounds(drive: &Drive) -> Bounds {
     let places = (0..SAMPLES).map(|k| TAU * (k as f64 + 0.5) / SAMPLES as f64);
     let samples: Vec<[f64; 2]> = places
@@ -39,7 +38,6 @@ pub(crate) fn bounds(drive: &Drive) -> Bounds {
     }
 }
 
-/// The mean of |h| over a period, from samples.
 pub(crate) fn mean_size(drive: &Drive) -> f64 {
     bounds(drive).high - MARGIN
 }
@@ -149,7 +147,6 @@ pub(crate) fn level() -> Evidence {
 }
 
 attempts![
-    // Every admitted drive: no rest below the one bound, motion with rest above the other.
     both_ends = {
         let trial = Trial::census(
             Printed,
@@ -171,7 +168,6 @@ attempts![
                 .collect()
         })
     },
-    // λ_c from that condition, with the place where rests appear in the simulation.
     two_zeros_root = {
         let trial = Trial::by(
             Root,
@@ -197,7 +193,6 @@ attempts![
             ))
         })
     },
-    // More than one change: rests come, go, and come again as the friction grows.
     again_and_again = {
         let trial = Trial::census(
             Printed,
@@ -216,7 +211,6 @@ attempts![
             Ok(Pair::plain(format!("a = {a:.6}"), 3.0, changes as f64))
         })
     },
-    // With a mean: no rest below it, and rests above the mean of |h|.
     with_mean = Trial::census(
         Printed,
         Compared::constant(
@@ -240,7 +234,6 @@ attempts![
             ..pair
         })
     }),
-    // With a mean: how it goes on below it.
     with_mean_drift = {
         let trial = Trial::census(
             Remark,
@@ -255,7 +248,6 @@ attempts![
             drifting(&drive, lambda)
         })
     },
-    // The same close to where the friction is as strong as the mean.
     with_mean_close = {
         let trial = Trial::census(
             Remark,
