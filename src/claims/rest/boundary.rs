@@ -4,14 +4,12 @@ use super::prelude::*;
 
 use crate::motion::turntable::fate::rests;
 
-/// A point of the boundary.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Border {
-    /// α.
     pub alpha: f64,
-    /// ψ in radians.
+    /// Radians.
     pub psi: f64,
-    /// A on the boundary, to 10⁻⁸.
+    /// On the boundary, to 10⁻⁸.
     pub a: f64,
 }
 
@@ -27,7 +25,6 @@ pub(crate) fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
     Ok(Border { alpha, psi, a })
 }
 
-/// Points of the boundary: four α from 0.3 to 0.01, and twelve ψ all round.
 pub(crate) fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>> {
     static BORDERS: Runs<Vec<Border>> = Runs::new(|| {
         let angles = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
@@ -51,7 +48,7 @@ pub(crate) fn printed_alpha(a: f64) -> f64 {
     std::f64::consts::SQRT_2 * (1.0 - libm::sqrt(a))
 }
 
-/// A on the boundary to second order in α.
+/// To second order in α.
 pub(crate) fn corrected_a(alpha: f64, psi: f64) -> f64 {
     corrected::boundary_a(alpha, psi)
 }
@@ -65,12 +62,10 @@ fn unit(alpha: f64) -> f64 {
 type Law = (Subject, Tolerance, fn(f64, f64) -> [f64; 2]);
 
 const AS_PRINTED: Law = (Printed, BOUNDARY, |alpha, _| [printed_a(alpha), 1.0]);
-/// To the second order.
 const AS_CORRECTED: Law = (Corrected, THIRD_ORDER, |alpha, psi| {
     [corrected_a(alpha, psi), unit(alpha)]
 });
 
-/// Where a motion passes from rest to escape, by what is stated of A there.
 fn on_the_border(
     (subject, tolerance, law): Law,
     compared: Compared,
@@ -150,12 +145,10 @@ fn close() -> impl Iterator<Item = Result<Border, Failure>> {
     })
 }
 
-/// A start and its fate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Case {
     /// A, α and ψ.
     pub start: [f64; 3],
-    /// Whether it comes to rest.
     pub rests: bool,
     /// Whether α < 0.3 and the same comes of starts with A up to 6α³ nearer to the other fate.
     pub clear: bool,
@@ -182,7 +175,7 @@ const UNDECIDED: MotionError = MotionError::Steps {
 /// How many starts the census in the ledger has near A = 1, α = 0, and away from it. The benchmark has a million.
 const STARTS: [usize; 2] = [4020, 1000];
 
-/// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
+/// With all ψ, near A = 1, α = 0, then away from it.
 pub(crate) static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
     let mut points = Points::here();
     let [near, away] = STARTS;
@@ -231,7 +224,6 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 /// A place on a surface of constant σ, on the slow motion near σ = 1, where (146) holds.
 #[derive(Debug)]
 pub(crate) struct Surface {
-    /// σ.
     pub sigma: f64,
     /// α = √2 (1 − σ).
     pub alpha: f64,
@@ -239,7 +231,6 @@ pub(crate) struct Surface {
     pub slope: f64,
 }
 
-/// Twenty such places.
 pub(crate) static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
     let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
     every(Points::here().grid(sigmas).into_iter().map(surface))
@@ -278,7 +269,6 @@ fn slopes(subject: Subject, compared: Compared, stated: fn(f64, f64) -> f64) -> 
 }
 
 attempts![
-    // (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
     real_surfaces = slopes(
         Printed,
         Compared::one(
@@ -298,7 +288,6 @@ attempts![
     ),
     printed_slow = on_the_border(AS_PRINTED, EQ147.over(r"$\psi=2\alpha$"), slow()),
     least_root,
-    // Who comes to rest by (147), and who does.
     printed_census = {
         // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
         let small = only(CENSUS.each(), |case| case.start[1] < 0.3);
@@ -315,7 +304,6 @@ attempts![
         })
     },
     printed_root = on_the_border(AS_PRINTED, EQ147, borders().map(|border| border.copied())),
-    // Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
     corrected_census = {
         let trial = Trial::census(
             Corrected,
@@ -346,7 +334,6 @@ attempts![
 mod tests {
     use super::*;
 
-    /// Worked by hand.
     #[test]
     fn the_angle_towards_one_has_two_terms() {
         assert_eq!([0.5, 2.0].map(angle_towards_one), [1.5, 12.0]);

@@ -74,7 +74,6 @@ fn creeps([[far, fast], [near, slow]]: [[f64; 2]; 2]) -> bool {
 attempts![
     fates,
     followed,
-    // Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
     on_the_boundary = {
         let trial = Trial::by(
             Root,
@@ -129,7 +128,6 @@ attempts![
 mod tests {
     use super::*;
 
-    /// A particle that is slow by now and has neither stopped nor gained enough energy, one at rest, one far out.
     #[test]
     fn who_has_met_no_fate_yet_is_counted() {
         let table = Table::default();

@@ -63,7 +63,6 @@ pub(crate) fn eq147(formula: Expr) -> Proof {
     })
 }
 
-/// (139) against the law of motion.
 pub(crate) const EQ139: Statement = Statement::new(
     Printed,
     Compared::one(
@@ -79,7 +78,6 @@ mod tests;
 
 attempts![
     &EQ139,
-    // (146) against (145).
     &EQ146 = Statement::new(
         Step,
         Compared::one(
@@ -89,7 +87,6 @@ attempts![
         printed::eq146_right::tree,
         eq146,
     ),
-    // (147) against (145) and (146).
     &EQ147 = Statement::new(
         Step,
         Compared::one(
