@@ -108,7 +108,6 @@ fn allowed(sigma: f64) -> f64 {
 }
 
 attempts![
-    // (139) with the largest distance from which a nudged particle comes back to rest.
     eq139_nudge = {
         let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
         Trial::by(
@@ -154,7 +153,6 @@ attempts![
         ))
     }),
     eq139_at_the_edge,
-    // Where particles come to rest: never beyond the largest σ.
     resting_places = {
         let resting = only(CENSUS.each(), |case| case.rests);
         Trial::census(

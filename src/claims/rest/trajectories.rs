@@ -4,41 +4,35 @@ use super::prelude::*;
 use crate::claims::escape::trajectories::{a, alpha, rates};
 use std::sync::{Mutex, PoisonError};
 
-/// A motion that ends at rest.
 #[derive(Debug)]
 pub(crate) struct Approach {
     /// ρ, p and ψ at the start.
     pub start: [f64; 3],
     /// ρ at rest.
     pub sigma: f64,
-    /// The motion.
     pub run: Run,
-    /// The moments that were asked for, by speed.
+    /// That were asked for, by speed.
     moments: Mutex<Vec<(f64, Close)>>,
 }
 
 /// A moment just before rest.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Close {
-    /// Time left until the stop.
+    /// Until the stop.
     pub left: f64,
-    /// α.
     pub alpha: f64,
-    /// ψ.
     pub psi: f64,
-    /// A.
     pub a: f64,
-    /// dα/dτ, by differences.
+    /// dα/dτ, by differences; so are the three slopes.
     pub alpha_rate: f64,
-    /// dψ/dα, by differences.
+    /// dψ/dα.
     pub psi_slope: f64,
-    /// α d/dα of [`ratio`](Self::ratio), by differences.
+    /// α d/dα of [`ratio`](Self::ratio).
     pub ratio_slope: f64,
-    /// dA/dα, by differences.
+    /// dA/dα.
     pub a_slope: f64,
     /// dA/dα by the way that is still to go, dA² = 2 ds.
     pub a_slope_by_way: f64,
-    /// The way still to go.
     pub way_left: f64,
 }
 
@@ -76,7 +70,6 @@ impl Approach {
         }))
     }
 
-    /// The start and the end in the paper's symbols.
     pub(crate) fn at(&self) -> String {
         let ([rho, p, psi], sigma) = (self.start, self.sigma);
         format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6} at the start, σ = {sigma:.6}")
@@ -135,7 +128,6 @@ impl Approach {
 /// Motions to rest at σ from 0.05 to 0.98.
 pub(crate) static APPROACHES: Runs<Vec<Approach>> = Runs::new(all_approaches);
 
-/// Others of the same kinds.
 pub(crate) static OTHER_APPROACHES: Runs<Vec<Approach>> = Runs::new(|| others(all_approaches));
 
 fn all_approaches() -> Result<Vec<Approach>, Failure> {
@@ -156,7 +148,6 @@ fn all_approaches() -> Result<Vec<Approach>, Failure> {
     Ok(found)
 }
 
-/// Those that end at a σ in one of the ranges.
 pub(crate) fn approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
@@ -166,7 +157,7 @@ pub(crate) fn approaches_to(
     })
 }
 
-/// Of those, the ones that do not start near ψ = π, where the constant c of (143) is large.
+/// Those that do not start near ψ = π, where the constant c of (143) is large.
 pub(crate) fn gentle_approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {

@@ -6,7 +6,6 @@
 
 use crate::claims::rest::prelude::*;
 
-/// Coefficients to be found at one order.
 const UNKNOWN: [&str; 7] = ["x₀", "x₁", "x₂", "x₃", "x₄", "x₅", "x₆"];
 
 /// The highest power of α: (143) and (145) need the second, and two more orders are four more powers.
@@ -26,7 +25,6 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// α as a series in itself.
 fn small() -> Series {
     Series::monomial(Rational::int(1), 1, ENOUGH)
 }
@@ -150,11 +148,9 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
     Ok([psi, a, alpha_rate])
 }
 
-/// The series, and how they were found.
 static SOLUTION: Derived<(Option<[Series; 3]>, Proof)> =
     Derived::new(|| Proof::finding("The motions to rest in powers of α", ring(), solve));
 
-/// Carries out a proof that starts from the series of ψ, A and dα/dτ.
 fn from_series(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>, &[Series; 3]) -> Result<(), Obstacle>,
@@ -167,7 +163,6 @@ fn from_series(
     })
 }
 
-/// The coefficient of a power of α.
 fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
     series.coefficient(power).ok_or(Obstacle::Empty)
 }
@@ -297,13 +292,10 @@ const SERIES: Compared = Compared::one(
     r"the first term of the power series in $\alpha$ and $\zeta$ that solves (113) to (115), which three orders of it confirm",
 );
 
-/// (140) against the motions to rest.
 pub(crate) const EQ140: Statement =
     Statement::new(Within, SERIES, printed::eq140_alpha_rate::tree, eq140);
-/// (141) against them.
 pub(crate) const EQ141: Statement =
     Statement::new(Within, SERIES, printed::eq141_alpha::tree, eq141);
-/// Both sides of (142) against them.
 pub(crate) const EQ142: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
@@ -316,9 +308,7 @@ pub(crate) const EQ142: Statement<[Expr; 2]> = Statement::new(
     },
     eq142,
 );
-/// (143) against them.
 pub(crate) const EQ143: Statement = Statement::new(Within, SERIES, printed::eq143_psi::tree, eq143);
-/// Both sides of (144) against them.
 pub(crate) const EQ144: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
@@ -331,7 +321,6 @@ pub(crate) const EQ144: Statement<[Expr; 2]> = Statement::new(
     },
     eq144,
 );
-/// (145) against them.
 pub(crate) const EQ145: Statement = Statement::new(Within, SERIES, printed::eq145_a::tree, eq145);
 
 attempts![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];
