@@ -11,23 +11,18 @@ pub(crate) const LARGE: f64 = FRAC_1_SQRT_2;
 
 /// 𝔴 at the start of every curve of fig-2.
 pub(crate) const W_X: f64 = 1.0;
-/// 𝔴_y at the starts of the curves of fig-2.
 pub(crate) const W_Y: [f64; 5] = [0.0, 0.5, 1.0, 2.0, 4.0];
 /// Periods that fig-2 shows.
 pub(crate) const PERIODS: u32 = 4;
 /// Periods after which motions that start like those of fig-2 are compared with the large-time motion.
 const FOLLOWED: u32 = 16;
-/// Points of a curve in a period.
 const POINTS: u32 = 48;
 
-/// A motion in the plane, point by point.
 #[derive(Debug, Clone)]
 pub(crate) struct Transient {
-    /// λ₀.
     pub lambda: f64,
-    /// 𝔴_y at φ = 0.
+    /// At φ = 0.
     pub w_y: f64,
-    /// The states.
     pub states: Vec<PlanarState>,
 }
 
@@ -81,7 +76,6 @@ pub(crate) fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
         .collect())
 }
 
-/// Every drawn point with the printed form, in the period that begins at a phase.
 fn drawn(law: &'static str, lambda: f64, from: f64, form: impl Fn(f64) -> Double) -> Evidence {
     Trial::motion(Printed, [law, "the drawn points of the simulated motion"]).over(
         parts(two_periods(lambda)),
@@ -114,7 +108,6 @@ pub(crate) fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     Ok(points.filter(|[_, depth]| depth.is_finite()).collect())
 }
 
-/// The printed λ_c, to mark in a figure.
 pub(crate) fn critical() -> f64 {
     printed::eq37_lambda_c()
 }
@@ -160,7 +153,6 @@ fn framed(lambda: f64, top: f64, within: &'static str) -> Evidence {
 }
 
 attempts![
-    // fig-2: every eighth drawn point with a particle on the plane.
     fig2_motion = Trial::motion(
         Printed,
         Compared::one(
@@ -183,7 +175,6 @@ attempts![
         };
         curve.states.iter().step_by(8).map(pair).collect()
     }),
-    // fig-2: where all its curves end, by a particle on the plane that starts like each of them.
     fig2_limit = {
         let trial = Trial::by(
             Limit,
@@ -216,7 +207,6 @@ attempts![
         printed::eq39_phi_t1(SMALL),
         |phi| eq38(SMALL, phi)
     ),
-    // The frame around it, with the mark 0.8 where the paper puts it.
     fig3_frame = framed(
         SMALL,
         frame_top(0.8, 150.0),
@@ -228,7 +218,6 @@ attempts![
         printed::eq27_phi1(LARGE),
         |phi| eq33(LARGE, phi_t2(LARGE), phi)
     ),
-    // The frame around it, with the mark 0.3 where the paper puts it.
     fig4_frame = framed(
         LARGE,
         frame_top(0.3, 155.0),

@@ -78,7 +78,6 @@ fn eq26_rate() -> Expr {
     paper::eq26_rate::tree()
 }
 
-/// (26), for velocities of both signs.
 pub(crate) const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
     Printed,
     Compared::one(
@@ -160,7 +159,6 @@ fn prove_eq31(w: Expr) -> Proof {
     })
 }
 
-/// (31) solves (26) from 𝔴 = 0 at φ₁.
 pub(crate) const EQ31: Statement = Statement::new(
     Printed,
     Compared::many(
@@ -205,7 +203,6 @@ fn eq32_left() -> Expr {
     paper::eq32_left(lambda0, paper::eq27_phi1::tree(), end)
 }
 
-/// (32) is that (31) vanishes at φ̃₂.
 pub(crate) const EQ32: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (32)", r"(31) at $\tilde\phi_2$"),
@@ -301,7 +298,6 @@ pub(crate) const EQ33: Statement<[Expr; 4]> = Statement::new(
     },
 );
 
-/// The four cases of (33).
 pub(super) fn eq33() -> [Expr; 4] {
     let [lambda0, phi] = symbols(["λ₀", "φ"]);
     paper::eq33_w(
@@ -312,7 +308,6 @@ pub(super) fn eq33() -> [Expr; 4] {
     )
 }
 
-/// (34) with (27) and (29) is (35).
 pub(crate) const EQ35: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (35)", "that of (34), by (27) and (29)"),
@@ -413,7 +408,6 @@ pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
     })
 }
 
-/// The cases of (38), and their ends.
 pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
     let [lambda0, phi] = symbols(["λ₀", "φ"]);
     let turn = paper::eq39_phi_t1::tree();
@@ -443,7 +437,6 @@ attempts![
     &EQ34,
     &EQ35,
     &EQ36,
-    // The left side of (35) vanishes at λ_c.
     &EQ37 = Statement::new(
         Printed,
         Compared::one("the left side of (35) at (37)", "0"),
@@ -456,7 +449,6 @@ attempts![
             )
         },
     ),
-    // (38) with (39) solves (26) and closes after a period.
     &EQ38 = Statement::new(
         Within,
         Compared::many(
@@ -466,7 +458,6 @@ attempts![
         eq38,
         |(a, b)| prove_eq38(a, b),
     ),
-    // (39): with it the forward slip of (38) ends in zero.
     &EQ39 = Statement::new(
         Printed,
         Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),

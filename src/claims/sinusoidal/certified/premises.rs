@@ -53,7 +53,6 @@ pub(super) fn vanishing(f: Expr, order: usize) -> Proof {
     })
 }
 
-/// A number is zero.
 pub(super) fn solution(left: Expr) -> Proof {
     Proof::in_ring("without friction", Ok(Ring::new()), |p| {
         p.vanishes("The left side of (32) at φ₄", folded(left, &|_| None))
