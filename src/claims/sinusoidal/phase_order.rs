@@ -193,7 +193,6 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
 }
 
 attempts![
-    // The four phases, and no other.
     &FOUR_POINTS = Statement::shown(
         Within,
         r"for every $0<\lambda_0<1$: $\sin^2\phi-\lambda_0^2=\sin(\phi-\phi_1)\sin(\phi+\phi_1)$, whose factors vanish twice each in a period, at $\phi_1$ and $\phi_3$ and at $\phi_2$ and $\phi_4$ of (27) to (30), which are four different phases",
@@ -207,7 +206,6 @@ attempts![
         phases,
         rest_ends
     ),
-    // A slip from rest outlasts half the period below λ_c.
     &OUTLASTS = Statement::shown(
         Within,
         r"for every $0<\lambda_0<\lambda_\mathrm c$ the slip (31) is still positive at $\phi_1+\pi$, where it is the left side of (35), and has not been zero since $\phi_1$; and with the largest possible forward friction $+\lambda_0$ from $\tilde\phi_2$ on, $\mathfrak w(\phi_1+2\pi)=-2\lambda_0(\tilde\phi_2-\phi_1-\pi)<0$",
@@ -221,7 +219,6 @@ attempts![
         },
         outlasts
     ),
-    // Where the period ends that begins with the slip at φ₁.
     &PERIOD_ENDS = Statement::shown(
         Corrected,
         r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above $+\lambda_0$ at $\phi_1$ only, and again a period later; in between it gives nothing, and the slip ends before",

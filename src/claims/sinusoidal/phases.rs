@@ -120,7 +120,6 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
     found
 }
 
-/// The ends of all rests on the way from a start.
 fn rests_from(lambda: f64, start: DriveState) -> Result<Vec<f64>, Failure> {
     let until = start.phi + 30.0;
     let path = drive()?.advance(Friction::new(lambda, lambda)?, start, until)?;
@@ -170,7 +169,6 @@ attempts![
     eq29_motion = by_release("(29)", printed::eq29_phi3, (r"\pi", PI)),
     eq30_root = by_root("(30)", printed::eq30_phi4, 3),
     eq30_motion = by_extremum("(30)", printed::eq30_phi4, ("backwards", Sign::Negative)),
-    // Four points, by counting.
     four_points_census = Trial::census(
         Within,
         Compared::constant(
@@ -185,7 +183,6 @@ attempts![
             balanced(drive()?, lambda).len() as f64,
         ))
     }),
-    // The four points, each in its place.
     four_points_root = Trial::by(
         Root,
         Within,
@@ -227,7 +224,6 @@ attempts![
             all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
         ))
     }),
-    // Every rest of a motion on the line ends at φ₁ or φ₃.
     rest_ends_motion = {
         let trial = Trial::motion(
             Printed,

@@ -3,7 +3,6 @@
 use super::prelude::*;
 use crate::motion;
 
-/// The name of a point with this friction.
 pub(crate) fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")
 }
@@ -14,8 +13,8 @@ pub fn drive() -> Result<&'static Drive, Failure> {
     DRIVE.get()
 }
 
-/// The friction at which a slip from rest ends just where the next one could begin, which divides the frictions of the
-/// trials: by the motion alone, and nothing is compared with it. NaN where that fails, which no trial survives.
+/// The friction at which a slip from rest ends just where the next one could begin, by the motion alone: it divides
+/// the frictions of the trials, and nothing is compared with it. NaN where that fails, which no trial survives.
 pub(crate) fn lambda_c() -> f64 {
     struct Onset(f64);
     impl Setting for Onset {}
@@ -28,10 +27,8 @@ pub(crate) fn excess_length(lambda: f64) -> f64 {
     Slip::of(lambda).map_or(f64::NAN, |slip| slip.end - slip.start - PI)
 }
 
-/// Periods that an attractor may take.
 const PERIODS: u32 = 200;
 
-/// The periodic motion that a start leads to.
 pub(crate) fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'static>, Failure> {
     let friction = Friction::new(lambda, lambda)?;
     let outcome = drive()?.attractor(friction, start, PERIODS)?;
@@ -43,7 +40,7 @@ pub(crate) fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'stati
 /// At rest at phase 0, where the drive is below any friction.
 pub(crate) const ORIGIN: DriveState = DriveState { phi: 0.0, w: 0.0 };
 
-/// Starts all over the plane, from far off too.
+/// All over the plane, from far off too.
 pub(crate) fn starts() -> [DriveState; 7] {
     [
         (0.0, 0.0),
@@ -57,12 +54,11 @@ pub(crate) fn starts() -> [DriveState; 7] {
     .map(|(phi, w)| DriveState { phi, w })
 }
 
-/// The first interval of forward motion.
 pub(crate) fn forward(list: &[Interval]) -> Option<&Interval> {
     list.iter().find(|i| i.sign == Sign::Positive)
 }
 
-/// Frictions below λ_c: down to a millionth, up to a billionth below λ_c.
+/// Below λ_c: down to a millionth, up to a billionth below λ_c.
 pub(crate) fn small() -> Vec<f64> {
     let mut points = Points::here();
     let c = lambda_c();
@@ -71,7 +67,7 @@ pub(crate) fn small() -> Vec<f64> {
     list
 }
 
-/// Frictions between λ_c and 1, to a billionth of either.
+/// Between λ_c and 1, to a billionth of either.
 pub(crate) fn large() -> Vec<f64> {
     let mut points = Points::here();
     let c = lambda_c();
@@ -81,7 +77,7 @@ pub(crate) fn large() -> Vec<f64> {
     list
 }
 
-/// Frictions between 0 and 1, and both ends to a billionth.
+/// Between 0 and 1, and both ends to a billionth.
 pub(crate) fn all() -> Vec<f64> {
     let mut points = Points::here();
     let mut list: Vec<_> = (0..200).map(|_| points.uniform(0.0, 1.0)).collect();
@@ -92,7 +88,7 @@ pub(crate) fn all() -> Vec<f64> {
     list
 }
 
-/// A dense set of frictions between 0 and 1, with the two ends and λ_c approached to 1e-9.
+/// Between 0 and 1, with the two ends and λ_c approached to 1e-9.
 pub(crate) fn dense() -> Vec<f64> {
     let mut points = Points::here();
     let mut list: Vec<_> = (0..1200).map(|_| points.uniform(1e-3, 1.0)).collect();
@@ -113,7 +109,6 @@ pub(crate) struct Slip {
 }
 
 impl Slip {
-    /// From rest at phase 0, found by following the motion.
     pub(crate) fn of(lambda: f64) -> Result<Self, Failure> {
         let friction = Friction::new(lambda, lambda)?;
         let path = drive()?.advance(friction, ORIGIN, 9.0)?;
@@ -138,14 +133,12 @@ pub(crate) fn end_spread(lambda: f64, end: f64) -> f64 {
     (2.0 + lambda * end) / (libm::sin(end) - lambda).abs()
 }
 
-/// A particle on the plane of (21), in length and time units of its own.
+/// On the plane of (21), in length and time units of its own.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Particle {
     /// Friction per mass, μg.
     pub friction: f64,
-    /// Amplitude A₀.
     pub a0: f64,
-    /// Angular frequency ϖ.
     pub varpi: f64,
 }
 
@@ -159,7 +152,6 @@ impl Particle {
         }
     }
 
-    /// The motion from a velocity at a time.
     pub(crate) fn run(&self, t: f64, v: [f64; 2], until: f64) -> Result<Motion, Failure> {
         let sine = Signal::Sine {
             frequency: self.varpi,

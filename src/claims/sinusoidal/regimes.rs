@@ -34,7 +34,6 @@ fn stated_kind(lambda: f64) -> f64 {
     }
 }
 
-/// The kind, read off a list of intervals.
 pub(crate) fn listed_kind(list: &[Interval]) -> f64 {
     let rests = list.iter().filter(|i| i.sign == Sign::Rest).count();
     let pairs = list.iter().zip(list.iter().cycle().skip(1));
@@ -42,7 +41,7 @@ pub(crate) fn listed_kind(list: &[Interval]) -> f64 {
     kind(turns.count(), rests, list.len() == 1 && rests == 1)
 }
 
-/// Frictions from 0 to 5, the two thresholds approached to 1e-9 from both sides.
+/// From 0 to 5, the two thresholds approached to 1e-9 from both sides.
 fn frictions() -> Vec<f64> {
     let mut points = Points::here();
     let mut list = dense();
@@ -51,7 +50,6 @@ fn frictions() -> Vec<f64> {
     list
 }
 
-/// The three kinds, over more than 1500 frictions.
 pub(crate) fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
         Within,
@@ -73,7 +71,7 @@ pub(crate) fn trichotomy_census() -> Evidence {
     )
 }
 
-/// The three kinds by the other integrator: stops and rests of a particle over its third period.
+/// By the other integrator: stops and rests of a particle over its third period.
 pub(crate) fn trichotomy_motion() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -134,7 +132,7 @@ fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
     (0..=32).map(move |k| from + TAU * (3.0 + f64::from(k) / 32.0))
 }
 
-/// Whether it is at rest throughout at large times, from every start.
+/// At large times, from every start.
 fn all_still(lambda: f64) -> Result<bool, Failure> {
     let mut still = true;
     for start in starts() {
@@ -144,7 +142,6 @@ fn all_still(lambda: f64) -> Result<bool, Failure> {
 }
 
 attempts![
-    // A₀ < μg: a particle with any velocity comes to rest and stays there.
     weak_drive_motion = {
         let trial = Trial::by(
             Integration,
@@ -172,7 +169,6 @@ attempts![
             ))
         })
     },
-    // A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
     weak_drive_census = {
         let frictions = frictions().into_iter().enumerate();
         let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);
@@ -215,7 +211,6 @@ attempts![
             })
         })
     },
-    // λ₀ < λ_c: no start leads to a motion with a rest; above all do.
     no_rest_census = Trial::census(
         Printed,
         Compared::constant(

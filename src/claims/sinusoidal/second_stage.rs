@@ -4,7 +4,7 @@ use super::prelude::*;
 use super::reference_motions::{at, forward};
 use super::transverse::{Flight, flights_where, strobed};
 
-/// Frictions below λ_c, where the passages are not too steep to be followed.
+/// Where the passages are not too steep to be followed.
 fn below(high: f64) -> impl Iterator<Item = f64> {
     let mut points = Points::here();
     (0..20).map(move |_| points.uniform(0.05, high))
@@ -21,7 +21,6 @@ fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
 const PASSAGE_FACTOR: &str = r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,";
 const PERIOD: &str = r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,";
 
-/// The former by the formula.
 fn passage_factor(lambda: f64) -> f64 {
     corrected::passage_factor(lambda, corrected::drive_at_zero(lambda))
 }
@@ -156,7 +155,6 @@ attempts![
         })
     },
     period_factor,
-    // The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
     period_factor_reached = {
         let trial = Trial::by(
             Limit,
@@ -180,7 +178,6 @@ attempts![
             Ok([1.0 / corrected::contraction(flight.lambda), factor, factor])
         })
     },
-    // λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
     passage_limit = {
         let trial = Trial::by(
             Limit,
@@ -208,7 +205,6 @@ attempts![
         })
     },
     passage_quadrature,
-    // λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
     finite_end = {
         let trial = Trial::by(
             Integration,

@@ -62,7 +62,6 @@ fn left_with_motion(law: &'static str, left: fn(Double) -> Double) -> Evidence {
     )
 }
 
-/// The left side of (34).
 pub(super) fn eq34<S: Scalar>(lambda: S) -> S {
     printed::eq34_left(
         lambda,
@@ -146,7 +145,6 @@ attempts![
             Ok(Pair::wide(at(lambda), stated, 0.0).within(2.0 + lambda * end))
         })
     },
-    // (32): nowhere before its root, as found by simulation, does its left side vanish.
     eq32_census = {
         let trial = Trial::census(
             Printed,
@@ -175,7 +173,6 @@ attempts![
         let [left, right] = printed::eq36_sides(lambda);
         left > right
     }),
-    // φ₂ < φ̃₂ < φ₄, with the end of the simulated slip for φ̃₂.
     bracket_census = Trial::census(
         Printed,
         [

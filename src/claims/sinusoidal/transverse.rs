@@ -4,7 +4,7 @@ use super::prelude::*;
 use super::reference_motions::printed_late;
 use crate::paper::general;
 
-/// A motion in the plane, once a period from φ = 0 on.
+/// Once a period from φ = 0 on.
 pub(super) fn strobed(
     lambda: f64,
     w_x: f64,
@@ -23,7 +23,6 @@ pub(super) fn strobed(
 /// A motion in the plane that began with a velocity across the drive, over ten periods.
 #[derive(Clone)]
 pub(super) struct Flight {
-    /// Friction λ₀.
     pub lambda: f64,
     /// 𝔴 and 𝔴_y at φ = π/2.
     start: [f64; 2],
@@ -31,9 +30,7 @@ pub(super) struct Flight {
     states: Vec<PlanarState>,
 }
 
-/// States of a flight in a period.
 const A_PERIOD: u32 = 8;
-/// Periods of a flight.
 const PERIODS: u32 = 10;
 
 impl Flight {
@@ -57,7 +54,6 @@ impl Flight {
         self.states.iter().step_by(A_PERIOD as usize)
     }
 
-    /// The last state.
     pub(super) fn last(&self) -> Result<PlanarState, Failure> {
         Ok(*self.states.last().ok_or("no state")?)
     }
@@ -75,7 +71,6 @@ impl Flight {
         w[1] * general::eq1_velocity_rate(drive, self.lambda, 1.0, w)[1] > 0.0
     }
 
-    /// The flight in the claims' symbols.
     pub(super) fn at(&self) -> String {
         let Flight {
             lambda,
@@ -187,7 +182,6 @@ fn each_differs(curves: &[Vec<f64>]) -> bool {
 }
 
 attempts![
-    // v_y → 0: what is left after ten periods.
     vanishes_limit = Trial::by(
         Limit,
         Printed,
@@ -204,7 +198,6 @@ attempts![
             flight.start[1],
         ])
     }),
-    // The same by the other integrator, with little friction too.
     vanishes_motion = Trial::by(
         Integration,
         Printed,
@@ -225,7 +218,6 @@ attempts![
             scale: v[1],
         })
     }),
-    // On the way v_y never grows.
     vanishes_census = {
         let trial = Trial::census(
             Printed,
@@ -250,7 +242,6 @@ attempts![
             ])
         })
     },
-    // Without friction v_y keeps its value.
     vanishes_outside = {
         let starts = Points::here().within(20, [[-1.0, 1.0], [0.05, 1.0]]);
         Trial::by(
@@ -293,7 +284,6 @@ attempts![
             ])
         })
     },
-    // The large-time v_x, from several v_y, is that of a motion on the line.
     ignores_motion = Trial::by(
         Integration,
         Printed,
@@ -315,7 +305,6 @@ attempts![
         };
         Ok(last.map(pair).collect())
     }),
-    // On the way v_x does depend on v_y.
     ignores_census = ignores(
         Printed,
         Compared::constant(
@@ -324,7 +313,6 @@ attempts![
         ),
         [0.15, 1.4]
     ),
-    // Without friction it does not.
     ignores_outside = ignores(
         Outside,
         Compared::constant(

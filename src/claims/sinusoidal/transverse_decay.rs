@@ -388,7 +388,6 @@ fn two_stages((law, slope, motion, passage, phase): (Rate, Expr, NoRest, Passage
     })
 }
 
-/// The two stages, as corrected.
 const TWO_STAGES: Statement<(Rate, Expr, NoRest, Passage, Expr)> = Statement::shown(
     Corrected,
     r"for every $\lambda_0>0$ and $v_y>0$ the rate of $\mathfrak w_y$ is $-\lambda_0$ up to $\frac12\lambda_0(v_x/v_y)^2$; for every $0<\lambda_0<\lambda_\mathrm c$ and every motion whose speed never becomes 0 each passage, from some time on, multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, $d=\sin\tilde\phi_1$, up to terms that stay bounded, and a particle whose speed becomes 0 loses all of $v_y$; for every $\lambda_0>\lambda_\mathrm c$ $v_y=0$ after a finite time, and with $v_x=0$ and $\lvert\sin\phi\rvert\le d<\lambda_0$ as long as it slides within a phase of $\lambda_0\mathfrak w_y/(\lambda_0^2-d^2)$",
@@ -424,7 +423,6 @@ fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> P
     )
 }
 
-/// The second stage as printed.
 pub(crate) const EXPONENTIAL: Statement<(Expr, Rate, NoRest, Passage)> = Statement::new(
     Printed,
     Compared::one(
