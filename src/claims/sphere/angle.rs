@@ -5,7 +5,6 @@ use super::spheres::Units;
 use crate::claims::constant::launches::Turn as Launched;
 use crate::corrections::constant::{speed, time};
 
-/// A sphere under A = −A x̂, and what its slip has become.
 #[derive(Debug, Clone)]
 pub(crate) struct Turn {
     sphere: Sphere,
@@ -20,8 +19,8 @@ const LEAST: f64 = 1e-80;
 const MOST: f64 = 1e-40;
 
 impl Turn {
-    /// A sphere with this friction λ, from slip `u0` at the angle `theta0`, after the time `elapsed` in units of
-    /// what it takes to stop if it stops, of u₀/γ if not.
+    /// With this friction λ, from slip `u0` at the angle `theta0`; `elapsed` is in units of what it takes to stop if
+    /// it stops, of u₀/γ if not.
     fn new(
         i: usize,
         points: &mut Points,
@@ -39,7 +38,6 @@ impl Turn {
         } else {
             [w * libm::cos(theta0), w * libm::sin(theta0)]
         };
-        // Part of the slip is the centre's velocity, part the turning's.
         let (share, spin) = (points.uniform(-1.0, 2.0), points.uniform(-3.0, 3.0));
         let rest = toward.map(|c| (1.0 - share) * c / sphere.radius);
         let start = Ball {
@@ -143,7 +141,6 @@ static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
     every((0..LATE + 20).map(turn))
 });
 
-/// Slips along the line of the acceleration.
 static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
     let mut points = Points::here();
     let turn = |i: usize| {
@@ -160,7 +157,6 @@ static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
     every((0..40).map(turn))
 });
 
-/// (81).
 pub(crate) fn eq81() -> Evidence {
     Trial::motion(
         Within,
@@ -197,7 +193,6 @@ pub(crate) fn regular_straight() -> Evidence {
     })
 }
 
-/// A formula of [`Turn::numbers`].
 type Time = fn([Double; 6]) -> Double;
 
 /// What a formula gives at a turn: its name, where it is tried, and what the motion has, with the unit.
@@ -257,7 +252,6 @@ pub(crate) fn regular_time() -> Evidence {
     })
 }
 
-/// (γ, τ of the motion over τ of (82)) at the points of the trial.
 pub(crate) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
     let known = only(TURNS.each(), |turn| turn.slip.has_a_time());
     known
@@ -321,7 +315,6 @@ attempts![
             turn.slip.v0,
         ])
     }),
-    // The form of (81) without singular points.
     regular_slip = Trial::motion(
         Corrected,
         ["the regular form of $u$", "the slip of the motion"],

@@ -20,7 +20,6 @@ fn any(points: &mut Points) -> Result<(Harmonics, Drive, Bounds), Failure> {
     }
 }
 
-/// The part of a late period in which a sphere rolls.
 fn rolls(swing: &Swing, shape: &Harmonics, start: [f64; 2]) -> Result<f64, Failure> {
     let [w, share] = start;
     let (from, to) = (swing.t(LATE * TAU), swing.t((LATE + 1.0) * TAU));

@@ -164,7 +164,6 @@ attempts![
     }),
     eq61,
     eq67,
-    // (76): what the plane gains on a body that feels no friction.
     eq76 = {
         let trial = Trial::consistency(
             Printed,

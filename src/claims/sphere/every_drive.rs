@@ -78,7 +78,6 @@ fn reduction_small_slip() -> Evidence {
     })
 }
 
-/// How long the sphere rolls between two times.
 pub(super) fn rolling_time(
     motion: &crate::motion::sphere::BallMotion,
     from: f64,
@@ -166,7 +165,6 @@ fn with_three_times_the_spin(ball: Ball) -> Ball {
 }
 
 attempts![
-    // The slip velocity is the particle's velocity, sliding and rolling.
     reduction_motion = {
         let trial = Trial::motion(
             Printed,
@@ -190,7 +188,6 @@ attempts![
             })
         })
     },
-    // The slip that begins by itself is the particle's velocity from rest.
     reduction_from_rest = {
         let trial = Trial::motion(
             Printed,

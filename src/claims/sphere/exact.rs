@@ -16,7 +16,6 @@ pub(crate) use body::*;
 /// Components of a vector, as trees; a scalar has one.
 pub(crate) type Components = Vec<Expr>;
 
-/// A statement about the sphere, by components.
 pub(crate) type Vectorial = Statement<Components>;
 
 const BY_COMPONENTS: Compared = Compared::one(

@@ -5,18 +5,15 @@ use crate::claims::sphere::prelude::*;
 use crate::paper::general::eq1_velocity_rate;
 use crate::paper::sphere as paper;
 
-/// The friction force on the sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Force {
     /// Coulomb's, while the sphere slides.
     Sliding,
     /// That which keeps the slip velocity 0.
     Rolling,
-    /// Any force.
     Any,
 }
 
-/// The laws of motion in a ring.
 pub(super) struct Body {
     pub(super) ring: Ring,
     /// d/dt along the motion.
@@ -400,7 +397,6 @@ attempts![
             })
         },
     ),
-    // κ makes (64) the law for the spin.
     &EQ62 = Vectorial::new(
         Printed,
         Compared::one(
@@ -434,7 +430,6 @@ attempts![
             })
         },
     ),
-    // τ makes (74) the law for the slip.
     &EQ69 = Vectorial::new(
         Printed,
         BY_DEFINITION,
@@ -460,7 +455,6 @@ attempts![
             )
         },
     ),
-    // ζ is the rate of turning in the time τ.
     &EQ70 = Vectorial::new(
         Printed,
         Compared::one(
@@ -480,7 +474,6 @@ attempts![
             })
         },
     ),
-    // u makes (74) the law for the slip.
     &EQ71 = Vectorial::new(
         Printed,
         BY_DEFINITION,
@@ -492,7 +485,6 @@ attempts![
             rates(title, Force::Sliding, u, per_tau(), stated)
         },
     ),
-    // γ makes (74) the law for the slip.
     &EQ72 = Vectorial::new(
         Printed,
         BY_DEFINITION,
