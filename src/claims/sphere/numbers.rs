@@ -2,7 +2,7 @@
 
 use super::prelude::*;
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// In the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 3] = [
     Numbers::new(
         "eq-75",
@@ -35,7 +35,6 @@ pub(super) static CASES: [Numbers; 3] = [
     ),
 ];
 
-/// The numbers by which claims can be found.
 pub(super) static VALUES: [Number; 4] = [
     Number::new("kappa-solid", || Ok(2.0 / 5.0)),
     Number::new("b-solid", || Ok(printed::eq67_factor(0.4))),

@@ -22,7 +22,7 @@ impl Twins {
     }
 }
 
-/// A state, drive and time in the paper's units.
+/// In the paper's units.
 struct Plan {
     kappa: f64,
     gamma: f64,
@@ -52,7 +52,6 @@ impl Plan {
         }
     }
 
-    /// The plan for one sphere of its κ.
     fn follow(&self, sphere: Sphere) -> Result<Followed, Failure> {
         let Units {
             length,

@@ -3,34 +3,26 @@
 use super::prelude::*;
 use crate::motion::Acceleration;
 
-/// A sphere on a plane, from a start.
 #[derive(Debug, Clone)]
 pub(super) struct Case {
-    /// The sphere and its friction.
     pub sphere: Sphere,
-    /// The plane.
     pub plane: Plane,
-    /// The size of A.
+    /// Of A.
     pub size: f64,
-    /// The state at t = 0.
+    /// At t = 0.
     pub start: Ball,
-    /// How the case is called: its parameters.
+    /// Its parameters.
     pub name: String,
 }
 
-/// A case and its motion.
 #[derive(Debug)]
 pub(super) struct Followed {
-    /// The case.
     pub case: Case,
-    /// The motion.
     pub motion: BallMotion,
-    /// Its end.
     pub until: f64,
 }
 
 impl Case {
-    /// A over time.
     pub(super) fn acceleration(&self, t: f64) -> [f64; 3] {
         let [x, y] = self.plane.coefficients(t).map(|series| series[0]);
         [x, y, 0.0]
@@ -61,7 +53,6 @@ impl Case {
         (self.sphere.radius, self.sphere.mu, self.sphere.g)
     }
 
-    /// The motion until a time.
     pub(super) fn run(self, until: f64) -> Result<Followed, MotionError> {
         let motion = self.sphere.run(&self.plane, &self.start, until)?;
         Ok(Followed {
@@ -72,7 +63,6 @@ impl Case {
     }
 }
 
-/// By how much friction slows a sphere's slip.
 pub(super) fn braking(sphere: &Sphere) -> f64 {
     (1.0 + 1.0 / sphere.kappa()) * sphere.mu * sphere.g
 }
@@ -106,7 +96,6 @@ pub(super) struct Units {
 }
 
 impl Units {
-    /// Those of a sphere.
     pub(super) fn of(sphere: &Sphere) -> Self {
         let (length, push) = (sphere.radius, sphere.mu * sphere.g);
         Units {
@@ -119,7 +108,7 @@ impl Units {
 }
 
 impl Followed {
-    /// The state at a time in the sphere's own units, without the paper's formulas.
+    /// In the sphere's own units, without the paper's formulas.
     pub(super) fn own(&self, t: f64) -> Result<Dimensionless, MotionError> {
         let Units {
             length,
@@ -140,17 +129,15 @@ impl Followed {
         })
     }
 
-    /// The point in the claims' symbols, at the end.
     pub(super) fn at_end(&self) -> String {
         self.at(self.until)
     }
 
-    /// The sphere's own units.
     pub(super) fn units(&self) -> Units {
         Units::of(&self.case.sphere)
     }
 
-    /// The state at a time by the printed definitions.
+    /// By the printed definitions.
     pub(super) fn dimensionless(&self, t: f64) -> Result<Dimensionless, MotionError> {
         let (radius, mu, g) = self.case.parameters();
         let ball = self.motion.at(t)?;
@@ -172,7 +159,6 @@ impl Followed {
         printed::eq69_time(radius, mu, g, 1.0)
     }
 
-    /// The point in words.
     pub(super) fn at(&self, t: f64) -> String {
         format!("{}, t = {t:.6}", self.case.name)
     }
@@ -282,7 +268,6 @@ pub(super) fn weighed([x, y, z]: [f64; 3]) -> f64 {
     x + 2.0 * y + 3.0 * z
 }
 
-/// |a|.
 pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
     libm::hypot(libm::hypot(x, y), z)
 }

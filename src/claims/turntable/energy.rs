@@ -44,7 +44,6 @@ fn work_step() -> Evidence {
     })
 }
 
-/// The energy that (106) is about, as printed or as corrected: its change with 0.
 fn kept(
     subject: Subject,
     compared: Compared,
@@ -75,7 +74,6 @@ fn friction_work(launch: &Launch) -> Result<f64, Failure> {
     Ok(value(&launch.still.at(launch.to)?) - value(&launch.still.at(0.0)?))
 }
 
-/// What is stated of it.
 fn work(subject: Subject, stated: &'static str, formula: impl Fn(&Table, f64) -> f64) -> Evidence {
     let compared = Compared::one(
         stated,
@@ -121,7 +119,6 @@ pub(super) fn coriolis() -> Evidence {
 }
 
 attempts![
-    // (104), with the arc length of the integration by components.
     eq104 = Trial::motion(
         Printed,
         ["the change of (104) over a stretch of motion", "0"],

@@ -28,7 +28,6 @@ pub(crate) type Vectorial = Statement<Vec<Expr>>;
 
 const RATE: Compared = Compared::one("the printed rate", "the rate by (89), exactly");
 
-/// A proof in a setting.
 fn prove(
     title: &str,
     setting: Result<Setting, ExactError>,
@@ -43,7 +42,6 @@ fn prove(
     }
 }
 
-/// Position and velocity in Cartesian components.
 fn vectors() -> [[Expr; 2]; 2] {
     [symbols(["x", "y"]), symbols(["u", "v"])]
 }
