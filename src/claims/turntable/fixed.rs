@@ -16,7 +16,6 @@ fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
     })?)
 }
 
-/// A state's A and α.
 fn state(points: &mut Points) -> (f64, f64) {
     (points.log_uniform(0.3, 3.0), points.log_uniform(0.1, 1.0))
 }
@@ -97,18 +96,17 @@ pub(crate) const ESCAPES: [[f64; 3]; 3] = [[1.2, 0.3, 0.5], [2.0, 0.5, 1.5], [3.
 /// ψ and ψ₁ at one moment of an escape.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Following {
-    /// Time τ.
     pub tau: f64,
-    /// ψ, in radians.
+    /// Radians.
     pub psi: f64,
-    /// ψ₁ at the α of that moment, in radians.
+    /// At the α of that moment, radians.
     pub psi1: f64,
 
     /// (π/2 − ψ)/(π/2 − ψ₁).
     pub ratio: f64,
 }
 
-/// How ψ follows ψ₁ along an escape, from τ = 0.1 to 1000.
+/// From τ = 0.1 to 1000.
 pub(crate) fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionError> {
     let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 1000.0)?;
     let moment = |i: u32| {
@@ -196,7 +194,6 @@ attempts![
 mod tests {
     use super::*;
 
-    /// At ψ = π, where the angle jumps by a turn, and elsewhere.
     #[test]
     fn the_angle_turns_at_the_rate_of_the_law() {
         for psi in [0.4, -2.0, PI - 1e-9, 1e-9 - PI] {

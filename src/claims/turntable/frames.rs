@@ -116,7 +116,6 @@ fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
     end.map_or([f64::NAN; 2], |[x, y, ..]| [x, y])
 }
 
-/// A vector in one number.
 pub(super) fn weighed([x, y]: [f64; 2]) -> f64 {
     x + 2.0 * y
 }
@@ -126,7 +125,6 @@ pub(super) fn eq89_rate(v: &View) -> f64 {
     weighed(printed::eq89_acceleration(v.position, v.rate))
 }
 
-/// (89), likewise.
 pub(super) fn eq89() -> Evidence {
     let trial = Trial::by(
         Quadrature,
@@ -182,7 +180,6 @@ pub(super) fn eq87() -> Evidence {
     })
 }
 
-/// (88), likewise.
 pub(super) fn eq88() -> Evidence {
     let trial = Trial::by(
         Consistency,

@@ -34,7 +34,6 @@ fn keeps_its_value(title: &str, setting: Result<Setting, ExactError>, formula: &
     })
 }
 
-/// (106) as printed.
 pub(crate) const PRINTED_106: Vectorial = Vectorial::new(
     Printed,
     Compared::one("the rate of (106) along (86)", "0"),
@@ -51,7 +50,6 @@ fn prove_106(formula: Vec<Expr>) -> Proof {
     keeps_its_value(title, Setting::dimensional(), &formula)
 }
 
-/// The work as printed.
 pub(crate) const PRINTED_WORK: Vectorial = Vectorial::new(
     Printed,
     Compared::many(

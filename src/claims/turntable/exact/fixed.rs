@@ -66,7 +66,6 @@ fn factors() -> [Expr; 2] {
     [((psi - q) / 2).sin(), ((psi + q) / 2).cos()]
 }
 
-/// A factor of (115) is zero at the given angle.
 fn prove_zero(printed: Expr, factor: Expr) -> Proof {
     let title = "(115) is zero at a quasi-fixed point";
     prove(title, Setting::fixed(), |p, _| {

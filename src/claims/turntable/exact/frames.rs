@@ -103,7 +103,6 @@ fn without_dimensions(title: &str, position: &[Expr], time: Expr, rates: &[Expr]
     })
 }
 
-/// A formula with other components for position and velocity.
 fn put_vectors(formula: Expr, [[x, y], [u, v]]: [[Expr; 2]; 2]) -> Expr {
     // By way of names that stand nowhere else, so that what is put in is not replaced again.
     let names = [("x", "x*"), ("y", "y*"), ("u", "u*"), ("v", "v*")];
