@@ -10,7 +10,6 @@ use trialbook::book::{escape, table};
 use trialbook::data::{Text, text};
 use trialbook::publishing::{Failure, Filled};
 
-/// The scripts and the styles, the questions and their recordings.
 pub(super) const TEXTS: [(&str, Text); 12] = [
     ("explorers.css", text!("book/theme/explorers.css")),
     ("explorers-plot.js", text!("book/theme/explorers-plot.js")),
@@ -29,7 +28,7 @@ pub(super) const TEXTS: [(&str, Text); 12] = [
     ("sine.AT2", text!("tests/data/sine.AT2")),
 ];
 
-/// The scripts and the style, with the module as text: path within the book, and text.
+/// Path within the book, and text.
 pub(super) fn files() -> Vec<(String, String)> {
     let module = base64(include_bytes!("../../book/theme/explorers.wasm"));
     let breaks = base64(include_bytes!("../../book/theme/breaks.wasm"));
@@ -81,7 +80,6 @@ pub(super) fn place(page: &str) -> Result<Filled, Failure> {
     )))
 }
 
-/// The style, and these scripts.
 fn loaded(scripts: &[&str]) -> String {
     let script = |name| format!("<script defer src=\"theme/explorers{name}.js\"></script>");
     let scripts: String = scripts.iter().map(script).collect();
@@ -131,7 +129,6 @@ pub(super) fn own(_: &str) -> Result<Filled, Failure> {
     )))
 }
 
-/// The words of a scene.
 #[allow(clippy::unnecessary_wraps)]
 pub(super) fn words(_: &str) -> Result<Filled, Failure> {
     let row = |word: &Word| {

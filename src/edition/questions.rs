@@ -36,7 +36,6 @@ struct Question {
     why: String,
 }
 
-/// What a command answers.
 fn asked(command: &str, format: Format) -> Result<Value, Failure> {
     let folder = tempfile::tempdir()?;
     for (name, text) in TEXTS.iter().filter(|(name, _)| recording(name)) {
@@ -54,14 +53,12 @@ fn asked(command: &str, format: Format) -> Result<Value, Failure> {
     answered(&words.collect::<Vec<_>>(), format)
 }
 
-/// A command, and below it what it answers.
 pub(super) fn one(command: &str) -> Result<Filled, Failure> {
     let answer = asked(command, Format::Text)?;
     let lines = format!("$ {command}\n{}", answer.as_str().unwrap_or_default());
     Ok(Filled::Block(code(&lines)))
 }
 
-/// All of them, each with its answer.
 pub(super) fn all(_: &str) -> Result<Filled, Failure> {
     let text = text!("book/questions.toml");
     let questions: Asked = toml::from_str(text.read()?)?;
