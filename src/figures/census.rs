@@ -42,7 +42,6 @@ impl Census {
         })
     }
 
-    /// A panel that shows it.
     pub(super) fn panel(&self, [x, y]: [Axis; 2]) -> Result<Panel, FigureError> {
         let [along, up] = self.ends;
         let cells = self.rests.iter().map(|rests| u8::from(!rests)).collect();

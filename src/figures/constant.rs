@@ -244,7 +244,7 @@ fn stopping_times() -> Drawn {
     .figure(table)?)
 }
 
-/// The different values of λ in order of first appearance.
+/// In order of first appearance.
 fn lambdas(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut out = Vec::new();
     for value in values {

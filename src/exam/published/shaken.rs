@@ -64,7 +64,6 @@ fn amplitude(frequency: f64, mu: f64) -> Found {
     border(moved, 0.01, 0.1)
 }
 
-/// Whether a coin put down on a turning table moves.
 fn goes(omega: f64, friction: f64, radius: f64) -> Found<bool> {
     let table = Table {
         omega,

@@ -18,7 +18,6 @@ pub static PYSLAMMER: Source = Source {
 const CLOSED: f64 = 9.81;
 /// The one that is built into the time histories.
 const HISTORY: f64 = 9.806_65;
-/// The time step of the histories.
 const STEP: f64 = 0.001;
 /// Below this velocity a history takes the block for resting.
 const RESTS: f64 = 1e-5;
