@@ -60,10 +60,8 @@ fn sat() -> Result<Vec<Sat>, ResultsError> {
     Ok(data)
 }
 
-/// A candidate's runs of one task.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Runs {
-    /// Who.
     pub name: String,
     /// Processor seconds for each unit of time, and the error, from the coarsest run on.
     pub points: Vec<[f64; 2]>,
@@ -72,11 +70,10 @@ pub(super) struct Runs {
 /// A task, everyone who sat it, and our own point.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Sat {
-    /// The task's name.
     pub task: &'static str,
     /// The candidates, the same for all tasks; without points for one that did not sit.
     pub runs: Vec<Runs>,
-    /// Our cost and error.
+    /// Cost and error.
     pub ours: [f64; 2],
 }
 

@@ -50,7 +50,6 @@ impl From<Failure> for AllFiguresError {
     }
 }
 
-/// A figure, or why there is none.
 type Drawn<T = Figure> = Result<T, AllFiguresError>;
 
 /// Every figure, in the order of the book.

@@ -15,7 +15,7 @@ pub(super) fn figures() -> Drawn<Vec<Figure>> {
     Ok(vec![censuses()?, borders()?, phase_space()?])
 }
 
-/// Angles at which the level lines of the boundary are found: enough that no corner is seen.
+/// Enough that no corner is seen.
 const ANGLES: i32 = 192;
 
 /// Largest α of the picture of the phase space.
@@ -69,7 +69,6 @@ fn level(a: f64) -> Drawn<Vec<[f64; 2]>> {
     Ok(level.map(<[f64; 2]>::from).collect())
 }
 
-/// Cells along each side of the census.
 const SIDE: usize = 60;
 
 fn censuses() -> Drawn {
@@ -130,8 +129,6 @@ pub(super) struct Section {
 }
 
 /// Who comes to rest, at several ψ, with the printed and the corrected boundary.
-///
-/// Fails as [`Plot::figure`] and [`Raster::new`] do.
 pub(super) fn census(list: &[Section]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["psi", "alpha", "A", "rests"]);
     let mut plot = Plot::new("rest-census", "Who comes to rest")
