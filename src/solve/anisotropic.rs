@@ -58,7 +58,6 @@ fn drift(forward: Double, backward: Double) -> f64 {
 }
 
 impl Period {
-    /// The size of the way there or back.
     fn longest(&self) -> f64 {
         let length = self.positive.max(self.negative).min(1.0);
         length * length * length
@@ -281,7 +280,6 @@ fn without_rest(plus: Double, minus: Double) -> Option<Period> {
     })
 }
 
-/// What a simulated motion is.
 fn period(motion: &Attractor<'_>) -> Period {
     let intervals = motion.intervals();
     let sum = |sign| -> f64 {

@@ -84,7 +84,6 @@ pub const LENGTH: &str = "that of v0²/A";
 
 impl Fields for ConstantState {
     fn fields(&self) -> Vec<Field> {
-        // As far as it may have come.
         let lasts = self.stop_time.map_or(self.t, |stop| stop.min(self.t));
         let way = self.v.max(self.start) * lasts;
         vec![
@@ -286,7 +285,6 @@ pub(super) fn check_moment(theta0: f64, at: At) -> Result<(), SolveError> {
     }
 }
 
-/// The error of an angle that the velocity never has.
 fn unreached(theta: f64, theta0: f64) -> SolveError {
     SolveError::Parameter {
         name: "theta",
@@ -302,8 +300,7 @@ fn last_angle(theta0: f64) -> f64 {
     if theta0 == PI { PI } else { 0.0 }
 }
 
-/// The formulas of section 2.1 for one launch, in numbers of twice the width: rounding is no part of what they say.
-/// Section 3 uses them too.
+/// The formulas of section 2.1 for one launch, in numbers of twice the width; section 3 uses them too.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Formulas {
     pub(super) lambda: Double,
@@ -312,7 +309,6 @@ pub(super) struct Formulas {
     pub(super) theta0: Double,
 }
 
-/// A state by the formulas.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Exactly {
     pub(super) v: Double,
@@ -380,7 +376,6 @@ impl Formulas {
         .map(|part| part * v0.squared() / a)
     }
 
-    /// Whether the launch is straight against the inertial force: at the angle that stands for π.
     fn straight_against(&self) -> bool {
         self.theta0.to_f64() == PI
     }
@@ -400,7 +395,6 @@ impl Formulas {
         }
     }
 
-    /// At rest: the angle is what it tended to.
     fn stopped(&self, t: Double, place: [Double; 2]) -> Exactly {
         let theta = last_angle(self.theta0.to_f64());
         self.state(0.0.into(), theta.into(), t, place)
@@ -444,7 +438,6 @@ impl Formulas {
         self.state(v, theta, t, self.place(ln_r))
     }
 
-    /// The state at a moment.
     pub(super) fn at(&self, at: At<Double>) -> Result<Exactly, SolveError> {
         match at {
             At::Theta(theta) => self.at_theta(theta),
