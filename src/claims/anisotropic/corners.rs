@@ -37,7 +37,6 @@ fn x(change_of: &'static str, holds: fn(&[Interval]) -> bool) -> Evidence {
 
 const SIMULATED_Y: &str = r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum";
 
-/// Y from (54) and (55), to all digits, with Y by simulation.
 pub(super) fn y_digits() -> Evidence {
     Trial::by(
         Root,

@@ -46,7 +46,6 @@ const fn lambda0_of(law: &'static str, change: &'static str) -> Compared {
     Compared::composed([law, "", ""], [r"the $\lambda_0$ ", change, ""])
 }
 
-/// A formula's λ₀ with the λ₀ at which the simulation changes, at those q that are wanted.
 fn change(
     subject: Subject,
     wanted: fn(&Row) -> bool,

@@ -23,10 +23,8 @@ impl Budget {
     }
 }
 
-/// Half the length of the slip that begins at rest at the phase `from` ≤ π/2 under the friction `lambda` ≤ sin(from).
-///
-/// # Errors
-/// A value that is not a number, which does not happen for 0 < λ < 1.
+/// Half the length of the slip that begins at rest at the phase `from` ≤ π/2 under the friction `lambda` ≤
+/// sin(from).
 fn half_length(lambda: f64, from: f64) -> Result<f64, Failure> {
     let start = libm::asin(lambda);
     let w = |k: f64| libm::sin(from + k) * libm::sin(k) - lambda * k;

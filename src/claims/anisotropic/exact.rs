@@ -1,8 +1,8 @@
 //! Section 2.4, exactly: the rates, the curves A, B and E, their meeting points, the touch at Y, the mirror.
 //!
-//! The curves are written with the angles α = asin λ₀ and β = asin(qλ₀), so that both sides of a printed formula
-//! are rational in the tangents of half these angles. An arc from rest at φ₀ is ∫ (sin φ ∓ λ±) dφ =
-//! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
+//! With α = asin λ₀ and β = asin(qλ₀) both sides of a printed formula are rational in the tangents of half these
+//! angles. The curves are held against an arc from rest at φ₀, ∫ (sin φ ∓ λ±) dφ = cos φ₀ − cos φ ∓ λ± (φ − φ₀), and
+//! against no formula of the paper.
 
 use super::prelude::*;
 
@@ -84,7 +84,6 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
     })
 }
 
-/// (47) to (50) by the use made of them.
 pub(crate) const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
     Printed,
     Compared::one("Newton's law in the symbols (47) to (50)", "(51) and (52)"),

@@ -157,7 +157,6 @@ fn slips() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// A slip in the ring of both frictions: its rate as a product, and the velocity that it leads to.
 fn slip(
     title: &str,
     rate: Expr,

@@ -90,7 +90,6 @@ impl Rates {
     }
 }
 
-/// 𝔴(φ) over two periods, as the region's words and the printed rates have it, with the simulation.
 pub(crate) fn quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Printed,
@@ -125,10 +124,6 @@ pub(crate) fn quadrature() -> Evidence {
     })
 }
 
-/// The simulated motion of a panel.
-///
-/// # Errors
-/// A motion that does not become periodic.
 pub(crate) fn motion(panel: usize, start: DriveState) -> Result<Attractor<'static>, Failure> {
     let (q, lambda0) = PANELS[panel];
     attractor_from(start, Friction::new(lambda0, q * lambda0)?)

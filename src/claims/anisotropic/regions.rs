@@ -85,7 +85,6 @@ const AS_PRINTED: (&str, fn(f64) -> Regions) =
 const AS_CORRECTED: (&str, fn(f64) -> Regions) =
     ("in the region as corrected and next to it", corrected_list);
 
-/// A stated λ₀ with the one of a row's changes that it is about.
 fn beside(row: &Row, name: &str, stated: f64, which: usize) -> Pair {
     let found = row.changes.upwards()[which];
     Pair {
@@ -170,7 +169,7 @@ fn begins_below_c(row: &Row) -> bool {
     !row.before_y
 }
 
-/// What region II has too much: between E and C.
+/// Between E and C.
 fn beyond_e(subject: Subject) -> Evidence {
     let compared =
         orders("the words of IV").over("between E and C; elsewhere beyond Y this says nothing");

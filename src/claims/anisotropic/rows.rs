@@ -13,10 +13,7 @@ pub(crate) struct Row {
 }
 
 impl Row {
-    /// The row of this q, its changes sought from `low` up.
-    ///
-    /// # Errors
-    /// As [`Changes::at`].
+    /// Its changes are sought from `low` up.
     pub(crate) fn at(q: f64, low: f64) -> Result<Self, Failure> {
         Ok(Row {
             q,
@@ -93,9 +90,6 @@ const TERMS: [&dyn Fn(f64) -> f64; 5] = [
 /// The laws by which, far out, the onset of rest and the end of direct reversals fall with q, measured on the
 /// simulation. The next terms of the logarithm, of order q⁻² to q⁻⁴, are fitted along; to the fit's standard error
 /// is added what leaving out the last of them changes.
-///
-/// # Errors
-/// Those of the rows.
 pub(crate) fn far_laws() -> Result<[PowerLaw; 2], Failure> {
     let rows = every(FAR_ROWS.each())?;
     let law = |height: fn(&Changes) -> f64| -> Result<PowerLaw, Failure> {

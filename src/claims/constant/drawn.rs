@@ -2,7 +2,7 @@
 
 use super::prelude::*;
 
-/// A motion in units of v₀ and A.
+/// In units of v₀ and A.
 #[derive(Debug, Clone)]
 pub(crate) struct Curve {
     pub lambda: f64,
