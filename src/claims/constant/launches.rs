@@ -73,7 +73,8 @@ impl Turn {
         self.lambda != 1.0 && self.lambda + libm::cos(self.theta0) != 0.0
     }
 
-    /// True where that growth costs at most two digits or so; the other points are left to other routes.
+    /// True where [`condition`](Self::condition) costs at most two digits or so; the other points are left to other
+    /// routes.
     pub(crate) fn is_gentle(&self) -> bool {
         self.condition() < 300.0
     }
@@ -185,7 +186,6 @@ pub(crate) fn turns_where(
     only(TURNS.each(), move |turn| wanted(turn))
 }
 
-/// Friction: from no friction to thirty times the acceleration, the critical value and its neighbours.
 const LAMBDAS: [f64; 10] = [
     0.0,
     1e-6,
@@ -320,7 +320,7 @@ pub(crate) static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
     }))
 });
 
-/// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
+/// Half a unit of time later: the angle has stayed.
 pub(crate) fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
     let mut points = Points::here();
     (0..40).map(move |i| {
@@ -413,7 +413,6 @@ fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     })
 }
 
-/// A launch with λ > 1 and its end.
 #[derive(Debug, Clone)]
 pub(crate) struct Stop {
     pub start: Turn,
@@ -473,7 +472,7 @@ impl Aligned {
     }
 }
 
-/// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
+/// Without those that friction stops for good.
 pub(crate) static ALIGNED: Runs<Vec<Aligned>> = Runs::new(all_aligned);
 
 pub(crate) static OTHERS_ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| others(all_aligned));
@@ -499,7 +498,7 @@ fn unlike_aligning(motion: &Motion) -> usize {
     angles.windows(2).filter(|w| grows(w[0], w[1])).count() + rests.count()
 }
 
-/// Whether an angle has grown by more than its rounding.
+/// By more than its rounding.
 fn grows(before: f64, after: f64) -> bool {
     after > before * (1.0 + 1e-14)
 }
@@ -522,7 +521,7 @@ fn launches_below_critical() -> impl Iterator<Item = Turn> {
     })
 }
 
-/// Launches at λ = 1 straight against the inertial force.
+/// At λ = 1, straight against the inertial force.
 pub(crate) fn held() -> impl Iterator<Item = Turn> {
     let mut points = Points::here();
     (0..40).map(move |_| at_random(1.0, PI, &mut points))

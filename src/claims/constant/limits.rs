@@ -11,7 +11,7 @@ fn start((start, _): &(Turn, State)) -> String {
     start.at()
 }
 
-/// The flights without friction that are not straight.
+/// Those that are not straight.
 fn parabolas() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     only(frictionless(), |(start, _)| {
         libm::sin(start.theta0).abs() > 0.01

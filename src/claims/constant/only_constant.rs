@@ -1,5 +1,5 @@
-//! Trials of how a motion under a drive that changes with time differs from all on an inclined plane: along the slope the sense
-//! of sliding changes once at most, under a drive again and again.
+//! Trials of how a drive that changes with time differs from an inclined plane: along the slope the sense of sliding
+//! changes once at most, under a drive again and again.
 
 use super::prelude::*;
 

@@ -191,7 +191,7 @@ impl Ratio {
         product_less_one(at.t, (self.parts)(at))
     }
 
-    /// It is 1 + t E.
+    /// The ratio is 1 + t E.
     fn near_one(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
         let at = Inside::symbols();
         let limit = (self.inverse)([over_n(3, 4), over_n(1, 2), int(1), int(0)]);

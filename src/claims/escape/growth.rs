@@ -193,7 +193,6 @@ impl Power {
         })
     }
 
-    /// The coefficient of (ln τ)/τ, relative to the limit.
     fn delay(&self, stated: &'static str) -> Evidence {
         let coefficient = r"the coefficient of $(\ln\tau)/\tau$ in ";
         let (name, quantity) = self.over;
@@ -337,7 +336,6 @@ mod tests {
     use crate::claims::escape::trajectories::Launch;
     use crate::motion::turntable::intrinsic::Run;
 
-    /// The moments of an escape, with one and the same state.
     fn moments(run: Run, launch: Launch) -> Escape {
         let late = |i: i32| Late {
             tau: LATE * libm::pow(1e-3, f64::from(i) / 48.0),

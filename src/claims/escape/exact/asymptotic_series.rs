@@ -17,7 +17,7 @@ const UNKNOWN: [&str; 12] = [
     "x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x₇", "x₈", "x₉", "x₁₀", "x₁₁", "x₀",
 ];
 
-/// The quantities of the motion as series in τ^(−1/2).
+/// As series in τ^(−1/2).
 #[derive(Debug, Clone)]
 pub(crate) struct Late {
     pub p: Series,
@@ -213,7 +213,6 @@ fn solve(p: &mut Prover<'_>) -> Result<Late, Obstacle> {
     finish(p, &own.map(|series| series.in_root(2)))
 }
 
-/// p, A, α and s follow.
 fn finish(p: &mut Prover<'_>, [rho, u, delta]: &[Series; 3]) -> Result<Late, Obstacle> {
     let ring = p.ring();
     let speed = rho.minus(u);

@@ -131,7 +131,6 @@ impl Species {
             .map(|rate| NAMES.into_iter().zip(state).fold(rate, put))
     }
 
-    /// The state to which every escape comes.
     fn limit(&self) -> State {
         let [n, predator] = self.rest;
         [n, predator, int(1), int(0)]
@@ -327,7 +326,7 @@ pub(crate) fn follow([q, v, w]: [Expr; 3], [n, predator, h, t]: State) -> [Expr;
     ]
 }
 
-/// How far they are from there, over t; and what 1/t makes of it.
+/// How far N and P are from where they settle, over t; and what 1/t makes of it.
 fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [n, predator, h, t] = symbols(NAMES);
     let [n0, p0] = found.rest;
@@ -439,9 +438,6 @@ fn spiral(found: Species) -> Proof {
 static SPIRAL: Derived<Proof> = Derived::new(|| spiral(Species::found()));
 
 /// Rests a proof on the theorem on all escapes.
-///
-/// # Errors
-/// [`Obstacle`] if it does not hold.
 pub(crate) fn comes(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     SPIRAL.with(|proof| p.rests_on(proof))
 }
