@@ -296,7 +296,7 @@ attempts![
         })
     },
     relaxed_ratio,
-    // That ratio by the equations of motion: with it, ψ and α fall or grow alike.
+    // By the equations of motion: with that ratio of ψ and ψ₁, ψ and α fall or grow alike.
     relaxed_ratio_rate = {
         let trial = Trial::by(
             Consistency,

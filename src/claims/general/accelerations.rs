@@ -39,7 +39,6 @@ pub(super) fn along_a_line(shape: usize, rate: f64) -> Signal {
     }
 }
 
-/// A velocity of any direction.
 pub(super) fn any_start(points: &mut Points, speed: f64) -> State {
     let theta = points.uniform(-3.1, 3.1);
     State::moving([speed * libm::cos(theta), speed * libm::sin(theta)])

@@ -12,7 +12,7 @@ pub(super) struct Returning {
     pub phases: Vec<Phase>,
 }
 
-/// The accelerations that exceed μg again and again, then those that never do, and what they do.
+/// Of accelerations that exceed μg again and again, then of those that never do.
 pub(super) static RETURNING: Runs<Vec<Returning>> = Runs::new(all_returning);
 
 pub(super) static OTHERS_RETURNING: Runs<Vec<Returning>> = Runs::new(|| others(all_returning));

@@ -100,7 +100,6 @@ fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
     Ok(motion.nodes().map(|s| s.speed()).fold(0.0, f64::max))
 }
 
-/// Across a fixed direction, every step lowers what velocity there is.
 fn across_census() -> Evidence {
     Trial::census(Printed, Compared::constant(
         "$-1$, for a fall",
@@ -111,7 +110,6 @@ fn across_census() -> Evidence {
     })
 }
 
-/// The steps on which |v⊥| does not fall.
 fn grows_across(case: &Across) -> Result<usize, Failure> {
     let motion = run(&case.plane, 1.0, case.start, 10.0)?;
     // Below, only the rounding of the components along the line is left.

@@ -1,5 +1,5 @@
-//! Theorems about drives that exceed the friction, as chains of identities of the ring and terms that have a sign: that no rest
-//! lasts, and that the speed grows in the end if the direction is fixed.
+//! Theorems about drives that exceed the friction: that no rest lasts, and that the speed grows in the end if the
+//! direction is fixed.
 
 use super::prelude::*;
 use super::two_frames::{eq2, eq2_proof, ring};

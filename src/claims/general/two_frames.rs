@@ -68,7 +68,7 @@ fn eq2_rate(case: &Case, state: &State) -> f64 {
 
 const TIMES: u32 = 17;
 
-/// A printed rate with differences of fourth order along the motions.
+/// With differences of fourth order along the motions.
 fn followed(
     compared: Compared,
     rate: fn(&Case, &State) -> f64,

@@ -1,5 +1,5 @@
-//! Theorems about every drive h of size 1 at most, by (26) with h for the sine: when all motion ends, and how much of the time is
-//! rest; and what the pulses are at their two extremes.
+//! Theorems about every drive h of size 1 at most, by (26) with h for the sine, and about the pulses at their two
+//! extremes.
 
 use super::exact::{EQ44, EQ46};
 use super::prelude::*;
@@ -134,7 +134,6 @@ fn normalised(([pulse, gap], largest): ([Expr; 2], Expr)) -> Proof {
 pub(crate) struct Pulses {
     /// h in a pulse and in a gap, then the same half a period later.
     h: [Expr; 4],
-    /// Where the pulse ends.
     end: Expr,
     /// λ_c.
     critical: Expr,

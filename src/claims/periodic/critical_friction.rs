@@ -88,7 +88,6 @@ pub(crate) const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::show
     |(law, rate, kinds)| Proof::for_both_signs(|sign| threshold(law, rate, kinds, sign)),
 );
 
-/// The ring of (26), with the sign of 𝔴.
 fn ring(sign: i64) -> Result<Ring, ExactError> {
     let mut ring = Ring::of(["λ₀", "M", "m", "𝔴₀", "n", "H", "c", "ℓ", "P", "η"]);
     ring.angle("ψ");
