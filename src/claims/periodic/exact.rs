@@ -1,7 +1,6 @@
 //! The pulse train, exactly: (44) to (46), and the motion that the paper leaves out.
 //!
 //! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
-//! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
 use super::prelude::*;
 

@@ -161,7 +161,6 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
     })
 }
 
-/// η = 1 and η = 0 themselves.
 fn extremes_census() -> Evidence {
     let mut points = Points::here();
     let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];

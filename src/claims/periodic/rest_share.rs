@@ -3,7 +3,7 @@
 use super::drives::{motion, rest_share, steps_between};
 use super::prelude::*;
 
-/// The share of rest at λ₀ = 1 − δ.
+/// At λ₀ = 1 − δ.
 fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {
     let motion = motion(drive, 1.0 - delta)?.ok_or("it drifts")?;
     Ok(rest_share(&motion))

@@ -9,7 +9,6 @@ const SAMPLES: usize = 4096;
 /// Half the distance of two samples, times the steepest slope of three harmonics of size 1, and some more.
 const MARGIN: f64 = 3e-3;
 
-/// Friction below which a drive without a mean never lets rest, and above which it must.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bounds {
     /// No rest for 0 < λ₀ < low: |h| > λ₀ wherever |H − c| ≤ πλ₀.

@@ -14,7 +14,7 @@ use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::motion::turntable::intrinsic;
 use crate::numerics::eigenvalues::{eigenvalues, jacobian};
 
-/// What an equation says at σ and what the motion does, and the size of its terms.
+/// What an equation says at σ, what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> [f64; 3];
 
 type Equation = (&'static str, &'static str, Sides);
@@ -84,7 +84,6 @@ const BY_ORDER: Way = Way {
     },
 };
 
-/// On the way into a rest with ψ → π.
 const STRAIGHT: Way = Way {
     route: Integration,
     subject: Outside,

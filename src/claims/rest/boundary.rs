@@ -13,11 +13,8 @@ pub(crate) struct Border {
     pub a: f64,
 }
 
-/// Bisects for the A at which the particle passes from rest to escape. Newton's law gives the bracket: it rests where
-/// p + ρ = A exp(α) < 1, and escapes where ρ² − p² = A² ≥ 1.
-///
-/// # Errors
-/// Those of the motion.
+/// Bisects for the A at which the particle passes from rest to escape. Newton's law gives the bracket: it rests
+/// where p + ρ = A exp(α) < 1, and escapes where ρ² − p² = A² ≥ 1.
 pub(crate) fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
     let least = (1.0 - 1e-9) * libm::exp(-alpha);
     let start = |a| Start::hyperbolic(a, alpha, psi);
@@ -38,12 +35,12 @@ pub(crate) fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>
     BORDERS.each()
 }
 
-/// A on the boundary by (147).
+/// By (147).
 pub(crate) fn printed_a(alpha: f64) -> f64 {
     printed::eq147_a(alpha)
 }
 
-/// α at which the envelope (147) has this A, in [0, 1].
+/// By (147), in [0, 1].
 pub(crate) fn printed_alpha(a: f64) -> f64 {
     std::f64::consts::SQRT_2 * (1.0 - libm::sqrt(a))
 }
@@ -58,7 +55,7 @@ fn unit(alpha: f64) -> f64 {
     1e3 * alpha * alpha * alpha
 }
 
-/// A law of A on the boundary: what it speaks about, how close it is, and its A and the unit of a difference, by α and ψ.
+/// What it speaks about, how close it is, and its A and the unit of a difference, by α and ψ.
 type Law = (Subject, Tolerance, fn(f64, f64) -> [f64; 2]);
 
 const AS_PRINTED: Law = (Printed, BOUNDARY, |alpha, _| [printed_a(alpha), 1.0]);
@@ -154,10 +151,7 @@ pub(crate) struct Case {
     pub clear: bool,
 }
 
-/// Whether a start comes to rest, and at which σ.
-///
-/// # Errors
-/// Those of the motion; [`MotionError::Steps`] when rounding decides.
+/// Whether a start comes to rest, and at which σ; [`MotionError::Steps`] when rounding decides.
 pub(crate) fn resting_place(a: f64, alpha: f64, psi: f64) -> Result<Option<f64>, MotionError> {
     match fate(&Start::hyperbolic(a, alpha, psi)?)? {
         Fate::Rest { sigma, .. } => Ok(Some(sigma)),
@@ -216,7 +210,7 @@ fn counted(case: &Case, rests: bool) -> Pair {
     )
 }
 
-/// Whether a start, by A, α and ψ, comes to rest by (147).
+/// By (147), from A, α and ψ.
 fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
     a < printed_a(alpha)
 }
@@ -246,7 +240,6 @@ fn surface(sigma: f64) -> Result<Surface, Failure> {
     let psi = angle_towards_one(alpha);
     let resting = |a: f64| match resting_place(a, alpha, psi) {
         Ok(Some(sigma)) => sigma,
-        // Beyond the boundary.
         Ok(None) => 1.0,
         Err(_) => f64::NAN,
     };

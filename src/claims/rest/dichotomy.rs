@@ -4,7 +4,7 @@ use super::prelude::*;
 use crate::motion::turntable::boundary::boundary;
 use crate::motion::turntable::ensemble::rests;
 
-/// Starts all over the inner part of the states, by ρ, p and ψ.
+/// All over the inner part of the states, by ρ, p and ψ.
 fn starts(count: usize) -> Vec<[f64; 3]> {
     Points::here().within(count, [[0.0, 3.0], [0.0, 3.0], [-3.1, 3.1]])
 }

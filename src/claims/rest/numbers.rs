@@ -43,9 +43,6 @@ pub(super) static VALUES: [Number; 8] = [
 ];
 
 /// A on the boundary at α = 0.1, ψ = 0.2; computed once.
-///
-/// # Errors
-/// A motion that cannot be followed.
 fn boundary_example() -> Result<f64, Failure> {
     static A: Runs<f64> = Runs::new(|| Ok(turntable::boundary(0.1, 0.2)?));
     A.get().copied()

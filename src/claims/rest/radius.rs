@@ -4,7 +4,7 @@ use super::boundary::CENSUS;
 use super::prelude::*;
 use crate::motion::turntable::rotating;
 
-/// A particle at rest on a table of any Ω, μ, g.
+/// On a table of any Ω, μ, g.
 struct Rider {
     table: Table,
     /// Its distance from the axis, over μg/Ω².

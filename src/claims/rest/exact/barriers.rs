@@ -138,7 +138,6 @@ fn above(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     Ok(())
 }
 
-/// How far the formula is below 1.
 fn lower_than_one(formula: Expr) -> Proof {
     let [alpha, psi] = symbols(["α", "ψ"]);
     let half = psi / 2;
