@@ -15,7 +15,6 @@ pub(crate) struct Approach {
     moments: Mutex<Vec<(f64, Close)>>,
 }
 
-/// A moment just before rest.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Close {
     /// Until the stop.
@@ -54,10 +53,7 @@ impl Close {
 }
 
 impl Approach {
-    /// Follows a start to its rest; nothing if it does not come to rest.
-    ///
-    /// # Errors
-    /// Those of the motion.
+    /// Nothing if it does not come to rest.
     pub(crate) fn new(start: [f64; 3]) -> Result<Option<Self>, Failure> {
         let [rho, p, psi] = start;
         let run = Run::new(&Start::polar(rho, p, psi)?, 50.0)?;
@@ -76,9 +72,6 @@ impl Approach {
     }
 
     /// The moment in the middle of what is left when p falls below `speed`.
-    ///
-    /// # Errors
-    /// Those of the motion.
     pub(crate) fn close(&self, speed: f64) -> Result<Close, Failure> {
         let mut moments = self.moments.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, close)) = moments.iter().find(|(of, _)| *of == speed) {

@@ -1,10 +1,9 @@
-//! Trials of the steps of section 2.2 between its formulas: that a slip from rest outlasts half the period, that the motion
-//! along the drive does not die, and how friction acts across it.
+//! Trials of the steps of section 2.2 between its formulas.
 
 use super::prelude::*;
 use super::reference_motions::{at, dense};
 
-/// Whether the slip that begins at φ₁ lasts longer than half the period, and leaves a velocity below zero a period after φ₁.
+/// Longer than half the period, with a velocity below zero a period after φ₁.
 fn outlasts(lambda: f64) -> Result<bool, Failure> {
     let slip = Slip::of(lambda)?;
     let friction = Friction::new(lambda, lambda)?;

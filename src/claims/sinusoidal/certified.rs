@@ -57,7 +57,6 @@ fn phases() -> [Expr; 3] {
     ]
 }
 
-/// The left side of (32) as printed, of λ₀, φ₁ and φ.
 fn left() -> Expr {
     let [lambda0, phi1, phi] = ["λ₀", "φ₁", "φ"].map(symbol);
     printed::eq32_left(lambda0, phi1, phi)

@@ -1,5 +1,4 @@
-//! Theorems about every motion under the sinusoidal drive (21), by the law (1): v_y dies, a weak drive ends all, a strong one
-//! nothing, and how friction acts across.
+//! Theorems about every motion under the sinusoidal drive (21), by the law (1).
 
 use super::prelude::*;
 use crate::claims::general::chains::{decays, ring_across, stops};

@@ -33,10 +33,6 @@ impl Transient {
     }
 }
 
-/// The curves of fig-2.
-///
-/// # Errors
-/// As [`crate::motion::drive::Drive::planar`].
 pub(crate) fn transients() -> Result<&'static [Transient], Failure> {
     static CURVES: Runs<Vec<Transient>> = Runs::new(|| {
         let pairs = [SMALL, LARGE]
@@ -64,10 +60,7 @@ fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
     })
 }
 
-/// Points (φ, 𝔴) of the large-time motion over two periods, as fig-3 and fig-4 show it.
-///
-/// # Errors
-/// A motion that does not settle.
+/// Points (φ, 𝔴) of the large-time motion, as fig-3 and fig-4 show it.
 pub(crate) fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let attractor = settled(lambda, ORIGIN)?;
     let phase = |k: u32| 2.0 * TAU * f64::from(k) / 480.0;
@@ -92,9 +85,6 @@ fn drawn(law: &'static str, lambda: f64, from: f64, form: impl Fn(f64) -> Double
 }
 
 /// Points (periods, −ln 𝔴_y) of a motion in the plane from 𝔴_y = 0.3 at φ = π/2, as long as 𝔴_y is not zero.
-///
-/// # Errors
-/// As [`crate::motion::drive::Drive::planar`].
 pub(crate) fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let start = PlanarState {
         phi: FRAC_PI_2,
@@ -113,9 +103,6 @@ pub(crate) fn critical() -> f64 {
 }
 
 /// Points (λ₀, share of a period at rest) of the large-time motion.
-///
-/// # Errors
-/// A motion that does not settle.
 pub(crate) fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
     // Closer to 1, where the curve is steep.
     let close = (8..20).map(|k| 1.0 - libm::exp2(-f64::from(k)));

@@ -1,7 +1,7 @@
 //! Sinusoidal acceleration, exactly: what of section 2.2 is an identity.
 //!
-//! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
-//! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
+//! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the
+//! square root of (36) and (37) is positive.
 
 use super::prelude::*;
 use crate::paper::sinusoidal as paper;

@@ -1,5 +1,4 @@
-//! What of section 2.2 is an order of phases, for the whole range of λ₀ at once: where drive and friction are equal, where a rest
-//! can end, and how long a slip from rest lasts. All by φ₁ = β, λ₀ = sin β.
+//! What of section 2.2 is an order of phases, for the whole range of λ₀ at once. All by φ₁ = β, λ₀ = sin β.
 
 use super::exact::{EQ31, EQ32, EQ36, ring_of_phi1, with_lambda_c};
 use super::prelude::*;

@@ -31,7 +31,6 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
     })
 }
 
-/// A printed phase with the end of a simulated rest that began at `from`.
 fn by_release(law: &'static str, formula: Formula, (name, from): (&'static str, f64)) -> Evidence {
     const REST: &str = r"the end of a simulated rest that holds at $\phi=";
     Trial::motion(

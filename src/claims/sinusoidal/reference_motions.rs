@@ -163,13 +163,13 @@ impl Particle {
     }
 }
 
-/// Which of the sorted `ends` come before `phi`, as the index of the case of a formula by cases.
+/// How many of the sorted `ends` come before `phi`: the index of a formula's case.
 pub(crate) fn case_of(ends: &[f64], phi: f64) -> usize {
     let inner = &ends[1..ends.len() - 1];
     inner.iter().filter(|end| **end <= phi).count()
 }
 
-/// The printed (33) at a phase between φ₁ and φ₁ + 2π.
+/// At a phase between φ₁ and φ₁ + 2π.
 pub(crate) fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Double {
     let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
     let ends = printed::eq33_ends(phi1, phi_t2, phi3);
@@ -178,7 +178,7 @@ pub(crate) fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Double {
     cases[case_of(&ends, phi)]
 }
 
-/// The printed (38) with (39) at a phase between φ̃₁ and φ̃₁ + 2π.
+/// With (39), at a phase between φ̃₁ and φ̃₁ + 2π.
 pub(crate) fn eq38(lambda: f64, phi: f64) -> Double {
     let ends = printed::eq38_ends(printed::eq39_phi_t1(lambda));
     let [l, phi_n] = [lambda, phi].map(Double::from);

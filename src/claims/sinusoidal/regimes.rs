@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::reference_motions::{at, dense, small, starts};
 
-/// The rests in a period at large times, of all starts together.
+/// At large times, of all starts together.
 fn all_rests(lambda: f64) -> Result<usize, Failure> {
     let mut rests = 0;
     for start in starts() {
