@@ -97,7 +97,7 @@ fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
     ln_w_y == f64::NEG_INFINITY && (w_x - line).abs() < 1e-12
 }
 
-/// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
+/// λ₀ > λ_c, by the other integrator.
 pub(super) fn last_stage() -> Evidence {
     let trial = Trial::by(
         Limit,

@@ -11,7 +11,7 @@ struct Onset {
     lambda: f64,
 }
 
-/// The onset of rest for 24 starts: bisection on the simulation alone, down to neighbouring numbers.
+/// By bisection on the simulation alone, down to neighbouring numbers.
 static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
     let mut points = Points::here();
     let mut start = || DriveState {

@@ -20,7 +20,7 @@ pub(super) fn strobed(
     Ok(drive()?.planar(lambda, start, &phases)?)
 }
 
-/// A motion in the plane that began with a velocity across the drive, over ten periods.
+/// With a velocity across the drive at first, over ten periods.
 #[derive(Clone)]
 pub(super) struct Flight {
     pub lambda: f64,
@@ -49,7 +49,6 @@ impl Flight {
         })
     }
 
-    /// The states at whole periods.
     pub(super) fn strobe(&self) -> impl Iterator<Item = &PlanarState> {
         self.states.iter().step_by(A_PERIOD as usize)
     }

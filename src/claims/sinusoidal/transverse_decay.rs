@@ -80,7 +80,6 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
     )
 }
 
-/// How v_y and the direction of the velocity change together.
 fn turning(law: Rate) -> Proof {
     Proof::in_ring(
         "How v_y and the direction of the velocity change together",

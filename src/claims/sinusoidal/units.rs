@@ -36,7 +36,7 @@ pub(super) fn eq21() -> Evidence {
     })
 }
 
-/// A particle in its own units and its twin without units, both from rest.
+/// In units of its own, and without units; both from rest.
 #[derive(Clone)]
 struct Twins {
     at: String,

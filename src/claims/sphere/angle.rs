@@ -112,7 +112,6 @@ impl Turn {
 /// Slips from here on are late: τ is up to some hundreds.
 const LATE: usize = 220;
 
-/// Next to no friction, hardly less and more than the critical one, and much.
 const EDGES: [f64; 4] = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4, 12.0];
 
 /// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges, then late ones.

@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::spheres::{MIXED, length};
 
-/// Friction on the sphere whose lowest point has this velocity relative to the plane.
+/// At this velocity of the lowest point relative to the plane.
 fn friction(run: &Followed, slip: [f64; 3]) -> [f64; 3] {
     let sphere = run.case.sphere;
     let size = length(slip);

@@ -213,7 +213,7 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
     )
 }
 
-/// (85): the slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
+/// The slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
 fn eq85() -> Evidence {
     let trial = Trial::consistency(
         Printed,
@@ -282,7 +282,7 @@ pub(crate) fn trichotomy_census() -> Evidence {
     })
 }
 
-/// How long it rolls in a period, from a start in any direction, against the rests of the drive.
+/// From a start in any direction, against the rests of the drive.
 pub(crate) fn trichotomy_motion() -> Evidence {
     Trial::motion(
         Within,
@@ -343,7 +343,7 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
     (0..count).map(point).collect()
 }
 
-/// The pulse train: the part of a period in which the drive rests.
+/// The part of a period in which the drive rests.
 fn pulse_motion() -> Evidence {
     let mut points = Points::here();
     let all = pulse_points(&mut points, 20);
@@ -409,7 +409,7 @@ fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
         .collect()
 }
 
-/// The slip velocity and the velocity of the centre of a solid sphere on a swinging plane, over two late periods.
+/// Of a solid sphere on a swinging plane, over two late periods.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Swinging {
     /// λ₀ of (84).

@@ -1,7 +1,6 @@
 //! Section 3, exactly: proofs from the laws of Newton and Euler for a rigid sphere, component by component.
 //!
-//! Only those laws and Coulomb's friction are entered here, at the contact point below the centre; the printed
-//! formulas come from [`crate::paper::sphere`], as trees.
+//! Only those laws and Coulomb's friction are entered here, at the contact point below the centre.
 
 pub(crate) mod angle;
 pub(crate) mod body;

@@ -202,7 +202,6 @@ fn prove_eq75(formula: Components) -> Proof {
     })
 }
 
-/// A quantity has no component along z.
 fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
     let along_z = p.read("Along z", along_z)?;
     p.zero("Nothing moves", &along_z)
