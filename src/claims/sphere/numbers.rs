@@ -58,7 +58,7 @@ fn thrown(gamma: f64, until: f64) -> Result<BallMotion, Failure> {
     Ok(Sphere::with_kappa(0.4).run(&Plane::constant([-gamma, 0.0]), &start, until)?)
 }
 
-/// The time at which the sphere with γ = 2 begins to roll.
+/// With γ = 2.
 fn end_of_slip() -> Result<f64, Failure> {
     let motion = thrown(2.0, 1.0)?;
     Ok(motion.transitions().first().ok_or("it slips on")?.t)

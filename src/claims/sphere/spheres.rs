@@ -82,7 +82,6 @@ pub(super) struct Dimensionless {
     pub gamma: [f64; 3],
 }
 
-/// A sphere's own units: its radius, the acceleration by friction, and what follows from the two.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Units {
     /// R.
@@ -164,7 +163,7 @@ impl Followed {
     }
 }
 
-/// A random sphere: between a point mass and a hoop, the solid and the hollow one in their turn.
+/// Between a point mass and a hoop, the solid and the hollow one in their turn.
 pub(super) fn sphere(i: usize, points: &mut Points) -> Sphere {
     let kappa = match i % 4 {
         0 => 0.4,
@@ -182,7 +181,7 @@ pub(super) fn sphere(i: usize, points: &mut Points) -> Sphere {
     }
 }
 
-/// A random case: constant, swinging and turning accelerations of a size to let the sphere slide and roll.
+/// Constant, swinging and turning accelerations of a size to let the sphere slide and roll.
 pub(super) fn case(i: usize, points: &mut Points) -> Case {
     let sphere = sphere(i, points);
     let push = sphere.mu * sphere.g;
@@ -227,7 +226,7 @@ pub(super) fn case(i: usize, points: &mut Points) -> Case {
     }
 }
 
-/// Motions that end before sliding does.
+/// They end before sliding does.
 pub(super) static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
     let mut points = Points::here();
     let run = |i| {
@@ -246,7 +245,6 @@ pub(super) static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
     every((0..32).map(run))
 });
 
-/// Motions that slide and roll.
 pub(super) static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
     let mut points = Points::here();
     let run = |i| {
@@ -257,7 +255,7 @@ pub(super) static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
     every((0..32).map(run))
 });
 
-/// The same with three times between their start and their end.
+/// Three between start and end.
 pub(super) fn moments() -> impl Iterator<Item = Result<(&'static Followed, f64), Failure>> {
     let moments = with_each(MIXED.each(), [0.31, 0.62, 1.0]);
     moments.map(|moment| moment.map(|(run, share)| (run, share * run.until)))

@@ -5,7 +5,7 @@ use super::prelude::*;
 pub(crate) const SPEEDS: [f64; 2] = [1.0, 1.5];
 pub(crate) const UNTIL: f64 = 7.0;
 
-/// One moment of a launch, dimensionless.
+/// Dimensionless.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moment {
     pub tau: f64,
@@ -27,8 +27,8 @@ pub(crate) struct Launched {
     pub rest: Option<f64>,
 }
 
-/// A launch by all three integrations: the place on the table by one, in the laboratory by another, the arc
-/// length by the third.
+/// By all three integrations: the place on the table by one, in the laboratory by another, the arc length by the
+/// third.
 pub(crate) fn launched(speed: f64) -> Result<Launched, MotionError> {
     let table = Table::default();
     let start = State {

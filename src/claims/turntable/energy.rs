@@ -17,7 +17,7 @@ fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) 
     })
 }
 
-/// The way on the table up to the end of a launch, by the motion found in the laboratory.
+/// By the motion found in the laboratory.
 pub(super) fn way(launch: &Launch) -> Result<f64, Failure> {
     let speed = |t: f64| launch.still.on_table(t).map_or(f64::NAN, |s| s.speed());
     Ok(integral(speed, 0.0, launch.to)?.value)

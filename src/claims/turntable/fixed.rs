@@ -5,7 +5,7 @@ use super::prelude::*;
 use super::singular_starts::rate_at_start;
 use crate::numerics::{NumericsError, dop853, roots};
 
-/// dψ/dτ at the beginning of a motion.
+/// At the beginning of a motion.
 fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
     let h = 1e-3 * alpha.min(1.0);
     let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 5.0 * h)?;
@@ -90,10 +90,9 @@ fn turning(alpha: f64, psi: f64) -> f64 {
     -p * sine / rho - across / p
 }
 
-/// Starts (A, α, ψ) of escapes.
+/// (A, α, ψ).
 pub(crate) const ESCAPES: [[f64; 3]; 3] = [[1.2, 0.3, 0.5], [2.0, 0.5, 1.5], [3.0, 0.2, 2.0]];
 
-/// ψ and ψ₁ at one moment of an escape.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Following {
     pub tau: f64,

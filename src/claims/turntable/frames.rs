@@ -100,7 +100,7 @@ fn eq86_turns() -> Evidence {
     })
 }
 
-/// The place on the table to which (86) leads; not a number if it leads nowhere.
+/// Not a number if (86) leads nowhere.
 fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
     let rate = |_: f64, y: &[f64; 4]| {
         let state = State {

@@ -141,7 +141,6 @@ const fn projection(
     Vectorial::new(subject, compared, formulas, prove)
 }
 
-/// The printed right-hand side against the left, of position, velocity and acceleration.
 fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational) -> Proof {
     prove(title, Setting::cartesian(), |p, setting| {
         let left = left(elements(p, setting)?);

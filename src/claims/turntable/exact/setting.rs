@@ -172,7 +172,7 @@ impl Setting {
     }
 }
 
-/// A ring with x, y, u, v.
+/// With x, y, u, v.
 fn plain() -> Ring {
     Ring::of(["x", "y", "u", "v"])
 }
