@@ -1,8 +1,8 @@
 //! The explorers' place on a page, and the files that they run on.
 //!
-//! The scripts are displays; what they show comes from [`crate::explorers`], compiled to the module
-//! `book/theme/explorers.wasm` (rebuilt by `book/explorers/rebuild`), and from [`crate::breaks`], compiled to
-//! `book/theme/breaks.wasm`. Pages opened from the disk may not fetch anything, so a module goes into a script as text.
+//! What the scripts show comes from [`crate::explorers`], compiled to `book/theme/explorers.wasm` (rebuilt by
+//! `book/explorers/rebuild`), and from [`crate::breaks`], in `book/theme/breaks.wasm`. Pages opened from the disk
+//! may not fetch anything, so a module goes into a script as text.
 
 use crate::claims::laid_over;
 use crate::motion::scene::{WORDS, Word};
@@ -65,9 +65,6 @@ const PAGES: [(&str, &str); 9] = [
 ];
 
 /// An explorer's place on the page of this stem: empty and hidden until a script fills it.
-///
-/// # Errors
-/// On a page that has none.
 pub(super) fn place(page: &str) -> Result<Filled, Failure> {
     let Some((_, name)) = PAGES.iter().find(|(stem, _)| *stem == page) else {
         return Err("this page has no explorer".into());
@@ -156,14 +153,13 @@ pub(super) fn breakable(_: &str) -> Result<Filled, Failure> {
     )))
 }
 
-/// Pairs of numbers as the scripts read them.
 fn printed(name: &str) -> String {
     let pairs = laid_over::printed(name);
     let pairs = pairs.iter().map(|[x, y]| format!("{x},{y}"));
     pairs.collect::<Vec<_>>().join(" ")
 }
 
-/// Bytes as text: six bits a letter.
+/// Six bits a letter.
 fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);

@@ -11,7 +11,6 @@ use trialbook::book::{code, table};
 use trialbook::data::text;
 use trialbook::publishing::{Failure, Filled, Format};
 
-/// Whether this names a recording.
 fn recording(name: &str) -> bool {
     [".csv", ".AT2"].iter().any(|end| name.ends_with(end))
 }

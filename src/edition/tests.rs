@@ -146,7 +146,7 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
     behind.split(end).next().unwrap_or_default()
 }
 
-/// The text of a page's content, without tags and without code.
+/// Without tags and without code.
 fn prose(html: &str) -> String {
     let main = between(html, "<main>", "</main>");
     let mut code = false;
@@ -408,8 +408,8 @@ fn a_box_shows_all_and_data_stays_data() {
     assert!(users.contains("<a href=\"constant.html#eq-13\" title="));
 }
 
-/// Where the book has an address and its sources are kept somewhere, each page says where it stands, by whole addresses, and the
-/// first one links to the sources.
+/// Where the book has an address and its sources are kept somewhere, each page says where it stands, and the first
+/// one links to the sources.
 #[test]
 fn a_published_book_says_where_it_is() {
     const ADDRESS: &str = "https://slip.example/book/";

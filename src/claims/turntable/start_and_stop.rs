@@ -86,7 +86,6 @@ fn from_rest(
 /// Long after every one of these motions has stopped.
 const LONG: f64 = 20.0;
 
-/// A motion that comes to rest, and when and where it does by each of the programs.
 #[derive(Debug)]
 struct Stop {
     /// ρ and p at the start.

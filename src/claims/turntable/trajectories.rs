@@ -22,7 +22,7 @@ pub(crate) const SLOWER: &[Class] = &[Class::Slower];
 /// The second case, (116).
 pub(crate) const FASTER: &[Class] = &[Class::Faster];
 
-/// A state on the dimensionless table, in the quantities of section 4, from position and velocity alone.
+/// In the quantities of section 4, from position and velocity alone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct View {
     pub position: [f64; 2],
@@ -245,7 +245,7 @@ pub(crate) fn stretches(
     }))
 }
 
-/// A motion on a table whose Ω, μ, g, and whose particle's m, are any numbers.
+/// Of any Ω, μ, g and m.
 #[derive(Debug)]
 pub(crate) struct Launch {
     pub table: Table,

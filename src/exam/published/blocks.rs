@@ -142,7 +142,6 @@ fn slid(pull: f64, friction: f64, far: f64) -> Found {
     zero_of(|t| Ok(motion.at(t)?.x[0] - far), 0.0, 100.0)
 }
 
-/// The largest pull that friction holds.
 fn held(friction: f64) -> Found {
     border(
         |pull| Ok(!pulled(pull, friction, 1.0)?.starts().is_empty()),

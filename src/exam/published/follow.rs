@@ -60,7 +60,6 @@ pub(super) fn border(moved: impl Fn(f64) -> Found<bool>, mut low: f64, mut high:
     Ok(0.5 * (low + high))
 }
 
-/// A body at the origin with a velocity along x.
 pub(super) fn moving(v: f64) -> State {
     State::moving([v, 0.0])
 }
