@@ -1,7 +1,5 @@
-//! The figures of section 2.4: anisotropic friction.
-//!
-//! All quantities are dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the ratio
-//! of backward to forward friction, φ the phase and 𝔴 the velocity.
+//! The figures of section 2.4, dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the
+//! ratio of backward to forward friction, φ the phase and 𝔴 the velocity.
 
 use super::{Drawn, trend::sides};
 use crate::claims::{
@@ -51,7 +49,6 @@ fn region_map(columns: std::ops::Range<usize>, rows: usize, largest_q: f64) -> D
     })
 }
 
-/// fig-5.
 fn region_diagram() -> Drawn {
     Ok(fig5(&region_map(0..180, 180, 7.0)?)?)
 }
@@ -61,7 +58,6 @@ fn region_census() -> Drawn {
     Ok(census(&map)?)
 }
 
-/// fig-6.
 fn region_waves() -> Drawn {
     let waves: Vec<_> = drawn::waves()?.into_iter().zip(panels::PANELS).collect();
     Ok(fig6(&waves)?)
@@ -88,7 +84,6 @@ pub(super) struct Cell {
     pub printed: u8,
 }
 
-/// A part of the plane: the curves, and a census of equal cells.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Map {
     /// In order of q.
@@ -149,9 +144,6 @@ impl Map {
 }
 
 /// fig-5: the regions as printed, with the census's verdict on them, and as corrected.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn fig5(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
     let y = map.corners[1][0];
@@ -262,10 +254,6 @@ fn wedge(map: &Map) -> Result<Panel, FigureError> {
     .note(Note::new([6.0, 0.22], "'IV'")))
 }
 
-/// The census where the printed list fails: the simulated motion, and the marked disagreement.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn census(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
     let y = map.corners[1][0];
@@ -457,9 +445,6 @@ fn manner(points: &[[f64; 2]]) -> &'static str {
 }
 
 /// fig-6: the motion over two periods, one panel for each region.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["region", "q", "lambda_0", "phi (rad)", "w"]);
     let ticks = [

@@ -16,7 +16,6 @@ pub(super) struct Census {
 }
 
 impl Census {
-    /// What becomes of the starts in the middles of the cells.
     pub(super) fn new(
         side: usize,
         ends: [(f64, f64); 2],

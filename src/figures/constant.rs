@@ -1,7 +1,5 @@
-//! The figures of section 2.1: constant acceleration.
-//!
-//! Units throughout: speeds in v₀, the initial speed; times in v₀/A. λ = μg/A is the friction over
-//! the acceleration, θ the angle between the velocity and the inertial force, θ₀ its initial value.
+//! The figures of section 2.1. Speeds in v₀, times in v₀/A; λ = μg/A is the friction over the acceleration, θ the
+//! angle between the velocity and the inertial force, θ₀ its initial value.
 
 use super::{
     Drawn,

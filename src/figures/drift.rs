@@ -13,10 +13,6 @@ const DRIFTS: [f64; 6] = [0.05, 0.2, 0.35, 0.5, 0.65, 0.8];
 
 const LOSSES: [f64; 6] = [0.05, 0.25, 0.5, 0.75, 1.0, 1.2];
 
-/// The map of the mean velocity, and that of what friction takes.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["q", "lambda_0", "mean velocity", "lost in a period"]);
     for (q, found) in budgets.q.iter().zip(&budgets.found) {

@@ -81,9 +81,6 @@ pub(super) struct Sat {
 const ROUNDING: f64 = 1e-16;
 
 /// Error against cost, a panel for each task.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["task", "candidate", "cost", "error"]);
     let mut plot = Plot::new("exam", "What an answer costs")

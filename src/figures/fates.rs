@@ -182,7 +182,6 @@ fn maps_of_fates() -> Drawn {
     Ok(fates(&list?, maps::as_of())?)
 }
 
-/// Fates at one A: simulated, and proved on both sides of a line.
 pub(super) struct Fates {
     a: f64,
     /// To the right ψ, upwards α.
@@ -304,7 +303,6 @@ fn larger(map: &Fates) -> Panel {
     .points(Points::new(&map.found).ink())
 }
 
-/// The piece of a line between two values of its first coordinate.
 fn between(line: &[[f64; 2]], (from, to): (f64, f64)) -> Vec<[f64; 2]> {
     let mut piece = Vec::new();
     for ends in line.windows(2) {

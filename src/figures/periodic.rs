@@ -1,7 +1,5 @@
-//! The figures of section 2.3: any periodic acceleration.
-//!
-//! All dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| = 1, λ₀ the
-//! friction, η the share of a half period that a pulse fills.
+//! The figures of section 2.3, dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| =
+//! 1, λ₀ the friction, η the share of a half period that a pulse fills.
 
 use super::{Drawn, trend::rises};
 use crate::claims::{

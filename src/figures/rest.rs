@@ -25,7 +25,6 @@ const REACH: f64 = 0.75;
 const STEP: f64 = 0.05;
 const STEPS: i32 = 30;
 
-/// Halvings of such a step.
 const HALVINGS: i32 = 9;
 
 /// The level line of the boundary at this A, as (α, ψ): for each angle the first α from which the particle escapes.
@@ -128,7 +127,7 @@ pub(super) struct Section {
     pub found: Vec<[f64; 2]>,
 }
 
-/// Who comes to rest, at several ψ, with the printed and the corrected boundary.
+/// At several ψ, with the printed and the corrected boundary.
 pub(super) fn census(list: &[Section]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["psi", "alpha", "A", "rests"]);
     let mut plot = Plot::new("rest-census", "Who comes to rest")
