@@ -1,7 +1,5 @@
-//! The figures of section 2.2: a sinusoidal drive.
-//!
-//! Without units throughout: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one across it,
-//! λ₀ the friction over the drive's amplitude.
+//! The figures of section 2.2, dimensionless: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one
+//! across it, λ₀ the friction over the drive's amplitude.
 
 use super::{
     Drawn,
@@ -106,7 +104,6 @@ pub(super) fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureE
         .figure(table)
 }
 
-/// What sets fig-3 and fig-4 apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TwoPeriods<'a> {
     pub id: &'static str,

@@ -1,6 +1,4 @@
-//! The figures of section 4 up to (125): motions on the turntable, their energy, and the quasi-fixed point.
-//!
-//! Dimensionless throughout: lengths in μg/Ω², times in 1/Ω.
+//! The figures of section 4 up to (125). Lengths in μg/Ω², times in 1/Ω.
 
 use super::{
     Drawn,

@@ -89,7 +89,6 @@ impl Fields for Period {
     }
 }
 
-/// The regions by whether there is motion both ways and how many rests.
 fn region(positive: f64, negative: f64, rests: usize) -> &'static str {
     match (positive > 0.0, negative > 0.0, rests) {
         (false, false, _) => "V",

@@ -179,7 +179,6 @@ impl ConstantProblem {
         check_moment(self.theta0, self.at)
     }
 
-    /// See [`ConstantState::turning`].
     fn turning(&self) -> f64 {
         if self.theta0 == PI && self.lambda < 1.0 {
             SMALL * self.v0
@@ -274,7 +273,6 @@ impl ConstantProblem {
     }
 }
 
-/// Requires an angle in (−π, π] and a moment that can be.
 pub(super) fn check_moment(theta0: f64, at: At) -> Result<(), SolveError> {
     let fit = theta0 > -PI && theta0 <= PI;
     check("theta0", theta0, fit, "in (−π, π]")?;

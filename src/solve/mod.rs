@@ -219,7 +219,7 @@ impl Field {
         Field { unseen, ..self }
     }
 
-    /// The same, as a difference of numbers of this size.
+    /// A difference of numbers of this size.
     fn out_of(self, size: f64) -> Self {
         Field {
             lost: self.lost + ROUNDED * size,

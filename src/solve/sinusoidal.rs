@@ -265,10 +265,9 @@ pub(super) fn friction(name: &'static str, value: f64) -> Result<(), SolveError>
     check(name, value, fit, allowed)
 }
 
-/// Periods that may be followed.
 const PERIODS: u32 = 1000;
 
-/// The large-time motion of a drive whose mean is zero, from rest at φ = 0.
+/// Of mean zero, from rest at φ = 0.
 pub(super) fn settle(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, SolveError> {
     let start = DriveState { phi: 0.0, w: 0.0 };
     match drive.attractor(friction, start, PERIODS)? {
