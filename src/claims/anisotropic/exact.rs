@@ -91,7 +91,6 @@ pub(crate) const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
     |(a, b)| prove_rates(a, b),
 );
 
-/// (53): forward motion from φ = α, where a rest would end, for 2K; backward motion for the rest of the period.
 pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     let balance = || {
         let mut ring = Ring::new();
@@ -129,7 +128,6 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// (54): forward motion from α ends where backward motion could begin, at π + β.
 pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("(54): curve B", frictions(), |p| {
         with_angles(p);
@@ -144,7 +142,6 @@ pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// E: forward motion from α ends where backward motion could begin for the last time, at 2π − β.
 pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("Curve E", frictions(), |p| {
         with_angles(p);
@@ -171,7 +168,6 @@ pub(super) fn sides_of_e() -> [Expr; 2] {
     corrected::e_sides(lambda0, q_lambda0)
 }
 
-/// (57): at q = 1 the two curves are one condition, which only the printed λ₀ meets.
 pub(crate) const X: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one("X", "(53) and (54) at $q=1$"),

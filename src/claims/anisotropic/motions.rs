@@ -104,7 +104,6 @@ fn listed<const N: usize>(
     Ok(())
 }
 
-/// All motions of one drive come together, in one that repeats itself.
 fn drawn([forward, backward]: Rates) -> Proof {
     Proof::in_ring(
         "Every motion is drawn to the one that repeats itself",
@@ -225,7 +224,6 @@ fn rests_on_slips(p: &mut Prover<'_>, rates: Rates) -> Result<(), Obstacle> {
     p.rests_on(&backward_slip(rates[1]))
 }
 
-/// That an angle with this sine exists below A: 1 less the square of the sine.
 fn middle([left, right]: Sides) -> Proof {
     let ring = || {
         let mut ring = Ring::new();

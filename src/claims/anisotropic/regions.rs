@@ -223,7 +223,6 @@ pub(super) fn far() -> Evidence {
 attempts![
     first_census = one_census(Printed, AS_PRINTED, 1, 31.0),
     first_ends = ends(Printed, PRINTED, 1, everywhere),
-    // Region I without friction.
     first_outside = {
         let trial = Trial::census(
             Outside,
@@ -280,8 +279,6 @@ attempts![
                 .collect())
         })
     },
-    // The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
-    // Where B has ended, it enters two at C.
     diagram_step = {
         let trial = Trial::census(
             Step,

@@ -63,7 +63,6 @@ fn both_panels() -> impl Iterator<Item = Result<Curve, Failure>> {
         .flat_map(|lambdas| parts(panel(&lambdas)))
 }
 
-/// Every drawn point with (11) at its angle.
 pub(crate) fn points() -> Evidence {
     Trial::motion(
         Printed,
@@ -90,7 +89,6 @@ pub(crate) fn points() -> Evidence {
     })
 }
 
-/// How the curves end: in panel (a) the particle still moves, in panel (b) it rests.
 pub(crate) fn ends() -> Evidence {
     let trial = Trial::census(
         Printed,

@@ -67,7 +67,6 @@ fn sign_of(velocity: Interval) -> f64 {
     velocity.sign().unwrap_or(f64::NAN)
 }
 
-/// A point of the printed region II where the drive never pulls the particle back.
 fn no_way_back() -> Evidence {
     let trial = Trial::by(Certified, Printed, Compared::one(
         r"the sign of $\mathfrak w$ at the last moment at which the drive could pull backward, $-1$ in the printed region II, whose forward motion is over by then,",
