@@ -20,7 +20,6 @@ fn rates(compared: Compared, reading: Reading) -> Evidence {
     )
 }
 
-/// (10): the invariant at θ over that at θ₀.
 fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
     Trial::motion(
         subject,

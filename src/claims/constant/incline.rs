@@ -167,7 +167,6 @@ pub(super) fn forces() -> Evidence {
 }
 
 attempts![
-    // (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
     eq1 = {
         let trial = Trial::consistency(
             Printed,

@@ -43,7 +43,6 @@ fn eq14<S: Scalar + From<f64>>(turn: &Turn) -> S {
     )
 }
 
-/// The regular form of the time at all points, those included where (13) has no value.
 pub(super) fn regular_time() -> Evidence {
     Trial::motion(
         Corrected,
@@ -66,7 +65,6 @@ fn regular(turn: &Turn, ln_r: f64) -> f64 {
     corrected::time(turn.lambda, turn.a, turn.v0, turn.theta0, ln_r)
 }
 
-/// The regular forms along the line of the acceleration: the speed at the r that they give for a time.
 pub(super) fn regular_straight() -> Evidence {
     let trial = Trial::motion(
         Corrected,

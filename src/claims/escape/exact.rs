@@ -126,7 +126,6 @@ fn eq131(law: Expr) -> Proof {
     })
 }
 
-/// (126): dα/dτ where ψ is at ψ₁, to the first order in α.
 pub(crate) fn eq126(formula: Expr) -> Proof {
     let ring = Ring::of(["A", "α", "ψ"]);
     Proof::of("(126): dα/dτ near α = 0", &ring, |p| {

@@ -28,7 +28,6 @@ fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
     })
 }
 
-/// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
 fn eq126_order() -> Evidence {
     let trial = Trial::by(
         Limit,
@@ -60,7 +59,6 @@ fn eq126_order() -> Evidence {
     })
 }
 
-/// (127): launches with A > 1 that have stopped, or not gone far, when τ = 300.
 fn above_one(subject: Subject) -> Evidence {
     Trial::census(
         subject,
@@ -296,7 +294,6 @@ attempts![
         })
     },
     relaxed_ratio,
-    // By the equations of motion: with that ratio of ψ and ψ₁, ψ and α fall or grow alike.
     relaxed_ratio_rate = {
         let trial = Trial::by(
             Consistency,

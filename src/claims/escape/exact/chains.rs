@@ -105,7 +105,6 @@ pub(crate) fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
     )
 }
 
-/// p + ρ below the bound: rest, inside the bound.
 pub(crate) fn comes_to_rest(bound: Expr) -> Proof {
     let ring = || {
         let mut ring = Ring::of(["p", "ρ"]);
@@ -130,7 +129,6 @@ pub(crate) fn comes_to_rest(bound: Expr) -> Proof {
     )
 }
 
-/// Where p → 0, the position is along the velocity: the angle ψ tends to 0 or to π.
 pub(crate) fn stops_along(ahead: Expr) -> Proof {
     polar("Where a particle stops, ψ → 0 or ψ → π", |p| {
         p.shows("If p → 0 after a finite time, with ρ > 0 there, then, up to whole turns, ψ → 0 or ψ → π.");
@@ -192,7 +190,6 @@ fn escapes(beyond: Beyond) -> Proof {
     })
 }
 
-/// p + ρ = A exp(α) and ρ − p = A exp(−α).
 fn sum(p_formula: Expr, rho: Expr) -> Proof {
     let ring = || {
         let mut ring = Ring::new();
