@@ -140,7 +140,6 @@ fn sense(change: f64, speed: f64) -> f64 {
     }
 }
 
-/// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
 fn across_integration() -> Evidence {
     let trial = Trial::motion(
         Printed,
@@ -230,7 +229,6 @@ fn fixed_direction() -> impl Iterator<Item = Across> {
 
 attempts![
     stops_census,
-    // The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
     stops_integration = {
         let trial = Trial::motion(
             Printed,
@@ -380,7 +378,6 @@ attempts![
         })
     }),
     across_census,
-    // Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
     across_quadrature = Trial::quadrature(
         Printed,
         [

@@ -4,7 +4,6 @@
 use super::prelude::*;
 use super::two_frames::{eq2, eq2_proof, ring};
 
-/// What friction must give to keep a particle at rest exceeds what it can give exactly where |𝐀| exceeds the stated bound.
 pub(crate) const MOVES: Statement = Statement::shown(
     Within,
     r"at rest friction has to balance $-\bm A$, and can give $\mu g$ at most: for every $\bm A$ the lack $\lvert\bm A\rvert-\mu g$ is positive exactly where $\lvert\bm A\rvert$ exceeds the stated bound, so that no rest outlasts the beginning of a stretch of time on which it does",

@@ -185,8 +185,8 @@ attempts![
         eq1,
         eq1_proof,
     ),
-    // (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
-    // points against V − U, where U is the plane's velocity.
+    // The laboratory knows no inertial force: there V changes by friction alone, which points against V − U, with
+    // the plane's velocity U.
     eq1_laboratory = Trial::by(
         Integration,
         Printed,

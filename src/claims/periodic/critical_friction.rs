@@ -54,7 +54,6 @@ pub(super) fn never_part(rate: Expr) -> Proof {
     })
 }
 
-/// By (2), with a velocity across the drive too, the speed has no larger rate than |h| − λ₀.
 pub(super) fn slows(law: Expr) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = Ring::new();

@@ -60,7 +60,6 @@ impl Chain {
     }
 }
 
-/// (44): the formula for the chain, with the printed cases put in.
 pub(crate) fn eq44_chain(cases: [Expr; 3]) -> Proof {
     let [lambda, eta, _] = symbols();
     let [peak, stop] = printed::eq44_ends(lambda, eta);
@@ -104,7 +103,6 @@ pub(crate) const EQ45: Statement = Statement::new(
     },
 );
 
-/// (46): the stop of (44) and the start of the small-friction motion both meet the beginning of a pulse there.
 pub(crate) const EQ46: Statement = Statement::new(
     Printed,
     Compared::many(
@@ -131,7 +129,6 @@ pub(crate) const EQ46: Statement = Statement::new(
     },
 );
 
-/// The small-friction motion, from its start through the gap to the zero under the next pulse.
 pub(crate) fn small_friction() -> Proof {
     let [lambda, eta, phi] = symbols();
     small_friction_chain(supplied::small_friction_cases(lambda, eta, phi))

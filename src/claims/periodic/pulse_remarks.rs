@@ -129,7 +129,6 @@ attempts![
         widths(),
         seen
     ),
-    // By what a pulse gives a smooth particle, over its length.
     largest_integration = largest(
         Integration,
         Within,

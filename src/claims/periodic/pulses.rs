@@ -274,7 +274,6 @@ attempts![
             })
         })
     },
-    // (44) with a particle on a plane, whose acceleration jumps.
     eq44_plane = from_rest(
         Compared::one(
             "(44)",
@@ -347,7 +346,6 @@ attempts![
             ))
         })
     },
-    // Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
     below_motion = {
         let trial = Trial::motion(
             Printed,
