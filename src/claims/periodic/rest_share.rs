@@ -33,7 +33,6 @@ pub(super) fn limit() -> Evidence {
     })
 }
 
-/// More than half of the period, a thousandth below 1 or closer.
 pub(super) fn census() -> Evidence {
     let trial = Trial::census(Printed, Compared::one(
         r"whether the share of rest is more than half of the period, as stated for $\lambda_0\to1$ (1 if so),",
@@ -53,7 +52,6 @@ pub(super) fn census() -> Evidence {
     })
 }
 
-/// |h| = 1 throughout: no rest, however near λ₀ is to 1.
 pub(super) fn two_valued() -> Evidence {
     Trial::census(
         Remark,

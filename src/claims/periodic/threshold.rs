@@ -107,7 +107,6 @@ fn drifting(drive: &Drive, lambda: f64) -> Result<Pair, Failure> {
     })
 }
 
-/// |h| = 1 throughout: no rest at any λ₀ < 1.
 pub(crate) fn two_valued() -> Evidence {
     let trial = Trial::census(
         Remark,

@@ -360,8 +360,6 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
         .count()
 }
 attempts![
-    // The exponent of α beside c by the motion linearised about the rest, where s is the time: across the motion (p = 0) and with
-    // it.
     eq143_linearised = {
         let trial = Trial::by(
             Root,

@@ -92,7 +92,6 @@ fn slow() -> impl Iterator<Item = Result<Border, Failure>> {
     alphas.map(|alpha| Ok(border(alpha, 2.0 * alpha)?))
 }
 
-/// The least A of the boundary over ψ: the least of those at twelve angles all round, and at some of the order of α.
 fn least_root() -> Evidence {
     let trial = Trial::by(
         Root,

@@ -34,7 +34,6 @@ pub(super) fn fates() -> Evidence {
     })
 }
 
-/// In the laboratory, up to τ = 100: each has one of the two fates, and not both. From ρ² − p² > 1 none comes back to rest.
 pub(super) fn followed() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -97,7 +96,6 @@ attempts![
             ))
         })
     },
-    // That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
     beside_the_boundary = {
         let trial = Trial::census(
             Excepted,

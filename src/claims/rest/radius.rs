@@ -54,7 +54,6 @@ fn stayed(moved: f64) -> bool {
 /// Within the first moments, however slow they are.
 const SOON: f64 = 0.1;
 
-/// (139) where it decides: at rest on the table, a part in 10⁹ or less from the edge.
 fn eq139_at_the_edge() -> Evidence {
     let trial = Trial::by(
         Integration,

@@ -48,7 +48,6 @@ pub(crate) const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::shown(
     near_rest,
 );
 
-/// α and ψ at rest, of which all else follows.
 pub(crate) fn settles() -> Proof {
     let (limits, ahead) = (NEAR_REST.formulas)();
     polar("α and ψ at rest", |p| {

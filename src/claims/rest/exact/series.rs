@@ -167,7 +167,6 @@ fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
     series.coefficient(power).ok_or(Obstacle::Empty)
 }
 
-/// (140): the first term of dα/dτ.
 pub(crate) fn eq140(formula: Expr) -> Proof {
     from_series("(140): dα/dτ near rest", |p, [_, _, rate]| {
         let stated = p.read("(140)", formula)?;
@@ -175,7 +174,6 @@ pub(crate) fn eq140(formula: Expr) -> Proof {
     })
 }
 
-/// (141): with τ = ∫ dα/(dα/dτ) put in, its first term is α.
 pub(crate) fn eq141(formula: Expr) -> Proof {
     from_series("(141): α near rest", |p, [_, _, rate]| {
         let ring = p.ring();
@@ -226,7 +224,6 @@ fn left_side(p: &mut Prover<'_>, rate: &Series, left: Expr) -> Result<(), Obstac
     p.equal("It is the slope times dα/dτ", &left, &product)
 }
 
-/// (142): its two sides are the first terms of dψ/dα dα/dτ and of dψ/dτ.
 pub(crate) fn eq142([left, right]: [Expr; 2]) -> Proof {
     from_series("(142): dψ/dα near rest", |p, _| {
         let [rate, _, turning] = first_terms(p)?;
@@ -242,7 +239,6 @@ pub(crate) fn eq142([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// (144): its two sides are the first terms of dA/dα dα/dτ and of dA/dτ.
 pub(crate) fn eq144([left, right]: [Expr; 2]) -> Proof {
     from_series("(144): dA/dα near rest", |p, _| {
         let [rate, growth, _] = first_terms(p)?;
@@ -256,7 +252,6 @@ pub(crate) fn eq144([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// (143): the first coefficient of ψ, with ζ = c α^((2σ−1)/(1−σ)).
 pub(crate) fn eq143(formula: Expr) -> Proof {
     from_series("(143): ψ near rest", |p, [psi, ..]| {
         let ring = p.ring();
@@ -275,7 +270,6 @@ pub(crate) fn eq143(formula: Expr) -> Proof {
     })
 }
 
-/// (145): the first coefficients of A.
 pub(crate) fn eq145(formula: Expr) -> Proof {
     from_series("(145): A near rest", |p, [_, a, _]| {
         let stated = p.expand("(145)", formula, &[("α", &small())], ("α", 3))?;
