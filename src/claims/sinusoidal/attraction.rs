@@ -15,7 +15,6 @@ use crate::claims::general::two_frames::eq2_proof;
 
 type NoRest = ([Expr; 2], [Expr; 3]);
 
-/// (38) is a motion: forward from φ̃₁ on for half a period, then the mirror, and nowhere else zero.
 fn passes((cases, ends): NoRest) -> Proof {
     Proof::in_ring("(38) passes through zero twice", ring_of_phi_t1(), |p| {
         p.shows("For 0 < λ₀ ≤ λ_c: (38) is positive from φ̃₁ to φ̃₁ + π and negative in the half period after that; at the two zeros it does not rest.");
@@ -37,7 +36,6 @@ fn passes((cases, ends): NoRest) -> Proof {
     })
 }
 
-/// For 0 < λ₀ ≤ λ_c: how much closer a motion comes to (38) in a period.
 fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = Ring::new();

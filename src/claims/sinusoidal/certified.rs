@@ -112,7 +112,6 @@ fn prove_threshold(left: fn(One) -> One, critical: Interval) -> Outcome {
     Ok(falls + prove_change(left, critical)?)
 }
 
-/// (35) changes its sign once, at λ_c of (37).
 pub(crate) fn threshold() -> Evidence {
     let compared = Compared::shown(
         r"the left side of (35) falls for all $0\le\lambda_0\le1$ and changes its sign within $10^{-14}$ of (37)",
@@ -143,7 +142,6 @@ fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence
     resting_on(&[premises::turn(phi_t1)], change, Printed, compared)
 }
 
-/// (41) holds exactly below λ_c.
 pub(crate) fn turns() -> Evidence {
     let compared = Compared::shown(
         r"$\tilde\phi_1-\phi_1$ falls for all $0\le\lambda_0\le2/\pi$, both ends included, by its slope in $\tilde\phi_1$, and changes its sign within $10^{-14}$ of (37)",

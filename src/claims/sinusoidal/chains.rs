@@ -11,7 +11,6 @@ pub(super) fn eq21() -> [Expr; 2] {
     paper::eq21_acceleration(a0, int(1), phi)
 }
 
-/// (21) is along x and of the size A₀ at most.
 fn bounded([ax, ay]: [Expr; 2]) -> Proof {
     let ring = || {
         let mut ring = Ring::new();

@@ -44,7 +44,6 @@ fn units() -> [Expr; 4] {
     ]
 }
 
-/// (26) from (1) and (21) to (24), for the sign ±1 of the velocity.
 fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -> Proof {
     let ring = || {
         let mut ring = Ring::of(["A₀", "ϖ", "t", "μ", "g", "v_x", "𝔴"]);
@@ -219,7 +218,6 @@ fn eq34_left() -> Expr {
     )
 }
 
-/// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
 pub(crate) const EQ34: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (34)", r"(31) at $\phi_3$"),
@@ -230,7 +228,6 @@ pub(crate) const EQ34: Statement = Statement::new(
     },
 );
 
-/// (25): the drive exceeds friction at some phase.
 const EQ25: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one(
@@ -261,7 +258,6 @@ const EQ25: Statement<[Expr; 2]> = Statement::new(
     },
 );
 
-/// (33) solves (26) on both slips, and is continuous and periodic by (32).
 pub(crate) const EQ33: Statement<[Expr; 4]> = Statement::new(
     Printed,
     Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
@@ -349,7 +345,7 @@ fn beside_lambda_c(
     )
 }
 
-/// (36): (35) squared. The factor that turns the left side of (35) into a difference of squares is positive.
+/// The factor that turns the left side of (35) into a difference of squares is positive.
 pub(crate) const EQ36: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one(
@@ -418,7 +414,6 @@ pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
 mod tests;
 
 attempts![
-    // (21) to (24) by the use made of them: with them Newton's law becomes (26).
     &DEFINITIONS = Statement::new(
         Printed,
         Compared::one("Newton's law in the symbols (21) to (24)", "(26)"),

@@ -51,7 +51,6 @@ fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
 /// Periods after which the motion has to be near the periodic one: twice what the least friction tried takes.
 const PERIODS: u32 = 320;
 
-/// By the distance to it, period by period.
 fn eq38_approach() -> Evidence {
     let trial = Trial::by(
         Limit,
@@ -91,7 +90,6 @@ fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
     Ok(*found.ok_or("no such interval")?)
 }
 
-/// After its first rest a motion is the periodic one, from whatever start.
 fn rest_interval_reached() -> Evidence {
     let trial = Trial::motion(
         Printed,
@@ -160,8 +158,7 @@ attempts![
     ),
     eq38_unique = one_motion(small(), Within),
     eq38_approach,
-    // By the plane motion, as its Floquet multiplier: the larger eigenvalue of the derivative of the velocity after
-    // a period by that before. The other one, of the velocity across, is next to zero.
+    // The other multiplier, of the velocity across, is next to zero.
     eq38_multiplier = {
         let trial = Trial::by(
             Integration,
@@ -187,7 +184,6 @@ attempts![
             ))
         })
     },
-    // λ₀ = 0: every start keeps its own motion.
     eq38_outside = {
         let mut points = Points::here();
         Trial::motion(

@@ -118,7 +118,6 @@ fn period_ends(end: Expr) -> Proof {
     })
 }
 
-/// The slip (31) from rest rises to φ₂ and falls from there on to φ₁ + 2π, and has sunk below zero at φ₄: it ends between the two.
 pub(crate) fn slip() -> Proof {
     let [lambda0, phi] = symbols(["λ₀", "φ"]);
     ends_once(paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi))
@@ -198,7 +197,6 @@ attempts![
         || (phases(), paper::s22_points()),
         |(phases, number)| four_points(phases, number)
     ),
-    // |sin φ| rises above λ₀ at φ₁ and φ₃, and sinks below it at φ₂ and φ₄.
     &REST_ENDS = Statement::shown(
         Printed,
         r"for every $0<\lambda_0<1$ a rest can end only where $\lvert\sin\phi\rvert$ rises above $\lambda_0$: of the four phases (27) to (30) at which the two are equal, $\sin^2\phi$ rises with the slope $2\sin\phi_1\cos\phi_1>0$ at $\phi_1$ and $\phi_3$ and falls with it at $\phi_2$ and $\phi_4$; for $\lambda_0\ge1$ no rest ends, and for $\lambda_0=0$ there is none",

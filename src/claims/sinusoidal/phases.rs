@@ -5,7 +5,6 @@ use super::reference_motions::{all, at};
 
 type Formula = fn(Double) -> Double;
 
-/// A printed phase with the zero of |sin φ| − λ₀ in its quarter of the period.
 fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
     const QUARTERS: [&str; 4] = [
         r"$[0,\pi/2]$",
@@ -126,7 +125,6 @@ fn rests_from(lambda: f64, start: DriveState) -> Result<Vec<f64>, Failure> {
     Ok(rests.map(|i| i.end).filter(|end| *end < until).collect())
 }
 
-/// In the plane too: no rest ends elsewhere.
 fn rest_ends_census() -> Evidence {
     let trial = Trial::census(
         Printed,

@@ -71,7 +71,7 @@ pub(crate) fn trichotomy_census() -> Evidence {
     )
 }
 
-/// By the other integrator: stops and rests of a particle over its third period.
+/// By the other integrator.
 pub(crate) fn trichotomy_motion() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -101,7 +101,6 @@ pub(crate) fn trichotomy_motion() -> Evidence {
     })
 }
 
-/// λ₀ = 0: a fast particle never turns.
 pub(crate) fn trichotomy_outside() -> Evidence {
     let trial = Trial::census(
         Outside,
@@ -187,7 +186,6 @@ attempts![
             ))
         })
     },
-    // The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
     no_rest_motion = {
         let trial = Trial::by(
             Integration,

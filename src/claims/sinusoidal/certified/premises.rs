@@ -27,7 +27,6 @@ pub(super) fn by_phi1<S: Scalar>(phi1: S) -> [S; 3] {
     [phi1, S::pi() - phi1, S::int(2) * S::pi() - phi1]
 }
 
-/// With λ₀ = 2 cos φ̃₁/π, (39) gives φ̃₁.
 pub(super) fn turn(printed: Expr) -> Proof {
     Proof::in_ring("(39) by φ̃₁", ring_of_phi_t1(), |p| {
         let printed = p.read("(39) with λ₀ = 2 cos φ̃₁/π", printed)?;
