@@ -25,7 +25,6 @@ fn passage_factor(lambda: f64) -> f64 {
     corrected::passage_factor(lambda, corrected::drive_at_zero(lambda))
 }
 
-/// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
 fn period_factor() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -56,7 +55,6 @@ fn period_factor() -> Evidence {
     })
 }
 
-/// λ₀ < λ_c, by quadrature of d ln 𝔴_y = −λ₀ dφ/|𝔴| towards and from a zero of the simulated motion on the line.
 fn passage_quadrature() -> Evidence {
     let trial = Trial::by(
         Quadrature,

@@ -9,7 +9,6 @@ fn not_positive(from: f64, to: f64, left: impl Fn(f64) -> f64) -> usize {
     (1..=1000).filter(|k| left(place(*k)) <= 0.0).count()
 }
 
-/// How close φ̃₂ comes: √(4πλ₀) to φ₄ as λ₀ → 0, √(2(1 − λ₀)) to φ₂ as λ₀ → 1.
 fn bracket_limit() -> Evidence {
     let trial = Trial::by(
         Limit,
@@ -43,8 +42,7 @@ fn bracket_limit() -> Evidence {
     })
 }
 
-/// A printed left side with 𝔴 at φ₃ of a slip that is not over yet there: what is left of 𝔴 when the drive could start the next
-/// slip.
+/// What is left of 𝔴 when the drive could start the next slip.
 fn left_with_motion(law: &'static str, left: fn(Double) -> Double) -> Evidence {
     const LEFT: &str = r"$\mathfrak w$ at the simulated $\phi_3$ of a slip from rest";
     let compared = Compared::composed(["the left side of ", law, ""], [LEFT, "", ""]);
@@ -70,7 +68,6 @@ pub(super) fn eq34<S: Scalar>(lambda: S) -> S {
     )
 }
 
-/// A printed inequality holds exactly where the simulated slip ends before the next can begin.
 fn ends_early(law: &'static str, inequality: fn(f64) -> bool) -> Evidence {
     const EARLY: &str = "whether the simulated slip lasts less than half a period";
     let holds = ["whether ", law, " holds (1 if so)"];
@@ -126,7 +123,6 @@ attempts![
             scale: found + end_spread(lambda, found),
         })
     }),
-    // (32) at the time at which a particle, followed by the other integrator, comes back to rest.
     eq32_motion = {
         let trial = Trial::motion(
             Printed,

@@ -104,7 +104,6 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
     format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}")
 }
 
-/// First stage: the mean slope of 𝔴_y over a period, while 𝔴_y is ten thousand times 𝔴_x or more.
 pub(super) fn first_stage() -> Evidence {
     let trial = Trial::by(
         Limit,
@@ -263,7 +262,6 @@ attempts![
         })
     },
     first_stage,
-    // Second stage, as printed: an exponential falls by the same factor in every period.
     second_stage = {
         let trial = Trial::by(
             Integration,

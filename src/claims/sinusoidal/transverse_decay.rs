@@ -47,7 +47,6 @@ fn velocity() -> [Expr; 3] {
     [vx, vy, (vx.squared() + vy.squared()).sqrt()]
 }
 
-/// While v_y is large its slope is the stated one.
 fn first_stage(law: Rate, slope: Expr) -> Proof {
     Proof::in_ring(
         "A large velocity across falls linearly",
@@ -146,7 +145,6 @@ fn turning(law: Rate) -> Proof {
     )
 }
 
-/// The drive stays near its size d at the zeros of (38), and above friction.
 fn near_zero([d, ..]: Passage) -> Proof {
     let title = "The drive beside a zero of (38)";
     Proof::in_ring(title, ring_of_passage(), |p| {
@@ -171,7 +169,6 @@ fn near_zero([d, ..]: Passage) -> Proof {
     })
 }
 
-/// Late zeros of v_x come close to those of (38): an inequality for their distances Z and Z′ from them, one after the other.
 fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_passage()?;
@@ -247,7 +244,6 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
     })
 }
 
-/// Below λ_c: a passage multiplies ln v_y by the factor, up to terms that stay bounded.
 fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_passage()?;
@@ -308,7 +304,6 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
     })
 }
 
-/// v_y is lost only where the particle sticks.
 fn lost_at_rest(law: Rate) -> Proof {
     let title = "v_y becomes 0 only where the particle stops";
     Proof::in_ring(title, ring_of_motion(), |p| {
@@ -332,7 +327,6 @@ fn lost_at_rest(law: Rate) -> Proof {
     })
 }
 
-/// How long what is left of v_y lasts where friction exceeds the drive; `phase` is the stated bound.
 fn last_stage(law: Rate, phase: Expr) -> Proof {
     let title = "Where friction exceeds the drive, v_y vanishes within the stated phase";
     Proof::in_ring(title, ring_of_motion(), |p| {
@@ -403,7 +397,6 @@ const TWO_STAGES: Statement<(Rate, Expr, NoRest, Passage, Expr)> = Statement::sh
     two_stages,
 );
 
-/// Below λ_c: by what factor the fall of ln v_y in a period grows in the limit.
 fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> Proof {
     Proof::in_ring(
         "The falls of the logarithm in two periods",

@@ -3,7 +3,6 @@
 use super::prelude::*;
 use super::reference_motions::at;
 
-/// (21): what a particle on a smooth plane gains is the integral of −A.
 pub(super) fn eq21() -> Evidence {
     Trial::consistency(
         Printed,
@@ -103,7 +102,6 @@ fn around_one() -> Vec<f64> {
     list
 }
 
-/// (26): its integral over a part of a slip is what 𝔴 changes by, in a motion that began with a velocity across.
 fn eq26_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Printed,
@@ -139,7 +137,7 @@ fn eq26_quadrature() -> Evidence {
     })
 }
 
-/// The same from a velocity along the drive, which lasts.
+/// From a velocity along the drive, which lasts.
 fn along_the_drive(lambda: f64) -> Result<Pair, Failure> {
     let (from, to) = (0.5, 1.5);
     let motion = Particle::plain(lambda).run(0.0, [3.0, 0.0], to)?;

@@ -168,7 +168,6 @@ pub(crate) fn eq81() -> Evidence {
     })
 }
 
-/// The regular forms along the line of the acceleration: r from the regular time, u from r.
 pub(crate) fn regular_straight() -> Evidence {
     let trial = Trial::motion(
         Corrected,
@@ -227,7 +226,6 @@ fn corrected_time([lambda, u0, theta0, theta, _, gamma]: [Double; 6]) -> Double 
     corrected::time(lambda, gamma, u0, theta0, theta)
 }
 
-/// The form of (82) without singular points: at λ = 1 and cos θ₀ = −λ too.
 pub(crate) fn regular_time() -> Evidence {
     Trial::motion(
         Corrected,
@@ -268,7 +266,6 @@ pub(crate) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
 }
 
 attempts![
-    // (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
     eq80 = Trial::consistency(
         Printed,
         [
@@ -380,7 +377,6 @@ attempts![
             corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)
         }
     ),
-    // (83) from (81) and (82): with the time of (82) it has to give the slip of (81).
     eq83_step = {
         let points = Points::here().within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
         Trial::by(

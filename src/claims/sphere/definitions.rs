@@ -36,7 +36,7 @@ fn by_the_laws(run: &Followed) -> [f64; 5] {
     end.map_or([f64::NAN; 5], |[a, b, c, d, e, _]| [a, b, c, d, e])
 }
 
-/// (59): the laboratory knows no inertial force. There the centre's velocity V changes by friction alone.
+/// The laboratory knows no inertial force.
 fn eq59() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -74,7 +74,6 @@ fn eq59() -> Evidence {
     })
 }
 
-/// (61): the point at **R** from the centre of a rolling sphere is at rest.
 fn eq61() -> Evidence {
     let trial = Trial::consistency(
         Printed,
@@ -105,7 +104,6 @@ fn eq61() -> Evidence {
     })
 }
 
-/// (67): on a plane at rest the slip velocity w lasts for w/(bμg).
 fn eq67() -> Evidence {
     Trial::consistency(
         Printed,
@@ -143,7 +141,6 @@ fn eq67() -> Evidence {
 
 attempts![
     eq59,
-    // (60): against the rigid body's own integrator.
     eq60 = Trial::by(
         Integration,
         Printed,

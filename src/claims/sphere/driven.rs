@@ -213,7 +213,6 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
     )
 }
 
-/// The slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
 fn eq85() -> Evidence {
     let trial = Trial::consistency(
         Printed,
@@ -282,7 +281,6 @@ pub(crate) fn trichotomy_census() -> Evidence {
     })
 }
 
-/// From a start in any direction, against the rests of the drive.
 pub(crate) fn trichotomy_motion() -> Evidence {
     Trial::motion(
         Within,
@@ -343,7 +341,6 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
     (0..count).map(point).collect()
 }
 
-/// The part of a period in which the drive rests.
 fn pulse_motion() -> Evidence {
     let mut points = Points::here();
     let all = pulse_points(&mut points, 20);
@@ -496,7 +493,6 @@ attempts![
     eq85,
     trichotomy_census,
     trichotomy_motion,
-    // Rolling holds as long as friction suffices: until sin φ = λ₀.
     rolling_ends = Trial::by(
         Root,
         Within,

@@ -39,7 +39,6 @@ fn released() -> impl Iterator<Item = Result<Followed, Failure>> {
     })
 }
 
-/// A slip that is small beside the velocity lasts as long as the particle's velocity does.
 fn reduction_small_slip() -> Evidence {
     Trial::motion(
         Printed,
@@ -101,7 +100,6 @@ pub(super) fn rolling_time(
     Ok(total)
 }
 
-/// The rest follows from u: dρ/dτ by (79), then ζ by the corrected (75), both from the particle's velocity.
 fn reduction_rest() -> Evidence {
     Trial::motion(Printed, Compared::many(
         r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
@@ -126,7 +124,6 @@ fn reduction_rest() -> Evidence {
     })
 }
 
-/// The vertical spin keeps its value, and another one changes nothing else.
 fn spin_constant() -> Evidence {
     Trial::motion(Printed, Compared::many(
         r"a kept $\omega_z$, and the $x$, $\bm v$, $\omega_x$ and $\omega_y$ in which a motion with three times that $\omega_z$ ends,",
