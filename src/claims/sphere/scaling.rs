@@ -137,7 +137,6 @@ fn first_change(run: &Followed) -> f64 {
     run.motion.transitions().first().map_or(0.0, |c| c.t)
 }
 
-/// (71) where the sphere slides with one friction forwards and with another backwards.
 fn eq71_both_ways() -> Evidence {
     let trial = Trial::consistency(
         Printed,
@@ -204,7 +203,6 @@ attempts![
         |_, state| state.rho,
         |_, state| state.rho
     ),
-    // (68) as what the velocity adds up to.
     eq68_way = {
         let trial = Trial::consistency(
             Printed,

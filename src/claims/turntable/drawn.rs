@@ -58,7 +58,6 @@ pub(crate) fn launched(speed: f64) -> Result<Launched, MotionError> {
     })
 }
 
-/// (104) at every drawn moment, rest included.
 pub(crate) fn kept() -> Evidence {
     let launches = SPEEDS.into_iter().map(launched);
     let all = launches.flat_map(|launch| {

@@ -23,7 +23,6 @@ pub(super) fn way(launch: &Launch) -> Result<f64, Failure> {
     Ok(integral(speed, 0.0, launch.to)?.value)
 }
 
-/// The work of friction by (106): what the terms without s gain, if (106) keeps its value.
 fn work_step() -> Evidence {
     let points = Points::here().within(40, [[0.2, 3.0]; 3]);
     Trial::by(
@@ -89,8 +88,6 @@ fn work(subject: Subject, stated: &'static str, formula: impl Fn(&Table, f64) ->
     })
 }
 
-/// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken
-/// off is the work of the Coriolis force.
 pub(super) fn coriolis() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -157,7 +154,6 @@ attempts![
             corrections::constant(mass, mu, g, omega, state.x, state.v, s)
         }
     ),
-    // (104) with the length of the path, in the words that call it a constant of motion.
     eq104_kept = {
         let trial = Trial::motion(
             Printed,
@@ -168,7 +164,6 @@ attempts![
         );
         balance(&trial, |stretch| Ok([change_of_eq104(stretch)?, 0.0]))
     },
-    // What p, ℓ and ξ give alone.
     eq104_without_s = {
         let trial = Trial::quadrature(
             Remark,

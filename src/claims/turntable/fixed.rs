@@ -126,8 +126,6 @@ pub(crate) fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, Mot
 attempts![
     psi1 = stands_still(["(124)", "below"], BELOW_AND_ABOVE[0], printed::eq124_psi1),
     psi2 = stands_still(["(125)", "above"], BELOW_AND_ABOVE[1], printed::eq125_psi2),
-    // Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
-    // shrinks.
     separation = {
         let trial = Trial::census(
             Printed,
@@ -156,8 +154,6 @@ attempts![
             ))
         })
     },
-    // (115) with α held fixed, from any angle: forwards in time it ends where ψ stands still and attracts, backwards where it
-    // repels.
     frozen = {
         let trial = Trial::by(
             Integration,

@@ -7,8 +7,6 @@ fn acceleration(table: &Table, state: &State) -> [f64; 2] {
     printed::eq86_acceleration(table.omega, table.mu, table.g, state.x, state.v)
 }
 
-/// (86), integrated along the motion as the table's frame has it, with the change of velocity that the
-/// laboratory has, where friction is the only force.
 pub(super) fn eq86() -> Evidence {
     let compared = Compared::one(
         "the integral of (86) over $t$ along the motion found in the frame of the table",
@@ -17,7 +15,6 @@ pub(super) fn eq86() -> Evidence {
     summed(Within, compared, |table, state| (table, state))
 }
 
-/// The same for the mirrored motion on a table that turns the other way.
 pub(super) fn mirror() -> Evidence {
     let compared = Compared::one(
         r"the integral of (86) over $t$ with $-\Omega$ along the mirrored motion, found in the frame of the table,",
@@ -60,7 +57,6 @@ fn summed(
     })
 }
 
-/// (86) as an equation for the motion, through several turns of the table.
 fn eq86_turns() -> Evidence {
     Trial::by(
         Integration,
@@ -157,7 +153,6 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
     rotating::run(&Table::default(), &start, 1.5 * launch.to * table.omega)
 }
 
-/// (87): motions on any table are one and the same in these units.
 pub(super) fn eq87() -> Evidence {
     Trial::by(
         Consistency,

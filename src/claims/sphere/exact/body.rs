@@ -232,7 +232,6 @@ pub(crate) const S3_REDUCTION: Vectorial = Vectorial::new(
     },
 );
 
-/// The force m𝐀/b, which static friction can give up to |𝐀| = bμg, keeps the slip velocity as it is.
 pub(super) fn prove_rolling() -> Proof {
     prove(
         "A sphere rolls on where a particle with bμ stays at rest",

@@ -60,7 +60,6 @@ pub(crate) const PRINTED_WORK: Vectorial = Vectorial::new(
     prove_works,
 );
 
-/// Of the forces in (86), the Coriolis force has no power, and friction that by which the given work grows.
 fn prove_works(work: Vec<Expr>) -> Proof {
     let title = "the works of the Coriolis force and of friction";
     prove(title, Setting::dimensional(), |p, setting| {

@@ -82,7 +82,6 @@ fn prove_zero(printed: Expr, factor: Expr) -> Proof {
     })
 }
 
-/// A deviation from ψ₁ shrinks at the rate 2/sinh 2α, one from ψ₂ grows at that rate.
 fn prove_slope(printed: Vec<Expr>) -> Proof {
     let title = "the slope of (115) at its zeros, α held fixed";
     prove(title, Setting::fixed(), |p, _| {

@@ -149,7 +149,6 @@ fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational
     })
 }
 
-/// The mirror image of a solution, y → −y, has the accelerations that the formulas give with −Ω.
 fn prove_mirror(printed: Vec<Expr>) -> Proof {
     let title = "(86) in the mirror y → −y";
     prove(title, Setting::dimensional(), |p, setting| {
