@@ -87,7 +87,6 @@ const RELEASED: &[Begin] = &[Begin::Released];
 const LAUNCHED: &[Begin] = &[Begin::Launched];
 const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
 
-/// (86) at rest, on tables of any Ω, μ, g.
 pub(super) fn eq86() -> Evidence {
     Trial::by(
         Integration,

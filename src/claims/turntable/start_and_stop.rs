@@ -213,7 +213,6 @@ const MANY: &str = "many at once";
 /// How far and how long many at once are followed.
 const HORIZON: Horizon = Horizon { rho: 3.0, tau: 2.0 };
 
-/// (104) where motions end of which many are followed at once: at rest, at a distance, at a time.
 fn eq104_of_many() -> Evidence {
     let trial = Trial::by(
         Integration,
