@@ -161,8 +161,8 @@ static BORDERS_NEAR_ONE: Runs<Vec<Close>> = Runs::new(|| {
     every(Points::here().grid(alphas).into_iter().map(leaving))
 });
 
-/// A moment after the point of the boundary with this α: the motion stays on the boundary. It never comes to rest; where (141)
-/// asks for the time that is left, any will do.
+/// Just after the point of the boundary with this α. It never comes to rest: where (141) asks for the time that is
+/// left, any will do.
 fn leaving(alpha0: f64) -> Result<Close, Failure> {
     let psi = angle_towards_one(alpha0);
     let a0 = border(alpha0, psi)?.a;
@@ -285,8 +285,8 @@ fn constants(subject: Subject, compared: Compared, ranges: &'static [(f64, f64)]
     })
 }
 
-/// The scale of a comparison: what is left out can be the larger part of a difference where c is large, or, beside a slope, where
-/// it is small. Without the condition of (143) this is what the trial is about.
+/// What is left out can be the larger part of a difference where c is large, or, beside a slope, where it is small;
+/// without the condition of (143) this is what the trial is about.
 fn unit(subject: Subject, size: f64, left_out: f64, tolerance: Tolerance) -> f64 {
     match subject {
         Within => size.max(left_out / tolerance.value),
@@ -428,7 +428,6 @@ attempts![
         &[(0.8, 0.98)],
         |_| [1e-3, 1e-4]
     ),
-    // σ = 1/2: no value.
     eq143_one_half = Trial::by(
         Integration,
         Outside,

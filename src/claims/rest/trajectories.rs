@@ -159,7 +159,7 @@ pub(crate) fn gentle_approaches_to(
     })
 }
 
-/// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.
+/// The ρ of the start is found from the resting place.
 pub(crate) static APPROACHES_TO_ONE_HALF: Runs<Vec<Approach>> = Runs::new(|| {
     let mut points = Points::here();
     every((0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5))))

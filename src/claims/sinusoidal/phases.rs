@@ -104,7 +104,7 @@ fn balanced(drive: &Drive, lambda: f64) -> Vec<f64> {
     distinct(found)
 }
 
-/// Phases in order, without those that are the same but for rounding or a period.
+/// In order, without those that are the same but for rounding or a period.
 fn distinct(mut found: Vec<f64>) -> Vec<f64> {
     found.sort_by(f64::total_cmp);
     let same = |a: f64, b: f64| (a - b).abs() < 1e-12;

@@ -37,7 +37,7 @@ pub(crate) fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'stati
         .ok_or_else(|| "the motion drifts".to_owned().into())
 }
 
-/// At rest at phase 0, where the drive is below any friction.
+/// Where the drive is below any friction.
 pub(crate) const ORIGIN: DriveState = DriveState { phi: 0.0, w: 0.0 };
 
 /// All over the plane, from far off too.
@@ -99,7 +99,7 @@ pub(crate) fn dense() -> Vec<f64> {
     list
 }
 
-/// A forward slip from rest at phase 0.
+/// Forward, from rest at phase 0.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slip {
     /// Where the rest ends.
@@ -121,7 +121,7 @@ impl Slip {
     }
 }
 
-/// φ̃₂ by the printed (32): its root between φ₂ and φ₄; not a number if there is none.
+/// By the printed (32): its root between φ₂ and φ₄; not a number if there is none.
 pub(crate) fn phi_t2(lambda: f64) -> f64 {
     let phi1 = printed::eq27_phi1(lambda);
     let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
@@ -186,7 +186,7 @@ pub(crate) fn eq38(lambda: f64, phi: f64) -> Double {
     cases[case_of(&ends, phi)]
 }
 
-/// The printed velocity at large times, from (38) below the printed λ_c, from (33) up to 1, at rest above.
+/// (38) below the printed λ_c, (33) up to 1, rest above.
 pub(crate) fn printed_late(lambda: f64, phi: f64) -> f64 {
     let within = |from: f64| from + (phi - from).rem_euclid(TAU);
     let [left, right] = printed::eq25_sides(lambda);

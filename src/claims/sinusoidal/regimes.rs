@@ -126,7 +126,7 @@ fn stated_still(lambda: f64) -> f64 {
     is(left >= right)
 }
 
-/// Phases all over the fourth period after a phase.
+/// All over the fourth period after a phase.
 fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
     (0..=32).map(move |k| from + TAU * (3.0 + f64::from(k) / 32.0))
 }

@@ -10,7 +10,7 @@ fn below(high: f64) -> impl Iterator<Item = f64> {
     (0..20).map(move |_| points.uniform(0.05, high))
 }
 
-/// Half way along the forward slip of the periodic motion: phase and velocity.
+/// Half way along the forward slip: phase and velocity.
 fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
     let slip = forward(attractor.intervals()).ok_or("no slip")?;
     let phi = 0.5 * (slip.start + slip.end);

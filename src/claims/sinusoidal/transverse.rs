@@ -80,7 +80,7 @@ impl Flight {
     }
 }
 
-/// The flights of which `wanted` holds: 20 below λ_c, 10 between λ_c and 1, 10 above 1.
+/// 20 below λ_c, 10 between λ_c and 1, 10 above 1.
 pub(super) fn flights_where(
     wanted: fn(&Flight) -> bool,
 ) -> impl Iterator<Item = Result<&'static Flight, Failure>> {
@@ -168,7 +168,7 @@ fn ignores(subject: Subject, compared: Compared, [low, high]: [f64; 2]) -> Evide
     })
 }
 
-/// Phases over the first period, its end included.
+/// Its end included.
 fn first_period() -> Vec<f64> {
     (1..=16).map(|k| TAU * f64::from(k) / 16.0).collect()
 }

@@ -9,7 +9,7 @@ use crate::claims::sinusoidal::regimes::{kind, listed_kind};
 use crate::motion::drive::{Attractor, DriveState, Friction, Interval};
 use crate::paper::{periodic, sinusoidal};
 
-/// Periods after which the motion counts as settled.
+/// Periods.
 const SETTLED: f64 = 10.0;
 
 /// Under sin φ a motion forgets its start in its first rest.
@@ -200,7 +200,7 @@ fn lambda_c() -> Result<f64, Failure> {
     LAMBDA.get().copied()
 }
 
-/// The sphere with μ₋ = qμ₊, and λ₀ of (85).
+/// With μ₋ = qμ₊, and λ₀ of (85).
 fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Directed) {
     let swing = Swing::new(i, points, lambda);
     let sphere = swing.sphere;

@@ -11,7 +11,7 @@ fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, 
     Ok(run(&case.plane, friction, start, run_of.until)?)
 }
 
-/// A sphere that rolls when the plane begins to pull, more than friction can follow, along a direction that turns.
+/// Rolling when the plane begins to pull, more than friction can follow, along a direction that turns.
 fn released() -> impl Iterator<Item = Result<Followed, Failure>> {
     let mut points = Points::here();
     (0..24).map(move |i| {

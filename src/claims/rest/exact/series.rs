@@ -35,7 +35,7 @@ fn moving(ring: &Ring) -> Result<Derivation, ExactError> {
     ring.along(&[("ζ", ring.read(zeta * printed::eq143_exponent::tree())?)])
 }
 
-/// Finds the next coefficient, a polynomial in ζ of this degree, from a residual that has to vanish.
+/// A polynomial in ζ of this degree, from a residual that has to vanish.
 fn next(
     p: &mut Prover<'_>,
     says: &str,
