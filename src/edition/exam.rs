@@ -65,7 +65,7 @@ fn digit(x: f64) -> String {
     }
 }
 
-/// A table with a column for each task: ours, and a row for each candidate, of what these say of a task and how long it lasts.
+/// A column for each task: ours, and a row for each candidate, of what these say of a task and how long it lasts.
 fn by_task(
     ours: impl Fn(&str, f64) -> Result<String, Failure>,
     theirs: impl Fn(&[Mark]) -> Option<String>,
@@ -107,7 +107,7 @@ fn shaded(error: f64) -> String {
 /// The accuracy at which costs are compared: what most candidates reach.
 const EQUAL: f64 = 1e-3;
 
-/// What a unit of time costs each candidate where it is within [`EQUAL`] of the answer, and ours.
+/// Where each candidate is within [`EQUAL`] of the answer, and ours.
 pub(super) fn costs() -> Result<Filled, Failure> {
     let ours = results::ours()?;
     by_task(

@@ -97,7 +97,7 @@ impl Question {
     }
 }
 
-/// A number of the answer: its name, its value, and what it is otherwise.
+/// Its name, its value, and what it is otherwise.
 fn row(answer: &Value, held: &str) -> Option<[String; 3]> {
     let (name, other) = held.split_once(' ')?;
     let path = name.replace('.', "/");

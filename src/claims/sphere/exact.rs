@@ -30,5 +30,4 @@ const AS_A_PARTICLE: Compared = Compared::one(
     r"(11), (13) and (14), proved from (1), with $\gamma$ for $A$, $b$ for $\mu g$ and $\tau$ for $t$, as (74) has them",
 );
 
-/// Names of a vector's components, for the steps of a proof.
 const AXES: [&str; 3] = ["along x", "along y", "along z"];

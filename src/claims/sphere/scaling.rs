@@ -4,8 +4,8 @@
 use super::prelude::*;
 use super::spheres::{Case, Dimensionless, SLIDING, Units, length};
 
-/// A sphere and the one with m = R = μ = g = 1 and the same κ, with the same drive and start in their own units, until
-/// the same time in these: what the definitions make of the motion of the one is the motion of the other itself.
+/// A sphere, and the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, until the same
+/// time in these.
 #[derive(Debug)]
 struct Twins {
     at: String,

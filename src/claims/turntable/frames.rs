@@ -141,7 +141,7 @@ pub(super) fn eq89() -> Evidence {
     })
 }
 
-/// The motion of a launch on the table with Ω = μg = 1, for longer than the launch.
+/// On the table with Ω = μg = 1, for longer than the launch.
 fn in_units(launch: &Launch) -> Result<Path, MotionError> {
     let table = &launch.table;
     let length = table.length();

@@ -26,7 +26,7 @@ fn state(begin: Begin, points: &mut Points) -> State {
     State { t: 0.0, x, v }
 }
 
-/// The time between the states that are compared, in units of 1/Ω.
+/// Between the states that are compared, in units of 1/Ω.
 const H: f64 = 1e-3;
 
 pub(super) fn first_rate(

@@ -8,7 +8,7 @@ use crate::motion::turntable::intrinsic::Exact;
 use crate::motion::turntable::moment::moment;
 use crate::motion::turntable::{Fate, fate};
 
-/// A motion that starts by itself, from rest on the table beyond ρ = 1.
+/// From rest on the table beyond ρ = 1.
 #[derive(Debug)]
 struct Loose {
     rho: f64,

@@ -150,7 +150,6 @@ fn held(friction: f64) -> Found {
     )
 }
 
-/// A block on a spring, until it rests.
 fn spring_at_rest() -> Found<SpringState> {
     let spring = Spring {
         frequency: 1.0,

@@ -132,7 +132,7 @@ fn read(line: &str) -> Option<(f64, Shaken)> {
     ))
 }
 
-/// Our motion, where no drive is strong enough to move the block back.
+/// Where no drive is strong enough to move the block back.
 fn slide(drive: &Drive, at: f64, case: Shaken) -> Result<Yield, ExamError> {
     let start = DriveState { phi: 0.0, w: 0.0 };
     let outcome = drive.attractor(Friction::new(at, 2.0)?, start, 100)?;
