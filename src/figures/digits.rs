@@ -38,7 +38,7 @@ pub(super) struct Count {
 /// Numbers of digits: 0 to 15.
 const SIDE: usize = 16;
 
-/// Cases by digits claimed, to the right, and digits true, upwards, all calculators together.
+/// By digits claimed, to the right, and digits true, upwards, all calculators together.
 fn cells(counts: &[Count]) -> [usize; SIDE * SIDE] {
     let mut cells = [0; SIDE * SIDE];
     for count in counts {

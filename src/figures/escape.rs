@@ -85,7 +85,7 @@ fn growths(moments: &[Vec<Late>]) -> Drawn {
     ])?)
 }
 
-/// A quantity over its power of the time, with the printed and the corrected limit.
+/// Over its power of the time, with the printed and the corrected limit.
 pub(super) struct Compensated {
     /// In the table: `p/tau^2`.
     pub name: &'static str,

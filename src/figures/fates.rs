@@ -154,7 +154,7 @@ fn basins() -> Drawn {
 
 const FATES: usize = 64;
 
-/// The angles at which the boundary is found for the part that is shown larger.
+/// Where the boundary is found for the part that is shown larger.
 const PART: [f64; 5] = [0.60, 0.62, 0.64, 0.66, 0.68];
 
 fn maps_of_fates() -> Drawn {

@@ -47,7 +47,7 @@ const SHORT: f64 = 1e-6;
 /// A drift below this part of the ways there and back is nothing but rounding.
 const BALANCED: f64 = 1e-30;
 
-/// What is left of the ways there and back, 0 where that is no more than rounding.
+/// 0 where that is no more than rounding.
 fn drift(forward: Double, backward: Double) -> f64 {
     let (left, both) = (forward - backward, forward + backward);
     if left.to_f64().abs() <= BALANCED * both.to_f64() {

@@ -71,7 +71,6 @@ pub struct ConstantState {
     pub stop_time: Option<f64>,
     /// Where it turns round, speeds are differences of larger ones: those that count beside them. Else 0.
     turning: f64,
-    /// The initial speed.
     start: f64,
 }
 
@@ -398,7 +397,6 @@ impl Formulas {
         self.state(0.0.into(), theta.into(), t, place)
     }
 
-    /// On the axis from the start: before the stop if there is one, and after it.
     fn on_axis(&self, t: Double) -> Exactly {
         let Formulas {
             lambda,
@@ -408,7 +406,6 @@ impl Formulas {
         } = *self;
         let (one, two, zero) = (Double::from(1.0), Double::from(2.0), 0.0.into());
         let stop = v0 / (a * (lambda + one));
-        // The mean speed for so long, along x.
         let way = |speed: Double, lasts: Double| [speed / two * lasts, zero];
         if let Some(end) = self.stop_time().filter(|end| *end <= t) {
             let sense = if theta0 == zero { v0 } else { -v0 };
@@ -430,7 +427,7 @@ impl Formulas {
         self.theta0.to_f64() == 0.0 || self.straight_against()
     }
 
-    /// Where tan(θ/2) has fallen to a part of its initial value, by the logarithm of that part.
+    /// By the logarithm of the part to which tan(θ/2) has fallen.
     fn at_log(&self, ln_r: Double, theta: Double, t: Double) -> Exactly {
         let v = corrected::speed_by_log(self.lambda, self.v0, self.theta0, ln_r);
         self.state(v, theta, t, self.place(ln_r))
@@ -531,7 +528,7 @@ impl Formulas {
 }
 
 impl ConstantProblem {
-    /// Which formulas gave a state: the printed ones if they give it too.
+    /// The printed formulas, if they give the state too.
     fn note(&self, state: &ConstantState) -> String {
         let ConstantProblem {
             lambda,

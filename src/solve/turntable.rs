@@ -323,7 +323,7 @@ impl<T: Quantity> TurntableProblem<T> {
         }
     }
 
-    /// The direction of the velocity at the start; that away from the axis for a start from rest.
+    /// At the start; away from the axis for a start from rest.
     fn direction(&self) -> [Double; 2] {
         let away = [1.0, 0.0].map(Double::from);
         let unit = |vector: [T; 2]| {
