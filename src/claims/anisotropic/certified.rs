@@ -38,7 +38,6 @@ fn arc_to<S: Scalar>(edge: Edge, [q, beta]: [S; 2]) -> S {
     arc(lambda0.asin(), end, lambda0)
 }
 
-/// The certificate, if all of the algebra holds that it rests on.
 fn given(algebra: &[Proof], certificate: impl FnOnce() -> Outcome) -> Outcome {
     match algebra.iter().find(|proof| !proof.holds()) {
         None => certificate(),

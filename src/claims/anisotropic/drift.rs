@@ -33,7 +33,7 @@ fn half_length(lambda: f64, from: f64) -> Result<f64, Failure> {
     Ok(root(w, fastest, last)?)
 }
 
-/// The distance of a slip that begins where a rest ends.
+/// Of a slip that begins where a rest ends.
 fn from_rest(lambda: f64) -> Result<f64, Failure> {
     Ok(slip_distance(
         lambda,

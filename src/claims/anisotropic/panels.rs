@@ -15,7 +15,6 @@ pub(crate) const PANELS: [(f64, f64); 5] = [
 /// The mark that the panels' vertical axis bears.
 pub(crate) const TOP: f64 = 1.0;
 
-/// An interval of the motion as the printed words and rates have it.
 struct Stretch {
     sign: f64,
     start: f64,
@@ -43,7 +42,7 @@ impl Rates {
         Ok(integral_within(|x| self.of(sign, x), start, phi, 1e-13)?.value)
     }
 
-    /// Where a motion that begins at `start` ends: its first zero after its extremum at `turn`.
+    /// The first zero of a motion from rest at `start` after its extremum at `turn`.
     fn stop(&self, sign: f64, start: f64, turn: f64) -> Result<f64, Failure> {
         // A failure of the quadrature inside becomes NaN, which the root-finder reports.
         let w = |phi| self.w(sign, start, phi).unwrap_or(f64::NAN);

@@ -20,7 +20,6 @@ pub(in crate::claims) fn half() -> Interval {
     Interval::ratio(1, 2)
 }
 
-/// The angle 2π/3, whose cosine is −½.
 pub(in crate::claims) fn two_thirds() -> Interval {
     Interval::pi() * Interval::ratio(2, 3)
 }

@@ -134,7 +134,6 @@ impl Turn {
         Ok(time * self.v0 / self.a)
     }
 
-    /// The time at which A t/v₀ has this value.
     pub(crate) fn time(&self, units: f64) -> f64 {
         units * self.v0 / self.a
     }
@@ -290,8 +289,7 @@ fn at_random(lambda: f64, theta0: f64, points: &mut Points) -> Turn {
     Turn::launch(lambda, a, v0, theta0)
 }
 
-/// The times of those stops with λ > 1.1, over the angle; later than forty times the time in which the speed falls to an
-/// e-th nothing is left.
+/// Over the angle, for λ > 1.1; later than forty times the time in which the speed falls to an e-th nothing is left.
 pub(crate) static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
     let starts = every(STOPS.each())?.into_iter().map(|stop| stop.start);
     every(starts.filter(|start| start.lambda > 1.1).map(|start| {
@@ -300,7 +298,7 @@ pub(crate) static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
     }))
 });
 
-/// Turns so far round that next to no angle is left: below, at and above the critical friction.
+/// Below, at and above the critical friction, so far round that next to no angle is left.
 pub(crate) static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
     let mut points = Points::here();
     every((0..60).map(|i| {
@@ -342,7 +340,7 @@ pub(crate) fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
     })
 }
 
-/// Motions with λ < 1 at the angle where cos θ = −λ.
+/// For λ < 1, where cos θ = −λ.
 pub(crate) fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
     let mut points = Points::here();
     (0..40).map(move |_| {

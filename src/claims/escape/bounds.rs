@@ -28,7 +28,7 @@ macro_rules! from_then_on {
 
 #[derive(Clone, Copy)]
 struct BoundedLaw {
-    /// As τ → ∞.
+    /// What is known of it as τ → ∞.
     limit: fn() -> Proof,
     /// The law at the time 1/t; where 1/t alone matters, none.
     ratio: Option<Ratio>,

@@ -368,7 +368,7 @@ mod tests {
     use super::*;
     use crate::claims::escape::straight::WITHIN_ONE;
 
-    /// The way in which it is counted that none of them stops finds the stops where there are some.
+    /// The way of counting by which none of them stops finds stops where there are some.
     #[test]
     fn a_stop_on_the_table_is_counted() {
         for straight in WITHIN_ONE.each() {

@@ -184,7 +184,7 @@ fn weak() -> impl Iterator<Item = (String, Plane, f64, State)> {
 
 pub(super) const AT_REST: State = State::moving([0.0; 2]);
 
-/// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
+/// Of neighbouring nodes, from a time on.
 pub(super) fn violations(
     motion: &Motion,
     from: f64,

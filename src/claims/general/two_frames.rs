@@ -6,7 +6,7 @@ use super::prelude::*;
 /// g: so small that some coefficients of friction exceed 1.
 const GRAVITY: f64 = 0.5;
 
-/// The cases, each up to a time before the particle can stop and before the acceleration can jump.
+/// Each up to a time before the particle can stop and before the acceleration can jump.
 fn cases() -> impl Iterator<Item = (Case, f64)> {
     bounded(3.0).map(|case| {
         let before_rest = 0.9 * case.start.speed() / (3.0 + case.friction);
@@ -23,7 +23,7 @@ fn acceleration(case: &Case, t: f64) -> [f64; 2] {
     case.plane.coefficients(t).map(|series| series[0])
 }
 
-/// The velocity that (1) leads to; not a number if it leads to none.
+/// Not a number if (1) leads to none.
 fn by_the_law(case: &Case, until: f64) -> [f64; 2] {
     let rate = |_: f64, y: &[f64; 3]| {
         let a = acceleration(case, y[2]);

@@ -3,10 +3,10 @@
 use super::drives::{boundary, motion, phase, phase_of};
 use super::prelude::*;
 
-/// Phases per half period at which a whole motion is compared; the joints are added.
+/// Per half period; the joints are added.
 const PHASES: u32 = 48;
 
-/// Shares of the gap in which pulses with large friction, or of the pulse in which those with small, are tried.
+/// Shares of the gap for large friction, of the pulse for small.
 const NEAR_ENDS: [f64; 4] = [1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6];
 
 /// Over the whole triangle η < λ₀ < 1, and along its edges.
@@ -117,8 +117,8 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
     })
 }
 
-/// The velocity along a pull in pulses, from rest at φ = 0, and across it, of a particle on a plane of any direction. It
-/// rests before each pulse, so that its first period is like every other.
+/// Along a pull in pulses, from rest at φ = 0, and across it. The particle rests before each pulse, so that its
+/// first period is like every other.
 pub(super) fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64, Failure> {
     let square = |start: f64| Signal::Square { start, half: PI };
     let late = square(eta * PI).times(-1.0);
