@@ -86,7 +86,7 @@ pub(super) struct Cell {
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Map {
-    /// In order of q.
+    /// In the order of q.
     pub curves: Vec<Heights>,
     pub q: (f64, f64),
     pub lambda0: (f64, f64),

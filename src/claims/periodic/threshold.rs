@@ -41,7 +41,7 @@ pub(crate) fn mean_size(drive: &Drive) -> f64 {
     bounds(drive).high - MARGIN
 }
 
-/// A drive at a friction, which is much or little: whether rests are stated, and whether they are there.
+/// Under much friction or little: whether rests are stated, and whether they are there.
 fn rests(name: &str, drive: &Drive, lambda: f64, much: bool) -> Result<Pair, Failure> {
     let found = phase(drive, lambda)?;
     Ok(Pair {
@@ -57,7 +57,7 @@ fn rests(name: &str, drive: &Drive, lambda: f64, much: bool) -> Result<Pair, Fai
     })
 }
 
-/// The named drives that are generic and without a mean, and random ones.
+/// The named ones that are generic and without a mean, and random ones.
 fn admitted() -> Result<Vec<Named>, DriveError> {
     let mut points = Points::here();
     let mut list: Vec<Named> = named()?.into_iter().filter(|d| d.generic).collect();

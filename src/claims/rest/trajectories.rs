@@ -11,13 +11,13 @@ pub(crate) struct Approach {
     /// ρ at rest.
     pub sigma: f64,
     pub run: Run,
-    /// That were asked for, by speed.
+    /// Those that were asked for, by speed.
     moments: Mutex<Vec<(f64, Close)>>,
 }
 
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Close {
-    /// Until the stop.
+    /// Time until the stop.
     pub left: f64,
     pub alpha: f64,
     pub psi: f64,

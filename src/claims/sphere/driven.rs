@@ -413,7 +413,7 @@ pub(crate) struct Swinging {
     pub lambda: f64,
     /// (φ, ϖ w_x/A₀, ϖ v_x/A₀), φ from 0 to 4π; all dimensionless.
     pub points: Vec<[f64; 3]>,
-    /// Phases.
+    /// Phases between which it rolls.
     pub rolls: Vec<[f64; 2]>,
 }
 
