@@ -21,7 +21,6 @@ mod transverse_decay;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use super::rows::{Row, rows};
     pub(super) use super::simulated::{

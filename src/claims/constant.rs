@@ -17,7 +17,6 @@ mod time;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use super::launches::{TURNS, Turn};
     pub(super) use crate::claims::prelude::*;

@@ -12,7 +12,6 @@ pub mod trajectories;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use super::trajectories::ESCAPES;
     pub(super) use crate::claims::prelude::*;

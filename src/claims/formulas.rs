@@ -97,7 +97,7 @@ mod tests {
         }),
     ];
 
-    /// The functions of the corrections by their paths, as the files have them.
+    /// Of the corrections, by their paths, as the files have them.
     fn functions() -> BTreeSet<String> {
         let folder = std::fs::read_dir("src/corrections").unwrap();
         let mut all = BTreeSet::new();

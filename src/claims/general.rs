@@ -11,7 +11,6 @@ pub(crate) mod two_frames;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use super::two_frames::{NAMES, eq1, eq1_proof};
     pub(super) use crate::claims::prelude::*;
@@ -19,7 +18,6 @@ mod prelude {
     pub(super) use crate::paper::general as printed;
 }
 
-/// The topic.
 pub(crate) static TOPIC: Topic = Topic::new(
     "general",
     "Sliding on an accelerating plane",

@@ -26,7 +26,7 @@ use trialbook::theorems::Theorems;
 pub use trialbook::trials::values;
 use trialbook::trials::{Paper, Topic};
 
-/// All topics, in the paper's order.
+/// In the paper's order.
 static TOPICS: [&Topic; 9] = [
     &general::TOPIC,
     &constant::TOPIC,

@@ -16,7 +16,6 @@ pub(crate) mod threshold;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use super::drives::{Harmonics, Phase, pulses};
     pub(super) use crate::claims::prelude::*;

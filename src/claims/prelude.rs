@@ -23,22 +23,18 @@ macro_rules! attempts {
 }
 pub(in crate::claims) use attempts;
 
-/// A whole number in a formula.
 pub(super) fn int(n: i64) -> Expr {
     Expr::int(n)
 }
 
-/// A symbol in a formula.
 pub(super) fn symbol(name: &'static str) -> Expr {
     Expr::symbol(name)
 }
 
-/// Symbols in a formula.
 pub(super) fn symbols<const N: usize>(names: [&'static str; N]) -> [Expr; N] {
     Expr::symbols(names)
 }
 
-/// π in a formula.
 pub(super) fn pi() -> Expr {
     Expr::pi()
 }

@@ -14,7 +14,6 @@ pub(crate) mod trajectories;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use crate::claims::prelude::*;
     pub(super) use crate::claims::turntable::exact as turntable;

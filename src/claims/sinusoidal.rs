@@ -23,7 +23,6 @@ mod units;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use super::reference_motions::{
         ORIGIN, Particle, Slip, drive, end_spread, lambda_c, phi_t2, settled,
@@ -38,7 +37,6 @@ mod prelude {
     pub(super) use crate::paper::sinusoidal as printed;
 }
 
-/// The topic.
 pub(crate) static TOPIC: Topic = Topic::new(
     "sinusoidal",
     "Sinusoidal acceleration: stick and slip",

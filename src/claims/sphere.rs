@@ -14,7 +14,6 @@ mod spheres;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use super::spheres::{Followed, braking, sphere, weighed};
     pub(super) use crate::claims::prelude::*;
@@ -24,7 +23,6 @@ mod prelude {
     pub(super) use crate::paper::sphere as printed;
 }
 
-/// The topic.
 pub(crate) static TOPIC: Topic = Topic::new(
     "sphere",
     "A sphere that slips and rolls",

@@ -18,7 +18,6 @@ pub(crate) mod trajectories;
 
 use prelude::*;
 
-/// What the topic's modules use.
 mod prelude {
     pub(super) use super::trajectories::{
         ANY, ELL, FASTER, P, Quantity, RHO, Stretch, View, XI, stretches,
@@ -32,7 +31,6 @@ mod prelude {
     pub(super) use crate::paper::turntable as printed;
 }
 
-/// The topic.
 pub(crate) static TOPIC: Topic = Topic::new(
     "turntable",
     "The turntable: equations",

@@ -2,7 +2,7 @@
 
 pub use trialbook::trials::variants::Variant;
 
-/// The formulas that say that something vanishes or keeps its value: a constant factor does not make them wrong.
+/// They say that something vanishes or keeps its value: a constant factor does not make them wrong.
 pub(super) const UP_TO_A_FACTOR: [&str; 10] = [
     "constant",
     "eq10_invariant",
@@ -16,7 +16,7 @@ pub(super) const UP_TO_A_FACTOR: [&str; 10] = [
     "half_angle",
 ];
 
-/// The formulas that state a sign: a positive factor does not make them wrong.
+/// They state a sign: a positive factor does not make them wrong.
 pub(super) const UP_TO_A_POSITIVE_FACTOR: [&str; 2] = ["eq110_case", "eq116_case"];
 
 /// A random value of an argument, by its letter: vectors of the sphere lie in the plane, but for the angular velocity,

@@ -9,7 +9,6 @@ use crate::exam::{
 use trialbook::book::{escape, table};
 use trialbook::publishing::{Failure, Filled};
 
-/// Every task with its answer.
 pub(super) fn table_of() -> Result<Filled, Failure> {
     let rows: Result<Vec<_>, Failure> = TASKS
         .iter()
@@ -31,7 +30,6 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
     Ok(Filled::Block(table("exam tasks", head, rows?)))
 }
 
-/// How well an answer is known, in words.
 fn error(error: Option<f64>, basis: Basis) -> String {
     match (error, basis) {
         // Of a fraction, the enclosure is as narrow as one asks for.
@@ -67,7 +65,7 @@ fn digit(x: f64) -> String {
     }
 }
 
-/// A table with a column for each task: ours, and a row for each candidate, of what these say of a task and how long it lasts.
+/// A column for each task: ours, and a row for each candidate, of what these say of a task and how long it lasts.
 fn by_task(
     ours: impl Fn(&str, f64) -> Result<String, Failure>,
     theirs: impl Fn(&[Mark]) -> Option<String>,
@@ -90,10 +88,8 @@ fn by_task(
     Ok(Filled::Block(wide(&head, &rows)))
 }
 
-/// Who we are beside the candidates, and our settings.
 const OURS: [&str; 2] = ["<strong>ours</strong>", "from event to event"];
 
-/// The smallest error that each candidate keeps on each task, and ours.
 pub(super) fn errors() -> Result<Filled, Failure> {
     by_task(
         |task, _| Ok(shaded(our_error(task)?)),
@@ -111,7 +107,7 @@ fn shaded(error: f64) -> String {
 /// The accuracy at which costs are compared: what most candidates reach.
 const EQUAL: f64 = 1e-3;
 
-/// What a unit of time costs each candidate where it is within [`EQUAL`] of the answer, and ours.
+/// Where each candidate is within [`EQUAL`] of the answer, and ours.
 pub(super) fn costs() -> Result<Filled, Failure> {
     let ours = results::ours()?;
     by_task(
@@ -125,12 +121,10 @@ fn our_cost(ours: &results::Ours, task: &str, lasts: f64) -> Result<String, Fail
     Ok(super::speed::time(1e6 * seconds / lasts))
 }
 
-/// The accuracy of [`costs`].
 pub(super) fn equal() -> Result<Filled, Failure> {
     Ok(Filled::Inline(digit(EQUAL)))
 }
 
-/// A table with as many columns as there are tasks.
 fn wide(head: &[String], rows: &[Vec<String>]) -> String {
     let cells = |tag: &str, cells: &[String]| -> String {
         let each = cells.iter().map(|cell| format!("<{tag}>{cell}</{tag}>"));
@@ -143,7 +137,6 @@ fn wide(head: &[String], rows: &[Vec<String>]) -> String {
     )
 }
 
-/// How far our motion is from the answer.
 fn our_error(id: &str) -> Result<f64, Failure> {
     let task = TASKS
         .iter()
@@ -200,7 +193,6 @@ pub(super) fn runs() -> Result<Filled, Failure> {
     Ok(Filled::Block(table("exam runs", head, rows)))
 }
 
-/// What each candidate promises.
 pub(super) fn promises() -> Result<Filled, Failure> {
     let mut rows: Vec<[String; 3]> = Vec::new();
     for candidate in results::candidates()? {
@@ -214,14 +206,12 @@ pub(super) fn promises() -> Result<Filled, Failure> {
     Ok(Filled::Block(table("exam promises", head, rows)))
 }
 
-/// When and on what.
 pub(super) fn sat_on() -> Result<Filled, Failure> {
     Ok(Filled::Inline(escape(
         &results::circumstances()?.join("; "),
     )))
 }
 
-/// The numbers of others beside ours.
 pub(super) fn published() -> Result<Filled, Failure> {
     let rows: Result<Vec<_>, Failure> = cases()
         .map(|case| {
@@ -261,7 +251,6 @@ fn all_beside(all: &[Beside]) -> [String; 3] {
     ]
 }
 
-/// pySLAMMER's harmonic cases beside ours, by their yield acceleration.
 pub(super) fn sliding() -> Result<Filled, Failure> {
     let rows = sliding::yields()?.into_iter().map(|known| {
         let [closed, history] = [Yield::closed, Yield::history].map(|beside| {
@@ -295,7 +284,6 @@ pub(super) fn sliding() -> Result<Filled, Failure> {
     )))
 }
 
-/// What of it was read.
 pub(super) fn sliding_read() -> Result<Filled, Failure> {
     Ok(Filled::Inline(escape(sliding::PYSLAMMER.read)))
 }

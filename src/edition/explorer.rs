@@ -1,8 +1,8 @@
 //! The explorers' place on a page, and the files that they run on.
 //!
-//! The scripts are displays; what they show comes from [`crate::explorers`], compiled to the module
-//! `book/theme/explorers.wasm` (rebuilt by `book/explorers/rebuild`), and from [`crate::breaks`], compiled to
-//! `book/theme/breaks.wasm`. Pages opened from the disk may not fetch anything, so a module goes into a script as text.
+//! What the scripts show comes from [`crate::explorers`], compiled to `book/theme/explorers.wasm` (rebuilt by
+//! `book/explorers/rebuild`), and from [`crate::breaks`], in `book/theme/breaks.wasm`. Pages opened from the disk
+//! may not fetch anything, so a module goes into a script as text.
 
 use crate::claims::laid_over;
 use crate::motion::scene::{WORDS, Word};
@@ -10,7 +10,6 @@ use trialbook::book::{escape, table};
 use trialbook::data::{Text, text};
 use trialbook::publishing::{Failure, Filled};
 
-/// The scripts and the styles, the questions and their recordings.
 pub(super) const TEXTS: [(&str, Text); 12] = [
     ("explorers.css", text!("book/theme/explorers.css")),
     ("explorers-plot.js", text!("book/theme/explorers-plot.js")),
@@ -29,7 +28,7 @@ pub(super) const TEXTS: [(&str, Text); 12] = [
     ("sine.AT2", text!("tests/data/sine.AT2")),
 ];
 
-/// The scripts and the style, with the module as text: path within the book, and text.
+/// Path within the book, and text.
 pub(super) fn files() -> Vec<(String, String)> {
     let module = base64(include_bytes!("../../book/theme/explorers.wasm"));
     let breaks = base64(include_bytes!("../../book/theme/breaks.wasm"));
@@ -66,9 +65,6 @@ const PAGES: [(&str, &str); 9] = [
 ];
 
 /// An explorer's place on the page of this stem: empty and hidden until a script fills it.
-///
-/// # Errors
-/// On a page that has none.
 pub(super) fn place(page: &str) -> Result<Filled, Failure> {
     let Some((_, name)) = PAGES.iter().find(|(stem, _)| *stem == page) else {
         return Err("this page has no explorer".into());
@@ -81,7 +77,6 @@ pub(super) fn place(page: &str) -> Result<Filled, Failure> {
     )))
 }
 
-/// The style, and these scripts.
 fn loaded(scripts: &[&str]) -> String {
     let script = |name| format!("<script defer src=\"theme/explorers{name}.js\"></script>");
     let scripts: String = scripts.iter().map(script).collect();
@@ -131,7 +126,6 @@ pub(super) fn own(_: &str) -> Result<Filled, Failure> {
     )))
 }
 
-/// The words of a scene.
 #[allow(clippy::unnecessary_wraps)]
 pub(super) fn words(_: &str) -> Result<Filled, Failure> {
     let row = |word: &Word| {
@@ -159,14 +153,13 @@ pub(super) fn breakable(_: &str) -> Result<Filled, Failure> {
     )))
 }
 
-/// Pairs of numbers as the scripts read them.
 fn printed(name: &str) -> String {
     let pairs = laid_over::printed(name);
     let pairs = pairs.iter().map(|[x, y]| format!("{x},{y}"));
     pairs.collect::<Vec<_>>().join(" ")
 }
 
-/// Bytes as text: six bits a letter.
+/// Six bits a letter.
 fn base64(bytes: &[u8]) -> String {
     const LETTERS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);

@@ -94,13 +94,12 @@ pub static EDITION: Edition = Edition {
     ..Edition::of("slipbook", &PAPER)
 };
 
-/// All sources of the crate.
 static SOURCES: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/src");
 
 /// The modules whose sources are shown: what the printed side is made of, where the two meet, and the calculators.
 const SHOWN: [&str; 5] = ["claims", "corrections", "paper", "solve", "symbols"];
 
-/// The sources that the book shows: path and text.
+/// Path and text.
 fn sources() -> Vec<(String, &'static str)> {
     let own = texts(&SOURCES).into_iter().filter(|(path, _)| {
         path.split(['/', '.'])

@@ -25,7 +25,6 @@ fn row(line: &str) -> Option<[String; 3]> {
     Some([escape(&physics), verdicts, links?.join(", ")])
 }
 
-/// The claim of this id, by its name, with a link to its box.
 fn link(id: &str) -> Option<String> {
     let (topic, claim) = PAPER.find(id)?;
     let name = escape(&plain_words(&claim.name()));

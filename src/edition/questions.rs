@@ -11,7 +11,6 @@ use trialbook::book::{code, table};
 use trialbook::data::text;
 use trialbook::publishing::{Failure, Filled, Format};
 
-/// Whether this names a recording.
 fn recording(name: &str) -> bool {
     [".csv", ".AT2"].iter().any(|end| name.ends_with(end))
 }
@@ -36,7 +35,6 @@ struct Question {
     why: String,
 }
 
-/// What a command answers.
 fn asked(command: &str, format: Format) -> Result<Value, Failure> {
     let folder = tempfile::tempdir()?;
     for (name, text) in TEXTS.iter().filter(|(name, _)| recording(name)) {
@@ -54,14 +52,12 @@ fn asked(command: &str, format: Format) -> Result<Value, Failure> {
     answered(&words.collect::<Vec<_>>(), format)
 }
 
-/// A command, and below it what it answers.
 pub(super) fn one(command: &str) -> Result<Filled, Failure> {
     let answer = asked(command, Format::Text)?;
     let lines = format!("$ {command}\n{}", answer.as_str().unwrap_or_default());
     Ok(Filled::Block(code(&lines)))
 }
 
-/// All of them, each with its answer.
 pub(super) fn all(_: &str) -> Result<Filled, Failure> {
     let text = text!("book/questions.toml");
     let questions: Asked = toml::from_str(text.read()?)?;
@@ -101,7 +97,7 @@ impl Question {
     }
 }
 
-/// A number of the answer: its name, its value, and what it is otherwise.
+/// Its name, its value, and what it is otherwise.
 fn row(answer: &Value, held: &str) -> Option<[String; 3]> {
     let (name, other) = held.split_once(' ')?;
     let path = name.replace('.', "/");

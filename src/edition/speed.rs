@@ -7,7 +7,6 @@ use trialbook::publishing::{Failure, Filled};
 
 /// What `benches/peers/run.py` wrote.
 pub(super) const RESULTS: Text = text!("benches/results.json");
-/// How this program is compiled.
 const MANIFEST: &str = include_str!("../../Cargo.toml");
 
 #[derive(Deserialize)]
@@ -29,7 +28,6 @@ struct Growth {
     each_us: f64,
 }
 
-/// One kind of work, by this program and by a peer.
 #[derive(Deserialize)]
 struct Row {
     work: String,
@@ -89,7 +87,6 @@ pub(super) fn time(microseconds: f64) -> String {
     format!("{value:.decimals$}\u{a0}{unit}")
 }
 
-/// Ours beside theirs.
 pub(super) fn table_of() -> Result<Filled, Failure> {
     let results = results()?;
     let rows = results.rows.iter().map(|row| {
@@ -116,7 +113,6 @@ pub(super) fn table_of() -> Result<Filled, Failure> {
     Ok(Filled::Block(table("speed", head, rows)))
 }
 
-/// The cost of a start by their number.
 pub(super) fn growth() -> Result<Filled, Failure> {
     let growth = results()?.growth;
     let rows = growth
@@ -125,7 +121,6 @@ pub(super) fn growth() -> Result<Filled, Failure> {
     Ok(Filled::Block(table("speed", ["starts", "each"], rows)))
 }
 
-/// When and where it was measured.
 pub(super) fn circumstances() -> Result<Filled, Failure> {
     let results = results()?;
     let old = if results.is_old()? {

@@ -14,7 +14,7 @@ use trialbook::plotting::Figure;
 use trialbook::publishing::{Edition, Page, Part};
 use trialbook::trials::{Claim, Paper, Topic, read::File};
 
-/// A claim with everything that a box can show, some of it hostile.
+/// Everything that a box can show, some of it hostile.
 static FULL: Topic = Topic::new(
     "full",
     "Full",
@@ -60,7 +60,6 @@ fn evidence(route: Route, subject: Subject, worst: f64) -> Evidence {
     }
 }
 
-/// The paper with a deep run of one claim.
 static DEEP: Paper = Paper {
     deep: Text::Built(
         "commit 0, 2026-01-01\t2\t2468\neq-11 integration printed 1\t2468\t0\t4e-13\tλ = 2\n",
@@ -68,7 +67,7 @@ static DEEP: Paper = Paper {
     ..PAPER
 };
 
-/// A ledger of all claims, of which two were tried. No trial is run for it.
+/// Of all claims, of which two were tried; no trial is run for it.
 fn ledger() -> Ledger {
     let entry = |topic: &'static Topic, claim: &'static Claim| {
         let evidence = match claim.id {
@@ -87,7 +86,6 @@ fn ledger() -> Ledger {
                 argument: "As $x$ <grows>.",
                 ..FULL.claims()[0]
             })),
-            // Nobody has tried it outside its condition here.
             "eq-11" => Box::leak(Box::new(Claim {
                 conditions: &[],
                 ..*claim
@@ -123,14 +121,12 @@ fn figures() -> Vec<Figure> {
     };
     let named = |text: &'static str| text.split("{{figure ").skip(1);
     let ids = EDITION.pages.iter().flat_map(|page| named(&page.text));
-    // The map is drawn from the ledger.
     ids.filter_map(|rest| rest.split("}}").next())
         .filter(|id| *id != "map")
         .map(figure)
         .collect()
 }
 
-/// Every file below a folder, by its path from there.
 fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
     let files = book::files_below(folder).unwrap().into_iter();
     files
@@ -138,7 +134,6 @@ fn files(folder: &Path) -> BTreeMap<String, Vec<u8>> {
         .collect()
 }
 
-/// The values of an attribute in a page.
 fn values<'a>(html: &'a str, attribute: &str) -> Vec<&'a str> {
     let start = format!(" {attribute}=\"");
     let parts = html.split(start.as_str()).skip(1);
@@ -151,7 +146,7 @@ fn between<'a>(text: &'a str, start: &str, end: &str) -> &'a str {
     behind.split(end).next().unwrap_or_default()
 }
 
-/// The text of a page's content, without tags and without code.
+/// Without tags and without code.
 fn prose(html: &str) -> String {
     let main = between(html, "<main>", "</main>");
     let mut code = false;
@@ -164,7 +159,6 @@ fn prose(html: &str) -> String {
     text.map(|tag| tag.text).collect()
 }
 
-/// Writes the book of this ledger.
 fn write(out: &Path) -> Result<PathBuf, BookError> {
     book::write(&EDITION, &ledger(), &figures(), out)
 }
@@ -177,14 +171,13 @@ fn written(folder: &TempDir) -> BTreeMap<String, Vec<u8>> {
     files(&out)
 }
 
-/// The files of the book, written once for all who only read them.
+/// Written once for all who only read them.
 fn whole() -> &'static BTreeMap<String, Vec<u8>> {
     static FILES: LazyLock<BTreeMap<String, Vec<u8>>> =
         LazyLock::new(|| written(&TempDir::new().unwrap()));
     &FILES
 }
 
-/// A page of it, or another of its texts.
 fn text(name: &str) -> &'static str {
     std::str::from_utf8(&whole()[name]).unwrap()
 }
@@ -415,8 +408,8 @@ fn a_box_shows_all_and_data_stays_data() {
     assert!(users.contains("<a href=\"constant.html#eq-13\" title="));
 }
 
-/// Where the book has an address and its sources are kept somewhere, each page says where it stands, by whole addresses, and the
-/// first one links to the sources.
+/// Where the book has an address and its sources are kept somewhere, each page says where it stands, and the first
+/// one links to the sources.
 #[test]
 fn a_published_book_says_where_it_is() {
     const ADDRESS: &str = "https://slip.example/book/";
@@ -447,7 +440,6 @@ fn a_published_book_says_where_it_is() {
     );
 }
 
-/// What comes of writing the book with one page changed.
 fn with_page(
     stem: &str,
     change: impl Fn(&str) -> String,

@@ -4,7 +4,6 @@ use super::{Answer, ExamError, TASKS};
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
-/// The files that the scripts in `benches/exam` wrote.
 const FILES: [(&str, &str); 7] = [
     (
         "mujoco.json",
@@ -39,7 +38,6 @@ const FILES: [(&str, &str); 7] = [
 /// What `cargo bench -p slipbook-benches --bench exam` wrote.
 const OURS: &str = include_str!("../../benches/exam/results/ours.json");
 
-/// A result file.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 struct File {
     date: String,
@@ -63,7 +61,6 @@ pub struct Candidate {
     runs: Vec<Run>,
 }
 
-/// One run of a task.
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 struct Run {
     task: String,

@@ -1,7 +1,5 @@
-//! The figures of section 2.4: anisotropic friction.
-//!
-//! All quantities are dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the ratio
-//! of backward to forward friction, φ the phase and 𝔴 the velocity.
+//! The figures of section 2.4, dimensionless: λ₀ is the friction of forward motion over the drive's amplitude, q the
+//! ratio of backward to forward friction, φ the phase and 𝔴 the velocity.
 
 use super::{Drawn, trend::sides};
 use crate::claims::{
@@ -36,7 +34,6 @@ pub(super) fn heights(curves: &Curves) -> Heights {
 fn region_map(columns: std::ops::Range<usize>, rows: usize, largest_q: f64) -> Drawn<Map> {
     let map = drawn::map(columns, rows)?;
     let count = counted::count(largest_q)?;
-    // A region is at most 5.
     let cell = |&(at, found, printed): &drawn::Cell| Cell {
         at,
         found: found as u8,
@@ -52,61 +49,47 @@ fn region_map(columns: std::ops::Range<usize>, rows: usize, largest_q: f64) -> D
     })
 }
 
-/// fig-5.
 fn region_diagram() -> Drawn {
     Ok(fig5(&region_map(0..180, 180, 7.0)?)?)
 }
 
-/// The census beyond Y.
 fn region_census() -> Drawn {
     let map = region_map(90..330, 36, f64::INFINITY)?;
     Ok(census(&map)?)
 }
 
-/// fig-6.
 fn region_waves() -> Drawn {
     let waves: Vec<_> = drawn::waves()?.into_iter().zip(panels::PANELS).collect();
     Ok(fig6(&waves)?)
 }
 
-/// Where the curves stand at one q; none where a curve has no point.
+/// λ₀ on the curves at one q; none where a curve has no point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Heights {
-    /// The ratio q.
     pub q: f64,
-    /// λ₀ on A.
     pub a: f64,
-    /// λ₀ on B.
     pub b: Option<f64>,
-    /// λ₀ on C.
     pub c: f64,
-    /// λ₀ on D.
     pub d: f64,
-    /// λ₀ on E.
     pub e: Option<f64>,
 }
 
-/// One simulated point of the plane; regions as 1 to 5, 0 for none.
+/// One simulated point of the plane: the region that its motion fits, and that of the printed list; 1 to 5, 0 for
+/// none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cell {
     /// q and λ₀.
     pub at: [f64; 2],
-    /// The region that the motion fits.
     pub found: u8,
-    /// The region of the printed list.
     pub printed: u8,
 }
 
-/// A part of the plane: the curves, and a census of equal cells.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Map {
-    /// The curves, in order of q.
+    /// In the order of q.
     pub curves: Vec<Heights>,
-    /// The ends along q.
     pub q: (f64, f64),
-    /// The ends along λ₀.
     pub lambda0: (f64, f64),
-    /// The points that were simulated.
     pub cells: Vec<Cell>,
     /// The points X and Y, as (q, λ₀).
     pub corners: [[f64; 2]; 2],
@@ -120,13 +103,11 @@ impl Map {
         self.curves.iter().filter_map(point).collect()
     }
 
-    /// The points at which the printed list is wrong.
     fn wrong(&self) -> impl Iterator<Item = [f64; 2]> {
         let wrong = self.cells.iter().filter(|cell| cell.found != cell.printed);
         wrong.map(|cell| cell.at)
     }
 
-    /// The region between two curves, tinted.
     fn region(
         &self,
         low: impl Fn(&Heights) -> Option<f64>,
@@ -163,9 +144,6 @@ impl Map {
 }
 
 /// fig-5: the regions as printed, with the census's verdict on them, and as corrected.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn fig5(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
     let y = map.corners[1][0];
@@ -276,14 +254,9 @@ fn wedge(map: &Map) -> Result<Panel, FigureError> {
     .note(Note::new([6.0, 0.22], "'IV'")))
 }
 
-/// The census where the printed list fails: the simulated motion, and the marked disagreement.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn census(map: &Map) -> Result<Figure, FigureError> {
     let [points, printed_wrong, corrected_wrong] = map.count;
     let y = map.corners[1][0];
-    // Where region II ends, as corrected.
     let upper = |h: &Heights| if h.q <= y { h.b } else { h.e };
     let panel = Panel::new(
         Axis::linear("q").range(map.q.0, map.q.1).without_grid(),
@@ -346,7 +319,6 @@ pub(super) fn census(map: &Map) -> Result<Figure, FigureError> {
         .figure(map.table()?)
 }
 
-/// The boundaries for large q, formulas and simulation.
 fn region_boundaries() -> Drawn {
     let laws = rows::far_laws()?;
     let seen = |row: &rows::Row| Ok((heights(&Curves::at(row.q)?), row.changes));
@@ -446,7 +418,6 @@ fn scientific(number: &str) -> String {
 /// The velocity over the phase, and the friction: q and λ₀.
 pub(super) type Wave = (Vec<[f64; 2]>, (f64, f64));
 
-/// How a periodic motion goes, by its velocity.
 fn manner(points: &[[f64; 2]]) -> &'static str {
     let sign = |point: &[f64; 2]| match point[1] {
         w if w > 1e-9 => '+',
@@ -474,9 +445,6 @@ fn manner(points: &[[f64; 2]]) -> &'static str {
 }
 
 /// fig-6: the motion over two periods, one panel for each region.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn fig6(waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["region", "q", "lambda_0", "phi (rad)", "w"]);
     let ticks = [

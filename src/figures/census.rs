@@ -16,7 +16,6 @@ pub(super) struct Census {
 }
 
 impl Census {
-    /// What becomes of the starts in the middles of the cells.
     pub(super) fn new(
         side: usize,
         ends: [(f64, f64); 2],
@@ -42,7 +41,6 @@ impl Census {
         })
     }
 
-    /// A panel that shows it.
     pub(super) fn panel(&self, [x, y]: [Axis; 2]) -> Result<Panel, FigureError> {
         let [along, up] = self.ends;
         let cells = self.rests.iter().map(|rests| u8::from(!rests)).collect();

@@ -1,7 +1,5 @@
-//! The figures of section 2.1: constant acceleration.
-//!
-//! Units throughout: speeds in v₀, the initial speed; times in v₀/A. λ = μg/A is the friction over
-//! the acceleration, θ the angle between the velocity and the inertial force, θ₀ its initial value.
+//! The figures of section 2.1. Speeds in v₀, times in v₀/A; λ = μg/A is the friction over the acceleration, θ the
+//! angle between the velocity and the inertial force, θ₀ its initial value.
 
 use super::{
     Drawn,
@@ -16,8 +14,7 @@ pub(super) fn figures() -> Drawn<Vec<Figure>> {
     Ok(vec![portraits()?, histories()?, stopping_times()?])
 }
 
-/// Points of a motion dense enough to draw: equal steps in time, and the integrator's own nodes where it
-/// turns fast.
+/// Dense enough to draw: equal steps in time, and the integrator's own nodes where it turns fast.
 fn sampled(curve: &drawn::Curve) -> impl Iterator<Item = crate::motion::State> {
     let motion = &curve.motion;
     let end = motion.end().t;
@@ -30,8 +27,7 @@ fn sampled(curve: &drawn::Curve) -> impl Iterator<Item = crate::motion::State> {
     states.into_iter()
 }
 
-/// fig-1: phase portraits in the (v_x, v_y)-plane, λ ≤ 1 above and λ > 1 below. Of each λ the curve
-/// that starts nearest to θ₀ = π/2 carries the label.
+/// fig-1: λ ≤ 1 above and λ > 1 below. Of each λ the curve that starts nearest to θ₀ = π/2 carries the label.
 fn portraits() -> Drawn {
     let mut table = Table::new(&[
         "panel",
@@ -119,7 +115,7 @@ fn portrait(curves: &[drawn::Curve], title: &str) -> Panel {
     )
 }
 
-/// Speed and angle against time, from θ₀ = 2π/3 for several λ; one panel each.
+/// From θ₀ = 2π/3 for several λ; one panel each.
 fn histories() -> Drawn {
     let mut table = Table::new(&["lambda", "t (v_0/A)", "v (v_0)", "theta (rad)"]);
     let angles = [
@@ -190,7 +186,6 @@ fn histories() -> Drawn {
         .figure(table)?)
 }
 
-/// Time until rest against the initial angle, for several λ > 1.
 fn stopping_times() -> Drawn {
     let mut table = Table::new(&["lambda", "theta_0 (rad)", "T (v_0/A)"]);
     let angles = [
@@ -244,7 +239,7 @@ fn stopping_times() -> Drawn {
     .figure(table)?)
 }
 
-/// The different values of λ in order of first appearance.
+/// In order of first appearance.
 fn lambdas(values: impl Iterator<Item = f64>) -> Vec<f64> {
     let mut out = Vec::new();
     for value in values {

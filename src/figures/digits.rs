@@ -13,7 +13,6 @@ pub(super) fn figures() -> Drawn<Vec<Figure>> {
     Ok(vec![digits(&counts, as_of(&RECORD))?])
 }
 
-/// A line of the record, if it is one.
 fn count(line: &str) -> Option<Count> {
     let mut cells = line.rsplitn(4, ',');
     let [cases, true_digits, claimed] = [cells.next()?, cells.next()?, cells.next()?];
@@ -28,20 +27,18 @@ fn count(line: &str) -> Option<Count> {
 /// How often an answer claimed so many digits, and so many were true.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Count {
-    /// The calculator.
     pub calculator: String,
-    /// Digits claimed, from 0 to 15.
+    /// From 0 to 15.
     pub claimed: u32,
-    /// Digits true, from 0 to 15; more are not counted.
+    /// From 0 to 15; more are not counted.
     pub true_digits: u32,
-    /// Cases.
     pub cases: usize,
 }
 
 /// Numbers of digits: 0 to 15.
 const SIDE: usize = 16;
 
-/// Cases by digits claimed, to the right, and digits true, upwards, all calculators together.
+/// By digits claimed, to the right, and digits true, upwards, all calculators together.
 fn cells(counts: &[Count]) -> [usize; SIDE * SIDE] {
     let mut cells = [0; SIDE * SIDE];
     for count in counts {
@@ -53,9 +50,7 @@ fn cells(counts: &[Count]) -> [usize; SIDE * SIDE] {
     cells
 }
 
-/// Digits claimed against digits true, all calculators together; `as_of` says when they were counted.
-///
-/// Fails as [`Plot::figure`] and [`Raster::new`] do.
+/// All calculators together; `as_of` says when they were counted.
 pub(super) fn digits(counts: &[Count], as_of: &str) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["calculator", "claimed", "true", "cases"]);
     for count in counts {

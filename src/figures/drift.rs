@@ -9,16 +9,10 @@ pub(super) fn figures() -> Drawn<Vec<Figure>> {
     Ok(vec![drift(&drawn::budgets()?)?])
 }
 
-/// Levels of the mean velocity.
 const DRIFTS: [f64; 6] = [0.05, 0.2, 0.35, 0.5, 0.65, 0.8];
 
-/// Levels of what is lost in a period.
 const LOSSES: [f64; 6] = [0.05, 0.25, 0.5, 0.75, 1.0, 1.2];
 
-/// The map of the mean velocity, and that of what friction takes.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["q", "lambda_0", "mean velocity", "lost in a period"]);
     for (q, found) in budgets.q.iter().zip(&budgets.found) {
@@ -54,7 +48,6 @@ pub(super) fn drift(budgets: &Budgets) -> Result<Figure, FigureError> {
         .figure(table)
 }
 
-/// One of the maps, with lines at these levels.
 fn map(budgets: &Budgets, title: &str, which: usize, levels: &[f64]) -> Panel {
     let mut panel = Panel::new(
         Axis::linear("q").range(1.0, 7.0).without_grid(),

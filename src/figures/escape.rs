@@ -27,7 +27,7 @@ pub(super) fn figures() -> Drawn<Vec<Figure>> {
 /// A, α and ψ at the start of three escapes.
 const LAUNCHES: [(f64, f64, f64); 3] = [(1.2, 0.3, 1.0), (2.0, 0.5, -1.0), (8.0, 1.0, 2.0)];
 
-/// These, over seven decades of the time.
+/// Of these, over seven decades of the time.
 fn moments() -> Drawn<Vec<Vec<Late>>> {
     let all: Result<_, MotionError> = LAUNCHES
         .into_iter()
@@ -49,7 +49,6 @@ fn moments() -> Drawn<Vec<Vec<Late>>> {
     Ok(all?)
 }
 
-/// Their growth.
 fn growths(moments: &[Vec<Late>]) -> Drawn {
     let [speed, size, lag] = corrected_limits();
     let [printed_speed, printed_size] = printed_limits();
@@ -86,25 +85,20 @@ fn growths(moments: &[Vec<Late>]) -> Drawn {
     ])?)
 }
 
-/// A quantity over its power of the time, with the printed and the corrected limit.
+/// Over its power of the time, with the printed and the corrected limit.
 pub(super) struct Compensated {
-    /// Name in the table: `p/tau^2`.
+    /// In the table: `p/tau^2`.
     pub name: &'static str,
-    /// Name on the axis.
     pub axis: &'static str,
-    /// Ends of the axis.
     pub range: (f64, f64),
-    /// The limit as printed, if it has one.
+    /// If it has one.
     pub printed: Option<f64>,
-    /// The corrected limit.
     pub corrected: f64,
     /// (τ, value) along several escapes.
     pub escapes: Vec<Vec<[f64; 2]>>,
 }
 
-/// Compensated plots: each quantity over the power of τ by which it grows, against τ.
-///
-/// Fails as [`Plot::figure`] does.
+/// Each quantity over the power of τ by which it grows, against τ.
 pub(super) fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["quantity", "escape", "tau", "value"]);
     let mut plot = Plot::new("escape-compensated", "How an escape grows")
@@ -161,7 +155,7 @@ pub(super) fn compensated(quantities: &[Compensated]) -> Result<Figure, FigureEr
     plot.figure(table)
 }
 
-/// The motion, until this time, of a particle put down at rest in the laboratory.
+/// At rest in the laboratory.
 fn put_down(rho: f64, until: f64) -> Result<turntable::Path, MotionError> {
     let start = State {
         t: 0.0,
@@ -171,7 +165,7 @@ fn put_down(rho: f64, until: f64) -> Result<turntable::Path, MotionError> {
     inertial::run(&turntable::Table::default(), &start, until)
 }
 
-/// Two particles put down at rest in the laboratory, on either side of the critical radius.
+/// On either side of the critical radius.
 fn paths() -> Drawn {
     let mut table = Table::new(&["path", "frame", "tau", "x", "y"]);
     let axis = |name| Axis::linear(name).range(-2.2, 2.2);
@@ -221,11 +215,10 @@ fn paths() -> Drawn {
         .figure(table)?)
 }
 
-/// Rays along which the particles of [`ray`] are put down.
 const RAYS: u32 = 12;
 
-/// Particles put down at rest in the laboratory along rays, on both sides of the critical radius, and what becomes of them on
-/// the table. They are followed along one ray; the others are the same, turned.
+/// Put down at rest in the laboratory, on both sides of the critical radius. They are followed along one ray; the
+/// others are the same, turned.
 fn ray() -> Drawn {
     let critical = critical_radius()?;
     let mut table = Table::new(&["rho_0", "fate", "tau", "x", "y"]);
@@ -316,7 +309,6 @@ fn residuals(moments: &[Vec<Late>]) -> Drawn {
         let slope = |two: &[Vec<f64>]| (two[1][2] - two[0][2]) / libm::log(two[1][1] / two[0][1]);
         late.map(slope).all(|of| (of + 1.5 * SQRT_2).abs() < 0.01)
     });
-    // Through the last point of the first escape.
     if let Some(last) = moments.first().and_then(|moments| moments.last()) {
         let [end, value] = left(last);
         let line = [1e1, end].map(|tau| [tau, value + slope * libm::log(tau / end)]);

@@ -60,10 +60,8 @@ fn sat() -> Result<Vec<Sat>, ResultsError> {
     Ok(data)
 }
 
-/// A candidate's runs of one task.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Runs {
-    /// Who.
     pub name: String,
     /// Processor seconds for each unit of time, and the error, from the coarsest run on.
     pub points: Vec<[f64; 2]>,
@@ -72,11 +70,10 @@ pub(super) struct Runs {
 /// A task, everyone who sat it, and our own point.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Sat {
-    /// The task's name.
     pub task: &'static str,
     /// The candidates, the same for all tasks; without points for one that did not sit.
     pub runs: Vec<Runs>,
-    /// Our cost and error.
+    /// Cost and error.
     pub ours: [f64; 2],
 }
 
@@ -84,9 +81,6 @@ pub(super) struct Sat {
 const ROUNDING: f64 = 1e-16;
 
 /// Error against cost, a panel for each task.
-///
-/// # Errors
-/// As [`Plot::figure`].
 pub(super) fn exam(tasks: &[Sat]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["task", "candidate", "cost", "error"]);
     let mut plot = Plot::new("exam", "What an answer costs")

@@ -83,7 +83,6 @@ fn resting_places() -> Drawn {
     Ok(plot.figure(table)?)
 }
 
-/// Cells along each side of the basin's maps.
 const BASIN: usize = 160;
 
 /// Who comes to rest, by distance and velocity in the laboratory; the second panel has the velocity of the table too.
@@ -153,13 +152,11 @@ fn basins() -> Drawn {
     Ok(plot.figure(table)?)
 }
 
-/// Cells along each side of what is simulated of a map of fates.
 const FATES: usize = 64;
 
-/// The angles at which the boundary is found for the part that is shown larger.
+/// Where the boundary is found for the part that is shown larger.
 const PART: [f64; 5] = [0.60, 0.62, 0.64, 0.66, 0.68];
 
-/// What is proved of the fates in three sections, beside what is simulated.
 fn maps_of_fates() -> Drawn {
     let recorded = maps::recorded().unwrap_or_default();
     let one = |rows: Vec<maps::Row>| -> Drawn<_> {
@@ -185,7 +182,6 @@ fn maps_of_fates() -> Drawn {
     Ok(fates(&list?, maps::as_of())?)
 }
 
-/// Fates at one A: simulated, and proved on both sides of a line.
 pub(super) struct Fates {
     a: f64,
     /// To the right ψ, upwards α.
@@ -200,8 +196,6 @@ pub(super) struct Fates {
 
 /// Maps of fates, and a part of the last one so large that the gap between what is proved on both sides is seen;
 /// `as_of` says when it was proved.
-///
-/// Fails as [`Plot::figure`] and [`Raster::new`] do.
 pub(super) fn fates(list: &[Fates], as_of: &str) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["A", "psi (rad)", "alpha", "proved"]);
     let mut plot = Plot::new("rest-fates", "Who comes to rest, proved")
@@ -287,7 +281,6 @@ pub(super) fn fates(list: &[Fates], as_of: &str) -> Result<Figure, FigureError> 
     plot.panel(last).figure(table)
 }
 
-/// The part of a map about the dots.
 fn larger(map: &Fates) -> Panel {
     let ends = |axis: usize| {
         let along = map.found.iter().map(|point| point[axis]);
@@ -310,7 +303,6 @@ fn larger(map: &Fates) -> Panel {
     .points(Points::new(&map.found).ink())
 }
 
-/// The piece of a line between two values of its first coordinate.
 fn between(line: &[[f64; 2]], (from, to): (f64, f64)) -> Vec<[f64; 2]> {
     let mut piece = Vec::new();
     for ends in line.windows(2) {
@@ -323,7 +315,6 @@ fn between(line: &[[f64; 2]], (from, to): (f64, f64)) -> Vec<[f64; 2]> {
     piece
 }
 
-/// How the velocity turns before a stop: speed and angle.
 fn stops() -> Drawn {
     let mut runs = Vec::new();
     for rho in [0.3, 0.6, 0.8, 0.87] {
@@ -337,7 +328,6 @@ fn stops() -> Drawn {
     let mut table = Table::new(&["start", "tau", "p", "psi (rad)"]);
     let mut panel = Panel::new(Axis::log("p"), Axis::log("ψ")).height(300.0);
     for (n, (name, run, end)) in runs.into_iter().enumerate() {
-        // Closer and closer to the stop.
         let near = (0..=100).map(|i| run.at(end * (1.0 - libm::exp10(-0.05 * f64::from(i)))));
         let mut states = near.collect::<Result<Vec<_>, _>>()?;
         states.extend(run.nodes().filter(|state| state.tau < end));

@@ -1,5 +1,4 @@
-//! The figures of the book, a file for each topic: from the data that the trials use, or that are integrated, counted and bisected here, to a
-//! drawing with its numbers, made with the tools of [`trialbook::plotting`].
+//! The figures of the book, a file for each topic, made with the tools of [`trialbook::plotting`].
 
 mod anisotropic;
 mod census;
@@ -50,7 +49,6 @@ impl From<Failure> for AllFiguresError {
     }
 }
 
-/// A figure, or why there is none.
 type Drawn<T = Figure> = Result<T, AllFiguresError>;
 
 /// Every figure, in the order of the book.

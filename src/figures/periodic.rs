@@ -1,7 +1,5 @@
-//! The figures of section 2.3: any periodic acceleration.
-//!
-//! All dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| = 1, λ₀ the
-//! friction, η the share of a half period that a pulse fills.
+//! The figures of section 2.3, dimensionless: φ is the phase in radians, 𝔴 the velocity, h the drive with max |h| =
+//! 1, λ₀ the friction, η the share of a half period that a pulse fills.
 
 use super::{Drawn, trend::rises};
 use crate::claims::{
@@ -28,8 +26,6 @@ const FOUR_OR_MORE: usize = 4;
 const DRIFT: u8 = 5;
 
 /// How often a motion rests in each period, for several drives over 0 < λ₀ < 1; the first drive on top.
-///
-/// Fails as [`Plot::figure`] does, and as [`Raster::new`] for rows of different lengths.
 pub(super) fn census(rows: &[Row]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["drive", "lambda_0", "rests per period"]);
     let mut cells = Vec::new();
@@ -136,7 +132,6 @@ fn phases(label: &str) -> Axis {
     Axis::linear(label).range(0.0, 2.0 * TAU).ticks(ticks)
 }
 
-/// The rows of a table of waves.
 fn listed(waves: &[Wave]) -> Result<Table, FigureError> {
     let mut table = Table::new(&["lambda_0", "phi (rad)", "h", "w"]);
     for wave in waves {
@@ -154,10 +149,7 @@ fn rests(wave: &Wave) -> String {
     format!("λ_0 = {}: {count}", wave.lambda)
 }
 
-/// The motion under pulses that fill the share `eta` of their half periods, which are shaded; one panel for
-/// each friction.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point.
+/// Under pulses that fill the share `eta` of their half periods, which are shaded; one panel for each friction.
 pub(super) fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut plot = Plot::new("periodic-pulses", "Velocity under a train of pulses").caption(format!(
         "Velocity $\\mathfrak w$ over two periods under pulses that fill the fraction $\\eta={eta}$ of each half \
@@ -200,9 +192,7 @@ pub(super) fn pulse_waves(eta: f64, waves: &[Wave]) -> Result<Figure, FigureErro
     plot.figure(listed(waves)?)
 }
 
-/// The motion under one smooth drive at several frictions, between which rests come and go.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point.
+/// Under one smooth drive at several frictions, between which rests come and go.
 pub(super) fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
     let mut plot = Plot::new("periodic-come-and-go", "Rests that come and go").caption(
         "Velocity $\\mathfrak w$ (line) over two periods under a drive $h\\propto\\sin\\phi+1.5\\sin3\\phi$ (dots, \
@@ -234,10 +224,7 @@ pub(super) fn come_and_go(waves: &[Wave]) -> Result<Figure, FigureError> {
     plot.figure(listed(waves)?)
 }
 
-/// The share of the period in which the particle is at rest, over the square of η and λ₀: `side` cells each
-/// way, row by row from the lowest λ₀.
-///
-/// Fails as [`Plot::figure`] does, and as [`Raster::new`] if there are not side × side shares.
+/// Over the square of η and λ₀: `side` cells each way, row by row from the lowest λ₀.
 pub(super) fn rest_shares(side: usize, shares: &[f64]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["eta", "lambda_0", "share of the period at rest"]);
     let middle = |k: usize| (k as f64 + 0.5) / side as f64;

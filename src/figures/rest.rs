@@ -15,7 +15,7 @@ pub(super) fn figures() -> Drawn<Vec<Figure>> {
     Ok(vec![censuses()?, borders()?, phase_space()?])
 }
 
-/// Angles at which the level lines of the boundary are found: enough that no corner is seen.
+/// Enough that no corner is seen.
 const ANGLES: i32 = 192;
 
 /// Largest α of the picture of the phase space.
@@ -25,7 +25,6 @@ const REACH: f64 = 0.75;
 const STEP: f64 = 0.05;
 const STEPS: i32 = 30;
 
-/// Halvings of such a step.
 const HALVINGS: i32 = 9;
 
 /// The level line of the boundary at this A, as (α, ψ): for each angle the first α from which the particle escapes.
@@ -69,7 +68,6 @@ fn level(a: f64) -> Drawn<Vec<[f64; 2]>> {
     Ok(level.map(<[f64; 2]>::from).collect())
 }
 
-/// Cells along each side of the census.
 const SIDE: usize = 60;
 
 fn censuses() -> Drawn {
@@ -129,9 +127,7 @@ pub(super) struct Section {
     pub found: Vec<[f64; 2]>,
 }
 
-/// Who comes to rest, at several ψ, with the printed and the corrected boundary.
-///
-/// Fails as [`Plot::figure`] and [`Raster::new`] do.
+/// At several ψ, with the printed and the corrected boundary.
 pub(super) fn census(list: &[Section]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["psi", "alpha", "A", "rests"]);
     let mut plot = Plot::new("rest-census", "Who comes to rest")

@@ -1,7 +1,5 @@
-//! The figures of section 2.2: a sinusoidal drive.
-//!
-//! Without units throughout: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one across it,
-//! λ₀ the friction over the drive's amplitude.
+//! The figures of section 2.2, dimensionless: φ is the phase in radians, 𝔴 the velocity along the drive, 𝔴_y the one
+//! across it, λ₀ the friction over the drive's amplitude.
 
 use super::{
     Drawn,
@@ -66,8 +64,6 @@ fn multiples_of_pi(last: i32) -> Vec<(f64, String)> {
 }
 
 /// fig-2: 𝔴 against φ, one panel for each λ₀, one curve for each initial 𝔴_y.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
 pub(super) fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "w_y at phi = 0", "phi (rad)", "w"]);
     let mut plot = Plot::new("fig-2", "The way to the large-time motion")
@@ -108,24 +104,20 @@ pub(super) fn fig2(panels: &[(&str, Vec<&Transient>)]) -> Result<Figure, FigureE
         .figure(table)
 }
 
-/// What sets fig-3 and fig-4 apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct TwoPeriods<'a> {
-    /// The figure's id.
     pub id: &'static str,
-    /// λ₀ in words: `1/π`.
+    /// In words: `1/π`.
     pub lambda: &'static str,
     /// Upper end of the axis of 𝔴; the lower one is its negative.
     pub top: f64,
     /// The mark that the paper puts on it.
     pub mark: f64,
-    /// (φ, w) over two periods.
+    /// (φ, w).
     pub points: &'a [[f64; 2]],
 }
 
-/// fig-3 and fig-4: the large-time motion over two periods, on the paper's axes.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point.
+/// fig-3 and fig-4, on the paper's axes.
 pub(super) fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["phi (rad)", "w"]);
     table.rows((), shown.points)?;
@@ -177,8 +169,6 @@ pub(super) fn two_periods(shown: &TwoPeriods<'_>) -> Result<Figure, FigureError>
 type Curved = (f64, Vec<[f64; 2]>);
 
 /// The growth of −ln 𝔴_y, period by period, on a logarithmic axis: (periods, −ln 𝔴_y) as long as 𝔴_y is not zero.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point.
 pub(super) fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "periods", "-ln w_y"]);
     let mut panel = Panel::new(
@@ -217,9 +207,7 @@ pub(super) fn decay(decays: &[Curved]) -> Result<Figure, FigureError> {
         .figure(table)
 }
 
-/// The share of a period in which the large-time motion rests, against λ₀.
-///
-/// `points` are (λ₀, share), `critical` is λ_c. Fails as [`Plot::figure`] does, thus when there is no finite point.
+/// Against λ₀: `points` are (λ₀, share), `critical` is λ_c.
 pub(super) fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "share of rest"]);
     table.rows((), points)?;
@@ -261,9 +249,7 @@ pub(super) fn rest_share(points: &[[f64; 2]], critical: f64) -> Result<Figure, F
         .figure(table)
 }
 
-/// The large-time motions for several λ₀ over one period: (φ, 𝔴).
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point.
+/// Over one period: (φ, 𝔴).
 pub(super) fn family(motions: &[Curved]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["lambda_0", "phi (rad)", "w"]);
     let mut panel = Panel::new(

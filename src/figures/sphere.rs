@@ -27,9 +27,7 @@ pub(super) fn figures() -> Drawn<Vec<Figure>> {
 
 /// Where a ball and a coin ride with the table, in units of μg/Ω²: the coin's friction does not suffice for it.
 const RIDES: f64 = 1.2;
-/// Points of each path.
 const SHOWN: u32 = 180;
-/// Where the picture ends.
 const EDGE: f64 = 8.0;
 
 /// (τ, x, y) of the ball that is let go, until it is back.
@@ -65,9 +63,7 @@ fn coin() -> Result<Vec<[f64; 3]>, MotionError> {
     Ok(points)
 }
 
-/// The paths of a solid ball and of a coin that rode with a turntable and were let go, in the laboratory: (τ, x, y).
-///
-/// Fails as [`Plot::figure`] does.
+/// In the laboratory, of a solid ball and of a coin that rode with a turntable and were let go: (τ, x, y).
 pub(super) fn let_go(ball: &[[f64; 3]], coin: &[[f64; 3]]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["body", "tau", "x", "y"]);
     let axis = |name| Axis::linear(name).range(-EDGE, EDGE);
@@ -92,8 +88,6 @@ pub(super) fn let_go(ball: &[[f64; 3]], coin: &[[f64; 3]]) -> Result<Figure, Fig
 }
 
 /// Slip and velocity of the centre against the phase, one panel for each λ₀.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
 pub(super) fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "lambda_0",
@@ -141,11 +135,8 @@ pub(super) fn swinging(motions: &[Swinging]) -> Result<Figure, FigureError> {
     plot.figure(table)
 }
 
-/// The time of the motion over that of (82) against γ, with the lines 1 (as printed) and 1/γ (as corrected).
-///
-/// `points` are (γ, ratio), both positive and dimensionless.
-///
-/// Fails as [`Plot::figure`] does.
+/// The time of the motion over that of (82) against γ, with the lines 1 (as printed) and 1/γ (as corrected);
+/// `points` are (γ, ratio).
 pub(super) fn times(points: &[[f64; 2]]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["gamma", "tau of the motion over (82)"]);
     table.rows((), points)?;

@@ -6,7 +6,6 @@ use std::sync::LazyLock;
 use trialbook::notation::{self, Tag};
 use trialbook::plotting::*;
 
-/// The figures of the book.
 static GALLERY: LazyLock<Vec<Figure>> =
     LazyLock::new(|| crate::figures::all().expect("they can be drawn"));
 

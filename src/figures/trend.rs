@@ -1,6 +1,5 @@
 //! What curves do, for the words of captions and pages.
 
-/// A column of rows.
 pub(super) fn column(rows: &[Vec<f64>], i: usize) -> impl Iterator<Item = f64> + Clone {
     rows.iter().map(move |row| row[i])
 }
@@ -38,7 +37,6 @@ pub(crate) fn same(a: f64, b: f64, tolerance: f64) -> bool {
     (a - b).abs() <= tolerance * b.abs()
 }
 
-/// Whether a slope grows along a curve.
 pub(super) fn steepens(rows: &[Vec<f64>], x: usize, y: usize) -> bool {
     let slope = |two: &[Vec<f64>]| (two[1][y] - two[0][y]) / (two[1][x] - two[0][x]);
     let slopes: Vec<f64> = rows.windows(2).map(slope).collect();

@@ -1,6 +1,4 @@
-//! The figures of section 4 up to (125): motions on the turntable, their energy, and the quasi-fixed point.
-//!
-//! Dimensionless throughout: lengths in μg/Ω², times in 1/Ω.
+//! The figures of section 4 up to (125). Lengths in μg/Ω², times in 1/Ω.
 
 use super::{
     Drawn,
@@ -27,12 +25,9 @@ pub(super) fn figures() -> Drawn<Vec<Figure>> {
     ])
 }
 
-/// How far from the axis the paths are shown.
 const SHOWN: f64 = 2.5;
 
-/// Paths of the launches, on the table above and in the laboratory below.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point in a panel.
+/// On the table above and in the laboratory below.
 pub(super) fn paths(launches: &[Launched]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "launch speed (mu g/Omega)",
@@ -111,8 +106,6 @@ pub(super) fn paths(launches: &[Launched]) -> Result<Figure, FigureError> {
 }
 
 /// The terms of (104) along one launch.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point.
 pub(super) fn energy(launch: &Launched) -> Result<Figure, FigureError> {
     let mut table = Table::new(&["tau", "p^2/2", "-rho^2/2", "s", "sum"]);
     let rows: Vec<[f64; 5]> = launch
@@ -161,8 +154,6 @@ pub(super) fn energy(launch: &Launched) -> Result<Figure, FigureError> {
 }
 
 /// ψ and ψ₁ against time in escapes, and what is left of each to π/2; `escapes` are A at the start and the moments.
-///
-/// Fails as [`Plot::figure`] does, thus when there is no finite point.
 pub(super) fn following(escapes: &[(f64, Vec<Following>)]) -> Result<Figure, FigureError> {
     let mut table = Table::new(&[
         "A at the start",

@@ -47,7 +47,7 @@ const SHORT: f64 = 1e-6;
 /// A drift below this part of the ways there and back is nothing but rounding.
 const BALANCED: f64 = 1e-30;
 
-/// What is left of the ways there and back, 0 where that is no more than rounding.
+/// 0 where that is no more than rounding.
 fn drift(forward: Double, backward: Double) -> f64 {
     let (left, both) = (forward - backward, forward + backward);
     if left.to_f64().abs() <= BALANCED * both.to_f64() {
@@ -58,7 +58,6 @@ fn drift(forward: Double, backward: Double) -> f64 {
 }
 
 impl Period {
-    /// The size of the way there or back.
     fn longest(&self) -> f64 {
         let length = self.positive.max(self.negative).min(1.0);
         length * length * length
@@ -90,7 +89,6 @@ impl Fields for Period {
     }
 }
 
-/// The regions by whether there is motion both ways and how many rests.
 fn region(positive: f64, negative: f64, rests: usize) -> &'static str {
     match (positive > 0.0, negative > 0.0, rests) {
         (false, false, _) => "V",
@@ -281,7 +279,6 @@ fn without_rest(plus: Double, minus: Double) -> Option<Period> {
     })
 }
 
-/// What a simulated motion is.
 fn period(motion: &Attractor<'_>) -> Period {
     let intervals = motion.intervals();
     let sum = |sign| -> f64 {

@@ -71,7 +71,6 @@ pub struct ConstantState {
     pub stop_time: Option<f64>,
     /// Where it turns round, speeds are differences of larger ones: those that count beside them. Else 0.
     turning: f64,
-    /// The initial speed.
     start: f64,
 }
 
@@ -84,7 +83,6 @@ pub const LENGTH: &str = "that of v0²/A";
 
 impl Fields for ConstantState {
     fn fields(&self) -> Vec<Field> {
-        // As far as it may have come.
         let lasts = self.stop_time.map_or(self.t, |stop| stop.min(self.t));
         let way = self.v.max(self.start) * lasts;
         vec![
@@ -180,7 +178,6 @@ impl ConstantProblem {
         check_moment(self.theta0, self.at)
     }
 
-    /// See [`ConstantState::turning`].
     fn turning(&self) -> f64 {
         if self.theta0 == PI && self.lambda < 1.0 {
             SMALL * self.v0
@@ -275,7 +272,6 @@ impl ConstantProblem {
     }
 }
 
-/// Requires an angle in (−π, π] and a moment that can be.
 pub(super) fn check_moment(theta0: f64, at: At) -> Result<(), SolveError> {
     let fit = theta0 > -PI && theta0 <= PI;
     check("theta0", theta0, fit, "in (−π, π]")?;
@@ -286,7 +282,6 @@ pub(super) fn check_moment(theta0: f64, at: At) -> Result<(), SolveError> {
     }
 }
 
-/// The error of an angle that the velocity never has.
 fn unreached(theta: f64, theta0: f64) -> SolveError {
     SolveError::Parameter {
         name: "theta",
@@ -302,8 +297,7 @@ fn last_angle(theta0: f64) -> f64 {
     if theta0 == PI { PI } else { 0.0 }
 }
 
-/// The formulas of section 2.1 for one launch, in numbers of twice the width: rounding is no part of what they say.
-/// Section 3 uses them too.
+/// The formulas of section 2.1 for one launch, in numbers of twice the width; section 3 uses them too.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Formulas {
     pub(super) lambda: Double,
@@ -312,7 +306,6 @@ pub(super) struct Formulas {
     pub(super) theta0: Double,
 }
 
-/// A state by the formulas.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Exactly {
     pub(super) v: Double,
@@ -380,7 +373,6 @@ impl Formulas {
         .map(|part| part * v0.squared() / a)
     }
 
-    /// Whether the launch is straight against the inertial force: at the angle that stands for π.
     fn straight_against(&self) -> bool {
         self.theta0.to_f64() == PI
     }
@@ -400,13 +392,11 @@ impl Formulas {
         }
     }
 
-    /// At rest: the angle is what it tended to.
     fn stopped(&self, t: Double, place: [Double; 2]) -> Exactly {
         let theta = last_angle(self.theta0.to_f64());
         self.state(0.0.into(), theta.into(), t, place)
     }
 
-    /// On the axis from the start: before the stop if there is one, and after it.
     fn on_axis(&self, t: Double) -> Exactly {
         let Formulas {
             lambda,
@@ -416,7 +406,6 @@ impl Formulas {
         } = *self;
         let (one, two, zero) = (Double::from(1.0), Double::from(2.0), 0.0.into());
         let stop = v0 / (a * (lambda + one));
-        // The mean speed for so long, along x.
         let way = |speed: Double, lasts: Double| [speed / two * lasts, zero];
         if let Some(end) = self.stop_time().filter(|end| *end <= t) {
             let sense = if theta0 == zero { v0 } else { -v0 };
@@ -438,13 +427,12 @@ impl Formulas {
         self.theta0.to_f64() == 0.0 || self.straight_against()
     }
 
-    /// Where tan(θ/2) has fallen to a part of its initial value, by the logarithm of that part.
+    /// By the logarithm of the part to which tan(θ/2) has fallen.
     fn at_log(&self, ln_r: Double, theta: Double, t: Double) -> Exactly {
         let v = corrected::speed_by_log(self.lambda, self.v0, self.theta0, ln_r);
         self.state(v, theta, t, self.place(ln_r))
     }
 
-    /// The state at a moment.
     pub(super) fn at(&self, at: At<Double>) -> Result<Exactly, SolveError> {
         match at {
             At::Theta(theta) => self.at_theta(theta),
@@ -540,7 +528,7 @@ impl Formulas {
 }
 
 impl ConstantProblem {
-    /// Which formulas gave a state: the printed ones if they give it too.
+    /// The printed formulas, if they give the state too.
     fn note(&self, state: &ConstantState) -> String {
         let ConstantProblem {
             lambda,

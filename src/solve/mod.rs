@@ -1,11 +1,11 @@
 //! Calculators at the reader's own parameters, one per topic.
 //!
-//! Each answers twice: by the paper's formula, corrected where the printed one fails, in numbers of twice the width, and
-//! by the motion, which knows no formula. Both meet here, so that an answer says how far they differ and how many of its
-//! digits are to be believed. Where there is no formula, two integrations of the motion take the two places.
+//! Each answers twice: by the paper's formula, corrected where the printed one fails, in numbers of twice the width,
+//! and by the motion, which knows no formula; without a formula, by two integrations of the motion. How far the two
+//! differ says how many digits are to be believed.
 //!
-//! Cost: each answer is that of a few motions, which have their [limits](crate::motion): milliseconds as a rule, some tenths
-//! of a second on the turntable's boundary.
+//! Cost: a few motions, which have their [limits](crate::motion): milliseconds as a rule, some tenths of a second on
+//! the turntable's boundary.
 //!
 #![doc = include_str!("axes/library.md")]
 //!
@@ -108,7 +108,6 @@ pub trait Quantity: Copy + Into<Double> + Into<f64> {}
 
 impl<T: Copy + Into<Double> + Into<f64>> Quantity for T {}
 
-/// Requires that a parameter is fit.
 fn check(name: &'static str, value: f64, fit: bool, allowed: &str) -> Result<(), SolveError> {
     if fit {
         Ok(())
@@ -197,7 +196,6 @@ impl Field {
         Self::within(0.0, name, value)
     }
 
-    /// A quantity that is a part of something of size `scale`.
     fn within(scale: f64, name: &'static str, value: impl Into<Value>) -> Self {
         let value = value.into();
         Field {
@@ -213,17 +211,15 @@ impl Field {
         }
     }
 
-    /// The same with a unit.
     fn of(self, unit: &'static str) -> Self {
         Field { unit, ..self }
     }
 
-    /// The same, where what is smaller than this is not compared.
     fn unseen_below(self, unseen: f64) -> Self {
         Field { unseen, ..self }
     }
 
-    /// The same, as a difference of numbers of this size.
+    /// A difference of numbers of this size.
     fn out_of(self, size: f64) -> Self {
         Field {
             lost: self.lost + ROUNDED * size,
@@ -240,7 +236,6 @@ impl Field {
         }
     }
 
-    /// The same to so many digits.
     fn rounded(self, digits: u32) -> Self {
         let Value::Number(x) = self.value else {
             return self;
@@ -278,7 +273,7 @@ impl Field {
         }
     }
 
-    /// The difference from the same quantity found otherwise, relative to its size; 1 where only one is a number. Words do not count.
+    /// Relative to its size; 1 where only one is a number. Words do not count.
     fn difference(&self, other: &Field) -> f64 {
         match (self.value, other.value) {
             (Value::Number(a), Value::Number(b)) if a == b => 0.0,
@@ -292,7 +287,6 @@ impl Field {
         }
     }
 
-    /// Whether a reader sees that it is another one.
     fn is_seen_beside(&self, other: &Field) -> bool {
         match (self.value, other.value) {
             (Value::Word(a), Value::Word(b)) => a != b,
@@ -318,9 +312,9 @@ pub struct Answer<T> {
     pub by_motion: Option<T>,
     /// The largest relative difference between the two ways.
     pub disagreement: Option<f64>,
-    /// How many significant digits of every number are to be believed: all fifteen, where the two ways differ by no more
-    /// than the rounding of the worse one explains, else those in which they agree. Those of a component count beside
-    /// the length of its vector. Nothing where the answer has no number.
+    /// Significant digits of every number that are to be believed: all fifteen where the two ways differ by no more
+    /// than the rounding of the worse one explains, else those in which they agree. Those of a component count
+    /// beside the length of its vector. Nothing where the answer has no number.
     pub digits: Option<u32>,
     /// What the answer rests on, in words.
     pub note: String,
@@ -344,20 +338,17 @@ const PHASES: f64 = 1e-13;
 /// What a hundred roundings take from a number of twice the width.
 const ROUNDED: f64 = 1e-29;
 
-/// Where that shows.
 const NEXT_TO_IT: &str =
     "the motion is that of the floating-point numbers next to what is given, and here that shows";
 
 /// A relative error below this cannot be told from rounding.
 const ROUNDING: f64 = 1e-15;
 
-/// What a formula says in numbers of twice the width.
+/// What a formula says in numbers of twice the width: for what is given, rounded to `f64` and nudged.
 struct Said<T> {
-    /// For what is given,
     given: T,
-    /// for that rounded to `f64`,
     rounded: T,
-    /// and for that nudged, where that is in range.
+    /// Where that is in range.
     beside: Vec<T>,
 }
 
@@ -374,10 +365,10 @@ impl<T> Said<T> {
 }
 
 impl<T: Fields + Clone> Answer<T> {
-    /// From a formula and the motion in `f64`, twice over in different units. Where the motion differs from the formula by
-    /// no more than it does from itself, or than the formula does for parameters next to the given ones, or nowhere by
-    /// more than `rounding`, what the formula says is known to all digits that it [keeps](Field::lost); else to those in
-    /// which the two agree.
+    /// From a formula and the motion in `f64`, twice over in different units. All digits that the formula
+    /// [keeps](Field::lost) are known where the motion differs from it by no more than from itself, or than the
+    /// formula does for parameters next to the given ones, or nowhere by more than `rounding`; else those in which
+    /// the two agree.
     fn by_both(
         said: Said<T>,
         motions: [T; 2],
@@ -404,7 +395,6 @@ impl<T: Fields + Clone> Answer<T> {
             found.difference(&rounded[i]) <= CLOSE + noise
         };
         let explained = of_no_size || theirs.iter().enumerate().all(explained);
-        // As far as parameters next to the given ones move the formula.
         let mut next = beside.iter().chain([&rounded]);
         let shows = next.any(|there| {
             let mut all = ours.iter().zip(there).zip(&theirs);
@@ -426,7 +416,7 @@ impl<T: Fields + Clone> Answer<T> {
         })
     }
 
-    /// From a formula and, where it gets there, a motion, as for [`by_both`](Self::by_both).
+    /// As [`by_both`](Self::by_both), if the motion gets there.
     fn by_either(
         said: Said<T>,
         motions: Option<[T; 2]>,
@@ -460,9 +450,9 @@ impl<T: Fields + Clone> Answer<T> {
         })
     }
 
-    /// From a motion in numbers of twice the width and a second one in `f64`. What changes the start changes each field of
-    /// the first by as much as `nudged` says, for a nudge by 10⁻²⁸, and `rounded`, for its rounding to `f64`: all digits
-    /// that the nudge leaves are known, unless the second way differs by more than the narrower numbers explain.
+    /// From a motion in numbers of twice the width and one in `f64`. By `nudged` and `rounded` each field of the
+    /// first changes for a nudge of the start by 10⁻²⁸ and for its rounding to `f64`: all digits that the nudge
+    /// leaves are known, unless the second way differs by more than the narrower numbers explain.
     fn by_wide_motion(
         best: T,
         second: &T,
@@ -511,7 +501,6 @@ impl<T: Fields + Clone> Answer<T> {
     }
 }
 
-/// Significant digits that a relative error leaves.
 fn digits(error: f64) -> u32 {
     libm::floor(-libm::log10(error.clamp(ROUNDING, 1.0))) as u32
 }
@@ -535,7 +524,6 @@ fn power_of_ten(x: f64) -> i64 {
     power.and_then(Result::ok).unwrap_or(0)
 }
 
-/// The digits that rounding leaves of every number, in numbers of twice the width.
 fn kept(fields: &[Field]) -> u32 {
     let parts = fields.iter().map(|field| field.part(field.lost));
     digits(parts.fold(0.0, f64::max))
@@ -558,7 +546,7 @@ pub struct Curve {
     pub points: Vec<[f64; 2]>,
 }
 
-/// From 0 to `end` in equal steps, both ends included.
+/// In equal steps, both ends included.
 fn steps(end: f64, count: u32) -> impl Iterator<Item = f64> {
     (0..=count).map(move |i| end * (f64::from(i) / f64::from(count)))
 }

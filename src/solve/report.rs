@@ -36,7 +36,6 @@ impl Serialize for Value {
     }
 }
 
-/// Fields as an object.
 struct Object<'a>(&'a [Field]);
 
 impl Serialize for Object<'_> {
@@ -45,7 +44,6 @@ impl Serialize for Object<'_> {
     }
 }
 
-/// The units of fields as an object.
 struct Units<'a>(&'a [Field]);
 
 impl Serialize for Units<'_> {

@@ -217,7 +217,6 @@ mod tests {
             difference,
             (by_formula - answer.best.a).abs() / by_formula.max(answer.best.a)
         );
-        // What the expansion leaves out.
         assert!(difference > 1e-12 && difference < 5.2e-3);
     }
 

@@ -153,7 +153,6 @@ impl Slip {
         }
     }
 
-    /// The velocity after the way `x`.
     pub(super) fn w(&self, x: Double) -> Double {
         let (half, two) = ((x * 0.5.into()).sin(), Double::from(2.0));
         self.cosine * two * half * half + self.sine * sine_less(x) + (self.sine - self.lambda) * x
@@ -233,7 +232,7 @@ fn tail(mut term: Double, square: Double, mut n: f64) -> Double {
     sum
 }
 
-/// The large-time motion of a drive under the friction `lambda0` both ways, and the same in other units.
+/// Under the friction `lambda0` both ways; the second in other units.
 pub(super) fn swings(
     h: impl Fn(f64) -> f64,
     jumps: &[f64],
@@ -251,7 +250,6 @@ pub(super) fn swings(
     Ok([in_units(1.0)?, in_units(UNITS)?])
 }
 
-/// The particle at rest for ever.
 pub(super) const AT_REST: Swing = Swing {
     regime: "rest",
     positive_start: None,
@@ -267,10 +265,9 @@ pub(super) fn friction(name: &'static str, value: f64) -> Result<(), SolveError>
     check(name, value, fit, allowed)
 }
 
-/// Periods that may be followed.
 const PERIODS: u32 = 1000;
 
-/// The large-time motion of a drive whose mean is zero, from rest at φ = 0.
+/// Of mean zero, from rest at φ = 0.
 pub(super) fn settle(drive: &Drive, friction: Friction) -> Result<Attractor<'_>, SolveError> {
     let start = DriveState { phi: 0.0, w: 0.0 };
     match drive.attractor(friction, start, PERIODS)? {
@@ -279,7 +276,6 @@ pub(super) fn settle(drive: &Drive, friction: Friction) -> Result<Attractor<'_>,
     }
 }
 
-/// What a simulated motion is.
 pub(super) fn swing(motion: &Attractor<'_>) -> Swing {
     let intervals = motion.intervals();
     let of = |sign| intervals.iter().filter(move |i| i.sign == sign);

@@ -47,7 +47,6 @@ pub struct SphereState {
     pub zeta: [f64; 2],
     /// When slipping ends and rolling begins, if it does.
     pub rolls_at: Option<f64>,
-    /// The slip at the start.
     u0: f64,
     /// As for [`ConstantState`](super::constant::ConstantState).
     turning: f64,
@@ -188,7 +187,6 @@ impl SphereProblem {
         check_moment(self.theta0, self.at)
     }
 
-    /// See [`SphereState::turning`].
     fn turning(&self) -> f64 {
         if self.theta0 == PI && self.gamma > self.b() {
             SMALL * self.u0
@@ -216,7 +214,6 @@ impl SphereProblem {
         there.is_ok_and(|there| there.u <= ROUNDING * self.u0)
     }
 
-    /// The slip at the start.
     fn start(&self) -> [f64; 2] {
         let sine = match self.theta0 {
             PI => 0.0,

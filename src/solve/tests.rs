@@ -7,7 +7,6 @@ mod turntable;
 
 use super::*;
 
-/// An answer of one number.
 #[derive(Clone, Debug)]
 struct One(f64);
 

@@ -285,7 +285,6 @@ impl<T: Quantity> TurntableProblem<T> {
         })
     }
 
-    /// The same in `f64`.
     fn near(&self) -> TurntableProblem {
         let near = |x: T| -> f64 { x.into() };
         match *self {
@@ -306,7 +305,6 @@ impl<T: Quantity> TurntableProblem<T> {
         }
     }
 
-    /// The start in numbers of twice the width.
     fn exact(&self) -> Exact<Double> {
         let wide = |x: T| -> Double { x.into() };
         match *self {
@@ -325,7 +323,7 @@ impl<T: Quantity> TurntableProblem<T> {
         }
     }
 
-    /// The direction of the velocity at the start; that away from the axis for a start from rest.
+    /// At the start; away from the axis for a start from rest.
     fn direction(&self) -> [Double; 2] {
         let away = [1.0, 0.0].map(Double::from);
         let unit = |vector: [T; 2]| {
@@ -347,7 +345,7 @@ impl<T: Quantity> TurntableProblem<T> {
         }
     }
 
-    /// A state in the table's axes: x, y, v_x, v_y, ρ, p, ψ.
+    /// x, y, v_x, v_y, ρ, p, ψ in the table's axes.
     fn seen(&self, parts: &Parts<Double>) -> [Double; 7] {
         let [along, across] = self.direction();
         let (c, s) = (Scalar::cos(parts.turned), Scalar::sin(parts.turned));
@@ -426,7 +424,6 @@ const ORDER: usize = 44;
 /// A change of this part of a start shows how many digits of the answer hang on the digits of the integration, which
 /// loses less than that.
 const NUDGE: f64 = 1e-28;
-/// Terms of those of `f64`.
 const NARROW: usize = TERMS;
 /// Below this speed the motion in the laboratory, a difference, has too few digits, and that in the table's axes.
 const AT_ITS_STOP: f64 = 1e-5;
@@ -434,5 +431,4 @@ const AT_ITS_STOP: f64 = 1e-5;
 const SLOW: f64 = 0.01;
 /// So long a time of an escape is drawn.
 const ESCAPE_SHOWN: f64 = 12.0;
-/// What the answers rest on.
 const NOTE: &str = "by the motion, integrated along the velocity in numbers of 31 digits; the digits are those that a change of the start by 10⁻²⁸ does not touch, and a second integration agrees";

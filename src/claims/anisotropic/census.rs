@@ -100,7 +100,6 @@ pub fn count(largest_q: f64) -> Result<Count, Failure> {
 }
 
 impl Count {
-    /// The count with one more column.
     fn with(self, column: &Column) -> Self {
         let words = listed_digits();
         let wrong = |list: &dyn Fn(f64) -> Option<usize>| {
@@ -165,7 +164,6 @@ mod tests {
         assert_eq!(before.with(&Column { q, cells }), expected);
     }
 
-    /// The kind of motion does not depend on the start.
     #[test]
     fn other_starts_lead_to_the_same_kind() {
         use super::super::simulated::{attractor_from, own_digits};

@@ -1,14 +1,12 @@
 //! Section 2.4, for all q ≥ 1: how many roots the curves' equations have, and the order of the curves.
 //!
-//! B and E are parametrised by β = asin(qλ₀) between 0 and π/2, in which the arcs of Newton's law have slopes
-//! everywhere: from α = asin λ₀ to π + β for B, to 2π − β for E. That these arcs are the differences of the sides of
-//! (54) and of E is proved in [`exact`](mod@super::exact), and that they rise or fall all the way in `arcs`; every certificate asks
-//! for both first. So each curve has one root at most.
-//!
-//! B's arc is positive at β = 0 and falls; E's is λ₀ times what is −2π there and grows. At β = π/2 both arcs end at 3π/2 and are
-//! the same function c of q, which is zero at q_Y only, where it changes from negative to positive. So B has one root for
-//! q < q_Y and none beyond, E none before q_Y and one beyond. A root of (53) there is for every q, as its left side falls
-//! from ∞ to 0.
+//! B and E are parametrised by β = asin(qλ₀) between 0 and π/2, in which the arcs of Newton's law, from α = asin λ₀
+//! to π + β for B and to 2π − β for E, have slopes everywhere. [`exact`](mod@super::exact) proves that they are the
+//! differences of the sides of (54) and of E, `arcs` that they rise or fall all the way, so that each curve has one
+//! root at most. B's arc is positive at β = 0 and falls; E's is λ₀ times what is −2π there and grows. At β = π/2
+//! both are one function c of q, which is zero at q_Y only, where it changes from negative to positive: B has one
+//! root for q < q_Y and none beyond, E none before and one beyond. (53) has a root for every q, as its left side
+//! falls from ∞ to 0.
 
 pub(super) mod arcs;
 pub(crate) mod points;
@@ -40,7 +38,6 @@ fn arc_to<S: Scalar>(edge: Edge, [q, beta]: [S; 2]) -> S {
     arc(lambda0.asin(), end, lambda0)
 }
 
-/// The certificate, if all of the algebra holds that it rests on.
 fn given(algebra: &[Proof], certificate: impl FnOnce() -> Outcome) -> Outcome {
     match algebra.iter().find(|proof| !proof.holds()) {
         None => certificate(),
@@ -87,12 +84,10 @@ fn prove_e(sides: [Expr; 2]) -> Outcome {
     prove_curve(&algebra_of_e(sides))
 }
 
-/// For B and for E, by the algebra of the curve.
 fn prove_curve(algebra: &[Proof]) -> Outcome {
     given(algebra, at_y)
 }
 
-/// What a certificate shows that rests on this algebra.
 fn shows(
     algebra: &[Proof],
     subject: Subject,
@@ -103,7 +98,6 @@ fn shows(
     citing(algebra, certified(proof, subject, Compared::shown(clause)))
 }
 
-/// What decides B and E beside their algebra.
 fn at_y() -> Outcome {
     prove_corner(q_y()?)
 }
@@ -157,7 +151,6 @@ fn prove_order(on_a: fn(Jet<1>) -> Jet<1>, on_c: fn(Expr) -> Expr) -> Outcome {
     Ok(equal + b + e + prove_a_lowest(on_a)?)
 }
 
-/// The motion in each region.
 fn regions() -> [Proof; 5] {
     [
         motions::FIRST.proof(),
@@ -235,7 +228,6 @@ mod tests {
         refused(prove_a_lowest(|q| {
             on_a(q) * Jet::int(1001) / Jet::int(1000)
         }));
-        // A with the right side's sign changed.
         let [left, right] = exact::sides_of_a();
         assert!(!arcs::a_falls([left, -right]).holds());
         refused(prove_order(on_a, |q| q));
@@ -244,7 +236,6 @@ mod tests {
 
     #[test]
     fn the_arc_far_out_is_that_of_e() {
-        // By 1/q and λ₀q², and by β.
         for (q, beta) in [(1.5, 0.3), (6.0, 1.0), (50.0, 0.02)] {
             let lambda0 = libm::sin(beta) / q;
             let far = arcs::e_beyond([1.0 / q, lambda0 * q * q]);

@@ -19,7 +19,6 @@ fn at(start: DriveState) -> String {
     format!("start φ = {:.6}, 𝔴 = {:.6}", start.phi, start.w)
 }
 
-/// (57) with a change of the motion with equal frictions.
 fn x(change_of: &'static str, holds: fn(&[Interval]) -> bool) -> Evidence {
     const EQUAL: &str = r"the $\lambda_0$ at which, for $q=1$, ";
     const X: [&str; 3] = [r"$\lambda_0$ of X", "", ""];
@@ -38,7 +37,6 @@ fn x(change_of: &'static str, holds: fn(&[Interval]) -> bool) -> Evidence {
 
 const SIMULATED_Y: &str = r"the point of $q\lambda_0=1$ at which the simulated forward motion ends at the drive's minimum";
 
-/// Y from (54) and (55), to all digits, with Y by simulation.
 pub(super) fn y_digits() -> Evidence {
     Trial::by(
         Root,
@@ -57,13 +55,12 @@ pub(super) fn y_digits() -> Evidence {
     })
 }
 
-/// The q of Y by simulation, from several starts.
 static SIMULATED_POINTS: Runs<Vec<(DriveState, f64)>> = Runs::new(|| {
     let point = |start| simulated_y(start).map(|q| (start, q));
     every(starts().map(point))
 });
 
-/// Y from the printed formulas, NaN if they have no common point.
+/// NaN if they have no common point.
 fn printed_y() -> f64 {
     touching().unwrap_or(f64::NAN)
 }
@@ -92,7 +89,6 @@ fn y_curvature() -> Evidence {
     })
 }
 
-/// So many steps towards a limit.
 fn steps() -> Vec<f64> {
     Points::here().grid((0..24).map(f64::from))
 }
@@ -106,7 +102,6 @@ fn opening(eta: f64) -> Result<[f64; 2], Failure> {
 
 attempts![
     x_root = x("a rest appears", restless),
-    // (58) with Y by simulation, from several starts.
     y_decimals = {
         let [q, lambda0] = printed::eq58_y();
         let both = |start| [(start, true), (start, false)];
@@ -123,7 +118,6 @@ attempts![
             },
         )
     },
-    // (58) with the place to which region II narrows along qλ₀ = 1 − η.
     y_limit = Trial::by(
         Limit,
         Printed,
@@ -145,7 +139,6 @@ attempts![
     }),
     x_both = x("direct reversals end", reverses),
     y_digits,
-    // Both coordinates of Y by the length x of its forward slip, with tan x = x.
     y_by_slip = {
         let trial = Trial::by(
             Root,

@@ -13,7 +13,7 @@ const EQ55: Law = ("(55)", printed::eq55_lambda0);
 const EQ56: Law = ("(56)", |_| printed::eq56_lambda0());
 const E: Law = ("the root of E", on_b_or_e);
 
-/// λ₀ on (54); NaN where it has no root.
+/// NaN where (54) has no root.
 fn on_b(q: f64) -> f64 {
     curve_b(q).unwrap_or_default().unwrap_or(f64::NAN)
 }
@@ -46,7 +46,6 @@ const fn lambda0_of(law: &'static str, change: &'static str) -> Compared {
     Compared::composed([law, "", ""], [r"the $\lambda_0$ ", change, ""])
 }
 
-/// A formula's λ₀ with the λ₀ at which the simulation changes, at those q that are wanted.
 fn change(
     subject: Subject,
     wanted: fn(&Row) -> bool,
@@ -74,13 +73,11 @@ fn over<const N: usize>(
     })
 }
 
-/// How far from a change the motion is looked at.
 const DISTANCES: [f64; 3] = [1e-3, 1e-6, 1e-9];
 
 const PRINTED: (&str, fn(f64) -> Regions) = ("the printed list", printed_list);
 const CORRECTED: (&str, fn(f64) -> Regions) = ("the corrected list", corrected_list);
 
-/// The words of a list with the simulated motion, on both sides of a λ₀.
 fn sides(
     subject: Subject,
     (name, list): (&'static str, fn(f64) -> Regions),
@@ -176,7 +173,6 @@ attempts![
     eq56_census = sides(Printed, PRINTED, everywhere, MOTION),
     e_root = change(Corrected, beyond_y, E, REVERSAL),
     e_census = sides(Corrected, CORRECTED, everywhere, REVERSAL),
-    // E for large q, and its asymptotic form.
     e_limit = {
         let trial = Trial::by(
             Limit,

@@ -6,19 +6,16 @@ use super::prelude::*;
 use super::rows::FAR_ROWS;
 use super::simulated::fits;
 
-/// One point of the census in a map: q and λ₀, found and printed region.
+/// q and λ₀, found and printed region.
 pub(crate) type Cell = ([f64; 2], usize, Option<usize>);
 
-/// A part of the plane.
 #[derive(Debug, Clone)]
 pub(crate) struct Map {
-    /// The curves, in order of q.
+    /// In order of q.
     pub curves: Vec<Curves>,
-    /// The ends along q.
     pub q: (f64, f64),
-    /// The ends along λ₀.
     pub lambda0: (f64, f64),
-    /// The points, one in each cell, row by row from the lowest λ₀.
+    /// One in each cell, row by row from the lowest λ₀.
     pub cells: Vec<Cell>,
 }
 
@@ -27,9 +24,6 @@ fn inside((low, high): (f64, f64), at: f64) -> bool {
 }
 
 /// The census cells of these columns and of the lowest `rows` rows, with the curves over them, Y included.
-///
-/// # Errors
-/// As [`census::columns`].
 pub(crate) fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, Failure> {
     let all = census::columns()?;
     let chosen: &[Column] = all.get(columns.clone()).ok_or("no such columns")?;
@@ -66,31 +60,24 @@ pub(crate) fn map(columns: std::ops::Range<usize>, rows: usize) -> Result<Map, F
 }
 
 /// The points X and Y as (q, λ₀), to all digits.
-///
-/// # Errors
-/// As [`touching`].
 pub(crate) fn corners() -> Result<[[f64; 2]; 2], Failure> {
     let y = touching()?;
     Ok([printed::eq57_x(), [y, printed::eq55_lambda0(y)]])
 }
 
-/// How far the particle creeps and what it loses, over a part of the plane.
 #[derive(Debug, Clone)]
 pub(crate) struct Budgets {
-    /// The ratios q, rising.
+    /// Rising.
     pub q: Vec<f64>,
-    /// The frictions λ₀, rising.
+    /// Rising.
     pub lambda0: Vec<f64>,
-    /// The curves at these q.
+    /// At these q.
     pub curves: Vec<Curves>,
     /// The mean velocity and what friction takes in a period, by the motion, for each q in turn at all λ₀.
     pub found: Vec<Vec<[f64; 2]>>,
 }
 
-/// Drift and loss by simulation at the points of a grid.
-///
-/// # Errors
-/// A motion that does not become periodic.
+/// By simulation at the points of a grid.
 pub(crate) fn budgets() -> Result<Budgets, Failure> {
     let q: Vec<f64> = (0..=120).map(|i| 1.0 + f64::from(i) / 20.0).collect();
     let lambda0: Vec<f64> = (1..=48).map(|i| f64::from(i) / 40.0).collect();
@@ -110,9 +97,6 @@ pub(crate) fn budgets() -> Result<Budgets, Failure> {
 }
 
 /// (φ, 𝔴) over two periods in each panel of fig-6: equal steps and the ends of the intervals.
-///
-/// # Errors
-/// A motion that does not become periodic.
 pub(crate) fn waves() -> Result<Vec<Vec<[f64; 2]>>, Failure> {
     let wave = |panel| -> Result<Vec<[f64; 2]>, Failure> {
         let motion = motion(panel, START)?;
@@ -133,11 +117,8 @@ pub(crate) fn on_e(curves: &corrected::Curves) -> Option<f64> {
     curves.c.is_none().then_some(curves.b_or_e)
 }
 
-/// Rows from q = 1 to 20,000, about equally far apart on a logarithmic scale: some of those that were tried, and
-/// a few between them.
-///
-/// # Errors
-/// Those of the rows.
+/// From q = 1 to 20,000, about equally far apart on a logarithmic scale: some of those that were tried, and a few
+/// between them.
 pub(crate) fn boundaries() -> Result<Vec<Row>, Failure> {
     let mut all = every(rows().chain(FAR_ROWS.each()).map(|row| row.copied()))?;
     for k in 0..14 {

@@ -23,10 +23,8 @@ impl Budget {
     }
 }
 
-/// Half the length of the slip that begins at rest at the phase `from` ≤ π/2 under the friction `lambda` ≤ sin(from).
-///
-/// # Errors
-/// A value that is not a number, which does not happen for 0 < λ < 1.
+/// Half the length of the slip that begins at rest at the phase `from` ≤ π/2 under the friction `lambda` ≤
+/// sin(from).
 fn half_length(lambda: f64, from: f64) -> Result<f64, Failure> {
     let start = libm::asin(lambda);
     let w = |k: f64| libm::sin(from + k) * libm::sin(k) - lambda * k;
@@ -35,7 +33,7 @@ fn half_length(lambda: f64, from: f64) -> Result<f64, Failure> {
     Ok(root(w, fastest, last)?)
 }
 
-/// The distance of a slip that begins where a rest ends.
+/// Of a slip that begins where a rest ends.
 fn from_rest(lambda: f64) -> Result<f64, Failure> {
     Ok(slip_distance(
         lambda,
@@ -84,7 +82,7 @@ mod tests {
     use crate::motion::drive::{Interval, Sign};
     use crate::numerics::quadrature::integral_within;
 
-    /// Points all over the plane, a few hundred of each region but V.
+    /// A few hundred of each region but V.
     fn points() -> Vec<(f64, f64)> {
         let mut random = fastrand::Rng::with_seed(24);
         let mut points = Vec::new();

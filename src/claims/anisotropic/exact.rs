@@ -1,12 +1,12 @@
 //! Section 2.4, exactly: the rates, the curves A, B and E, their meeting points, the touch at Y, the mirror.
 //!
-//! The curves are written with the angles α = asin λ₀ and β = asin(qλ₀), so that both sides of a printed formula
-//! are rational in the tangents of half these angles. An arc from rest at φ₀ is ∫ (sin φ ∓ λ±) dφ =
-//! cos φ₀ − cos φ ∓ λ± (φ − φ₀); that, and no formula of the paper, is what the curves are held against.
+//! With α = asin λ₀ and β = asin(qλ₀) both sides of a printed formula are rational in the tangents of half these
+//! angles. The curves are held against an arc from rest at φ₀, ∫ (sin φ ∓ λ±) dφ = cos φ₀ − cos φ ∓ λ± (φ − φ₀), and
+//! against no formula of the paper.
 
 use super::prelude::*;
 
-/// A ring with the friction of forward motion as sin α and that of backward motion as sin β.
+/// With the friction of forward motion as sin α and that of backward motion as sin β.
 pub(super) fn frictions() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     for (angle, friction) in [("α", "λ₀"), ("β", "qλ₀")] {
@@ -24,12 +24,10 @@ pub(super) fn frictions() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// Writes down which angles α and β are.
 pub(super) fn with_angles(p: &mut Prover<'_>) {
     p.remark("Let sin α = λ₀ and sin β = qλ₀, with α and β between 0 and π/2");
 }
 
-/// The same for one of them.
 pub(super) fn with_angle(p: &mut Prover<'_>, [angle, friction]: [&str; 2]) {
     p.remark(&format!(
         "Let sin {angle} = {friction}, with {angle} between 0 and π/2"
@@ -86,7 +84,6 @@ fn prove_rates(definitions: [Expr; 4], rates: [Expr; 2]) -> Proof {
     })
 }
 
-/// (47) to (50) by the use made of them: with them Newton's law becomes (51) and (52).
 pub(crate) const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
     Printed,
     Compared::one("Newton's law in the symbols (47) to (50)", "(51) and (52)"),
@@ -94,7 +91,6 @@ pub(crate) const DEFINED: Statement<([Expr; 4], [Expr; 2])> = Statement::new(
     |(a, b)| prove_rates(a, b),
 );
 
-/// (53): forward motion from φ = α, where a rest would end, for 2K; backward motion for the rest of the period.
 pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     let balance = || {
         let mut ring = Ring::new();
@@ -132,7 +128,6 @@ pub(super) fn prove_eq53(k_formula: Expr, [left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// (54): forward motion from α ends where backward motion could begin, at π + β.
 pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("(54): curve B", frictions(), |p| {
         with_angles(p);
@@ -147,7 +142,6 @@ pub(super) fn prove_eq54([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// E: forward motion from α ends where backward motion could begin for the last time, at 2π − β.
 pub(super) fn prove_e([left, right]: [Expr; 2]) -> Proof {
     Proof::in_ring("Curve E", frictions(), |p| {
         with_angles(p);
@@ -174,7 +168,6 @@ pub(super) fn sides_of_e() -> [Expr; 2] {
     corrected::e_sides(lambda0, q_lambda0)
 }
 
-/// (57): at q = 1 the two curves are one condition, which only the printed λ₀ meets.
 pub(crate) const X: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one("X", "(53) and (54) at $q=1$"),
@@ -220,7 +213,6 @@ pub(crate) const X: Statement<[Expr; 2]> = Statement::new(
     },
 );
 
-/// The touch at Y.
 pub(crate) const Y: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one(
@@ -349,7 +341,6 @@ fn prove_start(title: &str, rate: Expr, excess: Expr, square: Expr) -> Proof {
     })
 }
 
-/// The mirror takes each printed rate into the other.
 fn prove_mirror(([forward, backward], [other_q, other_lambda0]): ([Expr; 2], [Expr; 2])) -> Proof {
     Proof::in_ring("The mirror", plane(), |p| {
         let [phi] = symbols(["φ"]);
@@ -376,7 +367,6 @@ pub(super) fn printed_rates() -> [Expr; 2] {
     [printed::eq51_rate::tree(), printed::eq52_rate::tree()]
 }
 
-/// E, as the condition that a forward arc ends at 2π − asin(qλ₀).
 pub(crate) const E: Statement<[Expr; 2]> = Statement::new(
     Corrected,
     Compared::one(
@@ -388,7 +378,6 @@ pub(crate) const E: Statement<[Expr; 2]> = Statement::new(
 )
 .of_a_part();
 
-/// The mirror.
 pub(crate) const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
     Printed,
     Compared::many(
@@ -401,7 +390,6 @@ pub(crate) const MIRROR: Statement<([Expr; 2], [Expr; 2])> = Statement::new(
 
 attempts![
     &DEFINED,
-    // (51).
     &EQ51 = Statement::new(
         Printed,
         Compared::one(
@@ -411,7 +399,6 @@ attempts![
         printed::eq51_rate::tree,
         |formula| prove_rates(definitions(), [formula, printed_rates()[1]]),
     ),
-    // (52).
     &EQ52 = Statement::new(
         Printed,
         Compared::one(
@@ -421,7 +408,6 @@ attempts![
         printed::eq52_rate::tree,
         |formula| prove_rates(definitions(), [printed_rates()[0], formula]),
     ),
-    // (53).
     &EQ53 = Statement::new(
         Printed,
         Compared::one(
@@ -431,7 +417,6 @@ attempts![
         || (printed::eq53_k::tree(), sides_of_a()),
         |(a, b)| prove_eq53(a, b),
     ),
-    // (54), as the condition that a forward arc ends at π + asin(qλ₀).
     &EQ54 = Statement::new(
         Printed,
         Compared::one(

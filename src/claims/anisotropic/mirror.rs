@@ -9,7 +9,6 @@ fn small_ratio(points: &mut Points) -> (f64, f64) {
     (q, points.uniform(0.0, 1.4) / q)
 }
 
-/// A motion with q < 1 from any start, and its mirror image with 1/q, some time later.
 pub(super) fn integration() -> Evidence {
     let trial = Trial::motion(
         Printed,
@@ -61,7 +60,6 @@ pub(super) fn integration() -> Evidence {
     })
 }
 
-/// The intervals with q < 1, forward and backward exchanged, in the region list at (1/q, qλ₀).
 pub(super) fn census() -> Evidence {
     let trial = Trial::census(
         Printed,

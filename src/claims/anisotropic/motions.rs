@@ -16,7 +16,6 @@ type Sides = [Expr; 2];
 /// K of (53), and its sides.
 type CurveA = (Expr, Sides);
 
-/// Region I.
 pub(crate) const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::shown(
     Printed,
     r"for every $q\ge1$ and $0<\lambda_0$ below A: from $m-K$ forward, from $m+K$ backward, with $\sin m=\lambda_0K/\sin K$, $\pi/2<m<\pi$, is a motion without rest, to which every motion along $x$ is drawn; the drive exceeds friction at both phases",
@@ -24,7 +23,6 @@ pub(crate) const FIRST: Statement<(Rates, CurveA, [Expr; 2])> = Statement::shown
     first,
 );
 
-/// Region II, as corrected.
 pub(crate) const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Statement::shown(
     Corrected,
     r"for every $q\ge1$ and $\lambda_0$ above A, below B if $q\le q_Y$ and below E if $q>q_Y$: forward from $\sin^{-1}\lambda_0$, at once backward, then rest; between E and C forward, then rest; every motion along $x$ is drawn to this one",
@@ -43,7 +41,6 @@ pub(crate) const SECOND: Statement<(Rates, CurveA, [Sides; 2], Lists)> = Stateme
 /// The signs of region II and of region IV.
 type Lists = ([Expr; 3], [Expr; 2]);
 
-/// Region III.
 pub(crate) const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::shown(
     Printed,
     r"for every $1\le q<q_Y$ and $\lambda_0$ between B and C: forward from $\sin^{-1}\lambda_0$, rest, backward from $\pi+\sin^{-1}(q\lambda_0)$, rest; every motion along $x$ is drawn to this one",
@@ -58,7 +55,6 @@ pub(crate) const THIRD: Statement<(Rates, Sides, Expr, [Expr; 4])> = Statement::
     |(rates, b, c, signs)| third(rates, b, c, signs),
 );
 
-/// Region IV.
 pub(crate) const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::shown(
     Printed,
     r"for every $q\ge1$ and $1/q<\lambda_0<1$: forward from $\sin^{-1}\lambda_0$, then rest; every motion along $x$ is drawn to this one",
@@ -69,7 +65,6 @@ pub(crate) const FOURTH: Statement<(Rates, [Expr; 2], [Expr; 2])> = Statement::s
     |(rates, curves, signs)| fourth(rates, curves, signs),
 );
 
-/// Region V.
 pub(crate) const FIFTH: Statement<(Rates, Expr, [Expr; 1])> = Statement::shown(
     Printed,
     r"for every $q\ge1$ and $\lambda_0>1$ the rates (51) and (52) oppose the motion by $\lambda_0-1$ at least: from every velocity along $x$ the particle is at rest after a finite time, and stays",
@@ -109,7 +104,6 @@ fn listed<const N: usize>(
     Ok(())
 }
 
-/// All motions of one drive come together, in one that repeats itself.
 fn drawn([forward, backward]: Rates) -> Proof {
     Proof::in_ring(
         "Every motion is drawn to the one that repeats itself",
@@ -162,7 +156,6 @@ fn slips() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// A slip in the ring of both frictions: its rate as a product, and the velocity that it leads to.
 fn slip(
     title: &str,
     rate: Expr,
@@ -193,7 +186,6 @@ fn slip(
     })
 }
 
-/// Forward motion.
 fn forward_slip(rate: Expr) -> Proof {
     let [phi, alpha, lambda0] = symbols(["φ", "α", "λ₀"]);
     let product = 2 * ((phi + alpha) / 2).cos() * ((phi - alpha) / 2).sin();
@@ -210,7 +202,6 @@ fn forward_slip(rate: Expr) -> Proof {
     )
 }
 
-/// Backward motion.
 fn backward_slip(rate: Expr) -> Proof {
     let [phi, beta, q_lambda0] = symbols(["φ", "β", "qλ₀"]);
     let product = 2 * ((phi + beta) / 2).sin() * ((phi - beta) / 2).cos();
@@ -233,7 +224,6 @@ fn rests_on_slips(p: &mut Prover<'_>, rates: Rates) -> Result<(), Obstacle> {
     p.rests_on(&backward_slip(rates[1]))
 }
 
-/// That an angle with this sine exists below A: 1 less the square of the sine.
 fn middle([left, right]: Sides) -> Proof {
     let ring = || {
         let mut ring = Ring::new();

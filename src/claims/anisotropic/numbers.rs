@@ -4,7 +4,7 @@ use super::prelude::*;
 use super::simulated;
 use crate::validated::numbers;
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// In the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 3] = [
     Numbers::new(
         "s24-region-2",
@@ -27,7 +27,6 @@ pub(super) static CASES: [Numbers; 3] = [
     ),
 ];
 
-/// The numbers by which claims can be found.
 pub(super) static VALUES: [Number; 13] = [
     Number::new("y-q-printed", || Ok(printed::eq58_y::<f64>()[0])),
     Number::new("y-lambda-printed", || Ok(printed::eq58_y::<f64>()[1])),
@@ -44,13 +43,11 @@ pub(super) static VALUES: [Number; 13] = [
     Number::enclosed("curve-e-12", numbers::E_12),
 ];
 
-/// The region that the printed list gives to a point.
 fn printed_region(q: f64, lambda0: f64) -> Result<usize, Failure> {
     let region = printed::region(lambda0, &Curves::at(q)?.printed);
     Ok(region.ok_or("the point lies on a curve")?)
 }
 
-/// The number of backward intervals among those of a period.
 fn backward(signs: &[f64]) -> f64 {
     signs.iter().filter(|sign| **sign < 0.0).count() as f64
 }

@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::simulated::own_digits;
 
-/// The panels: (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
+/// (q, λ₀), one in each of the regions I to V, where the motion stays within the mark.
 pub(crate) const PANELS: [(f64, f64); 5] = [
     (1.2, 0.35),
     (2.0, 0.38),
@@ -15,14 +15,12 @@ pub(crate) const PANELS: [(f64, f64); 5] = [
 /// The mark that the panels' vertical axis bears.
 pub(crate) const TOP: f64 = 1.0;
 
-/// An interval of the motion as the printed words and rates have it.
 struct Stretch {
     sign: f64,
     start: f64,
     end: f64,
 }
 
-/// A printed rate and the friction in it.
 struct Rates {
     q: f64,
     lambda0: f64,
@@ -44,14 +42,13 @@ impl Rates {
         Ok(integral_within(|x| self.of(sign, x), start, phi, 1e-13)?.value)
     }
 
-    /// Where a motion that begins at `start` ends: its first zero after its extremum at `turn`.
+    /// The first zero of a motion from rest at `start` after its extremum at `turn`.
     fn stop(&self, sign: f64, start: f64, turn: f64) -> Result<f64, Failure> {
         // A failure of the quadrature inside becomes NaN, which the root-finder reports.
         let w = |phi| self.w(sign, start, phi).unwrap_or(f64::NAN);
         Ok(root(w, turn.max(start), start + TAU)?)
     }
 
-    /// The intervals of a period with these signs.
     fn period(&self, signs: &[f64]) -> Result<Vec<Stretch>, Failure> {
         let plus = libm::asin(self.lambda0.min(1.0));
         let minus = libm::asin((self.q * self.lambda0).min(1.0));
@@ -92,7 +89,6 @@ impl Rates {
     }
 }
 
-/// 𝔴(φ) over two periods, as the region's words and the printed rates have it, with the simulation.
 pub(crate) fn quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Printed,
@@ -127,16 +123,11 @@ pub(crate) fn quadrature() -> Evidence {
     })
 }
 
-/// The simulated motion of a panel.
-///
-/// # Errors
-/// A motion that does not become periodic.
 pub(crate) fn motion(panel: usize, start: DriveState) -> Result<Attractor<'static>, Failure> {
     let (q, lambda0) = PANELS[panel];
     attractor_from(start, Friction::new(lambda0, q * lambda0)?)
 }
 
-/// The intervals in each panel, and whether the motion stays within the mark, from several starts.
 pub(crate) fn census() -> Evidence {
     let trial = Trial::census(
         Printed,

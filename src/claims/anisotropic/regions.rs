@@ -7,8 +7,8 @@ use super::simulated::{Regions, curves_as_corrected, curves_as_printed, orders, 
 /// What a claim says of λ₀ at one q, in digits: NaN if it has no value; none if it says nothing.
 type Says = Box<dyn Fn(f64) -> Option<f64>>;
 
-/// Every point of the census of which `wanted` holds, by its q, λ₀ and motion, and those next to one: what is said of it
-/// with what was simulated. Where nothing is said, that agrees.
+/// Every point of the census of which `wanted` holds, by its q, λ₀ and motion, and those next to one. Where nothing
+/// is said, that agrees.
 fn census(
     trial: &Trial,
     wanted: impl Fn(f64, f64, f64) -> bool,
@@ -52,7 +52,6 @@ const BESIDE: usize = 2;
 /// One point in so many is put first.
 const GENERIC: usize = 997;
 
-/// What the words of one region say where a list has it.
 fn words_of(region: usize, list: Regions) -> Says {
     let words = listed_digits()[region - 1];
     Box::new(move |lambda0| match list(lambda0) {
@@ -61,13 +60,11 @@ fn words_of(region: usize, list: Regions) -> Says {
     })
 }
 
-/// What the words of all regions say where a list has them.
 fn all_words(list: Regions) -> Says {
     let words = listed_digits();
     Box::new(move |lambda0| Some(list(lambda0).map_or(f64::NAN, |region| words[region - 1])))
 }
 
-/// A region of a list, where the motion has the digits `own` and beside.
 fn one_census(
     subject: Subject,
     list: (&'static str, fn(f64) -> Regions),
@@ -88,7 +85,6 @@ const AS_PRINTED: (&str, fn(f64) -> Regions) =
 const AS_CORRECTED: (&str, fn(f64) -> Regions) =
     ("in the region as corrected and next to it", corrected_list);
 
-/// A stated λ₀ with the one of a row's changes that it is about.
 fn beside(row: &Row, name: &str, stated: f64, which: usize) -> Pair {
     let found = row.changes.upwards()[which];
     Pair {
@@ -99,7 +95,6 @@ fn beside(row: &Row, name: &str, stated: f64, which: usize) -> Pair {
     }
 }
 
-/// The ends of a region along λ₀ with the ends of its kind of motion.
 fn ends(
     subject: Subject,
     (name, list): (&'static str, fn(&Row) -> [f64; 4]),
@@ -131,7 +126,7 @@ fn ends(
     })
 }
 
-/// The upper ends of the regions I to IV by the printed list. Without B, II reaches up to C and III is empty.
+/// Of the regions I to IV. Without B, II reaches up to C and III is empty.
 fn printed_bounds(row: &Row) -> [f64; 4] {
     let bounds = curves_as_printed(row.q).map(|curves| {
         let c = curves.c;
@@ -140,7 +135,6 @@ fn printed_bounds(row: &Row) -> [f64; 4] {
     bounds.unwrap_or([f64::NAN; 4])
 }
 
-/// The same by the corrected list.
 fn corrected_bounds(row: &Row) -> [f64; 4] {
     let bounds = curves_as_corrected(row.q).map(|curves| {
         let c = curves.c.unwrap_or(curves.b_or_e);
@@ -171,12 +165,11 @@ fn begins_at_c(row: &Row) -> bool {
     row.q > 1.0 && row.before_y
 }
 
-/// Where the motion of IV begins below C.
 fn begins_below_c(row: &Row) -> bool {
     !row.before_y
 }
 
-/// What region II has too much: between E and C.
+/// Between E and C.
 fn beyond_e(subject: Subject) -> Evidence {
     let compared =
         orders("the words of IV").over("between E and C; elsewhere beyond Y this says nothing");
@@ -204,7 +197,6 @@ fn beyond_e(subject: Subject) -> Evidence {
 /// The axes of the diagram end here.
 pub(super) const LARGEST_Q: f64 = 7.0;
 
-/// The printed diagram at the points of the census.
 pub(super) fn diagram() -> Evidence {
     let trial = Trial::census(
         Printed,
@@ -214,7 +206,6 @@ pub(super) fn diagram() -> Evidence {
     census(&trial, |q, _, _| q <= LARGEST_Q, says)
 }
 
-/// The corrected diagram farther out.
 pub(super) fn far() -> Evidence {
     let points = Points::here().within(1000, [[12.0, 30.0], [1e-6, 1.0]]);
     Trial::census(Corrected, orders("the corrected diagram")).at(
@@ -232,7 +223,6 @@ pub(super) fn far() -> Evidence {
 attempts![
     first_census = one_census(Printed, AS_PRINTED, 1, 31.0),
     first_ends = ends(Printed, PRINTED, 1, everywhere),
-    // Region I without friction.
     first_outside = {
         let trial = Trial::census(
             Outside,
@@ -261,7 +251,6 @@ attempts![
     fifth_census = one_census(Printed, AS_PRINTED, 5, 2.0),
     fifth_ends = ends(Printed, PRINTED, 5, everywhere),
     diagram,
-    // The corrected diagram at all points of the census.
     corrected_diagram = {
         let trial = Trial::census(
             Corrected,
@@ -271,7 +260,6 @@ attempts![
         census(&trial, |_, _, _| true, says)
     },
     far,
-    // The corrected diagram's curves with the changes of the motion, none left out.
     corrected_curves = {
         let trial = Trial::by(
             Root,
@@ -291,8 +279,6 @@ attempts![
                 .collect())
         })
     },
-    // The diagram by the list: a vertical line at q crosses A, B, C and D in this order, and enters the next region at each.
-    // Where B has ended, it enters two at C.
     diagram_step = {
         let trial = Trial::census(
             Step,

@@ -4,22 +4,16 @@ use super::prelude::*;
 use super::simulated::Changes;
 use crate::numerics::fit::fit;
 
-/// One q and what the simulation finds there.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Row {
-    /// The ratio q.
     pub q: f64,
     /// Whether it lies before that of Y.
     pub before_y: bool,
-    /// The changes of the motion.
     pub changes: Changes,
 }
 
 impl Row {
-    /// The row of this q, its changes sought from `low` up.
-    ///
-    /// # Errors
-    /// As [`Changes::at`].
+    /// Its changes are sought from `low` up.
     pub(crate) fn at(q: f64, low: f64) -> Result<Self, Failure> {
         Ok(Row {
             q,
@@ -29,8 +23,8 @@ impl Row {
     }
 }
 
-/// The values of q at which the curves are tried: generic ones first, then the edges, close to the end of B
-/// on both sides, and the whole range, the part with B more densely.
+/// Generic ones first, then the edges, close to the end of B on both sides, and the whole range, the part with B
+/// more densely.
 fn ratios() -> Vec<f64> {
     let mut list = vec![
         2.0,
@@ -61,13 +55,12 @@ fn ratios() -> Vec<f64> {
     Points::here().grid(list)
 }
 
-/// Rows for all values of q at which the curves are tried.
 pub(crate) fn rows() -> impl Iterator<Item = Result<&'static Row, Failure>> {
     static ROWS: Runs<Vec<Row>> = Runs::new(|| all_rows(&ratios(), 1e-9));
     ROWS.each()
 }
 
-/// Rows far out, q from 200 to 20,000.
+/// q from 200 to 20,000.
 pub(crate) static FAR_ROWS: Runs<Vec<Row>> = Runs::new(|| {
     let q = (0..=20).map(|k| 200.0 * libm::exp10(f64::from(k) / 10.0));
     all_rows(&Points::here().grid(q), 1e-12)
@@ -81,9 +74,7 @@ fn all_rows(ratios: &[f64], low: f64) -> Result<Vec<Row>, Failure> {
 /// A power law λ₀ = prefactor · (q + 1)^exponent, with standard errors.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PowerLaw {
-    /// The exponent and its error.
     pub exponent: (f64, f64),
-    /// The prefactor and its error.
     pub prefactor: (f64, f64),
 }
 
@@ -99,9 +90,6 @@ const TERMS: [&dyn Fn(f64) -> f64; 5] = [
 /// The laws by which, far out, the onset of rest and the end of direct reversals fall with q, measured on the
 /// simulation. The next terms of the logarithm, of order q⁻² to q⁻⁴, are fitted along; to the fit's standard error
 /// is added what leaving out the last of them changes.
-///
-/// # Errors
-/// Those of the rows.
 pub(crate) fn far_laws() -> Result<[PowerLaw; 2], Failure> {
     let rows = every(FAR_ROWS.each())?;
     let law = |height: fn(&Changes) -> f64| -> Result<PowerLaw, Failure> {

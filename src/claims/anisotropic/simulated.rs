@@ -140,8 +140,8 @@ fn difference([left, right]: [f64; 2]) -> f64 {
     left - right
 }
 
-/// The largest λ₀ with qλ₀ ≤ 1. In floating point too: relative to itself, 1/q is off by less than half the step that
-/// follows 1, so that its product with q is not rounded to more than 1.
+/// The largest λ₀ with qλ₀ ≤ 1, in floating point too: 1/q is off by less than half the step that follows 1, so that
+/// its product with q is not rounded to more than 1.
 fn largest(q: f64) -> f64 {
     1.0 / q
 }
@@ -267,7 +267,6 @@ pub fn last_backward(q: f64) -> Result<f64, Failure> {
     change(q, 1e-9, START, backward)
 }
 
-/// Whether there is backward motion.
 fn backward(list: &[Interval]) -> bool {
     list.iter().any(|i| i.sign == Sign::Negative)
 }

@@ -34,7 +34,6 @@ fn slips() -> Vec<(f64, f64, Sign)> {
     slips
 }
 
-/// How far a slip goes, by how long it takes.
 pub(super) fn distances() -> Evidence {
     let trial = Trial::motion(
         Remark,
@@ -61,7 +60,6 @@ pub(super) fn distances() -> Evidence {
     })
 }
 
-/// How fast the particle creeps where it never rests, and what friction takes, by (53)'s K.
 pub(super) fn without_rest() -> Evidence {
     let trial = Trial::motion(Remark, Compared::many(
         r"the mean velocity $-\cos K\sqrt{1-(\lambda_0K/\sin K)^2}$ and what friction takes in a period, $2(1+q)\lambda_0\sin K$ times that root, with $K$ of (53),",

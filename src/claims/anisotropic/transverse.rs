@@ -76,17 +76,14 @@ fn followed(
 /// To these the logarithms are followed: whether they grow, and whether they go below every number, needs no more.
 const DIGITS: f64 = 1e-6;
 
-/// Pieces of the way that a motion may have.
 const PIECES: usize = 20_000;
 
-/// Periods that it is followed at most.
 const PERIODS: f64 = 60.0;
 
 fn start(points: &mut Points) -> [f64; 2] {
     [points.uniform(-1.0, 1.0), points.log_uniform(0.05, 1.0)]
 }
 
-/// What is left in the end.
 pub(super) fn vanishes() -> Evidence {
     Trial::by(
         Limit,
@@ -110,7 +107,6 @@ pub(super) fn vanishes() -> Evidence {
     })
 }
 
-/// A friction, a start and the states of the motion.
 #[derive(Debug)]
 struct Slowed {
     rough: Rough,
@@ -118,7 +114,6 @@ struct Slowed {
     states: Vec<Logarithms>,
 }
 
-/// On the way it never grows.
 fn never_grows() -> Evidence {
     let trial = Trial::census(
         Printed,
@@ -157,7 +152,6 @@ fn lets_grow(rough: &Rough, [a, b, phi]: Logarithms) -> bool {
     general::eq1_velocity_rate(drive, rough.towards(theta), 1.0, v)[1] > 0.0
 }
 
-/// Without friction it keeps its value.
 pub(super) fn outside() -> Evidence {
     Trial::by(
         Integration,

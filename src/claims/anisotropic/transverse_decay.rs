@@ -4,7 +4,6 @@ use super::prelude::*;
 use crate::claims::general::chains::{decays, ring_across};
 use crate::claims::general::two_frames::eq1;
 
-/// v_y → 0.
 pub(super) const VY_VANISHES: Statement<([Expr; 2], Expr)> = Statement::shown(
     Within,
     r"with $\bm A$ along $x$, $\lvert\bm A\rvert\le a$, and in (1) a coefficient $\mu\ge m>0$ that may change with the direction of the velocity and with time: $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2mg/a}$ never grows, so that $v_y\to0$ from every start",

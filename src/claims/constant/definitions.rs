@@ -8,7 +8,6 @@ fn along_alone(v: [f64; 2]) -> f64 {
 }
 
 attempts![
-    // (3): a particle at rest on a smooth plane is left behind, against this acceleration.
     eq3 = {
         let trial = Trial::consistency(
             Printed,
@@ -29,7 +28,6 @@ attempts![
             })
         })
     },
-    // (4): the angle of the vector built from v and θ is θ, its length v.
     eq4 = Trial::consistency(
         Printed,
         [
@@ -46,7 +44,6 @@ attempts![
             found,
         ])
     }),
-    // (5): motions with the same λ are the same in units of v₀ and A, whatever μ, g and A are.
     eq5 = {
         let trial = Trial::consistency(
             Printed,

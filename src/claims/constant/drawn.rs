@@ -2,14 +2,12 @@
 
 use super::prelude::*;
 
-/// A motion in units of v₀ and A.
+/// In units of v₀ and A.
 #[derive(Debug, Clone)]
 pub(crate) struct Curve {
-    /// Friction λ.
     pub lambda: f64,
-    /// Initial angle θ₀.
     pub theta0: f64,
-    /// The motion; to rest for λ > 1, else for a while.
+    /// To rest for λ > 1, else for a while.
     pub motion: Motion,
 }
 
@@ -23,7 +21,6 @@ const WHILE: f64 = 8.0;
 /// The velocity in units of v₀ that the inertial force less friction gives in the time shown in fig-1, λ < 1.
 const GAIN: f64 = 2.0;
 
-/// One motion with v₀ = A = 1.
 pub(crate) fn curve(lambda: f64, theta0: f64) -> Result<Curve, MotionError> {
     curve_until(lambda, theta0, WHILE)
 }
@@ -42,7 +39,7 @@ fn curve_until(lambda: f64, theta0: f64, until: f64) -> Result<Curve, MotionErro
     })
 }
 
-/// The curves of one panel of fig-1: eight launch angles for each λ.
+/// Eight launch angles for each λ.
 pub(crate) fn panel(lambdas: &[f64]) -> Result<Vec<Curve>, MotionError> {
     let angles = (0..8).map(|i| (f64::from(i) - 3.5) * PI / 4.0);
     let pairs = angles.flat_map(|theta0| lambdas.iter().map(move |&lambda| (lambda, theta0)));
@@ -66,7 +63,6 @@ fn both_panels() -> impl Iterator<Item = Result<Curve, Failure>> {
         .flat_map(|lambdas| parts(panel(&lambdas)))
 }
 
-/// Every drawn point with (11) at its angle.
 pub(crate) fn points() -> Evidence {
     Trial::motion(
         Printed,
@@ -93,7 +89,6 @@ pub(crate) fn points() -> Evidence {
     })
 }
 
-/// How the curves end: in panel (a) the particle still moves, in panel (b) it rests.
 pub(crate) fn ends() -> Evidence {
     let trial = Trial::census(
         Printed,

@@ -1,8 +1,8 @@
-//! Constant acceleration, exactly: proofs of (6) to (20) from Newton's law (1).
+//! Constant acceleration, exactly: proofs of (6) to (20) from Newton's law (1) with A = −A x̂ and v = v (cos θ, sin
+//! θ).
 //!
-//! Only Newton's law with A = −A x̂ and v = v (cos θ, sin θ) is entered here; the printed formulas come from
-//! [`crate::paper::constant`], as trees. What needs a power or the logarithm of tan(θ/2) holds for 0 < θ, θ₀ < π, where it is
-//! positive; what needs powers of the quotient of two only, for both signs of the angles.
+//! What needs a power or the logarithm of tan(θ/2) holds for 0 < θ, θ₀ < π, where it is positive; what needs powers
+//! of the quotient of two only, for both signs of the angles.
 
 pub(crate) mod alignment;
 pub(crate) mod cases;
@@ -45,7 +45,6 @@ const fn by_newton(subject: Subject, formula: fn() -> Expr, prove: fn(Expr) -> P
     Statement::new(subject, compared, formula, prove)
 }
 
-/// Newton's law in a ring.
 #[derive(Debug)]
 struct Newton {
     ring: Ring,

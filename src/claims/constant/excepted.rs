@@ -20,7 +20,6 @@ pub(in crate::claims) fn half() -> Interval {
     Interval::ratio(1, 2)
 }
 
-/// The angle 2π/3, whose cosine is −½.
 pub(in crate::claims) fn two_thirds() -> Interval {
     Interval::pi() * Interval::ratio(2, 3)
 }
@@ -122,7 +121,6 @@ attempts![
         &[[1.0, PI]],
         |start| start != [1.0, PI],
     ),
-    // Starts straight against the inertial force.
     large_friction = no_inside(
         "a start",
         r"$\theta_0=\pi$",

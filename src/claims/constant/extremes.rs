@@ -29,7 +29,6 @@ fn last_slope(stop: &Stop) -> f64 {
 }
 
 attempts![
-    // λ ≤ 1: the angle that is left when the time is a hundred million times v₀/A.
     small_friction_limit = {
         let at = |aligned: &Aligned| aligned.start.at();
         Trial::by(
@@ -42,7 +41,6 @@ attempts![
             Ok([printed::s21_late_angle(), aligned.angle, 1.0])
         })
     },
-    // λ ≤ 1: on the way the angle only ever falls, and the particle keeps moving; for λ > 1 it does not.
     small_friction_census = {
         let trial = Trial::census(
             Within,
@@ -134,7 +132,6 @@ attempts![
             Ok([stated, found, scale])
         })
     },
-    // λ > 1 and θ₀ = π: the particle stops without turning.
     large_friction_outside = {
         let backwards = only(STOPS.each(), |s| {
             s.start.is_straight() && s.start.theta0 != 0.0

@@ -34,7 +34,7 @@ fn by_motion(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2], Failu
     Ok(run(&plane, lambda, start, LATE)?.end().v)
 }
 
-/// The particle's velocity V and the plane's U = 𝐀t in the laboratory, where friction alone acts.
+/// V, and U = 𝐀t; friction alone acts there.
 fn in_the_laboratory(lambda: f64, pull: [f64; 2], v: [f64; 2]) -> Result<[f64; 2], Failure> {
     let relative = |t: f64, y: &[f64; 2]| [y[0] - pull[0] * t, y[1] - pull[1] * t];
     let rate = |t: f64, y: &[f64; 2]| {

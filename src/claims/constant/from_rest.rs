@@ -35,7 +35,6 @@ fn around_one() -> Vec<[f64; 2]> {
     frictions.into_iter().map(|lambda| [lambda, 1.0]).collect()
 }
 
-/// λ < 1: as fast as the law along the line has it.
 pub(super) fn velocity() -> Evidence {
     let launches = Points::here().within(40, [[0.0, 2.0], [0.1, 5.0]]);
     Trial::motion(

@@ -7,7 +7,6 @@ use super::prelude::*;
 /// What is read from a turn: stated, found, and the scale in units of A (1 + λ).
 type Reading = fn(&Turn) -> [f64; 3];
 
-/// A printed rate with that of the motion.
 fn rates(compared: Compared, reading: Reading) -> Evidence {
     // Later, the time itself is too coarse for differences.
     let turning = turns_where(|turn| turn.v > 0.01 * turn.v0).map(|turn| turn.copied());
@@ -21,7 +20,6 @@ fn rates(compared: Compared, reading: Reading) -> Evidence {
     )
 }
 
-/// (10): the invariant at θ over that at θ₀.
 fn eq10(subject: Subject, wanted: fn(&Turn) -> bool) -> Evidence {
     Trial::motion(
         subject,
@@ -85,7 +83,6 @@ attempts![
             ))
         })
     },
-    // (9), integrated over the angle.
     eq9_quadrature = Trial::quadrature(
         Within,
         [

@@ -1,6 +1,5 @@
-//! The inclined plane, in three dimensions: weight, normal force and friction. It is the case A = g sin β,
-//! λ = μ cot β of section 2.1. Of the claim that the article on the inclined plane agrees it is a part: that its formulas
-//! are right too is not known here.
+//! The inclined plane, in three dimensions, as the case A = g sin β, λ = μ cot β of section 2.1. It is a part of the
+//! claim that the article on the inclined plane agrees: that its formulas are right too is not known here.
 
 use super::prelude::*;
 use crate::paper::general;
@@ -8,13 +7,12 @@ use nalgebra::Vector3;
 
 type Vector = Vector3<f64>;
 
-/// A vector turned by an angle about a unit vector, after Rodrigues.
+/// After Rodrigues.
 fn turned(vector: Vector, axis: Vector, angle: f64) -> Vector {
     let (sine, cosine) = (libm::sin(angle), libm::cos(angle));
     cosine * vector + sine * axis.cross(&vector) + (1.0 - cosine) * axis.dot(&vector) * axis
 }
 
-/// A plane tilted by β about a horizontal axis, and a particle on it.
 struct Incline {
     g: f64,
     mu: f64,
@@ -48,7 +46,7 @@ impl Incline {
         }
     }
 
-    /// Weight, normal force and friction on a unit mass that slides with velocity `v`.
+    /// On a unit mass that slides with velocity `v`.
     fn acceleration(&self, v: Vector) -> Vector {
         let weight = -self.g * Vector::z();
         let push = -weight.dot(&self.normal);
@@ -143,7 +141,6 @@ fn same_motion() -> Evidence {
     })
 }
 
-/// (6) and (7) with the forces on the incline.
 pub(super) fn forces() -> Evidence {
     let trial = Trial::consistency(
         Printed,
@@ -170,7 +167,6 @@ pub(super) fn forces() -> Evidence {
 }
 
 attempts![
-    // (1), with 𝐀 = −g sin β down the slope and μ cos β for μ, with the forces on the incline.
     eq1 = {
         let trial = Trial::consistency(
             Printed,

@@ -6,7 +6,6 @@ use crate::motion::Launch;
 use crate::numerics::NumericsError;
 use std::cell::Cell;
 
-/// Values of an integrand that are asked for at most.
 const EVALUATIONS: usize = 20_000;
 
 /// A launch, and the moment at which the velocity has turned to θ.
@@ -14,24 +13,17 @@ const EVALUATIONS: usize = 20_000;
 pub(crate) struct Turn {
     /// Friction λ = μg/A.
     pub lambda: f64,
-    /// The plane's acceleration A.
     pub a: f64,
-    /// Initial speed v₀.
     pub v0: f64,
-    /// Initial angle θ₀.
     pub theta0: f64,
-    /// The later angle θ.
     pub theta: f64,
-    /// The time at which it is reached.
     pub t: f64,
-    /// The speed there.
     pub v: f64,
-    /// The rate of the velocity there, by differences.
+    /// dv/dt there, by differences.
     pub rate: [f64; 2],
 }
 
 impl Turn {
-    /// The velocity at the launch.
     pub(crate) fn velocity0(&self) -> Result<[f64; 2], MotionError> {
         Ok(self.checked()?.velocity())
     }
@@ -41,7 +33,6 @@ impl Turn {
         self.theta0 == 0.0 || self.theta0 == PI
     }
 
-    /// A printed formula for the speed, at this turn.
     pub(crate) fn formula(&self, speed: fn(Double, Double, Double, Double) -> Double) -> Double {
         let [lambda, v0, theta0, theta] =
             [self.lambda, self.v0, self.theta0, self.theta].map(Double::from);
@@ -78,19 +69,19 @@ impl Turn {
         Scalar::tan(self.theta / 2.0) / Scalar::tan(self.theta0 / 2.0)
     }
 
-    /// True where (13), the time, has a value.
     pub(crate) fn has_a_time(&self) -> bool {
         self.lambda != 1.0 && self.lambda + libm::cos(self.theta0) != 0.0
     }
 
-    /// True where that growth costs at most two digits or so; the other points are left to other routes.
+    /// True where [`condition`](Self::condition) costs at most two digits or so; the other points are left to other
+    /// routes.
     pub(crate) fn is_gentle(&self) -> bool {
         self.condition() < 300.0
     }
 
-    /// ∫ f dθ from θ₀ to θ, to within `enough`. With y = ln tan(θ/2), dθ = sin θ dy: in y, what is a power of the
-    /// tangent is an exponential function, and smooth however steep. Of a wrong law that may be otherwise: what is not known
-    /// after twenty thousand of its values has none.
+    /// ∫ f dθ from θ₀ to θ, to within `enough`, in y = ln tan(θ/2) with dθ = sin θ dy: there a power of the tangent
+    /// is an exponential function, smooth however steep. A wrong law may have no integral after its twenty thousand
+    /// values.
     pub(crate) fn integral(
         &self,
         f: impl Fn(f64) -> f64,
@@ -127,8 +118,8 @@ impl Turn {
         self.lambda + libm::tanh(y)
     }
 
-    /// The speed when the velocity has turned into the line of the acceleration, by the same law; for λ = 1, with which it
-    /// keeps that speed.
+    /// The speed when the velocity has turned into the line of the acceleration; for λ = 1, with which it keeps that
+    /// speed.
     pub(crate) fn last_speed_over_the_angle(&self) -> Result<f64, NumericsError> {
         let rate = |y: f64| self.along(y);
         // At y = −20 the tangent is 1e-9, and ln v is its square away from the last one.
@@ -136,7 +127,6 @@ impl Turn {
         Ok(self.v0 * libm::exp(fall.value))
     }
 
-    /// The time in which ln tan(θ/2) changes by `ln_fall`.
     pub(crate) fn time_over_the_angle(&self, ln_fall: f64) -> Result<f64, NumericsError> {
         let start = self.start_over_the_angle();
         let rate = |s: f64, [ln_v, _]: &[f64; 2]| [-self.along(start - s), libm::exp(*ln_v)];
@@ -144,22 +134,19 @@ impl Turn {
         Ok(time * self.v0 / self.a)
     }
 
-    /// The time at which A t/v₀ has this value.
     pub(crate) fn time(&self, units: f64) -> f64 {
         units * self.v0 / self.a
     }
 
-    /// The motion from the launch until a time.
     pub(crate) fn motion(&self, until: f64) -> Result<Motion, MotionError> {
         self.checked()?.motion(until)
     }
 
-    /// The motion from the launch until it stops; for λ > 1.
+    /// For λ > 1.
     pub(crate) fn motion_to_rest(&self) -> Result<Motion, MotionError> {
         self.checked()?.motion_to_rest()
     }
 
-    /// A launch that has not turned yet.
     pub(crate) fn launch(lambda: f64, a: f64, v0: f64, theta0: f64) -> Self {
         Turn {
             lambda,
@@ -177,7 +164,6 @@ impl Turn {
         Launch::new(self.lambda, self.a, self.v0, self.theta0)
     }
 
-    /// The point in the claim's own symbols.
     pub(crate) fn at(&self) -> String {
         let Turn {
             lambda,
@@ -191,17 +177,14 @@ impl Turn {
     }
 }
 
-/// Every turn.
 pub(crate) static TURNS: Runs<Vec<Turn>> = Runs::new(|| every(launches().into_iter().map(turn)));
 
-/// Those turns of which `wanted` holds.
 pub(crate) fn turns_where(
     wanted: impl Fn(&Turn) -> bool,
 ) -> impl Iterator<Item = Result<&'static Turn, Failure>> {
     only(TURNS.each(), move |turn| wanted(turn))
 }
 
-/// Friction: from no friction to thirty times the acceleration, the critical value and its neighbours.
 const LAMBDAS: [f64; 10] = [
     0.0,
     1e-6,
@@ -215,7 +198,6 @@ const LAMBDAS: [f64; 10] = [
     30.0,
 ];
 
-/// Initial angles: near both ends and in between.
 const ANGLES: [f64; 7] = [1e-6, 0.4, 1.3, PI / 2.0, 2.2, 3.0, PI - 1e-6];
 
 /// (λ, A, v₀, θ₀, θ): the edges of the domain, launches with cos θ₀ = −λ and nearly so, turns to where the
@@ -263,7 +245,6 @@ fn launches() -> Vec<[f64; 5]> {
     launches
 }
 
-/// Follows a launch until its velocity points along θ.
 fn turn([lambda, a, v0, theta0, theta]: [f64; 5]) -> Result<Turn, MotionError> {
     let launch = Turn::launch(lambda, a, v0, theta0);
     let mut until = 4.0 * v0 / a;
@@ -293,7 +274,7 @@ fn turn([lambda, a, v0, theta0, theta]: [f64; 5]) -> Result<Turn, MotionError> {
     })
 }
 
-/// dv/dt of a motion by central differences of fourth order.
+/// By central differences of fourth order.
 fn rate(motion: &Motion, t: f64, h: f64) -> Result<[f64; 2], MotionError> {
     let difference = |h: f64| -> Result<[f64; 2], MotionError> {
         let (after, before) = (motion.at(t + h)?.v, motion.at(t - h)?.v);
@@ -303,14 +284,12 @@ fn rate(motion: &Motion, t: f64, h: f64) -> Result<[f64; 2], MotionError> {
     Ok([0, 1].map(|i| (4.0 * near[i] - far[i]) / 3.0))
 }
 
-/// A launch with any A and v₀.
 fn at_random(lambda: f64, theta0: f64, points: &mut Points) -> Turn {
     let [a, v0] = [0.1, 0.1].map(|low| points.log_uniform(low, 10.0));
     Turn::launch(lambda, a, v0, theta0)
 }
 
-/// The times of those stops with λ > 1.1, over the angle; later than forty times the time in which the speed falls to an
-/// e-th nothing is left.
+/// Over the angle, for λ > 1.1; later than forty times the time in which the speed falls to an e-th nothing is left.
 pub(crate) static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
     let starts = every(STOPS.each())?.into_iter().map(|stop| stop.start);
     every(starts.filter(|start| start.lambda > 1.1).map(|start| {
@@ -319,7 +298,7 @@ pub(crate) static STOPS_OVER_THE_ANGLE: Runs<Vec<(Turn, f64)>> = Runs::new(|| {
     }))
 });
 
-/// Turns so far round that next to no angle is left: below, at and above the critical friction.
+/// Below, at and above the critical friction, so far round that next to no angle is left.
 pub(crate) static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
     let mut points = Points::here();
     every((0..60).map(|i| {
@@ -339,7 +318,7 @@ pub(crate) static LATE_TURNS: Runs<Vec<Turn>> = Runs::new(|| {
     }))
 });
 
-/// Launches exactly along the line of the acceleration, half a unit of time later: the angle has stayed.
+/// Half a unit of time later: the angle has stayed.
 pub(crate) fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
     let mut points = Points::here();
     (0..40).map(move |i| {
@@ -361,7 +340,7 @@ pub(crate) fn straight() -> impl Iterator<Item = Result<Turn, Failure>> {
     })
 }
 
-/// Motions with λ < 1 at the angle where cos θ = −λ.
+/// For λ < 1, where cos θ = −λ.
 pub(crate) fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionError>> {
     let mut points = Points::here();
     (0..40).map(move |_| {
@@ -378,7 +357,6 @@ pub(crate) fn turns_to_the_gap() -> impl Iterator<Item = Result<Turn, MotionErro
     })
 }
 
-/// Turns at λ = 1.
 pub(crate) fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>> {
     let mut points = Points::here();
     (0..1000).map(move |_| {
@@ -394,7 +372,6 @@ pub(crate) fn critical_turns() -> impl Iterator<Item = Result<Turn, MotionError>
     })
 }
 
-/// Flights without friction, with the state at a later time.
 pub(crate) fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     let mut points = Points::here();
     (0..1000).map(move |i| {
@@ -416,7 +393,6 @@ pub(crate) fn frictionless() -> impl Iterator<Item = Result<(Turn, State), Failu
 /// Units v₀/A of time after which a motion at λ = 1 has settled: v_y falls as exp(−A t/v_x(∞)), v_x(∞) ≤ v₀.
 const LATE: f64 = 40.0;
 
-/// Motions at λ = 1 after so long a time.
 pub(crate) static SETTLED: Runs<Vec<(Turn, State)>> = Runs::new(|| every(all_settled()));
 
 fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
@@ -435,25 +411,21 @@ fn all_settled() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     })
 }
 
-/// A launch with λ > 1 and its end.
 #[derive(Debug, Clone)]
 pub(crate) struct Stop {
-    /// The launch.
     pub start: Turn,
-    /// The states at the ends of the integrator's steps.
+    /// At the ends of the integrator's steps.
     pub nodes: Vec<State>,
-    /// When it stops.
     pub t: f64,
 }
 
 impl Stop {
-    /// Its start in the paper's symbols.
     pub(crate) fn at(&self) -> String {
         self.start.at()
     }
 }
 
-/// Launches with λ > 1, from both ends of the angles and from friction just above the critical one, to rest.
+/// From both ends of the angles and from friction just above the critical one.
 pub(crate) static STOPS: Runs<Vec<Stop>> = Runs::new(|| every(all_stops()));
 
 fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
@@ -485,25 +457,22 @@ fn all_stops() -> impl Iterator<Item = Result<Stop, Failure>> {
 /// A launch with λ ≤ 1, followed for a hundred million times v₀/A.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Aligned {
-    /// The launch.
     pub start: Turn,
-    /// The angle of the velocity at the end.
+    /// Of the velocity at the end.
     pub angle: f64,
     /// The steps on which the angle grew, and the phases of rest.
     pub broken: usize,
 }
 
 impl Aligned {
-    /// Whether the angle grows on no step and the particle never rests.
     pub(crate) fn aligns(&self) -> bool {
         self.broken == 0
     }
 }
 
-/// Launches with λ ≤ 1, but not those that friction stops for good, and what became of them.
+/// Without those that friction stops for good.
 pub(crate) static ALIGNED: Runs<Vec<Aligned>> = Runs::new(all_aligned);
 
-/// Others of the same kinds.
 pub(crate) static OTHERS_ALIGNED: Runs<Vec<Aligned>> = Runs::new(|| others(all_aligned));
 
 fn all_aligned() -> Result<Vec<Aligned>, Failure> {
@@ -518,7 +487,6 @@ fn all_aligned() -> Result<Vec<Aligned>, Failure> {
     every(launches_below_critical().map(aligned))
 }
 
-/// The steps on which the angle grows, and the phases of rest.
 fn unlike_aligning(motion: &Motion) -> usize {
     let angles: Vec<_> = motion.nodes().map(|s| s.direction().abs()).collect();
     let rests = motion
@@ -528,7 +496,7 @@ fn unlike_aligning(motion: &Motion) -> usize {
     angles.windows(2).filter(|w| grows(w[0], w[1])).count() + rests.count()
 }
 
-/// Whether an angle has grown by more than its rounding.
+/// By more than its rounding.
 fn grows(before: f64, after: f64) -> bool {
     after > before * (1.0 + 1e-14)
 }
@@ -551,7 +519,7 @@ fn launches_below_critical() -> impl Iterator<Item = Turn> {
     })
 }
 
-/// Launches at λ = 1 straight against the inertial force.
+/// At λ = 1, straight against the inertial force.
 pub(crate) fn held() -> impl Iterator<Item = Turn> {
     let mut points = Points::here();
     (0..40).map(move |_| at_random(1.0, PI, &mut points))
@@ -589,7 +557,6 @@ mod tests {
         assert!(!grows(3.0, 2.0));
     }
 
-    /// Pushed backwards, the velocity turns away on every step; with λ > 1 it turns in, and the particle stops.
     #[test]
     fn growing_angles_and_rests_are_counted() {
         let start = State::moving([1.0, 1.0]);

@@ -11,7 +11,7 @@ fn start((start, _): &(Turn, State)) -> String {
     start.at()
 }
 
-/// The flights without friction that are not straight.
+/// Those that are not straight.
 fn parabolas() -> impl Iterator<Item = Result<(Turn, State), Failure>> {
     only(frictionless(), |(start, _)| {
         libm::sin(start.theta0).abs() > 0.01
@@ -67,7 +67,6 @@ attempts![
             Ok(Pair::wide(turn.at(), ratio, 1.0).within(turn.condition()))
         },
     ),
-    // (18) with v_x after a long time.
     eq18_limit = Trial::by(
         Limit,
         Printed,
@@ -81,7 +80,6 @@ attempts![
             start.v0,
         ])
     }),
-    // (18) with the speed that Newton's law over the angle leaves at θ = 0.
     eq18_quadrature = {
         // Nearer to π, where the tangent is infinite, the integral itself loses its digits.
         let gentle = only(SETTLED.each(), |(start, _)| start.is_gentle());
@@ -100,7 +98,6 @@ attempts![
             ])
         })
     },
-    // (19) with v_y after a long time.
     eq19_limit = Trial::by(
         Limit,
         Printed,
@@ -121,7 +118,6 @@ attempts![
             Ok(pair.within(scale))
         },
     ),
-    // (20) with the integral of dt over the whole turn.
     eq20_quadrature = Trial::quadrature(
         Printed,
         [
@@ -150,7 +146,6 @@ attempts![
             (start.v0 + 0.5 * start.a * state.t) * state.t * (start.v0 / vy).abs(),
         ])
     }),
-    // The same path by quadrature of its slope dx/dy = v_x/v_y.
     parabola_quadrature = Trial::quadrature(
         Printed,
         [

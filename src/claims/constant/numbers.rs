@@ -3,7 +3,7 @@
 use super::final_direction::sense_of_sliding;
 use super::prelude::*;
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// What the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 1] = [Numbers::new(
     "s21-along-acceleration",
     || Ok(printed::s21_late_sense()),

@@ -1,12 +1,12 @@
-//! Trials of how a motion under a drive that changes with time differs from all on an inclined plane: along the slope the sense
-//! of sliding changes once at most, under a drive again and again.
+//! Trials of how a drive that changes with time differs from an inclined plane: along the slope the sense of sliding
+//! changes once at most, under a drive again and again.
 
 use super::prelude::*;
 
 /// Periods, or as many units of time on an incline.
 const PERIODS: f64 = 6.0;
 
-/// A motion along the line, on an incline or under a sine, which it is and how it is called.
+/// On an incline or under a sine; which it is and how it is called.
 fn motion(points: &mut Points, i: usize) -> Result<(bool, String, Motion), Failure> {
     let (driven, lambda) = (i.is_multiple_of(2), points.uniform(0.0, 0.9));
     let start = State::moving([points.uniform(-2.0, 2.0), 0.0]);
@@ -28,7 +28,7 @@ fn motion(points: &mut Points, i: usize) -> Result<(bool, String, Motion), Failu
     Ok((driven, at, run(&plane, lambda, start, PERIODS * TAU)?))
 }
 
-/// The senses of the velocity, one after the other.
+/// One after the other.
 fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
     let mut senses: Vec<f64> = Vec::new();
     for k in 0..=600 {
@@ -40,7 +40,6 @@ fn senses(motion: &Motion) -> Result<Vec<f64>, Failure> {
     Ok(senses)
 }
 
-/// How often the sense changes.
 pub(super) fn turns() -> Evidence {
     Trial::census(
         Printed,

@@ -43,7 +43,6 @@ fn eq14<S: Scalar + From<f64>>(turn: &Turn) -> S {
     )
 }
 
-/// The regular form of the time at all points, those included where (13) has no value.
 pub(super) fn regular_time() -> Evidence {
     Trial::motion(
         Corrected,
@@ -66,7 +65,6 @@ fn regular(turn: &Turn, ln_r: f64) -> f64 {
     corrected::time(turn.lambda, turn.a, turn.v0, turn.theta0, ln_r)
 }
 
-/// The regular forms along the line of the acceleration: the speed at the r that they give for a time.
 pub(super) fn regular_straight() -> Evidence {
     let trial = Trial::motion(
         Corrected,
@@ -109,7 +107,6 @@ attempts![
         ])
     }),
     regular_straight,
-    // The regular form of the speed by the logarithm, at those points and at all others.
     regular_speed_by_log = Trial::motion(
         Corrected,
         [
@@ -124,7 +121,6 @@ attempts![
             turn.v.max(turn.v0) * turn.condition(),
         ])
     }),
-    // (12), integrated over the angle.
     eq12_quadrature = Trial::quadrature(
         Within,
         [r"the integral of (12) over $\theta$", "$At$ of the motion"],
@@ -155,7 +151,6 @@ attempts![
             Ok([eq12_rate(turn, turn.theta), found, found.abs()])
         })
     },
-    // (13) with the time of the motion.
     eq13_motion = Trial::motion(
         Within,
         [
@@ -167,7 +162,6 @@ attempts![
         let turn = turn?;
         Ok(Pair::wide(turn.at(), eq13(turn), turn.t).within(turn.time_scale()))
     }),
-    // (13) with the integral of dt.
     eq13_quadrature = Trial::quadrature(
         Within,
         [
@@ -183,7 +177,6 @@ attempts![
             Ok(Pair::wide(turn.at(), eq13(turn), found).within(turn.time_scale()))
         },
     ),
-    // (13) solved for the angle at the time of the motion.
     eq13_root = {
         let wanted =
             |turn: &Turn| turn.has_a_time() && (turn.lambda - 1.0).abs() > 1e-3 && turn.is_gentle();
@@ -220,7 +213,6 @@ attempts![
         straight(),
     ),
     regular_time,
-    // The regular form of the time, so late that next to no angle is left.
     regular_late = Trial::motion(
         Corrected,
         Compared::one("the regular form of the time", "that of the motion")
@@ -233,7 +225,6 @@ attempts![
             turn.t * turn.condition(),
         ])
     }),
-    // The regular forms solved for the angle at a time.
     regular_angle = {
         let trial = Trial::by(
             Root,
@@ -266,7 +257,6 @@ attempts![
             Ok(Pair::wide(turn.at(), eq14(turn), turn.v).within(turn.speed_at_time_scale()))
         })
     },
-    // (14) where cos θ = −λ, the angle at which it is 0/0.
     eq14_outside = Trial::motion(
         Outside,
         [

@@ -26,7 +26,6 @@ macro_rules! from_then_on {
     };
 }
 
-/// A law of the spiral with its bounds.
 #[derive(Clone, Copy)]
 struct BoundedLaw {
     /// What is known of it as τ → ∞.
@@ -48,7 +47,6 @@ struct Ratio {
     between: [i64; 2],
 }
 
-/// The quantities in the region.
 #[derive(Clone, Copy)]
 struct Inside {
     q: Expr,
@@ -109,7 +107,6 @@ fn change(at: Inside) -> Expr {
     over_n(16, 3) * (at.q - q0) * dq + 2 * (at.v - v0) * dv
 }
 
-/// A point of the edge.
 fn edge() -> Inside {
     let [q0, v0] = middle();
     let [f, t] = symbols(["f", "t"]);
@@ -120,7 +117,6 @@ fn edge() -> Inside {
     }
 }
 
-/// A point of the region, or of the box about it.
 fn inside() -> Inside {
     let [q0, v0] = middle();
     let [x, y, t] = symbols(["x", "y", "t"]);
@@ -149,7 +145,6 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// What the region is about.
 fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     spiral::comes(p)?;
     let at = Inside::symbols();
@@ -192,12 +187,11 @@ fn region(p: &mut Prover<'_>) -> Result<(), Obstacle> {
 }
 
 impl Ratio {
-    /// E at a point.
     fn excess(&self, at: Inside) -> Expr {
         product_less_one(at.t, (self.parts)(at))
     }
 
-    /// It is 1 + t E.
+    /// The ratio is 1 + t E.
     fn near_one(&self, p: &mut Prover<'_>) -> Result<(), Obstacle> {
         let at = Inside::symbols();
         let limit = (self.inverse)([over_n(3, 4), over_n(1, 2), int(1), int(0)]);
@@ -234,7 +228,6 @@ impl BoundedLaw {
         })
     }
 
-    /// By intervals: the edge, and the region.
     fn enclosed(&self) -> Result<usize, CertifiedError> {
         let t = Interval::new(0.0, 0.05);
         let whole = Interval::new(0.0, (Interval::int(2) * Interval::pi()).hi());
@@ -261,7 +254,6 @@ fn half(n: i64) -> Expr {
     over_n(n, 2)
 }
 
-/// That all of these have their signs everywhere.
 fn everywhere<const N: usize>(
     names: [&'static str; N],
     range: [Interval; N],
@@ -342,23 +334,18 @@ const RHO: BoundedLaw = BoundedLaw {
 };
 
 attempts![
-    // (132) as corrected, to the first order.
     eq132 = A.evidence(from_then_on!(
         r"$1-\frac{1/8+3\ln(\tau/20)}\tau\le\frac{3A}{2^{1/4}\tau^{3/2}}\le1+\frac3{4\tau}$"
     )),
-    // (133) as corrected.
     eq133 = ALPHA.evidence(from_then_on!(
         r"$-\frac{11}{20}\,\frac{1+2\ln(\tau/20)}\tau\le\alpha-\frac12\ln(\sqrt2\,\tau)\le0$"
     )),
-    // (134) as corrected, to the first order.
     eq134 = LAG.evidence(from_then_on!(
         r"up to whole turns $1-\frac1{2\tau^2}\le\frac\tau2\left(\frac\pi2-\psi\right)\le1+\frac{21}{10}\,\frac{\ln(\tau/20)}\tau$"
     )),
-    // (135) as corrected, to the first order.
     eq135 = SPEED.evidence(from_then_on!(
         r"$1-\frac{5/4+4\ln(\tau/20)}\tau\le\frac{3\sqrt2\,p}{\tau^2}\le1$"
     )),
-    // (136) as corrected, to the first order.
     eq136 = RHO.evidence(from_then_on!(
         r"$1-\frac{4\ln(\tau/20)}\tau\le\frac{3\sqrt2\,\rho}{\tau^2}\le1+\frac3{2\tau}$"
     ))
@@ -433,10 +420,8 @@ mod tests {
         }
     }
 
-    /// From what is known of 1/t and E in the region, at the ends and between, to what is stated.
     #[test]
     fn what_is_stated_follows_from_the_region() {
-        // The law's power that is 1 + t E, and the law's power of the time.
         let powers = [(4, 6), (4, 2), (0, 0), (2, 4), (2, 4)];
         for ((law, chain), (power, of_time)) in ALL.into_iter().zip(stated()).zip(powers) {
             for (i, j) in (0..90).flat_map(|i| (0..=20).map(move |j| (i, j))) {

@@ -37,21 +37,15 @@ const fn as_series(formula: fn() -> Expr, prove: fn(Expr) -> Proof) -> Statement
     Statement::new(Corrected, compared, formula, prove)
 }
 
-/// (128) as corrected.
 pub(crate) const EQ128: Statement = as_series(corrected::alpha_rate::tree, eq128);
-/// (129) as corrected.
 pub(crate) const EQ129: Statement =
     as_series(|| corrected::product_over_a::<Expr>() * symbol("A"), eq129);
-/// (130) as corrected.
 pub(crate) const EQ130: Statement = as_series(corrected::alpha_by_a::tree, eq130);
-/// (131) as corrected.
 pub(crate) const EQ131: Statement = as_series(corrected::a_rate::tree, eq131);
-/// (132) as corrected.
 pub(crate) const EQ132: Statement = as_series(
     || delayed(corrected::a(tau()), 3),
     |law| in_time(law, "A", true, |late| &late.a),
 );
-/// (133) as corrected.
 pub(crate) const EQ133: Statement = as_series(
     || corrected::alpha(tau()),
     |law| {
@@ -60,28 +54,24 @@ pub(crate) const EQ133: Statement = as_series(
         })
     },
 );
-/// (134) as corrected.
 pub(crate) const EQ134: Statement = as_series(
     || delayed(corrected::lag(tau()), -2),
     |law| in_time(law, "π/2 − ψ", true, |late| &late.lag),
 );
-/// (135) as corrected.
 pub(crate) const EQ135: Statement = as_series(
     || delayed(corrected::rho(tau()), 4),
     |law| in_time(law, "p", true, |late| &late.p),
 );
-/// (136) as corrected.
 pub(crate) const EQ136: Statement = as_series(
     || delayed(corrected::rho(tau()), 4),
     |law| in_time(law, "ρ", true, |late| &late.rho),
 );
-/// (137) as corrected.
 pub(crate) const EQ137: Statement = as_series(
     || delayed(corrected::s(tau()), 6),
     |law| in_time(law, "s", true, |late| &late.s),
 );
 
-/// A law in τ for a quantity, with or without the term in (ln τ)/τ.
+/// With or without the term in (ln τ)/τ.
 fn in_time(law: Expr, name: &str, logarithm: bool, quantity: fn(&Late) -> &Series) -> Proof {
     from_series(&format!("{name} at large times"), |p, late| {
         let law = law_series(p, law)?;
@@ -89,7 +79,6 @@ fn in_time(law: Expr, name: &str, logarithm: bool, quantity: fn(&Late) -> &Serie
     })
 }
 
-/// A law in A and α, for a quantity at large times.
 fn by_state(
     title: &str,
     law: Expr,
@@ -137,7 +126,6 @@ fn eq131(law: Expr) -> Proof {
     })
 }
 
-/// (126): dα/dτ where ψ is at ψ₁, to the first order in α.
 pub(crate) fn eq126(formula: Expr) -> Proof {
     let ring = Ring::of(["A", "α", "ψ"]);
     Proof::of("(126): dα/dτ near α = 0", &ring, |p| {
@@ -208,7 +196,6 @@ fn never_decreases(formula: Expr) -> Proof {
 }
 
 attempts![
-    // (126) against the motion.
     &EQ126 = Statement::new(
         Printed,
         Compared::one("(126)", r"the first term in $\alpha$ of (114) at $\psi_1$"),
@@ -225,7 +212,6 @@ attempts![
     &EQ135,
     &EQ136,
     &EQ137,
-    // (138) against any motion.
     &EQ138 = Statement::new(
         Printed,
         Compared::one(
@@ -235,7 +221,6 @@ attempts![
         printed::eq138_s::tree,
         eq138,
     ),
-    // A never decreases, and grows without end unless α → 0.
     &NEVER_DECREASES = Statement::shown(
         Printed,
         r"by (113) $\dot A=\sinh\alpha\ge0$; by (114) $\dot\alpha<1$, so that $A$ grows by $\cosh b-1$ or more each time that $\alpha$ comes to a $b>0$",
@@ -261,7 +246,6 @@ mod tests {
             ([EQ136, spiral::EQ136], printed::eq136_rho::tree()),
             ([EQ137, spiral::EQ137], printed::eq137_s::tree()),
         ] {
-            // As a series, and for every start.
             for statement in statements {
                 let proof = (statement.prove)(printed);
                 assert!(

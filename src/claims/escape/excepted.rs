@@ -3,7 +3,6 @@
 use super::prelude::*;
 use super::trajectories::{FLIGHTS, Flight, Relaxed, a, alpha, relaxed};
 
-/// Of launches with A > 1 at random none comes straight in: each escapes.
 pub(crate) fn escaping() -> Evidence {
     let beyond = only(FLIGHTS.each(), |flight| flight.launch.a > 1.0);
     Trial::census(
@@ -21,7 +20,6 @@ pub(crate) fn escaping() -> Evidence {
 
 attempts![
     escaping,
-    // Of launches with tiny α at random none comes straight in: ψ falls to the size of α.
     small_alpha = Trial::census(
         Excepted,
         Compared::constant(

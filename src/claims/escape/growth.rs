@@ -1,8 +1,8 @@
 //! Trials of the laws of growth: limits, exponents and first corrections, from motions followed to τ = 10⁸.
 //!
-//! A quantity over its power of τ tends to its limit as a series in 1/τ and ln τ, because the law holds in a time
-//! that lags behind τ by a multiple of ln τ (see [`crate::corrections::escape`]); a fit that knows only powers
-//! stalls. Oscillations fall as τ^(−5/2) and are below 10⁻¹² here.
+//! A quantity over its power of τ tends to its limit as a series in 1/τ and ln τ (see
+//! [`crate::corrections::escape`]); a fit that knows only powers stalls. Oscillations fall as τ^(−5/2) and are below
+//! 10⁻¹² here.
 
 use super::prelude::*;
 use super::trajectories::{Escape, LATE, Late, a, alpha};
@@ -81,8 +81,7 @@ pub const PRODUCT: Named = (r"$\cosh\alpha\cosh2\alpha/A$", |l| {
     let alpha = alpha(&l.state);
     libm::cosh(alpha) * libm::cosh(2.0 * alpha) / a(&l.state)
 });
-/// The particle circles the axis in the laboratory at a rate of 1 more than on the table: put together from components that do
-/// not cancel.
+/// In the laboratory: a rate of 1 more than on the table, put together from components that do not cancel.
 const WINDING: Named = (
     r"$\tau$ times the rate of turn about the axis, in the laboratory,",
     |l| {
@@ -95,7 +94,6 @@ const WINDING: Named = (
 pub const EQ128: Named = (r"$\tau$ times (128)", |l| {
     l.tau * printed::eq128_alpha_rate(alpha(&l.state), a(&l.state))
 });
-/// What replaces it, times τ.
 const CORRECTED128: Named = (r"$\tau(\sqrt2/\cosh2\alpha-\cosh\alpha/A)$", |l| {
     l.tau * corrected::alpha_rate(alpha(&l.state), a(&l.state))
 });
@@ -165,7 +163,6 @@ pub fn printed_limits() -> [f64; 2] {
 }
 
 impl Power {
-    /// What a law of it has before the power.
     fn prefactor(&self, law: fn(f64) -> f64) -> f64 {
         law(LATE) / libm::pow(LATE, self.power)
     }
@@ -175,18 +172,15 @@ impl Power {
         -self.power * corrected::delay::<f64>()
     }
 
-    /// Its limit by a printed law.
     fn printed(&self, law: &'static str, formula: fn(f64) -> f64) -> Evidence {
         let value = self.prefactor(formula);
         tends([law, self.rest, ""], Printed, self.over, |_| value)
     }
 
-    /// Its limit by the law that replaces it.
     fn corrected(&self, stated: &'static str, formula: fn(f64) -> f64) -> Evidence {
         limits(stated, Corrected, self.over, self.prefactor(formula))
     }
 
-    /// The exponent of a law against that of what the motion does, of which the power is taken out.
     fn exponent(&self, law: &'static str, subject: Subject, formula: fn(f64) -> f64) -> Evidence {
         let compared = Compared::composed(
             [r"the exponent of $\tau$ in ", law, ""],
@@ -199,7 +193,6 @@ impl Power {
         })
     }
 
-    /// The coefficient of (ln τ)/τ, relative to the limit.
     fn delay(&self, stated: &'static str) -> Evidence {
         let coefficient = r"the coefficient of $(\ln\tau)/\tau$ in ";
         let (name, quantity) = self.over;
@@ -212,7 +205,6 @@ impl Power {
     }
 }
 
-/// What is stated and what is found for each escape.
 fn each(
     compared: Compared,
     subject: Subject,
@@ -229,7 +221,6 @@ fn each(
     )
 }
 
-/// What is stated of each escape against the limit of what its motion does.
 fn tends(
     stated: [&'static str; 3],
     subject: Subject,
@@ -243,7 +234,7 @@ fn tends(
     })
 }
 
-/// The same of one value for all.
+/// What is stated of every escape, one value for all, against the limit of what its motion does.
 pub fn limits(stated: &'static str, subject: Subject, named: Named, value: f64) -> Evidence {
     tends([stated, "", ""], subject, named, |_| value)
 }
@@ -253,7 +244,6 @@ fn followed(flight: &Escape, formula: Quantity) -> f64 {
     limit(flight, formula).map_or(f64::NAN, |limit| limit.value)
 }
 
-/// The limit of a formula that is followed along the motion against that of what the motion does.
 fn following((stated, formula): Named, subject: Subject, named: Named) -> Evidence {
     tends([stated, "", ""], subject, named, |flight| {
         followed(flight, formula)
@@ -346,7 +336,6 @@ mod tests {
     use crate::claims::escape::trajectories::Launch;
     use crate::motion::turntable::intrinsic::Run;
 
-    /// The moments of an escape, with one and the same state.
     fn moments(run: Run, launch: Launch) -> Escape {
         let late = |i: i32| Late {
             tau: LATE * libm::pow(1e-3, f64::from(i) / 48.0),

@@ -7,7 +7,7 @@ use trialbook::certified::ball::Ball;
 use trialbook::certified::enclosure::Enclosure;
 use trialbook::trials::enclosed::on_balls;
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// In the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 10] = [
     Numbers::new("eq-128", || of(growth::EQ128), || of(growth::ALPHA_RATE)),
     Numbers::new("eq-129", || Ok(1.0), || of(growth::PRODUCT)),
@@ -45,7 +45,6 @@ pub(super) static CASES: [Numbers; 10] = [
     Numbers::new("eq-137", || Ok(printed::eq137_s(1.0)), || of(WAY.over)),
 ];
 
-/// The numbers by which claims can be found.
 pub(super) static VALUES: [Number; 11] = [
     Number::new("a-printed", || Ok(printed::eq132_a(1.0)))
         .within(Enclosure(|bits| closed(printed::eq132_a(one()), bits))),
@@ -78,7 +77,6 @@ fn one() -> Expr {
     int(1)
 }
 
-/// A formula without symbols, enclosed.
 fn closed(formula: Expr, bits: usize) -> Result<Ball, CertifiedError> {
     let ball = on_balls(formula, bits + 8, &|_| None).map(|ball| ball.with_bits(bits));
     ball.ok_or_else(|| CertifiedError::unproved("the formula has no ball", &[]))

@@ -11,7 +11,6 @@ use crate::motion::turntable::boundary::between;
 use crate::motion::turntable::{State, Table, rotating};
 use crate::paper::turntable;
 
-/// (126) with the rate of α after ψ has relaxed.
 fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
     const RATE: &str = r"$\mathrm d\alpha/\mathrm d\tau$ of the motion when $\psi$ has relaxed";
     Trial::by(
@@ -29,7 +28,6 @@ fn after_relaxing(subject: Subject, when: &'static str) -> Evidence {
     })
 }
 
-/// (126) from starts with ψ = ψ₁: the difference over the order of what is left out.
 fn eq126_order() -> Evidence {
     let trial = Trial::by(
         Limit,
@@ -61,7 +59,6 @@ fn eq126_order() -> Evidence {
     })
 }
 
-/// (127): launches with A > 1 that have stopped, or not gone far, when τ = 300.
 fn above_one(subject: Subject) -> Evidence {
     Trial::census(
         subject,
@@ -80,7 +77,6 @@ fn above_one(subject: Subject) -> Evidence {
     })
 }
 
-/// Launches from A > 1, then others, about which (127) says nothing.
 fn launches_around_one() -> impl Iterator<Item = Launch> {
     let mut points = Points::here();
     (0..250).map(move |i| Launch {
@@ -146,12 +142,10 @@ pub fn relaxed_ratio() -> Evidence {
     })
 }
 
-/// What a law of the logarithm has before it.
 fn factor(law: fn(f64) -> f64) -> f64 {
     (law(LATE) - law(1.0)) / libm::log(LATE)
 }
 
-/// How often a list grows by more than 1.
 fn grown(values: &[f64]) -> usize {
     values.windows(2).filter(|w| w[1] - w[0] > 1.0).count()
 }
@@ -176,7 +170,6 @@ attempts![
     eq126_relaxed = after_relaxing(Printed, r" and $\alpha$ is below a millionth"),
     eq126_order,
     above_one_census = above_one(Printed),
-    // (127) where it decides: close to α = 0, the A at which rest gives way to escape.
     eq127_root = {
         let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
         Trial::by(
@@ -199,7 +192,6 @@ attempts![
             ))
         })
     },
-    // (127) where a particle comes straight in.
     above_one_straight = Trial::census(
         Outside,
         [
@@ -235,7 +227,6 @@ attempts![
         (r"$\psi$", |l| FRAC_PI_2 - LAG.over.1(l)),
         FRAC_PI_2 - printed::eq134_lag(LATE * LATE)
     ),
-    // A²/2 grows by as much as the way that the particle goes on the table, so it never decreases.
     never_decreases_way = Trial::motion(
         Printed,
         [
@@ -252,7 +243,6 @@ attempts![
             found,
         ])
     }),
-    // A grows from each start to the end, and falls on no step by more than its rounding.
     never_decreases_census = {
         let trial = Trial::census(
             Printed,
@@ -271,7 +261,6 @@ attempts![
             ])
         })
     },
-    // ψ after many relaxation times, against ψ₁.
     small_alpha_angle = Trial::by(
         Limit,
         Within,
@@ -289,7 +278,6 @@ attempts![
         ])
     }),
     small_alpha_rate = after_relaxing(Within, r" after a start with $\alpha<10^{-11}$"),
-    // ψ when a particle that comes straight in has almost stopped.
     small_alpha_straight = {
         let trial = Trial::by(
             Integration,
@@ -306,7 +294,6 @@ attempts![
         })
     },
     relaxed_ratio,
-    // That ratio by the equations of motion: with it, ψ and α fall or grow alike.
     relaxed_ratio_rate = {
         let trial = Trial::by(
             Consistency,
@@ -325,10 +312,8 @@ attempts![
             Ok([turn * small / printed::eq126_alpha_rate(size), 1.0])
         })
     },
-    // Under the condition that the start does not come straight in.
     above_one_within = above_one(Within),
     a_grows = limits("$2^{1/4}/3$", Within, SIZE.over, corrected::a(1.0)),
-    // Stops of particles that come straight in from A > 1, in the frame of the table.
     straight_stops = Trial::by(
         Integration,
         Outside,
@@ -341,7 +326,6 @@ attempts![
     .each(BEYOND_ONE.each(), StraightIn::at, |straight| {
         Ok([0.0, table_stops(straight)? as f64, 1.0])
     }),
-    // A particle that comes straight in from A > 1: the way in which it slows down, against its own law.
     straight_rate = {
         let trial = Trial::by(
             Integration,
@@ -384,21 +368,19 @@ mod tests {
     use super::*;
     use crate::claims::escape::straight::WITHIN_ONE;
 
-    /// The way in which it is counted that none of them stops finds the stops where there are some.
+    /// The way of counting by which none of them stops finds stops where there are some.
     #[test]
     fn a_stop_on_the_table_is_counted() {
         for straight in WITHIN_ONE.each() {
             let straight = straight.unwrap();
             assert_eq!(table_stops(straight).unwrap(), 1, "{}", straight.at());
         }
-        // This one is carried outwards from the begin.
         let (rho, p, psi) = (3.0, 0.5, 0.3);
         let run = Run::new(&Start::polar(rho, p, psi).unwrap(), 1.0).unwrap();
         let outwards = StraightIn { rho, p, psi, run };
         assert_eq!(table_stops(&outwards).unwrap(), 0);
     }
 
-    /// A motion to rest, one that has not gone far yet, an escape, and one that stops far out before it escapes.
     #[test]
     fn who_stops_or_is_near_stays() {
         let run = |a: f64, until: f64| {

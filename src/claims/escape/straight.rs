@@ -1,7 +1,7 @@
 //! The motions that come straight in: starts from which the particle stops before its velocity has turned, ψ → π.
 //!
-//! They are found by shooting. Near ψ = π the angle runs away to one side or to the other; between two starts that
-//! do the one and the other lies one that does neither.
+//! Found by shooting: near ψ = π the angle runs away to one side or to the other; between two starts that do the one
+//! and the other lies one that does neither.
 
 use super::prelude::*;
 use super::trajectories::alpha;
@@ -49,7 +49,6 @@ pub fn time_to_stop(state: &Intrinsic) -> f64 {
 }
 
 fn run(rho: f64, p: f64, psi: f64) -> Result<Run, MotionError> {
-    // At ψ = π the deceleration is 1 + ρ.
     Run::new(&Start::polar(rho, p, psi)?, 1.3 * p / (1.0 + rho))
 }
 

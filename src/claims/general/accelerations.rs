@@ -2,7 +2,6 @@
 
 use super::prelude::*;
 
-/// An acceleration, friction, and a start.
 pub(super) struct Case {
     /// The acceleration, in the claim's own symbols.
     pub name: String,
@@ -10,7 +9,6 @@ pub(super) struct Case {
     pub plane: Plane,
     /// μg.
     pub friction: f64,
-    /// The start.
     pub start: State,
 }
 
@@ -41,7 +39,6 @@ pub(super) fn along_a_line(shape: usize, rate: f64) -> Signal {
     }
 }
 
-/// A velocity of any direction.
 pub(super) fn any_start(points: &mut Points, speed: f64) -> State {
     let theta = points.uniform(-3.1, 3.1);
     State::moving([speed * libm::cos(theta), speed * libm::sin(theta)])

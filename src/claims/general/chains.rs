@@ -4,7 +4,6 @@
 use super::prelude::*;
 use super::two_frames::{eq2, eq2_proof, ring};
 
-/// A weak drive lets the particle stop.
 pub(crate) const STOPS: Statement = Statement::shown(
     Printed,
     r"with $\lvert\bm A\rvert\le a<\mu g$, (2) gives $\mathrm dv/\mathrm dt\le a-\mu g<0$, so that the particle is at rest after $v_0/(\mu g-a)$ at the latest, and stays: static friction holds it",
@@ -12,7 +11,6 @@ pub(crate) const STOPS: Statement = Statement::shown(
     stops,
 );
 
-/// The velocity across a drive of fixed direction decays.
 pub(crate) const ACROSS: Statement<([Expr; 2], [Expr; 2])> = Statement::shown(
     Within,
     r"with $\bm A$ along $x$ and $\mu>0$, (1) gives $v_y^2$ the rate $-2\mu g\,v_y^2/v$; with $\lvert\bm A\rvert\le a$ as well, $v\le v_0+at$, and $v_y^2\,(v_0+at)^{2\mu g/a}$ never grows, so that $v_y\to0$",

@@ -13,7 +13,6 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// By (1), |𝐯 − 𝐮|² of two motions 𝐯 and 𝐮 under one 𝐀(t), whatever that is, never grows.
 pub(crate) fn never_farther_apart() -> Proof {
     by_law(eq1())
 }

@@ -5,20 +5,16 @@ use super::prelude::*;
 
 /// Five periods of a motion from rest.
 pub(super) struct Returning {
-    /// Which it is.
     pub name: String,
     /// What |A| reaches in every period, over μg.
     pub size: f64,
-    /// The period.
     pub period: f64,
-    /// Its slides and rests.
     pub phases: Vec<Phase>,
 }
 
-/// The accelerations that exceed μg again and again, then those that never do, and what they do.
+/// Of accelerations that exceed μg again and again, then of those that never do.
 pub(super) static RETURNING: Runs<Vec<Returning>> = Runs::new(all_returning);
 
-/// Others of the same kinds.
 pub(super) static OTHERS_RETURNING: Runs<Vec<Returning>> = Runs::new(|| others(all_returning));
 
 fn all_returning() -> Result<Vec<Returning>, Failure> {
@@ -35,7 +31,7 @@ fn all_returning() -> Result<Vec<Returning>, Failure> {
     every(all.map(returning))
 }
 
-/// Accelerations that are larger than μg once a period at least, from 1.1 to 3 times, of all shapes; friction 1.
+/// Larger than μg once a period at least, from 1.1 to 3 times, of all shapes; friction 1.
 fn strong_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
     const KINDS: [&str; 7] = [
         "oscillating",
@@ -49,7 +45,7 @@ fn strong_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
     periodic(&KINDS, [1.1, 3.0])
 }
 
-/// Accelerations of the shapes that are bounded by their size, from 0.2 to 0.95 μg; friction 1.
+/// Of the shapes that are bounded by their size, from 0.2 to 0.95 μg; friction 1.
 fn weak_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
     const KINDS: [&str; 5] = [
         "oscillating",
@@ -61,7 +57,6 @@ fn weak_that_return() -> impl Iterator<Item = (String, Plane, f64, f64)> {
     periodic(&KINDS, [0.2, 0.95])
 }
 
-/// Accelerations of these shapes in turn, each with its size and its period.
 fn periodic(
     kinds: &'static [&'static str],
     [low, high]: [f64; 2],
@@ -103,18 +98,15 @@ fn periodic(
 
 /// What an acceleration of fixed direction does from t = 200 to 400.
 pub(super) struct Pulled {
-    /// Which it is.
     pub name: String,
     /// What |A| is never below, over μg.
     pub least: f64,
     /// The steps on which the speed does not grow.
     pub falls: usize,
-    /// The speed gained.
     pub gained: f64,
 }
 
 impl Pulled {
-    /// Whether the speed grows on every step and over them all.
     pub(super) fn grows(&self) -> bool {
         self.falls == 0 && self.gained > 0.0
     }
@@ -123,7 +115,6 @@ impl Pulled {
 /// All strong accelerations, then weak ones.
 pub(super) static PULLED: Runs<Vec<Pulled>> = Runs::new(all_pulled);
 
-/// Others of the same kinds.
 pub(super) static OTHERS_PULLED: Runs<Vec<Pulled>> = Runs::new(|| others(all_pulled));
 
 fn all_pulled() -> Result<Vec<Pulled>, Failure> {
@@ -139,7 +130,6 @@ fn all_pulled() -> Result<Vec<Pulled>, Failure> {
     every(strong().chain(weak()).map(pulled))
 }
 
-/// The steps on which the speed does not grow, from a time on.
 fn falls(motion: &Motion, from: f64) -> usize {
     violations(motion, from, |a, b| b.t > a.t && b.speed() <= a.speed())
 }
@@ -192,10 +182,9 @@ fn weak() -> impl Iterator<Item = (String, Plane, f64, State)> {
     })
 }
 
-/// At rest at the origin.
 pub(super) const AT_REST: State = State::moving([0.0; 2]);
 
-/// Places where `broken` holds of two neighbouring nodes of a motion, from a time on.
+/// Of neighbouring nodes, from a time on.
 pub(super) fn violations(
     motion: &Motion,
     from: f64,
@@ -260,7 +249,6 @@ mod tests {
         assert_eq!(falls(&slides(-2.0), 0.0), 0);
     }
 
-    /// A at quarters of the period, in units of its size and along its direction at the start or in the first quarter.
     #[test]
     fn accelerations_that_return_have_their_shapes() {
         let e = libm::exp(-0.2);

@@ -3,7 +3,6 @@
 use super::prelude::*;
 
 attempts![
-    // A push at a single instant.
     instants = no_inside(
         "a push",
         "those without length",

@@ -1,7 +1,4 @@
-//! Trials of the four statements about every A(t).
-//!
-//! Each is tried on constant, rotating, growing, decaying, oscillating and sign-changing accelerations, and on
-//! the one that we found to break it.
+//! Trials of the four statements about every A(t), on accelerations of all sorts and on one that breaks each.
 
 use super::accelerations::{Case, SHAPES, along_a_line, any_start, bounded};
 use super::examples::{
@@ -13,7 +10,6 @@ use crate::motion::run_to_stop;
 /// μ and g of unit friction, without rounding.
 const UNIT: [f64; 2] = [0.5, 2.0];
 
-/// Whether something is so by the claim, and by the motion.
 fn whether(at: String, stated: bool, found: bool) -> Pair {
     let [stated, found] = [stated, found].map(is);
     Pair::plain(at, stated, found)
@@ -34,7 +30,6 @@ fn speeds_up_above() -> f64 {
     printed::s2_speeds_up_above(mu, g)
 }
 
-/// Below μg the speed falls on every step until the stop, and the stop comes. Above, a pull along the velocity prevents it.
 fn stops_census() -> Evidence {
     let compared = Compared::one(
         r"whether $\max\lvert\bm A\rvert<\mu g$ (1 if so)",
@@ -48,7 +43,7 @@ fn stops_census() -> Evidence {
     })
 }
 
-/// Constant accelerations of 1.05 to 3 μg, against which the particle starts, with their sizes; friction 1.
+/// 1.05 to 3 μg, against which the particle starts, with their sizes; friction 1.
 fn pulled_along() -> impl Iterator<Item = (f64, Case)> {
     let mut points = Points::here();
     (0..20).map(move |_| {
@@ -81,7 +76,6 @@ fn unlike_a_stop(case: &Case) -> Result<usize, Failure> {
     Ok(rises + runs_on)
 }
 
-/// The rests that last longer than a period.
 fn long_rests(phases: &[Phase], period: f64) -> usize {
     let rests = phases.iter().filter(|p| p.kind == PhaseKind::Stick);
     rests
@@ -89,7 +83,6 @@ fn long_rests(phases: &[Phase], period: f64) -> usize {
         .count()
 }
 
-/// Whether it slides at some time between these two.
 fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
     phases
         .iter()
@@ -97,7 +90,7 @@ fn slides(phases: &[Phase], from: f64, to: f64) -> bool {
         .any(|p| p.from < to && p.to > from)
 }
 
-/// The largest speed that a push of this strength and length leaves; friction 1.
+/// The largest speed that is left; friction 1.
 fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
     let pulse = Signal::Pulse {
         from: 0.5,
@@ -107,7 +100,6 @@ fn pushed(strength: f64, length: f64) -> Result<f64, Failure> {
     Ok(motion.nodes().map(|s| s.speed()).fold(0.0, f64::max))
 }
 
-/// Across a fixed direction, every step lowers what velocity there is.
 fn across_census() -> Evidence {
     Trial::census(Printed, Compared::constant(
         "$-1$, for a fall",
@@ -118,7 +110,6 @@ fn across_census() -> Evidence {
     })
 }
 
-/// The steps on which |v⊥| does not fall.
 fn grows_across(case: &Across) -> Result<usize, Failure> {
     let motion = run(&case.plane, 1.0, case.start, 10.0)?;
     // Below, only the rounding of the components along the line is left.
@@ -129,7 +120,6 @@ fn grows_across(case: &Across) -> Result<usize, Failure> {
     Ok(violations(&motion, 0.0, grows))
 }
 
-/// Without friction the velocity across stays as it is.
 fn across_outside() -> Evidence {
     Trial::census(Outside, Compared::constant(
         "$-1$, for a fall",
@@ -150,7 +140,6 @@ fn sense(change: f64, speed: f64) -> f64 {
     }
 }
 
-/// Bounded A of any size: v ≤ v₀ + A t, so that |v⊥| ≤ v⊥₀ (1 + A t/v₀)^(−μg/A), which tends to 0.
 fn across_integration() -> Evidence {
     let trial = Trial::motion(
         Printed,
@@ -187,16 +176,14 @@ fn across_bound(across0: f64, v0: f64, largest: f64, late: f64) -> f64 {
     across0 * libm::pow(1.0 + largest * late / v0, trend / largest)
 }
 
-/// An acceleration of fixed direction.
 struct Across {
     name: String,
     plane: Plane,
     start: State,
-    /// Across the direction.
     normal: [f64; 2],
-    /// The largest |A|, infinite for one that grows for ever.
+    /// Infinite for one that grows for ever.
     largest: f64,
-    /// A late time: when v⊥ has had the time to fall to a millionth.
+    /// When v⊥ has had the time to fall to a millionth.
     late: f64,
 }
 
@@ -212,7 +199,7 @@ fn off_friction(size: f64) -> f64 {
     if size > 1.0 { size.max(1.02) } else { size }
 }
 
-/// Fixed directions, all shapes that have one; friction 1.
+/// All shapes that have one; friction 1.
 fn fixed_direction() -> impl Iterator<Item = Across> {
     let mut points = Points::here();
     let shapes = (0..SHAPES.len())
@@ -242,7 +229,6 @@ fn fixed_direction() -> impl Iterator<Item = Across> {
 
 attempts![
     stops_census,
-    // The time of the stop lies between v₀/(μg + max |A|) and v₀/(μg − max |A|): (2) integrated with its bounds.
     stops_integration = {
         let trial = Trial::motion(
             Printed,
@@ -264,7 +250,6 @@ attempts![
             })
         })
     },
-    // Motions, from rest, under accelerations that exceed μg again and again, where every rest ends, or never, where none does.
     rest_census = Trial::census(
         Within,
         [
@@ -282,7 +267,6 @@ attempts![
         let ends = long_rests(phases, *period) == 0;
         Ok(whether(name.clone(), *size > rest_ends_above(), ends))
     }),
-    // Others move in every period, or do not.
     rest_integration = Trial::by(
         Integration,
         Within,
@@ -334,8 +318,6 @@ attempts![
             })
         })
     },
-    // Accelerations of fixed direction: where |A| ≥ 1.2 μg, from some time on, every step raises the speed; where |A| ≤ 0.9 μg,
-    // none does.
     grows_census = Trial::census(
         Within,
         [
@@ -348,7 +330,6 @@ attempts![
         let stated = pulled.least > speeds_up_above();
         Ok(whether(pulled.name.clone(), stated, pulled.grows()))
     }),
-    // Others: the speed gained between t = 200 and 400 is at least what |A| − μg gives along the line.
     grows_integration = {
         let trial = Trial::motion(
             Within,
@@ -397,7 +378,6 @@ attempts![
         })
     }),
     across_census,
-    // Friction alone acts across: ln |v⊥| falls by ∫ μg/v dt.
     across_quadrature = Trial::quadrature(
         Printed,
         [
@@ -417,7 +397,6 @@ attempts![
             libm::log(case.across(&motion.end()) / case.across(&case.start)),
         ))
     }),
-    // Bounded A: what is left of v⊥ after a long time.
     across_limit = {
         let bounded = fixed_direction().filter(|case| case.largest.is_finite());
         Trial::by(
@@ -465,7 +444,6 @@ mod tests {
         times.windows(2).filter(|w| w[0] < w[1]).count()
     }
 
-    /// A constant acceleration along the velocity stops the particle at v₀/(μg − A).
     #[test]
     fn steps_without_a_fall_and_late_stops_are_counted() {
         let case = |a: f64, friction: f64| Case {
@@ -475,7 +453,6 @@ mod tests {
             start: along_x([-1.0, 0.0]),
         };
         let broken = |case: Case| unlike_a_stop(&case).unwrap();
-        // The last moment that is allowed, a bit later, and no stop on steps that all gain speed.
         assert_eq!(broken(case(0.95, 1.0)), 0);
         assert_eq!(broken(case(0.95, 1.0 - 1e-6)), 1);
         let pulled = case(2.0, 1.0);
@@ -541,7 +518,6 @@ mod tests {
         }
     }
 
-    /// Along the line of a strong acceleration the velocity grows, which the count across must notice.
     #[test]
     fn growth_across_is_counted() {
         let case = |normal: [f64; 2]| Across {

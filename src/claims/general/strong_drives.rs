@@ -1,10 +1,9 @@
-//! Theorems about drives that exceed the friction, as chains of identities of the ring and terms that have a sign: that no rest
-//! lasts, and that the speed grows in the end if the direction is fixed.
+//! Theorems about drives that exceed the friction: that no rest lasts, and that the speed grows in the end if the
+//! direction is fixed.
 
 use super::prelude::*;
 use super::two_frames::{eq2, eq2_proof, ring};
 
-/// What friction must give to keep a particle at rest exceeds what it can give exactly where |𝐀| exceeds the stated bound.
 pub(crate) const MOVES: Statement = Statement::shown(
     Within,
     r"at rest friction has to balance $-\bm A$, and can give $\mu g$ at most: for every $\bm A$ the lack $\lvert\bm A\rvert-\mu g$ is positive exactly where $\lvert\bm A\rvert$ exceeds the stated bound, so that no rest outlasts the beginning of a stretch of time on which it does",
@@ -99,7 +98,6 @@ pub(in crate::claims) fn speeds_up((bound, law, speed_rate): (Expr, [Expr; 2], E
 
 attempts![
     &MOVES,
-    // A drive of fixed direction that exceeds the friction by a margin makes the speed grow in the end.
     &SPEEDS_UP = Statement::shown(
         Within,
         r"with $\bm A=-a\,\hat{\bm x}$ and $a\ge\mu g+\delta$, $\delta>0$, at all times, from every start: by (1) $\mathrm dv_x/\mathrm dt\ge\delta$, $v_y^2$ never grows, and $v_x/v$ never falls; it comes above $\mu g/(\mu g+\delta)$ and stays there, and by (2) $\mathrm dv/\mathrm dt>0$ from then on",

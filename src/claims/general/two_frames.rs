@@ -6,7 +6,7 @@ use super::prelude::*;
 /// g: so small that some coefficients of friction exceed 1.
 const GRAVITY: f64 = 0.5;
 
-/// The cases, each up to a time before the particle can stop and before the acceleration can jump.
+/// Each up to a time before the particle can stop and before the acceleration can jump.
 fn cases() -> impl Iterator<Item = (Case, f64)> {
     bounded(3.0).map(|case| {
         let before_rest = 0.9 * case.start.speed() / (3.0 + case.friction);
@@ -23,7 +23,7 @@ fn acceleration(case: &Case, t: f64) -> [f64; 2] {
     case.plane.coefficients(t).map(|series| series[0])
 }
 
-/// The velocity that (1) leads to; not a number if it leads to none.
+/// Not a number if (1) leads to none.
 fn by_the_law(case: &Case, until: f64) -> [f64; 2] {
     let rate = |_: f64, y: &[f64; 3]| {
         let a = acceleration(case, y[2]);
@@ -66,10 +66,9 @@ fn eq2_rate(case: &Case, state: &State) -> f64 {
     printed::eq2_speed_rate(a, case.friction / GRAVITY, GRAVITY, state.v)
 }
 
-/// Times at which each motion is looked at.
 const TIMES: u32 = 17;
 
-/// A printed rate with differences of fourth order along the motions.
+/// With differences of fourth order along the motions.
 fn followed(
     compared: Compared,
     rate: fn(&Case, &State) -> f64,
@@ -120,7 +119,6 @@ pub(in crate::claims) fn eq1() -> [Expr; 2] {
     printed::eq1_velocity_rate([ax, ay], mu, g, [vx, vy])
 }
 
-/// The components of the velocity and the speed.
 pub(in crate::claims) fn ring() -> Result<Ring, ExactError> {
     let mut ring = Ring::new();
     let [_, _, _, _, vx, vy] = NAMES.map(|name| ring.symbol(name));
@@ -178,7 +176,6 @@ pub(in crate::claims) fn eq2_proof(formula: Expr) -> Proof {
 }
 
 attempts![
-    // (1) from the laboratory, where friction alone acts, against the velocity relative to the plane.
     &EQ1 = Statement::new(
         Printed,
         Compared::one(
@@ -188,8 +185,8 @@ attempts![
         eq1,
         eq1_proof,
     ),
-    // (1): the laboratory knows no inertial force. There the particle's velocity V changes by friction alone, which
-    // points against V − U, where U is the plane's velocity.
+    // The laboratory knows no inertial force: there V changes by friction alone, which points against V − U, with
+    // the plane's velocity U.
     eq1_laboratory = Trial::by(
         Integration,
         Printed,
@@ -225,7 +222,6 @@ attempts![
         eq1_rate,
         components
     ),
-    // (2) from (1): the rate of √(v_x² + v_y²).
     &EQ2 = Statement::new(
         Printed,
         Compared::one(

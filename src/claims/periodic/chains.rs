@@ -1,5 +1,5 @@
-//! Theorems about every drive h of size 1 at most, by (26) with h for the sine: when all motion ends, and how much of the time is
-//! rest; and what the pulses are at their two extremes.
+//! Theorems about every drive h of size 1 at most, by (26) with h for the sine, and about the pulses at their two
+//! extremes.
 
 use super::exact::{EQ44, EQ46};
 use super::prelude::*;
@@ -13,7 +13,6 @@ pub(super) fn rate() -> Expr {
     eq26_rate(lambda0, psi, w)
 }
 
-/// The ring of (26), with the sign of 𝔴.
 fn ring(sign: i64) -> Result<Ring, ExactError> {
     let mut ring = Ring::of(["λ₀", "η", "φ", "𝔴₀", "s", "m", "E", "h"]);
     ring.angle("ψ");
@@ -22,12 +21,11 @@ fn ring(sign: i64) -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// For which 𝔴 a proof with this sign is.
 pub(in crate::claims) fn side(sign: i64) -> &'static str {
     if sign > 0 { "𝔴 > 0" } else { "𝔴 < 0" }
 }
 
-/// Writes down for which sign of 𝔴 a proof is, which [`Proof::for_both_signs`] carries out.
+/// Which [`Proof::for_both_signs`] carries out.
 pub(super) fn with_sign(p: &mut Prover<'_>, sign: i64) {
     p.note(
         "The proof is for either sign of 𝔴, here for",
@@ -64,7 +62,6 @@ fn rest_above_one(rate: Expr, [left, right]: [Expr; 2], sign: i64) -> Proof {
     })
 }
 
-/// The part of the time that is rest tends to all of it as λ₀ → 1.
 pub(crate) const MOSTLY_AT_REST: Statement<(Expr, Expr)> = Statement::shown(
     Printed,
     r"for every $h$ with $\lvert h\rvert\le1$ and every start, with $\lambda_0=1-s^2$: as $\mathrm d\lvert\mathfrak w\rvert/\mathrm d\phi\le\lvert h\rvert-\lambda_0$ by (26) and $\lvert\mathfrak w\rvert\ge0$, at large times the phases at which it moves although $\lvert h\rvert\le1-s$ are, in the mean over many periods, at most $s/(1-s)$ of all; the phases with $\lvert h\rvert>1-s$ shrink to those with $\lvert h\rvert=1$, which have no length if they are single instants, so that the share of rest tends to 1",
@@ -137,7 +134,6 @@ fn normalised(([pulse, gap], largest): ([Expr; 2], Expr)) -> Proof {
 pub(crate) struct Pulses {
     /// h in a pulse and in a gap, then the same half a period later.
     h: [Expr; 4],
-    /// Where the pulse ends.
     end: Expr,
     /// λ_c.
     critical: Expr,
@@ -240,7 +236,6 @@ fn nonzero_again(rate: Expr, h: [Expr; 4], critical: Expr, again: Expr, sign: i6
 attempts![
     &REST_ABOVE_ONE,
     &MOSTLY_AT_REST,
-    // What becomes nonzero again at π.
     &AGAIN = Statement::shown(
         Corrected,
         r"for every $\lambda_0>0$ and every $\eta$ between 0 and 1: what (26) gives a particle without friction is $h$, by (42) 0 in the gap before $\pi$ and by (43) $-1$ in the pulse behind it; friction gives one that still slides $\mp\lambda_0$, before $\pi$ as after it. By (44) the slip ends before that if $\lambda_0>\eta$, which is $\lambda_\mathrm c$ of (46), and not otherwise",
@@ -252,14 +247,12 @@ attempts![
             Proof::for_both_signs(|sign| nonzero_again(rate, h, critical, again, sign))
         }
     ),
-    // The largest |h| of the pulses.
     &NORMALISED = Statement::shown(
         Within,
         r"for every $\eta>0$ the pulse of (42), which has the length $\eta\pi>0$, has the stated size, and the gap and both mirrored by (43) have none that is larger",
         || (printed::eq42_cases(), printed::s23_largest()),
         normalised
     ),
-    // η = 1 and η = 0.
     &EXTREMES = Statement::shown(
         Within,
         r"at $\eta=1$ the pulses of (42), (43) leave no gap, so that $\lvert h\rvert=1>\lambda_0$ at all times for every $\lambda_0<1$ and nothing rests, and $\lambda_\mathrm c$ of (46) is 1; at $\eta=0$ they have no length, so that $h=0$, for every $\lambda_0>0$ the particle is at rest after $\lvert\mathfrak w_0\rvert/\lambda_0$ by (26) and stays, and $\lambda_\mathrm c$ is 0",

@@ -54,7 +54,6 @@ pub(super) fn never_part(rate: Expr) -> Proof {
     })
 }
 
-/// By (2), with a velocity across the drive too, the speed has no larger rate than |h| − λ₀.
 pub(super) fn slows(law: Expr) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = Ring::new();
@@ -81,7 +80,6 @@ pub(super) fn slows(law: Expr) -> Proof {
     })
 }
 
-/// A threshold.
 pub(crate) const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Printed,
     r"for every piecewise continuous $h$ of the period $2\pi$, at each phase one of its one-sided limits, with the largest size 1, which is smaller for some time, and which, if its mean $m$ is 0, does not vanish, nor has the limit 0 from one side, where its antiderivative $H$ is at its median $c$: from every start, with any velocity across, there is rest for some time and motion for some time in every late period if $\langle\lvert h\rvert\rangle<\lambda_0<1$, and from some time on no rest if $0<\lambda_0<\min(\delta,\eta/\pi)$, where $\lvert h\rvert\ge\delta$ wherever $\lvert H-c\rvert\le\eta$, or if $m\ne0$ and $0<\lambda_0<\lvert m\rvert$. So there is a least number $\lambda_\mathrm c$ such that all $\lambda_0$ between it and 1 have rests, with $0<\lambda_\mathrm c<1$; and for one $h$ the behaviour changes at two more values at least",
@@ -89,7 +87,6 @@ pub(crate) const THRESHOLD: Statement<(Expr, Expr, [Expr; 2])> = Statement::show
     |(law, rate, kinds)| Proof::for_both_signs(|sign| threshold(law, rate, kinds, sign)),
 );
 
-/// The ring of (26), with the sign of 𝔴.
 fn ring(sign: i64) -> Result<Ring, ExactError> {
     let mut ring = Ring::of(["λ₀", "M", "m", "𝔴₀", "n", "H", "c", "ℓ", "P", "η"]);
     ring.angle("ψ");

@@ -103,7 +103,6 @@ pub fn shares(side: usize) -> Result<Vec<f64>, DriveError> {
 }
 
 attempts![
-    // The drawn shares with those that follow from (44): 1 − η/λ₀ for λ₀ above (46), else 0.
     shares_motion = {
         let side = 33;
         Trial::motion(

@@ -6,7 +6,6 @@ use super::prelude::*;
 const REST: DriveState = DriveState { phi: 0.0, w: 0.0 };
 /// From here a motion starts that is compared in full: far from any periodic one.
 const OFF: DriveState = DriveState { phi: 2.5, w: 3.0 };
-/// Periods that a motion is given to settle.
 const PERIODS: u32 = 400;
 
 /// What becomes of the motion, as a count.
@@ -41,17 +40,16 @@ fn settled(
     Ok(drive.attractor(friction, from, PERIODS)?.settled())
 }
 
-/// The periodic motion under isotropic friction, from a start far from it; `None` if it drifts.
+/// From a start far from it; `None` if it drifts.
 pub(crate) fn motion(drive: &Drive, lambda: f64) -> Result<Option<Attractor<'_>>, DriveError> {
     settled(drive, lambda, OFF)
 }
 
-/// What becomes of the motion from rest under isotropic friction, from the simulation alone.
+/// From rest under isotropic friction, by the simulation alone.
 pub(crate) fn phase(drive: &Drive, lambda: f64) -> Result<Phase, DriveError> {
     Ok(settled(drive, lambda, REST)?.map_or(Phase::Drifts, |motion| phase_of(&motion)))
 }
 
-/// The kind of a periodic motion.
 pub(crate) fn phase_of(motion: &Attractor<'_>) -> Phase {
     let list = motion.intervals();
     match list.iter().filter(|i| i.sign == Sign::Rest).count() {
@@ -60,13 +58,12 @@ pub(crate) fn phase_of(motion: &Attractor<'_>) -> Phase {
     }
 }
 
-/// The share of the period in which a periodic motion is at rest.
 pub(crate) fn rest_share(motion: &Attractor<'_>) -> f64 {
     let rests = motion.intervals().iter().filter(|i| i.sign == Sign::Rest);
     rests.map(|i| i.length()).sum::<f64>() / TAU
 }
 
-/// The place between `low` and `high` where `holds` changes, by halving to the last bits.
+/// By halving to the last bits.
 pub(crate) fn boundary<E>(
     mut low: f64,
     mut high: f64,
@@ -128,7 +125,6 @@ impl Harmonics {
         Self::new(0.0, &terms)
     }
 
-    /// h(φ).
     pub(crate) fn h(&self, phi: f64) -> f64 {
         let wave = |&(k, a, p): &(f64, f64, f64)| a * libm::sin(k * phi + p);
         (self.mean + self.terms.iter().map(wave).sum::<f64>()) / self.size
@@ -139,18 +135,14 @@ impl Harmonics {
         self.terms.iter().map(|&(k, a, p)| [k, a / self.size, p])
     }
 
-    /// The drive.
     pub(crate) fn drive(&self) -> Result<Drive, DriveError> {
         Drive::new(|phi| self.h(phi), &[])
     }
 }
 
-/// A drive with a name.
 #[derive(Debug, Clone)]
 pub(crate) struct Named {
-    /// The name, in a few words.
     pub name: &'static str,
-    /// The drive.
     pub drive: Drive,
     /// Whether the claim's added conditions hold: no mean, not two-valued, not level at the median.
     pub generic: bool,
@@ -201,7 +193,7 @@ pub(crate) fn biased(b: f64) -> Result<Drive, DriveError> {
     Harmonics::new(b, &[(1, 1.0, 0.0)])?.drive()
 }
 
-/// The drives of the census, in the order in which it lists them.
+/// In the order in which the census lists them.
 pub(crate) fn named() -> Result<Vec<Named>, DriveError> {
     let one = |name, drive, generic| Named {
         name,

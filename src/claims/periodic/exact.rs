@@ -1,7 +1,6 @@
 //! The pulse train, exactly: (44) to (46), and the motion that the paper leaves out.
 //!
 //! Entered are the equation of motion, w' = h − λ₀ for w > 0 and w' = h + λ₀ for w < 0, and the values of h.
-//! The formulas come from [`crate::paper::periodic`] and [`crate::corrections::periodic`], as trees.
 
 use super::prelude::*;
 
@@ -16,7 +15,6 @@ fn ring() -> Ring {
 /// A motion in cases: each solves the equation, they join, and it begins and ends at 0.
 struct Chain {
     title: &'static str,
-    /// What is shown.
     says: &'static str,
     /// w(φ), case by case.
     cases: Vec<Expr>,
@@ -62,7 +60,6 @@ impl Chain {
     }
 }
 
-/// (44): the formula for the chain, with the printed cases put in.
 pub(crate) fn eq44_chain(cases: [Expr; 3]) -> Proof {
     let [lambda, eta, _] = symbols();
     let [peak, stop] = printed::eq44_ends(lambda, eta);
@@ -80,7 +77,6 @@ pub(crate) fn eq44_chain(cases: [Expr; 3]) -> Proof {
     })
 }
 
-/// Evidence on (45).
 /// (45): with w(φ) a solution while h is h(φ), the printed w(π + φ) is one while h is that of (43).
 pub(crate) const EQ45: Statement = Statement::new(
     Printed,
@@ -107,8 +103,6 @@ pub(crate) const EQ45: Statement = Statement::new(
     },
 );
 
-/// Evidence on (46).
-/// (46): the stop of (44) and the start of the small-friction motion both meet the beginning of a pulse there.
 pub(crate) const EQ46: Statement = Statement::new(
     Printed,
     Compared::many(
@@ -135,7 +129,6 @@ pub(crate) const EQ46: Statement = Statement::new(
     },
 );
 
-/// The small-friction motion, from its start through the gap to the zero under the next pulse.
 pub(crate) fn small_friction() -> Proof {
     let [lambda, eta, phi] = symbols();
     small_friction_chain(supplied::small_friction_cases(lambda, eta, phi))
@@ -160,7 +153,6 @@ const COMPARED: Compared = Compared::one(
     r"$\mathfrak w'=h-\lambda_0$ case by case, and the cases with each other where they meet",
 );
 
-/// Evidence on (44).
 pub(crate) const EQ44: Statement<[Expr; 3]> = Statement::new(
     Printed,
     COMPARED,

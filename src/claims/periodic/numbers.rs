@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::pulse_remarks::friction;
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// What the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 1] = [Numbers::new(
     "s23-nonzero-again",
     || {

@@ -47,13 +47,11 @@ fn pull([eta, _, phi]: [f64; 3]) -> Result<f64, Failure> {
     Ok(end.end.w / STEP)
 }
 
-/// The same, on a plane of some direction.
 fn pull_on_a_plane([eta, _, phi]: [f64; 3]) -> Result<f64, Failure> {
     let at = |phi| on_a_plane((eta, 0.0), 0.3, phi);
     Ok((at(phi + STEP)? - at(phi)?) / STEP)
 }
 
-/// The largest |h| of pulses, against what section 2.3 assumes.
 fn largest(
     route: Route,
     subject: Subject,
@@ -86,7 +84,6 @@ fn twelve_digits(x: f64) -> f64 {
 }
 
 attempts![
-    // As printed: friction.
     friction_again = around_pi(
         Integration,
         Printed,
@@ -96,7 +93,6 @@ attempts![
         ),
         |point| { Ok([printed::s23_nonzero_again(friction(point)?), pull(point)?]) }
     ),
-    // As corrected: the drive.
     pull_again = around_pi(
         Integration,
         Corrected,
@@ -109,7 +105,6 @@ attempts![
             Ok([corrected::nonzero_again(pulses(eta)?.h(phi)), pull(point)?])
         }
     ),
-    // The same, with a particle on a plane.
     pull_again_on_a_plane = around_pi(
         Quadrature,
         Corrected,
@@ -124,7 +119,6 @@ attempts![
             Ok([middle, pull_on_a_plane(point)?])
         }
     ),
-    // By the pulses' values.
     largest_census = largest(
         Census,
         Within,
@@ -135,7 +129,6 @@ attempts![
         widths(),
         seen
     ),
-    // By what a pulse gives a smooth particle, over its length.
     largest_integration = largest(
         Integration,
         Within,

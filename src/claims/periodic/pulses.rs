@@ -3,13 +3,13 @@
 use super::drives::{boundary, motion, phase, phase_of};
 use super::prelude::*;
 
-/// Phases per half period at which a whole motion is compared; the joints are added.
+/// Per half period; the joints are added.
 const PHASES: u32 = 48;
 
-/// Shares of the gap in which pulses with large friction, or of the pulse in which those with small, are tried.
+/// Shares of the gap for large friction, of the pulse for small.
 const NEAR_ENDS: [f64; 4] = [1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6];
 
-/// (η, λ₀) with η < λ₀ < 1 over the whole triangle, and along its edges.
+/// Over the whole triangle η < λ₀ < 1, and along its edges.
 fn above() -> Vec<(f64, f64)> {
     let mut points = Points::here();
     let mut list = square(&mut points, |eta, share| eta + (1.0 - eta) * share);
@@ -49,15 +49,14 @@ fn at((eta, lambda): (f64, f64)) -> String {
     format!("η = {eta:.6}, λ₀ = {lambda:.6}")
 }
 
-/// Phases of half a period from `start` on, with the ends of the cases.
 fn phases(start: f64, ends: [f64; 2]) -> impl Iterator<Item = f64> {
     let grid = (0..=PHASES).map(move |k| start + PI * f64::from(k) / f64::from(PHASES));
     let inside = move |phi: &f64| (start..=start + PI).contains(phi);
     grid.chain(ends.into_iter().filter(inside))
 }
 
-/// The largest difference of stated and found values, at (phase, stated, found), with none; what is no number is larger
-/// than all that are.
+/// The largest difference of stated and found values, at (phase, stated, found); what is no number is larger than
+/// all that are.
 fn worst(point: (f64, f64), scale: f64, values: impl Iterator<Item = [f64; 3]>) -> Pair {
     let apart = values.map(|[phi, stated, found]| (phi, (stated - found).abs()));
     let larger = |a: (f64, f64), b: (f64, f64)| if a.1 >= b.1 || a.1.is_nan() { a } else { b };
@@ -76,7 +75,7 @@ fn eq44((eta, lambda): (f64, f64), phi: f64) -> f64 {
     printed::eq44_cases(lambda, eta, phi)[case]
 }
 
-/// The periodic motion under the pulses; an error if it drifts, which no motion without a mean force does.
+/// An error if it drifts, which no motion without a mean force does.
 fn with_motion<T>(
     (eta, lambda): (f64, f64),
     then: impl FnOnce(&Attractor<'_>) -> Result<T, Failure>,
@@ -93,13 +92,12 @@ fn joints((eta, lambda): (f64, f64)) -> [f64; 2] {
     [eta * PI, eta * PI + (1.0 - lambda) * eta * PI / lambda]
 }
 
-/// The area under a pulse and the gap after it, up to φ.
 fn area([pulse, gap]: [f64; 2], eta: f64, phi: f64) -> f64 {
     let end = phi.min(printed::eq42_end(eta));
     pulse * end + gap * (phi - end)
 }
 
-/// Gains of a smooth particle from rest at φ = 0: `expected` says until when, and how much.
+/// `expected` says until when, and how much.
 fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
     trial.drawn(0..200, |i, points| {
         let eta = match i {
@@ -119,8 +117,8 @@ fn gains(trial: &Trial, expected: impl Fn(f64, f64) -> (f64, f64)) -> Evidence {
     })
 }
 
-/// The velocity along a pull in pulses, from rest at φ = 0, and across it, of a particle on a plane of any direction. It
-/// rests before each pulse, so that its first period is like every other.
+/// Along a pull in pulses, from rest at φ = 0, and across it. The particle rests before each pulse, so that its
+/// first period is like every other.
 pub(super) fn on_a_plane((eta, lambda): (f64, f64), angle: f64, phi: f64) -> Result<f64, Failure> {
     let square = |start: f64| Signal::Square { start, half: PI };
     let late = square(eta * PI).times(-1.0);
@@ -147,7 +145,6 @@ fn from_rest(compared: Compared, value: impl Fn((f64, f64), f64) -> [f64; 2]) ->
     })
 }
 
-/// Widths of pulses at which λ_c is bracketed.
 fn widths() -> Vec<f64> {
     let mut points = Points::here();
     let edges = [1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6];
@@ -157,7 +154,6 @@ fn widths() -> Vec<f64> {
         .collect()
 }
 
-/// Where rests appear in the simulation, by bisection in λ₀ between 0 and 1.
 fn bracketed(eta: f64) -> Result<f64, DriveError> {
     let drive = pulses(eta)?;
     boundary(0.0, 1.0, |lambda| {
@@ -165,7 +161,6 @@ fn bracketed(eta: f64) -> Result<f64, DriveError> {
     })
 }
 
-/// η = 1 and η = 0 themselves.
 fn extremes_census() -> Evidence {
     let mut points = Points::here();
     let edges = [1e-9, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0 - 1e-9];
@@ -236,7 +231,6 @@ fn extremes_limit() -> Evidence {
 }
 
 attempts![
-    // (42): a smooth particle gains what the printed pulse gives until φ.
     eq42 = {
         let trial = Trial::consistency(
             Printed,
@@ -249,7 +243,6 @@ attempts![
             (phi, area(printed::eq42_cases(), eta, phi))
         })
     },
-    // (43): the second half takes back what the first has given.
     eq43 = {
         let trial = Trial::consistency(
             Printed,
@@ -275,14 +268,12 @@ attempts![
         trial.over(above(), |point| {
             with_motion(point, |motion| {
                 let ends = joints(point);
-                // No term of (44) is larger.
                 let scale = point.0 * PI;
                 let values = phases(0.0, ends).map(|phi| [phi, eq44(point, phi), motion.w(phi)]);
                 Ok(worst(point, scale, values))
             })
         })
     },
-    // (44) with a particle on a plane, whose acceleration jumps.
     eq44_plane = from_rest(
         Compared::one(
             "(44)",
@@ -290,7 +281,6 @@ attempts![
         ),
         |point, phi| [phi, eq44(point, phi)]
     ),
-    // (45), with (44) in it, with the simulated motion over the other half.
     eq45_motion = {
         let trial = Trial::motion(
             Printed,
@@ -331,7 +321,6 @@ attempts![
             bracketed(eta)?,
         ))
     }),
-    // (46) over the whole square: two rests per period above λ_c, none below.
     eq46_census = {
         let points = above().into_iter().zip(below()).flat_map(|(a, b)| [a, b]);
         Trial::census(
@@ -357,7 +346,6 @@ attempts![
             ))
         })
     },
-    // Below λ_c: the motion that the paper leaves out, with the simulated one over a whole period.
     below_motion = {
         let trial = Trial::motion(
             Printed,
@@ -381,7 +369,6 @@ attempts![
     },
     extremes_census,
     extremes_limit,
-    // No pulses and no friction.
     extremes_outside = {
         let starts = Points::here().within(24, [[0.1, 3.0]]);
         Trial::census(
@@ -415,7 +402,6 @@ attempts![
 mod tests {
     use super::*;
 
-    /// At the end of a case the next one begins.
     #[test]
     fn the_cases_end_at_their_ends() {
         let (lambda, eta) = (0.3, 0.4);

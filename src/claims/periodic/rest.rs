@@ -13,7 +13,6 @@ fn at(name: &str, lambda: f64, start: DriveState) -> String {
     format!("{name}: λ₀ = {lambda:.6}, φ₀ = {phi:.6}, 𝔴₀ = {w:.6}")
 }
 
-/// Every drive, many frictions and starts: at rest within the time |w₀|/(λ₀ − 1), and from then on.
 fn within_time() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -71,7 +70,6 @@ fn left(w: f64, later: &[Interval]) -> f64 {
     w.abs() + moving.map(|i| i.length()).sum::<f64>()
 }
 
-/// When it comes to rest: the motion's first rest with the root of the equation's integral.
 pub(super) fn stopping_time() -> Evidence {
     let trial = Trial::by(
         Root,
@@ -116,7 +114,6 @@ pub(super) fn stopping_time() -> Evidence {
 attempts![
     within_time,
     stopping_time,
-    // 1 is the exact bound: from 1 on all is still, below it something moves.
     sharp = {
         let drives = named();
         let excess = [1e-3, -1e-3, 0.0, 1e-9, -1e-6, 1e-6, -0.1, 0.1, 9.0, -1e-5];

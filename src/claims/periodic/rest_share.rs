@@ -3,7 +3,7 @@
 use super::drives::{motion, rest_share, steps_between};
 use super::prelude::*;
 
-/// The share of rest at λ₀ = 1 − δ.
+/// At λ₀ = 1 − δ.
 fn share(drive: &Drive, delta: f64) -> Result<f64, Failure> {
     let motion = motion(drive, 1.0 - delta)?.ok_or("it drifts")?;
     Ok(rest_share(&motion))
@@ -33,7 +33,6 @@ pub(super) fn limit() -> Evidence {
     })
 }
 
-/// More than half of the period, a thousandth below 1 or closer.
 pub(super) fn census() -> Evidence {
     let trial = Trial::census(Printed, Compared::one(
         r"whether the share of rest is more than half of the period, as stated for $\lambda_0\to1$ (1 if so),",
@@ -53,7 +52,6 @@ pub(super) fn census() -> Evidence {
     })
 }
 
-/// |h| = 1 throughout: no rest, however near λ₀ is to 1.
 pub(super) fn two_valued() -> Evidence {
     Trial::census(
         Remark,

@@ -26,17 +26,16 @@ fn size([n, d]: Size) -> Expr {
     ratio([n.into(), d.into()])
 }
 
-/// A step of the drive in the first half period.
 #[derive(Debug, Clone, Copy)]
 struct DriveStep {
-    /// Where it ends, as a part of the half period.
+    /// As a part of the half period.
     end: Fraction,
     h: Fraction,
     /// h² less the square of 1/8.
     excess: Size,
 }
 
-/// The drive; its second half period is by (43).
+/// The second half period is by (43).
 const DRIVE: [DriveStep; 3] = [
     DriveStep {
         end: [3, 8],
@@ -55,7 +54,6 @@ const DRIVE: [DriveStep; 3] = [
     },
 ];
 
-/// What the particle does for a while.
 #[derive(Debug, Clone, Copy)]
 enum Does {
     /// 𝔴 has this sign, and in the end this size, over π.
@@ -129,14 +127,12 @@ impl Half {
         Ok(if turn % 2 == 0 { h } else { printed::eq43_h(h) })
     }
 
-    /// Whether there are rests, 1 if so.
     fn kind(&self) -> i64 {
         let rests = |(_, does): &(i64, Does)| matches!(does, Rests(_));
         i64::from(self.stretches.iter().any(rests))
     }
 }
 
-/// Rests that come, go and come again.
 pub(super) const CHANGES: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Printed,
     r"for the $h$ that for $0<\phi<\pi$ is $-1/6$ between $3\pi/8$ and $\pi/2$ and else 1, with (43): from every start, with any velocity across, there is no rest at $\lambda_0=1/8$, there are two rests in every late period at $1/5$, none from some time on at $1/2$, and two again at $2/3$",
@@ -318,7 +314,6 @@ mod tests {
         }
     }
 
-    /// With another friction, another beginning, over a jump of h, at rest for too long, or for too short a time.
     #[test]
     fn a_half_period_that_is_no_motion_is_refused() {
         let [come, go, again] = HALVES;

@@ -5,12 +5,10 @@ use super::drives::{
 };
 use super::prelude::*;
 
-/// Samples of a drive over its period.
 const SAMPLES: usize = 4096;
 /// Half the distance of two samples, times the steepest slope of three harmonics of size 1, and some more.
 const MARGIN: f64 = 3e-3;
 
-/// Friction below which a drive without a mean never lets rest, and above which it must.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bounds {
     /// No rest for 0 < λ₀ < low: |h| > λ₀ wherever |H − c| ≤ πλ₀.
@@ -19,8 +17,8 @@ pub(crate) struct Bounds {
     pub high: f64,
 }
 
-/// The bounds of [`crate::corrections::periodic`], from samples; each is moved to the safe side by more
-/// than h or H/π changes between two samples.
+/// Those of [`crate::corrections::periodic`], from samples, each moved to the safe side by more than h or H/π
+/// changes between two samples.
 pub(crate) fn bounds(drive: &Drive) -> Bounds {
     let places = (0..SAMPLES).map(|k| TAU * (k as f64 + 0.5) / SAMPLES as f64);
     let samples: Vec<[f64; 2]> = places
@@ -39,12 +37,11 @@ pub(crate) fn bounds(drive: &Drive) -> Bounds {
     }
 }
 
-/// The mean of |h| over a period, from samples.
 pub(crate) fn mean_size(drive: &Drive) -> f64 {
     bounds(drive).high - MARGIN
 }
 
-/// A drive at a friction, which is much or little: whether rests are stated, and whether they are there.
+/// Under much friction or little: whether rests are stated, and whether they are there.
 fn rests(name: &str, drive: &Drive, lambda: f64, much: bool) -> Result<Pair, Failure> {
     let found = phase(drive, lambda)?;
     Ok(Pair {
@@ -60,7 +57,7 @@ fn rests(name: &str, drive: &Drive, lambda: f64, much: bool) -> Result<Pair, Fai
     })
 }
 
-/// The named drives that are generic and without a mean, and random ones.
+/// The named ones that are generic and without a mean, and random ones.
 fn admitted() -> Result<Vec<Named>, DriveError> {
     let mut points = Points::here();
     let mut list: Vec<Named> = named()?.into_iter().filter(|d| d.generic).collect();
@@ -110,7 +107,6 @@ fn drifting(drive: &Drive, lambda: f64) -> Result<Pair, Failure> {
     })
 }
 
-/// |h| = 1 throughout: no rest at any λ₀ < 1.
 pub(crate) fn two_valued() -> Evidence {
     let trial = Trial::census(
         Remark,
@@ -149,7 +145,6 @@ pub(crate) fn level() -> Evidence {
 }
 
 attempts![
-    // Every admitted drive: no rest below the one bound, motion with rest above the other.
     both_ends = {
         let trial = Trial::census(
             Printed,
@@ -171,7 +166,6 @@ attempts![
                 .collect()
         })
     },
-    // λ_c from that condition, with the place where rests appear in the simulation.
     two_zeros_root = {
         let trial = Trial::by(
             Root,
@@ -197,7 +191,6 @@ attempts![
             ))
         })
     },
-    // More than one change: rests come, go, and come again as the friction grows.
     again_and_again = {
         let trial = Trial::census(
             Printed,
@@ -216,7 +209,6 @@ attempts![
             Ok(Pair::plain(format!("a = {a:.6}"), 3.0, changes as f64))
         })
     },
-    // With a mean: no rest below it, and rests above the mean of |h|.
     with_mean = Trial::census(
         Printed,
         Compared::constant(
@@ -240,7 +232,6 @@ attempts![
             ..pair
         })
     }),
-    // With a mean: how it goes on below it.
     with_mean_drift = {
         let trial = Trial::census(
             Remark,
@@ -255,7 +246,6 @@ attempts![
             drifting(&drive, lambda)
         })
     },
-    // The same close to where the friction is as strong as the mean.
     with_mean_close = {
         let trial = Trial::census(
             Remark,

@@ -1,7 +1,7 @@
 //! Trials of (140) to (145): the last moments before rest.
 //!
-//! Each equation is tried in two ways: where what it leaves out is below the tolerance (p = 10⁻²⁰), and where it is
-//! not (p = 10⁻³), in units of its order. And each is tried where ψ → π instead of 0.
+//! Each equation is tried where what it leaves out is below the tolerance (p = 10⁻²⁰), where it is not (p = 10⁻³, in
+//! units of its order), and where ψ → π.
 
 use super::boundary::{angle_towards_one, border};
 use super::prelude::*;
@@ -14,21 +14,18 @@ use crate::claims::escape::trajectories::{a, alpha, rates};
 use crate::motion::turntable::intrinsic;
 use crate::numerics::eigenvalues::{eigenvalues, jacobian};
 
-/// What an equation says at σ and what the motion does, and the size of its terms.
+/// What an equation says at σ, what the motion does, and the size of its terms.
 type Sides = fn(sigma: f64, close: &Close) -> [f64; 3];
 
-/// An equation: what it states and what is found, in words, and both in numbers.
 type Equation = (&'static str, &'static str, Sides);
 
 /// A moment at which an equation is tried: its name, σ, the motion then, and the unit in which a difference is counted.
 type Moment = Result<(String, f64, Close, f64), Failure>;
 
-/// A way to try an equation.
 struct Way {
     route: Route,
     subject: Subject,
     tolerance: Tolerance,
-    /// Words before what is stated, and after what is found.
     words: [&'static str; 2],
     moments: fn() -> Box<dyn Iterator<Item = Moment>>,
 }
@@ -87,7 +84,6 @@ const BY_ORDER: Way = Way {
     },
 };
 
-/// On the way into a rest with ψ → π.
 const STRAIGHT: Way = Way {
     route: Integration,
     subject: Outside,
@@ -102,7 +98,6 @@ const STRAIGHT: Way = Way {
     },
 };
 
-/// What holds there instead.
 const STRAIGHT_CORRECTED: Way = Way {
     subject: Corrected,
     words: ["", r" of a motion that comes to rest with $\psi\to\pi$"],
@@ -166,8 +161,8 @@ static BORDERS_NEAR_ONE: Runs<Vec<Close>> = Runs::new(|| {
     every(Points::here().grid(alphas).into_iter().map(leaving))
 });
 
-/// A moment after the point of the boundary with this α: the motion stays on the boundary. It never comes to rest; where (141)
-/// asks for the time that is left, any will do.
+/// Just after the point of the boundary with this α. It never comes to rest: where (141) asks for the time that is
+/// left, any will do.
 fn leaving(alpha0: f64) -> Result<Close, Failure> {
     let psi = angle_towards_one(alpha0);
     let a0 = border(alpha0, psi)?.a;
@@ -208,7 +203,6 @@ const EQ141: Equation = (
 fn eq141(sigma: f64, c: &Close) -> [f64; 3] {
     [printed::eq141_alpha(sigma, -c.left), c.alpha, c.alpha]
 }
-/// Of an equation, what its left side exceeds the right one by, and 0.
 const EQ142: Equation = (
     r"the difference of the sides of (142), over $2+\psi/\alpha$, with $\mathrm d\psi/\mathrm d\alpha$ of the motion,",
     "0",
@@ -223,7 +217,6 @@ const EQ144: Equation = (
     "0",
     |sigma, c| eq144(sigma, c.a_slope, c.alpha),
 );
-/// By the path.
 const EQ144_WAY: Equation = (
     r"the relative difference of the sides of (144), with $A\,\mathrm dA=\mathrm ds$ from the path still to go,",
     "0",
@@ -292,8 +285,8 @@ fn constants(subject: Subject, compared: Compared, ranges: &'static [(f64, f64)]
     })
 }
 
-/// The scale of a comparison: what is left out can be the larger part of a difference where c is large, or, beside a slope, where
-/// it is small. Without the condition of (143) this is what the trial is about.
+/// What is left out can be the larger part of a difference where c is large, or, beside a slope, where it is small;
+/// without the condition of (143) this is what the trial is about.
 fn unit(subject: Subject, size: f64, left_out: f64, tolerance: Tolerance) -> f64 {
     match subject {
         Within => size.max(left_out / tolerance.value),
@@ -306,7 +299,6 @@ const EXPONENT: Compared = Compared::one(
     r"the exponent of $\alpha$ in $\psi/\alpha$ of the motion",
 );
 
-/// The exponent of α beside c, from the slope of ψ/α at two moments.
 fn exponents(
     subject: Subject,
     compared: Compared,
@@ -334,7 +326,6 @@ fn exponents(
 /// Steps of the differences about a rest, of products of two numbers: without an error of the method.
 const STEP: f64 = 1e-2;
 
-/// Two levels of p for the exponent.
 fn early_levels(sigma: f64) -> [f64; 2] {
     if sigma < 0.5 {
         [1e-10, 1e-11]
@@ -343,7 +334,7 @@ fn early_levels(sigma: f64) -> [f64; 2] {
     }
 }
 
-/// α and ψ where p has fallen below 10⁻⁹, and then below 10⁻¹⁰ and so on, tenfold each time, to 10⁻²⁸.
+/// α and ψ where p has fallen below 10⁻⁹, 10⁻¹⁰ and so on to 10⁻²⁸.
 fn tenfold(run: &Run) -> Vec<[f64; 2]> {
     let levels = (9..29).filter_map(|n| {
         let p = libm::pow(10.0, f64::from(-n));
@@ -369,8 +360,6 @@ fn nearing(states: &[[f64; 2]], limits: [f64; 2]) -> usize {
         .count()
 }
 attempts![
-    // The exponent of α beside c by the motion linearised about the rest, where s is the time: across the motion (p = 0) and with
-    // it.
     eq143_linearised = {
         let trial = Trial::by(
             Root,
@@ -439,7 +428,6 @@ attempts![
         &[(0.8, 0.98)],
         |_| [1e-3, 1e-4]
     ),
-    // σ = 1/2: no value.
     eq143_one_half = Trial::by(
         Integration,
         Outside,
@@ -458,11 +446,9 @@ attempts![
             close.ratio().abs(),
         ])
     }),
-    // (143) has no such motion.
     eq143_straight = STRAIGHT.tries(("(143)", r"$\psi$ of the motion", |sigma, c| {
         [printed::eq143_psi(sigma, 0.0, c.alpha), c.psi, 1.0]
     })),
-    // The form without a singular point: its constant taken at p = 10⁻¹⁰, its value at p = 10⁻¹².
     eq143_regular = Trial::by(
         Integration,
         Corrected,
@@ -510,7 +496,6 @@ attempts![
             ))
         })
     },
-    // Random motions to rest, on which ψ and α come nearer to their limits at the end.
     near_rest_census = {
         let trial = Trial::census(
             Within,
@@ -556,16 +541,13 @@ mod tests {
         ];
         assert_eq!(nearing(&states, [0.0; 2]), 2);
         assert_eq!(nearing(&states[..3], [0.0; 2]), 1);
-        // Away from 1, and from one side of 0.56 to the other.
         assert_eq!(nearing(&states[..3], [1.0, 0.0]), 0);
         assert_eq!(nearing(&states[1..4], [0.0, 0.56]), 1);
-        // One that has just gone through its limit, and one that has not.
         let after = |psi: f64| [[1.0, psi], [0.5, -0.01], [0.25, -0.02]];
         assert_eq!(
             [0.1, -0.1].map(|psi| nearing(&after(psi), [0.0; 2])),
             [1, 0]
         );
-        // Every tenfold fall of p is there; α ≈ p/ρ falls with it.
         let approach = Approach::new([0.5, 0.2, 0.5]).unwrap().unwrap();
         let levels = tenfold(&approach.run);
         assert_eq!(levels.len(), 20);
@@ -575,7 +557,6 @@ mod tests {
         }
     }
 
-    /// A² and ρ at rest by the way still to go are those of the motion.
     #[test]
     fn the_way_left_gives_the_resting_place_and_the_slope() {
         let straight = straight_in(0.7, 0.1).unwrap();

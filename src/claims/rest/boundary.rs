@@ -4,22 +4,17 @@ use super::prelude::*;
 
 use crate::motion::turntable::fate::rests;
 
-/// A point of the boundary.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Border {
-    /// α.
     pub alpha: f64,
-    /// ψ in radians.
+    /// Radians.
     pub psi: f64,
-    /// A on the boundary, to 10⁻⁸.
+    /// On the boundary, to 10⁻⁸.
     pub a: f64,
 }
 
-/// Bisects for the A at which the particle passes from rest to escape. Newton's law gives the bracket: it rests where
-/// p + ρ = A exp(α) < 1, and escapes where ρ² − p² = A² ≥ 1.
-///
-/// # Errors
-/// Those of the motion.
+/// Bisects for the A at which the particle passes from rest to escape. Newton's law gives the bracket: it rests
+/// where p + ρ = A exp(α) < 1, and escapes where ρ² − p² = A² ≥ 1.
 pub(crate) fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
     let least = (1.0 - 1e-9) * libm::exp(-alpha);
     let start = |a| Start::hyperbolic(a, alpha, psi);
@@ -27,7 +22,6 @@ pub(crate) fn border(alpha: f64, psi: f64) -> Result<Border, MotionError> {
     Ok(Border { alpha, psi, a })
 }
 
-/// Points of the boundary: four α from 0.3 to 0.01, and twelve ψ all round.
 pub(crate) fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>> {
     static BORDERS: Runs<Vec<Border>> = Runs::new(|| {
         let angles = (0..12).map(|k| PI * (f64::from(k) - 5.5) / 6.0);
@@ -41,17 +35,17 @@ pub(crate) fn borders() -> impl Iterator<Item = Result<&'static Border, Failure>
     BORDERS.each()
 }
 
-/// A on the boundary by (147).
+/// By (147).
 pub(crate) fn printed_a(alpha: f64) -> f64 {
     printed::eq147_a(alpha)
 }
 
-/// α at which the envelope (147) has this A, in [0, 1].
+/// By (147), in [0, 1].
 pub(crate) fn printed_alpha(a: f64) -> f64 {
     std::f64::consts::SQRT_2 * (1.0 - libm::sqrt(a))
 }
 
-/// A on the boundary to second order in α.
+/// To second order in α.
 pub(crate) fn corrected_a(alpha: f64, psi: f64) -> f64 {
     corrected::boundary_a(alpha, psi)
 }
@@ -61,16 +55,14 @@ fn unit(alpha: f64) -> f64 {
     1e3 * alpha * alpha * alpha
 }
 
-/// A law of A on the boundary: what it speaks about, how close it is, and its A and the unit of a difference, by α and ψ.
+/// What it speaks about, how close it is, and its A and the unit of a difference, by α and ψ.
 type Law = (Subject, Tolerance, fn(f64, f64) -> [f64; 2]);
 
 const AS_PRINTED: Law = (Printed, BOUNDARY, |alpha, _| [printed_a(alpha), 1.0]);
-/// To the second order.
 const AS_CORRECTED: Law = (Corrected, THIRD_ORDER, |alpha, psi| {
     [corrected_a(alpha, psi), unit(alpha)]
 });
 
-/// Where a motion passes from rest to escape, by what is stated of A there.
 fn on_the_border(
     (subject, tolerance, law): Law,
     compared: Compared,
@@ -100,7 +92,6 @@ fn slow() -> impl Iterator<Item = Result<Border, Failure>> {
     alphas.map(|alpha| Ok(border(alpha, 2.0 * alpha)?))
 }
 
-/// The least A of the boundary over ψ: the least of those at twelve angles all round, and at some of the order of α.
 fn least_root() -> Evidence {
     let trial = Trial::by(
         Root,
@@ -150,21 +141,16 @@ fn close() -> impl Iterator<Item = Result<Border, Failure>> {
     })
 }
 
-/// A start and its fate.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Case {
     /// A, α and ψ.
     pub start: [f64; 3],
-    /// Whether it comes to rest.
     pub rests: bool,
     /// Whether α < 0.3 and the same comes of starts with A up to 6α³ nearer to the other fate.
     pub clear: bool,
 }
 
-/// Whether a start comes to rest, and at which σ.
-///
-/// # Errors
-/// Those of the motion; [`MotionError::Steps`] when rounding decides.
+/// Whether a start comes to rest, and at which σ; [`MotionError::Steps`] when rounding decides.
 pub(crate) fn resting_place(a: f64, alpha: f64, psi: f64) -> Result<Option<f64>, MotionError> {
     match fate(&Start::hyperbolic(a, alpha, psi)?)? {
         Fate::Rest { sigma, .. } => Ok(Some(sigma)),
@@ -182,7 +168,7 @@ const UNDECIDED: MotionError = MotionError::Steps {
 /// How many starts the census in the ledger has near A = 1, α = 0, and away from it. The benchmark has a million.
 const STARTS: [usize; 2] = [4020, 1000];
 
-/// The census: starts with all ψ near A = 1, α = 0, then starts away from it.
+/// With all ψ, near A = 1, α = 0, then away from it.
 pub(crate) static CENSUS: Runs<Vec<Case>> = Runs::new(|| {
     let mut points = Points::here();
     let [near, away] = STARTS;
@@ -223,7 +209,7 @@ fn counted(case: &Case, rests: bool) -> Pair {
     )
 }
 
-/// Whether a start, by A, α and ψ, comes to rest by (147).
+/// By (147), from A, α and ψ.
 fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
     a < printed_a(alpha)
 }
@@ -231,7 +217,6 @@ fn rests_as_printed([a, alpha, _]: [f64; 3]) -> bool {
 /// A place on a surface of constant σ, on the slow motion near σ = 1, where (146) holds.
 #[derive(Debug)]
 pub(crate) struct Surface {
-    /// σ.
     pub sigma: f64,
     /// α = √2 (1 − σ).
     pub alpha: f64,
@@ -239,7 +224,6 @@ pub(crate) struct Surface {
     pub slope: f64,
 }
 
-/// Twenty such places.
 pub(crate) static SURFACES: Runs<Vec<Surface>> = Runs::new(|| {
     let sigmas = (0..20).map(|i| 0.99 + 4e-4 * f64::from(i));
     every(Points::here().grid(sigmas).into_iter().map(surface))
@@ -255,7 +239,6 @@ fn surface(sigma: f64) -> Result<Surface, Failure> {
     let psi = angle_towards_one(alpha);
     let resting = |a: f64| match resting_place(a, alpha, psi) {
         Ok(Some(sigma)) => sigma,
-        // Beyond the boundary.
         Ok(None) => 1.0,
         Err(_) => f64::NAN,
     };
@@ -278,7 +261,6 @@ fn slopes(subject: Subject, compared: Compared, stated: fn(f64, f64) -> f64) -> 
 }
 
 attempts![
-    // (146) against the surfaces of the motion: ∂A/∂σ of the real surface where (146) has it vanish.
     real_surfaces = slopes(
         Printed,
         Compared::one(
@@ -298,7 +280,6 @@ attempts![
     ),
     printed_slow = on_the_border(AS_PRINTED, EQ147.over(r"$\psi=2\alpha$"), slow()),
     least_root,
-    // Who comes to rest by (147), and who does.
     printed_census = {
         // (147) is an expansion, and beyond α = √2 its surfaces have no σ: it is judged where the corrected form is.
         let small = only(CENSUS.each(), |case| case.start[1] < 0.3);
@@ -315,7 +296,6 @@ attempts![
         })
     },
     printed_root = on_the_border(AS_PRINTED, EQ147, borders().map(|border| border.copied())),
-    // Who comes to rest by the second-order boundary, and who does, farther from where the fate changes than the terms left out.
     corrected_census = {
         let trial = Trial::census(
             Corrected,
@@ -346,7 +326,6 @@ attempts![
 mod tests {
     use super::*;
 
-    /// Worked by hand.
     #[test]
     fn the_angle_towards_one_has_two_terms() {
         assert_eq!([0.5, 2.0].map(angle_towards_one), [1.5, 12.0]);

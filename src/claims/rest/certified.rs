@@ -24,7 +24,6 @@ fn proved([a, alpha, psi]: [f64; 3], border: f64) -> Result<Pair, Failure> {
     ))
 }
 
-/// (147) with proved fates.
 pub(crate) fn printed() -> Evidence {
     Trial::by(
         Certified,
@@ -38,7 +37,6 @@ pub(crate) fn printed() -> Evidence {
     .over(WRONG, |start| proved(start, printed_a(start[1])))
 }
 
-/// The second-order boundary with proved fates on both sides of it.
 pub(crate) fn corrected() -> Evidence {
     let trial = Trial::by(
         Certified,

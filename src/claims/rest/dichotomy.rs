@@ -4,7 +4,7 @@ use super::prelude::*;
 use crate::motion::turntable::boundary::boundary;
 use crate::motion::turntable::ensemble::rests;
 
-/// Starts all over the inner part of the states, by ρ, p and ψ.
+/// All over the inner part of the states, by ρ, p and ψ.
 fn starts(count: usize) -> Vec<[f64; 3]> {
     Points::here().within(count, [[0.0, 3.0], [0.0, 3.0], [-3.1, 3.1]])
 }
@@ -34,7 +34,6 @@ pub(super) fn fates() -> Evidence {
     })
 }
 
-/// In the laboratory, up to τ = 100: each has one of the two fates, and not both. From ρ² − p² > 1 none comes back to rest.
 pub(super) fn followed() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -74,7 +73,6 @@ fn creeps([[far, fast], [near, slow]]: [[f64; 2]; 2]) -> bool {
 attempts![
     fates,
     followed,
-    // Starts on the boundary: they creep towards ρ = 1, and have not come to rest when rounding takes over.
     on_the_boundary = {
         let trial = Trial::by(
             Root,
@@ -98,7 +96,6 @@ attempts![
             ))
         })
     },
-    // That the boundary has no inside: a part in a million beside it, on both sides, the fates are certain and differ.
     beside_the_boundary = {
         let trial = Trial::census(
             Excepted,
@@ -129,7 +126,6 @@ attempts![
 mod tests {
     use super::*;
 
-    /// A particle that is slow by now and has neither stopped nor gained enough energy, one at rest, one far out.
     #[test]
     fn who_has_met_no_fate_yet_is_counted() {
         let table = Table::default();

@@ -38,7 +38,6 @@ pub(crate) fn eq139(bound: Expr) -> Proof {
     })
 }
 
-/// (146) is the derivative of (145) with respect to σ.
 pub(crate) fn eq146(formula: Expr) -> Proof {
     prove("(146) is the derivative of (145) by σ", |p| {
         let a = p.read("(145)", printed::eq145_a::tree())?;
@@ -47,7 +46,6 @@ pub(crate) fn eq146(formula: Expr) -> Proof {
     })
 }
 
-/// (147) is (145) where (146) holds, with σ < 1.
 pub(crate) fn eq147(formula: Expr) -> Proof {
     prove("(147) is (145) with (146) put in", |p| {
         let alpha = symbol("α");
@@ -63,7 +61,6 @@ pub(crate) fn eq147(formula: Expr) -> Proof {
     })
 }
 
-/// (139) against the law of motion.
 pub(crate) const EQ139: Statement = Statement::new(
     Printed,
     Compared::one(
@@ -79,7 +76,6 @@ mod tests;
 
 attempts![
     &EQ139,
-    // (146) against (145).
     &EQ146 = Statement::new(
         Step,
         Compared::one(
@@ -89,7 +85,6 @@ attempts![
         printed::eq146_right::tree,
         eq146,
     ),
-    // (147) against (145) and (146).
     &EQ147 = Statement::new(
         Step,
         Compared::one(

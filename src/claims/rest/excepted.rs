@@ -4,7 +4,6 @@ use super::prelude::*;
 use super::trajectories::{APPROACHES, Approach};
 use trialbook::certified::interval::Interval;
 
-/// Of starts at random that come to rest none comes straight in: ψ tends to 0, not to π.
 pub(crate) fn straight_in() -> Evidence {
     Trial::census(
         Excepted,

@@ -75,7 +75,6 @@ impl Row {
     }
 }
 
-/// A line of the record.
 impl fmt::Display for Row {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Row {

@@ -6,7 +6,7 @@ use super::surfaces::bend;
 use crate::motion::turntable;
 use std::f64::consts::SQRT_2;
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// In the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [
     Numbers::new(
         "eq-146",
@@ -29,7 +29,6 @@ pub(super) static CASES: [Numbers; 4] = [
     ),
 ];
 
-/// The numbers by which claims can be found.
 pub(super) static VALUES: [Number; 8] = [
     Number::new("critical-radius", || Ok(turntable::critical_radius()?)),
     Number::new("critical-speed", || Ok(turntable::critical_speed()?)),
@@ -44,9 +43,6 @@ pub(super) static VALUES: [Number; 8] = [
 ];
 
 /// A on the boundary at α = 0.1, ψ = 0.2; computed once.
-///
-/// # Errors
-/// A motion that cannot be followed.
 fn boundary_example() -> Result<f64, Failure> {
     static A: Runs<f64> = Runs::new(|| Ok(turntable::boundary(0.1, 0.2)?));
     A.get().copied()

@@ -4,7 +4,7 @@ use super::boundary::CENSUS;
 use super::prelude::*;
 use crate::motion::turntable::rotating;
 
-/// A particle at rest on a table of any Ω, μ, g.
+/// On a table of any Ω, μ, g.
 struct Rider {
     table: Table,
     /// Its distance from the axis, over μg/Ω².
@@ -54,7 +54,6 @@ fn stayed(moved: f64) -> bool {
 /// Within the first moments, however slow they are.
 const SOON: f64 = 0.1;
 
-/// (139) where it decides: at rest on the table, a part in 10⁹ or less from the edge.
 fn eq139_at_the_edge() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -108,7 +107,6 @@ fn allowed(sigma: f64) -> f64 {
 }
 
 attempts![
-    // (139) with the largest distance from which a nudged particle comes back to rest.
     eq139_nudge = {
         let angles = (0..20).map(|i| 2.8 * (f64::from(i) - 9.5) / 9.5);
         Trial::by(
@@ -154,7 +152,6 @@ attempts![
         ))
     }),
     eq139_at_the_edge,
-    // Where particles come to rest: never beyond the largest σ.
     resting_places = {
         let resting = only(CENSUS.each(), |case| case.rests);
         Trial::census(

@@ -25,7 +25,6 @@ pub(crate) fn bend(sigma: f64, psi: f64) -> Result<f64, Failure> {
     Ok((4.0 * fine - coarse) / 3.0)
 }
 
-/// σ and ψ of the surfaces that are looked at.
 fn places() -> Vec<[f64; 2]> {
     Points::here().within(30, [[0.25, 0.85], [-2.6, 2.6]])
 }
@@ -44,7 +43,6 @@ fn by_root(subject: Subject, law: &'static str, stated: fn(f64, f64, f64) -> f64
     })
 }
 
-/// The coefficient of α².
 pub(crate) fn bends() -> Evidence {
     Trial::by(
         Limit,

@@ -4,41 +4,34 @@ use super::prelude::*;
 use crate::claims::escape::trajectories::{a, alpha, rates};
 use std::sync::{Mutex, PoisonError};
 
-/// A motion that ends at rest.
 #[derive(Debug)]
 pub(crate) struct Approach {
     /// ρ, p and ψ at the start.
     pub start: [f64; 3],
     /// ρ at rest.
     pub sigma: f64,
-    /// The motion.
     pub run: Run,
-    /// The moments that were asked for, by speed.
+    /// Those that were asked for, by speed.
     moments: Mutex<Vec<(f64, Close)>>,
 }
 
-/// A moment just before rest.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Close {
-    /// Time left until the stop.
+    /// Time until the stop.
     pub left: f64,
-    /// α.
     pub alpha: f64,
-    /// ψ.
     pub psi: f64,
-    /// A.
     pub a: f64,
-    /// dα/dτ, by differences.
+    /// dα/dτ, by differences; so are the three slopes.
     pub alpha_rate: f64,
-    /// dψ/dα, by differences.
+    /// dψ/dα.
     pub psi_slope: f64,
-    /// α d/dα of [`ratio`](Self::ratio), by differences.
+    /// α d/dα of [`ratio`](Self::ratio).
     pub ratio_slope: f64,
-    /// dA/dα, by differences.
+    /// dA/dα.
     pub a_slope: f64,
     /// dA/dα by the way that is still to go, dA² = 2 ds.
     pub a_slope_by_way: f64,
-    /// The way still to go.
     pub way_left: f64,
 }
 
@@ -60,10 +53,7 @@ impl Close {
 }
 
 impl Approach {
-    /// Follows a start to its rest; nothing if it does not come to rest.
-    ///
-    /// # Errors
-    /// Those of the motion.
+    /// Nothing if it does not come to rest.
     pub(crate) fn new(start: [f64; 3]) -> Result<Option<Self>, Failure> {
         let [rho, p, psi] = start;
         let run = Run::new(&Start::polar(rho, p, psi)?, 50.0)?;
@@ -76,16 +66,12 @@ impl Approach {
         }))
     }
 
-    /// The start and the end in the paper's symbols.
     pub(crate) fn at(&self) -> String {
         let ([rho, p, psi], sigma) = (self.start, self.sigma);
         format!("ρ = {rho:.6}, p = {p:.6}, ψ = {psi:.6} at the start, σ = {sigma:.6}")
     }
 
     /// The moment in the middle of what is left when p falls below `speed`.
-    ///
-    /// # Errors
-    /// Those of the motion.
     pub(crate) fn close(&self, speed: f64) -> Result<Close, Failure> {
         let mut moments = self.moments.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, close)) = moments.iter().find(|(of, _)| *of == speed) {
@@ -135,7 +121,6 @@ impl Approach {
 /// Motions to rest at σ from 0.05 to 0.98.
 pub(crate) static APPROACHES: Runs<Vec<Approach>> = Runs::new(all_approaches);
 
-/// Others of the same kinds.
 pub(crate) static OTHER_APPROACHES: Runs<Vec<Approach>> = Runs::new(|| others(all_approaches));
 
 fn all_approaches() -> Result<Vec<Approach>, Failure> {
@@ -156,7 +141,6 @@ fn all_approaches() -> Result<Vec<Approach>, Failure> {
     Ok(found)
 }
 
-/// Those that end at a σ in one of the ranges.
 pub(crate) fn approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
@@ -166,7 +150,7 @@ pub(crate) fn approaches_to(
     })
 }
 
-/// Of those, the ones that do not start near ψ = π, where the constant c of (143) is large.
+/// Those that do not start near ψ = π, where the constant c of (143) is large.
 pub(crate) fn gentle_approaches_to(
     ranges: &'static [(f64, f64)],
 ) -> impl Iterator<Item = Result<&'static Approach, Failure>> {
@@ -175,7 +159,7 @@ pub(crate) fn gentle_approaches_to(
     })
 }
 
-/// Motions that end at σ = 1/2: the ρ of the start is found from the resting place.
+/// The ρ of the start is found from the resting place.
 pub(crate) static APPROACHES_TO_ONE_HALF: Runs<Vec<Approach>> = Runs::new(|| {
     let mut points = Points::here();
     every((0..20).map(|_| to_one_half(points.uniform(0.05, 0.2), points.uniform(-2.5, 2.5))))

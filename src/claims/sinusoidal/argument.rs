@@ -1,10 +1,9 @@
-//! Trials of the steps of section 2.2 between its formulas: that a slip from rest outlasts half the period, that the motion
-//! along the drive does not die, and how friction acts across it.
+//! Trials of the steps of section 2.2 between its formulas.
 
 use super::prelude::*;
 use super::reference_motions::{at, dense};
 
-/// Whether the slip that begins at φ₁ lasts longer than half the period, and leaves a velocity below zero a period after φ₁.
+/// Longer than half the period, with a velocity below zero a period after φ₁.
 fn outlasts(lambda: f64) -> Result<bool, Failure> {
     let slip = Slip::of(lambda)?;
     let friction = Friction::new(lambda, lambda)?;
@@ -22,7 +21,6 @@ fn away_from_zeros(points: &mut Points) -> Result<[f64; 3], Failure> {
 }
 
 attempts![
-    // Motion for ever below λ₀ = 1, and none above.
     stays_census = {
         let mut points = Points::here();
         let large = (0..60).map(|_| points.uniform(1.0, 3.0));
@@ -41,7 +39,6 @@ attempts![
             Ok(Pair::plain(at(lambda), is(left < right), is(moves)))
         })
     },
-    // The same of a particle that was pushed across the drive too, in its sixth period.
     stays_motion = Trial::by(
         Integration,
         Printed,
@@ -66,7 +63,6 @@ attempts![
             is(moves),
         ))
     }),
-    // The rate of ln 𝔴_y, where that is −20.
     across_rate = {
         let trial = Trial::by(
             Integration,
@@ -93,7 +89,6 @@ attempts![
             })
         })
     },
-    // What a particle on the plane loses across the drive, of 10⁻³ and of 10⁻⁵.
     across_proportional = {
         let trial = Trial::by(
             Limit,
@@ -120,7 +115,6 @@ attempts![
             })
         })
     },
-    // λ₀ < λ_c, and beyond.
     outlasts_census = {
         let trial = Trial::census(
             Within,
@@ -137,7 +131,6 @@ attempts![
             ))
         })
     },
-    // Without friction it lasts for the whole period, and nothing is lost.
     outlasts_outside = {
         let trial = Trial::census(
             Outside,

@@ -15,7 +15,6 @@ use crate::claims::general::two_frames::eq2_proof;
 
 type NoRest = ([Expr; 2], [Expr; 3]);
 
-/// (38) is a motion: forward from φ̃₁ on for half a period, then the mirror, and nowhere else zero.
 fn passes((cases, ends): NoRest) -> Proof {
     Proof::in_ring("(38) passes through zero twice", ring_of_phi_t1(), |p| {
         p.shows("For 0 < λ₀ ≤ λ_c: (38) is positive from φ̃₁ to φ̃₁ + π and negative in the half period after that; at the two zeros it does not rest.");
@@ -37,7 +36,6 @@ fn passes((cases, ends): NoRest) -> Proof {
     })
 }
 
-/// For 0 < λ₀ ≤ λ_c: how much closer a motion comes to (38) in a period.
 fn drawn_to_no_rest(law: [Expr; 2], motion: NoRest) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = Ring::new();
@@ -196,7 +194,6 @@ fn no_rest_below((law, motion): ([Expr; 2], NoRest)) -> Proof {
     })
 }
 
-/// The three kinds.
 pub(crate) const TRICHOTOMY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::shown(
     Within,
     r"from every start, with any $v_y$: for every $0<\lambda_0<\lambda_\mathrm c$ the motion tends to (38), and beside its two zeros in a period, where $\mathrm dv_x/\mathrm d\phi$ has a sign by (1), $v_x$ has one zero each; for every $\lambda_\mathrm c<\lambda_0<1$ it has become (33), with two intervals of rest, after a finite time; for every $\lambda_0>1$ it rests after a finite time for ever",
@@ -231,7 +228,6 @@ fn trichotomy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
     })
 }
 
-/// The start across the drive is forgotten, but matters before.
 pub(crate) const IGNORES_VY: Statement<([Expr; 2], NoRest, [Expr; 4])> = Statement::shown(
     Within,
     r"for every $\lambda_0>0$ all motions, with any $v_y$ at the start, tend to one and the same: to (38) for $\lambda_0\le\lambda_\mathrm c$, to (33) for $\lambda_\mathrm c<\lambda_0<1$, to rest for $\lambda_0\ge1$, both of which they become after a finite time; but at the same $v_x\ne0$ another $\lvert v_y\rvert$ gives another $\mathrm dv_x/\mathrm d\phi$ by (1)",
@@ -272,14 +268,12 @@ fn ignores_vy((law, no_rest, rests): ([Expr; 2], NoRest, [Expr; 4])) -> Proof {
 
 attempts![
     &IGNORES_VY,
-    // Drawn to (33), from every start.
     &REST_INTERVAL = Statement::shown(
         Printed,
         r"for every $\lambda_0$ with $\tilde\phi_2<\phi_3$: the velocities of two motions under one drive never move apart, while (33) rests the speed of any other motion falls by $\lambda_0-\lvert\sin\phi\rvert>0$ at least, and so from every start, with any $v_y$, the distance from (33) is 0 after a finite number of its rests",
         || (eq2(), eq33()),
         |(law, cases)| drawn_to_rests(law, cases)
     ),
-    // Drawn to (38), from every start, so that no other motion is periodic.
     &NO_REST_BELOW = Statement::shown(
         Printed,
         r"for every $0<\lambda_0<\lambda_\mathrm c$: the velocities of two motions under one drive never move apart, and in each period the distance $D$ of any motion from (38) shrinks by at least an amount that depends on $D$ and $\lambda_0$ alone, to 0: a periodic motion, whose distance from (38) returns, is (38), which is zero at $\tilde\phi_1$ and half a period later only; and for $\lambda_0=0$ nothing holds a particle at rest while $\sin\phi\ne0$",

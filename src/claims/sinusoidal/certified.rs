@@ -1,14 +1,13 @@
 //! Section 2.2, on the whole range of λ₀: the bracket of φ̃₂, and the one change at λ_c.
 //!
-//! *The bracket.* The slope of (32)'s left side by φ is sin φ − λ₀: positive from φ₁ to φ₂, where the sine is above
-//! its value λ₀ at both ends, and negative from φ₂ to φ₄, where it is below. The left side is 0 at φ₁. If it is
-//! positive at φ₂ and negative at φ₄, it has therefore exactly one zero between φ₁ and φ₄, and that is between φ₂
-//! and φ₄. Both signs are found by subdivision in φ₁, λ₀ = sin φ₁. As λ₀ → 1 the left side at φ₂ vanishes to the third
-//! order, as λ₀ → 0 the one at φ₄ to the first: its power series says so exactly, and the first coefficient that is
-//! left, enclosed on all of the part next to the end, bounds the remainder.
+//! *The bracket.* The slope of (32)'s left side by φ, sin φ − λ₀, is positive from φ₁ to φ₂ and negative from φ₂ to
+//! φ₄, and the left side is 0 at φ₁. If it is positive at φ₂ and negative at φ₄, it has exactly one zero between φ₁
+//! and φ₄, beyond φ₂. Both signs are found by subdivision in φ₁, λ₀ = sin φ₁. As λ₀ → 1 the left side at φ₂ vanishes
+//! to the third order, as λ₀ → 0 the one at φ₄ to the first: there the first coefficient that is left of its power
+//! series, enclosed on all of the part next to the end, bounds the remainder.
 //!
-//! *The change.* φ̃₁ has no slope by λ₀ at its end, λ₀ = 2/π. By φ̃₁ itself, λ₀ = 2 cos φ̃₁/π, everything has one, from
-//! that end, φ̃₁ = 0, to λ₀ = 0, φ̃₁ = π/2.
+//! *The change.* φ̃₁ has no slope by λ₀ at its end, λ₀ = 2/π. By φ̃₁ itself, λ₀ = 2 cos φ̃₁/π, everything has one,
+//! from φ̃₁ = 0 to λ₀ = 0, φ̃₁ = π/2.
 
 mod premises;
 
@@ -49,7 +48,6 @@ fn prove_sign(f: Expr, order: usize, wanted: f64) -> Outcome {
     })
 }
 
-/// φ₁, φ₂ and φ₄ as printed.
 fn phases() -> [Expr; 3] {
     let lambda0 = symbol("λ₀");
     [
@@ -59,7 +57,6 @@ fn phases() -> [Expr; 3] {
     ]
 }
 
-/// The left side of (32) as printed, of λ₀, φ₁ and φ.
 fn left() -> Expr {
     let [lambda0, phi1, phi] = ["λ₀", "φ₁", "φ"].map(symbol);
     printed::eq32_left(lambda0, phi1, phi)
@@ -85,7 +82,6 @@ fn prove_bracket(phases: [Expr; 3], left: Expr, compared: Compared) -> Evidence 
     resting_on(&premises, signs, Printed, compared)
 }
 
-/// φ₂ < φ̃₂ < φ₄.
 pub(crate) fn bracket() -> Evidence {
     let compared = Compared::shown(
         r"(32) has its signs at $\phi_2$ and $\phi_4$ for all $0<\lambda_0<1$, by subdivision, and next to $\lambda_0=1$ and $\lambda_0=0$ by series whose remainders are bounded",
@@ -93,7 +89,6 @@ pub(crate) fn bracket() -> Evidence {
     prove_bracket(phases(), left(), compared)
 }
 
-/// That a function has slopes of the sign of `way` on `range`.
 fn prove_slope(f: impl Fn(One) -> One, way: f64, range: Interval) -> Outcome {
     everywhere([range], |cell| {
         Said::of_sign(f(Jet::variables(cell)[0]).slope[0], way)
@@ -117,7 +112,6 @@ fn prove_threshold(left: fn(One) -> One, critical: Interval) -> Outcome {
     Ok(falls + prove_change(left, critical)?)
 }
 
-/// (35) changes its sign once, at λ_c of (37).
 pub(crate) fn threshold() -> Evidence {
     let compared = Compared::shown(
         r"the left side of (35) falls for all $0\le\lambda_0\le1$ and changes its sign within $10^{-14}$ of (37)",
@@ -148,7 +142,6 @@ fn prove_turns(phi_t1: Expr, critical: Interval, compared: Compared) -> Evidence
     resting_on(&[premises::turn(phi_t1)], change, Printed, compared)
 }
 
-/// (41) holds exactly below λ_c.
 pub(crate) fn turns() -> Evidence {
     let compared = Compared::shown(
         r"$\tilde\phi_1-\phi_1$ falls for all $0\le\lambda_0\le2/\pi$, both ends included, by its slope in $\tilde\phi_1$, and changes its sign within $10^{-14}$ of (37)",
@@ -169,7 +162,6 @@ pub(crate) fn lambda_c() -> Evidence {
 }
 
 attempts![
-    // (32) has one solution between φ₁ and φ₄.
     one_end = {
         let compared = Compared::shown(
             r"(32) rises from 0 at $\phi_1$ to $\phi_2$, is positive there, falls from there on and is negative at $\phi_4$: it has one solution in between for every $0<\lambda_0<1$",
@@ -218,7 +210,6 @@ mod tests {
     fn a_changed_bracket_is_refused() {
         let [a, b, d] = phases();
         refused(&prove_bracket([a, d, b], left(), NOTHING));
-        // Changed in the middle, and at either end.
         let lambda0 = symbol("λ₀");
         let far = 1 - lambda0.squared();
         for [n, m, k, l] in [
@@ -231,7 +222,6 @@ mod tests {
             let off = int(n) * off / int(m);
             refused(&prove_bracket(phases(), left() - off, NOTHING));
         }
-        // Of the same value, or with the slope and the ends that count.
         let holds = || prove_bracket(phases(), left(), NOTHING).worst == 0.0;
         let kept = PAPER.formulas.variants_of("eq32_left").into_iter();
         let kept = kept.filter(|variant| with(variant.seed, holds));

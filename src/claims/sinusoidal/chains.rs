@@ -1,5 +1,4 @@
-//! Theorems about every motion under the sinusoidal drive (21), by the law (1): v_y dies, a weak drive ends all, a strong one
-//! nothing, and how friction acts across.
+//! Theorems about every motion under the sinusoidal drive (21), by the law (1).
 
 use super::prelude::*;
 use crate::claims::general::chains::{decays, ring_across, stops};
@@ -12,7 +11,6 @@ pub(super) fn eq21() -> [Expr; 2] {
     paper::eq21_acceleration(a0, int(1), phi)
 }
 
-/// (21) is along x and of the size A₀ at most.
 fn bounded([ax, ay]: [Expr; 2]) -> Proof {
     let ring = || {
         let mut ring = Ring::new();
@@ -34,7 +32,6 @@ fn bounded([ax, ay]: [Expr; 2]) -> Proof {
     })
 }
 
-/// v_y → 0.
 pub(crate) const VY_VANISHES: Statement<([Expr; 2], [Expr; 2], Expr)> = Statement::shown(
     Within,
     r"(21) is along $x$ and of the size $A_0$ at most, and with $\mu>0$ and any start (1) lets $v_y^2\,(v_0+A_0t)^{2\mu g/A_0}$ never grow, so that $v_y\to0$",
@@ -50,7 +47,6 @@ fn vy_vanishes((drive, law, limit): ([Expr; 2], [Expr; 2], Expr)) -> Proof {
     })
 }
 
-/// A₀ < μg: v_x vanishes too.
 pub(crate) const WEAK_DRIVE_STOPS: Statement<([Expr; 2], Expr)> = Statement::shown(
     Printed,
     r"(21) is of the size $A_0$ at most, so that for every $A_0<\mu g$ and every start the particle, with its $v_x$, is at rest after $v_0/(\mu g-A_0)$ at the latest, and stays",
@@ -73,7 +69,6 @@ fn weak_drive_stops((drive, speed): ([Expr; 2], Expr)) -> Proof {
     })
 }
 
-/// A₀ > μg: v_x does not tend to zero.
 pub(crate) const VX_STAYS: Statement<([Expr; 2], [Expr; 2], [Expr; 2])> = Statement::shown(
     Printed,
     r"for every $A_0>\mu g$ and every motion, (1) and (21) give $\mathrm d\mathfrak w/\mathrm d\phi\ge\sin\phi-\lambda_0$, so that from $\phi_1$ of (27) to $\phi_2$ of (28) in each period $\mathfrak w$ grows by $2(\sin b-b\cos b)$ at least, $b=\pi/2-\phi_1>0$: the same positive number in each period, by which no $\mathfrak w$ that tends to zero can grow",
@@ -131,7 +126,6 @@ fn vx_stays((law, drive, [phi1, phi2]): ([Expr; 2], [Expr; 2], [Expr; 2])) -> Pr
     })
 }
 
-/// Friction across the drive, and along it, exactly.
 const FRICTION_ACROSS: Statement<([Expr; 2], Expr)> = Statement::shown(
     Printed,
     r"for all $\mathfrak w\ne0$ and $\mathfrak w_y$, with $r=\sqrt{1+(\mathfrak w_y/\mathfrak w)^2}$: by (1) friction is $1/r$ times what is stated across the drive, and $1/r$ times $-\lambda_0\,\mathfrak w/\lvert\mathfrak w\rvert$ along it, and $0\le1-1/r\le\frac12(\mathfrak w_y/\mathfrak w)^2$",

@@ -11,23 +11,18 @@ pub(crate) const LARGE: f64 = FRAC_1_SQRT_2;
 
 /// 𝔴 at the start of every curve of fig-2.
 pub(crate) const W_X: f64 = 1.0;
-/// 𝔴_y at the starts of the curves of fig-2.
 pub(crate) const W_Y: [f64; 5] = [0.0, 0.5, 1.0, 2.0, 4.0];
 /// Periods that fig-2 shows.
 pub(crate) const PERIODS: u32 = 4;
 /// Periods after which motions that start like those of fig-2 are compared with the large-time motion.
 const FOLLOWED: u32 = 16;
-/// Points of a curve in a period.
 const POINTS: u32 = 48;
 
-/// A motion in the plane, point by point.
 #[derive(Debug, Clone)]
 pub(crate) struct Transient {
-    /// λ₀.
     pub lambda: f64,
-    /// 𝔴_y at φ = 0.
+    /// At φ = 0.
     pub w_y: f64,
-    /// The states.
     pub states: Vec<PlanarState>,
 }
 
@@ -38,10 +33,6 @@ impl Transient {
     }
 }
 
-/// The curves of fig-2.
-///
-/// # Errors
-/// As [`crate::motion::drive::Drive::planar`].
 pub(crate) fn transients() -> Result<&'static [Transient], Failure> {
     static CURVES: Runs<Vec<Transient>> = Runs::new(|| {
         let pairs = [SMALL, LARGE]
@@ -69,10 +60,7 @@ fn transient(lambda: f64, w_y: f64) -> Result<Transient, Failure> {
     })
 }
 
-/// Points (φ, 𝔴) of the large-time motion over two periods, as fig-3 and fig-4 show it.
-///
-/// # Errors
-/// A motion that does not settle.
+/// Points (φ, 𝔴) of the large-time motion, as fig-3 and fig-4 show it.
 pub(crate) fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let attractor = settled(lambda, ORIGIN)?;
     let phase = |k: u32| 2.0 * TAU * f64::from(k) / 480.0;
@@ -81,7 +69,6 @@ pub(crate) fn two_periods(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
         .collect())
 }
 
-/// Every drawn point with the printed form, in the period that begins at a phase.
 fn drawn(law: &'static str, lambda: f64, from: f64, form: impl Fn(f64) -> Double) -> Evidence {
     Trial::motion(Printed, [law, "the drawn points of the simulated motion"]).over(
         parts(two_periods(lambda)),
@@ -98,9 +85,6 @@ fn drawn(law: &'static str, lambda: f64, from: f64, form: impl Fn(f64) -> Double
 }
 
 /// Points (periods, −ln 𝔴_y) of a motion in the plane from 𝔴_y = 0.3 at φ = π/2, as long as 𝔴_y is not zero.
-///
-/// # Errors
-/// As [`crate::motion::drive::Drive::planar`].
 pub(crate) fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let start = PlanarState {
         phi: FRAC_PI_2,
@@ -114,15 +98,11 @@ pub(crate) fn depths(lambda: f64) -> Result<Vec<[f64; 2]>, Failure> {
     Ok(points.filter(|[_, depth]| depth.is_finite()).collect())
 }
 
-/// The printed λ_c, to mark in a figure.
 pub(crate) fn critical() -> f64 {
     printed::eq37_lambda_c()
 }
 
 /// Points (λ₀, share of a period at rest) of the large-time motion.
-///
-/// # Errors
-/// A motion that does not settle.
 pub(crate) fn rest_shares() -> Result<Vec<[f64; 2]>, Failure> {
     // Closer to 1, where the curve is steep.
     let close = (8..20).map(|k| 1.0 - libm::exp2(-f64::from(k)));
@@ -160,7 +140,6 @@ fn framed(lambda: f64, top: f64, within: &'static str) -> Evidence {
 }
 
 attempts![
-    // fig-2: every eighth drawn point with a particle on the plane.
     fig2_motion = Trial::motion(
         Printed,
         Compared::one(
@@ -183,7 +162,6 @@ attempts![
         };
         curve.states.iter().step_by(8).map(pair).collect()
     }),
-    // fig-2: where all its curves end, by a particle on the plane that starts like each of them.
     fig2_limit = {
         let trial = Trial::by(
             Limit,
@@ -216,7 +194,6 @@ attempts![
         printed::eq39_phi_t1(SMALL),
         |phi| eq38(SMALL, phi)
     ),
-    // The frame around it, with the mark 0.8 where the paper puts it.
     fig3_frame = framed(
         SMALL,
         frame_top(0.8, 150.0),
@@ -228,7 +205,6 @@ attempts![
         printed::eq27_phi1(LARGE),
         |phi| eq33(LARGE, phi_t2(LARGE), phi)
     ),
-    // The frame around it, with the mark 0.3 where the paper puts it.
     fig4_frame = framed(
         LARGE,
         frame_top(0.3, 155.0),

@@ -1,7 +1,7 @@
 //! Sinusoidal acceleration, exactly: what of section 2.2 is an identity.
 //!
-//! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the square
-//! root of (36) and (37) is positive; the printed formulas come from [`crate::paper::sinusoidal`], as trees.
+//! Entered here are Newton's law (1) on the line, v_y = 0, with |v| = v for v > 0 and −v for v < 0, and that the
+//! square root of (36) and (37) is positive.
 
 use super::prelude::*;
 use crate::paper::sinusoidal as paper;
@@ -44,7 +44,6 @@ fn units() -> [Expr; 4] {
     ]
 }
 
-/// (26) from (1) and (21) to (24), for the sign ±1 of the velocity.
 fn prove_eq26([ax, friction, phase, scaled]: [Expr; 4], rate: Expr, sign: i64) -> Proof {
     let ring = || {
         let mut ring = Ring::of(["A₀", "ϖ", "t", "μ", "g", "v_x", "𝔴"]);
@@ -78,7 +77,6 @@ fn eq26_rate() -> Expr {
     paper::eq26_rate::tree()
 }
 
-/// (26), for velocities of both signs.
 pub(crate) const EQ26: Statement<([Expr; 4], Expr)> = Statement::new(
     Printed,
     Compared::one(
@@ -160,7 +158,6 @@ fn prove_eq31(w: Expr) -> Proof {
     })
 }
 
-/// (31) solves (26) from 𝔴 = 0 at φ₁.
 pub(crate) const EQ31: Statement = Statement::new(
     Printed,
     Compared::many(
@@ -205,7 +202,6 @@ fn eq32_left() -> Expr {
     paper::eq32_left(lambda0, paper::eq27_phi1::tree(), end)
 }
 
-/// (32) is that (31) vanishes at φ̃₂.
 pub(crate) const EQ32: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (32)", r"(31) at $\tilde\phi_2$"),
@@ -222,7 +218,6 @@ fn eq34_left() -> Expr {
     )
 }
 
-/// (34) is that (31) has fallen below zero before φ₃, where a slip backwards can begin.
 pub(crate) const EQ34: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (34)", r"(31) at $\phi_3$"),
@@ -233,7 +228,6 @@ pub(crate) const EQ34: Statement = Statement::new(
     },
 );
 
-/// (25): the drive exceeds friction at some phase.
 const EQ25: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one(
@@ -264,7 +258,6 @@ const EQ25: Statement<[Expr; 2]> = Statement::new(
     },
 );
 
-/// (33) solves (26) on both slips, and is continuous and periodic by (32).
 pub(crate) const EQ33: Statement<[Expr; 4]> = Statement::new(
     Printed,
     Compared::many("the slopes of (33), and its ends,", "(26), and 0 by (32)"),
@@ -301,7 +294,6 @@ pub(crate) const EQ33: Statement<[Expr; 4]> = Statement::new(
     },
 );
 
-/// The four cases of (33).
 pub(super) fn eq33() -> [Expr; 4] {
     let [lambda0, phi] = symbols(["λ₀", "φ"]);
     paper::eq33_w(
@@ -312,7 +304,6 @@ pub(super) fn eq33() -> [Expr; 4] {
     )
 }
 
-/// (34) with (27) and (29) is (35).
 pub(crate) const EQ35: Statement = Statement::new(
     Printed,
     Compared::one("the left side of (35)", "that of (34), by (27) and (29)"),
@@ -354,7 +345,7 @@ fn beside_lambda_c(
     )
 }
 
-/// (36): (35) squared. The factor that turns the left side of (35) into a difference of squares is positive.
+/// The factor that turns the left side of (35) into a difference of squares is positive.
 pub(crate) const EQ36: Statement<[Expr; 2]> = Statement::new(
     Printed,
     Compared::one(
@@ -413,7 +404,6 @@ pub(super) fn prove_eq38(cases: [Expr; 2], ends: [Expr; 3]) -> Proof {
     })
 }
 
-/// The cases of (38), and their ends.
 pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
     let [lambda0, phi] = symbols(["λ₀", "φ"]);
     let turn = paper::eq39_phi_t1::tree();
@@ -424,7 +414,6 @@ pub(super) fn eq38() -> ([Expr; 2], [Expr; 3]) {
 mod tests;
 
 attempts![
-    // (21) to (24) by the use made of them: with them Newton's law becomes (26).
     &DEFINITIONS = Statement::new(
         Printed,
         Compared::one("Newton's law in the symbols (21) to (24)", "(26)"),
@@ -443,7 +432,6 @@ attempts![
     &EQ34,
     &EQ35,
     &EQ36,
-    // The left side of (35) vanishes at λ_c.
     &EQ37 = Statement::new(
         Printed,
         Compared::one("the left side of (35) at (37)", "0"),
@@ -456,7 +444,6 @@ attempts![
             )
         },
     ),
-    // (38) with (39) solves (26) and closes after a period.
     &EQ38 = Statement::new(
         Within,
         Compared::many(
@@ -466,7 +453,6 @@ attempts![
         eq38,
         |(a, b)| prove_eq38(a, b),
     ),
-    // (39): with it the forward slip of (38) ends in zero.
     &EQ39 = Statement::new(
         Printed,
         Compared::one(r"(38) with (39), half a period after $\tilde\phi_1$,", "0"),

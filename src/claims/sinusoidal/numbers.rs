@@ -4,7 +4,7 @@ use super::prelude::*;
 use crate::validated::numbers;
 use std::f64::consts::{FRAC_1_PI, FRAC_1_SQRT_2};
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// In the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 2] = [
     Numbers::new("s22-vy-two-stages", || Ok(1.0), growth_of_logarithm),
     Numbers::new(
@@ -14,7 +14,6 @@ pub(super) static CASES: [Numbers; 2] = [
     ),
 ];
 
-/// The numbers by which claims can be found.
 pub(super) static VALUES: [Number; 14] = [
     Number::new("lambda-c", || Ok(printed::eq37_lambda_c())).within(numbers::LAMBDA_C),
     Number::new("fig-3-start", || Ok(printed::eq39_phi_t1(FRAC_1_PI))),
@@ -49,7 +48,6 @@ fn growth_of_logarithm() -> Result<f64, Failure> {
     Ok(end.ln_w_y / start.ln_w_y)
 }
 
-/// The largest velocity of the periodic motion under a sine.
 fn largest(lambda: f64) -> Result<f64, Failure> {
     Ok(settled(lambda, ORIGIN)?.largest().w.abs())
 }

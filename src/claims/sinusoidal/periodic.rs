@@ -4,20 +4,17 @@ use super::prelude::*;
 use super::reference_motions::{eq33, eq38, large, small, starts};
 use crate::numerics::eigenvalues::{eigenvalues, jacobian};
 
-/// Phases over a period at which a periodic form is compared.
 const PHASES: u32 = 256;
 
 fn at(lambda: f64, phi: f64) -> String {
     format!("λ₀ = {lambda:.6}, φ = {phi:.6}")
 }
 
-/// The phases of the period that begins at `from`, in no order.
 fn phases(from: f64) -> impl Iterator<Item = f64> {
     let place = |k: u32| f64::from(101 * k % PHASES) + 0.5;
     (1..=PHASES).map(move |k| from + TAU * place(k) / f64::from(PHASES))
 }
 
-/// A form with the simulated motion at all phases of the period that begins at `from`.
 fn over_a_period(
     lambda: f64,
     attractor: &Attractor,
@@ -54,7 +51,6 @@ fn one_motion(frictions: Vec<f64>, subject: Subject) -> Evidence {
 /// Periods after which the motion has to be near the periodic one: twice what the least friction tried takes.
 const PERIODS: u32 = 320;
 
-/// How fast the periodic motion is approached: the distance to it, period by period.
 fn eq38_approach() -> Evidence {
     let trial = Trial::by(
         Limit,
@@ -89,13 +85,11 @@ fn eq38_approach() -> Evidence {
     })
 }
 
-/// The interval of this sign, in a motion from rest.
 fn interval(attractor: &Attractor, sign: Sign) -> Result<Interval, Failure> {
     let found = attractor.intervals().iter().find(|i| i.sign == sign);
     Ok(*found.ok_or("no such interval")?)
 }
 
-/// After its first rest a motion is the periodic one, from whatever start.
 fn rest_interval_reached() -> Evidence {
     let trial = Trial::motion(
         Printed,
@@ -127,7 +121,6 @@ fn rest_interval_reached() -> Evidence {
 }
 
 attempts![
-    // (33) over a whole period.
     eq33_motion = Trial::motion(
         Printed,
         [
@@ -146,7 +139,6 @@ attempts![
         },
     ),
     eq33_unique = one_motion(large(), Printed),
-    // (38) over a whole period.
     eq38_motion = Trial::motion(
         Within,
         [
@@ -166,8 +158,7 @@ attempts![
     ),
     eq38_unique = one_motion(small(), Within),
     eq38_approach,
-    // The same by the plane motion, as its Floquet multiplier: the larger eigenvalue of the derivative of the velocity after a
-    // period by that before. The other one, of the velocity across, is next to zero.
+    // The other multiplier, of the velocity across, is next to zero.
     eq38_multiplier = {
         let trial = Trial::by(
             Integration,
@@ -193,7 +184,6 @@ attempts![
             ))
         })
     },
-    // λ₀ = 0: every start keeps its own motion.
     eq38_outside = {
         let mut points = Points::here();
         Trial::motion(
@@ -246,7 +236,6 @@ attempts![
             Ok([printed::eq39_phi_t1(0.0), found])
         })
     },
-    // Where the rests lie: [φ̃₂, φ₃], and half a period later.
     rest_interval_root = {
         let trial = Trial::by(
             Root,

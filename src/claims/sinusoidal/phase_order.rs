@@ -1,5 +1,4 @@
-//! What of section 2.2 is an order of phases, for the whole range of λ₀ at once: where drive and friction are equal, where a rest
-//! can end, and how long a slip from rest lasts. All by φ₁ = β, λ₀ = sin β.
+//! What of section 2.2 is an order of phases, for the whole range of λ₀ at once. All by φ₁ = β, λ₀ = sin β.
 
 use super::exact::{EQ31, EQ32, EQ36, ring_of_phi1, with_lambda_c};
 use super::prelude::*;
@@ -119,7 +118,6 @@ fn period_ends(end: Expr) -> Proof {
     })
 }
 
-/// The slip (31) from rest rises to φ₂ and falls from there on to φ₁ + 2π, and has sunk below zero at φ₄: it ends between the two.
 pub(crate) fn slip() -> Proof {
     let [lambda0, phi] = symbols(["λ₀", "φ"]);
     ends_once(paper::eq31_w(lambda0, paper::eq27_phi1::tree(), phi))
@@ -193,21 +191,18 @@ fn outlasts((w, left): (Expr, Expr)) -> Proof {
 }
 
 attempts![
-    // The four phases, and no other.
     &FOUR_POINTS = Statement::shown(
         Within,
         r"for every $0<\lambda_0<1$: $\sin^2\phi-\lambda_0^2=\sin(\phi-\phi_1)\sin(\phi+\phi_1)$, whose factors vanish twice each in a period, at $\phi_1$ and $\phi_3$ and at $\phi_2$ and $\phi_4$ of (27) to (30), which are four different phases",
         || (phases(), paper::s22_points()),
         |(phases, number)| four_points(phases, number)
     ),
-    // |sin φ| rises above λ₀ at φ₁ and φ₃, and sinks below it at φ₂ and φ₄.
     &REST_ENDS = Statement::shown(
         Printed,
         r"for every $0<\lambda_0<1$ a rest can end only where $\lvert\sin\phi\rvert$ rises above $\lambda_0$: of the four phases (27) to (30) at which the two are equal, $\sin^2\phi$ rises with the slope $2\sin\phi_1\cos\phi_1>0$ at $\phi_1$ and $\phi_3$ and falls with it at $\phi_2$ and $\phi_4$; for $\lambda_0\ge1$ no rest ends, and for $\lambda_0=0$ there is none",
         phases,
         rest_ends
     ),
-    // A slip from rest outlasts half the period below λ_c.
     &OUTLASTS = Statement::shown(
         Within,
         r"for every $0<\lambda_0<\lambda_\mathrm c$ the slip (31) is still positive at $\phi_1+\pi$, where it is the left side of (35), and has not been zero since $\phi_1$; and with the largest possible forward friction $+\lambda_0$ from $\tilde\phi_2$ on, $\mathfrak w(\phi_1+2\pi)=-2\lambda_0(\tilde\phi_2-\phi_1-\pi)<0$",
@@ -221,7 +216,6 @@ attempts![
         },
         outlasts
     ),
-    // Where the period ends that begins with the slip at φ₁.
     &PERIOD_ENDS = Statement::shown(
         Corrected,
         r"for every $0<\lambda_0<1$, and so below $\lambda_\mathrm c$: of the four phases of a period at which $\lvert\sin\phi\rvert=\lambda_0$ the drive rises above $+\lambda_0$ at $\phi_1$ only, and again a period later; in between it gives nothing, and the slip ends before",

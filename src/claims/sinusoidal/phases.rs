@@ -5,7 +5,6 @@ use super::reference_motions::{all, at};
 
 type Formula = fn(Double) -> Double;
 
-/// A printed phase with the zero of |sin φ| − λ₀ in its quarter of the period.
 fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
     const QUARTERS: [&str; 4] = [
         r"$[0,\pi/2]$",
@@ -31,7 +30,6 @@ fn by_root(law: &'static str, formula: Formula, quarter: u8) -> Evidence {
     })
 }
 
-/// A printed phase with the end of a simulated rest that began at `from`.
 fn by_release(law: &'static str, formula: Formula, (name, from): (&'static str, f64)) -> Evidence {
     const REST: &str = r"the end of a simulated rest that holds at $\phi=";
     Trial::motion(
@@ -106,7 +104,7 @@ fn balanced(drive: &Drive, lambda: f64) -> Vec<f64> {
     distinct(found)
 }
 
-/// Phases in order, without those that are the same but for rounding or a period.
+/// In order, without those that are the same but for rounding or a period.
 fn distinct(mut found: Vec<f64>) -> Vec<f64> {
     found.sort_by(f64::total_cmp);
     let same = |a: f64, b: f64| (a - b).abs() < 1e-12;
@@ -120,7 +118,6 @@ fn distinct(mut found: Vec<f64>) -> Vec<f64> {
     found
 }
 
-/// The ends of all rests on the way from a start.
 fn rests_from(lambda: f64, start: DriveState) -> Result<Vec<f64>, Failure> {
     let until = start.phi + 30.0;
     let path = drive()?.advance(Friction::new(lambda, lambda)?, start, until)?;
@@ -128,7 +125,6 @@ fn rests_from(lambda: f64, start: DriveState) -> Result<Vec<f64>, Failure> {
     Ok(rests.map(|i| i.end).filter(|end| *end < until).collect())
 }
 
-/// In the plane too: no rest ends elsewhere.
 fn rest_ends_census() -> Evidence {
     let trial = Trial::census(
         Printed,
@@ -170,7 +166,6 @@ attempts![
     eq29_motion = by_release("(29)", printed::eq29_phi3, (r"\pi", PI)),
     eq30_root = by_root("(30)", printed::eq30_phi4, 3),
     eq30_motion = by_extremum("(30)", printed::eq30_phi4, ("backwards", Sign::Negative)),
-    // Four points, by counting.
     four_points_census = Trial::census(
         Within,
         Compared::constant(
@@ -185,7 +180,6 @@ attempts![
             balanced(drive()?, lambda).len() as f64,
         ))
     }),
-    // The four points, each in its place.
     four_points_root = Trial::by(
         Root,
         Within,
@@ -227,7 +221,6 @@ attempts![
             all.filter(|phi| (a..a + TAU).contains(phi)).count() as f64,
         ))
     }),
-    // Every rest of a motion on the line ends at φ₁ or φ₃.
     rest_ends_motion = {
         let trial = Trial::motion(
             Printed,

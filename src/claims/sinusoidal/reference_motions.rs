@@ -3,7 +3,6 @@
 use super::prelude::*;
 use crate::motion;
 
-/// The name of a point with this friction.
 pub(crate) fn at(lambda: f64) -> String {
     format!("λ₀ = {lambda:.6}")
 }
@@ -14,8 +13,8 @@ pub fn drive() -> Result<&'static Drive, Failure> {
     DRIVE.get()
 }
 
-/// The friction at which a slip from rest ends just where the next one could begin, which divides the frictions of the
-/// trials: by the motion alone, and nothing is compared with it. NaN where that fails, which no trial survives.
+/// The friction at which a slip from rest ends just where the next one could begin, by the motion alone: it divides
+/// the frictions of the trials, and nothing is compared with it. NaN where that fails, which no trial survives.
 pub(crate) fn lambda_c() -> f64 {
     struct Onset(f64);
     impl Setting for Onset {}
@@ -28,10 +27,8 @@ pub(crate) fn excess_length(lambda: f64) -> f64 {
     Slip::of(lambda).map_or(f64::NAN, |slip| slip.end - slip.start - PI)
 }
 
-/// Periods that an attractor may take.
 const PERIODS: u32 = 200;
 
-/// The periodic motion that a start leads to.
 pub(crate) fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'static>, Failure> {
     let friction = Friction::new(lambda, lambda)?;
     let outcome = drive()?.attractor(friction, start, PERIODS)?;
@@ -40,10 +37,10 @@ pub(crate) fn settled(lambda: f64, start: DriveState) -> Result<Attractor<'stati
         .ok_or_else(|| "the motion drifts".to_owned().into())
 }
 
-/// At rest at phase 0, where the drive is below any friction.
+/// Where the drive is below any friction.
 pub(crate) const ORIGIN: DriveState = DriveState { phi: 0.0, w: 0.0 };
 
-/// Starts all over the plane, from far off too.
+/// All over the plane, from far off too.
 pub(crate) fn starts() -> [DriveState; 7] {
     [
         (0.0, 0.0),
@@ -57,12 +54,11 @@ pub(crate) fn starts() -> [DriveState; 7] {
     .map(|(phi, w)| DriveState { phi, w })
 }
 
-/// The first interval of forward motion.
 pub(crate) fn forward(list: &[Interval]) -> Option<&Interval> {
     list.iter().find(|i| i.sign == Sign::Positive)
 }
 
-/// Frictions below λ_c: down to a millionth, up to a billionth below λ_c.
+/// Below λ_c: down to a millionth, up to a billionth below λ_c.
 pub(crate) fn small() -> Vec<f64> {
     let mut points = Points::here();
     let c = lambda_c();
@@ -71,7 +67,7 @@ pub(crate) fn small() -> Vec<f64> {
     list
 }
 
-/// Frictions between λ_c and 1, to a billionth of either.
+/// Between λ_c and 1, to a billionth of either.
 pub(crate) fn large() -> Vec<f64> {
     let mut points = Points::here();
     let c = lambda_c();
@@ -81,7 +77,7 @@ pub(crate) fn large() -> Vec<f64> {
     list
 }
 
-/// Frictions between 0 and 1, and both ends to a billionth.
+/// Between 0 and 1, and both ends to a billionth.
 pub(crate) fn all() -> Vec<f64> {
     let mut points = Points::here();
     let mut list: Vec<_> = (0..200).map(|_| points.uniform(0.0, 1.0)).collect();
@@ -92,7 +88,7 @@ pub(crate) fn all() -> Vec<f64> {
     list
 }
 
-/// A dense set of frictions between 0 and 1, with the two ends and λ_c approached to 1e-9.
+/// Between 0 and 1, with the two ends and λ_c approached to 1e-9.
 pub(crate) fn dense() -> Vec<f64> {
     let mut points = Points::here();
     let mut list: Vec<_> = (0..1200).map(|_| points.uniform(1e-3, 1.0)).collect();
@@ -103,7 +99,7 @@ pub(crate) fn dense() -> Vec<f64> {
     list
 }
 
-/// A forward slip from rest at phase 0.
+/// Forward, from rest at phase 0.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Slip {
     /// Where the rest ends.
@@ -113,7 +109,6 @@ pub(crate) struct Slip {
 }
 
 impl Slip {
-    /// From rest at phase 0, found by following the motion.
     pub(crate) fn of(lambda: f64) -> Result<Self, Failure> {
         let friction = Friction::new(lambda, lambda)?;
         let path = drive()?.advance(friction, ORIGIN, 9.0)?;
@@ -126,7 +121,7 @@ impl Slip {
     }
 }
 
-/// φ̃₂ by the printed (32): its root between φ₂ and φ₄; not a number if there is none.
+/// By the printed (32): its root between φ₂ and φ₄; not a number if there is none.
 pub(crate) fn phi_t2(lambda: f64) -> f64 {
     let phi1 = printed::eq27_phi1(lambda);
     let left = |phi: f64| printed::eq32_left(lambda, phi1, phi);
@@ -138,14 +133,12 @@ pub(crate) fn end_spread(lambda: f64, end: f64) -> f64 {
     (2.0 + lambda * end) / (libm::sin(end) - lambda).abs()
 }
 
-/// A particle on the plane of (21), in length and time units of its own.
+/// On the plane of (21), in length and time units of its own.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Particle {
     /// Friction per mass, μg.
     pub friction: f64,
-    /// Amplitude A₀.
     pub a0: f64,
-    /// Angular frequency ϖ.
     pub varpi: f64,
 }
 
@@ -159,7 +152,6 @@ impl Particle {
         }
     }
 
-    /// The motion from a velocity at a time.
     pub(crate) fn run(&self, t: f64, v: [f64; 2], until: f64) -> Result<Motion, Failure> {
         let sine = Signal::Sine {
             frequency: self.varpi,
@@ -171,13 +163,13 @@ impl Particle {
     }
 }
 
-/// Which of the sorted `ends` come before `phi`, as the index of the case of a formula by cases.
+/// How many of the sorted `ends` come before `phi`: the index of a formula's case.
 pub(crate) fn case_of(ends: &[f64], phi: f64) -> usize {
     let inner = &ends[1..ends.len() - 1];
     inner.iter().filter(|end| **end <= phi).count()
 }
 
-/// The printed (33) at a phase between φ₁ and φ₁ + 2π.
+/// At a phase between φ₁ and φ₁ + 2π.
 pub(crate) fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Double {
     let (phi1, phi3) = (printed::eq27_phi1(lambda), printed::eq29_phi3(lambda));
     let ends = printed::eq33_ends(phi1, phi_t2, phi3);
@@ -186,7 +178,7 @@ pub(crate) fn eq33(lambda: f64, phi_t2: f64, phi: f64) -> Double {
     cases[case_of(&ends, phi)]
 }
 
-/// The printed (38) with (39) at a phase between φ̃₁ and φ̃₁ + 2π.
+/// With (39), at a phase between φ̃₁ and φ̃₁ + 2π.
 pub(crate) fn eq38(lambda: f64, phi: f64) -> Double {
     let ends = printed::eq38_ends(printed::eq39_phi_t1(lambda));
     let [l, phi_n] = [lambda, phi].map(Double::from);
@@ -194,7 +186,7 @@ pub(crate) fn eq38(lambda: f64, phi: f64) -> Double {
     cases[case_of(&ends, phi)]
 }
 
-/// The printed velocity at large times, from (38) below the printed λ_c, from (33) up to 1, at rest above.
+/// (38) below the printed λ_c, (33) up to 1, rest above.
 pub(crate) fn printed_late(lambda: f64, phi: f64) -> f64 {
     let within = |from: f64| from + (phi - from).rem_euclid(TAU);
     let [left, right] = printed::eq25_sides(lambda);

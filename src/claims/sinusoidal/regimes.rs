@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::reference_motions::{at, dense, small, starts};
 
-/// The rests in a period at large times, of all starts together.
+/// At large times, of all starts together.
 fn all_rests(lambda: f64) -> Result<usize, Failure> {
     let mut rests = 0;
     for start in starts() {
@@ -34,7 +34,6 @@ fn stated_kind(lambda: f64) -> f64 {
     }
 }
 
-/// The kind, read off a list of intervals.
 pub(crate) fn listed_kind(list: &[Interval]) -> f64 {
     let rests = list.iter().filter(|i| i.sign == Sign::Rest).count();
     let pairs = list.iter().zip(list.iter().cycle().skip(1));
@@ -42,7 +41,7 @@ pub(crate) fn listed_kind(list: &[Interval]) -> f64 {
     kind(turns.count(), rests, list.len() == 1 && rests == 1)
 }
 
-/// Frictions from 0 to 5, the two thresholds approached to 1e-9 from both sides.
+/// From 0 to 5, the two thresholds approached to 1e-9 from both sides.
 fn frictions() -> Vec<f64> {
     let mut points = Points::here();
     let mut list = dense();
@@ -51,7 +50,6 @@ fn frictions() -> Vec<f64> {
     list
 }
 
-/// The three kinds, over more than 1500 frictions.
 pub(crate) fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
         Within,
@@ -73,7 +71,7 @@ pub(crate) fn trichotomy_census() -> Evidence {
     )
 }
 
-/// The three kinds by the other integrator: stops and rests of a particle over its third period.
+/// By the other integrator.
 pub(crate) fn trichotomy_motion() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -103,7 +101,6 @@ pub(crate) fn trichotomy_motion() -> Evidence {
     })
 }
 
-/// λ₀ = 0: a fast particle never turns.
 pub(crate) fn trichotomy_outside() -> Evidence {
     let trial = Trial::census(
         Outside,
@@ -129,12 +126,12 @@ fn stated_still(lambda: f64) -> f64 {
     is(left >= right)
 }
 
-/// Phases all over the fourth period after a phase.
+/// All over the fourth period after a phase.
 fn fourth_period(from: f64) -> impl Iterator<Item = f64> {
     (0..=32).map(move |k| from + TAU * (3.0 + f64::from(k) / 32.0))
 }
 
-/// Whether it is at rest throughout at large times, from every start.
+/// At large times, from every start.
 fn all_still(lambda: f64) -> Result<bool, Failure> {
     let mut still = true;
     for start in starts() {
@@ -144,7 +141,6 @@ fn all_still(lambda: f64) -> Result<bool, Failure> {
 }
 
 attempts![
-    // A₀ < μg: a particle with any velocity comes to rest and stays there.
     weak_drive_motion = {
         let trial = Trial::by(
             Integration,
@@ -172,7 +168,6 @@ attempts![
             ))
         })
     },
-    // A₀ < μg: the large-time motion on the line is rest, down to a billionth above the limit.
     weak_drive_census = {
         let frictions = frictions().into_iter().enumerate();
         let some = frictions.filter(|(i, lambda)| *lambda > 1.0 || i % 20 == 0);
@@ -191,7 +186,6 @@ attempts![
             ))
         })
     },
-    // The argument: a motion at rest at φ₁ is at −2λ₀ (φ̃₂ − φ₁ − π) < 0 a period later.
     no_rest_motion = {
         let trial = Trial::by(
             Integration,
@@ -215,7 +209,6 @@ attempts![
             })
         })
     },
-    // λ₀ < λ_c: no start leads to a motion with a rest; above all do.
     no_rest_census = Trial::census(
         Printed,
         Compared::constant(

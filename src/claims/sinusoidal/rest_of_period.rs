@@ -31,7 +31,6 @@ const CORRECTED: Stated = (r"$\phi_1+2\pi$", |lambda, _| {
     corrected::rest_of_period_end(printed::eq27_phi1(lambda))
 });
 
-/// Where the drive next overcomes friction forward, after it has done so at φ₁.
 fn next_start(subject: Subject, (end, stated): Stated) -> Evidence {
     const NEXT: &str = r"the phase after $\phi_1$ at which the drive next exceeds friction forward";
     let compared = Compared::one(end, NEXT);
@@ -41,7 +40,6 @@ fn next_start(subject: Subject, (end, stated): Stated) -> Evidence {
     })
 }
 
-/// The drive gives nothing in a whole period.
 fn nothing_given(subject: Subject, (end, stated): Stated) -> Evidence {
     let compared = Compared::composed(
         [r"what the drive gives from $\phi_1$ to ", end, ""],

@@ -4,13 +4,13 @@ use super::prelude::*;
 use super::reference_motions::{at, forward};
 use super::transverse::{Flight, flights_where, strobed};
 
-/// Frictions below λ_c, where the passages are not too steep to be followed.
+/// Where the passages are not too steep to be followed.
 fn below(high: f64) -> impl Iterator<Item = f64> {
     let mut points = Points::here();
     (0..20).map(move |_| points.uniform(0.05, high))
 }
 
-/// Half way along the forward slip of the periodic motion: phase and velocity.
+/// Half way along the forward slip: phase and velocity.
 fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
     let slip = forward(attractor.intervals()).ok_or("no slip")?;
     let phi = 0.5 * (slip.start + slip.end);
@@ -21,12 +21,10 @@ fn on_the_way(attractor: &Attractor) -> Result<[f64; 2], Failure> {
 const PASSAGE_FACTOR: &str = r"$(d+\lambda_0)/(d-\lambda_0)$, with $d=\sin\tilde\phi_1$,";
 const PERIOD: &str = r"$[(d+\lambda_0)/(d-\lambda_0)]^2$, with $d=\sin\tilde\phi_1$,";
 
-/// The former by the formula.
 fn passage_factor(lambda: f64) -> f64 {
     corrected::passage_factor(lambda, corrected::drive_at_zero(lambda))
 }
 
-/// λ₀ < λ_c: the factor by which ln 𝔴_y grows in a period, at 𝔴_y about exp(−1e9).
 fn period_factor() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -57,7 +55,6 @@ fn period_factor() -> Evidence {
     })
 }
 
-/// λ₀ < λ_c, by quadrature of d ln 𝔴_y = −λ₀ dφ/|𝔴| towards and from a zero of the simulated motion on the line.
 fn passage_quadrature() -> Evidence {
     let trial = Trial::by(
         Quadrature,
@@ -98,7 +95,7 @@ fn ended([ln_w_y, w_x]: [f64; 2], line: f64) -> bool {
     ln_w_y == f64::NEG_INFINITY && (w_x - line).abs() < 1e-12
 }
 
-/// λ₀ > λ_c, by the other integrator: how long the last stage lasts.
+/// λ₀ > λ_c, by the other integrator.
 pub(super) fn last_stage() -> Evidence {
     let trial = Trial::by(
         Limit,
@@ -156,7 +153,6 @@ attempts![
         })
     },
     period_factor,
-    // The same, from an ordinary start: the last of the periods until ln 𝔴_y = −1e15.
     period_factor_reached = {
         let trial = Trial::by(
             Limit,
@@ -180,7 +176,6 @@ attempts![
             Ok([1.0 / corrected::contraction(flight.lambda), factor, factor])
         })
     },
-    // λ₀ < λ_c, by the other integrator: one passage through zero, from two sizes of v_y.
     passage_limit = {
         let trial = Trial::by(
             Limit,
@@ -208,7 +203,6 @@ attempts![
         })
     },
     passage_quadrature,
-    // λ₀ > λ_c: v_y is exactly zero after a finite time, and the motion then is the one on the line.
     finite_end = {
         let trial = Trial::by(
             Integration,

@@ -11,7 +11,7 @@ struct Onset {
     lambda: f64,
 }
 
-/// The onset of rest for 24 starts: bisection on the simulation alone, down to neighbouring numbers.
+/// By bisection on the simulation alone, down to neighbouring numbers.
 static ONSETS: Runs<Vec<Onset>> = Runs::new(|| {
     let mut points = Points::here();
     let mut start = || DriveState {
@@ -41,7 +41,6 @@ fn at(onset: &Onset) -> String {
 }
 
 attempts![
-    // (34): its root with the onset of rest.
     eq34_root = Trial::by(
         Root,
         Printed,
@@ -58,7 +57,6 @@ attempts![
             1.0,
         ])
     }),
-    // (37) with the friction from which on a slip ends before the next one can begin, from several brackets.
     eq37_root = {
         let trial = Trial::by(
             Root,
@@ -78,7 +76,6 @@ attempts![
             ))
         })
     },
-    // (37) with the onset of rest.
     eq37_motion = Trial::by(
         Integration,
         Printed,
@@ -91,7 +88,6 @@ attempts![
     .each(ONSETS.each(), at, |onset| {
         Ok([printed::eq37_lambda_c(), onset.lambda, onset.lambda])
     }),
-    // (40) holds exactly where the simulated motion passes through zero without rest.
     eq40_census = Trial::census(
         Printed,
         [
@@ -108,7 +104,6 @@ attempts![
             is(attractor.intervals().iter().all(|i| i.sign != Sign::Rest)),
         ))
     }),
-    // (41): φ̃₁ − φ₁ with what the simulation finds for both.
     eq41_motion = Trial::motion(
         Printed,
         [
@@ -127,7 +122,6 @@ attempts![
         let found = if found > 0.0 { found } else { f64::NAN };
         Ok(Pair::wide(at, left - right, found).within(scale))
     }),
-    // (41): its sign, everywhere below λ_c.
     eq41_census = {
         let below = dense().into_iter().filter(|lambda| *lambda < lambda_c());
         Trial::census(

@@ -4,7 +4,7 @@ use super::prelude::*;
 use super::reference_motions::printed_late;
 use crate::paper::general;
 
-/// A motion in the plane, once a period from φ = 0 on.
+/// Once a period from φ = 0 on.
 pub(super) fn strobed(
     lambda: f64,
     w_x: f64,
@@ -20,10 +20,9 @@ pub(super) fn strobed(
     Ok(drive()?.planar(lambda, start, &phases)?)
 }
 
-/// A motion in the plane that began with a velocity across the drive, over ten periods.
+/// With a velocity across the drive at first, over ten periods.
 #[derive(Clone)]
 pub(super) struct Flight {
-    /// Friction λ₀.
     pub lambda: f64,
     /// 𝔴 and 𝔴_y at φ = π/2.
     start: [f64; 2],
@@ -31,9 +30,7 @@ pub(super) struct Flight {
     states: Vec<PlanarState>,
 }
 
-/// States of a flight in a period.
 const A_PERIOD: u32 = 8;
-/// Periods of a flight.
 const PERIODS: u32 = 10;
 
 impl Flight {
@@ -52,12 +49,10 @@ impl Flight {
         })
     }
 
-    /// The states at whole periods.
     pub(super) fn strobe(&self) -> impl Iterator<Item = &PlanarState> {
         self.states.iter().step_by(A_PERIOD as usize)
     }
 
-    /// The last state.
     pub(super) fn last(&self) -> Result<PlanarState, Failure> {
         Ok(*self.states.last().ok_or("no state")?)
     }
@@ -75,7 +70,6 @@ impl Flight {
         w[1] * general::eq1_velocity_rate(drive, self.lambda, 1.0, w)[1] > 0.0
     }
 
-    /// The flight in the claims' symbols.
     pub(super) fn at(&self) -> String {
         let Flight {
             lambda,
@@ -86,7 +80,7 @@ impl Flight {
     }
 }
 
-/// The flights of which `wanted` holds: 20 below λ_c, 10 between λ_c and 1, 10 above 1.
+/// 20 below λ_c, 10 between λ_c and 1, 10 above 1.
 pub(super) fn flights_where(
     wanted: fn(&Flight) -> bool,
 ) -> impl Iterator<Item = Result<&'static Flight, Failure>> {
@@ -110,7 +104,6 @@ fn at([lambda, w_x, w_y]: [f64; 3]) -> String {
     format!("λ₀ = {lambda:.6}, 𝔴 = {w_x:.6}, 𝔴_y = {w_y:.6}")
 }
 
-/// First stage: the mean slope of 𝔴_y over a period, while 𝔴_y is ten thousand times 𝔴_x or more.
 pub(super) fn first_stage() -> Evidence {
     let trial = Trial::by(
         Limit,
@@ -175,7 +168,7 @@ fn ignores(subject: Subject, compared: Compared, [low, high]: [f64; 2]) -> Evide
     })
 }
 
-/// Phases over the first period, its end included.
+/// Its end included.
 fn first_period() -> Vec<f64> {
     (1..=16).map(|k| TAU * f64::from(k) / 16.0).collect()
 }
@@ -187,7 +180,6 @@ fn each_differs(curves: &[Vec<f64>]) -> bool {
 }
 
 attempts![
-    // v_y → 0: what is left after ten periods.
     vanishes_limit = Trial::by(
         Limit,
         Printed,
@@ -204,7 +196,6 @@ attempts![
             flight.start[1],
         ])
     }),
-    // The same by the other integrator, with little friction too.
     vanishes_motion = Trial::by(
         Integration,
         Printed,
@@ -225,7 +216,6 @@ attempts![
             scale: v[1],
         })
     }),
-    // On the way v_y never grows.
     vanishes_census = {
         let trial = Trial::census(
             Printed,
@@ -250,7 +240,6 @@ attempts![
             ])
         })
     },
-    // Without friction v_y keeps its value.
     vanishes_outside = {
         let starts = Points::here().within(20, [[-1.0, 1.0], [0.05, 1.0]]);
         Trial::by(
@@ -273,7 +262,6 @@ attempts![
         })
     },
     first_stage,
-    // Second stage, as printed: an exponential falls by the same factor in every period.
     second_stage = {
         let trial = Trial::by(
             Integration,
@@ -293,7 +281,6 @@ attempts![
             ])
         })
     },
-    // The large-time v_x, from several v_y, is that of a motion on the line.
     ignores_motion = Trial::by(
         Integration,
         Printed,
@@ -315,7 +302,6 @@ attempts![
         };
         Ok(last.map(pair).collect())
     }),
-    // On the way v_x does depend on v_y.
     ignores_census = ignores(
         Printed,
         Compared::constant(
@@ -324,7 +310,6 @@ attempts![
         ),
         [0.15, 1.4]
     ),
-    // Without friction it does not.
     ignores_outside = ignores(
         Outside,
         Compared::constant(

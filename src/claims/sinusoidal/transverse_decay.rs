@@ -47,7 +47,6 @@ fn velocity() -> [Expr; 3] {
     [vx, vy, (vx.squared() + vy.squared()).sqrt()]
 }
 
-/// While v_y is large its slope is the stated one.
 fn first_stage(law: Rate, slope: Expr) -> Proof {
     Proof::in_ring(
         "A large velocity across falls linearly",
@@ -80,7 +79,6 @@ fn first_stage(law: Rate, slope: Expr) -> Proof {
     )
 }
 
-/// How v_y and the direction of the velocity change together.
 fn turning(law: Rate) -> Proof {
     Proof::in_ring(
         "How v_y and the direction of the velocity change together",
@@ -147,7 +145,6 @@ fn turning(law: Rate) -> Proof {
     )
 }
 
-/// The drive stays near its size d at the zeros of (38), and above friction.
 fn near_zero([d, ..]: Passage) -> Proof {
     let title = "The drive beside a zero of (38)";
     Proof::in_ring(title, ring_of_passage(), |p| {
@@ -172,7 +169,6 @@ fn near_zero([d, ..]: Passage) -> Proof {
     })
 }
 
-/// Late zeros of v_x come close to those of (38): an inequality for their distances Z and Z′ from them, one after the other.
 fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_passage()?;
@@ -248,7 +244,6 @@ fn zeros_settle(law: Rate, (cases, ends): NoRest, passage: Passage) -> Proof {
     })
 }
 
-/// Below λ_c: a passage multiplies ln v_y by the factor, up to terms that stay bounded.
 fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
     let ring = || -> Result<Ring, ExactError> {
         let mut ring = ring_of_passage()?;
@@ -309,7 +304,6 @@ fn passages(law: Rate, motion: NoRest, passage: Passage) -> Proof {
     })
 }
 
-/// v_y is lost only where the particle sticks.
 fn lost_at_rest(law: Rate) -> Proof {
     let title = "v_y becomes 0 only where the particle stops";
     Proof::in_ring(title, ring_of_motion(), |p| {
@@ -333,7 +327,6 @@ fn lost_at_rest(law: Rate) -> Proof {
     })
 }
 
-/// How long what is left of v_y lasts where friction exceeds the drive; `phase` is the stated bound.
 fn last_stage(law: Rate, phase: Expr) -> Proof {
     let title = "Where friction exceeds the drive, v_y vanishes within the stated phase";
     Proof::in_ring(title, ring_of_motion(), |p| {
@@ -388,7 +381,6 @@ fn two_stages((law, slope, motion, passage, phase): (Rate, Expr, NoRest, Passage
     })
 }
 
-/// The two stages, as corrected.
 const TWO_STAGES: Statement<(Rate, Expr, NoRest, Passage, Expr)> = Statement::shown(
     Corrected,
     r"for every $\lambda_0>0$ and $v_y>0$ the rate of $\mathfrak w_y$ is $-\lambda_0$ up to $\frac12\lambda_0(v_x/v_y)^2$; for every $0<\lambda_0<\lambda_\mathrm c$ and every motion whose speed never becomes 0 each passage, from some time on, multiplies $\ln v_y$ by $(d+\lambda_0)/(d-\lambda_0)$, $d=\sin\tilde\phi_1$, up to terms that stay bounded, and a particle whose speed becomes 0 loses all of $v_y$; for every $\lambda_0>\lambda_\mathrm c$ $v_y=0$ after a finite time, and with $v_x=0$ and $\lvert\sin\phi\rvert\le d<\lambda_0$ as long as it slides within a phase of $\lambda_0\mathfrak w_y/(\lambda_0^2-d^2)$",
@@ -405,7 +397,6 @@ const TWO_STAGES: Statement<(Rate, Expr, NoRest, Passage, Expr)> = Statement::sh
     two_stages,
 );
 
-/// Below λ_c: by what factor the fall of ln v_y in a period grows in the limit.
 fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> Proof {
     Proof::in_ring(
         "The falls of the logarithm in two periods",
@@ -424,7 +415,6 @@ fn ratio_of_falls(ratio: Expr, law: Rate, motion: NoRest, passage: Passage) -> P
     )
 }
 
-/// The second stage as printed.
 pub(crate) const EXPONENTIAL: Statement<(Expr, Rate, NoRest, Passage)> = Statement::new(
     Printed,
     Compared::one(

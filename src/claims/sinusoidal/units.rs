@@ -3,7 +3,6 @@
 use super::prelude::*;
 use super::reference_motions::at;
 
-/// (21): what a particle on a smooth plane gains is the integral of −A.
 pub(super) fn eq21() -> Evidence {
     Trial::consistency(
         Printed,
@@ -36,7 +35,7 @@ pub(super) fn eq21() -> Evidence {
     })
 }
 
-/// A particle in its own units and its twin without units, both from rest.
+/// In units of its own, and without units; both from rest.
 #[derive(Clone)]
 struct Twins {
     at: String,
@@ -44,15 +43,13 @@ struct Twins {
     g: f64,
     varpi: f64,
     a0: f64,
-    /// The later time.
     t: f64,
-    /// When the particle starts to slide.
     release: f64,
-    /// v_x at a later time.
+    /// At a later time.
     vx: f64,
     /// The phase at which the twin starts to slide, by its own motion.
     twin_release: f64,
-    /// 𝔴 of the twin at the later phase.
+    /// At the later phase.
     twin_w: f64,
 }
 
@@ -62,7 +59,6 @@ impl Twins {
     }
 }
 
-/// Two dozen pairs of twins.
 static ALL_TWINS: Runs<Vec<Twins>> = Runs::new(|| {
     let mut points = Points::here();
     every((0..24).map(|_| twins(&mut points)))
@@ -98,7 +94,7 @@ fn twins(points: &mut Points) -> Result<Twins, Failure> {
     })
 }
 
-/// Frictions on both sides of 1, 1 itself included.
+/// On both sides of 1, 1 itself included.
 fn around_one() -> Vec<f64> {
     let mut points = Points::here();
     let mut list: Vec<_> = (0..24).map(|_| points.uniform(0.02, 2.0)).collect();
@@ -106,7 +102,6 @@ fn around_one() -> Vec<f64> {
     list
 }
 
-/// (26): its integral over a part of a slip is what 𝔴 changes by, in a motion that began with a velocity across.
 fn eq26_quadrature() -> Evidence {
     let trial = Trial::quadrature(
         Printed,
@@ -142,7 +137,7 @@ fn eq26_quadrature() -> Evidence {
     })
 }
 
-/// The same from a velocity along the drive, which lasts.
+/// From a velocity along the drive, which lasts.
 fn along_the_drive(lambda: f64) -> Result<Pair, Failure> {
     let (from, to) = (0.5, 1.5);
     let motion = Particle::plain(lambda).run(0.0, [3.0, 0.0], to)?;
@@ -165,7 +160,6 @@ fn eq26_summed(
 
 attempts![
     eq21,
-    // (22): the motion without units, with the friction (22), is the motion in units.
     eq22 = Trial::consistency(
         Printed,
         [
@@ -182,7 +176,6 @@ attempts![
         let stated = stated.map_or(f64::NAN, |path| path.end.w);
         Ok([stated, twins.varpi * twins.vx / twins.a0, 1.0])
     }),
-    // (23): both start to slide at the same phase.
     eq23 = Trial::consistency(
         Printed,
         [
@@ -194,7 +187,6 @@ attempts![
         let stated = printed::eq23_phase(twins.varpi, twins.release);
         Ok([stated, twins.twin_release, 1.0])
     }),
-    // (24): the velocities are the same.
     eq24 = Trial::consistency(
         Printed,
         [
@@ -206,7 +198,6 @@ attempts![
         let stated = printed::eq24_w(twins.varpi, twins.vx, twins.a0);
         Ok([stated, twins.twin_w, 1.0])
     }),
-    // (25): exactly then a particle at rest is set in motion.
     eq25_motion = Trial::by(
         Integration,
         Printed,
@@ -225,7 +216,6 @@ attempts![
             is(!motion.starts().is_empty()),
         ))
     }),
-    // (25): exactly then the large-time motion is not rest.
     eq25_census = Trial::census(
         Printed,
         [

@@ -5,7 +5,6 @@ use super::spheres::Units;
 use crate::claims::constant::launches::Turn as Launched;
 use crate::corrections::constant::{speed, time};
 
-/// A sphere under A = −A x̂, and what its slip has become.
 #[derive(Debug, Clone)]
 pub(crate) struct Turn {
     sphere: Sphere,
@@ -20,8 +19,8 @@ const LEAST: f64 = 1e-80;
 const MOST: f64 = 1e-40;
 
 impl Turn {
-    /// A sphere with this friction λ, from slip `u0` at the angle `theta0`, after the time `elapsed` in units of
-    /// what it takes to stop if it stops, of u₀/γ if not.
+    /// With this friction λ, from slip `u0` at the angle `theta0`; `elapsed` is in units of what it takes to stop if
+    /// it stops, of u₀/γ if not.
     fn new(
         i: usize,
         points: &mut Points,
@@ -39,7 +38,6 @@ impl Turn {
         } else {
             [w * libm::cos(theta0), w * libm::sin(theta0)]
         };
-        // Part of the slip is the centre's velocity, part the turning's.
         let (share, spin) = (points.uniform(-1.0, 2.0), points.uniform(-3.0, 3.0));
         let rest = toward.map(|c| (1.0 - share) * c / sphere.radius);
         let start = Ball {
@@ -114,7 +112,6 @@ impl Turn {
 /// Slips from here on are late: τ is up to some hundreds.
 const LATE: usize = 220;
 
-/// Next to no friction, hardly less and more than the critical one, and much.
 const EDGES: [f64; 4] = [5e-4, 1.0 - 5e-4, 1.0 + 5e-4, 12.0];
 
 /// Slips that turn: random ones, then λ = 1, then cos θ₀ = −λ, then λ at its edges, then late ones.
@@ -143,7 +140,6 @@ static TURNS: Runs<Vec<Turn>> = Runs::new(|| {
     every((0..LATE + 20).map(turn))
 });
 
-/// Slips along the line of the acceleration.
 static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
     let mut points = Points::here();
     let turn = |i: usize| {
@@ -160,7 +156,6 @@ static STRAIGHT: Runs<Vec<Turn>> = Runs::new(|| {
     every((0..40).map(turn))
 });
 
-/// (81).
 pub(crate) fn eq81() -> Evidence {
     Trial::motion(
         Within,
@@ -173,7 +168,6 @@ pub(crate) fn eq81() -> Evidence {
     })
 }
 
-/// The regular forms along the line of the acceleration: r from the regular time, u from r.
 pub(crate) fn regular_straight() -> Evidence {
     let trial = Trial::motion(
         Corrected,
@@ -197,7 +191,6 @@ pub(crate) fn regular_straight() -> Evidence {
     })
 }
 
-/// A formula of [`Turn::numbers`].
 type Time = fn([Double; 6]) -> Double;
 
 /// What a formula gives at a turn: its name, where it is tried, and what the motion has, with the unit.
@@ -233,7 +226,6 @@ fn corrected_time([lambda, u0, theta0, theta, _, gamma]: [Double; 6]) -> Double 
     corrected::time(lambda, gamma, u0, theta0, theta)
 }
 
-/// The form of (82) without singular points: at λ = 1 and cos θ₀ = −λ too.
 pub(crate) fn regular_time() -> Evidence {
     Trial::motion(
         Corrected,
@@ -257,7 +249,6 @@ pub(crate) fn regular_time() -> Evidence {
     })
 }
 
-/// (γ, τ of the motion over τ of (82)) at the points of the trial.
 pub(crate) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
     let known = only(TURNS.each(), |turn| turn.slip.has_a_time());
     known
@@ -275,7 +266,6 @@ pub(crate) fn times_over_printed() -> Result<Vec<[f64; 2]>, Failure> {
 }
 
 attempts![
-    // (80): slips of the same λ turn alike, whatever κ, μ, g and A are: as a particle's velocity with μg = λA.
     eq80 = Trial::consistency(
         Printed,
         [
@@ -321,7 +311,6 @@ attempts![
             turn.slip.v0,
         ])
     }),
-    // The form of (81) without singular points.
     regular_slip = Trial::motion(
         Corrected,
         ["the regular form of $u$", "the slip of the motion"],
@@ -388,7 +377,6 @@ attempts![
             corrected::slip_at_time(lambda, gamma, u0, theta0, theta, tau)
         }
     ),
-    // (83) from (81) and (82): with the time of (82) it has to give the slip of (81).
     eq83_step = {
         let points = Points::here().within(40, [[0.2, 0.8], [0.5, 2.0], [1.0, 1.5], [0.3, 0.9]]);
         Trial::by(

@@ -20,7 +20,6 @@ fn any(points: &mut Points) -> Result<(Harmonics, Drive, Bounds), Failure> {
     }
 }
 
-/// The part of a late period in which a sphere rolls.
 fn rolls(swing: &Swing, shape: &Harmonics, start: [f64; 2]) -> Result<f64, Failure> {
     let [w, share] = start;
     let (from, to) = (swing.t(LATE * TAU), swing.t((LATE + 1.0) * TAU));
@@ -36,7 +35,6 @@ fn start(points: &mut Points) -> [f64; 2] {
     [points.uniform(-1.0, 1.0), points.uniform(-1.0, 2.0)]
 }
 
-/// How long it rolls in a period, as a kind: never, for a part, always.
 pub(super) fn census() -> Evidence {
     let trial = Trial::census(
         Printed,
@@ -75,7 +73,6 @@ pub(super) fn census() -> Evidence {
     })
 }
 
-/// How long exactly, where it rolls at all.
 pub(super) fn parts() -> Evidence {
     let trial = Trial::motion(
         Printed,

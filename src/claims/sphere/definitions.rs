@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::spheres::{MIXED, length};
 
-/// Friction on the sphere whose lowest point has this velocity relative to the plane.
+/// At this velocity of the lowest point relative to the plane.
 fn friction(run: &Followed, slip: [f64; 3]) -> [f64; 3] {
     let sphere = run.case.sphere;
     let size = length(slip);
@@ -36,7 +36,7 @@ fn by_the_laws(run: &Followed) -> [f64; 5] {
     end.map_or([f64::NAN; 5], |[a, b, c, d, e, _]| [a, b, c, d, e])
 }
 
-/// (59): the laboratory knows no inertial force. There the centre's velocity V changes by friction alone.
+/// The laboratory knows no inertial force.
 fn eq59() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -74,7 +74,6 @@ fn eq59() -> Evidence {
     })
 }
 
-/// (61): the point at **R** from the centre of a rolling sphere is at rest.
 fn eq61() -> Evidence {
     let trial = Trial::consistency(
         Printed,
@@ -105,7 +104,6 @@ fn eq61() -> Evidence {
     })
 }
 
-/// (67): on a plane at rest the slip velocity w lasts for w/(bμg).
 fn eq67() -> Evidence {
     Trial::consistency(
         Printed,
@@ -143,7 +141,6 @@ fn eq67() -> Evidence {
 
 attempts![
     eq59,
-    // (60): against the rigid body's own integrator.
     eq60 = Trial::by(
         Integration,
         Printed,
@@ -164,7 +161,6 @@ attempts![
     }),
     eq61,
     eq67,
-    // (76): what the plane gains on a body that feels no friction.
     eq76 = {
         let trial = Trial::consistency(
             Printed,

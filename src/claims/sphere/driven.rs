@@ -9,15 +9,14 @@ use crate::claims::sinusoidal::regimes::{kind, listed_kind};
 use crate::motion::drive::{Attractor, DriveState, Friction, Interval};
 use crate::paper::{periodic, sinusoidal};
 
-/// Periods after which the motion counts as settled.
+/// Periods.
 const SETTLED: f64 = 10.0;
 
-/// The same under the drive sin φ with the friction `lambda`: a motion forgets its start in its first rest.
+/// Under sin φ a motion forgets its start in its first rest.
 fn settled_after(lambda: f64) -> f64 {
     if lambda > 0.6 { 3.0 } else { SETTLED }
 }
 
-/// The phase from which on it counts as settled.
 fn settled_phase(lambda: f64) -> f64 {
     settled_after(lambda) * TAU
 }
@@ -25,7 +24,6 @@ fn settled_phase(lambda: f64) -> f64 {
 /// A sphere on a plane that swings along x with the angular frequency ϖ: A = −A₀ h(ϖ t) x̂.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Swing {
-    /// The sphere.
     pub(super) sphere: Sphere,
     a0: f64,
     frequency: f64,
@@ -33,7 +31,6 @@ pub(super) struct Swing {
 }
 
 impl Swing {
-    /// The swing in which λ₀ is `lambda`.
     pub(super) fn new(i: usize, points: &mut Points, lambda: f64) -> Self {
         let sphere = sphere(i, points);
         Swing {
@@ -52,7 +49,6 @@ impl Swing {
         Plane::along([1.0, 0.0], sine.times(-self.a0))
     }
 
-    /// Harmonics, as a signal.
     pub(super) fn harmonics(&self, shape: &Harmonics) -> Plane {
         let sine = |[k, a, phase]: [f64; 3]| {
             let frequency = k * self.frequency;
@@ -70,7 +66,6 @@ impl Swing {
         Plane::along([1.0, 0.0], both.times(-0.5 * self.a0))
     }
 
-    /// The time of a phase.
     pub(super) fn t(&self, phi: f64) -> f64 {
         phi / self.frequency
     }
@@ -134,7 +129,7 @@ fn w_after(plus: f64, minus: f64, w: f64, phi: f64) -> f64 {
     end().unwrap_or(f64::NAN)
 }
 
-/// What a drive's periodic motion gives; NaN for a friction below zero, with which there is none.
+/// NaN for a friction below zero, with which there is no periodic motion.
 pub(super) fn of_settled(
     drive: &Drive,
     plus: f64,
@@ -148,13 +143,11 @@ pub(super) fn of_settled(
     given().unwrap_or(f64::NAN)
 }
 
-/// The part of a period in which a motion has a sign.
 pub(super) fn part(intervals: &[Interval], sign: Sign) -> f64 {
     let own = intervals.iter().filter(|i| i.sign == sign);
     own.map(Interval::length).sum::<f64>() / TAU
 }
 
-/// What the statement says, from the boundary λ_c.
 fn stated_kind(lambda: f64, lambda_c: f64) -> f64 {
     if lambda > 1.0 {
         -1.0
@@ -165,7 +158,6 @@ fn stated_kind(lambda: f64, lambda_c: f64) -> f64 {
     }
 }
 
-/// The kind of the sphere's motion over one period.
 fn rolled(motion: &BallMotion, from: f64, to: f64) -> Result<f64, Failure> {
     let within: Vec<_> = motion
         .transitions()
@@ -192,7 +184,6 @@ fn rolled(motion: &BallMotion, from: f64, to: f64) -> Result<f64, Failure> {
     ))
 }
 
-/// λ_c, where the drive's simulated motion begins to rest.
 fn lambda_c() -> Result<f64, Failure> {
     static LAMBDA: Runs<f64> = Runs::new(|| {
         let rests = |lambda: f64| -> Result<bool, Failure> {
@@ -209,7 +200,7 @@ fn lambda_c() -> Result<f64, Failure> {
     LAMBDA.get().copied()
 }
 
-/// The sphere with μ₋ = qμ₊, and λ₀ of (85).
+/// With μ₋ = qμ₊, and λ₀ of (85).
 fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Directed) {
     let swing = Swing::new(i, points, lambda);
     let sphere = swing.sphere;
@@ -222,7 +213,6 @@ fn directed(i: usize, points: &mut Points, q: f64, lambda: f64) -> (Swing, Direc
     )
 }
 
-/// (85): the slip obeys the drive of section 2.4 with λ₊ = λ₀ and λ₋ = qλ₀.
 fn eq85() -> Evidence {
     let trial = Trial::consistency(
         Printed,
@@ -266,7 +256,6 @@ fn frictions(lambda_c: f64) -> Vec<f64> {
     around(lambda_c).chain(around(1.0)).chain(wide).collect()
 }
 
-/// Every kind: with a start along x.
 pub(crate) fn trichotomy_census() -> Evidence {
     let trial = Trial::census(
         Within,
@@ -292,7 +281,6 @@ pub(crate) fn trichotomy_census() -> Evidence {
     })
 }
 
-/// How long it rolls in a period, from a start in any direction, against the rests of the drive.
 pub(crate) fn trichotomy_motion() -> Evidence {
     Trial::motion(
         Within,
@@ -318,7 +306,6 @@ pub(crate) fn trichotomy_motion() -> Evidence {
     })
 }
 
-/// λ₀ = 0: the slip of a fast sphere never changes its sign.
 pub(crate) fn trichotomy_outside() -> Evidence {
     let trial = Trial::census(
         Outside,
@@ -340,7 +327,6 @@ pub(crate) fn trichotomy_outside() -> Evidence {
     })
 }
 
-/// (η, λ₀) on both sides of the boundary.
 fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
     let point = |i: usize| {
         let eta = points.uniform(0.1, 0.9);
@@ -355,7 +341,6 @@ fn pulse_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
     (0..count).map(point).collect()
 }
 
-/// The pulse train: the part of a period in which the drive rests.
 fn pulse_motion() -> Evidence {
     let mut points = Points::here();
     let all = pulse_points(&mut points, 20);
@@ -393,7 +378,7 @@ fn pulse_motion() -> Evidence {
     })
 }
 
-/// A late period of the sphere with anisotropic friction: its stretches, from a whole number of periods on.
+/// From a whole number of periods on.
 fn late_stretches(
     swing: &Swing,
     directed: &Directed,
@@ -415,25 +400,23 @@ fn late_stretches(
     Ok((ways, lengths))
 }
 
-/// (q, λ₀) over the map and near its lines.
 fn map_points(points: &mut Points, count: usize) -> Vec<(f64, f64)> {
     (0..count)
         .map(|_| (points.uniform(1.0, 7.0), points.uniform(0.05, 1.4)))
         .collect()
 }
 
-/// The slip velocity and the velocity of the centre of a solid sphere on a swinging plane, over two late periods.
+/// Of a solid sphere on a swinging plane, over two late periods.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Swinging {
     /// λ₀ of (84).
     pub lambda: f64,
     /// (φ, ϖ w_x/A₀, ϖ v_x/A₀), φ from 0 to 4π; all dimensionless.
     pub points: Vec<[f64; 3]>,
-    /// The phases between which it rolls.
+    /// Phases between which it rolls.
     pub rolls: Vec<[f64; 2]>,
 }
 
-/// Two late periods of a solid sphere.
 pub(crate) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
     let sphere = Sphere::with_kappa(0.4);
     let swing = Swing {
@@ -482,7 +465,6 @@ pub(crate) fn swinging(lambda: f64) -> Result<Swinging, Failure> {
 }
 
 attempts![
-    // (84): the slip obeys the drive of section 2.2 with this λ₀.
     eq84 = Trial::consistency(
         Printed,
         [
@@ -511,7 +493,6 @@ attempts![
     eq85,
     trichotomy_census,
     trichotomy_motion,
-    // Rolling holds as long as friction suffices: the sphere set rolling at φ = 0 begins to slide where sin φ = λ₀.
     rolling_ends = Trial::by(
         Root,
         Within,
@@ -538,7 +519,6 @@ attempts![
         })
     }),
     trichotomy_outside,
-    // The pulse train: kinds on both sides of λ₀ = η.
     pulse_census = {
         let trial = Trial::census(
             Printed,
@@ -565,7 +545,6 @@ attempts![
         })
     },
     pulse_motion,
-    // The order of forward slip, backward slip and rolling in a period, as the particle has it.
     anisotropic_census = {
         let trial = Trial::census(
             Printed,
@@ -587,7 +566,6 @@ attempts![
             ))
         })
     },
-    // How long each lasts.
     anisotropic_motion = {
         let trial = Trial::motion(
             Printed,

@@ -11,7 +11,7 @@ fn particle(run_of: &super::spheres::Followed) -> Result<crate::motion::Motion, 
     Ok(run(&case.plane, friction, start, run_of.until)?)
 }
 
-/// A sphere that rolls when the plane begins to pull, more than friction can follow, along a direction that turns.
+/// Rolling when the plane begins to pull, more than friction can follow, along a direction that turns.
 fn released() -> impl Iterator<Item = Result<Followed, Failure>> {
     let mut points = Points::here();
     (0..24).map(move |i| {
@@ -39,7 +39,6 @@ fn released() -> impl Iterator<Item = Result<Followed, Failure>> {
     })
 }
 
-/// A slip that is small beside the velocity lasts as long as the particle's velocity does.
 fn reduction_small_slip() -> Evidence {
     Trial::motion(
         Printed,
@@ -78,7 +77,6 @@ fn reduction_small_slip() -> Evidence {
     })
 }
 
-/// How long the sphere rolls between two times.
 pub(super) fn rolling_time(
     motion: &crate::motion::sphere::BallMotion,
     from: f64,
@@ -102,7 +100,6 @@ pub(super) fn rolling_time(
     Ok(total)
 }
 
-/// The rest follows from u: dρ/dτ by (79), then ζ by the corrected (75), both from the particle's velocity.
 fn reduction_rest() -> Evidence {
     Trial::motion(Printed, Compared::many(
         r"the velocity $\mathrm d\bm\rho/\mathrm d\tau$ by (79) and the spin $\bm\zeta$ by the corrected (75), with $\bm u$ of the particle,",
@@ -127,7 +124,6 @@ fn reduction_rest() -> Evidence {
     })
 }
 
-/// The vertical spin keeps its value, and another one changes nothing else.
 fn spin_constant() -> Evidence {
     Trial::motion(Printed, Compared::many(
         r"a kept $\omega_z$, and the $x$, $\bm v$, $\omega_x$ and $\omega_y$ in which a motion with three times that $\omega_z$ ends,",
@@ -166,7 +162,6 @@ fn with_three_times_the_spin(ball: Ball) -> Ball {
 }
 
 attempts![
-    // The slip velocity is the particle's velocity, sliding and rolling.
     reduction_motion = {
         let trial = Trial::motion(
             Printed,
@@ -190,7 +185,6 @@ attempts![
             })
         })
     },
-    // The slip that begins by itself is the particle's velocity from rest.
     reduction_from_rest = {
         let trial = Trial::motion(
             Printed,

@@ -1,7 +1,6 @@
 //! Section 3, exactly: proofs from the laws of Newton and Euler for a rigid sphere, component by component.
 //!
-//! Only those laws and Coulomb's friction are entered here, at the contact point below the centre; the printed
-//! formulas come from [`crate::paper::sphere`], as trees.
+//! Only those laws and Coulomb's friction are entered here, at the contact point below the centre.
 
 pub(crate) mod angle;
 pub(crate) mod body;
@@ -16,7 +15,6 @@ pub(crate) use body::*;
 /// Components of a vector, as trees; a scalar has one.
 pub(crate) type Components = Vec<Expr>;
 
-/// A statement about the sphere, by components.
 pub(crate) type Vectorial = Statement<Components>;
 
 const BY_COMPONENTS: Compared = Compared::one(
@@ -32,5 +30,4 @@ const AS_A_PARTICLE: Compared = Compared::one(
     r"(11), (13) and (14), proved from (1), with $\gamma$ for $A$, $b$ for $\mu g$ and $\tau$ for $t$, as (74) has them",
 );
 
-/// Names of a vector's components, for the steps of a proof.
 const AXES: [&str; 3] = ["along x", "along y", "along z"];

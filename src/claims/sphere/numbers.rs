@@ -2,7 +2,7 @@
 
 use super::prelude::*;
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// In the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 3] = [
     Numbers::new(
         "eq-75",
@@ -35,7 +35,6 @@ pub(super) static CASES: [Numbers; 3] = [
     ),
 ];
 
-/// The numbers by which claims can be found.
 pub(super) static VALUES: [Number; 4] = [
     Number::new("kappa-solid", || Ok(2.0 / 5.0)),
     Number::new("b-solid", || Ok(printed::eq67_factor(0.4))),
@@ -59,7 +58,7 @@ fn thrown(gamma: f64, until: f64) -> Result<BallMotion, Failure> {
     Ok(Sphere::with_kappa(0.4).run(&Plane::constant([-gamma, 0.0]), &start, until)?)
 }
 
-/// The time at which the sphere with γ = 2 begins to roll.
+/// With γ = 2.
 fn end_of_slip() -> Result<f64, Failure> {
     let motion = thrown(2.0, 1.0)?;
     Ok(motion.transitions().first().ok_or("it slips on")?.t)

@@ -3,7 +3,7 @@
 use super::prelude::*;
 use super::spheres::{SLIDING, length, moments};
 
-/// A vector of a state of the sphere: its name and its value.
+/// Of a state of the sphere: its name and its value.
 type Vector = (&'static str, fn(&Followed, &Ball) -> [f64; 3]);
 
 const VELOCITY: Vector = (r"$\mathrm d\bm r/\mathrm dt$", |_, ball| flat(ball.v));
@@ -76,19 +76,19 @@ fn per_time(run: &Followed, rate: [f64; 3]) -> [f64; 3] {
     rate.map(|c| c * run.tau_rate())
 }
 
-/// dρ/dτ of a state, in the sphere's own units.
+/// In the sphere's own units.
 fn rho_rate(run: &Followed, ball: &Ball) -> [f64; 3] {
     flat(ball.v).map(|c| c / run.units().speed)
 }
 
-/// u, likewise.
+/// Likewise.
 fn u(run: &Followed, ball: &Ball) -> [f64; 3] {
     slip(run, ball).map(|c| c / run.units().speed)
 }
 
 type Spin = fn(f64, [f64; 3], [f64; 3]) -> [f64; 3];
 
-/// A formula for ζ, sliding and rolling.
+/// Sliding and rolling.
 fn spin(subject: Subject, law: &'static str, formula: Spin) -> Evidence {
     const ZETA: &str =
         r"$\bm\zeta$ of the motion, sliding and rolling, each vector by the one number $x+2y+3z$";

@@ -4,8 +4,8 @@
 use super::prelude::*;
 use super::spheres::{Case, Dimensionless, SLIDING, Units, length};
 
-/// A sphere and the one with m = R = μ = g = 1 and the same κ, with the same drive and start in their own units, until
-/// the same time in these: what the definitions make of the motion of the one is the motion of the other itself.
+/// A sphere, and the one with m = R = μ = g = 1 and the same κ, drive and start in its own units, until the same
+/// time in these.
 #[derive(Debug)]
 struct Twins {
     at: String,
@@ -22,7 +22,7 @@ impl Twins {
     }
 }
 
-/// A state, drive and time in the paper's units.
+/// In the paper's units.
 struct Plan {
     kappa: f64,
     gamma: f64,
@@ -52,7 +52,6 @@ impl Plan {
         }
     }
 
-    /// The plan for one sphere of its κ.
     fn follow(&self, sphere: Sphere) -> Result<Followed, Failure> {
         let Units {
             length,
@@ -138,7 +137,6 @@ fn first_change(run: &Followed) -> f64 {
     run.motion.transitions().first().map_or(0.0, |c| c.t)
 }
 
-/// (71) where the sphere slides with one friction forwards and with another backwards.
 fn eq71_both_ways() -> Evidence {
     let trial = Trial::consistency(
         Printed,
@@ -205,7 +203,6 @@ attempts![
         |_, state| state.rho,
         |_, state| state.rho
     ),
-    // (68) as what the velocity adds up to.
     eq68_way = {
         let trial = Trial::consistency(
             Printed,

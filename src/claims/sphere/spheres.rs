@@ -3,34 +3,26 @@
 use super::prelude::*;
 use crate::motion::Acceleration;
 
-/// A sphere on a plane, from a start.
 #[derive(Debug, Clone)]
 pub(super) struct Case {
-    /// The sphere and its friction.
     pub sphere: Sphere,
-    /// The plane.
     pub plane: Plane,
-    /// The size of A.
+    /// Of A.
     pub size: f64,
-    /// The state at t = 0.
+    /// At t = 0.
     pub start: Ball,
-    /// How the case is called: its parameters.
+    /// Its parameters.
     pub name: String,
 }
 
-/// A case and its motion.
 #[derive(Debug)]
 pub(super) struct Followed {
-    /// The case.
     pub case: Case,
-    /// The motion.
     pub motion: BallMotion,
-    /// Its end.
     pub until: f64,
 }
 
 impl Case {
-    /// A over time.
     pub(super) fn acceleration(&self, t: f64) -> [f64; 3] {
         let [x, y] = self.plane.coefficients(t).map(|series| series[0]);
         [x, y, 0.0]
@@ -61,7 +53,6 @@ impl Case {
         (self.sphere.radius, self.sphere.mu, self.sphere.g)
     }
 
-    /// The motion until a time.
     pub(super) fn run(self, until: f64) -> Result<Followed, MotionError> {
         let motion = self.sphere.run(&self.plane, &self.start, until)?;
         Ok(Followed {
@@ -72,7 +63,6 @@ impl Case {
     }
 }
 
-/// By how much friction slows a sphere's slip.
 pub(super) fn braking(sphere: &Sphere) -> f64 {
     (1.0 + 1.0 / sphere.kappa()) * sphere.mu * sphere.g
 }
@@ -92,7 +82,6 @@ pub(super) struct Dimensionless {
     pub gamma: [f64; 3],
 }
 
-/// A sphere's own units: its radius, the acceleration by friction, and what follows from the two.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Units {
     /// R.
@@ -106,7 +95,6 @@ pub(super) struct Units {
 }
 
 impl Units {
-    /// Those of a sphere.
     pub(super) fn of(sphere: &Sphere) -> Self {
         let (length, push) = (sphere.radius, sphere.mu * sphere.g);
         Units {
@@ -119,7 +107,7 @@ impl Units {
 }
 
 impl Followed {
-    /// The state at a time in the sphere's own units, without the paper's formulas.
+    /// In the sphere's own units, without the paper's formulas.
     pub(super) fn own(&self, t: f64) -> Result<Dimensionless, MotionError> {
         let Units {
             length,
@@ -140,17 +128,15 @@ impl Followed {
         })
     }
 
-    /// The point in the claims' symbols, at the end.
     pub(super) fn at_end(&self) -> String {
         self.at(self.until)
     }
 
-    /// The sphere's own units.
     pub(super) fn units(&self) -> Units {
         Units::of(&self.case.sphere)
     }
 
-    /// The state at a time by the printed definitions.
+    /// By the printed definitions.
     pub(super) fn dimensionless(&self, t: f64) -> Result<Dimensionless, MotionError> {
         let (radius, mu, g) = self.case.parameters();
         let ball = self.motion.at(t)?;
@@ -172,13 +158,12 @@ impl Followed {
         printed::eq69_time(radius, mu, g, 1.0)
     }
 
-    /// The point in words.
     pub(super) fn at(&self, t: f64) -> String {
         format!("{}, t = {t:.6}", self.case.name)
     }
 }
 
-/// A random sphere: between a point mass and a hoop, the solid and the hollow one in their turn.
+/// Between a point mass and a hoop, the solid and the hollow one in their turn.
 pub(super) fn sphere(i: usize, points: &mut Points) -> Sphere {
     let kappa = match i % 4 {
         0 => 0.4,
@@ -196,7 +181,7 @@ pub(super) fn sphere(i: usize, points: &mut Points) -> Sphere {
     }
 }
 
-/// A random case: constant, swinging and turning accelerations of a size to let the sphere slide and roll.
+/// Constant, swinging and turning accelerations of a size to let the sphere slide and roll.
 pub(super) fn case(i: usize, points: &mut Points) -> Case {
     let sphere = sphere(i, points);
     let push = sphere.mu * sphere.g;
@@ -241,7 +226,7 @@ pub(super) fn case(i: usize, points: &mut Points) -> Case {
     }
 }
 
-/// Motions that end before sliding does.
+/// They end before sliding does.
 pub(super) static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
     let mut points = Points::here();
     let run = |i| {
@@ -260,7 +245,6 @@ pub(super) static SLIDING: Runs<Vec<Followed>> = Runs::new(|| {
     every((0..32).map(run))
 });
 
-/// Motions that slide and roll.
 pub(super) static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
     let mut points = Points::here();
     let run = |i| {
@@ -271,7 +255,7 @@ pub(super) static MIXED: Runs<Vec<Followed>> = Runs::new(|| {
     every((0..32).map(run))
 });
 
-/// The same with three times between their start and their end.
+/// Three between start and end.
 pub(super) fn moments() -> impl Iterator<Item = Result<(&'static Followed, f64), Failure>> {
     let moments = with_each(MIXED.each(), [0.31, 0.62, 1.0]);
     moments.map(|moment| moment.map(|(run, share)| (run, share * run.until)))
@@ -282,7 +266,6 @@ pub(super) fn weighed([x, y, z]: [f64; 3]) -> f64 {
     x + 2.0 * y + 3.0 * z
 }
 
-/// |a|.
 pub(super) fn length([x, y, z]: [f64; 3]) -> f64 {
     libm::hypot(libm::hypot(x, y), z)
 }

@@ -12,7 +12,6 @@ fn inner(view: &View) -> [Complex; 2] {
     ]
 }
 
-/// (111) and (112) give p and ρ, both real.
 fn eq122() -> Evidence {
     let trial = Trial::motion(Printed, Compared::many(
         r"the real and imaginary part of (111) plus twice (112), with the complex $A$ and $\alpha$ of (122) and (123),",
@@ -34,7 +33,6 @@ fn eq122() -> Evidence {
     })
 }
 
-/// (114) gives the rate of α, real.
 fn eq123() -> Evidence {
     let trial = Trial::quadrature(Printed, Compared::many(
         r"the real and imaginary part of the integral of (114) over $\tau$, with the complex $A$ and $\alpha$ of (122) and (123),",

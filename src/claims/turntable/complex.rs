@@ -6,14 +6,11 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 /// A complex number; roots, powers and logarithms are principal values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Complex {
-    /// Real part.
     pub re: f64,
-    /// Imaginary part.
     pub im: f64,
 }
 
 impl Complex {
-    /// The imaginary unit.
     pub(super) const I: Self = Complex { re: 0.0, im: 1.0 };
 
     /// A real number.

@@ -29,7 +29,6 @@ fn ends<const N: usize>(
     })
 }
 
-/// A definition.
 fn defined(
     [stated, found]: [&'static str; 2],
     classes: &[Class],
@@ -47,7 +46,7 @@ fn both_sides(compared: Compared, pairs: impl Fn(&View, &Intrinsic) -> [[f64; 2]
     ends(Integration, compared, ANY, pairs)
 }
 
-/// A case: its symbols in words, where it is tried, and its symbols by components along the velocity.
+/// Its symbols in words, where it is tried, and its symbols by components along the velocity.
 type Case = (&'static str, &'static [Class], fn(&Intrinsic) -> (f64, f64));
 
 const INNER: Case = (
@@ -61,7 +60,6 @@ const OUTER: Case = (
     outer,
 );
 
-/// What a formula of the symbols of a case gives with the Cartesian quantity.
 fn by_case(
     law: &'static str,
     (symbols, classes, of): Case,
@@ -85,13 +83,13 @@ fn to_the_left(part: &Intrinsic) -> f64 {
     part.parts.p - part.parts.zeta
 }
 
-/// A and α by components along the velocity.
+/// A and α.
 fn inner(part: &Intrinsic) -> (f64, f64) {
     let none = f64::NAN;
     (part.a().unwrap_or(none), part.alpha().unwrap_or(none))
 }
 
-/// B and β by components along the velocity.
+/// B and β.
 fn outer(part: &Intrinsic) -> (f64, f64) {
     let b = libm::sqrt(-lead(part));
     (b, libm::asinh(part.rho() / b))

@@ -2,41 +2,33 @@
 
 use super::prelude::*;
 
-/// The speeds of the launches.
 pub(crate) const SPEEDS: [f64; 2] = [1.0, 1.5];
-/// The time up to which they are followed.
 pub(crate) const UNTIL: f64 = 7.0;
 
-/// One moment of a launch, dimensionless.
+/// Dimensionless.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Moment {
-    /// Time τ since the launch.
     pub tau: f64,
-    /// Place on the table.
     pub table: [f64; 2],
-    /// Place in the laboratory.
     pub laboratory: [f64; 2],
-    /// Speed p relative to the table.
+    /// Relative to the table.
     pub p: f64,
-    /// Distance ρ from the axis.
     pub rho: f64,
-    /// Arc length s on the table.
+    /// Arc length on the table.
     pub s: f64,
 }
 
-/// A launch from the axis.
 #[derive(Debug, Clone)]
 pub(crate) struct Launched {
-    /// Its speed.
     pub speed: f64,
-    /// Its moments, in order.
+    /// In order.
     pub moments: Vec<Moment>,
     /// When it comes to rest on the table, if it does.
     pub rest: Option<f64>,
 }
 
-/// A launch by all three integrations: the place on the table by one, in the laboratory by another, the arc
-/// length by the third.
+/// By all three integrations: the place on the table by one, in the laboratory by another, the arc length by the
+/// third.
 pub(crate) fn launched(speed: f64) -> Result<Launched, MotionError> {
     let table = Table::default();
     let start = State {
@@ -66,7 +58,6 @@ pub(crate) fn launched(speed: f64) -> Result<Launched, MotionError> {
     })
 }
 
-/// (104) at every drawn moment, rest included.
 pub(crate) fn kept() -> Evidence {
     let launches = SPEEDS.into_iter().map(launched);
     let all = launches.flat_map(|launch| {

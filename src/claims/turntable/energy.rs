@@ -17,13 +17,12 @@ fn balance(trial: &Trial, pair: impl Fn(&Stretch) -> Result<[f64; 2], Failure>) 
     })
 }
 
-/// The way on the table up to the end of a launch, by the motion found in the laboratory.
+/// By the motion found in the laboratory.
 pub(super) fn way(launch: &Launch) -> Result<f64, Failure> {
     let speed = |t: f64| launch.still.on_table(t).map_or(f64::NAN, |s| s.speed());
     Ok(integral(speed, 0.0, launch.to)?.value)
 }
 
-/// The work of friction by (106): what the terms without s gain, if (106) keeps its value.
 fn work_step() -> Evidence {
     let points = Points::here().within(40, [[0.2, 3.0]; 3]);
     Trial::by(
@@ -44,7 +43,6 @@ fn work_step() -> Evidence {
     })
 }
 
-/// The energy that (106) is about, as printed or as corrected: its change with 0.
 fn kept(
     subject: Subject,
     compared: Compared,
@@ -75,7 +73,6 @@ fn friction_work(launch: &Launch) -> Result<f64, Failure> {
     Ok(value(&launch.still.at(launch.to)?) - value(&launch.still.at(0.0)?))
 }
 
-/// What is stated of it.
 fn work(subject: Subject, stated: &'static str, formula: impl Fn(&Table, f64) -> f64) -> Evidence {
     let compared = Compared::one(
         stated,
@@ -91,8 +88,6 @@ fn work(subject: Subject, stated: &'static str, formula: impl Fn(&Table, f64) ->
     })
 }
 
-/// What is left of the kinetic energy's change when the works of friction and of the centrifugal force are taken
-/// off is the work of the Coriolis force.
 pub(super) fn coriolis() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -121,7 +116,6 @@ pub(super) fn coriolis() -> Evidence {
 }
 
 attempts![
-    // (104), with the arc length of the integration by components.
     eq104 = Trial::motion(
         Printed,
         ["the change of (104) over a stretch of motion", "0"],
@@ -160,7 +154,6 @@ attempts![
             corrections::constant(mass, mu, g, omega, state.x, state.v, s)
         }
     ),
-    // (104) with the length of the path, in the words that call it a constant of motion.
     eq104_kept = {
         let trial = Trial::motion(
             Printed,
@@ -171,7 +164,6 @@ attempts![
         );
         balance(&trial, |stretch| Ok([change_of_eq104(stretch)?, 0.0]))
     },
-    // What p, ℓ and ξ give alone.
     eq104_without_s = {
         let trial = Trial::quadrature(
             Remark,

@@ -1,8 +1,7 @@
 //! The turntable, exactly: proofs of (86) to (125).
 //!
-//! What is entered here is that friction alone acts in the laboratory; it proves (86), (86) proves (89), and (89)
-//! all that follows. The printed formulas come from [`crate::paper::turntable`], as trees. All holds for a
-//! particle that slides, p > 0, and off the axis, ρ > 0, where a formula divides by p or ρ.
+//! That friction alone acts in the laboratory proves (86), (86) proves (89), and (89) all that follows. All holds
+//! for a particle that slides, p > 0, and off the axis, ρ > 0, where a formula divides by p or ρ.
 
 pub(crate) mod components;
 pub(crate) mod definitions;
@@ -28,7 +27,6 @@ pub(crate) type Vectorial = Statement<Vec<Expr>>;
 
 const RATE: Compared = Compared::one("the printed rate", "the rate by (89), exactly");
 
-/// A proof in a setting.
 fn prove(
     title: &str,
     setting: Result<Setting, ExactError>,
@@ -43,7 +41,6 @@ fn prove(
     }
 }
 
-/// Position and velocity in Cartesian components.
 fn vectors() -> [[Expr; 2]; 2] {
     [symbols(["x", "y"]), symbols(["u", "v"])]
 }

@@ -5,7 +5,7 @@ use super::prelude::*;
 use super::singular_starts::rate_at_start;
 use crate::numerics::{NumericsError, dop853, roots};
 
-/// dψ/dτ at the beginning of a motion.
+/// At the beginning of a motion.
 fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
     let h = 1e-3 * alpha.min(1.0);
     let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 5.0 * h)?;
@@ -16,7 +16,6 @@ fn psi_rate(a: f64, alpha: f64, psi: f64) -> Result<f64, Failure> {
     })?)
 }
 
-/// A state's A and α.
 fn state(points: &mut Points) -> (f64, f64) {
     (points.log_uniform(0.3, 3.0), points.log_uniform(0.1, 1.0))
 }
@@ -91,24 +90,22 @@ fn turning(alpha: f64, psi: f64) -> f64 {
     -p * sine / rho - across / p
 }
 
-/// Starts (A, α, ψ) of escapes.
+/// (A, α, ψ).
 pub(crate) const ESCAPES: [[f64; 3]; 3] = [[1.2, 0.3, 0.5], [2.0, 0.5, 1.5], [3.0, 0.2, 2.0]];
 
-/// ψ and ψ₁ at one moment of an escape.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Following {
-    /// Time τ.
     pub tau: f64,
-    /// ψ, in radians.
+    /// Radians.
     pub psi: f64,
-    /// ψ₁ at the α of that moment, in radians.
+    /// At the α of that moment, radians.
     pub psi1: f64,
 
     /// (π/2 − ψ)/(π/2 − ψ₁).
     pub ratio: f64,
 }
 
-/// How ψ follows ψ₁ along an escape, from τ = 0.1 to 1000.
+/// From τ = 0.1 to 1000.
 pub(crate) fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, MotionError> {
     let run = Run::new(&Start::hyperbolic(a, alpha, psi)?, 1000.0)?;
     let moment = |i: u32| {
@@ -129,8 +126,6 @@ pub(crate) fn following([a, alpha, psi]: [f64; 3]) -> Result<Vec<Following>, Mot
 attempts![
     psi1 = stands_still(["(124)", "below"], BELOW_AND_ABOVE[0], printed::eq124_psi1),
     psi2 = stands_still(["(125)", "above"], BELOW_AND_ABOVE[1], printed::eq125_psi2),
-    // Two motions from the same A and α, with ψ a little below and above where it stands still: whether the angle between them
-    // shrinks.
     separation = {
         let trial = Trial::census(
             Printed,
@@ -159,8 +154,6 @@ attempts![
             ))
         })
     },
-    // (115) with α held fixed, from any angle: forwards in time it ends where ψ stands still and attracts, backwards where it
-    // repels.
     frozen = {
         let trial = Trial::by(
             Integration,
@@ -196,7 +189,6 @@ attempts![
 mod tests {
     use super::*;
 
-    /// At ψ = π, where the angle jumps by a turn, and elsewhere.
     #[test]
     fn the_angle_turns_at_the_rate_of_the_law() {
         for psi in [0.4, -2.0, PI - 1e-9, 1e-9 - PI] {

@@ -7,8 +7,6 @@ fn acceleration(table: &Table, state: &State) -> [f64; 2] {
     printed::eq86_acceleration(table.omega, table.mu, table.g, state.x, state.v)
 }
 
-/// (86), integrated along the motion as the table's frame has it, with the change of velocity that the
-/// laboratory has, where friction is the only force.
 pub(super) fn eq86() -> Evidence {
     let compared = Compared::one(
         "the integral of (86) over $t$ along the motion found in the frame of the table",
@@ -17,7 +15,6 @@ pub(super) fn eq86() -> Evidence {
     summed(Within, compared, |table, state| (table, state))
 }
 
-/// The same for the mirrored motion on a table that turns the other way.
 pub(super) fn mirror() -> Evidence {
     let compared = Compared::one(
         r"the integral of (86) over $t$ with $-\Omega$ along the mirrored motion, found in the frame of the table,",
@@ -60,7 +57,6 @@ fn summed(
     })
 }
 
-/// (86) as an equation for the motion, through several turns of the table.
 fn eq86_turns() -> Evidence {
     Trial::by(
         Integration,
@@ -100,7 +96,7 @@ fn eq86_turns() -> Evidence {
     })
 }
 
-/// The place on the table to which (86) leads; not a number if it leads nowhere.
+/// Not a number if (86) leads nowhere.
 fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
     let rate = |_: f64, y: &[f64; 4]| {
         let state = State {
@@ -116,7 +112,6 @@ fn by_the_law(table: &Table, start: &State, until: f64) -> [f64; 2] {
     end.map_or([f64::NAN; 2], |[x, y, ..]| [x, y])
 }
 
-/// A vector in one number.
 pub(super) fn weighed([x, y]: [f64; 2]) -> f64 {
     x + 2.0 * y
 }
@@ -126,7 +121,6 @@ pub(super) fn eq89_rate(v: &View) -> f64 {
     weighed(printed::eq89_acceleration(v.position, v.rate))
 }
 
-/// (89), likewise.
 pub(super) fn eq89() -> Evidence {
     let trial = Trial::by(
         Quadrature,
@@ -147,7 +141,7 @@ pub(super) fn eq89() -> Evidence {
     })
 }
 
-/// The motion of a launch on the table with Ω = μg = 1, for longer than the launch.
+/// On the table with Ω = μg = 1, for longer than the launch.
 fn in_units(launch: &Launch) -> Result<Path, MotionError> {
     let table = &launch.table;
     let length = table.length();
@@ -159,7 +153,6 @@ fn in_units(launch: &Launch) -> Result<Path, MotionError> {
     rotating::run(&Table::default(), &start, 1.5 * launch.to * table.omega)
 }
 
-/// (87): motions on any table are one and the same in these units.
 pub(super) fn eq87() -> Evidence {
     Trial::by(
         Consistency,
@@ -182,7 +175,6 @@ pub(super) fn eq87() -> Evidence {
     })
 }
 
-/// (88), likewise.
 pub(super) fn eq88() -> Evidence {
     let trial = Trial::by(
         Consistency,

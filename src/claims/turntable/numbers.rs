@@ -4,7 +4,7 @@ use super::prelude::*;
 use super::projections;
 use crate::motion::State;
 
-/// The cases by hand, in the paper's order: what the printed formula says, and what the motion does.
+/// In the paper's order: what the printed formula says, and what the motion does.
 pub(super) static CASES: [Numbers; 4] = [
     Numbers::new(
         "s4-projection-azimuthal",
@@ -38,7 +38,6 @@ fn stopped() -> Result<State, Failure> {
     Ok(run(&Plane::constant([0.0, 0.0]), 5.0, start, 2.0)?.end())
 }
 
-/// The way that it makes.
 fn way() -> Result<f64, Failure> {
     Ok(stopped()?.x[0])
 }

@@ -3,7 +3,6 @@
 use super::prelude::*;
 use super::trajectories::{ALONG, ALPHA, BETA, Class, MOMENT, PSI, SLOWER, samples};
 
-/// What the quadratures are asked for.
 const ASKED: f64 = 1e-13;
 
 /// ∫ rate dτ along each stretch of these classes with the change of the quantity.
@@ -22,7 +21,6 @@ pub(super) fn change(
     integral(law, subject, classes, name, ends, rate)
 }
 
-/// ∫ rate dτ with a change and its scale.
 fn integral(
     law: &'static str,
     subject: Subject,

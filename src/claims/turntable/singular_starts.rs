@@ -4,7 +4,6 @@
 use super::prelude::*;
 use super::trajectories::{ALONG, ALPHA, BETA, MOMENT, PSI, any_table};
 
-/// How a motion begins.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Begin {
     /// At rest on the table, ρ < 1: friction holds it.
@@ -15,7 +14,7 @@ enum Begin {
     Launched,
 }
 
-/// A state, random apart from how it begins.
+/// Random apart from how it begins.
 fn state(begin: Begin, points: &mut Points) -> State {
     let direction = points.uniform(-3.1, 3.1);
     let along = |size: f64| [size * libm::cos(direction), size * libm::sin(direction)];
@@ -27,10 +26,9 @@ fn state(begin: Begin, points: &mut Points) -> State {
     State { t: 0.0, x, v }
 }
 
-/// The time between the states that are compared, in units of 1/Ω.
+/// Between the states that are compared, in units of 1/Ω.
 const H: f64 = 1e-3;
 
-/// The rate of a quantity of a motion at its beginning.
 pub(super) fn first_rate(
     table: &Table,
     start: &State,
@@ -53,7 +51,6 @@ pub(super) fn rate_at_start(
     Ok(sum / (12.0 * h))
 }
 
-/// What a formula gives at the beginning, against the rate of a quantity.
 fn first_moment(
     law: &'static str,
     begins: &[Begin],
@@ -90,7 +87,6 @@ const RELEASED: &[Begin] = &[Begin::Released];
 const LAUNCHED: &[Begin] = &[Begin::Launched];
 const AT_REST: &[Begin] = &[Begin::Held, Begin::Released];
 
-/// (86) at rest, on tables of any Ω, μ, g.
 pub(super) fn eq86() -> Evidence {
     Trial::by(
         Integration,
@@ -128,7 +124,6 @@ fn eq109(v: &View) -> f64 {
     printed::eq109_psi_rate(v.p, v.rho, v.psi)
 }
 
-/// The sum of the components of the velocity.
 const COMPONENTS: Quantity = ("the sum of the components of the velocity", |v| {
     v.rate[0] + v.rate[1]
 });

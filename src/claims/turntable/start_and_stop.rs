@@ -8,16 +8,14 @@ use crate::motion::turntable::intrinsic::Exact;
 use crate::motion::turntable::moment::moment;
 use crate::motion::turntable::{Fate, fate};
 
-/// A motion that starts by itself, from rest on the table beyond ρ = 1.
+/// From rest on the table beyond ρ = 1.
 #[derive(Debug)]
 struct Loose {
-    /// ρ at the start.
     rho: f64,
-    /// Its end.
     to: f64,
-    /// The motion by the frame of the table.
+    /// By the frame of the table.
     turning: Path,
-    /// The motion by the laboratory.
+    /// By the laboratory.
     still: Path,
 }
 
@@ -40,7 +38,7 @@ impl Loose {
     }
 }
 
-/// Thirty of them, in all directions.
+/// In all directions.
 static LOOSE: Runs<Vec<Loose>> = Runs::new(|| {
     let mut points = Points::here();
     let one = |i| -> Result<_, Failure> {
@@ -65,7 +63,6 @@ static LOOSE: Runs<Vec<Loose>> = Runs::new(|| {
     every((0..30).map(one))
 });
 
-/// Terms of the series of a state at a time.
 const TERMS: usize = 24;
 
 /// The sum of a rate from a start on with what it is the rate of, which is zero at rest, by components along the velocity:
@@ -89,14 +86,12 @@ fn from_rest(
 /// Long after every one of these motions has stopped.
 const LONG: f64 = 20.0;
 
-/// A motion that comes to rest, and when and where it does by each of the programs.
 #[derive(Debug)]
 struct Stop {
     /// ρ and p at the start.
     begin: [f64; 2],
-    /// How it starts, in words.
     name: String,
-    /// The motion by components along the velocity.
+    /// By components along the velocity.
     run: Run,
     /// By each program, its name, when it stops, and σ.
     ends: [(&'static str, f64, f64); 3],
@@ -172,7 +167,6 @@ fn stop(i: usize, points: &mut Points) -> Result<Stop, Failure> {
     })
 }
 
-/// Twenty-four of them.
 static TO_REST: Runs<Vec<Stop>> = Runs::new(|| {
     let mut points = Points::here();
     every((0..24).map(|i| stop(i, &mut points)))
@@ -208,7 +202,6 @@ impl Stop {
     }
 }
 
-/// Each stop by each of so many programs.
 fn by_each(programs: usize) -> impl Iterator<Item = (usize, Result<&'static Stop, Failure>)> {
     TO_REST
         .each()
@@ -220,7 +213,6 @@ const MANY: &str = "many at once";
 /// How far and how long many at once are followed.
 const HORIZON: Horizon = Horizon { rho: 3.0, tau: 2.0 };
 
-/// (104) where motions end of which many are followed at once: at rest, at a distance, at a time.
 fn eq104_of_many() -> Evidence {
     let trial = Trial::by(
         Integration,
@@ -280,7 +272,6 @@ attempts![
             ])
         })
     },
-    // (89) with the direction of the velocity that the components along it keep.
     eq89_by_components = {
         let trial = Trial::by(
             Quadrature,
@@ -335,7 +326,6 @@ attempts![
         let (by, time, _) = stop.ends[i];
         stop.slowed(by, time)
     }),
-    // (99) until motions of which many are followed at once stop.
     eq99_of_many = {
         let trial = Trial::by(
             Integration,
@@ -354,7 +344,6 @@ attempts![
             Ok(Pair { scale, ..pair })
         })
     },
-    // (104) where a motion has come to rest.
     eq104_at_rest = Trial::by(
         Integration,
         Printed,

@@ -1,7 +1,7 @@
 //! Motions on the turntable by which the printed formulas are tried.
 //!
-//! Each is integrated three times by programs that share no equation: in the frame of the table, in the
-//! laboratory, and by components along the velocity. The printed formulas see only its states.
+//! Each is integrated three times by programs that share no equation: in the frame of the table, in the laboratory,
+//! and by components along the velocity.
 
 use super::prelude::*;
 
@@ -16,23 +16,19 @@ pub(crate) enum Class {
     Through,
 }
 
-/// All of them.
 pub(crate) const ANY: &[Class] = &[Class::Slower, Class::Faster, Class::Through];
 /// The first case, (110).
 pub(crate) const SLOWER: &[Class] = &[Class::Slower];
 /// The second case, (116).
 pub(crate) const FASTER: &[Class] = &[Class::Faster];
 
-/// A state on the dimensionless table, in the quantities of section 4, from position and velocity alone.
+/// In the quantities of section 4, from position and velocity alone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct View {
-    /// 𝛒.
     pub position: [f64; 2],
     /// d𝛒/dτ.
     pub rate: [f64; 2],
-    /// Its length.
     pub p: f64,
-    /// Distance from the axis.
     pub rho: f64,
     /// Angle from the velocity to the position; 0 where one of them is zero.
     pub psi: f64,
@@ -89,55 +85,40 @@ impl View {
     }
 }
 
-/// A quantity of a state: its name and its value.
 pub(crate) type Quantity = (&'static str, fn(&View) -> f64);
 
-/// The speed relative to the table.
 pub(crate) const P: Quantity = ("$p$", |v| v.p);
-/// The distance from the axis.
 pub(crate) const RHO: Quantity = (r"$\rho$", |v| v.rho);
-/// The angle from the velocity to the position.
 pub(crate) const PSI: Quantity = (r"$\psi$", |v| v.psi);
-/// The moment of the velocity about the axis over p.
 pub(crate) const ELL: Quantity = (r"$\ell$", |v| v.ell);
-/// The position along the velocity.
 pub(crate) const XI: Quantity = (r"$\xi$", |v| v.xi);
-/// 𝛒·d𝛒/dτ.
 pub(crate) const ALONG: Quantity = (r"$\bm\rho\cdot\mathrm d\bm\rho/\mathrm d\tau$", View::along);
-/// ẑ·(𝛒 × d𝛒/dτ).
 pub(crate) const MOMENT: Quantity = (
     r"$\hat{\bm z}\cdot(\bm\rho\times\mathrm d\bm\rho/\mathrm d\tau)$",
     View::moment,
 );
-/// α, for p < ρ.
 pub(crate) const ALPHA: Quantity = (r"$\alpha$", |v| v.inner().1);
-/// β, for p > ρ.
 pub(crate) const BETA: Quantity = (r"$\beta$", |v| v.outer().1);
 
 /// Part of a motion on the dimensionless table, off rest and off the axis.
 #[derive(Debug)]
 pub(crate) struct Stretch {
-    /// Which sort it is.
     pub class: Class,
-    /// The motion by the frame of the table.
+    /// By the frame of the table.
     pub turning: Path,
-    /// The motion by the laboratory.
+    /// By the laboratory.
     pub still: Path,
-    /// The motion by components along the velocity.
+    /// By components along the velocity.
     pub parts: Run,
-    /// Its begin.
     pub from: f64,
-    /// Its end.
     pub to: f64,
 }
 
 impl Stretch {
-    /// By the frame of the table.
     pub(crate) fn view(&self, tau: f64) -> Result<View, MotionError> {
         Ok(View::of(&self.turning.at(tau)?))
     }
 
-    /// By components along the velocity.
     pub(crate) fn part(&self, tau: f64) -> Result<Intrinsic, MotionError> {
         self.parts.at(tau)
     }
@@ -148,7 +129,6 @@ impl Stretch {
         sum(at, self.from, self.to, error)
     }
 
-    /// The point in the claims' symbols.
     pub(crate) fn at(&self) -> String {
         match self.view(self.from) {
             Ok(View { rho, p, psi, .. }) => format!(
@@ -160,9 +140,7 @@ impl Stretch {
     }
 }
 
-/// How many stretches there are of each class.
 const EACH: usize = 20;
-/// How many motions may be tried to find them.
 const TRIES: usize = 5000;
 /// How far from rest, from the axis and (but for the last class) from p = ρ a stretch stays.
 const OFF: f64 = 0.1;
@@ -227,12 +205,12 @@ fn count(found: &[Stretch], class: Class) -> usize {
     found.iter().filter(|s| s.class == class).count()
 }
 
-/// Times all over a stretch, its ends included.
+/// Its ends included.
 pub(crate) fn samples(from: f64, to: f64) -> impl Iterator<Item = f64> {
     (0..=40).map(move |i| (from + (to - from) * f64::from(i) / 40.0).min(to))
 }
 
-/// The class of a stretch; nothing if it comes too close to where formulas divide by zero.
+/// Nothing if it comes too close to where formulas divide by zero.
 fn class(path: &Path, from: f64, to: f64) -> Result<Option<Class>, MotionError> {
     let mut lead = [f64::INFINITY, f64::NEG_INFINITY];
     for t in samples(from, to) {
@@ -253,7 +231,7 @@ fn class(path: &Path, from: f64, to: f64) -> Result<Option<Class>, MotionError> 
     })
 }
 
-/// The stretches of these classes, the classes in turn.
+/// The classes in turn.
 pub(crate) fn stretches(
     classes: &[Class],
 ) -> impl Iterator<Item = Result<&'static Stretch, Failure>> {
@@ -267,23 +245,20 @@ pub(crate) fn stretches(
     }))
 }
 
-/// A motion on a table whose Ω, μ, g, and whose particle's m, are any numbers.
+/// Of any Ω, μ, g and m.
 #[derive(Debug)]
 pub(crate) struct Launch {
-    /// The table and the particle.
     pub table: Table,
     /// Relative to the table.
     pub start: State,
-    /// The motion by the frame of the table.
+    /// By the frame of the table.
     pub turning: Path,
-    /// The motion by the laboratory.
+    /// By the laboratory.
     pub still: Path,
-    /// Its end.
     pub to: f64,
 }
 
 impl Launch {
-    /// The point in the claims' symbols.
     pub(crate) fn at(&self) -> String {
         let Table {
             omega,
@@ -299,7 +274,6 @@ impl Launch {
     }
 }
 
-/// A table of any Ω, μ and g, which turns no slower than this.
 pub(crate) fn any_table(points: &mut Points, slowest: f64) -> Table {
     Table {
         omega: points.log_uniform(slowest, 3.0),
@@ -340,7 +314,6 @@ static LAUNCHES: Runs<Vec<Launch>> = Runs::new(|| {
     Ok(found)
 });
 
-/// The launches.
 pub(crate) fn launches() -> impl Iterator<Item = Result<&'static Launch, Failure>> {
     LAUNCHES.each()
 }

@@ -67,13 +67,12 @@ words! {
     "borders" => text("anisotropic")?.matches("{#curve-").count();
 }
 
-/// The rows of the record of digits: calculator, digits claimed, digits true, cases.
+/// Calculator, digits claimed, digits true, cases.
 fn digits() -> impl Iterator<Item = [&'static str; 4]> {
     let rows = DIGITS.as_str().lines().skip(1);
     rows.filter_map(|row| row.split(',').collect::<Vec<_>>().try_into().ok())
 }
 
-/// The number that all of them are.
 fn alike(mut all: impl Iterator<Item = f64>) -> Known {
     let first = found(all.next())?;
     found(all.all(|other| other == first).then_some(first))

@@ -13,7 +13,6 @@ use trialbook::publishing::{Failure, Word};
 
 type Known<T = f64> = Result<T, Failure>;
 
-/// The words of all pages.
 pub(super) const WORDS: &[&[Word]] = &[
     sliding::WORDS,
     shaken::WORDS,
@@ -30,7 +29,6 @@ macro_rules! words {
 
 use words;
 
-/// Numbers from `low` to `high`.
 fn along(low: f64, high: f64) -> impl Iterator<Item = f64> + Clone {
     (0..=20).map(move |i| low + (high - low) * f64::from(i) / 20.0)
 }

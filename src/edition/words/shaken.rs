@@ -141,7 +141,6 @@ words! {
     "a-over-e-far-out" => libm::round(1e3 * curve_a(1e4)? / found(curve_e(1e4)?)?) / 1e3;
     "census-points" => (census::COLUMNS * census::ROWS).next_multiple_of(10_000);
     "much-stronger-backwards" => {
-        // What the printed list says, and the motion.
         let alike = |q: f64, lambda0: f64| {
             let printed = anisotropic::region(lambda0, &Curves::at(q)?.printed);
             let moves = ratchet::AnisotropicProblem { q, lambda0 }.solve()?.best.region;
@@ -237,7 +236,6 @@ fn different_phases(turn: f64) -> usize {
     at.len()
 }
 
-/// How many regimes sinusoidal shaking has, from little friction to much.
 fn regimes() -> Known<usize> {
     let of = |i: u32| {
         Ok(sinusoidal::SinusoidalProblem {

@@ -64,7 +64,7 @@ words! {
     };
 }
 
-/// The velocities of a launch at λ = `lambda`, one after the other.
+/// One after the other.
 fn launched(lambda: f64) -> Known<Vec<State>> {
     let motion = Launch::new(lambda, 1.0, 1.0, 2.0)?.motion(3.0)?;
     along(0.0, 3.0).map(|t| Ok(motion.at(t)?)).collect()
@@ -74,7 +74,7 @@ fn velocity(launch: &Launch, t: f64) -> Known<[f64; 2]> {
     Ok(launch.motion(1.0)?.at(t)?.v)
 }
 
-/// The slope of the path of the velocity at the start.
+/// Of the path of the velocity at the start.
 fn slope(lambda: f64, a: f64) -> Known {
     let launch = Launch::new(lambda, a, 1.0, 1.0)?;
     let [from, to] = [velocity(&launch, 0.0)?, velocity(&launch, 1e-7)?];

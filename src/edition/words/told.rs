@@ -42,7 +42,6 @@ pub(super) fn text(stem: &str) -> Known<&'static str> {
     Ok(&found(WRITTEN.iter().find(|page| page.stem == stem))?.text)
 }
 
-/// How many parts a page has.
 fn headings(stem: &str) -> Known<usize> {
     Ok(text(stem)?.matches("\n## ").count())
 }

@@ -44,7 +44,6 @@ sources! {
         "the program; not the paper";
 }
 
-/// About Drake's last digits.
 const GENESIS: &str = "the last digits are those of an integration; they would be right if the ball slipped faster by 1.4E-7 m/s, perhaps a guard against 0/0";
 
 pub(super) static CASES: [Case; 32] = cases! {
@@ -118,7 +117,7 @@ pub(super) static CASES: [Case; 32] = cases! {
         Fraction(5, 2), "", drift;
 };
 
-/// The bowling ball after a second.
+/// After a second.
 fn bowled() -> Found<Ball> {
     let sphere = Sphere {
         mass: 1.0,
@@ -141,7 +140,6 @@ fn with(v: f64, turning: f64) -> Ball {
     }
 }
 
-/// The state in which a ball of these properties begins to roll.
 fn rolling(sphere: Sphere, start: Ball) -> Found<Ball> {
     let motion = sphere.run(&Plane::constant([0.0; 2]), &start, 1e3)?;
     let mut changes = motion.transitions().iter();

@@ -142,7 +142,6 @@ fn slid(pull: f64, friction: f64, far: f64) -> Found {
     zero_of(|t| Ok(motion.at(t)?.x[0] - far), 0.0, 100.0)
 }
 
-/// The largest pull that friction holds.
 fn held(friction: f64) -> Found {
     border(
         |pull| Ok(!pulled(pull, friction, 1.0)?.starts().is_empty()),
@@ -151,7 +150,6 @@ fn held(friction: f64) -> Found {
     )
 }
 
-/// A block on a spring, until it rests.
 fn spring_at_rest() -> Found<SpringState> {
     let spring = Spring {
         frequency: 1.0,

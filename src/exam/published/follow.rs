@@ -4,7 +4,6 @@ use crate::exam::ExamError;
 use crate::motion::State;
 use crate::numerics::roots::root;
 
-/// What is found by following a motion.
 pub(super) type Found<T = f64> = Result<T, ExamError>;
 
 /// Cases: the source, what is asked, the number, its unit, and ours; where the two differ, why.
@@ -30,7 +29,6 @@ macro_rules! sources {
 
 pub(super) use {cases, sources};
 
-/// A root of something that may fail.
 pub(super) fn zero_of(mut f: impl FnMut(f64) -> Found, low: f64, high: f64) -> Found {
     let mut failed = None;
     let found = root(
@@ -62,7 +60,6 @@ pub(super) fn border(moved: impl Fn(f64) -> Found<bool>, mut low: f64, mut high:
     Ok(0.5 * (low + high))
 }
 
-/// A body at the origin with a velocity along x.
 pub(super) fn moving(v: f64) -> State {
     State::moving([v, 0.0])
 }

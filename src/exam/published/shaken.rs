@@ -49,7 +49,7 @@ pub(super) static CASES: [Case; 9] = cases! {
         Decimal("0.145"), "", || coin_friction(0.1, 36.0 * TAU / 60.0).map(|f| f / 9.8);
 };
 
-/// The largest amplitude of a shaken table on which a block does not move in a period.
+/// On which a block does not move in a period.
 fn amplitude(frequency: f64, mu: f64) -> Found {
     let omega = TAU * frequency;
     let moved = |amplitude: f64| {
@@ -64,7 +64,6 @@ fn amplitude(frequency: f64, mu: f64) -> Found {
     border(moved, 0.01, 0.1)
 }
 
-/// Whether a coin put down on a turning table moves.
 fn goes(omega: f64, friction: f64, radius: f64) -> Found<bool> {
     let table = Table {
         omega,

@@ -18,7 +18,6 @@ pub static PYSLAMMER: Source = Source {
 const CLOSED: f64 = 9.81;
 /// The one that is built into the time histories.
 const HISTORY: f64 = 9.806_65;
-/// The time step of the histories.
 const STEP: f64 = 0.001;
 /// Below this velocity a history takes the block for resting.
 const RESTS: f64 = 1e-5;
@@ -133,7 +132,7 @@ fn read(line: &str) -> Option<(f64, Shaken)> {
     ))
 }
 
-/// Our motion, where no drive is strong enough to move the block back.
+/// Where no drive is strong enough to move the block back.
 fn slide(drive: &Drive, at: f64, case: Shaken) -> Result<Yield, ExamError> {
     let start = DriveState { phi: 0.0, w: 0.0 };
     let outcome = drive.attractor(Friction::new(at, 2.0)?, start, 100)?;

@@ -14,7 +14,6 @@ fn ratios() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// B's arc, which ends at π + β, is 2 at β = 0 and falls with β while q stays.
 pub(crate) fn b_falls() -> Proof {
     Proof::in_ring("B's arc falls", ratios(), |p| {
         p.shows("Let sin α = λ₀, sin β = qλ₀, with q ≥ 1 fixed. B's arc, 𝔴 at π + β after a forward start at α, which is cos α + cos β − λ₀ (π + β − α), is 2 at β = 0 and falls as β grows to π/2.");
@@ -37,7 +36,6 @@ pub(crate) fn b_falls() -> Proof {
     })
 }
 
-/// E's arc, which ends at 2π − β, is λ₀ times what grows with λ₀ while q stays, from −2π on.
 pub(crate) fn e_grows() -> Proof {
     Proof::in_ring("E's arc over λ₀ grows", ratios(), |p| {
         p.shows("Let sin α = λ₀, sin β = qλ₀, with q ≥ 1 fixed. E's arc, 𝔴 at 2π − β after a forward start at α, which is cos α − cos β − λ₀ (2π − β − α), over λ₀ grows as λ₀ grows to 1/q.");
@@ -56,7 +54,6 @@ pub(crate) fn e_grows() -> Proof {
     })
 }
 
-/// At β = π/2 both arcs are sin α times cot α + α − 3π/2, which falls with α = asin(1/q).
 pub(crate) fn corner_falls() -> Proof {
     let ring = || {
         let mut ring = Ring::new();
@@ -80,7 +77,6 @@ pub(crate) fn corner_falls() -> Proof {
     })
 }
 
-/// (53)'s left side is the cotangent of α, which falls from ∞ to 0; its right side is positive, as 2K > sin 2K.
 pub(crate) fn a_falls([left, right]: [Expr; 2]) -> Proof {
     let ring = || {
         let mut ring = frictions()?;
@@ -102,7 +98,6 @@ pub(crate) fn a_falls([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// C falls with q, from D on, where q = 1.
 pub(crate) fn c_falls(on_c: fn(Expr) -> Expr) -> Proof {
     let ring = || {
         let mut ring = Ring::new();

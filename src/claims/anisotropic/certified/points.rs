@@ -38,7 +38,6 @@ fn prove_x(a: Sides, b: Sides) -> Result<[Interval; 2], CertifiedError> {
     )
 }
 
-/// (54) and (55) at Y.
 pub(crate) fn y_digits() -> Evidence {
     let compared = Compared::one(
         "the sum of $q$ and the difference of the sides of (54) on (55), to 50 digits,",
@@ -68,7 +67,6 @@ fn sign_of(velocity: Interval) -> f64 {
     velocity.sign().unwrap_or(f64::NAN)
 }
 
-/// A point of the printed region II where the drive never pulls the particle back.
 fn no_way_back() -> Evidence {
     let trial = Trial::by(Certified, Printed, Compared::one(
         r"the sign of $\mathfrak w$ at the last moment at which the drive could pull backward, $-1$ in the printed region II, whose forward motion is over by then,",
@@ -93,7 +91,6 @@ fn no_way_back() -> Evidence {
 }
 
 attempts![
-    // X: (53) and (54) have one common root near (57).
     x_unique = {
         let compared = Compared::one(
             "(57)",
@@ -103,7 +100,6 @@ attempts![
         let proof = meeting.and_then(|root| prove_stated(root, printed::eq57_x()));
         certified(proof, Printed, compared)
     },
-    // The decimals of (58), to the last one.
     y_rounding = {
         let trial = Trial::by(
             Certified,

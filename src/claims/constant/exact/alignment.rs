@@ -81,7 +81,6 @@ fn against((sense, [ax, ay]): (Expr, [Expr; 2])) -> Proof {
 }
 
 attempts![
-    // The pull less the greatest friction is A times the difference of the sides.
     &CANNOT_HOLD = Statement::shown(
         Within,
         r"at rest friction has to balance the pull $A$ and can give $\mu g=\lambda A$ at most: for every $\lambda<1$ it lacks $A(1-\lambda)>0$, and at this rate a particle begins to move, by (6) at $\theta=0$",

@@ -62,14 +62,12 @@ fn on_an_incline((law, drive): ([Expr; 2], [Expr; 2])) -> Proof {
 }
 
 attempts![
-    // Weight, normal force and friction in space give (1) with (3).
     &ON_AN_INCLINE = Statement::shown(
         Printed,
         r"for every slope $0<\beta<\pi/2$, every friction and every velocity weight, normal force and friction on an inclined plane, added in three dimensions, give (1) with $\bm A$ of (3), $A=g\sin\beta$, and $g\cos\beta$ in the place of $g$; at rest pull and greatest friction are those too",
         || (eq1(), paper::eq3_acceleration::tree()),
         on_an_incline,
     ),
-    // The rates at a velocity and at the opposite one add up to twice the pull.
     &ONLY_CONSTANT = Statement::shown(
         Printed,
         r"by (1) the rates of the velocity at $\bm v$ and at $-\bm v$ add up to $-2\bm A(t)$ at every time, and on an inclined plane of any slope and friction to twice the pull along it, which is constant: at a time at which $-\bm A$ is not that pull a motion that passes with the velocity $\bm v$, or one with $-\bm v$, is none on the inclined plane",

@@ -4,7 +4,6 @@ use super::{Newton, Regime, at_start, by_newton, prove};
 use crate::claims::constant::prelude::*;
 use crate::paper::constant as paper;
 
-/// The rate of a component of the velocity.
 fn component_rate(title: &str, says: &str, component: Expr, printed: Expr) -> Proof {
     prove(title, Regime::AnyAngle, |p, newton| {
         let component = p.read(says, component)?;

@@ -17,22 +17,18 @@ const UNKNOWN: [&str; 12] = [
     "x₁", "x₂", "x₃", "x₄", "x₅", "x₆", "x₇", "x₈", "x₉", "x₁₀", "x₁₁", "x₀",
 ];
 
-/// The quantities of the motion as series in τ^(−1/2).
+/// As series in τ^(−1/2).
 #[derive(Debug, Clone)]
 pub(crate) struct Late {
-    /// The speed p.
     pub p: Series,
-    /// The distance ρ.
     pub rho: Series,
     /// e^(2α) = (ρ + p)/(ρ − p).
     pub twice_alpha_exp: Series,
-    /// A.
     pub a: Series,
-    /// e^α.
     pub alpha_exp: Series,
     /// π/2 − ψ.
     pub lag: Series,
-    /// The arc length s.
+    /// Arc length.
     pub s: Series,
 }
 
@@ -217,7 +213,6 @@ fn solve(p: &mut Prover<'_>) -> Result<Late, Obstacle> {
     finish(p, &own.map(|series| series.in_root(2)))
 }
 
-/// p, A, α and s follow.
 fn finish(p: &mut Prover<'_>, [rho, u, delta]: &[Series; 3]) -> Result<Late, Obstacle> {
     let ring = p.ring();
     let speed = rho.minus(u);
@@ -250,11 +245,9 @@ fn finish(p: &mut Prover<'_>, [rho, u, delta]: &[Series; 3]) -> Result<Late, Obs
     })
 }
 
-/// The series, and how they were found.
 static SOLUTION: Derived<(Option<Late>, Proof)> =
     Derived::new(|| Proof::finding("The escape in powers of 1/τ and ln τ", ring(), solve));
 
-/// A proof that starts from the series.
 pub(crate) fn from_series(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>, &Late) -> Result<(), Obstacle>,

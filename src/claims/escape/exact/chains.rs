@@ -17,7 +17,6 @@ pub(crate) struct Beyond {
 }
 
 impl Beyond {
-    /// As printed.
     fn printed() -> Self {
         Beyond {
             bound: printed::eq127_least_a(),
@@ -27,7 +26,6 @@ impl Beyond {
     }
 }
 
-/// (127), and what follows from it in words.
 pub(crate) const ESCAPES: Statement<Beyond> = Statement::shown(
     Within,
     r"from every start with $p<\rho$ and $A$ above the bound $A$ grows without end, and the speed vanishes only if $\psi\to\pi$; for every $A$ below the bound the particle comes to rest if $\alpha$ is small enough",
@@ -35,7 +33,6 @@ pub(crate) const ESCAPES: Statement<Beyond> = Statement::shown(
     escapes,
 );
 
-/// α grows too.
 pub(crate) const ALPHA_GROWS: Statement<Beyond> = Statement::shown(
     Printed,
     r"from every start with $p<\rho$ and $A>1$, also one that comes straight in, $\xi=\rho\cos\psi$ grows without end, so that $p/\tau\to\infty$ while $\rho-p$ grows at most as $\tau$, and $\mathrm e^{-2\alpha}=\frac{\rho-p}{\rho+p}\to0$",
@@ -108,7 +105,6 @@ pub(crate) fn pushed(bound: Expr, acceleration: [Expr; 2]) -> Proof {
     )
 }
 
-/// p + ρ below the bound: rest, inside the bound.
 pub(crate) fn comes_to_rest(bound: Expr) -> Proof {
     let ring = || {
         let mut ring = Ring::of(["p", "ρ"]);
@@ -133,7 +129,6 @@ pub(crate) fn comes_to_rest(bound: Expr) -> Proof {
     )
 }
 
-/// Where p → 0, the position is along the velocity: the angle ψ tends to 0 or to π.
 pub(crate) fn stops_along(ahead: Expr) -> Proof {
     polar("Where a particle stops, ψ → 0 or ψ → π", |p| {
         p.shows("If p → 0 after a finite time, with ρ > 0 there, then, up to whole turns, ψ → 0 or ψ → π.");
@@ -163,7 +158,6 @@ pub(crate) fn stops_along(ahead: Expr) -> Proof {
     })
 }
 
-/// The polar ring, and the steps of a proof in it.
 pub(crate) fn polar(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>,
@@ -196,7 +190,6 @@ fn escapes(beyond: Beyond) -> Proof {
     })
 }
 
-/// p + ρ = A exp(α) and ρ − p = A exp(−α).
 fn sum(p_formula: Expr, rho: Expr) -> Proof {
     let ring = || {
         let mut ring = Ring::new();
@@ -296,7 +289,6 @@ fn relaxes(formula: Expr) -> Proof {
 
 attempts![
     &ESCAPES,
-    // ψ relaxes near α = 0.
     &RELAXES = Statement::shown(
         Within,
         r"for every $A>0$ at the start, $\lvert\psi\rvert<\pi$ and $\varepsilon>0$, however small: if $\alpha$ is small enough at the start, then within a time below $\varepsilon$ the angle $\psi$ comes closer than $\varepsilon$ to 0 and so to $\psi_1$, stays there while $\alpha$ is small, and $\mathrm d\alpha/\mathrm d\tau$ is then as close to (126)",

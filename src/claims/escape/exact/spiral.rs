@@ -17,7 +17,6 @@ pub(crate) type State = [Expr; 4];
 
 const NAMES: [&str; 4] = ["N", "P", "h", "t"];
 
-/// What is shown of every start.
 macro_rules! from_every_start {
     ($what:literal) => {
         Compared::shown(concat!(
@@ -32,7 +31,6 @@ const fn theorem(compared: Compared, of: Statement, prove: fn(Expr) -> Proof) ->
     Statement::new(Corrected, compared, of.formulas, prove)
 }
 
-/// (128) as corrected.
 pub(crate) const EQ128: Statement = theorem(
     from_every_start!(
         r"$\tau\,\mathrm d\alpha/\mathrm d\tau\to\frac12$ as $\tau\to\infty$, and $\tau$ times the corrected right side tends to the same"
@@ -40,19 +38,16 @@ pub(crate) const EQ128: Statement = theorem(
     super::EQ128,
     eq128,
 );
-/// (129) as corrected.
 pub(crate) const EQ129: Statement = theorem(
     from_every_start!(r"$(\cosh\alpha)\cosh(2\alpha)/A\to\frac{3\sqrt2}4$ as $\tau\to\infty$"),
     super::EQ129,
     eq129,
 );
-/// (130) as corrected.
 pub(crate) const EQ130: Statement = theorem(
     from_every_start!(r"$A$ grows without end and $\alpha-\frac13\ln(3\sqrt2A)\to0$"),
     super::EQ130,
     eq130,
 );
-/// (131) as corrected.
 pub(crate) const EQ131: Statement = theorem(
     from_every_start!(
         r"$A$ grows without end and the ratio of $\mathrm dA/\mathrm d\tau$ to $\frac12(3\sqrt2A)^{1/3}$ tends to 1"
@@ -60,7 +55,6 @@ pub(crate) const EQ131: Statement = theorem(
     super::EQ131,
     eq131,
 );
-/// (132) as corrected.
 pub(crate) const EQ132: Statement = theorem(
     from_every_start!(
         r"$A=\frac{2^{1/4}}3\tau^{3/2}\left[1-\frac{9\sqrt2}8\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
@@ -68,13 +62,11 @@ pub(crate) const EQ132: Statement = theorem(
     super::EQ132,
     eq132,
 );
-/// (133) as corrected.
 pub(crate) const EQ133: Statement = theorem(
     from_every_start!(r"$\alpha-\frac12\ln(\sqrt2\,\tau)\to0$ as $\tau\to\infty$"),
     super::EQ133,
     eq133,
 );
-/// (134) as corrected.
 pub(crate) const EQ134: Statement = theorem(
     from_every_start!(
         r"up to whole turns $\frac\pi2-\psi=\frac2\tau\left[1+\frac{3\sqrt2}4\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
@@ -82,7 +74,6 @@ pub(crate) const EQ134: Statement = theorem(
     super::EQ134,
     eq134,
 );
-/// (135) as corrected.
 pub(crate) const EQ135: Statement = theorem(
     from_every_start!(
         r"$p=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
@@ -90,7 +81,6 @@ pub(crate) const EQ135: Statement = theorem(
     super::EQ135,
     eq135,
 );
-/// (136) as corrected.
 pub(crate) const EQ136: Statement = theorem(
     from_every_start!(
         r"$\rho=\frac{\tau^2}{3\sqrt2}\left[1-\frac{3\sqrt2}2\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$, while the particle turns about the axis, in the laboratory, by an angle that less $\sqrt2\ln\tau$ converges"
@@ -98,7 +88,6 @@ pub(crate) const EQ136: Statement = theorem(
     super::EQ136,
     eq136,
 );
-/// (137) as corrected.
 pub(crate) const EQ137: Statement = theorem(
     from_every_start!(
         r"$s=\frac{\tau^3}{9\sqrt2}\left[1-\frac{9\sqrt2}4\frac{\ln\tau}\tau+o\left(\frac{\ln\tau}\tau\right)\right]$ as $\tau\to\infty$"
@@ -136,14 +125,12 @@ impl Species {
         }
     }
 
-    /// The rates in another state.
     fn rates_at(&self, state: State) -> [Expr; 2] {
         let put = |formula: Expr, (name, value): (&'static str, Expr)| formula.with(name, value);
         self.rates
             .map(|rate| NAMES.into_iter().zip(state).fold(rate, put))
     }
 
-    /// The state to which every escape comes.
     fn limit(&self) -> State {
         let [n, predator] = self.rest;
         [n, predator, int(1), int(0)]
@@ -196,7 +183,6 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// N and P of a motion, and how they change.
 fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     given(
         p,
@@ -260,7 +246,6 @@ fn moves(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     p.reads_as(&grows, "", stated)
 }
 
-/// The rates in θ, of N, P and t as symbols.
 fn by_theta(p: &Prover<'_>, found: &Species) -> Result<Derivation, Obstacle> {
     let [n, predator, _, t] = symbols(NAMES);
     let ring = p.ring();
@@ -271,7 +256,6 @@ fn by_theta(p: &Prover<'_>, found: &Species) -> Result<Derivation, Obstacle> {
     ])?)
 }
 
-/// They settle.
 fn settles(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [n, predator, h, t] = symbols(NAMES);
     let [n0, p0] = found.rest;
@@ -342,7 +326,7 @@ pub(crate) fn follow([q, v, w]: [Expr; 3], [n, predator, h, t]: State) -> [Expr;
     ]
 }
 
-/// How far they are from there, over t; and what 1/t makes of it.
+/// How far N and P are from where they settle, over t; and what 1/t makes of it.
 fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     let [n, predator, h, t] = symbols(NAMES);
     let [n0, p0] = found.rest;
@@ -410,7 +394,6 @@ fn falls_behind(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     Ok(())
 }
 
-/// How fast the particle turns about the axis.
 fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     given(
         p,
@@ -438,7 +421,6 @@ fn turns(p: &mut Prover<'_>, found: &Species) -> Result<(), Obstacle> {
     Ok(())
 }
 
-/// Every escape ends on the spiral.
 fn spiral(found: Species) -> Proof {
     Proof::in_ring(
         "Every escape as prey and predator, which settle",
@@ -453,18 +435,13 @@ fn spiral(found: Species) -> Proof {
     )
 }
 
-/// The same, carried out once.
 static SPIRAL: Derived<Proof> = Derived::new(|| spiral(Species::found()));
 
 /// Rests a proof on the theorem on all escapes.
-///
-/// # Errors
-/// [`Obstacle`] if it does not hold.
 pub(crate) fn comes(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     SPIRAL.with(|proof| p.rests_on(proof))
 }
 
-/// A law, after the theorem on all escapes.
 fn after(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
     Proof::in_ring(title, ring(), |p| {
         comes(p)?;
@@ -494,7 +471,6 @@ fn has_limit(
     )
 }
 
-/// A law's first term.
 fn first(law: Expr) -> Expr {
     law.with("L", int(0))
 }

@@ -7,7 +7,6 @@
 use super::{chains, series};
 use crate::claims::rest::prelude::*;
 
-/// What is shown of every motion to rest.
 macro_rules! of_every_rest {
     ($what:literal) => {
         Compared::shown(concat!(
@@ -17,14 +16,12 @@ macro_rules! of_every_rest {
     };
 }
 
-/// (140), of every motion to rest.
 pub(crate) const EQ140: Statement = Statement::new(
     Within,
     of_every_rest!(r"$\mathrm d\alpha/\mathrm d\tau$ tends to the right side of (140)"),
     series::EQ140.formulas,
     eq140,
 );
-/// (141), of every motion to rest.
 pub(crate) const EQ141: Statement = Statement::new(
     Within,
     of_every_rest!(
@@ -33,7 +30,6 @@ pub(crate) const EQ141: Statement = Statement::new(
     series::EQ141.formulas,
     eq141,
 );
-/// (142), of every motion to rest.
 pub(crate) const EQ142: Statement<[Expr; 2]> = Statement::new(
     Within,
     of_every_rest!(
@@ -42,7 +38,6 @@ pub(crate) const EQ142: Statement<[Expr; 2]> = Statement::new(
     series::EQ142.formulas,
     eq142,
 );
-/// (143), of every motion to rest under its conditions.
 pub(crate) const EQ143: Statement = Statement::new(
     Within,
     of_every_rest!(
@@ -51,14 +46,12 @@ pub(crate) const EQ143: Statement = Statement::new(
     series::EQ143.formulas,
     eq143,
 );
-/// (144), of every motion to rest.
 pub(crate) const EQ144: Statement<[Expr; 2]> = Statement::new(
     Within,
     of_every_rest!(r"the ratio of the two sides of (144) tends to 1"),
     series::EQ144.formulas,
     eq144,
 );
-/// (145), of every motion to rest.
 pub(crate) const EQ145: Statement = Statement::new(
     Within,
     of_every_rest!(
@@ -83,7 +76,6 @@ fn with_power() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// A step about a motion to rest.
 fn arriving(
     title: &str,
     ring: Result<Ring, ExactError>,

@@ -9,7 +9,6 @@ use super::{least, surfaces};
 use crate::claims::escape::exact::chains as fates;
 use crate::claims::rest::prelude::*;
 
-/// The surface of starts that come to rest at σ.
 pub(crate) const SURFACE: Statement = Statement::shown(
     Corrected,
     r"for every $\sigma$ between 0 and 1 there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, from which the particle comes to rest at $\sigma$ has an $A$ that differs from the corrected $A(\sigma,\alpha,\psi)$ by $K\alpha^3$ at most; and for each such $\alpha$ and each $\psi$ there is a start with rest at $\sigma$",
@@ -17,7 +16,6 @@ pub(crate) const SURFACE: Statement = Statement::shown(
     surface,
 );
 
-/// The boundary between rest and escape.
 pub(crate) const BOUNDARY: Statement = Statement::shown(
     Corrected,
     r"there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that from every start with $0<\alpha<\alpha_0$, whatever $\psi$ is, the particle comes to rest if $A$ is below the corrected formula by more than $K\alpha^3$, and escapes if it is above by more; for each $\alpha$ and $\psi$ there is an $A$ between from which it comes to $\rho=1$: in a finite time only if $\psi\to\pi$",
@@ -25,7 +23,6 @@ pub(crate) const BOUNDARY: Statement = Statement::shown(
     rest_or_escape,
 );
 
-/// Its lowest points.
 pub(crate) const LEAST: Statement = Statement::shown(
     Corrected,
     r"there are $\alpha_0>0$ and $K$, whose sizes are not computed, such that, with $0<\alpha<\alpha_0$, the particle comes to rest from every start with an $A$ below $1-\alpha+\frac76\alpha^2$ by more than $K\alpha^3$, whatever $\psi$ is, and escapes, if $\psi=2\alpha$, where $A$ is above by more",
@@ -37,7 +34,6 @@ fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
     series.coefficient(power).ok_or(Obstacle::Empty)
 }
 
-/// How far a motion is from a barrier, and how that changes.
 fn moved() -> Proof {
     let ring = || {
         let mut ring = Ring::of(["A", "P", "b", "d", "K", "s", "σ"]);
@@ -142,7 +138,6 @@ fn above(p: &mut Prover<'_>) -> Result<(), Obstacle> {
     Ok(())
 }
 
-/// How far the formula is below 1.
 fn lower_than_one(formula: Expr) -> Proof {
     let [alpha, psi] = symbols(["α", "ψ"]);
     let half = psi / 2;

@@ -113,11 +113,9 @@ fn solve(p: &mut Prover<'_>) -> Result<Series, Obstacle> {
     Ok(a)
 }
 
-/// The series, and how they were found.
 static SOLUTION: Derived<(Option<Series>, Proof)> =
     Derived::new(|| Proof::finding("The boundary in powers of α", ring(), solve));
 
-/// Carries out a proof that starts from the series of A on the boundary.
 pub(super) fn with_series(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>, &Series) -> Result<(), Obstacle>,
@@ -158,12 +156,11 @@ pub(crate) fn prove(formula: Expr, order: i64) -> Proof {
     })
 }
 
-/// A on the boundary, to second order in α.
+/// To second order in α.
 pub(crate) fn stated() -> Expr {
     corrected::boundary_a::tree()
 }
 
-/// The boundary as corrected.
 pub(crate) const CORRECTED: Statement = Statement::new(
     Corrected,
     Compared::one(
@@ -174,7 +171,6 @@ pub(crate) const CORRECTED: Statement = Statement::new(
     |formula| prove(formula, 2),
 );
 
-/// (147) as the boundary.
 pub(crate) const PRINTED: Statement = Statement::new(
     Printed,
     Compared::one(

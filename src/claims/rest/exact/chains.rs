@@ -6,7 +6,6 @@ use crate::claims::escape::exact::chains::{
 };
 use crate::claims::rest::prelude::*;
 
-/// Rest or escape.
 pub(crate) const DICHOTOMY: Statement<(Expr, Expr, [Expr; 2])> = Statement::shown(
     Within,
     r"every motion that never comes to rest, though $\rho$ stays bounded, converges to a place, with $p\to0$: inside $\rho=1$ it would come to rest, beyond it would be pushed away, so that it creeps towards $\rho=1$",
@@ -37,7 +36,6 @@ fn dichotomy((third, bound, acceleration): (Expr, Expr, [Expr; 2])) -> Proof {
     })
 }
 
-/// How the particle comes to rest.
 pub(crate) const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::shown(
     Within,
     r"for every motion with $p<\rho$ that comes to rest after a finite time, $\tanh\alpha=p/\rho\to0$, and $\xi=\rho\cos\psi$ tends to $\pm\rho$, so that $\psi\to0$ unless the particle comes straight in; (140) to (145) are proved under their conditions",
@@ -50,7 +48,6 @@ pub(crate) const NEAR_REST: Statement<([Expr; 2], Expr)> = Statement::shown(
     near_rest,
 );
 
-/// α and ψ at rest, of which all else follows.
 pub(crate) fn settles() -> Proof {
     let (limits, ahead) = (NEAR_REST.formulas)();
     polar("α and ψ at rest", |p| {

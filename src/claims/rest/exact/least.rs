@@ -62,7 +62,6 @@ pub(crate) fn prove(formula: Expr) -> Proof {
     })
 }
 
-/// What there is in place of (147).
 pub(crate) const CORRECTED: Statement = Statement::new(
     Corrected,
     Compared::one(
@@ -73,7 +72,6 @@ pub(crate) const CORRECTED: Statement = Statement::new(
     prove,
 );
 
-/// (147) as that.
 pub(crate) const PRINTED: Statement = Statement::new(
     Printed,
     Compared::one(

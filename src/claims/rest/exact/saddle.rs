@@ -66,7 +66,6 @@ pub(crate) fn prove(formula: Expr) -> Proof {
     })
 }
 
-/// (146) as corrected.
 pub(crate) const CORRECTED: Statement = Statement::new(
     Corrected,
     Compared::one(

@@ -6,7 +6,6 @@
 
 use crate::claims::rest::prelude::*;
 
-/// Coefficients to be found at one order.
 const UNKNOWN: [&str; 7] = ["x₀", "x₁", "x₂", "x₃", "x₄", "x₅", "x₆"];
 
 /// The highest power of α: (143) and (145) need the second, and two more orders are four more powers.
@@ -26,7 +25,6 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// α as a series in itself.
 fn small() -> Series {
     Series::monomial(Rational::int(1), 1, ENOUGH)
 }
@@ -37,7 +35,7 @@ fn moving(ring: &Ring) -> Result<Derivation, ExactError> {
     ring.along(&[("ζ", ring.read(zeta * printed::eq143_exponent::tree())?)])
 }
 
-/// Finds the next coefficient, a polynomial in ζ of this degree, from a residual that has to vanish.
+/// A polynomial in ζ of this degree, from a residual that has to vanish.
 fn next(
     p: &mut Prover<'_>,
     says: &str,
@@ -150,11 +148,9 @@ fn solve(p: &mut Prover<'_>) -> Result<[Series; 3], Obstacle> {
     Ok([psi, a, alpha_rate])
 }
 
-/// The series, and how they were found.
 static SOLUTION: Derived<(Option<[Series; 3]>, Proof)> =
     Derived::new(|| Proof::finding("The motions to rest in powers of α", ring(), solve));
 
-/// Carries out a proof that starts from the series of ψ, A and dα/dτ.
 fn from_series(
     title: &str,
     steps: impl FnOnce(&mut Prover<'_>, &[Series; 3]) -> Result<(), Obstacle>,
@@ -167,12 +163,10 @@ fn from_series(
     })
 }
 
-/// The coefficient of a power of α.
 fn order(series: &Series, power: i64) -> Result<Rational, Obstacle> {
     series.coefficient(power).ok_or(Obstacle::Empty)
 }
 
-/// (140): the first term of dα/dτ.
 pub(crate) fn eq140(formula: Expr) -> Proof {
     from_series("(140): dα/dτ near rest", |p, [_, _, rate]| {
         let stated = p.read("(140)", formula)?;
@@ -180,7 +174,6 @@ pub(crate) fn eq140(formula: Expr) -> Proof {
     })
 }
 
-/// (141): with τ = ∫ dα/(dα/dτ) put in, its first term is α.
 pub(crate) fn eq141(formula: Expr) -> Proof {
     from_series("(141): α near rest", |p, [_, _, rate]| {
         let ring = p.ring();
@@ -231,7 +224,6 @@ fn left_side(p: &mut Prover<'_>, rate: &Series, left: Expr) -> Result<(), Obstac
     p.equal("It is the slope times dα/dτ", &left, &product)
 }
 
-/// (142): its two sides are the first terms of dψ/dα dα/dτ and of dψ/dτ.
 pub(crate) fn eq142([left, right]: [Expr; 2]) -> Proof {
     from_series("(142): dψ/dα near rest", |p, _| {
         let [rate, _, turning] = first_terms(p)?;
@@ -247,7 +239,6 @@ pub(crate) fn eq142([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// (144): its two sides are the first terms of dA/dα dα/dτ and of dA/dτ.
 pub(crate) fn eq144([left, right]: [Expr; 2]) -> Proof {
     from_series("(144): dA/dα near rest", |p, _| {
         let [rate, growth, _] = first_terms(p)?;
@@ -261,7 +252,6 @@ pub(crate) fn eq144([left, right]: [Expr; 2]) -> Proof {
     })
 }
 
-/// (143): the first coefficient of ψ, with ζ = c α^((2σ−1)/(1−σ)).
 pub(crate) fn eq143(formula: Expr) -> Proof {
     from_series("(143): ψ near rest", |p, [psi, ..]| {
         let ring = p.ring();
@@ -280,7 +270,6 @@ pub(crate) fn eq143(formula: Expr) -> Proof {
     })
 }
 
-/// (145): the first coefficients of A.
 pub(crate) fn eq145(formula: Expr) -> Proof {
     from_series("(145): A near rest", |p, [_, a, _]| {
         let stated = p.expand("(145)", formula, &[("α", &small())], ("α", 3))?;
@@ -297,13 +286,10 @@ const SERIES: Compared = Compared::one(
     r"the first term of the power series in $\alpha$ and $\zeta$ that solves (113) to (115), which three orders of it confirm",
 );
 
-/// (140) against the motions to rest.
 pub(crate) const EQ140: Statement =
     Statement::new(Within, SERIES, printed::eq140_alpha_rate::tree, eq140);
-/// (141) against them.
 pub(crate) const EQ141: Statement =
     Statement::new(Within, SERIES, printed::eq141_alpha::tree, eq141);
-/// Both sides of (142) against them.
 pub(crate) const EQ142: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
@@ -316,9 +302,7 @@ pub(crate) const EQ142: Statement<[Expr; 2]> = Statement::new(
     },
     eq142,
 );
-/// (143) against them.
 pub(crate) const EQ143: Statement = Statement::new(Within, SERIES, printed::eq143_psi::tree, eq143);
-/// Both sides of (144) against them.
 pub(crate) const EQ144: Statement<[Expr; 2]> = Statement::new(
     Within,
     SERIES,
@@ -331,7 +315,6 @@ pub(crate) const EQ144: Statement<[Expr; 2]> = Statement::new(
     },
     eq144,
 );
-/// (145) against them.
 pub(crate) const EQ145: Statement = Statement::new(Within, SERIES, printed::eq145_a::tree, eq145);
 
 attempts![&EQ140, &EQ141, &EQ142, &EQ143, &EQ144, &EQ145];

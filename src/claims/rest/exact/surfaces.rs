@@ -52,7 +52,6 @@ pub(crate) fn prove(formula: Expr) -> Proof {
     })
 }
 
-/// The surface as corrected.
 pub(crate) const CORRECTED: Statement = Statement::new(
     Corrected,
     Compared::one(

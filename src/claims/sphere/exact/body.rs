@@ -5,18 +5,15 @@ use crate::claims::sphere::prelude::*;
 use crate::paper::general::eq1_velocity_rate;
 use crate::paper::sphere as paper;
 
-/// The friction force on the sphere.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Force {
     /// Coulomb's, while the sphere slides.
     Sliding,
     /// That which keeps the slip velocity 0.
     Rolling,
-    /// Any force.
     Any,
 }
 
-/// The laws of motion in a ring.
 pub(super) struct Body {
     pub(super) ring: Ring,
     /// d/dt along the motion.
@@ -205,7 +202,6 @@ fn prove_eq75(formula: Components) -> Proof {
     })
 }
 
-/// A quantity has no component along z.
 fn upright(p: &mut Prover<'_>, along_z: Expr) -> Result<(), Obstacle> {
     let along_z = p.read("Along z", along_z)?;
     p.zero("Nothing moves", &along_z)
@@ -236,7 +232,6 @@ pub(crate) const S3_REDUCTION: Vectorial = Vectorial::new(
     },
 );
 
-/// The force m𝐀/b, which static friction can give up to |𝐀| = bμg, keeps the slip velocity as it is.
 pub(super) fn prove_rolling() -> Proof {
     prove(
         "A sphere rolls on where a particle with bμ stays at rest",
@@ -400,7 +395,6 @@ attempts![
             })
         },
     ),
-    // κ makes (64) the law for the spin.
     &EQ62 = Vectorial::new(
         Printed,
         Compared::one(
@@ -434,7 +428,6 @@ attempts![
             })
         },
     ),
-    // τ makes (74) the law for the slip.
     &EQ69 = Vectorial::new(
         Printed,
         BY_DEFINITION,
@@ -460,7 +453,6 @@ attempts![
             )
         },
     ),
-    // ζ is the rate of turning in the time τ.
     &EQ70 = Vectorial::new(
         Printed,
         Compared::one(
@@ -480,7 +472,6 @@ attempts![
             })
         },
     ),
-    // u makes (74) the law for the slip.
     &EQ71 = Vectorial::new(
         Printed,
         BY_DEFINITION,
@@ -492,7 +483,6 @@ attempts![
             rates(title, Force::Sliding, u, per_tau(), stated)
         },
     ),
-    // γ makes (74) the law for the slip.
     &EQ72 = Vectorial::new(
         Printed,
         BY_DEFINITION,

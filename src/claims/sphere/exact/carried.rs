@@ -10,7 +10,6 @@ use crate::claims::sinusoidal::attraction;
 use crate::claims::sphere::prelude::*;
 use crate::paper::{anisotropic, sinusoidal, sphere as paper};
 
-/// The sinusoidal drive.
 pub(crate) const TRICHOTOMY: Statement<[Expr; 2]> = Statement::shown(
     Within,
     r"for every sphere, every start and every $\lambda_0>0$ of (84) but $\lambda_\mathrm c$ and 1: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that the three kinds are proved, with the zeros and the rests, and that $\lambda_\mathrm c$ of (37) is where the curves A and B meet",
@@ -36,7 +35,6 @@ fn ring() -> Result<Ring, ExactError> {
     Ok(ring)
 }
 
-/// A proof that starts from the reduction to the particle.
 fn carried(title: &str, steps: impl FnOnce(&mut Prover<'_>) -> Result<(), Obstacle>) -> Proof {
     Proof::in_ring(title, ring(), |p| {
         given(p, &[&S3_REDUCTION])?;
@@ -116,7 +114,6 @@ fn regions(lambda0: Expr) -> Proof {
 
 attempts![
     &TRICHOTOMY,
-    // Any periodic drive.
     &ANY_DRIVE = Statement::shown(
         Printed,
         r"for every sphere and every start: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22), and (26) with $h$ for the sine is its equation; for that it is proved that all rests above $\lambda_0=1$, that the share of rest tends to 1 below it if $\lvert h\rvert=1$ at single instants, and that, under the conditions of that theorem, some $\lambda_\mathrm c$ divides large friction, with rests, from small, without",
@@ -126,7 +123,6 @@ attempts![
         },
         any_drive
     ),
-    // The pulse train.
     &PULSE = Statement::shown(
         Printed,
         r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu$ in place of $\mu$, which makes (84) of (22); for that (44) to (46) are proved",
@@ -136,7 +132,6 @@ attempts![
         },
         pulse
     ),
-    // Anisotropic friction.
     &ANISOTROPIC = Statement::shown(
         Printed,
         r"for every sphere: the slip velocity moves, and stays 0, as a particle's velocity with $b\mu_\pm$ in place of $\mu_\pm$, which makes (85) of (49) and $q$ times (85) of (50); for that the regions, with E, are proved for every $q\ge1$",

@@ -15,7 +15,6 @@ const fn equation(
     Vectorial::new(Printed, compared, formulas, prove)
 }
 
-/// Two sides of an equation.
 fn sides(title: &str, printed: &[Expr]) -> Proof {
     prove(title, Setting::polar(), |p, _| {
         let left = p.read("The left-hand side", printed[0])?;

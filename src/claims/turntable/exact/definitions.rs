@@ -13,7 +13,6 @@ const fn consistent(
     Vectorial::new(Printed, compared, formulas, prove)
 }
 
-/// A formula against what it has to be.
 fn is(
     title: &str,
     setting: Result<Setting, ExactError>,

@@ -34,7 +34,6 @@ fn keeps_its_value(title: &str, setting: Result<Setting, ExactError>, formula: &
     })
 }
 
-/// (106) as printed.
 pub(crate) const PRINTED_106: Vectorial = Vectorial::new(
     Printed,
     Compared::one("the rate of (106) along (86)", "0"),
@@ -51,7 +50,6 @@ fn prove_106(formula: Vec<Expr>) -> Proof {
     keeps_its_value(title, Setting::dimensional(), &formula)
 }
 
-/// The work as printed.
 pub(crate) const PRINTED_WORK: Vectorial = Vectorial::new(
     Printed,
     Compared::many(
@@ -62,7 +60,6 @@ pub(crate) const PRINTED_WORK: Vectorial = Vectorial::new(
     prove_works,
 );
 
-/// Of the forces in (86), the Coriolis force has no power, and friction that by which the given work grows.
 fn prove_works(work: Vec<Expr>) -> Proof {
     let title = "the works of the Coriolis force and of friction";
     prove(title, Setting::dimensional(), |p, setting| {

@@ -66,7 +66,6 @@ fn factors() -> [Expr; 2] {
     [((psi - q) / 2).sin(), ((psi + q) / 2).cos()]
 }
 
-/// A factor of (115) is zero at the given angle.
 fn prove_zero(printed: Expr, factor: Expr) -> Proof {
     let title = "(115) is zero at a quasi-fixed point";
     prove(title, Setting::fixed(), |p, _| {
@@ -83,7 +82,6 @@ fn prove_zero(printed: Expr, factor: Expr) -> Proof {
     })
 }
 
-/// A deviation from ψ₁ shrinks at the rate 2/sinh 2α, one from ψ₂ grows at that rate.
 fn prove_slope(printed: Vec<Expr>) -> Proof {
     let title = "the slope of (115) at its zeros, α held fixed";
     prove(title, Setting::fixed(), |p, _| {

@@ -103,7 +103,6 @@ fn without_dimensions(title: &str, position: &[Expr], time: Expr, rates: &[Expr]
     })
 }
 
-/// A formula with other components for position and velocity.
 fn put_vectors(formula: Expr, [[x, y], [u, v]]: [[Expr; 2]; 2]) -> Expr {
     // By way of names that stand nowhere else, so that what is put in is not replaced again.
     let names = [("x", "x*"), ("y", "y*"), ("u", "u*"), ("v", "v*")];
@@ -142,7 +141,6 @@ const fn projection(
     Vectorial::new(subject, compared, formulas, prove)
 }
 
-/// The printed right-hand side against the left, of position, velocity and acceleration.
 fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational) -> Proof {
     prove(title, Setting::cartesian(), |p, setting| {
         let left = left(elements(p, setting)?);
@@ -151,7 +149,6 @@ fn sides(title: &str, printed: &[Expr], left: fn([[Rational; 2]; 3]) -> Rational
     })
 }
 
-/// The mirror image of a solution, y → −y, has the accelerations that the formulas give with −Ω.
 fn prove_mirror(printed: Vec<Expr>) -> Proof {
     let title = "(86) in the mirror y → −y";
     prove(title, Setting::dimensional(), |p, setting| {

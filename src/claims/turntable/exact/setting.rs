@@ -4,14 +4,12 @@ use super::vectors;
 use crate::claims::turntable::prelude::*;
 use crate::paper::turntable as paper;
 
-/// A ring and the motion in it.
 #[derive(Debug)]
 pub(crate) struct Setting {
-    /// The ring.
     pub ring: Ring,
     /// The rate of change along the motion.
     pub motion: Derivation,
-    /// Which law of motion is entered, in words.
+    /// In words.
     pub law: &'static str,
 }
 
@@ -174,7 +172,7 @@ impl Setting {
     }
 }
 
-/// A ring with x, y, u, v.
+/// With x, y, u, v.
 fn plain() -> Ring {
     Ring::of(["x", "y", "u", "v"])
 }
